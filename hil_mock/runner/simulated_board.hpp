@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+namespace echomap::runner {
+
+enum class Wheel : std::uint8_t { kLeft, kRight };
+
+/// What the board does to its motors, -1 .. 1 of full duty, forward positive.
+struct MotorDuty {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// A robot's board in simulated time, seen from its pins: the emulated AVR or the native firmware.
+/// Times are nanoseconds since power-on. Events may only be scheduled at or after `now_ns()`.
+class SimulatedBoard {
+ public:
+  virtual ~SimulatedBoard() = default;
+
+  virtual std::int64_t now_ns() const = 0;
+  /// Runs the board's program up to `until_ns`; calls the hooks below from within.
+  virtual void run_until(std::int64_t until_ns) = 0;
+
+  /// Bytes on the board's receive line, paced by its baud rate.
+  virtual void receive(std::span<const std::uint8_t> bytes) = 0;
+  /// Called with each byte that the board has sent, when its stop bit is over.
+  std::function<void(std::uint8_t)> on_sent;
+
+  virtual MotorDuty motor_duty() const = 0;
+  /// Length of the servo pulse now produced; 0 before the first.
+  virtual double pan_pulse_us() const = 0;
+  /// The quadrature pins of a wheel change to these levels at `at_ns`.
+  virtual void schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) = 0;
+  /// Called when the board has triggered the sonar; answer with `schedule_echo` or not at all.
+  std::function<void(std::int64_t at_ns)> on_trigger;
+  virtual void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) = 0;
+  virtual void set_bump(Wheel side, bool pressed) = 0;
+
+  /// What runs and in what, for summaries: for example "echomap-uno 0.1.0" and "simavr 1.6".
+  virtual std::string firmware_name() const = 0;
+  virtual std::string emulator_name() const = 0;
+};
+
+}  // namespace echomap::runner

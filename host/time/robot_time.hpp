@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace echomap::time {
+
+/// The robot's own clock: microseconds since its reset, unwrapped to 64 bits. A clock type of its
+/// own, so that subtracting robot and host stamps does not compile. It has no now(): a stamp only
+/// comes from a message.
+struct RobotClock {
+  using rep = std::int64_t;
+  using period = std::micro;
+  using duration = std::chrono::duration<rep, period>;
+  using time_point = std::chrono::time_point<RobotClock>;
+  static constexpr bool is_steady = true;
+};
+using RobotTime = RobotClock::time_point;
+
+/// Extends the 32-bit microseconds of the wire, which wrap every 71.6 minutes.
+class RobotTimeUnwrapper {
+ public:
+  /// Stamps may run back by less than half a wrap (frames out of order), never by more.
+  RobotTime unwrap(std::uint32_t stamp_us);
+  /// The robot was reset: its clock starts at zero again, ours goes on after the last stamp.
+  void restart();
+
+ private:
+  std::int64_t last_us_ = 0;
+  std::int64_t epoch_us_ = 0;
+};
+
+}  // namespace echomap::time

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "protocol/message_schema.hpp"
+
+namespace echomap {
+namespace protocol {
+
+/// Visitor that writes fields little-endian at `out`.
+class PutVisitor {
+ public:
+  explicit PutVisitor(uint8_t* out) : out_(out) {}
+  template <class T>
+  __attribute__((always_inline)) void operator()(const char* /*name*/, const T& value) {
+    uint32_t rest = static_cast<uint32_t>(value);
+    for (uint8_t i = 0; i < sizeof(T); ++i) {
+      *out_++ = static_cast<uint8_t>(rest);
+      rest >>= 8;
+    }
+  }
+
+ private:
+  uint8_t* out_;
+};
+
+/// Visitor that reads fields little-endian from `in`.
+class GetVisitor {
+ public:
+  explicit GetVisitor(const uint8_t* in) : in_(in) {}
+  template <class T>
+  __attribute__((always_inline)) void operator()(const char* /*name*/, T& value) {
+    uint32_t bits = 0;
+    for (uint8_t i = 0; i < sizeof(T); ++i) {
+      bits |= static_cast<uint32_t>(*in_++) << (8 * i);
+    }
+    value = static_cast<T>(bits);
+  }
+
+ private:
+  const uint8_t* in_;
+};
+
+/// Writes the payload of `message`; `out` holds MessageFacts<M>::kSize bytes.
+template <class M>
+void put_payload(const M& message, uint8_t* out) {
+  PutVisitor visitor(out);
+  M::each(message, visitor);
+}
+
+/// Reads a message out of a payload of exactly MessageFacts<M>::kSize bytes.
+template <class M>
+M get_payload(const uint8_t* payload) {
+  M message{};
+  GetVisitor visitor(payload);
+  M::each(message, visitor);
+  return message;
+}
+
+/// Calls `handler(const M&)` for the message of list `List` that has this id; false where none has.
+/// `payload` has the length that the list's schema says, as FrameDecoder grants.
+template <class List>
+struct Dispatcher;
+
+template <class... Messages>
+struct Dispatcher<MessageList<Messages...>> {
+  template <class Handler>
+  static bool dispatch(uint8_t id, const uint8_t* payload, Handler& handler) {
+    bool found = false;
+    const bool tried[] = {try_message<Messages>(id, payload, handler, found)...};
+    static_cast<void>(tried);
+    return found;
+  }
+
+ private:
+  template <class M, class Handler>
+  static bool try_message(uint8_t id, const uint8_t* payload, Handler& handler, bool& found) {
+    if (id == M::kId) {
+      handler(get_payload<M>(payload));
+      found = true;
+    }
+    return found;
+  }
+};
+
+}  // namespace protocol
+}  // namespace echomap

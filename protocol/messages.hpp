@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "protocol/command_messages.hpp"
+#include "protocol/handshake_messages.hpp"
+#include "protocol/telemetry_messages.hpp"
+
+/// Every message of the wire. The list of fields in a message's `each` is the only place that knows
+/// them: size, seed, encoding, decoding, description and log columns are visitors of it.
+/// Angles are centidegrees counter-clockwise, times the robot's own microseconds, wheels encoder
+/// counts ("ticks"); the host turns them into SI units in host/sensors.
+namespace echomap {
+namespace protocol {
+
+using MessagesToRobot = MessageList<Hello,
+                                    Ping,
+                                    Arm,
+                                    Stop,
+                                    ConfigureDrive,
+                                    ConfigureSonar,
+                                    MoveTicks,
+                                    StartSweep,
+                                    DriveSetpoint,
+                                    KeepAlive>;
+using MessagesToHost = MessageList<HelloReply, Ack, Pong, Odometry, Echo, Status>;
+using AllMessages = MessageList<Hello,
+                                HelloReply,
+                                Ack,
+                                Ping,
+                                Pong,
+                                Arm,
+                                Stop,
+                                ConfigureDrive,
+                                ConfigureSonar,
+                                MoveTicks,
+                                StartSweep,
+                                DriveSetpoint,
+                                KeepAlive,
+                                Odometry,
+                                Echo,
+                                Status>;
+
+/// Digest of the whole schema, the same on both sides when they were built from the same messages.
+template <class List>
+struct DigestOf {
+  enum : uint32_t { kValue = List::digest() };
+};
+constexpr uint32_t kSchemaDigest = DigestOf<AllMessages>::kValue;
+
+}  // namespace protocol
+}  // namespace echomap
