@@ -19,8 +19,8 @@ struct OdometryObservation {
   WheelTravel travel;
 };
 
-/// One sonar reading. `range_m` is empty where nothing answered. `pan_rad` is counter-clockwise from
-/// straight ahead, in the robot frame.
+/// One sonar reading. `range_m` is empty where nothing answered. `pan_rad` is counter-clockwise
+/// from straight ahead, in the robot frame.
 struct SonarObservation {
   time::RobotTime stamp;
   WheelTravel travel;

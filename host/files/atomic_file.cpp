@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "host/files/atomic_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace echomap::files {
+
+AtomicFile::AtomicFile(std::filesystem::path path)
+    : path_(std::move(path)), temporary_path_(path_.string() + ".part") {
+  descriptor_ = ::open(temporary_path_.c_str(),
+                       O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC,
+                       S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
+  if (descriptor_ < 0) {
+    fail("create");
+  }
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) {
+    ::close(descriptor_);
+    ::unlink(temporary_path_.c_str());
+  }
+}
+
+void AtomicFile::write(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor_, text.data(), text.size());
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written < 0) {
+      fail("write");
+    }
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void AtomicFile::write(std::span<const unsigned char> bytes) {
+  write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+void AtomicFile::commit() {
+  if (::fsync(descriptor_) != 0 && errno != EINVAL) {
+    fail("write");
+  }
+  if (::rename(temporary_path_.c_str(), path_.c_str()) != 0) {
+    fail("rename");
+  }
+  ::close(std::exchange(descriptor_, -1));
+}
+
+void AtomicFile::fail(const char* action) const {
+  const int reason = errno;
+  throw FileError("cannot " + std::string(action) + " " + path_.string() + ": " +
+                  std::generic_category().message(reason));
+}
+
+void write_text_file(const std::filesystem::path& path, std::string_view text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+std::string read_text_file(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream.is_open() || stream.bad() || std::filesystem::is_directory(path)) {
+    throw FileError("cannot read " + path.string() + ": " +
+                    std::generic_category().message(stream.is_open() ? EISDIR : errno));
+  }
+  return text.str();
+}
+
+}  // namespace echomap::files
