@@ -15,7 +15,7 @@ class PutVisitor {
   template <class T>
   __attribute__((always_inline)) void operator()(const char* /*name*/, const T& value) {
     uint32_t rest = static_cast<uint32_t>(value);
-    for (uint8_t i = 0; i < sizeof(T); ++i) {
+    for (uint8_t i = 0; i < static_cast<uint8_t>(sizeof(T)); ++i) {
       *out_++ = static_cast<uint8_t>(rest);
       rest >>= 8;
     }
@@ -32,7 +32,7 @@ class GetVisitor {
   template <class T>
   __attribute__((always_inline)) void operator()(const char* /*name*/, T& value) {
     uint32_t bits = 0;
-    for (uint8_t i = 0; i < sizeof(T); ++i) {
+    for (uint8_t i = 0; i < static_cast<uint8_t>(sizeof(T)); ++i) {
       bits |= static_cast<uint32_t>(*in_++) << (8 * i);
     }
     value = static_cast<T>(bits);

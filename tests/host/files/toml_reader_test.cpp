@@ -31,6 +31,7 @@ TEST(TomlReader, ReadsEveryKind) {
   EXPECT_EQ(toml.text("name"), "room");
   EXPECT_EQ(toml.points("corners").at(1)[1], 2.0);
   EXPECT_TRUE(toml.table("wall").boolean_or("rough", false));
+  EXPECT_EQ(toml.tables("box").at(0).number("side_m"), 0.5);
   EXPECT_EQ(toml.tables("box").at(1).number("side_m"), 0.7);
   EXPECT_EQ(toml.number_or("height_m", 2.5), 2.5);
   EXPECT_FALSE(toml.optional_table("door"));
