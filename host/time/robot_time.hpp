@@ -21,7 +21,8 @@ using RobotTime = RobotClock::time_point;
 /// Extends the 32-bit microseconds of the wire, which wrap every 71.6 minutes.
 class RobotTimeUnwrapper {
  public:
-  /// Stamps may run back by less than half a wrap (frames out of order), never by more.
+  /// The first stamp after the start or a restart counts from the reset. Later ones may run back by
+  /// less than half a wrap (frames out of order), never by more.
   RobotTime unwrap(std::uint32_t stamp_us);
   /// The robot was reset: its clock starts at zero again, ours goes on after the last stamp.
   void restart();
@@ -29,6 +30,7 @@ class RobotTimeUnwrapper {
  private:
   std::int64_t last_us_ = 0;
   std::int64_t epoch_us_ = 0;
+  bool started_ = false;
 };
 
 }  // namespace echomap::time

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "host/sensors/observations.hpp"
+#include "host/sensors/robot_geometry.hpp"
+#include "host/sensors/tick_unwrapper.hpp"
+#include "host/time/robot_time.hpp"
+#include "protocol/telemetry_messages.hpp"
+
+namespace echomap::sensors {
+
+/// How an echo's flight time becomes a range.
+struct SonarRangeParams {
+  double speed_of_sound_m_s = 343.2;  ///< Dry air at 20 degrees C; +0.6 m/s per degree.
+  double min_range_m = 0.04;  ///< Nearer is ringing of the transducer (Singh and Bedi 2013, 2.4).
+  double max_range_m = 2.30;  ///< Farther is noise; depends on the sensor.
+};
+
+/// Turns telemetry, integers on the robot's clock, into observations in SI units. Counters and
+/// stamps are unwrapped over the whole session, so `convert` wants every message, in order of
+/// arrival.
+class ObservationConverter {
+ public:
+  /// Throws std::invalid_argument for a geometry or ranges that make no sense.
+  ObservationConverter(const RobotGeometry& geometry, const SonarRangeParams& sonar);
+
+  OdometryObservation convert(const protocol::Odometry& message);
+  /// `range_m` is empty for no echo and for ranges outside of the sonar's.
+  SonarObservation convert(const protocol::Echo& message);
+
+  /// The robot was reset: its counters and its clock start at zero, travel and stamps go on.
+  void restart();
+
+ private:
+  WheelTravel travel(std::int16_t left_ticks, std::int16_t right_ticks);
+  std::optional<double> range_m(std::uint16_t flight_us) const;
+
+  RobotGeometry geometry_;
+  SonarRangeParams sonar_;
+  time::RobotTimeUnwrapper time_;
+  TickUnwrapper left_;
+  TickUnwrapper right_;
+};
+
+}  // namespace echomap::sensors

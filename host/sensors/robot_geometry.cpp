@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "host/sensors/robot_geometry.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace echomap::sensors {
+namespace {
+
+void require(bool holds, const char* what) {
+  if (!holds) {
+    throw std::invalid_argument(std::string("robot geometry: ") + what);
+  }
+}
+
+bool positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+}  // namespace
+
+double RobotGeometry::metres_per_tick() const {
+  return std::numbers::pi * wheel_diameter_m / counts_per_turn;
+}
+
+std::int32_t RobotGeometry::ticks_from_metres(double distance_m) const {
+  return static_cast<std::int32_t>(std::lround(distance_m / metres_per_tick()));
+}
+
+WheelTicks RobotGeometry::straight(double distance_m) const {
+  const std::int32_t ticks = ticks_from_metres(distance_m);
+  return {ticks, ticks};
+}
+
+WheelTicks RobotGeometry::turn_on_spot(double turn_rad) const {
+  const std::int32_t ticks = ticks_from_metres(turn_rad * track_m / 2.0);
+  return {-ticks, ticks};
+}
+
+geometry::Pose2 RobotGeometry::T_robot_sonar(double pan_rad) const {
+  return {sonar_x_m + sonar_forward_m * std::cos(pan_rad),
+          sonar_y_m + sonar_forward_m * std::sin(pan_rad),
+          pan_rad};
+}
+
+void RobotGeometry::check() const {
+  require(positive(wheel_diameter_m), "wheel_diameter_m must be positive");
+  require(positive(track_m), "track_m must be positive");
+  require(positive(counts_per_turn), "counts_per_turn must be positive");
+  require(std::isfinite(sonar_x_m) && std::isfinite(sonar_y_m), "sonar_x_m, sonar_y_m: not finite");
+  require(std::isfinite(sonar_forward_m), "sonar_forward_m is not finite");
+}
+
+}  // namespace echomap::sensors
