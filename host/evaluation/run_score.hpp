@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "host/evaluation/map_agreement.hpp"
+#include "host/evaluation/trajectory_error.hpp"
+
+namespace echomap::evaluation {
+
+struct RunScore {
+  MapAgreement map;
+  TrajectoryError trajectory;
+};
+
+/// Scores map.yaml and trajectory.tum of a run directory against the truth directory of the same
+/// run. The map is placed in the world by the first true pose alone. Throws files::FileError.
+RunScore score_run(const std::filesystem::path& run_directory,
+                   const std::filesystem::path& truth_directory);
+
+}  // namespace echomap::evaluation

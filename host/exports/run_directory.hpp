@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "host/exports/summary_json.hpp"
+#include "host/pipeline/snapshot.hpp"
+
+namespace echomap::exports {
+
+/// Sets the fields of a summary that follow from what the pipeline knows: stops, echoes, lengths,
+/// areas.
+void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary);
+
+/// Writes map.yaml, map.pgm, occupancy_grid.csv, map.png, points.csv, poses.csv, trajectory.tum and
+/// summary.json into `directory`, which is made where it is missing. Each file is whole or absent.
+/// Throws files::FileError.
+void write_run_directory(const std::filesystem::path& directory,
+                         const pipeline::Snapshot& snapshot,
+                         const RunSummary& summary);
+
+}  // namespace echomap::exports

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace echomap::exports {
+
+/// What a run was and how it went; the fields are the keys of summary.json.
+struct RunSummary {
+  std::string echomap_version;
+  std::string strategy;
+  /// How it ended: name_of(FinishReason), "interrupted", "link-lost", ...
+  std::string outcome;
+  std::string robot;
+  std::string world;
+  std::string firmware;
+  std::string emulator;
+  std::uint32_t seed = 0;
+  double sim_seconds = 0.0;
+  double wall_seconds = 0.0;
+  std::size_t stops = 0;
+  std::size_t readings = 0;
+  std::size_t echoes = 0;
+  /// Length of the trajectory, metres, and the floor known to be free, square metres.
+  double travelled_m = 0.0;
+  double free_area_m2 = 0.0;
+};
+
+/// As indented JSON with a newline at the end.
+std::string to_json_text(const RunSummary& summary);
+
+/// Throws files::FileError.
+void write_summary_json(const std::filesystem::path& path, const RunSummary& summary);
+
+}  // namespace echomap::exports

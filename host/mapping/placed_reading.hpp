@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+
+namespace echomap::mapping {
+
+/// A sonar reading with the place it was taken from. The sonar frame lies at the transducer with x
+/// along the beam's axis. `range_m` is empty where nothing answered.
+struct PlacedReading {
+  geometry::Pose2 T_map_robot;
+  geometry::Pose2 T_map_sonar;
+  std::optional<double> range_m;
+};
+
+/// What the robot saw from one stop, in the order in which it was read.
+using Scan = std::vector<PlacedReading>;
+
+/// Where the echo would lie if it came from the axis of the beam, in the map frame; empty without
+/// echo.
+std::optional<Eigen::Vector2d> echo_point_m(const PlacedReading& reading);
+
+}  // namespace echomap::mapping

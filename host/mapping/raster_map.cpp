@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/raster_map.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace echomap::mapping {
+
+using geometry::CellIndex;
+
+RasterMap::RasterMap(int columns, int rows, double resolution_m, const Eigen::Vector2d& origin_m)
+    : columns_(columns), rows_(rows), resolution_m_(resolution_m), origin_m_(origin_m) {
+  if (columns < 1 || rows < 1 || !(resolution_m > 0.0)) {
+    throw std::invalid_argument("a raster map needs at least one cell and a resolution above 0");
+  }
+  cells_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
+                CellState::kUnknown);
+}
+
+bool RasterMap::contains(CellIndex cell) const {
+  return cell.x >= 0 && cell.x < columns_ && cell.y >= 0 && cell.y < rows_;
+}
+
+CellState RasterMap::state(CellIndex cell) const {
+  return contains(cell) ? cells_[index_of(cell)] : CellState::kUnknown;
+}
+
+void RasterMap::set(CellIndex cell, CellState state) { cells_[index_of(cell)] = state; }
+
+CellIndex RasterMap::cell_at(const Eigen::Vector2d& point_m) const {
+  const Eigen::Vector2d in_cells = (point_m - origin_m_) / resolution_m_;
+  return {static_cast<std::int32_t>(std::floor(in_cells.x())),
+          static_cast<std::int32_t>(std::floor(in_cells.y()))};
+}
+
+Eigen::Vector2d RasterMap::center_m(CellIndex cell) const {
+  return origin_m_ + resolution_m_ * Eigen::Vector2d(cell.x + 0.5, cell.y + 0.5);
+}
+
+std::size_t RasterMap::index_of(CellIndex cell) const {
+  return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(cell.x);
+}
+
+RasterMap rasterize(const OccupancyGrid& grid) {
+  if (!grid.bounds()) {
+    return {1, 1, grid.resolution_m(), Eigen::Vector2d::Zero()};
+  }
+  const CellIndex corner{grid.bounds()->min.x - 1, grid.bounds()->min.y - 1};
+  const Eigen::Vector2d origin_m = grid.resolution_m() * Eigen::Vector2d(corner.x, corner.y);
+  RasterMap raster(
+      grid.bounds()->columns() + 2, grid.bounds()->rows() + 2, grid.resolution_m(), origin_m);
+  for (int y = 0; y < raster.rows(); ++y) {
+    for (int x = 0; x < raster.columns(); ++x) {
+      raster.set({x, y}, grid.state({corner.x + x, corner.y + y}));
+    }
+  }
+  return raster;
+}
+
+}  // namespace echomap::mapping

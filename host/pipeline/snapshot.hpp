@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+#include "host/mapping/occupancy_grid.hpp"
+#include "host/mapping/placed_reading.hpp"
+#include "host/mapping/point_cloud_map.hpp"
+#include "host/time/robot_time.hpp"
+
+namespace echomap::pipeline {
+
+/// Where the robot was at one instant. The map frame is the robot's pose when it started.
+struct StampedPose {
+  time::RobotTime stamp;
+  geometry::Pose2 T_map_robot;
+};
+
+/// Everything the pipeline knows at one instant. Immutable and cheap to copy: the large parts are
+/// shared and never null.
+struct Snapshot {
+  StampedPose latest;
+  std::shared_ptr<const std::vector<StampedPose>> trajectory;
+  std::shared_ptr<const mapping::PointCloudMap> points;
+  std::shared_ptr<const mapping::OccupancyGrid> grid;
+  /// The last scan that was ended; empty before.
+  std::shared_ptr<const mapping::Scan> last_scan;
+  /// Scans ended so far, one per stop.
+  std::size_t stops = 0;
+  /// Floor that the last scan showed free and nobody had known before, square metres.
+  double newly_free_m2 = 0.0;
+};
+
+}  // namespace echomap::pipeline
