@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace echomap::robot_link {
+
+/// How the link to the robot stands. All but kReady and kMismatch go on saying Hello, so the link
+/// comes back by itself.
+enum class LinkState : std::uint8_t {
+  kConnecting,  ///< Hello was sent, nothing is decided yet.
+  kReady,       ///< The robot speaks our protocol; telemetry and commands flow.
+  kSilent,      ///< Not one byte came for two seconds: no power, wrong port, no firmware.
+  kGarbage,     ///< Bytes came but no frame for two seconds: wrong baud rate or another sketch.
+  kUnheard,     ///< Frames come but Hello goes unanswered: the robot does not hear us.
+  kMismatch,    ///< Firmware and host were built from different messages.
+  kLost,        ///< Was ready; then no frame for a second, or a command found no answer.
+};
+
+std::string_view to_string(LinkState state);
+
+}  // namespace echomap::robot_link

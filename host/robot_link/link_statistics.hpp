@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace echomap::robot_link {
+
+/// Counters of a session, both directions.
+struct LinkStatistics {
+  std::uint64_t bytes_received = 0;
+  std::uint64_t frames_received = 0;
+  std::uint64_t frames_bad = 0;   ///< Robot to host, failed a check.
+  std::uint64_t frames_lost = 0;  ///< Robot to host, missing sequence numbers, bad ones included.
+  std::uint64_t frames_sent = 0;
+  std::uint64_t commands_resent = 0;
+  std::uint64_t resets_seen = 0;
+
+  /// As the robot last said in Status; modulo 2^16, since its reset.
+  std::uint16_t robot_frames_bad = 0;
+  std::uint16_t robot_frames_lost = 0;
+  std::uint16_t robot_receive_overruns = 0;
+  std::uint16_t robot_telemetry_dropped = 0;
+
+  /// Command to acknowledgement, smoothed as in RFC 6298; empty before the first.
+  std::optional<std::chrono::microseconds> round_trip;
+};
+
+}  // namespace echomap::robot_link

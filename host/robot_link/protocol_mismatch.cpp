@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "host/robot_link/protocol_mismatch.hpp"
+
+#include <iomanip>
+#include <sstream>
+#include <tuple>
+
+#include "protocol/messages.hpp"
+#include "protocol/version.hpp"
+
+namespace echomap::robot_link {
+namespace {
+
+std::string version_text(unsigned major, unsigned minor, std::uint32_t digest) {
+  std::ostringstream text;
+  text << "protocol " << major << '.' << minor << " (schema " << std::hex << std::setw(8)
+       << std::setfill('0') << digest << ')';
+  return text.str();
+}
+
+}  // namespace
+
+SideToUpdate ProtocolMismatch::side_to_update() const {
+  const bool robot_is_newer = std::tie(robot_major, robot_minor) > std::tie(host_major, host_minor);
+  return robot_is_newer ? SideToUpdate::kHost : SideToUpdate::kFirmware;
+}
+
+std::string ProtocolMismatch::message() const {
+  std::ostringstream text;
+  text << "the robot's firmware " << robot_firmware_version / 100 << '.' << std::setw(2)
+       << std::setfill('0') << robot_firmware_version % 100 << " speaks "
+       << version_text(robot_major, robot_minor, robot_digest) << ", this host "
+       << version_text(host_major, host_minor, host_digest) << ": update the "
+       << (side_to_update() == SideToUpdate::kFirmware ? "firmware" : "host");
+  return text.str();
+}
+
+bool speaks_our_protocol(const protocol::HelloReply& reply) {
+  return reply.protocol_major == protocol::kProtocolMajor &&
+         reply.schema_digest == protocol::kSchemaDigest;
+}
+
+ProtocolMismatch mismatch_with(const protocol::HelloReply& reply) {
+  return {.host_major = protocol::kProtocolMajor,
+          .host_minor = protocol::kProtocolMinor,
+          .host_digest = protocol::kSchemaDigest,
+          .robot_major = reply.protocol_major,
+          .robot_minor = reply.protocol_minor,
+          .robot_digest = reply.schema_digest,
+          .robot_firmware_version = reply.firmware_version};
+}
+
+}  // namespace echomap::robot_link

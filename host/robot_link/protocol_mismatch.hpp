@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "protocol/handshake_messages.hpp"
+
+namespace echomap::robot_link {
+
+/// Which of the two is older, judged by protocol versions.
+enum class SideToUpdate : std::uint8_t {
+  kFirmware,  ///< Also where versions are equal and only the messages differ.
+  kHost,
+};
+
+/// What both sides said of themselves when their messages differ.
+struct ProtocolMismatch {
+  std::uint8_t host_major = 0;
+  std::uint8_t host_minor = 0;
+  std::uint32_t host_digest = 0;
+  std::uint8_t robot_major = 0;
+  std::uint8_t robot_minor = 0;
+  std::uint32_t robot_digest = 0;
+  std::uint16_t robot_firmware_version = 0;  ///< In hundredths.
+
+  SideToUpdate side_to_update() const;
+  /// One sentence with both versions and the side to update.
+  std::string message() const;
+};
+
+/// True when the robot was built from the same messages as this host.
+bool speaks_our_protocol(const protocol::HelloReply& reply);
+
+/// Both sides' versions, for a reply that does not match.
+ProtocolMismatch mismatch_with(const protocol::HelloReply& reply);
+
+}  // namespace echomap::robot_link

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "host/robot_link/robot_link.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "protocol/version.hpp"
+
+namespace echomap::robot_link {
+
+using protocol::DecodeStatus;
+using protocol::MessagesToHost;
+
+namespace {
+
+RobotLinkParams checked(const RobotLinkParams& params) {
+  using Duration = RobotLinkParams::Duration;
+  const bool holds =
+      params.hello_period > Duration::zero() && params.keep_alive_period > Duration::zero() &&
+      params.keep_alive_ttl > params.keep_alive_period &&
+      params.keep_alive_ttl <= std::chrono::milliseconds(500) &&
+      params.lost_after > params.quiet_after && params.diagnose_after > params.hello_period;
+  if (!holds) {
+    throw std::invalid_argument("robot link: periods do not fit together");
+  }
+  return params;
+}
+
+}  // namespace
+
+RobotLink::RobotLink(RobotLinkListener& listener,
+                     std::uint16_t session,
+                     const RobotLinkParams& params)
+    : listener_(listener),
+      session_(session),
+      params_(checked(params)),
+      commands_(params.retransmission, params.command_tries) {}
+
+void RobotLink::receive(std::span<const std::uint8_t> bytes, time::HostTime now) {
+  now_ = now;
+  if (!bytes.empty()) {
+    last_byte_at_ = now;
+  }
+  statistics_.bytes_received += bytes.size();
+  for (const std::uint8_t byte : bytes) {
+    take_byte(byte);
+  }
+}
+
+void RobotLink::take_byte(std::uint8_t byte) {
+  preview_.add(byte);
+  const DecodeStatus status = decoder_.take(byte);
+  if (status == DecodeStatus::kIncomplete) {
+    return;
+  }
+  std::uint8_t seq = 0;
+  if (status == DecodeStatus::kFrame) {
+    const protocol::Frame frame = decoder_.frame();
+    seq = frame.seq;
+    preview_.clear();
+    last_frame_at_ = now_;
+    auto handler = [this](const auto& message) { handle(message); };
+    protocol::Dispatcher<MessagesToHost>::dispatch(frame.id, frame.payload, handler);
+  }
+  count(status, seq);
+}
+
+void RobotLink::count(DecodeStatus status, std::uint8_t seq) {
+  const protocol::ReceiveCounters before = counters_;
+  counters_.take(status, seq);
+  const auto step = [](std::uint16_t from, std::uint16_t to) {
+    return static_cast<std::uint16_t>(to - from);
+  };
+  statistics_.frames_received += step(before.frames_good(), counters_.frames_good());
+  statistics_.frames_bad += step(before.frames_bad(), counters_.frames_bad());
+  statistics_.frames_lost += step(before.frames_lost(), counters_.frames_lost());
+}
+
+void RobotLink::handle(const protocol::HelloReply& reply) {
+  if (!speaks_our_protocol(reply)) {
+    mismatch_ = mismatch_with(reply);
+    state_ = LinkState::kMismatch;
+    return;
+  }
+  if (robot_ && robot_->boot_id != reply.boot_id) {
+    notice_reset(reply);
+  }
+  if (reply.session != session_) {
+    return;
+  }
+  robot_ = reply;
+  if (state_ != LinkState::kReady) {
+    state_ = LinkState::kReady;
+    newest_stamp_us_.reset();
+    listener_.on_ready(reply);
+  }
+}
+
+void RobotLink::notice_reset(const protocol::HelloReply& reply) {
+  robot_ = reply;
+  state_ = LinkState::kConnecting;
+  connecting_since_ = now_;
+  counters_.restart();
+  ++statistics_.resets_seen;
+  end_commands(CommandOutcome::kRobotReset);
+  listener_.on_reset(reply.reset_cause);
+}
+
+void RobotLink::handle(const protocol::Ack& ack) {
+  if (const auto result = commands_.acknowledge(ack, now_)) {
+    listener_.on_command_done(*result);
+  }
+}
+
+void RobotLink::handle(const protocol::Odometry& message) {
+  if (accepts_telemetry(message.stamp_us)) {
+    listener_.on_odometry(message);
+  }
+}
+
+void RobotLink::handle(const protocol::Echo& message) {
+  if (accepts_telemetry(message.stamp_us)) {
+    listener_.on_echo(message);
+  }
+}
+
+void RobotLink::handle(const protocol::Status& message) {
+  if (!accepts_telemetry(message.stamp_us)) {
+    return;
+  }
+  statistics_.robot_frames_bad = message.frames_bad;
+  statistics_.robot_frames_lost = message.frames_lost;
+  statistics_.robot_receive_overruns = message.receive_overruns;
+  statistics_.robot_telemetry_dropped = message.telemetry_dropped;
+  listener_.on_status(message);
+}
+
+bool RobotLink::accepts_telemetry(std::uint32_t stamp_us) {
+  if (state_ != LinkState::kReady) {
+    return false;
+  }
+  const std::chrono::microseconds step(
+      newest_stamp_us_ ? static_cast<std::int32_t>(stamp_us - *newest_stamp_us_) : 0);
+  if (step < -params_.max_step_back) {
+    state_ = LinkState::kConnecting;
+    connecting_since_ = now_;
+    return false;
+  }
+  if (!newest_stamp_us_ || step.count() > 0) {
+    newest_stamp_us_ = stamp_us;
+  }
+  return true;
+}
+
+void RobotLink::poll(time::HostTime now) {
+  now_ = now;
+  update_state();
+  if (is_hello_due()) {
+    send_hello();
+  }
+  if (state_ == LinkState::kReady) {
+    send_keep_alive();
+    send_command();
+  } else if (state_ != LinkState::kConnecting) {
+    end_commands(CommandOutcome::kLinkLost);
+  }
+}
+
+void RobotLink::update_state() {
+  switch (state_) {
+    case LinkState::kReady:
+      if (now_ - *last_frame_at_ > params_.lost_after || commands_.is_exhausted(now_)) {
+        state_ = LinkState::kLost;
+      }
+      break;
+    case LinkState::kConnecting:
+    case LinkState::kSilent:
+    case LinkState::kGarbage:
+    case LinkState::kUnheard:
+      state_ = diagnose();
+      break;
+    case LinkState::kMismatch:
+    case LinkState::kLost:
+      break;
+  }
+}
+
+LinkState RobotLink::diagnose() {
+  if (!connecting_since_) {
+    connecting_since_ = now_;
+  }
+  if (now_ - *connecting_since_ < params_.diagnose_after) {
+    return LinkState::kConnecting;
+  }
+  const auto is_recent = [this](const std::optional<time::HostTime>& at) {
+    return at && now_ - *at < params_.diagnose_after;
+  };
+  if (is_recent(last_frame_at_)) {
+    return LinkState::kUnheard;
+  }
+  return is_recent(last_byte_at_) ? LinkState::kGarbage : LinkState::kSilent;
+}
+
+bool RobotLink::is_hello_due() const {
+  if (state_ == LinkState::kMismatch || now_ < next_hello_) {
+    return false;
+  }
+  return state_ != LinkState::kReady || now_ - *last_frame_at_ > params_.quiet_after;
+}
+
+void RobotLink::send_hello() {
+  next_hello_ = now_ + params_.hello_period;
+  // Ends whatever a reset or an earlier host left unfinished in the robot's decoder.
+  outgoing_.push_back(0);
+  send_frame(protocol::Hello{
+      protocol::kProtocolMajor, protocol::kProtocolMinor, protocol::kSchemaDigest, session_});
+}
+
+void RobotLink::send_keep_alive() {
+  if (!keep_alive_ || now_ < next_keep_alive_) {
+    return;
+  }
+  next_keep_alive_ = now_ + params_.keep_alive_period;
+  const auto ttl = std::chrono::duration_cast<std::chrono::milliseconds>(params_.keep_alive_ttl);
+  send_frame(protocol::KeepAlive{static_cast<std::uint16_t>(ttl.count())});
+}
+
+void RobotLink::send_command() {
+  if (const auto command = commands_.take_due(now_)) {
+    std::visit([this](const auto& message) { send_frame(message); }, *command);
+  }
+}
+
+void RobotLink::end_commands(CommandOutcome outcome) {
+  for (const CommandResult& result : commands_.abandon(outcome)) {
+    listener_.on_command_done(result);
+  }
+}
+
+void RobotLink::send(const protocol::DriveSetpoint& setpoint) {
+  if (state_ == LinkState::kReady) {
+    send_frame(setpoint);
+  }
+}
+
+template <class Message>
+void RobotLink::send_frame(const Message& message) {
+  const protocol::ByteSpan frame = encoder_.encode(message, next_seq_++);
+  outgoing_.insert(outgoing_.end(), frame.data, frame.data + frame.size);
+  ++statistics_.frames_sent;
+}
+
+std::vector<std::uint8_t> RobotLink::take_outgoing() { return std::exchange(outgoing_, {}); }
+
+LinkStatistics RobotLink::statistics() const {
+  LinkStatistics statistics = statistics_;
+  statistics.commands_resent = commands_.resent();
+  statistics.round_trip = commands_.timer().smoothed_round_trip();
+  return statistics;
+}
+
+}  // namespace echomap::robot_link

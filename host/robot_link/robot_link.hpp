@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/robot_link/byte_preview.hpp"
+#include "host/robot_link/command_sender.hpp"
+#include "host/robot_link/link_state.hpp"
+#include "host/robot_link/link_statistics.hpp"
+#include "host/robot_link/protocol_mismatch.hpp"
+#include "host/robot_link/robot_link_listener.hpp"
+#include "host/time/host_time.hpp"
+#include "protocol/link.hpp"
+#include "protocol/messages.hpp"
+
+namespace echomap::robot_link {
+
+/// Times of the link, in docs/protocol.md; the robot's side is built for these.
+struct RobotLinkParams {
+  using Duration = time::HostClock::duration;
+  Duration hello_period = std::chrono::milliseconds(50);
+  Duration keep_alive_period = std::chrono::milliseconds(50);
+  Duration keep_alive_ttl = std::chrono::milliseconds(200);  ///< How long motion outlives us.
+  Duration quiet_after = std::chrono::milliseconds(300);     ///< Status comes every 200 ms: ask.
+  Duration lost_after = std::chrono::seconds(1);             ///< No frame on a ready link.
+  Duration diagnose_after = std::chrono::seconds(2);         ///< Hello has found no answer.
+  /// Telemetry that is older than what came before by more than this is from after a reset.
+  Duration max_step_back = std::chrono::milliseconds(200);
+  RetransmissionParams retransmission;
+  int command_tries = 5;
+};
+
+/// The host's end of the wire without the wire: bytes and instants in, messages and bytes out. It
+/// shakes hands, notices resets, sends commands until they are answered and says how the link is.
+/// It owns no port and no clock, so it runs the same on a desk, in simulated time and in tests.
+class RobotLink {
+ public:
+  /// `session` must differ from that of the last host that spoke to this robot: the robot forgets
+  /// earlier command ids when it changes. `listener` outlives the link. Throws
+  /// std::invalid_argument where the periods do not fit together.
+  RobotLink(RobotLinkListener& listener, std::uint16_t session, const RobotLinkParams& params = {});
+
+  /// Takes bytes from the robot, in any pieces; calls the listener from within.
+  void receive(std::span<const std::uint8_t> bytes, time::HostTime now);
+
+  /// Sends what is due: Hello, KeepAlive, commands and their resends; ends commands that found no
+  /// answer. Call it every 10 ms or so of host time, and after `receive`.
+  void poll(time::HostTime now);
+
+  /// The bytes to write to the robot since the last call.
+  std::vector<std::uint8_t> take_outgoing();
+
+  /// Queues a command; `on_command_done` brings the outcome. While the link is connecting it waits;
+  /// where the link is silent, garbage, unheard, lost or a mismatch it ends in kLinkLost at the
+  /// next `poll`.
+  CommandTicket submit(const Command& command) { return commands_.submit(command); }
+
+  /// Sends wheel speeds now, never again; dropped unless the link is ready.
+  void send(const protocol::DriveSetpoint& setpoint);
+
+  /// While on, motion on the robot is kept alive; off, it ends within `keep_alive_ttl`.
+  void keep_alive(bool on) { keep_alive_ = on; }
+
+  LinkState state() const { return state_; }
+  LinkStatistics statistics() const;
+  /// What the robot said of itself in its last reply; empty before the first.
+  const std::optional<protocol::HelloReply>& robot() const { return robot_; }
+  /// Both versions, in state kMismatch.
+  const std::optional<ProtocolMismatch>& mismatch() const { return mismatch_; }
+  /// What came instead of frames, in state kGarbage.
+  const BytePreview& preview() const { return preview_; }
+
+ private:
+  void take_byte(std::uint8_t byte);
+  void count(protocol::DecodeStatus status, std::uint8_t seq);
+
+  void handle(const protocol::HelloReply& reply);
+  void handle(const protocol::Ack& ack);
+  void handle(const protocol::Pong& /*pong*/) {}
+  void handle(const protocol::Odometry& message);
+  void handle(const protocol::Echo& message);
+  void handle(const protocol::Status& message);
+  bool accepts_telemetry(std::uint32_t stamp_us);
+  void notice_reset(const protocol::HelloReply& reply);
+
+  void update_state();
+  LinkState diagnose();
+  bool is_hello_due() const;
+  void send_hello();
+  void send_keep_alive();
+  void send_command();
+  void end_commands(CommandOutcome outcome);
+  template <class Message>
+  void send_frame(const Message& message);
+
+  RobotLinkListener& listener_;
+  std::uint16_t session_;
+  RobotLinkParams params_;
+
+  LinkState state_ = LinkState::kConnecting;
+  std::optional<protocol::HelloReply> robot_;
+  std::optional<ProtocolMismatch> mismatch_;
+  BytePreview preview_;
+
+  protocol::FrameDecoder decoder_{protocol::MessagesToHost::find_schema};
+  protocol::ReceiveCounters counters_;
+  protocol::FrameEncoder encoder_;
+  std::uint8_t next_seq_ = 0;
+  std::vector<std::uint8_t> outgoing_;
+  CommandSender commands_;
+  LinkStatistics statistics_;
+
+  time::HostTime now_;  ///< Of the `receive` or `poll` under way.
+  std::optional<time::HostTime> connecting_since_;
+  std::optional<time::HostTime> last_byte_at_;
+  std::optional<time::HostTime> last_frame_at_;
+  time::HostTime next_hello_;
+  time::HostTime next_keep_alive_;
+  bool keep_alive_ = false;
+  std::optional<std::uint32_t> newest_stamp_us_;
+};
+
+}  // namespace echomap::robot_link

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "host/transport/byte_stream.hpp"
+
+namespace echomap::transport {
+
+/// What runs at the other end of a lockstep channel.
+struct DeviceInfo {
+  std::string firmware;  ///< For example "echomap-uno 0.1.0".
+  std::string emulator;  ///< For example "simavr 1.6".
+};
+
+/// The answer to a grant.
+struct Reached {
+  std::int64_t until_us = 0;       ///< Simulated time, microseconds since power-on.
+  std::uint64_t device_bytes = 0;  ///< All that the device has written to the byte stream so far.
+};
+
+/// The host's end of the channel that grants simulated time; docs/guides/lockstep.md is its
+/// protocol. After a grant, read the byte stream until `device_bytes` have come and handle them all
+/// before the next one. A step of at most 100 ms keeps them within what a pty holds (4 KiB).
+class LockstepChannel {
+ public:
+  /// Connects to the socket and reads the device's hello; throws TransportError. `patience` is real
+  /// time, for every answer: a device that is silent for longer counts as gone.
+  explicit LockstepChannel(const std::string& socket_path,
+                           std::chrono::milliseconds patience = std::chrono::seconds(60));
+
+  const DeviceInfo& device() const { return device_; }
+
+  /// Lets the device run up to `until_us`, `host_bytes` having been written to the byte stream in
+  /// all. Empty when the device is gone or answers nonsense: see `close_reason()`.
+  std::optional<Reached> grant(std::int64_t until_us, std::uint64_t host_bytes);
+
+  /// Ends the device; true when it confirms that its truth files are on disk.
+  bool quit();
+
+  /// Empty as long as the device answers.
+  const std::string& close_reason() const { return close_reason_; }
+
+ private:
+  void send_line(const std::string& line);
+  std::optional<std::string> read_line();
+  DeviceInfo read_hello(const std::string& socket_path);
+
+  std::unique_ptr<ByteStream> stream_;
+  std::chrono::milliseconds patience_;
+  std::string received_;
+  std::string close_reason_;
+  DeviceInfo device_;
+};
+
+}  // namespace echomap::transport
