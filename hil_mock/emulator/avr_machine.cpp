@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hil_mock/emulator/avr_machine.hpp"
+
+#include <algorithm>
+#include <avr_uart.h>
+#include <cstdarg>
+#include <cstdlib>
+#include <sim_io.h>
+#include <sim_regbit.h>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "hil_mock/emulator/atmega328p.hpp"
+#include "hil_mock/emulator/elf_program.hpp"
+#include "hil_mock/emulator/simavr_repairs.hpp"
+
+namespace echomap::emulator {
+namespace {
+
+/// Most cycles in one call of avr_run: the default of 1 is twice slower. A part of reproducibility.
+constexpr avr_cycle_count_t kRunCycleLimit = 1000;
+constexpr std::uint32_t kSupplyMillivolts = 5000;
+/// SRAM is random after power-on; a fixed pattern that is no useful value keeps runs the same.
+constexpr std::uint8_t kPowerOnSram = 0xA5;
+
+void ignore_log(avr_t* /*avr*/, int /*level*/, const char* /*format*/, std::va_list /*values*/) {}
+
+void sleep_no_wall_time(avr_t* /*avr*/, avr_cycle_count_t /*cycles*/) {}
+
+void fill_sram(avr_t& avr) {
+  const std::span<std::uint8_t> sram(avr.data + atmega328p::kSramStart, atmega328p::kSramBytes);
+  std::fill(sram.begin(), sram.end(), kPowerOnSram);
+}
+
+}  // namespace
+
+void AvrMachine::Terminate::operator()(avr_t* avr) const {
+  avr_terminate(avr);
+  std::free(avr);
+}
+
+std::unique_ptr<avr_t, AvrMachine::Terminate> AvrMachine::load(const std::filesystem::path& elf) {
+  avr_global_logger_set(&ignore_log);
+  std::unique_ptr<avr_t, Terminate> avr(avr_make_mcu_by_name("atmega328p"));
+  if (!avr) {
+    throw std::runtime_error("this simavr does not know the ATmega328P");
+  }
+  avr_init(avr.get());
+  load_elf_program(elf, *avr);
+  avr->frequency = kClockHz;
+  avr->vcc = avr->avcc = avr->aref = kSupplyMillivolts;
+  avr->run_cycle_limit = kRunCycleLimit;
+  avr->sleep = &sleep_no_wall_time;
+  return avr;
+}
+
+AvrMachine::AvrMachine(const std::filesystem::path& elf)
+    : avr_(load(elf)),
+      hooks_(*avr_),
+      queue_(*avr_),
+      pins_(*avr_),
+      usart_(*avr_, hooks_, queue_),
+      reset_watcher_(*avr_, [this] { after_reset(); }) {
+  repair_flag_clearing(*avr_, hooks_);
+  repair_late_enable(*avr_, hooks_);
+  repair_interrupt_entry_time(*avr_);
+  reset(ResetSource::kPowerOn);
+  resets_ = 0;
+}
+
+AvrMachine::~AvrMachine() {
+  avr_.reset();  // simavr lets go of the hooks while they are alive
+}
+
+void AvrMachine::run_to(std::uint64_t cycle) {
+  if (avr_->cycle < cycle) {
+    queue_.at(cycle, [] {});  // wakes a sleeping CPU
+  }
+  while (avr_->cycle < cycle) {
+    avr_run(avr_.get());
+    check_alive();
+  }
+}
+
+void AvrMachine::reset(ResetSource source) {
+  avr_reset(avr_.get());
+  if (source == ResetSource::kPowerOn) {
+    fill_sram(*avr_);
+  }
+  avr_->data[avr_->reset_flags.porf.reg] = 0;
+  avr_regbit_set(
+      avr_.get(),
+      source == ResetSource::kPowerOn ? avr_->reset_flags.porf : avr_->reset_flags.extrf);
+}
+
+void AvrMachine::after_reset() {
+  ++resets_;
+  queue_.rearm();
+  pins_.redrive();
+  usart_.reset();
+}
+
+void AvrMachine::check_alive() const {
+  if (avr_->state == cpu_Running || avr_->state == cpu_Sleeping) {
+    return;
+  }
+  const char* const why = avr_->state == cpu_Done ? "sleeps with interrupts off" : "has crashed";
+  throw std::runtime_error("the emulated program " + std::string(why) + " at flash address " +
+                           std::to_string(avr_->pc));
+}
+
+}  // namespace echomap::emulator

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <sim_avr.h>
+
+#include "hil_mock/emulator/cycle_queue.hpp"
+#include "hil_mock/emulator/input_pins.hpp"
+#include "hil_mock/emulator/register_hooks.hpp"
+#include "hil_mock/emulator/reset_watcher.hpp"
+#include "hil_mock/emulator/usart0.hpp"
+
+namespace echomap::emulator {
+
+constexpr std::uint32_t kClockHz = 16'000'000;
+
+/// What pulled the chip's reset; a watchdog reset comes from the program itself.
+enum class ResetSource : std::uint8_t {
+  kPowerOn,   ///< Supply off and on: SRAM is lost.
+  kExternal,  ///< The reset pin, as by the Uno's DTR line: SRAM stays.
+};
+
+/// An ATmega328P at 16 MHz: simavr's core with our repairs, USART and input pins. It runs as
+/// fast as it can and never looks at a clock.
+class AvrMachine {
+ public:
+  /// Loads `elf` and switches on at cycle 0. Throws std::runtime_error where the file cannot be
+  /// read or holds no program for this chip.
+  explicit AvrMachine(const std::filesystem::path& elf);
+  ~AvrMachine();
+  AvrMachine(const AvrMachine&) = delete;
+  AvrMachine& operator=(const AvrMachine&) = delete;
+
+  /// Cycles since switch-on, slept ones included.
+  std::uint64_t cycle() const { return avr_->cycle; }
+  /// Runs to the first instruction boundary at or after `cycle`. Throws std::runtime_error where
+  /// the program has crashed or sleeps for ever.
+  void run_to(std::uint64_t cycle);
+  void reset(ResetSource source);
+
+  std::uint8_t data_at(std::uint16_t address) const { return avr_->data[address]; }
+  avr_t& core() { return *avr_; }
+  CycleQueue& queue() { return queue_; }
+  RegisterHooks& hooks() { return hooks_; }
+  InputPins& pins() { return pins_; }
+  Usart0& usart() { return usart_; }
+  /// How often the chip has been reset since switch-on, by whatever cause.
+  std::uint32_t resets() const { return resets_; }
+
+ private:
+  struct Terminate {
+    void operator()(avr_t* avr) const;
+  };
+
+  static std::unique_ptr<avr_t, Terminate> load(const std::filesystem::path& elf);
+  void after_reset();
+  void check_alive() const;
+
+  std::unique_ptr<avr_t, Terminate> avr_;
+  RegisterHooks hooks_;
+  CycleQueue queue_;
+  InputPins pins_;
+  Usart0 usart_;
+  ResetWatcher reset_watcher_;
+  std::uint32_t resets_ = 0;
+};
+
+}  // namespace echomap::emulator

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <sim_avr.h>
+
+namespace echomap::emulator {
+
+/// Calls functions at exact cycles of the emulated CPU, through one of simavr's cycle timers. The
+/// CPU is between two instructions when a function is called; events of the same cycle keep their
+/// order.
+class CycleQueue {
+ public:
+  /// `avr` outlives the queue.
+  explicit CycleQueue(avr_t& avr) : avr_(avr) {}
+  CycleQueue(const CycleQueue&) = delete;
+  CycleQueue& operator=(const CycleQueue&) = delete;
+
+  /// Calls `event` when the CPU reaches `cycle`, or at once where that is over.
+  void at(std::uint64_t cycle, std::function<void()> event);
+
+  /// Starts the cycle timer again after `avr_reset`, which forgets every one of them.
+  void rearm();
+
+ private:
+  static avr_cycle_count_t on_timer(avr_t* avr, avr_cycle_count_t when, void* queue);
+  void call_due();
+
+  avr_t& avr_;
+  std::multimap<std::uint64_t, std::function<void()>> events_;
+  bool calling_ = false;
+};
+
+}  // namespace echomap::emulator

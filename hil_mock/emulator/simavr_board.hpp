@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "hil_mock/emulator/avr_machine.hpp"
+#include "hil_mock/emulator/uno_pins.hpp"
+#include "hil_mock/runner/simulated_board.hpp"
+
+namespace echomap::emulator {
+
+/// The robot's Uno: the release ELF on an emulated ATmega328P, its pins as a SimulatedBoard. Times
+/// are rounded up to whole CPU cycles of 62.5 ns.
+class SimavrBoard final : public runner::SimulatedBoard {
+ public:
+  /// Loads `elf` and switches on at time 0. Throws std::runtime_error where it cannot be loaded.
+  explicit SimavrBoard(const std::filesystem::path& elf);
+
+  std::int64_t now_ns() const override;
+  void run_until(std::int64_t until_ns) override;
+
+  void receive(std::span<const std::uint8_t> bytes) override { machine_.usart().receive(bytes); }
+
+  runner::MotorDuty motor_duty() const override;
+  double pan_pulse_us() const override;
+  void schedule_encoder_edge(runner::Wheel wheel, std::int64_t at_ns, bool a, bool b) override;
+  void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
+  void set_bump(runner::Wheel side, bool pressed) override;
+
+  std::string firmware_name() const override;
+  std::string emulator_name() const override;
+
+  /// The chip itself: cycles, resets, registers.
+  AvrMachine& machine() { return machine_; }
+  const AvrMachine& machine() const { return machine_; }
+
+ private:
+  void drive_resting_levels();
+  void watch_trigger();
+  void on_trigger_level(bool high);
+  void watch_servo();
+  void schedule_level(std::int64_t at_ns, Pin pin, bool level);
+
+  std::string program_;
+  AvrMachine machine_;
+  std::int64_t until_ns_ = 0;
+  std::uint64_t trigger_rise_cycle_ = 0;
+  bool trigger_high_ = false;
+  std::uint16_t servo_compare_ = 0;
+};
+
+}  // namespace echomap::emulator

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sim_avr.h>
+
+#include "hil_mock/emulator/register_hooks.hpp"
+
+/// Where simavr differs from an ATmega328P in a way that this firmware would notice, each repaired
+/// from outside through simavr's public structures. Each function is called once, before the
+/// program runs; tests/hil/simavr_repairs_test.cpp shows what each one mends.
+namespace echomap::emulator {
+
+/// Any write to TIFRn clears every flag of that timer: makes it clear only the bits written as one.
+/// (Done upstream in simavr 1.8.) The same for PCIFR and EIFR, where a write would set flags.
+void repair_flag_clearing(avr_t& avr, RegisterHooks& hooks);
+
+/// A flag that rose while its interrupt was disabled never fires: makes it fire when enabled.
+void repair_late_enable(avr_t& avr, RegisterHooks& hooks);
+
+/// Entering an interrupt costs no time: makes it the 4 cycles of the data sheet, section 7.7.1.
+void repair_interrupt_entry_time(avr_t& avr);
+
+}  // namespace echomap::emulator

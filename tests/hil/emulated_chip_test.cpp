@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+/// Asks an emulated chip, by the probe program, what its data sheet says a real one does.
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hil_mock/emulator/simavr_board.hpp"
+#include "tests/hil/probe/probe_commands.hpp"
+
+namespace echomap::emulator {
+namespace {
+
+using runner::Wheel;
+using ::testing::ElementsAre;
+
+constexpr std::uint8_t kPorf = 1;
+constexpr std::uint8_t kExtrf = 2;
+constexpr std::uint8_t kWdrf = 8;
+constexpr std::uint8_t kAllTimer0Flags = 7;
+/// (16 + 1) x 8 samples x 10 bits: 115200 baud with U2X0.
+constexpr std::uint64_t kByteCycles = 1360;
+constexpr std::int64_t kMs = 1'000'000;
+
+struct SentByte {
+  std::uint8_t value;
+  std::uint64_t cycle;
+};
+
+class EmulatedChip : public ::testing::Test {
+ protected:
+  EmulatedChip() {
+    board_.on_sent = [this](std::uint8_t byte) {
+      sent_.push_back({byte, board_.machine().cycle()});
+    };
+    run_ms(5);
+  }
+
+  void run_ms(std::int64_t ms) { board_.run_until(board_.now_ns() + ms * kMs); }
+
+  void ask(ProbeCommand command) {
+    sent_.clear();
+    const std::uint8_t byte = command;
+    board_.receive(std::span(&byte, 1));
+  }
+
+  /// The answer to `command` in `ms` milliseconds.
+  std::vector<std::uint8_t> answer_to(ProbeCommand command, std::int64_t ms) {
+    ask(command);
+    run_ms(ms);
+    return answer();
+  }
+
+  std::vector<std::uint8_t> answer() const {
+    std::vector<std::uint8_t> values;
+    for (const SentByte& byte : sent_) {
+      values.push_back(byte.value);
+    }
+    return values;
+  }
+
+  SimavrBoard board_{ECHOMAP_PROBE_ELF};
+  std::vector<SentByte> sent_;
+};
+
+TEST_F(EmulatedChip, PowerOnIsTheFirstResetCause) {
+  ASSERT_EQ(sent_.size(), 2U);
+  EXPECT_EQ(sent_[0].value, kPorf);
+}
+
+TEST_F(EmulatedChip, SendsOneByteInTenBitTimes) {
+  ASSERT_EQ(answer_to(kProbeSendBurst, 20).size(), 100U);
+  for (std::size_t i = 1; i < sent_.size(); ++i) {
+    EXPECT_NEAR(double(sent_[i].cycle - sent_[i - 1].cycle), kByteCycles, 4) << i;
+  }
+  EXPECT_NEAR(double(sent_[99].cycle - sent_[0].cycle), 99 * kByteCycles, 20);
+}
+
+TEST_F(EmulatedChip, DeafReceiverKeepsThreeBytesAndReportsTheOverrun) {
+  ask(kProbeOverrunReceiver);
+  const std::vector<std::uint8_t> more(10, 0x55);
+  board_.receive(more);
+  run_ms(30);
+  EXPECT_THAT(answer(), ElementsAre(3, 1));
+}
+
+TEST_F(EmulatedChip, ReceivesThreeBytesWithoutOverrun) {
+  ask(kProbeOverrunReceiver);
+  const std::vector<std::uint8_t> more(3, 0x55);
+  board_.receive(more);
+  run_ms(30);
+  EXPECT_THAT(answer(), ElementsAre(3, 0));
+}
+
+TEST_F(EmulatedChip, ClearsOnlyTheTimerFlagsWrittenAsOne) {
+  EXPECT_THAT(answer_to(kProbeClearOneFlag, 5), ElementsAre(kAllTimer0Flags, 5, 0));
+}
+
+TEST_F(EmulatedChip, FlagOlderThanItsEnablingFiresOnce) {
+  EXPECT_THAT(answer_to(kProbeEnableAfterFlag, 5), ElementsAre(1));
+}
+
+TEST_F(EmulatedChip, InterruptEntryTakesTime) {
+  const std::vector<std::uint8_t> count = answer_to(kProbeTimeInterruptEntry, 5);
+  ASSERT_EQ(count.size(), 2U);
+  // 4 to enter, 3 for the vector's jmp, 2 for push, up to 2 of the instruction under way, 1 or 2
+  // until the match is seen.
+  const int latency = count[0] + 256 * count[1] - 1000;
+  EXPECT_GE(latency, 9);
+  EXPECT_LE(latency, 13);
+}
+
+TEST_F(EmulatedChip, PortWriteLeavesAPulledUpInputAsDriven) {
+  EXPECT_THAT(answer_to(kProbeWritePortWithPullUp, 5), ElementsAre(0, 0));
+}
+
+TEST_F(EmulatedChip, WatchdogResetsKeepsRamAndSaysSo) {
+  EXPECT_THAT(answer_to(kProbeWaitForWatchdog, 40), ElementsAre(kWdrf, 77));
+  EXPECT_EQ(board_.machine().resets(), 1U);
+}
+
+TEST_F(EmulatedChip, SerialLineWorksAfterAWatchdogReset) {
+  answer_to(kProbeWaitForWatchdog, 40);
+  EXPECT_EQ(answer_to(kProbeSendBurst, 20).size(), 100U);
+}
+
+TEST_F(EmulatedChip, ExternalResetKeepsRamPowerOnDoesNot) {
+  answer_to(kProbeWaitForWatchdog, 40);
+  sent_.clear();
+  board_.machine().reset(ResetSource::kExternal);
+  run_ms(5);
+  EXPECT_THAT(answer(), ElementsAre(kExtrf, 77));
+  sent_.clear();
+  board_.machine().reset(ResetSource::kPowerOn);
+  run_ms(5);
+  ASSERT_EQ(sent_.size(), 2U);
+  EXPECT_EQ(sent_[0].value, kPorf);
+  EXPECT_NE(sent_[1].value, 77);
+}
+
+TEST_F(EmulatedChip, PinsKeepTheirLevelsThroughAReset) {
+  board_.set_bump(Wheel::kLeft, true);
+  board_.machine().reset(ResetSource::kExternal);
+  run_ms(5);
+  constexpr std::uint16_t kPinD = 0x29;
+  EXPECT_EQ(board_.machine().data_at(kPinD) & 0x0C, 0x08);
+}
+
+TEST_F(EmulatedChip, SleepsExactlyAsLongAsTheTicksLast) {
+  EXPECT_THAT(answer_to(kProbeSleep100Ticks, 120), ElementsAre('z'));
+  const std::uint64_t slept = sent_[0].cycle - 5 * 16'000 - 2 * kByteCycles;
+  EXPECT_NEAR(double(slept), 100 * 16'000, 200);
+}
+
+TEST_F(EmulatedChip, CapturesAnEchoToHalfAMicrosecond) {
+  for (const std::int64_t width_us : {150, 1000, 5831, 23'500}) {
+    ASSERT_THAT(answer_to(kProbeCaptureEcho, 1), ElementsAre('c'));
+    sent_.clear();
+    const std::int64_t rise_ns = board_.now_ns() + 460'300;
+    board_.schedule_echo(rise_ns, rise_ns + width_us * 1000);
+    run_ms(30);
+    ASSERT_EQ(sent_.size(), 2U);
+    const double measured_us = 0.5 * (sent_[0].value + 256 * sent_[1].value);
+    EXPECT_NEAR(measured_us, double(width_us % 20'000), 0.76);
+  }
+}
+
+TEST_F(EmulatedChip, ServoPulseIsThatOfTimer1) {
+  EXPECT_EQ(board_.pan_pulse_us(), 0.0);
+  answer_to(kProbeCaptureEcho, 5);
+  EXPECT_EQ(board_.pan_pulse_us(), 1500.0);
+}
+
+TEST_F(EmulatedChip, OnlyALongEnoughTriggerPulseCounts) {
+  std::vector<std::int64_t> triggers;
+  board_.on_trigger = [&](std::int64_t at_ns) { triggers.push_back(at_ns); };
+  const std::int64_t start_ns = board_.now_ns();
+  EXPECT_THAT(answer_to(kProbePulseTriggers, 5), ElementsAre('t'));
+  ASSERT_EQ(triggers.size(), 1U);
+  const double command_us = 85.0;
+  EXPECT_NEAR(double(triggers[0] - start_ns) / 1000, command_us + 5 + 50 + 11, 3);
+}
+
+TEST_F(EmulatedChip, MotorDutyIsLevelAndDirection) {
+  EXPECT_EQ(board_.motor_duty().left, 0.0);
+  EXPECT_EQ(board_.motor_duty().right, 0.0);
+  answer_to(kProbeDriveMotors, 2);
+  EXPECT_EQ(board_.motor_duty().left, 0.75);
+  EXPECT_EQ(board_.motor_duty().right, -0.25);
+}
+
+TEST_F(EmulatedChip, StopsExactlyAtTheGrantedTime) {
+  for (const std::int64_t step_ns : {1, 62, 63, 1000, 999'983}) {
+    const std::int64_t until_ns = board_.now_ns() + step_ns;
+    board_.run_until(until_ns);
+    EXPECT_EQ(board_.now_ns(), until_ns);
+    const auto ahead = std::int64_t(board_.machine().cycle()) - (until_ns * 2 + 124) / 125;
+    EXPECT_GE(ahead, 0);
+    EXPECT_LE(ahead, 12);
+  }
+}
+
+TEST_F(EmulatedChip, SleepWithoutInterruptsIsAnError) {
+  ask(kProbeSleepForEver);
+  EXPECT_THROW(run_ms(5), std::runtime_error);
+}
+
+TEST(SimavrBoard, RejectsAFileThatIsNoAvrProgram) {
+  EXPECT_THROW(SimavrBoard("/nonexistent.elf"), std::runtime_error);
+  EXPECT_THROW(SimavrBoard("/proc/self/exe"), std::runtime_error);
+  EXPECT_THROW(SimavrBoard(ECHOMAP_SOURCE_DIR "/LICENSE"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace echomap::emulator
