@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "host/transport/lockstep_channel.hpp"
+
+#include <array>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "host/transport/local_stream.hpp"
+#include "host/transport/transport_error.hpp"
+
+namespace echomap::transport {
+namespace {
+
+/// The line `reached UNTIL_US DEVICE_BYTES`; empty where it is not one.
+std::optional<Reached> parse_reached(const std::string& line) {
+  std::istringstream words(line);
+  std::string verb;
+  Reached reached;
+  std::string rest;
+  const bool is_whole =
+      static_cast<bool>(words >> verb >> reached.until_us >> reached.device_bytes);
+  if (!is_whole || verb != "reached" || words >> rest) {
+    return std::nullopt;
+  }
+  return reached;
+}
+
+/// The device's hello; empty where the line is none of this version.
+std::optional<DeviceInfo> parse_hello(const std::string& line) {
+  const auto hello = nlohmann::json::parse(line, nullptr, false);
+  const bool is_hello = hello.is_object() && hello.value("lockstep", nlohmann::json()) == 1;
+  if (!is_hello || !hello.value("firmware", nlohmann::json()).is_string() ||
+      !hello.value("emulator", nlohmann::json()).is_string()) {
+    return std::nullopt;
+  }
+  return DeviceInfo{hello["firmware"], hello["emulator"]};
+}
+
+}  // namespace
+
+LockstepChannel::LockstepChannel(const std::string& socket_path, std::chrono::milliseconds patience)
+    : stream_(open_local_stream(socket_path)), patience_(patience) {
+  device_ = read_hello(socket_path);
+}
+
+DeviceInfo LockstepChannel::read_hello(const std::string& socket_path) {
+  const auto line = read_line();
+  const auto hello = line ? parse_hello(*line) : std::nullopt;
+  if (!hello) {
+    throw TransportError("no lockstep device answers on " + socket_path,
+                         line ? "its first line is: " + *line : close_reason_,
+                         "start echomap-mock or echomap-simavr with --lockstep " + socket_path);
+  }
+  return *hello;
+}
+
+std::optional<Reached> LockstepChannel::grant(std::int64_t until_us, std::uint64_t host_bytes) {
+  send_line("grant " + std::to_string(until_us) + ' ' + std::to_string(host_bytes));
+  const auto line = read_line();
+  if (!line) {
+    return std::nullopt;
+  }
+  const auto reached = parse_reached(*line);
+  if (!reached || reached->until_us != until_us) {
+    close_reason_ = "it answered a grant with: " + *line;
+    return std::nullopt;
+  }
+  return reached;
+}
+
+bool LockstepChannel::quit() {
+  send_line("quit");
+  return read_line() == "bye";
+}
+
+void LockstepChannel::send_line(const std::string& line) {
+  const std::string bytes = line + '\n';
+  stream_->write({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+std::optional<std::string> LockstepChannel::read_line() {
+  const auto deadline = std::chrono::steady_clock::now() + patience_;
+  std::array<std::uint8_t, 512> piece{};
+  while (true) {
+    if (const std::size_t end = received_.find('\n'); end != std::string::npos) {
+      std::string line = received_.substr(0, end);
+      received_.erase(0, end + 1);
+      return line;
+    }
+    const auto left = std::chrono::duration_cast<std::chrono::microseconds>(
+        deadline - std::chrono::steady_clock::now());
+    if (stream_->status() == StreamStatus::kClosed || left.count() <= 0) {
+      close_reason_ = stream_->status() == StreamStatus::kClosed ? stream_->close_reason()
+                                                                 : "the device does not answer";
+      return std::nullopt;
+    }
+    const std::size_t count = stream_->read_some(piece, left);
+    received_.append(piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+}
+
+}  // namespace echomap::transport

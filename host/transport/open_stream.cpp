@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "host/transport/open_stream.hpp"
+
+#include <filesystem>
+
+#include "host/transport/pty_port.hpp"
+#include "host/transport/serial_port.hpp"
+#include "host/transport/tcp_address.hpp"
+#include "host/transport/tcp_stream.hpp"
+
+namespace echomap::transport {
+
+PortKind port_kind(const std::string& port) {
+  if (is_tcp_address(port)) {
+    return PortKind::kTcp;
+  }
+  std::error_code ignored;
+  const auto real = std::filesystem::weakly_canonical(port, ignored);
+  return real.parent_path() == "/dev/pts" ? PortKind::kPty : PortKind::kSerial;
+}
+
+std::unique_ptr<ByteStream> open_stream(const std::string& port, int baud) {
+  switch (port_kind(port)) {
+    case PortKind::kTcp:
+      return open_tcp_stream(port);
+    case PortKind::kPty:
+      return open_pty_port(port);
+    case PortKind::kSerial:
+      break;
+  }
+  return open_serial_port(port, baud);
+}
+
+}  // namespace echomap::transport

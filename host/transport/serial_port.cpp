@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "host/transport/serial_port.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <libserialport.h>
+#include <system_error>
+#include <termios.h>
+#include <unistd.h>
+
+#include "host/transport/descriptor_stream.hpp"
+#include "host/transport/port_list.hpp"
+#include "host/transport/transport_error.hpp"
+
+namespace echomap::transport {
+namespace {
+
+struct ClosePort {
+  void operator()(sp_port* port) const {
+    sp_close(port);
+    sp_free_port(port);
+  }
+};
+using Port = std::unique_ptr<sp_port, ClosePort>;
+
+std::string next_step(int error_number, const std::string& path) {
+  switch (error_number) {
+    case EACCES:
+    case EPERM:
+      return "sudo usermod -aG dialout $USER, then log in again";
+    case EBUSY:
+      return "fuser -v " + path + " shows the program that holds it";
+    default: {
+      const auto ports = list_ports();
+      return ports.empty() ? "plug the robot in, or try without one: echomap demo"
+                           : "echomap explore --port " + ports.front().name;
+    }
+  }
+}
+
+[[noreturn]] void fail(const std::string& path, int error_number) {
+  const bool is_missing = error_number == ENOENT || error_number == ENODEV;
+  std::string why = std::generic_category().message(error_number);
+  if (is_missing) {
+    why += "; " + describe_ports(list_ports());
+  }
+  throw TransportError("cannot open the serial port " + path, why, next_step(error_number, path));
+}
+
+/// The device behind links like /dev/serial/by-id/..: libserialport takes no link.
+std::string resolved(const std::string& path) {
+  const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
+                                                         std::free);
+  if (real == nullptr) {
+    fail(path, errno);
+  }
+  return real.get();
+}
+
+void check(sp_return result, const std::string& path, int fallback_error) {
+  if (result != SP_OK) {
+    fail(path, result == SP_ERR_FAIL ? sp_last_error_code() : fallback_error);
+  }
+}
+
+Port open_port(const std::string& path) {
+  sp_port* found = nullptr;
+  check(sp_get_port_by_name(resolved(path).c_str(), &found), path, ENOTTY);
+  Port port(found);
+  check(sp_open(port.get(), SP_MODE_READ_WRITE), path, ENOTTY);
+  return port;
+}
+
+void configure(sp_port* port, const std::string& path, int baud) {
+  check(sp_set_baudrate(port, baud), path, EINVAL);
+  check(sp_set_bits(port, 8), path, EINVAL);
+  check(sp_set_parity(port, SP_PARITY_NONE), path, EINVAL);
+  check(sp_set_stopbits(port, 1), path, EINVAL);
+  check(sp_set_flowcontrol(port, SP_FLOWCONTROL_NONE), path, EINVAL);
+  check(sp_flush(port, SP_BUF_BOTH), path, EINVAL);
+}
+
+/// libserialport leaves VMIN at 0, which Asio takes for the end of the stream, and HUPCL on.
+void correct_line_settings(int fd, const std::string& path) {
+  termios settings{};
+  if (tcgetattr(fd, &settings) != 0) {
+    fail(path, errno);
+  }
+  settings.c_cc[VMIN] = 1;
+  settings.c_cc[VTIME] = 0;
+  settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
+  if (tcsetattr(fd, TCSANOW, &settings) != 0) {
+    fail(path, errno);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<ByteStream> open_serial_port(const std::string& path, int baud) {
+  const Port port = open_port(path);
+  configure(port.get(), path, baud);
+  int fd = -1;
+  check(sp_get_port_handle(port.get(), &fd), path, ENOTTY);
+  correct_line_settings(fd, path);
+  const int own_fd = ::dup(fd);
+  if (own_fd < 0) {
+    fail(path, errno);
+  }
+  return descriptor_stream(own_fd, path);
+}
+
+}  // namespace echomap::transport
