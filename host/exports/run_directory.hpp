@@ -8,8 +8,8 @@
 
 namespace echomap::exports {
 
-/// Sets the fields of a summary that follow from what the pipeline knows: stops, echoes, lengths,
-/// areas.
+/// Sets the fields of a summary that follow from what the pipeline knows: stops, poses, points,
+/// length and area.
 void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary);
 
 /// Writes map.yaml, map.pgm, occupancy_grid.csv, map.png, points.csv, poses.csv, trajectory.tum and

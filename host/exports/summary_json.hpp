@@ -21,9 +21,10 @@ struct RunSummary {
   double sim_seconds = 0.0;
   double wall_seconds = 0.0;
   std::size_t stops = 0;
-  std::size_t readings = 0;
-  std::size_t echoes = 0;
-  /// Length of the trajectory, metres, and the floor known to be free, square metres.
+  /// Rows of poses.csv and of points.csv.
+  std::size_t poses = 0;
+  std::size_t points = 0;
+  /// Length of the trajectory, and the floor known to be free.
   double travelled_m = 0.0;
   double free_area_m2 = 0.0;
 };

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "host/evaluation/run_score.hpp"
+
+#include <stdexcept>
+
+#include "host/evaluation/truth_directory.hpp"
+#include "host/exports/pgm_yaml.hpp"
+#include "host/exports/trajectory_tum.hpp"
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::evaluation {
+
+RunScore score_run(const std::filesystem::path& run_directory,
+                   const std::filesystem::path& truth_directory) {
+  const auto map = exports::read_pgm_yaml(run_directory / "map.yaml");
+  const auto trajectory = exports::read_trajectory_tum(run_directory / "trajectory.tum");
+  const Truth truth = read_truth(truth_directory);
+  if (truth.trajectory.empty()) {
+    throw files::FileError((truth_directory / "truth.tum").string() + ": holds no pose");
+  }
+  const geometry::Pose2& T_world_map = truth.trajectory.front().T_map_robot;
+  try {
+    return {score_map(map, T_world_map, truth.map), score_trajectory(trajectory, truth.trajectory)};
+  } catch (const std::invalid_argument& error) {
+    throw files::FileError(run_directory.string() + ": " + error.what());
+  }
+}
+
+}  // namespace echomap::evaluation

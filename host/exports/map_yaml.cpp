@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "host/exports/map_yaml.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <sstream>
+
+#include "host/exports/number_table.hpp"
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::exports {
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\"'[");
+  const std::size_t end = text.find_last_not_of(" \t\r\"']");
+  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+}
+
+/// Nine digits: whole multiples of a resolution stay as short as a person would write them.
+std::string number_text(double value) {
+  std::array<char, 32> digits{};
+  const auto length = std::snprintf(digits.data(), digits.size(), "%.9g", value);
+  return {digits.data(), static_cast<std::size_t>(length)};
+}
+
+/// One file being read: knows where it is when something is wrong.
+class YamlLines {
+ public:
+  explicit YamlLines(const std::filesystem::path& path)
+      : path_(path), lines_(files::read_text_file(path)) {}
+
+  /// Moves to the next `key: value` line.
+  bool next() {
+    for (std::string line; std::getline(lines_, line);) {
+      ++line_number_;
+      const std::string text = trimmed(line.substr(0, line.find('#')));
+      const std::size_t colon = text.find(':');
+      if (text.empty()) {
+        continue;
+      }
+      if (colon == std::string::npos) {
+        fail("expected `key: value`");
+      }
+      key = trimmed(text.substr(0, colon));
+      value = trimmed(text.substr(colon + 1));
+      return true;
+    }
+    return false;
+  }
+
+  double number(const std::string& text) const {
+    double number = 0.0;
+    const std::string field = trimmed(text);
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);
+    if (error != std::errc() || end != field.data() + field.size()) {
+      fail("'" + field + "' is not a number");
+    }
+    return number;
+  }
+
+  /// The value as `[x, y, yaw]`.
+  std::array<double, 3> triple() const {
+    std::array<double, 3> numbers{};
+    std::istringstream fields(value);
+    std::string field;
+    for (double& entry : numbers) {
+      if (!std::getline(fields, field, ',')) {
+        fail("expected [x, y, yaw]");
+      }
+      entry = number(field);
+    }
+    return numbers;
+  }
+
+  [[noreturn]] void fail(const std::string& message) const {
+    fail_at_line(path_, line_number_, message);
+  }
+
+  std::string key;
+  std::string value;
+
+ private:
+  std::filesystem::path path_;
+  std::istringstream lines_;
+  std::size_t line_number_ = 0;
+};
+
+void take_origin(const YamlLines& lines, MapYaml& yaml) {
+  const auto [x_m, y_m, yaw_rad] = lines.triple();
+  if (yaw_rad != 0.0) {
+    lines.fail("a rotated origin is not supported");
+  }
+  yaml.origin_m = {x_m, y_m};
+}
+
+void take(const YamlLines& lines, MapYaml& yaml) {
+  if (lines.key == "image") {
+    yaml.image = lines.value;
+  } else if (lines.key == "resolution") {
+    yaml.resolution_m = lines.number(lines.value);
+  } else if (lines.key == "origin") {
+    take_origin(lines, yaml);
+  } else if (lines.key == "negate") {
+    yaml.negate = lines.number(lines.value) != 0.0;
+  } else if (lines.key == "occupied_thresh") {
+    yaml.occupied_threshold = lines.number(lines.value);
+  } else if (lines.key == "free_thresh") {
+    yaml.free_threshold = lines.number(lines.value);
+  }
+}
+
+}  // namespace
+
+void write_map_yaml(const std::filesystem::path& path, const MapYaml& yaml) {
+  files::write_text_file(
+      path,
+      "image: " + yaml.image + "\nmode: trinary\nresolution: " + number_text(yaml.resolution_m) +
+          "\norigin: [" + number_text(yaml.origin_m.x()) + ", " + number_text(yaml.origin_m.y()) +
+          ", 0]\nnegate: " + (yaml.negate ? "1" : "0") +
+          "\noccupied_thresh: " + number_text(yaml.occupied_threshold) +
+          "\nfree_thresh: " + number_text(yaml.free_threshold) + "\n");
+}
+
+MapYaml read_map_yaml(const std::filesystem::path& path) {
+  YamlLines lines(path);
+  MapYaml yaml;
+  while (lines.next()) {
+    take(lines, yaml);
+  }
+  if (yaml.image.empty() || !(yaml.resolution_m > 0.0)) {
+    lines.fail("the file names no image or no resolution above 0");
+  }
+  return yaml;
+}
+
+}  // namespace echomap::exports

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "host/exports/number_table.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::exports {
+
+namespace {
+
+/// Sets `value` where all of `field` is one finite number.
+bool parse_number(std::string_view field, double& value) {
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  return error == std::errc() && end == field.data() + field.size() && std::isfinite(value);
+}
+
+std::vector<std::string_view> split(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    fields.push_back(line.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return fields;
+}
+
+std::vector<double> parse_row(std::string_view line,
+                              const NumberTableFormat& format,
+                              const std::filesystem::path& path,
+                              std::size_t line_number) {
+  const auto fields = split(line, format.separator);
+  if (fields.size() != format.columns) {
+    fail_at_line(path,
+                 line_number,
+                 "expected " + std::to_string(format.columns) + " columns, found " +
+                     std::to_string(fields.size()));
+  }
+  std::vector<double> row(fields.size());
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!parse_number(fields[i], row[i])) {
+      fail_at_line(path, line_number, "'" + std::string(fields[i]) + "' is not a finite number");
+    }
+  }
+  return row;
+}
+
+}  // namespace
+
+void append_row(std::string& text, std::span<const double> values, char separator) {
+  std::array<char, 32> digits{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), values[i]);
+    text.append(digits.data(), result.ptr);
+    text.push_back(i + 1 < values.size() ? separator : '\n');
+  }
+}
+
+std::vector<std::vector<double>> read_number_table(const std::filesystem::path& path,
+                                                   const NumberTableFormat& format) {
+  std::istringstream lines(files::read_text_file(path));
+  std::vector<std::vector<double>> rows;
+  bool header_is_due = !format.header.empty();
+  std::size_t line_number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++line_number;
+    if (line.starts_with('#')) {
+      continue;
+    }
+    if (header_is_due) {
+      if (line != format.header) {
+        fail_at_line(path, line_number, "expected the header '" + std::string(format.header) + "'");
+      }
+      header_is_due = false;
+      continue;
+    }
+    rows.push_back(parse_row(line, format, path, line_number));
+  }
+  if (header_is_due) {
+    fail_at_line(path, 1, "expected the header '" + std::string(format.header) + "'");
+  }
+  return rows;
+}
+
+void fail_at_line(const std::filesystem::path& path, std::size_t line, const std::string& message) {
+  throw files::FileError(path.string() + ":" + std::to_string(line) + ": " + message);
+}
+
+}  // namespace echomap::exports

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace echomap::exports {
+
+/// How a text file of numbers is laid out: one row a line.
+struct NumberTableFormat {
+  /// The first line; empty where the file begins with numbers.
+  std::string_view header;
+  char separator = ',';
+  std::size_t columns = 0;
+};
+
+/// Appends one line. Numbers are the shortest decimals that read back as the same double.
+void append_row(std::string& text, std::span<const double> values, char separator);
+
+/// Reads such a file; lines that begin with # are skipped. Throws files::FileError, whose text
+/// begins `file:line: ` where the header, the number of columns or a number is wrong.
+std::vector<std::vector<double>> read_number_table(const std::filesystem::path& path,
+                                                   const NumberTableFormat& format);
+
+/// Throws files::FileError with the text `file:line: message`.
+[[noreturn]] void fail_at_line(const std::filesystem::path& path,
+                               std::size_t line,
+                               const std::string& message);
+
+}  // namespace echomap::exports

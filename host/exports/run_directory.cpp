@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "host/exports/run_directory.hpp"
+
+#include <system_error>
+
+#include "host/exports/map_png.hpp"
+#include "host/exports/occupancy_grid_csv.hpp"
+#include "host/exports/pgm_yaml.hpp"
+#include "host/exports/points_csv.hpp"
+#include "host/exports/poses_csv.hpp"
+#include "host/exports/trajectory_tum.hpp"
+#include "host/files/atomic_file.hpp"
+#include "host/mapping/raster_map.hpp"
+
+namespace echomap::exports {
+
+namespace {
+
+double length_m(const std::vector<pipeline::StampedPose>& trajectory) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    length_m +=
+        (trajectory[i].T_map_robot.position_m() - trajectory[i - 1].T_map_robot.position_m())
+            .norm();
+  }
+  return length_m;
+}
+
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    throw files::FileError(directory.string() + ": cannot make the directory: " + error.message());
+  }
+}
+
+}  // namespace
+
+void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary) {
+  summary.stops = snapshot.stops;
+  summary.poses = snapshot.points->poses().size();
+  summary.points = snapshot.points->points().size();
+  summary.travelled_m = length_m(*snapshot.trajectory);
+  const mapping::OccupancyGrid empty;
+  summary.free_area_m2 = mapping::newly_free_area_m2(empty, *snapshot.grid);
+}
+
+void write_run_directory(const std::filesystem::path& directory,
+                         const pipeline::Snapshot& snapshot,
+                         const RunSummary& summary) {
+  make_directory(directory);
+  write_points_csv(directory / "points.csv", snapshot.points->points());
+  write_poses_csv(directory / "poses.csv", snapshot.points->poses());
+  write_pgm_yaml(directory / "map.yaml", mapping::rasterize(*snapshot.grid));
+  write_occupancy_grid_csv(directory / "occupancy_grid.csv", *snapshot.grid);
+  write_trajectory_tum(directory / "trajectory.tum", *snapshot.trajectory);
+  write_map_png(directory / "map.png", snapshot);
+  write_summary_json(directory / "summary.json", summary);
+}
+
+}  // namespace echomap::exports
