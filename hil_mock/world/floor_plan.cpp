@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/world/floor_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace echomap::world {
+namespace {
+
+void check_outline(const Outline& outline, const std::string& what) {
+  if (const auto fault = polygon_fault(outline.corners_m)) {
+    throw std::invalid_argument(what + ": " + *fault);
+  }
+}
+
+/// Runs the outline the other way round; every side keeps its material.
+void reverse(Outline& outline) {
+  std::reverse(outline.corners_m.begin(), outline.corners_m.end());
+  std::reverse(outline.materials.begin(), outline.materials.end());
+  std::rotate(outline.materials.begin(), outline.materials.begin() + 1, outline.materials.end());
+}
+
+double turn_at(const Segment& before, const Segment& after) {
+  const Eigen::Vector2d from = before.to_m - before.from_m;
+  const Eigen::Vector2d to = after.to_m - after.from_m;
+  return std::atan2(cross(from, to), from.dot(to));
+}
+
+}  // namespace
+
+FloorPlan::FloorPlan(std::string name,
+                     Outline room,
+                     std::vector<Outline> obstacles,
+                     const geometry::Pose2& T_world_start)
+    : name_(std::move(name)), room_m_(room.corners_m), T_world_start_(T_world_start) {
+  check_outline(room, "room");
+  add_walls(std::move(room), true);
+  for (Outline& obstacle : obstacles) {
+    check_outline(obstacle, "obstacle");
+    if (!contains(room_m_, obstacle.corners_m)) {
+      throw std::invalid_argument("obstacle: it is not inside of the room");
+    }
+    obstacles_m_.push_back(obstacle.corners_m);
+    add_walls(std::move(obstacle), false);
+  }
+  if (!is_free(T_world_start.position_m())) {
+    throw std::invalid_argument("start: it is not in the free space of the room");
+  }
+}
+
+void FloorPlan::add_walls(Outline outline, bool counter_clockwise) {
+  const std::size_t count = outline.corners_m.size();
+  outline.materials.resize(count, Material::kSmooth);
+  if ((signed_area_m2(outline.corners_m) > 0.0) != counter_clockwise) {
+    reverse(outline);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Segment here = side(outline.corners_m, i);
+    walls_.push_back({here, outline.materials[i]});
+    corners_.push_back({here.to_m, turn_at(here, side(outline.corners_m, (i + 1) % count))});
+  }
+}
+
+bool FloorPlan::is_free(const Eigen::Vector2d& point_m) const {
+  const auto holds_point = [&](const Polygon& obstacle) {
+    return contains(obstacle, point_m) || distance_to_sides_m(obstacle, point_m) == 0.0;
+  };
+  return contains(room_m_, point_m) &&
+         std::none_of(obstacles_m_.begin(), obstacles_m_.end(), holds_point);
+}
+
+double FloorPlan::clearance_m(const Eigen::Vector2d& point_m) const {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const Wall& wall : walls_) {
+    least_m = std::min(least_m, (nearest_point(wall.segment, point_m) - point_m).norm());
+  }
+  return least_m;
+}
+
+FloorPlan FloorPlan::starting_at(const geometry::Pose2& T_world_start) const {
+  if (!is_free(T_world_start.position_m())) {
+    throw std::invalid_argument("start: it is not in the free space of the room");
+  }
+  FloorPlan moved = *this;
+  moved.T_world_start_ = T_world_start;
+  return moved;
+}
+
+}  // namespace echomap::world

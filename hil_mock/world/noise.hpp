@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace echomap::world {
+
+/// What a stream of random numbers is for; each purpose has its own, so that a change of one
+/// physics does not shift another's numbers.
+enum class NoisePurpose : std::uint32_t { kBody = 1, kSonar = 2 };
+
+/// Seeded random numbers whose values repeat with any standard library: the generator is the
+/// standard's mt19937, the transformations are ours.
+class NoiseStream {
+ public:
+  NoiseStream(std::uint32_t seed, NoisePurpose purpose);
+
+  /// Uniform in [0, 1), one draw of the generator.
+  double uniform();
+  /// Normal with mean 0 and standard deviation 1 (Box and Muller 1958), always two draws.
+  double normal();
+
+ private:
+  std::mt19937 generator_;
+};
+
+}  // namespace echomap::world

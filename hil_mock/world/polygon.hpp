@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "hil_mock/world/segment.hpp"
+
+namespace echomap::world {
+
+/// Corners in order, in metres; the last is joined to the first.
+using Polygon = std::vector<Eigen::Vector2d>;
+
+/// The side from corner `index` to the next one.
+Segment side(const Polygon& polygon, std::size_t index);
+
+/// Positive where the corners run counter-clockwise.
+double signed_area_m2(const Polygon& polygon);
+
+/// Distance from a point to the nearest side.
+double distance_to_sides_m(const Polygon& polygon, const Eigen::Vector2d& point_m);
+
+/// Whether a point is strictly inside; what lies on a side belongs to neither side.
+bool contains(const Polygon& polygon, const Eigen::Vector2d& point_m);
+
+/// Whether no corner of `inner` is outside of `outer` and no sides cross; they may touch.
+bool contains(const Polygon& outer, const Polygon& inner);
+
+/// Why the corners do not bound an area: too few, a repeated corner, sides that cross or touch.
+std::optional<std::string> polygon_fault(const Polygon& polygon);
+
+}  // namespace echomap::world

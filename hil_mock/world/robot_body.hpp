@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "hil_mock/world/contact_physics.hpp"
+#include "hil_mock/world/floor_plan.hpp"
+#include "hil_mock/world/noise.hpp"
+#include "hil_mock/world/robot_params.hpp"
+#include "hil_mock/world/wheel_drive.hpp"
+#include "host/geometry/pose2.hpp"
+
+namespace echomap::world {
+
+/// Duty of both motors, -1 .. 1 of full, forward positive.
+struct WheelDuty {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// The encoders' changes during one step, each wheel's in order of time.
+struct EncoderChanges {
+  std::vector<LevelChange> left;
+  std::vector<LevelChange> right;
+
+  void clear();
+};
+
+/// A differential-drive body in a room. Its wheels and track are not quite what the profile says,
+/// its tyres slip, and walls stop it while its wheels go on turning.
+class RobotBody {
+ public:
+  /// Draws this run's errors of wheels, track and motors. `plan` must outlive this. Throws
+  /// std::invalid_argument for sizes that are not positive or where the body does not fit.
+  RobotBody(const FloorPlan& plan,
+            const DriveParams& drive,
+            const BodyParams& body,
+            NoiseStream noise);
+
+  /// Moves for `dt_s` and appends what the encoders do in that time.
+  void step(double dt_s, const WheelDuty& duty, EncoderChanges& changes);
+
+  /// Lifts the robot and puts it down elsewhere.
+  void place(const geometry::Pose2& T_world_robot) { T_world_robot_ = T_world_robot; }
+
+  /// Frame of the robot: origin in the middle of the axle, x forward, y left.
+  const geometry::Pose2& T_world_robot() const { return T_world_robot_; }
+  Contacts contacts() const;
+  const WheelDrive& left_wheel() const { return left_; }
+  const WheelDrive& right_wheel() const { return right_; }
+
+ private:
+  struct Errors;
+  RobotBody(const FloorPlan& plan,
+            const DriveParams& drive,
+            const BodyParams& body,
+            const Errors& errors,
+            NoiseStream noise);
+  static Errors draw_errors(const DriveParams& drive, NoiseStream& noise);
+  double slipped(double rolled_m);
+  void roll(double left_m, double right_m);
+
+  const FloorPlan& plan_;
+  BodyParams body_;
+  double slip_m_per_sqrt_m_;
+  double track_m_;
+  WheelDrive left_;
+  WheelDrive right_;
+  NoiseStream noise_;
+  geometry::Pose2 T_world_robot_;
+};
+
+}  // namespace echomap::world

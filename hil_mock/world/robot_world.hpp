@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "hil_mock/world/floor_plan.hpp"
+#include "hil_mock/world/noise.hpp"
+#include "hil_mock/world/robot_body.hpp"
+#include "hil_mock/world/robot_params.hpp"
+#include "hil_mock/world/sonar_physics.hpp"
+
+namespace echomap::world {
+
+/// A robot's body and sonar in a room, without any board: what happens is a function of the seed
+/// and of the calls made.
+class RobotWorld {
+ public:
+  /// Throws std::invalid_argument where robot or start do not fit.
+  RobotWorld(FloorPlan plan, const RobotParams& robot, std::uint32_t seed);
+  RobotWorld(const RobotWorld&) = delete;
+  RobotWorld& operator=(const RobotWorld&) = delete;
+
+  /// Moves for `dt_s` (a millisecond is fine enough) and appends what the encoders do.
+  void step(double dt_s, const WheelDuty& duty, EncoderChanges& changes);
+
+  /// One ping at the present pose: the echo's time of flight, there and back, in seconds; empty
+  /// where nothing answered.
+  std::optional<double> ping(double pan_rad);
+
+  /// Lifts the robot and puts it down elsewhere.
+  void place(const geometry::Pose2& T_world_robot) { body_.place(T_world_robot); }
+
+  const geometry::Pose2& T_world_robot() const { return body_.T_world_robot(); }
+  geometry::Pose2 T_world_sonar(double pan_rad) const;
+  Contacts contacts() const { return body_.contacts(); }
+  const RobotBody& body() const { return body_; }
+  const FloorPlan& plan() const { return plan_; }
+  const RobotParams& robot() const { return robot_; }
+
+ private:
+  FloorPlan plan_;
+  RobotParams robot_;
+  RobotBody body_;
+  SonarPhysics sonar_;
+  NoiseStream sonar_noise_;
+};
+
+}  // namespace echomap::world

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/world/wheel_drive.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace echomap::world {
+namespace {
+
+LevelChange level_change(double at_s, std::int64_t counts) {
+  const auto phase = static_cast<unsigned>(counts & 3);
+  return {at_s, phase == 1U || phase == 2U, phase == 2U || phase == 3U};
+}
+
+}  // namespace
+
+WheelDrive::WheelDrive(const DriveParams& params, double diameter_m, double gain)
+    : dead_zone_duty_(params.dead_zone_duty),
+      time_constant_s_(params.time_constant_s),
+      no_load_counts_per_s_(gain * params.no_load_speed_m_per_s * params.counts_per_turn /
+                            (std::numbers::pi * params.wheel_diameter_m)),
+      metres_per_count_(std::numbers::pi * diameter_m / params.counts_per_turn) {}
+
+double WheelDrive::step(double dt_s, double duty, std::vector<LevelChange>& changes) {
+  const double follow = 1.0 - std::exp(-dt_s / time_constant_s_);
+  const double before_counts_per_s = counts_per_s_;
+  counts_per_s_ += follow * (target_counts_per_s(duty) - counts_per_s_);
+  const double mean_counts_per_s = 0.5 * (before_counts_per_s + counts_per_s_);
+
+  const double from_counts = position_counts_;
+  position_counts_ += mean_counts_per_s * dt_s;
+  const auto until = static_cast<std::int64_t>(std::floor(position_counts_));
+  while (counts_ != until) {
+    const bool forward = counts_ < until;
+    const auto edge = static_cast<double>(forward ? counts_ + 1 : counts_);
+    counts_ += forward ? 1 : -1;
+    changes.push_back(level_change((edge - from_counts) / mean_counts_per_s, counts_));
+  }
+  return (position_counts_ - from_counts) * metres_per_count_;
+}
+
+double WheelDrive::target_counts_per_s(double duty) const {
+  const double size = std::min(std::abs(duty), 1.0);
+  if (size <= dead_zone_duty_) {
+    return 0.0;
+  }
+  const double share = (size - dead_zone_duty_) / (1.0 - dead_zone_duty_);
+  return std::copysign(share * no_load_counts_per_s_, duty);
+}
+
+}  // namespace echomap::world

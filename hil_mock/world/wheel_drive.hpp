@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hil_mock/world/robot_params.hpp"
+
+namespace echomap::world {
+
+/// A change of one encoder's pins. Forward, channel A leads: A B = 00, 10, 11, 01.
+struct LevelChange {
+  /// Since the beginning of the step.
+  double at_s = 0.0;
+  bool a = false;
+  bool b = false;
+};
+
+/// One wheel with its motor and encoder.
+class WheelDrive {
+ public:
+  /// `diameter_m` and `gain` (speed at a given duty, 1 as specified) are the true ones.
+  WheelDrive(const DriveParams& params, double diameter_m, double gain);
+
+  /// Applies `duty`, -1 .. 1, for `dt_s`, appends the encoder's changes in order of time and
+  /// returns how far the wheel has rolled, in metres.
+  double step(double dt_s, double duty, std::vector<LevelChange>& changes);
+
+  /// Edges that the encoder has given, forward minus backward.
+  std::int64_t counts() const { return counts_; }
+
+ private:
+  double target_counts_per_s(double duty) const;
+
+  double dead_zone_duty_;
+  double time_constant_s_;
+  double no_load_counts_per_s_;
+  double metres_per_count_;
+  double counts_per_s_ = 0.0;
+  /// The encoder rests in the middle between two edges.
+  double position_counts_ = 0.5;
+  std::int64_t counts_ = 0;
+};
+
+}  // namespace echomap::world

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/world/floor_plan.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/hil_mock/world/rooms.hpp"
+
+namespace echomap::world {
+namespace {
+
+const Outline kPillar{rectangle(1.0, 1.0, 1.5, 1.5), {}};
+
+TEST(FloorPlan, FreeSpaceIsToTheLeftOfEveryWallWhateverTheSense) {
+  Polygon clockwise = rectangle(0.0, 0.0, 4.0, 3.0);
+  std::reverse(clockwise.begin(), clockwise.end());
+  const FloorPlan plan("room", {clockwise, {}}, {kPillar}, {2.0, 2.0, 0.0});
+  ASSERT_EQ(plan.walls().size(), 8U);
+  for (const Wall& wall : plan.walls()) {
+    const Eigen::Vector2d middle = 0.5 * (wall.segment.from_m + wall.segment.to_m);
+    EXPECT_TRUE(plan.is_free(middle + 0.1 * left_normal(wall.segment))) << middle.transpose();
+    EXPECT_FALSE(plan.is_free(middle - 0.1 * left_normal(wall.segment))) << middle.transpose();
+  }
+}
+
+TEST(FloorPlan, EveryWallKeepsItsMaterialWhenTheSenseIsTurned) {
+  Polygon clockwise = rectangle(0.0, 0.0, 4.0, 3.0);
+  std::reverse(clockwise.begin(), clockwise.end());
+  // The second side runs from (4, 3) down to (4, 0).
+  const FloorPlan plan(
+      "room", {clockwise, {Material::kSmooth, Material::kRough}}, {}, {2.0, 2.0, 0.0});
+  for (const Wall& wall : plan.walls()) {
+    const bool right = wall.segment.from_m.x() == 4.0 && wall.segment.to_m.x() == 4.0;
+    EXPECT_EQ(wall.material == Material::kRough, right) << wall.segment.from_m.transpose();
+  }
+}
+
+TEST(FloorPlan, TellsNichesFromEdges) {
+  const FloorPlan plan = box_room({kPillar});
+  int niches = 0;
+  for (const Corner& corner : plan.corners()) {
+    EXPECT_NEAR(std::abs(corner.turn_rad), 0.5 * std::numbers::pi, 1e-12);
+    niches += corner.turn_rad > 0.0 ? 1 : 0;
+  }
+  EXPECT_EQ(niches, 4);
+  EXPECT_EQ(plan.corners().size(), 8U);
+}
+
+TEST(FloorPlan, MeasuresClearance) {
+  EXPECT_DOUBLE_EQ(box_room({kPillar}).clearance_m({2.0, 1.25}), 0.5);
+  EXPECT_DOUBLE_EQ(box_room({kPillar}).clearance_m({3.9, 2.0}), 4.0 - 3.9);
+}
+
+TEST(FloorPlan, RefusesWhatIsNoRoom) {
+  const Outline outside{rectangle(3.5, 1.0, 4.5, 1.5), {}};
+  EXPECT_THROW(box_room({outside}), std::invalid_argument);
+  EXPECT_THROW(box_room({kPillar}, {1.2, 1.2, 0.0}), std::invalid_argument);
+  EXPECT_THROW(box_room({}, {5.0, 1.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW(FloorPlan("line", {{{0.0, 0.0}, {1.0, 0.0}}, {}}, {}, {}), std::invalid_argument);
+}
+
+TEST(FloorPlan, TakesAnotherStart) {
+  const FloorPlan moved = box_room({kPillar}).starting_at({3.0, 2.0, 1.0});
+  EXPECT_EQ(moved.T_world_start().position_m(), Eigen::Vector2d(3.0, 2.0));
+  EXPECT_EQ(moved.walls().size(), 8U);
+  EXPECT_THROW(moved.starting_at({1.2, 1.2, 0.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::world

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/world/wheel_drive.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace echomap::world {
+namespace {
+
+constexpr double kStepS = 0.001;
+
+/// Decodes A and B as a quadrature counter does; illegal transitions fail the test.
+class Quadrature {
+ public:
+  void on(const LevelChange& change) {
+    const int phase = change.b ? (change.a ? 2 : 3) : (change.a ? 1 : 0);
+    const int difference = (phase - phase_ + 4) % 4;
+    EXPECT_NE(difference, 0);
+    EXPECT_NE(difference, 2);
+    count_ += difference == 1 ? 1 : -1;
+    phase_ = phase;
+  }
+  int count() const { return count_; }
+
+ private:
+  int phase_ = 0;
+  int count_ = 0;
+};
+
+TEST(WheelDrive, ReachesTheSpeedOfItsDutyInItsTime) {
+  DriveParams params;
+  WheelDrive wheel(params, params.wheel_diameter_m, 1.0);
+  std::vector<LevelChange> changes;
+  double after_one_constant_m = 0.0;
+  for (int i = 0; i < 80; ++i) {
+    after_one_constant_m = wheel.step(kStepS, 1.0, changes);
+  }
+  EXPECT_NEAR(after_one_constant_m / kStepS, 0.45 * (1.0 - std::exp(-1.0)), 0.003);
+  for (int i = 0; i < 1000; ++i) {
+    wheel.step(kStepS, 1.0, changes);
+  }
+  EXPECT_NEAR(wheel.step(kStepS, 1.0, changes) / kStepS, 0.45, 1e-4);
+}
+
+TEST(WheelDrive, StandsStillInItsDeadZone) {
+  DriveParams params;
+  WheelDrive wheel(params, params.wheel_diameter_m, 1.0);
+  std::vector<LevelChange> changes;
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_EQ(wheel.step(kStepS, 0.119, changes), 0.0);
+  }
+  EXPECT_TRUE(changes.empty());
+}
+
+TEST(WheelDrive, RollsOneTurnInCountsPerTurn) {
+  DriveParams params;
+  WheelDrive wheel(params, 0.1, 1.0);
+  std::vector<LevelChange> changes;
+  double rolled_m = 0.0;
+  while (wheel.counts() < 1496) {
+    rolled_m += wheel.step(kStepS, 0.5, changes);
+  }
+  EXPECT_NEAR(rolled_m, 0.1 * std::numbers::pi, 0.002 * std::numbers::pi);
+}
+
+TEST(WheelDrive, EdgesAreWhatTheCounterSaysAndInOrder) {
+  DriveParams params;
+  WheelDrive wheel(params, params.wheel_diameter_m, 1.0);
+  Quadrature counter;
+  for (int step = 0; step < 4000; ++step) {
+    std::vector<LevelChange> changes;
+    wheel.step(kStepS, std::sin(step * 0.004), changes);
+    double before_s = 0.0;
+    for (const LevelChange& change : changes) {
+      EXPECT_GE(change.at_s, before_s);
+      EXPECT_LE(change.at_s, kStepS);
+      before_s = change.at_s;
+      counter.on(change);
+    }
+    ASSERT_EQ(counter.count(), wheel.counts());
+  }
+  EXPECT_NE(wheel.counts(), 0);
+}
+
+TEST(WheelDrive, BackwardCountsDown) {
+  DriveParams params;
+  WheelDrive wheel(params, params.wheel_diameter_m, 1.0);
+  std::vector<LevelChange> changes;
+  for (int i = 0; i < 500; ++i) {
+    wheel.step(kStepS, -1.0, changes);
+  }
+  EXPECT_EQ(wheel.counts(), -static_cast<std::int64_t>(changes.size()));
+  EXPECT_LT(wheel.counts(), -1000);
+}
+
+}  // namespace
+}  // namespace echomap::world
