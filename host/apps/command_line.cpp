@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/command_line.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/interrupt.hpp"
+#include "host/files/atomic_file.hpp"
+#include "host/files/nearest_word.hpp"
+#include "host/files/toml_reader.hpp"
+#include "host/transport/transport_error.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using Action = std::function<ExitCode()>;
+
+void add_run_options(CLI::App& command, RunOptions& run) {
+  command.add_option("--robot", run.robot, "Profile of the robot: a bundled name or a TOML file")
+      ->capture_default_str();
+  command.add_option("--strategy", run.strategy, "How to explore")
+      ->check(CLI::IsMember({"nxt-farthest"}))
+      ->capture_default_str();
+  command.add_option("--stops", run.stops, "End after this many stops at the latest")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command.add_option("--seed", run.seed, "Seed of every random choice")->capture_default_str();
+  command.add_option("--out", run.out, "Run directory; a stamped one by default");
+  command.add_option("--json", run.json, "Write a report to this file, '-' for stdout");
+  command.add_flag("--headless", run.headless, "No progress line");
+}
+
+void add_explore(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("explore", "Drive a robot through its room and map it");
+  const auto options = std::make_shared<ExploreOptions>();
+  command->add_option("--port", options->port, "Serial device, pty or tcp://HOST:PORT")->required();
+  command->add_option("--baud", options->baud, "Speed of a serial device")
+      ->check(CLI::IsMember({9600, 57600, 115200, 250000, 500000}))
+      ->capture_default_str();
+  command->add_option("--lockstep", options->lockstep, "Socket of a simulated robot's clock");
+  add_run_options(*command, options->run);
+  command->footer("Example: echomap explore --port /dev/ttyACM0 --robot uno_2wd --out kitchen");
+  command->callback([&action, options] { action = [options] { return run_explore(*options); }; });
+}
+
+void add_demo(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("demo", "Watch an emulated robot map a room, and see it scored");
+  const auto options = std::make_shared<DemoOptions>();
+  command->add_option("--world", options->world, "Room: a bundled name or a TOML file")
+      ->capture_default_str();
+  command
+      ->add_option("--emulator",
+                   options->emulator,
+                   "simavr runs the AVR binary that a user flashes, mock the same code natively")
+      ->check(CLI::IsMember({"simavr", "mock"}))
+      ->capture_default_str();
+  add_run_options(*command, options->run);
+  command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
+  command->callback([&action, options] { action = [options] { return run_demo(*options); }; });
+}
+
+void add_eval(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("eval", "Score a run against the truth of its world");
+  const auto options = std::make_shared<EvalOptions>();
+  command->add_option("run", options->run, "Run directory")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--truth", options->truth, "Directory that the simulated robot wrote")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--json", options->json, "Write the scores to this file, '-' for stdout");
+  command->footer("Example: echomap eval first_map --truth first_map/truth --json -");
+  command->callback([&action, options] { action = [options] { return run_eval(*options); }; });
+}
+
+void set_up_logging(bool verbose, bool quiet) {
+  auto logger = spdlog::stderr_color_mt("echomap");
+  logger->set_pattern("echomap: %^%l%$: %v");
+  logger->set_level(verbose ? spdlog::level::debug
+                            : (quiet ? spdlog::level::err : spdlog::level::info));
+  spdlog::set_default_logger(std::move(logger));
+}
+
+/// CLI11 says only that some sub-command is needed; say which one was meant.
+std::string unknown_command_hint(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (!word.starts_with('-')) {
+      const bool known = std::find(names.begin(), names.end(), word) != names.end();
+      return known ? std::string()
+                   : "no command is named '" + word + "'" + files::suggestion(word, names);
+    }
+  }
+  return {};
+}
+
+ExitCode report_usage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    app.exit(error);
+    return ExitCode::kOk;
+  }
+  const std::string hint = unknown_command_hint(app, argc, argv);
+  fprintf(
+      stderr, "echomap: %s\n  next: echomap --help\n", hint.empty() ? error.what() : hint.c_str());
+  return ExitCode::kUsage;
+}
+
+ExitCode run_and_report(const Action& action) {
+  const auto fail = [](ExitCode code, const char* message) {
+    spdlog::error("{}", message);
+    return code;
+  };
+  try {
+    return action();
+  } catch (const CommandError& error) {
+    return fail(error.code(), error.what());
+  } catch (const files::ConfigError& error) {
+    return fail(ExitCode::kConfigInvalid, error.what());
+  } catch (const transport::TransportError& error) {
+    return fail(ExitCode::kNoRobot, error.what());
+  } catch (const std::exception& error) {
+    return fail(ExitCode::kRuntimeError, error.what());
+  }
+}
+
+}  // namespace
+
+ExitCode run_command_line(int argc, char** argv) {
+  CLI::App app("echomap: cheap robots that map a room and know where they are", "echomap");
+  app.set_version_flag("--version", "echomap " ECHOMAP_VERSION);
+  app.require_subcommand(1);
+  bool verbose = false;
+  bool quiet = false;
+  app.add_flag("-v,--verbose", verbose, "Say more on stderr");
+  app.add_flag("-q,--quiet", quiet, "Say only errors");
+  app.fallthrough();
+  Action action;
+  add_demo(app, action);
+  add_explore(app, action);
+  add_eval(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return report_usage(app, error, argc, argv);
+  }
+  set_up_logging(verbose, quiet);
+  catch_interrupts();
+  return run_and_report(action);
+}
+
+}  // namespace echomap::apps

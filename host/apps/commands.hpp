@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "host/apps/exit_code.hpp"
+
+namespace echomap::apps {
+
+/// Options that mean the same in every sub-command that has them.
+struct RunOptions {
+  std::string robot = "uno_2wd";
+  std::string strategy = "nxt-farthest";
+  std::size_t stops = 25;
+  std::uint32_t seed = 1;
+  std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
+  std::filesystem::path json;  ///< Empty: none; "-": stdout.
+  bool headless = false;
+};
+
+/// `echomap explore`: drives the robot on a port.
+struct ExploreOptions {
+  RunOptions run;
+  std::string port;
+  int baud = 115200;
+  std::string lockstep;  ///< Socket of a simulated robot's clock; empty for a real one.
+};
+ExitCode run_explore(const ExploreOptions& options);
+
+/// `echomap demo`: an emulated robot in a bundled room explores it and is scored.
+struct DemoOptions {
+  RunOptions run;
+  std::string world = "living_room";
+  std::string emulator = "simavr";  ///< Or "mock".
+};
+ExitCode run_demo(const DemoOptions& options);
+
+/// `echomap eval`: scores a run directory against the truth.
+struct EvalOptions {
+  std::filesystem::path run;
+  std::filesystem::path truth;
+  std::filesystem::path json;
+};
+ExitCode run_eval(const EvalOptions& options);
+
+}  // namespace echomap::apps

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/explore_run.hpp"
+
+#include <chrono>
+#include <random>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "host/apps/progress_bar.hpp"
+#include "host/apps/robot_session.hpp"
+#include "host/exploration/nxt_farthest.hpp"
+#include "host/exports/run_directory.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using exploration::MotionResult;
+
+exploration::NxtFarthestParams params_for(const RobotProfile& profile, std::size_t most_stops) {
+  exploration::NxtFarthestParams params;
+  params.pan_limit_rad = profile.pan_limit_rad;
+  params.settle_s = profile.settle_s;
+  params.robot_radius_m = profile.body_radius_m;
+  params.most_stops = most_stops;
+  return params;
+}
+
+double seconds_of(time::HostTime at) {
+  return std::chrono::duration<double>(at.time_since_epoch()).count();
+}
+
+/// Saves the map so far, with how far the exploration has come.
+class RunKeeper {
+ public:
+  RunKeeper(const RobotSession& session,
+            const pipeline::RobotPipeline& pipeline,
+            std::filesystem::path out,
+            exports::RunSummary& summary)
+      : session_(session), pipeline_(pipeline), out_(std::move(out)), summary_(summary) {}
+
+  void save(const std::string& outcome) {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
+    const auto snapshot = pipeline_.snapshot();
+    summary_.outcome = outcome;
+    summary_.sim_seconds = seconds_of(session_.now());
+    summary_.wall_seconds = wall.count();
+    exports::describe_snapshot(snapshot, summary_);
+    exports::write_run_directory(out_, snapshot, summary_);
+  }
+
+ private:
+  const RobotSession& session_;
+  const pipeline::RobotPipeline& pipeline_;
+  std::filesystem::path out_;
+  exports::RunSummary& summary_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void show_progress(ProgressBar& progress,
+                   const pipeline::Snapshot& snapshot,
+                   std::size_t most_stops,
+                   time::HostTime now) {
+  progress.show(static_cast<double>(snapshot.stops) / static_cast<double>(most_stops),
+                fmt::format("stop {} of at most {}, {} echoes, {:.0f} s of robot time",
+                            snapshot.stops,
+                            most_stops,
+                            snapshot.points->points().size(),
+                            seconds_of(now)));
+}
+
+/// Motion by motion until the explorer has finished or the session has ended.
+std::optional<exploration::FinishReason> drive(RobotSession& session,
+                                               const pipeline::RobotPipeline& pipeline,
+                                               exploration::Explorer& explorer,
+                                               RunKeeper& keeper) {
+  MotionResult last = MotionResult::kReached;
+  while (!session.end()) {
+    const auto motion = explorer.next(pipeline.snapshot(), last);
+    if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
+      return finished->reason;
+    }
+    last = session.execute(motion);
+    if (std::holds_alternative<exploration::EndScan>(motion)) {
+      keeper.save("exploring");
+    }
+  }
+  return std::nullopt;
+}
+
+ExitCode exit_code_of(SessionEnd end) {
+  return end == SessionEnd::kInterrupted ? ExitCode::kInterrupted : ExitCode::kLinkLost;
+}
+
+}  // namespace
+
+ExitCode explore_and_save(RobotConnection robot,
+                          const RobotProfile& profile,
+                          const RunOptions& options,
+                          const std::filesystem::path& out,
+                          exports::RunSummary& summary) {
+  summary.echomap_version = ECHOMAP_VERSION;
+  summary.robot = profile.name;
+  summary.strategy = options.strategy;
+  summary.seed = options.seed;
+  pipeline::RobotPipeline pipeline(profile.geometry);
+  RobotSession session(
+      std::move(robot.stream), std::move(robot.pace), profile, robot.session_id, pipeline);
+  RunKeeper keeper(session, pipeline, out, summary);
+  ProgressBar progress(stderr, !options.headless);
+  session.on_step = [&, steps = 0]() mutable {
+    constexpr int kStepsPerDrawing = 64;
+    if (++steps % kStepsPerDrawing == 0) {
+      show_progress(progress, pipeline.snapshot(), options.stops, session.now());
+    }
+  };
+
+  session.connect();
+  std::mt19937 random(options.seed);
+  exploration::NxtFarthest explorer(params_for(profile, options.stops), random);
+  const auto reason = drive(session, pipeline, explorer, keeper);
+  session.disarm();
+  progress.clear();
+  if (reason) {
+    keeper.save(exploration::name_of(*reason));
+    return ExitCode::kOk;
+  }
+  pipeline.end_scan();
+  spdlog::error("{}; the map so far is kept", session.end_reason());
+  keeper.save(*session.end() == SessionEnd::kInterrupted ? "interrupted" : "link-lost");
+  return exit_code_of(*session.end());
+}
+
+}  // namespace echomap::apps

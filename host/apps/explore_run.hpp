@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/exit_code.hpp"
+#include "host/apps/pace.hpp"
+#include "host/apps/robot_profile.hpp"
+#include "host/exports/summary_json.hpp"
+#include "host/transport/byte_stream.hpp"
+
+namespace echomap::apps {
+
+/// A way to a robot: its bytes, its time, and a number that no earlier session with it had.
+struct RobotConnection {
+  std::unique_ptr<transport::ByteStream> stream;
+  std::unique_ptr<Pace> pace;
+  std::uint16_t session_id = 0;
+};
+
+/// Connects and lets the strategy drive the robot until it is finished, is interrupted or is lost.
+/// The run directory `out` is brought up to date after every stop, so that whatever happens the map
+/// so far is on disk. Fills in what the exploration knows of `summary`. Throws CommandError where
+/// no robot is found and files::FileError where the map cannot be saved.
+ExitCode explore_and_save(RobotConnection robot,
+                          const RobotProfile& profile,
+                          const RunOptions& options,
+                          const std::filesystem::path& out,
+                          exports::RunSummary& summary);
+
+}  // namespace echomap::apps

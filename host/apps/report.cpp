@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/report.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+#include "host/geometry/angle.hpp"
+
+namespace echomap::apps {
+namespace {
+
+std::filesystem::path data_folder() {
+  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
+    return data;
+  }
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : "/tmp") / ".local" / "share";
+}
+
+}  // namespace
+
+std::filesystem::path run_folder(const std::filesystem::path& chosen) {
+  if (!chosen.empty()) {
+    return chosen;
+  }
+  const auto now =
+      std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
+  const auto milliseconds = now.time_since_epoch().count() % 1000;
+  return data_folder() / "echomap" / "runs" /
+         fmt::format("{:%Y-%m-%d_%H-%M-%S}-{:03}",
+                     fmt::localtime(std::chrono::system_clock::to_time_t(now)),
+                     milliseconds);
+}
+
+nlohmann::ordered_json to_json(const evaluation::RunScore& score) {
+  nlohmann::ordered_json json;
+  json["free_iou"] = score.map.free_iou;
+  json["wall_rmse_m"] = nullptr;
+  if (score.map.wall_rmse_m) {
+    json["wall_rmse_m"] = *score.map.wall_rmse_m;
+  }
+  json["wall_recall"] = score.map.wall_recall;
+  json["ate_rmse_m"] = score.trajectory.ate_rmse_m;
+  json["ate_heading_rmse_rad"] = score.trajectory.ate_heading_rmse_rad;
+  json["final_error_m"] = score.trajectory.final_error_m;
+  json["final_heading_error_rad"] = score.trajectory.final_heading_error_rad;
+  return json;
+}
+
+void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& report) {
+  const std::string text = report.dump(2) + "\n";
+  if (path == "-") {
+    std::fputs(text.c_str(), stdout);
+  } else if (!path.empty()) {
+    files::write_text_file(path, text);
+  }
+}
+
+void print_score(const evaluation::RunScore& score) {
+  const auto& map = score.map;
+  const auto& path = score.trajectory;
+  fmt::print(stderr, "  free floor agrees    {:5.1f} %  (free_iou)\n", 100.0 * map.free_iou);
+  if (map.wall_rmse_m) {
+    fmt::print(
+        stderr, "  walls are off by     {:5.1f} cm (wall_rmse_m)\n", 100.0 * *map.wall_rmse_m);
+  }
+  fmt::print(stderr, "  walls seen           {:5.1f} %  (wall_recall)\n", 100.0 * map.wall_recall);
+  fmt::print(stderr,
+             "  odometry is off by   {:5.1f} cm, {:.1f} degrees (ate_rmse_m, heading)\n",
+             100.0 * path.ate_rmse_m,
+             geometry::degrees(path.ate_heading_rmse_rad));
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "host/evaluation/run_score.hpp"
+#include "host/exports/summary_json.hpp"
+
+namespace echomap::apps {
+
+/// `chosen`, or where it is empty a new folder runs/TIME of the user's data folder
+/// ($XDG_DATA_HOME/echomap, by default ~/.local/share/echomap).
+std::filesystem::path run_folder(const std::filesystem::path& chosen);
+
+/// The scores under the names that every report uses: free_iou, wall_rmse_m, ...
+nlohmann::ordered_json to_json(const evaluation::RunScore& score);
+
+/// Writes `report` to the file, or to stdout for "-"; does nothing for an empty path. Throws
+/// files::FileError.
+void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& report);
+
+/// For people, on stderr: the scores in one line each.
+void print_score(const evaluation::RunScore& score);
+
+}  // namespace echomap::apps

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "host/sensors/observation_converter.hpp"
+#include "host/sensors/robot_geometry.hpp"
+#include "protocol/command_messages.hpp"
+
+namespace echomap::apps {
+
+/// Everything the host knows of one kind of robot, from its profile's TOML. What the board needs is
+/// sent at connect, so a number is never changed by flashing.
+struct RobotProfile {
+  std::string name;
+  sensors::RobotGeometry geometry;
+  sensors::SonarRangeParams range;
+  double speed_m_per_s = 0.0;
+  double body_radius_m = 0.0;
+  double beam_half_angle_rad = 0.0;
+  double pan_limit_rad = 0.0;  ///< The pan reaches from minus this to plus this.
+  double settle_s = 0.0;       ///< Wait after a pan step, once the servo has arrived.
+  protocol::ConfigureDrive drive{};
+  protocol::ConfigureSonar sonar{};
+
+  /// Counts per second of a wheel that rolls at `speed_m_per_s`.
+  std::uint16_t ticks_per_s() const;
+};
+
+/// `name_or_file` is the name of a bundled profile ("uno_2wd") or a path that ends in .toml. Throws
+/// files::ConfigError.
+RobotProfile load_robot_profile(const std::string& name_or_file);
+
+}  // namespace echomap::apps

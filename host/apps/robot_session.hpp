@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "host/apps/pace.hpp"
+#include "host/apps/robot_profile.hpp"
+#include "host/exploration/explorer.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+#include "host/robot_link/robot_link.hpp"
+#include "host/sensors/observation_converter.hpp"
+#include "host/transport/byte_stream.hpp"
+
+namespace echomap::apps {
+
+/// Why a session cannot go on.
+enum class SessionEnd : std::uint8_t { kInterrupted, kLinkLost };
+
+/// A robot that answers: feeds its observations to the pipeline and carries out motions. Every call
+/// that waits lets the session's time pass; nothing here reads a clock.
+class RobotSession final : private robot_link::RobotLinkListener {
+ public:
+  /// `session_id` tells this session's commands from an earlier one's. `pipeline` outlives the
+  /// session.
+  RobotSession(std::unique_ptr<transport::ByteStream> stream,
+               std::unique_ptr<Pace> pace,
+               const RobotProfile& profile,
+               std::uint16_t session_id,
+               pipeline::RobotPipeline& pipeline);
+
+  /// Says Hello, sends the profile, arms. Throws CommandError: 3 where no robot answers (with what
+  /// came instead), 4 where its firmware is another, 5, 6 or 130.
+  void connect();
+
+  /// Carries out one motion and waits for its end; BeginScan and EndScan only tell the pipeline.
+  /// After `end()` is set the answer means nothing.
+  exploration::MotionResult execute(const exploration::Motion& motion);
+
+  /// Stops and disarms, where the robot still hears it.
+  void disarm();
+
+  /// Set once the user interrupted or the link was lost for good.
+  std::optional<SessionEnd> end() const { return end_; }
+  /// For people: why, in a sentence.
+  const std::string& end_reason() const { return end_reason_; }
+
+  /// Called after every step of time.
+  std::function<void()> on_step;
+
+  time::HostTime now() const { return now_; }
+  robot_link::LinkStatistics statistics() const { return link_.statistics(); }
+  /// Least free stack that the board has reported, bytes; empty before its first Status.
+  std::optional<unsigned> stack_free_bytes() const;
+
+ private:
+  using Duration = time::HostClock::duration;
+
+  void on_odometry(const protocol::Odometry& message) override;
+  void on_echo(const protocol::Echo& message) override;
+  void on_status(const protocol::Status& message) override;
+  void on_ready(const protocol::HelloReply& reply) override;
+  void on_reset(std::uint8_t reset_cause) override;
+  void on_command_done(const robot_link::CommandResult& result) override;
+
+  void step();
+  void look_for_end();
+  /// Steps until `done` or until `limit` of session time has passed; true when done.
+  bool wait_until(const std::function<bool()>& done, Duration limit);
+  [[noreturn]] void fail_to_connect() const;
+  void set_up_robot();
+
+  std::optional<robot_link::CommandResult> perform(const robot_link::Command& command);
+  exploration::MotionResult move(const sensors::WheelTicks& ticks);
+  exploration::MotionResult sweep(const exploration::Sweep& sweep);
+  exploration::MotionResult finish(const robot_link::Command& command, Duration expected);
+
+  std::unique_ptr<transport::ByteStream> stream_;
+  std::unique_ptr<Pace> pace_;
+  RobotProfile profile_;
+  pipeline::RobotPipeline& pipeline_;
+  sensors::ObservationConverter converter_;
+  robot_link::RobotLink link_;
+
+  time::HostTime now_;
+  std::uint64_t bytes_sent_ = 0;
+  std::optional<time::HostTime> lost_since_;
+  std::optional<SessionEnd> end_;
+  std::string end_reason_;
+
+  std::optional<protocol::Status> status_;
+  std::optional<robot_link::CommandResult> result_;
+  unsigned resets_ = 0;
+};
+
+}  // namespace echomap::apps

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/simulated_robot.hpp"
+
+#include <chrono>
+#include <system_error>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string program_of(const std::string& emulator) {
+  const fs::path program = program_folder() / ("echomap-" + emulator);
+  if (!fs::exists(program)) {
+    throw CommandError(ExitCode::kRuntimeError,
+                       program.string() +
+                           " was not built: this machine lacks what it needs\n"
+                           "  next: ./run setup and ./run build, or --emulator mock");
+  }
+  return program;
+}
+
+}  // namespace
+
+SimulatedRobot::SimulatedRobot(const DemoOptions& options, const fs::path& out)
+    : truth_(out / "truth"),
+      log_(out / "robot.log"),
+      folder_(fs::temp_directory_path() / fmt::format("echomap-demo-{}", ::getpid())) {
+  fs::create_directories(truth_);
+  fs::create_directories(folder_);
+  const fs::path socket = folder_ / "lockstep";
+  const std::vector<std::string> command{program_of(options.emulator),
+                                         "--world=" + options.world,
+                                         "--robot=" + options.run.robot,
+                                         "--seed=" + std::to_string(options.run.seed),
+                                         "--link=" + port(),
+                                         "--lockstep=" + socket.string(),
+                                         "--truth=" + truth_.string()};
+  process_ = std::make_unique<ChildProcess>(command, log_);
+  wait_until_it_listens(socket);
+  lockstep_ = std::make_unique<transport::LockstepChannel>(socket);
+}
+
+SimulatedRobot::~SimulatedRobot() {
+  lockstep_.reset();
+  process_.reset();
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void SimulatedRobot::wait_until_it_listens(const fs::path& socket) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!fs::exists(socket) || !fs::exists(port())) {
+    if (const auto status = process_->exit_status()) {
+      const bool configuration = *status == static_cast<int>(ExitCode::kConfigInvalid);
+      throw CommandError(configuration ? ExitCode::kConfigInvalid : ExitCode::kRuntimeError,
+                         files::read_text_file(log_));
+    }
+    if (std::chrono::steady_clock::now() > end) {
+      throw CommandError(ExitCode::kRuntimeError,
+                         "the simulated robot did not start; see " + log_.string());
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+}  // namespace echomap::apps
