@@ -8,12 +8,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "hil_mock/emulator/atmega328p.hpp"
 #include "hil_mock/emulator/simavr_board.hpp"
 #include "tests/hil/probe/probe_commands.hpp"
 
 namespace echomap::emulator {
 namespace {
 
+using atmega328p::kPinC;
+using atmega328p::kPinD;
 using runner::Wheel;
 using ::testing::ElementsAre;
 
@@ -145,7 +148,6 @@ TEST_F(EmulatedChip, PinsKeepTheirLevelsThroughAReset) {
   board_.set_bump(Wheel::kLeft, true);
   board_.machine().reset(ResetSource::kExternal);
   run_ms(5);
-  constexpr std::uint16_t kPinD = 0x29;
   EXPECT_EQ(board_.machine().data_at(kPinD) & 0x0C, 0x08);
 }
 
@@ -192,8 +194,36 @@ TEST_F(EmulatedChip, MotorDutyIsLevelAndDirection) {
   EXPECT_EQ(board_.motor_duty().right, -0.25);
 }
 
-TEST_F(EmulatedChip, StopsExactlyAtTheGrantedTime) {
-  for (const std::int64_t step_ns : {1, 62, 63, 1000, 999'983}) {
+TEST_F(EmulatedChip, ScheduledEdgesGoOnThroughAReset) {
+  ask(kProbeWaitForWatchdog);
+  constexpr std::int64_t kGapNs = 20'000;
+  const std::int64_t start_ns = board_.now_ns();
+  for (std::int64_t i = 1; i * kGapNs < 30 * kMs; ++i) {
+    board_.schedule_encoder_edge(Wheel::kLeft, start_ns + i * kGapNs, i % 2 != 0, false);
+  }
+  run_ms(28);
+  EXPECT_EQ(board_.machine().resets(), 1U);
+  for (int i = 0; i < 10; ++i) {
+    const int before = board_.machine().data_at(kPinC) & 1;
+    board_.run_until(board_.now_ns() + kGapNs);
+    EXPECT_NE(board_.machine().data_at(kPinC) & 1, before);
+  }
+}
+
+TEST_F(EmulatedChip, ResetCutsTheByteUnderWay) {
+  ask(kProbeSendBurst);
+  run_ms(2);
+  sent_.clear();
+  board_.machine().reset(ResetSource::kExternal);
+  run_ms(5);
+  ASSERT_EQ(sent_.size(), 2U);
+  EXPECT_EQ(sent_[0].value, kExtrf);
+}
+
+TEST_F(EmulatedChip, StopsExactlyAtTheGrantedTimeAlsoInSleep) {
+  ask(kProbeSleep100Ticks);
+  run_ms(1);
+  for (const std::int64_t step_ns : {1, 62, 63, 1000, 500'000, 999'983}) {
     const std::int64_t until_ns = board_.now_ns() + step_ns;
     board_.run_until(until_ns);
     EXPECT_EQ(board_.now_ns(), until_ns);
