@@ -80,6 +80,7 @@ struct SeedVisitor {
   }
 };
 
+/// Bytes of M's payload.
 template <class M>
 constexpr uint8_t payload_size_of() {
   const M message{};
@@ -88,6 +89,7 @@ constexpr uint8_t payload_size_of() {
   return visitor.bytes;
 }
 
+/// Seed of M's CRC: its name, field names and types.
 template <class M>
 constexpr uint16_t seed_of() {
   const M message{};

@@ -14,6 +14,7 @@
 namespace echomap {
 namespace protocol {
 
+/// Who receives which message; every message is in one of the two and in AllMessages.
 using MessagesToRobot = MessageList<Hello,
                                     Ping,
                                     Arm,

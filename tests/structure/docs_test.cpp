@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/structure/shell.hpp"
+#include "tests/structure/source_tree.hpp"
+
+// A document promises: a ```sh block after the line <!-- test --> runs as it stands, from the root
+// of the tree, and every relative link leads to a file.
+namespace echomap::structure {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const fs::path kRoot = ECHOMAP_SOURCE_DIR;
+const std::string kMark = "<!-- test -->";
+
+struct CommandBlock {
+  std::size_t line = 0;  ///< Of its mark, from 1.
+  std::string script;
+};
+
+/// The marked blocks of a document; throws where a mark stands before anything else.
+std::vector<CommandBlock> command_blocks_of(const std::vector<std::string>& lines) {
+  std::vector<CommandBlock> blocks;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i] != kMark) {
+      continue;
+    }
+    CommandBlock block{i + 1, ""};
+    if (++i == lines.size() || lines[i] != "```sh") {
+      throw std::runtime_error("no ```sh after the mark in line " + std::to_string(block.line));
+    }
+    for (++i; i < lines.size() && lines[i] != "```"; ++i) {
+      block.script += lines[i] + "\n";
+    }
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+std::vector<fs::path> documents() {
+  std::vector<fs::path> paths;
+  for (const char* name : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"}) {
+    paths.emplace_back(name);
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "docs")) {
+    if (entry.path().extension() == ".md") {
+      paths.push_back(entry.path().lexically_relative(kRoot));
+    }
+  }
+  return paths;
+}
+
+/// A folder that looks like the root of the tree after `./run build`, for commands to leave their
+/// files in. Its `run demo` skips the building, which the test's own build has done.
+class Desk {
+ public:
+  Desk() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "build");
+    for (const auto& entry : fs::directory_iterator(kRoot)) {
+      const fs::path name = entry.path().filename();
+      if (name != "build" && name != "run" && name != ".git") {
+        fs::create_symlink(entry.path(), folder_ / name);
+      }
+    }
+    fs::create_directory_symlink(ECHOMAP_BINARY_DIR, folder_ / "build" / "release");
+    std::ofstream(folder_ / "run")
+        << "#!/bin/sh\n"
+        << "[ \"$1\" != demo ] || exec build/release/bin/echomap \"$@\"\n"
+        << "exec " << shell_quoted((kRoot / "run").string()) << " \"$@\"\n";
+    fs::permissions(folder_ / "run", fs::perms::owner_all);
+  }
+  ~Desk() { fs::remove_all(folder_); }
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  const fs::path folder_ = fs::path(testing::TempDir()) / "echomap_docs_test";
+};
+
+TEST(Documents, EveryMarkedCommandRuns) {
+  const Desk desk;
+  std::size_t blocks = 0;
+  for (const fs::path& document : documents()) {
+    for (const CommandBlock& block : command_blocks_of(read_lines(kRoot / document))) {
+      const ShellResult result = run_shell(block.script, desk.folder());
+      EXPECT_EQ(result.exit_code, 0) << document.string() << ":" << block.line << "\n"
+                                     << block.script << result.output;
+      ++blocks;
+    }
+  }
+  EXPECT_GE(blocks, 1U);
+}
+
+TEST(Documents, EveryRelativeLinkLeadsToAFile) {
+  static const std::regex kLink(R"(\]\(([^)#:]+)(?:#[^)]*)?\))");
+  for (const fs::path& document : documents()) {
+    for (const std::string& line : read_lines(kRoot / document)) {
+      for (std::sregex_iterator link(line.begin(), line.end(), kLink), end; link != end; ++link) {
+        const fs::path target = kRoot / document.parent_path() / (*link)[1].str();
+        EXPECT_TRUE(fs::exists(target)) << document.string() << ": " << (*link)[1];
+      }
+    }
+  }
+}
+
+TEST(CommandBlocks, AreThoseWithAMark) {
+  const auto blocks = command_blocks_of({"text",
+                                         "```sh",
+                                         "rm -r .",
+                                         "```",
+                                         kMark,
+                                         "```sh",
+                                         "true",
+                                         "echo a",
+                                         "```",
+                                         kMark,
+                                         "```sh",
+                                         "```"});
+  ASSERT_EQ(blocks.size(), 2U);
+  EXPECT_EQ(blocks[0].line, 5U);
+  EXPECT_EQ(blocks[0].script, "true\necho a\n");
+  EXPECT_EQ(blocks[1].script, "");
+}
+
+TEST(CommandBlocks, RefuseAMarkBeforeAnythingElse) {
+  EXPECT_THROW(command_blocks_of({kMark, "", "```sh", "true", "```"}), std::runtime_error);
+  EXPECT_THROW(command_blocks_of({kMark}), std::runtime_error);
+}
+
+TEST(CommandBlocks, FailAtTheFirstFailingCommand) {
+  const ShellResult result = run_shell("echo before\nfalse\necho after\n", kRoot);
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_THAT(result.output, HasSubstr("before"));
+  EXPECT_THAT(result.output, testing::Not(HasSubstr("after")));
+}
+
+}  // namespace
+}  // namespace echomap::structure

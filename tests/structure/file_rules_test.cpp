@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "tests/structure/file_rules.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/structure/source_tree.hpp"
+
+namespace echomap::structure {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kSpdx = "// SPDX-License-Identifier: MIT";
+
+/// Sources without a test of their own, and why.
+const std::vector<std::string> kWithoutOwnTest{
+    "firmware/boards/arduino_uno",  // registers: tests/hil runs them on the emulated chip
+    "firmware/boards/avr_common",   // the same
+    "firmware/app/main.cpp",        // mains: tests/hil and tests/integration start the programs
+    "host/apps/echomap.cpp",
+    "hil_mock/emulator/main.cpp",
+    "hil_mock/mock_device/main.cpp",
+};
+
+const std::vector<SourceFile>& tree() {
+  static const std::vector<SourceFile> kTree = read_source_tree(ECHOMAP_SOURCE_DIR);
+  return kTree;
+}
+
+// --- the tree as it is
+
+TEST(FileRules, TheTreeIsRead) { EXPECT_GT(tree().size(), 50U); }
+
+TEST(FileRules, EveryFileBeginsAsItShould) { EXPECT_THAT(first_line_problems(tree()), IsEmpty()); }
+
+TEST(FileRules, NoFileIsTooLong) { EXPECT_THAT(length_problems(tree()), IsEmpty()); }
+
+TEST(FileRules, EverySourceHasItsTest) {
+  EXPECT_THAT(untested_source_problems(tree(), kWithoutOwnTest), IsEmpty());
+}
+
+TEST(FileRules, EveryFolderNameSaysWhatItIsFor) {
+  EXPECT_THAT(folder_name_problems(tree()), IsEmpty());
+}
+
+TEST(FileRules, PortableFirmwareNeedsNoStandardLibrary) {
+  EXPECT_THAT(portability_problems(tree()), IsEmpty());
+}
+
+TEST(FileRules, EveryDeclarationOfAHeaderIsDocumented) {
+  EXPECT_THAT(undocumented_problems(tree()), IsEmpty());
+}
+
+TEST(FileRules, NothingIsLeftForLater) { EXPECT_THAT(reminder_problems(tree()), IsEmpty()); }
+
+// --- what each rule catches
+
+TEST(FileRules, CatchAMissingSpdxLineOrPragma) {
+  EXPECT_THAT(
+      first_line_problems({{"host/a.cpp", {}},
+                           {"host/b.cpp", {"#include <map>", kSpdx}},
+                           {"host/c.hpp", {kSpdx, "", "#pragma once"}},
+                           {"host/d.hpp", {kSpdx, "#pragma once"}}}),
+      ElementsAre(HasSubstr("host/a.cpp"), HasSubstr("host/b.cpp"), HasSubstr("#pragma once")));
+}
+
+TEST(FileRules, CatchAFileOf501Lines) {
+  const std::vector<std::string> longest(500, "x");
+  const std::vector<std::string> too_long(501, "x");
+  EXPECT_THAT(length_problems({{"host/a.cpp", longest}, {"host/b.cpp", too_long}}),
+              ElementsAre("host/b.cpp: 501 lines"));
+}
+
+TEST(FileRules, CatchASourceWithoutATest) {
+  const std::vector<SourceFile> files{{"host/x/y.cpp", {}},
+                                      {"host/x/z.cpp", {}},
+                                      {"host/x/w.hpp", {}},
+                                      {"tests/host/x/y_test.cpp", {}}};
+  EXPECT_THAT(untested_source_problems(files, {}), ElementsAre(HasSubstr("host/x/z.cpp")));
+  EXPECT_THAT(untested_source_problems(files, {"host/x/z.cpp"}), IsEmpty());
+  EXPECT_THAT(untested_source_problems(files, {"host/x"}), IsEmpty());
+}
+
+TEST(FileRules, CatchAFolderNamedCommon) {
+  EXPECT_THAT(folder_name_problems({{"host/common/x.cpp", {}}, {"host/commons.cpp", {}}}),
+              ElementsAre(HasSubstr("host/common/x.cpp")));
+}
+
+TEST(FileRules, CatchCppHeadersAndStdInTheFirmware) {
+  const std::vector<std::string> lines{
+      "#include <stdint.h>", "#include <cstdint>", "std::swap(a, b);"};
+  EXPECT_THAT(
+      portability_problems({{"protocol/x.cpp", lines}, {"firmware/boards/native/x.cpp", lines}}),
+      ElementsAre(HasSubstr("protocol/x.cpp:2"), HasSubstr("protocol/x.cpp:3")));
+}
+
+TEST(FileRules, CatchADeclarationWithoutComment) {
+  const SourceFile header{"host/x.hpp",
+                          {kSpdx,
+                           "#pragma once",
+                           "",
+                           "namespace echomap {",
+                           "struct First {",
+                           "",
+                           "  int x;",
+                           "};",
+                           "",
+                           "class Later;",
+                           "",
+                           "/// Says what it is for.",
+                           "int second();",
+                           "",
+                           "template <class T>",
+                           "T third();",
+                           "",
+                           "template <>",
+                           "struct Special<int> {};",
+                           "",
+                           "inline bool operator!=(First left, First right);",
+                           "}  // namespace echomap"}};
+  EXPECT_THAT(undocumented_problems({header}),
+              ElementsAre(HasSubstr("host/x.hpp:5"), HasSubstr("host/x.hpp:15")));
+}
+
+TEST(FileRules, CatchAReminder) {
+  const std::string reminder = std::string("// TO") + "DO: later";
+  EXPECT_THAT(reminder_problems({{"host/x.cpp", {kSpdx, reminder}}}),
+              ElementsAre(HasSubstr("host/x.cpp:2")));
+}
+
+}  // namespace
+}  // namespace echomap::structure

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/structure/layer_table.hpp"
+#include "tests/structure/source_tree.hpp"
+
+namespace echomap::structure {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const fs::path kRoot = ECHOMAP_SOURCE_DIR;
+
+/// The table of docs/architecture.md. It stands here a second time on purpose: a new arrow between
+/// two folders is a decision and has to be written down twice.
+const LayerRules kRules{
+    {"protocol", {}},
+    {"firmware/hal", {}},
+    {"firmware/drivers", {"firmware/hal", "protocol"}},
+    {"firmware/control", {"firmware/drivers"}},
+    {"firmware/tasks", {"firmware/control"}},
+    {"firmware/app", {"firmware/tasks"}},
+    {"firmware/boards", {"firmware/hal", "protocol"}},
+    {"firmware/boards/native", {"firmware/hal", "protocol", "firmware/app"}},
+    {"host/time", {}},
+    {"host/geometry", {}},
+    {"host/files", {}},
+    {"host/transport", {"host/time"}},
+    {"host/robot_link", {"protocol", "host/time", "host/transport"}},
+    {"host/sensors", {"protocol", "host/time", "host/geometry"}},
+    {"host/mapping", {"host/geometry", "host/sensors"}},
+    {"host/pipeline", {"host/mapping"}},
+    {"host/exploration", {"host/geometry", "host/sensors", "host/mapping", "host/pipeline"}},
+    {"host/exports",
+     {"host/files", "host/geometry", "host/sensors", "host/mapping", "host/pipeline"}},
+    {"host/evaluation",
+     {"host/geometry", "host/sensors", "host/mapping", "host/pipeline", "host/exports"}},
+    {"host/apps", {"host"}},
+    {"hil_mock/world", {"host/geometry", "host/files"}},
+    {"hil_mock/runner", {"hil_mock/world"}},
+    {"hil_mock/mock_device", {"hil_mock/runner", "firmware", "protocol"}},
+    {"hil_mock/emulator", {"hil_mock/runner", "protocol"}},
+};
+
+TEST(Layering, EveryIncludeOfTheTreeIsPermitted) {
+  EXPECT_THAT(LayerTable(kRules).violations_in(read_source_tree(kRoot)), IsEmpty());
+}
+
+TEST(Layering, TheTableEqualsTheOneInTheDocument) {
+  EXPECT_EQ(read_layer_rules(read_lines(kRoot / "docs/architecture.md")), kRules);
+}
+
+TEST(Layering, TheTableHasNoCycle) {
+  const LayerTable table(kRules);
+  for (const auto& [upper, upper_may] : kRules) {
+    for (const auto& [lower, lower_may] : kRules) {
+      if (upper != lower && !is_below(upper, lower) && !is_below(lower, upper)) {
+        EXPECT_FALSE(table.permits(upper, lower + "/x.hpp") &&
+                     table.permits(lower, upper + "/x.hpp"))
+            << upper << " and " << lower;
+      }
+    }
+  }
+}
+
+TEST(Layering, PermitsWhatAListedFolderMayInclude) {
+  const LayerTable table(kRules);
+  EXPECT_TRUE(table.permits("host/pipeline", "host/geometry/angle.hpp"));
+  EXPECT_TRUE(table.permits("firmware/tasks", "firmware/hal/clock.hpp"));
+  EXPECT_TRUE(table.permits("host/apps", "host/exports/csv.hpp"));
+  EXPECT_TRUE(table.permits("firmware/boards/native", "firmware/control/scan_sweep.hpp"));
+  EXPECT_FALSE(table.permits("firmware/boards", "firmware/control/scan_sweep.hpp"));
+  EXPECT_FALSE(table.permits("host/mapping", "host/pipeline/snapshot.hpp"));
+  EXPECT_FALSE(table.permits("hil_mock/emulator", "firmware/app/robot.hpp"));
+}
+
+// --- a copy of the tree with one violation planted in it
+
+class PlantedViolation : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(copy_);
+    for (const std::string& folder : kSourceFolders) {
+      fs::copy(kRoot / folder, copy_ / folder, fs::copy_options::recursive);
+    }
+  }
+  void TearDown() override { fs::remove_all(copy_); }
+
+  std::vector<std::string> violations_after(const std::string& path, const std::string& text) {
+    fs::create_directories((copy_ / path).parent_path());
+    std::ofstream(copy_ / path) << text << '\n';
+    return LayerTable(kRules).violations_in(read_source_tree(copy_));
+  }
+
+ private:
+  const fs::path copy_ = fs::path(testing::TempDir()) /
+                         (std::string("echomap_layering_") +
+                          testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(PlantedViolation, UpwardIsCaught) {
+  EXPECT_THAT(
+      violations_after("host/time/planted.hpp",
+                       "#pragma once\n#include \"host/geometry/angle.hpp\""),
+      testing::Contains("host/time/planted.hpp:2: host/geometry/angle.hpp: host/time may not "
+                        "include it"));
+}
+
+TEST_F(PlantedViolation, UpwardUnderAConditionIsCaught) {
+  EXPECT_THAT(violations_after("protocol/planted.cpp",
+                               "#ifdef NEVER\n #  include \"host/time/host_time.hpp\"\n#endif"),
+              testing::Contains(HasSubstr("protocol may not include it")));
+}
+
+TEST_F(PlantedViolation, ProductionThatIncludesATestIsCaught) {
+  EXPECT_THAT(violations_after("host/geometry/planted.cpp",
+                               "#include \"tests/support/golden_vectors.hpp\""),
+              testing::Contains(HasSubstr("host/geometry may not include it")));
+}
+
+TEST_F(PlantedViolation, AFolderWithoutARuleIsCaught) {
+  EXPECT_THAT(violations_after("host/planted/planted.cpp", "#include \"protocol/cobs.hpp\""),
+              testing::Contains(HasSubstr("no rule for this folder")));
+}
+
+TEST_F(PlantedViolation, APathThatIsNotTheTreesIsCaught) {
+  EXPECT_THAT(violations_after("protocol/planted.cpp", "#include \"cobs.hpp\""),
+              testing::Contains(HasSubstr("no such path in this tree")));
+}
+
+TEST_F(PlantedViolation, AnOwnFileInAngleBracketsIsCaught) {
+  EXPECT_THAT(violations_after("host/time/planted.cpp", "#include <host/geometry/angle.hpp>"),
+              testing::Contains(HasSubstr("in quotes")));
+}
+
+}  // namespace
+}  // namespace echomap::structure

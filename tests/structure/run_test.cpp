@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/structure/shell.hpp"
+
+// ./run, with stand-ins for the programs that would change the machine.
+namespace echomap::structure {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kRun = shell_quoted(ECHOMAP_SOURCE_DIR "/run");
+
+TEST(Run, HelpsWithEveryCommandFromAnyFolder) {
+  for (const std::string command :
+       {"demo", "test", "setup", "build", "bench", "fmt", "lint", "flash"}) {
+    const ShellResult result = run_shell(kRun + " " + command + " --help", "/");
+    EXPECT_EQ(result.exit_code, 0) << command;
+    EXPECT_THAT(result.output, HasSubstr("usage: ./run " + command));
+    EXPECT_THAT(run_shell(kRun + " --help", "/").output, HasSubstr("\n  " + command));
+  }
+}
+
+TEST(Run, RefusesAnUnknownCommandAndNone) {
+  const ShellResult unknown = run_shell(kRun + " dmeo", "/");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.output, HasSubstr("no command 'dmeo'"));
+  EXPECT_EQ(run_shell(kRun, "/").exit_code, 2);
+}
+
+TEST(Run, FlashWantsAPortThatIsThere) {
+  EXPECT_EQ(run_shell(kRun + " flash", "/").exit_code, 2);
+  EXPECT_EQ(run_shell(kRun + " flash --port /dev/null --board mega", "/").exit_code, 2);
+  const ShellResult absent = run_shell(kRun + " flash --port /dev/echomap_none", "/");
+  EXPECT_EQ(absent.exit_code, 3);
+  EXPECT_THAT(absent.output, HasSubstr("there is no /dev/echomap_none"));
+}
+
+/// A folder of stand-ins that goes before everything else in PATH.
+class RunWithStandIns : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void stand_in(const std::string& program, const std::string& script) {
+    std::ofstream(folder_ / program) << "#!/bin/sh\n" << script << "\n";
+    fs::permissions(folder_ / program, fs::perms::owner_all);
+  }
+
+  /// Every package but libpng-dev and cmake is installed.
+  void lack_two_packages() {
+    stand_in("dpkg-query",
+             "for p; do :; done; case $p in libpng-dev | cmake) exit 1 ;; esac; printf installed");
+  }
+
+  ShellResult run(const std::string& arguments) {
+    return run_shell("PATH=" + shell_quoted(folder_.string()) + ":$PATH " + kRun + " " + arguments,
+                     "/");
+  }
+
+ private:
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) /
+      (std::string("echomap_run_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(RunWithStandIns, SetupInstallsNothingWhereNothingIsMissing) {
+  stand_in("dpkg-query", "printf installed");
+  stand_in("apt-get", "echo apt-get was called");
+  const ShellResult result = run("setup");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.output, HasSubstr("nothing to install"));
+  EXPECT_THAT(result.output, Not(HasSubstr("apt-get was called")));
+}
+
+TEST_F(RunWithStandIns, SetupAsRootInstallsExactlyWhatIsMissing) {
+  lack_two_packages();
+  stand_in("id", "echo 0");
+  stand_in("apt-get", "echo \"called: $*\"");
+  const ShellResult result = run("setup");
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("will install, by apt-get: cmake libpng-dev"));
+  EXPECT_THAT(result.output, HasSubstr("called: -q update"));
+  EXPECT_THAT(result.output, HasSubstr("install --no-install-recommends cmake libpng-dev\n"));
+}
+
+TEST_F(RunWithStandIns, SetupAsSomeoneElseGoesThroughSudo) {
+  lack_two_packages();
+  stand_in("id", "echo 1000");
+  stand_in("sudo", "echo \"sudo: $*\"");
+  const ShellResult result = run("setup");
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("will install with sudo"));
+  EXPECT_THAT(result.output, HasSubstr("sudo: apt-get -q update"));
+  EXPECT_THAT(result.output, HasSubstr("sudo: env DEBIAN_FRONTEND=noninteractive apt-get"));
+}
+
+TEST_F(RunWithStandIns, SetupSaysWhatToDoWhereAptGetFails) {
+  lack_two_packages();
+  stand_in("id", "echo 0");
+  stand_in("apt-get", "exit 100");
+  const ShellResult result = run("setup");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, HasSubstr("run it by hand to see why"));
+}
+
+}  // namespace
+}  // namespace echomap::structure
