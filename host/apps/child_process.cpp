@@ -16,6 +16,7 @@ namespace echomap::apps {
 ChildProcess::ChildProcess(const std::vector<std::string>& command,
                            const std::filesystem::path& log) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const auto& word : command) {
     arguments.push_back(const_cast<char*>(word.c_str()));
   }
@@ -42,13 +43,16 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command,
 }
 
 ChildProcess::~ChildProcess() {
-  if (exit_status()) {
-    return;
-  }
-  ::kill(pid_, SIGTERM);
+  send(SIGTERM);
   if (!wait_for(std::chrono::seconds(2))) {
-    ::kill(pid_, SIGKILL);
+    send(SIGKILL);
     wait_for(std::chrono::seconds(2));
+  }
+}
+
+void ChildProcess::send(int signal) {
+  if (!exit_status()) {
+    ::kill(pid_, signal);
   }
 }
 

@@ -22,6 +22,8 @@ class ChildProcess {
 
   /// The exit status once it has ended (128 + signal where a signal ended it), without waiting.
   std::optional<int> exit_status();
+  /// Sends a signal, unless it has ended.
+  void send(int signal);
   /// Waits for the end; empty where it still runs after `limit`.
   std::optional<int> wait_for(std::chrono::milliseconds limit);
 

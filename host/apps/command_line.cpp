@@ -88,31 +88,30 @@ void set_up_logging(bool verbose, bool quiet) {
   spdlog::set_default_logger(std::move(logger));
 }
 
-/// CLI11 says only that some sub-command is needed; say which one was meant.
-std::string unknown_command_hint(const CLI::App& app, int argc, char** argv) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    names.push_back(command->get_name());
-  }
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (!word.starts_with('-')) {
-      const bool known = std::find(names.begin(), names.end(), word) != names.end();
-      return known ? std::string()
-                   : "no command is named '" + word + "'" + files::suggestion(word, names);
-    }
-  }
-  return {};
+/// The sub-command that the arguments name, right or wrong; empty where there is none.
+std::string named_command(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const auto word = std::find_if(
+      words.begin(), words.end(), [](const std::string& text) { return !text.starts_with('-'); });
+  return word == words.end() ? std::string() : *word;
 }
 
-ExitCode report_usage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+/// CLI11 says only that some sub-command is needed; say which one was meant.
+ExitCode report_usage(const CLI::App& app, const CLI::ParseError& error, const std::string& name) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
     app.exit(error);
     return ExitCode::kOk;
   }
-  const std::string hint = unknown_command_hint(app, argc, argv);
-  fprintf(
-      stderr, "echomap: %s\n  next: echomap --help\n", hint.empty() ? error.what() : hint.c_str());
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  const bool known = std::find(names.begin(), names.end(), name) != names.end();
+  const std::string what =
+      known || name.empty() ? error.what()
+                            : "no command is named '" + name + "'" + files::suggestion(name, names);
+  const std::string help = known ? "echomap " + name + " --help" : "echomap --help";
+  std::fputs(("echomap: " + what + "\n  next: " + help + "\n").c_str(), stderr);
   return ExitCode::kUsage;
 }
 
@@ -152,7 +151,7 @@ ExitCode run_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return report_usage(app, error, argc, argv);
+    return report_usage(app, error, named_command(argc, argv));
   }
   set_up_logging(verbose, quiet);
   catch_interrupts();

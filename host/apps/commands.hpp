@@ -14,7 +14,7 @@ namespace echomap::apps {
 struct RunOptions {
   std::string robot = "uno_2wd";
   std::string strategy = "nxt-farthest";
-  std::size_t stops = 25;
+  std::size_t stops = 20;
   std::uint32_t seed = 1;
   std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
   std::filesystem::path json;  ///< Empty: none; "-": stdout.

@@ -85,7 +85,7 @@ void RobotSession::fail_to_connect() const {
   const std::string port = stream_->name();
   switch (link_.state()) {
     case LinkState::kMismatch:
-      throw CommandError(ExitCode::kFirmwareMismatch, link_.mismatch()->message());
+      throw CommandError(ExitCode::kFirmwareMismatch, link_.mismatch().value().message());
     case LinkState::kGarbage:
       throw CommandError(ExitCode::kNoRobot,
                          "bytes come from " + port +
