@@ -14,6 +14,7 @@
 #include "host/apps/robot_session.hpp"
 #include "host/exploration/nxt_farthest.hpp"
 #include "host/exports/run_directory.hpp"
+#include "host/files/atomic_file.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -52,12 +53,24 @@ class RunKeeper {
     exports::write_run_directory(out_, snapshot, summary_);
   }
 
+  /// A disk that is full now need not be so at the end: warns once and lets the robot go on.
+  void save_in_passing() {
+    try {
+      save("exploring");
+    } catch (const files::FileError& error) {
+      if (!std::exchange(warned_, true)) {
+        spdlog::warn("the map so far is not saved: {}", error.what());
+      }
+    }
+  }
+
  private:
   const RobotSession& session_;
   const pipeline::RobotPipeline& pipeline_;
   std::filesystem::path out_;
   exports::RunSummary& summary_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  bool warned_ = false;
 };
 
 void show_progress(ProgressBar& progress,
@@ -85,7 +98,7 @@ std::optional<exploration::FinishReason> drive(RobotSession& session,
     }
     last = session.execute(motion);
     if (std::holds_alternative<exploration::EndScan>(motion)) {
-      keeper.save("exploring");
+      keeper.save_in_passing();
     }
   }
   return std::nullopt;

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <atomic>
+#include <csignal>
+#include <fcntl.h>
+#include <string>
+#include <termios.h>
+#include <thread>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+#include "tests/integration/programs.hpp"
+
+namespace echomap::test {
+namespace {
+
+using files::read_text_file;
+using files::write_text_file;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class BadInput : public ::testing::Test {
+ protected:
+  Ended echomap(std::vector<std::string> arguments) {
+    return Program("echomap", std::move(arguments), scratch_ / "log").wait();
+  }
+  std::string out() const { return "--out=" + (scratch_ / "run").string(); }
+
+  /// A simulated robot of its own, in lockstep or paced.
+  std::unique_ptr<Program> start_mock(const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"--link=" + (scratch_ / "robot").string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    auto mock = std::make_unique<Program>("echomap-mock", arguments, scratch_ / "mock.log");
+    EXPECT_TRUE(eventually([&] { return fs::exists(scratch_ / "robot"); }));
+    return mock;
+  }
+
+  ScratchFolder scratch_;
+};
+
+/// A pty at whose other end some other program writes a line over and over, or nothing at all.
+class OtherProgram {
+ public:
+  explicit OtherProgram(std::string line) : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
+    ::grantpt(master_);
+    ::unlockpt(master_);
+    port_ = ::ptsname(master_);
+    slave_ = ::open(port_.c_str(), O_RDWR | O_NOCTTY);
+    termios settings{};
+    ::tcgetattr(slave_, &settings);
+    ::cfmakeraw(&settings);
+    ::tcsetattr(slave_, TCSANOW, &settings);
+    writer_ = std::thread([this, line = std::move(line)] {
+      while (!stopped_ && !line.empty()) {
+        EXPECT_GT(::write(master_, line.data(), line.size()), 0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      }
+    });
+  }
+  ~OtherProgram() {
+    stopped_ = true;
+    writer_.join();
+    ::close(slave_);
+    ::close(master_);
+  }
+  const std::string& port() const { return port_; }
+
+ private:
+  int master_;
+  int slave_ = -1;
+  std::string port_;
+  std::atomic<bool> stopped_ = false;
+  std::thread writer_;
+};
+
+TEST_F(BadInput, AMissingPortIsNamedWithTheNextCommand) {
+  const Ended ended = echomap({"explore", "--port=/dev/ttyNONE", out()});
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_THAT(ended.said, AllOf(HasSubstr("/dev/ttyNONE"), HasSubstr("next: ")));
+}
+
+TEST_F(BadInput, AnotherProgramOnThePortIsShown) {
+  const OtherProgram other("temperature 21.5\r\n");
+  const Ended ended = echomap({"explore", "--port=" + other.port(), out()});
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_THAT(ended.said, AllOf(HasSubstr("no echomap frame"), HasSubstr("temperature 21")));
+}
+
+TEST_F(BadInput, ASilentPortIsCalledSilent) {
+  const OtherProgram silent("");
+  const Ended ended = echomap({"explore", "--port=" + silent.port(), out()});
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_THAT(ended.said, HasSubstr("nothing answers"));
+}
+
+TEST_F(BadInput, ABrokenWorldIsPlaced) {
+  const std::string path = (scratch_ / "room.toml").string();
+  write_text_file(path, "name = 'room'\n[room]\ncorners_m = [[0, 0], [1, 0], [1, 1]\n");
+  const Ended syntax = echomap({"demo", "--emulator=mock", "--world=" + path, out()});
+  EXPECT_EQ(syntax.status, 6);
+  EXPECT_THAT(syntax.said, HasSubstr(path + ":"));
+
+  write_text_file(path, "name = 'room'\n[room]\ncorner_m = [[0, 0], [1, 0], [1, 1]]\n");
+  const Ended key = echomap({"demo", "--emulator=mock", "--world=" + path, out()});
+  EXPECT_EQ(key.status, 6);
+  EXPECT_THAT(key.said, HasSubstr(path + ":2:1: 'corners_m' is missing"));
+}
+
+TEST_F(BadInput, ABrokenProfileIsPlaced) {
+  const std::string path = (scratch_ / "robot.toml").string();
+  std::string profile = read_text_file(ECHOMAP_SOURCE_DIR "/host/profiles/uno_2wd.toml");
+  profile += "speeed_deg_per_s = 4\n";
+  write_text_file(path, profile);
+  const Ended ended = echomap({"explore", "--port=/dev/null", "--robot=" + path, out()});
+  EXPECT_EQ(ended.status, 6);
+  EXPECT_THAT(ended.said, HasSubstr("did you mean 'speed_deg_per_s'?"));
+}
+
+TEST_F(BadInput, AFullDiskIsSaidAndKeepsWhatWasThere) {
+  fs::create_directories(scratch_ / "run");
+  write_text_file(scratch_ / "run/map.pgm", "older map");
+  fs::create_symlink("/dev/full", scratch_ / "run/map.pgm.part");
+  const Ended ended = echomap({"demo", "--emulator=mock", "--stops=1", out()});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.said, AllOf(HasSubstr("map.pgm"), HasSubstr("No space left on device")));
+}
+
+TEST_F(BadInput, APortThatGoesInMidRunKeepsTheMap) {
+  const auto lockstep = (scratch_ / "lockstep").string();
+  const auto mock = start_mock({"--lockstep=" + lockstep});
+  Program explore(
+      "echomap",
+      {"explore", "--port=" + (scratch_ / "robot").string(), "--lockstep=" + lockstep, out()},
+      scratch_ / "log");
+  ASSERT_TRUE(eventually([&] { return fs::exists(scratch_ / "run/summary.json"); }));
+  mock->send(SIGKILL);
+  const Ended ended = explore.wait();
+  EXPECT_EQ(ended.status, 5) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("map so far is kept"));
+  const auto summary = nlohmann::json::parse(read_text_file(scratch_ / "run/summary.json"));
+  EXPECT_EQ(summary.at("outcome"), "link-lost");
+  EXPECT_GT(summary.at("echoes"), 20);
+}
+
+TEST_F(BadInput, APacedRobotThatGoesKeepsTheMap) {
+  const auto mock = start_mock({});
+  Program explore("echomap",
+                  {"explore", "--port=" + (scratch_ / "robot").string(), "--robot=uno_2wd", out()},
+                  scratch_ / "log");
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  mock->send(SIGKILL);
+  const Ended ended = explore.wait();
+  EXPECT_EQ(ended.status, 5) << ended.said;
+  const auto summary = nlohmann::json::parse(read_text_file(scratch_ / "run/summary.json"));
+  EXPECT_GT(summary.at("readings"), 5);
+}
+
+}  // namespace
+}  // namespace echomap::test

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <csignal>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+#include "tests/integration/programs.hpp"
+
+namespace echomap::test {
+namespace {
+
+using files::read_text_file;
+using ::testing::HasSubstr;
+
+std::vector<std::string> demo_arguments(const std::string& emulator,
+                                        const std::filesystem::path& out,
+                                        const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{
+      "demo", "--headless", "--emulator=" + emulator, "--out=" + out.string()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// The demo with each way to run the firmware.
+class Demo : public ::testing::TestWithParam<std::string> {
+ protected:
+  Demo() {
+    if (GetParam() == "simavr" &&
+        !std::filesystem::exists(ECHOMAP_BINARY_DIR "/bin/echomap-simavr")) {
+      skip_ = true;
+    }
+  }
+  void SetUp() override {
+    if (skip_) {
+      GTEST_SKIP() << "echomap-simavr was not built on this machine";
+    }
+  }
+
+  Ended run(const std::string& out, const std::vector<std::string>& more) {
+    return Program("echomap",
+                   demo_arguments(GetParam(), scratch_ / out, more),
+                   scratch_ / (out + ".log"))
+        .wait();
+  }
+
+  ScratchFolder scratch_;
+
+ private:
+  bool skip_ = false;
+};
+
+TEST_P(Demo, EndsByItselfAndScoresItsMap) {
+  const auto json_path = scratch_ / "report.json";
+  const Ended ended = run("run", {"--seed=3", "--json=" + json_path.string()});
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("map.png"));
+  for (const char* file : {"map.pgm",
+                           "map.yaml",
+                           "map.png",
+                           "occupancy_grid.csv",
+                           "points.csv",
+                           "poses.csv",
+                           "trajectory.tum",
+                           "summary.json",
+                           "truth/truth.tum",
+                           "truth/truth_map.pgm"}) {
+    EXPECT_TRUE(std::filesystem::exists(scratch_ / "run" / file)) << file;
+  }
+  const auto report = nlohmann::json::parse(read_text_file(json_path));
+  EXPECT_GE(report.at("free_iou"), 0.7);
+  EXPECT_LE(report.at("wall_rmse_m"), 0.10);
+  EXPECT_GE(report.at("wall_recall"), 0.4);
+  EXPECT_LE(report.at("ate_rmse_m"), 0.30);
+  EXPECT_EQ(report.at("seed"), 3);
+  EXPECT_THAT(report.at("emulator").get<std::string>(),
+              HasSubstr(GetParam() == "simavr" ? "simavr" : "native"));
+  EXPECT_GT(report.at("sim_seconds"), 10.0);
+}
+
+TEST_P(Demo, IsAFunctionOfItsSeed) {
+  for (const char* out : {"first", "second"}) {
+    const Ended ended = run(out, {"--seed=5", "--stops=3"});
+    ASSERT_EQ(ended.status, 0) << ended.said;
+  }
+  for (const char* file : {"points.csv",
+                           "poses.csv",
+                           "map.pgm",
+                           "map.png",
+                           "occupancy_grid.csv",
+                           "trajectory.tum",
+                           "truth/truth.tum"}) {
+    EXPECT_EQ(read_text_file(scratch_ / "first" / file), read_text_file(scratch_ / "second" / file))
+        << file;
+  }
+  run("other", {"--seed=6", "--stops=3"});
+  EXPECT_NE(read_text_file(scratch_ / "first" / "points.csv"),
+            read_text_file(scratch_ / "other" / "points.csv"));
+}
+
+TEST_P(Demo, KeepsItsMapWhenInterrupted) {
+  Program demo("echomap", demo_arguments(GetParam(), scratch_ / "run", {}), scratch_ / "log");
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(scratch_ / "run/summary.json"); }));
+  demo.send(SIGINT);
+  const Ended ended = demo.wait();
+  EXPECT_EQ(ended.status, 130) << ended.said;
+  const auto summary = nlohmann::json::parse(read_text_file(scratch_ / "run/summary.json"));
+  EXPECT_EQ(summary.at("outcome"), "interrupted");
+  EXPECT_TRUE(std::filesystem::exists(scratch_ / "run/map.png"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Emulators,
+                         Demo,
+                         ::testing::Values("mock", "simavr"),
+                         [](const auto& emulator) { return emulator.param; });
+
+}  // namespace
+}  // namespace echomap::test

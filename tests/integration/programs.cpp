@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "tests/integration/programs.hpp"
+
+#include <csignal>
+#include <thread>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::test {
+namespace {
+
+std::vector<std::string> command_of(const std::string& name, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), ECHOMAP_BINARY_DIR "/bin/" + name);
+  return arguments;
+}
+
+}  // namespace
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "echomap-test-XXXXXX").string();
+  path_ = ::mkdtemp(name.data());
+}
+
+ScratchFolder::~ScratchFolder() {
+  if (!::testing::Test::HasFailure()) {
+    std::filesystem::remove_all(path_);
+  }
+}
+
+Program::Program(const std::string& name,
+                 std::vector<std::string> arguments,
+                 const std::filesystem::path& log)
+    : log_(log), process_(command_of(name, std::move(arguments)), log) {}
+
+Ended Program::wait(std::chrono::seconds limit) {
+  const auto status = process_.wait_for(limit);
+  if (!status) {
+    process_.send(SIGKILL);
+    ADD_FAILURE() << log_ << " belongs to a program that does not end";
+  }
+  return {status.value_or(-1), files::read_text_file(log_)};
+}
+
+bool eventually(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) {
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+}  // namespace echomap::test

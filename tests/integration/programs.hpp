@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/apps/child_process.hpp"
+
+namespace echomap::test {
+
+/// A folder of its own for one test, removed when the test passed.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// How a program ended and what it said on stdout and stderr.
+struct Ended {
+  int status = -1;
+  std::string said;
+};
+
+/// A program of the build tree, started with its output in a file.
+class Program {
+ public:
+  Program(const std::string& name,
+          std::vector<std::string> arguments,
+          const std::filesystem::path& log);
+
+  void send(int signal) { process_.send(signal); }
+  /// Waits for its end; the test fails where it does not come.
+  Ended wait(std::chrono::seconds limit = std::chrono::seconds(100));
+
+ private:
+  std::filesystem::path log_;
+  apps::ChildProcess process_;
+};
+
+/// Waits until `condition` holds; false after ten seconds.
+bool eventually(const std::function<bool()>& condition);
+
+}  // namespace echomap::test
