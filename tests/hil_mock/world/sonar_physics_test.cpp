@@ -59,7 +59,7 @@ TEST(SonarPhysics, MeasuresThePerpendicularDistanceOfAWall) {
 TEST(SonarPhysics, InsideItsConeAWallIsARegionOfConstantDepth) {
   const FloorPlan plan = single_wall(Material::kSmooth);
   const SonarPhysics sonar(plan, {});
-  for (double turn_deg = -12.0; turn_deg <= 12.0; turn_deg += 1.0) {
+  for (int turn_deg = -12; turn_deg <= 12; ++turn_deg) {
     const auto first = sonar.first_return({0.0, 0.0, radians(turn_deg)}, 0.3);
     ASSERT_TRUE(first) << turn_deg;
     EXPECT_NEAR(first->range_m, 1.0, 1e-4) << turn_deg;

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/runner/device_main.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "hil_mock/runner/device_options.hpp"
+#include "hil_mock/runner/lockstep_run.hpp"
+#include "hil_mock/runner/paced_run.hpp"
+#include "hil_mock/runner/pty_endpoint.hpp"
+#include "hil_mock/runner/robot_simulation.hpp"
+#include "hil_mock/runner/stop_signal.hpp"
+#include "hil_mock/runner/tcp_endpoint.hpp"
+#include "hil_mock/runner/truth_files.hpp"
+#include "hil_mock/world/floor_plan_file.hpp"
+#include "hil_mock/world/robot_file.hpp"
+#include "host/files/bundled_files.hpp"
+#include "host/files/toml_reader.hpp"
+
+namespace echomap::runner {
+namespace {
+
+enum ExitCode { kOk = 0, kRuntimeError = 1, kConfigInvalid = 6 };
+
+world::FloorPlan load_plan(const DeviceOptions& options) {
+  const auto path = files::bundled_file(options.world, "hil_mock/worlds", "world");
+  const world::FloorPlan plan = world::read_floor_plan(files::TomlReader::load(path));
+  return options.T_world_start ? plan.starting_at(*options.T_world_start) : plan;
+}
+
+/// Whatever does not fit, robot or start, is a fault of the configuration.
+std::unique_ptr<world::RobotWorld> load_world(const DeviceOptions& options) {
+  const auto path = files::bundled_file(options.robot, "hil_mock/robots", "robot");
+  const world::RobotParams robot = world::read_robot(files::TomlReader::load(path));
+  try {
+    return std::make_unique<world::RobotWorld>(load_plan(options), robot, options.seed);
+  } catch (const std::invalid_argument& fault) {
+    throw files::ConfigError(options.robot + " in " + options.world + ": " + fault.what());
+  }
+}
+
+std::unique_ptr<ByteEndpoint> open_endpoint(const DeviceOptions& options) {
+  const WhenUnread when_unread = options.lockstep.empty() ? WhenUnread::kDrop : WhenUnread::kKeep;
+  if (options.tcp_port) {
+    return std::make_unique<TcpEndpoint>(*options.tcp_port, when_unread);
+  }
+  return std::make_unique<PtyEndpoint>(options.link, when_unread);
+}
+
+std::int64_t nanoseconds(double duration_s) {
+  constexpr auto kEndless = std::numeric_limits<std::int64_t>::max();
+  return duration_s * 1e9 < static_cast<double>(kEndless) ? std::llround(duration_s * 1e9)
+                                                          : kEndless;
+}
+
+/// Runs a program's board in its world.
+class Device {
+ public:
+  Device(const DeviceProgram& program, const DeviceOptions& options)
+      : name_(program.name),
+        options_(options),
+        world_(load_world(options)),
+        board_(program.make_board(options.board)),
+        simulation_(*board_, *world_),
+        endpoint_(open_endpoint(options)) {}
+
+  void run() {
+    if (options_.lockstep.empty()) {
+      run_paced();
+    } else {
+      run_in_lockstep();
+    }
+  }
+
+ private:
+  void run_paced() {
+    std::cout << name_ << ": " << world_->robot().name << " in " << world_->plan().name()
+              << " listens on " << endpoint_->address() << std::endl;
+    runner::run_paced(simulation_,
+                      *endpoint_,
+                      Pacer(options_.speed, std::chrono::steady_clock::now()),
+                      nanoseconds(options_.duration_s));
+    write_truth(std::nullopt);
+  }
+
+  void run_in_lockstep() {
+    const nlohmann::ordered_json hello = {{"lockstep", 1},
+                                          {"firmware", board_->firmware_name()},
+                                          {"emulator", board_->emulator_name()}};
+    LockstepServer server(options_.lockstep, hello.dump());
+    LockstepRun run(simulation_, *endpoint_, server);
+    const LockstepEnd end = run.run();
+    std::optional<StopReport> stop;
+    if (end == LockstepEnd::kHostGone) {
+      stop = run.run_without_host();
+      std::cerr << name_ << ": " << describe(*stop) << '\n';
+    }
+    write_truth(stop);
+    if (end == LockstepEnd::kQuit) {
+      server.send_bye();
+    }
+  }
+
+  void write_truth(const std::optional<StopReport>& stop) const {
+    if (!options_.truth.empty()) {
+      write_truth_files(
+          options_.truth, simulation_, {options_.seed, endpoint_->dropped_bytes(), stop});
+    }
+  }
+
+  std::string name_;
+  DeviceOptions options_;
+  std::unique_ptr<world::RobotWorld> world_;
+  std::unique_ptr<SimulatedBoard> board_;
+  RobotSimulation simulation_;
+  std::unique_ptr<ByteEndpoint> endpoint_;
+};
+
+}  // namespace
+
+int run_device(int argc, char** argv, const DeviceProgram& program) {
+  const auto read = read_device_options(argc, argv, program);
+  if (const int* exit_code = std::get_if<int>(&read)) {
+    return *exit_code;
+  }
+  catch_stop_signals();
+  try {
+    Device(program, std::get<DeviceOptions>(read)).run();
+    return kOk;
+  } catch (const files::ConfigError& error) {
+    std::cerr << program.name << ": " << error.what() << '\n';
+    return kConfigInvalid;
+  } catch (const std::exception& error) {
+    std::cerr << program.name << ": " << error.what() << '\n';
+    return kRuntimeError;
+  }
+}
+
+}  // namespace echomap::runner

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/runner/device_options.hpp"
+
+#include <cmath>
+#include <limits>
+#include <unistd.h>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::runner {
+namespace {
+
+constexpr double kEndlessS = std::numeric_limits<double>::infinity();
+
+/// Texts and numbers as they stand on the command line, before they are understood.
+struct RawOptions {
+  std::string speed = "1";
+  std::vector<double> start;
+};
+
+std::string check_speed(const std::string& text) {
+  double speed = 0.0;
+  const bool valid = text == "max" || (CLI::detail::lexical_cast(text, speed) && speed > 0.0 &&
+                                       std::isfinite(speed));
+  return valid ? "" : "it must be a positive number or max";
+}
+
+void add_options(CLI::App& app,
+                 DeviceOptions& options,
+                 RawOptions& raw,
+                 const DeviceProgram& program) {
+  app.add_option("--world", options.world, "Room: a bundled name or a TOML file")
+      ->capture_default_str();
+  app.add_option("--robot", options.robot, "Robot: a bundled name or a TOML file")
+      ->capture_default_str();
+  if (program.takes_firmware) {
+    app.add_option("--firmware", options.board.firmware, "ELF of the firmware to run")
+        ->check(CLI::ExistingFile);
+  }
+  auto* link =
+      app.add_option("--link", options.link, "Symbolic link to the pty")->capture_default_str();
+  app.add_option("--tcp", options.tcp_port, "Serve a TCP port on 127.0.0.1 (0: a free one)")
+      ->excludes(link);
+  auto* lockstep =
+      app.add_option("--lockstep", options.lockstep, "Socket on which a host grants the time");
+  app.add_option("--speed", raw.speed, "Simulated seconds per second, or max")
+      ->check(check_speed)
+      ->capture_default_str()
+      ->excludes(lockstep);
+  app.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
+  app.add_option("--truth", options.truth, "Folder for the truth files, written at the end");
+  app.add_option("--start", raw.start, "Start x,y,heading in metres and degrees")
+      ->delimiter(',')
+      ->expected(3);
+  app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
+      ->check(CLI::PositiveNumber)
+      ->excludes(lockstep);
+}
+
+void understand(const RawOptions& raw, DeviceOptions& options) {
+  options.speed = raw.speed == "max" ? kEndlessS : std::stod(raw.speed);
+  if (!raw.start.empty()) {
+    options.T_world_start =
+        geometry::Pose2(raw.start[0], raw.start[1], geometry::radians(raw.start[2]));
+  }
+}
+
+}  // namespace
+
+std::variant<DeviceOptions, int> read_device_options(int argc,
+                                                     char** argv,
+                                                     const DeviceProgram& program) {
+  DeviceOptions options;
+  options.link = "/tmp/echomap-" + std::to_string(::getuid());
+  options.duration_s = kEndlessS;
+  RawOptions raw;
+  CLI::App app("A simulated robot in a simulated room, behind a serial port.", program.name);
+  app.set_version_flag("--version", program.name + " " ECHOMAP_VERSION);
+  add_options(app, options, raw, program);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  understand(raw, options);
+  return options;
+}
+
+}  // namespace echomap::runner

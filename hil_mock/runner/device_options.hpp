@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "hil_mock/runner/device_main.hpp"
+#include "host/geometry/pose2.hpp"
+
+namespace echomap::runner {
+
+/// What the command line of a device program asks for.
+struct DeviceOptions {
+  std::string world = "living_room";
+  std::string robot = "uno_2wd";
+  BoardOptions board;
+  /// Symbolic link to the pty; unused with `tcp_port`.
+  std::filesystem::path link;
+  std::optional<std::uint16_t> tcp_port;
+  /// Socket of the lockstep channel; empty for paced time.
+  std::filesystem::path lockstep;
+  /// Simulated seconds in a second; infinite for "max".
+  double speed = 1.0;
+  std::uint32_t seed = 1;
+  /// Folder of the truth files; empty for none.
+  std::filesystem::path truth;
+  std::optional<geometry::Pose2> T_world_start;
+  /// Simulated seconds; infinite without an end.
+  double duration_s = 0.0;
+};
+
+/// Reads the command line. An int is the exit code of a program that has nothing more to do: 0
+/// after help or version on stdout, 2 after a usage error on stderr.
+std::variant<DeviceOptions, int> read_device_options(int argc,
+                                                     char** argv,
+                                                     const DeviceProgram& program);
+
+}  // namespace echomap::runner

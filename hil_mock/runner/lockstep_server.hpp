@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "hil_mock/runner/descriptor.hpp"
+
+namespace echomap::runner {
+
+/// The host allows simulated time up to `until_us` and has written `host_bytes` bytes in all.
+struct Grant {
+  std::int64_t until_us = 0;
+  std::uint64_t host_bytes = 0;
+  bool operator==(const Grant&) const = default;
+};
+
+/// The host wants the truth files and the end.
+struct Quit {
+  bool operator==(const Quit&) const = default;
+};
+
+/// The host has closed its end.
+struct HostGone {
+  bool operator==(const HostGone&) const = default;
+};
+
+/// A line that is none of the protocol's.
+struct BadRequest {
+  std::string line;
+  bool operator==(const BadRequest&) const = default;
+};
+
+using LockstepRequest = std::variant<Grant, Quit, HostGone, BadRequest>;
+
+/// What a line of the host says (docs/guides/lockstep.md); without its line end.
+LockstepRequest parse_request(std::string_view line);
+
+/// The device's end of the lockstep channel: a Unix-domain socket for one host. No call waits.
+class LockstepServer {
+ public:
+  /// Listens on `socket`, which appears only when it can be connected to; `hello` is the line that
+  /// the host gets first. Throws std::system_error.
+  LockstepServer(std::filesystem::path socket, std::string hello);
+  ~LockstepServer();
+  LockstepServer(const LockstepServer&) = delete;
+  LockstepServer& operator=(const LockstepServer&) = delete;
+
+  /// The host's next request, if one has come.
+  std::optional<LockstepRequest> take_request();
+  void send_reached(std::int64_t until_us, std::uint64_t device_bytes);
+  void send_bye();
+
+  /// Readable when `take_request` has something to do.
+  int descriptor() const;
+
+ private:
+  void accept_host();
+  void send_line(const std::string& line) const;
+
+  std::filesystem::path socket_;
+  std::string hello_;
+  Descriptor listener_;
+  Descriptor host_;
+  std::string received_;
+  bool ended_ = false;
+};
+
+}  // namespace echomap::runner

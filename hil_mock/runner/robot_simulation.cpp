@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/runner/robot_simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace echomap::runner {
+namespace {
+
+constexpr std::int64_t kStepNs = 1'000'000;
+constexpr double kStepS = 1e-3;
+constexpr std::int64_t kTruthPeriodNs = 20 * kStepNs;
+/// HC-SR04: the burst of eight cycles and the chip's delay come between trigger and echo pin.
+constexpr std::int64_t kEchoDelayNs = 460'000;
+/// HC-SR04: without an answer it lets the echo pin go after this.
+constexpr std::int64_t kNoEchoNs = 38'000'000;
+
+}  // namespace
+
+RobotSimulation::RobotSimulation(SimulatedBoard& board, world::RobotWorld& world)
+    : board_(board), world_(world), pan_(world.robot().pan) {
+  board_.on_sent = [this](std::uint8_t byte) { sent_.push_back(byte); };
+  board_.on_trigger = [this](std::int64_t at_ns) { on_trigger(at_ns); };
+  record_truth();
+}
+
+void RobotSimulation::advance_to(std::int64_t until_ns) {
+  while (now_ns_ < until_ns) {
+    const std::int64_t next_step_ns = (now_ns_ / kStepNs + 1) * kStepNs;
+    now_ns_ = std::min(until_ns, next_step_ns);
+    board_.run_until(now_ns_);
+    if (now_ns_ == next_step_ns) {
+      step_world();
+    }
+  }
+}
+
+std::vector<std::uint8_t> RobotSimulation::take_sent() { return std::exchange(sent_, {}); }
+
+void RobotSimulation::step_world() {
+  const MotorDuty duty = board_.motor_duty();
+  changes_.clear();
+  world_.step(kStepS, {duty.left, duty.right}, changes_);
+  pan_.step(kStepS, board_.pan_pulse_us());
+  schedule_edges(Wheel::kLeft, changes_.left);
+  schedule_edges(Wheel::kRight, changes_.right);
+  const world::Contacts contacts = world_.contacts();
+  board_.set_bump(Wheel::kLeft, contacts.left);
+  board_.set_bump(Wheel::kRight, contacts.right);
+  if (now_ns_ % kTruthPeriodNs == 0) {
+    record_truth();
+  }
+}
+
+void RobotSimulation::schedule_edges(Wheel wheel, const std::vector<world::LevelChange>& changes) {
+  for (const world::LevelChange& change : changes) {
+    const std::int64_t at_ns = now_ns_ + std::llround(change.at_s * 1e9);
+    board_.schedule_encoder_edge(wheel, std::max(at_ns, board_.now_ns()), change.a, change.b);
+  }
+}
+
+void RobotSimulation::on_trigger(std::int64_t at_ns) {
+  if (at_ns < sonar_busy_until_ns_) {
+    return;
+  }
+  const auto flight_s = world_.ping(pan_.pan_rad());
+  const std::int64_t rise_ns = at_ns + kEchoDelayNs;
+  sonar_busy_until_ns_ = rise_ns + (flight_s ? std::llround(*flight_s * 1e9) : kNoEchoNs);
+  board_.schedule_echo(rise_ns, sonar_busy_until_ns_);
+}
+
+void RobotSimulation::record_truth() { trajectory_.push_back({now_ns_, world_.T_world_robot()}); }
+
+}  // namespace echomap::runner

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hil_mock/runner/simulated_board.hpp"
+#include "hil_mock/world/pan_servo.hpp"
+#include "hil_mock/world/robot_world.hpp"
+#include "host/geometry/pose2.hpp"
+
+namespace echomap::runner {
+
+/// Where the robot truly was.
+struct TruthSample {
+  std::int64_t at_ns = 0;
+  geometry::Pose2 T_world_robot;
+};
+
+/// A board in a world: its motors move the body, the body turns its encoders and presses its
+/// bumpers, its pings meet the room's walls. Physics goes in steps of a millisecond; an encoder
+/// edge reaches its pin one step after it happened, at its exact place within the step.
+class RobotSimulation {
+ public:
+  /// Both must outlive this; takes the board's hooks.
+  RobotSimulation(SimulatedBoard& board, world::RobotWorld& world);
+  RobotSimulation(const RobotSimulation&) = delete;
+  RobotSimulation& operator=(const RobotSimulation&) = delete;
+
+  /// Runs board and world up to `until_ns` of simulated time; does nothing where that is past.
+  void advance_to(std::int64_t until_ns);
+
+  /// Bytes for the board's receive line.
+  void receive(std::span<const std::uint8_t> bytes) { board_.receive(bytes); }
+  /// Bytes that the board has sent since the last call.
+  std::vector<std::uint8_t> take_sent();
+
+  std::int64_t now_ns() const { return now_ns_; }
+  /// The truth at 50 Hz, from time 0 on.
+  const std::vector<TruthSample>& trajectory() const { return trajectory_; }
+  const SimulatedBoard& board() const { return board_; }
+  const world::RobotWorld& world() const { return world_; }
+
+ private:
+  void step_world();
+  void schedule_edges(Wheel wheel, const std::vector<world::LevelChange>& changes);
+  void on_trigger(std::int64_t at_ns);
+  void record_truth();
+
+  SimulatedBoard& board_;
+  world::RobotWorld& world_;
+  world::PanServo pan_;
+  world::EncoderChanges changes_;
+  std::vector<std::uint8_t> sent_;
+  std::vector<TruthSample> trajectory_;
+  std::int64_t now_ns_ = 0;
+  std::int64_t sonar_busy_until_ns_ = 0;
+};
+
+}  // namespace echomap::runner
