@@ -34,7 +34,11 @@ RobotLink::RobotLink(RobotLinkListener& listener,
     : listener_(listener),
       session_(session),
       params_(checked(params)),
-      commands_(params.retransmission, params.command_tries) {}
+      commands_(params.retransmission, params.command_tries) {
+  if (session == 0) {
+    throw std::invalid_argument("robot link: session 0 stands for none");
+  }
+}
 
 void RobotLink::receive(std::span<const std::uint8_t> bytes, time::HostTime now) {
   now_ = now;

@@ -29,7 +29,7 @@ struct RobotLinkParams {
   Duration diagnose_after = std::chrono::seconds(2);         ///< Hello has found no answer.
   /// Telemetry that is older than what came before by more than this is from after a reset.
   Duration max_step_back = std::chrono::milliseconds(200);
-  RetransmissionParams retransmission;
+  RetransmissionParams retransmission{};
   int command_tries = 5;
 };
 
@@ -38,9 +38,10 @@ struct RobotLinkParams {
 /// It owns no port and no clock, so it runs the same on a desk, in simulated time and in tests.
 class RobotLink {
  public:
-  /// `session` must differ from that of the last host that spoke to this robot: the robot forgets
-  /// earlier command ids when it changes. `listener` outlives the link. Throws
-  /// std::invalid_argument where the periods do not fit together.
+  /// `session` is not 0 (a robot that announces its start says 0) and must differ from that of the
+  /// last host that spoke to this robot: the robot forgets earlier command ids when it changes.
+  /// `listener` outlives the link. Throws std::invalid_argument for session 0 and where the periods
+  /// do not fit together.
   RobotLink(RobotLinkListener& listener, std::uint16_t session, const RobotLinkParams& params = {});
 
   /// Takes bytes from the robot, in any pieces; calls the listener from within.

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "tests/host/robot_link/fake_robot.hpp"
+
+#include <utility>
+
+#include "protocol/version.hpp"
+
+namespace echomap::robot_link {
+
+void FakeRobot::power_on(std::uint16_t boot_id, std::uint8_t reset_cause) {
+  boot_id_ = boot_id;
+  reset_cause_ = reset_cause;
+  decoder_ = protocol::FrameDecoder(protocol::MessagesToRobot::find_schema);
+  counters_ = {};
+  filter_ = {};
+  outgoing_.clear();
+  next_seq_ = 0;
+  stamp_us_ = 0;
+  greeted_ = false;
+  if (announces_boot) {
+    reply(0);
+  }
+}
+
+void FakeRobot::receive(std::span<const std::uint8_t> bytes) {
+  for (const std::uint8_t byte : bytes) {
+    const protocol::DecodeStatus status = decoder_.take(byte);
+    const bool is_frame = status == protocol::DecodeStatus::kFrame;
+    counters_.take(status, is_frame ? decoder_.frame().seq : std::uint8_t{0});
+    if (is_frame) {
+      take(decoder_.frame());
+    }
+  }
+}
+
+void FakeRobot::take(const protocol::Frame& frame) {
+  auto handler = [this](const auto& message) { handle(message); };
+  protocol::Dispatcher<protocol::MessagesToRobot>::dispatch(frame.id, frame.payload, handler);
+}
+
+void FakeRobot::handle(const protocol::Hello& hello) {
+  ++hellos;
+  if (filter_.begin_session(hello.session)) {
+    counters_.restart();
+  }
+  greeted_ = true;
+  reply(hello.session);
+}
+
+void FakeRobot::reply(std::uint16_t session) {
+  outgoing_.push_back(0);
+  send(protocol::HelloReply{protocol_major,
+                            protocol_minor,
+                            schema_digest,
+                            protocol::kFirmwareVersion,
+                            boot_id_,
+                            reset_cause_,
+                            session,
+                            1000,
+                            128,
+                            0});
+}
+
+template <class Command>
+void FakeRobot::handle(const Command& command) {
+  command_ids_received.push_back(command.command_id);
+  if (!filter_.is_repeat(command.command_id)) {
+    filter_.remember(command.command_id, carry_out(command));
+  }
+  if (acknowledges) {
+    send(filter_.answer());
+  }
+}
+
+protocol::CommandStatus FakeRobot::carry_out(const protocol::MoveTicks& move) {
+  if (!greeted_) {
+    return protocol::CommandStatus::kDisarmed;
+  }
+  moves_done.push_back(move.left_ticks);
+  return answer;
+}
+
+void FakeRobot::advance_1ms() {
+  stamp_us_ += 1000;
+  if (!greeted_ && !streams_before_hello) {
+    return;
+  }
+  if (stamp_us_ % 20'000 == 0) {
+    send(protocol::Odometry{stamp_us_, 0, 0, 0});
+  }
+  if (stamp_us_ % 200'000 == 0) {
+    protocol::Status status{};
+    status.stamp_us = stamp_us_;
+    status.frames_bad = counters_.frames_bad();
+    status.frames_lost = counters_.frames_lost();
+    send(status);
+  }
+}
+
+FakeRobot::Bytes FakeRobot::take_outgoing() { return std::exchange(outgoing_, {}); }
+
+}  // namespace echomap::robot_link

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "protocol/frame_encoder.hpp"
+#include "protocol/link.hpp"
+#include "protocol/messages.hpp"
+
+namespace echomap::robot_link {
+
+/// The robot's end of the wire with no robot behind it: answers Hello and commands as the firmware
+/// does, streams telemetry, and notes what it was told. Built from protocol/ alone.
+class FakeRobot {
+ public:
+  using Bytes = std::vector<std::uint8_t>;
+
+  /// Starts anew: forgets sessions and commands, clock and sequence at zero. Says so with session 0
+  /// when it `announces_boot`; refuses moves until the next Hello.
+  void power_on(std::uint16_t boot_id, std::uint8_t reset_cause = protocol::kResetPowerOn);
+
+  void receive(std::span<const std::uint8_t> bytes);
+  /// Sends Odometry every 20 ms and Status every 200 ms of its own time; call it once a
+  /// millisecond.
+  void advance_1ms();
+  Bytes take_outgoing();
+
+  template <class Message>
+  void send(const Message& message) {
+    const protocol::ByteSpan frame = encoder_.encode(message, next_seq_++);
+    outgoing_.insert(outgoing_.end(), frame.data, frame.data + frame.size);
+  }
+  void send_bytes(const Bytes& bytes) {
+    outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
+  }
+
+  std::uint32_t stamp_us() const { return stamp_us_; }
+
+  // How it behaves.
+  bool announces_boot = true;
+  bool streams_before_hello = false;
+  bool acknowledges = true;
+  std::uint8_t protocol_major = 1;
+  std::uint8_t protocol_minor = 0;
+  std::uint32_t schema_digest = protocol::kSchemaDigest;
+  protocol::CommandStatus answer = protocol::CommandStatus::kAccepted;
+
+  // What it was told.
+  int hellos = 0;
+  std::vector<std::int32_t> moves_done;  ///< `left_ticks` of each MoveTicks, in order.
+  std::vector<protocol::KeepAlive> keep_alives;
+  std::vector<protocol::DriveSetpoint> setpoints;
+  std::vector<std::uint8_t> command_ids_received;
+
+ private:
+  void take(const protocol::Frame& frame);
+  void handle(const protocol::Hello& hello);
+  void reply(std::uint16_t session);
+  void handle(const protocol::KeepAlive& message) { keep_alives.push_back(message); }
+  void handle(const protocol::DriveSetpoint& message) { setpoints.push_back(message); }
+  void handle(const protocol::Ping& /*message*/) {}
+  template <class Command>
+  void handle(const Command& command);
+  protocol::CommandStatus carry_out(const protocol::MoveTicks& move);
+  template <class Command>
+  protocol::CommandStatus carry_out(const Command& /*command*/) {
+    return answer;
+  }
+
+  protocol::FrameDecoder decoder_{protocol::MessagesToRobot::find_schema};
+  protocol::FrameEncoder encoder_;
+  protocol::ReceiveCounters counters_;
+  protocol::CommandFilter filter_;
+  Bytes outgoing_;
+  std::uint8_t next_seq_ = 0;
+  std::uint32_t stamp_us_ = 0;
+  std::uint16_t boot_id_ = 1;
+  std::uint8_t reset_cause_ = protocol::kResetPowerOn;
+  bool greeted_ = false;
+};
+
+}  // namespace echomap::robot_link

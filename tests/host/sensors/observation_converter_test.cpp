@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "host/sensors/observation_converter.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace echomap::sensors {
+namespace {
+
+using protocol::Echo;
+using protocol::Odometry;
+using std::numbers::pi;
+
+/// One millimetre per tick.
+constexpr RobotGeometry kGeometry{.wheel_diameter_m = 1.0 / pi, .counts_per_turn = 1000.0};
+constexpr SonarRangeParams kSonar{
+    .speed_of_sound_m_s = 340.0, .min_range_m = 0.04, .max_range_m = 4.0};
+
+std::optional<double> range_of(std::uint16_t flight_us, const SonarRangeParams& sonar = kSonar) {
+  ObservationConverter converter(kGeometry, sonar);
+  return converter.convert(Echo{0, 0, flight_us, 0, 0}).range_m;
+}
+
+TEST(ObservationConverter, GivesMetresAndRobotTime) {
+  ObservationConverter converter(kGeometry, kSonar);
+  converter.convert(Odometry{1'000, 0, 0, 0});
+  const auto seen = converter.convert(Odometry{21'000, 250, -125, 0});
+  EXPECT_EQ(seen.stamp.time_since_epoch().count(), 21'000);
+  EXPECT_NEAR(seen.travel.left_m, 0.250, 1e-12);
+  EXPECT_NEAR(seen.travel.right_m, -0.125, 1e-12);
+}
+
+TEST(ObservationConverter, HalvesTheFlightThereAndBack) {
+  ASSERT_TRUE(range_of(10'000));
+  EXPECT_NEAR(*range_of(10'000), 1.7, 1e-12);
+}
+
+TEST(ObservationConverter, TakesNoEchoAndRangesOutsideOfTheSonarsForNone) {
+  EXPECT_FALSE(range_of(protocol::kNoEcho));
+  EXPECT_FALSE(range_of(0));
+  EXPECT_FALSE(range_of(235));  // 3.995 cm
+  EXPECT_TRUE(range_of(236));
+  EXPECT_TRUE(range_of(23'529));
+  EXPECT_FALSE(range_of(23'530));  // 4.0001 m
+}
+
+TEST(ObservationConverter, NeverReadsNoEchoAsARangeHoweverFarTheSonarSees) {
+  EXPECT_FALSE(range_of(protocol::kNoEcho, {.max_range_m = 100.0}));
+  EXPECT_TRUE(range_of(protocol::kNoEcho - 1, {.max_range_m = 100.0}));
+}
+
+TEST(ObservationConverter, LooksLeftForPositivePan) {
+  ObservationConverter converter(kGeometry, kSonar);
+  EXPECT_NEAR(converter.convert(Echo{0, 9'000, 0, 0, 0}).pan_rad, pi / 2.0, 1e-12);
+  EXPECT_NEAR(converter.convert(Echo{0, -4'500, 0, 0, 0}).pan_rad, -pi / 4.0, 1e-12);
+}
+
+TEST(ObservationConverter, SharesTheCountersBetweenOdometryAndEchoes) {
+  std::mt19937 random(4);
+  ObservationConverter converter(kGeometry, kSonar);
+  std::int64_t left = 0;
+  std::int64_t right = 0;
+  std::int64_t stamp_us = 0;
+  converter.convert(Odometry{0, 0, 0, 0});
+  for (int i = 0; i < 20'000; ++i) {
+    left += random() % 30'000;
+    right -= random() % 30'000;
+    stamp_us += random() % 1'000'000;
+    const auto wire_left = static_cast<std::int16_t>(left);
+    const auto wire_right = static_cast<std::int16_t>(right);
+    const auto wire_stamp = static_cast<std::uint32_t>(stamp_us);
+    OdometryObservation seen;
+    if (random() % 2 == 0) {
+      seen = converter.convert(Odometry{wire_stamp, wire_left, wire_right, 0});
+    } else {
+      const auto echo = converter.convert(Echo{wire_stamp, 0, 1'000, wire_left, wire_right});
+      seen = {echo.stamp, echo.travel};
+    }
+    ASSERT_EQ(seen.stamp.time_since_epoch().count(), stamp_us);
+    ASSERT_NEAR(seen.travel.left_m, static_cast<double>(left) * 1e-3, 1e-6);
+    ASSERT_NEAR(seen.travel.right_m, static_cast<double>(right) * 1e-3, 1e-6);
+  }
+}
+
+TEST(ObservationConverter, GoesOnThroughAReset) {
+  ObservationConverter converter(kGeometry, kSonar);
+  converter.convert(Odometry{5'000'000, 0, 0, 0});
+  converter.convert(Odometry{6'000'000, 700, 700, 0});
+  converter.restart();
+  const auto seen = converter.convert(Odometry{40'000, 3, -2, 0});
+  EXPECT_EQ(seen.stamp.time_since_epoch().count(), 6'040'000);
+  EXPECT_NEAR(seen.travel.left_m, 0.703, 1e-12);
+  EXPECT_NEAR(seen.travel.right_m, 0.698, 1e-12);
+}
+
+TEST(ObservationConverter, RefusesParametersThatMakeNoSense) {
+  const auto build = [](const RobotGeometry& geometry, const SonarRangeParams& sonar) {
+    const ObservationConverter converter(geometry, sonar);
+  };
+  EXPECT_NO_THROW(build(RobotGeometry{}, SonarRangeParams{}));
+  EXPECT_THROW(build({.track_m = 0.0}, kSonar), std::invalid_argument);
+  EXPECT_THROW(build(kGeometry, {.speed_of_sound_m_s = 0.0}), std::invalid_argument);
+  EXPECT_THROW(build(kGeometry, {.min_range_m = 2.0, .max_range_m = 1.0}), std::invalid_argument);
+  EXPECT_THROW(build(kGeometry, {.min_range_m = std::nan("")}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::sensors

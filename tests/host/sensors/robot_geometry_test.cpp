@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "host/sensors/robot_geometry.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace echomap::sensors {
+namespace {
+
+using std::numbers::pi;
+
+/// The TriBot of Singh and Bedi 2013: 5.5 cm wheels, one count per degree.
+constexpr RobotGeometry kTribot{.wheel_diameter_m = 0.055,
+                                .track_m = 0.11,
+                                .counts_per_turn = 360.0,
+                                .sonar_x_m = 0.05,
+                                .sonar_y_m = 0.01,
+                                .sonar_forward_m = 0.02};
+
+TEST(RobotGeometry, RollsItsCircumferenceInOneTurnOfTheWheel) {
+  EXPECT_NEAR(kTribot.metres_per_tick() * 360.0, 0.055 * pi, 1e-12);
+  EXPECT_EQ(kTribot.ticks_from_metres(0.055 * pi), 360);
+  EXPECT_EQ(kTribot.straight(-0.055 * pi), (WheelTicks{-360, -360}));
+}
+
+TEST(RobotGeometry, RoundsToTheNearestTickEitherWay) {
+  const double tick_m = kTribot.metres_per_tick();
+  for (int ticks = -1000; ticks <= 1000; ++ticks) {
+    ASSERT_EQ(kTribot.ticks_from_metres((ticks + 0.49) * tick_m), ticks);
+    ASSERT_EQ(kTribot.ticks_from_metres((ticks - 0.49) * tick_m), ticks);
+  }
+}
+
+TEST(RobotGeometry, TurnsOnTheSpotAlongTheCircleOfItsTrack) {
+  // Track of two wheel diameters: one turn of the body is two turns of each wheel.
+  EXPECT_EQ(kTribot.turn_on_spot(2.0 * pi), (WheelTicks{-720, 720}));
+  EXPECT_EQ(kTribot.turn_on_spot(-pi / 2.0), (WheelTicks{180, -180}));
+}
+
+TEST(RobotGeometry, PutsTheSonarOnAnArmThatPansAboutItsAxis) {
+  const auto ahead = kTribot.T_robot_sonar(0.0);
+  EXPECT_NEAR(ahead.x_m(), 0.07, 1e-12);
+  EXPECT_NEAR(ahead.y_m(), 0.01, 1e-12);
+  const auto left = kTribot.T_robot_sonar(pi / 2.0);
+  EXPECT_NEAR(left.x_m(), 0.05, 1e-12);
+  EXPECT_NEAR(left.y_m(), 0.03, 1e-12);
+  EXPECT_NEAR((left * Eigen::Vector2d(1.0, 0.0)).y(), 1.03, 1e-12);
+}
+
+TEST(RobotGeometry, RefusesABodyThatCannotBe) {
+  EXPECT_NO_THROW(kTribot.check());
+  EXPECT_NO_THROW(RobotGeometry{}.check());
+  for (double RobotGeometry::*field : {&RobotGeometry::wheel_diameter_m,
+                                       &RobotGeometry::track_m,
+                                       &RobotGeometry::counts_per_turn}) {
+    for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+      RobotGeometry geometry;
+      geometry.*field = wrong;
+      EXPECT_THROW(geometry.check(), std::invalid_argument);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace echomap::sensors
