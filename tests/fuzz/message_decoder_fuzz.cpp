@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "protocol/message_codec.hpp"
+#include "protocol/messages.hpp"
+
+namespace {
+
+namespace protocol = echomap::protocol;
+
+/// Encodes each message that was decoded again: it must give the payload that it came from.
+struct EncodeAgain {
+  const std::vector<std::uint8_t>& payload;
+  template <class M>
+  void operator()(const M& message) {
+    std::vector<std::uint8_t> again(protocol::MessageFacts<M>::kSize);
+    put_payload(message, again.data());
+    if (again != payload) {
+      std::abort();
+    }
+  }
+};
+
+}  // namespace
+
+/// One input is a message id and its payload, cut or filled with zeros to the length of the id; the
+/// payload has a heap block of its own, so that nothing is read beyond it unseen.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  protocol::Schema schema{};
+  if (size == 0 || !protocol::AllMessages::find_schema(data[0], schema)) {
+    return 0;
+  }
+  std::vector<std::uint8_t> payload(schema.payload_size);
+  std::copy_n(data + 1, std::min(size - 1, payload.size()), payload.begin());
+  EncodeAgain encode_again{payload};
+  if (!protocol::Dispatcher<protocol::AllMessages>::dispatch(
+          data[0], payload.data(), encode_again)) {
+    std::abort();
+  }
+  return 0;
+}
