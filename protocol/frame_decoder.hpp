@@ -37,7 +37,7 @@ using FindSchema = bool (*)(uint8_t id, Schema& schema);
 /// neighbour (when the delimiter between them was lost); nothing is allocated and nothing waits.
 class FrameDecoder {
  public:
-  explicit FrameDecoder(FindSchema find_schema) : find_schema_(find_schema) {}
+  constexpr explicit FrameDecoder(FindSchema find_schema) : find_schema_(find_schema) {}
 
   /// Takes one byte. After kFrame, `frame()` is valid until the next call.
   DecodeStatus take(uint8_t byte);

@@ -16,6 +16,13 @@ enum ResetCause : uint8_t {
   kResetWatchdog = 1U << 3,
 };
 
+/// What the board has; bits of HelloReply::capabilities.
+enum Capability : uint32_t {
+  kCapabilityWheels = 1UL << 0,    ///< Two wheels with encoders: MoveTicks, DriveSetpoint.
+  kCapabilityPanSonar = 1UL << 1,  ///< A sonar on a servo: StartSweep.
+  kCapabilityContacts = 1UL << 2,  ///< Bump contacts.
+};
+
 /// Answer to a command, in Ack::status.
 enum class CommandStatus : uint8_t {
   kAccepted = 0,

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/app/robot.hpp"
+
+#include "firmware/hal/encoders.hpp"
+#include "firmware/hal/watchdog.hpp"
+
+namespace echomap {
+namespace app {
+
+Devices devices;
+Robot robot(devices);
+
+void Robot::start() {
+  devices_.encoders.start(hal::encoder_levels());
+  motion_.stop(protocol::MotionOutcome::kNone);
+  hal::start_watchdog();
+  command_.announce();
+}
+
+bool Robot::run_once() {
+  const bool received = command_.poll();
+  heartbeat_.ran(tasks::Part::kLink);
+  if (!devices_.scheduler.take_tick()) {
+    return received;
+  }
+  run_tick();
+  return true;
+}
+
+void Robot::run_tick() {
+  safety_.tick();
+  heartbeat_.ran(tasks::Part::kTick);
+  if (devices_.scheduler.control_is_due()) {
+    motion_.step();
+    heartbeat_.ran(tasks::Part::kControl);
+  }
+  protocol::Echo echo{};
+  if (sweep_.tick(echo)) {
+    telemetry_.add(echo);
+  }
+  telemetry_.tick();
+}
+
+}  // namespace app
+}  // namespace echomap

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "firmware/app/settings.hpp"
+#include "firmware/tasks/command.hpp"
+#include "firmware/tasks/heartbeat.hpp"
+#include "firmware/tasks/scheduler.hpp"
+#include "firmware/tasks/telemetry.hpp"
+
+namespace echomap {
+namespace app {
+
+/// What interrupts talk to. Apart from the rest, because all of it starts as zero: initial values
+/// would stand in the program a second time.
+struct Devices {
+  drivers::WheelEncoders encoders;
+  drivers::SonarHcSr04 sonar;
+  drivers::SerialPort port;
+  tasks::Scheduler scheduler;
+};
+
+/// The whole program above its devices, put together.
+class Robot {
+ public:
+  constexpr explicit Robot(Devices& devices) : devices_(devices) {}
+
+  /// After hal::start_board and before interrupts are unlocked.
+  void start();
+  /// Does what is due; false when there was nothing to do.
+  bool run_once();
+  /// Asked with interrupts locked: false means that the board may sleep.
+  bool has_work() const { return devices_.scheduler.has_tick() || devices_.port.has_received(); }
+
+ private:
+  void run_tick();
+
+  Devices& devices_;
+  control::WheelMotion motion_{devices_.encoders, kDefaultDrive};
+  control::ScanSweep sweep_{devices_.encoders, devices_.sonar, kDefaultSonar};
+  tasks::Safety safety_{motion_};
+  tasks::FrameSender sender_{devices_.port};
+  protocol::ReceiveCounters received_;
+  tasks::Telemetry telemetry_{
+      {devices_.encoders, devices_.port, motion_, sweep_, safety_, received_},
+      sender_,
+      kDefaultDrive.odometry_period_ms};
+  tasks::Command command_{
+      {devices_.port, sender_, motion_, sweep_, safety_, telemetry_, received_}};
+  tasks::Heartbeat heartbeat_;
+};
+
+/// The one robot and its devices, to which the board's events go.
+extern Devices devices;
+extern Robot robot;
+
+}  // namespace app
+}  // namespace echomap

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "protocol/command_messages.hpp"
+
+namespace echomap {
+namespace app {
+
+/// What holds until the host sends its own: a small two-wheel robot with 1496 counts per turn and
+/// 0.065 m wheels that does 3300 counts/s at full duty after 80 ms.
+constexpr protocol::ConfigureDrive kDefaultDrive{
+    0,     // command_id
+    0,     // inversions
+    3000,  // max_ticks_per_s
+    6000,  // max_ticks_per_s2
+    20,    // feed_forward: 255 * 256 / 3300
+    30,    // proportional and
+    300,   // integral: both closed-loop poles at 15 /s
+    20,    // odometry_period_ms
+};
+
+/// An HC-SR04 for 4 m on a small hobby servo.
+constexpr protocol::ConfigureSonar kDefaultSonar{
+    0,      // command_id
+    1500,   // pan_centre_us
+    900,    // pan_us_per_90deg
+    -9000,  // pan_min_cdeg
+    9000,   // pan_max_cdeg
+    300,    // pan_deg_per_s
+    24000,  // max_echo_us
+    40,     // ping_gap_ms
+};
+
+}  // namespace app
+}  // namespace echomap

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/hal/contacts.hpp"
+
+#include <avr/io.h>
+
+#include "firmware/boards/arduino_uno/parts.hpp"
+#include "firmware/boards/arduino_uno/pins.hpp"
+
+namespace echomap {
+namespace boards {
+
+void start_contacts() { PORTD |= kContactLeftPin | kContactRightPin; }
+
+}  // namespace boards
+
+namespace hal {
+
+uint8_t pressed_contacts() {
+  const uint8_t open = PIND;
+  uint8_t pressed = 0;
+  if ((open & boards::kContactLeftPin) == 0) {
+    pressed |= kContactLeft;
+  }
+  if ((open & boards::kContactRightPin) == 0) {
+    pressed |= kContactRight;
+  }
+  return pressed;
+}
+
+}  // namespace hal
+}  // namespace echomap

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/hal/encoders.hpp"
+
+#include <avr/interrupt.h>
+#include <avr/io.h>
+
+#include "firmware/boards/arduino_uno/parts.hpp"
+#include "firmware/boards/arduino_uno/pins.hpp"
+#include "firmware/hal/events.hpp"
+
+namespace echomap {
+namespace boards {
+
+static_assert(kEncoderPins == 0x0F, "the low bits of the port are the levels as they stand");
+
+void start_encoders() {
+  PORTC |= kEncoderPins;
+  PCMSK1 = kEncoderPins;
+  PCICR = _BV(PCIE1);
+}
+
+}  // namespace boards
+
+namespace hal {
+
+uint8_t encoder_levels() { return PINC & boards::kEncoderPins; }
+
+ISR(PCINT1_vect) { on_encoder_pins(PINC & boards::kEncoderPins); }
+
+}  // namespace hal
+}  // namespace echomap

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/boards/avr_common/boot.hpp"
+
+#include <avr/io.h>
+#include <avr/wdt.h>
+
+#include "firmware/hal/boot.hpp"
+#include "protocol/handshake_messages.hpp"
+
+namespace echomap {
+namespace boards {
+namespace {
+
+static_assert(_BV(PORF) == protocol::kResetPowerOn && _BV(EXTRF) == protocol::kResetExternal &&
+                  _BV(BORF) == protocol::kResetBrownOut && _BV(WDRF) == protocol::kResetWatchdog,
+              "MCUSR goes over the wire as it is");
+
+/// Neither is cleared at the start: a reset leaves the RAM as it was.
+uint16_t boot_number __attribute__((section(".noinit")));
+uint8_t first_mcusr __attribute__((section(".noinit")));
+
+/// Runs before main, because a watchdog that has reset the chip is still running at its fastest.
+/// A bootloader that clears MCUSR (Optiboot) hides the cause: it then reads 0.
+extern "C" void keep_reset_cause() __attribute__((naked, used, section(".init3")));
+extern "C" void keep_reset_cause() {
+  first_mcusr = MCUSR;
+  MCUSR = 0;
+  wdt_disable();
+}
+
+}  // namespace
+
+void number_this_boot() {
+  // A full-period congruential generator: no number comes back for 65,536 resets.
+  boot_number = static_cast<uint16_t>(boot_number * 25173U + 13849U);
+}
+
+}  // namespace boards
+
+namespace hal {
+
+uint8_t reset_cause() { return boards::first_mcusr; }
+
+uint16_t boot_id() { return boards::boot_number; }
+
+}  // namespace hal
+}  // namespace echomap

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/control/distance_ramp.hpp"
+
+namespace echomap {
+namespace control {
+
+void DistanceRamp::start(int32_t distance, int32_t cruise, int32_t change) {
+  remaining_ = distance;
+  cruise_ = cruise;
+  change_ = change;
+  speed_ = change;
+  braking_ = 0;
+}
+
+int32_t DistanceRamp::advance() {
+  const int32_t faster = speed_ + change_;
+  if (faster <= cruise_ && faster + speed_ + braking_ <= remaining_) {
+    speed_up();
+  } else if (speed_ > change_ && speed_ + braking_ > remaining_) {
+    slow_down();
+  }
+  const int32_t step = speed_ < remaining_ ? speed_ : remaining_;
+  remaining_ -= step;
+  return step;
+}
+
+void DistanceRamp::cut_short() {
+  if (braking_ < remaining_) {
+    remaining_ = braking_;
+  }
+}
+
+void DistanceRamp::speed_up() {
+  braking_ += speed_;
+  speed_ += change_;
+}
+
+void DistanceRamp::slow_down() {
+  speed_ -= change_;
+  braking_ -= speed_;
+}
+
+}  // namespace control
+}  // namespace echomap

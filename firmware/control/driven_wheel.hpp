@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "firmware/control/wheel_speed_controller.hpp"
+#include "firmware/drivers/motor_bridge.hpp"
+
+namespace echomap {
+namespace control {
+
+/// One wheel with its motor and controller.
+class DrivenWheel {
+ public:
+  constexpr explicit DrivenWheel(hal::Motor side) : motor_(side) {}
+
+  void invert_motor(bool inverted) { motor_.invert(inverted); }
+  /// Is now where it should be, at `count`.
+  void begin(int16_t count);
+  /// One control period: follows the reference by `step` (1/4000 tick) from `count`.
+  void follow(const protocol::ConfigureDrive& settings, int32_t step, int16_t count);
+  /// Switches the motor off.
+  void release();
+
+  bool arrived() const { return controller_.arrived(); }
+  bool stalled(const protocol::ConfigureDrive& settings) const {
+    return controller_.stalled(settings);
+  }
+
+ private:
+  drivers::MotorBridge motor_;
+  WheelSpeedController controller_;
+  int16_t last_count_ = 0;
+};
+
+}  // namespace control
+}  // namespace echomap

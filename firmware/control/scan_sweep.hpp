@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "firmware/control/motion_report.hpp"
+#include "firmware/drivers/pan_servo.hpp"
+#include "firmware/drivers/sonar_hc_sr04.hpp"
+#include "firmware/drivers/wheel_encoders.hpp"
+#include "protocol/command_messages.hpp"
+#include "protocol/telemetry_messages.hpp"
+
+namespace echomap {
+namespace control {
+
+/// Reads the sonar pan by pan: turns the servo, waits until it has settled, pings, goes on.
+class ScanSweep {
+ public:
+  /// Longest wait for an echo pin that is stuck high; then the reading counts as no echo.
+  static constexpr uint8_t kStuckMs = 250;
+  static constexpr uint16_t kMaxSettleMs = 10000;
+
+  constexpr ScanSweep(drivers::WheelEncoders& encoders,
+                      drivers::SonarHcSr04& sonar,
+                      const protocol::ConfigureSonar& settings)
+      : encoders_(encoders), sonar_(sonar), servo_(settings), settings_(settings) {}
+
+  /// True when every field is in range.
+  static bool accepts(const protocol::ConfigureSonar& settings);
+  /// Takes settings that `accepts` has granted; only while not sweeping.
+  void configure(const protocol::ConfigureSonar& settings);
+
+  /// True when the servo reaches both ends and the steps lead from one to the other.
+  bool accepts(const protocol::StartSweep& sweep) const;
+  /// Starts a sweep that `accepts` has granted; only while not sweeping.
+  void start(const protocol::StartSweep& sweep);
+  /// Ends it with this outcome; the reading under way is dropped.
+  void stop(protocol::MotionOutcome reason);
+
+  /// Once a millisecond; true when `echo` is a new reading.
+  bool tick(protocol::Echo& echo);
+
+  bool sweeping() const { return state_ != State::kIdle; }
+  MotionReport report() const { return report_; }
+
+ private:
+  enum class State : uint8_t { kIdle, kTurning, kAiming, kListening };
+
+  void turn_to(int16_t pan_cdeg);
+  bool may_ping();
+  void ping();
+  void go_on();
+
+  drivers::WheelEncoders& encoders_;
+  drivers::SonarHcSr04& sonar_;
+  drivers::PanServo servo_;
+  protocol::ConfigureSonar settings_;
+  protocol::StartSweep sweep_ = {};
+  protocol::Echo echo_ = {};
+  uint16_t turning_ms_ = 0;
+  uint8_t since_ping_ms_ = UINT8_MAX;
+  uint8_t stuck_ms_ = 0;
+  State state_ = State::kIdle;
+  MotionReport report_ = {0, protocol::MotionOutcome::kNone};
+};
+
+}  // namespace control
+}  // namespace echomap

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/control/wheel_motion.hpp"
+
+#include "firmware/control/fixed_point.hpp"
+
+namespace echomap {
+namespace control {
+namespace {
+
+using protocol::MotionOutcome;
+
+int32_t magnitude(int32_t value) { return value < 0 ? -value : value; }
+
+int32_t with_sign_of(int32_t sign, int32_t value) { return sign < 0 ? -value : value; }
+
+bool has(uint8_t inversions, protocol::DriveInversions bit) { return (inversions & bit) != 0; }
+
+}  // namespace
+
+bool WheelMotion::accepts(const protocol::ConfigureDrive& settings) {
+  constexpr uint16_t kMaxGain = WheelSpeedController::kMaxGain;
+  return settings.max_ticks_per_s != 0 && settings.max_ticks_per_s <= kMaxTicksPerS &&
+         settings.max_ticks_per_s2 != 0 && settings.feed_forward <= kMaxGain &&
+         settings.proportional <= kMaxGain && settings.integral <= kMaxGain &&
+         settings.odometry_period_ms != 0;
+}
+
+void WheelMotion::configure(const protocol::ConfigureDrive& settings) {
+  settings_ = settings;
+  left_.invert_motor(has(settings.inversions, protocol::kInvertLeftMotor));
+  right_.invert_motor(has(settings.inversions, protocol::kInvertRightMotor));
+  encoders_.invert(has(settings.inversions, protocol::kInvertLeftEncoder),
+                   has(settings.inversions, protocol::kInvertRightEncoder));
+}
+
+bool WheelMotion::accepts(const protocol::MoveTicks& move) const {
+  const bool left_in_range = move.left_ticks <= kMaxMoveTicks && move.left_ticks >= -kMaxMoveTicks;
+  const bool right_in_range =
+      move.right_ticks <= kMaxMoveTicks && move.right_ticks >= -kMaxMoveTicks;
+  return left_in_range && right_in_range && move.ticks_per_s != 0 &&
+         move.ticks_per_s <= settings_.max_ticks_per_s;
+}
+
+void WheelMotion::start_move(const protocol::MoveTicks& move) {
+  begin(Mode::kMove);
+  report_ = MotionReport{move.command_id, MotionOutcome::kRunning};
+  move_ticks_ = Steps{move.left_ticks, move.right_ticks};
+  set_course(move.left_ticks, move.right_ticks);
+  const int32_t left = magnitude(move.left_ticks);
+  const int32_t right = magnitude(move.right_ticks);
+  const int32_t longer = left > right ? left : right;
+  const int32_t shorter = left > right ? right : left;
+  shorter_.start(shorter, longer == 0 ? 1 : longer);
+  way_.start(longer * kOneTick,
+             per_period(static_cast<int16_t>(move.ticks_per_s)),
+             change_per_period(settings_.max_ticks_per_s2));
+}
+
+void WheelMotion::drive(int16_t left_ticks_per_s, int16_t right_ticks_per_s) {
+  if (mode_ == Mode::kMove) {
+    report_.outcome = MotionOutcome::kStopped;
+  }
+  if (mode_ != Mode::kDrive) {
+    const Steps now = moving() ? last_steps_ : Steps{0, 0};
+    if (!moving()) {
+      begin(Mode::kDrive);
+    }
+    mode_ = Mode::kDrive;
+    left_ramp_.start(now.left, change_per_period(settings_.max_ticks_per_s2));
+    right_ramp_.start(now.right, change_per_period(settings_.max_ticks_per_s2));
+  }
+  set_course(left_ticks_per_s, right_ticks_per_s);
+  left_ramp_.set_target(clipped_target(left_ticks_per_s));
+  right_ramp_.set_target(clipped_target(right_ticks_per_s));
+}
+
+void WheelMotion::stop(MotionOutcome reason) {
+  if (mode_ == Mode::kDrive) {
+    report_ = MotionReport{0, reason};
+  }
+  end(reason);
+}
+
+void WheelMotion::expire() {
+  if (mode_ == Mode::kMove) {
+    way_.cut_short();
+    report_.outcome = MotionOutcome::kExpired;
+  } else if (mode_ == Mode::kDrive) {
+    report_ = MotionReport{0, MotionOutcome::kExpired};
+    left_ramp_.set_target(0);
+    right_ramp_.set_target(0);
+  }
+}
+
+void WheelMotion::step() {
+  if (!moving()) {
+    return;
+  }
+  last_steps_ = next_steps();
+  const drivers::WheelCounts counts = encoders_.counts();
+  left_.follow(settings_, last_steps_.left, counts.left);
+  right_.follow(settings_, last_steps_.right, counts.right);
+  if (left_.stalled(settings_) || right_.stalled(settings_)) {
+    stop(MotionOutcome::kStalled);
+  } else if (reference_stands() && left_.arrived() && right_.arrived()) {
+    end(MotionOutcome::kReached);
+  }
+}
+
+void WheelMotion::set_course(int32_t left, int32_t right) {
+  goes_forward_ = left + right > 0;
+  only_backs_off_ = left <= 0 && right <= 0;
+}
+
+void WheelMotion::begin(Mode mode) {
+  const drivers::WheelCounts counts = encoders_.counts();
+  left_.begin(counts.left);
+  right_.begin(counts.right);
+  mode_ = mode;
+}
+
+void WheelMotion::end(MotionOutcome outcome) {
+  left_.release();
+  right_.release();
+  mode_ = Mode::kIdle;
+  if (report_.outcome == MotionOutcome::kRunning) {
+    report_.outcome = outcome;
+  }
+}
+
+WheelMotion::Steps WheelMotion::next_steps() {
+  if (mode_ == Mode::kDrive) {
+    return Steps{left_ramp_.advance(), right_ramp_.advance()};
+  }
+  const int32_t longer = way_.advance();
+  const int32_t shorter = shorter_.scale(longer);
+  const bool left_is_longer = magnitude(move_ticks_.left) > magnitude(move_ticks_.right);
+  return Steps{with_sign_of(move_ticks_.left, left_is_longer ? longer : shorter),
+               with_sign_of(move_ticks_.right, left_is_longer ? shorter : longer)};
+}
+
+int32_t WheelMotion::clipped_target(int16_t ticks_per_s) const {
+  const int16_t limit = static_cast<int16_t>(settings_.max_ticks_per_s);
+  const int16_t upper = ticks_per_s > limit ? limit : ticks_per_s;
+  return per_period(upper < -limit ? static_cast<int16_t>(-limit) : upper);
+}
+
+bool WheelMotion::reference_stands() const {
+  return mode_ == Mode::kMove ? way_.finished() : left_ramp_.at_rest() && right_ramp_.at_rest();
+}
+
+}  // namespace control
+}  // namespace echomap

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "firmware/control/distance_ramp.hpp"
+#include "firmware/control/driven_wheel.hpp"
+#include "firmware/control/motion_report.hpp"
+#include "firmware/control/proportion.hpp"
+#include "firmware/control/speed_ramp.hpp"
+#include "firmware/drivers/wheel_encoders.hpp"
+#include "protocol/command_messages.hpp"
+
+namespace echomap {
+namespace control {
+
+/// Both wheels: moves by counts, and speeds. When a motion ends the motors are released.
+class WheelMotion {
+ public:
+  constexpr WheelMotion(drivers::WheelEncoders& encoders, const protocol::ConfigureDrive& settings)
+      : encoders_(encoders), settings_(settings) {}
+
+  /// True when every field is in range.
+  static bool accepts(const protocol::ConfigureDrive& settings);
+  /// Takes settings that `accepts` has granted; only while not moving.
+  void configure(const protocol::ConfigureDrive& settings);
+
+  /// True when the settings allow the way and the speed of `move`.
+  bool accepts(const protocol::MoveTicks& move) const;
+  /// Starts a move that `accepts` has granted; only while not moving.
+  void start_move(const protocol::MoveTicks& move);
+  /// Takes over with wheel speeds in ticks/s, each clipped to the settings' limit.
+  void drive(int16_t left_ticks_per_s, int16_t right_ticks_per_s);
+
+  /// Motors off at once, for this reason.
+  void stop(protocol::MotionOutcome reason);
+  /// The time to live is over: ramps to rest.
+  void expire();
+  /// One control period.
+  void step();
+
+  bool moving() const { return mode_ != Mode::kIdle; }
+  /// True while the motion leads the robot forward as a whole; false for a turn on the spot.
+  bool goes_forward() const { return goes_forward_; }
+  /// True while it leads both wheels backwards or nowhere.
+  bool only_backs_off() const { return only_backs_off_; }
+  MotionReport report() const { return report_; }
+
+ private:
+  enum class Mode : uint8_t { kIdle, kMove, kDrive };
+  /// What both references do in a period, or in the whole of a move.
+  struct Steps {
+    int32_t left;
+    int32_t right;
+  };
+
+  void set_course(int32_t left, int32_t right);
+  void begin(Mode mode);
+  void end(protocol::MotionOutcome outcome);
+  Steps next_steps();
+  int32_t clipped_target(int16_t ticks_per_s) const;
+  bool reference_stands() const;
+
+  drivers::WheelEncoders& encoders_;
+  protocol::ConfigureDrive settings_;
+  DrivenWheel left_{hal::Motor::kLeft};
+  DrivenWheel right_{hal::Motor::kRight};
+  DistanceRamp way_;
+  Proportion shorter_;
+  SpeedRamp left_ramp_;
+  SpeedRamp right_ramp_;
+  Steps last_steps_ = {0, 0};
+  Steps move_ticks_ = {0, 0};
+  Mode mode_ = Mode::kIdle;
+  bool goes_forward_ = false;
+  bool only_backs_off_ = false;
+  MotionReport report_ = {0, protocol::MotionOutcome::kNone};
+};
+
+}  // namespace control
+}  // namespace echomap

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/drivers/sonar_hc_sr04.hpp"
+
+#include "firmware/hal/interrupts.hpp"
+#include "firmware/hal/sonar.hpp"
+#include "protocol/telemetry_messages.hpp"
+
+namespace echomap {
+namespace drivers {
+
+bool SonarHcSr04::ready() { return !hal::echo_is_high(); }
+
+void SonarHcSr04::ping(uint32_t now_us) {
+  pinged_us_ = now_us;
+  state_ = State::kTriggered;
+  hal::trigger_sonar();
+}
+
+bool SonarHcSr04::poll(uint32_t now_us, uint16_t max_echo_us, uint16_t& flight_us) {
+  const hal::InterruptLock lock;
+  if (state_ == State::kIdle) {
+    return false;
+  }
+  const uint32_t flight = (flight_half_us_ + 1) / 2;
+  const bool in_time = state_ == State::kAnswered && flight <= max_echo_us;
+  const uint32_t pulse_us = state_ == State::kTriggered ? 0 : max_echo_us;
+  if (state_ != State::kAnswered && now_us - pinged_us_ <= kRiseTimeoutUs + pulse_us) {
+    return false;
+  }
+  state_ = State::kIdle;
+  flight_us = in_time ? static_cast<uint16_t>(flight) : protocol::kNoEcho;
+  return true;
+}
+
+void SonarHcSr04::on_echo_edge(bool high, uint32_t stamp_half_us) {
+  if (high && state_ == State::kTriggered) {
+    rise_half_us_ = stamp_half_us;
+    state_ = State::kHigh;
+  } else if (!high && state_ == State::kHigh) {
+    flight_half_us_ = stamp_half_us - rise_half_us_;
+    state_ = State::kAnswered;
+  }
+}
+
+}  // namespace drivers
+}  // namespace echomap

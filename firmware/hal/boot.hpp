@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+namespace echomap {
+namespace hal {
+
+/// Why the board last started, bits of protocol::ResetCause; 0 where a bootloader has hidden it.
+uint8_t reset_cause();
+
+/// A number that is another one after every reset.
+uint16_t boot_id();
+
+}  // namespace hal
+}  // namespace echomap

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/tasks/command.hpp"
+
+#include "firmware/hal/boot.hpp"
+#include "firmware/hal/clock.hpp"
+#include "protocol/version.hpp"
+
+namespace echomap {
+namespace tasks {
+
+using protocol::CommandStatus;
+using protocol::MotionOutcome;
+
+void Command::announce() { reply(0); }
+
+bool Command::poll() {
+  uint8_t byte = 0;
+  uint8_t taken = 0;
+  while (taken < kBytesPerPoll && targets_.port.receive(byte)) {
+    take(byte);
+    ++taken;
+  }
+  return taken != 0;
+}
+
+void Command::take(uint8_t byte) {
+  const protocol::DecodeStatus status = decoder_.take(byte);
+  if (status == protocol::DecodeStatus::kIncomplete) {
+    return;
+  }
+  const protocol::Frame frame = decoder_.frame();
+  targets_.received.take(status, frame.seq);
+  if (status == protocol::DecodeStatus::kFrame) {
+    protocol::Dispatcher<protocol::MessagesToRobot>::dispatch(frame.id, frame.payload, *this);
+  }
+}
+
+void Command::operator()(const protocol::Hello& hello) {
+  if (filter_.begin_session(hello.session)) {
+    targets_.received.restart();
+    targets_.safety.disarm();
+    targets_.sweep.stop(MotionOutcome::kStopped);
+  }
+  greeted_ = true;
+  reply(hello.session);
+  targets_.telemetry.begin();
+}
+
+void Command::operator()(const protocol::Ping& ping) {
+  targets_.sender.answer(protocol::Pong{ping.token, hal::now_us()});
+}
+
+void Command::operator()(const protocol::DriveSetpoint& setpoint) {
+  const bool allowed =
+      targets_.safety.armed() && Safety::accepts_time_to_live(setpoint.time_to_live_ms) &&
+      !targets_.safety.blocks(setpoint.left_ticks_per_s, setpoint.right_ticks_per_s);
+  if (allowed) {
+    targets_.motion.drive(setpoint.left_ticks_per_s, setpoint.right_ticks_per_s);
+    targets_.safety.renew(setpoint.time_to_live_ms);
+  }
+}
+
+void Command::operator()(const protocol::KeepAlive& keep_alive) {
+  if (Safety::accepts_time_to_live(keep_alive.time_to_live_ms)) {
+    targets_.safety.renew(keep_alive.time_to_live_ms);
+  }
+}
+
+void Command::reply(uint16_t session) {
+  targets_.sender.delimit();
+  protocol::HelloReply reply{};
+  reply.protocol_major = protocol::kProtocolMajor;
+  reply.protocol_minor = protocol::kProtocolMinor;
+  reply.schema_digest = protocol::kSchemaDigest;
+  reply.firmware_version = protocol::kFirmwareVersion;
+  reply.boot_id = hal::boot_id();
+  reply.reset_cause = hal::reset_cause();
+  reply.session = session;
+  reply.tick_hz = hal::kTickHz;
+  reply.receive_credit_bytes = drivers::SerialPort::kReceiveBytes;
+  reply.capabilities =
+      protocol::kCapabilityWheels | protocol::kCapabilityPanSonar | protocol::kCapabilityContacts;
+  targets_.sender.answer(reply);
+}
+
+CommandStatus Command::execute(const protocol::Arm& command) {
+  if (command.armed == 0) {
+    targets_.safety.disarm();
+    return CommandStatus::kAccepted;
+  }
+  if (!greeted_) {
+    return CommandStatus::kDisarmed;
+  }
+  targets_.safety.arm();
+  return CommandStatus::kAccepted;
+}
+
+CommandStatus Command::execute(const protocol::Stop& /*command*/) {
+  targets_.motion.stop(MotionOutcome::kStopped);
+  targets_.sweep.stop(MotionOutcome::kStopped);
+  return CommandStatus::kAccepted;
+}
+
+CommandStatus Command::execute(const protocol::ConfigureDrive& command) {
+  if (targets_.motion.moving()) {
+    return CommandStatus::kBusy;
+  }
+  if (!control::WheelMotion::accepts(command)) {
+    return CommandStatus::kOutOfRange;
+  }
+  targets_.motion.configure(command);
+  targets_.telemetry.set_odometry_period(command.odometry_period_ms);
+  return CommandStatus::kAccepted;
+}
+
+CommandStatus Command::execute(const protocol::ConfigureSonar& command) {
+  if (targets_.sweep.sweeping()) {
+    return CommandStatus::kBusy;
+  }
+  if (!control::ScanSweep::accepts(command)) {
+    return CommandStatus::kOutOfRange;
+  }
+  targets_.sweep.configure(command);
+  return CommandStatus::kAccepted;
+}
+
+CommandStatus Command::execute(const protocol::MoveTicks& command) {
+  if (!targets_.safety.armed()) {
+    return CommandStatus::kDisarmed;
+  }
+  if (targets_.motion.moving()) {
+    return CommandStatus::kBusy;
+  }
+  if (!targets_.motion.accepts(command) || !Safety::accepts_time_to_live(command.time_to_live_ms)) {
+    return CommandStatus::kOutOfRange;
+  }
+  if (targets_.safety.blocks(command.left_ticks, command.right_ticks)) {
+    return CommandStatus::kBlocked;
+  }
+  targets_.motion.start_move(command);
+  targets_.safety.renew(command.time_to_live_ms);
+  return CommandStatus::kAccepted;
+}
+
+CommandStatus Command::execute(const protocol::StartSweep& command) {
+  if (targets_.sweep.sweeping()) {
+    return CommandStatus::kBusy;
+  }
+  if (!targets_.sweep.accepts(command)) {
+    return CommandStatus::kOutOfRange;
+  }
+  targets_.sweep.start(command);
+  return CommandStatus::kAccepted;
+}
+
+}  // namespace tasks
+}  // namespace echomap

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "firmware/control/scan_sweep.hpp"
+#include "firmware/control/wheel_motion.hpp"
+#include "firmware/tasks/frame_sender.hpp"
+#include "firmware/tasks/safety.hpp"
+#include "firmware/tasks/telemetry.hpp"
+#include "protocol/link.hpp"
+
+namespace echomap {
+namespace tasks {
+
+/// What commands act upon.
+struct CommandTargets {
+  drivers::SerialPort& port;
+  FrameSender& sender;
+  control::WheelMotion& motion;
+  control::ScanSweep& sweep;
+  Safety& safety;
+  Telemetry& telemetry;
+  protocol::ReceiveCounters& received;
+};
+
+/// Takes the host's bytes apart and does what they say: commands exactly once, each answered by an
+/// Ack; set-points without one, the latest wins.
+class Command {
+ public:
+  /// Bytes per call of `poll`, so that no call takes long.
+  static constexpr uint8_t kBytesPerPoll = 16;
+
+  constexpr explicit Command(const CommandTargets& targets) : targets_(targets) {}
+
+  /// Tells the host, unasked, that the robot has just started: HelloReply with session 0.
+  void announce();
+  /// Works on received bytes; false when there were none.
+  bool poll();
+
+  /// One for each message of protocol::MessagesToRobot, called by the dispatcher.
+  void operator()(const protocol::Hello& hello);
+  void operator()(const protocol::Ping& ping);
+  void operator()(const protocol::DriveSetpoint& setpoint);
+  void operator()(const protocol::KeepAlive& keep_alive);
+  template <class CommandMessage>
+  void operator()(const CommandMessage& command) {
+    if (!filter_.is_repeat(command.command_id)) {
+      filter_.remember(command.command_id, execute(command));
+    }
+    targets_.sender.answer(filter_.answer());
+  }
+
+ private:
+  void take(uint8_t byte);
+  void reply(uint16_t session);
+  protocol::CommandStatus execute(const protocol::Arm& command);
+  protocol::CommandStatus execute(const protocol::Stop& command);
+  protocol::CommandStatus execute(const protocol::ConfigureDrive& command);
+  protocol::CommandStatus execute(const protocol::ConfigureSonar& command);
+  protocol::CommandStatus execute(const protocol::MoveTicks& command);
+  protocol::CommandStatus execute(const protocol::StartSweep& command);
+
+  CommandTargets targets_;
+  protocol::FrameDecoder decoder_{protocol::MessagesToRobot::find_schema};
+  protocol::CommandFilter filter_;
+  bool greeted_ = false;
+};
+
+}  // namespace tasks
+}  // namespace echomap

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "firmware/control/scan_sweep.hpp"
+#include "firmware/control/wheel_motion.hpp"
+#include "firmware/tasks/frame_sender.hpp"
+#include "firmware/tasks/safety.hpp"
+#include "protocol/link.hpp"
+
+namespace echomap {
+namespace tasks {
+
+/// What the telemetry is about.
+struct TelemetrySources {
+  drivers::WheelEncoders& encoders;
+  const drivers::SerialPort& port;
+  const control::WheelMotion& motion;
+  const control::ScanSweep& sweep;
+  const Safety& safety;
+  const protocol::ReceiveCounters& received;
+};
+
+/// Samples on time and sends when the line has room. What waits too long is replaced by what is
+/// newer, and counted; silent until a host has said Hello.
+class Telemetry {
+ public:
+  static constexpr uint8_t kStatusPeriodMs = 200;
+
+  constexpr Telemetry(const TelemetrySources& sources,
+                      FrameSender& sender,
+                      uint8_t odometry_period_ms)
+      : sources_(sources), sender_(sender), odometry_period_ms_(odometry_period_ms) {}
+
+  /// A host is there: starts, with a Status first.
+  void begin();
+  /// 1 .. 255 ms.
+  void set_odometry_period(uint8_t period_ms) { odometry_period_ms_ = period_ms; }
+
+  /// A new sonar reading to send.
+  void add(const protocol::Echo& echo);
+  /// Once a millisecond.
+  void tick();
+
+ private:
+  static constexpr uint8_t kEchoes = 4;
+
+  void sample_odometry();
+  void notice_outcomes();
+  void send_what_waits();
+  bool send_echo();
+  protocol::Status status() const;
+  uint8_t flags() const;
+
+  TelemetrySources sources_;
+  FrameSender& sender_;
+  protocol::Odometry odometry_ = {};
+  protocol::Echo echoes_[kEchoes] = {};
+  control::MotionReport told_move_ = {0, protocol::MotionOutcome::kNone};
+  control::MotionReport told_sweep_ = {0, protocol::MotionOutcome::kNone};
+  uint16_t dropped_ = 0;
+  uint16_t stack_free_bytes_ = 0;
+  uint8_t odometry_period_ms_;
+  uint8_t odometry_age_ms_ = 0;
+  uint8_t status_age_ms_ = 0;
+  uint8_t oldest_echo_ = 0;
+  uint8_t waiting_echoes_ = 0;
+  bool odometry_waits_ = false;
+  bool status_waits_ = false;
+  bool on_ = false;
+};
+
+}  // namespace tasks
+}  // namespace echomap
