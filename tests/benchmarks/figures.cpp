@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "tests/benchmarks/figures.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::bench {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
+}
+
+void report(const std::vector<Figure>& figures, const std::filesystem::path& json) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Figure& figure : figures) {
+    fmt::print(
+        "{:28} {:10.4f} {:8} runs {}\n", figure.name, figure.value, figure.unit, figure.runs);
+    list.push_back({{"name", figure.name},
+                    {"value", figure.value},
+                    {"unit", figure.unit},
+                    {"runs", figure.runs},
+                    {"peers", figure.peers}});
+  }
+  if (!json.empty()) {
+    files::write_text_file(json, nlohmann::ordered_json{{"figures", list}}.dump(2) + "\n");
+  }
+}
+
+}  // namespace echomap::bench

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace echomap::bench {
+
+/// One measured figure; `peers` hold the same figure of others, measured in the same run.
+struct Figure {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+  std::size_t runs = 0;
+  std::map<std::string, double> peers;
+};
+
+/// The middle of the sorted values, or the mean of the two middle ones. `values` is not empty.
+double median(std::vector<double> values);
+
+/// Prints a table on stdout and writes {"figures": [..]} to `json` unless it is empty. Throws
+/// files::FileError.
+void report(const std::vector<Figure>& figures, const std::filesystem::path& json);
+
+}  // namespace echomap::bench
