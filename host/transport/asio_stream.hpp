@@ -9,7 +9,6 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/write.hpp>
 
 #include "host/transport/byte_stream.hpp"
 
@@ -38,23 +37,8 @@ class AsioStream final : public ByteStream {
   }
 
   void write(std::span<const std::uint8_t> bytes) override {
-    if (status_ == StreamStatus::kClosed || bytes.empty()) {
-      return;
-    }
-    bool done = false;
-    boost::system::error_code result;
-    boost::asio::async_write(stream_,
-                             boost::asio::buffer(bytes.data(), bytes.size()),
-                             [&](const boost::system::error_code& error, std::size_t /*count*/) {
-                               done = true;
-                               result = error;
-                             });
-    run_until([&] { return done; }, kWritePatience);
-    if (!done) {
-      close("it took no bytes for a second");
-      run_until([&] { return done; }, kWritePatience);
-    } else if (result) {
-      close(reason_of(result));
+    while (!bytes.empty() && status_ == StreamStatus::kOpen) {
+      bytes = bytes.subspan(write_some(bytes));
     }
   }
 
@@ -64,6 +48,28 @@ class AsioStream final : public ByteStream {
 
  private:
   static constexpr std::chrono::microseconds kWritePatience{1'000'000};
+
+  std::size_t write_some(std::span<const std::uint8_t> bytes) {
+    bool done = false;
+    boost::system::error_code result;
+    std::size_t written = 0;
+    const auto is_done = [&done] { return done; };
+    stream_.async_write_some(boost::asio::buffer(bytes.data(), bytes.size()),
+                             [&](const boost::system::error_code& error, std::size_t count) {
+                               done = true;
+                               result = error;
+                               written = count;
+                             });
+    run_until(is_done, kWritePatience);
+    if (!done) {
+      // Closing cancels the write; its handler must run while the locals are there.
+      close("it took no bytes for a second");
+      run_until(is_done, kWritePatience);
+    } else if (result) {
+      close(reason_of(result));
+    }
+    return written;
+  }
 
   void fill(std::chrono::microseconds wait) {
     if (!is_reading_) {

@@ -11,7 +11,7 @@ namespace echomap::transport {
 
 enum class StreamStatus : std::uint8_t {
   kOpen,
-  kClosed,  ///< For good; `close_reason()` says why. Bytes that came before have been read.
+  kClosed,  ///< For good; `close_reason()` says why.
 };
 
 /// Bytes to and from a robot, whatever carries them. Nothing throws after construction: an

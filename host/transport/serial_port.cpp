@@ -97,6 +97,11 @@ void correct_line_settings(int fd, const std::string& path) {
 }  // namespace
 
 std::unique_ptr<ByteStream> open_serial_port(const std::string& path, int baud) {
+  if (baud <= 0) {
+    throw TransportError("cannot open the serial port " + path,
+                         std::to_string(baud) + " is no baud rate",
+                         "--baud 115200, or what the firmware was built for");
+  }
   const Port port = open_port(path);
   configure(port.get(), path, baud);
   int fd = -1;

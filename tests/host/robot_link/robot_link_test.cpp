@@ -123,8 +123,8 @@ TEST_F(RobotLinkTest, LetsAHandlerSubmitTheNextCommand) {
 
 TEST_F(RobotLinkTest, DoesTenThousandCommandsExactlyOnceAtFivePercentLossEachWay) {
   run_for(100);
-  to_robot.faults = {.lost = 0.02, .damaged = 0.02, .duplicated = 0.01};
-  to_host.faults = {.lost = 0.02, .damaged = 0.02, .duplicated = 0.01};
+  to_robot.faults = {.lost = 0.03, .damaged = 0.02, .duplicated = 0.01};
+  to_host.faults = {.lost = 0.03, .damaged = 0.02, .duplicated = 0.01};
   constexpr std::int32_t kCommands = 10'000;
   for (std::int32_t i = 0; i < kCommands; ++i) {
     link.submit(move(i));

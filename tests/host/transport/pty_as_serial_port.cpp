@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+/// Makes a pty pass for a serial device in the program that links this file, so that libserialport
+/// and serial_port.cpp run in full where no device is plugged in. The program's definitions of
+/// these functions come before the C library's; they answer the questions to which a pty has no
+/// answer (its place in /sys, its modem lines) and hand all others to the kernel.
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdarg>
+#include <cstring>
+#include <fcntl.h>
+#include <string_view>
+#include <unistd.h>
+
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+
+namespace {
+
+bool is_place_of_pty(const char* path) {
+  return std::string_view(path).substr(0, 19) == "/sys/class/tty/pts/";
+}
+
+/// The modem lines of all ptys; -1 where `request` is about something else.
+int answer_modem_lines(unsigned long request, int* argument) {
+  static int lines = 0;
+  switch (request) {
+    case TIOCMGET:
+      *argument = lines;
+      return 0;
+    case TIOCMSET:
+      lines = *argument;
+      return 0;
+    case TIOCMBIS:
+      lines |= *argument;
+      return 0;
+    case TIOCMBIC:
+      lines &= ~*argument;
+      return 0;
+    default:
+      return -1;
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+int ioctl(int fd, unsigned long request, ...) noexcept {
+  va_list arguments;
+  va_start(arguments, request);
+  void* argument = va_arg(arguments, void*);
+  va_end(arguments);
+  const auto result = static_cast<int>(::syscall(SYS_ioctl, fd, request, argument));
+  if (result == -1 && errno == ENOTTY) {
+    return answer_modem_lines(request, static_cast<int*>(argument));
+  }
+  return result;
+}
+
+int lxstat_of_pty(int version, const char* path, struct stat* into) __asm__("__lxstat");
+int lxstat_of_pty(int /*version*/, const char* path, struct stat* into) {
+  if (is_place_of_pty(path)) {
+    *into = {};
+    into->st_mode = S_IFLNK;
+    return 0;
+  }
+  return ::fstatat(AT_FDCWD, path, into, AT_SYMLINK_NOFOLLOW);
+}
+
+ssize_t readlink(const char* path, char* into, size_t size) noexcept {
+  constexpr std::string_view kTarget = "../../devices/virtual/tty/pts";
+  if (is_place_of_pty(path)) {
+    const size_t count = std::min(size, kTarget.size());
+    std::memcpy(into, kTarget.data(), count);
+    return static_cast<ssize_t>(count);
+  }
+  return ::readlinkat(AT_FDCWD, path, into, size);
+}
+}
