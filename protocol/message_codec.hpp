@@ -2,11 +2,16 @@
 #pragma once
 
 #include <stdint.h>
+#include <string.h>
 
 #include "protocol/message_schema.hpp"
 
 namespace echomap {
 namespace protocol {
+
+#if __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
+#error "fields are copied as they stand in memory: the wire is little-endian"
+#endif
 
 /// Visitor that writes fields little-endian at `out`.
 class PutVisitor {
@@ -14,11 +19,8 @@ class PutVisitor {
   explicit PutVisitor(uint8_t* out) : out_(out) {}
   template <class T>
   __attribute__((always_inline)) void operator()(const char* /*name*/, const T& value) {
-    uint32_t rest = static_cast<uint32_t>(value);
-    for (uint8_t i = 0; i < static_cast<uint8_t>(sizeof(T)); ++i) {
-      *out_++ = static_cast<uint8_t>(rest);
-      rest >>= 8;
-    }
+    memcpy(out_, &value, sizeof(T));
+    out_ += sizeof(T);
   }
 
  private:
@@ -31,11 +33,8 @@ class GetVisitor {
   explicit GetVisitor(const uint8_t* in) : in_(in) {}
   template <class T>
   __attribute__((always_inline)) void operator()(const char* /*name*/, T& value) {
-    uint32_t bits = 0;
-    for (uint8_t i = 0; i < static_cast<uint8_t>(sizeof(T)); ++i) {
-      bits |= static_cast<uint32_t>(*in_++) << (8 * i);
-    }
-    value = static_cast<T>(bits);
+    memcpy(&value, in_, sizeof(T));
+    in_ += sizeof(T);
   }
 
  private:
