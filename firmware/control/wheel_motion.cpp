@@ -102,7 +102,7 @@ void WheelMotion::step() {
   right_.follow(settings_, last_steps_.right, counts.right);
   if (left_.stalled(settings_) || right_.stalled(settings_)) {
     stop(MotionOutcome::kStalled);
-  } else if (reference_stands() && left_.arrived() && right_.arrived()) {
+  } else if (reference_stands() && (expired() || (left_.arrived() && right_.arrived()))) {
     end(MotionOutcome::kReached);
   }
 }
@@ -144,6 +144,8 @@ int32_t WheelMotion::clipped_target(int16_t ticks_per_s) const {
   const int16_t upper = ticks_per_s > limit ? limit : ticks_per_s;
   return per_period(upper < -limit ? static_cast<int16_t>(-limit) : upper);
 }
+
+bool WheelMotion::expired() const { return report_.outcome == MotionOutcome::kExpired; }
 
 bool WheelMotion::reference_stands() const {
   return mode_ == Mode::kMove ? way_.finished() : left_ramp_.at_rest() && right_ramp_.at_rest();

@@ -34,7 +34,7 @@ class WheelMotion {
 
   /// Motors off at once, for this reason.
   void stop(protocol::MotionOutcome reason);
-  /// The time to live is over: ramps to rest.
+  /// The time to live is over: ramps to rest and lets go there, arrived or not.
   void expire();
   /// One control period.
   void step();
@@ -59,6 +59,7 @@ class WheelMotion {
   void end(protocol::MotionOutcome outcome);
   Steps next_steps();
   int32_t clipped_target(int16_t ticks_per_s) const;
+  bool expired() const;
   bool reference_stands() const;
 
   drivers::WheelEncoders& encoders_;

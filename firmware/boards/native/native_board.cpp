@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/boards/native/native_board.hpp"
+
+#include <algorithm>
+#include <new>
+
+#include "firmware/app/robot.hpp"
+#include "firmware/hal/clock.hpp"
+#include "firmware/hal/events.hpp"
+
+namespace echomap {
+namespace native {
+namespace {
+
+constexpr std::int64_t kTickNs = 1000000000 / hal::kTickHz;
+
+void run_program() {
+  while (app::robot.run_once()) {
+  }
+}
+
+}  // namespace
+
+NativeBoard& NativeBoard::instance() {
+  static NativeBoard board;
+  return board;
+}
+
+void NativeBoard::power_on() {
+  events_.clear();
+  line_.clear();
+  now_ns_ = 0;
+  sending_ = false;
+  echo_high_ = false;
+  encoder_levels_ = 0;
+  left_duty_ = 0;
+  right_duty_ = 0;
+  pan_pulse_us_ = 0.0;
+  watchdog_kicks_ = 0;
+  new (&app::devices) app::Devices();
+  new (&app::robot) app::Robot(app::devices);
+  app::robot.start();
+  at(kTickNs, [this] { tick(); });
+}
+
+void NativeBoard::run_until_ns(std::int64_t until_ns) {
+  while (!events_.empty() && events_.begin()->first <= until_ns) {
+    const auto node = events_.extract(events_.begin());
+    now_ns_ = std::max(now_ns_, node.key());
+    node.mapped()();
+    run_program();
+  }
+  now_ns_ = std::max(now_ns_, until_ns);
+}
+
+void NativeBoard::receive(const std::uint8_t* bytes, std::size_t size) {
+  const bool line_idle = line_.empty();
+  line_.insert(line_.end(), bytes, bytes + size);
+  if (line_idle && !line_.empty()) {
+    at(now_ns_ + kByteNs, [this] { deliver_byte(); });
+  }
+}
+
+void NativeBoard::schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) {
+  at(rise_ns, [this] { set_echo(true); });
+  at(fall_ns, [this] { set_echo(false); });
+}
+
+void NativeBoard::schedule_encoder_edge(bool right, std::int64_t at_ns, bool a, bool b) {
+  at(at_ns, [this, right, a, b] { set_encoder(right, a, b); });
+}
+
+void NativeBoard::set_bump(bool right, bool pressed) {
+  const unsigned bit = right ? hal::kContactRight : hal::kContactLeft;
+  const unsigned others = pressed_contacts_ & ~bit;
+  pressed_contacts_ = static_cast<std::uint8_t>(pressed ? others | bit : others);
+}
+
+void NativeBoard::set_motor(hal::Motor motor, bool forward, std::uint8_t duty) {
+  std::int16_t& signed_duty = motor == hal::Motor::kLeft ? left_duty_ : right_duty_;
+  signed_duty = static_cast<std::int16_t>(forward ? duty : -duty);
+}
+
+void NativeBoard::trigger_sonar() {
+  if (on_trigger) {
+    on_trigger(now_ns_);
+  }
+}
+
+void NativeBoard::request_send() {
+  std::uint8_t byte = 0;
+  if (!sending_ && hal::next_byte_to_send(byte)) {
+    sending_ = true;
+    at(now_ns_ + kByteNs, [this, byte] { finish_byte(byte); });
+  }
+}
+
+void NativeBoard::tick() {
+  at(now_ns_ + kTickNs, [this] { tick(); });
+  hal::on_tick();
+}
+
+void NativeBoard::deliver_byte() {
+  const std::uint8_t byte = line_.front();
+  line_.pop_front();
+  if (!line_.empty()) {
+    at(now_ns_ + kByteNs, [this] { deliver_byte(); });
+  }
+  hal::on_byte_received(byte);
+}
+
+void NativeBoard::finish_byte(std::uint8_t byte) {
+  sending_ = false;
+  request_send();
+  if (on_sent) {
+    on_sent(byte);
+  }
+}
+
+void NativeBoard::set_echo(bool high) {
+  echo_high_ = high;
+  hal::on_echo_edge(high, static_cast<std::uint32_t>(now_ns_ / 500));
+}
+
+void NativeBoard::set_encoder(bool right, bool a, bool b) {
+  const unsigned shift = right ? 2 : 0;
+  const unsigned levels = (a ? 1U : 0U) | (b ? 2U : 0U);
+  const unsigned others = encoder_levels_ & ~(3U << shift);
+  encoder_levels_ = static_cast<std::uint8_t>(others | (levels << shift));
+  hal::on_encoder_pins(encoder_levels_);
+}
+
+}  // namespace native
+}  // namespace echomap

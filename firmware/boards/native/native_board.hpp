@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+
+#include "firmware/hal/contacts.hpp"
+#include "firmware/hal/motors.hpp"
+
+namespace echomap {
+namespace native {
+
+/// The Uno's firmware on this computer, in simulated time: the same portable program behind the
+/// pins of a board that goes from event to event (tick, byte, edge) and lets the program work until
+/// it has nothing to do. The program takes no time. There is one, as there is one program in the
+/// process; `power_on` starts it over, with the same behaviour every time.
+class NativeBoard {
+ public:
+  /// One byte at 115200 baud by the Uno's divider: 10 bits of 8 x 17 cycles at 16 MHz.
+  static constexpr std::int64_t kByteNs = 85000;
+
+  static NativeBoard& instance();
+  NativeBoard(const NativeBoard&) = delete;
+  NativeBoard& operator=(const NativeBoard&) = delete;
+
+  /// Back to time 0: forgets all events and bytes under way and starts the program anew. Hooks and
+  /// the levels of contacts stay, encoder and echo pins are low.
+  void power_on();
+
+  /// Simulated time since `power_on`.
+  std::int64_t now_ns() const { return now_ns_; }
+  /// Serves every event up to and including this time.
+  void run_until_ns(std::int64_t until_ns);
+
+  /// Puts bytes on the receive line, which delivers one every kByteNs.
+  void receive(const std::uint8_t* bytes, std::size_t size);
+  /// Called with each byte sent, when its stop bit is over.
+  std::function<void(std::uint8_t)> on_sent;
+
+  /// Called when the sonar is triggered, with the time; may call `schedule_echo`.
+  std::function<void(std::int64_t)> on_trigger;
+  /// The echo pin will go high and low at these times, which are not in the past.
+  void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns);
+
+  /// Duty of the motors, -255 .. 255, forward positive.
+  std::int16_t left_duty() const { return left_duty_; }
+  std::int16_t right_duty() const { return right_duty_; }
+  /// Length of the servo's pulses; 0 before the first.
+  double pan_pulse_us() const { return pan_pulse_us_; }
+
+  /// A wheel's encoder pins will have these levels from this time on, which is not in the past. A
+  /// leads B forwards.
+  void schedule_encoder_edge(bool right, std::int64_t at_ns, bool a, bool b);
+  /// Presses or releases a bump contact now.
+  void set_bump(bool right, bool pressed);
+
+  /// How often the program has kicked the watchdog.
+  std::uint32_t watchdog_kicks() const { return watchdog_kicks_; }
+
+  /// What the functions of firmware/hal do on this board.
+  void set_motor(hal::Motor motor, bool forward, std::uint8_t duty);
+  void set_pan_pulse_us(std::uint16_t pulse_us) { pan_pulse_us_ = pulse_us; }
+  void trigger_sonar();
+  bool echo_is_high() const { return echo_high_; }
+  std::uint8_t encoder_levels() const { return encoder_levels_; }
+  std::uint8_t pressed_contacts() const { return pressed_contacts_; }
+  void request_send();
+  void kick_watchdog() { ++watchdog_kicks_; }
+
+ private:
+  using Event = std::function<void()>;
+
+  NativeBoard() = default;
+  void at(std::int64_t at_ns, Event event) { events_.emplace(at_ns, std::move(event)); }
+  void tick();
+  void deliver_byte();
+  void finish_byte(std::uint8_t byte);
+  void set_echo(bool high);
+  void set_encoder(bool right, bool a, bool b);
+
+  std::multimap<std::int64_t, Event> events_;  ///< Equal times in the order of scheduling.
+  std::deque<std::uint8_t> line_;
+  std::int64_t now_ns_ = 0;
+  bool sending_ = false;
+  bool echo_high_ = false;
+  std::uint8_t encoder_levels_ = 0;
+  std::uint8_t pressed_contacts_ = 0;
+  std::int16_t left_duty_ = 0;
+  std::int16_t right_duty_ = 0;
+  double pan_pulse_us_ = 0.0;
+  std::uint32_t watchdog_kicks_ = 0;
+};
+
+}  // namespace native
+}  // namespace echomap

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/boards/native/native_board.hpp"
+#include "firmware/hal/boot.hpp"
+#include "firmware/hal/clock.hpp"
+#include "firmware/hal/contacts.hpp"
+#include "firmware/hal/encoders.hpp"
+#include "firmware/hal/interrupts.hpp"
+#include "firmware/hal/motors.hpp"
+#include "firmware/hal/servo.hpp"
+#include "firmware/hal/sonar.hpp"
+#include "firmware/hal/stack.hpp"
+#include "firmware/hal/uart.hpp"
+#include "firmware/hal/watchdog.hpp"
+#include "protocol/handshake_messages.hpp"
+
+/// firmware/hal on the native board: events come one after the other, so nothing needs a lock.
+namespace echomap {
+namespace hal {
+namespace {
+
+native::NativeBoard& board() { return native::NativeBoard::instance(); }
+
+}  // namespace
+
+uint32_t now_us() { return static_cast<uint32_t>(board().now_ns() / 1000); }
+
+uint8_t lock_interrupts() { return 0; }
+void restore_interrupts(uint8_t /*state*/) {}
+
+void set_motor(Motor motor, bool forward, uint8_t duty) { board().set_motor(motor, forward, duty); }
+
+void set_servo_pulse_us(uint16_t pulse_us) { board().set_pan_pulse_us(pulse_us); }
+
+void trigger_sonar() { board().trigger_sonar(); }
+bool echo_is_high() { return board().echo_is_high(); }
+
+uint8_t encoder_levels() { return board().encoder_levels(); }
+
+uint8_t pressed_contacts() { return board().pressed_contacts(); }
+
+void request_send() { board().request_send(); }
+
+void start_watchdog() {}
+void kick_watchdog() { board().kick_watchdog(); }
+
+uint8_t reset_cause() { return protocol::kResetPowerOn; }
+uint16_t boot_id() { return 1; }
+
+/// The stack of this computer is nobody's worry.
+uint16_t least_free_stack_bytes() { return UINT16_MAX; }
+
+}  // namespace hal
+}  // namespace echomap
