@@ -9,6 +9,8 @@ namespace echomap::runner {
 namespace {
 
 constexpr double kMarginM = 0.1;
+/// Sizes that are whole numbers of cells but for rounding stay whole.
+constexpr double kRounding = 1e-6;
 
 Eigen::Vector2d centre_m(const TruthMap& map, int column, int row) {
   return {map.origin_x_m + (column + 0.5) * map.resolution_m,
@@ -27,11 +29,12 @@ TruthMap empty_map_around(const world::Polygon& room_m, double resolution_m) {
     least_m = least_m.cwiseMin(corner_m);
     most_m = most_m.cwiseMax(corner_m);
   }
-  const Eigen::Vector2d size_m = most_m - least_m;
+  const Eigen::Vector2d cells =
+      (most_m - least_m + Eigen::Vector2d::Constant(2.0 * kMarginM)) / resolution_m;
   TruthMap map;
   map.resolution_m = resolution_m;
-  map.width = static_cast<int>(std::ceil((size_m.x() + 2.0 * kMarginM) / resolution_m));
-  map.height = static_cast<int>(std::ceil((size_m.y() + 2.0 * kMarginM) / resolution_m));
+  map.width = static_cast<int>(std::ceil(cells.x() - kRounding));
+  map.height = static_cast<int>(std::ceil(cells.y() - kRounding));
   map.origin_x_m = least_m.x() - kMarginM;
   map.origin_y_m = least_m.y() - kMarginM;
   map.cells.assign(index(map, 0, map.height), TruthCell::kUnknown);

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/runner/device_main.hpp"
+
+#include <filesystem>
+#include <future>
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+#include "tests/hil_mock/runner/arguments.hpp"
+#include "tests/hil_mock/runner/fake_board.hpp"
+#include "tests/hil_mock/runner/scratch_folder.hpp"
+#include "tests/hil_mock/runner/test_host.hpp"
+
+namespace echomap::runner {
+namespace {
+
+using testing::HasSubstr;
+
+const DeviceProgram kFake{
+    "echomap-fake", false, [](const BoardOptions&) { return std::make_unique<FakeBoard>(); }};
+
+struct Outcome {
+  int exit_code;
+  std::string out;
+  std::string error;
+};
+
+Outcome run(Arguments arguments, const DeviceProgram& program = kFake) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int exit_code = run_device(arguments.argc(), arguments.argv(), program);
+  return {
+      exit_code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+TEST(DeviceMain, RunsPacedSaysWhereItListensAndLeavesTheTruth) {
+  const ScratchFolder folder;
+  const std::string link = folder / "robot";
+  const Outcome outcome = run({"--link=" + link,
+                               "--speed=max",
+                               "--duration=0.5",
+                               "--seed=4",
+                               "--truth=" + (folder / "truth").string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_EQ(outcome.out, "echomap-fake: uno_2wd in living_room listens on " + link + "\n");
+  const auto truth = nlohmann::json::parse(files::read_text_file(folder / "truth/truth.json"));
+  EXPECT_EQ(truth["seed"], 4);
+  EXPECT_DOUBLE_EQ(truth["sim_seconds"].get<double>(), 0.5);
+}
+
+void wait_for_socket(const std::filesystem::path& path) {
+  while (!std::filesystem::exists(path)) {
+    std::this_thread::yield();
+  }
+}
+
+TEST(DeviceMain, SaysByeInLockstepWhenTheTruthIsOnDisk) {
+  const ScratchFolder folder;
+  Arguments arguments{"--link=" + (folder / "robot").string(),
+                      "--lockstep=" + (folder / "lockstep").string(),
+                      "--truth=" + (folder / "truth").string()};
+  auto exit_code = std::async(
+      std::launch::async, [&] { return run_device(arguments.argc(), arguments.argv(), kFake); });
+  wait_for_socket(folder / "lockstep");
+  TestHost channel = TestHost::connect_local(folder / "lockstep");
+  EXPECT_EQ(channel.read_line(), R"({"lockstep":1,"firmware":"fake 1.0","emulator":"none"})");
+  channel.write("grant 30000 0\n");
+  EXPECT_EQ(channel.read_line(), "reached 30000 0");
+  channel.write("quit\n");
+  EXPECT_EQ(channel.read_line(), "bye");
+  EXPECT_TRUE(std::filesystem::exists(folder / "truth/truth.json"));
+  EXPECT_EQ(exit_code.get(), 0);
+}
+
+TEST(DeviceMain, ABrokenWorldIsNamedWithItsPlaceAndCodeSix) {
+  const ScratchFolder folder;
+  const std::string world = folder / "broken.toml";
+  files::write_text_file(world, "name = \"broken\"\n[start]\nx_m = \"left\"\n");
+  const Outcome outcome = run({"--world=" + world});
+  EXPECT_EQ(outcome.exit_code, 6);
+  EXPECT_THAT(outcome.error, HasSubstr(world + ":"));
+}
+
+TEST(DeviceMain, WhatDoesNotFitIsCodeSix) {
+  EXPECT_EQ(run({"--start=2.0,1.2,0"}).exit_code, 6) << "in the table";
+  EXPECT_EQ(run({"--start=0.05,1.0,0"}).exit_code, 6) << "too near to the wall";
+  const Outcome unknown = run({"--world=living_rom"});
+  EXPECT_EQ(unknown.exit_code, 6);
+  EXPECT_THAT(unknown.error, HasSubstr("living_room"));
+}
+
+TEST(DeviceMain, AFaultOfTheBoardIsCodeOne) {
+  const DeviceProgram broken{
+      "echomap-fake", false, [](const BoardOptions&) -> std::unique_ptr<SimulatedBoard> {
+        throw std::runtime_error("no such chip");
+      }};
+  const Outcome outcome = run({}, broken);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.error, "echomap-fake: no such chip\n");
+}
+
+}  // namespace
+}  // namespace echomap::runner

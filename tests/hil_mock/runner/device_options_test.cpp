@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/runner/device_options.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+#include "tests/hil_mock/runner/arguments.hpp"
+
+namespace echomap::runner {
+namespace {
+
+std::variant<DeviceOptions, int> read(Arguments arguments, bool takes_firmware = false) {
+  return read_device_options(
+      arguments.argc(), arguments.argv(), {"echomap-fake", takes_firmware, {}});
+}
+
+TEST(DeviceOptions, DefaultsAreARealTimeRobotInTheLivingRoom) {
+  const auto options = std::get<DeviceOptions>(read({}));
+  EXPECT_EQ(options.world, "living_room");
+  EXPECT_EQ(options.robot, "uno_2wd");
+  EXPECT_EQ(options.speed, 1.0);
+  EXPECT_EQ(options.link.string().rfind("/tmp/echomap-", 0), 0U);
+  EXPECT_FALSE(options.tcp_port);
+  EXPECT_TRUE(std::isinf(options.duration_s));
+}
+
+TEST(DeviceOptions, UnderstandsEveryOption) {
+  const auto options = std::get<DeviceOptions>(read({"--world=l_room",
+                                                     "--robot=nxt_tribot",
+                                                     "--tcp=4000",
+                                                     "--speed=max",
+                                                     "--seed=9",
+                                                     "--truth=out",
+                                                     "--start=1.5,-2,90",
+                                                     "--duration=2.5"}));
+  EXPECT_EQ(options.world, "l_room");
+  EXPECT_EQ(options.robot, "nxt_tribot");
+  EXPECT_EQ(options.tcp_port, 4000);
+  EXPECT_TRUE(std::isinf(options.speed));
+  EXPECT_EQ(options.seed, 9U);
+  EXPECT_EQ(options.truth, "out");
+  EXPECT_EQ(options.T_world_start->y_m(), -2.0);
+  EXPECT_NEAR(options.T_world_start->heading_rad(), geometry::radians(90.0), 1e-12);
+  EXPECT_EQ(options.duration_s, 2.5);
+}
+
+TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
+  for (const std::string wrong : {"--speed=0",
+                                  "--speed=fast",
+                                  "--speed=inf",
+                                  "--start=1,2",
+                                  "--tcp=70000",
+                                  "--duration=-1",
+                                  "--nonsense",
+                                  "--firmware=x.elf"}) {
+    EXPECT_EQ(std::get<int>(read({wrong})), 2) << wrong;
+  }
+  EXPECT_EQ(std::get<int>(read({"--lockstep=s", "--speed=2"})), 2);
+  EXPECT_EQ(std::get<int>(read({"--firmware=/no/such.elf"}, true)), 2);
+}
+
+TEST(DeviceOptions, HelpAndVersionGoToStdout) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(std::get<int>(read({"--version"})), 0);
+  EXPECT_EQ(std::get<int>(read({"--help"})), 0);
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(text.rfind("echomap-fake ", 0), 0U);
+  EXPECT_THAT(text, testing::HasSubstr("--lockstep"));
+}
+
+}  // namespace
+}  // namespace echomap::runner

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hil_mock/runner/simulated_board.hpp"
+
+namespace echomap::runner {
+
+/// A board without a program: the test sets its pins and looks at what reaches them. It sends back
+/// every byte that it receives, and stops its motors at `stop_at_ns`.
+class FakeBoard : public SimulatedBoard {
+ public:
+  struct Edge {
+    std::int64_t at_ns;
+    bool a;
+    bool b;
+  };
+  struct Echo {
+    std::int64_t rise_ns;
+    std::int64_t fall_ns;
+  };
+
+  std::int64_t now_ns() const override { return time_ns; }
+  void run_until(std::int64_t until_ns) override {
+    time_ns = until_ns;
+    for (const std::uint8_t byte : received) {
+      on_sent(byte);
+    }
+    received.clear();
+    if (time_ns >= stop_at_ns) {
+      duty = {};
+    }
+  }
+  void receive(std::span<const std::uint8_t> bytes) override {
+    received.insert(received.end(), bytes.begin(), bytes.end());
+    received_at_ns = time_ns;
+  }
+  MotorDuty motor_duty() const override { return duty; }
+  double pan_pulse_us() const override { return pulse_us; }
+  void schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) override {
+    (wheel == Wheel::kLeft ? left_edges : right_edges).push_back({at_ns, a, b});
+    early_edges += at_ns < time_ns ? 1 : 0;
+  }
+  void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override {
+    echoes.push_back({rise_ns, fall_ns});
+  }
+  void set_bump(Wheel side, bool pressed) override {
+    (side == Wheel::kLeft ? left_bump : right_bump) = pressed;
+  }
+  std::string firmware_name() const override { return "fake 1.0"; }
+  std::string emulator_name() const override { return "none"; }
+
+  std::int64_t time_ns = 0;
+  std::int64_t stop_at_ns = INT64_MAX;
+  std::int64_t received_at_ns = -1;
+  MotorDuty duty;
+  double pulse_us = 0.0;
+  std::vector<std::uint8_t> received;
+  std::vector<Edge> left_edges;
+  std::vector<Edge> right_edges;
+  int early_edges = 0;
+  std::vector<Echo> echoes;
+  bool left_bump = false;
+  bool right_bump = false;
+};
+
+}  // namespace echomap::runner

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/runner/lockstep_server.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <poll.h>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/hil_mock/runner/scratch_folder.hpp"
+#include "tests/hil_mock/runner/test_host.hpp"
+
+namespace echomap::runner {
+namespace {
+
+std::optional<LockstepRequest> wait_for_request(LockstepServer& server) {
+  std::optional<LockstepRequest> request;
+  for (int i = 0; i < 100 && !request; ++i) {
+    pollfd readable{server.descriptor(), POLLIN, 0};
+    ::poll(&readable, 1, 50);
+    request = server.take_request();
+  }
+  return request;
+}
+
+TEST(LockstepRequests, AreReadStrictly) {
+  EXPECT_EQ(parse_request("grant 20000 17"), LockstepRequest(Grant{20000, 17}));
+  EXPECT_EQ(parse_request("quit"), LockstepRequest(Quit{}));
+  for (const std::string line :
+       {"", "grant", "grant 1", "grant 1 -2", "grant 1 2 3", "grant  1 2", "grant x 2", "quit!"}) {
+    EXPECT_EQ(parse_request(line), LockstepRequest(BadRequest{line})) << line;
+  }
+}
+
+TEST(LockstepServer, GreetsTakesGrantsAndAnswers) {
+  const ScratchFolder folder;
+  LockstepServer server(folder / "lockstep", R"({"lockstep":1})");
+  TestHost host = TestHost::connect_local(folder / "lockstep");
+  host.write("grant 1000 0\ngrant 2000 5\nqu");
+  EXPECT_EQ(wait_for_request(server), LockstepRequest(Grant{1000, 0}));
+  EXPECT_EQ(host.read_line(), R"({"lockstep":1})");
+  server.send_reached(1000, 42);
+  EXPECT_EQ(host.read_line(), "reached 1000 42");
+  EXPECT_EQ(wait_for_request(server), LockstepRequest(Grant{2000, 5}));
+  EXPECT_EQ(server.take_request(), std::nullopt) << "half a line is none";
+  host.write("it\n");
+  EXPECT_EQ(wait_for_request(server), LockstepRequest(Quit{}));
+  server.send_bye();
+  EXPECT_EQ(host.read_line(), "bye");
+}
+
+TEST(LockstepServer, LastWordsOfAHostThatIsGoneStillCount) {
+  const ScratchFolder folder;
+  LockstepServer server(folder / "lockstep", "hello");
+  TestHost host = TestHost::connect_local(folder / "lockstep");
+  host.write("grant 1000 0\n");
+  host.close();
+  EXPECT_EQ(wait_for_request(server), LockstepRequest(Grant{1000, 0}));
+  server.send_reached(1000, 0);
+  EXPECT_EQ(wait_for_request(server), LockstepRequest(HostGone{}));
+}
+
+TEST(LockstepServer, RemovesItsSocket) {
+  const ScratchFolder folder;
+  {
+    const LockstepServer server(folder / "lockstep", "hello");
+    EXPECT_TRUE(std::filesystem::is_socket(folder / "lockstep"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "lockstep"));
+}
+
+}  // namespace
+}  // namespace echomap::runner

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/runner/truth_files.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+#include "tests/hil_mock/runner/fake_board.hpp"
+#include "tests/hil_mock/runner/scratch_folder.hpp"
+#include "tests/hil_mock/world/rooms.hpp"
+
+namespace echomap::runner {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class TruthFiles : public testing::Test {
+ protected:
+  TruthFiles() {
+    board_.duty = {0.4, 0.6};
+    simulation_.advance_to(1'000'000'000);
+  }
+
+  std::string written(const std::string& name, const TruthSummary& summary = {}) {
+    write_truth_files(folder_ / "truth", simulation_, summary);
+    return files::read_text_file(folder_ / "truth" / name);
+  }
+
+  ScratchFolder folder_;
+  FakeBoard board_;
+  world::RobotWorld world_{
+      world::box_room({{world::rectangle(1.0, 1.0, 1.5, 1.4), {world::Material::kRough}}}), {}, 1};
+  RobotSimulation simulation_{board_, world_};
+};
+
+TEST_F(TruthFiles, TrajectoryHasEightColumnsAndUnitQuaternions) {
+  std::istringstream file(written("truth.tum"));
+  std::string line;
+  int lines = 0;
+  while (std::getline(file, line)) {
+    EXPECT_EQ(std::count(line.begin(), line.end(), ' '), 7) << line;
+    std::istringstream numbers(line);
+    double t = 0, x = 0, y = 0, z = 0, qx = 0, qy = 0, qz = 0, qw = 0;
+    ASSERT_TRUE(numbers >> t >> x >> y >> z >> qx >> qy >> qz >> qw) << line;
+    EXPECT_NEAR(t, 0.02 * lines, 1e-9);
+    EXPECT_NEAR(qz * qz + qw * qw, 1.0, 1e-8);
+    const geometry::Pose2& truth =
+        simulation_.trajectory()[static_cast<std::size_t>(lines)].T_world_robot;
+    EXPECT_NEAR(2.0 * std::atan2(qz, qw), truth.heading_rad(), 1e-8);
+    EXPECT_NEAR(x, truth.x_m(), 1e-6);
+    ++lines;
+  }
+  EXPECT_EQ(lines, 51);
+}
+
+TEST_F(TruthFiles, MapIsAPgmOfItsSizeByTheRulesOfRos) {
+  const std::string pgm = written("truth_map.pgm");
+  const std::string header = "P5\n420 320\n255\n";
+  ASSERT_EQ(pgm.substr(0, header.size()), header);
+  ASSERT_EQ(pgm.size(), header.size() + 420U * 320U);
+  const auto pixel = [&](double x_m, double y_m) {
+    const auto column = static_cast<std::size_t>((x_m + 0.1) / 0.01);
+    const auto row_from_top = 319U - static_cast<std::size_t>((y_m + 0.1) / 0.01);
+    return static_cast<unsigned char>(pgm[header.size() + row_from_top * 420U + column]);
+  };
+  EXPECT_EQ(pixel(2.505, 2.505), 254);
+  EXPECT_EQ(pixel(1.255, 1.205), 205) << "inside of the obstacle";
+  EXPECT_EQ(pixel(1.255, 1.405), 0) << "its upper side";
+  EXPECT_EQ(pixel(-0.055, 1.005), 205) << "outside";
+  const std::string yaml = written("truth_map.yaml");
+  EXPECT_THAT(yaml, HasSubstr("image: truth_map.pgm\n"));
+  EXPECT_THAT(yaml, HasSubstr("resolution: 0.01\norigin: [-0.1, -0.1, 0]\n"));
+  EXPECT_THAT(yaml, HasSubstr("free_thresh: 0.196\n"));
+}
+
+TEST_F(TruthFiles, WallsAreLineStrings) {
+  const json walls = json::parse(written("truth_walls.geojson"));
+  EXPECT_EQ(walls["type"], "FeatureCollection");
+  ASSERT_EQ(walls["features"].size(), 8U);
+  const json& first = walls["features"][0]["geometry"];
+  EXPECT_EQ(first["type"], "LineString");
+  EXPECT_EQ(first["coordinates"], json::parse("[[0.0, 0.0], [4.0, 0.0]]"));
+}
+
+TEST_F(TruthFiles, SummarySaysWhatRan) {
+  const json quiet =
+      json::parse(written("truth.json", {.seed = 12, .dropped_bytes = 3, .stop = {}}));
+  EXPECT_EQ(quiet["world"], "box");
+  EXPECT_EQ(quiet["robot"], "uno_2wd");
+  EXPECT_EQ(quiet["seed"], 12);
+  EXPECT_EQ(quiet["firmware"], "fake 1.0");
+  EXPECT_DOUBLE_EQ(quiet["sim_seconds"].get<double>(), 1.0);
+  EXPECT_EQ(quiet["left_counts"], board_.left_edges.size());
+  EXPECT_TRUE(quiet["stop"].is_null());
+  const json vanished =
+      json::parse(written("truth.json", {1, 0, StopReport{1'000'000, 200'000'000}}));
+  EXPECT_EQ(vanished["stop"]["stopped_after_ns"], 200'000'000);
+  EXPECT_EQ(vanished["stop"]["stopped_after_cycles"], 3'200'000);
+}
+
+TEST(StopReport, SaysWhenTheWheelsStopped) {
+  EXPECT_THAT(describe(StopReport{0, 250'000'000}), HasSubstr("0.25"));
+  EXPECT_THAT(describe(StopReport{0, 250'000'000}), HasSubstr("4000000 CPU cycles"));
+  EXPECT_THAT(describe(StopReport{0, std::nullopt}), HasSubstr("still driven"));
+}
+
+}  // namespace
+}  // namespace echomap::runner
