@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "protocol/version.hpp"
+#include "tests/hil/release_images.hpp"
+#include "tests/hil/robot_session.hpp"
+
+namespace echomap::tests {
+namespace {
+
+using emulator::ResetSource;
+using protocol::CommandStatus;
+
+/// The same on each baud rate for which a release image exists.
+class ReleaseImage : public ::testing::TestWithParam<const char*> {
+ protected:
+  RobotSession robot_{release_image(GetParam())};
+};
+
+INSTANTIATE_TEST_SUITE_P(Bauds,
+                         ReleaseImage,
+                         ::testing::Values("echomap-uno",
+                                           "echomap-uno-250000",
+                                           "echomap-uno-500000"));
+
+TEST_P(ReleaseImage, SaysHelloUnaskedAfterPowerOn) {
+  robot_.run_ms(50);
+  const auto reply = robot_.last<protocol::HelloReply>();
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->session, 0);
+  EXPECT_EQ(reply->reset_cause, protocol::kResetPowerOn);
+  EXPECT_EQ(robot_.heard().size(), 1U) << "telemetry before a host said Hello";
+  const double first_ms = double(robot_.heard().front().at_ns) * 1e-6;
+  RecordProperty("hello_after_ms", std::to_string(first_ms));
+  std::printf("%s: unasked Hello %.2f ms after power-on\n", GetParam(), first_ms);
+}
+
+TEST_P(ReleaseImage, AnswersHelloWithItsSchema) {
+  const auto reply = robot_.connect();
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->protocol_major, protocol::kProtocolMajor);
+  EXPECT_EQ(reply->schema_digest, protocol::kSchemaDigest);
+  EXPECT_EQ(reply->firmware_version, protocol::kFirmwareVersion);
+  EXPECT_EQ(reply->tick_hz, 1000);
+  EXPECT_GE(reply->receive_credit_bytes, 64);
+}
+
+TEST_P(ReleaseImage, StreamsOdometryAndAnswersEveryPing) {
+  ASSERT_TRUE(robot_.connect());
+  robot_.forget_heard();
+  std::uint32_t pings = 0;
+  robot_.each_ms = [&] {
+    if (robot_.board().now_ns() / 1'000'000 % 10 == 0) {
+      robot_.send(protocol::Ping{++pings});
+    }
+  };
+  robot_.run_ms(1000);
+  robot_.each_ms = nullptr;
+  robot_.run_ms(10);
+  const auto pongs = robot_.all<protocol::Pong>();
+  ASSERT_EQ(pongs.size(), pings);
+  for (std::uint32_t i = 0; i < pings; ++i) {
+    EXPECT_EQ(pongs[i].token, i + 1);
+  }
+  EXPECT_NEAR(double(robot_.all<protocol::Odometry>().size()), 50.0, 1.0);
+  EXPECT_EQ(robot_.counters().frames_bad(), 0);
+  EXPECT_EQ(robot_.counters().frames_lost(), 0);
+  const auto status = robot_.last<protocol::Status>();
+  ASSERT_TRUE(status);
+  EXPECT_EQ(status->frames_bad, 0);
+  EXPECT_EQ(status->frames_lost, 0);
+  EXPECT_EQ(status->receive_overruns, 0);
+}
+
+TEST(Reset, PowerCutStartsCountsAndSessionAnew) {
+  RobotSession robot(release_image());
+  const auto before = robot.connect();
+  ASSERT_TRUE(before);
+  robot.board().schedule_encoder_edge(runner::Wheel::kLeft, robot.board().now_ns(), true, false);
+  robot.run_ms(30);
+  ASSERT_EQ(robot.last<protocol::Odometry>()->left_ticks, 1);
+
+  robot.forget_heard();
+  robot.board().machine().reset(ResetSource::kPowerOn);
+  robot.run_ms(100);
+  ASSERT_EQ(robot.heard().size(), 1U) << "telemetry before a host said Hello";
+  EXPECT_EQ(robot.last<protocol::HelloReply>()->reset_cause, protocol::kResetPowerOn);
+  EXPECT_EQ(robot.last<protocol::HelloReply>()->session, 0);
+  ASSERT_TRUE(robot.connect(4712));
+  robot.run_ms(30);
+  EXPECT_EQ(robot.last<protocol::Odometry>()->left_ticks, 0) << "counts are since the reset";
+}
+
+TEST(Reset, ResetPinMakesANewBootAndForgetsArming) {
+  RobotSession robot(release_image());
+  const auto before = robot.connect();
+  ASSERT_TRUE(before);
+  ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+  robot.board().machine().reset(ResetSource::kExternal);
+  const auto after = robot.connect();
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->reset_cause, protocol::kResetExternal);
+  EXPECT_NE(after->boot_id, before->boot_id);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, 100, 100, 500, 0}), CommandStatus::kDisarmed);
+}
+
+TEST(Clock, OdometryComesOnTheTickAndTheStampIsSimulatedTime) {
+  constexpr std::int64_t kPeriodUs = 20'000;
+  constexpr std::int64_t kMostLateUs = 250;
+  RobotSession robot(release_image());
+  ASSERT_TRUE(robot.connect());
+  robot.forget_heard();
+  robot.run_ms(5000);
+  std::vector<std::int64_t> stamps_us;
+  std::int64_t slowest_us = 0;
+  for (const Heard& heard : robot.heard()) {
+    if (const auto* sample = std::get_if<protocol::Odometry>(&heard.message)) {
+      stamps_us.push_back(sample->stamp_us);
+      EXPECT_GT(heard.at_ns / 1000, stamps_us.back());
+      slowest_us = std::max(slowest_us, heard.at_ns / 1000 - stamps_us.back());
+    }
+  }
+  ASSERT_NEAR(double(stamps_us.size()), 250.0, 1.0);
+  std::int64_t worst_us = 0;
+  for (std::size_t i = 0; i < stamps_us.size(); ++i) {
+    const std::int64_t due_us = stamps_us[0] + std::int64_t(i) * kPeriodUs;
+    worst_us = std::max(worst_us, std::abs(stamps_us[i] - due_us));
+  }
+  std::printf(
+      "clock: odometry within %lld us of its period over 5 s, heard at most %lld us after its "
+      "stamp\n",
+      static_cast<long long>(worst_us),
+      static_cast<long long>(slowest_us));
+  EXPECT_LE(worst_us, kMostLateUs);
+  EXPECT_LT(slowest_us, 6000) << "one Status may be in front of it";
+}
+
+}  // namespace
+}  // namespace echomap::tests

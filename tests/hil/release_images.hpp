@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace echomap::tests {
+
+/// An image of this build's firmware: "echomap-uno", "echomap-uno-250000", ..
+inline std::filesystem::path release_image(const std::string& name) {
+  return std::filesystem::path(ECHOMAP_BINARY_DIR) / "firmware" / (name + ".elf");
+}
+
+/// The image that a user flashes.
+inline std::filesystem::path release_image() { return release_image("echomap-uno"); }
+
+}  // namespace echomap::tests

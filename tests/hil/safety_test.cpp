@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "hil_mock/emulator/atmega328p.hpp"
+#include "tests/hil/release_images.hpp"
+#include "tests/hil/robot_session.hpp"
+#include "tests/hil/turning_wheel.hpp"
+
+namespace echomap::tests {
+namespace {
+
+using protocol::CommandStatus;
+using protocol::MotionOutcome;
+using runner::Wheel;
+
+constexpr std::uint16_t kTimeToLiveMs = 200;
+constexpr std::int16_t kTicksPerS = 1500;
+constexpr double kCyclesPerMs = 16'000.0;
+/// From 1500 to 0 ticks/s at the default 6000 ticks/s2, and one period of tick and control each.
+constexpr double kRampMs = 250.0;
+constexpr double kPeriodsMs = 5.0;
+
+/// A robot on the move: connected, armed, both motors turning their wheels.
+class MovingRobot : public ::testing::Test {
+ protected:
+  MovingRobot() {
+    robot_.each_ms = [this] {
+      left_.step_ms();
+      right_.step_ms();
+      if (renewing_ && robot_.board().now_ns() / 1'000'000 % 50 == 0) {
+        robot_.send(protocol::KeepAlive{kTimeToLiveMs});
+      }
+    };
+  }
+
+  void connect_and_arm() {
+    ASSERT_TRUE(robot_.connect());
+    ASSERT_EQ(robot_.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+  }
+
+  void drive() {
+    connect_and_arm();
+    robot_.send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
+    renewing_ = true;
+    robot_.run_ms(1000);
+    ASSERT_NEAR(left_.ticks_per_s(), kTicksPerS, 50);
+    ASSERT_NEAR(right_.ticks_per_s(), kTicksPerS, 50);
+  }
+
+  bool off() {
+    const runner::MotorDuty duty = robot_.board().motor_duty();
+    return duty.left == 0.0 && duty.right == 0.0;
+  }
+
+  /// Milliseconds, counted in cycles, from now until both PWM outputs are off for good; a
+  /// controller that brakes passes through 0 on its way.
+  double ms_until_off(std::int64_t watched_ms) {
+    const std::uint64_t start = robot_.cycle();
+    std::uint64_t last_on = start;
+    robot_.run_until(
+        [&] {
+          last_on = off() ? last_on : robot_.cycle();
+          return false;
+        },
+        watched_ms);
+    EXPECT_TRUE(off());
+    return double(last_on - start) / kCyclesPerMs;
+  }
+
+  void expect_off_for(std::int64_t ms) {
+    for (std::int64_t i = 0; i < ms; ++i) {
+      robot_.run_ms(1);
+      ASSERT_TRUE(off()) << "on again after " << i << " ms";
+    }
+  }
+
+  MotionOutcome outcome() {
+    return static_cast<MotionOutcome>(robot_.last<protocol::Status>()->move_outcome);
+  }
+
+  RobotSession robot_{release_image()};
+  DrivenWheel left_{robot_.board(), Wheel::kLeft};
+  DrivenWheel right_{robot_.board(), Wheel::kRight};
+  bool renewing_ = false;
+};
+
+TEST_F(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
+  drive();
+  renewing_ = false;
+  robot_.send(protocol::KeepAlive{kTimeToLiveMs});
+  robot_.run_ms(1);  // the frame's eight bytes at 115200 baud
+  const double ms = ms_until_off(1500);
+  RecordProperty("off_after_keep_alive_ms", std::to_string(ms));
+  std::printf("time to live %d ms: PWM off %.2f ms (%.0f cycles) after the last KeepAlive\n",
+              kTimeToLiveMs,
+              ms,
+              ms * kCyclesPerMs);
+  EXPECT_GT(ms, kTimeToLiveMs - 2.0);
+  EXPECT_LE(ms, kTimeToLiveMs + kRampMs + kPeriodsMs);
+  EXPECT_EQ(outcome(), MotionOutcome::kExpired);
+}
+
+TEST_F(MovingRobot, MoveExpiresToo) {
+  connect_and_arm();
+  ASSERT_EQ(robot_.command(protocol::MoveTicks{0, 20000, 20000, 1500, kTimeToLiveMs}),
+            CommandStatus::kAccepted);
+  const double ms = ms_until_off(2000);
+  std::printf("time to live %d ms: move without KeepAlive off after %.2f ms\n", kTimeToLiveMs, ms);
+  EXPECT_LE(ms, kTimeToLiveMs + kRampMs + kPeriodsMs);
+  EXPECT_EQ(outcome(), MotionOutcome::kExpired);
+}
+
+TEST_F(MovingRobot, KeepsMovingAsLongAsTheHostRenews) {
+  drive();
+  for (int i = 0; i < 2000; ++i) {
+    robot_.run_ms(1);
+    ASSERT_FALSE(off());
+  }
+}
+
+TEST_F(MovingRobot, MoveEndsAtItsCount) {
+  connect_and_arm();
+  renewing_ = true;
+  ASSERT_EQ(robot_.command(protocol::MoveTicks{0, 3000, -1000, 1500, kTimeToLiveMs}),
+            CommandStatus::kAccepted);
+  robot_.run_ms(4000);
+  EXPECT_EQ(outcome(), MotionOutcome::kReached);
+  std::printf("move of 3000, -1000 ticks ended at %lld, %lld\n",
+              static_cast<long long>(left_.count()),
+              static_cast<long long>(right_.count()));
+  EXPECT_NEAR(double(left_.count()), 3000, 20);
+  EXPECT_NEAR(double(right_.count()), -1000, 20);
+  const auto odometry = robot_.last<protocol::Odometry>();
+  EXPECT_EQ(odometry->left_ticks, left_.count());
+  EXPECT_EQ(odometry->right_ticks, right_.count());
+}
+
+class BumpedRobot : public MovingRobot, public ::testing::WithParamInterface<Wheel> {};
+
+INSTANTIATE_TEST_SUITE_P(Sides, BumpedRobot, ::testing::Values(Wheel::kLeft, Wheel::kRight));
+
+TEST_P(BumpedRobot, PwmIsOffWithinTwoMilliseconds) {
+  drive();
+  robot_.board().set_bump(GetParam(), true);
+  const double ms = ms_until_off(500);
+  std::printf("bump: PWM off after %.3f ms\n", ms);
+  RecordProperty("off_after_bump_ms", std::to_string(ms));
+  EXPECT_LE(ms, 2.0);
+  EXPECT_EQ(outcome(), MotionOutcome::kBumped);
+  EXPECT_EQ(robot_.command(protocol::MoveTicks{0, 500, 500, 800, 200}), CommandStatus::kBlocked);
+  EXPECT_EQ(robot_.command(protocol::MoveTicks{0, -500, -500, 800, 200}), CommandStatus::kAccepted);
+}
+
+class HungRobot : public MovingRobot {
+ protected:
+  /// After a hang: PWM off by the watchdog's interrupt, then a reset that disarms.
+  void expect_watchdog_reset() {
+    renewing_ = false;
+    robot_.forget_heard();
+    const std::uint64_t start = robot_.cycle();
+    const auto ms_since = [&] { return double(robot_.cycle() - start) / kCyclesPerMs; };
+    ASSERT_TRUE(robot_.run_until([this] { return off(); }, 400));
+    const double off_ms = ms_since();
+    EXPECT_EQ(machine().resets(), 0U) << "PWM goes off before the reset";
+    ASSERT_TRUE(robot_.run_until([this] { return !off() || machine().resets() != 0; }, 400));
+    EXPECT_TRUE(off());
+    const double reset_ms = ms_since();
+    std::printf("watchdog: PWM off %.1f ms, reset %.1f ms after the hang\n", off_ms, reset_ms);
+    RecordProperty("off_after_hang_ms", std::to_string(off_ms));
+    EXPECT_LE(off_ms, 150.0);
+    EXPECT_LE(reset_ms, 300.0);
+    expect_off_for(50);
+    ASSERT_TRUE(robot_.last<protocol::HelloReply>());
+    EXPECT_EQ(robot_.last<protocol::HelloReply>()->reset_cause, protocol::kResetWatchdog);
+  }
+
+  void expect_disarmed() {
+    ASSERT_TRUE(robot_.connect(4712));
+    EXPECT_EQ(robot_.command(protocol::MoveTicks{0, 100, 100, 500, 0}), CommandStatus::kDisarmed);
+    robot_.send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
+    expect_off_for(100);
+    EXPECT_EQ(robot_.last<protocol::Odometry>()->flags & protocol::kFlagArmed, 0);
+  }
+
+  emulator::AvrMachine& machine() { return robot_.board().machine(); }
+};
+
+TEST_F(HungRobot, WithoutTicksIsResetAndDisarmed) {
+  drive();
+  machine().core().data[emulator::atmega328p::kTimsk2] = 0;
+  expect_watchdog_reset();
+  expect_disarmed();
+}
+
+TEST_F(HungRobot, MainLoopThatHangsIsResetAndDisarmed) {
+  drive();
+  avr_t& core = machine().core();
+  const std::uint32_t trap = core.flashend - 1;
+  constexpr std::uint8_t kJumpToItself[] = {0xFF, 0xCF};  // rjmp .
+  core.flash[trap] = kJumpToItself[0];
+  core.flash[trap + 1] = kJumpToItself[1];
+  core.pc = trap;
+  core.state = cpu_Running;
+  expect_watchdog_reset();
+  expect_disarmed();
+}
+
+}  // namespace
+}  // namespace echomap::tests
