@@ -20,8 +20,10 @@ struct TruthSummary {
   std::optional<StopReport> stop;
 };
 
-/// Writes truth.tum, truth_map.pgm, truth_map.yaml, truth_walls.geojson and truth.json into
-/// `directory` (docs/guides/truth_files.md); each is whole or not there. Throws files::FileError.
+/// Writes into `directory`, each file whole or not at all, in the world frame:
+/// truth.tum (`t x y z qx qy qz qw` in simulated seconds and metres, 50 Hz), truth_map.pgm and
+/// truth_map.yaml (ROS map_server, cells of 1 cm), truth_walls.geojson (a LineString for each wall,
+/// metres) and truth.json (what ran). Throws files::FileError.
 void write_truth_files(const std::filesystem::path& directory,
                        const RobotSimulation& simulation,
                        const TruthSummary& summary);

@@ -6,8 +6,9 @@
 
 namespace echomap::world {
 
-/// Reads a room from TOML (docs/guides/worlds.md). Throws files::ConfigError, with file, line and
-/// column, for anything that FloorPlan would refuse and for every unknown key.
+/// Reads a room from TOML; hil_mock/worlds/living_room.toml shows the keys. Throws
+/// files::ConfigError, with file, line and column, for anything that FloorPlan would refuse and for
+/// every unknown key.
 FloorPlan read_floor_plan(const files::TomlReader& file);
 
 }  // namespace echomap::world
