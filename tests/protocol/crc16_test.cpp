@@ -9,7 +9,7 @@
 namespace echomap::protocol {
 namespace {
 
-const auto* const kCheck = reinterpret_cast<const std::uint8_t*>("123456789");
+const auto* const check_text = reinterpret_cast<const std::uint8_t*>("123456789");
 
 /// Polynomial 0x1021 reflected, one bit at a time, as the catalogues define it.
 std::uint16_t bitwise_update(std::uint16_t crc, std::uint8_t byte) {
@@ -22,14 +22,14 @@ std::uint16_t bitwise_update(std::uint16_t crc, std::uint8_t byte) {
 
 // The check values are those of the catalogue of parametrised CRC algorithms
 // (reveng.sourceforge.io).
-TEST(Crc16, GivesTheCheckValueOfX25) { EXPECT_EQ(crc16(kCheck, 9, 0xFFFF), 0x906E); }
+TEST(Crc16, GivesTheCheckValueOfX25) { EXPECT_EQ(crc16(check_text, 9, 0xFFFF), 0x906E); }
 
 TEST(Crc16, GivesTheCheckValueOfKermitWithoutTheComplement) {
-  EXPECT_EQ(static_cast<std::uint16_t>(~crc16(kCheck, 9, 0x0000)), 0x2189);
+  EXPECT_EQ(static_cast<std::uint16_t>(~crc16(check_text, 9, 0x0000)), 0x2189);
 }
 
 TEST(Crc16, GivesTheCheckValueOfMcrf4xxWithoutTheComplement) {
-  EXPECT_EQ(static_cast<std::uint16_t>(~crc16(kCheck, 9, 0xFFFF)), 0x6F91);
+  EXPECT_EQ(static_cast<std::uint16_t>(~crc16(check_text, 9, 0xFFFF)), 0x6F91);
 }
 
 TEST(Crc16, OneStepEqualsEightBitwiseStepsForEveryStateAndByte) {
@@ -43,10 +43,12 @@ TEST(Crc16, OneStepEqualsEightBitwiseStepsForEveryStateAndByte) {
 }
 
 TEST(Crc16, IsTheComplementedSeedOverNothing) {
-  EXPECT_EQ(crc16(kCheck, 0, 0x1234), static_cast<std::uint16_t>(~0x1234));
+  EXPECT_EQ(crc16(check_text, 0, 0x1234), static_cast<std::uint16_t>(~0x1234));
 }
 
-TEST(Crc16, DiffersForEverySeed) { EXPECT_NE(crc16(kCheck, 9, 0x1234), crc16(kCheck, 9, 0x1235)); }
+TEST(Crc16, DiffersForEverySeed) {
+  EXPECT_NE(crc16(check_text, 9, 0x1234), crc16(check_text, 9, 0x1235));
+}
 
 }  // namespace
 }  // namespace echomap::protocol

@@ -19,9 +19,9 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using Status = DecodeStatus;
 
-const Bytes kOdometry = frame_of(Odometry{1234567, 321, -256, 3}, 7);
-const Bytes kStop = frame_of(Stop{17}, 8);
-const Bytes kPing = frame_of(Ping{0x12345678}, 9);
+const Bytes odometry_frame = frame_of(Odometry{1234567, 321, -256, 3}, 7);
+const Bytes stop_frame = frame_of(Stop{17}, 8);
+const Bytes ping_frame = frame_of(Ping{0x12345678}, 9);
 
 Bytes joined(std::initializer_list<Bytes> parts) {
   Bytes bytes;
@@ -45,20 +45,20 @@ Bytes without(Bytes bytes, std::size_t at) {
 
 TEST(FrameDecoder, TakesAFrameAndSaysNothingBeforeItsEnd) {
   FrameDecoder decoder(AllMessages::find_schema);
-  for (std::size_t i = 0; i + 1 < kStop.size(); ++i) {
-    ASSERT_EQ(decoder.take(kStop[i]), Status::kIncomplete);
+  for (std::size_t i = 0; i + 1 < stop_frame.size(); ++i) {
+    ASSERT_EQ(decoder.take(stop_frame[i]), Status::kIncomplete);
   }
-  EXPECT_EQ(decoder.take(kStop.back()), Status::kFrame);
+  EXPECT_EQ(decoder.take(stop_frame.back()), Status::kFrame);
 }
 
 TEST(FrameDecoder, PassesOverDelimitersInARow) {
   EXPECT_THAT(outcomes({0, 0, 0}), IsEmpty());
-  EXPECT_THAT(outcomes(joined({{0, 0}, kStop, {0, 0}, kPing, {0}})),
+  EXPECT_THAT(outcomes(joined({{0, 0}, stop_frame, {0, 0}, ping_frame, {0}})),
               ElementsAre(Status::kFrame, Status::kFrame));
 }
 
 TEST(FrameDecoder, RefusesWhatIsLongerThanAnyFrame) {
-  EXPECT_THAT(outcomes(joined({Bytes(200, 0x55), {0}, kStop})),
+  EXPECT_THAT(outcomes(joined({Bytes(200, 0x55), {0}, stop_frame})),
               ElementsAre(Status::kTooLong, Status::kFrame));
 }
 
@@ -74,9 +74,9 @@ TEST(FrameDecoder, RefusesABlockOneByteTooLong) {
 }
 
 TEST(FrameDecoder, RefusesADelimiterInsideARun) {
-  for (std::size_t keep = 1; keep + 1 < kPing.size(); ++keep) {
-    Bytes cut(kPing.begin(), kPing.begin() + static_cast<std::ptrdiff_t>(keep));
-    EXPECT_THAT(outcomes(joined({cut, {0}, kStop})),
+  for (std::size_t keep = 1; keep + 1 < ping_frame.size(); ++keep) {
+    Bytes cut(ping_frame.begin(), ping_frame.begin() + static_cast<std::ptrdiff_t>(keep));
+    EXPECT_THAT(outcomes(joined({cut, {0}, stop_frame})),
                 ElementsAre(Status::kTruncated, Status::kFrame))
         << keep;
   }
@@ -89,7 +89,7 @@ TEST(FrameDecoder, RefusesABlockWithoutRoomForIdSequenceAndCrc) {
 
 TEST(FrameDecoder, RefusesAnIdThatIsNotItsReceivers) {
   FrameDecoder robot(MessagesToRobot::find_schema);
-  EXPECT_THAT(outcomes(robot, joined({kOdometry, kStop})),
+  EXPECT_THAT(outcomes(robot, joined({odometry_frame, stop_frame})),
               ElementsAre(Status::kUnknownId, Status::kFrame));
 }
 
@@ -155,16 +155,16 @@ std::vector<int> taken(const Bytes& bytes) {
 /// Puts the damaged middle frame (seq 8) between others; the neighbour is the one after it.
 void expect_only_frame_and_neighbour_lost(const Bytes& damaged, const std::string& fault) {
   const Bytes after = frame_of(Pong{1, 2}, 10);
-  const std::vector<int> seqs = taken(joined({kOdometry, damaged, kPing, after}));
+  const std::vector<int> seqs = taken(joined({odometry_frame, damaged, ping_frame, after}));
   EXPECT_THAT(seqs, testing::AnyOf(ElementsAre(7, 9, 10), ElementsAre(7, 10))) << fault;
 }
 
 TEST(FrameDecoder, OneWrongByteCostsAtMostItsFrameAndTheNext) {
-  for (std::size_t at = 0; at < kStop.size(); ++at) {
+  for (std::size_t at = 0; at < stop_frame.size(); ++at) {
     for (unsigned value = 0; value <= 0xFF; ++value) {
-      Bytes damaged = kStop;
+      Bytes damaged = stop_frame;
       damaged[at] = static_cast<std::uint8_t>(value);
-      if (damaged != kStop) {
+      if (damaged != stop_frame) {
         expect_only_frame_and_neighbour_lost(
             damaged, "byte " + std::to_string(at) + " = " + std::to_string(value));
       }
@@ -173,15 +173,16 @@ TEST(FrameDecoder, OneWrongByteCostsAtMostItsFrameAndTheNext) {
 }
 
 TEST(FrameDecoder, OneLostByteCostsAtMostItsFrameAndTheNext) {
-  for (std::size_t at = 0; at < kStop.size(); ++at) {
-    expect_only_frame_and_neighbour_lost(without(kStop, at), "lost byte " + std::to_string(at));
+  for (std::size_t at = 0; at < stop_frame.size(); ++at) {
+    expect_only_frame_and_neighbour_lost(without(stop_frame, at),
+                                         "lost byte " + std::to_string(at));
   }
 }
 
 TEST(FrameDecoder, OneByteTooManyCostsAtMostItsFrameAndTheNext) {
-  for (std::size_t at = 0; at < kStop.size(); ++at) {
+  for (std::size_t at = 0; at < stop_frame.size(); ++at) {
     for (unsigned value = 1; value <= 0xFF; ++value) {
-      Bytes damaged = kStop;
+      Bytes damaged = stop_frame;
       damaged.insert(damaged.begin() + static_cast<std::ptrdiff_t>(at),
                      static_cast<std::uint8_t>(value));
       expect_only_frame_and_neighbour_lost(
@@ -197,14 +198,14 @@ TEST(FrameDecoder, ADelimiterFirstSavesTheFrameAfterAnyNoise) {
     Bytes noise(generator() % 100);
     std::generate(
         noise.begin(), noise.end(), [&] { return static_cast<std::uint8_t>(generator()); });
-    const std::vector<Status> statuses = outcomes(decoder, joined({noise, {0}, kStop}));
+    const std::vector<Status> statuses = outcomes(decoder, joined({noise, {0}, stop_frame}));
     ASSERT_EQ(statuses.back(), Status::kFrame);
     ASSERT_EQ(decoder.frame().seq, 8);
   }
 }
 
 TEST(FrameDecoder, TakesFramesInPiecesOfAnySize) {
-  const Bytes stream = joined({kOdometry, kStop, kPing});
+  const Bytes stream = joined({odometry_frame, stop_frame, ping_frame});
   for (std::size_t cut = 0; cut <= stream.size(); ++cut) {
     FrameDecoder decoder(AllMessages::find_schema);
     const auto middle = stream.begin() + static_cast<std::ptrdiff_t>(cut);

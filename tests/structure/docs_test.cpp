@@ -19,10 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
-const fs::path kRoot = ECHOMAP_SOURCE_DIR;
-const std::string kMark = "<!-- test -->";
+const fs::path tree_root = ECHOMAP_SOURCE_DIR;
+const std::string mark = "<!-- test -->";
 
 struct CommandBlock {
   std::size_t line = 0;  ///< Of its mark, from 1.
@@ -33,7 +32,7 @@ struct CommandBlock {
 std::vector<CommandBlock> command_blocks_of(const std::vector<std::string>& lines) {
   std::vector<CommandBlock> blocks;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i] != kMark) {
+    if (lines[i] != mark) {
       continue;
     }
     CommandBlock block{i + 1, ""};
@@ -53,9 +52,9 @@ std::vector<fs::path> documents() {
   for (const char* name : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"}) {
     paths.emplace_back(name);
   }
-  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(tree_root / "docs")) {
     if (entry.path().extension() == ".md") {
-      paths.push_back(entry.path().lexically_relative(kRoot));
+      paths.push_back(entry.path().lexically_relative(tree_root));
     }
   }
   return paths;
@@ -68,7 +67,7 @@ class Desk {
   Desk() {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "build");
-    for (const auto& entry : fs::directory_iterator(kRoot)) {
+    for (const auto& entry : fs::directory_iterator(tree_root)) {
       const fs::path name = entry.path().filename();
       if (name != "build" && name != "run" && name != ".git") {
         fs::create_symlink(entry.path(), folder_ / name);
@@ -78,7 +77,7 @@ class Desk {
     std::ofstream(folder_ / "run")
         << "#!/bin/sh\n"
         << "[ \"$1\" != demo ] || exec build/release/bin/echomap \"$@\"\n"
-        << "exec " << shell_quoted((kRoot / "run").string()) << " \"$@\"\n";
+        << "exec " << shell_quoted((tree_root / "run").string()) << " \"$@\"\n";
     fs::permissions(folder_ / "run", fs::perms::owner_all);
   }
   ~Desk() { fs::remove_all(folder_); }
@@ -95,7 +94,7 @@ TEST(Documents, EveryMarkedCommandRuns) {
   const Desk desk;
   std::size_t blocks = 0;
   for (const fs::path& document : documents()) {
-    for (const CommandBlock& block : command_blocks_of(read_lines(kRoot / document))) {
+    for (const CommandBlock& block : command_blocks_of(read_lines(tree_root / document))) {
       const ShellResult result = run_shell(block.script, desk.folder());
       EXPECT_EQ(result.exit_code, 0) << document.string() << ":" << block.line << "\n"
                                      << block.script << result.output;
@@ -106,11 +105,12 @@ TEST(Documents, EveryMarkedCommandRuns) {
 }
 
 TEST(Documents, EveryRelativeLinkLeadsToAFile) {
-  static const std::regex kLink(R"(\]\(([^)#:]+)(?:#[^)]*)?\))");
+  static const std::regex link_pattern(R"(\]\(([^)#:]+)(?:#[^)]*)?\))");
   for (const fs::path& document : documents()) {
-    for (const std::string& line : read_lines(kRoot / document)) {
-      for (std::sregex_iterator link(line.begin(), line.end(), kLink), end; link != end; ++link) {
-        const fs::path target = kRoot / document.parent_path() / (*link)[1].str();
+    for (const std::string& line : read_lines(tree_root / document)) {
+      for (std::sregex_iterator link(line.begin(), line.end(), link_pattern), end; link != end;
+           ++link) {
+        const fs::path target = tree_root / document.parent_path() / (*link)[1].str();
         EXPECT_TRUE(fs::exists(target)) << document.string() << ": " << (*link)[1];
       }
     }
@@ -122,12 +122,12 @@ TEST(CommandBlocks, AreThoseWithAMark) {
                                          "```sh",
                                          "rm -r .",
                                          "```",
-                                         kMark,
+                                         mark,
                                          "```sh",
                                          "true",
                                          "echo a",
                                          "```",
-                                         kMark,
+                                         mark,
                                          "```sh",
                                          "```"});
   ASSERT_EQ(blocks.size(), 2U);
@@ -137,12 +137,12 @@ TEST(CommandBlocks, AreThoseWithAMark) {
 }
 
 TEST(CommandBlocks, RefuseAMarkBeforeAnythingElse) {
-  EXPECT_THROW(command_blocks_of({kMark, "", "```sh", "true", "```"}), std::runtime_error);
-  EXPECT_THROW(command_blocks_of({kMark}), std::runtime_error);
+  EXPECT_THROW(command_blocks_of({mark, "", "```sh", "true", "```"}), std::runtime_error);
+  EXPECT_THROW(command_blocks_of({mark}), std::runtime_error);
 }
 
 TEST(CommandBlocks, FailAtTheFirstFailingCommand) {
-  const ShellResult result = run_shell("echo before\nfalse\necho after\n", kRoot);
+  const ShellResult result = run_shell("echo before\nfalse\necho after\n", tree_root);
   EXPECT_NE(result.exit_code, 0);
   EXPECT_THAT(result.output, HasSubstr("before"));
   EXPECT_THAT(result.output, testing::Not(HasSubstr("after")));

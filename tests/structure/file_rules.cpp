@@ -10,7 +10,7 @@ namespace echomap::structure {
 namespace {
 
 constexpr std::size_t kMaxLines = 500;
-const std::string kSpdx = "// SPDX-License-Identifier: ";
+const std::string spdx_start = "// SPDX-License-Identifier: ";
 
 /// The emulator links libsimavr and is GPL-3; all else is MIT.
 std::string licence_of(const std::string& path) {
@@ -48,20 +48,20 @@ bool is_portable_firmware(const std::string& path) {
 /// True where line `index` opens a paragraph of declarations that needs a comment. What is only
 /// announced, specialised or defined here has it elsewhere, and an operator says it itself.
 bool wants_comment(const std::vector<std::string>& lines, std::size_t index) {
-  static const std::regex kDeclaration("[A-Za-z_\\[].*");
-  static const std::regex kNamespace("(inline )?namespace .*\\{");
-  static const std::regex kNeedsNone(
+  static const std::regex declaration("[A-Za-z_\\[].*");
+  static const std::regex namespace_body("(inline )?namespace .*\\{");
+  static const std::regex needs_none(
       "namespace .*|(class|struct|enum class) \\w+;|extern "
       "\"C\".*|.*\\w::\\w+\\(.*|.*\\boperator\\b.*|"
       "template <.*> ?(class|struct) \\w+<.*");
   const std::string& line = lines[index];
   const std::string& before = lines[index - 1];
-  if (!std::regex_match(line, kDeclaration) ||
-      !(before.empty() || std::regex_match(before, kNamespace))) {
+  if (!std::regex_match(line, declaration) ||
+      !(before.empty() || std::regex_match(before, namespace_body))) {
     return false;
   }
   const bool goes_on = line.rfind("template", 0) == 0 && index + 1 < lines.size();
-  return !std::regex_match(goes_on ? line + lines[index + 1] : line, kNeedsNone);
+  return !std::regex_match(goes_on ? line + lines[index + 1] : line, needs_none);
 }
 
 }  // namespace
@@ -69,8 +69,9 @@ bool wants_comment(const std::vector<std::string>& lines, std::size_t index) {
 Problems first_line_problems(const std::vector<SourceFile>& files) {
   Problems problems;
   for (const SourceFile& file : files) {
-    if (file.lines.empty() || file.lines[0] != kSpdx + licence_of(file.path)) {
-      problems.push_back(file.path + ": the first line is not " + kSpdx + licence_of(file.path));
+    if (file.lines.empty() || file.lines[0] != spdx_start + licence_of(file.path)) {
+      problems.push_back(file.path + ": the first line is not " + spdx_start +
+                         licence_of(file.path));
     } else if (is_header(file) && (file.lines.size() < 2 || file.lines[1] != "#pragma once")) {
       problems.push_back(file.path + ": the second line is not #pragma once");
     }
@@ -113,12 +114,12 @@ Problems untested_source_problems(const std::vector<SourceFile>& files,
 }
 
 Problems folder_name_problems(const std::vector<SourceFile>& files) {
-  static const std::set<std::string> kNoPurpose{
+  static const std::set<std::string> no_purpose{
       "util", "utils", "common", "core", "helpers", "misc"};
   Problems problems;
   for (const SourceFile& file : files) {
     for (const auto& part : std::filesystem::path(file.path).parent_path()) {
-      if (kNoPurpose.count(part.string()) > 0) {
+      if (no_purpose.count(part.string()) > 0) {
         problems.push_back(file.path + ": a folder named " + part.string() + " has no purpose");
       }
     }
@@ -127,13 +128,13 @@ Problems folder_name_problems(const std::vector<SourceFile>& files) {
 }
 
 Problems portability_problems(const std::vector<SourceFile>& files) {
-  static const std::regex kCppHeader("^\\s*#\\s*include\\s*<[^.>]*>");
-  static const std::regex kStd("^(?!\\s*//).*\\bstd::");
+  static const std::regex cpp_header("^\\s*#\\s*include\\s*<[^.>]*>");
+  static const std::regex of_std("^(?!\\s*//).*\\bstd::");
   Problems problems;
   for (const SourceFile& file : files) {
     if (is_portable_firmware(file.path)) {
-      find_in_lines(file, kCppHeader, "avr-g++ has no C++ headers", problems);
-      find_in_lines(file, kStd, "avr-g++ has no namespace std", problems);
+      find_in_lines(file, cpp_header, "avr-g++ has no C++ headers", problems);
+      find_in_lines(file, of_std, "avr-g++ has no namespace std", problems);
     }
   }
   return problems;
@@ -156,14 +157,14 @@ Problems undocumented_problems(const std::vector<SourceFile>& files) {
 
 Problems reminder_problems(const std::vector<SourceFile>& files) {
   // Written in pieces, so that this line is none itself.
-  static const std::regex kReminder(
+  static const std::regex reminder(
       "\\b(TO"
       "DO|FIX"
       "ME|XX"
       "X)\\b");
   Problems problems;
   for (const SourceFile& file : files) {
-    find_in_lines(file, kReminder, "a reminder belongs into an issue", problems);
+    find_in_lines(file, reminder, "a reminder belongs into an issue", problems);
   }
   return problems;
 }

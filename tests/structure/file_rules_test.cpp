@@ -16,10 +16,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kSpdx = "// SPDX-License-Identifier: MIT";
+const std::string spdx_line = "// SPDX-License-Identifier: MIT";
 
 /// Sources without a test of their own, and why.
-const std::vector<std::string> kWithoutOwnTest{
+const std::vector<std::string> without_own_test{
     "firmware/boards/arduino_uno",  // registers: tests/hil runs them on the emulated chip
     "firmware/boards/avr_common",   // the same
     "firmware/app/main.cpp",        // mains: tests/hil and tests/integration start the programs
@@ -29,8 +29,8 @@ const std::vector<std::string> kWithoutOwnTest{
 };
 
 const std::vector<SourceFile>& tree() {
-  static const std::vector<SourceFile> kTree = read_source_tree(ECHOMAP_SOURCE_DIR);
-  return kTree;
+  static const std::vector<SourceFile> files = read_source_tree(ECHOMAP_SOURCE_DIR);
+  return files;
 }
 
 // --- the tree as it is
@@ -42,7 +42,7 @@ TEST(FileRules, EveryFileBeginsAsItShould) { EXPECT_THAT(first_line_problems(tre
 TEST(FileRules, NoFileIsTooLong) { EXPECT_THAT(length_problems(tree()), IsEmpty()); }
 
 TEST(FileRules, EverySourceHasItsTest) {
-  EXPECT_THAT(untested_source_problems(tree(), kWithoutOwnTest), IsEmpty());
+  EXPECT_THAT(untested_source_problems(tree(), without_own_test), IsEmpty());
 }
 
 TEST(FileRules, EveryFolderNameSaysWhatItIsFor) {
@@ -64,9 +64,9 @@ TEST(FileRules, NothingIsLeftForLater) { EXPECT_THAT(reminder_problems(tree()), 
 TEST(FileRules, CatchAMissingSpdxLineOrPragma) {
   EXPECT_THAT(
       first_line_problems({{"host/a.cpp", {}},
-                           {"host/b.cpp", {"#include <map>", kSpdx}},
-                           {"host/c.hpp", {kSpdx, "", "#pragma once"}},
-                           {"host/d.hpp", {kSpdx, "#pragma once"}}}),
+                           {"host/b.cpp", {"#include <map>", spdx_line}},
+                           {"host/c.hpp", {spdx_line, "", "#pragma once"}},
+                           {"host/d.hpp", {spdx_line, "#pragma once"}}}),
       ElementsAre(HasSubstr("host/a.cpp"), HasSubstr("host/b.cpp"), HasSubstr("#pragma once")));
 }
 
@@ -102,7 +102,7 @@ TEST(FileRules, CatchCppHeadersAndStdInTheFirmware) {
 
 TEST(FileRules, CatchADeclarationWithoutComment) {
   const SourceFile header{"host/x.hpp",
-                          {kSpdx,
+                          {spdx_line,
                            "#pragma once",
                            "",
                            "namespace echomap {",
@@ -130,7 +130,7 @@ TEST(FileRules, CatchADeclarationWithoutComment) {
 
 TEST(FileRules, CatchAReminder) {
   const std::string reminder = std::string("// TO") + "DO: later";
-  EXPECT_THAT(reminder_problems({{"host/x.cpp", {kSpdx, reminder}}}),
+  EXPECT_THAT(reminder_problems({{"host/x.cpp", {spdx_line, reminder}}}),
               ElementsAre(HasSubstr("host/x.cpp:2")));
 }
 

@@ -10,22 +10,22 @@ namespace {
 
 /// A name of a "may include" cell as a folder: siblings are named without their parent.
 std::string qualified(const std::string& name, const std::string& folder) {
-  static const std::string kEverythingOf = "everything of ";
-  if (name.rfind(kEverythingOf, 0) == 0) {
-    return name.substr(kEverythingOf.size());
+  static const std::string everything_of = "everything of ";
+  if (name.rfind(everything_of, 0) == 0) {
+    return name.substr(everything_of.size());
   }
   const bool is_path = name.find('/') != std::string::npos;
-  const bool is_top = std::count(kSourceFolders.begin(), kSourceFolders.end(), name) > 0;
+  const bool is_top = std::count(source_folders.begin(), source_folders.end(), name) > 0;
   return is_path || is_top ? name : folder.substr(0, folder.find('/')) + "/" + name;
 }
 
 std::set<std::string> folders_in(const std::string& cell, const std::string& folder) {
-  static const std::regex kName(R"(\s*([a-z_/ ]*[a-z_/])\s*)");
+  static const std::regex name_pattern(R"(\s*([a-z_/ ]*[a-z_/])\s*)");
   std::set<std::string> folders;
   std::istringstream names(cell);
   for (std::string name; std::getline(names, name, ',');) {
     std::smatch match;
-    if (std::regex_match(name, match, kName) && match[1] != "nothing") {
+    if (std::regex_match(name, match, name_pattern) && match[1] != "nothing") {
       folders.insert(qualified(match[1], folder));
     }
   }
@@ -35,19 +35,19 @@ std::set<std::string> folders_in(const std::string& cell, const std::string& fol
 }  // namespace
 
 LayerRules read_layer_rules(const std::vector<std::string>& markdown) {
-  static const std::regex kRow(R"(\| `([a-z_/]+)` \|.*\| ([^|(]*)(?:\(([^)]*)\))? *\|)");
-  static const std::regex kAlso(R"(([a-z_]+): also ([a-z_, ]+))");
+  static const std::regex row_pattern(R"(\| `([a-z_/]+)` \|.*\| ([^|(]*)(?:\(([^)]*)\))? *\|)");
+  static const std::regex also_pattern(R"(([a-z_]+): also ([a-z_, ]+))");
   LayerRules rules;
   for (const std::string& line : markdown) {
     std::smatch row;
-    if (!std::regex_match(line, row, kRow)) {
+    if (!std::regex_match(line, row, row_pattern)) {
       continue;
     }
     const std::string folder = row[1];
     rules[folder] = folders_in(row[2], folder);
     const std::string note = row[3];
     std::smatch also;
-    if (std::regex_match(note, also, kAlso)) {
+    if (std::regex_match(note, also, also_pattern)) {
       std::set<std::string>& inner = rules[folder + "/" + also[1].str()];
       inner = folders_in(also[2], folder);
       inner.insert(rules[folder].begin(), rules[folder].end());
@@ -66,20 +66,22 @@ std::string LayerTable::folder_of(const std::string& path) const {
   return longest;
 }
 
+std::set<std::string> LayerTable::named_by(const std::string& folder) const {
+  std::set<std::string> named;
+  for (const auto& [ruled, allowed] : rules_) {
+    if (is_below(ruled, folder)) {
+      named.insert(allowed.begin(), allowed.end());
+    }
+  }
+  return named;
+}
+
 std::set<std::string> LayerTable::reachable_from(const std::string& folder) const {
-  std::set<std::string> reached;
-  std::vector<std::string> open{folder};
-  while (!open.empty()) {
-    const std::string from = open.back();
-    open.pop_back();
-    for (const auto& [ruled, allowed] : rules_) {
-      if (ruled == from || (from != folder && is_below(ruled, from))) {
-        for (const std::string& next : allowed) {
-          if (reached.insert(next).second) {
-            open.push_back(next);
-          }
-        }
-      }
+  std::set<std::string> reached = rules_.at(folder);
+  for (std::size_t before = 0; before != reached.size();) {
+    before = reached.size();
+    for (const std::string& lower : std::set<std::string>(reached)) {
+      reached.merge(named_by(lower));
     }
   }
   return reached;

@@ -33,6 +33,7 @@ class LayerTable {
   std::vector<std::string> violations_in(const std::vector<SourceFile>& files) const;
 
  private:
+  std::set<std::string> named_by(const std::string& folder) const;
   std::set<std::string> reachable_from(const std::string& folder) const;
   std::string violation(const SourceFile& file,
                         const Include& include,

@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const fs::path kRoot = ECHOMAP_SOURCE_DIR;
+const fs::path tree_root = ECHOMAP_SOURCE_DIR;
 
 /// The table of docs/architecture.md. It stands here a second time on purpose: a new arrow between
 /// two folders is a decision and has to be written down twice.
-const LayerRules kRules{
+const LayerRules rules{
     {"protocol", {}},
     {"firmware/hal", {}},
     {"firmware/drivers", {"firmware/hal", "protocol"}},
@@ -51,17 +51,17 @@ const LayerRules kRules{
 };
 
 TEST(Layering, EveryIncludeOfTheTreeIsPermitted) {
-  EXPECT_THAT(LayerTable(kRules).violations_in(read_source_tree(kRoot)), IsEmpty());
+  EXPECT_THAT(LayerTable(rules).violations_in(read_source_tree(tree_root)), IsEmpty());
 }
 
 TEST(Layering, TheTableEqualsTheOneInTheDocument) {
-  EXPECT_EQ(read_layer_rules(read_lines(kRoot / "docs/architecture.md")), kRules);
+  EXPECT_EQ(read_layer_rules(read_lines(tree_root / "docs/architecture.md")), rules);
 }
 
 TEST(Layering, TheTableHasNoCycle) {
-  const LayerTable table(kRules);
-  for (const auto& [upper, upper_may] : kRules) {
-    for (const auto& [lower, lower_may] : kRules) {
+  const LayerTable table(rules);
+  for (const auto& [upper, upper_may] : rules) {
+    for (const auto& [lower, lower_may] : rules) {
       if (upper != lower && !is_below(upper, lower) && !is_below(lower, upper)) {
         EXPECT_FALSE(table.permits(upper, lower + "/x.hpp") &&
                      table.permits(lower, upper + "/x.hpp"))
@@ -72,7 +72,7 @@ TEST(Layering, TheTableHasNoCycle) {
 }
 
 TEST(Layering, PermitsWhatAListedFolderMayInclude) {
-  const LayerTable table(kRules);
+  const LayerTable table(rules);
   EXPECT_TRUE(table.permits("host/pipeline", "host/geometry/angle.hpp"));
   EXPECT_TRUE(table.permits("firmware/tasks", "firmware/hal/clock.hpp"));
   EXPECT_TRUE(table.permits("host/apps", "host/exports/csv.hpp"));
@@ -88,8 +88,8 @@ class PlantedViolation : public testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(copy_);
-    for (const std::string& folder : kSourceFolders) {
-      fs::copy(kRoot / folder, copy_ / folder, fs::copy_options::recursive);
+    for (const std::string& folder : source_folders) {
+      fs::copy(tree_root / folder, copy_ / folder, fs::copy_options::recursive);
     }
   }
   void TearDown() override { fs::remove_all(copy_); }
@@ -97,7 +97,7 @@ class PlantedViolation : public testing::Test {
   std::vector<std::string> violations_after(const std::string& path, const std::string& text) {
     fs::create_directories((copy_ / path).parent_path());
     std::ofstream(copy_ / path) << text << '\n';
-    return LayerTable(kRules).violations_in(read_source_tree(copy_));
+    return LayerTable(rules).violations_in(read_source_tree(copy_));
   }
 
  private:

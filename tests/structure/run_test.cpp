@@ -16,29 +16,30 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kRun = shell_quoted(ECHOMAP_SOURCE_DIR "/run");
+const std::string run_script = shell_quoted(ECHOMAP_SOURCE_DIR "/run");
 
 TEST(Run, HelpsWithEveryCommandFromAnyFolder) {
+  const ShellResult overview = run_shell(run_script + " --help", "/");
   for (const std::string command :
        {"demo", "test", "setup", "build", "bench", "fmt", "lint", "flash"}) {
-    const ShellResult result = run_shell(kRun + " " + command + " --help", "/");
+    const ShellResult result = run_shell(run_script + (" " + command) + " --help", "/");
     EXPECT_EQ(result.exit_code, 0) << command;
     EXPECT_THAT(result.output, HasSubstr("usage: ./run " + command));
-    EXPECT_THAT(run_shell(kRun + " --help", "/").output, HasSubstr("\n  " + command));
+    EXPECT_THAT(overview.output, HasSubstr("\n  " + command));
   }
 }
 
 TEST(Run, RefusesAnUnknownCommandAndNone) {
-  const ShellResult unknown = run_shell(kRun + " dmeo", "/");
+  const ShellResult unknown = run_shell(run_script + " dmeo", "/");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.output, HasSubstr("no command 'dmeo'"));
-  EXPECT_EQ(run_shell(kRun, "/").exit_code, 2);
+  EXPECT_EQ(run_shell(run_script, "/").exit_code, 2);
 }
 
 TEST(Run, FlashWantsAPortThatIsThere) {
-  EXPECT_EQ(run_shell(kRun + " flash", "/").exit_code, 2);
-  EXPECT_EQ(run_shell(kRun + " flash --port /dev/null --board mega", "/").exit_code, 2);
-  const ShellResult absent = run_shell(kRun + " flash --port /dev/echomap_none", "/");
+  EXPECT_EQ(run_shell(run_script + " flash", "/").exit_code, 2);
+  EXPECT_EQ(run_shell(run_script + " flash --port /dev/null --board mega", "/").exit_code, 2);
+  const ShellResult absent = run_shell(run_script + " flash --port /dev/echomap_none", "/");
   EXPECT_EQ(absent.exit_code, 3);
   EXPECT_THAT(absent.output, HasSubstr("there is no /dev/echomap_none"));
 }
@@ -64,8 +65,8 @@ class RunWithStandIns : public testing::Test {
   }
 
   ShellResult run(const std::string& arguments) {
-    return run_shell("PATH=" + shell_quoted(folder_.string()) + ":$PATH " + kRun + " " + arguments,
-                     "/");
+    return run_shell(
+        "PATH=" + shell_quoted(folder_.string()) + ":$PATH " + run_script + " " + arguments, "/");
   }
 
  private:

@@ -22,7 +22,7 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
 
 std::vector<SourceFile> read_source_tree(const std::filesystem::path& root) {
   std::vector<SourceFile> files;
-  for (const std::string& folder : kSourceFolders) {
+  for (const std::string& folder : source_folders) {
     if (!std::filesystem::exists(root / folder)) {
       continue;
     }
@@ -41,13 +41,13 @@ std::vector<SourceFile> read_source_tree(const std::filesystem::path& root) {
 }
 
 std::vector<Include> includes_of(const SourceFile& file) {
-  static const std::regex kInclude(R"re(\s*#\s*include\s*(["<])([^">]+)[">].*)re");
+  static const std::regex include_line(R"re(\s*#\s*include\s*(["<])([^">]+)[">].*)re");
   std::vector<Include> includes;
   int line_number = 0;
   for (const std::string& line : file.lines) {
     ++line_number;
     std::smatch match;
-    if (std::regex_match(line, match, kInclude)) {
+    if (std::regex_match(line, match, include_line)) {
       includes.push_back({match[2].str(), line_number, match[1].str() == "\""});
     }
   }

@@ -21,7 +21,7 @@ struct Include {
 };
 
 /// The folders that hold sources.
-inline const std::vector<std::string> kSourceFolders{
+inline const std::vector<std::string> source_folders{
     "protocol", "firmware", "host", "hil_mock", "tests"};
 
 /// Reads every .cpp and .hpp below the source folders of `root`, sorted by path.
