@@ -6,6 +6,7 @@
 namespace echomap {
 namespace hal {
 
+/// The two motors, as seen from behind the robot.
 enum class Motor : uint8_t { kLeft, kRight };
 
 /// Sets direction pin and duty (0 .. 255) of a motor. Duty 0 switches it off without a pulse; the

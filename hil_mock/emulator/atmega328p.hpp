@@ -7,6 +7,7 @@
 /// Source: Microchip DS40002061B (ATmega328P), chapter 30 "Register Summary".
 namespace echomap::emulator::atmega328p {
 
+/// Addresses in the data space.
 constexpr std::uint16_t kPinB = 0x23;
 constexpr std::uint16_t kPinC = 0x26;
 constexpr std::uint16_t kPinD = 0x29;

@@ -14,6 +14,7 @@
 
 namespace echomap::emulator {
 
+/// Cycles of the emulated chip in a second of simulated time.
 constexpr std::uint32_t kClockHz = 16'000'000;
 
 /// What pulled the chip's reset; a watchdog reset comes from the program itself.

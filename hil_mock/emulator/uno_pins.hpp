@@ -14,6 +14,7 @@ struct Pin {
 
 namespace uno_pins {
 
+/// What stands on each pin, as in firmware/boards/arduino_uno/pins.hpp.
 constexpr Pin kLeftEncoderA{'C', 0};
 constexpr Pin kLeftEncoderB{'C', 1};
 constexpr Pin kRightEncoderA{'C', 2};

@@ -35,6 +35,7 @@ struct BadRequest {
   bool operator==(const BadRequest&) const = default;
 };
 
+/// All that a host can ask, well or badly.
 using LockstepRequest = std::variant<Grant, Quit, HostGone, BadRequest>;
 
 /// What a line of the host says (docs/guides/lockstep.md); without its line end.

@@ -8,6 +8,7 @@
 
 namespace echomap::runner {
 
+/// The two wheels, as seen from behind the robot.
 enum class Wheel : std::uint8_t { kLeft, kRight };
 
 /// What the board does to its motors, -1 .. 1 of full duty, forward positive.

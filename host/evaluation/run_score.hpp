@@ -8,6 +8,7 @@
 
 namespace echomap::evaluation {
 
+/// How good a run's map and trajectory are.
 struct RunScore {
   MapAgreement map;
   TrajectoryError trajectory;

@@ -30,6 +30,7 @@ struct Sweep {
 struct BeginScan {};
 struct EndScan {};
 
+/// Why an exploration ended.
 enum class FinishReason : std::uint8_t {
   kStopLimit,    ///< as many stops as were asked for
   kNoNewGround,  ///< the last stops showed no floor that was not known
@@ -41,6 +42,7 @@ struct Finished {
   FinishReason reason = FinishReason::kStopLimit;
 };
 
+/// What an explorer asks for next.
 using Motion = std::variant<Turn, Drive, Sweep, BeginScan, EndScan, Finished>;
 
 /// How the last motion ended.

@@ -10,6 +10,7 @@
 
 namespace echomap::exports {
 
+/// A colour, 8 bits a channel.
 struct Colour {
   std::uint8_t red = 0;
   std::uint8_t green = 0;

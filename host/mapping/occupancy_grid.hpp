@@ -14,6 +14,7 @@
 
 namespace echomap::mapping {
 
+/// What is known of a cell.
 enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
 
 /// A rectangle of cells, both corners included.
@@ -25,6 +26,7 @@ struct CellBounds {
   std::int32_t rows() const { return max.y - min.y + 1; }
 };
 
+/// Size and thresholds of an OccupancyGrid.
 struct OccupancyGridParams {
   /// Edge of a cell, metres. 5 cm is the habit of ROS maps and close to the sonar's noise of 3 cm.
   double resolution_m = 0.05;

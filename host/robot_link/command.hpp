@@ -32,8 +32,10 @@ enum class CommandOutcome : std::uint8_t {
   kRobotReset,  ///< The robot was reset first: whatever it did is over.
 };
 
+/// The outcome in words.
 std::string_view to_string(CommandOutcome outcome);
 
+/// What became of one command.
 struct CommandResult {
   CommandTicket ticket{};
   std::uint8_t command_id = 0;  ///< As in Status::move_id and sweep_id; 0 if it was never sent.

@@ -18,6 +18,7 @@ enum class LinkState : std::uint8_t {
   kLost,        ///< Was ready; then no frame for a second, or a command found no answer.
 };
 
+/// The state in words.
 std::string_view to_string(LinkState state);
 
 }  // namespace echomap::robot_link

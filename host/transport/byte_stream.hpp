@@ -9,6 +9,7 @@
 
 namespace echomap::transport {
 
+/// Whether bytes can still pass.
 enum class StreamStatus : std::uint8_t {
   kOpen,
   kClosed,  ///< For good; `close_reason()` says why.
