@@ -20,12 +20,22 @@ const std::string spdx_line = "// SPDX-License-Identifier: MIT";
 
 /// Sources without a test of their own, and why.
 const std::vector<std::string> without_own_test{
-    "firmware/boards/arduino_uno",  // registers: tests/hil runs them on the emulated chip
-    "firmware/boards/avr_common",   // the same
-    "firmware/app/main.cpp",        // mains: tests/hil and tests/integration start the programs
-    "host/apps/echomap.cpp",
-    "hil_mock/emulator/main.cpp",
+    // Registers: tests/hil runs them on the emulated chip.
+    "firmware/boards/arduino_uno",
+    "firmware/boards/avr_common",
+    // Parts of one chip: tests/hil/emulated_chip_test.cpp and its neighbours run programs on it.
+    "hil_mock/emulator",
+    // Mains and commands: tests/integration starts the programs as a user does.
+    "firmware/app/main.cpp",
     "hil_mock/mock_device/main.cpp",
+    "host/apps/demo_command.cpp",
+    "host/apps/echomap.cpp",
+    "host/apps/eval_command.cpp",
+    "host/apps/explore_command.cpp",
+    "host/apps/explore_run.cpp",
+    "host/apps/interrupt.cpp",
+    "host/apps/robot_session.cpp",
+    "host/apps/simulated_robot.cpp",
 };
 
 const std::vector<SourceFile>& tree() {
