@@ -8,9 +8,10 @@
 
 namespace echomap::emulator {
 
-/// Calls functions at exact cycles of the emulated CPU, through one of simavr's cycle timers. The
-/// CPU is between two instructions when a function is called; events of the same cycle keep their
-/// order.
+/// Calls functions at exact cycles of the emulated chip, through one of simavr's cycle timers. The
+/// CPU may be some cycles farther, at the end of its instruction; `avr_t::cycle` is set back to the
+/// event's own during the call, so that a capture unit stamps the right count. Events of the same
+/// cycle keep their order.
 class CycleQueue {
  public:
   /// `avr` outlives the queue.
@@ -18,7 +19,7 @@ class CycleQueue {
   CycleQueue(const CycleQueue&) = delete;
   CycleQueue& operator=(const CycleQueue&) = delete;
 
-  /// Calls `event` when the CPU reaches `cycle`, or at once where that is over.
+  /// Calls `event` at `cycle`, or as soon as possible where that is over.
   void at(std::uint64_t cycle, std::function<void()> event);
 
   /// Starts the cycle timer again after `avr_reset`, which forgets every one of them.
@@ -26,11 +27,10 @@ class CycleQueue {
 
  private:
   static avr_cycle_count_t on_timer(avr_t* avr, avr_cycle_count_t when, void* queue);
-  void call_due();
+  void call_until(std::uint64_t cycle);
 
   avr_t& avr_;
   std::multimap<std::uint64_t, std::function<void()>> events_;
-  bool calling_ = false;
 };
 
 }  // namespace echomap::emulator

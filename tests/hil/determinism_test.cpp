@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/hil/release_images.hpp"
+#include "tests/hil/robot_session.hpp"
+#include "tests/hil/turning_wheel.hpp"
+
+namespace echomap::tests {
+namespace {
+
+using SentBytes = std::vector<std::pair<std::uint64_t, std::uint8_t>>;
+
+constexpr std::int64_t kMs = 1'000'000;
+
+/// Two seconds of everything at once: turning wheels, a sweep with echoes, pings; the board's time
+/// granted in steps of `step_ns`.
+SentBytes busy_run(std::int64_t step_ns) {
+  RobotSession robot(release_image());
+  emulator::SimavrBoard& board = robot.board();
+  TurningWheel left(board, runner::Wheel::kLeft);
+  TurningWheel right(board, runner::Wheel::kRight);
+  board.on_trigger = [&](std::int64_t at_ns) {
+    board.schedule_echo(at_ns + 460'000, at_ns + 460'000 + 3'141'592);
+  };
+  robot.connect();
+  robot.command(protocol::StartSweep{0, -9000, 9000, 600, 0});
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    left.turn(4'321, 20 * kMs);
+    right.turn(-1'234, 20 * kMs);
+    robot.send(protocol::Ping{i});
+    const std::int64_t end_ns = board.now_ns() + 20 * kMs;
+    while (board.now_ns() < end_ns) {
+      board.run_until(std::min(end_ns, board.now_ns() + step_ns));
+    }
+  }
+  return robot.bytes();
+}
+
+TEST(Determinism, SameRunTwiceGivesTheSameBytesAtTheSameCycles) {
+  const SentBytes first = busy_run(kMs);
+  const SentBytes second = busy_run(kMs);
+  std::printf("determinism: %zu bytes, last at cycle %llu\n",
+              first.size(),
+              static_cast<unsigned long long>(first.back().first));
+  ASSERT_GT(first.size(), 3000U);
+  EXPECT_TRUE(first == second);
+}
+
+TEST(Determinism, SizeOfTheGrantsDoesNotMatter) {
+  const SentBytes coarse = busy_run(20 * kMs);
+  EXPECT_TRUE(coarse == busy_run(kMs));
+  EXPECT_TRUE(coarse == busy_run(370'123));
+}
+
+}  // namespace
+}  // namespace echomap::tests

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+/// Runs the golden vectors through the decoder and encoder of the AVR binary.
+#include "tests/support/golden_vectors.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hil_mock/emulator/simavr_board.hpp"
+#include "tests/hil/release_images.hpp"
+
+namespace echomap::tests {
+namespace {
+
+/// An image that sends every whole frame back, decoded into its message and encoded again.
+class VectorEcho : public ::testing::Test {
+ protected:
+  VectorEcho() {
+    board_.on_sent = [this](std::uint8_t byte) { sent_.push_back(byte); };
+    run_ms(5);
+  }
+
+  void run_ms(std::int64_t ms) { board_.run_until(board_.now_ns() + ms * 1'000'000); }
+
+  std::vector<std::uint8_t> answer_to(const std::vector<std::uint8_t>& bytes) {
+    sent_.clear();
+    board_.receive(bytes);
+    run_ms(15);  // 54 bytes there and back take 10 ms
+    return sent_;
+  }
+
+  emulator::SimavrBoard board_{release_image("echomap-uno-vectors")};
+  std::vector<std::uint8_t> sent_;
+};
+
+TEST_F(VectorEcho, EveryGoldenFrameComesBackToTheByte) {
+  const GoldenVectors vectors = load_golden_vectors();
+  ASSERT_GE(vectors.frames.size(), 40U);
+  for (const GoldenFrame& frame : vectors.frames) {
+    EXPECT_EQ(answer_to(frame.bytes), frame.bytes) << frame.message << ' ' << to_hex(frame.bytes);
+  }
+  std::printf("golden vectors: %zu frames through the AVR binary\n", vectors.frames.size());
+}
+
+TEST_F(VectorEcho, NoFrameWithAWrongBitComesBack) {
+  for (const GoldenFrame& frame : load_golden_vectors().frames) {
+    for (std::size_t bit = 0; bit < 8 * (frame.bytes.size() - 1); bit += 7) {
+      std::vector<std::uint8_t> damaged = frame.bytes;
+      damaged[bit / 8] = static_cast<std::uint8_t>(damaged[bit / 8] ^ (1U << (bit % 8)));
+      ASSERT_TRUE(answer_to(damaged).empty()) << frame.message << " bit " << bit;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace echomap::tests

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <cstdio>
+#include <fcntl.h>
+#include <gelf.h>
+#include <stdexcept>
+#include <string>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "tests/hil/release_images.hpp"
+
+namespace echomap::tests {
+namespace {
+
+/// The address that avr-ld gives the first byte of data space.
+constexpr GElf_Addr kDataSpace = 0x800000;
+
+struct ImageSize {
+  std::uint64_t flash_bytes = 0;
+  std::uint64_t ram_bytes = 0;
+};
+
+void add(const GElf_Shdr& section, ImageSize& size) {
+  if ((section.sh_flags & SHF_ALLOC) == 0) {
+    return;
+  }
+  if (section.sh_addr >= kDataSpace) {
+    size.ram_bytes += section.sh_size;
+  }
+  if (section.sh_type != SHT_NOBITS) {
+    size.flash_bytes += section.sh_size;
+  }
+}
+
+ImageSize size_of_image(const std::string& path) {
+  elf_version(EV_CURRENT);
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  Elf* const elf = elf_begin(file, ELF_C_READ, nullptr);
+  if (elf == nullptr) {
+    throw std::runtime_error(path + ": " + elf_errmsg(-1));
+  }
+  ImageSize size;
+  for (Elf_Scn* at = nullptr; (at = elf_nextscn(elf, at)) != nullptr;) {
+    GElf_Shdr section{};
+    gelf_getshdr(at, &section);
+    add(section, size);
+  }
+  elf_end(elf);
+  ::close(file);
+  return size;
+}
+
+class ImageSizes : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Bauds,
+                         ImageSizes,
+                         ::testing::Values("echomap-uno",
+                                           "echomap-uno-250000",
+                                           "echomap-uno-500000"));
+
+TEST_P(ImageSizes, FitIntoTheBudget) {
+  constexpr std::uint64_t kFlashBudget = 12'288;
+  constexpr std::uint64_t kStaticRamBudget = 1'000;
+  const ImageSize size = size_of_image(release_image(GetParam()));
+  std::printf("%s: %llu B flash, %llu B static RAM\n",
+              GetParam(),
+              static_cast<unsigned long long>(size.flash_bytes),
+              static_cast<unsigned long long>(size.ram_bytes));
+  RecordProperty("flash_bytes", std::to_string(size.flash_bytes));
+  RecordProperty("static_ram_bytes", std::to_string(size.ram_bytes));
+  EXPECT_GT(size.flash_bytes, 4'000U);
+  EXPECT_LE(size.flash_bytes, kFlashBudget);
+  EXPECT_GT(size.ram_bytes, 200U);
+  EXPECT_LE(size.ram_bytes, kStaticRamBudget);
+}
+
+}  // namespace
+}  // namespace echomap::tests
