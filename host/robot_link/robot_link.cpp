@@ -173,7 +173,7 @@ void RobotLink::poll(time::HostTime now) {
 void RobotLink::update_state() {
   switch (state_) {
     case LinkState::kReady:
-      if (now_ - *last_frame_at_ > params_.lost_after || commands_.is_exhausted(now_)) {
+      if (!is_within(params_.lost_after, last_frame_at_) || commands_.is_exhausted(now_)) {
         state_ = LinkState::kLost;
       }
       break;
@@ -196,20 +196,22 @@ LinkState RobotLink::diagnose() {
   if (now_ - *connecting_since_ < params_.diagnose_after) {
     return LinkState::kConnecting;
   }
-  const auto is_recent = [this](const std::optional<time::HostTime>& at) {
-    return at && now_ - *at < params_.diagnose_after;
-  };
-  if (is_recent(last_frame_at_)) {
+  if (is_within(params_.diagnose_after, last_frame_at_)) {
     return LinkState::kUnheard;
   }
-  return is_recent(last_byte_at_) ? LinkState::kGarbage : LinkState::kSilent;
+  return is_within(params_.diagnose_after, last_byte_at_) ? LinkState::kGarbage
+                                                          : LinkState::kSilent;
+}
+
+bool RobotLink::is_within(Duration duration, const std::optional<time::HostTime>& instant) const {
+  return instant && now_ - *instant <= duration;
 }
 
 bool RobotLink::is_hello_due() const {
   if (state_ == LinkState::kMismatch || now_ < next_hello_) {
     return false;
   }
-  return state_ != LinkState::kReady || now_ - *last_frame_at_ > params_.quiet_after;
+  return state_ != LinkState::kReady || !is_within(params_.quiet_after, last_frame_at_);
 }
 
 void RobotLink::send_hello() {

@@ -75,6 +75,8 @@ class RobotLink {
   const BytePreview& preview() const { return preview_; }
 
  private:
+  using Duration = RobotLinkParams::Duration;
+
   void take_byte(std::uint8_t byte);
   void count(protocol::DecodeStatus status, std::uint8_t seq);
 
@@ -89,6 +91,8 @@ class RobotLink {
 
   void update_state();
   LinkState diagnose();
+  /// True when `instant` lies no longer than `duration` back.
+  bool is_within(Duration duration, const std::optional<time::HostTime>& instant) const;
   bool is_hello_due() const;
   void send_hello();
   void send_keep_alive();

@@ -15,7 +15,8 @@ ObservationConverter::ObservationConverter(const RobotGeometry& geometry,
   if (!std::isfinite(sonar_.speed_of_sound_m_s) || sonar_.speed_of_sound_m_s <= 0.0) {
     throw std::invalid_argument("sonar: speed_of_sound_m_s must be positive");
   }
-  if (!(sonar_.min_range_m >= 0.0 && sonar_.min_range_m < sonar_.max_range_m)) {
+  const bool is_interval = sonar_.min_range_m >= 0.0 && sonar_.min_range_m < sonar_.max_range_m;
+  if (!is_interval) {
     throw std::invalid_argument("sonar: 0 <= min_range_m < max_range_m does not hold");
   }
 }

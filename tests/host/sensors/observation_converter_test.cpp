@@ -67,9 +67,9 @@ TEST(ObservationConverter, SharesTheCountersBetweenOdometryAndEchoes) {
   std::int64_t stamp_us = 0;
   converter.convert(Odometry{0, 0, 0, 0});
   for (int i = 0; i < 20'000; ++i) {
-    left += random() % 30'000;
-    right -= random() % 30'000;
-    stamp_us += random() % 1'000'000;
+    left += static_cast<std::int64_t>(random() % 30'000);
+    right -= static_cast<std::int64_t>(random() % 30'000);
+    stamp_us += static_cast<std::int64_t>(random() % 1'000'000);
     const auto wire_left = static_cast<std::int16_t>(left);
     const auto wire_right = static_cast<std::int16_t>(right);
     const auto wire_stamp = static_cast<std::uint32_t>(stamp_us);

@@ -14,7 +14,7 @@ namespace {
 
 using geometry::Pose2;
 using std::numbers::pi;
-constexpr double kTrack_m = 0.14;
+constexpr double kTrackM = 0.14;
 
 void expect_near(const Pose2& actual, const Pose2& expected, double tolerance) {
   EXPECT_NEAR(actual.x_m(), expected.x_m(), tolerance);
@@ -25,7 +25,7 @@ void expect_near(const Pose2& actual, const Pose2& expected, double tolerance) {
 
 /// Drives by wheel distances since the last call.
 struct Driver {
-  WheelOdometry odometry{kTrack_m};
+  WheelOdometry odometry{kTrackM};
   WheelTravel travel;
 
   void roll(double left_m, double right_m) {
@@ -33,7 +33,7 @@ struct Driver {
     odometry.update(travel);
   }
   void straight(double distance_m) { roll(distance_m, distance_m); }
-  void turn(double turn_rad) { roll(-turn_rad * kTrack_m / 2.0, turn_rad * kTrack_m / 2.0); }
+  void turn(double turn_rad) { roll(-turn_rad * kTrackM / 2.0, turn_rad * kTrackM / 2.0); }
   const Pose2& pose() const { return odometry.T_odom_robot(); }
 };
 
@@ -69,8 +69,8 @@ TEST(WheelOdometry, IsExactOnAnArcHoweverItIsCut) {
   for (const int cuts : {1, 2, 7, 1000}) {
     Driver robot;
     for (int i = 0; i < cuts; ++i) {
-      robot.roll((radius_m - kTrack_m / 2.0) * turn_rad / cuts,
-                 (radius_m + kTrack_m / 2.0) * turn_rad / cuts);
+      robot.roll((radius_m - kTrackM / 2.0) * turn_rad / cuts,
+                 (radius_m + kTrackM / 2.0) * turn_rad / cuts);
     }
     expect_near(robot.pose(), end, 1e-9);
   }
@@ -79,7 +79,7 @@ TEST(WheelOdometry, IsExactOnAnArcHoweverItIsCut) {
 TEST(WheelOdometry, IsContinuousWhereTheArcBecomesALine) {
   for (const double turn_rad : {1e-3, 1e-5, 2.1e-6, 1.9e-6, 1e-9, 0.0}) {
     Driver robot;
-    robot.roll(1.0 - turn_rad * kTrack_m / 2.0, 1.0 + turn_rad * kTrack_m / 2.0);
+    robot.roll(1.0 - turn_rad * kTrackM / 2.0, 1.0 + turn_rad * kTrackM / 2.0);
     expect_near(
         robot.pose(), Pose2(1.0 - turn_rad * turn_rad / 6.0, turn_rad / 2.0, turn_rad), 1e-9);
   }
@@ -101,9 +101,9 @@ TEST(WheelOdometry, RollsBackAlongTheWayItCame) {
 }
 
 TEST(WheelOdometry, RefusesATrackThatIsNone) {
-  EXPECT_THROW(WheelOdometry(0.0), std::invalid_argument);
-  EXPECT_THROW(WheelOdometry(-0.1), std::invalid_argument);
-  EXPECT_THROW(WheelOdometry(std::numeric_limits<double>::infinity()), std::invalid_argument);
+  EXPECT_THROW(WheelOdometry{0.0}, std::invalid_argument);
+  EXPECT_THROW(WheelOdometry{-0.1}, std::invalid_argument);
+  EXPECT_THROW(WheelOdometry{std::numeric_limits<double>::infinity()}, std::invalid_argument);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(RobotTimeUnwrapper, FollowsAnyStampsThroughManyWraps) {
   std::int64_t truth_us = 17;
   unwrapper.unwrap(17);
   for (int i = 0; i < 10'000; ++i) {
-    truth_us += random() % 0x7FFFFFFF;
+    truth_us += static_cast<std::int64_t>(random() % 0x7FFFFFFF);
     ASSERT_EQ(micros(unwrapper.unwrap(static_cast<std::uint32_t>(truth_us))), truth_us);
   }
   EXPECT_GT(truth_us, 1'000LL << 32);

@@ -69,13 +69,13 @@ int lxstat_of_pty(int /*version*/, const char* path, struct stat* into) {
   return ::fstatat(AT_FDCWD, path, into, AT_SYMLINK_NOFOLLOW);
 }
 
-ssize_t readlink(const char* path, char* into, size_t size) noexcept {
+ssize_t readlink(const char* path, char* buf, size_t len) noexcept {
   constexpr std::string_view kTarget = "../../devices/virtual/tty/pts";
   if (is_place_of_pty(path)) {
-    const size_t count = std::min(size, kTarget.size());
-    std::memcpy(into, kTarget.data(), count);
+    const size_t count = std::min(len, kTarget.size());
+    std::memcpy(buf, kTarget.data(), count);
     return static_cast<ssize_t>(count);
   }
-  return ::readlinkat(AT_FDCWD, path, into, size);
+  return ::readlinkat(AT_FDCWD, path, buf, len);
 }
 }
