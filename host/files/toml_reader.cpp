@@ -31,6 +31,20 @@ struct TomlReader::Node {
     }
     return children.emplace_back(std::make_shared<Node>(Node{document, &of, file, {}, {}}));
   }
+  /// "; line 7 has 'trak_m'" where a key that nobody has asked for yet looks like `key`.
+  std::string lookalike_of(std::string_view key) const {
+    std::string hint;
+    std::size_t least_slips = 3;
+    for (const auto& [present, value] : *table) {
+      const std::size_t slips = edit_distance(present.str(), key);
+      if (slips < least_slips && !asked.contains(present.str())) {
+        least_slips = slips;
+        hint = "; line " + std::to_string(present.source().begin.line) + " has '" +
+               std::string(present.str()) + "'";
+      }
+    }
+    return hint;
+  }
   [[noreturn]] void fail(const toml::source_region& place, const std::string& message) const {
     throw ConfigError(file + ":" + std::to_string(place.begin.line) + ":" +
                       std::to_string(place.begin.column) + ": " + message);
@@ -195,7 +209,10 @@ void TomlReader::reject_unknown_keys() const {
 
 void TomlReader::fail(std::string_view key, const std::string& message) const {
   const toml::node* node = node_->table->get(key);
-  node_->fail(node == nullptr ? node_->table->source() : node->source(), message);
+  if (node == nullptr) {
+    node_->fail(node_->table->source(), message + node_->lookalike_of(key));
+  }
+  node_->fail(node->source(), message);
 }
 
 }  // namespace echomap::files

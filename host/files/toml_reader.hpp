@@ -49,7 +49,8 @@ class TomlReader {
   /// Call when every key has been asked for; looks at this table and at those read through it.
   void reject_unknown_keys() const;
 
-  /// Throws a ConfigError at the place of `key`, or of this table where it is absent.
+  /// Throws a ConfigError at the place of `key`; where it is absent, at that of this table, with a
+  /// hint at a key that looks like it.
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;
 
  private:

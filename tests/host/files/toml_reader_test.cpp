@@ -62,6 +62,12 @@ TEST(TomlReader, NamesAMissingKeyAtItsTable) {
               HasSubstr("room.toml:2:1: 'height_m' is missing"));
 }
 
+TEST(TomlReader, HintsAtTheKeyThatLooksLikeAMissingOne) {
+  const auto toml = TomlReader::parse("[wall]\nheight_sd = 0.1\nheigth_m = 2.5\n", "room.toml");
+  EXPECT_EQ(error_of([&] { toml.table("wall").number("height_m"); }),
+            "room.toml:1:1: 'height_m' is missing; line 3 has 'heigth_m'");
+}
+
 TEST(TomlReader, NamesTheNearestKeyForAnUnknownOne) {
   const auto toml = TomlReader::parse("[wall]\nheigth_m = 2.5\n", "room.toml");
   toml.table("wall").number_or("height_m", 1.0);
