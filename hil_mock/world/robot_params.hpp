@@ -22,7 +22,7 @@ struct DriveParams {
   /// Standard deviations over runs, relative: both wheels' diameter in common, one wheel against
   /// the other, the track, one motor's speed at a given duty.
   double wheel_diameter_sd = 0.005;
-  double wheel_mismatch_sd = 0.001;
+  double wheel_mismatch_sd = 0.0003;
   double track_sd = 0.005;
   double motor_gain_sd = 0.03;
   /// Random walk of each wheel's travel over ground: standard deviation after one metre.
