@@ -25,7 +25,7 @@ ExitCode run_demo(const DemoOptions& options) {
 
   const ExitCode code = explore_and_save({transport::open_stream(robot.port(), 0),
                                           lockstep_pace(robot.lockstep()),
-                                          static_cast<std::uint16_t>(options.run.seed)},
+                                          session_id_from(options.run.seed)},
                                          profile,
                                          options.run,
                                          out,

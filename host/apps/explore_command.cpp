@@ -24,11 +24,11 @@ ExitCode run_explore(const ExploreOptions& options) {
   std::unique_ptr<transport::LockstepChannel> lockstep;
   if (options.lockstep.empty()) {
     robot.pace = real_time_pace();
-    robot.session_id = static_cast<std::uint16_t>(std::random_device{}());
+    robot.session_id = session_id_from(std::random_device{}());
   } else {
     lockstep = std::make_unique<transport::LockstepChannel>(options.lockstep);
     robot.pace = lockstep_pace(*lockstep);
-    robot.session_id = static_cast<std::uint16_t>(options.run.seed);
+    robot.session_id = session_id_from(options.run.seed);
     summary.firmware = lockstep->device().firmware;
     summary.emulator = lockstep->device().emulator;
   }

@@ -110,6 +110,10 @@ ExitCode exit_code_of(SessionEnd end) {
 
 }  // namespace
 
+std::uint16_t session_id_from(std::uint32_t number) {
+  return static_cast<std::uint16_t>(1 + number % 0xFFFF);
+}
+
 ExitCode explore_and_save(RobotConnection robot,
                           const RobotProfile& profile,
                           const RunOptions& options,

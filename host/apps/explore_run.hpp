@@ -18,8 +18,11 @@ namespace echomap::apps {
 struct RobotConnection {
   std::unique_ptr<transport::ByteStream> stream;
   std::unique_ptr<Pace> pace;
-  std::uint16_t session_id = 0;
+  std::uint16_t session_id = 1;
 };
+
+/// A session's number from any other: never 0, which a robot that has just started stands for.
+std::uint16_t session_id_from(std::uint32_t number);
 
 /// Connects and lets the strategy drive the robot until it is finished, is interrupted or is lost.
 /// The run directory `out` is brought up to date after every stop, so that whatever happens the map
