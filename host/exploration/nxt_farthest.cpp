@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
-
-#include "host/geometry/angle.hpp"
 
 namespace echomap::exploration {
 
@@ -23,9 +22,10 @@ constexpr double kRoundingRad = 1e-9;
 
 void check(const NxtFarthestParams& params) {
   const bool angles_ok = params.scan_rad >= kFullTurnRad - kRoundingRad && params.step_rad > 0.0 &&
-                         params.pan_range_rad >= params.step_rad;
+                         params.pan_limit_rad >= params.step_rad;
   const bool lengths_ok = params.robot_radius_m > 0.0 && params.clearance_m >= 0.0 &&
-                          params.least_drive_m > 0.0 && params.back_off_m >= 0.0;
+                          params.least_drive_m > 0.0 && params.back_off_m >= 0.0 &&
+                          params.stop_spacing_m >= 0.0 && params.candidate_spread_rad >= 0.0;
   const bool choice_ok = params.candidates > 0 && params.drive_share > 0.0 &&
                          params.drive_share <= 1.0 && params.most_stops > 0 &&
                          params.stops_without_new_ground > 0 && params.settle_s >= 0.0;
@@ -34,43 +34,70 @@ void check(const NxtFarthestParams& params) {
   }
 }
 
-/// Echo points of a scan, the farthest first.
-std::vector<Eigen::Vector2d> farthest_first(const mapping::Scan& scan) {
-  mapping::Scan echoes;
-  std::copy_if(scan.begin(), scan.end(), std::back_inserter(echoes), [](const auto& reading) {
-    return reading.range_m.has_value();
-  });
-  std::stable_sort(echoes.begin(), echoes.end(), [](const auto& a, const auto& b) {
-    return *a.range_m > *b.range_m;
-  });
-  std::vector<Eigen::Vector2d> points_m;
-  for (const auto& echo : echoes) {
-    points_m.push_back(*mapping::echo_point_m(echo));
+/// From the robot to the echoes of the last scan, the farthest first; of echoes less than
+/// `spread_rad` apart only the farthest.
+std::vector<Eigen::Vector2d> ways_farthest_first_m(const pipeline::Snapshot& snapshot,
+                                                   double spread_rad) {
+  std::vector<Eigen::Vector2d> ways_m;
+  for (const auto& reading : *snapshot.last_scan) {
+    if (const auto echo_m = mapping::echo_point_m(reading)) {
+      ways_m.emplace_back(*echo_m - snapshot.latest.T_map_robot.position_m());
+    }
   }
-  return points_m;
+  std::stable_sort(ways_m.begin(), ways_m.end(), [](const auto& a, const auto& b) {
+    return a.squaredNorm() > b.squaredNorm();
+  });
+  std::vector<Eigen::Vector2d> spread_m;
+  for (const auto& way_m : ways_m) {
+    const auto is_near = [&](const Eigen::Vector2d& other_m) {
+      return std::acos(std::clamp(way_m.normalized().dot(other_m.normalized()), -1.0, 1.0)) <
+             spread_rad;
+    };
+    if (std::none_of(spread_m.begin(), spread_m.end(), is_near)) {
+      spread_m.push_back(way_m);
+    }
+  }
+  return spread_m;
 }
 
 /// Brings one of the first `candidates` to the front. Plain multiplication instead of a standard
 /// distribution, so that the choice repeats with any standard library.
-void put_random_first(std::vector<Eigen::Vector2d>& points_m,
+void put_random_first(std::vector<Eigen::Vector2d>& ways_m,
                       std::size_t candidates,
                       std::mt19937& random) {
-  const std::uint64_t choices = std::min(candidates, points_m.size());
+  const std::uint64_t choices = std::min(candidates, ways_m.size());
   const auto chosen = static_cast<std::ptrdiff_t>((random() * choices) >> 32U);
-  std::rotate(points_m.begin(), points_m.begin() + chosen, points_m.begin() + chosen + 1);
+  std::rotate(ways_m.begin(), ways_m.begin() + chosen, ways_m.begin() + chosen + 1);
 }
 
 /// How far a disc of `radius_m` can go along x until it touches the point.
-double free_way_m(const Eigen::Vector2d& point_m, double radius_m) {
+double room_before_m(const Eigen::Vector2d& point_m, double radius_m) {
   if (point_m.x() <= 0.0 || std::abs(point_m.y()) >= radius_m) {
     return std::numeric_limits<double>::infinity();
   }
-  return std::max(0.0, point_m.x() - std::sqrt(radius_m * radius_m - point_m.y() * point_m.y()));
+  return point_m.x() - std::sqrt(radius_m * radius_m - point_m.y() * point_m.y());
 }
 
-double bearing_rad(const Pose2& T_map_robot, const Eigen::Vector2d& target_m) {
-  const Eigen::Vector2d way = target_m - T_map_robot.position_m();
-  return std::atan2(way.y(), way.x());
+/// How far along the way, from under the body on, the map holds the floor rather free than not.
+double known_floor_m(const mapping::OccupancyGrid& grid,
+                     const Eigen::Vector2d& here_m,
+                     const Eigen::Vector2d& way_m,
+                     double body_m) {
+  constexpr double kEven = 0.5;
+  const double length_m = way_m.norm();
+  for (double at_m = body_m; at_m < length_m; at_m += 0.5 * grid.resolution_m()) {
+    const auto probability = grid.probability(grid.cell_at(here_m + at_m / length_m * way_m));
+    if (probability.value_or(1.0) >= kEven) {
+      return at_m;
+    }
+  }
+  return length_m;
+}
+
+bool is_apart(const Eigen::Vector2d& point_m, const std::vector<Pose2>& poses, double spacing_m) {
+  return std::none_of(poses.begin(), poses.end(), [&](const Pose2& pose) {
+    return (pose.position_m() - point_m).norm() < spacing_m;
+  });
 }
 
 }  // namespace
@@ -82,14 +109,14 @@ NxtFarthest::NxtFarthest(const NxtFarthestParams& params, std::mt19937& random)
 
 Motion NxtFarthest::next(const pipeline::Snapshot& snapshot, MotionResult last) {
   if (phase_ == Phase::kMoving && last != MotionResult::kReached) {
-    plan_.clear();
-    plan_back_off();
+    phase_ = Phase::kBackingOff;
+    plan_ = {Drive{-params_.back_off_m}};
   }
   if (plan_.empty()) {
-    if (phase_ == Phase::kMoving) {
-      plan_sensing(snapshot);
-    } else {
+    if (phase_ == Phase::kSensing) {
       plan_moving(snapshot);
+    } else {
+      plan_sensing(snapshot);
     }
   }
   Motion motion = plan_.front();
@@ -97,59 +124,74 @@ Motion NxtFarthest::next(const pipeline::Snapshot& snapshot, MotionResult last) 
   return motion;
 }
 
-/// Section 3.1. Sweeps to and fro, with turns of the body between them where the pan does not go
-/// all the way round. The turns go back the way they came, so that an error of the wheel track
-/// cancels, and begin towards the heading of the start.
+/// Section 3.1. Each sector is swept to and fro until all rounds are read; where the pan does not
+/// go all the way round, the body turns from sector to sector. It turns towards the heading of the
+/// start, so that an error of the wheel track does not add up over the stops.
 void NxtFarthest::plan_sensing(const pipeline::Snapshot& snapshot) {
   phase_ = Phase::kSensing;
   const auto sectors =
-      static_cast<int>(std::ceil(kFullTurnRad / params_.pan_range_rad - kRoundingRad));
+      static_cast<int>(std::ceil(std::numbers::pi / params_.pan_limit_rad - kRoundingRad));
   const auto rounds = static_cast<int>(std::lround(params_.scan_rad / kFullTurnRad));
   const double sector_rad = kFullTurnRad / sectors;
-  const double first_rad = -sector_rad / 2.0;
-  const double last_rad = sector_rad / 2.0 - params_.step_rad;
-  double turn_rad = snapshot.latest.T_map_robot.heading_rad() > 0.0 ? -sector_rad : sector_rad;
+  const bool turned_left = snapshot.latest.T_map_robot.heading_rad() > 0.0;
+  Sweep sweep{
+      -sector_rad / 2.0, sector_rad / 2.0 - params_.step_rad, params_.step_rad, params_.settle_s};
 
   plan_.emplace_back(BeginScan{});
-  for (int round = 0; round < rounds; ++round) {
-    for (int sector = 0; sector < sectors; ++sector) {
-      if (sector > 0) {
-        plan_.emplace_back(Turn{turn_rad});
-      }
-      plan_.emplace_back(Sweep{first_rad, last_rad, params_.step_rad, params_.settle_s});
+  for (int sector = 0; sector < sectors; ++sector) {
+    if (sector > 0) {
+      plan_.emplace_back(Turn{turned_left ? -sector_rad : sector_rad});
     }
-    turn_rad = -turn_rad;
+    for (int round = 0; round < rounds; ++round) {
+      plan_.emplace_back(sweep);
+      std::swap(sweep.from_rad, sweep.to_rad);
+      sweep.step_rad = -sweep.step_rad;
+    }
   }
   plan_.emplace_back(EndScan{});
 }
 
-/// Section 3.2: one of the farthest echoes at random, half the way. Where the way there is not
-/// free, the next farthest takes its place.
+/// Section 3.2: one of the farthest echoes at random, and half the way to it.
 void NxtFarthest::plan_moving(const pipeline::Snapshot& snapshot) {
   phase_ = Phase::kMoving;
   if (const auto reason = reason_to_finish(snapshot)) {
     plan_.emplace_back(Finished{*reason});
     return;
   }
-  auto targets_m = farthest_first(*snapshot.last_scan);
-  if (!targets_m.empty()) {
-    put_random_first(targets_m, params_.candidates, random_);
+  const auto way_m = choose_way_m(snapshot);
+  if (!way_m) {
+    plan_.emplace_back(Finished{FinishReason::kNowhereToGo});
+    return;
   }
-  for (const Eigen::Vector2d& target_m : targets_m) {
-    const double distance_m = drive_towards_m(target_m, snapshot);
-    if (distance_m >= params_.least_drive_m) {
-      const Pose2& T_map_robot = snapshot.latest.T_map_robot;
-      // Both headings lie in (-pi, pi]. Their plain difference never turns through the back, so an
-      // error of the wheel track cannot add up turn after turn.
-      plan_.emplace_back(Turn{bearing_rad(T_map_robot, target_m) - T_map_robot.heading_rad()});
-      plan_.emplace_back(Drive{distance_m});
-      return;
-    }
-  }
-  plan_.emplace_back(Finished{FinishReason::kNowhereToGo});
+  // Both headings lie in (-pi, pi]. Their plain difference never turns through the back, so that an
+  // error of the wheel track cannot add up turn after turn.
+  const double bearing_rad = std::atan2(way_m->y(), way_m->x());
+  plan_.emplace_back(Turn{bearing_rad - snapshot.latest.T_map_robot.heading_rad()});
+  plan_.emplace_back(Drive{way_m->norm()});
 }
 
-void NxtFarthest::plan_back_off() { plan_.emplace_back(Drive{-params_.back_off_m}); }
+/// Where the chosen way is not free, or leads where the robot has been, the next farthest echo
+/// takes its place; only where all lead there, one of them will do.
+std::optional<Eigen::Vector2d> NxtFarthest::choose_way_m(const pipeline::Snapshot& snapshot) {
+  auto ways_m = ways_farthest_first_m(snapshot, params_.candidate_spread_rad);
+  if (ways_m.empty()) {
+    return std::nullopt;
+  }
+  put_random_first(ways_m, params_.candidates, random_);
+  for (auto& way_m : ways_m) {
+    way_m *= drivable_m(way_m, snapshot) / way_m.norm();
+  }
+  for (const double spacing_m : {params_.stop_spacing_m, 0.0}) {
+    for (const auto& way_m : ways_m) {
+      const Eigen::Vector2d goal_m = snapshot.latest.T_map_robot.position_m() + way_m;
+      if (way_m.norm() >= params_.least_drive_m &&
+          is_apart(goal_m, snapshot.points->poses(), spacing_m)) {
+        return way_m;
+      }
+    }
+  }
+  return std::nullopt;
+}
 
 std::optional<FinishReason> NxtFarthest::reason_to_finish(const pipeline::Snapshot& snapshot) {
   poor_stops_ = snapshot.newly_free_m2 < params_.new_ground_m2 ? poor_stops_ + 1 : 0;
@@ -162,19 +204,21 @@ std::optional<FinishReason> NxtFarthest::reason_to_finish(const pipeline::Snapsh
   return std::nullopt;
 }
 
-double NxtFarthest::drive_towards_m(const Eigen::Vector2d& target_m,
-                                    const pipeline::Snapshot& snapshot) const {
-  const Pose2& T_map_robot = snapshot.latest.T_map_robot;
-  const Pose2 T_facing_map =
-      Pose2(T_map_robot.x_m(), T_map_robot.y_m(), bearing_rad(T_map_robot, target_m)).inverse();
-  double distance_m = params_.drive_share * (target_m - T_map_robot.position_m()).norm();
+/// Half the way, or as far as the body has room: before any echo of this scan, and over floor that
+/// the map takes to be free.
+double NxtFarthest::drivable_m(const Eigen::Vector2d& way_m,
+                               const pipeline::Snapshot& snapshot) const {
+  const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
+  const double body_m = params_.robot_radius_m + params_.clearance_m;
+  double drivable_m = std::min(params_.drive_share * way_m.norm(),
+                               known_floor_m(*snapshot.grid, here_m, way_m, body_m) - body_m);
+  const Pose2 T_way_map = Pose2(here_m.x(), here_m.y(), std::atan2(way_m.y(), way_m.x())).inverse();
   for (const auto& reading : *snapshot.last_scan) {
     if (const auto echo_m = mapping::echo_point_m(reading)) {
-      const double radius_m = params_.robot_radius_m + params_.clearance_m;
-      distance_m = std::min(distance_m, free_way_m(T_facing_map * *echo_m, radius_m));
+      drivable_m = std::min(drivable_m, room_before_m(T_way_map * *echo_m, body_m));
     }
   }
-  return distance_m;
+  return std::max(0.0, drivable_m);
 }
 
 }  // namespace echomap::exploration

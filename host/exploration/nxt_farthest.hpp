@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <random>
+
+#include <Eigen/Core>
 
 #include "host/exploration/explorer.hpp"
 
@@ -17,13 +20,19 @@ struct NxtFarthestParams {
   double scan_rad = 12.566370614359172;
   /// Angle between two readings: 6 degrees.
   double step_rad = 0.10471975511965977;
-  /// The sonar pans over this angle, centred on straight ahead: 180 degrees for a hobby servo, 720
-  /// for the paper's motor. Where it is less than `scan_rad`, turns of the body make up for it.
-  double pan_range_rad = 3.141592653589793;
+  /// The sonar pans from minus this to plus this: 90 degrees for a hobby servo, 360 for the
+  /// paper's motor. What it lacks to all round is made up for by turns of the body.
+  double pan_limit_rad = 1.5707963267948966;
   /// Wait after each step of the pan, until the servo stands and old echoes have died away.
   double settle_s = 0.03;
   /// One of this many farthest readings is chosen at random.
   std::size_t candidates = 4;
+  /// Readings less than this apart are one candidate: about a beam's width, as a wide beam reads
+  /// the same thing many times. 0 takes the paper at its word.
+  double candidate_spread_rad = 0.5236;
+  /// A place nearer than this to one already read from is taken only where no other is left. 0
+  /// takes the paper at its word, which keeps no memory, and may go to and fro for long.
+  double stop_spacing_m = 0.5;
   /// Share of the way to the chosen echo that is driven.
   double drive_share = 0.5;
   /// From the middle of the axle to the farthest part of the hull (robot profile).
@@ -53,13 +62,13 @@ class NxtFarthest final : public Explorer {
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
 
  private:
-  enum class Phase { kSensing, kMoving };
+  enum class Phase : std::uint8_t { kSensing, kMoving, kBackingOff };
 
   void plan_sensing(const pipeline::Snapshot& snapshot);
   void plan_moving(const pipeline::Snapshot& snapshot);
-  void plan_back_off();
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
-  double drive_towards_m(const Eigen::Vector2d& target_m, const pipeline::Snapshot& snapshot) const;
+  std::optional<Eigen::Vector2d> choose_way_m(const pipeline::Snapshot& snapshot);
+  double drivable_m(const Eigen::Vector2d& way_m, const pipeline::Snapshot& snapshot) const;
 
   NxtFarthestParams params_;
   std::mt19937& random_;

@@ -5,12 +5,13 @@
 
 namespace echomap::pipeline {
 
-RobotPipeline::RobotPipeline(const sensors::RobotGeometry& robot, const RobotPipelineParams& params)
+RobotPipeline::RobotPipeline(const sensors::RobotGeometry& robot,
+                             const mapping::SonarMapperParams& params)
     : robot_(robot),
-      sonar_grid_update_(params.sonar),
+      mapper_(params),
       odometry_(robot.track_m),
-      grid_(std::make_shared<mapping::OccupancyGrid>(params.grid)),
-      last_scan_(std::make_shared<mapping::Scan>()) {}
+      grid_(std::make_shared<const mapping::OccupancyGrid>(params.grid)),
+      last_scan_(std::make_shared<const mapping::Scan>()) {}
 
 void RobotPipeline::on_odometry(const sensors::OdometryObservation& observation) {
   follow(observation.stamp, observation.travel);
@@ -23,8 +24,6 @@ void RobotPipeline::on_sonar(const sensors::SonarObservation& observation) {
   points_.add(reading);
   if (scan_is_open_) {
     open_scan_.push_back(reading);
-  } else {
-    put_into_grid({reading});
   }
 }
 
@@ -37,9 +36,10 @@ void RobotPipeline::end_scan() {
   if (!scan_is_open_) {
     return;
   }
-  const auto grid_before = grid_;
-  put_into_grid(open_scan_);
-  newly_free_m2_ = mapping::newly_free_area_m2(*grid_before, *grid_);
+  mapper_.add(open_scan_);
+  const auto grid = std::make_shared<const mapping::OccupancyGrid>(mapper_.grid());
+  newly_free_m2_ = mapping::newly_free_area_m2(*grid_, *grid);
+  grid_ = grid;
   last_scan_ = std::make_shared<const mapping::Scan>(std::exchange(open_scan_, {}));
   scan_is_open_ = false;
   ++stops_;
@@ -65,12 +65,6 @@ geometry::Pose2 RobotPipeline::follow(time::RobotTime stamp, const sensors::Whee
     trajectory_.push_back({stamp, T_map_robot});
   }
   return T_map_robot;
-}
-
-void RobotPipeline::put_into_grid(const mapping::Scan& scan) {
-  auto grid = std::make_shared<mapping::OccupancyGrid>(*grid_);
-  sonar_grid_update_.apply(scan, *grid);
-  grid_ = std::move(grid);
 }
 
 }  // namespace echomap::pipeline

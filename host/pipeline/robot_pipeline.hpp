@@ -7,7 +7,7 @@
 
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/point_cloud_map.hpp"
-#include "host/mapping/sonar_grid_update.hpp"
+#include "host/mapping/sonar_mapper.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/sensors/observations.hpp"
 #include "host/sensors/odometry.hpp"
@@ -15,21 +15,16 @@
 
 namespace echomap::pipeline {
 
-struct RobotPipelineParams {
-  mapping::OccupancyGridParams grid;
-  mapping::SonarGridParams sonar;
-};
-
 /// Observations in, snapshots out: the same object live and in replay, a function of its input
 /// alone. Feed observations in the order of their stamps.
 class RobotPipeline {
  public:
   explicit RobotPipeline(const sensors::RobotGeometry& robot,
-                         const RobotPipelineParams& params = {});
+                         const mapping::SonarMapperParams& params = {});
 
   void on_odometry(const sensors::OdometryObservation& observation);
-  /// Places the reading by its own wheel travel. Within a scan it joins that scan; outside, it is
-  /// a scan of its own that counts as no stop.
+  /// Places the reading by its own wheel travel. Its echo is a point of the map at once; the grid
+  /// only takes readings of a scan.
   void on_sonar(const sensors::SonarObservation& observation);
 
   /// Readings from here to `end_scan` are one scan, whatever turns of the body lie between them. A
@@ -42,11 +37,9 @@ class RobotPipeline {
 
  private:
   geometry::Pose2 follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
-  /// On a copy: the grid before may be part of a snapshot.
-  void put_into_grid(const mapping::Scan& scan);
 
   sensors::RobotGeometry robot_;
-  mapping::SonarGridUpdate sonar_grid_update_;
+  mapping::SonarMapper mapper_;
   sensors::WheelOdometry odometry_;
   std::vector<StampedPose> trajectory_;
   mapping::PointCloudMap points_;

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/sonar_mapper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "host/mapping/scan_outline.hpp"
+
+namespace echomap::mapping {
+
+namespace {
+
+using geometry::CellIndex;
+
+Eigen::Vector2d unit(double bearing_rad) { return {std::cos(bearing_rad), std::sin(bearing_rad)}; }
+
+/// The cells that a straight piece runs through.
+std::set<CellIndex> cells_along(const OccupancyGrid& grid,
+                                const Eigen::Vector2d& from_m,
+                                const Eigen::Vector2d& to_m) {
+  constexpr double kStepsPerCell = 5.0;
+  const double length_m = (to_m - from_m).norm();
+  const int steps = 1 + static_cast<int>(kStepsPerCell * length_m / grid.resolution_m());
+  std::set<CellIndex> cells;
+  for (int i = 0; i <= steps; ++i) {
+    cells.insert(grid.cell_at(from_m + static_cast<double>(i) / steps * (to_m - from_m)));
+  }
+  return cells;
+}
+
+/// Whether a wall stands between two points, or `margin_m` behind the second one.
+bool hides(const MatchedWall& wall,
+           const Eigen::Vector2d& from_m,
+           const Eigen::Vector2d& to_m,
+           const SonarMapperParams& params) {
+  const Eigen::Vector2d normal = unit(wall.normal_rad);
+  const Eigen::Vector2d along(-normal.y(), normal.x());
+  const double before_m = wall.offset_m - normal.dot(from_m);
+  const double towards_m = normal.dot(to_m - from_m);
+  if (before_m <= 0.0 || towards_m + params.margin_m <= before_m) {
+    return false;
+  }
+  const double share = std::min(1.0, before_m / std::max(towards_m, params.margin_m));
+  const double at_m = along.dot(from_m + share * (to_m - from_m));
+  return std::any_of(wall.pieces.begin(), wall.pieces.end(), [&](const auto& piece) {
+    return at_m > piece.from_m - params.hidden_beyond_ends_m &&
+           at_m < piece.to_m + params.hidden_beyond_ends_m;
+  });
+}
+
+}  // namespace
+
+SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
+  const auto& surfaces = params.surfaces;
+  const bool beam_ok = surfaces.beam_half_angle_rad > 0.0 && surfaces.beam_half_angle_rad < 0.8;
+  const bool lengths_ok = surfaces.depth_tolerance_m > 0.0 && params.margin_m >= 0.0 &&
+                          params.fade_m > 0.0 && params.matching.range_tolerance_m > 0.0;
+  const bool evidence_ok = params.free_centilogits > 0 && params.occupied_centilogits > 0 &&
+                           params.matched_centilogits > 0;
+  if (!beam_ok || !lengths_ok || !evidence_ok) {
+    throw std::invalid_argument("sonar mapper: a parameter is outside of its range");
+  }
+}
+
+void SonarMapper::add(const Scan& scan) { scans_.push_back(find_surfaces(scan, params_.surfaces)); }
+
+OccupancyGrid SonarMapper::grid() const {
+  OccupancyGrid grid(params_.grid);
+  const MatchedSurfaces matched = match_surfaces(scans_, params_.matching);
+  for (const auto& scan : matched.scans) {
+    add_floor(scan, matched.walls, grid);
+    add_surfaces(scan, grid);
+  }
+  add_matched(matched, grid);
+  return grid;
+}
+
+void SonarMapper::add_floor(const ScanSurfaces& scan,
+                            const std::vector<MatchedWall>& walls,
+                            OccupancyGrid& grid) const {
+  const ScanOutline outline(scan, params_.widest_gap_rad);
+  const double reach_m = outline.farthest_m();
+  const CellIndex low = grid.cell_at(scan.center_m.array() - reach_m);
+  const CellIndex high = grid.cell_at(scan.center_m.array() + reach_m);
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      const Eigen::Vector2d cell_m = grid.center_m({x, y});
+      const Eigen::Vector2d way_m = cell_m - scan.center_m;
+      const double distance_m = way_m.norm();
+      const bool inside =
+          distance_m + params_.margin_m < outline.range_m(std::atan2(way_m.y(), way_m.x()));
+      const auto hides_cell = [&](const MatchedWall& wall) {
+        return hides(wall, scan.center_m, cell_m, params_);
+      };
+      if (inside && std::none_of(walls.begin(), walls.end(), hides_cell)) {
+        grid.add({x, y}, -faded(params_.free_centilogits, distance_m));
+      }
+    }
+  }
+}
+
+void SonarMapper::add_surfaces(const ScanSurfaces& scan, OccupancyGrid& grid) const {
+  for (const auto& surface : scan.surfaces) {
+    const Eigen::Vector2d normal = unit(surface.bearing_rad);
+    const Eigen::Vector2d half_m = surface.half_length_m * Eigen::Vector2d(-normal.y(), normal.x());
+    const Eigen::Vector2d middle_m = scan.center_m + surface.range_m * normal;
+    for (const CellIndex cell : cells_along(grid, middle_m - half_m, middle_m + half_m)) {
+      grid.add(cell, faded(params_.occupied_centilogits, surface.range_m));
+    }
+  }
+}
+
+void SonarMapper::add_matched(const MatchedSurfaces& matched, OccupancyGrid& grid) const {
+  std::set<CellIndex> cells;
+  for (const auto& wall : matched.walls) {
+    const Eigen::Vector2d normal = unit(wall.normal_rad);
+    const Eigen::Vector2d along(-normal.y(), normal.x());
+    const Eigen::Vector2d foot_m = wall.offset_m * normal;
+    for (const auto& piece : wall.pieces) {
+      cells.merge(cells_along(grid, foot_m + piece.from_m * along, foot_m + piece.to_m * along));
+    }
+  }
+  for (const auto& post_m : matched.posts_m) {
+    cells.insert(grid.cell_at(post_m));
+  }
+  for (const CellIndex cell : cells) {
+    grid.add(cell, params_.matched_centilogits);
+  }
+}
+
+int SonarMapper::faded(int centilogits, double distance_m) const {
+  return static_cast<int>(std::lround(centilogits * std::exp(-distance_m / params_.fade_m)));
+}
+
+}  // namespace echomap::mapping

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/sonar_surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::mapping {
+
+namespace {
+
+constexpr double kBearingStepRad = geometry::radians(2.0);
+/// So many readings in a row that disagree end a region: more than both looks at one bearing.
+constexpr int kStrangersThatEnd = 3;
+
+/// A reading as seen from the middle of the scan.
+struct Look {
+  double bearing_rad = 0.0;
+  /// Empty without echo, and once a region has claimed the reading.
+  std::optional<double> range_m;
+};
+
+struct Region {
+  double bearing_rad = 0.0;
+  double range_m = 0.0;
+  /// How far it reaches to the left and to the right of the bearing.
+  double left_rad = 0.0;
+  double right_rad = 0.0;
+  std::vector<std::size_t> members;
+  /// Readings between the members that disagree.
+  std::size_t strangers = 0;
+
+  double score() const {
+    return static_cast<double>(members.size()) - static_cast<double>(strangers);
+  }
+};
+
+Eigen::Vector2d center_of(const Scan& scan) {
+  Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
+  for (const auto& reading : scan) {
+    sum_m += reading.T_map_sonar.position_m();
+  }
+  return scan.empty() ? sum_m : Eigen::Vector2d(sum_m / static_cast<double>(scan.size()));
+}
+
+std::vector<Look> looks_from(const Eigen::Vector2d& center_m, const Scan& scan) {
+  std::vector<Look> looks;
+  for (const auto& reading : scan) {
+    if (const auto echo_m = echo_point_m(reading)) {
+      const Eigen::Vector2d way_m = *echo_m - center_m;
+      looks.push_back({std::atan2(way_m.y(), way_m.x()), way_m.norm()});
+    } else {
+      looks.push_back({reading.T_map_sonar.heading_rad(), std::nullopt});
+    }
+  }
+  return looks;
+}
+
+/// Takes regions out of the looks of one scan, one after the other.
+class RegionFinder {
+ public:
+  RegionFinder(std::vector<Look> looks, const SonarSurfaceParams& params)
+      : looks_(std::move(looks)), params_(params) {}
+
+  /// The region with the highest score among the looks that are left; empty where none is one.
+  std::optional<Region> take_best() {
+    std::optional<Region> best;
+    for (double bearing_rad = -std::numbers::pi; bearing_rad < std::numbers::pi;
+         bearing_rad += kBearingStepRad) {
+      auto region = centred_region_near(bearing_rad);
+      if (region && (!best || region->score() > best->score())) {
+        best = std::move(region);
+      }
+    }
+    if (best) {
+      for (const std::size_t member : best->members) {
+        looks_[member].range_m.reset();
+      }
+    }
+    return best;
+  }
+
+ private:
+  /// A wall answers from the foot of its perpendicular while that is in the beam, and beyond from
+  /// where the beam's edge meets it.
+  bool agrees(const Look& look, double depth_m, double off_rad) const {
+    const double beyond_beam_rad = std::max(0.0, off_rad - params_.beam_half_angle_rad);
+    return look.range_m && std::abs(*look.range_m - depth_m / std::cos(beyond_beam_rad)) <=
+                               params_.depth_tolerance_m;
+  }
+
+  /// The depth that most readings within half a beam of the bearing share.
+  std::optional<double> common_depth_m(double bearing_rad) const {
+    std::vector<double> ranges_m;
+    for (const Look& look : looks_) {
+      const double off_rad = std::abs(geometry::angle_between(bearing_rad, look.bearing_rad));
+      if (look.range_m && off_rad <= params_.beam_half_angle_rad) {
+        ranges_m.push_back(*look.range_m);
+      }
+    }
+    std::optional<double> depth_m;
+    std::size_t most = 0;
+    for (const double candidate_m : ranges_m) {
+      double sum_m = 0.0;
+      std::size_t count = 0;
+      for (const double range_m : ranges_m) {
+        const bool near = std::abs(range_m - candidate_m) <= params_.depth_tolerance_m;
+        sum_m += near ? range_m : 0.0;
+        count += near ? 1 : 0;
+      }
+      if (count > most) {
+        most = count;
+        depth_m = sum_m / static_cast<double>(count);
+      }
+    }
+    return depth_m;
+  }
+
+  /// The looks to one side of a bearing, outwards, with how far off they are.
+  std::vector<std::pair<double, std::size_t>> side_of(double bearing_rad, bool left) const {
+    std::vector<std::pair<double, std::size_t>> side;
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
+      const double off_rad = geometry::angle_between(bearing_rad, looks_[i].bearing_rad);
+      if ((off_rad >= 0.0) == left && std::abs(off_rad) < 0.5 * std::numbers::pi) {
+        side.emplace_back(std::abs(off_rad), i);
+      }
+    }
+    std::sort(side.begin(), side.end());
+    return side;
+  }
+
+  /// Follows one side until the readings stop agreeing; answers how far that is.
+  double grow(Region& region, bool left) const {
+    double reach_rad = 0.0;
+    int strangers = 0;
+    for (const auto& [off_rad, index] : side_of(region.bearing_rad, left)) {
+      if (agrees(looks_[index], region.range_m, off_rad)) {
+        region.members.push_back(index);
+        region.strangers += static_cast<std::size_t>(std::exchange(strangers, 0));
+        reach_rad = off_rad;
+      } else if (++strangers >= kStrangersThatEnd) {
+        break;
+      }
+    }
+    return reach_rad;
+  }
+
+  std::optional<Region> region_at(double bearing_rad) const {
+    const auto depth_m = common_depth_m(bearing_rad);
+    if (!depth_m) {
+      return std::nullopt;
+    }
+    Region region;
+    region.bearing_rad = geometry::wrap_angle(bearing_rad);
+    region.range_m = *depth_m;
+    region.left_rad = grow(region, true);
+    region.right_rad = grow(region, false);
+    return region;
+  }
+
+  std::optional<Region> centred_region_near(double bearing_rad) const {
+    auto region = region_at(bearing_rad);
+    if (region) {
+      region = region_at(bearing_rad + 0.5 * (region->left_rad - region->right_rad));
+    }
+    return region && is_surface(*region) ? region : std::nullopt;
+  }
+
+  bool is_surface(const Region& region) const {
+    const auto members = static_cast<double>(region.members.size());
+    const auto all = members + static_cast<double>(region.strangers);
+    return region.members.size() >= params_.least_readings &&
+           members >= params_.least_agreement * all;
+  }
+
+  std::vector<Look> looks_;
+  const SonarSurfaceParams& params_;
+};
+
+SonarSurface surface_of(const Region& region, const SonarSurfaceParams& params) {
+  const double half_width_rad = 0.5 * (region.left_rad + region.right_rad);
+  const double wider_rad =
+      std::max(0.0, half_width_rad - params.beam_edge * params.beam_half_angle_rad);
+  return {region.bearing_rad,
+          region.range_m,
+          region.range_m * std::tan(wider_rad),
+          region.members.size()};
+}
+
+}  // namespace
+
+ScanSurfaces find_surfaces(const Scan& scan, const SonarSurfaceParams& params) {
+  ScanSurfaces found;
+  found.center_m = center_of(scan);
+  RegionFinder finder(looks_from(found.center_m, scan), params);
+  while (const auto region = finder.take_best()) {
+    found.surfaces.push_back(surface_of(*region, params));
+  }
+  return found;
+}
+
+}  // namespace echomap::mapping

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "host/exports/run_directory.hpp"
+#include "host/geometry/angle.hpp"
+#include "tests/support/offline_exploration.hpp"
+
+namespace {
+
+using echomap::testing::OfflineRun;
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+template <class Figure>
+double median_of(const std::vector<OfflineRun>& runs, Figure figure) {
+  std::vector<double> values;
+  for (const auto& run : runs) {
+    values.push_back(figure(run));
+  }
+  return median(values);
+}
+
+void print_row(const char* name, const OfflineRun& run) {
+  std::printf(
+      "%-12s iou %.3f  wall_rmse %.3f m  recall %.3f  stops %2zu  %4.0f s  bumps %d  end %.3f m "
+      "%4.1f deg  %s\n",
+      name,
+      run.agreement.free_iou,
+      run.agreement.wall_rmse_m.value_or(-1.0),
+      run.agreement.wall_recall,
+      run.snapshot.stops,
+      run.sim_seconds,
+      run.bumps,
+      run.final_error_m,
+      echomap::geometry::degrees(run.final_heading_error_rad),
+      echomap::exploration::name_of(run.reason));
+}
+
+void print_medians(const std::vector<OfflineRun>& runs) {
+  std::printf(
+      "median       iou %.3f  wall_rmse %.3f m  recall %.3f  stops %2.0f  %4.0f s\n",
+      median_of(runs, [](const auto& run) { return run.agreement.free_iou; }),
+      median_of(runs, [](const auto& run) { return run.agreement.wall_rmse_m.value_or(1.0); }),
+      median_of(runs, [](const auto& run) { return run.agreement.wall_recall; }),
+      median_of(runs, [](const auto& run) { return static_cast<double>(run.snapshot.stops); }),
+      median_of(runs, [](const auto& run) { return run.sim_seconds; }));
+}
+
+}  // namespace
+
+/// explore_offline ROOM ROBOT RUNS [DIRECTORY]: seeds 1 .. RUNS, one line each, then the medians;
+/// with a directory the run directory of each seed as well.
+int main(int argc, char** argv) {
+  if (argc < 4) {
+    std::fprintf(stderr, "usage: explore_offline ROOM ROBOT RUNS [DIRECTORY]\n");
+    return 2;
+  }
+  std::vector<OfflineRun> runs;
+  const auto count = static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10));
+  for (std::uint32_t seed = 1; seed <= count; ++seed) {
+    runs.push_back(echomap::testing::explore_offline(argv[1], argv[2], seed));
+    const std::string name = std::string("seed ") + std::to_string(seed);
+    print_row(name.c_str(), runs.back());
+    if (argc > 4) {
+      echomap::exports::RunSummary summary;
+      echomap::exports::describe_snapshot(runs.back().snapshot, summary);
+      const std::filesystem::path directory = std::filesystem::path(argv[4]) / std::to_string(seed);
+      echomap::exports::write_run_directory(directory, runs.back().snapshot, summary);
+    }
+  }
+  print_medians(runs);
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/offline_exploration.hpp"
+
+#include <random>
+
+#include "hil_mock/world/floor_plan_file.hpp"
+#include "hil_mock/world/robot_file.hpp"
+#include "hil_mock/world/robot_world.hpp"
+#include "host/files/toml_reader.hpp"
+#include "tests/support/offline_robot.hpp"
+
+namespace echomap::testing {
+
+namespace {
+
+constexpr double kTruthResolutionM = 0.01;
+constexpr double kTruthMarginM = 0.1;
+
+std::string bundled(const std::string& folder, const std::string& name) {
+  return std::string(ECHOMAP_SOURCE_DIR) + "/hil_mock/" + folder + "/" + name + ".toml";
+}
+
+exploration::NxtFarthestParams strategy_for(const world::RobotParams& robot) {
+  exploration::NxtFarthestParams params;
+  params.robot_radius_m = robot.body.radius_m;
+  return params;
+}
+
+mapping::SonarMapperParams mapper_for(const world::RobotParams& robot) {
+  mapping::SonarMapperParams params;
+  params.surfaces.beam_half_angle_rad = robot.sonar.cone_half_angle_rad;
+  return params;
+}
+
+exploration::FinishReason explore(exploration::Explorer& explorer,
+                                  OfflineRobot& robot,
+                                  const pipeline::RobotPipeline& pipeline,
+                                  int& bumps) {
+  auto last = exploration::MotionResult::kReached;
+  for (;;) {
+    const auto motion = explorer.next(pipeline.snapshot(), last);
+    if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
+      return finished->reason;
+    }
+    last = robot.execute(motion);
+    bumps += last == exploration::MotionResult::kBumped ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+evaluation::MapTruth truth_of(const world::FloorPlan& plan) {
+  Eigen::Vector2d low = plan.room_m().front();
+  Eigen::Vector2d high = low;
+  for (const auto& corner_m : plan.room_m()) {
+    low = low.cwiseMin(corner_m);
+    high = high.cwiseMax(corner_m);
+  }
+  low.array() -= kTruthMarginM;
+  const Eigen::Vector2d cells = (high - low).array() / kTruthResolutionM;
+  mapping::RasterMap raster(
+      static_cast<int>(cells.x()) + 10, static_cast<int>(cells.y()) + 10, kTruthResolutionM, low);
+  for (int y = 0; y < raster.rows(); ++y) {
+    for (int x = 0; x < raster.columns(); ++x) {
+      if (plan.is_free(raster.center_m({x, y}))) {
+        raster.set({x, y}, mapping::CellState::kFree);
+      }
+    }
+  }
+  evaluation::MapTruth truth{raster, {}};
+  for (const auto& wall : plan.walls()) {
+    truth.walls.push_back({wall.segment.from_m, wall.segment.to_m});
+  }
+  return truth;
+}
+
+OfflineRun explore_offline(const std::string& room, const std::string& robot, std::uint32_t seed) {
+  const auto robot_params = world::read_robot(files::TomlReader::load(bundled("robots", robot)));
+  world::RobotWorld world(
+      world::read_floor_plan(files::TomlReader::load(bundled("worlds", room))), robot_params, seed);
+  const auto geometry = believed_geometry(robot_params);
+  pipeline::RobotPipeline pipeline(geometry, mapper_for(robot_params));
+  OfflineRobot offline_robot(world, geometry, pipeline);
+  std::mt19937 random(seed);
+  exploration::NxtFarthest explorer(strategy_for(robot_params), random);
+
+  OfflineRun run;
+  run.reason = explore(explorer, offline_robot, pipeline, run.bumps);
+  run.snapshot = pipeline.snapshot();
+  run.sim_seconds = offline_robot.now_s();
+  const geometry::Pose2 T_world_map = world.plan().T_world_start();
+  const geometry::Pose2 T_true_believed =
+      world.T_world_robot().inverse() * T_world_map * run.snapshot.latest.T_map_robot;
+  run.final_error_m = T_true_believed.position_m().norm();
+  run.final_heading_error_rad = std::abs(T_true_believed.heading_rad());
+  run.agreement = evaluation::score_map(
+      mapping::rasterize(*run.snapshot.grid), T_world_map, truth_of(world.plan()));
+  return run;
+}
+
+}  // namespace echomap::testing

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "hil_mock/world/floor_plan.hpp"
+#include "host/evaluation/map_agreement.hpp"
+#include "host/exploration/explorer.hpp"
+#include "host/exploration/nxt_farthest.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+
+namespace echomap::testing {
+
+struct OfflineRun {
+  pipeline::Snapshot snapshot;
+  evaluation::MapAgreement agreement;
+  exploration::FinishReason reason = exploration::FinishReason::kStopLimit;
+  double sim_seconds = 0.0;
+  int bumps = 0;
+  /// Between where the robot is and where it believes to be.
+  double final_error_m = 0.0;
+  double final_heading_error_rad = 0.0;
+};
+
+/// The room's truth as the mock writes it: cells of 1 cm and the walls.
+evaluation::MapTruth truth_of(const world::FloorPlan& plan);
+
+/// Explores a bundled room with a bundled robot, nxt-farthest and the default parameters.
+OfflineRun explore_offline(const std::string& room, const std::string& robot, std::uint32_t seed);
+
+}  // namespace echomap::testing

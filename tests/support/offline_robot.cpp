@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/offline_robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace echomap::testing {
+
+namespace {
+
+using exploration::MotionResult;
+
+constexpr std::int64_t kStepUs = 1000;
+constexpr std::int64_t kOdometryPeriodUs = 20'000;
+constexpr std::int64_t kLongestMoveUs = 60'000'000;
+constexpr int kSettleSteps = 300;
+constexpr double kFastestDuty = 0.5;
+constexpr double kSlowestDuty = 0.15;
+constexpr double kDutyPerTick = 0.0015;
+constexpr double kDutyPerTickApart = 0.002;
+constexpr double kCloseTicks = 2.0;
+
+/// Faster the farther it is to go; stands when it is there.
+double duty_for(double ticks_to_go) {
+  if (std::abs(ticks_to_go) < kCloseTicks) {
+    return 0.0;
+  }
+  const double duty =
+      std::clamp(kSlowestDuty + kDutyPerTick * std::abs(ticks_to_go), 0.0, kFastestDuty);
+  return std::copysign(duty, ticks_to_go);
+}
+
+}  // namespace
+
+sensors::RobotGeometry believed_geometry(const world::RobotParams& robot) {
+  sensors::RobotGeometry geometry;
+  geometry.wheel_diameter_m = robot.drive.wheel_diameter_m;
+  geometry.track_m = robot.drive.track_m;
+  geometry.counts_per_turn = robot.drive.counts_per_turn;
+  geometry.sonar_x_m = robot.sonar.mount_x_m;
+  geometry.sonar_y_m = robot.sonar.mount_y_m;
+  return geometry;
+}
+
+OfflineRobot::OfflineRobot(world::RobotWorld& world,
+                           const sensors::RobotGeometry& geometry,
+                           pipeline::RobotPipeline& pipeline)
+    : world_(world), geometry_(geometry), pipeline_(pipeline) {}
+
+MotionResult OfflineRobot::execute(const exploration::Motion& motion) {
+  if (const auto* turn = std::get_if<exploration::Turn>(&motion)) {
+    return move(geometry_.turn_on_spot(turn->angle_rad));
+  }
+  if (const auto* drive = std::get_if<exploration::Drive>(&motion)) {
+    return move(geometry_.straight(drive->distance_m));
+  }
+  if (const auto* sweep_motion = std::get_if<exploration::Sweep>(&motion)) {
+    return sweep(*sweep_motion);
+  }
+  if (std::holds_alternative<exploration::BeginScan>(motion)) {
+    pipeline_.begin_scan();
+  } else if (std::holds_alternative<exploration::EndScan>(motion)) {
+    pipeline_.end_scan();
+  }
+  return MotionResult::kReached;
+}
+
+MotionResult OfflineRobot::move(const sensors::WheelTicks& ticks) {
+  const double left_goal = static_cast<double>(world_.body().left_wheel().counts()) + ticks.left;
+  const double right_goal = static_cast<double>(world_.body().right_wheel().counts()) + ticks.right;
+  const bool forward = ticks.left + ticks.right > 0;
+  int steps_at_rest = 0;
+  for (const std::int64_t end_us = now_us_ + kLongestMoveUs; now_us_ < end_us;) {
+    const double left = left_goal - static_cast<double>(world_.body().left_wheel().counts());
+    const double right = right_goal - static_cast<double>(world_.body().right_wheel().counts());
+    const double apart = std::abs(left) - std::abs(right);
+    world::WheelDuty duty{duty_for(left), duty_for(right)};
+    duty.left *= 1.0 + kDutyPerTickApart * apart;
+    duty.right *= 1.0 - kDutyPerTickApart * apart;
+    const auto contacts = world_.contacts();
+    const bool bumped = forward && (contacts.left || contacts.right);
+    step(bumped ? world::WheelDuty{} : duty);
+    const bool at_rest = bumped || (duty.left == 0.0 && duty.right == 0.0);
+    steps_at_rest = at_rest ? steps_at_rest + 1 : 0;
+    if (steps_at_rest > kSettleSteps) {
+      return bumped ? MotionResult::kBumped : MotionResult::kReached;
+    }
+  }
+  return MotionResult::kTimedOut;
+}
+
+MotionResult OfflineRobot::sweep(const exploration::Sweep& sweep) {
+  const auto readings =
+      static_cast<int>(std::lround((sweep.to_rad - sweep.from_rad) / sweep.step_rad)) + 1;
+  for (int i = 0; i < readings; ++i) {
+    const double pan_rad = sweep.from_rad + i * sweep.step_rad;
+    constexpr double kServoAndPingS = 0.06;
+    now_us_ += std::llround((sweep.settle_s + kServoAndPingS) * 1e6);
+    sensors::SonarObservation observation{stamp(), travel(), pan_rad, std::nullopt};
+    if (const auto flight_s = world_.ping(pan_rad)) {
+      observation.range_m = *flight_s * world_.robot().sonar.speed_of_sound_m_per_s / 2.0;
+    }
+    pipeline_.on_sonar(observation);
+  }
+  return MotionResult::kReached;
+}
+
+sensors::WheelTravel OfflineRobot::travel() const {
+  const double metres_per_tick = geometry_.metres_per_tick();
+  return {static_cast<double>(world_.body().left_wheel().counts()) * metres_per_tick,
+          static_cast<double>(world_.body().right_wheel().counts()) * metres_per_tick};
+}
+
+void OfflineRobot::step(const world::WheelDuty& duty) {
+  changes_.clear();
+  world_.step(static_cast<double>(kStepUs) * 1e-6, duty, changes_);
+  now_us_ += kStepUs;
+  if (now_us_ % kOdometryPeriodUs == 0) {
+    pipeline_.on_odometry({stamp(), travel()});
+  }
+}
+
+}  // namespace echomap::testing

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "hil_mock/world/robot_world.hpp"
+#include "host/exploration/explorer.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+#include "host/sensors/robot_geometry.hpp"
+
+namespace echomap::testing {
+
+/// What the host believes of a simulated robot: its nominal sizes.
+sensors::RobotGeometry believed_geometry(const world::RobotParams& robot);
+
+/// A simulated robot that carries out motions without board or link: wheels by a plain controller,
+/// readings straight from the world. Times are simulated and only roughly those of a real robot.
+class OfflineRobot {
+ public:
+  /// All three outlive this.
+  OfflineRobot(world::RobotWorld& world,
+               const sensors::RobotGeometry& geometry,
+               pipeline::RobotPipeline& pipeline);
+
+  exploration::MotionResult execute(const exploration::Motion& motion);
+
+  double now_s() const { return static_cast<double>(now_us_) * 1e-6; }
+
+ private:
+  exploration::MotionResult move(const sensors::WheelTicks& ticks);
+  exploration::MotionResult sweep(const exploration::Sweep& sweep);
+  sensors::WheelTravel travel() const;
+  time::RobotTime stamp() const { return time::RobotTime(time::RobotClock::duration(now_us_)); }
+  void step(const world::WheelDuty& duty);
+
+  world::RobotWorld& world_;
+  sensors::RobotGeometry geometry_;
+  pipeline::RobotPipeline& pipeline_;
+  world::EncoderChanges changes_;
+  std::int64_t now_us_ = 0;
+};
+
+}  // namespace echomap::testing
