@@ -8,13 +8,14 @@ void DistanceRamp::start(int32_t distance, int32_t cruise, int32_t change) {
   remaining_ = distance;
   cruise_ = cruise;
   change_ = change;
-  speed_ = change;
+  speed_ = 0;
   braking_ = 0;
 }
 
 int32_t DistanceRamp::advance() {
   const int32_t faster = speed_ + change_;
-  if (faster <= cruise_ && faster + speed_ + braking_ <= remaining_) {
+  const bool may_speed_up = faster <= cruise_ && faster + speed_ + braking_ <= remaining_;
+  if (speed_ == 0 || may_speed_up) {
     speed_up();
   } else if (speed_ > change_ && speed_ + braking_ > remaining_) {
     slow_down();

@@ -48,7 +48,7 @@ int16_t WheelSpeedController::update(const protocol::ConfigureDrive& gains,
 }
 
 bool WheelSpeedController::arrived() const {
-  return turned_sum_ == 0 && magnitude(lag_) <= kArrived;
+  return still_periods_ == kStillPeriods && magnitude(lag_) <= kArrived;
 }
 
 bool WheelSpeedController::stalled(const protocol::ConfigureDrive& limits) const {
@@ -61,6 +61,11 @@ void WheelSpeedController::measure(int16_t turned) {
   turned_sum_ = static_cast<int16_t>(turned_sum_ + turned - turned_[oldest_]);
   turned_[oldest_] = turned;
   oldest_ = static_cast<uint8_t>((oldest_ + 1) % kSpeedPeriods);
+  if (turned != 0) {
+    still_periods_ = 0;
+  } else if (still_periods_ != kStillPeriods) {
+    ++still_periods_;
+  }
 }
 
 void WheelSpeedController::push_off(bool reference_moves) {

@@ -16,6 +16,9 @@ class WheelSpeedController {
   /// A wheel this near to a standing reference has arrived.
   static constexpr uint8_t kArrivedTicks = 2;
 
+  /// For how many periods without a tick it must have stood there: it coasts less than a tick then.
+  static constexpr uint8_t kStillPeriods = 12;
+
   /// Largest gain that cannot overflow.
   static constexpr uint16_t kMaxGain = 32767;
 
@@ -43,6 +46,7 @@ class WheelSpeedController {
   int16_t turned_[kSpeedPeriods] = {};
   int16_t turned_sum_ = 0;  ///< Over kSpeedPeriods.
   uint8_t oldest_ = 0;
+  uint8_t still_periods_ = kStillPeriods;
 };
 
 }  // namespace control

@@ -33,6 +33,15 @@ uint16_t WheelEncoders::errors() const {
   return errors_;
 }
 
+void WheelEncoders::count_errors(uint8_t edges) {
+  if ((edges & kLeftLost) != 0) {
+    ++errors_;
+  }
+  if ((edges & kRightLost) != 0) {
+    ++errors_;
+  }
+}
+
 void WheelEncoders::fold() {
   counts_.left = folded(counts_.left, left_edges_, left_inverted_);
   counts_.right = folded(counts_.right, right_edges_, right_inverted_);

@@ -32,8 +32,12 @@ class WheelEncoders {
   void on_pins(uint8_t levels) {
     const uint8_t index = static_cast<uint8_t>(before_ | levels);
     before_ = static_cast<uint8_t>(levels << 4);
-    add(left_edges_, hal::read_flash(&kTable.left[index]));
-    add(right_edges_, hal::read_flash(&kTable.right[index]));
+    const uint8_t edges = hal::read_flash(&kTable.edges[index]);
+    add(left_edges_, edges & kLeftForward, edges & kLeftBackward);
+    add(right_edges_, edges & kRightForward, edges & kRightBackward);
+    if ((edges & (kLeftLost | kRightLost)) != 0) {
+      count_errors(edges);
+    }
   }
 
   /// From the tick's interrupt.
@@ -42,13 +46,17 @@ class WheelEncoders {
  private:
   static const QuadratureTable kTable;
 
-  void add(int8_t& edges, int8_t step) {
-    if (step == kIllegalStep) {
-      ++errors_;
-    } else {
-      edges = static_cast<int8_t>(edges + step);
+  static void add(int8_t& edges, uint8_t forward, uint8_t backward) {
+    int8_t sum = edges;
+    if (forward != 0) {
+      ++sum;
     }
+    if (backward != 0) {
+      --sum;
+    }
+    edges = sum;
   }
+  void count_errors(uint8_t edges);
 
   uint8_t before_ = 0;
   int8_t left_edges_ = 0;

@@ -15,9 +15,9 @@ namespace echomap {
 namespace hal {
 
 /// Reads one entry of a table that is declared ECHOMAP_FLASH.
-inline int8_t read_flash(const int8_t* entry) {
+inline uint8_t read_flash(const uint8_t* entry) {
 #if defined(__AVR__)
-  return static_cast<int8_t>(pgm_read_byte(entry));
+  return pgm_read_byte(entry);
 #else
   return *entry;
 #endif

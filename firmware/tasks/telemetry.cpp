@@ -66,11 +66,15 @@ void Telemetry::notice_outcomes() {
 }
 
 void Telemetry::send_what_waits() {
-  while (waiting_echoes_ != 0 && send_echo()) {
+  while (waiting_echoes_ != 0) {
+    if (!send_echo()) {
+      return;
+    }
   }
-  if (waiting_echoes_ == 0 && status_waits_ && sender_.tell(status())) {
-    status_waits_ = false;
+  if (status_waits_ && !sender_.tell(status())) {
+    return;  // Else odometry, being smaller, would take the room again and again.
   }
+  status_waits_ = false;
   if (odometry_waits_ && sender_.tell(odometry_)) {
     odometry_waits_ = false;
   }

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/drivers/pan_servo.hpp"
+
+#include <gtest/gtest.h>
+
+#include "firmware/boards/native/native_board.hpp"
+
+namespace echomap::drivers {
+namespace {
+
+constexpr protocol::ConfigureSonar kSettings{0, 1500, 900, -9000, 9000, 300, 24000, 40};
+
+double pulse_us() { return native::NativeBoard::instance().pan_pulse_us(); }
+
+TEST(PanServo, LeftIsTheSideOfTheSettingsSign) {
+  PanServo servo(kSettings);
+  servo.turn_to(9000);
+  EXPECT_EQ(pulse_us(), 2400);
+  servo.turn_to(-4500);
+  EXPECT_EQ(pulse_us(), 1050);
+  protocol::ConfigureSonar mirrored = kSettings;
+  mirrored.pan_us_per_90deg = -900;
+  servo.configure(mirrored);
+  servo.turn_to(9000);
+  EXPECT_EQ(pulse_us(), 600);
+}
+
+TEST(PanServo, FirstTurnMayComeFromAnywhere) {
+  PanServo servo(kSettings);
+  EXPECT_EQ(servo.turn_to(0), 600);  // 180 degrees at 300 a second.
+}
+
+TEST(PanServo, TravelIsTurnOverSpeedRoundedUp) {
+  PanServo servo(kSettings);
+  servo.turn_to(0);
+  EXPECT_EQ(servo.turn_to(600), 20);
+  EXPECT_EQ(servo.turn_to(-600), 40);
+  EXPECT_EQ(servo.turn_to(-601), 1);
+  EXPECT_EQ(servo.turn_to(-601), 0);
+}
+
+TEST(PanServo, ReachesItsLimitsOnly) {
+  const PanServo servo(kSettings);
+  EXPECT_TRUE(servo.reaches(9000));
+  EXPECT_TRUE(servo.reaches(-9000));
+  EXPECT_FALSE(servo.reaches(9001));
+  EXPECT_FALSE(servo.reaches(-9001));
+}
+
+TEST(PanServo, RefusesSettingsWithoutSpeedOrWithPulsesThatBreakServos) {
+  EXPECT_TRUE(PanServo::accepts(kSettings));
+  protocol::ConfigureSonar settings = kSettings;
+  settings.pan_deg_per_s = 0;
+  EXPECT_FALSE(PanServo::accepts(settings));
+  settings = kSettings;
+  settings.pan_us_per_90deg = 1101;
+  EXPECT_FALSE(PanServo::accepts(settings));
+  settings = kSettings;
+  settings.pan_centre_us = 1299;
+  EXPECT_FALSE(PanServo::accepts(settings));
+  settings = kSettings;
+  settings.pan_min_cdeg = 9001;
+  EXPECT_FALSE(PanServo::accepts(settings));
+}
+
+}  // namespace
+}  // namespace echomap::drivers

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/tasks/command.hpp"
+
+#include <gtest/gtest.h>
+
+#include "firmware/app/settings.hpp"
+#include "tests/firmware/native_robot.hpp"
+
+namespace echomap::tasks {
+namespace {
+
+using protocol::CommandStatus;
+using protocol::MotionOutcome;
+using tests::NativeRobot;
+
+constexpr protocol::MoveTicks kLongMove{0, 5000, 5000, 1000, 500};
+
+TEST(Command, GreetsAHostWithItsSessionAfterADelimiter) {
+  NativeRobot robot;
+  robot.run_ms(10);
+  robot.bytes.clear();
+  const auto reply = robot.connect(4711);
+  ASSERT_TRUE(reply.has_value());
+  EXPECT_EQ(robot.bytes[0], 0);
+  EXPECT_EQ(reply->schema_digest, protocol::kSchemaDigest);
+  EXPECT_EQ(reply->receive_credit_bytes, drivers::SerialPort::kReceiveBytes);
+  EXPECT_EQ(reply->tick_hz, 1000);
+}
+
+TEST(Command, AnswersPingWithItsTokenAndTheTime) {
+  NativeRobot robot;
+  robot.run_ms(100);
+  robot.send(protocol::Ping{0xABCD1234U});
+  robot.run_ms(10);
+  const auto pongs = robot.all<protocol::Pong>();
+  ASSERT_EQ(pongs.size(), 1U);
+  EXPECT_EQ(pongs[0].token, 0xABCD1234U);
+  EXPECT_GE(pongs[0].stamp_us, 100000U);
+  EXPECT_LE(pongs[0].stamp_us, 102000U);
+}
+
+TEST(Command, NobodyArmsARobotThatNobodyGreeted) {
+  NativeRobot robot;
+  EXPECT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kDisarmed);
+  EXPECT_EQ(robot.command(kLongMove), CommandStatus::kDisarmed);
+  ASSERT_TRUE(robot.connect(1).has_value());
+  EXPECT_EQ(robot.command(kLongMove), CommandStatus::kDisarmed);
+  EXPECT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
+}
+
+TEST(Command, DoesACommandOnceHoweverOftenItComes) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(protocol::MoveTicks{0, 100, 100, 1000, 500}), CommandStatus::kAccepted);
+  robot.run_ms(400);
+  robot.send(protocol::KeepAlive{500});
+  robot.run_ms(400);
+  ASSERT_NEAR(robot.left_wheel.ticks(), 100, 3);
+  const protocol::MoveTicks again{robot.last_command_id(), 100, 100, 1000, 500};
+  const std::int64_t from_ns = robot.board.now_ns();
+  for (int i = 0; i < 5; ++i) {
+    robot.send(again);
+    robot.run_ms(20);
+  }
+  EXPECT_EQ(robot.all<protocol::Ack>(from_ns).size(), 5U);
+  robot.run_ms(500);
+  EXPECT_NEAR(robot.left_wheel.ticks(), 100, 3);
+}
+
+TEST(Command, NewSessionForgetsIdsAndStopsAndDisarms) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
+  const std::uint8_t id = robot.last_command_id();
+  ASSERT_TRUE(robot.connect(2).has_value());
+  EXPECT_EQ(robot.board.left_duty(), 0);
+  const std::int64_t from_ns = robot.board.now_ns();
+  robot.send(protocol::MoveTicks{id, 100, 100, 1000, 500});
+  robot.run_ms(20);
+  const auto acks = robot.all<protocol::Ack>(from_ns);
+  ASSERT_EQ(acks.size(), 1U);
+  EXPECT_EQ(acks[0].status, static_cast<std::uint8_t>(CommandStatus::kDisarmed));
+}
+
+TEST(Command, RepeatedHelloChangesNothing) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
+  ASSERT_TRUE(robot.connect(1).has_value());
+  robot.run_ms(100);
+  EXPECT_GT(robot.board.left_duty(), 0);
+}
+
+TEST(Command, RefusesWhatIsBusyOrOutOfRange) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, 10, 10, 1000, 501}), CommandStatus::kOutOfRange);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, 10, 10, 0, 500}), CommandStatus::kOutOfRange);
+  ASSERT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(kLongMove), CommandStatus::kBusy);
+  EXPECT_EQ(robot.command(app::kDefaultDrive), CommandStatus::kBusy);
+  ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 9000, 600, 40}), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(protocol::StartSweep{0, 0, 9000, 600, 40}), CommandStatus::kBusy);
+  EXPECT_EQ(robot.command(app::kDefaultSonar), CommandStatus::kBusy);
+  ASSERT_EQ(robot.command(protocol::Stop{0}), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(protocol::StartSweep{0, 0, 9001, 600, 40}), CommandStatus::kOutOfRange);
+  protocol::ConfigureDrive drive = app::kDefaultDrive;
+  drive.max_ticks_per_s2 = 0;
+  EXPECT_EQ(robot.command(drive), CommandStatus::kOutOfRange);
+  protocol::ConfigureSonar sonar = app::kDefaultSonar;
+  sonar.max_echo_us = 0;
+  EXPECT_EQ(robot.command(sonar), CommandStatus::kOutOfRange);
+}
+
+TEST(Command, StopEndsMoveAndSweepAndStaysArmed) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 9000, 600, 40}), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::Stop{0}), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.board.left_duty(), 0);
+  const protocol::Status status = robot.all<protocol::Status>().back();
+  EXPECT_EQ(status.flags, protocol::kFlagArmed);
+  EXPECT_EQ(status.move_outcome, static_cast<std::uint8_t>(MotionOutcome::kStopped));
+  EXPECT_EQ(status.sweep_outcome, static_cast<std::uint8_t>(MotionOutcome::kStopped));
+}
+
+TEST(Command, DisarmStopsTheWheels) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::Arm{0, 0}), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.board.left_duty(), 0);
+  EXPECT_EQ(robot.command(kLongMove), CommandStatus::kDisarmed);
+}
+
+TEST(Command, SetPointsDriveOnlyArmedRobotsAndOnlyWithAValidTimeToLive) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  robot.send(protocol::DriveSetpoint{500, 500, 200});
+  robot.run_ms(100);
+  EXPECT_EQ(robot.left_wheel.ticks(), 0);
+  ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+  robot.send(protocol::DriveSetpoint{500, 500, 501});
+  robot.run_ms(100);
+  EXPECT_EQ(robot.left_wheel.ticks(), 0);
+  robot.send(protocol::DriveSetpoint{500, 500, 500});
+  robot.run_ms(400);
+  EXPECT_GT(robot.left_wheel.ticks(), 50);
+}
+
+TEST(Command, PressedContactBlocksForwardAndLetsBack) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  robot.board.set_bump(true, true);
+  robot.run_ms(2);
+  EXPECT_EQ(robot.command(kLongMove), CommandStatus::kBlocked);
+  robot.send(protocol::DriveSetpoint{500, 500, 500});
+  robot.run_ms(100);
+  EXPECT_EQ(robot.left_wheel.ticks(), 0);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, -100, -100, 500, 500}), CommandStatus::kAccepted);
+  robot.run_ms(300);
+  EXPECT_LT(robot.left_wheel.ticks(), -20);
+}
+
+TEST(Command, CountsDamagedAndMissingFrames) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  protocol::FrameEncoder encoder;
+  const auto send_numbered = [&](std::uint8_t seq, bool damaged) {
+    const protocol::ByteSpan span = encoder.encode(protocol::Ping{1}, seq);
+    std::vector<std::uint8_t> frame(span.data, span.data + span.size);
+    frame[4] = static_cast<std::uint8_t>(frame[4] ^ (damaged ? 0x40U : 0U));
+    robot.board.receive(frame.data(), frame.size());
+  };
+  send_numbered(1, false);
+  send_numbered(2, true);
+  send_numbered(5, false);
+  robot.run_ms(250);
+  const protocol::Status status = robot.all<protocol::Status>().back();
+  EXPECT_EQ(status.frames_bad, 1);
+  EXPECT_EQ(status.frames_lost, 3);
+}
+
+}  // namespace
+}  // namespace echomap::tasks

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/tasks/frame_sender.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "protocol/frame_decoder.hpp"
+
+namespace echomap::tasks {
+namespace {
+
+/// Takes everything queued; the sequence numbers of the frames in it.
+std::vector<int> sequence_of(drivers::SerialPort& port) {
+  protocol::FrameDecoder decoder(protocol::MessagesToHost::find_schema);
+  std::vector<int> numbers;
+  std::uint8_t byte = 0;
+  while (port.on_send_ready(byte)) {
+    if (decoder.take(byte) == protocol::DecodeStatus::kFrame) {
+      numbers.push_back(decoder.frame().seq);
+    }
+  }
+  return numbers;
+}
+
+TEST(FrameSender, NumbersEveryFrameThatWasQueued) {
+  drivers::SerialPort port;
+  FrameSender sender(port);
+  int sent = 0;
+  while (sender.answer(protocol::Ack{1, 0})) {
+    ++sent;
+  }
+  EXPECT_EQ(sent, drivers::SerialPort::kSendBytes / 8);
+  EXPECT_EQ(sequence_of(port).size(), static_cast<std::size_t>(sent));
+  EXPECT_TRUE(sender.answer(protocol::Ack{2, 0}));
+  EXPECT_EQ(sequence_of(port), (std::vector<int>{sent}));
+}
+
+TEST(FrameSender, TelemetryLeavesRoomForTheAnswers) {
+  drivers::SerialPort port;
+  FrameSender sender(port);
+  while (sender.tell(protocol::Odometry{})) {
+  }
+  sender.delimit();
+  EXPECT_TRUE(sender.answer(protocol::HelloReply{}));
+  EXPECT_TRUE(sender.answer(protocol::Ack{}));
+  EXPECT_TRUE(sender.answer(protocol::Pong{}));
+}
+
+TEST(FrameSender, DelimiterEndsAPieceOfAFrame) {
+  drivers::SerialPort port;
+  FrameSender sender(port);
+  sender.delimit();
+  sender.answer(protocol::Pong{1, 2});
+  protocol::FrameDecoder decoder(protocol::MessagesToHost::find_schema);
+  decoder.take(9);
+  decoder.take(1);
+  std::vector<protocol::DecodeStatus> statuses;
+  std::uint8_t byte = 0;
+  while (port.on_send_ready(byte)) {
+    statuses.push_back(decoder.take(byte));
+  }
+  EXPECT_EQ(statuses.front(), protocol::DecodeStatus::kTruncated);
+  EXPECT_EQ(statuses.back(), protocol::DecodeStatus::kFrame);
+}
+
+}  // namespace
+}  // namespace echomap::tasks

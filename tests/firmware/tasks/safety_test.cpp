@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/tasks/safety.hpp"
+
+#include <gtest/gtest.h>
+
+#include "firmware/app/settings.hpp"
+#include "firmware/boards/native/native_board.hpp"
+
+namespace echomap::tasks {
+namespace {
+
+using protocol::MotionOutcome;
+
+class SafetyTest : public testing::Test {
+ protected:
+  ~SafetyTest() override {
+    press(false);
+    motion_.stop(MotionOutcome::kStopped);
+  }
+  static void press(bool pressed) { native::NativeBoard::instance().set_bump(false, pressed); }
+  void tick(int times) {
+    for (int i = 0; i < times; ++i) {
+      safety_.tick();
+    }
+  }
+  void move(std::int32_t left, std::int32_t right) {
+    motion_.start_move(protocol::MoveTicks{3, left, right, 100, 0});
+  }
+  MotionOutcome outcome() const { return motion_.report().outcome; }
+
+  drivers::WheelEncoders encoders_;
+  control::WheelMotion motion_{encoders_, app::kDefaultDrive};
+  Safety safety_{motion_};
+};
+
+TEST_F(SafetyTest, StartsDisarmed) { EXPECT_FALSE(safety_.armed()); }
+
+TEST_F(SafetyTest, DisarmingStopsTheWheels) {
+  safety_.arm();
+  move(100, 100);
+  safety_.disarm();
+  EXPECT_FALSE(safety_.armed());
+  EXPECT_FALSE(motion_.moving());
+  EXPECT_EQ(outcome(), MotionOutcome::kStopped);
+}
+
+TEST_F(SafetyTest, MotionExpiresToTheMillisecondUnlessRenewed) {
+  move(100, 100);
+  safety_.renew(50);
+  tick(49);
+  EXPECT_EQ(outcome(), MotionOutcome::kRunning);
+  safety_.renew(30);
+  tick(29);
+  EXPECT_EQ(outcome(), MotionOutcome::kRunning);
+  tick(1);
+  EXPECT_EQ(outcome(), MotionOutcome::kExpired);
+}
+
+TEST_F(SafetyTest, ZeroStandsForTheDefaultTimeToLive) {
+  move(100, 100);
+  safety_.renew(0);
+  tick(Safety::kDefaultTimeToLiveMs - 1);
+  EXPECT_EQ(outcome(), MotionOutcome::kRunning);
+  tick(1);
+  EXPECT_EQ(outcome(), MotionOutcome::kExpired);
+}
+
+TEST_F(SafetyTest, AcceptsHalfASecondAtMost) {
+  EXPECT_TRUE(Safety::accepts_time_to_live(500));
+  EXPECT_FALSE(Safety::accepts_time_to_live(501));
+}
+
+TEST_F(SafetyTest, PressStopsForwardMotionAndTurnsButNotBackingOff) {
+  struct Case {
+    std::int32_t left, right;
+    MotionOutcome expected;
+  };
+  for (const Case& one : {Case{100, 100, MotionOutcome::kBumped},
+                          Case{100, -100, MotionOutcome::kBumped},
+                          Case{-100, -100, MotionOutcome::kRunning}}) {
+    press(false);
+    tick(drivers::Contacts::kReleaseMs);
+    move(one.left, one.right);
+    tick(1);
+    press(true);
+    tick(1);
+    EXPECT_EQ(outcome(), one.expected) << one.left << ' ' << one.right;
+    motion_.stop(MotionOutcome::kStopped);
+  }
+}
+
+TEST_F(SafetyTest, HeldContactLetsTheRobotTurnAwayButNotGoOn) {
+  press(true);
+  tick(1);
+  EXPECT_TRUE(safety_.blocks(100, 100));
+  EXPECT_TRUE(safety_.blocks(100, -99));
+  EXPECT_FALSE(safety_.blocks(100, -100));
+  EXPECT_FALSE(safety_.blocks(-100, -100));
+  move(100, -100);
+  tick(5);
+  EXPECT_EQ(outcome(), MotionOutcome::kRunning);
+  motion_.drive(50, 60);
+  tick(1);
+  EXPECT_EQ(outcome(), MotionOutcome::kBumped);
+}
+
+TEST_F(SafetyTest, NothingIsBlockedWithoutAContact) { EXPECT_FALSE(safety_.blocks(100, 100)); }
+
+}  // namespace
+}  // namespace echomap::tasks

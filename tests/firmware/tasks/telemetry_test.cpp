@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/tasks/telemetry.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "firmware/app/settings.hpp"
+#include "protocol/frame_decoder.hpp"
+
+namespace echomap::tasks {
+namespace {
+
+struct Collected {
+  std::vector<protocol::Echo> echoes;
+  std::vector<protocol::Odometry> odometry;
+  std::vector<protocol::Status> status;
+
+  void operator()(const protocol::Echo& message) { echoes.push_back(message); }
+  void operator()(const protocol::Odometry& message) { odometry.push_back(message); }
+  void operator()(const protocol::Status& message) { status.push_back(message); }
+  template <class Other>
+  void operator()(const Other& /*message*/) {}
+};
+
+class TelemetryTest : public testing::Test {
+ protected:
+  /// Takes every byte that waits on the line.
+  Collected collect() {
+    Collected collected;
+    std::uint8_t byte = 0;
+    while (port_.on_send_ready(byte)) {
+      if (decoder_.take(byte) == protocol::DecodeStatus::kFrame) {
+        const protocol::Frame frame = decoder_.frame();
+        protocol::Dispatcher<protocol::MessagesToHost>::dispatch(
+            frame.id, frame.payload, collected);
+      }
+    }
+    return collected;
+  }
+  /// Ticks, and reads the line each time, until the next Status.
+  protocol::Status next_status() {
+    for (int ms = 0; ms < 2 * Telemetry::kStatusPeriodMs; ++ms) {
+      tick(1);
+      const Collected now = collect();
+      if (!now.status.empty()) {
+        return now.status[0];
+      }
+    }
+    ADD_FAILURE() << "no Status";
+    return {};
+  }
+  void tick(int times) {
+    for (int i = 0; i < times; ++i) {
+      telemetry_.tick();
+    }
+  }
+
+  drivers::WheelEncoders encoders_;
+  drivers::SonarHcSr04 sonar_;
+  drivers::SerialPort port_;
+  control::WheelMotion motion_{encoders_, app::kDefaultDrive};
+  control::ScanSweep sweep_{encoders_, sonar_, app::kDefaultSonar};
+  Safety safety_{motion_};
+  FrameSender sender_{port_};
+  protocol::ReceiveCounters received_;
+  Telemetry telemetry_{{encoders_, port_, motion_, sweep_, safety_, received_}, sender_, 20};
+  protocol::FrameDecoder decoder_{protocol::MessagesToHost::find_schema};
+};
+
+TEST_F(TelemetryTest, IsSilentUntilAHostIsThere) {
+  tick(1000);
+  EXPECT_EQ(port_.send_room(), drivers::SerialPort::kSendBytes);
+  telemetry_.begin();
+  tick(1);
+  EXPECT_EQ(collect().status.size(), 1U);
+}
+
+TEST_F(TelemetryTest, KeepsItsPeriods) {
+  telemetry_.begin();
+  std::size_t odometry = 0;
+  std::size_t status = 0;
+  for (int ms = 0; ms < 1000; ++ms) {
+    tick(1);
+    const Collected now = collect();
+    odometry += now.odometry.size();
+    status += now.status.size();
+  }
+  EXPECT_EQ(odometry, 50U);
+  EXPECT_EQ(status, 1U + 5U);
+  telemetry_.set_odometry_period(5);
+  odometry = 0;
+  for (int ms = 0; ms < 100; ++ms) {
+    tick(1);
+    odometry += collect().odometry.size();
+  }
+  EXPECT_EQ(odometry, 20U);
+}
+
+TEST_F(TelemetryTest, ReplacesOdometryThatWaitsTooLongAndCountsIt) {
+  telemetry_.begin();
+  encoders_.on_pins(0b0001);
+  tick(20 * 20);
+  const Collected stale = collect();
+  encoders_.on_pins(0b0011);
+  ASSERT_FALSE(stale.odometry.empty());
+  tick(1);
+  const Collected fresh = collect();
+  ASSERT_EQ(fresh.odometry.size(), 1U);
+  EXPECT_EQ(fresh.odometry[0].left_ticks, 1) << "sampled before the last edge";
+  const std::size_t sampled = 20;
+  const std::size_t told = stale.odometry.size() + fresh.odometry.size();
+  EXPECT_EQ(next_status().telemetry_dropped, sampled - told);
+}
+
+TEST_F(TelemetryTest, KeepsTheNewestEchoesAndCountsTheRest) {
+  telemetry_.begin();
+  for (std::int16_t pan = 0; pan < 6; ++pan) {
+    telemetry_.add(protocol::Echo{0, pan, 0, 0, 0});
+  }
+  tick(1);
+  Collected all = collect();
+  tick(1);
+  const Collected rest = collect();
+  all.echoes.insert(all.echoes.end(), rest.echoes.begin(), rest.echoes.end());
+  ASSERT_EQ(all.echoes.size(), 4U);
+  EXPECT_EQ(all.echoes[0].pan_cdeg, 2);
+  EXPECT_EQ(all.echoes[3].pan_cdeg, 5);
+  EXPECT_EQ(next_status().telemetry_dropped, 2);
+}
+
+TEST_F(TelemetryTest, TellsAnOutcomeAtOnce) {
+  telemetry_.begin();
+  tick(1);
+  collect();
+  motion_.start_move({7, 100, 100, 100, 0});
+  tick(1);
+  Collected now = collect();
+  ASSERT_EQ(now.status.size(), 1U);
+  EXPECT_EQ(now.status[0].move_id, 7);
+  EXPECT_EQ(now.status[0].move_outcome,
+            static_cast<std::uint8_t>(protocol::MotionOutcome::kRunning));
+  EXPECT_EQ(now.status[0].flags, protocol::kFlagMoving);
+  motion_.stop(protocol::MotionOutcome::kBumped);
+  tick(1);
+  now = collect();
+  ASSERT_EQ(now.status.size(), 1U);
+  EXPECT_EQ(now.status[0].move_outcome,
+            static_cast<std::uint8_t>(protocol::MotionOutcome::kBumped));
+  tick(1);
+  EXPECT_TRUE(collect().status.empty());
+}
+
+TEST_F(TelemetryTest, CarriesCountsAndErrors) {
+  telemetry_.begin();
+  encoders_.on_pins(0b0001);
+  encoders_.on_pins(0b0101);
+  encoders_.on_pins(0b1010);
+  tick(20);
+  const Collected now = collect();
+  ASSERT_EQ(now.odometry.size(), 1U);
+  EXPECT_EQ(now.odometry[0].left_ticks, 1);
+  EXPECT_EQ(now.odometry[0].right_ticks, 1);
+  EXPECT_EQ(next_status().encoder_errors, 2);
+}
+
+}  // namespace
+}  // namespace echomap::tasks
