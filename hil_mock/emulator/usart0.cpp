@@ -60,8 +60,9 @@ void Usart0::reset() {
 }
 
 std::uint64_t Usart0::byte_cycles() const {
-  const std::uint64_t divider =
-      (avr_regbit_get(&avr_, uart_.ubrrl) | (avr_regbit_get(&avr_, uart_.ubrrh) << 8U)) + 1U;
+  const unsigned low = avr_regbit_get(&avr_, uart_.ubrrl);
+  const unsigned high = avr_regbit_get(&avr_, uart_.ubrrh);
+  const std::uint64_t divider = (high << 8U | low) + 1;
   const std::uint64_t samples_per_bit = avr_regbit_get(&avr_, uart_.u2x) != 0 ? 8 : 16;
   return divider * samples_per_bit * kBitsPerByte8N1;
 }

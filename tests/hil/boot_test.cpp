@@ -21,7 +21,7 @@ using protocol::CommandStatus;
 /// The same on each baud rate for which a release image exists.
 class ReleaseImage : public ::testing::TestWithParam<const char*> {
  protected:
-  RobotSession robot_{release_image(GetParam())};
+  RobotSession robot{release_image(GetParam())};
 };
 
 INSTANTIATE_TEST_SUITE_P(Bauds,
@@ -31,19 +31,19 @@ INSTANTIATE_TEST_SUITE_P(Bauds,
                                            "echomap-uno-500000"));
 
 TEST_P(ReleaseImage, SaysHelloUnaskedAfterPowerOn) {
-  robot_.run_ms(50);
-  const auto reply = robot_.last<protocol::HelloReply>();
+  robot.run_ms(50);
+  const auto reply = robot.last<protocol::HelloReply>();
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->session, 0);
   EXPECT_EQ(reply->reset_cause, protocol::kResetPowerOn);
-  EXPECT_EQ(robot_.heard().size(), 1U) << "telemetry before a host said Hello";
-  const double first_ms = double(robot_.heard().front().at_ns) * 1e-6;
+  EXPECT_EQ(robot.heard().size(), 1U) << "telemetry before a host said Hello";
+  const double first_ms = double(robot.heard().front().at_ns) * 1e-6;
   RecordProperty("hello_after_ms", std::to_string(first_ms));
   std::printf("%s: unasked Hello %.2f ms after power-on\n", GetParam(), first_ms);
 }
 
 TEST_P(ReleaseImage, AnswersHelloWithItsSchema) {
-  const auto reply = robot_.connect();
+  const auto reply = robot.connect();
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->protocol_major, protocol::kProtocolMajor);
   EXPECT_EQ(reply->schema_digest, protocol::kSchemaDigest);
@@ -53,26 +53,26 @@ TEST_P(ReleaseImage, AnswersHelloWithItsSchema) {
 }
 
 TEST_P(ReleaseImage, StreamsOdometryAndAnswersEveryPing) {
-  ASSERT_TRUE(robot_.connect());
-  robot_.forget_heard();
+  ASSERT_TRUE(robot.connect());
+  robot.forget_heard();
   std::uint32_t pings = 0;
-  robot_.each_ms = [&] {
-    if (robot_.board().now_ns() / 1'000'000 % 10 == 0) {
-      robot_.send(protocol::Ping{++pings});
+  robot.each_ms = [&] {
+    if (robot.board().now_ns() / 1'000'000 % 10 == 0) {
+      robot.send(protocol::Ping{++pings});
     }
   };
-  robot_.run_ms(1000);
-  robot_.each_ms = nullptr;
-  robot_.run_ms(10);
-  const auto pongs = robot_.all<protocol::Pong>();
+  robot.run_ms(1000);
+  robot.each_ms = nullptr;
+  robot.run_ms(10);
+  const auto pongs = robot.all<protocol::Pong>();
   ASSERT_EQ(pongs.size(), pings);
   for (std::uint32_t i = 0; i < pings; ++i) {
     EXPECT_EQ(pongs[i].token, i + 1);
   }
-  EXPECT_NEAR(double(robot_.all<protocol::Odometry>().size()), 50.0, 1.0);
-  EXPECT_EQ(robot_.counters().frames_bad(), 0);
-  EXPECT_EQ(robot_.counters().frames_lost(), 0);
-  const auto status = robot_.last<protocol::Status>();
+  EXPECT_NEAR(double(robot.all<protocol::Odometry>().size()), 50.0, 1.0);
+  EXPECT_EQ(robot.counters().frames_bad(), 0);
+  EXPECT_EQ(robot.counters().frames_lost(), 0);
+  const auto status = robot.last<protocol::Status>();
   ASSERT_TRUE(status);
   EXPECT_EQ(status->frames_bad, 0);
   EXPECT_EQ(status->frames_lost, 0);

@@ -18,21 +18,21 @@ namespace {
 class VectorEcho : public ::testing::Test {
  protected:
   VectorEcho() {
-    board_.on_sent = [this](std::uint8_t byte) { sent_.push_back(byte); };
+    board.on_sent = [this](std::uint8_t byte) { sent.push_back(byte); };
     run_ms(5);
   }
 
-  void run_ms(std::int64_t ms) { board_.run_until(board_.now_ns() + ms * 1'000'000); }
+  void run_ms(std::int64_t ms) { board.run_until(board.now_ns() + ms * 1'000'000); }
 
   std::vector<std::uint8_t> answer_to(const std::vector<std::uint8_t>& bytes) {
-    sent_.clear();
-    board_.receive(bytes);
+    sent.clear();
+    board.receive(bytes);
     run_ms(15);  // 54 bytes there and back take 10 ms
-    return sent_;
+    return sent;
   }
 
-  emulator::SimavrBoard board_{release_image("echomap-uno-vectors")};
-  std::vector<std::uint8_t> sent_;
+  emulator::SimavrBoard board{release_image("echomap-uno-vectors")};
+  std::vector<std::uint8_t> sent;
 };
 
 TEST_F(VectorEcho, EveryGoldenFrameComesBackToTheByte) {

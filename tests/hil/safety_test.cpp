@@ -28,42 +28,42 @@ constexpr double kPeriodsMs = 5.0;
 class MovingRobot : public ::testing::Test {
  protected:
   MovingRobot() {
-    robot_.each_ms = [this] {
-      left_.step_ms();
-      right_.step_ms();
-      if (renewing_ && robot_.board().now_ns() / 1'000'000 % 50 == 0) {
-        robot_.send(protocol::KeepAlive{kTimeToLiveMs});
+    robot.each_ms = [this] {
+      left.step_ms();
+      right.step_ms();
+      if (renewing && robot.board().now_ns() / 1'000'000 % 50 == 0) {
+        robot.send(protocol::KeepAlive{kTimeToLiveMs});
       }
     };
   }
 
   void connect_and_arm() {
-    ASSERT_TRUE(robot_.connect());
-    ASSERT_EQ(robot_.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+    ASSERT_TRUE(robot.connect());
+    ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
   }
 
   void drive() {
     connect_and_arm();
-    robot_.send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
-    renewing_ = true;
-    robot_.run_ms(1000);
-    ASSERT_NEAR(left_.ticks_per_s(), kTicksPerS, 50);
-    ASSERT_NEAR(right_.ticks_per_s(), kTicksPerS, 50);
+    robot.send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
+    renewing = true;
+    robot.run_ms(1000);
+    ASSERT_NEAR(left.ticks_per_s(), kTicksPerS, 50);
+    ASSERT_NEAR(right.ticks_per_s(), kTicksPerS, 50);
   }
 
   bool off() {
-    const runner::MotorDuty duty = robot_.board().motor_duty();
+    const runner::MotorDuty duty = robot.board().motor_duty();
     return duty.left == 0.0 && duty.right == 0.0;
   }
 
   /// Milliseconds, counted in cycles, from now until both PWM outputs are off for good; a
   /// controller that brakes passes through 0 on its way.
   double ms_until_off(std::int64_t watched_ms) {
-    const std::uint64_t start = robot_.cycle();
+    const std::uint64_t start = robot.cycle();
     std::uint64_t last_on = start;
-    robot_.run_until(
+    robot.run_until(
         [&] {
-          last_on = off() ? last_on : robot_.cycle();
+          last_on = off() ? last_on : robot.cycle();
           return false;
         },
         watched_ms);
@@ -73,26 +73,26 @@ class MovingRobot : public ::testing::Test {
 
   void expect_off_for(std::int64_t ms) {
     for (std::int64_t i = 0; i < ms; ++i) {
-      robot_.run_ms(1);
+      robot.run_ms(1);
       ASSERT_TRUE(off()) << "on again after " << i << " ms";
     }
   }
 
   MotionOutcome outcome() {
-    return static_cast<MotionOutcome>(robot_.last<protocol::Status>()->move_outcome);
+    return static_cast<MotionOutcome>(robot.last<protocol::Status>()->move_outcome);
   }
 
-  RobotSession robot_{release_image()};
-  DrivenWheel left_{robot_.board(), Wheel::kLeft};
-  DrivenWheel right_{robot_.board(), Wheel::kRight};
-  bool renewing_ = false;
+  RobotSession robot{release_image()};
+  DrivenWheel left{robot.board(), Wheel::kLeft};
+  DrivenWheel right{robot.board(), Wheel::kRight};
+  bool renewing = false;
 };
 
 TEST_F(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
   drive();
-  renewing_ = false;
-  robot_.send(protocol::KeepAlive{kTimeToLiveMs});
-  robot_.run_ms(1);  // the frame's eight bytes at 115200 baud
+  renewing = false;
+  robot.send(protocol::KeepAlive{kTimeToLiveMs});
+  robot.run_ms(1);  // the frame's eight bytes at 115200 baud
   const double ms = ms_until_off(1500);
   RecordProperty("off_after_keep_alive_ms", std::to_string(ms));
   std::printf("time to live %d ms: PWM off %.2f ms (%.0f cycles) after the last KeepAlive\n",
@@ -106,7 +106,7 @@ TEST_F(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
 
 TEST_F(MovingRobot, MoveExpiresToo) {
   connect_and_arm();
-  ASSERT_EQ(robot_.command(protocol::MoveTicks{0, 20000, 20000, 1500, kTimeToLiveMs}),
+  ASSERT_EQ(robot.command(protocol::MoveTicks{0, 20000, 20000, 1500, kTimeToLiveMs}),
             CommandStatus::kAccepted);
   const double ms = ms_until_off(2000);
   std::printf("time to live %d ms: move without KeepAlive off after %.2f ms\n", kTimeToLiveMs, ms);
@@ -117,26 +117,26 @@ TEST_F(MovingRobot, MoveExpiresToo) {
 TEST_F(MovingRobot, KeepsMovingAsLongAsTheHostRenews) {
   drive();
   for (int i = 0; i < 2000; ++i) {
-    robot_.run_ms(1);
+    robot.run_ms(1);
     ASSERT_FALSE(off());
   }
 }
 
 TEST_F(MovingRobot, MoveEndsAtItsCount) {
   connect_and_arm();
-  renewing_ = true;
-  ASSERT_EQ(robot_.command(protocol::MoveTicks{0, 3000, -1000, 1500, kTimeToLiveMs}),
+  renewing = true;
+  ASSERT_EQ(robot.command(protocol::MoveTicks{0, 3000, -1000, 1500, kTimeToLiveMs}),
             CommandStatus::kAccepted);
-  robot_.run_ms(4000);
+  robot.run_ms(4000);
   EXPECT_EQ(outcome(), MotionOutcome::kReached);
   std::printf("move of 3000, -1000 ticks ended at %lld, %lld\n",
-              static_cast<long long>(left_.count()),
-              static_cast<long long>(right_.count()));
-  EXPECT_NEAR(double(left_.count()), 3000, 20);
-  EXPECT_NEAR(double(right_.count()), -1000, 20);
-  const auto odometry = robot_.last<protocol::Odometry>();
-  EXPECT_EQ(odometry->left_ticks, left_.count());
-  EXPECT_EQ(odometry->right_ticks, right_.count());
+              static_cast<long long>(left.count()),
+              static_cast<long long>(right.count()));
+  EXPECT_NEAR(double(left.count()), 3000, 20);
+  EXPECT_NEAR(double(right.count()), -1000, 20);
+  const auto odometry = robot.last<protocol::Odometry>();
+  EXPECT_EQ(odometry->left_ticks, left.count());
+  EXPECT_EQ(odometry->right_ticks, right.count());
 }
 
 class BumpedRobot : public MovingRobot, public ::testing::WithParamInterface<Wheel> {};
@@ -145,28 +145,28 @@ INSTANTIATE_TEST_SUITE_P(Sides, BumpedRobot, ::testing::Values(Wheel::kLeft, Whe
 
 TEST_P(BumpedRobot, PwmIsOffWithinTwoMilliseconds) {
   drive();
-  robot_.board().set_bump(GetParam(), true);
+  robot.board().set_bump(GetParam(), true);
   const double ms = ms_until_off(500);
   std::printf("bump: PWM off after %.3f ms\n", ms);
   RecordProperty("off_after_bump_ms", std::to_string(ms));
   EXPECT_LE(ms, 2.0);
   EXPECT_EQ(outcome(), MotionOutcome::kBumped);
-  EXPECT_EQ(robot_.command(protocol::MoveTicks{0, 500, 500, 800, 200}), CommandStatus::kBlocked);
-  EXPECT_EQ(robot_.command(protocol::MoveTicks{0, -500, -500, 800, 200}), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, 500, 500, 800, 200}), CommandStatus::kBlocked);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, -500, -500, 800, 200}), CommandStatus::kAccepted);
 }
 
 class HungRobot : public MovingRobot {
  protected:
   /// After a hang: PWM off by the watchdog's interrupt, then a reset that disarms.
   void expect_watchdog_reset() {
-    renewing_ = false;
-    robot_.forget_heard();
-    const std::uint64_t start = robot_.cycle();
-    const auto ms_since = [&] { return double(robot_.cycle() - start) / kCyclesPerMs; };
-    ASSERT_TRUE(robot_.run_until([this] { return off(); }, 400));
+    renewing = false;
+    robot.forget_heard();
+    const std::uint64_t start = robot.cycle();
+    const auto ms_since = [&] { return double(robot.cycle() - start) / kCyclesPerMs; };
+    ASSERT_TRUE(robot.run_until([this] { return off(); }, 400));
     const double off_ms = ms_since();
     EXPECT_EQ(machine().resets(), 0U) << "PWM goes off before the reset";
-    ASSERT_TRUE(robot_.run_until([this] { return !off() || machine().resets() != 0; }, 400));
+    ASSERT_TRUE(robot.run_until([this] { return !off() || machine().resets() != 0; }, 400));
     EXPECT_TRUE(off());
     const double reset_ms = ms_since();
     std::printf("watchdog: PWM off %.1f ms, reset %.1f ms after the hang\n", off_ms, reset_ms);
@@ -174,19 +174,19 @@ class HungRobot : public MovingRobot {
     EXPECT_LE(off_ms, 150.0);
     EXPECT_LE(reset_ms, 300.0);
     expect_off_for(50);
-    ASSERT_TRUE(robot_.last<protocol::HelloReply>());
-    EXPECT_EQ(robot_.last<protocol::HelloReply>()->reset_cause, protocol::kResetWatchdog);
+    ASSERT_TRUE(robot.last<protocol::HelloReply>());
+    EXPECT_EQ(robot.last<protocol::HelloReply>()->reset_cause, protocol::kResetWatchdog);
   }
 
   void expect_disarmed() {
-    ASSERT_TRUE(robot_.connect(4712));
-    EXPECT_EQ(robot_.command(protocol::MoveTicks{0, 100, 100, 500, 0}), CommandStatus::kDisarmed);
-    robot_.send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
+    ASSERT_TRUE(robot.connect(4712));
+    EXPECT_EQ(robot.command(protocol::MoveTicks{0, 100, 100, 500, 0}), CommandStatus::kDisarmed);
+    robot.send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
     expect_off_for(100);
-    EXPECT_EQ(robot_.last<protocol::Odometry>()->flags & protocol::kFlagArmed, 0);
+    EXPECT_EQ(robot.last<protocol::Odometry>()->flags & protocol::kFlagArmed, 0);
   }
 
-  emulator::AvrMachine& machine() { return robot_.board().machine(); }
+  emulator::AvrMachine& machine() { return robot.board().machine(); }
 };
 
 TEST_F(HungRobot, WithoutTicksIsResetAndDisarmed) {
