@@ -38,7 +38,12 @@ int16_t WheelSpeedController::update(const protocol::ConfigureDrive& gains,
                                      int16_t turned) {
   lag_ += reference_step - int32_t{turned} * kOneTick;
   measure(turned);
-  push_off(reference_step != 0);
+  const bool reference_moves = reference_step != 0;
+  if (!reference_moves && near()) {
+    push_ = 0;
+    return 0;  // Without friction, control would hunt round the last tick for ever.
+  }
+  push_off(reference_moves);
   const int32_t speed = int32_t{turned_sum_} * kControlHz / kSpeedPeriods;
   const int32_t reference = ticks_per_second(reference_step);
   const int32_t drive = term(gains.feed_forward, reference) +
@@ -47,9 +52,9 @@ int16_t WheelSpeedController::update(const protocol::ConfigureDrive& gains,
   return static_cast<int16_t>(clamped(drive, kFullDrive) / 256);
 }
 
-bool WheelSpeedController::arrived() const {
-  return still_periods_ == kStillPeriods && magnitude(lag_) <= kArrived;
-}
+bool WheelSpeedController::arrived() const { return still_periods_ == kStillPeriods && near(); }
+
+bool WheelSpeedController::near() const { return magnitude(lag_) <= kArrived; }
 
 bool WheelSpeedController::stalled(const protocol::ConfigureDrive& limits) const {
   constexpr int32_t kLeastBoundTicks = 64;
@@ -70,11 +75,10 @@ void WheelSpeedController::measure(int16_t turned) {
 
 void WheelSpeedController::push_off(bool reference_moves) {
   const bool behind = lag_ > 0;
-  const bool near = magnitude(lag_) <= kArrived;
-  if (reference_moves || near || (push_ > 0) != behind) {
+  if (reference_moves || (push_ > 0) != behind) {
     push_ = 0;
   }
-  if (!reference_moves && !near && turned_sum_ == 0) {
+  if (!reference_moves && turned_sum_ == 0) {
     push_ += behind ? kPushStep : -kPushStep;
   }
 }

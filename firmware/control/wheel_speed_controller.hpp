@@ -40,6 +40,7 @@ class WheelSpeedController {
 
   void measure(int16_t turned);
   void push_off(bool reference_moves);
+  bool near() const;
 
   int32_t lag_ = 0;   ///< 1/4000 tick.
   int32_t push_ = 0;  ///< Duty x 256 against static friction.

@@ -82,6 +82,17 @@ TEST_F(WheelMotionTest, MovesEndWithinTwoTicksAndRelease) {
   }
 }
 
+TEST_F(WheelMotionTest, MovesEndWithoutFrictionToo) {
+  left_.dead_zone_duty = 0.0;
+  right_.dead_zone_duty = 0.0;
+  move(3000, -1000, 1500);
+  ASSERT_TRUE(run_to_end(3500));
+  EXPECT_EQ(motion_.report().outcome, MotionOutcome::kReached);
+  run_ms(300);
+  EXPECT_NEAR(left_.ticks(), 3000, 3);
+  EXPECT_NEAR(right_.ticks(), -1000, 3);
+}
+
 TEST_F(WheelMotionTest, BothWheelsKeepTheirProportionAllTheWay) {
   move(3000, 1000, 2000);
   double worst = 0.0;
