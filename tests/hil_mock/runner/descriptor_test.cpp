@@ -27,7 +27,7 @@ TEST(Descriptor, ClosesWhatItOwns) {
 
 TEST(Descriptor, SaysWhatWasTriedAndWhy) {
   try {
-    Descriptor(::open("/no/such/file", O_RDONLY), "cannot open it");
+    const Descriptor missing(::open("/no/such/file", O_RDONLY), "cannot open it");
     FAIL();
   } catch (const std::system_error& error) {
     EXPECT_EQ(error.code(), std::errc::no_such_file_or_directory);

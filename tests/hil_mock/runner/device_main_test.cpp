@@ -21,7 +21,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const DeviceProgram kFake{
+const DeviceProgram fake_program{
     "echomap-fake", false, [](const BoardOptions&) { return std::make_unique<FakeBoard>(); }};
 
 struct Outcome {
@@ -30,7 +30,7 @@ struct Outcome {
   std::string error;
 };
 
-Outcome run(Arguments arguments, const DeviceProgram& program = kFake) {
+Outcome run(Arguments arguments, const DeviceProgram& program = fake_program) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const int exit_code = run_device(arguments.argc(), arguments.argv(), program);
@@ -64,8 +64,9 @@ TEST(DeviceMain, SaysByeInLockstepWhenTheTruthIsOnDisk) {
   Arguments arguments{"--link=" + (folder / "robot").string(),
                       "--lockstep=" + (folder / "lockstep").string(),
                       "--truth=" + (folder / "truth").string()};
-  auto exit_code = std::async(
-      std::launch::async, [&] { return run_device(arguments.argc(), arguments.argv(), kFake); });
+  auto exit_code = std::async(std::launch::async, [&] {
+    return run_device(arguments.argc(), arguments.argv(), fake_program);
+  });
   wait_for_socket(folder / "lockstep");
   TestHost channel = TestHost::connect_local(folder / "lockstep");
   EXPECT_EQ(channel.read_line(), R"({"lockstep":1,"firmware":"fake 1.0","emulator":"none"})");

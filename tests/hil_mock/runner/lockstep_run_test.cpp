@@ -22,79 +22,79 @@ constexpr std::int64_t kMs = 1'000'000;
 class LockstepRunTest : public testing::Test {
  protected:
   std::future<LockstepEnd> start() {
-    auto end = std::async(std::launch::async, [this] { return run_.run(); });
-    EXPECT_EQ(channel_.read_line(), "hello");
+    auto end = std::async(std::launch::async, [this] { return run.run(); });
+    EXPECT_EQ(channel.read_line(), "hello");
     return end;
   }
 
-  ScratchFolder folder_;
-  FakeBoard board_;
-  world::RobotWorld world_{world::box_room(), {}, 1};
-  RobotSimulation simulation_{board_, world_};
-  PtyEndpoint endpoint_{folder_ / "robot", WhenUnread::kKeep};
-  LockstepServer server_{folder_ / "lockstep", "hello"};
-  LockstepRun run_{simulation_, endpoint_, server_};
-  TestHost bytes_ = TestHost::open_terminal(endpoint_.address());
-  TestHost channel_ = TestHost::connect_local(folder_ / "lockstep");
+  ScratchFolder folder;
+  FakeBoard board;
+  world::RobotWorld robot_world{world::box_room(), {}, 1};
+  RobotSimulation simulation{board, robot_world};
+  PtyEndpoint endpoint{folder / "robot", WhenUnread::kKeep};
+  LockstepServer server{folder / "lockstep", "hello"};
+  LockstepRun run{simulation, endpoint, server};
+  TestHost bytes = TestHost::open_terminal(endpoint.address());
+  TestHost channel = TestHost::connect_local(folder / "lockstep");
 };
 
 TEST_F(LockstepRunTest, GrantsAreReachedAndBytesComeBack) {
   auto end = start();
-  bytes_.write("abc");
-  channel_.write("grant 20000 3\n");
-  EXPECT_EQ(channel_.read_line(), "reached 20000 3");
-  EXPECT_EQ(bytes_.read(3), "abc");
-  channel_.write("grant 25000 3\n");
-  EXPECT_EQ(channel_.read_line(), "reached 25000 3");
-  channel_.write("quit\n");
+  bytes.write("abc");
+  channel.write("grant 20000 3\n");
+  EXPECT_EQ(channel.read_line(), "reached 20000 3");
+  EXPECT_EQ(bytes.read(3), "abc");
+  channel.write("grant 25000 3\n");
+  EXPECT_EQ(channel.read_line(), "reached 25000 3");
+  channel.write("quit\n");
   EXPECT_EQ(end.get(), LockstepEnd::kQuit);
-  EXPECT_EQ(simulation_.now_ns(), 25 * kMs);
+  EXPECT_EQ(simulation.now_ns(), 25 * kMs);
 }
 
 TEST_F(LockstepRunTest, AGrantWaitsForTheBytesThatItCounts) {
   auto end = start();
-  channel_.write("grant 10000 0\ngrant 20000 4\n");
-  EXPECT_EQ(channel_.read_line(), "reached 10000 0");
-  bytes_.write("late");
-  EXPECT_EQ(channel_.read_line(), "reached 20000 4");
-  channel_.write("quit\n");
+  channel.write("grant 10000 0\ngrant 20000 4\n");
+  EXPECT_EQ(channel.read_line(), "reached 10000 0");
+  bytes.write("late");
+  EXPECT_EQ(channel.read_line(), "reached 20000 4");
+  channel.write("quit\n");
   end.get();
-  EXPECT_EQ(board_.received_at_ns, 10 * kMs) << "received at the start of their grant";
+  EXPECT_EQ(board.received_at_ns, 10 * kMs) << "received at the start of their grant";
 }
 
 TEST_F(LockstepRunTest, BytesBeyondTheGrantAreForTheNext) {
   auto end = start();
-  bytes_.write("onetwo");
-  channel_.write("grant 10000 3\ngrant 20000 6\n");
-  EXPECT_EQ(channel_.read_line(), "reached 10000 3");
-  EXPECT_EQ(channel_.read_line(), "reached 20000 6");
-  EXPECT_EQ(bytes_.read(6), "onetwo");
-  channel_.write("quit\n");
+  bytes.write("onetwo");
+  channel.write("grant 10000 3\ngrant 20000 6\n");
+  EXPECT_EQ(channel.read_line(), "reached 10000 3");
+  EXPECT_EQ(channel.read_line(), "reached 20000 6");
+  EXPECT_EQ(bytes.read(6), "onetwo");
+  channel.write("quit\n");
   end.get();
 }
 
 TEST_F(LockstepRunTest, WhenTheHostVanishesItReportsWhenTheWheelsStopped) {
-  board_.duty = {0.5, 0.5};
-  board_.stop_at_ns = 300 * kMs;
+  board.duty = {0.5, 0.5};
+  board.stop_at_ns = 300 * kMs;
   auto end = start();
-  channel_.write("grant 100000 0\n");
-  EXPECT_EQ(channel_.read_line(), "reached 100000 0");
-  channel_.close();
+  channel.write("grant 100000 0\n");
+  EXPECT_EQ(channel.read_line(), "reached 100000 0");
+  channel.close();
   EXPECT_EQ(end.get(), LockstepEnd::kHostGone);
-  const StopReport report = run_.run_without_host();
+  const StopReport report = run.run_without_host();
   EXPECT_EQ(report.last_grant_ns, 100 * kMs);
   EXPECT_EQ(report.stopped_after_ns, 200 * kMs);
-  EXPECT_EQ(simulation_.now_ns(), 2100 * kMs);
+  EXPECT_EQ(simulation.now_ns(), 2100 * kMs);
 }
 
 TEST_F(LockstepRunTest, WheelsThatGoOnAreReportedToo) {
-  board_.duty = {0.5, 0.5};
-  EXPECT_EQ(run_.run_without_host().stopped_after_ns, std::nullopt);
+  board.duty = {0.5, 0.5};
+  EXPECT_EQ(run.run_without_host().stopped_after_ns, std::nullopt);
 }
 
 TEST_F(LockstepRunTest, RefusesWhatIsNoRequest) {
   auto end = start();
-  channel_.write("please 1\n");
+  channel.write("please 1\n");
   EXPECT_THROW(end.get(), std::runtime_error);
 }
 

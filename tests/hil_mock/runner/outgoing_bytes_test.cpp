@@ -19,21 +19,21 @@ class OutgoingBytesTest : public testing::Test {
   void SetUp() override {
     std::array<int, 2> ends{};
     ASSERT_EQ(::pipe(ends.data()), 0);
-    reader_ = Descriptor(ends[0], "pipe");
-    writer_ = Descriptor(ends[1], "pipe");
-    set_non_blocking(reader_.number());
-    set_non_blocking(writer_.number());
+    reader = Descriptor(ends[0], "pipe");
+    writer = Descriptor(ends[1], "pipe");
+    set_non_blocking(reader.number());
+    set_non_blocking(writer.number());
   }
 
   std::vector<std::uint8_t> drain() {
     std::vector<std::uint8_t> bytes(1 << 20);
-    const ssize_t count = ::read(reader_.number(), bytes.data(), bytes.size());
+    const ssize_t count = ::read(reader.number(), bytes.data(), bytes.size());
     bytes.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
     return bytes;
   }
 
-  Descriptor reader_;
-  Descriptor writer_;
+  Descriptor reader;
+  Descriptor writer;
 };
 
 std::vector<std::uint8_t> pattern(std::size_t size) {
@@ -50,7 +50,7 @@ TEST_F(OutgoingBytesTest, KeptBytesAllComeThroughAFullPipeInOrder) {
   outgoing.push(all);
   std::vector<std::uint8_t> arrived;
   while (arrived.size() < all.size()) {
-    ASSERT_TRUE(outgoing.write_to(writer_.number()));
+    ASSERT_TRUE(outgoing.write_to(writer.number()));
     const auto piece = drain();
     ASSERT_FALSE(piece.empty());
     arrived.insert(arrived.end(), piece.begin(), piece.end());
@@ -65,7 +65,7 @@ TEST_F(OutgoingBytesTest, BeyondItsBoundUnreadBytesAreDroppedAndCounted) {
   const auto all = pattern(5000);
   outgoing.push(all);
   EXPECT_EQ(outgoing.dropped(), 5000U - 4096U);
-  ASSERT_TRUE(outgoing.write_to(writer_.number()));
+  ASSERT_TRUE(outgoing.write_to(writer.number()));
   EXPECT_EQ(drain(), std::vector<std::uint8_t>(all.begin(), all.begin() + 4096));
 }
 
@@ -81,8 +81,8 @@ TEST_F(OutgoingBytesTest, TellsThatTheOtherEndIsGone) {
   std::signal(SIGPIPE, SIG_IGN);
   OutgoingBytes outgoing(WhenUnread::kKeep);
   outgoing.push(pattern(10));
-  reader_.close();
-  EXPECT_FALSE(outgoing.write_to(writer_.number()));
+  reader.close();
+  EXPECT_FALSE(outgoing.write_to(writer.number()));
 }
 
 }  // namespace

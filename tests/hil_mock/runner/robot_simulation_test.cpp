@@ -24,39 +24,39 @@ world::RobotParams quiet_robot() {
 
 class RobotSimulationTest : public testing::Test {
  protected:
-  FakeBoard board_;
-  world::RobotWorld world_{world::box_room(), quiet_robot(), 1};
-  RobotSimulation simulation_{board_, world_};
+  FakeBoard board;
+  world::RobotWorld robot_world{world::box_room(), quiet_robot(), 1};
+  RobotSimulation simulation{board, robot_world};
 };
 
 TEST_F(RobotSimulationTest, EveryCountOfAWheelIsOneEdgeInOrderAndInTheFuture) {
-  board_.duty = {0.6, -0.4};
-  simulation_.advance_to(1500 * kMs);
-  EXPECT_EQ(static_cast<std::int64_t>(board_.left_edges.size()),
-            world_.body().left_wheel().counts());
-  EXPECT_EQ(-static_cast<std::int64_t>(board_.right_edges.size()),
-            world_.body().right_wheel().counts());
-  EXPECT_GT(board_.left_edges.size(), 1000U);
-  EXPECT_EQ(board_.early_edges, 0);
-  for (std::size_t i = 1; i < board_.left_edges.size(); ++i) {
-    EXPECT_GT(board_.left_edges[i].at_ns, board_.left_edges[i - 1].at_ns);
+  board.duty = {0.6, -0.4};
+  simulation.advance_to(1500 * kMs);
+  EXPECT_EQ(static_cast<std::int64_t>(board.left_edges.size()),
+            robot_world.body().left_wheel().counts());
+  EXPECT_EQ(-static_cast<std::int64_t>(board.right_edges.size()),
+            robot_world.body().right_wheel().counts());
+  EXPECT_GT(board.left_edges.size(), 1000U);
+  EXPECT_EQ(board.early_edges, 0);
+  for (std::size_t i = 1; i < board.left_edges.size(); ++i) {
+    EXPECT_GT(board.left_edges[i].at_ns, board.left_edges[i - 1].at_ns);
   }
 }
 
 TEST_F(RobotSimulationTest, APingIsAnsweredAfterTheFlightOfTheSound) {
-  board_.on_trigger(0);
-  ASSERT_EQ(board_.echoes.size(), 1U);
-  EXPECT_EQ(board_.echoes[0].rise_ns, 460'000);
-  const double width_s = static_cast<double>(board_.echoes[0].fall_ns - 460'000) * 1e-9;
+  board.on_trigger(0);
+  ASSERT_EQ(board.echoes.size(), 1U);
+  EXPECT_EQ(board.echoes[0].rise_ns, 460'000);
+  const double width_s = static_cast<double>(board.echoes[0].fall_ns - 460'000) * 1e-9;
   EXPECT_NEAR(width_s, 2.0 * 1.97 / 343.2, 1e-8);
 }
 
 TEST_F(RobotSimulationTest, ATriggerDuringAnEchoIsIgnored) {
-  board_.on_trigger(0);
-  board_.on_trigger(board_.echoes[0].fall_ns - 1);
-  EXPECT_EQ(board_.echoes.size(), 1U);
-  board_.on_trigger(board_.echoes[0].fall_ns);
-  EXPECT_EQ(board_.echoes.size(), 2U);
+  board.on_trigger(0);
+  board.on_trigger(board.echoes[0].fall_ns - 1);
+  EXPECT_EQ(board.echoes.size(), 1U);
+  board.on_trigger(board.echoes[0].fall_ns);
+  EXPECT_EQ(board.echoes.size(), 2U);
 }
 
 TEST(RobotSimulation, WithoutAnAnswerTheEchoPinStaysHighFor38Milliseconds) {
@@ -71,32 +71,32 @@ TEST(RobotSimulation, WithoutAnAnswerTheEchoPinStaysHighFor38Milliseconds) {
 }
 
 TEST_F(RobotSimulationTest, ThePanServoNeedsItsTimeToTurnTheSonar) {
-  board_.pulse_us = 2400.0;
-  simulation_.advance_to(100 * kMs);
-  board_.on_trigger(100 * kMs);
-  simulation_.advance_to(1000 * kMs);
-  board_.on_trigger(1000 * kMs);
+  board.pulse_us = 2400.0;
+  simulation.advance_to(100 * kMs);
+  board.on_trigger(100 * kMs);
+  simulation.advance_to(1000 * kMs);
+  board.on_trigger(1000 * kMs);
   const auto range_m = [&](std::size_t i) {
-    return static_cast<double>(board_.echoes[i].fall_ns - board_.echoes[i].rise_ns) * 1e-9 * 343.2 /
+    return static_cast<double>(board.echoes[i].fall_ns - board.echoes[i].rise_ns) * 1e-9 * 343.2 /
            2.0;
   };
-  ASSERT_EQ(board_.echoes.size(), 2U);
+  ASSERT_EQ(board.echoes.size(), 2U);
   EXPECT_GT(range_m(0), 1.6) << "not yet at the wall 1.5 m to the left";
   EXPECT_NEAR(range_m(1), 1.5, 1e-3);
 }
 
 TEST_F(RobotSimulationTest, BumpersArePressedAtTheWall) {
-  board_.duty = {1.0, 1.0};
-  simulation_.advance_to(1000 * kMs);
-  EXPECT_FALSE(board_.left_bump || board_.right_bump);
-  simulation_.advance_to(8000 * kMs);
-  EXPECT_TRUE(board_.left_bump && board_.right_bump);
+  board.duty = {1.0, 1.0};
+  simulation.advance_to(1000 * kMs);
+  EXPECT_FALSE(board.left_bump || board.right_bump);
+  simulation.advance_to(8000 * kMs);
+  EXPECT_TRUE(board.left_bump && board.right_bump);
 }
 
 TEST_F(RobotSimulationTest, RecordsTheTruthFiftyTimesASecond) {
-  board_.duty = {0.5, 0.5};
-  simulation_.advance_to(1000 * kMs);
-  const auto& trajectory = simulation_.trajectory();
+  board.duty = {0.5, 0.5};
+  simulation.advance_to(1000 * kMs);
+  const auto& trajectory = simulation.trajectory();
   ASSERT_EQ(trajectory.size(), 51U);
   EXPECT_EQ(trajectory.front().at_ns, 0);
   EXPECT_EQ(trajectory.back().at_ns, 1000 * kMs);
@@ -119,11 +119,11 @@ TEST(RobotSimulation, DoesTheSameInManySmallStepsAsInOneLarge) {
 
 TEST_F(RobotSimulationTest, HandsOnBytesBothWays) {
   const std::vector<std::uint8_t> bytes{1, 0, 255};
-  simulation_.receive(bytes);
-  EXPECT_TRUE(simulation_.take_sent().empty());
-  simulation_.advance_to(kMs);
-  EXPECT_EQ(simulation_.take_sent(), bytes);
-  EXPECT_TRUE(simulation_.take_sent().empty());
+  simulation.receive(bytes);
+  EXPECT_TRUE(simulation.take_sent().empty());
+  simulation.advance_to(kMs);
+  EXPECT_EQ(simulation.take_sent(), bytes);
+  EXPECT_TRUE(simulation.take_sent().empty());
 }
 
 }  // namespace

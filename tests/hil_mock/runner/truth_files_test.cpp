@@ -23,20 +23,20 @@ using testing::HasSubstr;
 class TruthFiles : public testing::Test {
  protected:
   TruthFiles() {
-    board_.duty = {0.4, 0.6};
-    simulation_.advance_to(1'000'000'000);
+    board.duty = {0.4, 0.6};
+    simulation.advance_to(1'000'000'000);
   }
 
   std::string written(const std::string& name, const TruthSummary& summary = {}) {
-    write_truth_files(folder_ / "truth", simulation_, summary);
-    return files::read_text_file(folder_ / "truth" / name);
+    write_truth_files(folder / "truth", simulation, summary);
+    return files::read_text_file(folder / "truth" / name);
   }
 
-  ScratchFolder folder_;
-  FakeBoard board_;
-  world::RobotWorld world_{
+  ScratchFolder folder;
+  FakeBoard board;
+  world::RobotWorld robot_world{
       world::box_room({{world::rectangle(1.0, 1.0, 1.5, 1.4), {world::Material::kRough}}}), {}, 1};
-  RobotSimulation simulation_{board_, world_};
+  RobotSimulation simulation{board, robot_world};
 };
 
 TEST_F(TruthFiles, TrajectoryHasEightColumnsAndUnitQuaternions) {
@@ -51,7 +51,7 @@ TEST_F(TruthFiles, TrajectoryHasEightColumnsAndUnitQuaternions) {
     EXPECT_NEAR(t, 0.02 * lines, 1e-9);
     EXPECT_NEAR(qz * qz + qw * qw, 1.0, 1e-8);
     const geometry::Pose2& truth =
-        simulation_.trajectory()[static_cast<std::size_t>(lines)].T_world_robot;
+        simulation.trajectory()[static_cast<std::size_t>(lines)].T_world_robot;
     EXPECT_NEAR(2.0 * std::atan2(qz, qw), truth.heading_rad(), 1e-8);
     EXPECT_NEAR(x, truth.x_m(), 1e-6);
     ++lines;
@@ -96,7 +96,7 @@ TEST_F(TruthFiles, SummarySaysWhatRan) {
   EXPECT_EQ(quiet["seed"], 12);
   EXPECT_EQ(quiet["firmware"], "fake 1.0");
   EXPECT_DOUBLE_EQ(quiet["sim_seconds"].get<double>(), 1.0);
-  EXPECT_EQ(quiet["left_counts"], board_.left_edges.size());
+  EXPECT_EQ(quiet["left_counts"], board.left_edges.size());
   EXPECT_TRUE(quiet["stop"].is_null());
   const json vanished =
       json::parse(written("truth.json", {1, 0, StopReport{1'000'000, 200'000'000}}));

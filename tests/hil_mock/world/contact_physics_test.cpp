@@ -15,9 +15,9 @@ using geometry::radians;
 constexpr double kRadiusM = 0.1;
 
 TEST(ContactPhysics, LeavesABodyInFreeSpaceWhereItIs) {
-  const Pose2 T = pushed_out(box_room(), {2.0, 1.0, 0.7}, kRadiusM);
-  EXPECT_EQ(T.position_m(), Eigen::Vector2d(2.0, 1.0));
-  EXPECT_EQ(T.heading_rad(), 0.7);
+  const Pose2 T_world_robot = pushed_out(box_room(), {2.0, 1.0, 0.7}, kRadiusM);
+  EXPECT_EQ(T_world_robot.position_m(), Eigen::Vector2d(2.0, 1.0));
+  EXPECT_EQ(T_world_robot.heading_rad(), 0.7);
 }
 
 TEST(ContactPhysics, PushesABodyOutOfAWallAndOutOfANiche) {
@@ -31,8 +31,8 @@ TEST(ContactPhysics, PushesABodyOutOfAWallAndOutOfANiche) {
 
 TEST(ContactPhysics, PushesABodyAwayFromAnEdge) {
   const FloorPlan plan = box_room({{rectangle(1.0, 0.5, 1.5, 1.0), {}}});
-  const Pose2 T = pushed_out(plan, {1.53, 1.04, 0.0}, kRadiusM);
-  EXPECT_NEAR((T.position_m() - Eigen::Vector2d(1.5, 1.0)).norm(), kRadiusM, 1e-9);
+  const Pose2 T_world_robot = pushed_out(plan, {1.53, 1.04, 0.0}, kRadiusM);
+  EXPECT_NEAR((T_world_robot.position_m() - Eigen::Vector2d(1.5, 1.0)).norm(), kRadiusM, 1e-9);
 }
 
 struct BumpCase {

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kRoom = R"(name = "small"
+const std::string room_text = R"(name = "small"
 [start]
 x_m = 0.5
 y_m = 0.5
@@ -30,7 +30,7 @@ corners_m = [[1, 0.2], [1.2, 0.2], [1.2, 0.5]]
 )";
 
 std::string edited(std::string from, const std::string& to) {
-  std::string text = kRoom;
+  std::string text = room_text;
   return text.replace(text.find(from), from.size(), to);
 }
 
@@ -44,7 +44,7 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(FloorPlanFile, ReadsRoomObstaclesMaterialsAndStart) {
-  const FloorPlan plan = read_floor_plan(files::TomlReader::parse(kRoom, "small.toml"));
+  const FloorPlan plan = read_floor_plan(files::TomlReader::parse(room_text, "small.toml"));
   EXPECT_EQ(plan.name(), "small");
   ASSERT_EQ(plan.walls().size(), 7U);
   EXPECT_EQ(plan.walls()[0].material, Material::kSmooth);
@@ -54,7 +54,7 @@ TEST(FloorPlanFile, ReadsRoomObstaclesMaterialsAndStart) {
 }
 
 TEST(FloorPlanFile, NamesThePlaceOfEveryFault) {
-  EXPECT_EQ(error_of(kRoom), "no error");
+  EXPECT_EQ(error_of(room_text), "no error");
   EXPECT_THAT(error_of(edited("[2, 1], [0, 1]", "[0, 1], [2, 1]")),
               StartsWith("small.toml:7:13: sides 1 and 3 cross"));
   EXPECT_THAT(error_of(edited("[1.2, 0.5]", "[1.2, 5]")), StartsWith("small.toml:13:13: "));

@@ -12,12 +12,12 @@
 namespace echomap::world {
 namespace {
 
-const Outline kPillar{rectangle(1.0, 1.0, 1.5, 1.5), {}};
+const Outline pillar{rectangle(1.0, 1.0, 1.5, 1.5), {}};
 
 TEST(FloorPlan, FreeSpaceIsToTheLeftOfEveryWallWhateverTheSense) {
   Polygon clockwise = rectangle(0.0, 0.0, 4.0, 3.0);
   std::reverse(clockwise.begin(), clockwise.end());
-  const FloorPlan plan("room", {clockwise, {}}, {kPillar}, {2.0, 2.0, 0.0});
+  const FloorPlan plan("room", {clockwise, {}}, {pillar}, {2.0, 2.0, 0.0});
   ASSERT_EQ(plan.walls().size(), 8U);
   for (const Wall& wall : plan.walls()) {
     const Eigen::Vector2d middle = 0.5 * (wall.segment.from_m + wall.segment.to_m);
@@ -39,7 +39,7 @@ TEST(FloorPlan, EveryWallKeepsItsMaterialWhenTheSenseIsTurned) {
 }
 
 TEST(FloorPlan, TellsNichesFromEdges) {
-  const FloorPlan plan = box_room({kPillar});
+  const FloorPlan plan = box_room({pillar});
   int niches = 0;
   for (const Corner& corner : plan.corners()) {
     EXPECT_NEAR(std::abs(corner.turn_rad), 0.5 * std::numbers::pi, 1e-12);
@@ -50,20 +50,20 @@ TEST(FloorPlan, TellsNichesFromEdges) {
 }
 
 TEST(FloorPlan, MeasuresClearance) {
-  EXPECT_DOUBLE_EQ(box_room({kPillar}).clearance_m({2.0, 1.25}), 0.5);
-  EXPECT_DOUBLE_EQ(box_room({kPillar}).clearance_m({3.9, 2.0}), 4.0 - 3.9);
+  EXPECT_DOUBLE_EQ(box_room({pillar}).clearance_m({2.0, 1.25}), 0.5);
+  EXPECT_DOUBLE_EQ(box_room({pillar}).clearance_m({3.9, 2.0}), 4.0 - 3.9);
 }
 
 TEST(FloorPlan, RefusesWhatIsNoRoom) {
   const Outline outside{rectangle(3.5, 1.0, 4.5, 1.5), {}};
   EXPECT_THROW(box_room({outside}), std::invalid_argument);
-  EXPECT_THROW(box_room({kPillar}, {1.2, 1.2, 0.0}), std::invalid_argument);
+  EXPECT_THROW(box_room({pillar}, {1.2, 1.2, 0.0}), std::invalid_argument);
   EXPECT_THROW(box_room({}, {5.0, 1.0, 0.0}), std::invalid_argument);
   EXPECT_THROW(FloorPlan("line", {{{0.0, 0.0}, {1.0, 0.0}}, {}}, {}, {}), std::invalid_argument);
 }
 
 TEST(FloorPlan, TakesAnotherStart) {
-  const FloorPlan moved = box_room({kPillar}).starting_at({3.0, 2.0, 1.0});
+  const FloorPlan moved = box_room({pillar}).starting_at({3.0, 2.0, 1.0});
   EXPECT_EQ(moved.T_world_start().position_m(), Eigen::Vector2d(3.0, 2.0));
   EXPECT_EQ(moved.walls().size(), 8U);
   EXPECT_THROW(moved.starting_at({1.2, 1.2, 0.0}), std::invalid_argument);

@@ -12,7 +12,7 @@ namespace echomap::world {
 namespace {
 
 // An L, in cells of 1 m.
-const Polygon kL = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 1.0}, {2.0, 1.0}, {2.0, 3.0}, {0.0, 3.0}};
+const Polygon drawn_l = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 1.0}, {2.0, 1.0}, {2.0, 3.0}, {0.0, 3.0}};
 
 TEST(Polygon, ContainsWhatIsDrawnInside) {
   const std::vector<std::string> drawn = {
@@ -26,30 +26,30 @@ TEST(Polygon, ContainsWhatIsDrawnInside) {
     for (std::size_t column = 0; column < drawn[row].size(); ++column) {
       const Eigen::Vector2d point(static_cast<double>(column) - 0.5,
                                   3.5 - static_cast<double>(row));
-      EXPECT_EQ(contains(kL, point), drawn[row][column] == '#') << point.transpose();
+      EXPECT_EQ(contains(drawn_l, point), drawn[row][column] == '#') << point.transpose();
     }
   }
 }
 
 TEST(Polygon, SidesBelongToNeitherSide) {
-  EXPECT_FALSE(contains(kL, Eigen::Vector2d(0.0, 1.0)));
-  EXPECT_FALSE(contains(kL, Eigen::Vector2d(2.0, 1.0)));
-  EXPECT_FALSE(contains(kL, Eigen::Vector2d(3.0, 1.0)));
+  EXPECT_FALSE(contains(drawn_l, Eigen::Vector2d(0.0, 1.0)));
+  EXPECT_FALSE(contains(drawn_l, Eigen::Vector2d(2.0, 1.0)));
+  EXPECT_FALSE(contains(drawn_l, Eigen::Vector2d(3.0, 1.0)));
 }
 
 TEST(Polygon, AreaTellsTheSense) {
-  EXPECT_DOUBLE_EQ(signed_area_m2(kL), 8.0);
-  EXPECT_DOUBLE_EQ(signed_area_m2({kL.rbegin(), kL.rend()}), -8.0);
+  EXPECT_DOUBLE_EQ(signed_area_m2(drawn_l), 8.0);
+  EXPECT_DOUBLE_EQ(signed_area_m2({drawn_l.rbegin(), drawn_l.rend()}), -8.0);
 }
 
 TEST(Polygon, HoldsAnInnerPolygonThatTouchesButNotOneThatCrosses) {
-  EXPECT_TRUE(contains(kL, rectangle(0.0, 0.0, 1.0, 3.0)));
-  EXPECT_FALSE(contains(kL, rectangle(1.0, 0.5, 3.0, 0.5 + 1.0)));
-  EXPECT_FALSE(contains(kL, rectangle(5.0, 0.0, 6.0, 1.0)));
+  EXPECT_TRUE(contains(drawn_l, rectangle(0.0, 0.0, 1.0, 3.0)));
+  EXPECT_FALSE(contains(drawn_l, rectangle(1.0, 0.5, 3.0, 0.5 + 1.0)));
+  EXPECT_FALSE(contains(drawn_l, rectangle(5.0, 0.0, 6.0, 1.0)));
 }
 
 TEST(Polygon, NamesItsFault) {
-  EXPECT_EQ(polygon_fault(kL), std::nullopt);
+  EXPECT_EQ(polygon_fault(drawn_l), std::nullopt);
   EXPECT_EQ(polygon_fault({{0.0, 0.0}, {1.0, 0.0}}),
             "a polygon needs at least 3 corners, here are 2");
   EXPECT_EQ(polygon_fault({{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}}), "sides 0 and 2 cross");

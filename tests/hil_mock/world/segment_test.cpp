@@ -15,8 +15,8 @@ namespace {
 //   1 |     X
 //   0 |  A       C
 //        0   1   2  x
-const Segment kRising{{0.0, 0.0}, {2.0, 2.0}};
-const Segment kFalling{{0.0, 2.0}, {2.0, 0.0}};
+const Segment rising{{0.0, 0.0}, {2.0, 2.0}};
+const Segment falling{{0.0, 2.0}, {2.0, 0.0}};
 
 TEST(Segment, NearestPointIsTheFootOrAnEnd) {
   const Segment floor{{1.0, 0.0}, {3.0, 0.0}};
@@ -54,14 +54,14 @@ TEST(Segment, RayHitLiesOnTheSegment) {
 
 TEST(Segment, TouchingIsNotCrossing) {
   const Segment half{{0.0, 2.0}, {1.0, 1.0}};
-  EXPECT_TRUE(cross_properly(kRising, kFalling));
-  EXPECT_FALSE(cross_properly(kRising, half));
-  EXPECT_TRUE(touch(kRising, half));
-  EXPECT_FALSE(touch(kRising, {{0.0, 1.0}, {0.0, 3.0}}));
+  EXPECT_TRUE(cross_properly(rising, falling));
+  EXPECT_FALSE(cross_properly(rising, half));
+  EXPECT_TRUE(touch(rising, half));
+  EXPECT_FALSE(touch(rising, {{0.0, 1.0}, {0.0, 3.0}}));
 }
 
 TEST(Segment, NormalPointsToTheLeft) {
-  const Eigen::Vector2d normal = left_normal(kRising);
+  const Eigen::Vector2d normal = left_normal(rising);
   EXPECT_NEAR(normal.x(), -std::numbers::sqrt2 / 2.0, 1e-12);
   EXPECT_NEAR(normal.y(), std::numbers::sqrt2 / 2.0, 1e-12);
 }
