@@ -58,7 +58,7 @@ SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
   const bool lengths_ok = surfaces.depth_tolerance_m > 0.0 && params.margin_m >= 0.0 &&
                           params.fade_m > 0.0 && params.matching.range_tolerance_m > 0.0;
   const bool evidence_ok = params.free_centilogits > 0 && params.occupied_centilogits > 0 &&
-                           params.matched_centilogits > 0;
+                           params.post_centilogits >= 0 && params.matched_centilogits > 0;
   if (!beam_ok || !lengths_ok || !evidence_ok) {
     throw std::invalid_argument("sonar mapper: a parameter is outside of its range");
   }
@@ -106,8 +106,10 @@ void SonarMapper::add_surfaces(const ScanSurfaces& scan, OccupancyGrid& grid) co
     const Eigen::Vector2d normal = unit(surface.bearing_rad);
     const Eigen::Vector2d half_m = surface.half_length_m * Eigen::Vector2d(-normal.y(), normal.x());
     const Eigen::Vector2d middle_m = scan.center_m + surface.range_m * normal;
+    const int evidence =
+        surface.half_length_m > 0.0 ? params_.occupied_centilogits : params_.post_centilogits;
     for (const CellIndex cell : cells_along(grid, middle_m - half_m, middle_m + half_m)) {
-      grid.add(cell, faded(params_.occupied_centilogits, surface.range_m));
+      grid.add(cell, faded(evidence, surface.range_m));
     }
   }
 }

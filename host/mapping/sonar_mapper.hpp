@@ -25,6 +25,9 @@ struct SonarMapperParams {
   /// error of bearing counts the more the farther off.
   int free_centilogits = 220;
   int occupied_centilogits = 100;
+  /// The same for a post or corner, which may as well be an echo from round a corner: one sighting
+  /// alone does not make a cell occupied.
+  int post_centilogits = 50;
   double fade_m = 3.0;
   /// Evidence for a wall or post that several stops agree on.
   int matched_centilogits = 500;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -27,9 +28,9 @@ struct Look {
 struct Region {
   double bearing_rad = 0.0;
   double range_m = 0.0;
-  /// How far it reaches to the left and to the right of the bearing.
-  double left_rad = 0.0;
-  double right_rad = 0.0;
+  /// Its outermost members as seen from the bearing, to the left positive.
+  double rightmost_rad = std::numeric_limits<double>::infinity();
+  double leftmost_rad = -std::numeric_limits<double>::infinity();
   std::vector<std::size_t> members;
   /// Readings between the members that disagree.
   std::size_t strangers = 0;
@@ -37,6 +38,8 @@ struct Region {
   double score() const {
     return static_cast<double>(members.size()) - static_cast<double>(strangers);
   }
+  double middle_rad() const { return bearing_rad + 0.5 * (leftmost_rad + rightmost_rad); }
+  double half_width_rad() const { return 0.5 * (leftmost_rad - rightmost_rad); }
 };
 
 Eigen::Vector2d center_of(const Scan& scan) {
@@ -133,20 +136,19 @@ class RegionFinder {
     return side;
   }
 
-  /// Follows one side until the readings stop agreeing; answers how far that is.
-  double grow(Region& region, bool left) const {
-    double reach_rad = 0.0;
+  /// Follows one side until the readings stop agreeing.
+  void grow(Region& region, bool left) const {
     int strangers = 0;
     for (const auto& [off_rad, index] : side_of(region.bearing_rad, left)) {
       if (agrees(looks_[index], region.range_m, off_rad)) {
         region.members.push_back(index);
         region.strangers += static_cast<std::size_t>(std::exchange(strangers, 0));
-        reach_rad = off_rad;
+        region.leftmost_rad = std::max(region.leftmost_rad, left ? off_rad : -off_rad);
+        region.rightmost_rad = std::min(region.rightmost_rad, left ? off_rad : -off_rad);
       } else if (++strangers >= kStrangersThatEnd) {
         break;
       }
     }
-    return reach_rad;
   }
 
   std::optional<Region> region_at(double bearing_rad) const {
@@ -155,17 +157,17 @@ class RegionFinder {
       return std::nullopt;
     }
     Region region;
-    region.bearing_rad = geometry::wrap_angle(bearing_rad);
+    region.bearing_rad = bearing_rad;
     region.range_m = *depth_m;
-    region.left_rad = grow(region, true);
-    region.right_rad = grow(region, false);
+    grow(region, true);
+    grow(region, false);
     return region;
   }
 
   std::optional<Region> centred_region_near(double bearing_rad) const {
     auto region = region_at(bearing_rad);
-    if (region) {
-      region = region_at(bearing_rad + 0.5 * (region->left_rad - region->right_rad));
+    if (region && is_surface(*region)) {
+      region = region_at(region->middle_rad());
     }
     return region && is_surface(*region) ? region : std::nullopt;
   }
@@ -182,10 +184,9 @@ class RegionFinder {
 };
 
 SonarSurface surface_of(const Region& region, const SonarSurfaceParams& params) {
-  const double half_width_rad = 0.5 * (region.left_rad + region.right_rad);
   const double wider_rad =
-      std::max(0.0, half_width_rad - params.beam_edge * params.beam_half_angle_rad);
-  return {region.bearing_rad,
+      std::max(0.0, region.half_width_rad() - params.beam_edge * params.beam_half_angle_rad);
+  return {geometry::wrap_angle(region.middle_rad()),
           region.range_m,
           region.range_m * std::tan(wider_rad),
           region.members.size()};
