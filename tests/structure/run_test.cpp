@@ -115,5 +115,19 @@ TEST_F(RunWithStandIns, SetupSaysWhatToDoWhereAptGetFails) {
   EXPECT_THAT(result.output, HasSubstr("run it by hand to see why"));
 }
 
+TEST_F(RunWithStandIns, FlashRunsTheCommandThatItPrints) {
+  stand_in("dpkg-query", "printf installed");
+  stand_in("cmake", "exit 0");
+  stand_in("avrdude", "echo \"ran: avrdude $*\"");
+  const ShellResult result = run("flash --board nano-old --port /dev/null");
+  const std::string command =
+      "avrdude -p m328p -c arduino -P /dev/null -b 57600 -D -U "
+      "flash:w:" ECHOMAP_SOURCE_DIR "/build/release/firmware/echomap-uno.hex:i\n";
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("\n" + command));
+  EXPECT_THAT(result.output, HasSubstr("ran: " + command));
+  EXPECT_THAT(run("flash --board uno --port /dev/null").output, HasSubstr("-b 115200"));
+}
+
 }  // namespace
 }  // namespace echomap::structure
