@@ -11,7 +11,7 @@
 
 namespace {
 
-using echomap::testing::OfflineRun;
+using echomap::tests::OfflineRun;
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   std::vector<OfflineRun> runs;
   const auto count = static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10));
   for (std::uint32_t seed = 1; seed <= count; ++seed) {
-    runs.push_back(echomap::testing::explore_offline(argv[1], argv[2], seed));
+    runs.push_back(echomap::tests::explore_offline(argv[1], argv[2], seed));
     const std::string name = std::string("seed ") + std::to_string(seed);
     print_row(name.c_str(), runs.back());
     if (argc > 4) {

@@ -9,7 +9,7 @@
 #include "host/files/toml_reader.hpp"
 #include "tests/support/offline_robot.hpp"
 
-namespace echomap::testing {
+namespace echomap::tests {
 
 namespace {
 
@@ -98,4 +98,4 @@ OfflineRun explore_offline(const std::string& room, const std::string& robot, st
   return run;
 }
 
-}  // namespace echomap::testing
+}  // namespace echomap::tests

@@ -11,7 +11,7 @@
 #include "host/exploration/nxt_farthest.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 
-namespace echomap::testing {
+namespace echomap::tests {
 
 struct OfflineRun {
   pipeline::Snapshot snapshot;
@@ -30,4 +30,4 @@ evaluation::MapTruth truth_of(const world::FloorPlan& plan);
 /// Explores a bundled room with a bundled robot, nxt-farthest and the default parameters.
 OfflineRun explore_offline(const std::string& room, const std::string& robot, std::uint32_t seed);
 
-}  // namespace echomap::testing
+}  // namespace echomap::tests

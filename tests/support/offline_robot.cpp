@@ -5,7 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace echomap::testing {
+namespace echomap::tests {
 
 namespace {
 
@@ -121,4 +121,4 @@ void OfflineRobot::step(const world::WheelDuty& duty) {
   }
 }
 
-}  // namespace echomap::testing
+}  // namespace echomap::tests

@@ -8,7 +8,7 @@
 #include "host/pipeline/robot_pipeline.hpp"
 #include "host/sensors/robot_geometry.hpp"
 
-namespace echomap::testing {
+namespace echomap::tests {
 
 /// What the host believes of a simulated robot: its nominal sizes.
 sensors::RobotGeometry believed_geometry(const world::RobotParams& robot);
@@ -40,4 +40,4 @@ class OfflineRobot {
   std::int64_t now_us_ = 0;
 };
 
-}  // namespace echomap::testing
+}  // namespace echomap::tests

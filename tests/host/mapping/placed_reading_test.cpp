@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/placed_reading.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::mapping {
+namespace {
+
+TEST(EchoPoint, LiesOnTheAxisOfTheBeam) {
+  const geometry::Pose2 T_map_robot(1.0, 2.0, 0.0);
+  const geometry::Pose2 T_robot_sonar(0.1, 0.0, geometry::radians(90.0));
+  const PlacedReading reading{T_map_robot, T_map_robot * T_robot_sonar, 0.5};
+  EXPECT_NEAR((echo_point_m(reading).value() - Eigen::Vector2d(1.1, 2.5)).norm(), 0.0, 1e-12);
+}
+
+TEST(EchoPoint, IsNowhereWithoutEcho) { EXPECT_FALSE(echo_point_m(PlacedReading{}).has_value()); }
+
+}  // namespace
+}  // namespace echomap::mapping

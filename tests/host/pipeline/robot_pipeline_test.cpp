@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/robot_pipeline.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+#include "host/mapping/raster_map.hpp"
+#include "tests/support/drawn_map.hpp"
+
+namespace echomap::pipeline {
+namespace {
+
+sensors::RobotGeometry plain_robot() {
+  sensors::RobotGeometry robot;
+  robot.track_m = 0.2;
+  robot.sonar_x_m = 0.0;
+  return robot;
+}
+
+time::RobotTime at_us(std::int64_t stamp_us) {
+  return time::RobotTime(time::RobotClock::duration(stamp_us));
+}
+
+/// Wheel travel after driving `ahead_m` and then turning on the spot.
+sensors::WheelTravel travel(double ahead_m, double turn_rad) {
+  return {ahead_m - 0.1 * turn_rad, ahead_m + 0.1 * turn_rad};
+}
+
+/// A pipeline of which the test tells the story.
+class RobotPipelineTest : public ::testing::Test {
+ protected:
+  void read(const sensors::WheelTravel& at, double pan_deg, std::optional<double> range_m) {
+    stamp_us_ += 50'000;
+    pipeline_.on_sonar({at_us(stamp_us_), at, geometry::radians(pan_deg), range_m});
+  }
+
+  /// A half turn of readings, all as far, from where the wheels have brought the robot.
+  void sweep(const sensors::WheelTravel& at, double range_m) {
+    for (int pan_deg = -90; pan_deg < 90; pan_deg += 6) {
+      read(at, pan_deg, range_m);
+    }
+  }
+
+  /// In a round room.
+  void scan(double ahead_m, double range_m) {
+    pipeline_.begin_scan();
+    for (const double turn_rad : {0.0, std::numbers::pi}) {
+      sweep(travel(ahead_m, turn_rad), range_m);
+      sweep(travel(ahead_m, turn_rad), range_m);
+    }
+    pipeline_.end_scan();
+  }
+
+  RobotPipeline pipeline_{plain_robot()};
+  std::int64_t stamp_us_ = 0;
+};
+
+TEST_F(RobotPipelineTest, StartsAtTheOriginWithNothing) {
+  const Snapshot snapshot = pipeline_.snapshot();
+  EXPECT_EQ(snapshot.latest.T_map_robot.position_m(), Eigen::Vector2d(0.0, 0.0));
+  EXPECT_TRUE(snapshot.trajectory->empty());
+  EXPECT_TRUE(snapshot.points->points().empty());
+  EXPECT_TRUE(snapshot.last_scan->empty());
+  EXPECT_FALSE(snapshot.grid->bounds().has_value());
+  EXPECT_EQ(snapshot.stops, 0U);
+}
+
+TEST_F(RobotPipelineTest, FollowsTheWheels) {
+  pipeline_.on_odometry({at_us(1000), travel(0.5, 0.0)});
+  pipeline_.on_odometry({at_us(2000), travel(0.5, geometry::radians(90.0))});
+  pipeline_.on_odometry({at_us(3000), travel(0.8, geometry::radians(90.0))});
+  const Snapshot snapshot = pipeline_.snapshot();
+  ASSERT_EQ(snapshot.trajectory->size(), 3U);
+  EXPECT_EQ(snapshot.latest.stamp, at_us(3000));
+  EXPECT_NEAR(
+      (snapshot.latest.T_map_robot.position_m() - Eigen::Vector2d(0.5, 0.3)).norm(), 0.0, 1e-9);
+}
+
+TEST_F(RobotPipelineTest, KeepsStampsOfTheTrajectoryRising) {
+  pipeline_.on_odometry({at_us(2000), travel(0.2, 0.0)});
+  pipeline_.on_odometry({at_us(1000), travel(0.1, 0.0)});
+  pipeline_.on_odometry({at_us(2000), travel(0.2, 0.0)});
+  EXPECT_EQ(pipeline_.snapshot().trajectory->size(), 1U);
+}
+
+TEST_F(RobotPipelineTest, PlacesEachReadingByItsOwnWheels) {
+  pipeline_.begin_scan();
+  read(travel(0.0, 0.0), 90.0, 1.0);
+  read(travel(1.0, geometry::radians(180.0)), 90.0, 2.0);
+  pipeline_.end_scan();
+  const Snapshot snapshot = pipeline_.snapshot();
+  const auto& points = snapshot.points->points();
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR((points[0].position_m - Eigen::Vector2d(0.0, 1.0)).norm(), 0.0, 1e-9);
+  EXPECT_EQ(points[1].pose_index, 1U);
+  EXPECT_NEAR(points[1].position_m.y(), -2.0, 1e-9);
+}
+
+TEST_F(RobotPipelineTest, PlacesTheSonarWhereItIsMounted) {
+  sensors::RobotGeometry robot = plain_robot();
+  robot.sonar_x_m = 0.05;
+  RobotPipeline pipeline(robot);
+  pipeline.on_sonar({at_us(1), {}, geometry::radians(90.0), 1.0});
+  const Eigen::Vector2d echo_m = pipeline.snapshot().points->points().front().position_m;
+  EXPECT_NEAR((echo_m - Eigen::Vector2d(0.05, 1.0)).norm(), 0.0, 1e-9);
+}
+
+TEST_F(RobotPipelineTest, MakesOneScanOfSeveralSweeps) {
+  scan(0.0, 1.0);
+  const Snapshot snapshot = pipeline_.snapshot();
+  EXPECT_EQ(snapshot.stops, 1U);
+  EXPECT_EQ(snapshot.last_scan->size(), 120U);
+  EXPECT_EQ(snapshot.points->points().size(), 120U);
+  EXPECT_GT(snapshot.newly_free_m2, 0.5);
+}
+
+TEST_F(RobotPipelineTest, SaysWhatTheLastStopHasAdded) {
+  scan(0.0, 1.0);
+  const double first_m2 = pipeline_.snapshot().newly_free_m2;
+  scan(0.0, 1.0);
+  EXPECT_LT(pipeline_.snapshot().newly_free_m2, first_m2);
+}
+
+TEST_F(RobotPipelineTest, KeepsReadingsOutsideOfAScanOutOfTheGrid) {
+  sweep(travel(0.0, 0.0), 1.0);
+  const Snapshot snapshot = pipeline_.snapshot();
+  EXPECT_EQ(snapshot.points->points().size(), 30U);
+  EXPECT_FALSE(snapshot.grid->bounds().has_value());
+  EXPECT_EQ(snapshot.stops, 0U);
+}
+
+TEST_F(RobotPipelineTest, EndsAnOpenScanBeforeTheNext) {
+  pipeline_.begin_scan();
+  read(travel(0.0, 0.0), 0.0, 1.0);
+  pipeline_.begin_scan();
+  EXPECT_EQ(pipeline_.snapshot().stops, 1U);
+  EXPECT_EQ(pipeline_.snapshot().last_scan->size(), 1U);
+}
+
+TEST_F(RobotPipelineTest, DoesNothingAtTheEndOfNoScan) {
+  pipeline_.end_scan();
+  EXPECT_EQ(pipeline_.snapshot().stops, 0U);
+}
+
+TEST_F(RobotPipelineTest, LeavesEarlierSnapshotsAsTheyWere) {
+  scan(0.0, 1.0);
+  const Snapshot before = pipeline_.snapshot();
+  const auto drawing = tests::drawing_of(mapping::rasterize(*before.grid));
+  scan(0.6, 1.0);
+  EXPECT_EQ(tests::drawing_of(mapping::rasterize(*before.grid)), drawing);
+  EXPECT_EQ(before.points->points().size(), 120U);
+  EXPECT_EQ(pipeline_.snapshot().points->points().size(), 240U);
+}
+
+TEST_F(RobotPipelineTest, SurvivesAScanWithoutAnyEcho) {
+  pipeline_.begin_scan();
+  for (int pan_deg = -90; pan_deg <= 90; pan_deg += 6) {
+    read({}, pan_deg, std::nullopt);
+  }
+  pipeline_.end_scan();
+  const Snapshot snapshot = pipeline_.snapshot();
+  EXPECT_EQ(snapshot.stops, 1U);
+  EXPECT_EQ(snapshot.newly_free_m2, 0.0);
+  EXPECT_EQ(snapshot.points->poses().size(), 1U);
+  EXPECT_TRUE(snapshot.points->points().empty());
+}
+
+}  // namespace
+}  // namespace echomap::pipeline
