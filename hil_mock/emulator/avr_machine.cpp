@@ -18,7 +18,7 @@
 namespace echomap::emulator {
 namespace {
 
-/// Most cycles in one call of avr_run: the default of 1 is twice slower. A part of reproducibility.
+/// Most cycles in one call of avr_run; one instruction at a time is twice slower.
 constexpr avr_cycle_count_t kRunCycleLimit = 1000;
 constexpr std::uint32_t kSupplyMillivolts = 5000;
 /// SRAM is random after power-on; a fixed pattern that is no useful value keeps runs the same.
@@ -50,7 +50,6 @@ std::unique_ptr<avr_t, AvrMachine::Terminate> AvrMachine::load(const std::filesy
   load_elf_program(elf, *avr);
   avr->frequency = kClockHz;
   avr->vcc = avr->avcc = avr->aref = kSupplyMillivolts;
-  avr->run_cycle_limit = kRunCycleLimit;
   avr->sleep = &sleep_no_wall_time;
   return avr;
 }
@@ -96,6 +95,7 @@ void AvrMachine::reset(ResetSource source) {
 
 void AvrMachine::after_reset() {
   ++resets_;
+  avr_->run_cycle_limit = kRunCycleLimit;  // avr_reset has made it 1
   queue_.rearm();
   pins_.redrive();
   usart_.reset();

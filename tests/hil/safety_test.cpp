@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -139,13 +140,20 @@ TEST_F(MovingRobot, MoveEndsAtItsCount) {
   EXPECT_EQ(odometry->right_ticks, right.count());
 }
 
-class BumpedRobot : public MovingRobot, public ::testing::WithParamInterface<Wheel> {};
+/// Bumped on a side, at a time within the tick.
+class BumpedRobot : public MovingRobot,
+                    public ::testing::WithParamInterface<std::tuple<Wheel, std::int64_t>> {};
 
-INSTANTIATE_TEST_SUITE_P(Sides, BumpedRobot, ::testing::Values(Wheel::kLeft, Wheel::kRight));
+INSTANTIATE_TEST_SUITE_P(SidesAndMoments,
+                         BumpedRobot,
+                         ::testing::Combine(::testing::Values(Wheel::kLeft, Wheel::kRight),
+                                            ::testing::Values(0, 170, 390, 610, 880)));
 
 TEST_P(BumpedRobot, PwmIsOffWithinTwoMilliseconds) {
+  const auto [side, moment_us] = GetParam();
   drive();
-  robot.board().set_bump(GetParam(), true);
+  robot.board().run_until(robot.board().now_ns() + moment_us * 1000);
+  robot.board().set_bump(side, true);
   const double ms = ms_until_off(500);
   std::printf("bump: PWM off after %.3f ms\n", ms);
   RecordProperty("off_after_bump_ms", std::to_string(ms));
