@@ -104,7 +104,7 @@ std::string summary_text(const RobotSimulation& simulation, const TruthSummary& 
                      {"seed", summary.seed},
                      {"firmware", simulation.board().firmware_name()},
                      {"emulator", simulation.board().emulator_name()},
-                     {"sim_seconds", static_cast<double>(simulation.now_ns()) * 1e-9},
+                     {"sim_seconds", static_cast<double>(simulation.now_ns()) / 1e9},
                      {"left_counts", world.body().left_wheel().counts()},
                      {"right_counts", world.body().right_wheel().counts()},
                      {"dropped_bytes", summary.dropped_bytes},
