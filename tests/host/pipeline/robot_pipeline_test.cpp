@@ -88,7 +88,7 @@ TEST_F(RobotPipelineTest, KeepsStampsOfTheTrajectoryRising) {
 TEST_F(RobotPipelineTest, PlacesEachReadingByItsOwnWheels) {
   pipeline_.begin_scan();
   read(travel(0.0, 0.0), 90.0, 1.0);
-  read(travel(1.0, geometry::radians(180.0)), 90.0, 2.0);
+  read(travel(0.0, geometry::radians(180.0)), 90.0, 2.0);
   pipeline_.end_scan();
   const Snapshot snapshot = pipeline_.snapshot();
   const auto& points = snapshot.points->points();
