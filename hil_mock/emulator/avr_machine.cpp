@@ -73,9 +73,12 @@ AvrMachine::~AvrMachine() {
 }
 
 void AvrMachine::run_to(std::uint64_t cycle) {
-  if (avr_->cycle < cycle) {
-    queue_.at(cycle, [] {});  // wakes a sleeping CPU
+  if (avr_->cycle >= cycle) {
+    return;
   }
+  // Two, for a sleep that begins at `cycle` itself: simavr looks for its end behind the first.
+  queue_.at(cycle, [] {});
+  queue_.at(cycle + 1, [] {});
   while (avr_->cycle < cycle) {
     avr_run(avr_.get());
     check_alive();
