@@ -35,6 +35,7 @@ struct FeatureView {
   Eigen::Matrix2d jacobian = Eigen::Matrix2d::Zero();
 };
 
+/// What a stop at `center_m` (map frame, metres) sees of a feature.
 FeatureView view_from(const Eigen::Vector2d& center_m, const SonarFeature& feature);
 
 /// The features that fit the ranges of both sightings: up to two walls, tangents of the two circles

@@ -10,6 +10,7 @@
 
 namespace echomap::mapping {
 
+/// When readings of a scan are taken for one surface.
 struct SonarSurfaceParams {
   /// Half the opening angle of the beam: 13 to 16 degrees for HC-SR04 and NXT (robot profile).
   double beam_half_angle_rad = 0.2269;

@@ -9,6 +9,7 @@
 
 namespace echomap::mapping {
 
+/// When sightings from several stops are taken for one wall or post.
 struct SurfaceMatchingParams {
   /// A sighting belongs to a feature when its range is off by at most this: 2 sigma of the mean of
   /// a few readings plus the odometry's drift from stop to stop.
@@ -43,6 +44,7 @@ struct MatchedWall {
   std::vector<Piece> pieces;
 };
 
+/// What all stops together have seen, in the map frame.
 struct MatchedSurfaces {
   /// As given, with bearings and ranges of the matched surfaces made better.
   std::vector<ScanSurfaces> scans;

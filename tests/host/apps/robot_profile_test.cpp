@@ -24,7 +24,8 @@ std::string error_with(const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  const std::string path = ::testing::TempDir() + "changed_profile.toml";
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const std::string path = ::testing::TempDir() + test->name() + ".toml";
   files::write_text_file(path, text);
   try {
     load_robot_profile(path);
