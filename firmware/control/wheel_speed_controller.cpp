@@ -21,6 +21,12 @@ int32_t clamped(int32_t value, int32_t limit) {
   return value < -limit ? -limit : value;
 }
 
+/// Shifts stand for divisions, which take avr-gcc 40 us each. The lag's 4096 for 4000 is 2 % less
+/// of a gain that was tuned, not calculated.
+int32_t rounded_shift(int32_t value, uint8_t bits) {
+  return (value + (int32_t{1} << (bits - 1))) >> bits;
+}
+
 /// A term may be four times the full drive, so that terms can cancel and their sum cannot overflow.
 int32_t term(uint16_t gain, int32_t value) {
   const int16_t bounded = static_cast<int16_t>(clamped(value, INT16_MAX));
@@ -44,12 +50,12 @@ int16_t WheelSpeedController::update(const protocol::ConfigureDrive& gains,
     return 0;  // Without friction, control would hunt round the last tick for ever.
   }
   push_off(reference_moves);
-  const int32_t speed = int32_t{turned_sum_} * kControlHz / kSpeedPeriods;
+  const int32_t speed = (int32_t{turned_sum_} * kControlHz) >> kSpeedPeriodsLog2;
   const int32_t reference = ticks_per_second(reference_step);
   const int32_t drive = term(gains.feed_forward, reference) +
                         term(gains.proportional, reference - speed) +
-                        term(gains.integral, lag_ / kOneTick) + push_;
-  return static_cast<int16_t>(clamped(drive, kFullDrive) / 256);
+                        term(gains.integral, rounded_shift(lag_, 12)) + push_;
+  return static_cast<int16_t>(rounded_shift(clamped(drive, kFullDrive), 8));
 }
 
 bool WheelSpeedController::arrived() const { return still_periods_ == kStillPeriods && near(); }
@@ -65,7 +71,7 @@ bool WheelSpeedController::stalled(const protocol::ConfigureDrive& limits) const
 void WheelSpeedController::measure(int16_t turned) {
   turned_sum_ = static_cast<int16_t>(turned_sum_ + turned - turned_[oldest_]);
   turned_[oldest_] = turned;
-  oldest_ = static_cast<uint8_t>((oldest_ + 1) % kSpeedPeriods);
+  oldest_ = static_cast<uint8_t>((oldest_ + 1) & (kSpeedPeriods - 1));
   if (turned != 0) {
     still_periods_ = 0;
   } else if (still_periods_ != kStillPeriods) {

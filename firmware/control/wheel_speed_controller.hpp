@@ -36,7 +36,8 @@ class WheelSpeedController {
 
  private:
   /// Speed is taken over this many periods: one tick in one period would be 250 ticks/s.
-  static constexpr uint8_t kSpeedPeriods = 4;
+  static constexpr uint8_t kSpeedPeriodsLog2 = 2;
+  static constexpr uint8_t kSpeedPeriods = 1U << kSpeedPeriodsLog2;
 
   void measure(int16_t turned);
   void push_off(bool reference_moves);

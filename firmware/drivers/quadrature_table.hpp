@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "firmware/hal/flash_table.hpp"
+
 namespace echomap {
 namespace drivers {
 
@@ -57,6 +59,9 @@ struct QuadratureTable {
     }
   }
 };
+
+/// The one table, in the program's memory.
+constexpr QuadratureTable kQuadratureTable ECHOMAP_FLASH{};
 
 }  // namespace drivers
 }  // namespace echomap

@@ -13,8 +13,6 @@ int16_t folded(int16_t count, int8_t edges, bool inverted) {
 
 }  // namespace
 
-const QuadratureTable WheelEncoders::kTable ECHOMAP_FLASH;
-
 void WheelEncoders::invert(bool left, bool right) {
   const hal::InterruptLock lock;
   fold();

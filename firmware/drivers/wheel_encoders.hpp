@@ -4,7 +4,6 @@
 #include <stdint.h>
 
 #include "firmware/drivers/quadrature_table.hpp"
-#include "firmware/hal/flash_table.hpp"
 
 namespace echomap {
 namespace drivers {
@@ -32,7 +31,7 @@ class WheelEncoders {
   void on_pins(uint8_t levels) {
     const uint8_t index = static_cast<uint8_t>(before_ | levels);
     before_ = static_cast<uint8_t>(levels << 4);
-    const uint8_t edges = hal::read_flash(&kTable.edges[index]);
+    const uint8_t edges = hal::read_flash(&kQuadratureTable.edges[index]);
     add(left_edges_, edges & kLeftForward, edges & kLeftBackward);
     add(right_edges_, edges & kRightForward, edges & kRightBackward);
     if ((edges & (kLeftLost | kRightLost)) != 0) {
@@ -44,8 +43,6 @@ class WheelEncoders {
   void fold();
 
  private:
-  static const QuadratureTable kTable;
-
   static void add(int8_t& edges, uint8_t forward, uint8_t backward) {
     int8_t sum = edges;
     if (forward != 0) {

@@ -12,7 +12,7 @@ namespace {
 class EventsTest : public testing::Test {
  protected:
   EventsTest() { native::NativeBoard::instance().power_on(); }
-  app::Devices& devices_ = app::devices;
+  app::Devices& devices = app::devices;
 };
 
 TEST_F(EventsTest, TickReachesTheSchedulerAndFoldsTheEdges) {
@@ -23,16 +23,16 @@ TEST_F(EventsTest, TickReachesTheSchedulerAndFoldsTheEdges) {
     on_encoder_pins(0b0000);
     on_tick();
   }
-  EXPECT_TRUE(devices_.scheduler.has_tick());
-  EXPECT_EQ(devices_.encoders.counts().left, 1200);
+  EXPECT_TRUE(devices.scheduler.has_tick());
+  EXPECT_EQ(devices.encoders.counts().left, 1200);
 }
 
 TEST_F(EventsTest, EchoEdgesReachTheSonar) {
-  devices_.sonar.ping(0);
+  devices.sonar.ping(0);
   on_echo_edge(true, 1000);
   on_echo_edge(false, 3000);
   std::uint16_t flight_us = 0;
-  EXPECT_TRUE(devices_.sonar.poll(2000, 24000, flight_us));
+  EXPECT_TRUE(devices.sonar.poll(2000, 24000, flight_us));
   EXPECT_EQ(flight_us, 1000);
 }
 
@@ -40,12 +40,12 @@ TEST_F(EventsTest, BytesReachThePortAndLeaveIt) {
   on_byte_received(42);
   on_receive_overrun();
   std::uint8_t byte = 0;
-  EXPECT_TRUE(devices_.port.receive(byte));
+  EXPECT_TRUE(devices.port.receive(byte));
   EXPECT_EQ(byte, 42);
-  EXPECT_EQ(devices_.port.overruns(), 1);
-  const std::uint8_t before = devices_.port.send_room();
+  EXPECT_EQ(devices.port.overruns(), 1);
+  const std::uint8_t before = devices.port.send_room();
   EXPECT_TRUE(next_byte_to_send(byte));
-  EXPECT_EQ(devices_.port.send_room(), before + 1);
+  EXPECT_EQ(devices.port.send_room(), before + 1);
 }
 
 }  // namespace

@@ -16,36 +16,36 @@ class ContactsTest : public testing::Test {
   }
   void press(bool right, bool pressed) {
     native::NativeBoard::instance().set_bump(right, pressed);
-    contacts_.poll();
+    contacts.poll();
   }
-  Contacts contacts_;
+  Contacts contacts;
 };
 
 TEST_F(ContactsTest, PressCountsAtTheFirstPoll) {
   press(false, true);
-  EXPECT_TRUE(contacts_.left());
-  EXPECT_FALSE(contacts_.right());
-  EXPECT_TRUE(contacts_.just_pressed());
-  contacts_.poll();
-  EXPECT_TRUE(contacts_.any());
-  EXPECT_FALSE(contacts_.just_pressed());
+  EXPECT_TRUE(contacts.left());
+  EXPECT_FALSE(contacts.right());
+  EXPECT_TRUE(contacts.just_pressed());
+  contacts.poll();
+  EXPECT_TRUE(contacts.any());
+  EXPECT_FALSE(contacts.just_pressed());
 }
 
 TEST_F(ContactsTest, ReleaseCountsWhenItHasLasted) {
   press(true, true);
   press(true, false);
   for (int ms = 1; ms < Contacts::kReleaseMs; ++ms) {
-    EXPECT_TRUE(contacts_.right());
-    contacts_.poll();
+    EXPECT_TRUE(contacts.right());
+    contacts.poll();
   }
-  EXPECT_FALSE(contacts_.right());
+  EXPECT_FALSE(contacts.right());
 }
 
 TEST_F(ContactsTest, BouncingIsOnePress) {
   int presses = 0;
   for (int i = 0; i < 50; ++i) {
     press(false, i % 3 != 2);
-    presses += contacts_.just_pressed() ? 1 : 0;
+    presses += contacts.just_pressed() ? 1 : 0;
   }
   EXPECT_EQ(presses, 1);
 }
@@ -53,7 +53,7 @@ TEST_F(ContactsTest, BouncingIsOnePress) {
 TEST_F(ContactsTest, SecondContactIsAPressOfItsOwn) {
   press(false, true);
   press(true, true);
-  EXPECT_TRUE(contacts_.just_pressed());
+  EXPECT_TRUE(contacts.just_pressed());
 }
 
 }  // namespace

@@ -24,20 +24,25 @@ TEST(Heartbeat, KicksOnceWhenEveryPartHasRun) {
   EXPECT_EQ(kicks(), before + 1);
 }
 
-TEST(Heartbeat, OneSilentPartIsEnoughForAReset) {
+/// Lets every part but this one run 300 times; how often that kicked.
+std::uint32_t kicks_without(Part silent) {
   constexpr std::array<Part, 3> kParts{Part::kTick, Part::kControl, Part::kLink};
-  for (const Part silent : kParts) {
-    Heartbeat heartbeat;
-    const std::uint32_t before = kicks();
-    for (int i = 0; i < 300; ++i) {
-      for (const Part part : kParts) {
-        if (part != silent) {
-          heartbeat.ran(part);
-        }
+  Heartbeat heartbeat;
+  const std::uint32_t before = kicks();
+  for (int i = 0; i < 300; ++i) {
+    for (const Part part : kParts) {
+      if (part != silent) {
+        heartbeat.ran(part);
       }
     }
-    EXPECT_EQ(kicks(), before);
   }
+  return kicks() - before;
+}
+
+TEST(Heartbeat, OneSilentPartIsEnoughForAReset) {
+  EXPECT_EQ(kicks_without(Part::kTick), 0U);
+  EXPECT_EQ(kicks_without(Part::kControl), 0U);
+  EXPECT_EQ(kicks_without(Part::kLink), 0U);
 }
 
 }  // namespace

@@ -15,41 +15,41 @@ class SafetyTest : public testing::Test {
  protected:
   ~SafetyTest() override {
     press(false);
-    motion_.stop(MotionOutcome::kStopped);
+    motion.stop(MotionOutcome::kStopped);
   }
   static void press(bool pressed) { native::NativeBoard::instance().set_bump(false, pressed); }
   void tick(int times) {
     for (int i = 0; i < times; ++i) {
-      safety_.tick();
+      safety.tick();
     }
   }
   void move(std::int32_t left, std::int32_t right) {
-    motion_.start_move(protocol::MoveTicks{3, left, right, 100, 0});
+    motion.start_move(protocol::MoveTicks{3, left, right, 100, 0});
   }
-  MotionOutcome outcome() const { return motion_.report().outcome; }
+  MotionOutcome outcome() const { return motion.report().outcome; }
 
-  drivers::WheelEncoders encoders_;
-  control::WheelMotion motion_{encoders_, app::kDefaultDrive};
-  Safety safety_{motion_};
+  drivers::WheelEncoders encoders;
+  control::WheelMotion motion{encoders, app::kDefaultDrive};
+  Safety safety{motion};
 };
 
-TEST_F(SafetyTest, StartsDisarmed) { EXPECT_FALSE(safety_.armed()); }
+TEST_F(SafetyTest, StartsDisarmed) { EXPECT_FALSE(safety.armed()); }
 
 TEST_F(SafetyTest, DisarmingStopsTheWheels) {
-  safety_.arm();
+  safety.arm();
   move(100, 100);
-  safety_.disarm();
-  EXPECT_FALSE(safety_.armed());
-  EXPECT_FALSE(motion_.moving());
+  safety.disarm();
+  EXPECT_FALSE(safety.armed());
+  EXPECT_FALSE(motion.moving());
   EXPECT_EQ(outcome(), MotionOutcome::kStopped);
 }
 
 TEST_F(SafetyTest, MotionExpiresToTheMillisecondUnlessRenewed) {
   move(100, 100);
-  safety_.renew(50);
+  safety.renew(50);
   tick(49);
   EXPECT_EQ(outcome(), MotionOutcome::kRunning);
-  safety_.renew(30);
+  safety.renew(30);
   tick(29);
   EXPECT_EQ(outcome(), MotionOutcome::kRunning);
   tick(1);
@@ -58,7 +58,7 @@ TEST_F(SafetyTest, MotionExpiresToTheMillisecondUnlessRenewed) {
 
 TEST_F(SafetyTest, ZeroStandsForTheDefaultTimeToLive) {
   move(100, 100);
-  safety_.renew(0);
+  safety.renew(0);
   tick(Safety::kDefaultTimeToLiveMs - 1);
   EXPECT_EQ(outcome(), MotionOutcome::kRunning);
   tick(1);
@@ -85,26 +85,26 @@ TEST_F(SafetyTest, PressStopsForwardMotionAndTurnsButNotBackingOff) {
     press(true);
     tick(1);
     EXPECT_EQ(outcome(), one.expected) << one.left << ' ' << one.right;
-    motion_.stop(MotionOutcome::kStopped);
+    motion.stop(MotionOutcome::kStopped);
   }
 }
 
 TEST_F(SafetyTest, HeldContactLetsTheRobotTurnAwayButNotGoOn) {
   press(true);
   tick(1);
-  EXPECT_TRUE(safety_.blocks(100, 100));
-  EXPECT_TRUE(safety_.blocks(100, -99));
-  EXPECT_FALSE(safety_.blocks(100, -100));
-  EXPECT_FALSE(safety_.blocks(-100, -100));
+  EXPECT_TRUE(safety.blocks(100, 100));
+  EXPECT_TRUE(safety.blocks(100, -99));
+  EXPECT_FALSE(safety.blocks(100, -100));
+  EXPECT_FALSE(safety.blocks(-100, -100));
   move(100, -100);
   tick(5);
   EXPECT_EQ(outcome(), MotionOutcome::kRunning);
-  motion_.drive(50, 60);
+  motion.drive(50, 60);
   tick(1);
   EXPECT_EQ(outcome(), MotionOutcome::kBumped);
 }
 
-TEST_F(SafetyTest, NothingIsBlockedWithoutAContact) { EXPECT_FALSE(safety_.blocks(100, 100)); }
+TEST_F(SafetyTest, NothingIsBlockedWithoutAContact) { EXPECT_FALSE(safety.blocks(100, 100)); }
 
 }  // namespace
 }  // namespace echomap::tasks

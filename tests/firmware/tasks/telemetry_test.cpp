@@ -29,9 +29,9 @@ class TelemetryTest : public testing::Test {
   Collected collect() {
     Collected collected;
     std::uint8_t byte = 0;
-    while (port_.on_send_ready(byte)) {
-      if (decoder_.take(byte) == protocol::DecodeStatus::kFrame) {
-        const protocol::Frame frame = decoder_.frame();
+    while (port.on_send_ready(byte)) {
+      if (decoder.take(byte) == protocol::DecodeStatus::kFrame) {
+        const protocol::Frame frame = decoder.frame();
         protocol::Dispatcher<protocol::MessagesToHost>::dispatch(
             frame.id, frame.payload, collected);
       }
@@ -52,32 +52,32 @@ class TelemetryTest : public testing::Test {
   }
   void tick(int times) {
     for (int i = 0; i < times; ++i) {
-      telemetry_.tick();
+      telemetry.tick();
     }
   }
 
-  drivers::WheelEncoders encoders_;
-  drivers::SonarHcSr04 sonar_;
-  drivers::SerialPort port_;
-  control::WheelMotion motion_{encoders_, app::kDefaultDrive};
-  control::ScanSweep sweep_{encoders_, sonar_, app::kDefaultSonar};
-  Safety safety_{motion_};
-  FrameSender sender_{port_};
-  protocol::ReceiveCounters received_;
-  Telemetry telemetry_{{encoders_, port_, motion_, sweep_, safety_, received_}, sender_, 20};
-  protocol::FrameDecoder decoder_{protocol::MessagesToHost::find_schema};
+  drivers::WheelEncoders encoders;
+  drivers::SonarHcSr04 sonar;
+  drivers::SerialPort port;
+  control::WheelMotion motion{encoders, app::kDefaultDrive};
+  control::ScanSweep sweep{encoders, sonar, app::kDefaultSonar};
+  Safety safety{motion};
+  FrameSender sender{port};
+  protocol::ReceiveCounters received;
+  Telemetry telemetry{{encoders, port, motion, sweep, safety, received}, sender, 20};
+  protocol::FrameDecoder decoder{protocol::MessagesToHost::find_schema};
 };
 
 TEST_F(TelemetryTest, IsSilentUntilAHostIsThere) {
   tick(1000);
-  EXPECT_EQ(port_.send_room(), drivers::SerialPort::kSendBytes);
-  telemetry_.begin();
+  EXPECT_EQ(port.send_room(), drivers::SerialPort::kSendBytes);
+  telemetry.begin();
   tick(1);
   EXPECT_EQ(collect().status.size(), 1U);
 }
 
 TEST_F(TelemetryTest, KeepsItsPeriods) {
-  telemetry_.begin();
+  telemetry.begin();
   std::size_t odometry = 0;
   std::size_t status = 0;
   for (int ms = 0; ms < 1000; ++ms) {
@@ -88,7 +88,7 @@ TEST_F(TelemetryTest, KeepsItsPeriods) {
   }
   EXPECT_EQ(odometry, 50U);
   EXPECT_EQ(status, 1U + 5U);
-  telemetry_.set_odometry_period(5);
+  telemetry.set_odometry_period(5);
   odometry = 0;
   for (int ms = 0; ms < 100; ++ms) {
     tick(1);
@@ -98,11 +98,11 @@ TEST_F(TelemetryTest, KeepsItsPeriods) {
 }
 
 TEST_F(TelemetryTest, ReplacesOdometryThatWaitsTooLongAndCountsIt) {
-  telemetry_.begin();
-  encoders_.on_pins(0b0001);
+  telemetry.begin();
+  encoders.on_pins(0b0001);
   tick(20 * 20);
   const Collected stale = collect();
-  encoders_.on_pins(0b0011);
+  encoders.on_pins(0b0011);
   ASSERT_FALSE(stale.odometry.empty());
   tick(1);
   const Collected fresh = collect();
@@ -114,9 +114,9 @@ TEST_F(TelemetryTest, ReplacesOdometryThatWaitsTooLongAndCountsIt) {
 }
 
 TEST_F(TelemetryTest, KeepsTheNewestEchoesAndCountsTheRest) {
-  telemetry_.begin();
+  telemetry.begin();
   for (std::int16_t pan = 0; pan < 6; ++pan) {
-    telemetry_.add(protocol::Echo{0, pan, 0, 0, 0});
+    telemetry.add(protocol::Echo{0, pan, 0, 0, 0});
   }
   tick(1);
   Collected all = collect();
@@ -130,10 +130,10 @@ TEST_F(TelemetryTest, KeepsTheNewestEchoesAndCountsTheRest) {
 }
 
 TEST_F(TelemetryTest, TellsAnOutcomeAtOnce) {
-  telemetry_.begin();
+  telemetry.begin();
   tick(1);
   collect();
-  motion_.start_move({7, 100, 100, 100, 0});
+  motion.start_move({7, 100, 100, 100, 0});
   tick(1);
   Collected now = collect();
   ASSERT_EQ(now.status.size(), 1U);
@@ -141,7 +141,7 @@ TEST_F(TelemetryTest, TellsAnOutcomeAtOnce) {
   EXPECT_EQ(now.status[0].move_outcome,
             static_cast<std::uint8_t>(protocol::MotionOutcome::kRunning));
   EXPECT_EQ(now.status[0].flags, protocol::kFlagMoving);
-  motion_.stop(protocol::MotionOutcome::kBumped);
+  motion.stop(protocol::MotionOutcome::kBumped);
   tick(1);
   now = collect();
   ASSERT_EQ(now.status.size(), 1U);
@@ -152,10 +152,10 @@ TEST_F(TelemetryTest, TellsAnOutcomeAtOnce) {
 }
 
 TEST_F(TelemetryTest, CarriesCountsAndErrors) {
-  telemetry_.begin();
-  encoders_.on_pins(0b0001);
-  encoders_.on_pins(0b0101);
-  encoders_.on_pins(0b1010);
+  telemetry.begin();
+  encoders.on_pins(0b0001);
+  encoders.on_pins(0b0101);
+  encoders.on_pins(0b1010);
   tick(20);
   const Collected now = collect();
   ASSERT_EQ(now.odometry.size(), 1U);
