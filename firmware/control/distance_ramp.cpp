@@ -25,7 +25,12 @@ int32_t DistanceRamp::advance() {
   return step;
 }
 
-void DistanceRamp::cut_short() {
+void DistanceRamp::brake(int32_t change) {
+  change_ = change;
+  braking_ = 0;
+  for (int32_t speed = speed_ - change; speed > 0; speed -= change) {
+    braking_ += speed;
+  }
   if (braking_ < remaining_) {
     remaining_ = braking_;
   }

@@ -18,8 +18,8 @@ class DistanceRamp {
   int32_t advance();
   bool finished() const { return remaining_ == 0; }
 
-  /// Brakes from now on and ends where that leads.
-  void cut_short();
+  /// Brakes from now on by `change` per period, above 0, and ends where that leads.
+  void brake(int32_t change);
 
  private:
   void speed_up();

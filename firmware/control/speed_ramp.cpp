@@ -10,6 +10,11 @@ void SpeedRamp::start(int32_t speed, int32_t change) {
   change_ = change;
 }
 
+void SpeedRamp::brake(int32_t change) {
+  target_ = 0;
+  change_ = change;
+}
+
 int32_t SpeedRamp::advance() {
   const int32_t missing = target_ - speed_;
   if (missing > change_) {

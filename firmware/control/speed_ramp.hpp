@@ -12,6 +12,8 @@ class SpeedRamp {
   /// Starts at `speed`; `change` is the most that it changes per period, above 0.
   void start(int32_t speed, int32_t change);
   void set_target(int32_t target) { target_ = target; }
+  /// Goes to rest from now on by `change` per period, above 0.
+  void brake(int32_t change);
 
   /// The speed of the next period.
   int32_t advance();

@@ -34,7 +34,7 @@ class WheelMotion {
 
   /// Motors off at once, for this reason.
   void stop(protocol::MotionOutcome reason);
-  /// The time to live is over: ramps to rest and lets go there, arrived or not.
+  /// The time to live is over: brakes hard and lets go there, arrived or not.
   void expire();
   /// One control period.
   void step();

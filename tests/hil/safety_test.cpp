@@ -21,8 +21,9 @@ using runner::Wheel;
 constexpr std::uint16_t kTimeToLiveMs = 200;
 constexpr std::int16_t kTicksPerS = 1500;
 constexpr double kCyclesPerMs = 16'000.0;
-/// From 1500 to 0 ticks/s at the default 6000 ticks/s2, and one period of tick and control each.
-constexpr double kRampMs = 250.0;
+/// From 1500 to 0 ticks/s, where braking takes 128 ms from the default limit of 3000, and one
+/// period of tick and control each.
+constexpr double kRampMs = 64.0;
 constexpr double kPeriodsMs = 5.0;
 
 /// A robot on the move: connected, armed, both motors turning their wheels.

@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kCyclesPerMs = 16'000;
-/// Time to live, and the ramp from full speed to zero.
-constexpr std::int64_t kLongestStop = (200 + 420 + 20) * kCyclesPerMs;
+/// Time to live, braking from the fastest speed, and a control period.
+constexpr std::int64_t kLongestStop = (200 + 128 + 4) * kCyclesPerMs;
 
 /// Kills the host right after its first stop, when the robot turns or drives; answers the AVR
 /// cycles until the wheels stopped, 0 where they stood.
@@ -48,7 +48,7 @@ std::int64_t cycles_to_stop(int seed) {
   return truth.at("stop").at("stopped_after_cycles");
 }
 
-TEST(HostGone, WheelsStopWithinTheTimeToLiveAndTheRamp) {
+TEST(HostGone, WheelsStopWithinTheTimeToLiveAndBraking) {
   if (!fs::exists(ECHOMAP_BINARY_DIR "/bin/echomap-simavr")) {
     GTEST_SKIP() << "echomap-simavr was not built on this machine";
   }

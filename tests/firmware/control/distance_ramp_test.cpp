@@ -60,20 +60,31 @@ TEST(DistanceRamp, EndsExactlyWithinItsSpeedAndAcceleration) {
   }
 }
 
-TEST(DistanceRamp, CutShortBrakesToRest) {
+TEST(DistanceRamp, BrakesToRestAsHardAsTold) {
   DistanceRamp ramp;
   ramp.start(1000000, 1000, 10);
   std::int32_t speed = 0;
   for (int i = 0; i < 60; ++i) {
     speed = ramp.advance();
   }
-  ramp.cut_short();
+  ASSERT_EQ(speed, 600);
+  ramp.brake(40);
   while (!ramp.finished()) {
     const std::int32_t step = ramp.advance();
-    ASSERT_EQ(step, speed - 10);
+    ASSERT_EQ(step, speed - 40);
     speed = step;
   }
-  EXPECT_EQ(speed, 10);
+  EXPECT_EQ(speed, 40);
+}
+
+TEST(DistanceRamp, BrakingNeverGoesPastTheEnd) {
+  DistanceRamp ramp;
+  ramp.start(60, 1000, 10);
+  ramp.advance();
+  ramp.advance();
+  ramp.brake(1);
+  EXPECT_LE(steps_of(ramp).size(), 30U);
+  EXPECT_EQ(ramp.advance(), 0);
 }
 
 TEST(DistanceRamp, NoWayIsFinishedAtOnce) {

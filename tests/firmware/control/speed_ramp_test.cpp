@@ -36,6 +36,16 @@ TEST(SpeedRamp, NeverChangesFasterAndAlwaysArrives) {
   }
 }
 
+TEST(SpeedRamp, BrakesAsHardAsTold) {
+  SpeedRamp ramp;
+  ramp.start(-100, 10);
+  ramp.brake(40);
+  EXPECT_EQ(ramp.advance(), -60);
+  EXPECT_EQ(ramp.advance(), -20);
+  EXPECT_EQ(ramp.advance(), 0);
+  EXPECT_TRUE(ramp.at_rest());
+}
+
 TEST(SpeedRamp, RestsOnlyAtZero) {
   SpeedRamp ramp;
   ramp.start(5, 10);

@@ -17,6 +17,9 @@ namespace {
 using protocol::MotionOutcome;
 using tests::quadrature_levels;
 
+/// From the fastest speed to rest, and one control period.
+constexpr int kBrakingMs = 128 + kControlPeriodMs;
+
 class WheelMotionTest : public testing::Test {
  protected:
   ~WheelMotionTest() override { motion.stop(MotionOutcome::kStopped); }
@@ -128,7 +131,7 @@ TEST_F(WheelMotionTest, ExpiryBrakesTogetherAndDoesNotReachTheEnd) {
   run_ms(1000);
   motion.expire();
   EXPECT_EQ(motion.report().outcome, MotionOutcome::kExpired);
-  ASSERT_TRUE(run_to_end(1500));
+  ASSERT_TRUE(run_to_end(kBrakingMs));
   EXPECT_EQ(motion.report().outcome, MotionOutcome::kExpired);
   EXPECT_LT(left_wheel.ticks(), 6000);
   EXPECT_NEAR(left_wheel.ticks() / 2.0, right_wheel.ticks(), 20.0) << "it may coast to rest";
@@ -154,7 +157,17 @@ TEST_F(WheelMotionTest, ExpiredSetPointReportsWithoutAnId) {
   motion.expire();
   EXPECT_EQ(motion.report().id, 0);
   EXPECT_EQ(motion.report().outcome, MotionOutcome::kExpired);
-  EXPECT_TRUE(run_to_end(1500));
+  EXPECT_TRUE(run_to_end(kBrakingMs));
+}
+
+TEST_F(WheelMotionTest, ExpiryBrakesAsHardHoweverSlowTheRamps) {
+  protocol::ConfigureDrive lazy = app::kDefaultDrive;
+  lazy.max_ticks_per_s2 = 500;
+  motion.configure(lazy);
+  move(100000, 100000, lazy.max_ticks_per_s);
+  run_ms(7000);
+  motion.expire();
+  EXPECT_TRUE(run_to_end(kBrakingMs));
 }
 
 TEST_F(WheelMotionTest, SetPointsAreClippedToTheFastestSpeed) {
