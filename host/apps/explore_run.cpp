@@ -147,8 +147,9 @@ ExitCode explore_and_save(RobotConnection robot,
   }
   pipeline.end_scan();
   spdlog::error("{}; the map so far is kept", session.end_reason());
-  keeper.save(*session.end() == SessionEnd::kInterrupted ? "interrupted" : "link-lost");
-  return exit_code_of(*session.end());
+  const SessionEnd end = session.end().value_or(SessionEnd::kLinkLost);
+  keeper.save(end == SessionEnd::kInterrupted ? "interrupted" : "link-lost");
+  return exit_code_of(end);
 }
 
 }  // namespace echomap::apps

@@ -83,9 +83,10 @@ void RobotSession::connect() {
 
 void RobotSession::fail_to_connect() const {
   const std::string port = stream_->name();
+  if (const auto& mismatch = link_.mismatch()) {
+    throw CommandError(ExitCode::kFirmwareMismatch, mismatch->message());
+  }
   switch (link_.state()) {
-    case LinkState::kMismatch:
-      throw CommandError(ExitCode::kFirmwareMismatch, link_.mismatch().value().message());
     case LinkState::kGarbage:
       throw CommandError(ExitCode::kNoRobot,
                          "bytes come from " + port +

@@ -95,8 +95,9 @@ std::vector<Eigen::Vector2d> visible_wall_points_m(const MapTruth& truth) {
   for (const auto& wall : truth.walls) {
     const Eigen::Vector2d along = (wall.to_m - wall.from_m).normalized();
     const Eigen::Vector2d skin_m = kWallSkinM * Eigen::Vector2d(-along.y(), along.x());
-    for (double at_m = 0.5 * kWallStepM; at_m < wall.length_m(); at_m += kWallStepM) {
-      const Eigen::Vector2d point_m = wall.from_m + at_m * along;
+    const int steps = static_cast<int>(std::lround(wall.length_m() / kWallStepM));
+    for (int i = 0; i < steps; ++i) {
+      const Eigen::Vector2d point_m = wall.from_m + (i + 0.5) * kWallStepM * along;
       const bool visible =
           truth.cells.state(truth.cells.cell_at(point_m + skin_m)) == CellState::kFree ||
           truth.cells.state(truth.cells.cell_at(point_m - skin_m)) == CellState::kFree;

@@ -85,7 +85,9 @@ double known_floor_m(const mapping::OccupancyGrid& grid,
                      double body_m) {
   constexpr double kEven = 0.5;
   const double length_m = way_m.norm();
-  for (double at_m = body_m; at_m < length_m; at_m += 0.5 * grid.resolution_m()) {
+  const double step_m = 0.5 * grid.resolution_m();
+  for (int i = 0; body_m + i * step_m < length_m; ++i) {
+    const double at_m = body_m + i * step_m;
     const auto probability = grid.probability(grid.cell_at(here_m + at_m / length_m * way_m));
     if (probability.value_or(1.0) >= kEven) {
       return at_m;

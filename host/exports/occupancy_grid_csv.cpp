@@ -24,7 +24,7 @@ double cell_value(const mapping::OccupancyGrid& grid, geometry::CellIndex cell) 
 
 void write_occupancy_grid_csv(const std::filesystem::path& path,
                               const mapping::OccupancyGrid& grid) {
-  const auto bounds = grid.bounds().value_or(mapping::CellBounds{});
+  const auto bounds = grid.bounds().empty() ? mapping::CellBounds{{0, 0}, {0, 0}} : grid.bounds();
   std::string text =
       "# resolution_m,origin_x_m,origin_y_m,rows,columns; origin is the lower left corner, the "
       "first "

@@ -40,7 +40,7 @@ fs::path bundled_file(const std::string& name_or_path,
     return name_or_path;
   }
   const fs::path bundled = share_folder() / folder;
-  const fs::path path = bundled / (name_or_path + ".toml");
+  fs::path path = bundled / (name_or_path + ".toml");
   if (!fs::exists(path)) {
     throw ConfigError("no " + kind + " is named '" + name_or_path + "' in " + bundled.string() +
                       suggestion(name_or_path, names_in(bundled)));

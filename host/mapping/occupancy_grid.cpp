@@ -20,12 +20,12 @@ bool contains(const CellBounds& bounds, CellIndex cell) {
          cell.y <= bounds.max.y;
 }
 
-CellBounds extended(const std::optional<CellBounds>& bounds, CellIndex cell) {
-  if (!bounds) {
+CellBounds extended(const CellBounds& bounds, CellIndex cell) {
+  if (bounds.empty()) {
     return {cell, cell};
   }
-  return {{std::min(bounds->min.x, cell.x), std::min(bounds->min.y, cell.y)},
-          {std::max(bounds->max.x, cell.x), std::max(bounds->max.y, cell.y)}};
+  return {{std::min(bounds.min.x, cell.x), std::min(bounds.min.y, cell.y)},
+          {std::max(bounds.max.x, cell.x), std::max(bounds.max.y, cell.y)}};
 }
 
 std::size_t index_in(const CellBounds& bounds, CellIndex cell) {
@@ -97,10 +97,10 @@ CellState OccupancyGrid::state(CellIndex cell) const {
 
 const std::int16_t* OccupancyGrid::find(CellIndex cell) const {
   const CellIndex tile{cell.x >> kTileBits, cell.y >> kTileBits};
-  if (!tile_bounds_ || !contains(*tile_bounds_, tile)) {
+  if (!contains(tile_bounds_, tile)) {
     return nullptr;
   }
-  const std::int32_t entry = tile_table_[index_in(*tile_bounds_, tile)];
+  const std::int32_t entry = tile_table_[index_in(tile_bounds_, tile)];
   if (entry < 0) {
     return nullptr;
   }
@@ -113,7 +113,7 @@ std::int16_t& OccupancyGrid::touch(CellIndex cell) {
   bounds_ = extended(bounds_, cell);
   const CellIndex tile{cell.x >> kTileBits, cell.y >> kTileBits};
   grow_table_to(tile);
-  std::int32_t& entry = tile_table_[index_in(*tile_bounds_, tile)];
+  std::int32_t& entry = tile_table_[index_in(tile_bounds_, tile)];
   if (entry < 0) {
     entry = static_cast<std::int32_t>(tiles_.size());
     tiles_.emplace_back().fill(kUntouched);
@@ -122,16 +122,16 @@ std::int16_t& OccupancyGrid::touch(CellIndex cell) {
 }
 
 void OccupancyGrid::grow_table_to(CellIndex tile) {
-  if (tile_bounds_ && contains(*tile_bounds_, tile)) {
+  if (contains(tile_bounds_, tile)) {
     return;
   }
   const CellBounds grown = extended(tile_bounds_, tile);
   std::vector<std::int32_t> table(
       static_cast<std::size_t>(grown.columns()) * static_cast<std::size_t>(grown.rows()), -1);
   for (std::size_t i = 0; i < tile_table_.size(); ++i) {
-    const auto columns = static_cast<std::size_t>(tile_bounds_->columns());
-    const CellIndex moved{tile_bounds_->min.x + static_cast<std::int32_t>(i % columns),
-                          tile_bounds_->min.y + static_cast<std::int32_t>(i / columns)};
+    const auto columns = static_cast<std::size_t>(tile_bounds_.columns());
+    const CellIndex moved{tile_bounds_.min.x + static_cast<std::int32_t>(i % columns),
+                          tile_bounds_.min.y + static_cast<std::int32_t>(i / columns)};
     table[index_in(grown, moved)] = tile_table_[i];
   }
   tile_table_ = std::move(table);
@@ -139,10 +139,7 @@ void OccupancyGrid::grow_table_to(CellIndex tile) {
 }
 
 double newly_free_area_m2(const OccupancyGrid& before, const OccupancyGrid& now) {
-  if (!now.bounds()) {
-    return 0.0;
-  }
-  const CellBounds& bounds = *now.bounds();
+  const CellBounds& bounds = now.bounds();
   int cells = 0;
   for (std::int32_t y = bounds.min.y; y <= bounds.max.y; ++y) {
     for (std::int32_t x = bounds.min.x; x <= bounds.max.x; ++x) {

@@ -17,11 +17,12 @@ namespace echomap::mapping {
 /// What is known of a cell.
 enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
 
-/// A rectangle of cells, both corners included.
+/// A rectangle of cells, both corners included; without any cell at first.
 struct CellBounds {
-  geometry::CellIndex min;
-  geometry::CellIndex max;
+  geometry::CellIndex min{0, 0};
+  geometry::CellIndex max{-1, -1};
 
+  bool empty() const { return max.x < min.x; }
   std::int32_t columns() const { return max.x - min.x + 1; }
   std::int32_t rows() const { return max.y - min.y + 1; }
 };
@@ -60,7 +61,7 @@ class OccupancyGrid {
   CellState state(geometry::CellIndex cell) const;
 
   /// The smallest rectangle around all touched cells; empty while there is none.
-  const std::optional<CellBounds>& bounds() const { return bounds_; }
+  const CellBounds& bounds() const { return bounds_; }
 
  private:
   static constexpr std::int32_t kTileBits = 5;
@@ -75,9 +76,9 @@ class OccupancyGrid {
   OccupancyGridParams params_;
   int free_centilogits_ = 0;
   int occupied_centilogits_ = 0;
-  std::optional<CellBounds> bounds_;
+  CellBounds bounds_;
   /// The rectangle of tiles that `tile_table_` covers, row by row; an entry of -1 has no tile yet.
-  std::optional<CellBounds> tile_bounds_;
+  CellBounds tile_bounds_;
   std::vector<std::int32_t> tile_table_;
   std::vector<Tile> tiles_;
 };

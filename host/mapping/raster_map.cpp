@@ -43,13 +43,13 @@ std::size_t RasterMap::index_of(CellIndex cell) const {
 }
 
 RasterMap rasterize(const OccupancyGrid& grid) {
-  if (!grid.bounds()) {
+  const CellBounds& bounds = grid.bounds();
+  if (bounds.empty()) {
     return {1, 1, grid.resolution_m(), Eigen::Vector2d::Zero()};
   }
-  const CellIndex corner{grid.bounds()->min.x - 1, grid.bounds()->min.y - 1};
+  const CellIndex corner{bounds.min.x - 1, bounds.min.y - 1};
   const Eigen::Vector2d origin_m = grid.resolution_m() * Eigen::Vector2d(corner.x, corner.y);
-  RasterMap raster(
-      grid.bounds()->columns() + 2, grid.bounds()->rows() + 2, grid.resolution_m(), origin_m);
+  RasterMap raster(bounds.columns() + 2, bounds.rows() + 2, grid.resolution_m(), origin_m);
   for (int y = 0; y < raster.rows(); ++y) {
     for (int x = 0; x < raster.columns(); ++x) {
       raster.set({x, y}, grid.state({corner.x + x, corner.y + y}));

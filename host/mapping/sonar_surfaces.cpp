@@ -14,7 +14,6 @@ namespace echomap::mapping {
 
 namespace {
 
-constexpr double kBearingStepRad = geometry::radians(2.0);
 /// So many readings in a row that disagree end a region: more than both looks at one bearing.
 constexpr int kStrangersThatEnd = 3;
 
@@ -72,9 +71,8 @@ class RegionFinder {
   /// The region with the highest score among the looks that are left; empty where none is one.
   std::optional<Region> take_best() {
     std::optional<Region> best;
-    for (double bearing_rad = -std::numbers::pi; bearing_rad < std::numbers::pi;
-         bearing_rad += kBearingStepRad) {
-      auto region = centred_region_near(bearing_rad);
+    for (const Look& look : looks_) {
+      auto region = centred_region_near(look.bearing_rad);
       if (region && (!best || region->score() > best->score())) {
         best = std::move(region);
       }
@@ -198,10 +196,13 @@ ScanSurfaces find_surfaces(const Scan& scan, const SonarSurfaceParams& params) {
   ScanSurfaces found;
   found.center_m = center_of(scan);
   RegionFinder finder(looks_from(found.center_m, scan), params);
-  while (const auto region = finder.take_best()) {
+  while (true) {
+    const auto region = finder.take_best();
+    if (!region) {
+      return found;
+    }
     found.surfaces.push_back(surface_of(*region, params));
   }
-  return found;
 }
 
 }  // namespace echomap::mapping

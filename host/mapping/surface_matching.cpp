@@ -124,7 +124,6 @@ class FeatureFinder {
       if (sightings_[i].scan != scan) {
         scan = sightings_[i].scan;
         proposal.supporters.push_back(i);
-        best_weight = 0.0;
       } else if (*misfit < best_m) {
         proposal.supporters.back() = i;
         proposal.support -= best_weight;
@@ -210,28 +209,39 @@ MatchedWall wall_of(const Proposal& proposal, const FeatureFinder& finder, doubl
   return wall;
 }
 
+/// Adds a feature, and makes the surfaces that support it agree with it.
+void add(const Proposal& proposal,
+         const FeatureFinder& finder,
+         double bridged_gap_m,
+         MatchedSurfaces& matched) {
+  if (proposal.feature.is_wall) {
+    matched.walls.push_back(wall_of(proposal, finder, bridged_gap_m));
+  } else {
+    matched.posts_m.push_back(proposal.feature.parameters);
+  }
+  for (const std::size_t index : proposal.supporters) {
+    const Sighting& sighting = finder.sighting(index);
+    SonarSurface& surface = matched.scans[sighting.scan].surfaces[sighting.index];
+    const FeatureView view = view_from(sighting.center_m, proposal.feature);
+    surface.bearing_rad = geometry::wrap_angle(view.bearing_rad);
+    surface.range_m = view.range_m;
+    surface.half_length_m = proposal.feature.is_wall ? surface.half_length_m : 0.0;
+  }
+}
+
 }  // namespace
 
 MatchedSurfaces match_surfaces(std::vector<ScanSurfaces> scans,
                                const SurfaceMatchingParams& params) {
   FeatureFinder finder(sightings_of(scans), params);
   MatchedSurfaces matched{std::move(scans), {}, {}};
-  while (const auto proposal = finder.take_best()) {
-    if (proposal->feature.is_wall) {
-      matched.walls.push_back(wall_of(*proposal, finder, params.bridged_gap_m));
-    } else {
-      matched.posts_m.push_back(proposal->feature.parameters);
+  while (true) {
+    const auto proposal = finder.take_best();
+    if (!proposal) {
+      return matched;
     }
-    for (const std::size_t index : proposal->supporters) {
-      const Sighting& sighting = finder.sighting(index);
-      SonarSurface& surface = matched.scans[sighting.scan].surfaces[sighting.index];
-      const FeatureView view = view_from(sighting.center_m, proposal->feature);
-      surface.bearing_rad = geometry::wrap_angle(view.bearing_rad);
-      surface.range_m = view.range_m;
-      surface.half_length_m = proposal->feature.is_wall ? surface.half_length_m : 0.0;
-    }
+    add(*proposal, finder, params.bridged_gap_m, matched);
   }
-  return matched;
 }
 
 }  // namespace echomap::mapping

@@ -60,7 +60,7 @@ Snapshot RobotPipeline::snapshot() const {
 }
 
 geometry::Pose2 RobotPipeline::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
-  const geometry::Pose2 T_map_robot = odometry_.update(travel);
+  geometry::Pose2 T_map_robot = odometry_.update(travel);
   if (trajectory_.empty() || stamp > trajectory_.back().stamp) {
     trajectory_.push_back({stamp, T_map_robot});
   }

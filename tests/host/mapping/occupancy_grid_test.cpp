@@ -18,7 +18,7 @@ TEST(OccupancyGrid, KnowsNothingAtFirst) {
   const OccupancyGrid grid;
   EXPECT_EQ(grid.state({0, 0}), CellState::kUnknown);
   EXPECT_FALSE(grid.probability({5, -5}).has_value());
-  EXPECT_FALSE(grid.bounds().has_value());
+  EXPECT_TRUE(grid.bounds().empty());
 }
 
 TEST(OccupancyGrid, CoversHalfOpenSquares) {
@@ -109,7 +109,7 @@ TEST(OccupancyGrid, BoundsWhatWasTouched) {
   OccupancyGrid grid;
   grid.add({-40, 3}, 10);
   grid.add({7, -90}, 10);
-  const auto bounds = grid.bounds().value();
+  const auto bounds = grid.bounds();
   EXPECT_EQ(bounds.min, (CellIndex{-40, -90}));
   EXPECT_EQ(bounds.max, (CellIndex{7, 3}));
   EXPECT_EQ(bounds.columns(), 48);
