@@ -45,7 +45,8 @@ const LayerRules rules{
      {"host/geometry", "host/sensors", "host/mapping", "host/pipeline", "host/exports"}},
     {"host/apps", {"host"}},
     {"hil_mock/world", {"host/geometry", "host/files"}},
-    {"hil_mock/runner", {"hil_mock/world"}},
+    {"hil_mock/line_faults", {"hil_mock/world"}},
+    {"hil_mock/runner", {"hil_mock/world", "hil_mock/line_faults"}},
     {"hil_mock/mock_device", {"hil_mock/runner", "firmware", "protocol"}},
     {"hil_mock/emulator", {"hil_mock/runner", "protocol"}},
 };

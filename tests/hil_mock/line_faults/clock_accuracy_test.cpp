@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hil_mock/line_faults/delay_model.hpp"
+#include "host/time/clock_sync.hpp"
+
+// host/time/clock_sync over the delay models: 900 s of odometry at 50 Hz and of pings as RobotLink
+// sends them. The shortest delays of both directions are equal; half of what they differ by on a
+// real line comes on top.
+namespace echomap::line_faults {
+namespace {
+
+using std::chrono::microseconds;
+using time::HostTime;
+
+constexpr std::int64_t kEndUs = 900'000'000;
+constexpr std::int64_t kLockedAfterUs = 5'000'000;
+constexpr std::int64_t kOdometryUs = 20'000;
+/// Of the firmware's main loop.
+constexpr double kLoopUs = 100.0;
+
+struct Line {
+  std::string name;
+  DelayParams to_host;
+  DelayParams to_robot;
+  double bound_us;
+};
+
+Line usb() { return {"usb", usb_delays(), usb_delays(), 200.0}; }
+Line ftdi() { return {"ftdi", ftdi_delays(), usb_delays(), 200.0}; }
+Line bluetooth() { return {"bluetooth", bluetooth_delays(), bluetooth_delays(), 500.0}; }
+
+world::NoiseStream noise(std::uint32_t seed) { return {seed, world::NoisePurpose::kLineDelays}; }
+
+/// Errors of stamps at the moment when they arrive.
+struct Errors {
+  std::vector<double> all_us;
+  std::vector<double> first_second_us;  ///< Of the second after `kLockedAfterUs`.
+  std::size_t covered = 0;
+
+  void note(std::int64_t now_us, double error_us, double uncertainty_us) {
+    all_us.push_back(error_us);
+    covered += error_us <= uncertainty_us ? 1 : 0;
+    if (now_us < kLockedAfterUs + 1'000'000) {
+      first_second_us.push_back(error_us);
+    }
+  }
+};
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+/// One robot, one line, one host; events in the order of the host's clock.
+class Run {
+ public:
+  Run(const Line& line, double rate_error_ppm, std::uint32_t seed, Errors& errors)
+      : rate_(1.0 + rate_error_ppm * 1e-6),
+        to_host_(line.to_host, noise(3 * seed)),
+        to_robot_(line.to_robot, noise(3 * seed + 1)),
+        loop_(noise(3 * seed + 2)),
+        errors_(errors) {}
+
+  void run() {
+    send_odometry(kOdometryUs);
+    send_ping(1000);
+    while (!events_.empty() && events_.begin()->first < kEndUs) {
+      const auto event = std::move(events_.begin()->second);
+      now_us_ = events_.begin()->first;
+      events_.erase(events_.begin());
+      event();
+    }
+  }
+
+ private:
+  std::int64_t loop_us() { return std::llround(loop_.uniform() * kLoopUs); }
+  static HostTime at_us(std::int64_t instant_us) { return HostTime(microseconds(instant_us)); }
+  std::uint32_t stamp_us(std::int64_t host_us) const {
+    return static_cast<std::uint32_t>(std::llround(static_cast<double>(host_us) * rate_));
+  }
+  void at(std::int64_t instant_us, std::function<void()> event) {
+    events_.emplace(instant_us, std::move(event));
+  }
+
+  void send_odometry(std::int64_t robot_us) {
+    at(std::llround(static_cast<double>(robot_us) / rate_), [this, robot_us] {
+      const auto stamp = static_cast<std::uint32_t>(robot_us);
+      at(to_host_.arrival_us(now_us_ + loop_us()), [this, stamp] { take_odometry(stamp); });
+      send_odometry(robot_us + kOdometryUs);
+    });
+  }
+
+  void take_odometry(std::uint32_t stamp) {
+    clock_.add_telemetry(stamp, at_us(now_us_));
+    const auto estimate = clock_.host_time(stamp);
+    if (estimate && now_us_ >= kLockedAfterUs) {
+      const auto instant_us = static_cast<double>(estimate->instant.time_since_epoch().count());
+      const double error_us = std::abs(instant_us - static_cast<double>(stamp) / rate_);
+      errors_.note(now_us_, error_us, estimate->uncertainty_us);
+    }
+  }
+
+  void send_ping(std::int64_t sent_us) {
+    at(sent_us, [this, sent_us] {
+      at(to_robot_.arrival_us(sent_us), [this, sent_us] { answer_ping(sent_us); });
+      const std::int64_t period_us = sent_us < kLockedAfterUs ? 50'000 : 1'000'000;
+      send_ping(sent_us + period_us + std::llround(loop_.uniform() * 1000.0));
+    });
+  }
+
+  void answer_ping(std::int64_t sent_us) {
+    const std::uint32_t stamp = stamp_us(now_us_);
+    at(to_host_.arrival_us(now_us_ + loop_us()),
+       [this, sent_us, stamp] { clock_.add_ping(at_us(sent_us), stamp, at_us(now_us_)); });
+  }
+
+  double rate_;
+  DelayModel to_host_;
+  DelayModel to_robot_;
+  world::NoiseStream loop_;
+  Errors& errors_;
+  time::ClockSync clock_;
+  std::multimap<std::int64_t, std::function<void()>> events_;
+  std::int64_t now_us_ = 0;
+};
+
+Errors errors_of(const Line& line, double rate_error_ppm) {
+  constexpr std::uint32_t kSeeds = 6;
+  Errors errors;
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    Run(line, rate_error_ppm, seed, errors).run();
+  }
+  std::cout << line.name << ' ' << rate_error_ppm << " ppm: p50 " << quantile(errors.all_us, 0.5)
+            << " us, p99 " << quantile(errors.all_us, 0.99) << " us, sixth second p99 "
+            << quantile(errors.first_second_us, 0.99) << " us, covered "
+            << 100.0 * static_cast<double>(errors.covered) /
+                   static_cast<double>(errors.all_us.size())
+            << " %\n";
+  return errors;
+}
+
+class ClockAccuracy : public testing::TestWithParam<double> {
+ protected:
+  static void check(const Line& line) {
+    const Errors errors = errors_of(line, GetParam());
+    EXPECT_LE(quantile(errors.all_us, 0.99), line.bound_us);
+    EXPECT_LE(quantile(errors.first_second_us, 0.99), line.bound_us);
+    const auto count = static_cast<double>(errors.all_us.size());
+    EXPECT_GE(static_cast<double>(errors.covered) / count, 0.9);
+  }
+};
+
+TEST_P(ClockAccuracy, HoldsOnUsb) { check(usb()); }
+TEST_P(ClockAccuracy, HoldsOnFtdi) { check(ftdi()); }
+TEST_P(ClockAccuracy, HoldsOnBluetooth) { check(bluetooth()); }
+
+TEST_P(ClockAccuracy, HoldsOnUsbWhereItsFramesBeatWithTheTelemetry) {
+  Line line = usb();
+  line.to_host.poll_beats = line.to_robot.poll_beats = true;
+  EXPECT_LE(quantile(errors_of(line, GetParam()).all_us, 0.99), line.bound_us);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rates, ClockAccuracy, testing::Values(50.0, -2000.0, 5000.0, -5000.0));
+
+}  // namespace
+}  // namespace echomap::line_faults
