@@ -34,7 +34,9 @@ RobotLink::RobotLink(RobotLinkListener& listener,
     : listener_(listener),
       session_(session),
       params_(checked(params)),
-      commands_(params.retransmission, params.command_tries) {
+      commands_(params.retransmission, params.command_tries),
+      pings_(params.ping),
+      clock_(params.clock) {
   if (session == 0) {
     throw std::invalid_argument("robot link: session 0 stands for none");
   }
@@ -62,7 +64,10 @@ void RobotLink::take_byte(std::uint8_t byte) {
     const protocol::Frame frame = decoder_.frame();
     seq = frame.seq;
     preview_.clear();
-    last_frame_at_ = now_;
+    // A robot that was reset unheard answers pings too, and only Hello finds that out.
+    if (frame.id != protocol::Pong::kId) {
+      last_frame_at_ = now_;
+    }
     auto handler = [this](const auto& message) { handle(message); };
     protocol::Dispatcher<MessagesToHost>::dispatch(frame.id, frame.payload, handler);
   }
@@ -96,6 +101,7 @@ void RobotLink::handle(const protocol::HelloReply& reply) {
   if (state_ != LinkState::kReady) {
     state_ = LinkState::kReady;
     newest_stamp_us_.reset();
+    pings_.restart(now_);
     listener_.on_ready(reply);
   }
 }
@@ -106,6 +112,7 @@ void RobotLink::notice_reset(const protocol::HelloReply& reply) {
   connecting_since_ = now_;
   counters_.restart();
   ++statistics_.resets_seen;
+  clock_.restart();
   end_commands(CommandOutcome::kRobotReset);
   listener_.on_reset(reply.reset_cause);
 }
@@ -113,6 +120,13 @@ void RobotLink::notice_reset(const protocol::HelloReply& reply) {
 void RobotLink::handle(const protocol::Ack& ack) {
   if (const auto result = commands_.acknowledge(ack, now_)) {
     listener_.on_command_done(*result);
+  }
+}
+
+void RobotLink::handle(const protocol::Pong& pong) {
+  const auto sent_at = state_ == LinkState::kReady ? pings_.take_answer(pong.token) : std::nullopt;
+  if (sent_at) {
+    clock_.add_ping(*sent_at, pong.stamp_us, now_);
   }
 }
 
@@ -153,6 +167,7 @@ bool RobotLink::accepts_telemetry(std::uint32_t stamp_us) {
   if (!newest_stamp_us_ || step.count() > 0) {
     newest_stamp_us_ = stamp_us;
   }
+  clock_.add_telemetry(stamp_us, now_);
   return true;
 }
 
@@ -164,6 +179,7 @@ void RobotLink::poll(time::HostTime now) {
   }
   if (state_ == LinkState::kReady) {
     send_keep_alive();
+    send_ping();
     send_command();
   } else if (state_ != LinkState::kConnecting) {
     end_commands(CommandOutcome::kLinkLost);
@@ -229,6 +245,12 @@ void RobotLink::send_keep_alive() {
   next_keep_alive_ = now_ + params_.keep_alive_period;
   const auto ttl = std::chrono::duration_cast<std::chrono::milliseconds>(params_.keep_alive_ttl);
   send_frame(protocol::KeepAlive{static_cast<std::uint16_t>(ttl.count())});
+}
+
+void RobotLink::send_ping() {
+  if (const auto token = pings_.take_due(now_)) {
+    send_frame(protocol::Ping{*token});
+  }
 }
 
 void RobotLink::send_command() {

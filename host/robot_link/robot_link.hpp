@@ -10,8 +10,10 @@
 #include "host/robot_link/command_sender.hpp"
 #include "host/robot_link/link_state.hpp"
 #include "host/robot_link/link_statistics.hpp"
+#include "host/robot_link/ping_sender.hpp"
 #include "host/robot_link/protocol_mismatch.hpp"
 #include "host/robot_link/robot_link_listener.hpp"
+#include "host/time/clock_sync.hpp"
 #include "host/time/host_time.hpp"
 #include "protocol/link.hpp"
 #include "protocol/messages.hpp"
@@ -29,6 +31,8 @@ struct RobotLinkParams {
   Duration diagnose_after = std::chrono::seconds(2);         ///< Hello has found no answer.
   /// Telemetry that is older than what came before by more than this is from after a reset.
   Duration max_step_back = std::chrono::milliseconds(200);
+  PingParams ping{};
+  time::ClockSyncParams clock{};
   RetransmissionParams retransmission{};
   int command_tries = 5;
 };
@@ -67,6 +71,8 @@ class RobotLink {
 
   LinkState state() const { return state_; }
   LinkStatistics statistics() const;
+  /// Where the robot's stamps lie on the host's clock; starts anew after a reset.
+  const time::ClockSync& clock() const { return clock_; }
   /// What the robot said of itself in its last reply; empty before the first.
   const std::optional<protocol::HelloReply>& robot() const { return robot_; }
   /// Both versions, in state kMismatch.
@@ -82,7 +88,7 @@ class RobotLink {
 
   void handle(const protocol::HelloReply& reply);
   void handle(const protocol::Ack& ack);
-  void handle(const protocol::Pong& /*pong*/) {}
+  void handle(const protocol::Pong& pong);
   void handle(const protocol::Odometry& message);
   void handle(const protocol::Echo& message);
   void handle(const protocol::Status& message);
@@ -96,6 +102,7 @@ class RobotLink {
   bool is_hello_due() const;
   void send_hello();
   void send_keep_alive();
+  void send_ping();
   void send_command();
   void end_commands(CommandOutcome outcome);
   template <class Message>
@@ -116,6 +123,8 @@ class RobotLink {
   std::uint8_t next_seq_ = 0;
   std::vector<std::uint8_t> outgoing_;
   CommandSender commands_;
+  PingSender pings_;
+  time::ClockSync clock_;
   LinkStatistics statistics_;
 
   time::HostTime now_;  ///< Of the `receive` or `poll` under way.

@@ -61,6 +61,13 @@ void FakeRobot::reply(std::uint16_t session) {
                             0});
 }
 
+void FakeRobot::handle(const protocol::Ping& ping) {
+  ++pings;
+  if (answers_pings) {
+    send(protocol::Pong{ping.token, stamp_us_});
+  }
+}
+
 template <class Command>
 void FakeRobot::handle(const Command& command) {
   command_ids_received.push_back(command.command_id);

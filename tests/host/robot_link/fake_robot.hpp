@@ -42,6 +42,7 @@ class FakeRobot {
   bool announces_boot = true;
   bool streams_before_hello = false;
   bool acknowledges = true;
+  bool answers_pings = true;
   std::uint8_t protocol_major = 1;
   std::uint8_t protocol_minor = 0;
   std::uint32_t schema_digest = protocol::kSchemaDigest;
@@ -49,6 +50,7 @@ class FakeRobot {
 
   // What it was told.
   int hellos = 0;
+  int pings = 0;
   std::vector<std::int32_t> moves_done;  ///< `left_ticks` of each MoveTicks, in order.
   std::vector<protocol::KeepAlive> keep_alives;
   std::vector<protocol::DriveSetpoint> setpoints;
@@ -60,7 +62,7 @@ class FakeRobot {
   void reply(std::uint16_t session);
   void handle(const protocol::KeepAlive& message) { keep_alives.push_back(message); }
   void handle(const protocol::DriveSetpoint& message) { setpoints.push_back(message); }
-  void handle(const protocol::Ping& /*message*/) {}
+  void handle(const protocol::Ping& ping);
   template <class Command>
   void handle(const Command& command);
   protocol::CommandStatus carry_out(const protocol::MoveTicks& move);

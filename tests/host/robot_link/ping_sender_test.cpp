@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "host/robot_link/ping_sender.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace echomap::robot_link {
+namespace {
+
+time::HostTime at_ms(int instant_ms) {
+  return time::HostTime(std::chrono::milliseconds(instant_ms));
+}
+
+int pings_between(PingSender& sender, int from_ms, int to_ms) {
+  int count = 0;
+  for (int now_ms = from_ms; now_ms < to_ms; now_ms += 10) {
+    count += sender.take_due(at_ms(now_ms)) ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(PingSender, AsksOftenAtFirstAndThenOnceASecond) {
+  PingSender sender({});
+  sender.restart(at_ms(0));
+  EXPECT_EQ(pings_between(sender, 0, 5000), 100);
+  EXPECT_EQ(pings_between(sender, 5000, 15'000), 10);
+  sender.restart(at_ms(15'000));
+  EXPECT_EQ(pings_between(sender, 15'000, 16'000), 20);
+}
+
+TEST(PingSender, KnowsTheLastPingOnlyAndOnce) {
+  PingSender sender({});
+  sender.restart(at_ms(0));
+  const auto first = sender.take_due(at_ms(0));
+  const auto second = sender.take_due(at_ms(50));
+  EXPECT_FALSE(sender.take_answer(*first));
+  EXPECT_EQ(sender.take_answer(*second), at_ms(50));
+  EXPECT_FALSE(sender.take_answer(*second));
+}
+
+TEST(PingSender, RefusesAPeriodOfNothing) {
+  EXPECT_THROW(PingSender({.period = std::chrono::seconds(0)}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::robot_link
