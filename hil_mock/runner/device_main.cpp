@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hil_mock/runner/device_options.hpp"
+#include "hil_mock/runner/faulty_board.hpp"
 #include "hil_mock/runner/lockstep_run.hpp"
 #include "hil_mock/runner/paced_run.hpp"
 #include "hil_mock/runner/pty_endpoint.hpp"
@@ -53,6 +54,15 @@ std::unique_ptr<ByteEndpoint> open_endpoint(const DeviceOptions& options) {
   return std::make_unique<PtyEndpoint>(options.link, when_unread);
 }
 
+std::unique_ptr<SimulatedBoard> make_board(const DeviceProgram& program,
+                                           const DeviceOptions& options) {
+  auto board = program.make_board(options.board);
+  if (options.faults) {
+    return std::make_unique<FaultyBoard>(std::move(board), *options.faults);
+  }
+  return board;
+}
+
 std::int64_t nanoseconds(double duration_s) {
   constexpr auto kEndless = std::numeric_limits<std::int64_t>::max();
   return duration_s * 1e9 < static_cast<double>(kEndless) ? std::llround(duration_s * 1e9)
@@ -66,7 +76,7 @@ class Device {
       : name_(program.name),
         options_(options),
         world_(load_world(options)),
-        board_(program.make_board(options.board)),
+        board_(make_board(program, options)),
         simulation_(*board_, *world_),
         endpoint_(open_endpoint(options)) {}
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <unistd.h>
 #include <vector>
 
@@ -19,6 +20,7 @@ constexpr double kEndlessS = std::numeric_limits<double>::infinity();
 struct RawOptions {
   std::string speed = "1";
   std::vector<double> start;
+  std::string faults;
 };
 
 std::string check_speed(const std::string& text) {
@@ -26,6 +28,15 @@ std::string check_speed(const std::string& text) {
   const bool valid = text == "max" || (CLI::detail::lexical_cast(text, speed) && speed > 0.0 &&
                                        std::isfinite(speed));
   return valid ? "" : "it must be a positive number or max";
+}
+
+std::string check_faults(const std::string& text) {
+  try {
+    line_faults::parse_line_faults(text);
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
 }
 
 void add_options(CLI::App& app,
@@ -51,6 +62,12 @@ void add_options(CLI::App& app,
       ->capture_default_str()
       ->excludes(lockstep);
   app.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
+  app.add_option(
+         "--faults",
+         raw.faults,
+         "Faults of the line, for each byte: flip=R,drop=R,insert=R,burst=R,cut=R; for each "
+         "frame: loss=R; and seed=N")
+      ->check(check_faults);
   app.add_option("--truth", options.truth, "Folder for the truth files, written at the end");
   app.add_option("--start", raw.start, "Start x,y,heading in metres and degrees")
       ->delimiter(',')
@@ -62,6 +79,9 @@ void add_options(CLI::App& app,
 
 void understand(const RawOptions& raw, DeviceOptions& options) {
   options.speed = raw.speed == "max" ? kEndlessS : std::stod(raw.speed);
+  if (!raw.faults.empty()) {
+    options.faults = line_faults::parse_line_faults(raw.faults);
+  }
   if (!raw.start.empty()) {
     options.T_world_start =
         geometry::Pose2(raw.start[0], raw.start[1], geometry::radians(raw.start[2]));

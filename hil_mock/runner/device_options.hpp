@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "hil_mock/line_faults/faulty_line.hpp"
 #include "hil_mock/runner/device_main.hpp"
 #include "host/geometry/pose2.hpp"
 
@@ -25,6 +26,8 @@ struct DeviceOptions {
   /// Simulated seconds in a second; infinite for "max".
   double speed = 1.0;
   std::uint32_t seed = 1;
+  /// What the line between board and host does; empty for a good one.
+  std::optional<line_faults::LineFaults> faults;
   /// Folder of the truth files; empty for none.
   std::filesystem::path truth;
   std::optional<geometry::Pose2> T_world_start;

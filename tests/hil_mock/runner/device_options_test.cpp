@@ -34,6 +34,7 @@ TEST(DeviceOptions, UnderstandsEveryOption) {
                                                      "--tcp=4000",
                                                      "--speed=max",
                                                      "--seed=9",
+                                                     "--faults=flip=1e-4,loss=0.01,seed=3",
                                                      "--truth=out",
                                                      "--start=1.5,-2,90",
                                                      "--duration=2.5"}));
@@ -42,6 +43,8 @@ TEST(DeviceOptions, UnderstandsEveryOption) {
   EXPECT_EQ(options.tcp_port, 4000);
   EXPECT_TRUE(std::isinf(options.speed));
   EXPECT_EQ(options.seed, 9U);
+  EXPECT_EQ(options.faults->rates.flip, 1e-4);
+  EXPECT_EQ(options.faults->loss, 0.01);
   EXPECT_EQ(options.truth, "out");
   EXPECT_EQ(options.T_world_start->y_m(), -2.0);
   EXPECT_NEAR(options.T_world_start->heading_rad(), geometry::radians(90.0), 1e-12);
@@ -55,6 +58,8 @@ TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
                                   "--start=1,2",
                                   "--tcp=70000",
                                   "--duration=-1",
+                                  "--faults=flop=1",
+                                  "--faults=loss=1.5",
                                   "--nonsense",
                                   "--firmware=x.elf"}) {
     EXPECT_EQ(std::get<int>(read({wrong})), 2) << wrong;

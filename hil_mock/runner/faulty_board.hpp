@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "hil_mock/line_faults/faulty_line.hpp"
+#include "hil_mock/runner/simulated_board.hpp"
+
+namespace echomap::runner {
+
+/// A board behind a line with faults: what it receives and sends suffers them, all else passes.
+/// A function of the bytes and the seed alone, in lockstep as in paced time.
+class FaultyBoard final : public SimulatedBoard {
+ public:
+  /// Takes the hooks of `board`.
+  FaultyBoard(std::unique_ptr<SimulatedBoard> board, const line_faults::LineFaults& faults);
+
+  std::int64_t now_ns() const override { return board_->now_ns(); }
+  void run_until(std::int64_t until_ns) override { board_->run_until(until_ns); }
+  void receive(std::span<const std::uint8_t> bytes) override;
+  MotorDuty motor_duty() const override { return board_->motor_duty(); }
+  double pan_pulse_us() const override { return board_->pan_pulse_us(); }
+  void schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) override {
+    board_->schedule_encoder_edge(wheel, at_ns, a, b);
+  }
+  void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override {
+    board_->schedule_echo(rise_ns, fall_ns);
+  }
+  void set_bump(Wheel side, bool pressed) override { board_->set_bump(side, pressed); }
+  std::string firmware_name() const override { return board_->firmware_name(); }
+  std::string emulator_name() const override { return board_->emulator_name(); }
+
+ private:
+  void pass_to_host(std::uint8_t byte);
+
+  std::unique_ptr<SimulatedBoard> board_;
+  line_faults::FaultyLine to_robot_;
+  line_faults::FaultyLine to_host_;
+};
+
+}  // namespace echomap::runner

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/runner/faulty_board.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/hil_mock/runner/fake_board.hpp"
+
+namespace echomap::runner {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// What an echoing board sends back through a line with these faults.
+Bytes echoed(const line_faults::LineFaults& faults, const Bytes& bytes) {
+  FaultyBoard board(std::make_unique<FakeBoard>(), faults);
+  Bytes sent;
+  board.on_sent = [&sent](std::uint8_t byte) { sent.push_back(byte); };
+  board.receive(bytes);
+  board.run_until(1000);
+  return sent;
+}
+
+Bytes frames(int count) {
+  Bytes bytes;
+  for (int i = 0; i < count; ++i) {
+    bytes.insert(bytes.end(), {3, 1, 2, 0});
+  }
+  return bytes;
+}
+
+TEST(FaultyBoard, PassesEverythingWhereThereAreNoFaults) {
+  EXPECT_EQ(echoed({}, frames(100)), frames(100));
+}
+
+TEST(FaultyBoard, LosesFramesOfBothDirections) {
+  const Bytes sent = echoed({.rates = {}, .loss = 0.1, .seed = 2}, frames(10'000));
+  EXPECT_NEAR(static_cast<double>(sent.size()), 0.81 * 40'000.0, 1000.0);
+  EXPECT_EQ(sent, echoed({.rates = {}, .loss = 0.1, .seed = 2}, frames(10'000)));
+  EXPECT_NE(sent, echoed({.rates = {}, .loss = 0.1, .seed = 3}, frames(10'000)));
+}
+
+TEST(FaultyBoard, HandsOnPinsAndHooks) {
+  auto inner = std::make_unique<FakeBoard>();
+  FakeBoard& fake = *inner;
+  FaultyBoard board(std::move(inner), {.rates = {}, .loss = 1.0, .seed = 1});
+  std::int64_t triggered_ns = 0;
+  board.on_trigger = [&triggered_ns](std::int64_t at_ns) { triggered_ns = at_ns; };
+  fake.on_trigger(7);
+  board.schedule_encoder_edge(Wheel::kRight, 5, true, false);
+  board.schedule_echo(10, 20);
+  board.set_bump(Wheel::kLeft, true);
+  fake.duty = {0.5, -0.5};
+  EXPECT_EQ(triggered_ns, 7);
+  EXPECT_EQ(fake.right_edges.size(), 1U);
+  EXPECT_EQ(fake.echoes.size(), 1U);
+  EXPECT_TRUE(fake.left_bump);
+  EXPECT_EQ(board.motor_duty().right, -0.5);
+  EXPECT_EQ(board.firmware_name(), "fake 1.0");
+}
+
+}  // namespace
+}  // namespace echomap::runner
