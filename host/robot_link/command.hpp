@@ -28,7 +28,7 @@ enum class CommandOutcome : std::uint8_t {
   kOutOfRange,
   kBlocked,
   kRefused,     ///< A status that this host does not know.
-  kLinkLost,    ///< No answer to five tries, or not connected: it may have been done once, or not.
+  kLinkLost,    ///< No answer to eight tries, or not connected: it may have been done once, or not.
   kRobotReset,  ///< The robot was reset first: whatever it did is over.
 };
 

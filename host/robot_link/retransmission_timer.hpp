@@ -12,7 +12,8 @@ struct RetransmissionParams {
   using Duration = time::HostClock::duration;
   Duration initial = std::chrono::milliseconds(200);  ///< Before the first round trip is known.
   Duration floor = std::chrono::milliseconds(25);     ///< USB; 200 ms for Bluetooth SPP.
-  Duration ceiling = std::chrono::milliseconds(400);  ///< So that five tries end in two seconds.
+  Duration ceiling =
+      std::chrono::milliseconds(400);  ///< So that eight tries end in three and a half seconds.
 };
 
 /// The retransmission timeout of RFC 6298, section 2: smoothed round trip plus four deviations,
