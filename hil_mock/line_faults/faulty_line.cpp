@@ -32,7 +32,8 @@ Number read_number(std::string_view name, std::string_view text) {
 
 double read_share(std::string_view name, std::string_view text) {
   const auto share = read_number<double>(name, text);
-  if (!(share >= 0.0 && share <= 1.0)) {
+  const bool is_share = share >= 0.0 && share <= 1.0;
+  if (!is_share) {
     throw std::invalid_argument(std::string(name) + "=" + std::string(text) +
                                 ": it must be in 0 .. 1");
   }

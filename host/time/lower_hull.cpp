@@ -80,6 +80,7 @@ LowerHull SlidingLowerHull::hull() const {
 double SlidingLowerHull::expected_excess_us(double rate) const {
   const ClockPoint origin = blocks_.front().hull.touched_by(rate);
   std::vector<double> heights_us;
+  heights_us.reserve(blocks_.size());
   for (const Block& block : blocks_) {
     heights_us.push_back(height_over(origin, rate, block.hull.touched_by(rate)));
   }
