@@ -14,7 +14,7 @@ struct PingParams {
   Duration period = std::chrono::seconds(1);
   /// At first the clock is unknown and every ping counts: 0.5 kB/s for both ways together.
   Duration first_period = std::chrono::milliseconds(50);
-  Duration first_phase = std::chrono::seconds(5);
+  Duration first_phase = std::chrono::seconds(20);
 };
 
 /// Numbers pings and remembers when the last one was sent. One is on its way at a time: an answer

@@ -27,7 +27,7 @@ struct ClockSyncParams {
 /// An instant of the robot on the host's clock.
 struct HostEstimate {
   HostTime instant;
-  /// The error is below this 19 times of 20 where the fastest bytes take as long to the robot as
+  /// The error is below this 9 times of 10 where the fastest bytes take as long to the robot as
   /// back, in microseconds.
   double uncertainty_us = 0.0;
   /// What is left where they do not: half of the fastest way there and back, in microseconds.

@@ -23,6 +23,8 @@ using time::HostTime;
 
 constexpr std::int64_t kEndUs = 900'000'000;
 constexpr std::int64_t kLockedAfterUs = 5'000'000;
+/// As robot_link::PingParams.
+constexpr std::int64_t kFirstPhaseUs = 20'000'000;
 constexpr std::int64_t kOdometryUs = 20'000;
 /// Of the firmware's main loop.
 constexpr double kLoopUs = 100.0;
@@ -113,7 +115,7 @@ class Run {
   void send_ping(std::int64_t sent_us) {
     at(sent_us, [this, sent_us] {
       at(to_robot_.arrival_us(sent_us), [this, sent_us] { answer_ping(sent_us); });
-      const std::int64_t period_us = sent_us < kLockedAfterUs ? 50'000 : 1'000'000;
+      const std::int64_t period_us = sent_us < kFirstPhaseUs ? 50'000 : 1'000'000;
       send_ping(sent_us + period_us + std::llround(loop_.uniform() * 1000.0));
     });
   }
