@@ -64,10 +64,12 @@ class RunWithStandIns : public testing::Test {
              "for p; do :; done; case $p in libpng-dev | cmake) exit 1 ;; esac; printf installed");
   }
 
-  ShellResult run(const std::string& arguments) {
+  ShellResult run(const std::string& arguments, const std::string& script = run_script) {
     return run_shell(
-        "PATH=" + shell_quoted(folder_.string()) + ":$PATH " + run_script + " " + arguments, "/");
+        "PATH=" + shell_quoted(folder_.string()) + ":$PATH " + script + " " + arguments, "/");
   }
+
+  const fs::path& folder() const { return folder_; }
 
  private:
   const fs::path folder_ =
@@ -127,6 +129,22 @@ TEST_F(RunWithStandIns, FlashRunsTheCommandThatItPrints) {
   EXPECT_THAT(result.output, HasSubstr("\n" + command));
   EXPECT_THAT(result.output, HasSubstr("ran: " + command));
   EXPECT_THAT(run("flash --board uno --port /dev/null").output, HasSubstr("-b 115200"));
+}
+
+TEST_F(RunWithStandIns, ConfiguresAnewAfterAConfigurationThatFailed) {
+  stand_in("dpkg-query", "printf installed");
+  stand_in("cmake", "echo \"called: cmake $*\"");
+  stand_in("avrdude", "exit 0");
+  const fs::path tree = folder() / "tree";
+  fs::create_directories(tree / "build" / "release");
+  for (const std::string name : {"run", "packages.txt"}) {
+    fs::copy_file(fs::path(ECHOMAP_SOURCE_DIR) / name, tree / name);
+  }
+  std::ofstream(tree / "build" / "release" / "CMakeCache.txt") << "half of it\n";
+  const std::string script = shell_quoted((tree / "run").string());
+  EXPECT_THAT(run("flash --port /dev/null", script).output, HasSubstr("--preset release"));
+  std::ofstream(tree / "build" / "release" / "build.ninja") << "\n";
+  EXPECT_THAT(run("flash --port /dev/null", script).output, Not(HasSubstr("--preset")));
 }
 
 }  // namespace
