@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/geometry/unit_vector.hpp"
+
 namespace echomap::mapping {
 
 namespace {
@@ -13,14 +15,12 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-Eigen::Vector2d unit(double bearing_rad) { return {std::cos(bearing_rad), std::sin(bearing_rad)}; }
-
 }  // namespace
 
 ScanOutline::ScanOutline(const ScanSurfaces& scan, double widest_gap_rad)
     : widest_gap_rad_(widest_gap_rad) {
   for (const auto& surface : scan.surfaces) {
-    const Eigen::Vector2d normal = unit(surface.bearing_rad);
+    const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
     const Eigen::Vector2d along(-normal.y(), normal.x());
     for (const double side : {-1.0, 1.0}) {
       const Eigen::Vector2d place_m =
@@ -49,7 +49,7 @@ double ScanOutline::range_m(double bearing_rad) const {
     return 0.0;
   }
   const Eigen::Vector2d border_m = to.place_m - from.place_m;
-  const double slant = cross(unit(bearing_rad), border_m);
+  const double slant = cross(geometry::unit_vector(bearing_rad), border_m);
   constexpr double kAlongTheBorder = 1e-9;
   return slant < kAlongTheBorder ? std::min(from.place_m.norm(), to.place_m.norm())
                                  : cross(from.place_m, border_m) / slant;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "host/geometry/unit_vector.hpp"
+
 namespace echomap::mapping {
 
 namespace {
@@ -10,14 +12,12 @@ namespace {
 /// A shorter baseline turns a centimetre of range error into more than four degrees of bearing.
 constexpr double kLeastBaselineM = 0.15;
 
-Eigen::Vector2d unit(double bearing_rad) { return {std::cos(bearing_rad), std::sin(bearing_rad)}; }
-
 Eigen::Vector2d left_of(const Eigen::Vector2d& direction) {
   return {-direction.y(), direction.x()};
 }
 
 FeatureView view_of_wall(const Eigen::Vector2d& center_m, const Eigen::Vector2d& wall) {
-  const Eigen::Vector2d normal = unit(wall.x());
+  const Eigen::Vector2d normal = geometry::unit_vector(wall.x());
   FeatureView view;
   view.bearing_rad = wall.x();
   view.range_m = wall.y() - normal.dot(center_m);
@@ -56,7 +56,7 @@ std::vector<SonarFeature> features_through(const Sighting& first, const Sighting
   if (std::abs(cosine) <= 1.0) {
     for (const double sign : {1.0, -1.0}) {
       const double normal_rad = std::atan2(along.y(), along.x()) + sign * std::acos(cosine);
-      const double offset_m = unit(normal_rad).dot(first.center_m) + first_m;
+      const double offset_m = geometry::unit_vector(normal_rad).dot(first.center_m) + first_m;
       features.push_back({true, {normal_rad, offset_m}});
     }
   }

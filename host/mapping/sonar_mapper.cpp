@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "host/geometry/unit_vector.hpp"
 #include "host/mapping/scan_outline.hpp"
 
 namespace echomap::mapping {
@@ -13,8 +14,6 @@ namespace echomap::mapping {
 namespace {
 
 using geometry::CellIndex;
-
-Eigen::Vector2d unit(double bearing_rad) { return {std::cos(bearing_rad), std::sin(bearing_rad)}; }
 
 /// The cells that a straight piece runs through.
 std::set<CellIndex> cells_along(const OccupancyGrid& grid,
@@ -35,7 +34,7 @@ bool hides(const MatchedWall& wall,
            const Eigen::Vector2d& from_m,
            const Eigen::Vector2d& to_m,
            const SonarMapperParams& params) {
-  const Eigen::Vector2d normal = unit(wall.normal_rad);
+  const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
   const Eigen::Vector2d along(-normal.y(), normal.x());
   const double before_m = wall.offset_m - normal.dot(from_m);
   const double towards_m = normal.dot(to_m - from_m);
@@ -103,7 +102,7 @@ void SonarMapper::add_floor(const ScanSurfaces& scan,
 
 void SonarMapper::add_surfaces(const ScanSurfaces& scan, OccupancyGrid& grid) const {
   for (const auto& surface : scan.surfaces) {
-    const Eigen::Vector2d normal = unit(surface.bearing_rad);
+    const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
     const Eigen::Vector2d half_m = surface.half_length_m * Eigen::Vector2d(-normal.y(), normal.x());
     const Eigen::Vector2d middle_m = scan.center_m + surface.range_m * normal;
     const int evidence =
@@ -117,7 +116,7 @@ void SonarMapper::add_surfaces(const ScanSurfaces& scan, OccupancyGrid& grid) co
 void SonarMapper::add_matched(const MatchedSurfaces& matched, OccupancyGrid& grid) const {
   std::set<CellIndex> cells;
   for (const auto& wall : matched.walls) {
-    const Eigen::Vector2d normal = unit(wall.normal_rad);
+    const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
     const Eigen::Vector2d along(-normal.y(), normal.x());
     const Eigen::Vector2d foot_m = wall.offset_m * normal;
     for (const auto& piece : wall.pieces) {
