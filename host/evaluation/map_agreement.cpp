@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace echomap::evaluation {
 
@@ -15,6 +16,8 @@ using mapping::CellState;
 using mapping::RasterMap;
 
 constexpr double kRecallReachM = 0.05;
+/// A room of 100 m x 100 m at a centimetre; more is a map that lies somewhere else.
+constexpr double kMostCells = 1e8;
 constexpr double kWallStepM = 0.01;
 /// Free cells of the truth begin beside a wall, at most this far from it.
 constexpr double kWallSkinM = 0.03;
@@ -48,6 +51,9 @@ mapping::CellBounds common_cells(const RasterMap& map,
 
 double free_iou(const RasterMap& map, const Pose2& T_world_map, const RasterMap& truth) {
   const auto cells = common_cells(map, T_world_map, truth);
+  if (static_cast<double>(cells.columns()) * cells.rows() > kMostCells) {
+    throw std::invalid_argument("the map lies too far from the truth to be compared with it");
+  }
   int common = 0;
   int either = 0;
   for (int y = cells.min.y; y <= cells.max.y; ++y) {

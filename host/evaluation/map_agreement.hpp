@@ -30,7 +30,8 @@ struct MapAgreement {
   double wall_recall = 0.0;
 };
 
-/// `T_world_map` places the map in the world; nothing is fitted.
+/// `T_world_map` places the map in the world; nothing is fitted. Throws std::invalid_argument where
+/// map and truth lie so far apart that no grid can cover both.
 MapAgreement score_map(const mapping::RasterMap& map,
                        const geometry::Pose2& T_world_map,
                        const MapTruth& truth);

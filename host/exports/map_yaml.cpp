@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -55,8 +56,8 @@ class YamlLines {
     double number = 0.0;
     const std::string field = trimmed(text);
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);
-    if (error != std::errc() || end != field.data() + field.size()) {
-      fail("'" + field + "' is not a number");
+    if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(number)) {
+      fail("'" + field + "' is not a finite number");
     }
     return number;
   }
@@ -96,9 +97,18 @@ void take_origin(const YamlLines& lines, MapYaml& yaml) {
   yaml.origin_m = {x_m, y_m};
 }
 
+/// In the other modes, `scale` and `raw`, a pixel is no state of a cell.
+void demand_trinary(const YamlLines& lines) {
+  if (lines.value != "trinary") {
+    lines.fail("mode '" + lines.value + "' is not supported, only trinary");
+  }
+}
+
 void take(const YamlLines& lines, MapYaml& yaml) {
   if (lines.key == "image") {
     yaml.image = lines.value;
+  } else if (lines.key == "mode") {
+    demand_trinary(lines);
   } else if (lines.key == "resolution") {
     yaml.resolution_m = lines.number(lines.value);
   } else if (lines.key == "origin") {

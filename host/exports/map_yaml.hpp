@@ -23,8 +23,9 @@ struct MapYaml {
 /// Throws files::FileError.
 void write_map_yaml(const std::filesystem::path& path, const MapYaml& yaml);
 
-/// Reads `key: value` lines; keys it does not know are skipped, as map_server does. Throws
-/// files::FileError whose text begins `file:line: `.
+/// Reads `key: value` lines; keys it does not know are skipped, as map_server does. Numbers are
+/// finite and the mode, where one is named, is trinary. Throws files::FileError whose text begins
+/// `file:line: `.
 MapYaml read_map_yaml(const std::filesystem::path& path);
 
 }  // namespace echomap::exports

@@ -31,12 +31,13 @@ std::uint8_t pixel_of(CellState state) {
   return kUnknownPixel;
 }
 
+/// As Nav2 and map_server do it: darker than one threshold, no darker than the other.
 CellState state_of(std::uint8_t pixel, const MapYaml& yaml) {
   const double darkness = (yaml.negate ? pixel : 255 - pixel) / 255.0;
   if (darkness > yaml.occupied_threshold) {
     return CellState::kOccupied;
   }
-  return darkness < yaml.free_threshold ? CellState::kFree : CellState::kUnknown;
+  return darkness <= yaml.free_threshold ? CellState::kFree : CellState::kUnknown;
 }
 
 }  // namespace

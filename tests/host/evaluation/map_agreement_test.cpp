@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -83,6 +84,11 @@ TEST(MapAgreement, RecallsTheShareOfWallThatIsDrawn) {
   const double recall = score_map(map, Pose2(), truth()).wall_recall;
   EXPECT_GT(recall, 0.39);
   EXPECT_LT(recall, 0.43);
+}
+
+TEST(MapAgreement, RefusesAMapThatLiesSomewhereElse) {
+  const auto map = map_from({"...."}, kCellM, {1e12, 0.0});
+  EXPECT_THROW(score_map(map, Pose2(), truth()), std::invalid_argument);
 }
 
 TEST(MapAgreement, OfAnUnknownMapIsNothing) {

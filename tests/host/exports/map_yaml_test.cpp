@@ -51,11 +51,24 @@ TEST_F(MapYamlTest, ReadsWhatMapSaverWrites) {
 
 TEST_F(MapYamlTest, NamesTheLineThatIsWrong) {
   EXPECT_THAT(complaint("image: a.pgm\nresolution: fine\n"),
-              HasSubstr("map.yaml:2: 'fine' is not a number"));
+              HasSubstr("map.yaml:2: 'fine' is not a finite number"));
   EXPECT_THAT(complaint("image: a.pgm\nnonsense\n"),
               HasSubstr("map.yaml:2: expected `key: value`"));
   EXPECT_THAT(complaint("origin: [1, 2]\n"), HasSubstr("map.yaml:1: expected [x, y, yaw]"));
   EXPECT_THAT(complaint("origin: [1, 2, 0.5]\n"), HasSubstr("map.yaml:1: a rotated origin"));
+}
+
+TEST_F(MapYamlTest, TakesFiniteNumbersOnly) {
+  EXPECT_THAT(complaint("resolution: inf\n"),
+              HasSubstr("map.yaml:1: 'inf' is not a finite number"));
+  EXPECT_THAT(complaint("image: a.pgm\norigin: [nan, 0, 0]\n"),
+              HasSubstr("map.yaml:2: 'nan' is not a finite number"));
+}
+
+TEST_F(MapYamlTest, TakesTheTrinaryModeOnly) {
+  EXPECT_NO_THROW(read("image: a.pgm\nmode: trinary\nresolution: 0.05\n"));
+  EXPECT_THAT(complaint("image: a.pgm\nmode: raw\nresolution: 0.05\n"),
+              HasSubstr("map.yaml:2: mode 'raw' is not supported"));
 }
 
 TEST_F(MapYamlTest, AsksForImageAndResolution) {

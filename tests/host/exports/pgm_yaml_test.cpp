@@ -36,6 +36,14 @@ TEST(PgmYaml, NeverReadsUnknownAsFree) {
   EXPECT_EQ(tests::drawing_of(read_pgm_yaml(folder / "map.yaml")), (DrawnMap{"   ", "   "}));
 }
 
+TEST(PgmYaml, CallsAPixelAtTheThresholdFreeAsNav2Does) {
+  const tests::ScratchFolder folder;
+  write_pgm(folder / "a.pgm", {3, 1, {203, 204, 205}});
+  files::write_text_file(folder / "a.yaml",
+                         "image: a.pgm\nresolution: 1\norigin: [0, 0, 0]\nfree_thresh: 0.2\n");
+  EXPECT_EQ(tests::drawing_of(read_pgm_yaml(folder / "a.yaml")), DrawnMap{" .."});
+}
+
 TEST(PgmYaml, GoesByThresholdsAndNegateOfTheFile) {
   const tests::ScratchFolder folder;
   write_pgm(folder / "a.pgm", {4, 1, {10, 60, 200, 250}});

@@ -31,6 +31,11 @@ TEST(RasterMap, FindsTheCellOfACentre) {
   }
 }
 
+TEST(RasterMap, CountsCellsAsFarAsTheyCanBeCounted) {
+  const RasterMap map(1, 1, 0.05, {0.0, 0.0});
+  EXPECT_EQ(map.cell_at({1e300, -1e300}), (geometry::CellIndex{1 << 30, -(1 << 30)}));
+}
+
 TEST(RasterMap, RefusesASizeOfNothing) {
   EXPECT_THROW(RasterMap(0, 1, 0.05, {0.0, 0.0}), std::invalid_argument);
   EXPECT_THROW(RasterMap(1, 1, 0.0, {0.0, 0.0}), std::invalid_argument);
