@@ -18,7 +18,7 @@ RunScore score_run(const std::filesystem::path& run_directory,
   if (truth.trajectory.empty()) {
     throw files::FileError((truth_directory / "truth.tum").string() + ": holds no pose");
   }
-  const geometry::Pose2& T_world_map = truth.trajectory.front().T_map_robot;
+  const geometry::Pose2& T_world_map = truth.trajectory.front().T_world_robot;
   try {
     return {score_map(map, T_world_map, truth.map), score_trajectory(trajectory, truth.trajectory)};
   } catch (const std::invalid_argument& error) {

@@ -17,25 +17,23 @@ using geometry::Pose2;
 using pipeline::StampedPose;
 
 /// The true pose at an instant, linear between its neighbours; empty outside of the truth.
-std::optional<Pose2> pose_at(const std::vector<StampedPose>& truth, time::RobotTime stamp) {
-  const auto is_before = [](const StampedPose& pose, time::RobotTime at) {
-    return pose.stamp < at;
-  };
+std::optional<Pose2> true_pose_at(const std::vector<TruePose>& truth, time::RobotTime stamp) {
+  const auto is_before = [](const TruePose& pose, time::RobotTime at) { return pose.stamp < at; };
   const auto after = std::lower_bound(truth.begin(), truth.end(), stamp, is_before);
   if (after == truth.end()) {
     return std::nullopt;
   }
   if (after->stamp == stamp) {
-    return after->T_map_robot;
+    return after->T_world_robot;
   }
   if (after == truth.begin()) {
     return std::nullopt;
   }
-  const StampedPose& before = *(after - 1);
+  const TruePose& before = *(after - 1);
   const double share = std::chrono::duration<double>(stamp - before.stamp) /
                        std::chrono::duration<double>(after->stamp - before.stamp);
-  const Pose2& from = before.T_map_robot;
-  const Pose2& to = after->T_map_robot;
+  const Pose2& from = before.T_world_robot;
+  const Pose2& to = after->T_world_robot;
   const Eigen::Vector2d position_m =
       from.position_m() + share * (to.position_m() - from.position_m());
   const double turn_rad = geometry::angle_between(from.heading_rad(), to.heading_rad());
@@ -45,21 +43,21 @@ std::optional<Pose2> pose_at(const std::vector<StampedPose>& truth, time::RobotT
 }  // namespace
 
 TrajectoryError score_trajectory(const std::vector<StampedPose>& estimate,
-                                 const std::vector<StampedPose>& truth) {
-  std::optional<Pose2> T_estimate_truth;
+                                 const std::vector<TruePose>& truth) {
+  std::optional<Pose2> T_map_world;
   TrajectoryError error;
   double squares_m2 = 0.0;
   double squares_rad2 = 0.0;
   int compared = 0;
-  for (const auto& [stamp, T_estimate_robot] : estimate) {
-    const auto T_truth_robot = pose_at(truth, stamp);
-    if (!T_truth_robot) {
+  for (const auto& [stamp, T_map_robot] : estimate) {
+    const auto T_world_robot = true_pose_at(truth, stamp);
+    if (!T_world_robot) {
       continue;
     }
-    if (!T_estimate_truth) {
-      T_estimate_truth = T_estimate_robot * T_truth_robot->inverse();
+    if (!T_map_world) {
+      T_map_world = T_map_robot * T_world_robot->inverse();
     }
-    const Pose2 T_robot_true = T_estimate_robot.inverse() * *T_estimate_truth * *T_truth_robot;
+    const Pose2 T_robot_true = T_map_robot.inverse() * *T_map_world * *T_world_robot;
     error.final_error_m = T_robot_true.position_m().norm();
     error.final_heading_error_rad = std::abs(T_robot_true.heading_rad());
     squares_m2 += error.final_error_m * error.final_error_m;

@@ -8,8 +8,15 @@
 
 namespace echomap::evaluation {
 
-/// Where the estimated trajectory is off the true one: both are expressed in the robot's frame at
-/// the first common instant, so nothing is fitted.
+/// Where the robot truly was at an instant.
+struct TruePose {
+  time::RobotTime stamp;
+  geometry::Pose2 T_world_robot;
+};
+
+/// Where the estimated trajectory is off the true one: the absolute trajectory error of Sturm et
+/// al. (2012), but without their fitted alignment. Both trajectories are expressed in the robot's
+/// frame at the first common instant.
 struct TrajectoryError {
   double ate_rmse_m = 0.0;
   double ate_heading_rmse_rad = 0.0;
@@ -21,6 +28,6 @@ struct TrajectoryError {
 /// Both in the order of their stamps. Throws std::invalid_argument where they have no instant in
 /// common.
 TrajectoryError score_trajectory(const std::vector<pipeline::StampedPose>& estimate,
-                                 const std::vector<pipeline::StampedPose>& truth);
+                                 const std::vector<TruePose>& truth);
 
 }  // namespace echomap::evaluation

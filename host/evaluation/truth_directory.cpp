@@ -40,12 +40,21 @@ std::vector<geometry::Segment> read_walls(const std::filesystem::path& path) {
   }
 }
 
+/// The mock writes TUM lines as the host does, but in the world frame.
+std::vector<TruePose> read_true_trajectory(const std::filesystem::path& path) {
+  std::vector<TruePose> trajectory;
+  for (const auto& [stamp, T_world_robot] : exports::read_trajectory_tum(path)) {
+    trajectory.push_back({stamp, T_world_robot});
+  }
+  return trajectory;
+}
+
 }  // namespace
 
 Truth read_truth(const std::filesystem::path& directory) {
   return {{exports::read_pgm_yaml(directory / "truth_map.yaml"),
            read_walls(directory / "truth_walls.geojson")},
-          exports::read_trajectory_tum(directory / "truth.tum")};
+          read_true_trajectory(directory / "truth.tum")};
 }
 
 }  // namespace echomap::evaluation

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "host/evaluation/map_agreement.hpp"
-#include "host/pipeline/snapshot.hpp"
+#include "host/evaluation/trajectory_error.hpp"
 
 namespace echomap::evaluation {
 
 /// What the simulated world wrote down about itself and the robot, in the world frame.
 struct Truth {
   MapTruth map;
-  std::vector<pipeline::StampedPose> trajectory;
+  std::vector<TruePose> trajectory;
 };
 
 /// Reads truth_map.yaml with its PGM, truth_walls.geojson (LineStrings) and truth.tum. Throws
