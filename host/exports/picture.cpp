@@ -106,10 +106,6 @@ void Picture::draw_text(int x, int y, std::string_view text, int scale, Colour c
   }
 }
 
-int Picture::text_width(std::string_view text, int scale) {
-  return (static_cast<int>(text.size()) * kGlyphAdvance - 1) * scale;
-}
-
 void Picture::write_png(const std::filesystem::path& path) const {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

@@ -41,7 +41,6 @@ class Picture {
   /// Digits, point, minus, blank and the letter m, each 5 x 7 pixels times `scale`, one pixel times
   /// `scale` apart; (x, y) is the upper left corner. Other letters leave a blank.
   void draw_text(int x, int y, std::string_view text, int scale, Colour colour);
-  static int text_width(std::string_view text, int scale);
 
   /// Throws files::FileError.
   void write_png(const std::filesystem::path& path) const;

@@ -2,6 +2,7 @@
 #include "host/files/toml_reader.hpp"
 
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -121,10 +122,6 @@ std::int64_t TomlReader::integer(std::string_view key) const {
   return *value;
 }
 
-std::int64_t TomlReader::integer_or(std::string_view key, std::int64_t fallback) const {
-  return has(key) ? integer(key) : fallback;
-}
-
 bool TomlReader::boolean_or(std::string_view key, bool fallback) const {
   const toml::node* node = node_->find(key);
   if (node == nullptr) {
@@ -174,10 +171,6 @@ TomlReader TomlReader::table(std::string_view key) const {
         "table [" + std::string(key) + "] " + (node == nullptr ? "is missing" : "must be a table"));
   }
   return TomlReader(node_->child(*node->as_table()));
-}
-
-std::optional<TomlReader> TomlReader::optional_table(std::string_view key) const {
-  return has(key) ? std::optional(table(key)) : std::nullopt;
 }
 
 std::vector<TomlReader> TomlReader::tables(std::string_view key) const {

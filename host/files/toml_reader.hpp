@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -34,7 +33,6 @@ class TomlReader {
   double number(std::string_view key) const;
   double number_or(std::string_view key, double fallback) const;
   std::int64_t integer(std::string_view key) const;
-  std::int64_t integer_or(std::string_view key, std::int64_t fallback) const;
   bool boolean_or(std::string_view key, bool fallback) const;
   std::string text(std::string_view key) const;
   std::string text_or(std::string_view key, std::string_view fallback) const;
@@ -42,7 +40,6 @@ class TomlReader {
   std::vector<std::array<double, 2>> points(std::string_view key) const;
 
   TomlReader table(std::string_view key) const;
-  std::optional<TomlReader> optional_table(std::string_view key) const;
   /// An array of tables; none where the key is absent.
   std::vector<TomlReader> tables(std::string_view key) const;
 

@@ -29,7 +29,7 @@ std::vector<std::string> drawing_of(const Picture& picture) {
 using Drawing = std::vector<std::string>;
 
 TEST(Picture, WritesDigitsThatCanBeRead) {
-  Picture picture(Picture::text_width("2.5 m", 1), 7, kWhite);
+  Picture picture(29, 7, kWhite);
   picture.draw_text(0, 0, "2.5 m", 1, kInk);
   EXPECT_EQ(drawing_of(picture),
             (Drawing{".###........#####............",
@@ -42,8 +42,12 @@ TEST(Picture, WritesDigitsThatCanBeRead) {
 }
 
 TEST(Picture, ScalesItsText) {
-  EXPECT_EQ(Picture::text_width("10", 1), 11);
-  EXPECT_EQ(Picture::text_width("10", 3), 33);
+  Picture picture(13, 14, kWhite);
+  picture.draw_text(0, 0, "1", 2, kInk);
+  const Drawing drawing = drawing_of(picture);
+  EXPECT_EQ(drawing[0], "....##.......");
+  EXPECT_EQ(drawing[1], drawing[0]);
+  EXPECT_EQ(drawing[13], "..######.....");
 }
 
 TEST(Picture, DrawsALineOfItsWidth) {

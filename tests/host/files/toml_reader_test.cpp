@@ -34,7 +34,6 @@ TEST(TomlReader, ReadsEveryKind) {
   EXPECT_EQ(toml.tables("box").at(0).number("side_m"), 0.5);
   EXPECT_EQ(toml.tables("box").at(1).number("side_m"), 0.7);
   EXPECT_EQ(toml.number_or("height_m", 2.5), 2.5);
-  EXPECT_FALSE(toml.optional_table("door"));
   EXPECT_NO_THROW(toml.reject_unknown_keys());
 }
 
