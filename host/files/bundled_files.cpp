@@ -43,7 +43,8 @@ fs::path bundled_file(const std::string& name_or_path,
   fs::path path = bundled / (name_or_path + ".toml");
   if (!fs::exists(path)) {
     throw ConfigError("no " + kind + " is named '" + name_or_path + "' in " + bundled.string() +
-                      suggestion(name_or_path, names_in(bundled)));
+                      suggestion(name_or_path, names_in(bundled)) +
+                      "\n  next: name a bundled one, or a file that ends in .toml");
   }
   return path;
 }

@@ -27,6 +27,7 @@ TEST(BundledFile, NamesTheNearestOne) {
   } catch (const ConfigError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("no robot profile is named 'uno_2dw'"));
     EXPECT_THAT(error.what(), ::testing::HasSubstr("did you mean 'uno_2wd'?"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("next: name a bundled one, or a file"));
   }
 }
 
