@@ -15,7 +15,7 @@ enum class ExitCode : int {
   kFirmwareMismatch = 4,
   kLinkLost = 5,
   kConfigInvalid = 6,
-  kSafetyStop = 7,
+  kSafetyStop = 7,  ///< Reserved.
   kInterrupted = 130,
 };
 
