@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -7,17 +6,12 @@
 
 #include "host/exports/run_directory.hpp"
 #include "host/geometry/angle.hpp"
+#include "tests/support/median.hpp"
 #include "tests/support/offline_exploration.hpp"
 
 namespace {
 
 using echomap::tests::OfflineRun;
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 template <class Figure>
 double median_of(const std::vector<OfflineRun>& runs, Figure figure) {
@@ -25,7 +19,7 @@ double median_of(const std::vector<OfflineRun>& runs, Figure figure) {
   for (const auto& run : runs) {
     values.push_back(figure(run));
   }
-  return median(values);
+  return echomap::tests::median(values);
 }
 
 void print_row(const char* name, const OfflineRun& run) {

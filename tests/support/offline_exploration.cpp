@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "hil_mock/runner/truth_map.hpp"
 #include "hil_mock/world/floor_plan_file.hpp"
 #include "hil_mock/world/robot_file.hpp"
 #include "hil_mock/world/robot_world.hpp"
@@ -14,7 +15,6 @@ namespace echomap::tests {
 namespace {
 
 constexpr double kTruthResolutionM = 0.01;
-constexpr double kTruthMarginM = 0.1;
 
 std::string bundled(const std::string& folder, const std::string& name) {
   return std::string(ECHOMAP_SOURCE_DIR) + "/hil_mock/" + folder + "/" + name + ".toml";
@@ -47,32 +47,26 @@ exploration::FinishReason explore(exploration::Explorer& explorer,
   }
 }
 
-}  // namespace
-
+/// The truth as the mock writes it, and as its reader understands it.
 evaluation::MapTruth truth_of(const world::FloorPlan& plan) {
-  Eigen::Vector2d low = plan.room_m().front();
-  Eigen::Vector2d high = low;
-  for (const auto& corner_m : plan.room_m()) {
-    low = low.cwiseMin(corner_m);
-    high = high.cwiseMax(corner_m);
-  }
-  low.array() -= kTruthMarginM;
-  const Eigen::Vector2d cells = (high - low).array() / kTruthResolutionM;
-  mapping::RasterMap raster(
-      static_cast<int>(cells.x()) + 10, static_cast<int>(cells.y()) + 10, kTruthResolutionM, low);
-  for (int y = 0; y < raster.rows(); ++y) {
-    for (int x = 0; x < raster.columns(); ++x) {
-      if (plan.is_free(raster.center_m({x, y}))) {
-        raster.set({x, y}, mapping::CellState::kFree);
+  const auto drawn = runner::draw_truth_map(plan, kTruthResolutionM);
+  mapping::RasterMap cells(
+      drawn.width, drawn.height, drawn.resolution_m, {drawn.origin_x_m, drawn.origin_y_m});
+  for (int y = 0; y < drawn.height; ++y) {
+    for (int x = 0; x < drawn.width; ++x) {
+      if (drawn.at(x, y) == runner::TruthCell::kFree) {
+        cells.set({x, y}, mapping::CellState::kFree);
       }
     }
   }
-  evaluation::MapTruth truth{raster, {}};
+  evaluation::MapTruth truth{cells, {}};
   for (const auto& wall : plan.walls()) {
     truth.walls.push_back({wall.segment.from_m, wall.segment.to_m});
   }
   return truth;
 }
+
+}  // namespace
 
 OfflineRun explore_offline(const std::string& room, const std::string& robot, std::uint32_t seed) {
   const auto robot_params = world::read_robot(files::TomlReader::load(bundled("robots", robot)));

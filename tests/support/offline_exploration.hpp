@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "hil_mock/world/floor_plan.hpp"
 #include "host/evaluation/map_agreement.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/nxt_farthest.hpp"
@@ -23,9 +22,6 @@ struct OfflineRun {
   double final_error_m = 0.0;
   double final_heading_error_rad = 0.0;
 };
-
-/// The room's truth as the mock writes it: cells of 1 cm and the walls.
-evaluation::MapTruth truth_of(const world::FloorPlan& plan);
 
 /// Explores a bundled room with a bundled robot, nxt-farthest and the default parameters.
 OfflineRun explore_offline(const std::string& room, const std::string& robot, std::uint32_t seed);
