@@ -14,6 +14,7 @@
 
 #include "host/files/atomic_file.hpp"
 #include "tests/integration/programs.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::test {
 namespace {
@@ -40,7 +41,7 @@ class BadInput : public ::testing::Test {
     return mock;
   }
 
-  ScratchFolder scratch_;
+  tests::ScratchFolder scratch_;
 };
 
 /// A pty at whose other end some other program writes a line over and over, or nothing at all.

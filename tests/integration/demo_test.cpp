@@ -8,6 +8,7 @@
 
 #include "host/files/atomic_file.hpp"
 #include "tests/integration/programs.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::test {
 namespace {
@@ -46,7 +47,7 @@ class Demo : public ::testing::TestWithParam<std::string> {
         .wait();
   }
 
-  ScratchFolder scratch_;
+  tests::ScratchFolder scratch_;
 
  private:
   bool skip_ = false;

@@ -9,6 +9,7 @@
 
 #include "host/files/atomic_file.hpp"
 #include "tests/integration/programs.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::test {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::int64_t kLongestStop = (200 + 128 + 4) * kCyclesPerMs;
 /// Kills the host right after its first stop, when the robot turns or drives; answers the AVR
 /// cycles until the wheels stopped, 0 where they stood.
 std::int64_t cycles_to_stop(int seed) {
-  const ScratchFolder scratch;
+  const tests::ScratchFolder scratch;
   const auto path = [&](const char* name) { return (scratch / name).string(); };
   const std::string seed_option = "--seed=" + std::to_string(seed);
   Program robot("echomap-simavr",

@@ -3,7 +3,6 @@
 
 #include <csignal>
 #include <thread>
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -18,17 +17,6 @@ std::vector<std::string> command_of(const std::string& name, std::vector<std::st
 }
 
 }  // namespace
-
-ScratchFolder::ScratchFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "echomap-test-XXXXXX").string();
-  path_ = ::mkdtemp(name.data());
-}
-
-ScratchFolder::~ScratchFolder() {
-  if (!::testing::Test::HasFailure()) {
-    std::filesystem::remove_all(path_);
-  }
-}
 
 Program::Program(const std::string& name,
                  std::vector<std::string> arguments,

@@ -11,20 +11,6 @@
 
 namespace echomap::test {
 
-/// A folder of its own for one test, removed when the test passed.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// How a program ended and what it said on stdout and stderr.
 struct Ended {
   int status = -1;

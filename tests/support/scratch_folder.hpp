@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
-#include <unistd.h>
+#include <system_error>
 
 #include <gtest/gtest.h>
 
 namespace echomap::tests {
 
-/// An empty folder of the running test, gone with this.
+/// An empty folder of the running test, removed when the test passed. Its path is short enough for
+/// a socket's.
 class ScratchFolder {
  public:
   ScratchFolder() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(::testing::TempDir()) /
-            (std::string(test->test_suite_name()) + "." + test->name() + "." +
-             std::to_string(::getpid()));
-    std::filesystem::create_directories(path_);
+    std::string path = (std::filesystem::temp_directory_path() / "echomap-test-XXXXXX").string();
+    if (::mkdtemp(path.data()) == nullptr) {
+      throw std::runtime_error("no temporary folder");
+    }
+    path_ = path;
   }
   ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    if (!::testing::Test::HasFailure()) {
+      std::error_code ignored;
+      std::filesystem::remove_all(path_, ignored);
+    }
   }
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;

@@ -13,8 +13,8 @@
 #include "host/files/atomic_file.hpp"
 #include "tests/hil_mock/runner/arguments.hpp"
 #include "tests/hil_mock/runner/fake_board.hpp"
-#include "tests/hil_mock/runner/scratch_folder.hpp"
 #include "tests/hil_mock/runner/test_host.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::runner {
 namespace {
@@ -39,7 +39,7 @@ Outcome run(Arguments arguments, const DeviceProgram& program = fake_program) {
 }
 
 TEST(DeviceMain, RunsPacedSaysWhereItListensAndLeavesTheTruth) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const std::string link = folder / "robot";
   const Outcome outcome = run({"--link=" + link,
                                "--speed=max",
@@ -60,7 +60,7 @@ void wait_for_socket(const std::filesystem::path& path) {
 }
 
 TEST(DeviceMain, SaysByeInLockstepWhenTheTruthIsOnDisk) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   Arguments arguments{"--link=" + (folder / "robot").string(),
                       "--lockstep=" + (folder / "lockstep").string(),
                       "--truth=" + (folder / "truth").string()};
@@ -79,7 +79,7 @@ TEST(DeviceMain, SaysByeInLockstepWhenTheTruthIsOnDisk) {
 }
 
 TEST(DeviceMain, ABrokenWorldIsNamedWithItsPlaceAndCodeSix) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   const std::string world = folder / "broken.toml";
   files::write_text_file(world, "name = \"broken\"\n[start]\nx_m = \"left\"\n");
   const Outcome outcome = run({"--world=" + world});

@@ -9,9 +9,9 @@
 
 #include "hil_mock/runner/pty_endpoint.hpp"
 #include "tests/hil_mock/runner/fake_board.hpp"
-#include "tests/hil_mock/runner/scratch_folder.hpp"
 #include "tests/hil_mock/runner/test_host.hpp"
 #include "tests/hil_mock/world/rooms.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::runner {
 namespace {
@@ -27,7 +27,7 @@ class LockstepRunTest : public testing::Test {
     return end;
   }
 
-  ScratchFolder folder;
+  tests::ScratchFolder folder;
   FakeBoard board;
   world::RobotWorld robot_world{world::box_room(), {}, 1};
   RobotSimulation simulation{board, robot_world};

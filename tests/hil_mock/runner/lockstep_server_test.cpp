@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/hil_mock/runner/scratch_folder.hpp"
 #include "tests/hil_mock/runner/test_host.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::runner {
 namespace {
@@ -34,7 +34,7 @@ TEST(LockstepRequests, AreReadStrictly) {
 }
 
 TEST(LockstepServer, GreetsTakesGrantsAndAnswers) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   LockstepServer server(folder / "lockstep", R"({"lockstep":1})");
   TestHost host = TestHost::connect_local(folder / "lockstep");
   host.write("grant 1000 0\ngrant 2000 5\nqu");
@@ -51,7 +51,7 @@ TEST(LockstepServer, GreetsTakesGrantsAndAnswers) {
 }
 
 TEST(LockstepServer, LastWordsOfAHostThatIsGoneStillCount) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   LockstepServer server(folder / "lockstep", "hello");
   TestHost host = TestHost::connect_local(folder / "lockstep");
   host.write("grant 1000 0\n");
@@ -62,7 +62,7 @@ TEST(LockstepServer, LastWordsOfAHostThatIsGoneStillCount) {
 }
 
 TEST(LockstepServer, RemovesItsSocket) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   {
     const LockstepServer server(folder / "lockstep", "hello");
     EXPECT_TRUE(std::filesystem::is_socket(folder / "lockstep"));

@@ -8,9 +8,9 @@
 
 #include "hil_mock/runner/pty_endpoint.hpp"
 #include "tests/hil_mock/runner/fake_board.hpp"
-#include "tests/hil_mock/runner/scratch_folder.hpp"
 #include "tests/hil_mock/runner/test_host.hpp"
 #include "tests/hil_mock/world/rooms.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::runner {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::int64_t kSecondNs = 1'000'000'000;
 class PacedRun : public testing::TestWithParam<double> {};
 
 TEST_P(PacedRun, ReachesItsEndExactlyAndServesTheHost) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   FakeBoard board;
   world::RobotWorld world(world::box_room(), {}, 1);
   RobotSimulation simulation(board, world);

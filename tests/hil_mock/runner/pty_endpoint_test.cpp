@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "hil_mock/runner/wait_readable.hpp"
-#include "tests/hil_mock/runner/scratch_folder.hpp"
 #include "tests/hil_mock/runner/test_host.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::runner {
 namespace {
@@ -34,7 +34,7 @@ void send_text(ByteEndpoint& endpoint, const std::string& text) {
 }
 
 TEST(PtyEndpoint, EveryByteValuePassesBothWays) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   PtyEndpoint endpoint(folder / "robot", WhenUnread::kDrop);
   TestHost host = TestHost::open_terminal(endpoint.address());
   host.write(all_bytes());
@@ -44,7 +44,7 @@ TEST(PtyEndpoint, EveryByteValuePassesBothWays) {
 }
 
 TEST(PtyEndpoint, HostsMayComeAndGo) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   PtyEndpoint endpoint(folder / "robot", WhenUnread::kDrop);
   for (const std::string text : {"first", "second", "third"}) {
     TestHost host = TestHost::open_terminal(endpoint.address());
@@ -56,7 +56,7 @@ TEST(PtyEndpoint, HostsMayComeAndGo) {
 }
 
 TEST(PtyEndpoint, WhatNobodyReadsIsDroppedAndCounted) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   PtyEndpoint endpoint(folder / "robot", WhenUnread::kDrop);
   for (int i = 0; i < 100; ++i) {
     send_text(endpoint, std::string(1000, 'x'));
@@ -66,7 +66,7 @@ TEST(PtyEndpoint, WhatNobodyReadsIsDroppedAndCounted) {
 }
 
 TEST(PtyEndpoint, InLockstepNothingIsLost) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   PtyEndpoint endpoint(folder / "robot", WhenUnread::kKeep);
   TestHost host = TestHost::open_terminal(endpoint.address());
   std::string sent;
@@ -86,7 +86,7 @@ TEST(PtyEndpoint, InLockstepNothingIsLost) {
 }
 
 TEST(PtyEndpoint, TakesOverAnOldLinkAndRemovesItsOwn) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   fs::create_symlink("/dev/pts/none", folder / "robot");
   {
     const PtyEndpoint endpoint(folder / "robot", WhenUnread::kDrop);
@@ -97,7 +97,7 @@ TEST(PtyEndpoint, TakesOverAnOldLinkAndRemovesItsOwn) {
 }
 
 TEST(PtyEndpoint, LeavesAFileThatIsNoLinkAlone) {
-  const ScratchFolder folder;
+  const tests::ScratchFolder folder;
   std::ofstream(folder / "robot") << "precious";
   EXPECT_THROW(PtyEndpoint(folder / "robot", WhenUnread::kDrop), std::runtime_error);
   EXPECT_EQ(fs::file_size(folder / "robot"), 8U);

@@ -11,8 +11,8 @@
 
 #include "host/files/atomic_file.hpp"
 #include "tests/hil_mock/runner/fake_board.hpp"
-#include "tests/hil_mock/runner/scratch_folder.hpp"
 #include "tests/hil_mock/world/rooms.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::runner {
 namespace {
@@ -32,7 +32,7 @@ class TruthFiles : public testing::Test {
     return files::read_text_file(folder / "truth" / name);
   }
 
-  ScratchFolder folder;
+  tests::ScratchFolder folder;
   FakeBoard board;
   world::RobotWorld robot_world{
       world::box_room({{world::rectangle(1.0, 1.0, 1.5, 1.4), {world::Material::kRough}}}), {}, 1};

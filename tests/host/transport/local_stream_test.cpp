@@ -8,7 +8,7 @@
 
 #include "host/transport/transport_error.hpp"
 #include "tests/host/transport/pty_pair.hpp"
-#include "tests/host/transport/temporary_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::transport {
 namespace {
@@ -16,23 +16,24 @@ namespace {
 using boost::asio::local::stream_protocol;
 
 TEST(LocalStream, ConnectsToASocketByItsPath) {
-  const TemporaryFolder folder;
+  const tests::ScratchFolder folder;
   boost::asio::io_context io;
-  stream_protocol::acceptor acceptor(io, stream_protocol::endpoint(folder.file("socket")));
-  const auto stream = open_local_stream(folder.file("socket"));
+  stream_protocol::acceptor acceptor(io, stream_protocol::endpoint((folder / "socket").string()));
+  const auto stream = open_local_stream((folder / "socket").string());
   stream_protocol::socket device = acceptor.accept();
   boost::asio::write(device, boost::asio::buffer(counting_bytes(100)));
   EXPECT_EQ(read_bytes(*stream, 100), counting_bytes(100));
 }
 
 TEST(LocalStream, SaysThatNobodyListens) {
-  const TemporaryFolder folder;
+  const tests::ScratchFolder folder;
   try {
-    open_local_stream(folder.file("nobody"));
+    open_local_stream((folder / "nobody").string());
     FAIL() << "it opened";
   } catch (const TransportError& error) {
     EXPECT_EQ(error.why(), "No such file or directory");
-    EXPECT_THAT(error.next_step(), testing::HasSubstr("--lockstep " + folder.file("nobody")));
+    EXPECT_THAT(error.next_step(),
+                testing::HasSubstr("--lockstep " + (folder / "nobody").string()));
   }
 }
 

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "host/transport/transport_error.hpp"
-#include "tests/host/transport/temporary_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::transport {
 namespace {
@@ -36,7 +36,7 @@ class ScriptedDevice {
         }) {}
   ~ScriptedDevice() { join(); }
 
-  std::string path() const { return folder_.file("lockstep"); }
+  std::string path() const { return (folder_ / "lockstep").string(); }
   /// The lines that the host sent; call it when the host is gone.
   const std::vector<std::string>& lines() {
     join();
@@ -68,7 +68,7 @@ class ScriptedDevice {
     }
   }
 
-  TemporaryFolder folder_;
+  tests::ScratchFolder folder_;
   boost::asio::io_context io_;
   stream_protocol::acceptor acceptor_{io_, stream_protocol::endpoint(path())};
   std::vector<std::string> lines_;

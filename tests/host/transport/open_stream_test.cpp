@@ -7,7 +7,7 @@
 
 #include "host/transport/transport_error.hpp"
 #include "tests/host/transport/pty_pair.hpp"
-#include "tests/host/transport/temporary_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::transport {
 namespace {
@@ -23,8 +23,8 @@ TEST(OpenStream, TellsTheKindOfAPortByItsName) {
 
 TEST(OpenStream, FollowsTheStableLinkOfAnEmulator) {
   PtyPair device;
-  const TemporaryFolder folder;
-  const std::string link = folder.file("echomap-robot");
+  const tests::ScratchFolder folder;
+  const std::string link = (folder / "echomap-robot").string();
   std::filesystem::create_symlink(device.name(), link);
   EXPECT_EQ(port_kind(link), PortKind::kPty);
   const auto stream = open_stream(link, 115200);

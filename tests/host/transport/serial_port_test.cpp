@@ -9,7 +9,7 @@
 #include "host/transport/transport_error.hpp"
 #include "tests/host/transport/line_settings.hpp"
 #include "tests/host/transport/pty_pair.hpp"
-#include "tests/host/transport/temporary_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::transport {
 namespace {
@@ -56,8 +56,8 @@ TEST(SerialPort, DoesNotHangUpWhenItCloses) {
 
 TEST(SerialPort, FollowsLinksAndKeepsTheNameThatItWasGiven) {
   PtyPair device;
-  const TemporaryFolder folder;
-  const std::string link = folder.file("usb-robot-if00");
+  const tests::ScratchFolder folder;
+  const std::string link = (folder / "usb-robot-if00").string();
   std::filesystem::create_symlink(device.name(), link);
   const auto port = open_serial_port(link, 115200);
   port->write(counting_bytes(16));
@@ -87,9 +87,9 @@ TEST(SerialPort, NamesThePortsThereAreWhereTheOneIsMissing) {
 }
 
 TEST(SerialPort, RefusesWhatIsNoSerialDevice) {
-  const TemporaryFolder folder;
+  const tests::ScratchFolder folder;
   EXPECT_THROW(open_serial_port("/dev/null", 115200), TransportError);
-  EXPECT_THROW(open_serial_port(folder.file(""), 115200), TransportError);
+  EXPECT_THROW(open_serial_port((folder / "").string(), 115200), TransportError);
 }
 
 TEST(SerialPort, RefusesABaudRateThatIsNone) {
