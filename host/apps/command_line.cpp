@@ -61,6 +61,11 @@ void add_demo(CLI::App& app, Action& action) {
                    "simavr runs the AVR binary that a user flashes, mock the same code natively")
       ->check(CLI::IsMember({"simavr", "mock"}))
       ->capture_default_str();
+  command->add_option(
+      "--body",
+      options->body,
+      "What is true of the robot, where --robot is what the host believes: a bundled "
+      "name or a TOML file; by default the name in the profile");
   add_run_options(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
   command->callback([&action, options] { action = [options] { return run_demo(*options); }; });

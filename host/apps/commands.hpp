@@ -35,6 +35,9 @@ struct DemoOptions {
   RunOptions run;
   std::string world = "living_room";
   std::string emulator = "simavr";  ///< Or "mock".
+  /// What is true of the robot (docs/decisions/0002); empty: the bundled body of the profile's
+  /// name.
+  std::string body;
 };
 ExitCode run_demo(const DemoOptions& options);
 

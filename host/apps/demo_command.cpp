@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,14 +10,26 @@
 #include "host/apps/report.hpp"
 #include "host/apps/simulated_robot.hpp"
 #include "host/evaluation/run_score.hpp"
+#include "host/files/bundled_files.hpp"
 #include "host/transport/open_stream.hpp"
 
 namespace echomap::apps {
+namespace {
+
+/// The TOML file of what is true of the robot: the one named, or else the bundled one of the robot
+/// that the profile describes.
+std::filesystem::path body_of(const DemoOptions& options, const RobotProfile& profile) {
+  return files::bundled_file(
+      options.body.empty() ? profile.name : options.body, "hil_mock/robots", "body (--body)");
+}
+
+}  // namespace
 
 ExitCode run_demo(const DemoOptions& options) {
   const RobotProfile profile = load_robot_profile(options.run.robot);
+  const auto body = body_of(options, profile);
   const auto out = run_folder(options.run.out);
-  SimulatedRobot robot(options, out);
+  SimulatedRobot robot(options, body, out);
   const transport::DeviceInfo& device = robot.lockstep().device();
   exports::RunSummary summary;
   summary.world = options.world;

@@ -2,12 +2,8 @@
 #include "host/apps/simulated_robot.hpp"
 
 #include <chrono>
-#include <system_error>
 #include <thread>
-#include <unistd.h>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "host/files/atomic_file.hpp"
 
@@ -29,16 +25,15 @@ std::string program_of(const std::string& emulator) {
 
 }  // namespace
 
-SimulatedRobot::SimulatedRobot(const DemoOptions& options, const fs::path& out)
-    : truth_(out / "truth"),
-      log_(out / "robot.log"),
-      folder_(fs::temp_directory_path() / fmt::format("echomap-demo-{}", ::getpid())) {
+SimulatedRobot::SimulatedRobot(const DemoOptions& options,
+                               const fs::path& body,
+                               const fs::path& out)
+    : truth_(out / "truth"), log_(out / "robot.log") {
   fs::create_directories(truth_);
-  fs::create_directories(folder_);
   const fs::path socket = folder_ / "lockstep";
   const std::vector<std::string> command{program_of(options.emulator),
                                          "--world=" + options.world,
-                                         "--robot=" + options.run.robot,
+                                         "--robot=" + body.string(),
                                          "--seed=" + std::to_string(options.run.seed),
                                          "--link=" + port(),
                                          "--lockstep=" + socket.string(),
@@ -46,13 +41,6 @@ SimulatedRobot::SimulatedRobot(const DemoOptions& options, const fs::path& out)
   process_ = std::make_unique<ChildProcess>(command, log_);
   wait_until_it_listens(socket);
   lockstep_ = std::make_unique<transport::LockstepChannel>(socket);
-}
-
-SimulatedRobot::~SimulatedRobot() {
-  lockstep_.reset();
-  process_.reset();
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
 }
 
 void SimulatedRobot::wait_until_it_listens(const fs::path& socket) {

@@ -7,6 +7,7 @@
 
 #include "host/apps/child_process.hpp"
 #include "host/apps/commands.hpp"
+#include "host/apps/temporary_folder.hpp"
 #include "host/transport/lockstep_channel.hpp"
 
 namespace echomap::apps {
@@ -14,13 +15,13 @@ namespace echomap::apps {
 /// A simulated robot in its room, started as a program of its own and run in lockstep.
 class SimulatedRobot {
  public:
-  /// The robot writes its truth to `out`/truth and what it says to `out`/robot.log. Throws
+  /// `body` is the TOML file of what is true of the robot, `out` an existing folder: the robot
+  /// writes its truth to `out`/truth and what it says to `out`/robot.log. Throws
   /// CommandError: 1 where its program is missing or does not start, 6 where world or robot are
   /// invalid.
-  SimulatedRobot(const DemoOptions& options, const std::filesystem::path& out);
-  ~SimulatedRobot();
-  SimulatedRobot(const SimulatedRobot&) = delete;
-  SimulatedRobot& operator=(const SimulatedRobot&) = delete;
+  SimulatedRobot(const DemoOptions& options,
+                 const std::filesystem::path& body,
+                 const std::filesystem::path& out);
 
   std::string port() const { return folder_ / "robot"; }
   transport::LockstepChannel& lockstep() { return *lockstep_; }
@@ -31,7 +32,7 @@ class SimulatedRobot {
 
   std::filesystem::path truth_;
   std::filesystem::path log_;
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   std::unique_ptr<ChildProcess> process_;
   std::unique_ptr<transport::LockstepChannel> lockstep_;
 };

@@ -39,6 +39,10 @@ TEST(CommandLine, HelpAndVersionGoToStdout) {
   EXPECT_THAT(help.out, HasSubstr("Example: echomap explore"));
 }
 
+TEST(CommandLine, TheHelpOfTheDemoTellsBodyFromProfile) {
+  EXPECT_THAT(run({"demo", "--help"}).out, HasSubstr("--body"));
+}
+
 TEST(CommandLine, SuggestsTheCommandThatWasMeant) {
   const Said said = run({"explroe", "--port", "x"});
   EXPECT_EQ(said.code, ExitCode::kUsage);
