@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <cstdio>
+#include <exception>
 #include <filesystem>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
 #include "host/apps/explore_run.hpp"
@@ -23,12 +25,41 @@ std::filesystem::path body_of(const DemoOptions& options, const RobotProfile& pr
       options.body.empty() ? profile.name : options.body, "hil_mock/robots", "body (--body)");
 }
 
+void say_what_ran(const exports::RunSummary& summary) {
+  say(fmt::format("{} under {} explored {}: {} stops, {:.0f} s of robot time in {:.1f} s",
+                  summary.firmware,
+                  summary.emulator,
+                  summary.world,
+                  summary.stops,
+                  summary.sim_seconds,
+                  summary.wall_seconds));
+}
+
+/// Ends the robot and adds the scores to `report`; answers why there are none, empty where there
+/// are.
+std::string add_scores(SimulatedRobot& robot,
+                       const std::filesystem::path& out,
+                       nlohmann::ordered_json& report) {
+  try {
+    if (!robot.lockstep().quit()) {
+      return "the simulated robot ended without its truth; see " + (out / "robot.log").string();
+    }
+    const auto score = evaluation::score_run(out, robot.truth());
+    print_score(score);
+    report.update(to_json(score));
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 }  // namespace
 
 ExitCode run_demo(const DemoOptions& options) {
   const RobotProfile profile = load_robot_profile(options.run.robot);
   const auto body = body_of(options, profile);
   const auto out = run_folder(options.run.out);
+  prepare_outputs(out, options.run.json);
   SimulatedRobot robot(options, body, out);
   const transport::DeviceInfo& device = robot.lockstep().device();
   exports::RunSummary summary;
@@ -43,24 +74,17 @@ ExitCode run_demo(const DemoOptions& options) {
                                          options.run,
                                          out,
                                          summary);
-  fmt::print(stderr, "map: {}\n", (out / "map.png").string());
-  if (!robot.lockstep().quit()) {
+  say("map: " + (out / "map.png").string());
+  say_what_ran(summary);
+  auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
+  const std::string unscored = add_scores(robot, out, report);
+  write_report(out / "summary.json", report);
+  write_report(options.run.json, report);
+  if (unscored.empty()) {
     return code;
   }
-  const auto score = evaluation::score_run(out, robot.truth());
-  fmt::print(stderr,
-             "{} under {} explored {}: {} stops, {:.0f} s of robot time in {:.1f} s\n",
-             device.firmware,
-             device.emulator,
-             options.world,
-             summary.stops,
-             summary.sim_seconds,
-             summary.wall_seconds);
-  print_score(score);
-  auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
-  report.update(to_json(score));
-  write_report(options.run.json, report);
-  return code;
+  spdlog::error("the map has no score: {}", unscored);
+  return code == ExitCode::kOk ? ExitCode::kRuntimeError : code;
 }
 
 }  // namespace echomap::apps

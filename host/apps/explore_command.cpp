@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <cstdio>
 #include <memory>
 #include <random>
 #include <utility>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "host/apps/commands.hpp"
@@ -20,6 +18,7 @@ ExitCode run_explore(const ExploreOptions& options) {
   exports::RunSummary summary;
   RobotConnection robot;
   robot.stream = transport::open_stream(options.port, options.baud);
+  prepare_outputs(out, options.run.json);
 
   std::unique_ptr<transport::LockstepChannel> lockstep;
   if (options.lockstep.empty()) {
@@ -37,7 +36,7 @@ ExitCode run_explore(const ExploreOptions& options) {
   if (lockstep) {
     lockstep->quit();
   }
-  fmt::print(stderr, "map: {}\n", (out / "map.png").string());
+  say("map: " + (out / "map.png").string());
   write_report(options.run.json, nlohmann::ordered_json::parse(exports::to_json_text(summary)));
   return code;
 }

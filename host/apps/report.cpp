@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <system_error>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
@@ -38,6 +40,30 @@ std::filesystem::path run_folder(const std::filesystem::path& chosen) {
                      milliseconds);
 }
 
+void prepare_outputs(const std::filesystem::path& out, const std::filesystem::path& json) {
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error) {
+    throw files::FileError("cannot make the run directory " + out.string() + ": " +
+                           error.message() + "\n  next: name another one with --out");
+  }
+  const files::AtomicFile summary(out / "summary.json");
+  if (json.empty() || json == "-") {
+    return;
+  }
+  if (std::filesystem::is_directory(json)) {
+    throw files::FileError("cannot write " + json.string() +
+                           ": it is a directory\n  next: name a file with --json, or '-'");
+  }
+  const files::AtomicFile report(json);
+}
+
+void say(const std::string& line) {
+  if (spdlog::should_log(spdlog::level::info)) {
+    fmt::print(stderr, "{}\n", line);
+  }
+}
+
 nlohmann::ordered_json to_json(const evaluation::RunScore& score) {
   nlohmann::ordered_json json;
   json["free_iou"] = score.map.free_iou;
@@ -65,16 +91,14 @@ void write_report(const std::filesystem::path& path, const nlohmann::ordered_jso
 void print_score(const evaluation::RunScore& score) {
   const auto& map = score.map;
   const auto& path = score.trajectory;
-  fmt::print(stderr, "  free floor agrees    {:5.1f} %  (free_iou)\n", 100.0 * map.free_iou);
+  say(fmt::format("  free floor agrees    {:5.1f} %  (free_iou)", 100.0 * map.free_iou));
   if (map.wall_rmse_m) {
-    fmt::print(
-        stderr, "  walls are off by     {:5.1f} cm (wall_rmse_m)\n", 100.0 * *map.wall_rmse_m);
+    say(fmt::format("  walls are off by     {:5.1f} cm (wall_rmse_m)", 100.0 * *map.wall_rmse_m));
   }
-  fmt::print(stderr, "  walls seen           {:5.1f} %  (wall_recall)\n", 100.0 * map.wall_recall);
-  fmt::print(stderr,
-             "  odometry is off by   {:5.1f} cm, {:.1f} degrees (ate_rmse_m, heading)\n",
-             100.0 * path.ate_rmse_m,
-             geometry::degrees(path.ate_heading_rmse_rad));
+  say(fmt::format("  walls seen           {:5.1f} %  (wall_recall)", 100.0 * map.wall_recall));
+  say(fmt::format("  odometry is off by   {:5.1f} cm, {:.1f} degrees (ate_rmse_m, heading)",
+                  100.0 * path.ate_rmse_m,
+                  geometry::degrees(path.ate_heading_rmse_rad)));
 }
 
 }  // namespace echomap::apps

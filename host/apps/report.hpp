@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <string>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -15,6 +15,13 @@ namespace echomap::apps {
 /// ($XDG_DATA_HOME/echomap, by default ~/.local/share/echomap).
 std::filesystem::path run_folder(const std::filesystem::path& chosen);
 
+/// Makes the run folder and makes sure that it and the report's file, where there is one, can be
+/// written: a run is not driven for nothing. Throws files::FileError.
+void prepare_outputs(const std::filesystem::path& out, const std::filesystem::path& json);
+
+/// For people, on stderr, unless -q was given.
+void say(const std::string& line);
+
 /// The scores under the names that every report uses: free_iou, wall_rmse_m, ...
 nlohmann::ordered_json to_json(const evaluation::RunScore& score);
 
@@ -22,7 +29,7 @@ nlohmann::ordered_json to_json(const evaluation::RunScore& score);
 /// files::FileError.
 void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& report);
 
-/// For people, on stderr: the scores in one line each.
+/// Says the scores in one line each.
 void print_score(const evaluation::RunScore& score);
 
 }  // namespace echomap::apps

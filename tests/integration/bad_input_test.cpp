@@ -99,6 +99,14 @@ TEST_F(BadInput, ASilentPortIsCalledSilent) {
   EXPECT_THAT(ended.said, HasSubstr("nothing answers"));
 }
 
+TEST_F(BadInput, AReportThatCannotBeWrittenIsSaidBeforeTheRobotIsAsked) {
+  const OtherProgram silent("");
+  const auto report = (scratch_ / "no_folder/report.json").string();
+  const Ended ended = echomap({"explore", "--port=" + silent.port(), "--json=" + report, out()});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.said, HasSubstr(report));
+}
+
 TEST_F(BadInput, ABrokenWorldIsPlaced) {
   const std::string path = (scratch_ / "room.toml").string();
   write_text_file(path, "name = 'room'\n[room]\ncorners_m = [[0, 0], [1, 0], [1, 1]\n");

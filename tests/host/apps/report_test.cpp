@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/apps/temporary_folder.hpp"
 #include "host/files/atomic_file.hpp"
 
 namespace echomap::apps {
@@ -23,6 +24,23 @@ TEST(Report, AMapWithoutWallsHasNoWallError) {
   EXPECT_TRUE(to_json(score)["wall_rmse_m"].is_null());
   score.map.wall_rmse_m = 0.03;
   EXPECT_EQ(to_json(score)["wall_rmse_m"], 0.03);
+}
+
+TEST(Report, OutputsArePreparedWithoutATrace) {
+  const TemporaryFolder folder;
+  files::write_text_file(folder / "report.json", "older");
+  prepare_outputs(folder / "a/run", folder / "report.json");
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "a/run"));
+  EXPECT_EQ(files::read_text_file(folder / "report.json"), "older");
+  EXPECT_NO_THROW(prepare_outputs(folder / "a/run", "-"));
+}
+
+TEST(Report, OutputsThatCannotBeWrittenAreRefused) {
+  const TemporaryFolder folder;
+  files::write_text_file(folder / "file", "");
+  EXPECT_THROW(prepare_outputs(folder / "file/run", {}), files::FileError);
+  EXPECT_THROW(prepare_outputs(folder / "run", folder / "none/report.json"), files::FileError);
+  EXPECT_THROW(prepare_outputs(folder / "run", folder.path()), files::FileError);
 }
 
 TEST(Report, IsWrittenToItsFile) {

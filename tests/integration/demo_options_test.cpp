@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+#include "tests/integration/programs.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::test {
+namespace {
+
+using files::read_text_file;
+using files::write_text_file;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// `text` with the first `from` replaced.
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// The demo on the native mock.
+class DemoOptions : public ::testing::Test {
+ protected:
+  std::vector<std::string> demo(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments{"demo", "--emulator=mock", "--out=" + path("run")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  Ended run(const std::vector<std::string>& more) {
+    return Program("echomap", demo(more), scratch_ / "log").wait();
+  }
+  std::string path(const std::string& name) const { return (scratch_ / name).string(); }
+  nlohmann::json json(const std::string& name) const {
+    return nlohmann::json::parse(read_text_file(scratch_ / name));
+  }
+
+  const std::string profile_ = read_text_file(ECHOMAP_SOURCE_DIR "/host/profiles/uno_2wd.toml");
+  const std::string body_ = read_text_file(ECHOMAP_SOURCE_DIR "/hil_mock/robots/uno_2wd.toml");
+  tests::ScratchFolder scratch_;
+};
+
+TEST_F(DemoOptions, AProfileOfOnesOwnDrivesTheBodyOfItsName) {
+  write_text_file(path("robot.toml"), profile_);
+  const Ended ended = run({"--stops=1", "--robot=" + path("robot.toml")});
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(json("run/summary.json").at("robot"), "uno_2wd");
+}
+
+TEST_F(DemoOptions, ABodyOfOnesOwnIsWhatTheHostDoesNotKnowOf) {
+  write_text_file(path("robot.toml"), with(profile_, "\"uno_2wd\"", "\"mine\""));
+  write_text_file(path("body.toml"), with(body_, "track_m = 0.140", "track_m = 0.160"));
+  const std::vector<std::string> options{"--stops=1", "--robot=" + path("robot.toml")};
+  const Ended bodyless = run(options);
+  EXPECT_EQ(bodyless.status, 6);
+  EXPECT_THAT(bodyless.said,
+              AllOf(HasSubstr("no body (--body) is named 'mine'"), HasSubstr("next: ")));
+
+  const Ended ended = run({options[0], options[1], "--body=" + path("body.toml")});
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(json("run/summary.json").at("robot"), "mine");
+  // A scan turns the body round by half a turn; the wider track makes that an eighth less.
+  EXPECT_GT(json("run/summary.json").at("ate_heading_rmse_rad"), 0.1);
+}
+
+TEST_F(DemoOptions, ABrokenBodyIsPlaced) {
+  write_text_file(path("body.toml"), with(body_, "track_m", "trakc_m"));
+  const Ended ended = run({"--body=" + path("body.toml")});
+  EXPECT_EQ(ended.status, 6);
+  EXPECT_THAT(ended.said, HasSubstr(path("body.toml") + ":"));
+}
+
+TEST_F(DemoOptions, TheScoresStandInTheRunDirectoryToo) {
+  const Ended ended = run({"--stops=1", "--json=" + path("report.json")});
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  EXPECT_GT(json("run/summary.json").at("free_iou"), 0.1);
+  EXPECT_EQ(json("run/summary.json"), json("report.json"));
+}
+
+TEST_F(DemoOptions, QuietSaysNothing) {
+  EXPECT_THAT(run({"--stops=1"}).said, AllOf(HasSubstr("map: "), HasSubstr("free_iou")));
+  EXPECT_EQ(run({"--stops=1", "-q"}).said, "");
+}
+
+TEST_F(DemoOptions, WhatCannotBeWrittenIsSaidBeforeTheRobotMoves) {
+  write_text_file(path("file"), "");
+  const Ended out =
+      Program("echomap", {"demo", "--emulator=mock", "--out=" + path("file/run")}, path("log"))
+          .wait();
+  EXPECT_EQ(out.status, 1);
+  EXPECT_THAT(out.said, AllOf(HasSubstr(path("file/run")), HasSubstr("next: ")));
+
+  const Ended json = run({"--json=" + path("no_folder/report.json")});
+  EXPECT_EQ(json.status, 1);
+  EXPECT_THAT(json.said, HasSubstr(path("no_folder/report.json")));
+  EXPECT_THAT(run({"--json=" + path("")}).said, HasSubstr("it is a directory"));
+  EXPECT_FALSE(fs::exists(scratch_ / "run/truth"));
+  EXPECT_TRUE(fs::is_empty(scratch_ / "run"));
+}
+
+TEST_F(DemoOptions, ARunWithoutItsTruthIsReportedAndFails) {
+  Program program("echomap", demo({"--json=" + path("report.json")}), scratch_ / "log");
+  ASSERT_TRUE(eventually([&] { return fs::exists(scratch_ / "run/summary.json"); }));
+  fs::remove_all(scratch_ / "run/truth");
+  write_text_file(scratch_ / "run/truth", "in the way");
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.said, AllOf(HasSubstr("the map has no score"), HasSubstr("robot.log")));
+  EXPECT_GT(json("report.json").at("stops"), 1);
+  EXPECT_FALSE(json("report.json").contains("free_iou"));
+}
+
+}  // namespace
+}  // namespace echomap::test
