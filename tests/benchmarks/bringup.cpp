@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The demo over many seeds: medians of its scores, and how many of the runs ended by themselves.
+#include <array>
 #include <chrono>
 #include <filesystem>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +14,10 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/child_process.hpp"
+#include "host/apps/temporary_folder.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/benchmarks/figures.hpp"
+#include "tests/support/median.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -23,15 +28,34 @@ struct Options {
   std::string robot = "uno_2wd";
   std::string emulator = "simavr";
   std::filesystem::path json;
+  bool check = false;
 };
 
 constexpr std::chrono::minutes kPatience(5);
 
-/// The report of one demo; empty where it did not end by itself.
+/// A figure of the demo's report, and what `--check` demands of its median.
+struct Column {
+  const char* name;
+  const char* unit;
+  std::optional<double> least{};
+  std::optional<double> most{};
+};
+
+constexpr std::array<Column, 7> kColumns{{{"free_iou", "", 0.85},
+                                          {"wall_rmse_m", "m", {}, 0.06},
+                                          {"wall_recall", ""},
+                                          {"ate_rmse_m", "m"},
+                                          {"sim_seconds", "s"},
+                                          {"wall_seconds", "s", {}, 60.0},
+                                          {"stops", ""}}};
+
+/// The report of one demo; empty where it did not end by itself or has no score.
 std::optional<nlohmann::json> run_demo(const Options& options,
                                        int seed,
                                        const std::filesystem::path& folder) {
-  const auto report = folder / "report.json";
+  const auto run = folder / std::to_string(seed);
+  const auto report = run.string() + ".json";
+  const auto log = run.string() + ".log";
   apps::ChildProcess demo({apps::program_folder() / "echomap",
                            "demo",
                            "--headless",
@@ -39,66 +63,92 @@ std::optional<nlohmann::json> run_demo(const Options& options,
                            "--robot=" + options.robot,
                            "--emulator=" + options.emulator,
                            "--seed=" + std::to_string(seed),
-                           "--out=" + (folder / std::to_string(seed)).string(),
-                           "--json=" + report.string()},
-                          folder / "log");
+                           "--out=" + run.string(),
+                           "--json=" + report},
+                          log);
   if (demo.wait_for(kPatience) != 0) {
+    fmt::print(stderr, "seed {} did not end by itself:\n{}\n", seed, files::read_text_file(log));
     return std::nullopt;
   }
   return nlohmann::json::parse(files::read_text_file(report));
 }
 
-void run(const Options& options) {
-  struct Column {
-    const char* name;
-    const char* unit;
-    std::vector<double> values{};
-  };
-  std::vector<Column> columns{{"free_iou", ""},
-                              {"wall_rmse_m", "m"},
-                              {"wall_recall", ""},
-                              {"ate_rmse_m", "m"},
-                              {"sim_seconds", "s"},
-                              {"wall_seconds", "s"},
-                              {"stops", ""}};
-  const auto folder = std::filesystem::temp_directory_path() / "echomap-bench-bringup";
-  std::filesystem::create_directories(folder);
+using Values = std::map<std::string, std::vector<double>>;
+
+/// Adds what the report of a run says of each column.
+void take(const nlohmann::json& report, Values& values) {
+  for (const Column& column : kColumns) {
+    if (const auto& value = report.at(column.name); value.is_number()) {
+      values[column.name].push_back(value.get<double>());
+    }
+  }
+}
+
+/// What the runs that ended by themselves say, by column; "runs_complete" counts them.
+std::vector<Figure> measure(const Options& options) {
+  const apps::TemporaryFolder folder;
+  Values values;
   double complete = 0.0;
   for (int seed = 1; seed <= options.seeds; ++seed) {
-    const auto report = run_demo(options, seed, folder);
-    if (!report) {
-      fmt::print(stderr, "seed {} did not end by itself\n", seed);
-      continue;
-    }
-    ++complete;
-    for (Column& column : columns) {
-      const auto& value = report->at(column.name);
-      if (value.is_number()) {
-        column.values.push_back(value.get<double>());
-      }
+    if (const auto report = run_demo(options, seed, folder.path())) {
+      ++complete;
+      take(*report, values);
     }
   }
   std::vector<Figure> figures{{"runs_complete", complete, "", std::size_t(options.seeds), {}}};
-  for (const Column& column : columns) {
-    if (!column.values.empty()) {
-      figures.push_back(
-          {column.name, median(column.values), column.unit, column.values.size(), {}});
+  for (const Column& column : kColumns) {
+    if (const auto& list = values[column.name]; !list.empty()) {
+      figures.push_back({column.name, tests::median(list), column.unit, list.size(), {}});
     }
   }
-  report(figures, options.json);
+  return figures;
+}
+
+/// Whether every run ended and had every bounded figure, with the medians within their bounds; says
+/// on stderr what is not so.
+bool passes(const std::vector<Figure>& figures, double seeds) {
+  bool passed = true;
+  const auto check = [&](const char* name, double runs, double least, double most) {
+    for (const Figure& figure : figures) {
+      if (figure.name == name && figure.value >= least && figure.value <= most &&
+          static_cast<double>(figure.runs) == runs) {
+        return;
+      }
+    }
+    fmt::print(stderr, "{} is not within {} .. {} over {} runs\n", name, least, most, runs);
+    passed = false;
+  };
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  check("runs_complete", seeds, seeds, seeds);
+  for (const Column& column : kColumns) {
+    if (column.least || column.most) {
+      check(
+          column.name, seeds, column.least.value_or(-kUnbounded), column.most.value_or(kUnbounded));
+    }
+  }
+  return passed;
 }
 
 }  // namespace
 }  // namespace echomap::bench
 
 int main(int argc, char** argv) {
-  echomap::bench::Options options;
+  using namespace echomap::bench;
+  Options options;
   CLI::App app("Medians of the demo's scores over many seeds");
-  app.add_option("--seeds", options.seeds, "Run seeds 1 to this")->capture_default_str();
+  app.add_option("--seeds", options.seeds, "Run seeds 1 to this")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--world", options.world)->capture_default_str();
   app.add_option("--robot", options.robot)->capture_default_str();
   app.add_option("--emulator", options.emulator)->capture_default_str();
   app.add_option("--json", options.json, "Write the figures to this file");
+  app.add_flag("--check",
+               options.check,
+               "Exit with 1 unless every run ends by itself and the medians are within the bounds "
+               "of living_room: free_iou >= 0.85, wall_rmse_m <= 0.06, wall_seconds <= 60");
   CLI11_PARSE(app, argc, argv);
-  echomap::bench::run(options);
+  const auto figures = measure(options);
+  report(figures, options.json);
+  return !options.check || passes(figures, options.seeds) ? 0 : 1;
 }

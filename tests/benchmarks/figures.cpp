@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tests/benchmarks/figures.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "host/files/atomic_file.hpp"
 
 namespace echomap::bench {
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
-}
 
 void report(const std::vector<Figure>& figures, const std::filesystem::path& json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();

@@ -17,9 +17,6 @@ struct Figure {
   std::map<std::string, double> peers;
 };
 
-/// The middle of the sorted values, or the mean of the two middle ones. `values` is not empty.
-double median(std::vector<double> values);
-
 /// Prints a table on stdout and writes {"figures": [..]} to `json` unless it is empty. Throws
 /// files::FileError.
 void report(const std::vector<Figure>& figures, const std::filesystem::path& json);
