@@ -19,6 +19,9 @@
 namespace echomap::apps {
 namespace {
 
+/// Where the grid of one stop begins to take a second (docs/algorithms/sonar_grid.md).
+constexpr std::size_t kMostStops = 100;
+
 using Action = std::function<ExitCode()>;
 
 void add_run_options(CLI::App& command, RunOptions& run) {
@@ -28,7 +31,7 @@ void add_run_options(CLI::App& command, RunOptions& run) {
       ->check(CLI::IsMember({"nxt-farthest"}))
       ->capture_default_str();
   command.add_option("--stops", run.stops, "End after this many stops at the latest")
-      ->check(CLI::Range(1, 10000))
+      ->check(CLI::Range(std::size_t{1}, kMostStops))
       ->capture_default_str();
   command.add_option("--seed", run.seed, "Seed of every random choice")->capture_default_str();
   command.add_option("--out", run.out, "Run directory; a stamped one by default");

@@ -57,6 +57,7 @@ TEST(CommandLine, PointsToTheHelpOfTheCommandThatWasMisused) {
   EXPECT_THAT(said.err, HasSubstr("echomap explore --help"));
   EXPECT_EQ(run({"explore", "--port", "x", "--baud", "1234"}).code, ExitCode::kUsage);
   EXPECT_EQ(run({"demo", "--stops", "0"}).code, ExitCode::kUsage);
+  EXPECT_EQ(run({"demo", "--stops", "101"}).code, ExitCode::kUsage);
   EXPECT_EQ(run({}).code, ExitCode::kUsage);
 }
 

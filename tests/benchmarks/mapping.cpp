@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// What the occupancy grid of a run costs, by the number of its stops.
+#include <chrono>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "hil_mock/world/floor_plan_file.hpp"
+#include "hil_mock/world/robot_file.hpp"
+#include "hil_mock/world/robot_world.hpp"
+#include "host/exploration/nxt_farthest.hpp"
+#include "host/files/bundled_files.hpp"
+#include "host/files/toml_reader.hpp"
+#include "host/mapping/sonar_mapper.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+#include "tests/benchmarks/figures.hpp"
+#include "tests/support/median.hpp"
+#include "tests/support/offline_robot.hpp"
+
+namespace echomap::bench {
+namespace {
+
+files::TomlReader bundled(const std::string& name, const char* folder) {
+  return files::TomlReader::load(files::bundled_file(name, folder, "file"));
+}
+
+/// The scans of a robot that goes about the living room whether it sees new ground or not.
+std::vector<mapping::Scan> scans_of(std::size_t stops, std::uint32_t seed) {
+  const auto robot = world::read_robot(bundled("uno_2wd", "hil_mock/robots"));
+  world::RobotWorld world(
+      world::read_floor_plan(bundled("living_room", "hil_mock/worlds")), robot, seed);
+  const auto geometry = tests::believed_geometry(robot);
+  pipeline::RobotPipeline pipeline(geometry);
+  tests::OfflineRobot offline_robot(world, geometry, pipeline);
+  exploration::NxtFarthestParams params;
+  params.most_stops = stops;
+  params.stops_without_new_ground = stops;
+  std::mt19937 random(seed);
+  exploration::NxtFarthest explorer(params, random);
+
+  std::vector<mapping::Scan> scans;
+  auto last = exploration::MotionResult::kReached;
+  while (true) {
+    const auto motion = explorer.next(pipeline.snapshot(), last);
+    if (std::holds_alternative<exploration::Finished>(motion)) {
+      return scans;
+    }
+    last = offline_robot.execute(motion);
+    if (std::holds_alternative<exploration::EndScan>(motion)) {
+      scans.push_back(*pipeline.snapshot().last_scan);
+    }
+  }
+}
+
+double seconds_for_grid(const std::vector<mapping::Scan>& scans, std::size_t stops) {
+  mapping::SonarMapper mapper;
+  for (std::size_t i = 0; i < stops && i < scans.size(); ++i) {
+    mapper.add(scans[i]);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto grid = mapper.grid();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  return grid.bounds().empty() ? 0.0 : took.count();
+}
+
+void run(std::uint32_t runs, std::size_t most_stops, const std::filesystem::path& json) {
+  std::vector<std::vector<mapping::Scan>> explored;
+  for (std::uint32_t seed = 1; seed <= runs; ++seed) {
+    explored.push_back(scans_of(most_stops, seed));
+  }
+  std::vector<Figure> figures;
+  for (const std::size_t stops : {10U, 20U, 50U, 100U}) {
+    std::vector<double> seconds;
+    for (const auto& scans : explored) {
+      if (scans.size() >= stops) {
+        seconds.push_back(seconds_for_grid(scans, stops));
+      }
+    }
+    if (!seconds.empty()) {
+      figures.push_back({fmt::format("grid_of_{}_stops", stops),
+                         tests::median(seconds),
+                         "s",
+                         seconds.size(),
+                         {}});
+    }
+  }
+  report(figures, json);
+}
+
+}  // namespace
+}  // namespace echomap::bench
+
+int main(int argc, char** argv) {
+  std::uint32_t runs = 5;
+  std::size_t stops = 100;
+  std::filesystem::path json;
+  CLI::App app("Time to make the grid of the living room, by stops");
+  app.add_option("--seeds", runs, "Run seeds 1 to this")->capture_default_str();
+  app.add_option("--stops", stops, "Stop there at the latest")->capture_default_str();
+  app.add_option("--json", json, "Write the figures to this file");
+  CLI11_PARSE(app, argc, argv);
+  echomap::bench::run(runs, stops, json);
+}
