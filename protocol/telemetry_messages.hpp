@@ -88,7 +88,7 @@ struct Status {
   uint16_t receive_overruns;
   uint16_t telemetry_dropped;
   uint16_t encoder_errors;
-  uint16_t stack_free_bytes;  ///< Least free stack so far, by paint.
+  uint16_t stack_free_bytes;  ///< Least free stack so far, by paint; 0: not known yet.
 
   template <class M, class V>
   static constexpr void each(M& m, V& v) {

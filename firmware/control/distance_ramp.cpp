@@ -7,7 +7,7 @@ namespace control {
 void DistanceRamp::start(int32_t distance, int32_t cruise, int32_t change) {
   remaining_ = distance;
   cruise_ = cruise;
-  change_ = change;
+  change_ = change < cruise ? change : cruise;
   speed_ = 0;
   braking_ = 0;
 }

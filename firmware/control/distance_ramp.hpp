@@ -11,7 +11,8 @@ namespace control {
 /// neither a division nor a root. Units of fixed_point.hpp, nothing negative.
 class DistanceRamp {
  public:
-  /// `change` is above 0; a slower `cruise` than that counts as that.
+  /// Both speeds are above 0. It cruises at the greatest multiple of `change` within `cruise`; a
+  /// greater `change` counts as `cruise`.
   void start(int32_t distance, int32_t cruise, int32_t change);
 
   /// Distance of the next period; 0 when there.

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "protocol/limits.hpp"
+
 namespace echomap {
 namespace control {
 
@@ -11,11 +13,7 @@ namespace control {
 constexpr uint8_t kControlPeriodMs = 4;
 constexpr uint8_t kControlHz = 250;
 constexpr int16_t kOneTick = 4000;
-
-/// Fastest wheel.
-constexpr uint16_t kMaxTicksPerS = 32000;
-/// Longest move of one wheel, so that its reference fits into 31 bits.
-constexpr int32_t kMaxMoveTicks = 500000;
+static_assert(INT32_MAX / kOneTick >= protocol::kMaxMoveTicks, "a move's reference has 31 bits");
 
 /// Speed in ticks/s as way of the reference per period.
 constexpr int32_t per_period(int16_t ticks_per_s) { return int32_t{ticks_per_s} * 16; }

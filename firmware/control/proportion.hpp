@@ -11,7 +11,7 @@ namespace control {
 /// nothing needs 64.
 class Proportion {
  public:
-  /// `part` of `whole` ticks; 0 <= part <= whole <= kMaxMoveTicks, whole above 0.
+  /// `part` of `whole` ticks; 0 <= part <= whole <= protocol::kMaxMoveTicks, whole above 0.
   void start(int32_t part, int32_t whole);
   /// The shorter way's step for the longer way's `step`, 0 .. 2^19.
   int32_t scale(int32_t step);

@@ -3,6 +3,7 @@
 
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/servo.hpp"
+#include "protocol/limits.hpp"
 
 namespace echomap {
 namespace control {
@@ -24,7 +25,7 @@ bool ScanSweep::accepts(const protocol::StartSweep& sweep) const {
                            (sweep.step_cdeg > 0 && sweep.from_cdeg < sweep.to_cdeg) ||
                            (sweep.step_cdeg < 0 && sweep.from_cdeg > sweep.to_cdeg);
   return leads_there && servo_.reaches(sweep.from_cdeg) && servo_.reaches(sweep.to_cdeg) &&
-         sweep.settle_ms <= kMaxSettleMs;
+         sweep.settle_ms <= protocol::kMaxSettleMs;
 }
 
 void ScanSweep::start(const protocol::StartSweep& sweep) {
@@ -34,6 +35,9 @@ void ScanSweep::start(const protocol::StartSweep& sweep) {
 }
 
 void ScanSweep::stop(MotionOutcome reason) {
+  if (state_ == State::kTurning) {
+    servo_.lose_track();
+  }
   state_ = State::kIdle;
   if (report_.outcome == MotionOutcome::kRunning) {
     report_.outcome = reason;

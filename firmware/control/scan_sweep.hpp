@@ -18,7 +18,6 @@ class ScanSweep {
  public:
   /// Longest wait for an echo pin that is stuck high; then the reading counts as no echo.
   static constexpr uint8_t kStuckMs = 250;
-  static constexpr uint16_t kMaxSettleMs = 10000;
 
   constexpr ScanSweep(drivers::WheelEncoders& encoders,
                       drivers::SonarHcSr04& sonar,

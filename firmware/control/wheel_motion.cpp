@@ -2,6 +2,7 @@
 #include "firmware/control/wheel_motion.hpp"
 
 #include "firmware/control/fixed_point.hpp"
+#include "protocol/limits.hpp"
 
 namespace echomap {
 namespace control {
@@ -13,6 +14,10 @@ using protocol::MotionOutcome;
 /// whatever acceleration is set; at 0.45 m/s that is 3.5 m/s2, which a tyre still holds.
 constexpr int32_t kBrakingPeriods = 32;
 
+bool in_range(int32_t ticks) {
+  return ticks <= protocol::kMaxMoveTicks && ticks >= -protocol::kMaxMoveTicks;
+}
+
 int32_t magnitude(int32_t value) { return value < 0 ? -value : value; }
 
 int32_t with_sign_of(int32_t sign, int32_t value) { return sign < 0 ? -value : value; }
@@ -22,8 +27,8 @@ bool has(uint8_t inversions, protocol::DriveInversions bit) { return (inversions
 }  // namespace
 
 bool WheelMotion::accepts(const protocol::ConfigureDrive& settings) {
-  constexpr uint16_t kMaxGain = WheelSpeedController::kMaxGain;
-  return settings.max_ticks_per_s != 0 && settings.max_ticks_per_s <= kMaxTicksPerS &&
+  using protocol::kMaxGain;
+  return settings.max_ticks_per_s != 0 && settings.max_ticks_per_s <= protocol::kMaxTicksPerS &&
          settings.max_ticks_per_s2 != 0 && settings.feed_forward <= kMaxGain &&
          settings.proportional <= kMaxGain && settings.integral <= kMaxGain &&
          settings.odometry_period_ms != 0;
@@ -38,10 +43,7 @@ void WheelMotion::configure(const protocol::ConfigureDrive& settings) {
 }
 
 bool WheelMotion::accepts(const protocol::MoveTicks& move) const {
-  const bool left_in_range = move.left_ticks <= kMaxMoveTicks && move.left_ticks >= -kMaxMoveTicks;
-  const bool right_in_range =
-      move.right_ticks <= kMaxMoveTicks && move.right_ticks >= -kMaxMoveTicks;
-  return left_in_range && right_in_range && move.ticks_per_s != 0 &&
+  return in_range(move.left_ticks) && in_range(move.right_ticks) && move.ticks_per_s != 0 &&
          move.ticks_per_s <= settings_.max_ticks_per_s;
 }
 
@@ -61,21 +63,30 @@ void WheelMotion::start_move(const protocol::MoveTicks& move) {
 }
 
 void WheelMotion::drive(int16_t left_ticks_per_s, int16_t right_ticks_per_s) {
-  if (mode_ == Mode::kMove) {
+  if (report_.outcome == MotionOutcome::kRunning) {
     report_.outcome = MotionOutcome::kStopped;
   }
-  if (mode_ != Mode::kDrive) {
-    const Steps now = moving() ? last_steps_ : Steps{0, 0};
-    if (!moving()) {
-      begin(Mode::kDrive);
-    }
-    mode_ = Mode::kDrive;
-    left_ramp_.start(now.left, change_per_period(settings_.max_ticks_per_s2));
-    right_ramp_.start(now.right, change_per_period(settings_.max_ticks_per_s2));
+  if (mode_ != Mode::kDrive || expired_) {
+    take_over();
   }
   set_course(left_ticks_per_s, right_ticks_per_s);
   left_ramp_.set_target(clipped_target(left_ticks_per_s));
   right_ramp_.set_target(clipped_target(right_ticks_per_s));
+}
+
+/// From whatever moves now.
+void WheelMotion::take_over() {
+  if (report_.id == 0) {
+    report_.outcome = MotionOutcome::kNone;
+  }
+  if (moving()) {
+    mode_ = Mode::kDrive;
+    expired_ = false;
+  } else {
+    begin(Mode::kDrive);
+  }
+  left_ramp_.start(last_steps_.left, change_per_period(settings_.max_ticks_per_s2));
+  right_ramp_.start(last_steps_.right, change_per_period(settings_.max_ticks_per_s2));
 }
 
 void WheelMotion::stop(MotionOutcome reason) {
@@ -88,6 +99,7 @@ void WheelMotion::stop(MotionOutcome reason) {
 void WheelMotion::expire() {
   const int32_t fastest = per_period(static_cast<int16_t>(settings_.max_ticks_per_s));
   const int32_t change = fastest / kBrakingPeriods + 1;
+  expired_ = moving();
   if (mode_ == Mode::kMove) {
     way_.brake(change);
     report_.outcome = MotionOutcome::kExpired;
@@ -108,20 +120,30 @@ void WheelMotion::step() {
   right_.follow(settings_, last_steps_.right, counts.right);
   if (left_.stalled(settings_) || right_.stalled(settings_)) {
     stop(MotionOutcome::kStalled);
-  } else if (reference_stands() && (expired() || (left_.arrived() && right_.arrived()))) {
+  } else if (reference_stands() && (expired_ || (left_.arrived() && right_.arrived()))) {
     end(MotionOutcome::kReached);
   }
 }
 
+bool WheelMotion::goes_forward() const {
+  return told_forward_ || last_steps_.left + last_steps_.right > 0;
+}
+
+bool WheelMotion::only_backs_off() const {
+  return told_to_back_off_ && last_steps_.left <= 0 && last_steps_.right <= 0;
+}
+
 void WheelMotion::set_course(int32_t left, int32_t right) {
-  goes_forward_ = left + right > 0;
-  only_backs_off_ = left <= 0 && right <= 0;
+  told_forward_ = left + right > 0;
+  told_to_back_off_ = left <= 0 && right <= 0;
 }
 
 void WheelMotion::begin(Mode mode) {
   const drivers::WheelCounts counts = encoders_.counts();
   left_.begin(counts.left);
   right_.begin(counts.right);
+  last_steps_ = Steps{0, 0};
+  expired_ = false;
   mode_ = mode;
 }
 
@@ -150,8 +172,6 @@ int32_t WheelMotion::clipped_target(int16_t ticks_per_s) const {
   const int16_t upper = ticks_per_s > limit ? limit : ticks_per_s;
   return per_period(upper < -limit ? static_cast<int16_t>(-limit) : upper);
 }
-
-bool WheelMotion::expired() const { return report_.outcome == MotionOutcome::kExpired; }
 
 bool WheelMotion::reference_stands() const {
   return mode_ == Mode::kMove ? way_.finished() : left_ramp_.at_rest() && right_ramp_.at_rest();

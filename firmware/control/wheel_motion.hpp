@@ -40,10 +40,10 @@ class WheelMotion {
   void step();
 
   bool moving() const { return mode_ != Mode::kIdle; }
-  /// True while the motion leads the robot forward as a whole; false for a turn on the spot.
-  bool goes_forward() const { return goes_forward_; }
-  /// True while it leads both wheels backwards or nowhere.
-  bool only_backs_off() const { return only_backs_off_; }
+  /// True while the robot as a whole goes forward or is about to; false for a turn on the spot.
+  bool goes_forward() const;
+  /// True while both wheels go backwards or nowhere, and will.
+  bool only_backs_off() const;
   MotionReport report() const { return report_; }
 
  private:
@@ -56,10 +56,10 @@ class WheelMotion {
 
   void set_course(int32_t left, int32_t right);
   void begin(Mode mode);
+  void take_over();
   void end(protocol::MotionOutcome outcome);
   Steps next_steps();
   int32_t clipped_target(int16_t ticks_per_s) const;
-  bool expired() const;
   bool reference_stands() const;
 
   drivers::WheelEncoders& encoders_;
@@ -73,8 +73,9 @@ class WheelMotion {
   Steps last_steps_ = {0, 0};
   Steps move_ticks_ = {0, 0};
   Mode mode_ = Mode::kIdle;
-  bool goes_forward_ = false;
-  bool only_backs_off_ = false;
+  bool expired_ = false;
+  bool told_forward_ = false;
+  bool told_to_back_off_ = false;
   MotionReport report_ = {0, protocol::MotionOutcome::kNone};
 };
 

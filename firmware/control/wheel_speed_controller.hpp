@@ -19,9 +19,6 @@ class WheelSpeedController {
   /// For how many periods without a tick it must have stood there: it coasts less than a tick then.
   static constexpr uint8_t kStillPeriods = 12;
 
-  /// Largest gain that cannot overflow.
-  static constexpr uint16_t kMaxGain = 32767;
-
   /// Forgets the lag: the wheel is where it should be.
   void reset();
 

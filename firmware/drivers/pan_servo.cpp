@@ -2,6 +2,7 @@
 #include "firmware/drivers/pan_servo.hpp"
 
 #include "firmware/hal/servo.hpp"
+#include "protocol/limits.hpp"
 
 namespace echomap {
 namespace drivers {
@@ -12,7 +13,7 @@ int32_t pulse_us(const protocol::ConfigureSonar& settings, int16_t pan_cdeg) {
 }
 
 bool pulse_in_range(int32_t pulse) {
-  return pulse >= PanServo::kShortestPulseUs && pulse <= PanServo::kLongestPulseUs;
+  return pulse >= protocol::kMinServoPulseUs && pulse <= protocol::kMaxServoPulseUs;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ void Safety::disarm() {
 }
 
 void Safety::renew(uint16_t time_to_live_ms) {
-  left_to_live_ms_ = time_to_live_ms == 0 ? kDefaultTimeToLiveMs : time_to_live_ms;
+  left_to_live_ms_ = time_to_live_ms == 0 ? protocol::kDefaultTimeToLiveMs : time_to_live_ms;
 }
 
 void Safety::tick() {

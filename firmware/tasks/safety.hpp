@@ -5,6 +5,7 @@
 
 #include "firmware/control/wheel_motion.hpp"
 #include "firmware/drivers/contacts.hpp"
+#include "protocol/limits.hpp"
 
 namespace echomap {
 namespace tasks {
@@ -13,10 +14,6 @@ namespace tasks {
 /// over or when a contact closes.
 class Safety {
  public:
-  /// Time to live where a message says 0, and the longest one.
-  static constexpr uint16_t kDefaultTimeToLiveMs = 200;
-  static constexpr uint16_t kLongestTimeToLiveMs = 500;
-
   constexpr explicit Safety(control::WheelMotion& motion) : motion_(motion) {}
 
   bool armed() const { return armed_; }
@@ -25,7 +22,7 @@ class Safety {
   void disarm();
 
   static bool accepts_time_to_live(uint16_t time_to_live_ms) {
-    return time_to_live_ms <= kLongestTimeToLiveMs;
+    return time_to_live_ms <= protocol::kMaxTimeToLiveMs;
   }
   /// Whatever moves may go on for this long; 0 stands for the default.
   void renew(uint16_t time_to_live_ms);

@@ -65,8 +65,9 @@ TEST(Robot, WheelsRestSoonAfterTheHostFallsSilent) {
   }
   robot.run_ms(98);
   EXPECT_NEAR(robot.left_wheel.ticks_per_s(), 1500.0, 100.0);
-  robot.run_ms(600);
+  robot.run_ms(2 + 128 + 5);
   EXPECT_EQ(robot.board.left_duty(), 0);
+  robot.run_ms(200);
   EXPECT_EQ(robot.all<protocol::Status>().back().move_outcome, number(MotionOutcome::kExpired));
 }
 

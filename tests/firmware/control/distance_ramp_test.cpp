@@ -60,6 +60,13 @@ TEST(DistanceRamp, EndsExactlyWithinItsSpeedAndAcceleration) {
   }
 }
 
+TEST(DistanceRamp, NeverGoesFasterThanItsCruise) {
+  DistanceRamp ramp;
+  ramp.start(100, 30, 500);
+  const std::vector<std::int32_t> expected{30, 30, 30, 10};
+  EXPECT_EQ(steps_of(ramp), expected);
+}
+
 TEST(DistanceRamp, BrakesToRestAsHardAsTold) {
   DistanceRamp ramp;
   ramp.start(1000000, 1000, 10);

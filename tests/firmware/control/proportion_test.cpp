@@ -13,7 +13,7 @@ namespace {
 
 TEST(Proportion, EqualWaysAreEqualSteps) {
   Proportion proportion;
-  proportion.start(kMaxMoveTicks, kMaxMoveTicks);
+  proportion.start(protocol::kMaxMoveTicks, protocol::kMaxMoveTicks);
   for (const std::int32_t step : {0, 1, 4001, 512000}) {
     EXPECT_EQ(proportion.scale(step), step);
   }
@@ -28,7 +28,7 @@ TEST(Proportion, NothingOfAWayIsNothing) {
 TEST(Proportion, SumIsRightToATenthOfATick) {
   std::mt19937 generator(6);
   for (int i = 0; i < 300; ++i) {
-    const auto whole = static_cast<std::int32_t>(1 + generator() % kMaxMoveTicks);
+    const auto whole = static_cast<std::int32_t>(1 + generator() % protocol::kMaxMoveTicks);
     const auto part = static_cast<std::int32_t>(generator() % (static_cast<unsigned>(whole) + 1U));
     Proportion proportion;
     proportion.start(part, whole);

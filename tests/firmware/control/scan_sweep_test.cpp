@@ -142,6 +142,20 @@ TEST_F(ScanSweepTest, StopDropsTheReadingUnderWay) {
   EXPECT_EQ(sweep.report().outcome, MotionOutcome::kStopped);
 }
 
+TEST_F(ScanSweepTest, KnowsNotWhereItStandsAfterAStopInMidTurn) {
+  sweep.start({5, -9000, -9000, 0, 0});
+  run_ms(2000);
+  sweep.start({6, 9000, 9000, 0, 0});
+  run_ms(10);
+  sweep.stop(MotionOutcome::kStopped);
+  pings_ms.clear();
+  const std::int64_t start_ms = board.now_ns() / 1000000;
+  sweep.start({7, 9000, 9000, 0, 0});
+  run_ms(2000);
+  ASSERT_EQ(pings_ms.size(), 1U);
+  EXPECT_GE(pings_ms[0] - start_ms, 600) << "180 degrees at 300 degrees/s";
+}
+
 TEST_F(ScanSweepTest, RefusesSweepsThatLeadNowhere) {
   const auto accepts = [&](int from, int to, int step) {
     return sweep.accepts(protocol::StartSweep{1,

@@ -170,6 +170,50 @@ TEST_F(WheelMotionTest, ExpiryBrakesAsHardHoweverSlowTheRamps) {
   EXPECT_TRUE(run_to_end(kBrakingMs));
 }
 
+TEST_F(WheelMotionTest, ExpiryBrakesAsHardHoweverSteepTheRamps) {
+  protocol::ConfigureDrive steep = app::kDefaultDrive;
+  steep.max_ticks_per_s = 100;
+  steep.max_ticks_per_s2 = UINT16_MAX;
+  motion.configure(steep);
+  move(1000, 1000, 100);
+  run_ms(1000);
+  EXPECT_LT(left_wheel.ticks_per_s(), 140.0);
+  motion.expire();
+  EXPECT_TRUE(run_to_end(kBrakingMs));
+}
+
+TEST_F(WheelMotionTest, SetPointAfterExpiryKeepsToTheAcceleration) {
+  motion.drive(1000, 1000);
+  run_ms(500);
+  motion.expire();
+  run_ms(8);
+  motion.drive(3000, 3000);
+  EXPECT_EQ(motion.report().outcome, MotionOutcome::kNone);
+  run_ms(100);
+  EXPECT_LT(left_wheel.ticks_per_s(), 1000.0 + 0.1 * app::kDefaultDrive.max_ticks_per_s2 + 100.0);
+  motion.drive(0, 0);
+  EXPECT_TRUE(run_to_end(1500));
+}
+
+TEST_F(WheelMotionTest, SetPointAfterAnExpiredMoveLeavesItsOutcome) {
+  move(20000, 20000, 2000);
+  run_ms(500);
+  motion.expire();
+  motion.drive(500, 500);
+  EXPECT_EQ(motion.report().id, 9);
+  EXPECT_EQ(motion.report().outcome, MotionOutcome::kExpired);
+}
+
+TEST_F(WheelMotionTest, SetPointAfterAStopStartsFromRest) {
+  move(-20000, -20000, 3000);
+  run_ms(800);
+  motion.stop(MotionOutcome::kStopped);
+  move(100, 100, 1000);
+  motion.drive(1000, 1000);
+  run_ms(kControlPeriodMs);
+  EXPECT_GE(native::NativeBoard::instance().left_duty(), 0);
+}
+
 TEST_F(WheelMotionTest, SetPointsAreClippedToTheFastestSpeed) {
   motion.drive(INT16_MAX, INT16_MIN);
   run_ms(1000);
@@ -217,9 +261,9 @@ TEST_F(WheelMotionTest, RefusesWhatItCannotDo) {
   const auto accepts_move = [&](std::int32_t left, std::int32_t right, std::uint16_t speed) {
     return motion.accepts(protocol::MoveTicks{1, left, right, speed, 0});
   };
-  EXPECT_TRUE(accepts_move(kMaxMoveTicks, -kMaxMoveTicks, 3000));
-  EXPECT_FALSE(accepts_move(kMaxMoveTicks + 1, 0, 3000));
-  EXPECT_FALSE(accepts_move(0, -kMaxMoveTicks - 1, 3000));
+  EXPECT_TRUE(accepts_move(protocol::kMaxMoveTicks, -protocol::kMaxMoveTicks, 3000));
+  EXPECT_FALSE(accepts_move(protocol::kMaxMoveTicks + 1, 0, 3000));
+  EXPECT_FALSE(accepts_move(0, -protocol::kMaxMoveTicks - 1, 3000));
   EXPECT_FALSE(accepts_move(0, INT32_MIN, 3000));
   EXPECT_FALSE(accepts_move(10, 10, 0));
   EXPECT_FALSE(accepts_move(10, 10, 3001));
@@ -230,8 +274,8 @@ TEST_F(WheelMotionTest, RefusesWhatItCannotDo) {
     settings.*field = static_cast<std::uint16_t>(value);
     return WheelMotion::accepts(settings);
   };
-  EXPECT_TRUE(accepts(&Settings::max_ticks_per_s, kMaxTicksPerS));
-  EXPECT_FALSE(accepts(&Settings::max_ticks_per_s, kMaxTicksPerS + 1));
+  EXPECT_TRUE(accepts(&Settings::max_ticks_per_s, protocol::kMaxTicksPerS));
+  EXPECT_FALSE(accepts(&Settings::max_ticks_per_s, protocol::kMaxTicksPerS + 1));
   EXPECT_FALSE(accepts(&Settings::max_ticks_per_s, 0));
   EXPECT_FALSE(accepts(&Settings::max_ticks_per_s2, 0));
   for (const auto gain : {&Settings::feed_forward, &Settings::proportional, &Settings::integral}) {

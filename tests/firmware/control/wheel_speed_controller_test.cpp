@@ -81,7 +81,7 @@ TEST(WheelSpeedController, WheelThatDoesNotBreakAwayStalls) {
 
 TEST(WheelSpeedController, LargestGainsAndErrorsOnlySaturate) {
   protocol::ConfigureDrive gains = app::kDefaultDrive;
-  gains.feed_forward = gains.proportional = gains.integral = WheelSpeedController::kMaxGain;
+  gains.feed_forward = gains.proportional = gains.integral = protocol::kMaxGain;
   for (const int speed : {32000, -32000}) {
     WheelSpeedController controller;
     const auto against = static_cast<std::int16_t>(speed > 0 ? -128 : 128);

@@ -59,7 +59,7 @@ TEST_F(SafetyTest, MotionExpiresToTheMillisecondUnlessRenewed) {
 TEST_F(SafetyTest, ZeroStandsForTheDefaultTimeToLive) {
   move(100, 100);
   safety.renew(0);
-  tick(Safety::kDefaultTimeToLiveMs - 1);
+  tick(protocol::kDefaultTimeToLiveMs - 1);
   EXPECT_EQ(outcome(), MotionOutcome::kRunning);
   tick(1);
   EXPECT_EQ(outcome(), MotionOutcome::kExpired);
@@ -102,6 +102,24 @@ TEST_F(SafetyTest, HeldContactLetsTheRobotTurnAwayButNotGoOn) {
   motion.drive(50, 60);
   tick(1);
   EXPECT_EQ(outcome(), MotionOutcome::kBumped);
+}
+
+/// Neither a set-point of zero nor one backwards stops the wheels at once: until they stand the
+/// robot still goes forward.
+TEST_F(SafetyTest, BumpStopsARobotThatIsStillGoingForward) {
+  for (const std::int16_t then : {std::int16_t{0}, std::int16_t{-1000}}) {
+    press(false);
+    tick(drivers::Contacts::kReleaseMs);
+    motion.drive(1000, 1000);
+    for (int i = 0; i < 100; ++i) {
+      motion.step();
+    }
+    motion.drive(then, then);
+    motion.step();
+    press(true);
+    tick(1);
+    EXPECT_FALSE(motion.moving()) << "then " << then;
+  }
 }
 
 TEST_F(SafetyTest, NothingIsBlockedWithoutAContact) { EXPECT_FALSE(safety.blocks(100, 100)); }

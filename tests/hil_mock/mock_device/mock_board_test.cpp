@@ -138,9 +138,10 @@ TEST(MockBoard, WithoutKeepAliveTheWheelsStop) {
   Session session;
   session.configure_and_arm();
   session.send(protocol::MoveTicks{4, 20000, 20000, 2500, 200});
-  session.pass_ms(1500);
+  session.pass_ms(200 + 128 + 10);
   EXPECT_EQ(session.heard().status.move_outcome,
             static_cast<std::uint8_t>(protocol::MotionOutcome::kExpired));
+  session.pass_ms(300);  // Released, the motors run out by themselves.
   const auto counts = session.world().body().left_wheel().counts();
   session.pass_ms(500);
   EXPECT_EQ(session.world().body().left_wheel().counts(), counts);

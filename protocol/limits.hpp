@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+namespace echomap {
+namespace protocol {
+
+/// What a robot takes: it refuses larger numbers, and the host refuses a profile that holds them.
+
+/// Fastest wheel, in ConfigureDrive, MoveTicks and DriveSetpoint.
+constexpr uint16_t kMaxTicksPerS = 32000;
+/// Largest feed-forward, proportional and integral gain of ConfigureDrive.
+constexpr uint16_t kMaxGain = 32767;
+/// Longest way of one wheel in MoveTicks.
+constexpr int32_t kMaxMoveTicks = 500000;
+/// Time to live where a message says 0, and the longest one.
+constexpr uint16_t kDefaultTimeToLiveMs = 200;
+constexpr uint16_t kMaxTimeToLiveMs = 500;
+/// Shortest and longest pulse of the pan servo, for every pan of ConfigureSonar.
+constexpr uint16_t kMinServoPulseUs = 400;
+constexpr uint16_t kMaxServoPulseUs = 2600;
+/// Longest wait at each reading of StartSweep.
+constexpr uint16_t kMaxSettleMs = 10000;
+
+}  // namespace protocol
+}  // namespace echomap
