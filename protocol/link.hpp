@@ -47,7 +47,6 @@ class CommandFilter {
 
   /// The answer to the last command.
   Ack answer() const { return Ack{last_id_, static_cast<uint8_t>(last_status_)}; }
-  uint16_t session() const { return session_; }
 
  private:
   uint16_t session_ = 0;

@@ -132,7 +132,7 @@ struct MessageList {
     return hash.value();
   }
 
-  /// Calls `handler(Tag<M>{})` for each message in order.
+  /// Calls `handler` with a null pointer to each message type in order.
   template <class Handler>
   static void for_each(Handler& handler) {
     const bool called[] = {call<Messages>(handler)...};

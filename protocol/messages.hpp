@@ -8,7 +8,7 @@
 #include "protocol/telemetry_messages.hpp"
 
 /// Every message of the wire. The list of fields in a message's `each` is the only place that knows
-/// them: size, seed, encoding, decoding, description and log columns are visitors of it.
+/// them: size, seed, encoding, decoding and description are visitors of it.
 /// Angles are centidegrees counter-clockwise, times the robot's own microseconds, wheels encoder
 /// counts ("ticks"); the host turns them into SI units in host/sensors.
 namespace echomap {

@@ -6,7 +6,8 @@
 namespace echomap {
 namespace protocol {
 
-/// Major: frames of the two sides cannot be understood. Minor: messages were added.
+/// Another major: frames of the two sides cannot be understood. The minor goes up whenever the
+/// messages change, so that a mismatch can name the older side.
 constexpr uint8_t kProtocolMajor = 1;
 constexpr uint8_t kProtocolMinor = 0;
 

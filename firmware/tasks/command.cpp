@@ -29,10 +29,24 @@ void Command::take(uint8_t byte) {
     return;
   }
   const protocol::Frame frame = decoder_.frame();
-  targets_.received.take(status, frame.seq);
   if (status == protocol::DecodeStatus::kFrame) {
     protocol::Dispatcher<protocol::MessagesToRobot>::dispatch(frame.id, frame.payload, *this);
   }
+  // After the message: a Hello of a new session begins the counting anew.
+  targets_.received.take(status, frame.seq);
+}
+
+bool Command::is_new(uint8_t command_id) {
+  if (filter_.is_repeat(command_id)) {
+    targets_.sender.answer(filter_.answer());
+    return false;
+  }
+  const bool may_be_done = greeted_ && command_id != 0;
+  if (!may_be_done) {
+    const CommandStatus why = greeted_ ? CommandStatus::kOutOfRange : CommandStatus::kDisarmed;
+    targets_.sender.answer(protocol::Ack{command_id, static_cast<uint8_t>(why)});
+  }
+  return may_be_done;
 }
 
 void Command::operator()(const protocol::Hello& hello) {
@@ -87,9 +101,6 @@ CommandStatus Command::execute(const protocol::Arm& command) {
   if (command.armed == 0) {
     targets_.safety.disarm();
     return CommandStatus::kAccepted;
-  }
-  if (!greeted_) {
-    return CommandStatus::kDisarmed;
   }
   targets_.safety.arm();
   return CommandStatus::kAccepted;

@@ -45,15 +45,18 @@ class Command {
   void operator()(const protocol::KeepAlive& keep_alive);
   template <class CommandMessage>
   void operator()(const CommandMessage& command) {
-    if (!filter_.is_repeat(command.command_id)) {
+    if (is_new(command.command_id)) {
       filter_.remember(command.command_id, execute(command));
+      targets_.sender.answer(filter_.answer());
     }
-    targets_.sender.answer(filter_.answer());
   }
 
  private:
   void take(uint8_t byte);
   void reply(uint16_t session);
+  /// False for a command that must not be done, which is answered right away: a repeated one, one
+  /// without an id, and any before the first Hello.
+  bool is_new(uint8_t command_id);
   protocol::CommandStatus execute(const protocol::Arm& command);
   protocol::CommandStatus execute(const protocol::Stop& command);
   protocol::CommandStatus execute(const protocol::ConfigureDrive& command);

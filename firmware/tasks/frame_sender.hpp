@@ -32,13 +32,19 @@ class FrameSender {
   void delimit();
 
  private:
-  /// A HelloReply and its delimiter, an Ack and a Pong.
-  static constexpr uint8_t kAnswerBytes = 51;
+  template <class M>
+  struct FrameFacts {
+    enum : uint8_t { kBytes = protocol::MessageFacts<M>::kSize + protocol::kFrameOverhead };
+  };
+  /// Room that telemetry leaves: a HelloReply after its delimiter, an Ack and a Pong.
+  enum : uint8_t {
+    kAnswerBytes = 1 + FrameFacts<protocol::HelloReply>::kBytes +
+                   FrameFacts<protocol::Ack>::kBytes + FrameFacts<protocol::Pong>::kBytes
+  };
 
   template <class M>
   bool send(const M& message, uint8_t reserve) {
-    constexpr uint8_t kFrameBytes = protocol::MessageFacts<M>::kSize + protocol::kFrameOverhead;
-    if (port_.send_room() < kFrameBytes + reserve) {
+    if (port_.send_room() < FrameFacts<M>::kBytes + reserve) {
       return false;
     }
     return port_.send(encoder_.encode(message, seq_++));

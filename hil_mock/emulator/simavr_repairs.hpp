@@ -7,7 +7,7 @@
 
 /// Where simavr differs from an ATmega328P in a way that this firmware would notice, each repaired
 /// from outside through simavr's public structures. Each function is called once, before the
-/// program runs; tests/hil/simavr_repairs_test.cpp shows what each one mends.
+/// program runs; tests/hil/emulated_chip_test.cpp shows what each one mends.
 namespace echomap::emulator {
 
 /// Any write to TIFRn clears every flag of that timer: makes it clear only the bits written as one.

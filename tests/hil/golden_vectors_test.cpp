@@ -44,7 +44,7 @@ TEST_F(VectorEcho, EveryGoldenFrameComesBackToTheByte) {
   std::printf("golden vectors: %zu frames through the AVR binary\n", vectors.frames.size());
 }
 
-TEST_F(VectorEcho, NoFrameWithAWrongBitComesBack) {
+TEST_F(VectorEcho, NoFrameWithOneWrongBitOfEverySeventhComesBack) {
   for (const GoldenFrame& frame : load_golden_vectors().frames) {
     for (std::size_t bit = 0; bit < 8 * (frame.bytes.size() - 1); bit += 7) {
       std::vector<std::uint8_t> damaged = frame.bytes;

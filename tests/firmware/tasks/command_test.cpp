@@ -49,6 +49,26 @@ TEST(Command, NobodyArmsARobotThatNobodyGreeted) {
   EXPECT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
 }
 
+TEST(Command, NobodyIsObeyedBeforeHello) {
+  NativeRobot robot;
+  EXPECT_EQ(robot.command(app::kDefaultDrive), CommandStatus::kDisarmed);
+  EXPECT_EQ(robot.command(protocol::StartSweep{0, 0, 0, 0, 0}), CommandStatus::kDisarmed);
+  ASSERT_TRUE(robot.connect(1).has_value());
+  EXPECT_EQ(robot.command(app::kDefaultDrive), CommandStatus::kAccepted);
+}
+
+TEST(Command, WithoutAnIdIsNotDone) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  robot.send(protocol::Arm{0, 0});
+  robot.run_ms(20);
+  const auto ack = robot.all<protocol::Ack>().back();
+  EXPECT_EQ(ack.command_id, 0);
+  EXPECT_EQ(ack.status, static_cast<std::uint8_t>(CommandStatus::kOutOfRange));
+  robot.run_ms(300);
+  EXPECT_NE(robot.all<protocol::Status>().back().flags & protocol::kFlagArmed, 0);
+}
+
 TEST(Command, DoesACommandOnceHoweverOftenItComes) {
   NativeRobot robot;
   ASSERT_TRUE(robot.arm());
