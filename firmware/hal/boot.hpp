@@ -9,7 +9,7 @@ namespace hal {
 /// Why the board last started, bits of protocol::ResetCause; 0 where a bootloader has hidden it.
 uint8_t reset_cause();
 
-/// A number that is another one after every reset.
+/// A number that is another one after every reset, a power cut included.
 uint16_t boot_id();
 
 }  // namespace hal

@@ -93,6 +93,7 @@ TEST(Reset, PowerCutStartsCountsAndSessionAnew) {
   ASSERT_EQ(robot.heard().size(), 1U) << "telemetry before a host said Hello";
   EXPECT_EQ(robot.last<protocol::HelloReply>()->reset_cause, protocol::kResetPowerOn);
   EXPECT_EQ(robot.last<protocol::HelloReply>()->session, 0);
+  EXPECT_NE(robot.last<protocol::HelloReply>()->boot_id, before->boot_id);
   ASSERT_TRUE(robot.connect(4712));
   robot.run_ms(30);
   EXPECT_EQ(robot.last<protocol::Odometry>()->left_ticks, 0) << "counts are since the reset";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/boards/avr_common/boot.hpp"
 
+#include <avr/eeprom.h>
 #include <avr/io.h>
 #include <avr/wdt.h>
 
@@ -15,9 +16,15 @@ static_assert(_BV(PORF) == protocol::kResetPowerOn && _BV(EXTRF) == protocol::kR
                   _BV(BORF) == protocol::kResetBrownOut && _BV(WDRF) == protocol::kResetWatchdog,
               "MCUSR goes over the wire as it is");
 
-/// Neither is cleared at the start: a reset leaves the RAM as it was.
+/// None is cleared at the start: a reset leaves the RAM as it was, a power cut does not.
 uint16_t boot_number __attribute__((section(".noinit")));
+uint16_t boot_check __attribute__((section(".noinit")));
 uint8_t first_mcusr __attribute__((section(".noinit")));
+
+/// What a power cut forgets the EEPROM keeps; it is written at each power-up, which it endures
+/// 100,000 times.
+uint16_t power_up_number EEMEM;
+constexpr uint16_t kResetsPerPowerUp = 256;
 
 /// Runs before main, because a watchdog that has reset the chip is still running at its fastest.
 /// A bootloader that clears MCUSR (Optiboot) hides the cause: it then reads 0.
@@ -31,8 +38,13 @@ extern "C" void keep_reset_cause() {
 }  // namespace
 
 void number_this_boot() {
-  // A full-period congruential generator: no number comes back for 65,536 resets.
-  boot_number = static_cast<uint16_t>(boot_number * 25173U + 13849U);
+  if (boot_check == static_cast<uint16_t>(~boot_number)) {
+    ++boot_number;
+  } else {
+    boot_number = static_cast<uint16_t>(eeprom_read_word(&power_up_number) + kResetsPerPowerUp);
+    eeprom_update_word(&power_up_number, boot_number);
+  }
+  boot_check = static_cast<uint16_t>(~boot_number);
 }
 
 }  // namespace boards
