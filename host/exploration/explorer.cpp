@@ -10,9 +10,11 @@ const char* name_of(FinishReason reason) {
     case FinishReason::kNoNewGround:
       return "no-new-ground";
     case FinishReason::kNowhereToGo:
+      return "nowhere-to-go";
+    case FinishReason::kCannotSense:
       break;
   }
-  return "nowhere-to-go";
+  return "cannot-sense";
 }
 
 }  // namespace echomap::exploration

@@ -35,6 +35,7 @@ enum class FinishReason : std::uint8_t {
   kStopLimit,    ///< as many stops as were asked for
   kNoNewGround,  ///< the last stops showed no floor that was not known
   kNowhereToGo,  ///< nothing within reach: walls all around, or no echo at all
+  kCannotSense,  ///< none of a stop's sweeps was carried out: the sonar or its pan drive is broken
 };
 
 /// The exploration is over; the robot stands.
@@ -47,11 +48,12 @@ using Motion = std::variant<Turn, Drive, Sweep, BeginScan, EndScan, Finished>;
 
 /// How the last motion ended.
 enum class MotionResult : std::uint8_t {
-  kReached,   ///< as asked; also said before the first motion
-  kBumped,    ///< a contact stopped it short
-  kStalled,   ///< the wheels did not turn
-  kTimedOut,  ///< it took too long and was stopped
-  kRefused,   ///< the robot would not begin it
+  kReached,      ///< as asked; also said before the first motion
+  kBumped,       ///< a contact stopped it short
+  kStalled,      ///< the wheels did not turn
+  kTimedOut,     ///< it took too long and was stopped
+  kRefused,      ///< the robot would not begin it
+  kInterrupted,  ///< line or board failed under it; the pose says how far it came
 };
 
 /// Decides where to go: a snapshot in, the next motion out.
@@ -63,7 +65,7 @@ class Explorer {
   virtual Motion next(const pipeline::Snapshot& snapshot, MotionResult last) = 0;
 };
 
-/// "stop-limit", "no-new-ground" or "nowhere-to-go".
+/// "stop-limit", "no-new-ground", "nowhere-to-go" or "cannot-sense".
 const char* name_of(FinishReason reason);
 
 }  // namespace echomap::exploration

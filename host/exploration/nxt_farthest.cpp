@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace echomap::exploration {
@@ -110,10 +111,7 @@ NxtFarthest::NxtFarthest(const NxtFarthestParams& params, std::mt19937& random)
 }
 
 Motion NxtFarthest::next(const pipeline::Snapshot& snapshot, MotionResult last) {
-  if (phase_ == Phase::kMoving && last != MotionResult::kReached) {
-    phase_ = Phase::kBackingOff;
-    plan_ = {Drive{-params_.back_off_m}};
-  }
+  note(last);
   if (plan_.empty()) {
     if (phase_ == Phase::kSensing) {
       plan_moving(snapshot);
@@ -123,7 +121,22 @@ Motion NxtFarthest::next(const pipeline::Snapshot& snapshot, MotionResult last) 
   }
   Motion motion = plan_.front();
   plan_.pop_front();
+  sweeping_ = std::holds_alternative<Sweep>(motion);
   return motion;
+}
+
+/// A move that failed is not finished: the robot backs off from what stopped it, and where nothing
+/// did, reads anew from where it stands.
+void NxtFarthest::note(MotionResult last) {
+  sweeps_done_ += sweeping_ && last == MotionResult::kReached ? 1 : 0;
+  if (phase_ != Phase::kMoving || last == MotionResult::kReached) {
+    return;
+  }
+  plan_.clear();
+  if (last != MotionResult::kInterrupted) {
+    phase_ = Phase::kBackingOff;
+    plan_ = {Drive{-params_.back_off_m}};
+  }
 }
 
 /// Section 3.1. Each sector is swept to and fro until all rounds are read; where the pan does not
@@ -131,6 +144,7 @@ Motion NxtFarthest::next(const pipeline::Snapshot& snapshot, MotionResult last) 
 /// start, so that an error of the wheel track does not add up over the stops.
 void NxtFarthest::plan_sensing(const pipeline::Snapshot& snapshot) {
   phase_ = Phase::kSensing;
+  sweeps_done_ = 0;
   const auto sectors =
       static_cast<int>(std::ceil(std::numbers::pi / params_.pan_limit_rad - kRoundingRad));
   const auto rounds = static_cast<int>(std::lround(params_.scan_rad / kFullTurnRad));
@@ -196,6 +210,9 @@ std::optional<Eigen::Vector2d> NxtFarthest::choose_way_m(const pipeline::Snapsho
 }
 
 std::optional<FinishReason> NxtFarthest::reason_to_finish(const pipeline::Snapshot& snapshot) {
+  if (sweeps_done_ == 0) {
+    return FinishReason::kCannotSense;
+  }
   poor_stops_ = snapshot.newly_free_m2 < params_.new_ground_m2 ? poor_stops_ + 1 : 0;
   if (poor_stops_ >= params_.stops_without_new_ground) {
     return FinishReason::kNoNewGround;

@@ -64,6 +64,7 @@ class NxtFarthest final : public Explorer {
  private:
   enum class Phase : std::uint8_t { kSensing, kMoving, kBackingOff };
 
+  void note(MotionResult last);
   void plan_sensing(const pipeline::Snapshot& snapshot);
   void plan_moving(const pipeline::Snapshot& snapshot);
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
@@ -75,6 +76,8 @@ class NxtFarthest final : public Explorer {
   Phase phase_ = Phase::kMoving;
   std::deque<Motion> plan_;
   std::size_t poor_stops_ = 0;
+  bool sweeping_ = false;        ///< The last motion was a sweep.
+  std::size_t sweeps_done_ = 0;  ///< At this stop.
 };
 
 }  // namespace echomap::exploration

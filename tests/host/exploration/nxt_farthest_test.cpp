@@ -219,6 +219,27 @@ TEST(NxtFarthest, GoesOnReadingAfterABumpInAScan) {
   EXPECT_TRUE(std::holds_alternative<Sweep>(explorer.next(snapshot, MotionResult::kBumped)));
 }
 
+TEST(NxtFarthest, ReadsAgainWhereAMoveWasInterrupted) {
+  std::mt19937 random(1);
+  NxtFarthest explorer({}, random);
+  sensing(explorer, seen(kFiveWays));
+  explorer.next(seen(kFiveWays), MotionResult::kReached);
+  EXPECT_TRUE(std::holds_alternative<BeginScan>(
+      explorer.next(seen(kFiveWays), MotionResult::kInterrupted)));
+}
+
+TEST(NxtFarthest, EndsWhenNoSweepOfAStopWasCarriedOut) {
+  std::mt19937 random(1);
+  NxtFarthest explorer({}, random);
+  Motion motion = explorer.next(seen({}), MotionResult::kReached);
+  while (!std::holds_alternative<Finished>(motion)) {
+    motion = explorer.next(
+        seen({}),
+        std::holds_alternative<Sweep>(motion) ? MotionResult::kRefused : MotionResult::kReached);
+  }
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kCannotSense);
+}
+
 TEST(NxtFarthest, EndsAfterSoManyStops) {
   std::mt19937 random(1);
   NxtFarthestParams params;
