@@ -30,6 +30,12 @@ exploration::NxtFarthestParams params_for(const RobotProfile& profile, std::size
   return params;
 }
 
+mapping::SonarMapperParams mapper_params_for(const RobotProfile& profile) {
+  mapping::SonarMapperParams params;
+  params.surfaces.beam_half_angle_rad = profile.beam_half_angle_rad;
+  return params;
+}
+
 double seconds_of(time::HostTime at) {
   return std::chrono::duration<double>(at.time_since_epoch()).count();
 }
@@ -104,6 +110,16 @@ std::optional<exploration::FinishReason> drive(RobotSession& session,
   return std::nullopt;
 }
 
+ExitCode exit_code_of(exploration::FinishReason reason) {
+  if (reason != exploration::FinishReason::kCannotSense) {
+    return ExitCode::kOk;
+  }
+  spdlog::error(
+      "no sweep of the sonar was carried out; the map so far is kept\n  next: check the pan drive "
+      "and the sonar's wires");
+  return ExitCode::kRuntimeError;
+}
+
 ExitCode exit_code_of(SessionEnd end) {
   return end == SessionEnd::kInterrupted ? ExitCode::kInterrupted : ExitCode::kLinkLost;
 }
@@ -123,9 +139,10 @@ ExitCode explore_and_save(RobotConnection robot,
   summary.robot = profile.name;
   summary.strategy = options.strategy;
   summary.seed = options.seed;
-  pipeline::RobotPipeline pipeline(profile.geometry);
-  RobotSession session(
-      std::move(robot.stream), std::move(robot.pace), profile, robot.session_id, pipeline);
+  std::mt19937 random(options.seed);
+  exploration::NxtFarthest explorer(params_for(profile, options.stops), random);
+  pipeline::RobotPipeline pipeline(profile.geometry, mapper_params_for(profile));
+  RobotSession session(std::move(robot), profile, pipeline);
   RunKeeper keeper(session, pipeline, out, summary);
   ProgressBar progress(stderr, !options.headless);
   session.on_step = [&, steps = 0]() mutable {
@@ -136,14 +153,12 @@ ExitCode explore_and_save(RobotConnection robot,
   };
 
   session.connect();
-  std::mt19937 random(options.seed);
-  exploration::NxtFarthest explorer(params_for(profile, options.stops), random);
   const auto reason = drive(session, pipeline, explorer, keeper);
   session.disarm();
   progress.clear();
   if (reason) {
     keeper.save(exploration::name_of(*reason));
-    return ExitCode::kOk;
+    return exit_code_of(*reason);
   }
   pipeline.end_scan();
   spdlog::error("{}; the map so far is kept", session.end_reason());

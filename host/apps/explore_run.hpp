@@ -3,23 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 
 #include "host/apps/commands.hpp"
 #include "host/apps/exit_code.hpp"
-#include "host/apps/pace.hpp"
+#include "host/apps/robot_connection.hpp"
 #include "host/apps/robot_profile.hpp"
 #include "host/exports/summary_json.hpp"
-#include "host/transport/byte_stream.hpp"
 
 namespace echomap::apps {
-
-/// A way to a robot: its bytes, its time, and a number that no earlier session with it had.
-struct RobotConnection {
-  std::unique_ptr<transport::ByteStream> stream;
-  std::unique_ptr<Pace> pace;
-  std::uint16_t session_id = 1;
-};
 
 /// A session's number from any other: never 0, which a robot that has just started stands for.
 std::uint16_t session_id_from(std::uint32_t number);

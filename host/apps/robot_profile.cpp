@@ -6,14 +6,21 @@
 #include <limits>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "host/files/bundled_files.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/mapping/sonar_surfaces.hpp"
+#include "protocol/limits.hpp"
 
 namespace echomap::apps {
 namespace {
 
 using files::TomlReader;
+
+/// One step of the strategy's scan: a pan that reaches less reads nothing.
+constexpr double kLeastReachDeg = 6.0;
 
 double positive(const TomlReader& table, std::string_view key) {
   const double value = table.number(key);
@@ -23,19 +30,30 @@ double positive(const TomlReader& table, std::string_view key) {
   return value;
 }
 
-/// The nearest whole number that a field of the wire can hold.
-template <class T>
-T as_field(const TomlReader& table, std::string_view key, double value) {
-  const double rounded = std::round(value);
-  if (rounded < std::numeric_limits<T>::min() || rounded > std::numeric_limits<T>::max()) {
-    table.fail(key, "'" + std::string(key) + "' is larger than the board can take");
-  }
-  return static_cast<T>(rounded);
-}
+/// What a field of the wire may hold, in its own unit.
+struct Bounds {
+  double least;
+  double most;
+};
 
 template <class T>
-T field(const TomlReader& table, std::string_view key, double scale = 1.0) {
-  return as_field<T>(table, key, table.number(key) * scale);
+constexpr Bounds kAnyOf{std::numeric_limits<T>::min(), std::numeric_limits<T>::max()};
+
+/// The key's number times `scale`, rounded, for a field of the wire.
+template <class T>
+T field(const TomlReader& table,
+        std::string_view key,
+        double scale = 1.0,
+        Bounds bounds = kAnyOf<T>) {
+  const double rounded = std::round(table.number(key) * scale);
+  if (rounded < bounds.least || rounded > bounds.most) {
+    table.fail(key,
+               fmt::format("'{}' must lie from {:g} to {:g}: the board takes no other",
+                           key,
+                           bounds.least / scale,
+                           bounds.most / scale));
+  }
+  return static_cast<T>(rounded);
 }
 
 std::uint8_t inversions(const TomlReader& table) {
@@ -57,14 +75,18 @@ void read_drive(const TomlReader& table, RobotProfile& profile) {
   profile.speed_m_per_s = positive(table, "speed_m_per_s");
 
   const double ticks_per_metre = 1.0 / profile.geometry.metres_per_tick();
+  constexpr Bounds kSpeeds{1, protocol::kMaxTicksPerS};
+  constexpr Bounds kAccelerations{1, UINT16_MAX};
+  constexpr Bounds kGains{0, protocol::kMaxGain};
   protocol::ConfigureDrive& drive = profile.drive;
   drive.inversions = inversions(table);
-  drive.max_ticks_per_s = field<std::uint16_t>(table, "speed_m_per_s", ticks_per_metre);
-  drive.max_ticks_per_s2 = field<std::uint16_t>(table, "acceleration_m_per_s2", ticks_per_metre);
-  drive.feed_forward = field<std::uint16_t>(table, "feed_forward");
-  drive.proportional = field<std::uint16_t>(table, "proportional");
-  drive.integral = field<std::uint16_t>(table, "integral");
-  drive.odometry_period_ms = field<std::uint8_t>(table, "odometry_period_ms");
+  drive.max_ticks_per_s = field<std::uint16_t>(table, "speed_m_per_s", ticks_per_metre, kSpeeds);
+  drive.max_ticks_per_s2 =
+      field<std::uint16_t>(table, "acceleration_m_per_s2", ticks_per_metre, kAccelerations);
+  drive.feed_forward = field<std::uint16_t>(table, "feed_forward", 1.0, kGains);
+  drive.proportional = field<std::uint16_t>(table, "proportional", 1.0, kGains);
+  drive.integral = field<std::uint16_t>(table, "integral", 1.0, kGains);
+  drive.odometry_period_ms = field<std::uint8_t>(table, "odometry_period_ms", 1.0, {1, UINT8_MAX});
 }
 
 void read_sonar(const TomlReader& table, RobotProfile& profile) {
@@ -76,26 +98,50 @@ void read_sonar(const TomlReader& table, RobotProfile& profile) {
     table.fail("max_range_m", "'max_range_m' must be greater than 'min_range_m'");
   }
   profile.beam_half_angle_rad = geometry::radians(positive(table, "beam_half_angle_deg"));
+  if (profile.beam_half_angle_rad > mapping::kWidestBeamHalfAngleRad) {
+    table.fail("beam_half_angle_deg",
+               fmt::format("'beam_half_angle_deg' must be at most {:g}: a wider one tells no walls",
+                           geometry::degrees(mapping::kWidestBeamHalfAngleRad)));
+  }
 
   const double microseconds_per_metre = 2.0e6 / profile.range.speed_of_sound_m_s;
-  const double flight_us = profile.range.max_range_m * microseconds_per_metre;
-  profile.sonar.max_echo_us = as_field<std::uint16_t>(table, "max_range_m", flight_us);
+  constexpr Bounds kFlights{1, protocol::kNoEcho - 1};
+  profile.sonar.max_echo_us =
+      field<std::uint16_t>(table, "max_range_m", microseconds_per_metre, kFlights);
   profile.sonar.ping_gap_ms = field<std::uint8_t>(table, "ping_gap_ms");
 }
 
 void read_pan(const TomlReader& table, RobotProfile& profile) {
   constexpr double kCentidegrees = 100.0;
   protocol::ConfigureSonar& sonar = profile.sonar;
-  sonar.pan_centre_us = field<std::uint16_t>(table, "centre_us");
+  constexpr Bounds kPulses{protocol::kMinServoPulseUs, protocol::kMaxServoPulseUs};
+  sonar.pan_centre_us = field<std::uint16_t>(table, "centre_us", 1.0, kPulses);
   sonar.pan_us_per_90deg = field<std::int16_t>(table, "us_per_90deg");
   sonar.pan_min_cdeg = field<std::int16_t>(table, "min_deg", kCentidegrees);
   sonar.pan_max_cdeg = field<std::int16_t>(table, "max_deg", kCentidegrees);
-  sonar.pan_deg_per_s = field<std::uint16_t>(table, "speed_deg_per_s");
-  profile.settle_s = 1e-3 * table.number("settle_ms");
+  sonar.pan_deg_per_s = field<std::uint16_t>(table, "speed_deg_per_s", 1.0, {1, UINT16_MAX});
+  profile.settle_s =
+      1e-3 * field<std::uint16_t>(table, "settle_ms", 1.0, {0, protocol::kMaxSettleMs});
 
   const double reach_deg = std::min(-table.number("min_deg"), table.number("max_deg"));
-  if (reach_deg <= 0.0) {
-    table.fail("min_deg", "the pan must reach to both sides: 'min_deg' < 0 < 'max_deg'");
+  if (reach_deg < kLeastReachDeg) {
+    table.fail(
+        "min_deg",
+        fmt::format("the pan must reach at least {:g} degrees to both sides: 'min_deg' < 0 < "
+                    "'max_deg'",
+                    kLeastReachDeg));
+  }
+  for (const std::string_view end : {"min_deg", "max_deg"}) {
+    const double pulse_us = sonar.pan_centre_us + sonar.pan_us_per_90deg * table.number(end) / 90.0;
+    if (pulse_us < kPulses.least || pulse_us > kPulses.most) {
+      table.fail(
+          end,
+          fmt::format("'{}' needs a servo pulse of {:.0f} us, and the board makes {:g} to {:g}",
+                      end,
+                      pulse_us,
+                      kPulses.least,
+                      kPulses.most));
+    }
   }
   profile.pan_limit_rad = geometry::radians(reach_deg);
 }

@@ -25,11 +25,16 @@ using Duration = time::HostClock::duration;
 
 /// A board that was reset by opening its port needs 2.5 s to come up.
 constexpr seconds kConnectLimit(5);
-/// The robot goes on by itself for this long after the link broke; then the run ends.
-constexpr seconds kLostLimit(3);
 constexpr milliseconds kTimeToLive(200);
+/// For a command under way and the disarming behind it, with resends.
+constexpr seconds kDisarmLimit(1);
 /// After a move, until the body has come to rest.
 constexpr milliseconds kRest(150);
+/// Setting up is begun anew when the board was reset in the middle of it, which a servo's first
+/// start on a weak supply does.
+constexpr int kSetUpTries = 5;
+/// A sweep that a reset broke off is done again.
+constexpr int kSweepTries = 3;
 
 Duration seconds_of(double value_s) { return Duration(std::llround(value_s * 1e6)); }
 
@@ -45,24 +50,41 @@ MotionResult result_of(protocol::MotionOutcome outcome) {
       return MotionResult::kBumped;
     case protocol::MotionOutcome::kStalled:
       return MotionResult::kStalled;
+    case protocol::MotionOutcome::kExpired:
+    case protocol::MotionOutcome::kNone:
+      return MotionResult::kInterrupted;
     default:
       return MotionResult::kTimedOut;
   }
 }
 
+/// What a command that was not accepted means for the motion.
+MotionResult result_of(CommandOutcome outcome) {
+  switch (outcome) {
+    case CommandOutcome::kBlocked:
+      return MotionResult::kBumped;
+    case CommandOutcome::kLinkLost:
+    case CommandOutcome::kRobotReset:
+      return MotionResult::kInterrupted;
+    default:
+      return MotionResult::kRefused;
+  }
+}
+
 }  // namespace
 
-RobotSession::RobotSession(std::unique_ptr<transport::ByteStream> stream,
-                           std::unique_ptr<Pace> pace,
+RobotSession::RobotSession(RobotConnection robot,
                            const RobotProfile& profile,
-                           std::uint16_t session_id,
                            pipeline::RobotPipeline& pipeline)
-    : stream_(std::move(stream)),
-      pace_(std::move(pace)),
+    : stream_(std::move(robot.stream)),
+      pace_(std::move(robot.pace)),
+      patience_(robot.patience),
       profile_(profile),
       pipeline_(pipeline),
       converter_(profile.geometry, profile.range),
-      link_(*this, session_id) {}
+      link_(*this, robot.session_id) {}
+
+RobotSession::~RobotSession() { disarm(); }
 
 void RobotSession::connect() {
   const auto settled = [&] {
@@ -78,7 +100,12 @@ void RobotSession::connect() {
   if (link_.state() != LinkState::kReady) {
     fail_to_connect();
   }
-  set_up_robot();
+  connected_ = true;
+  if (!set_up_robot()) {
+    throw CommandError(
+        end_ == SessionEnd::kInterrupted ? ExitCode::kInterrupted : ExitCode::kLinkLost,
+        end_reason_);
+  }
 }
 
 void RobotSession::fail_to_connect() const {
@@ -106,8 +133,24 @@ void RobotSession::fail_to_connect() const {
   }
 }
 
-/// Sends the profile and arms; a robot that was reset in mid-run needs it again.
-void RobotSession::set_up_robot() {
+bool RobotSession::be_ready() {
+  const auto ready = [&] { return link_.state() == LinkState::kReady; };
+  return wait_until(ready, Duration::max()) && (resets_ == 0 || set_up_robot());
+}
+
+/// Until the board has taken all of its profile since one and the same start.
+bool RobotSession::set_up_robot() {
+  for (int i = 0; i < kSetUpTries && !end_; ++i) {
+    if (try_to_set_up()) {
+      return true;
+    }
+  }
+  end(SessionEnd::kLinkLost, "the robot on " + stream_->name() + " is reset again and again");
+  return false;
+}
+
+bool RobotSession::try_to_set_up() {
+  resets_ = 0;
   for (const robot_link::Command& command : {robot_link::Command(profile_.drive),
                                              robot_link::Command(profile_.sonar),
                                              robot_link::Command(protocol::Arm{0, 1})}) {
@@ -115,15 +158,20 @@ void RobotSession::set_up_robot() {
     if (result && result->outcome == CommandOutcome::kOutOfRange) {
       throw CommandError(
           ExitCode::kConfigInvalid,
-          "the board refuses a number of profile '" + profile_.name + "': out of its range");
+          "the board refuses a number of profile '" + profile_.name +
+              "': out of its range\n  next: update the firmware: ./run flash --port " +
+              stream_->name());
+    }
+    if (!result || result->outcome != CommandOutcome::kAccepted) {
+      return false;
     }
   }
-  resets_ = 0;
+  return resets_ == 0;
 }
 
 MotionResult RobotSession::execute(const exploration::Motion& motion) {
-  if (resets_ > 0) {
-    set_up_robot();
+  if (!be_ready()) {
+    return MotionResult::kInterrupted;
   }
   if (const auto* turn = std::get_if<exploration::Turn>(&motion)) {
     return move(profile_.geometry.turn_on_spot(turn->angle_rad));
@@ -163,20 +211,23 @@ MotionResult RobotSession::move(const sensors::WheelTicks& ticks) {
 MotionResult RobotSession::sweep(const exploration::Sweep& sweep) {
   const double steps = std::abs((sweep.to_rad - sweep.from_rad) / sweep.step_rad) + 1.0;
   const double step_s = sweep.settle_s + 0.15;
-  return finish(protocol::StartSweep{0,
+  const protocol::StartSweep command{0,
                                      centidegrees(sweep.from_rad),
                                      centidegrees(sweep.to_rad),
                                      centidegrees(sweep.step_rad),
-                                     static_cast<std::uint16_t>(std::lround(sweep.settle_s * 1e3))},
-                seconds_of(steps * step_s + 1.0));
+                                     static_cast<std::uint16_t>(std::lround(sweep.settle_s * 1e3))};
+  MotionResult result = MotionResult::kInterrupted;
+  for (int i = 0; i < kSweepTries && result == MotionResult::kInterrupted && be_ready(); ++i) {
+    result = finish(command, seconds_of(steps * step_s + 1.0));
+  }
+  return result;
 }
 
 /// Sends the command and waits until the robot's Status says that its motion has ended.
 MotionResult RobotSession::finish(const robot_link::Command& command, Duration expected) {
   const auto result = perform(command);
   if (!result || result->outcome != CommandOutcome::kAccepted) {
-    const bool blocked = result && result->outcome == CommandOutcome::kBlocked;
-    return blocked ? MotionResult::kBumped : MotionResult::kRefused;
+    return result ? result_of(result->outcome) : MotionResult::kInterrupted;
   }
   const bool is_sweep = std::holds_alternative<protocol::StartSweep>(command);
   const auto outcome = [&] {
@@ -191,24 +242,27 @@ MotionResult RobotSession::finish(const robot_link::Command& command, Duration e
     perform(protocol::Stop{});
     return MotionResult::kTimedOut;
   }
-  return result_of(outcome());
+  return resets_ > 0 ? MotionResult::kInterrupted : result_of(outcome());
 }
 
 std::optional<robot_link::CommandResult> RobotSession::perform(const robot_link::Command& command) {
-  result_.reset();
-  link_.submit(command);
-  wait_until([&] { return result_.has_value(); }, seconds(5));
-  return result_;
+  const auto ticket = link_.submit(command);
+  const auto done = [&] { return result_ && result_->ticket == ticket; };
+  return wait_until(done, seconds(5)) ? result_ : std::nullopt;
 }
 
 void RobotSession::disarm() {
-  if (stream_->status() != transport::StreamStatus::kOpen || !pace_->end_reason().empty()) {
+  const bool hears = connected_ && link_.state() == LinkState::kReady &&
+                     stream_->status() == transport::StreamStatus::kOpen &&
+                     pace_->end_reason().empty();
+  if (!hears || disarmed_) {
     return;
   }
+  disarmed_ = true;
   link_.keep_alive(false);
-  result_.reset();
-  link_.submit(protocol::Arm{0, 0});
-  for (int i = 0; i < 100 && !result_; ++i) {
+  const auto ticket = link_.submit(protocol::Arm{0, 0});
+  const time::HostTime start = now_;
+  while (!(result_ && result_->ticket == ticket) && now_ - start < kDisarmLimit) {
     step();
   }
 }
@@ -239,29 +293,32 @@ void RobotSession::step() {
 
 void RobotSession::look_for_end() {
   if (interrupted()) {
-    end_ = SessionEnd::kInterrupted;
-    end_reason_ = "interrupted";
+    end(SessionEnd::kInterrupted, "interrupted");
     return;
   }
   const bool closed = stream_->status() == transport::StreamStatus::kClosed;
   if (closed || !pace_->end_reason().empty()) {
-    end_ = SessionEnd::kLinkLost;
-    end_reason_ =
-        "lost " + stream_->name() + ": " + (closed ? stream_->close_reason() : pace_->end_reason());
+    end(SessionEnd::kLinkLost,
+        "lost " + stream_->name() + ": " +
+            (closed ? stream_->close_reason() : pace_->end_reason()));
     return;
   }
-  if (link_.state() != LinkState::kLost) {
-    lost_since_.reset();
-  } else if (!lost_since_) {
-    lost_since_ = now_;
-  } else if (now_ - *lost_since_ > kLostLimit) {
-    end_ = SessionEnd::kLinkLost;
-    end_reason_ = "lost " + stream_->name() + ": the robot has fallen silent";
+  if (!connected_ || link_.state() == LinkState::kReady) {
+    away_since_.reset();
+  } else if (!away_since_) {
+    away_since_ = now_;
+  } else if (now_ - *away_since_ > patience_) {
+    const std::string why = stream_->close_reason();
+    end(SessionEnd::kLinkLost,
+        "lost " + stream_->name() + ": " + (why.empty() ? "the robot has fallen silent" : why));
   }
 }
 
-std::optional<unsigned> RobotSession::stack_free_bytes() const {
-  return status_ ? std::optional<unsigned>(status_->stack_free_bytes) : std::nullopt;
+void RobotSession::end(SessionEnd end, const std::string& reason) {
+  if (!end_) {
+    end_ = end;
+    end_reason_ = reason;
+  }
 }
 
 void RobotSession::on_odometry(const protocol::Odometry& message) {

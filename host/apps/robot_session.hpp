@@ -7,40 +7,42 @@
 #include <optional>
 #include <string>
 
-#include "host/apps/pace.hpp"
+#include "host/apps/robot_connection.hpp"
 #include "host/apps/robot_profile.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 #include "host/robot_link/robot_link.hpp"
 #include "host/sensors/observation_converter.hpp"
-#include "host/transport/byte_stream.hpp"
 
 namespace echomap::apps {
 
 /// Why a session cannot go on.
 enum class SessionEnd : std::uint8_t { kInterrupted, kLinkLost };
 
-/// A robot that answers: feeds its observations to the pipeline and carries out motions. Every call
-/// that waits lets the session's time pass; nothing here reads a clock.
+/// A robot that answers: feeds its observations to the pipeline and carries out motions. When the
+/// board is reset or its line breaks, the session waits, sets the robot up again and goes on. Every
+/// call that waits lets the session's time pass; nothing here reads a clock.
 class RobotSession final : private robot_link::RobotLinkListener {
  public:
   /// `session_id` tells this session's commands from an earlier one's. `pipeline` outlives the
   /// session.
-  RobotSession(std::unique_ptr<transport::ByteStream> stream,
-               std::unique_ptr<Pace> pace,
+  RobotSession(RobotConnection robot,
                const RobotProfile& profile,
-               std::uint16_t session_id,
                pipeline::RobotPipeline& pipeline);
+  /// Disarms, however the session ends.
+  ~RobotSession() override;
+  RobotSession(const RobotSession&) = delete;
+  RobotSession& operator=(const RobotSession&) = delete;
 
   /// Says Hello, sends the profile, arms. Throws CommandError: 3 where no robot answers (with what
   /// came instead), 4 where its firmware is another, 5, 6 or 130.
   void connect();
 
   /// Carries out one motion and waits for its end; BeginScan and EndScan only tell the pipeline.
-  /// After `end()` is set the answer means nothing.
+  /// Waits for a link that is away first. After `end()` is set the answer means nothing.
   exploration::MotionResult execute(const exploration::Motion& motion);
 
-  /// Stops and disarms, where the robot still hears it.
+  /// Stops and disarms, where the robot still hears it; the second time does nothing.
   void disarm();
 
   /// Set once the user interrupted or the link was lost for good.
@@ -52,9 +54,6 @@ class RobotSession final : private robot_link::RobotLinkListener {
   std::function<void()> on_step;
 
   time::HostTime now() const { return now_; }
-  robot_link::LinkStatistics statistics() const { return link_.statistics(); }
-  /// Least free stack that the board has reported, bytes; empty before its first Status.
-  std::optional<unsigned> stack_free_bytes() const;
 
  private:
   using Duration = time::HostClock::duration;
@@ -68,10 +67,16 @@ class RobotSession final : private robot_link::RobotLinkListener {
 
   void step();
   void look_for_end();
-  /// Steps until `done` or until `limit` of session time has passed; true when done.
+  void end(SessionEnd end, const std::string& reason);
+  /// Steps until `done`, until `limit` of session time has passed or until the session ends; true
+  /// when done.
   bool wait_until(const std::function<bool()>& done, Duration limit);
   [[noreturn]] void fail_to_connect() const;
-  void set_up_robot();
+  /// Waits for the link and sets the robot up where it has started anew; false at the session's
+  /// end.
+  bool be_ready();
+  bool set_up_robot();
+  bool try_to_set_up();
 
   std::optional<robot_link::CommandResult> perform(const robot_link::Command& command);
   exploration::MotionResult move(const sensors::WheelTicks& ticks);
@@ -80,6 +85,7 @@ class RobotSession final : private robot_link::RobotLinkListener {
 
   std::unique_ptr<transport::ByteStream> stream_;
   std::unique_ptr<Pace> pace_;
+  Duration patience_;
   RobotProfile profile_;
   pipeline::RobotPipeline& pipeline_;
   sensors::ObservationConverter converter_;
@@ -87,7 +93,9 @@ class RobotSession final : private robot_link::RobotLinkListener {
 
   time::HostTime now_;
   std::uint64_t bytes_sent_ = 0;
-  std::optional<time::HostTime> lost_since_;
+  bool connected_ = false;
+  bool disarmed_ = false;
+  std::optional<time::HostTime> away_since_;  ///< While the link is not ready.
   std::optional<SessionEnd> end_;
   std::string end_reason_;
 

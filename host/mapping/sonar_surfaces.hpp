@@ -10,6 +10,9 @@
 
 namespace echomap::mapping {
 
+/// A wider beam tells nothing of where in it the echo came from.
+constexpr double kWidestBeamHalfAngleRad = 0.7853981633974483;
+
 /// When readings of a scan are taken for one surface.
 struct SonarSurfaceParams {
   /// Half the opening angle of the beam: 13 to 16 degrees for HC-SR04 and NXT (robot profile).

@@ -34,7 +34,6 @@ const std::vector<std::string> without_own_test{
     "host/apps/explore_command.cpp",
     "host/apps/explore_run.cpp",
     "host/apps/interrupt.cpp",
-    "host/apps/robot_session.cpp",
     "host/apps/simulated_robot.cpp",
 };
 

@@ -64,9 +64,22 @@ TEST(RobotProfile, PlacesAnUnknownKey) {
 TEST(RobotProfile, RefusesWhatNoRobotHas) {
   EXPECT_THAT(error_with("= 0.065", "= -0.065"), HasSubstr("must be greater than zero"));
   EXPECT_THAT(error_with("feed_forward = 19.5", "feed_forward = 1e9"),
-              HasSubstr("larger than the board can take"));
+              HasSubstr("'feed_forward' must lie from 0 to 32767"));
+  EXPECT_THAT(error_with("settle_ms = 40", "settle_ms = -1"),
+              HasSubstr("'settle_ms' must lie from 0 to 10000"));
+  EXPECT_THAT(error_with("settle_ms = 40", "settle_ms = 10001"), HasSubstr("'settle_ms'"));
+  EXPECT_THAT(error_with("odometry_period_ms = 20", "odometry_period_ms = 0"),
+              HasSubstr("from 1 to 255"));
+  EXPECT_THAT(error_with("acceleration_m_per_s2 = 0.6", "acceleration_m_per_s2 = 0"),
+              HasSubstr("'acceleration_m_per_s2' must lie from"));
+  EXPECT_THAT(error_with("beam_half_angle_deg = 15.0", "beam_half_angle_deg = 60"),
+              HasSubstr("at most"));
+  EXPECT_THAT(error_with("us_per_90deg = 900", "us_per_90deg = 1400"),
+              HasSubstr("a servo pulse of 100 us"));
+  EXPECT_THAT(error_with("max_deg = 90.0", "max_deg = 4.0"), HasSubstr("at least 6 degrees"));
   EXPECT_THAT(error_with("max_range_m = 4.0", "max_range_m = 0.01"), HasSubstr("greater than"));
-  EXPECT_THAT(error_with("min_deg = -90.0", "min_deg = 10.0"), HasSubstr("reach to both sides"));
+  EXPECT_THAT(error_with("min_deg = -90.0", "min_deg = 10.0"),
+              HasSubstr("at least 6 degrees to both sides"));
 }
 
 }  // namespace

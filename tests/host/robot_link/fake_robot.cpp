@@ -17,6 +17,9 @@ void FakeRobot::power_on(std::uint16_t boot_id, std::uint8_t reset_cause) {
   next_seq_ = 0;
   stamp_us_ = 0;
   greeted_ = false;
+  armed = false;
+  status_ = {};
+  motion_left_ms_ = 0;
   if (announces_boot) {
     reply(0);
   }
@@ -72,6 +75,9 @@ template <class Command>
 void FakeRobot::handle(const Command& command) {
   command_ids_received.push_back(command.command_id);
   if (!filter_.is_repeat(command.command_id)) {
+    if (on_command) {
+      on_command(Command::name());
+    }
     filter_.remember(command.command_id, carry_out(command));
   }
   if (acknowledges) {
@@ -84,7 +90,35 @@ protocol::CommandStatus FakeRobot::carry_out(const protocol::MoveTicks& move) {
     return protocol::CommandStatus::kDisarmed;
   }
   moves_done.push_back(move.left_ticks);
+  status_.move_id = move.command_id;
+  status_.move_outcome = static_cast<std::uint8_t>(protocol::MotionOutcome::kRunning);
+  motion_left_ms_ = motion_ms;
   return answer;
+}
+
+protocol::CommandStatus FakeRobot::carry_out(const protocol::StartSweep& sweep) {
+  ++sweeps;
+  status_.sweep_id = sweep.command_id;
+  status_.sweep_outcome = static_cast<std::uint8_t>(protocol::MotionOutcome::kRunning);
+  motion_left_ms_ = motion_ms;
+  return answer;
+}
+
+protocol::CommandStatus FakeRobot::carry_out(const protocol::Arm& arm) {
+  armed = arm.armed != 0;
+  return answer;
+}
+
+protocol::CommandStatus FakeRobot::carry_out(const protocol::ConfigureDrive& /*settings*/) {
+  ++configurations;
+  return answer;
+}
+
+void FakeRobot::end_motions() {
+  const auto running = static_cast<std::uint8_t>(protocol::MotionOutcome::kRunning);
+  for (std::uint8_t* one : {&status_.move_outcome, &status_.sweep_outcome}) {
+    *one = *one == running ? static_cast<std::uint8_t>(outcome) : *one;
+  }
 }
 
 void FakeRobot::advance_1ms() {
@@ -95,12 +129,14 @@ void FakeRobot::advance_1ms() {
   if (stamp_us_ % 20'000 == 0) {
     send(protocol::Odometry{stamp_us_, 0, 0, 0});
   }
+  if (motion_left_ms_ > 0 && --motion_left_ms_ == 0) {
+    end_motions();
+  }
   if (stamp_us_ % 200'000 == 0) {
-    protocol::Status status{};
-    status.stamp_us = stamp_us_;
-    status.frames_bad = counters_.frames_bad();
-    status.frames_lost = counters_.frames_lost();
-    send(status);
+    status_.stamp_us = stamp_us_;
+    status_.frames_bad = counters_.frames_bad();
+    status_.frames_lost = counters_.frames_lost();
+    send(status_);
   }
 }
 

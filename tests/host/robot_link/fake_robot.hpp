@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "protocol/frame_encoder.hpp"
@@ -47,6 +49,9 @@ class FakeRobot {
   std::uint8_t protocol_minor = 0;
   std::uint32_t schema_digest = protocol::kSchemaDigest;
   protocol::CommandStatus answer = protocol::CommandStatus::kAccepted;
+  /// How moves and sweeps end, `motion_ms` after they were accepted.
+  protocol::MotionOutcome outcome = protocol::MotionOutcome::kReached;
+  int motion_ms = 100;
 
   // What it was told.
   int hellos = 0;
@@ -55,6 +60,11 @@ class FakeRobot {
   std::vector<protocol::KeepAlive> keep_alives;
   std::vector<protocol::DriveSetpoint> setpoints;
   std::vector<std::uint8_t> command_ids_received;
+  int configurations = 0;
+  int sweeps = 0;
+  bool armed = false;
+  /// Called with each command's name before it is carried out.
+  std::function<void(std::string_view)> on_command;
 
  private:
   void take(const protocol::Frame& frame);
@@ -66,6 +76,10 @@ class FakeRobot {
   template <class Command>
   void handle(const Command& command);
   protocol::CommandStatus carry_out(const protocol::MoveTicks& move);
+  protocol::CommandStatus carry_out(const protocol::StartSweep& sweep);
+  protocol::CommandStatus carry_out(const protocol::Arm& arm);
+  protocol::CommandStatus carry_out(const protocol::ConfigureDrive& settings);
+  void end_motions();
   template <class Command>
   protocol::CommandStatus carry_out(const Command& /*command*/) {
     return answer;
@@ -81,6 +95,8 @@ class FakeRobot {
   std::uint16_t boot_id_ = 1;
   std::uint8_t reset_cause_ = protocol::kResetPowerOn;
   bool greeted_ = false;
+  protocol::Status status_{};
+  int motion_left_ms_ = 0;
 };
 
 }  // namespace echomap::robot_link

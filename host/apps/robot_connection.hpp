@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+
+#include "host/apps/pace.hpp"
+#include "host/transport/byte_stream.hpp"
+
+namespace echomap::apps {
+
+/// A way to a robot: its bytes, its time, and a number that no earlier session with it had.
+struct RobotConnection {
+  std::unique_ptr<transport::ByteStream> stream;
+  std::unique_ptr<Pace> pace;
+  std::uint16_t session_id = 1;
+  /// How long a link that was ready may be away before the run ends.
+  std::chrono::milliseconds patience{3000};
+};
+
+}  // namespace echomap::apps
