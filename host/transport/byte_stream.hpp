@@ -12,6 +12,7 @@ namespace echomap::transport {
 /// Whether bytes can still pass.
 enum class StreamStatus : std::uint8_t {
   kOpen,
+  kAway,    ///< Gone for now; it is opened again as soon as it is back.
   kClosed,  ///< For good; `close_reason()` says why.
 };
 
@@ -25,11 +26,11 @@ class ByteStream {
   virtual std::size_t read_some(std::span<std::uint8_t> into, std::chrono::microseconds wait) = 0;
 
   /// Hands all bytes to the system. A peer that takes none for a second closes the stream; a closed
-  /// stream drops them.
+  /// or away stream drops them.
   virtual void write(std::span<const std::uint8_t> bytes) = 0;
 
   virtual StreamStatus status() const = 0;
-  /// Why the stream was closed, for people; empty while it is open.
+  /// Why the stream is closed or away, for people; empty while it is open.
   virtual std::string close_reason() const = 0;
   /// What the user called it: a device path or a tcp:// address.
   virtual std::string name() const = 0;
