@@ -72,7 +72,7 @@ TEST(RobotProfile, RefusesWhatNoRobotHas) {
               HasSubstr("from 1 to 255"));
   EXPECT_THAT(error_with("acceleration_m_per_s2 = 0.6", "acceleration_m_per_s2 = 0"),
               HasSubstr("'acceleration_m_per_s2' must lie from"));
-  EXPECT_THAT(error_with("beam_half_angle_deg = 15.0", "beam_half_angle_deg = 60"),
+  EXPECT_THAT(error_with("beam_half_angle_deg = 13.0", "beam_half_angle_deg = 60"),
               HasSubstr("at most"));
   EXPECT_THAT(error_with("us_per_90deg = 900", "us_per_90deg = 1400"),
               HasSubstr("a servo pulse of 100 us"));
