@@ -42,9 +42,19 @@ void add_run_options(CLI::App& command, RunOptions& run) {
 void add_explore(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("explore", "Drive a robot through its room and map it");
   const auto options = std::make_shared<ExploreOptions>();
-  command->add_option("--port", options->port, "Serial device, pty or tcp://HOST:PORT")->required();
+  command->add_option(
+      "--port",
+      options->ports,
+      "Serial device, pty, tcp://HOST:PORT, bt://ADDRESS or id:TEXT of a USB port. "
+      "Of several, or of all ports where none is named, the one robot that answers");
   command->add_option("--baud", options->baud, "Speed of a serial device")
       ->check(CLI::IsMember({9600, 57600, 115200, 250000, 500000}))
+      ->capture_default_str();
+  command
+      ->add_option("--reconnect",
+                   options->reconnect_s,
+                   "Wait so many seconds for a robot that was unplugged or reset")
+      ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
   command->add_option("--lockstep", options->lockstep, "Socket of a simulated robot's clock");
   add_run_options(*command, options->run);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/apps/exit_code.hpp"
 
@@ -24,9 +25,10 @@ struct RunOptions {
 /// `echomap explore`: drives the robot on a port.
 struct ExploreOptions {
   RunOptions run;
-  std::string port;
+  std::vector<std::string> ports;  ///< Empty: every USB and Bluetooth serial port.
   int baud = 115200;
-  std::string lockstep;  ///< Socket of a simulated robot's clock; empty for a real one.
+  double reconnect_s = 10.0;  ///< How long to wait for a robot that is away; 0: not at all.
+  std::string lockstep;       ///< Socket of a simulated robot's clock; empty for a real one.
 };
 ExitCode run_explore(const ExploreOptions& options);
 

@@ -131,4 +131,21 @@ class AsioStream final : public ByteStream {
   std::string close_reason_;
 };
 
+/// Runs the connection that `start(handler)` begins on a stream nobody reads yet, for at most
+/// `patience`; its error, or that of a timeout.
+template <class Stream, class Start>
+boost::system::error_code connect_within(AsioStream<Stream>& stream,
+                                         std::chrono::seconds patience,
+                                         const Start& start) {
+  boost::system::error_code error = boost::asio::error::timed_out;
+  start([&](const boost::system::error_code& result, auto&&...) { error = result; });
+  stream.io_context().run_for(patience);
+  if (!stream.io_context().stopped()) {
+    stream.stream().close();
+    stream.io_context().run();
+    return boost::asio::error::timed_out;
+  }
+  return error;
+}
+
 }  // namespace echomap::transport

@@ -10,9 +10,10 @@ namespace echomap::transport {
 
 /// What carries the bytes of a port, judged by its name alone.
 enum class PortKind : std::uint8_t {
-  kTcp,     ///< "tcp://host:port".
-  kPty,     ///< A path, or a link to one, under /dev/pts.
-  kSerial,  ///< Any other path.
+  kTcp,        ///< "tcp://host:port".
+  kBluetooth,  ///< "bt://00:11:22:33:44:55".
+  kPty,        ///< A path, or a link to one, under /dev/pts.
+  kSerial,     ///< Any other path.
 };
 PortKind port_kind(const std::string& port);
 

@@ -8,8 +8,10 @@ namespace echomap::transport {
 namespace {
 
 PortInfo info_of(const sp_port* port) {
-  const char* description = sp_get_port_description(port);
-  return {sp_get_port_name(port), description == nullptr ? "" : description};
+  const auto text = [](const char* words) { return std::string(words == nullptr ? "" : words); };
+  return {sp_get_port_name(port),
+          text(sp_get_port_description(port)),
+          text(sp_get_port_usb_serial(port))};
 }
 
 }  // namespace

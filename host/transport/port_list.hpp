@@ -8,8 +8,9 @@ namespace echomap::transport {
 
 /// A serial port of this machine.
 struct PortInfo {
-  std::string name;         ///< Path, for example /dev/ttyACM0.
-  std::string description;  ///< As the device tells it; may be empty.
+  std::string name;           ///< Path, for example /dev/ttyACM0.
+  std::string description;    ///< As the device tells it; may be empty.
+  std::string serial_number;  ///< Of the USB device; may be empty.
 };
 
 /// USB and Bluetooth serial ports, by libserialport. A PC's own ports (/dev/ttyS0) are left out:

@@ -11,8 +11,8 @@ namespace echomap::transport {
 
 using std::chrono::steady_clock;
 
-ReconnectingStream::ReconnectingStream(Open open)
-    : open_(std::move(open)), below_(open_()), name_(below_->name()) {}
+ReconnectingStream::ReconnectingStream(std::unique_ptr<ByteStream> first, Open open)
+    : open_(std::move(open)), below_(std::move(first)), name_(below_->name()) {}
 
 std::size_t ReconnectingStream::read_some(std::span<std::uint8_t> into,
                                           std::chrono::microseconds wait) {

@@ -21,8 +21,8 @@ class ReconnectingStream final : public ByteStream {
   /// Throws TransportError while there is nothing to open.
   using Open = std::function<std::unique_ptr<ByteStream>()>;
 
-  /// Opens for the first time: throws what `open` throws.
-  explicit ReconnectingStream(Open open);
+  /// `first` is open; `open` opens it again.
+  ReconnectingStream(std::unique_ptr<ByteStream> first, Open open);
 
   std::size_t read_some(std::span<std::uint8_t> into, std::chrono::microseconds wait) override;
   void write(std::span<const std::uint8_t> bytes) override;

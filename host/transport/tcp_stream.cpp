@@ -29,18 +29,9 @@ boost::system::error_code connect(AsioStream<tcp::socket>& stream, const TcpAddr
   if (error) {
     return error;
   }
-  error = boost::asio::error::timed_out;
-  boost::asio::async_connect(
-      stream.stream(), endpoints, [&](const boost::system::error_code& result, const auto&) {
-        error = result;
-      });
-  stream.io_context().run_for(kPatience);
-  if (!stream.io_context().stopped()) {
-    stream.stream().close();
-    stream.io_context().run();
-    return boost::asio::error::timed_out;
-  }
-  return error;
+  return connect_within(stream, kPatience, [&](auto handler) {
+    boost::asio::async_connect(stream.stream(), endpoints, handler);
+  });
 }
 
 }  // namespace

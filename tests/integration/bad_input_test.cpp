@@ -56,9 +56,13 @@ class OtherProgram {
     ::tcgetattr(slave_, &settings);
     ::cfmakeraw(&settings);
     ::tcsetattr(slave_, TCSANOW, &settings);
+    ::fcntl(master_, F_SETFL, O_NONBLOCK);
     writer_ = std::thread([this, line = std::move(line)] {
-      while (!stopped_ && !line.empty()) {
-        EXPECT_GT(::write(master_, line.data(), line.size()), 0);
+      while (!stopped_) {
+        if (!line.empty()) {
+          EXPECT_GT(::write(master_, line.data(), line.size()), 0);
+        }
+        hear();
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
       }
     });
@@ -70,12 +74,24 @@ class OtherProgram {
     ::close(master_);
   }
   const std::string& port() const { return port_; }
+  /// Frames that came, which end with a zero.
+  int hellos() const { return hellos_; }
 
  private:
+  void hear() {
+    char byte = 0;
+    char last = 0;
+    while (::read(master_, &byte, 1) == 1) {
+      hellos_ += byte == 0 && last != 0 ? 1 : 0;
+      last = byte;
+    }
+  }
+
   int master_;
   int slave_ = -1;
   std::string port_;
   std::atomic<bool> stopped_ = false;
+  std::atomic<int> hellos_ = 0;
   std::thread writer_;
 };
 
@@ -97,6 +113,37 @@ TEST_F(BadInput, ASilentPortIsCalledSilent) {
   const Ended ended = echomap({"explore", "--port=" + silent.port(), out()});
   EXPECT_EQ(ended.status, 3);
   EXPECT_THAT(ended.said, HasSubstr("nothing answers"));
+}
+
+TEST_F(BadInput, OfManyPortsTheOneRobotIsChosen) {
+  const OtherProgram modem("ERROR\r\n");
+  const OtherProgram printer(std::string(1, '\x12'));
+  const OtherProgram garbage("\xf0\x0f\x01\x80\xff");
+  const OtherProgram silent("");
+  const auto mock = start_mock({"--speed=20"});
+  std::vector<std::string> arguments{"explore", "--stops=1", out()};
+  for (const OtherProgram* other : {&modem, &printer, &garbage, &silent}) {
+    arguments.push_back("--port=" + other->port());
+  }
+  arguments.push_back("--port=" + (scratch_ / "robot").string());
+  const Ended ended = echomap(arguments);
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  for (const OtherProgram* other : {&modem, &printer, &garbage, &silent}) {
+    EXPECT_EQ(other->hellos(), 1) << other->port();
+  }
+  mock->send(SIGTERM);
+}
+
+TEST_F(BadInput, SeveralPortsWithoutARobotAreListed) {
+  const OtherProgram modem("ERROR\r\n");
+  const OtherProgram silent("");
+  const Ended ended =
+      echomap({"explore", "--port=" + modem.port(), "--port=" + silent.port(), out()});
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_THAT(ended.said,
+              AllOf(HasSubstr("no robot answers"),
+                    HasSubstr("ERROR"),
+                    HasSubstr(silent.port() + ": silent")));
 }
 
 TEST_F(BadInput, AReportThatCannotBeWrittenIsSaidBeforeTheRobotIsAsked) {

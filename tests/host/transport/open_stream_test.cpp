@@ -15,6 +15,7 @@ namespace {
 TEST(OpenStream, TellsTheKindOfAPortByItsName) {
   EXPECT_EQ(port_kind("tcp://robot:5000"), PortKind::kTcp);
   EXPECT_EQ(port_kind("tcp://nonsense"), PortKind::kTcp);
+  EXPECT_EQ(port_kind("bt://00:14:03:05:59:02"), PortKind::kBluetooth);
   EXPECT_EQ(port_kind("/dev/pts/3"), PortKind::kPty);
   EXPECT_EQ(port_kind("/dev/ttyACM0"), PortKind::kSerial);
   EXPECT_EQ(port_kind("/dev/pts-not/3"), PortKind::kSerial);
@@ -34,7 +35,12 @@ TEST(OpenStream, FollowsTheStableLinkOfAnEmulator) {
 }
 
 TEST(OpenStream, ThrowsForEveryKindThatIsNotThere) {
-  for (const char* missing : {"tcp://127.0.0.1:1", "/dev/pts/nobody", "/dev/ttyNOBODY7", ""}) {
+  for (const char* missing : {"tcp://127.0.0.1:1",
+                              "/dev/pts/nobody",
+                              "/dev/ttyNOBODY7",
+                              "bt://00:00:00:00:00:00",
+                              "bt://x",
+                              ""}) {
     EXPECT_THROW(open_stream(missing, 115200), TransportError) << missing;
   }
 }

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/port_choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/apps/exit_code.hpp"
+#include "host/robot_link/robot_probe.hpp"
+#include "host/transport/port_list.hpp"
+#include "host/transport/transport_error.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kPatience{2500};
+constexpr std::chrono::milliseconds kTurn{5};
+constexpr std::string_view kIdScheme = "id:";
+
+struct Candidate {
+  std::string port;
+  robot_link::RobotProbe probe;
+  std::unique_ptr<transport::ByteStream> stream;  ///< Null where it cannot be opened.
+  std::string failure;
+};
+
+Candidate ask(const std::string& port, const OpenPort& open, std::uint16_t session) {
+  Candidate candidate{port, robot_link::RobotProbe(session), nullptr, ""};
+  try {
+    candidate.stream = open(port);
+    candidate.stream->write(candidate.probe.hello());
+  } catch (const transport::TransportError& error) {
+    candidate.failure = error.why();
+  }
+  return candidate;
+}
+
+bool is_robot(const Candidate& candidate) { return candidate.probe.robot().has_value(); }
+
+void listen(std::vector<Candidate>& candidates) {
+  std::array<std::uint8_t, 4096> buffer{};
+  const auto until = steady_clock::now() + kPatience;
+  while (steady_clock::now() < until &&
+         !std::all_of(candidates.begin(), candidates.end(), is_robot)) {
+    for (Candidate& candidate : candidates) {
+      if (candidate.stream) {
+        const std::size_t count = candidate.stream->read_some(buffer, kTurn);
+        candidate.probe.receive(std::span(buffer).first(count));
+      }
+    }
+  }
+}
+
+std::string said_by(const Candidate& candidate) {
+  if (!candidate.stream) {
+    return candidate.failure;
+  }
+  if (const auto& robot = candidate.probe.robot()) {
+    return fmt::format("a robot, boot {:04x}", robot->boot_id);
+  }
+  const std::string preview = candidate.probe.preview().text();
+  return preview.empty() ? "silent" : "no robot; what came from it:\n" + preview;
+}
+
+[[noreturn]] void refuse(const std::vector<Candidate>& candidates, const std::string& what) {
+  std::string text = what + ":\n";
+  for (const Candidate& candidate : candidates) {
+    text += "  " + candidate.port + ": " + said_by(candidate) + "\n";
+  }
+  throw CommandError(ExitCode::kNoRobot, text + "  next: name one with --port");
+}
+
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string port_with_id(std::string_view id) {
+  const auto ports = transport::list_ports();
+  std::vector<std::string> fitting;
+  for (const auto& port : ports) {
+    if (contains(port.serial_number, id) || contains(port.description, id)) {
+      fitting.push_back(port.name);
+    }
+  }
+  if (fitting.size() != 1) {
+    throw CommandError(ExitCode::kNoRobot,
+                       fmt::format("{} ports fit 'id:{}'; {}\n  next: name one with --port",
+                                   fitting.empty() ? "no" : "several",
+                                   id,
+                                   transport::describe_ports(ports)));
+  }
+  return fitting.front();
+}
+
+}  // namespace
+
+std::vector<std::string> candidate_ports(const std::vector<std::string>& named) {
+  std::vector<std::string> candidates;
+  for (const std::string& name : named) {
+    const bool is_id = name.starts_with(kIdScheme);
+    candidates.push_back(is_id ? port_with_id(std::string_view(name).substr(kIdScheme.size()))
+                               : name);
+  }
+  if (named.empty()) {
+    for (const auto& port : transport::list_ports()) {
+      candidates.push_back(port.name);
+    }
+  }
+  return candidates;
+}
+
+std::unique_ptr<transport::ByteStream> choose_port(const std::vector<std::string>& ports,
+                                                   const OpenPort& open,
+                                                   std::uint16_t session) {
+  if (ports.empty()) {
+    throw CommandError(ExitCode::kNoRobot,
+                       "no USB or Bluetooth serial port is here\n  next: plug the robot in, or try "
+                       "without one: echomap demo");
+  }
+  if (ports.size() == 1) {
+    return open(ports.front());
+  }
+  std::vector<Candidate> candidates;
+  for (const std::string& port : ports) {
+    candidates.push_back(ask(port, open, session));
+  }
+  listen(candidates);
+  const auto robots = std::count_if(candidates.begin(), candidates.end(), is_robot);
+  if (robots != 1) {
+    refuse(candidates, robots == 0 ? "no robot answers" : "more than one robot answers");
+  }
+  return std::move(std::find_if(candidates.begin(), candidates.end(), is_robot)->stream);
+}
+
+}  // namespace echomap::apps
