@@ -53,7 +53,8 @@ bool hides(const MatchedWall& wall,
 
 SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
   const auto& surfaces = params.surfaces;
-  const bool beam_ok = surfaces.beam_half_angle_rad > 0.0 && surfaces.beam_half_angle_rad <= kWidestBeamHalfAngleRad;
+  const bool beam_ok =
+      surfaces.beam_half_angle_rad > 0.0 && surfaces.beam_half_angle_rad <= kWidestBeamHalfAngleRad;
   const bool lengths_ok = surfaces.depth_tolerance_m > 0.0 && params.margin_m >= 0.0 &&
                           params.fade_m > 0.0 && params.matching.range_tolerance_m > 0.0;
   const bool evidence_ok = params.free_centilogits > 0 && params.occupied_centilogits > 0 &&

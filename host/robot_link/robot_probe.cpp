@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/robot_link/robot_probe.hpp"
 
+#include <algorithm>
+
 #include "protocol/frame_encoder.hpp"
 #include "protocol/message_codec.hpp"
 #include "protocol/messages.hpp"
@@ -17,8 +19,8 @@ std::vector<std::uint8_t> RobotProbe::hello() const {
       protocol::Hello{
           protocol::kProtocolMajor, protocol::kProtocolMinor, protocol::kSchemaDigest, session_},
       0);
-  std::vector<std::uint8_t> bytes{0};
-  bytes.insert(bytes.end(), frame.data, frame.data + frame.size);
+  std::vector<std::uint8_t> bytes(1 + frame.size, 0);
+  std::copy_n(frame.data, frame.size, bytes.begin() + 1);
   return bytes;
 }
 

@@ -26,14 +26,14 @@ class Program {
 
   void send(int signal) { process_.send(signal); }
   /// Waits for its end; the test fails where it does not come.
-  Ended wait(std::chrono::seconds limit = std::chrono::seconds(100));
+  Ended wait(std::chrono::seconds limit = std::chrono::seconds(250));
 
  private:
   std::filesystem::path log_;
   apps::ChildProcess process_;
 };
 
-/// Waits until `condition` holds; false after ten seconds.
+/// Waits until `condition` holds; false after a minute.
 bool eventually(const std::function<bool()>& condition);
 
 }  // namespace echomap::test

@@ -16,7 +16,7 @@ TEST(PortList, LeavesOutThePortsThatEveryPcHas) {
 
 TEST(PortList, IsDescribedInOneLine) {
   EXPECT_EQ(describe_ports({}), "no USB or Bluetooth serial port is here");
-  EXPECT_EQ(describe_ports({{"/dev/ttyACM0", "Arduino Uno"}, {"/dev/ttyUSB1", ""}}),
+  EXPECT_EQ(describe_ports({{"/dev/ttyACM0", "Arduino Uno", "75833"}, {"/dev/ttyUSB1", "", ""}}),
             "ports here: /dev/ttyACM0 (Arduino Uno) /dev/ttyUSB1");
 }
 
