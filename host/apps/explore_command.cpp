@@ -12,7 +12,9 @@
 #include "host/apps/port_choice.hpp"
 #include "host/apps/report.hpp"
 #include "host/transport/open_stream.hpp"
+#include "host/transport/port_identity.hpp"
 #include "host/transport/reconnecting_stream.hpp"
+#include "host/transport/transport_error.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -32,7 +34,12 @@ RobotConnection connection_on_a_desk(const ExploreOptions& options) {
   if (options.reconnect_s > 0.0) {
     const std::string port = robot.stream->name();
     robot.stream = std::make_unique<transport::ReconnectingStream>(
-        std::move(robot.stream), [open, port] { return open(port); });
+        std::move(robot.stream), [open, port, identity = transport::PortIdentity(port)] {
+          if (const std::string objection = identity.objection(); !objection.empty()) {
+            throw transport::TransportError("cannot reopen " + port, objection, "start anew");
+          }
+          return open(port);
+        });
     robot.patience = std::chrono::milliseconds(std::llround(1e3 * options.reconnect_s));
   }
   return robot;

@@ -47,7 +47,10 @@ class LockstepPace final : public Pace {
     return now_;
   }
 
-  std::string end_reason() const override { return channel_.close_reason(); }
+  std::string end_reason() const override {
+    return bytes_are_missing_ ? "bytes that the device has sent did not come"
+                              : channel_.close_reason();
+  }
 
  private:
   void read_all(transport::ByteStream& stream, std::uint64_t device_bytes, const Receive& receive) {
@@ -55,6 +58,7 @@ class LockstepPace final : public Pace {
     while (bytes_received_ < device_bytes && stream.status() == transport::StreamStatus::kOpen) {
       const std::size_t count = stream.read_some(buffer, kPatience);
       if (count == 0) {
+        bytes_are_missing_ = stream.status() == transport::StreamStatus::kOpen;
         return;
       }
       bytes_received_ += count;
@@ -65,6 +69,7 @@ class LockstepPace final : public Pace {
   transport::LockstepChannel& channel_;
   HostTime now_;
   std::uint64_t bytes_received_ = 0;
+  bool bytes_are_missing_ = false;
 };
 
 }  // namespace

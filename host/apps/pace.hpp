@@ -13,8 +13,8 @@
 
 namespace echomap::apps {
 
-/// How a session's time passes. A step waits for time, not for bytes, and hands over all bytes that
-/// came until its end.
+/// How a session's time passes: each step waits for a short while, or for the first bytes, and
+/// hands over what has come.
 class Pace {
  public:
   using Receive = std::function<void(std::span<const std::uint8_t>)>;
