@@ -25,8 +25,8 @@ struct SurfaceMatchingParams {
   double full_readings = 10.0;
   /// A wall seen as a post, or the other way round, counts this much.
   double other_kind_weight = 0.6;
-  /// Less support than this makes no feature: one full sighting and another, weak one.
-  double least_support = 1.0;
+  /// Less support than this makes no feature: one full sighting and another, middling one.
+  double least_support = 1.4;
   /// A piece of wall shorter than this between two seen pieces is there too: less than a door.
   double bridged_gap_m = 0.4;
 };
