@@ -64,16 +64,20 @@ SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
   }
 }
 
-void SonarMapper::add(const Scan& scan) { scans_.push_back(find_surfaces(scan, params_.surfaces)); }
+void SonarMapper::add(const Scan& scan) {
+  scans_.push_back(find_surfaces(scan, params_.surfaces));
+  const AlignedScans aligned = align_scans(scans_, params_.matching, params_.alignment);
+  T_map_odom_ = aligned.T_map_odom;
+  matched_ = match_surfaces(aligned.scans, params_.matching);
+}
 
 OccupancyGrid SonarMapper::grid() const {
   OccupancyGrid grid(params_.grid);
-  const MatchedSurfaces matched = match_surfaces(scans_, params_.matching);
-  for (const auto& scan : matched.scans) {
-    add_floor(scan, matched.walls, grid);
+  for (const auto& scan : matched_.scans) {
+    add_floor(scan, matched_.walls, grid);
     add_surfaces(scan, grid);
   }
-  add_matched(matched, grid);
+  add_matched(matched_, grid);
   return grid;
 }
 

@@ -5,6 +5,7 @@
 
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
+#include "host/mapping/scan_alignment.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
 #include "host/mapping/surface_matching.hpp"
 
@@ -15,6 +16,7 @@ struct SonarMapperParams {
   OccupancyGridParams grid;
   SonarSurfaceParams surfaces;
   SurfaceMatchingParams matching;
+  ScanAlignmentParams alignment;
   /// Between two surfaces farther apart than this a stop knows nothing of the floor.
   double widest_gap_rad = 1.1;
   /// Floor nearer to a surface than this is not called free: its noise and half a cell.
@@ -34,18 +36,20 @@ struct SonarMapperParams {
 };
 
 /// Makes an occupancy grid of sonar scans. Not reading by reading: the readings of a stop are
-/// resolved into surfaces, the surfaces of all stops are matched, and only then is evidence put
-/// into cells (docs/algorithms/sonar_grid.md).
+/// resolved into surfaces, the surfaces of all stops are matched, the stops are moved to where
+/// these agree, and only then is evidence put into cells (docs/algorithms/sonar_grid.md).
 class SonarMapper {
  public:
   /// Throws std::invalid_argument for parameters without sense.
   explicit SonarMapper(const SonarMapperParams& params = {});
 
-  /// Adds the readings of one stop.
+  /// Adds the readings of one stop, placed by odometry alone.
   void add(const Scan& scan);
 
   /// The grid of all scans so far; without any echo, an untouched one.
   OccupancyGrid grid() const;
+  /// From where odometry places the robot since the last scan to where it is on the map.
+  const geometry::Pose2& T_map_odom() const { return T_map_odom_; }
 
  private:
   void add_floor(const ScanSurfaces& scan,
@@ -56,7 +60,9 @@ class SonarMapper {
   int faded(int centilogits, double distance_m) const;
 
   SonarMapperParams params_;
-  std::vector<ScanSurfaces> scans_;
+  std::vector<ScanSurfaces> scans_;  ///< As odometry places them.
+  MatchedSurfaces matched_;          ///< On the map.
+  geometry::Pose2 T_map_odom_;
 };
 
 }  // namespace echomap::mapping

@@ -219,8 +219,10 @@ void add(const Proposal& proposal,
   } else {
     matched.posts_m.push_back(proposal.feature.parameters);
   }
+  matched.features.push_back({proposal.feature, {}});
   for (const std::size_t index : proposal.supporters) {
     const Sighting& sighting = finder.sighting(index);
+    matched.features.back().supporters.emplace_back(sighting.scan, sighting.index);
     SonarSurface& surface = matched.scans[sighting.scan].surfaces[sighting.index];
     const FeatureView view = view_from(sighting.center_m, proposal.feature);
     surface.bearing_rad = geometry::wrap_angle(view.bearing_rad);
@@ -234,7 +236,7 @@ void add(const Proposal& proposal,
 MatchedSurfaces match_surfaces(std::vector<ScanSurfaces> scans,
                                const SurfaceMatchingParams& params) {
   FeatureFinder finder(sightings_of(scans), params);
-  MatchedSurfaces matched{std::move(scans), {}, {}};
+  MatchedSurfaces matched{std::move(scans), {}, {}, {}};
   while (true) {
     const auto proposal = finder.take_best();
     if (!proposal) {

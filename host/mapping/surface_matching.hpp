@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "host/mapping/sonar_feature.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
 
 namespace echomap::mapping {
@@ -44,6 +47,13 @@ struct MatchedWall {
   std::vector<Piece> pieces;
 };
 
+/// A feature and the sightings that it was made of.
+struct MatchedFeature {
+  SonarFeature feature;
+  /// Scan and index of the surface in it; at most one of each scan.
+  std::vector<std::pair<std::size_t, std::size_t>> supporters;
+};
+
 /// What all stops together have seen, in the map frame.
 struct MatchedSurfaces {
   /// As given, with bearings and ranges of the matched surfaces made better.
@@ -51,6 +61,8 @@ struct MatchedSurfaces {
   std::vector<MatchedWall> walls;
   /// Posts and corners.
   std::vector<Eigen::Vector2d> posts_m;
+  /// Walls and posts in the order in which they were found, the best supported first.
+  std::vector<MatchedFeature> features;
 };
 
 /// Finds what several stops have seen: each pair of sightings proposes walls and posts, the one

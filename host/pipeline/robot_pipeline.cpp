@@ -18,10 +18,10 @@ void RobotPipeline::on_odometry(const sensors::OdometryObservation& observation)
 }
 
 void RobotPipeline::on_sonar(const sensors::SonarObservation& observation) {
-  const geometry::Pose2 T_map_robot = follow(observation.stamp, observation.travel);
-  const geometry::Pose2 T_map_sonar = T_map_robot * robot_.T_robot_sonar(observation.pan_rad);
-  const mapping::PlacedReading reading{T_map_robot, T_map_sonar, observation.range_m};
-  points_.add(reading);
+  const geometry::Pose2 T_odom_robot = follow(observation.stamp, observation.travel);
+  const geometry::Pose2 T_odom_sonar = T_odom_robot * robot_.T_robot_sonar(observation.pan_rad);
+  const mapping::PlacedReading reading{T_odom_robot, T_odom_sonar, observation.range_m};
+  points_.add(on_map(reading));
   if (scan_is_open_) {
     open_scan_.push_back(reading);
   }
@@ -40,7 +40,14 @@ void RobotPipeline::end_scan() {
   const auto grid = std::make_shared<const mapping::OccupancyGrid>(mapper_.grid());
   newly_free_m2_ = mapping::newly_free_area_m2(*grid_, *grid);
   grid_ = grid;
-  last_scan_ = std::make_shared<const mapping::Scan>(std::exchange(open_scan_, {}));
+  mapping::Scan scan;
+  for (const auto& reading : std::exchange(open_scan_, {})) {
+    scan.push_back(on_map(reading));
+  }
+  last_scan_ = std::make_shared<const mapping::Scan>(std::move(scan));
+  if (!trajectory_.empty()) {
+    trajectory_.back().T_map_robot = mapper_.T_map_odom() * odometry_.T_odom_robot();
+  }
   scan_is_open_ = false;
   ++stops_;
 }
@@ -60,11 +67,17 @@ Snapshot RobotPipeline::snapshot() const {
 }
 
 geometry::Pose2 RobotPipeline::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
-  geometry::Pose2 T_map_robot = odometry_.update(travel);
+  geometry::Pose2 T_odom_robot = odometry_.update(travel);
   if (trajectory_.empty() || stamp > trajectory_.back().stamp) {
-    trajectory_.push_back({stamp, T_map_robot});
+    trajectory_.push_back({stamp, mapper_.T_map_odom() * T_odom_robot});
   }
-  return T_map_robot;
+  return T_odom_robot;
+}
+
+mapping::PlacedReading RobotPipeline::on_map(const mapping::PlacedReading& reading) const {
+  return {mapper_.T_map_odom() * reading.T_map_robot,
+          mapper_.T_map_odom() * reading.T_map_sonar,
+          reading.range_m};
 }
 
 }  // namespace echomap::pipeline

@@ -16,7 +16,8 @@
 namespace echomap::pipeline {
 
 /// Observations in, snapshots out: the same object live and in replay, a function of its input
-/// alone. Feed observations in the order of their stamps.
+/// alone. Feed observations in the order of their stamps. Between stops the pose is odometry; at
+/// the end of a scan it is moved to where the scan agrees with those before it.
 class RobotPipeline {
  public:
   explicit RobotPipeline(const sensors::RobotGeometry& robot,
@@ -36,7 +37,10 @@ class RobotPipeline {
   Snapshot snapshot() const;
 
  private:
+  /// The pose by odometry alone, after the wheels' travel so far.
   geometry::Pose2 follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
+  /// Moves a reading that odometry has placed to where it is on the map.
+  mapping::PlacedReading on_map(const mapping::PlacedReading& reading) const;
 
   sensors::RobotGeometry robot_;
   mapping::SonarMapper mapper_;

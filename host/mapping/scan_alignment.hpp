@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+#include "host/mapping/sonar_surfaces.hpp"
+#include "host/mapping/surface_matching.hpp"
+
+namespace echomap::mapping {
+
+/// How far odometry is trusted from one stop to the next. The standard deviations are those of a
+/// small robot on rubber tyres; they only have to be of the right size.
+struct ScanAlignmentParams {
+  double heading_sd_rad = 0.015;        ///< Of the turns at a stop.
+  double heading_sd_rad_per_m = 0.015;  ///< Of the way between two stops.
+  double position_sd_m = 0.005;
+  double position_sd_per_m = 0.01;
+  /// Sightings of one feature by fewer stops say too little of where the stops were.
+  std::size_t least_supporters = 3;
+  /// Matching and correcting are done in turns.
+  int rounds = 3;
+};
+
+/// Scans where they agree.
+struct AlignedScans {
+  std::vector<ScanSurfaces> scans;
+  /// How the last scan was moved, and with it the robot: from the odometry's frame to the map's.
+  geometry::Pose2 T_map_odom;
+};
+
+/// Corrects where `scans`, placed by odometry, were taken, so that they agree with what they have
+/// seen together: least squares over the stops' poses and the matched features, with the odometry
+/// between the stops as a prior (graph SLAM on features; Thrun, Burgard and Fox 2005, chapter 11).
+/// The first scan stays. Scans that share nothing with others keep to their odometry.
+AlignedScans align_scans(const std::vector<ScanSurfaces>& scans,
+                         const SurfaceMatchingParams& matching,
+                         const ScanAlignmentParams& params);
+
+}  // namespace echomap::mapping
