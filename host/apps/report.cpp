@@ -96,7 +96,7 @@ void print_score(const evaluation::RunScore& score) {
     say(fmt::format("  walls are off by     {:5.1f} cm (wall_rmse_m)", 100.0 * *map.wall_rmse_m));
   }
   say(fmt::format("  walls seen           {:5.1f} %  (wall_recall)", 100.0 * map.wall_recall));
-  say(fmt::format("  odometry is off by   {:5.1f} cm, {:.1f} degrees (ate_rmse_m, heading)",
+  say(fmt::format("  the pose is off by  {:5.1f} cm, {:.1f} degrees (ate_rmse_m, heading)",
                   100.0 * path.ate_rmse_m,
                   geometry::degrees(path.ate_heading_rmse_rad)));
 }
