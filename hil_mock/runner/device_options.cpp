@@ -16,6 +16,9 @@ namespace {
 
 constexpr double kEndlessS = std::numeric_limits<double>::infinity();
 
+/// Paced time would overflow far above it, and no machine comes near.
+constexpr double kFastest = 1e6;
+
 /// Texts and numbers as they stand on the command line, before they are understood.
 struct RawOptions {
   std::string speed = "1";
@@ -25,9 +28,15 @@ struct RawOptions {
 
 std::string check_speed(const std::string& text) {
   double speed = 0.0;
-  const bool valid = text == "max" || (CLI::detail::lexical_cast(text, speed) && speed > 0.0 &&
-                                       std::isfinite(speed));
-  return valid ? "" : "it must be a positive number or max";
+  const bool valid =
+      text == "max" || (CLI::detail::lexical_cast(text, speed) && speed > 0.0 && speed <= kFastest);
+  return valid ? "" : "it must be a positive number up to 1e6, or max";
+}
+
+std::string check_finite(const std::string& text) {
+  double number = 0.0;
+  return CLI::detail::lexical_cast(text, number) && std::isfinite(number) ? ""
+                                                                          : "it must be a number";
 }
 
 std::string check_faults(const std::string& text) {
@@ -71,7 +80,8 @@ void add_options(CLI::App& app,
   app.add_option("--truth", options.truth, "Folder for the truth files, written at the end");
   app.add_option("--start", raw.start, "Start x,y,heading in metres and degrees")
       ->delimiter(',')
-      ->expected(3);
+      ->expected(3)
+      ->check(check_finite);
   app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
       ->check(CLI::PositiveNumber)
       ->excludes(lockstep);

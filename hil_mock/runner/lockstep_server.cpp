@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <system_error>
 #include <unistd.h>
@@ -42,6 +43,9 @@ sockaddr_un local_address(const std::filesystem::path& path) {
 
 }  // namespace
 
+/// Simulated time is counted in nanoseconds.
+constexpr std::int64_t kLastMicrosecond = std::numeric_limits<std::int64_t>::max() / 1000;
+
 LockstepRequest parse_request(std::string_view line) {
   constexpr std::string_view kGrant = "grant";
   if (line == "quit") {
@@ -51,7 +55,8 @@ LockstepRequest parse_request(std::string_view line) {
   std::string_view rest = line;
   if (rest.starts_with(kGrant)) {
     rest.remove_prefix(kGrant.size());
-    if (take_number(rest, grant.until_us) && take_number(rest, grant.host_bytes) && rest.empty()) {
+    if (take_number(rest, grant.until_us) && take_number(rest, grant.host_bytes) && rest.empty() &&
+        grant.until_us <= kLastMicrosecond) {
       return grant;
     }
   }
@@ -66,6 +71,11 @@ LockstepServer::LockstepServer(std::filesystem::path socket, std::string hello)
   temporary += "." + std::to_string(::getpid());
   const sockaddr_un address = local_address(temporary);
   const std::string tried = "cannot listen on " + socket_.string();
+  std::error_code ignored;
+  const auto there = std::filesystem::symlink_status(socket_, ignored);
+  if (std::filesystem::exists(there) && !std::filesystem::is_socket(there)) {
+    throw std::runtime_error(tried + ": a file that is no socket is there; choose another path");
+  }
   check_call(
       ::bind(listener_.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address),
       tried);

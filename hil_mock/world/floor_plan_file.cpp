@@ -21,6 +21,9 @@ Material read_material(const files::TomlReader& table, Material fallback) {
   return name == "rough" ? Material::kRough : Material::kSmooth;
 }
 
+/// The truth map has a cell for every centimetre within.
+constexpr double kFarthestCornerM = 100.0;
+
 Outline read_outline(const files::TomlReader& table) {
   Outline outline;
   for (const auto& [x_m, y_m] : table.points("corners_m")) {
@@ -28,6 +31,11 @@ Outline read_outline(const files::TomlReader& table) {
   }
   if (const auto fault = polygon_fault(outline.corners_m)) {
     table.fail("corners_m", *fault);
+  }
+  for (const Eigen::Vector2d& corner_m : outline.corners_m) {
+    if (corner_m.cwiseAbs().maxCoeff() > kFarthestCornerM) {
+      table.fail("corners_m", "a corner is more than 100 m away; corners are in metres");
+    }
   }
   const auto count = static_cast<std::int64_t>(outline.corners_m.size());
   const Material material = read_material(table, Material::kSmooth);

@@ -2,6 +2,7 @@
 #include "hil_mock/runner/lockstep_server.hpp"
 
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <poll.h>
 #include <string>
@@ -27,8 +28,15 @@ std::optional<LockstepRequest> wait_for_request(LockstepServer& server) {
 TEST(LockstepRequests, AreReadStrictly) {
   EXPECT_EQ(parse_request("grant 20000 17"), LockstepRequest(Grant{20000, 17}));
   EXPECT_EQ(parse_request("quit"), LockstepRequest(Quit{}));
-  for (const std::string line :
-       {"", "grant", "grant 1", "grant 1 -2", "grant 1 2 3", "grant  1 2", "grant x 2", "quit!"}) {
+  for (const std::string line : {"",
+                                 "grant",
+                                 "grant 1",
+                                 "grant 1 -2",
+                                 "grant 1 2 3",
+                                 "grant  1 2",
+                                 "grant x 2",
+                                 "grant 9223372036854776 2",
+                                 "quit!"}) {
     EXPECT_EQ(parse_request(line), LockstepRequest(BadRequest{line})) << line;
   }
 }
@@ -59,6 +67,13 @@ TEST(LockstepServer, LastWordsOfAHostThatIsGoneStillCount) {
   EXPECT_EQ(wait_for_request(server), LockstepRequest(Grant{1000, 0}));
   server.send_reached(1000, 0);
   EXPECT_EQ(wait_for_request(server), LockstepRequest(HostGone{}));
+}
+
+TEST(LockstepServer, LeavesAFileThatIsNoSocketAlone) {
+  const tests::ScratchFolder folder;
+  std::ofstream(folder / "notes") << "mine";
+  EXPECT_THROW(LockstepServer(folder / "notes", "hello"), std::runtime_error);
+  EXPECT_EQ(std::filesystem::file_size(folder / "notes"), 4U);
 }
 
 TEST(LockstepServer, RemovesItsSocket) {

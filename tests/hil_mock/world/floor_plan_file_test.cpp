@@ -58,6 +58,8 @@ TEST(FloorPlanFile, NamesThePlaceOfEveryFault) {
   EXPECT_THAT(error_of(edited("[2, 1], [0, 1]", "[0, 1], [2, 1]")),
               StartsWith("small.toml:7:13: sides 1 and 3 cross"));
   EXPECT_THAT(error_of(edited("[1.2, 0.5]", "[1.2, 5]")), StartsWith("small.toml:13:13: "));
+  EXPECT_THAT(error_of(edited("[2, 1], [0, 1]", "[2, 1000], [0, 1000]")),
+              StartsWith("small.toml:7:13: a corner is more than 100 m away"));
   EXPECT_THAT(error_of(edited("x_m = 0.5", "x_m = 2.5")), StartsWith("small.toml:3:7: start: "));
   EXPECT_THAT(error_of(edited("index = 1", "index = 4")),
               StartsWith("small.toml:9:9: sides are numbered 0 to 3"));
