@@ -114,27 +114,28 @@ std::vector<std::string> candidate_ports(const std::vector<std::string>& named) 
   return candidates;
 }
 
-std::unique_ptr<transport::ByteStream> choose_port(const std::vector<std::string>& ports,
+std::unique_ptr<transport::ByteStream> choose_port(const std::vector<std::string>& candidates,
                                                    const OpenPort& open,
                                                    std::uint16_t session) {
-  if (ports.empty()) {
+  if (candidates.empty()) {
     throw CommandError(ExitCode::kNoRobot,
                        "no USB or Bluetooth serial port is here\n  next: plug the robot in, or try "
                        "without one: echomap demo");
   }
-  if (ports.size() == 1) {
-    return open(ports.front());
+  if (candidates.size() == 1) {
+    return open(candidates.front());
   }
-  std::vector<Candidate> candidates;
-  for (const std::string& port : ports) {
-    candidates.push_back(ask(port, open, session));
+  std::vector<Candidate> asked;
+  asked.reserve(candidates.size());
+  for (const std::string& port : candidates) {
+    asked.push_back(ask(port, open, session));
   }
-  listen(candidates);
-  const auto robots = std::count_if(candidates.begin(), candidates.end(), is_robot);
+  listen(asked);
+  const auto robots = std::count_if(asked.begin(), asked.end(), is_robot);
   if (robots != 1) {
-    refuse(candidates, robots == 0 ? "no robot answers" : "more than one robot answers");
+    refuse(asked, robots == 0 ? "no robot answers" : "more than one robot answers");
   }
-  return std::move(std::find_if(candidates.begin(), candidates.end(), is_robot)->stream);
+  return std::move(std::find_if(asked.begin(), asked.end(), is_robot)->stream);
 }
 
 }  // namespace echomap::apps

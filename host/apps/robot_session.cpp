@@ -262,7 +262,8 @@ void RobotSession::disarm() {
   link_.keep_alive(false);
   const auto ticket = link_.submit(protocol::Arm{0, 0});
   const time::HostTime start = now_;
-  while (!(result_ && result_->ticket == ticket) && now_ - start < kDisarmLimit) {
+  const auto done = [&] { return result_ && result_->ticket == ticket; };
+  while (!done() && now_ - start < kDisarmLimit) {
     step();
   }
 }
