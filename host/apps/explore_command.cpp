@@ -58,7 +58,7 @@ ExitCode run_explore(const ExploreOptions& options) {
     robot = connection_on_a_desk(options);
   } else {
     robot.session_id = session_id_from(options.run.seed);
-    robot.stream = choose_port(options.ports, opener(options), robot.session_id);
+    robot.stream = choose_port(candidate_ports(options.ports), opener(options), robot.session_id);
     lockstep = std::make_unique<transport::LockstepChannel>(options.lockstep);
     robot.pace = lockstep_pace(*lockstep);
     summary.firmware = lockstep->device().firmware;

@@ -26,6 +26,13 @@ struct SmoothRoom {
   std::vector<Eigen::Vector2d> corners_m = {};
 };
 
+/// Four walls, x from -1.1 to 1.3, y from -0.7 to 0.9.
+inline SmoothRoom smooth_rectangle() {
+  using geometry::radians;
+  return {{{radians(0.0), 1.3}, {radians(90.0), 0.9}, {radians(180.0), 1.1}, {radians(-90.0), 0.7}},
+          {{1.3, 0.9}, {-1.1, 0.9}, {-1.1, -0.7}, {1.3, -0.7}}};
+}
+
 /// The range that a wide, noiseless beam reads: the nearest wall that mirrors it back, or corner.
 inline std::optional<double> ideal_range_m(const geometry::Pose2& T_map_sonar,
                                            const SmoothRoom& room) {

@@ -14,10 +14,7 @@ using geometry::radians;
 using tests::scan_of;
 using tests::SmoothRoom;
 
-/// x from -1.1 to 1.3, y from -0.7 to 0.9.
-const SmoothRoom kRoom{
-    {{radians(0.0), 1.3}, {radians(90.0), 0.9}, {radians(180.0), 1.1}, {radians(-90.0), 0.7}},
-    {{1.3, 0.9}, {-1.1, 0.9}, {-1.1, -0.7}, {1.3, -0.7}}};
+const SmoothRoom kRoom = tests::smooth_rectangle();
 
 const std::vector<Eigen::Vector2d> kStops{
     {0.0, 0.0}, {0.5, 0.2}, {-0.4, 0.3}, {0.2, -0.2}, {0.7, 0.4}, {-0.6, -0.1}};

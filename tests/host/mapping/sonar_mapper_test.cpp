@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/geometry/angle.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "tests/support/drawn_map.hpp"
 #include "tests/support/smooth_room.hpp"
@@ -14,14 +13,10 @@
 namespace echomap::mapping {
 namespace {
 
-using geometry::radians;
 using tests::scan_of;
 using tests::SmoothRoom;
 
-/// x from -1.1 to 1.3, y from -0.7 to 0.9.
-const SmoothRoom kRoom{
-    {{radians(0.0), 1.3}, {radians(90.0), 0.9}, {radians(180.0), 1.1}, {radians(-90.0), 0.7}},
-    {{1.3, 0.9}, {-1.1, 0.9}, {-1.1, -0.7}, {1.3, -0.7}}};
+const SmoothRoom kRoom = tests::smooth_rectangle();
 
 TEST(SonarMapper, DrawsTheFloorAndTheWallsThatSeveralStopsAgreeOn) {
   SonarMapperParams coarse;
