@@ -7,11 +7,9 @@
 #include <cstdlib>
 #include <sim_io.h>
 #include <sim_regbit.h>
-#include <span>
 #include <stdexcept>
 #include <string>
 
-#include "hil_mock/emulator/atmega328p.hpp"
 #include "hil_mock/emulator/elf_program.hpp"
 #include "hil_mock/emulator/simavr_repairs.hpp"
 
@@ -29,8 +27,7 @@ void ignore_log(avr_t* /*avr*/, int /*level*/, const char* /*format*/, std::va_l
 void sleep_no_wall_time(avr_t* /*avr*/, avr_cycle_count_t /*cycles*/) {}
 
 void fill_sram(avr_t& avr) {
-  const std::span<std::uint8_t> sram(avr.data + atmega328p::kSramStart, atmega328p::kSramBytes);
-  std::fill(sram.begin(), sram.end(), kPowerOnSram);
+  std::fill(avr.data + avr.ioend + 1, avr.data + avr.ramend + 1, kPowerOnSram);
 }
 
 }  // namespace
@@ -42,9 +39,10 @@ void AvrMachine::Terminate::operator()(avr_t* avr) const {
 
 std::unique_ptr<avr_t, AvrMachine::Terminate> AvrMachine::load(const std::filesystem::path& elf) {
   avr_global_logger_set(&ignore_log);
-  std::unique_ptr<avr_t, Terminate> avr(avr_make_mcu_by_name("atmega328p"));
+  const std::string chip = chip_of_elf(elf);
+  std::unique_ptr<avr_t, Terminate> avr(avr_make_mcu_by_name(chip.c_str()));
   if (!avr) {
-    throw std::runtime_error("this simavr does not know the ATmega328P");
+    throw std::runtime_error(elf.string() + ": is for an " + chip + ", which simavr does not know");
   }
   avr_init(avr.get());
   load_elf_program(elf, *avr);

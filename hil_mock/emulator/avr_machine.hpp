@@ -20,15 +20,15 @@ constexpr std::uint32_t kClockHz = 16'000'000;
 /// What pulled the chip's reset; a watchdog reset comes from the program itself.
 enum class ResetSource : std::uint8_t {
   kPowerOn,   ///< Supply off and on: SRAM is lost.
-  kExternal,  ///< The reset pin, as by the Uno's DTR line: SRAM stays.
+  kExternal,  ///< The reset pin, as by the board's DTR line: SRAM stays.
 };
 
-/// An ATmega328P at 16 MHz: simavr's core with our repairs, USART and input pins. It runs as
-/// fast as it can and never looks at a clock.
+/// The chip that a program is for, at 16 MHz: simavr's core with our repairs, USART and input pins.
+/// It runs as fast as it can and never looks at a clock.
 class AvrMachine {
  public:
   /// Loads `elf` and switches on at cycle 0. Throws std::runtime_error where the file cannot be
-  /// read or holds no program for this chip.
+  /// read or holds no program for a chip that simavr has.
   explicit AvrMachine(const std::filesystem::path& elf);
   ~AvrMachine();
   AvrMachine(const AvrMachine&) = delete;
@@ -43,6 +43,7 @@ class AvrMachine {
 
   std::uint8_t data_at(std::uint16_t address) const { return avr_->data[address]; }
   avr_t& core() { return *avr_; }
+  const avr_t& core() const { return *avr_; }
   CycleQueue& queue() { return queue_; }
   RegisterHooks& hooks() { return hooks_; }
   InputPins& pins() { return pins_; }

@@ -1,38 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hil_mock/emulator/elf_program.hpp"
 
-#include <array>
+#include <cerrno>
 #include <cstdlib>
-#include <fstream>
+#include <cstring>
+#include <fcntl.h>
+#include <gelf.h>
 #include <sim_elf.h>
 #include <span>
 #include <stdexcept>
-#include <string>
+#include <string_view>
+#include <unistd.h>
 
 namespace echomap::emulator {
 namespace {
-
-constexpr std::size_t kMachineAt = 18;  // e_machine of the ELF header
-constexpr unsigned char kMachineAvr = 83;
 
 [[noreturn]] void fail(const std::filesystem::path& elf, const std::string& what) {
   throw std::runtime_error(elf.string() + ": " + what);
 }
 
-/// simavr's reader trusts its input, so look at the file first.
-void check_is_avr_elf(const std::filesystem::path& elf) {
-  std::ifstream file(elf, std::ios::binary);
-  if (!file) {
-    fail(elf, "cannot be opened");
+/// An ELF file that is open for reading.
+class ElfFile {
+ public:
+  explicit ElfFile(const std::filesystem::path& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (descriptor_ < 0) {
+      fail(path, std::strerror(errno));
+    }
+    elf_version(EV_CURRENT);
+    elf_ = elf_begin(descriptor_, ELF_C_READ, nullptr);
   }
-  std::array<char, kMachineAt + 2> header{};
-  file.read(header.data(), header.size());
-  const bool is_elf = file && std::string(header.data(), 4) ==
-                                  "\x7F"
-                                  "ELF";
-  if (!is_elf || static_cast<unsigned char>(header[kMachineAt]) != kMachineAvr) {
-    fail(elf, "is no ELF file of an AVR program");
+  ~ElfFile() {
+    elf_end(elf_);
+    ::close(descriptor_);
   }
+  ElfFile(const ElfFile&) = delete;
+  ElfFile& operator=(const ElfFile&) = delete;
+
+  bool is_avr() const {
+    GElf_Ehdr header{};
+    return gelf_getehdr(elf_, &header) != nullptr && header.e_machine == EM_AVR;
+  }
+
+  /// The bytes of a section; empty where there is none. They live as long as the file is open.
+  std::string_view section(std::string_view name) const {
+    std::size_t names = 0;
+    elf_getshdrstrndx(elf_, &names);
+    for (Elf_Scn* at = nullptr; (at = elf_nextscn(elf_, at)) != nullptr;) {
+      GElf_Shdr header{};
+      gelf_getshdr(at, &header);
+      const char* const its_name = elf_strptr(elf_, names, header.sh_name);
+      const Elf_Data* const data = elf_rawdata(at, nullptr);
+      if (its_name != nullptr && its_name == name && data != nullptr) {
+        return {static_cast<const char*>(data->d_buf), data->d_size};
+      }
+    }
+    return {};
+  }
+
+ private:
+  int descriptor_;
+  Elf* elf_ = nullptr;
+};
+
+/// Device name in .note.gnu.avr.deviceinfo: the note's header and owner (16 bytes), six words of
+/// memory sizes, a table of two words, then the name between zeros. Source: GNU binutils,
+/// od-elf32_avr.c.
+std::string device_name(std::string_view note) {
+  constexpr std::size_t kNameAt = 16 + 6 * 4 + 2 * 4 + 1;
+  if (note.size() <= kNameAt) {
+    return "";
+  }
+  const std::string_view name = note.substr(kNameAt);
+  return std::string(name.substr(0, name.find('\0')));
 }
 
 void free_firmware(elf_firmware_t& firmware) {
@@ -46,8 +86,19 @@ void free_firmware(elf_firmware_t& firmware) {
 
 }  // namespace
 
+std::string chip_of_elf(const std::filesystem::path& elf) {
+  const ElfFile file(elf);
+  if (!file.is_avr()) {
+    fail(elf, "is no ELF file of an AVR program");
+  }
+  std::string chip = device_name(file.section(".note.gnu.avr.deviceinfo"));
+  if (chip.empty()) {
+    fail(elf, "does not say for which chip it is: avr-gcc notes it when it links");
+  }
+  return chip;
+}
+
 void load_elf_program(const std::filesystem::path& elf, avr_t& avr) {
-  check_is_avr_elf(elf);
   elf_firmware_t firmware{};
   if (elf_read_firmware(elf.c_str(), &firmware) != 0) {
     fail(elf, "cannot be read as an ELF file");

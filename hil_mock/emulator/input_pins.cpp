@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hil_mock/emulator/input_pins.hpp"
 
-#include <avr_ioport.h>
 #include <sim_io.h>
 #include <sim_irq.h>
 
-#include "hil_mock/emulator/atmega328p.hpp"
+#include "hil_mock/emulator/chip_modules.hpp"
 
 namespace echomap::emulator {
-namespace {
-
-std::uint16_t pin_register(char port) {
-  switch (port) {
-    case 'B':
-      return atmega328p::kPinB;
-    case 'C':
-      return atmega328p::kPinC;
-    default:
-      return atmega328p::kPinD;
-  }
-}
-
-}  // namespace
-
 void InputPins::set(Pin pin, bool level) {
   Port& port = ports_[pin.port];
   const auto mask = static_cast<std::uint8_t>(1U << pin.bit);
@@ -34,7 +18,7 @@ void InputPins::set(Pin pin, bool level) {
 
 void InputPins::redrive() {
   for (const auto& [name, port] : ports_) {
-    std::uint8_t& pins = avr_.data[pin_register(name)];
+    std::uint8_t& pins = avr_.data[find_port(avr_, name).r_pin];
     pins = static_cast<std::uint8_t>((pins & ~port.driven) | port.levels);
   }
 }

@@ -5,7 +5,7 @@
 #include <map>
 #include <sim_avr.h>
 
-#include "hil_mock/emulator/uno_pins.hpp"
+#include "hil_mock/emulator/board_wiring.hpp"
 
 namespace echomap::emulator {
 

@@ -7,13 +7,14 @@
 #include <string>
 
 #include "hil_mock/emulator/avr_machine.hpp"
-#include "hil_mock/emulator/uno_pins.hpp"
+#include "hil_mock/emulator/board_wiring.hpp"
+#include "hil_mock/emulator/output_pins.hpp"
 #include "hil_mock/runner/simulated_board.hpp"
 
 namespace echomap::emulator {
 
-/// The robot's Uno: the release ELF on an emulated ATmega328P, its pins as a SimulatedBoard. Times
-/// are rounded up to whole CPU cycles of 62.5 ns.
+/// A robot's AVR board: the release ELF on the emulated chip that it is for, that board's pins as a
+/// SimulatedBoard. Times are rounded up to whole CPU cycles of 62.5 ns.
 class SimavrBoard final : public runner::SimulatedBoard {
  public:
   /// Loads `elf` and switches on at time 0. Throws std::runtime_error where it cannot be loaded.
@@ -45,7 +46,11 @@ class SimavrBoard final : public runner::SimulatedBoard {
   void schedule_level(std::int64_t at_ns, Pin pin, bool level);
 
   std::string program_;
+  const BoardWiring& wiring_;
   AvrMachine machine_;
+  MotorOutput left_motor_;
+  MotorOutput right_motor_;
+  PwmOutput servo_;
   std::int64_t until_ns_ = 0;
   std::uint64_t trigger_rise_cycle_ = 0;
   bool trigger_high_ = false;

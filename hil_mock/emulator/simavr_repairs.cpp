@@ -2,28 +2,19 @@
 #include "hil_mock/emulator/simavr_repairs.hpp"
 
 #include <cstdint>
+#include <set>
 #include <sim_interrupts.h>
 #include <sim_irq.h>
 #include <sim_regbit.h>
 #include <span>
 
-#include "hil_mock/emulator/atmega328p.hpp"
+#include "hil_mock/emulator/chip_modules.hpp"
 
 namespace echomap::emulator {
 namespace {
 
-constexpr std::uint16_t kFlagRegisters[] = {atmega328p::kTifr0,
-                                            atmega328p::kTifr1,
-                                            atmega328p::kTifr2,
-                                            atmega328p::kPcifr,
-                                            atmega328p::kEifr};
-constexpr std::uint16_t kEnableRegisters[] = {atmega328p::kTimsk0,
-                                              atmega328p::kTimsk1,
-                                              atmega328p::kTimsk2,
-                                              atmega328p::kPcicr,
-                                              atmega328p::kEimsk,
-                                              atmega328p::kUcsr0b};
-constexpr std::uint32_t kInterruptEntryCycles = 4;
+/// The program counter is pushed in its first cycles, a byte a cycle.
+constexpr std::uint32_t kEntryCyclesBesidesPush = 2;
 
 std::span<avr_int_vector_t* const> vectors_of(const avr_t& avr) {
   return {avr.interrupts.vector, avr.interrupts.vector_count};
@@ -52,23 +43,25 @@ void spend_entry_time(avr_irq_t* /*irq*/, std::uint32_t entered, void* param) {
     return;
   }
   auto& avr = *static_cast<avr_t*>(param);
-  avr.cycle += kInterruptEntryCycles;
+  const std::uint32_t cycles = avr.address_size + kEntryCyclesBesidesPush;
+  avr.cycle += cycles;
   // The run up to the next cycle timer was measured before the entry.
-  avr.run_cycle_count =
-      avr.run_cycle_count > kInterruptEntryCycles ? avr.run_cycle_count - kInterruptEntryCycles : 1;
+  avr.run_cycle_count = avr.run_cycle_count > cycles ? avr.run_cycle_count - cycles : 1;
 }
 
 }  // namespace
 
 void repair_flag_clearing(avr_t& avr, RegisterHooks& hooks) {
-  for (const std::uint16_t address : kFlagRegisters) {
+  for (const std::uint16_t address : find_interrupt_registers(avr).flags) {
     hooks.replace_write(address,
                         [&avr, address](std::uint8_t ones) { clear_flags(avr, address, ones); });
   }
 }
 
 void repair_late_enable(avr_t& avr, RegisterHooks& hooks) {
-  for (const std::uint16_t address : kEnableRegisters) {
+  std::set<std::uint16_t> addresses = find_interrupt_registers(avr).enables;
+  addresses.insert(find_uart(avr, '0').r_ucsrb);
+  for (const std::uint16_t address : addresses) {
     hooks.after_write(address, [&avr, address] { fire_waiting_flags(avr, address); });
   }
 }

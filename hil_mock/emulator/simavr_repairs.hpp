@@ -5,7 +5,7 @@
 
 #include "hil_mock/emulator/register_hooks.hpp"
 
-/// Where simavr differs from an ATmega328P in a way that this firmware would notice, each repaired
+/// Where simavr differs from an ATmega in a way that this firmware would notice, each repaired
 /// from outside through simavr's public structures. Each function is called once, before the
 /// program runs; tests/hil/emulated_chip_test.cpp shows what each one mends.
 namespace echomap::emulator {
@@ -17,7 +17,9 @@ void repair_flag_clearing(avr_t& avr, RegisterHooks& hooks);
 /// A flag that rose while its interrupt was disabled never fires: makes it fire when enabled.
 void repair_late_enable(avr_t& avr, RegisterHooks& hooks);
 
-/// Entering an interrupt costs no time: makes it the 4 cycles of the data sheet, section 7.7.1.
+/// Entering an interrupt costs no time: makes it 4 cycles, or 5 with 3 bytes of program
+/// counter (Microchip DS40002061B section 7.7.1 and Atmel-2549Q section 7.8.1, "Interrupt Response
+/// Time").
 void repair_interrupt_entry_time(avr_t& avr);
 
 }  // namespace echomap::emulator

@@ -5,8 +5,8 @@
 #include <sim_interrupts.h>
 #include <sim_io.h>
 #include <sim_regbit.h>
-#include <stdexcept>
-#include <string_view>
+
+#include "hil_mock/emulator/chip_modules.hpp"
 
 namespace echomap::emulator {
 namespace {
@@ -17,21 +17,10 @@ constexpr std::uint64_t kBitsPerByte8N1 = 10;
 /// A byte at 115200 baud, the pace of the receive wire while nobody listens.
 constexpr std::uint64_t kDeafByteCycles = 1389;
 
-avr_uart_t& find_uart(avr_t& avr) {
-  avr_io_t* io = avr.io_port;
-  while (io != nullptr && std::string_view(io->kind) != "uart") {
-    io = io->next;
-  }
-  if (io == nullptr) {
-    throw std::runtime_error("this simavr has no UART in its ATmega328P");
-  }
-  return *reinterpret_cast<avr_uart_t*>(io);
-}
-
 }  // namespace
 
 Usart0::Usart0(avr_t& avr, RegisterHooks& hooks, CycleQueue& queue)
-    : avr_(avr), uart_(find_uart(avr)), queue_(queue) {
+    : avr_(avr), uart_(find_uart(avr, '0')), queue_(queue) {
   uart_.flags = 0;  // neither prints lines nor waits on wall time
   hooks.replace_read(uart_.r_udr, [this] { return read_data(); });
   hooks.replace_write(uart_.r_udr, [this](std::uint8_t byte) { write_data(byte); });

@@ -3,22 +3,23 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "hil_mock/emulator/atmega328p.hpp"
+#include "hil_mock/emulator/chip_modules.hpp"
 #include "hil_mock/emulator/simavr_board.hpp"
+#include "host/files/atomic_file.hpp"
 #include "tests/hil/probe/probe_commands.hpp"
 
 namespace echomap::emulator {
 namespace {
 
-using atmega328p::kPinC;
-using atmega328p::kPinD;
 using runner::Wheel;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 constexpr std::uint8_t kPorf = 1;
 constexpr std::uint8_t kExtrf = 2;
@@ -62,6 +63,11 @@ class EmulatedChip : public ::testing::Test {
       values.push_back(byte.value);
     }
     return values;
+  }
+
+  /// PINx.
+  int pins(char port) {
+    return board.machine().data_at(find_port(board.machine().core(), port).r_pin);
   }
 
   SimavrBoard board{ECHOMAP_PROBE_ELF};
@@ -148,7 +154,7 @@ TEST_F(EmulatedChip, PinsKeepTheirLevelsThroughAReset) {
   board.set_bump(Wheel::kLeft, true);
   board.machine().reset(ResetSource::kExternal);
   run_ms(5);
-  EXPECT_EQ(board.machine().data_at(kPinD) & 0x0C, 0x08);
+  EXPECT_EQ(pins('D') & 0x0C, 0x08);
 }
 
 TEST_F(EmulatedChip, SleepsExactlyAsLongAsTheTicksLast) {
@@ -205,9 +211,9 @@ TEST_F(EmulatedChip, ScheduledEdgesGoOnThroughAReset) {
   run_ms(28);
   EXPECT_EQ(board.machine().resets(), 1U);
   for (int i = 0; i < 10; ++i) {
-    const int before = board.machine().data_at(kPinC) & 1;
+    const int before = pins('C') & 1;
     board.run_until(board.now_ns() + kGapNs);
-    EXPECT_NE(board.machine().data_at(kPinC) & 1, before);
+    EXPECT_NE(pins('C') & 1, before);
   }
 }
 
@@ -249,6 +255,17 @@ TEST(SimavrBoard, RejectsAFileThatIsNoAvrProgram) {
   EXPECT_THROW(SimavrBoard("/nonexistent.elf"), std::runtime_error);
   EXPECT_THROW(SimavrBoard("/proc/self/exe"), std::runtime_error);
   EXPECT_THROW(SimavrBoard(ECHOMAP_SOURCE_DIR "/LICENSE"), std::runtime_error);
+}
+
+TEST(SimavrBoard, SaysForWhichChipAProgramIsThatNoBoardRuns) {
+  std::string program = files::read_text_file(ECHOMAP_PROBE_ELF);
+  const std::string chip = "atmega328p";
+  program.replace(program.find(chip), chip.size(), "atmega32u4");
+  const std::string elf = ::testing::TempDir() + "/leonardo.elf";
+  files::write_text_file(elf, program);
+  EXPECT_THAT([&] { SimavrBoard board(elf); },
+              ::testing::ThrowsMessage<std::runtime_error>(
+                  ::testing::AllOf(HasSubstr("atmega32u4"), HasSubstr("uno (atmega328p)"))));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hil_mock/emulator/atmega328p.hpp"
+#include "hil_mock/emulator/chip_modules.hpp"
 #include "tests/hil/release_images.hpp"
 #include "tests/hil/robot_session.hpp"
 #include "tests/hil/turning_wheel.hpp"
@@ -200,7 +200,8 @@ class HungRobot : public MovingRobot {
 
 TEST_F(HungRobot, WithoutTicksIsResetAndDisarmed) {
   drive();
-  machine().core().data[emulator::atmega328p::kTimsk2] = 0;
+  avr_t& core = machine().core();
+  core.data[emulator::find_timer(core, '2').overflow.enable.reg] = 0;  // TIMSK2
   expect_watchdog_reset();
   expect_disarmed();
 }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace echomap::emulator {
+
+/// A port letter and the bit in it.
+struct Pin {
+  char port;
+  std::uint8_t bit;
+};
+
+/// A timer's compare unit (0 A, 1 B) and the pin that it drives.
+struct CompareUnit {
+  char timer;
+  std::uint8_t unit;
+  Pin pin;
+};
+
+/// The two wires to a motor bridge.
+struct MotorWiring {
+  CompareUnit pwm;
+  Pin forward;  ///< High is forward.
+};
+
+/// Where the robot's parts are wired to a board: the same table as in docs/hardware and in the
+/// board's firmware/boards/*/pins.hpp.
+struct BoardWiring {
+  const char* board;  ///< As in the name of its image: "uno".
+  const char* chip;   ///< As simavr and avr-gcc's -mmcu call it: "atmega328p".
+  Pin left_encoder_a;
+  Pin left_encoder_b;
+  Pin right_encoder_a;
+  Pin right_encoder_b;
+  Pin sonar_echo;
+  Pin sonar_trigger;
+  CompareUnit pan_servo;
+  MotorWiring left_motor;
+  MotorWiring right_motor;
+  Pin left_bump;  ///< Low is pressed.
+  Pin right_bump;
+};
+
+/// The board that carries `chip`. Throws std::runtime_error, naming those that are known.
+const BoardWiring& wiring_of_chip(const std::string& chip);
+
+}  // namespace echomap::emulator

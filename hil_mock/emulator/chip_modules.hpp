@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <avr_ioport.h>
+#include <avr_timer.h>
+#include <avr_uart.h>
+#include <cstdint>
+#include <set>
+#include <sim_avr.h>
+
+/// The peripherals of a chip as simavr describes them: with their registers' addresses in the data
+/// space, so that no table of ours repeats the data sheet's.
+namespace echomap::emulator {
+
+/// By letter or number, as in PORTB, TCCR1A and UDR0. Each throws std::runtime_error where the chip
+/// has no such peripheral.
+avr_ioport_t& find_port(const avr_t& avr, char letter);
+avr_timer_t& find_timer(const avr_t& avr, char number);
+avr_uart_t& find_uart(const avr_t& avr, char number);
+
+/// Registers of timers, external and pin change interrupts: TIFRn, EIFR, PCIFR and TIMSKn, EIMSK,
+/// PCICR.
+struct InterruptRegisters {
+  std::set<std::uint16_t> flags;
+  std::set<std::uint16_t> enables;
+};
+InterruptRegisters find_interrupt_registers(const avr_t& avr);
+
+}  // namespace echomap::emulator
