@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-# echomap_avr_image(NAME BAUD n SOURCES a.cpp ..): NAME.elf and NAME.hex for an ATmega328P at 16 MHz,
-# with its sizes printed and held to ECHOMAP_FLASH_LIMIT and ECHOMAP_RAM_LIMIT.
+# echomap_avr_image(NAME MCU chip BAUD n SOURCES a.cpp ..): NAME.elf and NAME.hex for a chip at
+# 16 MHz, with its sizes printed and held to ECHOMAP_FLASH_LIMIT and ECHOMAP_RAM_LIMIT.
 function(echomap_avr_image name)
-  cmake_parse_arguments(ARG "" "BAUD" "SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "" "MCU;BAUD" "SOURCES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES SUFFIX .elf CXX_STANDARD 14 CXX_STANDARD_REQUIRED ON)
   target_include_directories(${name} PRIVATE ${root})
-  target_compile_definitions(${name} PRIVATE F_CPU=16000000UL ECHOMAP_UNO_BAUD=${ARG_BAUD}UL)
+  target_compile_definitions(${name} PRIVATE F_CPU=16000000UL ECHOMAP_BAUD=${ARG_BAUD}UL)
   # The last two lines only save flash: 15 % with avr-gcc 5.4.
-  set(code -mmcu=atmega328p -Os -flto -ffunction-sections -fdata-sections -fno-exceptions
+  set(code -mmcu=${ARG_MCU} -Os -flto -ffunction-sections -fdata-sections -fno-exceptions
       -fno-rtti -fno-threadsafe-statics
       -mrelax -mcall-prologues -fno-inline-small-functions -fno-split-wide-types
       -fno-tree-dominator-opts)
@@ -19,6 +19,7 @@ function(echomap_avr_image name)
   add_custom_command(TARGET ${name} POST_BUILD
     COMMAND ${CMAKE_COMMAND} -DELF=$<TARGET_FILE:${name}> -DFLASH_LIMIT=${ECHOMAP_FLASH_LIMIT}
             -DRAM_LIMIT=${ECHOMAP_RAM_LIMIT} -P ${root}/firmware/cmake/size_limits.cmake
-    COMMAND avr-objcopy -O ihex -R .eeprom $<TARGET_FILE:${name}> ${name}.hex
+    COMMAND avr-objcopy -O ihex -R .eeprom $<TARGET_FILE:${name}>
+            $<TARGET_FILE_DIR:${name}>/${name}.hex
     VERBATIM)
 endfunction()

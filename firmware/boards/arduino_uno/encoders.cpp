@@ -4,8 +4,8 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
-#include "firmware/boards/arduino_uno/parts.hpp"
 #include "firmware/boards/arduino_uno/pins.hpp"
+#include "firmware/boards/avr_common/parts.hpp"
 #include "firmware/hal/events.hpp"
 
 namespace echomap {

@@ -3,8 +3,8 @@
 
 #include <avr/io.h>
 
-#include "firmware/boards/arduino_uno/parts.hpp"
 #include "firmware/boards/arduino_uno/pins.hpp"
+#include "firmware/boards/avr_common/parts.hpp"
 
 namespace echomap {
 namespace boards {

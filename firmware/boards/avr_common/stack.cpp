@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/hal/stack.hpp"
 
+#include <avr/io.h>
+
 /// End of the static data, by the linker: the stack grows down towards it.
 extern "C" uint8_t _end;
 
@@ -30,7 +32,7 @@ extern "C" void paint_stack() {
 namespace hal {
 
 uint16_t least_free_stack_bytes() {
-  constexpr uint8_t kBytesPerCall = 8;
+  constexpr uint8_t kBytesPerCall = (RAMEND + 1 - RAMSTART) / 256;
   static const uint8_t* next = &_end;
   static uint16_t free_bytes = 0;
   for (uint8_t i = 0; i < kBytesPerCall; ++i) {

@@ -7,11 +7,20 @@
 #include "firmware/hal/events.hpp"
 #include "firmware/hal/uart.hpp"
 
+// A chip with several USARTs numbers their vectors.
+#if defined(USART0_RX_vect)
+#define ECHOMAP_RECEIVED_vect USART0_RX_vect
+#define ECHOMAP_EMPTY_vect USART0_UDRE_vect
+#else
+#define ECHOMAP_RECEIVED_vect USART_RX_vect
+#define ECHOMAP_EMPTY_vect USART_UDRE_vect
+#endif
+
 namespace echomap {
 namespace boards {
 namespace {
 
-constexpr uint32_t kBaud = ECHOMAP_UNO_BAUD;
+constexpr uint32_t kBaud = ECHOMAP_BAUD;
 constexpr uint16_t kDivider = (F_CPU + 4 * kBaud) / (8 * kBaud);
 constexpr uint32_t kActualBaud = F_CPU / (8UL * kDivider);
 constexpr uint32_t kErrorBaud = kActualBaud > kBaud ? kActualBaud - kBaud : kBaud - kActualBaud;
@@ -34,7 +43,7 @@ namespace hal {
 
 void request_send() { UCSR0B = boards::kAlwaysOn | _BV(UDRIE0); }
 
-ISR(USART_RX_vect) {
+ISR(ECHOMAP_RECEIVED_vect) {
   const uint8_t status = UCSR0A;
   const uint8_t byte = UDR0;
   if ((status & _BV(DOR0)) != 0) {
@@ -43,7 +52,7 @@ ISR(USART_RX_vect) {
   on_byte_received(byte);
 }
 
-ISR(USART_UDRE_vect) {
+ISR(ECHOMAP_EMPTY_vect) {
   uint8_t byte = 0;
   if (next_byte_to_send(byte)) {
     UDR0 = byte;

@@ -4,7 +4,7 @@
 namespace echomap {
 namespace boards {
 
-/// USART0 with ECHOMAP_UNO_BAUD, 8N1, driven by interrupts.
+/// USART0 with ECHOMAP_BAUD, 8N1, driven by interrupts.
 void start_uart();
 
 }  // namespace boards

@@ -2,7 +2,7 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
-#include "firmware/boards/arduino_uno/parts.hpp"
+#include "firmware/boards/avr_common/parts.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/events.hpp"
 
