@@ -27,7 +27,24 @@ constexpr BoardWiring kUno{
     .right_bump = {'D', 3},
 };
 
-constexpr std::array kBoards{kUno};
+/// Motors and contacts have the same Arduino names as on the Uno.
+constexpr BoardWiring kMega{
+    .board = "mega",
+    .chip = "atmega2560",
+    .left_encoder_a = {'B', 0},
+    .left_encoder_b = {'B', 1},
+    .right_encoder_a = {'B', 2},
+    .right_encoder_b = {'B', 3},
+    .sonar_echo = {'L', 1},  // ICP5
+    .sonar_trigger = {'L', 3},
+    .pan_servo = {'5', kB, {'L', 4}},
+    .left_motor = {{'4', kA, {'H', 3}}, {'G', 5}},
+    .right_motor = {{'3', kA, {'E', 3}}, {'H', 4}},
+    .left_bump = {'E', 4},
+    .right_bump = {'E', 5},
+};
+
+constexpr std::array kBoards{kUno, kMega};
 
 }  // namespace
 

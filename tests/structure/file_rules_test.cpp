@@ -21,6 +21,7 @@ const std::string spdx_line = "// SPDX-License-Identifier: MIT";
 /// Sources without a test of their own, and why.
 const std::vector<std::string> without_own_test{
     // Registers: tests/hil runs them on the emulated chip.
+    "firmware/boards/arduino_mega",
     "firmware/boards/arduino_uno",
     "firmware/boards/avr_common",
     // Parts of one chip: tests/hil/emulated_chip_test.cpp and its neighbours run programs on it.

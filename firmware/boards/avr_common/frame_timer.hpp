@@ -89,6 +89,7 @@ class FrameTimer {
   static volatile uint32_t frames_us_;
 };
 
+/// Start of the frame under way, as far as its overflow has been served.
 template <class Timer>
 volatile uint32_t FrameTimer<Timer>::frames_us_ = 0;
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/hal/contacts.hpp"
+
+#include <avr/io.h>
+
+#include "firmware/boards/arduino_mega/pins.hpp"
+#include "firmware/boards/avr_common/parts.hpp"
+
+namespace echomap {
+namespace boards {
+
+void start_contacts() { PORTE |= kContactLeftPin | kContactRightPin; }
+
+}  // namespace boards
+
+namespace hal {
+
+uint8_t pressed_contacts() {
+  const uint8_t open = PINE;
+  uint8_t pressed = 0;
+  if ((open & boards::kContactLeftPin) == 0) {
+    pressed |= kContactLeft;
+  }
+  if ((open & boards::kContactRightPin) == 0) {
+    pressed |= kContactRight;
+  }
+  return pressed;
+}
+
+}  // namespace hal
+}  // namespace echomap

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <avr/io.h>
+
+/// Every pin of the Mega that the firmware uses; docs/hardware/mega.md shows the wires.
+namespace echomap {
+namespace boards {
+
+/// Port B: quadrature inputs with pull-up, left A, left B, right A, right B.
+constexpr uint8_t kEncoderPins = _BV(PB0) | _BV(PB1) | _BV(PB2) | _BV(PB3);
+
+/// Port L: sonar and servo.
+constexpr uint8_t kEchoPin = _BV(PL1);  // ICP5
+constexpr uint8_t kTriggerPin = _BV(PL3);
+constexpr uint8_t kServoPin = _BV(PL4);  // OC5B
+
+/// Port E: contacts (to ground, with pull-up).
+constexpr uint8_t kContactLeftPin = _BV(PE4);
+constexpr uint8_t kContactRightPin = _BV(PE5);
+
+/// Ports E, G and H: motors (high is forward).
+constexpr uint8_t kRightPwmPin = _BV(PE3);  // OC3A
+constexpr uint8_t kLeftForwardPin = _BV(PG5);
+constexpr uint8_t kLeftPwmPin = _BV(PH3);  // OC4A
+constexpr uint8_t kRightForwardPin = _BV(PH4);
+
+}  // namespace boards
+}  // namespace echomap
