@@ -39,10 +39,11 @@ CommandTicket CommandSender::submit(const Command& command) {
   return ticket;
 }
 
-std::optional<Command> CommandSender::take_due(time::HostTime now) {
-  if (queue_.empty() || (tries_ > 0 && now < resend_at_) || tries_ == max_tries_) {
-    return std::nullopt;
-  }
+bool CommandSender::is_due(time::HostTime now) const {
+  return !queue_.empty() && tries_ < max_tries_ && (tries_ == 0 || now >= resend_at_);
+}
+
+const Command& CommandSender::take(time::HostTime now) {
   if (tries_ == 0) {
     last_id_ = protocol::next_command_id(last_id_);
     std::visit([this](auto& message) { message.command_id = last_id_; }, queue_.front().command);

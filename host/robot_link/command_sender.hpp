@@ -24,8 +24,10 @@ class CommandSender {
   /// Queues `command` behind all others.
   CommandTicket submit(const Command& command);
 
-  /// The command that must be sent now, for the first time or again; empty when none is due.
-  std::optional<Command> take_due(time::HostTime now);
+  /// Whether a command must be sent now, for the first time or again.
+  bool is_due(time::HostTime now) const;
+  /// That command; only while `is_due`.
+  const Command& take(time::HostTime now);
 
   /// True when the last try went unanswered.
   bool is_exhausted(time::HostTime now) const;

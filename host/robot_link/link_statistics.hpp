@@ -16,6 +16,10 @@ struct LinkStatistics {
   std::uint64_t frames_sent = 0;
   std::uint64_t commands_resent = 0;
   std::uint64_t resets_seen = 0;
+  /// Set-points that a newer one replaced, or that grew too old, before there was credit for them.
+  std::uint64_t setpoints_dropped = 0;
+  std::uint64_t credit_waits = 0;           ///< Looks at a frame that had to wait for credit.
+  std::uint64_t credit_released_bytes = 0;  ///< Sent, and given up for want of an answer.
 
   /// As the robot last said in Status; modulo 2^16, since its reset.
   std::uint16_t robot_frames_bad = 0;

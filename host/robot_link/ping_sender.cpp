@@ -19,10 +19,7 @@ void PingSender::restart(time::HostTime now) {
   first_phase_end_ = now + params_.first_phase;
 }
 
-std::optional<std::uint32_t> PingSender::take_due(time::HostTime now) {
-  if (now < next_ping_) {
-    return std::nullopt;
-  }
+std::uint32_t PingSender::take(time::HostTime now) {
   next_ping_ = now + (now < first_phase_end_ ? params_.first_period : params_.period);
   sent_at_ = now;
   return ++last_token_;

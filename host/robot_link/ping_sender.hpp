@@ -26,8 +26,9 @@ class PingSender {
 
   /// The link is ready (again): pings are frequent for a while.
   void restart(time::HostTime now);
-  /// The token of the ping that must be sent now; empty when none is due.
-  std::optional<std::uint32_t> take_due(time::HostTime now);
+  bool is_due(time::HostTime now) const { return now >= next_ping_; }
+  /// The token of a ping that is sent now, due or not.
+  std::uint32_t take(time::HostTime now);
   /// When the ping with this token was sent; empty unless it is the last one, unanswered so far.
   std::optional<time::HostTime> take_answer(std::uint32_t token);
 

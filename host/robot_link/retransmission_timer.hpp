@@ -11,10 +11,15 @@ namespace echomap::robot_link {
 struct RetransmissionParams {
   using Duration = time::HostClock::duration;
   Duration initial = std::chrono::milliseconds(200);  ///< Before the first round trip is known.
-  Duration floor = std::chrono::milliseconds(25);     ///< USB; 200 ms for Bluetooth SPP.
+  Duration floor = std::chrono::milliseconds(25);     ///< USB and TCP.
   Duration ceiling =
       std::chrono::milliseconds(400);  ///< So that eight tries end in three and a half seconds.
 };
+
+/// For Bluetooth SPP, whose radio holds bytes back for 150 ms now and then.
+constexpr RetransmissionParams radio_retransmission() {
+  return {.floor = std::chrono::milliseconds(200)};
+}
 
 /// The retransmission timeout of RFC 6298, section 2: smoothed round trip plus four deviations,
 /// doubled at each resend.

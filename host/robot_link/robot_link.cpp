@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "protocol/limits.hpp"
 #include "protocol/version.hpp"
 
 namespace echomap::robot_link {
@@ -26,6 +27,12 @@ RobotLinkParams checked(const RobotLinkParams& params) {
   return params;
 }
 
+/// As the robot reads it: 0 stands for the default.
+std::chrono::milliseconds time_to_live(const protocol::DriveSetpoint& setpoint) {
+  return std::chrono::milliseconds(setpoint.time_to_live_ms == 0 ? protocol::kDefaultTimeToLiveMs
+                                                                 : setpoint.time_to_live_ms);
+}
+
 }  // namespace
 
 RobotLink::RobotLink(RobotLinkListener& listener,
@@ -34,6 +41,7 @@ RobotLink::RobotLink(RobotLinkListener& listener,
     : listener_(listener),
       session_(session),
       params_(checked(params)),
+      outbox_(params.credit),
       commands_(params.retransmission, params.command_tries),
       pings_(params.ping),
       clock_(params.clock) {
@@ -97,6 +105,7 @@ void RobotLink::handle(const protocol::HelloReply& reply) {
   if (reply.session != session_) {
     return;
   }
+  outbox_.confirm(reply);
   robot_ = reply;
   if (state_ != LinkState::kReady) {
     state_ = LinkState::kReady;
@@ -118,12 +127,14 @@ void RobotLink::notice_reset(const protocol::HelloReply& reply) {
 }
 
 void RobotLink::handle(const protocol::Ack& ack) {
+  outbox_.confirm(ack);
   if (const auto result = commands_.acknowledge(ack, now_)) {
     listener_.on_command_done(*result);
   }
 }
 
 void RobotLink::handle(const protocol::Pong& pong) {
+  outbox_.confirm(pong);
   const auto sent_at = state_ == LinkState::kReady ? pings_.take_answer(pong.token) : std::nullopt;
   if (sent_at) {
     clock_.add_ping(*sent_at, pong.stamp_us, now_);
@@ -173,6 +184,7 @@ bool RobotLink::accepts_telemetry(std::uint32_t stamp_us) {
 
 void RobotLink::poll(time::HostTime now) {
   now_ = now;
+  outbox_.credit().release_overdue(now);
   update_state();
   if (is_hello_due()) {
     send_hello();
@@ -181,6 +193,7 @@ void RobotLink::poll(time::HostTime now) {
     send_keep_alive();
     send_ping();
     send_command();
+    send_setpoint();
   } else if (state_ != LinkState::kConnecting) {
     end_commands(CommandOutcome::kLinkLost);
   }
@@ -233,30 +246,48 @@ bool RobotLink::is_hello_due() const {
 void RobotLink::send_hello() {
   next_hello_ = now_ + params_.hello_period;
   // Ends whatever a reset or an earlier host left unfinished in the robot's decoder.
-  outgoing_.push_back(0);
-  send_frame(protocol::Hello{
-      protocol::kProtocolMajor, protocol::kProtocolMinor, protocol::kSchemaDigest, session_});
+  outbox_.put_delimiter(now_);
+  outbox_.put(
+      protocol::Hello{
+          protocol::kProtocolMajor, protocol::kProtocolMinor, protocol::kSchemaDigest, session_},
+      now_);
+}
+
+void RobotLink::send_setpoint() {
+  if (!setpoint_) {
+    return;
+  }
+  if (now_ - setpoint_->since > time_to_live(setpoint_->message)) {
+    ++statistics_.setpoints_dropped;
+    setpoint_.reset();
+  } else if (outbox_.has_room<protocol::DriveSetpoint>()) {
+    outbox_.put(setpoint_->message, now_);
+    setpoint_.reset();
+  }
 }
 
 void RobotLink::send_keep_alive() {
-  if (!keep_alive_ || now_ < next_keep_alive_) {
+  const bool is_due = keep_alive_ && now_ >= next_keep_alive_;
+  if (!is_due || !outbox_.has_room<protocol::KeepAlive>()) {
     return;
   }
   next_keep_alive_ = now_ + params_.keep_alive_period;
   const auto ttl = std::chrono::duration_cast<std::chrono::milliseconds>(params_.keep_alive_ttl);
-  send_frame(protocol::KeepAlive{static_cast<std::uint16_t>(ttl.count())});
+  outbox_.put(protocol::KeepAlive{static_cast<std::uint16_t>(ttl.count())}, now_);
 }
 
 void RobotLink::send_ping() {
-  if (const auto token = pings_.take_due(now_)) {
-    send_frame(protocol::Ping{*token});
+  const bool is_due = pings_.is_due(now_) || outbox_.credit().wants_answer();
+  if (is_due && outbox_.has_room<protocol::Ping>()) {
+    outbox_.put(protocol::Ping{pings_.take(now_)}, now_);
   }
 }
 
 void RobotLink::send_command() {
-  if (const auto command = commands_.take_due(now_)) {
-    std::visit([this](const auto& message) { send_frame(message); }, *command);
+  if (!commands_.is_due(now_) || !outbox_.has_room<Command>()) {
+    return;
   }
+  std::visit([this](const auto& message) { outbox_.put(message, now_); }, commands_.take(now_));
 }
 
 void RobotLink::end_commands(CommandOutcome outcome) {
@@ -265,24 +296,22 @@ void RobotLink::end_commands(CommandOutcome outcome) {
   }
 }
 
-void RobotLink::send(const protocol::DriveSetpoint& setpoint) {
-  if (state_ == LinkState::kReady) {
-    send_frame(setpoint);
+void RobotLink::send(const protocol::DriveSetpoint& setpoint, time::HostTime now) {
+  now_ = now;
+  if (state_ != LinkState::kReady) {
+    return;
   }
+  statistics_.setpoints_dropped += setpoint_ ? 1 : 0;
+  setpoint_ = {setpoint, now};
+  send_setpoint();
 }
-
-template <class Message>
-void RobotLink::send_frame(const Message& message) {
-  const protocol::ByteSpan frame = encoder_.encode(message, next_seq_++);
-  outgoing_.insert(outgoing_.end(), frame.data, frame.data + frame.size);
-  ++statistics_.frames_sent;
-}
-
-std::vector<std::uint8_t> RobotLink::take_outgoing() { return std::exchange(outgoing_, {}); }
 
 LinkStatistics RobotLink::statistics() const {
   LinkStatistics statistics = statistics_;
+  statistics.frames_sent = outbox_.frames_sent();
   statistics.commands_resent = commands_.resent();
+  statistics.credit_waits = outbox_.waits();
+  statistics.credit_released_bytes = outbox_.credit().released_bytes();
   statistics.round_trip = commands_.timer().smoothed_round_trip();
   return statistics;
 }

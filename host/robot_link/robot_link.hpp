@@ -8,6 +8,7 @@
 
 #include "host/robot_link/byte_preview.hpp"
 #include "host/robot_link/command_sender.hpp"
+#include "host/robot_link/frame_outbox.hpp"
 #include "host/robot_link/link_state.hpp"
 #include "host/robot_link/link_statistics.hpp"
 #include "host/robot_link/ping_sender.hpp"
@@ -34,6 +35,7 @@ struct RobotLinkParams {
   PingParams ping{};
   time::ClockSyncParams clock{};
   RetransmissionParams retransmission{};
+  CreditParams credit{};
   /// At 5 % frame loss each way a try fails at 9.75 %: five in a row once in 110,000 commands,
   /// eight once in 120 million.
   int command_tries = 8;
@@ -58,15 +60,16 @@ class RobotLink {
   void poll(time::HostTime now);
 
   /// The bytes to write to the robot since the last call.
-  std::vector<std::uint8_t> take_outgoing();
+  std::vector<std::uint8_t> take_outgoing() { return outbox_.take_outgoing(); }
 
   /// Queues a command; `on_command_done` brings the outcome. While the link is connecting it waits;
   /// where the link is silent, garbage, unheard, lost or a mismatch it ends in kLinkLost at the
   /// next `poll`.
   CommandTicket submit(const Command& command) { return commands_.submit(command); }
 
-  /// Sends wheel speeds now, never again; dropped unless the link is ready.
-  void send(const protocol::DriveSetpoint& setpoint);
+  /// Sends wheel speeds now, never again; dropped unless the link is ready. While the robot's
+  /// credit is used up the latest waits, for its own time to live at most.
+  void send(const protocol::DriveSetpoint& setpoint, time::HostTime now);
 
   /// While on, motion on the robot is kept alive; off, it ends within `keep_alive_ttl`.
   void keep_alive(bool on) { keep_alive_ = on; }
@@ -103,12 +106,11 @@ class RobotLink {
   bool is_within(Duration duration, const std::optional<time::HostTime>& instant) const;
   bool is_hello_due() const;
   void send_hello();
+  void send_setpoint();
   void send_keep_alive();
   void send_ping();
   void send_command();
   void end_commands(CommandOutcome outcome);
-  template <class Message>
-  void send_frame(const Message& message);
 
   RobotLinkListener& listener_;
   std::uint16_t session_;
@@ -121,9 +123,7 @@ class RobotLink {
 
   protocol::FrameDecoder decoder_{protocol::MessagesToHost::find_schema};
   protocol::ReceiveCounters counters_;
-  protocol::FrameEncoder encoder_;
-  std::uint8_t next_seq_ = 0;
-  std::vector<std::uint8_t> outgoing_;
+  FrameOutbox outbox_;
   CommandSender commands_;
   PingSender pings_;
   time::ClockSync clock_;
@@ -136,6 +136,11 @@ class RobotLink {
   time::HostTime next_hello_;
   time::HostTime next_keep_alive_;
   bool keep_alive_ = false;
+  struct WaitingSetpoint {
+    protocol::DriveSetpoint message;
+    time::HostTime since;
+  };
+  std::optional<WaitingSetpoint> setpoint_;
   std::optional<std::uint32_t> newest_stamp_us_;
 };
 

@@ -24,6 +24,12 @@ PortKind port_kind(const std::string& port) {
   return real.parent_path() == "/dev/pts" ? PortKind::kPty : PortKind::kSerial;
 }
 
+bool is_radio(const std::string& port) {
+  std::error_code ignored;
+  const auto device = std::filesystem::weakly_canonical(port, ignored).string();
+  return is_bluetooth_address(port) || device.starts_with("/dev/rfcomm");
+}
+
 std::unique_ptr<ByteStream> open_stream(const std::string& port, int baud) {
   switch (port_kind(port)) {
     case PortKind::kTcp:

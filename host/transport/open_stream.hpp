@@ -17,6 +17,9 @@ enum class PortKind : std::uint8_t {
 };
 PortKind port_kind(const std::string& port);
 
+/// Whether a Bluetooth radio carries the bytes: an address, or an rfcomm device.
+bool is_radio(const std::string& port);
+
 /// Opens `port`; `baud` (bits per second) counts for serial ports only.
 /// Throws TransportError; where no such port exists it names those that do.
 std::unique_ptr<ByteStream> open_stream(const std::string& port, int baud);

@@ -60,7 +60,7 @@ void FakeRobot::reply(std::uint16_t session) {
                             reset_cause_,
                             session,
                             1000,
-                            128,
+                            receive_credit_bytes,
                             0});
 }
 

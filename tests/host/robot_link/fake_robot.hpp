@@ -48,6 +48,7 @@ class FakeRobot {
   std::uint8_t protocol_major = 1;
   std::uint8_t protocol_minor = 0;
   std::uint32_t schema_digest = protocol::kSchemaDigest;
+  std::uint16_t receive_credit_bytes = 128;
   protocol::CommandStatus answer = protocol::CommandStatus::kAccepted;
   /// How moves and sweeps end, `motion_ms` after they were accepted.
   protocol::MotionOutcome outcome = protocol::MotionOutcome::kReached;

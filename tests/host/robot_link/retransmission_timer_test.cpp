@@ -38,6 +38,14 @@ TEST(RetransmissionTimer, SettlesOnTheFloorForAFastSteadyLine) {
   EXPECT_EQ(timer.timeout(), milliseconds(25));
 }
 
+TEST(RetransmissionTimer, NeverResendsWithin200MsOverARadio) {
+  RetransmissionTimer timer(radio_retransmission());
+  for (int i = 0; i < 100; ++i) {
+    timer.sample(milliseconds(20));
+  }
+  EXPECT_EQ(timer.timeout(), milliseconds(200));
+}
+
 TEST(RetransmissionTimer, DoublesUpToTheCeilingUntilTheNextSample) {
   RetransmissionTimer timer(kParams);
   timer.sample(milliseconds(3));

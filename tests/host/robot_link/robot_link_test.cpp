@@ -181,10 +181,10 @@ TEST_F(RobotLinkTest, KeepsMotionAliveEvery50MsWhileItIsOn) {
 }
 
 TEST_F(RobotLinkTest, SendsASetpointOnceAndOnlyToAReadyRobot) {
-  link.send(protocol::DriveSetpoint{1, 2, 200});
+  link.send(protocol::DriveSetpoint{1, 2, 200}, now());
   run_for(100);
   EXPECT_TRUE(robot.setpoints.empty());
-  link.send(protocol::DriveSetpoint{30, -40, 200});
+  link.send(protocol::DriveSetpoint{30, -40, 200}, now());
   run_for(500);
   ASSERT_EQ(robot.setpoints.size(), 1U);
   EXPECT_EQ(robot.setpoints[0].right_ticks_per_s, -40);

@@ -22,6 +22,13 @@ TEST(OpenStream, TellsTheKindOfAPortByItsName) {
   EXPECT_EQ(port_kind(""), PortKind::kSerial);
 }
 
+TEST(OpenStream, KnowsARadioByItsName) {
+  EXPECT_TRUE(is_radio("bt://00:14:03:05:59:02"));
+  EXPECT_TRUE(is_radio("/dev/rfcomm0"));
+  EXPECT_FALSE(is_radio("/dev/ttyUSB0"));
+  EXPECT_FALSE(is_radio("tcp://rfcomm:5000"));
+}
+
 TEST(OpenStream, FollowsTheStableLinkOfAnEmulator) {
   PtyPair device;
   const tests::ScratchFolder folder;

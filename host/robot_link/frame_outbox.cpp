@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "host/robot_link/frame_outbox.hpp"
+
+namespace echomap::robot_link {
+
+void FrameOutbox::confirm(const protocol::HelloReply& reply) {
+  credit_.confirm({reply.kId, 0});
+  credit_.grant(reply.receive_credit_bytes);
+}
+
+}  // namespace echomap::robot_link

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "host/robot_link/command.hpp"
+#include "host/robot_link/credit_window.hpp"
+#include "protocol/frame_encoder.hpp"
+#include "protocol/handshake_messages.hpp"
+#include "protocol/message_codec.hpp"
+
+namespace echomap::robot_link {
+
+/// Bytes that M takes on the wire; of a variant, its largest message.
+template <class M>
+constexpr std::size_t kFrameBytes = protocol::MessageFacts<M>::kSize + protocol::kFrameOverhead;
+template <class... Ms>
+constexpr std::size_t kFrameBytes<std::variant<Ms...>> = std::max({kFrameBytes<Ms>...});
+
+/// What a frame must leave of the credit, so that none starves: set-points give way to commands,
+/// those to pings, which bring the answers that free credit, and all to what keeps a robot moving.
+template <class M>
+constexpr std::size_t spare_bytes() {
+  constexpr std::size_t kForCommands =
+      kFrameBytes<protocol::KeepAlive> + kFrameBytes<protocol::Ping>;
+  if constexpr (std::is_same_v<M, protocol::KeepAlive>) {
+    return 0;
+  } else if constexpr (std::is_same_v<M, protocol::Ping>) {
+    return kFrameBytes<protocol::KeepAlive>;
+  } else if constexpr (std::is_same_v<M, Command>) {
+    return kForCommands;
+  } else {
+    return kForCommands + kFrameBytes<Command>;
+  }
+}
+
+/// What the host sends: numbers frames, and counts them against the robot's credit until they are
+/// answered.
+class FrameOutbox {
+ public:
+  explicit FrameOutbox(const CreditParams& credit) : credit_(credit) {}
+
+  /// Whether a frame of M, which may be Command, may go now.
+  template <class M>
+  bool has_room() {
+    const bool has_room = credit_.has_room(kFrameBytes<M>, spare_bytes<M>());
+    waits_ += has_room ? 0 : 1;
+    return has_room;
+  }
+
+  /// Puts a frame into the outgoing bytes.
+  template <class M>
+  void put(const M& message, time::HostTime now) {
+    const protocol::ByteSpan frame = encoder_.encode(message, next_seq_++);
+    outgoing_.insert(outgoing_.end(), frame.data, frame.data + frame.size);
+    ++frames_sent_;
+    credit_.add(frame.size, answer_to(message), now);
+  }
+  /// Ends whatever the robot's decoder holds of earlier bytes.
+  void put_delimiter(time::HostTime now) {
+    outgoing_.push_back(0);
+    credit_.add(1, std::nullopt, now);
+  }
+
+  /// Takes the robot's answers.
+  void confirm(const protocol::HelloReply& reply);
+  void confirm(const protocol::Ack& ack) { credit_.confirm({ack.kId, ack.command_id}); }
+  void confirm(const protocol::Pong& pong) { credit_.confirm({pong.kId, pong.token}); }
+
+  /// The bytes since the last call.
+  std::vector<std::uint8_t> take_outgoing() { return std::exchange(outgoing_, {}); }
+
+  CreditWindow& credit() { return credit_; }
+  const CreditWindow& credit() const { return credit_; }
+  std::uint64_t frames_sent() const { return frames_sent_; }
+  /// How often a frame had to wait, looked at every `poll`.
+  std::uint64_t waits() const { return waits_; }
+
+ private:
+  static std::optional<AnswerKey> answer_to(const protocol::Hello& /*hello*/) {
+    return AnswerKey{protocol::HelloReply::kId, 0};
+  }
+  static std::optional<AnswerKey> answer_to(const protocol::Ping& ping) {
+    return AnswerKey{protocol::Pong::kId, ping.token};
+  }
+  template <class M>
+  static std::optional<AnswerKey> answer_to(const M& message) {
+    if constexpr (M::message_class() == protocol::MessageClass::kCommand) {
+      return AnswerKey{protocol::Ack::kId, message.command_id};
+    } else {
+      return std::nullopt;
+    }
+  }
+
+  protocol::FrameEncoder encoder_;
+  CreditWindow credit_;
+  std::vector<std::uint8_t> outgoing_;
+  std::uint8_t next_seq_ = 0;
+  std::uint64_t frames_sent_ = 0;
+  std::uint64_t waits_ = 0;
+};
+
+}  // namespace echomap::robot_link

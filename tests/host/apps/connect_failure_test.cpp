@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/connect_failure.hpp"
+
+#include <gmock/gmock.h>
+
+#include "tests/host/robot_link/link_fixture.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using testing::HasSubstr;
+
+class ConnectFailure : public robot_link::LinkFixture {};
+
+TEST_F(ConnectFailure, SaysWhatToDoOfASilentPort) {
+  robot_has_power = false;
+  run_for(3000);
+  EXPECT_EQ(connect_failure(link), ExitCode::kNoRobot);
+  EXPECT_THAT(reason_of_connect_failure(link, "/dev/x"), HasSubstr("./run flash --port /dev/x"));
+}
+
+TEST_F(ConnectFailure, ShowsWhatCameInsteadOfFrames) {
+  robot_has_power = false;
+  for (int i = 0; i < 60; ++i) {
+    const std::string text = "Hello, I print labels\n";
+    link.receive({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, now());
+    run_for(50);
+  }
+  EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("Hello, I print"));
+}
+
+TEST_F(ConnectFailure, NamesTheWireOfARobotThatDoesNotHear) {
+  robot.streams_before_hello = true;
+  to_robot.is_cut = true;
+  run_for(3000);
+  EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("RX pin"));
+}
+
+TEST_F(ConnectFailure, NamesBothVersionsOfAMismatch) {
+  robot.schema_digest = 0xBEEF;
+  run_for(500);
+  EXPECT_EQ(connect_failure(link), ExitCode::kFirmwareMismatch);
+  EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("0000beef"));
+}
+
+TEST_F(ConnectFailure, TellsAResetByItsCauseAndByTheRobotsClock) {
+  robot_has_power = false;
+  run_for(1000);
+  EXPECT_FALSE(was_reset_since(time::HostTime{}, link));
+  robot_has_power = true;
+  robot.power_on(2, protocol::kResetExternal);
+  run_for(1000);
+  EXPECT_TRUE(was_reset_since(time::HostTime{}, link));
+  EXPECT_FALSE(was_reset_since(now(), link));
+  robot.power_on(3, protocol::kResetPowerOn);
+  run_for(1000);
+  EXPECT_FALSE(was_reset_since(time::HostTime{}, link));
+}
+
+}  // namespace
+}  // namespace echomap::apps
