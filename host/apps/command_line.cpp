@@ -56,6 +56,12 @@ void add_explore(CLI::App& app, Action& action) {
                    "Wait so many seconds for a robot that was unplugged or reset")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
+  command->add_flag("--no-reset",
+                    options->no_reset,
+                    "Join a robot that runs, and end where opening its port has reset it: the "
+                    "kernel raises DTR when a port is first opened after plugging in, or after a "
+                    "program that dropped it, and that resets most Arduinos; it stays up from "
+                    "then on");
   command->add_option("--lockstep", options->lockstep, "Socket of a simulated robot's clock");
   add_run_options(*command, options->run);
   command->footer("Example: echomap explore --port /dev/ttyACM0 --robot uno_2wd --out kitchen");

@@ -27,6 +27,7 @@ struct ExploreOptions {
   RunOptions run;
   std::vector<std::string> ports;  ///< Empty: every USB and Bluetooth serial port.
   int baud = 115200;
+  bool no_reset = false;      ///< End where opening the port has reset the robot.
   double reconnect_s = 10.0;  ///< How long to wait for a robot that is away; 0: not at all.
   std::string lockstep;       ///< Socket of a simulated robot's clock; empty for a real one.
 };

@@ -27,10 +27,14 @@ OpenPort opener(const ExploreOptions& options) {
 /// A robot that may be unplugged and reset, and is waited for.
 RobotConnection connection_on_a_desk(const ExploreOptions& options) {
   RobotConnection robot;
+  robot.no_reset = options.no_reset;
   robot.pace = real_time_pace();
   robot.session_id = session_id_from(std::random_device{}());
   const OpenPort open = opener(options);
   robot.stream = choose_port(candidate_ports(options.ports), open, robot.session_id);
+  if (transport::is_radio(robot.stream->name())) {
+    robot.retransmission = robot_link::radio_retransmission();
+  }
   if (options.reconnect_s > 0.0) {
     const std::string port = robot.stream->name();
     robot.stream = std::make_unique<transport::ReconnectingStream>(

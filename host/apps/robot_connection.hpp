@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "host/apps/pace.hpp"
+#include "host/robot_link/retransmission_timer.hpp"
 #include "host/transport/byte_stream.hpp"
 
 namespace echomap::apps {
@@ -17,6 +18,10 @@ struct RobotConnection {
   std::uint16_t session_id = 1;
   /// How long a link that was ready may be away before the run ends.
   std::chrono::milliseconds patience{3000};
+  /// The robot must not have been reset by opening its port.
+  bool no_reset = false;
+  /// When commands are sent again, by what carries the bytes.
+  robot_link::RetransmissionParams retransmission{};
 };
 
 }  // namespace echomap::apps

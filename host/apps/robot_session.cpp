@@ -9,6 +9,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "host/apps/connect_failure.hpp"
 #include "host/apps/exit_code.hpp"
 #include "host/apps/interrupt.hpp"
 #include "host/geometry/angle.hpp"
@@ -79,10 +80,11 @@ RobotSession::RobotSession(RobotConnection robot,
     : stream_(std::move(robot.stream)),
       pace_(std::move(robot.pace)),
       patience_(robot.patience),
+      no_reset_(robot.no_reset),
       profile_(profile),
       pipeline_(pipeline),
       converter_(profile.geometry, profile.range),
-      link_(*this, robot.session_id) {}
+      link_(*this, robot.session_id, {.retransmission = robot.retransmission}) {}
 
 RobotSession::~RobotSession() { disarm(); }
 
@@ -98,9 +100,10 @@ void RobotSession::connect() {
         end_reason_);
   }
   if (link_.state() != LinkState::kReady) {
-    fail_to_connect();
+    throw CommandError(connect_failure(link_), reason_of_connect_failure(link_, stream_->name()));
   }
   connected_ = true;
+  check_it_was_not_reset();
   if (!set_up_robot()) {
     throw CommandError(
         end_ == SessionEnd::kInterrupted ? ExitCode::kInterrupted : ExitCode::kLinkLost,
@@ -108,28 +111,13 @@ void RobotSession::connect() {
   }
 }
 
-void RobotSession::fail_to_connect() const {
-  const std::string port = stream_->name();
-  if (const auto& mismatch = link_.mismatch()) {
-    throw CommandError(ExitCode::kFirmwareMismatch, mismatch->message());
+void RobotSession::check_it_was_not_reset() {
+  if (!no_reset_) {
+    return;
   }
-  switch (link_.state()) {
-    case LinkState::kGarbage:
-      throw CommandError(ExitCode::kNoRobot,
-                         "bytes come from " + port +
-                             ", but no echomap frame is among them: another program runs on that "
-                             "board, or the baud rate is another one\n  what came first:\n" +
-                             link_.preview().text() + "  next: ./run flash --port " + port +
-                             ", or try --baud 250000");
-    case LinkState::kUnheard:
-      throw CommandError(ExitCode::kNoRobot,
-                         "a robot talks on " + port +
-                             " but does not hear us\n  next: check the wire to the board's RX pin");
-    default:
-      throw CommandError(ExitCode::kNoRobot,
-                         "nothing answers on " + port +
-                             "\n  next: is the robot switched on and flashed? ./run flash --port " +
-                             port);
+  wait_until([&] { return link_.clock().host_time(0).has_value(); }, kConnectLimit);
+  if (was_reset_since(time::HostTime{}, link_)) {
+    throw CommandError(ExitCode::kNoRobot, reset_by_opening(stream_->name()));
   }
 }
 

@@ -35,7 +35,8 @@ class RobotSession final : private robot_link::RobotLinkListener {
   RobotSession& operator=(const RobotSession&) = delete;
 
   /// Says Hello, sends the profile, arms. Throws CommandError: 3 where no robot answers (with what
-  /// came instead), 4 where its firmware is another, 5, 6 or 130.
+  /// came instead) or where it was reset and must not have been, 4 where its firmware is another,
+  /// 5, 6 or 130.
   void connect();
 
   /// Carries out one motion and waits for its end; BeginScan and EndScan only tell the pipeline.
@@ -71,7 +72,7 @@ class RobotSession final : private robot_link::RobotLinkListener {
   /// Steps until `done`, until `limit` of session time has passed or until the session ends; true
   /// when done.
   bool wait_until(const std::function<bool()>& done, Duration limit);
-  [[noreturn]] void fail_to_connect() const;
+  void check_it_was_not_reset();
   /// Waits for the link and sets the robot up where it has started anew; false at the session's
   /// end.
   bool be_ready();
@@ -86,6 +87,7 @@ class RobotSession final : private robot_link::RobotLinkListener {
   std::unique_ptr<transport::ByteStream> stream_;
   std::unique_ptr<Pace> pace_;
   Duration patience_;
+  bool no_reset_;
   RobotProfile profile_;
   pipeline::RobotPipeline& pipeline_;
   sensors::ObservationConverter converter_;

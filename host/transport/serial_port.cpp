@@ -3,12 +3,13 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <fcntl.h>
 #include <libserialport.h>
 #include <system_error>
 #include <termios.h>
-#include <unistd.h>
 
 #include "host/transport/descriptor_stream.hpp"
+#include "host/transport/file_descriptor.hpp"
 #include "host/transport/port_list.hpp"
 #include "host/transport/transport_error.hpp"
 
@@ -63,6 +64,39 @@ void check(sp_return result, const std::string& path, int fallback_error) {
   }
 }
 
+/// The device, open without a change to its modem lines. libserialport sets HUPCL, with which the
+/// kernel drops DTR at the last closing, and the next opening resets the board by raising it. As
+/// long as this is open no other closing is the last one; its own is without HUPCL.
+class SteadyDevice {
+ public:
+  explicit SteadyDevice(const std::string& path)
+      : fd_(::open(resolved(path).c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
+    if (fd_.get() < 0) {
+      fail(path, errno);
+    }
+  }
+  ~SteadyDevice() { correct_settings(); }
+  SteadyDevice(const SteadyDevice&) = delete;
+  SteadyDevice& operator=(const SteadyDevice&) = delete;
+
+  int release() { return fd_.release(); }
+
+  /// HUPCL off, and VMIN at 1: Asio takes a read at VMIN 0 for the end of the stream.
+  bool correct_settings() {
+    termios settings{};
+    if (fd_.get() < 0 || tcgetattr(fd_.get(), &settings) != 0) {
+      return false;
+    }
+    settings.c_cc[VMIN] = 1;
+    settings.c_cc[VTIME] = 0;
+    settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
+    return tcsetattr(fd_.get(), TCSANOW, &settings) == 0;
+  }
+
+ private:
+  FileDescriptor fd_;
+};
+
 Port open_port(const std::string& path) {
   sp_port* found = nullptr;
   check(sp_get_port_by_name(resolved(path).c_str(), &found), path, ENOTTY);
@@ -80,20 +114,6 @@ void configure(sp_port* port, const std::string& path, int baud) {
   check(sp_flush(port, SP_BUF_BOTH), path, EINVAL);
 }
 
-/// libserialport leaves VMIN at 0, which Asio takes for the end of the stream, and HUPCL on.
-void correct_line_settings(int fd, const std::string& path) {
-  termios settings{};
-  if (tcgetattr(fd, &settings) != 0) {
-    fail(path, errno);
-  }
-  settings.c_cc[VMIN] = 1;
-  settings.c_cc[VTIME] = 0;
-  settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
-  if (tcsetattr(fd, TCSANOW, &settings) != 0) {
-    fail(path, errno);
-  }
-}
-
 }  // namespace
 
 std::unique_ptr<ByteStream> open_serial_port(const std::string& path, int baud) {
@@ -102,16 +122,13 @@ std::unique_ptr<ByteStream> open_serial_port(const std::string& path, int baud) 
                          std::to_string(baud) + " is no baud rate",
                          "--baud 115200, or what the firmware was built for");
   }
+  SteadyDevice device(path);
   const Port port = open_port(path);
   configure(port.get(), path, baud);
-  int fd = -1;
-  check(sp_get_port_handle(port.get(), &fd), path, ENOTTY);
-  correct_line_settings(fd, path);
-  const int own_fd = ::dup(fd);
-  if (own_fd < 0) {
+  if (!device.correct_settings()) {
     fail(path, errno);
   }
-  return descriptor_stream(own_fd, path);
+  return descriptor_stream(device.release(), path);
 }
 
 }  // namespace echomap::transport

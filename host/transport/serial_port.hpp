@@ -8,9 +8,10 @@
 
 namespace echomap::transport {
 
-/// Opens a serial device at any `baud` its driver takes, 8N1, no flow control. Closing does not
-/// drop DTR (HUPCL is off), so that the next opening does not reset an Arduino. Throws
-/// TransportError.
+/// Opens a serial device at any `baud` its driver takes, 8N1, no flow control. Neither opening nor
+/// closing lowers DTR (HUPCL is off), so that an Arduino which runs with DTR up goes on. Where DTR
+/// is down, as after plugging in, the kernel raises it within open(2): that resets the board and
+/// nothing can keep it from it. Throws TransportError.
 std::unique_ptr<ByteStream> open_serial_port(const std::string& path, int baud);
 
 }  // namespace echomap::transport

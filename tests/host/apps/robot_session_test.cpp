@@ -98,10 +98,13 @@ class RobotSessionTest : public testing::Test {
   int restarts = 0;
   const RobotProfile profile = load_robot_profile("uno_2wd");
   pipeline::RobotPipeline pipeline{profile.geometry};
-  std::unique_ptr<RobotSession> session = std::make_unique<RobotSession>(
-      RobotConnection{std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7},
-      profile,
-      pipeline);
+  std::unique_ptr<RobotSession> new_session(bool no_reset) {
+    RobotConnection connection{
+        std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7};
+    connection.no_reset = no_reset;
+    return std::make_unique<RobotSession>(std::move(connection), profile, pipeline);
+  }
+  std::unique_ptr<RobotSession> session = new_session(false);
 };
 
 TEST_F(RobotSessionTest, SetsUpAndArmsAndDisarmsInTheEnd) {
@@ -160,6 +163,34 @@ TEST_F(RobotSessionTest, NamesTheFirmwareThatSpeaksAnotherProtocol) {
   } catch (const CommandError& error) {
     EXPECT_EQ(error.code(), ExitCode::kFirmwareMismatch);
   }
+}
+
+TEST_F(RobotSessionTest, JoinsARobotThatRunsWhereItMustNotBeReset) {
+  cable.robot.power_on(5, protocol::kResetExternal);
+  for (int ms = 0; ms < 90'000; ++ms) {
+    cable.robot.advance_1ms();
+  }
+  session = new_session(true);
+  session->connect();
+  EXPECT_GT(cable.robot.stamp_us(), 90'000'000U);
+  EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kReached);
+}
+
+TEST_F(RobotSessionTest, RefusesARobotThatOpeningHasReset) {
+  session = new_session(true);
+  cable.powered = false;
+  after_ms(200, [this] {
+    cable.robot.power_on(2, protocol::kResetExternal);
+    cable.powered = true;
+  });
+  try {
+    session->connect();
+    FAIL() << "connected";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code(), ExitCode::kNoRobot);
+    EXPECT_NE(std::string(error.what()).find("has reset the robot"), std::string::npos);
+  }
+  EXPECT_FALSE(cable.robot.armed);
 }
 
 TEST_F(RobotSessionTest, DoesASweepAgainThatAResetBrokeOff) {

@@ -16,27 +16,53 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 
+#include "tests/host/transport/modem_lines.hpp"
+
+namespace echomap::transport {
+
+ModemLines& modem_lines() {
+  static ModemLines lines;
+  return lines;
+}
+
+}  // namespace echomap::transport
+
 namespace {
+
+using echomap::transport::modem_lines;
+using echomap::transport::ModemLines;
 
 bool is_place_of_pty(const char* path) {
   return std::string_view(path).substr(0, 19) == "/sys/class/tty/pts/";
 }
 
-/// The modem lines of all ptys; -1 where `request` is about something else.
+void set_lines(int lines) {
+  ModemLines& modem = modem_lines();
+  const bool falls = (modem.up & TIOCM_DTR) != 0 && (lines & TIOCM_DTR) == 0;
+  modem.falls_of_dtr += falls ? 1 : 0;
+  modem.up = lines;
+}
+
+/// -1 where `request` is about something else, or fails as it was told to.
 int answer_modem_lines(unsigned long request, int* argument) {
-  static int lines = 0;
+  ModemLines& modem = modem_lines();
+  if (modem.requests_until_failure == 0) {
+    errno = EIO;
+    return -1;
+  }
+  modem.requests_until_failure -= modem.requests_until_failure > 0 ? 1 : 0;
   switch (request) {
     case TIOCMGET:
-      *argument = lines;
+      *argument = modem.up;
       return 0;
     case TIOCMSET:
-      lines = *argument;
+      set_lines(*argument);
       return 0;
     case TIOCMBIS:
-      lines |= *argument;
+      set_lines(modem.up | *argument);
       return 0;
     case TIOCMBIC:
-      lines &= ~*argument;
+      set_lines(modem.up & ~*argument);
       return 0;
     default:
       return -1;

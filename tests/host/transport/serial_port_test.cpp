@@ -5,9 +5,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
 
 #include "host/transport/transport_error.hpp"
 #include "tests/host/transport/line_settings.hpp"
+#include "tests/host/transport/modem_lines.hpp"
 #include "tests/host/transport/pty_pair.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -52,6 +54,27 @@ TEST(SerialPort, DoesNotHangUpWhenItCloses) {
   PtyPair device;
   open_serial_port(device.name(), 115200);
   EXPECT_FALSE(line_settings(device.fd()).hangs_up_on_close);
+}
+
+TEST(SerialPort, LeavesDtrUpWhereARobotRuns) {
+  PtyPair device;
+  modem_lines() = {.up = TIOCM_DTR | TIOCM_RTS};
+  for (int i = 0; i < 3; ++i) {
+    open_serial_port(device.name(), 115200);
+    EXPECT_EQ(modem_lines().up, TIOCM_DTR | TIOCM_RTS);
+  }
+  EXPECT_EQ(modem_lines().falls_of_dtr, 0);
+}
+
+TEST(SerialPort, DoesNotHangUpWhereOpeningFailsHalfway) {
+  for (int requests = 0; requests < 15; ++requests) {
+    PtyPair device;
+    modem_lines() = {.up = TIOCM_DTR, .requests_until_failure = requests};
+    EXPECT_THROW(open_serial_port(device.name(), 115200), TransportError) << requests;
+    EXPECT_FALSE(line_settings(device.fd()).hangs_up_on_close) << requests;
+    EXPECT_EQ(modem_lines().falls_of_dtr, 0);
+  }
+  modem_lines() = {};
 }
 
 TEST(SerialPort, FollowsLinksAndKeepsTheNameThatItWasGiven) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/connect_failure.hpp"
+
+namespace echomap::apps {
+
+using robot_link::LinkState;
+
+ExitCode connect_failure(const robot_link::RobotLink& link) {
+  return link.mismatch() ? ExitCode::kFirmwareMismatch : ExitCode::kNoRobot;
+}
+
+std::string reason_of_connect_failure(const robot_link::RobotLink& link, const std::string& port) {
+  if (const auto& mismatch = link.mismatch()) {
+    return mismatch->message();
+  }
+  switch (link.state()) {
+    case LinkState::kGarbage:
+      return "bytes come from " + port +
+             ", but no echomap frame is among them: another program runs on that board, or the "
+             "baud rate is another one\n  what came first:\n" +
+             link.preview().text() + "  next: ./run flash --port " + port +
+             ", or try --baud 250000";
+    case LinkState::kUnheard:
+      return "a robot talks on " + port +
+             " but does not hear us\n  next: check the wire to the board's RX pin";
+    default:
+      return "nothing answers on " + port +
+             "\n  next: is the robot switched on and flashed? ./run flash --port " + port;
+  }
+}
+
+bool was_reset_since(time::HostTime instant, const robot_link::RobotLink& link) {
+  const auto start = link.clock().host_time(0);
+  const bool by_reset_line =
+      link.robot() && (link.robot()->reset_cause & protocol::kResetExternal) != 0;
+  return start && by_reset_line && start->instant > instant;
+}
+
+std::string reset_by_opening(const std::string& port) {
+  return "opening " + port +
+         " has reset the robot: its DTR was down, and the kernel raises it when a port is opened\n"
+         "  next: the same again; DTR stays up now, and the robot runs on";
+}
+
+}  // namespace echomap::apps

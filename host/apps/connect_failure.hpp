@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "host/apps/exit_code.hpp"
+#include "host/robot_link/robot_link.hpp"
+#include "host/time/host_time.hpp"
+
+namespace echomap::apps {
+
+/// Of a link that did not become ready: its exit code, and in words why and what to do next.
+ExitCode connect_failure(const robot_link::RobotLink& link);
+std::string reason_of_connect_failure(const robot_link::RobotLink& link, const std::string& port);
+
+/// Whether the robot started after `instant` because its reset line was pulled, as DTR does. False
+/// where the link has no clock yet.
+bool was_reset_since(time::HostTime instant, const robot_link::RobotLink& link);
+/// Why a port cannot be joined, for --no-reset.
+std::string reset_by_opening(const std::string& port);
+
+}  // namespace echomap::apps
