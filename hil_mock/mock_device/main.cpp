@@ -4,7 +4,7 @@
 
 int main(int argc, char** argv) {
   using namespace echomap;
-  return runner::run_device(argc, argv, {"echomap-mock", false, [](const runner::BoardOptions&) {
+  return runner::run_device(argc, argv, {"echomap-mock", {}, [](const runner::BoardOptions&) {
                                            return std::make_unique<mock_device::MockBoard>();
                                          }});
 }

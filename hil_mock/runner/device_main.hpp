@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "hil_mock/runner/simulated_board.hpp"
 
@@ -14,14 +15,17 @@ namespace echomap::runner {
 struct BoardOptions {
   /// The ELF of `--firmware`; empty where the option was not given.
   std::filesystem::path firmware;
+  /// That of `--board`: one of DeviceProgram::boards.
+  std::string board;
 };
 
 /// A program that runs one simulated board: its name and how it makes the board.
 struct DeviceProgram {
   /// As in `--version` and messages: "echomap-mock".
   std::string name;
-  /// Whether `--firmware ELF` is an option of this program.
-  bool takes_firmware = false;
+  /// Boards whose firmware this program runs, the usual one first: `--board` chooses the one built
+  /// here, `--firmware` any other ELF. Empty: neither is an option.
+  std::vector<std::string> boards;
   /// Makes a board that is switched on at its time 0; may throw std::exception (exit code 1).
   std::function<std::unique_ptr<SimulatedBoard>(const BoardOptions&)> make_board;
 };

@@ -56,9 +56,15 @@ void add_options(CLI::App& app,
       ->capture_default_str();
   app.add_option("--robot", options.robot, "Robot: a bundled name or a TOML file")
       ->capture_default_str();
-  if (program.takes_firmware) {
-    app.add_option("--firmware", options.board.firmware, "ELF of the firmware to run")
-        ->check(CLI::ExistingFile);
+  if (!program.boards.empty()) {
+    options.board.board = program.boards.front();
+    auto* board = app.add_option("--board", options.board.board, "Run this board's firmware")
+                      ->check(CLI::IsMember(program.boards))
+                      ->capture_default_str();
+    app.add_option(
+           "--firmware", options.board.firmware, "Run this ELF, on the board that it is for")
+        ->check(CLI::ExistingFile)
+        ->excludes(board);
   }
   auto* link =
       app.add_option("--link", options.link, "Symbolic link to the pty")->capture_default_str();

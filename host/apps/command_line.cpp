@@ -80,6 +80,10 @@ void add_demo(CLI::App& app, Action& action) {
                    "simavr runs the AVR binary that a user flashes, mock the same code natively")
       ->check(CLI::IsMember({"simavr", "mock"}))
       ->capture_default_str();
+  const CLI::Option* board =
+      command->add_option("--board", options->board, "The board that is emulated")
+          ->check(CLI::IsMember({"uno", "mega"}))
+          ->capture_default_str();
   command->add_option(
       "--body",
       options->body,
@@ -87,7 +91,12 @@ void add_demo(CLI::App& app, Action& action) {
       "name or a TOML file; by default the name in the profile");
   add_run_options(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
-  command->callback([&action, options] { action = [options] { return run_demo(*options); }; });
+  command->callback([&action, options, board] {
+    if (options->emulator == "mock" && board->count() > 0) {
+      throw CLI::ValidationError("--board", "--emulator mock has no board");
+    }
+    action = [options] { return run_demo(*options); };
+  });
 }
 
 void add_eval(CLI::App& app, Action& action) {

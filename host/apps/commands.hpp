@@ -38,6 +38,7 @@ struct DemoOptions {
   RunOptions run;
   std::string world = "living_room";
   std::string emulator = "simavr";  ///< Or "mock".
+  std::string board = "uno";        ///< Or "mega"; the mock has none.
   /// What is true of the robot (docs/decisions/0002); empty: the bundled body of the profile's
   /// name.
   std::string body;

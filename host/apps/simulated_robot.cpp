@@ -31,13 +31,16 @@ SimulatedRobot::SimulatedRobot(const DemoOptions& options,
     : truth_(out / "truth"), log_(out / "robot.log") {
   fs::create_directories(truth_);
   const fs::path socket = folder_ / "lockstep";
-  const std::vector<std::string> command{program_of(options.emulator),
-                                         "--world=" + options.world,
-                                         "--robot=" + body.string(),
-                                         "--seed=" + std::to_string(options.run.seed),
-                                         "--link=" + port(),
-                                         "--lockstep=" + socket.string(),
-                                         "--truth=" + truth_.string()};
+  std::vector<std::string> command{program_of(options.emulator),
+                                   "--world=" + options.world,
+                                   "--robot=" + body.string(),
+                                   "--seed=" + std::to_string(options.run.seed),
+                                   "--link=" + port(),
+                                   "--lockstep=" + socket.string(),
+                                   "--truth=" + truth_.string()};
+  if (options.emulator != "mock") {
+    command.push_back("--board=" + options.board);
+  }
   process_ = std::make_unique<ChildProcess>(command, log_);
   wait_until_it_listens(socket);
   lockstep_ = std::make_unique<transport::LockstepChannel>(socket);

@@ -16,27 +16,29 @@ namespace {
 using files::read_text_file;
 using ::testing::HasSubstr;
 
-std::vector<std::string> demo_arguments(const std::string& emulator,
+/// A way to run the firmware, as an option of the demo.
+struct Variant {
+  const char* name;
+  const char* option;
+  const char* emulator;
+  const char* firmware;
+};
+
+std::vector<std::string> demo_arguments(const Variant& variant,
                                         const std::filesystem::path& out,
                                         const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{
-      "demo", "--headless", "--emulator=" + emulator, "--out=" + out.string()};
+  std::vector<std::string> arguments{"demo", "--headless", variant.option, "--out=" + out.string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
 
 /// The demo with each way to run the firmware.
-class Demo : public ::testing::TestWithParam<std::string> {
+class Demo : public ::testing::TestWithParam<Variant> {
  protected:
-  Demo() {
-    if (GetParam() == "simavr" &&
-        !std::filesystem::exists(ECHOMAP_BINARY_DIR "/bin/echomap-simavr")) {
-      skip_ = true;
-    }
-  }
   void SetUp() override {
-    if (skip_) {
-      GTEST_SKIP() << "echomap-simavr was not built on this machine";
+    const std::string program = std::string("echomap-") + GetParam().emulator;
+    if (!std::filesystem::exists(ECHOMAP_BINARY_DIR "/bin/" + program)) {
+      GTEST_SKIP() << program << " was not built on this machine";
     }
   }
 
@@ -48,12 +50,12 @@ class Demo : public ::testing::TestWithParam<std::string> {
   }
 
   tests::ScratchFolder scratch_;
-
- private:
-  bool skip_ = false;
 };
 
-TEST_P(Demo, EndsByItselfAndScoresItsMap) {
+/// What every board has to show.
+class ScoredDemo : public Demo {};
+
+TEST_P(ScoredDemo, EndsByItselfAndScoresItsMap) {
   const auto json_path = scratch_ / "report.json";
   const Ended ended = run("run", {"--seed=3", "--json=" + json_path.string()});
   ASSERT_EQ(ended.status, 0) << ended.said;
@@ -76,7 +78,8 @@ TEST_P(Demo, EndsByItselfAndScoresItsMap) {
   EXPECT_GE(report.at("wall_recall"), 0.4);
   EXPECT_LE(report.at("ate_rmse_m"), 0.30);
   EXPECT_EQ(report.at("seed"), 3);
-  EXPECT_THAT(report.at("emulator").get<std::string>(), HasSubstr(GetParam()));
+  EXPECT_THAT(report.at("emulator").get<std::string>(), HasSubstr(GetParam().emulator));
+  EXPECT_THAT(report.at("firmware").get<std::string>(), HasSubstr(GetParam().firmware));
   EXPECT_GT(report.at("sim_seconds"), 10.0);
 }
 
@@ -111,10 +114,14 @@ TEST_P(Demo, KeepsItsMapWhenInterrupted) {
   EXPECT_TRUE(std::filesystem::exists(scratch_ / "run/map.png"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Emulators,
-                         Demo,
-                         ::testing::Values("mock", "simavr"),
-                         [](const auto& emulator) { return emulator.param; });
+constexpr Variant kMock{"mock", "--emulator=mock", "mock", "echomap-native"};
+constexpr Variant kUno{"uno", "--board=uno", "simavr", "echomap-uno"};
+constexpr Variant kMega{"mega", "--board=mega", "simavr", "echomap-mega"};
+
+std::string name_of(const ::testing::TestParamInfo<Variant>& variant) { return variant.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Boards, ScoredDemo, ::testing::Values(kMock, kUno, kMega), name_of);
+INSTANTIATE_TEST_SUITE_P(Emulators, Demo, ::testing::Values(kMock, kUno), name_of);
 
 }  // namespace
 }  // namespace echomap::test

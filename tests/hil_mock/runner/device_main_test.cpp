@@ -22,7 +22,7 @@ namespace {
 using testing::HasSubstr;
 
 const DeviceProgram fake_program{
-    "echomap-fake", false, [](const BoardOptions&) { return std::make_unique<FakeBoard>(); }};
+    "echomap-fake", {}, [](const BoardOptions&) { return std::make_unique<FakeBoard>(); }};
 
 struct Outcome {
   int exit_code;
@@ -97,7 +97,7 @@ TEST(DeviceMain, WhatDoesNotFitIsCodeSix) {
 
 TEST(DeviceMain, AFaultOfTheBoardIsCodeOne) {
   const DeviceProgram broken{
-      "echomap-fake", false, [](const BoardOptions&) -> std::unique_ptr<SimulatedBoard> {
+      "echomap-fake", {}, [](const BoardOptions&) -> std::unique_ptr<SimulatedBoard> {
         throw std::runtime_error("no such chip");
       }};
   const Outcome outcome = run({}, broken);

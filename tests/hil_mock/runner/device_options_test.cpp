@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,9 +14,9 @@
 namespace echomap::runner {
 namespace {
 
-std::variant<DeviceOptions, int> read(Arguments arguments, bool takes_firmware = false) {
-  return read_device_options(
-      arguments.argc(), arguments.argv(), {"echomap-fake", takes_firmware, {}});
+std::variant<DeviceOptions, int> read(Arguments arguments,
+                                      const std::vector<std::string>& boards = {}) {
+  return read_device_options(arguments.argc(), arguments.argv(), {"echomap-fake", boards, {}});
 }
 
 TEST(DeviceOptions, DefaultsAreARealTimeRobotInTheLivingRoom) {
@@ -67,7 +68,19 @@ TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
     EXPECT_EQ(std::get<int>(read({wrong})), 2) << wrong;
   }
   EXPECT_EQ(std::get<int>(read({"--lockstep=s", "--speed=2"})), 2);
-  EXPECT_EQ(std::get<int>(read({"--firmware=/no/such.elf"}, true)), 2);
+}
+
+TEST(DeviceOptions, FirmwareIsThatOfABoardOrOnesOwn) {
+  const std::vector<std::string> boards{"big", "small"};
+  EXPECT_EQ(std::get<DeviceOptions>(read({}, boards)).board.board, "big");
+  EXPECT_EQ(std::get<DeviceOptions>(read({"--board=small"}, boards)).board.board, "small");
+  const std::string any_file = "--firmware=" ECHOMAP_SOURCE_DIR "/LICENSE";
+  EXPECT_EQ(std::get<DeviceOptions>(read({any_file}, boards)).board.firmware,
+            ECHOMAP_SOURCE_DIR "/LICENSE");
+  EXPECT_EQ(std::get<int>(read({"--board=huge"}, boards)), 2);
+  EXPECT_EQ(std::get<int>(read({"--firmware=/no/such.elf"}, boards)), 2);
+  EXPECT_EQ(std::get<int>(read({"--board=small", any_file}, boards)), 2);
+  EXPECT_EQ(std::get<int>(read({"--board=big"})), 2) << "a program without boards";
 }
 
 TEST(DeviceOptions, HelpAndVersionGoToStdout) {

@@ -58,6 +58,8 @@ TEST(CommandLine, PointsToTheHelpOfTheCommandThatWasMisused) {
   EXPECT_EQ(run({"explore", "--port", "x", "--baud", "1234"}).code, ExitCode::kUsage);
   EXPECT_EQ(run({"demo", "--stops", "0"}).code, ExitCode::kUsage);
   EXPECT_EQ(run({"demo", "--stops", "101"}).code, ExitCode::kUsage);
+  EXPECT_EQ(run({"demo", "--board", "due"}).code, ExitCode::kUsage);
+  EXPECT_EQ(run({"demo", "--emulator", "mock", "--board", "uno"}).code, ExitCode::kUsage);
   EXPECT_EQ(run({}).code, ExitCode::kUsage);
 }
 
