@@ -71,28 +71,18 @@ struct ConfigureDrive {
   }
 };
 
-/// Pan servo and sonar of the robot's profile.
+/// Sonar of the robot's profile.
 struct ConfigureSonar {
   enum : uint8_t { kId = 0x13 };
   static constexpr MessageClass message_class() { return MessageClass::kCommand; }
   static constexpr const char* name() { return "ConfigureSonar"; }
   uint8_t command_id;
-  uint16_t pan_centre_us;    ///< Servo pulse that looks straight ahead.
-  int16_t pan_us_per_90deg;  ///< Change of the pulse for 90 degrees to the left.
-  int16_t pan_min_cdeg;
-  int16_t pan_max_cdeg;
-  uint16_t pan_deg_per_s;  ///< Speed of the servo, for the wait before a reading.
-  uint16_t max_echo_us;    ///< A later echo counts as none.
-  uint8_t ping_gap_ms;     ///< Least time from one ping to the next.
+  uint16_t max_echo_us;  ///< A later echo counts as none.
+  uint8_t ping_gap_ms;   ///< Least time from one ping to the next.
 
   template <class M, class V>
   static constexpr void each(M& m, V& v) {
     v("command_id", m.command_id);
-    v("pan_centre_us", m.pan_centre_us);
-    v("pan_us_per_90deg", m.pan_us_per_90deg);
-    v("pan_min_cdeg", m.pan_min_cdeg);
-    v("pan_max_cdeg", m.pan_max_cdeg);
-    v("pan_deg_per_s", m.pan_deg_per_s);
     v("max_echo_us", m.max_echo_us);
     v("ping_gap_ms", m.ping_gap_ms);
   }
@@ -120,15 +110,16 @@ struct MoveTicks {
   }
 };
 
-/// Reads the sonar at from, from + step, .. up to and including `to`, after `settle_ms` at each.
+/// Reads the sonar at from, from + step, .. up to and including `to`, after `settle_ms` at each; a
+/// pan that turns more than once takes angles beyond a half turn.
 struct StartSweep {
   enum : uint8_t { kId = 0x15 };
   static constexpr MessageClass message_class() { return MessageClass::kCommand; }
   static constexpr const char* name() { return "StartSweep"; }
   uint8_t command_id;
-  int16_t from_cdeg;
-  int16_t to_cdeg;
-  int16_t step_cdeg;
+  int32_t from_cdeg;
+  int32_t to_cdeg;
+  int32_t step_cdeg;
   uint16_t settle_ms;
 
   template <class M, class V>
@@ -138,6 +129,142 @@ struct StartSweep {
     v("to_cdeg", m.to_cdeg);
     v("step_cdeg", m.step_cdeg);
     v("settle_ms", m.settle_ms);
+  }
+};
+
+/// What turns the sonar, in ConfigurePan::kind.
+enum class PanKind : uint8_t {
+  kServo = 0,
+  kStepper = 1,  ///< Its pins are the stepper phases of ConfigurePins; straight ahead at the start.
+};
+
+/// Pan drive of the robot's profile.
+struct ConfigurePan {
+  enum : uint8_t { kId = 0x16 };
+  static constexpr MessageClass message_class() { return MessageClass::kCommand; }
+  static constexpr const char* name() { return "ConfigurePan"; }
+  uint8_t command_id;
+  uint8_t kind;            ///< A PanKind.
+  uint16_t centre_us;      ///< Servo pulse that looks straight ahead.
+  int16_t us_per_90deg;    ///< Servo: change of the pulse for 90 degrees to the left.
+  int16_t steps_per_turn;  ///< Stepper: half steps; negative where they turn it right.
+  int32_t min_cdeg;
+  int32_t max_cdeg;
+  uint16_t deg_per_s;  ///< Speed: of the servo, for the wait before a reading; of the stepper.
+
+  template <class M, class V>
+  static constexpr void each(M& m, V& v) {
+    v("command_id", m.command_id);
+    v("kind", m.kind);
+    v("centre_us", m.centre_us);
+    v("us_per_90deg", m.us_per_90deg);
+    v("steps_per_turn", m.steps_per_turn);
+    v("min_cdeg", m.min_cdeg);
+    v("max_cdeg", m.max_cdeg);
+    v("deg_per_s", m.deg_per_s);
+  }
+};
+
+/// What a spare pin does, in bits 0 .. 6 of ConfigurePins::pin_N; kPinActiveHigh may be added to
+/// those that are read as digital levels.
+enum PinFunction : uint8_t {
+  kPinUnused = 0,
+  kPinCliffLeft = 1,  ///< .. kPinWall in the order of the bits of Hazard.
+  kPinCliffFrontLeft = 2,
+  kPinCliffFrontRight = 3,
+  kPinCliffRight = 4,
+  kPinWheelDrop = 5,
+  kPinVirtualWall = 6,
+  kPinWall = 7,
+  kPinBattery = 8,
+  kPinRange0 = 16,         ///< .. 23: Ranges::channel_0 .. channel_7.
+  kPinStepperPhaseA = 32,  ///< .. 35: A, B, C, D.
+  kPinActiveHigh = 0x80,
+};
+
+/// What the board's spare pins do; a PinFunction each, in the order of the board's page in
+/// docs/hardware.
+struct ConfigurePins {
+  enum : uint8_t { kId = 0x17 };
+  static constexpr MessageClass message_class() { return MessageClass::kCommand; }
+  static constexpr const char* name() { return "ConfigurePins"; }
+  uint8_t command_id;
+  uint8_t pin_0;
+  uint8_t pin_1;
+  uint8_t pin_2;
+  uint8_t pin_3;
+  uint8_t pin_4;
+  uint8_t pin_5;
+  uint8_t pin_6;
+  uint8_t pin_7;
+  uint8_t pin_8;
+  uint8_t pin_9;
+  uint8_t pin_10;
+  uint8_t pin_11;
+  uint8_t pin_12;
+  uint8_t pin_13;
+  uint8_t pin_14;
+  uint8_t pin_15;
+
+  template <class M, class V>
+  static constexpr void each(M& m, V& v) {
+    v("command_id", m.command_id);
+    v("pin_0", m.pin_0);
+    v("pin_1", m.pin_1);
+    v("pin_2", m.pin_2);
+    v("pin_3", m.pin_3);
+    v("pin_4", m.pin_4);
+    v("pin_5", m.pin_5);
+    v("pin_6", m.pin_6);
+    v("pin_7", m.pin_7);
+    v("pin_8", m.pin_8);
+    v("pin_9", m.pin_9);
+    v("pin_10", m.pin_10);
+    v("pin_11", m.pin_11);
+    v("pin_12", m.pin_12);
+    v("pin_13", m.pin_13);
+    v("pin_14", m.pin_14);
+    v("pin_15", m.pin_15);
+  }
+};
+
+/// Rates of the sensors beside wheels and sonar; 0 switches one off.
+struct ConfigureSensors {
+  enum : uint8_t { kId = 0x18 };
+  static constexpr MessageClass message_class() { return MessageClass::kCommand; }
+  static constexpr const char* name() { return "ConfigureSensors"; }
+  uint8_t command_id;
+  uint8_t ranges_period_ms;
+  uint8_t gyro_period_ms;
+  uint8_t gyro_range;  ///< MPU-6050 FS_SEL, 0 .. 3: 250 .. 2000 degrees a second.
+
+  template <class M, class V>
+  static constexpr void each(M& m, V& v) {
+    v("command_id", m.command_id);
+    v("ranges_period_ms", m.ranges_period_ms);
+    v("gyro_period_ms", m.gyro_period_ms);
+    v("gyro_range", m.gyro_range);
+  }
+};
+
+/// When the board stops by itself.
+struct ConfigureSafety {
+  enum : uint8_t { kId = 0x19 };
+  static constexpr MessageClass message_class() { return MessageClass::kCommand; }
+  static constexpr const char* name() { return "ConfigureSafety"; }
+  uint8_t command_id;
+  uint8_t hazard_stops;  ///< Bits of Hazard that stop the wheels; a wheel-drop does always.
+  uint16_t stall_ms;  ///< A driven wheel without an edge for this long has stalled; 0: not watched.
+  uint16_t runaway_ticks;  ///< Counts against the command that are too many; 0: not watched.
+  uint16_t over_speed_ticks_per_s;  ///< 0: not watched.
+
+  template <class M, class V>
+  static constexpr void each(M& m, V& v) {
+    v("command_id", m.command_id);
+    v("hazard_stops", m.hazard_stops);
+    v("stall_ms", m.stall_ms);
+    v("runaway_ticks", m.runaway_ticks);
+    v("over_speed_ticks_per_s", m.over_speed_ticks_per_s);
   }
 };
 

@@ -21,6 +21,10 @@ enum Capability : uint32_t {
   kCapabilityWheels = 1UL << 0,    ///< Two wheels with encoders: MoveTicks, DriveSetpoint.
   kCapabilityPanSonar = 1UL << 1,  ///< A sonar on a servo: StartSweep.
   kCapabilityContacts = 1UL << 2,  ///< Bump contacts.
+  kCapabilityPins = 1UL << 3,      ///< Spare pins: ConfigurePins, hazards.
+  kCapabilityRanges = 1UL << 4,    ///< Analogue range channels.
+  kCapabilityGyro = 1UL << 5,      ///< An MPU-6050 may be connected.
+  kCapabilityStepper = 1UL << 6,   ///< The pan may be a stepper.
 };
 
 /// Answer to a command, in Ack::status.
@@ -66,6 +70,7 @@ struct HelloReply {
   uint16_t tick_hz;
   uint16_t receive_credit_bytes;
   uint32_t capabilities;
+  uint32_t config_digest;  ///< Of the configuration that now holds, see config_digest.hpp.
 
   template <class M, class V>
   static constexpr void each(M& m, V& v) {
@@ -79,6 +84,7 @@ struct HelloReply {
     v("tick_hz", m.tick_hz);
     v("receive_credit_bytes", m.receive_credit_bytes);
     v("capabilities", m.capabilities);
+    v("config_digest", m.config_digest);
   }
 };
 

@@ -12,6 +12,7 @@ enum class MessageClass : uint8_t {
   kTelemetry,  ///< Never acknowledged; counters are cumulative, so a loss costs a sample only.
   kSetpoint,   ///< The latest wins; carries its own time to live.
   kCommand,    ///< Acknowledged, resent, done exactly once; its first field is `command_id`.
+  kBulk,       ///< Asked for in pieces; asking twice does no harm.
 };
 
 /// Code of a field's type, part of the seed and of descriptions.

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "protocol/bulk_messages.hpp"
 #include "protocol/command_messages.hpp"
 #include "protocol/handshake_messages.hpp"
 #include "protocol/telemetry_messages.hpp"
@@ -23,9 +24,15 @@ using MessagesToRobot = MessageList<Hello,
                                     ConfigureSonar,
                                     MoveTicks,
                                     StartSweep,
+                                    ConfigurePan,
+                                    ConfigurePins,
+                                    ConfigureSensors,
+                                    ConfigureSafety,
                                     DriveSetpoint,
-                                    KeepAlive>;
-using MessagesToHost = MessageList<HelloReply, Ack, Pong, Odometry, Echo, Status>;
+                                    KeepAlive,
+                                    BulkRead>;
+using MessagesToHost =
+    MessageList<HelloReply, Ack, Pong, BulkData, Odometry, Echo, Status, Health, Ranges, Gyro>;
 using AllMessages = MessageList<Hello,
                                 HelloReply,
                                 Ack,
@@ -37,11 +44,20 @@ using AllMessages = MessageList<Hello,
                                 ConfigureSonar,
                                 MoveTicks,
                                 StartSweep,
+                                ConfigurePan,
+                                ConfigurePins,
+                                ConfigureSensors,
+                                ConfigureSafety,
                                 DriveSetpoint,
                                 KeepAlive,
+                                BulkRead,
+                                BulkData,
                                 Odometry,
                                 Echo,
-                                Status>;
+                                Status,
+                                Health,
+                                Ranges,
+                                Gyro>;
 
 /// Digest of the whole schema, the same on both sides when they were built from the same messages.
 template <class List>

@@ -36,7 +36,7 @@ class Robot {
 
   Devices& devices_;
   control::WheelMotion motion_{devices_.encoders, kDefaultDrive};
-  control::ScanSweep sweep_{devices_.encoders, devices_.sonar, kDefaultSonar};
+  control::ScanSweep sweep_{devices_.encoders, devices_.sonar, kDefaultPan, kDefaultSonar};
   tasks::Safety safety_{motion_};
   tasks::FrameSender sender_{devices_.port};
   protocol::ReceiveCounters received_;

@@ -19,14 +19,21 @@ constexpr protocol::ConfigureDrive kDefaultDrive{
     20,    // odometry_period_ms
 };
 
-/// An HC-SR04 for 4 m on a small hobby servo.
+/// A small hobby servo.
+constexpr protocol::ConfigurePan kDefaultPan{
+    0,      // command_id
+    0,      // kind: PanKind::kServo
+    1500,   // centre_us
+    900,    // us_per_90deg
+    0,      // steps_per_turn
+    -9000,  // min_cdeg
+    9000,   // max_cdeg
+    300,    // deg_per_s
+};
+
+/// An HC-SR04 for 4 m.
 constexpr protocol::ConfigureSonar kDefaultSonar{
     0,      // command_id
-    1500,   // pan_centre_us
-    900,    // pan_us_per_90deg
-    -9000,  // pan_min_cdeg
-    9000,   // pan_max_cdeg
-    300,    // pan_deg_per_s
     24000,  // max_echo_us
     40,     // ping_gap_ms
 };

@@ -9,15 +9,24 @@ namespace echomap {
 namespace control {
 
 using protocol::MotionOutcome;
+namespace {
 
-bool ScanSweep::accepts(const protocol::ConfigureSonar& settings) {
-  return drivers::PanServo::accepts(settings) && settings.max_echo_us != 0 &&
-         settings.max_echo_us < protocol::kNoEcho;
+/// Where a pan looks, in (-18000, 18000].
+int16_t direction(int32_t pan_cdeg) {
+  constexpr int32_t kTurnCdeg = 36000;
+  while (pan_cdeg > kTurnCdeg / 2) {
+    pan_cdeg -= kTurnCdeg;
+  }
+  while (pan_cdeg <= -kTurnCdeg / 2) {
+    pan_cdeg += kTurnCdeg;
+  }
+  return static_cast<int16_t>(pan_cdeg);
 }
 
-void ScanSweep::configure(const protocol::ConfigureSonar& settings) {
-  settings_ = settings;
-  servo_.configure(settings);
+}  // namespace
+
+bool ScanSweep::accepts(const protocol::ConfigureSonar& settings) {
+  return settings.max_echo_us != 0 && settings.max_echo_us < protocol::kNoEcho;
 }
 
 bool ScanSweep::accepts(const protocol::StartSweep& sweep) const {
@@ -62,8 +71,9 @@ bool ScanSweep::tick(protocol::Echo& echo) {
   return false;
 }
 
-void ScanSweep::turn_to(int16_t pan_cdeg) {
-  echo_.pan_cdeg = pan_cdeg;
+void ScanSweep::turn_to(int32_t pan_cdeg) {
+  pan_cdeg_ = pan_cdeg;
+  echo_.pan_cdeg = direction(pan_cdeg);
   const uint32_t wait_ms =
       uint32_t{servo_.turn_to(pan_cdeg)} + sweep_.settle_ms + hal::kServoFrameMs;
   turning_ms_ = wait_ms > UINT16_MAX ? UINT16_MAX : static_cast<uint16_t>(wait_ms);
@@ -89,12 +99,12 @@ void ScanSweep::ping() {
 }
 
 void ScanSweep::go_on() {
-  const int32_t next = int32_t{echo_.pan_cdeg} + sweep_.step_cdeg;
+  const int32_t next = pan_cdeg_ + sweep_.step_cdeg;
   const bool over = sweep_.step_cdeg > 0 ? next > sweep_.to_cdeg : next < sweep_.to_cdeg;
   if (over || sweep_.from_cdeg == sweep_.to_cdeg) {
     stop(MotionOutcome::kReached);
   } else {
-    turn_to(static_cast<int16_t>(next));
+    turn_to(next);
   }
 }
 

@@ -21,13 +21,18 @@ class ScanSweep {
 
   constexpr ScanSweep(drivers::WheelEncoders& encoders,
                       drivers::SonarHcSr04& sonar,
+                      const protocol::ConfigurePan& pan,
                       const protocol::ConfigureSonar& settings)
-      : encoders_(encoders), sonar_(sonar), servo_(settings), settings_(settings) {}
+      : encoders_(encoders), sonar_(sonar), servo_(pan), settings_(settings) {}
 
   /// True when every field is in range.
+  static bool accepts(const protocol::ConfigurePan& settings) {
+    return drivers::PanServo::accepts(settings);
+  }
   static bool accepts(const protocol::ConfigureSonar& settings);
   /// Takes settings that `accepts` has granted; only while not sweeping.
-  void configure(const protocol::ConfigureSonar& settings);
+  void configure(const protocol::ConfigurePan& settings) { servo_.configure(settings); }
+  void configure(const protocol::ConfigureSonar& settings) { settings_ = settings; }
 
   /// True when the servo reaches both ends and the steps lead from one to the other.
   bool accepts(const protocol::StartSweep& sweep) const;
@@ -45,7 +50,7 @@ class ScanSweep {
  private:
   enum class State : uint8_t { kIdle, kTurning, kAiming, kListening };
 
-  void turn_to(int16_t pan_cdeg);
+  void turn_to(int32_t pan_cdeg);
   bool may_ping();
   void ping();
   void go_on();
@@ -56,6 +61,7 @@ class ScanSweep {
   protocol::ConfigureSonar settings_;
   protocol::StartSweep sweep_ = {};
   protocol::Echo echo_ = {};
+  int32_t pan_cdeg_ = 0;
   uint16_t turning_ms_ = 0;
   uint8_t since_ping_ms_ = UINT8_MAX;
   uint8_t stuck_ms_ = 0;

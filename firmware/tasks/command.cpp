@@ -80,6 +80,13 @@ void Command::operator()(const protocol::KeepAlive& keep_alive) {
   }
 }
 
+void Command::operator()(const protocol::BulkRead& read) {
+  protocol::BulkData data{};
+  data.content = read.content;
+  data.offset = read.offset;
+  targets_.sender.tell(data);
+}
+
 void Command::reply(uint16_t session) {
   targets_.sender.delimit();
   protocol::HelloReply reply{};
@@ -124,15 +131,36 @@ CommandStatus Command::execute(const protocol::ConfigureDrive& command) {
   return CommandStatus::kAccepted;
 }
 
-CommandStatus Command::execute(const protocol::ConfigureSonar& command) {
+template <class Settings>
+CommandStatus Command::configure_sweep(const Settings& settings) {
   if (targets_.sweep.sweeping()) {
     return CommandStatus::kBusy;
   }
-  if (!control::ScanSweep::accepts(command)) {
+  if (!control::ScanSweep::accepts(settings)) {
     return CommandStatus::kOutOfRange;
   }
-  targets_.sweep.configure(command);
+  targets_.sweep.configure(settings);
   return CommandStatus::kAccepted;
+}
+
+CommandStatus Command::execute(const protocol::ConfigurePan& command) {
+  return configure_sweep(command);
+}
+
+CommandStatus Command::execute(const protocol::ConfigureSonar& command) {
+  return configure_sweep(command);
+}
+
+CommandStatus Command::execute(const protocol::ConfigurePins& /*command*/) {
+  return CommandStatus::kOutOfRange;
+}
+
+CommandStatus Command::execute(const protocol::ConfigureSensors& /*command*/) {
+  return CommandStatus::kOutOfRange;
+}
+
+CommandStatus Command::execute(const protocol::ConfigureSafety& /*command*/) {
+  return CommandStatus::kOutOfRange;
 }
 
 CommandStatus Command::execute(const protocol::MoveTicks& command) {

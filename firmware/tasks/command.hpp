@@ -43,6 +43,7 @@ class Command {
   void operator()(const protocol::Ping& ping);
   void operator()(const protocol::DriveSetpoint& setpoint);
   void operator()(const protocol::KeepAlive& keep_alive);
+  void operator()(const protocol::BulkRead& read);
   template <class CommandMessage>
   void operator()(const CommandMessage& command) {
     if (is_new(command.command_id)) {
@@ -60,7 +61,14 @@ class Command {
   protocol::CommandStatus execute(const protocol::Arm& command);
   protocol::CommandStatus execute(const protocol::Stop& command);
   protocol::CommandStatus execute(const protocol::ConfigureDrive& command);
+  /// ConfigurePan and ConfigureSonar.
+  template <class Settings>
+  protocol::CommandStatus configure_sweep(const Settings& settings);
+  protocol::CommandStatus execute(const protocol::ConfigurePan& command);
   protocol::CommandStatus execute(const protocol::ConfigureSonar& command);
+  protocol::CommandStatus execute(const protocol::ConfigurePins& command);
+  protocol::CommandStatus execute(const protocol::ConfigureSensors& command);
+  protocol::CommandStatus execute(const protocol::ConfigureSafety& command);
   protocol::CommandStatus execute(const protocol::MoveTicks& command);
   protocol::CommandStatus execute(const protocol::StartSweep& command);
 

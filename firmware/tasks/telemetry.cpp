@@ -17,6 +17,7 @@ uint8_t bit_if(bool condition, protocol::RobotFlags bit) {
 void Telemetry::begin() {
   on_ = true;
   status_waits_ = true;
+  health_waits_ = true;
 }
 
 void Telemetry::add(const protocol::Echo& echo) {
@@ -41,9 +42,17 @@ void Telemetry::tick() {
   if (++status_age_ms_ >= kStatusPeriodMs) {
     status_age_ms_ = 0;
     status_waits_ = true;
+    count_status();
   }
   notice_outcomes();
   send_what_waits();
+}
+
+void Telemetry::count_status() {
+  if (++status_since_health_ == kStatusPerHealth) {
+    status_since_health_ = 0;
+    health_waits_ = true;
+  }
 }
 
 void Telemetry::sample_odometry() {
@@ -75,6 +84,10 @@ void Telemetry::send_what_waits() {
     return;  // Else odometry, being smaller, would take the room again and again.
   }
   status_waits_ = false;
+  if (health_waits_ && !sender_.tell(health())) {
+    return;
+  }
+  health_waits_ = false;
   if (odometry_waits_ && sender_.tell(odometry_)) {
     odometry_waits_ = false;
   }
@@ -97,13 +110,19 @@ protocol::Status Telemetry::status() const {
   status.move_outcome = static_cast<uint8_t>(told_move_.outcome);
   status.sweep_id = told_sweep_.id;
   status.sweep_outcome = static_cast<uint8_t>(told_sweep_.outcome);
-  status.frames_bad = sources_.received.frames_bad();
-  status.frames_lost = sources_.received.frames_lost();
-  status.receive_overruns = sources_.port.overruns();
-  status.telemetry_dropped = dropped_;
-  status.encoder_errors = sources_.encoders.errors();
-  status.stack_free_bytes = stack_free_bytes_;
   return status;
+}
+
+protocol::Health Telemetry::health() const {
+  protocol::Health health{};
+  health.stamp_us = hal::now_us();
+  health.frames_bad = sources_.received.frames_bad();
+  health.frames_lost = sources_.received.frames_lost();
+  health.receive_overruns = sources_.port.overruns();
+  health.telemetry_dropped = dropped_;
+  health.encoder_errors = sources_.encoders.errors();
+  health.stack_free_bytes = stack_free_bytes_;
+  return health;
 }
 
 uint8_t Telemetry::flags() const {

@@ -27,6 +27,8 @@ struct TelemetrySources {
 class Telemetry {
  public:
   static constexpr uint8_t kStatusPeriodMs = 200;
+  /// Health comes with every fifth Status.
+  static constexpr uint8_t kStatusPerHealth = 5;
 
   constexpr Telemetry(const TelemetrySources& sources,
                       FrameSender& sender,
@@ -46,11 +48,13 @@ class Telemetry {
  private:
   static constexpr uint8_t kEchoes = 4;
 
+  void count_status();
   void sample_odometry();
   void notice_outcomes();
   void send_what_waits();
   bool send_echo();
   protocol::Status status() const;
+  protocol::Health health() const;
   uint8_t flags() const;
 
   TelemetrySources sources_;
@@ -68,6 +72,8 @@ class Telemetry {
   uint8_t waiting_echoes_ = 0;
   bool odometry_waits_ = false;
   bool status_waits_ = false;
+  bool health_waits_ = false;
+  uint8_t status_since_health_ = 0;
   bool on_ = false;
 };
 

@@ -113,13 +113,13 @@ void read_sonar(const TomlReader& table, RobotProfile& profile) {
 
 void read_pan(const TomlReader& table, RobotProfile& profile) {
   constexpr double kCentidegrees = 100.0;
-  protocol::ConfigureSonar& sonar = profile.sonar;
+  protocol::ConfigurePan& pan = profile.pan;
   constexpr Bounds kPulses{protocol::kMinServoPulseUs, protocol::kMaxServoPulseUs};
-  sonar.pan_centre_us = field<std::uint16_t>(table, "centre_us", 1.0, kPulses);
-  sonar.pan_us_per_90deg = field<std::int16_t>(table, "us_per_90deg");
-  sonar.pan_min_cdeg = field<std::int16_t>(table, "min_deg", kCentidegrees);
-  sonar.pan_max_cdeg = field<std::int16_t>(table, "max_deg", kCentidegrees);
-  sonar.pan_deg_per_s = field<std::uint16_t>(table, "speed_deg_per_s", 1.0, {1, UINT16_MAX});
+  pan.centre_us = field<std::uint16_t>(table, "centre_us", 1.0, kPulses);
+  pan.us_per_90deg = field<std::int16_t>(table, "us_per_90deg");
+  pan.min_cdeg = field<std::int32_t>(table, "min_deg", kCentidegrees);
+  pan.max_cdeg = field<std::int32_t>(table, "max_deg", kCentidegrees);
+  pan.deg_per_s = field<std::uint16_t>(table, "speed_deg_per_s", 1.0, {1, UINT16_MAX});
   profile.settle_s =
       1e-3 * field<std::uint16_t>(table, "settle_ms", 1.0, {0, protocol::kMaxSettleMs});
 
@@ -132,7 +132,7 @@ void read_pan(const TomlReader& table, RobotProfile& profile) {
                     kLeastReachDeg));
   }
   for (const std::string_view end : {"min_deg", "max_deg"}) {
-    const double pulse_us = sonar.pan_centre_us + sonar.pan_us_per_90deg * table.number(end) / 90.0;
+    const double pulse_us = pan.centre_us + pan.us_per_90deg * table.number(end) / 90.0;
     if (pulse_us < kPulses.least || pulse_us > kPulses.most) {
       table.fail(
           end,

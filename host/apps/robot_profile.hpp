@@ -23,6 +23,7 @@ struct RobotProfile {
   double settle_s = 0.0;       ///< Wait after a pan step, once the servo has arrived.
   protocol::ConfigureDrive drive{};
   protocol::ConfigureSonar sonar{};
+  protocol::ConfigurePan pan{};
 
   /// Counts per second of a wheel that rolls at `speed_m_per_s`.
   std::uint16_t ticks_per_s() const;

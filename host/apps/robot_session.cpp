@@ -140,6 +140,7 @@ bool RobotSession::set_up_robot() {
 bool RobotSession::try_to_set_up() {
   resets_ = 0;
   for (const robot_link::Command& command : {robot_link::Command(profile_.drive),
+                                             robot_link::Command(profile_.pan),
                                              robot_link::Command(profile_.sonar),
                                              robot_link::Command(protocol::Arm{0, 1})}) {
     const auto result = perform(command);

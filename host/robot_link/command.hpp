@@ -14,6 +14,10 @@ using Command = std::variant<protocol::Arm,
                              protocol::Stop,
                              protocol::ConfigureDrive,
                              protocol::ConfigureSonar,
+                             protocol::ConfigurePan,
+                             protocol::ConfigurePins,
+                             protocol::ConfigureSensors,
+                             protocol::ConfigureSafety,
                              protocol::MoveTicks,
                              protocol::StartSweep>;
 

@@ -21,7 +21,7 @@ struct LinkStatistics {
   std::uint64_t credit_waits = 0;           ///< Looks at a frame that had to wait for credit.
   std::uint64_t credit_released_bytes = 0;  ///< Sent, and given up for want of an answer.
 
-  /// As the robot last said in Status; modulo 2^16, since its reset.
+  /// As the robot last said in Health; modulo 2^16, since its reset.
   std::uint16_t robot_frames_bad = 0;
   std::uint16_t robot_frames_lost = 0;
   std::uint16_t robot_receive_overruns = 0;

@@ -154,6 +154,12 @@ void RobotLink::handle(const protocol::Echo& message) {
 }
 
 void RobotLink::handle(const protocol::Status& message) {
+  if (accepts_telemetry(message.stamp_us)) {
+    listener_.on_status(message);
+  }
+}
+
+void RobotLink::handle(const protocol::Health& message) {
   if (!accepts_telemetry(message.stamp_us)) {
     return;
   }
@@ -161,7 +167,19 @@ void RobotLink::handle(const protocol::Status& message) {
   statistics_.robot_frames_lost = message.frames_lost;
   statistics_.robot_receive_overruns = message.receive_overruns;
   statistics_.robot_telemetry_dropped = message.telemetry_dropped;
-  listener_.on_status(message);
+  listener_.on_health(message);
+}
+
+void RobotLink::handle(const protocol::Ranges& message) {
+  if (accepts_telemetry(message.stamp_us)) {
+    listener_.on_ranges(message);
+  }
+}
+
+void RobotLink::handle(const protocol::Gyro& message) {
+  if (accepts_telemetry(message.stamp_us)) {
+    listener_.on_gyro(message);
+  }
 }
 
 bool RobotLink::accepts_telemetry(std::uint32_t stamp_us) {

@@ -94,9 +94,13 @@ class RobotLink {
   void handle(const protocol::HelloReply& reply);
   void handle(const protocol::Ack& ack);
   void handle(const protocol::Pong& pong);
+  void handle(const protocol::BulkData& data) { listener_.on_bulk_data(data); }
   void handle(const protocol::Odometry& message);
   void handle(const protocol::Echo& message);
   void handle(const protocol::Status& message);
+  void handle(const protocol::Health& message);
+  void handle(const protocol::Ranges& message);
+  void handle(const protocol::Gyro& message);
   bool accepts_telemetry(std::uint32_t stamp_us);
   void notice_reset(const protocol::HelloReply& reply);
 

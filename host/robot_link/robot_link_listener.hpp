@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "host/robot_link/command.hpp"
+#include "protocol/bulk_messages.hpp"
 #include "protocol/handshake_messages.hpp"
 #include "protocol/telemetry_messages.hpp"
 
@@ -19,6 +20,11 @@ class RobotLinkListener {
   virtual void on_odometry(const protocol::Odometry& /*message*/) {}
   virtual void on_echo(const protocol::Echo& /*message*/) {}
   virtual void on_status(const protocol::Status& /*message*/) {}
+  virtual void on_health(const protocol::Health& /*message*/) {}
+  virtual void on_ranges(const protocol::Ranges& /*message*/) {}
+  virtual void on_gyro(const protocol::Gyro& /*message*/) {}
+
+  virtual void on_bulk_data(const protocol::BulkData& /*data*/) {}
 
   /// The handshake is done, for the first time or again.
   virtual void on_ready(const protocol::HelloReply& /*reply*/) {}

@@ -11,15 +11,9 @@
 #include "protocol/frame_encoder.hpp"
 #include "protocol/messages.hpp"
 #include "tests/firmware/simulated_wheel.hpp"
+#include "tests/support/message_variant.hpp"
 
 namespace echomap::tests {
-
-using MessageToHost = std::variant<protocol::HelloReply,
-                                   protocol::Ack,
-                                   protocol::Pong,
-                                   protocol::Odometry,
-                                   protocol::Echo,
-                                   protocol::Status>;
 
 /// A message of the robot and when its last stop bit was over.
 struct Heard {

@@ -72,11 +72,11 @@ TEST_P(ReleaseImage, StreamsOdometryAndAnswersEveryPing) {
   EXPECT_NEAR(double(robot.all<protocol::Odometry>().size()), 50.0, 1.0);
   EXPECT_EQ(robot.counters().frames_bad(), 0);
   EXPECT_EQ(robot.counters().frames_lost(), 0);
-  const auto status = robot.last<protocol::Status>();
-  ASSERT_TRUE(status);
-  EXPECT_EQ(status->frames_bad, 0);
-  EXPECT_EQ(status->frames_lost, 0);
-  EXPECT_EQ(status->receive_overruns, 0);
+  const auto health = robot.last<protocol::Health>();
+  ASSERT_TRUE(health);
+  EXPECT_EQ(health->frames_bad, 0);
+  EXPECT_EQ(health->frames_lost, 0);
+  EXPECT_EQ(health->receive_overruns, 0);
 }
 
 TEST(Reset, PowerCutStartsCountsAndSessionAnew) {

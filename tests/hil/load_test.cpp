@@ -85,11 +85,12 @@ class LoadedRobot : public ::testing::Test {
       widths_us.pop_front();
       ++echoes;
     }
-    for (const auto& status : robot.all<protocol::Status>()) {
-      if (status.stack_free_bytes != 0) {  // 0: not yet known.
-        least_stack = std::min(least_stack, status.stack_free_bytes);
+    last_status = robot.last<protocol::Status>().value_or(last_status);
+    for (const auto& health : robot.all<protocol::Health>()) {
+      if (health.stack_free_bytes != 0) {  // 0: not yet known.
+        least_stack = std::min(least_stack, health.stack_free_bytes);
       }
-      last_status = status;
+      last_health = health;
     }
     robot.forget_heard();
   }
@@ -106,6 +107,7 @@ class LoadedRobot : public ::testing::Test {
   std::uint16_t least_stack = UINT16_MAX;
   std::uint64_t host_bytes = 0;
   protocol::Status last_status{};
+  protocol::Health last_health{};
 };
 
 TEST_F(LoadedRobot, LosesNoCountNoFrameAndNoMicrosecondInAMinute) {
@@ -132,11 +134,11 @@ TEST_F(LoadedRobot, LosesNoCountNoFrameAndNoMicrosecondInAMinute) {
               worst_echo_us);
   std::printf(
       "load: encoder errors %d, frames bad %d, lost %d, overruns %d, dropped %d, stack %d B\n",
-      last_status.encoder_errors,
-      last_status.frames_bad,
-      last_status.frames_lost,
-      last_status.receive_overruns,
-      last_status.telemetry_dropped,
+      last_health.encoder_errors,
+      last_health.frames_bad,
+      last_health.frames_lost,
+      last_health.receive_overruns,
+      last_health.telemetry_dropped,
       least_stack);
   std::printf("load: %.1f simulated seconds per wall second\n", kSeconds / wall.count());
   RecordProperty("worst_echo_error_us", std::to_string(worst_echo_us));
@@ -145,14 +147,14 @@ TEST_F(LoadedRobot, LosesNoCountNoFrameAndNoMicrosecondInAMinute) {
   ASSERT_TRUE(odometry);
   EXPECT_EQ(odometry->left_ticks, static_cast<std::int16_t>(left.count()));
   EXPECT_EQ(odometry->right_ticks, static_cast<std::int16_t>(right.count()));
-  EXPECT_EQ(last_status.encoder_errors, 0);
+  EXPECT_EQ(last_health.encoder_errors, 0);
   EXPECT_EQ(last_status.move_outcome, static_cast<std::uint8_t>(protocol::MotionOutcome::kNone))
       << "the wheels were under control until the end";
   EXPECT_GT(echoes, 200);
   EXPECT_LE(worst_echo_us, 1.0);
-  EXPECT_EQ(last_status.frames_bad, 0);
-  EXPECT_EQ(last_status.frames_lost, 0);
-  EXPECT_EQ(last_status.receive_overruns, 0);
+  EXPECT_EQ(last_health.frames_bad, 0);
+  EXPECT_EQ(last_health.frames_lost, 0);
+  EXPECT_EQ(last_health.receive_overruns, 0);
   EXPECT_EQ(robot.counters().frames_bad(), 0);
   EXPECT_GE(least_stack, 400);
   EXPECT_LT(least_stack, 2048) << "nothing was painted";

@@ -13,15 +13,9 @@
 #include "protocol/frame_encoder.hpp"
 #include "protocol/link.hpp"
 #include "protocol/messages.hpp"
+#include "tests/support/message_variant.hpp"
 
 namespace echomap::tests {
-
-using MessageToHost = std::variant<protocol::HelloReply,
-                                   protocol::Ack,
-                                   protocol::Pong,
-                                   protocol::Odometry,
-                                   protocol::Echo,
-                                   protocol::Status>;
 
 /// A message of the robot and when its last stop bit was over.
 struct Heard {

@@ -33,7 +33,8 @@ std::string class_name(MessageClass message_class) {
   const std::map<MessageClass, std::string> names{{MessageClass::kHandshake, "handshake"},
                                                   {MessageClass::kTelemetry, "telemetry"},
                                                   {MessageClass::kSetpoint, "setpoint"},
-                                                  {MessageClass::kCommand, "command"}};
+                                                  {MessageClass::kCommand, "command"},
+                                                  {MessageClass::kBulk, "bulk"}};
   return names.at(message_class);
 }
 

@@ -149,7 +149,8 @@ TEST(Robot, SurvivesAnyBytes) {
   const std::uint8_t delimiter = 0;
   robot.board.receive(&delimiter, 1);
   EXPECT_EQ(robot.command(protocol::Stop{0}), CommandStatus::kAccepted);
-  EXPECT_GT(robot.all<protocol::Status>().back().frames_bad, 0);
+  robot.run_ms(1000);
+  EXPECT_GT(robot.all<protocol::Health>().back().frames_bad, 0);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class ScanSweepTest : public testing::Test {
   native::NativeBoard& board = native::NativeBoard::instance();
   drivers::WheelEncoders encoders;
   drivers::SonarHcSr04 sonar;
-  ScanSweep sweep{encoders, sonar, app::kDefaultSonar};
+  ScanSweep sweep{encoders, sonar, app::kDefaultPan, app::kDefaultSonar};
   std::vector<protocol::Echo> echoes;
   std::vector<std::int64_t> pings_ms;
   bool answers = true;

@@ -8,7 +8,7 @@
 namespace echomap::drivers {
 namespace {
 
-constexpr protocol::ConfigureSonar kSettings{0, 1500, 900, -9000, 9000, 300, 24000, 40};
+constexpr protocol::ConfigurePan kSettings{0, 0, 1500, 900, 0, -9000, 9000, 300};
 
 double pulse_us() { return native::NativeBoard::instance().pan_pulse_us(); }
 
@@ -18,8 +18,8 @@ TEST(PanServo, LeftIsTheSideOfTheSettingsSign) {
   EXPECT_EQ(pulse_us(), 2400);
   servo.turn_to(-4500);
   EXPECT_EQ(pulse_us(), 1050);
-  protocol::ConfigureSonar mirrored = kSettings;
-  mirrored.pan_us_per_90deg = -900;
+  protocol::ConfigurePan mirrored = kSettings;
+  mirrored.us_per_90deg = -900;
   servo.configure(mirrored);
   servo.turn_to(9000);
   EXPECT_EQ(pulse_us(), 600);
@@ -49,18 +49,22 @@ TEST(PanServo, ReachesItsLimitsOnly) {
 
 TEST(PanServo, RefusesSettingsWithoutSpeedOrWithPulsesThatBreakServos) {
   EXPECT_TRUE(PanServo::accepts(kSettings));
-  protocol::ConfigureSonar settings = kSettings;
-  settings.pan_deg_per_s = 0;
+  protocol::ConfigurePan settings = kSettings;
+  settings.deg_per_s = 0;
   EXPECT_FALSE(PanServo::accepts(settings));
   settings = kSettings;
-  settings.pan_us_per_90deg = 1101;
+  settings.us_per_90deg = 1101;
   EXPECT_FALSE(PanServo::accepts(settings));
   settings = kSettings;
-  settings.pan_centre_us = 1299;
+  settings.centre_us = 1299;
   EXPECT_FALSE(PanServo::accepts(settings));
   settings = kSettings;
-  settings.pan_min_cdeg = 9001;
+  settings.min_cdeg = 9001;
   EXPECT_FALSE(PanServo::accepts(settings));
+  settings = kSettings;
+  settings.us_per_90deg = 1;
+  settings.max_cdeg = 18001;
+  EXPECT_FALSE(PanServo::accepts(settings)) << "a servo does not turn round";
 }
 
 }  // namespace

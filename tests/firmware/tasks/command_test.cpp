@@ -197,10 +197,10 @@ TEST(Command, CountsDamagedAndMissingFrames) {
   send_numbered(1, false);
   send_numbered(2, true);
   send_numbered(5, false);
-  robot.run_ms(250);
-  const protocol::Status status = robot.all<protocol::Status>().back();
-  EXPECT_EQ(status.frames_bad, 1);
-  EXPECT_EQ(status.frames_lost, 3);
+  robot.run_ms(1050);
+  const protocol::Health health = robot.all<protocol::Health>().back();
+  EXPECT_EQ(health.frames_bad, 1);
+  EXPECT_EQ(health.frames_lost, 3);
 }
 
 }  // namespace

@@ -15,10 +15,12 @@ struct Collected {
   std::vector<protocol::Echo> echoes;
   std::vector<protocol::Odometry> odometry;
   std::vector<protocol::Status> status;
+  std::vector<protocol::Health> health;
 
   void operator()(const protocol::Echo& message) { echoes.push_back(message); }
   void operator()(const protocol::Odometry& message) { odometry.push_back(message); }
   void operator()(const protocol::Status& message) { status.push_back(message); }
+  void operator()(const protocol::Health& message) { health.push_back(message); }
   template <class Other>
   void operator()(const Other& /*message*/) {}
 };
@@ -38,16 +40,16 @@ class TelemetryTest : public testing::Test {
     }
     return collected;
   }
-  /// Ticks, and reads the line each time, until the next Status.
-  protocol::Status next_status() {
-    for (int ms = 0; ms < 2 * Telemetry::kStatusPeriodMs; ++ms) {
+  /// Ticks, and reads the line each time, until the next Health.
+  protocol::Health next_health() {
+    for (int ms = 0; ms < 2 * Telemetry::kStatusPeriodMs * Telemetry::kStatusPerHealth; ++ms) {
       tick(1);
       const Collected now = collect();
-      if (!now.status.empty()) {
-        return now.status[0];
+      if (!now.health.empty()) {
+        return now.health[0];
       }
     }
-    ADD_FAILURE() << "no Status";
+    ADD_FAILURE() << "no Health";
     return {};
   }
   void tick(int times) {
@@ -60,7 +62,7 @@ class TelemetryTest : public testing::Test {
   drivers::SonarHcSr04 sonar;
   drivers::SerialPort port;
   control::WheelMotion motion{encoders, app::kDefaultDrive};
-  control::ScanSweep sweep{encoders, sonar, app::kDefaultSonar};
+  control::ScanSweep sweep{encoders, sonar, app::kDefaultPan, app::kDefaultSonar};
   Safety safety{motion};
   FrameSender sender{port};
   protocol::ReceiveCounters received;
@@ -80,14 +82,17 @@ TEST_F(TelemetryTest, KeepsItsPeriods) {
   telemetry.begin();
   std::size_t odometry = 0;
   std::size_t status = 0;
+  std::size_t health = 0;
   for (int ms = 0; ms < 1000; ++ms) {
     tick(1);
     const Collected now = collect();
     odometry += now.odometry.size();
     status += now.status.size();
+    health += now.health.size();
   }
   EXPECT_EQ(odometry, 50U);
   EXPECT_EQ(status, 1U + 5U);
+  EXPECT_EQ(health, 1U + 1U);
   telemetry.set_odometry_period(5);
   odometry = 0;
   for (int ms = 0; ms < 100; ++ms) {
@@ -110,7 +115,7 @@ TEST_F(TelemetryTest, ReplacesOdometryThatWaitsTooLongAndCountsIt) {
   EXPECT_EQ(fresh.odometry[0].left_ticks, 1) << "sampled before the last edge";
   const std::size_t sampled = 20;
   const std::size_t told = stale.odometry.size() + fresh.odometry.size();
-  EXPECT_EQ(next_status().telemetry_dropped, sampled - told);
+  EXPECT_EQ(next_health().telemetry_dropped, sampled - told);
 }
 
 TEST_F(TelemetryTest, KeepsTheNewestEchoesAndCountsTheRest) {
@@ -126,7 +131,7 @@ TEST_F(TelemetryTest, KeepsTheNewestEchoesAndCountsTheRest) {
   ASSERT_EQ(all.echoes.size(), 4U);
   EXPECT_EQ(all.echoes[0].pan_cdeg, 2);
   EXPECT_EQ(all.echoes[3].pan_cdeg, 5);
-  EXPECT_EQ(next_status().telemetry_dropped, 2);
+  EXPECT_EQ(next_health().telemetry_dropped, 2);
 }
 
 TEST_F(TelemetryTest, TellsAnOutcomeAtOnce) {
@@ -161,7 +166,7 @@ TEST_F(TelemetryTest, CarriesCountsAndErrors) {
   ASSERT_EQ(now.odometry.size(), 1U);
   EXPECT_EQ(now.odometry[0].left_ticks, 1);
   EXPECT_EQ(now.odometry[0].right_ticks, 1);
-  EXPECT_EQ(next_status().encoder_errors, 2);
+  EXPECT_EQ(next_health().encoder_errors, 2);
 }
 
 }  // namespace

@@ -23,12 +23,14 @@ struct Heard {
   protocol::HelloReply hello{};
   protocol::Odometry odometry{};
   protocol::Status status{};
+  protocol::Health health{};
   std::vector<protocol::Ack> acks;
   std::vector<protocol::Echo> echoes;
 
   void operator()(const protocol::HelloReply& message) { hello = message; }
   void operator()(const protocol::Odometry& message) { odometry = message; }
   void operator()(const protocol::Status& message) { status = message; }
+  void operator()(const protocol::Health& message) { health = message; }
   void operator()(const protocol::Ack& message) { acks.push_back(message); }
   void operator()(const protocol::Echo& message) { echoes.push_back(message); }
   template <class Other>
@@ -68,7 +70,7 @@ class Session {
 
   void configure_and_arm() {
     send(protocol::ConfigureDrive{1, 0, 3000, 4400, 20, 12, 200, 20});
-    send(protocol::ConfigureSonar{2, 1500, 900, -9000, 9000, 300, 25000, 30});
+    send(protocol::ConfigureSonar{2, 25000, 30});
     send(protocol::Arm{3, 1});
   }
 
@@ -104,7 +106,7 @@ TEST(MockBoard, AMoveEndsAtItsCountsAndNoneIsLostOnTheWay) {
   EXPECT_NEAR(static_cast<double>(right), 2000.0, 8.0);
   EXPECT_EQ(session.heard().odometry.left_ticks, left);
   EXPECT_EQ(session.heard().odometry.right_ticks, right);
-  EXPECT_EQ(session.heard().status.encoder_errors, 0);
+  EXPECT_EQ(session.heard().health.encoder_errors, 0);
   EXPECT_EQ(session.heard().status.move_outcome,
             static_cast<std::uint8_t>(protocol::MotionOutcome::kReached));
   EXPECT_NEAR(session.world().T_world_robot().x_m(), 2.0 + 2000.0 / 1496.0 * 0.2042, 0.01);

@@ -51,7 +51,7 @@ TEST(RobotProfile, TurnsMetresIntoWhatTheBoardCounts) {
   EXPECT_NEAR(1.0 / nxt.geometry.metres_per_tick(), 2084.0, 1.0);
   EXPECT_NEAR(nxt.ticks_per_s(), 0.30 * 360.0 / (std::numbers::pi * 0.055), 1.0);
   EXPECT_NEAR(nxt.sonar.max_echo_us, 2.0 * 2.3 / 343.2 * 1e6, 1.0);
-  EXPECT_EQ(nxt.sonar.pan_min_cdeg, -9000);
+  EXPECT_EQ(nxt.pan.min_cdeg, -9000);
 }
 
 TEST(RobotProfile, PlacesAnUnknownKey) {

@@ -61,6 +61,7 @@ void FakeRobot::reply(std::uint16_t session) {
                             session,
                             1000,
                             receive_credit_bytes,
+                            0,
                             0});
 }
 
@@ -134,9 +135,12 @@ void FakeRobot::advance_1ms() {
   }
   if (stamp_us_ % 200'000 == 0) {
     status_.stamp_us = stamp_us_;
-    status_.frames_bad = counters_.frames_bad();
-    status_.frames_lost = counters_.frames_lost();
     send(status_);
+    protocol::Health health{};
+    health.stamp_us = stamp_us_;
+    health.frames_bad = counters_.frames_bad();
+    health.frames_lost = counters_.frames_lost();
+    send(health);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "protocol/frame_encoder.hpp"
 #include "protocol/link.hpp"
 #include "protocol/messages.hpp"
+#include "protocol/version.hpp"
 
 namespace echomap::robot_link {
 
@@ -24,7 +25,7 @@ class FakeRobot {
   void power_on(std::uint16_t boot_id, std::uint8_t reset_cause = protocol::kResetPowerOn);
 
   void receive(std::span<const std::uint8_t> bytes);
-  /// Sends Odometry every 20 ms and Status every 200 ms of its own time; call it once a
+  /// Sends Odometry every 20 ms Status and Health every 200 ms of its own time; call it once a
   /// millisecond.
   void advance_1ms();
   Bytes take_outgoing();
@@ -46,7 +47,7 @@ class FakeRobot {
   bool acknowledges = true;
   bool answers_pings = true;
   std::uint8_t protocol_major = 1;
-  std::uint8_t protocol_minor = 0;
+  std::uint8_t protocol_minor = protocol::kProtocolMinor;
   std::uint32_t schema_digest = protocol::kSchemaDigest;
   std::uint16_t receive_credit_bytes = 128;
   protocol::CommandStatus answer = protocol::CommandStatus::kAccepted;
@@ -74,6 +75,9 @@ class FakeRobot {
   void handle(const protocol::KeepAlive& message) { keep_alives.push_back(message); }
   void handle(const protocol::DriveSetpoint& message) { setpoints.push_back(message); }
   void handle(const protocol::Ping& ping);
+  void handle(const protocol::BulkRead& read) {
+    send(protocol::BulkData{read.content, read.offset});
+  }
   template <class Command>
   void handle(const Command& command);
   protocol::CommandStatus carry_out(const protocol::MoveTicks& move);
