@@ -20,7 +20,6 @@ using std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kPatience{2500};
 constexpr std::chrono::milliseconds kTurn{5};
-constexpr std::string_view kIdScheme = "id:";
 
 struct Candidate {
   std::string port;
@@ -75,18 +74,9 @@ std::string said_by(const Candidate& candidate) {
   throw CommandError(ExitCode::kNoRobot, text + "  next: name one with --port");
 }
 
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::string port_with_id(std::string_view id) {
   const auto ports = transport::list_ports();
-  std::vector<std::string> fitting;
-  for (const auto& port : ports) {
-    if (contains(port.serial_number, id) || contains(port.description, id)) {
-      fitting.push_back(port.name);
-    }
-  }
+  const auto fitting = transport::ports_with_id(ports, id);
   if (fitting.size() != 1) {
     throw CommandError(ExitCode::kNoRobot,
                        fmt::format("{} ports fit 'id:{}'; {}\n  next: name one with --port",
@@ -94,7 +84,7 @@ std::string port_with_id(std::string_view id) {
                                    id,
                                    transport::describe_ports(ports)));
   }
-  return fitting.front();
+  return fitting.front().name;
 }
 
 }  // namespace
@@ -102,9 +92,8 @@ std::string port_with_id(std::string_view id) {
 std::vector<std::string> candidate_ports(const std::vector<std::string>& named) {
   std::vector<std::string> candidates;
   for (const std::string& name : named) {
-    const bool is_id = name.starts_with(kIdScheme);
-    candidates.push_back(is_id ? port_with_id(std::string_view(name).substr(kIdScheme.size()))
-                               : name);
+    const auto id = transport::port_id_text(name);
+    candidates.push_back(id ? port_with_id(*id) : name);
   }
   if (named.empty()) {
     for (const auto& port : transport::list_ports()) {

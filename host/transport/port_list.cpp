@@ -1,17 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "host/transport/port_list.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <libserialport.h>
 #include <memory>
 
 namespace echomap::transport {
 namespace {
 
+std::optional<UsbId> usb_id_of(const sp_port* port) {
+  int vendor = 0;
+  int product = 0;
+  if (sp_get_port_usb_vid_pid(port, &vendor, &product) != SP_OK) {
+    return std::nullopt;
+  }
+  return UsbId{static_cast<std::uint16_t>(vendor), static_cast<std::uint16_t>(product)};
+}
+
 PortInfo info_of(const sp_port* port) {
   const auto text = [](const char* words) { return std::string(words == nullptr ? "" : words); };
   return {sp_get_port_name(port),
           text(sp_get_port_description(port)),
-          text(sp_get_port_usb_serial(port))};
+          text(sp_get_port_usb_serial(port)),
+          usb_id_of(port)};
 }
 
 }  // namespace
@@ -29,6 +41,20 @@ std::vector<PortInfo> list_ports() {
     }
   }
   return ports;
+}
+
+std::optional<std::string_view> port_id_text(std::string_view name) {
+  constexpr std::string_view scheme = "id:";
+  return name.starts_with(scheme) ? std::optional(name.substr(scheme.size())) : std::nullopt;
+}
+
+std::vector<PortInfo> ports_with_id(const std::vector<PortInfo>& ports, std::string_view text) {
+  std::vector<PortInfo> fitting;
+  std::copy_if(ports.begin(), ports.end(), std::back_inserter(fitting), [&](const PortInfo& port) {
+    return port.serial_number.find(text) != std::string::npos ||
+           port.description.find(text) != std::string::npos;
+  });
+  return fitting;
 }
 
 std::string describe_ports(const std::vector<PortInfo>& ports) {
