@@ -10,6 +10,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/flash_boards.hpp"
 #include "host/apps/interrupt.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/files/nearest_word.hpp"
@@ -113,6 +114,24 @@ void add_eval(CLI::App& app, Action& action) {
   command->callback([&action, options] { action = [options] { return run_eval(*options); }; });
 }
 
+void add_flash(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("flash", "Write the firmware to a board");
+  const auto options = std::make_shared<FlashOptions>();
+  command->add_option("--board", options->board, "Which board; by default what its USB id says")
+      ->check(CLI::IsMember(flash_board_names()));
+  command
+      ->add_option("--port",
+                   options->port,
+                   "Serial device, or id:TEXT of a USB port or ST-Link; by default the one board "
+                   "here that its USB id gives away")
+      ->envname("ECHOMAP_PORT");
+  command->add_option(
+      "--image", options->image, "Intel hex file; by default the one of this build");
+  command->add_flag("--dry-run", options->dry_run, "Only print the commands");
+  command->footer("Example: echomap flash --board nano --port /dev/ttyUSB0");
+  command->callback([&action, options] { action = [options] { return run_flash(*options); }; });
+}
+
 void set_up_logging(bool verbose, bool quiet) {
   auto logger = spdlog::stderr_color_mt("echomap");
   logger->set_pattern("echomap: %^%l%$: %v");
@@ -181,6 +200,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_demo(app, action);
   add_explore(app, action);
   add_eval(app, action);
+  add_flash(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -53,4 +53,13 @@ struct EvalOptions {
 };
 ExitCode run_eval(const EvalOptions& options);
 
+/// `echomap flash`: writes the firmware to a board.
+struct FlashOptions {
+  std::string board;            ///< Empty: what the USB id of the port says.
+  std::string port;             ///< Empty: the one board here that its USB id gives away.
+  std::filesystem::path image;  ///< Empty: the board's image of this build.
+  bool dry_run = false;
+};
+ExitCode run_flash(const FlashOptions& options);
+
 }  // namespace echomap::apps

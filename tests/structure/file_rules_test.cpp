@@ -34,6 +34,7 @@ const std::vector<std::string> without_own_test{
     "host/apps/eval_command.cpp",
     "host/apps/explore_command.cpp",
     "host/apps/explore_run.cpp",
+    "host/apps/flash_command.cpp",
     "host/apps/interrupt.cpp",
     "host/apps/simulated_robot.cpp",
 };

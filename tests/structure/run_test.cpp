@@ -36,14 +36,6 @@ TEST(Run, RefusesAnUnknownCommandAndNone) {
   EXPECT_EQ(run_shell(run_script, "/").exit_code, 2);
 }
 
-TEST(Run, FlashWantsAPortThatIsThere) {
-  EXPECT_EQ(run_shell(run_script + " flash", "/").exit_code, 2);
-  EXPECT_EQ(run_shell(run_script + " flash --port /dev/null --board mega", "/").exit_code, 2);
-  const ShellResult absent = run_shell(run_script + " flash --port /dev/echomap_none", "/");
-  EXPECT_EQ(absent.exit_code, 3);
-  EXPECT_THAT(absent.output, HasSubstr("there is no /dev/echomap_none"));
-}
-
 /// A folder of stand-ins that goes before everything else in PATH.
 class RunWithStandIns : public testing::Test {
  protected:
@@ -117,34 +109,38 @@ TEST_F(RunWithStandIns, SetupSaysWhatToDoWhereAptGetFails) {
   EXPECT_THAT(result.output, HasSubstr("run it by hand to see why"));
 }
 
-TEST_F(RunWithStandIns, FlashRunsTheCommandThatItPrints) {
-  stand_in("dpkg-query", "printf installed");
-  stand_in("cmake", "exit 0");
-  stand_in("avrdude", "echo \"ran: avrdude $*\"");
-  const ShellResult result = run("flash --board nano-old --port /dev/null");
-  const std::string command =
-      "avrdude -p m328p -c arduino -P /dev/null -b 57600 -D -U "
-      "flash:w:" ECHOMAP_SOURCE_DIR "/build/release/firmware/echomap-uno.hex:i\n";
-  EXPECT_EQ(result.exit_code, 0) << result.output;
-  EXPECT_THAT(result.output, HasSubstr("\n" + command));
-  EXPECT_THAT(result.output, HasSubstr("ran: " + command));
-  EXPECT_THAT(run("flash --board uno --port /dev/null").output, HasSubstr("-b 115200"));
+/// A tree of its own, with stand-ins for all that ./run flash calls.
+class RunFlash : public RunWithStandIns {
+ protected:
+  void SetUp() override {
+    RunWithStandIns::SetUp();
+    stand_in("dpkg-query", "printf installed");
+    stand_in("cmake", "echo \"called: cmake $*\"; echo firmware_uno: phony");
+    fs::create_directories(build_ / "bin");
+    for (const std::string name : {"run", "packages.txt"}) {
+      fs::copy_file(fs::path(ECHOMAP_SOURCE_DIR) / name, folder() / "tree" / name);
+    }
+    stand_in("tree/build/release/bin/echomap", "echo \"called: echomap $*\"; exit 3");
+  }
+  ShellResult run_flash(const std::string& arguments) {
+    return run("flash " + arguments, shell_quoted((folder() / "tree" / "run").string()));
+  }
+
+  const fs::path build_ = folder() / "tree" / "build" / "release";
+};
+
+TEST_F(RunFlash, BuildsTheBoardsThatThisMachineCanAndLeavesTheRestToTheProgram) {
+  const ShellResult result = run_flash("--board nano --port /dev/ttyUSB0");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.output, HasSubstr("--target firmware_uno\n"));
+  EXPECT_THAT(result.output, HasSubstr("called: echomap flash --board nano --port /dev/ttyUSB0\n"));
 }
 
-TEST_F(RunWithStandIns, ConfiguresAnewAfterAConfigurationThatFailed) {
-  stand_in("dpkg-query", "printf installed");
-  stand_in("cmake", "echo \"called: cmake $*\"");
-  stand_in("avrdude", "exit 0");
-  const fs::path tree = folder() / "tree";
-  fs::create_directories(tree / "build" / "release");
-  for (const std::string name : {"run", "packages.txt"}) {
-    fs::copy_file(fs::path(ECHOMAP_SOURCE_DIR) / name, tree / name);
-  }
-  std::ofstream(tree / "build" / "release" / "CMakeCache.txt") << "half of it\n";
-  const std::string script = shell_quoted((tree / "run").string());
-  EXPECT_THAT(run("flash --port /dev/null", script).output, HasSubstr("--preset release"));
-  std::ofstream(tree / "build" / "release" / "build.ninja") << "\n";
-  EXPECT_THAT(run("flash --port /dev/null", script).output, Not(HasSubstr("--preset")));
+TEST_F(RunFlash, ConfiguresAnewAfterAConfigurationThatFailed) {
+  std::ofstream(build_ / "CMakeCache.txt") << "half of it\n";
+  EXPECT_THAT(run_flash("").output, HasSubstr("--preset release"));
+  std::ofstream(build_ / "build.ninja") << "\n";
+  EXPECT_THAT(run_flash("").output, Not(HasSubstr("--preset")));
 }
 
 }  // namespace

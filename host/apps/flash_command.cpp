@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+
+#include "host/apps/child_process.hpp"
+#include "host/apps/commands.hpp"
+#include "host/apps/flash_plan.hpp"
+#include "host/apps/flash_run.hpp"
+
+namespace echomap::apps {
+namespace {
+
+/// The image that was named, or the board's of the build that this program is of.
+std::string image_for(const FlashOptions& options, const FlashBoard& board) {
+  const std::filesystem::path image =
+      options.image.empty() ? program_folder().parent_path() / board.image : options.image;
+  if (!std::filesystem::is_regular_file(image)) {
+    throw CommandError(ExitCode::kRuntimeError,
+                       "there is no image " + image.string() + "\n  next: ./run build " +
+                           std::string(board.target) + ", or name another one with --image");
+  }
+  return image.string();
+}
+
+}  // namespace
+
+ExitCode run_flash(const FlashOptions& options) {
+  const FlashTarget target = choose_flash_target(
+      {options.board, options.port}, {transport::list_ports(), transport::list_usb_devices()});
+  return carry_out(flash_plan(target, image_for(options, *target.board)), options.dry_run);
+}
+
+}  // namespace echomap::apps
