@@ -16,6 +16,10 @@
 #define ECHOMAP_EMPTY_vect USART_UDRE_vect
 #endif
 
+#ifndef ECHOMAP_BAUD  // The Arduino IDE defines nothing of ours.
+#define ECHOMAP_BAUD 115200UL
+#endif
+
 namespace echomap {
 namespace boards {
 namespace {

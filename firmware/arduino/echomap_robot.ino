@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// The echomap firmware: all of it is in the library.
+#include <echomap.h>
