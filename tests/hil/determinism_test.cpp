@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/hil/release_images.hpp"
-#include "tests/hil/robot_session.hpp"
+#include "tests/hil/on_every_board.hpp"
 #include "tests/hil/turning_wheel.hpp"
 
 namespace echomap::tests {
@@ -20,8 +19,8 @@ constexpr std::int64_t kMs = 1'000'000;
 
 /// Two seconds of everything at once: turning wheels, a sweep with echoes, pings; the board's time
 /// granted in steps of `step_ns`.
-SentBytes busy_run(std::int64_t step_ns) {
-  RobotSession robot(release_image());
+SentBytes busy_run(const char* image, std::int64_t step_ns) {
+  RobotSession robot(release_image(image));
   emulator::SimavrBoard& board = robot.board();
   TurningWheel left(board, runner::Wheel::kLeft);
   TurningWheel right(board, runner::Wheel::kRight);
@@ -42,20 +41,25 @@ SentBytes busy_run(std::int64_t step_ns) {
   return robot.bytes();
 }
 
-TEST(Determinism, SameRunTwiceGivesTheSameBytesAtTheSameCycles) {
-  const SentBytes first = busy_run(kMs);
-  const SentBytes second = busy_run(kMs);
-  std::printf("determinism: %zu bytes, last at cycle %llu\n",
+class Determinism : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Boards, Determinism, every_board(), image_label);
+
+TEST_P(Determinism, SameRunTwiceGivesTheSameBytesAtTheSameCycles) {
+  const SentBytes first = busy_run(GetParam(), kMs);
+  const SentBytes second = busy_run(GetParam(), kMs);
+  std::printf("%s: %zu bytes, last at cycle %llu\n",
+              GetParam(),
               first.size(),
               static_cast<unsigned long long>(first.back().first));
   ASSERT_GT(first.size(), 3000U);
   EXPECT_TRUE(first == second);
 }
 
-TEST(Determinism, SizeOfTheGrantsDoesNotMatter) {
-  const SentBytes coarse = busy_run(20 * kMs);
-  EXPECT_TRUE(coarse == busy_run(kMs));
-  EXPECT_TRUE(coarse == busy_run(370'123));
+TEST_P(Determinism, SizeOfTheGrantsDoesNotMatter) {
+  const SentBytes coarse = busy_run(GetParam(), 20 * kMs);
+  EXPECT_TRUE(coarse == busy_run(GetParam(), kMs));
+  EXPECT_TRUE(coarse == busy_run(GetParam(), 370'123));
 }
 
 }  // namespace

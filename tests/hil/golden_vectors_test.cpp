@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "hil_mock/emulator/simavr_board.hpp"
-#include "tests/hil/release_images.hpp"
+#include "tests/hil/on_every_board.hpp"
 
 namespace echomap::tests {
 namespace {
 
 /// An image that sends every whole frame back, decoded into its message and encoded again.
-class VectorEcho : public ::testing::Test {
+class VectorEcho : public ::testing::TestWithParam<const char*> {
  protected:
   VectorEcho() {
     board.on_sent = [this](std::uint8_t byte) { sent.push_back(byte); };
@@ -31,11 +31,16 @@ class VectorEcho : public ::testing::Test {
     return sent;
   }
 
-  emulator::SimavrBoard board{release_image("echomap-uno-vectors")};
+  emulator::SimavrBoard board{release_image(GetParam())};
   std::vector<std::uint8_t> sent;
 };
 
-TEST_F(VectorEcho, EveryGoldenFrameComesBackToTheByte) {
+INSTANTIATE_TEST_SUITE_P(Boards,
+                         VectorEcho,
+                         ::testing::Values("echomap-uno-vectors", "echomap-mega-vectors"),
+                         image_label);
+
+TEST_P(VectorEcho, EveryGoldenFrameComesBackToTheByte) {
   const GoldenVectors vectors = load_golden_vectors();
   ASSERT_GE(vectors.frames.size(), 40U);
   for (const GoldenFrame& frame : vectors.frames) {
@@ -44,7 +49,7 @@ TEST_F(VectorEcho, EveryGoldenFrameComesBackToTheByte) {
   std::printf("golden vectors: %zu frames through the AVR binary\n", vectors.frames.size());
 }
 
-TEST_F(VectorEcho, NoFrameWithOneWrongBitOfEverySeventhComesBack) {
+TEST_P(VectorEcho, NoFrameWithOneWrongBitOfEverySeventhComesBack) {
   for (const GoldenFrame& frame : load_golden_vectors().frames) {
     for (std::size_t bit = 0; bit < 8 * (frame.bytes.size() - 1); bit += 7) {
       std::vector<std::uint8_t> damaged = frame.bytes;

@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "hil_mock/emulator/chip_modules.hpp"
-#include "tests/hil/release_images.hpp"
-#include "tests/hil/robot_session.hpp"
+#include "tests/hil/on_every_board.hpp"
 #include "tests/hil/turning_wheel.hpp"
 
 namespace echomap::tests {
@@ -27,9 +26,9 @@ constexpr double kRampMs = 64.0;
 constexpr double kPeriodsMs = 5.0;
 
 /// A robot on the move: connected, armed, both motors turning their wheels.
-class MovingRobot : public ::testing::Test {
+class RobotOnTheMove : public ::testing::Test {
  protected:
-  MovingRobot() {
+  explicit RobotOnTheMove(const char* image) : robot(release_image(image)) {
     robot.each_ms = [this] {
       left.step_ms();
       right.step_ms();
@@ -84,13 +83,20 @@ class MovingRobot : public ::testing::Test {
     return static_cast<MotionOutcome>(robot.last<protocol::Status>()->move_outcome);
   }
 
-  RobotSession robot{release_image()};
+  RobotSession robot;
   DrivenWheel left{robot.board(), Wheel::kLeft};
   DrivenWheel right{robot.board(), Wheel::kRight};
   bool renewing = false;
 };
 
-TEST_F(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
+class MovingRobot : public RobotOnTheMove, public ::testing::WithParamInterface<const char*> {
+ protected:
+  MovingRobot() : RobotOnTheMove(GetParam()) {}
+};
+
+INSTANTIATE_TEST_SUITE_P(Boards, MovingRobot, every_board(), image_label);
+
+TEST_P(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
   drive();
   renewing = false;
   robot.send(protocol::KeepAlive{kTimeToLiveMs});
@@ -106,7 +112,7 @@ TEST_F(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
   EXPECT_EQ(outcome(), MotionOutcome::kExpired);
 }
 
-TEST_F(MovingRobot, MoveExpiresToo) {
+TEST_P(MovingRobot, MoveExpiresToo) {
   connect_and_arm();
   ASSERT_EQ(robot.command(protocol::MoveTicks{0, 20000, 20000, 1500, kTimeToLiveMs}),
             CommandStatus::kAccepted);
@@ -116,7 +122,7 @@ TEST_F(MovingRobot, MoveExpiresToo) {
   EXPECT_EQ(outcome(), MotionOutcome::kExpired);
 }
 
-TEST_F(MovingRobot, KeepsMovingAsLongAsTheHostRenews) {
+TEST_P(MovingRobot, KeepsMovingAsLongAsTheHostRenews) {
   drive();
   for (int i = 0; i < 2000; ++i) {
     robot.run_ms(1);
@@ -124,7 +130,7 @@ TEST_F(MovingRobot, KeepsMovingAsLongAsTheHostRenews) {
   }
 }
 
-TEST_F(MovingRobot, MoveEndsAtItsCount) {
+TEST_P(MovingRobot, MoveEndsAtItsCount) {
   connect_and_arm();
   renewing = true;
   ASSERT_EQ(robot.command(protocol::MoveTicks{0, 3000, -1000, 1500, kTimeToLiveMs}),
@@ -141,22 +147,34 @@ TEST_F(MovingRobot, MoveEndsAtItsCount) {
   EXPECT_EQ(odometry->right_ticks, right.count());
 }
 
+using Bump = std::tuple<const char*, Wheel, std::int64_t>;
+
 /// Bumped on a side, at a time within the tick.
-class BumpedRobot : public MovingRobot,
-                    public ::testing::WithParamInterface<std::tuple<Wheel, std::int64_t>> {};
+class BumpedRobot : public RobotOnTheMove, public ::testing::WithParamInterface<Bump> {
+ protected:
+  BumpedRobot() : RobotOnTheMove(std::get<0>(GetParam())) {}
+};
+
+std::string bump_label(const ::testing::TestParamInfo<Bump>& bump) {
+  const auto [image, side, moment_us] = bump.param;
+  return label_of(image) + (side == Wheel::kLeft ? "_left_" : "_right_") +
+         std::to_string(moment_us) + "us";
+}
 
 INSTANTIATE_TEST_SUITE_P(SidesAndMoments,
                          BumpedRobot,
-                         ::testing::Combine(::testing::Values(Wheel::kLeft, Wheel::kRight),
-                                            ::testing::Values(0, 170, 390, 610, 880)));
+                         ::testing::Combine(every_board(),
+                                            ::testing::Values(Wheel::kLeft, Wheel::kRight),
+                                            ::testing::Values(0, 170, 390, 610, 880)),
+                         bump_label);
 
 TEST_P(BumpedRobot, PwmIsOffWithinTwoMilliseconds) {
-  const auto [side, moment_us] = GetParam();
+  const auto [image, side, moment_us] = GetParam();
   drive();
   robot.board().run_until(robot.board().now_ns() + moment_us * 1000);
   robot.board().set_bump(side, true);
-  const double ms = ms_until_off(500);
-  std::printf("bump: PWM off after %.3f ms\n", ms);
+  const double ms = ms_until_off(150);
+  std::printf("%s: bump, PWM off after %.3f ms\n", image, ms);
   RecordProperty("off_after_bump_ms", std::to_string(ms));
   EXPECT_LE(ms, 2.0);
   EXPECT_EQ(outcome(), MotionOutcome::kBumped);
@@ -198,7 +216,9 @@ class HungRobot : public MovingRobot {
   emulator::AvrMachine& machine() { return robot.board().machine(); }
 };
 
-TEST_F(HungRobot, WithoutTicksIsResetAndDisarmed) {
+INSTANTIATE_TEST_SUITE_P(Boards, HungRobot, every_board(), image_label);
+
+TEST_P(HungRobot, WithoutTicksIsResetAndDisarmed) {
   drive();
   avr_t& core = machine().core();
   core.data[emulator::find_timer(core, '2').overflow.enable.reg] = 0;  // TIMSK2
@@ -206,7 +226,7 @@ TEST_F(HungRobot, WithoutTicksIsResetAndDisarmed) {
   expect_disarmed();
 }
 
-TEST_F(HungRobot, MainLoopThatHangsIsResetAndDisarmed) {
+TEST_P(HungRobot, MainLoopThatHangsIsResetAndDisarmed) {
   drive();
   avr_t& core = machine().core();
   const std::uint32_t trap = core.flashend - 1;

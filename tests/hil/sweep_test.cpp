@@ -5,16 +5,18 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/hil/release_images.hpp"
-#include "tests/hil/robot_session.hpp"
+#include "tests/hil/on_every_board.hpp"
 
 namespace echomap::tests {
 namespace {
 
 using protocol::CommandStatus;
 
-TEST(Sweep, PansByTheServoPulseAndReadsOnceAtEach) {
-  RobotSession robot(release_image());
+class Sweep : public OnEveryBoard {};
+
+INSTANTIATE_TEST_SUITE_P(Boards, Sweep, every_board(), image_label);
+
+TEST_P(Sweep, PansByTheServoPulseAndReadsOnceAtEach) {
   ASSERT_TRUE(robot.connect());
   std::vector<double> pulses_us;
   std::vector<std::int64_t> widths_us;
@@ -41,8 +43,7 @@ TEST(Sweep, PansByTheServoPulseAndReadsOnceAtEach) {
   EXPECT_EQ(status->sweep_id, robot.last_command_id());
 }
 
-TEST(Sweep, SilenceIsNoEchoAndTheNextPingIsHeard) {
-  RobotSession robot(release_image());
+TEST_P(Sweep, SilenceIsNoEchoAndTheNextPingIsHeard) {
   ASSERT_TRUE(robot.connect());
   int pings = 0;
   robot.board().on_trigger = [&](std::int64_t at_ns) {
@@ -63,8 +64,7 @@ TEST(Sweep, SilenceIsNoEchoAndTheNextPingIsHeard) {
   }
 }
 
-TEST(Sweep, SonarThatNeverAnswersEndsTheSweepToo) {
-  RobotSession robot(release_image());
+TEST_P(Sweep, SonarThatNeverAnswersEndsTheSweepToo) {
   ASSERT_TRUE(robot.connect());
   ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 3000, 1000, 0}), CommandStatus::kAccepted);
   robot.run_ms(3000);
