@@ -22,7 +22,7 @@ bool aux_pin_can(uint8_t pin, PinUse use);
 /// Takes a use that `aux_pin_can` has granted; an output starts low.
 void use_aux_pin(uint8_t pin, PinUse use);
 
-/// Levels of all pins now, a bit each; 0 for those that are not digital inputs.
+/// Levels of all pins now, a bit each; those of digital inputs mean something.
 uint16_t aux_levels();
 /// Level of a pin that is an output.
 void set_aux_output(uint8_t pin, bool high);

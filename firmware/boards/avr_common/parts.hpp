@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The parts of an AVR board that hal::start_board starts, one file each; all but the tick are the
-/// board's own.
+#include <stdint.h>
+
+/// The parts of an AVR board that hal::start_board starts, one file each, and what else differs
+/// between them; all but the tick is the board's own.
 namespace echomap {
 namespace boards {
 
@@ -16,6 +18,9 @@ void start_tick();
 void start_encoders();
 /// Inputs of the bump contacts.
 void start_contacts();
+
+/// Channel of the converter that reads a spare pin which is used as hal::PinUse::kAnalog.
+uint8_t converter_channel(uint8_t aux_pin);
 
 }  // namespace boards
 }  // namespace echomap

@@ -13,6 +13,8 @@ namespace native {
 namespace {
 
 constexpr std::int64_t kTickNs = 1000000000 / hal::kTickHz;
+/// 13 cycles of 125 kHz, the ATmega's.
+constexpr std::int64_t kConversionNs = 104000;
 
 void run_program() {
   while (app::robot.run_once()) {
@@ -36,6 +38,10 @@ void NativeBoard::power_on() {
   left_duty_ = 0;
   right_duty_ = 0;
   pan_pulse_us_ = 0.0;
+  aux_uses_.fill(hal::PinUse::kUnused);
+  aux_outputs_.fill(false);
+  conversion_end_ns_ = 0;
+  two_wire.stop();
   watchdog_kicks_ = 0;
   new (&app::devices) app::Devices();
   new (&app::robot) app::Robot(app::devices);
@@ -74,6 +80,47 @@ void NativeBoard::set_bump(bool right, bool pressed) {
   const unsigned bit = right ? hal::kContactRight : hal::kContactLeft;
   const unsigned others = pressed_contacts_ & ~bit;
   pressed_contacts_ = static_cast<std::uint8_t>(pressed ? others | bit : others);
+}
+
+void NativeBoard::set_aux_level(std::uint8_t pin, bool high) {
+  const unsigned bit = 1U << pin;
+  const unsigned others = aux_low_ & ~bit;
+  aux_low_ = static_cast<std::uint16_t>(high ? others : others | bit);
+}
+
+void NativeBoard::use_aux_pin(std::uint8_t pin, hal::PinUse use) {
+  set_aux_output(pin, false);
+  aux_uses_.at(pin) = use;
+}
+
+std::uint16_t NativeBoard::aux_levels() const {
+  unsigned levels = 0;
+  for (unsigned pin = 0; pin < kAuxPins; ++pin) {
+    if (aux_uses_[pin] == hal::PinUse::kDigital) {
+      levels |= 1U << pin;
+    }
+  }
+  return static_cast<std::uint16_t>(levels & ~aux_low_);
+}
+
+void NativeBoard::set_aux_output(std::uint8_t pin, bool high) {
+  if (aux_outputs_.at(pin) == high) {
+    return;
+  }
+  aux_outputs_[pin] = high;
+  if (on_aux_output) {
+    on_aux_output(now_ns_, pin, high);
+  }
+}
+
+void NativeBoard::start_conversion(std::uint8_t pin) {
+  converted_ = aux_analog_.at(pin);
+  conversion_end_ns_ = now_ns_ + kConversionNs;
+}
+
+bool NativeBoard::conversion_done(std::uint16_t& value) const {
+  value = converted_;
+  return now_ns_ >= conversion_end_ns_;
 }
 
 void NativeBoard::set_motor(hal::Motor motor, bool forward, std::uint8_t duty) {

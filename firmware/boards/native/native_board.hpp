@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
 
+#include "firmware/boards/native/native_two_wire.hpp"
+#include "firmware/hal/aux_pins.hpp"
 #include "firmware/hal/contacts.hpp"
 #include "firmware/hal/motors.hpp"
 
@@ -21,13 +24,15 @@ class NativeBoard {
  public:
   /// One byte at 115200 baud by the Uno's divider: 10 bits of 8 x 17 cycles at 16 MHz.
   static constexpr std::int64_t kByteNs = 85000;
+  /// Spare pins; each can be anything.
+  static constexpr std::uint8_t kAuxPins = 16;
 
   static NativeBoard& instance();
   NativeBoard(const NativeBoard&) = delete;
   NativeBoard& operator=(const NativeBoard&) = delete;
 
   /// Back to time 0: forgets all events and bytes under way and starts the program anew. Hooks and
-  /// the levels of contacts stay, encoder and echo pins are low.
+  /// what contacts and spare pins see from outside stay, encoder and echo pins are low.
   void power_on();
 
   /// Simulated time since `power_on`.
@@ -57,6 +62,20 @@ class NativeBoard {
   /// Presses or releases a bump contact now.
   void set_bump(bool right, bool pressed);
 
+  /// Level on a spare pin from now on; high, by its pull-up, before the first call.
+  void set_aux_level(std::uint8_t pin, bool high);
+  /// What the converter reads on a spare pin from now on, 0 .. 1023; 0 before the first call.
+  void set_aux_analog(std::uint8_t pin, std::uint16_t raw) { aux_analog_.at(pin) = raw; }
+  /// What the program uses a spare pin for.
+  hal::PinUse aux_use(std::uint8_t pin) const { return aux_uses_.at(pin); }
+  /// Level that the program gives a spare pin; false where it is no output.
+  bool aux_output(std::uint8_t pin) const { return aux_outputs_.at(pin); }
+  /// Called when that level changes, with the time.
+  std::function<void(std::int64_t, std::uint8_t, bool)> on_aux_output;
+
+  /// The two-wire bus and its devices.
+  NativeTwoWire two_wire;
+
   /// How often the program has kicked the watchdog.
   std::uint32_t watchdog_kicks() const { return watchdog_kicks_; }
 
@@ -67,6 +86,11 @@ class NativeBoard {
   bool echo_is_high() const { return echo_high_; }
   std::uint8_t encoder_levels() const { return encoder_levels_; }
   std::uint8_t pressed_contacts() const { return pressed_contacts_; }
+  void use_aux_pin(std::uint8_t pin, hal::PinUse use);
+  std::uint16_t aux_levels() const;
+  void set_aux_output(std::uint8_t pin, bool high);
+  void start_conversion(std::uint8_t pin);
+  bool conversion_done(std::uint16_t& value) const;
   void request_send();
   void kick_watchdog() { ++watchdog_kicks_; }
 
@@ -91,6 +115,12 @@ class NativeBoard {
   std::int16_t left_duty_ = 0;
   std::int16_t right_duty_ = 0;
   double pan_pulse_us_ = 0.0;
+  std::array<hal::PinUse, kAuxPins> aux_uses_ = {};
+  std::array<bool, kAuxPins> aux_outputs_ = {};
+  std::array<std::uint16_t, kAuxPins> aux_analog_ = {};
+  std::uint16_t aux_low_ = 0;  ///< A bit for each spare pin that something pulls low.
+  std::uint16_t converted_ = 0;
+  std::int64_t conversion_end_ns_ = 0;
   std::uint32_t watchdog_kicks_ = 0;
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/boards/native/native_board.hpp"
+#include "firmware/hal/adc.hpp"
+#include "firmware/hal/aux_pins.hpp"
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/contacts.hpp"
@@ -9,6 +11,7 @@
 #include "firmware/hal/servo.hpp"
 #include "firmware/hal/sonar.hpp"
 #include "firmware/hal/stack.hpp"
+#include "firmware/hal/twi.hpp"
 #include "firmware/hal/uart.hpp"
 #include "firmware/hal/watchdog.hpp"
 #include "protocol/handshake_messages.hpp"
@@ -37,6 +40,25 @@ bool echo_is_high() { return board().echo_is_high(); }
 uint8_t encoder_levels() { return board().encoder_levels(); }
 
 uint8_t pressed_contacts() { return board().pressed_contacts(); }
+
+uint8_t aux_pin_count() { return native::NativeBoard::kAuxPins; }
+bool aux_pin_can(uint8_t pin, PinUse /*use*/) { return pin < native::NativeBoard::kAuxPins; }
+void use_aux_pin(uint8_t pin, PinUse use) { board().use_aux_pin(pin, use); }
+uint16_t aux_levels() { return board().aux_levels(); }
+void set_aux_output(uint8_t pin, bool high) { board().set_aux_output(pin, high); }
+
+void start_conversion(uint8_t aux_pin) { board().start_conversion(aux_pin); }
+bool conversion_done(uint16_t& value) { return board().conversion_done(value); }
+
+bool has_twi() { return true; }
+void start_twi_write(uint8_t address, uint8_t device_register, uint8_t value) {
+  board().two_wire.start_write(board().now_ns(), address, device_register, value);
+}
+void start_twi_read(uint8_t address, uint8_t device_register) {
+  board().two_wire.start_read(board().now_ns(), address, device_register);
+}
+TwiState twi_state(int16_t& value) { return board().two_wire.state(board().now_ns(), value); }
+void stop_twi() { board().two_wire.stop(); }
 
 void request_send() { board().request_send(); }
 

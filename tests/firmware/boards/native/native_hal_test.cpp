@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "firmware/boards/native/native_board.hpp"
+#include "firmware/hal/adc.hpp"
+#include "firmware/hal/aux_pins.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/contacts.hpp"
 #include "firmware/hal/encoders.hpp"
@@ -59,6 +63,46 @@ TEST_F(NativeHalTest, ContactsAndEncoderLevelsHaveTheirBits) {
   board.schedule_encoder_edge(true, 1000, false, true);
   board.run_until_ns(1000);
   EXPECT_EQ(encoder_levels(), 0b1000);
+}
+
+TEST_F(NativeHalTest, SparePinsReadWhatIsPutOnThem) {
+  use_aux_pin(3, PinUse::kDigital);
+  use_aux_pin(15, PinUse::kDigital);
+  EXPECT_EQ(aux_levels(), 1U << 3 | 1U << 15) << "their pull-ups";
+  board.set_aux_level(3, false);
+  board.set_aux_level(4, false);
+  EXPECT_EQ(aux_levels(), 1U << 15);
+  board.set_aux_level(3, true);
+  board.set_aux_level(4, true);
+  EXPECT_EQ(aux_levels(), 1U << 3 | 1U << 15);
+}
+
+TEST_F(NativeHalTest, OutputsStartLowAndTellEveryChange) {
+  std::vector<bool> told;
+  board.on_aux_output = [&](std::int64_t /*at_ns*/, std::uint8_t pin, bool high) {
+    EXPECT_EQ(pin, 7);
+    told.push_back(high);
+  };
+  use_aux_pin(7, PinUse::kOutput);
+  set_aux_output(7, true);
+  set_aux_output(7, true);
+  EXPECT_TRUE(board.aux_output(7));
+  set_aux_output(7, false);
+  board.on_aux_output = nullptr;
+  EXPECT_FALSE(board.aux_output(7));
+  EXPECT_EQ(told, (std::vector<bool>{true, false}));
+}
+
+TEST_F(NativeHalTest, ConversionTakesItsTime) {
+  board.set_aux_analog(9, 700);
+  start_conversion(9);
+  std::uint16_t value = 0;
+  EXPECT_FALSE(conversion_done(value));
+  board.run_until_ns(103000);
+  EXPECT_FALSE(conversion_done(value));
+  board.run_until_ns(104000);
+  ASSERT_TRUE(conversion_done(value));
+  EXPECT_EQ(value, 700);
 }
 
 }  // namespace
