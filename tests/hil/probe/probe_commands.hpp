@@ -11,11 +11,11 @@ enum ProbeCommand : uint8_t {
   kProbeClearOneFlag,     ///< Answers TIFR0 with three flags, after clearing one, after the rest.
   kProbeEnableAfterFlag,  ///< Answers interrupts seen from a flag older than its enabling.
   kProbeTimeInterruptEntry,   ///< Answers TCNT1 (16 bit) in the handler of a match at 1000.
-  kProbeWritePortWithPullUp,  ///< Writes PORTC, DDRC; answers the level of PC0, its pin changes.
+  kProbeWritePortWithPullUp,  ///< Writes PORTx, DDRx of the encoders; answers left A, its changes.
   kProbeWaitForWatchdog,      ///< Is reset after 15 ms; writes 77 into .noinit before.
   kProbeSleep100Ticks,        ///< Sleeps through 100 ticks of 1 ms, answers 'z'.
-  kProbeCaptureEcho,          ///< Answers 'c', then counts of 0.5 us between two edges of ICP1.
-  kProbePulseTriggers,        ///< Trigger pulses of 5 us and of 11 us; answers 't'.
-  kProbeDriveMotors,          ///< Left forward at OCR 191, right backward at 63; answers 'm'.
-  kProbeSleepForEver,         ///< Sleeps with interrupts off.
+  kProbeCaptureEcho,    ///< Answers 'c', then counts of 0.5 us between two edges of the echo pin.
+  kProbePulseTriggers,  ///< Trigger pulses of 5 us and of 11 us; answers 't'.
+  kProbeDriveMotors,    ///< Left forward at OCR 191, right backward at 63; answers 'm'.
+  kProbeSleepForEver,   ///< Sleeps with interrupts off.
 };

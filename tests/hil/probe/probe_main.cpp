@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A program for an emulated ATmega328P that asks one question of the chip per command byte and
+/// A program for an emulated ATmega that asks one question of the chip per command byte and
 /// sends the answer, so that tests see where the emulator differs from the data sheet.
 #include <avr/interrupt.h>
 #include <avr/io.h>
@@ -8,11 +8,12 @@
 #include <util/delay.h>
 
 #include "tests/hil/probe/probe_commands.hpp"
+#include "tests/hil/probe/probe_pins.hpp"
 
 namespace {
 
 constexpr uint16_t kUbrr115200 = 16;
-constexpr uint16_t kTimer1Top = 39999;
+constexpr uint16_t kFrameTop = 39999;
 
 volatile uint8_t interrupts_seen;
 volatile uint8_t sleep_ticks_left;
@@ -105,18 +106,18 @@ void time_interrupt_entry() {
 }
 
 void write_port_with_pull_up() {
-  PORTC = _BV(PC0) | _BV(PC1);
-  PCMSK1 = _BV(PCINT8);
-  PCIFR = _BV(PCIF1);
-  PCICR = _BV(PCIE1);
+  PROBE_ENCODER_PORT = _BV(0) | _BV(1);
+  PROBE_ENCODER_MASK = _BV(0);
+  PCIFR = _BV(PROBE_ENCODER_GROUP);
+  PCICR = _BV(PROBE_ENCODER_GROUP);
   interrupts_seen = 0;
   sei();
-  PORTC = _BV(PC0) | _BV(PC1) | _BV(PC5);
-  DDRC = _BV(PC5);
+  PROBE_ENCODER_PORT = _BV(0) | _BV(1) | _BV(5);
+  PROBE_ENCODER_DDR = _BV(5);
   _delay_us(2);
   cli();
   PCICR = 0;
-  send(PINC & _BV(PC0));
+  send(PROBE_ENCODER_PIN & _BV(0));
   send(interrupts_seen);
 }
 
@@ -145,50 +146,46 @@ void sleep_100_ticks() {
   send('z');
 }
 
-void start_timer1_mode_15() {
-  OCR1A = kTimer1Top;
-  OCR1B = 2999;
-  DDRB |= _BV(PB2);
-  TCCR1A = _BV(COM1B1) | _BV(WGM11) | _BV(WGM10);
-  TCCR1B = _BV(WGM13) | _BV(WGM12) | _BV(CS11) | _BV(ICES1);
+/// All 16-bit timers have the bits of timer 1.
+void start_frame_timer() {
+  PROBE_FRAME_TOP = kFrameTop;
+  PROBE_FRAME_SERVO = 2999;
+  PROBE_SONAR_DDR |= kServoPin;
+  PROBE_FRAME_MODE = _BV(COM1B1) | _BV(WGM11) | _BV(WGM10);
+  PROBE_FRAME_CONTROL = _BV(WGM13) | _BV(WGM12) | _BV(CS11) | _BV(ICES1);
 }
 
 void capture_echo() {
-  start_timer1_mode_15();
-  TIFR1 = _BV(ICF1);
+  start_frame_timer();
+  PROBE_FRAME_FLAGS = _BV(ICF1);
   send('c');
-  while ((TIFR1 & _BV(ICF1)) == 0) {
+  while ((PROBE_FRAME_FLAGS & _BV(ICF1)) == 0) {
   }
-  captures[0] = ICR1;
-  TCCR1B = TCCR1B & static_cast<uint8_t>(~_BV(ICES1));
-  TIFR1 = _BV(ICF1);
-  while ((TIFR1 & _BV(ICF1)) == 0) {
+  captures[0] = PROBE_FRAME_CAPTURE;
+  PROBE_FRAME_CONTROL = PROBE_FRAME_CONTROL & static_cast<uint8_t>(~_BV(ICES1));
+  PROBE_FRAME_FLAGS = _BV(ICF1);
+  while ((PROBE_FRAME_FLAGS & _BV(ICF1)) == 0) {
   }
-  captures[1] = ICR1;
+  captures[1] = PROBE_FRAME_CAPTURE;
   const uint16_t rise = captures[0];
   const uint16_t fall = captures[1];
-  send16(fall >= rise ? fall - rise : fall + (kTimer1Top + 1) - rise);
+  send16(fall >= rise ? fall - rise : fall + (kFrameTop + 1) - rise);
 }
 
 void pulse_triggers() {
-  DDRB |= _BV(PB1);
-  PORTB |= _BV(PB1);
+  PROBE_SONAR_DDR |= kTriggerPin;
+  PROBE_SONAR_PORT |= kTriggerPin;
   _delay_us(5);
-  PORTB &= static_cast<uint8_t>(~_BV(PB1));
+  PROBE_SONAR_PORT &= static_cast<uint8_t>(~kTriggerPin);
   _delay_us(50);
-  PORTB |= _BV(PB1);
+  PROBE_SONAR_PORT |= kTriggerPin;
   _delay_us(11);
-  PORTB &= static_cast<uint8_t>(~_BV(PB1));
+  PROBE_SONAR_PORT &= static_cast<uint8_t>(~kTriggerPin);
   send('t');
 }
 
 void drive_motors() {
-  DDRD |= _BV(PD4) | _BV(PD5) | _BV(PD6) | _BV(PD7);
-  PORTD = (PORTD | _BV(PD4)) & static_cast<uint8_t>(~(_BV(PD5) | _BV(PD6) | _BV(PD7)));
-  OCR0A = 191;
-  OCR0B = 63;
-  TCCR0A = _BV(COM0A1) | _BV(COM0B1) | _BV(WGM01) | _BV(WGM00);
-  TCCR0B = _BV(CS01) | _BV(CS00);
+  drive_both_motors();
   send('m');
 }
 
@@ -228,7 +225,7 @@ void answer(uint8_t command) {
 }  // namespace
 
 ISR(TIMER0_COMPA_vect) { ++interrupts_seen; }
-ISR(PCINT1_vect) { ++interrupts_seen; }
+ISR(PROBE_ENCODER_vect) { ++interrupts_seen; }
 ISR(TIMER2_COMPA_vect) { --sleep_ticks_left; }
 
 /// The first thing done on entry: when is it, on the timer that called?

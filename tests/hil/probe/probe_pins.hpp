@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <avr/io.h>
+
+/// What the probe program uses under other names on the board of each chip, as in
+/// firmware/boards/*/pins.hpp. Vectors and registers are macros of avr-libc, so these are too.
+#if defined(__AVR_ATmega2560__)
+
+/// The encoders' port: bit 0 is the left A.
+#define PROBE_ENCODER_PORT PORTB
+#define PROBE_ENCODER_DDR DDRB
+#define PROBE_ENCODER_PIN PINB
+#define PROBE_ENCODER_MASK PCMSK0
+#define PROBE_ENCODER_GROUP PCIE0
+#define PROBE_ENCODER_vect PCINT0_vect
+
+/// The timer of servo and echo.
+#define PROBE_FRAME_TOP OCR5A
+#define PROBE_FRAME_SERVO OCR5B
+#define PROBE_FRAME_MODE TCCR5A
+#define PROBE_FRAME_CONTROL TCCR5B
+#define PROBE_FRAME_FLAGS TIFR5
+#define PROBE_FRAME_CAPTURE ICR5
+
+/// Trigger and servo.
+#define PROBE_SONAR_PORT PORTL
+#define PROBE_SONAR_DDR DDRL
+constexpr uint8_t kTriggerPin = _BV(PL3);
+constexpr uint8_t kServoPin = _BV(PL4);
+
+/// Left motor forward at 191 of 255, right motor backward at 63.
+inline void drive_both_motors() {
+  DDRG |= _BV(PG5);
+  DDRH |= _BV(PH3) | _BV(PH4);
+  DDRE |= _BV(PE3);
+  PORTG |= _BV(PG5);
+  OCR4A = 191;
+  OCR3A = 63;
+  TCCR4A = _BV(COM4A1) | _BV(WGM40);
+  TCCR4B = _BV(WGM42) | _BV(CS41) | _BV(CS40);
+  TCCR3A = _BV(COM3A1) | _BV(WGM30);
+  TCCR3B = _BV(WGM32) | _BV(CS31) | _BV(CS30);
+}
+
+#else
+
+#define PROBE_ENCODER_PORT PORTC
+#define PROBE_ENCODER_DDR DDRC
+#define PROBE_ENCODER_PIN PINC
+#define PROBE_ENCODER_MASK PCMSK1
+#define PROBE_ENCODER_GROUP PCIE1
+#define PROBE_ENCODER_vect PCINT1_vect
+
+#define PROBE_FRAME_TOP OCR1A
+#define PROBE_FRAME_SERVO OCR1B
+#define PROBE_FRAME_MODE TCCR1A
+#define PROBE_FRAME_CONTROL TCCR1B
+#define PROBE_FRAME_FLAGS TIFR1
+#define PROBE_FRAME_CAPTURE ICR1
+
+#define PROBE_SONAR_PORT PORTB
+#define PROBE_SONAR_DDR DDRB
+constexpr uint8_t kTriggerPin = _BV(PB1);
+constexpr uint8_t kServoPin = _BV(PB2);
+
+inline void drive_both_motors() {
+  DDRD |= _BV(PD4) | _BV(PD5) | _BV(PD6) | _BV(PD7);
+  PORTD = (PORTD | _BV(PD4)) & static_cast<uint8_t>(~(_BV(PD5) | _BV(PD6) | _BV(PD7)));
+  OCR0A = 191;
+  OCR0B = 63;
+  TCCR0A = _BV(COM0A1) | _BV(COM0B1) | _BV(WGM01) | _BV(WGM00);
+  TCCR0B = _BV(CS01) | _BV(CS00);
+}
+
+#endif
