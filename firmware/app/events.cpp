@@ -9,6 +9,7 @@ namespace hal {
 void on_tick() {
   app::devices.encoders.fold();
   app::devices.scheduler.on_tick();
+  app::devices.work_waits = true;
 }
 
 void on_encoder_pins(uint8_t levels) { app::devices.encoders.on_pins(levels); }
@@ -17,7 +18,10 @@ void on_echo_edge(bool high, uint32_t stamp_half_us) {
   app::devices.sonar.on_echo_edge(high, stamp_half_us);
 }
 
-void on_byte_received(uint8_t byte) { app::devices.port.on_received(byte); }
+void on_byte_received(uint8_t byte) {
+  app::devices.port.on_received(byte);
+  app::devices.work_waits = true;
+}
 
 void on_receive_overrun() { app::devices.port.on_overrun(); }
 

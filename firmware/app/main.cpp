@@ -11,9 +11,11 @@ int main() {
   for (;;) {
     while (app::robot.run_once()) {
     }
-    const hal::InterruptLock lock;
-    if (!app::robot.has_work()) {
+    hal::lock_interrupts();
+    while (!app::robot.has_work()) {
       hal::sleep_until_interrupt();
+      hal::lock_interrupts();
     }
+    hal::enable_interrupts();
   }
 }

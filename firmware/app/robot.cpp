@@ -18,6 +18,7 @@ void Robot::start() {
 }
 
 bool Robot::run_once() {
+  devices_.work_waits = false;
   const bool received = command_.poll();
   heartbeat_.ran(tasks::Part::kLink);
   if (!devices_.scheduler.take_tick()) {

@@ -17,6 +17,8 @@ struct Devices {
   drivers::SonarHcSr04 sonar;
   drivers::SerialPort port;
   tasks::Scheduler scheduler;
+  /// An interrupt has left work for the main loop; edges of the encoders leave none.
+  volatile bool work_waits;
 };
 
 /// The whole program above its devices, put together.
@@ -29,7 +31,7 @@ class Robot {
   /// Does what is due; false when there was nothing to do.
   bool run_once();
   /// Asked with interrupts locked: false means that the board may sleep.
-  bool has_work() const { return devices_.scheduler.has_tick() || devices_.port.has_received(); }
+  bool has_work() const { return devices_.work_waits; }
 
  private:
   void run_tick();

@@ -27,6 +27,7 @@ function(echomap_avr_board board)
     echomap_avr_image(echomap-${board}-vectors MCU ${ARG_MCU} BAUD ${usual_baud}
                       SOURCES ${board_sources} ${wire_sources}
                               ${root}/firmware/drivers/serial_port.cpp
+                              ${root}/firmware/drivers/wheel_encoders.cpp
                               ${root}/tests/firmware/vector_echo_main.cpp)
   endif()
 endfunction()

@@ -8,7 +8,7 @@ function(echomap_avr_image name)
   target_include_directories(${name} PRIVATE ${root})
   target_compile_definitions(${name} PRIVATE F_CPU=16000000UL ECHOMAP_BAUD=${ARG_BAUD}UL)
   # The last two lines only save flash: 15 % with avr-gcc 5.4.
-  set(code -mmcu=${ARG_MCU} -Os -flto -ffunction-sections -fdata-sections -fno-exceptions
+  set(code -gdwarf-2 -mmcu=${ARG_MCU} -Os -flto -ffunction-sections -fdata-sections -fno-exceptions
       -fno-rtti -fno-threadsafe-statics
       -mrelax -mcall-prologues -fno-inline-small-functions -fno-split-wide-types
       -fno-tree-dominator-opts)

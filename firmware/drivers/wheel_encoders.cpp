@@ -1,17 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/drivers/wheel_encoders.hpp"
 
+#include "firmware/hal/encoders.hpp"
 #include "firmware/hal/interrupts.hpp"
+#include "firmware/hal/quadrature_table.hpp"
 
 namespace echomap {
+namespace hal {
+
+EncoderEdges encoder_edges;
+
+}  // namespace hal
+
 namespace drivers {
 namespace {
+
+void add(int8_t& edges, uint8_t forward, uint8_t backward) {
+  if (forward != 0) {
+    ++edges;
+  }
+  if (backward != 0) {
+    --edges;
+  }
+}
 
 int16_t folded(int16_t count, int8_t edges, bool inverted) {
   return static_cast<int16_t>(inverted ? count - edges : count + edges);
 }
 
 }  // namespace
+
+void WheelEncoders::start(uint8_t levels) {
+  hal::encoder_edges = hal::EncoderEdges{static_cast<uint8_t>(levels << 4), 0, 0, 0};
+}
 
 void WheelEncoders::invert(bool left, bool right) {
   const hal::InterruptLock lock;
@@ -20,31 +41,36 @@ void WheelEncoders::invert(bool left, bool right) {
   right_inverted_ = right;
 }
 
-WheelCounts WheelEncoders::counts() {
+WheelCounts WheelEncoders::counts() const {
   const hal::InterruptLock lock;
-  fold();
-  return counts_;
+  return WheelCounts{folded(counts_.left, hal::encoder_edges.left, left_inverted_),
+                     folded(counts_.right, hal::encoder_edges.right, right_inverted_)};
 }
 
 uint16_t WheelEncoders::errors() const {
   const hal::InterruptLock lock;
-  return errors_;
+  return static_cast<uint16_t>(errors_ + hal::encoder_edges.lost);
 }
 
-void WheelEncoders::count_errors(uint8_t edges) {
-  if ((edges & kLeftLost) != 0) {
-    ++errors_;
-  }
-  if ((edges & kRightLost) != 0) {
-    ++errors_;
-  }
+void WheelEncoders::on_pins(uint8_t levels) {
+  hal::EncoderEdges& edges = hal::encoder_edges;
+  const uint8_t index = static_cast<uint8_t>(edges.before | levels);
+  edges.before = static_cast<uint8_t>(levels << 4);
+  const uint8_t found = hal::read_flash(&hal::kQuadratureTable.edges[index]);
+  add(edges.left, found & hal::kLeftForward, found & hal::kLeftBackward);
+  add(edges.right, found & hal::kRightForward, found & hal::kRightBackward);
+  edges.lost = static_cast<uint8_t>(edges.lost + ((found & hal::kLeftLost) != 0 ? 1 : 0) +
+                                    ((found & hal::kRightLost) != 0 ? 1 : 0));
 }
 
 void WheelEncoders::fold() {
-  counts_.left = folded(counts_.left, left_edges_, left_inverted_);
-  counts_.right = folded(counts_.right, right_edges_, right_inverted_);
-  left_edges_ = 0;
-  right_edges_ = 0;
+  hal::EncoderEdges& edges = hal::encoder_edges;
+  counts_.left = folded(counts_.left, edges.left, left_inverted_);
+  counts_.right = folded(counts_.right, edges.right, right_inverted_);
+  errors_ = static_cast<uint16_t>(errors_ + edges.lost);
+  edges.left = 0;
+  edges.right = 0;
+  edges.lost = 0;
 }
 
 }  // namespace drivers

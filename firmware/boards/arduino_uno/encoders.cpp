@@ -5,13 +5,13 @@
 #include <avr/io.h>
 
 #include "firmware/boards/arduino_uno/pins.hpp"
+#include "firmware/boards/avr_common/encoder_interrupt.hpp"
 #include "firmware/boards/avr_common/parts.hpp"
-#include "firmware/hal/events.hpp"
 
 namespace echomap {
 namespace boards {
 
-static_assert(kEncoderPins == 0x0F, "the low bits of the port are the levels as they stand");
+static_assert(kEncoderPins == 0x0F, "count_encoder_edges reads the low bits of a port");
 
 void start_encoders() {
   PORTC |= kEncoderPins;
@@ -25,7 +25,7 @@ namespace hal {
 
 uint8_t encoder_levels() { return PINC & boards::kEncoderPins; }
 
-ISR(PCINT1_vect) { on_encoder_pins(PINC & boards::kEncoderPins); }
+ISR(PCINT1_vect, ISR_NAKED) { boards::count_encoder_edges<_SFR_IO_ADDR(PINC)>(); }
 
 }  // namespace hal
 }  // namespace echomap

@@ -22,11 +22,9 @@ void restore_interrupts(uint8_t state) {
 void enable_interrupts() { sei(); }
 
 void sleep_until_interrupt() {
-  set_sleep_mode(SLEEP_MODE_IDLE);
-  sleep_enable();
+  SMCR = _BV(SE) | SLEEP_MODE_IDLE;  // In one write, for this is done after every encoder edge.
   sei();  // The instruction after SEI is still done before any interrupt.
   sleep_cpu();
-  sleep_disable();
 }
 
 }  // namespace hal

@@ -124,6 +124,7 @@ TEST_F(ScanSweepTest, EchoCarriesTheCountsAndTheTimeOfItsPing) {
   for (const int levels : {0b0001, 0b0011, 0b0111}) {
     encoders.on_pins(static_cast<std::uint8_t>(levels));
   }
+  encoders.fold();
   sweep.start({5, 0, 0, 0, 0});
   run_ms(2000);
   ASSERT_EQ(echoes.size(), 1U);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/hal/quadrature_table.hpp"
 #include "tests/firmware/simulated_wheel.hpp"
 
 namespace echomap::drivers {
@@ -18,7 +19,7 @@ std::uint8_t levels(std::int32_t left, std::int32_t right) {
 
 //  before   after: 00   A=1  B=1  11
 TEST(QuadratureStep, IsTheTableOfX4Decoding) {
-  constexpr int kX = kIllegalStep;
+  constexpr int kX = hal::kIllegalStep;
   constexpr int kExpected[4][4] = {
       {0, 1, -1, kX},  // 00
       {-1, 0, kX, 1},  // A
@@ -27,7 +28,7 @@ TEST(QuadratureStep, IsTheTableOfX4Decoding) {
   };
   for (std::uint8_t before = 0; before < 4; ++before) {
     for (std::uint8_t after = 0; after < 4; ++after) {
-      EXPECT_EQ(quadrature_step(before, after), kExpected[before][after]) << +before << +after;
+      EXPECT_EQ(hal::quadrature_step(before, after), kExpected[before][after]) << +before << +after;
     }
   }
 }

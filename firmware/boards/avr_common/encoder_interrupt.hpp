@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <avr/io.h>
+
+#include "firmware/hal/encoders.hpp"
+#include "firmware/hal/quadrature_table.hpp"
+
+namespace echomap {
+namespace boards {
+
+static_assert(hal::kLeftForward == 1U << 0 && hal::kLeftBackward == 1U << 1 &&
+                  hal::kLeftLost == 1U << 2 && hal::kRightForward == 1U << 3 &&
+                  hal::kRightBackward == 1U << 4 && hal::kRightLost == 1U << 5,
+              "count_encoder_edges tests these bits by number");
+
+/// The whole of a naked handler of the encoder pins, which are bits 0 to 3 of the port whose PINx
+/// has this I/O address. It does what drivers::WheelEncoders::on_pins does in 61 cycles, where the
+/// compiler's handler takes 81: at 40,000 edges a second and wheel that is a tenth of the chip. It
+/// saves what it uses and no more.
+template <uint8_t kPinAddress>
+__attribute__((always_inline)) inline void count_encoder_edges() {
+  constexpr uint8_t kFourPins = 0x0F;
+  asm volatile(
+      "push r24\n"
+      "in r24, __SREG__\n"
+      "push r24\n"
+      "push r30\n"
+      "push r31\n"
+      "in r24, %[pins]\n"
+      "andi r24, %[mask]\n"
+      "lds r30, %[before]\n"
+      "or r30, r24\n"
+      "swap r24\n"
+      "sts %[before], r24\n"
+      "ldi r31, 0\n"
+      "subi r30, lo8(-(%[table]))\n"
+      "sbci r31, hi8(-(%[table]))\n"
+      "lpm r24, Z\n"
+      "lds r30, %[left]\n"
+      "sbrc r24, 0\n"
+      "inc r30\n"
+      "sbrc r24, 1\n"
+      "dec r30\n"
+      "sts %[left], r30\n"
+      "lds r30, %[right]\n"
+      "sbrc r24, 3\n"
+      "inc r30\n"
+      "sbrc r24, 4\n"
+      "dec r30\n"
+      "sts %[right], r30\n"
+      "andi r24, %[any_lost]\n"
+      "brne 2f\n"
+      "1: pop r31\n"
+      "pop r30\n"
+      "pop r24\n"
+      "out __SREG__, r24\n"
+      "pop r24\n"
+      "reti\n"
+      "2: lds r30, %[lost]\n"
+      "sbrc r24, 2\n"
+      "inc r30\n"
+      "sbrc r24, 5\n"
+      "inc r30\n"
+      "sts %[lost], r30\n"
+      "rjmp 1b\n" ::[pins] "I"(kPinAddress),
+      [mask] "M"(kFourPins),
+      [table] "i"(&hal::kQuadratureTable),
+      [any_lost] "M"(hal::kLeftLost | hal::kRightLost),
+      [before] "i"(&hal::encoder_edges.before),
+      [left] "i"(&hal::encoder_edges.left),
+      [right] "i"(&hal::encoder_edges.right),
+      [lost] "i"(&hal::encoder_edges.lost));
+}
+
+}  // namespace boards
+}  // namespace echomap
