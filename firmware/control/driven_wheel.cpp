@@ -9,10 +9,10 @@ void DrivenWheel::begin(int16_t count) {
   last_count_ = count;
 }
 
-void DrivenWheel::follow(const protocol::ConfigureDrive& settings, int32_t step, int16_t count) {
+void DrivenWheel::follow(int16_t count) {
   const int16_t turned = static_cast<int16_t>(count - last_count_);
   last_count_ = count;
-  motor_.set(controller_.update(settings, step, turned));
+  motor_.set(controller_.update(turned));
 }
 
 void DrivenWheel::release() { motor_.set(0); }

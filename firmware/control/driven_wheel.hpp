@@ -17,8 +17,12 @@ class DrivenWheel {
   void invert_motor(bool inverted) { motor_.invert(inverted); }
   /// Is now where it should be, at `count`.
   void begin(int16_t count);
-  /// One control period: follows the reference by `step` (1/4000 tick) from `count`.
-  void follow(const protocol::ConfigureDrive& settings, int32_t step, int16_t count);
+  /// First half of a control period: the reference goes on by `step` (1/4000 tick).
+  void prepare(const protocol::ConfigureDrive& settings, int32_t step) {
+    controller_.prepare(settings, step);
+  }
+  /// Second half: follows the reference from `count`.
+  void follow(int16_t count);
   /// Switches the motor off.
   void release();
 

@@ -115,9 +115,10 @@ void WheelMotion::step() {
     return;
   }
   last_steps_ = next_steps();
-  const drivers::WheelCounts counts = encoders_.counts();
-  left_.follow(settings_, last_steps_.left, counts.left);
-  right_.follow(settings_, last_steps_.right, counts.right);
+  left_.prepare(settings_, last_steps_.left);
+  right_.prepare(settings_, last_steps_.right);
+  left_.follow(encoders_.counts().left);
+  right_.follow(encoders_.counts().right);
   if (left_.stalled(settings_) || right_.stalled(settings_)) {
     stop(MotionOutcome::kStalled);
   } else if (reference_stands() && (expired_ || (left_.arrived() && right_.arrived()))) {

@@ -33,28 +33,42 @@ int32_t term(uint16_t gain, int32_t value) {
   return clamped(int32_t{static_cast<int16_t>(gain)} * bounded, 4 * kFullDrive);
 }
 
+/// Ticks/s of a wheel that has turned by so many in the periods over which speed is taken.
+int32_t speed_of(int16_t turned_sum) {
+  return (int32_t{turned_sum} * kControlHz) >> WheelSpeedController::kSpeedPeriodsLog2;
+}
+
 int32_t magnitude(int32_t value) { return value < 0 ? -value : value; }
 
 }  // namespace
 
 void WheelSpeedController::reset() { *this = WheelSpeedController(); }
 
-int16_t WheelSpeedController::update(const protocol::ConfigureDrive& gains,
-                                     int32_t reference_step,
-                                     int16_t turned) {
-  lag_ += reference_step - int32_t{turned} * kOneTick;
-  measure(turned);
-  const bool reference_moves = reference_step != 0;
-  if (!reference_moves && near()) {
+void WheelSpeedController::prepare(const protocol::ConfigureDrive& gains, int32_t reference_step) {
+  measure();
+  lag_ += reference_step;
+  reference_moves_ = reference_step != 0;
+  push_off();
+  const int16_t reference = ticks_per_second(reference_step);
+  const int16_t expected_sum =
+      static_cast<int16_t>(turned_sum_ + newest_turned_ - turned_[oldest_]);
+  const int32_t expected_lag = lag_ - int32_t{newest_turned_} * kOneTick;
+  prepared_drive_ = term(gains.feed_forward, reference) +
+                    term(gains.proportional, reference - speed_of(expected_sum)) +
+                    term(gains.integral, rounded_shift(expected_lag, 12)) + push_;
+  const int32_t per_tick = speed_of(1) * gains.proportional + gains.integral;
+  drive_per_tick_ = static_cast<int16_t>(clamped(per_tick, INT16_MAX));
+}
+
+int16_t WheelSpeedController::update(int16_t turned) {
+  const int16_t unexpected = static_cast<int16_t>(turned - newest_turned_);
+  newest_turned_ = turned;
+  lag_ -= int32_t{turned} * kOneTick;
+  if (!reference_moves_ && near()) {
     push_ = 0;
     return 0;  // Without friction, control would hunt round the last tick for ever.
   }
-  push_off(reference_moves);
-  const int32_t speed = (int32_t{turned_sum_} * kControlHz) >> kSpeedPeriodsLog2;
-  const int32_t reference = ticks_per_second(reference_step);
-  const int32_t drive = term(gains.feed_forward, reference) +
-                        term(gains.proportional, reference - speed) +
-                        term(gains.integral, rounded_shift(lag_, 12)) + push_;
+  const int32_t drive = prepared_drive_ - int32_t{unexpected} * drive_per_tick_;
   return static_cast<int16_t>(rounded_shift(clamped(drive, kFullDrive), 8));
 }
 
@@ -68,23 +82,23 @@ bool WheelSpeedController::stalled(const protocol::ConfigureDrive& limits) const
   return magnitude(lag_) > bound_ticks * kOneTick || magnitude(push_) >= kFullDrive;
 }
 
-void WheelSpeedController::measure(int16_t turned) {
-  turned_sum_ = static_cast<int16_t>(turned_sum_ + turned - turned_[oldest_]);
-  turned_[oldest_] = turned;
+void WheelSpeedController::measure() {
+  turned_sum_ = static_cast<int16_t>(turned_sum_ + newest_turned_ - turned_[oldest_]);
+  turned_[oldest_] = newest_turned_;
   oldest_ = static_cast<uint8_t>((oldest_ + 1) & (kSpeedPeriods - 1));
-  if (turned != 0) {
+  if (newest_turned_ != 0) {
     still_periods_ = 0;
   } else if (still_periods_ != kStillPeriods) {
     ++still_periods_;
   }
 }
 
-void WheelSpeedController::push_off(bool reference_moves) {
+void WheelSpeedController::push_off() {
   const bool behind = lag_ > 0;
-  if (reference_moves || (push_ > 0) != behind) {
+  if (reference_moves_ || (push_ > 0) != behind) {
     push_ = 0;
   }
-  if (!reference_moves && turned_sum_ == 0) {
+  if (!reference_moves_ && turned_sum_ == 0 && !near()) {
     push_ += behind ? kPushStep : -kPushStep;
   }
 }

@@ -19,12 +19,18 @@ class WheelSpeedController {
   /// For how many periods without a tick it must have stood there: it coasts less than a tick then.
   static constexpr uint8_t kStillPeriods = 12;
 
+  /// Speed is taken over 2 to the power of this many periods: one tick in one would be 250 ticks/s.
+  static constexpr uint8_t kSpeedPeriodsLog2 = 2;
+
   /// Forgets the lag: the wheel is where it should be.
   void reset();
 
-  /// One control period: how far the reference goes in it (1/4000 tick), and by how many ticks the
-  /// wheel has turned in the last one. Returns the duty.
-  int16_t update(const protocol::ConfigureDrive& gains, int32_t reference_step, int16_t turned);
+  /// First half of a control period, all that can be done before the count is taken: how far the
+  /// reference goes in it (1/4000 tick). Expects the wheel to turn as in the last one.
+  void prepare(const protocol::ConfigureDrive& gains, int32_t reference_step);
+  /// Second half, from a count to a duty in the shortest time: by how many ticks the wheel has
+  /// turned since the last one. Returns the duty.
+  int16_t update(int16_t turned);
 
   /// The wheel stands within kArrivedTicks of its reference.
   bool arrived() const;
@@ -32,20 +38,22 @@ class WheelSpeedController {
   bool stalled(const protocol::ConfigureDrive& limits) const;
 
  private:
-  /// Speed is taken over this many periods: one tick in one period would be 250 ticks/s.
-  static constexpr uint8_t kSpeedPeriodsLog2 = 2;
   static constexpr uint8_t kSpeedPeriods = 1U << kSpeedPeriodsLog2;
 
-  void measure(int16_t turned);
-  void push_off(bool reference_moves);
+  void measure();
+  void push_off();
   bool near() const;
 
-  int32_t lag_ = 0;   ///< 1/4000 tick.
-  int32_t push_ = 0;  ///< Duty x 256 against static friction.
+  int32_t lag_ = 0;             ///< 1/4000 tick.
+  int32_t push_ = 0;            ///< Duty x 256 against static friction.
+  int32_t prepared_drive_ = 0;  ///< Duty x 256 for a wheel that turns as expected.
+  int16_t drive_per_tick_ = 0;  ///< What a tick more takes from it.
+  int16_t newest_turned_ = 0;
   int16_t turned_[kSpeedPeriods] = {};
   int16_t turned_sum_ = 0;  ///< Over kSpeedPeriods.
   uint8_t oldest_ = 0;
   uint8_t still_periods_ = kStillPeriods;
+  bool reference_moves_ = false;
 };
 
 }  // namespace control

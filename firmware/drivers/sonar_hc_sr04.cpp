@@ -21,7 +21,7 @@ bool SonarHcSr04::poll(uint32_t now_us, uint16_t max_echo_us, uint16_t& flight_u
   if (state_ == State::kIdle) {
     return false;
   }
-  const uint32_t flight = (flight_half_us_ + 1) / 2;
+  const uint32_t flight = (fall_half_us_ - rise_half_us_ + 1) / 2;
   const bool in_time = state_ == State::kAnswered && flight <= max_echo_us;
   const uint32_t pulse_us = state_ == State::kTriggered ? 0 : max_echo_us;
   if (state_ != State::kAnswered && now_us - pinged_us_ <= kRiseTimeoutUs + pulse_us) {
@@ -37,7 +37,7 @@ void SonarHcSr04::on_echo_edge(bool high, uint32_t stamp_half_us) {
     rise_half_us_ = stamp_half_us;
     state_ = State::kHigh;
   } else if (!high && state_ == State::kHigh) {
-    flight_half_us_ = stamp_half_us - rise_half_us_;
+    fall_half_us_ = stamp_half_us;
     state_ = State::kAnswered;
   }
 }

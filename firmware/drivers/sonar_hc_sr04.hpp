@@ -31,7 +31,7 @@ class SonarHcSr04 {
   volatile State state_ = State::kIdle;
   uint32_t pinged_us_ = 0;
   uint32_t rise_half_us_ = 0;
-  uint32_t flight_half_us_ = 0;
+  uint32_t fall_half_us_ = 0;
 };
 
 }  // namespace drivers

@@ -15,7 +15,8 @@ int pin_duty() { return native::NativeBoard::instance().right_duty(); }
 TEST(DrivenWheel, CountsFromWhereItBegan) {
   DrivenWheel wheel(hal::Motor::kRight);
   wheel.begin(32767);
-  wheel.follow(app::kDefaultDrive, 0, 32767);
+  wheel.prepare(app::kDefaultDrive, 0);
+  wheel.follow(32767);
   EXPECT_EQ(pin_duty(), 0);
   EXPECT_TRUE(wheel.arrived());
 }
@@ -23,9 +24,11 @@ TEST(DrivenWheel, CountsFromWhereItBegan) {
 TEST(DrivenWheel, FollowsAcrossTheWrapOfTheCounter) {
   DrivenWheel wheel(hal::Motor::kRight);
   wheel.begin(32760);
-  wheel.follow(app::kDefaultDrive, 10 * kOneTick, -32766);
-  for (int i = 0; i < WheelSpeedController::kStillPeriods; ++i) {
-    wheel.follow(app::kDefaultDrive, 0, -32766);
+  wheel.prepare(app::kDefaultDrive, 10 * kOneTick);
+  wheel.follow(-32766);
+  for (int i = 0; i <= WheelSpeedController::kStillPeriods; ++i) {
+    wheel.prepare(app::kDefaultDrive, 0);
+    wheel.follow(-32766);
   }
   EXPECT_TRUE(wheel.arrived());
   wheel.release();
@@ -34,7 +37,8 @@ TEST(DrivenWheel, FollowsAcrossTheWrapOfTheCounter) {
 TEST(DrivenWheel, PushesTowardsItsReferenceUntilReleased) {
   DrivenWheel wheel(hal::Motor::kRight);
   wheel.begin(0);
-  wheel.follow(app::kDefaultDrive, per_period(1000), 0);
+  wheel.prepare(app::kDefaultDrive, per_period(1000));
+  wheel.follow(0);
   EXPECT_GT(pin_duty(), 0);
   wheel.release();
   EXPECT_EQ(pin_duty(), 0);

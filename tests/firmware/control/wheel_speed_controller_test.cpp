@@ -24,7 +24,8 @@ class ControlledWheel {
       const std::int32_t step = per_period(ticks_per_s);
       const auto turned = static_cast<std::int16_t>(wheel.ticks() - last_ticks_);
       last_ticks_ = wheel.ticks();
-      const int duty = controller.update(app::kDefaultDrive, step, turned);
+      controller.prepare(app::kDefaultDrive, step);
+      const int duty = controller.update(turned);
       ASSERT_LE(std::abs(duty), 255);
       for (int ms = 0; ms < kControlPeriodMs; ++ms) {
         wheel.step(0.001, duty);
@@ -87,7 +88,8 @@ TEST(WheelSpeedController, LargestGainsAndErrorsOnlySaturate) {
     const auto against = static_cast<std::int16_t>(speed > 0 ? -128 : 128);
     int duty = 0;
     for (int i = 0; i < 100; ++i) {
-      duty = controller.update(gains, per_period(static_cast<std::int16_t>(speed)), against);
+      controller.prepare(gains, per_period(static_cast<std::int16_t>(speed)));
+      duty = controller.update(against);
     }
     EXPECT_EQ(duty, speed > 0 ? 255 : -255);
   }
@@ -99,7 +101,8 @@ TEST(WheelSpeedController, ResetForgetsTheLag) {
   wheel.run_periods(20, 2000);
   wheel.controller.reset();
   EXPECT_TRUE(wheel.controller.arrived());
-  EXPECT_EQ(wheel.controller.update(app::kDefaultDrive, 0, 0), 0);
+  wheel.controller.prepare(app::kDefaultDrive, 0);
+  EXPECT_EQ(wheel.controller.update(0), 0);
 }
 
 }  // namespace
