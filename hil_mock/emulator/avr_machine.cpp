@@ -78,9 +78,18 @@ void AvrMachine::run_to(std::uint64_t cycle) {
   queue_.at(cycle, [] {});
   queue_.at(cycle + 1, [] {});
   while (avr_->cycle < cycle) {
-    avr_run(avr_.get());
+    run_some();
     check_alive();
   }
+}
+
+void AvrMachine::run_some() {
+  avr_->run_cycle_limit = on_instruction ? 1 : kRunCycleLimit;
+  if (on_instruction && avr_->state == cpu_Running) {
+    avr_->run_cycle_count = 1;
+    on_instruction(avr_->pc);
+  }
+  avr_run(avr_.get());
 }
 
 void AvrMachine::reset(ResetSource source) {
@@ -96,7 +105,6 @@ void AvrMachine::reset(ResetSource source) {
 
 void AvrMachine::after_reset() {
   ++resets_;
-  avr_->run_cycle_limit = kRunCycleLimit;  // avr_reset has made it 1
   queue_.rearm();
   pins_.redrive();
   usart_.reset();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <sim_avr.h>
 
@@ -39,6 +40,9 @@ class AvrMachine {
   /// Runs to the first instruction boundary at or after `cycle`. Throws std::runtime_error where
   /// the program has crashed or sleeps for ever.
   void run_to(std::uint64_t cycle);
+  /// Called before every instruction with its address in bytes, where it is set; the machine then
+  /// takes ten times as long.
+  std::function<void(std::uint32_t)> on_instruction;
   void reset(ResetSource source);
 
   std::uint8_t data_at(std::uint16_t address) const { return avr_->data[address]; }
@@ -58,6 +62,7 @@ class AvrMachine {
 
   static std::unique_ptr<avr_t, Terminate> load(const std::filesystem::path& elf);
   void after_reset();
+  void run_some();
   void check_alive() const;
 
   std::unique_ptr<avr_t, Terminate> avr_;

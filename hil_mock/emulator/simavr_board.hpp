@@ -37,6 +37,7 @@ class SimavrBoard final : public runner::SimulatedBoard {
   /// The chip itself: cycles, resets, registers.
   AvrMachine& machine() { return machine_; }
   const AvrMachine& machine() const { return machine_; }
+  const BoardWiring& wiring() const { return wiring_; }
 
  private:
   void drive_resting_levels();

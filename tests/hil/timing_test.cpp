@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "tests/hil/measure/timing.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/hil/release_images.hpp"
+
+namespace echomap::tests {
+namespace {
+
+void print(const TimingFigures& figures) {
+  std::printf("timing: interrupts %.1f %%, program %.1f %%, tick within %.2f us\n",
+              100.0 * figures.interrupt_share,
+              100.0 * figures.program_share,
+              figures.tick_jitter_us);
+  std::printf("timing: %.0f B/s in, %.0f B/s out\n",
+              figures.load.host_bytes_per_s,
+              figures.load.robot_bytes_per_s);
+}
+
+/// The first four numbers of a row of the table of interrupts in docs/firmware_timing.md.
+struct DocumentedCost {
+  double least = 0.0;
+  double mean = 0.0;
+  double most = 0.0;
+};
+
+/// Rows "| NAME | least | mean | most | ..", by name.
+std::map<std::string, DocumentedCost> documented_costs() {
+  std::ifstream page(ECHOMAP_SOURCE_DIR "/docs/firmware_timing.md");
+  std::map<std::string, DocumentedCost> costs;
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with("| ")) {
+      continue;
+    }
+    const std::string name = line.substr(2, line.find(" |", 2) - 2);
+    DocumentedCost cost;
+    char bar = 0;
+    std::istringstream rest(line.substr(2 + name.size()));
+    if (rest >> bar >> cost.least >> bar >> cost.mean >> bar >> cost.most >> bar) {
+      costs[name] = cost;
+    }
+  }
+  return costs;
+}
+
+TEST(Interrupts, CostWhatTheirTableSays) {
+  const TimingFigures figures = measure_timing(release_image(), {.edges_per_s = 40'000}, 5.0);
+  const auto documented = documented_costs();
+  for (const auto& [name, cost] : figures.interrupts) {
+    std::printf("| %s | %u | %.1f | %u |\n", name.c_str(), cost.least, cost.mean(), cost.most);
+    ASSERT_TRUE(documented.contains(name)) << "docs/firmware_timing.md has no row for " << name;
+    const DocumentedCost& row = documented.at(name);
+    const auto expect_near = [&](double measured, double told) {
+      EXPECT_NEAR(measured, told, 0.05 * told) << "docs/firmware_timing.md is stale: " << name;
+    };
+    expect_near(cost.least, row.least);
+    expect_near(cost.mean(), row.mean);
+    expect_near(cost.most, row.most);
+  }
+  EXPECT_EQ(figures.interrupts.size(), documented_costs().size());
+}
+
+TEST(Timing, UsualLoadLeavesTwoThirdsOfTheChip) {
+  const TimingFigures figures = measure_timing(release_image(), usual_load(20'000), 10.0);
+  print(figures);
+  EXPECT_LE(100.0 * figures.busy_share(), 35.0);
+  EXPECT_GT(100.0 * figures.busy_share(), 10.0) << "the meter does not measure";
+  EXPECT_LE(figures.tick_jitter_us, 10.0);
+}
+
+TEST(Timing, TickHoldsOnAFullLine) {
+  for (const double edges_per_s : {20'000.0, 40'000.0}) {
+    const TimingFigures figures =
+        measure_timing(release_image(), {.edges_per_s = edges_per_s}, 20.0);
+    print(figures);
+    EXPECT_LE(figures.tick_jitter_us, edges_per_s > 20'000 ? 14.0 : 10.0);
+    EXPECT_LE(100.0 * figures.busy_share(), 75.0);
+  }
+}
+
+TEST(Control, DutyIsMadeOfCountsOfTheLastFiftyMicroseconds) {
+  const ControlFigures figures = measure_control(release_image(), {.edges_per_s = 40'000}, 4.0);
+  std::printf("control: %.0f Hz, sample to PWM %.1f us, %.1f us at most\n",
+              figures.duties_per_s,
+              figures.mean_us,
+              figures.most_us);
+  EXPECT_NEAR(figures.duties_per_s, 250.0, 1.0);
+  EXPECT_LE(figures.most_us, 50.0);
+  EXPECT_GT(figures.mean_us, 5.0) << "the delay is not measured";
+}
+
+}  // namespace
+}  // namespace echomap::tests
