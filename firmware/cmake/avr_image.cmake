@@ -17,7 +17,8 @@ function(echomap_avr_image name)
   target_link_options(${name} PRIVATE ${code} -Wl,--gc-sections,--relax
                       $<$<BOOL:${ECHOMAP_WERROR}>:-Wl,--fatal-warnings>)
   add_custom_command(TARGET ${name} POST_BUILD
-    COMMAND ${CMAKE_COMMAND} -DELF=$<TARGET_FILE:${name}> -DFLASH_LIMIT=${ECHOMAP_FLASH_LIMIT}
+    COMMAND ${CMAKE_COMMAND} -DSIZE=avr-size -DELF=$<TARGET_FILE:${name}>
+            -DFLASH_LIMIT=${ECHOMAP_FLASH_LIMIT}
             -DRAM_LIMIT=${ECHOMAP_RAM_LIMIT} -P ${root}/firmware/cmake/size_limits.cmake
     COMMAND avr-objcopy -O ihex -R .eeprom $<TARGET_FILE:${name}>
             $<TARGET_FILE_DIR:${name}>/${name}.hex

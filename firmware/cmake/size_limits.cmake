@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Prints the flash and static RAM of ELF; fails and removes it beyond FLASH_LIMIT or RAM_LIMIT.
-execute_process(COMMAND avr-size -A ${ELF} OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
+# Prints the flash and static RAM of ELF, read by the program SIZE; fails and removes it beyond
+# FLASH_LIMIT or RAM_LIMIT.
+execute_process(COMMAND ${SIZE} -A ${ELF} OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
 set(text 0)
 set(data 0)
 set(bss 0)

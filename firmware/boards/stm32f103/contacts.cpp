@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/hal/contacts.hpp"
+
+#include "firmware/boards/stm32f103/parts.hpp"
+#include "firmware/boards/stm32f103/pins.hpp"
+
+namespace echomap {
+namespace boards {
+
+void start_contacts() {
+  pull_up(kContactLeftPin);
+  pull_up(kContactRightPin);
+}
+
+}  // namespace boards
+
+namespace hal {
+
+uint8_t pressed_contacts() {
+  uint8_t pressed = 0;
+  if (!boards::level_of(boards::kContactLeftPin)) {
+    pressed |= kContactLeft;
+  }
+  if (!boards::level_of(boards::kContactRightPin)) {
+    pressed |= kContactRight;
+  }
+  return pressed;
+}
+
+}  // namespace hal
+}  // namespace echomap

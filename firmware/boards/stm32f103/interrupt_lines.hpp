@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "firmware/boards/stm32f103/registers.hpp"
+
+namespace echomap {
+namespace boards {
+
+/// Positions in the vector table behind the 16 of the core: RM0008, table 63.
+enum class InterruptLine : uint8_t {
+  kTim1Update = 25,
+  kTim4 = 30,
+  kUsart1 = 37,
+  kExti15To10 = 40,
+};
+
+/// All events of the program share one priority, so that none interrupts another and one lock
+/// (BASEPRI) holds them all; only the watchdog's warning is above it.
+constexpr uint8_t kEventPriority = 0x10;
+constexpr uint8_t kWarningPriority = 0x00;
+
+/// Lets the line interrupt, at this priority.
+inline void enable_line(InterruptLine line, uint8_t priority) {
+  const uint8_t number = static_cast<uint8_t>(line);
+  nvic().ipr[number] = priority;
+  nvic().iser[number / 32] = bit(number % 32);
+}
+
+/// Makes the line's interrupt happen as if its part had asked for it.
+inline void pend_line(InterruptLine line) {
+  const uint8_t number = static_cast<uint8_t>(line);
+  nvic().ispr[number / 32] = bit(number % 32);
+}
+
+}  // namespace boards
+}  // namespace echomap

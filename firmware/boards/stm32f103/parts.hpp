@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+/// The parts of the board that hal::start_board starts, one file each.
+namespace echomap {
+namespace boards {
+
+/// 72 MHz from the crystal, or else 8 MHz; the clock of every part below. First of all.
+void start_clock();
+/// Frequency of core and timers.
+uint32_t clock_hz();
+/// What a timer's prescaler is loaded with to make it count half microseconds.
+uint32_t half_us_prescaler();
+
+/// TIM3: motor PWM, off.
+void start_motors();
+/// Gives this start a boot id of its own; once, before hal::boot_id.
+void number_this_boot();
+/// SysTick: clock and tick.
+void start_tick();
+/// Half microseconds on the clock of hal::now_us, modulo 2^32.
+uint32_t now_half_us();
+/// TIM4: echo capture. After start_tick.
+void start_echo();
+/// TIM2: servo pulses, none yet.
+void start_servo();
+/// Interrupts of the encoder pins.
+void start_encoders();
+void start_contacts();
+/// Spare pins: all inputs with pull-up.
+void start_aux_pins();
+/// Channel of the converter that reads a spare pin which is used as hal::PinUse::kAnalog.
+uint8_t converter_channel(uint8_t aux_pin);
+/// ADC1, calibrated.
+void start_converter();
+/// USART1 with ECHOMAP_BAUD, 8N1, driven by interrupts.
+void start_uart();
+
+/// Adds one to the number of power-ups, which is kept in the flash, and returns it.
+uint16_t count_power_up();
+
+}  // namespace boards
+}  // namespace echomap

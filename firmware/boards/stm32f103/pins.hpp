@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "firmware/boards/stm32f103/registers.hpp"
+
+/// Every pin of the Blue Pill that the firmware uses; docs/hardware/stm32f103.md shows the wires.
+namespace echomap {
+namespace boards {
+
+/// The ports that have pins of ours.
+enum class Port : uint8_t { kA, kB };
+
+/// A pin by its name on the board: {Port::kB, 12} is B12.
+struct Pin {
+  Port port;
+  uint8_t number;
+};
+
+/// What a pin is, as its four bits in CRL or CRH: RM0008, table 20.
+enum class PinMode : uint8_t {
+  kAnalog = 0x0,
+  kInputFloating = 0x4,
+  kInputPulled = 0x8,  ///< Up or down by ODR.
+  kOutput = 0x2,       ///< Push-pull, 2 MHz.
+  kAlternate = 0xA,    ///< The same, by a timer or the USART.
+};
+
+/// The registers of the pin's port.
+inline GpioRegisters& port_of(Pin pin) {
+  return block_at<GpioRegisters>(0x40010800 + 0x400U * static_cast<uint8_t>(pin.port));
+}
+
+/// Level of an output, or the direction in which an input is pulled.
+inline void set_level(Pin pin, bool high) {
+  port_of(pin).bsrr = bit(high ? pin.number : static_cast<uint8_t>(pin.number + 16));
+}
+
+/// Level on the pin now.
+inline bool level_of(Pin pin) { return (port_of(pin).idr & bit(pin.number)) != 0; }
+
+/// Makes the pin what it is to be from now on.
+void set_mode(Pin pin, PinMode mode);
+/// An input with its pull-up.
+void pull_up(Pin pin);
+
+/// Quadrature inputs with pull-up: left A, left B, right A, right B are B12 .. B15.
+constexpr uint8_t kFirstEncoderPin = 12;
+constexpr uint32_t kEncoderPins = 0xF000;
+
+/// Sonar and servo.
+constexpr Pin kEchoPin{Port::kB, 6};  // TIM4_CH1
+constexpr Pin kTriggerPin{Port::kB, 7};
+constexpr Pin kServoPin{Port::kA, 15};  // TIM2_CH1, remapped
+
+/// Contacts, to ground.
+constexpr Pin kContactLeftPin{Port::kB, 8};
+constexpr Pin kContactRightPin{Port::kB, 9};
+
+/// Motors; high is forward.
+constexpr Pin kLeftPwmPin{Port::kA, 6};   // TIM3_CH1
+constexpr Pin kRightPwmPin{Port::kA, 7};  // TIM3_CH2
+constexpr Pin kLeftForwardPin{Port::kB, 4};
+constexpr Pin kRightForwardPin{Port::kB, 5};
+
+/// USART1.
+constexpr Pin kSendPin{Port::kA, 9};
+constexpr Pin kReceivePin{Port::kA, 10};
+
+}  // namespace boards
+}  // namespace echomap
