@@ -12,8 +12,12 @@ namespace {
 constexpr std::size_t kMaxLines = 500;
 const std::string spdx_start = "// SPDX-License-Identifier: ";
 
-/// The emulator links libsimavr and is GPL-3; all else is MIT.
+/// The emulators have the licences of what they link: libsimavr is GPL-3, Unicorn GPL-2; all else
+/// is MIT.
 std::string licence_of(const std::string& path) {
+  if (is_below(path, "hil_mock/unicorn")) {
+    return "GPL-2.0-or-later";
+  }
   return is_below(path, "hil_mock/emulator") ? "GPL-3.0-or-later" : "MIT";
 }
 

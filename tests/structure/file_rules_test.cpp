@@ -24,8 +24,10 @@ const std::vector<std::string> without_own_test{
     "firmware/boards/arduino_mega",
     "firmware/boards/arduino_uno",
     "firmware/boards/avr_common",
+    "firmware/boards/stm32f103",
     // Parts of one chip: tests/hil/emulated_chip_test.cpp and its neighbours run programs on it.
     "hil_mock/emulator",
+    "hil_mock/unicorn",
     // Mains and commands: tests/integration starts the programs as a user does.
     "firmware/app/main.cpp",
     "hil_mock/mock_device/main.cpp",

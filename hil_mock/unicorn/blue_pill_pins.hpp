@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "hil_mock/unicorn/stm32_chip.hpp"
+
+/// Where the robot's parts are wired to the Blue Pill: the same table as
+/// docs/hardware/stm32f103.md.
+namespace echomap::unicorn {
+
+/// A port and the number of the pin in it.
+struct Pin {
+  Stm32Chip::PortName port;
+  std::uint8_t number;
+};
+
+namespace blue_pill_pins {
+
+/// What stands on each pin, as in firmware/boards/stm32f103/pins.hpp.
+constexpr Pin kLeftEncoderA{Stm32Chip::kPortB, 12};
+constexpr Pin kLeftEncoderB{Stm32Chip::kPortB, 13};
+constexpr Pin kRightEncoderA{Stm32Chip::kPortB, 14};
+constexpr Pin kRightEncoderB{Stm32Chip::kPortB, 15};
+constexpr Pin kSonarEcho{Stm32Chip::kPortB, 6};         ///< TIM4_CH1
+constexpr Pin kSonarTrigger{Stm32Chip::kPortB, 7};      ///< GPIO
+constexpr Pin kPanServo{Stm32Chip::kPortA, 15};         ///< TIM2_CH1
+constexpr Pin kLeftMotorPwm{Stm32Chip::kPortA, 6};      ///< TIM3_CH1
+constexpr Pin kRightMotorPwm{Stm32Chip::kPortA, 7};     ///< TIM3_CH2
+constexpr Pin kLeftMotorForward{Stm32Chip::kPortB, 4};  ///< High is forward.
+constexpr Pin kRightMotorForward{Stm32Chip::kPortB, 5};
+constexpr Pin kLeftBump{Stm32Chip::kPortB, 8};  ///< Low is pressed.
+constexpr Pin kRightBump{Stm32Chip::kPortB, 9};
+
+}  // namespace blue_pill_pins
+}  // namespace echomap::unicorn

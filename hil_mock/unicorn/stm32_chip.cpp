@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "hil_mock/unicorn/stm32_chip.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace echomap::unicorn {
+namespace {
+
+constexpr std::uint32_t kFlashAddress = 0x08000000;
+constexpr std::uint32_t kFlashBytes = FlashWriter::kDataAddress - kFlashAddress;
+constexpr std::uint32_t kRamAddress = 0x20000000;
+constexpr std::uint32_t kRamBytes = 0x5000;
+constexpr std::uint32_t kPeripherals = 0x40000000;
+constexpr std::uint32_t kPeripheralBytes = 0x24000;
+constexpr std::uint32_t kBlockBytes = 0x400;
+constexpr std::uint32_t kCoreRegisters = 0xE000E000;
+constexpr std::uint32_t kCoreRegisterBytes = 0x1000;
+constexpr std::uint32_t kSysTick = 0xE000E010;
+constexpr std::uint32_t kSysTickEnd = 0xE000E020;
+constexpr std::uint32_t kIcsr = 0xE000ED04;
+constexpr std::uint32_t kIcsrTickPending = bit(26);
+
+constexpr std::uint8_t kTim1UpdateLine = 25;
+constexpr std::uint8_t kTim2Line = 28;
+constexpr std::uint8_t kTim3Line = 29;
+constexpr std::uint8_t kTim4Line = 30;
+constexpr std::uint8_t kTim4Input1Pin = 6;  ///< Of port B: RM0008, table 43.
+
+/// RAM is random after power-on; a fixed pattern that is no useful value keeps runs the same.
+constexpr std::uint8_t kPowerOnRam = 0xA5;
+
+}  // namespace
+
+Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
+    : tim1_(queue_, nvic_, kTim1UpdateLine),
+      tim2_(queue_, nvic_, kTim2Line),
+      tim3_(queue_, nvic_, kTim3Line),
+      tim4_(queue_, nvic_, kTim4Line) {
+  using Bus = Rcc::Bus;
+  blocks_ = {{0x40000000, &tim2_, Bus::kApb1, 0},
+             {0x40000400, &tim3_, Bus::kApb1, 1},
+             {0x40000800, &tim4_, Bus::kApb1, 2},
+             {0x40003000, &iwdg_},
+             {0x40010000, &afio_, Bus::kApb2, 0},
+             {0x40010400, &exti_, Bus::kApb2, 0},
+             {0x40010800, &port_a_, Bus::kApb2, 2},
+             {0x40010C00, &port_b_, Bus::kApb2, 3},
+             {0x40012400, &adc_, Bus::kApb2, 9},
+             {0x40012C00, &tim1_, Bus::kApb2, 11},
+             {0x40013800, &usart_, Bus::kApb2, 14},
+             {0x40021000, &rcc_},
+             {0x40022000, &flash_}};
+  iwdg_.on_timeout = [this] {
+    watchdog_bites_ = true;
+    core_.interrupt();
+  };
+  port_a_.on_change = [this](std::uint8_t pin, bool high) { on_pin(kPortA, pin, high); };
+  port_b_.on_change = [this](std::uint8_t pin, bool high) { on_pin(kPortB, pin, high); };
+  map();
+  load(elf);
+  reset(ResetSource::kPowerOn);
+  resets_ = 0;
+}
+
+void Stm32Chip::load(const std::filesystem::path& elf) {
+  for (const ProgramSegment& segment : read_elf_program(elf)) {
+    const std::uint64_t end = std::uint64_t{segment.address} + segment.bytes.size();
+    if (segment.address < kFlashAddress || end > kFlashAddress + kFlashBytes) {
+      throw std::runtime_error(elf.string() + ": holds no program that fits into the flash");
+    }
+    core_.write_memory(segment.address, segment.bytes);
+  }
+}
+
+void Stm32Chip::map() {
+  core_.map_rom(kFlashAddress, kFlashBytes);
+  core_.map_ram(kRamAddress, kRamBytes);
+  peripherals_.read = [this](std::uint32_t address, unsigned) { return read(address); };
+  peripherals_.write = [this](std::uint32_t address, unsigned, std::uint32_t value) {
+    write(address, value);
+  };
+  core_.map_device(kPeripherals, kPeripheralBytes, peripherals_);
+  core_registers_.read = [this](std::uint32_t address, unsigned) { return read_core(address); };
+  core_registers_.write = [this](std::uint32_t address, unsigned size, std::uint32_t value) {
+    write_core(address, size, value);
+  };
+  core_.map_device(kCoreRegisters, kCoreRegisterBytes, core_registers_);
+  flash_data_.read = [this](std::uint32_t address, unsigned size) {
+    return flash_.read_data(address - FlashWriter::kDataAddress, size);
+  };
+  flash_data_.write = [this](std::uint32_t address, unsigned size, std::uint32_t value) {
+    flash_.write_data(address - FlashWriter::kDataAddress, size, value);
+  };
+  core_.map_device(FlashWriter::kDataAddress, FlashWriter::kDataBytes, flash_data_);
+}
+
+void Stm32Chip::run_to(std::uint64_t cycle) {
+  while (queue_.now() < cycle) {
+    core_.run_to(cycle);
+    if (!refused_.empty()) {
+      throw std::runtime_error(refused_);
+    }
+    if (std::exchange(watchdog_bites_, false)) {
+      reset(ResetSource::kWatchdog);
+    }
+  }
+}
+
+void Stm32Chip::reset(ResetSource source) {
+  if (source == ResetSource::kPowerOn) {
+    core_.write_memory(kRamAddress, std::vector<std::uint8_t>(kRamBytes, kPowerOnRam));
+  }
+  for (const Block& block : blocks_) {
+    block.peripheral->reset();
+  }
+  sys_tick_.reset();
+  nvic_.reset();
+  rcc_.note_reset(source);
+  core_.set_cpu_cycle(rcc_.cpu_cycle());
+  core_.reset();
+  ++resets_;
+}
+
+void Stm32Chip::on_pin(PortName port, std::uint8_t pin, bool high) {
+  exti_.on_pin(port, pin, high);
+  if (port == kPortB && pin == kTim4Input1Pin) {
+    tim4_.set_input1(high);
+  }
+  if (on_level) {
+    on_level(port, pin, high);
+  }
+}
+
+Peripheral* Stm32Chip::answering(std::uint32_t address) {
+  for (const Block& block : blocks_) {
+    if (address - block.address < kBlockBytes) {
+      return rcc_.clocks(block.bus, block.clock) ? block.peripheral : nullptr;
+    }
+  }
+  refuse("uses a peripheral that is not emulated", address);
+  return nullptr;
+}
+
+std::uint32_t Stm32Chip::read(std::uint32_t address) {
+  queue_.call_due();
+  Peripheral* const peripheral = answering(address);
+  return peripheral != nullptr ? peripheral->read(address % kBlockBytes) : 0;
+}
+
+void Stm32Chip::write(std::uint32_t address, std::uint32_t value) {
+  queue_.call_due();
+  if (Peripheral* const peripheral = answering(address)) {
+    peripheral->write(address % kBlockBytes, value);
+    core_.set_cpu_cycle(rcc_.cpu_cycle());
+  }
+}
+
+std::uint32_t Stm32Chip::read_core(std::uint32_t address) {
+  queue_.call_due();
+  if (address >= kSysTick && address < kSysTickEnd) {
+    return sys_tick_.read(address - kSysTick);
+  }
+  if (address == kIcsr) {
+    return nvic_.sys_tick_pends() ? kIcsrTickPending : 0;
+  }
+  return nvic_.read(address);
+}
+
+void Stm32Chip::write_core(std::uint32_t address, unsigned size, std::uint32_t value) {
+  queue_.call_due();
+  if (address >= kSysTick && address < kSysTickEnd) {
+    sys_tick_.write(address - kSysTick, value);
+  } else if (size == 1) {  // a priority
+    const std::uint32_t word = address & ~3U;
+    const std::uint32_t shift = 8 * (address % 4);
+    nvic_.write(word, (nvic_.read(word) & ~(0xFFU << shift)) | value << shift);
+  } else {
+    nvic_.write(address, value);
+  }
+}
+
+void Stm32Chip::refuse(const std::string& what, std::uint32_t address) {
+  refused_ = "the emulated program " + what + ", at address " + std::to_string(address);
+  core_.interrupt();
+}
+
+}  // namespace echomap::unicorn

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hil_mock/unicorn/adc.hpp"
+#include "hil_mock/unicorn/cortex_core.hpp"
+#include "hil_mock/unicorn/elf_program.hpp"
+#include "hil_mock/unicorn/event_queue.hpp"
+#include "hil_mock/unicorn/exti.hpp"
+#include "hil_mock/unicorn/flash_writer.hpp"
+#include "hil_mock/unicorn/gpio_port.hpp"
+#include "hil_mock/unicorn/iwdg.hpp"
+#include "hil_mock/unicorn/nvic.hpp"
+#include "hil_mock/unicorn/rcc.hpp"
+#include "hil_mock/unicorn/sys_tick.hpp"
+#include "hil_mock/unicorn/timer.hpp"
+#include "hil_mock/unicorn/usart.hpp"
+
+namespace echomap::unicorn {
+
+/// Cycles of the emulated chip in a second of simulated time.
+constexpr std::uint64_t kClockHz = 72'000'000;
+
+/// An STM32F103C8 at 72 MHz: those of its parts that the firmware uses, as ST's manual describes
+/// them. It runs as fast as it can and never looks at a clock.
+class Stm32Chip {
+ public:
+  enum PortName : std::uint8_t { kPortA, kPortB };
+
+  /// Loads `elf` and switches on at cycle 0. Throws std::runtime_error where the file cannot be
+  /// read or holds no program for this chip.
+  explicit Stm32Chip(const std::filesystem::path& elf);
+  Stm32Chip(const Stm32Chip&) = delete;
+  Stm32Chip& operator=(const Stm32Chip&) = delete;
+
+  std::uint64_t cycle() const { return queue_.now(); }
+  /// Runs to the first block of code that begins at or after `cycle`. Throws std::runtime_error
+  /// where the program has crashed.
+  void run_to(std::uint64_t cycle);
+  void reset(ResetSource source);
+
+  EventQueue& queue() { return queue_; }
+  CortexCore& core() { return core_; }
+  GpioPort& port(PortName name) { return name == kPortA ? port_a_ : port_b_; }
+  const GpioPort& port(PortName name) const { return name == kPortA ? port_a_ : port_b_; }
+  Usart& usart() { return usart_; }
+  Adc& adc() { return adc_; }
+  SysTick& sys_tick() { return sys_tick_; }
+  const Timer& tim2() const { return tim2_; }
+  const Timer& tim3() const { return tim3_; }
+  /// Called when the level of a pin has changed, by the outside or by the program.
+  std::function<void(PortName port, std::uint8_t pin, bool high)> on_level;
+  /// How often the chip has been reset since switch-on, by whatever cause.
+  std::uint32_t resets() const { return resets_; }
+
+ private:
+  /// A kilobyte of addresses, and the clock without which nothing answers there.
+  struct Block {
+    std::uint32_t address;
+    Peripheral* peripheral;
+    Rcc::Bus bus = Rcc::Bus::kAlwaysOn;
+    std::uint8_t clock = 0;
+  };
+
+  void load(const std::filesystem::path& elf);
+  void map();
+  void on_pin(PortName port, std::uint8_t pin, bool high);
+  Peripheral* answering(std::uint32_t address);
+  std::uint32_t read(std::uint32_t address);
+  void write(std::uint32_t address, std::uint32_t value);
+  std::uint32_t read_core(std::uint32_t address);
+  void write_core(std::uint32_t address, unsigned size, std::uint32_t value);
+  void refuse(const std::string& what, std::uint32_t address);
+
+  EventQueue queue_;
+  Nvic nvic_;
+  Rcc rcc_{queue_};
+  GpioPort port_a_;
+  GpioPort port_b_;
+  Afio afio_;
+  Exti exti_{afio_, nvic_};
+  Timer tim1_;
+  Timer tim2_;
+  Timer tim3_;
+  Timer tim4_;
+  Usart usart_{queue_, nvic_};
+  Adc adc_{queue_};
+  Iwdg iwdg_{queue_};
+  FlashWriter flash_{queue_};
+  SysTick sys_tick_{queue_, nvic_};
+  std::vector<Block> blocks_;
+  CortexCore::Device peripherals_;
+  CortexCore::Device core_registers_;
+  CortexCore::Device flash_data_;
+  CortexCore core_{queue_, nvic_};
+  bool watchdog_bites_ = false;
+  std::string refused_;
+  std::uint32_t resets_ = 0;
+};
+
+}  // namespace echomap::unicorn

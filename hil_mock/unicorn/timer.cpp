@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "hil_mock/unicorn/timer.hpp"
+
+#include <algorithm>
+
+namespace echomap::unicorn {
+namespace {
+
+constexpr std::uint32_t kCr1 = 0x00;
+constexpr std::uint32_t kDier = 0x0C;
+constexpr std::uint32_t kSr = 0x10;
+constexpr std::uint32_t kEgr = 0x14;
+constexpr std::uint32_t kCcmr1 = 0x18;
+constexpr std::uint32_t kCcer = 0x20;
+constexpr std::uint32_t kCnt = 0x24;
+constexpr std::uint32_t kPsc = 0x28;
+constexpr std::uint32_t kArr = 0x2C;
+constexpr std::uint32_t kCcr1 = 0x34;
+constexpr std::uint32_t kCcr2 = 0x38;
+
+constexpr std::uint32_t kUpdate = bit(0);
+constexpr std::uint32_t kHalfWord = 0xFFFF;
+constexpr unsigned kPwmMode1 = 6;
+constexpr unsigned kSelectTi1[] = {1, 2};
+
+/// Bits of one channel in CCMR1 and CCER; channels count from 1.
+unsigned mode_bits(std::uint32_t ccmr1, unsigned channel) {
+  return ccmr1 >> (8 * (channel - 1)) & 0xFFU;
+}
+unsigned enable_bits(std::uint32_t ccer, unsigned channel) {
+  return ccer >> (4 * (channel - 1)) & 0xFU;
+}
+
+}  // namespace
+
+void Timer::set_input1(bool high) {
+  if (high == input1_) {
+    return;
+  }
+  input1_ = high;
+  for (const unsigned channel : {1U, 2U}) {
+    if (captures(channel, high)) {
+      value(channel == 1 ? kCcr1 : kCcr2) = count();
+      set_flags(bit(channel));
+    }
+  }
+}
+
+double Timer::pwm_level(unsigned channel) const {
+  if (!makes_pwm(channel)) {
+    return 0.0;
+  }
+  const double compare = value(channel == 1 ? kCcr1 : kCcr2);
+  return std::min(1.0, compare / (value(kArr) + 1.0));
+}
+
+std::uint64_t Timer::pulse_cycles() const {
+  return makes_pwm(1) ? std::uint64_t{value(kCcr1)} * (prescaler_ + 1) : 0;
+}
+
+std::uint32_t Timer::read(std::uint32_t offset) {
+  if (offset >= 4 * registers_.size()) {
+    return 0;
+  }
+  if (offset == kCnt) {
+    return count();
+  }
+  if (offset == kCcr1 || offset == kCcr2) {
+    const unsigned channel = offset == kCcr1 ? 1 : 2;
+    if ((mode_bits(value(kCcmr1), channel) & 3U) != 0) {
+      value(kSr) &= ~bit(channel);
+      set_flags(0);
+    }
+  }
+  return value(offset);
+}
+
+void Timer::write(std::uint32_t offset, std::uint32_t value_written) {
+  if (offset >= 4 * registers_.size()) {
+    return;
+  }
+  const std::uint32_t before = count();
+  const bool ran = runs();
+  if (offset == kSr) {
+    value(kSr) &= value_written;
+  } else if (offset == kEgr && (value_written & kUpdate) != 0) {
+    prescaler_ = value(kPsc);
+    set_flags(kUpdate);
+  } else if (offset != kEgr) {
+    value(offset) = value_written & kHalfWord;
+  }
+  set_flags(0);
+  if (offset == kCnt || offset == kEgr) {
+    restart(offset == kCnt ? value_written & kHalfWord : 0);
+  } else if (ran != runs() || offset == kArr) {
+    restart(before);
+  } else if (offset == kDier) {
+    schedule_update();
+  }
+}
+
+void Timer::reset() {
+  registers_ = {};
+  value(kArr) = kHalfWord;
+  prescaler_ = 0;
+  stopped_count_ = 0;
+  ++schedules_;
+  set_flags(0);
+}
+
+bool Timer::runs() const { return (value(kCr1) & 1U) != 0; }
+
+bool Timer::makes_pwm(unsigned channel) const {
+  const unsigned mode = mode_bits(value(kCcmr1), channel);
+  return runs() && (mode & 3U) == 0 && (mode >> 4 & 7U) == kPwmMode1 &&
+         (enable_bits(value(kCcer), channel) & 1U) != 0;
+}
+
+bool Timer::captures(unsigned channel, bool rising) const {
+  const unsigned enable = enable_bits(value(kCcer), channel);
+  const bool falling_wanted = (enable & 2U) != 0;
+  return runs() && (mode_bits(value(kCcmr1), channel) & 3U) == kSelectTi1[channel - 1] &&
+         (enable & 1U) != 0 && falling_wanted != rising;
+}
+
+std::uint64_t Timer::period_cycles() const {
+  return (std::uint64_t{value(kArr)} + 1) * (prescaler_ + 1);
+}
+
+std::uint32_t Timer::count() const {
+  if (!runs()) {
+    return stopped_count_;
+  }
+  const std::uint64_t counts = (queue_.now() - zero_cycle_) / (prescaler_ + 1);
+  return static_cast<std::uint32_t>(counts % (value(kArr) + 1));
+}
+
+void Timer::restart(std::uint32_t count) {
+  stopped_count_ = count;
+  zero_cycle_ = queue_.now() - std::uint64_t{count} * (prescaler_ + 1);
+  schedule_update();
+}
+
+void Timer::schedule_update() {
+  ++schedules_;
+  if (!runs() || (value(kDier) & kUpdate) == 0) {
+    return;
+  }
+  const std::uint64_t rounds = (queue_.now() - zero_cycle_) / period_cycles();
+  queue_.at(zero_cycle_ + (rounds + 1) * period_cycles(), [this, schedule = schedules_] {
+    if (schedule == schedules_) {
+      set_flags(kUpdate);
+      schedule_update();
+    }
+  });
+}
+
+void Timer::set_flags(std::uint32_t flags) {
+  value(kSr) |= flags;
+  nvic_.set_line(line_, (value(kSr) & value(kDier) & kHalfWord) != 0);
+}
+
+}  // namespace echomap::unicorn

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "hil_mock/unicorn/unicorn_board.hpp"
+
+#include <algorithm>
+
+#include <unicorn/unicorn.h>
+
+#include "protocol/version.hpp"
+
+namespace echomap::unicorn {
+namespace {
+
+using runner::MotorDuty;
+using runner::Wheel;
+
+/// Nine cycles last 125 ns.
+constexpr std::int64_t kNineCyclesNs = 125;
+constexpr double kCyclesPerUs = 72.0;
+/// Shortest trigger pulse that an HC-SR04 answers: its data sheet, "Timing diagram".
+constexpr std::uint64_t kLeastTriggerCycles = kClockHz / 100'000;
+
+std::int64_t ns_of_cycle(std::uint64_t cycle) {
+  return static_cast<std::int64_t>(cycle) * kNineCyclesNs / 9;
+}
+
+std::uint64_t cycle_at_ns(std::int64_t ns) {
+  return static_cast<std::uint64_t>((ns * 9 + kNineCyclesNs - 1) / kNineCyclesNs);
+}
+
+struct MotorPins {
+  unsigned channel;  ///< Of timer 3.
+  Pin pwm;
+  Pin forward;
+};
+
+constexpr MotorPins kLeftMotor{1, blue_pill_pins::kLeftMotorPwm, blue_pill_pins::kLeftMotorForward};
+constexpr MotorPins kRightMotor{
+    2, blue_pill_pins::kRightMotorPwm, blue_pill_pins::kRightMotorForward};
+
+double duty_of(const Stm32Chip& chip, const MotorPins& motor) {
+  const GpioPort& port = chip.port(motor.pwm.port);
+  const double level = port.is_alternate(motor.pwm.number)
+                           ? chip.tim3().pwm_level(motor.channel)
+                           : (port.level(motor.pwm.number) ? 1.0 : 0.0);
+  return chip.port(motor.forward.port).level(motor.forward.number) ? level : -level;
+}
+
+bool is_same(Pin pin, Stm32Chip::PortName port, std::uint8_t number) {
+  return pin.port == port && pin.number == number;
+}
+
+}  // namespace
+
+UnicornBoard::UnicornBoard(const std::filesystem::path& elf)
+    : program_(elf.stem().string()), chip_(elf) {
+  chip_.usart().on_sent = [this](std::uint8_t byte) {
+    if (on_sent) {
+      on_sent(byte);
+    }
+  };
+  chip_.on_level = [this](Stm32Chip::PortName port, std::uint8_t pin, bool high) {
+    if (is_same(blue_pill_pins::kSonarTrigger, port, pin)) {
+      on_trigger_level(high);
+    }
+  };
+  drive_resting_levels();
+}
+
+std::int64_t UnicornBoard::now_ns() const {
+  return std::min(ns_of_cycle(chip_.cycle()), until_ns_);
+}
+
+void UnicornBoard::run_until(std::int64_t until_ns) {
+  until_ns_ = std::max(until_ns_, until_ns);
+  chip_.run_to(cycle_at_ns(until_ns_));
+}
+
+MotorDuty UnicornBoard::motor_duty() const {
+  return {duty_of(chip_, kLeftMotor), duty_of(chip_, kRightMotor)};
+}
+
+double UnicornBoard::pan_pulse_us() const {
+  constexpr Pin kPin = blue_pill_pins::kPanServo;
+  return chip_.port(kPin.port).is_alternate(kPin.number)
+             ? static_cast<double>(chip_.tim2().pulse_cycles()) / kCyclesPerUs
+             : 0.0;
+}
+
+void UnicornBoard::schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) {
+  const bool left = wheel == Wheel::kLeft;
+  schedule_level(at_ns, left ? blue_pill_pins::kLeftEncoderA : blue_pill_pins::kRightEncoderA, a);
+  schedule_level(at_ns, left ? blue_pill_pins::kLeftEncoderB : blue_pill_pins::kRightEncoderB, b);
+}
+
+void UnicornBoard::schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) {
+  schedule_level(rise_ns, blue_pill_pins::kSonarEcho, true);
+  schedule_level(fall_ns, blue_pill_pins::kSonarEcho, false);
+}
+
+void UnicornBoard::set_bump(Wheel side, bool pressed) {
+  drive(side == Wheel::kLeft ? blue_pill_pins::kLeftBump : blue_pill_pins::kRightBump, !pressed);
+}
+
+std::string UnicornBoard::firmware_name() const {
+  constexpr unsigned kVersion = protocol::kFirmwareVersion;
+  return program_ + ' ' + std::to_string(kVersion / 100) + '.' +
+         std::to_string(kVersion / 10 % 10) + '.' + std::to_string(kVersion % 10);
+}
+
+std::string UnicornBoard::emulator_name() const {
+  unsigned major = 0;
+  unsigned minor = 0;
+  uc_version(&major, &minor);
+  return "unicorn " + std::to_string(major) + '.' + std::to_string(minor);
+}
+
+void UnicornBoard::drive_resting_levels() {
+  for (const Pin pin : {blue_pill_pins::kLeftEncoderA,
+                        blue_pill_pins::kLeftEncoderB,
+                        blue_pill_pins::kRightEncoderA,
+                        blue_pill_pins::kRightEncoderB,
+                        blue_pill_pins::kSonarEcho}) {
+    drive(pin, false);
+  }
+  set_bump(Wheel::kLeft, false);
+  set_bump(Wheel::kRight, false);
+}
+
+void UnicornBoard::on_trigger_level(bool high) {
+  const std::uint64_t now = chip_.cycle();
+  if (high) {
+    trigger_rise_cycle_ = now;
+  } else if (now - trigger_rise_cycle_ >= kLeastTriggerCycles && on_trigger) {
+    on_trigger(now_ns());
+  }
+}
+
+void UnicornBoard::schedule_level(std::int64_t at_ns, Pin pin, bool level) {
+  chip_.queue().at(cycle_at_ns(at_ns), [this, pin, level] { drive(pin, level); });
+}
+
+}  // namespace echomap::unicorn
