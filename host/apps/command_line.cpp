@@ -69,22 +69,38 @@ void add_explore(CLI::App& app, Action& action) {
   command->callback([&action, options] { action = [options] { return run_explore(*options); }; });
 }
 
+/// A board names its emulator; where both are named they have to fit.
+void choose_emulator(DemoOptions& options, bool emulator_is_named) {
+  if (options.board.empty()) {
+    return;
+  }
+  const std::string fitting = options.board == "stm32f103" ? "unicorn" : "simavr";
+  if (emulator_is_named && options.emulator != fitting) {
+    throw CLI::ValidationError(
+        "--board", options.board + " is emulated by " + fitting + ", not by " + options.emulator);
+  }
+  options.emulator = fitting;
+}
+
 void add_demo(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("demo", "Watch an emulated robot map a room, and see it scored");
   const auto options = std::make_shared<DemoOptions>();
   command->add_option("--world", options->world, "Room: a bundled name or a TOML file")
       ->capture_default_str();
-  command
-      ->add_option("--emulator",
-                   options->emulator,
-                   "simavr runs the AVR binary that a user flashes, mock the same code natively")
-      ->check(CLI::IsMember({"simavr", "mock"}))
-      ->capture_default_str();
-  const CLI::Option* board =
-      command->add_option("--board", options->board, "The board that is emulated")
-          ->check(CLI::IsMember({"uno", "mega"}))
+  const CLI::Option* emulator =
+      command
+          ->add_option("--emulator",
+                       options->emulator,
+                       "simavr and unicorn run the binary that a user flashes, of an AVR board and "
+                       "of an STM32, mock the same code natively")
+          ->check(CLI::IsMember({"simavr", "unicorn", "mock"}))
           ->capture_default_str();
+  command
+      ->add_option("--board",
+                   options->board,
+                   "The board that is emulated: uno or mega by simavr, stm32f103 by unicorn")
+      ->check(CLI::IsMember({"uno", "mega", "stm32f103"}));
   command->add_option(
       "--body",
       options->body,
@@ -92,10 +108,8 @@ void add_demo(CLI::App& app, Action& action) {
       "name or a TOML file; by default the name in the profile");
   add_run_options(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
-  command->callback([&action, options, board] {
-    if (options->emulator == "mock" && board->count() > 0) {
-      throw CLI::ValidationError("--board", "--emulator mock has no board");
-    }
+  command->callback([&action, options, emulator] {
+    choose_emulator(*options, emulator->count() > 0);
     action = [options] { return run_demo(*options); };
   });
 }

@@ -37,8 +37,8 @@ ExitCode run_explore(const ExploreOptions& options);
 struct DemoOptions {
   RunOptions run;
   std::string world = "living_room";
-  std::string emulator = "simavr";  ///< Or "mock".
-  std::string board = "uno";        ///< Or "mega"; the mock has none.
+  std::string emulator = "simavr";  ///< Or "unicorn" or "mock".
+  std::string board;                ///< One of that emulator; empty: its usual one.
   /// What is true of the robot (docs/decisions/0002); empty: the bundled body of the profile's
   /// name.
   std::string body;

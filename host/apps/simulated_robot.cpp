@@ -38,7 +38,7 @@ SimulatedRobot::SimulatedRobot(const DemoOptions& options,
                                    "--link=" + port(),
                                    "--lockstep=" + socket.string(),
                                    "--truth=" + truth_.string()};
-  if (options.emulator != "mock") {
+  if (!options.board.empty()) {
     command.push_back("--board=" + options.board);
   }
   process_ = std::make_unique<ChildProcess>(command, log_);

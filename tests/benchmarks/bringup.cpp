@@ -27,7 +27,7 @@ struct Options {
   std::string world = "living_room";
   std::string robot = "uno_2wd";
   std::string emulator = "simavr";
-  std::string board = "uno";
+  std::string board;
   std::filesystem::path json;
   bool check = false;
 };
@@ -57,18 +57,16 @@ std::optional<nlohmann::json> run_demo(const Options& options,
   const auto run = folder / std::to_string(seed);
   const auto report = run.string() + ".json";
   const auto log = run.string() + ".log";
-  std::vector<std::string> command{apps::program_folder() / "echomap",
-                                   "demo",
-                                   "--headless",
-                                   "--world=" + options.world,
-                                   "--robot=" + options.robot,
-                                   "--emulator=" + options.emulator,
-                                   "--seed=" + std::to_string(seed),
-                                   "--out=" + run.string(),
-                                   "--json=" + report};
-  if (options.emulator != "mock") {
-    command.push_back("--board=" + options.board);
-  }
+  std::vector<std::string> command{
+      apps::program_folder() / "echomap",
+      "demo",
+      "--headless",
+      "--world=" + options.world,
+      "--robot=" + options.robot,
+      options.board.empty() ? "--emulator=" + options.emulator : "--board=" + options.board,
+      "--seed=" + std::to_string(seed),
+      "--out=" + run.string(),
+      "--json=" + report};
   apps::ChildProcess demo(command, log);
   if (demo.wait_for(kPatience) != 0) {
     fmt::print(stderr, "seed {} did not end by itself:\n{}\n", seed, files::read_text_file(log));
@@ -145,8 +143,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--world", options.world)->capture_default_str();
   app.add_option("--robot", options.robot)->capture_default_str();
-  app.add_option("--emulator", options.emulator)->capture_default_str();
-  app.add_option("--board", options.board)->capture_default_str();
+  auto* emulator = app.add_option("--emulator", options.emulator)->capture_default_str();
+  app.add_option("--board", options.board, "Instead of --emulator")->excludes(emulator);
   app.add_option("--json", options.json, "Write the figures to this file");
   app.add_flag("--check",
                options.check,

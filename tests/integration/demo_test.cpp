@@ -117,11 +117,15 @@ TEST_P(Demo, KeepsItsMapWhenInterrupted) {
 constexpr Variant kMock{"mock", "--emulator=mock", "mock", "echomap-native"};
 constexpr Variant kUno{"uno", "--board=uno", "simavr", "echomap-uno"};
 constexpr Variant kMega{"mega", "--board=mega", "simavr", "echomap-mega"};
+constexpr Variant kStm32{"stm32f103", "--board=stm32f103", "unicorn", "echomap-stm32f103"};
 
 std::string name_of(const ::testing::TestParamInfo<Variant>& variant) { return variant.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Boards, ScoredDemo, ::testing::Values(kMock, kUno, kMega), name_of);
-INSTANTIATE_TEST_SUITE_P(Emulators, Demo, ::testing::Values(kMock, kUno), name_of);
+INSTANTIATE_TEST_SUITE_P(Boards,
+                         ScoredDemo,
+                         ::testing::Values(kMock, kUno, kMega, kStm32),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Emulators, Demo, ::testing::Values(kMock, kUno, kStm32), name_of);
 
 }  // namespace
 }  // namespace echomap::test
