@@ -89,6 +89,20 @@ TEST_F(RunWithStandIns, SetupAsRootInstallsExactlyWhatIsMissing) {
   EXPECT_THAT(result.output, HasSubstr("install --no-install-recommends cmake libpng-dev\n"));
 }
 
+TEST_F(RunWithStandIns, SetupInstallsTheSecondArchitectureOnlyWhenAskedTo) {
+  stand_in("dpkg-query",
+           "for p; do :; done; case $p in *arm* | libunicorn*) exit 1 ;; esac; printf installed");
+  stand_in("id", "echo 0");
+  stand_in("apt-get", "echo \"called: $*\"");
+  EXPECT_THAT(run("setup").output, HasSubstr("nothing to install"));
+  const ShellResult all = run("setup --all");
+  EXPECT_EQ(all.exit_code, 0) << all.output;
+  EXPECT_THAT(all.output,
+              HasSubstr("will install, by apt-get: gcc-arm-none-eabi libnewlib-arm-none-eabi "
+                        "libunicorn-dev qemu-system-arm"));
+  EXPECT_EQ(run("setup --everything").exit_code, 2);
+}
+
 TEST_F(RunWithStandIns, SetupAsSomeoneElseGoesThroughSudo) {
   lack_two_packages();
   stand_in("id", "echo 1000");
