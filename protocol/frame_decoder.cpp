@@ -47,8 +47,8 @@ DecodeStatus FrameDecoder::check(bool whole) const {
   if (!whole || size_ < kHeaderSize + kCrcSize) {
     return DecodeStatus::kTruncated;
   }
-  Schema schema{};
-  if (!find_schema_(block_[0], schema)) {
+  const Schema schema = find_schema_(block_[0]);
+  if (!schema.known()) {
     return DecodeStatus::kUnknownId;
   }
   if (payload_size() != schema.payload_size) {

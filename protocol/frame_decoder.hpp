@@ -31,7 +31,7 @@ enum class DecodeStatus : uint8_t {
 };
 
 /// Looks up what the receiver knows of an id; see MessageList::find_schema.
-using FindSchema = bool (*)(uint8_t id, Schema& schema);
+using FindSchema = Schema (*)(uint8_t id);
 
 /// Takes a byte stream apart into checked frames. One damaged frame costs at most itself and its
 /// neighbour (when the delimiter between them was lost); nothing is allocated and nothing waits.

@@ -21,15 +21,16 @@ class FrameEncoder {
   /// Encodes `message`; the span is valid until the next call.
   template <class M>
   ByteSpan encode(const M& message, uint8_t seq) {
-    static_assert(MessageFacts<M>::kSize <= kMaxPayload, "payload is larger than a frame takes");
-    put_payload(message, buffer_ + kPayloadAt);
-    return finish(M::kId, seq, MessageFacts<M>::kSize, MessageFacts<M>::kSeed);
+    using Facts = MessageFacts<M>;
+    static_assert(Facts::kSize <= kMaxPayload, "payload is larger than a frame takes");
+    const Payload<M> payload(message);
+    return encode(payload.bytes(), M::kId, Facts::kSize, Facts::kSeed, seq);
   }
+  /// The same for a payload of `size` bytes, at most kMaxPayload.
+  ByteSpan encode(const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed, uint8_t seq);
 
  private:
-  static constexpr uint8_t kPayloadAt = 3;
-
-  ByteSpan finish(uint8_t id, uint8_t seq, uint8_t payload_size, uint16_t seed);
+  static constexpr uint8_t kHeaderSize = 2;
 
   uint8_t buffer_[kMaxFrame] = {};
 };

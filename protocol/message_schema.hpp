@@ -110,19 +110,23 @@ struct MessageFacts {
 
 /// What a frame decoder must know of a message id.
 struct Schema {
+  /// `payload_size` of an id that the receiver does not know; no frame is as large.
+  static constexpr uint8_t kUnknown = 255;
+
   uint16_t seed;
   uint8_t payload_size;
+  bool known() const { return payload_size != kUnknown; }
 };
 
 /// A compile-time list of messages.
 template <class... Messages>
 struct MessageList {
-  /// Finds the schema of `id`; false where the list does not hold it.
-  static bool find_schema(uint8_t id, Schema& schema) {
-    bool found = false;
-    const bool tried[] = {try_schema<Messages>(id, schema, found)...};
+  /// The schema of `id`, or one that is not `known()`.
+  static Schema find_schema(uint8_t id) {
+    Schema schema{0, Schema::kUnknown};
+    const bool tried[] = {try_schema<Messages>(id, schema)...};
     static_cast<void>(tried);
-    return found;
+    return schema;
   }
 
   /// Hash of every id and seed, compared in the handshake.
@@ -142,12 +146,11 @@ struct MessageList {
 
  private:
   template <class M>
-  static bool try_schema(uint8_t id, Schema& schema, bool& found) {
+  static bool try_schema(uint8_t id, Schema& schema) {
     if (id == M::kId) {
       schema = Schema{MessageFacts<M>::kSeed, MessageFacts<M>::kSize};
-      found = true;
     }
-    return found;
+    return true;
   }
 
   template <class M>

@@ -44,11 +44,12 @@ class FrameSender {
 
   template <class M>
   bool send(const M& message, uint8_t reserve) {
-    if (port_.send_room() < FrameFacts<M>::kBytes + reserve) {
-      return false;
-    }
-    return port_.send(encoder_.encode(message, seq_++));
+    using Facts = protocol::MessageFacts<M>;
+    static_assert(Facts::kSize <= protocol::kMaxPayload, "payload is larger than a frame takes");
+    const protocol::Payload<M> payload(message);
+    return send(payload.bytes(), M::kId, Facts::kSize, Facts::kSeed, reserve);
   }
+  bool send(const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed, uint8_t reserve);
 
   drivers::SerialPort& port_;
   protocol::FrameEncoder encoder_;

@@ -30,8 +30,11 @@ struct EncodeAgain {
 /// One input is a message id and its payload, cut or filled with zeros to the length of the id; the
 /// payload has a heap block of its own, so that nothing is read beyond it unseen.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  protocol::Schema schema{};
-  if (size == 0 || !protocol::AllMessages::find_schema(data[0], schema)) {
+  if (size == 0) {
+    return 0;
+  }
+  const protocol::Schema schema = protocol::AllMessages::find_schema(data[0]);
+  if (!schema.known()) {
     return 0;
   }
   std::vector<std::uint8_t> payload(schema.payload_size);

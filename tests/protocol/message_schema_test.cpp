@@ -56,8 +56,8 @@ TYPED_TEST(MessageSchemaOf, FitsIntoAFrame) {
 }
 
 TYPED_TEST(MessageSchemaOf, IsFoundByItsId) {
-  Schema schema{};
-  ASSERT_TRUE(AllMessages::find_schema(TypeParam::kId, schema));
+  const Schema schema = AllMessages::find_schema(TypeParam::kId);
+  ASSERT_TRUE(schema.known());
   EXPECT_EQ(schema.seed, unsigned{MessageFacts<TypeParam>::kSeed});
   EXPECT_EQ(schema.payload_size, unsigned{MessageFacts<TypeParam>::kSize});
 }
@@ -94,9 +94,8 @@ TEST(MessageSchema, EveryMessageGoesExactlyOneWay) {
 }
 
 TEST(MessageSchema, DoesNotFindAnIdOfTheOtherDirection) {
-  Schema schema{};
-  EXPECT_FALSE(MessagesToHost::find_schema(Arm::kId, schema));
-  EXPECT_FALSE(MessagesToRobot::find_schema(Echo::kId, schema));
+  EXPECT_FALSE(MessagesToHost::find_schema(Arm::kId).known());
+  EXPECT_FALSE(MessagesToRobot::find_schema(Echo::kId).known());
 }
 
 // The list, the digest and the seeds are pinned by golden_vectors_test; here: what moves a seed.

@@ -52,8 +52,7 @@ struct TablePrinter {
   std::vector<std::string> rows;
   template <class M>
   void operator()(const M* /*tag*/) {
-    Schema schema{};
-    const bool to_robot = MessagesToRobot::find_schema(M::kId, schema);
+    const bool to_robot = MessagesToRobot::find_schema(M::kId).known();
     FieldPrinter fields;
     describe<M>(fields);
     std::ostringstream row;
