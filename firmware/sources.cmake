@@ -8,4 +8,4 @@ set(ECHOMAP_FIRMWARE_SOURCES
   tasks/command.cpp tasks/frame_sender.cpp tasks/heartbeat.cpp tasks/safety.cpp
   tasks/scheduler.cpp tasks/telemetry.cpp
   app/events.cpp app/robot.cpp)
-set(ECHOMAP_PROTOCOL_SOURCES cobs.cpp frame_decoder.cpp frame_encoder.cpp link.cpp)
+set(ECHOMAP_PROTOCOL_SOURCES cobs.cpp configuration.cpp frame_decoder.cpp frame_encoder.cpp link.cpp)

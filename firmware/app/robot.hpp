@@ -37,17 +37,18 @@ class Robot {
   void run_tick();
 
   Devices& devices_;
-  control::WheelMotion motion_{devices_.encoders, kDefaultDrive};
-  control::ScanSweep sweep_{devices_.encoders, devices_.sonar, kDefaultPan, kDefaultSonar};
+  protocol::Configuration configuration_ = kDefaultConfiguration;
+  control::WheelMotion motion_{devices_.encoders, configuration_.drive};
+  control::ScanSweep sweep_{
+      devices_.encoders, devices_.sonar, configuration_.pan, configuration_.sonar};
   tasks::Safety safety_{motion_};
   tasks::FrameSender sender_{devices_.port};
   protocol::ReceiveCounters received_;
   tasks::Telemetry telemetry_{
-      {devices_.encoders, devices_.port, motion_, sweep_, safety_, received_},
-      sender_,
-      kDefaultDrive.odometry_period_ms};
+      {devices_.encoders, devices_.port, motion_, sweep_, safety_, received_, configuration_},
+      sender_};
   tasks::Command command_{
-      {devices_.port, sender_, motion_, sweep_, safety_, telemetry_, received_}};
+      {devices_.port, sender_, motion_, sweep_, safety_, telemetry_, received_, configuration_}};
   tasks::Heartbeat heartbeat_;
 };
 

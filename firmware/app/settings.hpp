@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "protocol/command_messages.hpp"
+#include "protocol/configuration.hpp"
 
 namespace echomap {
 namespace app {
@@ -36,6 +36,16 @@ constexpr protocol::ConfigureSonar kDefaultSonar{
     0,      // command_id
     24000,  // max_echo_us
     40,     // ping_gap_ms
+};
+
+/// The whole; no spare pin is used, nothing but the contacts stops the wheels.
+constexpr protocol::Configuration kDefaultConfiguration{
+    kDefaultDrive,
+    kDefaultSonar,
+    kDefaultPan,
+    protocol::ConfigurePins{},
+    protocol::ConfigureSensors{},
+    protocol::ConfigureSafety{},
 };
 
 }  // namespace app

@@ -19,10 +19,11 @@ class ScanSweep {
   /// Longest wait for an echo pin that is stuck high; then the reading counts as no echo.
   static constexpr uint8_t kStuckMs = 250;
 
+  /// `pan` and `settings` are where the active ones stand.
   constexpr ScanSweep(drivers::WheelEncoders& encoders,
                       drivers::SonarHcSr04& sonar,
-                      const protocol::ConfigurePan& pan,
-                      const protocol::ConfigureSonar& settings)
+                      protocol::ConfigurePan& pan,
+                      protocol::ConfigureSonar& settings)
       : encoders_(encoders), sonar_(sonar), servo_(pan), settings_(settings) {}
 
   /// True when every field is in range.
@@ -58,7 +59,7 @@ class ScanSweep {
   drivers::WheelEncoders& encoders_;
   drivers::SonarHcSr04& sonar_;
   drivers::PanServo servo_;
-  protocol::ConfigureSonar settings_;
+  protocol::ConfigureSonar& settings_;
   protocol::StartSweep sweep_ = {};
   protocol::Echo echo_ = {};
   int32_t pan_cdeg_ = 0;

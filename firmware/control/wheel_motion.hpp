@@ -17,7 +17,8 @@ namespace control {
 /// Both wheels: moves by counts, and speeds. When a motion ends the motors are released.
 class WheelMotion {
  public:
-  constexpr WheelMotion(drivers::WheelEncoders& encoders, const protocol::ConfigureDrive& settings)
+  /// `settings` is where the active ones stand.
+  constexpr WheelMotion(drivers::WheelEncoders& encoders, protocol::ConfigureDrive& settings)
       : encoders_(encoders), settings_(settings) {}
 
   /// True when every field is in range.
@@ -63,7 +64,7 @@ class WheelMotion {
   bool reference_stands() const;
 
   drivers::WheelEncoders& encoders_;
-  protocol::ConfigureDrive settings_;
+  protocol::ConfigureDrive& settings_;
   DrivenWheel left_{hal::Motor::kLeft};
   DrivenWheel right_{hal::Motor::kRight};
   DistanceRamp way_;

@@ -11,7 +11,8 @@ namespace drivers {
 /// The servo under the sonar, which tells nobody where it is: its travel is taken from its speed.
 class PanServo {
  public:
-  constexpr explicit PanServo(const protocol::ConfigurePan& settings) : settings_(settings) {}
+  /// `settings` is where the active ones stand.
+  constexpr explicit PanServo(protocol::ConfigurePan& settings) : settings_(settings) {}
 
   /// True when every pan from its minimum to its maximum has a pulse in range, and a speed.
   static bool accepts(const protocol::ConfigurePan& settings);
@@ -30,7 +31,7 @@ class PanServo {
   void lose_track() { pan_known_ = false; }
 
  private:
-  protocol::ConfigurePan settings_;
+  protocol::ConfigurePan& settings_;
   int32_t pan_cdeg_ = 0;
   bool pan_known_ = false;
 };

@@ -3,6 +3,7 @@
 
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
+#include "protocol/config_digest.hpp"
 #include "protocol/version.hpp"
 
 namespace echomap {
@@ -101,6 +102,7 @@ void Command::reply(uint16_t session) {
   reply.receive_credit_bytes = drivers::SerialPort::kReceiveBytes;
   reply.capabilities =
       protocol::kCapabilityWheels | protocol::kCapabilityPanSonar | protocol::kCapabilityContacts;
+  reply.config_digest = protocol::config_digest(targets_.configuration);
   targets_.sender.answer(reply);
 }
 
@@ -127,7 +129,6 @@ CommandStatus Command::execute(const protocol::ConfigureDrive& command) {
     return CommandStatus::kOutOfRange;
   }
   targets_.motion.configure(command);
-  targets_.telemetry.set_odometry_period(command.odometry_period_ms);
   return CommandStatus::kAccepted;
 }
 

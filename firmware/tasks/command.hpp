@@ -8,6 +8,7 @@
 #include "firmware/tasks/frame_sender.hpp"
 #include "firmware/tasks/safety.hpp"
 #include "firmware/tasks/telemetry.hpp"
+#include "protocol/configuration.hpp"
 #include "protocol/link.hpp"
 
 namespace echomap {
@@ -22,6 +23,7 @@ struct CommandTargets {
   Safety& safety;
   Telemetry& telemetry;
   protocol::ReceiveCounters& received;
+  protocol::Configuration& configuration;
 };
 
 /// Takes the host's bytes apart and does what they say: commands exactly once, each answered by an

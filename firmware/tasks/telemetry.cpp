@@ -35,7 +35,7 @@ void Telemetry::tick() {
   if (!on_) {
     return;
   }
-  if (++odometry_age_ms_ >= odometry_period_ms_) {
+  if (++odometry_age_ms_ >= sources_.configuration.drive.odometry_period_ms) {
     odometry_age_ms_ = 0;
     sample_odometry();
   }

@@ -7,6 +7,7 @@
 #include "firmware/control/wheel_motion.hpp"
 #include "firmware/tasks/frame_sender.hpp"
 #include "firmware/tasks/safety.hpp"
+#include "protocol/configuration.hpp"
 #include "protocol/link.hpp"
 
 namespace echomap {
@@ -20,6 +21,7 @@ struct TelemetrySources {
   const control::ScanSweep& sweep;
   const Safety& safety;
   const protocol::ReceiveCounters& received;
+  const protocol::Configuration& configuration;
 };
 
 /// Samples on time and sends when the line has room. What waits too long is replaced by what is
@@ -30,15 +32,11 @@ class Telemetry {
   /// Health comes with every fifth Status.
   static constexpr uint8_t kStatusPerHealth = 5;
 
-  constexpr Telemetry(const TelemetrySources& sources,
-                      FrameSender& sender,
-                      uint8_t odometry_period_ms)
-      : sources_(sources), sender_(sender), odometry_period_ms_(odometry_period_ms) {}
+  constexpr Telemetry(const TelemetrySources& sources, FrameSender& sender)
+      : sources_(sources), sender_(sender) {}
 
   /// A host is there: starts, with a Status first.
   void begin();
-  /// 1 .. 255 ms.
-  void set_odometry_period(uint8_t period_ms) { odometry_period_ms_ = period_ms; }
 
   /// A new sonar reading to send.
   void add(const protocol::Echo& echo);
@@ -65,7 +63,6 @@ class Telemetry {
   control::MotionReport told_sweep_ = {0, protocol::MotionOutcome::kNone};
   uint16_t dropped_ = 0;
   uint16_t stack_free_bytes_ = 0;
-  uint8_t odometry_period_ms_;
   uint8_t odometry_age_ms_ = 0;
   uint8_t status_age_ms_ = 0;
   uint8_t oldest_echo_ = 0;

@@ -48,7 +48,8 @@ class ScanSweepTest : public testing::Test {
   native::NativeBoard& board = native::NativeBoard::instance();
   drivers::WheelEncoders encoders;
   drivers::SonarHcSr04 sonar;
-  ScanSweep sweep{encoders, sonar, app::kDefaultPan, app::kDefaultSonar};
+  protocol::Configuration configuration = app::kDefaultConfiguration;
+  ScanSweep sweep{encoders, sonar, configuration.pan, configuration.sonar};
   std::vector<protocol::Echo> echoes;
   std::vector<std::int64_t> pings_ms;
   bool answers = true;

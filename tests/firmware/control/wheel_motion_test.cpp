@@ -45,7 +45,8 @@ class WheelMotionTest : public testing::Test {
   }
 
   drivers::WheelEncoders encoders;
-  WheelMotion motion{encoders, app::kDefaultDrive};
+  protocol::ConfigureDrive settings = app::kDefaultDrive;
+  WheelMotion motion{encoders, settings};
   tests::SimulatedWheel left_wheel;
   tests::SimulatedWheel right_wheel;
 
@@ -270,9 +271,9 @@ TEST_F(WheelMotionTest, RefusesWhatItCannotDo) {
 
   using Settings = protocol::ConfigureDrive;
   const auto accepts = [](std::uint16_t Settings::*field, int value) {
-    Settings settings = app::kDefaultDrive;
-    settings.*field = static_cast<std::uint16_t>(value);
-    return WheelMotion::accepts(settings);
+    Settings changed = app::kDefaultDrive;
+    changed.*field = static_cast<std::uint16_t>(value);
+    return WheelMotion::accepts(changed);
   };
   EXPECT_TRUE(accepts(&Settings::max_ticks_per_s, protocol::kMaxTicksPerS));
   EXPECT_FALSE(accepts(&Settings::max_ticks_per_s, protocol::kMaxTicksPerS + 1));

@@ -12,8 +12,13 @@ constexpr protocol::ConfigurePan kSettings{0, 0, 1500, 900, 0, -9000, 9000, 300}
 
 double pulse_us() { return native::NativeBoard::instance().pan_pulse_us(); }
 
-TEST(PanServo, LeftIsTheSideOfTheSettingsSign) {
-  PanServo servo(kSettings);
+class PanServoTest : public testing::Test {
+ protected:
+  protocol::ConfigurePan settings = kSettings;
+  PanServo servo{settings};
+};
+
+TEST_F(PanServoTest, LeftIsTheSideOfTheSettingsSign) {
   servo.turn_to(9000);
   EXPECT_EQ(pulse_us(), 2400);
   servo.turn_to(-4500);
@@ -25,13 +30,11 @@ TEST(PanServo, LeftIsTheSideOfTheSettingsSign) {
   EXPECT_EQ(pulse_us(), 600);
 }
 
-TEST(PanServo, FirstTurnMayComeFromAnywhere) {
-  PanServo servo(kSettings);
+TEST_F(PanServoTest, FirstTurnMayComeFromAnywhere) {
   EXPECT_EQ(servo.turn_to(0), 600);  // 180 degrees at 300 a second.
 }
 
-TEST(PanServo, TravelIsTurnOverSpeedRoundedUp) {
-  PanServo servo(kSettings);
+TEST_F(PanServoTest, TravelIsTurnOverSpeedRoundedUp) {
   servo.turn_to(0);
   EXPECT_EQ(servo.turn_to(600), 20);
   EXPECT_EQ(servo.turn_to(-600), 40);
@@ -39,17 +42,15 @@ TEST(PanServo, TravelIsTurnOverSpeedRoundedUp) {
   EXPECT_EQ(servo.turn_to(-601), 0);
 }
 
-TEST(PanServo, ReachesItsLimitsOnly) {
-  const PanServo servo(kSettings);
+TEST_F(PanServoTest, ReachesItsLimitsOnly) {
   EXPECT_TRUE(servo.reaches(9000));
   EXPECT_TRUE(servo.reaches(-9000));
   EXPECT_FALSE(servo.reaches(9001));
   EXPECT_FALSE(servo.reaches(-9001));
 }
 
-TEST(PanServo, RefusesSettingsWithoutSpeedOrWithPulsesThatBreakServos) {
-  EXPECT_TRUE(PanServo::accepts(kSettings));
-  protocol::ConfigurePan settings = kSettings;
+TEST_F(PanServoTest, RefusesSettingsWithoutSpeedOrWithPulsesThatBreakServos) {
+  EXPECT_TRUE(PanServo::accepts(settings));
   settings.deg_per_s = 0;
   EXPECT_FALSE(PanServo::accepts(settings));
   settings = kSettings;

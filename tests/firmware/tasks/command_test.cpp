@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/app/settings.hpp"
+#include "protocol/config_digest.hpp"
 #include "tests/firmware/native_robot.hpp"
 
 namespace echomap::tasks {
@@ -25,6 +26,26 @@ TEST(Command, GreetsAHostWithItsSessionAfterADelimiter) {
   EXPECT_EQ(reply->schema_digest, protocol::kSchemaDigest);
   EXPECT_EQ(reply->receive_credit_bytes, drivers::SerialPort::kReceiveBytes);
   EXPECT_EQ(reply->tick_hz, 1000);
+}
+
+TEST(Command, RepliesWithTheDigestOfTheConfigurationThatHolds) {
+  NativeRobot robot;
+  protocol::Configuration expected = app::kDefaultConfiguration;
+  EXPECT_EQ(robot.connect(1)->config_digest, protocol::config_digest(expected));
+  expected.drive.inversions = protocol::kInvertLeftMotor;
+  ASSERT_EQ(robot.command(expected.drive), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.connect(1)->config_digest, protocol::config_digest(expected));
+  expected.sonar.ping_gap_ms = 55;
+  expected.pan.deg_per_s = 250;
+  ASSERT_EQ(robot.command(expected.sonar), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(expected.pan), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.connect(2)->config_digest, protocol::config_digest(expected));
+  protocol::ConfigureSonar refused = expected.sonar;
+  refused.max_echo_us = 0;
+  ASSERT_EQ(robot.command(refused), CommandStatus::kOutOfRange);
+  EXPECT_EQ(robot.connect(3)->config_digest, protocol::config_digest(expected));
+  robot.power_on();
+  EXPECT_EQ(robot.connect(1)->config_digest, protocol::config_digest(app::kDefaultConfiguration));
 }
 
 TEST(Command, AnswersPingWithItsTokenAndTheTime) {

@@ -29,7 +29,8 @@ class SafetyTest : public testing::Test {
   MotionOutcome outcome() const { return motion.report().outcome; }
 
   drivers::WheelEncoders encoders;
-  control::WheelMotion motion{encoders, app::kDefaultDrive};
+  protocol::ConfigureDrive settings = app::kDefaultDrive;
+  control::WheelMotion motion{encoders, settings};
   Safety safety{motion};
 };
 

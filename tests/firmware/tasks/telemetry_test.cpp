@@ -61,12 +61,13 @@ class TelemetryTest : public testing::Test {
   drivers::WheelEncoders encoders;
   drivers::SonarHcSr04 sonar;
   drivers::SerialPort port;
-  control::WheelMotion motion{encoders, app::kDefaultDrive};
-  control::ScanSweep sweep{encoders, sonar, app::kDefaultPan, app::kDefaultSonar};
+  protocol::Configuration configuration = app::kDefaultConfiguration;
+  control::WheelMotion motion{encoders, configuration.drive};
+  control::ScanSweep sweep{encoders, sonar, configuration.pan, configuration.sonar};
   Safety safety{motion};
   FrameSender sender{port};
   protocol::ReceiveCounters received;
-  Telemetry telemetry{{encoders, port, motion, sweep, safety, received}, sender, 20};
+  Telemetry telemetry{{encoders, port, motion, sweep, safety, received, configuration}, sender};
   protocol::FrameDecoder decoder{protocol::MessagesToHost::find_schema};
 };
 
@@ -93,7 +94,7 @@ TEST_F(TelemetryTest, KeepsItsPeriods) {
   EXPECT_EQ(odometry, 50U);
   EXPECT_EQ(status, 1U + 5U);
   EXPECT_EQ(health, 1U + 1U);
-  telemetry.set_odometry_period(5);
+  configuration.drive.odometry_period_ms = 5;
   odometry = 0;
   for (int ms = 0; ms < 100; ++ms) {
     tick(1);
