@@ -2,42 +2,11 @@
 #include "host/transport/lockstep_channel.hpp"
 
 #include <array>
-#include <sstream>
-
-#include <nlohmann/json.hpp>
 
 #include "host/transport/local_stream.hpp"
 #include "host/transport/transport_error.hpp"
 
 namespace echomap::transport {
-namespace {
-
-/// The line `reached UNTIL_US DEVICE_BYTES`; empty where it is not one.
-std::optional<Reached> parse_reached(const std::string& line) {
-  std::istringstream words(line);
-  std::string verb;
-  Reached reached;
-  std::string rest;
-  const bool is_whole =
-      static_cast<bool>(words >> verb >> reached.until_us >> reached.device_bytes);
-  if (!is_whole || verb != "reached" || words >> rest) {
-    return std::nullopt;
-  }
-  return reached;
-}
-
-/// The device's hello; empty where the line is none of this version.
-std::optional<DeviceInfo> parse_hello(const std::string& line) {
-  const auto hello = nlohmann::json::parse(line, nullptr, false);
-  const bool is_hello = hello.is_object() && hello.value("lockstep", nlohmann::json()) == 1;
-  if (!is_hello || !hello.value("firmware", nlohmann::json()).is_string() ||
-      !hello.value("emulator", nlohmann::json()).is_string()) {
-    return std::nullopt;
-  }
-  return DeviceInfo{hello["firmware"], hello["emulator"]};
-}
-
-}  // namespace
 
 LockstepChannel::LockstepChannel(const std::string& socket_path, std::chrono::milliseconds patience)
     : stream_(open_local_stream(socket_path)), patience_(patience) {
@@ -46,7 +15,7 @@ LockstepChannel::LockstepChannel(const std::string& socket_path, std::chrono::mi
 
 DeviceInfo LockstepChannel::read_hello(const std::string& socket_path) {
   const auto line = read_line();
-  const auto hello = line ? parse_hello(*line) : std::nullopt;
+  const auto hello = line ? parse_lockstep_hello(*line) : std::nullopt;
   if (!hello) {
     throw TransportError("no lockstep device answers on " + socket_path,
                          line ? "its first line is: " + *line : close_reason_,

@@ -8,20 +8,9 @@
 #include <string>
 
 #include "host/transport/byte_stream.hpp"
+#include "host/transport/lockstep_lines.hpp"
 
 namespace echomap::transport {
-
-/// What runs at the other end of a lockstep channel.
-struct DeviceInfo {
-  std::string firmware;  ///< For example "echomap-uno 0.1.0".
-  std::string emulator;  ///< For example "simavr 1.6".
-};
-
-/// The answer to a grant.
-struct Reached {
-  std::int64_t until_us = 0;       ///< Simulated time, microseconds since power-on.
-  std::uint64_t device_bytes = 0;  ///< All that the device has written to the byte stream so far.
-};
 
 /// The host's end of the channel that grants simulated time; docs/guides/lockstep.md is its
 /// protocol. After a grant, read the byte stream until `device_bytes` have come and handle them all
