@@ -7,6 +7,7 @@
 #include "protocol/frame_decoder.hpp"
 #include "protocol/message_codec.hpp"
 #include "protocol/messages.hpp"
+#include "tests/fuzz/frames.hpp"
 
 namespace {
 
@@ -26,6 +27,8 @@ struct EncodeAgain {
 };
 
 }  // namespace
+
+std::vector<echomap::fuzz::Input> echomap::fuzz::seeds() { return golden_frames(); }
 
 /// One input is a byte stream as it comes from the line.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -7,6 +7,7 @@
 
 #include "protocol/message_codec.hpp"
 #include "protocol/messages.hpp"
+#include "tests/fuzz/frames.hpp"
 
 namespace {
 
@@ -26,6 +27,22 @@ struct EncodeAgain {
 };
 
 }  // namespace
+
+/// The id and payload of each golden frame.
+std::vector<echomap::fuzz::Input> echomap::fuzz::seeds() {
+  std::vector<Input> seeds;
+  for (const Input& frame : golden_frames()) {
+    protocol::FrameDecoder decoder(protocol::AllMessages::find_schema);
+    for (const std::uint8_t byte : frame) {
+      if (decoder.take(byte) == protocol::DecodeStatus::kFrame) {
+        const protocol::Frame whole = decoder.frame();
+        Input& seed = seeds.emplace_back(Input{whole.id});
+        seed.insert(seed.end(), whole.payload, whole.payload + whole.payload_size);
+      }
+    }
+  }
+  return seeds;
+}
 
 /// One input is a message id and its payload, cut or filled with zeros to the length of the id; the
 /// payload has a heap block of its own, so that nothing is read beyond it unseen.

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/structure/shell.hpp"
+#include "tests/structure/source_tree.hpp"
 
 // ./run, with stand-ins for the programs that would change the machine.
 namespace echomap::structure {
@@ -21,7 +22,7 @@ const std::string run_script = shell_quoted(ECHOMAP_SOURCE_DIR "/run");
 TEST(Run, HelpsWithEveryCommandFromAnyFolder) {
   const ShellResult overview = run_shell(run_script + " --help", "/");
   for (const std::string command :
-       {"demo", "test", "setup", "build", "bench", "fmt", "lint", "flash"}) {
+       {"demo", "test", "setup", "build", "bench", "fuzz", "fmt", "lint", "flash"}) {
     const ShellResult result = run_shell(run_script + (" " + command) + " --help", "/");
     EXPECT_EQ(result.exit_code, 0) << command;
     EXPECT_THAT(result.output, HasSubstr("usage: ./run " + command));
@@ -155,6 +156,47 @@ TEST_F(RunFlash, ConfiguresAnewAfterAConfigurationThatFailed) {
   EXPECT_THAT(run_flash("").output, HasSubstr("--preset release"));
   std::ofstream(build_ / "build.ninja") << "\n";
   EXPECT_THAT(run_flash("").output, Not(HasSubstr("--preset")));
+}
+
+/// ./run fuzz, with a cmake that names two decoders and "builds" them: one sound, one that breaks.
+class RunFuzz : public RunFlash {
+ protected:
+  void SetUp() override {
+    RunFlash::SetUp();
+    stand_in("cmake", "echo fuzz_sound: phony; echo fuzz_brittle: phony");
+    stand_in("clang++-16", "exit 0");
+    const fs::path bin = folder() / "tree" / "build" / "fuzz" / "bin";
+    fs::create_directories(bin);
+    const std::string seeds = "[ \"$1\" != --seeds ] || { printf 0123 > \"$2/seed-1\"; exit 0; }\n";
+    stand_in("tree/build/fuzz/bin/fuzz_sound",
+             seeds + "echo \"arguments: $*\"; echo 'stat::number_of_executed_units: 17'");
+    stand_in("tree/build/fuzz/bin/fuzz_brittle", seeds + "echo broken promise; exit 77");
+  }
+  ShellResult run_fuzz(const std::string& arguments) {
+    return run("fuzz " + arguments, shell_quoted((folder() / "tree" / "run").string()));
+  }
+};
+
+TEST_F(RunFuzz, SaysHowOftenADecoderRanAndNothingWasFound) {
+  const ShellResult result = run_fuzz("sound --runs 17");
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("sound: 17 runs, nothing found"));
+  const auto log = read_lines(folder() / "tree" / "build" / "fuzz" / "sound.log");
+  EXPECT_THAT(log.front(), HasSubstr("arguments: -runs=17 -max_len=256"));
+}
+
+TEST_F(RunFuzz, ShowsWhatBreaksADecoder) {
+  const ShellResult result = run_fuzz("--seconds 1");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, HasSubstr("sound: 17 runs"));
+  EXPECT_THAT(result.output, HasSubstr("broken promise"));
+  EXPECT_THAT(result.output, HasSubstr("brittle breaks: the input is in build/fuzz/findings"));
+}
+
+TEST_F(RunFuzz, NamesTheDecodersWhereItKnowsNoneOfThatName) {
+  const ShellResult result = run_fuzz("sond");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.output, HasSubstr("no decoder 'sond'; there are: sound brittle"));
 }
 
 }  // namespace

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "host/evaluation/truth_directory.hpp"
+#include "host/exports/map_yaml.hpp"
+#include "host/exports/pgm_image.hpp"
+#include "host/exports/points_csv.hpp"
+#include "host/exports/poses_csv.hpp"
+#include "host/exports/trajectory_tum.hpp"
+#include "host/files/atomic_file.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
+#include "tests/fuzz/memory_file.hpp"
+
+namespace {
+
+using echomap::fuzz::input_of;
+using echomap::fuzz::require;
+namespace exports = echomap::exports;
+namespace fs = std::filesystem;
+
+/// The files that echomap reads back from a run.
+enum Kind : std::uint8_t { kPoints, kPoses, kTrajectory, kYaml, kPgm, kWalls, kKinds };
+
+/// A truth directory whose walls are in memory.
+class TruthFolder {
+ public:
+  explicit TruthFolder(const fs::path& walls) {
+    std::string name = (fs::temp_directory_path() / "echomap-fuzz-XXXXXX").string();
+    require(::mkdtemp(name.data()) != nullptr, "there is a temporary folder");
+    path_ = name;
+    exports::write_map_yaml(path_ / "truth_map.yaml", {"truth_map.pgm", 0.1, {0, 0}});
+    exports::write_pgm(path_ / "truth_map.pgm", {1, 1, {254}});
+    exports::write_trajectory_tum(path_ / "truth.tum", {});
+    fs::create_symlink(walls, path_ / "truth_walls.geojson");
+  }
+  ~TruthFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TruthFolder(const TruthFolder&) = delete;
+  TruthFolder& operator=(const TruthFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void read(std::uint8_t kind, const fs::path& file) {
+  static const TruthFolder truth(file);
+  switch (kind % kKinds) {
+    case kPoints:
+      exports::read_points_csv(file);
+      break;
+    case kPoses:
+      exports::read_poses_csv(file);
+      break;
+    case kTrajectory:
+      exports::read_trajectory_tum(file);
+      break;
+    case kYaml:
+      require(exports::read_map_yaml(file).resolution_m > 0.0, "a map has a resolution");
+      break;
+    case kPgm: {
+      const auto image = exports::read_pgm(file);
+      require(image.pixels.size() ==
+                  static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows),
+              "a picture has all of its pixels");
+      break;
+    }
+    default:
+      echomap::evaluation::read_truth(truth.path());
+  }
+}
+
+}  // namespace
+
+std::vector<echomap::fuzz::Input> echomap::fuzz::seeds() {
+  return {
+      input_of(kPoints, "x_m,y_m,pose_index\n1.5,-0.25,0\n2,3e-3,1\n"),
+      input_of(kPoses, "x_m,y_m,heading_rad\n0,0,0\n0.5,0.25,-3.14\n"),
+      input_of(kTrajectory, "# t x y z qx qy qz qw\n0.02 0 0 0 0 0 0 1\n1.5 1 2 0 0 0 0.7 0.7\n"),
+      input_of(kYaml,
+               "image: map.pgm\nmode: trinary\nresolution: 0.05\norigin: [-1.5, 2, 0]\n"
+               "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"),
+      input_of(kPgm, "P5\n# grey\n2 2\n255\nabcd"),
+      input_of(kWalls,
+               R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":)"
+               R"("LineString","coordinates":[[0,0],[1,0],[1,2.5]]}}]})"),
+  };
+}
+
+/// One input is a kind of file and its text. It is read, or refused with a FileError.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) {
+    return 0;
+  }
+  static echomap::fuzz::MemoryFile file;
+  file.write({data + 1, size - 1});
+  try {
+    read(data[0], file.path());
+  } catch (const echomap::files::FileError&) {
+  }
+  return 0;
+}
