@@ -42,9 +42,7 @@ class FrameMaker {
   /// The next message of the input: a byte that chooses it, then its payload.
   Input next(Reader& input) {
     const std::uint8_t id = IdsOf<List>::kIds[input.byte() % IdsOf<List>::kIds.size()];
-    protocol::Schema schema{};
-    List::find_schema(id, schema);
-    const Input payload = input.exactly(schema.payload_size);
+    const Input payload = input.exactly(List::find_schema(id).payload_size);
     const bool known = protocol::Dispatcher<List>::dispatch(id, payload.data(), *this);
     require(known, "a listed message is dispatched");
     return std::exchange(frame_, {});
