@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/hil/release_images.hpp"
+#include "tests/hil/on_every_board.hpp"
 
 namespace echomap::tests {
 namespace {
@@ -25,7 +25,12 @@ void print(const TimingFigures& figures) {
               figures.load.robot_bytes_per_s);
 }
 
-/// The first four numbers of a row of the table of interrupts in docs/firmware_timing.md.
+/// The page with the board's table of interrupts.
+std::string page_of(const std::string& image) {
+  return image == "echomap-mega" ? "docs/hardware/mega.md" : "docs/firmware_timing.md";
+}
+
+/// The first three numbers of a row of that table.
 struct DocumentedCost {
   double least = 0.0;
   double mean = 0.0;
@@ -33,8 +38,8 @@ struct DocumentedCost {
 };
 
 /// Rows "| NAME | least | mean | most | ..", by name.
-std::map<std::string, DocumentedCost> documented_costs() {
-  std::ifstream page(ECHOMAP_SOURCE_DIR "/docs/firmware_timing.md");
+std::map<std::string, DocumentedCost> documented_costs(const std::string& page_name) {
+  std::ifstream page(std::string(ECHOMAP_SOURCE_DIR) + '/' + page_name);
   std::map<std::string, DocumentedCost> costs;
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("| ")) {
@@ -51,43 +56,58 @@ std::map<std::string, DocumentedCost> documented_costs() {
   return costs;
 }
 
-TEST(Interrupts, CostWhatTheirTableSays) {
-  const TimingFigures figures = measure_timing(release_image(), {.edges_per_s = 40'000}, 5.0);
-  const auto documented = documented_costs();
+class Interrupts : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Boards, Interrupts, every_board(), image_label);
+
+TEST_P(Interrupts, CostWhatTheirTableSays) {
+  const TimingFigures figures =
+      measure_timing(release_image(GetParam()), {.edges_per_s = 40'000}, 5.0);
+  const std::string page = page_of(GetParam());
+  const auto documented = documented_costs(page);
   for (const auto& [name, cost] : figures.interrupts) {
     std::printf("| %s | %u | %.1f | %u |\n", name.c_str(), cost.least, cost.mean(), cost.most);
-    ASSERT_TRUE(documented.contains(name)) << "docs/firmware_timing.md has no row for " << name;
+    ASSERT_TRUE(documented.contains(name)) << page << " has no row for " << name;
     const DocumentedCost& row = documented.at(name);
     const auto expect_near = [&](double measured, double told) {
-      EXPECT_NEAR(measured, told, 0.05 * told) << "docs/firmware_timing.md is stale: " << name;
+      EXPECT_NEAR(measured, told, 0.05 * told) << page << " is stale: " << name;
     };
     expect_near(cost.least, row.least);
     expect_near(cost.mean(), row.mean);
     expect_near(cost.most, row.most);
   }
-  EXPECT_EQ(figures.interrupts.size(), documented_costs().size());
+  EXPECT_EQ(figures.interrupts.size(), documented.size());
 }
 
-TEST(Timing, UsualLoadLeavesTwoThirdsOfTheChip) {
-  const TimingFigures figures = measure_timing(release_image(), usual_load(20'000), 10.0);
+class Timing : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Boards, Timing, every_board(), image_label);
+
+TEST_P(Timing, UsualLoadLeavesTwoThirdsOfTheChip) {
+  const TimingFigures figures = measure_timing(release_image(GetParam()), usual_load(20'000), 10.0);
   print(figures);
   EXPECT_LE(100.0 * figures.busy_share(), 35.0);
   EXPECT_GT(100.0 * figures.busy_share(), 10.0) << "the meter does not measure";
   EXPECT_LE(figures.tick_jitter_us, 10.0);
 }
 
-TEST(Timing, TickHoldsOnAFullLine) {
+TEST_P(Timing, TickHoldsOnAFullLine) {
   for (const double edges_per_s : {20'000.0, 40'000.0}) {
     const TimingFigures figures =
-        measure_timing(release_image(), {.edges_per_s = edges_per_s}, 20.0);
+        measure_timing(release_image(GetParam()), {.edges_per_s = edges_per_s}, 20.0);
     print(figures);
     EXPECT_LE(figures.tick_jitter_us, edges_per_s > 20'000 ? 14.0 : 10.0);
     EXPECT_LE(100.0 * figures.busy_share(), 75.0);
   }
 }
 
-TEST(Control, DutyIsMadeOfCountsOfTheLastFiftyMicroseconds) {
-  const ControlFigures figures = measure_control(release_image(), {.edges_per_s = 40'000}, 4.0);
+class Control : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Boards, Control, every_board(), image_label);
+
+TEST_P(Control, DutyIsMadeOfCountsOfTheLastFiftyMicroseconds) {
+  const ControlFigures figures =
+      measure_control(release_image(GetParam()), {.edges_per_s = 40'000}, 4.0);
   std::printf("control: %.0f Hz, sample to PWM %.1f us, %.1f us at most\n",
               figures.duties_per_s,
               figures.mean_us,

@@ -8,9 +8,6 @@
 namespace echomap::tests {
 namespace {
 
-/// simavr, with our repairs, tells of an entry after its cycles and of a return before them.
-constexpr std::uint32_t kEntryCycles = 4;
-constexpr std::uint32_t kReturnCycles = 4;
 constexpr std::int64_t kTickCycles = emulator::kClockHz / 1000;
 constexpr double kCyclesPerUs = emulator::kClockHz / 1e6;
 
@@ -20,6 +17,10 @@ std::uint64_t slept_cycles = 0;
 void count_sleep(avr_t* /*avr*/, avr_cycle_count_t cycles) { slept_cycles += cycles + 1; }
 
 void sleep_uncounted(avr_t* /*avr*/, avr_cycle_count_t /*cycles*/) {}
+
+/// Of an entry as of a return. simavr, with our repairs, tells of an entry after its cycles and of
+/// a return before them.
+std::uint32_t transfer_cycles(const avr_t& avr) { return avr.address_size + 2U; }
 
 avr_irq_t* running_irq(avr_t& avr) { return avr.interrupts.irq + AVR_INT_IRQ_RUNNING; }
 
@@ -71,7 +72,7 @@ double InterruptMeter::tick_jitter_us() const {
 
 void InterruptMeter::entered(int vector) {
   running_ = vector;
-  entry_cycle_ = machine_.cycle() - kEntryCycles;
+  entry_cycle_ = machine_.cycle() - transfer_cycles(machine_.core());
   if (vector == tick_vector_) {
     note_tick();
   }
@@ -92,7 +93,8 @@ void InterruptMeter::left() {
   if (running_ == 0) {
     return;
   }
-  const auto took = static_cast<std::uint32_t>(machine_.cycle() + kReturnCycles - entry_cycle_);
+  const auto took = static_cast<std::uint32_t>(machine_.cycle() - entry_cycle_) +
+                    transfer_cycles(machine_.core());
   InterruptCost& cost = costs_[running_];
   ++cost.calls;
   cost.cycles += took;

@@ -10,7 +10,7 @@
 
 namespace echomap::tests {
 
-/// Names of the firmware's interrupts, as in docs/firmware_timing.md, by vector number.
+/// Names of the firmware's interrupts, as in the pages that list them, by vector number.
 std::map<int, std::string> interrupt_names(const emulator::SimavrBoard& board);
 
 /// Where the time of the chip goes under a load.
