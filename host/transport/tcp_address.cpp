@@ -33,7 +33,7 @@ std::optional<TcpAddress> parse_tcp_address(std::string_view address) {
   } else if (host.find(':') != std::string_view::npos) {
     return std::nullopt;
   }
-  if (host.empty()) {
+  if (host.empty() || host.find_first_of("[]") != std::string_view::npos) {
     return std::nullopt;
   }
   return TcpAddress{std::string(host), std::string(address.substr(colon + 1))};

@@ -18,7 +18,9 @@ TEST(TcpAddress, TakesIpv6InBracketsOnly) {
   ASSERT_TRUE(address);
   EXPECT_EQ(address->host, "::1");
   EXPECT_FALSE(parse_tcp_address("tcp://::1:80"));
-  EXPECT_FALSE(parse_tcp_address("tcp://[::1:80"));
+  for (const char* wrong : {"tcp://[::1:80", "tcp://[]:80", "tcp://[[c]]:80", "tcp://a]:80"}) {
+    EXPECT_FALSE(parse_tcp_address(wrong)) << wrong;
+  }
 }
 
 TEST(TcpAddress, IsNoneWithoutAHostOrAPortFrom1To65535) {
