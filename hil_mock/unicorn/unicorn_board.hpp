@@ -35,6 +35,7 @@ class UnicornBoard final : public runner::SimulatedBoard {
 
   /// The chip itself: cycles, resets, registers.
   Stm32Chip& chip() { return chip_; }
+  const Stm32Chip& chip() const { return chip_; }
 
  private:
   void drive(Pin pin, bool level) { chip_.port(pin.port).drive(pin.number, level); }

@@ -14,7 +14,6 @@
 namespace echomap::tests {
 namespace {
 
-using emulator::ResetSource;
 using protocol::CommandStatus;
 
 class ReleaseImage : public OnEveryBoard {};
@@ -82,7 +81,7 @@ TEST_P(Reset, PowerCutStartsCountsAndSessionAnew) {
   ASSERT_EQ(robot.last<protocol::Odometry>()->left_ticks, 1);
 
   robot.forget_heard();
-  robot.board().machine().reset(ResetSource::kPowerOn);
+  robot.chip().cut_power();
   robot.run_ms(100);
   ASSERT_EQ(robot.heard().size(), 1U) << "telemetry before a host said Hello";
   EXPECT_EQ(robot.last<protocol::HelloReply>()->reset_cause, protocol::kResetPowerOn);
@@ -97,7 +96,7 @@ TEST_P(Reset, ResetPinMakesANewBootAndForgetsArming) {
   const auto before = robot.connect();
   ASSERT_TRUE(before);
   ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
-  robot.board().machine().reset(ResetSource::kExternal);
+  robot.chip().pull_reset_pin();
   const auto after = robot.connect();
   ASSERT_TRUE(after);
   EXPECT_EQ(after->reset_cause, protocol::kResetExternal);

@@ -13,7 +13,7 @@
 namespace echomap::tests {
 namespace {
 
-using SentBytes = std::vector<std::pair<std::uint64_t, std::uint8_t>>;
+using SentBytes = std::vector<std::pair<std::int64_t, std::uint8_t>>;
 
 constexpr std::int64_t kMs = 1'000'000;
 
@@ -21,7 +21,7 @@ constexpr std::int64_t kMs = 1'000'000;
 /// granted in steps of `step_ns`.
 SentBytes busy_run(const char* image, std::int64_t step_ns) {
   RobotSession robot(release_image(image));
-  emulator::SimavrBoard& board = robot.board();
+  runner::SimulatedBoard& board = robot.board();
   TurningWheel left(board, runner::Wheel::kLeft);
   TurningWheel right(board, runner::Wheel::kRight);
   board.on_trigger = [&](std::int64_t at_ns) {
@@ -45,13 +45,13 @@ class Determinism : public ::testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Boards, Determinism, every_board(), image_label);
 
-TEST_P(Determinism, SameRunTwiceGivesTheSameBytesAtTheSameCycles) {
+TEST_P(Determinism, SameRunTwiceGivesTheSameBytesAtTheSameTimes) {
   const SentBytes first = busy_run(GetParam(), kMs);
   const SentBytes second = busy_run(GetParam(), kMs);
-  std::printf("%s: %zu bytes, last at cycle %llu\n",
+  std::printf("%s: %zu bytes, last after %lld ns\n",
               GetParam(),
               first.size(),
-              static_cast<unsigned long long>(first.back().first));
+              static_cast<long long>(first.back().first));
   ASSERT_GT(first.size(), 3000U);
   EXPECT_TRUE(first == second);
 }

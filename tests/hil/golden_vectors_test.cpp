@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// Runs the golden vectors through the decoder and encoder of the AVR binary.
+/// Runs the golden vectors through the decoder and encoder of the boards' binaries.
 #include "tests/support/golden_vectors.hpp"
 
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "hil_mock/emulator/simavr_board.hpp"
 #include "tests/hil/on_every_board.hpp"
 
 namespace echomap::tests {
@@ -31,14 +31,12 @@ class VectorEcho : public ::testing::TestWithParam<const char*> {
     return sent;
   }
 
-  emulator::SimavrBoard board{release_image(GetParam())};
+  const std::unique_ptr<EmulatedBoard> chip = make_emulated_board(release_image(GetParam()));
+  runner::SimulatedBoard& board = chip->pins();
   std::vector<std::uint8_t> sent;
 };
 
-INSTANTIATE_TEST_SUITE_P(Boards,
-                         VectorEcho,
-                         ::testing::Values("echomap-uno-vectors", "echomap-mega-vectors"),
-                         image_label);
+INSTANTIATE_TEST_SUITE_P(Boards, VectorEcho, ::testing::ValuesIn(vector_images()), image_label);
 
 TEST_P(VectorEcho, EveryGoldenFrameComesBackToTheByte) {
   const GoldenVectors vectors = load_golden_vectors();
@@ -46,7 +44,7 @@ TEST_P(VectorEcho, EveryGoldenFrameComesBackToTheByte) {
   for (const GoldenFrame& frame : vectors.frames) {
     EXPECT_EQ(answer_to(frame.bytes), frame.bytes) << frame.message << ' ' << to_hex(frame.bytes);
   }
-  std::printf("golden vectors: %zu frames through the AVR binary\n", vectors.frames.size());
+  std::printf("golden vectors: %zu frames through %s\n", vectors.frames.size(), GetParam());
 }
 
 TEST_P(VectorEcho, NoFrameWithOneWrongBitOfEverySeventhComesBack) {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/hil/measure/timing.hpp"
+#include "tests/hil/measure/loaded_robot.hpp"
 #include "tests/hil/on_every_board.hpp"
 
 namespace echomap::tests {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/hil/emulated_board.hpp"
 #include "tests/hil/release_images.hpp"
 #include "tests/hil/robot_session.hpp"
 
@@ -18,17 +19,10 @@ class OnEveryBoard : public ::testing::TestWithParam<const char*> {
 };
 
 /// The image of each board that a user flashes, to instantiate such tests with `image_label`.
-inline auto every_board() { return ::testing::Values("echomap-uno", "echomap-mega"); }
+inline auto every_board() { return ::testing::ValuesIn(flashed_images()); }
 
 /// The same with every baud rate that there is an image for.
-inline auto every_image() {
-  return ::testing::Values("echomap-uno",
-                           "echomap-uno-250000",
-                           "echomap-uno-500000",
-                           "echomap-mega",
-                           "echomap-mega-250000",
-                           "echomap-mega-500000");
-}
+inline auto every_image() { return ::testing::ValuesIn(images_of_every_baud()); }
 
 /// "echomap-uno-250000" as the end of a test's name: "uno_250000".
 inline std::string label_of(const std::string& image) {

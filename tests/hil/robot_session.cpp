@@ -16,7 +16,8 @@ constexpr std::int64_t kAckTimeoutMs = 100;
 
 }  // namespace
 
-RobotSession::RobotSession(const std::filesystem::path& elf) : board_(elf) {
+RobotSession::RobotSession(const std::filesystem::path& elf)
+    : chip_(make_emulated_board(elf)), board_(chip_->pins()) {
   board_.on_sent = [this](std::uint8_t byte) { take(byte); };
 }
 
@@ -60,7 +61,7 @@ std::optional<protocol::HelloReply> RobotSession::connect(std::uint16_t session)
 }
 
 void RobotSession::take(std::uint8_t byte) {
-  bytes_.emplace_back(cycle(), byte);
+  bytes_.emplace_back(board_.now_ns(), byte);
   const protocol::DecodeStatus status = decoder_.take(byte);
   if (status == protocol::DecodeStatus::kIncomplete) {
     return;

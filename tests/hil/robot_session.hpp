@@ -4,15 +4,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "hil_mock/emulator/simavr_board.hpp"
 #include "protocol/frame_decoder.hpp"
 #include "protocol/frame_encoder.hpp"
 #include "protocol/link.hpp"
 #include "protocol/messages.hpp"
+#include "tests/hil/emulated_board.hpp"
 #include "tests/support/message_variant.hpp"
 
 namespace echomap::tests {
@@ -29,8 +31,8 @@ class RobotSession {
  public:
   explicit RobotSession(const std::filesystem::path& elf);
 
-  emulator::SimavrBoard& board() { return board_; }
-  std::uint64_t cycle() { return board_.machine().cycle(); }
+  runner::SimulatedBoard& board() { return board_; }
+  EmulatedBoard& chip() { return *chip_; }
 
   /// Runs, calling `each_ms` before every millisecond.
   void run_ms(std::int64_t ms);
@@ -59,8 +61,8 @@ class RobotSession {
 
   const std::vector<Heard>& heard() const { return heard_; }
   void forget_heard() { heard_.clear(); }
-  /// Every byte sent and the cycle at which it ended, for comparisons.
-  const std::vector<std::pair<std::uint64_t, std::uint8_t>>& bytes() const { return bytes_; }
+  /// Every byte sent and when its stop bit was over, for comparisons.
+  const std::vector<std::pair<std::int64_t, std::uint8_t>>& bytes() const { return bytes_; }
   /// What this host could not read.
   const protocol::ReceiveCounters& counters() const { return counters_; }
 
@@ -95,14 +97,15 @@ class RobotSession {
   void take(std::uint8_t byte);
   std::optional<protocol::CommandStatus> await_ack();
 
-  emulator::SimavrBoard board_;
+  std::unique_ptr<EmulatedBoard> chip_;
+  runner::SimulatedBoard& board_;
   protocol::FrameEncoder encoder_;
   protocol::FrameDecoder decoder_{protocol::MessagesToHost::find_schema};
   protocol::ReceiveCounters counters_;
   std::uint8_t next_seq_ = 0;
   std::uint8_t last_command_id_ = 0;
   std::vector<Heard> heard_;
-  std::vector<std::pair<std::uint64_t, std::uint8_t>> bytes_;
+  std::vector<std::pair<std::int64_t, std::uint8_t>> bytes_;
 };
 
 }  // namespace echomap::tests

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hil_mock/emulator/chip_modules.hpp"
 #include "tests/hil/on_every_board.hpp"
 #include "tests/hil/turning_wheel.hpp"
 
@@ -19,7 +18,6 @@ using runner::Wheel;
 
 constexpr std::uint16_t kTimeToLiveMs = 200;
 constexpr std::int16_t kTicksPerS = 1500;
-constexpr double kCyclesPerMs = 16'000.0;
 /// From 1500 to 0 ticks/s, where braking takes 128 ms from the default limit of 3000, and one
 /// period of tick and control each.
 constexpr double kRampMs = 64.0;
@@ -57,19 +55,21 @@ class RobotOnTheMove : public ::testing::Test {
     return duty.left == 0.0 && duty.right == 0.0;
   }
 
-  /// Milliseconds, counted in cycles, from now until both PWM outputs are off for good; a
+  double now_ms() { return double(robot.board().now_ns()) * 1e-6; }
+
+  /// Milliseconds from now until both PWM outputs are off for good; a
   /// controller that brakes passes through 0 on its way.
   double ms_until_off(std::int64_t watched_ms) {
-    const std::uint64_t start = robot.cycle();
-    std::uint64_t last_on = start;
+    const double start_ms = now_ms();
+    double last_on_ms = start_ms;
     robot.run_until(
         [&] {
-          last_on = off() ? last_on : robot.cycle();
+          last_on_ms = off() ? last_on_ms : now_ms();
           return false;
         },
         watched_ms);
     EXPECT_TRUE(off());
-    return double(last_on - start) / kCyclesPerMs;
+    return last_on_ms - start_ms;
   }
 
   void expect_off_for(std::int64_t ms) {
@@ -103,10 +103,7 @@ TEST_P(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
   robot.run_ms(1);  // the frame's eight bytes at 115200 baud
   const double ms = ms_until_off(1500);
   RecordProperty("off_after_keep_alive_ms", std::to_string(ms));
-  std::printf("time to live %d ms: PWM off %.2f ms (%.0f cycles) after the last KeepAlive\n",
-              kTimeToLiveMs,
-              ms,
-              ms * kCyclesPerMs);
+  std::printf("time to live %d ms: PWM off %.2f ms after the last KeepAlive\n", kTimeToLiveMs, ms);
   EXPECT_GT(ms, kTimeToLiveMs - 2.0);
   EXPECT_LE(ms, kTimeToLiveMs + kRampMs + kPeriodsMs);
   EXPECT_EQ(outcome(), MotionOutcome::kExpired);
@@ -188,14 +185,13 @@ class HungRobot : public MovingRobot {
   void expect_watchdog_reset() {
     renewing = false;
     robot.forget_heard();
-    const std::uint64_t start = robot.cycle();
-    const auto ms_since = [&] { return double(robot.cycle() - start) / kCyclesPerMs; };
+    const double start_ms = now_ms();
     ASSERT_TRUE(robot.run_until([this] { return off(); }, 400));
-    const double off_ms = ms_since();
-    EXPECT_EQ(machine().resets(), 0U) << "PWM goes off before the reset";
-    ASSERT_TRUE(robot.run_until([this] { return !off() || machine().resets() != 0; }, 400));
+    const double off_ms = now_ms() - start_ms;
+    EXPECT_EQ(robot.chip().resets(), 0U) << "PWM goes off before the reset";
+    ASSERT_TRUE(robot.run_until([this] { return !off() || robot.chip().resets() != 0; }, 400));
     EXPECT_TRUE(off());
-    const double reset_ms = ms_since();
+    const double reset_ms = now_ms() - start_ms;
     std::printf("watchdog: PWM off %.1f ms, reset %.1f ms after the hang\n", off_ms, reset_ms);
     RecordProperty("off_after_hang_ms", std::to_string(off_ms));
     EXPECT_LE(off_ms, 150.0);
@@ -212,29 +208,20 @@ class HungRobot : public MovingRobot {
     expect_off_for(100);
     EXPECT_EQ(robot.last<protocol::Odometry>()->flags & protocol::kFlagArmed, 0);
   }
-
-  emulator::AvrMachine& machine() { return robot.board().machine(); }
 };
 
 INSTANTIATE_TEST_SUITE_P(Boards, HungRobot, every_board(), image_label);
 
 TEST_P(HungRobot, WithoutTicksIsResetAndDisarmed) {
   drive();
-  avr_t& core = machine().core();
-  core.data[emulator::find_timer(core, '2').overflow.enable.reg] = 0;  // TIMSK2
+  robot.chip().stop_ticks();
   expect_watchdog_reset();
   expect_disarmed();
 }
 
 TEST_P(HungRobot, MainLoopThatHangsIsResetAndDisarmed) {
   drive();
-  avr_t& core = machine().core();
-  const std::uint32_t trap = core.flashend - 1;
-  constexpr std::uint8_t kJumpToItself[] = {0xFF, 0xCF};  // rjmp .
-  core.flash[trap] = kJumpToItself[0];
-  core.flash[trap + 1] = kJumpToItself[1];
-  core.pc = trap;
-  core.state = cpu_Running;
+  robot.chip().hang();
   expect_watchdog_reset();
   expect_disarmed();
 }

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <cstdint>
 
-#include "hil_mock/emulator/simavr_board.hpp"
+#include "hil_mock/runner/simulated_board.hpp"
 
 namespace echomap::tests {
 
 /// A wheel's encoder: makes the quadrature edges of a motion and knows the true count.
 class TurningWheel {
  public:
-  TurningWheel(emulator::SimavrBoard& board, runner::Wheel wheel) : board_(board), wheel_(wheel) {}
+  TurningWheel(runner::SimulatedBoard& board, runner::Wheel wheel) : board_(board), wheel_(wheel) {}
 
   /// Turns at `ticks_per_s` (four edges a period, forward positive) for the next `for_ns`.
   void turn(double ticks_per_s, std::int64_t for_ns) {
@@ -37,7 +37,7 @@ class TurningWheel {
     board_.schedule_encoder_edge(wheel_, at_ns, phase == 1 || phase == 2, phase >= 2);
   }
 
-  emulator::SimavrBoard& board_;
+  runner::SimulatedBoard& board_;
   runner::Wheel wheel_;
   double position_ticks_ = 0.0;
   std::int64_t count_ = 0;
@@ -46,7 +46,7 @@ class TurningWheel {
 /// A wheel with its motor: first-order speed towards duty times the no-load speed.
 class DrivenWheel {
  public:
-  DrivenWheel(emulator::SimavrBoard& board, runner::Wheel wheel)
+  DrivenWheel(runner::SimulatedBoard& board, runner::Wheel wheel)
       : board_(board), wheel_(wheel), turning_(board, wheel) {}
 
   /// One millisecond of motion from the duty that the board now gives.
@@ -64,7 +64,7 @@ class DrivenWheel {
   double ticks_per_s() const { return ticks_per_s_; }
 
  private:
-  emulator::SimavrBoard& board_;
+  runner::SimulatedBoard& board_;
   runner::Wheel wheel_;
   TurningWheel turning_;
   double ticks_per_s_ = 0.0;

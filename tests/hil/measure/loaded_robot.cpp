@@ -19,8 +19,8 @@ constexpr std::int64_t kSweepMs = 2'500;
 /// Wheels rest at the end of each of these, for long enough that a report stands wholly in it.
 constexpr std::int64_t kRestPeriodMs = 500;
 constexpr std::int64_t kRestMs = 10;
-/// What is reported this long after their last edge was stamped after it, too.
-constexpr std::int64_t kReportMs = 5;
+/// Longer than the line takes for a report that nothing stands before.
+constexpr std::int64_t kLeastDelayUs = 2'000;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ LoadResult LoadedRobot::finish() {
   const double bytes = double(robot_.bytes().size() - bytes_before_);
   result_.host_bytes_per_s = double(host_bytes_) / result_.seconds;
   result_.robot_bytes_per_s = bytes / result_.seconds;
-  rested_ms_ = kReportMs;
+  rest();
   robot_.run_ms(150);  // less than the time to live
   take_heard();
   const auto host = robot_.counters();
@@ -79,10 +79,10 @@ void LoadedRobot::turn_wheels() {
   speed_ += std::clamp(target - speed_, -kChangePerMs, kChangePerMs);
   told_ticks_ += speed_ * 1e-3;
   if (ms_ % kRestPeriodMs >= kRestPeriodMs - kRestMs) {
-    ++rested_ms_;
+    rest();
     return;
   }
-  rested_ms_ = 0;
+  resting_since_us_.reset();
   const auto towards = [&](TurningWheel& wheel, double ticks, double edges_per_s) {
     const std::int64_t before = wheel.count();
     wheel.turn(double(before) < ticks ? edges_per_s : -edges_per_s, kMs);
@@ -140,9 +140,10 @@ void LoadedRobot::take_heard() {
     widths_us_.pop_front();
     ++result_.echoes;
   }
-  if (const auto odometry = robot_.last<protocol::Odometry>();
-      odometry && rested_ms_ >= kReportMs) {
-    compare(*odometry);
+  for (const Heard& heard : robot_.heard()) {
+    if (const auto* odometry = std::get_if<protocol::Odometry>(&heard.message)) {
+      compare(*odometry, heard.at_ns / 1000);
+    }
   }
   if (const auto status = robot_.last<protocol::Status>()) {
     sweeping_ = sweeping_ && (status->sweep_id != sweep_id_ ||
@@ -163,7 +164,19 @@ void LoadedRobot::take_heard() {
   robot_.forget_heard();
 }
 
-void LoadedRobot::compare(const protocol::Odometry& odometry) {
+void LoadedRobot::rest() {
+  if (!resting_since_us_) {
+    resting_since_us_ = robot_.board().now_ns() / 1000;
+  }
+}
+
+/// The least delay between stamp and arrival tells the robot's clock, but for that delay itself.
+void LoadedRobot::compare(const protocol::Odometry& odometry, std::int64_t heard_us) {
+  const std::int64_t stamp_us = odometry.stamp_us;
+  least_delay_us_ = std::min(least_delay_us_, heard_us - stamp_us);
+  if (!resting_since_us_ || stamp_us + least_delay_us_ < *resting_since_us_ + kLeastDelayUs) {
+    return;
+  }
   const auto difference = [](std::int64_t count, std::int16_t reported) {
     return std::abs(std::int64_t{static_cast<std::int16_t>(count - reported)});
   };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <random>
 
 #include "tests/hil/robot_session.hpp"
@@ -67,7 +68,8 @@ class LoadedRobot {
   void keep_sweeping();
   void answer_ping(std::int64_t at_ns);
   void take_heard();
-  void compare(const protocol::Odometry& odometry);
+  void rest();
+  void compare(const protocol::Odometry& odometry, std::int64_t heard_us);
 
   template <class M>
   void send(const M& message) {
@@ -82,7 +84,8 @@ class LoadedRobot {
   std::mt19937 generator_{4711};
   std::deque<double> widths_us_;
   std::int64_t ms_ = 0;
-  std::int64_t rested_ms_ = 0;
+  std::optional<std::int64_t> resting_since_us_;
+  std::int64_t least_delay_us_ = INT64_MAX;
   double speed_ = 0.0;       ///< That the robot's ramp has reached, edges/s.
   double told_ticks_ = 0.0;  ///< Its integral: where the left wheel should be.
   std::uint8_t sweep_id_ = 100;

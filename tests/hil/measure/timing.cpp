@@ -15,6 +15,11 @@ int tick_vector(const avr_t& core) {
   return emulator::find_timer(core, '2').comp[AVR_TIMER_COMPA].interrupt.vector;
 }
 
+/// The robots of this program are simavr's.
+emulator::SimavrBoard& simavr_board_of(LoadedRobot& robot) {
+  return dynamic_cast<emulator::SimavrBoard&>(robot.session().board());
+}
+
 }  // namespace
 
 std::map<int, std::string> interrupt_names(const emulator::SimavrBoard& board) {
@@ -34,7 +39,7 @@ TimingFigures measure_timing(const std::filesystem::path& elf, const Load& load,
   LoadedRobot robot(elf, load);
   robot.connect();
   robot.run_s(kRunUpS);
-  emulator::SimavrBoard& board = robot.session().board();
+  emulator::SimavrBoard& board = simavr_board_of(robot);
   InterruptMeter meter(board.machine(), tick_vector(board.machine().core()));
   robot.run_s(seconds);
   TimingFigures figures;
@@ -55,7 +60,7 @@ ControlFigures measure_control(const std::filesystem::path& elf, const Load& loa
   LoadedRobot robot(elf, load);
   robot.connect();
   robot.run_s(kRunUpS);
-  ControlDelay delay(robot.session().board(), elf);
+  ControlDelay delay(simavr_board_of(robot), elf);
   robot.run_s(seconds);
   delay.stop();
   return {delay.mean_us(), delay.most_us(), delay.duties() / seconds / 2.0};

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "hil_mock/emulator/simavr_board.hpp"
 #include "tests/hil/measure/interrupt_meter.hpp"
 #include "tests/hil/measure/loaded_robot.hpp"
 

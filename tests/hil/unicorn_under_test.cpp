@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "hil_mock/unicorn/unicorn_board.hpp"
+#include "tests/hil/emulated_board.hpp"
+
+namespace echomap::tests {
+namespace {
+
+using unicorn::ResetSource;
+
+class UnicornUnderTest final : public EmulatedBoard {
+ public:
+  explicit UnicornUnderTest(const std::filesystem::path& elf) : board_(elf) {}
+
+  runner::SimulatedBoard& pins() override { return board_; }
+  void cut_power() override { board_.chip().reset(ResetSource::kPowerOn); }
+  void pull_reset_pin() override { board_.chip().reset(ResetSource::kExternal); }
+  std::uint32_t resets() const override { return board_.chip().resets(); }
+
+  void stop_ticks() override {
+    constexpr std::uint32_t kCtrl = 0;
+    board_.chip().sys_tick().write(kCtrl, 0);
+  }
+
+  void hang() override {
+    constexpr std::uint32_t kTrap = 0x0800E000;                           // Behind the program.
+    constexpr std::array<std::uint8_t, 4> kHang{0x62, 0xB6, 0xFE, 0xE7};  // cpsie i; b .
+    board_.chip().core().write_memory(kTrap, kHang);
+    board_.chip().core().jump_to(kTrap);
+  }
+
+ private:
+  unicorn::UnicornBoard board_;
+};
+
+}  // namespace
+
+std::unique_ptr<EmulatedBoard> make_emulated_board(const std::filesystem::path& elf) {
+  return std::make_unique<UnicornUnderTest>(elf);
+}
+
+std::vector<const char*> flashed_images() { return {"echomap-stm32f103"}; }
+
+std::vector<const char*> images_of_every_baud() {
+  return {"echomap-stm32f103", "echomap-stm32f103-250000", "echomap-stm32f103-500000"};
+}
+
+std::vector<const char*> vector_images() { return {"echomap-stm32f103-vectors"}; }
+
+}  // namespace echomap::tests
