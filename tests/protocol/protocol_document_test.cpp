@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "protocol/message_description.hpp"
+#include "protocol/messages.hpp"
+#include "protocol/schema_description.hpp"
 
 // docs/protocol.md against the code: the table of messages and the worked example.
 namespace echomap::protocol {
@@ -98,6 +100,20 @@ TEST(ProtocolDocument, TakesItsWorkedExampleFromTheVectorsByteByByte) {
   }
   ASSERT_THAT(lines_of("protocol/vectors/frames.txt"), testing::Contains(example));
   EXPECT_EQ(bytes_of_the_example(), example.substr(example.find('>') + 2));
+}
+
+TEST(ProtocolDocument, ShowsHowTheDescriptionBeginsAndItsLength) {
+  constexpr auto description = describe_schema<AllMessages>();
+  std::ostringstream begin;
+  begin << "schema" << std::hex << std::uppercase << std::setfill('0');
+  for (std::size_t i = 0; i < 27; ++i) {
+    begin << ' ' << std::setw(2) << int{description.bytes[i]};
+  }
+  std::string length = std::to_string(sizeof(description.bytes)) + " bytes of the schema";
+  length.insert(1, ",");
+  const std::vector<std::string> lines = lines_of("docs/protocol.md");
+  EXPECT_THAT(lines, testing::Contains(begin.str()));
+  EXPECT_THAT(lines, testing::Contains(testing::HasSubstr(length)));
 }
 
 TEST(ProtocolDocument, NamesTheSchemaDigest) {
