@@ -32,7 +32,7 @@ class FrameEncoder {
  private:
   static constexpr uint8_t kHeaderSize = 2;
 
-  uint8_t buffer_[kMaxFrame] = {};
+  uint8_t buffer_[kMaxFrame];
 };
 
 }  // namespace protocol

@@ -4,12 +4,12 @@
 namespace echomap {
 namespace tasks {
 
-bool FrameSender::send(
-    const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed, uint8_t reserve) {
-  if (port_.send_room() < size + protocol::kFrameOverhead + reserve) {
+bool FrameSender::send(const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed) {
+  if (port_.send_room() < size + protocol::kFrameOverhead) {
     return false;
   }
-  return port_.send(encoder_.encode(payload, id, size, seed, seq_++));
+  protocol::FrameEncoder encoder;
+  return port_.send(encoder.encode(payload, id, size, seed, seq_++));
 }
 
 void FrameSender::delimit() {

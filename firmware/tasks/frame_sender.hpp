@@ -4,14 +4,15 @@
 #include <stdint.h>
 
 #include "firmware/drivers/serial_port.hpp"
+#include "firmware/tasks/line_budget.hpp"
 #include "protocol/frame_encoder.hpp"
 #include "protocol/messages.hpp"
 
 namespace echomap {
 namespace tasks {
 
-/// Numbers, frames and queues messages. Telemetry leaves room in the queue for an answer, so that
-/// an answer is lost only when the host asks faster than the line can tell.
+/// Numbers, frames and queues messages. All but answers leave room in the queue for an answer, so
+/// that one is lost only when the host asks faster than the line can tell.
 class FrameSender {
  public:
   constexpr explicit FrameSender(drivers::SerialPort& port) : port_(port) {}
@@ -19,14 +20,26 @@ class FrameSender {
   /// Queues an answer to the host; false when there is no room.
   template <class M>
   bool answer(const M& message) {
-    return send(message, 0);
+    using Facts = protocol::MessageFacts<M>;
+    static_assert(Facts::kSize <= protocol::kMaxPayload, "payload is larger than a frame takes");
+    const protocol::Payload<M> payload(message);
+    return send(payload.bytes(), M::kId, Facts::kSize, Facts::kSeed);
   }
 
-  /// Queues telemetry; false when there is no room now.
+  /// Queues telemetry; false when there is no room now or the budget does not allow it.
   template <class M>
   bool tell(const M& message) {
-    return send(message, kAnswerBytes);
+    return has_room_for<M>() && budget_.take(FrameFacts<M>::kBytes) && answer(message);
   }
+
+  /// True when M can be queued and leave room for answers.
+  template <class M>
+  bool has_room_for() const {
+    return port_.send_room() >= uint8_t{FrameFacts<M>::kBytes} + kAnswerBytes;
+  }
+
+  LineBudget& budget() { return budget_; }
+  const LineBudget& budget() const { return budget_; }
 
   /// Ends whatever piece of a frame the host may have, so that the next frame stands alone.
   void delimit();
@@ -36,23 +49,16 @@ class FrameSender {
   struct FrameFacts {
     enum : uint8_t { kBytes = protocol::MessageFacts<M>::kSize + protocol::kFrameOverhead };
   };
-  /// Room that telemetry leaves: a HelloReply after its delimiter, an Ack and a Pong.
+  /// Room that is left for answers: a HelloReply after its delimiter, an Ack and a Pong.
   enum : uint8_t {
     kAnswerBytes = 1 + FrameFacts<protocol::HelloReply>::kBytes +
                    FrameFacts<protocol::Ack>::kBytes + FrameFacts<protocol::Pong>::kBytes
   };
 
-  template <class M>
-  bool send(const M& message, uint8_t reserve) {
-    using Facts = protocol::MessageFacts<M>;
-    static_assert(Facts::kSize <= protocol::kMaxPayload, "payload is larger than a frame takes");
-    const protocol::Payload<M> payload(message);
-    return send(payload.bytes(), M::kId, Facts::kSize, Facts::kSeed, reserve);
-  }
-  bool send(const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed, uint8_t reserve);
+  bool send(const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed);
 
   drivers::SerialPort& port_;
-  protocol::FrameEncoder encoder_;
+  LineBudget budget_;
   uint8_t seq_ = 0;
 };
 

@@ -16,15 +16,15 @@ uint8_t bit_if(bool condition, protocol::RobotFlags bit) {
 
 void Telemetry::begin() {
   on_ = true;
-  status_waits_ = true;
-  health_waits_ = true;
+  status_is_urgent_ = true;
+  statuses_since_health_ = kStatusPerHealth;
 }
 
 void Telemetry::add(const protocol::Echo& echo) {
   if (waiting_echoes_ == kEchoes) {
     oldest_echo_ = static_cast<uint8_t>((oldest_echo_ + 1) % kEchoes);
     --waiting_echoes_;
-    ++dropped_;
+    drop();
   }
   echoes_[(oldest_echo_ + waiting_echoes_) % kEchoes] = echo;
   ++waiting_echoes_;
@@ -35,29 +35,31 @@ void Telemetry::tick() {
   if (!on_) {
     return;
   }
-  if (++odometry_age_ms_ >= sources_.configuration.drive.odometry_period_ms) {
+  sender_.budget().tick();
+  if (++odometry_age_ms_ >= stretched(sources_.configuration.drive.odometry_period_ms)) {
     odometry_age_ms_ = 0;
     sample_odometry();
   }
-  if (++status_age_ms_ >= kStatusPeriodMs) {
+  if (++status_age_ms_ >= stretched(kStatusPeriodMs)) {
     status_age_ms_ = 0;
     status_waits_ = true;
-    count_status();
   }
   notice_outcomes();
   send_what_waits();
 }
 
-void Telemetry::count_status() {
-  if (++status_since_health_ == kStatusPerHealth) {
-    status_since_health_ = 0;
-    health_waits_ = true;
-  }
+uint16_t Telemetry::stretched(uint8_t period_ms) const {
+  return static_cast<uint16_t>(period_ms << sender_.budget().rate_step());
+}
+
+void Telemetry::drop() {
+  ++dropped_;
+  sender_.budget().overloaded();
 }
 
 void Telemetry::sample_odometry() {
   if (odometry_waits_) {
-    ++dropped_;
+    drop();
   }
   const drivers::WheelCounts counts = sources_.encoders.counts();
   odometry_ = protocol::Odometry{hal::now_us(), counts.left, counts.right, flags()};
@@ -70,7 +72,7 @@ void Telemetry::notice_outcomes() {
   if (move != told_move_ || sweep != told_sweep_) {
     told_move_ = move;
     told_sweep_ = sweep;
-    status_waits_ = true;
+    status_is_urgent_ = true;
   }
 }
 
@@ -80,16 +82,37 @@ void Telemetry::send_what_waits() {
       return;
     }
   }
-  if (status_waits_ && !sender_.tell(status())) {
-    return;  // Else odometry, being smaller, would take the room again and again.
-  }
-  status_waits_ = false;
-  if (health_waits_ && !sender_.tell(health())) {
+  // Nothing overtakes what waits: the smaller would take the room again and again.
+  if (status_is_urgent_ && !send_status()) {
     return;
   }
-  health_waits_ = false;
-  if (odometry_waits_ && sender_.tell(odometry_)) {
-    odometry_waits_ = false;
+  if (odometry_waits_ && !sender_.tell(odometry_)) {
+    return;
+  }
+  odometry_waits_ = false;
+  if (status_waits_ && statuses_since_health_ != kStatusPerHealth) {
+    send_status();
+  }
+  if (statuses_since_health_ == kStatusPerHealth) {
+    send_health();
+  }
+}
+
+bool Telemetry::send_status() {
+  if (!sender_.tell(status())) {
+    return false;
+  }
+  status_waits_ = false;
+  status_is_urgent_ = false;
+  if (statuses_since_health_ != kStatusPerHealth) {
+    ++statuses_since_health_;
+  }
+  return true;
+}
+
+void Telemetry::send_health() {
+  if (sender_.tell(health())) {
+    statuses_since_health_ = 0;
   }
 }
 
@@ -122,6 +145,7 @@ protocol::Health Telemetry::health() const {
   health.telemetry_dropped = dropped_;
   health.encoder_errors = sources_.encoders.errors();
   health.stack_free_bytes = stack_free_bytes_;
+  health.rate_step = sender_.budget().rate_step();
   return health;
 }
 

@@ -24,8 +24,9 @@ struct TelemetrySources {
   const protocol::Configuration& configuration;
 };
 
-/// Samples on time and sends when the line has room. What waits too long is replaced by what is
-/// newer, and counted; silent until a host has said Hello.
+/// Samples on time and sends when the line has room: readings and changes first, then odometry,
+/// then Status and Health. What waits too long is replaced by what is newer, and counted; all
+/// periods are then stretched. Silent until a host has said Hello.
 class Telemetry {
  public:
   static constexpr uint8_t kStatusPeriodMs = 200;
@@ -46,11 +47,16 @@ class Telemetry {
  private:
   static constexpr uint8_t kEchoes = 4;
 
-  void count_status();
+  /// A period at the rate that the line has room for.
+  uint16_t stretched(uint8_t period_ms) const;
+  /// Counts what was replaced before it could be sent.
+  void drop();
   void sample_odometry();
   void notice_outcomes();
   void send_what_waits();
   bool send_echo();
+  bool send_status();
+  void send_health();
   protocol::Status status() const;
   protocol::Health health() const;
   uint8_t flags() const;
@@ -63,14 +69,14 @@ class Telemetry {
   control::MotionReport told_sweep_ = {0, protocol::MotionOutcome::kNone};
   uint16_t dropped_ = 0;
   uint16_t stack_free_bytes_ = 0;
-  uint8_t odometry_age_ms_ = 0;
-  uint8_t status_age_ms_ = 0;
+  uint16_t odometry_age_ms_ = 0;
+  uint16_t status_age_ms_ = 0;
+  uint8_t statuses_since_health_ = 0;
   uint8_t oldest_echo_ = 0;
   uint8_t waiting_echoes_ = 0;
   bool odometry_waits_ = false;
   bool status_waits_ = false;
-  bool health_waits_ = false;
-  uint8_t status_since_health_ = 0;
+  bool status_is_urgent_ = false;
   bool on_ = false;
 };
 

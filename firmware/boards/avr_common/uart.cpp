@@ -45,6 +45,11 @@ void start_uart() {
 
 namespace hal {
 
+uint16_t line_bytes_per_s() {
+  static_assert(boards::kActualBaud / 10 <= UINT16_MAX, "faster than a number of 16 bits");
+  return boards::kActualBaud / 10;
+}
+
 void request_send() { UCSR0B = boards::kAlwaysOn | _BV(UDRIE0); }
 
 ISR(ECHOMAP_RECEIVED_vect) {

@@ -61,6 +61,7 @@ TwiState twi_state(int16_t& value) { return board().two_wire.state(board().now_n
 void stop_twi() { board().two_wire.stop(); }
 
 void request_send() { board().request_send(); }
+uint16_t line_bytes_per_s() { return 1000000000 / native::NativeBoard::kByteNs; }
 
 void start_watchdog() {}
 void kick_watchdog() { board().kick_watchdog(); }

@@ -55,6 +55,11 @@ void start_uart() {
 
 namespace hal {
 
+uint16_t line_bytes_per_s() {
+  static_assert(boards::kBaud / 10 <= UINT16_MAX, "faster than a number of 16 bits");
+  return boards::kBaud / 10;
+}
+
 /// The interrupt is asked for by hand as well, because QEMU 7.2 has none for an empty sender.
 void request_send() {
   boards::usart1().cr1 = boards::kAlwaysOn | boards::kUsartCr1SendEmptyInterrupt;

@@ -39,12 +39,28 @@ TEST(FrameSender, NumbersEveryFrameThatWasQueued) {
 TEST(FrameSender, TelemetryLeavesRoomForTheAnswers) {
   drivers::SerialPort port;
   FrameSender sender(port);
+  for (int ms = 0; ms < 100; ++ms) {
+    sender.budget().tick();
+  }
   while (sender.tell(protocol::Odometry{})) {
   }
+  EXPECT_TRUE(sender.budget().take(1)) << "the budget ended before the room";
   sender.delimit();
   EXPECT_TRUE(sender.answer(protocol::HelloReply{}));
   EXPECT_TRUE(sender.answer(protocol::Ack{}));
   EXPECT_TRUE(sender.answer(protocol::Pong{}));
+}
+
+TEST(FrameSender, TelemetryWaitsForItsBudgetAndAnswersDoNot) {
+  drivers::SerialPort port;
+  FrameSender sender(port);
+  EXPECT_FALSE(sender.tell(protocol::Odometry{}));
+  EXPECT_TRUE(sender.answer(protocol::Pong{}));
+  EXPECT_EQ(sequence_of(port), std::vector<int>{0});
+  sender.budget().tick();
+  sender.budget().tick();
+  EXPECT_TRUE(sender.tell(protocol::Odometry{})) << "16.4 bytes in 2 ms";
+  EXPECT_FALSE(sender.tell(protocol::Odometry{}));
 }
 
 TEST(FrameSender, DelimiterEndsAPieceOfAFrame) {

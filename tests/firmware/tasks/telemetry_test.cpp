@@ -27,6 +27,15 @@ struct Collected {
 
 class TelemetryTest : public testing::Test {
  protected:
+  /// In which the line's budget looks for losses.
+  static constexpr int kWindowMs = 256;
+
+  /// The line has been idle for a while.
+  TelemetryTest() {
+    for (int ms = 0; ms < kWindowMs; ++ms) {
+      sender.budget().tick();
+    }
+  }
   /// Takes every byte that waits on the line.
   Collected collect() {
     Collected collected;
@@ -42,7 +51,9 @@ class TelemetryTest : public testing::Test {
   }
   /// Ticks, and reads the line each time, until the next Health.
   protocol::Health next_health() {
-    for (int ms = 0; ms < 2 * Telemetry::kStatusPeriodMs * Telemetry::kStatusPerHealth; ++ms) {
+    constexpr int kLongestMs = Telemetry::kStatusPeriodMs * Telemetry::kStatusPerHealth
+                               << LineBudget::kMaxRateStep;
+    for (int ms = 0; ms < kLongestMs; ++ms) {
       tick(1);
       const Collected now = collect();
       if (!now.health.empty()) {
@@ -51,6 +62,15 @@ class TelemetryTest : public testing::Test {
     }
     ADD_FAILURE() << "no Health";
     return {};
+  }
+  /// Ticks, and reads the line each time; how many Odometry came.
+  int odometry_in(int duration_ms) {
+    int odometry = 0;
+    for (int ms = 0; ms < duration_ms; ++ms) {
+      tick(1);
+      odometry += int(collect().odometry.size());
+    }
+    return odometry;
   }
   void tick(int times) {
     for (int i = 0; i < times; ++i) {
@@ -106,7 +126,7 @@ TEST_F(TelemetryTest, KeepsItsPeriods) {
 TEST_F(TelemetryTest, ReplacesOdometryThatWaitsTooLongAndCountsIt) {
   telemetry.begin();
   encoders.on_pins(0b0001);
-  tick(20 * 20);
+  tick(12 * 20);
   const Collected stale = collect();
   encoders.on_pins(0b0011);
   ASSERT_FALSE(stale.odometry.empty());
@@ -114,7 +134,7 @@ TEST_F(TelemetryTest, ReplacesOdometryThatWaitsTooLongAndCountsIt) {
   const Collected fresh = collect();
   ASSERT_EQ(fresh.odometry.size(), 1U);
   EXPECT_EQ(fresh.odometry[0].left_ticks, 1) << "sampled before the last edge";
-  const std::size_t sampled = 20;
+  const std::size_t sampled = 12;
   const std::size_t told = stale.odometry.size() + fresh.odometry.size();
   EXPECT_EQ(next_health().telemetry_dropped, sampled - told);
 }
@@ -155,6 +175,52 @@ TEST_F(TelemetryTest, TellsAnOutcomeAtOnce) {
             static_cast<std::uint8_t>(protocol::MotionOutcome::kBumped));
   tick(1);
   EXPECT_TRUE(collect().status.empty());
+}
+
+TEST_F(TelemetryTest, StretchesItsPeriodsWhenTheLineLosesSomething) {
+  telemetry.begin();
+  configuration.drive.odometry_period_ms = 10;
+  EXPECT_EQ(odometry_in(4 * kWindowMs), 102);
+  tick(200);  // Nothing leaves the queue.
+  collect();
+  EXPECT_EQ(sender.budget().rate_step(), 0);
+  odometry_in(kWindowMs);
+  EXPECT_EQ(sender.budget().rate_step(), 1);
+  EXPECT_NEAR(odometry_in(1000), 50, 1);
+  EXPECT_EQ(next_health().rate_step, 1);
+}
+
+TEST_F(TelemetryTest, ComesBackToItsPeriodsWhenTheLineHasRoom) {
+  telemetry.begin();
+  for (int i = 0; i < 5; ++i) {
+    sender.budget().overloaded();
+    odometry_in(kWindowMs);
+  }
+  ASSERT_EQ(sender.budget().rate_step(), 5);
+  EXPECT_NEAR(odometry_in(1280), 2, 1) << "every 640 ms";
+  odometry_in(5 * 2500);
+  EXPECT_EQ(sender.budget().rate_step(), 0);
+  EXPECT_EQ(odometry_in(1000), 50);
+}
+
+TEST_F(TelemetryTest, TellsStatusOnlyWhenOdometryDoesNotWait) {
+  telemetry.begin();
+  tick(1);
+  collect();
+  while (sender.budget().take(1)) {
+  }
+  // 8 bytes a millisecond come in; both are due in the same one.
+  configuration.drive.odometry_period_ms = 200;
+  std::vector<char> order;
+  for (int ms = 0; ms < 210; ++ms) {
+    while (ms > 190 && ms < 203 && sender.budget().take(1)) {
+    }
+    tick(1);
+    const Collected now = collect();
+    order.insert(order.end(), now.odometry.size(), 'o');
+    order.insert(order.end(), now.status.size(), 's');
+  }
+  EXPECT_EQ(order, (std::vector<char>{'o', 's'}));
 }
 
 TEST_F(TelemetryTest, CarriesCountsAndErrors) {
