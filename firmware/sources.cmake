@@ -5,7 +5,7 @@ set(ECHOMAP_FIRMWARE_SOURCES
   drivers/sonar_hc_sr04.cpp drivers/wheel_encoders.cpp
   control/distance_ramp.cpp control/driven_wheel.cpp control/proportion.cpp control/scan_sweep.cpp
   control/speed_ramp.cpp control/wheel_motion.cpp control/wheel_speed_controller.cpp
-  tasks/command.cpp tasks/frame_sender.cpp tasks/heartbeat.cpp tasks/line_budget.cpp tasks/safety.cpp
+  tasks/bulk.cpp tasks/command.cpp tasks/frame_sender.cpp tasks/heartbeat.cpp tasks/line_budget.cpp tasks/safety.cpp
   tasks/scheduler.cpp tasks/telemetry.cpp
   app/events.cpp app/robot.cpp)
 set(ECHOMAP_PROTOCOL_SOURCES cobs.cpp configuration.cpp frame_decoder.cpp frame_encoder.cpp link.cpp)

@@ -30,6 +30,9 @@ struct BulkRead {
   }
 };
 
+/// Bytes of the content in one BulkData: those of its words, one after the other.
+constexpr uint8_t kBulkBytes = 32;
+
 /// Robot to host: the bytes from `offset` on, zero beyond `total`.
 struct BulkData {
   enum : uint8_t { kId = 0x31 };

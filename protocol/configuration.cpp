@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/configuration.hpp"
 
+#include <string.h>
+
 namespace echomap {
 namespace protocol {
 namespace {
 
-/// Writes message after message; the id takes the place of the command_id, their first field.
+/// True where the messages stand in memory as in their bytes; see is_packed.
+constexpr bool kPacked = sizeof(Configuration) == ConfigurationBytes::kSize;
+
 struct WriteMessages {
   uint8_t* out;
   template <class M>
   void operator()(const M& message) {
-    const Payload<M> payload(message);
-    write(M::kId, payload.bytes(), MessageFacts<M>::kSize);
+    put_payload(message, out);
+    out += MessageFacts<M>::kSize;
   }
-  void write(uint8_t id, const uint8_t* payload, uint8_t size) {
-    memcpy(out, payload, size);
-    *out = id;
-    out += size;
+};
+
+/// Puts each id into the place of the command_id, the first field.
+struct WriteIds {
+  uint8_t* out;
+  template <class M>
+  void operator()(const M& /*message*/) {
+    *out = M::kId;
+    out += MessageFacts<M>::kSize;
   }
 };
 
@@ -36,8 +45,14 @@ struct ReadMessages {
 
 ConfigurationBytes configuration_bytes(const Configuration& configuration) {
   ConfigurationBytes bytes;
-  WriteMessages write{bytes.bytes};
-  Configuration::each(configuration, write);
+  if (kPacked) {
+    memcpy(bytes.bytes, &configuration, sizeof(configuration));
+  } else {
+    WriteMessages write{bytes.bytes};
+    Configuration::each(configuration, write);
+  }
+  WriteIds write_ids{bytes.bytes};
+  Configuration::each(configuration, write_ids);
   return bytes;
 }
 

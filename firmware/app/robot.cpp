@@ -40,6 +40,7 @@ void Robot::run_tick() {
     telemetry_.add(echo);
   }
   telemetry_.tick();
+  bulk_.tick();
 }
 
 }  // namespace app

@@ -18,7 +18,7 @@ struct Devices {
   drivers::SerialPort port;
   tasks::Scheduler scheduler;
   /// An interrupt has left work for the main loop; edges of the encoders leave none.
-  volatile bool work_waits;
+  volatile bool work_waits = false;
 };
 
 /// The whole program above its devices, put together.
@@ -47,8 +47,16 @@ class Robot {
   tasks::Telemetry telemetry_{
       {devices_.encoders, devices_.port, motion_, sweep_, safety_, received_, configuration_},
       sender_};
-  tasks::Command command_{
-      {devices_.port, sender_, motion_, sweep_, safety_, telemetry_, received_, configuration_}};
+  tasks::Bulk bulk_{sender_, configuration_};
+  tasks::Command command_{{devices_.port,
+                           sender_,
+                           motion_,
+                           sweep_,
+                           safety_,
+                           telemetry_,
+                           received_,
+                           configuration_,
+                           bulk_}};
   tasks::Heartbeat heartbeat_;
 };
 

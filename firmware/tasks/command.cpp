@@ -81,12 +81,7 @@ void Command::operator()(const protocol::KeepAlive& keep_alive) {
   }
 }
 
-void Command::operator()(const protocol::BulkRead& read) {
-  protocol::BulkData data{};
-  data.content = read.content;
-  data.offset = read.offset;
-  targets_.sender.tell(data);
-}
+void Command::operator()(const protocol::BulkRead& read) { targets_.bulk.ask(read); }
 
 void Command::reply(uint16_t session) {
   targets_.sender.delimit();

@@ -5,6 +5,7 @@
 
 #include "firmware/control/scan_sweep.hpp"
 #include "firmware/control/wheel_motion.hpp"
+#include "firmware/tasks/bulk.hpp"
 #include "firmware/tasks/frame_sender.hpp"
 #include "firmware/tasks/safety.hpp"
 #include "firmware/tasks/telemetry.hpp"
@@ -24,6 +25,7 @@ struct CommandTargets {
   Telemetry& telemetry;
   protocol::ReceiveCounters& received;
   protocol::Configuration& configuration;
+  Bulk& bulk;
 };
 
 /// Takes the host's bytes apart and does what they say: commands exactly once, each answered by an
