@@ -13,7 +13,7 @@ constexpr std::uint32_t kOn = bit(0);
 constexpr std::uint32_t kCalibrations = bit(2) | bit(3);
 constexpr std::uint32_t kStart = bit(22);
 constexpr std::uint32_t kChannelBits = 0x1F;
-constexpr std::uint64_t kConversionCycles = 68 * 6;
+constexpr std::uint64_t kConversionCycles = 408;  // 68 of 12 MHz
 
 }  // namespace
 

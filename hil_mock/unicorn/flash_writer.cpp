@@ -21,8 +21,8 @@ constexpr std::uint32_t kLock = bit(7);
 constexpr std::uint32_t kProgramError = bit(2);
 constexpr std::uint32_t kPageBytes = 1024;
 
-constexpr std::uint64_t kProgramCycles = 72 * 53;
-constexpr std::uint64_t kEraseCycles = 72 * 20'000;
+constexpr std::uint64_t kProgramCycles = 3'816;    // 53 us
+constexpr std::uint64_t kEraseCycles = 1'440'000;  // 20 ms
 
 }  // namespace
 

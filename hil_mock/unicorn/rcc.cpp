@@ -24,9 +24,10 @@ constexpr std::uint32_t kPinFlag = bit(26);
 constexpr std::uint32_t kPowerOnFlag = bit(27);
 constexpr std::uint32_t kIwdgFlag = bit(29);
 
-/// Start-up of the crystal and lock of the PLL: data sheet of the STM32F103x8, tables 22 and 28.
-constexpr std::uint64_t kHseCycles = 72 * 2000;
-constexpr std::uint64_t kPllCycles = 72 * 200;
+/// Start-up of the crystal in 2 ms and lock of the PLL in 0.2 ms: data sheet of the STM32F103x8,
+/// tables 22 and 28.
+constexpr std::uint64_t kHseCycles = 144'000;
+constexpr std::uint64_t kPllCycles = 14'400;
 
 }  // namespace
 

@@ -127,7 +127,9 @@ void Usart::start_sending(std::uint8_t byte) {
 void Usart::end_sending(std::uint8_t byte) {
   sending_ = false;
   if (to_send_) {
-    start_sending(*std::exchange(to_send_, std::nullopt));
+    const std::uint8_t next = *to_send_;
+    to_send_.reset();
+    start_sending(next);
     sr_ |= kSendEmpty;
   } else {
     sr_ |= kSent;

@@ -46,7 +46,7 @@ class Qemu : public ::testing::Test {
     if (!fs::exists(qemu) || !fs::exists(image)) {
       GTEST_SKIP() << "qemu-system-arm is not installed or the STM32F103's image was not built";
     }
-    const fs::path socket = scratch_ / "serial";
+    const fs::path socket = scratch / "serial";
     machine_.emplace(std::vector<std::string>{qemu.string(),
                                               "-machine",
                                               "stm32vldiscovery",
@@ -57,7 +57,7 @@ class Qemu : public ::testing::Test {
                                               "none",
                                               "-serial",
                                               "unix:" + socket.string() + ",server=on,wait=off"},
-                     scratch_ / "qemu.log");
+                     scratch / "qemu.log");
     ASSERT_TRUE(eventually([&] { return fs::exists(socket); }));
     stream_ = transport::open_local_stream(socket.string());
   }
@@ -70,16 +70,16 @@ class Qemu : public ::testing::Test {
       bytes.resize(stream_->read_some(bytes, std::chrono::milliseconds(5)));
       const time::HostTime now(std::chrono::duration_cast<time::HostClock::duration>(
           std::chrono::steady_clock::now() - start_));
-      link_.receive(bytes, now);
-      link_.poll(now);
-      stream_->write(link_.take_outgoing());
+      link.receive(bytes, now);
+      link.poll(now);
+      stream_->write(link.take_outgoing());
       return done();
     });
   }
 
-  tests::ScratchFolder scratch_;
-  Listener listener_;
-  robot_link::RobotLink link_{listener_, 4711};
+  tests::ScratchFolder scratch;
+  Listener listener;
+  robot_link::RobotLink link{listener, 4711};
 
  private:
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -88,20 +88,20 @@ class Qemu : public ::testing::Test {
 };
 
 TEST_F(Qemu, ShakesHandsAnswersPingsAndReportsItsWheels) {
-  ASSERT_TRUE(serve_until([&] { return link_.state() == robot_link::LinkState::kReady; }));
-  EXPECT_EQ(link_.robot()->schema_digest, protocol::kSchemaDigest);
-  EXPECT_EQ(link_.robot()->firmware_version, protocol::kFirmwareVersion);
+  ASSERT_TRUE(serve_until([&] { return link.state() == robot_link::LinkState::kReady; }));
+  EXPECT_EQ(link.robot()->schema_digest, protocol::kSchemaDigest);
+  EXPECT_EQ(link.robot()->firmware_version, protocol::kFirmwareVersion);
 
-  link_.submit(protocol::Arm{0, 1});
-  ASSERT_TRUE(serve_until([&] { return listener_.outcome.has_value(); }));
-  EXPECT_EQ(*listener_.outcome, CommandOutcome::kAccepted);
+  link.submit(protocol::Arm{0, 1});
+  ASSERT_TRUE(serve_until([&] { return listener.outcome.has_value(); }));
+  EXPECT_EQ(*listener.outcome, CommandOutcome::kAccepted);
 
-  listener_.odometry.clear();
-  ASSERT_TRUE(serve_until([&] { return listener_.odometry.size() > 100; }));
-  EXPECT_TRUE(link_.clock().host_time(listener_.odometry.back().stamp_us)) << "no Ping answered";
-  EXPECT_EQ(link_.statistics().frames_bad, 0U);
-  EXPECT_EQ(link_.statistics().resets_seen, 0U);
-  const std::uint32_t lasted_us = listener_.odometry[100].stamp_us - listener_.odometry[0].stamp_us;
+  listener.odometry.clear();
+  ASSERT_TRUE(serve_until([&] { return listener.odometry.size() > 100; }));
+  EXPECT_TRUE(link.clock().host_time(listener.odometry.back().stamp_us)) << "no Ping answered";
+  EXPECT_EQ(link.statistics().frames_bad, 0U);
+  EXPECT_EQ(link.statistics().resets_seen, 0U);
+  const std::uint32_t lasted_us = listener.odometry[100].stamp_us - listener.odometry[0].stamp_us;
   EXPECT_NEAR(double(lasted_us), 100 * 20'000.0, 2'000.0) << "on the guest's own clock";
 }
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/unicorn/timer.hpp"
+
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+namespace echomap::unicorn {
+namespace {
+
+constexpr std::uint32_t kCr1 = 0x00;
+constexpr std::uint32_t kDier = 0x0C;
+constexpr std::uint32_t kSr = 0x10;
+constexpr std::uint32_t kEgr = 0x14;
+constexpr std::uint32_t kCcmr1 = 0x18;
+constexpr std::uint32_t kCcer = 0x20;
+constexpr std::uint32_t kCnt = 0x24;
+constexpr std::uint32_t kPsc = 0x28;
+constexpr std::uint32_t kArr = 0x2C;
+constexpr std::uint32_t kCcr1 = 0x34;
+constexpr std::uint32_t kCcr2 = 0x38;
+constexpr std::uint8_t kLine = 30;
+
+/// Counts every tenth cycle from 0 to 99.
+class TenCycleTimer : public ::testing::Test {
+ protected:
+  TenCycleTimer() {
+    timer.reset();
+    timer.write(kPsc, 9);
+    timer.write(kArr, 99);
+    timer.write(kEgr, 1);
+    timer.write(kSr, 0);
+    timer.write(kCr1, 1);
+    nvic.write(0xE000E100, 1U << kLine);
+  }
+
+  bool interrupts() const { return nvic.next({}).has_value(); }
+
+  EventQueue queue;
+  Nvic nvic;
+  Timer timer{queue, nvic, kLine};
+};
+
+TEST_F(TenCycleTimer, CountsWithItsPrescalerAndBeginsAgain) {
+  queue.skip_to(259);
+  EXPECT_EQ(timer.read(kCnt), 25U);
+  queue.skip_to(1000);
+  EXPECT_EQ(timer.read(kCnt), 0U);
+}
+
+TEST_F(TenCycleTimer, TakesAPrescalerAtTheUpdateOnly) {
+  timer.write(kPsc, 0);
+  queue.skip_to(100);
+  EXPECT_EQ(timer.read(kCnt), 10U);
+  timer.write(kEgr, 1);
+  queue.skip_to(150);
+  EXPECT_EQ(timer.read(kCnt), 50U);
+}
+
+TEST_F(TenCycleTimer, InterruptsAtItsUpdateUnlessSetBackBefore) {
+  timer.write(kDier, 1);
+  queue.skip_to(990);
+  timer.write(kCnt, 0);
+  queue.skip_to(1980);
+  EXPECT_FALSE(interrupts());
+  queue.skip_to(1990);
+  EXPECT_TRUE(interrupts());
+}
+
+TEST_F(TenCycleTimer, AnInterruptThatIsEnabledLaterDoesNotShiftTheCount) {
+  queue.skip_to(255);
+  timer.write(kDier, 1);
+  queue.skip_to(260);
+  EXPECT_EQ(timer.read(kCnt), 26U);
+}
+
+TEST_F(TenCycleTimer, CapturesBothEdgesOfOneInputAtTheirCycle) {
+  timer.write(kCcmr1, 0x0201);  // Channel 1 and 2 from input 1.
+  timer.write(kCcer, 0x31);     // Channel 2 on the falling edge.
+  queue.at(123, [this] { timer.set_input1(true); });
+  queue.at(777, [this] { timer.set_input1(false); });
+  queue.skip_to(900);
+  EXPECT_EQ(timer.read(kSr), 6U);
+  EXPECT_EQ(timer.read(kCcr1), 12U);
+  EXPECT_EQ(timer.read(kSr), 4U) << "reading a capture clears its flag";
+  EXPECT_EQ(timer.read(kCcr2), 77U);
+}
+
+TEST_F(TenCycleTimer, PwmIsTheShareOfCountsBelowTheCompareValue) {
+  timer.write(kCcmr1, 0x6060);
+  timer.write(kCcer, 0x11);
+  timer.write(kCcr1, 25);
+  timer.write(kCcr2, 255);
+  EXPECT_DOUBLE_EQ(timer.pwm_level(1), 0.25);
+  EXPECT_DOUBLE_EQ(timer.pwm_level(2), 1.0);
+  EXPECT_EQ(timer.pulse_cycles(), 250U);
+  timer.write(kCcer, 0);
+  EXPECT_DOUBLE_EQ(timer.pwm_level(2), 0.0);
+}
+
+}  // namespace
+}  // namespace echomap::unicorn
