@@ -111,6 +111,7 @@ struct SchemaDescription {
   uint8_t bytes[kBytes];
 };
 
+/// Adds M to what `writer` describes.
 template <class M>
 constexpr bool describe_message(SchemaWriter& writer) {
   const M message{};
@@ -119,6 +120,7 @@ constexpr bool describe_message(SchemaWriter& writer) {
   return true;
 }
 
+/// What describes a list, in a writer that has room to spare.
 template <class... Messages>
 constexpr SchemaWriter written_schema(MessageList<Messages...> /*list*/) {
   SchemaWriter writer;
