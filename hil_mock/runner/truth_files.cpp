@@ -72,7 +72,7 @@ json wall_feature(const world::Wall& wall) {
   const auto position = [](const Eigen::Vector2d& point_m) {
     return json{point_m.x(), point_m.y()};
   };
-  const bool rough = wall.material == world::Material::kRough;
+  const bool rough = wall.surface.material == world::Material::kRough;
   return {{"type", "Feature"},
           {"properties", {{"material", rough ? "rough" : "smooth"}}},
           {"geometry",

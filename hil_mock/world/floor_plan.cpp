@@ -16,11 +16,11 @@ void check_outline(const Outline& outline, const std::string& what) {
   }
 }
 
-/// Runs the outline the other way round; every side keeps its material.
+/// Runs the outline the other way round; every side keeps its surface.
 void reverse(Outline& outline) {
   std::reverse(outline.corners_m.begin(), outline.corners_m.end());
-  std::reverse(outline.materials.begin(), outline.materials.end());
-  std::rotate(outline.materials.begin(), outline.materials.begin() + 1, outline.materials.end());
+  std::reverse(outline.surfaces.begin(), outline.surfaces.end());
+  std::rotate(outline.surfaces.begin(), outline.surfaces.begin() + 1, outline.surfaces.end());
 }
 
 double turn_at(const Segment& before, const Segment& after) {
@@ -34,8 +34,12 @@ double turn_at(const Segment& before, const Segment& after) {
 FloorPlan::FloorPlan(std::string name,
                      Outline room,
                      std::vector<Outline> obstacles,
-                     const geometry::Pose2& T_world_start)
-    : name_(std::move(name)), room_m_(room.corners_m), T_world_start_(T_world_start) {
+                     const geometry::Pose2& T_world_start,
+                     FloorMarks marks)
+    : name_(std::move(name)),
+      room_m_(room.corners_m),
+      marks_(std::move(marks)),
+      T_world_start_(T_world_start) {
   check_outline(room, "room");
   add_walls(std::move(room), true);
   for (Outline& obstacle : obstacles) {
@@ -46,6 +50,7 @@ FloorPlan::FloorPlan(std::string name,
     obstacles_m_.push_back(obstacle.corners_m);
     add_walls(std::move(obstacle), false);
   }
+  check_holes();
   if (!is_free(T_world_start.position_m())) {
     throw std::invalid_argument("start: it is not in the free space of the room");
   }
@@ -53,14 +58,25 @@ FloorPlan::FloorPlan(std::string name,
 
 void FloorPlan::add_walls(Outline outline, bool counter_clockwise) {
   const std::size_t count = outline.corners_m.size();
-  outline.materials.resize(count, Material::kSmooth);
+  outline.surfaces.resize(count);
   if ((signed_area_m2(outline.corners_m) > 0.0) != counter_clockwise) {
     reverse(outline);
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Segment here = side(outline.corners_m, i);
-    walls_.push_back({here, outline.materials[i]});
+    walls_.push_back({here, outline.surfaces[i]});
     corners_.push_back({here.to_m, turn_at(here, side(outline.corners_m, (i + 1) % count))});
+  }
+}
+
+void FloorPlan::check_holes() const {
+  for (const Polygon& hole_m : marks_.holes_m) {
+    if (const auto fault = polygon_fault(hole_m)) {
+      throw std::invalid_argument("hole: " + *fault);
+    }
+    if (!contains(room_m_, hole_m)) {
+      throw std::invalid_argument("hole: it is not inside of the room");
+    }
   }
 }
 
@@ -68,8 +84,14 @@ bool FloorPlan::is_free(const Eigen::Vector2d& point_m) const {
   const auto holds_point = [&](const Polygon& obstacle) {
     return contains(obstacle, point_m) || distance_to_sides_m(obstacle, point_m) == 0.0;
   };
-  return contains(room_m_, point_m) &&
+  return contains(room_m_, point_m) && !is_hole(point_m) &&
          std::none_of(obstacles_m_.begin(), obstacles_m_.end(), holds_point);
+}
+
+bool FloorPlan::is_hole(const Eigen::Vector2d& point_m) const {
+  return std::any_of(marks_.holes_m.begin(), marks_.holes_m.end(), [&](const Polygon& hole_m) {
+    return contains(hole_m, point_m);
+  });
 }
 
 double FloorPlan::clearance_m(const Eigen::Vector2d& point_m) const {

@@ -15,17 +15,24 @@ namespace echomap::world {
 /// What a wall does to sound: a smooth one is a mirror, a rough one scatters.
 enum class Material : std::uint8_t { kSmooth, kRough };
 
+/// What a wall is made of.
+struct Surface {
+  Material material = Material::kSmooth;
+  /// Share of infra-red light that it throws back: 0.9 of white paint, Sharp's test card too.
+  double reflectance = 0.9;
+};
+
 /// A closed outline and what its sides are made of.
 struct Outline {
   Polygon corners_m;
-  /// Of the side from each corner to the next; where it is shorter, the rest is smooth.
-  std::vector<Material> materials;
+  /// Of the side from each corner to the next; where it is shorter, the rest is as by default.
+  std::vector<Surface> surfaces;
 };
 
 /// One side of an outline; free space lies to its left.
 struct Wall {
   Segment segment;
-  Material material = Material::kSmooth;
+  Surface surface;
 };
 
 /// Where two walls meet.
@@ -36,25 +43,47 @@ struct Corner {
   double turn_rad = 0.0;
 };
 
-/// A room seen from above, in metres in the world frame: an outline and what stands in it.
+/// A beam of infra-red light that a robot is to take for a wall (the Create's "virtual wall").
+struct VirtualWall {
+  Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();
+  double heading_rad = 0.0;
+  double length_m = 0.0;
+  /// Half of the beam's opening.
+  double half_angle_rad = 0.0;
+};
+
+/// What a floor has that is no wall.
+struct FloorMarks {
+  /// Where there is no floor: stairs, the edge of a table.
+  std::vector<Polygon> holes_m;
+  std::vector<VirtualWall> virtual_walls;
+};
+
+/// A room seen from above, in metres in the world frame: an outline, what stands in it and what is
+/// on its floor.
 class FloorPlan {
  public:
-  /// Throws std::invalid_argument where an outline crosses itself, an obstacle is not inside of
-  /// the room or the start is not free.
+  /// Throws std::invalid_argument where an outline crosses itself, an obstacle or a hole is not
+  /// inside of the room or the start is not free.
   FloorPlan(std::string name,
             Outline room,
             std::vector<Outline> obstacles,
-            const geometry::Pose2& T_world_start);
+            const geometry::Pose2& T_world_start,
+            FloorMarks marks = {});
 
   const std::string& name() const { return name_; }
   const Polygon& room_m() const { return room_m_; }
   const std::vector<Polygon>& obstacles_m() const { return obstacles_m_; }
   const std::vector<Wall>& walls() const { return walls_; }
   const std::vector<Corner>& corners() const { return corners_; }
+  const std::vector<Polygon>& holes_m() const { return marks_.holes_m; }
+  const std::vector<VirtualWall>& virtual_walls() const { return marks_.virtual_walls; }
   const geometry::Pose2& T_world_start() const { return T_world_start_; }
 
-  /// Whether a point is inside of the room and outside of every obstacle.
+  /// Whether a point is inside of the room and outside of every obstacle and hole.
   bool is_free(const Eigen::Vector2d& point_m) const;
+  /// Whether there is no floor under a point.
+  bool is_hole(const Eigen::Vector2d& point_m) const;
   /// Distance from a point to the nearest wall.
   double clearance_m(const Eigen::Vector2d& point_m) const;
   /// The same room with another start; throws std::invalid_argument where it is not free.
@@ -62,10 +91,12 @@ class FloorPlan {
 
  private:
   void add_walls(Outline outline, bool counter_clockwise);
+  void check_holes() const;
 
   std::string name_;
   Polygon room_m_;
   std::vector<Polygon> obstacles_m_;
+  FloorMarks marks_;
   std::vector<Wall> walls_;
   std::vector<Corner> corners_;
   geometry::Pose2 T_world_start_;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "hil_mock/world/toml_values.hpp"
 #include "host/files/nearest_word.hpp"
 #include "host/geometry/angle.hpp"
 
@@ -21,33 +22,72 @@ Material read_material(const files::TomlReader& table, Material fallback) {
   return name == "rough" ? Material::kRough : Material::kSmooth;
 }
 
+Surface read_surface(const files::TomlReader& table, const Surface& fallback) {
+  return {read_material(table, fallback.material),
+          within(table, "reflectance", fallback.reflectance, 1.0)};
+}
+
 /// The truth map has a cell for every centimetre within.
 constexpr double kFarthestCornerM = 100.0;
 
-Outline read_outline(const files::TomlReader& table) {
-  Outline outline;
+Polygon read_corners(const files::TomlReader& table) {
+  Polygon corners_m;
   for (const auto& [x_m, y_m] : table.points("corners_m")) {
-    outline.corners_m.emplace_back(x_m, y_m);
+    corners_m.emplace_back(x_m, y_m);
   }
-  if (const auto fault = polygon_fault(outline.corners_m)) {
+  if (const auto fault = polygon_fault(corners_m)) {
     table.fail("corners_m", *fault);
   }
-  for (const Eigen::Vector2d& corner_m : outline.corners_m) {
+  for (const Eigen::Vector2d& corner_m : corners_m) {
     if (corner_m.cwiseAbs().maxCoeff() > kFarthestCornerM) {
       table.fail("corners_m", "a corner is more than 100 m away; corners are in metres");
     }
   }
+  return corners_m;
+}
+
+Outline read_outline(const files::TomlReader& table) {
+  Outline outline;
+  outline.corners_m = read_corners(table);
   const auto count = static_cast<std::int64_t>(outline.corners_m.size());
-  const Material material = read_material(table, Material::kSmooth);
-  outline.materials.assign(outline.corners_m.size(), material);
+  const Surface surface = read_surface(table, {});
+  outline.surfaces.assign(outline.corners_m.size(), surface);
   for (const files::TomlReader& side : table.tables("side")) {
     const std::int64_t index = side.integer("index");
     if (index < 0 || index >= count) {
       side.fail("index", "sides are numbered 0 to " + std::to_string(count - 1));
     }
-    outline.materials[static_cast<std::size_t>(index)] = read_material(side, material);
+    outline.surfaces[static_cast<std::size_t>(index)] = read_surface(side, surface);
   }
   return outline;
+}
+
+VirtualWall read_virtual_wall(const files::TomlReader& table) {
+  VirtualWall beam;
+  beam.origin_m = {table.number("x_m"), table.number("y_m")};
+  beam.heading_rad = geometry::radians(table.number("heading_deg"));
+  beam.length_m = positive(table, "length_m");
+  beam.half_angle_rad = geometry::radians(positive(table, "half_angle_deg"));
+  return beam;
+}
+
+FloorMarks read_marks(const files::TomlReader& file, const Polygon& room_m) {
+  FloorMarks marks;
+  for (const files::TomlReader& table : file.tables("hole")) {
+    table.text_or("name", "");
+    marks.holes_m.push_back(read_corners(table));
+    if (!contains(room_m, marks.holes_m.back())) {
+      table.fail("corners_m", "the hole is not inside of the room");
+    }
+  }
+  for (const files::TomlReader& table : file.tables("virtual_wall")) {
+    marks.virtual_walls.push_back(read_virtual_wall(table));
+    if (!contains(room_m, marks.virtual_walls.back().origin_m) &&
+        distance_to_sides_m(room_m, marks.virtual_walls.back().origin_m) > 0.0) {
+      table.fail("x_m", "the beam begins outside of the room");
+    }
+  }
+  return marks;
 }
 
 geometry::Pose2 read_start(const files::TomlReader& start) {
@@ -68,11 +108,12 @@ FloorPlan read_floor_plan(const files::TomlReader& file) {
     }
     obstacles.push_back(std::move(obstacle));
   }
+  FloorMarks marks = read_marks(file, room.corners_m);
   const files::TomlReader start = file.table("start");
   const geometry::Pose2 T_world_start = read_start(start);
   file.reject_unknown_keys();
   try {
-    return {name, std::move(room), std::move(obstacles), T_world_start};
+    return {name, std::move(room), std::move(obstacles), T_world_start, std::move(marks)};
   } catch (const std::invalid_argument& fault) {
     start.fail("x_m", fault.what());
   }

@@ -6,7 +6,7 @@
 
 namespace echomap::world {
 
-/// Reads a room from TOML; hil_mock/worlds/living_room.toml shows the keys. Throws
+/// Reads a room from TOML; docs/guides/simulated_world.md lists the keys. Throws
 /// files::ConfigError, with file, line and column, for anything that FloorPlan would refuse and for
 /// every unknown key.
 FloorPlan read_floor_plan(const files::TomlReader& file);

@@ -8,7 +8,15 @@ namespace echomap::world {
 
 /// What a stream of random numbers is for; each purpose has its own, so that a change of one
 /// physics does not shift another's numbers.
-enum class NoisePurpose : std::uint32_t { kBody = 1, kSonar = 2, kLineFaults = 3, kLineDelays = 4 };
+enum class NoisePurpose : std::uint32_t {
+  kBody = 1,
+  kSonar = 2,
+  kLineFaults = 3,
+  kLineDelays = 4,
+  kGyro = 5,
+  kBattery = 6,
+  kRange0 = 16,  ///< .. 23, one for each infra-red channel.
+};
 
 /// Seeded random numbers whose values repeat with any standard library: the generator is the
 /// standard's mt19937, the transformations are ours.

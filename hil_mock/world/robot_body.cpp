@@ -65,6 +65,9 @@ RobotBody::RobotBody(const FloorPlan& plan,
   if (plan.clearance_m(T_world_robot_.position_m()) < body.radius_m) {
     throw std::invalid_argument("start: a wall is nearer than the robot's radius");
   }
+  if (hole_distance_m(plan, T_world_robot_.position_m()) < body.radius_m) {
+    throw std::invalid_argument("start: a hole is nearer than the robot's radius");
+  }
 }
 
 void RobotBody::step(double dt_s, const WheelDuty& duty, EncoderChanges& changes) {
@@ -74,7 +77,18 @@ void RobotBody::step(double dt_s, const WheelDuty& duty, EncoderChanges& changes
   T_world_robot_ = pushed_out(plan_, T_world_robot_, body_.radius_m);
 }
 
-Contacts RobotBody::contacts() const { return contacts_at(plan_, T_world_robot_, body_); }
+void RobotBody::place(const geometry::Pose2& T_world_robot) {
+  T_world_robot_ = T_world_robot;
+  lifted_ = false;
+}
+
+Contacts RobotBody::contacts() const {
+  return lifted_ || !body_.has_bumpers ? Contacts{} : contacts_at(plan_, T_world_robot_, body_);
+}
+
+WheelSupport RobotBody::support() const {
+  return lifted_ ? WheelSupport{false, false} : wheel_support(plan_, T_world_robot_, track_m_);
+}
 
 double RobotBody::slipped(double rolled_m) {
   return rolled_m + slip_m_per_sqrt_m_ * std::sqrt(std::abs(rolled_m)) * noise_.normal();
@@ -82,6 +96,10 @@ double RobotBody::slipped(double rolled_m) {
 
 /// Both wheels on circles about one centre; the chord of the arc points half of the turn aside.
 void RobotBody::roll(double left_m, double right_m) {
+  const WheelSupport on_floor = support();
+  if (!on_floor.left || !on_floor.right) {
+    return;
+  }
   const double turn_rad = (right_m - left_m) / track_m_;
   const double arc_m = 0.5 * (left_m + right_m);
   const double half_rad = 0.5 * turn_rad;

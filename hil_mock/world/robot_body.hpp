@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hil_mock/world/contact_physics.hpp"
+#include "hil_mock/world/floor_contact.hpp"
 #include "hil_mock/world/floor_plan.hpp"
 #include "hil_mock/world/noise.hpp"
 #include "hil_mock/world/robot_params.hpp"
@@ -27,7 +28,8 @@ struct EncoderChanges {
 };
 
 /// A differential-drive body in a room. Its wheels and track are not quite what the profile says,
-/// its tyres slip, and walls stop it while its wheels go on turning.
+/// its tyres slip, and walls stop it while its wheels go on turning. With a wheel over a hole it
+/// lies on its belly and is stuck.
 class RobotBody {
  public:
   /// Draws this run's errors of wheels, track and motors. `plan` must outlive this. Throws
@@ -40,12 +42,17 @@ class RobotBody {
   /// Moves for `dt_s` and appends what the encoders do in that time.
   void step(double dt_s, const WheelDuty& duty, EncoderChanges& changes);
 
-  /// Lifts the robot and puts it down elsewhere.
-  void place(const geometry::Pose2& T_world_robot) { T_world_robot_ = T_world_robot; }
+  /// Takes the robot off the floor: its wheels turn freely until it is placed.
+  void lift() { lifted_ = true; }
+  bool is_lifted() const { return lifted_; }
+  /// Puts the robot down elsewhere.
+  void place(const geometry::Pose2& T_world_robot);
 
   /// Frame of the robot: origin in the middle of the axle, x forward, y left.
   const geometry::Pose2& T_world_robot() const { return T_world_robot_; }
   Contacts contacts() const;
+  /// Which wheels stand on the floor.
+  WheelSupport support() const;
   const WheelDrive& left_wheel() const { return left_; }
   const WheelDrive& right_wheel() const { return right_; }
 
@@ -68,6 +75,7 @@ class RobotBody {
   WheelDrive right_;
   NoiseStream noise_;
   geometry::Pose2 T_world_robot_;
+  bool lifted_ = false;
 };
 
 }  // namespace echomap::world

@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/robot_file.hpp"
 
-#include <string_view>
-
+#include "hil_mock/world/part_file.hpp"
+#include "hil_mock/world/toml_values.hpp"
 #include "host/geometry/angle.hpp"
 
 namespace echomap::world {
 namespace {
-
-double positive(const files::TomlReader& table, std::string_view key) {
-  const double value = table.number(key);
-  if (!(value > 0.0)) {
-    table.fail(key, "it must be positive");
-  }
-  return value;
-}
-
-double within(const files::TomlReader& table, std::string_view key, double fallback, double most) {
-  const double value = table.number_or(key, fallback);
-  if (value < 0.0 || value > most) {
-    table.fail(key, "it must be between 0 and " + std::to_string(most));
-  }
-  return value;
-}
-
-double angle(const files::TomlReader& table, std::string_view key, double fallback_rad) {
-  return geometry::radians(within(table, key, geometry::degrees(fallback_rad), 180.0));
-}
 
 DriveParams read_drive(const files::TomlReader& table) {
   DriveParams drive;
@@ -47,6 +27,7 @@ DriveParams read_drive(const files::TomlReader& table) {
 BodyParams read_body(const files::TomlReader& table) {
   BodyParams body;
   body.radius_m = positive(table, "radius_m");
+  body.has_bumpers = table.boolean_or("bumpers", true);
   body.bumper_travel_m = within(table, "bumper_travel_m", body.bumper_travel_m, 0.05);
   body.bumper_overlap_rad = angle(table, "bumper_overlap_deg", body.bumper_overlap_rad);
   body.bumper_end_rad = angle(table, "bumper_end_deg", body.bumper_end_rad);
@@ -94,8 +75,18 @@ RobotParams read_robot(const files::TomlReader& file) {
   robot.name = file.text("name");
   robot.drive = read_drive(file.table("drive"));
   robot.body = read_body(file.table("body"));
-  robot.pan = read_pan(file.table("pan"));
-  robot.sonar = read_sonar(file.table("sonar"));
+  robot.parts = read_parts(file);
+  if (file.has("pan")) {
+    robot.pan = read_pan(file.table("pan"));
+    if (robot.parts.stepper) {
+      file.fail("pan", "a robot has one pan drive: [pan] or [stepper]");
+    }
+  }
+  robot.has_sonar = file.has("sonar");
+  if (robot.has_sonar) {
+    robot.sonar = read_sonar(file.table("sonar"));
+  }
+  robot.wiring = read_wiring(file, robot.parts);
   file.reject_unknown_keys();
   return robot;
 }

@@ -6,7 +6,8 @@
 
 namespace echomap::world {
 
-/// Reads a simulated robot from TOML: sizes are required, errors and strengths have defaults.
+/// Reads a simulated robot from TOML: sizes are required, errors and strengths have defaults, parts
+/// their wiring, sonar and pan drive may be missing. docs/guides/simulated_world.md lists the keys.
 /// Throws files::ConfigError, with file, line and column, for a missing or unknown key and for a
 /// value out of bounds.
 RobotParams read_robot(const files::TomlReader& file);

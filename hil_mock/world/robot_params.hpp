@@ -3,6 +3,9 @@
 
 #include <string>
 
+#include "hil_mock/world/part_params.hpp"
+#include "hil_mock/world/wiring.hpp"
+
 namespace echomap::world {
 
 /// Wheels, motors and encoders of a simulated robot. The defaults are those of
@@ -32,6 +35,7 @@ struct DriveParams {
 /// The robot's body, a disc about the middle of the axle, and its two front bumpers.
 struct BodyParams {
   double radius_m = 0.09;
+  bool has_bumpers = true;
   /// A bumper is pressed when a wall comes nearer to the disc than this.
   double bumper_travel_m = 0.002;
   /// Each bumper reaches from `bumper_overlap_rad` beyond straight ahead to `bumper_end_rad` on
@@ -79,7 +83,10 @@ struct RobotParams {
   DriveParams drive;
   BodyParams body;
   PanParams pan;
+  bool has_sonar = true;
   SonarParams sonar;
+  PartParams parts;
+  Wiring wiring;
 };
 
 }  // namespace echomap::world

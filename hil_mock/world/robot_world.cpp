@@ -10,10 +10,17 @@ RobotWorld::RobotWorld(FloorPlan plan, const RobotParams& robot, std::uint32_t s
       robot_(robot),
       body_(plan_, robot.drive, robot.body, NoiseStream(seed, NoisePurpose::kBody)),
       sonar_(plan_, robot.sonar),
-      sonar_noise_(seed, NoisePurpose::kSonar) {}
+      sonar_noise_(seed, NoisePurpose::kSonar),
+      parts_(plan_, body_, robot.parts, seed) {}
 
 void RobotWorld::step(double dt_s, const WheelDuty& duty, EncoderChanges& changes) {
   body_.step(dt_s, duty, changes);
+  parts_.step(dt_s, duty);
+}
+
+void RobotWorld::place(const geometry::Pose2& T_world_robot) {
+  body_.place(T_world_robot);
+  parts_.forget_heading();
 }
 
 std::optional<double> RobotWorld::ping(double pan_rad) {

@@ -8,11 +8,12 @@
 #include "hil_mock/world/noise.hpp"
 #include "hil_mock/world/robot_body.hpp"
 #include "hil_mock/world/robot_params.hpp"
+#include "hil_mock/world/robot_parts.hpp"
 #include "hil_mock/world/sonar_physics.hpp"
 
 namespace echomap::world {
 
-/// A robot's body and sonar in a room, without any board: what happens is a function of the seed
+/// A robot's body and sensors in a room, without any board: what happens is a function of the seed
 /// and of the calls made.
 class RobotWorld {
  public:
@@ -28,13 +29,16 @@ class RobotWorld {
   /// where nothing answered.
   std::optional<double> ping(double pan_rad);
 
-  /// Lifts the robot and puts it down elsewhere.
-  void place(const geometry::Pose2& T_world_robot) { body_.place(T_world_robot); }
+  /// Takes the robot off the floor, until it is placed.
+  void lift() { body_.lift(); }
+  /// Puts the robot down elsewhere.
+  void place(const geometry::Pose2& T_world_robot);
 
   const geometry::Pose2& T_world_robot() const { return body_.T_world_robot(); }
   geometry::Pose2 T_world_sonar(double pan_rad) const;
   Contacts contacts() const { return body_.contacts(); }
   const RobotBody& body() const { return body_; }
+  RobotParts& parts() { return parts_; }
   const FloorPlan& plan() const { return plan_; }
   const RobotParams& robot() const { return robot_; }
 
@@ -44,6 +48,7 @@ class RobotWorld {
   RobotBody body_;
   SonarPhysics sonar_;
   NoiseStream sonar_noise_;
+  RobotParts parts_;
 };
 
 }  // namespace echomap::world

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "hil_mock/world/ray_cast.hpp"
 #include "host/geometry/angle.hpp"
 
 namespace echomap::world {
@@ -20,20 +21,12 @@ constexpr double kRayStepRad = geometry::radians(0.5);
 constexpr double kIncidenceEdgeRad = geometry::radians(2.0);
 /// Returns weaker than this are left out.
 constexpr double kLeastStrength = 1e-3;
-constexpr double kClearM = 1e-6;
 
 double fall_off(double distance_below, double width) {
   return 1.0 / (1.0 + std::exp(-distance_below / width));
 }
 
 }  // namespace
-
-/// Where a ray has met a wall.
-struct SonarPhysics::Hit {
-  double distance_m = 0.0;
-  const Wall* wall = nullptr;
-  double incidence_rad = 0.0;
-};
 
 SonarPhysics::SonarPhysics(const FloorPlan& plan, const SonarParams& params)
     : plan_(plan), params_(params) {
@@ -83,28 +76,6 @@ std::optional<double> SonarPhysics::ping_m(const geometry::Pose2& T_world_sonar,
   return std::max(first->range_m + error_m, params_.min_range_m);
 }
 
-std::optional<SonarPhysics::Hit> SonarPhysics::cast(const Eigen::Vector2d& origin_m,
-                                                    const Eigen::Vector2d& direction) const {
-  std::optional<Hit> nearest;
-  for (const Wall& wall : plan_.walls()) {
-    const auto distance_m = ray_distance_m(origin_m, direction, wall.segment);
-    if (distance_m && *distance_m > kClearM && (!nearest || *distance_m < nearest->distance_m)) {
-      nearest = Hit{*distance_m, &wall, 0.0};
-    }
-  }
-  if (nearest) {
-    const double cosine = std::abs(direction.dot(left_normal(nearest->wall->segment)));
-    nearest->incidence_rad = std::acos(std::min(1.0, cosine));
-  }
-  return nearest;
-}
-
-bool SonarPhysics::sees(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const {
-  const double distance_m = (to_m - from_m).norm();
-  const auto hit = cast(from_m, (to_m - from_m) / distance_m);
-  return !hit || hit->distance_m > distance_m - kClearM;
-}
-
 double SonarPhysics::beam_strength(double off_axis_rad) const {
   const double half_angles = std::abs(off_axis_rad) / params_.cone_half_angle_rad;
   return half_angles > kFanHalfAngles ? 0.0 : fall_off(1.0 - half_angles, kBeamEdge);
@@ -120,20 +91,20 @@ void SonarPhysics::add_ray(const Eigen::Vector2d& origin_m,
                            const Eigen::Vector2d& direction,
                            double beam,
                            std::vector<SonarReturn>& found) const {
-  const auto hit = cast(origin_m, direction);
+  const auto hit = cast_ray(plan_, origin_m, direction);
   if (!hit) {
     return;
   }
-  const double answer = wall_strength(hit->incidence_rad, hit->wall->material);
+  const double answer = wall_strength(hit->incidence_rad, hit->wall->surface.material);
   add({hit->distance_m, beam * answer, ReturnKind::kWall}, found);
-  if (hit->wall->material == Material::kRough) {
+  if (hit->wall->surface.material == Material::kRough) {
     return;
   }
   const Eigen::Vector2d normal = left_normal(hit->wall->segment);
   const Eigen::Vector2d mirrored = direction - 2.0 * direction.dot(normal) * normal;
-  const auto second = cast(origin_m + hit->distance_m * direction, mirrored);
+  const auto second = cast_ray(plan_, origin_m + hit->distance_m * direction, mirrored);
   if (second) {
-    const double back = wall_strength(second->incidence_rad, second->wall->material);
+    const double back = wall_strength(second->incidence_rad, second->wall->surface.material);
     add({hit->distance_m + second->distance_m,
          params_.ghost_strength * beam * back,
          ReturnKind::kGhost},
@@ -146,7 +117,7 @@ void SonarPhysics::add_corner(const geometry::Pose2& T_world_sonar,
                               std::vector<SonarReturn>& found) const {
   const Eigen::Vector2d corner_m = T_world_sonar.inverse() * corner.position_m;
   const double beam = beam_strength(std::atan2(corner_m.y(), corner_m.x()));
-  if (beam == 0.0 || !sees(T_world_sonar.position_m(), corner.position_m)) {
+  if (beam == 0.0 || !sees(plan_, T_world_sonar.position_m(), corner.position_m)) {
     return;
   }
   const bool niche = corner.turn_rad > 0.0;

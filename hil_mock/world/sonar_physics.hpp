@@ -44,10 +44,6 @@ class SonarPhysics {
   std::optional<double> ping_m(const geometry::Pose2& T_world_sonar, NoiseStream& noise) const;
 
  private:
-  struct Hit;
-
-  std::optional<Hit> cast(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction) const;
-  bool sees(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const;
   double beam_strength(double off_axis_rad) const;
   double wall_strength(double incidence_rad, Material material) const;
   void add_ray(const Eigen::Vector2d& origin_m,

@@ -28,6 +28,8 @@ class WheelDrive {
 
   /// Edges that the encoder has given, forward minus backward.
   std::int64_t counts() const { return counts_; }
+  /// Speed, as a share of that at full duty.
+  double speed_share() const { return counts_per_s_ / no_load_counts_per_s_; }
 
  private:
   double target_counts_per_s(double duty) const;

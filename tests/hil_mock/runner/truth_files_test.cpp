@@ -35,7 +35,9 @@ class TruthFiles : public testing::Test {
   tests::ScratchFolder folder;
   FakeBoard board;
   world::RobotWorld robot_world{
-      world::box_room({{world::rectangle(1.0, 1.0, 1.5, 1.4), {world::Material::kRough}}}), {}, 1};
+      world::box_room({{world::rectangle(1.0, 1.0, 1.5, 1.4), {{world::Material::kRough}}}}),
+      {},
+      1};
   RobotSimulation simulation{board, robot_world};
 };
 

@@ -47,8 +47,8 @@ TEST(FloorPlanFile, ReadsRoomObstaclesMaterialsAndStart) {
   const FloorPlan plan = read_floor_plan(files::TomlReader::parse(room_text, "small.toml"));
   EXPECT_EQ(plan.name(), "small");
   ASSERT_EQ(plan.walls().size(), 7U);
-  EXPECT_EQ(plan.walls()[0].material, Material::kSmooth);
-  EXPECT_EQ(plan.walls()[1].material, Material::kRough);
+  EXPECT_EQ(plan.walls()[0].surface.material, Material::kSmooth);
+  EXPECT_EQ(plan.walls()[1].surface.material, Material::kRough);
   EXPECT_EQ(plan.obstacles_m().size(), 1U);
   EXPECT_NEAR(plan.T_world_start().heading_rad(), 1.5708, 1e-4);
 }
@@ -72,6 +72,51 @@ TEST(FloorPlanFile, SuggestsTheNearestValidKeyAndMaterial) {
   EXPECT_THAT(error_of(edited("\"rough\"", "\"rouhg\"")), HasSubstr("did you mean 'rough'"));
 }
 
+const std::string marks_text = R"([[hole]]
+name = "stairs"
+corners_m = [[1.5, 0], [2, 0], [2, 1], [1.5, 1]]
+[[virtual_wall]]
+x_m = 0.0
+y_m = 0.8
+heading_deg = -90
+length_m = 0.7
+half_angle_deg = 5
+)";
+
+std::string edited_marks(const std::string& from, const std::string& to) {
+  std::string text = room_text + marks_text;
+  return text.replace(text.rfind(from), from.size(), to);
+}
+
+TEST(FloorPlanFile, ReadsHolesVirtualWallsAndReflectance) {
+  const FloorPlan plan = read_floor_plan(files::TomlReader::parse(
+      edited_marks("\"rough\"", "\"rough\"\nreflectance = 0.4"), "small.toml"));
+  EXPECT_TRUE(plan.is_hole({1.7, 0.5}));
+  ASSERT_EQ(plan.virtual_walls().size(), 1U);
+  EXPECT_NEAR(plan.virtual_walls()[0].heading_rad, -1.5708, 1e-4);
+  EXPECT_DOUBLE_EQ(plan.virtual_walls()[0].length_m, 0.7);
+  EXPECT_DOUBLE_EQ(plan.walls()[1].surface.reflectance, 0.4);
+  EXPECT_DOUBLE_EQ(plan.walls()[0].surface.reflectance, 0.9);
+}
+
+TEST(FloorPlanFile, NamesThePlaceOfABadHoleOrVirtualWall) {
+  EXPECT_EQ(error_of(room_text + marks_text), "no error");
+  EXPECT_THAT(error_of(edited_marks("[2, 1], [1.5, 1]", "[2, 1], [1.5, 2]")),
+              StartsWith("small.toml:16:13: the hole is not inside of the room"));
+  EXPECT_THAT(error_of(edited_marks("[2, 1], [1.5, 1]", "[1.5, 1], [2, 1]")),
+              StartsWith("small.toml:16:13: sides "));
+  EXPECT_THAT(error_of(edited_marks("y_m = 0.8", "y_m = 1.8")), StartsWith("small.toml:18:7: "));
+  EXPECT_THAT(error_of(edited_marks("length_m = 0.7", "length_m = 0")),
+              StartsWith("small.toml:21:12: it must be positive"));
+  EXPECT_THAT(error_of(edited_marks("half_angle_deg", "half_angel_deg")),
+              HasSubstr("has 'half_angel_deg'"));
+  EXPECT_THAT(error_of(edited_marks("\"rough\"", "\"rough\"\nreflectance = 1.4")),
+              StartsWith("small.toml:11:15: it must be between 0 and 1"));
+  EXPECT_THAT(error_of(edited_marks("[1.5, 0], [2, 0], [2, 1], [1.5, 1]",
+                                    "[0.4, 0.4], [0.6, 0.4], [0.6, 0.6], [0.4, 0.6]")),
+              StartsWith("small.toml:3:7: start: "));
+}
+
 class BundledWorld : public testing::TestWithParam<const char*> {};
 
 TEST_P(BundledWorld, IsAValidRoomWithSpaceForTheRobot) {
@@ -81,9 +126,11 @@ TEST_P(BundledWorld, IsAValidRoomWithSpaceForTheRobot) {
   EXPECT_GT(plan.clearance_m(plan.T_world_start().position_m()), 0.2);
 }
 
-INSTANTIATE_TEST_SUITE_P(All,
-                         BundledWorld,
-                         testing::Values("living_room", "empty_room", "corridor", "l_room"));
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    BundledWorld,
+    testing::Values(
+        "living_room", "empty_room", "corridor", "l_room", "landing", "epuck_field", "playground"));
 
 }  // namespace
 }  // namespace echomap::world

@@ -31,10 +31,10 @@ TEST(FloorPlan, EveryWallKeepsItsMaterialWhenTheSenseIsTurned) {
   std::reverse(clockwise.begin(), clockwise.end());
   // The second side runs from (4, 3) down to (4, 0).
   const FloorPlan plan(
-      "room", {clockwise, {Material::kSmooth, Material::kRough}}, {}, {2.0, 2.0, 0.0});
+      "room", {clockwise, {{Material::kSmooth}, {Material::kRough}}}, {}, {2.0, 2.0, 0.0});
   for (const Wall& wall : plan.walls()) {
     const bool right = wall.segment.from_m.x() == 4.0 && wall.segment.to_m.x() == 4.0;
-    EXPECT_EQ(wall.material == Material::kRough, right) << wall.segment.from_m.transpose();
+    EXPECT_EQ(wall.surface.material == Material::kRough, right) << wall.segment.from_m.transpose();
   }
 }
 
@@ -67,6 +67,31 @@ TEST(FloorPlan, TakesAnotherStart) {
   EXPECT_EQ(moved.T_world_start().position_m(), Eigen::Vector2d(3.0, 2.0));
   EXPECT_EQ(moved.walls().size(), 8U);
   EXPECT_THROW(moved.starting_at({1.2, 1.2, 0.0}), std::invalid_argument);
+}
+
+TEST(FloorPlan, AHoleIsNotFreeAndNoWall) {
+  const FloorPlan plan("room",
+                       {rectangle(0.0, 0.0, 4.0, 3.0), {}},
+                       {},
+                       {2.0, 1.5, 0.0},
+                       {{rectangle(3.0, 0.0, 4.0, 3.0)}, {}});
+  EXPECT_TRUE(plan.is_hole({3.5, 1.0}));
+  EXPECT_FALSE(plan.is_free({3.5, 1.0}));
+  EXPECT_FALSE(plan.is_hole({2.9, 1.0}));
+  EXPECT_EQ(plan.walls().size(), 4U);
+  EXPECT_THROW(plan.starting_at({3.5, 1.0, 0.0}), std::invalid_argument);
+}
+
+TEST(FloorPlan, RefusesAHoleBeyondTheRoomOrOfNoArea) {
+  const auto with_hole = [](Polygon hole_m) {
+    return FloorPlan("room",
+                     {rectangle(0.0, 0.0, 4.0, 3.0), {}},
+                     {},
+                     {2.0, 1.5, 0.0},
+                     {{std::move(hole_m)}, {}});
+  };
+  EXPECT_THROW(with_hole(rectangle(3.0, 0.0, 5.0, 3.0)), std::invalid_argument);
+  EXPECT_THROW(with_hole({{1.0, 1.0}, {1.5, 1.5}}), std::invalid_argument);
 }
 
 }  // namespace

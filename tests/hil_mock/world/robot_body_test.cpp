@@ -140,5 +140,15 @@ TEST(RobotBody, RefusesSizesOfZeroAndAStartWithoutRoom) {
   EXPECT_THROW(body_in(tight, DriveParams{}), std::invalid_argument);
 }
 
+TEST(RobotBody, DoesNotStartOverAHole) {
+  const FloorPlan stairs("stairs",
+                         {rectangle(0.0, 0.0, 4.0, 3.0), {}},
+                         {},
+                         {2.95, 1.5, 0.0},
+                         {{rectangle(3.0, 0.0, 4.0, 3.0)}, {}});
+  EXPECT_THROW(RobotBody(stairs, {}, {}, NoiseStream(1, NoisePurpose::kBody)),
+               std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace echomap::world

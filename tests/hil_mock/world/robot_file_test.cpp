@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/robot_file.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -9,6 +11,7 @@
 
 #include "host/files/atomic_file.hpp"
 #include "host/files/bundled_files.hpp"
+#include "host/geometry/angle.hpp"
 
 namespace echomap::world {
 namespace {
@@ -53,6 +56,67 @@ TEST(RobotFile, TheTriBotIsThatOfThePaper) {
   EXPECT_NEAR(0.01 / metres_per_count, 21.0, 0.5) << "counts for one centimetre";
   EXPECT_NEAR(robot.drive.no_load_speed_m_per_s / metres_per_count, 1000.0, 5.0);
   EXPECT_DOUBLE_EQ(robot.sonar.max_range_m, 2.3);
+}
+
+RobotParams bundled(const std::string& name) {
+  return read_robot(files::TomlReader::load(files::bundled_file(name, "hil_mock/robots", "robot")));
+}
+
+TEST(RobotFile, TheUnoCarriesNothingButAGyro) {
+  const RobotParams robot = bundled("uno_2wd");
+  EXPECT_TRUE(robot.parts.ranges.empty() && robot.parts.cliffs.empty() && robot.wiring.empty());
+  EXPECT_TRUE(robot.parts.gyro);
+  EXPECT_FALSE(robot.parts.stepper || robot.parts.battery);
+}
+
+TEST(RobotFile, TheCreateHasTheSensorsOfItsPaperAndNoSonar) {
+  const RobotParams robot = bundled("create");
+  EXPECT_FALSE(robot.has_sonar);
+  EXPECT_EQ(robot.parts.cliffs.size(), 4U);
+  EXPECT_TRUE(robot.parts.wall && robot.parts.beam_detector);
+  EXPECT_LT(robot.parts.wall.value().T_robot_sensor.heading_rad(), 0.0) << "on the right side";
+  EXPECT_GT(robot.parts.beam_detector.value().own_beam_reach_m, 0.0);
+  EXPECT_EQ(robot.wiring.count("uno"), 0U) << "it has too few pins";
+}
+
+TEST(RobotFile, TheEpuckHasARingOfEight) {
+  const RobotParams robot = bundled("epuck");
+  ASSERT_EQ(robot.parts.ranges.size(), 8U);
+  for (const IrRangeParams& range : robot.parts.ranges) {
+    const Eigen::Vector2d mount_m = range.T_robot_sensor.position_m();
+    EXPECT_NEAR(mount_m.norm(), 0.035, 1e-4) << range.channel;
+    EXPECT_NEAR(std::atan2(mount_m.y(), mount_m.x()), range.T_robot_sensor.heading_rad(), 2e-3);
+  }
+  EXPECT_FALSE(robot.has_sonar || robot.body.has_bumpers);
+}
+
+TEST(RobotFile, TheEv3TurnsItsSonarAllTheWayRoundAndHasAGyro) {
+  const RobotParams robot = bundled("ev3");
+  EXPECT_TRUE(robot.parts.stepper && robot.parts.gyro);
+  EXPECT_NEAR(2.0 * robot.sonar.cone_half_angle_rad, geometry::radians(32.8), 1e-9);
+}
+
+TEST(RobotFile, EveryPartOfABundledRobotIsWiredOnEachOfItsBoards) {
+  for (const std::string name : {"nxt_tribot", "create", "epuck", "ev3"}) {
+    const RobotParams robot = bundled(name);
+    const PartParams& parts = robot.parts;
+    const std::size_t expected = parts.ranges.size() + parts.cliffs.size() + (parts.wall ? 1 : 0) +
+                                 (parts.beam_detector ? 1 : 0) + (parts.battery ? 1 : 0) +
+                                 (parts.stepper ? 4 : 0) +
+                                 (parts.cliffs.empty() ? 0 : 1);  // and the wheel-drop
+    for (const auto& [board, wires] : robot.wiring) {
+      const auto wired = std::count_if(
+          wires.begin(), wires.end(), [](const auto& wire) { return wire.has_value(); });
+      EXPECT_EQ(static_cast<std::size_t>(wired), expected) << name << " on " << board;
+    }
+  }
+}
+
+TEST(RobotFile, ARobotHasOnePanDrive) {
+  EXPECT_THAT(error_after("[gyro]",
+                          "[stepper]\nhalf_steps_per_turn = 4076\nmax_half_steps_per_s = 600\n"
+                          "[gyro]"),
+              HasSubstr("one pan drive"));
 }
 
 TEST(RobotFile, NamesThePlaceOfEveryFault) {

@@ -61,5 +61,60 @@ TEST(RobotWorld, CanBePutElsewhere) {
   EXPECT_NEAR(world.ping(0.0).value(), 2.0 * 0.97 / 343.2, 1e-9);
 }
 
+/// All that a robot can carry, at work; what it does to body and sonar shows in the trace.
+TEST(RobotWorld, PartsDoNotChangeHowTheBodyMovesAndWhatTheSonarHears) {
+  const auto trace = [](const RobotParams& robot) {
+    RobotWorld world(box_room(), robot, 5);
+    EncoderChanges changes;
+    std::vector<double> values;
+    for (int i = 0; i < 300; ++i) {
+      world.step(0.001, {0.5, 0.7}, changes);
+      world.parts().millivolts(PinPart::kBattery);
+      values.push_back(world.T_world_robot().heading_rad());
+      values.push_back(world.ping(0.001 * i).value_or(0.0));
+    }
+    return values;
+  };
+  RobotParams equipped;
+  equipped.parts.ranges = {{0, IrKind::kEpuck, {}}};
+  equipped.parts.gyro = GyroParams{};
+  equipped.parts.battery = BatteryParams{};
+  EXPECT_EQ(trace({}), trace(equipped));
+}
+
+TEST(RobotWorld, WithAWheelOverAHoleItIsStuck) {
+  const FloorPlan stairs("stairs",
+                         {rectangle(0.0, 0.0, 4.0, 3.0), {}},
+                         {},
+                         {2.0, 1.5, 0.0},
+                         {{rectangle(3.0, 0.0, 4.0, 3.0)}, {}});
+  RobotWorld world(stairs, {}, 1);
+  EncoderChanges changes;
+  for (int i = 0; i < 6000; ++i) {
+    world.step(0.001, {0.5, 0.5}, changes);
+  }
+  EXPECT_FALSE(world.body().support().left && world.body().support().right);
+  const Eigen::Vector2d stuck_m = world.T_world_robot().position_m();
+  EXPECT_NEAR(stuck_m.x(), 3.0, 0.07) << "half a track";
+  for (int i = 0; i < 1000; ++i) {
+    world.step(0.001, {-0.5, -0.5}, changes);
+  }
+  EXPECT_EQ(world.T_world_robot().position_m(), stuck_m) << "it turns its wheels in the air";
+}
+
+TEST(RobotWorld, LiftedItsWheelsTurnAndItStays) {
+  RobotWorld world(box_room(), {}, 1);
+  world.lift();
+  EncoderChanges changes;
+  for (int i = 0; i < 500; ++i) {
+    world.step(0.001, {0.5, 0.5}, changes);
+  }
+  EXPECT_EQ(world.T_world_robot().x_m(), 2.0);
+  EXPECT_GT(world.body().left_wheel().counts(), 500);
+  world.place({1.0, 1.0, 0.0});
+  world.step(0.001, {0.5, 0.5}, changes);
+  EXPECT_GT(world.T_world_robot().x_m(), 1.0);
+}
+
 }  // namespace
 }  // namespace echomap::world

@@ -20,11 +20,11 @@ constexpr int kPings = 4000;
 
 /// A hall whose walls are out of range, except for the one at x = 1.
 FloorPlan single_wall(Material material) {
-  return {
-      "hall",
-      {{{-50.0, -50.0}, {1.0, -50.0}, {1.0, 50.0}, {-50.0, 50.0}}, {Material::kSmooth, material}},
-      {},
-      {0.0, 0.0, 0.0}};
+  return {"hall",
+          {{{-50.0, -50.0}, {1.0, -50.0}, {1.0, 50.0}, {-50.0, 50.0}},
+           {{Material::kSmooth}, {material}}},
+          {},
+          {0.0, 0.0, 0.0}};
 }
 
 /// Chance that a ping hears anything.
@@ -102,11 +102,12 @@ TEST(SonarPhysics, AnEdgeAnswersMoreWeaklyThanANiche) {
 
 // A pole of 1 cm passes through the beam: it is seen in half of the pings at the half angle.
 TEST(SonarPhysics, ASweepOverAPoleGivesBackTheConesWidth) {
-  const FloorPlan plan("hall",
-                       {rectangle(-50.0, -50.0, 50.0, 50.0), {}},
-                       {{rectangle(1.0, -0.005, 1.01, 0.005),
-                         {Material::kRough, Material::kRough, Material::kRough, Material::kRough}}},
-                       {0.0, 0.0, 0.0});
+  const FloorPlan plan(
+      "hall",
+      {rectangle(-50.0, -50.0, 50.0, 50.0), {}},
+      {{rectangle(1.0, -0.005, 1.01, 0.005),
+        {{Material::kRough}, {Material::kRough}, {Material::kRough}, {Material::kRough}}}},
+      {0.0, 0.0, 0.0});
   for (const double half_angle_deg : {10.0, 13.0, 15.0}) {
     const SonarPhysics sonar(plan, {.cone_half_angle_rad = radians(half_angle_deg)});
     EXPECT_NEAR(half_heard_deg(sonar), half_angle_deg, 1.0);

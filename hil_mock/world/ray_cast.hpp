@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "hil_mock/world/floor_plan.hpp"
+
+namespace echomap::world {
+
+/// Where a ray has met a wall.
+struct RayHit {
+  double distance_m = 0.0;
+  const Wall* wall = nullptr;
+  /// Between the ray and the wall's normal.
+  double incidence_rad = 0.0;
+};
+
+/// The first wall on the way of a ray of unit `direction`; a wall that it starts on does not count.
+std::optional<RayHit> cast_ray(const FloorPlan& plan,
+                               const Eigen::Vector2d& origin_m,
+                               const Eigen::Vector2d& direction);
+
+/// Whether no wall stands between two points.
+bool sees(const FloorPlan& plan, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
+
+}  // namespace echomap::world
