@@ -57,7 +57,9 @@ AvrMachine::AvrMachine(const std::filesystem::path& elf)
       hooks_(*avr_),
       queue_(*avr_),
       pins_(*avr_),
+      analog_(*avr_, hooks_),
       usart_(*avr_, hooks_, queue_),
+      two_wire_(*avr_, hooks_, queue_),
       reset_watcher_(*avr_, [this] { after_reset(); }) {
   repair_flag_clearing(*avr_, hooks_);
   repair_late_enable(*avr_, hooks_);
@@ -108,6 +110,7 @@ void AvrMachine::after_reset() {
   queue_.rearm();
   pins_.redrive();
   usart_.reset();
+  two_wire_.reset();
 }
 
 void AvrMachine::check_alive() const {

@@ -7,10 +7,12 @@
 #include <memory>
 #include <sim_avr.h>
 
+#include "hil_mock/emulator/analog_inputs.hpp"
 #include "hil_mock/emulator/cycle_queue.hpp"
 #include "hil_mock/emulator/input_pins.hpp"
 #include "hil_mock/emulator/register_hooks.hpp"
 #include "hil_mock/emulator/reset_watcher.hpp"
+#include "hil_mock/emulator/two_wire.hpp"
 #include "hil_mock/emulator/usart0.hpp"
 
 namespace echomap::emulator {
@@ -24,8 +26,8 @@ enum class ResetSource : std::uint8_t {
   kExternal,  ///< The reset pin, as by the board's DTR line: SRAM stays.
 };
 
-/// The chip that a program is for, at 16 MHz: simavr's core with our repairs, USART and input pins.
-/// It runs as fast as it can and never looks at a clock.
+/// The chip that a program is for, at 16 MHz: simavr's core with our repairs, USART, two-wire
+/// interface and inputs. It runs as fast as it can and never looks at a clock.
 class AvrMachine {
  public:
   /// Loads `elf` and switches on at cycle 0. Throws std::runtime_error where the file cannot be
@@ -51,7 +53,9 @@ class AvrMachine {
   CycleQueue& queue() { return queue_; }
   RegisterHooks& hooks() { return hooks_; }
   InputPins& pins() { return pins_; }
+  AnalogInputs& analog() { return analog_; }
   Usart0& usart() { return usart_; }
+  TwoWire& two_wire() { return two_wire_; }
   /// How often the chip has been reset since switch-on, by whatever cause.
   std::uint32_t resets() const { return resets_; }
 
@@ -69,7 +73,9 @@ class AvrMachine {
   RegisterHooks hooks_;
   CycleQueue queue_;
   InputPins pins_;
+  AnalogInputs analog_;
   Usart0 usart_;
+  TwoWire two_wire_;
   ResetWatcher reset_watcher_;
   std::uint32_t resets_ = 0;
 };

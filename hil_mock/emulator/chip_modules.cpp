@@ -32,6 +32,16 @@ Module& find(const avr_t& avr, std::string_view kind, char name) {
   return *found;
 }
 
+template <class Module>
+Module& find_only(const avr_t& avr, std::string_view kind) {
+  Module* found = nullptr;
+  for_each<Module>(avr, kind, [&](Module& module) { found = &module; });
+  if (found == nullptr) {
+    throw std::runtime_error("simavr's " + std::string(avr.mmcu) + " has no " + std::string(kind));
+  }
+  return *found;
+}
+
 void add(const avr_int_vector_t& vector, InterruptRegisters& registers) {
   if (vector.raised.reg != 0) {
     registers.flags.insert(vector.raised.reg);
@@ -52,6 +62,10 @@ avr_timer_t& find_timer(const avr_t& avr, char number) {
 avr_uart_t& find_uart(const avr_t& avr, char number) {
   return find<avr_uart_t>(avr, "uart", number);
 }
+
+avr_twi_t& find_two_wire(const avr_t& avr) { return find_only<avr_twi_t>(avr, "twi"); }
+
+avr_adc_t& find_converter(const avr_t& avr) { return find_only<avr_adc_t>(avr, "adc"); }
 
 InterruptRegisters find_interrupt_registers(const avr_t& avr) {
   InterruptRegisters registers;

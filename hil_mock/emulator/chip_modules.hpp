@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <avr_adc.h>
 #include <avr_ioport.h>
 #include <avr_timer.h>
+#include <avr_twi.h>
 #include <avr_uart.h>
 #include <cstdint>
 #include <set>
@@ -17,6 +19,9 @@ namespace echomap::emulator {
 avr_ioport_t& find_port(const avr_t& avr, char letter);
 avr_timer_t& find_timer(const avr_t& avr, char number);
 avr_uart_t& find_uart(const avr_t& avr, char number);
+/// There is one of each in a chip.
+avr_twi_t& find_two_wire(const avr_t& avr);
+avr_adc_t& find_converter(const avr_t& avr);
 
 /// Registers of timers, external and pin change interrupts: TIFRn, EIFR, PCIFR and TIMSKn, EIMSK,
 /// PCICR.
