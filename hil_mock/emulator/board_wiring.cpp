@@ -11,6 +11,14 @@ namespace {
 constexpr std::uint8_t kA = 0;
 constexpr std::uint8_t kB = 1;
 
+/// A spare pin that is also a channel of the converter, or none.
+constexpr SparePin spare(char port, std::uint8_t bit, int channel = SparePin::kNoChannel) {
+  return {{port, bit}, channel};
+}
+
+/// A spare pin that only reads voltages.
+constexpr SparePin voltage(int channel) { return {{SparePin::kNoPort, 0}, channel}; }
+
 constexpr BoardWiring kUno{
     .board = "uno",
     .chip = "atmega328p",
@@ -25,6 +33,15 @@ constexpr BoardWiring kUno{
     .right_motor = {{'0', kB, {'D', 5}}, {'D', 7}},
     .left_bump = {'D', 2},
     .right_bump = {'D', 3},
+    // D11 .. D13, A4, A5, A6, A7
+    .spare = {spare('B', 3),
+              spare('B', 4),
+              spare('B', 5),
+              spare('C', 4, 4),
+              spare('C', 5, 5),
+              voltage(6),
+              voltage(7)},
+    .spare_count = 7,
 };
 
 /// Motors and contacts have the same Arduino names as on the Uno.
@@ -42,6 +59,24 @@ constexpr BoardWiring kMega{
     .right_motor = {{'3', kA, {'E', 3}}, {'H', 4}},
     .left_bump = {'E', 4},
     .right_bump = {'E', 5},
+    // D22 .. D29, A8 .. A15
+    .spare = {spare('A', 0),
+              spare('A', 1),
+              spare('A', 2),
+              spare('A', 3),
+              spare('A', 4),
+              spare('A', 5),
+              spare('A', 6),
+              spare('A', 7),
+              spare('K', 0, 8),
+              spare('K', 1, 9),
+              spare('K', 2, 10),
+              spare('K', 3, 11),
+              spare('K', 4, 12),
+              spare('K', 5, 13),
+              spare('K', 6, 14),
+              spare('K', 7, 15)},
+    .spare_count = 16,
 };
 
 constexpr std::array kBoards{kUno, kMega};

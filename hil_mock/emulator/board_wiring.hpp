@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -25,6 +26,15 @@ struct MotorWiring {
   Pin forward;  ///< High is forward.
 };
 
+/// A spare pin that protocol::ConfigurePins numbers.
+struct SparePin {
+  static constexpr char kNoPort = 0;
+  static constexpr int kNoChannel = -1;
+
+  Pin pin;      ///< With kNoPort where it only reads voltages.
+  int channel;  ///< Of the converter; kNoChannel for none.
+};
+
 /// Where the robot's parts are wired to a board: the same table as in docs/hardware and in the
 /// board's firmware/boards/*/pins.hpp.
 struct BoardWiring {
@@ -41,6 +51,8 @@ struct BoardWiring {
   MotorWiring right_motor;
   Pin left_bump;  ///< Low is pressed.
   Pin right_bump;
+  std::array<SparePin, 16> spare;
+  std::uint8_t spare_count;
 };
 
 /// The board that carries `chip`. Throws std::runtime_error, naming those that are known.

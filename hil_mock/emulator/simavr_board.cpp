@@ -6,7 +6,9 @@
 #include <sim_core_config.h>
 #include <sim_io.h>
 #include <sim_irq.h>
+#include <stdexcept>
 
+#include "hil_mock/emulator/chip_modules.hpp"
 #include "hil_mock/emulator/elf_program.hpp"
 #include "protocol/version.hpp"
 
@@ -78,6 +80,41 @@ void SimavrBoard::schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) {
 
 void SimavrBoard::set_bump(Wheel side, bool pressed) {
   machine_.pins().set(side == Wheel::kLeft ? wiring_.left_bump : wiring_.right_bump, !pressed);
+}
+
+void SimavrBoard::set_aux_level(unsigned pin, bool high) {
+  const SparePin& spare = spare_pin(pin);
+  if (spare.pin.port == SparePin::kNoPort) {
+    throw std::invalid_argument(board_name() + "'s pin_" + std::to_string(pin) +
+                                " reads voltages only");
+  }
+  machine_.pins().set(spare.pin, high);
+}
+
+void SimavrBoard::set_aux_millivolts(unsigned pin, double millivolts) {
+  const SparePin& spare = spare_pin(pin);
+  if (spare.channel == SparePin::kNoChannel) {
+    throw std::invalid_argument(board_name() + "'s pin_" + std::to_string(pin) +
+                                " reads no voltage");
+  }
+  machine_.analog().set(static_cast<std::uint8_t>(spare.channel), millivolts);
+}
+
+bool SimavrBoard::aux_output(unsigned pin) const {
+  const Pin spare = spare_pin(pin).pin;
+  if (spare.port == SparePin::kNoPort) {
+    return false;
+  }
+  const avr_ioport_t& port = find_port(machine_.core(), spare.port);
+  const unsigned driven_high = machine_.data_at(port.r_ddr) & machine_.data_at(port.r_port);
+  return ((driven_high >> spare.bit) & 1U) != 0;
+}
+
+const SparePin& SimavrBoard::spare_pin(unsigned pin) const {
+  if (pin >= wiring_.spare_count) {
+    throw std::invalid_argument(board_name() + " has no spare pin_" + std::to_string(pin));
+  }
+  return wiring_.spare.at(pin);
 }
 
 std::string SimavrBoard::firmware_name() const {

@@ -31,6 +31,13 @@ class SimavrBoard final : public runner::SimulatedBoard {
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
   void set_bump(runner::Wheel side, bool pressed) override;
 
+  /// Throws std::invalid_argument, as the next, for a pin that cannot be that.
+  void set_aux_level(unsigned pin, bool high) override;
+  void set_aux_millivolts(unsigned pin, double millivolts) override;
+  bool aux_output(unsigned pin) const override;
+  void connect(world::TwoWireDevice& device) override { machine_.two_wire().connect(device); }
+
+  std::string board_name() const override { return wiring_.board; }
   std::string firmware_name() const override;
   std::string emulator_name() const override;
 
@@ -40,6 +47,7 @@ class SimavrBoard final : public runner::SimulatedBoard {
   const BoardWiring& wiring() const { return wiring_; }
 
  private:
+  const SparePin& spare_pin(unsigned pin) const;
   void drive_resting_levels();
   void watch_trigger();
   void on_trigger_level(bool high);

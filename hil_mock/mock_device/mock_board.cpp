@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/mock_device/mock_board.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "protocol/version.hpp"
 
 namespace echomap::mock_device {
 namespace {
 
 constexpr double kFullDuty = 255.0;
+/// The converter's reference is a supply of 5 V.
+constexpr double kCountsPerMillivolt = 1024.0 / 5000.0;
+constexpr double kMostCounts = 1023.0;
 
 }  // namespace
 
@@ -21,14 +27,15 @@ MockBoard::MockBoard() : board_(native::NativeBoard::instance()) {
       on_trigger(at_ns);
     }
   };
-  board_.set_bump(false, false);
-  board_.set_bump(true, false);
+  release_inputs();
   board_.power_on();
 }
 
 MockBoard::~MockBoard() {
   board_.on_sent = nullptr;
   board_.on_trigger = nullptr;
+  board_.two_wire.on_read = nullptr;
+  board_.two_wire.on_write = nullptr;
 }
 
 void MockBoard::receive(std::span<const std::uint8_t> bytes) {
@@ -49,6 +56,48 @@ void MockBoard::schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) {
 
 void MockBoard::set_bump(runner::Wheel side, bool pressed) {
   board_.set_bump(side == runner::Wheel::kRight, pressed);
+}
+
+void MockBoard::set_aux_level(unsigned pin, bool high) {
+  board_.set_aux_level(static_cast<std::uint8_t>(pin), high);
+}
+
+void MockBoard::set_aux_millivolts(unsigned pin, double millivolts) {
+  const double counts = std::clamp(millivolts * kCountsPerMillivolt, 0.0, kMostCounts);
+  board_.set_aux_analog(static_cast<std::uint8_t>(pin), static_cast<std::uint16_t>(counts));
+}
+
+bool MockBoard::aux_output(unsigned pin) const {
+  return board_.aux_output(static_cast<std::uint8_t>(pin));
+}
+
+void MockBoard::connect(world::TwoWireDevice& device) {
+  board_.two_wire.on_read = [&device](std::uint8_t address,
+                                      std::uint8_t first) -> std::optional<std::int16_t> {
+    if (address != device.address()) {
+      return std::nullopt;
+    }
+    const unsigned high = device.read(first);
+    const unsigned low = device.read(static_cast<std::uint8_t>(first + 1));
+    return static_cast<std::int16_t>(high << 8U | low);
+  };
+  board_.two_wire.on_write = [&device](std::uint8_t address, std::uint8_t to, std::uint8_t value) {
+    const bool answers = address == device.address();
+    if (answers) {
+      device.write(to, value);
+    }
+    return answers;
+  };
+}
+
+/// As if nothing were wired: whoever had the board before has left its levels behind.
+void MockBoard::release_inputs() {
+  board_.set_bump(false, false);
+  board_.set_bump(true, false);
+  for (std::uint8_t pin = 0; pin < native::NativeBoard::kAuxPins; ++pin) {
+    board_.set_aux_level(pin, true);
+    board_.set_aux_analog(pin, 0);
+  }
 }
 
 std::string MockBoard::firmware_name() const {

@@ -28,10 +28,17 @@ class MockBoard final : public runner::SimulatedBoard {
   void schedule_encoder_edge(runner::Wheel wheel, std::int64_t at_ns, bool a, bool b) override;
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
   void set_bump(runner::Wheel side, bool pressed) override;
+  void set_aux_level(unsigned pin, bool high) override;
+  void set_aux_millivolts(unsigned pin, double millivolts) override;
+  bool aux_output(unsigned pin) const override;
+  void connect(world::TwoWireDevice& device) override;
+  std::string board_name() const override { return "native"; }
   std::string firmware_name() const override;
   std::string emulator_name() const override;
 
  private:
+  void release_inputs();
+
   native::NativeBoard& board_;
 };
 

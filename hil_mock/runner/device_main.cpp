@@ -46,6 +46,20 @@ std::unique_ptr<world::RobotWorld> load_world(const DeviceOptions& options) {
   }
 }
 
+/// The robot is put down where it could also start.
+void schedule_kidnaps(const DeviceOptions& options, RobotSimulation& simulation) {
+  const world::RobotWorld& world = simulation.world();
+  for (const Kidnap& kidnap : options.kidnaps) {
+    const Eigen::Vector2d place_m = kidnap.T_world_robot.position_m();
+    if (!world.plan().is_free(place_m) ||
+        world.plan().clearance_m(place_m) < world.robot().body.radius_m) {
+      throw files::ConfigError("--kidnap: the robot does not fit at " +
+                               std::to_string(place_m.x()) + ", " + std::to_string(place_m.y()));
+    }
+    simulation.schedule(kidnap);
+  }
+}
+
 std::unique_ptr<ByteEndpoint> open_endpoint(const DeviceOptions& options) {
   const WhenUnread when_unread = options.lockstep.empty() ? WhenUnread::kDrop : WhenUnread::kKeep;
   if (options.tcp_port) {
@@ -78,7 +92,9 @@ class Device {
         world_(load_world(options)),
         board_(make_board(program, options)),
         simulation_(*board_, *world_),
-        endpoint_(open_endpoint(options)) {}
+        endpoint_(open_endpoint(options)) {
+    schedule_kidnaps(options, simulation_);
+  }
 
   void run() {
     if (options_.lockstep.empty()) {

@@ -19,10 +19,15 @@ constexpr double kEndlessS = std::numeric_limits<double>::infinity();
 /// Paced time would overflow far above it, and no machine comes near.
 constexpr double kFastest = 1e6;
 
+/// Simulated time beyond it would overflow; no run is so long.
+constexpr double kLongestS = 1e9;
+constexpr std::size_t kKidnapNumbers = 5;
+
 /// Texts and numbers as they stand on the command line, before they are understood.
 struct RawOptions {
   std::string speed = "1";
   std::vector<double> start;
+  std::vector<double> kidnaps;
   std::string faults;
 };
 
@@ -46,6 +51,29 @@ std::string check_faults(const std::string& text) {
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
+}
+
+Kidnap read_kidnap(const double* numbers) {
+  const double placed_s = numbers[0] + numbers[1];
+  return {std::llround(numbers[0] * 1e9),
+          std::llround(placed_s * 1e9),
+          {numbers[2], numbers[3], geometry::radians(numbers[4])}};
+}
+
+/// Throws CLI::ValidationError where times are none, overlap or are out of order.
+std::vector<Kidnap> read_kidnaps(const std::vector<double>& numbers) {
+  std::vector<Kidnap> kidnaps;
+  for (std::size_t i = 0; i < numbers.size(); i += kKidnapNumbers) {
+    const double earliest_s =
+        kidnaps.empty() ? 0.0 : static_cast<double>(kidnaps.back().place_ns) * 1e-9;
+    if (i + kKidnapNumbers > numbers.size() || numbers[i] < earliest_s || numbers[i] > kLongestS ||
+        numbers[i + 1] <= 0.0 || numbers[i + 1] > kLongestS) {
+      throw CLI::ValidationError("--kidnap",
+                                 "it takes AT_S,HELD_S,X_M,Y_M,HEADING_DEG, one after the other");
+    }
+    kidnaps.push_back(read_kidnap(&numbers[i]));
+  }
+  return kidnaps;
 }
 
 void add_options(CLI::App& app,
@@ -88,6 +116,13 @@ void add_options(CLI::App& app,
       ->delimiter(',')
       ->expected(3)
       ->check(check_finite);
+  app.add_option("--kidnap",
+                 raw.kidnaps,
+                 "Lift the robot at AT_S, hold it for HELD_S, place it: "
+                 "AT_S,HELD_S,X_M,Y_M,HEADING_DEG; may be repeated")
+      ->delimiter(',')
+      ->expected(kKidnapNumbers, 100 * kKidnapNumbers)
+      ->check(check_finite);
   app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
       ->check(CLI::PositiveNumber)
       ->excludes(lockstep);
@@ -102,6 +137,7 @@ void understand(const RawOptions& raw, DeviceOptions& options) {
     options.T_world_start =
         geometry::Pose2(raw.start[0], raw.start[1], geometry::radians(raw.start[2]));
   }
+  options.kidnaps = read_kidnaps(raw.kidnaps);
 }
 
 }  // namespace
@@ -118,10 +154,10 @@ std::variant<DeviceOptions, int> read_device_options(int argc,
   add_options(app, options, raw, program);
   try {
     app.parse(argc, argv);
+    understand(raw, options);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  understand(raw, options);
   return options;
 }
 

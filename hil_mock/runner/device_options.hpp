@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "hil_mock/line_faults/faulty_line.hpp"
 #include "hil_mock/runner/device_main.hpp"
+#include "hil_mock/runner/robot_simulation.hpp"
 #include "host/geometry/pose2.hpp"
 
 namespace echomap::runner {
@@ -31,6 +33,8 @@ struct DeviceOptions {
   /// Folder of the truth files; empty for none.
   std::filesystem::path truth;
   std::optional<geometry::Pose2> T_world_start;
+  /// In the order of their times.
+  std::vector<Kidnap> kidnaps;
   /// Simulated seconds; infinite without an end.
   double duration_s = 0.0;
 };

@@ -29,6 +29,13 @@ class FaultyBoard final : public SimulatedBoard {
     board_->schedule_echo(rise_ns, fall_ns);
   }
   void set_bump(Wheel side, bool pressed) override { board_->set_bump(side, pressed); }
+  void set_aux_level(unsigned pin, bool high) override { board_->set_aux_level(pin, high); }
+  void set_aux_millivolts(unsigned pin, double millivolts) override {
+    board_->set_aux_millivolts(pin, millivolts);
+  }
+  bool aux_output(unsigned pin) const override { return board_->aux_output(pin); }
+  void connect(world::TwoWireDevice& device) override { board_->connect(device); }
+  std::string board_name() const override { return board_->board_name(); }
   std::string firmware_name() const override { return board_->firmware_name(); }
   std::string emulator_name() const override { return board_->emulator_name(); }
 

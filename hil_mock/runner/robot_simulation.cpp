@@ -19,7 +19,10 @@ constexpr std::int64_t kNoEchoNs = 38'000'000;
 }  // namespace
 
 RobotSimulation::RobotSimulation(SimulatedBoard& board, world::RobotWorld& world)
-    : board_(board), world_(world), pan_(world.robot().pan) {
+    : board_(board), world_(world), wiring_(board, world), pan_(world.robot().pan) {
+  if (world.robot().parts.stepper) {
+    stepper_.emplace(*world.robot().parts.stepper);
+  }
   board_.on_sent = [this](std::uint8_t byte) { sent_.push_back(byte); };
   board_.on_trigger = [this](std::int64_t at_ns) { on_trigger(at_ns); };
   record_truth();
@@ -39,17 +42,38 @@ void RobotSimulation::advance_to(std::int64_t until_ns) {
 std::vector<std::uint8_t> RobotSimulation::take_sent() { return std::exchange(sent_, {}); }
 
 void RobotSimulation::step_world() {
+  kidnap();
   const MotorDuty duty = board_.motor_duty();
   changes_.clear();
   world_.step(kStepS, {duty.left, duty.right}, changes_);
-  pan_.step(kStepS, board_.pan_pulse_us());
+  turn_pan();
   schedule_edges(Wheel::kLeft, changes_.left);
   schedule_edges(Wheel::kRight, changes_.right);
   const world::Contacts contacts = world_.contacts();
   board_.set_bump(Wheel::kLeft, contacts.left);
   board_.set_bump(Wheel::kRight, contacts.right);
+  wiring_.drive_inputs();
   if (now_ns_ % kTruthPeriodNs == 0) {
     record_truth();
+  }
+}
+
+void RobotSimulation::kidnap() {
+  if (kidnaps_.empty() || now_ns_ < kidnaps_.front().lift_ns) {
+    return;
+  }
+  world_.lift();
+  if (now_ns_ >= kidnaps_.front().place_ns) {
+    world_.place(kidnaps_.front().T_world_robot);
+    kidnaps_.pop_front();
+  }
+}
+
+void RobotSimulation::turn_pan() {
+  if (stepper_) {
+    stepper_->step(kStepS, wiring_.coils());
+  } else {
+    pan_.step(kStepS, board_.pan_pulse_us());
   }
 }
 
@@ -61,10 +85,10 @@ void RobotSimulation::schedule_edges(Wheel wheel, const std::vector<world::Level
 }
 
 void RobotSimulation::on_trigger(std::int64_t at_ns) {
-  if (at_ns < sonar_busy_until_ns_) {
+  if (!world_.robot().has_sonar || at_ns < sonar_busy_until_ns_) {
     return;
   }
-  const auto flight_s = world_.ping(pan_.pan_rad());
+  const auto flight_s = world_.ping(pan_rad());
   const std::int64_t rise_ns = at_ns + kEchoDelayNs;
   sonar_busy_until_ns_ = rise_ns + (flight_s ? std::llround(*flight_s * 1e9) : kNoEchoNs);
   board_.schedule_echo(rise_ns, sonar_busy_until_ns_);

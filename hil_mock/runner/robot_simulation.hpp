@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "hil_mock/runner/aux_wiring.hpp"
 #include "hil_mock/runner/simulated_board.hpp"
 #include "hil_mock/world/pan_servo.hpp"
 #include "hil_mock/world/robot_world.hpp"
+#include "hil_mock/world/stepper_motor.hpp"
 #include "host/geometry/pose2.hpp"
 
 namespace echomap::runner {
@@ -18,18 +22,29 @@ struct TruthSample {
   geometry::Pose2 T_world_robot;
 };
 
+/// Somebody lifts the robot, holds it and puts it down elsewhere.
+struct Kidnap {
+  std::int64_t lift_ns = 0;
+  std::int64_t place_ns = 0;
+  geometry::Pose2 T_world_robot;
+};
+
 /// A board in a world: its motors move the body, the body turns its encoders and presses its
 /// bumpers, its pings meet the room's walls. Physics goes in steps of a millisecond; an encoder
 /// edge reaches its pin one step after it happened, at its exact place within the step.
 class RobotSimulation {
  public:
-  /// Both must outlive this; takes the board's hooks.
+  /// Both must outlive this; takes the board's hooks. Throws files::ConfigError where the robot is
+  /// not wired for this board.
   RobotSimulation(SimulatedBoard& board, world::RobotWorld& world);
   RobotSimulation(const RobotSimulation&) = delete;
   RobotSimulation& operator=(const RobotSimulation&) = delete;
 
   /// Runs board and world up to `until_ns` of simulated time; does nothing where that is past.
   void advance_to(std::int64_t until_ns);
+
+  /// Plans a kidnap, after those that are planned already.
+  void schedule(const Kidnap& kidnap) { kidnaps_.push_back(kidnap); }
 
   /// Bytes for the board's receive line.
   void receive(std::span<const std::uint8_t> bytes) { board_.receive(bytes); }
@@ -41,16 +56,24 @@ class RobotSimulation {
   const std::vector<TruthSample>& trajectory() const { return trajectory_; }
   const SimulatedBoard& board() const { return board_; }
   const world::RobotWorld& world() const { return world_; }
+  /// Where the sonar looks, counter-clockwise from straight ahead; a stepper may turn it beyond a
+  /// whole turn.
+  double pan_rad() const { return stepper_ ? stepper_->pan_rad() : pan_.pan_rad(); }
 
  private:
   void step_world();
+  void kidnap();
+  void turn_pan();
   void schedule_edges(Wheel wheel, const std::vector<world::LevelChange>& changes);
   void on_trigger(std::int64_t at_ns);
   void record_truth();
 
   SimulatedBoard& board_;
   world::RobotWorld& world_;
+  AuxWiring wiring_;
   world::PanServo pan_;
+  std::optional<world::StepperMotor> stepper_;
+  std::deque<Kidnap> kidnaps_;
   world::EncoderChanges changes_;
   std::vector<std::uint8_t> sent_;
   std::vector<TruthSample> trajectory_;

@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 
+#include "hil_mock/world/two_wire_device.hpp"
+
 namespace echomap::runner {
 
 /// The two wheels, as seen from behind the robot.
@@ -42,6 +44,18 @@ class SimulatedBoard {
   virtual void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) = 0;
   virtual void set_bump(Wheel side, bool pressed) = 0;
 
+  /// Puts a level on a spare pin, numbered as in protocol::ConfigurePins, until it is changed;
+  /// before that an input is high by its pull-up.
+  virtual void set_aux_level(unsigned pin, bool high) = 0;
+  /// The same for a pin that the converter reads, 0 .. 5000.
+  virtual void set_aux_millivolts(unsigned pin, double millivolts) = 0;
+  /// Level that the program gives a spare pin; false where it is no output.
+  virtual bool aux_output(unsigned pin) const = 0;
+  /// Puts a device on the two-wire bus; it must outlive the board.
+  virtual void connect(world::TwoWireDevice& device) = 0;
+
+  /// As the [wiring] tables of robots call the board: "uno".
+  virtual std::string board_name() const = 0;
   /// What runs and in what, for summaries: for example "echomap-uno 0.1.0" and "simavr 1.6".
   virtual std::string firmware_name() const = 0;
   virtual std::string emulator_name() const = 0;

@@ -53,7 +53,7 @@ void draw_walls(const world::FloorPlan& plan, TruthMap& map) {
   }
 }
 
-/// Frees what can be reached from the start without crossing a wall.
+/// Frees what can be reached from the start without crossing a wall or falling into a hole.
 void flood_from_start(const world::FloorPlan& plan, TruthMap& map) {
   const Eigen::Vector2d start_m = plan.T_world_start().position_m();
   std::vector<std::pair<int, int>> open;
@@ -63,7 +63,7 @@ void flood_from_start(const world::FloorPlan& plan, TruthMap& map) {
     const auto [column, row] = open.back();
     open.pop_back();
     TruthCell& cell = map.cells[index(map, column, row)];
-    if (cell != TruthCell::kUnknown) {
+    if (cell != TruthCell::kUnknown || plan.is_hole(centre_m(map, column, row))) {
       continue;
     }
     cell = TruthCell::kFree;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "hil_mock/unicorn/stm32_chip.hpp"
@@ -31,6 +32,24 @@ constexpr Pin kLeftMotorForward{Stm32Chip::kPortB, 4};  ///< High is forward.
 constexpr Pin kRightMotorForward{Stm32Chip::kPortB, 5};
 constexpr Pin kLeftBump{Stm32Chip::kPortB, 8};  ///< Low is pressed.
 constexpr Pin kRightBump{Stm32Chip::kPortB, 9};
+
+/// The spare pins in the order of protocol::ConfigurePins. The first eight are also channels of the
+/// converter: A0 .. A5 0 to 5, B0 and B1 8 and 9.
+constexpr std::array<Pin, 14> kSpare = {{{Stm32Chip::kPortA, 0},
+                                         {Stm32Chip::kPortA, 1},
+                                         {Stm32Chip::kPortA, 2},
+                                         {Stm32Chip::kPortA, 3},
+                                         {Stm32Chip::kPortA, 4},
+                                         {Stm32Chip::kPortA, 5},
+                                         {Stm32Chip::kPortB, 0},
+                                         {Stm32Chip::kPortB, 1},
+                                         {Stm32Chip::kPortB, 3},
+                                         {Stm32Chip::kPortB, 10},
+                                         {Stm32Chip::kPortB, 11},
+                                         {Stm32Chip::kPortA, 8},
+                                         {Stm32Chip::kPortA, 11},
+                                         {Stm32Chip::kPortA, 12}}};
+constexpr std::array<std::uint8_t, 8> kChannelOfSpare = {0, 1, 2, 3, 4, 5, 8, 9};
 
 }  // namespace blue_pill_pins
 }  // namespace echomap::unicorn

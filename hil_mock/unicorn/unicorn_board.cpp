@@ -2,6 +2,7 @@
 #include "hil_mock/unicorn/unicorn_board.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <unicorn/unicorn.h>
 
@@ -43,6 +44,17 @@ double duty_of(const Stm32Chip& chip, const MotorPins& motor) {
                            ? chip.tim3().pwm_level(motor.channel)
                            : (port.level(motor.pwm.number) ? 1.0 : 0.0);
   return chip.port(motor.forward.port).level(motor.forward.number) ? level : -level;
+}
+
+/// Of 12 bits; the supply of 3.3 V is the reference.
+constexpr double kCountsPerMillivolt = 4096.0 / 3300.0;
+constexpr double kMostCounts = 4095.0;
+
+Pin spare_pin(unsigned pin) {
+  if (pin >= blue_pill_pins::kSpare.size()) {
+    throw std::invalid_argument("stm32f103 has no spare pin_" + std::to_string(pin));
+  }
+  return blue_pill_pins::kSpare.at(pin);
 }
 
 bool is_same(Pin pin, Stm32Chip::PortName port, std::uint8_t number) {
@@ -99,6 +111,24 @@ void UnicornBoard::schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) {
 
 void UnicornBoard::set_bump(Wheel side, bool pressed) {
   drive(side == Wheel::kLeft ? blue_pill_pins::kLeftBump : blue_pill_pins::kRightBump, !pressed);
+}
+
+void UnicornBoard::set_aux_level(unsigned pin, bool high) { drive(spare_pin(pin), high); }
+
+void UnicornBoard::set_aux_millivolts(unsigned pin, double millivolts) {
+  if (pin >= blue_pill_pins::kChannelOfSpare.size()) {
+    throw std::invalid_argument("stm32f103's pin_" + std::to_string(pin) + " reads no voltage");
+  }
+  const double counts = std::clamp(millivolts * kCountsPerMillivolt, 0.0, kMostCounts);
+  chip_.adc().set_input(blue_pill_pins::kChannelOfSpare.at(pin),
+                        static_cast<std::uint16_t>(counts));
+}
+
+bool UnicornBoard::aux_output(unsigned pin) const {
+  const Pin spare = spare_pin(pin);
+  const GpioPort& port = chip_.port(spare.port);
+  return port.is_output(spare.number) && !port.is_alternate(spare.number) &&
+         port.level(spare.number);
 }
 
 std::string UnicornBoard::firmware_name() const {

@@ -30,6 +30,14 @@ class UnicornBoard final : public runner::SimulatedBoard {
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
   void set_bump(runner::Wheel side, bool pressed) override;
 
+  /// Throws std::invalid_argument, as the next, for a pin that cannot be that.
+  void set_aux_level(unsigned pin, bool high) override;
+  void set_aux_millivolts(unsigned pin, double millivolts) override;
+  bool aux_output(unsigned pin) const override;
+  /// The firmware of this board has no two-wire bus yet: nobody asks the device.
+  void connect(world::TwoWireDevice& /*device*/) override {}
+
+  std::string board_name() const override { return "stm32f103"; }
   std::string firmware_name() const override;
   std::string emulator_name() const override;
 

@@ -280,5 +280,61 @@ TEST(SimavrBoard, SaysForWhichChipAProgramIsThatNoBoardRuns) {
                   ::testing::AllOf(HasSubstr("atmega32u4"), HasSubstr("uno (atmega328p)"))));
 }
 
+/// An MPU-6050's address and name; remembers which registers were asked for.
+class NamedDevice final : public world::TwoWireDevice {
+ public:
+  std::uint8_t address() const override { return 0x68; }
+  void write(std::uint8_t, std::uint8_t) override { ADD_FAILURE() << "nothing was to be written"; }
+  std::uint8_t read(std::uint8_t device_register) override {
+    return device_register == 0x75 ? 0x68 : 0x99;
+  }
+};
+
+TEST_P(EmulatedChip, ReadsTheRegistersOfATwoWireDevice) {
+  NamedDevice device;
+  board.connect(device);
+  EXPECT_THAT(answer_to(kProbeReadDevice, 10),
+              ElementsAre(0x08, 0x18, 0x28, 0x10, 0x40, 0x50, 0x68, 0x58, 0x99, 0x20));
+}
+
+TEST_P(EmulatedChip, NobodyAnswersOnAnEmptyBus) {
+  const std::vector<std::uint8_t> answers = answer_to(kProbeReadDevice, 10);
+  ASSERT_EQ(answers.size(), 10U);
+  EXPECT_EQ(answers[1], 0x20);
+  EXPECT_EQ(answers[4], 0x48);
+}
+
+TEST_P(EmulatedChip, ATwoWireByteTakesNineBitsAndAStartInterrupts) {
+  const std::vector<std::uint8_t> answers = answer_to(kProbeTimeTwoWire, 10);
+  ASSERT_EQ(answers.size(), 3U);
+  EXPECT_NEAR(answers[0] | answers[1] << 8, 9 * 40, 25);
+  EXPECT_EQ(answers[2], 1);
+}
+
+TEST_P(EmulatedChip, ConvertsTheVoltageOfItsLastChannel) {
+  const unsigned last = wiring.spare_count - 1U;
+  board.set_aux_millivolts(last - 1, 5000.0);
+  board.set_aux_millivolts(last, 2500.0);
+  EXPECT_THAT(answer_to(kProbeReadVoltage, 5), ElementsAre(0x00, 0x02));
+  board.set_aux_millivolts(last, 5100.0);
+  EXPECT_THAT(answer_to(kProbeReadVoltage, 5), ElementsAre(0xFF, 0x03));
+}
+
+TEST_P(EmulatedChip, ASparePinIsAnOutputWhereItsProgramDrivesIt) {
+  EXPECT_FALSE(board.aux_output(0));
+  EXPECT_THAT(answer_to(kProbeDriveSpares, 5), ElementsAre('o'));
+  EXPECT_TRUE(board.aux_output(0));
+  EXPECT_FALSE(board.aux_output(1)) << "it has a pull-up only";
+  board.set_aux_level(1, false);
+  EXPECT_FALSE(level(wiring.spare[1].pin));
+  board.set_aux_level(1, true);
+  EXPECT_TRUE(level(wiring.spare[1].pin));
+}
+
+TEST_P(EmulatedChip, RefusesASparePinThatItDoesNotHave) {
+  EXPECT_THROW(board.set_aux_level(16, true), std::invalid_argument);
+  EXPECT_THROW(board.set_aux_millivolts(0, 1000.0), std::invalid_argument) << "no channel";
+}
+
 }  // namespace
 }  // namespace echomap::emulator

@@ -18,4 +18,9 @@ enum ProbeCommand : uint8_t {
   kProbePulseTriggers,  ///< Trigger pulses of 5 us and of 11 us; answers 't'.
   kProbeDriveMotors,    ///< Left forward at OCR 191, right backward at 63; answers 'm'.
   kProbeSleepForEver,   ///< Sleeps with interrupts off.
+  kProbeReadDevice,   ///< Reads registers 0x75, 0x76 at address 0x68; answers TWSR or data of each
+                      ///< step, then TWSR of an address that nobody has.
+  kProbeTimeTwoWire,  ///< Answers cycles (16 bit) of a byte at 400 kbit/s, interrupts of a START.
+  kProbeReadVoltage,  ///< Answers the converter's last channel (16 bit).
+  kProbeDriveSpares,  ///< The first spare pin is a high output, the next has a pull-up: 'o'.
 };

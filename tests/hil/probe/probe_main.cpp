@@ -13,6 +13,9 @@
 namespace {
 
 constexpr uint16_t kUbrr115200 = 16;
+/// 16 MHz / (16 + 2 x 12).
+constexpr uint8_t kTwbr400k = 12;
+constexpr uint8_t kDevice = 0x68;
 constexpr uint16_t kFrameTop = 39999;
 
 volatile uint8_t interrupts_seen;
@@ -189,6 +192,78 @@ void drive_motors() {
   send('m');
 }
 
+/// Lets the two-wire bus do what `control` says; what TWSR says then.
+uint8_t two_wire(uint8_t control) {
+  TWCR = _BV(TWINT) | _BV(TWEN) | control;
+  while ((TWCR & _BV(TWINT)) == 0) {
+  }
+  return TWSR;
+}
+
+uint8_t two_wire_send(uint8_t byte) {
+  TWDR = byte;
+  return two_wire(0);
+}
+
+void end_two_wire() {
+  TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTO);
+  while ((TWCR & _BV(TWSTO)) != 0) {
+  }
+}
+
+void read_device() {
+  TWBR = kTwbr400k;
+  send(two_wire(_BV(TWSTA)));
+  send(two_wire_send(kDevice << 1));
+  send(two_wire_send(0x75));
+  send(two_wire(_BV(TWSTA)));
+  send(two_wire_send(kDevice << 1 | 1));
+  send(two_wire(_BV(TWEA)));
+  send(TWDR);
+  send(two_wire(0));
+  send(TWDR);
+  end_two_wire();
+  two_wire(_BV(TWSTA));
+  send(two_wire_send((kDevice + 1) << 1));
+  end_two_wire();
+  TWCR = 0;
+}
+
+void time_two_wire() {
+  TWBR = kTwbr400k;
+  two_wire(_BV(TWSTA));
+  TCCR1A = 0;
+  TCCR1B = _BV(CS10);
+  TCNT1 = 0;
+  two_wire_send(kDevice << 1);
+  send16(TCNT1);
+  end_two_wire();
+  interrupts_seen = 0;
+  sei();
+  TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWIE) | _BV(TWSTA);
+  _delay_us(20);
+  cli();
+  send(interrupts_seen);
+  TWCR = 0;
+}
+
+void read_voltage() {
+  ADMUX = _BV(REFS0) | 7;
+#if defined(MUX5)
+  ADCSRB = _BV(MUX5);
+#endif
+  ADCSRA = _BV(ADEN) | _BV(ADSC) | _BV(ADPS2) | _BV(ADPS1) | _BV(ADPS0);
+  while ((ADCSRA & _BV(ADSC)) != 0) {
+  }
+  send16(ADC);
+}
+
+void drive_spares() {
+  PROBE_SPARE_DDR |= kFirstSpare;
+  PROBE_SPARE_PORT |= kFirstSpare | kSecondSpare;
+  send('o');
+}
+
 void answer(uint8_t command) {
   switch (command) {
     case kProbeSendBurst:
@@ -213,6 +288,14 @@ void answer(uint8_t command) {
       return pulse_triggers();
     case kProbeDriveMotors:
       return drive_motors();
+    case kProbeReadDevice:
+      return read_device();
+    case kProbeTimeTwoWire:
+      return time_two_wire();
+    case kProbeReadVoltage:
+      return read_voltage();
+    case kProbeDriveSpares:
+      return drive_spares();
     case kProbeSleepForEver:
       cli();
       sleep_mode();
@@ -226,6 +309,11 @@ void answer(uint8_t command) {
 
 ISR(TIMER0_COMPA_vect) { ++interrupts_seen; }
 ISR(PROBE_ENCODER_vect) { ++interrupts_seen; }
+/// Leaves TWINT for whoever goes on.
+ISR(TWI_vect) {
+  ++interrupts_seen;
+  TWCR = _BV(TWEN);
+}
 ISR(TIMER2_COMPA_vect) { --sleep_ticks_left; }
 
 /// The first thing done on entry: when is it, on the timer that called?

@@ -29,6 +29,12 @@
 constexpr uint8_t kTriggerPin = _BV(PL3);
 constexpr uint8_t kServoPin = _BV(PL4);
 
+/// The first two spare pins.
+#define PROBE_SPARE_PORT PORTA
+#define PROBE_SPARE_DDR DDRA
+constexpr uint8_t kFirstSpare = _BV(PA0);
+constexpr uint8_t kSecondSpare = _BV(PA1);
+
 /// Left motor forward at 191 of 255, right motor backward at 63.
 inline void drive_both_motors() {
   DDRG |= _BV(PG5);
@@ -63,6 +69,11 @@ inline void drive_both_motors() {
 #define PROBE_SONAR_DDR DDRB
 constexpr uint8_t kTriggerPin = _BV(PB1);
 constexpr uint8_t kServoPin = _BV(PB2);
+
+#define PROBE_SPARE_PORT PORTB
+#define PROBE_SPARE_DDR DDRB
+constexpr uint8_t kFirstSpare = _BV(PB3);
+constexpr uint8_t kSecondSpare = _BV(PB4);
 
 inline void drive_both_motors() {
   DDRD |= _BV(PD4) | _BV(PD5) | _BV(PD6) | _BV(PD7);

@@ -1,92 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/mock_device/mock_board.hpp"
 
-#include <cmath>
 #include <cstdint>
-#include <vector>
+#include <optional>
+#include <utility>
 
 #include <gtest/gtest.h>
 
-#include "hil_mock/runner/robot_simulation.hpp"
-#include "protocol/frame_decoder.hpp"
-#include "protocol/frame_encoder.hpp"
-#include "protocol/messages.hpp"
+#include "tests/hil_mock/mock_device/native_session.hpp"
 #include "tests/hil_mock/world/rooms.hpp"
 
 namespace echomap::mock_device {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
-
-/// Keeps the latest message of each kind that a test looks at.
-struct Heard {
-  protocol::HelloReply hello{};
-  protocol::Odometry odometry{};
-  protocol::Status status{};
-  protocol::Health health{};
-  std::vector<protocol::Ack> acks;
-  std::vector<protocol::Echo> echoes;
-
-  void operator()(const protocol::HelloReply& message) { hello = message; }
-  void operator()(const protocol::Odometry& message) { odometry = message; }
-  void operator()(const protocol::Status& message) { status = message; }
-  void operator()(const protocol::Health& message) { health = message; }
-  void operator()(const protocol::Ack& message) { acks.push_back(message); }
-  void operator()(const protocol::Echo& message) { echoes.push_back(message); }
-  template <class Other>
-  void operator()(const Other&) {}
-};
-
-/// The native firmware in a box room, and a host that speaks to it.
-class Session {
+/// The robot of the defaults in a box.
+class Session : public NativeSession {
  public:
-  Session() { send(protocol::Hello{1, 0, protocol::kSchemaDigest, 7}); }
-
-  template <class M>
-  void send(const M& message) {
-    const protocol::ByteSpan frame = encoder_.encode(message, seq_++);
-    simulation_.receive({frame.data, frame.size});
-    pass_ms(20);
-  }
-
-  /// Lets time pass and the robot live, as a host does every 50 ms.
-  void pass_ms(int duration_ms) {
-    simulation_.advance_to(simulation_.now_ns() + duration_ms * kMs);
-    for (const std::uint8_t byte : simulation_.take_sent()) {
-      bytes_.push_back(byte);
-      if (decoder_.take(byte) == protocol::DecodeStatus::kFrame) {
-        const protocol::Frame frame = decoder_.frame();
-        protocol::Dispatcher<protocol::MessagesToHost>::dispatch(frame.id, frame.payload, heard_);
-      }
-    }
-  }
-
-  void keep_alive_ms(int duration_ms) {
-    for (int passed_ms = 0; passed_ms < duration_ms; passed_ms += 50) {
-      send(protocol::KeepAlive{200});
-      pass_ms(30);
-    }
-  }
-
-  void configure_and_arm() {
-    send(protocol::ConfigureDrive{1, 0, 3000, 4400, 20, 12, 200, 20});
-    send(protocol::ConfigureSonar{2, 25000, 30});
-    send(protocol::Arm{3, 1});
-  }
-
-  const Heard& heard() const { return heard_; }
-  const std::vector<std::uint8_t>& bytes() const { return bytes_; }
-  const world::RobotWorld& world() const { return world_; }
-
- private:
-  MockBoard board_;
-  world::RobotWorld world_{world::box_room(), {}, 3};
-  runner::RobotSimulation simulation_{board_, world_};
-  protocol::FrameEncoder encoder_;
-  protocol::FrameDecoder decoder_{protocol::MessagesToHost::find_schema};
-  std::uint8_t seq_ = 0;
-  Heard heard_;
-  std::vector<std::uint8_t> bytes_;
+  Session() : NativeSession(world::box_room(), {}, 3) {}
 };
 
 TEST(MockBoard, SaysHelloWithTheSchemaOfTheHost) {
@@ -168,6 +98,67 @@ TEST(MockBoard, NamesWhatItIs) {
   const MockBoard board;
   EXPECT_EQ(board.firmware_name().rfind("echomap-native ", 0), 0U);
   EXPECT_EQ(board.emulator_name(), "mock");
+}
+
+/// A name, an answer at one address, and what was written.
+class Registers final : public world::TwoWireDevice {
+ public:
+  std::uint8_t address() const override { return 0x68; }
+  void write(std::uint8_t device_register, std::uint8_t value) override {
+    written = {device_register, value};
+  }
+  std::uint8_t read(std::uint8_t device_register) override { return device_register; }
+
+  std::pair<int, int> written;
+};
+
+TEST(MockBoard, ItsBusReadsAndWritesTheDeviceAtItsAddress) {
+  Registers device;
+  MockBoard board;
+  board.connect(device);
+  const native::NativeTwoWire& bus = native::NativeBoard::instance().two_wire;
+  EXPECT_EQ(bus.on_read(0x68, 0x47), 0x4748) << "the high byte first";
+  EXPECT_EQ(bus.on_read(0x69, 0x47), std::nullopt);
+  EXPECT_TRUE(bus.on_write(0x68, 0x6B, 1));
+  EXPECT_FALSE(bus.on_write(0x69, 0x6B, 2));
+  EXPECT_EQ(device.written, std::pair(0x6B, 1));
+}
+
+TEST(MockBoard, ItsConverterCountsTheVoltageOfAPin) {
+  MockBoard board;
+  native::NativeBoard& native = native::NativeBoard::instance();
+  const auto counts = [&](double millivolts) {
+    board.set_aux_millivolts(9, millivolts);
+    native.start_conversion(9);
+    board.run_until(board.now_ns() + 1'000'000);
+    std::uint16_t value = 0;
+    EXPECT_TRUE(native.conversion_done(value));
+    return value;
+  };
+  EXPECT_EQ(counts(2500.0), 512);
+  EXPECT_EQ(counts(0.0), 0);
+  EXPECT_EQ(counts(6000.0), 1023);
+}
+
+TEST(MockBoard, ANewBoardHasForgottenWhatTheLastOneWasWiredTo) {
+  native::NativeBoard& native = native::NativeBoard::instance();
+  {
+    MockBoard board;
+    board.set_aux_level(3, false);
+  }
+  const MockBoard board;
+  native.use_aux_pin(3, hal::PinUse::kDigital);
+  EXPECT_EQ(native.aux_levels(), 1U << 3U);
+  EXPECT_FALSE(native.two_wire.on_read);
+}
+
+TEST(MockBoard, ShowsWhatTheProgramGivesAnOutput) {
+  const MockBoard board;
+  native::NativeBoard& native = native::NativeBoard::instance();
+  native.use_aux_pin(2, hal::PinUse::kOutput);
+  EXPECT_FALSE(board.aux_output(2));
+  native.set_aux_output(2, true);
+  EXPECT_TRUE(board.aux_output(2));
 }
 
 }  // namespace

@@ -90,9 +90,16 @@ TEST(DeviceMain, ABrokenWorldIsNamedWithItsPlaceAndCodeSix) {
 TEST(DeviceMain, WhatDoesNotFitIsCodeSix) {
   EXPECT_EQ(run({"--start=2.0,1.2,0"}).exit_code, 6) << "in the table";
   EXPECT_EQ(run({"--start=0.05,1.0,0"}).exit_code, 6) << "too near to the wall";
+  EXPECT_EQ(run({"--kidnap=1,1,2.0,1.2,0"}).exit_code, 6) << "put into the table";
   const Outcome unknown = run({"--world=living_rom"});
   EXPECT_EQ(unknown.exit_code, 6);
   EXPECT_THAT(unknown.error, HasSubstr("living_room"));
+}
+
+TEST(DeviceMain, ARobotForOtherBoardsIsCodeSix) {
+  const Outcome outcome = run({"--robot=create"});
+  EXPECT_EQ(outcome.exit_code, 6);
+  EXPECT_THAT(outcome.error, HasSubstr("create is not wired for the board fake"));
 }
 
 TEST(DeviceMain, AFaultOfTheBoardIsCodeOne) {

@@ -52,6 +52,18 @@ TEST(DeviceOptions, UnderstandsEveryOption) {
   EXPECT_EQ(options.duration_s, 2.5);
 }
 
+TEST(DeviceOptions, KidnapsComeOneAfterTheOther) {
+  const auto options =
+      std::get<DeviceOptions>(read({"--kidnap=10,2,1.5,1,90", "--kidnap=20.5,0.5,2,1,-90"}));
+  ASSERT_EQ(options.kidnaps.size(), 2U);
+  EXPECT_EQ(options.kidnaps[0].lift_ns, 10'000'000'000);
+  EXPECT_EQ(options.kidnaps[0].place_ns, 12'000'000'000);
+  EXPECT_EQ(options.kidnaps[1].lift_ns, 20'500'000'000);
+  EXPECT_EQ(options.kidnaps[1].T_world_robot.x_m(), 2.0);
+  EXPECT_NEAR(options.kidnaps[1].T_world_robot.heading_rad(), geometry::radians(-90.0), 1e-12);
+  EXPECT_EQ(std::get<int>(read({"--kidnap=10,2,1,1,0", "--kidnap=11,2,1,1,0"})), 2);
+}
+
 TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
   for (const std::string wrong : {"--speed=0",
                                   "--speed=fast",
@@ -61,6 +73,10 @@ TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
                                   "--start=1,1,nan",
                                   "--tcp=70000",
                                   "--duration=-1",
+                                  "--kidnap=10,2,1,1",
+                                  "--kidnap=10,2,1,1,0,20",
+                                  "--kidnap=10,0,1,1,0",
+                                  "--kidnap=-1,2,1,1,0",
                                   "--faults=flop=1",
                                   "--faults=loss=1.5",
                                   "--nonsense",

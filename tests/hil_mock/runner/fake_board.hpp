@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,6 +53,13 @@ class FakeBoard : public SimulatedBoard {
   void set_bump(Wheel side, bool pressed) override {
     (side == Wheel::kLeft ? left_bump : right_bump) = pressed;
   }
+  void set_aux_level(unsigned pin, bool high) override { aux_levels.at(pin) = high; }
+  void set_aux_millivolts(unsigned pin, double millivolts) override {
+    aux_millivolts.at(pin) = millivolts;
+  }
+  bool aux_output(unsigned pin) const override { return aux_outputs.at(pin); }
+  void connect(world::TwoWireDevice& device) override { two_wire_device = &device; }
+  std::string board_name() const override { return board; }
   std::string firmware_name() const override { return "fake 1.0"; }
   std::string emulator_name() const override { return "none"; }
 
@@ -66,6 +75,11 @@ class FakeBoard : public SimulatedBoard {
   std::vector<Echo> echoes;
   bool left_bump = false;
   bool right_bump = false;
+  std::array<std::optional<bool>, 16> aux_levels;
+  std::array<std::optional<double>, 16> aux_millivolts;
+  std::array<bool, 16> aux_outputs{};
+  world::TwoWireDevice* two_wire_device = nullptr;
+  std::string board = "fake";
 };
 
 }  // namespace echomap::runner

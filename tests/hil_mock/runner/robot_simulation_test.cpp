@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/runner/robot_simulation.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -124,6 +125,63 @@ TEST_F(RobotSimulationTest, HandsOnBytesBothWays) {
   simulation.advance_to(kMs);
   EXPECT_EQ(simulation.take_sent(), bytes);
   EXPECT_TRUE(simulation.take_sent().empty());
+}
+
+TEST_F(RobotSimulationTest, AKidnapLiftsHoldsAndPlacesTheRobot) {
+  simulation.schedule({100 * kMs, 300 * kMs, {1.0, 1.0, 0.5}});
+  board.duty = {0.5, 0.5};
+  simulation.advance_to(99 * kMs);
+  EXPECT_FALSE(robot_world.body().is_lifted());
+  simulation.advance_to(101 * kMs);
+  EXPECT_TRUE(robot_world.body().is_lifted());
+  const double lifted_at_m = robot_world.T_world_robot().x_m();
+  simulation.advance_to(299 * kMs);
+  EXPECT_EQ(robot_world.T_world_robot().x_m(), lifted_at_m);
+  simulation.advance_to(300 * kMs);
+  EXPECT_FALSE(robot_world.body().is_lifted());
+  EXPECT_NEAR(robot_world.T_world_robot().x_m(), 1.0, 0.002);
+  EXPECT_NEAR(robot_world.T_world_robot().heading_rad(), 0.5, 0.01);
+  simulation.advance_to(400 * kMs);
+  EXPECT_GT(robot_world.T_world_robot().x_m(), 1.01) << "it drives on";
+}
+
+TEST(RobotSimulation, AStepperTurnsTheSonarMoreThanOnce) {
+  FakeBoard board;
+  board.board = "mega";
+  world::RobotParams robot = quiet_robot();
+  robot.parts.stepper = world::StepperParams{4096.0, 600.0};
+  world::PinWires wires;
+  for (int i = 0; i < 4; ++i) {
+    wires.at(static_cast<std::size_t>(4 + i)) = world::PinWire{
+        static_cast<world::PinPart>(static_cast<int>(world::PinPart::kStepperA) + i), false};
+  }
+  robot.wiring["mega"] = wires;
+  world::RobotWorld world(world::box_room(), robot, 1);
+  RobotSimulation simulation(board, world);
+  constexpr std::array<unsigned, 8> kPatterns = {1, 3, 2, 6, 4, 12, 8, 9};
+  constexpr int kTurnAndAQuarter = 5 * 1024;
+  for (int i = 1; i <= kTurnAndAQuarter; ++i) {
+    for (unsigned coil = 0; coil < 4; ++coil) {
+      board.aux_outputs.at(4 + coil) = ((kPatterns.at(i & 7) >> coil) & 1U) != 0;
+    }
+    simulation.advance_to(2 * kMs * i);
+  }
+  EXPECT_NEAR(simulation.pan_rad(), 2.5 * std::numbers::pi, 1e-9);
+  board.on_trigger(simulation.now_ns());
+  ASSERT_EQ(board.echoes.size(), 1U);
+  const double width_s =
+      static_cast<double>(board.echoes[0].fall_ns - board.echoes[0].rise_ns) * 1e-9;
+  EXPECT_NEAR(width_s, 2.0 * 1.5 / 343.2, 1e-8) << "the wall to the left";
+}
+
+TEST(RobotSimulation, ARobotWithoutSonarNeverRaisesItsEchoPin) {
+  FakeBoard board;
+  world::RobotParams robot = quiet_robot();
+  robot.has_sonar = false;
+  world::RobotWorld world(world::box_room(), robot, 1);
+  const RobotSimulation simulation(board, world);
+  board.on_trigger(0);
+  EXPECT_TRUE(board.echoes.empty());
 }
 
 }  // namespace

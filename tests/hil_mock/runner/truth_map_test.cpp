@@ -45,6 +45,25 @@ TEST(TruthMap, IsTheRoomAsDrawn) {
   EXPECT_DOUBLE_EQ(map.origin_x_m, -0.1);
 }
 
+// The middle of the floor is gone: its edge is no wall, and what is behind it cannot be reached.
+TEST(TruthMap, AHoleIsNotFree) {
+  const world::FloorPlan plan("drawn",
+                              {world::rectangle(0.0, 0.0, 2.0, 1.2), {}},
+                              {},
+                              {0.3, 0.5, 0.0},
+                              {{world::rectangle(0.5, 0.0, 1.3, 1.2)}, {}});
+  const std::vector<std::string> expected = {
+      "###########",
+      "#..       #",
+      "#..       #",
+      "#..       #",
+      "#..       #",
+      "#..       #",
+      "###########",
+  };
+  EXPECT_EQ(drawn(draw_truth_map(plan, 0.2)), expected);
+}
+
 TEST(TruthMap, FreeAreaIsThatOfTheRoom) {
   const world::FloorPlan plan = world::box_room({{world::rectangle(1.0, 1.0, 1.5, 2.0), {}}});
   const TruthMap map = draw_truth_map(plan, 0.01);
