@@ -55,6 +55,7 @@ class RunKeeper {
     summary_.outcome = outcome;
     summary_.sim_seconds = seconds_of(session_.now());
     summary_.wall_seconds = wall.count();
+    describe_clock();
     exports::describe_snapshot(snapshot, summary_);
     exports::write_run_directory(out_, snapshot, summary_);
   }
@@ -71,6 +72,17 @@ class RunKeeper {
   }
 
  private:
+  void describe_clock() {
+    const time::ClockSync& clock = session_.link().clock();
+    summary_.clock_rate_error_ppm = clock.rate_error_ppm();
+    summary_.clock_uncertainty_us = clock.uncertainty_us();
+    if (summary_.clock_rate_error_ppm) {
+      spdlog::debug("the robot's clock runs {:+.1f} ppm fast, known to {:.0f} us",
+                    *summary_.clock_rate_error_ppm,
+                    *summary_.clock_uncertainty_us);
+    }
+  }
+
   const RobotSession& session_;
   const pipeline::RobotPipeline& pipeline_;
   std::filesystem::path out_;

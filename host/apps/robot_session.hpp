@@ -55,6 +55,7 @@ class RobotSession final : private robot_link::RobotLinkListener {
   std::function<void()> on_step;
 
   time::HostTime now() const { return now_; }
+  const robot_link::RobotLink& link() const { return link_; }
 
  private:
   using Duration = time::HostClock::duration;

@@ -6,6 +6,13 @@
 #include "host/files/atomic_file.hpp"
 
 namespace echomap::exports {
+namespace {
+
+nlohmann::ordered_json or_null(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+}  // namespace
 
 std::string to_json_text(const RunSummary& summary) {
   const nlohmann::ordered_json json{
@@ -19,6 +26,8 @@ std::string to_json_text(const RunSummary& summary) {
       {"seed", summary.seed},
       {"sim_seconds", summary.sim_seconds},
       {"wall_seconds", summary.wall_seconds},
+      {"clock_rate_error_ppm", or_null(summary.clock_rate_error_ppm)},
+      {"clock_uncertainty_us", or_null(summary.clock_uncertainty_us)},
       {"stops", summary.stops},
       {"poses", summary.poses},
       {"points", summary.points},

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace echomap::exports {
@@ -20,6 +21,10 @@ struct RunSummary {
   std::uint32_t seed = 0;
   double sim_seconds = 0.0;
   double wall_seconds = 0.0;
+  /// How much faster than the host's the robot's clock ran, and how well its instants are placed on
+  /// the host's; empty where no ping was answered.
+  std::optional<double> clock_rate_error_ppm;
+  std::optional<double> clock_uncertainty_us;
   std::size_t stops = 0;
   /// Rows of poses.csv and of points.csv.
   std::size_t poses = 0;

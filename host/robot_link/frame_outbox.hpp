@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -23,22 +22,10 @@ constexpr std::size_t kFrameBytes = protocol::MessageFacts<M>::kSize + protocol:
 template <class... Ms>
 constexpr std::size_t kFrameBytes<std::variant<Ms...>> = std::max({kFrameBytes<Ms>...});
 
-/// What a frame must leave of the credit, so that none starves: set-points give way to commands,
-/// those to pings, which bring the answers that free credit, and all to what keeps a robot moving.
-template <class M>
-constexpr std::size_t spare_bytes() {
-  constexpr std::size_t kForCommands =
-      kFrameBytes<protocol::KeepAlive> + kFrameBytes<protocol::Ping>;
-  if constexpr (std::is_same_v<M, protocol::KeepAlive>) {
-    return 0;
-  } else if constexpr (std::is_same_v<M, protocol::Ping>) {
-    return kFrameBytes<protocol::KeepAlive>;
-  } else if constexpr (std::is_same_v<M, Command>) {
-    return kForCommands;
-  } else {
-    return kForCommands + kFrameBytes<Command>;
-  }
-}
+/// What a frame must leave of the credit, so that none starves: what may wait gives way to commands
+/// and to pings that ask for credit, and those to what keeps a robot moving.
+constexpr std::size_t kSpareOfAnswered = kFrameBytes<protocol::KeepAlive>;
+constexpr std::size_t kSpareOfOthers = kSpareOfAnswered + kFrameBytes<Command>;
 
 /// What the host sends: numbers frames, and counts them against the robot's credit until they are
 /// answered.
@@ -46,10 +33,10 @@ class FrameOutbox {
  public:
   explicit FrameOutbox(const CreditParams& credit) : credit_(credit) {}
 
-  /// Whether a frame of M, which may be Command, may go now.
+  /// Whether a frame of M, which may be Command, may go now and leave `spare`.
   template <class M>
-  bool has_room() {
-    const bool has_room = credit_.has_room(kFrameBytes<M>, spare_bytes<M>());
+  bool has_room(std::size_t spare) {
+    const bool has_room = credit_.has_room(kFrameBytes<M>, spare);
     waits_ += has_room ? 0 : 1;
     return has_room;
   }

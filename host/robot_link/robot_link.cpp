@@ -209,8 +209,8 @@ void RobotLink::poll(time::HostTime now) {
   }
   if (state_ == LinkState::kReady) {
     send_keep_alive();
-    send_ping();
     send_command();
+    send_ping();
     send_setpoint();
   } else if (state_ != LinkState::kConnecting) {
     end_commands(CommandOutcome::kLinkLost);
@@ -278,15 +278,18 @@ void RobotLink::send_setpoint() {
   if (now_ - setpoint_->since > time_to_live(setpoint_->message)) {
     ++statistics_.setpoints_dropped;
     setpoint_.reset();
-  } else if (outbox_.has_room<protocol::DriveSetpoint>()) {
+  } else if (outbox_.has_room<protocol::DriveSetpoint>(kSpareOfOthers)) {
     outbox_.put(setpoint_->message, now_);
     setpoint_.reset();
   }
 }
 
 void RobotLink::send_keep_alive() {
+  // Where credit is so short that KeepAlives alone use it up, a command goes first in the end.
+  const bool gives_way = command_waits_since_ && commands_.is_due(now_) &&
+                         now_ - *command_waits_since_ > params_.credit.release_after;
   const bool is_due = keep_alive_ && now_ >= next_keep_alive_;
-  if (!is_due || !outbox_.has_room<protocol::KeepAlive>()) {
+  if (!is_due || gives_way || !outbox_.has_room<protocol::KeepAlive>(0)) {
     return;
   }
   next_keep_alive_ = now_ + params_.keep_alive_period;
@@ -295,16 +298,23 @@ void RobotLink::send_keep_alive() {
 }
 
 void RobotLink::send_ping() {
-  const bool is_due = pings_.is_due(now_) || outbox_.credit().wants_answer();
-  if (is_due && outbox_.has_room<protocol::Ping>()) {
-    outbox_.put(protocol::Ping{pings_.take(now_)}, now_);
+  const bool frees_credit = outbox_.credit().wants_answer();
+  const bool is_due = frees_credit || pings_.is_due(now_);
+  if (is_due &&
+      outbox_.has_room<protocol::Ping>(frees_credit ? kSpareOfAnswered : kSpareOfOthers)) {
+    outbox_.put(protocol::Ping{pings_.take(now_, clock_.uncertainty_us())}, now_);
   }
 }
 
 void RobotLink::send_command() {
-  if (!commands_.is_due(now_) || !outbox_.has_room<Command>()) {
+  if (!commands_.is_due(now_)) {
     return;
   }
+  if (!outbox_.has_room<Command>(kSpareOfAnswered)) {
+    command_waits_since_ = command_waits_since_.value_or(now_);
+    return;
+  }
+  command_waits_since_.reset();
   std::visit([this](const auto& message) { outbox_.put(message, now_); }, commands_.take(now_));
 }
 

@@ -140,6 +140,7 @@ class RobotLink {
   time::HostTime next_hello_;
   time::HostTime next_keep_alive_;
   bool keep_alive_ = false;
+  std::optional<time::HostTime> command_waits_since_;  ///< For credit.
   struct WaitingSetpoint {
     protocol::DriveSetpoint message;
     time::HostTime since;

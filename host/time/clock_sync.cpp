@@ -38,6 +38,7 @@ std::int64_t micros(Instant instant) {
 ClockSync::ClockSync(const ClockSyncParams& params)
     : params_(checked(params)),
       arrivals_(params.window.count()),
+      pongs_(params.window.count()),
       sendings_(params.window.count()) {}
 
 void ClockSync::add_telemetry(std::uint32_t stamp_us, HostTime arrived) {
@@ -47,12 +48,14 @@ void ClockSync::add_telemetry(std::uint32_t stamp_us, HostTime arrived) {
 void ClockSync::add_ping(HostTime sent, std::uint32_t stamp_us, HostTime answered) {
   const RobotTime stamp = unwrapper_.unwrap(stamp_us);
   sendings_.add({micros(stamp), -micros(sent)});
+  pongs_.add({micros(stamp), micros(answered)});
   add_arrival(stamp, answered);
 }
 
 void ClockSync::restart() {
   unwrapper_.restart();
   arrivals_.clear();
+  pongs_.clear();
   sendings_.clear();
   next_fit_ = {};
   line_.reset();
@@ -86,9 +89,20 @@ double ClockSync::likely_rate(const LowerHull& arrivals,
   return 0.5 * (low + high);
 }
 
+/// Where telemetry keeps time with the line's transfers it waits nearly as long every time,
+/// scatters little and looks better than it is. Pongs come at any time and tell: their lowest lies
+/// as much over the lowest there can be as it is likely to, and that of all arrivals lies below it
+/// by what one sees.
+double ClockSync::arrivals_excess_us(double rate) const {
+  const ClockPoint lowest = arrivals_.hull().touched_by(rate);
+  const double pongs_over_lowest_us = height_over(lowest, rate, pongs_.hull().touched_by(rate));
+  return std::max(arrivals_.expected_excess_us(rate),
+                  pongs_.expected_excess_us(rate) - pongs_over_lowest_us);
+}
+
 double ClockSync::trust_in_arrivals(double rate) const {
-  const double ratio = sendings_.expected_excess_us(-rate) /
-                       std::max(arrivals_.expected_excess_us(rate), kResolutionUs);
+  const double ratio =
+      sendings_.expected_excess_us(-rate) / std::max(arrivals_excess_us(rate), kResolutionUs);
   return std::clamp(ratio, kLeastTrust, kMostTrust);
 }
 
@@ -102,7 +116,7 @@ void ClockSync::fit() {
   const double from_arrival_us = static_cast<double>(sending.robot_us - arrival.robot_us);
   const double gap_us =
       static_cast<double>(arrival.host_us + sending.host_us) + rate * from_arrival_us;
-  const double arrival_excess_us = arrivals_.expected_excess_us(rate);
+  const double arrival_excess_us = arrivals_excess_us(rate);
   const double sending_excess_us = sendings_.expected_excess_us(-rate);
 
   const double excess_us = arrival_excess_us + sending_excess_us;
@@ -121,6 +135,11 @@ void ClockSync::fit() {
   line_ = line;
 }
 
+double ClockSync::Line::uncertainty_us_at(RobotTime stamp) const {
+  return uncertainty_us +
+         rate_uncertainty * std::abs(static_cast<double>(micros(stamp) - robot_us));
+}
+
 std::optional<HostEstimate> ClockSync::host_time(std::uint32_t stamp_us) const {
   if (!line_) {
     return std::nullopt;
@@ -129,8 +148,12 @@ std::optional<HostEstimate> ClockSync::host_time(std::uint32_t stamp_us) const {
   const auto since_us = static_cast<double>(micros(stamp) - line_->robot_us);
   const auto instant_us = std::llround(line_->host_us + line_->rate * since_us);
   return HostEstimate{HostTime(HostClock::duration(instant_us)),
-                      line_->uncertainty_us + line_->rate_uncertainty * std::abs(since_us),
+                      line_->uncertainty_us_at(stamp),
                       line_->asymmetry_us};
+}
+
+std::optional<double> ClockSync::uncertainty_us() const {
+  return line_ ? std::optional(line_->uncertainty_us_at(unwrapper_.last())) : std::nullopt;
 }
 
 std::optional<double> ClockSync::rate_error_ppm() const {

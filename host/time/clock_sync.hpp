@@ -56,6 +56,9 @@ class ClockSync {
   /// answered.
   std::optional<HostEstimate> host_time(std::uint32_t stamp_us) const;
 
+  /// Of the last stamp, as in HostEstimate; empty as above.
+  std::optional<double> uncertainty_us() const;
+
   /// How much faster than the host's clock the robot's runs; empty as above.
   std::optional<double> rate_error_ppm() const;
 
@@ -68,16 +71,20 @@ class ClockSync {
     double uncertainty_us = 0.0;    ///< At `robot_us`.
     double rate_uncertainty = 0.0;  ///< Microseconds in a microsecond.
     double asymmetry_us = 0.0;
+
+    double uncertainty_us_at(RobotTime stamp) const;
   };
 
   void add_arrival(RobotTime stamp, HostTime arrived);
   void fit();
   double likely_rate(const LowerHull& arrivals, const LowerHull& sendings, double trust) const;
   double trust_in_arrivals(double rate) const;
+  double arrivals_excess_us(double rate) const;
 
   ClockSyncParams params_;
   RobotTimeUnwrapper unwrapper_;
   SlidingLowerHull arrivals_;
+  SlidingLowerHull pongs_;     ///< Those arrivals that answer a ping.
   SlidingLowerHull sendings_;  ///< Upside down: lower is later.
   HostTime next_fit_;
   std::optional<Line> line_;

@@ -18,13 +18,12 @@ double rate_between(const ClockPoint& left, const ClockPoint& right) {
          static_cast<double>(right.robot_us - left.robot_us);
 }
 
-/// Of `point` over the line of this rate through `origin`.
+}  // namespace
+
 double height_over(const ClockPoint& origin, double rate, const ClockPoint& point) {
   return static_cast<double>(point.host_us - origin.host_us) -
          rate * static_cast<double>(point.robot_us - origin.robot_us);
 }
-
-}  // namespace
 
 void LowerHull::add(const ClockPoint& point) {
   while (vertices_.size() >= 2 && is_above(vertices_.back(), vertices_.end()[-2], point)) {

@@ -13,6 +13,9 @@ struct ClockPoint {
   std::int64_t host_us = 0;
 };
 
+/// Of `point` over the line of this rate through `origin`, in microseconds of the host.
+double height_over(const ClockPoint& origin, double rate, const ClockPoint& point);
+
 /// The lower convex hull of points that come in the order of the robot's clock (Andrew's monotone
 /// chain, 1979). O(1) amortized for a point.
 class LowerHull {

@@ -24,6 +24,8 @@ class RobotTimeUnwrapper {
   /// The first stamp after the start or a restart counts from the reset. Later ones may run back by
   /// less than half a wrap (frames out of order), never by more.
   RobotTime unwrap(std::uint32_t stamp_us);
+  /// The last stamp that was unwrapped.
+  RobotTime last() const { return RobotTime(RobotClock::duration(last_us_)); }
   /// The robot was reset: its clock starts at zero again, ours goes on after the last stamp.
   void restart();
 

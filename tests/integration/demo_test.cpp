@@ -81,6 +81,8 @@ TEST_P(ScoredDemo, EndsByItselfAndScoresItsMap) {
   EXPECT_THAT(report.at("emulator").get<std::string>(), HasSubstr(GetParam().emulator));
   EXPECT_THAT(report.at("firmware").get<std::string>(), HasSubstr(GetParam().firmware));
   EXPECT_GT(report.at("sim_seconds"), 10.0);
+  EXPECT_LE(std::abs(report.at("clock_rate_error_ppm").get<double>()), 200.0);
+  EXPECT_LE(report.at("clock_uncertainty_us"), 5000.0);
 }
 
 TEST_P(Demo, IsAFunctionOfItsSeed) {

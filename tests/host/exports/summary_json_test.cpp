@@ -17,12 +17,15 @@ TEST(SummaryJson, HoldsEveryField) {
   summary.seed = 4294967295U;
   summary.sim_seconds = 123.25;
   summary.stops = 7;
+  summary.clock_rate_error_ppm = -412.5;
   const auto json = nlohmann::json::parse(to_json_text(summary));
   EXPECT_EQ(json.at("strategy"), "nxt-farthest");
   EXPECT_EQ(json.at("outcome"), "no-new-ground");
   EXPECT_EQ(json.at("seed"), 4294967295U);
   EXPECT_EQ(json.at("sim_seconds"), 123.25);
   EXPECT_EQ(json.at("stops"), 7);
+  EXPECT_EQ(json.at("clock_rate_error_ppm"), -412.5);
+  EXPECT_TRUE(json.at("clock_uncertainty_us").is_null());
   for (const char* key : {"echomap_version",
                           "robot",
                           "world",

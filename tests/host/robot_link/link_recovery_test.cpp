@@ -207,7 +207,7 @@ TEST_P(LinkResetTest, RecoversFromAHundredResetsAtAnyMoment) {
   run_for(1000);
   for (std::uint16_t boot = 2; boot < 102; ++boot) {
     robot.power_on(boot, protocol::kResetBrownOut);
-    run_for(300 + static_cast<int>(random() % 2000));
+    run_for(400 + static_cast<int>(random() % 2000));
     ASSERT_EQ(link.state(), LinkState::kReady) << boot;
     ASSERT_EQ(listener.reset_causes.size(), boot - 1U);
   }

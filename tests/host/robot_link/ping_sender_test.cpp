@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/robot_link/ping_sender.hpp"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -12,11 +14,17 @@ time::HostTime at_ms(int instant_ms) {
   return time::HostTime(std::chrono::milliseconds(instant_ms));
 }
 
-int pings_between(PingSender& sender, int from_ms, int to_ms) {
+constexpr double kSharpUs = 40.0;
+constexpr double kBlurredUs = 60.0;
+
+int pings_between(PingSender& sender,
+                  int from_ms,
+                  int to_ms,
+                  std::optional<double> uncertainty_us) {
   int count = 0;
-  for (int now_ms = from_ms; now_ms < to_ms; now_ms += 10) {
+  for (int now_ms = from_ms; now_ms < to_ms; ++now_ms) {
     if (sender.is_due(at_ms(now_ms))) {
-      sender.take(at_ms(now_ms));
+      sender.take(at_ms(now_ms), uncertainty_us);
       ++count;
     }
   }
@@ -26,24 +34,61 @@ int pings_between(PingSender& sender, int from_ms, int to_ms) {
 TEST(PingSender, AsksOftenAtFirstAndThenOnceASecond) {
   PingSender sender({});
   sender.restart(at_ms(0));
-  EXPECT_EQ(pings_between(sender, 0, 20'000), 400);
-  EXPECT_EQ(pings_between(sender, 20'000, 30'000), 10);
-  sender.restart(at_ms(30'000));
-  EXPECT_EQ(pings_between(sender, 30'000, 31'000), 20);
+  EXPECT_NEAR(pings_between(sender, 0, 5000, kSharpUs), 200, 5);
+  EXPECT_NEAR(pings_between(sender, 5000, 15'000, kSharpUs), 10, 1);
+  sender.restart(at_ms(15'000));
+  EXPECT_NEAR(pings_between(sender, 15'000, 16'000, kSharpUs), 40, 2);
 }
 
-TEST(PingSender, KnowsTheLastPingOnlyAndOnce) {
+TEST(PingSender, GoesOnAskingWhileTheClockIsBlurred) {
   PingSender sender({});
   sender.restart(at_ms(0));
-  const auto first = sender.take(at_ms(0));
-  const auto second = sender.take(at_ms(50));
-  EXPECT_FALSE(sender.take_answer(first));
-  EXPECT_EQ(sender.take_answer(second), at_ms(50));
+  pings_between(sender, 0, 5000, {});
+  EXPECT_NEAR(pings_between(sender, 5000, 15'000, kBlurredUs), 200, 5);
+  EXPECT_NEAR(pings_between(sender, 15'000, 25'000, {}), 200, 5);
+  EXPECT_NEAR(pings_between(sender, 25'000, 35'000, kSharpUs), 10, 1);
+}
+
+TEST(PingSender, MeetsEveryPhaseOfALatencyTimer) {
+  PingSender sender({});
+  sender.restart(at_ms(0));
+  std::array<int, 16> pings_at_phase{};
+  for (int now_ms = 0; now_ms < 60'000; ++now_ms) {
+    if (sender.is_due(at_ms(now_ms))) {
+      sender.take(at_ms(now_ms), kBlurredUs);
+      ++pings_at_phase.at(static_cast<std::size_t>(now_ms % 16));
+    }
+  }
+  const auto [fewest, most] = std::ranges::minmax(pings_at_phase);
+  EXPECT_GT(fewest, most / 2);
+}
+
+TEST(PingSender, KnowsTheLastPingsEachOnce) {
+  PingSender sender({});
+  sender.restart(at_ms(0));
+  const auto first = sender.take(at_ms(0), {});
+  const auto second = sender.take(at_ms(25), {});
+  const auto third = sender.take(at_ms(50), {});
+  EXPECT_EQ(sender.take_answer(second), at_ms(25));
+  EXPECT_FALSE(sender.take_answer(first)) << "answers do not overtake";
   EXPECT_FALSE(sender.take_answer(second));
+  EXPECT_EQ(sender.take_answer(third), at_ms(50));
+}
+
+TEST(PingSender, ForgetsPingsThatAreLongUnanswered) {
+  PingSender sender({});
+  sender.restart(at_ms(0));
+  const auto first = sender.take(at_ms(0), {});
+  for (int i = 1; i <= 16; ++i) {
+    sender.take(at_ms(25 * i), {});
+  }
+  EXPECT_FALSE(sender.take_answer(first));
 }
 
 TEST(PingSender, RefusesAPeriodOfNothing) {
   EXPECT_THROW(PingSender({.period = std::chrono::seconds(0)}), std::invalid_argument);
+  EXPECT_THROW(PingSender({.blurred_period = std::chrono::seconds(0)}), std::invalid_argument);
+  EXPECT_THROW(PingSender({.spread = std::chrono::seconds(-1)}), std::invalid_argument);
 }
 
 }  // namespace
