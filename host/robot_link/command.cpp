@@ -17,6 +17,8 @@ std::string_view to_string(CommandOutcome outcome) {
       return "blocked by a bump contact";
     case CommandOutcome::kRefused:
       return "refused";
+    case CommandOutcome::kNotUnderstood:
+      return "not understood by the firmware";
     case CommandOutcome::kLinkLost:
       return "link lost";
     case CommandOutcome::kRobotReset:

@@ -24,14 +24,15 @@ using Command = std::variant<protocol::Arm,
 /// Names one submitted command for the length of a session; never used twice.
 enum class CommandTicket : std::uint64_t {};
 
-/// How a command ended. All but the last two are the robot's own word.
+/// How a command ended. All but the last three are the robot's own word.
 enum class CommandOutcome : std::uint8_t {
   kAccepted,
   kDisarmed,
   kBusy,
   kOutOfRange,
   kBlocked,
-  kRefused,     ///< A status that this host does not know.
+  kRefused,        ///< A status that this host does not know.
+  kNotUnderstood,  ///< The robot's firmware has no such message; it was not sent.
   kLinkLost,    ///< No answer to eight tries, or not connected: it may have been done once, or not.
   kRobotReset,  ///< The robot was reset first: whatever it did is over.
 };

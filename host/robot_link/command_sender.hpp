@@ -28,6 +28,10 @@ class CommandSender {
   bool is_due(time::HostTime now) const;
   /// That command; only while `is_due`.
   const Command& take(time::HostTime now);
+  /// That command without sending it; only while `is_due`.
+  const Command& next() const { return queue_.front().command; }
+  /// Ends that command unsent.
+  CommandResult drop_next(CommandOutcome outcome) { return finish(outcome); }
 
   /// True when the last try went unanswered.
   bool is_exhausted(time::HostTime now) const;

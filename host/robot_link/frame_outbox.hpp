@@ -10,6 +10,7 @@
 
 #include "host/robot_link/command.hpp"
 #include "host/robot_link/credit_window.hpp"
+#include "protocol/bulk_messages.hpp"
 #include "protocol/frame_encoder.hpp"
 #include "protocol/handshake_messages.hpp"
 #include "protocol/message_codec.hpp"
@@ -58,6 +59,9 @@ class FrameOutbox {
   /// Takes the robot's answers.
   void confirm(const protocol::HelloReply& reply);
   void confirm(const protocol::Ack& ack) { credit_.confirm({ack.kId, ack.command_id}); }
+  void confirm(const protocol::BulkData& data) {
+    credit_.confirm({data.kId, piece_key(data.content, data.offset)});
+  }
   void confirm(const protocol::Pong& pong) { credit_.confirm({pong.kId, pong.token}); }
 
   /// The bytes since the last call.
@@ -75,6 +79,12 @@ class FrameOutbox {
   }
   static std::optional<AnswerKey> answer_to(const protocol::Ping& ping) {
     return AnswerKey{protocol::Pong::kId, ping.token};
+  }
+  static std::optional<AnswerKey> answer_to(const protocol::BulkRead& read) {
+    return AnswerKey{protocol::BulkData::kId, piece_key(read.content, read.offset)};
+  }
+  static std::uint32_t piece_key(std::uint8_t content, std::uint16_t offset) {
+    return static_cast<std::uint32_t>(content) << 16U | offset;
   }
   template <class M>
   static std::optional<AnswerKey> answer_to(const M& message) {

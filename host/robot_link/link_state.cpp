@@ -7,6 +7,8 @@ std::string_view to_string(LinkState state) {
   switch (state) {
     case LinkState::kConnecting:
       return "connecting";
+    case LinkState::kDescribing:
+      return "describing";
     case LinkState::kReady:
       return "ready";
     case LinkState::kSilent:

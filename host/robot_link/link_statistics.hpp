@@ -13,7 +13,10 @@ struct LinkStatistics {
   std::uint64_t frames_received = 0;
   std::uint64_t frames_bad = 0;   ///< Robot to host, failed a check.
   std::uint64_t frames_lost = 0;  ///< Robot to host, missing sequence numbers, bad ones included.
+  std::uint64_t frames_foreign =
+      0;  ///< Robot to host, whole, of messages this host reads otherwise.
   std::uint64_t frames_sent = 0;
+  std::uint64_t frames_withheld = 0;  ///< Not sent: the robot would read them otherwise.
   std::uint64_t commands_resent = 0;
   std::uint64_t resets_seen = 0;
   /// Set-points that a newer one replaced, or that grew too old, before there was credit for them.

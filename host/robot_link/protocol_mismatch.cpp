@@ -30,14 +30,35 @@ std::string ProtocolMismatch::message() const {
   text << "the robot's firmware " << robot_firmware_version / 100 << '.' << std::setw(2)
        << std::setfill('0') << robot_firmware_version % 100 << " speaks "
        << version_text(robot_major, robot_minor, robot_digest) << ", this host "
-       << version_text(host_major, host_minor, host_digest) << ": update the "
-       << (side_to_update() == SideToUpdate::kFirmware ? "firmware" : "host");
+       << version_text(host_major, host_minor, host_digest) << (difference.empty() ? "" : ": ")
+       << difference
+       << (side_to_update() == SideToUpdate::kFirmware
+               ? "\n  next: the robot is older: ./run flash"
+               : "\n  next: this host is older: update echomap");
   return text.str();
 }
 
 bool speaks_our_protocol(const protocol::HelloReply& reply) {
   return reply.protocol_major == protocol::kProtocolMajor &&
          reply.schema_digest == protocol::kSchemaDigest;
+}
+
+std::vector<std::uint8_t> messages_for_mapping() {
+  return {protocol::Ack::kId,
+          protocol::Arm::kId,
+          protocol::Stop::kId,
+          protocol::ConfigureDrive::kId,
+          protocol::ConfigureSonar::kId,
+          protocol::ConfigurePan::kId,
+          protocol::ConfigurePins::kId,
+          protocol::ConfigureSensors::kId,
+          protocol::ConfigureSafety::kId,
+          protocol::MoveTicks::kId,
+          protocol::StartSweep::kId,
+          protocol::KeepAlive::kId,
+          protocol::Odometry::kId,
+          protocol::Echo::kId,
+          protocol::Status::kId};
 }
 
 ProtocolMismatch mismatch_with(const protocol::HelloReply& reply) {
@@ -47,7 +68,8 @@ ProtocolMismatch mismatch_with(const protocol::HelloReply& reply) {
           .robot_major = reply.protocol_major,
           .robot_minor = reply.protocol_minor,
           .robot_digest = reply.schema_digest,
-          .robot_firmware_version = reply.firmware_version};
+          .robot_firmware_version = reply.firmware_version,
+          .difference = {}};
 }
 
 }  // namespace echomap::robot_link

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "protocol/handshake_messages.hpp"
 
@@ -23,14 +24,19 @@ struct ProtocolMismatch {
   std::uint8_t robot_minor = 0;
   std::uint32_t robot_digest = 0;
   std::uint16_t robot_firmware_version = 0;  ///< In hundredths.
+  /// In which messages they differ, in words; empty where the robot did not tell.
+  std::string difference;
 
   SideToUpdate side_to_update() const;
-  /// One sentence with both versions and the side to update.
+  /// Both versions, in what they differ, and the command that updates the older side.
   std::string message() const;
 };
 
 /// True when the robot was built from the same messages as this host.
 bool speaks_our_protocol(const protocol::HelloReply& reply);
+
+/// The messages without which no robot can be driven through a room and heard.
+std::vector<std::uint8_t> messages_for_mapping();
 
 /// Both sides' versions, for a reply that does not match.
 ProtocolMismatch mismatch_with(const protocol::HelloReply& reply);

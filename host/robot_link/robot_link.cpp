@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/robot_link/robot_link.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -9,7 +10,6 @@
 
 namespace echomap::robot_link {
 
-using protocol::DecodeStatus;
 using protocol::MessagesToHost;
 
 namespace {
@@ -43,6 +43,7 @@ RobotLink::RobotLink(RobotLinkListener& listener,
       params_(checked(params)),
       outbox_(params.credit),
       commands_(params.retransmission, params.command_tries),
+      bulk_(params.retransmission, params.bulk),
       pings_(params.ping),
       clock_(params.clock) {
   if (session == 0) {
@@ -62,43 +63,24 @@ void RobotLink::receive(std::span<const std::uint8_t> bytes, time::HostTime now)
 }
 
 void RobotLink::take_byte(std::uint8_t byte) {
-  preview_.add(byte);
-  const DecodeStatus status = decoder_.take(byte);
-  if (status == DecodeStatus::kIncomplete) {
+  const InboxEvent event = inbox_.take(byte, difference_);
+  if (event == InboxEvent::kForeign) {
+    last_frame_at_ = now_;
+  }
+  if (event != InboxEvent::kFrame) {
     return;
   }
-  std::uint8_t seq = 0;
-  if (status == DecodeStatus::kFrame) {
-    const protocol::Frame frame = decoder_.frame();
-    seq = frame.seq;
-    preview_.clear();
-    // A robot that was reset unheard answers pings too, and only Hello finds that out.
-    if (frame.id != protocol::Pong::kId) {
-      last_frame_at_ = now_;
-    }
-    auto handler = [this](const auto& message) { handle(message); };
-    protocol::Dispatcher<MessagesToHost>::dispatch(frame.id, frame.payload, handler);
+  const protocol::Frame frame = inbox_.frame();
+  // A robot that was reset unheard answers pings too, and only Hello finds that out.
+  if (frame.id != protocol::Pong::kId) {
+    last_frame_at_ = now_;
   }
-  count(status, seq);
-}
-
-void RobotLink::count(DecodeStatus status, std::uint8_t seq) {
-  const protocol::ReceiveCounters before = counters_;
-  counters_.take(status, seq);
-  const auto step = [](std::uint16_t from, std::uint16_t to) {
-    return static_cast<std::uint16_t>(to - from);
-  };
-  statistics_.frames_received += step(before.frames_good(), counters_.frames_good());
-  statistics_.frames_bad += step(before.frames_bad(), counters_.frames_bad());
-  statistics_.frames_lost += step(before.frames_lost(), counters_.frames_lost());
+  auto handler = [this](const auto& message) { handle(message); };
+  protocol::Dispatcher<MessagesToHost>::dispatch(frame.id, frame.payload, handler);
+  inbox_.count_frame();
 }
 
 void RobotLink::handle(const protocol::HelloReply& reply) {
-  if (!speaks_our_protocol(reply)) {
-    mismatch_ = mismatch_with(reply);
-    state_ = LinkState::kMismatch;
-    return;
-  }
   if (robot_ && robot_->boot_id != reply.boot_id) {
     notice_reset(reply);
   }
@@ -107,21 +89,71 @@ void RobotLink::handle(const protocol::HelloReply& reply) {
   }
   outbox_.confirm(reply);
   robot_ = reply;
-  if (state_ != LinkState::kReady) {
-    state_ = LinkState::kReady;
-    newest_stamp_us_.reset();
-    pings_.restart(now_);
-    listener_.on_ready(reply);
+  if (state_ != LinkState::kReady && state_ != LinkState::kDescribing) {
+    describe_or_be_ready();
   }
+}
+
+void RobotLink::describe_or_be_ready() {
+  if (robot_->protocol_major != protocol::kProtocolMajor) {
+    refuse("");
+  } else if (speaks_our_protocol(*robot_)) {
+    difference_.reset();
+    be_ready();
+  } else if (difference_ && described_digest_ == robot_->schema_digest) {
+    be_ready();
+  } else {
+    state_ = LinkState::kDescribing;
+    bulk_.start(protocol::BulkContent::kSchema);
+  }
+}
+
+void RobotLink::be_ready() {
+  state_ = LinkState::kReady;
+  newest_stamp_us_.reset();
+  pings_.restart(now_);
+  listener_.on_ready(*robot_);
+}
+
+void RobotLink::refuse(const std::string& difference) {
+  mismatch_ = mismatch_with(*robot_);
+  mismatch_->difference = difference;
+  state_ = LinkState::kMismatch;
+}
+
+void RobotLink::take_description(const BulkResult& result) {
+  const auto schema =
+      result.status == BulkStatus::kWhole ? read_robot_schema(result.bytes) : std::nullopt;
+  if (result.status == BulkStatus::kNoAnswer && !is_within(params_.lost_after, last_frame_at_)) {
+    state_ = LinkState::kLost;
+    return;
+  }
+  if (!schema || digest_of(*schema) != robot_->schema_digest) {
+    refuse("");
+    return;
+  }
+  difference_.emplace(*schema);
+  described_digest_ = robot_->schema_digest;
+  if (std::ranges::all_of(params_.needed_messages, [&](auto id) { return understands(id); })) {
+    be_ready();
+  } else {
+    refuse(difference_->summary());
+  }
+}
+
+bool RobotLink::understands(std::uint8_t message_id) const {
+  return !difference_ || difference_->agrees(message_id);
 }
 
 void RobotLink::notice_reset(const protocol::HelloReply& reply) {
   robot_ = reply;
   state_ = LinkState::kConnecting;
   connecting_since_ = now_;
-  counters_.restart();
+  inbox_.restart();
   ++statistics_.resets_seen;
   clock_.restart();
+  bulk_.abandon();
+  end_reading();
   end_commands(CommandOutcome::kRobotReset);
   listener_.on_reset(reply.reset_cause);
 }
@@ -132,6 +164,27 @@ void RobotLink::handle(const protocol::Ack& ack) {
     listener_.on_command_done(*result);
   }
 }
+
+void RobotLink::handle(const protocol::BulkData& data) {
+  outbox_.confirm(data);
+  bulk_.take_answer(data, now_);
+  end_reading();
+}
+
+/// Hands on what has been read. What ended because of a reset is nobody's description.
+void RobotLink::end_reading() {
+  const auto result = bulk_.take_result();
+  if (!result) {
+    return;
+  }
+  if (state_ == LinkState::kDescribing) {
+    take_description(*result);
+  } else {
+    listener_.on_bulk(*result);
+  }
+}
+
+void RobotLink::read(protocol::BulkContent content) { bulk_.start(content); }
 
 void RobotLink::handle(const protocol::Pong& pong) {
   outbox_.confirm(pong);
@@ -212,7 +265,12 @@ void RobotLink::poll(time::HostTime now) {
     send_command();
     send_ping();
     send_setpoint();
+    send_bulk();
+  } else if (state_ == LinkState::kDescribing) {
+    send_bulk();
   } else if (state_ != LinkState::kConnecting) {
+    bulk_.abandon();
+    end_reading();
     end_commands(CommandOutcome::kLinkLost);
   }
 }
@@ -230,6 +288,7 @@ void RobotLink::update_state() {
     case LinkState::kUnheard:
       state_ = diagnose();
       break;
+    case LinkState::kDescribing:
     case LinkState::kMismatch:
     case LinkState::kLost:
       break;
@@ -255,7 +314,8 @@ bool RobotLink::is_within(Duration duration, const std::optional<time::HostTime>
 }
 
 bool RobotLink::is_hello_due() const {
-  if (state_ == LinkState::kMismatch || now_ < next_hello_) {
+  const bool is_settled = state_ == LinkState::kMismatch || state_ == LinkState::kDescribing;
+  if (is_settled || now_ < next_hello_) {
     return false;
   }
   return state_ != LinkState::kReady || !is_within(params_.quiet_after, last_frame_at_);
@@ -298,6 +358,9 @@ void RobotLink::send_keep_alive() {
 }
 
 void RobotLink::send_ping() {
+  if (!understands(protocol::Ping::kId) || !understands(protocol::Pong::kId)) {
+    return;
+  }
   const bool frees_credit = outbox_.credit().wants_answer();
   const bool is_due = frees_credit || pings_.is_due(now_);
   if (is_due &&
@@ -310,12 +373,27 @@ void RobotLink::send_command() {
   if (!commands_.is_due(now_)) {
     return;
   }
+  const auto id =
+      std::visit([](const auto& command) { return std::uint8_t{command.kId}; }, commands_.next());
+  if (!understands(id)) {
+    ++statistics_.frames_withheld;
+    listener_.on_command_done(commands_.drop_next(CommandOutcome::kNotUnderstood));
+    return;
+  }
   if (!outbox_.has_room<Command>(kSpareOfAnswered)) {
     command_waits_since_ = command_waits_since_.value_or(now_);
     return;
   }
   command_waits_since_.reset();
   std::visit([this](const auto& message) { outbox_.put(message, now_); }, commands_.take(now_));
+}
+
+void RobotLink::send_bulk() {
+  bulk_.give_up_if_exhausted(now_);
+  end_reading();
+  while (bulk_.is_due(now_) && outbox_.has_room<protocol::BulkRead>(kSpareOfOthers)) {
+    outbox_.put(bulk_.take(now_), now_);
+  }
 }
 
 void RobotLink::end_commands(CommandOutcome outcome) {
@@ -329,6 +407,10 @@ void RobotLink::send(const protocol::DriveSetpoint& setpoint, time::HostTime now
   if (state_ != LinkState::kReady) {
     return;
   }
+  if (!understands(protocol::DriveSetpoint::kId)) {
+    ++statistics_.frames_withheld;
+    return;
+  }
   statistics_.setpoints_dropped += setpoint_ ? 1 : 0;
   setpoint_ = {setpoint, now};
   send_setpoint();
@@ -336,6 +418,10 @@ void RobotLink::send(const protocol::DriveSetpoint& setpoint, time::HostTime now
 
 LinkStatistics RobotLink::statistics() const {
   LinkStatistics statistics = statistics_;
+  statistics.frames_received = inbox_.frames_received();
+  statistics.frames_bad = inbox_.frames_bad();
+  statistics.frames_lost = inbox_.frames_lost();
+  statistics.frames_foreign = inbox_.frames_foreign();
   statistics.frames_sent = outbox_.frames_sent();
   statistics.commands_resent = commands_.resent();
   statistics.credit_waits = outbox_.waits();

@@ -6,17 +6,18 @@
 #include <span>
 #include <vector>
 
-#include "host/robot_link/byte_preview.hpp"
+#include "host/robot_link/bulk_reader.hpp"
 #include "host/robot_link/command_sender.hpp"
+#include "host/robot_link/frame_inbox.hpp"
 #include "host/robot_link/frame_outbox.hpp"
 #include "host/robot_link/link_state.hpp"
 #include "host/robot_link/link_statistics.hpp"
 #include "host/robot_link/ping_sender.hpp"
 #include "host/robot_link/protocol_mismatch.hpp"
 #include "host/robot_link/robot_link_listener.hpp"
+#include "host/robot_link/robot_schema.hpp"
 #include "host/time/clock_sync.hpp"
 #include "host/time/host_time.hpp"
-#include "protocol/link.hpp"
 #include "protocol/messages.hpp"
 
 namespace echomap::robot_link {
@@ -36,6 +37,9 @@ struct RobotLinkParams {
   time::ClockSyncParams clock{};
   RetransmissionParams retransmission{};
   CreditParams credit{};
+  BulkParams bulk{};
+  /// A robot built from other messages is still spoken to as long as these are the same.
+  std::vector<std::uint8_t> needed_messages = messages_for_mapping();
   /// At 5 % frame loss each way a try fails at 9.75 %: five in a row once in 110,000 commands,
   /// eight once in 120 million.
   int command_tries = 8;
@@ -71,6 +75,10 @@ class RobotLink {
   /// credit is used up the latest waits, for its own time to live at most.
   void send(const protocol::DriveSetpoint& setpoint, time::HostTime now);
 
+  /// Asks a ready robot for a bulk content; `on_bulk` brings it whole, or says why not. A reading
+  /// under way is given up without a word.
+  void read(protocol::BulkContent content);
+
   /// While on, motion on the robot is kept alive; off, it ends within `keep_alive_ttl`.
   void keep_alive(bool on) { keep_alive_ = on; }
 
@@ -80,21 +88,23 @@ class RobotLink {
   const time::ClockSync& clock() const { return clock_; }
   /// What the robot said of itself in its last reply; empty before the first.
   const std::optional<protocol::HelloReply>& robot() const { return robot_; }
+  /// In what the messages of a robot differ that is spoken to all the same; empty where they do
+  /// not.
+  const std::optional<SchemaDifference>& difference() const { return difference_; }
   /// Both versions, in state kMismatch.
   const std::optional<ProtocolMismatch>& mismatch() const { return mismatch_; }
   /// What came instead of frames, in state kGarbage.
-  const BytePreview& preview() const { return preview_; }
+  const BytePreview& preview() const { return inbox_.preview(); }
 
  private:
   using Duration = RobotLinkParams::Duration;
 
   void take_byte(std::uint8_t byte);
-  void count(protocol::DecodeStatus status, std::uint8_t seq);
 
   void handle(const protocol::HelloReply& reply);
   void handle(const protocol::Ack& ack);
   void handle(const protocol::Pong& pong);
-  void handle(const protocol::BulkData& data) { listener_.on_bulk_data(data); }
+  void handle(const protocol::BulkData& data);
   void handle(const protocol::Odometry& message);
   void handle(const protocol::Echo& message);
   void handle(const protocol::Status& message);
@@ -103,6 +113,12 @@ class RobotLink {
   void handle(const protocol::Gyro& message);
   bool accepts_telemetry(std::uint32_t stamp_us);
   void notice_reset(const protocol::HelloReply& reply);
+  void describe_or_be_ready();
+  void be_ready();
+  void refuse(const std::string& difference);
+  void take_description(const BulkResult& result);
+  void end_reading();
+  bool understands(std::uint8_t message_id) const;
 
   void update_state();
   LinkState diagnose();
@@ -114,6 +130,7 @@ class RobotLink {
   void send_keep_alive();
   void send_ping();
   void send_command();
+  void send_bulk();
   void end_commands(CommandOutcome outcome);
 
   RobotLinkListener& listener_;
@@ -123,12 +140,13 @@ class RobotLink {
   LinkState state_ = LinkState::kConnecting;
   std::optional<protocol::HelloReply> robot_;
   std::optional<ProtocolMismatch> mismatch_;
-  BytePreview preview_;
+  std::optional<SchemaDifference> difference_;
+  std::uint32_t described_digest_ = 0;  ///< Of the messages that `difference_` tells of.
 
-  protocol::FrameDecoder decoder_{protocol::MessagesToHost::find_schema};
-  protocol::ReceiveCounters counters_;
+  FrameInbox inbox_;
   FrameOutbox outbox_;
   CommandSender commands_;
+  BulkReader bulk_;
   PingSender pings_;
   time::ClockSync clock_;
   LinkStatistics statistics_;

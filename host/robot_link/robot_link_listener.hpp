@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "host/robot_link/bulk_reader.hpp"
 #include "host/robot_link/command.hpp"
-#include "protocol/bulk_messages.hpp"
 #include "protocol/handshake_messages.hpp"
 #include "protocol/telemetry_messages.hpp"
 
@@ -24,7 +24,8 @@ class RobotLinkListener {
   virtual void on_ranges(const protocol::Ranges& /*message*/) {}
   virtual void on_gyro(const protocol::Gyro& /*message*/) {}
 
-  virtual void on_bulk_data(const protocol::BulkData& /*data*/) {}
+  /// What `RobotLink::read` asked for.
+  virtual void on_bulk(const BulkResult& /*result*/) {}
 
   /// The handshake is done, for the first time or again.
   virtual void on_ready(const protocol::HelloReply& /*reply*/) {}

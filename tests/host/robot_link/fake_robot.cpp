@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "tests/host/robot_link/fake_robot.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <iterator>
+#include <type_traits>
 #include <utility>
 
+#include "protocol/config_digest.hpp"
+#include "protocol/schema_description.hpp"
 #include "protocol/version.hpp"
 
 namespace echomap::robot_link {
@@ -19,6 +26,7 @@ void FakeRobot::power_on(std::uint16_t boot_id, std::uint8_t reset_cause) {
   greeted_ = false;
   armed = false;
   status_ = {};
+  configuration = {};
   motion_left_ms_ = 0;
   if (announces_boot) {
     reply(0);
@@ -62,7 +70,7 @@ void FakeRobot::reply(std::uint16_t session) {
                             1000,
                             receive_credit_bytes,
                             0,
-                            0});
+                            protocol::config_digest(configuration)});
 }
 
 void FakeRobot::handle(const protocol::Ping& ping) {
@@ -110,9 +118,56 @@ protocol::CommandStatus FakeRobot::carry_out(const protocol::Arm& arm) {
   return answer;
 }
 
-protocol::CommandStatus FakeRobot::carry_out(const protocol::ConfigureDrive& /*settings*/) {
+template <class Settings>
+protocol::CommandStatus FakeRobot::take_settings(Settings& held, const Settings& settings) {
   ++configurations;
+  if (answer == protocol::CommandStatus::kAccepted) {
+    held = settings;
+    configuration.pan.max_cdeg +=
+        std::is_same_v<Settings, protocol::ConfigurePan> ? pan_error_cdeg : 0;
+  }
   return answer;
+}
+
+FakeRobot::Bytes FakeRobot::described_messages() {
+  constexpr auto description = protocol::describe_schema<protocol::AllMessages>();
+  return {std::begin(description.bytes), std::end(description.bytes)};
+}
+
+FakeRobot::Bytes FakeRobot::bulk_content(std::uint8_t content) const {
+  const protocol::ConfigurationBytes held = protocol::configuration_bytes(configuration);
+  switch (static_cast<protocol::BulkContent>(content)) {
+    case protocol::BulkContent::kSchema:
+      return schema;
+    case protocol::BulkContent::kConfiguration:
+      return {std::begin(held.bytes), std::end(held.bytes)};
+  }
+  return {};
+}
+
+void FakeRobot::handle(const protocol::BulkRead& read) {
+  ++bulk_reads;
+  if (!answers_bulk_reads) {
+    return;
+  }
+  const Bytes content = bulk_content(read.content);
+  std::array<std::uint32_t, 8> words{};
+  if (read.offset < content.size()) {
+    std::memcpy(words.data(),
+                content.data() + read.offset,
+                std::min(sizeof(words), content.size() - read.offset));
+  }
+  send(protocol::BulkData{read.content,
+                          read.offset,
+                          static_cast<std::uint16_t>(content.size()),
+                          words[0],
+                          words[1],
+                          words[2],
+                          words[3],
+                          words[4],
+                          words[5],
+                          words[6],
+                          words[7]});
 }
 
 void FakeRobot::end_motions() {
@@ -135,6 +190,7 @@ void FakeRobot::advance_1ms() {
   }
   if (stamp_us_ % 200'000 == 0) {
     status_.stamp_us = stamp_us_;
+    status_.hazards = hazards;
     send(status_);
     protocol::Health health{};
     health.stamp_us = stamp_us_;

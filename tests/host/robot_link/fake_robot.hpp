@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/configuration.hpp"
 #include "protocol/frame_encoder.hpp"
 #include "protocol/link.hpp"
 #include "protocol/messages.hpp"
@@ -39,6 +40,8 @@ class FakeRobot {
     outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
   }
 
+  static Bytes described_messages();
+
   std::uint32_t stamp_us() const { return stamp_us_; }
 
   // How it behaves.
@@ -50,6 +53,12 @@ class FakeRobot {
   std::uint8_t protocol_minor = protocol::kProtocolMinor;
   std::uint32_t schema_digest = protocol::kSchemaDigest;
   std::uint16_t receive_credit_bytes = 128;
+  /// The description of its messages; by default those of this build.
+  Bytes schema = described_messages();
+  bool answers_bulk_reads = true;
+  /// Added to what it was told of the pan's far end: a robot that does not do what it accepts.
+  int pan_error_cdeg = 0;
+  std::uint8_t hazards = 0;
   protocol::CommandStatus answer = protocol::CommandStatus::kAccepted;
   /// How moves and sweeps end, `motion_ms` after they were accepted.
   protocol::MotionOutcome outcome = protocol::MotionOutcome::kReached;
@@ -62,7 +71,9 @@ class FakeRobot {
   std::vector<protocol::KeepAlive> keep_alives;
   std::vector<protocol::DriveSetpoint> setpoints;
   std::vector<std::uint8_t> command_ids_received;
-  int configurations = 0;
+  protocol::Configuration configuration{};
+  int configurations = 0;  ///< Messages of a configuration that were taken.
+  int bulk_reads = 0;
   int sweeps = 0;
   bool armed = false;
   /// Called with each command's name before it is carried out.
@@ -75,15 +86,33 @@ class FakeRobot {
   void handle(const protocol::KeepAlive& message) { keep_alives.push_back(message); }
   void handle(const protocol::DriveSetpoint& message) { setpoints.push_back(message); }
   void handle(const protocol::Ping& ping);
-  void handle(const protocol::BulkRead& read) {
-    send(protocol::BulkData{read.content, read.offset});
-  }
+  void handle(const protocol::BulkRead& read);
+  Bytes bulk_content(std::uint8_t content) const;
   template <class Command>
   void handle(const Command& command);
   protocol::CommandStatus carry_out(const protocol::MoveTicks& move);
   protocol::CommandStatus carry_out(const protocol::StartSweep& sweep);
   protocol::CommandStatus carry_out(const protocol::Arm& arm);
-  protocol::CommandStatus carry_out(const protocol::ConfigureDrive& settings);
+  template <class Settings>
+  protocol::CommandStatus take_settings(Settings& held, const Settings& settings);
+  protocol::CommandStatus carry_out(const protocol::ConfigureDrive& settings) {
+    return take_settings(configuration.drive, settings);
+  }
+  protocol::CommandStatus carry_out(const protocol::ConfigureSonar& settings) {
+    return take_settings(configuration.sonar, settings);
+  }
+  protocol::CommandStatus carry_out(const protocol::ConfigurePan& settings) {
+    return take_settings(configuration.pan, settings);
+  }
+  protocol::CommandStatus carry_out(const protocol::ConfigurePins& settings) {
+    return take_settings(configuration.pins, settings);
+  }
+  protocol::CommandStatus carry_out(const protocol::ConfigureSensors& settings) {
+    return take_settings(configuration.sensors, settings);
+  }
+  protocol::CommandStatus carry_out(const protocol::ConfigureSafety& settings) {
+    return take_settings(configuration.safety, settings);
+  }
   void end_motions();
   template <class Command>
   protocol::CommandStatus carry_out(const Command& /*command*/) {

@@ -18,6 +18,7 @@ struct RecordingListener : RobotLinkListener {
   void on_odometry(const protocol::Odometry& message) override { odometry.push_back(message); }
   void on_echo(const protocol::Echo& message) override { echoes.push_back(message); }
   void on_status(const protocol::Status& message) override { statuses.push_back(message); }
+  void on_bulk(const BulkResult& result) override { bulk.push_back(result); }
   void on_ready(const protocol::HelloReply& /*reply*/) override { events.emplace_back("ready"); }
   void on_reset(std::uint8_t reset_cause) override {
     events.emplace_back("reset");
@@ -31,6 +32,7 @@ struct RecordingListener : RobotLinkListener {
   std::vector<std::string> events;
   std::vector<std::uint8_t> reset_causes;
   std::vector<CommandResult> results;
+  std::vector<BulkResult> bulk;
   std::vector<protocol::Odometry> odometry;
   std::vector<protocol::Echo> echoes;
   std::vector<protocol::Status> statuses;

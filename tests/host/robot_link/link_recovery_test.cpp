@@ -90,6 +90,7 @@ TEST_F(LinkRecoveryTest, BecomesReadyOutOfAnyBadStart) {
 TEST_F(LinkRecoveryTest, NamesBothVersionsOfAMismatchAndGoesNoFurther) {
   robot.protocol_minor = 9;
   robot.schema_digest = 0x0000BEEF;
+  robot.schema = {};
   link.submit(protocol::Arm{0, 1});
   run_for(500);
   EXPECT_EQ(link.state(), LinkState::kMismatch);

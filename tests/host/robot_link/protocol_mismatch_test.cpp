@@ -34,9 +34,12 @@ TEST(ProtocolMismatch, IsOneForAnyBitOfTheDigestAndForAnotherMajor) {
 
 TEST(ProtocolMismatch, UpdatesTheOlderSide) {
   const auto side = [](std::uint8_t major, std::uint8_t minor) {
-    return ProtocolMismatch{
-        .host_major = 2, .host_minor = 5, .robot_major = major, .robot_minor = minor}
-        .side_to_update();
+    ProtocolMismatch mismatch;
+    mismatch.host_major = 2;
+    mismatch.host_minor = 5;
+    mismatch.robot_major = major;
+    mismatch.robot_minor = minor;
+    return mismatch.side_to_update();
   };
   EXPECT_EQ(side(1, 9), SideToUpdate::kFirmware);
   EXPECT_EQ(side(2, 4), SideToUpdate::kFirmware);
@@ -52,10 +55,11 @@ TEST(ProtocolMismatch, SaysBothVersionsAndWhatToUpdate) {
                                   .robot_major = 1,
                                   .robot_minor = 0,
                                   .robot_digest = 0x12345678,
-                                  .robot_firmware_version = 107};
+                                  .robot_firmware_version = 107,
+                                  .difference = "other fields in Echo"};
   EXPECT_EQ(mismatch.message(),
             "the robot's firmware 1.07 speaks protocol 1.0 (schema 12345678), this host protocol "
-            "1.2 (schema 0000abcd): update the firmware");
+            "1.2 (schema 0000abcd): other fields in Echo\n  next: the robot is older: ./run flash");
 }
 
 TEST(ProtocolMismatch, TakesTheRobotsSideFromItsReply) {
