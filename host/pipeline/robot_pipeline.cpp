@@ -27,6 +27,11 @@ void RobotPipeline::on_sonar(const sensors::SonarObservation& observation) {
   }
 }
 
+void RobotPipeline::on_hazards(const sensors::HazardObservation& observation) {
+  times_lifted_ += observation.lifted && !hazards_.lifted ? 1 : 0;
+  hazards_ = observation;
+}
+
 void RobotPipeline::begin_scan() {
   end_scan();
   scan_is_open_ = true;
@@ -63,6 +68,11 @@ Snapshot RobotPipeline::snapshot() const {
   snapshot.last_scan = last_scan_;
   snapshot.stops = stops_;
   snapshot.newly_free_m2 = newly_free_m2_;
+  snapshot.hazards = hazards_;
+  snapshot.infrared = infrared_;
+  snapshot.yaw = yaw_;
+  snapshot.battery = battery_;
+  snapshot.times_lifted = times_lifted_;
   return snapshot;
 }
 

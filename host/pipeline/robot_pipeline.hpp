@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "host/mapping/occupancy_grid.hpp"
@@ -27,6 +28,12 @@ class RobotPipeline {
   /// Places the reading by its own wheel travel. Its echo is a point of the map at once; the grid
   /// only takes readings of a scan.
   void on_sonar(const sensors::SonarObservation& observation);
+
+  /// The last of each stands in the snapshot; a wheel that begins to hang counts as a lift.
+  void on_hazards(const sensors::HazardObservation& observation);
+  void on_infrared(const sensors::InfraredObservation& observation) { infrared_ = observation; }
+  void on_yaw(const sensors::YawObservation& observation) { yaw_ = observation; }
+  void on_battery(const sensors::BatteryObservation& observation) { battery_ = observation; }
 
   /// Readings from here to `end_scan` are one scan, whatever turns of the body lie between them. A
   /// scan that was left open is ended first.
@@ -53,6 +60,11 @@ class RobotPipeline {
   bool scan_is_open_ = false;
   std::size_t stops_ = 0;
   double newly_free_m2_ = 0.0;
+  sensors::HazardObservation hazards_;
+  sensors::InfraredObservation infrared_;
+  std::optional<sensors::YawObservation> yaw_;
+  std::optional<sensors::BatteryObservation> battery_;
+  std::size_t times_lifted_ = 0;
 };
 
 }  // namespace echomap::pipeline

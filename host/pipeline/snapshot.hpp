@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/point_cloud_map.hpp"
+#include "host/sensors/observations.hpp"
 #include "host/time/robot_time.hpp"
 
 namespace echomap::pipeline {
@@ -32,6 +34,13 @@ struct Snapshot {
   std::size_t stops = 0;
   /// Floor that the last scan showed free and nobody had known before, square metres.
   double newly_free_m2 = 0.0;
+  /// The last of each; default where the robot has told none.
+  sensors::HazardObservation hazards;
+  sensors::InfraredObservation infrared;
+  std::optional<sensors::YawObservation> yaw;
+  std::optional<sensors::BatteryObservation> battery;
+  /// How often the robot was picked up: its pose is void since the last time.
+  std::size_t times_lifted = 0;
 };
 
 }  // namespace echomap::pipeline

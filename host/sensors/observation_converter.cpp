@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/sensors/observation_converter.hpp"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -9,8 +10,12 @@
 namespace echomap::sensors {
 
 ObservationConverter::ObservationConverter(const RobotGeometry& geometry,
-                                           const SonarRangeParams& sonar)
-    : geometry_(geometry), sonar_(sonar) {
+                                           const SonarRangeParams& sonar,
+                                           const SensorParams& sensors)
+    : geometry_(geometry), sonar_(sonar), sensors_(sensors) {
+  if (sensors_.gyro) {
+    yaw_.emplace(*sensors_.gyro);
+  }
   geometry_.check();
   if (!std::isfinite(sonar_.speed_of_sound_m_s) || sonar_.speed_of_sound_m_s <= 0.0) {
     throw std::invalid_argument("sonar: speed_of_sound_m_s must be positive");
@@ -18,6 +23,9 @@ ObservationConverter::ObservationConverter(const RobotGeometry& geometry,
   const bool is_interval = sonar_.min_range_m >= 0.0 && sonar_.min_range_m < sonar_.max_range_m;
   if (!is_interval) {
     throw std::invalid_argument("sonar: 0 <= min_range_m < max_range_m does not hold");
+  }
+  if (!sensors_.infrared.empty() && !sensors_.infrared_curve) {
+    throw std::invalid_argument("infra-red sensors: no curve");
   }
 }
 
@@ -32,7 +40,61 @@ SonarObservation ObservationConverter::convert(const protocol::Echo& message) {
           range_m(message.flight_us)};
 }
 
+InfraredObservation ObservationConverter::convert(const protocol::Ranges& message) {
+  const std::array channels{message.channel_0,
+                            message.channel_1,
+                            message.channel_2,
+                            message.channel_3,
+                            message.channel_4,
+                            message.channel_5,
+                            message.channel_6,
+                            message.channel_7};
+  InfraredObservation observation{
+      time_.unwrap(message.stamp_us), travel(message.left_ticks, message.right_ticks), {}};
+  for (const InfraredSensor& sensor : sensors_.infrared) {
+    const std::uint16_t counts = channels.at(sensor.channel);
+    observation.range_m.push_back(
+        counts == protocol::kNoRange ? std::nullopt : sensors_.infrared_curve->range_m(counts));
+  }
+  return observation;
+}
+
+std::optional<YawObservation> ObservationConverter::convert(const protocol::Gyro& message) {
+  if (!yaw_) {
+    return std::nullopt;
+  }
+  return YawObservation{time_.unwrap(message.stamp_us), yaw_->update(message)};
+}
+
+HazardObservation ObservationConverter::convert(const protocol::Status& message) {
+  const auto flag = [&](protocol::RobotFlags bit) { return (message.flags & bit) != 0; };
+  const auto hazard = [&](protocol::Hazard bit) { return (message.hazards & bit) != 0; };
+  return {time_.unwrap(message.stamp_us),
+          flag(protocol::kFlagBumpLeft),
+          flag(protocol::kFlagBumpRight),
+          {hazard(protocol::kHazardCliffLeft),
+           hazard(protocol::kHazardCliffFrontLeft),
+           hazard(protocol::kHazardCliffFrontRight),
+           hazard(protocol::kHazardCliffRight)},
+          hazard(protocol::kHazardWheelDrop),
+          hazard(protocol::kHazardVirtualWall),
+          hazard(protocol::kHazardWall)};
+}
+
+std::optional<BatteryObservation> ObservationConverter::convert(const protocol::Health& message) {
+  constexpr double kFullScaleCounts = 1023.0;
+  if (!sensors_.battery_full_scale_v || message.battery_raw == 0) {
+    return std::nullopt;
+  }
+  return BatteryObservation{
+      time_.unwrap(message.stamp_us),
+      message.battery_raw / kFullScaleCounts * *sensors_.battery_full_scale_v};
+}
+
 void ObservationConverter::restart() {
+  if (yaw_) {
+    yaw_->restart();
+  }
   time_.restart();
   left_.restart();
   right_.restart();

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
+#include "host/sensors/infrared_curve.hpp"
 #include "host/sensors/observations.hpp"
 #include "host/sensors/robot_geometry.hpp"
 #include "host/sensors/tick_unwrapper.hpp"
+#include "host/sensors/yaw_integrator.hpp"
 #include "host/time/robot_time.hpp"
 #include "protocol/telemetry_messages.hpp"
 
@@ -18,17 +22,40 @@ struct SonarRangeParams {
   double max_range_m = 2.30;  ///< Farther is noise; depends on the sensor.
 };
 
+/// One infra-red range sensor.
+struct InfraredSensor {
+  std::uint8_t channel = 0;        ///< Of protocol::Ranges.
+  geometry::Pose2 T_robot_sensor;  ///< Its x axis is the axis of its beam.
+};
+
+/// What a robot has beside wheels and sonar.
+struct SensorParams {
+  std::vector<InfraredSensor> infrared;
+  std::optional<InfraredCurve> infrared_curve;  ///< Of all of them; there where they are.
+  std::optional<GyroParams> gyro;
+  /// Voltage of the battery at the converter's last count.
+  std::optional<double> battery_full_scale_v;
+};
+
 /// Turns telemetry, integers on the robot's clock, into observations in SI units. Counters and
 /// stamps are unwrapped over the whole session, so `convert` wants every message, in order of
 /// arrival.
 class ObservationConverter {
  public:
   /// Throws std::invalid_argument for a geometry or ranges that make no sense.
-  ObservationConverter(const RobotGeometry& geometry, const SonarRangeParams& sonar);
+  ObservationConverter(const RobotGeometry& geometry,
+                       const SonarRangeParams& sonar,
+                       const SensorParams& sensors = {});
 
   OdometryObservation convert(const protocol::Odometry& message);
   /// `range_m` is empty for no echo and for ranges outside of the sonar's.
   SonarObservation convert(const protocol::Echo& message);
+  InfraredObservation convert(const protocol::Ranges& message);
+  /// Empty where the robot has no gyro.
+  std::optional<YawObservation> convert(const protocol::Gyro& message);
+  HazardObservation convert(const protocol::Status& message);
+  /// Empty where no battery is measured.
+  std::optional<BatteryObservation> convert(const protocol::Health& message);
 
   /// The robot was reset: its counters and its clock start at zero, travel and stamps go on.
   void restart();
@@ -39,6 +66,8 @@ class ObservationConverter {
 
   RobotGeometry geometry_;
   SonarRangeParams sonar_;
+  SensorParams sensors_;
+  std::optional<YawIntegrator> yaw_;
   time::RobotTimeUnwrapper time_;
   TickUnwrapper left_;
   TickUnwrapper right_;

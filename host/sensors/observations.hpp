@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
+#include "host/sensors/yaw_integrator.hpp"
 #include "host/time/robot_time.hpp"
 
 namespace echomap::sensors {
@@ -26,6 +29,38 @@ struct SonarObservation {
   WheelTravel travel;
   double pan_rad = 0.0;
   std::optional<double> range_m;
+};
+
+/// One round of the infra-red sensors, in the order of the profile. A range is empty where nothing
+/// is in reach.
+struct InfraredObservation {
+  time::RobotTime stamp;
+  WheelTravel travel;
+  std::vector<std::optional<double>> range_m;
+};
+
+/// What the gyro has turned since the session began, bias included.
+struct YawObservation {
+  time::RobotTime stamp;
+  Yaw yaw;
+};
+
+/// What touches or threatens the robot. Cliffs stand in the order left, front left, front right,
+/// right.
+struct HazardObservation {
+  time::RobotTime stamp;
+  bool bump_left = false;
+  bool bump_right = false;
+  std::array<bool, 4> cliffs{};
+  bool lifted = false;  ///< A wheel hangs: the robot was picked up, and its pose is void.
+  bool virtual_wall = false;
+  bool wall = false;
+};
+
+/// The battery's voltage.
+struct BatteryObservation {
+  time::RobotTime stamp;
+  double voltage_v = 0.0;
 };
 
 }  // namespace echomap::sensors

@@ -167,5 +167,28 @@ TEST_F(RobotPipelineTest, SurvivesAScanWithoutAnyEcho) {
   EXPECT_TRUE(snapshot.points->points().empty());
 }
 
+TEST(RobotPipeline, CountsHowOftenTheRobotWasLifted) {
+  RobotPipeline pipeline(sensors::RobotGeometry{});
+  EXPECT_EQ(pipeline.snapshot().times_lifted, 0U);
+  for (const bool lifted : {false, true, true, false, true}) {
+    pipeline.on_hazards({.stamp = {}, .lifted = lifted});
+  }
+  EXPECT_EQ(pipeline.snapshot().times_lifted, 2U);
+  EXPECT_TRUE(pipeline.snapshot().hazards.lifted);
+}
+
+TEST(RobotPipeline, ShowsTheLastOfEverySensor) {
+  RobotPipeline pipeline(sensors::RobotGeometry{});
+  EXPECT_FALSE(pipeline.snapshot().yaw);
+  EXPECT_FALSE(pipeline.snapshot().battery);
+  pipeline.on_infrared({.stamp = {}, .travel = {}, .range_m = {0.05, std::nullopt}});
+  pipeline.on_yaw({.stamp = {}, .yaw = {0.5, 1.0, 0}});
+  pipeline.on_battery({.stamp = {}, .voltage_v = 7.4});
+  const Snapshot snapshot = pipeline.snapshot();
+  EXPECT_EQ(snapshot.infrared.range_m.size(), 2U);
+  EXPECT_EQ(snapshot.yaw->yaw.yaw_rad, 0.5);
+  EXPECT_EQ(snapshot.battery->voltage_v, 7.4);
+}
+
 }  // namespace
 }  // namespace echomap::pipeline

@@ -108,5 +108,80 @@ TEST(ObservationConverter, RefusesParametersThatMakeNoSense) {
   EXPECT_THROW(build(kGeometry, {.min_range_m = std::nan("")}), std::invalid_argument);
 }
 
+SensorParams all_sensors() {
+  SensorParams sensors;
+  sensors.infrared = {{3, {}}, {0, {}}, {7, {}}};
+  sensors.infrared_curve = InfraredCurve({{1000.0, 0.01}, {10.0, 0.10}});
+  sensors.gyro = GyroParams{1.0, 0.01, false};
+  sensors.battery_full_scale_v = 10.0;
+  return sensors;
+}
+
+TEST(ObservationConverter, GivesInfraredRangesInTheOrderOfTheProfile) {
+  ObservationConverter converter(kGeometry, kSonar, all_sensors());
+  protocol::Ranges message{};
+  message.stamp_us = 5000;
+  message.channel_3 = 250;
+  message.channel_0 = 3;
+  message.channel_7 = protocol::kNoRange;
+  const InfraredObservation seen = converter.convert(message);
+  EXPECT_EQ(seen.stamp.time_since_epoch().count(), 5000);
+  ASSERT_EQ(seen.range_m.size(), 3U);
+  EXPECT_NEAR(seen.range_m[0].value(), 0.02, 1e-12);
+  EXPECT_FALSE(seen.range_m[1]) << "nothing in reach";
+  EXPECT_FALSE(seen.range_m[2]) << "no pin reads it";
+}
+
+TEST(ObservationConverter, GivesTheBatterysVoltage) {
+  ObservationConverter converter(kGeometry, kSonar, all_sensors());
+  protocol::Health message{};
+  message.battery_raw = 1023;
+  EXPECT_NEAR(converter.convert(message)->voltage_v, 10.0, 1e-12);
+  message.battery_raw = 341;
+  EXPECT_NEAR(converter.convert(message)->voltage_v, 10.0 / 3.0, 1e-12);
+  message.battery_raw = 0;
+  EXPECT_FALSE(converter.convert(message)) << "not measured";
+}
+
+TEST(ObservationConverter, HasNoYawAndNoVoltageWithoutTheirSensors) {
+  ObservationConverter converter(kGeometry, kSonar);
+  EXPECT_FALSE(converter.convert(protocol::Gyro{0, 1000, 1, 0}));
+  protocol::Health message{};
+  message.battery_raw = 512;
+  EXPECT_FALSE(converter.convert(message));
+  EXPECT_TRUE(converter.convert(protocol::Ranges{}).range_m.empty());
+}
+
+TEST(ObservationConverter, KeepsTheYawThroughAReset) {
+  ObservationConverter converter(kGeometry, kSonar, all_sensors());
+  converter.convert(protocol::Gyro{0, 32768, 1, 0});
+  converter.restart();
+  const auto seen = converter.convert(protocol::Gyro{0, 32768, 1, 0});
+  EXPECT_NEAR(seen->yaw.yaw_rad, 0.01, 1e-12);
+}
+
+TEST(ObservationConverter, NamesWhatTouchesOrThreatens) {
+  ObservationConverter converter(kGeometry, kSonar);
+  protocol::Status message{};
+  message.flags = protocol::kFlagArmed | protocol::kFlagBumpRight;
+  message.hazards = protocol::kHazardCliffFrontLeft | protocol::kHazardWall;
+  const HazardObservation seen = converter.convert(message);
+  EXPECT_FALSE(seen.bump_left);
+  EXPECT_TRUE(seen.bump_right);
+  EXPECT_EQ(seen.cliffs, (std::array{false, true, false, false}));
+  EXPECT_FALSE(seen.lifted);
+  EXPECT_FALSE(seen.virtual_wall);
+  EXPECT_TRUE(seen.wall);
+  message.hazards = protocol::kHazardWheelDrop | protocol::kHazardVirtualWall;
+  EXPECT_TRUE(converter.convert(message).lifted);
+  EXPECT_TRUE(converter.convert(message).virtual_wall);
+}
+
+TEST(ObservationConverter, RefusesInfraredSensorsWithoutACurve) {
+  SensorParams sensors = all_sensors();
+  sensors.infrared_curve.reset();
+  EXPECT_THROW(ObservationConverter(kGeometry, kSonar, sensors), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace echomap::sensors

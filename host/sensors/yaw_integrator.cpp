@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "host/sensors/yaw_integrator.hpp"
+
+#include <stdexcept>
+
+namespace echomap::sensors {
+namespace {
+
+/// Counts of the gyro's 16 bits at the end of its scale.
+constexpr double kFullScaleCounts = 32768.0;
+
+std::int64_t step(std::uint16_t from, std::uint16_t to) {
+  return static_cast<std::int16_t>(static_cast<std::uint16_t>(to - from));
+}
+
+}  // namespace
+
+YawIntegrator::YawIntegrator(const GyroParams& params) : params_(params) {
+  if (params.full_scale_rad_per_s <= 0.0 || params.sample_period_s <= 0.0) {
+    throw std::invalid_argument("gyro: full scale and sample period must be positive");
+  }
+}
+
+Yaw YawIntegrator::update(const protocol::Gyro& message) {
+  if (started_) {
+    sum_ += static_cast<std::int32_t>(static_cast<std::uint32_t>(message.yaw_sum) -
+                                      static_cast<std::uint32_t>(last_.yaw_sum));
+    samples_ += step(last_.samples, message.samples);
+    errors_ += step(last_.errors, message.errors);
+  }
+  started_ = true;
+  last_ = message;
+  const double rad_per_count =
+      params_.full_scale_rad_per_s / kFullScaleCounts * params_.sample_period_s;
+  return {static_cast<double>(sum_) * rad_per_count * (params_.upside_down ? -1.0 : 1.0),
+          static_cast<double>(samples_) * params_.sample_period_s,
+          static_cast<std::uint64_t>(errors_)};
+}
+
+}  // namespace echomap::sensors
