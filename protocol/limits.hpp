@@ -17,9 +17,15 @@ constexpr int32_t kMaxMoveTicks = 500000;
 /// Time to live where a message says 0, and the longest one.
 constexpr uint16_t kDefaultTimeToLiveMs = 200;
 constexpr uint16_t kMaxTimeToLiveMs = 500;
-/// Shortest and longest pulse of the pan servo, for every pan of ConfigureSonar.
+/// Farthest pan of a stepper, and its most half steps a turn.
+constexpr int32_t kMaxPanCdeg = 72000;
+constexpr uint16_t kMaxStepsPerTurn = 8192;
+/// Shortest and longest pulse of the pan servo, for every pan of ConfigurePan.
 constexpr uint16_t kMinServoPulseUs = 400;
 constexpr uint16_t kMaxServoPulseUs = 2600;
+/// Largest stall_ms and runaway_ticks of ConfigureSafety.
+constexpr uint16_t kMaxStallMs = 1000;
+constexpr uint16_t kMaxRunawayTicks = 32000;
 /// Longest wait at each reading of StartSweep.
 constexpr uint16_t kMaxSettleMs = 10000;
 

@@ -15,7 +15,7 @@ enum class ExitCode : int {
   kFirmwareMismatch = 4,
   kLinkLost = 5,
   kConfigInvalid = 6,
-  kSafetyStop = 7,  ///< Reserved.
+  kSafetyStop = 7,  ///< The board stopped for good: lifted, a wheel out of control.
   kInterrupted = 130,
 };
 

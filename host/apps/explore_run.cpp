@@ -132,8 +132,16 @@ ExitCode exit_code_of(exploration::FinishReason reason) {
   return ExitCode::kRuntimeError;
 }
 
-ExitCode exit_code_of(SessionEnd end) {
-  return end == SessionEnd::kInterrupted ? ExitCode::kInterrupted : ExitCode::kLinkLost;
+std::string outcome_of(SessionEnd end) {
+  switch (end) {
+    case SessionEnd::kInterrupted:
+      return "interrupted";
+    case SessionEnd::kSafetyStop:
+      return "safety-stop";
+    case SessionEnd::kLinkLost:
+      break;
+  }
+  return "link-lost";
 }
 
 }  // namespace
@@ -147,6 +155,11 @@ ExitCode explore_and_save(RobotConnection robot,
                           const RunOptions& options,
                           const std::filesystem::path& out,
                           exports::RunSummary& summary) {
+  if (!profile.has_sonar) {
+    throw CommandError(ExitCode::kConfigInvalid,
+                       "strategy '" + options.strategy + "' needs a sonar, and profile '" +
+                           profile.name + "' has none");
+  }
   summary.echomap_version = ECHOMAP_VERSION;
   summary.robot = profile.name;
   summary.strategy = options.strategy;
@@ -175,7 +188,7 @@ ExitCode explore_and_save(RobotConnection robot,
   pipeline.end_scan();
   spdlog::error("{}; the map so far is kept", session.end_reason());
   const SessionEnd end = session.end().value_or(SessionEnd::kLinkLost);
-  keeper.save(end == SessionEnd::kInterrupted ? "interrupted" : "link-lost");
+  keeper.save(outcome_of(end));
   return exit_code_of(end);
 }
 

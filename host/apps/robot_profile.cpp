@@ -2,12 +2,13 @@
 #include "host/apps/robot_profile.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "host/apps/profile_fields.hpp"
+#include "host/apps/sensor_profile.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
@@ -22,39 +23,10 @@ using files::TomlReader;
 /// One step of the strategy's scan: a pan that reaches less reads nothing.
 constexpr double kLeastReachDeg = 6.0;
 
-double positive(const TomlReader& table, std::string_view key) {
-  const double value = table.number(key);
-  if (value <= 0.0) {
-    table.fail(key, "'" + std::string(key) + "' must be greater than zero");
-  }
-  return value;
-}
-
-/// What a field of the wire may hold, in its own unit.
-struct Bounds {
-  double least;
-  double most;
-};
-
-template <class T>
-constexpr Bounds kAnyOf{std::numeric_limits<T>::min(), std::numeric_limits<T>::max()};
-
-/// The key's number times `scale`, rounded, for a field of the wire.
-template <class T>
-T field(const TomlReader& table,
-        std::string_view key,
-        double scale = 1.0,
-        Bounds bounds = kAnyOf<T>) {
-  const double rounded = std::round(table.number(key) * scale);
-  if (rounded < bounds.least || rounded > bounds.most) {
-    table.fail(key,
-               fmt::format("'{}' must lie from {:g} to {:g}: the board takes no other",
-                           key,
-                           bounds.least / scale,
-                           bounds.most / scale));
-  }
-  return static_cast<T>(rounded);
-}
+/// A sonar and a servo that no robot of the profile has: what the firmware holds by itself, so that
+/// nothing has to be sent.
+constexpr protocol::ConfigureSonar kNoSonar{0, 24000, 40};
+constexpr protocol::ConfigurePan kNoPan{0, 0, 1500, 900, 0, -9000, 9000, 300};
 
 std::uint8_t inversions(const TomlReader& table) {
   std::uint8_t bits = 0;
@@ -78,7 +50,7 @@ void read_drive(const TomlReader& table, RobotProfile& profile) {
   constexpr Bounds kSpeeds{1, protocol::kMaxTicksPerS};
   constexpr Bounds kAccelerations{1, UINT16_MAX};
   constexpr Bounds kGains{0, protocol::kMaxGain};
-  protocol::ConfigureDrive& drive = profile.drive;
+  protocol::ConfigureDrive& drive = profile.configuration.drive;
   drive.inversions = inversions(table);
   drive.max_ticks_per_s = field<std::uint16_t>(table, "speed_m_per_s", ticks_per_metre, kSpeeds);
   drive.max_ticks_per_s2 =
@@ -106,31 +78,17 @@ void read_sonar(const TomlReader& table, RobotProfile& profile) {
 
   const double microseconds_per_metre = 2.0e6 / profile.range.speed_of_sound_m_s;
   constexpr Bounds kFlights{1, protocol::kNoEcho - 1};
-  profile.sonar.max_echo_us =
+  profile.configuration.sonar.max_echo_us =
       field<std::uint16_t>(table, "max_range_m", microseconds_per_metre, kFlights);
-  profile.sonar.ping_gap_ms = field<std::uint8_t>(table, "ping_gap_ms");
+  profile.configuration.sonar.ping_gap_ms = field<std::uint8_t>(table, "ping_gap_ms");
 }
 
-void read_pan(const TomlReader& table, RobotProfile& profile) {
-  constexpr double kCentidegrees = 100.0;
-  protocol::ConfigurePan& pan = profile.pan;
+/// A servo makes one pulse for each angle, and these must be among those that the board makes.
+void read_servo(const TomlReader& table, protocol::ConfigurePan& pan) {
   constexpr Bounds kPulses{protocol::kMinServoPulseUs, protocol::kMaxServoPulseUs};
+  pan.kind = static_cast<std::uint8_t>(protocol::PanKind::kServo);
   pan.centre_us = field<std::uint16_t>(table, "centre_us", 1.0, kPulses);
   pan.us_per_90deg = field<std::int16_t>(table, "us_per_90deg");
-  pan.min_cdeg = field<std::int32_t>(table, "min_deg", kCentidegrees);
-  pan.max_cdeg = field<std::int32_t>(table, "max_deg", kCentidegrees);
-  pan.deg_per_s = field<std::uint16_t>(table, "speed_deg_per_s", 1.0, {1, UINT16_MAX});
-  profile.settle_s =
-      1e-3 * field<std::uint16_t>(table, "settle_ms", 1.0, {0, protocol::kMaxSettleMs});
-
-  const double reach_deg = std::min(-table.number("min_deg"), table.number("max_deg"));
-  if (reach_deg < kLeastReachDeg) {
-    table.fail(
-        "min_deg",
-        fmt::format("the pan must reach at least {:g} degrees to both sides: 'min_deg' < 0 < "
-                    "'max_deg'",
-                    kLeastReachDeg));
-  }
   for (const std::string_view end : {"min_deg", "max_deg"}) {
     const double pulse_us = pan.centre_us + pan.us_per_90deg * table.number(end) / 90.0;
     if (pulse_us < kPulses.least || pulse_us > kPulses.most) {
@@ -143,12 +101,50 @@ void read_pan(const TomlReader& table, RobotProfile& profile) {
                       kPulses.most));
     }
   }
+}
+
+void read_stepper(const TomlReader& table, protocol::ConfigurePan& pan) {
+  constexpr double kMostSteps = protocol::kMaxStepsPerTurn;
+  pan.kind = static_cast<std::uint8_t>(protocol::PanKind::kStepper);
+  pan.steps_per_turn =
+      field<std::int16_t>(table, "half_steps_per_turn", 1.0, {-kMostSteps, kMostSteps});
+  if (pan.steps_per_turn == 0) {
+    table.fail("half_steps_per_turn", "'half_steps_per_turn' must not be 0");
+  }
+}
+
+void read_pan(const TomlReader& table, RobotProfile& profile) {
+  constexpr double kCentidegrees = 100.0;
+  constexpr Bounds kAngles{-protocol::kMaxPanCdeg, protocol::kMaxPanCdeg};
+  protocol::ConfigurePan& pan = profile.configuration.pan;
+  pan.min_cdeg = field<std::int32_t>(table, "min_deg", kCentidegrees, kAngles);
+  pan.max_cdeg = field<std::int32_t>(table, "max_deg", kCentidegrees, kAngles);
+  pan.deg_per_s = field<std::uint16_t>(table, "speed_deg_per_s", 1.0, {1, UINT16_MAX});
+  profile.settle_s =
+      1e-3 * field<std::uint16_t>(table, "settle_ms", 1.0, {0, protocol::kMaxSettleMs});
+
+  const double reach_deg = std::min(-table.number("min_deg"), table.number("max_deg"));
+  if (reach_deg < kLeastReachDeg) {
+    table.fail(
+        "min_deg",
+        fmt::format("the pan must reach at least {:g} degrees to both sides: 'min_deg' < 0 < "
+                    "'max_deg'",
+                    kLeastReachDeg));
+  }
   profile.pan_limit_rad = geometry::radians(reach_deg);
+  const std::string kind = table.text_or("kind", "servo");
+  if (kind == "servo") {
+    read_servo(table, pan);
+  } else if (kind == "stepper") {
+    read_stepper(table, pan);
+  } else {
+    table.fail("kind", "'kind' must be \"servo\" or \"stepper\"");
+  }
 }
 
 }  // namespace
 
-std::uint16_t RobotProfile::ticks_per_s() const { return drive.max_ticks_per_s; }
+std::uint16_t RobotProfile::ticks_per_s() const { return configuration.drive.max_ticks_per_s; }
 
 RobotProfile load_robot_profile(const std::string& name_or_file) {
   const auto toml =
@@ -157,8 +153,14 @@ RobotProfile load_robot_profile(const std::string& name_or_file) {
   profile.name = toml.text("name");
   read_drive(toml.table("drive"), profile);
   profile.body_radius_m = positive(toml.table("body"), "radius_m");
-  read_sonar(toml.table("sonar"), profile);
-  read_pan(toml.table("pan"), profile);
+  profile.configuration.sonar = kNoSonar;
+  profile.configuration.pan = kNoPan;
+  profile.has_sonar = toml.has("sonar");
+  if (profile.has_sonar) {
+    read_sonar(toml.table("sonar"), profile);
+    read_pan(toml.table("pan"), profile);
+  }
+  read_sensors(toml, profile);
   toml.reject_unknown_keys();
   return profile;
 }

@@ -6,7 +6,7 @@
 
 #include "host/sensors/observation_converter.hpp"
 #include "host/sensors/robot_geometry.hpp"
-#include "protocol/command_messages.hpp"
+#include "protocol/configuration.hpp"
 
 namespace echomap::apps {
 
@@ -21,9 +21,10 @@ struct RobotProfile {
   double beam_half_angle_rad = 0.0;
   double pan_limit_rad = 0.0;  ///< The pan reaches from minus this to plus this.
   double settle_s = 0.0;       ///< Wait after a pan step, once the servo has arrived.
-  protocol::ConfigureDrive drive{};
-  protocol::ConfigureSonar sonar{};
-  protocol::ConfigurePan pan{};
+  bool has_sonar = false;      ///< Else sonar and pan above mean nothing.
+  sensors::SensorParams sensors;
+  /// What the board must hold, with command_ids of 0.
+  protocol::Configuration configuration{};
 
   /// Counts per second of a wheel that rolls at `speed_m_per_s`.
   std::uint16_t ticks_per_s() const;

@@ -9,10 +9,12 @@
 
 #include <spdlog/spdlog.h>
 
+#include "host/apps/configuration_check.hpp"
 #include "host/apps/connect_failure.hpp"
 #include "host/apps/exit_code.hpp"
 #include "host/apps/interrupt.hpp"
 #include "host/geometry/angle.hpp"
+#include "protocol/config_digest.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -34,33 +36,34 @@ constexpr milliseconds kRest(150);
 /// Setting up is begun anew when the board was reset in the middle of it, which a servo's first
 /// start on a weak supply does.
 constexpr int kSetUpTries = 5;
+/// For the whole of a configuration, with resends.
+constexpr seconds kBulkLimit(5);
 /// A sweep that a reset broke off is done again.
 constexpr int kSweepTries = 3;
 
 Duration seconds_of(double value_s) { return Duration(std::llround(value_s * 1e6)); }
 
-std::int16_t centidegrees(double angle_rad) {
-  return static_cast<std::int16_t>(std::lround(geometry::degrees(angle_rad) * 100.0));
+std::int32_t centidegrees(double angle_rad) {
+  return static_cast<std::int32_t>(std::lround(geometry::degrees(angle_rad) * 100.0));
 }
 
-MotionResult result_of(protocol::MotionOutcome outcome) {
+/// Why the board has stopped and disarmed by itself; empty for any other outcome.
+std::string_view safety_stop(protocol::MotionOutcome outcome) {
   switch (outcome) {
-    case protocol::MotionOutcome::kReached:
-      return MotionResult::kReached;
-    case protocol::MotionOutcome::kBumped:
-      return MotionResult::kBumped;
-    case protocol::MotionOutcome::kStalled:
-      return MotionResult::kStalled;
-    case protocol::MotionOutcome::kExpired:
-    case protocol::MotionOutcome::kNone:
-      return MotionResult::kInterrupted;
+    case protocol::MotionOutcome::kLifted:
+      return "the robot was lifted, and its pose is not known any more";
+    case protocol::MotionOutcome::kRunaway:
+      return "a wheel turned against its command: check the inversions of motors and encoders in "
+             "the profile";
+    case protocol::MotionOutcome::kOverSpeed:
+      return "a wheel was faster than the profile allows";
     default:
-      return MotionResult::kTimedOut;
+      return {};
   }
 }
 
 /// What a command that was not accepted means for the motion.
-MotionResult result_of(CommandOutcome outcome) {
+MotionResult refusal_of(CommandOutcome outcome) {
   switch (outcome) {
     case CommandOutcome::kBlocked:
       return MotionResult::kBumped;
@@ -74,6 +77,18 @@ MotionResult result_of(CommandOutcome outcome) {
 
 }  // namespace
 
+ExitCode exit_code_of(SessionEnd end) {
+  switch (end) {
+    case SessionEnd::kInterrupted:
+      return ExitCode::kInterrupted;
+    case SessionEnd::kSafetyStop:
+      return ExitCode::kSafetyStop;
+    case SessionEnd::kLinkLost:
+      break;
+  }
+  return ExitCode::kLinkLost;
+}
+
 RobotSession::RobotSession(RobotConnection robot,
                            const RobotProfile& profile,
                            pipeline::RobotPipeline& pipeline)
@@ -83,7 +98,7 @@ RobotSession::RobotSession(RobotConnection robot,
       no_reset_(robot.no_reset),
       profile_(profile),
       pipeline_(pipeline),
-      converter_(profile.geometry, profile.range),
+      converter_(profile.geometry, profile.range, profile.sensors),
       link_(*this, robot.session_id, {.retransmission = robot.retransmission}) {}
 
 RobotSession::~RobotSession() { disarm(); }
@@ -95,9 +110,7 @@ void RobotSession::connect() {
   };
   wait_until(settled, kConnectLimit);
   if (end_) {
-    throw CommandError(
-        *end_ == SessionEnd::kInterrupted ? ExitCode::kInterrupted : ExitCode::kLinkLost,
-        end_reason_);
+    throw CommandError(exit_code_of(*end_), end_reason_);
   }
   if (link_.state() != LinkState::kReady) {
     throw CommandError(connect_failure(link_), reason_of_connect_failure(link_, stream_->name()));
@@ -105,9 +118,7 @@ void RobotSession::connect() {
   connected_ = true;
   check_it_was_not_reset();
   if (!set_up_robot()) {
-    throw CommandError(
-        end_ == SessionEnd::kInterrupted ? ExitCode::kInterrupted : ExitCode::kLinkLost,
-        end_reason_);
+    throw CommandError(exit_code_of(*end_), end_reason_);
   }
 }
 
@@ -139,23 +150,58 @@ bool RobotSession::set_up_robot() {
 
 bool RobotSession::try_to_set_up() {
   resets_ = 0;
-  for (const robot_link::Command& command : {robot_link::Command(profile_.drive),
-                                             robot_link::Command(profile_.pan),
-                                             robot_link::Command(profile_.sonar),
-                                             robot_link::Command(protocol::Arm{0, 1})}) {
-    const auto result = perform(command);
-    if (result && result->outcome == CommandOutcome::kOutOfRange) {
-      throw CommandError(
-          ExitCode::kConfigInvalid,
-          "the board refuses a number of profile '" + profile_.name +
-              "': out of its range\n  next: update the firmware: ./run flash --port " +
-              stream_->name());
-    }
-    if (!result || result->outcome != CommandOutcome::kAccepted) {
+  if (!configure()) {
+    return false;
+  }
+  const auto armed = perform(protocol::Arm{0, 1});
+  if (armed && armed->outcome == CommandOutcome::kBlocked) {
+    end(SessionEnd::kSafetyStop, "the board does not arm: a wheel hangs in the air");
+  }
+  return armed && armed->outcome == CommandOutcome::kAccepted && resets_ == 0;
+}
+
+bool RobotSession::configure() {
+  const protocol::Configuration& wanted = profile_.configuration;
+  if (link_.robot()->config_digest == protocol::config_digest(wanted)) {
+    spdlog::debug("the board holds the configuration of profile '{}' already", profile_.name);
+    return true;
+  }
+  const auto before = read_configuration();
+  for (const robot_link::Command& command : commands_between(before, wanted)) {
+    if (!send_configuration(command)) {
       return false;
     }
   }
+  const auto after = read_configuration();
+  if (!after) {
+    return false;
+  }
+  if (const std::string difference = first_difference(*after, wanted); !difference.empty()) {
+    throw CommandError(ExitCode::kConfigInvalid,
+                       "the board does not hold what it was sent: " + difference +
+                           "\n  next: ./run flash --port " + stream_->name());
+  }
   return resets_ == 0;
+}
+
+bool RobotSession::send_configuration(const robot_link::Command& command) {
+  const auto result = perform(command);
+  if (result && result->outcome == CommandOutcome::kOutOfRange) {
+    throw CommandError(ExitCode::kConfigInvalid,
+                       "the board refuses " + name_of(command) + " of profile '" + profile_.name +
+                           "': it has no such pins or sensors, or a number is out of its range\n"
+                           "  next: compare the profile with the board's page in docs/hardware, or "
+                           "update the firmware: ./run flash --port " +
+                           stream_->name());
+  }
+  return result && result->outcome == CommandOutcome::kAccepted;
+}
+
+std::optional<protocol::Configuration> RobotSession::read_configuration() {
+  bulk_.reset();
+  link_.read(protocol::BulkContent::kConfiguration);
+  wait_until([&] { return bulk_.has_value() || resets_ > 0; }, kBulkLimit);
+  return bulk_ ? configuration_in(*bulk_) : std::nullopt;
 }
 
 MotionResult RobotSession::execute(const exploration::Motion& motion) {
@@ -181,7 +227,8 @@ MotionResult RobotSession::execute(const exploration::Motion& motion) {
 
 MotionResult RobotSession::move(const sensors::WheelTicks& ticks) {
   const auto longest = std::max(std::abs(ticks.left), std::abs(ticks.right));
-  const double ramp_s = 2.0 * profile_.ticks_per_s() / profile_.drive.max_ticks_per_s2;
+  const double ramp_s =
+      2.0 * profile_.ticks_per_s() / profile_.configuration.drive.max_ticks_per_s2;
   const double expected_s = static_cast<double>(longest) / profile_.ticks_per_s() + ramp_s;
 
   link_.keep_alive(true);
@@ -216,7 +263,7 @@ MotionResult RobotSession::sweep(const exploration::Sweep& sweep) {
 MotionResult RobotSession::finish(const robot_link::Command& command, Duration expected) {
   const auto result = perform(command);
   if (!result || result->outcome != CommandOutcome::kAccepted) {
-    return result ? result_of(result->outcome) : MotionResult::kInterrupted;
+    return result ? refusal_of(result->outcome) : MotionResult::kInterrupted;
   }
   const bool is_sweep = std::holds_alternative<protocol::StartSweep>(command);
   const auto outcome = [&] {
@@ -232,6 +279,33 @@ MotionResult RobotSession::finish(const robot_link::Command& command, Duration e
     return MotionResult::kTimedOut;
   }
   return resets_ > 0 ? MotionResult::kInterrupted : result_of(outcome());
+}
+
+void RobotSession::end_for_safety(protocol::MotionOutcome outcome) {
+  if (const auto why = safety_stop(outcome); !why.empty()) {
+    end(SessionEnd::kSafetyStop, "the board has stopped: " + std::string(why));
+  }
+}
+
+MotionResult RobotSession::result_of(protocol::MotionOutcome outcome) {
+  end_for_safety(outcome);
+  switch (outcome) {
+    case protocol::MotionOutcome::kReached:
+      return MotionResult::kReached;
+    case protocol::MotionOutcome::kBumped:
+      return MotionResult::kBumped;
+    case protocol::MotionOutcome::kHazard:
+      return MotionResult::kHazard;
+    case protocol::MotionOutcome::kStalled:
+      return MotionResult::kStalled;
+    case protocol::MotionOutcome::kLifted:
+      return MotionResult::kLifted;
+    case protocol::MotionOutcome::kExpired:
+    case protocol::MotionOutcome::kNone:
+      return MotionResult::kInterrupted;
+    default:
+      return MotionResult::kTimedOut;
+  }
 }
 
 std::optional<robot_link::CommandResult> RobotSession::perform(const robot_link::Command& command) {
@@ -319,13 +393,40 @@ void RobotSession::on_echo(const protocol::Echo& message) {
   pipeline_.on_sonar(converter_.convert(message));
 }
 
-void RobotSession::on_status(const protocol::Status& message) { status_ = message; }
+void RobotSession::on_status(const protocol::Status& message) {
+  status_ = message;
+  const auto hazards = converter_.convert(message);
+  pipeline_.on_hazards(hazards);
+  if (hazards.lifted && connected_) {
+    end_for_safety(protocol::MotionOutcome::kLifted);
+  }
+}
+
+void RobotSession::on_health(const protocol::Health& message) {
+  if (const auto battery = converter_.convert(message)) {
+    pipeline_.on_battery(*battery);
+  }
+}
+
+void RobotSession::on_ranges(const protocol::Ranges& message) {
+  pipeline_.on_infrared(converter_.convert(message));
+}
+
+void RobotSession::on_gyro(const protocol::Gyro& message) {
+  if (const auto yaw = converter_.convert(message)) {
+    pipeline_.on_yaw(*yaw);
+  }
+}
 
 void RobotSession::on_ready(const protocol::HelloReply& reply) {
   spdlog::debug("robot ready: firmware {}.{:02}, boot {:04x}",
                 reply.firmware_version / 100,
                 reply.firmware_version % 100,
                 reply.boot_id);
+  if (const auto& difference = link_.difference()) {
+    spdlog::warn("firmware and host differ, but in nothing that is needed: {}",
+                 difference->summary());
+  }
 }
 
 void RobotSession::on_reset(std::uint8_t reset_cause) {

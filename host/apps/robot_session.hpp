@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "host/apps/exit_code.hpp"
 #include "host/apps/robot_connection.hpp"
 #include "host/apps/robot_profile.hpp"
 #include "host/exploration/explorer.hpp"
@@ -17,7 +18,14 @@
 namespace echomap::apps {
 
 /// Why a session cannot go on.
-enum class SessionEnd : std::uint8_t { kInterrupted, kLinkLost };
+enum class SessionEnd : std::uint8_t {
+  kInterrupted,
+  kLinkLost,
+  kSafetyStop,  ///< The board has stopped and disarmed by itself.
+};
+
+/// What the shell sees of it.
+ExitCode exit_code_of(SessionEnd end);
 
 /// A robot that answers: feeds its observations to the pipeline and carries out motions. When the
 /// board is reset or its line breaks, the session waits, sets the robot up again and goes on. Every
@@ -63,6 +71,10 @@ class RobotSession final : private robot_link::RobotLinkListener {
   void on_odometry(const protocol::Odometry& message) override;
   void on_echo(const protocol::Echo& message) override;
   void on_status(const protocol::Status& message) override;
+  void on_health(const protocol::Health& message) override;
+  void on_ranges(const protocol::Ranges& message) override;
+  void on_gyro(const protocol::Gyro& message) override;
+  void on_bulk(const robot_link::BulkResult& result) override { bulk_ = result; }
   void on_ready(const protocol::HelloReply& reply) override;
   void on_reset(std::uint8_t reset_cause) override;
   void on_command_done(const robot_link::CommandResult& result) override;
@@ -79,6 +91,14 @@ class RobotSession final : private robot_link::RobotLinkListener {
   bool be_ready();
   bool set_up_robot();
   bool try_to_set_up();
+  /// Brings the board to the profile's configuration and reads it back; false where the board was
+  /// reset, or the link lost, in between.
+  bool configure();
+  bool send_configuration(const robot_link::Command& command);
+  std::optional<protocol::Configuration> read_configuration();
+  /// Also ends the session where the board has disarmed by itself.
+  exploration::MotionResult result_of(protocol::MotionOutcome outcome);
+  void end_for_safety(protocol::MotionOutcome outcome);
 
   std::optional<robot_link::CommandResult> perform(const robot_link::Command& command);
   exploration::MotionResult move(const sensors::WheelTicks& ticks);
@@ -104,6 +124,7 @@ class RobotSession final : private robot_link::RobotLinkListener {
 
   std::optional<protocol::Status> status_;
   std::optional<robot_link::CommandResult> result_;
+  std::optional<robot_link::BulkResult> bulk_;
   unsigned resets_ = 0;
 };
 

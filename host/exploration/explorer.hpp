@@ -50,7 +50,9 @@ using Motion = std::variant<Turn, Drive, Sweep, BeginScan, EndScan, Finished>;
 enum class MotionResult : std::uint8_t {
   kReached,      ///< as asked; also said before the first motion
   kBumped,       ///< a contact stopped it short
+  kHazard,       ///< a cliff, or what the profile names beside it, stopped it short
   kStalled,      ///< the wheels did not turn
+  kLifted,       ///< somebody picked the robot up: the pose is void
   kTimedOut,     ///< it took too long and was stopped
   kRefused,      ///< the robot would not begin it
   kInterrupted,  ///< line or board failed under it; the pose says how far it came

@@ -38,6 +38,7 @@ TEST_F(ConnectFailure, NamesTheWireOfARobotThatDoesNotHear) {
 
 TEST_F(ConnectFailure, NamesBothVersionsOfAMismatch) {
   robot.schema_digest = 0xBEEF;
+  robot.schema = {};
   run_for(500);
   EXPECT_EQ(connect_failure(link), ExitCode::kFirmwareMismatch);
   EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("0000beef"));

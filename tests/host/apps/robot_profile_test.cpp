@@ -19,8 +19,10 @@ using ::testing::HasSubstr;
 const std::string kProfiles = ECHOMAP_SOURCE_DIR "/host/profiles/";
 
 /// Loads the bundled profile with `from` replaced by `to` and answers the error.
-std::string error_with(const std::string& from, const std::string& to) {
-  std::string text = files::read_text_file(kProfiles + "uno_2wd.toml");
+std::string error_with(const std::string& from,
+                       const std::string& to,
+                       const std::string& profile = "uno_2wd") {
+  std::string text = files::read_text_file(kProfiles + profile + ".toml");
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
@@ -42,7 +44,7 @@ TEST(RobotProfile, EveryBundledOneLoads) {
     EXPECT_EQ(profile.name, file.path().stem());
     ++count;
   }
-  EXPECT_GE(count, 2);
+  EXPECT_GE(count, 5);
 }
 
 TEST(RobotProfile, TurnsMetresIntoWhatTheBoardCounts) {
@@ -50,8 +52,38 @@ TEST(RobotProfile, TurnsMetresIntoWhatTheBoardCounts) {
   // Singh and Bedi 2013, section 2.4: 21 counts a centimetre; 360 counts a turn of 5.5 cm.
   EXPECT_NEAR(1.0 / nxt.geometry.metres_per_tick(), 2084.0, 1.0);
   EXPECT_NEAR(nxt.ticks_per_s(), 0.30 * 360.0 / (std::numbers::pi * 0.055), 1.0);
-  EXPECT_NEAR(nxt.sonar.max_echo_us, 2.0 * 2.3 / 343.2 * 1e6, 1.0);
-  EXPECT_EQ(nxt.pan.min_cdeg, -9000);
+  EXPECT_NEAR(nxt.configuration.sonar.max_echo_us, 2.0 * 2.3 / 343.2 * 1e6, 1.0);
+  EXPECT_EQ(nxt.configuration.pan.min_cdeg, -9000);
+}
+
+TEST(RobotProfile, GivesEachPaperItsSensors) {
+  const auto create = load_robot_profile("create");
+  EXPECT_FALSE(create.has_sonar);
+  EXPECT_EQ(create.configuration.pins.pin_0, protocol::kPinCliffLeft | protocol::kPinActiveHigh);
+  EXPECT_EQ(create.configuration.pins.pin_4, protocol::kPinWheelDrop);
+  EXPECT_EQ(create.configuration.safety.hazard_stops, 0x1F) << "cliffs and wheel-drop";
+  EXPECT_EQ(create.sensors.infrared.size(), 1U);
+  EXPECT_TRUE(create.sensors.battery_full_scale_v);
+
+  const auto epuck = load_robot_profile("epuck");
+  EXPECT_EQ(epuck.sensors.infrared.size(), 8U);
+  EXPECT_NEAR(epuck.sensors.infrared_curve->farthest_m(), 0.06, 1e-12);
+  EXPECT_EQ(epuck.configuration.safety.hazard_stops, 0);
+
+  const auto ev3 = load_robot_profile("ev3");
+  EXPECT_EQ(ev3.configuration.pan.kind, static_cast<int>(protocol::PanKind::kStepper));
+  EXPECT_NEAR(ev3.pan_limit_rad, 2.0 * std::numbers::pi, 1e-12);
+  EXPECT_EQ(ev3.configuration.sensors.gyro_range, 0);
+  EXPECT_NEAR(ev3.sensors.gyro->full_scale_rad_per_s, 250.0 * std::numbers::pi / 180.0, 1e-12);
+}
+
+TEST(RobotProfile, TurnsSafetyIntoTheBoardsUnits) {
+  const auto create = load_robot_profile("create");
+  EXPECT_EQ(create.configuration.safety.stall_ms, 500);
+  EXPECT_NEAR(create.configuration.safety.over_speed_ticks_per_s,
+              0.6 * 508.8 / (std::numbers::pi * 0.065),
+              1.0);
+  EXPECT_EQ(create.configuration.safety.runaway_ticks, 0);
 }
 
 TEST(RobotProfile, PlacesAnUnknownKey) {
@@ -80,6 +112,33 @@ TEST(RobotProfile, RefusesWhatNoRobotHas) {
   EXPECT_THAT(error_with("max_range_m = 4.0", "max_range_m = 0.01"), HasSubstr("greater than"));
   EXPECT_THAT(error_with("min_deg = -90.0", "min_deg = 10.0"),
               HasSubstr("at least 6 degrees to both sides"));
+}
+
+TEST(RobotProfile, PlacesWhatIsWrongWithWires) {
+  EXPECT_THAT(error_with("\"wheel_drop\"", "\"weel_drop\"", "create"),
+              HasSubstr("did you mean 'wheel_drop'?"));
+  EXPECT_THAT(error_with("\"wheel_drop\"", "\"wall\"", "create"),
+              HasSubstr("another pin is 'wall' already"));
+  EXPECT_THAT(error_with("\"range_0\"", "\"range_0 high\"", "create"), HasSubstr("no level"));
+  EXPECT_THAT(error_with("pin_9 = ", "pin_16 = ", "create"), HasSubstr("'battery'"));
+  EXPECT_THAT(error_with("channel = 7", "channel = 8", "epuck"), HasSubstr("from 0 to 7"));
+  EXPECT_THAT(error_with("pin_15 = \"range_7\"", "", "epuck"),
+              HasSubstr("no pin of [wiring] is 'range_7'"));
+  EXPECT_THAT(error_with("pin_3 = \"stepper_d\"", "", "ev3"), HasSubstr("'stepper_d'"));
+}
+
+TEST(RobotProfile, PlacesWhatIsWrongWithSensors) {
+  EXPECT_THAT(error_with("[512, 0.020]", "[512, 0.009]", "create"), HasSubstr("'curve' must hold"));
+  EXPECT_THAT(error_with("full_scale_deg_per_s = 250", "full_scale_deg_per_s = 300", "ev3"),
+              HasSubstr("250, 500, 1000 and 2000"));
+  EXPECT_THAT(error_with("half_steps_per_turn = 4076", "half_steps_per_turn = 0", "ev3"),
+              HasSubstr("must not be 0"));
+  EXPECT_THAT(error_with("max_deg = 360.0", "max_deg = 721.0", "ev3"),
+              HasSubstr("from -720 to 720"));
+  EXPECT_THAT(error_with("kind = \"stepper\"", "kind = \"motor\"", "ev3"),
+              HasSubstr("'kind' must"));
+  EXPECT_THAT(error_with("stall_ms = 500", "stall_ms = 1001", "create"), HasSubstr("'stall_ms'"));
+  EXPECT_THAT(error_with("period_ms = 50", "period_ms = 0", "epuck"), HasSubstr("from 1 to 255"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "host/apps/exit_code.hpp"
+#include "protocol/config_digest.hpp"
 #include "tests/host/robot_link/fake_robot.hpp"
 
 namespace echomap::apps {
@@ -109,7 +110,8 @@ class RobotSessionTest : public testing::Test {
 
 TEST_F(RobotSessionTest, SetsUpAndArmsAndDisarmsInTheEnd) {
   session->connect();
-  EXPECT_EQ(cable.robot.configurations, 1);
+  EXPECT_EQ(protocol::config_digest(cable.robot.configuration),
+            protocol::config_digest(profile.configuration));
   EXPECT_TRUE(cable.robot.armed);
   EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kReached);
   EXPECT_EQ(cable.robot.moves_done.size(), 1U);
@@ -125,13 +127,15 @@ TEST_F(RobotSessionTest, BeginsSettingUpAnewWhenTheBoardIsResetInItsMidst) {
   };
   session->connect();
   EXPECT_EQ(restarts, 1);
-  EXPECT_EQ(cable.robot.configurations, 2) << "the board kept the first one's defaults";
+  EXPECT_EQ(protocol::config_digest(cable.robot.configuration),
+            protocol::config_digest(profile.configuration))
+      << "the board kept some of its defaults";
   EXPECT_TRUE(cable.robot.armed);
 }
 
 TEST_F(RobotSessionTest, GivesUpOnABoardThatIsResetAgainAndAgain) {
   cable.robot.on_command = [this](std::string_view name) {
-    if (name == "ConfigureSonar") {
+    if (name == "Arm") {
       pull_power_and_start_anew();
     }
   };
@@ -142,6 +146,57 @@ TEST_F(RobotSessionTest, GivesUpOnABoardThatIsResetAgainAndAgain) {
     EXPECT_EQ(error.code(), ExitCode::kLinkLost);
     EXPECT_NE(std::string(error.what()).find("again and again"), std::string::npos);
   }
+}
+
+TEST_F(RobotSessionTest, SendsNothingToABoardThatHoldsTheProfileAlready) {
+  cable.robot.configuration = profile.configuration;
+  session->connect();
+  EXPECT_EQ(cable.robot.configurations, 0);
+  EXPECT_EQ(cable.robot.bulk_reads, 0);
+  EXPECT_TRUE(cable.robot.armed);
+}
+
+TEST_F(RobotSessionTest, SendsOnlyWhatTheBoardDoesNotHold) {
+  cable.robot.configuration = profile.configuration;
+  cable.robot.configuration.pan.max_cdeg = 4500;
+  session->connect();
+  EXPECT_EQ(cable.robot.configurations, 1);
+  EXPECT_EQ(cable.robot.configuration.pan.max_cdeg, 9000);
+}
+
+TEST_F(RobotSessionTest, NamesTheFieldThatTheBoardDoesNotTake) {
+  cable.robot.pan_error_cdeg = 7;
+  try {
+    session->connect();
+    FAIL() << "connected";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code(), ExitCode::kConfigInvalid);
+    EXPECT_NE(std::string(error.what()).find("ConfigurePan.max_cdeg is 9007, not 9000"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_FALSE(cable.robot.armed);
+}
+
+TEST_F(RobotSessionTest, EndsForSafetyWhenTheRobotIsLifted) {
+  session->connect();
+  cable.robot.motion_ms = 3000;
+  after_ms(300, [this] { cable.robot.hazards = protocol::kHazardWheelDrop; });
+  session->execute(exploration::Drive{0.2});
+  EXPECT_EQ(session->end(), SessionEnd::kSafetyStop);
+  EXPECT_NE(session->end_reason().find("lifted"), std::string::npos);
+  EXPECT_EQ(pipeline.snapshot().times_lifted, 1U);
+  EXPECT_EQ(exit_code_of(*session->end()), ExitCode::kSafetyStop);
+}
+
+TEST_F(RobotSessionTest, TellsWhatTheBoardStoppedFor) {
+  session->connect();
+  cable.robot.outcome = protocol::MotionOutcome::kHazard;
+  EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kHazard);
+  EXPECT_FALSE(session->end()) << "a cliff is an obstacle like another";
+  cable.robot.outcome = protocol::MotionOutcome::kRunaway;
+  session->execute(exploration::Drive{0.2});
+  EXPECT_EQ(session->end(), SessionEnd::kSafetyStop);
 }
 
 TEST_F(RobotSessionTest, TakesARefusedProfileForInvalid) {
@@ -156,6 +211,7 @@ TEST_F(RobotSessionTest, TakesARefusedProfileForInvalid) {
 
 TEST_F(RobotSessionTest, NamesTheFirmwareThatSpeaksAnotherProtocol) {
   cable.robot.schema_digest ^= 1U;
+  cable.robot.schema = {};
   cable.robot.power_on(1);
   try {
     session->connect();
@@ -199,7 +255,6 @@ TEST_F(RobotSessionTest, DoesASweepAgainThatAResetBrokeOff) {
   after_ms(300, [this] { pull_power_and_start_anew(); });
   EXPECT_EQ(session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0}), MotionResult::kReached);
   EXPECT_EQ(cable.robot.sweeps, 2);
-  EXPECT_EQ(cable.robot.configurations, 2);
   EXPECT_TRUE(cable.robot.armed);
 }
 
