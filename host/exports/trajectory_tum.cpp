@@ -14,6 +14,9 @@ namespace {
 
 constexpr NumberTableFormat kFormat{"", ' ', 8};
 
+/// What fits into a stamp, in microseconds, with room to spare.
+constexpr double kLongestS = 1e12;
+
 }  // namespace
 
 void write_trajectory_tum(const std::filesystem::path& path,
@@ -39,6 +42,9 @@ void write_trajectory_tum(const std::filesystem::path& path,
 std::vector<pipeline::StampedPose> read_trajectory_tum(const std::filesystem::path& path) {
   std::vector<pipeline::StampedPose> trajectory;
   for (const auto& row : read_number_table(path, kFormat)) {
+    if (std::abs(row[0]) > kLongestS) {
+      fail_at_line(path, trajectory.size() + 1, "no clock counts so many seconds");
+    }
     const time::RobotTime stamp{time::RobotClock::duration(std::llround(row[0] * 1e6))};
     const double heading_rad = 2.0 * std::atan2(row[6], row[7]);
     trajectory.push_back({stamp, geometry::Pose2(row[1], row[2], heading_rad)});

@@ -49,7 +49,7 @@ class Robot {
         greet(input.byte());
         break;
       case kWait:
-        run(input.byte() * kMs / 4);
+        run(input.byte() * kMs / 16);
         break;
       case kEdge:
         edge(input.byte());

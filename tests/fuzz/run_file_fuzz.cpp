@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <cstdlib>
 #include <string>
 
 #include "host/evaluation/truth_directory.hpp"
@@ -55,7 +57,10 @@ void read(std::uint8_t kind, const fs::path& file) {
       exports::read_poses_csv(file);
       break;
     case kTrajectory:
-      exports::read_trajectory_tum(file);
+      for (const auto& pose : exports::read_trajectory_tum(file)) {
+        require(std::abs(pose.stamp.time_since_epoch().count()) <= std::int64_t{1} << 60U,
+                "a stamp has room for what comes after");
+      }
       break;
     case kYaml:
       require(exports::read_map_yaml(file).resolution_m > 0.0, "a map has a resolution");

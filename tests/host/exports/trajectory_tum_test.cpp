@@ -52,5 +52,12 @@ TEST(TrajectoryTum, RefusesASeventhColumnTooFew) {
               HasSubstr("t.tum:3: expected 8 columns, found 7"));
 }
 
+TEST(TrajectoryTum, RefusesAStampThatNoClockCounts) {
+  const tests::ScratchFolder folder;
+  files::write_text_file(folder / "t.tum", "0 0 0 0 0 0 0 1\n-1e300 0 0 0 0 0 0 1\n");
+  EXPECT_THAT(tests::thrown_text<files::FileError>([&] { read_trajectory_tum(folder / "t.tum"); }),
+              HasSubstr("t.tum:2: no clock counts so many seconds"));
+}
+
 }  // namespace
 }  // namespace echomap::exports
