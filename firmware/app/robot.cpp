@@ -29,10 +29,11 @@ bool Robot::run_once() {
 }
 
 void Robot::run_tick() {
+  sensors_.tick();
   safety_.tick();
   heartbeat_.ran(tasks::Part::kTick);
   if (devices_.scheduler.control_is_due()) {
-    motion_.step();
+    safety_.control();
     heartbeat_.ran(tasks::Part::kControl);
   }
   protocol::Echo echo{};

@@ -38,20 +38,28 @@ class Robot {
 
   Devices& devices_;
   protocol::Configuration configuration_ = kDefaultConfiguration;
-  control::WheelMotion motion_{devices_.encoders, configuration_.drive};
-  control::ScanSweep sweep_{
-      devices_.encoders, devices_.sonar, configuration_.pan, configuration_.sonar};
-  tasks::Safety safety_{motion_};
+  control::WheelMotion motion_{devices_.encoders, configuration_.drive, configuration_.safety};
+  tasks::Sensors sensors_{configuration_.pins, configuration_.sensors};
+  drivers::PanDrive pan_{configuration_.pan, sensors_.pins()};
+  control::ScanSweep sweep_{devices_.encoders, devices_.sonar, pan_, configuration_.sonar};
+  tasks::Safety safety_{motion_, sensors_, configuration_.safety};
   tasks::FrameSender sender_{devices_.port};
   protocol::ReceiveCounters received_;
-  tasks::Telemetry telemetry_{
-      {devices_.encoders, devices_.port, motion_, sweep_, safety_, received_, configuration_},
-      sender_};
+  tasks::Telemetry telemetry_{{devices_.encoders,
+                               devices_.port,
+                               motion_,
+                               sweep_,
+                               sensors_,
+                               safety_,
+                               received_,
+                               configuration_},
+                              sender_};
   tasks::Bulk bulk_{sender_, configuration_};
   tasks::Command command_{{devices_.port,
                            sender_,
                            motion_,
                            sweep_,
+                           sensors_,
                            safety_,
                            telemetry_,
                            received_,

@@ -38,14 +38,23 @@ constexpr protocol::ConfigureSonar kDefaultSonar{
     40,     // ping_gap_ms
 };
 
-/// The whole; no spare pin is used, nothing but the contacts stops the wheels.
+/// Cliffs, wheel-drop and virtual walls stop the wheels; a wall is for the host to follow.
+constexpr protocol::ConfigureSafety kDefaultSafety{
+    0,     // command_id
+    0x3F,  // hazard_stops
+    300,   // stall_ms
+    200,   // runaway_ticks: 2.7 cm
+    4500,  // over_speed_ticks_per_s: half as much again as the fastest command
+};
+
+/// The whole; no spare pin is used.
 constexpr protocol::Configuration kDefaultConfiguration{
     kDefaultDrive,
     kDefaultSonar,
     kDefaultPan,
     protocol::ConfigurePins{},
     protocol::ConfigureSensors{},
-    protocol::ConfigureSafety{},
+    kDefaultSafety,
 };
 
 }  // namespace app

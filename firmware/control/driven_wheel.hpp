@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "firmware/control/wheel_guard.hpp"
 #include "firmware/control/wheel_speed_controller.hpp"
 #include "firmware/drivers/motor_bridge.hpp"
 
@@ -19,6 +20,7 @@ class DrivenWheel {
   void begin(int16_t count);
   /// First half of a control period: the reference goes on by `step` (1/4000 tick).
   void prepare(const protocol::ConfigureDrive& settings, int32_t step) {
+    step_ = step;
     controller_.prepare(settings, step);
   }
   /// Second half: follows the reference from `count`.
@@ -27,13 +29,16 @@ class DrivenWheel {
   void release();
 
   bool arrived() const { return controller_.arrived(); }
-  bool stalled(const protocol::ConfigureDrive& settings) const {
-    return controller_.stalled(settings);
-  }
+  /// What is wrong after a control period: kNone, kStalled, kRunaway or kOverSpeed.
+  protocol::MotionOutcome judge(const protocol::ConfigureDrive& settings,
+                                const protocol::ConfigureSafety& limits);
 
  private:
   drivers::MotorBridge motor_;
   WheelSpeedController controller_;
+  WheelGuard guard_;
+  int32_t step_ = 0;
+  int16_t duty_ = 0;
   int16_t last_count_ = 0;
 };
 

@@ -2,7 +2,7 @@
 #include "firmware/control/scan_sweep.hpp"
 
 #include "firmware/hal/clock.hpp"
-#include "firmware/hal/servo.hpp"
+#include "firmware/hal/code_size.hpp"
 #include "protocol/limits.hpp"
 
 namespace echomap {
@@ -14,13 +14,11 @@ namespace {
 /// Where a pan looks, in (-18000, 18000].
 int16_t direction(int32_t pan_cdeg) {
   constexpr int32_t kTurnCdeg = 36000;
-  while (pan_cdeg > kTurnCdeg / 2) {
-    pan_cdeg -= kTurnCdeg;
-  }
-  while (pan_cdeg <= -kTurnCdeg / 2) {
-    pan_cdeg += kTurnCdeg;
-  }
-  return static_cast<int16_t>(pan_cdeg);
+  constexpr int32_t kOffsetCdeg = kTurnCdeg / 2 - 1;
+  static_assert(protocol::kMaxPanCdeg % kTurnCdeg == 0, "whole turns leave the direction as it is");
+  const uint32_t from_behind =
+      static_cast<uint32_t>(pan_cdeg + protocol::kMaxPanCdeg + kOffsetCdeg) % kTurnCdeg;
+  return static_cast<int16_t>(static_cast<int32_t>(from_behind) - kOffsetCdeg);
 }
 
 }  // namespace
@@ -30,11 +28,13 @@ bool ScanSweep::accepts(const protocol::ConfigureSonar& settings) {
 }
 
 bool ScanSweep::accepts(const protocol::StartSweep& sweep) const {
-  const bool leads_there = sweep.from_cdeg == sweep.to_cdeg ||
-                           (sweep.step_cdeg > 0 && sweep.from_cdeg < sweep.to_cdeg) ||
-                           (sweep.step_cdeg < 0 && sweep.from_cdeg > sweep.to_cdeg);
-  return leads_there && servo_.reaches(sweep.from_cdeg) && servo_.reaches(sweep.to_cdeg) &&
-         sweep.settle_ms <= protocol::kMaxSettleMs;
+  if (!pan_.reaches(sweep.from_cdeg) || !pan_.reaches(sweep.to_cdeg)) {
+    return false;
+  }
+  const int32_t way_cdeg = sweep.to_cdeg - sweep.from_cdeg;
+  const bool leads_there =
+      way_cdeg == 0 || (sweep.step_cdeg != 0 && (way_cdeg < 0) == (sweep.step_cdeg < 0));
+  return leads_there && sweep.settle_ms <= protocol::kMaxSettleMs;
 }
 
 void ScanSweep::start(const protocol::StartSweep& sweep) {
@@ -43,10 +43,8 @@ void ScanSweep::start(const protocol::StartSweep& sweep) {
   turn_to(sweep.from_cdeg);
 }
 
-void ScanSweep::stop(MotionOutcome reason) {
-  if (state_ == State::kTurning) {
-    servo_.lose_track();
-  }
+ECHOMAP_ONE_PIECE void ScanSweep::stop(MotionOutcome reason) {
+  pan_.rest();
   state_ = State::kIdle;
   if (report_.outcome == MotionOutcome::kRunning) {
     report_.outcome = reason;
@@ -57,7 +55,7 @@ bool ScanSweep::tick(protocol::Echo& echo) {
   if (since_ping_ms_ != UINT8_MAX) {
     ++since_ping_ms_;
   }
-  if (state_ == State::kTurning && --turning_ms_ == 0) {
+  if (state_ == State::kTurning && pan_.tick() && settling_ms_-- == 0) {
     state_ = State::kAiming;
   }
   if (state_ == State::kAiming && may_ping()) {
@@ -74,9 +72,8 @@ bool ScanSweep::tick(protocol::Echo& echo) {
 void ScanSweep::turn_to(int32_t pan_cdeg) {
   pan_cdeg_ = pan_cdeg;
   echo_.pan_cdeg = direction(pan_cdeg);
-  const uint32_t wait_ms =
-      uint32_t{servo_.turn_to(pan_cdeg)} + sweep_.settle_ms + hal::kServoFrameMs;
-  turning_ms_ = wait_ms > UINT16_MAX ? UINT16_MAX : static_cast<uint16_t>(wait_ms);
+  pan_.turn_to(pan_cdeg);
+  settling_ms_ = sweep_.settle_ms;
   stuck_ms_ = 0;
   state_ = State::kTurning;
 }
@@ -98,13 +95,14 @@ void ScanSweep::ping() {
   state_ = State::kListening;
 }
 
-void ScanSweep::go_on() {
-  const int32_t next = pan_cdeg_ + sweep_.step_cdeg;
-  const bool over = sweep_.step_cdeg > 0 ? next > sweep_.to_cdeg : next < sweep_.to_cdeg;
-  if (over || sweep_.from_cdeg == sweep_.to_cdeg) {
+ECHOMAP_ONE_PIECE void ScanSweep::go_on() {
+  const int32_t step_cdeg = sweep_.step_cdeg;
+  const int32_t left_cdeg = sweep_.to_cdeg - pan_cdeg_;
+  const bool over = step_cdeg > 0 ? left_cdeg < step_cdeg : left_cdeg > step_cdeg;
+  if (over || left_cdeg == 0) {
     stop(MotionOutcome::kReached);
   } else {
-    turn_to(next);
+    turn_to(pan_cdeg_ + step_cdeg);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "firmware/control/motion_report.hpp"
-#include "firmware/drivers/pan_servo.hpp"
+#include "firmware/drivers/pan_drive.hpp"
 #include "firmware/drivers/sonar_hc_sr04.hpp"
 #include "firmware/drivers/wheel_encoders.hpp"
 #include "protocol/command_messages.hpp"
@@ -13,29 +13,29 @@
 namespace echomap {
 namespace control {
 
-/// Reads the sonar pan by pan: turns the servo, waits until it has settled, pings, goes on.
+/// Reads the sonar pan by pan: turns it, waits until it has settled, pings, goes on.
 class ScanSweep {
  public:
   /// Longest wait for an echo pin that is stuck high; then the reading counts as no echo.
   static constexpr uint8_t kStuckMs = 250;
 
-  /// `pan` and `settings` are where the active ones stand.
+  /// `settings` is where the active ones stand.
   constexpr ScanSweep(drivers::WheelEncoders& encoders,
                       drivers::SonarHcSr04& sonar,
-                      protocol::ConfigurePan& pan,
+                      drivers::PanDrive& pan,
                       protocol::ConfigureSonar& settings)
-      : encoders_(encoders), sonar_(sonar), servo_(pan), settings_(settings) {}
+      : encoders_(encoders), sonar_(sonar), pan_(pan), settings_(settings) {}
 
   /// True when every field is in range.
   static bool accepts(const protocol::ConfigurePan& settings) {
-    return drivers::PanServo::accepts(settings);
+    return drivers::PanDrive::accepts(settings);
   }
   static bool accepts(const protocol::ConfigureSonar& settings);
   /// Takes settings that `accepts` has granted; only while not sweeping.
-  void configure(const protocol::ConfigurePan& settings) { servo_.configure(settings); }
+  void configure(const protocol::ConfigurePan& settings) { pan_.configure(settings); }
   void configure(const protocol::ConfigureSonar& settings) { settings_ = settings; }
 
-  /// True when the servo reaches both ends and the steps lead from one to the other.
+  /// True when the pan reaches both ends and the steps lead from one to the other.
   bool accepts(const protocol::StartSweep& sweep) const;
   /// Starts a sweep that `accepts` has granted; only while not sweeping.
   void start(const protocol::StartSweep& sweep);
@@ -58,12 +58,12 @@ class ScanSweep {
 
   drivers::WheelEncoders& encoders_;
   drivers::SonarHcSr04& sonar_;
-  drivers::PanServo servo_;
+  drivers::PanDrive& pan_;
   protocol::ConfigureSonar& settings_;
   protocol::StartSweep sweep_ = {};
   protocol::Echo echo_ = {};
   int32_t pan_cdeg_ = 0;
-  uint16_t turning_ms_ = 0;
+  uint16_t settling_ms_ = 0;
   uint8_t since_ping_ms_ = UINT8_MAX;
   uint8_t stuck_ms_ = 0;
   State state_ = State::kIdle;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/control/speed_ramp.hpp"
 
+#include "firmware/hal/code_size.hpp"
+
 namespace echomap {
 namespace control {
 
@@ -15,7 +17,7 @@ void SpeedRamp::brake(int32_t change) {
   change_ = change;
 }
 
-int32_t SpeedRamp::advance() {
+ECHOMAP_ONE_PIECE int32_t SpeedRamp::advance() {
   const int32_t missing = target_ - speed_;
   if (missing > change_) {
     speed_ += change_;

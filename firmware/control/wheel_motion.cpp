@@ -2,6 +2,7 @@
 #include "firmware/control/wheel_motion.hpp"
 
 #include "firmware/control/fixed_point.hpp"
+#include "firmware/hal/code_size.hpp"
 #include "protocol/limits.hpp"
 
 namespace echomap {
@@ -14,11 +15,12 @@ using protocol::MotionOutcome;
 /// whatever acceleration is set; at 0.45 m/s that is 3.5 m/s2, which a tyre still holds.
 constexpr int32_t kBrakingPeriods = 32;
 
-bool in_range(int32_t ticks) {
-  return ticks <= protocol::kMaxMoveTicks && ticks >= -protocol::kMaxMoveTicks;
-}
+ECHOMAP_ONE_PIECE int32_t magnitude(int32_t value) { return value < 0 ? -value : value; }
 
-int32_t magnitude(int32_t value) { return value < 0 ? -value : value; }
+bool in_range(int32_t ticks) {
+  constexpr uint32_t kMax = protocol::kMaxMoveTicks;
+  return static_cast<uint32_t>(ticks) + kMax <= 2 * kMax;
+}
 
 int32_t with_sign_of(int32_t sign, int32_t value) { return sign < 0 ? -value : value; }
 
@@ -26,7 +28,7 @@ bool has(uint8_t inversions, protocol::DriveInversions bit) { return (inversions
 
 }  // namespace
 
-bool WheelMotion::accepts(const protocol::ConfigureDrive& settings) {
+ECHOMAP_ONE_PIECE bool WheelMotion::accepts(const protocol::ConfigureDrive& settings) {
   using protocol::kMaxGain;
   return settings.max_ticks_per_s != 0 && settings.max_ticks_per_s <= protocol::kMaxTicksPerS &&
          settings.max_ticks_per_s2 != 0 && settings.feed_forward <= kMaxGain &&
@@ -94,11 +96,14 @@ void WheelMotion::stop(MotionOutcome reason) {
     report_ = MotionReport{0, reason};
   }
   end(reason);
+  if (reason == MotionOutcome::kLifted) {
+    report_.outcome = reason;
+  }
 }
 
 void WheelMotion::expire() {
-  const int32_t fastest = per_period(static_cast<int16_t>(settings_.max_ticks_per_s));
-  const int32_t change = fastest / kBrakingPeriods + 1;
+  static_assert(per_period(2) == kBrakingPeriods, "the division becomes a shift");
+  const int32_t change = int32_t{1} + settings_.max_ticks_per_s / 2;
   expired_ = moving();
   if (mode_ == Mode::kMove) {
     way_.brake(change);
@@ -110,20 +115,24 @@ void WheelMotion::expire() {
   }
 }
 
-void WheelMotion::step() {
+ECHOMAP_ONE_PIECE bool WheelMotion::step() {
   if (!moving()) {
-    return;
+    return true;
   }
   last_steps_ = next_steps();
   left_.prepare(settings_, last_steps_.left);
   right_.prepare(settings_, last_steps_.right);
   left_.follow(encoders_.counts().left);
   right_.follow(encoders_.counts().right);
-  if (left_.stalled(settings_) || right_.stalled(settings_)) {
-    stop(MotionOutcome::kStalled);
+  const MotionOutcome left_fault = left_.judge(settings_, limits_);
+  const MotionOutcome right_fault = right_.judge(settings_, limits_);
+  const MotionOutcome fault = left_fault > right_fault ? left_fault : right_fault;
+  if (fault != MotionOutcome::kNone) {
+    stop(fault);
   } else if (reference_stands() && (expired_ || (left_.arrived() && right_.arrived()))) {
     end(MotionOutcome::kReached);
   }
+  return fault < MotionOutcome::kRunaway;
 }
 
 bool WheelMotion::goes_forward() const {
@@ -168,7 +177,7 @@ WheelMotion::Steps WheelMotion::next_steps() {
                with_sign_of(move_ticks_.right, left_is_longer ? shorter : longer)};
 }
 
-int32_t WheelMotion::clipped_target(int16_t ticks_per_s) const {
+ECHOMAP_ONE_PIECE int32_t WheelMotion::clipped_target(int16_t ticks_per_s) const {
   const int16_t limit = static_cast<int16_t>(settings_.max_ticks_per_s);
   const int16_t upper = ticks_per_s > limit ? limit : ticks_per_s;
   return per_period(upper < -limit ? static_cast<int16_t>(-limit) : upper);

@@ -17,9 +17,11 @@ namespace control {
 /// Both wheels: moves by counts, and speeds. When a motion ends the motors are released.
 class WheelMotion {
  public:
-  /// `settings` is where the active ones stand.
-  constexpr WheelMotion(drivers::WheelEncoders& encoders, protocol::ConfigureDrive& settings)
-      : encoders_(encoders), settings_(settings) {}
+  /// `settings` and `limits` are where the active ones stand.
+  constexpr WheelMotion(drivers::WheelEncoders& encoders,
+                        protocol::ConfigureDrive& settings,
+                        const protocol::ConfigureSafety& limits)
+      : encoders_(encoders), settings_(settings), limits_(limits) {}
 
   /// True when every field is in range.
   static bool accepts(const protocol::ConfigureDrive& settings);
@@ -33,12 +35,14 @@ class WheelMotion {
   /// Takes over with wheel speeds in ticks/s, each clipped to the settings' limit.
   void drive(int16_t left_ticks_per_s, int16_t right_ticks_per_s);
 
-  /// Motors off at once, for this reason.
+  /// Motors off at once, for this reason. That of a motion which is over is not told any more, but
+  /// kLifted is, of a standing robot too.
   void stop(protocol::MotionOutcome reason);
   /// The time to live is over: brakes hard and lets go there, arrived or not.
   void expire();
-  /// One control period.
-  void step();
+  /// One control period. False when a wheel is out of control, kRunaway or kOverSpeed: both were
+  /// stopped, and had better not start again before somebody has looked.
+  bool step();
 
   bool moving() const { return mode_ != Mode::kIdle; }
   /// True while the robot as a whole goes forward or is about to; false for a turn on the spot.
@@ -65,8 +69,7 @@ class WheelMotion {
 
   drivers::WheelEncoders& encoders_;
   protocol::ConfigureDrive& settings_;
-  DrivenWheel left_{hal::Motor::kLeft};
-  DrivenWheel right_{hal::Motor::kRight};
+  const protocol::ConfigureSafety& limits_;
   DistanceRamp way_;
   Proportion shorter_;
   SpeedRamp left_ramp_;
@@ -78,6 +81,8 @@ class WheelMotion {
   bool told_forward_ = false;
   bool told_to_back_off_ = false;
   MotionReport report_ = {0, protocol::MotionOutcome::kNone};
+  DrivenWheel left_{hal::Motor::kLeft};
+  DrivenWheel right_{hal::Motor::kRight};
 };
 
 }  // namespace control

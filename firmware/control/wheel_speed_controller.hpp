@@ -32,6 +32,9 @@ class WheelSpeedController {
   /// turned since the last one. Returns the duty.
   int16_t update(int16_t turned);
 
+  /// Ticks of the last period, and of the 4 before it.
+  int16_t turned() const { return newest_turned_; }
+  int16_t turned_sum() const { return turned_sum_; }
   /// The wheel stands within kArrivedTicks of its reference.
   bool arrived() const;
   /// The wheel is farther behind than a turning wheel can be, or does not break away.

@@ -3,30 +3,27 @@
 
 #include <stdint.h>
 
+#include "firmware/drivers/debounced_bits.hpp"
 #include "firmware/hal/contacts.hpp"
 
 namespace echomap {
 namespace drivers {
 
-/// The two bump contacts. A press counts at once; a release once it has lasted kReleaseMs, because
-/// contacts bounce.
+/// The two bump contacts.
 class Contacts {
  public:
-  static constexpr uint8_t kReleaseMs = 20;
+  static constexpr uint8_t kReleaseMs = DebouncedBits::kReleaseMs;
 
   /// Reads the pins; once a millisecond.
-  void poll();
+  void poll() { bits_.update(hal::pressed_contacts()); }
 
-  bool left() const { return left_ms_ != 0; }
-  bool right() const { return right_ms_ != 0; }
-  bool any() const { return left() || right(); }
-  /// True after the poll in which a contact closed.
-  bool just_pressed() const { return just_pressed_; }
+  /// Bits of hal::Contact.
+  uint8_t pressed() const { return bits_.active(); }
+  /// Those that closed with the last poll.
+  uint8_t just_pressed() const { return bits_.fresh(); }
 
  private:
-  uint8_t left_ms_ = 0;
-  uint8_t right_ms_ = 0;
-  bool just_pressed_ = false;
+  DebouncedBits bits_;
 };
 
 }  // namespace drivers

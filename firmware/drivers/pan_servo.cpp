@@ -8,8 +8,6 @@ namespace echomap {
 namespace drivers {
 namespace {
 
-constexpr int32_t kHalfTurnCdeg = 18000;
-
 int32_t pulse_us(const protocol::ConfigurePan& settings, int32_t pan_cdeg) {
   return settings.centre_us + settings.us_per_90deg * pan_cdeg / 9000;
 }
@@ -21,29 +19,22 @@ bool pulse_in_range(int32_t pulse) {
 }  // namespace
 
 bool PanServo::accepts(const protocol::ConfigurePan& settings) {
-  return settings.kind == static_cast<uint8_t>(protocol::PanKind::kServo) &&
-         settings.min_cdeg >= -kHalfTurnCdeg && settings.min_cdeg <= settings.max_cdeg &&
-         settings.max_cdeg <= kHalfTurnCdeg && settings.deg_per_s != 0 &&
-         pulse_in_range(pulse_us(settings, settings.min_cdeg)) &&
+  return pulse_in_range(pulse_us(settings, settings.min_cdeg)) &&
          pulse_in_range(pulse_us(settings, settings.max_cdeg));
 }
 
-bool PanServo::reaches(int32_t pan_cdeg) const {
-  return pan_cdeg >= settings_.min_cdeg && pan_cdeg <= settings_.max_cdeg;
-}
-
-uint16_t PanServo::turn_to(int32_t pan_cdeg) {
-  int32_t turn_cdeg = settings_.max_cdeg - settings_.min_cdeg;
+uint16_t PanServo::turn_to(const protocol::ConfigurePan& settings, int32_t pan_cdeg) {
+  int32_t turn_cdeg = settings.max_cdeg - settings.min_cdeg;
   if (pan_known_) {
     turn_cdeg = pan_cdeg - pan_cdeg_;
   }
   pan_cdeg_ = pan_cdeg;
   pan_known_ = true;
-  hal::set_servo_pulse_us(static_cast<uint16_t>(pulse_us(settings_, pan_cdeg)));
+  hal::set_servo_pulse_us(static_cast<uint16_t>(pulse_us(settings, pan_cdeg)));
   const uint32_t travel_cdeg = static_cast<uint32_t>(turn_cdeg < 0 ? -turn_cdeg : turn_cdeg);
-  const uint16_t speed = settings_.deg_per_s;
+  const uint16_t speed = settings.deg_per_s;
   const uint32_t travel_ms = (travel_cdeg * 10 + speed - 1) / speed;
-  return travel_ms > UINT16_MAX ? UINT16_MAX : static_cast<uint16_t>(travel_ms);
+  return travel_ms > kMaxTravelMs ? kMaxTravelMs : static_cast<uint16_t>(travel_ms);
 }
 
 }  // namespace drivers

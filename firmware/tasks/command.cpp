@@ -3,6 +3,8 @@
 
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
+#include "firmware/hal/code_size.hpp"
+#include "firmware/hal/twi.hpp"
 #include "protocol/config_digest.hpp"
 #include "protocol/version.hpp"
 
@@ -11,6 +13,20 @@ namespace tasks {
 
 using protocol::CommandStatus;
 using protocol::MotionOutcome;
+
+namespace {
+
+uint32_t capabilities() {
+  uint32_t bits = protocol::kCapabilityWheels | protocol::kCapabilityPanSonar |
+                  protocol::kCapabilityContacts | protocol::kCapabilityPins |
+                  protocol::kCapabilityRanges | protocol::kCapabilityStepper;
+  if (hal::has_twi()) {
+    bits |= protocol::kCapabilityGyro;
+  }
+  return bits;
+}
+
+}  // namespace
 
 void Command::announce() { reply(0); }
 
@@ -24,7 +40,7 @@ bool Command::poll() {
   return taken != 0;
 }
 
-void Command::take(uint8_t byte) {
+ECHOMAP_ONE_PIECE void Command::take(uint8_t byte) {
   const protocol::DecodeStatus status = decoder_.take(byte);
   if (status == protocol::DecodeStatus::kIncomplete) {
     return;
@@ -95,8 +111,7 @@ void Command::reply(uint16_t session) {
   reply.session = session;
   reply.tick_hz = hal::kTickHz;
   reply.receive_credit_bytes = drivers::SerialPort::kReceiveBytes;
-  reply.capabilities =
-      protocol::kCapabilityWheels | protocol::kCapabilityPanSonar | protocol::kCapabilityContacts;
+  reply.capabilities = capabilities();
   reply.config_digest = protocol::config_digest(targets_.configuration);
   targets_.sender.answer(reply);
 }
@@ -106,8 +121,7 @@ CommandStatus Command::execute(const protocol::Arm& command) {
     targets_.safety.disarm();
     return CommandStatus::kAccepted;
   }
-  targets_.safety.arm();
-  return CommandStatus::kAccepted;
+  return targets_.safety.arm() ? CommandStatus::kAccepted : CommandStatus::kBlocked;
 }
 
 CommandStatus Command::execute(const protocol::Stop& /*command*/) {
@@ -116,50 +130,44 @@ CommandStatus Command::execute(const protocol::Stop& /*command*/) {
   return CommandStatus::kAccepted;
 }
 
-CommandStatus Command::execute(const protocol::ConfigureDrive& command) {
-  if (targets_.motion.moving()) {
+template <class Target, class Settings>
+CommandStatus Command::configure(Target& target, const Settings& settings, bool busy) {
+  if (busy) {
     return CommandStatus::kBusy;
   }
-  if (!control::WheelMotion::accepts(command)) {
+  if (!target.accepts(settings)) {
     return CommandStatus::kOutOfRange;
   }
-  targets_.motion.configure(command);
+  target.configure(settings);
   return CommandStatus::kAccepted;
 }
 
-template <class Settings>
-CommandStatus Command::configure_sweep(const Settings& settings) {
-  if (targets_.sweep.sweeping()) {
-    return CommandStatus::kBusy;
-  }
-  if (!control::ScanSweep::accepts(settings)) {
-    return CommandStatus::kOutOfRange;
-  }
-  targets_.sweep.configure(settings);
-  return CommandStatus::kAccepted;
+CommandStatus Command::execute(const protocol::ConfigureDrive& command) {
+  return configure(targets_.motion, command, targets_.motion.moving());
 }
 
 CommandStatus Command::execute(const protocol::ConfigurePan& command) {
-  return configure_sweep(command);
+  return configure(targets_.sweep, command, targets_.sweep.sweeping());
 }
 
 CommandStatus Command::execute(const protocol::ConfigureSonar& command) {
-  return configure_sweep(command);
+  return configure(targets_.sweep, command, targets_.sweep.sweeping());
 }
 
-CommandStatus Command::execute(const protocol::ConfigurePins& /*command*/) {
-  return CommandStatus::kOutOfRange;
+CommandStatus Command::execute(const protocol::ConfigurePins& command) {
+  const bool busy = targets_.motion.moving() || targets_.sweep.sweeping();
+  return configure(targets_.sensors, command, busy);
 }
 
-CommandStatus Command::execute(const protocol::ConfigureSensors& /*command*/) {
-  return CommandStatus::kOutOfRange;
+CommandStatus Command::execute(const protocol::ConfigureSensors& command) {
+  return configure(targets_.sensors, command, false);
 }
 
-CommandStatus Command::execute(const protocol::ConfigureSafety& /*command*/) {
-  return CommandStatus::kOutOfRange;
+CommandStatus Command::execute(const protocol::ConfigureSafety& command) {
+  return configure(targets_.safety, command, targets_.motion.moving());
 }
 
-CommandStatus Command::execute(const protocol::MoveTicks& command) {
+ECHOMAP_ONE_PIECE CommandStatus Command::execute(const protocol::MoveTicks& command) {
   if (!targets_.safety.armed()) {
     return CommandStatus::kDisarmed;
   }

@@ -21,6 +21,7 @@ struct CommandTargets {
   FrameSender& sender;
   control::WheelMotion& motion;
   control::ScanSweep& sweep;
+  Sensors& sensors;
   Safety& safety;
   Telemetry& telemetry;
   protocol::ReceiveCounters& received;
@@ -65,9 +66,9 @@ class Command {
   protocol::CommandStatus execute(const protocol::Arm& command);
   protocol::CommandStatus execute(const protocol::Stop& command);
   protocol::CommandStatus execute(const protocol::ConfigureDrive& command);
-  /// ConfigurePan and ConfigureSonar.
-  template <class Settings>
-  protocol::CommandStatus configure_sweep(const Settings& settings);
+  /// Gives `target` its settings, unless it is busy with the old ones.
+  template <class Target, class Settings>
+  static protocol::CommandStatus configure(Target& target, const Settings& settings, bool busy);
   protocol::CommandStatus execute(const protocol::ConfigurePan& command);
   protocol::CommandStatus execute(const protocol::ConfigureSonar& command);
   protocol::CommandStatus execute(const protocol::ConfigurePins& command);

@@ -4,6 +4,11 @@
 namespace echomap {
 namespace tasks {
 
+bool FrameSender::tell(const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed) {
+  const uint8_t frame_bytes = static_cast<uint8_t>(size + protocol::kFrameOverhead);
+  return has_room(frame_bytes) && budget_.take(frame_bytes) && send(payload, id, size, seed);
+}
+
 bool FrameSender::send(const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed) {
   if (port_.send_room() < size + protocol::kFrameOverhead) {
     return false;

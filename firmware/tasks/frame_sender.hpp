@@ -29,13 +29,15 @@ class FrameSender {
   /// Queues telemetry; false when there is no room now or the budget does not allow it.
   template <class M>
   bool tell(const M& message) {
-    return has_room_for<M>() && budget_.take(FrameFacts<M>::kBytes) && answer(message);
+    using Facts = protocol::MessageFacts<M>;
+    const protocol::Payload<M> payload(message);
+    return tell(payload.bytes(), M::kId, Facts::kSize, Facts::kSeed);
   }
 
   /// True when M can be queued and leave room for answers.
   template <class M>
   bool has_room_for() const {
-    return port_.send_room() >= uint8_t{FrameFacts<M>::kBytes} + kAnswerBytes;
+    return has_room(FrameFacts<M>::kBytes);
   }
 
   LineBudget& budget() { return budget_; }
@@ -55,6 +57,10 @@ class FrameSender {
                    FrameFacts<protocol::Ack>::kBytes + FrameFacts<protocol::Pong>::kBytes
   };
 
+  bool has_room(uint8_t frame_bytes) const {
+    return port_.send_room() >= frame_bytes + kAnswerBytes;
+  }
+  bool tell(const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed);
   bool send(const uint8_t* payload, uint8_t id, uint8_t size, uint16_t seed);
 
   drivers::SerialPort& port_;

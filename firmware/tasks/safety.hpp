@@ -5,21 +5,33 @@
 
 #include "firmware/control/wheel_motion.hpp"
 #include "firmware/drivers/contacts.hpp"
+#include "firmware/tasks/sensors.hpp"
 #include "protocol/limits.hpp"
 
 namespace echomap {
 namespace tasks {
 
 /// What may move, and for how long. Disarmed at the start; a motion ends when its time to live is
-/// over or when a contact closes.
+/// over, when a contact closes or a hazard comes up. A wheel-drop disarms too: somebody has the
+/// robot in hand, or it hangs over an edge.
 class Safety {
  public:
-  constexpr explicit Safety(control::WheelMotion& motion) : motion_(motion) {}
+  /// `settings` is where the active ones stand.
+  constexpr Safety(control::WheelMotion& motion,
+                   const Sensors& sensors,
+                   protocol::ConfigureSafety& settings)
+      : motion_(motion), sensors_(sensors), settings_(settings) {}
+
+  /// True when every field is in range.
+  static bool accepts(const protocol::ConfigureSafety& settings);
+  /// Takes settings that `accepts` has granted; only while not moving.
+  void configure(const protocol::ConfigureSafety& settings) { settings_ = settings; }
 
   bool armed() const { return armed_; }
-  void arm() { armed_ = true; }
+  /// False, and remains disarmed, while a wheel hangs.
+  bool arm();
   /// Stops the wheels too.
-  void disarm();
+  void disarm() { disarm(protocol::MotionOutcome::kStopped); }
 
   static bool accepts_time_to_live(uint16_t time_to_live_ms) {
     return time_to_live_ms <= protocol::kMaxTimeToLiveMs;
@@ -27,17 +39,27 @@ class Safety {
   /// Whatever moves may go on for this long; 0 stands for the default.
   void renew(uint16_t time_to_live_ms);
 
-  /// True when a pressed contact forbids a motion that goes forward as a whole.
-  bool blocks(int32_t left, int32_t right) const { return contacts_.any() && left + right > 0; }
+  /// True when a pressed contact or a hazard forbids a motion that goes forward as a whole.
+  bool blocks(int32_t left, int32_t right) const {
+    return (contacts_.pressed() != 0 || stopping_hazards() != 0) && left + right > 0;
+  }
+  /// Bits of protocol::Hazard that are active and stop the wheels.
+  uint8_t stopping_hazards() const;
   const drivers::Contacts& contacts() const { return contacts_; }
 
   /// Once a millisecond.
   void tick();
+  /// One control period; disarms when a wheel is out of control.
+  void control();
 
  private:
-  bool bumped() const;
+  void disarm(protocol::MotionOutcome reason);
+  bool lifted() const;
+  bool must_stop(uint8_t active, uint8_t fresh) const;
 
   control::WheelMotion& motion_;
+  const Sensors& sensors_;
+  protocol::ConfigureSafety& settings_;
   drivers::Contacts contacts_;
   uint16_t left_to_live_ms_ = 0;
   bool armed_ = false;

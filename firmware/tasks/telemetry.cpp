@@ -2,11 +2,14 @@
 #include "firmware/tasks/telemetry.hpp"
 
 #include "firmware/hal/clock.hpp"
+#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/stack.hpp"
 
 namespace echomap {
 namespace tasks {
 namespace {
+
+constexpr uint8_t kContactBit = protocol::kFlagBumpLeft / hal::kContactLeft;
 
 uint8_t bit_if(bool condition, protocol::RobotFlags bit) {
   return condition ? static_cast<uint8_t>(bit) : uint8_t{0};
@@ -30,7 +33,7 @@ void Telemetry::add(const protocol::Echo& echo) {
   ++waiting_echoes_;
 }
 
-void Telemetry::tick() {
+ECHOMAP_ONE_PIECE void Telemetry::tick() {
   stack_free_bytes_ = hal::least_free_stack_bytes();
   if (!on_) {
     return;
@@ -40,11 +43,12 @@ void Telemetry::tick() {
     odometry_age_ms_ = 0;
     sample_odometry();
   }
+  count_ranges();
   if (++status_age_ms_ >= stretched(kStatusPeriodMs)) {
     status_age_ms_ = 0;
     status_waits_ = true;
   }
-  notice_outcomes();
+  notice_changes();
   send_what_waits();
 }
 
@@ -57,6 +61,18 @@ void Telemetry::drop() {
   sender_.budget().overloaded();
 }
 
+void Telemetry::count_ranges() {
+  const uint8_t period_ms = sources_.configuration.sensors.ranges_period_ms;
+  if (period_ms == 0 || ++ranges_age_ms_ < stretched(period_ms)) {
+    return;
+  }
+  ranges_age_ms_ = 0;
+  if (ranges_wait_) {
+    drop();
+  }
+  ranges_wait_ = true;
+}
+
 void Telemetry::sample_odometry() {
   if (odometry_waits_) {
     drop();
@@ -64,12 +80,15 @@ void Telemetry::sample_odometry() {
   const drivers::WheelCounts counts = sources_.encoders.counts();
   odometry_ = protocol::Odometry{hal::now_us(), counts.left, counts.right, flags()};
   odometry_waits_ = true;
+  gyro_waits_ = sources_.configuration.sensors.gyro_period_ms != 0;
 }
 
-void Telemetry::notice_outcomes() {
+void Telemetry::notice_changes() {
   const control::MotionReport move = sources_.motion.report();
   const control::MotionReport sweep = sources_.sweep.report();
-  if (move != told_move_ || sweep != told_sweep_) {
+  const uint8_t hazards = sources_.sensors.hazards().active();
+  if (move != told_move_ || sweep != told_sweep_ || hazards != told_hazards_) {
+    told_hazards_ = hazards;
     told_move_ = move;
     told_sweep_ = sweep;
     status_is_urgent_ = true;
@@ -90,6 +109,14 @@ void Telemetry::send_what_waits() {
     return;
   }
   odometry_waits_ = false;
+  if (gyro_waits_ && !sender_.tell(gyro())) {
+    return;
+  }
+  gyro_waits_ = false;
+  if (ranges_wait_ && !sender_.tell(ranges())) {
+    return;
+  }
+  ranges_wait_ = false;
   if (status_waits_ && statuses_since_health_ != kStatusPerHealth) {
     send_status();
   }
@@ -129,6 +156,7 @@ protocol::Status Telemetry::status() const {
   protocol::Status status{};
   status.stamp_us = hal::now_us();
   status.flags = flags();
+  status.hazards = told_hazards_;
   status.move_id = told_move_.id;
   status.move_outcome = static_cast<uint8_t>(told_move_.outcome);
   status.sweep_id = told_sweep_.id;
@@ -146,17 +174,33 @@ protocol::Health Telemetry::health() const {
   health.encoder_errors = sources_.encoders.errors();
   health.stack_free_bytes = stack_free_bytes_;
   health.rate_step = sender_.budget().rate_step();
+  health.battery_raw = sources_.sensors.analog().battery();
   return health;
 }
 
+const protocol::Ranges& Telemetry::ranges() const {
+  const drivers::WheelCounts counts = sources_.encoders.counts();
+  protocol::Ranges& ranges = sources_.sensors.analog().ranges();
+  ranges.stamp_us = hal::now_us();
+  ranges.left_ticks = counts.left;
+  ranges.right_ticks = counts.right;
+  return ranges;
+}
+
+protocol::Gyro Telemetry::gyro() const {
+  const drivers::GyroMpu6050& gyro = sources_.sensors.gyro();
+  return protocol::Gyro{hal::now_us(), gyro.yaw_sum(), gyro.samples(), gyro.errors()};
+}
+
 uint8_t Telemetry::flags() const {
-  const drivers::Contacts& contacts = sources_.safety.contacts();
-  uint8_t flags = 0;
+  static_assert(hal::kContactLeft * kContactBit == protocol::kFlagBumpLeft &&
+                    hal::kContactRight * kContactBit == protocol::kFlagBumpRight,
+                "contacts go over the wire in their order");
+  uint8_t flags = static_cast<uint8_t>(sources_.safety.contacts().pressed() * kContactBit);
   flags |= bit_if(sources_.safety.armed(), protocol::kFlagArmed);
   flags |= bit_if(sources_.motion.moving(), protocol::kFlagMoving);
   flags |= bit_if(sources_.sweep.sweeping(), protocol::kFlagSweeping);
-  flags |= bit_if(contacts.left(), protocol::kFlagBumpLeft);
-  flags |= bit_if(contacts.right(), protocol::kFlagBumpRight);
+  flags |= bit_if(sources_.safety.stopping_hazards() != 0, protocol::kFlagHazard);
   return flags;
 }
 

@@ -19,14 +19,15 @@ struct TelemetrySources {
   const drivers::SerialPort& port;
   const control::WheelMotion& motion;
   const control::ScanSweep& sweep;
+  Sensors& sensors;
   const Safety& safety;
   const protocol::ReceiveCounters& received;
   const protocol::Configuration& configuration;
 };
 
-/// Samples on time and sends when the line has room: readings and changes first, then odometry,
-/// then Status and Health. What waits too long is replaced by what is newer, and counted; all
-/// periods are then stretched. Silent until a host has said Hello.
+/// Samples on time and sends when the line has room: echoes and changes first, then odometry,
+/// gyro and ranges, then Status and Health. What waits too long is replaced by what is newer, and
+/// counted; all periods are then stretched. Silent until a host has said Hello.
 class Telemetry {
  public:
   static constexpr uint8_t kStatusPeriodMs = 200;
@@ -52,19 +53,21 @@ class Telemetry {
   /// Counts what was replaced before it could be sent.
   void drop();
   void sample_odometry();
-  void notice_outcomes();
+  void count_ranges();
+  void notice_changes();
   void send_what_waits();
   bool send_echo();
   bool send_status();
   void send_health();
   protocol::Status status() const;
   protocol::Health health() const;
+  const protocol::Ranges& ranges() const;
+  protocol::Gyro gyro() const;
   uint8_t flags() const;
 
   TelemetrySources sources_;
   FrameSender& sender_;
   protocol::Odometry odometry_ = {};
-  protocol::Echo echoes_[kEchoes] = {};
   control::MotionReport told_move_ = {0, protocol::MotionOutcome::kNone};
   control::MotionReport told_sweep_ = {0, protocol::MotionOutcome::kNone};
   uint16_t dropped_ = 0;
@@ -77,7 +80,12 @@ class Telemetry {
   bool odometry_waits_ = false;
   bool status_waits_ = false;
   bool status_is_urgent_ = false;
+  bool ranges_wait_ = false;
+  bool gyro_waits_ = false;
+  uint16_t ranges_age_ms_ = 0;
+  uint8_t told_hazards_ = 0;
   bool on_ = false;
+  protocol::Echo echoes_[kEchoes] = {};
 };
 
 }  // namespace tasks

@@ -153,5 +153,32 @@ TEST(Robot, SurvivesAnyBytes) {
   EXPECT_GT(robot.all<protocol::Health>().back().frames_bad, 0);
 }
 
+TEST(Robot, MotorTheWrongWayRoundStopsAndDisarms) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  protocol::ConfigureDrive drive = kDefaultDrive;
+  drive.inversions = protocol::kInvertRightMotor;
+  ASSERT_EQ(robot.command(drive), CommandStatus::kAccepted);
+  robot.send(protocol::DriveSetpoint{500, 500, 500});
+  robot.run_ms(400);
+  robot.send(protocol::KeepAlive{500});
+  robot.run_ms(400);
+  const protocol::Status status = robot.all<protocol::Status>().back();
+  EXPECT_EQ(status.move_outcome, number(MotionOutcome::kRunaway));
+  EXPECT_EQ(status.flags & (protocol::kFlagArmed | protocol::kFlagMoving), 0);
+  EXPECT_GT(robot.right_wheel.ticks(), -600) << "stopped on its way";
+}
+
+TEST(Robot, BlockedWheelStopsButStaysArmed) {
+  NativeRobot robot;
+  robot.left_wheel.blocked = true;
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(protocol::MoveTicks{0, 9000, 9000, 1000, 500}), CommandStatus::kAccepted);
+  const protocol::Status status = drive_to_the_end(robot);
+  EXPECT_EQ(status.move_outcome, number(MotionOutcome::kStalled));
+  EXPECT_TRUE((status.flags & protocol::kFlagArmed) != 0);
+  EXPECT_EQ(robot.board.left_duty(), 0);
+}
+
 }  // namespace
 }  // namespace echomap::app

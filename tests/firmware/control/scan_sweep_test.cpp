@@ -49,7 +49,9 @@ class ScanSweepTest : public testing::Test {
   drivers::WheelEncoders encoders;
   drivers::SonarHcSr04 sonar;
   protocol::Configuration configuration = app::kDefaultConfiguration;
-  ScanSweep sweep{encoders, sonar, configuration.pan, configuration.sonar};
+  drivers::SparePins pins{configuration.pins};
+  drivers::PanDrive pan{configuration.pan, pins};
+  ScanSweep sweep{encoders, sonar, pan, configuration.sonar};
   std::vector<protocol::Echo> echoes;
   std::vector<std::int64_t> pings_ms;
   bool answers = true;

@@ -46,7 +46,8 @@ class WheelMotionTest : public testing::Test {
 
   drivers::WheelEncoders encoders;
   protocol::ConfigureDrive settings = app::kDefaultDrive;
-  WheelMotion motion{encoders, settings};
+  protocol::ConfigureSafety limits = app::kDefaultSafety;
+  WheelMotion motion{encoders, settings, limits};
   tests::SimulatedWheel left_wheel;
   tests::SimulatedWheel right_wheel;
 

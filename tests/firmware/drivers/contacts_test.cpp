@@ -23,29 +23,28 @@ class ContactsTest : public testing::Test {
 
 TEST_F(ContactsTest, PressCountsAtTheFirstPoll) {
   press(false, true);
-  EXPECT_TRUE(contacts.left());
-  EXPECT_FALSE(contacts.right());
-  EXPECT_TRUE(contacts.just_pressed());
+  EXPECT_EQ(contacts.pressed(), hal::kContactLeft);
+  EXPECT_EQ(contacts.just_pressed(), hal::kContactLeft);
   contacts.poll();
-  EXPECT_TRUE(contacts.any());
-  EXPECT_FALSE(contacts.just_pressed());
+  EXPECT_EQ(contacts.pressed(), hal::kContactLeft);
+  EXPECT_EQ(contacts.just_pressed(), 0);
 }
 
 TEST_F(ContactsTest, ReleaseCountsWhenItHasLasted) {
   press(true, true);
   press(true, false);
   for (int ms = 1; ms < Contacts::kReleaseMs; ++ms) {
-    EXPECT_TRUE(contacts.right());
+    EXPECT_EQ(contacts.pressed(), hal::kContactRight);
     contacts.poll();
   }
-  EXPECT_FALSE(contacts.right());
+  EXPECT_EQ(contacts.pressed(), 0);
 }
 
 TEST_F(ContactsTest, BouncingIsOnePress) {
   int presses = 0;
   for (int i = 0; i < 50; ++i) {
     press(false, i % 3 != 2);
-    presses += contacts.just_pressed() ? 1 : 0;
+    presses += contacts.just_pressed() != 0 ? 1 : 0;
   }
   EXPECT_EQ(presses, 1);
 }
@@ -53,7 +52,7 @@ TEST_F(ContactsTest, BouncingIsOnePress) {
 TEST_F(ContactsTest, SecondContactIsAPressOfItsOwn) {
   press(false, true);
   press(true, true);
-  EXPECT_TRUE(contacts.just_pressed());
+  EXPECT_EQ(contacts.just_pressed(), hal::kContactRight);
 }
 
 }  // namespace

@@ -13,13 +13,34 @@ using protocol::MotionOutcome;
 
 class SafetyTest : public testing::Test {
  protected:
+  /// There are no wheels, so none turns.
+  SafetyTest() { configuration.safety.stall_ms = 0; }
   ~SafetyTest() override {
     press(false);
+    show(0);
     motion.stop(MotionOutcome::kStopped);
+  }
+  /// Cliffs on pins 0 .. 3, wheel-drop on 4, virtual wall on 5, wall on 6, all active low.
+  void use_hazard_pins() {
+    protocol::ConfigurePins pins{};
+    std::uint8_t* const functions[] = {
+        &pins.pin_0, &pins.pin_1, &pins.pin_2, &pins.pin_3, &pins.pin_4, &pins.pin_5, &pins.pin_6};
+    std::uint8_t function = protocol::kPinCliffLeft;
+    for (std::uint8_t* const pin : functions) {
+      *pin = function++;
+    }
+    sensors.configure(pins);
+  }
+  /// Shows these hazards on the pins.
+  static void show(unsigned hazards) {
+    for (std::uint8_t pin = 0; pin < 7; ++pin) {
+      native::NativeBoard::instance().set_aux_level(pin, (hazards >> pin & 1U) == 0);
+    }
   }
   static void press(bool pressed) { native::NativeBoard::instance().set_bump(false, pressed); }
   void tick(int times) {
     for (int i = 0; i < times; ++i) {
+      sensors.tick();
       safety.tick();
     }
   }
@@ -29,9 +50,10 @@ class SafetyTest : public testing::Test {
   MotionOutcome outcome() const { return motion.report().outcome; }
 
   drivers::WheelEncoders encoders;
-  protocol::ConfigureDrive settings = app::kDefaultDrive;
-  control::WheelMotion motion{encoders, settings};
-  Safety safety{motion};
+  protocol::Configuration configuration = app::kDefaultConfiguration;
+  control::WheelMotion motion{encoders, configuration.drive, configuration.safety};
+  Sensors sensors{configuration.pins, configuration.sensors};
+  Safety safety{motion, sensors, configuration.safety};
 };
 
 TEST_F(SafetyTest, StartsDisarmed) { EXPECT_FALSE(safety.armed()); }
@@ -121,6 +143,96 @@ TEST_F(SafetyTest, BumpStopsARobotThatIsStillGoingForward) {
     tick(1);
     EXPECT_FALSE(motion.moving()) << "then " << then;
   }
+}
+
+TEST_F(SafetyTest, EveryHazardOfTheSettingsStopsTheWheelsAndNoOther) {
+  use_hazard_pins();
+  for (const unsigned bit : {0U, 1U, 2U, 3U, 5U, 6U}) {
+    for (const bool stops : {false, true}) {
+      show(0);
+      tick(drivers::DebouncedBits::kReleaseMs);
+      configuration.safety.hazard_stops = static_cast<std::uint8_t>(stops ? 1U << bit : 0U);
+      move(100, 100);
+      show(1U << bit);
+      tick(1);
+      const MotionOutcome expected = stops ? MotionOutcome::kHazard : MotionOutcome::kRunning;
+      EXPECT_EQ(outcome(), expected) << "bit " << bit;
+      motion.stop(MotionOutcome::kStopped);
+    }
+  }
+}
+
+TEST_F(SafetyTest, HazardLetsTheRobotBackOffAndTurnAway) {
+  use_hazard_pins();
+  struct Case {
+    std::int32_t left, right;
+    MotionOutcome at_its_begin, while_it_lasts;
+  };
+  for (const Case& one : {Case{100, 100, MotionOutcome::kHazard, MotionOutcome::kHazard},
+                          Case{100, -100, MotionOutcome::kHazard, MotionOutcome::kRunning},
+                          Case{-100, -100, MotionOutcome::kRunning, MotionOutcome::kRunning}}) {
+    show(0);
+    tick(drivers::DebouncedBits::kReleaseMs);
+    move(one.left, one.right);
+    show(protocol::kHazardCliffFrontLeft);
+    tick(1);
+    EXPECT_EQ(outcome(), one.at_its_begin) << one.left << ' ' << one.right;
+    motion.stop(MotionOutcome::kStopped);
+    tick(5);
+    EXPECT_EQ(safety.blocks(one.left, one.right), one.while_it_lasts == MotionOutcome::kHazard);
+    move(one.left, one.right);
+    tick(1);
+    EXPECT_EQ(outcome(), one.while_it_lasts) << one.left << ' ' << one.right;
+    motion.stop(MotionOutcome::kStopped);
+  }
+}
+
+TEST_F(SafetyTest, SetpointGoesOnBackwardsOverACliffButNotForwards) {
+  use_hazard_pins();
+  motion.drive(500, 500);
+  show(protocol::kHazardCliffLeft);
+  tick(1);
+  EXPECT_FALSE(motion.moving());
+  EXPECT_TRUE(safety.blocks(500, 500));
+  EXPECT_FALSE(safety.blocks(-500, -500));
+}
+
+TEST_F(SafetyTest, WheelDropStopsWhateverMovesAndDisarms) {
+  use_hazard_pins();
+  configuration.safety.hazard_stops = 0;
+  for (const std::int32_t ticks : {100, -100}) {
+    show(0);
+    tick(drivers::DebouncedBits::kReleaseMs);
+    ASSERT_TRUE(safety.arm());
+    move(ticks, ticks);
+    show(protocol::kHazardWheelDrop);
+    tick(1);
+    EXPECT_FALSE(motion.moving());
+    EXPECT_FALSE(safety.armed());
+    EXPECT_EQ(outcome(), MotionOutcome::kLifted);
+  }
+}
+
+TEST_F(SafetyTest, WheelDropIsToldOfAStandingRobotToo) {
+  use_hazard_pins();
+  safety.arm();
+  show(protocol::kHazardWheelDrop);
+  tick(1);
+  show(0);
+  tick(100);
+  EXPECT_FALSE(safety.armed()) << "stays so when it is put back";
+  EXPECT_EQ(outcome(), MotionOutcome::kLifted);
+}
+
+TEST_F(SafetyTest, CannotBeArmedWhileAWheelHangs) {
+  use_hazard_pins();
+  show(protocol::kHazardWheelDrop);
+  tick(1);
+  EXPECT_FALSE(safety.arm());
+  EXPECT_FALSE(safety.armed());
+  show(0);
+  tick(drivers::DebouncedBits::kReleaseMs);
+  EXPECT_TRUE(safety.arm());
 }
 
 TEST_F(SafetyTest, NothingIsBlockedWithoutAContact) { EXPECT_FALSE(safety.blocks(100, 100)); }

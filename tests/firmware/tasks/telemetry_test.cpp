@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/app/settings.hpp"
+#include "firmware/boards/native/native_board.hpp"
 #include "protocol/frame_decoder.hpp"
 
 namespace echomap::tasks {
@@ -16,11 +17,15 @@ struct Collected {
   std::vector<protocol::Odometry> odometry;
   std::vector<protocol::Status> status;
   std::vector<protocol::Health> health;
+  std::vector<protocol::Ranges> ranges;
+  std::vector<protocol::Gyro> gyro;
 
   void operator()(const protocol::Echo& message) { echoes.push_back(message); }
   void operator()(const protocol::Odometry& message) { odometry.push_back(message); }
   void operator()(const protocol::Status& message) { status.push_back(message); }
   void operator()(const protocol::Health& message) { health.push_back(message); }
+  void operator()(const protocol::Ranges& message) { ranges.push_back(message); }
+  void operator()(const protocol::Gyro& message) { gyro.push_back(message); }
   template <class Other>
   void operator()(const Other& /*message*/) {}
 };
@@ -82,12 +87,15 @@ class TelemetryTest : public testing::Test {
   drivers::SonarHcSr04 sonar;
   drivers::SerialPort port;
   protocol::Configuration configuration = app::kDefaultConfiguration;
-  control::WheelMotion motion{encoders, configuration.drive};
-  control::ScanSweep sweep{encoders, sonar, configuration.pan, configuration.sonar};
-  Safety safety{motion};
+  control::WheelMotion motion{encoders, configuration.drive, configuration.safety};
+  Sensors sensors{configuration.pins, configuration.sensors};
+  drivers::PanDrive pan_drive{configuration.pan, sensors.pins()};
+  control::ScanSweep sweep{encoders, sonar, pan_drive, configuration.sonar};
+  Safety safety{motion, sensors, configuration.safety};
   FrameSender sender{port};
   protocol::ReceiveCounters received;
-  Telemetry telemetry{{encoders, port, motion, sweep, safety, received, configuration}, sender};
+  Telemetry telemetry{{encoders, port, motion, sweep, sensors, safety, received, configuration},
+                      sender};
   protocol::FrameDecoder decoder{protocol::MessagesToHost::find_schema};
 };
 
@@ -153,6 +161,62 @@ TEST_F(TelemetryTest, KeepsTheNewestEchoesAndCountsTheRest) {
   EXPECT_EQ(all.echoes[0].pan_cdeg, 2);
   EXPECT_EQ(all.echoes[3].pan_cdeg, 5);
   EXPECT_EQ(next_health().telemetry_dropped, 2);
+}
+
+TEST_F(TelemetryTest, RangesComeAtTheirPeriodAndOnlyThen) {
+  telemetry.begin();
+  std::size_t before = 0;
+  std::size_t after = 0;
+  for (int ms = 0; ms < 500; ++ms) {
+    tick(1);
+    before += collect().ranges.size();
+  }
+  configuration.sensors.ranges_period_ms = 50;
+  for (int ms = 0; ms < 510; ++ms) {
+    tick(1);
+    after += collect().ranges.size();
+  }
+  EXPECT_EQ(before, 0U);
+  EXPECT_EQ(after, 10U);
+}
+
+TEST_F(TelemetryTest, GyroComesWithEveryOdometryWhileItIsOn) {
+  telemetry.begin();
+  configuration.sensors.gyro_period_ms = 10;
+  Collected all;
+  for (int ms = 0; ms < 400; ++ms) {
+    tick(1);
+    Collected now = collect();
+    all.odometry.insert(all.odometry.end(), now.odometry.begin(), now.odometry.end());
+    all.gyro.insert(all.gyro.end(), now.gyro.begin(), now.gyro.end());
+  }
+  EXPECT_EQ(all.odometry.size(), 20U);
+  EXPECT_EQ(all.gyro.size(), 20U);
+}
+
+TEST_F(TelemetryTest, TellsAHazardAtOnceAndItsEnd) {
+  protocol::ConfigurePins pins{};
+  pins.pin_11 = protocol::kPinCliffRight;
+  sensors.configure(pins);
+  telemetry.begin();
+  tick(1);
+  collect();
+  native::NativeBoard::instance().set_aux_level(11, false);
+  sensors.tick();
+  tick(1);
+  const Collected begun = collect();
+  native::NativeBoard::instance().set_aux_level(11, true);
+  ASSERT_EQ(begun.status.size(), 1U);
+  EXPECT_EQ(begun.status[0].hazards, protocol::kHazardCliffRight);
+  EXPECT_TRUE((begun.status[0].flags & protocol::kFlagHazard) != 0);
+  for (int ms = 0; ms < drivers::DebouncedBits::kReleaseMs; ++ms) {
+    sensors.tick();
+  }
+  tick(1);
+  const Collected ended = collect();
+  ASSERT_EQ(ended.status.size(), 1U);
+  EXPECT_EQ(ended.status[0].hazards, 0);
+  EXPECT_FALSE((ended.status[0].flags & protocol::kFlagHazard) != 0);
 }
 
 TEST_F(TelemetryTest, TellsAnOutcomeAtOnce) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "protocol/command_messages.hpp"
+
+namespace echomap {
+namespace drivers {
+
+/// The board's spare pins by their functions.
+class SparePins {
+ public:
+  /// `find` of a function that no pin has.
+  static constexpr uint8_t kNone = 0xFF;
+
+  /// `settings` is where the active ones stand.
+  constexpr explicit SparePins(protocol::ConfigurePins& settings) : settings_(settings) {}
+
+  /// True when every pin of the board can do what it shall, and there is none beyond its last.
+  static bool accepts(const protocol::ConfigurePins& settings);
+  /// Takes settings that `accepts` has granted.
+  void configure(const protocol::ConfigurePins& settings);
+
+  /// The first pin with this protocol::PinFunction, or kNone.
+  uint8_t find(uint8_t function) const;
+  /// Bits of protocol::Hazard whose pins now have the level that means one.
+  uint8_t active_hazards() const;
+
+  /// True when each phase of a stepper has its pin.
+  bool has_stepper() const;
+  /// Levels of the phases, A in bit 0.
+  void set_stepper_phases(uint8_t levels) const;
+
+ private:
+  protocol::ConfigurePins& settings_;
+};
+
+}  // namespace drivers
+}  // namespace echomap

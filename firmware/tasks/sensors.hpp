@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "firmware/drivers/analog_inputs.hpp"
+#include "firmware/drivers/debounced_bits.hpp"
+#include "firmware/drivers/gyro_mpu6050.hpp"
+#include "firmware/drivers/spare_pins.hpp"
+
+namespace echomap {
+namespace tasks {
+
+/// The sensors beside wheels, sonar and contacts, and the spare pins that most of them are on.
+class Sensors {
+ public:
+  /// `pins` and `settings` are where the active ones stand.
+  constexpr Sensors(protocol::ConfigurePins& pins, protocol::ConfigureSensors& settings)
+      : pins_(pins), settings_(settings) {}
+
+  /// True when the board can do it.
+  static bool accepts(const protocol::ConfigurePins& settings) {
+    return drivers::SparePins::accepts(settings);
+  }
+  static bool accepts(const protocol::ConfigureSensors& settings);
+  /// Takes settings that `accepts` has granted.
+  void configure(const protocol::ConfigurePins& settings) { pins_.configure(settings); }
+  void configure(const protocol::ConfigureSensors& settings);
+
+  /// Once a millisecond.
+  void tick();
+
+  constexpr const drivers::SparePins& pins() const { return pins_; }
+  /// Bits of protocol::Hazard.
+  const drivers::DebouncedBits& hazards() const { return hazards_; }
+  drivers::AnalogInputs& analog() { return analog_; }
+  const drivers::GyroMpu6050& gyro() const { return gyro_; }
+
+ private:
+  drivers::SparePins pins_;
+  protocol::ConfigureSensors& settings_;
+  drivers::DebouncedBits hazards_;
+  drivers::AnalogInputs analog_;
+  drivers::GyroMpu6050 gyro_;
+};
+
+}  // namespace tasks
+}  // namespace echomap

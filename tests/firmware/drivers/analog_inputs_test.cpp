@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/drivers/analog_inputs.hpp"
+
+#include <gtest/gtest.h>
+
+#include "firmware/boards/native/native_board.hpp"
+#include "protocol/telemetry_messages.hpp"
+
+namespace echomap::drivers {
+namespace {
+
+class AnalogInputsTest : public testing::Test {
+ protected:
+  AnalogInputsTest() { board.power_on(); }
+  void run_ms(int ms) {
+    for (int i = 0; i < ms; ++i) {
+      board.run_until_ns(board.now_ns() + 1000000);
+      inputs.tick(pins);
+    }
+  }
+
+  std::uint16_t range(unsigned channel) {
+    const protocol::Ranges& all = inputs.ranges();
+    const std::uint16_t channels[] = {all.channel_0,
+                                      all.channel_1,
+                                      all.channel_2,
+                                      all.channel_3,
+                                      all.channel_4,
+                                      all.channel_5,
+                                      all.channel_6,
+                                      all.channel_7};
+    return channels[channel];
+  }
+
+  native::NativeBoard& board = native::NativeBoard::instance();
+  protocol::ConfigurePins active{};
+  SparePins pins{active};
+  AnalogInputs inputs;
+};
+
+TEST_F(AnalogInputsTest, NothingIsReadWithoutAPin) {
+  run_ms(20);
+  for (std::uint8_t channel = 0; channel < AnalogInputs::kRanges; ++channel) {
+    EXPECT_EQ(range(channel), protocol::kNoRange);
+  }
+  EXPECT_EQ(inputs.battery(), 0);
+}
+
+TEST_F(AnalogInputsTest, EveryInputIsReadWithinNineMilliseconds) {
+  protocol::ConfigurePins wanted{};
+  wanted.pin_0 = protocol::kPinRange0 + 2;
+  wanted.pin_5 = protocol::kPinRange0;
+  wanted.pin_6 = protocol::kPinBattery;
+  pins.configure(wanted);
+  run_ms(20);
+  for (std::uint16_t raw = 100; raw < 1000; raw = static_cast<std::uint16_t>(raw + 37)) {
+    board.set_aux_analog(0, raw);
+    board.set_aux_analog(5, static_cast<std::uint16_t>(raw + 1));
+    board.set_aux_analog(6, static_cast<std::uint16_t>(raw + 2));
+    run_ms(10);
+    EXPECT_EQ(range(2), raw);
+    EXPECT_EQ(range(0), raw + 1);
+    EXPECT_EQ(inputs.battery(), raw + 2);
+    EXPECT_EQ(range(1), protocol::kNoRange);
+  }
+}
+
+TEST_F(AnalogInputsTest, ChannelThatLosesItsPinSaysSo) {
+  protocol::ConfigurePins wanted{};
+  wanted.pin_3 = protocol::kPinRange0 + 4;
+  pins.configure(wanted);
+  board.set_aux_analog(3, 512);
+  run_ms(20);
+  EXPECT_EQ(range(4), 512);
+  pins.configure({});
+  run_ms(20);
+  EXPECT_EQ(range(4), protocol::kNoRange);
+}
+
+}  // namespace
+}  // namespace echomap::drivers

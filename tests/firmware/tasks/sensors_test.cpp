@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/tasks/sensors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "protocol/limits.hpp"
+#include "tests/firmware/native_robot.hpp"
+
+namespace echomap::tasks {
+namespace {
+
+using echomap::tests::NativeRobot;
+using protocol::CommandStatus;
+using protocol::MotionOutcome;
+
+std::uint8_t number(MotionOutcome outcome) { return static_cast<std::uint8_t>(outcome); }
+
+/// A robot with its hazards, two range channels, battery and gyro connected.
+class SensorsTest : public testing::Test {
+ protected:
+  SensorsTest() {
+    pins.pin_0 = protocol::kPinCliffLeft;
+    pins.pin_1 = protocol::kPinWheelDrop | protocol::kPinActiveHigh;
+    pins.pin_2 = protocol::kPinRange0;
+    pins.pin_3 = protocol::kPinRange0 + 7;
+    pins.pin_4 = protocol::kPinBattery;
+    robot.board.set_aux_level(1, false);
+    robot.board.set_aux_analog(2, 100);
+    robot.board.set_aux_analog(3, 800);
+    robot.board.set_aux_analog(4, 700);
+    robot.board.two_wire.on_write = [](auto, auto, auto) { return true; };
+    robot.board.two_wire.on_read = [](auto, auto) { return std::int16_t{250}; };
+  }
+  ~SensorsTest() override {
+    robot.board.two_wire = native::NativeTwoWire();
+    robot.board.set_aux_level(0, true);
+    robot.board.set_aux_level(1, true);
+  }
+
+  NativeRobot robot;
+  protocol::ConfigurePins pins{};
+};
+
+TEST_F(SensorsTest, RangesBatteryAndGyroReachTheHost) {
+  ASSERT_TRUE(robot.connect(1).has_value());
+  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::ConfigureSensors{0, 40, 10, 2}), CommandStatus::kAccepted);
+  robot.run_ms(2000);
+  const protocol::Ranges ranges = robot.all<protocol::Ranges>().back();
+  EXPECT_EQ(ranges.channel_0, 100);
+  EXPECT_EQ(ranges.channel_1, protocol::kNoRange);
+  EXPECT_EQ(ranges.channel_7, 800);
+  EXPECT_EQ(robot.all<protocol::Health>().back().battery_raw, 700);
+  const protocol::Gyro gyro = robot.all<protocol::Gyro>().back();
+  EXPECT_NEAR(gyro.samples, 200, 5);
+  EXPECT_EQ(gyro.yaw_sum, 250 * (gyro.samples - gyro.errors));
+}
+
+TEST_F(SensorsTest, GreetingSaysWhatTheBoardCanDo) {
+  const auto reply = robot.connect(1);
+  ASSERT_TRUE(reply.has_value());
+  for (const protocol::Capability one : {protocol::kCapabilityPins,
+                                         protocol::kCapabilityRanges,
+                                         protocol::kCapabilityGyro,
+                                         protocol::kCapabilityStepper}) {
+    EXPECT_TRUE((reply->capabilities & one) != 0) << one;
+  }
+}
+
+TEST_F(SensorsTest, RefusesWhatNoBoardCanDo) {
+  ASSERT_TRUE(robot.connect(1).has_value());
+  pins.pin_9 = 9;
+  EXPECT_EQ(robot.command(pins), CommandStatus::kOutOfRange);
+  EXPECT_EQ(robot.command(protocol::ConfigureSensors{0, 0, 10, 4}), CommandStatus::kOutOfRange);
+  EXPECT_EQ(robot.command(protocol::ConfigureSafety{0, 0, protocol::kMaxStallMs + 1, 0, 0}),
+            CommandStatus::kOutOfRange);
+}
+
+TEST_F(SensorsTest, PinsDoNotChangeUnderAMovingRobot) {
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(protocol::MoveTicks{0, 9000, 9000, 1500, 500}), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(pins), CommandStatus::kBusy);
+}
+
+TEST_F(SensorsTest, CliffCutsTheMotorsWithinTwoMilliseconds) {
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::MoveTicks{0, 9000, 9000, 1500, 500}), CommandStatus::kAccepted);
+  robot.run_ms(300);
+  ASSERT_GT(robot.board.left_duty(), 0);
+  robot.board.set_aux_level(0, false);
+  robot.run_ms(2);
+  EXPECT_EQ(robot.board.left_duty(), 0);
+  EXPECT_EQ(robot.board.right_duty(), 0);
+  robot.run_ms(20);
+  const protocol::Status status = robot.all<protocol::Status>().back();
+  EXPECT_EQ(status.move_outcome, number(MotionOutcome::kHazard));
+  EXPECT_EQ(status.hazards, protocol::kHazardCliffLeft);
+  EXPECT_TRUE((status.flags & protocol::kFlagArmed) != 0);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, 500, 500, 500, 500}), CommandStatus::kBlocked);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, -500, -500, 500, 500}), CommandStatus::kAccepted);
+}
+
+TEST_F(SensorsTest, WheelDropDisarmsWithinTwoMilliseconds) {
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
+  robot.send(protocol::DriveSetpoint{-1000, -1000, 500});
+  robot.run_ms(300);
+  ASSERT_LT(robot.board.left_duty(), 0);
+  robot.board.set_aux_level(1, true);
+  robot.run_ms(2);
+  EXPECT_EQ(robot.board.left_duty(), 0);
+  robot.run_ms(20);
+  const protocol::Status status = robot.all<protocol::Status>().back();
+  EXPECT_EQ(status.move_outcome, number(MotionOutcome::kLifted));
+  EXPECT_EQ(status.flags & protocol::kFlagArmed, 0);
+  EXPECT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kBlocked);
+  robot.board.set_aux_level(1, false);
+  robot.run_ms(50);
+  EXPECT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+}
+
+TEST_F(SensorsTest, StepperSweepsTwoTurnsAndUnwindsThem) {
+  protocol::ConfigurePins phases{};
+  phases.pin_12 = protocol::kPinStepperPhaseA;
+  phases.pin_13 = protocol::kPinStepperPhaseA + 1;
+  phases.pin_14 = protocol::kPinStepperPhaseA + 2;
+  phases.pin_15 = protocol::kPinStepperPhaseA + 3;
+  const protocol::ConfigurePan stepper{0, 1, 0, 0, 2048, -36000, 36000, 80};
+  ASSERT_TRUE(robot.connect(1).has_value());
+  ASSERT_EQ(robot.command(stepper), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::StartSweep{0, -36000, 36000, 9000, 0}),
+            CommandStatus::kOutOfRange)
+      << "no phases yet";
+  ASSERT_EQ(robot.command(phases), CommandStatus::kAccepted);
+  int steps = 0;
+  robot.board.on_aux_output = [&](std::int64_t, std::uint8_t, bool) { ++steps; };
+  ASSERT_EQ(robot.command(protocol::StartSweep{0, -36000, 36000, 9000, 0}),
+            CommandStatus::kAccepted);
+  robot.run_ms(16000);
+  robot.board.on_aux_output = nullptr;
+  const auto echoes = robot.all<protocol::Echo>();
+  ASSERT_EQ(echoes.size(), 9U);
+  const int expected[] = {0, 9000, 18000, -9000, 0, 9000, 18000, -9000, 0};
+  for (std::size_t i = 0; i < echoes.size(); ++i) {
+    EXPECT_EQ(echoes[i].pan_cdeg, expected[i]) << i;
+  }
+  EXPECT_NEAR(steps, 3 * 2048, 4) << "half a level change a half step: a turn there, two back";
+}
+
+}  // namespace
+}  // namespace echomap::tasks
