@@ -14,7 +14,7 @@ class PanServo {
   /// Longest travel that `turn_to` tells, in milliseconds.
   static constexpr uint16_t kMaxTravelMs = 65000;
 
-  /// True when every pan from minimum to maximum, in this order, has a pulse in range.
+  /// True when minimum and maximum have pulses in range.
   static bool accepts(const protocol::ConfigurePan& settings);
 
   /// Turns to a pan within the limits that `accepts` has granted, in centidegrees to the left;

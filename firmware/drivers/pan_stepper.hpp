@@ -14,7 +14,7 @@ namespace drivers {
 /// turn: what one sweep has wound up the next unwinds.
 class PanStepper {
  public:
-  /// True for a way and a number of steps in range, and a speed of 1000 steps/s at most.
+  /// True for a number of steps in range and a speed of 1 .. 1000 steps/s.
   static bool accepts(const protocol::ConfigurePan& settings);
 
   /// Turns to a pan within the limits that `accepts` has granted, in centidegrees to the left.

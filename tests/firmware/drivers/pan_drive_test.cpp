@@ -101,6 +101,22 @@ TEST_F(PanDriveTest, AcceptsServoAndStepperOnly) {
   protocol::ConfigurePan other = kServo;
   other.kind = 2;
   EXPECT_FALSE(PanDrive::accepts(other));
+  struct Reach {
+    protocol::ConfigurePan settings;
+    std::int32_t farthest_cdeg;
+  };
+  for (Reach reach : {Reach{kServo, 18000}, Reach{kStepper, 72000}}) {
+    protocol::ConfigurePan& far = reach.settings;
+    far.us_per_90deg = 100;
+    far.min_cdeg = -reach.farthest_cdeg;
+    far.max_cdeg = reach.farthest_cdeg;
+    EXPECT_TRUE(PanDrive::accepts(far));
+    ++far.max_cdeg;
+    EXPECT_FALSE(PanDrive::accepts(far)) << "a servo does not turn round, a stepper twice";
+    --far.max_cdeg;
+    --far.min_cdeg;
+    EXPECT_FALSE(PanDrive::accepts(far));
+  }
   for (protocol::ConfigurePan broken : {kServo, kStepper}) {
     broken.deg_per_s = 0;
     EXPECT_FALSE(PanDrive::accepts(broken));

@@ -130,19 +130,10 @@ TEST_F(PanStepperTest, NeverStepsTwiceInAMillisecond) {
   EXPECT_GE(ms, 4096);
 }
 
-TEST_F(PanStepperTest, RefusesWhatIsTooFarOrTooFast) {
+TEST_F(PanStepperTest, RefusesWhatIsTooFineOrTooFast) {
   EXPECT_TRUE(PanStepper::accepts(settings));
   settings.deg_per_s = 88;
   EXPECT_FALSE(PanStepper::accepts(settings)) << "more than a step a millisecond";
-  settings.deg_per_s = 60;
-  settings.max_cdeg = 72001;
-  EXPECT_FALSE(PanStepper::accepts(settings));
-  settings.max_cdeg = 72000;
-  settings.min_cdeg = -72000;
-  EXPECT_TRUE(PanStepper::accepts(settings));
-  settings.min_cdeg = -72001;
-  EXPECT_FALSE(PanStepper::accepts(settings));
-  settings.min_cdeg = 0;
   settings.deg_per_s = 10;
   settings.steps_per_turn = 8193;
   EXPECT_FALSE(PanStepper::accepts(settings));
