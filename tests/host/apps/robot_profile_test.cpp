@@ -53,7 +53,8 @@ TEST(RobotProfile, TurnsMetresIntoWhatTheBoardCounts) {
   EXPECT_NEAR(1.0 / nxt.geometry.metres_per_tick(), 2084.0, 1.0);
   EXPECT_NEAR(nxt.ticks_per_s(), 0.30 * 360.0 / (std::numbers::pi * 0.055), 1.0);
   EXPECT_NEAR(nxt.configuration.sonar.max_echo_us, 2.0 * 2.3 / 343.2 * 1e6, 1.0);
-  EXPECT_EQ(nxt.configuration.pan.min_cdeg, -9000);
+  EXPECT_EQ(nxt.configuration.pan.kind, static_cast<std::uint8_t>(protocol::PanKind::kStepper));
+  EXPECT_EQ(nxt.configuration.pan.max_cdeg, 72000) << "720 degrees";
 }
 
 TEST(RobotProfile, GivesEachPaperItsSensors) {
