@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace echomap::line_faults {
 namespace {
@@ -39,6 +40,25 @@ DelayParams bluetooth_delays() {
   params.stall_share = 0.02;
   params.stall_us = 150'000;
   return params;
+}
+
+LineDelays usb_line() { return {usb_delays(), usb_delays()}; }
+
+LineDelays ftdi_line() { return {usb_delays(), ftdi_delays()}; }
+
+LineDelays bluetooth_line() { return {bluetooth_delays(), bluetooth_delays()}; }
+
+LineDelays line_delays(const std::string& name) {
+  if (name == "usb") {
+    return usb_line();
+  }
+  if (name == "ftdi") {
+    return ftdi_line();
+  }
+  if (name == "bluetooth") {
+    return bluetooth_line();
+  }
+  throw std::invalid_argument("'" + name + "': expected usb, ftdi or bluetooth");
 }
 
 DelayModel::DelayModel(const DelayParams& params, world::NoiseStream noise)

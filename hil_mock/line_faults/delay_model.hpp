@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "hil_mock/world/noise.hpp"
 
@@ -31,6 +32,18 @@ DelayParams usb_delays();
 DelayParams ftdi_delays();
 /// Bluetooth serial port profile (HC-05): 8 ms, exponential 6 ms, 2 % stalls of 150 ms.
 DelayParams bluetooth_delays();
+
+/// Both directions of a line.
+struct LineDelays {
+  DelayParams to_robot;
+  DelayParams to_host;
+};
+LineDelays usb_line();
+LineDelays ftdi_line();
+LineDelays bluetooth_line();
+
+/// "usb", "ftdi" or "bluetooth". Throws std::invalid_argument for another name.
+LineDelays line_delays(const std::string& name);
 
 /// Seeded delays of one direction. Nothing overtakes: a byte that would arrive before an earlier
 /// one arrives with it.

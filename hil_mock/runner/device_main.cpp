@@ -71,8 +71,8 @@ std::unique_ptr<ByteEndpoint> open_endpoint(const DeviceOptions& options) {
 std::unique_ptr<SimulatedBoard> make_board(const DeviceProgram& program,
                                            const DeviceOptions& options) {
   auto board = program.make_board(options.board);
-  if (options.faults) {
-    return std::make_unique<FaultyBoard>(std::move(board), *options.faults);
+  if (options.line) {
+    return std::make_unique<FaultyBoard>(std::move(board), *options.line);
   }
   return board;
 }

@@ -29,6 +29,7 @@ struct RawOptions {
   std::vector<double> start;
   std::vector<double> kidnaps;
   std::string faults;
+  std::string line = "direct";
 };
 
 std::string check_speed(const std::string& text) {
@@ -109,8 +110,11 @@ void add_options(CLI::App& app,
          "--faults",
          raw.faults,
          "Faults of the line, for each byte: flip=R,drop=R,insert=R,burst=R,cut=R; for each "
-         "frame: loss=R; and seed=N")
+         "frame: loss=R; and seed=N, by default that of --seed")
       ->check(check_faults);
+  app.add_option("--line", raw.line, "What carries the bytes, and delays them")
+      ->check(CLI::IsMember({"direct", "usb", "ftdi", "bluetooth"}))
+      ->capture_default_str();
   app.add_option("--truth", options.truth, "Folder for the truth files, written at the end");
   app.add_option("--start", raw.start, "Start x,y,heading in metres and degrees")
       ->delimiter(',')
@@ -130,8 +134,15 @@ void add_options(CLI::App& app,
 
 void understand(const RawOptions& raw, DeviceOptions& options) {
   options.speed = raw.speed == "max" ? kEndlessS : std::stod(raw.speed);
-  if (!raw.faults.empty()) {
-    options.faults = line_faults::parse_line_faults(raw.faults);
+  if (!raw.faults.empty() || raw.line != "direct") {
+    options.line.emplace();
+    options.line->faults = line_faults::parse_line_faults(raw.faults);
+    if (raw.faults.find("seed=") == std::string::npos) {
+      options.line->faults.seed = options.seed;
+    }
+  }
+  if (raw.line != "direct") {
+    options.line->delays = line_faults::line_delays(raw.line);
   }
   if (!raw.start.empty()) {
     options.T_world_start =

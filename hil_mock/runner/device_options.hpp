@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "hil_mock/line_faults/faulty_line.hpp"
 #include "hil_mock/runner/device_main.hpp"
+#include "hil_mock/runner/faulty_board.hpp"
 #include "hil_mock/runner/robot_simulation.hpp"
 #include "host/geometry/pose2.hpp"
 
@@ -28,8 +28,8 @@ struct DeviceOptions {
   /// Simulated seconds in a second; infinite for "max".
   double speed = 1.0;
   std::uint32_t seed = 1;
-  /// What the line between board and host does; empty for a good one.
-  std::optional<line_faults::LineFaults> faults;
+  /// What the line between board and host does; empty for a good one without delays.
+  std::optional<LineModel> line;
   /// Folder of the truth files; empty for none.
   std::filesystem::path truth;
   std::optional<geometry::Pose2> T_world_start;

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/runner/faulty_board.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace echomap::runner {
 
 using line_faults::Direction;
 
-FaultyBoard::FaultyBoard(std::unique_ptr<SimulatedBoard> board,
-                         const line_faults::LineFaults& faults)
+FaultyBoard::FaultyBoard(std::unique_ptr<SimulatedBoard> board, const LineModel& line)
     : board_(std::move(board)),
-      to_robot_(faults, Direction::kToRobot),
-      to_host_(faults, Direction::kToHost) {
-  board_->on_sent = [this](std::uint8_t byte) { pass_to_host(byte); };
+      to_robot_(line.faults, Direction::kToRobot),
+      to_host_(line.faults, Direction::kToHost) {
+  if (line.delays) {
+    const auto noise = [&](std::uint32_t direction) {
+      return world::NoiseStream(2 * line.faults.seed + direction, world::NoisePurpose::kLineDelays);
+    };
+    delay_to_robot_.emplace(line.delays->to_robot, noise(0));
+    delay_to_host_.emplace(line.delays->to_host, noise(1));
+  }
+  board_->on_sent = [this](std::uint8_t byte) { take_from_board(byte); };
   board_->on_trigger = [this](std::int64_t at_ns) {
     if (on_trigger) {
       on_trigger(at_ns);
@@ -20,14 +27,49 @@ FaultyBoard::FaultyBoard(std::unique_ptr<SimulatedBoard> board,
   };
 }
 
-void FaultyBoard::receive(std::span<const std::uint8_t> bytes) {
-  board_->receive(to_robot_.pass(bytes));
+/// In pieces that end where bytes arrive at the board.
+void FaultyBoard::run_until(std::int64_t until_ns) {
+  if (!delay_to_robot_) {
+    board_->run_until(until_ns);
+    return;
+  }
+  while (const auto arrival_ns = delay_to_robot_->next_arrival_ns()) {
+    if (*arrival_ns > until_ns) {
+      break;
+    }
+    board_->run_until(std::max(*arrival_ns, board_->now_ns()));
+    board_->receive(delay_to_robot_->take_arrived(board_->now_ns()));
+  }
+  board_->run_until(until_ns);
+  give_to_host(delay_to_host_->take_arrived(until_ns));
 }
 
-void FaultyBoard::pass_to_host(std::uint8_t byte) {
-  for (const std::uint8_t passed : to_host_.pass({&byte, 1})) {
+void FaultyBoard::receive(std::span<const std::uint8_t> bytes) {
+  const std::vector<std::uint8_t> passed = to_robot_.pass(bytes);
+  if (!delay_to_robot_) {
+    board_->receive(passed);
+    return;
+  }
+  for (const std::uint8_t byte : passed) {
+    delay_to_robot_->send(byte, board_->now_ns());
+  }
+}
+
+void FaultyBoard::take_from_board(std::uint8_t byte) {
+  const std::vector<std::uint8_t> passed = to_host_.pass({&byte, 1});
+  if (!delay_to_host_) {
+    give_to_host(passed);
+    return;
+  }
+  for (const std::uint8_t passed_byte : passed) {
+    delay_to_host_->send(passed_byte, board_->now_ns());
+  }
+}
+
+void FaultyBoard::give_to_host(std::span<const std::uint8_t> bytes) {
+  for (const std::uint8_t byte : bytes) {
     if (on_sent) {
-      on_sent(passed);
+      on_sent(byte);
     }
   }
 }

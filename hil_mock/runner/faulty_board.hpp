@@ -2,23 +2,31 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "hil_mock/line_faults/delayed_line.hpp"
 #include "hil_mock/line_faults/faulty_line.hpp"
 #include "hil_mock/runner/simulated_board.hpp"
 
 namespace echomap::runner {
 
-/// A board behind a line with faults: what it receives and sends suffers them, all else passes.
-/// A function of the bytes and the seed alone, in lockstep as in paced time.
+/// What a line does to the bytes that pass: faults, then delays where there are any.
+struct LineModel {
+  line_faults::LineFaults faults{};  ///< Its seed is that of the delays, too.
+  std::optional<line_faults::LineDelays> delays{};
+};
+
+/// A board behind a line: what it receives and sends suffers there, all else passes. A function of
+/// the bytes, their times and the seed alone, in lockstep as in paced time.
 class FaultyBoard final : public SimulatedBoard {
  public:
   /// Takes the hooks of `board`.
-  FaultyBoard(std::unique_ptr<SimulatedBoard> board, const line_faults::LineFaults& faults);
+  FaultyBoard(std::unique_ptr<SimulatedBoard> board, const LineModel& line);
 
   std::int64_t now_ns() const override { return board_->now_ns(); }
-  void run_until(std::int64_t until_ns) override { board_->run_until(until_ns); }
+  void run_until(std::int64_t until_ns) override;
   void receive(std::span<const std::uint8_t> bytes) override;
   MotorDuty motor_duty() const override { return board_->motor_duty(); }
   double pan_pulse_us() const override { return board_->pan_pulse_us(); }
@@ -40,11 +48,14 @@ class FaultyBoard final : public SimulatedBoard {
   std::string emulator_name() const override { return board_->emulator_name(); }
 
  private:
-  void pass_to_host(std::uint8_t byte);
+  void take_from_board(std::uint8_t byte);
+  void give_to_host(std::span<const std::uint8_t> bytes);
 
   std::unique_ptr<SimulatedBoard> board_;
   line_faults::FaultyLine to_robot_;
   line_faults::FaultyLine to_host_;
+  std::optional<line_faults::DelayedLine> delay_to_robot_;
+  std::optional<line_faults::DelayedLine> delay_to_host_;
 };
 
 }  // namespace echomap::runner

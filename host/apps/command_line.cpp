@@ -101,6 +101,15 @@ void add_demo(CLI::App& app, Action& action) {
                    options->board,
                    "The board that is emulated: uno or mega by simavr, stm32f103 by unicorn")
       ->check(CLI::IsMember({"uno", "mega", "stm32f103"}));
+  command
+      ->add_option("--line",
+                   options->line,
+                   "What carries the bytes: nothing between, or a model of a line's delays")
+      ->check(CLI::IsMember({"direct", "usb", "ftdi", "bluetooth"}))
+      ->capture_default_str();
+  command->add_option("--faults",
+                      options->faults,
+                      "Faults of the line, as in loss=0.01: see echomap-simavr --help");
   command->add_option(
       "--body",
       options->body,

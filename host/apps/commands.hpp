@@ -39,6 +39,8 @@ struct DemoOptions {
   std::string world = "living_room";
   std::string emulator = "simavr";  ///< Or "unicorn" or "mock".
   std::string board;                ///< One of that emulator; empty: its usual one.
+  std::string line = "direct";      ///< What carries the bytes: direct, usb, ftdi or bluetooth.
+  std::string faults;  ///< Of the line, as the robot's program takes them; empty: none.
   /// What is true of the robot (docs/decisions/0002); empty: the bundled body of the profile's
   /// name.
   std::string body;

@@ -53,6 +53,17 @@ std::string add_scores(SimulatedRobot& robot,
   }
 }
 
+RobotConnection connection_to(SimulatedRobot& robot, const DemoOptions& options) {
+  RobotConnection connection;
+  connection.stream = transport::open_stream(robot.port(), 0);
+  connection.pace = lockstep_pace(robot.lockstep());
+  connection.session_id = session_id_from(options.run.seed);
+  if (options.line == "bluetooth") {
+    connection.link = robot_link::radio_link();
+  }
+  return connection;
+}
+
 }  // namespace
 
 ExitCode run_demo(const DemoOptions& options) {
@@ -67,13 +78,8 @@ ExitCode run_demo(const DemoOptions& options) {
   summary.firmware = device.firmware;
   summary.emulator = device.emulator;
 
-  const ExitCode code = explore_and_save({transport::open_stream(robot.port(), 0),
-                                          lockstep_pace(robot.lockstep()),
-                                          session_id_from(options.run.seed)},
-                                         profile,
-                                         options.run,
-                                         out,
-                                         summary);
+  const ExitCode code =
+      explore_and_save(connection_to(robot, options), profile, options.run, out, summary);
   say("map: " + (out / "map.png").string());
   say_what_ran(summary);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));

@@ -33,7 +33,7 @@ RobotConnection connection_on_a_desk(const ExploreOptions& options) {
   const OpenPort open = opener(options);
   robot.stream = choose_port(candidate_ports(options.ports), open, robot.session_id);
   if (transport::is_radio(robot.stream->name())) {
-    robot.retransmission = robot_link::radio_retransmission();
+    robot.link = robot_link::radio_link();
   }
   if (options.reconnect_s > 0.0) {
     const std::string port = robot.stream->name();

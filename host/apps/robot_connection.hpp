@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "host/apps/pace.hpp"
-#include "host/robot_link/retransmission_timer.hpp"
+#include "host/robot_link/robot_link.hpp"
 #include "host/transport/byte_stream.hpp"
 
 namespace echomap::apps {
@@ -20,8 +20,8 @@ struct RobotConnection {
   std::chrono::milliseconds patience{3000};
   /// The robot must not have been reset by opening its port.
   bool no_reset = false;
-  /// When commands are sent again, by what carries the bytes.
-  robot_link::RetransmissionParams retransmission{};
+  /// By what carries the bytes.
+  robot_link::RobotLinkParams link{};
 };
 
 }  // namespace echomap::apps

@@ -28,7 +28,6 @@ using Duration = time::HostClock::duration;
 
 /// A board that was reset by opening its port needs 2.5 s to come up.
 constexpr seconds kConnectLimit(5);
-constexpr milliseconds kTimeToLive(200);
 /// For a command under way and the disarming behind it, with resends.
 constexpr seconds kDisarmLimit(1);
 /// After a move, until the body has come to rest.
@@ -96,10 +95,12 @@ RobotSession::RobotSession(RobotConnection robot,
       pace_(std::move(robot.pace)),
       patience_(robot.patience),
       no_reset_(robot.no_reset),
+      time_to_live_ms_(static_cast<std::uint16_t>(
+          std::chrono::duration_cast<milliseconds>(robot.link.keep_alive_ttl).count())),
       profile_(profile),
       pipeline_(pipeline),
       converter_(profile.geometry, profile.range, profile.sensors),
-      link_(*this, robot.session_id, {.retransmission = robot.retransmission}) {}
+      link_(*this, robot.session_id, robot.link) {}
 
 RobotSession::~RobotSession() { disarm(); }
 
@@ -232,13 +233,9 @@ MotionResult RobotSession::move(const sensors::WheelTicks& ticks) {
   const double expected_s = static_cast<double>(longest) / profile_.ticks_per_s() + ramp_s;
 
   link_.keep_alive(true);
-  const MotionResult result =
-      finish(protocol::MoveTicks{0,
-                                 ticks.left,
-                                 ticks.right,
-                                 profile_.ticks_per_s(),
-                                 static_cast<std::uint16_t>(kTimeToLive.count())},
-             seconds_of(expected_s));
+  const MotionResult result = finish(
+      protocol::MoveTicks{0, ticks.left, ticks.right, profile_.ticks_per_s(), time_to_live_ms_},
+      seconds_of(expected_s));
   wait_until([] { return false; }, kRest);
   link_.keep_alive(false);
   return result;

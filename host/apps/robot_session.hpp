@@ -109,6 +109,7 @@ class RobotSession final : private robot_link::RobotLinkListener {
   std::unique_ptr<Pace> pace_;
   Duration patience_;
   bool no_reset_;
+  std::uint16_t time_to_live_ms_;
   RobotProfile profile_;
   pipeline::RobotPipeline& pipeline_;
   sensors::ObservationConverter converter_;

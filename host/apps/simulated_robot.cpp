@@ -38,6 +38,10 @@ SimulatedRobot::SimulatedRobot(const DemoOptions& options,
                                    "--link=" + port(),
                                    "--lockstep=" + socket.string(),
                                    "--truth=" + truth_.string()};
+  command.push_back("--line=" + options.line);
+  if (!options.faults.empty()) {
+    command.push_back("--faults=" + options.faults);
+  }
   if (!options.board.empty()) {
     command.push_back("--board=" + options.board);
   }
@@ -50,9 +54,9 @@ void SimulatedRobot::wait_until_it_listens(const fs::path& socket) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (!fs::exists(socket) || !fs::exists(port())) {
     if (const auto status = process_->exit_status()) {
-      const bool configuration = *status == static_cast<int>(ExitCode::kConfigInvalid);
-      throw CommandError(configuration ? ExitCode::kConfigInvalid : ExitCode::kRuntimeError,
-                         files::read_text_file(log_));
+      const auto code = static_cast<ExitCode>(*status);
+      const bool users_fault = code == ExitCode::kConfigInvalid || code == ExitCode::kUsage;
+      throw CommandError(users_fault ? code : ExitCode::kRuntimeError, files::read_text_file(log_));
     }
     if (std::chrono::steady_clock::now() > end) {
       throw CommandError(ExitCode::kRuntimeError,

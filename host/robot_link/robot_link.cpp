@@ -35,6 +35,13 @@ std::chrono::milliseconds time_to_live(const protocol::DriveSetpoint& setpoint) 
 
 }  // namespace
 
+RobotLinkParams radio_link() {
+  RobotLinkParams params;
+  params.retransmission = radio_retransmission();
+  params.keep_alive_ttl = std::chrono::milliseconds(500);
+  return params;
+}
+
 RobotLink::RobotLink(RobotLinkListener& listener,
                      std::uint16_t session,
                      const RobotLinkParams& params)

@@ -45,6 +45,10 @@ struct RobotLinkParams {
   int command_tries = 8;
 };
 
+/// For Bluetooth SPP: commands are sent again later, and what moves outlives two of the 150 ms for
+/// which the radio now and then holds bytes back.
+RobotLinkParams radio_link();
+
 /// The host's end of the wire without the wire: bytes and instants in, messages and bytes out. It
 /// shakes hands, notices resets, sends commands until they are answered and says how the link is.
 /// It owns no port and no clock, so it runs the same on a desk, in simulated time and in tests.

@@ -28,6 +28,8 @@ struct Options {
   std::string robot = "uno_2wd";
   std::string emulator = "simavr";
   std::string board;
+  std::string line = "direct";
+  std::string faults;
   std::filesystem::path json;
   bool check = false;
 };
@@ -64,9 +66,13 @@ std::optional<nlohmann::json> run_demo(const Options& options,
       "--world=" + options.world,
       "--robot=" + options.robot,
       options.board.empty() ? "--emulator=" + options.emulator : "--board=" + options.board,
+      "--line=" + options.line,
       "--seed=" + std::to_string(seed),
       "--out=" + run.string(),
       "--json=" + report};
+  if (!options.faults.empty()) {
+    command.push_back("--faults=" + options.faults);
+  }
   apps::ChildProcess demo(command, log);
   if (demo.wait_for(kPatience) != 0) {
     fmt::print(stderr, "seed {} did not end by itself:\n{}\n", seed, files::read_text_file(log));
@@ -145,6 +151,8 @@ int main(int argc, char** argv) {
   app.add_option("--robot", options.robot)->capture_default_str();
   auto* emulator = app.add_option("--emulator", options.emulator)->capture_default_str();
   app.add_option("--board", options.board, "Instead of --emulator")->excludes(emulator);
+  app.add_option("--line", options.line, "As the demo takes it")->capture_default_str();
+  app.add_option("--faults", options.faults, "As the demo takes it");
   app.add_option("--json", options.json, "Write the figures to this file");
   app.add_flag("--check",
                options.check,

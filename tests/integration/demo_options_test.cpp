@@ -82,6 +82,16 @@ TEST_F(DemoOptions, TheScoresStandInTheRunDirectoryToo) {
   EXPECT_EQ(json("run/summary.json"), json("report.json"));
 }
 
+TEST_F(DemoOptions, MapsOverAPoorRadioLine) {
+  const Ended ended = run({"--stops=3", "--line=bluetooth", "--faults=loss=0.02"});
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(json("run/summary.json").at("stops"), 3);
+  EXPECT_GT(json("run/summary.json").at("free_iou"), 0.1);
+  const Ended wrong = run({"--faults=flop=1"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.said, HasSubstr("flop"));
+}
+
 TEST_F(DemoOptions, QuietSaysNothing) {
   EXPECT_THAT(run({"--stops=1"}).said, AllOf(HasSubstr("map: "), HasSubstr("free_iou")));
   EXPECT_EQ(run({"--stops=1", "-q"}).said, "");

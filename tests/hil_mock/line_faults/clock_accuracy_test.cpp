@@ -32,14 +32,13 @@ constexpr double kLoopUs = 100.0;
 
 struct Line {
   std::string name;
-  DelayParams to_host;
-  DelayParams to_robot;
+  LineDelays delays;
   double bound_us;
 };
 
-Line usb() { return {"usb", usb_delays(), usb_delays(), 200.0}; }
-Line ftdi() { return {"ftdi", ftdi_delays(), usb_delays(), 200.0}; }
-Line bluetooth() { return {"bluetooth", bluetooth_delays(), bluetooth_delays(), 500.0}; }
+Line usb() { return {"usb", usb_line(), 200.0}; }
+Line ftdi() { return {"ftdi", ftdi_line(), 200.0}; }
+Line bluetooth() { return {"bluetooth", bluetooth_line(), 500.0}; }
 
 world::NoiseStream noise(std::uint32_t seed) { return {seed, world::NoisePurpose::kLineDelays}; }
 
@@ -69,8 +68,8 @@ class Run {
  public:
   Run(const Line& line, double rate_error_ppm, std::uint32_t seed, Errors& errors)
       : rate_(1.0 + rate_error_ppm * 1e-6),
-        to_host_(line.to_host, noise(3 * seed)),
-        to_robot_(line.to_robot, noise(3 * seed + 1)),
+        to_host_(line.delays.to_host, noise(3 * seed)),
+        to_robot_(line.delays.to_robot, noise(3 * seed + 1)),
         loop_(noise(3 * seed + 2)),
         errors_(errors) {}
 
@@ -182,7 +181,7 @@ TEST_P(ClockAccuracy, HoldsInTheSixthSecondOfThirtySeeds) {
 
 TEST_P(ClockAccuracy, HoldsOnUsbWhereItsFramesBeatWithTheTelemetry) {
   Line line = usb();
-  line.to_host.poll_beats = line.to_robot.poll_beats = true;
+  line.delays.to_host.poll_beats = line.delays.to_robot.poll_beats = true;
   EXPECT_LE(quantile(errors_of(line, GetParam()).all_us, 0.99), line.bound_us);
 }
 

@@ -40,7 +40,7 @@ protocol::StartSweep single_ping(int number) {
 class LossySession : private robot_link::RobotLinkListener {
  public:
   LossySession()
-      : board_(std::make_unique<MockBoard>(), {.rates = {}, .loss = kLoss, .seed = 5}),
+      : board_(std::make_unique<MockBoard>(), {.faults = {.rates = {}, .loss = kLoss, .seed = 5}}),
         link_(*this, 0x0CE5) {
     board_.on_sent = [this](std::uint8_t byte) { to_host_.push_back(byte); };
     board_.on_trigger = [this](std::int64_t at_ns) { ping(at_ns); };

@@ -36,6 +36,7 @@ TEST(DeviceOptions, UnderstandsEveryOption) {
                                                      "--speed=max",
                                                      "--seed=9",
                                                      "--faults=flip=1e-4,loss=0.01,seed=3",
+                                                     "--line=ftdi",
                                                      "--truth=out",
                                                      "--start=1.5,-2,90",
                                                      "--duration=2.5"}));
@@ -44,8 +45,10 @@ TEST(DeviceOptions, UnderstandsEveryOption) {
   EXPECT_EQ(options.tcp_port, 4000);
   EXPECT_TRUE(std::isinf(options.speed));
   EXPECT_EQ(options.seed, 9U);
-  EXPECT_EQ(options.faults->rates.flip, 1e-4);
-  EXPECT_EQ(options.faults->loss, 0.01);
+  EXPECT_EQ(options.line->faults.rates.flip, 1e-4);
+  EXPECT_EQ(options.line->faults.loss, 0.01);
+  EXPECT_EQ(options.line->faults.seed, 3U);
+  EXPECT_EQ(options.line->delays->to_host.poll_us, 16'000);
   EXPECT_EQ(options.truth, "out");
   EXPECT_EQ(options.T_world_start->y_m(), -2.0);
   EXPECT_NEAR(options.T_world_start->heading_rad(), geometry::radians(90.0), 1e-12);
@@ -64,6 +67,13 @@ TEST(DeviceOptions, KidnapsComeOneAfterTheOther) {
   EXPECT_EQ(std::get<int>(read({"--kidnap=10,2,1,1,0", "--kidnap=11,2,1,1,0"})), 2);
 }
 
+TEST(DeviceOptions, TheLineIsSeededLikeTheRest) {
+  const auto options = std::get<DeviceOptions>(read({"--seed=9", "--faults=loss=0.01"}));
+  EXPECT_EQ(options.line->faults.seed, 9U);
+  EXPECT_FALSE(options.line->delays);
+  EXPECT_FALSE(std::get<DeviceOptions>(read({"--seed=9"})).line);
+}
+
 TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
   for (const std::string wrong : {"--speed=0",
                                   "--speed=fast",
@@ -78,6 +88,7 @@ TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
                                   "--kidnap=10,0,1,1,0",
                                   "--kidnap=-1,2,1,1,0",
                                   "--faults=flop=1",
+                                  "--line=pigeon",
                                   "--faults=loss=1.5",
                                   "--nonsense",
                                   "--firmware=x.elf"}) {

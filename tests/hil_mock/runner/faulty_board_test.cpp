@@ -14,7 +14,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// What an echoing board sends back through a line with these faults.
 Bytes echoed(const line_faults::LineFaults& faults, const Bytes& bytes) {
-  FaultyBoard board(std::make_unique<FakeBoard>(), faults);
+  FaultyBoard board(std::make_unique<FakeBoard>(), {.faults = faults});
   Bytes sent;
   board.on_sent = [&sent](std::uint8_t byte) { sent.push_back(byte); };
   board.receive(bytes);
@@ -41,10 +41,28 @@ TEST(FaultyBoard, LosesFramesOfBothDirections) {
   EXPECT_NE(sent, echoed({.rates = {}, .loss = 0.1, .seed = 3}, frames(10'000)));
 }
 
+TEST(FaultyBoard, DelaysBytesOfBothDirections) {
+  auto inner = std::make_unique<FakeBoard>();
+  FakeBoard& fake = *inner;
+  line_faults::DelayParams delay;
+  delay.shortest_us = 8'000;
+  FaultyBoard board(std::move(inner), {.delays = {{delay, delay}}});
+  Bytes sent;
+  board.on_sent = [&sent](std::uint8_t byte) { sent.push_back(byte); };
+  board.run_until(1'000'000);
+  board.receive(frames(1));
+  board.run_until(16'000'000);
+  EXPECT_EQ(fake.received_at_ns, 9'000'000);
+  EXPECT_EQ(board.now_ns(), 16'000'000);
+  EXPECT_TRUE(sent.empty());
+  board.run_until(24'000'000);
+  EXPECT_EQ(sent, frames(1));
+}
+
 TEST(FaultyBoard, HandsOnPinsAndHooks) {
   auto inner = std::make_unique<FakeBoard>();
   FakeBoard& fake = *inner;
-  FaultyBoard board(std::move(inner), {.rates = {}, .loss = 1.0, .seed = 1});
+  FaultyBoard board(std::move(inner), {.faults = {.rates = {}, .loss = 1.0, .seed = 1}});
   std::int64_t triggered_ns = 0;
   board.on_trigger = [&triggered_ns](std::int64_t at_ns) { triggered_ns = at_ns; };
   fake.on_trigger(7);
