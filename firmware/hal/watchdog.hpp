@@ -4,7 +4,8 @@
 namespace echomap {
 namespace hal {
 
-/// Starts the watchdog: 125 ms without `kick_watchdog` switch the motors off, 250 ms reset.
+/// Starts the watchdog: 64 to 125 ms without `kick_watchdog`, by board, switch the motors off, twice
+/// that resets.
 void start_watchdog();
 void kick_watchdog();
 

@@ -64,6 +64,7 @@ AvrMachine::AvrMachine(const std::filesystem::path& elf)
   repair_flag_clearing(*avr_, hooks_);
   repair_late_enable(*avr_, hooks_);
   repair_interrupt_entry_time(*avr_);
+  repair_watchdog(*avr_, queue_);
   reset(ResetSource::kPowerOn);
   resets_ = 0;
 }

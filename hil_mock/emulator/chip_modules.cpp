@@ -67,6 +67,10 @@ avr_twi_t& find_two_wire(const avr_t& avr) { return find_only<avr_twi_t>(avr, "t
 
 avr_adc_t& find_converter(const avr_t& avr) { return find_only<avr_adc_t>(avr, "adc"); }
 
+avr_watchdog_t& find_watchdog(const avr_t& avr) {
+  return find_only<avr_watchdog_t>(avr, "watchdog");
+}
+
 InterruptRegisters find_interrupt_registers(const avr_t& avr) {
   InterruptRegisters registers;
   for_each<avr_timer_t>(

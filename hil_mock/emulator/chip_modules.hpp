@@ -6,6 +6,7 @@
 #include <avr_timer.h>
 #include <avr_twi.h>
 #include <avr_uart.h>
+#include <avr_watchdog.h>
 #include <cstdint>
 #include <set>
 #include <sim_avr.h>
@@ -22,6 +23,9 @@ avr_uart_t& find_uart(const avr_t& avr, char number);
 /// There is one of each in a chip.
 avr_twi_t& find_two_wire(const avr_t& avr);
 avr_adc_t& find_converter(const avr_t& avr);
+
+/// Throws std::runtime_error where the chip has none.
+avr_watchdog_t& find_watchdog(const avr_t& avr);
 
 /// Registers of timers, external and pin change interrupts: TIFRn, EIFR, PCIFR and TIMSKn, EIMSK,
 /// PCICR.

@@ -22,6 +22,8 @@ class CycleQueue {
   /// Calls `event` at `cycle`, or as soon as possible where that is over.
   void at(std::uint64_t cycle, std::function<void()> event);
 
+  avr_t& avr() { return avr_; }
+
   /// Starts the cycle timer again after `avr_reset`, which forgets every one of them.
   void rearm();
 

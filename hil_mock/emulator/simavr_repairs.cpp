@@ -49,6 +49,22 @@ void spend_entry_time(avr_irq_t* /*irq*/, std::uint32_t entered, void* param) {
   avr.run_cycle_count = avr.run_cycle_count > cycles ? avr.run_cycle_count - cycles : 1;
 }
 
+/// simavr resets at a timeout with WDIE cleared: right before the second one is soon enough.
+void await_second_timeout(avr_irq_t* /*irq*/, std::uint32_t pending, void* param) {
+  constexpr std::uint64_t kBeforeTimeout = 16;
+  if (pending == 0) {
+    return;
+  }
+  auto& queue = *static_cast<CycleQueue*>(param);
+  avr_t& avr = queue.avr();
+  queue.at(avr.cycle + find_watchdog(avr).cycle_count - kBeforeTimeout, [&avr] {
+    const avr_int_vector_t& interrupt = find_watchdog(avr).watchdog;
+    if (interrupt.pending != 0) {
+      avr_regbit_clear(&avr, interrupt.enable);
+    }
+  });
+}
+
 }  // namespace
 
 void repair_flag_clearing(avr_t& avr, RegisterHooks& hooks) {
@@ -70,6 +86,11 @@ void repair_interrupt_entry_time(avr_t& avr) {
   for (avr_int_vector_t* vector : vectors_of(avr)) {
     avr_irq_register_notify(vector->irq + AVR_INT_IRQ_RUNNING, &spend_entry_time, &avr);
   }
+}
+
+void repair_watchdog(avr_t& avr, CycleQueue& queue) {
+  avr_irq_register_notify(
+      find_watchdog(avr).watchdog.irq + AVR_INT_IRQ_PENDING, &await_second_timeout, &queue);
 }
 
 }  // namespace echomap::emulator

@@ -3,6 +3,7 @@
 
 #include <sim_avr.h>
 
+#include "hil_mock/emulator/cycle_queue.hpp"
 #include "hil_mock/emulator/register_hooks.hpp"
 
 /// Where simavr differs from an ATmega in a way that this firmware would notice, each repaired
@@ -21,5 +22,10 @@ void repair_late_enable(avr_t& avr, RegisterHooks& hooks);
 /// counter (Microchip DS40002061B section 7.7.1 and Atmel-2549Q section 7.8.1, "Interrupt Response
 /// Time").
 void repair_interrupt_entry_time(avr_t& avr);
+
+/// A watchdog in interrupt and reset mode whose interrupt cannot be served, because interrupts are
+/// locked, raises it for ever: makes the second timeout reset the chip (Microchip DS40002061B
+/// section 11.9.2, "WDIE"). `queue` outlives `avr`'s last run.
+void repair_watchdog(avr_t& avr, CycleQueue& queue);
 
 }  // namespace echomap::emulator

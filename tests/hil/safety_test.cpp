@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/hil/measure/robot_on_the_move.hpp"
 #include "tests/hil/on_every_board.hpp"
-#include "tests/hil/turning_wheel.hpp"
 
 namespace echomap::tests {
 namespace {
@@ -16,82 +16,18 @@ using protocol::CommandStatus;
 using protocol::MotionOutcome;
 using runner::Wheel;
 
-constexpr std::uint16_t kTimeToLiveMs = 200;
-constexpr std::int16_t kTicksPerS = 1500;
 /// From 1500 to 0 ticks/s, where braking takes 128 ms from the default limit of 3000, and one
 /// period of tick and control each.
 constexpr double kRampMs = 64.0;
 constexpr double kPeriodsMs = 5.0;
 
-/// A robot on the move: connected, armed, both motors turning their wheels.
-class RobotOnTheMove : public ::testing::Test {
+MotionOutcome outcome_of_move(const RobotSession& robot) {
+  return static_cast<MotionOutcome>(robot.last<protocol::Status>()->move_outcome);
+}
+
+class MovingRobot : protected RobotOnTheMove, public ::testing::TestWithParam<const char*> {
  protected:
-  explicit RobotOnTheMove(const char* image) : robot(release_image(image)) {
-    robot.each_ms = [this] {
-      left.step_ms();
-      right.step_ms();
-      if (renewing && robot.board().now_ns() / 1'000'000 % 50 == 0) {
-        robot.send(protocol::KeepAlive{kTimeToLiveMs});
-      }
-    };
-  }
-
-  void connect_and_arm() {
-    ASSERT_TRUE(robot.connect());
-    ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
-  }
-
-  void drive() {
-    connect_and_arm();
-    robot.send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
-    renewing = true;
-    robot.run_ms(1000);
-    ASSERT_NEAR(left.ticks_per_s(), kTicksPerS, 50);
-    ASSERT_NEAR(right.ticks_per_s(), kTicksPerS, 50);
-  }
-
-  bool off() {
-    const runner::MotorDuty duty = robot.board().motor_duty();
-    return duty.left == 0.0 && duty.right == 0.0;
-  }
-
-  double now_ms() { return double(robot.board().now_ns()) * 1e-6; }
-
-  /// Milliseconds from now until both PWM outputs are off for good; a
-  /// controller that brakes passes through 0 on its way.
-  double ms_until_off(std::int64_t watched_ms) {
-    const double start_ms = now_ms();
-    double last_on_ms = start_ms;
-    robot.run_until(
-        [&] {
-          last_on_ms = off() ? last_on_ms : now_ms();
-          return false;
-        },
-        watched_ms);
-    EXPECT_TRUE(off());
-    return last_on_ms - start_ms;
-  }
-
-  void expect_off_for(std::int64_t ms) {
-    for (std::int64_t i = 0; i < ms; ++i) {
-      robot.run_ms(1);
-      ASSERT_TRUE(off()) << "on again after " << i << " ms";
-    }
-  }
-
-  MotionOutcome outcome() {
-    return static_cast<MotionOutcome>(robot.last<protocol::Status>()->move_outcome);
-  }
-
-  RobotSession robot;
-  DrivenWheel left{robot.board(), Wheel::kLeft};
-  DrivenWheel right{robot.board(), Wheel::kRight};
-  bool renewing = false;
-};
-
-class MovingRobot : public RobotOnTheMove, public ::testing::WithParamInterface<const char*> {
- protected:
-  MovingRobot() : RobotOnTheMove(GetParam()) {}
+  MovingRobot() : RobotOnTheMove(release_image(GetParam())) {}
 };
 
 INSTANTIATE_TEST_SUITE_P(Boards, MovingRobot, every_board(), image_label);
@@ -106,7 +42,7 @@ TEST_P(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
   std::printf("time to live %d ms: PWM off %.2f ms after the last KeepAlive\n", kTimeToLiveMs, ms);
   EXPECT_GT(ms, kTimeToLiveMs - 2.0);
   EXPECT_LE(ms, kTimeToLiveMs + kRampMs + kPeriodsMs);
-  EXPECT_EQ(outcome(), MotionOutcome::kExpired);
+  EXPECT_EQ(outcome_of_move(robot), MotionOutcome::kExpired);
 }
 
 TEST_P(MovingRobot, MoveExpiresToo) {
@@ -116,7 +52,7 @@ TEST_P(MovingRobot, MoveExpiresToo) {
   const double ms = ms_until_off(2000);
   std::printf("time to live %d ms: move without KeepAlive off after %.2f ms\n", kTimeToLiveMs, ms);
   EXPECT_LE(ms, kTimeToLiveMs + kRampMs + kPeriodsMs);
-  EXPECT_EQ(outcome(), MotionOutcome::kExpired);
+  EXPECT_EQ(outcome_of_move(robot), MotionOutcome::kExpired);
 }
 
 TEST_P(MovingRobot, KeepsMovingAsLongAsTheHostRenews) {
@@ -133,7 +69,7 @@ TEST_P(MovingRobot, MoveEndsAtItsCount) {
   ASSERT_EQ(robot.command(protocol::MoveTicks{0, 3000, -1000, 1500, kTimeToLiveMs}),
             CommandStatus::kAccepted);
   robot.run_ms(4000);
-  EXPECT_EQ(outcome(), MotionOutcome::kReached);
+  EXPECT_EQ(outcome_of_move(robot), MotionOutcome::kReached);
   std::printf("move of 3000, -1000 ticks ended at %lld, %lld\n",
               static_cast<long long>(left.count()),
               static_cast<long long>(right.count()));
@@ -147,9 +83,9 @@ TEST_P(MovingRobot, MoveEndsAtItsCount) {
 using Bump = std::tuple<const char*, Wheel, std::int64_t>;
 
 /// Bumped on a side, at a time within the tick.
-class BumpedRobot : public RobotOnTheMove, public ::testing::WithParamInterface<Bump> {
+class BumpedRobot : protected RobotOnTheMove, public ::testing::TestWithParam<Bump> {
  protected:
-  BumpedRobot() : RobotOnTheMove(std::get<0>(GetParam())) {}
+  BumpedRobot() : RobotOnTheMove(release_image(std::get<0>(GetParam()))) {}
 };
 
 std::string bump_label(const ::testing::TestParamInfo<Bump>& bump) {
@@ -174,7 +110,7 @@ TEST_P(BumpedRobot, PwmIsOffWithinTwoMilliseconds) {
   std::printf("%s: bump, PWM off after %.3f ms\n", image, ms);
   RecordProperty("off_after_bump_ms", std::to_string(ms));
   EXPECT_LE(ms, 2.0);
-  EXPECT_EQ(outcome(), MotionOutcome::kBumped);
+  EXPECT_EQ(outcome_of_move(robot), MotionOutcome::kBumped);
   EXPECT_EQ(robot.command(protocol::MoveTicks{0, 500, 500, 800, 200}), CommandStatus::kBlocked);
   EXPECT_EQ(robot.command(protocol::MoveTicks{0, -500, -500, 800, 200}), CommandStatus::kAccepted);
 }
@@ -183,29 +119,23 @@ class HungRobot : public MovingRobot {
  protected:
   /// After a hang: PWM off by the watchdog's interrupt, then a reset that disarms.
   void expect_watchdog_reset() {
-    renewing = false;
-    robot.forget_heard();
-    const double start_ms = now_ms();
-    ASSERT_TRUE(robot.run_until([this] { return off(); }, 400));
-    const double off_ms = now_ms() - start_ms;
-    EXPECT_EQ(robot.chip().resets(), 0U) << "PWM goes off before the reset";
-    ASSERT_TRUE(robot.run_until([this] { return !off() || robot.chip().resets() != 0; }, 400));
-    EXPECT_TRUE(off());
-    const double reset_ms = now_ms() - start_ms;
-    std::printf("watchdog: PWM off %.1f ms, reset %.1f ms after the hang\n", off_ms, reset_ms);
-    RecordProperty("off_after_hang_ms", std::to_string(off_ms));
-    EXPECT_LE(off_ms, 150.0);
-    EXPECT_LE(reset_ms, 300.0);
-    expect_off_for(50);
-    ASSERT_TRUE(robot.last<protocol::HelloReply>());
-    EXPECT_EQ(robot.last<protocol::HelloReply>()->reset_cause, protocol::kResetWatchdog);
+    const HangOutcome outcome = outcome_of_hang();
+    std::printf("watchdog: PWM off %.1f ms, reset %.1f ms after the hang\n",
+                outcome.off_ms,
+                outcome.reset_ms);
+    RecordProperty("off_after_hang_ms", std::to_string(outcome.off_ms));
+    EXPECT_LE(outcome.off_ms, 150.0);
+    EXPECT_LE(outcome.reset_ms, 300.0);
+    EXPECT_TRUE(outcome.off_before_reset);
+    EXPECT_TRUE(outcome.stayed_off);
+    EXPECT_EQ(outcome.reset_cause, protocol::kResetWatchdog);
   }
 
   void expect_disarmed() {
     ASSERT_TRUE(robot.connect(4712));
     EXPECT_EQ(robot.command(protocol::MoveTicks{0, 100, 100, 500, 0}), CommandStatus::kDisarmed);
     robot.send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
-    expect_off_for(100);
+    EXPECT_TRUE(stays_off_for(100));
     EXPECT_EQ(robot.last<protocol::Odometry>()->flags & protocol::kFlagArmed, 0);
   }
 };

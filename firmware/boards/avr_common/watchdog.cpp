@@ -15,7 +15,7 @@ void start_watchdog() {
   const InterruptLock lock;
   wdt_reset();
   WDTCSR = _BV(WDCE) | _BV(WDE);
-  WDTCSR = _BV(WDIE) | _BV(WDE) | _BV(WDP1) | _BV(WDP0);  // 125 ms, interrupt before reset.
+  WDTCSR = _BV(WDIE) | _BV(WDE) | _BV(WDP1);  // 64 ms, interrupt before reset.
 }
 
 void kick_watchdog() { wdt_reset(); }

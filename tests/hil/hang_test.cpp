@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// Hangs planted in the flash of the release image, in each task and each interrupt that a driving
+/// robot runs. AVR boards only; what every board shows is in safety_test.cpp.
+#include <cstdio>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/hil/measure/planted_hangs.hpp"
+#include "tests/hil/on_every_board.hpp"
+
+namespace echomap::tests {
+namespace {
+
+class PlantedHang : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Boards, PlantedHang, every_board(), image_label);
+
+void expect_off(const std::string& where, const HangOutcome& outcome) {
+  std::printf("hang in %s: PWM off %.1f ms, reset %.1f ms behind it\n",
+              where.c_str(),
+              outcome.off_ms,
+              outcome.reset_ms);
+  EXPECT_LE(outcome.off_ms, 150.0) << where;
+  EXPECT_LE(outcome.reset_ms, 300.0) << where;
+  EXPECT_TRUE(outcome.stayed_off) << where;
+}
+
+/// No interrupt of the watchdog can come then: its reset switches the motors off.
+TEST_P(PlantedHang, WithInterruptsLockedIsReset) {
+  RobotOnTheMove moving{release_image(GetParam())};
+  moving.drive();
+  hang_with_interrupts_locked(moving);
+  const HangOutcome outcome = moving.outcome_of_hang();
+  expect_off("a lock of interrupts", outcome);
+  EXPECT_EQ(outcome.reset_cause, protocol::kResetWatchdog);
+  ASSERT_TRUE(moving.robot.connect(4712));
+  EXPECT_EQ(moving.robot.command(protocol::MoveTicks{0, 100, 100, 500, 0}),
+            protocol::CommandStatus::kDisarmed);
+}
+
+TEST_P(PlantedHang, SwitchesOffWhereverTheProgramHangs) {
+  std::set<std::string> hung;
+  plant_hangs(release_image(GetParam()),
+              [&](const std::string& file, bool in_interrupt, const HangOutcome& outcome) {
+                expect_off(file + (in_interrupt ? " (interrupt)" : ""), outcome);
+                hung.insert(file);
+              });
+  EXPECT_EQ(hung, files_of_tasks()) << "a task that the robot did not run";
+}
+
+}  // namespace
+}  // namespace echomap::tests
