@@ -4,8 +4,8 @@
 namespace echomap {
 namespace hal {
 
-/// Starts the watchdog: 64 to 125 ms without `kick_watchdog`, by board, switch the motors off, twice
-/// that resets.
+/// Starts the watchdog: 64 to 125 ms without `kick_watchdog`, by board, switch the motors off,
+/// twice that resets.
 void start_watchdog();
 void kick_watchdog();
 
