@@ -23,7 +23,8 @@ void read_profile(std::span<const std::uint8_t> bytes) {
   file.write(bytes);
   const auto profile = echomap::apps::load_robot_profile(file.path().string());
   require(profile.ticks_per_s() > 0, "a robot of a profile moves");
-  require(std::isfinite(profile.pan_limit_rad) && profile.pan_limit_rad > 0.0, "a pan has a reach");
+  const bool has_reach = std::isfinite(profile.pan_limit_rad) && profile.pan_limit_rad > 0.0;
+  require(!profile.has_sonar || has_reach, "the pan of a sonar has a reach");
 }
 
 void read(std::uint8_t kind, std::span<const std::uint8_t> bytes) {
