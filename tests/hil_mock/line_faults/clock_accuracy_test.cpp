@@ -187,7 +187,7 @@ TEST_P(ClockAccuracy, HoldsOnUsbWhereItsFramesBeatWithTheTelemetry) {
 
 TEST(ClockAccuracyInABeat, ComesCloseOnFtdiWhereItsTimerBeatsWithTheTelemetry) {
   Line line = ftdi();
-  line.to_host.poll_beats = line.to_robot.poll_beats = true;
+  line.delays.to_host.poll_beats = line.delays.to_robot.poll_beats = true;
   const Errors errors = errors_of(line, 50.0);
   EXPECT_LE(quantile(errors.all_us, 0.5), 20.0);
   EXPECT_LE(quantile(errors.all_us, 0.99), 600.0);
