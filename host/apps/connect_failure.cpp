@@ -31,8 +31,8 @@ std::string reason_of_connect_failure(const robot_link::RobotLink& link, const s
 
 bool was_reset_since(time::HostTime instant, const robot_link::RobotLink& link) {
   const auto start = link.clock().host_time(0);
-  const bool by_reset_line =
-      link.robot() && (link.robot()->reset_cause & protocol::kResetExternal) != 0;
+  const auto& robot = link.robot();
+  const bool by_reset_line = robot && (robot->reset_cause & protocol::kResetExternal) != 0;
   return start && by_reset_line && start->instant > instant;
 }
 

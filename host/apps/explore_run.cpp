@@ -76,7 +76,7 @@ class RunKeeper {
     const time::ClockSync& clock = session_.link().clock();
     summary_.clock_rate_error_ppm = clock.rate_error_ppm();
     summary_.clock_uncertainty_us = clock.uncertainty_us();
-    if (summary_.clock_rate_error_ppm) {
+    if (summary_.clock_rate_error_ppm && summary_.clock_uncertainty_us) {
       spdlog::debug("the robot's clock runs {:+.1f} ppm fast, known to {:.0f} us",
                     *summary_.clock_rate_error_ppm,
                     *summary_.clock_uncertainty_us);

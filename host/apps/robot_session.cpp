@@ -111,7 +111,7 @@ void RobotSession::connect() {
   };
   wait_until(settled, kConnectLimit);
   if (end_) {
-    throw CommandError(exit_code_of(*end_), end_reason_);
+    throw CommandError(exit_code_of(end_.value_or(SessionEnd::kLinkLost)), end_reason_);
   }
   if (link_.state() != LinkState::kReady) {
     throw CommandError(connect_failure(link_), reason_of_connect_failure(link_, stream_->name()));
@@ -119,7 +119,7 @@ void RobotSession::connect() {
   connected_ = true;
   check_it_was_not_reset();
   if (!set_up_robot()) {
-    throw CommandError(exit_code_of(*end_), end_reason_);
+    throw CommandError(exit_code_of(end_.value_or(SessionEnd::kLinkLost)), end_reason_);
   }
 }
 
@@ -163,7 +163,8 @@ bool RobotSession::try_to_set_up() {
 
 bool RobotSession::configure() {
   const protocol::Configuration& wanted = profile_.configuration;
-  if (link_.robot()->config_digest == protocol::config_digest(wanted)) {
+  const auto& robot = link_.robot();
+  if (robot && robot->config_digest == protocol::config_digest(wanted)) {
     spdlog::debug("the board holds the configuration of profile '{}' already", profile_.name);
     return true;
   }

@@ -55,6 +55,7 @@ std::uint8_t pin_function(const TomlReader& wiring, const std::string& key) {
   const auto found = std::ranges::find(kPinWords, word, &PinWord::word);
   if (found == kPinWords.end()) {
     std::vector<std::string> words;
+    words.reserve(kPinWords.size());
     for (const PinWord& one : kPinWords) {
       words.emplace_back(one.word);
     }

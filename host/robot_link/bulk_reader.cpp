@@ -35,6 +35,7 @@ BulkReader::BulkReader(const RetransmissionParams& retransmission, const BulkPar
 }
 
 void BulkReader::start(protocol::BulkContent content) {
+  is_reading_ = true;
   content_ = content;
   timer_ = RetransmissionTimer(retransmission_);
   total_bytes_.reset();
@@ -45,7 +46,7 @@ void BulkReader::start(protocol::BulkContent content) {
 }
 
 void BulkReader::abandon() {
-  if (content_) {
+  if (is_reading_) {
     end(BulkStatus::kNoAnswer);
   }
 }
@@ -60,7 +61,7 @@ void BulkReader::give_up_if_exhausted(time::HostTime now) {
 }
 
 bool BulkReader::is_due(time::HostTime now) const {
-  return content_ && (next_new_piece() || overdue(now) != open_.end());
+  return is_reading_ && (next_new_piece() || overdue(now) != open_.end());
 }
 
 /// Before the length is known the whole window is asked for: pieces beyond the end are empty.
@@ -87,11 +88,11 @@ protocol::BulkRead BulkReader::take(time::HostTime now) {
   ++request.tries;
   request.sent_at = now;
   request.resend_at = now + timer_.timeout();
-  return {static_cast<std::uint8_t>(*content_), static_cast<std::uint16_t>(offset)};
+  return {static_cast<std::uint8_t>(content_), static_cast<std::uint16_t>(offset)};
 }
 
 void BulkReader::take_answer(const protocol::BulkData& data, time::HostTime now) {
-  const bool is_ours = content_ && data.content == static_cast<std::uint8_t>(*content_);
+  const bool is_ours = is_reading_ && data.content == static_cast<std::uint8_t>(content_);
   const auto request = is_ours ? open_.find(data.offset) : open_.end();
   if (request == open_.end()) {
     return;
@@ -124,11 +125,11 @@ void BulkReader::keep(const protocol::BulkData& data) {
 }
 
 void BulkReader::end(BulkStatus status) {
-  result_ = BulkResult{*content_, status, {}};
-  if (status == BulkStatus::kWhole) {
-    result_->bytes = std::move(bytes_);
-  }
-  content_.reset();
+  result_ =
+      BulkResult{content_,
+                 status,
+                 status == BulkStatus::kWhole ? std::move(bytes_) : std::vector<std::uint8_t>()};
+  is_reading_ = false;
   open_.clear();
 }
 

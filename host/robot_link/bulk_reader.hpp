@@ -41,7 +41,7 @@ class BulkReader {
   static constexpr std::size_t kPieceBytes = 32;
 
   /// Throws std::invalid_argument for a window, tries or length of nothing.
-  BulkReader(const RetransmissionParams& retransmission, const BulkParams& params = {});
+  explicit BulkReader(const RetransmissionParams& retransmission, const BulkParams& params = {});
 
   /// Begins anew, whatever was being read.
   void start(protocol::BulkContent content);
@@ -76,7 +76,8 @@ class BulkReader {
   RetransmissionParams retransmission_;
   RetransmissionTimer timer_;
   BulkParams params_;
-  std::optional<protocol::BulkContent> content_;  ///< While it is read.
+  bool is_reading_ = false;
+  protocol::BulkContent content_{};
   std::optional<std::size_t> total_bytes_;
   std::size_t next_offset_ = 0;  ///< Not asked for yet.
   Requests open_;

@@ -49,7 +49,7 @@ std::optional<std::uint8_t> ForeignFrames::recognised(const SchemaDifference& di
   if (!schema || covered - kHeaderBytes != schema->payload_size) {
     return std::nullopt;
   }
-  const unsigned received = block[covered] | block[covered + 1] << 8;
+  const unsigned received = block[covered] | unsigned{block[covered + 1]} << 8U;
   const unsigned computed =
       protocol::crc16(block.data(), static_cast<std::uint8_t>(covered), schema->seed);
   return received == computed ? std::optional(block[1]) : std::nullopt;

@@ -97,54 +97,59 @@ void RobotLink::handle(const protocol::HelloReply& reply) {
   outbox_.confirm(reply);
   robot_ = reply;
   if (state_ != LinkState::kReady && state_ != LinkState::kDescribing) {
-    describe_or_be_ready();
+    describe_or_be_ready(reply);
   }
 }
 
-void RobotLink::describe_or_be_ready() {
-  if (robot_->protocol_major != protocol::kProtocolMajor) {
-    refuse("");
-  } else if (speaks_our_protocol(*robot_)) {
+void RobotLink::describe_or_be_ready(const protocol::HelloReply& robot) {
+  if (robot.protocol_major != protocol::kProtocolMajor) {
+    refuse(robot, "");
+  } else if (speaks_our_protocol(robot)) {
     difference_.reset();
-    be_ready();
-  } else if (difference_ && described_digest_ == robot_->schema_digest) {
-    be_ready();
+    be_ready(robot);
+  } else if (difference_ && described_digest_ == robot.schema_digest) {
+    be_ready(robot);
   } else {
     state_ = LinkState::kDescribing;
     bulk_.start(protocol::BulkContent::kSchema);
   }
 }
 
-void RobotLink::be_ready() {
+void RobotLink::be_ready(const protocol::HelloReply& robot) {
   state_ = LinkState::kReady;
   newest_stamp_us_.reset();
   pings_.restart(now_);
-  listener_.on_ready(*robot_);
+  listener_.on_ready(robot);
 }
 
-void RobotLink::refuse(const std::string& difference) {
-  mismatch_ = mismatch_with(*robot_);
-  mismatch_->difference = difference;
+void RobotLink::refuse(const protocol::HelloReply& robot, const std::string& difference) {
+  ProtocolMismatch mismatch = mismatch_with(robot);
+  mismatch.difference = difference;
+  mismatch_ = mismatch;
   state_ = LinkState::kMismatch;
 }
 
 void RobotLink::take_description(const BulkResult& result) {
-  const auto schema =
-      result.status == BulkStatus::kWhole ? read_robot_schema(result.bytes) : std::nullopt;
-  if (result.status == BulkStatus::kNoAnswer && !is_within(params_.lost_after, last_frame_at_)) {
+  const bool is_lost =
+      result.status == BulkStatus::kNoAnswer && !is_within(params_.lost_after, last_frame_at_);
+  if (!robot_ || is_lost) {
     state_ = LinkState::kLost;
     return;
   }
-  if (!schema || digest_of(*schema) != robot_->schema_digest) {
-    refuse("");
+  const protocol::HelloReply& robot = *robot_;
+  const auto schema =
+      result.status == BulkStatus::kWhole ? read_robot_schema(result.bytes) : std::nullopt;
+  if (!schema || digest_of(*schema) != robot.schema_digest) {
+    refuse(robot, "");
     return;
   }
-  difference_.emplace(*schema);
-  described_digest_ = robot_->schema_digest;
-  if (std::ranges::all_of(params_.needed_messages, [&](auto id) { return understands(id); })) {
-    be_ready();
+  const SchemaDifference& difference = difference_.emplace(*schema);
+  described_digest_ = robot.schema_digest;
+  if (std::ranges::all_of(params_.needed_messages,
+                          [&](auto id) { return difference.agrees(id); })) {
+    be_ready(robot);
   } else {
-    refuse(difference_->summary());
+    refuse(robot, difference.summary());
   }
 }
 

@@ -117,9 +117,9 @@ class RobotLink {
   void handle(const protocol::Gyro& message);
   bool accepts_telemetry(std::uint32_t stamp_us);
   void notice_reset(const protocol::HelloReply& reply);
-  void describe_or_be_ready();
-  void be_ready();
-  void refuse(const std::string& difference);
+  void describe_or_be_ready(const protocol::HelloReply& robot);
+  void be_ready(const protocol::HelloReply& robot);
+  void refuse(const protocol::HelloReply& robot, const std::string& difference);
   void take_description(const BulkResult& result);
   void end_reading();
   bool understands(std::uint8_t message_id) const;

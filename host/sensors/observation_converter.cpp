@@ -53,8 +53,9 @@ InfraredObservation ObservationConverter::convert(const protocol::Ranges& messag
       time_.unwrap(message.stamp_us), travel(message.left_ticks, message.right_ticks), {}};
   for (const InfraredSensor& sensor : sensors_.infrared) {
     const std::uint16_t counts = channels.at(sensor.channel);
-    observation.range_m.push_back(
-        counts == protocol::kNoRange ? std::nullopt : sensors_.infrared_curve->range_m(counts));
+    const auto& curve = sensors_.infrared_curve;
+    const bool is_read = curve && counts != protocol::kNoRange;
+    observation.range_m.push_back(is_read ? curve->range_m(counts) : std::nullopt);
   }
   return observation;
 }

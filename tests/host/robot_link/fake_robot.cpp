@@ -130,8 +130,8 @@ protocol::CommandStatus FakeRobot::take_settings(Settings& held, const Settings&
 }
 
 FakeRobot::Bytes FakeRobot::described_messages() {
-  constexpr auto description = protocol::describe_schema<protocol::AllMessages>();
-  return {std::begin(description.bytes), std::end(description.bytes)};
+  constexpr auto kDescription = protocol::describe_schema<protocol::AllMessages>();
+  return {std::begin(kDescription.bytes), std::end(kDescription.bytes)};
 }
 
 FakeRobot::Bytes FakeRobot::bulk_content(std::uint8_t content) const {

@@ -126,8 +126,8 @@ using Foreign = MessageList<Hello, HelloReply, BulkRead, BulkData, NewOdometry>;
 
 template <class List>
 std::vector<std::uint8_t> description_of() {
-  constexpr auto description = protocol::describe_schema<List>();
-  return {std::begin(description.bytes), std::end(description.bytes)};
+  constexpr auto kDescription = protocol::describe_schema<List>();
+  return {std::begin(kDescription.bytes), std::end(kDescription.bytes)};
 }
 
 }  // namespace echomap::robot_link
