@@ -32,8 +32,11 @@ LoadedRobot::LoadedRobot(const std::filesystem::path& elf, const Load& load)
 void LoadedRobot::connect() {
   const protocol::ConfigureDrive drive{
       0, 0, protocol::kMaxTicksPerS, kEdgesPerS2, 2, 3, 3, load_.odometry_period_ms};
+  // Wheels that turn to and fro at speed are what the guard is there to stop.
+  const protocol::ConfigureSafety no_guard{0, 0, 0, 0, 0};
   const bool ready = robot_.connect() &&
                      robot_.command(drive) == protocol::CommandStatus::kAccepted &&
+                     robot_.command(no_guard) == protocol::CommandStatus::kAccepted &&
                      robot_.command(protocol::Arm{0, 1}) == protocol::CommandStatus::kAccepted;
   if (!ready) {
     throw std::runtime_error("the robot does not get ready");
