@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/drivers/sonar_hc_sr04.hpp"
 
-#include "firmware/hal/interrupts.hpp"
 #include "firmware/hal/sonar.hpp"
 #include "protocol/telemetry_messages.hpp"
 
@@ -17,18 +16,23 @@ void SonarHcSr04::ping(uint32_t now_us) {
 }
 
 bool SonarHcSr04::poll(uint32_t now_us, uint16_t max_echo_us, uint16_t& flight_us) {
-  const hal::InterruptLock lock;
-  if (state_ == State::kIdle) {
+  const State state = state_;
+  if (state == State::kIdle) {
     return false;
   }
-  const uint32_t flight = (fall_half_us_ - rise_half_us_ + 1) / 2;
-  const bool in_time = state_ == State::kAnswered && flight <= max_echo_us;
-  const uint32_t pulse_us = state_ == State::kTriggered ? 0 : max_echo_us;
-  if (state_ != State::kAnswered && now_us - pinged_us_ <= kRiseTimeoutUs + pulse_us) {
-    return false;
+  flight_us = protocol::kNoEcho;
+  if (state == State::kAnswered) {
+    const uint32_t flight = (fall_half_us_ - rise_half_us_ + 1) / 2;
+    if (flight <= max_echo_us) {
+      flight_us = static_cast<uint16_t>(flight);
+    }
+  } else {
+    const uint32_t pulse_us = state == State::kTriggered ? 0 : max_echo_us;
+    if (now_us - pinged_us_ <= kRiseTimeoutUs + pulse_us) {
+      return false;
+    }
   }
   state_ = State::kIdle;
-  flight_us = in_time ? static_cast<uint16_t>(flight) : protocol::kNoEcho;
   return true;
 }
 

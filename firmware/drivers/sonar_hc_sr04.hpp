@@ -28,10 +28,12 @@ class SonarHcSr04 {
  private:
   enum class State : uint8_t { kIdle, kTriggered, kHigh, kAnswered };
 
+  /// The interrupt steps it on, and leaves the stamps alone once it is kAnswered: no lock is
+  /// needed.
   volatile State state_ = State::kIdle;
   uint32_t pinged_us_ = 0;
-  uint32_t rise_half_us_ = 0;
-  uint32_t fall_half_us_ = 0;
+  volatile uint32_t rise_half_us_ = 0;
+  volatile uint32_t fall_half_us_ = 0;
 };
 
 }  // namespace drivers

@@ -13,6 +13,7 @@ namespace {
 
 constexpr uint8_t kPins = 16;
 constexpr uint8_t kPhases = 4;
+constexpr uint8_t kHazards = 7;
 static_assert(sizeof(ConfigurePins) == 1 + kPins, "the pins stand behind the command id");
 
 /// What pin N shall do stands here at N. The message is nothing but bytes.
@@ -23,6 +24,9 @@ const uint8_t* functions(const ConfigurePins& settings) {
 uint8_t without_level(uint8_t function) {
   return function & static_cast<uint8_t>(~protocol::kPinActiveHigh);
 }
+
+/// The bit's number of protocol::Hazard; kHazards or more for a function that is none.
+uint8_t hazard_of(uint8_t function) { return function - protocol::kPinCliffLeft; }
 
 /// False for a function that does not exist.
 bool find_use(uint8_t function, PinUse& use) {
@@ -57,10 +61,13 @@ bool SparePins::accepts(const ConfigurePins& settings) {
 
 void SparePins::configure(const ConfigurePins& settings) {
   settings_ = settings;
+  watches_hazards_ = false;
   for (uint8_t pin = 0; pin < hal::aux_pin_count(); ++pin) {
     PinUse use;
-    find_use(without_level(functions(settings)[pin]), use);
+    const uint8_t function = without_level(functions(settings)[pin]);
+    find_use(function, use);
     hal::use_aux_pin(pin, use);
+    watches_hazards_ |= hazard_of(function) < kHazards;
   }
 }
 
@@ -74,13 +81,16 @@ ECHOMAP_ONE_PIECE uint8_t SparePins::find(uint8_t function) const {
 }
 
 uint8_t SparePins::active_hazards() const {
+  if (!watches_hazards_) {
+    return 0;
+  }
   uint16_t levels = hal::aux_levels();
   uint8_t hazards = 0;
   for (uint8_t pin = 0; pin < hal::aux_pin_count(); ++pin) {
     const uint8_t function = functions(settings_)[pin];
     const bool active_high = (function & protocol::kPinActiveHigh) != 0;
-    const uint8_t number = without_level(function) - protocol::kPinCliffLeft;
-    if (number < 7 && ((levels & 1) != 0) == active_high) {
+    const uint8_t number = hazard_of(without_level(function));
+    if (number < kHazards && ((levels & 1) != 0) == active_high) {
       hazards |= 1U << number;
     }
     levels >>= 1;

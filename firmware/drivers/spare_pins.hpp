@@ -34,6 +34,7 @@ class SparePins {
 
  private:
   protocol::ConfigurePins& settings_;
+  bool watches_hazards_ = false;
 };
 
 }  // namespace drivers

@@ -16,6 +16,7 @@ static_assert(kEncoderPins == 0x0F, "count_encoder_edges reads the low bits of a
 void start_encoders() {
   PORTB |= kEncoderPins;
   PCMSK0 = kEncoderPins;
+  count_edges_from(PINB & kEncoderPins);
   PCICR = _BV(PCIE0);
 }
 

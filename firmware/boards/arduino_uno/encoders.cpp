@@ -16,6 +16,7 @@ static_assert(kEncoderPins == 0x0F, "count_encoder_edges reads the low bits of a
 void start_encoders() {
   PORTC |= kEncoderPins;
   PCMSK1 = kEncoderPins;
+  count_edges_from(PINC & kEncoderPins);
   PCICR = _BV(PCIE1);
 }
 

@@ -64,8 +64,9 @@ class FrameTimer {
   /// The capture interrupt.
   static void on_capture() {
     const uint16_t count = Timer::captured();
-    const bool high = (Timer::control() & _BV(ICES1)) != 0;
-    Timer::control() ^= _BV(ICES1);
+    const uint8_t control = Timer::control();
+    const bool high = (control & _BV(ICES1)) != 0;
+    Timer::control() = control ^ _BV(ICES1);
     Timer::flags() = _BV(ICF1);  // Turning the edge round may set it.
     hal::on_echo_edge(high, frame_start_us(count) * 2 + count);
   }

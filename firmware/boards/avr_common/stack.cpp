@@ -32,7 +32,7 @@ extern "C" void paint_stack() {
 namespace hal {
 
 uint16_t least_free_stack_bytes() {
-  constexpr uint8_t kBytesPerCall = (RAMEND + 1 - RAMSTART) / 256;
+  constexpr uint8_t kBytesPerCall = (RAMEND + 1 - RAMSTART) / 1024;  // All of it in a second.
   static const uint8_t* next = &_end;
   static uint16_t free_bytes = 0;
   for (uint8_t i = 0; i < kBytesPerCall; ++i) {

@@ -96,7 +96,7 @@ void LoadedRobot::turn_wheels() {
 }
 
 void LoadedRobot::talk() {
-  const std::int64_t setpoint_ms = load_.full_line ? 2 : 20;
+  const std::int64_t setpoint_ms = load_.full_line ? 2 : 100;
   const std::int64_t keep_alive_ms = load_.full_line ? 4 : 50;
   if (ms_ % setpoint_ms == 0) {
     const auto told = static_cast<std::int16_t>(speed_);

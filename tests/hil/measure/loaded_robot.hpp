@@ -21,8 +21,8 @@ struct Load {
   double least_echo_us = 150.0;
   double most_echo_us = 23'500.0;
   std::uint8_t odometry_period_ms = 3;
-  /// The host's frames fill two thirds of the line; else it says what a host that drives says, 50
-  /// set-points and 20 times KeepAlive a second.
+  /// The host's frames fill two thirds of the line; else it says what a host that drives says: 20
+  /// times KeepAlive and 10 set-points a second.
   bool full_line = true;
   /// The sonar sweeps all the time; else a sweep of eleven echoes every 2.5 s.
   bool sweeps_on = false;
