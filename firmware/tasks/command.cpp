@@ -34,17 +34,16 @@ bool Command::poll() {
   uint8_t byte = 0;
   uint8_t taken = 0;
   while (taken < kBytesPerPoll && targets_.port.receive(byte)) {
-    take(byte);
+    const protocol::DecodeStatus status = decoder_.take(byte);
+    if (status != protocol::DecodeStatus::kIncomplete) {
+      end_frame(status);
+    }
     ++taken;
   }
   return taken != 0;
 }
 
-ECHOMAP_ONE_PIECE void Command::take(uint8_t byte) {
-  const protocol::DecodeStatus status = decoder_.take(byte);
-  if (status == protocol::DecodeStatus::kIncomplete) {
-    return;
-  }
+ECHOMAP_ONE_PIECE void Command::end_frame(protocol::DecodeStatus status) {
   const protocol::Frame frame = decoder_.frame();
   if (status == protocol::DecodeStatus::kFrame) {
     protocol::Dispatcher<protocol::MessagesToRobot>::dispatch(frame.id, frame.payload, *this);

@@ -58,7 +58,7 @@ class Command {
   }
 
  private:
-  void take(uint8_t byte);
+  void end_frame(protocol::DecodeStatus status);
   void reply(uint16_t session);
   /// False for a command that must not be done, which is answered right away: a repeated one, one
   /// without an id, and any before the first Hello.
