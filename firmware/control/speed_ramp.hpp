@@ -17,7 +17,7 @@ class SpeedRamp {
 
   /// The speed of the next period.
   int32_t advance();
-  bool at_rest() const { return speed_ == 0 && target_ == 0; }
+  bool at_rest() const { return (speed_ | target_) == 0; }
 
  private:
   int32_t speed_ = 0;

@@ -45,7 +45,8 @@ bool Command::poll() {
 
 ECHOMAP_ONE_PIECE void Command::end_frame(protocol::DecodeStatus status) {
   const protocol::Frame frame = decoder_.frame();
-  if (status == protocol::DecodeStatus::kFrame) {
+  const bool whole = status == protocol::DecodeStatus::kFrame;
+  if (whole && (!is_command(frame.id) || is_new(frame.payload[0]))) {
     protocol::Dispatcher<protocol::MessagesToRobot>::dispatch(frame.id, frame.payload, *this);
   }
   // After the message: a Hello of a new session begins the counting anew.

@@ -51,13 +51,14 @@ class Command {
   void operator()(const protocol::BulkRead& read);
   template <class CommandMessage>
   void operator()(const CommandMessage& command) {
-    if (is_new(command.command_id)) {
-      filter_.remember(command.command_id, execute(command));
-      targets_.sender.answer(filter_.answer());
-    }
+    static_assert(is_command(CommandMessage::kId), "its command_id was checked by its id");
+    filter_.remember(command.command_id, execute(command));
+    targets_.sender.answer(filter_.answer());
   }
 
  private:
+  /// Commands have the ids 0x10 .. 0x1F, and their command_id in front.
+  static constexpr bool is_command(uint8_t id) { return (id & 0xF0) == 0x10; }
   void end_frame(protocol::DecodeStatus status);
   void reply(uint16_t session);
   /// False for a command that must not be done, which is answered right away: a repeated one, one
