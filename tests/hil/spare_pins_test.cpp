@@ -13,8 +13,8 @@
 #include "host/geometry/angle.hpp"
 #include "tests/hil/on_every_board.hpp"
 
-// Parts that the world wires to the spare pins of each board, as its release firmware reads and
-// drives them.
+// Parts that the world wires to the spare pins and the bus of each board, as its release firmware
+// reads and drives them.
 namespace echomap::tests {
 namespace {
 
@@ -52,7 +52,7 @@ class SparePins : public OnEveryBoard {
     wiring_.emplace(robot.board(), world);
     robot.each_ms = [this, &world] {
       world::EncoderChanges changes;
-      world.step(1e-3, {}, changes);
+      world.step(1e-3, duty_, changes);
       wiring_->drive_inputs();
       if (stepper_) {
         stepper_->step(1e-3, wiring_->coils());
@@ -60,6 +60,7 @@ class SparePins : public OnEveryBoard {
     };
   }
 
+  world::WheelDuty duty_;
   std::optional<runner::AuxWiring> wiring_;
   std::optional<world::StepperMotor> stepper_;
 };
@@ -114,6 +115,38 @@ TEST_P(SparePins, AStepperTurnsTheSonarAllTheWayRoundAndBack) {
   ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 0, 9000, 20}), CommandStatus::kAccepted);
   robot.run_ms(8500);
   EXPECT_NEAR(geometry::degrees(stepper_->pan_rad()), 0.0, 0.2) << "no step was lost";
+}
+
+TEST_P(SparePins, AGyroOnTheBusFollowsATurn) {
+  constexpr int kPeriodMs = 10;
+  constexpr double kCountsPerDegPerS = 65.5;
+  world::RobotParams body;
+  body.parts.gyro = world::GyroParams{0.0, 0.0, 0.0, 0.005};
+  world::RobotWorld world(box_room(), body, 1);
+  wire(world);
+  ASSERT_TRUE(robot.connect());
+  const auto answer = robot.command(protocol::ConfigureSensors{0, 0, kPeriodMs, 1});
+  if (robot.board().board_name() == "stm32f103") {
+    EXPECT_EQ(answer, CommandStatus::kOutOfRange) << "it has no bus yet";
+    return;
+  }
+  ASSERT_EQ(answer, CommandStatus::kAccepted);
+  robot.run_ms(500);
+  const auto resting = robot.last<protocol::Gyro>().value();
+  duty_ = {-0.4, 0.4};
+  robot.run_ms(2000);
+  duty_ = {};
+  robot.run_ms(500);
+  const auto after = robot.last<protocol::Gyro>().value();
+  EXPECT_EQ(after.errors, resting.errors);
+  EXPECT_NEAR(std::uint16_t(after.samples - resting.samples), 2500 / kPeriodMs, 3);
+  const double turned_deg =
+      double(after.yaw_sum - resting.yaw_sum) * 1e-3 * kPeriodMs / kCountsPerDegPerS;
+  EXPECT_GT(turned_deg, 90.0);
+  EXPECT_NEAR(
+      geometry::angle_between(world.T_world_robot().heading_rad(), geometry::radians(turned_deg)),
+      0.0,
+      geometry::radians(1.0));
 }
 
 }  // namespace
