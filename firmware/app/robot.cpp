@@ -13,6 +13,7 @@ Robot robot(devices);
 void Robot::start() {
   devices_.encoders.start(hal::encoder_levels());
   motion_.stop(protocol::MotionOutcome::kNone);
+  sensors_.configure(configuration_.pins);
   hal::start_watchdog();
   command_.announce();
 }

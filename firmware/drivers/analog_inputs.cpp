@@ -9,29 +9,40 @@
 namespace echomap {
 namespace drivers {
 
+void AnalogInputs::reset() {
+  memset(&ranges_, 0xFF, sizeof(ranges_));
+  static_assert(protocol::kNoRange == 0xFFFF, "bytes of 0xFF");
+  battery_ = 0;
+  pin_ = 0;
+  converting_ = false;
+}
+
 void AnalogInputs::tick(const SparePins& pins) {
-  uint16_t value = input_ == kRanges ? 0 : protocol::kNoRange;
-  if (converting_ && !hal::conversion_done(value)) {
-    return;
-  }
-  store(value);
-  input_ = input_ == kRanges ? 0 : input_ + 1;
-  const uint8_t pin =
-      pins.find(input_ == kRanges ? protocol::kPinBattery : protocol::kPinRange0 + input_);
-  converting_ = pin != SparePins::kNone;
+  uint16_t value = 0;
   if (converting_) {
-    hal::start_conversion(pin);
+    if (!hal::conversion_done(value)) {
+      return;
+    }
+    store(pins.function(pin_), value);
+  }
+  if (++pin_ >= pins.used()) {
+    pin_ = 0;
+  }
+  converting_ = SparePins::is_analog(pins.function(pin_));
+  if (converting_) {
+    hal::start_conversion(pin_);
   }
 }
 
-void AnalogInputs::store(uint16_t value) {
-  if (input_ == kRanges) {
+void AnalogInputs::store(uint8_t function, uint16_t value) {
+  if (function == protocol::kPinBattery) {
     battery_ = value;
     return;
   }
+  const uint8_t channel = function - protocol::kPinRange0;
   uint8_t* const channels =
       reinterpret_cast<uint8_t*>(&ranges_) + offsetof(protocol::Ranges, channel_0);
-  memcpy(channels + input_ * sizeof(value), &value, sizeof(value));
+  memcpy(channels + channel * sizeof(value), &value, sizeof(value));
 }
 
 }  // namespace drivers

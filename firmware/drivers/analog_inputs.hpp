@@ -9,26 +9,27 @@
 namespace echomap {
 namespace drivers {
 
-/// Infra-red range channels and battery, as the converter reads them: one input a millisecond, so
-/// each is at most 9 ms old.
+/// Infra-red range channels and battery, as the converter reads them: a pin a millisecond, so that
+/// each is at most as many milliseconds old as spare pins are used.
 class AnalogInputs {
  public:
-  static constexpr uint8_t kRanges = 8;
-
+  /// Forgets all readings: the pins have other functions.
+  void reset();
   /// Stores one conversion and starts the next; once a millisecond.
   void tick(const SparePins& pins);
 
-  /// All channels; stamp and counts are left to who tells them.
+  /// All channels, protocol::kNoRange for those without a pin; stamp and counts are left to who
+  /// tells them.
   protocol::Ranges& ranges() { return ranges_; }
   /// 0 .. 1023; 0 where no pin measures it.
   uint16_t battery() const { return battery_; }
 
  private:
-  void store(uint16_t value);
+  void store(uint8_t function, uint16_t value);
 
   protocol::Ranges ranges_ = {};
   uint16_t battery_ = 0;
-  uint8_t input_ = 0;
+  uint8_t pin_ = 0;
   bool converting_ = false;
 };
 

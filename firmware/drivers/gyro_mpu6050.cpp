@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/drivers/gyro_mpu6050.hpp"
 
+#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/twi.hpp"
 
 namespace echomap {
@@ -23,10 +24,13 @@ enum Step : uint8_t { kWake, kFilter, kRange, kFirstRead, kReading };
 }  // namespace
 
 void GyroMpu6050::tick(const protocol::ConfigureSensors& settings) {
-  if (settings.gyro_period_ms == 0 || ++age_ms_ < settings.gyro_period_ms) {
-    return;
+  if (settings.gyro_period_ms != 0 && ++age_ms_ >= settings.gyro_period_ms) {
+    age_ms_ = 0;
+    sample(settings.gyro_range);
   }
-  age_ms_ = 0;
+}
+
+ECHOMAP_ONE_PIECE void GyroMpu6050::sample(uint8_t range) {
   int16_t rate = 0;
   const bool done = hal::twi_state(rate) == hal::TwiState::kDone;
   if (done && step_ == kReading) {
@@ -40,7 +44,7 @@ void GyroMpu6050::tick(const protocol::ConfigureSensors& settings) {
   }
   ++samples_;
   yaw_sum_ += rate_;
-  start_transfer(settings.gyro_range);
+  start_transfer(range);
 }
 
 void GyroMpu6050::start_transfer(uint8_t range) {

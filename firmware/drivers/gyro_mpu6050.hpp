@@ -33,6 +33,8 @@ class GyroMpu6050 {
   uint16_t errors() const { return errors_; }
 
  private:
+  /// Takes what the last transfer brought and starts the next.
+  void sample(uint8_t range);
   void start_transfer(uint8_t range);
 
   int32_t yaw_sum_ = 0;

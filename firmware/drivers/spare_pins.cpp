@@ -2,7 +2,6 @@
 #include "firmware/drivers/spare_pins.hpp"
 
 #include "firmware/hal/aux_pins.hpp"
-#include "firmware/hal/code_size.hpp"
 
 namespace echomap {
 namespace drivers {
@@ -13,7 +12,7 @@ namespace {
 
 constexpr uint8_t kPins = 16;
 constexpr uint8_t kPhases = 4;
-constexpr uint8_t kHazards = 7;
+static_assert(protocol::kPinStepperPhaseA % kPhases == 0, "the low bits number the phases");
 static_assert(sizeof(ConfigurePins) == 1 + kPins, "the pins stand behind the command id");
 
 /// What pin N shall do stands here at N. The message is nothing but bytes.
@@ -21,38 +20,36 @@ const uint8_t* functions(const ConfigurePins& settings) {
   return reinterpret_cast<const uint8_t*>(&settings) + 1;
 }
 
-uint8_t without_level(uint8_t function) {
-  return function & static_cast<uint8_t>(~protocol::kPinActiveHigh);
+/// The bit of a hazard that a digital input shows; 7 and more for every other function.
+uint8_t hazard_number(uint8_t function) {
+  const uint8_t plain = function & static_cast<uint8_t>(~protocol::kPinActiveHigh);
+  return static_cast<uint8_t>(plain - protocol::kPinCliffLeft);
 }
 
-/// The bit's number of protocol::Hazard; kHazards or more for a function that is none.
-uint8_t hazard_of(uint8_t function) { return function - protocol::kPinCliffLeft; }
+bool is_hazard(uint8_t function) { return hazard_number(function) < 7; }
 
-/// False for a function that does not exist.
-bool find_use(uint8_t function, PinUse& use) {
-  use = PinUse::kUnused;
-  if (function >= protocol::kPinStepperPhaseA) {
-    use = PinUse::kOutput;
-    return function < protocol::kPinStepperPhaseA + kPhases;
+bool is_phase(uint8_t function) {
+  return static_cast<uint8_t>(function - protocol::kPinStepperPhaseA) < kPhases;
+}
+
+PinUse use_of(uint8_t function) {
+  if (is_hazard(function)) {
+    return PinUse::kDigital;
   }
-  if (function >= protocol::kPinRange0) {
-    use = PinUse::kAnalog;
-    return function < protocol::kPinRange0 + 8;
+  if (SparePins::is_analog(function)) {
+    return PinUse::kAnalog;
   }
-  if (function != protocol::kPinUnused) {
-    use = function == protocol::kPinBattery ? PinUse::kAnalog : PinUse::kDigital;
-  }
-  return function <= protocol::kPinBattery;
+  return is_phase(function) ? PinUse::kOutput : PinUse::kUnused;
 }
 
 }  // namespace
 
 bool SparePins::accepts(const ConfigurePins& settings) {
   for (uint8_t pin = 0; pin < kPins; ++pin) {
-    PinUse use;
-    const uint8_t function = without_level(functions(settings)[pin]);
-    if (function != protocol::kPinUnused &&
-        !(find_use(function, use) && hal::aux_pin_can(pin, use))) {
+    const uint8_t function = functions(settings)[pin];
+    const PinUse use = use_of(function);
+    const bool possible = use != PinUse::kUnused && hal::aux_pin_can(pin, use);
+    if (function != protocol::kPinUnused && !possible) {
       return false;
     }
   }
@@ -61,37 +58,26 @@ bool SparePins::accepts(const ConfigurePins& settings) {
 
 void SparePins::configure(const ConfigurePins& settings) {
   settings_ = settings;
-  watches_hazards_ = false;
+  used_ = 0;
   for (uint8_t pin = 0; pin < hal::aux_pin_count(); ++pin) {
-    PinUse use;
-    const uint8_t function = without_level(functions(settings)[pin]);
-    find_use(function, use);
+    const PinUse use = use_of(function(pin));
     hal::use_aux_pin(pin, use);
-    watches_hazards_ |= hazard_of(function) < kHazards;
-  }
-}
-
-ECHOMAP_ONE_PIECE uint8_t SparePins::find(uint8_t function) const {
-  for (uint8_t pin = 0; pin < hal::aux_pin_count(); ++pin) {
-    if (functions(settings_)[pin] == function) {
-      return pin;
+    if (use != PinUse::kUnused) {
+      used_ = static_cast<uint8_t>(pin + 1);
     }
   }
-  return kNone;
 }
 
+uint8_t SparePins::function(uint8_t pin) const { return functions(settings_)[pin]; }
+
 uint8_t SparePins::active_hazards() const {
-  if (!watches_hazards_) {
-    return 0;
-  }
   uint16_t levels = hal::aux_levels();
   uint8_t hazards = 0;
-  for (uint8_t pin = 0; pin < hal::aux_pin_count(); ++pin) {
-    const uint8_t function = functions(settings_)[pin];
-    const bool active_high = (function & protocol::kPinActiveHigh) != 0;
-    const uint8_t number = hazard_of(without_level(function));
-    if (number < kHazards && ((levels & 1) != 0) == active_high) {
-      hazards |= 1U << number;
+  for (uint8_t pin = 0; pin < used_; ++pin) {
+    const uint8_t what = function(pin);
+    const bool active_high = (what & protocol::kPinActiveHigh) != 0;
+    if (is_hazard(what) && ((levels & 1) != 0) == active_high) {
+      hazards = static_cast<uint8_t>(hazards | (1U << hazard_number(what)));
     }
     levels >>= 1;
   }
@@ -99,19 +85,21 @@ uint8_t SparePins::active_hazards() const {
 }
 
 bool SparePins::has_stepper() const {
-  for (uint8_t phase = 0; phase < kPhases; ++phase) {
-    if (find(protocol::kPinStepperPhaseA + phase) == kNone) {
-      return false;
+  uint8_t phases = 0;
+  for (uint8_t pin = 0; pin < used_; ++pin) {
+    const uint8_t what = function(pin);
+    if (is_phase(what)) {
+      phases = static_cast<uint8_t>(phases | (1U << (what & (kPhases - 1))));
     }
   }
-  return true;
+  return phases == (1U << kPhases) - 1;
 }
 
 void SparePins::set_stepper_phases(uint8_t levels) const {
-  for (uint8_t pin = 0; pin < hal::aux_pin_count(); ++pin) {
-    const uint8_t phase = functions(settings_)[pin] - protocol::kPinStepperPhaseA;
-    if (phase < kPhases) {
-      hal::set_aux_output(pin, ((levels >> phase) & 1) != 0);
+  for (uint8_t pin = 0; pin < used_; ++pin) {
+    const uint8_t what = function(pin);
+    if (is_phase(what)) {
+      hal::set_aux_output(pin, ((levels >> (what & (kPhases - 1))) & 1) != 0);
     }
   }
 }

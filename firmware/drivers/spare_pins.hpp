@@ -11,9 +11,6 @@ namespace drivers {
 /// The board's spare pins by their functions.
 class SparePins {
  public:
-  /// `find` of a function that no pin has.
-  static constexpr uint8_t kNone = 0xFF;
-
   /// `settings` is where the active ones stand.
   constexpr explicit SparePins(protocol::ConfigurePins& settings) : settings_(settings) {}
 
@@ -22,8 +19,15 @@ class SparePins {
   /// Takes settings that `accepts` has granted.
   void configure(const protocol::ConfigurePins& settings);
 
-  /// The first pin with this protocol::PinFunction, or kNone.
-  uint8_t find(uint8_t function) const;
+  /// True for a range channel or the battery.
+  static bool is_analog(uint8_t function) {
+    return function == protocol::kPinBattery || (function & 0xF8) == protocol::kPinRange0;
+  }
+
+  /// Pins up to the last that does something; what pin N does.
+  uint8_t used() const { return used_; }
+  uint8_t function(uint8_t pin) const;
+
   /// Bits of protocol::Hazard whose pins now have the level that means one.
   uint8_t active_hazards() const;
 
@@ -34,7 +38,7 @@ class SparePins {
 
  private:
   protocol::ConfigurePins& settings_;
-  bool watches_hazards_ = false;
+  uint8_t used_ = 0;
 };
 
 }  // namespace drivers

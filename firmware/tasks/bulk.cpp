@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/flash_table.hpp"
 #include "protocol/messages.hpp"
 #include "protocol/schema_description.hpp"
@@ -54,9 +55,12 @@ void Bulk::ask(const protocol::BulkRead& read) {
 }
 
 void Bulk::tick() {
-  if (waiting_ == 0 || !sender_.has_room_for<BulkData>()) {
-    return;
+  if (waiting_ != 0 && sender_.has_room_for<BulkData>()) {
+    answer_oldest();
   }
+}
+
+ECHOMAP_ONE_PIECE void Bulk::answer_oldest() {
   const protocol::BulkRead read = asked_[0];
   --waiting_;
   memmove(asked_, asked_ + 1, sizeof(asked_) - sizeof(asked_[0]));

@@ -24,6 +24,8 @@ class Bulk {
   void tick();
 
  private:
+  void answer_oldest();
+
   FrameSender& sender_;
   const protocol::Configuration& configuration_;
   protocol::BulkRead asked_[kWindow] = {};

@@ -58,8 +58,8 @@ bool Safety::lifted() const {
 
 /// Nothing is known of what lies behind, so the robot may back off from what is in front.
 bool Safety::must_stop(uint8_t active, uint8_t fresh) const {
-  return motion_.moving() &&
-         ((active != 0 && motion_.goes_forward()) || (fresh != 0 && !motion_.only_backs_off()));
+  return active != 0 && motion_.moving() &&
+         (motion_.goes_forward() || (fresh != 0 && !motion_.only_backs_off()));
 }
 
 }  // namespace tasks

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/tasks/sensors.hpp"
 
+#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/twi.hpp"
 
 namespace echomap {
@@ -9,6 +10,11 @@ namespace tasks {
 bool Sensors::accepts(const protocol::ConfigureSensors& settings) {
   return drivers::GyroMpu6050::accepts(settings) &&
          (settings.gyro_period_ms == 0 || hal::has_twi());
+}
+
+ECHOMAP_ONE_PIECE void Sensors::configure(const protocol::ConfigurePins& settings) {
+  pins_.configure(settings);
+  analog_.reset();
 }
 
 void Sensors::configure(const protocol::ConfigureSensors& settings) {

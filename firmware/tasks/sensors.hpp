@@ -22,7 +22,7 @@ class Sensors {
   }
   static bool accepts(const protocol::ConfigureSensors& settings);
   /// Takes settings that `accepts` has granted.
-  void configure(const protocol::ConfigurePins& settings) { pins_.configure(settings); }
+  void configure(const protocol::ConfigurePins& settings);
   void configure(const protocol::ConfigureSensors& settings);
 
   /// Once a millisecond.

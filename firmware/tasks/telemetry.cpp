@@ -56,7 +56,7 @@ uint16_t Telemetry::stretched(uint8_t period_ms) const {
   return static_cast<uint16_t>(period_ms << sender_.budget().rate_step());
 }
 
-void Telemetry::drop() {
+ECHOMAP_ONE_PIECE void Telemetry::drop() {
   ++dropped_;
   sender_.budget().overloaded();
 }

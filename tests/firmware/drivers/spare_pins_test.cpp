@@ -46,14 +46,18 @@ TEST_F(SparePinsTest, EachFunctionHasItsUse) {
     EXPECT_EQ(board.aux_use(pin), expected[pin]) << int{pin};
   }
   EXPECT_EQ(board.aux_use(15), PinUse::kOutput);
-  EXPECT_EQ(pins.find(protocol::kPinRange0 + 7), 5);
-  EXPECT_EQ(pins.find(protocol::kPinRange0 + 6), SparePins::kNone);
+  EXPECT_EQ(pins.used(), 16);
+  EXPECT_EQ(pins.function(5), protocol::kPinRange0 + 7);
+  pins.configure({});
+  EXPECT_EQ(pins.used(), 0);
+  EXPECT_EQ(board.aux_use(15), PinUse::kUnused);
 }
 
 TEST_F(SparePinsTest, AcceptsEveryFunctionThatThereIsAndNoOther) {
   for (int function = 0; function < 256; ++function) {
     const int plain = function & 0x7F;
-    const bool exists = plain <= 8 || (plain >= 16 && plain <= 23) || (plain >= 32 && plain <= 35);
+    const bool exists = (plain >= 1 && plain <= 7) || function == 0 || function == 8 ||
+                        (function >= 16 && function <= 23) || (function >= 32 && function <= 35);
     wanted.pin_9 = static_cast<std::uint8_t>(function);
     EXPECT_EQ(SparePins::accepts(wanted), exists) << function;
   }
