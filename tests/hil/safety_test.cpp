@@ -115,6 +115,62 @@ TEST_P(BumpedRobot, PwmIsOffWithinTwoMilliseconds) {
   EXPECT_EQ(robot.command(protocol::MoveTicks{0, -500, -500, 800, 200}), CommandStatus::kAccepted);
 }
 
+using Edge = std::tuple<const char*, std::int64_t>;
+
+/// Comes to an edge at a time within the tick: a cliff sensor on spare pin 0, a wheel-drop on 1.
+class RobotAtAnEdge : protected RobotOnTheMove, public ::testing::TestWithParam<Edge> {
+ protected:
+  RobotAtAnEdge() : RobotOnTheMove(release_image(std::get<0>(GetParam()))) {
+    robot.board().set_aux_level(0, true);
+    robot.board().set_aux_level(1, true);
+  }
+  /// Drives, and shows the hazard on this pin; milliseconds until the PWM is off.
+  double ms_from(unsigned pin) {
+    connect_and_arm();
+    protocol::ConfigurePins pins{};
+    pins.pin_0 = protocol::kPinCliffFrontLeft;
+    pins.pin_1 = protocol::kPinWheelDrop;
+    EXPECT_EQ(robot.command(pins), CommandStatus::kAccepted);
+    drive();
+    robot.board().run_until(robot.board().now_ns() + std::get<1>(GetParam()) * 1000);
+    robot.board().set_aux_level(pin, false);
+    return ms_until_off(150);
+  }
+};
+
+std::string edge_label(const ::testing::TestParamInfo<Edge>& edge) {
+  const auto [image, moment_us] = edge.param;
+  return label_of(image) + "_" + std::to_string(moment_us) + "us";
+}
+
+INSTANTIATE_TEST_SUITE_P(Moments,
+                         RobotAtAnEdge,
+                         ::testing::Combine(every_board(),
+                                            ::testing::Values(0, 170, 390, 610, 880)),
+                         edge_label);
+
+TEST_P(RobotAtAnEdge, CliffTakesThePwmOffWithinTwoMilliseconds) {
+  const double ms = ms_from(0);
+  std::printf("%s: cliff, PWM off after %.3f ms\n", std::get<0>(GetParam()), ms);
+  RecordProperty("off_after_cliff_ms", std::to_string(ms));
+  EXPECT_LE(ms, 2.0);
+  EXPECT_EQ(outcome_of_move(robot), MotionOutcome::kHazard);
+  EXPECT_EQ(robot.last<protocol::Status>()->hazards, protocol::kHazardCliffFrontLeft);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, 500, 500, 800, 200}), CommandStatus::kBlocked);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, -500, -500, 800, 200}), CommandStatus::kAccepted);
+}
+
+TEST_P(RobotAtAnEdge, WheelDropTakesThePwmOffWithinTwoMillisecondsAndDisarms) {
+  const double ms = ms_from(1);
+  std::printf("%s: wheel-drop, PWM off after %.3f ms\n", std::get<0>(GetParam()), ms);
+  RecordProperty("off_after_wheel_drop_ms", std::to_string(ms));
+  EXPECT_LE(ms, 2.0);
+  EXPECT_EQ(outcome_of_move(robot), MotionOutcome::kLifted);
+  EXPECT_EQ(robot.last<protocol::Status>()->flags & protocol::kFlagArmed, 0);
+  EXPECT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kBlocked);
+  EXPECT_EQ(robot.command(protocol::MoveTicks{0, -500, -500, 800, 200}), CommandStatus::kDisarmed);
+}
+
 class HungRobot : public MovingRobot {
  protected:
   /// After a hang: PWM off by the watchdog's interrupt, then a reset that disarms.

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+/// The MPU-6050 on the two-wire bus of the AVR boards: the release image drives the bus, the
+/// emulator has it by the data sheet.
+#include <cstdint>
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "hil_mock/world/mpu6050.hpp"
+#include "host/geometry/angle.hpp"
+#include "tests/hil/measure/loaded_robot.hpp"
+#include "tests/hil/on_every_board.hpp"
+
+namespace echomap::tests {
+namespace {
+
+using protocol::CommandStatus;
+
+constexpr std::uint8_t kPeriodMs = 10;
+constexpr protocol::ConfigureSensors kGyroOn{0, 0, kPeriodMs, 1};
+/// Three writes, the first read, and one that Hello or the last message cuts off.
+constexpr int kSetUpSamples = 5;
+
+/// Without noise and bias.
+world::Mpu6050 ideal_gyro() {
+  return world::Mpu6050(
+      world::RateGyro({0.0, 0.0, 0.0, 0.0}, world::NoiseStream(1, world::NoisePurpose::kGyro)));
+}
+
+/// What a Gyro message says the robot has turned by, with +-500 degrees/s.
+double turned_deg(const protocol::Gyro& message) {
+  constexpr double kPerDegPerS = 65.5;
+  return message.yaw_sum / kPerDegPerS * kPeriodMs * 1e-3;
+}
+
+class GyroOnTheBus : public OnEveryBoard {
+ protected:
+  /// Lets it turn along from here on.
+  void turn(double deg_per_s) {
+    robot.each_ms = [this, deg_per_s] { gyro.step(1e-3, geometry::radians(deg_per_s)); };
+  }
+
+  world::Mpu6050 gyro = ideal_gyro();
+};
+
+INSTANTIATE_TEST_SUITE_P(Boards, GyroOnTheBus, every_board(), image_label);
+
+TEST_P(GyroOnTheBus, TurnsReachTheHostBothWays) {
+  robot.board().connect(gyro);
+  const auto reply = robot.connect();
+  ASSERT_TRUE(reply.has_value());
+  EXPECT_TRUE((reply->capabilities & protocol::kCapabilityGyro) != 0);
+  ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
+  robot.run_ms(500);
+  const double still_deg = turned_deg(robot.last<protocol::Gyro>().value());
+  EXPECT_NEAR(still_deg, 0.0, 0.1);
+  turn(90.0);
+  robot.run_ms(2000);
+  const double left_deg = turned_deg(robot.last<protocol::Gyro>().value());
+  EXPECT_NEAR(left_deg - still_deg, 180.0, 3.0) << "two periods and the filter's delay late";
+  turn(-45.0);
+  robot.run_ms(2000);
+  const protocol::Gyro last = robot.last<protocol::Gyro>().value();
+  EXPECT_NEAR(turned_deg(last) - left_deg, -90.0, 4.0);
+  EXPECT_NEAR(last.samples, 4500 / kPeriodMs, 12);
+  EXPECT_LE(last.errors, kSetUpSamples);
+}
+
+TEST_P(GyroOnTheBus, WithoutADeviceEverySampleIsAnErrorAndTheRobotGoesOn) {
+  ASSERT_TRUE(robot.connect());
+  ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
+  robot.run_ms(1000);
+  const protocol::Gyro last = robot.last<protocol::Gyro>().value();
+  EXPECT_GT(last.samples, 90);
+  EXPECT_EQ(last.errors, last.samples);
+  EXPECT_EQ(last.yaw_sum, 0);
+  EXPECT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+  robot.board().connect(gyro);
+  turn(90.0);
+  robot.run_ms(1000);
+  const protocol::Gyro later = robot.last<protocol::Gyro>().value();
+  EXPECT_LE(later.errors - last.errors, kSetUpSamples) << "it is found when it is there";
+  EXPECT_GT(later.yaw_sum, 0);
+}
+
+class GyroUnderLoad : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Boards, GyroUnderLoad, every_board(), image_label);
+
+/// The bus at five times the usual rate beside 40,000 edges a second and wheel on a full line.
+TEST_P(GyroUnderLoad, BusAndEncodersDoNotHurtEachOther) {
+  world::Mpu6050 gyro = ideal_gyro();
+  LoadedRobot robot(release_image(GetParam()), {.edges_per_s = 40'000, .odometry_period_ms = 10});
+  robot.connect();
+  robot.session().board().connect(gyro);
+  ASSERT_EQ(robot.session().command(protocol::ConfigureSensors{0, 0, 2, 1}),
+            CommandStatus::kAccepted);
+  std::uint16_t errors = 0;
+  std::uint16_t samples = 0;
+  robot.session().each_ms = [&] {
+    if (const auto last = robot.session().last<protocol::Gyro>()) {
+      errors = last->errors;
+      samples = last->samples;
+    }
+  };
+  robot.run_s(10.0);
+  const LoadResult result = robot.finish();
+  std::printf("%s: %d samples, %d errors, miscounts %d\n",
+              GetParam(),
+              samples,
+              errors,
+              static_cast<int>(result.miscounts));
+  EXPECT_GT(samples, 4900);
+  EXPECT_LE(errors, kSetUpSamples);
+  EXPECT_EQ(result.miscounts, 0);
+  EXPECT_EQ(result.encoder_errors, 0);
+  EXPECT_EQ(result.receive_overruns, 0);
+  EXPECT_EQ(result.frames_bad, 0);
+  EXPECT_EQ(result.frames_lost, 0);
+}
+
+}  // namespace
+}  // namespace echomap::tests
