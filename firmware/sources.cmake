@@ -12,4 +12,5 @@ set(ECHOMAP_FIRMWARE_SOURCES
   tasks/line_budget.cpp tasks/safety.cpp tasks/scheduler.cpp tasks/sensors.cpp
   tasks/telemetry.cpp
   app/events.cpp app/robot.cpp)
-set(ECHOMAP_PROTOCOL_SOURCES cobs.cpp configuration.cpp frame_decoder.cpp frame_encoder.cpp link.cpp)
+set(ECHOMAP_PROTOCOL_SOURCES cobs.cpp configuration.cpp frame_decoder.cpp frame_encoder.cpp link.cpp
+  schema_reader.cpp)
