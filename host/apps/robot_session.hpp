@@ -1,36 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "host/apps/exit_code.hpp"
+#include "host/apps/motion_execution.hpp"
 #include "host/apps/robot_connection.hpp"
+#include "host/apps/robot_line.hpp"
 #include "host/apps/robot_profile.hpp"
+#include "host/apps/robot_setup.hpp"
+#include "host/apps/session_end.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 #include "host/robot_link/robot_link.hpp"
-#include "host/sensors/observation_converter.hpp"
 
 namespace echomap::apps {
-
-/// Why a session cannot go on.
-enum class SessionEnd : std::uint8_t {
-  kInterrupted,
-  kLinkLost,
-  kSafetyStop,  ///< The board has stopped and disarmed by itself.
-};
-
-/// What the shell sees of it.
-ExitCode exit_code_of(SessionEnd end);
 
 /// A robot that answers: feeds its observations to the pipeline and carries out motions. When the
 /// board is reset or its line breaks, the session waits, sets the robot up again and goes on. Every
 /// call that waits lets the session's time pass; nothing here reads a clock.
-class RobotSession final : private robot_link::RobotLinkListener {
+class RobotSession {
  public:
   /// `session_id` tells this session's commands from an earlier one's. `pipeline` outlives the
   /// session.
@@ -38,7 +28,7 @@ class RobotSession final : private robot_link::RobotLinkListener {
                const RobotProfile& profile,
                pipeline::RobotPipeline& pipeline);
   /// Disarms, however the session ends.
-  ~RobotSession() override;
+  ~RobotSession() { disarm(); }
   RobotSession(const RobotSession&) = delete;
   RobotSession& operator=(const RobotSession&) = delete;
 
@@ -52,81 +42,32 @@ class RobotSession final : private robot_link::RobotLinkListener {
   exploration::MotionResult execute(const exploration::Motion& motion);
 
   /// Stops and disarms, where the robot still hears it; the second time does nothing.
-  void disarm();
+  void disarm() { line_.disarm(); }
 
   /// Set once the user interrupted or the link was lost for good.
-  std::optional<SessionEnd> end() const { return end_; }
+  std::optional<SessionEnd> end() const { return line_.end(); }
   /// For people: why, in a sentence.
-  const std::string& end_reason() const { return end_reason_; }
+  const std::string& end_reason() const { return line_.end_reason(); }
 
   /// Called after every step of time.
   std::function<void()> on_step;
 
-  time::HostTime now() const { return now_; }
-  const robot_link::RobotLink& link() const { return link_; }
+  time::HostTime now() const { return line_.now(); }
+  const robot_link::RobotLink& link() const { return line_.link(); }
 
  private:
-  using Duration = time::HostClock::duration;
-
-  void on_odometry(const protocol::Odometry& message) override;
-  void on_echo(const protocol::Echo& message) override;
-  void on_status(const protocol::Status& message) override;
-  void on_health(const protocol::Health& message) override;
-  void on_ranges(const protocol::Ranges& message) override;
-  void on_gyro(const protocol::Gyro& message) override;
-  void on_bulk(const robot_link::BulkResult& result) override { bulk_ = result; }
-  void on_ready(const protocol::HelloReply& reply) override;
-  void on_reset(std::uint8_t reset_cause) override;
-  void on_command_done(const robot_link::CommandResult& result) override;
-
-  void step();
-  void look_for_end();
-  void end(SessionEnd end, const std::string& reason);
-  /// Steps until `done`, until `limit` of session time has passed or until the session ends; true
-  /// when done.
-  bool wait_until(const std::function<bool()>& done, Duration limit);
   void check_it_was_not_reset();
   /// Waits for the link and sets the robot up where it has started anew; false at the session's
   /// end.
   bool be_ready();
-  bool set_up_robot();
-  bool try_to_set_up();
-  /// Brings the board to the profile's configuration and reads it back; false where the board was
-  /// reset, or the link lost, in between.
-  bool configure();
-  bool send_configuration(const robot_link::Command& command);
-  std::optional<protocol::Configuration> read_configuration();
-  /// Also ends the session where the board has disarmed by itself.
-  exploration::MotionResult result_of(protocol::MotionOutcome outcome);
-  void end_for_safety(protocol::MotionOutcome outcome);
-
-  std::optional<robot_link::CommandResult> perform(const robot_link::Command& command);
-  exploration::MotionResult move(const sensors::WheelTicks& ticks);
   exploration::MotionResult sweep(const exploration::Sweep& sweep);
-  exploration::MotionResult finish(const robot_link::Command& command, Duration expected);
 
-  std::unique_ptr<transport::ByteStream> stream_;
-  std::unique_ptr<Pace> pace_;
-  Duration patience_;
   bool no_reset_;
-  std::uint16_t time_to_live_ms_;
   RobotProfile profile_;
   pipeline::RobotPipeline& pipeline_;
-  sensors::ObservationConverter converter_;
-  robot_link::RobotLink link_;
-
-  time::HostTime now_;
-  std::uint64_t bytes_sent_ = 0;
-  bool connected_ = false;
-  bool disarmed_ = false;
-  std::optional<time::HostTime> away_since_;  ///< While the link is not ready.
-  std::optional<SessionEnd> end_;
-  std::string end_reason_;
-
-  std::optional<protocol::Status> status_;
-  std::optional<robot_link::CommandResult> result_;
-  std::optional<robot_link::BulkResult> bulk_;
-  unsigned resets_ = 0;
+  RobotLine line_;
+  RobotSetup setup_;
+  MotionExecution motions_;
 };
 
 }  // namespace echomap::apps

@@ -28,6 +28,13 @@ InboxEvent FrameInbox::take(std::uint8_t byte, const std::optional<SchemaDiffere
   return InboxEvent::kNothing;
 }
 
+void FrameInbox::add_to(LinkStatistics& statistics) const {
+  statistics.frames_received = frames_received_;
+  statistics.frames_bad = frames_bad_;
+  statistics.frames_lost = frames_lost_;
+  statistics.frames_foreign = frames_foreign_;
+}
+
 /// The counters of the wire have 16 bits, which a long session wraps.
 void FrameInbox::count(DecodeStatus status, std::uint8_t seq) {
   const protocol::ReceiveCounters before = counters_;

@@ -6,6 +6,7 @@
 
 #include "host/robot_link/byte_preview.hpp"
 #include "host/robot_link/foreign_frames.hpp"
+#include "host/robot_link/link_statistics.hpp"
 #include "protocol/link.hpp"
 
 namespace echomap::robot_link {
@@ -31,10 +32,8 @@ class FrameInbox {
   /// The robot begins a new sequence: a jump is no loss.
   void restart() { counters_.restart(); }
 
-  std::uint64_t frames_received() const { return frames_received_; }
-  std::uint64_t frames_bad() const { return frames_bad_; }
-  std::uint64_t frames_lost() const { return frames_lost_; }
-  std::uint64_t frames_foreign() const { return frames_foreign_; }
+  /// Fills in what came.
+  void add_to(LinkStatistics& statistics) const;
   /// What came since the last frame.
   const BytePreview& preview() const { return preview_; }
 

@@ -10,6 +10,7 @@
 
 #include "host/robot_link/command.hpp"
 #include "host/robot_link/credit_window.hpp"
+#include "host/robot_link/link_statistics.hpp"
 #include "protocol/bulk_messages.hpp"
 #include "protocol/frame_encoder.hpp"
 #include "protocol/handshake_messages.hpp"
@@ -69,9 +70,8 @@ class FrameOutbox {
 
   CreditWindow& credit() { return credit_; }
   const CreditWindow& credit() const { return credit_; }
-  std::uint64_t frames_sent() const { return frames_sent_; }
-  /// How often a frame had to wait, looked at every `poll`.
-  std::uint64_t waits() const { return waits_; }
+  /// Fills in what was sent, and what for want of credit was not.
+  void add_to(LinkStatistics& statistics) const;
 
  private:
   static std::optional<AnswerKey> answer_to(const protocol::Hello& /*hello*/) {
@@ -100,7 +100,7 @@ class FrameOutbox {
   std::vector<std::uint8_t> outgoing_;
   std::uint8_t next_seq_ = 0;
   std::uint64_t frames_sent_ = 0;
-  std::uint64_t waits_ = 0;
+  std::uint64_t waits_ = 0;  ///< How often a frame had to wait, looked at every `poll`.
 };
 
 }  // namespace echomap::robot_link

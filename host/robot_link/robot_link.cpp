@@ -1,46 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "host/robot_link/robot_link.hpp"
 
-#include <algorithm>
 #include <stdexcept>
-#include <utility>
+#include <variant>
 
-#include "protocol/limits.hpp"
 #include "protocol/version.hpp"
 
 namespace echomap::robot_link {
 
 using protocol::MessagesToHost;
-
-namespace {
-
-RobotLinkParams checked(const RobotLinkParams& params) {
-  using Duration = RobotLinkParams::Duration;
-  const bool holds =
-      params.hello_period > Duration::zero() && params.keep_alive_period > Duration::zero() &&
-      params.keep_alive_ttl > params.keep_alive_period &&
-      params.keep_alive_ttl <= std::chrono::milliseconds(500) &&
-      params.lost_after > params.quiet_after && params.diagnose_after > params.hello_period;
-  if (!holds) {
-    throw std::invalid_argument("robot link: periods do not fit together");
-  }
-  return params;
-}
-
-/// As the robot reads it: 0 stands for the default.
-std::chrono::milliseconds time_to_live(const protocol::DriveSetpoint& setpoint) {
-  return std::chrono::milliseconds(setpoint.time_to_live_ms == 0 ? protocol::kDefaultTimeToLiveMs
-                                                                 : setpoint.time_to_live_ms);
-}
-
-}  // namespace
-
-RobotLinkParams radio_link() {
-  RobotLinkParams params;
-  params.retransmission = radio_retransmission();
-  params.keep_alive_ttl = std::chrono::milliseconds(500);
-  return params;
-}
 
 RobotLink::RobotLink(RobotLinkListener& listener,
                      std::uint16_t session,
@@ -48,6 +16,9 @@ RobotLink::RobotLink(RobotLinkListener& listener,
     : listener_(listener),
       session_(session),
       params_(checked(params)),
+      identification_(params.needed_messages),
+      watch_(params),
+      telemetry_(listener, params.max_step_back),
       outbox_(params.credit),
       commands_(params.retransmission, params.command_tries),
       bulk_(params.retransmission, params.bulk),
@@ -61,7 +32,7 @@ RobotLink::RobotLink(RobotLinkListener& listener,
 void RobotLink::receive(std::span<const std::uint8_t> bytes, time::HostTime now) {
   now_ = now;
   if (!bytes.empty()) {
-    last_byte_at_ = now;
+    watch_.note_byte(now);
   }
   statistics_.bytes_received += bytes.size();
   for (const std::uint8_t byte : bytes) {
@@ -70,9 +41,9 @@ void RobotLink::receive(std::span<const std::uint8_t> bytes, time::HostTime now)
 }
 
 void RobotLink::take_byte(std::uint8_t byte) {
-  const InboxEvent event = inbox_.take(byte, difference_);
+  const InboxEvent event = inbox_.take(byte, identification_.difference());
   if (event == InboxEvent::kForeign) {
-    last_frame_at_ = now_;
+    watch_.note_frame(now_);
   }
   if (event != InboxEvent::kFrame) {
     return;
@@ -80,7 +51,7 @@ void RobotLink::take_byte(std::uint8_t byte) {
   const protocol::Frame frame = inbox_.frame();
   // A robot that was reset unheard answers pings too, and only Hello finds that out.
   if (frame.id != protocol::Pong::kId) {
-    last_frame_at_ = now_;
+    watch_.note_frame(now_);
   }
   auto handler = [this](const auto& message) { handle(message); };
   protocol::Dispatcher<MessagesToHost>::dispatch(frame.id, frame.payload, handler);
@@ -88,79 +59,50 @@ void RobotLink::take_byte(std::uint8_t byte) {
 }
 
 void RobotLink::handle(const protocol::HelloReply& reply) {
-  if (robot_ && robot_->boot_id != reply.boot_id) {
+  if (identification_.is_another_start(reply)) {
     notice_reset(reply);
   }
   if (reply.session != session_) {
     return;
   }
   outbox_.confirm(reply);
-  robot_ = reply;
+  identification_.note(reply);
   if (state_ != LinkState::kReady && state_ != LinkState::kDescribing) {
-    describe_or_be_ready(reply);
+    act_on(identification_.identify(reply), reply);
   }
 }
 
-void RobotLink::describe_or_be_ready(const protocol::HelloReply& robot) {
-  if (robot.protocol_major != protocol::kProtocolMajor) {
-    refuse(robot, "");
-  } else if (speaks_our_protocol(robot)) {
-    difference_.reset();
-    be_ready(robot);
-  } else if (difference_ && described_digest_ == robot.schema_digest) {
-    be_ready(robot);
-  } else {
-    state_ = LinkState::kDescribing;
-    bulk_.start(protocol::BulkContent::kSchema);
+void RobotLink::act_on(RobotIdentity identity, const protocol::HelloReply& robot) {
+  switch (identity) {
+    case RobotIdentity::kUnderstood:
+      state_ = LinkState::kReady;
+      telemetry_.restart();
+      pings_.restart(now_);
+      listener_.on_ready(robot);
+      break;
+    case RobotIdentity::kUndescribed:
+      state_ = LinkState::kDescribing;
+      bulk_.start(protocol::BulkContent::kSchema);
+      break;
+    case RobotIdentity::kRefused:
+      state_ = LinkState::kMismatch;
+      break;
   }
-}
-
-void RobotLink::be_ready(const protocol::HelloReply& robot) {
-  state_ = LinkState::kReady;
-  newest_stamp_us_.reset();
-  pings_.restart(now_);
-  listener_.on_ready(robot);
-}
-
-void RobotLink::refuse(const protocol::HelloReply& robot, const std::string& difference) {
-  ProtocolMismatch mismatch = mismatch_with(robot);
-  mismatch.difference = difference;
-  mismatch_ = mismatch;
-  state_ = LinkState::kMismatch;
 }
 
 void RobotLink::take_description(const BulkResult& result) {
-  const bool is_lost =
-      result.status == BulkStatus::kNoAnswer && !is_within(params_.lost_after, last_frame_at_);
-  if (!robot_ || is_lost) {
+  const auto robot = identification_.robot();
+  const bool is_lost = result.status == BulkStatus::kNoAnswer && watch_.is_lost(now_);
+  if (!robot || is_lost) {
     state_ = LinkState::kLost;
     return;
   }
-  const protocol::HelloReply& robot = *robot_;
-  const auto schema =
-      result.status == BulkStatus::kWhole ? read_robot_schema(result.bytes) : std::nullopt;
-  if (!schema || digest_of(*schema) != robot.schema_digest) {
-    refuse(robot, "");
-    return;
-  }
-  const SchemaDifference& difference = difference_.emplace(*schema);
-  described_digest_ = robot.schema_digest;
-  if (std::ranges::all_of(params_.needed_messages,
-                          [&](auto id) { return difference.agrees(id); })) {
-    be_ready(robot);
-  } else {
-    refuse(robot, difference.summary());
-  }
-}
-
-bool RobotLink::understands(std::uint8_t message_id) const {
-  return !difference_ || difference_->agrees(message_id);
+  act_on(identification_.identify(*robot, result), *robot);
 }
 
 void RobotLink::notice_reset(const protocol::HelloReply& reply) {
-  robot_ = reply;
-  state_ = LinkState::kConnecting;
-  connecting_since_ = now_;
+  identification_.note(reply);
+  search_again();
   inbox_.restart();
   ++statistics_.resets_seen;
   clock_.restart();
@@ -168,6 +110,11 @@ void RobotLink::notice_reset(const protocol::HelloReply& reply) {
   end_reading();
   end_commands(CommandOutcome::kRobotReset);
   listener_.on_reset(reply.reset_cause);
+}
+
+void RobotLink::search_again() {
+  state_ = LinkState::kConnecting;
+  watch_.begin_search(now_);
 }
 
 void RobotLink::handle(const protocol::Ack& ack) {
@@ -206,70 +153,26 @@ void RobotLink::handle(const protocol::Pong& pong) {
   }
 }
 
-void RobotLink::handle(const protocol::Odometry& message) {
-  if (accepts_telemetry(message.stamp_us)) {
-    listener_.on_odometry(message);
-  }
-}
-
-void RobotLink::handle(const protocol::Echo& message) {
-  if (accepts_telemetry(message.stamp_us)) {
-    listener_.on_echo(message);
-  }
-}
-
-void RobotLink::handle(const protocol::Status& message) {
-  if (accepts_telemetry(message.stamp_us)) {
-    listener_.on_status(message);
-  }
-}
-
-void RobotLink::handle(const protocol::Health& message) {
-  if (!accepts_telemetry(message.stamp_us)) {
+template <class Telemetry>
+void RobotLink::handle(const Telemetry& message) {
+  if (state_ != LinkState::kReady) {
     return;
   }
-  statistics_.robot_frames_bad = message.frames_bad;
-  statistics_.robot_frames_lost = message.frames_lost;
-  statistics_.robot_receive_overruns = message.receive_overruns;
-  statistics_.robot_telemetry_dropped = message.telemetry_dropped;
-  listener_.on_health(message);
-}
-
-void RobotLink::handle(const protocol::Ranges& message) {
-  if (accepts_telemetry(message.stamp_us)) {
-    listener_.on_ranges(message);
+  if (!telemetry_.continues(message.stamp_us)) {
+    search_again();
+    return;
   }
-}
-
-void RobotLink::handle(const protocol::Gyro& message) {
-  if (accepts_telemetry(message.stamp_us)) {
-    listener_.on_gyro(message);
-  }
-}
-
-bool RobotLink::accepts_telemetry(std::uint32_t stamp_us) {
-  if (state_ != LinkState::kReady) {
-    return false;
-  }
-  const std::chrono::microseconds step(
-      newest_stamp_us_ ? static_cast<std::int32_t>(stamp_us - *newest_stamp_us_) : 0);
-  if (step < -params_.max_step_back) {
-    state_ = LinkState::kConnecting;
-    connecting_since_ = now_;
-    return false;
-  }
-  if (!newest_stamp_us_ || step.count() > 0) {
-    newest_stamp_us_ = stamp_us;
-  }
-  clock_.add_telemetry(stamp_us, now_);
-  return true;
+  clock_.add_telemetry(message.stamp_us, now_);
+  telemetry_.deliver(message);
 }
 
 void RobotLink::poll(time::HostTime now) {
   now_ = now;
   outbox_.credit().release_overdue(now);
-  update_state();
-  if (is_hello_due()) {
+  state_ = state_ == LinkState::kReady && commands_.is_exhausted(now)
+               ? LinkState::kLost
+               : watch_.next_state(state_, now);
+  if (watch_.is_hello_due(state_, now)) {
     send_hello();
   }
   if (state_ == LinkState::kReady) {
@@ -287,54 +190,8 @@ void RobotLink::poll(time::HostTime now) {
   }
 }
 
-void RobotLink::update_state() {
-  switch (state_) {
-    case LinkState::kReady:
-      if (!is_within(params_.lost_after, last_frame_at_) || commands_.is_exhausted(now_)) {
-        state_ = LinkState::kLost;
-      }
-      break;
-    case LinkState::kConnecting:
-    case LinkState::kSilent:
-    case LinkState::kGarbage:
-    case LinkState::kUnheard:
-      state_ = diagnose();
-      break;
-    case LinkState::kDescribing:
-    case LinkState::kMismatch:
-    case LinkState::kLost:
-      break;
-  }
-}
-
-LinkState RobotLink::diagnose() {
-  if (!connecting_since_) {
-    connecting_since_ = now_;
-  }
-  if (now_ - *connecting_since_ < params_.diagnose_after) {
-    return LinkState::kConnecting;
-  }
-  if (is_within(params_.diagnose_after, last_frame_at_)) {
-    return LinkState::kUnheard;
-  }
-  return is_within(params_.diagnose_after, last_byte_at_) ? LinkState::kGarbage
-                                                          : LinkState::kSilent;
-}
-
-bool RobotLink::is_within(Duration duration, const std::optional<time::HostTime>& instant) const {
-  return instant && now_ - *instant <= duration;
-}
-
-bool RobotLink::is_hello_due() const {
-  const bool is_settled = state_ == LinkState::kMismatch || state_ == LinkState::kDescribing;
-  if (is_settled || now_ < next_hello_) {
-    return false;
-  }
-  return state_ != LinkState::kReady || !is_within(params_.quiet_after, last_frame_at_);
-}
-
 void RobotLink::send_hello() {
-  next_hello_ = now_ + params_.hello_period;
+  watch_.note_hello(now_);
   // Ends whatever a reset or an earlier host left unfinished in the robot's decoder.
   outbox_.put_delimiter(now_);
   outbox_.put(
@@ -344,15 +201,12 @@ void RobotLink::send_hello() {
 }
 
 void RobotLink::send_setpoint() {
-  if (!setpoint_) {
+  setpoint_.drop_expired(now_);
+  if (!setpoint_.is_waiting() || !outbox_.has_room<protocol::DriveSetpoint>(kSpareOfOthers)) {
     return;
   }
-  if (now_ - setpoint_->since > time_to_live(setpoint_->message)) {
-    ++statistics_.setpoints_dropped;
-    setpoint_.reset();
-  } else if (outbox_.has_room<protocol::DriveSetpoint>(kSpareOfOthers)) {
-    outbox_.put(setpoint_->message, now_);
-    setpoint_.reset();
+  if (const auto setpoint = setpoint_.take()) {
+    outbox_.put(*setpoint, now_);
   }
 }
 
@@ -370,7 +224,8 @@ void RobotLink::send_keep_alive() {
 }
 
 void RobotLink::send_ping() {
-  if (!understands(protocol::Ping::kId) || !understands(protocol::Pong::kId)) {
+  if (!identification_.understands(protocol::Ping::kId) ||
+      !identification_.understands(protocol::Pong::kId)) {
     return;
   }
   const bool frees_credit = outbox_.credit().wants_answer();
@@ -387,7 +242,7 @@ void RobotLink::send_command() {
   }
   const auto id =
       std::visit([](const auto& command) { return std::uint8_t{command.kId}; }, commands_.next());
-  if (!understands(id)) {
+  if (!identification_.understands(id)) {
     ++statistics_.frames_withheld;
     listener_.on_command_done(commands_.drop_next(CommandOutcome::kNotUnderstood));
     return;
@@ -419,25 +274,21 @@ void RobotLink::send(const protocol::DriveSetpoint& setpoint, time::HostTime now
   if (state_ != LinkState::kReady) {
     return;
   }
-  if (!understands(protocol::DriveSetpoint::kId)) {
+  if (!identification_.understands(protocol::DriveSetpoint::kId)) {
     ++statistics_.frames_withheld;
     return;
   }
-  statistics_.setpoints_dropped += setpoint_ ? 1 : 0;
-  setpoint_ = {setpoint, now};
+  setpoint_.put(setpoint, now);
   send_setpoint();
 }
 
 LinkStatistics RobotLink::statistics() const {
   LinkStatistics statistics = statistics_;
-  statistics.frames_received = inbox_.frames_received();
-  statistics.frames_bad = inbox_.frames_bad();
-  statistics.frames_lost = inbox_.frames_lost();
-  statistics.frames_foreign = inbox_.frames_foreign();
-  statistics.frames_sent = outbox_.frames_sent();
+  telemetry_.add_to(statistics);
+  inbox_.add_to(statistics);
+  outbox_.add_to(statistics);
+  statistics.setpoints_dropped = setpoint_.dropped();
   statistics.commands_resent = commands_.resent();
-  statistics.credit_waits = outbox_.waits();
-  statistics.credit_released_bytes = outbox_.credit().released_bytes();
   statistics.round_trip = commands_.timer().smoothed_round_trip();
   return statistics;
 }

@@ -10,44 +10,22 @@
 #include "host/robot_link/command_sender.hpp"
 #include "host/robot_link/frame_inbox.hpp"
 #include "host/robot_link/frame_outbox.hpp"
+#include "host/robot_link/line_watch.hpp"
 #include "host/robot_link/link_state.hpp"
 #include "host/robot_link/link_statistics.hpp"
 #include "host/robot_link/ping_sender.hpp"
 #include "host/robot_link/protocol_mismatch.hpp"
+#include "host/robot_link/robot_identification.hpp"
 #include "host/robot_link/robot_link_listener.hpp"
+#include "host/robot_link/robot_link_params.hpp"
 #include "host/robot_link/robot_schema.hpp"
+#include "host/robot_link/setpoint_slot.hpp"
+#include "host/robot_link/telemetry_feed.hpp"
 #include "host/time/clock_sync.hpp"
 #include "host/time/host_time.hpp"
 #include "protocol/messages.hpp"
 
 namespace echomap::robot_link {
-
-/// Times of the link, in docs/protocol.md; the robot's side is built for these.
-struct RobotLinkParams {
-  using Duration = time::HostClock::duration;
-  Duration hello_period = std::chrono::milliseconds(50);
-  Duration keep_alive_period = std::chrono::milliseconds(50);
-  Duration keep_alive_ttl = std::chrono::milliseconds(200);  ///< How long motion outlives us.
-  Duration quiet_after = std::chrono::milliseconds(300);     ///< Status comes every 200 ms: ask.
-  Duration lost_after = std::chrono::seconds(1);             ///< No frame on a ready link.
-  Duration diagnose_after = std::chrono::seconds(2);         ///< Hello has found no answer.
-  /// Telemetry that is older than what came before by more than this is from after a reset.
-  Duration max_step_back = std::chrono::milliseconds(200);
-  PingParams ping{};
-  time::ClockSyncParams clock{};
-  RetransmissionParams retransmission{};
-  CreditParams credit{};
-  BulkParams bulk{};
-  /// A robot built from other messages is still spoken to as long as these are the same.
-  std::vector<std::uint8_t> needed_messages = messages_for_mapping();
-  /// At 5 % frame loss each way a try fails at 9.75 %: five in a row once in 110,000 commands,
-  /// eight once in 120 million.
-  int command_tries = 8;
-};
-
-/// For Bluetooth SPP: commands are sent again later, and what moves outlives two of the 150 ms for
-/// which the radio now and then holds bytes back.
-RobotLinkParams radio_link();
 
 /// The host's end of the wire without the wire: bytes and instants in, messages and bytes out. It
 /// shakes hands, notices resets, sends commands until they are answered and says how the link is.
@@ -91,44 +69,31 @@ class RobotLink {
   /// Where the robot's stamps lie on the host's clock; starts anew after a reset.
   const time::ClockSync& clock() const { return clock_; }
   /// What the robot said of itself in its last reply; empty before the first.
-  const std::optional<protocol::HelloReply>& robot() const { return robot_; }
+  const std::optional<protocol::HelloReply>& robot() const { return identification_.robot(); }
   /// In what the messages of a robot differ that is spoken to all the same; empty where they do
   /// not.
-  const std::optional<SchemaDifference>& difference() const { return difference_; }
+  const std::optional<SchemaDifference>& difference() const { return identification_.difference(); }
   /// Both versions, in state kMismatch.
-  const std::optional<ProtocolMismatch>& mismatch() const { return mismatch_; }
+  const std::optional<ProtocolMismatch>& mismatch() const { return identification_.mismatch(); }
   /// What came instead of frames, in state kGarbage.
   const BytePreview& preview() const { return inbox_.preview(); }
 
  private:
-  using Duration = RobotLinkParams::Duration;
-
   void take_byte(std::uint8_t byte);
 
   void handle(const protocol::HelloReply& reply);
   void handle(const protocol::Ack& ack);
   void handle(const protocol::Pong& pong);
   void handle(const protocol::BulkData& data);
-  void handle(const protocol::Odometry& message);
-  void handle(const protocol::Echo& message);
-  void handle(const protocol::Status& message);
-  void handle(const protocol::Health& message);
-  void handle(const protocol::Ranges& message);
-  void handle(const protocol::Gyro& message);
-  bool accepts_telemetry(std::uint32_t stamp_us);
+  template <class Telemetry>
+  void handle(const Telemetry& message);
+
   void notice_reset(const protocol::HelloReply& reply);
-  void describe_or_be_ready(const protocol::HelloReply& robot);
-  void be_ready(const protocol::HelloReply& robot);
-  void refuse(const protocol::HelloReply& robot, const std::string& difference);
+  void act_on(RobotIdentity identity, const protocol::HelloReply& robot);
   void take_description(const BulkResult& result);
   void end_reading();
-  bool understands(std::uint8_t message_id) const;
 
-  void update_state();
-  LinkState diagnose();
-  /// True when `instant` lies no longer than `duration` back.
-  bool is_within(Duration duration, const std::optional<time::HostTime>& instant) const;
-  bool is_hello_due() const;
+  void search_again();
   void send_hello();
   void send_setpoint();
   void send_keep_alive();
@@ -142,33 +107,23 @@ class RobotLink {
   RobotLinkParams params_;
 
   LinkState state_ = LinkState::kConnecting;
-  std::optional<protocol::HelloReply> robot_;
-  std::optional<ProtocolMismatch> mismatch_;
-  std::optional<SchemaDifference> difference_;
-  std::uint32_t described_digest_ = 0;  ///< Of the messages that `difference_` tells of.
+  RobotIdentification identification_;
+  LineWatch watch_;
+  TelemetryFeed telemetry_;
 
   FrameInbox inbox_;
   FrameOutbox outbox_;
   CommandSender commands_;
+  SetpointSlot setpoint_;
   BulkReader bulk_;
   PingSender pings_;
   time::ClockSync clock_;
   LinkStatistics statistics_;
 
   time::HostTime now_;  ///< Of the `receive` or `poll` under way.
-  std::optional<time::HostTime> connecting_since_;
-  std::optional<time::HostTime> last_byte_at_;
-  std::optional<time::HostTime> last_frame_at_;
-  time::HostTime next_hello_;
   time::HostTime next_keep_alive_;
   bool keep_alive_ = false;
   std::optional<time::HostTime> command_waits_since_;  ///< For credit.
-  struct WaitingSetpoint {
-    protocol::DriveSetpoint message;
-    time::HostTime since;
-  };
-  std::optional<WaitingSetpoint> setpoint_;
-  std::optional<std::uint32_t> newest_stamp_us_;
 };
 
 }  // namespace echomap::robot_link

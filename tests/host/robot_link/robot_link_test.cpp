@@ -217,16 +217,6 @@ TEST_F(RobotLinkTest, MeasuresTheRoundTripOfTheCable) {
   EXPECT_LE(link.statistics().round_trip->count(), 6'000);
 }
 
-TEST(RobotLink, RefusesPeriodsThatDoNotFitTogether) {
-  RobotLinkListener listener;
-  using std::chrono::milliseconds;
-  EXPECT_THROW(RobotLink(listener, 1, {.keep_alive_ttl = milliseconds(40)}), std::invalid_argument);
-  EXPECT_THROW(RobotLink(listener, 1, {.keep_alive_ttl = milliseconds(501)}),
-               std::invalid_argument);
-  EXPECT_THROW(RobotLink(listener, 1, {.hello_period = milliseconds(0)}), std::invalid_argument);
-  EXPECT_THROW(RobotLink(listener, 1, {.command_tries = 0}), std::invalid_argument);
-}
-
 TEST(RobotLink, RefusesTheSessionThatMeansNone) {
   RobotLinkListener listener;
   EXPECT_THROW(RobotLink(listener, 0), std::invalid_argument);

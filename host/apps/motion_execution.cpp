@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/motion_execution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <variant>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using exploration::MotionResult;
+using robot_link::CommandOutcome;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using Duration = RobotLine::Duration;
+
+/// After a move, until the body has come to rest.
+constexpr milliseconds kRest(150);
+
+Duration seconds_of(double value_s) { return Duration(std::llround(value_s * 1e6)); }
+
+std::int32_t centidegrees(double angle_rad) {
+  return static_cast<std::int32_t>(std::lround(geometry::degrees(angle_rad) * 100.0));
+}
+
+/// What a command that was not accepted means for the motion.
+MotionResult refusal_of(CommandOutcome outcome) {
+  switch (outcome) {
+    case CommandOutcome::kBlocked:
+      return MotionResult::kBumped;
+    case CommandOutcome::kLinkLost:
+    case CommandOutcome::kRobotReset:
+      return MotionResult::kInterrupted;
+    default:
+      return MotionResult::kRefused;
+  }
+}
+
+}  // namespace
+
+MotionResult MotionExecution::move(const sensors::WheelTicks& ticks) {
+  const auto longest = std::max(std::abs(ticks.left), std::abs(ticks.right));
+  const double ramp_s =
+      2.0 * profile_.ticks_per_s() / profile_.configuration.drive.max_ticks_per_s2;
+  const double expected_s = static_cast<double>(longest) / profile_.ticks_per_s() + ramp_s;
+
+  line_.keep_alive(true);
+  const MotionResult result = finish(
+      protocol::MoveTicks{
+          0, ticks.left, ticks.right, profile_.ticks_per_s(), line_.time_to_live_ms()},
+      seconds_of(expected_s));
+  line_.wait_until([] { return false; }, kRest);
+  line_.keep_alive(false);
+  return result;
+}
+
+MotionResult MotionExecution::sweep(const exploration::Sweep& sweep) {
+  const double steps = std::abs((sweep.to_rad - sweep.from_rad) / sweep.step_rad) + 1.0;
+  const double step_s = sweep.settle_s + 0.15;
+  const protocol::StartSweep command{0,
+                                     centidegrees(sweep.from_rad),
+                                     centidegrees(sweep.to_rad),
+                                     centidegrees(sweep.step_rad),
+                                     static_cast<std::uint16_t>(std::lround(sweep.settle_s * 1e3))};
+  return finish(command, seconds_of(steps * step_s + 1.0));
+}
+
+/// Sends the command and waits until the robot's Status says that its motion has ended.
+MotionResult MotionExecution::finish(const robot_link::Command& command, Duration expected) {
+  const auto result = line_.perform(command);
+  if (!result || result->outcome != CommandOutcome::kAccepted) {
+    return result ? refusal_of(result->outcome) : MotionResult::kInterrupted;
+  }
+  const bool is_sweep = std::holds_alternative<protocol::StartSweep>(command);
+  const auto outcome = [&] {
+    const auto& status = line_.status();
+    const bool ours =
+        status && (is_sweep ? status->sweep_id : status->move_id) == result->command_id;
+    return ours ? static_cast<protocol::MotionOutcome>(is_sweep ? status->sweep_outcome
+                                                                : status->move_outcome)
+                : protocol::MotionOutcome::kRunning;
+  };
+  const auto ended = [&] {
+    return line_.was_reset() || outcome() != protocol::MotionOutcome::kRunning;
+  };
+  if (!line_.wait_until(ended, 2 * expected + seconds(3))) {
+    line_.perform(protocol::Stop{});
+    return MotionResult::kTimedOut;
+  }
+  return line_.was_reset() ? MotionResult::kInterrupted : result_of(outcome());
+}
+
+MotionResult MotionExecution::result_of(protocol::MotionOutcome outcome) {
+  line_.end_for_safety(outcome);
+  switch (outcome) {
+    case protocol::MotionOutcome::kReached:
+      return MotionResult::kReached;
+    case protocol::MotionOutcome::kBumped:
+      return MotionResult::kBumped;
+    case protocol::MotionOutcome::kHazard:
+      return MotionResult::kHazard;
+    case protocol::MotionOutcome::kStalled:
+      return MotionResult::kStalled;
+    case protocol::MotionOutcome::kLifted:
+      return MotionResult::kLifted;
+    case protocol::MotionOutcome::kExpired:
+    case protocol::MotionOutcome::kNone:
+      return MotionResult::kInterrupted;
+    default:
+      return MotionResult::kTimedOut;
+  }
+}
+
+}  // namespace echomap::apps

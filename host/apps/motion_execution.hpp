@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "host/apps/robot_line.hpp"
+#include "host/apps/robot_profile.hpp"
+#include "host/exploration/explorer.hpp"
+#include "host/robot_link/command.hpp"
+#include "host/sensors/robot_geometry.hpp"
+
+namespace echomap::apps {
+
+/// Carries out one motion of an armed robot and waits for its end. Where the board has disarmed by
+/// itself it ends the session.
+class MotionExecution {
+ public:
+  /// Both outlive this.
+  MotionExecution(RobotLine& line, const RobotProfile& profile) : line_(line), profile_(profile) {}
+
+  /// Waits until the body has come to rest, too.
+  exploration::MotionResult move(const sensors::WheelTicks& ticks);
+  exploration::MotionResult sweep(const exploration::Sweep& sweep);
+
+ private:
+  exploration::MotionResult finish(const robot_link::Command& command,
+                                   RobotLine::Duration expected);
+  exploration::MotionResult result_of(protocol::MotionOutcome outcome);
+
+  RobotLine& line_;
+  const RobotProfile& profile_;
+};
+
+}  // namespace echomap::apps

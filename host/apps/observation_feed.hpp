@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "host/apps/robot_profile.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+#include "host/sensors/observation_converter.hpp"
+#include "host/sensors/observations.hpp"
+#include "protocol/telemetry_messages.hpp"
+
+namespace echomap::apps {
+
+/// Takes what the robot senses to the pipeline, in SI units.
+class ObservationFeed {
+ public:
+  /// `pipeline` outlives the feed.
+  ObservationFeed(const RobotProfile& profile, pipeline::RobotPipeline& pipeline)
+      : pipeline_(pipeline), converter_(profile.geometry, profile.range, profile.sensors) {}
+
+  /// The robot's counters and clock begin at zero again; the pose goes on.
+  void restart() { converter_.restart(); }
+
+  void take(const protocol::Odometry& message);
+  void take(const protocol::Echo& message);
+  void take(const protocol::Health& message);
+  void take(const protocol::Ranges& message);
+  void take(const protocol::Gyro& message);
+  /// Answers the dangers in it.
+  sensors::HazardObservation take(const protocol::Status& message);
+
+ private:
+  pipeline::RobotPipeline& pipeline_;
+  sensors::ObservationConverter converter_;
+};
+
+}  // namespace echomap::apps

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/robot_line.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <spdlog/spdlog.h>
+
+#include "host/apps/interrupt.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using robot_link::LinkState;
+using std::chrono::seconds;
+
+/// For a command, with those before it and all resends.
+constexpr seconds kCommandLimit(5);
+/// For a command under way and the disarming behind it, with resends.
+constexpr seconds kDisarmLimit(1);
+/// For the whole of a configuration, with resends.
+constexpr seconds kBulkLimit(5);
+
+}  // namespace
+
+RobotLine::RobotLine(RobotConnection robot,
+                     const RobotProfile& profile,
+                     pipeline::RobotPipeline& pipeline)
+    : stream_(std::move(robot.stream)),
+      pace_(std::move(robot.pace)),
+      patience_(robot.patience),
+      time_to_live_ms_(static_cast<std::uint16_t>(
+          std::chrono::duration_cast<std::chrono::milliseconds>(robot.link.keep_alive_ttl)
+              .count())),
+      observations_(profile, pipeline),
+      link_(*this, robot.session_id, robot.link) {}
+
+bool RobotLine::wait_until(const std::function<bool()>& done, Duration limit) {
+  const time::HostTime start = now_;
+  while (!end_ && !done() && now_ - start < limit) {
+    step();
+    look_for_end();
+  }
+  return done();
+}
+
+std::optional<robot_link::CommandResult> RobotLine::perform(const robot_link::Command& command) {
+  const auto ticket = link_.submit(command);
+  const auto done = [&] { return result_ && result_->ticket == ticket; };
+  return wait_until(done, kCommandLimit) ? result_ : std::nullopt;
+}
+
+std::optional<robot_link::BulkResult> RobotLine::read(protocol::BulkContent content) {
+  bulk_.reset();
+  link_.read(content);
+  wait_until([&] { return bulk_.has_value() || was_reset_; }, kBulkLimit);
+  return bulk_;
+}
+
+void RobotLine::disarm() {
+  const bool hears = is_held_ && link_.state() == LinkState::kReady &&
+                     stream_->status() == transport::StreamStatus::kOpen &&
+                     pace_->end_reason().empty();
+  if (!hears || disarmed_) {
+    return;
+  }
+  disarmed_ = true;
+  link_.keep_alive(false);
+  const auto ticket = link_.submit(protocol::Arm{0, 0});
+  const time::HostTime start = now_;
+  const auto done = [&] { return result_ && result_->ticket == ticket; };
+  while (!done() && now_ - start < kDisarmLimit) {
+    step();
+  }
+}
+
+void RobotLine::step() {
+  const auto outgoing = link_.take_outgoing();
+  stream_->write(outgoing);
+  bytes_sent_ += outgoing.size();
+  std::vector<std::uint8_t> received;
+  now_ = pace_->step(*stream_, bytes_sent_, [&](std::span<const std::uint8_t> bytes) {
+    received.insert(received.end(), bytes.begin(), bytes.end());
+  });
+  link_.receive(received, now_);
+  link_.poll(now_);
+  if (on_step) {
+    on_step();
+  }
+}
+
+void RobotLine::look_for_end() {
+  if (interrupted()) {
+    end(SessionEnd::kInterrupted, "interrupted");
+    return;
+  }
+  const bool closed = stream_->status() == transport::StreamStatus::kClosed;
+  if (closed || !pace_->end_reason().empty()) {
+    end(SessionEnd::kLinkLost,
+        "lost " + name() + ": " + (closed ? stream_->close_reason() : pace_->end_reason()));
+    return;
+  }
+  look_for_absence();
+}
+
+void RobotLine::look_for_absence() {
+  if (!is_held_ || link_.state() == LinkState::kReady) {
+    away_since_.reset();
+  } else if (!away_since_) {
+    away_since_ = now_;
+  } else if (now_ - *away_since_ > patience_) {
+    const std::string why = stream_->close_reason();
+    end(SessionEnd::kLinkLost,
+        "lost " + name() + ": " + (why.empty() ? "the robot has fallen silent" : why));
+  }
+}
+
+void RobotLine::end(SessionEnd end, const std::string& reason) {
+  if (!end_) {
+    end_ = end;
+    end_reason_ = reason;
+  }
+}
+
+void RobotLine::end_for_safety(protocol::MotionOutcome outcome) {
+  if (const auto why = safety_stop(outcome); !why.empty()) {
+    end(SessionEnd::kSafetyStop, "the board has stopped: " + std::string(why));
+  }
+}
+
+void RobotLine::on_status(const protocol::Status& message) {
+  status_ = message;
+  if (observations_.take(message).lifted && is_held_) {
+    end_for_safety(protocol::MotionOutcome::kLifted);
+  }
+}
+
+void RobotLine::on_ready(const protocol::HelloReply& reply) {
+  spdlog::debug("robot ready: firmware {}.{:02}, boot {:04x}",
+                reply.firmware_version / 100,
+                reply.firmware_version % 100,
+                reply.boot_id);
+  if (const auto& difference = link_.difference()) {
+    spdlog::warn("firmware and host differ, but in nothing that is needed: {}",
+                 difference->summary());
+  }
+}
+
+void RobotLine::on_reset(std::uint8_t reset_cause) {
+  spdlog::warn(
+      "the robot was reset (cause bits {:#x}); the pose is kept and the robot set up again",
+      reset_cause);
+  observations_.restart();
+  status_.reset();
+  was_reset_ = true;
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "host/apps/exit_code.hpp"
+#include "protocol/telemetry_messages.hpp"
+
+namespace echomap::apps {
+
+/// Why a session cannot go on.
+enum class SessionEnd : std::uint8_t {
+  kInterrupted,
+  kLinkLost,
+  kSafetyStop,  ///< The board has stopped and disarmed by itself.
+};
+
+/// What the shell sees of it.
+ExitCode exit_code_of(SessionEnd end);
+
+/// Why a board that ended a motion so has disarmed by itself, in words; empty where it has not.
+std::string_view safety_stop(protocol::MotionOutcome outcome);
+
+}  // namespace echomap::apps

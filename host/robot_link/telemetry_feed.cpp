@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "host/robot_link/telemetry_feed.hpp"
+
+#include <chrono>
+
+namespace echomap::robot_link {
+
+bool TelemetryFeed::continues(std::uint32_t stamp_us) {
+  const std::chrono::microseconds step(
+      newest_stamp_us_ ? static_cast<std::int32_t>(stamp_us - *newest_stamp_us_) : 0);
+  if (step < -max_step_back_) {
+    return false;
+  }
+  if (!newest_stamp_us_ || step.count() > 0) {
+    newest_stamp_us_ = stamp_us;
+  }
+  return true;
+}
+
+void TelemetryFeed::deliver(const protocol::Health& message) {
+  health_ = message;
+  listener_.on_health(message);
+}
+
+void TelemetryFeed::add_to(LinkStatistics& statistics) const {
+  statistics.robot_frames_bad = health_.frames_bad;
+  statistics.robot_frames_lost = health_.frames_lost;
+  statistics.robot_receive_overruns = health_.receive_overruns;
+  statistics.robot_telemetry_dropped = health_.telemetry_dropped;
+}
+
+}  // namespace echomap::robot_link

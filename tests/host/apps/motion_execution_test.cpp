@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/motion_execution.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/host/apps/session_on_a_cable.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using exploration::MotionResult;
+
+/// Motions of a session's robot.
+class MotionExecutionTest : public SessionOnACable {};
+
+TEST_F(MotionExecutionTest, TellsWhatTheBoardStoppedFor) {
+  session->connect();
+  cable.robot.outcome = protocol::MotionOutcome::kHazard;
+  EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kHazard);
+  EXPECT_FALSE(session->end()) << "a cliff is an obstacle like another";
+  cable.robot.outcome = protocol::MotionOutcome::kRunaway;
+  session->execute(exploration::Drive{0.2});
+  EXPECT_EQ(session->end(), SessionEnd::kSafetyStop);
+}
+
+TEST_F(MotionExecutionTest, DoesNotDoAMoveAgainThatAResetBrokeOff) {
+  session->connect();
+  cable.robot.motion_ms = 1000;
+  after_ms(300, [this] { pull_power_and_start_anew(); });
+  EXPECT_EQ(session->execute(exploration::Drive{0.3}), MotionResult::kInterrupted);
+  EXPECT_EQ(cable.robot.moves_done.size(), 1U);
+  EXPECT_FALSE(session->end());
+}
+
+}  // namespace
+}  // namespace echomap::apps

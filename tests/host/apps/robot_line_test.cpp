@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/robot_line.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/host/apps/session_on_a_cable.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using exploration::MotionResult;
+
+/// What a session makes of its line.
+class RobotLineTest : public SessionOnACable {};
+
+TEST_F(RobotLineTest, EndsForSafetyWhenTheRobotIsLifted) {
+  session->connect();
+  cable.robot.motion_ms = 3000;
+  after_ms(300, [this] { cable.robot.hazards = protocol::kHazardWheelDrop; });
+  session->execute(exploration::Drive{0.2});
+  EXPECT_EQ(session->end(), SessionEnd::kSafetyStop);
+  EXPECT_NE(session->end_reason().find("lifted"), std::string::npos);
+  EXPECT_EQ(pipeline.snapshot().times_lifted, 1U);
+  EXPECT_EQ(exit_code_of(*session->end()), ExitCode::kSafetyStop);
+}
+
+TEST_F(RobotLineTest, WaitsForALinkThatIsAway) {
+  session->connect();
+  cable.robot.motion_ms = 500;
+  after_ms(100, [this] {
+    cable.plugged = false;
+    after_ms(2500, [this] { cable.plugged = true; });
+  });
+  session->execute(exploration::Drive{0.1});
+  EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kReached);
+  EXPECT_FALSE(session->end());
+}
+
+TEST_F(RobotLineTest, EndsWhenTheRobotStaysAway) {
+  session->connect();
+  cable.plugged = false;
+  session->execute(exploration::Drive{0.1});
+  session->execute(exploration::Drive{0.1});
+  EXPECT_EQ(session->end(), SessionEnd::kLinkLost);
+}
+
+TEST_F(RobotLineTest, EndsWhenTheRobotIsResetAndNeverComesBack) {
+  session->connect();
+  after_ms(50, [this] {
+    pull_power_and_start_anew();
+    after_ms(5, [this] { cable.powered = false; });
+  });
+  session->execute(exploration::Drive{0.1});
+  session->execute(exploration::Drive{0.1});
+  EXPECT_EQ(session->end(), SessionEnd::kLinkLost);
+}
+
+TEST_F(RobotLineTest, EndsAtOnceWhenThePortIsClosed) {
+  session->connect();
+  after_ms(50, [this] { cable.status = transport::StreamStatus::kClosed; });
+  session->execute(exploration::Drive{0.1});
+  EXPECT_EQ(session->end(), SessionEnd::kLinkLost);
+  EXPECT_EQ(session->end_reason(), "lost cable: pulled out");
+}
+
+}  // namespace
+}  // namespace echomap::apps

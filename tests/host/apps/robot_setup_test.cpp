@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/robot_setup.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "host/apps/exit_code.hpp"
+#include "protocol/config_digest.hpp"
+#include "tests/host/apps/session_on_a_cable.hpp"
+
+namespace echomap::apps {
+namespace {
+
+/// How a session sets its robot up.
+class RobotSetupTest : public SessionOnACable {};
+
+TEST_F(RobotSetupTest, BeginsSettingUpAnewWhenTheBoardIsResetInItsMidst) {
+  cable.robot.on_command = [this](std::string_view name) {
+    if (name == "ConfigureSonar" && restarts == 0) {
+      pull_power_and_start_anew();
+    }
+  };
+  session->connect();
+  EXPECT_EQ(restarts, 1);
+  EXPECT_EQ(protocol::config_digest(cable.robot.configuration),
+            protocol::config_digest(profile.configuration))
+      << "the board kept some of its defaults";
+  EXPECT_TRUE(cable.robot.armed);
+}
+
+TEST_F(RobotSetupTest, GivesUpOnABoardThatIsResetAgainAndAgain) {
+  cable.robot.on_command = [this](std::string_view name) {
+    if (name == "Arm") {
+      pull_power_and_start_anew();
+    }
+  };
+  try {
+    session->connect();
+    FAIL() << "connected";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code(), ExitCode::kLinkLost);
+    EXPECT_NE(std::string(error.what()).find("again and again"), std::string::npos);
+  }
+}
+
+TEST_F(RobotSetupTest, SendsNothingToABoardThatHoldsTheProfileAlready) {
+  cable.robot.configuration = profile.configuration;
+  session->connect();
+  EXPECT_EQ(cable.robot.configurations, 0);
+  EXPECT_EQ(cable.robot.bulk_reads, 0);
+  EXPECT_TRUE(cable.robot.armed);
+}
+
+TEST_F(RobotSetupTest, SendsOnlyWhatTheBoardDoesNotHold) {
+  cable.robot.configuration = profile.configuration;
+  cable.robot.configuration.pan.max_cdeg = 4500;
+  session->connect();
+  EXPECT_EQ(cable.robot.configurations, 1);
+  EXPECT_EQ(cable.robot.configuration.pan.max_cdeg, 9000);
+}
+
+TEST_F(RobotSetupTest, NamesTheFieldThatTheBoardDoesNotTake) {
+  cable.robot.pan_error_cdeg = 7;
+  try {
+    session->connect();
+    FAIL() << "connected";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code(), ExitCode::kConfigInvalid);
+    EXPECT_NE(std::string(error.what()).find("ConfigurePan.max_cdeg is 9007, not 9000"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_FALSE(cable.robot.armed);
+}
+
+TEST_F(RobotSetupTest, TakesARefusedProfileForInvalid) {
+  cable.robot.answer = protocol::CommandStatus::kOutOfRange;
+  try {
+    session->connect();
+    FAIL() << "connected";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code(), ExitCode::kConfigInvalid);
+  }
+}
+
+}  // namespace
+}  // namespace echomap::apps
