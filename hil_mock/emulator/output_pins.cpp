@@ -9,7 +9,10 @@
 namespace echomap::emulator {
 
 PortOutput::PortOutput(const avr_t& avr, Pin pin)
-    : avr_(avr), port_(find_port(avr, pin.port).r_port), bit_(pin.bit) {}
+    : avr_(avr),
+      port_(find_port(avr, pin.port).r_port),
+      direction_(find_port(avr, pin.port).r_ddr),
+      bit_(pin.bit) {}
 
 PwmOutput::PwmOutput(const avr_t& avr, CompareUnit unit) : avr_(avr), port_(avr, unit.pin) {
   const avr_timer_t& timer = find_timer(avr, unit.timer);
@@ -26,7 +29,7 @@ std::uint16_t PwmOutput::compare() const {
 }
 
 double PwmOutput::mean_level() const {
-  if (is_connected() && is_clocked()) {
+  if (makes_pulses() && is_clocked()) {
     return (compare() + 1) / 256.0;
   }
   return port_.level() ? 1.0 : 0.0;

@@ -8,28 +8,34 @@
 
 namespace echomap::emulator {
 
-/// An output that the program sets in PORTx.
+/// An output that the program sets in PORTx and drives by DDRx. What hangs on a pin that nobody
+/// drives has a pull-down: it sees it low, also through the chip's own pull-up.
 class PortOutput {
  public:
   /// `avr` outlives the output.
   PortOutput(const avr_t& avr, Pin pin);
 
-  bool level() const { return ((avr_.data[port_] >> bit_) & 1) != 0; }
+  bool is_driven() const { return bit_of(direction_); }
+  bool level() const { return is_driven() && bit_of(port_); }
 
  private:
+  bool bit_of(std::uint16_t address) const { return ((avr_.data[address] >> bit_) & 1) != 0; }
+
   const avr_t& avr_;
   std::uint16_t port_;
+  std::uint16_t direction_;
   std::uint8_t bit_;
 };
 
-/// An output that a timer in fast PWM drives where its compare unit is connected, and PORTx else.
+/// An output that a timer in fast PWM sets where its compare unit is connected, and PORTx else.
+/// DDRx drives it in both cases: ATmega328P data sheet, section 15.9.1 "COM0A1:0".
 class PwmOutput {
  public:
   /// `avr` outlives the output.
   PwmOutput(const avr_t& avr, CompareUnit unit);
 
-  /// Whether the unit clears the pin at a match.
-  bool is_connected() const { return (bits(connection_) & kClearedAtMatch) != 0; }
+  /// Whether the program drives the pin, and the unit clears it at a match.
+  bool makes_pulses() const { return port_.is_driven() && is_connected(); }
   /// OCRnx.
   std::uint16_t compare() const;
   /// OCRnx, or its low byte where it has two.
@@ -40,6 +46,7 @@ class PwmOutput {
  private:
   static constexpr std::uint8_t kClearedAtMatch = 2;  // COMnx1
 
+  bool is_connected() const { return (bits(connection_) & kClearedAtMatch) != 0; }
   bool is_clocked() const;
   std::uint8_t bits(avr_regbit_t which) const {
     return static_cast<std::uint8_t>((avr_.data[which.reg] >> which.bit) & which.mask);

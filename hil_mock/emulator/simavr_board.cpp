@@ -2,10 +2,7 @@
 #include "hil_mock/emulator/simavr_board.hpp"
 
 #include <algorithm>
-#include <avr_ioport.h>
 #include <sim_core_config.h>
-#include <sim_io.h>
-#include <sim_irq.h>
 #include <stdexcept>
 
 #include "hil_mock/emulator/chip_modules.hpp"
@@ -41,7 +38,8 @@ SimavrBoard::SimavrBoard(const std::filesystem::path& elf)
       machine_(elf),
       left_motor_(machine_.core(), wiring_.left_motor),
       right_motor_(machine_.core(), wiring_.right_motor),
-      servo_(machine_.core(), wiring_.pan_servo) {
+      servo_(machine_.core(), wiring_.pan_servo),
+      trigger_(machine_.core(), wiring_.sonar_trigger) {
   machine_.usart().on_sent = [this](std::uint8_t byte) {
     if (on_sent) {
       on_sent(byte);
@@ -64,7 +62,7 @@ void SimavrBoard::run_until(std::int64_t until_ns) {
 MotorDuty SimavrBoard::motor_duty() const { return {left_motor_.duty(), right_motor_.duty()}; }
 
 double SimavrBoard::pan_pulse_us() const {
-  return servo_.is_connected() && servo_compare_ != 0 ? (servo_compare_ + 1) * kServoCountUs : 0.0;
+  return servo_.makes_pulses() && servo_compare_ != 0 ? (servo_compare_ + 1) * kServoCountUs : 0.0;
 }
 
 void SimavrBoard::schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) {
@@ -102,12 +100,7 @@ void SimavrBoard::set_aux_millivolts(unsigned pin, double millivolts) {
 
 bool SimavrBoard::aux_output(unsigned pin) const {
   const Pin spare = spare_pin(pin).pin;
-  if (spare.port == SparePin::kNoPort) {
-    return false;
-  }
-  const avr_ioport_t& port = find_port(machine_.core(), spare.port);
-  const unsigned driven_high = machine_.data_at(port.r_ddr) & machine_.data_at(port.r_port);
-  return ((driven_high >> spare.bit) & 1U) != 0;
+  return spare.port != SparePin::kNoPort && PortOutput(machine_.core(), spare).level();
 }
 
 const SparePin& SimavrBoard::spare_pin(unsigned pin) const {
@@ -139,13 +132,10 @@ void SimavrBoard::drive_resting_levels() {
 }
 
 void SimavrBoard::watch_trigger() {
-  const Pin pin = wiring_.sonar_trigger;
-  avr_irq_register_notify(
-      avr_io_getirq(&machine_.core(), AVR_IOCTL_IOPORT_GETIRQ(pin.port), pin.bit),
-      [](avr_irq_t*, std::uint32_t level, void* board) {
-        static_cast<SimavrBoard*>(board)->on_trigger_level((level & 1) != 0);
-      },
-      this);
+  const avr_ioport_t& port = find_port(machine_.core(), wiring_.sonar_trigger.port);
+  for (const std::uint16_t address : {port.r_port, port.r_ddr, port.r_pin}) {
+    machine_.hooks().after_write(address, [this] { on_trigger_level(trigger_.level()); });
+  }
 }
 
 void SimavrBoard::on_trigger_level(bool high) {

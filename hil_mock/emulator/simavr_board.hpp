@@ -60,6 +60,7 @@ class SimavrBoard final : public runner::SimulatedBoard {
   MotorOutput left_motor_;
   MotorOutput right_motor_;
   PwmOutput servo_;
+  PortOutput trigger_;
   std::int64_t until_ns_ = 0;
   std::uint64_t trigger_rise_cycle_ = 0;
   bool trigger_high_ = false;

@@ -13,6 +13,7 @@
 #include "hil_mock/emulator/simavr_board.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/hil/probe/probe_commands.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::emulator {
 namespace {
@@ -213,6 +214,33 @@ TEST_P(EmulatedChip, MotorDutyIsLevelAndDirection) {
   EXPECT_EQ(board.motor_duty().right, -0.25);
 }
 
+TEST_P(EmulatedChip, AMotorHasNoLevelFromAPinThatIsNoOutput) {
+  answer_to(kProbeDriveMotors, 2);
+  EXPECT_THAT(answer_to(kProbeReleaseForward, 2), ElementsAre('r'));
+  EXPECT_EQ(board.motor_duty().left, -0.75) << "its pull-up is no forward";
+  EXPECT_THAT(answer_to(kProbeReleaseOutputs, 2), ElementsAre('r'));
+  EXPECT_EQ(board.motor_duty().left, 0.0);
+  EXPECT_EQ(board.motor_duty().right, 0.0);
+}
+
+TEST_P(EmulatedChip, TheServoHasNoPulseFromAPinThatIsNoOutput) {
+  answer_to(kProbeCaptureEcho, 5);
+  board.schedule_echo(board.now_ns() + kMs, board.now_ns() + 2 * kMs);
+  run_ms(5);
+  ASSERT_EQ(board.pan_pulse_us(), 1500.0);
+  EXPECT_THAT(answer_to(kProbeReleaseOutputs, 2), ElementsAre('r'));
+  EXPECT_EQ(board.pan_pulse_us(), 0.0);
+}
+
+TEST_P(EmulatedChip, TheSonarIsNotTriggeredByAPullUp) {
+  int triggers = 0;
+  board.on_trigger = [&](std::int64_t) { ++triggers; };
+  EXPECT_THAT(answer_to(kProbePullUpTrigger, 5), ElementsAre('t'));
+  EXPECT_EQ(triggers, 0);
+  answer_to(kProbePulseTriggers, 5);
+  EXPECT_EQ(triggers, 1);
+}
+
 TEST_P(EmulatedChip, ScheduledEdgesGoOnThroughAReset) {
   ask(kProbeWaitForWatchdog);
   constexpr std::int64_t kGapNs = 20'000;
@@ -273,7 +301,8 @@ TEST(SimavrBoard, SaysForWhichChipAProgramIsThatNoBoardRuns) {
   std::string program = files::read_text_file(probe_of("atmega328p"));
   const std::string chip = "atmega328p";
   program.replace(program.find(chip), chip.size(), "atmega32u4");
-  const std::string elf = ::testing::TempDir() + "/leonardo.elf";
+  const tests::ScratchFolder folder;
+  const std::string elf = folder / "leonardo.elf";
   files::write_text_file(elf, program);
   EXPECT_THAT([&] { SimavrBoard board(elf); },
               ::testing::ThrowsMessage<std::runtime_error>(

@@ -192,6 +192,25 @@ void drive_motors() {
   send('m');
 }
 
+void release_forward() {
+  release_left_direction();
+  send('r');
+}
+
+void release_outputs() {
+  release_both_motors();
+  PROBE_SONAR_DDR &= static_cast<uint8_t>(~kServoPin);
+  send('r');
+}
+
+void pull_up_trigger() {
+  PROBE_SONAR_DDR &= static_cast<uint8_t>(~kTriggerPin);
+  PROBE_SONAR_PORT |= kTriggerPin;
+  _delay_us(11);
+  PROBE_SONAR_PORT &= static_cast<uint8_t>(~kTriggerPin);
+  send('t');
+}
+
 /// Lets the two-wire bus do what `control` says; what TWSR says then.
 uint8_t two_wire(uint8_t control) {
   TWCR = _BV(TWINT) | _BV(TWEN) | control;
@@ -288,6 +307,12 @@ void answer(uint8_t command) {
       return pulse_triggers();
     case kProbeDriveMotors:
       return drive_motors();
+    case kProbeReleaseForward:
+      return release_forward();
+    case kProbeReleaseOutputs:
+      return release_outputs();
+    case kProbePullUpTrigger:
+      return pull_up_trigger();
     case kProbeReadDevice:
       return read_device();
     case kProbeTimeTwoWire:

@@ -49,6 +49,15 @@ inline void drive_both_motors() {
   TCCR3B = _BV(WGM32) | _BV(CS31) | _BV(CS30);
 }
 
+inline void release_left_direction() { DDRG &= static_cast<uint8_t>(~_BV(PG5)); }
+
+/// PORTx stays.
+inline void release_both_motors() {
+  release_left_direction();
+  DDRH &= static_cast<uint8_t>(~(_BV(PH3) | _BV(PH4)));
+  DDRE &= static_cast<uint8_t>(~_BV(PE3));
+}
+
 #else
 
 #define PROBE_ENCODER_PORT PORTC
@@ -82,6 +91,12 @@ inline void drive_both_motors() {
   OCR0B = 63;
   TCCR0A = _BV(COM0A1) | _BV(COM0B1) | _BV(WGM01) | _BV(WGM00);
   TCCR0B = _BV(CS01) | _BV(CS00);
+}
+
+inline void release_left_direction() { DDRD &= static_cast<uint8_t>(~_BV(PD4)); }
+
+inline void release_both_motors() {
+  DDRD &= static_cast<uint8_t>(~(_BV(PD4) | _BV(PD5) | _BV(PD6) | _BV(PD7)));
 }
 
 #endif
