@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "hil_mock/unicorn/cortex_core.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <stdexcept>
@@ -115,7 +116,7 @@ void CortexCore::run_to(std::uint64_t cycle) {
     }
     sleeping_ = sleeping_ && !nvic_.wakes(masks().basepri);
     if (sleeping_) {
-      queue_.skip_to(std::min(cycle, queue_.next()));
+      sleep();
     } else if (!serve_exception()) {
       execute();
     }
@@ -140,7 +141,7 @@ void CortexCore::on_block(uc_engine* engine,
     uc_emu_stop(engine);
     return;
   }
-  self.queue_.spend(std::uint64_t{self.cpu_cycle_} * (size / 2));
+  self.queue_.spend(std::uint64_t{self.half_word_cycles_} * (size / 2));
 }
 
 void CortexCore::on_exception(uc_engine* engine, std::uint32_t number, void* core) {
@@ -200,6 +201,9 @@ void CortexCore::enter(Exception exception) {
   set(UC_ARM_REG_PC, handler);
   nvic_.enter(exception);
   queue_.spend(kEntryCycles);
+  if (on_enter) {
+    on_enter(exception);
+  }
 }
 
 void CortexCore::leave() {
@@ -212,6 +216,12 @@ void CortexCore::leave() {
   }
   nvic_.leave();
   queue_.spend(kReturnCycles);
+}
+
+void CortexCore::sleep() {
+  const std::uint64_t begin = queue_.now();
+  queue_.skip_to(std::min(until_, queue_.next()));
+  slept_cycles_ += queue_.now() - begin;
 }
 
 /// Runs blocks until one of the hooks, or WFI, stops it.

@@ -15,8 +15,8 @@
 namespace echomap::unicorn {
 
 /// A Cortex-M3: Unicorn's instructions with our exceptions, for Unicorn has neither NVIC nor
-/// exception entry. Time goes on by one CPU cycle for each half-word of code, counted block by
-/// block; a real core with two wait states comes within some tens of per cent of that.
+/// exception entry. Time goes on by the same number of cycles for each half-word of code, counted
+/// block by block, whatever the instruction.
 class CortexCore {
  public:
   /// What is behind an address that is no memory. `size` is 1, 2 or 4.
@@ -45,8 +45,13 @@ class CortexCore {
   /// Makes `run_to` return before the next block.
   void interrupt() { interrupted_ = true; }
 
+  /// Called when an exception has been entered, before its first instruction.
+  std::function<void(Exception exception)> on_enter;
+  /// Cycles that the core has slept through, since the beginning.
+  std::uint64_t slept_cycles() const { return slept_cycles_; }
+
   /// Cycles of the event queue that a half-word of code takes.
-  void set_cpu_cycle(unsigned cycles) { cpu_cycle_ = cycles; }
+  void set_half_word_cycles(unsigned cycles) { half_word_cycles_ = cycles; }
 
   std::uint32_t program_counter() const;
   /// Lets the core go on at `address`, as if it had jumped there.
@@ -67,6 +72,7 @@ class CortexCore {
   bool serve_exception();
   void enter(Exception exception);
   void leave();
+  void sleep();
   void execute();
   [[noreturn]] void crash(const std::string& why) const;
 
@@ -74,7 +80,8 @@ class CortexCore {
   Nvic& nvic_;
   std::unique_ptr<uc_engine, Close> engine_;
   std::uint64_t until_ = 0;
-  unsigned cpu_cycle_ = 1;
+  std::uint64_t slept_cycles_ = 0;
+  unsigned half_word_cycles_ = 1;
   bool sleeping_ = false;
   bool interrupted_ = false;
   bool stopped_ = false;  ///< By ourselves, and not by WFI.

@@ -6,6 +6,12 @@ namespace {
 
 constexpr std::uint32_t kMapr = 0x04;
 constexpr std::uint32_t kExticr1 = 0x08;
+constexpr std::uint32_t kTim2ChannelOneOnA15 = bit(8);
+/// SWJ_CFG: a program writes it and reads nonsense.
+constexpr unsigned kDebugPortShift = 24;
+constexpr std::uint32_t kDebugPortBits = 7U << kDebugPortShift;
+constexpr unsigned kJtag = 0;
+constexpr unsigned kJtagWithoutReset = 1;
 
 constexpr std::uint32_t kImr = 0x00;
 constexpr std::uint32_t kRtsr = 0x08;
@@ -16,9 +22,22 @@ constexpr std::uint8_t kLine = 40;
 
 }  // namespace
 
+bool Afio::tim2_is_on_a15() const { return (mapr_ & kTim2ChannelOneOnA15) != 0; }
+
+std::uint32_t Afio::jtag_pins_of_a() const {
+  return debug_port() <= kJtagWithoutReset ? bit(15) : 0;
+}
+
+std::uint32_t Afio::jtag_pins_of_b() const {
+  if (debug_port() == kJtag) {
+    return bit(3) | bit(4);
+  }
+  return debug_port() == kJtagWithoutReset ? bit(3) : 0;
+}
+
 std::uint32_t Afio::read(std::uint32_t offset) {
   if (offset == kMapr) {
-    return mapr_;
+    return mapr_ & ~kDebugPortBits;
   }
   const std::uint32_t index = (offset - kExticr1) / 4;
   return index < exticr_.size() ? exticr_[index] : 0;
@@ -27,15 +46,24 @@ std::uint32_t Afio::read(std::uint32_t offset) {
 void Afio::write(std::uint32_t offset, std::uint32_t value) {
   const std::uint32_t index = (offset - kExticr1) / 4;
   if (offset == kMapr) {
-    mapr_ = value;
+    set_mapr(value);
   } else if (index < exticr_.size()) {
     exticr_[index] = value;
   }
 }
 
 void Afio::reset() {
-  mapr_ = 0;
+  set_mapr(0);
   exticr_ = {};
+}
+
+unsigned Afio::debug_port() const { return (mapr_ & kDebugPortBits) >> kDebugPortShift; }
+
+void Afio::set_mapr(std::uint32_t value) {
+  mapr_ = value;
+  if (on_remap) {
+    on_remap();
+  }
 }
 
 void Exti::on_pin(std::uint8_t port, std::uint8_t pin, bool high) {

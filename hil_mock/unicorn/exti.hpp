@@ -3,26 +3,37 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "hil_mock/unicorn/nvic.hpp"
 #include "hil_mock/unicorn/peripheral.hpp"
 
 namespace echomap::unicorn {
 
-/// AFIO: which port each EXTI line looks at; the remapping of timers is only kept. Source: ST
-/// RM0008, section 9.4.
+/// AFIO: which port each EXTI line looks at, which pins the debug port has, and where channel 1 of
+/// TIM2 comes out. Source: ST RM0008, sections 9.3 and 9.4.
 class Afio final : public Peripheral {
  public:
   bool listens_to(std::uint8_t port, std::uint8_t pin) const {
     return (exticr_[pin / 4] >> (pin % 4 * 4) & 0xFU) == port;
   }
-  std::uint32_t remapping() const { return mapr_; }
+  /// On A15 instead of A0.
+  bool tim2_is_on_a15() const;
+  /// Which pins are JTAG's and no program's: bits of port A (A15) and of port B (B3, B4). All are
+  /// from a reset on.
+  std::uint32_t jtag_pins_of_a() const;
+  std::uint32_t jtag_pins_of_b() const;
+  /// Called when that may have changed.
+  std::function<void()> on_remap;
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
   void reset() override;
 
  private:
+  unsigned debug_port() const;
+  void set_mapr(std::uint32_t value);
+
   std::uint32_t mapr_ = 0;
   std::array<std::uint32_t, 4> exticr_{};
 };

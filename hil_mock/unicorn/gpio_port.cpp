@@ -23,6 +23,11 @@ void GpioPort::drive(std::uint8_t pin, bool high) {
   report_changes();
 }
 
+void GpioPort::take_away(std::uint32_t pins) {
+  taken_ = pins;
+  report_changes();
+}
+
 std::uint32_t GpioPort::read(std::uint32_t offset) {
   switch (offset) {
     case kCrl:
@@ -68,10 +73,10 @@ std::uint32_t GpioPort::levels() const {
 }
 
 bool GpioPort::level_of(std::uint8_t pin) const {
-  if (mode(pin) == kAnalog || is_alternate(pin)) {
+  if (mode(pin) == kAnalog || is_alternate(pin) || is_taken(pin)) {
     return false;
   }
-  if (is_output(pin)) {
+  if (drives(pin)) {
     return (output_ & bit(pin)) != 0;
   }
   if ((driven_ & bit(pin)) != 0) {

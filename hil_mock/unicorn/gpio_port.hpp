@@ -17,12 +17,17 @@ class GpioPort final : public Peripheral {
 
   /// Drives an input from outside, from now on.
   void drive(std::uint8_t pin, bool high);
+  /// Takes these pins, bit by bit, from the program: what it writes for them has no effect, and it
+  /// reads them low.
+  void take_away(std::uint32_t pins);
+
   bool level(std::uint8_t pin) const { return (levels() & bit(pin)) != 0; }
-  /// Whether a timer or the USART has the pin, and whether it is an output at all.
-  bool is_alternate(std::uint8_t pin) const {
-    return (mode(pin) & 3U) != 0 && (mode(pin) & 8U) != 0;
+  /// Whether a timer or the USART has the pin.
+  bool is_alternate(std::uint8_t pin) const { return drives(pin) && (mode(pin) & 8U) != 0; }
+  /// Whether the program itself drives the pin high: no pull-up does.
+  bool is_driven_high(std::uint8_t pin) const {
+    return drives(pin) && !is_alternate(pin) && level(pin);
   }
-  bool is_output(std::uint8_t pin) const { return (mode(pin) & 3U) != 0; }
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
@@ -30,6 +35,8 @@ class GpioPort final : public Peripheral {
 
  private:
   unsigned mode(std::uint8_t pin) const;
+  bool drives(std::uint8_t pin) const { return (mode(pin) & 3U) != 0 && !is_taken(pin); }
+  bool is_taken(std::uint8_t pin) const { return (taken_ & bit(pin)) != 0; }
   std::uint32_t levels() const;
   bool level_of(std::uint8_t pin) const;
   void set_output(std::uint32_t value);
@@ -37,6 +44,7 @@ class GpioPort final : public Peripheral {
 
   std::uint32_t configuration_[2]{};
   std::uint32_t output_ = 0;
+  std::uint32_t taken_ = 0;
   std::uint32_t driven_ = 0;
   std::uint32_t driven_levels_ = 0;
   std::uint32_t reported_ = 0;

@@ -55,6 +55,10 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
     watchdog_bites_ = true;
     core_.interrupt();
   };
+  afio_.on_remap = [this] {
+    port_a_.take_away(afio_.jtag_pins_of_a());
+    port_b_.take_away(afio_.jtag_pins_of_b());
+  };
   port_a_.on_change = [this](std::uint8_t pin, bool high) { on_pin(kPortA, pin, high); };
   port_b_.on_change = [this](std::uint8_t pin, bool high) { on_pin(kPortB, pin, high); };
   map();
@@ -117,9 +121,14 @@ void Stm32Chip::reset(ResetSource source) {
   sys_tick_.reset();
   nvic_.reset();
   rcc_.note_reset(source);
-  core_.set_cpu_cycle(rcc_.cpu_cycle());
+  set_pace();
   core_.reset();
   ++resets_;
+}
+
+void Stm32Chip::set_cycles_per_half_word(unsigned cycles) {
+  cycles_per_half_word_ = cycles;
+  set_pace();
 }
 
 void Stm32Chip::on_pin(PortName port, std::uint8_t pin, bool high) {
@@ -152,7 +161,7 @@ void Stm32Chip::write(std::uint32_t address, std::uint32_t value) {
   queue_.call_due();
   if (Peripheral* const peripheral = answering(address)) {
     peripheral->write(address % kBlockBytes, value);
-    core_.set_cpu_cycle(rcc_.cpu_cycle());
+    set_pace();
   }
 }
 
@@ -179,6 +188,8 @@ void Stm32Chip::write_core(std::uint32_t address, unsigned size, std::uint32_t v
     nvic_.write(address, value);
   }
 }
+
+void Stm32Chip::set_pace() { core_.set_half_word_cycles(rcc_.cpu_cycle() * cycles_per_half_word_); }
 
 void Stm32Chip::refuse(const std::string& what, std::uint32_t address) {
   refused_ = "the emulated program " + what + ", at address " + std::to_string(address);

@@ -26,6 +26,13 @@ namespace echomap::unicorn {
 /// Cycles of the emulated chip in a second of simulated time.
 constexpr std::uint64_t kClockHz = 72'000'000;
 
+/// Cost of a half-word of code in cycles of the CPU. Most instructions have one half-word and take
+/// one cycle (Cortex-M3 technical reference manual, section 3.3) from a memory that keeps up.
+constexpr unsigned kLeastCyclesPerHalfWord = 1;
+/// Two more, as if the prefetch buffer never hid one of the flash's two wait states at 72 MHz (ST
+/// PM0075, section 3.1): what branches and loads take beyond a cycle is less than that on average.
+constexpr unsigned kPessimisticCyclesPerHalfWord = 3;
+
 /// An STM32F103C8 at 72 MHz: those of its parts that the firmware uses, as ST's manual describes
 /// them. It runs as fast as it can and never looks at a clock.
 class Stm32Chip {
@@ -43,6 +50,8 @@ class Stm32Chip {
   /// where the program has crashed.
   void run_to(std::uint64_t cycle);
   void reset(ResetSource source);
+  /// What a half-word of code costs from now on; kLeastCyclesPerHalfWord before.
+  void set_cycles_per_half_word(unsigned cycles);
 
   EventQueue& queue() { return queue_; }
   CortexCore& core() { return core_; }
@@ -50,6 +59,7 @@ class Stm32Chip {
   const GpioPort& port(PortName name) const { return name == kPortA ? port_a_ : port_b_; }
   Usart& usart() { return usart_; }
   Adc& adc() { return adc_; }
+  const Afio& afio() const { return afio_; }
   SysTick& sys_tick() { return sys_tick_; }
   const Timer& tim2() const { return tim2_; }
   const Timer& tim3() const { return tim3_; }
@@ -75,6 +85,7 @@ class Stm32Chip {
   void write(std::uint32_t address, std::uint32_t value);
   std::uint32_t read_core(std::uint32_t address);
   void write_core(std::uint32_t address, unsigned size, std::uint32_t value);
+  void set_pace();
   void refuse(const std::string& what, std::uint32_t address);
 
   EventQueue queue_;
@@ -98,6 +109,7 @@ class Stm32Chip {
   CortexCore::Device core_registers_;
   CortexCore::Device flash_data_;
   CortexCore core_{queue_, nvic_};
+  unsigned cycles_per_half_word_ = kLeastCyclesPerHalfWord;
   bool watchdog_bites_ = false;
   std::string refused_;
   std::uint32_t resets_ = 0;

@@ -42,8 +42,8 @@ double duty_of(const Stm32Chip& chip, const MotorPins& motor) {
   const GpioPort& port = chip.port(motor.pwm.port);
   const double level = port.is_alternate(motor.pwm.number)
                            ? chip.tim3().pwm_level(motor.channel)
-                           : (port.level(motor.pwm.number) ? 1.0 : 0.0);
-  return chip.port(motor.forward.port).level(motor.forward.number) ? level : -level;
+                           : (port.is_driven_high(motor.pwm.number) ? 1.0 : 0.0);
+  return chip.port(motor.forward.port).is_driven_high(motor.forward.number) ? level : -level;
 }
 
 /// Of 12 bits; the supply of 3.3 V is the reference.
@@ -93,7 +93,7 @@ MotorDuty UnicornBoard::motor_duty() const {
 
 double UnicornBoard::pan_pulse_us() const {
   constexpr Pin kPin = blue_pill_pins::kPanServo;
-  return chip_.port(kPin.port).is_alternate(kPin.number)
+  return chip_.afio().tim2_is_on_a15() && chip_.port(kPin.port).is_alternate(kPin.number)
              ? static_cast<double>(chip_.tim2().pulse_cycles()) / kCyclesPerUs
              : 0.0;
 }
@@ -126,9 +126,7 @@ void UnicornBoard::set_aux_millivolts(unsigned pin, double millivolts) {
 
 bool UnicornBoard::aux_output(unsigned pin) const {
   const Pin spare = spare_pin(pin);
-  const GpioPort& port = chip_.port(spare.port);
-  return port.is_output(spare.number) && !port.is_alternate(spare.number) &&
-         port.level(spare.number);
+  return chip_.port(spare.port).is_driven_high(spare.number);
 }
 
 std::string UnicornBoard::firmware_name() const {

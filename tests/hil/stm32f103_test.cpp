@@ -103,8 +103,27 @@ TEST_F(Stm32, MotorsStandWhileTheChipIsInReset) {
   EXPECT_TRUE(off());
 }
 
+TEST_F(Stm32, ServoAndLeftMotorHangOnWhatAfioRemaps) {
+  drive();
+  ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 0, 1000, 50}), CommandStatus::kAccepted);
+  robot.run_ms(50);
+  ASSERT_GT(robot.board().motor_duty().left, 0.0);
+  ASSERT_GT(robot.board().pan_pulse_us(), 0.0);
+  // movw r0, #4; movt r0, #0x4001 (AFIO_MAPR); movs r1, #0; str r1, [r0]; b .
+  constexpr std::array<std::uint16_t, 7> kUndoRemap{
+      0xF240, 0x0004, 0xF2C4, 0x0001, 0x2100, 0x6001, 0xE7FE};
+  write_code(kTrap, kUndoRemap);
+  chip().core().jump_to(kTrap);
+  robot.run_ms(1);
+  EXPECT_EQ(robot.board().pan_pulse_us(), 0.0) << "TIM2_CH1 is on A0";
+  EXPECT_LT(robot.board().motor_duty().left, 0.0) << "B4 is JTAG's";
+  EXPECT_GT(robot.board().motor_duty().right, 0.0);
+}
+
 TEST_F(Stm32, FullDutyHasNoGap) {
   ASSERT_TRUE(robot.connect());
+  const protocol::ConfigureSafety no_guard{0, 0, 0, 0, 0};
+  ASSERT_EQ(robot.command(no_guard), CommandStatus::kAccepted);
   ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
   robot.send(protocol::DriveSetpoint{3000, -3000, 500});
   robot.run_ms(450);  // The wheels stand, so the controllers go to their ends.

@@ -109,6 +109,15 @@ TEST_F(Core, TakesACycleForEachHalfWord) {
   EXPECT_LT(queue.now(), 3'004U);
 }
 
+TEST_F(Core, TakesThreeCyclesForEachHalfWordWhereItIsTold) {
+  // mov.w r3, #0x40000000; movs r0, #0; adds r0, #1; str r0, [r3]; b back to adds
+  write_code(kMain, {0xF04F, 0x4380, 0x2000, 0x3001, 0x6018, 0xE7FC});
+  core.set_half_word_cycles(3);
+  core.reset();
+  core.run_to(9'000);
+  EXPECT_NEAR(double(written.size()), 1'000.0, 2.0);
+}
+
 TEST_F(Core, SaysWhereAProgramHasCrashed) {
   write_code(kMain, {0xDE00});  // udf #0
   core.reset();
