@@ -122,7 +122,7 @@ TEST_F(Stm32, ServoAndLeftMotorHangOnWhatAfioRemaps) {
 
 TEST_F(Stm32, FullDutyHasNoGap) {
   ASSERT_TRUE(robot.connect());
-  const protocol::ConfigureSafety no_guard{0, 0, 0, 0, 0};
+  const protocol::ConfigureSafety no_guard{0, 0, 0, 0, 0};  // it would stop wheels that stand
   ASSERT_EQ(robot.command(no_guard), CommandStatus::kAccepted);
   ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
   robot.send(protocol::DriveSetpoint{3000, -3000, 500});
