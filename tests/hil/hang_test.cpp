@@ -41,13 +41,26 @@ TEST_P(PlantedHang, WithInterruptsLockedIsReset) {
 }
 
 TEST_P(PlantedHang, SwitchesOffWhereverTheProgramHangs) {
-  std::set<std::string> hung;
-  plant_hangs(release_image(GetParam()),
-              [&](const std::string& file, bool in_interrupt, const HangOutcome& outcome) {
-                expect_off(file + (in_interrupt ? " (interrupt)" : ""), outcome);
-                hung.insert(file);
-              });
-  EXPECT_EQ(hung, files_of_tasks()) << "a task that the robot did not run";
+  std::set<HangPlace> hung;
+  plant_hangs(release_image(GetParam()), [&](const HangPlace& place, const HangOutcome& outcome) {
+    expect_off(place.file + (place.in_interrupt ? " (interrupt)" : ""), outcome);
+    hung.insert(place);
+  });
+  for (const char* task : {"bulk",
+                           "command",
+                           "frame_sender",
+                           "heartbeat",
+                           "line_budget",
+                           "safety",
+                           "scheduler",
+                           "sensors",
+                           "telemetry"}) {
+    EXPECT_TRUE(hung.contains({std::string("firmware/tasks/") + task + ".cpp", false})) << task;
+  }
+  for (const char* part : {"tick", "twi", "uart"}) {
+    EXPECT_TRUE(hung.contains({std::string("firmware/boards/avr_common/") + part + ".cpp", true}))
+        << part;
+  }
 }
 
 }  // namespace

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "tests/hil/measure/image_size.hpp"
+
 #include <cstdint>
 #include <cstdio>
-#include <fcntl.h>
-#include <gelf.h>
-#include <stdexcept>
 #include <string>
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -13,41 +11,6 @@
 
 namespace echomap::tests {
 namespace {
-
-struct ImageSize {
-  std::uint64_t flash_bytes = 0;
-  std::uint64_t ram_bytes = 0;
-};
-
-void add(const GElf_Shdr& section, ImageSize& size) {
-  if ((section.sh_flags & SHF_ALLOC) == 0) {
-    return;
-  }
-  if ((section.sh_flags & SHF_WRITE) != 0) {
-    size.ram_bytes += section.sh_size;
-  }
-  if (section.sh_type != SHT_NOBITS) {
-    size.flash_bytes += section.sh_size;
-  }
-}
-
-ImageSize size_of_image(const std::string& path) {
-  elf_version(EV_CURRENT);
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  Elf* const elf = elf_begin(file, ELF_C_READ, nullptr);
-  if (elf == nullptr) {
-    throw std::runtime_error(path + ": " + elf_errmsg(-1));
-  }
-  ImageSize size;
-  for (Elf_Scn* at = nullptr; (at = elf_nextscn(elf, at)) != nullptr;) {
-    GElf_Shdr section{};
-    gelf_getshdr(at, &section);
-    add(section, size);
-  }
-  elf_end(elf);
-  ::close(file);
-  return size;
-}
 
 /// Most of each, as the boards' CMakeLists.txt demand it of the build.
 ImageSize budget_of(const std::string& image) {

@@ -27,6 +27,9 @@ constexpr std::int64_t kLeastDelayUs = 2'000;
 LoadedRobot::LoadedRobot(const std::filesystem::path& elf, const Load& load)
     : load_(load), robot_(elf) {
   robot_.board().on_trigger = [this](std::int64_t at_ns) { answer_ping(at_ns); };
+  if (load.every_sensor) {
+    sensors_.emplace(robot_.board());
+  }
 }
 
 void LoadedRobot::connect() {
@@ -37,6 +40,7 @@ void LoadedRobot::connect() {
   const bool ready = robot_.connect() &&
                      robot_.command(drive) == protocol::CommandStatus::kAccepted &&
                      robot_.command(no_guard) == protocol::CommandStatus::kAccepted &&
+                     (!sensors_ || sensors_->switch_on(robot_)) &&
                      robot_.command(protocol::Arm{0, 1}) == protocol::CommandStatus::kAccepted;
   if (!ready) {
     throw std::runtime_error("the robot does not get ready");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "tests/hil/measure/every_sensor.hpp"
 #include "tests/hil/robot_session.hpp"
 #include "tests/hil/turning_wheel.hpp"
 
@@ -26,6 +27,8 @@ struct Load {
   bool full_line = true;
   /// The sonar sweeps all the time; else a sweep of eleven echoes every 2.5 s.
   bool sweeps_on = false;
+  /// AVR boards: all that EverySensor switches on.
+  bool every_sensor = false;
 };
 
 /// How reports of the robot compare with what went into its pins.
@@ -79,6 +82,7 @@ class LoadedRobot {
 
   Load load_;
   RobotSession robot_;
+  std::optional<EverySensor> sensors_;
   TurningWheel left_{robot_.board(), runner::Wheel::kLeft};
   TurningWheel right_{robot_.board(), runner::Wheel::kRight};
   std::mt19937 generator_{4711};

@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <compare>
 #include <filesystem>
 #include <functional>
-#include <set>
 #include <string>
 
 #include "tests/hil/measure/robot_on_the_move.hpp"
 
 namespace echomap::tests {
 
-/// The files of the program's tasks and interrupts that a driving and sweeping robot on an AVR
-/// board runs.
-const std::set<std::string>& files_of_tasks();
+/// Where a program hangs.
+struct HangPlace {
+  std::string file;  ///< "firmware/tasks/safety.cpp"
+  bool in_interrupt = false;
+
+  friend auto operator<=>(const HangPlace&, const HangPlace&) = default;
+};
 
 /// Lets an AVR's program go on at a jump to itself with interrupts locked.
 void hang_with_interrupts_locked(RobotOnTheMove& moving);
 
-/// Tells of each hang: in which file, and whether in an interrupt, and what became of the robot.
-using HangReport =
-    std::function<void(const std::string& file, bool in_interrupt, const HangOutcome& outcome)>;
-/// Drives an AVR robot again and again, each time with an instruction of another file's in its
-/// flash that jumps to itself.
+using HangReport = std::function<void(const HangPlace& place, const HangOutcome& outcome)>;
+/// Lets an AVR robot do all that it can do, again and again, each time with an instruction of
+/// another of its files in its flash that jumps to itself; tells what became of it.
 void plant_hangs(const std::filesystem::path& elf, const HangReport& report);
 
 /// The longest from one of these hangs to PWM off. Milliseconds.

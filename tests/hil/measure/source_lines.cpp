@@ -32,14 +32,15 @@ std::string below_repository(const std::string& path) {
 
 }  // namespace
 
-/// Lines of the dump are "/folders/firmware/a.cpp:" (perhaps after "CU: "), which says where the
-/// next ones belong, and "a.cpp  LINE  0xADDRESS".
+/// Lines of the dump are "/folders/firmware/a.cpp:" (perhaps after "CU: "), which says where files
+/// of that name are, and "a.cpp  LINE  0xADDRESS".
 SourceLines::SourceLines(const std::filesystem::path& elf) {
   std::istringstream dump(output_of("avr-objdump --dwarf=decodedline '" + elf.string() + "'"));
-  std::string file;
+  std::map<std::string, std::string> paths;
   for (std::string text; std::getline(dump, text);) {
     if (text.ends_with(':')) {
-      file = below_repository(text.substr(0, text.size() - 1));
+      const std::string path = text.substr(0, text.size() - 1);
+      paths[path.substr(path.rfind('/') + 1)] = below_repository(path);
       continue;
     }
     std::istringstream words(text);
@@ -47,7 +48,7 @@ SourceLines::SourceLines(const std::filesystem::path& elf) {
     std::string line;
     std::string address;
     if (words >> name >> line >> address && address.starts_with("0x")) {
-      files_[static_cast<std::uint32_t>(std::stoul(address, nullptr, 16))] = file;
+      files_[static_cast<std::uint32_t>(std::stoul(address, nullptr, 16))] = paths[name];
     }
   }
   if (files_.empty()) {

@@ -32,7 +32,8 @@ std::map<int, std::string> interrupt_names(const emulator::SimavrBoard& board) {
           {frame_timer.icr.vector, "echo capture"},
           {frame_timer.overflow.vector, "clock overflow"},
           {uart.rxc.vector, "byte received"},
-          {uart.udrc.vector, "byte to send"}};
+          {uart.udrc.vector, "byte to send"},
+          {emulator::find_two_wire(core).twi.vector, "two-wire"}};
 }
 
 TimingFigures measure_timing(const std::filesystem::path& elf, const Load& load, double seconds) {

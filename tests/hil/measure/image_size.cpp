@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "tests/hil/measure/image_size.hpp"
+
+#include <fcntl.h>
+#include <gelf.h>
+#include <stdexcept>
+#include <string>
+#include <unistd.h>
+
+namespace echomap::tests {
+namespace {
+
+void add(const GElf_Shdr& section, ImageSize& size) {
+  if ((section.sh_flags & SHF_ALLOC) == 0) {
+    return;
+  }
+  if ((section.sh_flags & SHF_WRITE) != 0) {
+    size.ram_bytes += section.sh_size;
+  }
+  if (section.sh_type != SHT_NOBITS) {
+    size.flash_bytes += section.sh_size;
+  }
+}
+
+}  // namespace
+
+ImageSize size_of_image(const std::filesystem::path& elf_path) {
+  elf_version(EV_CURRENT);
+  const int file = ::open(elf_path.c_str(), O_RDONLY | O_CLOEXEC);
+  Elf* const elf = elf_begin(file, ELF_C_READ, nullptr);
+  if (elf == nullptr) {
+    throw std::runtime_error(elf_path.string() + ": " + elf_errmsg(-1));
+  }
+  ImageSize size;
+  for (Elf_Scn* at = nullptr; (at = elf_nextscn(elf, at)) != nullptr;) {
+    GElf_Shdr section{};
+    gelf_getshdr(at, &section);
+    add(section, size);
+  }
+  elf_end(elf);
+  ::close(file);
+  return size;
+}
+
+}  // namespace echomap::tests
