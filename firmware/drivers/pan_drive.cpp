@@ -44,7 +44,7 @@ void PanDrive::turn_to(int32_t pan_cdeg) {
   if (is_stepper(settings_)) {
     stepper_.turn_to(settings_, pan_cdeg);
   } else {
-    turning_ms_ = static_cast<uint16_t>(servo_.turn_to(settings_, pan_cdeg) + hal::kServoFrameMs);
+    turning_ms_ = servo_.turn_to(settings_, pan_cdeg);
   }
 }
 

@@ -25,17 +25,22 @@ bool PanServo::accepts(const protocol::ConfigurePan& settings) {
 }
 
 uint16_t PanServo::turn_to(const protocol::ConfigurePan& settings, int32_t pan_cdeg) {
+  const int32_t pulse = pulse_us(settings, pan_cdeg);
   int32_t turn_cdeg = settings.max_cdeg - settings.min_cdeg;
   if (pan_known_) {
+    if (pulse == pulse_us(settings, pan_cdeg_)) {
+      return 0;
+    }
     turn_cdeg = pan_cdeg - pan_cdeg_;
   }
   pan_cdeg_ = pan_cdeg;
   pan_known_ = true;
-  hal::set_servo_pulse_us(static_cast<uint16_t>(pulse_us(settings, pan_cdeg)));
+  hal::set_servo_pulse_us(static_cast<uint16_t>(pulse));
   const uint32_t travel_cdeg = static_cast<uint32_t>(turn_cdeg < 0 ? -turn_cdeg : turn_cdeg);
   const uint16_t speed = settings.deg_per_s;
   const uint32_t travel_ms = (travel_cdeg * 10 + speed - 1) / speed;
-  return travel_ms > kMaxTravelMs ? kMaxTravelMs : static_cast<uint16_t>(travel_ms);
+  return static_cast<uint16_t>(hal::kServoFrameMs +
+                               (travel_ms > kMaxTravelMs ? kMaxTravelMs : travel_ms));
 }
 
 }  // namespace drivers

@@ -12,6 +12,9 @@ constexpr protocol::ConfigurePan kSettings{0, 0, 1500, 900, 0, -9000, 9000, 300}
 
 double pulse_us() { return native::NativeBoard::instance().pan_pulse_us(); }
 
+/// Until the servo has seen a new pulse.
+constexpr int kPulseMs = 20;
+
 class PanServoTest : public testing::Test {
  protected:
   protocol::ConfigurePan settings = kSettings;
@@ -30,21 +33,29 @@ TEST_F(PanServoTest, LeftIsTheSideOfTheSettingsSign) {
 }
 
 TEST_F(PanServoTest, FirstTurnMayComeFromAnywhere) {
-  EXPECT_EQ(turn_to(0), 600);  // 180 degrees at 300 a second.
+  EXPECT_EQ(turn_to(0), kPulseMs + 600);  // 180 degrees at 300 a second.
 }
 
 TEST_F(PanServoTest, TravelIsTurnOverSpeedRoundedUp) {
   turn_to(0);
-  EXPECT_EQ(turn_to(600), 20);
-  EXPECT_EQ(turn_to(-600), 40);
-  EXPECT_EQ(turn_to(-601), 1);
-  EXPECT_EQ(turn_to(-601), 0);
+  EXPECT_EQ(turn_to(600), kPulseMs + 20);
+  EXPECT_EQ(turn_to(-600), kPulseMs + 40);
+  EXPECT_EQ(turn_to(-610), kPulseMs + 1);
+}
+
+TEST_F(PanServoTest, IsThereWhereThePulseStaysTheSame) {
+  turn_to(0);
+  EXPECT_EQ(turn_to(0), 0);
+  for (int pan_cdeg = 1; pan_cdeg < 10; ++pan_cdeg) {
+    EXPECT_EQ(turn_to(pan_cdeg), 0) << pan_cdeg;
+  }
+  EXPECT_EQ(turn_to(10), kPulseMs + 1) << "a microsecond";
 }
 
 TEST_F(PanServoTest, StandsAnywhereAfterATurnThatNobodyWaitedFor) {
   turn_to(0);
   servo.lose_track();
-  EXPECT_EQ(turn_to(0), 600);
+  EXPECT_EQ(turn_to(0), kPulseMs + 600);
 }
 
 TEST_F(PanServoTest, RefusesPulsesThatBreakServos) {

@@ -8,8 +8,8 @@ namespace echomap::tests {
 namespace {
 
 constexpr double kBytesPerS = 115200.0 / 10.0;
-/// So small that the servo is there at once: what is measured is line and sonar.
-constexpr std::int32_t kFineStepCdeg = 10;
+/// So small that nine of ten leave the servo as it is: what is measured is line and sonar.
+constexpr std::int32_t kFineStepCdeg = 1;
 constexpr double kSpeedOfSoundMPerS = 343.0;
 /// From the trigger until the sonar raises its echo pin.
 constexpr std::int64_t kBurstNs = 460'000;
