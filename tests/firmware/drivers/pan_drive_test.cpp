@@ -57,7 +57,7 @@ TEST_F(PanDriveTest, ServoStoppedInMidTurnMayStandAnywhere) {
 TEST_F(PanDriveTest, ServoAtRestKnowsWhereItStands) {
   turn(-9000);
   pan.rest();
-  EXPECT_EQ(turn(-9000), 20);
+  EXPECT_EQ(turn(-8400), 20 + 20);
 }
 
 TEST_F(PanDriveTest, StepperTurnsOnItsPinsAndLeavesTheServoAlone) {
