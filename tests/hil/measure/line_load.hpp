@@ -44,7 +44,8 @@ struct UsualLine {
 };
 UsualLine measure_usual_line(const std::filesystem::path& elf);
 
-/// Pings a second of a sonar that looks at a wall 4 m away, as fast as it can; its pan hardly turns.
+/// Pings a second of a sonar that looks at a wall 4 m away, as fast as it can; its pan hardly
+/// turns.
 double measure_pings_per_s(const std::filesystem::path& elf);
 
 }  // namespace echomap::tests
