@@ -32,9 +32,8 @@ RobotConnection connection_on_a_desk(const ExploreOptions& options) {
   robot.session_id = session_id_from(std::random_device{}());
   const OpenPort open = opener(options);
   robot.stream = choose_port(candidate_ports(options.ports), open, robot.session_id);
-  if (transport::is_radio(robot.stream->name())) {
-    robot.link = robot_link::radio_link();
-  }
+  robot.link = transport::is_radio(robot.stream->name()) ? robot_link::radio_link()
+                                                         : robot_link::wired_link(options.baud);
   if (options.reconnect_s > 0.0) {
     const std::string port = robot.stream->name();
     robot.stream = std::make_unique<transport::ReconnectingStream>(

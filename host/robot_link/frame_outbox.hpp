@@ -51,10 +51,10 @@ class FrameOutbox {
     ++frames_sent_;
     credit_.add(frame.size, answer_to(message), now);
   }
-  /// Ends whatever the robot's decoder holds of earlier bytes.
-  void put_delimiter(time::HostTime now) {
-    outgoing_.push_back(0);
-    credit_.add(1, std::nullopt, now);
+  /// The first ends whatever the robot's decoder holds of earlier bytes, more only take time.
+  void put_delimiters(std::size_t count, time::HostTime now) {
+    outgoing_.insert(outgoing_.end(), count, 0);
+    credit_.add(count, std::nullopt, now);
   }
 
   /// Takes the robot's answers.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -15,13 +16,17 @@ struct PingParams {
   Duration period = std::chrono::seconds(1);
   /// While the clock is known worse than `sharp_us`: 0.5 kB/s for both ways together.
   Duration blurred_period = std::chrono::milliseconds(50);
-  double sharp_us = 50.0;
-  /// At first every ping counts: 1 kB/s.
-  Duration first_period = std::chrono::milliseconds(25);
+  double sharp_us = 100.0;
+  /// At first every ping counts: 1.8 kB/s for both ways together.
+  Duration first_period = std::chrono::milliseconds(15);
   Duration first_phase = std::chrono::seconds(5);
-  /// Pings are late by up to this much, evenly spread, so that they meet every phase of a latency
-  /// timer (16 ms in FTDI's chips).
+  /// Pings go at phases of this period that are evenly spread, so that their answers meet every
+  /// phase of a latency timer (16 ms in FTDI's chips).
   Duration spread = std::chrono::milliseconds(16);
+  /// Bytes to the robot go once in a millisecond (USB), so whole milliseconds are all that the host
+  /// chooses by its clock. Every second ping comes behind up to this many delimiters, which take
+  /// 87 us each at 115200 baud and together one millisecond: its answer meets the phases between.
+  std::size_t most_lead_bytes = 12;
 };
 
 /// Numbers pings and remembers when the last ones were sent.
@@ -34,6 +39,8 @@ class PingSender {
   void restart(time::HostTime now);
   bool is_due(time::HostTime now) const { return now >= next_ping_; }
   time::HostTime next_due() const { return next_ping_; }
+  /// How many delimiters go before the next ping.
+  std::size_t lead_bytes() const;
   /// The token of a ping that is sent now, due or not. `uncertainty_us` is that of the clock so
   /// far; empty where nothing is known.
   std::uint32_t take(time::HostTime now, std::optional<double> uncertainty_us);
@@ -45,6 +52,8 @@ class PingSender {
     std::uint32_t token;
     time::HostTime at;
   };
+
+  time::HostTime at_phase(double share, time::HostTime earliest) const;
 
   PingParams params_;
   std::uint32_t last_token_ = 0;

@@ -193,7 +193,7 @@ void RobotLink::poll(time::HostTime now) {
 void RobotLink::send_hello() {
   watch_.note_hello(now_);
   // Ends whatever a reset or an earlier host left unfinished in the robot's decoder.
-  outbox_.put_delimiter(now_);
+  outbox_.put_delimiters(1, now_);
   outbox_.put(
       protocol::Hello{
           protocol::kProtocolMajor, protocol::kProtocolMinor, protocol::kSchemaDigest, session_},
@@ -229,9 +229,13 @@ void RobotLink::send_ping() {
     return;
   }
   const bool frees_credit = outbox_.credit().wants_answer();
-  const bool is_due = frees_credit || pings_.is_due(now_);
-  if (is_due &&
-      outbox_.has_room<protocol::Ping>(frees_credit ? kSpareOfAnswered : kSpareOfOthers)) {
+  if (!frees_credit && !pings_.is_due(now_)) {
+    return;
+  }
+  const std::size_t lead_bytes = frees_credit ? 0 : pings_.lead_bytes();
+  const std::size_t spare = frees_credit ? kSpareOfAnswered : kSpareOfOthers;
+  if (outbox_.has_room<protocol::Ping>(spare + lead_bytes)) {
+    outbox_.put_delimiters(lead_bytes, now_);
     outbox_.put(protocol::Ping{pings_.take(now_, clock_.uncertainty_us())}, now_);
   }
 }

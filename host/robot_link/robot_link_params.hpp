@@ -38,8 +38,12 @@ struct RobotLinkParams {
   int command_tries = 8;
 };
 
+/// For a wire of this speed in bits per second; the default is one of 115200 baud.
+RobotLinkParams wired_link(int baud);
+
 /// For Bluetooth SPP: commands are sent again later, and what moves outlives two of the 150 ms for
-/// which the radio now and then holds bytes back.
+/// which the radio now and then holds bytes back. Its delays are random, so all that arrives tells
+/// of the clock.
 RobotLinkParams radio_link();
 
 /// The same; throws std::invalid_argument where the periods do not fit together.

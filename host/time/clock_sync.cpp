@@ -22,8 +22,9 @@ constexpr double kRateUncertainty = 8.0;
 ClockSyncParams checked(const ClockSyncParams& params) {
   using Duration = ClockSyncParams::Duration;
   if (params.window <= Duration::zero() || params.fit_period <= Duration::zero() ||
-      params.max_rate_error_ppm <= 0.0) {
-    throw std::invalid_argument("clock sync: window, period and rate error must be positive");
+      params.max_rate_error_ppm <= 0.0 || params.phase_step_us < 0.0) {
+    throw std::invalid_argument(
+        "clock sync: window, period and rate error must be positive, the step not negative");
   }
   return params;
 }
@@ -42,7 +43,10 @@ ClockSync::ClockSync(const ClockSyncParams& params)
       sendings_(params.window.count()) {}
 
 void ClockSync::add_telemetry(std::uint32_t stamp_us, HostTime arrived) {
-  add_arrival(unwrapper_.unwrap(stamp_us), arrived);
+  const RobotTime stamp = unwrapper_.unwrap(stamp_us);
+  if (params_.telemetry_waits_at_random) {
+    add_arrival(stamp, arrived);
+  }
 }
 
 void ClockSync::add_ping(HostTime sent, std::uint32_t stamp_us, HostTime answered) {
@@ -128,7 +132,7 @@ void ClockSync::fit() {
   line.rate = rate;
   line.host_us = static_cast<double>(arrival.host_us) - 0.5 * gap_us -
                  0.5 * (arrival_excess_us - sending_excess_us);
-  line.uncertainty_us = kUncertainty * excess_us;
+  line.uncertainty_us = kUncertainty * excess_us + 0.5 * params_.phase_step_us;
   line.rate_uncertainty = kRateUncertainty * arrival_excess_us * sending_excess_us /
                           std::max(excess_us * span_us, kResolutionUs);
   line.asymmetry_us = 0.5 * gap_us;

@@ -22,6 +22,13 @@ struct ClockSyncParams {
   Duration fit_period = std::chrono::milliseconds(250);
   /// Largest rate error of a board: a resonator's 5000 ppm and what it drifts by heat.
   double max_rate_error_ppm = 6000.0;
+  /// Whether telemetry's delays are random, as a radio's are. On a wire it keeps time with the
+  /// line's transfers: where the clocks are nearly alike it waits equally long every time, which
+  /// looks like a short and steady delay; there only pings count, which the host spreads.
+  bool telemetry_waits_at_random = false;
+  /// Pings meet the phases of the line's transfers in steps of this, microseconds: a byte at 115200
+  /// baud. Half of it is uncertain however many pings there are.
+  double phase_step_us = 87.0;
 };
 
 /// An instant of the robot on the host's clock.
@@ -35,7 +42,7 @@ struct HostEstimate {
 };
 
 /// Places the robot's clock on the host's. What the robot has stamped arrives later and what the
-/// host has sent was sent earlier than the robot's stamp says; two convex hulls, of telemetry from
+/// host has sent was sent earlier than the robot's stamp says; two convex hulls, of arrivals from
 /// above and of pings from below, leave a corridor. The line in its middle is the answer; its rate
 /// is the most likely one (Moon, Skelly and Towsley 1999, there for one direction). It takes
 /// instants and reads no clock.
@@ -83,7 +90,7 @@ class ClockSync {
 
   ClockSyncParams params_;
   RobotTimeUnwrapper unwrapper_;
-  SlidingLowerHull arrivals_;
+  SlidingLowerHull arrivals_;  ///< All that count.
   SlidingLowerHull pongs_;     ///< Those arrivals that answer a ping.
   SlidingLowerHull sendings_;  ///< Upside down: lower is later.
   HostTime next_fit_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/robot_link/ping_sender.hpp"
+#include "host/robot_link/robot_link_params.hpp"
 #include "host/time/clock_sync.hpp"
 
 namespace echomap::line_faults {
@@ -21,6 +22,14 @@ constexpr double kPollUs = 1000.0;
 constexpr std::int64_t kOdometryUs = 20'000;
 /// Of the firmware's main loop.
 constexpr double kLoopUs = 100.0;
+/// A byte to the robot, at 115200 baud.
+constexpr double kByteUs = 86.8;
+
+/// As the host sets the link for such a line.
+robot_link::RobotLinkParams link_over(const LineDelays& line) {
+  const bool is_radio = line.to_host.poll_us == 0;
+  return is_radio ? robot_link::radio_link() : robot_link::wired_link(115200);
+}
 
 world::NoiseStream noise(std::uint32_t seed) { return {seed, world::NoisePurpose::kLineDelays}; }
 
@@ -32,7 +41,9 @@ class Run {
         to_host_(line.to_host, noise(3 * seed)),
         to_robot_(line.to_robot, noise(3 * seed + 1)),
         loop_(noise(3 * seed + 2)),
-        errors_(errors) {}
+        errors_(errors),
+        clock_(link_over(line).clock),
+        pings_(link_over(line).ping) {}
 
   void run(std::int64_t end_us) {
     send_odometry(kOdometryUs);
@@ -75,8 +86,9 @@ class Run {
   }
 
   void send_ping() {
+    const auto lead_us = std::llround(static_cast<double>(pings_.lead_bytes()) * kByteUs);
     const std::uint32_t token = pings_.take(at_us(now_us_), clock_.uncertainty_us());
-    at(to_robot_.arrival_us(now_us_), [this, token] { answer_ping(token); });
+    at(to_robot_.arrival_us(now_us_) + lead_us, [this, token] { answer_ping(token); });
     const std::int64_t due_us = pings_.next_due().time_since_epoch().count();
     at(due_us + std::llround(loop_.uniform() * kPollUs), [this] { send_ping(); });
   }
@@ -96,7 +108,7 @@ class Run {
   world::NoiseStream loop_;
   ClockErrors& errors_;
   time::ClockSync clock_;
-  robot_link::PingSender pings_{{}};
+  robot_link::PingSender pings_;
   std::multimap<std::int64_t, std::function<void()>> events_;
   std::int64_t now_us_ = 0;
 };

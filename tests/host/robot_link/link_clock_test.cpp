@@ -25,7 +25,7 @@ TEST_F(LinkClock, PingsOnlyWhenReady) {
   robot_has_power = true;
   robot.power_on(1);
   run_for(30'000);
-  EXPECT_NEAR(robot.pings, 200 + 25, 10);
+  EXPECT_NEAR(robot.pings, 385 + 25, 20);
 }
 
 TEST_F(LinkClock, PlacesTheRobotsStamps) {

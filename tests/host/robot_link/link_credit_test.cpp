@@ -81,7 +81,7 @@ class LinkCredit : public testing::Test {
   std::mt19937 random{3};
   SlowRobot slow{random};
   RecordingListener listener;
-  RobotLink link{listener, 0x5E55};
+  RobotLink link{listener, 0x5E55, wired_link(9600)};
   std::function<void()> on_ms = [] {};
   std::size_t most_waiting = 0;
 };

@@ -14,8 +14,8 @@ time::HostTime at_ms(int instant_ms) {
   return time::HostTime(std::chrono::milliseconds(instant_ms));
 }
 
-constexpr double kSharpUs = 40.0;
-constexpr double kBlurredUs = 60.0;
+constexpr double kSharpUs = 90.0;
+constexpr double kBlurredUs = 110.0;
 
 int pings_between(PingSender& sender,
                   int from_ms,
@@ -34,18 +34,18 @@ int pings_between(PingSender& sender,
 TEST(PingSender, AsksOftenAtFirstAndThenOnceASecond) {
   PingSender sender({});
   sender.restart(at_ms(0));
-  EXPECT_NEAR(pings_between(sender, 0, 5000, kSharpUs), 200, 5);
+  EXPECT_NEAR(pings_between(sender, 0, 5000, kSharpUs), 390, 15);
   EXPECT_NEAR(pings_between(sender, 5000, 15'000, kSharpUs), 10, 1);
   sender.restart(at_ms(15'000));
-  EXPECT_NEAR(pings_between(sender, 15'000, 16'000, kSharpUs), 40, 2);
+  EXPECT_NEAR(pings_between(sender, 15'000, 16'000, kSharpUs), 77, 3);
 }
 
 TEST(PingSender, GoesOnAskingWhileTheClockIsBlurred) {
   PingSender sender({});
   sender.restart(at_ms(0));
   pings_between(sender, 0, 5000, {});
-  EXPECT_NEAR(pings_between(sender, 5000, 15'000, kBlurredUs), 200, 5);
-  EXPECT_NEAR(pings_between(sender, 15'000, 25'000, {}), 200, 5);
+  EXPECT_NEAR(pings_between(sender, 5000, 15'000, kBlurredUs), 190, 5);
+  EXPECT_NEAR(pings_between(sender, 15'000, 25'000, {}), 190, 5);
   EXPECT_NEAR(pings_between(sender, 25'000, 35'000, kSharpUs), 10, 1);
 }
 
@@ -61,6 +61,30 @@ TEST(PingSender, MeetsEveryPhaseOfALatencyTimer) {
   }
   const auto [fewest, most] = std::ranges::minmax(pings_at_phase);
   EXPECT_GT(fewest, most / 2);
+}
+
+TEST(PingSender, FillsAMillisecondOfEachPhaseWithDelimiters) {
+  PingSender sender({});
+  sender.restart(at_ms(0));
+  std::array<int, 13> pings_with_lead{};
+  int now_ms = 0;
+  for (int i = 0; i < 2600; ++i) {
+    ++pings_with_lead.at(sender.lead_bytes());
+    sender.take(at_ms(now_ms), kBlurredUs);
+    now_ms += 50;
+  }
+  EXPECT_NEAR(pings_with_lead[0], 1300 + 100, 10) << "every other goes at once";
+  for (std::size_t lead = 1; lead < pings_with_lead.size(); ++lead) {
+    EXPECT_NEAR(pings_with_lead.at(lead), 100, 10) << lead;
+  }
+}
+
+TEST(PingSender, SendsNoDelimitersWhereTheyTellNothing) {
+  PingSender sender({.most_lead_bytes = 0});
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(sender.lead_bytes(), 0U);
+    sender.take(at_ms(i), {});
+  }
 }
 
 TEST(PingSender, KnowsTheLastPingsEachOnce) {
@@ -88,7 +112,7 @@ TEST(PingSender, ForgetsPingsThatAreLongUnanswered) {
 TEST(PingSender, RefusesAPeriodOfNothing) {
   EXPECT_THROW(PingSender({.period = std::chrono::seconds(0)}), std::invalid_argument);
   EXPECT_THROW(PingSender({.blurred_period = std::chrono::seconds(0)}), std::invalid_argument);
-  EXPECT_THROW(PingSender({.spread = std::chrono::seconds(-1)}), std::invalid_argument);
+  EXPECT_THROW(PingSender({.spread = std::chrono::seconds(0)}), std::invalid_argument);
 }
 
 }  // namespace

@@ -17,6 +17,22 @@ TEST(RobotLinkParams, RefusesPeriodsThatDoNotFitTogether) {
   EXPECT_THROW(checked({.quiet_after = milliseconds(1000)}), std::invalid_argument);
 }
 
+TEST(RobotLinkParams, FillsAMillisecondWithDelimitersAtEverySpeed) {
+  EXPECT_EQ(wired_link(9600).ping.most_lead_bytes, 1U);
+  EXPECT_EQ(wired_link(115200).ping.most_lead_bytes, RobotLinkParams{}.ping.most_lead_bytes);
+  EXPECT_EQ(wired_link(500'000).ping.most_lead_bytes, 24U) << "the robot's buffer is small";
+  EXPECT_NEAR(wired_link(115200).clock.phase_step_us, RobotLinkParams{}.clock.phase_step_us, 0.5);
+  EXPECT_EQ(wired_link(9600).clock.phase_step_us, 1000.0) << "USB's own step";
+}
+
+TEST(RobotLinkParams, LeavesRoomOnASlowWire) {
+  const RobotLinkParams slow = wired_link(9600);
+  // A ping and its delimiters, ten bits a byte, against 9600 bits a second.
+  const double bytes = 10.0 + 0.5 * static_cast<double>(slow.ping.most_lead_bytes);
+  EXPECT_LE(bytes * 10.0 / std::chrono::duration<double>(slow.ping.first_period).count(),
+            0.5 * 9600.0);
+}
+
 TEST(RobotLinkParams, LetsMotionOutliveTwoStallsOfARadio) {
   const RobotLinkParams params = checked(radio_link());
   EXPECT_GE(params.keep_alive_ttl, milliseconds(2 * 150));

@@ -100,10 +100,38 @@ TEST(ClockSync, FollowsARateThatDrifts) {
   EXPECT_NEAR(error_us(clock, robot, 300'000'000), 0.0, 500.0);
 }
 
+TEST(ClockSync, BelievesNoTelemetryThatMayKeepTimeWithTheLine) {
+  const Robot robot{0, 10.0, 0};
+  for (const bool is_random : {false, true}) {
+    ClockSync clock({.telemetry_waits_at_random = is_random});
+    robot.talk_to(clock, 0, 10'000'000);
+    const double before_us = error_us(clock, robot, 10'000'000);
+    // Earlier than any pong: the hull of arrivals comes down.
+    for (std::int64_t now_us = 10'010'000; now_us < 12'000'000; now_us += 20'000) {
+      clock.add_telemetry(robot.stamp_us(now_us), at_us(now_us + Robot::kDelayUs - 500));
+    }
+    clock.add_ping(at_us(12'000'000 - Robot::kDelayUs),
+                   robot.stamp_us(12'000'000),
+                   at_us(12'000'000 + Robot::kDelayUs));
+    const double change_us = error_us(clock, robot, 12'000'000) - before_us;
+    EXPECT_EQ(std::abs(change_us) > 50.0, is_random) << change_us;
+  }
+}
+
+TEST(ClockSync, NeverClaimsToKnowMoreThanThePhasesTell) {
+  const Robot robot;
+  for (const double step_us : {0.0, 200.0}) {
+    ClockSync clock({.phase_step_us = step_us});
+    robot.talk_to(clock, 0, 30'000'000);
+    EXPECT_NEAR(*clock.uncertainty_us(), 0.5 * step_us, 10.0);
+  }
+}
+
 TEST(ClockSync, RefusesParametersThatMakeNoSense) {
   EXPECT_THROW(ClockSync({.window = microseconds(0)}), std::invalid_argument);
   EXPECT_THROW(ClockSync({.fit_period = microseconds(-1)}), std::invalid_argument);
   EXPECT_THROW(ClockSync({.max_rate_error_ppm = 0.0}), std::invalid_argument);
+  EXPECT_THROW(ClockSync({.phase_step_us = -1.0}), std::invalid_argument);
 }
 
 }  // namespace
