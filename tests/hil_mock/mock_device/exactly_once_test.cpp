@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "hil_mock/mock_device/mock_board.hpp"
 #include "tests/hil_mock/mock_device/lossy_commands.hpp"
 
 namespace echomap::mock_device {
@@ -8,7 +9,7 @@ namespace {
 
 TEST(ExactlyOnce, TenThousandCommandsOverALineThatLosesOneFrameInTwenty) {
   constexpr int kCommands = 10'000;
-  const LossyCommands result = measure_commands(kCommands, 0.05);
+  const LossyCommands result = measure_commands(std::make_unique<MockBoard>(), kCommands, 0.05);
   EXPECT_EQ(result.accepted, kCommands);
   EXPECT_EQ(result.exactly_once, kCommands);
   EXPECT_GT(result.statistics.commands_resent, 900U);

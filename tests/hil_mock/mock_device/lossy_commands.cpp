@@ -2,11 +2,10 @@
 #include "tests/hil_mock/mock_device/lossy_commands.hpp"
 
 #include <cstdlib>
-#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "hil_mock/mock_device/mock_board.hpp"
 #include "hil_mock/runner/faulty_board.hpp"
 #include "host/robot_link/robot_link.hpp"
 
@@ -32,8 +31,8 @@ protocol::StartSweep single_ping(int number) {
 
 class LossySession : private robot_link::RobotLinkListener {
  public:
-  explicit LossySession(double loss)
-      : board_(std::make_unique<MockBoard>(), {.faults = {.rates = {}, .loss = loss, .seed = 5}}),
+  LossySession(std::unique_ptr<runner::SimulatedBoard> board, double loss)
+      : board_(std::move(board), {.faults = {.rates = {}, .loss = loss, .seed = 5}}),
         link_(*this, 0x0CE5) {
     board_.on_sent = [this](std::uint8_t byte) { to_host_.push_back(byte); };
     board_.on_trigger = [this](std::int64_t at_ns) { ping(at_ns); };
@@ -105,8 +104,10 @@ class LossySession : private robot_link::RobotLinkListener {
 
 }  // namespace
 
-LossyCommands measure_commands(int commands, double loss) {
-  LossySession session(loss);
+LossyCommands measure_commands(std::unique_ptr<runner::SimulatedBoard> board,
+                               int commands,
+                               double loss) {
+  LossySession session(std::move(board), loss);
   session.perform(protocol::ConfigureSonar{0, 25000, 30});
   LossyCommands result;
   for (int number = 0; number < commands; ++number) {

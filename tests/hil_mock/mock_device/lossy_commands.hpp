@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
+#include "hil_mock/runner/simulated_board.hpp"
 #include "host/robot_link/link_statistics.hpp"
 
 namespace echomap::mock_device {
@@ -15,10 +17,12 @@ struct LossyCommands {
   robot_link::LinkStatistics statistics;
 };
 
-/// Commands from the host's link to the native firmware while `loss` of the frames are lost each
-/// way. Each command is a sweep of a single ping at an angle of its own, and the board's pins tell
-/// what was done: a command that was done twice would trigger the sonar twice at its angle, one
-/// that was not done leaves a gap.
-LossyCommands measure_commands(int commands, double loss);
+/// Commands from the host's link to a board while `loss` of the frames are lost each way. Each
+/// command is a sweep of a single ping at an angle of its own, and the board's pins tell what was
+/// done: a command that was done twice would trigger the sonar twice at its angle, one that was not
+/// done leaves a gap.
+LossyCommands measure_commands(std::unique_ptr<runner::SimulatedBoard> board,
+                               int commands,
+                               double loss);
 
 }  // namespace echomap::mock_device
