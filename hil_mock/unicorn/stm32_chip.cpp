@@ -26,6 +26,9 @@ constexpr std::uint8_t kTim2Line = 28;
 constexpr std::uint8_t kTim3Line = 29;
 constexpr std::uint8_t kTim4Line = 30;
 constexpr std::uint8_t kTim4Input1Pin = 6;  ///< Of port B: RM0008, table 43.
+/// Of port B: RM0008, table 55.
+constexpr std::uint8_t kI2c2ClockPin = 10;
+constexpr std::uint8_t kI2c2DataPin = 11;
 
 /// RAM is random after power-on; a fixed pattern that is no useful value keeps runs the same.
 constexpr std::uint8_t kPowerOnRam = 0xA5;
@@ -42,6 +45,7 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
              {0x40000400, &tim3_, Bus::kApb1, 1},
              {0x40000800, &tim4_, Bus::kApb1, 2},
              {0x40003000, &iwdg_},
+             {0x40005800, &i2c2_, Bus::kApb1, 22},
              {0x40010000, &afio_, Bus::kApb2, 0},
              {0x40010400, &exti_, Bus::kApb2, 0},
              {0x40010800, &port_a_, Bus::kApb2, 2},
@@ -54,6 +58,9 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
   iwdg_.on_timeout = [this] {
     watchdog_bites_ = true;
     core_.interrupt();
+  };
+  i2c2_.has_pins = [this] {
+    return port_b_.is_alternate(kI2c2ClockPin) && port_b_.is_alternate(kI2c2DataPin);
   };
   afio_.on_remap = [this] {
     port_a_.take_away(afio_.jtag_pins_of_a());

@@ -14,6 +14,7 @@
 #include "hil_mock/unicorn/exti.hpp"
 #include "hil_mock/unicorn/flash_writer.hpp"
 #include "hil_mock/unicorn/gpio_port.hpp"
+#include "hil_mock/unicorn/i2c.hpp"
 #include "hil_mock/unicorn/iwdg.hpp"
 #include "hil_mock/unicorn/nvic.hpp"
 #include "hil_mock/unicorn/rcc.hpp"
@@ -59,6 +60,7 @@ class Stm32Chip {
   const GpioPort& port(PortName name) const { return name == kPortA ? port_a_ : port_b_; }
   Usart& usart() { return usart_; }
   Adc& adc() { return adc_; }
+  I2c& i2c2() { return i2c2_; }
   const Afio& afio() const { return afio_; }
   SysTick& sys_tick() { return sys_tick_; }
   const Timer& tim2() const { return tim2_; }
@@ -101,6 +103,7 @@ class Stm32Chip {
   Timer tim4_;
   Usart usart_{queue_, nvic_};
   Adc adc_{queue_};
+  I2c i2c2_{queue_, nvic_};
   Iwdg iwdg_{queue_};
   FlashWriter flash_{queue_};
   SysTick sys_tick_{queue_, nvic_};

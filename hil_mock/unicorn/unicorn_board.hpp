@@ -35,7 +35,7 @@ class UnicornBoard final : public runner::SimulatedBoard {
   void set_aux_millivolts(unsigned pin, double millivolts) override;
   bool aux_output(unsigned pin) const override;
   /// The firmware of this board has no two-wire bus yet: nobody asks the device.
-  void connect(world::TwoWireDevice& /*device*/) override {}
+  void connect(world::TwoWireDevice& device) override { chip_.i2c2().connect(device); }
 
   std::string board_name() const override { return "stm32f103"; }
   std::string firmware_name() const override;

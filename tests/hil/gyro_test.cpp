@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The MPU-6050 on the two-wire bus of the AVR boards: the release image drives the bus, the
-/// emulator has it by the data sheet.
+/// The MPU-6050 on the two-wire bus of every board: the release image drives the bus, the emulator
+/// has it by the data sheet.
 #include <cstdint>
 #include <cstdio>
 

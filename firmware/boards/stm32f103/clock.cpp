@@ -44,7 +44,7 @@ void start_clock() {
   running_hz = start_crystal() ? kCrystalHz : kInternalHz;
   rcc().apb2enr =
       kRccApb2Afio | kRccApb2PortA | kRccApb2PortB | kRccApb2Adc1 | kRccApb2Tim1 | kRccApb2Usart1;
-  rcc().apb1enr = kRccApb1Tim2 | kRccApb1Tim3 | kRccApb1Tim4;
+  rcc().apb1enr = kRccApb1Tim2 | kRccApb1Tim3 | kRccApb1Tim4 | kRccApb1I2c2;
   afio().mapr = kAfioMaprSwdOnly | kAfioMaprTim2OnPa15;
 }
 

@@ -12,6 +12,8 @@ namespace boards {
 enum class InterruptLine : uint8_t {
   kTim1Update = 25,
   kTim4 = 30,
+  kI2c2Event = 33,
+  kI2c2Error = 34,
   kUsart1 = 37,
   kExti15To10 = 40,
 };

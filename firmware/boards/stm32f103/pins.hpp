@@ -25,6 +25,7 @@ enum class PinMode : uint8_t {
   kInputPulled = 0x8,  ///< Up or down by ODR.
   kOutput = 0x2,       ///< Push-pull, 2 MHz.
   kAlternate = 0xA,    ///< The same, by a timer or the USART.
+  kAlternateOpenDrain = 0xE,
 };
 
 /// The registers of the pin's port.
@@ -63,6 +64,10 @@ constexpr Pin kLeftPwmPin{Port::kA, 6};   // TIM3_CH1
 constexpr Pin kRightPwmPin{Port::kA, 7};  // TIM3_CH2
 constexpr Pin kLeftForwardPin{Port::kB, 4};
 constexpr Pin kRightForwardPin{Port::kB, 5};
+
+/// I2C2; spare pins while no transfer was started.
+constexpr Pin kTwiClockPin{Port::kB, 10};
+constexpr Pin kTwiDataPin{Port::kB, 11};
 
 /// USART1.
 constexpr Pin kSendPin{Port::kA, 9};

@@ -46,6 +46,7 @@ constexpr uint32_t kRccApb2Usart1 = bit(14);
 constexpr uint32_t kRccApb1Tim2 = bit(0);
 constexpr uint32_t kRccApb1Tim3 = bit(1);
 constexpr uint32_t kRccApb1Tim4 = bit(2);
+constexpr uint32_t kRccApb1I2c2 = bit(22);
 constexpr uint32_t kRccCsrRemoveFlags = bit(24);
 constexpr uint32_t kRccCsrPin = bit(26);
 constexpr uint32_t kRccCsrPowerOn = bit(27);
@@ -129,6 +130,27 @@ constexpr uint32_t kUsartCr1Sender = bit(3);
 constexpr uint32_t kUsartCr1ReceivedInterrupt = bit(5);
 constexpr uint32_t kUsartCr1SendEmptyInterrupt = bit(7);
 constexpr uint32_t kUsartCr1Enable = bit(13);
+
+/// I2C, chapter 26.
+struct I2cRegisters {
+  Register cr1, cr2, oar1, oar2, dr, sr1, sr2, ccr, trise;
+};
+inline I2cRegisters& i2c2() { return block_at<I2cRegisters>(0x40005800); }
+
+/// Bits of the I2C units, by register.
+constexpr uint32_t kI2cCr1Enable = bit(0);
+constexpr uint32_t kI2cCr1Start = bit(8);
+constexpr uint32_t kI2cCr1Stop = bit(9);
+constexpr uint32_t kI2cCr1Acknowledge = bit(10);
+constexpr uint32_t kI2cCr1SecondByte = bit(11);  ///< POS: ACK is of the byte after the next.
+constexpr uint32_t kI2cCr1Reset = bit(15);
+constexpr uint32_t kI2cCr2ErrorInterrupt = bit(8);
+constexpr uint32_t kI2cCr2EventInterrupt = bit(9);
+constexpr uint32_t kI2cSr1Started = bit(0);
+constexpr uint32_t kI2cSr1Address = bit(1);
+constexpr uint32_t kI2cSr1EndOfByte =
+    bit(2);  ///< BTF: and the one before was not read, or none follows.
+constexpr uint32_t kI2cCcrFast = bit(15);
 
 /// ADC, chapter 11.
 struct AdcRegisters {
