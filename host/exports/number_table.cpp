@@ -59,10 +59,10 @@ void append_row(std::string& text, std::span<const double> values, char separato
   }
 }
 
-std::vector<std::vector<double>> read_number_table(const std::filesystem::path& path,
-                                                   const NumberTableFormat& format) {
+std::vector<NumberRow> read_number_table(const std::filesystem::path& path,
+                                         const NumberTableFormat& format) {
   std::istringstream lines(files::read_text_file(path));
-  std::vector<std::vector<double>> rows;
+  std::vector<NumberRow> rows;
   bool header_is_due = !format.header.empty();
   std::size_t line_number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -77,7 +77,7 @@ std::vector<std::vector<double>> read_number_table(const std::filesystem::path& 
       header_is_due = false;
       continue;
     }
-    rows.push_back(parse_row(line, format, path, line_number));
+    rows.push_back({parse_row(line, format, path, line_number), line_number});
   }
   if (header_is_due) {
     fail_at_line(path, 1, "expected the header '" + std::string(format.header) + "'");

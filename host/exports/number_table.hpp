@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -17,13 +18,19 @@ struct NumberTableFormat {
   std::size_t columns = 0;
 };
 
+/// A line of numbers.
+struct NumberRow {
+  std::vector<double> values;
+  std::size_t line = 0;  ///< In the file, from 1, whatever is skipped before it.
+};
+
 /// Appends one line. Numbers are the shortest decimals that read back as the same double.
 void append_row(std::string& text, std::span<const double> values, char separator);
 
 /// Reads such a file; lines that begin with # are skipped. Throws files::FileError, whose text
 /// begins `file:line: ` where the header, the number of columns or a number is wrong.
-std::vector<std::vector<double>> read_number_table(const std::filesystem::path& path,
-                                                   const NumberTableFormat& format);
+std::vector<NumberRow> read_number_table(const std::filesystem::path& path,
+                                         const NumberTableFormat& format);
 
 /// Throws files::FileError with the text `file:line: message`.
 [[noreturn]] void fail_at_line(const std::filesystem::path& path,

@@ -12,8 +12,6 @@ namespace echomap::exports {
 namespace {
 
 constexpr NumberTableFormat kFormat{"x_m,y_m,pose_index", ',', 3};
-/// Row 0 stands below the header.
-constexpr std::size_t kFirstRowLine = 2;
 
 }  // namespace
 
@@ -31,10 +29,10 @@ void write_points_csv(const std::filesystem::path& path,
 
 std::vector<mapping::MapPoint> read_points_csv(const std::filesystem::path& path) {
   std::vector<mapping::MapPoint> points;
-  for (const auto& row : read_number_table(path, kFormat)) {
+  for (const auto& [row, line] : read_number_table(path, kFormat)) {
     const bool is_index = row[2] >= 0.0 && row[2] < 4294967296.0 && row[2] == std::floor(row[2]);
     if (!is_index) {
-      fail_at_line(path, points.size() + kFirstRowLine, "pose_index must be a whole number from 0");
+      fail_at_line(path, line, "pose_index must be a whole number from 0");
     }
     points.push_back({{row[0], row[1]}, static_cast<std::size_t>(row[2])});
   }

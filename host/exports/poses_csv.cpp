@@ -28,7 +28,7 @@ void write_poses_csv(const std::filesystem::path& path, const std::vector<geomet
 std::vector<geometry::Pose2> read_poses_csv(const std::filesystem::path& path) {
   std::vector<geometry::Pose2> poses;
   for (const auto& row : read_number_table(path, kFormat)) {
-    poses.emplace_back(row[0], row[1], row[2]);
+    poses.emplace_back(row.values[0], row.values[1], row.values[2]);
   }
   return poses;
 }

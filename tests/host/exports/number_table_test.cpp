@@ -22,7 +22,7 @@ constexpr NumberTableFormat kFormat{"a,b", ',', 2};
 
 class NumberTableTest : public ::testing::Test {
  protected:
-  std::vector<std::vector<double>> read(const std::string& text) {
+  std::vector<NumberRow> read(const std::string& text) {
     files::write_text_file(folder_ / "table.csv", text);
     return read_number_table(folder_ / "table.csv", kFormat);
   }
@@ -49,7 +49,7 @@ TEST_F(NumberTableTest, KeepsEveryBitOfANumber) {
   const auto read_rows = read(text);
   ASSERT_EQ(read_rows.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_EQ(std::memcmp(rows[i].data(), read_rows[i].data(), sizeof rows[i]), 0);
+    EXPECT_EQ(std::memcmp(rows[i].data(), read_rows[i].values.data(), sizeof rows[i]), 0);
   }
 }
 

@@ -39,11 +39,12 @@ TEST(PointsCsv, OfNoPointsIsAHeader) {
 TEST(PointsCsv, RefusesAnIndexThatIsNone) {
   const tests::ScratchFolder folder;
   for (const char* index : {"-1", "0.5", "1e300"}) {
-    files::write_text_file(folder / "points.csv",
-                           "x_m,y_m,pose_index\n0,0,0\n1,2," + std::string(index) + "\n");
+    files::write_text_file(
+        folder / "points.csv",
+        "# a room\nx_m,y_m,pose_index\n0,0,0\n# moved\n1,2," + std::string(index) + "\n");
     EXPECT_THAT(
         tests::thrown_text<files::FileError>([&] { read_points_csv(folder / "points.csv"); }),
-        HasSubstr("points.csv:3: pose_index"));
+        HasSubstr("points.csv:5: pose_index"));
   }
 }
 
