@@ -18,9 +18,8 @@ struct AttachedDevices {
 
 /// What the user said.
 struct FlashRequest {
-  std::string board = "";  ///< Empty where it follows from the port.
-  std::string port =
-      "";  ///< A path, or id:TEXT for a part of serial number or description; or empty.
+  std::string board{};  ///< Empty where it follows from the port.
+  std::string port{};  ///< A path, or id:TEXT for a part of serial number or description; or empty.
 };
 
 /// A program and its arguments.

@@ -44,8 +44,8 @@ std::vector<PortInfo> list_ports() {
 }
 
 std::optional<std::string_view> port_id_text(std::string_view name) {
-  constexpr std::string_view scheme = "id:";
-  return name.starts_with(scheme) ? std::optional(name.substr(scheme.size())) : std::nullopt;
+  constexpr std::string_view kScheme = "id:";
+  return name.starts_with(kScheme) ? std::optional(name.substr(kScheme.size())) : std::nullopt;
 }
 
 std::vector<PortInfo> ports_with_id(const std::vector<PortInfo>& ports, std::string_view text) {

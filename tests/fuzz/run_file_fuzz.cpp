@@ -15,7 +15,6 @@
 
 namespace {
 
-using echomap::fuzz::input_of;
 using echomap::fuzz::require;
 namespace exports = echomap::exports;
 namespace fs = std::filesystem;
@@ -81,16 +80,19 @@ void read(std::uint8_t kind, const fs::path& file) {
 
 std::vector<echomap::fuzz::Input> echomap::fuzz::seeds() {
   return {
-      input_of(kPoints, "x_m,y_m,pose_index\n1.5,-0.25,0\n2,3e-3,1\n"),
-      input_of(kPoses, "x_m,y_m,heading_rad\n0,0,0\n0.5,0.25,-3.14\n"),
-      input_of(kTrajectory, "# t x y z qx qy qz qw\n0.02 0 0 0 0 0 0 1\n1.5 1 2 0 0 0 0.7 0.7\n"),
-      input_of(kYaml,
-               "image: map.pgm\nmode: trinary\nresolution: 0.05\norigin: [-1.5, 2, 0]\n"
-               "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"),
-      input_of(kPgm, "P5\n# grey\n2 2\n255\nabcd"),
-      input_of(kWalls,
-               R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":)"
-               R"("LineString","coordinates":[[0,0],[1,0],[1,2.5]]}}]})"),
+      echomap::fuzz::input_of(kPoints, "x_m,y_m,pose_index\n1.5,-0.25,0\n2,3e-3,1\n"),
+      echomap::fuzz::input_of(kPoses, "x_m,y_m,heading_rad\n0,0,0\n0.5,0.25,-3.14\n"),
+      echomap::fuzz::input_of(kTrajectory,
+                              "# t x y z qx qy qz qw\n0.02 0 0 0 0 0 0 1\n1.5 1 2 0 0 0 0.7 0.7\n"),
+      echomap::fuzz::input_of(
+          kYaml,
+          "image: map.pgm\nmode: trinary\nresolution: 0.05\norigin: [-1.5, 2, 0]\n"
+          "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"),
+      echomap::fuzz::input_of(kPgm, "P5\n# grey\n2 2\n255\nabcd"),
+      echomap::fuzz::input_of(
+          kWalls,
+          R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":)"
+          R"("LineString","coordinates":[[0,0],[1,0],[1,2.5]]}}]})"),
   };
 }
 

@@ -16,7 +16,7 @@ constexpr std::uint8_t kRangesPeriodMs = 50;
 /// Functions of the spare pins, in their order. The inputs' pull-ups say that all is well.
 std::vector<std::uint8_t> functions_of(const std::string& board) {
   using namespace protocol;
-  static const std::map<std::string, std::vector<std::uint8_t>> kFunctions{
+  static const std::map<std::string, std::vector<std::uint8_t>> by_board{
       // 3 and 4 are the bus of the gyro.
       {"uno",
        {kPinCliffLeft,
@@ -43,7 +43,7 @@ std::vector<std::uint8_t> functions_of(const std::string& board) {
         kPinRange0 + 5,
         kPinRange0 + 6,
         kPinBattery}}};
-  return kFunctions.at(board);
+  return by_board.at(board);
 }
 
 /// Fills the fields pin_0 .. pin_15 from a list.

@@ -57,9 +57,9 @@ SourceLines::SourceLines(const std::filesystem::path& elf) {
 }
 
 const std::string& SourceLines::file_at(std::uint32_t address) const {
-  static const std::string kNone;
+  static const std::string none;
   const auto behind = files_.upper_bound(address);
-  return behind == files_.begin() ? kNone : std::prev(behind)->second;
+  return behind == files_.begin() ? none : std::prev(behind)->second;
 }
 
 }  // namespace echomap::tests
