@@ -51,7 +51,8 @@ class ElfFile {
       gelf_getshdr(at, &header);
       const char* const its_name = elf_strptr(elf_, names, header.sh_name);
       const Elf_Data* const data = elf_rawdata(at, nullptr);
-      if (its_name != nullptr && its_name == name && data != nullptr) {
+      const bool has_bytes = data != nullptr && data->d_buf != nullptr;
+      if (its_name != nullptr && its_name == name && has_bytes) {
         return {static_cast<const char*>(data->d_buf), data->d_size};
       }
     }

@@ -9,24 +9,7 @@
 #include "protocol/messages.hpp"
 #include "tests/fuzz/frames.hpp"
 
-namespace {
-
 namespace protocol = echomap::protocol;
-
-/// Encodes each message that was decoded again: it must give the payload that it came from.
-struct EncodeAgain {
-  const protocol::Frame& frame;
-  template <class M>
-  void operator()(const M& message) {
-    std::vector<std::uint8_t> payload(protocol::MessageFacts<M>::kSize);
-    put_payload(message, payload.data());
-    if (payload != std::vector<std::uint8_t>(frame.payload, frame.payload + frame.payload_size)) {
-      std::abort();
-    }
-  }
-};
-
-}  // namespace
 
 std::vector<echomap::fuzz::Input> echomap::fuzz::seeds() { return golden_frames(); }
 
@@ -36,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (std::size_t i = 0; i < size; ++i) {
     if (decoder.take(data[i]) == protocol::DecodeStatus::kFrame) {
       const protocol::Frame frame = decoder.frame();
-      EncodeAgain encode_again{frame};
+      echomap::fuzz::EncodeAgain encode_again{{frame.payload, frame.payload_size}};
       if (!protocol::Dispatcher<protocol::AllMessages>::dispatch(
               frame.id, frame.payload, encode_again)) {
         std::abort();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,18 @@ class FrameMaker {
   protocol::FrameEncoder encoder_;
   std::uint8_t seq_ = 0;
   Input frame_;
+};
+
+/// Requires of a message, dispatched from its payload, that it encodes to the same.
+struct EncodeAgain {
+  std::span<const std::uint8_t> payload;
+  template <class M>
+  void operator()(const M& message) {
+    Input again(protocol::MessageFacts<M>::kSize);
+    put_payload(message, again.data());
+    require(std::equal(again.begin(), again.end(), payload.begin(), payload.end()),
+            "what is decoded encodes to the same");
+  }
 };
 
 /// Hears what one side sends and requires that every byte of it belongs to a good frame.

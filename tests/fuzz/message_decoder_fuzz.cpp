@@ -9,24 +9,7 @@
 #include "protocol/messages.hpp"
 #include "tests/fuzz/frames.hpp"
 
-namespace {
-
 namespace protocol = echomap::protocol;
-
-/// Encodes each message that was decoded again: it must give the payload that it came from.
-struct EncodeAgain {
-  const std::vector<std::uint8_t>& payload;
-  template <class M>
-  void operator()(const M& message) {
-    std::vector<std::uint8_t> again(protocol::MessageFacts<M>::kSize);
-    put_payload(message, again.data());
-    if (again != payload) {
-      std::abort();
-    }
-  }
-};
-
-}  // namespace
 
 /// The id and payload of each golden frame.
 std::vector<echomap::fuzz::Input> echomap::fuzz::seeds() {
@@ -56,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   std::vector<std::uint8_t> payload(schema.payload_size);
   std::copy_n(data + 1, std::min(size - 1, payload.size()), payload.begin());
-  EncodeAgain encode_again{payload};
+  echomap::fuzz::EncodeAgain encode_again{payload};
   if (!protocol::Dispatcher<protocol::AllMessages>::dispatch(
           data[0], payload.data(), encode_again)) {
     std::abort();

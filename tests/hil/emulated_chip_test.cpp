@@ -14,6 +14,7 @@
 #include "host/files/atomic_file.hpp"
 #include "tests/hil/probe/probe_commands.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/small_elf.hpp"
 
 namespace echomap::emulator {
 namespace {
@@ -307,6 +308,16 @@ TEST(SimavrBoard, SaysForWhichChipAProgramIsThatNoBoardRuns) {
   EXPECT_THAT([&] { SimavrBoard board(elf); },
               ::testing::ThrowsMessage<std::runtime_error>(
                   ::testing::AllOf(HasSubstr("atmega32u4"), HasSubstr("uno (atmega328p)"))));
+}
+
+TEST(SimavrBoard, RejectsANoteWithoutBytes) {
+  tests::SmallAvrElf program("atmega328p");
+  program.note.sh_type = SHT_NOBITS;
+  const tests::ScratchFolder folder;
+  files::write_text_file(folder / "bare.elf", program.text());
+  EXPECT_THAT(
+      [&] { SimavrBoard board(folder / "bare.elf"); },
+      ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("does not say for which chip it is")));
 }
 
 /// An MPU-6050's address and name; remembers which registers were asked for.

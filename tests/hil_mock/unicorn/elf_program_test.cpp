@@ -5,6 +5,7 @@
 #include <elf.h>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -12,6 +13,7 @@
 
 #include "host/files/atomic_file.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/small_elf.hpp"
 
 namespace echomap::unicorn {
 namespace {
@@ -19,35 +21,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-template <class T>
-std::string bytes_of(const T& value) {
-  return {reinterpret_cast<const char*>(&value), sizeof(value)};
-}
-
-/// A file with one segment of four bytes, loaded at 0x20000000 from 0x08000100.
-struct SmallElf {
-  SmallElf() {
-    header.e_ident[EI_MAG0] = ELFMAG0;
-    header.e_ident[EI_MAG1] = ELFMAG1;
-    header.e_ident[EI_MAG2] = ELFMAG2;
-    header.e_ident[EI_MAG3] = ELFMAG3;
-    header.e_ident[EI_CLASS] = ELFCLASS32;
-    header.e_machine = EM_ARM;
-    header.e_phoff = sizeof(header);
-    header.e_phnum = 1;
-    segment.p_type = PT_LOAD;
-    segment.p_offset = sizeof(header) + sizeof(segment);
-    segment.p_paddr = 0x08000100;
-    segment.p_vaddr = 0x20000000;
-    segment.p_filesz = 4;
-  }
-
-  std::string text() const { return bytes_of(header) + bytes_of(segment) + "\1\2\3\4"; }
-
-  Elf32_Ehdr header{};
-  Elf32_Phdr segment{};
-};
 
 class ElfProgram : public ::testing::Test {
  protected:
@@ -65,14 +38,14 @@ class ElfProgram : public ::testing::Test {
 };
 
 TEST_F(ElfProgram, ReadsWhatIsLoadedByItsPhysicalAddress) {
-  const auto segments = read(SmallElf().text());
+  const auto segments = read(tests::SmallArmElf().text());
   ASSERT_EQ(segments.size(), 1U);
   EXPECT_EQ(segments[0].address, 0x08000100U);
   EXPECT_THAT(segments[0].bytes, ElementsAre(1, 2, 3, 4));
 }
 
 TEST_F(ElfProgram, RefusesAFileThatEndsBeforeItsSegment) {
-  SmallElf elf;
+  tests::SmallArmElf elf;
   const std::string whole = elf.text();
   for (std::size_t size = 0; size < whole.size(); ++size) {
     EXPECT_THROW(read(whole.substr(0, size)), std::runtime_error) << size;
@@ -83,14 +56,14 @@ TEST_F(ElfProgram, RefusesAFileThatEndsBeforeItsSegment) {
 }
 
 TEST_F(ElfProgram, RefusesAProgramForAnotherProcessor) {
-  SmallElf elf;
+  tests::SmallArmElf elf;
   elf.header.e_machine = EM_AVR;
   const auto [reading, says] = refusal(elf.text(), "is no ELF file of an ARM program");
   EXPECT_THAT(reading, says);
 }
 
 TEST_F(ElfProgram, RefusesAFileThatLoadsNothing) {
-  SmallElf elf;
+  tests::SmallArmElf elf;
   elf.segment.p_type = PT_NOTE;
   const auto [reading, says] = refusal(elf.text(), "holds no program");
   EXPECT_THAT(reading, says);
