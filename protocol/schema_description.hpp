@@ -132,10 +132,10 @@ constexpr SchemaWriter written_schema(MessageList<Messages...> /*list*/) {
 /// Describes a list; to be evaluated at compile time, for it takes the space of every name.
 template <class List>
 constexpr auto describe_schema() {
-  constexpr SchemaWriter writer = written_schema(List{});
-  SchemaDescription<writer.size()> description{};
-  for (uint16_t i = 0; i < writer.size(); ++i) {
-    description.bytes[i] = writer.byte(i);
+  constexpr SchemaWriter kWriter = written_schema(List{});
+  SchemaDescription<kWriter.size()> description{};
+  for (uint16_t i = 0; i < kWriter.size(); ++i) {
+    description.bytes[i] = kWriter.byte(i);
   }
   return description;
 }

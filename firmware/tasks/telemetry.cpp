@@ -9,7 +9,7 @@ namespace echomap {
 namespace tasks {
 namespace {
 
-constexpr uint8_t kContactBit = protocol::kFlagBumpLeft / hal::kContactLeft;
+constexpr uint8_t kContactBit = uint8_t{protocol::kFlagBumpLeft} / uint8_t{hal::kContactLeft};
 
 uint8_t bit_if(bool condition, protocol::RobotFlags bit) {
   return condition ? static_cast<uint8_t>(bit) : uint8_t{0};

@@ -29,19 +29,21 @@ FaultyBoard::FaultyBoard(std::unique_ptr<SimulatedBoard> board, const LineModel&
 
 /// In pieces that end where bytes arrive at the board.
 void FaultyBoard::run_until(std::int64_t until_ns) {
-  if (!delay_to_robot_) {
+  if (!delay_to_robot_ || !delay_to_host_) {
     board_->run_until(until_ns);
     return;
   }
-  while (const auto arrival_ns = delay_to_robot_->next_arrival_ns()) {
+  line_faults::DelayedLine& to_robot = *delay_to_robot_;
+  line_faults::DelayedLine& to_host = *delay_to_host_;
+  while (const auto arrival_ns = to_robot.next_arrival_ns()) {
     if (*arrival_ns > until_ns) {
       break;
     }
     board_->run_until(std::max(*arrival_ns, board_->now_ns()));
-    board_->receive(delay_to_robot_->take_arrived(board_->now_ns()));
+    board_->receive(to_robot.take_arrived(board_->now_ns()));
   }
   board_->run_until(until_ns);
-  give_to_host(delay_to_host_->take_arrived(until_ns));
+  give_to_host(to_host.take_arrived(until_ns));
 }
 
 void FaultyBoard::receive(std::span<const std::uint8_t> bytes) {

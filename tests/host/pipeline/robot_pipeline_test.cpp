@@ -32,8 +32,8 @@ sensors::WheelTravel travel(double ahead_m, double turn_rad) {
 class RobotPipelineTest : public ::testing::Test {
  protected:
   void read(const sensors::WheelTravel& at, double pan_deg, std::optional<double> range_m) {
-    stamp_us_ += 50'000;
-    pipeline_.on_sonar({at_us(stamp_us_), at, geometry::radians(pan_deg), range_m});
+    stamp_us += 50'000;
+    pipeline.on_sonar({at_us(stamp_us), at, geometry::radians(pan_deg), range_m});
   }
 
   /// A half turn of readings, all as far, from where the wheels have brought the robot.
@@ -45,20 +45,20 @@ class RobotPipelineTest : public ::testing::Test {
 
   /// In a round room.
   void scan(double ahead_m, double range_m) {
-    pipeline_.begin_scan();
+    pipeline.begin_scan();
     for (const double turn_rad : {0.0, std::numbers::pi}) {
       sweep(travel(ahead_m, turn_rad), range_m);
       sweep(travel(ahead_m, turn_rad), range_m);
     }
-    pipeline_.end_scan();
+    pipeline.end_scan();
   }
 
-  RobotPipeline pipeline_{plain_robot()};
-  std::int64_t stamp_us_ = 0;
+  RobotPipeline pipeline{plain_robot()};
+  std::int64_t stamp_us = 0;
 };
 
 TEST_F(RobotPipelineTest, StartsAtTheOriginWithNothing) {
-  const Snapshot snapshot = pipeline_.snapshot();
+  const Snapshot snapshot = pipeline.snapshot();
   EXPECT_EQ(snapshot.latest.T_map_robot.position_m(), Eigen::Vector2d(0.0, 0.0));
   EXPECT_TRUE(snapshot.trajectory->empty());
   EXPECT_TRUE(snapshot.points->points().empty());
@@ -68,10 +68,10 @@ TEST_F(RobotPipelineTest, StartsAtTheOriginWithNothing) {
 }
 
 TEST_F(RobotPipelineTest, FollowsTheWheels) {
-  pipeline_.on_odometry({at_us(1000), travel(0.5, 0.0)});
-  pipeline_.on_odometry({at_us(2000), travel(0.5, geometry::radians(90.0))});
-  pipeline_.on_odometry({at_us(3000), travel(0.8, geometry::radians(90.0))});
-  const Snapshot snapshot = pipeline_.snapshot();
+  pipeline.on_odometry({at_us(1000), travel(0.5, 0.0)});
+  pipeline.on_odometry({at_us(2000), travel(0.5, geometry::radians(90.0))});
+  pipeline.on_odometry({at_us(3000), travel(0.8, geometry::radians(90.0))});
+  const Snapshot snapshot = pipeline.snapshot();
   ASSERT_EQ(snapshot.trajectory->size(), 3U);
   EXPECT_EQ(snapshot.latest.stamp, at_us(3000));
   EXPECT_NEAR(
@@ -79,18 +79,18 @@ TEST_F(RobotPipelineTest, FollowsTheWheels) {
 }
 
 TEST_F(RobotPipelineTest, KeepsStampsOfTheTrajectoryRising) {
-  pipeline_.on_odometry({at_us(2000), travel(0.2, 0.0)});
-  pipeline_.on_odometry({at_us(1000), travel(0.1, 0.0)});
-  pipeline_.on_odometry({at_us(2000), travel(0.2, 0.0)});
-  EXPECT_EQ(pipeline_.snapshot().trajectory->size(), 1U);
+  pipeline.on_odometry({at_us(2000), travel(0.2, 0.0)});
+  pipeline.on_odometry({at_us(1000), travel(0.1, 0.0)});
+  pipeline.on_odometry({at_us(2000), travel(0.2, 0.0)});
+  EXPECT_EQ(pipeline.snapshot().trajectory->size(), 1U);
 }
 
 TEST_F(RobotPipelineTest, PlacesEachReadingByItsOwnWheels) {
-  pipeline_.begin_scan();
+  pipeline.begin_scan();
   read(travel(0.0, 0.0), 90.0, 1.0);
   read(travel(0.0, geometry::radians(180.0)), 90.0, 2.0);
-  pipeline_.end_scan();
-  const Snapshot snapshot = pipeline_.snapshot();
+  pipeline.end_scan();
+  const Snapshot snapshot = pipeline.snapshot();
   const auto& points = snapshot.points->points();
   ASSERT_EQ(points.size(), 2U);
   EXPECT_NEAR((points[0].position_m - Eigen::Vector2d(0.0, 1.0)).norm(), 0.0, 1e-9);
@@ -109,7 +109,7 @@ TEST_F(RobotPipelineTest, PlacesTheSonarWhereItIsMounted) {
 
 TEST_F(RobotPipelineTest, MakesOneScanOfSeveralSweeps) {
   scan(0.0, 1.0);
-  const Snapshot snapshot = pipeline_.snapshot();
+  const Snapshot snapshot = pipeline.snapshot();
   EXPECT_EQ(snapshot.stops, 1U);
   EXPECT_EQ(snapshot.last_scan->size(), 120U);
   EXPECT_EQ(snapshot.points->points().size(), 120U);
@@ -118,49 +118,49 @@ TEST_F(RobotPipelineTest, MakesOneScanOfSeveralSweeps) {
 
 TEST_F(RobotPipelineTest, SaysWhatTheLastStopHasAdded) {
   scan(0.0, 1.0);
-  const double first_m2 = pipeline_.snapshot().newly_free_m2;
+  const double first_m2 = pipeline.snapshot().newly_free_m2;
   scan(0.0, 1.0);
-  EXPECT_LT(pipeline_.snapshot().newly_free_m2, first_m2);
+  EXPECT_LT(pipeline.snapshot().newly_free_m2, first_m2);
 }
 
 TEST_F(RobotPipelineTest, KeepsReadingsOutsideOfAScanOutOfTheGrid) {
   sweep(travel(0.0, 0.0), 1.0);
-  const Snapshot snapshot = pipeline_.snapshot();
+  const Snapshot snapshot = pipeline.snapshot();
   EXPECT_EQ(snapshot.points->points().size(), 30U);
   EXPECT_TRUE(snapshot.grid->bounds().empty());
   EXPECT_EQ(snapshot.stops, 0U);
 }
 
 TEST_F(RobotPipelineTest, EndsAnOpenScanBeforeTheNext) {
-  pipeline_.begin_scan();
+  pipeline.begin_scan();
   read(travel(0.0, 0.0), 0.0, 1.0);
-  pipeline_.begin_scan();
-  EXPECT_EQ(pipeline_.snapshot().stops, 1U);
-  EXPECT_EQ(pipeline_.snapshot().last_scan->size(), 1U);
+  pipeline.begin_scan();
+  EXPECT_EQ(pipeline.snapshot().stops, 1U);
+  EXPECT_EQ(pipeline.snapshot().last_scan->size(), 1U);
 }
 
 TEST_F(RobotPipelineTest, DoesNothingAtTheEndOfNoScan) {
-  pipeline_.end_scan();
-  EXPECT_EQ(pipeline_.snapshot().stops, 0U);
+  pipeline.end_scan();
+  EXPECT_EQ(pipeline.snapshot().stops, 0U);
 }
 
 TEST_F(RobotPipelineTest, LeavesEarlierSnapshotsAsTheyWere) {
   scan(0.0, 1.0);
-  const Snapshot before = pipeline_.snapshot();
+  const Snapshot before = pipeline.snapshot();
   const auto drawing = tests::drawing_of(mapping::rasterize(*before.grid));
   scan(0.6, 1.0);
   EXPECT_EQ(tests::drawing_of(mapping::rasterize(*before.grid)), drawing);
   EXPECT_EQ(before.points->points().size(), 120U);
-  EXPECT_EQ(pipeline_.snapshot().points->points().size(), 240U);
+  EXPECT_EQ(pipeline.snapshot().points->points().size(), 240U);
 }
 
 TEST_F(RobotPipelineTest, SurvivesAScanWithoutAnyEcho) {
-  pipeline_.begin_scan();
+  pipeline.begin_scan();
   for (int pan_deg = -90; pan_deg <= 90; pan_deg += 6) {
     read({}, pan_deg, std::nullopt);
   }
-  pipeline_.end_scan();
-  const Snapshot snapshot = pipeline_.snapshot();
+  pipeline.end_scan();
+  const Snapshot snapshot = pipeline.snapshot();
   EXPECT_EQ(snapshot.stops, 1U);
   EXPECT_EQ(snapshot.newly_free_m2, 0.0);
   EXPECT_EQ(snapshot.points->poses().size(), 1U);
