@@ -12,7 +12,4 @@ inline std::filesystem::path release_image(const std::string& name) {
   return std::filesystem::path(ECHOMAP_BINARY_DIR) / "firmware" / (name + ".elf");
 }
 
-/// The image that a user flashes.
-inline std::filesystem::path release_image() { return release_image("echomap-uno"); }
-
 }  // namespace echomap::tests

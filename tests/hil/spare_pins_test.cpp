@@ -12,6 +12,7 @@
 #include "host/files/bundled_files.hpp"
 #include "host/geometry/angle.hpp"
 #include "tests/hil/on_every_board.hpp"
+#include "tests/hil_mock/world/rooms.hpp"
 
 // Parts that the world wires to the spare pins and the bus of each board, as its release firmware
 // reads and drives them.
@@ -29,10 +30,6 @@ struct VoltagePin {
 };
 const std::map<std::string, VoltagePin> voltage_pins = {
     {"uno", {5, 5000.0}}, {"mega", {8, 5000.0}}, {"stm32f103", {6, 3300.0}}};
-
-world::FloorPlan box_room() {
-  return {"box", {{{0.0, 0.0}, {4.0, 0.0}, {4.0, 3.0}, {0.0, 3.0}}, {}}, {}, {2.0, 1.5, 0.0}};
-}
 
 /// The configuration that fits `wires`, for the functions that are tested here.
 protocol::ConfigurePins pins_with(std::size_t battery_pin) {
@@ -78,7 +75,7 @@ TEST_P(SparePins, LevelsAndVoltagesReachTheHost) {
   wires[0] = PinWire{PinPart::kCliffLeft, true};
   wires[1] = PinWire{PinPart::kWheelDrop, false};
   wires.at(voltage.pin) = PinWire{PinPart::kBattery, false};
-  world::RobotWorld world(box_room(), body, 1);
+  world::RobotWorld world(world::box_room(), body, 1);
   wire(world);
   ASSERT_TRUE(robot.connect());
   ASSERT_EQ(robot.command(pins_with(voltage.pin)), CommandStatus::kAccepted);
@@ -96,7 +93,7 @@ TEST_P(SparePins, LevelsAndVoltagesReachTheHost) {
 
 TEST_P(SparePins, AStepperTurnsTheSonarAllTheWayRoundAndBack) {
   const auto path = files::bundled_file("nxt_tribot", "hil_mock/robots", "robot");
-  world::RobotWorld world(box_room(), world::read_robot(files::TomlReader::load(path)), 1);
+  world::RobotWorld world(world::box_room(), world::read_robot(files::TomlReader::load(path)), 1);
   stepper_.emplace(world.robot().parts.stepper.value());
   wire(world);
   ASSERT_TRUE(robot.connect());
@@ -122,7 +119,7 @@ TEST_P(SparePins, AGyroOnTheBusFollowsATurn) {
   constexpr double kCountsPerDegPerS = 65.5;
   world::RobotParams body;
   body.parts.gyro = world::GyroParams{0.0, 0.0, 0.0, 0.005};
-  world::RobotWorld world(box_room(), body, 1);
+  world::RobotWorld world(world::box_room(), body, 1);
   wire(world);
   ASSERT_TRUE(robot.connect());
   ASSERT_EQ(robot.command(protocol::ConfigureSensors{0, 0, kPeriodMs, 1}),

@@ -3,7 +3,6 @@
 #include <csignal>
 #include <fcntl.h>
 #include <string>
-#include <termios.h>
 #include <thread>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <sys/mount.h>
 
 #include "host/files/atomic_file.hpp"
+#include "tests/host/transport/pty_pair.hpp"
 #include "tests/integration/programs.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -28,39 +28,39 @@ namespace fs = std::filesystem;
 class BadInput : public ::testing::Test {
  protected:
   Ended echomap(std::vector<std::string> arguments) {
-    return Program("echomap", std::move(arguments), scratch_ / "log").wait();
+    return Program("echomap", std::move(arguments), scratch / "log").wait();
   }
-  std::string out() const { return "--out=" + (scratch_ / "run").string(); }
+  std::string out() const { return "--out=" + (scratch / "run").string(); }
 
   /// A simulated robot of its own, in lockstep or paced.
   std::unique_ptr<Program> start_mock(const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"--link=" + (scratch_ / "robot").string()};
+    std::vector<std::string> arguments{"--link=" + (scratch / "robot").string()};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    auto mock = std::make_unique<Program>("echomap-mock", arguments, scratch_ / "mock.log");
-    EXPECT_TRUE(eventually([&] { return fs::exists(scratch_ / "robot"); }));
+    auto mock = std::make_unique<Program>("echomap-mock", arguments, scratch / "mock.log");
+    EXPECT_TRUE(eventually([&] { return fs::exists(scratch / "robot"); }));
     return mock;
   }
 
-  tests::ScratchFolder scratch_;
+  /// In the run directory's summary; 0 before there is one.
+  int points_saved() const {
+    const auto summary = scratch / "run/summary.json";
+    return fs::exists(summary)
+               ? nlohmann::json::parse(read_text_file(summary)).at("points").get<int>()
+               : 0;
+  }
+
+  tests::ScratchFolder scratch;
 };
 
 /// A pty at whose other end some other program writes a line over and over, or nothing at all.
 class OtherProgram {
  public:
-  explicit OtherProgram(std::string line) : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
-    ::grantpt(master_);
-    ::unlockpt(master_);
-    port_ = ::ptsname(master_);
-    slave_ = ::open(port_.c_str(), O_RDWR | O_NOCTTY);
-    termios settings{};
-    ::tcgetattr(slave_, &settings);
-    ::cfmakeraw(&settings);
-    ::tcsetattr(slave_, TCSANOW, &settings);
-    ::fcntl(master_, F_SETFL, O_NONBLOCK);
+  explicit OtherProgram(std::string line) {
+    ::fcntl(pty_.fd(), F_SETFL, O_NONBLOCK);
     writer_ = std::thread([this, line = std::move(line)] {
       while (!stopped_) {
         if (!line.empty()) {
-          EXPECT_GT(::write(master_, line.data(), line.size()), 0);
+          EXPECT_GT(::write(pty_.fd(), line.data(), line.size()), 0);
         }
         hear();
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -70,10 +70,8 @@ class OtherProgram {
   ~OtherProgram() {
     stopped_ = true;
     writer_.join();
-    ::close(slave_);
-    ::close(master_);
   }
-  const std::string& port() const { return port_; }
+  const std::string& port() const { return pty_.name(); }
   /// Frames that came, which end with a zero.
   int hellos() const { return hellos_; }
 
@@ -81,15 +79,13 @@ class OtherProgram {
   void hear() {
     char byte = 0;
     char last = 0;
-    while (::read(master_, &byte, 1) == 1) {
+    while (::read(pty_.fd(), &byte, 1) == 1) {
       hellos_ += byte == 0 && last != 0 ? 1 : 0;
       last = byte;
     }
   }
 
-  int master_;
-  int slave_ = -1;
-  std::string port_;
+  transport::PtyPair pty_;
   std::atomic<bool> stopped_ = false;
   std::atomic<int> hellos_ = 0;
   std::thread writer_;
@@ -125,7 +121,7 @@ TEST_F(BadInput, OfManyPortsTheOneRobotIsChosen) {
   for (const OtherProgram* other : {&modem, &printer, &garbage, &silent}) {
     arguments.push_back("--port=" + other->port());
   }
-  arguments.push_back("--port=" + (scratch_ / "robot").string());
+  arguments.push_back("--port=" + (scratch / "robot").string());
   const Ended ended = echomap(arguments);
   EXPECT_EQ(ended.status, 0) << ended.said;
   for (const OtherProgram* other : {&modem, &printer, &garbage, &silent}) {
@@ -148,14 +144,14 @@ TEST_F(BadInput, SeveralPortsWithoutARobotAreListed) {
 
 TEST_F(BadInput, AReportThatCannotBeWrittenIsSaidBeforeTheRobotIsAsked) {
   const OtherProgram silent("");
-  const auto report = (scratch_ / "no_folder/report.json").string();
+  const auto report = (scratch / "no_folder/report.json").string();
   const Ended ended = echomap({"explore", "--port=" + silent.port(), "--json=" + report, out()});
   EXPECT_EQ(ended.status, 1);
   EXPECT_THAT(ended.said, HasSubstr(report));
 }
 
 TEST_F(BadInput, ABrokenWorldIsPlaced) {
-  const std::string path = (scratch_ / "room.toml").string();
+  const std::string path = (scratch / "room.toml").string();
   write_text_file(path, "name = 'room'\n[room]\ncorners_m = [[0, 0], [1, 0], [1, 1]\n");
   const Ended syntax = echomap({"demo", "--emulator=mock", "--world=" + path, out()});
   EXPECT_EQ(syntax.status, 6);
@@ -168,7 +164,7 @@ TEST_F(BadInput, ABrokenWorldIsPlaced) {
 }
 
 TEST_F(BadInput, ABrokenProfileIsPlaced) {
-  const std::string path = (scratch_ / "robot.toml").string();
+  const std::string path = (scratch / "robot.toml").string();
   std::string profile = read_text_file(ECHOMAP_SOURCE_DIR "/host/profiles/uno_2wd.toml");
   profile += "speeed_deg_per_s = 4\n";
   write_text_file(path, profile);
@@ -197,34 +193,34 @@ class SmallDisk {
 };
 
 TEST_F(BadInput, AFullDiskIsSaidAndKeepsWhatWasThere) {
-  const SmallDisk disk(scratch_ / "run");
+  const SmallDisk disk(scratch / "run");
   if (!disk.mounted()) {
     GTEST_SKIP() << "only root can mount a small disk";
   }
-  write_text_file(scratch_ / "run/map.pgm", "older map");
-  write_text_file(scratch_ / "run/ballast", std::string(56U << 10U, 'x'));
+  write_text_file(scratch / "run/map.pgm", "older map");
+  write_text_file(scratch / "run/ballast", std::string(56U << 10U, 'x'));
   const Ended ended = echomap({"demo", "--emulator=mock", "--stops=2", out()});
   EXPECT_EQ(ended.status, 1);
   EXPECT_THAT(ended.said, HasSubstr("No space left on device"));
-  EXPECT_EQ(read_text_file(scratch_ / "run/map.pgm"), "older map");
-  for (const auto& file : fs::directory_iterator(scratch_ / "run")) {
+  EXPECT_EQ(read_text_file(scratch / "run/map.pgm"), "older map");
+  for (const auto& file : fs::directory_iterator(scratch / "run")) {
     EXPECT_NE(file.path().extension(), ".part") << file.path();
   }
 }
 
 TEST_F(BadInput, APortThatGoesInMidRunKeepsTheMap) {
-  const auto lockstep = (scratch_ / "lockstep").string();
+  const auto lockstep = (scratch / "lockstep").string();
   const auto mock = start_mock({"--lockstep=" + lockstep});
   Program explore(
       "echomap",
-      {"explore", "--port=" + (scratch_ / "robot").string(), "--lockstep=" + lockstep, out()},
-      scratch_ / "log");
-  ASSERT_TRUE(eventually([&] { return fs::exists(scratch_ / "run/summary.json"); }));
+      {"explore", "--port=" + (scratch / "robot").string(), "--lockstep=" + lockstep, out()},
+      scratch / "log");
+  ASSERT_TRUE(eventually([&] { return fs::exists(scratch / "run/summary.json"); }));
   mock->send(SIGKILL);
   const Ended ended = explore.wait();
   EXPECT_EQ(ended.status, 5) << ended.said;
   EXPECT_THAT(ended.said, HasSubstr("map so far is kept"));
-  const auto summary = nlohmann::json::parse(read_text_file(scratch_ / "run/summary.json"));
+  const auto summary = nlohmann::json::parse(read_text_file(scratch / "run/summary.json"));
   EXPECT_EQ(summary.at("outcome"), "link-lost");
   EXPECT_GT(summary.at("points"), 20);
 }
@@ -232,14 +228,13 @@ TEST_F(BadInput, APortThatGoesInMidRunKeepsTheMap) {
 TEST_F(BadInput, APacedRobotThatGoesKeepsTheMap) {
   const auto mock = start_mock({});
   Program explore("echomap",
-                  {"explore", "--port=" + (scratch_ / "robot").string(), "--robot=uno_2wd", out()},
-                  scratch_ / "log");
-  std::this_thread::sleep_for(std::chrono::seconds(3));
+                  {"explore", "--port=" + (scratch / "robot").string(), "--robot=uno_2wd", out()},
+                  scratch / "log");
+  ASSERT_TRUE(eventually([&] { return points_saved() > 5; }));
   mock->send(SIGKILL);
   const Ended ended = explore.wait();
   EXPECT_EQ(ended.status, 5) << ended.said;
-  const auto summary = nlohmann::json::parse(read_text_file(scratch_ / "run/summary.json"));
-  EXPECT_GT(summary.at("points"), 5);
+  EXPECT_GT(points_saved(), 5);
 }
 
 }  // namespace

@@ -33,16 +33,16 @@ class DemoOptions : public ::testing::Test {
     return arguments;
   }
   Ended run(const std::vector<std::string>& more) {
-    return Program("echomap", demo(more), scratch_ / "log").wait();
+    return Program("echomap", demo(more), scratch / "log").wait();
   }
-  std::string path(const std::string& name) const { return (scratch_ / name).string(); }
+  std::string path(const std::string& name) const { return (scratch / name).string(); }
   nlohmann::json json(const std::string& name) const {
-    return nlohmann::json::parse(read_text_file(scratch_ / name));
+    return nlohmann::json::parse(read_text_file(scratch / name));
   }
 
   const std::string profile_ = read_text_file(ECHOMAP_SOURCE_DIR "/host/profiles/uno_2wd.toml");
   const std::string body_ = read_text_file(ECHOMAP_SOURCE_DIR "/hil_mock/robots/uno_2wd.toml");
-  tests::ScratchFolder scratch_;
+  tests::ScratchFolder scratch;
 };
 
 TEST_F(DemoOptions, AProfileOfOnesOwnDrivesTheBodyOfItsName) {
@@ -109,15 +109,15 @@ TEST_F(DemoOptions, WhatCannotBeWrittenIsSaidBeforeTheRobotMoves) {
   EXPECT_EQ(json.status, 1);
   EXPECT_THAT(json.said, HasSubstr(path("no_folder/report.json")));
   EXPECT_THAT(run({"--json=" + path("")}).said, HasSubstr("it is a directory"));
-  EXPECT_FALSE(fs::exists(scratch_ / "run/truth"));
-  EXPECT_TRUE(fs::is_empty(scratch_ / "run"));
+  EXPECT_FALSE(fs::exists(scratch / "run/truth"));
+  EXPECT_TRUE(fs::is_empty(scratch / "run"));
 }
 
 TEST_F(DemoOptions, ARunWithoutItsTruthIsReportedAndFails) {
-  Program program("echomap", demo({"--json=" + path("report.json")}), scratch_ / "log");
-  ASSERT_TRUE(eventually([&] { return fs::exists(scratch_ / "run/summary.json"); }));
-  fs::remove_all(scratch_ / "run/truth");
-  write_text_file(scratch_ / "run/truth", "in the way");
+  Program program("echomap", demo({"--json=" + path("report.json")}), scratch / "log");
+  ASSERT_TRUE(eventually([&] { return fs::exists(scratch / "run/summary.json"); }));
+  fs::remove_all(scratch / "run/truth");
+  write_text_file(scratch / "run/truth", "in the way");
   const Ended ended = program.wait();
   EXPECT_EQ(ended.status, 1);
   EXPECT_THAT(ended.said, AllOf(HasSubstr("the map has no score"), HasSubstr("robot.log")));

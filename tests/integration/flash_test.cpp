@@ -22,25 +22,25 @@ namespace fs = std::filesystem;
 class Flash : public ::testing::Test {
  protected:
   Flash() {
-    std::ofstream(scratch_ / "avrdude") << "#!/bin/sh\necho avrdude ran\n";
-    fs::permissions(scratch_ / "avrdude", fs::perms::owner_all);
-    ::setenv("PATH", (scratch_.path().string() + ":" + path_).c_str(), 1);
+    std::ofstream(scratch / "avrdude") << "#!/bin/sh\necho avrdude ran\n";
+    fs::permissions(scratch / "avrdude", fs::perms::owner_all);
+    ::setenv("PATH", (scratch.path().string() + ":" + path_).c_str(), 1);
   }
   ~Flash() override { ::setenv("PATH", path_.c_str(), 1); }
 
   Ended flash(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "flash");
-    return Program("echomap", std::move(arguments), scratch_ / "log").wait();
+    return Program("echomap", std::move(arguments), scratch / "log").wait();
   }
 
-  const tests::ScratchFolder scratch_;
+  const tests::ScratchFolder scratch;
   const std::string path_ = std::getenv("PATH");
 };
 
 /// Even where a robot answers at it: it hangs on no USB.
 TEST_F(Flash, LeavesThePtyOfAnEmulatedRobotAlone) {
-  const std::string link = (scratch_ / "robot").string();
-  Program mock("echomap-mock", {"--link=" + link}, scratch_ / "mock.log");
+  const std::string link = (scratch / "robot").string();
+  Program mock("echomap-mock", {"--link=" + link}, scratch / "mock.log");
   ASSERT_TRUE(eventually([&] { return fs::exists(link); }));
   for (const std::string& port : {link, fs::canonical(link).string()}) {
     const Ended ended = flash({"--board=uno", "--port=" + port});

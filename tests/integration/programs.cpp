@@ -2,7 +2,6 @@
 #include "tests/integration/programs.hpp"
 
 #include <csignal>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -30,17 +29,6 @@ Ended Program::wait(std::chrono::seconds limit) {
     ADD_FAILURE() << log_ << " belongs to a program that does not end";
   }
   return {status.value_or(-1), files::read_text_file(log_)};
-}
-
-bool eventually(const std::function<bool()>& condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) {
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return true;
 }
 
 }  // namespace echomap::test

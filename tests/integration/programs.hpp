@@ -3,11 +3,11 @@
 
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "host/apps/child_process.hpp"
+#include "tests/support/eventually.hpp"
 
 namespace echomap::test {
 
@@ -33,7 +33,6 @@ class Program {
   apps::ChildProcess process_;
 };
 
-/// Waits until `condition` holds; false after a minute.
-bool eventually(const std::function<bool()>& condition);
+using tests::eventually;
 
 }  // namespace echomap::test

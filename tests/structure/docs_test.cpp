@@ -11,6 +11,7 @@
 
 #include "tests/structure/shell.hpp"
 #include "tests/structure/source_tree.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 // A document promises: a ```sh block after the line <!-- test --> runs as it stands, from the root
 // of the tree, and every relative link leads to a file.
@@ -65,7 +66,6 @@ std::vector<fs::path> documents() {
 class Desk {
  public:
   Desk() {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "build");
     for (const auto& entry : fs::directory_iterator(tree_root)) {
       const fs::path name = entry.path().filename();
@@ -80,14 +80,10 @@ class Desk {
         << "exec " << shell_quoted((tree_root / "run").string()) << " \"$@\"\n";
     fs::permissions(folder_ / "run", fs::perms::owner_all);
   }
-  ~Desk() { fs::remove_all(folder_); }
-  Desk(const Desk&) = delete;
-  Desk& operator=(const Desk&) = delete;
-
-  const fs::path& folder() const { return folder_; }
+  const fs::path& folder() const { return folder_.path(); }
 
  private:
-  const fs::path folder_ = fs::path(testing::TempDir()) / "echomap_docs_test";
+  const tests::ScratchFolder folder_;
 };
 
 TEST(Documents, EveryMarkedCommandRuns) {

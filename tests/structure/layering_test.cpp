@@ -9,6 +9,7 @@
 
 #include "tests/structure/layer_table.hpp"
 #include "tests/structure/source_tree.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::structure {
 namespace {
@@ -89,23 +90,19 @@ TEST(Layering, PermitsWhatAListedFolderMayInclude) {
 class PlantedViolation : public testing::Test {
  protected:
   void SetUp() override {
-    fs::create_directories(copy_);
     for (const std::string& folder : source_folders) {
       fs::copy(tree_root / folder, copy_ / folder, fs::copy_options::recursive);
     }
   }
-  void TearDown() override { fs::remove_all(copy_); }
 
   std::vector<std::string> violations_after(const std::string& path, const std::string& text) {
     fs::create_directories((copy_ / path).parent_path());
     std::ofstream(copy_ / path) << text << '\n';
-    return LayerTable(rules).violations_in(read_source_tree(copy_));
+    return LayerTable(rules).violations_in(read_source_tree(copy_.path()));
   }
 
  private:
-  const fs::path copy_ = fs::path(testing::TempDir()) /
-                         (std::string("echomap_layering_") +
-                          testing::UnitTest::GetInstance()->current_test_info()->name());
+  const tests::ScratchFolder copy_;
 };
 
 TEST_F(PlantedViolation, UpwardIsCaught) {

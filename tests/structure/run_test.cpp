@@ -8,6 +8,7 @@
 
 #include "tests/structure/shell.hpp"
 #include "tests/structure/source_tree.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 // ./run, with stand-ins for the programs that would change the machine.
 namespace echomap::structure {
@@ -40,12 +41,6 @@ TEST(Run, RefusesAnUnknownCommandAndNone) {
 /// A folder of stand-ins that goes before everything else in PATH.
 class RunWithStandIns : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void stand_in(const std::string& program, const std::string& script) {
     std::ofstream(folder_ / program) << "#!/bin/sh\n" << script << "\n";
     fs::permissions(folder_ / program, fs::perms::owner_all);
@@ -59,15 +54,14 @@ class RunWithStandIns : public testing::Test {
 
   ShellResult run(const std::string& arguments, const std::string& script = run_script) {
     return run_shell(
-        "PATH=" + shell_quoted(folder_.string()) + ":$PATH " + script + " " + arguments, "/");
+        "PATH=" + shell_quoted(folder_.path().string()) + ":$PATH " + script + " " + arguments,
+        "/");
   }
 
-  const fs::path& folder() const { return folder_; }
+  const fs::path& folder() const { return folder_.path(); }
 
  private:
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) /
-      (std::string("echomap_run_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const tests::ScratchFolder folder_;
 };
 
 TEST_F(RunWithStandIns, SetupInstallsNothingWhereNothingIsMissing) {

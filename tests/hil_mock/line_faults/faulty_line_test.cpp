@@ -6,16 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/thrown_text.hpp"
+
 namespace echomap::line_faults {
 namespace {
 
 std::string complaint(const std::string& text) {
-  try {
-    parse_line_faults(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return tests::thrown_text<std::invalid_argument>([&] { parse_line_faults(text); });
 }
 
 TEST(LineFaults, AreReadInAnyOrder) {

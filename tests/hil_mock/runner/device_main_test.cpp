@@ -14,6 +14,7 @@
 #include "tests/hil_mock/runner/arguments.hpp"
 #include "tests/hil_mock/runner/fake_board.hpp"
 #include "tests/hil_mock/runner/test_host.hpp"
+#include "tests/support/eventually.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::runner {
@@ -53,12 +54,6 @@ TEST(DeviceMain, RunsPacedSaysWhereItListensAndLeavesTheTruth) {
   EXPECT_DOUBLE_EQ(truth["sim_seconds"].get<double>(), 0.5);
 }
 
-void wait_for_socket(const std::filesystem::path& path) {
-  while (!std::filesystem::exists(path)) {
-    std::this_thread::yield();
-  }
-}
-
 TEST(DeviceMain, SaysByeInLockstepWhenTheTruthIsOnDisk) {
   const tests::ScratchFolder folder;
   Arguments arguments{"--link=" + (folder / "robot").string(),
@@ -67,7 +62,7 @@ TEST(DeviceMain, SaysByeInLockstepWhenTheTruthIsOnDisk) {
   auto exit_code = std::async(std::launch::async, [&] {
     return run_device(arguments.argc(), arguments.argv(), fake_program);
   });
-  wait_for_socket(folder / "lockstep");
+  ASSERT_TRUE(tests::eventually([&] { return std::filesystem::exists(folder / "lockstep"); }));
   TestHost channel = TestHost::connect_local(folder / "lockstep");
   EXPECT_EQ(channel.read_line(), R"({"lockstep":1,"firmware":"fake 1.0","emulator":"none"})");
   channel.write("grant 30000 0\n");

@@ -5,11 +5,10 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "hil_mock/runner/wait_readable.hpp"
+#include "tests/hil_mock/runner/endpoint_text.hpp"
 #include "tests/hil_mock/runner/test_host.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -17,21 +16,6 @@ namespace echomap::runner {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string receive_all(ByteEndpoint& endpoint, std::size_t count) {
-  std::string bytes;
-  for (int i = 0; i < 100 && bytes.size() < count; ++i) {
-    wait_readable(endpoint, -1, std::chrono::milliseconds(50));
-    for (const std::uint8_t byte : endpoint.receive()) {
-      bytes.push_back(static_cast<char>(byte));
-    }
-  }
-  return bytes;
-}
-
-void send_text(ByteEndpoint& endpoint, const std::string& text) {
-  endpoint.send(std::vector<std::uint8_t>(text.begin(), text.end()));
-}
 
 TEST(PtyEndpoint, EveryByteValuePassesBothWays) {
   const tests::ScratchFolder folder;

@@ -4,13 +4,13 @@
 #include <chrono>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 
 #include "hil_mock/runner/wait_readable.hpp"
+#include "tests/hil_mock/runner/endpoint_text.hpp"
 #include "tests/hil_mock/runner/test_host.hpp"
 
 namespace echomap::runner {
@@ -31,21 +31,6 @@ TestHost connect_to(const TcpEndpoint& endpoint) {
       ::connect(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address),
       "connect");
   return TestHost(std::move(socket));
-}
-
-std::string receive_all(TcpEndpoint& endpoint, std::size_t count) {
-  std::string bytes;
-  for (int i = 0; i < 100 && bytes.size() < count; ++i) {
-    wait_readable(endpoint, -1, std::chrono::milliseconds(50));
-    for (const std::uint8_t byte : endpoint.receive()) {
-      bytes.push_back(static_cast<char>(byte));
-    }
-  }
-  return bytes;
-}
-
-void send_text(TcpEndpoint& endpoint, const std::string& text) {
-  endpoint.send(std::vector<std::uint8_t>(text.begin(), text.end()));
 }
 
 TEST(TcpEndpoint, EveryByteValuePassesBothWays) {

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "host/files/atomic_file.hpp"
+#include "tests/support/eventually.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -15,7 +17,8 @@ namespace {
 constexpr std::chrono::seconds kLong(20);
 
 TEST(ChildProcess, KeepsExitStatusAndOutput) {
-  const std::string log = ::testing::TempDir() + "child.log";
+  const tests::ScratchFolder folder;
+  const auto log = folder / "child.log";
   ChildProcess child({"/bin/sh", "-c", "echo out; echo err >&2; exit 6"}, log);
   EXPECT_EQ(child.wait_for(kLong), 6);
   EXPECT_EQ(files::read_text_file(log), "out\nerr\n");
@@ -29,11 +32,11 @@ TEST(ChildProcess, SaysWhichSignalEndedIt) {
 }
 
 TEST(ChildProcess, EndsWithItsOwner) {
-  const std::string log = ::testing::TempDir() + "pid.log";
+  const tests::ScratchFolder folder;
+  const auto log = folder / "pid.log";
   {
     ChildProcess child({"/bin/sh", "-c", "echo $$; exec sleep 100"}, log);
-    while (files::read_text_file(log).empty()) {
-    }
+    ASSERT_TRUE(tests::eventually([&] { return !files::read_text_file(log).empty(); }));
   }
   const int pid = std::stoi(files::read_text_file(log));
   EXPECT_EQ(::kill(pid, 0), -1);

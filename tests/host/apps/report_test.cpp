@@ -44,7 +44,8 @@ TEST(Report, OutputsThatCannotBeWrittenAreRefused) {
 }
 
 TEST(Report, IsWrittenToItsFile) {
-  const std::string path = ::testing::TempDir() + "report.json";
+  const TemporaryFolder folder;
+  const auto path = folder / "report.json";
   write_report(path, {{"free_iou", 0.9}});
   EXPECT_EQ(nlohmann::json::parse(files::read_text_file(path))["free_iou"], 0.9);
   EXPECT_NO_THROW(write_report({}, {}));

@@ -10,24 +10,25 @@
 
 #include "host/files/atomic_file.hpp"
 #include "host/files/toml_reader.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::apps {
 namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kProfiles = ECHOMAP_SOURCE_DIR "/host/profiles/";
+const std::string profiles = ECHOMAP_SOURCE_DIR "/host/profiles/";
 
 /// Loads the bundled profile with `from` replaced by `to` and answers the error.
 std::string error_with(const std::string& from,
                        const std::string& to,
                        const std::string& profile = "uno_2wd") {
-  std::string text = files::read_text_file(kProfiles + profile + ".toml");
+  std::string text = files::read_text_file(profiles + profile + ".toml");
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const std::string path = ::testing::TempDir() + test->name() + ".toml";
+  const tests::ScratchFolder folder;
+  const auto path = folder / "profile.toml";
   files::write_text_file(path, text);
   try {
     load_robot_profile(path);
@@ -39,7 +40,7 @@ std::string error_with(const std::string& from,
 
 TEST(RobotProfile, EveryBundledOneLoads) {
   int count = 0;
-  for (const auto& file : std::filesystem::directory_iterator(kProfiles)) {
+  for (const auto& file : std::filesystem::directory_iterator(profiles)) {
     const auto profile = load_robot_profile(file.path());
     EXPECT_EQ(profile.name, file.path().stem());
     ++count;

@@ -101,9 +101,9 @@ TEST_F(RobotPipelineTest, PlacesEachReadingByItsOwnWheels) {
 TEST_F(RobotPipelineTest, PlacesTheSonarWhereItIsMounted) {
   sensors::RobotGeometry robot = plain_robot();
   robot.sonar_x_m = 0.05;
-  RobotPipeline pipeline(robot);
-  pipeline.on_sonar({at_us(1), {}, geometry::radians(90.0), 1.0});
-  const Eigen::Vector2d echo_m = pipeline.snapshot().points->points().front().position_m;
+  RobotPipeline mounted(robot);
+  mounted.on_sonar({at_us(1), {}, geometry::radians(90.0), 1.0});
+  const Eigen::Vector2d echo_m = mounted.snapshot().points->points().front().position_m;
   EXPECT_NEAR((echo_m - Eigen::Vector2d(0.05, 1.0)).norm(), 0.0, 1e-9);
 }
 

@@ -143,9 +143,11 @@ struct BootHabit {
 
 class LinkResetTest : public LinkRecoveryTest, public testing::WithParamInterface<BootHabit> {
  protected:
-  void SetUp() override {
-    robot.announces_boot = GetParam().announces_boot;
-    robot.streams_before_hello = GetParam().streams_before_hello;
+  void SetUp() override { behave(robot); }
+
+  static void behave(FakeRobot& fake) {
+    fake.announces_boot = GetParam().announces_boot;
+    fake.streams_before_hello = GetParam().streams_before_hello;
   }
 };
 
@@ -184,15 +186,18 @@ TEST_P(LinkResetTest, NeverDoesACommandTwiceThatTheRobotForgot) {
 }
 
 TEST_P(LinkResetTest, ShakesHandsThroughAResetInTheMiddleOfTheReply) {
-  for (int cut_at = 1; cut_at < 28; ++cut_at) {
+  constexpr std::size_t kReplyBytes =
+      1 + protocol::kFrameOverhead + protocol::MessageFacts<protocol::HelloReply>::kSize;
+  for (std::size_t cut_at = 1; cut_at < kReplyBytes; ++cut_at) {
     RecordingListener heard;
     RobotLink fresh(heard, 7);
     FakeRobot resetting;
+    behave(resetting);
     fresh.poll(now());
     resetting.receive(fresh.take_outgoing());
     auto reply = resetting.take_outgoing();
-    ASSERT_GT(reply.size(), static_cast<std::size_t>(cut_at));
-    reply.resize(static_cast<std::size_t>(cut_at));
+    ASSERT_EQ(reply.size(), kReplyBytes) << "with its delimiter";
+    reply.resize(cut_at);
     fresh.receive(reply, now());
     resetting.power_on(2);
     now_ms += 50;
