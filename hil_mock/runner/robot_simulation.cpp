@@ -20,8 +20,8 @@ constexpr std::int64_t kNoEchoNs = 38'000'000;
 
 RobotSimulation::RobotSimulation(SimulatedBoard& board, world::RobotWorld& world)
     : board_(board), world_(world), wiring_(board, world), pan_(world.robot().pan) {
-  if (world.robot().parts.stepper) {
-    stepper_.emplace(*world.robot().parts.stepper);
+  if (const auto& stepper = world.robot().parts.stepper) {
+    stepper_.emplace(*stepper);
   }
   board_.on_sent = [this](std::uint8_t byte) { sent_.push_back(byte); };
   board_.on_trigger = [this](std::int64_t at_ns) { on_trigger(at_ns); };
@@ -39,11 +39,19 @@ void RobotSimulation::advance_to(std::int64_t until_ns) {
   }
 }
 
+void RobotSimulation::receive(std::span<const std::uint8_t> bytes) {
+  last_heard_ns_ = now_ns_;
+  board_.receive(bytes);
+}
+
 std::vector<std::uint8_t> RobotSimulation::take_sent() { return std::exchange(sent_, {}); }
 
 void RobotSimulation::step_world() {
   kidnap();
   const MotorDuty duty = board_.motor_duty();
+  if (duty.left != 0.0 || duty.right != 0.0) {
+    last_driven_ns_ = now_ns_;
+  }
   changes_.clear();
   world_.step(kStepS, {duty.left, duty.right}, changes_);
   turn_pan();

@@ -47,11 +47,15 @@ class RobotSimulation {
   void schedule(const Kidnap& kidnap) { kidnaps_.push_back(kidnap); }
 
   /// Bytes for the board's receive line.
-  void receive(std::span<const std::uint8_t> bytes) { board_.receive(bytes); }
+  void receive(std::span<const std::uint8_t> bytes);
   /// Bytes that the board has sent since the last call.
   std::vector<std::uint8_t> take_sent();
 
   std::int64_t now_ns() const { return now_ns_; }
+  /// When bytes last came for the board, and the end of the last step in which it drove a motor; 0
+  /// for never.
+  std::int64_t last_heard_ns() const { return last_heard_ns_; }
+  std::int64_t last_driven_ns() const { return last_driven_ns_; }
   /// The truth at 50 Hz, from time 0 on.
   const std::vector<TruthSample>& trajectory() const { return trajectory_; }
   const SimulatedBoard& board() const { return board_; }
@@ -78,6 +82,8 @@ class RobotSimulation {
   std::vector<std::uint8_t> sent_;
   std::vector<TruthSample> trajectory_;
   std::int64_t now_ns_ = 0;
+  std::int64_t last_heard_ns_ = 0;
+  std::int64_t last_driven_ns_ = 0;
   std::int64_t sonar_busy_until_ns_ = 0;
 };
 

@@ -105,6 +105,8 @@ std::string summary_text(const RobotSimulation& simulation, const TruthSummary& 
                      {"firmware", simulation.board().firmware_name()},
                      {"emulator", simulation.board().emulator_name()},
                      {"sim_seconds", static_cast<double>(simulation.now_ns()) / 1e9},
+                     {"last_heard_ns", simulation.last_heard_ns()},
+                     {"last_driven_ns", simulation.last_driven_ns()},
                      {"left_counts", world.body().left_wheel().counts()},
                      {"right_counts", world.body().right_wheel().counts()},
                      {"dropped_bytes", summary.dropped_bytes},

@@ -44,6 +44,17 @@ TEST_F(RobotSimulationTest, EveryCountOfAWheelIsOneEdgeInOrderAndInTheFuture) {
   }
 }
 
+TEST_F(RobotSimulationTest, KnowsWhenBytesCameAndWhenAMotorWasDriven) {
+  EXPECT_EQ(simulation.last_driven_ns(), 0);
+  board.duty = {0.0, -0.4};
+  board.stop_at_ns = 300 * kMs;
+  simulation.advance_to(50 * kMs);
+  simulation.receive(std::vector<std::uint8_t>{1, 2});
+  simulation.advance_to(1000 * kMs);
+  EXPECT_EQ(simulation.last_heard_ns(), 50 * kMs);
+  EXPECT_EQ(simulation.last_driven_ns(), 299 * kMs);
+}
+
 TEST_F(RobotSimulationTest, APingIsAnsweredAfterTheFlightOfTheSound) {
   board.on_trigger(0);
   ASSERT_EQ(board.echoes.size(), 1U);

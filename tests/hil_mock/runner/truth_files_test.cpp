@@ -98,6 +98,8 @@ TEST_F(TruthFiles, SummarySaysWhatRan) {
   EXPECT_EQ(quiet["seed"], 12);
   EXPECT_EQ(quiet["firmware"], "fake 1.0");
   EXPECT_DOUBLE_EQ(quiet["sim_seconds"].get<double>(), 1.0);
+  EXPECT_EQ(quiet["last_driven_ns"], 1'000'000'000);
+  EXPECT_EQ(quiet["last_heard_ns"], 0);
   EXPECT_EQ(quiet["left_counts"], board.left_edges.size());
   EXPECT_TRUE(quiet["stop"].is_null());
   const json vanished =
