@@ -166,7 +166,7 @@ TEST_F(BadInput, ABrokenWorldIsPlaced) {
 TEST_F(BadInput, ABrokenProfileIsPlaced) {
   const std::string path = (scratch / "robot.toml").string();
   std::string profile = read_text_file(ECHOMAP_SOURCE_DIR "/host/profiles/uno_2wd.toml");
-  profile += "speeed_deg_per_s = 4\n";
+  profile.insert(profile.find("settle_ms"), "speeed_deg_per_s = 4\n");
   write_text_file(path, profile);
   const Ended ended = echomap({"explore", "--port=/dev/null", "--robot=" + path, out()});
   EXPECT_EQ(ended.status, 6);
