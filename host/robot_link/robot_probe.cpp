@@ -14,11 +14,13 @@ RobotProbe::RobotProbe(std::uint16_t session)
     : session_(session), decoder_(protocol::MessagesToHost::find_schema) {}
 
 std::vector<std::uint8_t> RobotProbe::hello() const {
+  // Just before the 0 with which a RobotLink begins, so that the robot misses nothing.
+  constexpr std::uint8_t kSeq = 0xFF;
   protocol::FrameEncoder encoder;
   const protocol::ByteSpan frame = encoder.encode(
       protocol::Hello{
           protocol::kProtocolMajor, protocol::kProtocolMinor, protocol::kSchemaDigest, session_},
-      0);
+      kSeq);
   std::vector<std::uint8_t> bytes(1 + frame.size, 0);
   std::copy_n(frame.data, frame.size, bytes.begin() + 1);
   return bytes;

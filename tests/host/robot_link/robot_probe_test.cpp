@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/host/robot_link/fake_robot.hpp"
+#include "tests/host/robot_link/link_fixture.hpp"
 
 namespace echomap::robot_link {
 namespace {
@@ -22,6 +22,16 @@ TEST(RobotProbe, KnowsARobotByItsAnswer) {
   ASSERT_TRUE(probe.robot());
   EXPECT_EQ(probe.robot()->boot_id, 0x1234);
   EXPECT_EQ(probe.robot()->session, 7);
+}
+
+class ProbedRobot : public LinkFixture {};
+
+TEST_F(ProbedRobot, MissesNoFrameWhenTheLinkTakesOver) {
+  robot.receive(RobotProbe(0x5E55).hello());
+  run_for(1000);
+  EXPECT_EQ(link.state(), LinkState::kReady);
+  ASSERT_FALSE(listener.statuses.empty());
+  EXPECT_EQ(link.statistics().robot_frames_lost, 0U);
 }
 
 TEST(RobotProbe, KnowsARobotThatJustStartedByItsOwnWord) {
