@@ -14,7 +14,6 @@
 #include "host/transport/open_stream.hpp"
 #include "host/transport/port_identity.hpp"
 #include "host/transport/reconnecting_stream.hpp"
-#include "host/transport/transport_error.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -35,14 +34,9 @@ RobotConnection connection_on_a_desk(const ExploreOptions& options) {
   robot.link = transport::is_radio(robot.stream->name()) ? robot_link::radio_link()
                                                          : robot_link::wired_link(options.baud);
   if (options.reconnect_s > 0.0) {
-    const std::string port = robot.stream->name();
+    const transport::PortIdentity identity(robot.stream->name());
     robot.stream = std::make_unique<transport::ReconnectingStream>(
-        std::move(robot.stream), [open, port, identity = transport::PortIdentity(port)] {
-          if (const std::string objection = identity.objection(); !objection.empty()) {
-            throw transport::TransportError("cannot reopen " + port, objection, "start anew");
-          }
-          return open(port);
-        });
+        std::move(robot.stream), [open, identity] { return open(identity.name_now()); });
     robot.patience = std::chrono::milliseconds(std::llround(1e3 * options.reconnect_s));
   }
   return robot;

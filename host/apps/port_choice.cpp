@@ -89,34 +89,34 @@ std::string port_with_id(std::string_view id) {
 
 }  // namespace
 
-std::vector<std::string> candidate_ports(const std::vector<std::string>& named) {
-  std::vector<std::string> candidates;
+CandidatePorts candidate_ports(const std::vector<std::string>& named) {
+  CandidatePorts candidates{{}, !named.empty()};
   for (const std::string& name : named) {
     const auto id = transport::port_id_text(name);
-    candidates.push_back(id ? port_with_id(*id) : name);
+    candidates.ports.push_back(id ? port_with_id(*id) : name);
   }
   if (named.empty()) {
     for (const auto& port : transport::list_ports()) {
-      candidates.push_back(port.name);
+      candidates.ports.push_back(port.name);
     }
   }
   return candidates;
 }
 
-std::unique_ptr<transport::ByteStream> choose_port(const std::vector<std::string>& candidates,
+std::unique_ptr<transport::ByteStream> choose_port(const CandidatePorts& candidates,
                                                    const OpenPort& open,
                                                    std::uint16_t session) {
-  if (candidates.empty()) {
+  if (candidates.ports.empty()) {
     throw CommandError(ExitCode::kNoRobot,
                        "no USB or Bluetooth serial port is here\n  next: plug the robot in, or try "
                        "without one: echomap demo");
   }
-  if (candidates.size() == 1) {
-    return open(candidates.front());
+  if (candidates.are_named && candidates.ports.size() == 1) {
+    return open(candidates.ports.front());
   }
   std::vector<Candidate> asked;
-  asked.reserve(candidates.size());
-  for (const std::string& port : candidates) {
+  asked.reserve(candidates.ports.size());
+  for (const std::string& port : candidates.ports) {
     asked.push_back(ask(port, open, session));
   }
   listen(asked);

@@ -18,11 +18,16 @@ namespace {
 using boost::asio::generic::stream_protocol;
 constexpr std::chrono::seconds kPatience{10};
 
+/// "00:14:03:05:59:02" of "bt://00:14:03:05:59:02/3".
+std::string device_of(const std::string& address) {
+  const std::size_t begin = std::min<std::size_t>(address.size(), 5);
+  return address.substr(begin, address.find('/', begin) - begin);
+}
+
 [[noreturn]] void fail(const std::string& address, const std::string& why) {
   throw TransportError("cannot connect to " + address,
                        why,
-                       "pair the module first: bluetoothctl pair " +
-                           address.substr(std::min<std::size_t>(address.size(), 5)));
+                       "pair the module first: bluetoothctl pair " + device_of(address));
 }
 
 stream_protocol::endpoint endpoint_of(const BluetoothAddress& address) {

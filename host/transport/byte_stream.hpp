@@ -34,6 +34,8 @@ class ByteStream {
   virtual std::string close_reason() const = 0;
   /// What the user called it: a device path or a tcp:// address.
   virtual std::string name() const = 0;
+  /// How often it was away and came back.
+  virtual std::uint64_t reconnects() const { return 0; }
 };
 
 }  // namespace echomap::transport

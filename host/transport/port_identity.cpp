@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include <sys/stat.h>
 
 #include "host/transport/open_stream.hpp"
-#include "host/transport/port_list.hpp"
+#include "host/transport/transport_error.hpp"
 
 namespace echomap::transport {
 namespace {
@@ -22,40 +23,57 @@ std::string stamp_of_link(const std::string& port) {
          std::to_string(status.st_mtim.tv_nsec);
 }
 
-/// Serial number and description of the USB device; empty where it is none.
-std::string stamp_of_device(const std::string& port) {
-  std::error_code ignored;
-  const std::string device = std::filesystem::weakly_canonical(port, ignored).string();
-  const auto ports = list_ports();
-  const auto found = std::find_if(
-      ports.begin(), ports.end(), [&](const PortInfo& info) { return info.name == device; });
-  return found == ports.end() ? "" : found->serial_number + ' ' + found->description;
-}
-
-std::string stamp_of(const std::string& port) {
-  switch (port_kind(port)) {
-    case PortKind::kPty:
-      return stamp_of_link(port);
-    case PortKind::kSerial:
-      return stamp_of_device(port);
-    default:
-      return "";
-  }
+bool is_same_device(const PortInfo& one, const PortInfo& other) {
+  return one.serial_number == other.serial_number && one.description == other.description;
 }
 
 }  // namespace
 
-PortIdentity::PortIdentity(const std::string& port) : port_(port), stamp_(stamp_of(port)) {}
+PortIdentity::PortIdentity(const std::string& port, ListPorts list)
+    : port_(port), list_(std::move(list)) {
+  if (port_kind(port) == PortKind::kPty) {
+    link_ = stamp_of_link(port);
+  } else if (port_kind(port) == PortKind::kSerial) {
+    device_ = device_at(port);
+  }
+}
 
-std::string PortIdentity::objection() const {
-  const std::string now = stamp_of(port_);
-  if (port_kind(port_) == PortKind::kPty && (now.empty() || now == stamp_)) {
-    return "the program at its other end is gone";
+std::string PortIdentity::name_now() const {
+  if (device_) {
+    return device_name_now();
   }
-  if (port_kind(port_) == PortKind::kSerial && now != stamp_) {
-    return "another device has its name now";
+  if (port_kind(port_) == PortKind::kPty) {
+    const std::string link = stamp_of_link(port_);
+    if (link.empty() || link == link_) {
+      refuse("the program at its other end is gone");
+    }
   }
-  return "";
+  return port_;
+}
+
+std::string PortIdentity::device_name_now() const {
+  const auto at_its_name = device_at(port_);
+  if (at_its_name && is_same_device(*at_its_name, *device_)) {
+    return port_;
+  }
+  std::vector<PortInfo> same = list_();
+  std::erase_if(same, [&](const PortInfo& port) { return !is_same_device(port, *device_); });
+  if (!device_->serial_number.empty() && same.size() == 1) {
+    return same.front().name;
+  }
+  refuse(at_its_name ? "another device has its name now" : "it is not plugged in");
+}
+
+std::optional<PortInfo> PortIdentity::device_at(const std::string& port) const {
+  std::error_code ignored;
+  const std::string device = std::filesystem::weakly_canonical(port, ignored).string();
+  const auto ports = list_();
+  const auto found = std::ranges::find(ports, device, &PortInfo::name);
+  return found == ports.end() ? std::nullopt : std::optional(*found);
+}
+
+void PortIdentity::refuse(const std::string& why) const {
+  throw TransportError("cannot reopen " + port_, why, "plug it in, or start anew");
 }
 
 }  // namespace echomap::transport

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "host/transport/port_list.hpp"
 
 namespace echomap::transport {
 
@@ -9,16 +14,27 @@ namespace echomap::transport {
 /// device may stand at /dev/ttyACM0, and another program's pty at /dev/pts/3.
 class PortIdentity {
  public:
-  /// Of the port that has this name now.
-  explicit PortIdentity(const std::string& port);
+  using ListPorts = std::function<std::vector<PortInfo>()>;
 
-  /// Why the port that has the name now must not be taken for the same robot's; empty where it may:
-  /// the same USB device, a pty whose emulator has published a new link, any network address.
-  std::string objection() const;
+  /// Of the port that has this name now; `list` tells which are here.
+  explicit PortIdentity(const std::string& port, ListPorts list = list_ports);
+
+  /// The name of the same port now. A USB device is known by its description and serial number:
+  /// with a number it may come back under any name, without one only under its own. A pty is the
+  /// same where its emulator has published a new link, a network address always. Throws
+  /// TransportError where the port is not here, or not known to be the same.
+  std::string name_now() const;
 
  private:
+  /// Empty where it is no USB device.
+  std::optional<PortInfo> device_at(const std::string& port) const;
+  std::string device_name_now() const;
+  [[noreturn]] void refuse(const std::string& why) const;
+
   std::string port_;
-  std::string stamp_;
+  ListPorts list_;
+  std::string link_;  ///< Of a pty.
+  std::optional<PortInfo> device_;
 };
 
 }  // namespace echomap::transport

@@ -31,9 +31,7 @@ class ReconnectingStream final : public ByteStream {
   }
   std::string close_reason() const override { return reason_; }
   std::string name() const override { return name_; }
-
-  /// How often it was opened again.
-  std::uint64_t reconnects() const { return reconnects_; }
+  std::uint64_t reconnects() const override { return reconnects_; }
 
  private:
   void look_below();

@@ -3,8 +3,11 @@
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 
 #include "host/transport/asio_stream.hpp"
+#include "host/transport/bounded_call.hpp"
 #include "host/transport/tcp_address.hpp"
 #include "host/transport/transport_error.hpp"
 
@@ -21,16 +24,46 @@ constexpr std::chrono::seconds kPatience{5};
                        "tcp://127.0.0.1:5000");
 }
 
+/// A half-open connection, as after a bridge has lost its power, says nothing of itself: bytes that
+/// are not acknowledged, or without any probes that are not, end it.
+constexpr std::chrono::milliseconds kHalfOpenLimit{2000};
+constexpr int kKeepAlivePeriodS = 1;
+
+void set_option(tcp::socket& socket, int name, int value) {
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, name, &value, sizeof value);
+}
+
+void notice_half_open(tcp::socket& socket) {
+  socket.set_option(tcp::socket::keep_alive(true));
+  set_option(socket, TCP_KEEPIDLE, kKeepAlivePeriodS);
+  set_option(socket, TCP_KEEPINTVL, kKeepAlivePeriodS);
+  set_option(socket, TCP_USER_TIMEOUT, static_cast<int>(kHalfOpenLimit.count()));
+}
+
+struct Resolved {
+  boost::system::error_code error;
+  tcp::resolver::results_type endpoints;
+};
+
+/// Within kPatience, though the system's own look-up knows no end.
+Resolved resolve(const TcpAddress& address) {
+  const auto resolved = finish_within(kPatience, [address] {
+    boost::asio::io_context io;
+    Resolved result;
+    result.endpoints = tcp::resolver(io).resolve(address.host, address.port, result.error);
+    return result;
+  });
+  return resolved.value_or(Resolved{boost::asio::error::timed_out, {}});
+}
+
 /// Connects within kPatience; the error of the last address that was tried.
 boost::system::error_code connect(AsioStream<tcp::socket>& stream, const TcpAddress& address) {
-  boost::system::error_code error;
-  const auto endpoints =
-      tcp::resolver(stream.io_context()).resolve(address.host, address.port, error);
+  const auto [error, endpoints] = resolve(address);
   if (error) {
     return error;
   }
-  return connect_within(stream, kPatience, [&](auto handler) {
-    boost::asio::async_connect(stream.stream(), endpoints, handler);
+  return connect_within(stream, kPatience, [&stream, &found = endpoints](auto handler) {
+    boost::asio::async_connect(stream.stream(), found, handler);
   });
 }
 
@@ -46,6 +79,7 @@ std::unique_ptr<ByteStream> open_tcp_stream(const std::string& address) {
     fail(address, error.message());
   }
   stream->stream().set_option(tcp::no_delay(true));
+  notice_half_open(stream->stream());
   return stream;
 }
 

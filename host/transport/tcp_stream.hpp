@@ -8,8 +8,9 @@
 
 namespace echomap::transport {
 
-/// Connects to "tcp://host:port" ("tcp://[::1]:port" for IPv6) within five seconds, without Nagle's
-/// delay. Throws TransportError.
+/// Connects to "tcp://host:port" ("tcp://[::1]:port" for IPv6) within five seconds, and five more
+/// to look the name up, without Nagle's delay. A peer that is gone without a word closes the stream
+/// after two seconds. Throws TransportError.
 std::unique_ptr<ByteStream> open_tcp_stream(const std::string& address);
 
 }  // namespace echomap::transport

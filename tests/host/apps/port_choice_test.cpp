@@ -47,7 +47,8 @@ class DeviceStream final : public transport::ByteStream {
 
 class PortChoice : public testing::Test {
  protected:
-  std::unique_ptr<transport::ByteStream> choose(const std::vector<std::string>& ports) {
+  std::unique_ptr<transport::ByteStream> choose(const std::vector<std::string>& ports,
+                                                bool are_named = true) {
     const OpenPort open =
         [this](const std::string& port) -> std::unique_ptr<transport::ByteStream> {
       const auto device = devices.find(port);
@@ -56,11 +57,11 @@ class PortChoice : public testing::Test {
       }
       return std::make_unique<DeviceStream>(port, device->second);
     };
-    return choose_port(ports, open, 7);
+    return choose_port({ports, are_named}, open, 7);
   }
-  std::string refusal(const std::vector<std::string>& ports) {
+  std::string refusal(const std::vector<std::string>& ports, bool are_named = true) {
     try {
-      choose(ports);
+      choose(ports, are_named);
     } catch (const CommandError& error) {
       EXPECT_EQ(error.code(), ExitCode::kNoRobot);
       return error.what();
@@ -81,7 +82,14 @@ TEST_F(PortChoice, TakesTheOneThatAnswersAndSaysHelloOnceToEach) {
   }
 }
 
-TEST_F(PortChoice, TakesASinglePortAsItIs) {
+TEST_F(PortChoice, AsksASinglePortThatNobodyNamed) {
+  EXPECT_EQ(choose({"robot"}, false)->name(), "robot");
+  EXPECT_EQ(devices.at("robot").robot.hellos, 1);
+  EXPECT_THAT(refusal({"modem"}, false), AllOf(HasSubstr("no robot answers"), HasSubstr("ERROR")));
+  EXPECT_EQ(devices.at("modem").robot.hellos, 1);
+}
+
+TEST_F(PortChoice, TakesASingleNamedPortAsItIs) {
   EXPECT_EQ(choose({"silent"})->name(), "silent");
   EXPECT_EQ(devices.at("silent").robot.hellos, 0);
 }
@@ -101,8 +109,10 @@ TEST_F(PortChoice, WithoutAPortThereIsNoRobot) {
 }
 
 TEST(CandidatePorts, AreWhatIsNamedAndAnIdHasToFit) {
-  EXPECT_EQ(candidate_ports({"/dev/ttyACM0", "tcp://a:1"}),
-            (std::vector<std::string>{"/dev/ttyACM0", "tcp://a:1"}));
+  const CandidatePorts candidates = candidate_ports({"/dev/ttyACM0", "tcp://a:1"});
+  EXPECT_EQ(candidates.ports, (std::vector<std::string>{"/dev/ttyACM0", "tcp://a:1"}));
+  EXPECT_TRUE(candidates.are_named);
+  EXPECT_FALSE(candidate_ports({}).are_named);
   EXPECT_THROW(candidate_ports({"id:no such device"}), CommandError);
 }
 

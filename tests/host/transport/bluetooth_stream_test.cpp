@@ -27,6 +27,7 @@ TEST(BluetoothStream, SaysWhatAnAddressLooksLike) {
 /// No machine has this module, and most test machines have no adapter.
 TEST(BluetoothStream, SaysHowToPairAModuleThatDoesNotAnswer) {
   EXPECT_THAT(error_of("bt://00:00:00:00:00:00"), HasSubstr("bluetoothctl pair 00:00:00:00:00:00"));
+  EXPECT_TRUE(error_of("bt://00:00:00:00:00:00/3").ends_with("pair 00:00:00:00:00:00"));
 }
 
 }  // namespace

@@ -6,7 +6,10 @@
 #include <boost/asio/write.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 
+#include "host/transport/asio_stream.hpp"
 #include "host/transport/transport_error.hpp"
 #include "tests/host/transport/pty_pair.hpp"
 
@@ -48,6 +51,21 @@ TEST_F(TcpStreamTest, GivesTheLastBytesBeforeItSaysThatTheDeviceIsGone) {
   EXPECT_EQ(read_bytes(*stream, 301), counting_bytes(300));
   EXPECT_EQ(stream->status(), StreamStatus::kClosed);
   EXPECT_EQ(stream->close_reason(), "the other end closed it");
+}
+
+TEST_F(TcpStreamTest, LetsTheKernelEndAHalfOpenConnectionInTwoSeconds) {
+  const auto stream = open_tcp_stream(address());
+  auto& socket = dynamic_cast<AsioStream<tcp::socket>&>(*stream).stream();
+  const auto option = [&](int level, int name) {
+    int value = -1;
+    socklen_t size = sizeof value;
+    EXPECT_EQ(::getsockopt(socket.native_handle(), level, name, &value, &size), 0);
+    return value;
+  };
+  EXPECT_EQ(option(SOL_SOCKET, SO_KEEPALIVE), 1);
+  EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPIDLE), 1);
+  EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPINTVL), 1);
+  EXPECT_EQ(option(IPPROTO_TCP, TCP_USER_TIMEOUT), 2000);
 }
 
 TEST_F(TcpStreamTest, SaysThatNobodyListens) {
