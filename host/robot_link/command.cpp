@@ -14,7 +14,7 @@ std::string_view to_string(CommandOutcome outcome) {
     case CommandOutcome::kOutOfRange:
       return "out of range";
     case CommandOutcome::kBlocked:
-      return "blocked by a bump contact";
+      return "blocked by a contact, a cliff or a hanging wheel";
     case CommandOutcome::kRefused:
       return "refused";
     case CommandOutcome::kNotUnderstood:

@@ -30,7 +30,7 @@ enum class CommandOutcome : std::uint8_t {
   kDisarmed,
   kBusy,
   kOutOfRange,
-  kBlocked,
+  kBlocked,        ///< By a pressed contact, a hazard on the way, or for Arm a hanging wheel.
   kRefused,        ///< A status that this host does not know.
   kNotUnderstood,  ///< The robot's firmware has no such message; it was not sent.
   kLinkLost,    ///< No answer to eight tries, or not connected: it may have been done once, or not.

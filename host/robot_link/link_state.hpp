@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 namespace echomap::robot_link {
 
@@ -18,8 +17,5 @@ enum class LinkState : std::uint8_t {
   kMismatch,    ///< Firmware and host differ in messages that are needed.
   kLost,        ///< Was ready; then no frame for a second, or a command found no answer.
 };
-
-/// The state in words.
-std::string_view to_string(LinkState state);
 
 }  // namespace echomap::robot_link

@@ -24,11 +24,20 @@ struct LinkStatistics {
   std::uint64_t credit_waits = 0;           ///< Looks at a frame that had to wait for credit.
   std::uint64_t credit_released_bytes = 0;  ///< Sent, and given up for want of an answer.
 
-  /// As the robot last said in Health; modulo 2^16, since its reset.
-  std::uint16_t robot_frames_bad = 0;
-  std::uint16_t robot_frames_lost = 0;
-  std::uint16_t robot_receive_overruns = 0;
-  std::uint16_t robot_telemetry_dropped = 0;
+  /// How often a ready link was so no more, by silence or by a reset, and for how long in all. What
+  /// was lost meanwhile is not in `frames_lost`, which knows a gap modulo 256 only.
+  std::uint64_t outages = 0;
+  std::chrono::microseconds outage_time{};
+
+  /// As the robot has said in Health, of all its starts that the session saw.
+  std::uint64_t robot_frames_bad = 0;
+  std::uint64_t robot_frames_lost = 0;
+  std::uint64_t robot_receive_overruns = 0;
+  std::uint64_t robot_telemetry_dropped = 0;
+  std::uint64_t robot_encoder_errors = 0;  ///< Illegal transitions of the encoders.
+  /// The least it told; empty where it told none.
+  std::optional<std::uint16_t> robot_stack_free_bytes;
+  std::uint8_t robot_rate_step = 0;  ///< The last: telemetry periods are stretched by 2 to it.
 
   /// Command to acknowledgement, smoothed as in RFC 6298; empty before the first.
   std::optional<std::chrono::microseconds> round_trip;

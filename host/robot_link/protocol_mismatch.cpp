@@ -25,16 +25,22 @@ SideToUpdate ProtocolMismatch::side_to_update() const {
   return robot_is_newer ? SideToUpdate::kHost : SideToUpdate::kFirmware;
 }
 
+std::string ProtocolMismatch::next_step() const {
+  if (side_to_update() == SideToUpdate::kHost) {
+    return "this host is older: git pull, then ./run build";
+  }
+  const bool is_older = std::tie(robot_major, robot_minor) < std::tie(host_major, host_minor);
+  return is_older ? "the robot is older: ./run flash"
+                  : "both are of one version, built from different messages: ./run flash";
+}
+
 std::string ProtocolMismatch::message() const {
   std::ostringstream text;
   text << "the robot's firmware " << robot_firmware_version / 100 << '.' << std::setw(2)
        << std::setfill('0') << robot_firmware_version % 100 << " speaks "
        << version_text(robot_major, robot_minor, robot_digest) << ", this host "
        << version_text(host_major, host_minor, host_digest) << (difference.empty() ? "" : ": ")
-       << difference
-       << (side_to_update() == SideToUpdate::kFirmware
-               ? "\n  next: the robot is older: ./run flash"
-               : "\n  next: this host is older: update echomap");
+       << difference << "\n  next: " << next_step();
   return text.str();
 }
 

@@ -30,6 +30,9 @@ struct ProtocolMismatch {
   SideToUpdate side_to_update() const;
   /// Both versions, in what they differ, and the command that updates the older side.
   std::string message() const;
+
+ private:
+  std::string next_step() const;
 };
 
 /// True when the robot was built from the same messages as this host.

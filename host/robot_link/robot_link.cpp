@@ -78,6 +78,9 @@ void RobotLink::act_on(RobotIdentity identity, const protocol::HelloReply& robot
       state_ = LinkState::kReady;
       telemetry_.restart();
       pings_.restart(now_);
+      if (outages_.last() > params_.clock.window) {
+        clock_.restart();  // Nothing that it knows counts any more, and stamps may have wrapped.
+      }
       listener_.on_ready(robot);
       break;
     case RobotIdentity::kUndescribed:
@@ -105,6 +108,7 @@ void RobotLink::notice_reset(const protocol::HelloReply& reply) {
   search_again();
   inbox_.restart();
   ++statistics_.resets_seen;
+  telemetry_.restart_counters();
   clock_.restart();
   bulk_.abandon();
   end_reading();
@@ -119,9 +123,15 @@ void RobotLink::search_again() {
 
 void RobotLink::handle(const protocol::Ack& ack) {
   outbox_.confirm(ack);
-  if (const auto result = commands_.acknowledge(ack, now_)) {
-    listener_.on_command_done(*result);
+  const auto result = commands_.acknowledge(ack, now_);
+  if (!result) {
+    return;
   }
+  // A robot that was reset unheard, or heard another host's Hello, answers so too: ask it.
+  if (result->outcome == CommandOutcome::kDisarmed && state_ == LinkState::kReady) {
+    search_again();
+  }
+  listener_.on_command_done(*result);
 }
 
 void RobotLink::handle(const protocol::BulkData& data) {
@@ -172,6 +182,7 @@ void RobotLink::poll(time::HostTime now) {
   state_ = state_ == LinkState::kReady && commands_.is_exhausted(now)
                ? LinkState::kLost
                : watch_.next_state(state_, now);
+  outages_.note(state_, now);
   if (watch_.is_hello_due(state_, now)) {
     send_hello();
   }
@@ -289,6 +300,7 @@ void RobotLink::send(const protocol::DriveSetpoint& setpoint, time::HostTime now
 LinkStatistics RobotLink::statistics() const {
   LinkStatistics statistics = statistics_;
   telemetry_.add_to(statistics);
+  outages_.add_to(statistics);
   inbox_.add_to(statistics);
   outbox_.add_to(statistics);
   statistics.setpoints_dropped = setpoint_.dropped();

@@ -13,6 +13,7 @@
 #include "host/robot_link/line_watch.hpp"
 #include "host/robot_link/link_state.hpp"
 #include "host/robot_link/link_statistics.hpp"
+#include "host/robot_link/outage_counter.hpp"
 #include "host/robot_link/ping_sender.hpp"
 #include "host/robot_link/protocol_mismatch.hpp"
 #include "host/robot_link/robot_identification.hpp"
@@ -66,8 +67,11 @@ class RobotLink {
 
   LinkState state() const { return state_; }
   LinkStatistics statistics() const;
-  /// Where the robot's stamps lie on the host's clock; starts anew after a reset.
+  /// Where the robot's stamps lie on the host's clock; starts anew after a reset and after an
+  /// outage of more than its window.
   const time::ClockSync& clock() const { return clock_; }
+  /// Of the telemetry since the link became ready; empty before the first.
+  std::optional<std::uint32_t> newest_stamp_us() const { return telemetry_.newest_stamp_us(); }
   /// What the robot said of itself in its last reply; empty before the first.
   const std::optional<protocol::HelloReply>& robot() const { return identification_.robot(); }
   /// In what the messages of a robot differ that is spoken to all the same; empty where they do
@@ -118,6 +122,7 @@ class RobotLink {
   BulkReader bulk_;
   PingSender pings_;
   time::ClockSync clock_;
+  OutageCounter outages_;
   LinkStatistics statistics_;
 
   time::HostTime now_;  ///< Of the `receive` or `poll` under way.

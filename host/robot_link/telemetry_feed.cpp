@@ -18,15 +18,8 @@ bool TelemetryFeed::continues(std::uint32_t stamp_us) {
 }
 
 void TelemetryFeed::deliver(const protocol::Health& message) {
-  health_ = message;
+  counters_.take(message);
   listener_.on_health(message);
-}
-
-void TelemetryFeed::add_to(LinkStatistics& statistics) const {
-  statistics.robot_frames_bad = health_.frames_bad;
-  statistics.robot_frames_lost = health_.frames_lost;
-  statistics.robot_receive_overruns = health_.receive_overruns;
-  statistics.robot_telemetry_dropped = health_.telemetry_dropped;
 }
 
 }  // namespace echomap::robot_link

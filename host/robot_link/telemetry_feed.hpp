@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "host/robot_link/link_statistics.hpp"
+#include "host/robot_link/robot_counters.hpp"
 #include "host/robot_link/robot_link_listener.hpp"
 #include "host/robot_link/robot_link_params.hpp"
 #include "protocol/telemetry_messages.hpp"
@@ -21,6 +22,10 @@ class TelemetryFeed {
 
   /// The next stamp may be any.
   void restart() { newest_stamp_us_.reset(); }
+  /// The robot was reset, and its counters start at zero.
+  void restart_counters() { counters_.restart(); }
+  /// Since then; empty before the first.
+  std::optional<std::uint32_t> newest_stamp_us() const { return newest_stamp_us_; }
   /// Whether what bears this stamp is from the same start of the robot as what came before.
   bool continues(std::uint32_t stamp_us);
 
@@ -31,14 +36,14 @@ class TelemetryFeed {
   void deliver(const protocol::Gyro& message) { listener_.on_gyro(message); }
   void deliver(const protocol::Health& message);
 
-  /// Fills in what the robot last said in Health of its own counters.
-  void add_to(LinkStatistics& statistics) const;
+  /// Fills in what the robot said in Health of its own counters.
+  void add_to(LinkStatistics& statistics) const { counters_.add_to(statistics); }
 
  private:
   RobotLinkListener& listener_;
   RobotLinkParams::Duration max_step_back_;
   std::optional<std::uint32_t> newest_stamp_us_;
-  protocol::Health health_{};
+  RobotCounters counters_;
 };
 
 }  // namespace echomap::robot_link

@@ -95,7 +95,7 @@ void FakeRobot::handle(const Command& command) {
 }
 
 protocol::CommandStatus FakeRobot::carry_out(const protocol::MoveTicks& move) {
-  if (!greeted_) {
+  if (!greeted_ || (needs_arming && !armed)) {
     return protocol::CommandStatus::kDisarmed;
   }
   moves_done.push_back(move.left_ticks);

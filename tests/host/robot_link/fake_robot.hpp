@@ -30,6 +30,8 @@ class FakeRobot {
   /// millisecond.
   void advance_1ms();
   Bytes take_outgoing();
+  /// Its clock goes on, and nobody listens.
+  void run_unheard_ms(int ms) { stamp_us_ += 1000U * static_cast<std::uint32_t>(ms); }
 
   template <class Message>
   void send(const Message& message) {
@@ -46,6 +48,7 @@ class FakeRobot {
 
   // How it behaves.
   bool announces_boot = true;
+  bool needs_arming = false;  ///< Moves only then.
   bool streams_before_hello = false;
   bool acknowledges = true;
   bool answers_pings = true;

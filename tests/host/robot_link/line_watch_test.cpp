@@ -42,7 +42,7 @@ TEST_F(LineWatchTest, LosesAReadyLinkAfterASecondWithoutFrames) {
 
 TEST_F(LineWatchTest, LeavesStatesThatTimeDoesNotChange) {
   for (const LinkState state : {LinkState::kDescribing, LinkState::kMismatch, LinkState::kLost}) {
-    EXPECT_EQ(watch.next_state(state, at_ms(60'000)), state) << to_string(state);
+    EXPECT_EQ(watch.next_state(state, at_ms(60'000)), state) << static_cast<int>(state);
   }
 }
 

@@ -59,5 +59,21 @@ TEST_F(LinkClock, NeedsPings) {
   EXPECT_FALSE(link.clock().host_time(0));
 }
 
+TEST_F(LinkClock, StartsAnewAfterAnOutageOfMoreThanItsWindow) {
+  run_for(5000);
+  to_host.is_cut = true;
+  run_for(70'000);
+  ASSERT_TRUE(link.clock().uncertainty_us());
+  to_host.is_cut = false;
+  while (link.state() != LinkState::kReady) {
+    run_for(1);
+  }
+  EXPECT_FALSE(link.clock().uncertainty_us());
+  run_for(2000);
+  EXPECT_TRUE(link.clock().uncertainty_us());
+  EXPECT_EQ(link.statistics().outages, 1U);
+  EXPECT_GT(link.statistics().outage_time, std::chrono::seconds(68));
+}
+
 }  // namespace
 }  // namespace echomap::robot_link

@@ -81,7 +81,7 @@ TEST_F(LinkCompatibility, RefusesANewerRobotThatLacksWhatIsNeeded) {
   const std::string message = link.mismatch()->message();
   EXPECT_THAT(message, HasSubstr("protocol 1.9"));
   EXPECT_THAT(message, HasSubstr("other fields in Odometry; the robot lacks Ack"));
-  EXPECT_THAT(message, HasSubstr("update echomap"));
+  EXPECT_THAT(message, HasSubstr("git pull"));
 }
 
 TEST_F(LinkCompatibility, AsksAgainForPiecesThatAreLost) {

@@ -126,6 +126,19 @@ TEST_F(LinkRecoveryTest, GivesACommandUpAfterEightTries) {
   EXPECT_THAT(listener.events, ElementsAre("ready", "link lost", "link lost", "ready"));
 }
 
+TEST_F(LinkRecoveryTest, AsksARobotThatWasResetUnheardAlthoughItAnswersCommands) {
+  run_for(1000);
+  robot.announces_boot = false;
+  robot.power_on(2, protocol::kResetBrownOut);
+  for (int i = 0; i < 20; ++i) {
+    link.submit(protocol::MoveTicks{0, 1, 1, 100, 200});
+    run_for(100);
+  }
+  EXPECT_EQ(link.state(), LinkState::kReady);
+  EXPECT_THAT(listener.reset_causes, ElementsAre(protocol::kResetBrownOut));
+  EXPECT_EQ(robot.moves_done.size(), 19U);
+}
+
 TEST_F(LinkRecoveryTest, EndsCommandsAtOnceWhereThereIsNoRobot) {
   robot_has_power = false;
   run_for(2500);

@@ -62,6 +62,14 @@ TEST(ProtocolMismatch, SaysBothVersionsAndWhatToUpdate) {
             "1.2 (schema 0000abcd): other fields in Echo\n  next: the robot is older: ./run flash");
 }
 
+TEST(ProtocolMismatch, CallsNeitherOlderWhereVersionsAreEqual) {
+  protocol::HelloReply reply = our_reply();
+  reply.schema_digest ^= 1U;
+  const std::string message = mismatch_with(reply).message();
+  EXPECT_THAT(message, testing::HasSubstr("of one version"));
+  EXPECT_THAT(message, testing::Not(testing::HasSubstr("older")));
+}
+
 TEST(ProtocolMismatch, TakesTheRobotsSideFromItsReply) {
   const ProtocolMismatch mismatch = mismatch_with(our_reply());
   EXPECT_EQ(mismatch.robot_digest, protocol::kSchemaDigest);

@@ -41,16 +41,12 @@ TEST_F(TelemetryFeedTest, DeliversEachMessageToItsHandler) {
 TEST_F(TelemetryFeedTest, KeepsTheRobotsOwnCountersForTheStatistics) {
   protocol::Health health{};
   health.frames_bad = 1;
-  health.frames_lost = 2;
-  health.receive_overruns = 3;
-  health.telemetry_dropped = 4;
   feed.deliver(health);
   LinkStatistics statistics;
+  feed.restart_counters();
+  feed.deliver(health);
   feed.add_to(statistics);
-  EXPECT_EQ(statistics.robot_frames_bad, 1);
-  EXPECT_EQ(statistics.robot_frames_lost, 2);
-  EXPECT_EQ(statistics.robot_receive_overruns, 3);
-  EXPECT_EQ(statistics.robot_telemetry_dropped, 4);
+  EXPECT_EQ(statistics.robot_frames_bad, 2U);
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "host/robot_link/robot_counters.hpp"
+
+#include <algorithm>
+
+namespace echomap::robot_link {
+namespace {
+
+std::uint16_t step(std::uint16_t from, std::uint16_t to) {
+  return static_cast<std::uint16_t>(to - from);
+}
+
+}  // namespace
+
+void RobotCounters::take(const protocol::Health& health) {
+  frames_bad_ += step(last_.frames_bad, health.frames_bad);
+  frames_lost_ += step(last_.frames_lost, health.frames_lost);
+  receive_overruns_ += step(last_.receive_overruns, health.receive_overruns);
+  telemetry_dropped_ += step(last_.telemetry_dropped, health.telemetry_dropped);
+  encoder_errors_ += step(last_.encoder_errors, health.encoder_errors);
+  if (health.stack_free_bytes != 0) {
+    least_stack_free_bytes_ = std::min(least_stack_free_bytes_.value_or(health.stack_free_bytes),
+                                       health.stack_free_bytes);
+  }
+  last_ = health;
+}
+
+void RobotCounters::add_to(LinkStatistics& statistics) const {
+  statistics.robot_frames_bad = frames_bad_;
+  statistics.robot_frames_lost = frames_lost_;
+  statistics.robot_receive_overruns = receive_overruns_;
+  statistics.robot_telemetry_dropped = telemetry_dropped_;
+  statistics.robot_encoder_errors = encoder_errors_;
+  statistics.robot_stack_free_bytes = least_stack_free_bytes_;
+  statistics.robot_rate_step = last_.rate_step;
+}
+
+}  // namespace echomap::robot_link
