@@ -26,13 +26,15 @@ std::int32_t centidegrees(double angle_rad) {
   return static_cast<std::int32_t>(std::lround(geometry::degrees(angle_rad) * 100.0));
 }
 
-/// What a command that was not accepted means for the motion.
-MotionResult refusal_of(CommandOutcome outcome) {
+/// What a command that was not accepted means for the motion. `hazards` are those that stop the
+/// wheels.
+MotionResult refusal_of(CommandOutcome outcome, int hazards) {
   switch (outcome) {
     case CommandOutcome::kBlocked:
-      return MotionResult::kBumped;
+      return hazards != 0 ? MotionResult::kHazard : MotionResult::kBumped;
     case CommandOutcome::kLinkLost:
     case CommandOutcome::kRobotReset:
+    case CommandOutcome::kDisarmed:
       return MotionResult::kInterrupted;
     default:
       return MotionResult::kRefused;
@@ -58,21 +60,31 @@ MotionResult MotionExecution::move(const sensors::WheelTicks& ticks) {
 }
 
 MotionResult MotionExecution::sweep(const exploration::Sweep& sweep) {
-  const double steps = std::abs((sweep.to_rad - sweep.from_rad) / sweep.step_rad) + 1.0;
-  const double step_s = sweep.settle_s + 0.15;
   const protocol::StartSweep command{0,
                                      centidegrees(sweep.from_rad),
                                      centidegrees(sweep.to_rad),
                                      centidegrees(sweep.step_rad),
                                      static_cast<std::uint16_t>(std::lround(sweep.settle_s * 1e3))};
-  return finish(command, seconds_of(steps * step_s + 1.0));
+  return finish(command, seconds_of(duration_s(sweep)));
+}
+
+/// From the far end of the pan to the first angle, and then at each angle until the pan has settled
+/// and the ping is over.
+double MotionExecution::duration_s(const exploration::Sweep& sweep) const {
+  const protocol::ConfigurePan& pan = profile_.configuration.pan;
+  const protocol::ConfigureSonar& sonar = profile_.configuration.sonar;
+  const double swept_rad = std::abs(sweep.to_rad - sweep.from_rad);
+  const double pings = swept_rad / std::abs(sweep.step_rad) + 1.0;
+  const double way_deg = 0.01 * (pan.max_cdeg - pan.min_cdeg) + geometry::degrees(swept_rad);
+  const double ping_s = 1e-6 * sonar.max_echo_us + 1e-3 * sonar.ping_gap_ms;
+  return way_deg / pan.deg_per_s + pings * (sweep.settle_s + ping_s);
 }
 
 /// Sends the command and waits until the robot's Status says that its motion has ended.
 MotionResult MotionExecution::finish(const robot_link::Command& command, Duration expected) {
   const auto result = line_.perform(command);
   if (!result || result->outcome != CommandOutcome::kAccepted) {
-    return result ? refusal_of(result->outcome) : MotionResult::kInterrupted;
+    return result ? refusal_of(result->outcome, stopping_hazards()) : MotionResult::kInterrupted;
   }
   const bool is_sweep = std::holds_alternative<protocol::StartSweep>(command);
   const auto outcome = [&] {
@@ -91,6 +103,11 @@ MotionResult MotionExecution::finish(const robot_link::Command& command, Duratio
     return MotionResult::kTimedOut;
   }
   return line_.was_reset() ? MotionResult::kInterrupted : result_of(outcome());
+}
+
+int MotionExecution::stopping_hazards() const {
+  const auto& status = line_.status();
+  return status ? status->hazards & profile_.configuration.safety.hazard_stops : 0;
 }
 
 MotionResult MotionExecution::result_of(protocol::MotionOutcome outcome) {

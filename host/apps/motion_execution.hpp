@@ -23,6 +23,8 @@ class MotionExecution {
  private:
   exploration::MotionResult finish(const robot_link::Command& command,
                                    RobotLine::Duration expected);
+  double duration_s(const exploration::Sweep& sweep) const;
+  int stopping_hazards() const;
   exploration::MotionResult result_of(protocol::MotionOutcome outcome);
 
   RobotLine& line_;

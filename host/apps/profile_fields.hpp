@@ -40,10 +40,22 @@ T field(const files::TomlReader& table,
   return static_cast<T>(rounded);
 }
 
-/// The same for a key that may be absent.
+/// The same for a key that may be absent, or 0, for "not watched"; a ConfigError for a number that
+/// would become 0 by rounding.
 template <class T>
 T field_or_zero(const files::TomlReader& table, std::string_view key, double scale, Bounds bounds) {
-  return table.has(key) ? field<T>(table, key, scale, bounds) : T{0};
+  if (!table.has(key)) {
+    return T{0};
+  }
+  const T value = field<T>(table, key, scale, bounds);
+  if (value == 0 && table.number(key) != 0.0) {
+    table.fail(key,
+               fmt::format("'{}' must be at least {:g}, or 0 for what is not watched: the board "
+                           "counts in such steps",
+                           key,
+                           1.0 / scale));
+  }
+  return value;
 }
 
 /// The key's number; a ConfigError unless it is positive.

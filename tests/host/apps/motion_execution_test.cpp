@@ -25,6 +25,35 @@ TEST_F(MotionExecutionTest, TellsWhatTheBoardStoppedFor) {
   EXPECT_EQ(session->end(), SessionEnd::kSafetyStop);
 }
 
+TEST_F(MotionExecutionTest, TellsABlockedMoveByWhatBlocksIt) {
+  profile.configuration.safety.hazard_stops = protocol::kHazardCliffLeft;
+  session = new_session(false);
+  session->connect();
+  cable.robot.answer = protocol::CommandStatus::kBlocked;
+  EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kBumped);
+  cable.robot.hazards = protocol::kHazardWall;
+  EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kBumped);
+  cable.robot.hazards = protocol::kHazardCliffLeft;
+  session->execute(exploration::Drive{0.2});
+  session->execute(exploration::Drive{0.2});
+  EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kHazard);
+}
+
+/// A stepper that turns 5 degrees a second takes 40 s for 20 pings.
+TEST_F(MotionExecutionTest, GivesASlowPanItsTime) {
+  profile.configuration.pan.deg_per_s = 5;
+  session = new_session(false);
+  session->connect();
+  cable.robot.motion_ms = 40'000;
+  EXPECT_EQ(session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0}), MotionResult::kReached);
+}
+
+TEST_F(MotionExecutionTest, GivesUpASweepThatDoesNotEnd) {
+  session->connect();
+  cable.robot.motion_ms = 60'000;
+  EXPECT_EQ(session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0}), MotionResult::kTimedOut);
+}
+
 TEST_F(MotionExecutionTest, DoesNotDoAMoveAgainThatAResetBrokeOff) {
   session->connect();
   cable.robot.motion_ms = 1000;

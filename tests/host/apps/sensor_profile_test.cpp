@@ -42,5 +42,11 @@ TEST(SensorProfile, StopsAtCliffsByItselfAndAtWallsOnlyWhereItIsToldTo) {
   EXPECT_EQ(walls.configuration.safety.runaway_ticks, 20);
 }
 
+TEST(SensorProfile, WatchesWhatItIsToldToOrSaysThatItCannot) {
+  EXPECT_EQ(profile_of("[safety]\nrunaway_m = 0.0\n").configuration.safety.runaway_ticks, 0);
+  EXPECT_EQ(profile_of("[safety]\nrunaway_m = 0.0006\n").configuration.safety.runaway_ticks, 1);
+  EXPECT_THROW(profile_of("[safety]\nrunaway_m = 0.0004\n"), files::ConfigError);
+}
+
 }  // namespace
 }  // namespace echomap::apps

@@ -98,7 +98,7 @@ class SessionOnACable : public testing::Test {
   Cable cable;
   std::uint16_t boot_id = 1;
   int restarts = 0;
-  const RobotProfile profile = load_robot_profile("uno_2wd");
+  RobotProfile profile = load_robot_profile("uno_2wd");
   pipeline::RobotPipeline pipeline{profile.geometry};
   std::unique_ptr<RobotSession> new_session(bool no_reset) {
     RobotConnection connection{
