@@ -23,6 +23,9 @@ namespace {
 /// Where the grid of one stop begins to take a second (docs/algorithms/sonar_grid.md).
 constexpr std::size_t kMostStops = 100;
 
+/// In seconds: the robot's stamps of 32 bits tell absences of up to 35.8 minutes apart.
+constexpr double kLongestAbsenceS = 1800.0;
+
 using Action = std::function<ExitCode()>;
 
 void add_run_options(CLI::App& command, RunOptions& run) {
@@ -55,7 +58,7 @@ void add_explore(CLI::App& app, Action& action) {
       ->add_option("--reconnect",
                    options->reconnect_s,
                    "Wait so many seconds for a robot that was unplugged or reset")
-      ->check(CLI::Range(0.0, 3600.0))
+      ->check(CLI::Range(0.0, kLongestAbsenceS))
       ->capture_default_str();
   command->add_flag("--no-reset",
                     options->no_reset,

@@ -23,17 +23,36 @@ std::string reason_of_connect_failure(const robot_link::RobotLink& link, const s
     case LinkState::kUnheard:
       return "a robot talks on " + port +
              " but does not hear us\n  next: check the wire to the board's RX pin";
+    case LinkState::kDescribing:
+      return "the robot on " + port +
+             " was built from other messages, and did not say which\n  next: ./run flash --port " +
+             port;
+    case LinkState::kConnecting:
+      return "the robot on " + port +
+             " answers and starts anew again and again\n  next: give servo and motors a supply of "
+             "their own, or fresh batteries";
+    case LinkState::kLost:
+      return "the robot on " + port +
+             " answered once and is silent now\n  next: check its cable and its supply, then the "
+             "same again";
     default:
       return "nothing answers on " + port +
              "\n  next: is the robot switched on and flashed? ./run flash --port " + port;
   }
 }
 
+std::optional<time::HostTime> start_of_robot(const robot_link::RobotLink& link) {
+  const auto stamp_us = link.newest_stamp_us();
+  const auto newest = stamp_us ? link.clock().host_time(*stamp_us) : std::nullopt;
+  return newest ? std::optional(newest->instant - std::chrono::microseconds(*stamp_us))
+                : std::nullopt;
+}
+
 bool was_reset_since(time::HostTime instant, const robot_link::RobotLink& link) {
-  const auto start = link.clock().host_time(0);
+  const auto start = start_of_robot(link);
   const auto& robot = link.robot();
   const bool by_reset_line = robot && (robot->reset_cause & protocol::kResetExternal) != 0;
-  return start && by_reset_line && start->instant > instant;
+  return start && by_reset_line && *start > instant;
 }
 
 std::string reset_by_opening(const std::string& port) {

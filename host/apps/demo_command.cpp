@@ -67,7 +67,7 @@ RobotConnection connection_to(SimulatedRobot& robot, const DemoOptions& options)
 }  // namespace
 
 ExitCode run_demo(const DemoOptions& options) {
-  const RobotProfile profile = load_robot_profile(options.run.robot);
+  const RobotProfile profile = profile_for(options.run);
   const auto body = body_of(options, profile);
   const auto out = run_folder(options.run.out);
   prepare_outputs(out, options.run.json);

@@ -45,7 +45,7 @@ RobotConnection connection_on_a_desk(const ExploreOptions& options) {
 }  // namespace
 
 ExitCode run_explore(const ExploreOptions& options) {
-  const RobotProfile profile = load_robot_profile(options.run.robot);
+  const RobotProfile profile = profile_for(options.run);
   const auto out = run_folder(options.run.out);
   exports::RunSummary summary;
   prepare_outputs(out, options.run.json);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "host/apps/link_report.hpp"
 #include "host/apps/progress_bar.hpp"
 #include "host/apps/robot_session.hpp"
 #include "host/exploration/nxt_farthest.hpp"
@@ -56,6 +57,7 @@ class RunKeeper {
     summary_.sim_seconds = seconds_of(session_.now());
     summary_.wall_seconds = wall.count();
     describe_clock();
+    describe_link();
     exports::describe_snapshot(snapshot, summary_);
     exports::write_run_directory(out_, snapshot, summary_);
   }
@@ -80,6 +82,18 @@ class RunKeeper {
       spdlog::debug("the robot's clock runs {:+.1f} ppm fast, known to {:.0f} us",
                     *summary_.clock_rate_error_ppm,
                     *summary_.clock_uncertainty_us);
+    }
+  }
+
+  void describe_link() {
+    const auto link = summary_of(session_.link().statistics(), session_.reconnects());
+    spdlog::debug("{}", line_of(link));
+    if (const auto losses = losses_between(summary_.link, link); !losses.empty()) {
+      spdlog::warn("since the last stop the robot has counted {}", losses);
+    }
+    summary_.link = link;
+    if (const auto& robot = session_.link().robot(); robot && summary_.firmware.empty()) {
+      summary_.firmware = firmware_of(*robot);
     }
   }
 
@@ -138,6 +152,10 @@ std::string outcome_of(SessionEnd end) {
       return "interrupted";
     case SessionEnd::kSafetyStop:
       return "safety-stop";
+    case SessionEnd::kFirmwareMismatch:
+      return "firmware-mismatch";
+    case SessionEnd::kConfigInvalid:
+      return "configuration-invalid";
     case SessionEnd::kLinkLost:
       break;
   }
@@ -150,16 +168,22 @@ std::uint16_t session_id_from(std::uint32_t number) {
   return static_cast<std::uint16_t>(1 + number % 0xFFFF);
 }
 
+RobotProfile profile_for(const RunOptions& options) {
+  RobotProfile profile = load_robot_profile(options.robot);
+  if (!profile.has_sonar) {
+    throw CommandError(ExitCode::kConfigInvalid,
+                       "strategy '" + options.strategy + "' needs a sonar, and profile '" +
+                           profile.name +
+                           "' has none\n  next: name another with --robot, as uno_2wd");
+  }
+  return profile;
+}
+
 ExitCode explore_and_save(RobotConnection robot,
                           const RobotProfile& profile,
                           const RunOptions& options,
                           const std::filesystem::path& out,
                           exports::RunSummary& summary) {
-  if (!profile.has_sonar) {
-    throw CommandError(ExitCode::kConfigInvalid,
-                       "strategy '" + options.strategy + "' needs a sonar, and profile '" +
-                           profile.name + "' has none");
-  }
   summary.echomap_version = ECHOMAP_VERSION;
   summary.robot = profile.name;
   summary.strategy = options.strategy;
@@ -170,12 +194,14 @@ ExitCode explore_and_save(RobotConnection robot,
   RobotSession session(std::move(robot), profile, pipeline);
   RunKeeper keeper(session, pipeline, out, summary);
   ProgressBar progress(stderr, !options.headless);
-  session.on_step = [&, steps = 0]() mutable {
-    constexpr int kStepsPerDrawing = 64;
-    if (++steps % kStepsPerDrawing == 0) {
-      show_progress(progress, pipeline.snapshot(), options.stops, session.now());
-    }
-  };
+  if (progress.is_active()) {
+    session.on_step = [&, steps = 0]() mutable {
+      constexpr int kStepsPerDrawing = 64;
+      if (++steps % kStepsPerDrawing == 0) {
+        show_progress(progress, pipeline.snapshot(), options.stops, session.now());
+      }
+    };
+  }
 
   session.connect();
   const auto reason = drive(session, pipeline, explorer, keeper);
@@ -186,7 +212,7 @@ ExitCode explore_and_save(RobotConnection robot,
     return exit_code_of(*reason);
   }
   pipeline.end_scan();
-  spdlog::error("{}; the map so far is kept", session.end_reason());
+  spdlog::error("the map so far is kept, for {}", session.end_reason());
   const SessionEnd end = session.end().value_or(SessionEnd::kLinkLost);
   keeper.save(outcome_of(end));
   return exit_code_of(end);

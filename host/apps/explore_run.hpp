@@ -15,6 +15,10 @@ namespace echomap::apps {
 /// A session's number from any other: never 0, which a robot that has just started stands for.
 std::uint16_t session_id_from(std::uint32_t number);
 
+/// The profile of the robot that is named. Throws files::ConfigError, and CommandError where the
+/// strategy cannot do with it.
+RobotProfile profile_for(const RunOptions& options);
+
 /// Connects and lets the strategy drive the robot until it is finished, is interrupted or is lost.
 /// The run directory `out` is brought up to date after every stop, so that whatever happens the map
 /// so far is on disk. Fills in what the exploration knows of `summary`. Throws CommandError where

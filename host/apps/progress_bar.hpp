@@ -15,6 +15,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  /// Whether anything is ever drawn.
+  bool is_active() const { return active_; }
   /// `share` of the work is done, 0 .. 1; at most ten drawings a second.
   void show(double share, const std::string& text);
   /// Wipes the line, for other output.

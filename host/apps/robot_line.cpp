@@ -7,6 +7,8 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/interrupt.hpp"
+#include "host/apps/link_report.hpp"
+#include "host/robot_link/reset_cause.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -20,6 +22,12 @@ constexpr seconds kCommandLimit(5);
 constexpr seconds kDisarmLimit(1);
 /// For the whole of a configuration, with resends.
 constexpr seconds kBulkLimit(5);
+/// An absence that is no mere reset.
+constexpr std::chrono::milliseconds kWorthTelling(500);
+
+double seconds_of(RobotLine::Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
 
 }  // namespace
 
@@ -42,6 +50,11 @@ bool RobotLine::wait_until(const std::function<bool()>& done, Duration limit) {
     look_for_end();
   }
   return done();
+}
+
+bool RobotLine::wait_until_ready() {
+  const auto ready = [&] { return link_.state() == LinkState::kReady; };
+  return wait_until(ready, Duration::max()) && !end_;
 }
 
 std::optional<robot_link::CommandResult> RobotLine::perform(const robot_link::Command& command) {
@@ -97,7 +110,12 @@ void RobotLine::look_for_end() {
   const bool closed = stream_->status() == transport::StreamStatus::kClosed;
   if (closed || !pace_->end_reason().empty()) {
     end(SessionEnd::kLinkLost,
-        "lost " + name() + ": " + (closed ? stream_->close_reason() : pace_->end_reason()));
+        "lost " + name() + ": " + (closed ? stream_->close_reason() : pace_->end_reason()) +
+            "\n  next: check the cable or the simulated robot, then start anew");
+    return;
+  }
+  if (is_held_ && link_.state() == LinkState::kMismatch) {
+    end(SessionEnd::kFirmwareMismatch, link_.mismatch()->message());
     return;
   }
   look_for_absence();
@@ -105,14 +123,28 @@ void RobotLine::look_for_end() {
 
 void RobotLine::look_for_absence() {
   if (!is_held_ || link_.state() == LinkState::kReady) {
+    if (std::exchange(absence_is_told_, false)) {
+      spdlog::info("{} is back after {:.1f} s", name(), seconds_of(now_ - *away_since_));
+    }
     away_since_.reset();
   } else if (!away_since_) {
     away_since_ = now_;
   } else if (now_ - *away_since_ > patience_) {
-    const std::string why = stream_->close_reason();
     end(SessionEnd::kLinkLost,
-        "lost " + name() + ": " + (why.empty() ? "the robot has fallen silent" : why));
+        "lost " + name() + ": " + reason_of_absence() +
+            "\n  next: check its cable and its supply, then start anew; --reconnect 60 waits "
+            "longer");
+  } else if (now_ - *away_since_ > kWorthTelling && !std::exchange(absence_is_told_, true)) {
+    spdlog::warn("{} is away: {}; it is waited for, {:.0f} s at most",
+                 name(),
+                 reason_of_absence(),
+                 seconds_of(patience_));
   }
+}
+
+std::string RobotLine::reason_of_absence() const {
+  const std::string why = stream_->close_reason();
+  return why.empty() ? "the robot has fallen silent" : why;
 }
 
 void RobotLine::end(SessionEnd end, const std::string& reason) {
@@ -136,20 +168,21 @@ void RobotLine::on_status(const protocol::Status& message) {
 }
 
 void RobotLine::on_ready(const protocol::HelloReply& reply) {
-  spdlog::debug("robot ready: firmware {}.{:02}, boot {:04x}",
-                reply.firmware_version / 100,
-                reply.firmware_version % 100,
-                reply.boot_id);
+  spdlog::debug("robot ready: {}, boot {:04x}", firmware_of(reply), reply.boot_id);
   if (const auto& difference = link_.difference()) {
     spdlog::warn("firmware and host differ, but in nothing that is needed: {}",
                  difference->summary());
   }
 }
 
+void RobotLine::on_command_done(const robot_link::CommandResult& result) {
+  result_ = result;
+  was_reset_ = was_reset_ || result.outcome == robot_link::CommandOutcome::kDisarmed;
+}
+
 void RobotLine::on_reset(std::uint8_t reset_cause) {
-  spdlog::warn(
-      "the robot was reset (cause bits {:#x}); the pose is kept and the robot set up again",
-      reset_cause);
+  spdlog::warn("the robot was reset ({}); the pose is kept and the robot set up again",
+               robot_link::reset_cause_text(reset_cause));
   observations_.restart();
   status_.reset();
   was_reset_ = true;

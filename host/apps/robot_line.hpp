@@ -29,6 +29,9 @@ class RobotLine final : private robot_link::RobotLinkListener {
 
   /// Lets time pass until `done`, for `limit` at most or until the session ends; true when done.
   bool wait_until(const std::function<bool()>& done, Duration limit);
+  /// Waits for a ready link for as long as the connection's patience allows; false at the session's
+  /// end.
+  bool wait_until_ready();
   /// Sends a command and waits for its outcome; empty where none came.
   std::optional<robot_link::CommandResult> perform(const robot_link::Command& command);
   /// Reads a bulk content; empty where it did not come, as after a reset.
@@ -39,7 +42,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::uint16_t time_to_live_ms() const { return time_to_live_ms_; }
 
   /// From now on a link that is away for longer than the connection's patience ends the session, as
-  /// does a lifted robot.
+  /// do a lifted robot and other firmware.
   void hold_on() { is_held_ = true; }
   /// Stops and disarms, where a robot that was held still hears it, even after the end; the second
   /// time does nothing.
@@ -53,13 +56,16 @@ class RobotLine final : private robot_link::RobotLinkListener {
   /// For people: why, in a sentence.
   const std::string& end_reason() const { return end_reason_; }
 
-  /// Since the last `forget_resets`.
+  /// Since the last `forget_resets` the robot has started anew, or was found to be disarmed, as
+  /// another host's Hello does it: it has to be set up again.
   bool was_reset() const { return was_reset_; }
   void forget_resets() { was_reset_ = false; }
   /// The last since the robot's start; empty before the first.
   const std::optional<protocol::Status>& status() const { return status_; }
 
   std::string name() const { return stream_->name(); }
+  /// How often the port was opened again.
+  std::uint64_t reconnects() const { return stream_->reconnects(); }
   time::HostTime now() const { return now_; }
   const robot_link::RobotLink& link() const { return link_; }
 
@@ -76,11 +82,12 @@ class RobotLine final : private robot_link::RobotLinkListener {
   void on_bulk(const robot_link::BulkResult& result) override { bulk_ = result; }
   void on_ready(const protocol::HelloReply& reply) override;
   void on_reset(std::uint8_t reset_cause) override;
-  void on_command_done(const robot_link::CommandResult& result) override { result_ = result; }
+  void on_command_done(const robot_link::CommandResult& result) override;
 
   void step();
   void look_for_end();
   void look_for_absence();
+  std::string reason_of_absence() const;
 
   std::unique_ptr<transport::ByteStream> stream_;
   std::unique_ptr<Pace> pace_;
@@ -94,6 +101,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   bool is_held_ = false;
   bool disarmed_ = false;
   std::optional<time::HostTime> away_since_;  ///< While the link is not ready.
+  bool absence_is_told_ = false;
   std::optional<SessionEnd> end_;
   std::string end_reason_;
 

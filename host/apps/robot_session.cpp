@@ -36,6 +36,11 @@ RobotSession::RobotSession(RobotConnection robot,
   };
 }
 
+RobotSession::~RobotSession() {
+  line_.on_step = nullptr;
+  disarm();
+}
+
 void RobotSession::connect() {
   const auto settled = [&] {
     const LinkState state = link().state();
@@ -59,16 +64,14 @@ void RobotSession::check_it_was_not_reset() {
   if (!no_reset_) {
     return;
   }
-  line_.wait_until([&] { return link().clock().host_time(0).has_value(); }, kConnectLimit);
+  line_.wait_until([&] { return start_of_robot(link()).has_value(); }, kConnectLimit);
   if (was_reset_since(time::HostTime{}, link())) {
     throw CommandError(ExitCode::kNoRobot, reset_by_opening(line_.name()));
   }
 }
 
 bool RobotSession::be_ready() {
-  const auto ready = [&] { return link().state() == LinkState::kReady; };
-  return line_.wait_until(ready, RobotLine::Duration::max()) &&
-         (!line_.was_reset() || setup_.set_up());
+  return line_.wait_until_ready() && (!line_.was_reset() || setup_.set_up());
 }
 
 MotionResult RobotSession::execute(const exploration::Motion& motion) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,13 +23,12 @@ namespace echomap::apps {
 /// call that waits lets the session's time pass; nothing here reads a clock.
 class RobotSession {
  public:
-  /// `session_id` tells this session's commands from an earlier one's. `pipeline` outlives the
-  /// session.
+  /// `pipeline` outlives the session.
   RobotSession(RobotConnection robot,
                const RobotProfile& profile,
                pipeline::RobotPipeline& pipeline);
-  /// Disarms, however the session ends.
-  ~RobotSession() { disarm(); }
+  /// Disarms, however the session ends; `on_step` is not called any more.
+  ~RobotSession();
   RobotSession(const RobotSession&) = delete;
   RobotSession& operator=(const RobotSession&) = delete;
 
@@ -44,7 +44,7 @@ class RobotSession {
   /// Stops and disarms, where the robot still hears it; the second time does nothing.
   void disarm() { line_.disarm(); }
 
-  /// Set once the user interrupted or the link was lost for good.
+  /// Set once nothing more can be done with the robot.
   std::optional<SessionEnd> end() const { return line_.end(); }
   /// For people: why, in a sentence.
   const std::string& end_reason() const { return line_.end_reason(); }
@@ -53,6 +53,8 @@ class RobotSession {
   std::function<void()> on_step;
 
   time::HostTime now() const { return line_.now(); }
+  /// How often the port was opened again.
+  std::uint64_t reconnects() const { return line_.reconnects(); }
   const robot_link::RobotLink& link() const { return line_.link(); }
 
  private:

@@ -9,6 +9,10 @@ ExitCode exit_code_of(SessionEnd end) {
       return ExitCode::kInterrupted;
     case SessionEnd::kSafetyStop:
       return ExitCode::kSafetyStop;
+    case SessionEnd::kFirmwareMismatch:
+      return ExitCode::kFirmwareMismatch;
+    case SessionEnd::kConfigInvalid:
+      return ExitCode::kConfigInvalid;
     case SessionEnd::kLinkLost:
       break;
   }
@@ -18,12 +22,14 @@ ExitCode exit_code_of(SessionEnd end) {
 std::string_view safety_stop(protocol::MotionOutcome outcome) {
   switch (outcome) {
     case protocol::MotionOutcome::kLifted:
-      return "the robot was lifted, and its pose is not known any more";
+      return "the robot was lifted, and its pose is not known any more\n"
+             "  next: put it down and start anew";
     case protocol::MotionOutcome::kRunaway:
-      return "a wheel turned against its command: check the inversions of motors and encoders in "
-             "the profile";
+      return "a wheel turned against its command\n"
+             "  next: check the inversions of motors and encoders in the profile";
     case protocol::MotionOutcome::kOverSpeed:
-      return "a wheel was faster than the profile allows";
+      return "a wheel was faster than the profile allows\n"
+             "  next: check the motors' wires, and over_speed_m_per_s in the profile";
     default:
       return {};
   }

@@ -13,13 +13,16 @@ namespace echomap::apps {
 enum class SessionEnd : std::uint8_t {
   kInterrupted,
   kLinkLost,
-  kSafetyStop,  ///< The board has stopped and disarmed by itself.
+  kSafetyStop,        ///< The board has stopped and disarmed by itself.
+  kFirmwareMismatch,  ///< The board came back with firmware that cannot be spoken to.
+  kConfigInvalid,     ///< The board does not take the profile.
 };
 
 /// What the shell sees of it.
 ExitCode exit_code_of(SessionEnd end);
 
-/// Why a board that ended a motion so has disarmed by itself, in words; empty where it has not.
+/// Why a board that ended a motion so has disarmed by itself and what to do, in words; empty where
+/// it has not.
 std::string_view safety_stop(protocol::MotionOutcome outcome);
 
 }  // namespace echomap::apps

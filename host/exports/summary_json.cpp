@@ -8,8 +8,32 @@
 namespace echomap::exports {
 namespace {
 
-nlohmann::ordered_json or_null(const std::optional<double>& value) {
+template <class T>
+nlohmann::ordered_json or_null(const std::optional<T>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json to_json(const LinkSummary& link) {
+  return {
+      {"frames_received", link.frames_received},
+      {"frames_bad", link.frames_bad},
+      {"frames_lost", link.frames_lost},
+      {"frames_sent", link.frames_sent},
+      {"commands_resent", link.commands_resent},
+      {"credit_released_bytes", link.credit_released_bytes},
+      {"round_trip_us", or_null(link.round_trip_us)},
+      {"resets", link.resets},
+      {"outages", link.outages},
+      {"outage_seconds", link.outage_seconds},
+      {"reconnects", link.reconnects},
+      {"robot_frames_bad", link.robot_frames_bad},
+      {"robot_frames_lost", link.robot_frames_lost},
+      {"robot_receive_overruns", link.robot_receive_overruns},
+      {"robot_telemetry_dropped", link.robot_telemetry_dropped},
+      {"robot_encoder_errors", link.robot_encoder_errors},
+      {"robot_stack_free_bytes", or_null(link.robot_stack_free_bytes)},
+      {"robot_rate_step", link.robot_rate_step},
+  };
 }
 
 }  // namespace
@@ -28,6 +52,7 @@ std::string to_json_text(const RunSummary& summary) {
       {"wall_seconds", summary.wall_seconds},
       {"clock_rate_error_ppm", or_null(summary.clock_rate_error_ppm)},
       {"clock_uncertainty_us", or_null(summary.clock_uncertainty_us)},
+      {"link", to_json(summary.link)},
       {"stops", summary.stops},
       {"poses", summary.poses},
       {"points", summary.points},

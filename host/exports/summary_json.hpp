@@ -8,6 +8,31 @@
 
 namespace echomap::exports {
 
+/// What the link to the robot carried and lost; the fields are the keys of `link` in summary.json.
+struct LinkSummary {
+  std::uint64_t frames_received = 0;
+  std::uint64_t frames_bad = 0;   ///< Of the robot, that failed a check.
+  std::uint64_t frames_lost = 0;  ///< Of the robot, bad ones included, modulo 256 in one gap.
+  std::uint64_t frames_sent = 0;
+  std::uint64_t commands_resent = 0;
+  std::uint64_t credit_released_bytes = 0;  ///< Sent, and given up for want of an answer.
+  std::optional<double> round_trip_us;      ///< Of a command; empty before the first.
+  std::uint64_t resets = 0;
+  /// How often the link was away, by silence or resets, and for how long in all.
+  std::uint64_t outages = 0;
+  double outage_seconds = 0.0;
+  std::uint64_t reconnects = 0;  ///< Of the port, which was opened again.
+
+  /// What the robot has counted of itself.
+  std::uint64_t robot_frames_bad = 0;
+  std::uint64_t robot_frames_lost = 0;
+  std::uint64_t robot_receive_overruns = 0;
+  std::uint64_t robot_telemetry_dropped = 0;
+  std::uint64_t robot_encoder_errors = 0;
+  std::optional<std::uint16_t> robot_stack_free_bytes;  ///< The least; empty where not told.
+  std::uint8_t robot_rate_step = 0;
+};
+
 /// What a run was and how it went; the fields are the keys of summary.json.
 struct RunSummary {
   std::string echomap_version;
@@ -25,6 +50,7 @@ struct RunSummary {
   /// the host's; empty where no ping was answered.
   std::optional<double> clock_rate_error_ppm;
   std::optional<double> clock_uncertainty_us;
+  LinkSummary link;
   std::size_t stops = 0;
   /// Rows of poses.csv and of points.csv.
   std::size_t poses = 0;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/robot_line.hpp"
 
+#include <algorithm>
+#include <memory>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
 
 #include "tests/host/apps/session_on_a_cable.hpp"
 
@@ -38,6 +43,27 @@ TEST_F(RobotLineTest, WaitsForALinkThatIsAway) {
   EXPECT_FALSE(session->end());
 }
 
+TEST_F(RobotLineTest, SaysInALineEachThatTheRobotIsAwayBackAndReset) {
+  std::ostringstream said;
+  const auto before = spdlog::default_logger();
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>(
+      "test", std::make_shared<spdlog::sinks::ostream_sink_st>(said)));
+  session->connect();
+  after_ms(100, [this] {
+    cable.plugged = false;
+    cable.robot.power_on(2, protocol::kResetBrownOut);
+    after_ms(2500, [this] { cable.plugged = true; });
+  });
+  session->execute(exploration::Drive{0.1});
+  session->execute(exploration::Drive{0.1});
+  spdlog::set_default_logger(before);
+  const std::string text = said.str();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
+  EXPECT_NE(text.find("cable is away: the robot has fallen silent"), std::string::npos) << text;
+  EXPECT_NE(text.find("cable is back after"), std::string::npos) << text;
+  EXPECT_NE(text.find("the robot was reset (brown-out)"), std::string::npos) << text;
+}
+
 TEST_F(RobotLineTest, EndsWhenTheRobotStaysAway) {
   session->connect();
   cable.plugged = false;
@@ -62,7 +88,7 @@ TEST_F(RobotLineTest, EndsAtOnceWhenThePortIsClosed) {
   after_ms(50, [this] { cable.status = transport::StreamStatus::kClosed; });
   session->execute(exploration::Drive{0.1});
   EXPECT_EQ(session->end(), SessionEnd::kLinkLost);
-  EXPECT_EQ(session->end_reason(), "lost cable: pulled out");
+  EXPECT_TRUE(session->end_reason().starts_with("lost cable: pulled out\n  next: "));
 }
 
 }  // namespace

@@ -27,6 +27,15 @@ TEST_F(RobotSessionTest, SetsUpAndArmsAndDisarmsInTheEnd) {
   EXPECT_FALSE(cable.robot.armed);
 }
 
+TEST_F(RobotSessionTest, CallsNobodyBackWhileItIsDestroyed) {
+  session->connect();
+  int steps = 0;
+  session->on_step = [&] { ++steps; };
+  session.reset();
+  EXPECT_EQ(steps, 0);
+  EXPECT_FALSE(cable.robot.armed);
+}
+
 TEST_F(RobotSessionTest, NamesTheFirmwareThatSpeaksAnotherProtocol) {
   cable.robot.schema_digest ^= 1U;
   cable.robot.schema = {};
@@ -39,16 +48,18 @@ TEST_F(RobotSessionTest, NamesTheFirmwareThatSpeaksAnotherProtocol) {
   }
 }
 
-TEST_F(RobotSessionTest, JoinsARobotThatRunsWhereItMustNotBeReset) {
+/// Of a robot's 71.6 minutes the second half has stamps that lie in the future as 32-bit numbers.
+class LongRunningRobot : public SessionOnACable, public testing::WithParamInterface<int> {};
+
+TEST_P(LongRunningRobot, IsJoinedWhereItMustNotBeReset) {
   cable.robot.power_on(5, protocol::kResetExternal);
-  for (int ms = 0; ms < 90'000; ++ms) {
-    cable.robot.advance_1ms();
-  }
+  cable.robot.run_unheard_ms(GetParam() * 1000);
   session = new_session(true);
   session->connect();
-  EXPECT_GT(cable.robot.stamp_us(), 90'000'000U);
   EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kReached);
 }
+
+INSTANTIATE_TEST_SUITE_P(Seconds, LongRunningRobot, testing::Values(90, 30 * 60, 50 * 60, 70 * 60));
 
 TEST_F(RobotSessionTest, RefusesARobotThatOpeningHasReset) {
   session = new_session(true);
@@ -65,6 +76,40 @@ TEST_F(RobotSessionTest, RefusesARobotThatOpeningHasReset) {
     EXPECT_NE(std::string(error.what()).find("has reset the robot"), std::string::npos);
   }
   EXPECT_FALSE(cable.robot.armed);
+}
+
+TEST_F(RobotSessionTest, EndsWhereABoardThatWasResetTakesItsProfileNoMore) {
+  session->connect();
+  after_ms(50, [this] {
+    pull_power_and_start_anew();
+    cable.robot.answer = protocol::CommandStatus::kOutOfRange;
+  });
+  EXPECT_NO_THROW(session->execute(exploration::Drive{0.1}));
+  EXPECT_NO_THROW(session->execute(exploration::Drive{0.1}));
+  EXPECT_EQ(session->end(), SessionEnd::kConfigInvalid);
+  EXPECT_NE(session->end_reason().find("refuses Configure"), std::string::npos);
+}
+
+TEST_F(RobotSessionTest, EndsAtOnceWhereABoardComesBackWithOtherFirmware) {
+  session->connect();
+  after_ms(50, [this] {
+    cable.robot.protocol_major = 9;
+    pull_power_and_start_anew();
+  });
+  session->execute(exploration::Drive{0.1});
+  session->execute(exploration::Drive{0.1});
+  EXPECT_EQ(session->end(), SessionEnd::kFirmwareMismatch);
+  EXPECT_NE(session->end_reason().find("protocol 9."), std::string::npos) << session->end_reason();
+  EXPECT_LT(session->now(), time::HostTime(std::chrono::seconds(2)));
+}
+
+TEST_F(RobotSessionTest, SetsARobotUpAgainThatIsFoundDisarmed) {
+  session->connect();
+  cable.robot.needs_arming = true;
+  cable.robot.armed = false;
+  EXPECT_EQ(session->execute(exploration::Drive{0.1}), MotionResult::kInterrupted);
+  EXPECT_EQ(session->execute(exploration::Drive{0.1}), MotionResult::kReached);
+  EXPECT_TRUE(cable.robot.armed);
 }
 
 TEST_F(RobotSessionTest, DoesASweepAgainThatAResetBrokeOff) {

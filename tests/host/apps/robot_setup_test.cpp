@@ -13,7 +13,19 @@ namespace echomap::apps {
 namespace {
 
 /// How a session sets its robot up.
-class RobotSetupTest : public SessionOnACable {};
+class RobotSetupTest : public SessionOnACable {
+ protected:
+  /// Of a link that ends while the robot is set up.
+  std::string reason_of_failure() {
+    try {
+      session->connect();
+    } catch (const CommandError& error) {
+      EXPECT_EQ(error.code(), ExitCode::kLinkLost);
+      return error.what();
+    }
+    return "no error";
+  }
+};
 
 TEST_F(RobotSetupTest, BeginsSettingUpAnewWhenTheBoardIsResetInItsMidst) {
   cable.robot.on_command = [this](std::string_view name) {
@@ -35,13 +47,35 @@ TEST_F(RobotSetupTest, GivesUpOnABoardThatIsResetAgainAndAgain) {
       pull_power_and_start_anew();
     }
   };
-  try {
-    session->connect();
-    FAIL() << "connected";
-  } catch (const CommandError& error) {
-    EXPECT_EQ(error.code(), ExitCode::kLinkLost);
-    EXPECT_NE(std::string(error.what()).find("again and again"), std::string::npos);
-  }
+  EXPECT_NE(reason_of_failure().find("again and again: 5 times"), std::string::npos);
+}
+
+TEST_F(RobotSetupTest, WaitsForACableThatIsPulledInItsMidst) {
+  cable.robot.on_command = [this](std::string_view name) {
+    if (name == "ConfigureSonar") {
+      cable.plugged = false;
+      after_ms(3000, [this] { cable.plugged = true; });
+    }
+  };
+  session->connect();
+  EXPECT_GT(session->now(), time::HostTime(std::chrono::seconds(3)));
+  EXPECT_EQ(protocol::config_digest(cable.robot.configuration),
+            protocol::config_digest(profile.configuration));
+  EXPECT_TRUE(cable.robot.armed);
+}
+
+TEST_F(RobotSetupTest, SaysWhatTheLastTryFailedAt) {
+  cable.robot.configuration = profile.configuration;
+  cable.robot.answer = protocol::CommandStatus::kBusy;
+  const std::string reason = reason_of_failure();
+  EXPECT_NE(reason.find("Arm: busy"), std::string::npos) << reason;
+  EXPECT_EQ(reason.find("again and again"), std::string::npos) << reason;
+
+  cable.robot.answers_bulk_reads = false;
+  cable.robot.answer = protocol::CommandStatus::kAccepted;
+  cable.robot.configuration.pan.max_cdeg = 4500;
+  session = new_session(false);
+  EXPECT_NE(reason_of_failure().find("reading its configuration: no answer"), std::string::npos);
 }
 
 TEST_F(RobotSetupTest, SendsNothingToABoardThatHoldsTheProfileAlready) {

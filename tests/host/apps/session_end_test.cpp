@@ -12,6 +12,8 @@ TEST(SessionEnd, HasAnExitCodeOfItsOwn) {
   EXPECT_EQ(exit_code_of(SessionEnd::kInterrupted), ExitCode::kInterrupted);
   EXPECT_EQ(exit_code_of(SessionEnd::kLinkLost), ExitCode::kLinkLost);
   EXPECT_EQ(exit_code_of(SessionEnd::kSafetyStop), ExitCode::kSafetyStop);
+  EXPECT_EQ(exit_code_of(SessionEnd::kFirmwareMismatch), ExitCode::kFirmwareMismatch);
+  EXPECT_EQ(exit_code_of(SessionEnd::kConfigInvalid), ExitCode::kConfigInvalid);
 }
 
 TEST(SessionEnd, ComesOfWhatDisarmsTheBoardAndOfNothingElse) {

@@ -18,6 +18,8 @@ TEST(SummaryJson, HoldsEveryField) {
   summary.sim_seconds = 123.25;
   summary.stops = 7;
   summary.clock_rate_error_ppm = -412.5;
+  summary.link.frames_lost = 4;
+  summary.link.robot_encoder_errors = 70'000;
   const auto json = nlohmann::json::parse(to_json_text(summary));
   EXPECT_EQ(json.at("strategy"), "nxt-farthest");
   EXPECT_EQ(json.at("outcome"), "no-new-ground");
@@ -26,6 +28,26 @@ TEST(SummaryJson, HoldsEveryField) {
   EXPECT_EQ(json.at("stops"), 7);
   EXPECT_EQ(json.at("clock_rate_error_ppm"), -412.5);
   EXPECT_TRUE(json.at("clock_uncertainty_us").is_null());
+  EXPECT_EQ(json.at("link").at("frames_lost"), 4);
+  EXPECT_EQ(json.at("link").at("robot_encoder_errors"), 70'000);
+  EXPECT_TRUE(json.at("link").at("round_trip_us").is_null());
+  EXPECT_TRUE(json.at("link").at("robot_stack_free_bytes").is_null());
+  for (const char* key : {"frames_received",
+                          "frames_bad",
+                          "frames_sent",
+                          "commands_resent",
+                          "credit_released_bytes",
+                          "resets",
+                          "outages",
+                          "outage_seconds",
+                          "reconnects",
+                          "robot_frames_bad",
+                          "robot_frames_lost",
+                          "robot_receive_overruns",
+                          "robot_telemetry_dropped",
+                          "robot_rate_step"}) {
+    EXPECT_TRUE(json.at("link").contains(key)) << key;
+  }
   for (const char* key : {"echomap_version",
                           "robot",
                           "world",

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/explore_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/apps/temporary_folder.hpp"
+#include "tests/host/apps/session_on_a_cable.hpp"
+
+namespace echomap::apps {
+namespace {
+
+RunOptions options_for(const char* robot) {
+  RunOptions options;
+  options.robot = robot;
+  options.stops = 1;
+  options.headless = true;
+  return options;
+}
+
+TEST(ProfileFor, IsOfARobotThatTheStrategyCanUse) {
+  EXPECT_EQ(profile_for(options_for("uno_2wd")).name, "uno_2wd");
+  try {
+    profile_for(options_for("create"));
+    FAIL() << "it has no sonar";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code(), ExitCode::kConfigInvalid);
+    EXPECT_THAT(error.what(), testing::HasSubstr("needs a sonar"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("next: "));
+  }
+}
+
+TEST(SessionId, IsNeverThatOfARobotWhichHasJustStarted) {
+  for (const std::uint32_t number : {0U, 1U, 0xFFFEU, 0xFFFFU, 0x10000U, 0xFFFFFFFFU}) {
+    EXPECT_NE(session_id_from(number), 0) << number;
+  }
+}
+
+class ExploreRun : public SessionOnACable {
+ protected:
+  ExitCode explore() {
+    RobotConnection connection{
+        std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7};
+    return explore_and_save(
+        std::move(connection), profile, options_for("uno_2wd"), folder.path(), summary);
+  }
+
+  const TemporaryFolder folder;
+  exports::RunSummary summary;
+};
+
+TEST_F(ExploreRun, ThrowsWhereTheBoardDoesNotTakeTheProfileAndLeavesItDisarmed) {
+  cable.robot.answer = protocol::CommandStatus::kOutOfRange;
+  EXPECT_THROW(explore(), CommandError);
+  EXPECT_FALSE(cable.robot.armed);
+}
+
+TEST_F(ExploreRun, SavesTheMapWhereTheBoardTakesItsProfileNoMore) {
+  cable.robot.on_command = [this](std::string_view name) {
+    if (name == "StartSweep" && restarts == 0) {
+      pull_power_and_start_anew();
+      cable.robot.answer = protocol::CommandStatus::kOutOfRange;
+    }
+  };
+  EXPECT_EQ(explore(), ExitCode::kConfigInvalid);
+  EXPECT_EQ(summary.outcome, "configuration-invalid");
+  EXPECT_EQ(summary.firmware, "echomap 0.11");
+  EXPECT_EQ(summary.link.resets, 1U);
+  EXPECT_GT(summary.link.frames_received, 0U);
+  EXPECT_TRUE(std::filesystem::exists(folder / "summary.json"));
+}
+
+}  // namespace
+}  // namespace echomap::apps

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/link_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace echomap::apps {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(LinkReport, TakesWhatTheLinkHasCounted) {
+  robot_link::LinkStatistics statistics;
+  statistics.frames_lost = 3;
+  statistics.round_trip = std::chrono::microseconds(4100);
+  statistics.outages = 2;
+  statistics.outage_time = std::chrono::milliseconds(2500);
+  statistics.robot_encoder_errors = 5;
+  statistics.robot_stack_free_bytes = 612;
+  const exports::LinkSummary link = summary_of(statistics, 7);
+  EXPECT_EQ(link.frames_lost, 3U);
+  EXPECT_EQ(link.round_trip_us, 4100.0);
+  EXPECT_EQ(link.outages, 2U);
+  EXPECT_EQ(link.outage_seconds, 2.5);
+  EXPECT_EQ(link.reconnects, 7U);
+  EXPECT_EQ(link.robot_stack_free_bytes, 612);
+  EXPECT_THAT(line_of(link),
+              AllOf(HasSubstr("3 lost"),
+                    HasSubstr("2 outages of 2.5 s, 7 reconnects"),
+                    HasSubstr("5 encoder errors"),
+                    HasSubstr("612 bytes of stack")));
+}
+
+TEST(LinkReport, TellsALossOnceAndOnlyWhereItRises) {
+  exports::LinkSummary before;
+  before.robot_encoder_errors = 10;
+  exports::LinkSummary now = before;
+  EXPECT_EQ(losses_between(before, now), "");
+  now.robot_encoder_errors = 13;
+  EXPECT_THAT(losses_between(before, now),
+              AllOf(HasSubstr("3 illegal transitions"), Not(HasSubstr("overruns"))));
+  now.robot_receive_overruns = 1;
+  now.robot_telemetry_dropped = 2;
+  EXPECT_THAT(losses_between(before, now),
+              AllOf(HasSubstr("1 overruns"), HasSubstr("2 telemetry")));
+  EXPECT_EQ(losses_between(now, now), "");
+}
+
+TEST(LinkReport, NamesTheFirmwareOfARealBoard) {
+  protocol::HelloReply robot{};
+  robot.firmware_version = 107;
+  EXPECT_EQ(firmware_of(robot), "echomap 1.07");
+}
+
+}  // namespace
+}  // namespace echomap::apps
