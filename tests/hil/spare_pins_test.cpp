@@ -46,20 +46,20 @@ class SparePins : public OnEveryBoard {
  protected:
   /// Lets the world go along with the board from here on.
   void wire(world::RobotWorld& world) {
-    wiring_.emplace(robot.board(), world);
+    wiring.emplace(robot.board(), world);
     robot.each_ms = [this, &world] {
       world::EncoderChanges changes;
-      world.step(1e-3, duty_, changes);
-      wiring_->drive_inputs();
-      if (stepper_) {
-        stepper_->step(1e-3, wiring_->coils());
+      world.step(1e-3, duty, changes);
+      wiring->drive_inputs();
+      if (stepper) {
+        stepper->step(1e-3, wiring->coils());
       }
     };
   }
 
-  world::WheelDuty duty_;
-  std::optional<runner::AuxWiring> wiring_;
-  std::optional<world::StepperMotor> stepper_;
+  world::WheelDuty duty;
+  std::optional<runner::AuxWiring> wiring;
+  std::optional<world::StepperMotor> stepper;
 };
 
 INSTANTIATE_TEST_SUITE_P(Boards, SparePins, every_board(), image_label);
@@ -94,7 +94,7 @@ TEST_P(SparePins, LevelsAndVoltagesReachTheHost) {
 TEST_P(SparePins, AStepperTurnsTheSonarAllTheWayRoundAndBack) {
   const auto path = files::bundled_file("nxt_tribot", "hil_mock/robots", "robot");
   world::RobotWorld world(world::box_room(), world::read_robot(files::TomlReader::load(path)), 1);
-  stepper_.emplace(world.robot().parts.stepper.value());
+  stepper.emplace(world.robot().parts.stepper.value());
   wire(world);
   ASSERT_TRUE(robot.connect());
   protocol::ConfigurePins pins{};
@@ -108,10 +108,10 @@ TEST_P(SparePins, AStepperTurnsTheSonarAllTheWayRoundAndBack) {
   ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 36000, 9000, 20}), CommandStatus::kAccepted);
   robot.run_ms(9000);
   EXPECT_EQ(robot.all<protocol::Echo>().size(), 5U);
-  EXPECT_NEAR(geometry::degrees(stepper_->pan_rad()), 360.0, 0.2);
+  EXPECT_NEAR(geometry::degrees(stepper->pan_rad()), 360.0, 0.2);
   ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 0, 9000, 20}), CommandStatus::kAccepted);
   robot.run_ms(8500);
-  EXPECT_NEAR(geometry::degrees(stepper_->pan_rad()), 0.0, 0.2) << "no step was lost";
+  EXPECT_NEAR(geometry::degrees(stepper->pan_rad()), 0.0, 0.2) << "no step was lost";
 }
 
 TEST_P(SparePins, AGyroOnTheBusFollowsATurn) {
@@ -126,9 +126,9 @@ TEST_P(SparePins, AGyroOnTheBusFollowsATurn) {
             CommandStatus::kAccepted);
   robot.run_ms(500);
   const auto resting = robot.last<protocol::Gyro>().value();
-  duty_ = {-0.4, 0.4};
+  duty = {-0.4, 0.4};
   robot.run_ms(2000);
-  duty_ = {};
+  duty = {};
   robot.run_ms(500);
   const auto after = robot.last<protocol::Gyro>().value();
   EXPECT_EQ(after.errors, resting.errors);

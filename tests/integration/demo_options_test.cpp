@@ -40,21 +40,21 @@ class DemoOptions : public ::testing::Test {
     return nlohmann::json::parse(read_text_file(scratch / name));
   }
 
-  const std::string profile_ = read_text_file(ECHOMAP_SOURCE_DIR "/host/profiles/uno_2wd.toml");
-  const std::string body_ = read_text_file(ECHOMAP_SOURCE_DIR "/hil_mock/robots/uno_2wd.toml");
+  const std::string profile_text = read_text_file(ECHOMAP_SOURCE_DIR "/host/profiles/uno_2wd.toml");
+  const std::string body_text = read_text_file(ECHOMAP_SOURCE_DIR "/hil_mock/robots/uno_2wd.toml");
   tests::ScratchFolder scratch;
 };
 
 TEST_F(DemoOptions, AProfileOfOnesOwnDrivesTheBodyOfItsName) {
-  write_text_file(path("robot.toml"), profile_);
+  write_text_file(path("robot.toml"), profile_text);
   const Ended ended = run({"--stops=1", "--robot=" + path("robot.toml")});
   EXPECT_EQ(ended.status, 0) << ended.said;
   EXPECT_EQ(json("run/summary.json").at("robot"), "uno_2wd");
 }
 
 TEST_F(DemoOptions, ABodyOfOnesOwnIsWhatTheHostDoesNotKnowOf) {
-  write_text_file(path("robot.toml"), with(profile_, "\"uno_2wd\"", "\"mine\""));
-  write_text_file(path("body.toml"), with(body_, "track_m = 0.140", "track_m = 0.160"));
+  write_text_file(path("robot.toml"), with(profile_text, "\"uno_2wd\"", "\"mine\""));
+  write_text_file(path("body.toml"), with(body_text, "track_m = 0.140", "track_m = 0.160"));
   const std::vector<std::string> options{"--stops=1", "--robot=" + path("robot.toml")};
   const Ended bodyless = run(options);
   EXPECT_EQ(bodyless.status, 6);
@@ -69,7 +69,7 @@ TEST_F(DemoOptions, ABodyOfOnesOwnIsWhatTheHostDoesNotKnowOf) {
 }
 
 TEST_F(DemoOptions, ABrokenBodyIsPlaced) {
-  write_text_file(path("body.toml"), with(body_, "track_m", "trakc_m"));
+  write_text_file(path("body.toml"), with(body_text, "track_m", "trakc_m"));
   const Ended ended = run({"--body=" + path("body.toml")});
   EXPECT_EQ(ended.status, 6);
   EXPECT_THAT(ended.said, HasSubstr(path("body.toml") + ":"));

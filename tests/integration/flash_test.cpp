@@ -24,9 +24,9 @@ class Flash : public ::testing::Test {
   Flash() {
     std::ofstream(scratch / "avrdude") << "#!/bin/sh\necho avrdude ran\n";
     fs::permissions(scratch / "avrdude", fs::perms::owner_all);
-    ::setenv("PATH", (scratch.path().string() + ":" + path_).c_str(), 1);
+    ::setenv("PATH", (scratch.path().string() + ":" + program_path).c_str(), 1);
   }
-  ~Flash() override { ::setenv("PATH", path_.c_str(), 1); }
+  ~Flash() override { ::setenv("PATH", program_path.c_str(), 1); }
 
   Ended flash(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "flash");
@@ -34,7 +34,7 @@ class Flash : public ::testing::Test {
   }
 
   const tests::ScratchFolder scratch;
-  const std::string path_ = std::getenv("PATH");
+  const std::string program_path = std::getenv("PATH");
 };
 
 /// Even where a robot answers at it: it hangs on no USB.

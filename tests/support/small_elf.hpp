@@ -65,12 +65,12 @@ struct SmallAvrElf {
     names.sh_name = 26;
     names.sh_type = SHT_STRTAB;
     names.sh_offset = end_of_table + note.sh_size;
-    names.sh_size = static_cast<std::uint32_t>(kNames.size());
+    names.sh_size = sizeof(kNames);
   }
 
   std::string text() const {
     return bytes_of(header) + bytes_of(Elf32_Shdr{}) + bytes_of(note) + bytes_of(names) + note_ +
-           kNames;
+           std::string(kNames, sizeof(kNames));
   }
 
   Elf32_Ehdr header = elf_header(EM_AVR);
@@ -79,8 +79,7 @@ struct SmallAvrElf {
 
  private:
   /// Of the sections, from 1 and from 26.
-  inline static const std::string kNames =
-      std::string(1, '\0') + ".note.gnu.avr.deviceinfo" + '\0' + ".shstrtab" + '\0';
+  static constexpr char kNames[] = "\0.note.gnu.avr.deviceinfo\0.shstrtab";
 
   std::string note_;
 };

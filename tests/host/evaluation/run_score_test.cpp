@@ -32,14 +32,14 @@ pipeline::Snapshot run_of(double scale) {
 
 class RunScoreTest : public ::testing::Test {
  protected:
-  RunScoreTest() { tests::write_truth_files(folder_ / "truth"); }
+  RunScoreTest() { tests::write_truth_files(folder / "truth"); }
 
   RunScore score(double scale) {
-    exports::write_run_directory(folder_ / "run", run_of(scale), {});
-    return score_run(folder_ / "run", folder_ / "truth");
+    exports::write_run_directory(folder / "run", run_of(scale), {});
+    return score_run(folder / "run", folder / "truth");
   }
 
-  tests::ScratchFolder folder_;
+  tests::ScratchFolder folder;
 };
 
 TEST_F(RunScoreTest, IsFullForAPerfectRun) {
@@ -55,12 +55,12 @@ TEST_F(RunScoreTest, SeesThatTheRobotBelievesToBeFaster) {
 
 TEST_F(RunScoreTest, NamesWhatIsMissing) {
   const auto complaint = tests::thrown_text<files::FileError>(
-      [&] { score_run(folder_ / "nothing", folder_ / "truth"); });
+      [&] { score_run(folder / "nothing", folder / "truth"); });
   EXPECT_THAT(complaint, HasSubstr("map.yaml"));
 }
 
 TEST_F(RunScoreTest, NeedsAPoseToPlaceTheMapBy) {
-  files::write_text_file(folder_ / "truth/truth.tum", "# nothing yet\n");
+  files::write_text_file(folder / "truth/truth.tum", "# nothing yet\n");
   const auto complaint = tests::thrown_text<files::FileError>([&] { score(1.0); });
   EXPECT_THAT(complaint, HasSubstr("truth.tum"));
 }

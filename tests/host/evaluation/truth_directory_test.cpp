@@ -16,16 +16,16 @@ using ::testing::HasSubstr;
 
 class TruthDirectoryTest : public ::testing::Test {
  protected:
-  TruthDirectoryTest() { tests::write_truth_files(folder_.path()); }
+  TruthDirectoryTest() { tests::write_truth_files(folder.path()); }
   std::string complaint() {
-    return tests::thrown_text<files::FileError>([&] { read_truth(folder_.path()); });
+    return tests::thrown_text<files::FileError>([&] { read_truth(folder.path()); });
   }
 
-  tests::ScratchFolder folder_;
+  tests::ScratchFolder folder;
 };
 
 TEST_F(TruthDirectoryTest, ReadsRoomWallsAndWay) {
-  const Truth truth = read_truth(folder_.path());
+  const Truth truth = read_truth(folder.path());
   EXPECT_EQ(truth.map.cells.columns(), 20);
   ASSERT_EQ(truth.map.walls.size(), 4U);
   EXPECT_EQ(truth.map.walls[1].from_m, Eigen::Vector2d(2.0, 0.0));
@@ -34,11 +34,11 @@ TEST_F(TruthDirectoryTest, ReadsRoomWallsAndWay) {
 }
 
 TEST_F(TruthDirectoryTest, NamesTheFileThatIsBroken) {
-  files::write_text_file(folder_ / "truth_walls.geojson", "{\"features\": [");
+  files::write_text_file(folder / "truth_walls.geojson", "{\"features\": [");
   EXPECT_THAT(complaint(), HasSubstr("truth_walls.geojson"));
-  files::write_text_file(folder_ / "truth_walls.geojson", "{\"walls\": 3}");
+  files::write_text_file(folder / "truth_walls.geojson", "{\"walls\": 3}");
   EXPECT_THAT(complaint(), HasSubstr("truth_walls.geojson"));
-  std::filesystem::remove(folder_ / "truth_map.pgm");
+  std::filesystem::remove(folder / "truth_map.pgm");
   EXPECT_THAT(complaint(), HasSubstr("truth_map.pgm"));
 }
 

@@ -16,14 +16,14 @@ using ::testing::HasSubstr;
 class MapYamlTest : public ::testing::Test {
  protected:
   MapYaml read(const std::string& text) {
-    files::write_text_file(folder_ / "map.yaml", text);
-    return read_map_yaml(folder_ / "map.yaml");
+    files::write_text_file(folder / "map.yaml", text);
+    return read_map_yaml(folder / "map.yaml");
   }
   std::string complaint(const std::string& text) {
     return tests::thrown_text<files::FileError>([&] { read(text); });
   }
 
-  tests::ScratchFolder folder_;
+  tests::ScratchFolder folder;
 };
 
 TEST_F(MapYamlTest, WritesTheKeysOfMapServer) {
@@ -31,8 +31,8 @@ TEST_F(MapYamlTest, WritesTheKeysOfMapServer) {
   yaml.image = "map.pgm";
   yaml.resolution_m = 0.05;
   yaml.origin_m = {-31 * 0.05, 0.3};
-  write_map_yaml(folder_ / "map.yaml", yaml);
-  EXPECT_EQ(files::read_text_file(folder_ / "map.yaml"),
+  write_map_yaml(folder / "map.yaml", yaml);
+  EXPECT_EQ(files::read_text_file(folder / "map.yaml"),
             "image: map.pgm\nmode: trinary\nresolution: 0.05\norigin: [-1.55, 0.3, 0]\n"
             "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
 }

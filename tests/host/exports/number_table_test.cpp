@@ -23,14 +23,14 @@ constexpr NumberTableFormat kFormat{"a,b", ',', 2};
 class NumberTableTest : public ::testing::Test {
  protected:
   std::vector<NumberRow> read(const std::string& text) {
-    files::write_text_file(folder_ / "table.csv", text);
-    return read_number_table(folder_ / "table.csv", kFormat);
+    files::write_text_file(folder / "table.csv", text);
+    return read_number_table(folder / "table.csv", kFormat);
   }
   std::string complaint(const std::string& text) {
     return tests::thrown_text<files::FileError>([&] { read(text); });
   }
 
-  tests::ScratchFolder folder_;
+  tests::ScratchFolder folder;
 };
 
 TEST_F(NumberTableTest, KeepsEveryBitOfANumber) {
@@ -81,7 +81,7 @@ TEST_F(NumberTableTest, AsksForItsHeader) {
 
 TEST_F(NumberTableTest, SaysWhichFileIsMissing) {
   const auto text = tests::thrown_text<files::FileError>(
-      [&] { read_number_table(folder_ / "none.csv", kFormat); });
+      [&] { read_number_table(folder / "none.csv", kFormat); });
   EXPECT_THAT(text, HasSubstr("none.csv"));
 }
 

@@ -16,11 +16,11 @@ using ::testing::HasSubstr;
 class PgmImageTest : public ::testing::Test {
  protected:
   std::string complaint(const std::string& bytes) {
-    files::write_text_file(folder_ / "a.pgm", bytes);
-    return tests::thrown_text<files::FileError>([&] { read_pgm(folder_ / "a.pgm"); });
+    files::write_text_file(folder / "a.pgm", bytes);
+    return tests::thrown_text<files::FileError>([&] { read_pgm(folder / "a.pgm"); });
   }
 
-  tests::ScratchFolder folder_;
+  tests::ScratchFolder folder;
 };
 
 TEST_F(PgmImageTest, ReadsBackEveryByteThereIs) {
@@ -28,16 +28,16 @@ TEST_F(PgmImageTest, ReadsBackEveryByteThereIs) {
   for (int i = 0; i < 256; ++i) {
     image.pixels.push_back(static_cast<std::uint8_t>(i));
   }
-  write_pgm(folder_ / "a.pgm", image);
-  const PgmImage read = read_pgm(folder_ / "a.pgm");
+  write_pgm(folder / "a.pgm", image);
+  const PgmImage read = read_pgm(folder / "a.pgm");
   EXPECT_EQ(read.columns, 16);
   EXPECT_EQ(read.rows, 16);
   EXPECT_EQ(read.pixels, image.pixels);
 }
 
 TEST_F(PgmImageTest, ReadsTheCommentOfMapSaver) {
-  files::write_text_file(folder_ / "a.pgm", "P5\n# CREATOR: map_saver\n2 1\n255\nab");
-  EXPECT_EQ(read_pgm(folder_ / "a.pgm").pixels, (std::vector<std::uint8_t>{'a', 'b'}));
+  files::write_text_file(folder / "a.pgm", "P5\n# CREATOR: map_saver\n2 1\n255\nab");
+  EXPECT_EQ(read_pgm(folder / "a.pgm").pixels, (std::vector<std::uint8_t>{'a', 'b'}));
 }
 
 TEST_F(PgmImageTest, RefusesWhatIsNone) {

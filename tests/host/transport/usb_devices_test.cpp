@@ -17,13 +17,13 @@ class UsbDevices : public testing::Test {
  protected:
   void device(const std::string& name,
               const std::vector<std::pair<std::string, std::string>>& attributes) {
-    std::filesystem::create_directory(folder_ / name);
+    std::filesystem::create_directory(folder / name);
     for (const auto& [attribute, value] : attributes) {
-      std::ofstream(folder_ / name / attribute) << value << "\n";
+      std::ofstream(folder / name / attribute) << value << "\n";
     }
   }
 
-  tests::ScratchFolder folder_;
+  tests::ScratchFolder folder;
 };
 
 TEST_F(UsbDevices, AreThoseWithAnId) {
@@ -32,7 +32,7 @@ TEST_F(UsbDevices, AreThoseWithAnId) {
   device("1-1", {{"idVendor", "2341"}, {"idProduct", "0043"}});
   device("1-1:1.0", {{"bInterfaceNumber", "00"}});
   device("1-3", {{"idVendor", "04zz"}, {"idProduct", "3748"}});
-  const auto devices = list_usb_devices(folder_.path());
+  const auto devices = list_usb_devices(folder.path());
   ASSERT_EQ(devices.size(), 2U);
   EXPECT_EQ(devices[0].id, (UsbId{0x2341, 0x0043}));
   EXPECT_EQ(devices[0].description, "");
@@ -41,9 +41,7 @@ TEST_F(UsbDevices, AreThoseWithAnId) {
   EXPECT_EQ(devices[1].serial_number, "55FF");
 }
 
-TEST_F(UsbDevices, AreNoneWithoutAUsb) {
-  EXPECT_TRUE(list_usb_devices(folder_ / "absent").empty());
-}
+TEST_F(UsbDevices, AreNoneWithoutAUsb) { EXPECT_TRUE(list_usb_devices(folder / "absent").empty()); }
 
 }  // namespace
 }  // namespace echomap::transport
