@@ -8,15 +8,13 @@ namespace drivers {
 
 ECHOMAP_ONE_PIECE void DebouncedBits::update(uint8_t shown) {
   fresh_ = shown & static_cast<uint8_t>(~active_);
-  active_ |= shown;
-  if (shown != shown_) {
-    shown_ = shown;
-    steady_ms_ = 0;
+  if (++window_ms_ == kReleaseMs) {
+    window_ms_ = 0;
+    seen_before_ = seen_;
+    seen_ = 0;
   }
-  if (++steady_ms_ >= kReleaseMs) {
-    steady_ms_ = kReleaseMs;
-    active_ = shown;
-  }
+  seen_ |= shown;
+  active_ = seen_ | seen_before_;
 }
 
 }  // namespace drivers
