@@ -16,7 +16,8 @@ enum DriveInversions : uint8_t {
   kInvertRightEncoder = 1U << 3,
 };
 
-/// Allows (1) or forbids (0) motion; forbidding stops at once.
+/// Allows (1) or forbids (0) the wheels to turn; forbidding stops them and a sweep at once. A sweep
+/// needs no arming: a robot may look around before it drives.
 struct Arm {
   enum : uint8_t { kId = 0x10 };
   static constexpr MessageClass message_class() { return MessageClass::kCommand; }
@@ -285,7 +286,7 @@ struct DriveSetpoint {
   }
 };
 
-/// The host is still there: whatever moves may go on for this long.
+/// The host is still there: the wheels may go on for this long.
 struct KeepAlive {
   enum : uint8_t { kId = 0x21 };
   static constexpr MessageClass message_class() { return MessageClass::kSetpoint; }

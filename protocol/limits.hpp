@@ -26,8 +26,14 @@ constexpr uint16_t kMaxServoPulseUs = 2600;
 /// Largest stall_ms and runaway_ticks of ConfigureSafety.
 constexpr uint16_t kMaxStallMs = 1000;
 constexpr uint16_t kMaxRunawayTicks = 32000;
+/// Shortest gyro_period_ms of ConfigureSensors but 0: a transfer takes 0.12 ms, and a tick may be
+/// late by one.
+constexpr uint8_t kMinGyroPeriodMs = 2;
 /// Longest wait at each reading of StartSweep.
 constexpr uint16_t kMaxSettleMs = 10000;
+/// A sweep ends when the robot has heard nothing for this long; a host pings once a second. The
+/// coils of a stepper get hot, and nobody would switch them off.
+constexpr uint16_t kMaxSweepSilenceMs = 30000;
 
 }  // namespace protocol
 }  // namespace echomap

@@ -34,10 +34,12 @@ enum class MotionOutcome : uint8_t {
   kNone = 0,  ///< None was started since the reset.
   kRunning = 1,
   kReached = 2,
-  kBumped = 3,      ///< Stopped by a bump contact.
-  kExpired = 4,     ///< Stopped because the host fell silent: time to live.
-  kStopped = 5,     ///< Stopped by Stop, by Arm{0} or by a newer set-point.
-  kStalled = 6,     ///< The wheels did not follow.
+  kBumped = 3,   ///< Stopped by a bump contact.
+  kExpired = 4,  ///< Stopped because the host fell silent: time to live, kMaxSweepSilenceMs.
+  kStopped = 5,  ///< Stopped by Stop, by Arm{0}, a new session or a newer set-point.
+  /// The wheels did not follow. If set-points drove them, none does anything from then on before
+  /// one of zero speed, a Stop or an Arm.
+  kStalled = 6,
   kHazard = 7,      ///< Stopped by a hazard of ConfigureSafety::hazard_stops.
   kLifted = 8,      ///< Stopped and disarmed by a wheel-drop: the pose is not to be trusted.
   kRunaway = 9,     ///< Stopped and disarmed: a wheel turned against its command.

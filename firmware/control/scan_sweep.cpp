@@ -55,6 +55,9 @@ bool ScanSweep::tick(protocol::Echo& echo) {
   if (since_ping_ms_ != UINT8_MAX) {
     ++since_ping_ms_;
   }
+  if (sweeping() && ++silence_ms_ == protocol::kMaxSweepSilenceMs) {
+    stop(MotionOutcome::kExpired);
+  }
   if (state_ == State::kTurning && pan_.tick() && settling_ms_-- == 0) {
     state_ = State::kAiming;
   }

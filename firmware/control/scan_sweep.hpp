@@ -39,6 +39,8 @@ class ScanSweep {
   bool accepts(const protocol::StartSweep& sweep) const;
   /// Starts a sweep that `accepts` has granted; only while not sweeping.
   void start(const protocol::StartSweep& sweep);
+  /// The host is there: a sweep ends after protocol::kMaxSweepSilenceMs without it.
+  void listened() { silence_ms_ = 0; }
   /// Ends it with this outcome; the reading under way is dropped.
   void stop(protocol::MotionOutcome reason);
 
@@ -64,6 +66,7 @@ class ScanSweep {
   protocol::Echo echo_ = {};
   int32_t pan_cdeg_ = 0;
   uint16_t settling_ms_ = 0;
+  uint16_t silence_ms_ = 0;
   uint8_t since_ping_ms_ = UINT8_MAX;
   uint8_t stuck_ms_ = 0;
   State state_ = State::kIdle;

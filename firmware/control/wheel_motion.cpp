@@ -65,6 +65,9 @@ void WheelMotion::start_move(const protocol::MoveTicks& move) {
 }
 
 void WheelMotion::drive(int16_t left_ticks_per_s, int16_t right_ticks_per_s) {
+  if (setpoint_stalled() && (left_ticks_per_s | right_ticks_per_s) != 0) {
+    return;
+  }
   if (report_.outcome == MotionOutcome::kRunning) {
     report_.outcome = MotionOutcome::kStopped;
   }
@@ -92,7 +95,7 @@ void WheelMotion::take_over() {
 }
 
 void WheelMotion::stop(MotionOutcome reason) {
-  if (mode_ == Mode::kDrive) {
+  if (mode_ == Mode::kDrive || setpoint_stalled()) {
     report_ = MotionReport{0, reason};
   }
   end(reason);
@@ -133,6 +136,10 @@ ECHOMAP_ONE_PIECE bool WheelMotion::step() {
     end(MotionOutcome::kReached);
   }
   return fault < MotionOutcome::kRunaway;
+}
+
+ECHOMAP_ONE_PIECE bool WheelMotion::setpoint_stalled() const {
+  return report_.id == 0 && report_.outcome == MotionOutcome::kStalled;
 }
 
 bool WheelMotion::goes_forward() const {

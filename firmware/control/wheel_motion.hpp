@@ -32,7 +32,9 @@ class WheelMotion {
   bool accepts(const protocol::MoveTicks& move) const;
   /// Starts a move that `accepts` has granted; only while not moving.
   void start_move(const protocol::MoveTicks& move);
-  /// Takes over with wheel speeds in ticks/s, each clipped to the settings' limit.
+  /// Takes over with wheel speeds in ticks/s, each clipped to the settings' limit. After a stall of
+  /// set-points none does anything before one of zero speed, or `stop`: a host that goes on sending
+  /// must not heat a blocked motor.
   void drive(int16_t left_ticks_per_s, int16_t right_ticks_per_s);
 
   /// Motors off at once, for this reason. That of a motion which is over is not told any more, but
@@ -62,6 +64,7 @@ class WheelMotion {
   void set_course(int32_t left, int32_t right);
   void begin(Mode mode);
   void take_over();
+  bool setpoint_stalled() const;
   void end(protocol::MotionOutcome outcome);
   Steps next_steps();
   int32_t clipped_target(int16_t ticks_per_s) const;

@@ -46,6 +46,9 @@ bool Command::poll() {
 ECHOMAP_ONE_PIECE void Command::end_frame(protocol::DecodeStatus status) {
   const protocol::Frame frame = decoder_.frame();
   const bool whole = status == protocol::DecodeStatus::kFrame;
+  if (whole) {
+    targets_.sweep.listened();
+  }
   if (whole && (!is_command(frame.id) || is_new(frame.payload[0]))) {
     protocol::Dispatcher<protocol::MessagesToRobot>::dispatch(frame.id, frame.payload, *this);
   }
@@ -69,8 +72,7 @@ bool Command::is_new(uint8_t command_id) {
 void Command::operator()(const protocol::Hello& hello) {
   if (filter_.begin_session(hello.session)) {
     targets_.received.restart();
-    targets_.safety.disarm();
-    targets_.sweep.stop(MotionOutcome::kStopped);
+    disarm();
   }
   greeted_ = true;
   reply(hello.session);
@@ -116,9 +118,14 @@ void Command::reply(uint16_t session) {
   targets_.sender.answer(reply);
 }
 
+ECHOMAP_ONE_PIECE void Command::disarm() {
+  targets_.safety.disarm();
+  targets_.sweep.stop(MotionOutcome::kStopped);
+}
+
 CommandStatus Command::execute(const protocol::Arm& command) {
   if (command.armed == 0) {
-    targets_.safety.disarm();
+    disarm();
     return CommandStatus::kAccepted;
   }
   return targets_.safety.arm() ? CommandStatus::kAccepted : CommandStatus::kBlocked;

@@ -61,6 +61,8 @@ class Command {
   static constexpr bool is_command(uint8_t id) { return (id & 0xF0) == 0x10; }
   void end_frame(protocol::DecodeStatus status);
   void reply(uint16_t session);
+  /// Nothing moves any more, nor the sonar.
+  void disarm();
   /// False for a command that must not be done, which is answered right away: a repeated one, one
   /// without an id, and any before the first Hello.
   bool is_new(uint8_t command_id);

@@ -15,6 +15,9 @@ bool Safety::accepts(const protocol::ConfigureSafety& settings) {
 
 bool Safety::arm() {
   armed_ = !lifted();
+  if (!motion_.moving()) {
+    motion_.stop(MotionOutcome::kStopped);
+  }
   return armed_;
 }
 

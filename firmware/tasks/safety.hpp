@@ -28,7 +28,7 @@ class Safety {
   void configure(const protocol::ConfigureSafety& settings) { settings_ = settings; }
 
   bool armed() const { return armed_; }
-  /// False, and remains disarmed, while a wheel hangs.
+  /// False, and remains disarmed, while a wheel hangs. Set-points count again after a stall.
   bool arm();
   /// Stops the wheels too.
   void disarm() { disarm(protocol::MotionOutcome::kStopped); }

@@ -128,6 +128,42 @@ TEST_F(WheelMotionTest, StopsWhenAWheelDoesNotFollow) {
   EXPECT_EQ(native::NativeBoard::instance().right_duty(), 0);
 }
 
+TEST_F(WheelMotionTest, StalledSetPointsWaitForOneOfZeroSpeed) {
+  left_wheel.blocked = true;
+  motion.drive(1000, 1000);
+  ASSERT_TRUE(run_to_end(1500));
+  EXPECT_EQ(motion.report().outcome, MotionOutcome::kStalled);
+  for (int i = 0; i < 50; ++i) {
+    motion.drive(1000, -1000);
+    run_ms(20);
+    ASSERT_FALSE(motion.moving()) << "no more current into a blocked motor";
+  }
+  EXPECT_EQ(motion.report().outcome, MotionOutcome::kStalled);
+  left_wheel.blocked = false;
+  motion.drive(0, 0);
+  motion.drive(1000, 1000);
+  run_ms(500);
+  EXPECT_GT(left_wheel.ticks(), 100);
+}
+
+TEST_F(WheelMotionTest, StopLetsStalledSetPointsDriveAgain) {
+  left_wheel.blocked = true;
+  motion.drive(1000, 1000);
+  ASSERT_TRUE(run_to_end(1500));
+  motion.stop(MotionOutcome::kStopped);
+  EXPECT_EQ(motion.report().outcome, MotionOutcome::kStopped);
+  motion.drive(1000, 1000);
+  EXPECT_TRUE(motion.moving());
+}
+
+TEST_F(WheelMotionTest, StalledMoveLeavesSetPointsAlone) {
+  left_wheel.blocked = true;
+  move(2000, 2000, 2000);
+  ASSERT_TRUE(run_to_end(1500));
+  motion.drive(1000, 1000);
+  EXPECT_TRUE(motion.moving());
+}
+
 TEST_F(WheelMotionTest, ExpiryBrakesTogetherAndDoesNotReachTheEnd) {
   move(20000, 10000, 2500);
   run_ms(1000);

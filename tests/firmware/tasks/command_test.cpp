@@ -167,12 +167,15 @@ TEST(Command, StopEndsMoveAndSweepAndStaysArmed) {
   EXPECT_EQ(status.sweep_outcome, static_cast<std::uint8_t>(MotionOutcome::kStopped));
 }
 
-TEST(Command, DisarmStopsTheWheels) {
+TEST(Command, DisarmStopsTheWheelsAndTheSweep) {
   NativeRobot robot;
   ASSERT_TRUE(robot.arm());
   ASSERT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 9000, 600, 40}), CommandStatus::kAccepted);
   ASSERT_EQ(robot.command(protocol::Arm{0, 0}), CommandStatus::kAccepted);
   EXPECT_EQ(robot.board.left_duty(), 0);
+  EXPECT_EQ(robot.all<protocol::Status>().back().sweep_outcome,
+            static_cast<std::uint8_t>(MotionOutcome::kStopped));
   EXPECT_EQ(robot.command(kLongMove), CommandStatus::kDisarmed);
 }
 
@@ -189,6 +192,28 @@ TEST(Command, SetPointsDriveOnlyArmedRobotsAndOnlyWithAValidTimeToLive) {
   robot.send(protocol::DriveSetpoint{500, 500, 500});
   robot.run_ms(400);
   EXPECT_GT(robot.left_wheel.ticks(), 50);
+}
+
+TEST(Command, SetPointsOfABlockedWheelWaitForStopOrArm) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  robot.left_wheel.blocked = true;
+  const auto stream = [&robot] {
+    int driven_ms = 0;
+    for (int ms = 0; ms < 2000; ms += 20) {
+      robot.send(protocol::DriveSetpoint{1000, 1000, 200});
+      robot.run_ms(20);
+      driven_ms += robot.board.left_duty() != 0 ? 20 : 0;
+    }
+    return driven_ms;
+  };
+  EXPECT_LE(stream(), 400) << "stall_ms is 300";
+  EXPECT_EQ(stream(), 0);
+  ASSERT_EQ(robot.command(protocol::Stop{0}), CommandStatus::kAccepted);
+  EXPECT_GT(stream(), 0);
+  EXPECT_EQ(stream(), 0);
+  ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+  EXPECT_GT(stream(), 0);
 }
 
 TEST(Command, PressedContactBlocksForwardAndLetsBack) {

@@ -120,6 +120,34 @@ TEST_F(SensorsTest, WheelDropDisarmsWithinTwoMilliseconds) {
   EXPECT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
 }
 
+TEST_F(SensorsTest, StepperOfASweepGetsNoCurrentOnceTheHostIsSilent) {
+  protocol::ConfigurePins phases{};
+  phases.pin_12 = protocol::kPinStepperPhaseA;
+  phases.pin_13 = protocol::kPinStepperPhaseA + 1;
+  phases.pin_14 = protocol::kPinStepperPhaseA + 2;
+  phases.pin_15 = protocol::kPinStepperPhaseA + 3;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  ASSERT_EQ(robot.command(protocol::ConfigurePan{0, 1, 0, 0, 2048, -36000, 36000, 80}),
+            CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(phases), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 36000, 9000, 10000}),
+            CommandStatus::kAccepted);
+  const auto coils = [this] {
+    int on = 0;
+    for (std::uint8_t pin = 12; pin < 16; ++pin) {
+      on += robot.board.aux_output(pin) ? 1 : 0;
+    }
+    return on;
+  };
+  robot.run_ms(2000);
+  robot.send(protocol::Ping{0});
+  robot.run_ms(protocol::kMaxSweepSilenceMs - 100);
+  EXPECT_EQ(robot.all<protocol::Status>().back().sweep_outcome, number(MotionOutcome::kRunning));
+  robot.run_ms(300);
+  EXPECT_EQ(robot.all<protocol::Status>().back().sweep_outcome, number(MotionOutcome::kExpired));
+  EXPECT_EQ(coils(), 0);
+}
+
 TEST_F(SensorsTest, StepperSweepsTwoTurnsAndUnwindsThem) {
   protocol::ConfigurePins phases{};
   phases.pin_12 = protocol::kPinStepperPhaseA;
