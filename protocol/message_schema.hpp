@@ -123,10 +123,15 @@ template <class... Messages>
 struct MessageList {
   /// The schema of `id`, or one that is not `known()`.
   static Schema find_schema(uint8_t id) {
-    Schema schema{0, Schema::kUnknown};
-    const bool tried[] = {try_schema<Messages>(id, schema)...};
-    static_cast<void>(tried);
-    return schema;
+    static constexpr uint8_t kIds[] = {Messages::kId...};
+    static constexpr Schema kSchemas[] = {
+        {MessageFacts<Messages>::kSeed, MessageFacts<Messages>::kSize}...};
+    for (uint8_t i = 0; i < sizeof...(Messages); ++i) {
+      if (kIds[i] == id) {
+        return kSchemas[i];
+      }
+    }
+    return Schema{0, Schema::kUnknown};
   }
 
   /// Hash of every id and seed, compared in the handshake.
@@ -145,14 +150,6 @@ struct MessageList {
   }
 
  private:
-  template <class M>
-  static bool try_schema(uint8_t id, Schema& schema) {
-    if (id == M::kId) {
-      schema = Schema{MessageFacts<M>::kSeed, MessageFacts<M>::kSize};
-    }
-    return true;
-  }
-
   template <class M>
   static constexpr bool add_to_digest(SchemaHash& hash) {
     hash.add(static_cast<char>(M::kId));
