@@ -101,9 +101,7 @@ void MockBoard::release_inputs() {
 }
 
 std::string MockBoard::firmware_name() const {
-  constexpr unsigned kVersion = protocol::kFirmwareVersion;
-  return "echomap-native " + std::to_string(kVersion / 100) + "." +
-         std::to_string(kVersion / 10 % 10) + "." + std::to_string(kVersion % 10);
+  return std::string("echomap-native ") + protocol::VersionText(protocol::kFirmwareVersion).text();
 }
 
 std::string MockBoard::emulator_name() const { return "mock"; }

@@ -130,9 +130,7 @@ bool UnicornBoard::aux_output(unsigned pin) const {
 }
 
 std::string UnicornBoard::firmware_name() const {
-  constexpr unsigned kVersion = protocol::kFirmwareVersion;
-  return program_ + ' ' + std::to_string(kVersion / 100) + '.' +
-         std::to_string(kVersion / 10 % 10) + '.' + std::to_string(kVersion % 10);
+  return program_ + ' ' + protocol::VersionText(protocol::kFirmwareVersion).text();
 }
 
 std::string UnicornBoard::emulator_name() const {

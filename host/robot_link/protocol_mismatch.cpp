@@ -36,9 +36,8 @@ std::string ProtocolMismatch::next_step() const {
 
 std::string ProtocolMismatch::message() const {
   std::ostringstream text;
-  text << "the robot's firmware " << robot_firmware_version / 100 << '.' << std::setw(2)
-       << std::setfill('0') << robot_firmware_version % 100 << " speaks "
-       << version_text(robot_major, robot_minor, robot_digest) << ", this host "
+  text << "the robot's firmware " << protocol::VersionText(robot_firmware_version).text()
+       << " speaks " << version_text(robot_major, robot_minor, robot_digest) << ", this host "
        << version_text(host_major, host_minor, host_digest) << (difference.empty() ? "" : ": ")
        << difference << "\n  next: " << next_step();
   return text.str();

@@ -23,7 +23,7 @@ struct ProtocolMismatch {
   std::uint8_t robot_major = 0;
   std::uint8_t robot_minor = 0;
   std::uint32_t robot_digest = 0;
-  std::uint16_t robot_firmware_version = 0;  ///< In hundredths.
+  std::uint16_t robot_firmware_version = 0;  ///< See protocol::kFirmwareVersion.
   /// In which messages they differ, in words; empty where the robot did not tell.
   std::string difference;
 

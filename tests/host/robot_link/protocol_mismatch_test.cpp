@@ -58,7 +58,7 @@ TEST(ProtocolMismatch, SaysBothVersionsAndWhatToUpdate) {
                                   .robot_firmware_version = 107,
                                   .difference = "other fields in Echo"};
   EXPECT_EQ(mismatch.message(),
-            "the robot's firmware 1.07 speaks protocol 1.0 (schema 12345678), this host protocol "
+            "the robot's firmware 1.0.7 speaks protocol 1.0 (schema 12345678), this host protocol "
             "1.2 (schema 0000abcd): other fields in Echo\n  next: the robot is older: ./run flash");
 }
 
