@@ -23,6 +23,12 @@ enum Step : uint8_t { kWake, kFilter, kRange, kFirstRead, kReading };
 
 }  // namespace
 
+void GyroMpu6050::restart() {
+  hal::stop_twi();
+  step_ = kWake;
+  rate_ = 0;
+}
+
 void GyroMpu6050::tick(const protocol::ConfigureSensors& settings) {
   if (settings.gyro_period_ms != 0 && ++age_ms_ >= settings.gyro_period_ms) {
     age_ms_ = 0;

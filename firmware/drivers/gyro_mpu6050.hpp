@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "protocol/command_messages.hpp"
+#include "protocol/limits.hpp"
 
 namespace echomap {
 namespace drivers {
@@ -15,15 +16,17 @@ class GyroMpu6050 {
  public:
   static constexpr uint8_t kMaxRange = 3;
 
-  /// False for a gyro_range that the device does not have.
+  /// False for a gyro_range that the device does not have, and for a period below the shortest.
   static bool accepts(const protocol::ConfigureSensors& settings) {
-    return settings.gyro_range <= kMaxRange;
+    return settings.gyro_range <= kMaxRange &&
+           (settings.gyro_period_ms == 0 || settings.gyro_period_ms >= protocol::kMinGyroPeriodMs);
   }
 
   /// Once a millisecond; does nothing while gyro_period_ms is 0.
   void tick(const protocol::ConfigureSensors& settings);
-  /// Sets the device up anew, with new settings.
-  void restart() { step_ = 0; }
+  /// Lets the bus go and sets the device up anew, with new settings. Until it answers it counts as
+  /// at rest.
+  void restart();
 
   /// Sum of the raw samples, modulo 2^32; one that the bus did not bring counts as the last good.
   int32_t yaw_sum() const { return yaw_sum_; }

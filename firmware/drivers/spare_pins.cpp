@@ -59,11 +59,13 @@ bool SparePins::accepts(const ConfigurePins& settings) {
 void SparePins::configure(const ConfigurePins& settings) {
   settings_ = settings;
   used_ = 0;
+  use_twi_pins_ = false;
   for (uint8_t pin = 0; pin < hal::aux_pin_count(); ++pin) {
     const PinUse use = use_of(function(pin));
     hal::use_aux_pin(pin, use);
     if (use != PinUse::kUnused) {
       used_ = static_cast<uint8_t>(pin + 1);
+      use_twi_pins_ |= hal::aux_pin_is_twi(pin);
     }
   }
 }

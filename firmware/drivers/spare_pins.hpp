@@ -24,6 +24,9 @@ class SparePins {
     return function == protocol::kPinBattery || (function & 0xF8) == protocol::kPinRange0;
   }
 
+  /// True when one is in use that the two-wire bus would take.
+  bool use_twi_pins() const { return use_twi_pins_; }
+
   /// Pins up to the last that does something; what pin N does.
   uint8_t used() const { return used_; }
   uint8_t function(uint8_t pin) const;
@@ -39,6 +42,7 @@ class SparePins {
  private:
   protocol::ConfigurePins& settings_;
   uint8_t used_ = 0;
+  bool use_twi_pins_ = false;
 };
 
 }  // namespace drivers

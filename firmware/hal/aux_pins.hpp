@@ -19,6 +19,8 @@ enum class PinUse : uint8_t {
 uint8_t aux_pin_count();
 /// False also for a pin beyond the board's last.
 bool aux_pin_can(uint8_t pin, PinUse use);
+/// True for a pin that the two-wire bus takes, see twi.hpp.
+bool aux_pin_is_twi(uint8_t pin);
 /// Takes a use that `aux_pin_can` has granted; an output starts low.
 void use_aux_pin(uint8_t pin, PinUse use);
 

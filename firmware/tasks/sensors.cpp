@@ -7,14 +7,18 @@
 namespace echomap {
 namespace tasks {
 
-bool Sensors::accepts(const protocol::ConfigureSensors& settings) {
+bool Sensors::accepts(const protocol::ConfigureSensors& settings) const {
   return drivers::GyroMpu6050::accepts(settings) &&
-         (settings.gyro_period_ms == 0 || hal::has_twi());
+         (settings.gyro_period_ms == 0 || (hal::has_twi() && !pins_.use_twi_pins()));
 }
 
 ECHOMAP_ONE_PIECE void Sensors::configure(const protocol::ConfigurePins& settings) {
   pins_.configure(settings);
   analog_.reset();
+  if (pins_.use_twi_pins()) {
+    settings_.gyro_period_ms = 0;
+    gyro_.restart();
+  }
 }
 
 void Sensors::configure(const protocol::ConfigureSensors& settings) {

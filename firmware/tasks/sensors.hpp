@@ -16,12 +16,13 @@ class Sensors {
   constexpr Sensors(protocol::ConfigurePins& pins, protocol::ConfigureSensors& settings)
       : pins_(pins), settings_(settings) {}
 
-  /// True when the board can do it.
+  /// True when the board can do it; a gyro not while spare pins in use are those of its bus.
   static bool accepts(const protocol::ConfigurePins& settings) {
     return drivers::SparePins::accepts(settings);
   }
-  static bool accepts(const protocol::ConfigureSensors& settings);
-  /// Takes settings that `accepts` has granted.
+  bool accepts(const protocol::ConfigureSensors& settings) const;
+  /// Takes settings that `accepts` has granted. Pins of the bus switch the gyro off: a host that
+  /// changes its profile sends the pins first.
   void configure(const protocol::ConfigurePins& settings);
   void configure(const protocol::ConfigureSensors& settings);
 

@@ -33,6 +33,7 @@ constexpr BoardWiring kUno{
     .right_motor = {{'0', kB, {'D', 5}}, {'D', 7}},
     .left_bump = {'D', 2},
     .right_bump = {'D', 3},
+    .two_wire = {{'C', 4}, {'C', 5}},
     // D11 .. D13, A4, A5, A6, A7
     .spare = {spare('B', 3),
               spare('B', 4),
@@ -59,6 +60,7 @@ constexpr BoardWiring kMega{
     .right_motor = {{'3', kA, {'E', 3}}, {'H', 4}},
     .left_bump = {'E', 4},
     .right_bump = {'E', 5},
+    .two_wire = {{'D', 1}, {'D', 0}},
     // D22 .. D29, A8 .. A15
     .spare = {spare('A', 0),
               spare('A', 1),

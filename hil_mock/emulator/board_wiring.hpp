@@ -26,6 +26,12 @@ struct MotorWiring {
   Pin forward;  ///< High is forward.
 };
 
+/// Where the chip has its two-wire interface.
+struct TwoWireWiring {
+  Pin sda;
+  Pin scl;
+};
+
 /// A spare pin that protocol::ConfigurePins numbers.
 struct SparePin {
   static constexpr char kNoPort = 0;
@@ -51,6 +57,7 @@ struct BoardWiring {
   MotorWiring right_motor;
   Pin left_bump;  ///< Low is pressed.
   Pin right_bump;
+  TwoWireWiring two_wire;
   std::array<SparePin, 16> spare;
   std::uint8_t spare_count;
 };

@@ -39,6 +39,7 @@ SimavrBoard::SimavrBoard(const std::filesystem::path& elf)
       left_motor_(machine_.core(), wiring_.left_motor),
       right_motor_(machine_.core(), wiring_.right_motor),
       servo_(machine_.core(), wiring_.pan_servo),
+      two_wire_bus_(machine_, wiring_.two_wire),
       trigger_(machine_.core(), wiring_.sonar_trigger) {
   machine_.usart().on_sent = [this](std::uint8_t byte) {
     if (on_sent) {
@@ -103,6 +104,11 @@ bool SimavrBoard::aux_output(unsigned pin) const {
   return spare.port != SparePin::kNoPort && PortOutput(machine_.core(), spare).level();
 }
 
+void SimavrBoard::connect(world::TwoWireDevice& device) {
+  machine_.two_wire().connect(device);
+  two_wire_bus_.pull_up();
+}
+
 const SparePin& SimavrBoard::spare_pin(unsigned pin) const {
   if (pin >= wiring_.spare_count) {
     throw std::invalid_argument(board_name() + " has no spare pin_" + std::to_string(pin));
@@ -111,9 +117,7 @@ const SparePin& SimavrBoard::spare_pin(unsigned pin) const {
 }
 
 std::string SimavrBoard::firmware_name() const {
-  constexpr unsigned kVersion = protocol::kFirmwareVersion;
-  return program_ + ' ' + std::to_string(kVersion / 100) + '.' +
-         std::to_string(kVersion / 10 % 10) + '.' + std::to_string(kVersion % 10);
+  return program_ + ' ' + protocol::VersionText(protocol::kFirmwareVersion).text();
 }
 
 std::string SimavrBoard::emulator_name() const { return "simavr " CONFIG_SIMAVR_VERSION; }

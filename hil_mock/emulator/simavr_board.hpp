@@ -8,6 +8,7 @@
 
 #include "hil_mock/emulator/avr_machine.hpp"
 #include "hil_mock/emulator/board_wiring.hpp"
+#include "hil_mock/emulator/held_bus.hpp"
 #include "hil_mock/emulator/output_pins.hpp"
 #include "hil_mock/runner/simulated_board.hpp"
 
@@ -35,7 +36,7 @@ class SimavrBoard final : public runner::SimulatedBoard {
   void set_aux_level(unsigned pin, bool high) override;
   void set_aux_millivolts(unsigned pin, double millivolts) override;
   bool aux_output(unsigned pin) const override;
-  void connect(world::TwoWireDevice& device) override { machine_.two_wire().connect(device); }
+  void connect(world::TwoWireDevice& device) override;
 
   std::string board_name() const override { return wiring_.board; }
   std::string firmware_name() const override;
@@ -45,6 +46,8 @@ class SimavrBoard final : public runner::SimulatedBoard {
   AvrMachine& machine() { return machine_; }
   const AvrMachine& machine() const { return machine_; }
   const BoardWiring& wiring() const { return wiring_; }
+  /// The wires of the two-wire bus.
+  HeldBus& two_wire_bus() { return two_wire_bus_; }
 
  private:
   const SparePin& spare_pin(unsigned pin) const;
@@ -60,6 +63,7 @@ class SimavrBoard final : public runner::SimulatedBoard {
   MotorOutput left_motor_;
   MotorOutput right_motor_;
   PwmOutput servo_;
+  HeldBus two_wire_bus_;
   PortOutput trigger_;
   std::int64_t until_ns_ = 0;
   std::uint64_t trigger_rise_cycle_ = 0;

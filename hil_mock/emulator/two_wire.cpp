@@ -150,7 +150,7 @@ void TwoWire::begin_read(bool acknowledge) {
 void TwoWire::end_after(unsigned bits, std::uint8_t status) {
   free_cycle_ = std::max<std::uint64_t>(free_cycle_, avr_.cycle) + bits * bit_cycles();
   queue_.at(free_cycle_, [this, status, transfer = transfer_] {
-    if (transfer == transfer_) {
+    if (transfer == transfer_ && !held_) {
       set_status(status);
       avr_raise_interrupt(&avr_, &twi_.twi);
     }

@@ -23,6 +23,9 @@ class TwoWire {
   /// Puts a device on the bus; it must outlive this.
   void connect(world::TwoWireDevice& device) { device_ = &device; }
 
+  /// While the bus is held, nothing that is begun on it ends.
+  void hold(bool held) { held_ = held; }
+
   /// The chip was reset: the transfer is over.
   void reset();
 
@@ -45,6 +48,7 @@ class TwoWire {
   avr_twi_t& twi_;
   CycleQueue& queue_;
   world::TwoWireDevice* device_ = nullptr;
+  bool held_ = false;
   Phase phase_ = Phase::kIdle;
   std::uint8_t device_register_ = 0;
   std::uint64_t free_cycle_ = 0;  ///< When the bus has done what it was last told.

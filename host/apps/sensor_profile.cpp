@@ -152,7 +152,8 @@ void read_gyro(const TomlReader& table, RobotProfile& profile) {
   }
   protocol::ConfigureSensors& settings = profile.configuration.sensors;
   settings.gyro_range = static_cast<std::uint8_t>(found - kFullScalesDegPerS.begin());
-  settings.gyro_period_ms = field<std::uint8_t>(table, "period_ms", 1.0, {1, UINT8_MAX});
+  settings.gyro_period_ms =
+      field<std::uint8_t>(table, "period_ms", 1.0, {protocol::kMinGyroPeriodMs, UINT8_MAX});
   profile.sensors.gyro = sensors::GyroParams{geometry::radians(full_scale_deg_per_s),
                                              1e-3 * settings.gyro_period_ms,
                                              table.boolean_or("upside_down", false)};

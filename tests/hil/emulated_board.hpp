@@ -28,6 +28,12 @@ class EmulatedBoard {
   virtual void stop_ticks() = 0;
   /// The program hangs in an endless loop with interrupts unlocked.
   virtual void hang() = 0;
+  /// A bootloader clears the cause of every reset before the program sees it; only on boards whose
+  /// bootloader does.
+  virtual void hide_reset_cause() {}
+  /// A device on the two-wire bus was cut off and has so many bits left to send. Nothing happens
+  /// where the board has no such bus.
+  virtual void hold_two_wire_bus(unsigned /*bits*/) {}
 };
 
 /// Switches a board with this program on, at time 0.

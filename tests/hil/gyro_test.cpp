@@ -83,6 +83,47 @@ TEST_P(GyroOnTheBus, WithoutADeviceEverySampleIsAnErrorAndTheRobotGoesOn) {
   EXPECT_GT(later.yaw_sum, 0);
 }
 
+TEST_P(GyroOnTheBus, ADeviceThatWasCutOffInAByteIsClockedOutOfIt) {
+  robot.board().connect(gyro);
+  ASSERT_TRUE(robot.connect());
+  ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
+  robot.run_ms(500);
+  const std::uint16_t before = robot.last<protocol::Gyro>().value().errors;
+  for (const unsigned bits : {1U, 5U, 9U}) {
+    robot.chip().hold_two_wire_bus(bits);
+    robot.run_ms(300);
+    const std::uint16_t errors = robot.last<protocol::Gyro>().value().errors;
+    robot.run_ms(300);
+    EXPECT_EQ(robot.last<protocol::Gyro>().value().errors, errors) << bits << " bits";
+  }
+  EXPECT_GT(robot.last<protocol::Gyro>().value().errors, before);
+}
+
+TEST_P(GyroOnTheBus, TheBusIsLeftAloneWhileTheGyroIsOff) {
+  robot.board().connect(gyro);
+  ASSERT_TRUE(robot.connect());
+  ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
+  robot.run_ms(500);
+  ASSERT_EQ(robot.command(protocol::ConfigureSensors{0, 0, 0, 1}), CommandStatus::kAccepted);
+  robot.chip().hold_two_wire_bus(5);
+  robot.run_ms(300);
+  ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
+  robot.run_ms(300);
+  const std::uint16_t errors = robot.last<protocol::Gyro>().value().errors;
+  robot.run_ms(300);
+  EXPECT_EQ(robot.last<protocol::Gyro>().value().errors, errors);
+}
+
+TEST_P(GyroOnTheBus, SparePinsThatAreTheBusRefuseTheGyro) {
+  ASSERT_TRUE(robot.connect());
+  protocol::ConfigurePins pins{};
+  pins.pin_3 = protocol::kPinWheelDrop | protocol::kPinActiveHigh;
+  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
+  const bool bus_is_spare = robot.board().board_name() == "uno";
+  EXPECT_EQ(robot.command(kGyroOn),
+            bus_is_spare ? CommandStatus::kOutOfRange : CommandStatus::kAccepted);
+}
+
 class GyroUnderLoad : public ::testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Boards, GyroUnderLoad, every_board(), image_label);

@@ -32,6 +32,13 @@ class SimavrUnderTest final : public EmulatedBoard {
     core.state = cpu_Running;
   }
 
+  void hide_reset_cause() override {
+    emulator::AvrMachine& machine = board_.machine();
+    machine.hooks().replace_read(machine.core().reset_flags.porf.reg, [] { return 0; });
+  }
+
+  void hold_two_wire_bus(unsigned bits) override { board_.two_wire_bus().hold(bits); }
+
  private:
   emulator::SimavrBoard board_;
 };

@@ -34,7 +34,10 @@ bool aux_pin_can(uint8_t pin, PinUse use) {
   return pin < boards::kPins && (use != PinUse::kAnalog || pin >= boards::kFirstOfPortK);
 }
 
+bool aux_pin_is_twi(uint8_t /*pin*/) { return false; }
+
 void use_aux_pin(uint8_t pin, PinUse use) {
+  set_aux_output(pin, false);  // Before the direction: an output starts low.
   boards::write(DDRA, DDRK, pin, use == PinUse::kOutput);
   set_aux_output(pin, use == PinUse::kUnused || use == PinUse::kDigital);
 }

@@ -25,5 +25,9 @@ constexpr uint8_t kLeftForwardPin = _BV(PG5);
 constexpr uint8_t kLeftPwmPin = _BV(PH3);  // OC4A
 constexpr uint8_t kRightForwardPin = _BV(PH4);
 
+/// Port D: the two-wire bus, D20 and D21.
+constexpr uint8_t kSdaPin = _BV(PD1);
+constexpr uint8_t kSclPin = _BV(PD0);
+
 }  // namespace boards
 }  // namespace echomap

@@ -46,7 +46,12 @@ bool aux_pin_can(uint8_t pin, PinUse use) {
   return use == PinUse::kUnused || pin < boards::kFirstAnalogOnly;
 }
 
+bool aux_pin_is_twi(uint8_t pin) {
+  return pin >= boards::kFirstOfPortC && pin < boards::kFirstAnalogOnly;
+}
+
 void use_aux_pin(uint8_t pin, PinUse use) {
+  set_aux_output(pin, false);  // Before the direction: an output starts low.
   boards::write(DDRB, DDRC, pin, use == PinUse::kOutput);
   set_aux_output(pin, use == PinUse::kUnused || use == PinUse::kDigital);
 }

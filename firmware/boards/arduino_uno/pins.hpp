@@ -23,5 +23,9 @@ constexpr uint8_t kRightPwmPin = _BV(PD5);  // OC0B
 constexpr uint8_t kLeftPwmPin = _BV(PD6);   // OC0A
 constexpr uint8_t kRightForwardPin = _BV(PD7);
 
+/// Port C: the two-wire bus, A4 and A5.
+constexpr uint8_t kSdaPin = _BV(PC4);
+constexpr uint8_t kSclPin = _BV(PC5);
+
 }  // namespace boards
 }  // namespace echomap

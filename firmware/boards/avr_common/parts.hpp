@@ -10,6 +10,8 @@ namespace boards {
 
 /// Motor PWM, off.
 void start_motors();
+/// Both motors off at once, whatever else goes on.
+void cut_motors();
 /// Clock, servo pulses (none yet) and echo capture: `FrameTimer`.
 void start_frame_timer();
 /// Timer 2: the tick.
@@ -21,6 +23,12 @@ void start_contacts();
 
 /// Channel of the converter that reads a spare pin which is used as hal::PinUse::kAnalog.
 uint8_t converter_channel(uint8_t aux_pin);
+
+/// The pins of the two-wire bus while TWI has not taken them: inputs, but for an SCL that is held,
+/// which is low.
+bool sda_is_low();
+void hold_scl();
+void release_scl();
 
 }  // namespace boards
 }  // namespace echomap

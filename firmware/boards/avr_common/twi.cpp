@@ -3,7 +3,10 @@
 
 #include <avr/interrupt.h>
 #include <avr/io.h>
+#include <util/delay.h>
 #include <util/twi.h>
+
+#include "firmware/boards/avr_common/parts.hpp"
 
 namespace echomap {
 namespace boards {
@@ -20,20 +23,40 @@ constexpr uint8_t kOneMore = kGoOn | _BV(TWEA);
 constexpr uint8_t kStop = _BV(TWEN) | _BV(TWINT) | _BV(TWSTO);
 
 volatile TwiState state = TwiState::kIdle;
-bool reads;
+volatile bool reads;
 /// Address, register, and a value to write or the address to read from.
-uint8_t bytes[3];
-uint8_t sent;
-uint8_t high_byte;
-uint8_t low_byte;
+volatile uint8_t bytes[3];
+volatile uint8_t sent;
+volatile uint8_t high_byte;
+volatile uint8_t low_byte;
+
+/// A device that was given up in the middle of a byte holds SDA low until it has sent the rest of
+/// it: nine clocks at most, then it finds no acknowledge (NXP UM10204, 3.1.16).
+void free_bus() {
+  for (uint8_t clocks = 9; clocks != 0 && sda_is_low(); --clocks) {
+    hold_scl();
+    _delay_us(5);
+    release_scl();
+    _delay_us(5);
+  }
+}
 
 void start(uint8_t address, uint8_t device_register) {
+  if ((TWCR & _BV(TWEN)) == 0) {
+    free_bus();
+  }
   bytes[0] = static_cast<uint8_t>(address << 1);
   bytes[1] = device_register;
   sent = 0;
   state = TwiState::kBusy;
   TWBR = kBitRate;
   TWCR = kStart;
+}
+
+void put_next() {
+  const uint8_t next = sent;
+  TWDR = bytes[next];
+  sent = static_cast<uint8_t>(next + 1);
 }
 
 /// Takes the step that the bus is ready for; the next one.
@@ -48,11 +71,11 @@ uint8_t next_step() {
       if (sent == 2 && reads) {
         return kStart;
       }
-      TWDR = bytes[sent++];
+      put_next();
       return kGoOn;
     case TW_START:
     case TW_REP_START:
-      TWDR = bytes[sent++];
+      put_next();
       return kGoOn;
     case TW_MR_SLA_ACK:
       return kOneMore;
@@ -89,8 +112,11 @@ void start_twi_read(uint8_t address, uint8_t device_register) {
 }
 
 TwiState twi_state(int16_t& value) {
-  value = static_cast<int16_t>((boards::high_byte << 8) | boards::low_byte);
-  return boards::state;
+  const TwiState state = boards::state;
+  if (state == TwiState::kDone) {  // Before that, the interrupt still writes to the bytes.
+    value = static_cast<int16_t>((boards::high_byte << 8) | boards::low_byte);
+  }
+  return state;
 }
 
 void stop_twi() {

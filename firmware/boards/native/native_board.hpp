@@ -73,8 +73,9 @@ class NativeBoard {
   /// Called when that level changes, with the time.
   std::function<void(std::int64_t, std::uint8_t, bool)> on_aux_output;
 
-  /// The two-wire bus and its devices.
+  /// The two-wire bus and its devices; a bit for each spare pin that it takes, none at first.
   NativeTwoWire two_wire;
+  std::uint16_t twi_aux_pins = 0;
 
   /// How often the program has kicked the watchdog.
   std::uint32_t watchdog_kicks() const { return watchdog_kicks_; }

@@ -43,6 +43,7 @@ uint8_t pressed_contacts() { return board().pressed_contacts(); }
 
 uint8_t aux_pin_count() { return native::NativeBoard::kAuxPins; }
 bool aux_pin_can(uint8_t pin, PinUse /*use*/) { return pin < native::NativeBoard::kAuxPins; }
+bool aux_pin_is_twi(uint8_t pin) { return (board().twi_aux_pins >> pin & 1U) != 0; }
 void use_aux_pin(uint8_t pin, PinUse use) { board().use_aux_pin(pin, use); }
 uint16_t aux_levels() { return board().aux_levels(); }
 void set_aux_output(uint8_t pin, bool high) { board().set_aux_output(pin, high); }

@@ -49,6 +49,8 @@ bool aux_pin_can(uint8_t pin, PinUse use) {
   return pin < boards::kAuxPinCount && (use != PinUse::kAnalog || pin < boards::kAnalogPins);
 }
 
+bool aux_pin_is_twi(uint8_t /*pin*/) { return false; }
+
 void use_aux_pin(uint8_t pin, PinUse use) {
   const boards::Pin chosen = boards::kAuxPins[pin];
   if (use == PinUse::kAnalog) {

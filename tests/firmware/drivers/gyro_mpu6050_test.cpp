@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/boards/native/native_board.hpp"
+#include "firmware/hal/twi.hpp"
 
 namespace echomap::drivers {
 namespace {
@@ -112,11 +113,35 @@ TEST_F(GyroMpu6050Test, GivesUpABusThatIsHeldAndTriesAgain) {
   EXPECT_EQ(gyro.errors(), errors);
 }
 
-TEST_F(GyroMpu6050Test, KeepsUpWithOneSampleAMillisecond) {
-  settings.gyro_period_ms = 1;
+TEST_F(GyroMpu6050Test, KeepsUpWithItsShortestPeriod) {
+  settings.gyro_period_ms = 2;
   run_ms(1000);
-  EXPECT_EQ(gyro.samples(), 1000);
+  EXPECT_EQ(gyro.samples(), 500);
   EXPECT_EQ(gyro.errors(), kSetUpSamples);
+}
+
+TEST_F(GyroMpu6050Test, RestartForgetsTheRateOfTheOldRange) {
+  run_ms(500);
+  connected = false;
+  settings.gyro_range = 3;
+  gyro.restart();
+  const std::int32_t before = gyro.yaw_sum();
+  run_ms(1000);
+  EXPECT_EQ(gyro.yaw_sum(), before) << "an unplugged gyro does not turn for ever";
+}
+
+TEST_F(GyroMpu6050Test, RestartLetsTheBusGo) {
+  run_ms(500);
+  gyro.restart();
+  std::int16_t value = 0;
+  EXPECT_EQ(hal::twi_state(value), hal::TwiState::kIdle);
+}
+
+TEST_F(GyroMpu6050Test, RefusesAPeriodInWhichATransferMayNotEnd) {
+  settings.gyro_period_ms = 1;
+  EXPECT_FALSE(GyroMpu6050::accepts(settings));
+  settings.gyro_period_ms = 2;
+  EXPECT_TRUE(GyroMpu6050::accepts(settings));
 }
 
 TEST_F(GyroMpu6050Test, RefusesARangeThatItHasNot) {

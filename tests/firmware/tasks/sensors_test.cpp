@@ -76,6 +76,27 @@ TEST_F(SensorsTest, RefusesWhatNoBoardCanDo) {
             CommandStatus::kOutOfRange);
 }
 
+TEST_F(SensorsTest, GyroAndSparePinsCannotBothHaveThePinsOfTheBus) {
+  constexpr protocol::ConfigureSensors kGyroOn{0, 0, 10, 2};
+  robot.board.twi_aux_pins = 1U << 3 | 1U << 4;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(kGyroOn), CommandStatus::kOutOfRange);
+  EXPECT_EQ(robot.command(protocol::ConfigureSensors{0, 40, 0, 2}), CommandStatus::kAccepted);
+  pins.pin_3 = pins.pin_4 = protocol::kPinUnused;
+  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
+  robot.run_ms(200);
+  const std::uint16_t samples = robot.all<protocol::Gyro>().back().samples;
+  EXPECT_GT(samples, 10);
+  pins.pin_4 = protocol::kPinBattery;
+  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted) << "and the gyro is off";
+  const std::size_t told = robot.all<protocol::Gyro>().size();
+  robot.run_ms(200);
+  EXPECT_LE(robot.all<protocol::Gyro>().size(), told + 1);
+  robot.board.twi_aux_pins = 0;
+}
+
 TEST_F(SensorsTest, PinsDoNotChangeUnderAMovingRobot) {
   ASSERT_TRUE(robot.arm());
   ASSERT_EQ(robot.command(protocol::MoveTicks{0, 9000, 9000, 1500, 500}), CommandStatus::kAccepted);
