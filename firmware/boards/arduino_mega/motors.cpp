@@ -38,6 +38,12 @@ void start_motors() {
   TCCR4B = kFastPwm8Control;
 }
 
+/// Off the timers the ports, which are low, have the pins.
+void cut_motors() {
+  TCCR3A = kFastPwm8Mode;
+  TCCR4A = kFastPwm8Mode;
+}
+
 }  // namespace boards
 
 namespace hal {

@@ -37,6 +37,9 @@ void start_motors() {
   TCCR0B = _BV(CS01);  // Fast PWM, 16 MHz / 8 / 256 = 7.8 kHz.
 }
 
+/// Off the timer the port, which is low, has the pins.
+void cut_motors() { TCCR0A = _BV(WGM01) | _BV(WGM00); }
+
 }  // namespace boards
 
 namespace hal {

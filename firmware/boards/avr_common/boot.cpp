@@ -20,6 +20,8 @@ static_assert(_BV(PORF) == protocol::kResetPowerOn && _BV(EXTRF) == protocol::kR
 uint16_t boot_number __attribute__((section(".noinit")));
 uint16_t boot_check __attribute__((section(".noinit")));
 uint8_t first_mcusr __attribute__((section(".noinit")));
+uint16_t hang_mark __attribute__((section(".noinit")));
+constexpr uint16_t kHung = 0xD06E;
 
 /// What a power cut forgets the EEPROM keeps; it is written at each power-up, which it endures
 /// 100,000 times.
@@ -27,7 +29,8 @@ uint16_t power_up_number EEMEM;
 constexpr uint16_t kResetsPerPowerUp = 256;
 
 /// Runs before main, because a watchdog that has reset the chip is still running at its fastest.
-/// A bootloader that clears MCUSR (Optiboot) hides the cause: it then reads 0.
+/// A bootloader that clears MCUSR (Optiboot) hides the cause: it then reads 0, but for a watchdog
+/// that could warn.
 extern "C" void keep_reset_cause() __attribute__((naked, used, section(".init3")));
 extern "C" void keep_reset_cause() {
   first_mcusr = MCUSR;
@@ -38,6 +41,10 @@ extern "C" void keep_reset_cause() {
 }  // namespace
 
 void number_this_boot() {
+  if (first_mcusr == 0 && hang_mark == kHung) {
+    first_mcusr = protocol::kResetWatchdog;
+  }
+  hang_mark = 0;
   if (boot_check == static_cast<uint16_t>(~boot_number)) {
     ++boot_number;
   } else {
@@ -46,6 +53,8 @@ void number_this_boot() {
   }
   boot_check = static_cast<uint16_t>(~boot_number);
 }
+
+void remember_hang() { hang_mark = kHung; }
 
 }  // namespace boards
 

@@ -5,8 +5,9 @@
 #include <avr/io.h>
 #include <avr/wdt.h>
 
+#include "firmware/boards/avr_common/boot.hpp"
+#include "firmware/boards/avr_common/parts.hpp"
 #include "firmware/hal/interrupts.hpp"
-#include "firmware/hal/motors.hpp"
 
 namespace echomap {
 namespace hal {
@@ -21,8 +22,8 @@ void start_watchdog() {
 void kick_watchdog() { wdt_reset(); }
 
 ISR(WDT_vect) {
-  set_motor(Motor::kLeft, true, 0);
-  set_motor(Motor::kRight, true, 0);
+  boards::cut_motors();
+  boards::remember_hang();
   for (;;) {  // Nothing else may switch them on again; the second timeout resets.
   }
 }

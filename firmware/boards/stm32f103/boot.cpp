@@ -16,12 +16,13 @@ uint16_t boot_check __attribute__((section(".noinit")));
 uint8_t cause = 0;
 constexpr uint8_t kBitsOfResets = 8;
 
-/// Every cause pulls the reset pin too, so that one alone means the pin.
+/// Every cause pulls the reset pin too, so that one alone means the pin. A fault resets by
+/// software, in the watchdog's stead.
 uint8_t cause_of(uint32_t flags) {
   if ((flags & kRccCsrPowerOn) != 0) {
     return protocol::kResetPowerOn;
   }
-  if ((flags & kRccCsrIwdg) != 0) {
+  if ((flags & (kRccCsrIwdg | kRccCsrSoftware)) != 0) {
     return protocol::kResetWatchdog;
   }
   if ((flags & kRccCsrPin) != 0) {

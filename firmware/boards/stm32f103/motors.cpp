@@ -27,6 +27,11 @@ void start_motors() {
   set_mode(kRightForwardPin, PinMode::kOutput);
 }
 
+void cut_motors() {
+  tim3().ccr1 = 0;
+  tim3().ccr2 = 0;
+}
+
 }  // namespace boards
 
 namespace hal {

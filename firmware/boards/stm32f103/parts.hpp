@@ -16,6 +16,8 @@ uint32_t half_us_prescaler();
 
 /// TIM3: motor PWM, off.
 void start_motors();
+/// Both motors off at once, whatever else goes on.
+void cut_motors();
 /// Gives this start a boot id of its own; once, before hal::boot_id.
 void number_this_boot();
 /// SysTick: clock and tick.

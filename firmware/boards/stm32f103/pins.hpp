@@ -21,7 +21,6 @@ struct Pin {
 /// What a pin is, as its four bits in CRL or CRH: RM0008, table 20.
 enum class PinMode : uint8_t {
   kAnalog = 0x0,
-  kInputFloating = 0x4,
   kInputPulled = 0x8,  ///< Up or down by ODR.
   kOutput = 0x2,       ///< Push-pull, 2 MHz.
   kAlternate = 0xA,    ///< The same, by a timer or the USART.

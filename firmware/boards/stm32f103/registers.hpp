@@ -50,6 +50,7 @@ constexpr uint32_t kRccApb1I2c2 = bit(22);
 constexpr uint32_t kRccCsrRemoveFlags = bit(24);
 constexpr uint32_t kRccCsrPin = bit(26);
 constexpr uint32_t kRccCsrPowerOn = bit(27);
+constexpr uint32_t kRccCsrSoftware = bit(28);
 constexpr uint32_t kRccCsrIwdg = bit(29);
 
 /// FLASH, ST PM0075: wait states, and writing the flash by half-words.
@@ -102,7 +103,6 @@ inline TimerRegisters& tim4() { return block_at<TimerRegisters>(0x40000800); }
 
 /// Bits of the timers, by register.
 constexpr uint32_t kTimCr1Enable = bit(0);
-constexpr uint32_t kTimCr1Preload = bit(7);
 constexpr uint32_t kTimUpdate = bit(0);    ///< In DIER, SR and EGR.
 constexpr uint32_t kTimCompare1 = bit(1);  ///< In DIER and SR.
 constexpr uint32_t kTimCompare2 = bit(2);
@@ -201,8 +201,9 @@ struct ScbRegisters {
 };
 inline ScbRegisters& scb() { return block_at<ScbRegisters>(0xE000ED00); }
 
-/// A bit of ICSR, and where SHPR has the priority of SysTick.
+/// A bit of ICSR, AIRCR's key with SYSRESETREQ, and where SHPR has the priority of SysTick.
 constexpr uint32_t kScbIcsrTickPending = bit(26);
+constexpr uint32_t kScbAircrResetRequest = 0x05FA0000 | bit(2);
 constexpr uint8_t kScbShprTick = 11;
 
 }  // namespace boards

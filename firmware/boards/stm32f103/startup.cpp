@@ -2,10 +2,10 @@
 #include <stdint.h>
 
 #include "firmware/boards/stm32f103/interrupt_lines.hpp"
+#include "firmware/boards/stm32f103/parts.hpp"
 #include "firmware/boards/stm32f103/stack_paint.hpp"
 #include "firmware/boards/stm32f103/vectors.hpp"
 #include "firmware/hal/interrupts.hpp"
-#include "firmware/hal/motors.hpp"
 
 /// What happens between reset and main, and the vector table.
 extern "C" {
@@ -16,12 +16,12 @@ int run_program() __asm__("main");
 extern uint32_t _data_load, _data_start, _data_end, _bss_start, _bss_end, _end, _stack_top;
 
 /// A fault of the core, or an interrupt that nobody enabled: nothing is trusted any more, so the
-/// motors go off and the watchdog resets.
+/// motors go off and the chip is reset.
 void on_fault() {
-  using namespace echomap::hal;
-  set_motor(Motor::kLeft, true, 0);
-  set_motor(Motor::kRight, true, 0);
-  for (;;) {
+  using namespace echomap::boards;
+  cut_motors();
+  scb().aircr = kScbAircrResetRequest;
+  for (;;) {  // The reset takes some cycles.
     asm volatile("");
   }
 }

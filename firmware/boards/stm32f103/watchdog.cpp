@@ -4,7 +4,6 @@
 #include "firmware/boards/stm32f103/interrupt_lines.hpp"
 #include "firmware/boards/stm32f103/parts.hpp"
 #include "firmware/boards/stm32f103/vectors.hpp"
-#include "firmware/hal/motors.hpp"
 
 /// Two counters that a kick sets back. Timer 1 warns after 125 ms: its interrupt is above all
 /// others and above the lock, so that it switches the motors off whatever hangs. The independent
@@ -41,9 +40,7 @@ void kick_watchdog() {
 }  // namespace echomap
 
 extern "C" void on_tim1_update() {
-  using namespace echomap::hal;
-  set_motor(Motor::kLeft, true, 0);
-  set_motor(Motor::kRight, true, 0);
+  echomap::boards::cut_motors();
   for (;;) {  // Nothing else may switch them on again; the watchdog resets.
     asm volatile("");
   }
