@@ -147,8 +147,8 @@ struct Health {
 /// `channel_N` of Ranges that no pin reads.
 constexpr uint16_t kNoRange = 0xFFFF;
 
-/// Robot to host: converter counts (0 .. 1023) of the infra-red range channels, read within 8 ms,
-/// and the wheel counts of that moment.
+/// Robot to host: converter counts (0 .. 1023) of the infra-red range channels, each read in the
+/// 10 ms before, and the wheel counts of the moment.
 struct Ranges {
   enum : uint8_t { kId = 0x44 };
   static constexpr MessageClass message_class() { return MessageClass::kTelemetry; }

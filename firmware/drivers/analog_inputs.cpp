@@ -25,10 +25,13 @@ void AnalogInputs::tick(const SparePins& pins) {
     }
     store(pins.function(pin_), value);
   }
-  if (++pin_ >= pins.used()) {
-    pin_ = 0;
+  converting_ = false;
+  for (uint8_t tried = 0; tried < pins.used() && !converting_; ++tried) {
+    if (++pin_ >= pins.used()) {
+      pin_ = 0;
+    }
+    converting_ = SparePins::is_analog(pins.function(pin_));
   }
-  converting_ = SparePins::is_analog(pins.function(pin_));
   if (converting_) {
     hal::start_conversion(pin_);
   }

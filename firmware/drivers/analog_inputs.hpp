@@ -10,7 +10,7 @@ namespace echomap {
 namespace drivers {
 
 /// Infra-red range channels and battery, as the converter reads them: a pin a millisecond, so that
-/// each is at most as many milliseconds old as spare pins are used.
+/// each is at most as many milliseconds old as there are of them.
 class AnalogInputs {
  public:
   /// Forgets all readings: the pins have other functions.

@@ -74,6 +74,9 @@ void Telemetry::count_ranges() {
 }
 
 void Telemetry::sample_odometry() {
+  if (gyro_waits_) {
+    drop();
+  }
   if (odometry_waits_) {
     drop();
   }

@@ -90,7 +90,9 @@ TEST_P(GyroOnTheBus, ADeviceThatWasCutOffInAByteIsClockedOutOfIt) {
   robot.run_ms(500);
   const std::uint16_t before = robot.last<protocol::Gyro>().value().errors;
   for (const unsigned bits : {1U, 5U, 9U}) {
-    robot.chip().hold_two_wire_bus(bits);
+    if (!robot.chip().hold_two_wire_bus(bits)) {
+      GTEST_SKIP() << "only the emulated AVR has such a device";
+    }
     robot.run_ms(300);
     const std::uint16_t errors = robot.last<protocol::Gyro>().value().errors;
     robot.run_ms(300);
@@ -105,7 +107,9 @@ TEST_P(GyroOnTheBus, TheBusIsLeftAloneWhileTheGyroIsOff) {
   ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
   robot.run_ms(500);
   ASSERT_EQ(robot.command(protocol::ConfigureSensors{0, 0, 0, 1}), CommandStatus::kAccepted);
-  robot.chip().hold_two_wire_bus(5);
+  if (!robot.chip().hold_two_wire_bus(5)) {
+    GTEST_SKIP() << "only the emulated AVR has such a device";
+  }
   robot.run_ms(300);
   ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
   robot.run_ms(300);

@@ -37,7 +37,10 @@ class SimavrUnderTest final : public EmulatedBoard {
     machine.hooks().replace_read(machine.core().reset_flags.porf.reg, [] { return 0; });
   }
 
-  void hold_two_wire_bus(unsigned bits) override { board_.two_wire_bus().hold(bits); }
+  bool hold_two_wire_bus(unsigned bits) override {
+    board_.two_wire_bus().hold(bits);
+    return true;
+  }
 
  private:
   emulator::SimavrBoard board_;

@@ -53,18 +53,20 @@ TEST_F(AnalogInputsTest, NothingIsReadWithoutAPin) {
   EXPECT_EQ(inputs.battery(), 0);
 }
 
-TEST_F(AnalogInputsTest, EveryInputIsReadInAMillisecondAPin) {
+TEST_F(AnalogInputsTest, EveryInputIsReadInAMillisecondAnInput) {
   protocol::ConfigurePins wanted{};
   wanted.pin_0 = protocol::kPinRange0 + 2;
+  wanted.pin_3 = protocol::kPinCliffLeft;
   wanted.pin_5 = protocol::kPinRange0;
   wanted.pin_6 = protocol::kPinBattery;
+  wanted.pin_15 = protocol::kPinWheelDrop;
   configure(wanted);
   run_ms(20);
   for (std::uint16_t raw = 100; raw < 1000; raw = static_cast<std::uint16_t>(raw + 37)) {
     board.set_aux_analog(0, raw);
     board.set_aux_analog(5, static_cast<std::uint16_t>(raw + 1));
     board.set_aux_analog(6, static_cast<std::uint16_t>(raw + 2));
-    run_ms(8);
+    run_ms(3 + 1);  // The conversion under way is an old one.
     EXPECT_EQ(range(2), raw);
     EXPECT_EQ(range(0), raw + 1);
     EXPECT_EQ(inputs.battery(), raw + 2);

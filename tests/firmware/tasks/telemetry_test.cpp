@@ -147,6 +147,19 @@ TEST_F(TelemetryTest, ReplacesOdometryThatWaitsTooLongAndCountsIt) {
   EXPECT_EQ(next_health().telemetry_dropped, sampled - told);
 }
 
+TEST_F(TelemetryTest, CountsTheGyroThatWaitsTooLong) {
+  configuration.sensors.gyro_period_ms = 10;
+  telemetry.begin();
+  tick(12 * 20);
+  const Collected stale = collect();
+  tick(1);
+  const Collected fresh = collect();
+  const std::size_t told =
+      stale.odometry.size() + stale.gyro.size() + fresh.odometry.size() + fresh.gyro.size();
+  ASSERT_LT(told, 24U);
+  EXPECT_EQ(next_health().telemetry_dropped, 24U - told);
+}
+
 TEST_F(TelemetryTest, KeepsTheNewestEchoesAndCountsTheRest) {
   telemetry.begin();
   for (std::int16_t pan = 0; pan < 6; ++pan) {
