@@ -19,7 +19,7 @@ enum ResetCause : uint8_t {
 /// What the board has; bits of HelloReply::capabilities.
 enum Capability : uint32_t {
   kCapabilityWheels = 1UL << 0,    ///< Two wheels with encoders: MoveTicks, DriveSetpoint.
-  kCapabilityPanSonar = 1UL << 1,  ///< A sonar on a servo: StartSweep.
+  kCapabilityPanSonar = 1UL << 1,  ///< A sonar on a pan drive: StartSweep.
   kCapabilityContacts = 1UL << 2,  ///< Bump contacts.
   kCapabilityPins = 1UL << 3,      ///< Spare pins: ConfigurePins, hazards.
   kCapabilityRanges = 1UL << 4,    ///< Analogue range channels.
@@ -30,10 +30,10 @@ enum Capability : uint32_t {
 /// Answer to a command, in Ack::status.
 enum class CommandStatus : uint8_t {
   kAccepted = 0,
-  kDisarmed = 1,    ///< Motion needs Arm first.
+  kDisarmed = 1,    ///< Motion needs Arm first, any command a Hello.
   kBusy = 2,        ///< A move or sweep is under way.
   kOutOfRange = 3,  ///< A field is outside of what the board can do.
-  kBlocked = 4,     ///< A bump contact is pressed on the side of the motion.
+  kBlocked = 4,  ///< A pressed contact or a hazard forbids to go forward, a hanging wheel to arm.
 };
 
 /// Host to robot, every 50 ms until answered. A new `session` forgets earlier command ids.

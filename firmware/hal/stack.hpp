@@ -6,8 +6,9 @@
 namespace echomap {
 namespace hal {
 
-/// Least free stack since the start, by paint. Each call looks at a few bytes more, so the answer
-/// lags by some 150 calls and none takes long; 0 before that.
+/// Least free stack since the start, by paint. Each call looks at a few bytes more, so that none
+/// takes long: the answer lags by the calls that go through all of the free RAM, a second on the
+/// AVR. 0 before that.
 uint16_t least_free_stack_bytes();
 
 }  // namespace hal
