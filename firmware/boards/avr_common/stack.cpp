@@ -32,17 +32,19 @@ extern "C" void paint_stack() {
 namespace hal {
 
 uint16_t least_free_stack_bytes() {
-  constexpr uint8_t kBytesPerCall = (RAMEND + 1 - RAMSTART) / 1024;  // All of it in a second.
+  constexpr uint8_t kBytesPerCall = RAMEND - RAMSTART < 4096 ? 2 : 4;  // All of it in two seconds.
   static const uint8_t* next = &_end;
   static uint16_t free_bytes = 0;
-  for (uint8_t i = 0; i < kBytesPerCall; ++i) {
-    if (*next != boards::kPaint) {
-      free_bytes = static_cast<uint16_t>(next - &_end);
-      next = &_end;
+  const uint8_t* looked_at = next;
+  for (uint8_t i = kBytesPerCall; i != 0; --i) {
+    if (*looked_at != boards::kPaint) {
+      free_bytes = static_cast<uint16_t>(looked_at - &_end);
+      looked_at = &_end;
       break;
     }
-    ++next;
+    ++looked_at;
   }
+  next = looked_at;
   return free_bytes;
 }
 

@@ -23,10 +23,10 @@ constexpr uint8_t kOneMore = kGoOn | _BV(TWEA);
 constexpr uint8_t kStop = _BV(TWEN) | _BV(TWINT) | _BV(TWSTO);
 
 volatile TwiState state = TwiState::kIdle;
-volatile bool reads;
+bool reads;
 /// Address, register, and a value to write or the address to read from.
-volatile uint8_t bytes[3];
-volatile uint8_t sent;
+uint8_t bytes[3];
+uint8_t sent;
 volatile uint8_t high_byte;
 volatile uint8_t low_byte;
 
@@ -50,13 +50,8 @@ void start(uint8_t address, uint8_t device_register) {
   sent = 0;
   state = TwiState::kBusy;
   TWBR = kBitRate;
+  asm volatile("" ::: "memory");  // The interrupt finds all of it stored.
   TWCR = kStart;
-}
-
-void put_next() {
-  const uint8_t next = sent;
-  TWDR = bytes[next];
-  sent = static_cast<uint8_t>(next + 1);
 }
 
 /// Takes the step that the bus is ready for; the next one.
@@ -71,11 +66,11 @@ uint8_t next_step() {
       if (sent == 2 && reads) {
         return kStart;
       }
-      put_next();
+      TWDR = bytes[sent++];
       return kGoOn;
     case TW_START:
     case TW_REP_START:
-      put_next();
+      TWDR = bytes[sent++];
       return kGoOn;
     case TW_MR_SLA_ACK:
       return kOneMore;
