@@ -121,9 +121,10 @@ TEST_P(GyroOnTheBus, TheBusIsLeftAloneWhileTheGyroIsOff) {
 TEST_P(GyroOnTheBus, SparePinsThatAreTheBusRefuseTheGyro) {
   ASSERT_TRUE(robot.connect());
   protocol::ConfigurePins pins{};
-  pins.pin_3 = protocol::kPinWheelDrop | protocol::kPinActiveHigh;
+  const bool is_stm32 = robot.board().board_name() == "stm32f103";
+  (is_stm32 ? pins.pin_10 : pins.pin_3) = protocol::kPinWheelDrop | protocol::kPinActiveHigh;
   ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
-  const bool bus_is_spare = robot.board().board_name() == "uno";
+  const bool bus_is_spare = is_stm32 || robot.board().board_name() == "uno";
   EXPECT_EQ(robot.command(kGyroOn),
             bus_is_spare ? CommandStatus::kOutOfRange : CommandStatus::kAccepted);
 }

@@ -26,6 +26,9 @@ constexpr uint8_t kAuxPinCount = sizeof(kAuxPins) / sizeof(kAuxPins[0]);
 /// A0 .. A5 are channels 0 .. 5 of the converter, B0 and B1 channels 8 and 9.
 constexpr uint8_t kAnalogPins = 8;
 constexpr uint8_t kAnalogPinsOfPortA = 6;
+/// B10 and B11.
+constexpr uint8_t kClockPinOfTwi = 9;
+constexpr uint8_t kDataPinOfTwi = 10;
 
 }  // namespace
 
@@ -49,7 +52,9 @@ bool aux_pin_can(uint8_t pin, PinUse use) {
   return pin < boards::kAuxPinCount && (use != PinUse::kAnalog || pin < boards::kAnalogPins);
 }
 
-bool aux_pin_is_twi(uint8_t /*pin*/) { return false; }
+bool aux_pin_is_twi(uint8_t pin) {
+  return pin == boards::kClockPinOfTwi || pin == boards::kDataPinOfTwi;
+}
 
 void use_aux_pin(uint8_t pin, PinUse use) {
   const boards::Pin chosen = boards::kAuxPins[pin];
