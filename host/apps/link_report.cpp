@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "protocol/version.hpp"
+
 namespace echomap::apps {
 
 exports::LinkSummary summary_of(const robot_link::LinkStatistics& link, std::uint64_t reconnects) {
@@ -76,8 +78,7 @@ std::string losses_between(const exports::LinkSummary& before, const exports::Li
 }
 
 std::string firmware_of(const protocol::HelloReply& robot) {
-  return fmt::format(
-      "echomap {}.{:02}", robot.firmware_version / 100, robot.firmware_version % 100);
+  return fmt::format("echomap {}", protocol::VersionText(robot.firmware_version).text());
 }
 
 }  // namespace echomap::apps

@@ -64,7 +64,7 @@ TEST_F(ExploreRun, SavesTheMapWhereTheBoardTakesItsProfileNoMore) {
   };
   EXPECT_EQ(explore(), ExitCode::kConfigInvalid);
   EXPECT_EQ(summary.outcome, "configuration-invalid");
-  EXPECT_EQ(summary.firmware, "echomap 0.11");
+  EXPECT_EQ(summary.firmware, "echomap 0.1.0");
   EXPECT_EQ(summary.link.resets, 1U);
   EXPECT_GT(summary.link.frames_received, 0U);
   EXPECT_TRUE(std::filesystem::exists(folder / "summary.json"));
