@@ -9,6 +9,9 @@ namespace {
 /// Counts of the gyro's 16 bits at the end of its scale.
 constexpr double kFullScaleCounts = 32768.0;
 
+/// What 16 bits of samples tell apart.
+constexpr double kMostSamples = 32768.0;
+
 std::int64_t step(std::uint16_t from, std::uint16_t to) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(to - from));
 }
@@ -22,7 +25,9 @@ YawIntegrator::YawIntegrator(const GyroParams& params) : params_(params) {
 }
 
 Yaw YawIntegrator::update(const protocol::Gyro& message) {
-  if (started_) {
+  const auto elapsed_us = static_cast<std::int32_t>(message.stamp_us - last_.stamp_us);
+  const bool continues = elapsed_us * 1e-6 < kMostSamples * params_.sample_period_s;
+  if (started_ && continues) {
     sum_ += static_cast<std::int32_t>(static_cast<std::uint32_t>(message.yaw_sum) -
                                       static_cast<std::uint32_t>(last_.yaw_sum));
     samples_ += step(last_.samples, message.samples);

@@ -29,7 +29,8 @@ class YawIntegrator {
   explicit YawIntegrator(const GyroParams& params);
 
   /// Takes messages in any order; between two the robot turns by less than half of what 32 bits
-  /// hold, and takes fewer than 2^15 samples.
+  /// hold. After a gap of 2^15 samples or more the sums go on from here: what was measured in it
+  /// cannot be told, and a robot that was not heard for so long has stood.
   Yaw update(const protocol::Gyro& message);
   /// The robot was reset: its sums start at zero, ours go on.
   void restart() { last_ = {}; }

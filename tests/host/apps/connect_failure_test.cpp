@@ -44,6 +44,27 @@ TEST_F(ConnectFailure, NamesBothVersionsOfAMismatch) {
   EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("0000beef"));
 }
 
+TEST_F(ConnectFailure, DoesNotCallARobotSilentThatHasAnswered) {
+  run_for(100);
+  robot.power_on(2);
+  while (link.state() == robot_link::LinkState::kReady) {
+    run_for(1);
+  }
+  EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("starts anew again and again"));
+  run_for(100);
+  to_host.is_cut = true;
+  run_for(1500);
+  EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("answered once and is silent now"));
+}
+
+TEST_F(ConnectFailure, SaysThatARobotDidNotDescribeItself) {
+  robot.schema_digest = 0xBEEF;
+  robot.answers_bulk_reads = false;
+  run_for(100);
+  EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("./run flash --port p"));
+  EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("other messages"));
+}
+
 TEST_F(ConnectFailure, TellsAResetByItsCauseAndByTheRobotsClock) {
   robot_has_power = false;
   run_for(1000);

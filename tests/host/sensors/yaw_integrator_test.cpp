@@ -58,6 +58,20 @@ TEST(YawIntegrator, GoesOnAfterAReset) {
   EXPECT_NEAR(after.measured_s, 2.0, 1e-12);
 }
 
+TEST(YawIntegrator, LeavesAGapOutThatIsTooLongToTell) {
+  YawIntegrator yaw(kGyro);
+  constexpr std::uint32_t kStartUs = 4'000'000'000;
+  constexpr std::uint32_t kGapUs = 328'000'000;  // 32,800 samples.
+  yaw.update(Gyro{kStartUs, 0, 0, 0});
+  const Yaw before = yaw.update(Gyro{kStartUs + 1'000'000, 5000, 100, 0});
+  const Yaw after = yaw.update(Gyro{kStartUs + kGapUs + 1'000'000, 9'000'000, 32'900, 0});
+  EXPECT_EQ(after.yaw_rad, before.yaw_rad);
+  EXPECT_EQ(after.measured_s, before.measured_s);
+  const Yaw later = yaw.update(Gyro{kStartUs + kGapUs + 2'000'000, 9'005'000, 33'000, 0});
+  EXPECT_NEAR(later.yaw_rad, 2.0 * before.yaw_rad, 1e-12);
+  EXPECT_NEAR(later.measured_s, 2.0, 1e-12);
+}
+
 TEST(YawIntegrator, RefusesAScaleOfNothing) {
   EXPECT_THROW(YawIntegrator(GyroParams{}), std::invalid_argument);
 }
