@@ -37,10 +37,12 @@ void FakeRobot::receive(std::span<const std::uint8_t> bytes) {
   for (const std::uint8_t byte : bytes) {
     const protocol::DecodeStatus status = decoder_.take(byte);
     const bool is_frame = status == protocol::DecodeStatus::kFrame;
-    counters_.take(status, is_frame ? decoder_.frame().seq : std::uint8_t{0});
+    const std::uint8_t seq = is_frame ? decoder_.frame().seq : std::uint8_t{0};
     if (is_frame) {
       take(decoder_.frame());
     }
+    // As the firmware does it: a Hello of a new session begins the counting anew.
+    counters_.take(status, seq);
   }
 }
 
