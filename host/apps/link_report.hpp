@@ -19,7 +19,7 @@ std::string line_of(const exports::LinkSummary& link);
 /// What the robot has lost or miscounted since `before`, and what to look at; empty where nothing.
 std::string losses_between(const exports::LinkSummary& before, const exports::LinkSummary& now);
 
-/// "echomap 0.07", as the robot says it.
+/// "echomap 0.1.0", as the robot says it.
 std::string firmware_of(const protocol::HelloReply& robot);
 
 }  // namespace echomap::apps
