@@ -23,25 +23,25 @@ FloorPlan room_with(const VirtualWall& beam, std::vector<Outline> obstacles = {}
           {{}, {beam}}};
 }
 
-const VirtualWall kAcross{{0.0, 1.0}, 0.0, 2.0, radians(5.0)};
+const VirtualWall across{{0.0, 1.0}, 0.0, 2.0, radians(5.0)};
 
 TEST(IrSwitches, ABeamReachesWhatIsInItsConeAndLength) {
-  const FloorPlan plan = room_with(kAcross);
-  EXPECT_TRUE(beam_reaches(plan, kAcross, {1.9, 1.0}));
-  EXPECT_FALSE(beam_reaches(plan, kAcross, {2.1, 1.0})) << "beyond its end";
-  EXPECT_TRUE(beam_reaches(plan, kAcross, {1.0, 1.0 + std::tan(radians(4.9))}));
-  EXPECT_FALSE(beam_reaches(plan, kAcross, {1.0, 1.0 + std::tan(radians(5.1))}));
+  const FloorPlan plan = room_with(across);
+  EXPECT_TRUE(beam_reaches(plan, across, {1.9, 1.0}));
+  EXPECT_FALSE(beam_reaches(plan, across, {2.1, 1.0})) << "beyond its end";
+  EXPECT_TRUE(beam_reaches(plan, across, {1.0, 1.0 + std::tan(radians(4.9))}));
+  EXPECT_FALSE(beam_reaches(plan, across, {1.0, 1.0 + std::tan(radians(5.1))}));
   EXPECT_FALSE(beam_reaches(plan, {{1.0, 1.0}, 0.0, 2.0, radians(5.0)}, {0.5, 1.0})) << "behind";
 }
 
 TEST(IrSwitches, ABeamEndsAtAWall) {
-  const FloorPlan plan = room_with(kAcross, {{rectangle(0.5, 0.8, 0.7, 1.2), {}}});
-  EXPECT_TRUE(beam_reaches(plan, kAcross, {0.4, 1.0}));
-  EXPECT_FALSE(beam_reaches(plan, kAcross, {1.0, 1.0}));
+  const FloorPlan plan = room_with(across, {{rectangle(0.5, 0.8, 0.7, 1.2), {}}});
+  EXPECT_TRUE(beam_reaches(plan, across, {0.4, 1.0}));
+  EXPECT_FALSE(beam_reaches(plan, across, {1.0, 1.0}));
 }
 
 TEST(IrSwitches, TheDetectorSeesAVirtualWallWhereItIsMounted) {
-  const FloorPlan plan = room_with(kAcross);
+  const FloorPlan plan = room_with(across);
   const BeamDetectorParams detector{{0.1, 0.0}, 0.0, 0.0};
   EXPECT_TRUE(beam_detected(plan, {1.0, 0.9, radians(90.0)}, detector));
   EXPECT_FALSE(beam_detected(plan, {1.0, 0.9, radians(-90.0)}, detector));

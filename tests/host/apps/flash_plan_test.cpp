@@ -15,7 +15,6 @@ namespace echomap::apps {
 namespace {
 
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using transport::PortInfo;
 using transport::UsbDevice;

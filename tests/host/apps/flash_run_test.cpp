@@ -46,9 +46,9 @@ class FlashRun : public testing::Test {
     return carry_out(flash_plan(target, "x.hex"), dry_run);
   }
 
-  const std::string first_ =
+  const std::string first =
       "avrdude -p m328p -c arduino -P /dev/ttyUSB0 -b 115200 -D -U flash:w:x.hex:i\n";
-  const std::string second_ =
+  const std::string second =
       "avrdude -p m328p -c arduino -P /dev/ttyUSB0 -b 57600 -D -U flash:w:x.hex:i\n";
   std::string printed;
 
@@ -60,15 +60,15 @@ class FlashRun : public testing::Test {
 TEST_F(FlashRun, RunsTheCommandThatItPrints) {
   avrdude("echo chatter");
   EXPECT_EQ(carry_out_for_nano(), ExitCode::kOk);
-  EXPECT_EQ(ran(), first_);
-  EXPECT_EQ(printed, first_) << "stdout is for data: what avrdude says goes to stderr";
+  EXPECT_EQ(ran(), first);
+  EXPECT_EQ(printed, first) << "stdout is for data: what avrdude says goes to stderr";
 }
 
 TEST_F(FlashRun, TriesTheOldBootLoaderWhenTheNewOneIsSilent) {
   avrdude("case $* in *115200*) exit 1 ;; esac");
   EXPECT_EQ(carry_out_for_nano(), ExitCode::kOk);
-  EXPECT_EQ(ran(), first_ + second_);
-  EXPECT_EQ(printed, first_ + second_);
+  EXPECT_EQ(ran(), first + second);
+  EXPECT_EQ(printed, first + second);
 }
 
 TEST_F(FlashRun, SaysWhereItFailedAndWhatToDo) {
@@ -83,20 +83,20 @@ TEST_F(FlashRun, SaysWhereItFailedAndWhatToDo) {
                       HasSubstr("exit code 3"),
                       HasSubstr("\n  next: ")));
   }
-  EXPECT_EQ(ran(), first_ + second_);
+  EXPECT_EQ(ran(), first + second);
 }
 
 TEST_F(FlashRun, StopsAtCtrlCInsteadOfTryingOn) {
   avrdude("kill -INT $$");
   EXPECT_EQ(carry_out_for_nano(), ExitCode::kInterrupted);
-  EXPECT_EQ(ran(), first_);
+  EXPECT_EQ(ran(), first);
 }
 
 TEST_F(FlashRun, OnlyPrintsInADryRun) {
   avrdude("");
   EXPECT_EQ(carry_out_for_nano(true), ExitCode::kOk);
   EXPECT_EQ(ran(), "");
-  EXPECT_EQ(printed, first_ + second_);
+  EXPECT_EQ(printed, first + second);
 }
 
 TEST_F(FlashRun, NamesThePackageOfAMissingProgram) {

@@ -18,18 +18,18 @@ using tests::map_from;
 constexpr double kCellM = 0.1;
 
 /// A room of 0.4 m x 0.2 m whose walls stand around free cells.
-const tests::DrawnMap kRoom{"######", "#....#", "#....#", "######"};
+const tests::DrawnMap room{"######", "#....#", "#....#", "######"};
 
 MapTruth truth() {
   const Eigen::Vector2d a(0.1, 0.1);
   const Eigen::Vector2d b(0.5, 0.1);
   const Eigen::Vector2d c(0.5, 0.3);
   const Eigen::Vector2d d(0.1, 0.3);
-  return {map_from(kRoom, kCellM), {{a, b}, {b, c}, {c, d}, {d, a}}};
+  return {map_from(room, kCellM), {{a, b}, {b, c}, {c, d}, {d, a}}};
 }
 
 TEST(MapAgreement, IsOneForTheTruthItself) {
-  const auto agreement = score_map(map_from(kRoom, kCellM), Pose2(), truth());
+  const auto agreement = score_map(map_from(room, kCellM), Pose2(), truth());
   EXPECT_EQ(agreement.free_iou, 1.0);
   EXPECT_EQ(agreement.wall_recall, 1.0);
   // Walls run along the cells' edges, half a cell from the nearer centres.
@@ -75,7 +75,7 @@ TEST(MapAgreement, HasNoWallErrorWithoutAWall) {
 TEST(MapAgreement, CountsOnlyWallsThatBorderOnFloor) {
   MapTruth with_hidden_wall = truth();
   with_hidden_wall.walls.push_back({{2.0, 2.0}, {9.0, 2.0}});
-  EXPECT_EQ(score_map(map_from(kRoom, kCellM), Pose2(), with_hidden_wall).wall_recall, 1.0);
+  EXPECT_EQ(score_map(map_from(room, kCellM), Pose2(), with_hidden_wall).wall_recall, 1.0);
 }
 
 TEST(MapAgreement, RecallsTheShareOfWallThatIsDrawn) {
