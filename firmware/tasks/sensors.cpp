@@ -13,11 +13,11 @@ bool Sensors::accepts(const protocol::ConfigureSensors& settings) const {
 }
 
 ECHOMAP_ONE_PIECE void Sensors::configure(const protocol::ConfigurePins& settings) {
+  gyro_.restart();  // The bus's pins are given back before they are given away.
   pins_.configure(settings);
   analog_.reset();
   if (pins_.use_twi_pins()) {
     settings_.gyro_period_ms = 0;
-    gyro_.restart();
   }
 }
 

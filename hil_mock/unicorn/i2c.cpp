@@ -167,7 +167,7 @@ void I2c::after(unsigned bits, std::function<void()> step) {
   }
   queue_.at(queue_.now() + bits * bit_cycles(),
             [this, step = std::move(step), transfer = transfers_] {
-              if (transfer == transfers_) {
+              if (transfer == transfers_ && !held_) {
                 step();
                 update();
               }

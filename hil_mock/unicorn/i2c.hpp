@@ -23,6 +23,8 @@ class I2c final : public Peripheral {
   void connect(world::TwoWireDevice& device) { device_ = &device; }
   /// Whether both pins are the unit's; without them nothing moves.
   std::function<bool()> has_pins;
+  /// While the bus is held, nothing that is begun on it ends.
+  void hold(bool held) { held_ = held; }
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
@@ -66,6 +68,7 @@ class I2c final : public Peripheral {
   bool acknowledges_next_ = false;  ///< What ACK said when the byte before ended.
   bool device_speaks_ = false;
   std::uint32_t transfers_ = 0;
+  bool held_ = false;
 };
 
 }  // namespace echomap::unicorn

@@ -143,8 +143,24 @@ void Stm32Chip::on_pin(PortName port, std::uint8_t pin, bool high) {
   if (port == kPortB && pin == kTim4Input1Pin) {
     tim4_.set_input1(high);
   }
+  if (port == kPortB && pin == kI2c2ClockPin && high && held_clocks_ != 0) {
+    clock_held_device();
+  }
   if (on_level) {
     on_level(port, pin, high);
+  }
+}
+
+void Stm32Chip::hold_two_wire_bus(unsigned clocks) {
+  held_clocks_ = clocks;
+  i2c2_.hold(true);
+  port_b_.drive(kI2c2DataPin, false);
+}
+
+void Stm32Chip::clock_held_device() {
+  if (--held_clocks_ == 0) {
+    port_b_.drive(kI2c2DataPin, true);
+    i2c2_.hold(false);
   }
 }
 

@@ -60,6 +60,8 @@ class Stm32Chip {
   const GpioPort& port(PortName name) const { return name == kPortA ? port_a_ : port_b_; }
   Usart& usart() { return usart_; }
   Adc& adc() { return adc_; }
+  /// A device on I2C2's pins was cut off and holds SDA low for so many more clocks.
+  void hold_two_wire_bus(unsigned clocks);
   I2c& i2c2() { return i2c2_; }
   const Afio& afio() const { return afio_; }
   SysTick& sys_tick() { return sys_tick_; }
@@ -82,6 +84,7 @@ class Stm32Chip {
   void load(const std::filesystem::path& elf);
   void map();
   void on_pin(PortName port, std::uint8_t pin, bool high);
+  void clock_held_device();
   Peripheral* answering(std::uint32_t address);
   std::uint32_t read(std::uint32_t address);
   void write(std::uint32_t address, std::uint32_t value);
@@ -113,6 +116,7 @@ class Stm32Chip {
   CortexCore::Device flash_data_;
   CortexCore core_{queue_, nvic_};
   unsigned cycles_per_half_word_ = kLeastCyclesPerHalfWord;
+  unsigned held_clocks_ = 0;
   bool watchdog_bites_ = false;
   std::string refused_;
   std::uint32_t resets_ = 0;

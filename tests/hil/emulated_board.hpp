@@ -31,9 +31,8 @@ class EmulatedBoard {
   /// A bootloader clears the cause of every reset before the program sees it; only on boards whose
   /// bootloader does.
   virtual void hide_reset_cause() {}
-  /// A device on the two-wire bus was cut off and has so many bits left to send. False where this
-  /// emulator has no such device.
-  virtual bool hold_two_wire_bus(unsigned /*bits*/) { return false; }
+  /// A device on the two-wire bus was cut off and has so many bits left to send.
+  virtual void hold_two_wire_bus(unsigned bits) = 0;
 };
 
 /// Switches a board with this program on, at time 0.

@@ -90,9 +90,7 @@ TEST_P(GyroOnTheBus, ADeviceThatWasCutOffInAByteIsClockedOutOfIt) {
   robot.run_ms(500);
   const std::uint16_t before = robot.last<protocol::Gyro>().value().errors;
   for (const unsigned bits : {1U, 5U, 9U}) {
-    if (!robot.chip().hold_two_wire_bus(bits)) {
-      GTEST_SKIP() << "only the emulated AVR has such a device";
-    }
+    robot.chip().hold_two_wire_bus(bits);
     robot.run_ms(300);
     const std::uint16_t errors = robot.last<protocol::Gyro>().value().errors;
     robot.run_ms(300);
@@ -107,15 +105,36 @@ TEST_P(GyroOnTheBus, TheBusIsLeftAloneWhileTheGyroIsOff) {
   ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
   robot.run_ms(500);
   ASSERT_EQ(robot.command(protocol::ConfigureSensors{0, 0, 0, 1}), CommandStatus::kAccepted);
-  if (!robot.chip().hold_two_wire_bus(5)) {
-    GTEST_SKIP() << "only the emulated AVR has such a device";
-  }
+  robot.chip().hold_two_wire_bus(5);
   robot.run_ms(300);
   ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
   robot.run_ms(300);
   const std::uint16_t errors = robot.last<protocol::Gyro>().value().errors;
   robot.run_ms(300);
   EXPECT_EQ(robot.last<protocol::Gyro>().value().errors, errors);
+}
+
+TEST_P(GyroOnTheBus, ItsPinsAreSparePinsAgainWhenItIsOff) {
+  if (robot.board().board_name() == "mega") {
+    return;  // Its bus has pins of its own.
+  }
+  const bool is_stm32 = robot.board().board_name() == "stm32f103";
+  robot.board().connect(gyro);
+  ASSERT_TRUE(robot.connect());
+  ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
+  robot.run_ms(100);
+  protocol::ConfigurePins pins{};
+  pins.pin_0 = protocol::kPinStepperPhaseA;
+  pins.pin_1 = protocol::kPinStepperPhaseA + 1;
+  pins.pin_2 = protocol::kPinStepperPhaseA + 2;
+  (is_stm32 ? pins.pin_9 : pins.pin_3) = protocol::kPinStepperPhaseA + 3;
+  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::ConfigureSensors{0, 0, 0, 1}), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::ConfigurePan{0, 1, 0, 0, 4076, -72000, 72000, 50}),
+            CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 9000, 9000, 20}), CommandStatus::kAccepted);
+  const unsigned bus_pin = is_stm32 ? 9 : 3;
+  EXPECT_TRUE(robot.run_until([&] { return robot.board().aux_output(bus_pin); }, 1000));
 }
 
 TEST_P(GyroOnTheBus, SparePinsThatAreTheBusRefuseTheGyro) {

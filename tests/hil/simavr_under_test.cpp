@@ -37,10 +37,7 @@ class SimavrUnderTest final : public EmulatedBoard {
     machine.hooks().replace_read(machine.core().reset_flags.porf.reg, [] { return 0; });
   }
 
-  bool hold_two_wire_bus(unsigned bits) override {
-    board_.two_wire_bus().hold(bits);
-    return true;
-  }
+  void hold_two_wire_bus(unsigned bits) override { board_.two_wire_bus().hold(bits); }
 
  private:
   emulator::SimavrBoard board_;

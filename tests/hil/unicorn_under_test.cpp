@@ -30,6 +30,8 @@ class UnicornUnderTest final : public EmulatedBoard {
     board_.chip().core().jump_to(kTrap);
   }
 
+  void hold_two_wire_bus(unsigned bits) override { board_.chip().hold_two_wire_bus(bits); }
+
  private:
   unicorn::UnicornBoard board_;
 };

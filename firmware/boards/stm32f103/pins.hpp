@@ -23,7 +23,8 @@ enum class PinMode : uint8_t {
   kAnalog = 0x0,
   kInputPulled = 0x8,  ///< Up or down by ODR.
   kOutput = 0x2,       ///< Push-pull, 2 MHz.
-  kAlternate = 0xA,    ///< The same, by a timer or the USART.
+  kOutputOpenDrain = 0x6,
+  kAlternate = 0xA,  ///< The same, by a timer or the USART.
   kAlternateOpenDrain = 0xE,
 };
 

@@ -31,7 +31,28 @@ volatile int16_t answer;
 /// APB1 has half of the core's clock, or where the crystal does not run all of it.
 uint32_t bus_clock_hz() { return clock_hz() > 36000000 ? clock_hz() / 2 : clock_hz(); }
 
+void wait_half_clock() {
+  constexpr uint32_t kHalfUs = 10;
+  const uint32_t start = now_half_us();
+  while (now_half_us() - start <= kHalfUs) {
+  }
+}
+
+/// A device that was given up in the middle of a byte holds SDA low until it has sent the rest of
+/// it: nine clocks at most, then it finds no acknowledge (NXP UM10204, 3.1.16).
+void free_bus() {
+  set_level(kTwiClockPin, true);
+  set_mode(kTwiClockPin, PinMode::kOutputOpenDrain);
+  for (uint8_t clocks = 9; clocks != 0 && !level_of(kTwiDataPin); --clocks) {
+    set_level(kTwiClockPin, false);
+    wait_half_clock();
+    set_level(kTwiClockPin, true);
+    wait_half_clock();
+  }
+}
+
 void take_bus() {
+  free_bus();
   set_mode(kTwiClockPin, PinMode::kAlternateOpenDrain);
   set_mode(kTwiDataPin, PinMode::kAlternateOpenDrain);
   const uint32_t mhz = bus_clock_hz() / 1000000;
@@ -134,6 +155,9 @@ TwiState twi_state(int16_t& value) {
 }
 
 void stop_twi() {
+  if (!boards::on) {
+    return;
+  }
   boards::i2c2().cr2 = 0;
   boards::i2c2().cr1 = 0;
   boards::pull_up(boards::kTwiClockPin);
