@@ -53,6 +53,7 @@ class BreakingLink {
     const bool cable = kind_ == Break::kUnplugged || kind_ == Break::kReplugged;
     const bool boots = kind_ == Break::kReplugged || kind_ == Break::kResetPin;
     phase_ = Phase::kPlanned;
+    resets_before_ = sim_.session().link().statistics().resets_seen;
     break_at_s_ = sim_.now_s() + between(0.05, 1.0);
     plug_at_s_ = break_at_s_ + (cable ? between(0.3, 3.0) : 0.0);
     back_at_s_ = plug_at_s_ + (boots ? between(0.5, 2.0) : 0.0);
@@ -84,10 +85,10 @@ class BreakingLink {
     }
   }
 
-  /// A link that still trusts its old boot is ready, too, until the watchdog's reset shows.
+  /// A link that has not seen the board's reset yet still trusts its old boot.
   bool is_heard_again() const {
     const robot_link::RobotLink& link = sim_.session().link();
-    const bool seen = kind_ != Break::kWatchdogReset || sim_.now_s() > back_at_s_ + 0.5;
+    const bool seen = kind_ == Break::kUnplugged || link.statistics().resets_seen > resets_before_;
     return seen && link.state() == robot_link::LinkState::kReady;
   }
 
@@ -105,6 +106,7 @@ class BreakingLink {
   Break kind_;
   std::mt19937 random_;
   Phase phase_ = Phase::kWhole;
+  std::uint64_t resets_before_ = 0;
   double break_at_s_ = 0.0;
   double plug_at_s_ = 0.0;
   double back_at_s_ = 0.0;

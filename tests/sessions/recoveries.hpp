@@ -18,7 +18,7 @@ enum class Break : std::uint8_t {
 struct Recoveries {
   int breaks = 0;
   int recovered = 0;              ///< The host carried out the next motion, with nobody's help.
-  double longest_s = 0.0;         ///< From the break's end until the link was ready and configured.
+  double longest_s = 0.0;         ///< From the break's end until the link was ready again.
   double worst_position_m = 0.0;  ///< What a break has added to the error of the pose.
 };
 
