@@ -14,8 +14,10 @@ function(echomap_stm32_image name)
   # Without the C++ library, as on the AVR: the sources are the same.
   target_compile_options(${name} PRIVATE ${code} -nostdinc++ -Wall -Wextra -Wpedantic -Wshadow
                          $<$<BOOL:${ECHOMAP_WERROR}>:-Werror>)
-  target_link_options(${name} PRIVATE ${code} -nostartfiles --specs=nano.specs -T${script}
+  target_link_options(${name} PRIVATE ${code} -nostartfiles -nodefaultlibs -T${script}
                       -Wl,--gc-sections $<$<BOOL:${ECHOMAP_WERROR}>:-Wl,--fatal-warnings>)
+  # By name: g++ would ask for the C++ library, which the packages leave out.
+  target_link_libraries(${name} PRIVATE c_nano gcc)
   add_custom_command(TARGET ${name} POST_BUILD
     COMMAND ${CMAKE_COMMAND} -DSIZE=arm-none-eabi-size -DELF=$<TARGET_FILE:${name}>
             -DFLASH_LIMIT=${ECHOMAP_FLASH_LIMIT} -DRAM_LIMIT=${ECHOMAP_RAM_LIMIT}
