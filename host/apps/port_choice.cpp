@@ -25,7 +25,7 @@ struct Candidate {
   std::string port;
   robot_link::RobotProbe probe;
   std::unique_ptr<transport::ByteStream> stream;  ///< Null where it cannot be opened.
-  std::string failure;
+  std::string failure;                            ///< Why not, and what to do about it.
 };
 
 Candidate ask(const std::string& port, const OpenPort& open, std::uint16_t session) {
@@ -34,18 +34,23 @@ Candidate ask(const std::string& port, const OpenPort& open, std::uint16_t sessi
     candidate.stream = open(port);
     candidate.stream->write(candidate.probe.hello());
   } catch (const transport::TransportError& error) {
-    candidate.failure = error.why();
+    candidate.failure = error.why() + "\n    next: " + error.next_step();
   }
   return candidate;
 }
 
 bool is_robot(const Candidate& candidate) { return candidate.probe.robot().has_value(); }
 
+bool may_answer(const Candidate& candidate) {
+  return candidate.stream && candidate.stream->status() == transport::StreamStatus::kOpen &&
+         !is_robot(candidate);
+}
+
 void listen(std::vector<Candidate>& candidates) {
   std::array<std::uint8_t, 4096> buffer{};
   const auto until = steady_clock::now() + kPatience;
   while (steady_clock::now() < until &&
-         !std::all_of(candidates.begin(), candidates.end(), is_robot)) {
+         std::any_of(candidates.begin(), candidates.end(), may_answer)) {
     for (Candidate& candidate : candidates) {
       if (candidate.stream) {
         const std::size_t count = candidate.stream->read_some(buffer, kTurn);

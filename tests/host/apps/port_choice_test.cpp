@@ -23,6 +23,8 @@ struct Device {
   bool is_robot = false;
   std::string line;
   FakeRobot robot;
+  transport::StreamStatus status = transport::StreamStatus::kOpen;
+  int reads = 0;
 };
 
 class DeviceStream final : public transport::ByteStream {
@@ -30,13 +32,14 @@ class DeviceStream final : public transport::ByteStream {
   DeviceStream(std::string name, Device& device) : name_(std::move(name)), device_(device) {}
 
   std::size_t read_some(std::span<std::uint8_t> into, std::chrono::microseconds /*wait*/) override {
+    ++device_.reads;
     auto bytes = device_.is_robot ? device_.robot.take_outgoing()
                                   : FakeRobot::Bytes(device_.line.begin(), device_.line.end());
     std::copy(bytes.begin(), bytes.end(), into.begin());
     return bytes.size();
   }
   void write(std::span<const std::uint8_t> bytes) override { device_.robot.receive(bytes); }
-  transport::StreamStatus status() const override { return transport::StreamStatus::kOpen; }
+  transport::StreamStatus status() const override { return device_.status; }
   std::string close_reason() const override { return ""; }
   std::string name() const override { return name_; }
 
@@ -53,7 +56,8 @@ class PortChoice : public testing::Test {
         [this](const std::string& port) -> std::unique_ptr<transport::ByteStream> {
       const auto device = devices.find(port);
       if (device == devices.end()) {
-        throw transport::TransportError("cannot open " + port, "it is not there", "plug it in");
+        throw transport::TransportError(
+            "cannot open " + port, "it is not there", "plug it in first");
       }
       return std::make_unique<DeviceStream>(port, device->second);
     };
@@ -101,7 +105,15 @@ TEST_F(PortChoice, NeverGuessesBetweenTwoRobots) {
 
 TEST_F(PortChoice, TellsWhatEachPortSaidWhereNoneIsARobot) {
   EXPECT_THAT(refusal({"modem", "silent", "gone"}),
-              AllOf(HasSubstr("ERROR"), HasSubstr("silent: silent"), HasSubstr("it is not there")));
+              AllOf(HasSubstr("ERROR"),
+                    HasSubstr("silent: silent"),
+                    HasSubstr("gone: it is not there\n    next: plug it in first\n")));
+}
+
+TEST_F(PortChoice, ListensToNoPortThatIsClosed) {
+  devices.at("silent").status = transport::StreamStatus::kClosed;
+  EXPECT_THAT(refusal({"silent", "gone"}), HasSubstr("no robot answers"));
+  EXPECT_EQ(devices.at("silent").reads, 0);
 }
 
 TEST_F(PortChoice, WithoutAPortThereIsNoRobot) {
