@@ -18,6 +18,9 @@ using robot_link::CommandOutcome;
 /// Begun anew when the board was reset in the middle of it, which a servo's first start on a weak
 /// supply does, and when the link was lost.
 constexpr int kTries = 5;
+/// New pins may switch off a sensor that the board held as wanted before: what differs then is sent
+/// once more, to be taken or refused.
+constexpr int kRounds = 2;
 
 std::string_view words_of(BulkStatus status) {
   switch (status) {
@@ -76,23 +79,25 @@ bool RobotSetup::configure() {
     spdlog::debug("the board holds the configuration of profile '{}' already", profile_.name);
     return true;
   }
-  const auto before = read_configuration();
-  for (const robot_link::Command& command : commands_between(before, wanted)) {
-    if (!send(command)) {
+  auto held = read_configuration();
+  for (int i = 0; i < kRounds; ++i) {
+    for (const robot_link::Command& command : commands_between(held, wanted)) {
+      if (!send(command)) {
+        return false;
+      }
+    }
+    held = read_configuration();
+    if (!held) {
       return false;
     }
+    if (first_difference(*held, wanted).empty()) {
+      return !line_.was_reset();
+    }
   }
-  const auto after = read_configuration();
-  if (!after) {
-    return false;
-  }
-  if (const std::string difference = first_difference(*after, wanted); !difference.empty()) {
-    line_.end(SessionEnd::kConfigInvalid,
-              "the board does not hold what it was sent: " + difference +
-                  "\n  next: ./run flash --port " + line_.name());
-    return false;
-  }
-  return !line_.was_reset();
+  line_.end(SessionEnd::kConfigInvalid,
+            "the board does not hold what it was sent: " + first_difference(*held, wanted) +
+                "\n  next: ./run flash --port " + line_.name());
+  return false;
 }
 
 bool RobotSetup::arm() {

@@ -94,6 +94,44 @@ TEST_F(RobotSetupTest, SendsOnlyWhatTheBoardDoesNotHold) {
   EXPECT_EQ(cable.robot.configuration.pan.max_cdeg, 9000);
 }
 
+/// A board that holds the gyro as wanted and lets go of it when it gets new pins.
+class NewPins : public RobotSetupTest {
+ protected:
+  NewPins() {
+    profile.configuration.sensors.gyro_period_ms = 10;
+    session = new_session(false);
+    cable.robot.configuration = profile.configuration;
+    ++cable.robot.configuration.pins.pin_0;
+    cable.robot.on_command = [this](std::string_view name) {
+      if (name == "ConfigurePins") {
+        cable.robot.configuration.sensors.gyro_period_ms = 0;
+      } else if (name == "ConfigureSensors" && refuses_sensors) {
+        cable.robot.answer = protocol::CommandStatus::kOutOfRange;
+      }
+    };
+  }
+
+  bool refuses_sensors = false;
+};
+
+TEST_F(NewPins, HaveWhatTheySwitchOffSentAgain) {
+  session->connect();
+  EXPECT_EQ(cable.robot.configuration.sensors.gyro_period_ms, 10);
+  EXPECT_EQ(cable.robot.configurations, 2);
+}
+
+TEST_F(NewPins, HaveTheRefusalOfWhatTheySwitchOffTold) {
+  refuses_sensors = true;
+  try {
+    session->connect();
+    FAIL() << "connected";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code(), ExitCode::kConfigInvalid);
+    EXPECT_NE(std::string(error.what()).find("refuses ConfigureSensors"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(RobotSetupTest, NamesTheFieldThatTheBoardDoesNotTake) {
   cable.robot.pan_error_cdeg = 7;
   try {
