@@ -77,15 +77,17 @@ class HostGone : public ::testing::TestWithParam<Board> {
   }
 
   /// Lets a robot in real time go on without its host, then ends it; how long it drove after the
-  /// last byte that it heard, negative where it stood by then.
-  std::int64_t ns_driven_without_host(Program& robot) {
-    std::this_thread::sleep_for(std::chrono::seconds(2));
+  /// last byte that it heard, negative where it stood by then. On a busy machine its time may go on
+  /// for too short to tell: then 0, and every further seed has two seconds more.
+  std::int64_t ns_driven_without_host(Program& robot, int seed) {
+    std::this_thread::sleep_for(std::chrono::seconds(2 * seed));
     robot.send(SIGTERM);
     robot.wait();
     const nlohmann::json told = truth();
     const auto heard_ns = told.at("last_heard_ns").get<std::int64_t>();
-    EXPECT_GT(told.at("sim_seconds"), 1e-9 * double(heard_ns + 2 * kLongestStopNs))
-        << "the robot's time went on for too short to tell";
+    if (told.at("sim_seconds").get<double>() <= 1e-9 * double(heard_ns + 2 * kLongestStopNs)) {
+      return 0;
+    }
     return told.at("last_driven_ns").get<std::int64_t>() - heard_ns;
   }
 
@@ -103,7 +105,7 @@ class HostGone : public ::testing::TestWithParam<Board> {
         return;
       }
     }
-    FAIL() << "the robot never moved when its host went";
+    FAIL() << "the robot never moved when its host went, or its time went on for too short to tell";
   }
 
   tests::ScratchFolder scratch;
@@ -133,7 +135,7 @@ TEST_P(HostGone, WheelsStopWhileTheHostIsFrozen) {
     await_first_move();
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     host.send(SIGSTOP);
-    const std::int64_t driven_ns = ns_driven_without_host(robot);
+    const std::int64_t driven_ns = ns_driven_without_host(robot, seed);
     host.send(SIGKILL);
     host.wait();
     return driven_ns;
@@ -169,6 +171,9 @@ class Cable {
         std::uint8_t bytes[256];
         if ((ends[from].revents & POLLIN) != 0) {
           const ssize_t got = ::read(ends[from].fd, bytes, sizeof bytes);
+          if (got <= 0) {
+            return;
+          }
           EXPECT_EQ(::write(ends[1 - from].fd, bytes, static_cast<std::size_t>(got)), got);
         }
       }
@@ -190,7 +195,7 @@ TEST_P(HostGone, WheelsStopAfterTheCableIsCut) {
     await_first_move();
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     cable.cut();
-    const std::int64_t driven_ns = ns_driven_without_host(robot);
+    const std::int64_t driven_ns = ns_driven_without_host(robot, seed);
     EXPECT_EQ(host.wait().status, 5) << "the host says that the link is lost";
     return driven_ns;
   });
