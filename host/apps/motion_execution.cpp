@@ -82,7 +82,11 @@ double MotionExecution::duration_s(const exploration::Sweep& sweep) const {
 
 /// Sends the command and waits until the robot's Status says that its motion has ended.
 MotionResult MotionExecution::finish(const robot_link::Command& command, Duration expected) {
+  if (may_still_move_ && !stop()) {
+    return MotionResult::kInterrupted;
+  }
   const auto result = line_.perform(command);
+  may_still_move_ = !result || result->outcome == CommandOutcome::kLinkLost;
   if (!result || result->outcome != CommandOutcome::kAccepted) {
     return result ? refusal_of(result->outcome, stopping_hazards()) : MotionResult::kInterrupted;
   }
@@ -99,10 +103,17 @@ MotionResult MotionExecution::finish(const robot_link::Command& command, Duratio
     return line_.was_reset() || outcome() != protocol::MotionOutcome::kRunning;
   };
   if (!line_.wait_until(ended, 2 * expected + seconds(3))) {
-    line_.perform(protocol::Stop{});
-    return MotionResult::kTimedOut;
+    const bool was_heard = line_.link().state() == robot_link::LinkState::kReady;
+    may_still_move_ = true;
+    return was_heard && stop() ? MotionResult::kTimedOut : MotionResult::kInterrupted;
   }
   return line_.was_reset() ? MotionResult::kInterrupted : result_of(outcome());
+}
+
+bool MotionExecution::stop() {
+  const auto result = line_.perform(protocol::Stop{});
+  may_still_move_ = !result || result->outcome != CommandOutcome::kAccepted;
+  return !may_still_move_;
 }
 
 int MotionExecution::stopping_hazards() const {

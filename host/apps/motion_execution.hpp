@@ -23,12 +23,17 @@ class MotionExecution {
  private:
   exploration::MotionResult finish(const robot_link::Command& command,
                                    RobotLine::Duration expected);
+  /// False where the robot does not say that it stopped.
+  bool stop();
   double duration_s(const exploration::Sweep& sweep) const;
   int stopping_hazards() const;
   exploration::MotionResult result_of(protocol::MotionOutcome outcome);
 
   RobotLine& line_;
   const RobotProfile& profile_;
+  /// The link was away when the last motion should have ended, or when it was sent: the robot,
+  /// which may be busy with it, has to be stopped before the next.
+  bool may_still_move_ = false;
 };
 
 }  // namespace echomap::apps

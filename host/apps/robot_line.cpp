@@ -43,6 +43,11 @@ RobotLine::RobotLine(RobotConnection robot,
       observations_(profile, pipeline),
       link_(*this, robot.session_id, robot.link) {}
 
+void RobotLine::begin() {
+  step();
+  look_for_end();
+}
+
 bool RobotLine::wait_until(const std::function<bool()>& done, Duration limit) {
   const time::HostTime start = now_;
   while (!end_ && !done() && now_ - start < limit) {
@@ -71,10 +76,8 @@ std::optional<robot_link::BulkResult> RobotLine::read(protocol::BulkContent cont
 }
 
 void RobotLine::disarm() {
-  const bool hears = is_held_ && link_.state() == LinkState::kReady &&
-                     stream_->status() == transport::StreamStatus::kOpen &&
-                     pace_->end_reason().empty();
-  if (!hears || disarmed_) {
+  const bool hears = is_held_ && link_.state() == LinkState::kReady;
+  if (!hears || !goes_on() || disarmed_) {
     return;
   }
   disarmed_ = true;
@@ -82,9 +85,13 @@ void RobotLine::disarm() {
   const auto ticket = link_.submit(protocol::Arm{0, 0});
   const time::HostTime start = now_;
   const auto done = [&] { return result_ && result_->ticket == ticket; };
-  while (!done() && now_ - start < kDisarmLimit) {
+  while (!done() && goes_on() && now_ - start < kDisarmLimit) {
     step();
   }
+}
+
+bool RobotLine::goes_on() const {
+  return stream_->status() == transport::StreamStatus::kOpen && pace_->end_reason().empty();
 }
 
 void RobotLine::step() {

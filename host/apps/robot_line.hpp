@@ -27,6 +27,9 @@ class RobotLine final : private robot_link::RobotLinkListener {
   RobotLine(const RobotLine&) = delete;
   RobotLine& operator=(const RobotLine&) = delete;
 
+  /// Lets a first step of time pass, from which on limits count: the pace may have begun long
+  /// before, as when a port was looked for.
+  void begin();
   /// Lets time pass until `done`, for `limit` at most or until the session ends; true when done.
   bool wait_until(const std::function<bool()>& done, Duration limit);
   /// Waits for a ready link for as long as the connection's patience allows; false at the session's
@@ -84,6 +87,8 @@ class RobotLine final : private robot_link::RobotLinkListener {
   void on_reset(std::uint8_t reset_cause) override;
   void on_command_done(const robot_link::CommandResult& result) override;
 
+  /// The stream is open and time passes.
+  bool goes_on() const;
   void step();
   void look_for_end();
   void look_for_absence();

@@ -46,6 +46,7 @@ void RobotSession::connect() {
     const LinkState state = link().state();
     return state == LinkState::kReady || state == LinkState::kMismatch;
   };
+  line_.begin();
   line_.wait_until(settled, kConnectLimit);
   if (const auto ended = end()) {
     throw CommandError(exit_code_of(*ended), end_reason());

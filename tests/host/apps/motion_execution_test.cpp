@@ -54,6 +54,35 @@ TEST_F(MotionExecutionTest, GivesUpASweepThatDoesNotEnd) {
   EXPECT_EQ(session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0}), MotionResult::kTimedOut);
 }
 
+TEST_F(MotionExecutionTest, StopsASweepThatOutlastsABrokenLinkBeforeItIsDoneAgain) {
+  patience = std::chrono::seconds(20);
+  session = new_session(false);
+  session->connect();
+  cable.robot.motion_ms = 60'000;
+  after_ms(100, [this] {
+    cable.plugged = false;
+    after_ms(8000, [this] {
+      cable.plugged = true;
+      cable.robot.motion_ms = 100;
+    });
+  });
+  EXPECT_EQ(session->execute(exploration::Sweep{-0.1, 0.1, 0.1, 0.0}), MotionResult::kReached);
+  EXPECT_EQ(cable.robot.sweeps, 2);
+}
+
+TEST_F(MotionExecutionTest, CallsAMoveInterruptedThatALinkBrokeOff) {
+  patience = std::chrono::seconds(20);
+  session = new_session(false);
+  session->connect();
+  after_ms(50, [this] {
+    cable.plugged = false;
+    after_ms(8000, [this] { cable.plugged = true; });
+  });
+  EXPECT_EQ(session->execute(exploration::Drive{0.02}), MotionResult::kInterrupted);
+  EXPECT_EQ(session->execute(exploration::Drive{0.1}), MotionResult::kReached);
+  EXPECT_FALSE(session->end());
+}
+
 TEST_F(MotionExecutionTest, DoesNotDoAMoveAgainThatAResetBrokeOff) {
   session->connect();
   cable.robot.motion_ms = 1000;

@@ -91,5 +91,18 @@ TEST_F(RobotLineTest, EndsAtOnceWhenThePortIsClosed) {
   EXPECT_TRUE(session->end_reason().starts_with("lost cable: pulled out\n  next: "));
 }
 
+/// A simulated robot that is gone: its time stands still.
+TEST_F(RobotLineTest, DisarmsNoLongerThanTimePasses) {
+  session->connect();
+  cable.robot.acknowledges = false;
+  bool heard = false;
+  cable.robot.on_command = [&](std::string_view name) {
+    heard = heard || name == "Arm";
+    cable.time_passes = false;
+  };
+  session.reset();
+  EXPECT_TRUE(heard);
+}
+
 }  // namespace
 }  // namespace echomap::apps

@@ -27,6 +27,18 @@ TEST_F(RobotSessionTest, SetsUpAndArmsAndDisarmsInTheEnd) {
   EXPECT_FALSE(cable.robot.armed);
 }
 
+TEST_F(RobotSessionTest, GivesARobotItsTimeHoweverLongItsPortWasLookedFor) {
+  cable.begin = time::HostTime(std::chrono::seconds(10));
+  cable.powered = false;
+  session = new_session(false);
+  after_ms(12'500, [this] {
+    cable.robot.power_on(2);
+    cable.powered = true;
+  });
+  EXPECT_NO_THROW(session->connect());
+  EXPECT_TRUE(cable.robot.armed);
+}
+
 TEST_F(RobotSessionTest, CallsNobodyBackWhileItIsDestroyed) {
   session->connect();
   int steps = 0;

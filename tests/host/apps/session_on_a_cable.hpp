@@ -22,6 +22,8 @@ struct Cable {
   bool plugged = true;
   bool powered = true;
   transport::StreamStatus status = transport::StreamStatus::kOpen;
+  bool time_passes = true;
+  time::HostTime begin;  ///< Of the session's pace.
 };
 
 /// The host's end of it.
@@ -56,11 +58,14 @@ class CableStream final : public transport::ByteStream {
 /// Five milliseconds of the robot's time a step.
 class CablePace final : public Pace {
  public:
-  explicit CablePace(Cable& cable) : cable_(cable) {}
+  explicit CablePace(Cable& cable) : cable_(cable), now_(cable.begin) {}
 
   time::HostTime step(transport::ByteStream& stream,
                       std::uint64_t /*bytes_sent*/,
                       const Receive& receive) override {
+    if (!cable_.time_passes) {
+      return now_;
+    }
     for (int i = 0; i < 5 && cable_.powered; ++i) {
       cable_.robot.advance_1ms();
     }
@@ -69,6 +74,7 @@ class CablePace final : public Pace {
     receive(std::span(buffer).first(stream.read_some(buffer, std::chrono::microseconds(0))));
     return now_;
   }
+  std::string end_reason() const override { return cable_.time_passes ? "" : "no more time"; }
 
  private:
   Cable& cable_;
@@ -100,10 +106,12 @@ class SessionOnACable : public testing::Test {
   int restarts = 0;
   RobotProfile profile = load_robot_profile("uno_2wd");
   pipeline::RobotPipeline pipeline{profile.geometry};
+  std::chrono::milliseconds patience{3000};
   std::unique_ptr<RobotSession> new_session(bool no_reset) {
     RobotConnection connection{
         std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7};
     connection.no_reset = no_reset;
+    connection.patience = patience;
     return std::make_unique<RobotSession>(std::move(connection), profile, pipeline);
   }
   std::unique_ptr<RobotSession> session = new_session(false);

@@ -108,10 +108,18 @@ protocol::CommandStatus FakeRobot::carry_out(const protocol::MoveTicks& move) {
 }
 
 protocol::CommandStatus FakeRobot::carry_out(const protocol::StartSweep& sweep) {
+  if (status_.sweep_outcome == static_cast<std::uint8_t>(protocol::MotionOutcome::kRunning)) {
+    return protocol::CommandStatus::kBusy;
+  }
   ++sweeps;
   status_.sweep_id = sweep.command_id;
   status_.sweep_outcome = static_cast<std::uint8_t>(protocol::MotionOutcome::kRunning);
   motion_left_ms_ = motion_ms;
+  return answer;
+}
+
+protocol::CommandStatus FakeRobot::carry_out(const protocol::Stop& /*stop*/) {
+  end_motions(protocol::MotionOutcome::kStopped);
   return answer;
 }
 
@@ -172,10 +180,10 @@ void FakeRobot::handle(const protocol::BulkRead& read) {
                           words[7]});
 }
 
-void FakeRobot::end_motions() {
+void FakeRobot::end_motions(protocol::MotionOutcome end) {
   const auto running = static_cast<std::uint8_t>(protocol::MotionOutcome::kRunning);
   for (std::uint8_t* one : {&status_.move_outcome, &status_.sweep_outcome}) {
-    *one = *one == running ? static_cast<std::uint8_t>(outcome) : *one;
+    *one = *one == running ? static_cast<std::uint8_t>(end) : *one;
   }
 }
 
@@ -188,7 +196,7 @@ void FakeRobot::advance_1ms() {
     send(protocol::Odometry{stamp_us_, 0, 0, 0});
   }
   if (motion_left_ms_ > 0 && --motion_left_ms_ == 0) {
-    end_motions();
+    end_motions(outcome);
   }
   if (stamp_us_ % 200'000 == 0) {
     status_.stamp_us = stamp_us_;

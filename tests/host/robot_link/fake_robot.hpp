@@ -77,7 +77,7 @@ class FakeRobot {
   protocol::Configuration configuration{};
   int configurations = 0;  ///< Messages of a configuration that were taken.
   int bulk_reads = 0;
-  int sweeps = 0;
+  int sweeps = 0;  ///< That were begun.
   bool armed = false;
   /// Called with each command's name before it is carried out.
   std::function<void(std::string_view)> on_command;
@@ -95,6 +95,7 @@ class FakeRobot {
   void handle(const Command& command);
   protocol::CommandStatus carry_out(const protocol::MoveTicks& move);
   protocol::CommandStatus carry_out(const protocol::StartSweep& sweep);
+  protocol::CommandStatus carry_out(const protocol::Stop& stop);
   protocol::CommandStatus carry_out(const protocol::Arm& arm);
   template <class Settings>
   protocol::CommandStatus take_settings(Settings& held, const Settings& settings);
@@ -116,7 +117,7 @@ class FakeRobot {
   protocol::CommandStatus carry_out(const protocol::ConfigureSafety& settings) {
     return take_settings(configuration.safety, settings);
   }
-  void end_motions();
+  void end_motions(protocol::MotionOutcome end);
   template <class Command>
   protocol::CommandStatus carry_out(const Command& /*command*/) {
     return answer;
