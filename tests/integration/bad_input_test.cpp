@@ -116,7 +116,7 @@ TEST_F(BadInput, OfManyPortsTheOneRobotIsChosen) {
   const OtherProgram printer(std::string(1, '\x12'));
   const OtherProgram garbage("\xf0\x0f\x01\x80\xff");
   const OtherProgram silent("");
-  const auto mock = start_mock({"--speed=20"});
+  const auto mock = start_mock({"--speed=5"});
   std::vector<std::string> arguments{"explore", "--stops=1", out()};
   for (const OtherProgram* other : {&modem, &printer, &garbage, &silent}) {
     arguments.push_back("--port=" + other->port());
