@@ -11,7 +11,7 @@ namespace echomap::world {
 namespace {
 
 void check_outline(const Outline& outline, const std::string& what) {
-  if (const auto fault = polygon_fault(outline.corners_m)) {
+  if (const auto fault = geometry::polygon_fault(outline.corners_m)) {
     throw std::invalid_argument(what + ": " + *fault);
   }
 }
@@ -26,7 +26,7 @@ void reverse(Outline& outline) {
 double turn_at(const Segment& before, const Segment& after) {
   const Eigen::Vector2d from = before.to_m - before.from_m;
   const Eigen::Vector2d to = after.to_m - after.from_m;
-  return std::atan2(cross(from, to), from.dot(to));
+  return std::atan2(geometry::cross(from, to), from.dot(to));
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ FloorPlan::FloorPlan(std::string name,
   add_walls(std::move(room), true);
   for (Outline& obstacle : obstacles) {
     check_outline(obstacle, "obstacle");
-    if (!contains(room_m_, obstacle.corners_m)) {
+    if (!geometry::contains(room_m_, obstacle.corners_m)) {
       throw std::invalid_argument("obstacle: it is not inside of the room");
     }
     obstacles_m_.push_back(obstacle.corners_m);
@@ -59,22 +59,23 @@ FloorPlan::FloorPlan(std::string name,
 void FloorPlan::add_walls(Outline outline, bool counter_clockwise) {
   const std::size_t count = outline.corners_m.size();
   outline.surfaces.resize(count);
-  if ((signed_area_m2(outline.corners_m) > 0.0) != counter_clockwise) {
+  if ((geometry::signed_area_m2(outline.corners_m) > 0.0) != counter_clockwise) {
     reverse(outline);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const Segment here = side(outline.corners_m, i);
+    const Segment here = geometry::side(outline.corners_m, i);
     walls_.push_back({here, outline.surfaces[i]});
-    corners_.push_back({here.to_m, turn_at(here, side(outline.corners_m, (i + 1) % count))});
+    corners_.push_back(
+        {here.to_m, turn_at(here, geometry::side(outline.corners_m, (i + 1) % count))});
   }
 }
 
 void FloorPlan::check_holes() const {
   for (const Polygon& hole_m : marks_.holes_m) {
-    if (const auto fault = polygon_fault(hole_m)) {
+    if (const auto fault = geometry::polygon_fault(hole_m)) {
       throw std::invalid_argument("hole: " + *fault);
     }
-    if (!contains(room_m_, hole_m)) {
+    if (!geometry::contains(room_m_, hole_m)) {
       throw std::invalid_argument("hole: it is not inside of the room");
     }
   }
@@ -82,15 +83,16 @@ void FloorPlan::check_holes() const {
 
 bool FloorPlan::is_free(const Eigen::Vector2d& point_m) const {
   const auto holds_point = [&](const Polygon& obstacle) {
-    return contains(obstacle, point_m) || distance_to_sides_m(obstacle, point_m) == 0.0;
+    return geometry::contains(obstacle, point_m) ||
+           geometry::distance_to_sides_m(obstacle, point_m) == 0.0;
   };
-  return contains(room_m_, point_m) && !is_hole(point_m) &&
+  return geometry::contains(room_m_, point_m) && !is_hole(point_m) &&
          std::none_of(obstacles_m_.begin(), obstacles_m_.end(), holds_point);
 }
 
 bool FloorPlan::is_hole(const Eigen::Vector2d& point_m) const {
   return std::any_of(marks_.holes_m.begin(), marks_.holes_m.end(), [&](const Polygon& hole_m) {
-    return contains(hole_m, point_m);
+    return geometry::contains(hole_m, point_m);
   });
 }
 

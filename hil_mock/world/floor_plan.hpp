@@ -7,10 +7,13 @@
 
 #include <Eigen/Core>
 
-#include "hil_mock/world/polygon.hpp"
+#include "host/geometry/polygon.hpp"
 #include "host/geometry/pose2.hpp"
 
 namespace echomap::world {
+
+using geometry::Polygon;
+using geometry::Segment;
 
 /// What a wall does to sound: a smooth one is a mirror, a rough one scatters.
 enum class Material : std::uint8_t { kSmooth, kRough };

@@ -35,7 +35,7 @@ Polygon read_corners(const files::TomlReader& table) {
   for (const auto& [x_m, y_m] : table.points("corners_m")) {
     corners_m.emplace_back(x_m, y_m);
   }
-  if (const auto fault = polygon_fault(corners_m)) {
+  if (const auto fault = geometry::polygon_fault(corners_m)) {
     table.fail("corners_m", *fault);
   }
   for (const Eigen::Vector2d& corner_m : corners_m) {
@@ -76,14 +76,14 @@ FloorMarks read_marks(const files::TomlReader& file, const Polygon& room_m) {
   for (const files::TomlReader& table : file.tables("hole")) {
     table.text_or("name", "");
     marks.holes_m.push_back(read_corners(table));
-    if (!contains(room_m, marks.holes_m.back())) {
+    if (!geometry::contains(room_m, marks.holes_m.back())) {
       table.fail("corners_m", "the hole is not inside of the room");
     }
   }
   for (const files::TomlReader& table : file.tables("virtual_wall")) {
     marks.virtual_walls.push_back(read_virtual_wall(table));
-    if (!contains(room_m, marks.virtual_walls.back().origin_m) &&
-        distance_to_sides_m(room_m, marks.virtual_walls.back().origin_m) > 0.0) {
+    if (!geometry::contains(room_m, marks.virtual_walls.back().origin_m) &&
+        geometry::distance_to_sides_m(room_m, marks.virtual_walls.back().origin_m) > 0.0) {
       table.fail("x_m", "the beam begins outside of the room");
     }
   }
@@ -103,7 +103,7 @@ FloorPlan read_floor_plan(const files::TomlReader& file) {
   for (const files::TomlReader& table : file.tables("obstacle")) {
     table.text_or("name", "");
     Outline obstacle = read_outline(table);
-    if (!contains(room.corners_m, obstacle.corners_m)) {
+    if (!geometry::contains(room.corners_m, obstacle.corners_m)) {
       table.fail("corners_m", "the obstacle is not inside of the room");
     }
     obstacles.push_back(std::move(obstacle));

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "hil_mock/world/polygon.hpp"
+#include "host/geometry/polygon.hpp"
 
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "tests/hil_mock/world/rooms.hpp"
-
-namespace echomap::world {
+namespace echomap::geometry {
 namespace {
 
 // An L, in cells of 1 m.
 const Polygon drawn_l = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 1.0}, {2.0, 1.0}, {2.0, 3.0}, {0.0, 3.0}};
+
+/// Counter-clockwise from the lower left corner.
+Polygon rectangle(double left_m, double bottom_m, double right_m, double top_m) {
+  return {{left_m, bottom_m}, {right_m, bottom_m}, {right_m, top_m}, {left_m, top_m}};
+}
 
 TEST(Polygon, ContainsWhatIsDrawnInside) {
   const std::vector<std::string> drawn = {
@@ -60,4 +63,4 @@ TEST(Polygon, NamesItsFault) {
 }
 
 }  // namespace
-}  // namespace echomap::world
+}  // namespace echomap::geometry

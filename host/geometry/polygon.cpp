@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "hil_mock/world/polygon.hpp"
+#include "host/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <limits>
 
-namespace echomap::world {
+namespace echomap::geometry {
 namespace {
 
 constexpr double kTouchM = 1e-9;
@@ -110,4 +110,4 @@ std::optional<std::string> polygon_fault(const Polygon& polygon) {
   return std::nullopt;
 }
 
-}  // namespace echomap::world
+}  // namespace echomap::geometry

@@ -7,9 +7,9 @@
 
 #include <Eigen/Core>
 
-#include "hil_mock/world/segment.hpp"
+#include "host/geometry/segment.hpp"
 
-namespace echomap::world {
+namespace echomap::geometry {
 
 /// Corners in order, in metres; the last is joined to the first.
 using Polygon = std::vector<Eigen::Vector2d>;
@@ -32,4 +32,4 @@ bool contains(const Polygon& outer, const Polygon& inner);
 /// Why the corners do not bound an area: too few, a repeated corner, sides that cross or touch.
 std::optional<std::string> polygon_fault(const Polygon& polygon);
 
-}  // namespace echomap::world
+}  // namespace echomap::geometry

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/geometry/polygon.hpp"
+
+namespace echomap::geometry {
+
+/// The way with fewer points, both ends kept: no dropped point is farther than `tolerance_m` from
+/// the piece that replaces it (Douglas and Peucker 1973).
+std::vector<Eigen::Vector2d> simplified_way(const std::vector<Eigen::Vector2d>& way_m,
+                                            double tolerance_m);
+
+/// The same for a closed outline, cut at two corners far apart, which stay. What is left may have
+/// sides that cross (polygon_fault), or fewer than three corners.
+Polygon simplified_polygon(const Polygon& polygon, double tolerance_m);
+
+}  // namespace echomap::geometry
