@@ -37,6 +37,7 @@ const LayerRules rules{
     {"host/transport", {"host/time"}},
     {"host/robot_link", {"protocol", "host/time", "host/transport"}},
     {"host/sensors", {"protocol", "host/time", "host/geometry"}},
+    {"host/datasets", {"host/files", "host/geometry", "host/sensors"}},
     {"host/mapping", {"host/geometry", "host/sensors"}},
     {"host/pipeline", {"host/mapping"}},
     {"host/exploration", {"host/geometry", "host/sensors", "host/mapping", "host/pipeline"}},

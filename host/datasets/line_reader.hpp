@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct gzFile_s;
+
+namespace echomap::datasets {
+
+/// Reads a text file, plain or gz, line by line in bounded memory: a quarter of a megabyte for
+/// itself and what zlib needs, however large the file or what is packed in it.
+class LineReader {
+ public:
+  /// A longer line is an error. The longest of a public log that we know has 7 kB.
+  static constexpr std::size_t kMaxLineBytes = 65536;
+
+  /// Throws files::FileError where the file cannot be opened.
+  explicit LineReader(std::filesystem::path path);
+
+  /// The next line without its end (LF or CR LF; the last may lack it), valid until the next call;
+  /// empty at the end of the file. Throws files::FileError with `file:line: ` for a line that is
+  /// too long or holds a zero byte, and for gz data that are cut off or damaged.
+  std::optional<std::string_view> next();
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Number of the line that `next` gave last, from 1; 0 before.
+  std::size_t line_number() const { return line_number_; }
+  /// The share of the file's bytes that have been read, 0 .. 1.
+  double progress() const;
+  /// Throws files::FileError with the text `file:line: message` for the line given last.
+  [[noreturn]] void fail(const std::string& message) const;
+
+ private:
+  struct Close {
+    void operator()(gzFile_s* file) const;
+  };
+
+  /// Moves what is left to the front of the buffer and reads on; false at the end of the file.
+  bool fill();
+  std::string_view checked(std::string_view line) const;
+
+  std::filesystem::path path_;
+  double file_bytes_ = 0.0;
+  std::unique_ptr<gzFile_s, Close> file_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+  std::size_t line_number_ = 0;
+};
+
+}  // namespace echomap::datasets
