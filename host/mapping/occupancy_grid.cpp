@@ -15,43 +15,49 @@ int to_centilogits(double probability) {
   return static_cast<int>(std::lround(100.0 * std::log(probability / (1.0 - probability))));
 }
 
-bool contains(const CellBounds& bounds, CellIndex cell) {
-  return cell.x >= bounds.min.x && cell.x <= bounds.max.x && cell.y >= bounds.min.y &&
-         cell.y <= bounds.max.y;
+/// The nearest whole number of steps; halves away from zero.
+int to_steps(int centilogits) {
+  constexpr int kHalf = kStepCentilogits / 2;
+  return (centilogits < 0 ? centilogits - kHalf : centilogits + kHalf) / kStepCentilogits;
 }
 
-CellBounds extended(const CellBounds& bounds, CellIndex cell) {
-  if (bounds.empty()) {
-    return {cell, cell};
-  }
-  return {{std::min(bounds.min.x, cell.x), std::min(bounds.min.y, cell.y)},
-          {std::max(bounds.max.x, cell.x), std::max(bounds.max.y, cell.y)}};
-}
+CellIndex tile_of(CellIndex cell) { return {cell.x >> kTileBits, cell.y >> kTileBits}; }
 
-std::size_t index_in(const CellBounds& bounds, CellIndex cell) {
-  return static_cast<std::size_t>(cell.y - bounds.min.y) *
-             static_cast<std::size_t>(bounds.columns()) +
-         static_cast<std::size_t>(cell.x - bounds.min.x);
+/// Beyond any map the last cell that is still counted, so that no point is too far to have one.
+std::int32_t whole_cell(double in_cells) {
+  constexpr double kFarthest = 1 << 30;
+  return static_cast<std::int32_t>(std::floor(std::clamp(in_cells, -kFarthest, kFarthest)));
 }
 
 }  // namespace
+
+CellBounds united(const CellBounds& one, const CellBounds& other) {
+  if (one.empty() || other.empty()) {
+    return one.empty() ? other : one;
+  }
+  return {{std::min(one.min.x, other.min.x), std::min(one.min.y, other.min.y)},
+          {std::max(one.max.x, other.max.x), std::max(one.max.y, other.max.y)}};
+}
 
 OccupancyGrid::OccupancyGrid(const OccupancyGridParams& params) : params_(params) {
   const bool thresholds_ordered = params.free_threshold > 0.0 &&
                                   params.free_threshold < params.occupied_threshold &&
                                   params.occupied_threshold < 1.0;
-  if (!(params.resolution_m > 0.0) || params.clamp_centilogits <= 0 || !thresholds_ordered) {
+  const int clamp_steps = params.clamp_centilogits / kStepCentilogits;
+  if (!(params.resolution_m > 0.0) || clamp_steps < 1 || clamp_steps > 127 || !thresholds_ordered) {
     throw std::invalid_argument(
-        "an occupancy grid needs a resolution and a clamp above 0 and thresholds with "
-        "0 < free < occupied < 1");
+        "an occupancy grid needs a resolution above 0, a clamp of 5 to 639 hundredths and "
+        "thresholds with 0 < free < occupied < 1");
   }
+  limits_ = {static_cast<std::uint8_t>(kEvenByte - clamp_steps),
+             static_cast<std::uint8_t>(kEvenByte + clamp_steps)};
   free_centilogits_ = to_centilogits(params.free_threshold);
   occupied_centilogits_ = to_centilogits(params.occupied_threshold);
 }
 
 CellIndex OccupancyGrid::cell_at(const Eigen::Vector2d& point_m) const {
-  return {static_cast<std::int32_t>(std::floor(point_m.x() / params_.resolution_m)),
-          static_cast<std::int32_t>(std::floor(point_m.y() / params_.resolution_m))};
+  return {whole_cell(point_m.x() / params_.resolution_m),
+          whole_cell(point_m.y() / params_.resolution_m)};
 }
 
 Eigen::Vector2d OccupancyGrid::center_m(CellIndex cell) const {
@@ -59,21 +65,23 @@ Eigen::Vector2d OccupancyGrid::center_m(CellIndex cell) const {
 }
 
 void OccupancyGrid::add(CellIndex cell, int centilogits) {
-  if (centilogits == 0) {
+  const StepPair evidence = steps(centilogits);
+  if (evidence.up == evidence.down) {
     return;
   }
-  std::int16_t& stored = touch(cell);
-  const int before = stored == kUntouched ? 0 : stored;
-  const int limit = params_.clamp_centilogits;
-  stored = static_cast<std::int16_t>(std::clamp(before + centilogits, -limit, limit));
+  begin_insertion();
+  std::uint8_t& byte =
+      writable_tile(tile_of(cell)).row(cell.y & (kTileSide - 1))[cell.x & (kTileSide - 1)];
+  byte = after_evidence(byte, evidence, limits_);
+  end_insertion({cell, cell});
 }
 
 std::optional<int> OccupancyGrid::centilogits(CellIndex cell) const {
-  const std::int16_t* stored = find(cell);
-  if (stored == nullptr || *stored == kUntouched) {
+  const std::uint8_t byte = byte_at(cell);
+  if (byte == kUntouchedByte) {
     return std::nullopt;
   }
-  return *stored;
+  return (byte - kEvenByte) * kStepCentilogits;
 }
 
 std::optional<double> OccupancyGrid::probability(CellIndex cell) const {
@@ -95,47 +103,51 @@ CellState OccupancyGrid::state(CellIndex cell) const {
   return CellState::kUnknown;
 }
 
-const std::int16_t* OccupancyGrid::find(CellIndex cell) const {
-  const CellIndex tile{cell.x >> kTileBits, cell.y >> kTileBits};
-  if (!contains(tile_bounds_, tile)) {
-    return nullptr;
+std::vector<CellIndex> OccupancyGrid::tiles_changed_since(std::uint64_t revision) const {
+  std::vector<CellIndex> changed;
+  for (const TileRecord& record : records_) {
+    if (record.changed > revision) {
+      changed.push_back(record.tile);
+    }
   }
-  const std::int32_t entry = tile_table_[index_in(tile_bounds_, tile)];
-  if (entry < 0) {
-    return nullptr;
-  }
-  const auto column = static_cast<std::size_t>(cell.x & (kTileSide - 1));
-  const auto row = static_cast<std::size_t>(cell.y & (kTileSide - 1));
-  return &tiles_[static_cast<std::size_t>(entry)][(row << kTileBits) + column];
+  return changed;
 }
 
-std::int16_t& OccupancyGrid::touch(CellIndex cell) {
-  bounds_ = extended(bounds_, cell);
-  const CellIndex tile{cell.x >> kTileBits, cell.y >> kTileBits};
-  grow_table_to(tile);
-  std::int32_t& entry = tile_table_[index_in(tile_bounds_, tile)];
-  if (entry < 0) {
-    entry = static_cast<std::int32_t>(tiles_.size());
-    tiles_.emplace_back().fill(kUntouched);
-  }
-  return const_cast<std::int16_t&>(*find(cell));
+std::size_t OccupancyGrid::memory_bytes() const {
+  return sizeof *this + index_.memory_bytes() + records_.capacity() * sizeof(TileRecord) +
+         tiles_.size() * (sizeof(GridTile) + sizeof(GridTile*));
 }
 
-void OccupancyGrid::grow_table_to(CellIndex tile) {
-  if (contains(tile_bounds_, tile)) {
-    return;
+void OccupancyGrid::end_insertion(const CellBounds& touched) { bounds_ = united(bounds_, touched); }
+
+GridTile& OccupancyGrid::writable_tile(CellIndex tile) {
+  std::int32_t number = index_.find(tile);
+  if (number == TileIndex::kNone) {
+    number = static_cast<std::int32_t>(tiles_.size());
+    index_.insert(tile, number);
+    records_.push_back({tile, 0});
+    tiles_.emplace_back();
   }
-  const CellBounds grown = extended(tile_bounds_, tile);
-  std::vector<std::int32_t> table(
-      static_cast<std::size_t>(grown.columns()) * static_cast<std::size_t>(grown.rows()), -1);
-  for (std::size_t i = 0; i < tile_table_.size(); ++i) {
-    const auto columns = static_cast<std::size_t>(tile_bounds_.columns());
-    const CellIndex moved{tile_bounds_.min.x + static_cast<std::int32_t>(i % columns),
-                          tile_bounds_.min.y + static_cast<std::int32_t>(i / columns)};
-    table[index_in(grown, moved)] = tile_table_[i];
-  }
-  tile_table_ = std::move(table);
-  tile_bounds_ = grown;
+  records_[static_cast<std::size_t>(number)].changed = revision_;
+  return tiles_[static_cast<std::size_t>(number)];
+}
+
+const GridTile* OccupancyGrid::find_tile(CellIndex tile) const {
+  const std::int32_t number = index_.find(tile);
+  return number == TileIndex::kNone ? nullptr : &tiles_[static_cast<std::size_t>(number)];
+}
+
+StepPair OccupancyGrid::steps(int centilogits) const {
+  const int range = limits_.highest - limits_.lowest;
+  const int whole = std::clamp(to_steps(centilogits), -range, range);
+  return {static_cast<std::uint8_t>(std::max(whole, 0)),
+          static_cast<std::uint8_t>(std::max(-whole, 0))};
+}
+
+std::uint8_t OccupancyGrid::byte_at(CellIndex cell) const {
+  const GridTile* tile = find_tile(tile_of(cell));
+  return tile == nullptr ? kUntouchedByte
+                         : tile->row(cell.y & (kTileSide - 1))[cell.x & (kTileSide - 1)];
 }
 
 double newly_free_area_m2(const OccupancyGrid& before, const OccupancyGrid& now) {

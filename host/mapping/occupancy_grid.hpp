@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <deque>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "host/geometry/cell_index.hpp"
+#include "host/mapping/grid_tile.hpp"
+#include "host/mapping/tile_index.hpp"
 
 namespace echomap::mapping {
 
@@ -27,11 +28,18 @@ struct CellBounds {
   std::int32_t rows() const { return max.y - min.y + 1; }
 };
 
+/// The smallest rectangle around two.
+CellBounds united(const CellBounds& one, const CellBounds& other);
+
+/// Evidence is kept in whole steps of this many hundredths of log-odds.
+constexpr int kStepCentilogits = 5;
+
 /// Size and thresholds of an OccupancyGrid.
 struct OccupancyGridParams {
   /// Edge of a cell, metres. 5 cm is the habit of ROS maps and close to the sonar's noise of 3 cm.
   double resolution_m = 0.05;
   /// Log-odds stay within +- this many hundredths, so that a cell can change its mind (p = 0.993).
+  /// One step to 127 steps.
   std::int16_t clamp_centilogits = 500;
   /// A cell is free at or below, and occupied at or above, these probabilities: the values of
   /// ROS map_saver and map_server.
@@ -39,19 +47,21 @@ struct OccupancyGridParams {
   double occupied_threshold = 0.65;
 };
 
-/// Occupancy of square cells in the map frame, as log-odds in hundredths ("centilogits"; Moravec
-/// and Elfes 1985). It grows in tiles towards wherever evidence falls, and a cell that no evidence
-/// has touched is unknown, not even odds.
+/// Occupancy of square cells in the map frame, as log-odds (Moravec and Elfes 1985) in one byte a
+/// cell. It grows in tiles of 64 x 64 cells towards wherever evidence falls; ground without any
+/// costs nothing. A cell that no evidence has touched is unknown, not even odds.
 class OccupancyGrid {
  public:
-  /// Throws std::invalid_argument for a resolution or thresholds that make no sense.
+  /// Throws std::invalid_argument for a resolution, a clamp or thresholds that make no sense.
   explicit OccupancyGrid(const OccupancyGridParams& params = {});
 
   double resolution_m() const { return params_.resolution_m; }
+  /// Points beyond 2^30 cells fall into the last cell that is counted.
   geometry::CellIndex cell_at(const Eigen::Vector2d& point_m) const;
   Eigen::Vector2d center_m(geometry::CellIndex cell) const;
 
-  /// Adds evidence: positive speaks for occupied, negative for free, zero touches nothing.
+  /// Adds evidence in hundredths of log-odds, rounded to whole steps: positive speaks for occupied,
+  /// negative for free; what rounds to zero touches nothing.
   void add(geometry::CellIndex cell, int centilogits);
 
   /// Empty where no evidence has ever fallen.
@@ -63,24 +73,42 @@ class OccupancyGrid {
   /// The smallest rectangle around all touched cells; empty while there is none.
   const CellBounds& bounds() const { return bounds_; }
 
- private:
-  static constexpr std::int32_t kTileBits = 5;
-  static constexpr std::int32_t kTileSide = 1 << kTileBits;
-  static constexpr std::int16_t kUntouched = std::numeric_limits<std::int16_t>::min();
-  using Tile = std::array<std::int16_t, std::size_t{kTileSide} * kTileSide>;
+  /// Moves on with every insertion of evidence.
+  std::uint64_t revision() const { return revision_; }
+  /// The tiles that got evidence after `revision`; tile (i, j) holds the cells from (64 i, 64 j).
+  std::vector<geometry::CellIndex> tiles_changed_since(std::uint64_t revision) const;
+  /// All memory that the grid holds, tiles and tables.
+  std::size_t memory_bytes() const;
 
-  const std::int16_t* find(geometry::CellIndex cell) const;
-  std::int16_t& touch(geometry::CellIndex cell);
-  void grow_table_to(geometry::CellIndex tile);
+  /// For kernels that write many cells at once: begin, write tiles by after_evidence, and end with
+  /// the rectangle around the cells that evidence has fallen on.
+  void begin_insertion() { ++revision_; }
+  void end_insertion(const CellBounds& touched);
+  /// The tile to write evidence into; made if it was not there, and changed from now on.
+  GridTile& writable_tile(geometry::CellIndex tile);
+  /// The tile to read; null where none is.
+  const GridTile* find_tile(geometry::CellIndex tile) const;
+  /// Evidence in whole steps as the kernels add it; more than the whole range counts as that.
+  StepPair steps(int centilogits) const;
+  EvidenceLimits limits() const { return limits_; }
+
+ private:
+  struct TileRecord {
+    geometry::CellIndex tile;
+    std::uint64_t changed = 0;
+  };
+
+  std::uint8_t byte_at(geometry::CellIndex cell) const;
 
   OccupancyGridParams params_;
   int free_centilogits_ = 0;
   int occupied_centilogits_ = 0;
+  EvidenceLimits limits_;
   CellBounds bounds_;
-  /// The rectangle of tiles that `tile_table_` covers, row by row; an entry of -1 has no tile yet.
-  CellBounds tile_bounds_;
-  std::vector<std::int32_t> tile_table_;
-  std::vector<Tile> tiles_;
+  std::uint64_t revision_ = 0;
+  TileIndex index_;
+  std::vector<TileRecord> records_;
+  std::deque<GridTile> tiles_;  ///< In the order of `records_`; a tile never moves.
 };
 
 /// Area of the cells that `now` holds free and `before` held unknown, in square metres.

@@ -7,12 +7,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace echomap::mapping {
 namespace {
 
 using geometry::CellIndex;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 TEST(OccupancyGrid, KnowsNothingAtFirst) {
   const OccupancyGrid grid;
@@ -36,8 +40,8 @@ TEST(OccupancyGrid, LeavesEveryUntouchedCellUnknownHoweverItGrows) {
   for (int i = 0; i < 300; ++i) {
     const CellIndex cell{static_cast<int>(random() % 200) - 100,
                          static_cast<int>(random() % 200) - 100};
-    grid.add(cell, 7);
-    expected[cell] += 7;
+    grid.add(cell, 10);
+    expected[cell] += 10;
   }
   for (int y = -140; y < 140; ++y) {
     for (int x = -140; x < 140; ++x) {
@@ -77,15 +81,39 @@ TEST(OccupancyGrid, TakesNoEvidenceAsNone) {
   EXPECT_FALSE(grid.centilogits({1, 1}).has_value());
 }
 
+TEST(OccupancyGrid, RoundsEvidenceToWholeSteps) {
+  OccupancyGrid grid;
+  grid.add({0, 0}, 52);
+  grid.add({1, 0}, -53);
+  grid.add({2, 0}, 2);
+  EXPECT_EQ(grid.centilogits({0, 0}), 50);
+  EXPECT_EQ(grid.centilogits({1, 0}), -55);
+  EXPECT_FALSE(grid.centilogits({2, 0}).has_value());
+  EXPECT_EQ(grid.revision(), 2U);
+}
+
+TEST(OccupancyGrid, HoldsEveryEvidenceThatAByteCan) {
+  OccupancyGrid grid({.clamp_centilogits = 639});
+  for (int steps = -127; steps <= 127; ++steps) {
+    grid.add({steps, 0}, steps == 0 ? 5 : 5 * steps);
+    grid.add({steps, 0}, steps == 0 ? -5 : 0);
+    EXPECT_EQ(grid.centilogits({steps, 0}), 5 * steps);
+  }
+  grid.add({-127, 0}, 100000);
+  grid.add({127, 0}, -100000);
+  EXPECT_EQ(grid.centilogits({-127, 0}), 635);
+  EXPECT_EQ(grid.centilogits({127, 0}), -635);
+}
+
 TEST(OccupancyGrid, HasADecisionOnlyBeyondTheThresholds) {
   OccupancyGrid grid;
   grid.add({0, 0}, -140);  // p = 0.198
   EXPECT_EQ(grid.state({0, 0}), CellState::kUnknown);
-  grid.add({0, 0}, -2);  // p = 0.195
+  grid.add({0, 0}, -5);  // p = 0.190
   EXPECT_EQ(grid.state({0, 0}), CellState::kFree);
-  grid.add({1, 0}, 61);  // p = 0.648
+  grid.add({1, 0}, 60);  // p = 0.646
   EXPECT_EQ(grid.state({1, 0}), CellState::kUnknown);
-  grid.add({1, 0}, 2);  // p = 0.652
+  grid.add({1, 0}, 5);  // p = 0.657
   EXPECT_EQ(grid.state({1, 0}), CellState::kOccupied);
 }
 
@@ -116,9 +144,52 @@ TEST(OccupancyGrid, BoundsWhatWasTouched) {
   EXPECT_EQ(bounds.rows(), 94);
 }
 
+TEST(OccupancyGrid, TellsTheTilesThatChanged) {
+  OccupancyGrid grid;
+  grid.add({0, 0}, 50);
+  grid.add({63, 63}, 50);
+  grid.add({-1, 64}, 50);
+  EXPECT_THAT(grid.tiles_changed_since(0), UnorderedElementsAre(CellIndex{0, 0}, CellIndex{-1, 1}));
+  const auto seen = grid.revision();
+  EXPECT_THAT(grid.tiles_changed_since(seen), IsEmpty());
+  grid.add({-64, 127}, -50);
+  grid.add({5, 5}, 0);
+  EXPECT_THAT(grid.tiles_changed_since(seen), ElementsAre(CellIndex{-1, 1}));
+}
+
+TEST(OccupancyGrid, HoldsAHallOfAHundredMetresInTenMegabytes) {
+  OccupancyGrid grid({.resolution_m = 0.05});
+  for (int y = -1000; y < 1000; ++y) {
+    for (int x = -1000; x < 1000; ++x) {
+      grid.add({x, y}, -50);
+    }
+  }
+  EXPECT_EQ(grid.bounds().columns(), 2000);
+  EXPECT_LT(grid.memory_bytes(), 5'000'000U);
+}
+
+TEST(OccupancyGrid, PaysNothingForGroundBetweenFarPlaces) {
+  OccupancyGrid grid;
+  grid.add({-1'000'000'000, 7}, 50);
+  grid.add({1'000'000'000, -1'000'000'000}, 50);
+  EXPECT_LT(grid.memory_bytes(), 20'000U);
+  EXPECT_EQ(grid.centilogits({-1'000'000'000, 7}), 50);
+  EXPECT_EQ(grid.state({0, 0}), CellState::kUnknown);
+}
+
+TEST(OccupancyGrid, IsCopiedWhole) {
+  OccupancyGrid grid;
+  grid.add({3, 3}, 100);
+  const OccupancyGrid copy = grid;
+  grid.add({3, 3}, -50);
+  EXPECT_EQ(copy.centilogits({3, 3}), 100);
+  EXPECT_EQ(grid.centilogits({3, 3}), 50);
+}
+
 TEST(OccupancyGrid, RefusesParametersWithoutSense) {
   EXPECT_THROW(OccupancyGrid({.resolution_m = 0.0}), std::invalid_argument);
-  EXPECT_THROW(OccupancyGrid({.clamp_centilogits = 0}), std::invalid_argument);
+  EXPECT_THROW(OccupancyGrid({.clamp_centilogits = 4}), std::invalid_argument);
+  EXPECT_THROW(OccupancyGrid({.clamp_centilogits = 640}), std::invalid_argument);
   EXPECT_THROW(OccupancyGrid({.free_threshold = 0.7}), std::invalid_argument);
 }
 

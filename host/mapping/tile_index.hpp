@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/geometry/cell_index.hpp"
+
+namespace echomap::mapping {
+
+/// Finds the number of a tile by its place: a hash table with open addressing, so that ground
+/// without a tile costs nothing however far apart the tiles lie.
+class TileIndex {
+ public:
+  static constexpr std::int32_t kNone = -1;
+
+  /// The tile's number, or kNone.
+  std::int32_t find(geometry::CellIndex tile) const;
+  /// `tile` must not be in yet and `number` not be negative.
+  void insert(geometry::CellIndex tile, std::int32_t number);
+  std::size_t memory_bytes() const { return slots_.capacity() * sizeof(Slot); }
+
+ private:
+  struct Slot {
+    geometry::CellIndex tile;
+    std::int32_t number = kNone;
+  };
+
+  std::size_t first_slot(geometry::CellIndex tile) const;
+  void grow();
+  void place(const Slot& placed);
+
+  std::vector<Slot> slots_ = std::vector<Slot>(16);  ///< A power of two, at most half full.
+  std::size_t used_ = 0;
+};
+
+}  // namespace echomap::mapping
