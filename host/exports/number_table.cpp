@@ -28,26 +28,6 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   return fields;
 }
 
-std::vector<double> parse_row(std::string_view line,
-                              const NumberTableFormat& format,
-                              const std::filesystem::path& path,
-                              std::size_t line_number) {
-  const auto fields = split(line, format.separator);
-  if (fields.size() != format.columns) {
-    fail_at_line(path,
-                 line_number,
-                 "expected " + std::to_string(format.columns) + " columns, found " +
-                     std::to_string(fields.size()));
-  }
-  std::vector<double> row(fields.size());
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!parse_number(fields[i], row[i])) {
-      fail_at_line(path, line_number, "'" + std::string(fields[i]) + "' is not a finite number");
-    }
-  }
-  return row;
-}
-
 }  // namespace
 
 void append_row(std::string& text, std::span<const double> values, char separator) {
@@ -57,6 +37,26 @@ void append_row(std::string& text, std::span<const double> values, char separato
     text.append(digits.data(), result.ptr);
     text.push_back(i + 1 < values.size() ? separator : '\n');
   }
+}
+
+NumberRow parse_number_row(std::string_view text,
+                           const NumberTableFormat& format,
+                           const std::filesystem::path& path,
+                           std::size_t line) {
+  const auto fields = split(text, format.separator);
+  if (fields.size() != format.columns) {
+    fail_at_line(path,
+                 line,
+                 "expected " + std::to_string(format.columns) + " columns, found " +
+                     std::to_string(fields.size()));
+  }
+  std::vector<double> row(fields.size());
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!parse_number(fields[i], row[i])) {
+      fail_at_line(path, line, "'" + std::string(fields[i]) + "' is not a finite number");
+    }
+  }
+  return {row, line};
 }
 
 std::vector<NumberRow> read_number_table(const std::filesystem::path& path,
@@ -77,7 +77,7 @@ std::vector<NumberRow> read_number_table(const std::filesystem::path& path,
       header_is_due = false;
       continue;
     }
-    rows.push_back({parse_row(line, format, path, line_number), line_number});
+    rows.push_back(parse_number_row(line, format, path, line_number));
   }
   if (header_is_due) {
     fail_at_line(path, 1, "expected the header '" + std::string(format.header) + "'");

@@ -32,6 +32,12 @@ void append_row(std::string& text, std::span<const double> values, char separato
 std::vector<NumberRow> read_number_table(const std::filesystem::path& path,
                                          const NumberTableFormat& format);
 
+/// Reads one line of such a file; throws the same.
+NumberRow parse_number_row(std::string_view text,
+                           const NumberTableFormat& format,
+                           const std::filesystem::path& path,
+                           std::size_t line);
+
 /// Throws files::FileError with the text `file:line: message`.
 [[noreturn]] void fail_at_line(const std::filesystem::path& path,
                                std::size_t line,

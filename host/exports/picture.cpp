@@ -2,10 +2,11 @@
 #include "host/exports/picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <png.h>
 
+#include "host/exports/picture_font.hpp"
+#include "host/exports/png_text.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/segment.hpp"
 
@@ -15,28 +16,7 @@ namespace {
 
 static_assert(sizeof(Colour) == 3, "a row of colours is a row of PNG's RGB");
 
-constexpr int kGlyphWidth = 5;
-constexpr int kGlyphHeight = 7;
 constexpr int kGlyphAdvance = kGlyphWidth + 1;
-constexpr std::string_view kGlyphNames = "0123456789.-m";
-
-using Glyph = std::array<std::string_view, kGlyphHeight>;
-
-constexpr std::array<Glyph, kGlyphNames.size()> kGlyphs{{
-    {" ### ", "#   #", "#  ##", "# # #", "##  #", "#   #", " ### "},
-    {"  #  ", " ##  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "},
-    {" ### ", "#   #", "    #", "   # ", "  #  ", " #   ", "#####"},
-    {" ### ", "#   #", "    #", "  ## ", "    #", "#   #", " ### "},
-    {"   # ", "  ## ", " # # ", "#  # ", "#####", "   # ", "   # "},
-    {"#####", "#    ", "#### ", "    #", "    #", "#   #", " ### "},
-    {"  ## ", " #   ", "#    ", "#### ", "#   #", "#   #", " ### "},
-    {"#####", "    #", "   # ", "  #  ", "  #  ", " #   ", " #   "},
-    {" ### ", "#   #", "#   #", " ### ", "#   #", "#   #", " ### "},
-    {" ### ", "#   #", "#   #", " ####", "    #", "   # ", " ##  "},
-    {"     ", "     ", "     ", "     ", "     ", " ##  ", " ##  "},
-    {"     ", "     ", "     ", "#####", "     ", "     ", "     "},
-    {"     ", "     ", "## # ", "# # #", "# # #", "# # #", "# # #"},
-}};
 
 void draw_glyph(Picture& picture, int x, int y, const Glyph& glyph, int scale, Colour colour) {
   for (int row = 0; row < kGlyphHeight; ++row) {
@@ -96,17 +76,21 @@ void Picture::draw_line(const Eigen::Vector2d& from,
   }
 }
 
+int Picture::text_width(std::string_view text, int scale) {
+  return static_cast<int>(text.size()) * kGlyphAdvance * scale;
+}
+
 void Picture::draw_text(int x, int y, std::string_view text, int scale, Colour colour) {
   for (const char letter : text) {
-    const std::size_t index = kGlyphNames.find(letter);
-    if (index != std::string_view::npos) {
-      draw_glyph(*this, x, y, kGlyphs[index], scale, colour);
+    if (const Glyph* glyph = glyph_of(letter)) {
+      draw_glyph(*this, x, y, *glyph, scale, colour);
     }
     x += kGlyphAdvance * scale;
   }
 }
 
-void Picture::write_png(const std::filesystem::path& path) const {
+void Picture::write_png(const std::filesystem::path& path,
+                        const std::vector<PngText>& texts) const {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width_);
@@ -119,8 +103,10 @@ void Picture::write_png(const std::filesystem::path& path) const {
   if (written == 0) {
     throw files::FileError("cannot make " + path.string() + ": " + image.message);
   }
+  bytes.resize(size);
+  add_png_texts(bytes, texts);
   files::AtomicFile file(path);
-  file.write(std::span<const unsigned char>(bytes.data(), size));
+  file.write(bytes);
   file.commit();
 }
 

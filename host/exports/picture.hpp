@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "host/exports/png_text.hpp"
+
 namespace echomap::exports {
 
 /// A colour, 8 bits a channel.
@@ -38,12 +40,15 @@ class Picture {
                  const Eigen::Vector2d& to,
                  double width,
                  Colour colour);
-  /// Digits, point, minus, blank and the letter m, each 5 x 7 pixels times `scale`, one pixel times
-  /// `scale` apart; (x, y) is the upper left corner. Other letters leave a blank.
+  /// The letters of picture_font.hpp, each 5 x 7 pixels times `scale`, one pixel times `scale`
+  /// apart; (x, y) is the upper left corner. Other letters leave a blank.
   void draw_text(int x, int y, std::string_view text, int scale, Colour colour);
 
+  /// How far draw_text goes on.
+  static int text_width(std::string_view text, int scale);
+
   /// Throws files::FileError.
-  void write_png(const std::filesystem::path& path) const;
+  void write_png(const std::filesystem::path& path, const std::vector<PngText>& texts = {}) const;
 
  private:
   int width_;

@@ -3,13 +3,16 @@
 
 #include <system_error>
 
+#include "host/exports/geojson.hpp"
 #include "host/exports/map_png.hpp"
+#include "host/exports/map_svg.hpp"
 #include "host/exports/occupancy_grid_csv.hpp"
 #include "host/exports/pgm_yaml.hpp"
 #include "host/exports/points_csv.hpp"
 #include "host/exports/poses_csv.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/mapping/polygon_map.hpp"
 #include "host/mapping/raster_map.hpp"
 
 namespace echomap::exports {
@@ -51,10 +54,14 @@ void write_run_directory(const std::filesystem::path& directory,
   make_directory(directory);
   write_points_csv(directory / "points.csv", snapshot.points->points());
   write_poses_csv(directory / "poses.csv", snapshot.points->poses());
-  write_pgm_yaml(directory / "map.yaml", mapping::rasterize(*snapshot.grid));
+  const mapping::RasterMap map = mapping::rasterize(*snapshot.grid);
+  write_pgm_yaml(directory / "map.yaml", map);
   write_occupancy_grid_csv(directory / "occupancy_grid.csv", *snapshot.grid);
   write_trajectory_tum(directory / "trajectory.tum", *snapshot.trajectory);
   write_map_png(directory / "map.png", snapshot);
+  const auto outline = mapping::polygon_from_raster(map);
+  write_outline_geojson(directory / "outline.geojson", outline);
+  write_map_svg(directory / "map.svg", snapshot, outline);
   write_summary_json(directory / "summary.json", summary);
 }
 

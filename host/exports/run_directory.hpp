@@ -12,9 +12,9 @@ namespace echomap::exports {
 /// length and area.
 void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary);
 
-/// Writes map.yaml, map.pgm, occupancy_grid.csv, map.png, points.csv, poses.csv, trajectory.tum and
-/// summary.json into `directory`, which is made where it is missing. Each file is whole or absent.
-/// Throws files::FileError.
+/// Writes map.yaml, map.pgm, occupancy_grid.csv, map.png, map.svg, outline.geojson, points.csv,
+/// poses.csv, trajectory.tum and summary.json into `directory`, which is made where it is missing.
+/// Each file is whole or absent. Throws files::FileError.
 void write_run_directory(const std::filesystem::path& directory,
                          const pipeline::Snapshot& snapshot,
                          const RunSummary& summary);

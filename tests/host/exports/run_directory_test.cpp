@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/exports/geojson.hpp"
+#include "host/exports/occupancy_grid_csv.hpp"
 #include "host/exports/pgm_yaml.hpp"
+#include "host/exports/png_text.hpp"
 #include "host/exports/poses_csv.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
@@ -45,7 +48,9 @@ TEST(RunDirectory, HoldsEveryFileAndNothingElse) {
               UnorderedElementsAre("map.pgm",
                                    "map.yaml",
                                    "map.png",
+                                   "map.svg",
                                    "occupancy_grid.csv",
+                                   "outline.geojson",
                                    "points.csv",
                                    "poses.csv",
                                    "summary.json",
@@ -59,6 +64,10 @@ TEST(RunDirectory, ReloadsToTheSameMap) {
             (tests::DrawnMap{"     ", " ..# ", "     "}));
   EXPECT_EQ(read_point_cloud_map(folder.path()).points().size(), 1U);
   EXPECT_EQ(read_trajectory_tum(folder / "trajectory.tum").size(), 2U);
+  EXPECT_NEAR(read_outline_geojson(folder / "outline.geojson")->area_m2(), 0.005, 1e-12);
+  const auto table = read_occupancy_grid_csv(folder / "occupancy_grid.csv");
+  EXPECT_GT(table.at(2, 0).value(), 0.65);
+  EXPECT_EQ(read_png_texts(folder / "map.png").size(), 3U);
 }
 
 TEST(RunDirectory, WritesTheSameBytesAgain) {
@@ -75,7 +84,7 @@ TEST(RunDirectory, WritesTheSameBytesAgain) {
 TEST(RunDirectory, OfARunThatHasNotBegunIsWritten) {
   const tests::ScratchFolder folder;
   write_run_directory(folder.path(), tests::snapshot_of(mapping::OccupancyGrid()), {});
-  EXPECT_EQ(names_in(folder.path()).size(), 8U);
+  EXPECT_EQ(names_in(folder.path()).size(), 10U);
 }
 
 TEST(RunDirectory, SaysWhereItCannotBeMade) {

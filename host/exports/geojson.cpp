@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "host/exports/geojson.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::exports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using geometry::Polygon;
+
+constexpr const char* kCrs =
+    "local: metres in the map frame, x ahead of the robot at its start and y to its left; not "
+    "longitude and latitude";
+
+Json position_of(const Eigen::Vector2d& point_m) { return Json::array({point_m.x(), point_m.y()}); }
+
+Eigen::Vector2d point_of(const Json& position) {
+  return {position.at(0).get<double>(), position.at(1).get<double>()};
+}
+
+/// GeoJSON repeats the first corner at the end.
+Json ring_of(const Polygon& polygon) {
+  Json ring = Json::array();
+  for (const Eigen::Vector2d& corner_m : polygon) {
+    ring.push_back(position_of(corner_m));
+  }
+  ring.push_back(position_of(polygon.front()));
+  return ring;
+}
+
+Polygon polygon_of(const Json& ring) {
+  Polygon polygon;
+  for (const Json& position : ring) {
+    polygon.push_back(point_of(position));
+  }
+  if (polygon.size() > 1 && polygon.front() == polygon.back()) {
+    polygon.pop_back();
+  }
+  return polygon;
+}
+
+Json feature(Json properties, const char* type, Json coordinates) {
+  properties["crs"] = kCrs;
+  return {{"type", "Feature"},
+          {"properties", std::move(properties)},
+          {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}}};
+}
+
+Json outline_feature(const mapping::PolygonMap& map) {
+  Json corners = Json::array();
+  for (std::size_t i = 0; i < map.outline_m().size(); ++i) {
+    const auto kind = mapping::corner_kind(map.outline_m(), i);
+    corners.push_back(kind == mapping::CornerKind::kReflex ? "reflex" : "non-reflex");
+  }
+  Json rings = Json::array({ring_of(map.outline_m())});
+  for (const Polygon& hole_m : map.holes_m()) {
+    rings.push_back(ring_of(hole_m));
+  }
+  return feature(
+      {{"name", "outline"}, {"area_m2", map.area_m2()}, {"corners", corners}}, "Polygon", rings);
+}
+
+Json line_feature(const mapping::FittedLine& line) {
+  return feature({{"name", "wall"},
+                  {"normal_rad", line.normal_rad},
+                  {"offset_m", line.offset_m},
+                  {"offset_sd_m", std::sqrt(line.covariance(0, 0))},
+                  {"normal_sd_rad", std::sqrt(line.covariance(1, 1))},
+                  {"points", line.points}},
+                 "LineString",
+                 Json::array({position_of(line.segment.from_m), position_of(line.segment.to_m)}));
+}
+
+void write_features(const std::filesystem::path& path, Json features) {
+  const Json collection{{"type", "FeatureCollection"}, {"features", std::move(features)}};
+  files::write_text_file(path, collection.dump(2) + "\n");
+}
+
+/// What `read` makes of the geometries of a file.
+template <class Read>
+auto read_geometries(const std::filesystem::path& path, const Read& read) {
+  const std::string text = files::read_text_file(path);
+  try {
+    const Json collection = Json::parse(text);
+    std::vector<Json> shapes;
+    for (const Json& one : collection.at("features")) {
+      shapes.push_back(one.at("geometry"));
+    }
+    return read(shapes);
+  } catch (const nlohmann::json::exception& error) {
+    throw files::FileError(path.string() + ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw files::FileError(path.string() + ": " + error.what());
+  }
+}
+
+std::optional<mapping::PolygonMap> first_polygon(const std::vector<Json>& shapes) {
+  for (const Json& shape : shapes) {
+    if (shape.at("type") == "Polygon") {
+      std::vector<Polygon> rings;
+      for (const Json& ring : shape.at("coordinates")) {
+        rings.push_back(polygon_of(ring));
+      }
+      if (rings.empty()) {
+        throw std::invalid_argument("a Polygon without rings");
+      }
+      Polygon outline_m = rings.front();
+      rings.erase(rings.begin());
+      return mapping::PolygonMap(std::move(outline_m), std::move(rings));
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<geometry::Segment> all_pieces(const std::vector<Json>& shapes) {
+  std::vector<geometry::Segment> pieces;
+  for (const Json& shape : shapes) {
+    if (shape.at("type") != "LineString") {
+      continue;
+    }
+    const Json& positions = shape.at("coordinates");
+    for (std::size_t i = 1; i < positions.size(); ++i) {
+      pieces.push_back({point_of(positions.at(i - 1)), point_of(positions.at(i))});
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+void write_outline_geojson(const std::filesystem::path& path,
+                           const std::optional<mapping::PolygonMap>& map) {
+  Json features = Json::array();
+  if (map) {
+    features.push_back(outline_feature(*map));
+  }
+  write_features(path, std::move(features));
+}
+
+std::optional<mapping::PolygonMap> read_outline_geojson(const std::filesystem::path& path) {
+  return read_geometries(path, first_polygon);
+}
+
+void write_lines_geojson(const std::filesystem::path& path,
+                         const std::vector<mapping::FittedLine>& lines) {
+  Json features = Json::array();
+  for (const mapping::FittedLine& line : lines) {
+    features.push_back(line_feature(line));
+  }
+  write_features(path, std::move(features));
+}
+
+std::vector<geometry::Segment> read_line_strings(const std::filesystem::path& path) {
+  return read_geometries(path, all_pieces);
+}
+
+}  // namespace echomap::exports

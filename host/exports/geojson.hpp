@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "host/geometry/segment.hpp"
+#include "host/mapping/line_fit.hpp"
+#include "host/mapping/polygon_map.hpp"
+
+namespace echomap::exports {
+
+/// outline.geojson: one Polygon, or no feature where there is no map. Positions are metres of the
+/// map frame and not longitude and latitude as RFC 7946 has it; `crs` in the properties says so.
+/// `corners` there has one word for each corner of the outline: "reflex" or "non-reflex". Throws
+/// files::FileError.
+void write_outline_geojson(const std::filesystem::path& path,
+                           const std::optional<mapping::PolygonMap>& map);
+
+/// The first Polygon of a file; empty where there is none. Throws files::FileError that names the
+/// file, also where its rings are no floor.
+std::optional<mapping::PolygonMap> read_outline_geojson(const std::filesystem::path& path);
+
+/// One LineString a line, from end to end, with `normal_rad`, `offset_m`, `offset_sd_m`,
+/// `normal_sd_rad` and `points` as properties. Throws files::FileError.
+void write_lines_geojson(const std::filesystem::path& path,
+                         const std::vector<mapping::FittedLine>& lines);
+
+/// Every piece of every LineString of a file; other geometries are passed over. Throws
+/// files::FileError that names the file.
+std::vector<geometry::Segment> read_line_strings(const std::filesystem::path& path);
+
+}  // namespace echomap::exports

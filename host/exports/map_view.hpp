@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/exports/picture.hpp"
+#include "host/mapping/raster_map.hpp"
+
+namespace echomap::exports {
+
+/// Okabe and Ito's palette on greys, told apart with any colour vision.
+constexpr Colour kFloorColour{255, 255, 255};
+constexpr Colour kWallColour{40, 40, 40};
+constexpr Colour kInkColour{20, 20, 20};
+constexpr Colour kOrange{230, 159, 0};
+constexpr Colour kSkyBlue{86, 180, 233};
+constexpr Colour kGreen{0, 158, 115};
+constexpr Colour kBlue{0, 114, 178};
+constexpr Colour kVermilion{213, 94, 0};
+
+/// What a colour in a picture means.
+struct LegendEntry {
+  Colour colour;
+  std::string text;  ///< In the letters of picture_font.hpp.
+};
+
+/// A picture of a map for people: its cells enlarged, +y up, with a scale bar and a legend below.
+class MapView {
+ public:
+  explicit MapView(const mapping::RasterMap& map, std::vector<LegendEntry> legend = {});
+
+  /// The cells, the scale bar and the legend: what all else is drawn onto.
+  Picture draw() const;
+
+  double pixels(double length_m) const { return length_m / metres_per_pixel_; }
+  /// Of a point of the map frame.
+  Eigen::Vector2d place(const Eigen::Vector2d& point_m) const;
+  /// Paints one cell of the map.
+  void fill_cell(Picture& picture, geometry::CellIndex cell, Colour colour) const;
+
+  /// tEXt chunks that place the picture: `resolution` in metres per pixel and `origin`, where its
+  /// lower left corner, footer included, lies in the map frame, as map.yaml has them.
+  std::vector<PngText> texts() const;
+
+ private:
+  int map_height() const { return map_.rows() * pixels_per_cell_; }
+  int height() const;
+  void draw_cells(Picture& picture) const;
+  void draw_scale_bar(Picture& picture) const;
+  void draw_legend(Picture& picture) const;
+
+  mapping::RasterMap map_;
+  std::vector<LegendEntry> legend_;
+  int pixels_per_cell_;
+  double metres_per_pixel_;
+  int width_;
+  int left_;
+};
+
+/// The largest round length (1, 2 or 5 times a power of ten, 10 m at most) that is no longer than
+/// `longest_m`; 0.1 m where none is.
+double scale_bar_m(double longest_m);
+
+/// Shortest decimals of a length, as "0.5 m".
+std::string length_text(double length_m);
+
+}  // namespace echomap::exports

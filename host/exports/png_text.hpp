@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace echomap::exports {
+
+/// What a PNG file says beside its picture: a tEXt chunk. The key has 1 to 79 letters.
+struct PngText {
+  std::string key;
+  std::string text;
+
+  bool operator==(const PngText&) const = default;
+};
+
+/// Puts tEXt chunks behind the header of a whole PNG file in memory.
+void add_png_texts(std::vector<unsigned char>& png, const std::vector<PngText>& texts);
+
+/// The tEXt chunks of a PNG file. Throws files::FileError where it is none or is cut short.
+std::vector<PngText> read_png_texts(const std::filesystem::path& path);
+
+}  // namespace echomap::exports
