@@ -63,7 +63,9 @@ TEST_P(ScoredDemo, EndsByItselfAndScoresItsMap) {
   for (const char* file : {"map.pgm",
                            "map.yaml",
                            "map.png",
+                           "map.svg",
                            "occupancy_grid.csv",
+                           "outline.geojson",
                            "points.csv",
                            "poses.csv",
                            "trajectory.tum",
@@ -94,7 +96,9 @@ TEST_P(Demo, IsAFunctionOfItsSeed) {
                            "poses.csv",
                            "map.pgm",
                            "map.png",
+                           "map.svg",
                            "occupancy_grid.csv",
+                           "outline.geojson",
                            "trajectory.tum",
                            "truth/truth.tum"}) {
     EXPECT_EQ(read_text_file(scratch / "first" / file), read_text_file(scratch / "second" / file))
