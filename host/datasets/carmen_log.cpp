@@ -6,6 +6,7 @@
 
 #include "host/datasets/field_cursor.hpp"
 #include "host/datasets/line_log.hpp"
+#include "host/datasets/pose_fields.hpp"
 #include "host/datasets/rising_stamp.hpp"
 
 namespace echomap::datasets {
@@ -13,13 +14,6 @@ namespace {
 
 /// What counts as no return in a line that does not say.
 constexpr double kFrontLaserMaxRange_m = 50.0;
-
-geometry::Pose2 read_pose(FieldCursor& fields, const char* name) {
-  const double x_m = fields.number(name);
-  const double y_m = fields.number(name);
-  const double heading_rad = fields.number(name);
-  return {x_m, y_m, heading_rad};
-}
 
 /// The three last fields of every line; the first of them is the sensor's.
 std::optional<double> read_stamp(FieldCursor& fields, RisingStamp& stamps) {
@@ -32,12 +26,8 @@ std::optional<double> read_stamp(FieldCursor& fields, RisingStamp& stamps) {
 
 void read_ranges(FieldCursor& fields, double first_rad, double step_rad, RangeScan& scan) {
   for (std::size_t i = 0; i < scan.beams.size(); ++i) {
-    const double range_m = fields.number("a range");
-    Beam& beam = scan.beams[i];
-    beam.bearing_rad = first_rad + step_rad * static_cast<double>(i);
-    if (range_m > 0.0 && range_m < scan.max_range_m) {
-      beam.range_m = range_m;
-    }
+    scan.beams[i] = {first_rad + step_rad * static_cast<double>(i),
+                     returned_range_m(fields.number("a range"), scan.max_range_m)};
   }
 }
 
@@ -77,8 +67,8 @@ class CarmenParser : public LineParser {
     const auto T_map_robot = read_pose(fields, "the pose");
     const auto T_odom_robot = read_pose(fields, "the odometry");
     scan.stamp_s = read_stamp(fields, laser_stamps_);
-    records.emplace_back(GivenPose{scan.stamp_s, T_map_robot});
     records.emplace_back(OdometryPose{scan.stamp_s, T_odom_robot});
+    records.emplace_back(GivenPose{scan.stamp_s, T_map_robot});
     records.emplace_back(std::move(scan));
   }
 
@@ -102,8 +92,8 @@ class CarmenParser : public LineParser {
     }
     scan.T_robot_sensor = T_map_robot.inverse() * T_map_laser;
     scan.stamp_s = read_stamp(fields, laser_stamps_);
-    records.emplace_back(GivenPose{scan.stamp_s, T_map_robot});
     records.emplace_back(OdometryPose{scan.stamp_s, T_map_robot});
+    records.emplace_back(GivenPose{scan.stamp_s, T_map_robot});
     records.emplace_back(std::move(scan));
   }
 

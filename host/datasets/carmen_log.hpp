@@ -11,9 +11,9 @@ namespace echomap::datasets {
 /// Reads a CARMEN log:
 ///
 /// - `ODOM x y theta tv rv accel t host t`: an OdometryPose.
-/// - `FLASER n r1 .. rn x y theta odom_x odom_y odom_theta t host t`: a GivenPose (first three), an
-///   OdometryPose (next three), a RangeScan over 180 degrees from right to left. Corrected logs
-///   repeat the corrected pose in both; uncorrected ones the odometry.
+/// - `FLASER n r1 .. rn x y theta odom_x odom_y odom_theta t host t`: an OdometryPose (the second
+///   three), a GivenPose (the first three) and a RangeScan over 180 degrees from right to left.
+///   Corrected logs repeat the corrected pose in both; uncorrected ones the odometry.
 /// - `ROBOTLASER1 type start field step max accuracy remission n r1 .. rn m s1 .. sm`, pose of the
 ///   laser, pose of the robot, five numbers, `t host t`: the same, with the pose of the robot for
 ///   both, as the file has no other.

@@ -47,6 +47,12 @@ struct GivenPose {
   geometry::Pose2 T_map_robot;
 };
 
+/// A reference of the robot's place that does not say which way it looks.
+struct GivenPosition {
+  std::optional<double> stamp_s;
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
+};
+
 /// One beam; empty where nothing answered.
 struct Beam {
   double bearing_rad = 0.0;  ///< In the sensor's frame.
@@ -63,6 +69,12 @@ struct RangeScan {
   double beam_opening_rad = 0.0;  ///< The whole cone of a beam; 0 for a laser.
   double max_range_m = 0.0;       ///< What is as far as this or farther does not answer.
 };
+
+/// The range that stands in a log; empty for zero, below, and `max_range_m` or more.
+inline std::optional<double> returned_range_m(double range_m, double max_range_m) {
+  const bool is_return = range_m > 0.0 && range_m < max_range_m;
+  return is_return ? std::optional(range_m) : std::nullopt;
+}
 
 /// What touches the robot.
 struct Contact {
@@ -85,6 +97,7 @@ using LogRecord = std::variant<OdometryPose,
                                WheelIncrement,
                                Heading,
                                GivenPose,
+                               GivenPosition,
                                RangeScan,
                                Contact,
                                LandmarkSighting>;

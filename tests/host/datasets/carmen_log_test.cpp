@@ -6,12 +6,10 @@
 
 #include <gmock/gmock.h>
 
-#include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
 #include "tests/support/log_files.hpp"
+#include "tests/support/log_test.hpp"
 #include "tests/support/real_data.hpp"
-#include "tests/support/scratch_folder.hpp"
-#include "tests/support/thrown_text.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -19,27 +17,19 @@ namespace {
 using geometry::radians;
 using ::testing::HasSubstr;
 
-class CarmenLogTest : public ::testing::Test {
+class CarmenLogTest : public tests::LogTest {
  protected:
-  std::vector<LogRecord> read(const std::string& text) {
-    files::write_text_file(folder_ / "a.log", text);
-    return tests::records_of(*open_carmen_log(folder_ / "a.log"));
-  }
-  std::string error_of(const std::string& text) {
-    return tests::thrown_text<files::FileError>([&] { read(text); });
-  }
-
-  tests::ScratchFolder folder_;
+  CarmenLogTest() : LogTest("a.log", open_carmen_log) {}
 };
 
 TEST_F(CarmenLogTest, AFrontLaserLineIsTwoPosesAndAScan) {
   const auto records = read("FLASER 4 1 2 3 4.5 10 20 0.5 11 21 0.25 7.5 host 7.6\n");
   ASSERT_EQ(records.size(), 3U);
-  const auto& given = std::get<GivenPose>(records[0]);
+  EXPECT_EQ(std::get<OdometryPose>(records[0]).T_odom_robot.y_m(), 21.0);
+  const auto& given = std::get<GivenPose>(records[1]);
   EXPECT_EQ(given.T_map_robot.x_m(), 10.0);
   EXPECT_EQ(given.T_map_robot.heading_rad(), 0.5);
   EXPECT_EQ(given.stamp_s, 7.5);
-  EXPECT_EQ(std::get<OdometryPose>(records[1]).T_odom_robot.y_m(), 21.0);
   const auto& scan = std::get<RangeScan>(records[2]);
   EXPECT_EQ(scan.stamp_s, 7.5);
   EXPECT_EQ(scan.beam_opening_rad, 0.0);
@@ -89,7 +79,7 @@ TEST_F(CarmenLogTest, ARobotLaserLineSaysItsOwnBearingsAndRange) {
   EXPECT_EQ(scan.beams[0], (Beam{-1.5, 1.0}));
   EXPECT_EQ(scan.beams[1], (Beam{-1.0, std::nullopt}));
   EXPECT_EQ(scan.beams[2], (Beam{-0.5, 79.0}));
-  EXPECT_EQ(std::get<OdometryPose>(records[1]).T_odom_robot.x_m(), 1.0);
+  EXPECT_EQ(std::get<OdometryPose>(records[0]).T_odom_robot.x_m(), 1.0);
   EXPECT_NEAR(scan.T_robot_sensor.x_m(), 0.25 * std::cos(0.5), 1e-12);
   EXPECT_NEAR(scan.T_robot_sensor.y_m(), -0.25 * std::sin(0.5), 1e-12);
 }

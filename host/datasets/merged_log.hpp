@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/datasets/log_reader.hpp"
+
+namespace echomap::datasets {
+
+/// Logs of one clock as one log: the record with the earliest stamp comes first, of equal ones that
+/// of the log that was named first. A record without stamp stays behind the one before it.
+class MergedLog : public LogReader {
+ public:
+  explicit MergedLog(std::vector<std::unique_ptr<LogReader>> logs);
+
+  std::optional<LogRecord> next() override;
+  /// The mean of the logs'.
+  double progress() const override;
+
+ private:
+  struct Source {
+    std::unique_ptr<LogReader> log;
+    /// What comes next, read when it is first needed.
+    std::optional<LogRecord> head;
+    bool has_ended = false;
+  };
+  static void fill(Source& source);
+  Source* earliest();
+
+  std::vector<Source> sources_;
+};
+
+}  // namespace echomap::datasets

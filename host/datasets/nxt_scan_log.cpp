@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "host/datasets/nxt_scan_log.hpp"
+
+#include <numbers>
+#include <utility>
+
+#include "host/datasets/field_cursor.hpp"
+#include "host/geometry/angle.hpp"
+
+namespace echomap::datasets {
+namespace {
+
+constexpr std::size_t kMostRanges = 3600;
+constexpr double kOpening_deg = 30.0;
+constexpr double kMaxRange_m = 2.55;
+
+/// The scan is known when the whole file has been read.
+class NxtScanLog : public LogReader {
+ public:
+  explicit NxtScanLog(const std::filesystem::path& path) : lines_(path) {}
+
+  std::optional<LogRecord> next() override {
+    RangeScan scan{{}, {}, {}, geometry::radians(kOpening_deg), kMaxRange_m};
+    while (const auto line = lines_.next()) {
+      FieldCursor fields(lines_, *line);
+      if (fields.at_end()) {
+        continue;
+      }
+      const double range_m = fields.number("the range") / 100.0;
+      fields.expect_end();
+      if (scan.beams.size() == kMostRanges) {
+        lines_.fail("more ranges than a scan has");
+      }
+      scan.beams.push_back({0.0, returned_range_m(range_m, kMaxRange_m)});
+    }
+    if (scan.beams.empty()) {
+      return std::nullopt;
+    }
+    const double step_rad = 2.0 * std::numbers::pi / static_cast<double>(scan.beams.size());
+    for (std::size_t i = 0; i < scan.beams.size(); ++i) {
+      scan.beams[i].bearing_rad = geometry::wrap_angle(step_rad * static_cast<double>(i));
+    }
+    return scan;
+  }
+
+  double progress() const override { return lines_.progress(); }
+
+ private:
+  LineReader lines_;
+};
+
+}  // namespace
+
+std::unique_ptr<LogReader> open_nxt_scan_log(const std::filesystem::path& path) {
+  return std::make_unique<NxtScanLog>(path);
+}
+
+}  // namespace echomap::datasets
