@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/ray_insertion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::mapping {
+
+namespace {
+
+using geometry::CellIndex;
+
+/// A lattice's corner lies so many tiles before the sensor's tile: far enough for the longest ray.
+constexpr std::int32_t kTilesBefore = kMostWindowCells / kTileSide / 2;
+constexpr int kLatticeTileBits = kLatticeBits + kTileBits;
+
+/// The odd lattice coordinates of a point that is so many cells, above 0, from the lattice's
+/// corner.
+LatticePoint on_lattice(const Eigen::Vector2d& cells) {
+  constexpr double kHalfCell = 1 << (kLatticeBits - 1);
+  return {2 * static_cast<std::int32_t>(cells.x() * kHalfCell) + 1,
+          2 * static_cast<std::int32_t>(cells.y() * kHalfCell) + 1};
+}
+
+/// Right shift by `bits` of a point's coordinates.
+CellIndex shifted(LatticePoint point, int bits) { return {point.x >> bits, point.y >> bits}; }
+
+CellIndex sum(CellIndex one, CellIndex other) { return {one.x + other.x, one.y + other.y}; }
+
+}  // namespace
+
+RayInserter::RayInserter(const RayInsertionParams& params) : params_(params) {
+  if (params.hit_centilogits < kStepCentilogits || params.free_centilogits > -kStepCentilogits) {
+    throw std::invalid_argument(
+        "ray insertion: evidence of a hit is at least one step above 0, of a pass one below");
+  }
+}
+
+void RayInserter::insert(const geometry::Pose2& T_map_sensor,
+                         std::span<const Ray> rays,
+                         OccupancyGrid& grid) {
+  if (!T_map_sensor.position_m().allFinite() || !std::isfinite(T_map_sensor.heading_rad())) {
+    return;
+  }
+  const CellIndex cell = grid.cell_at(T_map_sensor.position_m());
+  const CellIndex origin{((cell.x >> kTileBits) - kTilesBefore) << kTileBits,
+                         ((cell.y >> kTileBits) - kTilesBefore) << kTileBits};
+  place(T_map_sensor, rays, origin, grid.resolution_m());
+  if (rays_.empty()) {
+    return;
+  }
+  const LatticePoint sensor = on_lattice(T_map_sensor.position_m() / grid.resolution_m() -
+                                         Eigen::Vector2d(origin.x, origin.y));
+  LatticePoint low = sensor;
+  LatticePoint high = sensor;
+  for (const LatticeRay& ray : rays_) {
+    low = {std::min(low.x, ray.end.x), std::min(low.y, ray.end.y)};
+    high = {std::max(high.x, ray.end.x), std::max(high.y, ray.end.y)};
+  }
+  const CellBounds tiles{shifted(low, kLatticeTileBits), shifted(high, kLatticeTileBits)};
+  mark(sensor, tiles);
+  grid.begin_insertion();
+  const CellIndex first_tile{origin.x >> kTileBits, origin.y >> kTileBits};
+  add_to_grid({sum(first_tile, tiles.min), sum(first_tile, tiles.max)}, grid);
+  grid.end_insertion(
+      {sum(origin, shifted(low, kLatticeBits)), sum(origin, shifted(high, kLatticeBits))});
+}
+
+void RayInserter::place(const geometry::Pose2& T_map_sensor,
+                        std::span<const Ray> rays,
+                        CellIndex origin,
+                        double resolution_m) {
+  const Eigen::Vector2d ahead = geometry::unit_vector(T_map_sensor.heading_rad()) / resolution_m;
+  const Eigen::Vector2d sensor =
+      T_map_sensor.position_m() / resolution_m - Eigen::Vector2d(origin.x, origin.y);
+  rays_.clear();
+  for (const Ray& ray : rays) {
+    Eigen::Vector2d way =
+        ray.end_m.x() * ahead + ray.end_m.y() * Eigen::Vector2d(-ahead.y(), ahead.x());
+    const double square = way.squaredNorm();
+    if (!std::isfinite(square)) {
+      continue;
+    }
+    const bool is_cut = square > kMostRayCells * kMostRayCells;
+    if (is_cut) {
+      way *= kMostRayCells / std::sqrt(square);
+    }
+    rays_.push_back({on_lattice(sensor + way), ray.is_hit && !is_cut});
+  }
+}
+
+void RayInserter::mark(LatticePoint sensor, const CellBounds& tiles) {
+  const LatticePoint corner{tiles.min.x << kLatticeTileBits, tiles.min.y << kLatticeTileBits};
+  const LatticePoint from{sensor.x - corner.x, sensor.y - corner.y};
+  crossed_.reset(tiles.columns(), tiles.rows());
+  hits_.assign(static_cast<std::size_t>(tiles.columns()) * static_cast<std::size_t>(tiles.rows()),
+               TileBits{});
+  for (const LatticeRay& ray : rays_) {
+    const LatticePoint to{ray.end.x - corner.x, ray.end.y - corner.y};
+    crossed_.add_ray(from, to);
+    if (ray.is_hit) {
+      const CellIndex tile = shifted(to, kLatticeTileBits);
+      const CellIndex cell = shifted(to, kLatticeBits);
+      TileBits& hits = hits_[static_cast<std::size_t>(tile.y * tiles.columns() + tile.x)];
+      hits[static_cast<std::size_t>(cell.y & (kTileSide - 1))] |= std::uint64_t{1}
+                                                                  << (cell.x & (kTileSide - 1));
+    }
+  }
+}
+
+void RayInserter::add_to_grid(const CellBounds& tiles, OccupancyGrid& grid) const {
+  const std::uint8_t up = grid.steps(params_.hit_centilogits).up;
+  const std::uint8_t down = grid.steps(params_.free_centilogits).down;
+  auto hits = hits_.begin();
+  for (std::int32_t y = tiles.min.y; y <= tiles.max.y; ++y) {
+    for (std::int32_t x = tiles.min.x; x <= tiles.max.x; ++x, ++hits) {
+      TileBits crossed = crossed_.tile(x - tiles.min.x, y - tiles.min.y);
+      std::uint64_t any = 0;
+      for (std::size_t row = 0; row < crossed.size(); ++row) {
+        any |= crossed[row];
+        crossed[row] &= ~(*hits)[row];
+      }
+      if (any != 0) {
+        GridTile& tile = grid.writable_tile({x, y});
+        add_free(crossed, down, grid.limits(), tile);
+        add_hits(*hits, up, grid.limits(), tile);
+      }
+    }
+  }
+}
+
+}  // namespace echomap::mapping

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/ray_mask.hpp"
+
+#include <cstdlib>
+#include <random>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/cell_index.hpp"
+
+namespace echomap::mapping {
+namespace {
+
+using geometry::CellIndex;
+using Cells = std::set<CellIndex>;
+
+/// Amanatides and Woo (1987) to the letter: t_max and t_delta of both axes, the smaller steps. All
+/// times are multiplied by |dx| |dy| and so whole numbers.
+void walk(LatticePoint from, LatticePoint to, Cells& cells) {
+  const std::int64_t side = 1 << kLatticeBits;
+  const std::int64_t dx = to.x - from.x;
+  const std::int64_t dy = to.y - from.y;
+  const auto to_border = [&](std::int64_t at, std::int64_t way) {
+    const std::int64_t in_cell = at & (side - 1);
+    return way > 0 ? side - in_cell : in_cell;
+  };
+  std::int64_t t_max_x = to_border(from.x, dx) * std::abs(dy);
+  std::int64_t t_max_y = to_border(from.y, dy) * std::abs(dx);
+  const bool x_is_longer = std::abs(dx) >= std::abs(dy);
+  const bool longer_first = (x_is_longer ? dx : dy) > 0;
+  CellIndex cell{from.x >> kLatticeBits, from.y >> kLatticeBits};
+  const CellIndex end{to.x >> kLatticeBits, to.y >> kLatticeBits};
+  cells.insert(cell);
+  while (cell != end) {
+    const bool x_in_a_tie = x_is_longer == longer_first;
+    const bool crosses_x =
+        dy == 0 || (dx != 0 && (t_max_x < t_max_y || (t_max_x == t_max_y && x_in_a_tie)));
+    if (crosses_x) {
+      t_max_x += side * std::abs(dy);
+      cell.x += dx > 0 ? 1 : -1;
+    } else {
+      t_max_y += side * std::abs(dx);
+      cell.y += dy > 0 ? 1 : -1;
+    }
+    cells.insert(cell);
+  }
+}
+
+Cells marked(const RayMask& mask) {
+  Cells cells;
+  for (std::int32_t row = 0; row < mask.tile_rows(); ++row) {
+    for (std::int32_t column = 0; column < mask.tile_columns(); ++column) {
+      const TileBits bits = mask.tile(column, row);
+      for (std::int32_t y = 0; y < kTileSide; ++y) {
+        for (std::int32_t x = 0; x < kTileSide; ++x) {
+          if ((bits[static_cast<std::size_t>(y)] >> x) & 1U) {
+            cells.insert({column * kTileSide + x, row * kTileSide + y});
+          }
+        }
+      }
+    }
+  }
+  return cells;
+}
+
+TEST(RayMask, MarksTheCellsOfAmanatidesAndWooOnRandomScans) {
+  std::mt19937 random(17);
+  for (int scan = 0; scan < 150; ++scan) {
+    const auto columns = static_cast<std::int32_t>(1 + random() % 6);
+    const auto rows = static_cast<std::int32_t>(1 + random() % 6);
+    const auto any_point = [&] {
+      const auto any = [&](std::int32_t tiles) {
+        const std::uint32_t units = static_cast<std::uint32_t>(tiles) << (kTileBits + kLatticeBits);
+        return static_cast<std::int32_t>(random() % units) | 1;
+      };
+      return LatticePoint{any(columns), any(rows)};
+    };
+    const LatticePoint sensor = any_point();
+    RayMask mask;
+    mask.reset(columns, rows);
+    Cells expected;
+    for (int ray = 0; ray < 40; ++ray) {
+      const LatticePoint end = any_point();
+      mask.add_ray(sensor, end);
+      walk(sensor, end, expected);
+    }
+    ASSERT_EQ(marked(mask), expected) << "scan " << scan;
+  }
+}
+
+TEST(RayMask, TreatsRaysThroughCornersAndAlongAxesAlike) {
+  constexpr std::int32_t kCell = 1 << kLatticeBits;
+  constexpr std::int32_t kMiddle = 40 * kCell + 1;
+  for (std::int32_t dy = -8; dy <= 8; ++dy) {
+    for (std::int32_t dx = -8; dx <= 8; ++dx) {
+      RayMask mask;
+      mask.reset(2, 2);
+      Cells expected;
+      const LatticePoint end{kMiddle + dx * kCell / 2, kMiddle + dy * kCell / 2};
+      mask.add_ray({kMiddle, kMiddle}, end);
+      walk({kMiddle, kMiddle}, end, expected);
+      ASSERT_EQ(marked(mask), expected) << dx << ' ' << dy;
+    }
+  }
+}
+
+TEST(RayMask, IsExactInTheLargestWindow) {
+  constexpr std::int32_t kTiles = kMostWindowCells / kTileSide;
+  constexpr std::int32_t kLast = (kMostWindowCells << kLatticeBits) - 1;
+  RayMask mask;
+  mask.reset(kTiles, kTiles);
+  Cells expected;
+  for (const LatticePoint end : {LatticePoint{kLast, kLast},
+                                 LatticePoint{kLast, 1},
+                                 LatticePoint{1, kLast},
+                                 LatticePoint{kLast, 255},
+                                 LatticePoint{kLast, 257},
+                                 LatticePoint{kLast, kLast - 2},
+                                 LatticePoint{777'777, kLast}}) {
+    mask.add_ray({1, 1}, end);
+    walk({1, 1}, end, expected);
+    mask.add_ray({end.x, 1}, {1, end.y});
+    walk({end.x, 1}, {1, end.y}, expected);
+  }
+  EXPECT_EQ(marked(mask), expected);
+}
+
+TEST(RayMask, ForgetsTheLastScan) {
+  RayMask mask;
+  mask.reset(1, 1);
+  mask.add_ray({1, 1}, {1001, 1});
+  mask.reset(1, 1);
+  EXPECT_TRUE(marked(mask).empty());
+}
+
+}  // namespace
+}  // namespace echomap::mapping
