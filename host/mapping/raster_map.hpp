@@ -27,6 +27,8 @@ class RasterMap {
   bool contains(geometry::CellIndex cell) const;
   /// Cells outside the picture are unknown.
   CellState state(geometry::CellIndex cell) const;
+  /// The states of a row from left to right; `y` must be inside.
+  const CellState* row(int y) const { return &cells_[index_of({0, y})]; }
   /// `cell` must be inside.
   void set(geometry::CellIndex cell, CellState state);
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "host/mapping/distance_field.hpp"
+
+namespace echomap::mapping {
+
+/// How far rays run on a map before they enter an occupied cell. Each step goes as far as the
+/// distance field says that nothing stands (sphere tracing, Hart 1996), and at least to the border
+/// of the cell, so that the range is that of the border; eight rays go at once.
+
+/// From `from_m`, in the map frame, along unit vectors: the range of each, or `most_m` where
+/// nothing stands so near or the ray leaves the map first. The same for all when `from_m` is
+/// outside of the map. Right to 1/500 of a cell; what a ray only clips by less than that may be
+/// missed.
+void cast_rays(const DistanceField& field,
+               const Eigen::Vector2d& from_m,
+               std::span<const Eigen::Vector2f> directions,
+               double most_m,
+               std::span<float> ranges_m);
+
+/// The range that a cone of sound would be answered from: the least of rays that fill its opening
+/// and are at most one cell apart at `most_m`. `half_opening_rad` in [0, pi / 2), `most_m` at most
+/// 2000 cells.
+double cone_range_m(const DistanceField& field,
+                    const Eigen::Vector2d& from_m,
+                    double bearing_rad,
+                    double half_opening_rad,
+                    double most_m);
+
+}  // namespace echomap::mapping

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace echomap::mapping {
+
+/// The longest row.
+constexpr std::int32_t kMostRowCells = 1 << 14;
+
+/// min over i of heights[i] + (x - i)^2 for x = first, first + 1 .., one for each of `minima`.
+///
+/// The i that attains the minimum never falls as x grows, since all parabolas are alike. So it is
+/// found for every 256th x first, then between these for every 16th, then for all, each time for 16
+/// x at once and only among the i that the neighbours found before leave: about three steps of a
+/// vector for each i, whatever the heights are. Heights are at most 2^30 and used up; x and i are
+/// from 0 to kMostRowCells - 1.
+void row_minima(std::span<std::int32_t> heights,
+                std::int32_t first,
+                std::span<std::int32_t> minima);
+
+}  // namespace echomap::mapping
