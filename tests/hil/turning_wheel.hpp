@@ -43,7 +43,8 @@ class TurningWheel {
   std::int64_t count_ = 0;
 };
 
-/// A wheel with its motor: first-order speed towards duty times the no-load speed.
+/// A wheel with its motor: first-order speed towards duty times the no-load speed. Without duty its
+/// gear holds it once it is slow, so that no edge comes out of an endless coasting.
 class DrivenWheel {
  public:
   DrivenWheel(runner::SimulatedBoard& board, runner::Wheel wheel)
@@ -53,10 +54,14 @@ class DrivenWheel {
   void step_ms() {
     constexpr double kNoLoadTicksPerS = 3300.0;
     constexpr double kTimeConstantMs = 80.0;
+    constexpr double kHeldTicksPerS = 1.0;
     const runner::MotorDuty duty = board_.motor_duty();
     const double wanted =
         kNoLoadTicksPerS * (wheel_ == runner::Wheel::kLeft ? duty.left : duty.right);
     ticks_per_s_ += (wanted - ticks_per_s_) / kTimeConstantMs;
+    if (wanted == 0.0 && std::abs(ticks_per_s_) < kHeldTicksPerS) {
+      ticks_per_s_ = 0.0;
+    }
     turning_.turn(ticks_per_s_, 1'000'000);
   }
 
