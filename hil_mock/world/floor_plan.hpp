@@ -12,6 +12,7 @@
 
 namespace echomap::world {
 
+/// The corners of a room or an object, in metres of the world.
 using geometry::Polygon;
 using geometry::Segment;
 
