@@ -12,6 +12,7 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/flash_boards.hpp"
 #include "host/apps/interrupt.hpp"
+#include "host/datasets/open_log.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/files/nearest_word.hpp"
 #include "host/files/toml_reader.hpp"
@@ -140,6 +141,40 @@ void add_eval(CLI::App& app, Action& action) {
   command->callback([&action, options] { action = [options] { return run_eval(*options); }; });
 }
 
+void add_replay(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("replay", "Make a map of a robot's log");
+  const auto options = std::make_shared<ReplayOptions>();
+  command->add_option("log", options->log, "File of the log, plain or gz, or a run directory")
+      ->required()
+      ->check(CLI::ExistingPath);
+  command
+      ->add_option(
+          "--format", options->format, "Format of the log; not needed where the log says it")
+      ->check([](const std::string& name) { return datasets::unknown_format(name); });
+  command
+      ->add_option("--map",
+                   options->map,
+                   "What to make: an occupancy grid, the points of all echoes, or the polygon "
+                   "around the floor")
+      ->check(CLI::IsMember({"grid", "points", "polygon"}))
+      ->capture_default_str();
+  command
+      ->add_option("--poses",
+                   options->poses,
+                   "Where scans were taken: by the robot's odometry, or by the poses that the log "
+                   "gives as corrected or true")
+      ->check(CLI::IsMember({"odometry", "given"}))
+      ->capture_default_str();
+  command->add_option("--resolution", options->resolution_m, "Edge of a cell in metres")
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Run directory; a stamped one by default");
+  command->add_option("--json", options->json, "Write a report to this file, '-' for stdout");
+  command->add_flag("--headless", options->headless, "No progress line");
+  command->footer("Example: echomap replay aces.log.gz --poses given --out aces");
+  command->callback([&action, options] { action = [options] { return run_replay(*options); }; });
+}
+
 void add_flash(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("flash", "Write the firmware to a board");
   const auto options = std::make_shared<FlashOptions>();
@@ -226,6 +261,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_demo(app, action);
   add_explore(app, action);
   add_eval(app, action);
+  add_replay(app, action);
   add_flash(app, action);
   try {
     app.parse(argc, argv);

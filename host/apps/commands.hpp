@@ -55,6 +55,19 @@ struct EvalOptions {
 };
 ExitCode run_eval(const EvalOptions& options);
 
+/// `echomap replay`: makes a map of a log.
+struct ReplayOptions {
+  std::filesystem::path log;
+  std::string format;              ///< Empty: what the log plainly says.
+  std::string map = "grid";        ///< Or "points" or "polygon".
+  std::string poses = "odometry";  ///< Or "given".
+  double resolution_m = 0.05;
+  std::filesystem::path out;
+  std::filesystem::path json;
+  bool headless = false;
+};
+ExitCode run_replay(const ReplayOptions& options);
+
 /// `echomap flash`: writes the firmware to a board.
 struct FlashOptions {
   std::string board;            ///< Empty: what the USB id of the port says.

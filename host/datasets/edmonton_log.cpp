@@ -37,16 +37,17 @@ class EdmontonParser : public LineParser {
     if (times_) {
       scan.stamp_s = stamps_.accept(times_->require(lines).number("the time"));
     }
+    if (T_last_now_) {
+      records.emplace_back(OdometryStep{scan.stamp_s, *T_last_now_});
+    }
     FieldCursor step = steps_.require(lines);
-    const auto T_last_now = read_pose(step, "the increment");
+    T_last_now_ = read_pose(step, "the increment");
     step.expect_end();
     if (reference_ && reference_->first == scans_) {
       records.emplace_back(GivenPose{scan.stamp_s, reference_->second});
       read_reference();
     }
-    const auto stamp_s = scan.stamp_s;
     records.emplace_back(std::move(scan));
-    records.emplace_back(OdometryStep{stamp_s, T_last_now});
     ++scans_;
   }
 
@@ -76,6 +77,8 @@ class EdmontonParser : public LineParser {
   std::optional<CompanionLines> times_;
   std::optional<CompanionLines> references_;
   std::optional<std::pair<std::int64_t, geometry::Pose2>> reference_;
+  /// The increment of the line before, which leads to the scan of this one.
+  std::optional<geometry::Pose2> T_last_now_;
   RisingStamp stamps_;
   std::int64_t scans_ = 0;
 };

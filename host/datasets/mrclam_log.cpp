@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "host/datasets/mrclam_log.hpp"
 
-#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -11,7 +10,7 @@
 #include "host/datasets/merged_log.hpp"
 #include "host/datasets/pose_fields.hpp"
 #include "host/datasets/rising_stamp.hpp"
-#include "host/files/atomic_file.hpp"
+#include "host/sensors/odometry.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -41,20 +40,12 @@ class SpeedParser : public MrclamParser {
     const double time_s = fields.number("the time");
     const auto stamp_s = stamps_.accept(time_s);
     const double duration_s = stamp_s && started_ ? time_s - last_s_ : 0.0;
-    records.emplace_back(OdometryStep{stamp_s, moved(duration_s)});
+    records.emplace_back(OdometryStep{
+        stamp_s, sensors::arc_step(speed_m_per_s_ * duration_s, turn_rad_per_s_ * duration_s)});
     last_s_ = stamp_s.value_or(last_s_);
     started_ = true;
     speed_m_per_s_ = fields.number("the speed");
     turn_rad_per_s_ = fields.number("the turn rate");
-  }
-
-  /// On the arc of the last speeds (Thrun, Burgard and Fox 2005, equation 5.9), by its chord.
-  geometry::Pose2 moved(double duration_s) const {
-    const double turn_rad = turn_rad_per_s_ * duration_s;
-    const double half_rad = turn_rad / 2.0;
-    const double shortening = std::abs(half_rad) < 1e-6 ? 1.0 : std::sin(half_rad) / half_rad;
-    const double chord_m = speed_m_per_s_ * duration_s * shortening;
-    return {chord_m * std::cos(half_rad), chord_m * std::sin(half_rad), turn_rad};
   }
 
   RisingStamp stamps_;

@@ -69,6 +69,13 @@ std::string list_of_formats() {
   return list;
 }
 
+const LogFormat* find_format(std::string_view name) {
+  const auto& formats = log_formats();
+  const auto found = std::find_if(
+      formats.begin(), formats.end(), [name](const auto& known) { return known.name == name; });
+  return found == formats.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 const std::vector<LogFormat>& log_formats() {
@@ -89,6 +96,12 @@ const std::vector<LogFormat>& log_formats() {
       {"wean", "CMU Wean Hall: odometry, laser", open_wean_log},
   };
   return formats;
+}
+
+std::string unknown_format(std::string_view name) {
+  return find_format(name) != nullptr ? std::string()
+                                      : "no log format is named '" + std::string(name) + "'" +
+                                            files::suggestion(name, names());
 }
 
 std::optional<std::string_view> recognised_format(const std::filesystem::path& path) {
@@ -116,14 +129,11 @@ std::unique_ptr<LogReader> open_log(const std::filesystem::path& path, std::stri
     throw files::FileError(path.string() +
                            ": what format is it? Name it with --format:" + list_of_formats());
   }
-  const auto& formats = log_formats();
-  const auto found = std::find_if(
-      formats.begin(), formats.end(), [name](const auto& known) { return known.name == name; });
-  if (found == formats.end()) {
-    throw files::FileError("no log format is named '" + std::string(name) + "'" +
-                           files::suggestion(name, names()));
+  const LogFormat* known = find_format(name);
+  if (known == nullptr) {
+    throw files::FileError(unknown_format(name));
   }
-  return found->open(path);
+  return known->open(path);
 }
 
 }  // namespace echomap::datasets

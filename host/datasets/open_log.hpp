@@ -22,6 +22,10 @@ struct LogFormat {
 /// Every format, by name.
 const std::vector<LogFormat>& log_formats();
 
+/// What to tell someone who names a format that is none, with the nearest one; empty where it is
+/// one.
+std::string unknown_format(std::string_view name);
+
 /// The format that the name of a file or its first lines plainly say; empty where they do not.
 /// Throws files::FileError where the file cannot be read.
 std::optional<std::string_view> recognised_format(const std::filesystem::path& path);

@@ -12,6 +12,14 @@ double sinc(double x) { return std::abs(x) < 1e-6 ? 1.0 - x * x / 6.0 : std::sin
 
 }  // namespace
 
+geometry::Pose2 arc_step(double arc_m, double turn_rad) {
+  // Equation 5.9 with v/w (sin(a + w dt) - sin a) = chord cos(a + w dt / 2), free of the division
+  // by a turn of zero.
+  const double half_turn_rad = turn_rad / 2.0;
+  const double chord_m = arc_m * sinc(half_turn_rad);
+  return {chord_m * std::cos(half_turn_rad), chord_m * std::sin(half_turn_rad), turn_rad};
+}
+
 WheelOdometry::WheelOdometry(double track_m) : track_m_(track_m) {
   if (!std::isfinite(track_m) || track_m <= 0.0) {
     throw std::invalid_argument("odometry: track_m must be positive");
@@ -21,15 +29,7 @@ WheelOdometry::WheelOdometry(double track_m) : track_m_(track_m) {
 const geometry::Pose2& WheelOdometry::update(const WheelTravel& travel) {
   const double left_m = travel.left_m - last_.left_m;
   const double right_m = travel.right_m - last_.right_m;
-  const double arc_m = (left_m + right_m) / 2.0;
-  const double turn_rad = (right_m - left_m) / track_m_;
-  // Equation 5.9 with v/w (sin(a + w dt) - sin a) = chord cos(a + w dt / 2), free of the division
-  // by a turn of zero.
-  const double chord_m = arc_m * sinc(turn_rad / 2.0);
-  const double half_turn_rad = turn_rad / 2.0;
-  const geometry::Pose2 T_last_now(
-      chord_m * std::cos(half_turn_rad), chord_m * std::sin(half_turn_rad), turn_rad);
-  T_odom_robot_ = T_odom_robot_ * T_last_now;
+  T_odom_robot_ = T_odom_robot_ * arc_step((left_m + right_m) / 2.0, (right_m - left_m) / track_m_);
   last_ = travel;
   return T_odom_robot_;
 }

@@ -6,10 +6,14 @@
 
 namespace echomap::sensors {
 
+/// Where a robot is after it has rolled `arc_m` while it turned by `turn_rad` at an even rate, seen
+/// from where it was: an arc of a circle, exactly (Thrun, Burgard and Fox 2005, equation 5.9).
+geometry::Pose2 arc_step(double arc_m, double turn_rad);
+
 /// Dead reckoning of a differential drive: wheel travel in, pose in the odometry frame out. The
 /// odometry frame is the robot's pose at the start of the session. Between two updates both wheels
-/// are taken to roll at constant speed, so the path is an arc of a circle and the update is exact
-/// (Thrun, Burgard and Fox 2005, equation 5.9; Siegwart and Nourbakhsh 2004, section 5.2.4).
+/// are taken to roll at constant speed, so that the update is an `arc_step` (Siegwart and
+/// Nourbakhsh 2004, section 5.2.4).
 class WheelOdometry {
  public:
   /// Throws std::invalid_argument unless `track_m`, the distance between the wheels, is positive.

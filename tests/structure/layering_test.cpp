@@ -39,7 +39,7 @@ const LayerRules rules{
     {"host/sensors", {"protocol", "host/time", "host/geometry"}},
     {"host/datasets", {"host/files", "host/geometry", "host/sensors"}},
     {"host/mapping", {"host/geometry", "host/sensors"}},
-    {"host/pipeline", {"host/mapping"}},
+    {"host/pipeline", {"host/datasets", "host/mapping"}},
     {"host/exploration", {"host/geometry", "host/sensors", "host/mapping", "host/pipeline"}},
     {"host/exports",
      {"host/files", "host/geometry", "host/sensors", "host/mapping", "host/pipeline"}},

@@ -100,6 +100,12 @@ TEST(WheelOdometry, RollsBackAlongTheWayItCame) {
   expect_near(robot.pose(), Pose2(), 1e-9);
 }
 
+TEST(ArcStep, IsAQuarterOfACircleAfterAQuarterTurn) {
+  const double right_angle_rad = std::numbers::pi / 2.0;
+  expect_near(arc_step(right_angle_rad, right_angle_rad), Pose2(1.0, 1.0, right_angle_rad), 1e-12);
+  expect_near(arc_step(-2.0, 0.0), Pose2(-2.0, 0.0, 0.0), 0.0);
+}
+
 TEST(WheelOdometry, RefusesATrackThatIsNone) {
   EXPECT_THROW(WheelOdometry{0.0}, std::invalid_argument);
   EXPECT_THROW(WheelOdometry{-0.1}, std::invalid_argument);

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/interrupt.hpp"
+#include "host/apps/progress_bar.hpp"
+#include "host/apps/report.hpp"
+#include "host/datasets/open_log.hpp"
+#include "host/exports/run_directory.hpp"
+#include "host/files/atomic_file.hpp"
+#include "host/pipeline/log_mapper.hpp"
+
+namespace echomap::apps {
+namespace {
+
+/// A picture of more cells is one of a damaged pose, and would fill the memory.
+constexpr double kMostCells = 5e7;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+pipeline::LogMapperParams params_of(const ReplayOptions& options) {
+  pipeline::LogMapperParams params;
+  params.map = options.map == "points" ? pipeline::MapKind::kPoints : pipeline::MapKind::kGrid;
+  params.poses =
+      options.poses == "given" ? pipeline::PoseSource::kGiven : pipeline::PoseSource::kOdometry;
+  params.grid.resolution_m = options.resolution_m;
+  return params;
+}
+
+/// Feeds the log to the mapper until it ends, is damaged or the user has had enough; answers why it
+/// ended, and with the error where it is damaged.
+std::pair<std::string, std::string> feed(datasets::LogReader& log,
+                                         pipeline::LogMapper& mapper,
+                                         ProgressBar& progress) {
+  constexpr std::size_t kRecordsPerDrawing = 256;
+  try {
+    while (!interrupted()) {
+      const auto record = log.next();
+      if (!record) {
+        return {"finished", ""};
+      }
+      mapper.add(*record);
+      if (mapper.counts().records % kRecordsPerDrawing == 0) {
+        progress.show(log.progress(), fmt::format("{} scans", mapper.counts().scans));
+      }
+    }
+  } catch (const files::FileError& error) {
+    return {"log-damaged", error.what()};
+  }
+  return {"interrupted", ""};
+}
+
+/// Why there is no map to write; empty where there is one.
+std::string unusable(const ReplayOptions& options, const pipeline::LogMapper& mapper) {
+  const pipeline::LogCounts& counts = mapper.counts();
+  const pipeline::LogPoses& poses = mapper.poses();
+  const std::string log = options.log.string();
+  if (counts.scans > 0 && counts.scans == counts.scans_without_pose) {
+    return log + " gives no poses for its scans\n  next: --poses odometry";
+  }
+  // One scan may be of a robot that stands.
+  if (options.poses == "odometry" && poses.odometry_records() == 0 && counts.scans > 1) {
+    return log + " has no odometry" +
+           (poses.given_records() > 0 ? "\n  next: --poses given" : ", and no other poses");
+  }
+  return "";
+}
+
+void refuse_huge_map(const mapping::OccupancyGrid& grid) {
+  const mapping::CellBounds& bounds = grid.bounds();
+  const double columns = bounds.columns();
+  const double rows = bounds.rows();
+  if (!bounds.empty() && columns * rows > kMostCells) {
+    throw CommandError(ExitCode::kRuntimeError,
+                       fmt::format("the map would be {:.0f} x {:.0f} m, too large for cells of {} "
+                                   "m: a damaged pose?\n  next: --resolution {}",
+                                   columns * grid.resolution_m(),
+                                   rows * grid.resolution_m(),
+                                   grid.resolution_m(),
+                                   2.0 * grid.resolution_m()));
+  }
+}
+
+nlohmann::ordered_json replay_json(const ReplayOptions& options,
+                                   const pipeline::LogMapper& mapper) {
+  const pipeline::LogCounts& counts = mapper.counts();
+  return {{"log", options.log.filename().string()},
+          {"map", options.map},
+          {"poses", options.poses},
+          {"records", counts.records},
+          {"scans", counts.scans},
+          {"beams", counts.beams},
+          {"scans_without_pose", counts.scans_without_pose},
+          {"poses_without_stamp", counts.poses_without_stamp}};
+}
+
+void say_what_was_made(const exports::RunSummary& summary,
+                       const pipeline::LogCounts& counts,
+                       const std::filesystem::path& out) {
+  say("map: " + (out / "map.png").string());
+  say(fmt::format("{} scans of {} beams, {:.1f} m, {:.0f} s of log in {:.2f} s",
+                  counts.scans,
+                  counts.beams,
+                  summary.travelled_m,
+                  summary.sim_seconds,
+                  summary.wall_seconds));
+  if (counts.scans_without_pose > 0) {
+    say(fmt::format("{} scans before the first given pose are not in the map",
+                    counts.scans_without_pose));
+  }
+}
+
+}  // namespace
+
+ExitCode run_replay(const ReplayOptions& options) {
+  const auto start = Clock::now();
+  const auto log = datasets::open_log(options.log, options.format);
+  const auto out = run_folder(options.out);
+  prepare_outputs(out, options.json);
+  pipeline::LogMapper mapper(params_of(options));
+  ProgressBar progress(stderr, !options.headless);
+  const auto [outcome, damage] = feed(*log, mapper, progress);
+  progress.clear();
+  if (const std::string reason = unusable(options, mapper); damage.empty() && !reason.empty()) {
+    throw CommandError(ExitCode::kRuntimeError, reason);
+  }
+
+  const pipeline::Snapshot snapshot = mapper.snapshot();
+  refuse_huge_map(*snapshot.grid);
+  exports::RunSummary summary;
+  summary.echomap_version = ECHOMAP_VERSION;
+  summary.outcome = outcome;
+  summary.sim_seconds = mapper.duration_s().value_or(0.0);
+  exports::describe_snapshot(snapshot, summary);
+  exports::write_run_directory(
+      out,
+      snapshot,
+      summary,
+      options.map == "polygon" ? exports::Outline::kWritten : exports::Outline::kLeftOut);
+  summary.wall_seconds = seconds_since(start);
+  auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
+  report["replay"] = replay_json(options, mapper);
+  write_report(out / "summary.json", report);
+  write_report(options.json, report);
+  say_what_was_made(summary, mapper.counts(), out);
+  if (!damage.empty()) {
+    spdlog::error("{}; the map up to there is kept", damage);
+    return ExitCode::kRuntimeError;
+  }
+  return outcome == "interrupted" ? ExitCode::kInterrupted : ExitCode::kOk;
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/log_mapper.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::pipeline {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Later stamps, beyond the year 5000, are damage.
+constexpr double kLatestStamp_s = 1e11;
+
+std::optional<double> without_damage(std::optional<double> stamp_s) {
+  return stamp_s && std::abs(*stamp_s) <= kLatestStamp_s ? stamp_s : std::nullopt;
+}
+
+time::RobotTime time_of(double stamp_s) {
+  return time::RobotTime(time::RobotClock::duration(std::llround(stamp_s * 1e6)));
+}
+
+Eigen::Vector2d end_m(const datasets::Beam& beam) {
+  return *beam.range_m * geometry::unit_vector(beam.bearing_rad);
+}
+
+}  // namespace
+
+LogMapper::LogMapper(const LogMapperParams& params)
+    : params_(params), poses_(params.poses), grid_(params.grid), rays_(params.rays) {}
+
+void LogMapper::add(const datasets::LogRecord& record) {
+  ++counts_.records;
+  const auto stamp_s = without_damage(datasets::stamp_s(record));
+  if (stamp_s) {
+    first_stamp_s_ = std::min(first_stamp_s_.value_or(*stamp_s), *stamp_s);
+    last_stamp_s_ = std::max(last_stamp_s_.value_or(*stamp_s), *stamp_s);
+  }
+  if (poses_.follow(record)) {
+    note_pose(stamp_s);
+  }
+  if (const auto* scan = std::get_if<datasets::RangeScan>(&record)) {
+    add_scan(*scan);
+  }
+}
+
+void LogMapper::note_pose(std::optional<double> stamp_s) {
+  const geometry::Pose2 T_map_robot = *poses_.T_map_robot();
+  counts_.poses_without_stamp += stamp_s ? 0 : 1;
+  if (trajectory_.empty()) {
+    trajectory_.push_back({time_of(stamp_s.value_or(0.0)), T_map_robot});
+    return;
+  }
+  const time::RobotTime last = trajectory_.back().stamp;
+  const time::RobotTime stamp = stamp_s ? time_of(*stamp_s) : last + 1ms;
+  if (stamp > last) {
+    trajectory_.push_back({stamp, T_map_robot});
+  } else if (stamp == last) {
+    trajectory_.back().T_map_robot = T_map_robot;
+  }
+}
+
+void LogMapper::add_scan(const datasets::RangeScan& scan) {
+  ++counts_.scans;
+  counts_.beams += scan.beams.size();
+  const auto T_map_robot = poses_.T_map_robot();
+  if (!T_map_robot) {
+    ++counts_.scans_without_pose;
+    return;
+  }
+  if (trajectory_.empty()) {
+    note_pose(without_damage(scan.stamp_s));
+  }
+  scan_poses_.push_back(*T_map_robot);
+  const geometry::Pose2 T_map_sensor = *T_map_robot * scan.T_robot_sensor;
+  if (params_.map == MapKind::kPoints) {
+    add_points(T_map_sensor, scan);
+  } else if (scan.beam_opening_rad > 0.0) {
+    add_cones(T_map_sensor, scan);
+  } else {
+    add_rays(T_map_sensor, scan);
+  }
+}
+
+void LogMapper::add_points(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan) {
+  for (const auto& beam : scan.beams) {
+    if (beam.range_m) {
+      points_.push_back({T_map_sensor * end_m(beam), scan_poses_.size() - 1});
+    }
+  }
+}
+
+void LogMapper::add_rays(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan) {
+  scan_rays_.clear();
+  for (const auto& beam : scan.beams) {
+    if (beam.range_m) {
+      scan_rays_.push_back({end_m(beam), true});
+    }
+  }
+  rays_.insert(T_map_sensor, scan_rays_, grid_);
+}
+
+void LogMapper::add_cones(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan) {
+  mapping::ConeInserter& cones = cones_of(scan.beam_opening_rad);
+  for (const auto& beam : scan.beams) {
+    if (beam.range_m) {
+      cones.insert({T_map_sensor * geometry::Pose2(0.0, 0.0, beam.bearing_rad),
+                    *beam.range_m,
+                    *beam.range_m},
+                   grid_);
+    }
+  }
+}
+
+mapping::ConeInserter& LogMapper::cones_of(double opening_rad) {
+  auto known = cones_.find(opening_rad);
+  if (known == cones_.end()) {
+    mapping::ConeInsertionParams params = params_.cones;
+    params.half_opening_rad = opening_rad / 2.0;
+    known = cones_.emplace(opening_rad, mapping::ConeInserter(params, grid_)).first;
+  }
+  return known->second;
+}
+
+Snapshot LogMapper::snapshot() const {
+  Snapshot snapshot;
+  if (!trajectory_.empty()) {
+    snapshot.latest = trajectory_.back();
+  }
+  snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(trajectory_);
+  snapshot.points = std::make_shared<const mapping::PointCloudMap>(scan_poses_, points_);
+  snapshot.grid = std::make_shared<const mapping::OccupancyGrid>(grid_);
+  snapshot.last_scan = std::make_shared<const mapping::Scan>();
+  snapshot.stops = scan_poses_.size();
+  return snapshot;
+}
+
+std::optional<double> LogMapper::duration_s() const {
+  return first_stamp_s_ ? std::optional(*last_stamp_s_ - *first_stamp_s_) : std::nullopt;
+}
+
+}  // namespace echomap::pipeline

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "host/datasets/log_record.hpp"
+#include "host/mapping/cone_insertion.hpp"
+#include "host/mapping/occupancy_grid.hpp"
+#include "host/mapping/point_cloud_map.hpp"
+#include "host/mapping/ray_insertion.hpp"
+#include "host/pipeline/log_poses.hpp"
+#include "host/pipeline/snapshot.hpp"
+
+namespace echomap::pipeline {
+
+/// What is made of a log's ranges: cells of an occupancy grid, or the echoes as they are.
+enum class MapKind : std::uint8_t { kGrid, kPoints };
+
+/// How a log becomes a map.
+struct LogMapperParams {
+  PoseSource poses = PoseSource::kOdometry;
+  MapKind map = MapKind::kGrid;
+  mapping::OccupancyGridParams grid;
+  mapping::RayInsertionParams rays;  ///< Of lasers. A beam without return says nothing.
+  /// Of sonars; the opening of the cone is that of the scan.
+  mapping::ConeInsertionParams cones;
+};
+
+/// What a log held, and what could not be used.
+struct LogCounts {
+  std::size_t records = 0;
+  std::size_t scans = 0;
+  std::size_t beams = 0;
+  std::size_t scans_without_pose = 0;  ///< Before the first given pose; not in the map.
+  std::size_t poses_without_stamp = 0;
+};
+
+/// Makes a map of a log, record by record. The map frame is that of the poses that count.
+class LogMapper {
+ public:
+  /// Throws std::invalid_argument for parameters without sense.
+  explicit LogMapper(const LogMapperParams& params = {});
+
+  void add(const datasets::LogRecord& record);
+
+  /// The trajectory has the log's own stamps; a pose without one is put a millisecond after the one
+  /// before it, and one whose stamp does not rise is left out.
+  Snapshot snapshot() const;
+  const LogCounts& counts() const { return counts_; }
+  const LogPoses& poses() const { return poses_; }
+  /// From the first stamp of the log to its last; empty where it has none.
+  std::optional<double> duration_s() const;
+
+ private:
+  void note_pose(std::optional<double> stamp_s);
+  void add_scan(const datasets::RangeScan& scan);
+  void add_points(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
+  void add_rays(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
+  void add_cones(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
+  /// Made when a log first has cones of this opening.
+  mapping::ConeInserter& cones_of(double opening_rad);
+
+  LogMapperParams params_;
+  LogPoses poses_;
+  LogCounts counts_;
+  std::optional<double> first_stamp_s_;
+  std::optional<double> last_stamp_s_;
+  std::vector<StampedPose> trajectory_;
+  mapping::OccupancyGrid grid_;
+  mapping::RayInserter rays_;
+  std::vector<mapping::Ray> scan_rays_;
+  std::map<double, mapping::ConeInserter> cones_;
+  std::vector<geometry::Pose2> scan_poses_;
+  std::vector<mapping::MapPoint> points_;
+};
+
+}  // namespace echomap::pipeline

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/interrupt.hpp"
+#include "host/exports/pgm_yaml.hpp"
+#include "host/exports/points_csv.hpp"
+#include "host/exports/trajectory_tum.hpp"
+#include "host/files/atomic_file.hpp"
+#include "tests/support/real_data.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/thrown_text.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class ReplayCommandTest : public ::testing::Test {
+ protected:
+  ReplayCommandTest() {
+    options_.log = fs::path(ECHOMAP_SOURCE_DIR) / "tests/data/small_room.clf";
+    options_.out = scratch_ / "run";
+    options_.headless = true;
+  }
+  nlohmann::json summary() const {
+    return nlohmann::json::parse(files::read_text_file(options_.out / "summary.json"));
+  }
+  void write_log(const std::string& name, const std::string& text) {
+    options_.log = scratch_ / name;
+    files::write_text_file(options_.log, text);
+  }
+  std::string error() {
+    return tests::thrown_text<std::runtime_error>([&] { run_replay(options_); });
+  }
+
+  tests::ScratchFolder scratch_;
+  ReplayOptions options_;
+};
+
+TEST_F(ReplayCommandTest, ByGivenPosesTheRoomIsAsItIs) {
+  options_.poses = "given";
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+  const auto map = exports::read_pgm_yaml(options_.out / "map.yaml");
+  const auto state_at = [&map](double x_m, double y_m) {
+    return map.state(map.cell_at({x_m, y_m}));
+  };
+  // The room is 4 x 3 m; a pillar of 0.4 m stands in its middle.
+  EXPECT_EQ(state_at(0.5, 1.5), mapping::CellState::kFree);
+  EXPECT_EQ(state_at(3.5, 1.5), mapping::CellState::kFree);
+  EXPECT_EQ(state_at(2.0, 1.5), mapping::CellState::kUnknown);
+  EXPECT_EQ(state_at(-0.1, 1.5), mapping::CellState::kUnknown);
+  EXPECT_TRUE(state_at(2.02, 1.27) == mapping::CellState::kOccupied ||
+              state_at(2.02, 1.32) == mapping::CellState::kOccupied)
+      << "the front of the pillar is at y = 1.3";
+  EXPECT_EQ(summary().at("replay").at("scans"), 48);
+  EXPECT_EQ(summary().at("sim_seconds"), 23.5);
+  EXPECT_EQ(exports::read_trajectory_tum(options_.out / "trajectory.tum").size(), 48U);
+  EXPECT_FALSE(fs::exists(options_.out / "outline.geojson"));
+}
+
+TEST_F(ReplayCommandTest, PointsAreAllEchoesAndPolygonIsTheFloorsOutline) {
+  options_.map = "points";
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+  EXPECT_EQ(exports::read_points_csv(options_.out / "points.csv").size(), 48U * 60U);
+  options_.map = "polygon";
+  options_.poses = "given";
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+  EXPECT_THAT(files::read_text_file(options_.out / "outline.geojson"), HasSubstr("Polygon"));
+}
+
+TEST_F(ReplayCommandTest, ARunsOwnPointsBecomeAMapAgain) {
+  options_.map = "points";
+  ASSERT_EQ(run_replay(options_), ExitCode::kOk);
+  options_.log = options_.out;
+  options_.out = scratch_ / "again";
+  options_.poses = "given";
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+  EXPECT_EQ(summary().at("points"), 48 * 60);
+}
+
+TEST_F(ReplayCommandTest, ADamagedLogKeepsItsMapUpToThere) {
+  const std::string whole = files::read_text_file(options_.log);
+  write_log("cut.clf", whole.substr(0, whole.find('\n', whole.size() / 2) + 100));
+  EXPECT_EQ(run_replay(options_), ExitCode::kRuntimeError);
+  EXPECT_EQ(summary().at("outcome"), "log-damaged");
+  EXPECT_GT(summary().at("free_area_m2"), 1.0);
+}
+
+TEST_F(ReplayCommandTest, ALogWithoutThePosesThatShouldCountSaysWhatToDo) {
+  write_log("poses.tum", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
+  options_.poses = "given";
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk) << "a trajectory needs no scans";
+
+  files::write_text_file(scratch_ / "poses.txt", "1 0 0 0\n2 0 0 0\n");
+  write_log("measurement.txt", "1 1 1 1 1 1 1 1 1\n2 1 1 1 1 1 1 1 1\n");
+  options_.poses = "odometry";
+  EXPECT_THAT(error(), HasSubstr("has no odometry\n  next: --poses given"));
+
+  write_log(
+      "robotdata1.log", "O 0 0 0 0\nL 0 0 0 0 0 0 " + [] {
+        std::string ranges;
+        for (int i = 0; i < 180; ++i) {
+          ranges += "100 ";
+        }
+        return ranges;
+      }() + "1\n");
+  options_.poses = "given";
+  EXPECT_THAT(error(), HasSubstr("gives no poses for its scans\n  next: --poses odometry"));
+}
+
+TEST_F(ReplayCommandTest, AMapThatOnlyADamagedPoseMakesHugeIsRefused) {
+  write_log("far.clf", "FLASER 1 1 0 0 0 0 0 0 1 h 1\nFLASER 1 1 0 0 0 1000 1000 0 2 h 2\n");
+  EXPECT_THAT(error(), HasSubstr("a damaged pose?\n  next: --resolution 0.1"));
+}
+
+TEST_F(ReplayCommandTest, CtrlCLeavesAMapThatCanBeRead) {
+  const auto replay_and_interrupt = [&] {
+    catch_interrupts();
+    std::raise(SIGINT);
+    std::exit(static_cast<int>(run_replay(options_)));
+  };
+  EXPECT_EXIT(replay_and_interrupt(), ::testing::ExitedWithCode(130), "");
+  EXPECT_EQ(summary().at("outcome"), "interrupted");
+  EXPECT_GT(exports::read_pgm_yaml(options_.out / "map.yaml").columns(), 0);
+}
+
+TEST_F(ReplayCommandTest, WhatTheLogIsMustBeSaidOrPlain) {
+  write_log("a.txt", "1 2 3\n");
+  EXPECT_THAT(error(), HasSubstr("what format is it? Name it with --format"));
+}
+
+TEST(RealReplay, EdmontonIsReplayedToAMap) {
+  ReplayOptions options;
+  options.log = tests::real_data("edmonton/dataset_edmonton.rawlog_LASER.txt.gz");
+  ECHOMAP_SKIP_WITHOUT(options.log);
+  const tests::ScratchFolder scratch;
+  options.out = scratch / "run";
+  options.headless = true;
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  const auto summary = nlohmann::json::parse(files::read_text_file(options.out / "summary.json"));
+  EXPECT_NEAR(summary.at("travelled_m").get<double>(), 326.7, 0.1);
+  EXPECT_GT(summary.at("free_area_m2"), 500.0);
+}
+
+}  // namespace
+}  // namespace echomap::apps

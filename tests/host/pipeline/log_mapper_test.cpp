@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/log_mapper.hpp"
+
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "tests/support/drawn_map.hpp"
+
+namespace echomap::pipeline {
+namespace {
+
+using datasets::GivenPose;
+using datasets::OdometryPose;
+using datasets::RangeScan;
+using ::testing::ElementsAre;
+
+RangeScan laser(std::vector<datasets::Beam> beams) {
+  RangeScan scan;
+  scan.beams = std::move(beams);
+  scan.max_range_m = 10.0;
+  return scan;
+}
+
+LogMapperParams coarse() {
+  LogMapperParams params;
+  params.grid.resolution_m = 0.5;
+  // One sighting decides, so that the map can be drawn.
+  params.rays.hit_centilogits = 300;
+  params.rays.free_centilogits = -300;
+  return params;
+}
+
+TEST(LogMapper, RaysOfALaserGoIntoTheGridFromWhereTheRobotWas) {
+  LogMapper mapper(coarse());
+  mapper.add(OdometryPose{1.0, {0.25, 0.25, 0.0}});
+  mapper.add(laser({{0.0, 1.5}, {std::numbers::pi / 2.0, std::nullopt}}));
+  mapper.add(OdometryPose{2.0, {0.25, 0.25, std::numbers::pi / 2.0}});
+  mapper.add(laser({{0.0, 1.0}}));
+  EXPECT_THAT(tests::drawing_of(mapping::rasterize(*mapper.snapshot().grid)),
+              ElementsAre("      ",  //
+                          " #    ",  //
+                          " .    ",  //
+                          " ...# ",  //
+                          "      "));
+}
+
+TEST(LogMapper, ASensorOffTheMiddleSeesFromThere) {
+  LogMapperParams params = coarse();
+  params.map = MapKind::kPoints;
+  LogMapper mapper(params);
+  mapper.add(OdometryPose{1.0, {1.0, 0.0, std::numbers::pi / 2.0}});
+  RangeScan scan = laser({{0.0, 2.0}, {0.0, std::nullopt}});
+  scan.T_robot_sensor = {0.25, 0.0, 0.0};
+  mapper.add(scan);
+  const auto snapshot = mapper.snapshot();
+  ASSERT_EQ(snapshot.points->points().size(), 1U);
+  EXPECT_NEAR(snapshot.points->points()[0].position_m.y(), 2.25, 1e-12);
+  EXPECT_EQ(snapshot.points->points()[0].pose_index, 0U);
+  EXPECT_TRUE(snapshot.grid->bounds().empty());
+}
+
+TEST(LogMapper, ASonarsEchoLeavesFreeFloorBeforeIt) {
+  LogMapper mapper;
+  RangeScan scan = laser({{0.0, 2.0}});
+  scan.beam_opening_rad = 0.5;
+  for (int i = 0; i < 5; ++i) {
+    mapper.add(scan);
+  }
+  const auto grid = mapper.snapshot().grid;
+  EXPECT_EQ(grid->state(grid->cell_at({1.0, 0.0})), mapping::CellState::kFree);
+  EXPECT_EQ(grid->state(grid->cell_at({2.0, 0.0})), mapping::CellState::kOccupied);
+  EXPECT_EQ(grid->state(grid->cell_at({1.0, 0.5})), mapping::CellState::kUnknown);
+}
+
+TEST(LogMapper, ScansBeforeTheFirstGivenPoseAreCountedAndLeftOut) {
+  LogMapperParams params;
+  params.poses = PoseSource::kGiven;
+  LogMapper mapper(params);
+  mapper.add(laser({{0.0, 1.0}}));
+  mapper.add(GivenPose{5.0, {0.0, 0.0, 0.0}});
+  mapper.add(laser({{0.0, 1.0}, {1.0, 1.0}}));
+  EXPECT_EQ(mapper.counts().scans, 2U);
+  EXPECT_EQ(mapper.counts().beams, 3U);
+  EXPECT_EQ(mapper.counts().scans_without_pose, 1U);
+  EXPECT_EQ(mapper.snapshot().stops, 1U);
+}
+
+TEST(LogMapper, TheTrajectoryRisesWhateverTheStampsDo) {
+  LogMapper mapper;
+  double x_m = 0.0;
+  for (const std::optional<double> stamp_s : {std::optional(10.0),
+                                              std::optional<double>(),
+                                              std::optional(9.0),
+                                              std::optional(10.5),
+                                              std::optional(10.5),
+                                              std::optional(1e12)}) {
+    mapper.add(OdometryPose{stamp_s, {x_m, 0.0, 0.0}});
+    x_m += 1.0;
+  }
+  std::vector<double> stamps_s;
+  std::vector<double> places_m;
+  const auto snapshot = mapper.snapshot();
+  for (const auto& pose : *snapshot.trajectory) {
+    stamps_s.push_back(static_cast<double>(pose.stamp.time_since_epoch().count()) * 1e-6);
+    places_m.push_back(pose.T_map_robot.x_m());
+  }
+  EXPECT_THAT(stamps_s, ElementsAre(10.0, 10.001, 10.5, 10.501));
+  EXPECT_THAT(places_m, ElementsAre(0.0, 1.0, 4.0, 5.0));
+  EXPECT_EQ(mapper.counts().poses_without_stamp, 2U);
+}
+
+TEST(LogMapper, ALogLastsFromItsFirstStampToItsLast) {
+  LogMapper mapper;
+  EXPECT_FALSE(mapper.duration_s());
+  mapper.add(OdometryPose{12.0, {}});
+  mapper.add(OdometryPose{std::nullopt, {}});
+  mapper.add(OdometryPose{15.5, {}});
+  EXPECT_EQ(mapper.duration_s(), 3.5);
+}
+
+}  // namespace
+}  // namespace echomap::pipeline
