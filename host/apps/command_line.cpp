@@ -128,17 +128,49 @@ void add_demo(CLI::App& app, Action& action) {
 }
 
 void add_eval(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("eval", "Score a run against the truth of its world");
+  CLI::App* command = app.add_subcommand("eval", "Score a run against what is known to be true");
   const auto options = std::make_shared<EvalOptions>();
   command->add_option("run", options->run, "Run directory")
       ->required()
       ->check(CLI::ExistingDirectory);
-  command->add_option("--truth", options->truth, "Directory that the simulated robot wrote")
-      ->required()
-      ->check(CLI::ExistingDirectory);
+  CLI::Option* truth =
+      command->add_option("--truth", options->truth, "Directory that the simulated robot wrote")
+          ->check(CLI::ExistingDirectory);
+  const CLI::Option* relations =
+      command
+          ->add_option("--relations",
+                       options->relations,
+                       "Known ways between records, lines 'from to dx dy dtheta': rows of "
+                       "trajectory.tum from 0, metres, radians")
+          ->check(CLI::ExistingFile);
+  command
+      ->add_option("--picture",
+                   options->picture,
+                   "Draw the map on the truth, its errors coloured, to this PNG file")
+      ->needs(truth);
   command->add_option("--json", options->json, "Write the scores to this file, '-' for stdout");
   command->footer("Example: echomap eval first_map --truth first_map/truth --json -");
-  command->callback([&action, options] { action = [options] { return run_eval(*options); }; });
+  command->callback([&action, options, truth, relations] {
+    if (truth->count() == 0 && relations->count() == 0) {
+      throw CLI::RequiredError("--truth or --relations");
+    }
+    action = [options] { return run_eval(*options); };
+  });
+}
+
+void add_diff(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("diff", "Say what changed between two maps of one room");
+  const auto options = std::make_shared<DiffOptions>();
+  command->add_option("before", options->before, "Run directory")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("after", options->after, "Run directory of a later run")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--picture", options->picture, "Draw the changes to this PNG file");
+  command->add_option("--json", options->json, "Write the changes to this file, '-' for stdout");
+  command->footer("Example: echomap diff monday tuesday --picture changes.png");
+  command->callback([&action, options] { action = [options] { return run_diff(*options); }; });
 }
 
 void add_replay(CLI::App& app, Action& action) {
@@ -262,6 +294,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_explore(app, action);
   add_eval(app, action);
   add_replay(app, action);
+  add_diff(app, action);
   add_flash(app, action);
   try {
     app.parse(argc, argv);

@@ -47,10 +47,12 @@ struct DemoOptions {
 };
 ExitCode run_demo(const DemoOptions& options);
 
-/// `echomap eval`: scores a run directory against the truth.
+/// `echomap eval`: scores a run directory against the truth, or against known relations.
 struct EvalOptions {
   std::filesystem::path run;
-  std::filesystem::path truth;
+  std::filesystem::path truth;      ///< Empty: none; there is this or `relations`, or both.
+  std::filesystem::path relations;  ///< Empty: none.
+  std::filesystem::path picture;    ///< Empty: none; needs `truth`.
   std::filesystem::path json;
 };
 ExitCode run_eval(const EvalOptions& options);
@@ -67,6 +69,15 @@ struct ReplayOptions {
   bool headless = false;
 };
 ExitCode run_replay(const ReplayOptions& options);
+
+/// `echomap diff`: what changed between two maps of one room.
+struct DiffOptions {
+  std::filesystem::path before;   ///< Run directory.
+  std::filesystem::path after;    ///< Run directory.
+  std::filesystem::path picture;  ///< Empty: none.
+  std::filesystem::path json;     ///< Empty: none; "-": stdout.
+};
+ExitCode run_diff(const DiffOptions& options);
 
 /// `echomap flash`: writes the firmware to a board.
 struct FlashOptions {

@@ -1,18 +1,62 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
 #include "host/apps/commands.hpp"
 #include "host/apps/report.hpp"
+#include "host/evaluation/relation_error.hpp"
 #include "host/evaluation/run_score.hpp"
+#include "host/evaluation/truth_directory.hpp"
+#include "host/evaluation/truth_picture.hpp"
+#include "host/exports/pgm_yaml.hpp"
+#include "host/exports/trajectory_tum.hpp"
+#include "host/files/atomic_file.hpp"
 
 namespace echomap::apps {
+namespace {
+
+/// Scored before, so that the truth holds a pose.
+void draw_on_truth(const EvalOptions& options) {
+  const auto truth = evaluation::read_truth(options.truth);
+  evaluation::write_truth_picture(options.picture,
+                                  exports::read_pgm_yaml(options.run / "map.yaml"),
+                                  truth.trajectory.front().T_world_robot,
+                                  truth.map);
+  say("  picture              " + options.picture.string());
+}
+
+evaluation::RelationError score_relations_of(const EvalOptions& options) {
+  std::vector<geometry::Pose2> trajectory;
+  for (const auto& pose : exports::read_trajectory_tum(options.run / "trajectory.tum")) {
+    trajectory.push_back(pose.T_map_robot);
+  }
+  try {
+    return evaluation::score_relations(trajectory, evaluation::read_relations(options.relations));
+  } catch (const std::invalid_argument& error) {
+    throw files::FileError(options.relations.string() + ": " + error.what());
+  }
+}
+
+}  // namespace
 
 ExitCode run_eval(const EvalOptions& options) {
-  const auto score = evaluation::score_run(options.run, options.truth);
-  print_score(score);
-  write_report(options.json, to_json(score));
+  nlohmann::ordered_json report;
+  if (!options.truth.empty()) {
+    const auto score = evaluation::score_run(options.run, options.truth);
+    print_score(score);
+    report = to_json(score);
+  }
+  if (!options.picture.empty()) {
+    draw_on_truth(options);
+  }
+  if (!options.relations.empty()) {
+    const auto error = score_relations_of(options);
+    print_relation_error(error);
+    report.update(to_json(error));
+  }
+  write_report(options.json, report);
   return ExitCode::kOk;
 }
 

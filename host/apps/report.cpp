@@ -79,6 +79,14 @@ nlohmann::ordered_json to_json(const evaluation::RunScore& score) {
   return json;
 }
 
+nlohmann::ordered_json to_json(const evaluation::RelationError& error) {
+  return {{"relations", error.relations},
+          {"relation_translation_mean_m", error.translation_mean_m},
+          {"relation_translation_sd_m", error.translation_sd_m},
+          {"relation_rotation_mean_rad", error.rotation_mean_rad},
+          {"relation_rotation_sd_rad", error.rotation_sd_rad}};
+}
+
 void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& report) {
   const std::string text = report.dump(2) + "\n";
   if (path == "-") {
@@ -99,6 +107,15 @@ void print_score(const evaluation::RunScore& score) {
   say(fmt::format("  the pose is off by  {:5.1f} cm, {:.1f} degrees (ate_rmse_m, heading)",
                   100.0 * path.ate_rmse_m,
                   geometry::degrees(path.ate_heading_rmse_rad)));
+}
+
+void print_relation_error(const evaluation::RelationError& error) {
+  say(fmt::format("  {} relations are off by {:.3f} +- {:.3f} m, {:.2f} +- {:.2f} degrees",
+                  error.relations,
+                  error.translation_mean_m,
+                  error.translation_sd_m,
+                  geometry::degrees(error.rotation_mean_rad),
+                  geometry::degrees(error.rotation_sd_rad)));
 }
 
 }  // namespace echomap::apps

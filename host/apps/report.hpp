@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "host/evaluation/relation_error.hpp"
 #include "host/evaluation/run_score.hpp"
 #include "host/exports/summary_json.hpp"
 
@@ -25,11 +26,17 @@ void say(const std::string& line);
 /// The scores under the names that every report uses: free_iou, wall_rmse_m, ...
 nlohmann::ordered_json to_json(const evaluation::RunScore& score);
 
+/// The relation error: relations, relation_translation_mean_m, ...
+nlohmann::ordered_json to_json(const evaluation::RelationError& error);
+
 /// Writes `report` to the file, or to stdout for "-"; does nothing for an empty path. Throws
 /// files::FileError.
 void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& report);
 
 /// Says the scores in one line each.
 void print_score(const evaluation::RunScore& score);
+
+/// The same for the relation error.
+void print_relation_error(const evaluation::RelationError& error);
 
 }  // namespace echomap::apps

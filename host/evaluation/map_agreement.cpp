@@ -30,30 +30,8 @@ CellState true_state(const RasterMap& map,
   return truth.state(truth.cell_at(T_world_map * map.center_m(cell)));
 }
 
-/// The map's cells, lower left and upper right, that cover both the map and the truth.
-mapping::CellBounds common_cells(const RasterMap& map,
-                                 const Pose2& T_world_map,
-                                 const RasterMap& truth) {
-  mapping::CellBounds cells{{0, 0}, {map.columns() - 1, map.rows() - 1}};
-  const Pose2 T_map_world = T_world_map.inverse();
-  for (const CellIndex corner : {CellIndex{0, 0},
-                                 CellIndex{truth.columns(), 0},
-                                 CellIndex{0, truth.rows()},
-                                 CellIndex{truth.columns(), truth.rows()}}) {
-    const Eigen::Vector2d corner_m =
-        truth.origin_m() + truth.resolution_m() * Eigen::Vector2d(corner.x, corner.y);
-    const CellIndex cell = map.cell_at(T_map_world * corner_m);
-    cells.min = {std::min(cells.min.x, cell.x), std::min(cells.min.y, cell.y)};
-    cells.max = {std::max(cells.max.x, cell.x), std::max(cells.max.y, cell.y)};
-  }
-  return cells;
-}
-
 double free_iou(const RasterMap& map, const Pose2& T_world_map, const RasterMap& truth) {
-  const auto cells = common_cells(map, T_world_map, truth);
-  if (static_cast<double>(cells.columns()) * cells.rows() > kMostCells) {
-    throw std::invalid_argument("the map lies too far from the truth to be compared with it");
-  }
+  const auto cells = cells_of_both(map, T_world_map, truth);
   int common = 0;
   int either = 0;
   for (int y = cells.min.y; y <= cells.max.y; ++y) {
@@ -67,16 +45,13 @@ double free_iou(const RasterMap& map, const Pose2& T_world_map, const RasterMap&
   return either == 0 ? 1.0 : static_cast<double>(common) / either;
 }
 
-std::vector<Eigen::Vector2d> occupied_centers_m(const RasterMap& map, const Pose2& T_world_map) {
-  std::vector<Eigen::Vector2d> centers_m;
-  for (int y = 0; y < map.rows(); ++y) {
-    for (int x = 0; x < map.columns(); ++x) {
-      if (map.state({x, y}) == CellState::kOccupied) {
-        centers_m.push_back(T_world_map * map.center_m({x, y}));
-      }
-    }
+/// The same in the world frame.
+std::vector<Eigen::Vector2d> in_the_world_m(std::vector<Eigen::Vector2d> points_m,
+                                            const Pose2& T_world_map) {
+  for (Eigen::Vector2d& point_m : points_m) {
+    point_m = T_world_map * point_m;
   }
-  return centers_m;
+  return points_m;
 }
 
 std::optional<double> wall_rmse_m(const std::vector<Eigen::Vector2d>& centers_m,
@@ -116,10 +91,9 @@ std::vector<Eigen::Vector2d> visible_wall_points_m(const MapTruth& truth) {
 }
 
 double wall_recall(const std::vector<Eigen::Vector2d>& centers_m,
-                   double resolution_m,
+                   double reach_m,
                    const MapTruth& truth) {
   const auto points_m = visible_wall_points_m(truth);
-  const double reach_m = std::max(kRecallReachM, resolution_m);
   const auto found = std::count_if(points_m.begin(), points_m.end(), [&](const auto& point_m) {
     return std::any_of(centers_m.begin(), centers_m.end(), [&](const auto& center_m) {
       return (center_m - point_m).norm() <= reach_m;
@@ -130,12 +104,47 @@ double wall_recall(const std::vector<Eigen::Vector2d>& centers_m,
 
 }  // namespace
 
+mapping::CellBounds cells_of_both(const RasterMap& map,
+                                  const Pose2& T_world_map,
+                                  const RasterMap& truth) {
+  mapping::CellBounds cells{{0, 0}, {map.columns() - 1, map.rows() - 1}};
+  const Pose2 T_map_world = T_world_map.inverse();
+  for (const CellIndex corner : {CellIndex{0, 0},
+                                 CellIndex{truth.columns(), 0},
+                                 CellIndex{0, truth.rows()},
+                                 CellIndex{truth.columns(), truth.rows()}}) {
+    const Eigen::Vector2d corner_m =
+        truth.origin_m() + truth.resolution_m() * Eigen::Vector2d(corner.x, corner.y);
+    const CellIndex cell = map.cell_at(T_map_world * corner_m);
+    cells.min = {std::min(cells.min.x, cell.x), std::min(cells.min.y, cell.y)};
+    cells.max = {std::max(cells.max.x, cell.x), std::max(cells.max.y, cell.y)};
+  }
+  if (static_cast<double>(cells.columns()) * cells.rows() > kMostCells) {
+    throw std::invalid_argument("the map lies too far from the truth to be compared with it");
+  }
+  return cells;
+}
+
+double wall_reach_m(const RasterMap& map) { return std::max(kRecallReachM, map.resolution_m()); }
+
+std::vector<Eigen::Vector2d> occupied_centers_m(const RasterMap& map) {
+  std::vector<Eigen::Vector2d> centers_m;
+  for (int y = 0; y < map.rows(); ++y) {
+    for (int x = 0; x < map.columns(); ++x) {
+      if (map.state({x, y}) == CellState::kOccupied) {
+        centers_m.push_back(map.center_m({x, y}));
+      }
+    }
+  }
+  return centers_m;
+}
+
 MapAgreement score_map(const RasterMap& map, const Pose2& T_world_map, const MapTruth& truth) {
-  const auto centers_m = occupied_centers_m(map, T_world_map);
+  const auto centers_m = in_the_world_m(occupied_centers_m(map), T_world_map);
   MapAgreement agreement;
   agreement.free_iou = free_iou(map, T_world_map, truth.cells);
   agreement.wall_rmse_m = wall_rmse_m(centers_m, truth.walls);
-  agreement.wall_recall = wall_recall(centers_m, map.resolution_m(), truth);
+  agreement.wall_recall = wall_recall(centers_m, wall_reach_m(map), truth);
   return agreement;
 }
 

@@ -26,9 +26,22 @@ struct MapAgreement {
   /// metres; empty without an occupied cell.
   std::optional<double> wall_rmse_m;
   /// Share of the wall length bordering truly free floor that has an occupied cell's centre within
-  /// 5 cm, or within one cell if that is larger.
+  /// `wall_reach_m`.
   double wall_recall = 0.0;
 };
+
+/// The map's cells that cover both it and the truth. Throws std::invalid_argument where they lie so
+/// far apart that no grid can cover both.
+mapping::CellBounds cells_of_both(const mapping::RasterMap& map,
+                                  const geometry::Pose2& T_world_map,
+                                  const mapping::RasterMap& truth);
+
+/// How near an occupied cell's centre must be to count for a wall: 5 cm, or one cell if that is
+/// larger.
+double wall_reach_m(const mapping::RasterMap& map);
+
+/// Centres of the occupied cells, in the map frame.
+std::vector<Eigen::Vector2d> occupied_centers_m(const mapping::RasterMap& map);
 
 /// `T_world_map` places the map in the world; nothing is fitted. Throws std::invalid_argument where
 /// map and truth lie so far apart that no grid can cover both.

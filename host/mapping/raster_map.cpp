@@ -68,4 +68,15 @@ RasterMap rasterize(const OccupancyGrid& grid) {
   return raster;
 }
 
+RasterMap cut_out(const RasterMap& map, const CellBounds& cells) {
+  const Eigen::Vector2d shift_m = map.resolution_m() * Eigen::Vector2d(cells.min.x, cells.min.y);
+  RasterMap part(cells.columns(), cells.rows(), map.resolution_m(), map.origin_m() + shift_m);
+  for (int y = 0; y < part.rows(); ++y) {
+    for (int x = 0; x < part.columns(); ++x) {
+      part.set({x, y}, map.state({cells.min.x + x, cells.min.y + y}));
+    }
+  }
+  return part;
+}
+
 }  // namespace echomap::mapping

@@ -49,4 +49,8 @@ class RasterMap {
 /// cell at the origin.
 RasterMap rasterize(const OccupancyGrid& grid);
 
+/// The part of a map within `cells`, which may reach beyond it into the unknown. Throws
+/// std::invalid_argument for no cells.
+RasterMap cut_out(const RasterMap& map, const CellBounds& cells);
+
 }  // namespace echomap::mapping

@@ -3,9 +3,13 @@
 #include <cstdlib>
 #include <string>
 
+#include "host/evaluation/relation_error.hpp"
 #include "host/evaluation/truth_directory.hpp"
+#include "host/exports/geojson.hpp"
 #include "host/exports/map_yaml.hpp"
+#include "host/exports/occupancy_grid_csv.hpp"
 #include "host/exports/pgm_image.hpp"
+#include "host/exports/png_text.hpp"
 #include "host/exports/points_csv.hpp"
 #include "host/exports/poses_csv.hpp"
 #include "host/exports/trajectory_tum.hpp"
@@ -20,7 +24,19 @@ namespace exports = echomap::exports;
 namespace fs = std::filesystem;
 
 /// The files that echomap reads back from a run.
-enum Kind : std::uint8_t { kPoints, kPoses, kTrajectory, kYaml, kPgm, kWalls, kKinds };
+enum Kind : std::uint8_t {
+  kPoints,
+  kPoses,
+  kTrajectory,
+  kYaml,
+  kPgm,
+  kWalls,
+  kGrid,
+  kOutline,
+  kPngTexts,
+  kRelations,
+  kKinds
+};
 
 /// A truth directory whose walls are in memory.
 class TruthFolder {
@@ -71,6 +87,24 @@ void read(std::uint8_t kind, const fs::path& file) {
               "a picture has all of its pixels");
       break;
     }
+    case kGrid: {
+      const auto table = exports::read_occupancy_grid_csv(file);
+      require(table.cells.size() ==
+                  static_cast<std::size_t>(table.columns) * static_cast<std::size_t>(table.rows),
+              "a grid has all of its cells");
+      break;
+    }
+    case kOutline:
+      if (const auto map = exports::read_outline_geojson(file)) {
+        require(map->outline_m().size() >= 3, "an outline bounds an area");
+      }
+      break;
+    case kPngTexts:
+      exports::read_png_texts(file);
+      break;
+    case kRelations:
+      echomap::evaluation::read_relations(file);
+      break;
     default:
       echomap::evaluation::read_truth(truth.path());
   }
@@ -93,6 +127,13 @@ std::vector<echomap::fuzz::Input> echomap::fuzz::seeds() {
           kWalls,
           R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":)"
           R"("LineString","coordinates":[[0,0],[1,0],[1,2.5]]}}]})"),
+      echomap::fuzz::input_of(kGrid, "# resolution_m,..\n# 0.05,0,0,2,2\n-1,0.5\n0,1\n"),
+      echomap::fuzz::input_of(
+          kOutline,
+          R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":)"
+          R"("Polygon","coordinates":[[[0,0],[1,0],[1,2.5],[0,0]]]}}]})"),
+      echomap::fuzz::input_of(kPngTexts, std::string("\x89PNG\r\n\x1a\n\0\0\0\4tEXta\0bcdcrc", 24)),
+      echomap::fuzz::input_of(kRelations, "0 1 0.5 0 -0.1\n1 4 1 2 3\n"),
   };
 }
 

@@ -68,10 +68,19 @@ evaluation::MapTruth truth_of(const world::FloorPlan& plan) {
 
 }  // namespace
 
+world::FloorPlan bundled_room(const std::string& room) {
+  return world::read_floor_plan(files::TomlReader::load(bundled("worlds", room)));
+}
+
 OfflineRun explore_offline(const std::string& room, const std::string& robot, std::uint32_t seed) {
+  return explore_offline(bundled_room(room), robot, seed);
+}
+
+OfflineRun explore_offline(const world::FloorPlan& room,
+                           const std::string& robot,
+                           std::uint32_t seed) {
   const auto robot_params = world::read_robot(files::TomlReader::load(bundled("robots", robot)));
-  world::RobotWorld world(
-      world::read_floor_plan(files::TomlReader::load(bundled("worlds", room))), robot_params, seed);
+  world::RobotWorld world(room, robot_params, seed);
   const auto geometry = believed_geometry(robot_params);
   pipeline::RobotPipeline pipeline(geometry, mapper_for(robot_params));
   OfflineRobot offline_robot(world, geometry, pipeline);

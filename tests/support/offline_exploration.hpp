@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "hil_mock/world/floor_plan.hpp"
 #include "host/evaluation/map_agreement.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/nxt_farthest.hpp"
@@ -25,5 +26,11 @@ struct OfflineRun {
 
 /// Explores a bundled room with a bundled robot, nxt-farthest and the default parameters.
 OfflineRun explore_offline(const std::string& room, const std::string& robot, std::uint32_t seed);
+OfflineRun explore_offline(const world::FloorPlan& room,
+                           const std::string& robot,
+                           std::uint32_t seed);
+
+/// A room that comes with the programs.
+world::FloorPlan bundled_room(const std::string& room);
 
 }  // namespace echomap::tests

@@ -43,6 +43,24 @@ TEST(CommandLine, TheHelpOfTheDemoTellsBodyFromProfile) {
   EXPECT_THAT(run({"demo", "--help"}).out, HasSubstr("--body"));
 }
 
+TEST(CommandLine, TheHelpNamesEveryCommand) {
+  const std::string help = run({"--help"}).out;
+  for (const char* command : {"demo", "explore", "eval", "replay", "diff", "flash"}) {
+    EXPECT_THAT(help, HasSubstr(std::string("\n  ") + command + " ")) << command;
+    const Said said = run({command, "--help"});
+    EXPECT_EQ(said.code, ExitCode::kOk) << command;
+    EXPECT_THAT(said.out, HasSubstr(std::string("Example: echomap ") + command)) << command;
+  }
+}
+
+TEST(CommandLine, EvalWantsSomethingToCompareWith) {
+  EXPECT_EQ(run({"eval", "."}).code, ExitCode::kUsage);
+  EXPECT_THAT(run({"eval", "."}).err, HasSubstr("--truth or --relations"));
+  EXPECT_EQ(run({"eval", ".", "--picture", "a.png", "--relations", "/dev/null"}).code,
+            ExitCode::kUsage);
+  EXPECT_EQ(run({"diff", "no_such_folder", "."}).code, ExitCode::kUsage);
+}
+
 TEST(CommandLine, SuggestsTheCommandThatWasMeant) {
   const Said said = run({"explroe", "--port", "x"});
   EXPECT_EQ(said.code, ExitCode::kUsage);

@@ -1,38 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "host/exports/map_png.hpp"
 
-#include <png.h>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "tests/support/png_picture.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/told_snapshot.hpp"
 
 namespace echomap::exports {
 namespace {
-
-/// A PNG file as libpng reads it, a pixel as 0xRRGGBB.
-struct Decoded {
-  explicit Decoded(const std::filesystem::path& path) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    png_image_begin_read_from_file(&image, path.c_str());
-    image.format = PNG_FORMAT_RGB;
-    std::vector<unsigned char> bytes(PNG_IMAGE_SIZE(image));
-    png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr);
-    width = static_cast<int>(image.width);
-    height = static_cast<int>(image.height);
-    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
-      pixels.push_back(bytes[i] << 16 | bytes[i + 1] << 8 | bytes[i + 2]);
-    }
-  }
-  int at(int x, int y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
-
-  int width = 0;
-  int height = 0;
-  std::vector<int> pixels;
-};
 
 constexpr int kFloor = 0xFFFFFF;
 constexpr int kWall = 0x282828;
@@ -51,7 +29,7 @@ mapping::OccupancyGrid hall() {
 TEST(MapPng, HasTheTopOfTheMapOnTop) {
   const tests::ScratchFolder folder;
   write_map_png(folder / "map.png", tests::snapshot_of(hall()));
-  const Decoded picture(folder / "map.png");
+  const tests::PngPicture picture(folder / "map.png");
   // One cell of margin, 8 pixels a cell.
   EXPECT_EQ(picture.width, 42 * 8);
   EXPECT_EQ(picture.at(160, 12), kWall);
@@ -67,7 +45,7 @@ TEST(MapPng, ShowsTheTrailFromStartToRobot) {
     trajectory.push_back(tests::pose_at(0.02 * i, {0.3 + 0.01 * i, 0.4, 0.0}));
   }
   write_map_png(folder / "map.png", tests::snapshot_of(hall(), trajectory));
-  const Decoded picture(folder / "map.png");
+  const tests::PngPicture picture(folder / "map.png");
   const int row = 22 * 8 - 8 - static_cast<int>(0.4 / 0.05 * 8);
   const auto pixel = [&](double x_m) {
     return picture.at(8 + static_cast<int>(x_m / 0.05 * 8), row);
@@ -80,7 +58,7 @@ TEST(MapPng, ShowsTheTrailFromStartToRobot) {
 TEST(MapPng, HasAScaleBarOfItsLength) {
   const tests::ScratchFolder folder;
   write_map_png(folder / "map.png", tests::snapshot_of(hall()));
-  const Decoded picture(folder / "map.png");
+  const tests::PngPicture picture(folder / "map.png");
   int dark = 0;
   for (int x = 0; x < 100; ++x) {
     dark += picture.at(x, picture.height - 22) == 0x141414 ? 1 : 0;
@@ -92,7 +70,7 @@ TEST(MapPng, HasAScaleBarOfItsLength) {
 TEST(MapPng, OfNothingIsStillAPicture) {
   const tests::ScratchFolder folder;
   write_map_png(folder / "map.png", tests::snapshot_of(mapping::OccupancyGrid()));
-  const Decoded picture(folder / "map.png");
+  const tests::PngPicture picture(folder / "map.png");
   EXPECT_GE(picture.width, 100);
   EXPECT_GE(picture.height, 40);
 }
@@ -103,7 +81,7 @@ TEST(MapPng, KeepsALargeMapInBounds) {
   grid.add({0, 0}, 300);
   grid.add({1500, 900}, 300);
   write_map_png(folder / "map.png", tests::snapshot_of(grid));
-  EXPECT_EQ(Decoded(folder / "map.png").width, 2 * 1503);
+  EXPECT_EQ(tests::PngPicture(folder / "map.png").width, 2 * 1503);
 }
 
 }  // namespace

@@ -41,6 +41,15 @@ TEST(RasterMap, RefusesASizeOfNothing) {
   EXPECT_THROW(RasterMap(1, 1, 0.0, {0.0, 0.0}), std::invalid_argument);
 }
 
+TEST(RasterMap, IsCutOutWithItsPlace) {
+  const RasterMap map = tests::map_from({"##.", "#..", " ##"}, 0.5, {1.0, 2.0});
+  const RasterMap part = cut_out(map, {{1, 1}, {3, 2}});
+  EXPECT_EQ(drawing_of(part), (DrawnMap{"#. ", ".. "}));
+  EXPECT_EQ(part.origin_m(), Eigen::Vector2d(1.5, 2.5));
+  EXPECT_EQ(drawing_of(cut_out(map, {{-1, -1}, {0, 0}})), (DrawnMap{"  ", "  "}));
+  EXPECT_THROW(cut_out(map, CellBounds()), std::invalid_argument);
+}
+
 TEST(Rasterize, DrawsTheGridWithAMarginOfUnknownCells) {
   OccupancyGrid grid;
   grid.add({-2, 4}, -200);

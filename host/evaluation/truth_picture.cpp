@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "host/evaluation/truth_picture.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "host/exports/map_view.hpp"
+
+namespace echomap::evaluation {
+namespace {
+
+using exports::Colour;
+using geometry::CellIndex;
+using geometry::Pose2;
+using mapping::CellState;
+using mapping::RasterMap;
+
+constexpr Colour kFound{235, 240, 235};
+
+/// The colour of a verdict and its words in the legend.
+struct Shown {
+  CellVerdict verdict;
+  Colour colour;
+  const char* text;
+};
+
+constexpr std::array<Shown, 5> kShown{{
+    {CellVerdict::kFloorFound, kFound, "floor, and it is"},
+    {CellVerdict::kWallFound, exports::kWallColour, "wall, and it is"},
+    {CellVerdict::kFloorMissed, exports::kSkyBlue, "floor not found"},
+    {CellVerdict::kFloorInvented, exports::kVermilion, "called floor, is not"},
+    {CellVerdict::kWallInvented, exports::kOrange, "called wall, is none"},
+}};
+
+std::vector<exports::LegendEntry> legend() {
+  std::vector<exports::LegendEntry> entries;
+  for (const Shown& shown : kShown) {
+    entries.push_back({shown.colour, shown.text});
+  }
+  entries.push_back({exports::kGreen, "true walls"});
+  return entries;
+}
+
+bool has_wall_near(const Eigen::Vector2d& point_m,
+                   const std::vector<geometry::Segment>& walls,
+                   double reach_m) {
+  return std::any_of(walls.begin(), walls.end(), [&](const geometry::Segment& wall) {
+    return geometry::distance_m(wall, point_m) <= reach_m;
+  });
+}
+
+}  // namespace
+
+CellVerdict verdict_on(CellIndex cell,
+                       const RasterMap& map,
+                       const Pose2& T_world_map,
+                       const MapTruth& truth) {
+  const Eigen::Vector2d place_m = T_world_map * map.center_m(cell);
+  const bool is_floor = truth.cells.state(truth.cells.cell_at(place_m)) == CellState::kFree;
+  switch (map.state(cell)) {
+    case CellState::kFree:
+      return is_floor ? CellVerdict::kFloorFound : CellVerdict::kFloorInvented;
+    case CellState::kOccupied:
+      return has_wall_near(place_m, truth.walls, wall_reach_m(map)) ? CellVerdict::kWallFound
+                                                                    : CellVerdict::kWallInvented;
+    case CellState::kUnknown:
+      break;
+  }
+  return is_floor ? CellVerdict::kFloorMissed : CellVerdict::kNothing;
+}
+
+void write_truth_picture(const std::filesystem::path& path,
+                         const RasterMap& map,
+                         const Pose2& T_world_map,
+                         const MapTruth& truth) {
+  const mapping::CellBounds cells = cells_of_both(map, T_world_map, truth.cells);
+  const RasterMap canvas = mapping::cut_out(map, cells);
+  const exports::MapView view(canvas, legend());
+  exports::Picture picture = view.draw();
+  for (int y = 0; y < canvas.rows(); ++y) {
+    for (int x = 0; x < canvas.columns(); ++x) {
+      const CellVerdict verdict =
+          verdict_on({cells.min.x + x, cells.min.y + y}, map, T_world_map, truth);
+      for (const Shown& shown : kShown) {
+        if (shown.verdict == verdict) {
+          view.fill_cell(picture, {x, y}, shown.colour);
+        }
+      }
+    }
+  }
+  const Pose2 T_map_world = T_world_map.inverse();
+  for (const geometry::Segment& wall : truth.walls) {
+    picture.draw_line(view.place(T_map_world * wall.from_m),
+                      view.place(T_map_world * wall.to_m),
+                      2.0,
+                      exports::kGreen);
+  }
+  picture.write_png(path, view.texts());
+}
+
+}  // namespace echomap::evaluation

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "host/evaluation/map_agreement.hpp"
+
+namespace echomap::evaluation {
+
+/// What a map says of a cell, and whether it is so.
+enum class CellVerdict : std::uint8_t {
+  kNothing,        ///< Unknown, and no floor that could be seen.
+  kFloorFound,     ///< Free, and it is.
+  kWallFound,      ///< Occupied, with a wall within 5 cm, or one cell if that is larger.
+  kFloorMissed,    ///< Unknown or occupied, but floor.
+  kFloorInvented,  ///< Free, but no floor.
+  kWallInvented,   ///< Occupied, and no wall is near.
+};
+
+/// Judges a cell of the map. `cell` may lie outside of it.
+CellVerdict verdict_on(geometry::CellIndex cell,
+                       const mapping::RasterMap& map,
+                       const geometry::Pose2& T_world_map,
+                       const MapTruth& truth);
+
+/// Draws the map in the colours of its verdicts, with the true walls as lines, a legend and a scale
+/// bar, as PNG. Throws files::FileError, and std::invalid_argument where map and truth lie so far
+/// apart that no picture can hold both.
+void write_truth_picture(const std::filesystem::path& path,
+                         const mapping::RasterMap& map,
+                         const geometry::Pose2& T_world_map,
+                         const MapTruth& truth);
+
+}  // namespace echomap::evaluation

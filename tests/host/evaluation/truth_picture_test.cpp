@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "host/evaluation/truth_picture.hpp"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/drawn_map.hpp"
+#include "tests/support/png_picture.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::evaluation {
+namespace {
+
+/// A room of 1 x 0.6 m with its lower left corner at (0, 0), in cells of 10 cm.
+MapTruth room() {
+  const tests::DrawnMap floor(6, std::string(10, '.'));
+  return {tests::map_from(floor, 0.1),
+          {{{0, 0}, {1, 0}}, {{1, 0}, {1, 0.6}}, {{1, 0.6}, {0, 0.6}}, {{0, 0.6}, {0, 0}}}};
+}
+
+/// The verdicts on a map in the world frame, drawn like the map.
+tests::DrawnMap verdicts_on(const mapping::RasterMap& map) {
+  constexpr char kMarks[] = {' ', '.', '#', 'm', 'F', 'W'};
+  tests::DrawnMap drawing;
+  for (int row = map.rows() - 1; row >= 0; --row) {
+    std::string line;
+    for (int column = 0; column < map.columns(); ++column) {
+      const auto verdict = verdict_on({column, row}, map, {}, room());
+      line.push_back(kMarks[static_cast<int>(verdict)]);
+    }
+    drawing.push_back(line);
+  }
+  return drawing;
+}
+
+TEST(TruthPicture, JudgesEveryCell) {
+  // The map has a cell of margin around the room: its left part is missed, a wall stands in the
+  // middle, and floor and wall reach beyond the right wall.
+  const auto map = tests::map_from({"  ##########",
+                                    "  .........#",
+                                    "  .........#",
+                                    "  ...##.....",
+                                    "  ...##.....",
+                                    "  .........#",
+                                    "  .........#",
+                                    "  ##########"},
+                                   0.1,
+                                   {-0.1, -0.1});
+  EXPECT_EQ(verdicts_on(map),
+            (tests::DrawnMap{"  ##########",
+                             " m.........#",
+                             " m.........#",
+                             " m...WW....F",
+                             " m...WW....F",
+                             " m.........#",
+                             " m.........#",
+                             "  ##########"}));
+}
+
+TEST(TruthPicture, PlacesTheMapByItsPose) {
+  const auto map = tests::map_from({"."}, 0.1);
+  EXPECT_EQ(verdict_on({0, 0}, map, {0.5, 0.3, 1.0}, room()), CellVerdict::kFloorFound);
+  EXPECT_EQ(verdict_on({0, 0}, map, {5.5, 0.3, 1.0}, room()), CellVerdict::kFloorInvented);
+}
+
+TEST(TruthPicture, HasTheColoursOfTheErrorsAndALegend) {
+  const tests::ScratchFolder folder;
+  const auto map = tests::map_from({"...", ".#.", "..."}, 0.1, {0.3, 0.2});
+  write_truth_picture(folder / "a.png", map, {}, room());
+  const tests::PngPicture picture(folder / "a.png");
+  const std::set<int> colours(picture.pixels.begin(), picture.pixels.end());
+  for (const int colour : {0xE69F00, 0x56B4E9, 0x009E73, 0xEBF0EB}) {
+    EXPECT_EQ(colours.count(colour), 1U) << std::hex << colour;
+  }
+  EXPECT_GE(picture.height, 6 * 8 + 44 + 6 * 24) << "six lines of legend";
+}
+
+TEST(TruthPicture, RefusesAMapThatLiesElsewhere) {
+  const tests::ScratchFolder folder;
+  EXPECT_THROW(
+      write_truth_picture(folder / "a.png", tests::map_from({"."}, 0.1), {1e9, 0, 0}, room()),
+      std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::evaluation
