@@ -15,6 +15,14 @@ namespace {
 
 using geometry::CellIndex;
 
+/// Asks for all of some memory at once; the sectors of all bearings do not fit into a near cache.
+void prefetch(const void* begin, std::size_t bytes) {
+  constexpr std::size_t kCacheLine = 64;
+  for (std::size_t at = 0; at < bytes; at += kCacheLine) {
+    __builtin_prefetch(static_cast<const char*>(begin) + at);
+  }
+}
+
 struct Extent {
   std::int32_t first = 0;
   std::int32_t last = 0;
@@ -149,13 +157,16 @@ void ConeInserter::add_band(
     return;
   }
   const auto count = static_cast<std::size_t>(rows.last - rows.first + 1);
+  const auto skipped = static_cast<std::size_t>(rows.first - facing.first_row);
+  const auto sector_rows = std::span(facing.rows).subspan(skipped, count);
+  prefetch(sector_rows.data(), sector_rows.size_bytes());
   outer_.resize(count);
   inner_.resize(count);
   half_widths(band.rim, rows.first, outer_);
   half_widths(band.hole, rows.first, inner_);
-  const auto skipped = static_cast<std::size_t>(rows.first - facing.first_row);
-  const RingRows ring{
-      std::span(facing.rows).subspan(skipped, count), outer_, inner_, facing.steps.data()};
+  const std::uint32_t steps_begin = sector_rows.front().steps_begin;
+  prefetch(&facing.steps[steps_begin], sector_rows.back().steps_begin - steps_begin);
+  const RingRows ring{sector_rows, outer_, inner_, facing.steps.data()};
   const CellBounds cells{{cone.apex.x + columns.first, cone.apex.y + rows.first},
                          {cone.apex.x + columns.last, cone.apex.y + rows.last}};
   for (std::int32_t y = cells.min.y >> kTileBits; y <= cells.max.y >> kTileBits; ++y) {

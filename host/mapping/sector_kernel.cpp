@@ -113,7 +113,7 @@ bool reaches(const RingRows& ring, const RingPlace& place) {
   return false;
 }
 
-ECHOMAP_VECTOR_CLONES
+ECHOMAP_AVX2_CLONES
 TouchedCells add_floor(const RingRows& ring,
                        const RingPlace& place,
                        EvidenceLimits limits,
@@ -121,7 +121,7 @@ TouchedCells add_floor(const RingRows& ring,
   return add_rows<Kind::kFloor>(ring, place, limits, tile);
 }
 
-ECHOMAP_VECTOR_CLONES
+ECHOMAP_AVX2_CLONES
 TouchedCells add_arc(const RingRows& ring,
                      const RingPlace& place,
                      EvidenceLimits limits,

@@ -8,6 +8,9 @@
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define ECHOMAP_VECTOR_CLONES \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+/// The same without AVX-512, whose masked byte loads are slow where rows are short.
+#define ECHOMAP_AVX2_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define ECHOMAP_VECTOR_CLONES
+#define ECHOMAP_AVX2_CLONES
 #endif

@@ -13,6 +13,10 @@ void report(const std::vector<Figure>& figures, const std::filesystem::path& jso
   for (const Figure& figure : figures) {
     fmt::print(
         "{:28} {:10.4f} {:8} runs {}\n", figure.name, figure.value, figure.unit, figure.runs);
+    for (const auto& [peer, value] : figure.peers) {
+      fmt::print(
+          "  {:26} {:10.4f} {:8} {:.1f} times\n", peer, value, figure.unit, figure.value / value);
+    }
     list.push_back({{"name", figure.name},
                     {"value", figure.value},
                     {"unit", figure.unit},

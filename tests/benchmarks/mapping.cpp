@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the occupancy grid of a run costs, by the number of its stops.
+// What the mapping kernels do a second beside MRPT and OpenCV, and what the occupancy grid of a run
+// costs, by the number of its stops.
 #include <chrono>
 #include <filesystem>
 #include <random>
@@ -19,6 +20,7 @@
 #include "host/mapping/sonar_mapper.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 #include "tests/benchmarks/figures.hpp"
+#include "tests/benchmarks/mapping_kernels.hpp"
 #include "tests/support/median.hpp"
 #include "tests/support/offline_robot.hpp"
 
@@ -68,7 +70,7 @@ double seconds_for_grid(const std::vector<mapping::Scan>& scans, std::size_t sto
   return grid.bounds().empty() ? 0.0 : took.count();
 }
 
-void run(std::uint32_t runs, std::size_t most_stops, const std::filesystem::path& json) {
+std::vector<Figure> stop_figures(std::uint32_t runs, std::size_t most_stops) {
   std::vector<std::vector<mapping::Scan>> explored;
   for (std::uint32_t seed = 1; seed <= runs; ++seed) {
     explored.push_back(scans_of(most_stops, seed));
@@ -89,7 +91,7 @@ void run(std::uint32_t runs, std::size_t most_stops, const std::filesystem::path
                          {}});
     }
   }
-  report(figures, json);
+  return figures;
 }
 
 }  // namespace
@@ -98,11 +100,16 @@ void run(std::uint32_t runs, std::size_t most_stops, const std::filesystem::path
 int main(int argc, char** argv) {
   std::uint32_t runs = 5;
   std::size_t stops = 100;
+  std::size_t repetitions = 9;
   std::filesystem::path json;
-  CLI::App app("Time to make the grid of the living room, by stops");
+  CLI::App app("Rates of the mapping kernels, and time to make the living room's grid by stops");
   app.add_option("--seeds", runs, "Run seeds 1 to this")->capture_default_str();
   app.add_option("--stops", stops, "Stop there at the latest")->capture_default_str();
+  app.add_option("--repetitions", repetitions, "Median of so many")->capture_default_str();
   app.add_option("--json", json, "Write the figures to this file");
   CLI11_PARSE(app, argc, argv);
-  echomap::bench::run(runs, stops, json);
+  std::vector<echomap::bench::Figure> figures = echomap::bench::kernel_figures(repetitions);
+  const auto by_stops = echomap::bench::stop_figures(runs, stops);
+  figures.insert(figures.end(), by_stops.begin(), by_stops.end());
+  echomap::bench::report(figures, json);
 }
