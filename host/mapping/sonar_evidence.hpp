@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host/geometry/segment.hpp"
+#include "host/mapping/cell_field.hpp"
+#include "host/mapping/sonar_cone_mapper.hpp"
+#include "host/mapping/sonar_fan.hpp"
+
+namespace echomap::mapping {
+
+/// The evidence of all views, found in rounds: free floor first, then each echo's evidence to those
+/// cells of its arc that free floor does not contradict (docs/algorithms/sonar_cone.md).
+class SonarEvidence {
+ public:
+  /// The arguments have to outlive this. Throws std::length_error for views too far apart.
+  SonarEvidence(const std::vector<SonarView>& views,
+                const std::vector<geometry::Segment>& walls,
+                const models::SonarCone& cone,
+                const SonarConeMapperParams& params);
+
+  /// Runs all rounds.
+  void find();
+
+  /// After find().
+  OccupancyGrid grid() const;
+  SonarReadingCounts counts() const;
+
+ private:
+  /// Where one echo may come from, cell by cell.
+  struct Arc {
+    std::vector<std::size_t> cells;
+    std::vector<float> weight;   ///< Of the angle off the axis.
+    std::vector<float> reached;  ///< Chance that the sound gets there.
+    std::vector<float> share;    ///< Evidence for an obstacle, log-odds.
+    bool behind_wall = false;
+    bool seen_through = false;
+  };
+
+  void draw_walls(const std::vector<geometry::Segment>& walls);
+  Arc arc_of(const SonarView& view, const SonarBeam& beam) const;
+  void add_free_floor(const SonarFan& fan, const SonarView& view, CellField& free) const;
+  void look_along_arcs(const SonarFan& fan, std::vector<Arc>& arcs) const;
+  void hear_free_floor();
+  void share_out(Arc& arc) const;
+  void add_arcs(const std::vector<Arc>& arcs);
+  /// Chance that sound ends at the point, by what is known so far.
+  double opacity(const Eigen::Vector2d& point_m) const;
+
+  const std::vector<SonarView>& views_;
+  const models::SonarCone& cone_;
+  const SonarConeMapperParams& params_;
+  CellField free_;
+  CellField occupied_;
+  CellField wall_;
+  CellField of_one_view_;
+  std::vector<std::vector<Arc>> arcs_;  ///< By view.
+};
+
+}  // namespace echomap::mapping

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/sonar_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::mapping {
+
+namespace {
+
+using geometry::Segment;
+
+/// Off the axis by more than this share of the half angle, silence says little of a wall.
+constexpr double kSureShare = 0.6;
+/// A foot so near to the piece's end is still on it.
+constexpr double kEndM = 0.05;
+/// Circles that differ more have a tangent at right angles to nothing they heard.
+constexpr double kSteepest = 0.9;
+
+/// Views by where they stand, to find those nearby.
+class ViewIndex {
+ public:
+  ViewIndex(const std::vector<SonarView>& views, double reach_m) : reach_m_(reach_m) {
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      places_[key(views[i].origin_m, 0, 0)].push_back(i);
+    }
+  }
+
+  /// Calls `visit(i)` for all views within `reach_m`, and some beyond.
+  template <typename Visitor>
+  void around(const Eigen::Vector2d& point_m, Visitor&& visit) const {
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const auto place = places_.find(key(point_m, dx, dy));
+        if (place != places_.end()) {
+          std::for_each(place->second.begin(), place->second.end(), visit);
+        }
+      }
+    }
+  }
+
+ private:
+  std::int64_t key(const Eigen::Vector2d& point_m, int dx, int dy) const {
+    const auto x = static_cast<std::int64_t>(std::floor(point_m.x() / reach_m_)) + dx;
+    const auto y = static_cast<std::int64_t>(std::floor(point_m.y() / reach_m_)) + dy;
+    return x * (std::int64_t{1} << 32) + y;
+  }
+
+  double reach_m_;
+  std::unordered_map<std::int64_t, std::vector<std::size_t>> places_;
+};
+
+/// A wall as one view hears it: its foot is `range_m` away towards `normal_rad`.
+struct HeardWall {
+  Eigen::Vector2d origin_m;
+  double range_m = 0.0;
+  double normal_rad = 0.0;
+
+  Eigen::Vector2d foot_m() const { return origin_m + range_m * geometry::unit_vector(normal_rad); }
+};
+
+class WallFinder {
+ public:
+  WallFinder(const std::vector<SonarView>& views,
+             double half_angle_rad,
+             double max_range_m,
+             const SonarWallParams& params)
+      : views_(views),
+        half_angle_rad_(half_angle_rad),
+        max_range_m_(max_range_m),
+        params_(params),
+        index_(views, std::max(max_range_m, params.most_baseline_m)) {}
+
+  std::vector<Segment> find() {
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      index_.around(views_[i].origin_m, [&](std::size_t j) {
+        const double apart_m = (views_[j].origin_m - views_[i].origin_m).norm();
+        if (j > i && apart_m >= params_.least_baseline_m && apart_m <= params_.most_baseline_m) {
+          add_tangents(views_[i], views_[j]);
+        }
+      });
+    }
+    return std::move(walls_);
+  }
+
+ private:
+  void add_tangents(const SonarView& one, const SonarView& other) {
+    const Eigen::Vector2d apart_m = other.origin_m - one.origin_m;
+    const double along_rad = std::atan2(apart_m.y(), apart_m.x());
+    for (const SonarBeam& near : one.beams) {
+      for (const SonarBeam& far : other.beams) {
+        if (!near.range_m || !far.range_m) {
+          continue;
+        }
+        const double slope = (*near.range_m - *far.range_m) / apart_m.norm();
+        if (std::abs(slope) >= kSteepest) {
+          continue;
+        }
+        for (const double side : {-1.0, 1.0}) {
+          const double normal_rad = along_rad + side * std::acos(slope);
+          if (looks_along(one, near, normal_rad) && looks_along(other, far, normal_rad)) {
+            add_wall({one.origin_m, *near.range_m, normal_rad},
+                     {other.origin_m, *far.range_m, normal_rad});
+          }
+        }
+      }
+    }
+  }
+
+  double off_axis_rad(const SonarBeam& beam, double bearing_rad) const {
+    return std::abs(geometry::angle_between(beam.bearing_rad, bearing_rad));
+  }
+
+  /// Whether `beam` is the view's nearest to that direction, and all others that hold it agree.
+  bool looks_along(const SonarView& view, const SonarBeam& beam, double normal_rad) const {
+    const double off_rad = off_axis_rad(beam, normal_rad);
+    if (off_rad > half_angle_rad_) {
+      return false;
+    }
+    return std::all_of(view.beams.begin(), view.beams.end(), [&](const SonarBeam& next) {
+      const double next_off_rad = off_axis_rad(next, normal_rad);
+      const bool hears_nothing_else =
+          next_off_rad > half_angle_rad_ ||
+          (next.range_m && *next.range_m <= *beam.range_m + params_.range_tolerance_m);
+      return next_off_rad >= off_rad && hears_nothing_else;
+    });
+  }
+
+  void add_wall(const HeardWall& one, const HeardWall& other) {
+    const Segment wall{one.foot_m(), other.foot_m()};
+    if (wall.length_m() > params_.longest_piece_m) {
+      return;
+    }
+    bool missed = false;
+    index_.around(wall.from_m, [&](std::size_t i) {
+      missed = missed || misses(views_[i], wall, one.normal_rad);
+    });
+    if (!missed) {
+      walls_.push_back(wall);
+    }
+  }
+
+  /// Whether the view has its foot on the wall, and heard something beyond or nothing.
+  bool misses(const SonarView& view, const Segment& wall, double normal_rad) const {
+    const Eigen::Vector2d normal = geometry::unit_vector(normal_rad);
+    const double range_m = normal.dot(wall.from_m - view.origin_m);
+    const Eigen::Vector2d foot_m = view.origin_m + range_m * normal;
+    const bool hearable = range_m > kEndM && range_m < max_range_m_ - kEndM &&
+                          geometry::distance_m(wall, foot_m) <= kEndM;
+    if (!hearable) {
+      return false;
+    }
+    bool asked = false;
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (const SonarBeam& beam : view.beams) {
+      if (off_axis_rad(beam, normal_rad) <= kSureShare * half_angle_rad_) {
+        asked = true;
+        nearest_m = std::min(nearest_m, beam.range_m.value_or(nearest_m));
+      }
+    }
+    return asked && nearest_m > range_m + params_.range_tolerance_m;
+  }
+
+  const std::vector<SonarView>& views_;
+  double half_angle_rad_;
+  double max_range_m_;
+  SonarWallParams params_;
+  ViewIndex index_;
+  std::vector<Segment> walls_;
+};
+
+}  // namespace
+
+std::vector<Segment> find_sonar_walls(const std::vector<SonarView>& views,
+                                      double half_angle_rad,
+                                      double max_range_m,
+                                      const SonarWallParams& params) {
+  return WallFinder(views, half_angle_rad, max_range_m, params).find();
+}
+
+}  // namespace echomap::mapping

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "host/models/gaussian_patch.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace echomap::models {
+
+GaussianPatch::GaussianPatch(const GaussianPatchParams& params) : params_(params) {
+  if (params.sigma_m <= 0.0 || params.radius_m <= 0.0) {
+    throw std::invalid_argument("gaussian patch: a parameter is outside of its range");
+  }
+}
+
+double GaussianPatch::evidence(const SensorReading& reading, const PolarPoint& point) const {
+  if (!reading.range_m) {
+    return 0.0;
+  }
+  const double ahead_m = point.range_m * std::cos(point.off_axis_rad) - *reading.range_m;
+  const double aside_m = point.range_m * std::sin(point.off_axis_rad);
+  return bump_evidence(std::hypot(ahead_m, aside_m));
+}
+
+double GaussianPatch::reach_m(const SensorReading& reading) const {
+  return reading.range_m ? *reading.range_m + params_.radius_m : 0.0;
+}
+
+double GaussianPatch::bump_evidence(double from_bumper_line_m) const {
+  const double sigmas = from_bumper_line_m / params_.sigma_m;
+  return from_bumper_line_m > params_.radius_m ? 0.0 : std::exp(-0.5 * sigmas * sigmas);
+}
+
+geometry::Segment bumper_line(double ahead_m, double width_m) {
+  return {{ahead_m, -0.5 * width_m}, {ahead_m, 0.5 * width_m}};
+}
+
+}  // namespace echomap::models

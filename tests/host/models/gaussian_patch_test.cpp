@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "host/models/gaussian_patch.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "host/models/concepts.hpp"
+
+namespace echomap::models {
+namespace {
+
+static_assert(InverseModel<GaussianPatch>);
+
+constexpr SensorReading kEcho{1.0};
+const GaussianPatch kModel;
+
+TEST(GaussianPatch, IsHighestWhereTheEchoWouldLieOnTheAxis) {
+  EXPECT_DOUBLE_EQ(kModel.evidence(kEcho, {1.0, 0.0}), 1.0);
+}
+
+TEST(GaussianPatch, FallsOffAlikeAheadAndAside) {
+  const double expected = std::exp(-0.5);
+  EXPECT_NEAR(kModel.evidence(kEcho, {1.05, 0.0}), expected, 1e-12);
+  EXPECT_NEAR(
+      kModel.evidence(kEcho, {std::hypot(1.0, 0.05), std::atan2(0.05, 1.0)}), expected, 1e-12);
+}
+
+TEST(GaussianPatch, EndsAtItsRadius) {
+  EXPECT_GT(kModel.evidence(kEcho, {1.12, 0.0}), 0.0);
+  EXPECT_EQ(kModel.evidence(kEcho, {1.13, 0.0}), 0.0);
+}
+
+TEST(GaussianPatch, NeverSpeaksOfFreeFloorOrSilence) {
+  EXPECT_EQ(kModel.evidence(kEcho, {0.5, 0.0}), 0.0);
+  EXPECT_EQ(kModel.evidence({}, {0.5, 0.0}), 0.0);
+}
+
+TEST(GaussianPatch, DrawsABumpAcrossTheWayForward) {
+  const auto line = bumper_line(0.1, 0.2);
+  EXPECT_DOUBLE_EQ(line.length_m(), 0.2);
+  EXPECT_DOUBLE_EQ(line.from_m.x(), line.to_m.x());
+  EXPECT_DOUBLE_EQ(kModel.bump_evidence(0.0), 1.0);
+  EXPECT_NEAR(kModel.bump_evidence(0.05), std::exp(-0.5), 1e-12);
+}
+
+TEST(GaussianPatch, RefusesParametersWithoutSense) {
+  EXPECT_THROW(GaussianPatch({0.0, 0.1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::models

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "host/models/sonar_cone.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "host/models/concepts.hpp"
+
+namespace echomap::models {
+namespace {
+
+static_assert(InverseModel<SonarCone>);
+
+constexpr SensorReading kEcho{1.0};
+const SonarCone kModel;
+const double kEdgeRad = SonarConeParams().half_angle_rad;
+
+TEST(SonarCone, HearsLessAtItsEdgeAndNothingBeyond) {
+  EXPECT_DOUBLE_EQ(kModel.weight(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(kModel.weight(kEdgeRad), 0.5);
+  EXPECT_DOUBLE_EQ(kModel.weight(-kEdgeRad), 0.5);
+  EXPECT_DOUBLE_EQ(kModel.weight(1.01 * kEdgeRad), 0.0);
+}
+
+TEST(SonarCone, CallsFloorFreeBeforeTheEchoTheSurerTheNearerToTheAxis) {
+  EXPECT_LT(kModel.evidence(kEcho, {0.5, 0.0}), kModel.evidence(kEcho, {0.5, kEdgeRad}));
+  EXPECT_LT(kModel.evidence(kEcho, {0.5, kEdgeRad}), 0.0);
+}
+
+TEST(SonarCone, TrustsSilenceLessThanAnEcho) {
+  EXPECT_LT(kModel.evidence(kEcho, {0.5, 0.0}), kModel.evidence({}, {0.5, 0.0}));
+  EXPECT_LT(kModel.evidence({}, {0.5, 0.0}), 0.0);
+}
+
+TEST(SonarCone, SaysNothingBehindTheEcho) {
+  EXPECT_EQ(kModel.evidence(kEcho, {1.05, 0.0}), 0.0);
+  EXPECT_EQ(kModel.evidence(kEcho, {2.0, 0.0}), 0.0);
+}
+
+TEST(SonarCone, SharesOneEchoOverItsArc) {
+  EXPECT_GT(kModel.evidence(kEcho, {1.0, 0.0}), 0.0);
+  EXPECT_GT(kModel.evidence(kEcho, {1.0, 0.0}), kModel.evidence({2.0}, {2.0, 0.0}));
+  EXPECT_LE(kModel.evidence({0.05}, {0.05, 0.0}), SonarConeParams().cell_evidence);
+}
+
+TEST(SonarCone, ReachesToItsArcOrToItsEndOfRange) {
+  EXPECT_DOUBLE_EQ(kModel.reach_m(kEcho), 1.04);
+  EXPECT_DOUBLE_EQ(kModel.reach_m({}), 3.0);
+}
+
+TEST(SonarCone, RefusesParametersWithoutSense) {
+  SonarConeParams params;
+  params.silent_chance = 1.0;
+  EXPECT_THROW(SonarCone{params}, std::invalid_argument);
+  params = {};
+  params.half_angle_rad = 1.0;
+  EXPECT_THROW(SonarCone{params}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::models
