@@ -178,7 +178,7 @@ void SonarEvidence::look_along_arcs(const SonarFan& fan, std::vector<Arc>& arcs)
     for (std::size_t i = 0; i < arc.cells.size(); ++i) {
       const auto place = fan.place(free_.center_m(free_.cell(arc.cells[i])));
       arc.reached[i] = static_cast<float>(
-          place ? fan.reached(*place, kOwnArcCells * free_.resolution_m()) : 1.0);
+          place ? fan.reached(*place, kOwnArcCells * free_.resolution_m()) : 0.0);
     }
   }
 }
