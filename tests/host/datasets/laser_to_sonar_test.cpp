@@ -14,13 +14,14 @@ namespace {
 
 using geometry::radians;
 
-/// A laser of 180 degrees, a beam a degree, that sees `range_m(bearing)`.
+/// A laser of 180 degrees, four beams a degree, that sees `range_m(bearing)`.
 template <typename Range>
 RangeScan laser_seeing(Range&& range_m) {
   RangeScan scan;
   scan.stamp_s = 12.5;
-  for (int degree = -90; degree <= 90; ++degree) {
-    scan.beams.push_back({radians(degree), range_m(radians(degree))});
+  for (int quarter = -360; quarter <= 360; ++quarter) {
+    const double bearing_rad = radians(0.25 * quarter);
+    scan.beams.push_back({bearing_rad, range_m(bearing_rad)});
   }
   return scan;
 }
@@ -92,12 +93,13 @@ TEST(LaserToSonar, HearsNothingBeyondItsRange) {
 // A corner: what the wall at the left throws aside meets the wall ahead.
 TEST(LaserToSonar, HearsASecondBounceFartherThanTheWallItself) {
   const auto corner = laser_seeing([](double bearing_rad) {
-    const double ahead_m = std::cos(bearing_rad) > 0.0 ? 1.5 / std::cos(bearing_rad) : 99.0;
+    const double ahead_m = std::cos(bearing_rad) > 0.0 ? 2.5 / std::cos(bearing_rad) : 99.0;
     const double left_m = std::sin(bearing_rad) > 0.0 ? 0.5 / std::sin(bearing_rad) : 99.0;
     return std::optional(std::min(ahead_m, left_m));
   });
   auto params = quiet();
   params.half_opening_rad = radians(4.0);
+  params.smooth_limit_rad = radians(25.0);
   params.directions = 90;
   std::size_t silent = 0;
   for (const Beam& beam : heard(corner, params).beams) {
