@@ -73,6 +73,7 @@ class CarlParser : public LineParser {
                                         right_.increment(right_deg) * metres_per_deg,
                                         kTrack_m});
     RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpening_deg), kMaxRange_m};
+    scan.is_light = true;
     scan.beams = {{-geometry::radians(pan_clockwise_deg), returned_range_m(range_m, kMaxRange_m)}};
     records.emplace_back(std::move(scan));
   }

@@ -68,6 +68,9 @@ struct RangeScan {
   std::vector<Beam> beams;
   double beam_opening_rad = 0.0;  ///< The whole cone of a beam; 0 for a laser.
   double max_range_m = 0.0;       ///< What is as far as this or farther does not answer.
+  /// Light is swallowed as easily as it gets lost: its silence says nothing. Sound that nothing
+  /// answers speaks for free floor.
+  bool is_light = false;
 };
 
 /// The range that stands in a log; empty for zero, below, and `max_range_m` or more.

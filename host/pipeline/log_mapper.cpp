@@ -28,6 +28,15 @@ Eigen::Vector2d end_m(const datasets::Beam& beam) {
   return *beam.range_m * geometry::unit_vector(beam.bearing_rad);
 }
 
+void add_evidence(const mapping::OccupancyGrid& from, mapping::OccupancyGrid& to) {
+  const mapping::CellBounds& bounds = from.bounds();
+  for (std::int32_t y = bounds.min.y; y <= bounds.max.y; ++y) {
+    for (std::int32_t x = bounds.min.x; x <= bounds.max.x; ++x) {
+      to.add({x, y}, from.centilogits({x, y}).value_or(0));
+    }
+  }
+}
+
 }  // namespace
 
 LogMapper::LogMapper(const LogMapperParams& params)
@@ -80,7 +89,7 @@ void LogMapper::add_scan(const datasets::RangeScan& scan) {
   if (params_.map == MapKind::kPoints) {
     add_points(T_map_sensor, scan);
   } else if (scan.beam_opening_rad > 0.0) {
-    add_cones(T_map_sensor, scan);
+    add_readings(T_map_sensor, scan);
   } else {
     add_rays(T_map_sensor, scan);
   }
@@ -104,26 +113,36 @@ void LogMapper::add_rays(const geometry::Pose2& T_map_sensor, const datasets::Ra
   rays_.insert(T_map_sensor, scan_rays_, grid_);
 }
 
-void LogMapper::add_cones(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan) {
-  mapping::ConeInserter& cones = cones_of(scan.beam_opening_rad);
+void LogMapper::add_readings(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan) {
+  mapping::Scan readings;
   for (const auto& beam : scan.beams) {
-    if (beam.range_m) {
-      cones.insert({T_map_sensor * geometry::Pose2(0.0, 0.0, beam.bearing_rad),
-                    *beam.range_m,
-                    *beam.range_m},
-                   grid_);
+    if (beam.range_m || !scan.is_light) {
+      readings.push_back({scan_poses_.back(),
+                          T_map_sensor * geometry::Pose2(0.0, 0.0, beam.bearing_rad),
+                          beam.range_m});
     }
   }
+  sonar_of(scan).add(readings);
 }
 
-mapping::ConeInserter& LogMapper::cones_of(double opening_rad) {
-  auto known = cones_.find(opening_rad);
-  if (known == cones_.end()) {
-    mapping::ConeInsertionParams params = params_.cones;
-    params.half_opening_rad = opening_rad / 2.0;
-    known = cones_.emplace(opening_rad, mapping::ConeInserter(params, grid_)).first;
+mapping::SonarConeMapper& LogMapper::sonar_of(const datasets::RangeScan& scan) {
+  auto known = sonars_.find(scan.beam_opening_rad);
+  if (known == sonars_.end()) {
+    mapping::SonarConeMapperParams params = params_.sonars;
+    params.grid = params_.grid;
+    params.cone.half_angle_rad = scan.beam_opening_rad / 2.0;
+    params.cone.max_range_m = scan.max_range_m;
+    known = sonars_.emplace(scan.beam_opening_rad, mapping::SonarConeMapper(params)).first;
   }
   return known->second;
+}
+
+mapping::OccupancyGrid LogMapper::grid() const {
+  mapping::OccupancyGrid grid = grid_;
+  for (const auto& [opening_rad, sonar] : sonars_) {
+    add_evidence(sonar.map().grid, grid);
+  }
+  return grid;
 }
 
 Snapshot LogMapper::snapshot() const {
@@ -133,7 +152,7 @@ Snapshot LogMapper::snapshot() const {
   }
   snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(trajectory_);
   snapshot.points = std::make_shared<const mapping::PointCloudMap>(scan_poses_, points_);
-  snapshot.grid = std::make_shared<const mapping::OccupancyGrid>(grid_);
+  snapshot.grid = std::make_shared<const mapping::OccupancyGrid>(grid());
   snapshot.last_scan = std::make_shared<const mapping::Scan>();
   snapshot.stops = scan_poses_.size();
   return snapshot;

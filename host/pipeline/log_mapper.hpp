@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "host/datasets/log_record.hpp"
-#include "host/mapping/cone_insertion.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/mapping/ray_insertion.hpp"
+#include "host/mapping/sonar_cone_mapper.hpp"
 #include "host/pipeline/log_poses.hpp"
 #include "host/pipeline/snapshot.hpp"
 
@@ -26,8 +26,8 @@ struct LogMapperParams {
   MapKind map = MapKind::kGrid;
   mapping::OccupancyGridParams grid;
   mapping::RayInsertionParams rays;  ///< Of lasers. A beam without return says nothing.
-  /// Of sonars; the opening of the cone is that of the scan.
-  mapping::ConeInsertionParams cones;
+  /// Of sonars; opening and range are those of the scan, the grid is that above.
+  mapping::SonarConeMapperParams sonars;
 };
 
 /// What a log held, and what could not be used.
@@ -60,9 +60,11 @@ class LogMapper {
   void add_scan(const datasets::RangeScan& scan);
   void add_points(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
   void add_rays(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
-  void add_cones(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
-  /// Made when a log first has cones of this opening.
-  mapping::ConeInserter& cones_of(double opening_rad);
+  void add_readings(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
+  /// Made when a log first has cones like those of the scan.
+  mapping::SonarConeMapper& sonar_of(const datasets::RangeScan& scan);
+  /// What the lasers and the sonars say together.
+  mapping::OccupancyGrid grid() const;
 
   LogMapperParams params_;
   LogPoses poses_;
@@ -73,7 +75,7 @@ class LogMapper {
   mapping::OccupancyGrid grid_;
   mapping::RayInserter rays_;
   std::vector<mapping::Ray> scan_rays_;
-  std::map<double, mapping::ConeInserter> cones_;
+  std::map<double, mapping::SonarConeMapper> sonars_;  ///< By the opening of their cones.
   std::vector<geometry::Pose2> scan_poses_;
   std::vector<mapping::MapPoint> points_;
 };

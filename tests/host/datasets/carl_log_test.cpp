@@ -31,6 +31,7 @@ TEST_F(CarlLogTest, HeadingAndPanAreTurnedFromClockwise) {
   const auto& scan = std::get<RangeScan>(records[2]);
   EXPECT_EQ(scan.beams, (std::vector<Beam>{{radians(-12.5), 1.5}}));
   EXPECT_DOUBLE_EQ(scan.beam_opening_rad, radians(25.0));
+  EXPECT_TRUE(scan.is_light);
 }
 
 TEST_F(CarlLogTest, ThreeMetresAreNoReturn) {

@@ -60,17 +60,33 @@ TEST(LogMapper, ASensorOffTheMiddleSeesFromThere) {
   EXPECT_TRUE(snapshot.grid->bounds().empty());
 }
 
-TEST(LogMapper, ASonarsEchoLeavesFreeFloorBeforeIt) {
+TEST(LogMapper, TheEchoesOfASonarThatPassesAWallBecomeThatWall) {
   LogMapper mapper;
-  RangeScan scan = laser({{0.0, 2.0}});
+  RangeScan scan = laser({{std::numbers::pi / 2.0, 1.0}});
   scan.beam_opening_rad = 0.5;
-  for (int i = 0; i < 5; ++i) {
+  scan.max_range_m = 3.0;
+  for (int i = 0; i < 20; ++i) {
+    mapper.add(OdometryPose{0.1 * i, {0.1 * i, 0.0, 0.0}});
     mapper.add(scan);
   }
   const auto grid = mapper.snapshot().grid;
-  EXPECT_EQ(grid->state(grid->cell_at({1.0, 0.0})), mapping::CellState::kFree);
-  EXPECT_EQ(grid->state(grid->cell_at({2.0, 0.0})), mapping::CellState::kOccupied);
-  EXPECT_EQ(grid->state(grid->cell_at({1.0, 0.5})), mapping::CellState::kUnknown);
+  EXPECT_EQ(grid->state(grid->cell_at({1.0, 0.5})), mapping::CellState::kFree);
+  EXPECT_EQ(grid->state(grid->cell_at({1.0, -0.5})), mapping::CellState::kUnknown);
+  const bool is_found = grid->state(grid->cell_at({1.0, 0.98})) == mapping::CellState::kOccupied ||
+                        grid->state(grid->cell_at({1.0, 1.02})) == mapping::CellState::kOccupied;
+  EXPECT_TRUE(is_found);
+}
+
+TEST(LogMapper, TheSilenceOfSoundSpeaksForFreeFloorAndThatOfLightDoesNot) {
+  for (const bool is_light : {false, true}) {
+    LogMapper mapper;
+    RangeScan scan = laser({{0.0, std::nullopt}});
+    scan.beam_opening_rad = 0.5;
+    scan.max_range_m = 3.0;
+    scan.is_light = is_light;
+    mapper.add(scan);
+    EXPECT_EQ(mapper.snapshot().grid->bounds().empty(), is_light);
+  }
 }
 
 TEST(LogMapper, ScansBeforeTheFirstGivenPoseAreCountedAndLeftOut) {
