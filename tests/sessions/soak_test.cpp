@@ -24,6 +24,7 @@ TEST_P(SoakTest, NothingDriftsInMinutesOfDrivingSweepingAndFaults) {
   EXPECT_EQ(result.resets, 0U);
   EXPECT_EQ(result.encoder_errors, 0U);
   EXPECT_EQ(result.receive_overruns, 0U);
+  EXPECT_LE(result.grown_mb, 8.0);
   EXPECT_TRUE(result.holds());
   EXPECT_GT(result.rounds, 20U);
   EXPECT_GT(result.cuts, 0U);
