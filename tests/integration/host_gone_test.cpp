@@ -67,9 +67,11 @@ class HostGone : public ::testing::TestWithParam<Board> {
   }
 
   /// Waits for the end of the first stop, after which the robot turns and drives.
-  void await_first_move() {
+  /// A slow emulator gets there later, so every further seed has 0.2 s more.
+  void await_first_move(int seed) {
     EXPECT_TRUE(eventually([&] { return fs::exists(path("run/summary.json")); }))
         << files::read_text_file(scratch / "host.log");
+    std::this_thread::sleep_for(std::chrono::milliseconds(200 * (seed - 1)));
   }
 
   nlohmann::json truth() const {
@@ -118,7 +120,7 @@ TEST_P(HostGone, WheelsStopAfterTheHostIsKilled) {
     Program robot = start_robot(seed, {lockstep});
     EXPECT_TRUE(eventually([&] { return fs::exists(path("lockstep")); }));
     Program host = start_host(seed, path("robot"), {lockstep});
-    await_first_move();
+    await_first_move(seed);
     host.send(SIGKILL);
     host.wait();
     const Ended ended = robot.wait();
@@ -132,7 +134,7 @@ TEST_P(HostGone, WheelsStopWhileTheHostIsFrozen) {
     Program robot = start_robot(seed, {});
     EXPECT_TRUE(eventually([&] { return fs::exists(path("robot")); }));
     Program host = start_host(seed, path("robot"), {"--robot=uno_2wd"});
-    await_first_move();
+    await_first_move(seed);
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     host.send(SIGSTOP);
     const std::int64_t driven_ns = ns_driven_without_host(robot, seed);
@@ -192,7 +194,7 @@ TEST_P(HostGone, WheelsStopAfterTheCableIsCut) {
     EXPECT_TRUE(eventually([&] { return fs::exists(path("robot")); }));
     Cable cable(path("robot"));
     Program host = start_host(seed, cable.host_port(), {"--robot=uno_2wd"});
-    await_first_move();
+    await_first_move(seed);
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     cable.cut();
     const std::int64_t driven_ns = ns_driven_without_host(robot, seed);
