@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the mapping kernels do a second beside MRPT and OpenCV, and what the occupancy grid of a run
-// costs, by the number of its stops.
+// What the mapping kernels do a second beside MRPT and OpenCV, how fast a log becomes a grid, and
+// what the occupancy grid of a run costs, by the number of its stops.
 #include <chrono>
 #include <filesystem>
 #include <random>
@@ -21,6 +21,7 @@
 #include "host/pipeline/robot_pipeline.hpp"
 #include "tests/benchmarks/figures.hpp"
 #include "tests/benchmarks/mapping_kernels.hpp"
+#include "tests/benchmarks/replay_figures.hpp"
 #include "tests/support/median.hpp"
 #include "tests/support/offline_robot.hpp"
 
@@ -98,18 +99,21 @@ std::vector<Figure> stop_figures(std::uint32_t runs, std::size_t most_stops) {
 }  // namespace echomap::bench
 
 int main(int argc, char** argv) {
-  std::uint32_t runs = 5;
-  std::size_t stops = 100;
+  std::uint32_t runs = 3;
+  std::size_t stops = 20;
   std::size_t repetitions = 9;
   std::filesystem::path json;
-  CLI::App app("Rates of the mapping kernels, and time to make the living room's grid by stops");
+  CLI::App app(
+      "Rates of the mapping kernels and of replay, and time to make the living room's grid");
   app.add_option("--seeds", runs, "Run seeds 1 to this")->capture_default_str();
   app.add_option("--stops", stops, "Stop there at the latest")->capture_default_str();
   app.add_option("--repetitions", repetitions, "Median of so many")->capture_default_str();
   app.add_option("--json", json, "Write the figures to this file");
   CLI11_PARSE(app, argc, argv);
   std::vector<echomap::bench::Figure> figures = echomap::bench::kernel_figures(repetitions);
-  const auto by_stops = echomap::bench::stop_figures(runs, stops);
-  figures.insert(figures.end(), by_stops.begin(), by_stops.end());
+  for (const auto& more :
+       {echomap::bench::replay_figures(5), echomap::bench::stop_figures(runs, stops)}) {
+    figures.insert(figures.end(), more.begin(), more.end());
+  }
   echomap::bench::report(figures, json);
 }
