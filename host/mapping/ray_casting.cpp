@@ -33,76 +33,139 @@ constexpr float kPeek = 1e-3F;
 /// by half a diagonal of either.
 constexpr float kTwoHalfDiagonals = 1.4143F;
 
+/// An occupied cell that is at most k columns and k rows off is at most k diagonals far, so a
+/// distance of d cells says that the square of floor(d / sqrt(2)) cells to all sides is clear. A
+/// hair less, for roundings.
+constexpr float kClearSquare = 0.7071F;
+/// The latency of one step leaves time for as many.
+constexpr std::size_t kGroups = 4;
+
 /// Eight rays in flight, in cells.
 struct Rays {
+  std::size_t first = 0;  ///< The number of the first of them.
+  std::int32_t steps_left = 0;
   Floats way_x;
   Floats way_y;
   Floats per_way_x;  ///< 1 / way.
   Floats per_way_y;
-  Floats side_x;  ///< Which border of a cell lies ahead: 1 for the upper, 0 for the lower.
-  Floats side_y;
+  Floats sign_x;  ///< 1 or -1.
+  Floats sign_y;
   Floats range;
+  Whole going;
 };
 
-[[gnu::always_inline]] inline void cut(Floats& values, float low, float high) {
-  values = values > low ? values : Floats{} + low;
-  values = values < high ? values : Floats{} + high;
+/// Where rays are: the middles of their cells and what the field says there.
+struct Cells {
+  Floats middle_x;
+  Floats middle_y;
+  Floats clear;
+  Whole is_outside;
+};
+
+[[gnu::always_inline]] inline void truncate(Floats& values) {
+  values = __builtin_convertvector(__builtin_convertvector(values, Whole), Floats);
 }
 
-/// Follows 8 rays to their ends.
-ECHOMAP_VECTOR_CLONES
-void follow(const FieldView& view, Rays& rays) {
-  const std::int32_t most_steps = 2 * (view.columns + view.rows) + 2;
-  Whole going = Whole{} - 1;
-  std::int32_t is_any_left = 1;
-  for (std::int32_t i = 0; i < most_steps && is_any_left != 0; ++i) {
-    const Floats x = view.from_x + (rays.range + kPeek) * rays.way_x;
-    const Floats y = view.from_y + (rays.range + kPeek) * rays.way_y;
-    Floats low_x = x;
-    Floats low_y = y;
-    cut(low_x, 0.0F, static_cast<float>(view.columns) - 0.5F);
-    cut(low_y, 0.0F, static_cast<float>(view.rows) - 0.5F);
-    const Whole column = __builtin_convertvector(low_x, Whole);
-    const Whole row = __builtin_convertvector(low_y, Whole);
-    low_x = __builtin_convertvector(column, Floats);
-    low_y = __builtin_convertvector(row, Floats);
-    const Whole is_outside = (x < low_x) | (x >= low_x + 1.0F) | (y < low_y) | (y >= low_y + 1.0F);
-    const Whole index = row * view.columns + column;
-    Floats clear;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      clear[lane] = view.distances[index[lane]];
-    }
-    const Floats to_x = (low_x + rays.side_x - view.from_x) * rays.per_way_x;
-    const Floats to_y = (low_y + rays.side_y - view.from_y) * rays.per_way_y;
-    const Floats to_border = to_x < to_y ? to_x : to_y;
-    Floats next = rays.range + clear - kTwoHalfDiagonals;
-    next = next > to_border ? next : to_border;
-    next = is_outside ? Floats{} + view.most : next;
-    next = next < view.most ? next : Floats{} + view.most;
-    going &= is_outside | (clear > 0.0F);
-    rays.range = going ? next : rays.range;
-    going &= next < view.most;
-    is_any_left = 0;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      is_any_left |= going[lane];
-    }
+/// The nearest columns or rows that the map has.
+[[gnu::always_inline]] inline void put_in_map(std::int32_t count, Floats& at) {
+  const Floats last = Floats{} + (static_cast<float>(count) - 0.5F);
+  at = at > 0.0F ? at : Floats{};
+  at = at < last ? at : last;
+  truncate(at);
+}
+
+[[gnu::always_inline]] inline void look(const FieldView& view, const Rays& rays, Cells& cells) {
+  const Floats x = view.from_x + (rays.range + kPeek) * rays.way_x;
+  const Floats y = view.from_y + (rays.range + kPeek) * rays.way_y;
+  Floats low_x = x;
+  Floats low_y = y;
+  put_in_map(view.columns, low_x);
+  put_in_map(view.rows, low_y);
+  cells.middle_x = low_x + 0.5F;
+  cells.middle_y = low_y + 0.5F;
+  cells.is_outside = (x < low_x) | (x >= low_x + 1.0F) | (y < low_y) | (y >= low_y + 1.0F);
+  const Whole index =
+      __builtin_convertvector(low_y, Whole) * view.columns + __builtin_convertvector(low_x, Whole);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    cells.clear[lane] = view.distances[index[lane]];
   }
 }
 
-/// Rays at their beginning; the last direction again where there are less than 8.
-Rays rays_along(std::span<const Eigen::Vector2f> directions) {
+/// Takes 8 rays a step farther, to the border of the clear square around their cell or through the
+/// clear disc, whichever is farther; says whether any goes on.
+[[gnu::always_inline]] inline bool step(const FieldView& view, Rays& rays) {
+  Cells cells;
+  look(view, rays, cells);
+  Floats half_side = cells.clear * kClearSquare;
+  truncate(half_side);
+  half_side += 0.5F;
+  const Floats to_x = (cells.middle_x - view.from_x + rays.sign_x * half_side) * rays.per_way_x;
+  const Floats to_y = (cells.middle_y - view.from_y + rays.sign_y * half_side) * rays.per_way_y;
+  const Floats to_border = to_x < to_y ? to_x : to_y;
+  Floats next = rays.range + cells.clear - kTwoHalfDiagonals;
+  next = next > to_border ? next : to_border;
+  next = cells.is_outside ? Floats{} + view.most : next;
+  next = next < view.most ? next : Floats{} + view.most;
+  const Whole moves = rays.going & (cells.is_outside | (cells.clear > 0.0F));
+  rays.range = moves ? next : rays.range;
+  rays.going = moves & (next < view.most);
+  std::int32_t is_any_left = 0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    is_any_left |= rays.going[lane];
+  }
+  return is_any_left != 0 && --rays.steps_left > 0;
+}
+
+/// Rays from number `first` at their beginning; the last direction again where less than 8 are
+/// left.
+[[gnu::always_inline]] inline void begin(const FieldView& view,
+                                         std::span<const Eigen::Vector2f> directions,
+                                         std::size_t first,
+                                         Rays& rays) {
   constexpr float kLeast = 1e-9F;  // One may divide by it.
-  Rays rays{};
+  rays.first = first;
+  rays.steps_left = 2 * (view.columns + view.rows) + 2;
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const Eigen::Vector2f& way = directions[std::min(i, directions.size() - 1)];
+    const Eigen::Vector2f& way = directions[std::min(first + i, directions.size() - 1)];
     rays.way_x[i] = std::abs(way.x()) < kLeast ? kLeast : way.x();
     rays.way_y[i] = std::abs(way.y()) < kLeast ? kLeast : way.y();
   }
   rays.per_way_x = 1.0F / rays.way_x;
   rays.per_way_y = 1.0F / rays.way_y;
-  rays.side_x = rays.way_x > 0.0F ? Floats{} + 1.0F : Floats{};
-  rays.side_y = rays.way_y > 0.0F ? Floats{} + 1.0F : Floats{};
-  return rays;
+  rays.sign_x = rays.way_x > 0.0F ? Floats{} + 1.0F : Floats{} - 1.0F;
+  rays.sign_y = rays.way_y > 0.0F ? Floats{} + 1.0F : Floats{} - 1.0F;
+  rays.range = Floats{};
+  rays.going = Whole{} - 1;
+}
+
+/// Follows rays to their ends, some groups of 8 by turns: one that ends makes place for the next.
+ECHOMAP_VECTOR_CLONES
+void follow(const FieldView& view,
+            std::span<const Eigen::Vector2f> directions,
+            std::span<float> ranges) {
+  std::array<Rays, kGroups> groups;
+  std::size_t begun = 0;
+  std::size_t flying = 0;
+  for (; flying < kGroups && begun < directions.size(); ++flying, begun += kLanes) {
+    begin(view, directions, begun, groups[flying]);
+  }
+  while (flying != 0) {
+    for (std::size_t group = 0; group < flying; ++group) {
+      Rays& rays = groups[group];
+      if (step(view, rays)) {
+        continue;
+      }
+      for (std::size_t i = 0; i < std::min(kLanes, directions.size() - rays.first); ++i) {
+        ranges[rays.first + i] = rays.range[i];
+      }
+      if (begun < directions.size()) {
+        begin(view, directions, begun, rays);
+        begun += kLanes;
+      } else {
+        rays = groups[--flying];
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -120,13 +183,9 @@ void cast_rays(const DistanceField& field,
                        from.x(),
                        from.y(),
                        static_cast<float>(most_m) / resolution_m};
-  for (std::size_t begin = 0; begin < directions.size(); begin += kLanes) {
-    const std::size_t lanes = std::min(kLanes, directions.size() - begin);
-    Rays rays = rays_along(directions.subspan(begin, lanes));
-    follow(view, rays);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      ranges_m[begin + i] = rays.range[i] * resolution_m;
-    }
+  follow(view, directions, ranges_m);
+  for (float& range_m : ranges_m.first(directions.size())) {
+    range_m *= resolution_m;
   }
 }
 

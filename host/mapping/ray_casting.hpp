@@ -11,7 +11,8 @@ namespace echomap::mapping {
 
 /// How far rays run on a map before they enter an occupied cell. Each step goes as far as the
 /// distance field says that nothing stands (sphere tracing, Hart 1996), and at least to the border
-/// of the cell, so that the range is that of the border; eight rays go at once.
+/// of the cell or of the clear square around it, so that the range is that of a border; eight rays
+/// go at once, and four such groups by turns.
 
 /// From `from_m`, in the map frame, along unit vectors: the range of each, or `most_m` where
 /// nothing stands so near or the ray leaves the map first. The same for all when `from_m` is
