@@ -39,11 +39,36 @@ void square(const std::uint16_t* heights, std::size_t columns, std::int32_t* squ
   }
 }
 
+/// The same, where no height above `reach` matters.
 ECHOMAP_VECTOR_CLONES
-void take_roots(const std::int32_t* squares, std::size_t columns, float most, float* roots) {
+void square_near(const std::uint16_t* heights,
+                 std::size_t columns,
+                 std::uint16_t reach,
+                 std::uint16_t* squares) {
+  for (std::size_t x = 0; x < columns; ++x) {
+    const std::uint16_t height = std::min(heights[x], reach);
+    squares[x] = static_cast<std::uint16_t>(height * height);
+  }
+}
+
+template <typename Square>
+[[gnu::always_inline]] inline void take_all_roots(const Square* squares,
+                                                  std::size_t columns,
+                                                  float most,
+                                                  float* roots) {
   for (std::size_t x = 0; x < columns; ++x) {
     roots[x] = std::min(std::sqrt(static_cast<float>(squares[x])), most);
   }
+}
+
+ECHOMAP_VECTOR_CLONES
+void take_roots(const std::int32_t* squares, std::size_t columns, float most, float* roots) {
+  take_all_roots(squares, columns, most, roots);
+}
+
+ECHOMAP_VECTOR_CLONES
+void take_roots(const std::uint16_t* squares, std::size_t columns, float most, float* roots) {
+  take_all_roots(squares, columns, most, roots);
 }
 
 }  // namespace
@@ -72,7 +97,11 @@ void DistanceField::update(const RasterMap& map, const CellBounds& changed) {
   const CellBounds targets = cut(within, reach_cells_);
   const CellBounds sources = cut(targets, reach_cells_);
   find_heights(map, sources, targets);
-  find_distances(sources, targets);
+  if (reach_cells_ <= kMostNearReach) {
+    find_near_distances(sources, targets);
+  } else {
+    find_distances(sources, targets);
+  }
 }
 
 CellBounds DistanceField::cut(const CellBounds& bounds, std::int32_t margin) const {
@@ -115,9 +144,24 @@ void DistanceField::find_distances(const CellBounds& sources, const CellBounds& 
         heights_.data() + static_cast<std::size_t>(y - targets.min.y) * columns;
     square(heights, columns, squares.data());
     row_minima(squares, targets.min.x - sources.min.x, minima);
-    float* const roots = &cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-                                 static_cast<std::size_t>(targets.min.x)];
-    take_roots(minima.data(), target_columns, most_cells_, roots);
+    take_roots(minima.data(), target_columns, most_cells_, target_row(y, targets));
+  }
+}
+
+void DistanceField::find_near_distances(const CellBounds& sources, const CellBounds& targets) {
+  const auto columns = static_cast<std::size_t>(sources.columns());
+  const auto target_columns = static_cast<std::size_t>(targets.columns());
+  const auto reach = static_cast<std::uint16_t>(reach_cells_);
+  const auto before = static_cast<std::size_t>(sources.min.x - targets.min.x + reach_cells_);
+  std::vector<std::uint16_t> squares(target_columns + 2U * reach + kNearPadding,
+                                     static_cast<std::uint16_t>(reach * reach));
+  std::vector<std::uint16_t> minima(target_columns);
+  for (std::int32_t y = targets.min.y; y <= targets.max.y; ++y) {
+    const std::uint16_t* heights =
+        heights_.data() + static_cast<std::size_t>(y - targets.min.y) * columns;
+    square_near(heights, columns, reach, &squares[before]);
+    near_row_minima(squares, reach, minima);
+    take_roots(minima.data(), target_columns, most_cells_, target_row(y, targets));
   }
 }
 

@@ -39,6 +39,11 @@ class DistanceField {
   CellBounds cut(const CellBounds& bounds, std::int32_t margin) const;
   void find_heights(const RasterMap& map, const CellBounds& sources, const CellBounds& targets);
   void find_distances(const CellBounds& sources, const CellBounds& targets);
+  void find_near_distances(const CellBounds& sources, const CellBounds& targets);
+  float* target_row(std::int32_t y, const CellBounds& targets) {
+    return &cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                   static_cast<std::size_t>(targets.min.x)];
+  }
 
   int columns_;
   int rows_;

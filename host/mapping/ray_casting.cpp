@@ -86,9 +86,11 @@ struct Cells {
   cells.is_outside = (x < low_x) | (x >= low_x + 1.0F) | (y < low_y) | (y >= low_y + 1.0F);
   const Whole index =
       __builtin_convertvector(low_y, Whole) * view.columns + __builtin_convertvector(low_x, Whole);
+  Floats clear;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    cells.clear[lane] = view.distances[index[lane]];
+    clear[lane] = view.distances[index[lane]];
   }
+  cells.clear = clear;
 }
 
 /// Takes 8 rays a step farther, to the border of the clear square around their cell or through the

@@ -108,4 +108,27 @@ void row_minima(std::span<std::int32_t> heights,
   evaluate(heights.data(), by_16.data(), first, minima);
 }
 
+ECHOMAP_VECTOR_CLONES
+void near_row_minima(std::span<const std::uint16_t> squares,
+                     std::int32_t reach,
+                     std::span<std::uint16_t> minima) {
+  using Near = std::uint16_t __attribute__((vector_size(2 * kNearPadding)));
+  for (std::size_t x = 0; x < minima.size(); x += kNearPadding) {
+    const std::uint16_t* const middle = squares.data() + x + reach;
+    Near least;
+    std::memcpy(&least, middle, sizeof least);
+    for (std::int32_t d = 1; d <= reach; ++d) {
+      Near before;
+      Near after;
+      std::memcpy(&before, middle - d, sizeof before);
+      std::memcpy(&after, middle + d, sizeof after);
+      before = before < after ? before : after;
+      before += static_cast<std::uint16_t>(d * d);
+      least = before < least ? before : least;
+    }
+    const std::size_t lanes = std::min(kNearPadding, minima.size() - x);
+    std::memcpy(&minima[x], &least, lanes * sizeof(std::uint16_t));
+  }
+}
+
 }  // namespace echomap::mapping

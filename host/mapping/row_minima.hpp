@@ -20,4 +20,16 @@ void row_minima(std::span<std::int32_t> heights,
                 std::int32_t first,
                 std::span<std::int32_t> minima);
 
+/// The farthest reach of near_row_minima: twice its square is a whole number of 16 bits.
+constexpr std::int32_t kMostNearReach = 181;
+/// So many values beyond the last may be read.
+constexpr std::size_t kNearPadding = 32;
+
+/// min over |d| <= reach of squares[x + reach + d] + d^2 for x = 0, 1 .., one for each of `minima`:
+/// where only minima below reach^2 matter, nothing farther off can make one. 32 x at once.
+/// `squares` are at most reach^2 and 2 reach + kNearPadding more than `minima`.
+void near_row_minima(std::span<const std::uint16_t> squares,
+                     std::int32_t reach,
+                     std::span<std::uint16_t> minima);
+
 }  // namespace echomap::mapping

@@ -59,6 +59,16 @@ TEST(DistanceField, IsThatOfALoopOverAllCells) {
   }
 }
 
+TEST(DistanceField, IsExactOnEitherSideOfTheReachThatSixteenBitsHold) {
+  std::mt19937 random(33);
+  RasterMap map(420, 40, 0.05, {0.0, 0.0});
+  scatter(4, random, map);
+  map.set({0, 0}, CellState::kOccupied);
+  for (const double most_m : {9.04, 9.05, 9.06}) {
+    expect_exact(DistanceField(map, most_m), map, most_m);
+  }
+}
+
 TEST(DistanceField, CountsTheGreatestDistanceWhereNothingStands) {
   const RasterMap map(100, 80, 0.05, {0.0, 0.0});
   const DistanceField field(map, 2.0);

@@ -52,5 +52,30 @@ TEST(RowMinima, ReachTheEndsOfTheLongestRow) {
   EXPECT_EQ(minima.back(), (kMostRowCells - 1) * (kMostRowCells - 1));
 }
 
+TEST(RowMinima, AreTheSameFromNearbyWhereTheyAreBelowTheReachSquared) {
+  std::mt19937 random(29);
+  for (const std::int32_t reach : {1, 7, 40, kMostNearReach}) {
+    for (const std::size_t count : {1U, 31U, 32U, 33U, 200U}) {
+      const auto margin = static_cast<std::size_t>(reach);
+      const std::int32_t most = reach * reach;
+      std::vector<std::int32_t> heights(count + 2 * margin, most);
+      for (std::int32_t& height : heights) {
+        const auto lower =
+            static_cast<std::int32_t>(random() % (static_cast<std::uint32_t>(most) + 1));
+        height = random() % 8 == 0 ? lower : most;
+      }
+      std::vector<std::uint16_t> squares(heights.begin(), heights.end());
+      squares.resize(squares.size() + kNearPadding);
+      const auto expected = one_by_one(heights, reach, count);
+      std::vector<std::uint16_t> minima(count);
+      near_row_minima(squares, reach, minima);
+      for (std::size_t x = 0; x < count; ++x) {
+        ASSERT_EQ(std::min<std::int32_t>(minima[x], most), std::min(expected[x], most))
+            << reach << ' ' << count << ' ' << x;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace echomap::mapping
