@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,9 +28,7 @@ class CellField {
   void clear() { std::fill(values_.begin(), values_.end(), 0.0F); }
 
   geometry::CellIndex cell_at(const Eigen::Vector2d& point_m) const {
-    const Eigen::Vector2d scaled = point_m / resolution_m_;
-    return {static_cast<std::int32_t>(std::floor(scaled.x())),
-            static_cast<std::int32_t>(std::floor(scaled.y()))};
+    return {rounded_down(point_m.x() / resolution_m_), rounded_down(point_m.y() / resolution_m_)};
   }
   Eigen::Vector2d center_m(geometry::CellIndex cell) const {
     return resolution_m_ * Eigen::Vector2d(cell.x + 0.5, cell.y + 0.5);
@@ -56,6 +53,12 @@ class CellField {
   float operator[](std::size_t index) const { return values_[index]; }
 
  private:
+  /// std::floor is a call where the processor need not have SSE 4.1.
+  static std::int32_t rounded_down(double value) {
+    const auto towards_zero = static_cast<std::int32_t>(value);
+    return towards_zero - (value < towards_zero ? 1 : 0);
+  }
+
   CellBounds bounds_;
   double resolution_m_;
   std::vector<float> values_;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
 
@@ -22,6 +24,8 @@ constexpr double kOwnCells = 1.0;
 constexpr double kOwnArcCells = 2.0;
 /// Belief below this does not stop any sound.
 constexpr float kOpaqueBelief = 0.5F;
+/// What sound reaches with less chance it says nothing of.
+constexpr float kLeastReached = 1e-3F;
 /// An arc that sound reaches with less chance lies behind a wall.
 constexpr double kBehindWall = 0.5;
 constexpr double kCentilogits = 100.0;
@@ -44,17 +48,47 @@ CellBounds bounds_around(const std::vector<SonarView>& views, double reach_m, do
           {static_cast<std::int32_t>(high.x()), static_cast<std::int32_t>(high.y())}};
 }
 
-/// Calls `visit(cell)` for all cells of the square around a view.
+/// The corners of a box around an echo's arc, seen from its sonar.
+std::pair<Eigen::Array2d, Eigen::Array2d> box_of_arc_m(const SonarBeam& beam,
+                                                       const models::SonarConeParams& cone) {
+  const double far_m = *beam.range_m + cone.arc_half_thickness_m;
+  Eigen::Array2d low = far_m * geometry::unit_vector(beam.bearing_rad);
+  Eigen::Array2d high = low;
+  const auto widen = [&](double bearing_rad, double range_m) {
+    const Eigen::Array2d point_m = range_m * geometry::unit_vector(bearing_rad);
+    low = low.min(point_m);
+    high = high.max(point_m);
+  };
+  for (const double side_rad : {-cone.half_angle_rad, cone.half_angle_rad}) {
+    widen(beam.bearing_rad + side_rad, far_m);
+    widen(beam.bearing_rad + side_rad, *beam.range_m - cone.arc_half_thickness_m);
+  }
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const double axis_rad = quarter * std::numbers::pi / 2.0;
+    if (std::abs(geometry::angle_between(axis_rad, beam.bearing_rad)) <= cone.half_angle_rad) {
+      widen(axis_rad, far_m);
+    }
+  }
+  return {low, high};
+}
+
+/// Calls `visit(cell, way_m)` for the cells whose centres lie as far from the view as its echo, and
+/// somewhere near the cone.
 template <typename Visitor>
-void for_cells_around(const CellField& field,
+void for_cells_of_arc(const CellField& field,
                       const Eigen::Vector2d& origin_m,
-                      double reach_m,
+                      const SonarBeam& beam,
+                      const models::SonarConeParams& cone,
                       Visitor&& visit) {
-  const CellIndex low = field.cell_at(origin_m.array() - reach_m);
-  const CellIndex high = field.cell_at(origin_m.array() + reach_m);
+  const auto [low_m, high_m] = box_of_arc_m(beam, cone);
+  const CellIndex low = field.cell_at(origin_m.array() + low_m);
+  const CellIndex high = field.cell_at(origin_m.array() + high_m);
   for (std::int32_t y = low.y; y <= high.y; ++y) {
     for (std::int32_t x = low.x; x <= high.x; ++x) {
-      visit(CellIndex{x, y});
+      const Eigen::Vector2d way_m = field.center_m({x, y}) - origin_m;
+      if (std::abs(way_m.norm() - *beam.range_m) <= cone.arc_half_thickness_m) {
+        visit(CellIndex{x, y}, way_m);
+      }
     }
   }
 }
@@ -68,12 +102,14 @@ SonarEvidence::SonarEvidence(const std::vector<SonarView>& views,
     : views_(views),
       cone_(cone),
       params_(params),
+      rays_(cone.params().max_range_m, params.grid.resolution_m),
       free_(bounds_around(views,
                           cone.params().max_range_m + cone.params().arc_half_thickness_m,
                           params.grid.resolution_m),
             params.grid.resolution_m),
       occupied_(free_),
       wall_(free_),
+      opacity_(free_),
       of_one_view_(free_) {
   draw_walls(walls);
   for (const SonarView& view : views) {
@@ -120,102 +156,100 @@ void SonarEvidence::draw_walls(const std::vector<geometry::Segment>& walls) {
 SonarEvidence::Arc SonarEvidence::arc_of(const SonarView& view, const SonarBeam& beam) const {
   Arc arc;
   const models::SensorReading reading{beam.range_m};
-  for_cells_around(free_, view.origin_m, cone_.reach_m(reading), [&](CellIndex cell) {
-    const Eigen::Vector2d way_m = free_.center_m(cell) - view.origin_m;
-    const models::PolarPoint point{
-        way_m.norm(), geometry::angle_between(beam.bearing_rad, std::atan2(way_m.y(), way_m.x()))};
-    if (cone_.on_arc(reading, point)) {
-      arc.cells.push_back(free_.index(cell));
-      arc.weight.push_back(static_cast<float>(cone_.weight(point.off_axis_rad)));
-    }
-  });
-  arc.reached.assign(arc.cells.size(), 1.0F);
-  arc.share.assign(arc.cells.size(), 0.0F);
+  const double own_m = kOwnArcCells * free_.resolution_m();
+  for_cells_of_arc(
+      free_,
+      view.origin_m,
+      beam,
+      cone_.params(),
+      [&](CellIndex cell, const Eigen::Vector2d& way_m) {
+        const double bearing_rad = std::atan2(way_m.y(), way_m.x());
+        const models::PolarPoint point{way_m.norm(),
+                                       geometry::angle_between(beam.bearing_rad, bearing_rad)};
+        if (cone_.on_arc(reading, point) && point.range_m <= cone_.params().max_range_m) {
+          arc.cells.push_back({static_cast<std::uint32_t>(free_.index(cell)),
+                               rays_.index(rays_.ray_at(bearing_rad), point.range_m - own_m),
+                               static_cast<float>(cone_.weight(point.off_axis_rad))});
+        }
+      });
   return arc;
 }
 
 void SonarEvidence::hear_free_floor() {
+  find_opacity();
   CellField free(free_.bounds(), free_.resolution_m());
   for (std::size_t i = 0; i < views_.size(); ++i) {
-    SonarFan fan(views_[i], cone_, free_.resolution_m());
+    SonarFan fan(views_[i], cone_, rays_);
     fan.look([this](const Eigen::Vector2d& point_m) { return opacity(point_m); });
-    add_free_floor(fan, views_[i], free);
-    look_along_arcs(fan, arcs_[i]);
+    add_free_floor(fan, free);
+    for (Arc& arc : arcs_[i]) {
+      for (ArcCell& on_arc : arc.cells) {
+        on_arc.reached = fan.reached(on_arc.step);
+      }
+    }
   }
   free_ = std::move(free);
 }
 
-double SonarEvidence::opacity(const Eigen::Vector2d& point_m) const {
-  const CellIndex cell = free_.cell_at(point_m);
-  if (!free_.holds(cell)) {
-    return 0.0;
+void SonarEvidence::find_opacity() {
+  for (std::size_t i = 0; i < opacity_.size(); ++i) {
+    const float log_odds = free_[i] + occupied_[i];
+    const float believed = log_odds > kOpaqueBelief ? 1.0F / (1.0F + std::exp(-log_odds)) : 0.0F;
+    opacity_[i] = wall_[i] > 0.0F ? static_cast<float>(params_.wall_opacity) : believed;
   }
-  const std::size_t index = free_.index(cell);
-  if (wall_[index] > 0.0F) {
-    return params_.wall_opacity;
-  }
-  const float log_odds = free_[index] + occupied_[index];
-  return log_odds > kOpaqueBelief ? 1.0 / (1.0 + std::exp(-log_odds)) : 0.0;
 }
 
-void SonarEvidence::add_free_floor(const SonarFan& fan,
-                                   const SonarView& view,
-                                   CellField& free) const {
-  for_cells_around(free, view.origin_m, cone_.params().max_range_m, [&](CellIndex cell) {
-    const auto place = fan.place(free.center_m(cell));
-    if (!place) {
-      return;
-    }
+float SonarEvidence::opacity(const Eigen::Vector2d& point_m) const {
+  const CellIndex cell = opacity_.cell_at(point_m);
+  return opacity_.holds(cell) ? opacity_[opacity_.index(cell)] : 0.0F;
+}
+
+void SonarEvidence::add_free_floor(const SonarFan& fan, CellField& free) const {
+  const double own_m = kOwnCells * free.resolution_m();
+  const auto past_wall = static_cast<float>(1.0 - params_.wall_opacity);
+  fan.for_cells(free, [&](CellIndex cell, const SonarFan::Place& place) {
     const std::size_t index = free.index(cell);
-    const double own = wall_[index] > 0.0F ? 1.0 - params_.wall_opacity : 1.0;
-    const double reached = own * fan.reached(*place, kOwnCells * free.resolution_m());
-    free[index] += static_cast<float>(std::log(1.0 - reached * (1.0 - fan.miss_chance(*place))));
+    const float own = wall_[index] > 0.0F ? past_wall : 1.0F;
+    const float reached = own * fan.reached(place, own_m);
+    if (reached > kLeastReached) {
+      const auto heard = static_cast<float>(1.0 - fan.miss_chance(place));
+      free[index] += std::log(1.0F - reached * heard);
+    }
   });
 }
 
-void SonarEvidence::look_along_arcs(const SonarFan& fan, std::vector<Arc>& arcs) const {
-  for (Arc& arc : arcs) {
-    for (std::size_t i = 0; i < arc.cells.size(); ++i) {
-      const auto place = fan.place(free_.center_m(free_.cell(arc.cells[i])));
-      arc.reached[i] = static_cast<float>(
-          place ? fan.reached(*place, kOwnArcCells * free_.resolution_m()) : 0.0);
-    }
-  }
-}
-
 void SonarEvidence::share_out(Arc& arc) const {
-  double whole = 0.0;
-  double farthest = 0.0;
-  double likeliest = 0.0;
-  for (std::size_t i = 0; i < arc.cells.size(); ++i) {
-    const double not_free = std::exp(static_cast<double>(free_[arc.cells[i]]));
-    farthest = std::max<double>(farthest, arc.reached[i]);
+  float whole = 0.0F;
+  float farthest = 0.0F;
+  float likeliest = 0.0F;
+  for (ArcCell& on_arc : arc.cells) {
+    const float not_free = std::exp(free_[on_arc.cell]);
+    farthest = std::max(farthest, on_arc.reached);
     likeliest = std::max(likeliest, not_free);
-    arc.share[i] = static_cast<float>(arc.weight[i] * arc.reached[i] * not_free);
-    whole += arc.share[i];
+    on_arc.share = on_arc.weight * on_arc.reached * not_free;
+    whole += on_arc.share;
   }
   arc.behind_wall = farthest < kBehindWall;
   arc.seen_through = !arc.behind_wall && likeliest < params_.ghost_chance;
   const bool ghost = arc.behind_wall || arc.seen_through;
-  const auto& cone = cone_.params();
-  for (float& share : arc.share) {
-    share =
-        ghost ? 0.0F
-              : static_cast<float>(std::min(cone.cell_evidence, cone.arc_evidence * share / whole));
+  const auto whole_evidence = static_cast<float>(cone_.params().arc_evidence);
+  const auto most = static_cast<float>(cone_.params().cell_evidence);
+  for (ArcCell& on_arc : arc.cells) {
+    on_arc.share = ghost ? 0.0F : std::min(most, whole_evidence * on_arc.share / whole);
   }
 }
 
 void SonarEvidence::add_arcs(const std::vector<Arc>& arcs) {
-  std::vector<std::size_t> cells;
   for (const Arc& arc : arcs) {
-    for (std::size_t i = 0; i < arc.cells.size(); ++i) {
-      float& most = of_one_view_[arc.cells[i]];
-      most = std::max(most, arc.share[i]);
-      cells.push_back(arc.cells[i]);
+    for (const ArcCell& on_arc : arc.cells) {
+      float& most = of_one_view_[on_arc.cell];
+      most = std::max(most, on_arc.share);
     }
   }
-  for (const std::size_t cell : cells) {
-    occupied_[cell] += std::exchange(of_one_view_[cell], 0.0F);
+  for (const Arc& arc : arcs) {
+    for (const ArcCell& on_arc : arc.cells) {
+      occupied_[on_arc.cell] += std::exchange(of_one_view_[on_arc.cell], 0.0F);
+    }
   }
 }
 

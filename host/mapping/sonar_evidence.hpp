@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "host/geometry/segment.hpp"
@@ -29,32 +30,38 @@ class SonarEvidence {
   SonarReadingCounts counts() const;
 
  private:
+  struct ArcCell {
+    std::uint32_t cell = 0;  ///< Of the fields.
+    std::uint32_t step = 0;  ///< Of the view's fan, in front of the cell.
+    float weight = 0.0F;     ///< Of the angle off the axis.
+    float reached = 0.0F;    ///< Chance that the sound gets there.
+    float share = 0.0F;      ///< Evidence for an obstacle, log-odds.
+  };
   /// Where one echo may come from, cell by cell.
   struct Arc {
-    std::vector<std::size_t> cells;
-    std::vector<float> weight;   ///< Of the angle off the axis.
-    std::vector<float> reached;  ///< Chance that the sound gets there.
-    std::vector<float> share;    ///< Evidence for an obstacle, log-odds.
+    std::vector<ArcCell> cells;
     bool behind_wall = false;
     bool seen_through = false;
   };
 
   void draw_walls(const std::vector<geometry::Segment>& walls);
   Arc arc_of(const SonarView& view, const SonarBeam& beam) const;
-  void add_free_floor(const SonarFan& fan, const SonarView& view, CellField& free) const;
-  void look_along_arcs(const SonarFan& fan, std::vector<Arc>& arcs) const;
+  void add_free_floor(const SonarFan& fan, CellField& free) const;
+  void find_opacity();
   void hear_free_floor();
   void share_out(Arc& arc) const;
   void add_arcs(const std::vector<Arc>& arcs);
-  /// Chance that sound ends at the point, by what is known so far.
-  double opacity(const Eigen::Vector2d& point_m) const;
+  /// Chance that sound ends at the point, by what was known when the round began.
+  float opacity(const Eigen::Vector2d& point_m) const;
 
   const std::vector<SonarView>& views_;
   const models::SonarCone& cone_;
   const SonarConeMapperParams& params_;
+  FanRays rays_;
   CellField free_;
   CellField occupied_;
   CellField wall_;
+  CellField opacity_;
   CellField of_one_view_;
   std::vector<std::vector<Arc>> arcs_;  ///< By view.
 };

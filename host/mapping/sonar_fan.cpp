@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/sonar_fan.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
+#include <numeric>
 
-#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
 
@@ -13,65 +12,111 @@ namespace {
 
 constexpr double kTurnRad = 2.0 * std::numbers::pi;
 
-std::size_t ray_count(double max_range_m, double resolution_m) {
-  return static_cast<std::size_t>(std::ceil(kTurnRad * max_range_m / resolution_m));
-}
-
 }  // namespace
 
-SonarFan::SonarFan(const SonarView& view, const models::SonarCone& model, double resolution_m)
+FanRays::FanRays(double max_range_m, double resolution_m)
+    : resolution_m_(resolution_m),
+      count_(static_cast<std::size_t>(std::ceil(kTurnRad * max_range_m / resolution_m))),
+      steps_(static_cast<std::size_t>(max_range_m / resolution_m) + 2),
+      spacing_rad_(kTurnRad / static_cast<double>(count_)) {
+  ways_.reserve(count_);
+  for (std::size_t ray = 0; ray < count_; ++ray) {
+    ways_.push_back(geometry::unit_vector(static_cast<double>(ray) * spacing_rad_));
+  }
+}
+
+SonarFan::SonarFan(const SonarView& view, const models::SonarCone& model, const FanRays& rays)
     : view_(view),
-      model_(model),
-      resolution_m_(resolution_m),
-      spacing_rad_(kTurnRad /
-                   static_cast<double>(ray_count(model.params().max_range_m, resolution_m))),
-      steps_(static_cast<std::size_t>(model.params().max_range_m / resolution_m) + 2),
-      beams_(ray_count(model.params().max_range_m, resolution_m)),
-      through_(beams_.size() * steps_, 1.0F) {
+      rays_(rays),
+      max_range_m_(model.params().max_range_m),
+      first_on_ray_(rays.count() + 1, 0),
+      free_to_m_(rays.count(), 0.0),
+      through_(rays.count() * rays.steps(), 0.0F) {
+  put_beams_on_rays(model);
+  find_sectors(model);
+}
+
+template <typename Visitor>
+void SonarFan::for_beams_on_rays(const models::SonarCone& model, Visitor&& visit) const {
   const double half_angle_rad = model.params().half_angle_rad;
-  const auto rays = static_cast<std::int64_t>(beams_.size());
-  for (std::size_t beam = 0; beam < view.beams.size(); ++beam) {
-    const double axis_rad = view.beams[beam].bearing_rad;
+  const double spacing_rad = rays_.spacing_rad();
+  const auto count = static_cast<std::int64_t>(rays_.count());
+  for (const SonarBeam& beam : view_.beams) {
     const auto first =
-        static_cast<std::int64_t>(std::ceil((axis_rad - half_angle_rad) / spacing_rad_));
+        static_cast<std::int64_t>(std::ceil((beam.bearing_rad - half_angle_rad) / spacing_rad));
     const auto last =
-        static_cast<std::int64_t>(std::floor((axis_rad + half_angle_rad) / spacing_rad_));
+        static_cast<std::int64_t>(std::floor((beam.bearing_rad + half_angle_rad) / spacing_rad));
     for (std::int64_t i = first; i <= last; ++i) {
-      const auto ray = static_cast<std::size_t>((i % rays + rays) % rays);
-      beams_[ray].push_back({beam, static_cast<double>(i) * spacing_rad_ - axis_rad});
+      visit(beam,
+            static_cast<std::size_t>((i % count + count) % count),
+            static_cast<double>(i) * spacing_rad - beam.bearing_rad);
     }
   }
 }
 
+void SonarFan::put_beams_on_rays(const models::SonarCone& model) {
+  for_beams_on_rays(
+      model, [this](const SonarBeam&, std::size_t ray, double) { ++first_on_ray_[ray + 1]; });
+  std::partial_sum(first_on_ray_.begin(), first_on_ray_.end(), first_on_ray_.begin());
+  on_ray_.resize(first_on_ray_.back());
+  std::vector<std::uint32_t> next(first_on_ray_.begin(), first_on_ray_.end() - 1);
+  for_beams_on_rays(model, [&](const SonarBeam& beam, std::size_t ray, double off_axis_rad) {
+    const models::SensorReading reading{beam.range_m};
+    const double free_to_m = model.free_to_m(reading);
+    on_ray_[next[ray]++] = {free_to_m, model.miss_chance(reading, {0.0, off_axis_rad})};
+    free_to_m_[ray] = std::max(free_to_m_[ray], free_to_m);
+  });
+}
+
+void SonarFan::find_sectors(const models::SonarCone& model) {
+  const std::size_t count = rays_.count();
+  const auto is_held = [this, count](std::size_t ray) {
+    return first_on_ray_[ray % count] < first_on_ray_[ray % count + 1];
+  };
+  std::size_t begin = 0;
+  while (begin < count && is_held(begin)) {
+    ++begin;
+  }
+  for (std::size_t i = begin; i < begin + count; ++i) {
+    if (!is_held(i)) {
+      continue;
+    }
+    if (sectors_.empty() || !is_held(i + count - 1)) {
+      sectors_.push_back({i % count});
+    }
+    widen(sectors_.back(), i % count);
+  }
+  const double to_arc_m = model.params().free_margin_m + model.params().arc_half_thickness_m;
+  for (Sector& sector : sectors_) {
+    const auto steps = static_cast<std::size_t>((sector.reach_m + to_arc_m) / rays_.step_m()) + 2;
+    sector.steps = std::min(steps, rays_.steps());
+  }
+}
+
+void SonarFan::widen(Sector& sector, std::size_t ray) const {
+  const Eigen::Array2d end_m = free_to_m_[ray] * rays_.way(ray);
+  const double beside_m = rays_.step_m();
+  ++sector.rays;
+  sector.reach_m = std::max(sector.reach_m, free_to_m_[ray]);
+  sector.low_m = sector.low_m.min(end_m - beside_m);
+  sector.high_m = sector.high_m.max(end_m + beside_m);
+}
+
 std::optional<SonarFan::Place> SonarFan::place(const Eigen::Vector2d& point_m) const {
   const Eigen::Vector2d way_m = point_m - view_.origin_m;
-  const double range_m = way_m.norm();
-  if (range_m > model_.params().max_range_m) {
-    return std::nullopt;
-  }
-  const double bearing_rad = std::atan2(way_m.y(), way_m.x());
-  const double turned_rad = bearing_rad < 0.0 ? bearing_rad + kTurnRad : bearing_rad;
-  const auto ray = static_cast<std::size_t>(std::lround(turned_rad / spacing_rad_)) % beams_.size();
-  if (beams_[ray].empty()) {
-    return std::nullopt;
-  }
-  return Place{ray, range_m};
+  const Place place{ray_towards(way_m), way_m.norm()};
+  const bool is_held = first_on_ray_[place.ray] < first_on_ray_[place.ray + 1];
+  return is_held && place.range_m <= max_range_m_ ? std::optional(place) : std::nullopt;
 }
 
 double SonarFan::miss_chance(const Place& place) const {
   double least = 1.0;
-  for (const BeamOnRay& on_ray : beams_[place.ray]) {
-    least = std::min(least,
-                     model_.miss_chance({view_.beams[on_ray.beam].range_m},
-                                        {place.range_m, on_ray.off_axis_rad}));
+  for (std::uint32_t i = first_on_ray_[place.ray]; i < first_on_ray_[place.ray + 1]; ++i) {
+    if (place.range_m < on_ray_[i].free_to_m) {
+      least = std::min(least, on_ray_[i].miss_chance);
+    }
   }
   return least;
-}
-
-double SonarFan::reached(const Place& place, double short_of_m) const {
-  const double range_m = std::max(0.0, place.range_m - short_of_m);
-  const auto step = static_cast<std::size_t>(range_m / resolution_m_);
-  return through_[place.ray * steps_ + std::min(step, steps_ - 1)];
 }
 
 }  // namespace echomap::mapping

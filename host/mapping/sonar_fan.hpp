@@ -1,20 +1,56 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/cell_field.hpp"
 #include "host/mapping/sonar_view.hpp"
 #include "host/models/sonar_cone.hpp"
 
 namespace echomap::mapping {
 
-/// The cones of one view as a fan of fine rays, one cell apart at the sonar's maximum range: which
-/// beams hold a point, and whether their sound gets there.
+/// The fine rays that all fans of one sonar are made of: a full turn, one cell apart at the sonar's
+/// maximum range, in steps of one cell.
+class FanRays {
+ public:
+  FanRays(double max_range_m, double resolution_m);
+
+  std::size_t count() const { return count_; }
+  std::size_t steps() const { return steps_; }
+  double spacing_rad() const { return spacing_rad_; }
+  double step_m() const { return resolution_m_; }
+  /// The unit vector along a ray.
+  const Eigen::Vector2d& way(std::size_t ray) const { return ways_[ray]; }
+
+  /// The ray nearest to a bearing in (-pi, pi].
+  std::size_t ray_at(double bearing_rad) const {
+    const auto turned =
+        static_cast<std::size_t>(bearing_rad / spacing_rad_ + 0.5 + static_cast<double>(count_));
+    return turned >= count_ ? turned - count_ : turned;
+  }
+  /// Of a step of a ray, among all steps of all rays.
+  std::uint32_t index(std::size_t ray, double range_m) const {
+    const auto step = static_cast<std::size_t>(std::max(0.0, range_m) / resolution_m_);
+    return static_cast<std::uint32_t>(ray * steps_ + std::min(step, steps_ - 1));
+  }
+
+ private:
+  double resolution_m_;
+  std::size_t count_;
+  std::size_t steps_;
+  double spacing_rad_;
+  std::vector<Eigen::Vector2d> ways_;
+};
+
+/// The cones of one view as a fan of fine rays: which beams hold a point, what they say of it, and
+/// whether their sound gets there.
 class SonarFan {
  public:
   /// A point of the fan.
@@ -23,8 +59,8 @@ class SonarFan {
     double range_m = 0.0;
   };
 
-  /// `view` and `model` have to outlive the fan.
-  SonarFan(const SonarView& view, const models::SonarCone& model, double resolution_m);
+  /// `view` and `rays` have to outlive the fan.
+  SonarFan(const SonarView& view, const models::SonarCone& model, const FanRays& rays);
 
   /// Empty for a point outside of all cones or beyond the maximum range.
   std::optional<Place> place(const Eigen::Vector2d& point_m) const;
@@ -34,38 +70,88 @@ class SonarFan {
   /// Follows all rays outwards; `opacity(point_m)` is the chance that a wall stands there.
   template <typename Opacity>
   void look(Opacity&& opacity) {
-    for (std::size_t ray = 0; ray < beams_.size(); ++ray) {
-      if (beams_[ray].empty()) {
-        continue;
-      }
-      const Eigen::Vector2d way = geometry::unit_vector(bearing_rad(ray));
-      double through = 1.0;
-      for (std::size_t step = 0; step < steps_; ++step) {
-        through_[ray * steps_ + step] = static_cast<float>(through);
-        const double range_m = (static_cast<double>(step) + 0.5) * resolution_m_;
-        through *= 1.0 - opacity(view_.origin_m + range_m * way);
+    for (const Sector& sector : sectors_) {
+      for (std::size_t i = 0; i < sector.rays; ++i) {
+        const std::size_t ray = (sector.first_ray + i) % rays_.count();
+        const Eigen::Vector2d& way = rays_.way(ray);
+        float through = 1.0F;
+        for (std::size_t step = 0; step < sector.steps; ++step) {
+          through_[ray * rays_.steps() + step] = through;
+          const double range_m = (static_cast<double>(step) + 0.5) * rays_.step_m();
+          through *= 1.0F - static_cast<float>(opacity(view_.origin_m + range_m * way));
+        }
       }
     }
   }
   /// Chance that nothing stands before the place, from `short_of_m` in front of it on; after
   /// look().
-  double reached(const Place& place, double short_of_m) const;
+  float reached(const Place& place, double short_of_m) const {
+    return reached(rays_.index(place.ray, place.range_m - short_of_m));
+  }
+  /// The same by the step's index; nothing gets to where no cone is.
+  float reached(std::uint32_t index) const { return through_[index]; }
+
+  /// Calls `visit(cell, place)` once for each cell whose centre the view says something of.
+  template <typename Visitor>
+  void for_cells(const CellField& field, Visitor&& visit) const {
+    for (const Sector& sector : sectors_) {
+      const auto low = field.cell_at(view_.origin_m.array() + sector.low_m);
+      const auto high = field.cell_at(view_.origin_m.array() + sector.high_m);
+      for (std::int32_t y = low.y; y <= high.y; ++y) {
+        for (std::int32_t x = low.x; x <= high.x; ++x) {
+          const Eigen::Vector2d way_m = field.center_m({x, y}) - view_.origin_m;
+          const double square_m2 = way_m.squaredNorm();
+          if (square_m2 >= sector.reach_m * sector.reach_m) {
+            continue;
+          }
+          const Place place{ray_towards(way_m), std::sqrt(square_m2)};
+          if (holds(sector, place.ray) && says_something(place)) {
+            visit(geometry::CellIndex{x, y}, place);
+          }
+        }
+      }
+    }
+  }
 
  private:
+  /// What one beam says along one ray.
   struct BeamOnRay {
-    std::size_t beam = 0;
-    double off_axis_rad = 0.0;
+    double free_to_m = 0.0;
+    double miss_chance = 1.0;
+  };
+  /// Neighbouring rays that hold beams.
+  struct Sector {
+    std::size_t first_ray = 0;
+    std::size_t rays = 0;
+    std::size_t steps = 0;  ///< To beyond the arcs.
+    double reach_m = 0.0;   ///< Nothing is said of what is as far as this.
+    Eigen::Array2d low_m = Eigen::Array2d::Zero();
+    Eigen::Array2d high_m = Eigen::Array2d::Zero();
   };
 
-  double bearing_rad(std::size_t ray) const { return static_cast<double>(ray) * spacing_rad_; }
+  /// Calls `visit(beam, ray, off_axis_rad)` for all rays of all cones.
+  template <typename Visitor>
+  void for_beams_on_rays(const models::SonarCone& model, Visitor&& visit) const;
+  void put_beams_on_rays(const models::SonarCone& model);
+  void find_sectors(const models::SonarCone& model);
+  void widen(Sector& sector, std::size_t ray) const;
+  std::size_t ray_towards(const Eigen::Vector2d& way_m) const {
+    return rays_.ray_at(std::atan2(static_cast<float>(way_m.y()), static_cast<float>(way_m.x())));
+  }
+  bool holds(const Sector& sector, std::size_t ray) const {
+    const std::size_t after = ray + (ray < sector.first_ray ? rays_.count() : 0);
+    return after - sector.first_ray < sector.rays;
+  }
+  bool says_something(const Place& place) const { return place.range_m < free_to_m_[place.ray]; }
 
   const SonarView& view_;
-  const models::SonarCone& model_;
-  double resolution_m_;
-  double spacing_rad_;
-  std::size_t steps_;
-  std::vector<std::vector<BeamOnRay>> beams_;  ///< By ray.
-  std::vector<float> through_;                 ///< By ray and step.
+  const FanRays& rays_;
+  double max_range_m_;
+  std::vector<Sector> sectors_;
+  std::vector<std::uint32_t> first_on_ray_;  ///< By ray, and one for the end: into on_ray_.
+  std::vector<BeamOnRay> on_ray_;
+  std::vector<double> free_to_m_;  ///< By ray.
+  std::vector<float> through_;     ///< By ray and step.
 };
 
 }  // namespace echomap::mapping

@@ -36,13 +36,15 @@ double SonarCone::weight(double off_axis_rad) const {
 }
 
 double SonarCone::miss_chance(const SensorReading& reading, const PolarPoint& point) const {
-  const double free_to_m =
-      reading.range_m ? *reading.range_m - params_.free_margin_m : params_.max_range_m;
-  if (point.range_m >= free_to_m) {
+  if (point.range_m >= free_to_m(reading)) {
     return 1.0;
   }
   const double miss = reading.range_m ? params_.overheard_chance : params_.silent_chance;
   return 1.0 - weight(point.off_axis_rad) * (1.0 - miss);
+}
+
+double SonarCone::free_to_m(const SensorReading& reading) const {
+  return reading.range_m ? *reading.range_m - params_.free_margin_m : params_.max_range_m;
 }
 
 bool SonarCone::on_arc(const SensorReading& reading, const PolarPoint& point) const {

@@ -43,6 +43,8 @@ class SonarCone {
   /// (2) Chance that an obstacle at the point goes with this reading although it is nearer than the
   /// echo: 1 - w (1 - miss); 1 where the reading says nothing of the point.
   double miss_chance(const SensorReading& reading, const PolarPoint& point) const;
+  /// The range from which on the reading says nothing more of free floor.
+  double free_to_m(const SensorReading& reading) const;
   bool on_arc(const SensorReading& reading, const PolarPoint& point) const;
 
   /// Natural log-odds; an arc's cells of `cell_m` share the arc's evidence evenly.
