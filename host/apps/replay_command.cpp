@@ -143,11 +143,7 @@ ExitCode run_replay(const ReplayOptions& options) {
   summary.outcome = outcome;
   summary.sim_seconds = mapper.duration_s().value_or(0.0);
   exports::describe_snapshot(snapshot, summary);
-  exports::write_run_directory(
-      out,
-      snapshot,
-      summary,
-      options.map == "polygon" ? exports::Outline::kWritten : exports::Outline::kLeftOut);
+  exports::write_run_directory(out, snapshot, summary);
   summary.wall_seconds = seconds_since(start);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
   report["replay"] = replay_json(options, mapper);

@@ -50,8 +50,7 @@ void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary) 
 
 void write_run_directory(const std::filesystem::path& directory,
                          const pipeline::Snapshot& snapshot,
-                         const RunSummary& summary,
-                         Outline outline) {
+                         const RunSummary& summary) {
   make_directory(directory);
   write_points_csv(directory / "points.csv", snapshot.points->points());
   write_poses_csv(directory / "poses.csv", snapshot.points->poses());
@@ -60,11 +59,8 @@ void write_run_directory(const std::filesystem::path& directory,
   write_occupancy_grid_csv(directory / "occupancy_grid.csv", *snapshot.grid);
   write_trajectory_tum(directory / "trajectory.tum", *snapshot.trajectory);
   write_map_png(directory / "map.png", snapshot);
-  std::optional<mapping::PolygonMap> polygon;
-  if (outline == Outline::kWritten) {
-    polygon = mapping::polygon_from_raster(map);
-    write_outline_geojson(directory / "outline.geojson", polygon);
-  }
+  const auto polygon = mapping::polygon_from_raster(map);
+  write_outline_geojson(directory / "outline.geojson", polygon);
   write_map_svg(directory / "map.svg", snapshot, polygon);
   write_summary_json(directory / "summary.json", summary);
 }

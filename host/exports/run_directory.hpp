@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 
 #include "host/exports/summary_json.hpp"
@@ -13,16 +12,11 @@ namespace echomap::exports {
 /// length and area.
 void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary);
 
-/// Whether the outline of the floor is looked for: outline.geojson, and its lines in map.svg. It
-/// takes long for the ragged floor of a large laser map.
-enum class Outline : std::uint8_t { kWritten, kLeftOut };
-
 /// Writes map.yaml, map.pgm, occupancy_grid.csv, map.png, map.svg, outline.geojson, points.csv,
 /// poses.csv, trajectory.tum and summary.json into `directory`, which is made where it is missing.
 /// Each file is whole or absent. Throws files::FileError.
 void write_run_directory(const std::filesystem::path& directory,
                          const pipeline::Snapshot& snapshot,
-                         const RunSummary& summary,
-                         Outline outline = Outline::kWritten);
+                         const RunSummary& summary);
 
 }  // namespace echomap::exports

@@ -4,21 +4,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "host/geometry/touching_sides.hpp"
+
 namespace echomap::geometry {
 namespace {
 
 constexpr double kTouchM = 1e-9;
-
-std::string sides_text(std::size_t first, std::size_t second) {
-  return "sides " + std::to_string(first) + " and " + std::to_string(second);
-}
-
-/// Neighbours share a corner; they may not fold back onto each other.
-bool folds_back(const Segment& first, const Segment& second) {
-  const Eigen::Vector2d a = first.to_m - first.from_m;
-  const Eigen::Vector2d b = second.to_m - second.from_m;
-  return std::abs(cross(a, b)) < kTouchM * a.norm() * b.norm() && a.dot(b) < 0.0;
-}
 
 std::optional<std::string> repeated_corner(const Polygon& polygon, std::size_t index) {
   const Segment here = side(polygon, index);
@@ -27,21 +18,6 @@ std::optional<std::string> repeated_corner(const Polygon& polygon, std::size_t i
   }
   return "corners " + std::to_string(index) + " and " +
          std::to_string((index + 1) % polygon.size()) + " are the same";
-}
-
-std::optional<std::string> crossed_side(const Polygon& polygon, std::size_t first) {
-  const std::size_t count = polygon.size();
-  const Segment here = side(polygon, first);
-  if (folds_back(here, side(polygon, (first + 1) % count))) {
-    return sides_text(first, (first + 1) % count) + " lie on each other";
-  }
-  for (std::size_t second = first + 2; second < count; ++second) {
-    const bool neighbours = (second + 1) % count == first;
-    if (!neighbours && touch(here, side(polygon, second))) {
-      return sides_text(first, second) + " cross";
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -96,18 +72,31 @@ bool contains(const Polygon& outer, const Polygon& inner) {
   return true;
 }
 
-std::optional<std::string> polygon_fault(const Polygon& polygon) {
+std::optional<std::string> corner_fault(const Polygon& polygon) {
   if (polygon.size() < 3) {
     return "a polygon needs at least 3 corners, here are " + std::to_string(polygon.size());
   }
-  for (const auto& check : {repeated_corner, crossed_side}) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      if (auto fault = check(polygon, i)) {
-        return fault;
-      }
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (auto fault = repeated_corner(polygon, i)) {
+      return fault;
     }
   }
   return std::nullopt;
+}
+
+std::optional<std::string> polygon_fault(const Polygon& polygon) {
+  if (auto fault = corner_fault(polygon)) {
+    return fault;
+  }
+  const auto touching = touching_sides({polygon});
+  if (touching.empty()) {
+    return std::nullopt;
+  }
+  const std::size_t first = touching.front().first.side;
+  const std::size_t second = touching.front().second.side;
+  const bool neighbours = first + 1 == second || (second + 1) % polygon.size() == first;
+  return "sides " + std::to_string(first) + " and " + std::to_string(second) +
+         (neighbours ? " lie on each other" : " cross");
 }
 
 }  // namespace echomap::geometry

@@ -29,7 +29,10 @@ bool contains(const Polygon& polygon, const Eigen::Vector2d& point_m);
 /// Whether no corner of `inner` is outside of `outer` and no sides cross; they may touch.
 bool contains(const Polygon& outer, const Polygon& inner);
 
-/// Why the corners do not bound an area: too few, a repeated corner, sides that cross or touch.
+/// Why no polygon has these corners: too few, or two in a row that are the same.
+std::optional<std::string> corner_fault(const Polygon& polygon);
+
+/// Why the corners do not bound an area: a `corner_fault`, or sides that cross or touch.
 std::optional<std::string> polygon_fault(const Polygon& polygon);
 
 }  // namespace echomap::geometry

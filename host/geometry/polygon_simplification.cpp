@@ -2,35 +2,48 @@
 #include "host/geometry/polygon_simplification.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <optional>
 
 namespace echomap::geometry {
 namespace {
 
-/// Marks the points that stay between two that do.
-void keep_between(const std::vector<Eigen::Vector2d>& way_m,
-                  double tolerance_m,
-                  std::vector<bool>& kept) {
-  std::vector<std::pair<std::size_t, std::size_t>> pieces{{0, way_m.size() - 1}};
-  while (!pieces.empty()) {
-    const auto [first, last] = pieces.back();
-    pieces.pop_back();
-    const Segment piece{way_m[first], way_m[last]};
-    double farthest_m = tolerance_m;
-    std::size_t farthest = first;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const double off_m = distance_m(piece, way_m[i]);
-      if (off_m > farthest_m) {
-        farthest_m = off_m;
-        farthest = i;
-      }
-    }
-    if (farthest != first) {
-      kept[farthest] = true;
-      pieces.emplace_back(first, farthest);
-      pieces.emplace_back(farthest, last);
+using Way = std::vector<Eigen::Vector2d>;
+
+/// The point between `first` and `last` that is farthest from the straight piece between them, if
+/// it is farther than `least_m`.
+std::optional<std::size_t> farthest_between(const Way& way_m,
+                                            std::size_t first,
+                                            std::size_t last,
+                                            double least_m) {
+  const Segment piece{way_m[first], way_m[last]};
+  double farthest_m = least_m;
+  std::optional<std::size_t> farthest;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double off_m = distance_m(piece, way_m[i]);
+    if (off_m > farthest_m) {
+      farthest_m = off_m;
+      farthest = i;
     }
   }
+  return farthest;
+}
+
+/// Indices of the points from `first` to `last` that stay, both ends among them.
+std::vector<std::size_t> kept_between(const Way& way_m,
+                                      std::size_t first,
+                                      std::size_t last,
+                                      double tolerance_m) {
+  std::vector<std::size_t> kept{first};
+  std::vector<std::size_t> ends{last};
+  while (!ends.empty()) {
+    if (const auto farthest = farthest_between(way_m, kept.back(), ends.back(), tolerance_m)) {
+      ends.push_back(*farthest);
+    } else {
+      kept.push_back(ends.back());
+      ends.pop_back();
+    }
+  }
+  return kept;
 }
 
 /// Index of the corner farthest from a place.
@@ -46,37 +59,47 @@ std::size_t farthest_corner(const Polygon& polygon, const Eigen::Vector2d& place
 
 std::vector<Eigen::Vector2d> simplified_way(const std::vector<Eigen::Vector2d>& way_m,
                                             double tolerance_m) {
-  if (way_m.size() < 3) {
-    return way_m;
-  }
-  std::vector<bool> kept(way_m.size(), false);
-  kept.front() = kept.back() = true;
-  keep_between(way_m, tolerance_m, kept);
-  std::vector<Eigen::Vector2d> simple_m;
-  for (std::size_t i = 0; i < way_m.size(); ++i) {
-    if (kept[i]) {
+  Way simple_m;
+  if (!way_m.empty()) {
+    for (const std::size_t i : kept_between(way_m, 0, way_m.size() - 1, tolerance_m)) {
       simple_m.push_back(way_m[i]);
     }
   }
   return simple_m;
 }
 
-Polygon simplified_polygon(const Polygon& polygon, double tolerance_m) {
-  if (polygon.size() < 3) {
-    return polygon;
+SimplifiedRing::SimplifiedRing(const Polygon& ring, double tolerance_m) : way_m_(ring) {
+  if (ring.empty()) {
+    return;
   }
-  Polygon turned = polygon;
-  const std::size_t first = farthest_corner(polygon, polygon.front());
-  std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
-  const auto middle =
-      turned.begin() + static_cast<std::ptrdiff_t>(farthest_corner(turned, turned.front()));
-  Polygon there(turned.begin(), middle + 1);
-  Polygon back(middle, turned.end());
-  back.push_back(turned.front());
-  Polygon simple = simplified_way(there, tolerance_m);
-  const Polygon rest = simplified_way(back, tolerance_m);
-  simple.insert(simple.end(), rest.begin() + 1, rest.end() - 1);
-  return simple;
+  const std::size_t first = farthest_corner(ring, ring.front());
+  std::rotate(way_m_.begin(), way_m_.begin() + static_cast<std::ptrdiff_t>(first), way_m_.end());
+  const std::size_t middle = farthest_corner(way_m_, way_m_.front());
+  way_m_.push_back(way_m_.front());
+  kept_ = kept_between(way_m_, 0, middle, tolerance_m);
+  kept_.pop_back();
+  const auto back = kept_between(way_m_, middle, ring.size(), tolerance_m);
+  kept_.insert(kept_.end(), back.begin(), back.end());
+}
+
+Polygon SimplifiedRing::polygon() const {
+  Polygon polygon;
+  for (std::size_t i = 0; i + 1 < kept_.size(); ++i) {
+    polygon.push_back(way_m_[kept_[i]]);
+  }
+  return polygon;
+}
+
+bool SimplifiedRing::split(std::size_t side) {
+  const auto farthest = farthest_between(way_m_, kept_[side], kept_[side + 1], 0.0);
+  if (farthest) {
+    kept_.insert(kept_.begin() + static_cast<std::ptrdiff_t>(side) + 1, *farthest);
+  }
+  return farthest.has_value();
+}
+
+Polygon simplified_polygon(const Polygon& polygon, double tolerance_m) {
+  return SimplifiedRing(polygon, tolerance_m).polygon();
 }
 
 }  // namespace echomap::geometry

@@ -2,19 +2,19 @@
 #include "host/mapping/polygon_map.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <string>
 
 #include "host/geometry/polygon_simplification.hpp"
+#include "host/geometry/touching_sides.hpp"
 #include "host/mapping/raster_outline.hpp"
 
 namespace echomap::mapping {
 namespace {
 
 using geometry::Polygon;
-
-/// A finer tolerance than this fraction of the wanted one is none.
-constexpr double kLeastShareOfTolerance = 0.01;
+using geometry::SimplifiedRing;
 
 void orient(Polygon& ring, bool counter_clockwise) {
   if ((geometry::signed_area_m2(ring) > 0.0) != counter_clockwise) {
@@ -22,49 +22,101 @@ void orient(Polygon& ring, bool counter_clockwise) {
   }
 }
 
-bool touch(const Polygon& first, const Polygon& second) {
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    for (std::size_t k = 0; k < second.size(); ++k) {
-      if (geometry::touch(geometry::side(first, i), geometry::side(second, k))) {
-        return true;
-      }
-    }
+/// What keeps rings, outline first, from being a floor, and the sides that would have to change.
+struct Fault {
+  std::string text;
+  std::vector<geometry::RingSide> sides;
+};
+
+std::vector<geometry::RingSide> all_sides(const std::vector<Polygon>& rings, std::size_t ring) {
+  std::vector<geometry::RingSide> sides;
+  for (std::size_t i = 0; i < rings[ring].size(); ++i) {
+    sides.push_back({ring, i});
   }
-  return false;
+  return sides;
 }
 
-/// Why the rings, outline first, are no floor.
-std::optional<std::string> fault_of(const std::vector<Polygon>& rings) {
+std::size_t nearest_side(const Polygon& ring, const Eigen::Vector2d& place_m) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    if (geometry::distance_m(geometry::side(ring, i), place_m) <
+        geometry::distance_m(geometry::side(ring, nearest), place_m)) {
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+void add_corner_faults(const std::vector<Polygon>& rings, std::vector<Fault>& faults) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    if (auto fault = geometry::polygon_fault(rings[i])) {
-      return fault;
-    }
-    if (i > 0 && !geometry::contains(rings.front(), rings[i].front())) {
-      return "hole " + std::to_string(i - 1) + " is not inside of the outline";
-    }
-    for (std::size_t k = 0; k < i; ++k) {
-      if (touch(rings[i], rings[k])) {
-        return "rings " + std::to_string(k) + " and " + std::to_string(i) + " cross";
-      }
+    if (auto text = geometry::corner_fault(rings[i])) {
+      faults.push_back({std::move(*text), all_sides(rings, i)});
     }
   }
-  return std::nullopt;
 }
 
-/// As simple as `tolerance_m` allows without sides that cross; the rings themselves, which have no
-/// fault, where nothing simpler does.
-std::vector<Polygon> simplified(const std::vector<Polygon>& rings, double tolerance_m) {
-  const double least_m = kLeastShareOfTolerance * tolerance_m;
-  for (double finer_m = tolerance_m; finer_m > least_m; finer_m *= 0.5) {
-    std::vector<Polygon> simple;
-    for (const Polygon& ring : rings) {
-      simple.push_back(geometry::simplified_polygon(ring, finer_m));
-    }
-    if (!fault_of(simple)) {
-      return simple;
+void add_crossings(const std::vector<Polygon>& rings, std::vector<Fault>& faults) {
+  const auto name = [](const geometry::RingSide& side) {
+    return "side " + std::to_string(side.side) + " of ring " + std::to_string(side.ring);
+  };
+  for (const auto& [first, second] : geometry::touching_sides(rings)) {
+    faults.push_back({name(first) + " and " + name(second) + " cross", {first, second}});
+  }
+}
+
+void add_stray_holes(const std::vector<Polygon>& rings, std::vector<Fault>& faults) {
+  for (std::size_t i = 1; i < rings.size(); ++i) {
+    const Eigen::Vector2d& place_m = rings[i].front();
+    if (!geometry::contains(rings.front(), place_m)) {
+      faults.push_back({"hole " + std::to_string(i - 1) + " is not inside of the outline",
+                        {{0, nearest_side(rings.front(), place_m)}}});
     }
   }
-  return rings;
+}
+
+std::vector<Fault> faults_of(const std::vector<Polygon>& rings) {
+  std::vector<Fault> faults;
+  add_corner_faults(rings, faults);
+  if (faults.empty()) {
+    add_crossings(rings, faults);
+    add_stray_holes(rings, faults);
+  }
+  return faults;
+}
+
+/// Splits these sides where that is possible; whether it was for any.
+bool split(const std::set<geometry::RingSide>& sides, std::vector<SimplifiedRing>& rings) {
+  bool any = false;
+  // From the last on: a split moves the sides behind it.
+  for (auto side = sides.rbegin(); side != sides.rend(); ++side) {
+    any = rings[side->ring].split(side->side) || any;
+  }
+  return any;
+}
+
+/// As simple as `tolerance_m` allows, finer where sides would cross; the rings themselves, which
+/// have no fault, where that does not help.
+std::vector<Polygon> simplified(const std::vector<Polygon>& rings, double tolerance_m) {
+  std::vector<SimplifiedRing> simple;
+  for (const Polygon& ring : rings) {
+    simple.emplace_back(ring, tolerance_m);
+  }
+  while (true) {
+    std::vector<Polygon> polygons;
+    for (const SimplifiedRing& ring : simple) {
+      polygons.push_back(ring.polygon());
+    }
+    std::set<geometry::RingSide> wrong;
+    for (const Fault& fault : faults_of(polygons)) {
+      wrong.insert(fault.sides.begin(), fault.sides.end());
+    }
+    if (wrong.empty()) {
+      return polygons;
+    }
+    if (!split(wrong, simple)) {
+      return rings;
+    }
+  }
 }
 
 void check(const PolygonMapParams& params) {
@@ -85,8 +137,8 @@ PolygonMap::PolygonMap(Polygon outline_m, std::vector<Polygon> holes_m)
     : outline_m_(std::move(outline_m)), holes_m_(std::move(holes_m)) {
   std::vector<Polygon> rings{outline_m_};
   rings.insert(rings.end(), holes_m_.begin(), holes_m_.end());
-  if (const auto fault = fault_of(rings)) {
-    throw std::invalid_argument("no polygon map: " + *fault);
+  if (const auto faults = faults_of(rings); !faults.empty()) {
+    throw std::invalid_argument("no polygon map: " + faults.front().text);
   }
   orient(outline_m_, true);
   for (Polygon& hole_m : holes_m_) {
@@ -122,7 +174,7 @@ std::optional<PolygonMap> polygon_from_contour(const std::vector<Eigen::Vector2d
   check(params);
   const Polygon whole = geometry::simplified_polygon(contour_m, 0.0);
   const std::vector<Polygon> rings = simplified({whole}, params.tolerance_m);
-  if (fault_of(rings)) {
+  if (!faults_of(rings).empty()) {
     return std::nullopt;
   }
   return map_of(rings);

@@ -10,6 +10,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/interrupt.hpp"
+#include "host/exports/geojson.hpp"
 #include "host/exports/pgm_yaml.hpp"
 #include "host/exports/points_csv.hpp"
 #include "host/exports/trajectory_tum.hpp"
@@ -64,17 +65,25 @@ TEST_F(ReplayCommandTest, ByGivenPosesTheRoomIsAsItIs) {
   EXPECT_EQ(summary().at("replay").at("scans"), 48);
   EXPECT_EQ(summary().at("sim_seconds"), 23.5);
   EXPECT_EQ(exports::read_trajectory_tum(options_.out / "trajectory.tum").size(), 48U);
-  EXPECT_FALSE(fs::exists(options_.out / "outline.geojson"));
 }
 
-TEST_F(ReplayCommandTest, PointsAreAllEchoesAndPolygonIsTheFloorsOutline) {
+TEST_F(ReplayCommandTest, PointsAreAllEchoesAndNoFloor) {
   options_.map = "points";
   EXPECT_EQ(run_replay(options_), ExitCode::kOk);
   EXPECT_EQ(exports::read_points_csv(options_.out / "points.csv").size(), 48U * 60U);
-  options_.map = "polygon";
+  EXPECT_FALSE(exports::read_outline_geojson(options_.out / "outline.geojson"));
+}
+
+TEST_F(ReplayCommandTest, AGridComesWithTheOutlineOfItsFloor) {
   options_.poses = "given";
-  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
-  EXPECT_THAT(files::read_text_file(options_.out / "outline.geojson"), HasSubstr("Polygon"));
+  for (const char* map : {"grid", "polygon"}) {
+    options_.map = map;
+    EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+    const auto outline = exports::read_outline_geojson(options_.out / "outline.geojson");
+    ASSERT_TRUE(outline) << map;
+    EXPECT_NEAR(outline->area_m2(), 4.0 * 3.0 - 0.4 * 0.4, 1.0) << map;
+    EXPECT_EQ(outline->holes_m().size(), 1U) << "the pillar";
+  }
 }
 
 TEST_F(ReplayCommandTest, ARunsOwnPointsBecomeAMapAgain) {

@@ -78,6 +78,21 @@ TEST(PolygonSimplification, StaysWithinTheTolerance) {
   }
 }
 
+TEST(PolygonSimplification, SplitsASideAtItsFarthestCornerUntilNoneIsDropped) {
+  const Polygon ring{{0, 0}, {1, 0.2}, {2, 0.3}, {3, 0.1}, {4, 0}, {4, 2}, {0, 2}};
+  SimplifiedRing simple(ring, 0.5);
+  ASSERT_EQ(simple.polygon().size(), 4U);
+  for (std::size_t side = 0; side < 4; ++side) {
+    if (simple.split(side)) {
+      EXPECT_EQ(simple.polygon()[side + 1], Eigen::Vector2d(2, 0.3));
+      EXPECT_TRUE(simple.split(side + 1));
+      EXPECT_TRUE(simple.split(side));
+      EXPECT_FALSE(simple.split(side));
+    }
+  }
+  EXPECT_EQ(simple.polygon().size(), ring.size());
+}
+
 TEST(Polygon, HasTheAreaThatBoostFinds) {
   std::mt19937 random(13);
   for (int trial = 0; trial < 300; ++trial) {
