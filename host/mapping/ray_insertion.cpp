@@ -98,9 +98,19 @@ void RayInserter::mark(LatticePoint sensor, const CellBounds& tiles) {
   crossed_.reset(tiles.columns(), tiles.rows());
   hits_.assign(static_cast<std::size_t>(tiles.columns()) * static_cast<std::size_t>(tiles.rows()),
                TileBits{});
+  ways_.clear();
+  for (const LatticeRay& ray : rays_) {
+    const LatticePoint way{ray.end.x - sensor.x, ray.end.y - sensor.y};
+    if (way.x != 0 || way.y != 0) {
+      ways_.push_back(way);
+    }
+  }
+  add_fan(from);
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    crossed_.add_ray(from, {from.x + ways_[i].x, from.y + ways_[i].y}, fan_.covered_share(i));
+  }
   for (const LatticeRay& ray : rays_) {
     const LatticePoint to{ray.end.x - corner.x, ray.end.y - corner.y};
-    crossed_.add_ray(from, to);
     if (ray.is_hit) {
       const CellIndex tile = shifted(to, kLatticeTileBits);
       const CellIndex cell = shifted(to, kLatticeBits);
@@ -111,22 +121,28 @@ void RayInserter::mark(LatticePoint sensor, const CellBounds& tiles) {
   }
 }
 
+void RayInserter::add_fan(LatticePoint sensor) {
+  fan_.reset(ways_);
+  for (const Quadrant quadrant :
+       {Quadrant::kRightUp, Quadrant::kLeftUp, Quadrant::kLeftDown, Quadrant::kRightDown}) {
+    crossed_.add_quadrant(sensor, quadrant, fan_.radius(quadrant));
+  }
+  crossed_.add_ray(sensor, sensor);
+}
+
 void RayInserter::add_to_grid(const CellBounds& tiles, OccupancyGrid& grid) const {
-  const std::uint8_t up = grid.steps(params_.hit_centilogits).up;
-  const std::uint8_t down = grid.steps(params_.free_centilogits).down;
+  const StepPair steps{grid.steps(params_.hit_centilogits).up,
+                       grid.steps(params_.free_centilogits).down};
   auto hits = hits_.begin();
   for (std::int32_t y = tiles.min.y; y <= tiles.max.y; ++y) {
     for (std::int32_t x = tiles.min.x; x <= tiles.max.x; ++x, ++hits) {
-      TileBits crossed = crossed_.tile(x - tiles.min.x, y - tiles.min.y);
+      const TileBits crossed = crossed_.tile(x - tiles.min.x, y - tiles.min.y);
       std::uint64_t any = 0;
-      for (std::size_t row = 0; row < crossed.size(); ++row) {
-        any |= crossed[row];
-        crossed[row] &= ~(*hits)[row];
+      for (const std::uint64_t row : crossed) {
+        any |= row;
       }
       if (any != 0) {
-        GridTile& tile = grid.writable_tile({x, y});
-        add_free(crossed, down, grid.limits(), tile);
-        add_hits(*hits, up, grid.limits(), tile);
+        add_scan(crossed, *hits, steps, grid.limits(), grid.writable_tile({x, y}));
       }
     }
   }

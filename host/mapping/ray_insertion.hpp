@@ -9,6 +9,7 @@
 
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/occupancy_grid.hpp"
+#include "host/mapping/ray_fan.hpp"
 #include "host/mapping/ray_mask.hpp"
 
 namespace echomap::mapping {
@@ -54,10 +55,14 @@ class RayInserter {
              double resolution_m);
   /// Marks all rays in a window of the lattice and all hits.
   void mark(LatticePoint sensor, const CellBounds& tiles);
+  /// Marks the cells that the rays cross so closely that none is missed.
+  void add_fan(LatticePoint sensor);
   void add_to_grid(const CellBounds& tiles, OccupancyGrid& grid) const;
 
   RayInsertionParams params_;
   std::vector<LatticeRay> rays_;
+  std::vector<LatticePoint> ways_;  ///< From the sensor to the ends.
+  RayFan fan_;
   RayMask crossed_;
   std::vector<TileBits> hits_;  ///< By the tiles of the window.
 };

@@ -18,6 +18,10 @@ struct LatticePoint {
   std::int32_t y = 0;
 };
 
+/// Seen from a sensor, counter-clockwise; an axis belongs to the quadrant where neither coordinate
+/// is negative, or only x.
+enum class Quadrant : std::uint8_t { kRightUp, kLeftUp, kLeftDown, kRightDown };
+
 /// The most cells that a window may have along an edge.
 constexpr std::int32_t kMostWindowCells = 4096;
 
@@ -36,7 +40,12 @@ class RayMask {
   std::int32_t tile_rows() const { return tile_rows_; }
 
   /// Marks the cells from one point to another; both must be inside and have odd coordinates.
-  void add_ray(LatticePoint from, LatticePoint to);
+  /// Those that the ray only meets within that share of its way, from the beginning on, may be left
+  /// out.
+  void add_ray(LatticePoint from, LatticePoint to, double covered_share = 0.0);
+  /// Marks the cells whose centres are within `radius` lattice units of a point and in a quadrant
+  /// around it, all of which must be inside.
+  void add_quadrant(LatticePoint center, Quadrant quadrant, double radius);
   /// The marked cells of a tile of the window.
   TileBits tile(std::int32_t column, std::int32_t row) const;
 

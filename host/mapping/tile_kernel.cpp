@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/tile_kernel.hpp"
 
-#include <bit>
 #include <cstddef>
 #include <cstring>
 
@@ -11,44 +10,59 @@ namespace echomap::mapping {
 
 namespace {
 
-/// For each byte eight bytes, 255 for a bit that is set, the lowest bit first.
-constexpr std::array<std::array<std::uint8_t, 8>, 256> kSpread = [] {
-  std::array<std::array<std::uint8_t, 8>, 256> spread{};
-  for (std::size_t byte = 0; byte < spread.size(); ++byte) {
-    for (std::size_t bit = 0; bit < 8; ++bit) {
-      spread[byte][bit] = (byte >> bit) & 1U ? 255 : 0;
-    }
-  }
-  return spread;
-}();
+using Bytes = std::uint8_t __attribute__((vector_size(kTileSide)));
+using Words = std::uint64_t __attribute__((vector_size(kTileSide)));
 
-void spread_bits(const TileBits& marked, std::uint8_t* bytes) {
-  for (const std::uint64_t row : marked) {
-    for (int byte = 0; byte < 8; ++byte, bytes += 8) {
-      std::memcpy(bytes, kSpread[(row >> (8 * byte)) & 255U].data(), 8);
-    }
-  }
+/// For each bit of a word a byte that is not 0 where the bit is set, the lowest bit first.
+[[gnu::always_inline]] inline void spread_bits(std::uint64_t bits, Bytes& bytes) {
+  constexpr Words kPlaces = {0, 8, 16, 24, 32, 40, 48, 56};
+  constexpr std::uint64_t kEightTimes = 0x0101010101010101U;
+  constexpr std::uint64_t kBitOfByte = 0x8040201008040201U;
+  const Words words = (((Words{} + bits) >> kPlaces) & 255U) * kEightTimes & kBitOfByte;
+  std::memcpy(&bytes, &words, sizeof bytes);
+}
+
+/// after_evidence for a row of a tile.
+[[gnu::always_inline]] inline void add_steps(const Bytes& steps_up,
+                                             const Bytes& steps_down,
+                                             EvidenceLimits limits,
+                                             Bytes& cells) {
+  const Bytes floor = steps_down + limits.lowest;
+  const Bytes ceiling = limits.highest - steps_up;
+  Bytes now = cells == kUntouchedByte ? Bytes{} + kEvenByte : cells;
+  now = (now > floor ? now : floor) - steps_down;
+  cells = (now < ceiling ? now : ceiling) + steps_up;
 }
 
 }  // namespace
 
 ECHOMAP_VECTOR_CLONES
-void add_free(const TileBits& marked, std::uint8_t down, EvidenceLimits limits, GridTile& tile) {
-  alignas(64) std::uint8_t mask[sizeof(GridTile::cells)];
-  spread_bits(marked, mask);
-  std::uint8_t* const cells = tile.cells.data();
-  for (std::size_t i = 0; i < sizeof mask; ++i) {
-    const std::uint8_t after = after_evidence(cells[i], {0, down}, limits);
-    cells[i] = static_cast<std::uint8_t>((after & mask[i]) | (cells[i] & ~mask[i]));
-  }
-}
-
-void add_hits(const TileBits& marked, std::uint8_t up, EvidenceLimits limits, GridTile& tile) {
+void add_scan(const TileBits& passed,
+              const TileBits& hit,
+              StepPair steps,
+              EvidenceLimits limits,
+              GridTile& tile) {
   for (std::int32_t y = 0; y < kTileSide; ++y) {
-    for (std::uint64_t left = marked[static_cast<std::size_t>(y)]; left != 0; left &= left - 1) {
-      std::uint8_t& byte = tile.row(y)[std::countr_zero(left)];
-      byte = after_evidence(byte, {up, 0}, limits);
+    const std::uint64_t hits = hit[static_cast<std::size_t>(y)];
+    const std::uint64_t passes = passed[static_cast<std::size_t>(y)] & ~hits;
+    if ((passes | hits) == 0) {
+      continue;
     }
+    Bytes before;
+    Bytes is_passed;
+    std::memcpy(&before, tile.row(y), sizeof before);
+    spread_bits(passes, is_passed);
+    Bytes after = before;
+    add_steps(Bytes{}, Bytes{} + steps.down, limits, after);
+    after = is_passed != 0 ? after : before;
+    if (hits != 0) {
+      Bytes raised = before;
+      Bytes is_hit;
+      spread_bits(hits, is_hit);
+      add_steps(Bytes{} + steps.up, Bytes{}, limits, raised);
+      after = is_hit != 0 ? raised : after;
+    }
+    std::memcpy(tile.row(y), &after, sizeof after);
   }
 }
 

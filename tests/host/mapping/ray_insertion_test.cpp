@@ -91,6 +91,51 @@ TEST(RayInsertion, BoundsExactlyTheTouchedCells) {
   }
 }
 
+/// Rays of a turning sensor, among them short ones, equal ones and none at all.
+std::vector<Ray> ragged_scan(std::mt19937& random) {
+  const auto beams = static_cast<int>(1 + random() % 500);
+  const double opening_rad = static_cast<double>(1 + random() % 720) * 0.0175;
+  const double turn = random() % 2 == 0 ? 1.0 : -1.0;
+  const double most_m = 0.1 + static_cast<double>(random() % 800) / 100.0;
+  const auto seldom = static_cast<int>(2 + random() % 300);
+  const auto is_seldom = [&] { return static_cast<int>(random() % 1000) * seldom < 1000; };
+  std::vector<Ray> rays;
+  for (int i = 0; i < beams; ++i) {
+    const double bearing_rad = turn * opening_rad * (i - (is_seldom() ? 1 : 0)) / beams;
+    const double share = is_seldom() ? static_cast<double>(random() % 100) / 100.0 : 1.0;
+    const double ripple = 1.0 + 0.2 * std::sin(7.0 * bearing_rad);
+    rays.push_back({share * ripple * most_m * geometry::unit_vector(bearing_rad), false});
+    if (is_seldom()) {
+      rays.back().end_m.x() = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  return rays;
+}
+
+TEST(RayInsertion, TouchesTheCellsOfItsRaysInsertedOneByOne) {
+  std::mt19937 random(13);
+  for (int scan = 0; scan < 300; ++scan) {
+    OccupancyGrid grid;
+    OccupancyGrid one_by_one;
+    RayInserter inserter;
+    const Pose2 pose(static_cast<double>(random() % 1000) / 331.0, -1.0, 0.1 * scan);
+    const std::vector<Ray> rays = ragged_scan(random);
+    inserter.insert(pose, rays, grid);
+    for (const Ray& ray : rays) {
+      inserter.insert(pose, {&ray, 1}, one_by_one);
+    }
+    ASSERT_EQ(grid.bounds().min, one_by_one.bounds().min) << scan;
+    ASSERT_EQ(grid.bounds().max, one_by_one.bounds().max) << scan;
+    const CellBounds& bounds = grid.bounds();
+    for (std::int32_t y = bounds.min.y - 64; y <= bounds.max.y + 64; ++y) {
+      for (std::int32_t x = bounds.min.x - 64; x <= bounds.max.x + 64; ++x) {
+        ASSERT_EQ(grid.centilogits({x, y}).has_value(), one_by_one.centilogits({x, y}).has_value())
+            << scan << ": " << x << ' ' << y;
+      }
+    }
+  }
+}
+
 TEST(RayInsertion, CutsARayThatIsTooLong) {
   OccupancyGrid grid;
   RayInserter inserter;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/ray_mask.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <random>
 #include <set>
@@ -125,6 +127,55 @@ TEST(RayMask, IsExactInTheLargestWindow) {
     walk({end.x, 1}, {1, end.y}, expected);
   }
   EXPECT_EQ(marked(mask), expected);
+}
+
+TEST(RayMask, LeavesOutOnlyCellsWithinTheCoveredShare) {
+  std::mt19937 random(19);
+  constexpr std::int32_t kSide = 4 * kTileSide << kLatticeBits;
+  const auto any = [&] { return static_cast<std::int32_t>(random() % kSide) | 1; };
+  for (int ray = 0; ray < 500; ++ray) {
+    const LatticePoint from{any(), any()};
+    const LatticePoint to{any(), any()};
+    const double share = static_cast<double>(random() % 110) / 100.0;
+    RayMask mask;
+    mask.reset(4, 4);
+    mask.add_ray(from, to, share);
+    const Cells told = marked(mask);
+    Cells all;
+    walk(from, to, all);
+    EXPECT_TRUE(std::includes(all.begin(), all.end(), told.begin(), told.end())) << ray;
+    const double covered = share * std::hypot(to.x - from.x, to.y - from.y) / (1 << kLatticeBits);
+    for (const CellIndex cell : all) {
+      const double range = std::hypot(cell.x + 0.5 - from.x / 256.0, cell.y + 0.5 - from.y / 256.0);
+      EXPECT_TRUE(told.contains(cell) || range < covered + 0.708) << ray;
+    }
+  }
+}
+
+TEST(RayMask, MarksTheQuadrantsOfADisc) {
+  std::mt19937 random(21);
+  for (const double radius : {0.0, 100.0, 128.0, 1000.0, 11'111.1}) {
+    const LatticePoint center{16'001 + static_cast<std::int32_t>(random() % 256) / 2 * 2, 16'129};
+    for (const Quadrant quadrant :
+         {Quadrant::kRightUp, Quadrant::kLeftUp, Quadrant::kLeftDown, Quadrant::kRightDown}) {
+      RayMask mask;
+      mask.reset(2, 2);
+      mask.add_quadrant(center, quadrant, radius);
+      Cells expected;
+      for (std::int32_t y = 0; y < 2 * kTileSide; ++y) {
+        for (std::int32_t x = 0; x < 2 * kTileSide; ++x) {
+          const std::int32_t right = x * 256 + 128 - center.x;
+          const std::int32_t up = y * 256 + 128 - center.y;
+          const Quadrant above = right < 0 ? Quadrant::kLeftUp : Quadrant::kRightUp;
+          const Quadrant below = right < 0 ? Quadrant::kLeftDown : Quadrant::kRightDown;
+          if (std::hypot(right, up) <= radius && quadrant == (up < 0 ? below : above)) {
+            expected.insert({x, y});
+          }
+        }
+      }
+      EXPECT_EQ(marked(mask), expected) << radius << ' ' << static_cast<int>(quadrant);
+    }
+  }
 }
 
 TEST(RayMask, ForgetsTheLastScan) {

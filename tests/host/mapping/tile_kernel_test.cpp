@@ -26,19 +26,22 @@ GridTile random_tile(std::mt19937& random) {
   return tile;
 }
 
-TEST(TileKernel, GivesMarkedCellsTheEvidenceAndLeavesTheOthers) {
+TEST(TileKernel, RaisesHitCellsLowersPassedOnesAndLeavesTheOthers) {
   std::mt19937 random(2);
-  const TileBits bits = random_bits(random);
+  const TileBits passed = random_bits(random);
+  TileBits hit{};
+  for (int i = 0; i < 60; ++i) {
+    hit[random() % kTileSide] |= std::uint64_t{1} << (random() % kTileSide);
+  }
   const GridTile before = random_tile(random);
-  GridTile freed = before;
-  GridTile hit = before;
-  add_free(bits, 8, kLimits, freed);
-  add_hits(bits, 17, kLimits, hit);
+  GridTile tile = before;
+  add_scan(passed, hit, {17, 8}, kLimits, tile);
   for (std::size_t i = 0; i < before.cells.size(); ++i) {
-    const bool is_marked = (bits[i / kTileSide] >> (i % kTileSide)) & 1U;
+    const bool is_hit = (hit[i / kTileSide] >> (i % kTileSide)) & 1U;
+    const bool is_passed = (passed[i / kTileSide] >> (i % kTileSide)) & 1U;
+    const StepPair steps = is_hit ? StepPair{17, 0} : StepPair{0, 8};
     const std::uint8_t was = before.cells[i];
-    ASSERT_EQ(freed.cells[i], is_marked ? after_evidence(was, {0, 8}, kLimits) : was) << i;
-    ASSERT_EQ(hit.cells[i], is_marked ? after_evidence(was, {17, 0}, kLimits) : was) << i;
+    ASSERT_EQ(tile.cells[i], is_hit || is_passed ? after_evidence(was, steps, kLimits) : was) << i;
   }
 }
 
