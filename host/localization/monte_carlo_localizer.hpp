@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "host/localization/loss_monitor.hpp"
+#include "host/localization/particle_filter.hpp"
+#include "host/localization/pose_hypotheses.hpp"
+#include "host/localization/range_table.hpp"
+#include "host/localization/range_update.hpp"
+#include "host/models/odometry_motion.hpp"
+
+namespace echomap::localization {
+
+/// What the localizer says of itself.
+enum class LocalizationStatus : std::uint8_t {
+  kLost,        ///< The robot is not where it was thought to be: what was known has been given up.
+  kRecovering,  ///< There is more than one place, or one too wide to be called one.
+  kLocalized,
+};
+
+/// Where the robot may be.
+struct PoseBelief {
+  LocalizationStatus status = LocalizationStatus::kRecovering;
+  /// That the robot is not at the first hypothesis.
+  double lost_probability = 1.0;
+  /// The likeliest first; empty where there is no floor to stand on.
+  std::vector<PoseHypothesis> hypotheses;
+};
+
+/// Settings of a MonteCarloLocalizer, chosen on simulated rooms and on the building of
+/// docs/algorithms/localization.md.
+struct LocalizerParams {
+  ParticleFilterParams filter;
+  models::OdometryMotionParams motion;
+  LossMonitorParams loss;
+  /// A robot that may be anywhere is looked for at places and headings so far apart.
+  double lattice_m = 0.2;
+  double lattice_rad = 0.1963495;  ///< 11.25 degrees.
+  /// A suspicion that has not proved right after so many sweeps is dropped, or raised anew.
+  int suspicious_sweeps = 10;
+  /// The robot is lost above this probability.
+  double lost_above = 0.5;
+  /// And localized below this one, where the first hypothesis is also narrower than that.
+  double localized_below = 0.1;
+  double localized_std_m = 0.25;
+};
+
+/// Monte-Carlo localization (Dellaert et al. 1999) with a table of expected ranges that looks for a
+/// robot everywhere at once when it does not know: a sweep of readings weighs a lattice of all
+/// poses, and particles are drawn from that. When the readings of a robot that was localized become
+/// unlikely, a second filter looks everywhere and follows beside the first. Their evidence decides,
+/// by Bayes' rule, how much of the first is given up for the second.
+class MonteCarloLocalizer {
+ public:
+  /// The robot may be anywhere on the table's floor. Throws std::invalid_argument for settings
+  /// without sense. Table and likelihoods must outlive this; the generator is the caller's seed.
+  MonteCarloLocalizer(RangeTable& table,
+                      const LikelihoodCodes& likelihoods,
+                      const LocalizerParams& params,
+                      std::mt19937 random);
+
+  /// The robot is about there, with standard deviations of place and heading, where its odometry is
+  /// what the last update said.
+  void start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad);
+  /// The robot may be anywhere from now on: it was carried off.
+  void start_anywhere();
+
+  /// Where the robot is after a step of its odometry and a sweep of readings, of which there may be
+  /// none.
+  const PoseBelief& update(const geometry::Pose2& T_odom_robot,
+                           std::span<const RangeReading> readings);
+
+  const PoseBelief& belief() const { return belief_; }
+  const Particles& particles() const { return here_.particles(); }
+
+ private:
+  void follow(const geometry::Pose2& T_odom_robot);
+  void weigh_readings(const CodedReadings& readings);
+  void judge(const CodedReadings& readings, double log_here);
+  /// Starts a filter from the whole floor; returns the logarithm of the readings' mean likelihood.
+  double look_everywhere(const CodedReadings& readings, ParticleFilter& filter);
+  void believe();
+
+  RangeTable& table_;
+  const LikelihoodCodes& likelihoods_;
+  LocalizerParams params_;
+  models::OdometryMotion motion_;
+  Particles lattice_;         ///< Made when it is first needed.
+  ParticleFilter here_;       ///< Empty while nothing is known.
+  ParticleFilter elsewhere_;  ///< Empty while there is no suspicion.
+  int sweeps_elsewhere_ = 0;
+  bool gave_up_ = false;  ///< At this update.
+  LossMonitor loss_;
+  std::optional<geometry::Pose2> T_odom_last_;
+  std::vector<float> weights_;
+  PoseBelief belief_;
+};
+
+}  // namespace echomap::localization

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "host/localization/particles.hpp"
+#include "host/localization/range_update.hpp"
+#include "host/localization/resampling.hpp"
+#include "host/models/odometry_motion.hpp"
+
+namespace echomap::localization {
+
+/// Settings of a ParticleFilter, ours unless a source is named.
+struct ParticleFilterParams {
+  std::size_t least_particles = 1500;
+  std::size_t most_particles = 20000;
+  /// Share of the readings' logarithm that counts: those of one sweep err together.
+  double temper = 0.25;
+  /// Particles are drawn anew when fewer than this share of them count (Mahmood and Ridao 2017).
+  double resampling_share = 0.5;
+  ResamplingScheme scheme = ResamplingScheme::kSystematic;
+  /// Greatest error of the sample, for its size (Fox 2003), in bins of 20 cm and 10 degrees.
+  double sample_error = 0.025;
+  /// What is drawn is spread by so much, so that no two particles stay alike.
+  double spread_m = 0.03;
+  double spread_rad = 0.015;
+};
+
+/// Particles of a robot in a map (Thrun, Burgard and Fox 2005, table 8.2), as many as their spread
+/// needs. Without any it is anywhere.
+class ParticleFilter {
+ public:
+  /// Throws std::invalid_argument for settings without sense. The generator is the caller's seed.
+  ParticleFilter(const ParticleFilterParams& params, std::mt19937 random);
+
+  const Particles& particles() const { return particles_; }
+  bool empty() const { return particles_.size() == 0; }
+  void clear() { particles_.resize(0); }
+
+  /// Around a pose, with standard deviations of place and heading.
+  void start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad);
+  /// Draws particles from weighed poses, each spread by so much.
+  void start_from(const Particles& weighed, double std_m, double std_rad);
+
+  void move(const models::OdometryStep& step, const models::MotionSpread& spread);
+  /// Weighs the particles by readings; returns the logarithm of their mean likelihood, tempered,
+  /// and 0 for no particles.
+  double weigh(const CodedReadings& readings, RangeTable& table);
+  void resample_where_few_count();
+  /// Takes in the particles of another filter so that they have `share` of all weight.
+  void join(const ParticleFilter& other, double share);
+
+ private:
+  void draw(const Particles& from, std::size_t count);
+  std::size_t wanted_count() const;
+  void scatter(double std_m, double std_rad);
+
+  ParticleFilterParams params_;
+  std::mt19937 random_;
+  Particles particles_;
+  Particles spare_;
+  std::vector<float> weights_;
+  std::vector<std::uint32_t> ancestors_;
+};
+
+/// The logarithm of the sum of the particles' weights; 0 for no particles.
+double log_total_weight(const Particles& particles);
+
+}  // namespace echomap::localization

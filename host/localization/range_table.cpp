@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "host/localization/range_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/ray_casting.hpp"
+
+namespace echomap::localization {
+
+namespace {
+
+using geometry::CellIndex;
+
+constexpr std::int32_t kParts = RangeTable::kNothing - 1;
+
+const RangeTableParams& checked(const RangeTableParams& params, const mapping::RasterMap& map) {
+  constexpr double kMostCells = 2000.0;
+  const bool opening_ok =
+      params.half_opening_rad >= 0.0 && params.half_opening_rad < std::numbers::pi / 2.0;
+  const bool range_ok =
+      params.max_range_m > 0.0 && params.max_range_m <= kMostCells * map.resolution_m();
+  if (!opening_ok || !range_ok) {
+    throw std::invalid_argument(
+        "range table: a half opening is within [0, pi / 2), a range within (0, 2000 cells]");
+  }
+  return params;
+}
+
+/// A cone is filled by two rays a heading; more than that are of no use to a thin beam.
+std::vector<Eigen::Vector2f> directions(double half_opening_rad) {
+  const std::int32_t count = (half_opening_rad > 0.0 ? 2 : 1) * RangeTable::kHeadings;
+  std::vector<Eigen::Vector2f> ways;
+  for (std::int32_t i = 0; i < count; ++i) {
+    ways.push_back(geometry::unit_vector(2.0 * std::numbers::pi * i / count).cast<float>());
+  }
+  return ways;
+}
+
+constexpr std::size_t tiles_along(std::int32_t cells) {
+  return static_cast<std::size_t>((cells + RangeTable::kTileSide - 1) >> RangeTable::kTileBits);
+}
+
+std::size_t codes_begin(CellIndex cell) {
+  constexpr std::int32_t kWithin = RangeTable::kTileSide - 1;
+  return static_cast<std::size_t>(
+      (((cell.y & kWithin) << RangeTable::kTileBits) + (cell.x & kWithin)) * RangeTable::kHeadings);
+}
+
+}  // namespace
+
+RangeTable::RangeTable(const mapping::RasterMap& map, const RangeTableParams& params)
+    : params_(checked(params, map)),
+      map_(mapping::cut_out(map, {{-1, -1}, {map.columns(), map.rows()}})),
+      field_(map_, params.max_range_m),
+      tile_columns_(static_cast<std::int32_t>(tiles_along(map_.columns()))),
+      directions_(directions(params.half_opening_rad)),
+      rays_aside_(static_cast<std::int32_t>(params.half_opening_rad *
+                                            static_cast<double>(directions_.size()) /
+                                            (2.0 * std::numbers::pi))),
+      tiles_(tiles_along(map_.columns()) * tiles_along(map_.rows())) {}
+
+std::uint8_t RangeTable::code_of(std::optional<double> range_m) const {
+  if (!range_m || *range_m >= params_.max_range_m) {
+    return kNothing;
+  }
+  const double part = std::max(0.0, *range_m) / params_.max_range_m * kParts;
+  return static_cast<std::uint8_t>(1 + static_cast<std::int32_t>(part));
+}
+
+std::optional<double> RangeTable::range_of(std::uint8_t code) const {
+  if (code == kNothing) {
+    return std::nullopt;
+  }
+  return (code - 0.5) * params_.max_range_m / kParts;
+}
+
+void RangeTable::fill_tile(std::int32_t number) {
+  const Tile*& tile = tiles_[static_cast<std::size_t>(number)];
+  if (tile != nullptr) {
+    return;
+  }
+  const CellIndex first{number % tile_columns_ * kTileSide, number / tile_columns_ * kTileSide};
+  if (!has_floor(first)) {
+    static const Tile without_floor{};
+    tile = &without_floor;
+    return;
+  }
+  filled_.push_back(std::make_unique<Tile>());
+  fill(first, *filled_.back());
+  tile = filled_.back().get();
+}
+
+std::span<const std::uint8_t, RangeTable::kHeadings> RangeTable::codes_at(CellIndex cell) const {
+  const Tile& tile = *tiles_[static_cast<std::size_t>(tile_of(cell))];
+  return std::span<const std::uint8_t, kHeadings>(&tile[codes_begin(cell)], kHeadings);
+}
+
+std::size_t RangeTable::memory_bytes() const {
+  const auto cells = static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
+  return filled_.size() * sizeof(Tile) + tiles_.capacity() * sizeof(Tile*) +
+         cells * (sizeof(float) + sizeof(mapping::CellState));
+}
+
+bool RangeTable::has_floor(CellIndex first) const {
+  for (std::int32_t y = first.y; y < first.y + kTileSide; ++y) {
+    for (std::int32_t x = first.x; x < first.x + kTileSide; ++x) {
+      if (is_floor({x, y})) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void RangeTable::fill(CellIndex first, Tile& tile) const {
+  tile.fill(kNoFloor);
+  for (std::int32_t y = first.y; y < first.y + kTileSide; ++y) {
+    for (std::int32_t x = first.x; x < first.x + kTileSide; ++x) {
+      if (is_floor({x, y})) {
+        look_round({x, y}, tile.data() + codes_begin({x, y}));
+      }
+    }
+  }
+}
+
+void RangeTable::look_round(CellIndex cell, std::uint8_t* codes) const {
+  constexpr std::size_t kMostRays = 2 * std::size_t{kHeadings};
+  std::array<float, kMostRays> ranges_m{};
+  const std::size_t rays = directions_.size();
+  mapping::cast_rays(field_,
+                     map_.center_m(cell),
+                     directions_,
+                     params_.max_range_m,
+                     std::span(ranges_m).first(rays));
+  // Once more round, so that a cone is a stretch of rays.
+  std::array<std::uint8_t, 2 * kMostRays> ray_codes{};
+  for (std::size_t i = 0; i < rays; ++i) {
+    ray_codes[i] = ray_codes[i + rays] = code_of(ranges_m[i]);
+  }
+  const std::size_t stride = rays / kHeadings;
+  for (std::size_t heading = 0; heading < kHeadings; ++heading) {
+    const auto* first =
+        &ray_codes[(heading * stride + rays - static_cast<std::size_t>(rays_aside_)) % rays];
+    codes[heading] = *std::min_element(first, first + 2 * rays_aside_ + 1);
+  }
+}
+
+}  // namespace echomap::localization

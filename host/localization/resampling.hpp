@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "host/localization/particles.hpp"
+
+namespace echomap::localization {
+
+/// How the particles that live on are drawn, each about as often as its weight asks.
+enum class ResamplingScheme : std::uint8_t {
+  kSystematic,  ///< One random number, then even steps (low variance; Thrun et al. 2005,
+                ///< table 4.4).
+  kStratified,  ///< One random number in each of the even steps (Kitagawa 1996).
+  kResidual,    ///< The whole parts as they are, the rest at random (Liu and Chen 1998).
+  kWheel,       ///< Random steps around a wheel (Singh and Bedi 2013, Algorithm 2).
+};
+
+/// Draws `count` numbers of particles by their weights, which are not negative and not all 0. In
+/// the order of the particles, save from the wheel.
+void draw_ancestors(std::span<const float> weights,
+                    std::size_t count,
+                    ResamplingScheme scheme,
+                    std::mt19937& random,
+                    std::vector<std::uint32_t>& ancestors);
+
+/// The poses of the ancestors, all of the same weight.
+void take_ancestors(const Particles& before,
+                    std::span<const std::uint32_t> ancestors,
+                    Particles& after);
+
+/// 1 / sum of the squares of the normalized weights: how many particles count (Kong, Liu and Wong
+/// 1994). 0 where all weights are 0.
+double effective_count(std::span<const float> weights);
+
+/// exp(log weight - the greatest), so that the greatest is 1.
+void relative_weights(const Particles& particles, std::vector<float>& weights);
+
+}  // namespace echomap::localization

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "host/models/range_likelihood.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace echomap::models {
+
+namespace {
+
+double normal_density(double off_m, double std_m) {
+  const double ratio = off_m / std_m;
+  return std::exp(-0.5 * ratio * ratio) / (std_m * std::sqrt(2.0 * std::numbers::pi));
+}
+
+}  // namespace
+
+BeamModel::BeamModel(const BeamModelParams& params)
+    : params_(params),
+      hit_chance_(1.0 - params.short_chance - params.missed_chance - params.silent_chance -
+                  params.random_chance) {
+  const double least = std::min(
+      {params.short_chance, params.missed_chance, params.silent_chance, params.random_chance});
+  const bool noise_ok = params.hit_std_m > 0.0 && std::isfinite(params.hit_std_m);
+  const bool range_ok = params.max_range_m > 0.0 && std::isfinite(params.max_range_m);
+  if (!(hit_chance_ > 0.0) || !(least >= 0.0) || !noise_ok || !range_ok) {
+    throw std::invalid_argument(
+        "beam model: chances are not negative and leave some to a hit; noise and range are above "
+        "0");
+  }
+}
+
+double BeamModel::likelihood(std::optional<double> range_m,
+                             std::optional<double> expected_m) const {
+  const double most_m = params_.max_range_m;
+  if (!expected_m) {
+    // Of the chances only those stand that need no obstacle.
+    return range_m ? (params_.short_chance + params_.random_chance) / most_m
+                   : 1.0 - params_.short_chance - params_.random_chance;
+  }
+  if (!range_m) {
+    // Half of what is missed has nothing behind it.
+    return params_.silent_chance + 0.5 * params_.missed_chance;
+  }
+  const double hit = hit_chance_ * normal_density(*range_m - *expected_m, params_.hit_std_m);
+  const double before_m = std::max(*expected_m, params_.hit_std_m);
+  const double behind_m = std::max(most_m - *expected_m, params_.hit_std_m);
+  const double aside = *range_m < *expected_m ? params_.short_chance / before_m
+                                              : 0.5 * params_.missed_chance / behind_m;
+  return hit + aside + params_.random_chance / most_m;
+}
+
+BeamModelParams sonar_cone_returns() {
+  return {.hit_std_m = 0.1,
+          .short_chance = 0.05,
+          .missed_chance = 0.1,
+          .silent_chance = 0.1,
+          .random_chance = 0.05,
+          .max_range_m = 4.0};
+}
+
+BeamModelParams laser_returns() {
+  return {.hit_std_m = 0.1,
+          .short_chance = 0.1,
+          .missed_chance = 0.02,
+          .silent_chance = 0.02,
+          .random_chance = 0.05,
+          .max_range_m = 8.0};
+}
+
+}  // namespace echomap::models

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <optional>
+
+namespace echomap::models {
+
+/// How likely a reading is where the map lets one expect a range: a density, one over metres, of a
+/// range; a probability of no return. `expected_m` is empty where nothing stands within the
+/// sensor's range, and so is a reading without return.
+template <typename Model>
+concept RangeLikelihood = requires(const Model& model, std::optional<double> range_m) {
+  { model.likelihood(range_m, range_m) } -> std::same_as<double>;
+  { model.max_range_m() } -> std::same_as<double>;
+};
+
+/// Chances of what becomes of a ping, and the noise of the one that hits.
+struct BeamModelParams {
+  /// Noise of a range that is what the map says: of the sensor, of the map's cells and of the pose
+  /// between particles.
+  double hit_std_m = 0.1;
+  /// Chances; what they leave to 1 is that of a hit.
+  double short_chance = 0.05;   ///< Something stands before it that the map does not hold.
+  double missed_chance = 0.05;  ///< What the map says is not seen, and something behind it is.
+  double silent_chance = 0.05;  ///< Nothing returns although something stands there.
+  double random_chance = 0.05;  ///< Any range at all.
+  double max_range_m = 4.0;
+};
+
+/// The beam model of range finders (Thrun, Burgard and Fox 2005, equation 6.12) with a chance more:
+/// that the nearest thing is not seen, as a smooth wall is not by a sonar, so that what answers
+/// stands farther off. Short readings are spread evenly up to the expected range.
+class BeamModel {
+ public:
+  /// Throws std::invalid_argument for chances that leave nothing for a hit, and for a noise or
+  /// range that is not above 0.
+  explicit BeamModel(const BeamModelParams& params);
+
+  double likelihood(std::optional<double> range_m, std::optional<double> expected_m) const;
+  double max_range_m() const { return params_.max_range_m; }
+
+ private:
+  BeamModelParams params_;
+  double hit_chance_;
+};
+
+/// A small sonar with a wide cone whose expected range is that of the first obstacle in the cone:
+/// HC-SR04, NXT, EV3. Smooth walls that are seen aslant throw the sound aside, so that silence and
+/// ranges too long are common.
+BeamModelParams sonar_cone_returns();
+/// A laser scanner that sees nearly everything, among people.
+BeamModelParams laser_returns();
+
+}  // namespace echomap::models

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "host/localization/monte_carlo_localizer.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+#include "tests/support/drawn_map.hpp"
+
+namespace echomap::localization {
+namespace {
+
+using geometry::Pose2;
+
+/// 4.0 x 3.2 m without symmetry.
+const mapping::RasterMap kRoom = tests::map_from(
+    {"########################################", "#......................................#",
+     "#......................................#", "#...........#####......................#",
+     "#...........#####......................#", "#......................................#",
+     "#......................................#", "#.............................#........#",
+     "#.............................#........#", "#.............................#........#",
+     "#.............................#........#", "#......................................#",
+     "#....###...............................#", "#....###...............................#",
+     "#....###...............................#", "#......................................#",
+     "#......................................#", "#......................................#",
+     "#....................###################", "#....................###################",
+     "#......................................#", "#......................................#",
+     "########################################"},
+    0.1);
+
+/// A robot with eight sonars whose odometry and ears are a little off.
+class Robot {
+ public:
+  explicit Robot(std::uint32_t seed) : random_(seed) {
+    std::uniform_real_distribution<double> any(0.0, 1.0);
+    do {
+      T_map_robot_ = {4.0 * any(random_), 2.3 * any(random_), 6.28 * any(random_)};
+    } while (!is_clear(T_map_robot_.position_m()));
+  }
+
+  void drive() {
+    const double turn_rad = 0.2 * normal_(random_);
+    const Pose2 step(0.1, 0.0, turn_rad);
+    if (is_clear((T_map_robot_ * step).position_m())) {
+      go(step);
+    } else {
+      go({0.0, 0.0, 1.0});
+    }
+  }
+  /// Without a word of the odometry.
+  void be_carried_to(const Pose2& T_map_robot) { T_map_robot_ = T_map_robot; }
+
+  std::vector<RangeReading> listen() {
+    std::vector<RangeReading> readings;
+    for (int i = 0; i < 8; ++i) {
+      const Pose2 T_robot_sensor(0.0, 0.0, std::numbers::pi / 4.0 * i);
+      readings.push_back({T_robot_sensor, echo(T_map_robot_ * T_robot_sensor)});
+    }
+    return readings;
+  }
+
+  const Pose2& T_odom_robot() const { return T_odom_robot_; }
+  const Pose2& T_map_robot() const { return T_map_robot_; }
+
+ private:
+  void go(const Pose2& step) {
+    T_map_robot_ = T_map_robot_ * step;
+    T_odom_robot_ = T_odom_robot_ * Pose2(step.x_m() * (1.0 + 0.02 * normal_(random_)),
+                                          0.0,
+                                          step.heading_rad() * (1.0 + 0.02 * normal_(random_)) +
+                                              0.005 * normal_(random_));
+  }
+  static bool is_wall(const Eigen::Vector2d& point_m) {
+    return kRoom.state(kRoom.cell_at(point_m)) != mapping::CellState::kFree;
+  }
+  static bool is_clear(const Eigen::Vector2d& point_m) {
+    for (double way_rad = 0.0; way_rad < 6.28; way_rad += 0.5) {
+      if (is_wall(point_m + 0.12 * Eigen::Vector2d(std::cos(way_rad), std::sin(way_rad)))) {
+        return false;
+      }
+    }
+    return true;
+  }
+  /// The nearest wall in a cone of 25 degrees, in steps of a centimetre; 1 in 50 is not heard.
+  std::optional<double> echo(const Pose2& T_map_sensor) {
+    if (random_() % 50 == 0) {
+      return std::nullopt;
+    }
+    for (double range_m = 0.0; range_m < 4.0; range_m += 0.01) {
+      for (double off_rad = -0.218; off_rad <= 0.218; off_rad += 0.0218) {
+        if (is_wall(T_map_sensor *
+                    Eigen::Vector2d(range_m * std::cos(off_rad), range_m * std::sin(off_rad)))) {
+          return std::max(0.02, range_m + 0.02 * normal_(random_));
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::mt19937 random_;
+  std::normal_distribution<double> normal_;
+  Pose2 T_map_robot_;
+  Pose2 T_odom_robot_;
+};
+
+struct Filter {
+  explicit Filter(const mapping::RasterMap& map, std::uint32_t seed = 1)
+      : table(map, {0.218, 4.0}),
+        likelihoods(table, models::BeamModel(models::sonar_cone_returns())),
+        localizer(table, likelihoods, {}, std::mt19937(seed)) {}
+
+  void start_at_truth(const Robot& robot) {
+    localizer.update(robot.T_odom_robot(), {});
+    localizer.start_at(robot.T_map_robot(), 0.05, 0.05);
+  }
+
+  const PoseBelief& follow(Robot& robot, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      robot.drive();
+      localizer.update(robot.T_odom_robot(), robot.listen());
+    }
+    return localizer.belief();
+  }
+
+  RangeTable table;
+  LikelihoodCodes likelihoods;
+  MonteCarloLocalizer localizer;
+};
+
+bool is_at(const PoseBelief& belief, const Pose2& truth) {
+  if (belief.hypotheses.empty()) {
+    return false;
+  }
+  const Pose2& pose = belief.hypotheses.front().T_map_robot;
+  return (pose.position_m() - truth.position_m()).norm() < 0.15 &&
+         std::abs(geometry::angle_between(pose.heading_rad(), truth.heading_rad())) <
+             geometry::radians(10.0);
+}
+
+TEST(MonteCarloLocalizer, FindsARobotThatMayBeAnywhere) {
+  int found = 0;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    Robot robot(seed);
+    Filter filter(kRoom, seed);
+    const PoseBelief& belief = filter.follow(robot, 15);
+    found += is_at(belief, robot.T_map_robot()) ? 1 : 0;
+  }
+  EXPECT_GE(found, 19);
+}
+
+TEST(MonteCarloLocalizer, NoticesAKidnappingAndFindsTheRobotAgain) {
+  int noticed = 0;
+  int found = 0;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    Robot robot(seed);
+    Filter filter(kRoom, seed);
+    filter.start_at_truth(robot);
+    ASSERT_TRUE(is_at(filter.follow(robot, 10), robot.T_map_robot())) << seed;
+    robot.be_carried_to(Robot(seed + 1000).T_map_robot());
+    bool is_noticed = false;
+    for (int i = 0; i < 15; ++i) {
+      is_noticed |= filter.follow(robot, 1).status != LocalizationStatus::kLocalized;
+    }
+    noticed += is_noticed ? 1 : 0;
+    found += is_at(filter.localizer.belief(), robot.T_map_robot()) ? 1 : 0;
+  }
+  EXPECT_GE(noticed, 19);
+  EXPECT_GE(found, 19);
+}
+
+TEST(MonteCarloLocalizer, RepeatsItselfByItsSeed) {
+  std::vector<PoseBelief> beliefs;
+  for (int i = 0; i < 2; ++i) {
+    Robot robot(5);
+    Filter filter(kRoom, 9);
+    beliefs.push_back(filter.follow(robot, 10));
+  }
+  ASSERT_EQ(beliefs[0].hypotheses.size(), beliefs[1].hypotheses.size());
+  EXPECT_EQ(beliefs[0].hypotheses[0].T_map_robot.x_m(), beliefs[1].hypotheses[0].T_map_robot.x_m());
+  EXPECT_EQ(beliefs[0].lost_probability, beliefs[1].lost_probability);
+}
+
+TEST(MonteCarloLocalizer, SaysSoWhereThereIsNoFloor) {
+  Filter filter(mapping::RasterMap(20, 20, 0.05, {0.0, 0.0}));
+  Robot robot(1);
+  const PoseBelief& belief = filter.follow(robot, 3);
+  EXPECT_TRUE(belief.hypotheses.empty());
+  EXPECT_EQ(belief.lost_probability, 1.0);
+  EXPECT_EQ(belief.status, LocalizationStatus::kRecovering);
+}
+
+TEST(MonteCarloLocalizer, KeepsWhatItKnowsWhenReadingsAreNone) {
+  Robot robot(3);
+  Filter filter(kRoom);
+  filter.start_at_truth(robot);
+  const std::vector<RangeReading> broken{{{}, std::numeric_limits<double>::quiet_NaN()}};
+  for (int i = 0; i < 5; ++i) {
+    robot.drive();
+    filter.localizer.update(robot.T_odom_robot(), {});
+    filter.localizer.update(robot.T_odom_robot(), broken);
+  }
+  EXPECT_TRUE(is_at(filter.localizer.belief(), robot.T_map_robot()));
+}
+
+TEST(MonteCarloLocalizer, StaysSoberWhenNothingIsHeard) {
+  Robot robot(3);
+  Filter filter(kRoom);
+  const std::vector<RangeReading> silence(8);
+  for (int i = 0; i < 30; ++i) {
+    filter.localizer.update(robot.T_odom_robot(), silence);
+  }
+  EXPECT_NE(filter.localizer.belief().status, LocalizationStatus::kLocalized);
+  for (const PoseHypothesis& hypothesis : filter.localizer.belief().hypotheses) {
+    ASSERT_TRUE(hypothesis.covariance.allFinite());
+  }
+}
+
+TEST(MonteCarloLocalizer, RefusesSettingsWithoutSense) {
+  RangeTable table(kRoom, {0.2, 4.0});
+  const LikelihoodCodes likelihoods(table, models::BeamModel(models::sonar_cone_returns()));
+  const auto refuses = [&](auto&& set) {
+    LocalizerParams params;
+    set(params);
+    EXPECT_THROW(MonteCarloLocalizer(table, likelihoods, params, std::mt19937(1)),
+                 std::invalid_argument);
+  };
+  refuses([](LocalizerParams& params) { params.filter.least_particles = 0; });
+  refuses([](LocalizerParams& params) {
+    params.filter.most_particles = params.filter.least_particles - 1;
+  });
+  refuses([](LocalizerParams& params) { params.filter.temper = 0.0; });
+  refuses([](LocalizerParams& params) { params.lattice_m = 0.0; });
+  refuses([](LocalizerParams& params) { params.loss.kidnap_chance = 1.0; });
+}
+
+}  // namespace
+}  // namespace echomap::localization

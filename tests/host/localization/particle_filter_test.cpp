@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "host/localization/particle_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/drawn_map.hpp"
+
+namespace echomap::localization {
+namespace {
+
+const mapping::RasterMap kCorridor = tests::map_from({"##############################",
+                                                      "#............................#",
+                                                      "#............................#",
+                                                      "##############################"},
+                                                     0.1);
+
+double mean_x_m(const Particles& particles) {
+  double sum = 0.0;
+  for (const float x_m : particles.x_m) {
+    sum += static_cast<double>(x_m);
+  }
+  return sum / static_cast<double>(particles.size());
+}
+
+struct Scene {
+  RangeTable table{kCorridor, {0.0, 4.0}};
+  LikelihoodCodes likelihoods{table, models::BeamModel(models::laser_returns())};
+
+  CodedReadings ahead(double range_m) const {
+    const RangeReading reading{{}, range_m};
+    return {std::span(&reading, 1), table, likelihoods};
+  }
+};
+
+TEST(ParticleFilter, GoesWhereTheReadingsSay) {
+  Scene scene;
+  ParticleFilter filter({}, std::mt19937(1));
+  filter.start_at({1.0, 0.2, 0.0}, 0.3, 0.01);
+  for (int i = 0; i < 10; ++i) {
+    filter.weigh(scene.ahead(1.7), scene.table);
+    filter.resample_where_few_count();
+  }
+  EXPECT_NEAR(mean_x_m(filter.particles()), 1.2, 0.06);
+}
+
+TEST(ParticleFilter, SaysHowLikelyTheReadingsWere) {
+  Scene scene;
+  ParticleFilter near({}, std::mt19937(1));
+  ParticleFilter far({}, std::mt19937(1));
+  near.start_at({1.2, 0.2, 0.0}, 0.01, 0.01);
+  far.start_at({2.4, 0.2, 0.0}, 0.01, 0.01);
+  EXPECT_GT(near.weigh(scene.ahead(1.7), scene.table), far.weigh(scene.ahead(1.7), scene.table));
+}
+
+std::size_t size_after_a_sweep(double start_std) {
+  Scene scene;
+  ParticleFilter filter({.least_particles = 10, .most_particles = 20'000, .resampling_share = 1.0},
+                        std::mt19937(1));
+  filter.start_at({1.2, 0.2, 0.0}, start_std, start_std);
+  filter.weigh(scene.ahead(1.7), scene.table);
+  filter.resample_where_few_count();
+  return filter.particles().size();
+}
+
+TEST(ParticleFilter, NeedsFewerParticlesTheSurerItIs) {
+  EXPECT_LT(size_after_a_sweep(0.03), size_after_a_sweep(0.3) / 2);
+  EXPECT_GE(size_after_a_sweep(0.03), 10U);
+}
+
+TEST(ParticleFilter, TakesInAnotherByItsShare) {
+  ParticleFilter here({}, std::mt19937(1));
+  ParticleFilter elsewhere({}, std::mt19937(2));
+  here.start_at({0.5, 0.2, 0.0}, 0.01, 0.01);
+  elsewhere.start_at({2.5, 0.2, 0.0}, 0.01, 0.01);
+  here.join(elsewhere, 0.75);
+  const auto& x_m = here.particles().x_m;
+  const auto there = std::count_if(x_m.begin(), x_m.end(), [](float x) { return x > 1.5F; });
+  EXPECT_NEAR(static_cast<double>(there) / static_cast<double>(x_m.size()), 0.75, 0.001);
+}
+
+TEST(ParticleFilter, IsAnywhereWithoutParticles) {
+  Scene scene;
+  ParticleFilter filter({}, std::mt19937(1));
+  filter.start_from({}, 0.1, 0.1);
+  EXPECT_TRUE(filter.empty());
+  EXPECT_EQ(filter.weigh(scene.ahead(1.0), scene.table), 0.0);
+  filter.resample_where_few_count();
+  filter.move({0.1, 0.1, 0.1}, {});
+  EXPECT_TRUE(filter.empty());
+}
+
+TEST(ParticleFilter, RefusesSettingsWithoutSense) {
+  EXPECT_THROW(ParticleFilter({.least_particles = 0}, {}), std::invalid_argument);
+  EXPECT_THROW(ParticleFilter({.temper = 1.1}, {}), std::invalid_argument);
+  EXPECT_THROW(ParticleFilter({.sample_error = 0.0}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::localization

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "host/localization/range_table.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/drawn_map.hpp"
+
+namespace echomap::localization {
+namespace {
+
+const mapping::RasterMap kRoom = tests::map_from({"##########",
+                                                  "#........#",
+                                                  "#........#",
+                                                  "#........#",
+                                                  "#......#.#",
+                                                  "#........#",
+                                                  "#........#",
+                                                  "##########"},
+                                                 0.1);
+
+/// The table's cell of a cell of the map: there is a ring around it.
+constexpr geometry::CellIndex in_table(std::int32_t x, std::int32_t y) { return {x + 1, y + 1}; }
+
+double expected_m(RangeTable& table, geometry::CellIndex cell, double heading_rad) {
+  table.fill_tile(table.tile_of(cell));
+  const auto heading = static_cast<std::size_t>(
+      std::lround(heading_rad / (2.0 * std::numbers::pi) * RangeTable::kHeadings));
+  return table.range_of(table.codes_at(cell)[heading % RangeTable::kHeadings]).value_or(-1.0);
+}
+
+TEST(RangeTable, ExpectsTheWallThatAThinBeamMeets) {
+  RangeTable table(kRoom, {0.0, 2.0});
+  const double slack_m = 2.0 / 254.0;
+  EXPECT_NEAR(expected_m(table, in_table(2, 1), 0.0), 0.65, slack_m);
+  EXPECT_NEAR(expected_m(table, in_table(2, 1), std::numbers::pi), 0.15, slack_m);
+  EXPECT_NEAR(expected_m(table, in_table(2, 3), 0.0), 0.45, slack_m);
+  EXPECT_NEAR(expected_m(table, in_table(2, 1), std::numbers::pi / 2.0), 0.55, slack_m);
+}
+
+TEST(RangeTable, ExpectsTheNearestThingInACone) {
+  RangeTable thin(kRoom, {0.0, 2.0});
+  RangeTable wide(kRoom, {0.2, 2.0});
+  EXPECT_LT(expected_m(wide, in_table(2, 2), 0.0), expected_m(thin, in_table(2, 2), 0.0) - 0.1);
+  EXPECT_NEAR(expected_m(wide, in_table(2, 2), 0.0), std::hypot(0.45, 0.05), 0.03);
+}
+
+TEST(RangeTable, ExpectsNothingBeyondItsRange) {
+  RangeTable table(kRoom, {0.0, 0.3});
+  EXPECT_EQ(expected_m(table, in_table(2, 2), 0.0), -1.0);
+  EXPECT_NEAR(expected_m(table, in_table(2, 2), std::numbers::pi), 0.15, 0.01);
+}
+
+TEST(RangeTable, HasNoFloorInWallsAndAroundTheMap) {
+  RangeTable table(kRoom, {0.0, 2.0});
+  for (const auto cell : {geometry::CellIndex{0, 0}, in_table(0, 3), in_table(7, 3)}) {
+    table.fill_tile(table.tile_of(cell));
+    EXPECT_EQ(table.codes_at(cell)[5], RangeTable::kNoFloor);
+    EXPECT_FALSE(table.is_floor(cell));
+  }
+}
+
+TEST(RangeTable, CodesRangesToHalfAPart) {
+  const RangeTable table(kRoom, {0.0, 4.0});
+  for (double range_m = 0.0; range_m < 4.0; range_m += 0.003) {
+    EXPECT_NEAR(table.range_of(table.code_of(range_m)).value(), range_m, 0.5001 * 4.0 / 254.0);
+  }
+  EXPECT_EQ(table.code_of(std::nullopt), RangeTable::kNothing);
+  EXPECT_EQ(table.code_of(4.0), RangeTable::kNothing);
+  EXPECT_FALSE(table.range_of(RangeTable::kNothing).has_value());
+}
+
+TEST(RangeTable, PaysForTheTilesThatAreAskedForOnly) {
+  const mapping::RasterMap hall(2000, 2000, 0.05, {0.0, 0.0});
+  mapping::RasterMap with_floor = hall;
+  with_floor.set({1000, 1000}, mapping::CellState::kFree);
+  RangeTable table(with_floor, {0.2, 4.0});
+  const std::size_t before = table.memory_bytes();
+  table.fill_tile(table.tile_of(in_table(10, 10)));
+  EXPECT_EQ(table.memory_bytes(), before);
+  table.fill_tile(table.tile_of(in_table(1000, 1000)));
+  EXPECT_EQ(table.memory_bytes(), before + 32768);
+}
+
+TEST(RangeTable, RefusesSensorsThatAreNone) {
+  EXPECT_THROW(RangeTable(kRoom, {-0.1, 4.0}), std::invalid_argument);
+  EXPECT_THROW(RangeTable(kRoom, {1.6, 4.0}), std::invalid_argument);
+  EXPECT_THROW(RangeTable(kRoom, {0.1, 0.0}), std::invalid_argument);
+  EXPECT_THROW(RangeTable(kRoom, {0.1, std::numeric_limits<double>::quiet_NaN()}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::localization
