@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/sensors/cone_opening.hpp"
+
+namespace echomap::sensors {
+
+/// How a cone's opening is read off walls.
+struct WallOpeningParams {
+  /// Standard deviation of a range about the model, metres; half of the centimetre in which small
+  /// sonars count. A wall has to rise by three of it on both sides, and to be fitted within two.
+  double range_sd_m = 0.005;
+  /// Where neighbours differ by more than this share of the range and two standard deviations, one
+  /// wall ends. At 5 degrees a step and 30 degrees beyond the flat a wall changes by that
+  /// much.
+  double jump_share = 0.05;
+  std::size_t least_readings = 8;
+};
+
+/// One wall in a sweep, and the opening of the cone that saw it.
+struct SweptWall {
+  /// Where the wall is nearest, and how near.
+  double bearing_rad = 0.0;
+  double range_m = 0.0;
+  ConeOpening opening;
+  double residual_m = 0.0;
+  std::size_t readings = 0;
+};
+
+/// The walls in a sweep, by bearing. A cone hears the nearest thing in it, so a straight wall at
+/// the distance d, square to the bearing a, is heard by a sonar with the opening w at
+///
+///     r(b) = d / cos(max(0, |b - a| - w / 2)):                                            (1)
+///
+/// the flat bottom is as wide as the cone (Hennessey et al., section III.A and figure 4). The three
+/// unknowns are fitted by least squares, the bounds of w are those of its profile. It takes a wall
+/// that answers beside the perpendicular, and is the wider for one that is not straight.
+///
+/// Bearings rise or fall throughout; a sweep that closes on itself is taken as a ring. Throws
+/// std::invalid_argument for parameters without sense.
+std::vector<SweptWall> swept_walls(std::span<const SweepReading> sweep,
+                                   const WallOpeningParams& params = {});
+
+/// What several walls say together.
+struct PooledOpening {
+  /// The mean over the walls, each with the weight of the inverse square of its bounds' distance,
+  /// and Student's t for the bounds: walls differ by more than their fits tell.
+  ConeOpening mean;
+  /// Standard deviation over the walls, weighted the same.
+  double spread_rad = 0.0;
+};
+
+/// Empty for fewer than three walls.
+std::optional<PooledOpening> pooled_opening(std::span<const SweptWall> walls);
+
+}  // namespace echomap::sensors
