@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hil_mock/world/robot_file.hpp"
+#include "hil_mock/world/sonar_physics.hpp"
+#include "host/datasets/nxt_scan_log.hpp"
+#include "host/files/toml_reader.hpp"
+#include "host/geometry/angle.hpp"
+#include "host/sensors/post_opening.hpp"
+#include "host/sensors/wall_opening.hpp"
+#include "tests/support/log_files.hpp"
+#include "tests/support/real_data.hpp"
+
+// Hennessey et al., section III.A: the cone of a small sonar opens by 32.8 +- 9.6 degrees. Here
+// from sweeps of the simulated sonar, whose cone is known, and from sonars of others.
+namespace echomap::papers {
+namespace {
+
+using geometry::degrees;
+using geometry::radians;
+using sensors::ConeOpening;
+using sensors::SweepReading;
+
+constexpr double kPaperDeg = 32.8;
+constexpr double kPaperBoundDeg = 9.6;
+constexpr std::uint32_t kSeeds = 20;
+
+bool holds(const ConeOpening& opening, double truth_rad) {
+  return opening.low_rad <= truth_rad && truth_rad <= opening.high_rad;
+}
+
+void expect_within_paper(double opening_rad) {
+  EXPECT_NEAR(degrees(opening_rad), kPaperDeg, kPaperBoundDeg);
+}
+
+world::SonarParams ev3_sonar(double opening_deg) {
+  auto params = world::read_robot(files::TomlReader::load(std::string(ECHOMAP_SOURCE_DIR) +
+                                                          "/hil_mock/robots/ev3.toml"))
+                    .sonar;
+  params.cone_half_angle_rad = radians(0.5 * opening_deg);
+  return params;
+}
+
+/// A hall of 8 x 8 m, rough walls, the sonar in the middle.
+world::Outline hall() {
+  const std::vector<world::Surface> rough(4, {world::Material::kRough, 0.9});
+  return {{{-4.0, -4.0}, {4.0, -4.0}, {4.0, 4.0}, {-4.0, 4.0}}, rough};
+}
+
+/// An eight-sided post, 2 cm thick, 0.8 m ahead.
+world::FloorPlan post_in_a_hall() {
+  world::Outline post{{}, std::vector<world::Surface>(8, {world::Material::kRough, 0.9})};
+  for (int i = 0; i < 8; ++i) {
+    const double bearing_rad = radians(45.0 * i);
+    post.corners_m.emplace_back(0.8 + 0.01 * std::cos(bearing_rad), 0.01 * std::sin(bearing_rad));
+  }
+  return {"post", hall(), {post}, {}};
+}
+
+/// A square room, 1.4 m wide, with boards that scatter sound, as in the paper's figure 4.
+world::FloorPlan square_room() {
+  const std::vector<world::Surface> rough(4, {world::Material::kRough, 0.9});
+  return {"square", {{{-0.6, -0.7}, {0.8, -0.7}, {0.8, 0.7}, {-0.6, 0.7}}, rough}, {}, {}};
+}
+
+std::vector<SweepReading> sweep(const world::FloorPlan& plan,
+                                const world::SonarParams& sonar,
+                                double half_deg,
+                                double step_deg,
+                                std::uint32_t seed) {
+  const world::SonarPhysics physics(plan, sonar);
+  world::NoiseStream noise(seed, world::NoisePurpose::kSonar);
+  std::vector<SweepReading> readings;
+  for (double bearing_deg = -half_deg; bearing_deg < half_deg; bearing_deg += step_deg) {
+    const double bearing_rad = radians(bearing_deg);
+    readings.push_back({bearing_rad, physics.ping_m({0.0, 0.0, bearing_rad}, noise)});
+  }
+  return readings;
+}
+
+/// How often over the seeds, and how far off on average.
+struct Rates {
+  int found = 0;
+  int held = 0;  ///< The true opening lay between the bounds.
+  double mean_deg = 0.0;
+  double worst_deg = 0.0;
+};
+
+void count(Rates& rates, const std::optional<ConeOpening>& opening, double truth_deg) {
+  if (!opening) {
+    return;
+  }
+  const double found_deg = degrees(opening->opening_rad);
+  ++rates.found;
+  rates.held += holds(*opening, radians(truth_deg)) ? 1 : 0;
+  rates.mean_deg += (found_deg - rates.mean_deg) / rates.found;
+  rates.worst_deg = std::max(rates.worst_deg, std::abs(found_deg - truth_deg));
+}
+
+void print(const std::string& what, const Rates& rates) {
+  std::cout << what << ": found " << rates.found << ", within its bounds " << rates.held << " of "
+            << kSeeds << ", mean " << rates.mean_deg << ", worst " << rates.worst_deg
+            << " degrees off\n";
+}
+
+/// There and back, a degree a step.
+std::vector<SweepReading> double_sweep(const world::FloorPlan& plan,
+                                       const world::SonarParams& sonar,
+                                       std::uint32_t seed) {
+  auto readings = sweep(plan, sonar, 60.0, 1.0, seed);
+  const auto back = sweep(plan, sonar, 60.0, 1.0, seed + kSeeds);
+  readings.insert(readings.end(), back.begin(), back.end());
+  return readings;
+}
+
+TEST(ConeAngle, IsFoundBySweepingPastAPost) {
+  const world::FloorPlan plan = post_in_a_hall();
+  for (const double opening_deg : {20.0, kPaperDeg, 42.0}) {
+    Rates rates;
+    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+      count(rates,
+            sensors::opening_past_post(double_sweep(plan, ev3_sonar(opening_deg), seed),
+                                       {0.79, 0.05, 0.02}),
+            opening_deg);
+    }
+    print("post, " + std::to_string(opening_deg), rates);
+    EXPECT_EQ(rates.found, static_cast<int>(kSeeds));
+    EXPECT_GE(rates.held, static_cast<int>(kSeeds * 9 / 10));
+    EXPECT_NEAR(rates.mean_deg, opening_deg, 1.5);
+  }
+}
+
+/// Four sweeps, three degrees a step: a wide cone finds few shoulders in a small room.
+std::vector<sensors::SweptWall> walls_of_room(const world::FloorPlan& plan,
+                                              double opening_deg,
+                                              std::uint32_t seed) {
+  sensors::WallOpeningParams params;
+  params.range_sd_m = 0.01;
+  std::vector<sensors::SweptWall> walls;
+  for (std::uint32_t turn = 0; turn < 4; ++turn) {
+    const auto found = sensors::swept_walls(
+        sweep(plan, ev3_sonar(opening_deg), 180.0, 3.0, seed + turn * kSeeds), params);
+    walls.insert(walls.end(), found.begin(), found.end());
+  }
+  return walls;
+}
+
+// The mean of 42 degrees comes out 2 degrees narrow: its edge is soft, and soft edges look narrow.
+TEST(ConeAngle, IsFoundFromTheWallsOfASquareRoom) {
+  const world::FloorPlan plan = square_room();
+  for (const double opening_deg : {20.0, kPaperDeg, 42.0}) {
+    Rates rates;
+    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+      const auto pooled = sensors::pooled_opening(walls_of_room(plan, opening_deg, seed));
+      count(rates, pooled ? std::optional(pooled->mean) : std::nullopt, opening_deg);
+    }
+    print("walls, " + std::to_string(opening_deg), rates);
+    EXPECT_EQ(rates.found, static_cast<int>(kSeeds));
+    if (opening_deg < 40.0) {
+      EXPECT_GE(rates.held, static_cast<int>(kSeeds * 8 / 10));
+    }
+    EXPECT_NEAR(rates.mean_deg, opening_deg, 2.5);
+    EXPECT_LT(rates.worst_deg, kPaperBoundDeg);
+  }
+}
+
+TEST(ConeAngle, OfTheNxtSonarIsThePapers) {
+  std::vector<sensors::SweptWall> walls;
+  for (const char* set : {"train", "test"}) {
+    for (int place = 0; place < 5; ++place) {
+      const auto path = tests::real_data("nxt_sonar_imperial") /
+                        ("place_" + std::string(set) + "_loc_0" + std::to_string(place) + ".dat");
+      ECHOMAP_SKIP_WITHOUT(path);
+      const auto records = tests::records_of(*datasets::open_nxt_scan_log(path));
+      std::vector<SweepReading> readings;
+      const auto scan = tests::only<datasets::RangeScan>(records).at(0);
+      for (const datasets::Beam& beam : scan.beams) {
+        readings.push_back({beam.bearing_rad, beam.range_m});
+      }
+      const auto found = sensors::swept_walls(readings);
+      walls.insert(walls.end(), found.begin(), found.end());
+    }
+  }
+  const auto pooled = sensors::pooled_opening(walls);
+  ASSERT_TRUE(pooled);
+  std::cout << "NXT: " << walls.size() << " walls, " << degrees(pooled->mean.opening_rad) << " +- "
+            << degrees(pooled->spread_rad) << " degrees, mean within "
+            << degrees(pooled->mean.low_rad) << " to " << degrees(pooled->mean.high_rad) << "\n";
+  EXPECT_GE(walls.size(), 20U);
+  expect_within_paper(pooled->mean.low_rad);
+  expect_within_paper(pooled->mean.high_rad);
+}
+
+/// A card before an HC-SR04, by the pair of columns that holds it.
+struct Card {
+  const char* name;
+  std::size_t column;
+  double range_m;
+};
+constexpr std::array<Card, 5> kCards = {{{"upright 2 cm", 0, 0.02},
+                                         {"upright 4 cm", 3, 0.04},
+                                         {"upright 6 cm", 6, 0.06},
+                                         {"upright 10 cm", 9, 0.10},
+                                         {"flat 5 cm", 12, 0.05}}};
+
+/// Rows are angle and reading in centimetres by turns, some empty at a column's end.
+std::vector<SweepReading> tilts_of(const std::string& path, std::size_t column) {
+  std::ifstream file(path);
+  std::vector<SweepReading> tilts;
+  std::string line;
+  for (std::getline(file, line); std::getline(file, line);) {
+    std::istringstream words(line);
+    std::vector<std::string> cells;
+    for (std::string cell; std::getline(words, cell, ',');) {
+      cells.push_back(cell);
+    }
+    if (cells.size() > column + 1 && !cells[column].empty() && !cells[column + 1].empty()) {
+      tilts.push_back({radians(std::stod(cells[column])), 0.01 * std::stod(cells[column + 1])});
+    }
+  }
+  return tilts;
+}
+
+/// The cone of a card's tilts; the paper's figure is of things at a distance.
+ConeOpening opening_before(const std::string& path, const Card& card) {
+  const auto opening =
+      sensors::opening_by_tilt(tilts_of(path, card.column), {card.range_m, 0.05, 0.0});
+  if (!opening) {
+    throw std::runtime_error("no edge in the tilts of " + std::string(card.name));
+  }
+  std::cout << "HC-SR04, card " << card.name << ": " << degrees(opening->opening_rad) << " ("
+            << degrees(opening->low_rad) << " to " << degrees(opening->high_rad) << ") degrees\n";
+  return *opening;
+}
+
+TEST(ConeAngle, OfTheHcSr04IsThePapersAt10CmAndWiderBeforeNearCards) {
+  const auto path = tests::real_data("hcsr04_incidence_univpm/Misure_prove.csv");
+  ECHOMAP_SKIP_WITHOUT(path);
+  for (const Card& card : kCards) {
+    const ConeOpening opening = opening_before(path.string(), card);
+    if (card.range_m >= 0.1) {
+      expect_within_paper(opening.low_rad);
+      expect_within_paper(opening.high_rad);
+    } else if (card.range_m > 0.055) {
+      expect_within_paper(opening.opening_rad);
+    } else {
+      EXPECT_GT(degrees(opening.low_rad), kPaperDeg + kPaperBoundDeg);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace echomap::papers

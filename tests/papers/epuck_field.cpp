@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "tests/papers/epuck_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hil_mock/world/ir_range.hpp"
+#include "hil_mock/world/robot_file.hpp"
+#include "host/files/toml_reader.hpp"
+#include "host/mapping/occupancy_grid.hpp"
+#include "host/models/occupied_sector.hpp"
+#include "host/sensors/infrared_curve.hpp"
+#include "tests/papers/drive_path.hpp"
+
+namespace echomap::papers {
+
+namespace {
+
+using geometry::CellIndex;
+using geometry::Pose2;
+
+constexpr double kCellM = 0.001;
+constexpr double kReachM = 0.06;
+constexpr double kPeriodS = 0.1;
+constexpr double kCountsPerMillivolt = 1023.0 / 5000.0;
+constexpr double kCentilogits = 100.0;
+
+files::TomlReader bundled(const std::string& file) {
+  return files::TomlReader::load(std::string(ECHOMAP_SOURCE_DIR) + "/" + file);
+}
+
+/// The curve that a user of the e-puck has in its profile.
+sensors::InfraredCurve profile_curve() {
+  std::vector<sensors::InfraredPoint> points;
+  for (const auto& [counts, range_m] :
+       bundled("host/profiles/epuck.toml").table("infrared").points("curve")) {
+    points.push_back({counts, range_m});
+  }
+  return sensors::InfraredCurve(points);
+}
+
+/// Beside the walls and round both blocks at 5 to 6 cm, and lanes through the rest.
+const std::vector<Eigen::Vector2d> lap_points_m = {
+    {0.05, 0.05}, {0.75, 0.05}, {0.75, 0.55}, {0.05, 0.55}, {0.05, 0.05}, {0.39, 0.05},
+    {0.39, 0.26}, {0.63, 0.26}, {0.63, 0.05}, {0.69, 0.05}, {0.69, 0.34}, {0.44, 0.34},
+    {0.44, 0.55}, {0.71, 0.55}, {0.71, 0.34}, {0.30, 0.34}, {0.30, 0.51}, {0.09, 0.51},
+    {0.09, 0.42}, {0.38, 0.42}, {0.38, 0.20}, {0.16, 0.20}, {0.16, 0.53}, {0.23, 0.53},
+    {0.23, 0.08}, {0.33, 0.08}, {0.33, 0.32}, {0.09, 0.32}, {0.09, 0.10}, {0.36, 0.10}};
+
+using Triangle = std::array<Eigen::Vector2d, 3>;
+
+/// What of a triangle lies on a line y = const: from x to x; the second is before the first where
+/// nothing does.
+std::pair<double, double> span_of(const Triangle& triangle, double y_m) {
+  std::pair<double, double> span(std::numeric_limits<double>::max(),
+                                 std::numeric_limits<double>::lowest());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector2d& a_m = triangle[i];
+    const Eigen::Vector2d& b_m = triangle[(i + 1) % 3];
+    if ((a_m.y() <= y_m) != (b_m.y() <= y_m)) {
+      const double x_m = a_m.x() + (y_m - a_m.y()) / (b_m.y() - a_m.y()) * (b_m.x() - a_m.x());
+      span = {std::min(span.first, x_m), std::max(span.second, x_m)};
+    }
+  }
+  return span;
+}
+
+/// Algorithm 2 of Mahmood and Ridao 2017: adds the inverse model's evidence, l - l_0, to each cell
+/// of the sensor's field. Neighbours of the ring look 32 degrees apart, so that no two of its beams
+/// hold one cell and line 5 of Algorithm 3 has nothing to choose.
+class SectorGrid {
+ public:
+  explicit SectorGrid(const EpuckGridParams& params)
+      : model_(model_params(params)), slope_(std::tan(0.5 * params.opening_rad)) {}
+
+  void insert(const models::SensorReading& reading, const Pose2& T_world_sensor) {
+    const double reach_m = model_.reach_m(reading);
+    const Triangle around = {T_world_sensor.position_m(),
+                             T_world_sensor * Eigen::Vector2d(reach_m, -slope_ * reach_m),
+                             T_world_sensor * Eigen::Vector2d(reach_m, slope_ * reach_m)};
+    const Pose2 T_sensor_world = T_world_sensor.inverse();
+    const auto [low, high] = std::minmax({around[0].y(), around[1].y(), around[2].y()});
+    const std::int32_t last_row = grid_.cell_at({0.0, high}).y;
+    for (CellIndex cell = grid_.cell_at({0.0, low}); cell.y <= last_row; ++cell.y) {
+      const auto [from_m, to_m] = span_of(around, grid_.center_m(cell).y());
+      const std::int32_t last = grid_.cell_at({to_m, 0.0}).x;
+      for (cell.x = grid_.cell_at({from_m, 0.0}).x; cell.x <= last; ++cell.x) {
+        const Eigen::Vector2d seen_m = T_sensor_world * grid_.center_m(cell);
+        const double log_odds = model_.evidence(reading, models::polar_point(seen_m));
+        grid_.add(cell, static_cast<int>(std::lround(kCentilogits * log_odds)));
+      }
+    }
+  }
+
+  const mapping::OccupancyGrid& grid() const { return grid_; }
+
+ private:
+  static models::OccupiedSectorParams model_params(const EpuckGridParams& params) {
+    models::OccupiedSectorParams model;
+    model.thickness_m = params.thickness_m;
+    model.opening_rad = params.opening_rad;
+    model.max_range_m = kReachM;
+    model.occupied_log_odds = params.occupied_log_odds;
+    model.free_log_odds = params.free_log_odds;
+    return model;
+  }
+  static mapping::OccupancyGridParams grid_params() {
+    mapping::OccupancyGridParams params;
+    params.resolution_m = kCellM;
+    params.free_threshold = 0.45;
+    params.occupied_threshold = 0.55;
+    return params;
+  }
+  models::OccupiedSector model_;
+  double slope_;
+  mapping::OccupancyGrid grid_{grid_params()};
+};
+
+/// The ring of a simulated e-puck and the host's understanding of it.
+class Ring {
+ public:
+  Ring(const world::FloorPlan& field, std::uint32_t seed) : curve_(profile_curve()) {
+    const auto robot = world::read_robot(bundled("hil_mock/robots/epuck.toml"));
+    for (const world::IrRangeParams& params : robot.parts.ranges) {
+      const auto purpose = static_cast<std::uint32_t>(world::NoisePurpose::kRange0) +
+                           static_cast<std::uint32_t>(params.channel);
+      sensors_.emplace_back(
+          field, params, world::NoiseStream(seed, static_cast<world::NoisePurpose>(purpose)));
+    }
+  }
+
+  /// Measures at the true pose and maps from the one that is believed.
+  void measure(const Pose2& T_world_robot,
+               const Pose2& T_world_believed,
+               bool silence_is_free,
+               SectorGrid& grid) {
+    for (world::IrRange& sensor : sensors_) {
+      sensor.step(kPeriodS, T_world_robot);
+      const double counts = std::floor(kCountsPerMillivolt * sensor.millivolts());
+      const auto range_m = curve_.range_m(counts);
+      if (range_m || silence_is_free) {
+        grid.insert({range_m}, T_world_believed * sensor.params().T_robot_sensor);
+      }
+    }
+  }
+
+ private:
+  sensors::InfraredCurve curve_;
+  std::vector<world::IrRange> sensors_;
+};
+
+}  // namespace
+
+mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
+                                   const EpuckGridParams& params,
+                                   std::uint32_t seed) {
+  Ring ring(field, seed);
+  SectorGrid grid(params);
+  world::NoiseStream camera(seed, world::NoisePurpose::kBody);
+  for (int lap = 0; lap < params.laps; ++lap) {
+    for (const Pose2& T_world_robot : drive_path(lap_points_m, PathSteps{}, camera.uniform())) {
+      const double x_m = params.position_sd_m * camera.normal();
+      const double y_m = params.position_sd_m * camera.normal();
+      const double heading_rad = params.heading_sd_rad * camera.normal();
+      const Pose2 T_world_believed(T_world_robot.x_m() + x_m,
+                                   T_world_robot.y_m() + y_m,
+                                   T_world_robot.heading_rad() + heading_rad);
+      ring.measure(T_world_robot, T_world_believed, params.silence_is_free, grid);
+    }
+  }
+  return mapping::rasterize(grid.grid());
+}
+
+}  // namespace echomap::papers

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "tests/papers/playground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "hil_mock/world/contact_physics.hpp"
+#include "hil_mock/world/robot_file.hpp"
+#include "hil_mock/world/sonar_physics.hpp"
+#include "host/files/toml_reader.hpp"
+#include "host/geometry/angle.hpp"
+#include "host/models/gaussian_patch.hpp"
+
+namespace echomap::papers {
+
+namespace {
+
+using geometry::CellIndex;
+using geometry::Pose2;
+using geometry::Segment;
+
+constexpr mapping::CellBounds kCells{{0, 0}, {55, 43}};
+constexpr double kCellM = 0.05;
+constexpr int kReadings = 72;
+/// Between two stops: five moves reach any of the paper's way points (section II.E).
+constexpr double kMoveM = 0.42;
+constexpr double kStepM = 0.005;
+
+world::Outline box(double left_m, double low_m, double width_m, double depth_m) {
+  const double right_m = left_m + width_m;
+  const double high_m = low_m + depth_m;
+  return {{{left_m, low_m}, {right_m, low_m}, {right_m, high_m}, {left_m, high_m}}, {}};
+}
+
+/// The paper's seven phases: through the door, the corners one after the other, and out again; the
+/// low block stands on the way along the upper wall and is passed below after the bump.
+const std::vector<Eigen::Vector2d> way_points_m = {{1.35, 0.12},
+                                                   {1.35, 0.60},
+                                                   {2.20, 0.43},
+                                                   {2.20, 1.88},
+                                                   {1.20, 1.88},
+                                                   {1.75, 1.88},
+                                                   {1.75, 1.60},
+                                                   {1.15, 1.60},
+                                                   {0.57, 1.88},
+                                                   {0.57, 0.43},
+                                                   {1.35, 0.60},
+                                                   {1.35, 0.12}};
+
+world::RobotParams ev3() {
+  return world::read_robot(
+      files::TomlReader::load(std::string(ECHOMAP_SOURCE_DIR) + "/hil_mock/robots/ev3.toml"));
+}
+
+/// The way the robot goes and the way it believes to go: wheels that differ from their diameter,
+/// slip, and a gyro that counts turns with an error of scale.
+class DriftingRobot {
+ public:
+  DriftingRobot(const world::RobotParams& params, bool with_drift, std::uint32_t seed)
+      : params_(params),
+        share_(with_drift ? 1.0 : 0.0),
+        noise_(seed, world::NoisePurpose::kBody),
+        length_scale_(1.0 + share_ * params.drive.wheel_diameter_sd * noise_.normal()),
+        turn_scale_(1.0 + share_ * params.parts.gyro.value().scale_sd * noise_.normal()),
+        T_true_(way_points_m[0].x(), way_points_m[0].y(), 0.5 * std::numbers::pi),
+        T_believed_(T_true_) {}
+
+  const Pose2& T_true() const { return T_true_; }
+  const Pose2& T_believed() const { return T_believed_; }
+
+  void turn(double angle_rad) {
+    T_true_ = T_true_ * Pose2(0.0, 0.0, angle_rad);
+    T_believed_ = T_believed_ * Pose2(0.0, 0.0, turn_scale_ * angle_rad);
+  }
+  void drive(double length_m) {
+    const double slip_m =
+        params_.drive.slip_m_per_sqrt_m * std::sqrt(2.0 * std::abs(length_m)) * noise_.normal();
+    T_true_ = T_true_ * Pose2(length_m, 0.0, 0.0);
+    T_believed_ =
+        T_believed_ * Pose2(length_scale_ * length_m, 0.0, share_ * slip_m / params_.drive.track_m);
+  }
+
+ private:
+  const world::RobotParams& params_;
+  double share_;
+  world::NoiseStream noise_;
+  double length_scale_;
+  double turn_scale_;
+  Pose2 T_true_;
+  Pose2 T_believed_;
+};
+
+/// The drive and what it adds to the grid.
+class Mapper {
+ public:
+  Mapper(const Playground& playground, const PatchGridParams& params, std::uint32_t seed)
+      : playground_(playground),
+        params_(params),
+        robot_(ev3()),
+        sonar_(playground.heard, robot_.sonar),
+        noise_(seed, world::NoisePurpose::kSonar),
+        body_(robot_, params.with_drift, seed),
+        grid_{mapping::CellField(kCells, kCellM), {}, 0, 0.0} {
+    if (params.with_known_walls) {
+      mark_known_walls();
+    }
+  }
+
+  PatchGrid run() {
+    sweep();
+    for (std::size_t point = 1; point < way_points_m.size(); ++point) {
+      go_to(way_points_m[point]);
+    }
+    grid_.final_error_m = (body_.T_believed().position_m() - body_.T_true().position_m()).norm();
+    return grid_;
+  }
+
+ private:
+  void mark_known_walls() {
+    for (std::size_t i = 0; i < grid_.confidence.size(); ++i) {
+      const Eigen::Vector2d center_m = grid_.confidence.center_m(grid_.confidence.cell(i));
+      for (const Segment& wall : playground_.known_walls) {
+        if (geometry::distance_m(wall, center_m) <= 0.5 * kCellM) {
+          grid_.confidence[i] = 1.0F;
+        }
+      }
+    }
+  }
+  void go_to(const Eigen::Vector2d& goal_m) {
+    const Eigen::Vector2d way_m = goal_m - body_.T_true().position_m();
+    body_.turn(
+        geometry::angle_between(body_.T_true().heading_rad(), std::atan2(way_m.y(), way_m.x())));
+    const int moves = static_cast<int>(std::ceil(way_m.norm() / kMoveM));
+    for (int i = 0; i < moves; ++i) {
+      if (!move(way_m.norm() / moves)) {
+        return;
+      }
+      sweep();
+    }
+  }
+  /// Whether nothing was in the way.
+  bool move(double length_m) {
+    for (double done_m = 0.0; done_m < length_m; done_m += kStepM) {
+      body_.drive(std::min(kStepM, length_m - done_m));
+      const world::Contacts contacts =
+          world::contacts_at(playground_.met, body_.T_true(), robot_.body);
+      if (contacts.left || contacts.right) {
+        ++grid_.bumps;
+        if (params_.with_bumps) {
+          add_bump();
+        }
+        return false;
+      }
+    }
+    return true;
+  }
+  void sweep() {
+    for (int i = 0; i < kReadings; ++i) {
+      const Pose2 T_robot_sonar(0.0, 0.0, 2.0 * std::numbers::pi * i / kReadings);
+      const models::SensorReading reading{sonar_.ping_m(body_.T_true() * T_robot_sonar, noise_)};
+      if (reading.range_m) {
+        add_patch(reading, body_.T_believed() * T_robot_sonar);
+      }
+    }
+  }
+  void add_patch(const models::SensorReading& reading, const Pose2& T_grid_sonar) {
+    const Eigen::Vector2d echo_m = T_grid_sonar * Eigen::Vector2d(*reading.range_m, 0.0);
+    grid_.echoes_m.push_back(echo_m);
+    const Pose2 T_sonar_grid = T_grid_sonar.inverse();
+    add_around(echo_m, model_.reach_m({0.0}), [&](const Eigen::Vector2d& center_m) {
+      return model_.evidence(reading, models::polar_point(T_sonar_grid * center_m));
+    });
+  }
+  void add_bump() {
+    const Segment in_robot = models::bumper_line(robot_.body.radius_m, 2.0 * robot_.body.radius_m);
+    const Segment line{body_.T_believed() * in_robot.from_m, body_.T_believed() * in_robot.to_m};
+    const double reach_m = robot_.body.radius_m + model_.reach_m({0.0});
+    add_around(0.5 * (line.from_m + line.to_m), reach_m, [&](const Eigen::Vector2d& center_m) {
+      return model_.bump_evidence(geometry::distance_m(line, center_m));
+    });
+  }
+  /// Adds a confidence to the cells of a square that are within the grid.
+  template <typename Confidence>
+  void add_around(const Eigen::Vector2d& middle_m, double reach_m, Confidence&& confidence) {
+    mapping::CellField& field = grid_.confidence;
+    const CellIndex low = field.cell_at(middle_m.array() - reach_m);
+    const CellIndex high = field.cell_at(middle_m.array() + reach_m);
+    for (CellIndex cell = low; cell.y <= high.y; ++cell.y) {
+      for (cell.x = low.x; cell.x <= high.x; ++cell.x) {
+        if (field.holds(cell)) {
+          field[field.index(cell)] += static_cast<float>(confidence(field.center_m(cell)));
+        }
+      }
+    }
+  }
+
+  const Playground& playground_;
+  PatchGridParams params_;
+  world::RobotParams robot_;
+  world::SonarPhysics sonar_;
+  world::NoiseStream noise_;
+  DriftingRobot body_;
+  models::GaussianPatch model_;
+  PatchGrid grid_;
+};
+
+}  // namespace
+
+Playground make_playground() {
+  const world::Outline room{{{0.35, 0.25},
+                             {1.10, 0.25},
+                             {1.10, 0.0},
+                             {1.60, 0.0},
+                             {1.60, 0.25},
+                             {2.42, 0.25},
+                             {2.42, 2.00},
+                             {0.35, 2.00}},
+                            {}};
+  const Pose2 T_world_start(1.35, 0.12, 0.5 * std::numbers::pi);
+  const std::vector<world::Outline> boxes = {box(0.85, 1.05, 0.25, 0.25),
+                                             box(1.70, 0.90, 0.20, 0.30)};
+  std::vector<world::Outline> with_block = boxes;
+  with_block.push_back(box(1.30, 1.78, 0.20, 0.12));
+  return {{"playground", room, boxes, T_world_start},
+          {"playground", room, with_block, T_world_start},
+          {{{0.35, 0.25}, {1.10, 0.25}},
+           {{1.60, 0.25}, {2.42, 0.25}},
+           {{2.42, 0.25}, {2.42, 2.00}},
+           {{2.42, 2.00}, {0.35, 2.00}},
+           {{0.35, 2.00}, {0.35, 0.25}}}};
+}
+
+PatchGrid map_playground(const Playground& playground,
+                         const PatchGridParams& params,
+                         std::uint32_t seed) {
+  return Mapper(playground, params, seed).run();
+}
+
+}  // namespace echomap::papers
