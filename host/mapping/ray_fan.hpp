@@ -26,9 +26,9 @@ class RayFan {
 
   /// How far from the sensor, in lattice units, cells have their centres all of which are crossed.
   double radius(Quadrant quadrant) const { return radii_[static_cast<std::size_t>(quadrant)]; }
-  /// The share of a ray's way, from the sensor on, on which it only crosses such cells, or the
-  /// sensor's; none if not above 0.
-  double covered_share(std::size_t ray) const { return shares_[ray]; }
+  /// For each ray the share of its way, from the sensor on, on which it only crosses such cells, or
+  /// the sensor's; none if not above 0.
+  std::span<const double> covered_shares() const { return shares_; }
 
  private:
   void find_radii(bool is_clockwise);

@@ -2,6 +2,7 @@
 #include "host/mapping/ray_insertion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -106,9 +107,7 @@ void RayInserter::mark(LatticePoint sensor, const CellBounds& tiles) {
     }
   }
   add_fan(from);
-  for (std::size_t i = 0; i < ways_.size(); ++i) {
-    crossed_.add_ray(from, {from.x + ways_[i].x, from.y + ways_[i].y}, fan_.covered_share(i));
-  }
+  crossed_.add_rays(from, ways_, fan_.covered_shares());
   for (const LatticeRay& ray : rays_) {
     const LatticePoint to{ray.end.x - corner.x, ray.end.y - corner.y};
     if (ray.is_hit) {
@@ -127,7 +126,9 @@ void RayInserter::add_fan(LatticePoint sensor) {
        {Quadrant::kRightUp, Quadrant::kLeftUp, Quadrant::kLeftDown, Quadrant::kRightDown}) {
     crossed_.add_quadrant(sensor, quadrant, fan_.radius(quadrant));
   }
-  crossed_.add_ray(sensor, sensor);
+  constexpr std::array<LatticePoint, 1> kNowhere{};
+  constexpr std::array<double, 1> kNothing{};
+  crossed_.add_rays(sensor, kNowhere, kNothing);
 }
 
 void RayInserter::add_to_grid(const CellBounds& tiles, OccupancyGrid& grid) const {

@@ -146,19 +146,10 @@ template <bool kRises>
   mark_lines<kRises>(ray, exits, lines, line_bytes);
 }
 
-ECHOMAP_VECTOR_CLONES
-void mark(const LineRay& ray, std::uint8_t* lines, std::ptrdiff_t line_bytes) {
-  if (ray.to_along >= ray.along) {
-    mark_ray<true>(ray, lines, line_bytes);
-  } else {
-    mark_ray<false>(ray, lines, line_bytes);
-  }
-}
-
 /// Turns a ray so that lines rise, and leaves out those that it only meets in the first share of
 /// its way. It leaves line k, the first being 0, at the share (k + b) / n, where n lines fit into
 /// its way and b < 1 to the first border.
-LineRay rising(LineRay ray, double covered_share) {
+inline LineRay rising(LineRay ray, double covered_share) {
   constexpr double kPerCell = 1.0 / (1 << kLatticeBits);
   const double lines = std::abs(ray.to_line - ray.line) * kPerCell;
   const auto covered = static_cast<std::int32_t>(std::clamp(covered_share, 0.0, 1.0) * lines);
@@ -173,6 +164,39 @@ LineRay rising(LineRay ray, double covered_share) {
   return ray;
 }
 
+[[gnu::always_inline]] inline void mark_rising(const LineRay& ray,
+                                               std::uint8_t* lines,
+                                               std::ptrdiff_t line_bytes) {
+  if (ray.to_along >= ray.along) {
+    mark_ray<true>(ray, lines, line_bytes);
+  } else {
+    mark_ray<false>(ray, lines, line_bytes);
+  }
+}
+
+/// A mask's first line and the bytes of a line.
+struct Lines {
+  std::uint8_t* first;
+  std::ptrdiff_t bytes;
+};
+
+ECHOMAP_VECTOR_CLONES
+void mark(LatticePoint from,
+          std::span<const LatticePoint> ways,
+          const double* covered_shares,
+          Lines flat,
+          Lines steep) {
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const LatticePoint to{from.x + ways[i].x, from.y + ways[i].y};
+    if (std::abs(ways[i].x) >= std::abs(ways[i].y)) {
+      mark_rising(rising({from.x, from.y, to.x, to.y}, covered_shares[i]), flat.first, flat.bytes);
+    } else {
+      mark_rising(
+          rising({from.y, from.x, to.y, to.x}, covered_shares[i]), steep.first, steep.bytes);
+    }
+  }
+}
+
 }  // namespace
 
 void RayMask::reset(std::int32_t tile_columns, std::int32_t tile_rows) {
@@ -184,16 +208,14 @@ void RayMask::reset(std::int32_t tile_columns, std::int32_t tile_rows) {
   steep_.assign((columns * kTileSide + kLanes) * rows + 1, 0);
 }
 
-void RayMask::add_ray(LatticePoint from, LatticePoint to, double covered_share) {
-  if (std::abs(to.x - from.x) >= std::abs(to.y - from.y)) {
-    mark(rising({from.x, from.y, to.x, to.y}, covered_share),
-         reinterpret_cast<std::uint8_t*>(flat_.data()),
-         tile_columns_ * 8);
-  } else {
-    mark(rising({from.y, from.x, to.y, to.x}, covered_share),
-         reinterpret_cast<std::uint8_t*>(steep_.data()),
-         tile_rows_ * 8);
-  }
+void RayMask::add_rays(LatticePoint from,
+                       std::span<const LatticePoint> ways,
+                       std::span<const double> covered_shares) {
+  mark(from,
+       ways,
+       covered_shares.data(),
+       {reinterpret_cast<std::uint8_t*>(flat_.data()), tile_columns_ * 8},
+       {reinterpret_cast<std::uint8_t*>(steep_.data()), tile_rows_ * 8});
 }
 
 void RayMask::add_quadrant(LatticePoint center, Quadrant quadrant, double radius) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/mapping/tile_kernel.hpp"
@@ -39,10 +40,12 @@ class RayMask {
   std::int32_t tile_columns() const { return tile_columns_; }
   std::int32_t tile_rows() const { return tile_rows_; }
 
-  /// Marks the cells from one point to another; both must be inside and have odd coordinates.
-  /// Those that the ray only meets within that share of its way, from the beginning on, may be left
-  /// out.
-  void add_ray(LatticePoint from, LatticePoint to, double covered_share = 0.0);
+  /// Marks the cells on ways from one point; both ends must be inside and have odd coordinates.
+  /// Those that a ray only meets within its covered share of the way, from the beginning on, may be
+  /// left out. There is a share for each way.
+  void add_rays(LatticePoint from,
+                std::span<const LatticePoint> ways,
+                std::span<const double> covered_shares);
   /// Marks the cells whose centres are within `radius` lattice units of a point and in a quadrant
   /// around it, all of which must be inside.
   void add_quadrant(LatticePoint center, Quadrant quadrant, double radius);

@@ -86,11 +86,11 @@ TEST(RayFan, CoversARayUpToHalfADiagonalBeforeTheEdge) {
   auto ways = fan_of(0, 360);
   fan.reset(ways);
   const double dense = fan.radius(Quadrant::kRightUp) / kCell;
-  EXPECT_NEAR(100.0 * fan.covered_share(45), dense - 0.708, 0.01);
+  EXPECT_NEAR(100.0 * fan.covered_shares()[45], dense - 0.708, 0.01);
   ways[130] = way(130.5, 12.0);
   fan.reset(ways);
-  EXPECT_NEAR(100.0 * fan.covered_share(45), dense - 0.708, 0.01);
-  EXPECT_NEAR(100.0 * fan.covered_share(89), 12.0 - 0.708, 0.01) << "close to the axis";
+  EXPECT_NEAR(100.0 * fan.covered_shares()[45], dense - 0.708, 0.01);
+  EXPECT_NEAR(100.0 * fan.covered_shares()[89], 12.0 - 0.708, 0.01) << "close to the axis";
 }
 
 }  // namespace

@@ -50,6 +50,11 @@ void walk(LatticePoint from, LatticePoint to, Cells& cells) {
   }
 }
 
+void add_ray(LatticePoint from, LatticePoint to, double covered_share, RayMask& mask) {
+  const LatticePoint way{to.x - from.x, to.y - from.y};
+  mask.add_rays(from, {&way, 1}, {&covered_share, 1});
+}
+
 Cells marked(const RayMask& mask) {
   Cells cells;
   for (std::int32_t row = 0; row < mask.tile_rows(); ++row) {
@@ -85,7 +90,7 @@ TEST(RayMask, MarksTheCellsOfAmanatidesAndWooOnRandomScans) {
     Cells expected;
     for (int ray = 0; ray < 40; ++ray) {
       const LatticePoint end = any_point();
-      mask.add_ray(sensor, end);
+      add_ray(sensor, end, 0.0, mask);
       walk(sensor, end, expected);
     }
     ASSERT_EQ(marked(mask), expected) << "scan " << scan;
@@ -101,7 +106,7 @@ TEST(RayMask, TreatsRaysThroughCornersAndAlongAxesAlike) {
       mask.reset(2, 2);
       Cells expected;
       const LatticePoint end{kMiddle + dx * kCell / 2, kMiddle + dy * kCell / 2};
-      mask.add_ray({kMiddle, kMiddle}, end);
+      add_ray({kMiddle, kMiddle}, end, 0.0, mask);
       walk({kMiddle, kMiddle}, end, expected);
       ASSERT_EQ(marked(mask), expected) << dx << ' ' << dy;
     }
@@ -121,9 +126,9 @@ TEST(RayMask, IsExactInTheLargestWindow) {
                                  LatticePoint{kLast, 257},
                                  LatticePoint{kLast, kLast - 2},
                                  LatticePoint{777'777, kLast}}) {
-    mask.add_ray({1, 1}, end);
+    add_ray({1, 1}, end, 0.0, mask);
     walk({1, 1}, end, expected);
-    mask.add_ray({end.x, 1}, {1, end.y});
+    add_ray({end.x, 1}, {1, end.y}, 0.0, mask);
     walk({end.x, 1}, {1, end.y}, expected);
   }
   EXPECT_EQ(marked(mask), expected);
@@ -139,7 +144,7 @@ TEST(RayMask, LeavesOutOnlyCellsWithinTheCoveredShare) {
     const double share = static_cast<double>(random() % 110) / 100.0;
     RayMask mask;
     mask.reset(4, 4);
-    mask.add_ray(from, to, share);
+    add_ray(from, to, share, mask);
     const Cells told = marked(mask);
     Cells all;
     walk(from, to, all);
@@ -181,7 +186,7 @@ TEST(RayMask, MarksTheQuadrantsOfADisc) {
 TEST(RayMask, ForgetsTheLastScan) {
   RayMask mask;
   mask.reset(1, 1);
-  mask.add_ray({1, 1}, {1001, 1});
+  add_ray({1, 1}, {1001, 1}, 0.0, mask);
   mask.reset(1, 1);
   EXPECT_TRUE(marked(mask).empty());
 }
