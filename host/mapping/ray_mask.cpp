@@ -80,6 +80,7 @@ template <bool kRises>
   const Lanes begin = Lanes{} + (ray.along >> kLatticeBits);
   const Lanes end = Lanes{} + (ray.to_along >> kLatticeBits);
   const std::int64_t step = exits.slope * (1 << kLatticeBits);
+  const Lanes to_line = kLaneNumbers * line_bytes;
   line += ray.first_line * line_bytes;
   for (std::int32_t i = ray.first_line; i < ray.end_line; i += kLanes) {
     const Lanes number = i + kLaneNumbers;
@@ -99,13 +100,14 @@ template <bool kRises>
     const Lanes high = kRises ? leaves : enters;
     Lanes run = ((Lanes{} + 2) << (high - low)) - 1;
     run = number < ray.end_line ? run << (low & 7) : Lanes{};
-    const Lanes byte = low >> 3;
-    for (std::int32_t lane = 0; lane < kLanes; ++lane, line += line_bytes) {
+    const Lanes byte = to_line + (low >> 3);
+    for (std::int32_t lane = 0; lane < kLanes; ++lane) {
       std::uint64_t word = 0;
       std::memcpy(&word, line + byte[lane], sizeof word);
       word |= static_cast<std::uint64_t>(run[lane]);
       std::memcpy(line + byte[lane], &word, sizeof word);
     }
+    line += kLanes * line_bytes;
   }
 }
 
