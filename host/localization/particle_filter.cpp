@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -121,7 +122,9 @@ void ParticleFilter::draw(const Particles& from, std::size_t count) {
 std::size_t ParticleFilter::wanted_count() const {
   PoseBins bins(kSampleBins);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
-    bins.insert(bins.bin_at({particles_.x_m[i], particles_.y_m[i], particles_.heading_rad[i]}));
+    bins.insert(bins.bin_at(particles_.x_m[i],
+                            particles_.y_m[i],
+                            static_cast<double>(particles_.heading_rad[i]) + std::numbers::pi));
   }
   return std::clamp(kld_sample_size(bins.size(), params_.sample_error),
                     params_.least_particles,

@@ -2,7 +2,9 @@
 #include "host/localization/resampling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "host/localization/lane_math.hpp"
 #include "host/mapping/vector_clones.hpp"
@@ -13,12 +15,56 @@ namespace {
 
 double unit(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-32; }
 
-double sum_of(std::span<const float> weights) {
-  double sum = 0.0;
-  for (const float weight : weights) {
-    sum += static_cast<double>(weight);
+/// Sums in lanes, so that the order of additions is the same on every processor.
+template <typename Term>
+[[gnu::always_inline]] inline double sum_in_lanes(std::span<const float> weights, Term term) {
+  constexpr std::size_t kLanes = 8;
+  std::array<double, kLanes> lanes{};
+  const std::size_t whole = weights.size() / kLanes * kLanes;
+  for (std::size_t begin = 0; begin < whole; begin += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      lanes[lane] += term(static_cast<double>(weights[begin + lane]));
+    }
   }
-  return sum;
+  for (std::size_t i = whole; i < weights.size(); ++i) {
+    lanes[i - whole] += term(static_cast<double>(weights[i]));
+  }
+  return std::accumulate(lanes.begin(), lanes.end(), 0.0);
+}
+
+ECHOMAP_AVX2_CLONES
+double sum_of(std::span<const float> weights) {
+  return sum_in_lanes(weights, [](double weight) { return weight; });
+}
+
+ECHOMAP_AVX2_CLONES
+double sum_of_squares(std::span<const float> weights) {
+  return sum_in_lanes(weights, [](double weight) { return weight * weight; });
+}
+
+/// A particle's first draw is written down, over those of particles without any; the greatest so
+/// far is then the ancestor. No branches.
+void draw_systematic(std::span<const float> weights,
+                     double step,
+                     std::size_t count,
+                     double offset,
+                     std::vector<std::uint32_t>& ancestors) {
+  ancestors.assign(count + 1, 0);
+  const double per_step = 1.0 / step;
+  const auto most = static_cast<double>(count);
+  double up_to = 0.0;
+  for (std::uint32_t i = 0; i < weights.size(); ++i) {
+    const double first = std::min(std::max(up_to * per_step - offset, -0.5) + 1.0, most);
+    // Rounded down after the addition of 1: rounded up, save where it is whole.
+    ancestors[static_cast<std::size_t>(first)] = i;
+    up_to += static_cast<double>(weights[i]);
+  }
+  ancestors.resize(count);
+  std::uint32_t greatest = 0;
+  for (std::uint32_t& ancestor : ancestors) {
+    greatest = std::max(greatest, ancestor);
+    ancestor = greatest;
+  }
 }
 
 /// Goes along the weights laid end to end and takes where `count` rising targets fall; `offset()`
@@ -99,6 +145,25 @@ void take(const float* __restrict from,
 }
 
 ECHOMAP_AVX2_CLONES
+float greatest_of(std::span<const float> values) {
+  constexpr std::size_t kLanes = 16;
+  std::array<float, kLanes> lanes;
+  lanes.fill(values.front());
+  const std::size_t whole = values.size() / kLanes * kLanes;
+  for (std::size_t begin = 0; begin < whole; begin += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const float value = values[begin + lane];
+      lanes[lane] = value > lanes[lane] ? value : lanes[lane];
+    }
+  }
+  const float greatest = *std::max_element(lanes.begin(), lanes.end());
+  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(whole),
+                         values.end(),
+                         greatest,
+                         [](float one, float other) { return std::max(one, other); });
+}
+
+ECHOMAP_AVX2_CLONES
 void exponentials(const float* __restrict logs,
                   std::size_t count,
                   float greatest,
@@ -122,12 +187,9 @@ void draw_ancestors(std::span<const float> weights,
   }
   const double step = sum_of(weights) / static_cast<double>(count);
   switch (scheme) {
-    case ResamplingScheme::kSystematic: {
-      const double offset = unit(random);
-      draw_by_steps(
-          weights, step, count, [=] { return offset; }, ancestors);
+    case ResamplingScheme::kSystematic:
+      draw_systematic(weights, step, count, unit(random), ancestors);
       return;
-    }
     case ResamplingScheme::kStratified:
       draw_by_steps(
           weights, step, count, [&] { return unit(random); }, ancestors);
@@ -153,13 +215,8 @@ void take_ancestors(const Particles& before,
 }
 
 double effective_count(std::span<const float> weights) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const float weight : weights) {
-    const auto w = static_cast<double>(weight);
-    sum += w;
-    squares += w * w;
-  }
+  const double sum = sum_of(weights);
+  const double squares = sum_of_squares(weights);
   return squares > 0.0 ? sum * sum / squares : 0.0;
 }
 
@@ -168,8 +225,7 @@ void relative_weights(const Particles& particles, std::vector<float>& weights) {
   if (weights.empty()) {
     return;
   }
-  const float greatest =
-      *std::max_element(particles.log_weight.begin(), particles.log_weight.end());
+  const float greatest = greatest_of(particles.log_weight);
   exponentials(particles.log_weight.data(), particles.size(), greatest, weights.data());
 }
 
