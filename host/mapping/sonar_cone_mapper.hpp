@@ -16,18 +16,28 @@ namespace echomap::mapping {
 struct SonarConeMapperParams {
   OccupancyGridParams grid;
   models::SonarConeParams cone;
+  /// Whether smooth walls throw what meets them at a slant aside, as they do sound. Light they
+  /// scatter: it comes back from everywhere, and no walls are sought.
+  bool is_sound = true;
   SonarWallParams walls;
   /// A sonar that has moved less is in the same place.
   double same_place_m = 0.03;
   /// Evidence for the cells of a piece of wall, for every pair of views that found it, and at most.
-  double wall_evidence = 0.47;
+  double wall_evidence = 0.5;
   double most_wall_evidence = 2.3;
   /// Chance that sound does not get through a found wall.
-  double wall_opacity = 0.9;
+  double wall_opacity = 0.95;
+  /// Chance that a found wall is one: what the views that see through it say counts by the rest.
+  double wall_trust = 0.8;
+  /// Floor that has been under the robot is free: hardly a wheeled robot is narrower than this
+  /// disc.
+  double robot_radius_m = 0.1;
+  /// Chance that something stands there nevertheless: the pose was wrong.
+  double under_robot_chance = 0.05;
   /// How often the arcs are shared out, each time by what has been learnt.
   int rounds = 2;
   /// An echo is a ghost if the chance that anything is there falls below this all along its arc.
-  double ghost_chance = 0.05;
+  double ghost_chance = 0.03;
 };
 
 /// What became of the readings.

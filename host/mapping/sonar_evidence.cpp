@@ -182,6 +182,7 @@ void SonarEvidence::hear_free_floor() {
     SonarFan fan(views_[i], cone_, rays_);
     fan.look([this](const Eigen::Vector2d& point_m) { return opacity(point_m); });
     add_free_floor(fan, free);
+    add_floor_under_robot(views_[i], free);
     for (Arc& arc : arcs_[i]) {
       for (ArcCell& on_arc : arc.cells) {
         on_arc.reached = fan.reached(on_arc.step);
@@ -206,7 +207,7 @@ float SonarEvidence::opacity(const Eigen::Vector2d& point_m) const {
 
 void SonarEvidence::add_free_floor(const SonarFan& fan, CellField& free) const {
   const double own_m = kOwnCells * free.resolution_m();
-  const auto past_wall = static_cast<float>(1.0 - params_.wall_opacity);
+  const auto past_wall = static_cast<float>(1.0 - params_.wall_trust);
   fan.for_cells(free, [&](CellIndex cell, const SonarFan::Place& place) {
     const std::size_t index = free.index(cell);
     const float own = wall_[index] > 0.0F ? past_wall : 1.0F;
@@ -216,6 +217,23 @@ void SonarEvidence::add_free_floor(const SonarFan& fan, CellField& free) const {
       free[index] += std::log(1.0F - reached * heard);
     }
   });
+}
+
+void SonarEvidence::add_floor_under_robot(const SonarView& view, CellField& free) const {
+  if (!view.robot_m) {
+    return;
+  }
+  const auto evidence = static_cast<float>(std::log(params_.under_robot_chance));
+  const CellIndex low = free.cell_at(view.robot_m->array() - params_.robot_radius_m);
+  const CellIndex high = free.cell_at(view.robot_m->array() + params_.robot_radius_m);
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      const double apart_m = (free.center_m({x, y}) - *view.robot_m).norm();
+      if (apart_m <= params_.robot_radius_m && free.holds({x, y})) {
+        free[free.index({x, y})] += evidence;
+      }
+    }
+  }
 }
 
 void SonarEvidence::share_out(Arc& arc) const {

@@ -47,6 +47,7 @@ class SonarEvidence {
   void draw_walls(const std::vector<geometry::Segment>& walls);
   Arc arc_of(const SonarView& view, const SonarBeam& beam) const;
   void add_free_floor(const SonarFan& fan, CellField& free) const;
+  void add_floor_under_robot(const SonarView& view, CellField& free) const;
   void find_opacity();
   void hear_free_floor();
   void share_out(Arc& arc) const;

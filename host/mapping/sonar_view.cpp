@@ -45,7 +45,7 @@ std::vector<SonarView> views_of(const Scan& scan, double same_place_m) {
   for (const PlacedReading& reading : scan) {
     const Eigen::Vector2d& origin_m = reading.T_map_sonar.position_m();
     if (views.empty() || (origin_m - views.back().origin_m).norm() > same_place_m) {
-      views.push_back({origin_m, {}});
+      views.push_back({origin_m, {}, reading.T_map_robot.position_m()});
     }
     views.back().beams.push_back({reading.T_map_sonar.heading_rad(), reading.range_m});
   }

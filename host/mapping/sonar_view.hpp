@@ -21,6 +21,8 @@ struct SonarBeam {
 struct SonarView {
   Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();
   std::vector<SonarBeam> beams;
+  /// Where the robot's middle was; empty where it is not known.
+  std::optional<Eigen::Vector2d> robot_m = std::nullopt;
 };
 
 /// The views of a scan, in its order: a new one begins where the transducer has moved by more than

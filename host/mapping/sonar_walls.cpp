@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
@@ -23,6 +25,17 @@ constexpr double kSureShare = 0.6;
 constexpr double kEndM = 0.05;
 /// Circles that differ more have a tangent at right angles to nothing they heard.
 constexpr double kSteepest = 0.9;
+
+/// Pieces that hide others are drawn in cells of this size; a wall so near to a foot is its own.
+constexpr double kWallCellM = 0.05;
+constexpr double kOwnWallM = 0.1;
+
+/// A number for the square of a lattice that a point lies in, or for one beside it.
+std::int64_t square_of(const Eigen::Vector2d& point_m, double edge_m, int dx = 0, int dy = 0) {
+  const auto x = static_cast<std::int64_t>(std::floor(point_m.x() / edge_m)) + dx;
+  const auto y = static_cast<std::int64_t>(std::floor(point_m.y() / edge_m)) + dy;
+  return x * (std::int64_t{1} << 32) + y;
+}
 
 /// Views by where they stand, to find those nearby.
 class ViewIndex {
@@ -48,9 +61,7 @@ class ViewIndex {
 
  private:
   std::int64_t key(const Eigen::Vector2d& point_m, int dx, int dy) const {
-    const auto x = static_cast<std::int64_t>(std::floor(point_m.x() / reach_m_)) + dx;
-    const auto y = static_cast<std::int64_t>(std::floor(point_m.y() / reach_m_)) + dy;
-    return x * (std::int64_t{1} << 32) + y;
+    return square_of(point_m, reach_m_, dx, dy);
   }
 
   double reach_m_;
@@ -65,6 +76,62 @@ struct HeardWall {
 
   Eigen::Vector2d foot_m() const { return origin_m + range_m * geometry::unit_vector(normal_rad); }
 };
+
+/// A piece of wall with the places from which its two ends have been heard.
+struct PieceOfWall {
+  Segment wall;
+  Eigen::Vector2d from_origin_m;
+  Eigen::Vector2d to_origin_m;
+
+  double range_m() const {
+    return std::max((wall.from_m - from_origin_m).norm(), (wall.to_m - to_origin_m).norm());
+  }
+};
+
+/// Cells that walls stand in.
+class WalledCells {
+ public:
+  void draw(const Segment& wall) {
+    const Eigen::Vector2d way = (wall.to_m - wall.from_m).normalized();
+    for (double along_m = 0.0; along_m < wall.length_m(); along_m += kWallCellM / 4.0) {
+      cells_.insert(key(wall.from_m + along_m * way));
+    }
+  }
+  /// Whether a wall stands between the two points, and not at the second.
+  bool stand_between(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& foot_m) const {
+    const Eigen::Vector2d way_m = foot_m - origin_m;
+    const double free_m = way_m.norm() - kOwnWallM;
+    for (double along_m = 0.0; along_m < free_m; along_m += kWallCellM / 2.0) {
+      if (cells_.count(key(origin_m + along_m * way_m.normalized())) > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static std::int64_t key(const Eigen::Vector2d& point_m) { return square_of(point_m, kWallCellM); }
+
+  std::unordered_set<std::int64_t> cells_;
+};
+
+/// The pieces that no nearer one hides. A post before a wall that sound gets along to is heard as
+/// if pieces of wall went through it at a slant, half of them behind the wall.
+std::vector<Segment> without_hidden(std::vector<PieceOfWall> pieces) {
+  std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
+    return a.range_m() < b.range_m();
+  });
+  std::vector<Segment> walls;
+  WalledCells nearer;
+  for (const PieceOfWall& piece : pieces) {
+    if (!nearer.stand_between(piece.from_origin_m, piece.wall.from_m) &&
+        !nearer.stand_between(piece.to_origin_m, piece.wall.to_m)) {
+      nearer.draw(piece.wall);
+      walls.push_back(piece.wall);
+    }
+  }
+  return walls;
+}
 
 class WallFinder {
  public:
@@ -87,7 +154,7 @@ class WallFinder {
         }
       });
     }
-    return std::move(walls_);
+    return without_hidden(std::move(pieces_));
   }
 
  private:
@@ -143,7 +210,7 @@ class WallFinder {
       missed = missed || misses(views_[i], wall, one.normal_rad);
     });
     if (!missed) {
-      walls_.push_back(wall);
+      pieces_.push_back({wall, one.origin_m, other.origin_m});
     }
   }
 
@@ -173,7 +240,7 @@ class WallFinder {
   double max_range_m_;
   SonarWallParams params_;
   ViewIndex index_;
-  std::vector<Segment> walls_;
+  std::vector<PieceOfWall> pieces_;
 };
 
 }  // namespace

@@ -22,7 +22,8 @@ SonarCone::SonarCone(const SonarConeParams& params) : params_(params) {
                        params.half_angle_rad <= std::numbers::pi / 4.0 &&
                        params.edge_weight >= 0.0 && params.edge_weight <= 1.0;
   const bool lengths_ok = params.max_range_m > 0.0 && params.max_range_m <= 20.0 &&
-                          params.arc_half_thickness_m > 0.0 && params.free_margin_m >= 0.0;
+                          params.silent_to_m > 0.0 && params.arc_half_thickness_m > 0.0 &&
+                          params.free_margin_m >= 0.0;
   const bool evidence_ok = is_chance(params.overheard_chance) && is_chance(params.silent_chance) &&
                            params.arc_evidence > 0.0 && params.cell_evidence > 0.0;
   if (!cone_ok || !lengths_ok || !evidence_ok) {
@@ -44,7 +45,8 @@ double SonarCone::miss_chance(const SensorReading& reading, const PolarPoint& po
 }
 
 double SonarCone::free_to_m(const SensorReading& reading) const {
-  return reading.range_m ? *reading.range_m - params_.free_margin_m : params_.max_range_m;
+  return reading.range_m ? *reading.range_m - params_.free_margin_m
+                         : std::min(params_.silent_to_m, params_.max_range_m);
 }
 
 bool SonarCone::on_arc(const SensorReading& reading, const PolarPoint& point) const {
@@ -64,7 +66,7 @@ double SonarCone::evidence(const SensorReading& reading, const PolarPoint& point
 }
 
 double SonarCone::reach_m(const SensorReading& reading) const {
-  return reading.range_m ? *reading.range_m + params_.arc_half_thickness_m : params_.max_range_m;
+  return reading.range_m ? *reading.range_m + params_.arc_half_thickness_m : free_to_m(reading);
 }
 
 }  // namespace echomap::models

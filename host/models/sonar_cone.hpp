@@ -5,27 +5,30 @@
 
 namespace echomap::models {
 
-/// A small sonar in a room: HC-SR04, NXT, EV3. Chances are ours, chosen on two logs and checked on
-/// two others (docs/algorithms/sonar_cone.md).
+/// A small sonar in a room: HC-SR04, NXT, EV3. Settings are ours, chosen on four logs and
+/// checked on three others (docs/algorithms/sonar_cone.md).
 struct SonarConeParams {
   /// Half the cone: 15 degrees of HC-SR04's data sheet; Hennessey et al. measured 16.4 +- 4.8.
   double half_angle_rad = 0.2618;
   /// What the sonar hears at its edge beside what it hears on its axis.
-  double edge_weight = 0.5;
-  /// What is farther is not heard reliably by any of them.
+  double edge_weight = 0.45;
+  /// Echoes from farther away do not count.
   double max_range_m = 3.0;
-  /// An obstacle is this far nearer or farther than its echo says, at most.
-  double arc_half_thickness_m = 0.04;
+  /// Silence says nothing of what is farther: none of them hears that reliably.
+  double silent_to_m = 3.0;
+  /// An obstacle is this far nearer or farther than its echo says, at most: noise and pose, and
+  /// what is not quite a wall.
+  double arc_half_thickness_m = 0.1;
   /// Floor nearer to the echo than this is not called free.
-  double free_margin_m = 0.05;
+  double free_margin_m = 0.045;
   /// Chance that an obstacle on the axis is missed by a reading with an echo from farther off.
-  double overheard_chance = 0.1;
+  double overheard_chance = 0.03;
   /// The same where nothing answered at all: a smooth wall throws the sound aside.
   double silent_chance = 0.2;
   /// Evidence, in log-odds, that one echo has to give to all of its arc together, and at most to a
   /// cell of it.
-  double arc_evidence = 3.1;
-  double cell_evidence = 0.78;
+  double arc_evidence = 3.0;
+  double cell_evidence = 1.1;
 };
 
 /// Our inverse model of one sonar reading. The whole cone is spoken of, weighted by the angle off

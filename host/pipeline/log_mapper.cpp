@@ -126,20 +126,22 @@ void LogMapper::add_readings(const geometry::Pose2& T_map_sensor, const datasets
 }
 
 mapping::SonarConeMapper& LogMapper::sonar_of(const datasets::RangeScan& scan) {
-  auto known = sonars_.find(scan.beam_opening_rad);
+  const auto kind = std::pair(scan.beam_opening_rad, scan.is_light);
+  auto known = sonars_.find(kind);
   if (known == sonars_.end()) {
     mapping::SonarConeMapperParams params = params_.sonars;
     params.grid = params_.grid;
     params.cone.half_angle_rad = scan.beam_opening_rad / 2.0;
     params.cone.max_range_m = scan.max_range_m;
-    known = sonars_.emplace(scan.beam_opening_rad, mapping::SonarConeMapper(params)).first;
+    params.is_sound = !scan.is_light;
+    known = sonars_.emplace(kind, mapping::SonarConeMapper(params)).first;
   }
   return known->second;
 }
 
 mapping::OccupancyGrid LogMapper::grid() const {
   mapping::OccupancyGrid grid = grid_;
-  for (const auto& [opening_rad, sonar] : sonars_) {
+  for (const auto& [kind, sonar] : sonars_) {
     add_evidence(sonar.map().grid, grid);
   }
   return grid;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "host/datasets/log_record.hpp"
@@ -75,7 +76,8 @@ class LogMapper {
   mapping::OccupancyGrid grid_;
   mapping::RayInserter rays_;
   std::vector<mapping::Ray> scan_rays_;
-  std::map<double, mapping::SonarConeMapper> sonars_;  ///< By the opening of their cones.
+  /// By the opening of their cones, and whether they are of light.
+  std::map<std::pair<double, bool>, mapping::SonarConeMapper> sonars_;
   std::vector<geometry::Pose2> scan_poses_;
   std::vector<mapping::MapPoint> points_;
 };

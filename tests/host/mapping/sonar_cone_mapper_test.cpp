@@ -92,6 +92,14 @@ TEST(SonarConeMapper, ClosesASmoothWallThatMostReadingsMiss) {
   }
 }
 
+TEST(SonarConeMapper, SeeksNoSmoothWallsByLight) {
+  SonarConeMapperParams params;
+  params.is_sound = false;
+  SonarConeMapper mapper(params);
+  mapper.add(drive_beside_wall());
+  EXPECT_EQ(mapper.map().wall_pieces, 0U);
+}
+
 TEST(SonarConeMapper, CountsAnEchoFromBehindAWallAsAGhost) {
   Scan readings = drive_beside_wall();
   readings.push_back(reading(1.5, 0.3, 60.0, 1.9));

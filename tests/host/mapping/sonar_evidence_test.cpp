@@ -47,6 +47,13 @@ TEST(SonarEvidence, GivesAnArcsEvidenceToWhereNobodySeesThrough) {
   EXPECT_LT(centilogits_at(together, 0.97, -0.22), 0);
 }
 
+TEST(SonarEvidence, LeavesTheFloorUnderTheRobotFree) {
+  const SonarView behind{{0.2, 0.0}, {{0.0, 1.0}}, Eigen::Vector2d(0.0, 0.0)};
+  const auto grid = evidence_of({behind}, {}).grid();
+  EXPECT_LT(centilogits_at(grid, 0.05, -0.05), -200);
+  EXPECT_EQ(centilogits_at(grid, -0.15, 0.0), 0);
+}
+
 TEST(SonarEvidence, CountsAnEchoBehindAWallOnce) {
   const auto counts = evidence_of({{{0.0, 0.0}, {{0.0, 2.0}}}}, {kWall}).counts();
   EXPECT_EQ(counts, (SonarReadingCounts{1, 0, 1, 0}));

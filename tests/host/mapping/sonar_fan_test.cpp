@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/sonar_fan.hpp"
 
+#include <optional>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace echomap::mapping {
@@ -22,7 +25,7 @@ TEST(SonarFan, HoldsPointsInTheConeOnly) {
 
 TEST(SonarFan, MissesLittleBeforeTheEchoAndAllBehind) {
   const SonarFan fan(kAhead, kCone, kRays);
-  EXPECT_NEAR(fan.miss_chance(*fan.place({1.0, 0.0})), 0.1, 1e-6);
+  EXPECT_NEAR(fan.miss_chance(*fan.place({1.0, 0.0})), kCone.params().overheard_chance, 1e-6);
   EXPECT_EQ(fan.miss_chance(*fan.place({2.5, 0.0})), 1.0);
 }
 
@@ -30,6 +33,21 @@ TEST(SonarFan, BelievesTheBeamThatSaysMost) {
   const SonarView two{{0.0, 0.0}, {{0.0, 1.0}, {0.1, 2.0}}};
   const SonarFan fan(two, kCone, kRays);
   EXPECT_LT(fan.miss_chance(*fan.place({1.5, 0.1})), 0.3);
+}
+
+TEST(SonarFan, VisitsEveryCellOfItsConesOnceAndNoOther) {
+  const SonarView two{{0.01, 0.02}, {{3.1, 1.0}, {0.3, std::nullopt}}};
+  const SonarFan fan(two, kCone, kRays);
+  const CellField field({{-80, -80}, {80, 80}}, kCellM);
+  std::vector<int> visits(field.size());
+  fan.for_cells(field, [&](geometry::CellIndex cell, const SonarFan::Place&) {
+    ++visits[field.index(cell)];
+  });
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const auto place = fan.place(field.center_m(field.cell(i)));
+    const bool is_spoken_of = place && fan.miss_chance(*place) < 1.0;
+    ASSERT_EQ(visits[i], is_spoken_of ? 1 : 0) << i;
+  }
 }
 
 TEST(SonarFan, DoesNotGetThroughAWall) {

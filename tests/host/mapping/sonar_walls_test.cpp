@@ -54,6 +54,30 @@ TEST(SonarWalls, NeedAllReadingsOfAViewToAgree) {
   EXPECT_TRUE(walls_of({beside_wall(0.0), view}).empty());
 }
 
+/// Two sonars that look ahead at a slant towards a post at (2, 1.2), behind the wall along y = 1.
+std::vector<SonarView> towards_post() {
+  std::vector<SonarView> views;
+  for (const double x_m : {0.1, 0.5}) {
+    const Eigen::Vector2d to_post_m = Eigen::Vector2d(2.0, 1.2) - Eigen::Vector2d(x_m, 0.0);
+    views.push_back({{x_m, 0.0}, {{radians(35.0), to_post_m.norm()}}});
+  }
+  return views;
+}
+
+TEST(SonarWalls, DoNotStandBehindOthers) {
+  auto views = towards_post();
+  ASSERT_EQ(walls_of(views).size(), 1U);
+  for (double x_m = 1.0; x_m < 2.0; x_m += 0.3) {
+    views.push_back(beside_wall(x_m));
+  }
+  const auto walls = walls_of(views);
+  EXPECT_GE(walls.size(), 3U);
+  for (const geometry::Segment& wall : walls) {
+    EXPECT_NEAR(wall.from_m.y(), 1.0, 1e-9);
+    EXPECT_NEAR(wall.to_m.y(), 1.0, 1e-9);
+  }
+}
+
 TEST(SonarWalls, AreNoneBetweenTwoRangesWithoutTangent) {
   SonarView one{{0.0, 0.0}, {{radians(90.0), 0.5}}};
   SonarView other{{0.8, 0.0}, {{radians(90.0), 1.5}}};

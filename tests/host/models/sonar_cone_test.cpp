@@ -18,8 +18,8 @@ const double kEdgeRad = SonarConeParams().half_angle_rad;
 
 TEST(SonarCone, HearsLessAtItsEdgeAndNothingBeyond) {
   EXPECT_DOUBLE_EQ(kModel.weight(0.0), 1.0);
-  EXPECT_DOUBLE_EQ(kModel.weight(kEdgeRad), 0.5);
-  EXPECT_DOUBLE_EQ(kModel.weight(-kEdgeRad), 0.5);
+  EXPECT_DOUBLE_EQ(kModel.weight(kEdgeRad), SonarConeParams().edge_weight);
+  EXPECT_DOUBLE_EQ(kModel.weight(-kEdgeRad), SonarConeParams().edge_weight);
   EXPECT_DOUBLE_EQ(kModel.weight(1.01 * kEdgeRad), 0.0);
 }
 
@@ -34,7 +34,7 @@ TEST(SonarCone, TrustsSilenceLessThanAnEcho) {
 }
 
 TEST(SonarCone, SaysNothingBehindTheEcho) {
-  EXPECT_EQ(kModel.evidence(kEcho, {1.05, 0.0}), 0.0);
+  EXPECT_EQ(kModel.evidence(kEcho, {1.11, 0.0}), 0.0);
   EXPECT_EQ(kModel.evidence(kEcho, {2.0, 0.0}), 0.0);
 }
 
@@ -45,8 +45,17 @@ TEST(SonarCone, SharesOneEchoOverItsArc) {
 }
 
 TEST(SonarCone, ReachesToItsArcOrToItsEndOfRange) {
-  EXPECT_DOUBLE_EQ(kModel.reach_m(kEcho), 1.04);
+  EXPECT_DOUBLE_EQ(kModel.reach_m(kEcho), 1.1);
   EXPECT_DOUBLE_EQ(kModel.reach_m({}), 3.0);
+}
+
+TEST(SonarCone, HearsEchoesFromFartherThanSilenceSpeaksOf) {
+  SonarConeParams params;
+  params.max_range_m = 5.0;
+  const SonarCone far(params);
+  EXPECT_LT(far.evidence({}, {2.9, 0.0}), 0.0);
+  EXPECT_EQ(far.evidence({}, {3.1, 0.0}), 0.0);
+  EXPECT_LT(far.evidence({4.0}, {3.1, 0.0}), 0.0);
 }
 
 TEST(SonarCone, RefusesParametersWithoutSense) {
