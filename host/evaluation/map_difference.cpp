@@ -42,16 +42,15 @@ LostFloor lost_floor(const RasterMap& floor,
                      const Pose2& T_other_floor,
                      const MapDifferenceParams& params) {
   LostFloor lost;
-  const double cell_m = other.resolution_m();
   for (int y = 0; y < floor.rows(); ++y) {
     for (int x = 0; x < floor.columns(); ++x) {
       const Eigen::Vector2d here_m = floor.center_m({x, y});
       const Eigen::Vector2d there_m = T_other_floor * here_m;
-      if (is_not_free(floor.state({x, y})) || has_near(other, there_m, cell_m, is_free) ||
+      if (is_not_free(floor.state({x, y})) || is_free(other.state(other.cell_at(there_m))) ||
           has_near(floor, here_m, params.border_m, is_not_free)) {
         continue;
       }
-      lost[{x, y}] = has_near(other, there_m, cell_m, is_occupied) &&
+      lost[{x, y}] = has_near(other, there_m, params.wall_reach_m, is_occupied) &&
                      !has_near(floor, here_m, params.same_wall_m, is_occupied);
     }
   }
@@ -142,8 +141,11 @@ void add_regions(LostFloor lost,
 }
 
 void check(const MapDifferenceParams& params) {
-  for (const double value :
-       {params.border_m, params.same_wall_m, params.reach_m, params.area_scale_m2}) {
+  for (const double value : {params.border_m,
+                             params.same_wall_m,
+                             params.wall_reach_m,
+                             params.reach_m,
+                             params.area_scale_m2}) {
     if (!(value > 0.0)) {
       throw std::invalid_argument("map difference: distances and the area must be above 0");
     }

@@ -24,7 +24,7 @@ struct ChangedRegion {
   /// Centres of the cells that are floor in one map and taken in the other, and their area.
   std::vector<Eigen::Vector2d> cells_m;
   double area_m2 = 0.0;
-  /// 0 to 1: how often a region of that area was a change in simulated rooms (docs/guides/maps.md).
+  /// 0 to 1, growing with the area (docs/guides/maps.md).
   double confidence = 0.0;
 };
 
@@ -38,16 +38,17 @@ struct MapDifference {
 /// When maps contradict each other.
 struct MapDifferenceParams {
   MapAlignmentParams alignment;
-  /// Floor this near to its border is not trusted: the border is off by so much (2 sigma of
-  /// `wall_rmse_m`).
-  double border_m = 0.15;
+  /// Floor this near to its border is not trusted: what two runs call floor ends so differently
+  /// (this and what follows: fitted in simulated rooms, docs/guides/maps.md).
+  double border_m = 0.3;
   /// A wall of one map that is nearer than this to a wall of the other is the same wall.
-  double same_wall_m = 0.2;
+  double same_wall_m = 0.25;
+  /// What is floor in one map has a wall of the other where the centre of one is nearer than this.
+  double wall_reach_m = 0.15;
   /// Farther from a wall that stands on floor, lost floor may as well be its shadow.
   double reach_m = 0.3;
-  /// A region of this area is a change with a confidence of 1 - 1 / e; fitted to regions found in
-  /// simulated rooms.
-  double area_scale_m2 = 0.06;
+  /// A region of this area is a change with a confidence of 1 - 1 / e.
+  double area_scale_m2 = 0.03;
   /// A region with less confidence is not told.
   double least_confidence = 0.65;
 };
