@@ -11,7 +11,6 @@ namespace echomap::exports {
 namespace {
 
 constexpr double kRobotRadiusM = 0.09;
-constexpr std::size_t kTrailStride = 5;
 
 void draw_echoes(const mapping::PointCloudMap& points, const MapView& view, Picture& picture) {
   for (const auto& point : points.points()) {
@@ -25,9 +24,8 @@ void draw_trail(const pipeline::Snapshot& snapshot, const MapView& view, Picture
     return;
   }
   Eigen::Vector2d last = view.place(trajectory.front().T_map_robot.position_m());
-  for (std::size_t i = kTrailStride; i < trajectory.size() + kTrailStride; i += kTrailStride) {
-    const auto& pose = trajectory[std::min(i, trajectory.size() - 1)].T_map_robot;
-    const Eigen::Vector2d place = view.place(pose.position_m());
+  for (const auto& pose : trajectory) {
+    const Eigen::Vector2d place = view.place(pose.T_map_robot.position_m());
     picture.draw_line(last, place, 3.0, kBlue);
     last = place;
   }

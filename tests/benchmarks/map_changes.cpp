@@ -3,133 +3,23 @@
 // how often it finds something where nothing has changed.
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
-#include <random>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "host/evaluation/map_difference.hpp"
-#include "host/mapping/raster_map.hpp"
+#include "tests/benchmarks/box_scene.hpp"
 #include "tests/benchmarks/figures.hpp"
-#include "tests/support/offline_exploration.hpp"
 
 namespace echomap::bench {
 namespace {
 
 using evaluation::ChangeKind;
-using geometry::Polygon;
 using geometry::Pose2;
-using world::FloorPlan;
-
-/// The edge of the box, and how far from walls and starts it stands at least.
-constexpr double kBoxM = 0.35;
-constexpr double kToWallsM = 0.25;
-constexpr double kToStartM = 0.6;
-/// A box that is moved is moved by its diagonal at least, off the floor where it stood.
-constexpr double kMovedM = 0.5;
-/// Starts of two runs differ by at most this.
-constexpr double kStartM = 0.3;
-constexpr double kStartRad = 0.2;
-
-/// The outline that begins at wall `first` and has so many sides.
-world::Outline outline_at(const FloorPlan& plan, std::size_t first, std::size_t sides) {
-  world::Outline outline;
-  for (std::size_t i = first; i < first + sides; ++i) {
-    outline.corners_m.push_back(plan.walls()[i].segment.from_m);
-    outline.surfaces.push_back(plan.walls()[i].surface);
-  }
-  return outline;
-}
-
-/// The room with boxes of cardboard in it and another start.
-FloorPlan with_boxes(const FloorPlan& plan, const std::vector<Polygon>& boxes, const Pose2& start) {
-  std::size_t first = plan.room_m().size();
-  const world::Outline room = outline_at(plan, 0, first);
-  std::vector<world::Outline> obstacles;
-  for (const Polygon& obstacle : plan.obstacles_m()) {
-    obstacles.push_back(outline_at(plan, first, obstacle.size()));
-    first += obstacle.size();
-  }
-  for (const Polygon& box : boxes) {
-    obstacles.push_back({box, std::vector<world::Surface>(4, {world::Material::kRough, 0.9})});
-  }
-  return {plan.name(), room, std::move(obstacles), start};
-}
-
-/// A room, its robot's two starts and two places for the box.
-class Scene {
- public:
-  Scene(const std::string& room, std::uint32_t seed)
-      : plan_(tests::bundled_room(room)), random_(seed), seed_(seed) {
-    before_start_ = plan_.T_world_start();
-    do {
-      after_start_ = Pose2(before_start_.x_m() + kStartM * signed_share(),
-                           before_start_.y_m() + kStartM * signed_share(),
-                           before_start_.heading_rad() + kStartRad * signed_share());
-    } while (!plan_.is_free(after_start_.position_m()) ||
-             plan_.clearance_m(after_start_.position_m()) < 0.15);
-    place_m_.push_back(free_place_m());
-    do {
-      place_m_.resize(1);
-      place_m_.push_back(free_place_m());
-    } while ((place_m_[0] - place_m_[1]).norm() < kMovedM);
-  }
-
-  const Pose2& before_start() const { return before_start_; }
-  const Eigen::Vector2d& place_m(std::size_t box) const { return place_m_[box]; }
-
-  /// A map of the room with these of the boxes, from the first start or the second.
-  mapping::RasterMap mapped(const std::vector<std::size_t>& boxes, bool after) {
-    std::vector<Polygon> polygons;
-    for (const std::size_t box : boxes) {
-      polygons.push_back(box_at(place_m_[box]));
-    }
-    const auto plan = with_boxes(plan_, polygons, after ? after_start_ : before_start_);
-    return mapping::rasterize(
-        *tests::explore_offline(plan, "uno_2wd", 10 * seed_ + runs_++).snapshot.grid);
-  }
-
- private:
-  double signed_share() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
-
-  static Polygon box_at(const Eigen::Vector2d& center_m) {
-    const double half_m = 0.5 * kBoxM;
-    return {center_m + Eigen::Vector2d(-half_m, -half_m),
-            center_m + Eigen::Vector2d(half_m, -half_m),
-            center_m + Eigen::Vector2d(half_m, half_m),
-            center_m + Eigen::Vector2d(-half_m, half_m)};
-  }
-
-  Eigen::Vector2d free_place_m() {
-    Eigen::Vector2d low_m = plan_.room_m().front();
-    Eigen::Vector2d high_m = low_m;
-    for (const Eigen::Vector2d& corner_m : plan_.room_m()) {
-      low_m = low_m.cwiseMin(corner_m);
-      high_m = high_m.cwiseMax(corner_m);
-    }
-    while (true) {
-      const Eigen::Vector2d share(signed_share(), signed_share());
-      const Eigen::Vector2d place_m = 0.5 * (low_m + high_m + (high_m - low_m).cwiseProduct(share));
-      const auto is_far_from = [&](const Pose2& start) {
-        return (place_m - start.position_m()).norm() > kToStartM + 0.5 * kBoxM;
-      };
-      if (plan_.is_free(place_m) && plan_.clearance_m(place_m) > 0.71 * kBoxM + kToWallsM &&
-          is_far_from(before_start_) && is_far_from(after_start_)) {
-        return place_m;
-      }
-    }
-  }
-
-  FloorPlan plan_;
-  std::mt19937 random_;
-  std::uint32_t seed_;
-  std::uint32_t runs_ = 0;
-  Pose2 before_start_;
-  Pose2 after_start_;
-  std::vector<Eigen::Vector2d> place_m_;
-};
 
 /// What was asked and what was found.
 struct Tally {
@@ -202,7 +92,7 @@ struct Tallies {
 };
 
 void add_scene(const std::string& room, std::uint32_t seed, Tallies& tallies) {
-  Scene scene(room, seed);
+  BoxScene scene(room, seed);
   const Pose2 T_map_world = scene.before_start().inverse();
   const Eigen::Vector2d first_m = T_map_world * scene.place_m(0);
   const Eigen::Vector2d second_m = T_map_world * scene.place_m(1);
@@ -257,6 +147,29 @@ bool is_within_bounds(const Tallies& tallies) {
          tallies.unchanged.false_regions <= 0.2 * tallies.unchanged.pairs;
 }
 
+/// Measures and reports; answers the exit code.
+int run(const std::vector<std::string>& rooms,
+        std::uint32_t seeds,
+        const std::filesystem::path& json,
+        bool check) {
+  std::vector<Figure> figures;
+  Tallies all;
+  for (const std::string& room : rooms) {
+    Tallies tallies;
+    for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+      add_scene(room, seed, tallies);
+    }
+    all.add(tallies);
+    for (const Figure& figure : figures_of(room, tallies)) {
+      figures.push_back(figure);
+    }
+  }
+  const std::vector<Figure> of_all = figures_of("all", all);
+  figures.insert(figures.end(), of_all.begin(), of_all.end());
+  report(figures, json);
+  return check && !is_within_bounds(all) ? 1 : 0;
+}
+
 }  // namespace
 }  // namespace echomap::bench
 
@@ -271,20 +184,10 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "Write the figures to this file");
   app.add_flag("--check", check, "Fail outside of wide bounds");
   CLI11_PARSE(app, argc, argv);
-  std::vector<echomap::bench::Figure> figures;
-  echomap::bench::Tallies all;
-  for (const std::string& room : rooms) {
-    echomap::bench::Tallies tallies;
-    for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-      echomap::bench::add_scene(room, seed, tallies);
-    }
-    all.add(tallies);
-    for (const auto& figure : echomap::bench::figures_of(room, tallies)) {
-      figures.push_back(figure);
-    }
+  try {
+    return echomap::bench::run(rooms, seeds, json, check);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
   }
-  const std::vector<echomap::bench::Figure> of_all = echomap::bench::figures_of("all", all);
-  figures.insert(figures.end(), of_all.begin(), of_all.end());
-  echomap::bench::report(figures, json);
-  return check && !echomap::bench::is_within_bounds(all) ? 1 : 0;
 }

@@ -55,6 +55,21 @@ TEST(MapPng, ShowsTheTrailFromStartToRobot) {
   EXPECT_EQ(marks.count(kFloor), 0U);
 }
 
+TEST(MapPng, CutsNoCornerOfTheTrail) {
+  const tests::ScratchFolder folder;
+  const std::vector<pipeline::StampedPose> trajectory{tests::pose_at(0, {0.2, 0.2, 0.0}),
+                                                      tests::pose_at(1, {1.7, 0.2, 0.0}),
+                                                      tests::pose_at(2, {1.7, 0.7, 0.0})};
+  write_map_png(folder / "map.png", tests::snapshot_of(hall(), trajectory));
+  const tests::PngPicture picture(folder / "map.png");
+  const auto pixel = [&](double x_m, double y_m) {
+    return picture.at(8 + static_cast<int>(x_m / 0.05 * 8),
+                      22 * 8 - 8 - static_cast<int>(y_m / 0.05 * 8));
+  };
+  EXPECT_EQ(pixel(1.7, 0.2), 0x0072B2);
+  EXPECT_EQ(pixel(0.95, 0.45), kFloor);
+}
+
 TEST(MapPng, HasAScaleBarOfItsLength) {
   const tests::ScratchFolder folder;
   write_map_png(folder / "map.png", tests::snapshot_of(hall()));
