@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "host/localization/pose_gaussian.hpp"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::localization {
+
+bool is_covariance(const Eigen::Matrix3d& matrix) {
+  return matrix.allFinite() && matrix.isApprox(matrix.transpose(), 1e-9) &&
+         matrix.llt().info() == Eigen::Success;
+}
+
+bool is_finite(const geometry::Pose2& pose) {
+  return pose.position_m().allFinite() && std::isfinite(pose.heading_rad());
+}
+
+MotionJacobians motion_jacobians(const geometry::Pose2& T_map_before,
+                                 const geometry::Pose2& T_before_after,
+                                 const models::OdometryStep& step) {
+  const Eigen::Vector2d way_m =
+      (T_map_before * T_before_after).position_m() - T_map_before.position_m();
+  const Eigen::Vector2d ahead =
+      geometry::unit_vector(T_map_before.heading_rad() + step.turn_before_rad);
+  MotionJacobians jacobians;
+  jacobians.by_pose(0, 2) = -way_m.y();
+  jacobians.by_pose(1, 2) = way_m.x();
+  jacobians.by_motion << -way_m.y(), ahead.x(), 0.0, -ahead.y(),  //
+      way_m.x(), ahead.y(), 0.0, ahead.x(),                       //
+      1.0, 0.0, 1.0, 0.0;
+  return jacobians;
+}
+
+PoseGaussian moved(const PoseGaussian& before,
+                   const geometry::Pose2& T_before_after,
+                   const models::OdometryStep& step,
+                   const models::MotionSpread& spread) {
+  const MotionJacobians by = motion_jacobians(before.T_map_robot, T_before_after, step);
+  const Eigen::Vector4d std_dev(
+      spread.turn_before_rad, spread.drive_m, spread.turn_after_rad, spread.side_m);
+  const Eigen::Vector4d variance = std_dev.cwiseAbs2();
+  return {before.T_map_robot * T_before_after,
+          by.by_pose * before.covariance * by.by_pose.transpose() +
+              by.by_motion * variance.asDiagonal() * by.by_motion.transpose()};
+}
+
+}  // namespace echomap::localization

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "host/geometry/pose2.hpp"
+
+namespace echomap::models {
+
+/// How a landmark is seen from a pose, and how that changes with the pose.
+struct LandmarkView {
+  double range_m = 0.0;
+  double bearing_rad = 0.0;
+  /// Of range and bearing by the robot's x, y and heading.
+  Eigen::Matrix<double, 2, 3> by_pose = Eigen::Matrix<double, 2, 3>::Zero();
+};
+
+/// Range and bearing of a point of the map (Thrun, Burgard and Fox 2005, table 7.2, lines 10 to
+/// 13, with a sensor that need not sit in the robot's centre). Empty where the sensor stands on the
+/// point: it has no bearing there.
+std::optional<LandmarkView> landmark_view(const geometry::Pose2& T_map_robot,
+                                          const geometry::Pose2& T_robot_sensor,
+                                          const Eigen::Vector2d& landmark_m);
+
+}  // namespace echomap::models
