@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the mapping kernels do a second beside MRPT and OpenCV, how fast a log becomes a grid, and
-// what the occupancy grid of a run costs, by the number of its stops.
+// What the mapping kernels do a second beside MRPT and OpenCV, how fast a log becomes a grid, how
+// right sonar maps are beside those of the papers and of MRPT, and what the occupancy grid of a run
+// costs, by the number of its stops.
 #include <chrono>
 #include <filesystem>
 #include <random>
@@ -22,8 +23,10 @@
 #include "tests/benchmarks/figures.hpp"
 #include "tests/benchmarks/mapping_kernels.hpp"
 #include "tests/benchmarks/replay_figures.hpp"
+#include "tests/benchmarks/sonar_figures.hpp"
 #include "tests/support/median.hpp"
 #include "tests/support/offline_robot.hpp"
+#include "tests/support/real_data.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -102,17 +105,21 @@ int main(int argc, char** argv) {
   std::uint32_t runs = 3;
   std::size_t stops = 20;
   std::size_t repetitions = 9;
+  std::size_t sonar_seeds = 1;
   std::filesystem::path json;
-  CLI::App app(
-      "Rates of the mapping kernels and of replay, and time to make the living room's grid");
+  CLI::App app("Rates of mapping kernels and replay, scores of sonar maps, time to make a grid");
   app.add_option("--seeds", runs, "Run seeds 1 to this")->capture_default_str();
   app.add_option("--stops", stops, "Stop there at the latest")->capture_default_str();
   app.add_option("--repetitions", repetitions, "Median of so many")->capture_default_str();
+  app.add_option("--sonar-seeds", sonar_seeds, "Of the sonars' noise; a minute and more each")
+      ->capture_default_str();
   app.add_option("--json", json, "Write the figures to this file");
   CLI11_PARSE(app, argc, argv);
   std::vector<echomap::bench::Figure> figures = echomap::bench::kernel_figures(repetitions);
   for (const auto& more :
-       {echomap::bench::replay_figures(5), echomap::bench::stop_figures(runs, stops)}) {
+       {echomap::bench::replay_figures(5),
+        echomap::bench::sonar_figures(echomap::tests::real_data(""), sonar_seeds),
+        echomap::bench::stop_figures(runs, stops)}) {
     figures.insert(figures.end(), more.begin(), more.end());
   }
   echomap::bench::report(figures, json);
