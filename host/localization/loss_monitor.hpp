@@ -13,7 +13,7 @@ struct LossMonitorParams {
   double fast_share = 0.4;
   /// Suspicion falls on a robot whose readings have become less likely than that, by the short mean
   /// against the long one, natural logarithm a reading.
-  double suspicious_fall = 0.8;
+  double suspicious_fall = 0.2;
   /// Chance that a suspicion is right.
   double kidnap_chance = 0.05;
 };

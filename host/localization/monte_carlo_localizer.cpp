@@ -82,14 +82,13 @@ void MonteCarloLocalizer::weigh_readings(const CodedReadings& readings) {
     look_everywhere(readings, here_);
     return;
   }
-  const bool was_localized = belief_.status == LocalizationStatus::kLocalized;
   const double log_here = here_.weigh(readings, table_);
   const double a_reading =
       log_here / (params_.filter.temper * static_cast<double>(readings.count()));
   if (!elsewhere_.empty()) {
     loss_.is_suspicious(a_reading);
     judge(readings, log_here);
-  } else if (was_localized && loss_.is_suspicious(a_reading)) {
+  } else if (loss_.is_suspicious(a_reading)) {
     loss_.suspect();
     sweeps_elsewhere_ = 0;
     loss_.compare(log_here, look_everywhere(readings, elsewhere_));

@@ -15,7 +15,9 @@ namespace {
 
 using geometry::CellIndex;
 
-constexpr std::int32_t kParts = RangeTable::kNothing - 1;
+constexpr std::int32_t kParts = (RangeTable::kNothing - 1) / 2 - 1;
+/// The nearest thing is seen aslant where it is one of so many rays at the edge of the cone.
+constexpr std::ptrdiff_t kEdgeRays = 2;
 
 const RangeTableParams& checked(const RangeTableParams& params, const mapping::RasterMap& map) {
   constexpr double kMostCells = 2000.0;
@@ -63,19 +65,20 @@ RangeTable::RangeTable(const mapping::RasterMap& map, const RangeTableParams& pa
                                             (2.0 * std::numbers::pi))),
       tiles_(tiles_along(map_.columns()) * tiles_along(map_.rows())) {}
 
-std::uint8_t RangeTable::code_of(std::optional<double> range_m) const {
-  if (!range_m || *range_m >= params_.max_range_m) {
+std::uint8_t RangeTable::code_of(const models::ExpectedRange& expected) const {
+  if (!expected.range_m || *expected.range_m >= params_.max_range_m) {
     return kNothing;
   }
-  const double part = std::max(0.0, *range_m) / params_.max_range_m * kParts;
-  return static_cast<std::uint8_t>(1 + static_cast<std::int32_t>(part));
+  const double part = std::max(0.0, *expected.range_m) / params_.max_range_m * kParts;
+  return static_cast<std::uint8_t>(2 + 2 * static_cast<std::int32_t>(part) +
+                                   (expected.is_aslant ? 1 : 0));
 }
 
-std::optional<double> RangeTable::range_of(std::uint8_t code) const {
+models::ExpectedRange RangeTable::expected_of(std::uint8_t code) const {
   if (code == kNothing) {
-    return std::nullopt;
+    return {};
   }
-  return (code - 0.5) * params_.max_range_m / kParts;
+  return {(code / 2 - 0.5) * params_.max_range_m / kParts, (code & 1U) != 0};
 }
 
 void RangeTable::fill_tile(std::int32_t number) {
@@ -129,7 +132,7 @@ void RangeTable::fill(CellIndex first, Tile& tile) const {
 
 void RangeTable::look_round(CellIndex cell, std::uint8_t* codes) const {
   constexpr std::size_t kMostRays = 2 * std::size_t{kHeadings};
-  std::array<float, kMostRays> ranges_m{};
+  std::array<float, 2 * kMostRays> ranges_m{};
   const std::size_t rays = directions_.size();
   mapping::cast_rays(field_,
                      map_.center_m(cell),
@@ -137,15 +140,17 @@ void RangeTable::look_round(CellIndex cell, std::uint8_t* codes) const {
                      params_.max_range_m,
                      std::span(ranges_m).first(rays));
   // Once more round, so that a cone is a stretch of rays.
-  std::array<std::uint8_t, 2 * kMostRays> ray_codes{};
-  for (std::size_t i = 0; i < rays; ++i) {
-    ray_codes[i] = ray_codes[i + rays] = code_of(ranges_m[i]);
-  }
+  std::copy_n(ranges_m.begin(), rays, ranges_m.begin() + static_cast<std::ptrdiff_t>(rays));
   const std::size_t stride = rays / kHeadings;
+  const std::ptrdiff_t in_cone = 2 * rays_aside_ + 1;
   for (std::size_t heading = 0; heading < kHeadings; ++heading) {
-    const auto* first =
-        &ray_codes[(heading * stride + rays - static_cast<std::size_t>(rays_aside_)) % rays];
-    codes[heading] = *std::min_element(first, first + 2 * rays_aside_ + 1);
+    const std::size_t first_ray =
+        (heading * stride + rays - static_cast<std::size_t>(rays_aside_)) % rays;
+    const float* const first = &ranges_m[first_ray];
+    const std::ptrdiff_t nearest = std::min_element(first, first + in_cone) - first;
+    const bool is_aslant =
+        rays_aside_ > 0 && (nearest < kEdgeRays || nearest >= in_cone - kEdgeRays);
+    codes[heading] = code_of({first[nearest], is_aslant});
   }
 }
 

@@ -13,6 +13,7 @@
 #include "host/geometry/cell_index.hpp"
 #include "host/mapping/distance_field.hpp"
 #include "host/mapping/raster_map.hpp"
+#include "host/models/range_likelihood.hpp"
 
 namespace echomap::localization {
 
@@ -55,10 +56,10 @@ class RangeTable {
     return map_.state(cell) == mapping::CellState::kFree;
   }
 
-  /// Ranges up to the greatest in 254 equal parts, 1 to 254.
-  std::uint8_t code_of(std::optional<double> range_m) const;
-  /// The middle of a code's part; empty for kNothing. kNoFloor has none.
-  std::optional<double> range_of(std::uint8_t code) const;
+  /// Ranges up to the greatest in 126 equal parts, by twos; one more for what is seen aslant.
+  std::uint8_t code_of(const models::ExpectedRange& expected) const;
+  /// The middle of a code's part; nothing for kNothing. kNoFloor has none.
+  models::ExpectedRange expected_of(std::uint8_t code) const;
 
   /// The number of the tile that a cell lies in: row by row.
   std::int32_t tile_of(geometry::CellIndex cell) const {

@@ -122,8 +122,9 @@ CodedReadings::CodedReadings(std::span<const RangeReading> readings,
     }
     const auto heading = std::lround(reading.T_robot_sensor.heading_rad() * kUnitsPerRad);
     ++count_;
-    places_.back().beams.push_back({static_cast<std::int32_t>(heading),
-                                    likelihoods.row(table.code_of(reading.range_m)).data()});
+    places_.back().beams.push_back(
+        {static_cast<std::int32_t>(heading),
+         likelihoods.row(table.code_of({reading.range_m, false})).data()});
   }
 }
 

@@ -29,11 +29,10 @@ class LikelihoodCodes {
   template <models::RangeLikelihood Model>
   LikelihoodCodes(const RangeTable& table, const Model& model) {
     for (std::int32_t read = 1; read < 256; ++read) {
-      const auto range_m = table.range_of(static_cast<std::uint8_t>(read));
+      const auto range_m = table.expected_of(static_cast<std::uint8_t>(read)).range_m;
       for (std::int32_t expected = 1; expected < 256; ++expected) {
-        const auto expected_m = table.range_of(static_cast<std::uint8_t>(expected));
-        rows_[static_cast<std::size_t>(read)][static_cast<std::size_t>(expected)] =
-            coded(model.likelihood(range_m, expected_m));
+        rows_[static_cast<std::size_t>(read)][static_cast<std::size_t>(expected)] = coded(
+            model.likelihood(range_m, table.expected_of(static_cast<std::uint8_t>(expected))));
       }
     }
     close();

@@ -6,13 +6,19 @@
 
 namespace echomap::models {
 
-/// How likely a reading is where the map lets one expect a range: a density, one over metres, of a
-/// range; a probability of no return. `expected_m` is empty where nothing stands within the
-/// sensor's range, and so is a reading without return.
+/// What a map lets a range sensor expect.
+struct ExpectedRange {
+  /// Of the nearest thing that the sensor could hear or see; empty where nothing is in range.
+  std::optional<double> range_m;
+  /// The nearest thing lies at the edge of the cone, so that its surface is seen aslant: a smooth
+  /// one throws the sound aside. Never for a thin beam.
+  bool is_aslant = false;
+};
+
+/// How likely a reading is: a density, one over metres, of a range; a probability of no return.
 template <typename Model>
 concept RangeLikelihood = requires(const Model& model, std::optional<double> range_m) {
-  { model.likelihood(range_m, range_m) } -> std::same_as<double>;
-  { model.max_range_m() } -> std::same_as<double>;
+  { model.likelihood(range_m, ExpectedRange{}) } -> std::same_as<double>;
 };
 
 /// Chances of what becomes of a ping, and the noise of the one that hits.
@@ -25,6 +31,9 @@ struct BeamModelParams {
   double missed_chance = 0.05;  ///< What the map says is not seen, and something behind it is.
   double silent_chance = 0.05;  ///< Nothing returns although something stands there.
   double random_chance = 0.05;  ///< Any range at all.
+  /// What is seen aslant is missed or silent more often.
+  double aslant_missed_chance = 0.05;
+  double aslant_silent_chance = 0.05;
   double max_range_m = 4.0;
 };
 
@@ -37,17 +46,16 @@ class BeamModel {
   /// range that is not above 0.
   explicit BeamModel(const BeamModelParams& params);
 
-  double likelihood(std::optional<double> range_m, std::optional<double> expected_m) const;
-  double max_range_m() const { return params_.max_range_m; }
+  double likelihood(std::optional<double> range_m, const ExpectedRange& expected) const;
 
  private:
   BeamModelParams params_;
-  double hit_chance_;
 };
 
 /// A small sonar with a wide cone whose expected range is that of the first obstacle in the cone:
-/// HC-SR04, NXT, EV3. Smooth walls that are seen aslant throw the sound aside, so that silence and
-/// ranges too long are common.
+/// HC-SR04, NXT, EV3. The chances are between what a room of mirrors and one of cloth would have:
+/// in the simulated rooms of smooth walls what is seen aslant is heard by 25 to 35 of 100 pings,
+/// missed by 30 to 36 and silent for 30 to 42; what is not, is heard by 86 to 93.
 BeamModelParams sonar_cone_returns();
 /// A laser scanner that sees nearly everything, among people.
 BeamModelParams laser_returns();

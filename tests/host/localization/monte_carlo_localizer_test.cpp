@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "tests/support/believed_near.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::localization {
@@ -133,13 +134,7 @@ struct Filter {
 };
 
 bool is_at(const PoseBelief& belief, const Pose2& truth) {
-  if (belief.hypotheses.empty()) {
-    return false;
-  }
-  const Pose2& pose = belief.hypotheses.front().T_map_robot;
-  return (pose.position_m() - truth.position_m()).norm() < 0.15 &&
-         std::abs(geometry::angle_between(pose.heading_rad(), truth.heading_rad())) <
-             geometry::radians(10.0);
+  return tests::is_believed_near(belief, truth, 0.15, geometry::radians(10.0));
 }
 
 TEST(MonteCarloLocalizer, FindsARobotThatMayBeAnywhere) {

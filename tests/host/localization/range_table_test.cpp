@@ -30,12 +30,13 @@ double expected_m(RangeTable& table, geometry::CellIndex cell, double heading_ra
   table.fill_tile(table.tile_of(cell));
   const auto heading = static_cast<std::size_t>(
       std::lround(heading_rad / (2.0 * std::numbers::pi) * RangeTable::kHeadings));
-  return table.range_of(table.codes_at(cell)[heading % RangeTable::kHeadings]).value_or(-1.0);
+  return table.expected_of(table.codes_at(cell)[heading % RangeTable::kHeadings])
+      .range_m.value_or(-1.0);
 }
 
 TEST(RangeTable, ExpectsTheWallThatAThinBeamMeets) {
   RangeTable table(kRoom, {0.0, 2.0});
-  const double slack_m = 2.0 / 254.0;
+  const double slack_m = 2.0 / 126.0;
   EXPECT_NEAR(expected_m(table, in_table(2, 1), 0.0), 0.65, slack_m);
   EXPECT_NEAR(expected_m(table, in_table(2, 1), std::numbers::pi), 0.15, slack_m);
   EXPECT_NEAR(expected_m(table, in_table(2, 3), 0.0), 0.45, slack_m);
@@ -66,12 +67,29 @@ TEST(RangeTable, HasNoFloorInWallsAndAroundTheMap) {
 
 TEST(RangeTable, CodesRangesToHalfAPart) {
   const RangeTable table(kRoom, {0.0, 4.0});
-  for (double range_m = 0.0; range_m < 4.0; range_m += 0.003) {
-    EXPECT_NEAR(table.range_of(table.code_of(range_m)).value(), range_m, 0.5001 * 4.0 / 254.0);
+  for (const bool is_aslant : {false, true}) {
+    for (double range_m = 0.0; range_m < 4.0; range_m += 0.003) {
+      const auto expected = table.expected_of(table.code_of({range_m, is_aslant}));
+      ASSERT_NEAR(expected.range_m.value(), range_m, 0.5001 * 4.0 / 126.0);
+      ASSERT_EQ(expected.is_aslant, is_aslant);
+    }
   }
-  EXPECT_EQ(table.code_of(std::nullopt), RangeTable::kNothing);
-  EXPECT_EQ(table.code_of(4.0), RangeTable::kNothing);
-  EXPECT_FALSE(table.range_of(RangeTable::kNothing).has_value());
+  EXPECT_EQ(table.code_of({}), RangeTable::kNothing);
+  EXPECT_EQ(table.code_of({4.0, true}), RangeTable::kNothing);
+  EXPECT_FALSE(table.expected_of(RangeTable::kNothing).range_m.has_value());
+}
+
+TEST(RangeTable, KnowsAWallThatIsSeenAslant) {
+  RangeTable table(kRoom, {0.26, 2.0});
+  const auto is_aslant = [&](double heading_rad) {
+    const auto heading = static_cast<std::size_t>(
+        std::lround(heading_rad / (2.0 * std::numbers::pi) * RangeTable::kHeadings));
+    return table.expected_of(table.codes_at(in_table(2, 5))[heading]).is_aslant;
+  };
+  table.fill_tile(table.tile_of(in_table(2, 5)));
+  EXPECT_FALSE(is_aslant(std::numbers::pi));
+  EXPECT_TRUE(is_aslant(std::numbers::pi + 0.5));
+  EXPECT_TRUE(is_aslant(std::numbers::pi - 0.5));
 }
 
 TEST(RangeTable, PaysForTheTilesThatAreAskedForOnly) {

@@ -56,8 +56,9 @@ struct Scene {
     table.fill_tile(table.tile_of(cell));
     const std::uint8_t expected = table.codes_at(cell)[static_cast<std::size_t>(
         (heading + 2L * RangeTable::kHeadings) % RangeTable::kHeadings)];
-    return std::log(kModel.likelihood(table.range_of(table.code_of(reading.range_m)),
-                                      table.range_of(expected)));
+    const std::uint8_t read = table.code_of({reading.range_m, false});
+    return std::log(
+        kModel.likelihood(table.expected_of(read).range_m, table.expected_of(expected)));
   }
 };
 

@@ -15,39 +15,54 @@ static_assert(RangeLikelihood<BeamModel>);
 const BeamModel kSonar(sonar_cone_returns());
 
 /// The integral over all ranges and the chance of no return.
-double total(const BeamModel& model, std::optional<double> expected_m) {
+double total(const BeamModel& model, const ExpectedRange& expected) {
   constexpr double kStepM = 1e-3;
-  double sum = model.likelihood(std::nullopt, expected_m);
-  for (double range_m = 0.5 * kStepM; range_m < model.max_range_m(); range_m += kStepM) {
-    sum += kStepM * model.likelihood(range_m, expected_m);
+  double sum = model.likelihood(std::nullopt, expected);
+  for (double range_m = 0.5 * kStepM; range_m < 4.0; range_m += kStepM) {
+    sum += kStepM * model.likelihood(range_m, expected);
   }
   return sum;
 }
 
 TEST(BeamModel, IsADensityWhateverIsExpected) {
   for (const double expected_m : {0.5, 1.0, 2.0, 3.5}) {
-    EXPECT_NEAR(total(kSonar, expected_m), 1.0, 0.01) << expected_m;
+    EXPECT_NEAR(total(kSonar, {expected_m, false}), 1.0, 0.01) << expected_m;
+    EXPECT_NEAR(total(kSonar, {expected_m, true}), 1.0, 0.01) << expected_m;
   }
-  EXPECT_NEAR(total(kSonar, std::nullopt), 1.0, 0.01);
+  EXPECT_NEAR(total(kSonar, {}), 1.0, 0.01);
 }
 
 TEST(BeamModel, FindsTheExpectedRangeLikeliest) {
   for (const double range_m : {0.5, 1.5, 1.9, 2.1, 3.0}) {
-    EXPECT_GT(kSonar.likelihood(2.0, 2.0), kSonar.likelihood(range_m, 2.0)) << range_m;
+    EXPECT_GT(kSonar.likelihood(2.0, {2.0}), kSonar.likelihood(range_m, {2.0})) << range_m;
   }
 }
 
 TEST(BeamModel, TakesSilenceForAHintAtNothing) {
-  EXPECT_GT(kSonar.likelihood(std::nullopt, std::nullopt), 0.5);
-  EXPECT_GT(kSonar.likelihood(std::nullopt, 2.0), 0.0);
-  EXPECT_LT(kSonar.likelihood(std::nullopt, 2.0), kSonar.likelihood(std::nullopt, std::nullopt));
+  EXPECT_GT(kSonar.likelihood(std::nullopt, {}), 0.5);
+  EXPECT_GT(kSonar.likelihood(std::nullopt, {2.0}), 0.0);
+  EXPECT_LT(kSonar.likelihood(std::nullopt, {2.0}), kSonar.likelihood(std::nullopt, {}));
+}
+
+TEST(BeamModel, TrustsLessInWhatIsSeenAslant) {
+  const ExpectedRange straight{2.0, false};
+  const ExpectedRange aslant{2.0, true};
+  EXPECT_GT(kSonar.likelihood(2.0, straight), kSonar.likelihood(2.0, aslant));
+  EXPECT_LT(kSonar.likelihood(3.0, straight), kSonar.likelihood(3.0, aslant));
+  EXPECT_LT(kSonar.likelihood(std::nullopt, straight), kSonar.likelihood(std::nullopt, aslant));
 }
 
 TEST(BeamModel, RefusesChancesThatLeaveNoHit) {
-  EXPECT_THROW(BeamModel({.short_chance = 0.5, .missed_chance = 0.5}), std::invalid_argument);
-  EXPECT_THROW(BeamModel({.silent_chance = -0.1}), std::invalid_argument);
-  EXPECT_THROW(BeamModel({.hit_std_m = 0.0}), std::invalid_argument);
-  EXPECT_THROW(BeamModel({.max_range_m = 0.0}), std::invalid_argument);
+  const auto refuses = [](auto&& set) {
+    BeamModelParams params;
+    set(params);
+    EXPECT_THROW(BeamModel{params}, std::invalid_argument);
+  };
+  refuses([](BeamModelParams& params) { params.short_chance = params.missed_chance = 0.5; });
+  refuses([](BeamModelParams& params) { params.aslant_missed_chance = 1.0; });
+  refuses([](BeamModelParams& params) { params.silent_chance = -0.1; });
+  refuses([](BeamModelParams& params) { params.hit_std_m = 0.0; });
+  refuses([](BeamModelParams& params) { params.max_range_m = 0.0; });
 }
 
 }  // namespace

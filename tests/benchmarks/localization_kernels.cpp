@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "tests/benchmarks/localization_kernels.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "host/geometry/angle.hpp"
+#include "host/localization/likelihood_field.hpp"
+#include "host/localization/motion_update.hpp"
+#include "host/localization/pose_hypotheses.hpp"
+#include "host/localization/range_update.hpp"
+#include "host/localization/resampling.hpp"
+#include "tests/benchmarks/building_runs.hpp"
+#include "tests/benchmarks/thread_clock.hpp"
+#include "tests/support/median.hpp"
+#include "tests/support/real_data.hpp"
+
+namespace echomap::bench {
+namespace {
+
+using namespace localization;
+
+constexpr std::size_t kParticles = 10'000;
+constexpr double kMaxRangeM = 4.0;
+
+Figure nanoseconds(const std::string& name,
+                   double units,
+                   std::size_t repetitions,
+                   const std::function<void()>& work) {
+  std::vector<double> seconds;
+  for (std::size_t i = 0; i <= repetitions; ++i) {
+    const double took_s = processor_seconds(work);
+    if (i > 0) {  // The first round warms up.
+      seconds.push_back(took_s);
+    }
+  }
+  return {name, 1e9 * tests::median(seconds) / units, "ns", repetitions, {}};
+}
+
+Particles tracking_cloud() {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  Particles particles;
+  particles.resize(kParticles);
+  for (std::size_t i = 0; i < kParticles; ++i) {
+    const double x_m = 7.0 + 0.2 * normal(random);
+    const double y_m = 4.0 + 0.2 * normal(random);
+    particles.set_pose(i, {x_m, y_m, 0.5 + 0.1 * normal(random)});
+  }
+  return particles;
+}
+
+std::vector<RangeReading> sweep(int beams) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> range_m(1.0, 3.5);
+  std::vector<RangeReading> readings;
+  for (int i = 0; i < beams; ++i) {
+    const double bearing_rad = std::numbers::pi * (2.0 * i / beams - 1.0);
+    readings.push_back({{0.0, 0.0, bearing_rad}, range_m(random)});
+  }
+  return readings;
+}
+
+Figure field(const mapping::RasterMap& map, int beams, std::size_t repetitions) {
+  const LikelihoodField likelihoods(map);
+  Particles particles = tracking_cloud();
+  const auto readings = sweep(beams);
+  return nanoseconds("field_" + std::to_string(beams) + "_ns",
+                     static_cast<double>(kParticles) * beams,
+                     repetitions,
+                     [&] {
+                       likelihoods.weigh(readings, 0.1F, {0, kParticles}, particles);
+                     });
+}
+
+Figure table(const std::string& name,
+             const mapping::RasterMap& map,
+             double half_opening_rad,
+             int beams,
+             std::size_t repetitions) {
+  RangeTable expected(map, {half_opening_rad, kMaxRangeM});
+  const LikelihoodCodes likelihoods(expected, models::BeamModel(models::sonar_cone_returns()));
+  const CodedReadings readings(sweep(beams), expected, likelihoods);
+  Particles particles = tracking_cloud();
+  return nanoseconds(name, static_cast<double>(kParticles) * beams, repetitions, [&] {
+    fill_under(particles, readings, expected);
+    weigh(expected, readings, 0.1F, {0, kParticles}, particles);
+  });
+}
+
+Figure motion(std::size_t repetitions) {
+  Particles particles = tracking_cloud();
+  return nanoseconds("motion_ns", kParticles, repetitions, [&] {
+    move(particles, {0, kParticles}, {0.1, 0.2, 0.05}, {0.01, 0.02, 0.01, 0.01}, {1, 2});
+  });
+}
+
+std::vector<float> uneven_weights() {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> any(0.0F, 1.0F);
+  std::vector<float> weights(kParticles);
+  for (float& weight : weights) {
+    weight = any(random) * any(random);
+  }
+  return weights;
+}
+
+Figure resample(std::size_t repetitions) {
+  const Particles particles = tracking_cloud();
+  const std::vector<float> weights = uneven_weights();
+  std::vector<std::uint32_t> ancestors;
+  Particles drawn;
+  std::mt19937 random(4);
+  return nanoseconds("resample_ns", kParticles, repetitions, [&] {
+    draw_ancestors(weights, kParticles, ResamplingScheme::kSystematic, random, ancestors);
+    take_ancestors(particles, ancestors, drawn);
+  });
+}
+
+Figure cluster(std::size_t repetitions) {
+  const Particles particles = tracking_cloud();
+  const std::vector<float> weights = uneven_weights();
+  return nanoseconds(
+      "cluster_ns", kParticles, repetitions, [&] { find_hypotheses(particles, weights); });
+}
+
+/// Move, weigh by the field, draw anew and find the hypotheses.
+Figure full_step(const mapping::RasterMap& map, std::size_t repetitions) {
+  const LikelihoodField likelihoods(map);
+  const auto readings = sweep(60);
+  Particles particles = tracking_cloud();
+  Particles drawn;
+  std::vector<float> weights;
+  std::vector<std::uint32_t> ancestors;
+  std::mt19937 random(4);
+  return nanoseconds("full_step_60_ns", kParticles, repetitions, [&] {
+    move(particles, {0, kParticles}, {0.0, 0.0, 0.0}, {0.01, 0.02, 0.01, 0.01}, {1, 2});
+    likelihoods.weigh(readings, 0.05F, {0, kParticles}, particles);
+    relative_weights(particles, weights);
+    find_hypotheses(particles, weights);
+    draw_ancestors(weights, kParticles, ResamplingScheme::kSystematic, random, ancestors);
+    take_ancestors(particles, ancestors, drawn);
+    std::swap(particles, drawn);
+  });
+}
+
+}  // namespace
+
+std::vector<Figure> localization_kernel_figures(std::size_t repetitions) {
+  const auto path = tests::real_data("global_localization/map.pgm");
+  if (!std::filesystem::exists(path)) {
+    return {};
+  }
+  const mapping::RasterMap map = read_building(path);
+  return {field(map, 60, repetitions),
+          field(map, 8, repetitions),
+          table("cone_8_ns", map, geometry::radians(12.5), 8, repetitions),
+          table("beam_60_ns", map, 0.0, 60, repetitions),
+          motion(repetitions),
+          resample(repetitions),
+          cluster(repetitions),
+          full_step(map, repetitions)};
+}
+
+}  // namespace echomap::bench

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/benchmarks/figures.hpp"
+
+namespace echomap::bench {
+
+/// What became of a robot in a room, again and again.
+struct RoomScore {
+  int starts = 0;
+  int found = 0;      ///< After ten stops, within 15 cm and 10 degrees.
+  int kidnapped = 0;  ///< Of those found, after ten more stops.
+  int noticed = 0;    ///< Said so within ten stops, or is right again.
+  int recovered = 0;  ///< Found again after ten stops.
+  int stops = 0;      ///< Of localized robots that nobody carried off,
+  int alarms = 0;     ///< and how often one was called lost.
+};
+
+/// `starts` robots in a bundled room, each with a sweep in so many directions at each stop.
+RoomScore score_room(const std::string& room, int directions, int starts, std::uint32_t seed);
+
+/// Rates over rooms without symmetry, with 8 and with 60 directions; prints a line a room.
+std::vector<Figure> room_figures(int starts, std::uint32_t seed);
+
+}  // namespace echomap::bench
