@@ -13,6 +13,7 @@
 #include "host/apps/progress_bar.hpp"
 #include "host/apps/report.hpp"
 #include "host/datasets/open_log.hpp"
+#include "host/exports/landmarks_csv.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/pipeline/log_mapper.hpp"
@@ -102,7 +103,10 @@ nlohmann::ordered_json replay_json(const ReplayOptions& options,
           {"scans", counts.scans},
           {"beams", counts.beams},
           {"scans_without_pose", counts.scans_without_pose},
-          {"poses_without_stamp", counts.poses_without_stamp}};
+          {"poses_without_stamp", counts.poses_without_stamp},
+          {"bumps", counts.bumps},
+          {"sightings", counts.sightings},
+          {"sightings_without_pose", counts.sightings_without_pose}};
 }
 
 void say_what_was_made(const exports::RunSummary& summary,
@@ -144,6 +148,7 @@ ExitCode run_replay(const ReplayOptions& options) {
   summary.sim_seconds = mapper.duration_s().value_or(0.0);
   exports::describe_snapshot(snapshot, summary);
   exports::write_run_directory(out, snapshot, summary);
+  exports::write_landmarks_csv(out / "landmarks.csv", mapper.landmarks());
   summary.wall_seconds = seconds_since(start);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
   report["replay"] = replay_json(options, mapper);

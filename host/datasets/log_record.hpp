@@ -84,6 +84,7 @@ struct Contact {
   std::optional<double> stamp_s;
   bool bump_left = false;
   bool bump_right = false;
+  double bumper_radius_m = 0.0;  ///< From the middle of the robot to its bumper.
 };
 
 /// Something known by its number, seen from the robot.

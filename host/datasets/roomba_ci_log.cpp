@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kMetresPerTick = std::numbers::pi * 0.072 / 508.8;
 constexpr double kTrack_m = 0.235;
+/// A Roomba is 34 cm across (iRobot Create 2 Open Interface, 2016).
+constexpr double kBumperRadius_m = 0.17;
 constexpr unsigned kBumpRight = 1;
 constexpr unsigned kBumpLeft = 2;
 
@@ -79,7 +81,8 @@ class RoombaCiParser : public LineParser {
     fields.skip(has_header_ ? 1 : 7);
     fields.expect_end();
     records.emplace_back(WheelIncrement{stamp_s, left_m, right_m, kTrack_m});
-    records.emplace_back(Contact{stamp_s, (bumpers & kBumpLeft) != 0, (bumpers & kBumpRight) != 0});
+    records.emplace_back(
+        Contact{stamp_s, (bumpers & kBumpLeft) != 0, (bumpers & kBumpRight) != 0, kBumperRadius_m});
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/geometry/unit_vector.hpp"
+#include "host/models/gaussian_patch.hpp"
 
 namespace echomap::pipeline {
 namespace {
@@ -26,6 +27,19 @@ time::RobotTime time_of(double stamp_s) {
 
 Eigen::Vector2d end_m(const datasets::Beam& beam) {
   return *beam.range_m * geometry::unit_vector(beam.bearing_rad);
+}
+
+/// What has been met: the line of Hennessey et al. before the robot, or its left or right half. It
+/// is as wide as the bumper's radius: beyond that a round bumper has curved away.
+geometry::Segment met_line(double bumper_radius_m, bool left, bool right) {
+  geometry::Segment line_m = models::bumper_line(bumper_radius_m, bumper_radius_m);
+  if (!right) {
+    line_m.from_m.y() = 0.0;
+  }
+  if (!left) {
+    line_m.to_m.y() = 0.0;
+  }
+  return line_m;
 }
 
 void add_evidence(const mapping::OccupancyGrid& from, mapping::OccupancyGrid& to) {
@@ -52,9 +66,7 @@ void LogMapper::add(const datasets::LogRecord& record) {
   if (poses_.follow(record)) {
     note_pose(stamp_s);
   }
-  if (const auto* scan = std::get_if<datasets::RangeScan>(&record)) {
-    add_scan(*scan);
-  }
+  std::visit([this](const auto& kind) { use(kind); }, record);
 }
 
 void LogMapper::note_pose(std::optional<double> stamp_s) {
@@ -73,7 +85,7 @@ void LogMapper::note_pose(std::optional<double> stamp_s) {
   }
 }
 
-void LogMapper::add_scan(const datasets::RangeScan& scan) {
+void LogMapper::use(const datasets::RangeScan& scan) {
   ++counts_.scans;
   counts_.beams += scan.beams.size();
   const auto T_map_robot = poses_.T_map_robot();
@@ -81,9 +93,7 @@ void LogMapper::add_scan(const datasets::RangeScan& scan) {
     ++counts_.scans_without_pose;
     return;
   }
-  if (trajectory_.empty()) {
-    note_pose(without_damage(scan.stamp_s));
-  }
+  begin_trajectory(scan.stamp_s);
   scan_poses_.push_back(*T_map_robot);
   const geometry::Pose2 T_map_sensor = *T_map_robot * scan.T_robot_sensor;
   if (params_.map == MapKind::kPoints) {
@@ -92,6 +102,43 @@ void LogMapper::add_scan(const datasets::RangeScan& scan) {
     add_readings(T_map_sensor, scan);
   } else {
     add_rays(T_map_sensor, scan);
+  }
+}
+
+void LogMapper::use(const datasets::Contact& contact) {
+  const bool left = contact.bump_left && !last_contact_.bump_left;
+  const bool right = contact.bump_right && !last_contact_.bump_right;
+  last_contact_ = contact;
+  if (!left && !right) {
+    return;
+  }
+  ++counts_.bumps;
+  const auto T_map_robot = poses_.T_map_robot();
+  if (T_map_robot && params_.map == MapKind::kGrid) {
+    mapping::insert_bump(
+        *T_map_robot, met_line(contact.bumper_radius_m, left, right), params_.bumps, grid_);
+  }
+}
+
+void LogMapper::use(const datasets::LandmarkSighting& sighting) {
+  ++counts_.sightings;
+  const auto T_map_robot = poses_.T_map_robot();
+  if (!T_map_robot) {
+    ++counts_.sightings_without_pose;
+    return;
+  }
+  begin_trajectory(sighting.stamp_s);
+  const Eigen::Vector2d seen_m = sighting.range_m * geometry::unit_vector(sighting.bearing_rad);
+  landmarks_.push_back({trajectory_.back().stamp,
+                        sighting.id,
+                        sighting.range_m,
+                        sighting.bearing_rad,
+                        *T_map_robot * seen_m});
+}
+
+void LogMapper::begin_trajectory(std::optional<double> stamp_s) {
+  if (trajectory_.empty()) {
+    note_pose(without_damage(stamp_s));
   }
 }
 

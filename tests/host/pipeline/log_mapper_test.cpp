@@ -102,6 +102,64 @@ TEST(LogMapper, ScansBeforeTheFirstGivenPoseAreCountedAndLeftOut) {
   EXPECT_EQ(mapper.snapshot().stops, 1U);
 }
 
+datasets::Contact contact(bool left, bool right) { return {std::nullopt, left, right, 0.9}; }
+
+TEST(LogMapper, ABumpIsAWallBeforeTheRobotOnTheSideThatWasHit) {
+  const auto drawing_after = [](bool left, bool right) {
+    LogMapper mapper(coarse());
+    mapper.add(OdometryPose{1.0, {0.25, 0.0, 0.0}});
+    mapper.add(contact(left, right));
+    return tests::drawing_of(mapping::rasterize(*mapper.snapshot().grid));
+  };
+  // Cells from -0.5 to 0 and from 0 to 0.5 beside the way of the robot.
+  EXPECT_THAT(drawing_after(true, true), ElementsAre("   ", " # ", " # ", "   "));
+  EXPECT_THAT(drawing_after(true, false), ElementsAre("   ", " # ", "   "));
+  EXPECT_EQ(drawing_after(false, false), tests::DrawnMap{" "});
+}
+
+TEST(LogMapper, TheSidesOfABumpAreLeftAndRight) {
+  for (const bool left : {true, false}) {
+    LogMapper mapper;
+    mapper.add(contact(left, !left));
+    const auto grid = mapper.snapshot().grid;
+    EXPECT_EQ(grid->state(grid->cell_at({0.91, 0.4})) == mapping::CellState::kOccupied, left);
+    EXPECT_EQ(grid->state(grid->cell_at({0.91, -0.4})) == mapping::CellState::kOccupied, !left);
+  }
+}
+
+TEST(LogMapper, ABumperThatStaysPressedIsOneBump) {
+  LogMapper mapper;
+  mapper.add(contact(true, true));
+  const auto cell = mapper.snapshot().grid->cell_at({0.91, 0.1});
+  const auto once = mapper.snapshot().grid->centilogits(cell);
+  mapper.add(OdometryPose{1.0, {-1.0, 0.0, 0.0}});
+  mapper.add(contact(true, true));
+  EXPECT_EQ(mapper.counts().bumps, 1U);
+  EXPECT_EQ(mapper.snapshot().grid->bounds().columns(), 1);
+  mapper.add(contact(false, false));
+  mapper.add(OdometryPose{2.0, {0.0, 0.0, 0.0}});
+  mapper.add(contact(true, true));
+  EXPECT_EQ(mapper.counts().bumps, 2U);
+  EXPECT_GT(mapper.snapshot().grid->centilogits(cell), once);
+}
+
+TEST(LogMapper, PlacesLandmarksByThePosesThatCount) {
+  LogMapperParams params;
+  params.poses = PoseSource::kGiven;
+  LogMapper mapper(params);
+  mapper.add(datasets::LandmarkSighting{1.0, 7, 2.0, 0.0});
+  mapper.add(GivenPose{2.0, {1.0, 2.0, std::numbers::pi / 2.0}});
+  mapper.add(datasets::LandmarkSighting{2.5, 7, 2.0, -std::numbers::pi / 2.0});
+  EXPECT_EQ(mapper.counts().sightings, 2U);
+  EXPECT_EQ(mapper.counts().sightings_without_pose, 1U);
+  ASSERT_EQ(mapper.landmarks().size(), 1U);
+  const SeenLandmark& seen = mapper.landmarks().front();
+  EXPECT_EQ(seen.id, 7);
+  EXPECT_EQ(seen.range_m, 2.0);
+  EXPECT_EQ(seen.stamp, mapper.snapshot().trajectory->front().stamp);
+  EXPECT_NEAR((seen.position_m - Eigen::Vector2d(3.0, 2.0)).norm(), 0.0, 1e-12);
+}
+
 TEST(LogMapper, TheTrajectoryRisesWhateverTheStampsDo) {
   LogMapper mapper;
   double x_m = 0.0;
