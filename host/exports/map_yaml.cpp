@@ -97,10 +97,10 @@ void take_origin(const YamlLines& lines, MapYaml& yaml) {
   yaml.origin_m = {x_m, y_m};
 }
 
-/// In the other modes, `scale` and `raw`, a pixel is no state of a cell.
-void demand_trinary(const YamlLines& lines) {
-  if (lines.value != "trinary") {
-    lines.fail("mode '" + lines.value + "' is not supported, only trinary");
+/// In mode `raw` a pixel goes by no threshold.
+void demand_thresholds(const YamlLines& lines) {
+  if (lines.value != "trinary" && lines.value != "scale") {
+    lines.fail("mode '" + lines.value + "' is not supported, only trinary and scale");
   }
 }
 
@@ -108,7 +108,7 @@ void take(const YamlLines& lines, MapYaml& yaml) {
   if (lines.key == "image") {
     yaml.image = lines.value;
   } else if (lines.key == "mode") {
-    demand_trinary(lines);
+    demand_thresholds(lines);
   } else if (lines.key == "resolution") {
     yaml.resolution_m = lines.number(lines.value);
   } else if (lines.key == "origin") {

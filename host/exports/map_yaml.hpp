@@ -24,8 +24,8 @@ struct MapYaml {
 void write_map_yaml(const std::filesystem::path& path, const MapYaml& yaml);
 
 /// Reads `key: value` lines; keys it does not know are skipped, as map_server does. Numbers are
-/// finite and the mode, where one is named, is trinary. Throws files::FileError whose text begins
-/// `file:line: `.
+/// finite and the mode, where one is named, is trinary or scale. Throws files::FileError whose text
+/// begins `file:line: `.
 MapYaml read_map_yaml(const std::filesystem::path& path);
 
 }  // namespace echomap::exports

@@ -14,7 +14,8 @@ namespace echomap::exports {
 void write_pgm_yaml(const std::filesystem::path& yaml_path, const mapping::RasterMap& map);
 
 /// Reads such a pair by the map_server's rules: thresholds and `negate` of the YAML file decide,
-/// modes trinary and scale alike. Throws files::FileError whose text begins `file:line: `.
+/// modes trinary and scale alike: what lies between the thresholds is a probability in mode scale,
+/// but not of anything that is known. Throws files::FileError whose text begins `file:line: `.
 mapping::RasterMap read_pgm_yaml(const std::filesystem::path& yaml_path);
 
 }  // namespace echomap::exports

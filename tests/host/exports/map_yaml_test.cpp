@@ -65,8 +65,11 @@ TEST_F(MapYamlTest, TakesFiniteNumbersOnly) {
               HasSubstr("map.yaml:2: 'nan' is not a finite number"));
 }
 
-TEST_F(MapYamlTest, TakesTheTrinaryModeOnly) {
+TEST_F(MapYamlTest, TakesTheModesThatGoByThresholds) {
   EXPECT_NO_THROW(read("image: a.pgm\nmode: trinary\nresolution: 0.05\n"));
+  EXPECT_NO_THROW(read("image: a.pgm\nmode: scale\nresolution: 0.05\n"));
+  EXPECT_THAT(complaint("image: a.pgm\nmode: scaled\nresolution: 0.05\n"),
+              HasSubstr("map.yaml:2: mode 'scaled' is not supported"));
   EXPECT_THAT(complaint("image: a.pgm\nmode: raw\nresolution: 0.05\n"),
               HasSubstr("map.yaml:2: mode 'raw' is not supported"));
 }

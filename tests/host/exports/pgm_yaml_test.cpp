@@ -58,6 +58,8 @@ TEST(PgmYaml, GoesByThresholdsAndNegateOfTheFile) {
     return tests::drawing_of(read_pgm_yaml(folder / "a.yaml"));
   };
   EXPECT_EQ(read_with("negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"), DrawnMap{"## ."});
+  EXPECT_EQ(read_with("mode: scale\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"),
+            DrawnMap{"## ."});
   EXPECT_EQ(read_with("negate: 1\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"), DrawnMap{". ##"});
   EXPECT_EQ(read_with("negate: 0\noccupied_thresh: 0.9\nfree_thresh: 0.25\n"), DrawnMap{"# .."});
 }

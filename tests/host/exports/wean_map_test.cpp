@@ -117,8 +117,15 @@ TEST(RealWeanMap, FitsTheLastScanOfItsLogWhereALocalizerHasFoundIt) {
   const auto map = read_wean_map(map_file);
   EXPECT_EQ(map.columns(), 800);
   EXPECT_EQ(map.rows(), 800);
-  EXPECT_GT(share_at_walls(map, log, {40.00, 41.51, 1.32}), 0.85);
-  EXPECT_LT(share_at_walls(map, log, {41.51, 40.00, 1.32}), 0.6) << "not the transpose";
+  mapping::RasterMap transposed(800, 800, map.resolution_m(), map.origin_m());
+  for (int y = 0; y < 800; ++y) {
+    for (int x = 0; x < 800; ++x) {
+      transposed.set({x, y}, map.state({y, x}));
+    }
+  }
+  const geometry::Pose2 T_map_robot(40.00, 41.51, 1.32);
+  EXPECT_GT(share_at_walls(map, log, T_map_robot), 0.85);
+  EXPECT_LT(share_at_walls(transposed, log, T_map_robot), 0.6);
 }
 
 }  // namespace
