@@ -67,6 +67,17 @@ TEST_F(ReplayCommandTest, ByGivenPosesTheRoomIsAsItIs) {
   EXPECT_EQ(exports::read_trajectory_tum(options_.out / "trajectory.tum").size(), 48U);
 }
 
+TEST_F(ReplayCommandTest, WritesTheLandmarksOfALogWhereItsPosesPutThem) {
+  files::write_text_file(scratch_ / "Barcodes.dat", "7 45\n");
+  files::write_text_file(scratch_ / "Robot1_Measurement.dat", "12 45 2.0 0.0\n");
+  write_log("Robot1_Odometry.dat", "10 0.5 0\n12 0 0\n");
+  options_.format = "mrclam";
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+  EXPECT_EQ(files::read_text_file(options_.out / "landmarks.csv"),
+            "stamp_s,id,range_m,bearing_rad,x_m,y_m\n12,7,2,0,3,0\n");
+  EXPECT_EQ(summary()["replay"]["sightings"], 1);
+}
+
 TEST_F(ReplayCommandTest, PointsAreAllEchoesAndNoFloor) {
   options_.map = "points";
   EXPECT_EQ(run_replay(options_), ExitCode::kOk);
