@@ -6,7 +6,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
@@ -15,31 +14,8 @@ namespace {
 
 using geometry::CellIndex;
 
-/// Asks for all of some memory at once; the sectors of all bearings do not fit into a near cache.
-void prefetch(const void* begin, std::size_t bytes) {
-  constexpr std::size_t kCacheLine = 64;
-  for (std::size_t at = 0; at < bytes; at += kCacheLine) {
-    __builtin_prefetch(static_cast<const char*>(begin) + at);
-  }
-}
-
-struct Extent {
-  std::int32_t first = 0;
-  std::int32_t last = 0;
-};
-
-/// The cells along an axis that a ring can reach, with one to spare on either side.
-Extent extent(const ShareRange& shares, std::int32_t hole, std::int32_t rim) {
-  const double near = std::sqrt(std::max(hole, 0));
-  const double far = std::sqrt(rim);
-  const double least = shares.least * (shares.least < 0.0 ? far : near);
-  const double greatest = shares.greatest * (shares.greatest > 0.0 ? far : near);
-  return {static_cast<std::int32_t>(std::floor(least)) - 1,
-          static_cast<std::int32_t>(std::ceil(greatest)) + 1};
-}
-
-/// The parts that make a step, up to the first that is 0; throws where a part's sign is not `sign`
-/// or a part farther out says something again.
+/// The steps that the parts make; throws for too many of them, and where a part's sign is not
+/// `sign` or one beyond a part of 0 says something again.
 std::vector<std::uint8_t> steps_of(const std::vector<int>& centilogits,
                                    int sign,
                                    const OccupancyGrid& grid) {
@@ -55,28 +31,38 @@ std::vector<std::uint8_t> steps_of(const std::vector<int>& centilogits,
     }
     steps.push_back(pair.up);
   }
+  if (steps.size() > kMostWedges) {
+    throw std::invalid_argument("cone insertion: a half opening has at most 8 parts");
+  }
   return steps;
 }
 
-/// The cells' share of a sector: the outermost parts that say nothing are cut off.
-ConeSector sector_of(const ConeInsertionParams& params,
-                     const std::vector<int>& centilogits,
-                     int sign,
-                     const OccupancyGrid& grid) {
-  std::vector<std::uint8_t> steps = steps_of(centilogits, sign, grid);
-  const auto all = static_cast<double>(std::max<std::size_t>(1, steps.size()));
-  steps.erase(std::find(steps.begin(), steps.end(), std::uint8_t{0}), steps.end());
-  const double share = static_cast<double>(steps.size()) / all;
-  return {steps,
-          share * params.half_opening_rad,
-          static_cast<std::int32_t>(std::ceil(params.reach_m / grid.resolution_m()))};
+/// The borders at which the steps change, from the outermost to the innermost.
+struct Borders {
+  std::vector<Eigen::Vector2d> half_openings;
+  std::vector<std::uint8_t> heights;
+};
+
+Borders borders_of(const std::vector<std::uint8_t>& steps_by_angle, double half_opening_rad) {
+  Borders borders;
+  std::uint8_t outside = 0;
+  for (std::size_t parts = steps_by_angle.size(); parts != 0; --parts) {
+    const std::uint8_t inside = steps_by_angle[parts - 1];
+    if (inside != outside) {
+      const double share = static_cast<double>(parts) / static_cast<double>(steps_by_angle.size());
+      borders.half_openings.push_back(geometry::unit_vector(share * half_opening_rad));
+      borders.heights.push_back(static_cast<std::uint8_t>(inside - outside));
+    }
+    outside = inside;
+  }
+  return borders;
 }
 
 const ConeInsertionParams& checked(const ConeInsertionParams& params, const OccupancyGrid& grid) {
-  constexpr double kMostCells = 2000.0;
   const bool opening_ok =
       params.half_opening_rad > 0.0 && params.half_opening_rad < std::numbers::pi / 2.0;
-  const bool reach_ok = params.reach_m > 0.0 && params.reach_m <= kMostCells * grid.resolution_m();
+  const bool reach_ok =
+      params.reach_m > 0.0 && params.reach_m <= kMostSectorCells * grid.resolution_m();
   if (!opening_ok || !reach_ok || !(params.half_thickness_m >= 0.0)) {
     throw std::invalid_argument(
         "cone insertion: a half opening is within (0, pi / 2), a reach within (0, 2000 cells] and "
@@ -87,25 +73,21 @@ const ConeInsertionParams& checked(const ConeInsertionParams& params, const Occu
 
 }  // namespace
 
-/// Where a cone stands, and the cells it has touched so far.
-struct ConeInserter::Cone {
-  CellIndex apex;
-  std::size_t bearing = 0;
-  CellBounds touched;
-};
-
-/// Cells by the square of their distance from the apex, in cells: more than `hole`, at most `rim`.
-struct ConeInserter::Band {
-  std::int32_t hole = -1;
-  std::int32_t rim = -1;
-};
-
 ConeInserter::ConeInserter(const ConeInsertionParams& params, const OccupancyGrid& grid)
     : resolution_m_(grid.resolution_m()),
       half_thickness_m_(checked(params, grid).half_thickness_m),
       reach_cells_(params.reach_m / grid.resolution_m()),
-      free_(sector_of(params, params.free_centilogits, -1, grid)),
-      arc_(sector_of(params, params.arc_centilogits, 1, grid)) {}
+      free_(evidence(steps_of(params.free_centilogits, -1, grid), params.half_opening_rad)),
+      arc_(evidence(steps_of(params.arc_centilogits, 1, grid), params.half_opening_rad)) {}
+
+ConeInserter::Evidence ConeInserter::evidence(const std::vector<std::uint8_t>& steps_by_angle,
+                                              double half_opening_rad) const {
+  const Borders borders = borders_of(steps_by_angle, half_opening_rad);
+  const auto reach = static_cast<std::int32_t>(std::ceil(reach_cells_));
+  return {borders.half_openings,
+          WedgeSteps(borders.heights, reach),
+          SectorRows(borders.heights.size(), reach)};
+}
 
 void ConeInserter::insert(const ConeReading& reading, OccupancyGrid& grid) {
   const geometry::Pose2& T_map_sonar = reading.T_map_sonar;
@@ -114,22 +96,19 @@ void ConeInserter::insert(const ConeReading& reading, OccupancyGrid& grid) {
       !std::isfinite(reading.free_range_m) || !std::isfinite(arc_m)) {
     return;
   }
-  const CellIndex cell = grid.cell_at(T_map_sonar.position_m());
-  const Eigen::Vector2d offset_m = T_map_sonar.position_m() - grid.center_m(cell);
-  const double ahead_m = geometry::unit_vector(T_map_sonar.heading_rad()).dot(offset_m);
-  const auto degrees = std::lround(geometry::degrees(T_map_sonar.heading_rad()));
-  Cone cone{cell, static_cast<std::size_t>(degrees < 0 ? degrees + 360 : degrees), {}};
+  const Cone cone{grid.cell_at(T_map_sonar.position_m()),
+                  geometry::unit_vector(T_map_sonar.heading_rad())};
+  const double ahead_m = cone.axis.dot(T_map_sonar.position_m() - grid.center_m(cone.apex));
 
   grid.begin_insertion();
-  Band floor{-1, last_within(reading.free_range_m + ahead_m)};
+  Ring floor{-1, last_within(reading.free_range_m + ahead_m)};
   if (reading.arc_range_m) {
-    const Band arc{last_before(arc_m - half_thickness_m_ + ahead_m),
+    const Ring arc{last_before(arc_m - half_thickness_m_ + ahead_m),
                    last_within(arc_m + half_thickness_m_ + ahead_m)};
     floor.rim = std::min(floor.rim, arc.hole);
-    add_band(arc_, arc, &add_arc, cone, grid);
+    add(arc_, arc, &add_arc, cone, grid);
   }
-  add_band(free_, floor, &add_floor, cone, grid);
-  grid.end_insertion(cone.touched);
+  add(free_, floor, &add_floor, cone, grid);
 }
 
 std::int32_t ConeInserter::last_within(double range_m) const {
@@ -142,58 +121,48 @@ std::int32_t ConeInserter::last_before(double range_m) const {
   return cells < 0.0 ? -1 : static_cast<std::int32_t>(std::ceil(cells * cells)) - 1;
 }
 
-void ConeInserter::add_band(
-    ConeSector& sector, const Band& band, Kernel* kernel, Cone& cone, OccupancyGrid& grid) {
-  if (sector.empty() || band.rim <= band.hole) {
+void ConeInserter::add(
+    Evidence& evidence, const Ring& ring, Kernel* kernel, const Cone& cone, OccupancyGrid& grid) {
+  if (evidence.half_openings.empty() || ring.rim <= ring.hole) {
     return;
   }
-  const FacingSector& facing = sector.facing(cone.bearing);
-  const Extent columns = extent(facing.along_x, band.hole, band.rim);
-  Extent rows = extent(facing.along_y, band.hole, band.rim);
-  rows.first = std::max(rows.first, facing.first_row);
-  rows.last =
-      std::min(rows.last, facing.first_row + static_cast<std::int32_t>(facing.rows.size()) - 1);
-  if (rows.last < rows.first) {
+  wedges_.clear();
+  for (const Eigen::Vector2d& half_opening : evidence.half_openings) {
+    wedges_.emplace_back(cone.axis, half_opening);
+  }
+  evidence.rows.lay_out(wedges_, ring);
+  const CellBounds& bounds = evidence.rows.bounds();
+  if (bounds.empty()) {
     return;
   }
-  const auto count = static_cast<std::size_t>(rows.last - rows.first + 1);
-  const auto skipped = static_cast<std::size_t>(rows.first - facing.first_row);
-  const auto sector_rows = std::span(facing.rows).subspan(skipped, count);
-  prefetch(sector_rows.data(), sector_rows.size_bytes());
-  outer_.resize(count);
-  inner_.resize(count);
-  half_widths(band.rim, rows.first, outer_);
-  half_widths(band.hole, rows.first, inner_);
-  const std::uint32_t steps_begin = sector_rows.front().steps_begin;
-  prefetch(&facing.steps[steps_begin], sector_rows.back().steps_begin - steps_begin);
-  const RingRows ring{sector_rows, outer_, inner_, facing.steps.data()};
-  const CellBounds cells{{cone.apex.x + columns.first, cone.apex.y + rows.first},
-                         {cone.apex.x + columns.last, cone.apex.y + rows.last}};
-  for (std::int32_t y = cells.min.y >> kTileBits; y <= cells.max.y >> kTileBits; ++y) {
-    for (std::int32_t x = cells.min.x >> kTileBits; x <= cells.max.x >> kTileBits; ++x) {
-      add_to_tile(ring, cells.min.y, {x, y}, kernel, cone, grid);
-    }
+  const CellBounds touched{{cone.apex.x + bounds.min.x, cone.apex.y + bounds.min.y},
+                           {cone.apex.x + bounds.max.x, cone.apex.y + bounds.max.y}};
+  for (std::int32_t strip = touched.min.x >> kPatchBits; strip <= touched.max.x >> kPatchBits;
+       ++strip) {
+    add_strip(evidence, strip << kPatchBits, kernel, cone.apex, grid);
   }
+  grid.end_insertion(touched);
 }
 
-void ConeInserter::add_to_tile(const RingRows& ring,
-                               std::int32_t bottom,
-                               CellIndex tile,
-                               Kernel* kernel,
-                               Cone& cone,
-                               OccupancyGrid& grid) {
-  const CellIndex corner{tile.x << kTileBits, tile.y << kTileBits};
-  const std::int32_t below = std::max(corner.y - bottom, 0);
-  const RingPlace place{bottom + below - corner.y, cone.apex.x - corner.x};
-  const RingRows part = ring.rows_from(static_cast<std::size_t>(below),
-                                       static_cast<std::size_t>(kTileSide - place.first_row));
-  if (!reaches(part, place)) {
-    return;
+void ConeInserter::add_strip(const Evidence& evidence,
+                             std::int32_t column,
+                             Kernel* kernel,
+                             CellIndex apex,
+                             OccupancyGrid& grid) {
+  constexpr std::int32_t kInTile = kTileSide - 1;
+  const std::int32_t first_column = column - apex.x;
+  const Stretch rows = evidence.rows.rows_in({first_column, first_column + kPatchSide - 1});
+  for (std::int32_t row = rows.first; row <= rows.last;) {
+    const std::int32_t y = apex.y + row;
+    const std::int32_t last = std::min(rows.last, (y | kInTile) - apex.y);
+    GridTile& tile = grid.writable_tile({column >> kTileBits, y >> kTileBits});
+    kernel(evidence.rows,
+           evidence.steps,
+           {first_column, {row, last}},
+           grid.limits(),
+           tile.row(y & kInTile) + (column & kInTile));
+    row = last + 1;
   }
-  const TouchedCells touched = kernel(part, place, grid.limits(), grid.writable_tile(tile));
-  cone.touched = united(cone.touched,
-                        {{corner.x + touched.first_column, corner.y + touched.first_row},
-                         {corner.x + touched.last_column, corner.y + touched.last_row}});
 }
 
 }  // namespace echomap::mapping

@@ -1,63 +1,62 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
-#include "host/mapping/cone_sector.hpp"
 #include "host/mapping/grid_tile.hpp"
+#include "host/mapping/sector_rows.hpp"
 
 namespace echomap::mapping {
 
-/// Neighbouring rows of a sector that are cut to a ring: in each row stay the columns at most
-/// `outer`, and more than `inner`, away from the apex; -1 leaves none, or cuts none out.
-struct RingRows {
-  std::span<const SectorRow> rows;
-  std::span<const std::int16_t> outer;
-  std::span<const std::int16_t> inner;
-  const std::uint8_t* steps = nullptr;  ///< Of the whole sector.
+/// The most wedges of a sector.
+constexpr std::size_t kMostWedges = 8;
 
-  /// At most `count` of the rows, without the first `skipped` ones.
-  RingRows rows_from(std::size_t skipped, std::size_t count) const {
-    const std::size_t left = std::min(count, rows.size() - skipped);
-    return {rows.subspan(skipped, left),
-            outer.subspan(skipped, left),
-            inner.subspan(skipped, left),
-            steps};
+/// What wedges add to the evidence, each as a step: bytes of 0, and from its middle on of what the
+/// wedge adds. Read from the middle less a column on, these are 0 before this column; less what is
+/// read for the column after the wedge's last one they are what the wedge adds to a row.
+class WedgeSteps {
+ public:
+  /// For sectors that reach so far. Sums of `heights` may wrap around.
+  WedgeSteps(std::span<const std::uint8_t> heights, std::int32_t reach_cells);
+
+  std::size_t wedges() const { return wedges_; }
+  /// The step of a wedge as of a column that is seen from the apex.
+  const std::uint8_t* wedge(std::size_t number, std::int32_t column) const {
+    return &bytes_[(2 * number + 1) * half_] + column;
   }
+  /// The same, all bits set, for what is to be cut out.
+  const std::uint8_t* hole(std::int32_t column) const { return wedge(wedges_, column); }
+
+ private:
+  std::size_t wedges_;
+  std::size_t half_;
+  std::vector<std::uint8_t> bytes_;
 };
 
-/// Where the first of the rows and the apex stand in a tile; the apex may be outside of it.
-struct RingPlace {
-  std::int32_t first_row = 0;
-  std::int32_t apex_column = 0;
+/// Half a tile's row is one vector of most processors, and more than most rows of a cone.
+constexpr int kPatchBits = 5;
+constexpr std::int32_t kPatchSide = 1 << kPatchBits;
+
+/// kPatchSide columns and some rows within one tile, as seen from the apex.
+struct Patch {
+  std::int32_t first_column = 0;
+  Stretch rows;
 };
 
-/// The rectangle around the cells of a tile that a kernel has touched.
-struct TouchedCells {
-  std::int32_t first_row = kTileSide;
-  std::int32_t last_row = -1;
-  std::int32_t first_column = kTileSide;
-  std::int32_t last_column = -1;
-};
-
-/// For rows `first_y`, `first_y` + 1 ..: how many columns off the middle a cell's distance squared
-/// is still at most `square`; -1 where none is. `square` below 2^22.
-void half_widths(std::int32_t square, std::int32_t first_y, std::span<std::int16_t> widths);
-
-/// Whether the ring has a cell in the tile; a ring without a hole has -1 in all of `inner`.
-bool reaches(const RingRows& ring, const RingPlace& place);
-
-/// Adds the steps of free floor, or of an arc, to a tile's cells.
-TouchedCells add_floor(const RingRows& ring,
-                       const RingPlace& place,
-                       EvidenceLimits limits,
-                       GridTile& tile);
-TouchedCells add_arc(const RingRows& ring,
-                     const RingPlace& place,
-                     EvidenceLimits limits,
-                     GridTile& tile);
+/// Adds the free floor, or the arc, of a sector to a patch, of which `cells` is the first; its rows
+/// are kTileSide apart and within the sector's bounds.
+void add_floor(const SectorRows& rows,
+               const WedgeSteps& steps,
+               const Patch& patch,
+               EvidenceLimits limits,
+               std::uint8_t* cells);
+void add_arc(const SectorRows& rows,
+             const WedgeSteps& steps,
+             const Patch& patch,
+             EvidenceLimits limits,
+             std::uint8_t* cells);
 
 }  // namespace echomap::mapping

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/cone_insertion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,7 +11,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
@@ -19,26 +19,43 @@ namespace {
 using geometry::CellIndex;
 using geometry::Pose2;
 
+/// Past the border along a ray, in the sense of its column: above 0 to the right, below 0 to the
+/// left, as seen with x to the right and y upwards.
+std::int64_t past_border(double ray_rad, CellIndex from_apex) {
+  const double columns = std::clamp(std::cos(ray_rad) / std::sin(ray_rad), -2001.0, 2001.0);
+  return std::int64_t{512} * from_apex.x - std::int64_t{std::lround(512.0 * columns)} * from_apex.y;
+}
+
+bool is_within(double axis_rad, double half_rad, CellIndex from_apex) {
+  const double left_rad = axis_rad + half_rad;
+  const double right_rad = axis_rad - half_rad;
+  const std::int64_t past_left = past_border(left_rad, from_apex);
+  const std::int64_t past_right = past_border(right_rad, from_apex);
+  return (std::sin(left_rad) >= 0.0 ? past_left >= 0 : past_left <= 0) &&
+         (std::sin(right_rad) >= 0.0 ? past_right <= 0 : past_right >= 0);
+}
+
 /// What the header says, cell by cell: the evidence of one reading for one cell.
 int told_centilogits(const ConeInsertionParams& params,
                      const ConeReading& reading,
                      const OccupancyGrid& grid,
                      CellIndex cell) {
   const Pose2& T_map_sonar = reading.T_map_sonar;
-  const Eigen::Vector2d apex_m = grid.center_m(grid.cell_at(T_map_sonar.position_m()));
+  const CellIndex apex = grid.cell_at(T_map_sonar.position_m());
+  const Eigen::Vector2d apex_m = grid.center_m(apex);
   const Eigen::Vector2d way_m = grid.center_m(cell) - apex_m;
-  const double axis_rad =
-      geometry::radians(std::round(geometry::degrees(T_map_sonar.heading_rad())));
-  const double ahead_m =
-      geometry::unit_vector(T_map_sonar.heading_rad()).dot(T_map_sonar.position_m() - apex_m);
+  const double axis_rad = T_map_sonar.heading_rad();
+  const double ahead_m = geometry::unit_vector(axis_rad).dot(T_map_sonar.position_m() - apex_m);
   const double range_m = way_m.norm() - ahead_m;
-  const bool is_apex = way_m.norm() < 0.5 * grid.resolution_m();
-  const double bearing_rad = is_apex ? axis_rad : std::atan2(way_m.y(), way_m.x());
-  const double off_rad = std::abs(geometry::angle_between(axis_rad, bearing_rad));
   const auto part = [&](const std::vector<int>& parts) {
-    const double share = off_rad / params.half_opening_rad;
-    const auto index = static_cast<std::size_t>(share * static_cast<double>(parts.size()));
-    return index < parts.size() ? parts[index] : 0;
+    const auto count = static_cast<double>(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const double half_rad = params.half_opening_rad * static_cast<double>(i + 1) / count;
+      if (is_within(axis_rad, half_rad, {cell.x - apex.x, cell.y - apex.y})) {
+        return parts[i];
+      }
+    }
+    return 0;
   };
   if (way_m.norm() > params.reach_m) {
     return 0;
@@ -111,6 +128,48 @@ TEST(ConeInsertion, MakesTheSameBytesAsALoopOverTheCells) {
   }
 }
 
+TEST(ConeInsertion, MakesTheSameBytesAlongTheAxesAndDiagonals) {
+  ConeInsertionParams params;
+  params.half_opening_rad = 0.7;
+  params.free_centilogits = {-10, -30};  // More evidence farther off the axis.
+  params.arc_centilogits = {5, 10, 15, 20, 25, 30, 35, 40};
+  OccupancyGrid grid;
+  OccupancyGrid expected;
+  ConeInserter inserter(params, grid);
+  for (int eighth = -4; eighth <= 4; ++eighth) {
+    const ConeReading reading{Pose2(0.02, -1.61, eighth * std::numbers::pi / 4.0), 2.1, 2.1};
+    inserter.insert(reading, grid);
+    insert_cell_by_cell(params, reading, expected);
+  }
+  expect_same(grid, expected);
+}
+
+TEST(ConeInsertion, MakesTheSameBytesAThousandCellsAway) {
+  ConeInsertionParams params;
+  params.half_opening_rad = 0.2;
+  OccupancyGrid grid({.resolution_m = 0.005});
+  OccupancyGrid expected({.resolution_m = 0.005});
+  ConeInserter inserter(params, grid);
+  const ConeReading reading{Pose2(0.3012, -0.7023, 0.1), 4.9, 4.9};
+  inserter.insert(reading, grid);
+  insert_cell_by_cell(params, reading, expected);
+  expect_same(grid, expected);
+}
+
+TEST(ConeInsertion, MakesNoTileWithoutEvidence) {
+  std::mt19937 random(12);
+  const ConeInsertionParams params;
+  for (int i = 0; i < 100; ++i) {
+    OccupancyGrid grid;
+    OccupancyGrid expected;
+    const ConeReading reading = any_reading(random);
+    ConeInserter(params, grid).insert(reading, grid);
+    insert_cell_by_cell(params, reading, expected);
+    EXPECT_THAT(grid.tiles_changed_since(0),
+                testing::UnorderedElementsAreArray(expected.tiles_changed_since(0)));
+  }
+}
+
 TEST(ConeInsertion, PaintsFreeFloorUpToTheArc) {
   OccupancyGrid grid({.resolution_m = 0.1});
   ConeInserter inserter({.half_opening_rad = 0.3,
@@ -164,6 +223,8 @@ TEST(ConeInsertion, RefusesParametersWithoutSense) {
   EXPECT_THROW(ConeInserter({.free_centilogits = {40}}, grid), std::invalid_argument);
   EXPECT_THROW(ConeInserter({.arc_centilogits = {-40}}, grid), std::invalid_argument);
   EXPECT_THROW(ConeInserter({.arc_centilogits = {40, 0, 40}}, grid), std::invalid_argument);
+  EXPECT_THROW(ConeInserter({.free_centilogits = std::vector<int>(9, -40)}, grid),
+               std::invalid_argument);
   EXPECT_THROW(ConeInserter({.reach_m = 100.1}, grid), std::invalid_argument);
   EXPECT_THROW(ConeInserter({.half_thickness_m = -0.1}, grid), std::invalid_argument);
 }
