@@ -12,11 +12,11 @@ namespace echomap::datasets {
 namespace {
 
 constexpr double kMetresPerTick = 0.005;
-constexpr double kTrack_m = 0.19;
-constexpr double kSonarMaxRange_m = 5.0;
-constexpr double kSonarOpening_deg = 30.0;
-constexpr double kInfraredMaxRange_m = 0.6;
-constexpr double kInfraredBearing_deg = 45.0;
+constexpr double kTrackM = 0.19;
+constexpr double kSonarMaxRangeM = 5.0;
+constexpr double kSonarOpeningDeg = 30.0;
+constexpr double kInfraredMaxRangeM = 0.6;
+constexpr double kInfraredBearingDeg = 45.0;
 
 std::optional<double> read_range_m(FieldCursor& fields, const char* name, double max_range_m) {
   return returned_range_m(fields.number(name) / 100.0, max_range_m);
@@ -32,17 +32,17 @@ class BigWheelBotParser : public LineParser {
     const double right_m = fields.number("the right ticks") * kMetresPerTick;
     const double clockwise_rad = geometry::radians(fields.number("the yaw"));
     records.emplace_back(Heading{{}, geometry::wrap_angle(-clockwise_rad)});
-    records.emplace_back(WheelIncrement{{}, left_m, right_m, kTrack_m});
+    records.emplace_back(WheelIncrement{{}, left_m, right_m, kTrackM});
 
-    RangeScan sonar{{}, {}, {}, geometry::radians(kSonarOpening_deg), kSonarMaxRange_m};
-    sonar.beams = {{0.0, read_range_m(fields, "the front range", kSonarMaxRange_m)},
-                   {std::numbers::pi, read_range_m(fields, "the rear range", kSonarMaxRange_m)}};
+    RangeScan sonar{{}, {}, {}, geometry::radians(kSonarOpeningDeg), kSonarMaxRangeM};
+    sonar.beams = {{0.0, read_range_m(fields, "the front range", kSonarMaxRangeM)},
+                   {std::numbers::pi, read_range_m(fields, "the rear range", kSonarMaxRangeM)}};
     records.emplace_back(std::move(sonar));
 
-    const double side_rad = geometry::radians(kInfraredBearing_deg);
-    RangeScan infrared{{}, {}, {}, 0.0, kInfraredMaxRange_m};
-    infrared.beams = {{side_rad, read_range_m(fields, "the left IR range", kInfraredMaxRange_m)},
-                      {-side_rad, read_range_m(fields, "the right IR range", kInfraredMaxRange_m)}};
+    const double side_rad = geometry::radians(kInfraredBearingDeg);
+    RangeScan infrared{{}, {}, {}, 0.0, kInfraredMaxRangeM};
+    infrared.beams = {{side_rad, read_range_m(fields, "the left IR range", kInfraredMaxRangeM)},
+                      {-side_rad, read_range_m(fields, "the right IR range", kInfraredMaxRangeM)}};
     records.emplace_back(std::move(infrared));
     fields.number("the first servo");
     fields.number("the second servo");

@@ -7,20 +7,21 @@
 #include "host/datasets/field_cursor.hpp"
 #include "host/datasets/line_log.hpp"
 #include "host/datasets/rising_stamp.hpp"
-#include "host/datasets/wheel_counter.hpp"
+#include "host/datasets/wheel_counters.hpp"
 
 namespace echomap::datasets {
 namespace {
 
 constexpr double kMetresPerTick = 2.0 * std::numbers::pi * 0.077 / 2000.0;
-constexpr double kTrack_m = 0.33;
-constexpr double kLaserAhead_m = 0.145;
+constexpr double kTrackM = 0.33;
+constexpr double kLaserAheadM = 0.145;
 constexpr std::size_t kFieldsBeforeRanges = 24;
 constexpr int kBeams = 683;
+constexpr int kBeamAhead = kBeams / 2;
 constexpr int kMargin = 70;
-constexpr double kStep_rad = 2.0 * std::numbers::pi / 1024.0;
-constexpr double kMaxRange_m = 5.6;
-constexpr double kLeastRange_mm = 20.0;
+constexpr double kStepRad = 2.0 * std::numbers::pi / 1024.0;
+constexpr double kMaxRangeM = 5.6;
+constexpr double kLeastRangeMm = 20.0;
 
 class BreezyslamParser : public LineParser {
  public:
@@ -33,17 +34,13 @@ class BreezyslamParser : public LineParser {
     const double left_ticks = fields.number("the left ticks");
     const double right_ticks = fields.number("the right ticks");
     fields.skip(kFieldsBeforeRanges - 4);
-    records.emplace_back(WheelIncrement{stamp_s,
-                                        left_.increment(left_ticks) * kMetresPerTick,
-                                        right_.increment(right_ticks) * kMetresPerTick,
-                                        kTrack_m});
-    RangeScan scan{stamp_s, {kLaserAhead_m, 0.0, 0.0}, {}, 0.0, kMaxRange_m};
+    records.emplace_back(wheels_.increment(stamp_s, left_ticks, right_ticks));
+    RangeScan scan{stamp_s, {kLaserAheadM, 0.0, 0.0}, {}, 0.0, kMaxRangeM};
     for (int i = 0; i < kBeams; ++i) {
       const double range_mm = fields.number("a range");
       if (i >= kMargin && i < kBeams - kMargin) {
-        const double range_m = range_mm < kLeastRange_mm ? 0.0 : range_mm / 1000.0;
-        scan.beams.push_back(
-            {(i - kBeams / 2) * kStep_rad, returned_range_m(range_m, kMaxRange_m)});
+        const double range_m = range_mm < kLeastRangeMm ? 0.0 : range_mm / 1000.0;
+        scan.beams.push_back({(i - kBeamAhead) * kStepRad, returned_range_m(range_m, kMaxRangeM)});
       }
     }
     fields.expect_end();
@@ -52,8 +49,7 @@ class BreezyslamParser : public LineParser {
 
  private:
   RisingStamp stamps_;
-  WheelCounter left_;
-  WheelCounter right_;
+  WheelCounters wheels_{kMetresPerTick, kTrackM};
 };
 
 }  // namespace

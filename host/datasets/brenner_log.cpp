@@ -8,18 +8,18 @@
 #include "host/datasets/line_log.hpp"
 #include "host/datasets/merged_log.hpp"
 #include "host/datasets/rising_stamp.hpp"
-#include "host/datasets/wheel_counter.hpp"
+#include "host/datasets/wheel_counters.hpp"
 
 namespace echomap::datasets {
 namespace {
 
 constexpr std::string_view kScansEnding = "_scan.txt";
 constexpr double kMetresPerTick = 0.000349;
-constexpr double kTrack_m = 0.155;
-constexpr double kScannerAhead_m = 0.030;
-constexpr double kBeamStep_rad = 0.006135923;
-constexpr double kScannerTurn_rad = -0.0698132;
-constexpr double kMaxRange_m = 4.0;
+constexpr double kTrackM = 0.155;
+constexpr double kScannerAheadM = 0.030;
+constexpr double kBeamStepRad = 0.006135923;
+constexpr double kScannerTurnRad = -0.0698132;
+constexpr double kMaxRangeM = 4.0;
 
 /// The letter that every line of a file begins with, and the time after it.
 double read_time_s(FieldCursor& fields, std::string_view letter) {
@@ -37,12 +37,12 @@ class ScanParser : public LineParser {
              std::vector<LogRecord>& records) override {
     FieldCursor fields(lines, line);
     const auto stamp_s = stamps_.accept(read_time_s(fields, "S"));
-    RangeScan scan{stamp_s, {kScannerAhead_m, 0.0, 0.0}, {}, 0.0, kMaxRange_m};
+    RangeScan scan{stamp_s, {kScannerAheadM, 0.0, 0.0}, {}, 0.0, kMaxRangeM};
     scan.beams.resize(fields.count("the number of ranges"));
     for (std::size_t i = 0; i < scan.beams.size(); ++i) {
       const double range_m = fields.number("a range") / 1000.0;
-      scan.beams[i] = {(static_cast<double>(i) - 330.0) * kBeamStep_rad + kScannerTurn_rad,
-                       returned_range_m(range_m, kMaxRange_m)};
+      scan.beams[i] = {(static_cast<double>(i) - 330.0) * kBeamStepRad + kScannerTurnRad,
+                       returned_range_m(range_m, kMaxRangeM)};
     }
     fields.expect_end();
     records.emplace_back(std::move(scan));
@@ -62,16 +62,12 @@ class MotorParser : public LineParser {
     const double left_ticks = fields.number("the left ticks");
     fields.skip(3);
     const double right_ticks = fields.number("the right ticks");
-    records.emplace_back(WheelIncrement{stamp_s,
-                                        left_.increment(left_ticks) * kMetresPerTick,
-                                        right_.increment(right_ticks) * kMetresPerTick,
-                                        kTrack_m});
+    records.emplace_back(wheels_.increment(stamp_s, left_ticks, right_ticks));
   }
 
  private:
   RisingStamp stamps_;
-  WheelCounter left_;
-  WheelCounter right_;
+  WheelCounters wheels_{kMetresPerTick, kTrackM};
 };
 
 class ReferenceParser : public LineParser {

@@ -8,16 +8,17 @@
 #include "host/datasets/field_cursor.hpp"
 #include "host/datasets/line_log.hpp"
 #include "host/datasets/rising_stamp.hpp"
-#include "host/datasets/wheel_counter.hpp"
+#include "host/datasets/wheel_counters.hpp"
 #include "host/geometry/angle.hpp"
 
 namespace echomap::datasets {
 namespace {
 
-constexpr double kWheelDiameter_m = 0.064;
-constexpr double kTrack_m = 0.11405;
-constexpr double kMaxRange_m = 3.0;
-constexpr double kOpening_deg = 25.0;
+constexpr double kWheelDiameterM = 0.064;
+constexpr double kMetresPerDeg = kWheelDiameterM / 2.0 * geometry::radians(1.0);
+constexpr double kTrackM = 0.11405;
+constexpr double kMaxRangeM = 3.0;
+constexpr double kOpeningDeg = 25.0;
 
 /// Seconds since 1970 of YYYYMMDD-HHMMSS.mmm.
 double read_time(FieldCursor& fields) {
@@ -67,21 +68,16 @@ class CarlParser : public LineParser {
     fields.expect_end();
 
     records.emplace_back(Heading{stamp_s, geometry::wrap_angle(-geometry::radians(clockwise_deg))});
-    const double metres_per_deg = kWheelDiameter_m / 2.0 * geometry::radians(1.0);
-    records.emplace_back(WheelIncrement{stamp_s,
-                                        left_.increment(left_deg) * metres_per_deg,
-                                        right_.increment(right_deg) * metres_per_deg,
-                                        kTrack_m});
-    RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpening_deg), kMaxRange_m};
+    records.emplace_back(wheels_.increment(stamp_s, left_deg, right_deg));
+    RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
     scan.is_light = true;
-    scan.beams = {{-geometry::radians(pan_clockwise_deg), returned_range_m(range_m, kMaxRange_m)}};
+    scan.beams = {{-geometry::radians(pan_clockwise_deg), returned_range_m(range_m, kMaxRangeM)}};
     records.emplace_back(std::move(scan));
   }
 
  private:
   RisingStamp stamps_;
-  WheelCounter left_;
-  WheelCounter right_;
+  WheelCounters wheels_{kMetresPerDeg, kTrackM};
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace echomap::datasets {
 namespace {
 
 /// What counts as no return in a line that does not say.
-constexpr double kFrontLaserMaxRange_m = 50.0;
+constexpr double kFrontLaserMaxRangeM = 50.0;
 
 /// The three last fields of every line; the first of them is the sensor's.
 std::optional<double> read_stamp(FieldCursor& fields, RisingStamp& stamps) {
@@ -58,7 +58,7 @@ class CarmenParser : public LineParser {
 
   void parse_front_laser(FieldCursor& fields, std::vector<LogRecord>& records) {
     RangeScan scan;
-    scan.max_range_m = kFrontLaserMaxRange_m;
+    scan.max_range_m = kFrontLaserMaxRangeM;
     const std::size_t count = fields.count("the number of ranges");
     scan.beams.resize(count);
     // 181 and 361 beams have one on either end of the half circle, 180 and 360 lack the last.

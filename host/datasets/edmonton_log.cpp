@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kScansEnding = "_LASER.txt";
 constexpr std::size_t kBeams = 180;
-constexpr double kMaxRange_m = 30.0;
+constexpr double kMaxRangeM = 30.0;
 
 class EdmontonParser : public LineParser {
  public:
@@ -54,11 +54,11 @@ class EdmontonParser : public LineParser {
  private:
   static RangeScan read_scan(FieldCursor fields) {
     RangeScan scan;
-    scan.max_range_m = kMaxRange_m;
+    scan.max_range_m = kMaxRangeM;
     scan.beams.reserve(kBeams);
     for (std::size_t i = 0; i < kBeams; ++i) {
       scan.beams.push_back({geometry::radians(static_cast<double>(i) - 90.0),
-                            returned_range_m(fields.number("a range"), kMaxRange_m)});
+                            returned_range_m(fields.number("a range"), kMaxRangeM)});
     }
     fields.expect_end();
     return scan;

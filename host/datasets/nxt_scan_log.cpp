@@ -11,8 +11,8 @@ namespace echomap::datasets {
 namespace {
 
 constexpr std::size_t kMostRanges = 3600;
-constexpr double kOpening_deg = 30.0;
-constexpr double kMaxRange_m = 2.55;
+constexpr double kOpeningDeg = 30.0;
+constexpr double kMaxRangeM = 2.55;
 
 /// The scan is known when the whole file has been read.
 class NxtScanLog : public LogReader {
@@ -20,7 +20,7 @@ class NxtScanLog : public LogReader {
   explicit NxtScanLog(const std::filesystem::path& path) : lines_(path) {}
 
   std::optional<LogRecord> next() override {
-    RangeScan scan{{}, {}, {}, geometry::radians(kOpening_deg), kMaxRange_m};
+    RangeScan scan{{}, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
     while (const auto line = lines_.next()) {
       FieldCursor fields(lines_, *line);
       if (fields.at_end()) {
@@ -31,7 +31,7 @@ class NxtScanLog : public LogReader {
       if (scan.beams.size() == kMostRanges) {
         lines_.fail("more ranges than a scan has");
       }
-      scan.beams.push_back({0.0, returned_range_m(range_m, kMaxRange_m)});
+      scan.beams.push_back({0.0, returned_range_m(range_m, kMaxRangeM)});
     }
     if (scan.beams.empty()) {
       return std::nullopt;

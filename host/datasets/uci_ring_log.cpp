@@ -11,8 +11,8 @@ namespace echomap::datasets {
 namespace {
 
 constexpr int kSonars = 24;
-constexpr double kStep_deg = 15.0;
-constexpr double kMaxRange_m = 5.0;
+constexpr double kStepDeg = 15.0;
+constexpr double kMaxRangeM = 5.0;
 
 class UciRingParser : public LineParser {
  public:
@@ -20,10 +20,10 @@ class UciRingParser : public LineParser {
              std::string_view line,
              std::vector<LogRecord>& records) override {
     FieldCursor fields(lines, line, Separator::kComma);
-    RangeScan scan{{}, {}, {}, geometry::radians(kStep_deg), kMaxRange_m};
+    RangeScan scan{{}, {}, {}, geometry::radians(kStepDeg), kMaxRangeM};
     for (int i = 0; i < kSonars; ++i) {
-      const double bearing_rad = geometry::wrap_angle(-geometry::radians(kStep_deg * i));
-      scan.beams.push_back({bearing_rad, returned_range_m(fields.number("a range"), kMaxRange_m)});
+      const double bearing_rad = geometry::wrap_angle(-geometry::radians(kStepDeg * i));
+      scan.beams.push_back({bearing_rad, returned_range_m(fields.number("a range"), kMaxRangeM)});
     }
     fields.word("the label");
     fields.expect_end();

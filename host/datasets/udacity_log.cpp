@@ -13,9 +13,9 @@
 namespace echomap::datasets {
 namespace {
 
-constexpr std::array kBearings_deg{-90.0, -37.5, -22.5, -7.5, 7.5, 22.5, 37.5, 90.0};
-constexpr double kOpening_deg = 20.0;
-constexpr double kMaxRange_m = 5.11;
+constexpr std::array kBearingsDeg{-90.0, -37.5, -22.5, -7.5, 7.5, 22.5, 37.5, 90.0};
+constexpr double kOpeningDeg = 20.0;
+constexpr double kMaxRangeM = 5.11;
 constexpr PoseUnits kMillimetresAndTenths{0.001, geometry::radians(0.1)};
 
 class UdacityParser : public LineParser {
@@ -37,11 +37,10 @@ class UdacityParser : public LineParser {
     }
     const auto stamp_s = stamps_.accept(time_ms / 1000.0);
     records.emplace_back(GivenPose{stamp_s, T_map_robot});
-    RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpening_deg), kMaxRange_m};
-    for (const double bearing_deg : kBearings_deg) {
+    RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
+    for (const double bearing_deg : kBearingsDeg) {
       const double range_m = fields.number("a range") / 1000.0;
-      scan.beams.push_back(
-          {geometry::radians(bearing_deg), returned_range_m(range_m, kMaxRange_m)});
+      scan.beams.push_back({geometry::radians(bearing_deg), returned_range_m(range_m, kMaxRangeM)});
     }
     fields.expect_end();
     records.emplace_back(std::move(scan));

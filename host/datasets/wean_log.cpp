@@ -13,7 +13,7 @@ namespace {
 
 constexpr PoseUnits kCentimetres{0.01, 1.0};
 constexpr std::size_t kBeams = 180;
-constexpr double kMaxRange_m = 81.8;
+constexpr double kMaxRangeM = 81.8;
 
 class WeanParser : public LineParser {
  public:
@@ -44,12 +44,12 @@ class WeanParser : public LineParser {
     const auto T_odom_laser = read_pose(fields, "the pose of the laser", kCentimetres);
     RangeScan scan;
     scan.T_robot_sensor = T_odom_robot.inverse() * T_odom_laser;
-    scan.max_range_m = kMaxRange_m;
+    scan.max_range_m = kMaxRangeM;
     scan.beams.reserve(kBeams);
     for (std::size_t i = 0; i < kBeams; ++i) {
       const double range_m = fields.number("a range") * kCentimetres.length_m;
       scan.beams.push_back({geometry::radians(static_cast<double>(i) - 90.0),
-                            returned_range_m(range_m, kMaxRange_m)});
+                            returned_range_m(range_m, kMaxRangeM)});
     }
     scan.stamp_s = read_stamp(fields, laser_stamps_);
     records.emplace_back(OdometryPose{scan.stamp_s, T_odom_robot});
