@@ -66,11 +66,10 @@ std::optional<FieldCursor> CompanionLines::next() {
 }
 
 FieldCursor CompanionLines::require(const LineReader& needed_by) {
-  const auto fields = next();
-  if (!fields) {
-    needed_by.fail("no line of " + lines_.path().string() + " is left for this one");
+  if (auto fields = next()) {
+    return *fields;
   }
-  return *fields;
+  needed_by.fail("no line of " + lines_.path().string() + " is left for this one");
 }
 
 }  // namespace echomap::datasets

@@ -54,10 +54,10 @@ std::string_view FieldCursor::word(const char* name) {
   if (at_end()) {
     lines_.fail(std::string(name) + " is missing, the line ends before it");
   }
-  return separator_ == Separator::kBlanks ? word_of_blanks(name) : word_of_commas(name);
+  return separator_ == Separator::kBlanks ? word_of_blanks() : word_of_commas(name);
 }
 
-std::string_view FieldCursor::word_of_blanks(const char* /*name*/) {
+std::string_view FieldCursor::word_of_blanks() {
   const std::string_view field = rest_.substr(0, rest_.find_first_of(kBlanks));
   rest_.remove_prefix(field.size());
   drop_leading_blanks();

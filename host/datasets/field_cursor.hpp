@@ -37,7 +37,7 @@ class FieldCursor {
   [[noreturn]] void fail(const char* name, std::string_view field, const std::string& why) const;
 
  private:
-  std::string_view word_of_blanks(const char* name);
+  std::string_view word_of_blanks();
   std::string_view word_of_commas(const char* name);
   void drop_leading_blanks();
 

@@ -26,7 +26,7 @@
 namespace echomap::datasets {
 namespace {
 
-/// What a file's name ends in, or a line near its beginning begins with, and what that says.
+/// What a file's name ends in, or its first line begins with, and what that says.
 struct Sign {
   std::string_view text;
   std::string_view format;
@@ -41,7 +41,7 @@ constexpr std::array kNameEndings{
     Sign{"poses.csv", "run"},
     Sign{".clf", "carmen"},
 };
-constexpr std::array kLineBeginnings{
+constexpr std::array kFirstLineBeginnings{
     Sign{"FLASER ", "carmen"},
     Sign{"ROBOTLASER1 ", "carmen"},
     Sign{"# message formats defined: PARAM", "carmen"},
@@ -115,7 +115,7 @@ std::optional<std::string_view> recognised_format(const std::filesystem::path& p
   }
   LineReader lines(path);
   const auto line = lines.next();
-  for (const auto& [beginning, format] : kLineBeginnings) {
+  for (const auto& [beginning, format] : kFirstLineBeginnings) {
     if (line && line->starts_with(beginning)) {
       return format;
     }
