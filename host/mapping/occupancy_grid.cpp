@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host/geometry/whole_cell.hpp"
+
 namespace echomap::mapping {
 
 namespace {
@@ -22,12 +24,6 @@ int to_steps(int centilogits) {
 }
 
 CellIndex tile_of(CellIndex cell) { return {cell.x >> kTileBits, cell.y >> kTileBits}; }
-
-/// Beyond any map the last cell that is still counted, so that no point is too far to have one.
-std::int32_t whole_cell(double in_cells) {
-  constexpr double kFarthest = 1 << 30;
-  return static_cast<std::int32_t>(std::floor(std::clamp(in_cells, -kFarthest, kFarthest)));
-}
 
 }  // namespace
 
@@ -56,8 +52,8 @@ OccupancyGrid::OccupancyGrid(const OccupancyGridParams& params) : params_(params
 }
 
 CellIndex OccupancyGrid::cell_at(const Eigen::Vector2d& point_m) const {
-  return {whole_cell(point_m.x() / params_.resolution_m),
-          whole_cell(point_m.y() / params_.resolution_m)};
+  return {geometry::whole_cell(point_m.x() / params_.resolution_m),
+          geometry::whole_cell(point_m.y() / params_.resolution_m)};
 }
 
 Eigen::Vector2d OccupancyGrid::center_m(CellIndex cell) const {

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/raster_map.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
+
+#include "host/geometry/whole_cell.hpp"
 
 namespace echomap::mapping {
 
 using geometry::CellIndex;
-
-namespace {
-
-/// Beyond any map the last cell that is still counted, so that no point is too far to be cast.
-std::int32_t whole_cell(double in_cells) {
-  constexpr double kFarthest = 1 << 30;
-  return static_cast<std::int32_t>(std::floor(std::clamp(in_cells, -kFarthest, kFarthest)));
-}
-
-}  // namespace
 
 RasterMap::RasterMap(int columns, int rows, double resolution_m, const Eigen::Vector2d& origin_m)
     : columns_(columns), rows_(rows), resolution_m_(resolution_m), origin_m_(origin_m) {
@@ -40,7 +30,7 @@ void RasterMap::set(CellIndex cell, CellState state) { cells_[index_of(cell)] = 
 
 CellIndex RasterMap::cell_at(const Eigen::Vector2d& point_m) const {
   const Eigen::Vector2d in_cells = (point_m - origin_m_) / resolution_m_;
-  return {whole_cell(in_cells.x()), whole_cell(in_cells.y())};
+  return {geometry::whole_cell(in_cells.x()), geometry::whole_cell(in_cells.y())};
 }
 
 Eigen::Vector2d RasterMap::center_m(CellIndex cell) const {
