@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "host/files/atomic_file.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/fuzz/memory_file.hpp"
+#include "tests/fuzz/temporary_folder.hpp"
 
 namespace {
 
@@ -47,26 +47,18 @@ std::vector<std::string> names_of(std::string_view format) {
 class LogFolders {
  public:
   LogFolders() {
-    std::string name = (fs::temp_directory_path() / "echomap-fuzz-XXXXXX").string();
-    require(::mkdtemp(name.data()) != nullptr, "there is a temporary folder");
-    path_ = name;
     for (const auto& format : datasets::log_formats()) {
-      fs::create_directory(path_ / format.name);
+      const fs::path logs = folder_.path() / format.name;
+      fs::create_directory(logs);
       std::size_t file = 0;
       for (const auto& file_name : names_of(format.name)) {
-        fs::create_symlink(files_[file++].path(), path_ / format.name / file_name);
+        fs::create_symlink(files_[file++].path(), logs / file_name);
       }
     }
   }
-  ~LogFolders() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  LogFolders(const LogFolders&) = delete;
-  LogFolders& operator=(const LogFolders&) = delete;
 
   fs::path log_of(std::string_view format) const {
-    return path_ / format / names_of(format).front();
+    return folder_.path() / format / names_of(format).front();
   }
   void write(std::span<const std::uint8_t> bytes) {
     for (auto& file : files_) {
@@ -79,7 +71,7 @@ class LogFolders {
 
  private:
   std::array<echomap::fuzz::MemoryFile, kFiles> files_;
-  fs::path path_;
+  echomap::fuzz::TemporaryFolder folder_;
 };
 
 void check(const datasets::RangeScan& scan) {

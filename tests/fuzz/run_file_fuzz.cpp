@@ -16,6 +16,7 @@
 #include "host/files/atomic_file.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/fuzz/memory_file.hpp"
+#include "tests/fuzz/temporary_folder.hpp"
 
 namespace {
 
@@ -42,24 +43,15 @@ enum Kind : std::uint8_t {
 class TruthFolder {
  public:
   explicit TruthFolder(const fs::path& walls) {
-    std::string name = (fs::temp_directory_path() / "echomap-fuzz-XXXXXX").string();
-    require(::mkdtemp(name.data()) != nullptr, "there is a temporary folder");
-    path_ = name;
-    exports::write_map_yaml(path_ / "truth_map.yaml", {"truth_map.pgm", 0.1, {0, 0}});
-    exports::write_pgm(path_ / "truth_map.pgm", {1, 1, {254}});
-    exports::write_trajectory_tum(path_ / "truth.tum", {});
-    fs::create_symlink(walls, path_ / "truth_walls.geojson");
+    exports::write_map_yaml(path() / "truth_map.yaml", {"truth_map.pgm", 0.1, {0, 0}});
+    exports::write_pgm(path() / "truth_map.pgm", {1, 1, {254}});
+    exports::write_trajectory_tum(path() / "truth.tum", {});
+    fs::create_symlink(walls, path() / "truth_walls.geojson");
   }
-  ~TruthFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TruthFolder(const TruthFolder&) = delete;
-  TruthFolder& operator=(const TruthFolder&) = delete;
-  const fs::path& path() const { return path_; }
+  const fs::path& path() const { return folder_.path(); }
 
  private:
-  fs::path path_;
+  echomap::fuzz::TemporaryFolder folder_;
 };
 
 void read(std::uint8_t kind, const fs::path& file) {
