@@ -37,20 +37,38 @@ void check(const ArcVotingParams& params) {
   }
 }
 
+/// A reading that something answered.
+struct Return {
+  std::size_t reading = 0;  ///< Its index among all.
+  Eigen::Vector2d robot_m = Eigen::Vector2d::Zero();
+  geometry::Pose2 T_map_sonar;
+  double range_m = 0.0;
+};
+
+std::vector<Return> returns_of(const std::vector<PlacedReading>& readings) {
+  std::vector<Return> returns;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const PlacedReading& reading = readings[i];
+    if (reading.range_m) {
+      returns.push_back(
+          {i, reading.T_map_robot.position_m(), reading.T_map_sonar, *reading.range_m});
+    }
+  }
+  return returns;
+}
+
 int index_of(double value, double step) { return static_cast<int>(std::lround(value / step)); }
 
 /// Both tables: which returns have voted for a cell.
 class VotingTables {
  public:
-  VotingTables(const std::vector<PlacedReading>& readings, const ArcVotingParams& params)
+  VotingTables(const std::vector<Return>& returns, const ArcVotingParams& params)
       : params_(params),
         turns_(std::max(index_of(2.0 * std::numbers::pi, params.bearing_step_rad), 8)),
         turn_rad_(2.0 * std::numbers::pi / turns_),
-        cells_of_(readings.size()) {
-    for (std::size_t i = 0; i < readings.size(); ++i) {
-      if (readings[i].range_m) {
-        vote(i, readings[i]);
-      }
+        cells_of_(returns.size()) {
+    for (std::size_t i = 0; i < returns.size(); ++i) {
+      vote(i, returns[i]);
     }
   }
 
@@ -73,11 +91,11 @@ class VotingTables {
   }
 
   /// Takes back all votes of a return.
-  void withdraw(std::size_t reading) {
-    for (const Cell& cell : cells_of_[reading]) {
+  void withdraw(std::size_t voter) {
+    for (const Cell& cell : cells_of_[voter]) {
       const auto entry = voters_of_.find(cell);
       if (entry != voters_of_.end()) {
-        entry->second.erase(reading);
+        entry->second.erase(voter);
       }
     }
   }
@@ -86,17 +104,17 @@ class VotingTables {
 
  private:
   /// One vote a cell, however long the arc is in it.
-  void add(std::size_t reading, const Cell& cell) {
-    if (voters_of_[cell].insert(reading).second) {
-      cells_of_[reading].push_back(cell);
+  void add(std::size_t voter, const Cell& cell) {
+    if (voters_of_[cell].insert(voter).second) {
+      cells_of_[voter].push_back(cell);
     }
   }
 
-  void vote(std::size_t index, const PlacedReading& reading) {
-    const Eigen::Vector2d& place_m = reading.T_map_sonar.position_m();
-    const double axis_rad = reading.T_map_sonar.heading_rad();
+  void vote(std::size_t index, const Return& heard) {
+    const Eigen::Vector2d& place_m = heard.T_map_sonar.position_m();
+    const double axis_rad = heard.T_map_sonar.heading_rad();
     const double half_rad = params_.beam_half_angle_rad;
-    const double range_m = *reading.range_m;
+    const double range_m = heard.range_m;
     for (int i = index_of(axis_rad - half_rad, turn_rad_);
          i <= index_of(axis_rad + half_rad, turn_rad_);
          ++i) {
@@ -123,22 +141,22 @@ class VotingTables {
 };
 
 /// The returns that are still free.
-using FreeReadings = std::vector<bool>;
+using FreeReturns = std::vector<bool>;
 
 std::vector<std::size_t> supporters_of(const SonarFeature& feature,
-                                       const std::vector<PlacedReading>& readings,
-                                       const FreeReadings& is_free,
+                                       const std::vector<Return>& returns,
+                                       const FreeReturns& is_free,
                                        const ArcVotingParams& params) {
   std::vector<std::size_t> supporters;
-  for (std::size_t i = 0; i < readings.size(); ++i) {
+  for (std::size_t i = 0; i < returns.size(); ++i) {
     if (!is_free[i]) {
       continue;
     }
-    const geometry::Pose2& T_map_sonar = readings[i].T_map_sonar;
+    const geometry::Pose2& T_map_sonar = returns[i].T_map_sonar;
     const FeatureView view = view_from(T_map_sonar.position_m(), feature);
     const double off_axis_rad =
         geometry::angle_between(T_map_sonar.heading_rad(), view.bearing_rad);
-    if (std::abs(view.range_m - *readings[i].range_m) <= params.range_tolerance_m &&
+    if (std::abs(view.range_m - returns[i].range_m) <= params.range_tolerance_m &&
         std::abs(off_axis_rad) <= params.beam_half_angle_rad + params.bearing_step_rad) {
       supporters.push_back(i);
     }
@@ -148,7 +166,7 @@ std::vector<std::size_t> supporters_of(const SonarFeature& feature,
 
 /// Gauss and Newton: one step towards what the supporters have heard.
 VotedFeature fitted(VotedFeature voted,
-                    const std::vector<PlacedReading>& readings,
+                    const std::vector<Return>& returns,
                     const ArcVotingParams& params) {
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   Eigen::Vector2d pull = Eigen::Vector2d::Zero();
@@ -156,10 +174,10 @@ VotedFeature fitted(VotedFeature voted,
       1.0 / (params.bearing_sd_rad * params.bearing_sd_rad),
       1.0 / (params.range_sd_m * params.range_sd_m));
   for (const std::size_t i : voted.supporters) {
-    const geometry::Pose2& T_map_sonar = readings[i].T_map_sonar;
+    const geometry::Pose2& T_map_sonar = returns[i].T_map_sonar;
     const FeatureView view = view_from(T_map_sonar.position_m(), voted.feature);
     const Eigen::Vector2d off(geometry::angle_between(view.bearing_rad, T_map_sonar.heading_rad()),
-                              *readings[i].range_m - view.range_m);
+                              returns[i].range_m - view.range_m);
     information += view.jacobian.transpose() * weight * view.jacobian;
     pull += view.jacobian.transpose() * weight * off;
   }
@@ -169,28 +187,28 @@ VotedFeature fitted(VotedFeature voted,
 }
 
 std::size_t places_of(const std::vector<std::size_t>& supporters,
-                      const std::vector<PlacedReading>& readings) {
+                      const std::vector<Return>& returns) {
   std::set<std::pair<double, double>> places;
   for (const std::size_t i : supporters) {
-    const Eigen::Vector2d& place_m = readings[i].T_map_robot.position_m();
+    const Eigen::Vector2d& place_m = returns[i].robot_m;
     places.emplace(place_m.x(), place_m.y());
   }
   return places.size();
 }
 
 std::optional<VotedFeature> elected(const SonarFeature& candidate,
-                                    const std::vector<PlacedReading>& readings,
-                                    const FreeReadings& is_free,
+                                    const std::vector<Return>& returns,
+                                    const FreeReturns& is_free,
                                     const ArcVotingParams& params) {
   VotedFeature voted;
   voted.feature = candidate;
   for (int round = 0; round < kFitRounds; ++round) {
-    voted.supporters = supporters_of(voted.feature, readings, is_free, params);
+    voted.supporters = supporters_of(voted.feature, returns, is_free, params);
     if (voted.supporters.size() < params.least_votes ||
-        places_of(voted.supporters, readings) < params.least_places) {
+        places_of(voted.supporters, returns) < params.least_places) {
       return std::nullopt;
     }
-    voted = fitted(std::move(voted), readings, params);
+    voted = fitted(std::move(voted), returns, params);
   }
   if (voted.feature.is_wall) {
     voted.feature.parameters.x() = geometry::wrap_angle(voted.feature.parameters.x());
@@ -203,21 +221,20 @@ std::optional<VotedFeature> elected(const SonarFeature& candidate,
 std::vector<VotedFeature> vote_for_features(const std::vector<PlacedReading>& readings,
                                             const ArcVotingParams& params) {
   check(params);
-  VotingTables tables(readings, params);
-  FreeReadings is_free(readings.size());
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    is_free[i] = readings[i].range_m.has_value();
-  }
+  const std::vector<Return> returns = returns_of(readings);
+  VotingTables tables(returns, params);
+  FreeReturns is_free(returns.size(), true);
   std::vector<VotedFeature> features;
   while (const auto cell = tables.best(std::max<std::size_t>(params.least_votes / 2, 1))) {
     tables.drop(*cell);
-    const auto voted = elected(tables.feature_of(*cell), readings, is_free, params);
+    auto voted = elected(tables.feature_of(*cell), returns, is_free, params);
     if (!voted) {
       continue;
     }
-    for (const std::size_t i : voted->supporters) {
-      is_free[i] = false;
-      tables.withdraw(i);
+    for (std::size_t& supporter : voted->supporters) {
+      is_free[supporter] = false;
+      tables.withdraw(supporter);
+      supporter = returns[supporter].reading;
     }
     features.push_back(*voted);
   }

@@ -152,14 +152,14 @@ void DistanceField::find_near_distances(const CellBounds& sources, const CellBou
   const auto columns = static_cast<std::size_t>(sources.columns());
   const auto target_columns = static_cast<std::size_t>(targets.columns());
   const auto reach = static_cast<std::uint16_t>(reach_cells_);
-  const auto before = static_cast<std::size_t>(sources.min.x - targets.min.x + reach_cells_);
-  std::vector<std::uint16_t> squares(target_columns + 2U * reach + kNearPadding,
+  const std::int32_t before = sources.min.x - targets.min.x + reach_cells_;
+  std::vector<std::uint16_t> squares(target_columns + std::size_t{2} * reach + kNearPadding,
                                      static_cast<std::uint16_t>(reach * reach));
   std::vector<std::uint16_t> minima(target_columns);
   for (std::int32_t y = targets.min.y; y <= targets.max.y; ++y) {
     const std::uint16_t* heights =
         heights_.data() + static_cast<std::size_t>(y - targets.min.y) * columns;
-    square_near(heights, columns, reach, &squares[before]);
+    square_near(heights, columns, reach, squares.data() + before);
     near_row_minima(squares, reach, minima);
     take_roots(minima.data(), target_columns, most_cells_, target_row(y, targets));
   }

@@ -98,11 +98,13 @@ bool split(const std::set<geometry::RingSide>& sides, std::vector<SimplifiedRing
 /// have no fault, where that does not help.
 std::vector<Polygon> simplified(const std::vector<Polygon>& rings, double tolerance_m) {
   std::vector<SimplifiedRing> simple;
+  simple.reserve(rings.size());
   for (const Polygon& ring : rings) {
     simple.emplace_back(ring, tolerance_m);
   }
   while (true) {
     std::vector<Polygon> polygons;
+    polygons.reserve(simple.size());
     for (const SimplifiedRing& ring : simple) {
       polygons.push_back(ring.polygon());
     }

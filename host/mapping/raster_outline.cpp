@@ -73,11 +73,12 @@ CellSet largest_piece(CellSet cells) {
   std::vector<CellIndex> best;
   for (int y = 0; y < cells.rows(); ++y) {
     for (int x = 0; x < cells.columns(); ++x) {
-      if (cells.holds({x, y})) {
-        auto piece = take_piece(cells, {x, y});
-        if (piece.size() > best.size()) {
-          best = std::move(piece);
-        }
+      if (!cells.holds({x, y})) {
+        continue;
+      }
+      auto piece = take_piece(cells, {x, y});
+      if (piece.size() > best.size()) {
+        best = std::move(piece);
       }
     }
   }

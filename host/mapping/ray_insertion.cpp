@@ -113,7 +113,8 @@ void RayInserter::mark(LatticePoint sensor, const CellBounds& tiles) {
     if (ray.is_hit) {
       const CellIndex tile = shifted(to, kLatticeTileBits);
       const CellIndex cell = shifted(to, kLatticeBits);
-      TileBits& hits = hits_[static_cast<std::size_t>(tile.y * tiles.columns() + tile.x)];
+      const std::int32_t number = tile.y * tiles.columns() + tile.x;
+      TileBits& hits = hits_[static_cast<std::size_t>(number)];
       hits[static_cast<std::size_t>(cell.y & (kTileSide - 1))] |= std::uint64_t{1}
                                                                   << (cell.x & (kTileSide - 1));
     }

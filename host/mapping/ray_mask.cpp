@@ -216,8 +216,8 @@ void RayMask::add_rays(LatticePoint from,
   mark(from,
        ways,
        covered_shares.data(),
-       {reinterpret_cast<std::uint8_t*>(flat_.data()), tile_columns_ * 8},
-       {reinterpret_cast<std::uint8_t*>(steep_.data()), tile_rows_ * 8});
+       {reinterpret_cast<std::uint8_t*>(flat_.data()), std::ptrdiff_t{tile_columns_} * 8},
+       {reinterpret_cast<std::uint8_t*>(steep_.data()), std::ptrdiff_t{tile_rows_} * 8});
 }
 
 void RayMask::add_quadrant(LatticePoint center, Quadrant quadrant, double radius) {
@@ -233,7 +233,8 @@ void RayMask::add_quadrant(LatticePoint center, Quadrant quadrant, double radius
   const std::int32_t highest =
       is_down ? first_row - 1 : (center.y + reach - kCell / 2) >> kLatticeBits;
   for (std::int32_t row = lowest; row <= highest; ++row) {
-    const double up = row * kCell + kCell / 2 - center.y;
+    const std::int32_t middle = row * kCell + kCell / 2;
+    const double up = middle - center.y;
     const auto width =
         static_cast<std::int32_t>(std::sqrt(std::max(radius * radius - up * up, 0.0)));
     const std::int32_t from =
@@ -241,7 +242,10 @@ void RayMask::add_quadrant(LatticePoint center, Quadrant quadrant, double radius
     const std::int32_t to =
         is_left ? first_column - 1 : (center.x + width - kCell / 2) >> kLatticeBits;
     if (from <= to) {
-      set_run(reinterpret_cast<std::uint8_t*>(flat_.data()) + row * tile_columns_ * 8, from, to);
+      set_run(
+          reinterpret_cast<std::uint8_t*>(flat_.data()) + std::ptrdiff_t{row} * tile_columns_ * 8,
+          from,
+          to);
     }
   }
 }

@@ -55,7 +55,7 @@ template <bool kValuesOnly>
     Lanes least;
     Lanes found{};
     search<false>(lifted, {bounds[block], bounds[block + 1]}, x + x, least, found);
-    std::memcpy(where + block * kLanes, &found, sizeof found);
+    std::memcpy(where + std::ptrdiff_t{block} * kLanes, &found, sizeof found);
   }
 }
 
@@ -104,7 +104,7 @@ void row_minima(std::span<std::int32_t> heights,
     }
   }
   locate(heights.data(), by_256.data(), blocks, first, kLanes, by_16.data());
-  by_16[static_cast<std::size_t>(blocks * kLanes)] = by_256[static_cast<std::size_t>(blocks)];
+  by_16[static_cast<std::size_t>(blocks) * kLanes] = by_256[static_cast<std::size_t>(blocks)];
   evaluate(heights.data(), by_16.data(), first, minima);
 }
 

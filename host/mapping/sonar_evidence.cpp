@@ -49,10 +49,10 @@ CellBounds bounds_around(const std::vector<SonarView>& views, double reach_m, do
 }
 
 /// The corners of a box around an echo's arc, seen from its sonar.
-std::pair<Eigen::Array2d, Eigen::Array2d> box_of_arc_m(const SonarBeam& beam,
+std::pair<Eigen::Array2d, Eigen::Array2d> box_of_arc_m(const SonarEcho& echo,
                                                        const models::SonarConeParams& cone) {
-  const double far_m = *beam.range_m + cone.arc_half_thickness_m;
-  Eigen::Array2d low = far_m * geometry::unit_vector(beam.bearing_rad);
+  const double far_m = echo.range_m + cone.arc_half_thickness_m;
+  Eigen::Array2d low = far_m * geometry::unit_vector(echo.bearing_rad);
   Eigen::Array2d high = low;
   const auto widen = [&](double bearing_rad, double range_m) {
     const Eigen::Array2d point_m = range_m * geometry::unit_vector(bearing_rad);
@@ -60,12 +60,12 @@ std::pair<Eigen::Array2d, Eigen::Array2d> box_of_arc_m(const SonarBeam& beam,
     high = high.max(point_m);
   };
   for (const double side_rad : {-cone.half_angle_rad, cone.half_angle_rad}) {
-    widen(beam.bearing_rad + side_rad, far_m);
-    widen(beam.bearing_rad + side_rad, *beam.range_m - cone.arc_half_thickness_m);
+    widen(echo.bearing_rad + side_rad, far_m);
+    widen(echo.bearing_rad + side_rad, echo.range_m - cone.arc_half_thickness_m);
   }
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double axis_rad = quarter * std::numbers::pi / 2.0;
-    if (std::abs(geometry::angle_between(axis_rad, beam.bearing_rad)) <= cone.half_angle_rad) {
+    if (std::abs(geometry::angle_between(axis_rad, echo.bearing_rad)) <= cone.half_angle_rad) {
       widen(axis_rad, far_m);
     }
   }
@@ -77,16 +77,16 @@ std::pair<Eigen::Array2d, Eigen::Array2d> box_of_arc_m(const SonarBeam& beam,
 template <typename Visitor>
 void for_cells_of_arc(const CellField& field,
                       const Eigen::Vector2d& origin_m,
-                      const SonarBeam& beam,
+                      const SonarEcho& echo,
                       const models::SonarConeParams& cone,
                       Visitor&& visit) {
-  const auto [low_m, high_m] = box_of_arc_m(beam, cone);
+  const auto [low_m, high_m] = box_of_arc_m(echo, cone);
   const CellIndex low = field.cell_at(origin_m.array() + low_m);
   const CellIndex high = field.cell_at(origin_m.array() + high_m);
   for (std::int32_t y = low.y; y <= high.y; ++y) {
     for (std::int32_t x = low.x; x <= high.x; ++x) {
       const Eigen::Vector2d way_m = field.center_m({x, y}) - origin_m;
-      if (std::abs(way_m.norm() - *beam.range_m) <= cone.arc_half_thickness_m) {
+      if (std::abs(way_m.norm() - echo.range_m) <= cone.arc_half_thickness_m) {
         visit(CellIndex{x, y}, way_m);
       }
     }
@@ -116,7 +116,7 @@ SonarEvidence::SonarEvidence(const std::vector<SonarView>& views,
     auto& arcs = arcs_.emplace_back();
     for (const SonarBeam& beam : view.beams) {
       if (beam.range_m && *beam.range_m <= cone.params().max_range_m) {
-        arcs.push_back(arc_of(view, beam));
+        arcs.push_back(arc_of(view, {beam.bearing_rad, *beam.range_m}));
       }
     }
   }
@@ -153,19 +153,19 @@ void SonarEvidence::draw_walls(const std::vector<geometry::Segment>& walls) {
   }
 }
 
-SonarEvidence::Arc SonarEvidence::arc_of(const SonarView& view, const SonarBeam& beam) const {
+SonarEvidence::Arc SonarEvidence::arc_of(const SonarView& view, const SonarEcho& echo) const {
   Arc arc;
-  const models::SensorReading reading{beam.range_m};
+  const models::SensorReading reading{echo.range_m};
   const double own_m = kOwnArcCells * free_.resolution_m();
   for_cells_of_arc(
       free_,
       view.origin_m,
-      beam,
+      echo,
       cone_.params(),
       [&](CellIndex cell, const Eigen::Vector2d& way_m) {
         const double bearing_rad = std::atan2(way_m.y(), way_m.x());
         const models::PolarPoint point{way_m.norm(),
-                                       geometry::angle_between(beam.bearing_rad, bearing_rad)};
+                                       geometry::angle_between(echo.bearing_rad, bearing_rad)};
         if (cone_.on_arc(reading, point) && point.range_m <= cone_.params().max_range_m) {
           arc.cells.push_back({static_cast<std::uint32_t>(free_.index(cell)),
                                rays_.index(rays_.ray_at(bearing_rad), point.range_m - own_m),

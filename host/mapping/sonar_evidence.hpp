@@ -12,6 +12,12 @@
 
 namespace echomap::mapping {
 
+/// A beam that something answered.
+struct SonarEcho {
+  double bearing_rad = 0.0;
+  double range_m = 0.0;
+};
+
 /// The evidence of all views, found in rounds: free floor first, then each echo's evidence to those
 /// cells of its arc that free floor does not contradict (docs/algorithms/sonar_cone.md).
 class SonarEvidence {
@@ -45,7 +51,7 @@ class SonarEvidence {
   };
 
   void draw_walls(const std::vector<geometry::Segment>& walls);
-  Arc arc_of(const SonarView& view, const SonarBeam& beam) const;
+  Arc arc_of(const SonarView& view, const SonarEcho& echo) const;
   void add_free_floor(const SonarFan& fan, CellField& free) const;
   void add_floor_under_robot(const SonarView& view, CellField& free) const;
   void find_opacity();

@@ -99,14 +99,8 @@ class SonarFan {
       const auto high = field.cell_at(view_.origin_m.array() + sector.high_m);
       for (std::int32_t y = low.y; y <= high.y; ++y) {
         for (std::int32_t x = low.x; x <= high.x; ++x) {
-          const Eigen::Vector2d way_m = field.center_m({x, y}) - view_.origin_m;
-          const double square_m2 = way_m.squaredNorm();
-          if (square_m2 >= sector.reach_m * sector.reach_m) {
-            continue;
-          }
-          const Place place{ray_towards(way_m), std::sqrt(square_m2)};
-          if (holds(sector, place.ray) && says_something(place)) {
-            visit(geometry::CellIndex{x, y}, place);
+          if (const auto place = place_in(sector, field.center_m({x, y}) - view_.origin_m)) {
+            visit(geometry::CellIndex{x, y}, *place);
           }
         }
       }
@@ -138,11 +132,20 @@ class SonarFan {
   std::size_t ray_towards(const Eigen::Vector2d& way_m) const {
     return rays_.ray_at(std::atan2(static_cast<float>(way_m.y()), static_cast<float>(way_m.x())));
   }
+  /// Empty where the sector's beams say nothing.
+  std::optional<Place> place_in(const Sector& sector, const Eigen::Vector2d& way_m) const {
+    const double square_m2 = way_m.squaredNorm();
+    if (square_m2 >= sector.reach_m * sector.reach_m) {
+      return std::nullopt;
+    }
+    const Place place{ray_towards(way_m), std::sqrt(square_m2)};
+    const bool says_something = holds(sector, place.ray) && place.range_m < free_to_m_[place.ray];
+    return says_something ? std::optional(place) : std::nullopt;
+  }
   bool holds(const Sector& sector, std::size_t ray) const {
     const std::size_t after = ray + (ray < sector.first_ray ? rays_.count() : 0);
     return after - sector.first_ray < sector.rays;
   }
-  bool says_something(const Place& place) const { return place.range_m < free_to_m_[place.ray]; }
 
   const SonarView& view_;
   const FanRays& rays_;

@@ -171,13 +171,21 @@ class WallFinder {
           continue;
         }
         for (const double side : {-1.0, 1.0}) {
-          const double normal_rad = along_rad + side * std::acos(slope);
-          if (looks_along(one, near, normal_rad) && looks_along(other, far, normal_rad)) {
-            add_wall({one.origin_m, *near.range_m, normal_rad},
-                     {other.origin_m, *far.range_m, normal_rad});
-          }
+          add_tangent(one, near, other, far, along_rad + side * std::acos(slope));
         }
       }
+    }
+  }
+
+  void add_tangent(const SonarView& one,
+                   const SonarBeam& near,
+                   const SonarView& other,
+                   const SonarBeam& far,
+                   double normal_rad) {
+    if (near.range_m && far.range_m && looks_along(one, near, normal_rad) &&
+        looks_along(other, far, normal_rad)) {
+      add_wall({one.origin_m, *near.range_m, normal_rad},
+               {other.origin_m, *far.range_m, normal_rad});
     }
   }
 

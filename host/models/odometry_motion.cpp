@@ -39,7 +39,7 @@ OdometryMotion::OdometryMotion(const OdometryMotionParams& params) : params_(par
                              params.drive_by_drive,
                              params.drive_by_turn_m2_per_rad2,
                              params.side_by_drive}) {
-    if (!(share >= 0.0 && std::isfinite(share))) {
+    if (!(share >= 0.0) || !std::isfinite(share)) {
       throw std::invalid_argument("odometry motion: a variance is not negative, and finite");
     }
   }

@@ -56,7 +56,7 @@ bool SonarCone::on_arc(const SensorReading& reading, const PolarPoint& point) co
 }
 
 double SonarCone::evidence(const SensorReading& reading, const PolarPoint& point) const {
-  if (!on_arc(reading, point)) {
+  if (!reading.range_m || !on_arc(reading, point)) {
     return std::log(miss_chance(reading, point));
   }
   const double area_m2 =
