@@ -16,7 +16,7 @@ using datasets::OdometryStep;
 using datasets::WheelIncrement;
 using geometry::Pose2;
 
-constexpr double kRightAngle_rad = std::numbers::pi / 2.0;
+constexpr double kRightAngleRad = std::numbers::pi / 2.0;
 
 void expect_near(const std::optional<Pose2>& pose, const Pose2& wanted) {
   ASSERT_TRUE(pose);
@@ -28,9 +28,9 @@ void expect_near(const std::optional<Pose2>& pose, const Pose2& wanted) {
 TEST(LogPoses, OdometryBeginsAtTheOriginAndTakesEveryKindOfRecord) {
   LogPoses poses(PoseSource::kOdometry);
   expect_near(poses.T_map_robot(), {});
-  EXPECT_TRUE(poses.follow(OdometryStep{{}, {1.0, 0.0, kRightAngle_rad}}));
+  EXPECT_TRUE(poses.follow(OdometryStep{{}, {1.0, 0.0, kRightAngleRad}}));
   EXPECT_TRUE(poses.follow(WheelIncrement{{}, 0.5, 0.5, 0.2}));
-  expect_near(poses.T_map_robot(), {1.0, 0.5, kRightAngle_rad});
+  expect_near(poses.T_map_robot(), {1.0, 0.5, kRightAngleRad});
   EXPECT_TRUE(poses.follow(OdometryPose{{}, {7.0, 8.0, 0.0}}));
   expect_near(poses.T_map_robot(), {7.0, 8.0, 0.0});
   EXPECT_FALSE(poses.follow(GivenPose{{}, {1.0, 1.0, 1.0}}));
@@ -56,10 +56,10 @@ TEST(LogPoses, OdometryGoesOnBetweenGivenPoses) {
   LogPoses poses(PoseSource::kGiven);
   EXPECT_FALSE(poses.follow(OdometryStep{{}, {5.0, 0.0, 0.0}}));
   EXPECT_FALSE(poses.T_map_robot()) << "before the first given pose";
-  EXPECT_TRUE(poses.follow(GivenPose{{}, {1.0, 1.0, kRightAngle_rad}}));
-  expect_near(poses.T_map_robot(), {1.0, 1.0, kRightAngle_rad});
+  EXPECT_TRUE(poses.follow(GivenPose{{}, {1.0, 1.0, kRightAngleRad}}));
+  expect_near(poses.T_map_robot(), {1.0, 1.0, kRightAngleRad});
   EXPECT_TRUE(poses.follow(OdometryStep{{}, {0.5, 0.0, 0.0}}));
-  expect_near(poses.T_map_robot(), {1.0, 1.5, kRightAngle_rad});
+  expect_near(poses.T_map_robot(), {1.0, 1.5, kRightAngleRad});
 }
 
 }  // namespace
