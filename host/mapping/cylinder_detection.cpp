@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/cylinder_detection.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+namespace echomap::mapping {
+
+namespace {
+
+using Run = std::span<const Eigen::Vector2d>;
+
+void check(const CylinderDetectionParams& params) {
+  const bool lengths = params.radius_m > 0.0 && params.widest_gap_m > 0.0 &&
+                       params.least_step_m > 0.0 && params.width_tolerance_m >= 0.0;
+  if (!lengths || params.least_points < 1) {
+    throw std::invalid_argument("cylinder detection: lengths above 0 and at least 1 point");
+  }
+}
+
+/// Whether a neighbour of the run's end lies well behind it.
+bool is_behind(const Eigen::Vector2d& neighbour_m,
+               const Eigen::Vector2d& end_m,
+               const CylinderDetectionParams& params) {
+  return neighbour_m.norm() - end_m.norm() > params.least_step_m;
+}
+
+std::optional<Eigen::Vector2d> cylinder_of(Run run, const CylinderDetectionParams& params) {
+  const double width_m = (run.back() - run.front()).norm();
+  if (run.size() < params.least_points ||
+      std::abs(width_m - 2.0 * params.radius_m) > params.width_tolerance_m) {
+    return std::nullopt;
+  }
+  Eigen::Vector2d along = Eigen::Vector2d::Zero();
+  double range_m = 0.0;
+  for (const Eigen::Vector2d& point_m : run) {
+    along += point_m.normalized();
+    range_m += point_m.norm() / static_cast<double>(run.size());
+  }
+  return (range_m + 0.25 * std::numbers::pi * params.radius_m) * along.normalized();
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> find_cylinders(std::span<const Eigen::Vector2d> points_m,
+                                            const CylinderDetectionParams& params) {
+  check(params);
+  std::vector<Eigen::Vector2d> centers_m;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < points_m.size(); ++i) {
+    if ((points_m[i] - points_m[i - 1]).norm() <= params.widest_gap_m) {
+      continue;
+    }
+    const Run run = points_m.subspan(begin, i - begin);
+    const bool stands_alone = begin > 0 && is_behind(points_m[begin - 1], run.front(), params) &&
+                              is_behind(points_m[i], run.back(), params);
+    begin = i;
+    if (!stands_alone) {
+      continue;
+    }
+    if (const auto center_m = cylinder_of(run, params)) {
+      centers_m.push_back(*center_m);
+    }
+  }
+  return centers_m;
+}
+
+}  // namespace echomap::mapping

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "tests/benchmarks/figures.hpp"
+
+namespace echomap::bench {
+
+/// How well the filter of poses follows robots among known landmarks: MRCLAM set 6 and Brenner's
+/// LEGO. With `verbose` a line a robot. A log that is not there is said to be left out.
+std::vector<Figure> landmark_figures(bool verbose);
+
+}  // namespace echomap::bench
