@@ -15,9 +15,9 @@ namespace echomap::datasets {
 namespace {
 
 constexpr double kMetresPerTick = std::numbers::pi * 0.072 / 508.8;
-constexpr double kTrack_m = 0.235;
+constexpr double kTrackM = 0.235;
 /// A Roomba is 34 cm across (iRobot Create 2 Open Interface, 2016).
-constexpr double kBumperRadius_m = 0.17;
+constexpr double kBumperRadiusM = 0.17;
 constexpr unsigned kBumpRight = 1;
 constexpr unsigned kBumpLeft = 2;
 
@@ -80,9 +80,9 @@ class RoombaCiParser : public LineParser {
     const unsigned bumpers = read_bits(fields, "the bumper byte");
     fields.skip(has_header_ ? 1 : 7);
     fields.expect_end();
-    records.emplace_back(WheelIncrement{stamp_s, left_m, right_m, kTrack_m});
+    records.emplace_back(WheelIncrement{stamp_s, left_m, right_m, kTrackM});
     records.emplace_back(
-        Contact{stamp_s, (bumpers & kBumpLeft) != 0, (bumpers & kBumpRight) != 0, kBumperRadius_m});
+        Contact{stamp_s, (bumpers & kBumpLeft) != 0, (bumpers & kBumpRight) != 0, kBumperRadiusM});
   }
 
  private:

@@ -15,10 +15,10 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Later stamps, beyond the year 5000, are damage.
-constexpr double kLatestStamp_s = 1e11;
+constexpr double kLatestStampS = 1e11;
 
 std::optional<double> without_damage(std::optional<double> stamp_s) {
-  return stamp_s && std::abs(*stamp_s) <= kLatestStamp_s ? stamp_s : std::nullopt;
+  return stamp_s && std::abs(*stamp_s) <= kLatestStampS ? stamp_s : std::nullopt;
 }
 
 time::RobotTime time_of(double stamp_s) {
