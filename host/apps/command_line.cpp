@@ -207,6 +207,32 @@ void add_replay(CLI::App& app, Action& action) {
   command->callback([&action, options] { action = [options] { return run_replay(*options); }; });
 }
 
+void add_localize(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("localize", "Find and follow the robot of a log in a map");
+  const auto options = std::make_shared<LocalizeOptions>();
+  command->add_option("log", options->log, "File of the log, plain or gz, or a run directory")
+      ->required()
+      ->check(CLI::ExistingPath);
+  command->add_option("--map", options->map, "Run directory, or YAML file of a ROS map")
+      ->required()
+      ->check(CLI::ExistingPath);
+  command
+      ->add_option(
+          "--format", options->format, "Format of the log; not needed where the log says it")
+      ->check([](const std::string& name) { return datasets::unknown_format(name); });
+  command
+      ->add_option("--at",
+                   options->at,
+                   "Where it starts: x and y in metres, heading in degrees; anywhere by default")
+      ->expected(3);
+  command->add_option("--seed", options->seed, "Seed of the particles")->capture_default_str();
+  command->add_option("--out", options->out, "Run directory; a stamped one by default");
+  command->add_option("--json", options->json, "Write a report to this file, '-' for stdout");
+  command->add_flag("--headless", options->headless, "No progress line");
+  command->footer("Example: echomap localize tuesday.log --map monday");
+  command->callback([&action, options] { action = [options] { return run_localize(*options); }; });
+}
+
 void add_flash(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("flash", "Write the firmware to a board");
   const auto options = std::make_shared<FlashOptions>();
@@ -294,6 +320,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_explore(app, action);
   add_eval(app, action);
   add_replay(app, action);
+  add_localize(app, action);
   add_diff(app, action);
   add_flash(app, action);
   try {

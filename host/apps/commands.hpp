@@ -70,6 +70,19 @@ struct ReplayOptions {
 };
 ExitCode run_replay(const ReplayOptions& options);
 
+/// `echomap localize`: finds and follows the robot of a log in a map.
+struct LocalizeOptions {
+  std::filesystem::path log;
+  std::string format;         ///< Empty: what the log plainly says.
+  std::filesystem::path map;  ///< A run directory or the YAML file of a map.
+  std::vector<double> at;     ///< x and y in metres, heading in degrees; empty: anywhere.
+  std::uint32_t seed = 1;
+  std::filesystem::path out;
+  std::filesystem::path json;
+  bool headless = false;
+};
+ExitCode run_localize(const LocalizeOptions& options);
+
 /// `echomap diff`: what changed between two maps of one room.
 struct DiffOptions {
   std::filesystem::path before;   ///< Run directory.

@@ -41,7 +41,7 @@ const LayerRules rules{
     {"host/models", {"host/geometry", "host/sensors"}},
     {"host/mapping", {"host/geometry", "host/sensors", "host/models"}},
     {"host/localization", {"host/geometry", "host/models", "host/mapping"}},
-    {"host/pipeline", {"host/datasets", "host/mapping"}},
+    {"host/pipeline", {"host/datasets", "host/localization", "host/mapping"}},
     {"host/exploration", {"host/geometry", "host/sensors", "host/mapping", "host/pipeline"}},
     {"host/exports",
      {"host/files", "host/geometry", "host/sensors", "host/mapping", "host/pipeline"}},

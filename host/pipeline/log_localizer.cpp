@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/log_localizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::pipeline {
+
+namespace {
+
+models::BeamModelParams returns_of(const datasets::RangeScan& scan, double max_range_m) {
+  auto params = scan.is_light ? models::laser_returns() : models::sonar_cone_returns();
+  params.max_range_m = max_range_m;
+  return params;
+}
+
+time::RobotTime robot_time(double stamp_s) {
+  return time::RobotTime(time::RobotClock::duration(std::llround(stamp_s * 1e6)));
+}
+
+}  // namespace
+
+/// What the ranges of one kind of sensor need.
+struct LogLocalizer::Sensor {
+  Sensor(const mapping::RasterMap& map,
+         const datasets::RangeScan& scan,
+         const LogLocalizerParams& params,
+         std::mt19937 random)
+      : opening_rad(scan.beam_opening_rad),
+        max_range_m(scan.is_light ? std::min(scan.max_range_m, params.most_laser_range_m)
+                                  : scan.max_range_m),
+        table(map, {0.5 * scan.beam_opening_rad, max_range_m}),
+        likelihoods(table, models::BeamModel(returns_of(scan, max_range_m))),
+        localizer(table, likelihoods, params.localizer, random) {}
+
+  double opening_rad;
+  double max_range_m;
+  localization::RangeTable table;
+  localization::LikelihoodCodes likelihoods;
+  localization::MonteCarloLocalizer localizer;
+};
+
+LogLocalizer::LogLocalizer(mapping::RasterMap map,
+                           const LogLocalizerParams& params,
+                           std::mt19937 random)
+    : map_(std::move(map)), params_(params), random_(random) {
+  if (!(params.step_m > 0.0) || !(params.step_rad > 0.0) || params.most_readings == 0) {
+    throw std::invalid_argument(
+        "log localizer: steps are above 0, and at least one reading counts");
+  }
+}
+
+LogLocalizer::~LogLocalizer() = default;
+
+void LogLocalizer::start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad) {
+  start_ = {T_map_robot, std_m, std_rad};
+}
+
+void LogLocalizer::add(const datasets::LogRecord& record) {
+  if (const auto stamp = datasets::stamp_s(record)) {
+    stamp_s_ = stamp;
+  }
+  poses_.follow(record);
+  if (const auto* scan = std::get_if<datasets::RangeScan>(&record)) {
+    gather(*scan);
+    if (!gathered_.empty() && has_moved()) {
+      update();
+    }
+  }
+}
+
+void LogLocalizer::gather(const datasets::RangeScan& scan) {
+  ++scans_;
+  if (!sensor_) {
+    sensor_ = std::make_unique<Sensor>(map_, scan, params_, random_);
+    if (start_) {
+      sensor_->localizer.update(*poses_.T_map_robot(), {});
+      sensor_->localizer.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
+    }
+  }
+  if (scan.beam_opening_rad != sensor_->opening_rad) {
+    ++unused_scans_;
+    return;
+  }
+  const geometry::Pose2 T_odom_sensor = *poses_.T_map_robot() * scan.T_robot_sensor;
+  for (const datasets::Beam& beam : scan.beams) {
+    if (beam.range_m || !scan.is_light) {  // Light's silence says nothing.
+      gathered_.push_back(
+          {T_odom_sensor * geometry::Pose2(0.0, 0.0, beam.bearing_rad), beam.range_m});
+    }
+  }
+}
+
+bool LogLocalizer::has_moved() const {
+  if (!T_odom_updated_) {
+    return true;
+  }
+  const geometry::Pose2 step = T_odom_updated_->inverse() * *poses_.T_map_robot();
+  return step.position_m().norm() >= params_.step_m ||
+         std::abs(step.heading_rad()) >= params_.step_rad;
+}
+
+void LogLocalizer::update() {
+  const geometry::Pose2 T_odom_robot = *poses_.T_map_robot();
+  belief_ = sensor_->localizer.update(T_odom_robot, readings_from(T_odom_robot));
+  gathered_.clear();
+  T_odom_updated_ = T_odom_robot;
+  ++updates_;
+  if (stamp_s_ && !belief_.hypotheses.empty()) {
+    trajectory_.push_back({robot_time(*stamp_s_), belief_.hypotheses.front().T_map_robot});
+  }
+}
+
+std::vector<localization::RangeReading> LogLocalizer::readings_from(
+    const geometry::Pose2& T_odom_robot) {
+  const geometry::Pose2 T_robot_odom = T_odom_robot.inverse();
+  const std::size_t count = std::min(gathered_.size(), params_.most_readings);
+  std::vector<localization::RangeReading> readings;
+  for (std::size_t i = 0; i < count; ++i) {
+    const localization::RangeReading& reading = gathered_[i * gathered_.size() / count];
+    readings.push_back({T_robot_odom * reading.T_robot_sensor, reading.range_m});
+  }
+  return readings;
+}
+
+}  // namespace echomap::pipeline

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/log_localizer.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/ray_casting.hpp"
+#include "tests/support/believed_near.hpp"
+#include "tests/support/drawn_map.hpp"
+
+namespace echomap::pipeline {
+namespace {
+
+using geometry::Pose2;
+
+const mapping::RasterMap kRoom = tests::map_from({"########################################",
+                                                  "#......................................#",
+                                                  "#..........#####.......................#",
+                                                  "#..........#####.......................#",
+                                                  "#.............................#........#",
+                                                  "#.............................#........#",
+                                                  "#......................................#",
+                                                  "#....###...............................#",
+                                                  "#....###...............................#",
+                                                  "#......................................#",
+                                                  "#...................####################",
+                                                  "#......................................#",
+                                                  "#......................................#",
+                                                  "########################################"},
+                                                 0.1);
+
+/// A laser of 36 beams, 0.1 m before the middle of the robot.
+datasets::RangeScan scan_at(const Pose2& T_map_robot, double stamp_s) {
+  const mapping::DistanceField field(kRoom, 10.0);
+  const Pose2 T_robot_sensor(0.1, 0.0, 0.0);
+  const Pose2 T_map_sensor = T_map_robot * T_robot_sensor;
+  datasets::RangeScan scan;
+  scan.stamp_s = stamp_s;
+  scan.T_robot_sensor = T_robot_sensor;
+  scan.max_range_m = 10.0;
+  scan.is_light = true;
+  for (int i = 0; i < 36; ++i) {
+    const double bearing_rad = std::numbers::pi * (i / 18.0 - 1.0);
+    const Eigen::Vector2f way =
+        geometry::unit_vector(T_map_sensor.heading_rad() + bearing_rad).cast<float>();
+    float range_m = 0.0F;
+    mapping::cast_rays(field, T_map_sensor.position_m(), {&way, 1}, 10.0, {&range_m, 1});
+    scan.beams.push_back({bearing_rad, static_cast<double>(range_m)});
+  }
+  return scan;
+}
+
+/// Drives 1.2 m through the room; the odometry begins elsewhere. Returns where it ends.
+Pose2 drive(LogLocalizer& localizer) {
+  const Pose2 T_map_odom(0.6, 0.2, 0.4);
+  Pose2 T_map_robot(0.45, 0.95, 0.1);
+  for (int i = 0; i < 12; ++i) {
+    const double stamp_s = 0.5 * i;
+    localizer.add(datasets::OdometryPose{stamp_s, T_map_odom.inverse() * T_map_robot});
+    localizer.add(scan_at(T_map_robot, stamp_s));
+    T_map_robot = T_map_robot * Pose2(0.11, 0.0, 0.02);
+  }
+  return T_map_robot * Pose2(0.11, 0.0, 0.02).inverse();
+}
+
+TEST(LogLocalizer, FindsTheRobotOfALog) {
+  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  const Pose2 truth = drive(localizer);
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), truth, 0.1, 0.1));
+  EXPECT_EQ(localizer.scans(), 12U);
+  EXPECT_EQ(localizer.updates(), localizer.trajectory().size());
+  EXPECT_GE(localizer.updates(), 11U);
+}
+
+TEST(LogLocalizer, BeginsWhereItIsTold) {
+  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  localizer.start_at({0.45, 0.95, 0.1}, 0.05, 0.05);
+  localizer.add(scan_at({0.45, 0.95, 0.1}, 0.0));
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), {0.45, 0.95, 0.1}, 0.05, 0.05));
+  EXPECT_EQ(localizer.belief().status, localization::LocalizationStatus::kLocalized);
+}
+
+TEST(LogLocalizer, WaitsUntilTheRobotHasMoved) {
+  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  for (int i = 0; i < 5; ++i) {
+    localizer.add(scan_at({0.45, 0.95, 0.1}, 0.1 * i));
+  }
+  EXPECT_EQ(localizer.updates(), 1U);
+  EXPECT_EQ(localizer.scans(), 5U);
+}
+
+TEST(LogLocalizer, CountsScansOfAnotherSensor) {
+  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  localizer.add(scan_at({0.45, 0.95, 0.1}, 0.0));
+  datasets::RangeScan sonar = scan_at({0.45, 0.95, 0.1}, 0.1);
+  sonar.beam_opening_rad = 0.5;
+  localizer.add(sonar);
+  EXPECT_EQ(localizer.unused_scans(), 1U);
+}
+
+TEST(LogLocalizer, KnowsNothingWithoutRanges) {
+  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  localizer.add(datasets::OdometryPose{0.0, {}});
+  EXPECT_TRUE(localizer.belief().hypotheses.empty());
+  EXPECT_TRUE(localizer.trajectory().empty());
+}
+
+TEST(LogLocalizer, RefusesSettingsWithoutSense) {
+  LogLocalizerParams params;
+  params.step_m = 0.0;
+  EXPECT_THROW(LogLocalizer(kRoom, params, std::mt19937(1)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::pipeline
