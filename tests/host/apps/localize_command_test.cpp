@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/apps/commands.hpp"
+#include "host/exports/trajectory_tum.hpp"
+#include "host/files/atomic_file.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/thrown_text.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// The map that a log makes, and the same log once more.
+class LocalizeCommandTest : public ::testing::Test {
+ protected:
+  LocalizeCommandTest() {
+    ReplayOptions replay;
+    replay.log = fs::path(ECHOMAP_SOURCE_DIR) / "tests/data/small_room.clf";
+    replay.out = scratch_ / "map";
+    replay.headless = true;
+    run_replay(replay);
+    options_.log = replay.log;
+    options_.map = replay.out;
+    options_.out = scratch_ / "run";
+    options_.headless = true;
+  }
+  nlohmann::json summary() const {
+    return nlohmann::json::parse(files::read_text_file(options_.out / "summary.json"));
+  }
+  std::string error() {
+    return tests::thrown_text<std::runtime_error>([&] { run_localize(options_); });
+  }
+
+  tests::ScratchFolder scratch_;
+  LocalizeOptions options_;
+};
+
+TEST_F(LocalizeCommandTest, FollowsARobotThatBeginsWhereItIsTold) {
+  options_.at = {0.0, 0.0, 0.0};
+  ASSERT_EQ(run_localize(options_), ExitCode::kOk);
+  EXPECT_EQ(summary()["status"], "localized");
+  EXPECT_LT(summary()["lost_probability"], 0.1);
+  const auto found = exports::read_trajectory_tum(options_.out / "trajectory.tum").back();
+  const auto mapped = exports::read_trajectory_tum(options_.map / "trajectory.tum").back();
+  EXPECT_LT((found.T_map_robot.position_m() - mapped.T_map_robot.position_m()).norm(), 0.15);
+}
+
+TEST_F(LocalizeCommandTest, TakesAYamlFileForAMap) {
+  options_.map /= "map.yaml";
+  EXPECT_EQ(run_localize(options_), ExitCode::kOk);
+  EXPECT_FALSE(summary()["hypotheses"].empty());
+}
+
+TEST_F(LocalizeCommandTest, SaysWhatIsWrongWithItsInputs) {
+  files::write_text_file(scratch_ / "still.clf", "ODOM 0 0 0 0 0 0 1 here 1\n");
+  options_.log = scratch_ / "still.clf";
+  EXPECT_THAT(error(), HasSubstr("holds no ranges"));
+  options_.map = scratch_ / "nowhere.yaml";
+  EXPECT_THAT(error(), HasSubstr("nowhere.yaml"));
+}
+
+}  // namespace
+}  // namespace echomap::apps
