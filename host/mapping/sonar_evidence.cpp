@@ -243,7 +243,7 @@ void SonarEvidence::share_out(Arc& arc) const {
   for (ArcCell& on_arc : arc.cells) {
     const float not_free = std::exp(free_[on_arc.cell]);
     farthest = std::max(farthest, on_arc.reached);
-    likeliest = std::max(likeliest, not_free);
+    likeliest = std::max(likeliest, on_arc.reached * not_free);
     on_arc.share = on_arc.weight * on_arc.reached * not_free;
     whole += on_arc.share;
   }
