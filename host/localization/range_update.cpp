@@ -87,10 +87,29 @@ void find_stands(const float* __restrict x_m,
   return sum;
 }
 
+/// Calls visit(place, first particle, stands, count) for stretches of particles and each place of a
+/// sensor on the robot.
 template <typename Visit>
-void for_chunks(ParticleRange range, const Visit& visit) {
+void for_stands(const RangeTable& table,
+                const CodedReadings& readings,
+                ParticleRange range,
+                const Particles& particles,
+                const Visit& visit) {
+  const Layout layout = layout_of(table);
+  Stands stands;
   for (std::size_t begin = range.begin; begin < range.end; begin += Stands::kMost) {
-    visit(begin, std::min(Stands::kMost, range.end - begin));
+    const std::size_t count = std::min(Stands::kMost, range.end - begin);
+    for (const CodedReadings::Place& place : readings.places()) {
+      find_stands(&particles.x_m[begin],
+                  &particles.y_m[begin],
+                  &particles.heading_rad[begin],
+                  count,
+                  place.ahead_m,
+                  place.left_m,
+                  layout,
+                  stands);
+      visit(place, begin, stands, count);
+    }
   }
 }
 
@@ -133,47 +152,38 @@ void weigh(const RangeTable& table,
            float temper,
            ParticleRange range,
            Particles& particles) {
-  const Layout layout = layout_of(table);
   const float scale = temper / LikelihoodCodes::kPerNat;
-  Stands stands;
-  for_chunks(range, [&](std::size_t begin, std::size_t count) {
-    for (const CodedReadings::Place& place : readings.places()) {
-      find_stands(&particles.x_m[begin],
-                  &particles.y_m[begin],
-                  &particles.heading_rad[begin],
-                  count,
-                  place.ahead_m,
-                  place.left_m,
-                  layout,
-                  stands);
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::uint8_t* codes = table.tiles()[stands.tile[i]]->data() + stands.codes[i];
-        const std::int32_t sum =
-            sum_of_beams(codes, stands.heading[i], place.beams.data(), place.beams.size());
-        particles.log_weight[begin + i] += scale * static_cast<float>(sum);
-      }
-    }
-  });
+  for_stands(table,
+             readings,
+             range,
+             particles,
+             [&](const CodedReadings::Place& place,
+                 std::size_t begin,
+                 const Stands& stands,
+                 std::size_t count) {
+               for (std::size_t i = 0; i < count; ++i) {
+                 const std::uint8_t* codes =
+                     table.tiles()[stands.tile[i]]->data() + stands.codes[i];
+                 const std::int32_t sum =
+                     sum_of_beams(codes, stands.heading[i], place.beams.data(), place.beams.size());
+                 particles.log_weight[begin + i] += scale * static_cast<float>(sum);
+               }
+             });
 }
 
 void fill_under(const Particles& particles, const CodedReadings& readings, RangeTable& table) {
-  const Layout layout = layout_of(table);
-  Stands stands;
-  for_chunks({0, particles.size()}, [&](std::size_t begin, std::size_t count) {
-    for (const CodedReadings::Place& place : readings.places()) {
-      find_stands(&particles.x_m[begin],
-                  &particles.y_m[begin],
-                  &particles.heading_rad[begin],
-                  count,
-                  place.ahead_m,
-                  place.left_m,
-                  layout,
-                  stands);
-      for (std::size_t i = 0; i < count; ++i) {
-        table.fill_tile(stands.tile[i]);
-      }
-    }
-  });
+  for_stands(table,
+             readings,
+             {0, particles.size()},
+             particles,
+             [&](const CodedReadings::Place& /*place*/,
+                 std::size_t /*begin*/,
+                 const Stands& stands,
+                 std::size_t count) {
+               for (std::size_t i = 0; i < count; ++i) {
+                 table.fill_tile(stands.tile[i]);
+               }
+             });
 }
 
 }  // namespace echomap::localization
