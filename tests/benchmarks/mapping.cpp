@@ -112,6 +112,7 @@ int main(int argc, char** argv) {
   app.add_option("--stops", stops, "Stop there at the latest")->capture_default_str();
   app.add_option("--repetitions", repetitions, "Median of so many")->capture_default_str();
   app.add_option("--sonar-seeds", sonar_seeds, "Of the sonars' noise; a minute and more each")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--json", json, "Write the figures to this file");
   CLI11_PARSE(app, argc, argv);
