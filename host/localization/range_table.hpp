@@ -28,7 +28,7 @@ struct RangeTableParams {
 /// What a range sensor is to expect in each free cell of a map for each of 128 headings, as a byte:
 /// the range of the nearest thing in its cone, seen from the middle of the cell. Thin rays are
 /// cast, and a cone is the least of those within it. A hypothesis then costs a look-up a reading,
-/// however many obstacles there are (Fox, Burgard and Thrun 1999, section 3.2).
+/// however many obstacles there are (Fox, Burgard and Thrun 1999).
 ///
 /// Cells lie in tiles of 16 x 16, 32 KB each, which are filled when they are first asked for: a
 /// robot that knows where it is pays for its surroundings only. A ring of cells without floor
@@ -46,7 +46,6 @@ class RangeTable {
   /// Throws std::invalid_argument for parameters outside of their ranges.
   RangeTable(const mapping::RasterMap& map, const RangeTableParams& params);
 
-  const RangeTableParams& params() const { return params_; }
   double resolution_m() const { return map_.resolution_m(); }
   /// With the ring: all cells are within [0, columns) x [0, rows).
   const Eigen::Vector2d& origin_m() const { return map_.origin_m(); }
