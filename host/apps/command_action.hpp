@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "host/apps/exit_code.hpp"
+
+namespace echomap::apps {
+
+/// What a sub-command does once its arguments are understood; empty where there is none.
+using CommandAction = std::function<ExitCode()>;
+
+}  // namespace echomap::apps

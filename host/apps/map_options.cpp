@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/map_options.hpp"
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "host/apps/commands.hpp"
+#include "host/datasets/open_log.hpp"
+
+namespace echomap::apps {
+namespace {
+
+/// What every command has that reads a log and writes a run directory.
+template <typename Options>
+void add_log_options(CLI::App* command, Options& options) {
+  command->add_option("log", options.log, "File of the log, plain or gz, or a run directory")
+      ->required()
+      ->check(CLI::ExistingPath);
+  command
+      ->add_option(
+          "--format", options.format, "Format of the log; not needed where the log says it")
+      ->check([](const std::string& name) { return datasets::unknown_format(name); });
+  command->add_option("--out", options.out, "Run directory; a stamped one by default");
+  command->add_option("--json", options.json, "Write a report to this file, '-' for stdout");
+  command->add_flag("--headless", options.headless, "No progress line");
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app, CommandAction& action) {
+  CLI::App* command = app.add_subcommand("eval", "Score a run against what is known to be true");
+  const auto options = std::make_shared<EvalOptions>();
+  command->add_option("run", options->run, "Run directory")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  CLI::Option* truth =
+      command->add_option("--truth", options->truth, "Directory that the simulated robot wrote")
+          ->check(CLI::ExistingDirectory);
+  const CLI::Option* relations =
+      command
+          ->add_option("--relations",
+                       options->relations,
+                       "Known ways between records, lines 'from to dx dy dtheta': rows of "
+                       "trajectory.tum from 0, metres, radians")
+          ->check(CLI::ExistingFile);
+  command
+      ->add_option("--picture",
+                   options->picture,
+                   "Draw the map on the truth, its errors coloured, to this PNG file")
+      ->needs(truth);
+  command->add_option("--json", options->json, "Write the scores to this file, '-' for stdout");
+  command->footer("Example: echomap eval first_map --truth first_map/truth --json -");
+  command->callback([&action, options, truth, relations] {
+    if (truth->count() == 0 && relations->count() == 0) {
+      throw CLI::RequiredError("--truth or --relations");
+    }
+    action = [options] { return run_eval(*options); };
+  });
+}
+
+void add_diff(CLI::App& app, CommandAction& action) {
+  CLI::App* command = app.add_subcommand("diff", "Say what changed between two maps of one room");
+  const auto options = std::make_shared<DiffOptions>();
+  command->add_option("before", options->before, "Run directory")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("after", options->after, "Run directory of a later run")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--picture", options->picture, "Draw the changes to this PNG file");
+  command->add_option("--json", options->json, "Write the changes to this file, '-' for stdout");
+  command->footer("Example: echomap diff monday tuesday --picture changes.png");
+  command->callback([&action, options] { action = [options] { return run_diff(*options); }; });
+}
+
+void add_replay(CLI::App& app, CommandAction& action) {
+  CLI::App* command = app.add_subcommand("replay", "Make a map of a robot's log");
+  const auto options = std::make_shared<ReplayOptions>();
+  add_log_options(command, *options);
+  command
+      ->add_option("--map",
+                   options->map,
+                   "What to make: an occupancy grid, the points of all echoes, or the polygon "
+                   "around the floor")
+      ->check(CLI::IsMember({"grid", "points", "polygon"}))
+      ->capture_default_str();
+  command
+      ->add_option("--poses",
+                   options->poses,
+                   "Where scans were taken: by the robot's odometry, or by the poses that the log "
+                   "gives as corrected or true")
+      ->check(CLI::IsMember({"odometry", "given"}))
+      ->capture_default_str();
+  command->add_option("--resolution", options->resolution_m, "Edge of a cell in metres")
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str();
+  command->footer("Example: echomap replay aces.log.gz --poses given --out aces");
+  command->callback([&action, options] { action = [options] { return run_replay(*options); }; });
+}
+
+void add_localize(CLI::App& app, CommandAction& action) {
+  CLI::App* command = app.add_subcommand("localize", "Find and follow the robot of a log in a map");
+  const auto options = std::make_shared<LocalizeOptions>();
+  add_log_options(command, *options);
+  command->add_option("--map", options->map, "Run directory, or YAML file of a ROS map")
+      ->required()
+      ->check(CLI::ExistingPath);
+  command
+      ->add_option("--at",
+                   options->at,
+                   "Where it starts: x and y in metres, heading in degrees; anywhere by default")
+      ->expected(3);
+  command->add_option("--seed", options->seed, "Seed of the particles")->capture_default_str();
+  command->footer("Example: echomap localize tuesday.log --map monday");
+  command->callback([&action, options] { action = [options] { return run_localize(*options); }; });
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "host/apps/command_action.hpp"
+
+namespace echomap::apps {
+
+/// Each adds a sub-command that works on maps and logs; where it is parsed, `action` becomes what
+/// it is to do.
+void add_eval(CLI::App& app, CommandAction& action);
+void add_diff(CLI::App& app, CommandAction& action);
+void add_replay(CLI::App& app, CommandAction& action);
+void add_localize(CLI::App& app, CommandAction& action);
+
+}  // namespace echomap::apps

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/robot_options.hpp"
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/flash_boards.hpp"
+
+namespace echomap::apps {
+namespace {
+
+/// Where the grid of one stop begins to take a second (docs/algorithms/sonar_grid.md).
+constexpr std::size_t kMostStops = 100;
+
+/// In seconds: the robot's stamps of 32 bits tell absences of up to 35.8 minutes apart.
+constexpr double kLongestAbsenceS = 1800.0;
+
+void add_run_options(CLI::App& command, RunOptions& run) {
+  command.add_option("--robot", run.robot, "Profile of the robot: a bundled name or a TOML file")
+      ->capture_default_str();
+  command.add_option("--strategy", run.strategy, "How to explore")
+      ->check(CLI::IsMember({"nxt-farthest"}))
+      ->capture_default_str();
+  command.add_option("--stops", run.stops, "End after this many stops at the latest")
+      ->check(CLI::Range(std::size_t{1}, kMostStops))
+      ->capture_default_str();
+  command.add_option("--seed", run.seed, "Seed of every random choice")->capture_default_str();
+  command.add_option("--out", run.out, "Run directory; a stamped one by default");
+  command.add_option("--json", run.json, "Write a report to this file, '-' for stdout");
+  command.add_flag("--headless", run.headless, "No progress line");
+}
+
+/// A board names its emulator; where both are named they have to fit.
+void choose_emulator(DemoOptions& options, bool emulator_is_named) {
+  if (options.board.empty()) {
+    return;
+  }
+  const std::string fitting = options.board == "stm32f103" ? "unicorn" : "simavr";
+  if (emulator_is_named && options.emulator != fitting) {
+    throw CLI::ValidationError(
+        "--board", options.board + " is emulated by " + fitting + ", not by " + options.emulator);
+  }
+  options.emulator = fitting;
+}
+
+}  // namespace
+
+void add_explore(CLI::App& app, CommandAction& action) {
+  CLI::App* command = app.add_subcommand("explore", "Drive a robot through its room and map it");
+  const auto options = std::make_shared<ExploreOptions>();
+  command->add_option(
+      "--port",
+      options->ports,
+      "Serial device, pty, tcp://HOST:PORT, bt://ADDRESS or id:TEXT of a USB port. "
+      "Of several, or of all ports where none is named, the one robot that answers");
+  command->add_option("--baud", options->baud, "Speed of a serial device")
+      ->check(CLI::IsMember({9600, 57600, 115200, 250000, 500000}))
+      ->capture_default_str();
+  command
+      ->add_option("--reconnect",
+                   options->reconnect_s,
+                   "Wait so many seconds for a robot that was unplugged or reset")
+      ->check(CLI::Range(0.0, kLongestAbsenceS))
+      ->capture_default_str();
+  command->add_flag("--no-reset",
+                    options->no_reset,
+                    "Join a robot that runs, and end where opening its port has reset it: the "
+                    "kernel raises DTR when a port is first opened after plugging in, or after a "
+                    "program that dropped it, and that resets most Arduinos; it stays up from "
+                    "then on");
+  command->add_option("--lockstep", options->lockstep, "Socket of a simulated robot's clock");
+  add_run_options(*command, options->run);
+  command->footer("Example: echomap explore --port /dev/ttyACM0 --robot uno_2wd --out kitchen");
+  command->callback([&action, options] { action = [options] { return run_explore(*options); }; });
+}
+
+void add_demo(CLI::App& app, CommandAction& action) {
+  CLI::App* command =
+      app.add_subcommand("demo", "Watch an emulated robot map a room, and see it scored");
+  const auto options = std::make_shared<DemoOptions>();
+  command->add_option("--world", options->world, "Room: a bundled name or a TOML file")
+      ->capture_default_str();
+  const CLI::Option* emulator =
+      command
+          ->add_option("--emulator",
+                       options->emulator,
+                       "simavr and unicorn run the binary that a user flashes, of an AVR board and "
+                       "of an STM32, mock the same code natively")
+          ->check(CLI::IsMember({"simavr", "unicorn", "mock"}))
+          ->capture_default_str();
+  command
+      ->add_option("--board",
+                   options->board,
+                   "The board that is emulated: uno or mega by simavr, stm32f103 by unicorn")
+      ->check(CLI::IsMember({"uno", "mega", "stm32f103"}));
+  command
+      ->add_option("--line",
+                   options->line,
+                   "What carries the bytes: nothing between, or a model of a line's delays")
+      ->check(CLI::IsMember({"direct", "usb", "ftdi", "bluetooth"}))
+      ->capture_default_str();
+  command->add_option("--faults",
+                      options->faults,
+                      "Faults of the line, as in loss=0.01: see echomap-simavr --help");
+  command->add_option(
+      "--body",
+      options->body,
+      "What is true of the robot, where --robot is what the host believes: a bundled "
+      "name or a TOML file; by default the name in the profile");
+  add_run_options(*command, options->run);
+  command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
+  command->callback([&action, options, emulator] {
+    choose_emulator(*options, emulator->count() > 0);
+    action = [options] { return run_demo(*options); };
+  });
+}
+
+void add_flash(CLI::App& app, CommandAction& action) {
+  CLI::App* command = app.add_subcommand("flash", "Write the firmware to a board");
+  const auto options = std::make_shared<FlashOptions>();
+  command->add_option("--board", options->board, "Which board; by default what its USB id says")
+      ->check(CLI::IsMember(flash_board_names()));
+  command
+      ->add_option("--port",
+                   options->port,
+                   "Serial device, or id:TEXT of a USB port or ST-Link; by default the one board "
+                   "here that its USB id gives away")
+      ->envname("ECHOMAP_PORT");
+  command->add_option(
+      "--image", options->image, "Intel hex file; by default the one of this build");
+  command->add_flag("--dry-run", options->dry_run, "Only print the commands");
+  command->footer("Example: echomap flash --board nano --port /dev/ttyUSB0");
+  command->callback([&action, options] { action = [options] { return run_flash(*options); }; });
+}
+
+}  // namespace echomap::apps
