@@ -30,10 +30,11 @@ struct SinCos {
   const float rest = (angle_rad - count * kQuarterHigh) - count * kQuarterLow;
   const float square = rest * rest;
   const float sine =
-      rest * (1.0F + square * (-1.0F / 6.0F + square * (1.0F / 120.0F - square / 5040.0F)));
+      rest *
+      (1.0F + square * (-1.0F / 6.0F + square * (1.0F / 120.0F - square * (1.0F / 5040.0F))));
   const float cosine =
-      1.0F +
-      square * (-0.5F + square * (1.0F / 24.0F + square * (-1.0F / 720.0F + square / 40320.0F)));
+      1.0F + square * (-0.5F + square * (1.0F / 24.0F +
+                                         square * (-1.0F / 720.0F + square * (1.0F / 40320.0F))));
   const bool is_odd = (quarter & 1) != 0;
   const float sin = is_odd ? cosine : sine;
   const float cos = is_odd ? sine : cosine;
@@ -56,10 +57,10 @@ struct SinCos {
   const float rest = (doublings - static_cast<float>(whole)) * kLn2;
   const float series =
       1.0F +
-      rest *
-          (1.0F +
-           rest * (0.5F + rest * (1.0F / 6.0F +
-                                  rest * (1.0F / 24.0F + rest * (1.0F / 120.0F + rest / 720.0F)))));
+      rest * (1.0F +
+              rest * (0.5F + rest * (1.0F / 6.0F +
+                                     rest * (1.0F / 24.0F +
+                                             rest * (1.0F / 120.0F + rest * (1.0F / 720.0F))))));
   const float value = std::bit_cast<float>((whole + 127) << 23) * series;
   return power < -87.0F ? 0.0F : value;
 }

@@ -35,12 +35,53 @@ struct Stretch {
   alignas(64) std::array<float, kMost> sum;
 };
 
+/// So many particles are looked up side by side.
+constexpr std::size_t kAbreast = 4;
+
+/// Where a few beams end, as numbers of cells.
+struct Cells {
+  static constexpr std::size_t kBeams = 8;
+  alignas(64) std::array<std::array<std::int32_t, Stretch::kMost>, kBeams> of_beam;
+};
+
 [[gnu::always_inline]] inline std::int32_t cell_of(float cells, float last) {
   const float above = cells > 0.0F ? cells : 0.0F;
   return static_cast<std::int32_t>(above < last ? above : last);
 }
 
-ECHOMAP_AVX2_CLONES
+[[gnu::always_inline]] inline void find_cells(const FieldView& view,
+                                              std::span<const End> ends,
+                                              std::size_t count,
+                                              const Stretch& stretch,
+                                              Cells& cells) {
+  for (std::size_t beam = 0; beam < ends.size(); ++beam) {
+    const End end = ends[beam];
+    for (std::size_t i = 0; i < count; ++i) {
+      const float x = stretch.x[i] + end.ahead * stretch.cos[i] - end.left * stretch.sin[i];
+      const float y = stretch.y[i] + end.ahead * stretch.sin[i] + end.left * stretch.cos[i];
+      cells.of_beam[beam][i] =
+          cell_of(y, view.last_row) * view.columns + cell_of(x, view.last_column);
+    }
+  }
+}
+
+/// Loads one by one, for four particles side by side: gathering by vectors takes twice as long.
+[[gnu::always_inline]] inline void add_cells(
+    const float* logs, std::size_t beams, std::size_t count, const Cells& cells, Stretch& stretch) {
+  for (std::size_t i = 0; i < count; i += kAbreast) {
+    std::array<float, kAbreast> sums{};
+    for (std::size_t beam = 0; beam < beams; ++beam) {
+      for (std::size_t k = 0; k < kAbreast; ++k) {
+        sums[k] += logs[cells.of_beam[beam][i + k]];
+      }
+    }
+    for (std::size_t k = 0; k < kAbreast; ++k) {
+      stretch.sum[i + k] += sums[k];
+    }
+  }
+}
+
+ECHOMAP_VECTOR_CLONES
 void sum_up(const FieldView view,
             const float* __restrict x_m,
             const float* __restrict y_m,
@@ -56,14 +97,13 @@ void sum_up(const FieldView view,
     stretch.sin[i] = way.sin;
     stretch.sum[i] = 0.0F;
   }
-  for (const End end : ends) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const float x = stretch.x[i] + end.ahead * stretch.cos[i] - end.left * stretch.sin[i];
-      const float y = stretch.y[i] + end.ahead * stretch.sin[i] + end.left * stretch.cos[i];
-      const std::int32_t cell =
-          cell_of(y, view.last_row) * view.columns + cell_of(x, view.last_column);
-      stretch.sum[i] += view.logs[cell];
-    }
+  // What is beyond `count` holds another stretch's poses.
+  const std::size_t padded = (count + kAbreast - 1) / kAbreast * kAbreast;
+  Cells cells;
+  for (std::size_t begin = 0; begin < ends.size(); begin += Cells::kBeams) {
+    const auto some = ends.subspan(begin, std::min(Cells::kBeams, ends.size() - begin));
+    find_cells(view, some, padded, stretch, cells);
+    add_cells(view.logs, some.size(), padded, cells, stretch);
   }
 }
 
@@ -122,7 +162,7 @@ void LikelihoodField::weigh(std::span<const RangeReading> readings,
                        static_cast<float>(columns_) - 0.5F,
                        static_cast<float>(rows_) - 0.5F,
                        columns_};
-  Stretch stretch;
+  Stretch stretch{};
   for (std::size_t begin = range.begin; begin < range.end; begin += Stretch::kMost) {
     const std::size_t count = std::min(Stretch::kMost, range.end - begin);
     sum_up(view,

@@ -13,7 +13,7 @@ struct Motion {
 };
 
 /// Four random words a particle, by their numbers.
-ECHOMAP_AVX2_CLONES
+ECHOMAP_VECTOR_CLONES
 void move_all(float* __restrict x_m,
               float* __restrict y_m,
               float* __restrict heading_rad,
