@@ -62,7 +62,9 @@ struct SinCos {
                                      rest * (1.0F / 24.0F +
                                              rest * (1.0F / 120.0F + rest * (1.0F / 720.0F))))));
   const float value = std::bit_cast<float>((whole + 127) << 23) * series;
-  return power < -87.0F ? 0.0F : value;
+  // A choice between numbers would become a branch.
+  const std::int32_t kept_bits = power < -87.0F ? 0 : -1;
+  return std::bit_cast<float>(std::bit_cast<std::int32_t>(value) & kept_bits);
 }
 
 /// The natural logarithm of a number above 0 that is not denormal, right to 2e-6.

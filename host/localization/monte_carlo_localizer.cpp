@@ -32,9 +32,10 @@ MonteCarloLocalizer::MonteCarloLocalizer(RangeTable& table,
     : table_(table),
       likelihoods_(likelihoods),
       params_(checked(params)),
+      workers_(params.threads),
       motion_(params.motion),
-      here_(params.filter, random),
-      elsewhere_(params.filter, branch_of(random)),
+      here_(params.filter, random, workers_),
+      elsewhere_(params.filter, branch_of(random), workers_),
       loss_(params.loss) {}
 
 void MonteCarloLocalizer::start_at(const geometry::Pose2& T_map_robot,
@@ -113,19 +114,18 @@ double MonteCarloLocalizer::look_everywhere(const CodedReadings& readings, Parti
   if (lattice_.size() == 0) {
     lattice_ = floor_lattice(table_, params_.lattice_m, params_.lattice_rad);
   }
-  fill_under(lattice_, readings, table_);
+  fill_under(lattice_, readings, table_, workers_);
   std::fill(lattice_.log_weight.begin(), lattice_.log_weight.end(), 0.0F);
-  weigh(
-      table_, readings, static_cast<float>(params_.filter.temper), {0, lattice_.size()}, lattice_);
+  share_blocks(workers_, lattice_.size(), [&](ParticleRange range, std::size_t) {
+    weigh(table_, readings, static_cast<float>(params_.filter.temper), range, lattice_);
+  });
   const double root_12 = std::sqrt(12.0);  // The deviation of an even spread.
-  filter.start_from(lattice_, params_.lattice_m / root_12, params_.lattice_rad / root_12);
-  return log_total_weight(lattice_) -
+  return filter.start_from(lattice_, params_.lattice_m / root_12, params_.lattice_rad / root_12) -
          std::log(static_cast<double>(std::max<std::size_t>(1, lattice_.size())));
 }
 
 void MonteCarloLocalizer::believe() {
-  relative_weights(here_.particles(), weights_);
-  belief_.hypotheses = find_hypotheses(here_.particles(), weights_);
+  belief_.hypotheses = find_hypotheses(here_.particles(), here_.weights(), {}, workers_);
   if (belief_.hypotheses.empty()) {
     belief_.lost_probability = 1.0;
     belief_.status = LocalizationStatus::kRecovering;

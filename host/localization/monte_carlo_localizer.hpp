@@ -48,6 +48,8 @@ struct LocalizerParams {
   /// And localized below this one, where the first hypothesis is also narrower than that.
   double localized_below = 0.1;
   double localized_std_m = 0.25;
+  /// Threads that share the work; the belief is the same for any number.
+  int threads = 1;
 };
 
 /// Monte-Carlo localization (Dellaert et al. 1999) with a table of expected ranges that looks for a
@@ -89,6 +91,7 @@ class MonteCarloLocalizer {
   RangeTable& table_;
   const LikelihoodCodes& likelihoods_;
   LocalizerParams params_;
+  Workers workers_;
   models::OdometryMotion motion_;
   Particles lattice_;         ///< Made when it is first needed.
   ParticleFilter here_;       ///< Empty while nothing is known.
@@ -97,7 +100,6 @@ class MonteCarloLocalizer {
   bool gave_up_ = false;  ///< At this update.
   LossMonitor loss_;
   std::optional<geometry::Pose2> T_odom_last_;
-  std::vector<float> weights_;
   PoseBelief belief_;
 };
 

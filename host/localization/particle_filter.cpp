@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -49,8 +48,15 @@ void add_to_all(float term, std::vector<float>& values) {
 
 }  // namespace
 
-ParticleFilter::ParticleFilter(const ParticleFilterParams& params, std::mt19937 random)
-    : params_(checked(params)), random_(random) {}
+ParticleFilter::ParticleFilter(const ParticleFilterParams& params,
+                               std::mt19937 random,
+                               Workers workers)
+    : params_(checked(params)), random_(random), workers_(std::move(workers)) {}
+
+void ParticleFilter::clear() {
+  particles_.resize(0);
+  take_equal_weights();
+}
 
 void ParticleFilter::start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad) {
   particles_.resize(params_.most_particles);
@@ -58,41 +64,46 @@ void ParticleFilter::start_at(const geometry::Pose2& T_map_robot, double std_m, 
     particles_.set_pose(i, T_map_robot);
   }
   std::fill(particles_.log_weight.begin(), particles_.log_weight.end(), 0.0F);
+  take_equal_weights();
   scatter(std_m, std_rad);
 }
 
-void ParticleFilter::start_from(const Particles& weighed, double std_m, double std_rad) {
+double ParticleFilter::start_from(const Particles& weighed, double std_m, double std_rad) {
   if (weighed.size() == 0) {
     clear();
-    return;
+    return 0.0;
   }
-  relative_weights(weighed, weights_);
+  const WeightSums sums = relative_weights(weighed, weights_, workers_);
   draw(weighed, params_.most_particles);
   scatter(std_m, std_rad);
+  return sums.log_total();
 }
 
 void ParticleFilter::move(const models::OdometryStep& step, const models::MotionSpread& spread) {
-  localization::move(particles_, {0, particles_.size()}, step, spread, key_of(random_));
+  const RandomKey key = key_of(random_);
+  share_blocks(workers_, particles_.size(), [&](ParticleRange range, std::size_t) {
+    localization::move(particles_, range, step, spread, key);
+  });
 }
 
 double ParticleFilter::weigh(const CodedReadings& readings, RangeTable& table) {
-  const double before = log_total_weight(particles_);
-  fill_under(particles_, readings, table);
-  localization::weigh(
-      table, readings, static_cast<float>(params_.temper), {0, particles_.size()}, particles_);
-  return log_total_weight(particles_) - before;
+  const double before = sums_.log_total();
+  fill_under(particles_, readings, table, workers_);
+  share_blocks(workers_, particles_.size(), [&](ParticleRange range, std::size_t) {
+    localization::weigh(table, readings, static_cast<float>(params_.temper), range, particles_);
+  });
+  sums_ = relative_weights(particles_, weights_, workers_);
+  return sums_.log_total() - before;
 }
 
 void ParticleFilter::resample_where_few_count() {
-  relative_weights(particles_, weights_);
   const auto count = static_cast<double>(particles_.size());
-  if (effective_count(weights_) >= params_.resampling_share * count) {
+  if (sums_.effective_count() >= params_.resampling_share * count) {
     return;
   }
   draw(particles_, particles_.size());
   const std::size_t wanted = wanted_count();
   if (wanted < particles_.size()) {
-    weights_.assign(particles_.size(), 1.0F);
     draw(particles_, wanted);
   }
   scatter(params_.spread_m, params_.spread_rad);
@@ -100,31 +111,40 @@ void ParticleFilter::resample_where_few_count() {
 
 void ParticleFilter::join(const ParticleFilter& other, double share) {
   Particles others = other.particles_;
-  add_to_all(static_cast<float>(std::log(1.0 - share) - log_total_weight(particles_)),
-             particles_.log_weight);
-  add_to_all(static_cast<float>(std::log(share) - log_total_weight(others)), others.log_weight);
+  add_to_all(static_cast<float>(std::log(1.0 - share) - sums_.log_total()), particles_.log_weight);
+  add_to_all(static_cast<float>(std::log(share) - other.sums_.log_total()), others.log_weight);
   append(others.x_m, particles_.x_m);
   append(others.y_m, particles_.y_m);
   append(others.heading_rad, particles_.heading_rad);
   append(others.log_weight, particles_.log_weight);
-  relative_weights(particles_, weights_);
+  relative_weights(particles_, weights_, workers_);
   draw(particles_, std::min(particles_.size(), params_.most_particles));
   scatter(params_.spread_m, params_.spread_rad);
 }
 
-/// By `weights_`.
+void ParticleFilter::take_equal_weights() {
+  const auto count = static_cast<double>(particles_.size());
+  weights_.assign(particles_.size(), 1.0F);
+  sums_ = {0.0, count, count};
+}
+
+/// By `weights_`, which are equal then.
 void ParticleFilter::draw(const Particles& from, std::size_t count) {
-  draw_ancestors(weights_, count, params_.scheme, random_, ancestors_);
-  take_ancestors(from, ancestors_, spare_);
+  draw_ancestors(weights_, count, params_.scheme, random_, ancestors_, workers_);
+  take_ancestors(from, ancestors_, spare_, workers_);
   std::swap(particles_, spare_);
+  take_equal_weights();
 }
 
 std::size_t ParticleFilter::wanted_count() const {
   PoseBins bins(kSampleBins);
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    bins.insert(bins.bin_at(particles_.x_m[i],
-                            particles_.y_m[i],
-                            static_cast<double>(particles_.heading_rad[i]) + std::numbers::pi));
+  BinnedStretch stretch;
+  for (std::size_t begin = 0; begin < particles_.size(); begin += BinnedStretch::kMost) {
+    const std::size_t count = std::min(BinnedStretch::kMost, particles_.size() - begin);
+    bins.locate(particles_, {begin, begin + count}, stretch);
+    for (std::size_t i = 0; i < count; ++i) {
+      bins.insert(stretch.bin(i));
+    }
   }
   return std::clamp(kld_sample_size(bins.size(), params_.sample_error),
                     params_.least_particles,
@@ -133,19 +153,6 @@ std::size_t ParticleFilter::wanted_count() const {
 
 void ParticleFilter::scatter(double std_m, double std_rad) {
   move({}, {std_rad, std_m, 0.0, std_m});
-}
-
-double log_total_weight(const Particles& particles) {
-  if (particles.size() == 0) {
-    return 0.0;
-  }
-  const float greatest =
-      *std::max_element(particles.log_weight.begin(), particles.log_weight.end());
-  double sum = 0.0;
-  for (const float log_weight : particles.log_weight) {
-    sum += static_cast<double>(exp_of_negative(log_weight - greatest));
-  }
-  return static_cast<double>(greatest) + std::log(sum);
 }
 
 }  // namespace echomap::localization

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "host/localization/particles.hpp"
 #include "host/localization/range_update.hpp"
 #include "host/localization/resampling.hpp"
+#include "host/localization/workers.hpp"
 #include "host/models/odometry_motion.hpp"
 
 namespace echomap::localization {
@@ -33,17 +35,23 @@ struct ParticleFilterParams {
 /// needs. Without any it is anywhere.
 class ParticleFilter {
  public:
-  /// Throws std::invalid_argument for settings without sense. The generator is the caller's seed.
-  ParticleFilter(const ParticleFilterParams& params, std::mt19937 random);
+  /// Throws std::invalid_argument for settings without sense. The generator is the caller's seed;
+  /// results are the same for any number of workers.
+  ParticleFilter(const ParticleFilterParams& params,
+                 std::mt19937 random,
+                 Workers workers = Workers());
 
   const Particles& particles() const { return particles_; }
+  /// Of the particles, relative to the greatest.
+  std::span<const float> weights() const { return weights_; }
   bool empty() const { return particles_.size() == 0; }
-  void clear() { particles_.resize(0); }
+  void clear();
 
   /// Around a pose, with standard deviations of place and heading.
   void start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad);
-  /// Draws particles from weighed poses, each spread by so much.
-  void start_from(const Particles& weighed, double std_m, double std_rad);
+  /// Draws particles from weighed poses, each spread by so much; returns the logarithm of the sum
+  /// of those poses' weights, 0 for none.
+  double start_from(const Particles& weighed, double std_m, double std_rad);
 
   void move(const models::OdometryStep& step, const models::MotionSpread& spread);
   /// Weighs the particles by readings; returns the logarithm of their mean likelihood, tempered,
@@ -54,19 +62,19 @@ class ParticleFilter {
   void join(const ParticleFilter& other, double share);
 
  private:
+  void take_equal_weights();
   void draw(const Particles& from, std::size_t count);
   std::size_t wanted_count() const;
   void scatter(double std_m, double std_rad);
 
   ParticleFilterParams params_;
   std::mt19937 random_;
+  Workers workers_;
   Particles particles_;
   Particles spare_;
   std::vector<float> weights_;
+  WeightSums sums_;  ///< Of the weights.
   std::vector<std::uint32_t> ancestors_;
 };
-
-/// The logarithm of the sum of the particles' weights; 0 for no particles.
-double log_total_weight(const Particles& particles);
 
 }  // namespace echomap::localization

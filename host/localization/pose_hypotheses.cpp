@@ -2,10 +2,9 @@
 #include "host/localization/pose_hypotheses.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
-#include <numbers>
 #include <numeric>
 
 #include "host/geometry/angle.hpp"
@@ -15,97 +14,124 @@ namespace echomap::localization {
 
 namespace {
 
-/// Weight, and weighted sums of poses and their products, as seen from a bin's middle.
+/// Weighted sums of the products of (1, x, y, heading) with each other, row by row: a weight, a sum
+/// and second moments. In bins, as seen from a bin's middle.
 struct Moments {
-  double weight = 0.0;
-  double x = 0.0, y = 0.0, h = 0.0;
-  double xx = 0.0, xy = 0.0, yy = 0.0, xh = 0.0, yh = 0.0, hh = 0.0;
+  alignas(64) std::array<double, 16> sums{};
 
-  void add(double w, double dx, double dy, double dh) {
-    weight += w;
-    x += w * dx;
-    y += w * dy;
-    h += w * dh;
-    xx += w * dx * dx;
-    xy += w * dx * dy;
-    yy += w * dy * dy;
-    xh += w * dx * dh;
-    yh += w * dy * dh;
-    hh += w * dh * dh;
+  double weight() const { return sums[0]; }
+
+  [[gnu::always_inline]] void add(float weight, float x, float y, float heading) {
+    const auto w = static_cast<double>(weight);
+    const std::array<double, 4> place{
+        1.0, static_cast<double>(x), static_cast<double>(y), static_cast<double>(heading)};
+    for (std::size_t row = 0; row < 4; ++row) {
+      const double weighted = w * place[row];
+      for (std::size_t column = 0; column < 4; ++column) {
+        sums[4 * row + column] += weighted * place[column];
+      }
+    }
   }
-};
 
-/// The same as vectors, for the sums of bins.
-struct Hill {
-  double weight = 0.0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+  void add(const Moments& other) {
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      sums[i] += other.sums[i];
+    }
+  }
 
   /// Moments that are seen from a middle which lies at `offset` from ours.
-  void add(const Moments& m, const Eigen::Vector3d& offset) {
-    const Eigen::Vector3d sums(m.x, m.y, m.h);
-    Eigen::Matrix3d own;
-    own << m.xx, m.xy, m.xh, m.xy, m.yy, m.yh, m.xh, m.yh, m.hh;
-    const Eigen::Matrix3d cross = sums * offset.transpose();
-    weight += m.weight;
-    sum += sums + m.weight * offset;
-    products += own + cross + cross.transpose() + m.weight * offset * offset.transpose();
+  void add(const Moments& other, const std::array<std::int32_t, 3>& offset) {
+    const std::array<double, 4> shift{0.0,
+                                      static_cast<double>(offset[0]),
+                                      static_cast<double>(offset[1]),
+                                      static_cast<double>(offset[2])};
+    const auto& from = other.sums;
+    for (std::size_t row = 0; row < 4; ++row) {
+      for (std::size_t column = 0; column < 4; ++column) {
+        sums[4 * row + column] += from[4 * row + column] + from[4 * row] * shift[column] +
+                                  shift[row] * (from[column] + from[0] * shift[column]);
+      }
+    }
   }
 };
 
-Eigen::Vector3d offset_between(const PoseBins& bins, PoseBin from, PoseBin to) {
-  Eigen::Vector3d offset = bins.middle(to) - bins.middle(from);
-  offset.z() = geometry::wrap_angle(offset.z());
-  return offset;
-}
-
-PoseHypothesis hypothesis_of(const Hill& hill, const Eigen::Vector3d& summit, double all) {
-  const Eigen::Vector3d mean = hill.sum / hill.weight;
-  const Eigen::Vector3d pose = summit + mean;
-  return {{pose.x(), pose.y(), geometry::wrap_angle(pose.z())},
-          hill.products / hill.weight - mean * mean.transpose(),
-          hill.weight / all};
-}
-
-/// Puts all particles with weight into bins; returns their moments by the numbers of the bins.
-std::vector<Moments> fill(const Particles& particles,
-                          std::span<const float> weights,
-                          PoseBins& bins) {
+/// Bins, and the moments of what lies in each by their numbers.
+struct FilledBins {
+  PoseBins bins;
   std::vector<Moments> moments;
-  PoseBin last;
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  std::size_t number = 0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (!(weights[i] > 0.0F)) {
-      continue;
+
+  Moments& at(PoseBin bin) {
+    const auto number = static_cast<std::size_t>(bins.insert(bin));
+    if (number == moments.size()) {
+      moments.emplace_back();
     }
-    const float heading_rad = particles.heading_rad[i];
-    const auto x_m = static_cast<double>(particles.x_m[i]);
-    const auto y_m = static_cast<double>(particles.y_m[i]);
-    const auto turned_rad =
-        static_cast<double>(heading_rad) + (heading_rad < 0.0F ? 2.0 * std::numbers::pi : 0.0);
-    const PoseBin bin = bins.bin_at(x_m, y_m, turned_rad);
-    if (moments.empty() || bin != last) {  // Neighbours in the list are often neighbours in place.
-      last = bin;
-      middle = bins.middle(bin);
-      number = static_cast<std::size_t>(bins.insert(bin));
-      moments.resize(bins.size());
-    }
-    moments[number].add(static_cast<double>(weights[i]),
-                        x_m - middle.x(),
-                        y_m - middle.y(),
-                        turned_rad - middle.z());
+    return moments[number];
   }
-  return moments;
+};
+
+PoseHypothesis hypothesis_of(const Moments& hill,
+                             const PoseBins& bins,
+                             PoseBin summit,
+                             double all) {
+  const Eigen::Matrix4d products = Eigen::Map<const Eigen::Matrix4d>(hill.sums.data());
+  const Eigen::Vector3d size = bins.size_of_bin();
+  const Eigen::Vector3d mean = products.block<3, 1>(1, 0) / hill.weight();
+  const Eigen::Matrix3d spread =
+      products.block<3, 3>(1, 1) / hill.weight() - mean * mean.transpose();
+  const Eigen::Vector3d pose = bins.middle(summit) + size.cwiseProduct(mean);
+  return {{pose.x(), pose.y(), geometry::wrap_angle(pose.z())},
+          size.asDiagonal() * spread * size.asDiagonal(),
+          hill.weight() / all};
+}
+
+/// Puts particles with weight into bins.
+void fill(const Particles& particles,
+          std::span<const float> weights,
+          ParticleRange range,
+          FilledBins& filled) {
+  BinnedStretch stretch;
+  for (std::size_t begin = range.begin; begin < range.end; begin += BinnedStretch::kMost) {
+    const std::size_t count = std::min(BinnedStretch::kMost, range.end - begin);
+    filled.bins.locate(particles, {begin, begin + count}, stretch);
+    for (std::size_t i = 0; i < count; ++i) {
+      const float weight = weights[begin + i];
+      if (weight > 0.0F) {
+        filled.at(stretch.bin(i))
+            .add(weight, stretch.off_x[i], stretch.off_y[i], stretch.off_heading[i]);
+      }
+    }
+  }
+}
+
+/// In as many parts as the particles are worth, side by side, and then together in their order.
+FilledBins fill_in_parts(const Particles& particles,
+                         std::span<const float> weights,
+                         const PoseBinSize& size,
+                         const Workers& workers) {
+  constexpr std::size_t kLeastPart = 2500;
+  constexpr std::size_t kMostParts = 16;
+  const std::size_t count = particles.size();
+  const std::size_t parts = std::clamp<std::size_t>(count / kLeastPart, 1, kMostParts);
+  std::vector<FilledBins> filled(parts, {PoseBins(size), {}});
+  workers.share(parts, [&](std::size_t part) {
+    fill(particles, weights, {part * count / parts, (part + 1) * count / parts}, filled[part]);
+  });
+  FilledBins all = std::move(filled.front());
+  for (std::size_t part = 1; part < parts; ++part) {
+    for (std::size_t i = 0; i < filled[part].moments.size(); ++i) {
+      all.at(filled[part].bins.bin(static_cast<std::int32_t>(i))).add(filled[part].moments[i]);
+    }
+  }
+  return all;
 }
 
 /// The number of the summit that each bin leads to, always on to the heaviest bin around; of equals
 /// to that with the lowest number.
-std::vector<std::int32_t> summits(const PoseBins& bins, const std::vector<Moments>& moments) {
-  std::vector<std::int32_t> leads_to(moments.size());
+std::vector<std::int32_t> summits(const FilledBins& filled) {
+  std::vector<std::int32_t> leads_to(filled.moments.size());
   std::iota(leads_to.begin(), leads_to.end(), 0);
   const auto weight = [&](std::int32_t number) {
-    return moments[static_cast<std::size_t>(number)].weight;
+    return filled.moments[static_cast<std::size_t>(number)].weight();
   };
   const auto lead = [&](std::int32_t from, std::int32_t to) {
     std::int32_t& best = leads_to[static_cast<std::size_t>(from)];
@@ -114,7 +140,7 @@ std::vector<std::int32_t> summits(const PoseBins& bins, const std::vector<Moment
       best = to;
     }
   };
-  bins.for_neighbours([&](std::int32_t one, std::int32_t other) {
+  filled.bins.for_neighbours([&](std::int32_t one, std::int32_t other) {
     lead(one, other);
     lead(other, one);
   });
@@ -130,21 +156,29 @@ std::vector<std::int32_t> summits(const PoseBins& bins, const std::vector<Moment
 
 std::vector<PoseHypothesis> find_hypotheses(const Particles& particles,
                                             std::span<const float> weights,
-                                            const HypothesisParams& params) {
-  PoseBins bins({params.bin_m, params.bin_rad});
-  const std::vector<Moments> moments = fill(particles, weights, bins);
-  const std::vector<std::int32_t> leads_to = summits(bins, moments);
-  std::map<std::int32_t, Hill> hills;
+                                            const HypothesisParams& params,
+                                            const Workers& workers) {
+  const FilledBins filled =
+      fill_in_parts(particles, weights, {params.bin_m, params.bin_rad}, workers);
+  const std::vector<std::int32_t> leads_to = summits(filled);
+  std::vector<Moments> hills = filled.moments;
   double all = 0.0;
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    const PoseBin bin = bins.bin(static_cast<std::int32_t>(i));
-    hills[leads_to[i]].add(moments[i], offset_between(bins, bins.bin(leads_to[i]), bin));
-    all += moments[i].weight;
+  for (std::size_t i = 0; i < hills.size(); ++i) {
+    const auto number = static_cast<std::int32_t>(i);
+    all += filled.moments[i].weight();
+    if (leads_to[i] != number) {
+      hills[static_cast<std::size_t>(leads_to[i])].add(
+          filled.moments[i],
+          filled.bins.offset(filled.bins.bin(leads_to[i]), filled.bins.bin(number)));
+    }
   }
 
   std::vector<PoseHypothesis> hypotheses;
-  for (const auto& [summit, hill] : hills) {
-    hypotheses.push_back(hypothesis_of(hill, bins.middle(bins.bin(summit)), all));
+  for (std::size_t i = 0; i < hills.size(); ++i) {
+    const auto number = static_cast<std::int32_t>(i);
+    if (leads_to[i] == number) {
+      hypotheses.push_back(hypothesis_of(hills[i], filled.bins, filled.bins.bin(number), all));
+    }
   }
   std::stable_sort(hypotheses.begin(), hypotheses.end(), [](const auto& one, const auto& other) {
     return one.probability > other.probability;

@@ -8,6 +8,7 @@
 
 #include "host/geometry/pose2.hpp"
 #include "host/localization/particles.hpp"
+#include "host/localization/workers.hpp"
 
 namespace echomap::localization {
 
@@ -31,6 +32,7 @@ struct HypothesisParams {
 /// any above 0 there is no hypothesis.
 std::vector<PoseHypothesis> find_hypotheses(const Particles& particles,
                                             std::span<const float> weights,
-                                            const HypothesisParams& params = {});
+                                            const HypothesisParams& params = {},
+                                            const Workers& workers = Workers());
 
 }  // namespace echomap::localization

@@ -171,19 +171,32 @@ void weigh(const RangeTable& table,
              });
 }
 
-void fill_under(const Particles& particles, const CodedReadings& readings, RangeTable& table) {
-  for_stands(table,
-             readings,
-             {0, particles.size()},
-             particles,
-             [&](const CodedReadings::Place& /*place*/,
-                 std::size_t /*begin*/,
-                 const Stands& stands,
-                 std::size_t count) {
-               for (std::size_t i = 0; i < count; ++i) {
-                 table.fill_tile(stands.tile[i]);
-               }
-             });
+void fill_under(const Particles& particles,
+                const CodedReadings& readings,
+                RangeTable& table,
+                const Workers& workers) {
+  std::vector<std::vector<std::int32_t>> missing(blocks_in(particles.size()));
+  share_blocks(workers, particles.size(), [&](ParticleRange range, std::size_t block) {
+    for_stands(table,
+               readings,
+               range,
+               particles,
+               [&](const CodedReadings::Place& /*place*/,
+                   std::size_t /*begin*/,
+                   const Stands& stands,
+                   std::size_t count) {
+                 for (std::size_t i = 0; i < count; ++i) {
+                   if (table.tiles()[stands.tile[i]] == nullptr) {
+                     missing[block].push_back(stands.tile[i]);
+                   }
+                 }
+               });
+  });
+  for (const std::vector<std::int32_t>& tiles : missing) {
+    for (const std::int32_t tile : tiles) {
+      table.fill_tile(tile);
+    }
+  }
 }
 
 }  // namespace echomap::localization

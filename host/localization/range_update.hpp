@@ -9,6 +9,7 @@
 #include "host/geometry/pose2.hpp"
 #include "host/localization/particles.hpp"
 #include "host/localization/range_table.hpp"
+#include "host/localization/workers.hpp"
 #include "host/models/range_likelihood.hpp"
 
 namespace echomap::localization {
@@ -83,6 +84,9 @@ void weigh(const RangeTable& table,
            Particles& particles);
 
 /// Fills the table wherever a particle's sensor may stand.
-void fill_under(const Particles& particles, const CodedReadings& readings, RangeTable& table);
+void fill_under(const Particles& particles,
+                const CodedReadings& readings,
+                RangeTable& table,
+                const Workers& workers = Workers());
 
 }  // namespace echomap::localization

@@ -32,39 +32,76 @@ template <typename Term>
   return std::accumulate(lanes.begin(), lanes.end(), 0.0);
 }
 
-ECHOMAP_AVX2_CLONES
+ECHOMAP_VECTOR_CLONES
 double sum_of(std::span<const float> weights) {
   return sum_in_lanes(weights, [](double weight) { return weight; });
 }
 
-ECHOMAP_AVX2_CLONES
+ECHOMAP_VECTOR_CLONES
 double sum_of_squares(std::span<const float> weights) {
   return sum_in_lanes(weights, [](double weight) { return weight * weight; });
 }
 
-/// A particle's first draw is written down, over those of particles without any; the greatest so
-/// far is then the ancestor. No branches.
-void draw_systematic(std::span<const float> weights,
-                     double step,
-                     std::size_t count,
-                     double offset,
-                     std::vector<std::uint32_t>& ancestors) {
-  ancestors.assign(count + 1, 0);
-  const double per_step = 1.0 / step;
-  const auto most = static_cast<double>(count);
-  double up_to = 0.0;
-  for (std::uint32_t i = 0; i < weights.size(); ++i) {
-    const double first = std::min(std::max(up_to * per_step - offset, -0.5) + 1.0, most);
+/// Where draws by even steps begin to fall on what lies `up_to` along the weights.
+struct EvenSteps {
+  double per_step;
+  double offset;
+  double count;
+
+  [[gnu::always_inline]] std::size_t first_from(double up_to) const {
     // Rounded down after the addition of 1: rounded up, save where it is whole.
-    ancestors[static_cast<std::size_t>(first)] = i;
+    return static_cast<std::size_t>(
+        std::min(std::max(up_to * per_step - offset, -0.5) + 1.0, count));
+  }
+};
+
+/// The draws [first, end) that fall on a block of weights beginning `up_to` along all: a particle's
+/// first draw is written down, over those of particles without any; the greatest so far is then the
+/// ancestor. No branches.
+void draw_block(std::span<const float> weights,
+                ParticleRange range,
+                double up_to,
+                const EvenSteps& steps,
+                std::span<std::uint32_t> draws,
+                std::size_t first) {
+  std::uint32_t beyond = 0;
+  std::fill(draws.begin(), draws.end(), 0U);
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const std::size_t draw = steps.first_from(up_to) - first;
+    (draw < draws.size() ? draws[draw] : beyond) = static_cast<std::uint32_t>(i);
     up_to += static_cast<double>(weights[i]);
   }
-  ancestors.resize(count);
-  std::uint32_t greatest = 0;
-  for (std::uint32_t& ancestor : ancestors) {
-    greatest = std::max(greatest, ancestor);
-    ancestor = greatest;
+  auto greatest = static_cast<std::uint32_t>(range.begin);
+  for (std::uint32_t& draw : draws) {
+    greatest = std::max(greatest, draw);
+    draw = greatest;
   }
+}
+
+void draw_systematic(std::span<const float> weights,
+                     std::size_t count,
+                     double offset,
+                     std::vector<std::uint32_t>& ancestors,
+                     const Workers& workers) {
+  ancestors.resize(count);
+  std::vector<double> up_to(blocks_in(weights.size()) + 1);
+  share_blocks(workers, weights.size(), [&](ParticleRange range, std::size_t block) {
+    up_to[block + 1] = sum_of(weights.subspan(range.begin, range.size()));
+  });
+  std::partial_sum(up_to.begin(), up_to.end(), up_to.begin());
+  const EvenSteps steps{
+      static_cast<double>(count) / up_to.back(), offset, static_cast<double>(count)};
+  share_blocks(workers, weights.size(), [&](ParticleRange range, std::size_t block) {
+    const std::size_t first = steps.first_from(up_to[block]);
+    const std::size_t end =
+        range.end == weights.size() ? count : steps.first_from(up_to[block + 1]);
+    draw_block(weights,
+               range,
+               up_to[block],
+               steps,
+               std::span(ancestors).subspan(first, end - first),
+               first);
+  });
 }
 
 /// Goes along the weights laid end to end and takes where `count` rising targets fall; `offset()`
@@ -144,7 +181,7 @@ void take(const float* __restrict from,
   }
 }
 
-ECHOMAP_AVX2_CLONES
+ECHOMAP_VECTOR_CLONES
 float greatest_of(std::span<const float> values) {
   constexpr std::size_t kLanes = 16;
   std::array<float, kLanes> lanes;
@@ -163,7 +200,7 @@ float greatest_of(std::span<const float> values) {
                          [](float one, float other) { return std::max(one, other); });
 }
 
-ECHOMAP_AVX2_CLONES
+ECHOMAP_VECTOR_CLONES
 void exponentials(const float* __restrict logs,
                   std::size_t count,
                   float greatest,
@@ -179,54 +216,74 @@ void draw_ancestors(std::span<const float> weights,
                     std::size_t count,
                     ResamplingScheme scheme,
                     std::mt19937& random,
-                    std::vector<std::uint32_t>& ancestors) {
+                    std::vector<std::uint32_t>& ancestors,
+                    const Workers& workers) {
   ancestors.clear();
-  ancestors.reserve(count);
   if (count == 0) {
     return;
   }
+  ancestors.reserve(count);
+  if (scheme == ResamplingScheme::kSystematic) {
+    draw_systematic(weights, count, unit(random), ancestors, workers);
+    return;
+  }
   const double step = sum_of(weights) / static_cast<double>(count);
-  switch (scheme) {
-    case ResamplingScheme::kSystematic:
-      draw_systematic(weights, step, count, unit(random), ancestors);
-      return;
-    case ResamplingScheme::kStratified:
-      draw_by_steps(
-          weights, step, count, [&] { return unit(random); }, ancestors);
-      return;
-    case ResamplingScheme::kResidual:
-      draw_residual(weights, step, count, random, ancestors);
-      return;
-    case ResamplingScheme::kWheel:
-      draw_by_wheel(weights, count, random, ancestors);
-      return;
+  if (scheme == ResamplingScheme::kStratified) {
+    draw_by_steps(
+        weights, step, count, [&] { return unit(random); }, ancestors);
+  } else if (scheme == ResamplingScheme::kResidual) {
+    draw_residual(weights, step, count, random, ancestors);
+  } else {
+    draw_by_wheel(weights, count, random, ancestors);
   }
 }
 
 void take_ancestors(const Particles& before,
                     std::span<const std::uint32_t> ancestors,
-                    Particles& after) {
+                    Particles& after,
+                    const Workers& workers) {
   after.resize(ancestors.size());
-  const std::size_t count = ancestors.size();
-  take(before.x_m.data(), ancestors.data(), count, after.x_m.data());
-  take(before.y_m.data(), ancestors.data(), count, after.y_m.data());
-  take(before.heading_rad.data(), ancestors.data(), count, after.heading_rad.data());
-  std::fill(after.log_weight.begin(), after.log_weight.end(), 0.0F);
+  share_blocks(workers, ancestors.size(), [&](ParticleRange range, std::size_t) {
+    const std::uint32_t* const from = &ancestors[range.begin];
+    take(before.x_m.data(), from, range.size(), &after.x_m[range.begin]);
+    take(before.y_m.data(), from, range.size(), &after.y_m[range.begin]);
+    take(before.heading_rad.data(), from, range.size(), &after.heading_rad[range.begin]);
+    std::fill_n(&after.log_weight[range.begin], range.size(), 0.0F);
+  });
 }
 
-double effective_count(std::span<const float> weights) {
-  const double sum = sum_of(weights);
-  const double squares = sum_of_squares(weights);
-  return squares > 0.0 ? sum * sum / squares : 0.0;
-}
+double WeightSums::log_total() const { return sum > 0.0 ? log_greatest + std::log(sum) : 0.0; }
 
-void relative_weights(const Particles& particles, std::vector<float>& weights) {
+double WeightSums::effective_count() const { return squares > 0.0 ? sum * sum / squares : 0.0; }
+
+WeightSums relative_weights(const Particles& particles,
+                            std::vector<float>& weights,
+                            const Workers& workers) {
   weights.resize(particles.size());
   if (weights.empty()) {
-    return;
+    return {};
   }
-  const float greatest = greatest_of(particles.log_weight);
-  exponentials(particles.log_weight.data(), particles.size(), greatest, weights.data());
+  const std::span<const float> logs = particles.log_weight;
+  std::vector<WeightSums> blocks(blocks_in(logs.size()));
+  share_blocks(workers, logs.size(), [&](ParticleRange range, std::size_t block) {
+    blocks[block].log_greatest =
+        static_cast<double>(greatest_of(logs.subspan(range.begin, range.size())));
+  });
+  WeightSums all =
+      *std::max_element(blocks.begin(), blocks.end(), [](const auto& a, const auto& b) {
+        return a.log_greatest < b.log_greatest;
+      });
+  share_blocks(workers, logs.size(), [&](ParticleRange range, std::size_t block) {
+    const std::span<float> own = std::span(weights).subspan(range.begin, range.size());
+    exponentials(&logs[range.begin], own.size(), static_cast<float>(all.log_greatest), own.data());
+    blocks[block].sum = sum_of(own);
+    blocks[block].squares = sum_of_squares(own);
+  });
+  for (const WeightSums& block : blocks) {
+    all.sum += block.sum;
+    all.squares += block.squares;
+  }
+  return all;
 }
 
 }  // namespace echomap::localization

@@ -110,10 +110,12 @@ class Robot {
 };
 
 struct Filter {
-  explicit Filter(const mapping::RasterMap& map, std::uint32_t seed = 1)
+  explicit Filter(const mapping::RasterMap& map,
+                  std::uint32_t seed = 1,
+                  const LocalizerParams& params = {})
       : table(map, {0.218, 4.0}),
         likelihoods(table, models::BeamModel(models::sonar_cone_returns())),
-        localizer(table, likelihoods, {}, std::mt19937(seed)) {}
+        localizer(table, likelihoods, params, std::mt19937(seed)) {}
 
   void start_at_truth(const Robot& robot) {
     localizer.update(robot.T_odom_robot(), {});
@@ -180,6 +182,37 @@ TEST(MonteCarloLocalizer, RepeatsItselfByItsSeed) {
   EXPECT_EQ(beliefs[0].lost_probability, beliefs[1].lost_probability);
 }
 
+/// All that a filter of so many threads knows, of a robot that is found, carried off and found
+/// again.
+std::vector<double> story(int threads) {
+  Robot robot(5);
+  LocalizerParams params;
+  params.threads = threads;
+  Filter filter(kRoom, 9, params);
+  std::vector<double> told;
+  for (int i = 0; i < 30; ++i) {
+    if (i == 15) {
+      robot.be_carried_to(Robot(1005).T_map_robot());
+    }
+    const PoseBelief& belief = filter.follow(robot, 1);
+    told.push_back(belief.lost_probability);
+    for (const PoseHypothesis& hypothesis : belief.hypotheses) {
+      told.push_back(hypothesis.T_map_robot.x_m());
+      told.push_back(hypothesis.covariance.sum());
+    }
+    const Particles& particles = filter.localizer.particles();
+    told.insert(told.end(), particles.x_m.begin(), particles.x_m.end());
+    told.insert(told.end(), particles.log_weight.begin(), particles.log_weight.end());
+  }
+  return told;
+}
+
+TEST(MonteCarloLocalizer, ComesToTheSameBitsOnAnyNumberOfThreads) {
+  const std::vector<double> alone = story(1);
+  EXPECT_EQ(alone, story(2));
+  EXPECT_EQ(alone, story(3));
+}
+
 TEST(MonteCarloLocalizer, SaysSoWhereThereIsNoFloor) {
   Filter filter(mapping::RasterMap(20, 20, 0.05, {0.0, 0.0}));
   Robot robot(1);
@@ -230,6 +263,7 @@ TEST(MonteCarloLocalizer, RefusesSettingsWithoutSense) {
   });
   refuses([](LocalizerParams& params) { params.filter.temper = 0.0; });
   refuses([](LocalizerParams& params) { params.lattice_m = 0.0; });
+  refuses([](LocalizerParams& params) { params.threads = 0; });
   refuses([](LocalizerParams& params) { params.loss.kidnap_chance = 1.0; });
 }
 

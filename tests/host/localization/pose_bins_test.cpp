@@ -2,13 +2,16 @@
 #include "host/localization/pose_bins.hpp"
 
 #include <algorithm>
-#include <numbers>
+#include <array>
+#include <limits>
 #include <random>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
 #include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
 
 namespace echomap::localization {
 namespace {
@@ -23,18 +26,51 @@ TEST(PoseBins, NumberBinsAsTheyCome) {
   EXPECT_EQ(bins.size(), 2U);
 }
 
-TEST(PoseBins, HoldEachPoseWithinHalfABinOfItsMiddle) {
-  PoseBins bins({0.3, 0.2618});
+TEST(PoseBins, SayWhereInABinEachParticleIs) {
+  constexpr std::size_t kCount = BinnedStretch::kMost;
+  const PoseBins bins({0.3, 0.2618});
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
-  for (int i = 0; i < 1000; ++i) {
-    const Eigen::Vector3d pose(
-        20.0 * any(random), 20.0 * any(random), std::numbers::pi * (1.0 + any(random)));
-    const Eigen::Vector3d off = pose - bins.middle(bins.bin_at(pose.x(), pose.y(), pose.z()));
-    ASSERT_LE(std::abs(off.x()), 0.1501);
-    ASSERT_LE(std::abs(off.y()), 0.1501);
-    ASSERT_LE(std::abs(off.z()), 0.131);
+  Particles particles;
+  particles.resize(kCount + 1);
+  for (std::size_t i = 0; i <= kCount; ++i) {
+    particles.set_pose(i, {20.0 * any(random), 20.0 * any(random), 3.1415 * any(random)});
   }
+  BinnedStretch stretch;
+  bins.locate(particles, {1, kCount + 1}, stretch);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const Eigen::Vector3d off(stretch.off_x[i], stretch.off_y[i], stretch.off_heading[i]);
+    const Eigen::Vector3d pose = bins.middle(stretch.bin(i)) + bins.size_of_bin().cwiseProduct(off);
+    ASSERT_LE(off.cwiseAbs().maxCoeff(), 0.5001);
+    ASSERT_NEAR(pose.x(), particles.pose(i + 1).x_m(), 1e-5);
+    ASSERT_NEAR(pose.y(), particles.pose(i + 1).y_m(), 1e-5);
+    const double heading_rad = particles.pose(i + 1).heading_rad();
+    ASSERT_NEAR(geometry::angle_between(pose.z(), heading_rad), 0.0, 1e-5);
+    ASSERT_GE(stretch.heading[i], 0);
+    ASSERT_LT(stretch.heading[i], 24);
+  }
+}
+
+TEST(PoseBins, BearNumbersThatAreNone) {
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  Particles particles;
+  particles.resize(3);
+  particles.x_m = {std::numeric_limits<float>::quiet_NaN(), kInfinite, 1e30F};
+  particles.heading_rad = particles.x_m;
+  BinnedStretch stretch;
+  PoseBins({0.3, 0.2618}).locate(particles, {0, 3}, stretch);
+  EXPECT_EQ(stretch.x[0], -16'000'000);
+  EXPECT_EQ(stretch.x[1], 16'000'000);
+  EXPECT_EQ(stretch.x[2], 16'000'000);
+  EXPECT_LT(stretch.heading[2], 24);
+}
+
+TEST(PoseBins, MeasureTheShorterWayRound) {
+  const PoseBins bins({0.3, 0.2618});
+  using Offset = std::array<std::int32_t, 3>;
+  EXPECT_EQ(bins.offset({1, 2, 3}, {3, 1, 7}), (Offset{2, -1, 4}));
+  EXPECT_EQ(bins.offset({0, 0, 1}, {0, 0, 23}), (Offset{0, 0, -2}));
+  EXPECT_EQ(bins.offset({0, 0, 23}, {0, 0, 1}), (Offset{0, 0, 2}));
 }
 
 TEST(PoseBins, StayApartWhenThereAreMany) {

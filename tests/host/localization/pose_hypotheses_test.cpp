@@ -70,6 +70,20 @@ TEST(PoseHypotheses, CountWeightsNotParticles) {
   EXPECT_NEAR(found.front().probability, 10.0 / 11.0, 1e-3);
 }
 
+TEST(PoseHypotheses, AreTheSameOnAnyNumberOfThreads) {
+  const Particles particles =
+      particles_of({{{0.3, 0.2, 0.1}, 0.4, 0.3, 15'000}, {{3.0, 0.0, -3.1}, 0.5, 0.5, 7000}});
+  const std::vector<float> weights(22'000, 0.1F);
+  const auto alone = find_hypotheses(particles, weights);
+  const auto together = find_hypotheses(particles, weights, {}, Workers(3));
+  ASSERT_EQ(alone.size(), together.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    ASSERT_EQ(alone[i].T_map_robot.x_m(), together[i].T_map_robot.x_m());
+    ASSERT_EQ(alone[i].covariance, together[i].covariance);
+    ASSERT_EQ(alone[i].probability, together[i].probability);
+  }
+}
+
 TEST(PoseHypotheses, AreNoneWithoutWeight) {
   EXPECT_TRUE(find_hypotheses({}, {}).empty());
   EXPECT_TRUE(find_hypotheses(particles_of({{{}, 0.1, 0.1, 10}}), std::vector<float>(10)).empty());

@@ -85,11 +85,47 @@ TEST(SystematicResampling, IsNeverAWholeDrawOff) {
   }
 }
 
-TEST(EffectiveCount, IsAllForEqualWeightsAndOneForOne) {
-  EXPECT_DOUBLE_EQ(effective_count(std::vector<float>(80, 0.3F)), 80.0);
-  EXPECT_DOUBLE_EQ(effective_count(std::vector<float>{0.0F, 5.0F, 0.0F}), 1.0);
-  EXPECT_DOUBLE_EQ(effective_count(std::vector<float>{}), 0.0);
-  EXPECT_DOUBLE_EQ(effective_count(std::vector<float>{0.0F, 0.0F}), 0.0);
+TEST(SystematicResampling, DrawsTheSameOnAnyNumberOfThreads) {
+  std::mt19937 random(5);
+  std::vector<float> weights(20 * kBlock + 3);
+  for (float& weight : weights) {
+    // Whole blocks without weight, and many without a draw.
+    weight = random() % 3000 == 0 ? static_cast<float>(random() % 1000) : 0.0F;
+  }
+  weights[7] = 1.0F;
+  std::vector<std::uint32_t> alone;
+  std::vector<std::uint32_t> together;
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    std::mt19937 one(seed);
+    std::mt19937 other(seed);
+    draw_ancestors(weights, 9999, ResamplingScheme::kSystematic, one, alone);
+    draw_ancestors(weights, 9999, ResamplingScheme::kSystematic, other, together, Workers(3));
+    ASSERT_EQ(alone, together);
+    ASSERT_TRUE(std::is_sorted(alone.begin(), alone.end()));
+    for (const std::uint32_t ancestor : alone) {
+      ASSERT_GT(weights[ancestor], 0.0F);
+    }
+  }
+}
+
+WeightSums sums_of(const std::vector<float>& log_weights) {
+  Particles particles;
+  particles.resize(log_weights.size());
+  particles.log_weight = log_weights;
+  std::vector<float> weights;
+  return relative_weights(particles, weights);
+}
+
+TEST(WeightSums, CountAllWhereWeightsAreEqualAndOneWhereItHasAll) {
+  EXPECT_DOUBLE_EQ(sums_of(std::vector<float>(1080, -3.0F)).effective_count(), 1080.0);
+  EXPECT_DOUBLE_EQ(sums_of({-200.0F, 5.0F, -200.0F}).effective_count(), 1.0);
+  EXPECT_DOUBLE_EQ(sums_of({}).effective_count(), 0.0);
+}
+
+TEST(WeightSums, KnowTheLogarithmOfTheWhole) {
+  EXPECT_NEAR(
+      sums_of(std::vector<float>(1080, -300.0F)).log_total(), -300.0 + std::log(1080.0), 1e-5);
+  EXPECT_EQ(sums_of({}).log_total(), 0.0);
 }
 
 TEST(TakeAncestors, CopiesPosesAndForgetsWeights) {
