@@ -12,7 +12,7 @@ struct Motion {
   float before_std_rad, drive_std_m, after_std_rad, side_std_m;
 };
 
-/// Four random words a particle, by their numbers.
+/// Two random words a particle, by their numbers.
 ECHOMAP_VECTOR_CLONES
 void move_all(float* __restrict x_m,
               float* __restrict y_m,
@@ -21,9 +21,9 @@ void move_all(float* __restrict x_m,
               const Motion motion,
               const RandomKey key) {
   for (std::size_t i = range.begin; i < range.end; ++i) {
-    const auto number = static_cast<std::uint32_t>(4 * i);
-    const NormalPair turns = normal_pair(random_bits(key, number), random_bits(key, number + 1));
-    const NormalPair ways = normal_pair(random_bits(key, number + 2), random_bits(key, number + 3));
+    const auto number = static_cast<std::uint32_t>(2 * i);
+    const NormalPair turns = normal_pair(random_bits(key, number));
+    const NormalPair ways = normal_pair(random_bits(key, number + 1));
     const float towards_rad =
         heading_rad[i] + motion.before_rad + motion.before_std_rad * turns.first;
     const SinCos ahead = sin_cos(towards_rad);

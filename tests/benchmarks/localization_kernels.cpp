@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/benchmarks/localization_kernels.hpp"
 
-#include <filesystem>
 #include <functional>
-#include <numbers>
 #include <random>
 #include <string>
 
@@ -13,10 +11,9 @@
 #include "host/localization/pose_hypotheses.hpp"
 #include "host/localization/range_update.hpp"
 #include "host/localization/resampling.hpp"
-#include "tests/benchmarks/building_runs.hpp"
+#include "tests/benchmarks/localization_workloads.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
 #include "tests/support/median.hpp"
-#include "tests/support/real_data.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -40,33 +37,9 @@ Figure nanoseconds(const std::string& name,
   return {name, 1e9 * tests::median(seconds) / units, "ns", repetitions, {}};
 }
 
-Particles tracking_cloud() {
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal;
-  Particles particles;
-  particles.resize(kParticles);
-  for (std::size_t i = 0; i < kParticles; ++i) {
-    const double x_m = 7.0 + 0.2 * normal(random);
-    const double y_m = 4.0 + 0.2 * normal(random);
-    particles.set_pose(i, {x_m, y_m, 0.5 + 0.1 * normal(random)});
-  }
-  return particles;
-}
-
-std::vector<RangeReading> sweep(int beams) {
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> range_m(1.0, 3.5);
-  std::vector<RangeReading> readings;
-  for (int i = 0; i < beams; ++i) {
-    const double bearing_rad = std::numbers::pi * (2.0 * i / beams - 1.0);
-    readings.push_back({{0.0, 0.0, bearing_rad}, range_m(random)});
-  }
-  return readings;
-}
-
 Figure field(const mapping::RasterMap& map, int beams, std::size_t repetitions) {
   const LikelihoodField likelihoods(map);
-  Particles particles = tracking_cloud();
+  Particles particles = tracking_cloud(kParticles);
   const auto readings = sweep(beams);
   return nanoseconds("field_" + std::to_string(beams) + "_ns",
                      static_cast<double>(kParticles) * beams,
@@ -84,7 +57,7 @@ Figure table(const std::string& name,
   RangeTable expected(map, {half_opening_rad, kMaxRangeM});
   const LikelihoodCodes likelihoods(expected, models::BeamModel(models::sonar_cone_returns()));
   const CodedReadings readings(sweep(beams), expected, likelihoods);
-  Particles particles = tracking_cloud();
+  Particles particles = tracking_cloud(kParticles);
   return nanoseconds(name, static_cast<double>(kParticles) * beams, repetitions, [&] {
     fill_under(particles, readings, expected);
     weigh(expected, readings, 0.1F, {0, kParticles}, particles);
@@ -92,7 +65,7 @@ Figure table(const std::string& name,
 }
 
 Figure motion(std::size_t repetitions) {
-  Particles particles = tracking_cloud();
+  Particles particles = tracking_cloud(kParticles);
   return nanoseconds("motion_ns", kParticles, repetitions, [&] {
     move(particles, {0, kParticles}, {0.1, 0.2, 0.05}, {0.01, 0.02, 0.01, 0.01}, {1, 2});
   });
@@ -109,7 +82,7 @@ std::vector<float> uneven_weights() {
 }
 
 Figure resample(std::size_t repetitions) {
-  const Particles particles = tracking_cloud();
+  const Particles particles = tracking_cloud(kParticles);
   const std::vector<float> weights = uneven_weights();
   std::vector<std::uint32_t> ancestors;
   Particles drawn;
@@ -121,40 +94,22 @@ Figure resample(std::size_t repetitions) {
 }
 
 Figure cluster(std::size_t repetitions) {
-  const Particles particles = tracking_cloud();
+  const Particles particles = tracking_cloud(kParticles);
   const std::vector<float> weights = uneven_weights();
   return nanoseconds(
       "cluster_ns", kParticles, repetitions, [&] { find_hypotheses(particles, weights); });
 }
 
-/// Move, weigh by the field, draw anew and find the hypotheses.
 Figure full_step(const mapping::RasterMap& map, std::size_t repetitions) {
   const LikelihoodField likelihoods(map);
-  const auto readings = sweep(60);
-  Particles particles = tracking_cloud();
-  Particles drawn;
-  std::vector<float> weights;
-  std::vector<std::uint32_t> ancestors;
-  std::mt19937 random(4);
-  return nanoseconds("full_step_60_ns", kParticles, repetitions, [&] {
-    move(particles, {0, kParticles}, {0.0, 0.0, 0.0}, {0.01, 0.02, 0.01, 0.01}, {1, 2});
-    likelihoods.weigh(readings, 0.05F, {0, kParticles}, particles);
-    relative_weights(particles, weights);
-    find_hypotheses(particles, weights);
-    draw_ancestors(weights, kParticles, ResamplingScheme::kSystematic, random, ancestors);
-    take_ancestors(particles, ancestors, drawn);
-    std::swap(particles, drawn);
-  });
+  FilterStep step(likelihoods, kParticles, 1);
+  return nanoseconds("full_step_60_ns", kParticles, repetitions, [&] { step(); });
 }
 
 }  // namespace
 
-std::vector<Figure> localization_kernel_figures(std::size_t repetitions) {
-  const auto path = tests::real_data("global_localization/map.pgm");
-  if (!std::filesystem::exists(path)) {
-    return {};
-  }
-  const mapping::RasterMap map = read_building(path);
+std::vector<Figure> localization_kernel_figures(const mapping::RasterMap& map,
+                                                std::size_t repetitions) {
   return {field(map, 60, repetitions),
           field(map, 8, repetitions),
           table("cone_8_ns", map, geometry::radians(12.5), 8, repetitions),
