@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "host/localization/observation_model.hpp"
 #include "host/localization/particles.hpp"
-#include "host/localization/range_update.hpp"
 #include "host/mapping/raster_map.hpp"
 
 namespace echomap::localization {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "host/localization/floor_lattice.hpp"
+#include "host/localization/scattered_particles.hpp"
 
 namespace echomap::localization {
 
@@ -25,18 +26,16 @@ std::mt19937 branch_of(std::mt19937 random) {
 
 }  // namespace
 
-MonteCarloLocalizer::MonteCarloLocalizer(RangeTable& table,
-                                         const LikelihoodCodes& likelihoods,
+MonteCarloLocalizer::MonteCarloLocalizer(ObservationModel& model,
                                          const LocalizerParams& params,
                                          std::mt19937 random)
-    : table_(table),
-      likelihoods_(likelihoods),
+    : model_(model),
       params_(checked(params)),
       workers_(params.threads),
-      motion_(params.motion),
       here_(params.filter, random, workers_),
       elsewhere_(params.filter, branch_of(random), workers_),
-      loss_(params.loss) {}
+      loss_(params.loss),
+      random_(branch_of(branch_of(random))) {}
 
 void MonteCarloLocalizer::start_at(const geometry::Pose2& T_map_robot,
                                    double std_m,
@@ -58,9 +57,9 @@ const PoseBelief& MonteCarloLocalizer::update(const geometry::Pose2& T_odom_robo
                                               std::span<const RangeReading> readings) {
   gave_up_ = false;
   follow(T_odom_robot);
-  const CodedReadings coded(readings, table_, likelihoods_);
-  if (coded.count() > 0) {
-    weigh_readings(coded);
+  model_.observe(readings);
+  if (model_.count() > 0) {
+    weigh_readings();
     here_.resample_where_few_count();
     elsewhere_.resample_where_few_count();
   }
@@ -71,33 +70,38 @@ const PoseBelief& MonteCarloLocalizer::update(const geometry::Pose2& T_odom_robo
 void MonteCarloLocalizer::follow(const geometry::Pose2& T_odom_robot) {
   if (T_odom_last_) {
     const models::OdometryStep step = models::odometry_step(*T_odom_last_, T_odom_robot);
-    const models::MotionSpread spread = motion_.spread(step);
+    const models::MotionSpread spread = models::spread_of(params_.motion, step);
     here_.move(step, spread);
     elsewhere_.move(step, spread);
   }
   T_odom_last_ = T_odom_robot;
 }
 
-void MonteCarloLocalizer::weigh_readings(const CodedReadings& readings) {
+void MonteCarloLocalizer::weigh_readings() {
+  if (here_.empty() && params_.global_start == GlobalStart::kScattered) {
+    here_.start_with(scattered_particles(model_.map(), params_.filter.most_particles, random_));
+  }
   if (here_.empty()) {
-    look_everywhere(readings, here_);
+    look_everywhere(here_);
     return;
   }
-  const double log_here = here_.weigh(readings, table_);
-  const double a_reading =
-      log_here / (params_.filter.temper * static_cast<double>(readings.count()));
+  const double log_here = here_.weigh(model_);
+  if (!params_.watches_for_loss) {
+    return;
+  }
+  const double a_reading = log_here / (params_.filter.temper * static_cast<double>(model_.count()));
   if (!elsewhere_.empty()) {
     loss_.is_suspicious(a_reading);
-    judge(readings, log_here);
+    judge(log_here);
   } else if (loss_.is_suspicious(a_reading)) {
     loss_.suspect();
     sweeps_elsewhere_ = 0;
-    loss_.compare(log_here, look_everywhere(readings, elsewhere_));
+    loss_.compare(log_here, look_everywhere(elsewhere_));
   }
 }
 
-void MonteCarloLocalizer::judge(const CodedReadings& readings, double log_here) {
-  loss_.compare(log_here, elsewhere_.weigh(readings, table_));
+void MonteCarloLocalizer::judge(double log_here) {
+  loss_.compare(log_here, elsewhere_.weigh(model_));
   ++sweeps_elsewhere_;
   if (loss_.lost_probability() > params_.lost_above) {
     here_.join(elsewhere_, std::min(loss_.lost_probability(), 0.999));
@@ -110,14 +114,14 @@ void MonteCarloLocalizer::judge(const CodedReadings& readings, double log_here) 
   }
 }
 
-double MonteCarloLocalizer::look_everywhere(const CodedReadings& readings, ParticleFilter& filter) {
+double MonteCarloLocalizer::look_everywhere(ParticleFilter& filter) {
   if (lattice_.size() == 0) {
-    lattice_ = floor_lattice(table_, params_.lattice_m, params_.lattice_rad);
+    lattice_ = floor_lattice(model_.map(), params_.lattice_m, params_.lattice_rad);
   }
-  fill_under(lattice_, readings, table_, workers_);
+  model_.make_ready(lattice_, workers_);
   std::fill(lattice_.log_weight.begin(), lattice_.log_weight.end(), 0.0F);
   share_blocks(workers_, lattice_.size(), [&](ParticleRange range, std::size_t) {
-    weigh(table_, readings, static_cast<float>(params_.filter.temper), range, lattice_);
+    model_.weigh(static_cast<float>(params_.filter.temper), range, lattice_);
   });
   const double root_12 = std::sqrt(12.0);  // The deviation of an even spread.
   return filter.start_from(lattice_, params_.lattice_m / root_12, params_.lattice_rad / root_12) -
@@ -125,7 +129,8 @@ double MonteCarloLocalizer::look_everywhere(const CodedReadings& readings, Parti
 }
 
 void MonteCarloLocalizer::believe() {
-  belief_.hypotheses = find_hypotheses(here_.particles(), here_.weights(), {}, workers_);
+  belief_.hypotheses =
+      find_hypotheses(here_.particles(), here_.weights(), params_.hypotheses, workers_);
   if (belief_.hypotheses.empty()) {
     belief_.lost_probability = 1.0;
     belief_.status = LocalizationStatus::kRecovering;

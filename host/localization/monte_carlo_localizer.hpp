@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "host/localization/loss_monitor.hpp"
+#include "host/localization/observation_model.hpp"
 #include "host/localization/particle_filter.hpp"
 #include "host/localization/pose_hypotheses.hpp"
-#include "host/localization/range_table.hpp"
-#include "host/localization/range_update.hpp"
-#include "host/models/odometry_motion.hpp"
+#include "host/models/motion_model.hpp"
 
 namespace echomap::localization {
 
@@ -32,12 +31,21 @@ struct PoseBelief {
   std::vector<PoseHypothesis> hypotheses;
 };
 
+/// What a robot that may be anywhere begins with.
+enum class GlobalStart : std::uint8_t {
+  kLattice,    ///< The first sweep weighs a lattice of poses, and particles are drawn from that.
+  kScattered,  ///< As many particles as there are at most, anywhere on the floor.
+};
+
 /// Settings of a MonteCarloLocalizer, chosen on simulated rooms and on the building of
 /// docs/algorithms/localization.md.
 struct LocalizerParams {
   ParticleFilterParams filter;
-  models::OdometryMotionParams motion;
+  models::MotionModel motion;
   LossMonitorParams loss;
+  /// Otherwise a robot that was carried off has to be told so.
+  bool watches_for_loss = true;
+  GlobalStart global_start = GlobalStart::kLattice;
   /// A robot that may be anywhere is looked for at places and headings so far apart.
   double lattice_m = 0.2;
   double lattice_rad = 0.1963495;  ///< 11.25 degrees.
@@ -50,21 +58,19 @@ struct LocalizerParams {
   double localized_std_m = 0.25;
   /// Threads that share the work; the belief is the same for any number.
   int threads = 1;
+  HypothesisParams hypotheses;
 };
 
-/// Monte-Carlo localization (Dellaert et al. 1999) with a table of expected ranges that looks for a
-/// robot everywhere at once when it does not know: a sweep of readings weighs a lattice of all
+/// Monte-Carlo localization (Dellaert et al. 1999) that looks for a robot everywhere at once when
+/// it does not know: a sweep of readings weighs a lattice of all
 /// poses, and particles are drawn from that. When the readings of a robot that was localized become
 /// unlikely, a second filter looks everywhere and follows beside the first. Their evidence decides,
 /// by Bayes' rule, how much of the first is given up for the second.
 class MonteCarloLocalizer {
  public:
-  /// The robot may be anywhere on the table's floor. Throws std::invalid_argument for settings
-  /// without sense. Table and likelihoods must outlive this; the generator is the caller's seed.
-  MonteCarloLocalizer(RangeTable& table,
-                      const LikelihoodCodes& likelihoods,
-                      const LocalizerParams& params,
-                      std::mt19937 random);
+  /// The robot may be anywhere on the free cells of the model's map. Throws std::invalid_argument
+  /// for settings without sense. The model must outlive this; the generator is the caller's seed.
+  MonteCarloLocalizer(ObservationModel& model, const LocalizerParams& params, std::mt19937 random);
 
   /// The robot is about there, with standard deviations of place and heading, where its odometry is
   /// what the last update said.
@@ -82,23 +88,22 @@ class MonteCarloLocalizer {
 
  private:
   void follow(const geometry::Pose2& T_odom_robot);
-  void weigh_readings(const CodedReadings& readings);
-  void judge(const CodedReadings& readings, double log_here);
+  void weigh_readings();
+  void judge(double log_here);
   /// Starts a filter from the whole floor; returns the logarithm of the readings' mean likelihood.
-  double look_everywhere(const CodedReadings& readings, ParticleFilter& filter);
+  double look_everywhere(ParticleFilter& filter);
   void believe();
 
-  RangeTable& table_;
-  const LikelihoodCodes& likelihoods_;
+  ObservationModel& model_;
   LocalizerParams params_;
   Workers workers_;
-  models::OdometryMotion motion_;
   Particles lattice_;         ///< Made when it is first needed.
   ParticleFilter here_;       ///< Empty while nothing is known.
   ParticleFilter elsewhere_;  ///< Empty while there is no suspicion.
   int sweeps_elsewhere_ = 0;
   bool gave_up_ = false;  ///< At this update.
   LossMonitor loss_;
+  std::mt19937 random_;  ///< Of starts anywhere.
   std::optional<geometry::Pose2> T_odom_last_;
   PoseBelief belief_;
 };

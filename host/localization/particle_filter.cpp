@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "host/localization/motion_update.hpp"
 #include "host/localization/pose_bins.hpp"
 #include "host/localization/sample_size.hpp"
 
@@ -68,6 +67,11 @@ void ParticleFilter::start_at(const geometry::Pose2& T_map_robot, double std_m, 
   scatter(std_m, std_rad);
 }
 
+void ParticleFilter::start_with(Particles particles) {
+  particles_ = std::move(particles);
+  take_equal_weights();
+}
+
 double ParticleFilter::start_from(const Particles& weighed, double std_m, double std_rad) {
   if (weighed.size() == 0) {
     clear();
@@ -82,15 +86,15 @@ double ParticleFilter::start_from(const Particles& weighed, double std_m, double
 void ParticleFilter::move(const models::OdometryStep& step, const models::MotionSpread& spread) {
   const RandomKey key = key_of(random_);
   share_blocks(workers_, particles_.size(), [&](ParticleRange range, std::size_t) {
-    localization::move(particles_, range, step, spread, key);
+    localization::move(particles_, range, step, spread, key, params_.motion_noise);
   });
 }
 
-double ParticleFilter::weigh(const CodedReadings& readings, RangeTable& table) {
+double ParticleFilter::weigh(ObservationModel& model) {
   const double before = sums_.log_total();
-  fill_under(particles_, readings, table, workers_);
+  model.make_ready(particles_, workers_);
   share_blocks(workers_, particles_.size(), [&](ParticleRange range, std::size_t) {
-    localization::weigh(table, readings, static_cast<float>(params_.temper), range, particles_);
+    model.weigh(static_cast<float>(params_.temper), range, particles_);
   });
   sums_ = relative_weights(particles_, weights_, workers_);
   return sums_.log_total() - before;

@@ -7,8 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "host/localization/motion_update.hpp"
+#include "host/localization/observation_model.hpp"
 #include "host/localization/particles.hpp"
-#include "host/localization/range_update.hpp"
 #include "host/localization/resampling.hpp"
 #include "host/localization/workers.hpp"
 #include "host/models/odometry_motion.hpp"
@@ -26,6 +27,7 @@ struct ParticleFilterParams {
   ResamplingScheme scheme = ResamplingScheme::kSystematic;
   /// Greatest error of the sample, for its size (Fox 2003), in bins of 20 cm and 10 degrees.
   double sample_error = 0.025;
+  NoiseShape motion_noise = NoiseShape::kNormal;
   /// What is drawn is spread by so much, so that no two particles stay alike.
   double spread_m = 0.03;
   double spread_rad = 0.015;
@@ -49,14 +51,16 @@ class ParticleFilter {
 
   /// Around a pose, with standard deviations of place and heading.
   void start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad);
+  /// Takes these particles, which have equal weights.
+  void start_with(Particles particles);
   /// Draws particles from weighed poses, each spread by so much; returns the logarithm of the sum
   /// of those poses' weights, 0 for none.
   double start_from(const Particles& weighed, double std_m, double std_rad);
 
   void move(const models::OdometryStep& step, const models::MotionSpread& spread);
-  /// Weighs the particles by readings; returns the logarithm of their mean likelihood, tempered,
-  /// and 0 for no particles.
-  double weigh(const CodedReadings& readings, RangeTable& table);
+  /// Weighs the particles by the sweep that a model observed; returns the logarithm of their mean
+  /// likelihood, tempered, and 0 for no particles.
+  double weigh(ObservationModel& model);
   void resample_where_few_count();
   /// Takes in the particles of another filter so that they have `share` of all weight.
   void join(const ParticleFilter& other, double share);

@@ -46,6 +46,8 @@ class RangeTable {
   /// Throws std::invalid_argument for parameters outside of their ranges.
   RangeTable(const mapping::RasterMap& map, const RangeTableParams& params);
 
+  /// With the ring.
+  const mapping::RasterMap& map() const { return map_; }
   double resolution_m() const { return map_.resolution_m(); }
   /// With the ring: all cells are within [0, columns) x [0, rows).
   const Eigen::Vector2d& origin_m() const { return map_.origin_m(); }

@@ -2,23 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "host/geometry/pose2.hpp"
+#include "host/localization/observation_model.hpp"
 #include "host/localization/particles.hpp"
 #include "host/localization/range_table.hpp"
 #include "host/localization/workers.hpp"
 #include "host/models/range_likelihood.hpp"
 
 namespace echomap::localization {
-
-/// One reading of a range sensor, from where the robot is now; empty where nothing returned.
-struct RangeReading {
-  geometry::Pose2 T_robot_sensor;
-  std::optional<double> range_m;
-};
 
 /// Logarithms of a model's likelihoods for all pairs of codes of a table, in 1/256; those of
 /// kNoFloor are the least there are.

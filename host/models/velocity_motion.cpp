@@ -53,4 +53,18 @@ geometry::Pose2 VelocityMotion::sample(const VelocityCommand& command,
           end_rad};
 }
 
+MotionSpread VelocityMotion::spread(const OdometryStep& arc) const {
+  const double drive2 = arc.drive_m * arc.drive_m;
+  const double turn_rad = arc.turn_before_rad + arc.turn_after_rad;
+  const double turn2 = turn_rad * turn_rad;
+  const double turn_variance = params_.turn_by_speed_rad2_per_m2 * drive2 +  //
+                               params_.turn_by_turn * turn2;
+  const double final_variance = params_.final_by_speed_rad2_per_m2 * drive2 +  //
+                                params_.final_by_turn * turn2;
+  return {std::sqrt(0.25 * turn_variance),
+          std::sqrt(params_.speed_by_speed * drive2 + params_.speed_by_turn_m2_per_rad2 * turn2),
+          std::sqrt(0.75 * turn_variance + final_variance),
+          0.0};
+}
+
 }  // namespace echomap::models

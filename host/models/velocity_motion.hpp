@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/geometry/pose2.hpp"
+#include "host/models/odometry_motion.hpp"
 
 namespace echomap::models {
 
@@ -39,6 +40,11 @@ class VelocityMotion {
 
   /// The motion, seen from where it began, for one draw of the noise; without, that of the command.
   geometry::Pose2 sample(const VelocityCommand& command, const VelocityNoise& noise = {}) const;
+
+  /// The spread of an arc, however long it took, as a turn, a drive along its chord and a turn: for
+  /// a filter that takes poses put together from commands for odometry. Variances of place and
+  /// heading are those of `sample`; their covariance is half of it, as both turns err apart.
+  MotionSpread spread(const OdometryStep& arc) const;
 
  private:
   VelocityMotionParams params_;

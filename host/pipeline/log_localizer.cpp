@@ -12,10 +12,13 @@ namespace echomap::pipeline {
 
 namespace {
 
-models::BeamModelParams returns_of(const datasets::RangeScan& scan, double max_range_m) {
-  auto params = scan.is_light ? models::laser_returns() : models::sonar_cone_returns();
-  params.max_range_m = max_range_m;
-  return params;
+localization::LocalizedRobot robot_of(const datasets::RangeScan& scan, double most_laser_range_m) {
+  localization::LocalizedRobot robot;
+  robot.half_opening_rad = 0.5 * scan.beam_opening_rad;
+  robot.max_range_m =
+      scan.is_light ? std::min(scan.max_range_m, most_laser_range_m) : scan.max_range_m;
+  robot.is_light = scan.is_light;
+  return robot;
 }
 
 time::RobotTime robot_time(double stamp_s) {
@@ -27,20 +30,16 @@ time::RobotTime robot_time(double stamp_s) {
 /// What the ranges of one kind of sensor need.
 struct LogLocalizer::Sensor {
   Sensor(const mapping::RasterMap& map,
-         const datasets::RangeScan& scan,
-         const LogLocalizerParams& params,
+         double beam_opening_rad,
+         const localization::LocalizedRobot& robot,
+         localization::LocalizerPreset preset,
          std::mt19937 random)
-      : opening_rad(scan.beam_opening_rad),
-        max_range_m(scan.is_light ? std::min(scan.max_range_m, params.most_laser_range_m)
-                                  : scan.max_range_m),
-        table(map, {0.5 * scan.beam_opening_rad, max_range_m}),
-        likelihoods(table, models::BeamModel(returns_of(scan, max_range_m))),
-        localizer(table, likelihoods, params.localizer, random) {}
+      : opening_rad(beam_opening_rad),
+        observation(localization::observation_model(preset, map, robot)),
+        localizer(*observation, localization::localizer_params(preset, robot), random) {}
 
   double opening_rad;
-  double max_range_m;
-  localization::RangeTable table;
-  localization::LikelihoodCodes likelihoods;
+  std::unique_ptr<localization::ObservationModel> observation;
   localization::MonteCarloLocalizer localizer;
 };
 
@@ -76,7 +75,11 @@ void LogLocalizer::add(const datasets::LogRecord& record) {
 void LogLocalizer::gather(const datasets::RangeScan& scan) {
   ++scans_;
   if (!sensor_) {
-    sensor_ = std::make_unique<Sensor>(map_, scan, params_, random_);
+    sensor_ = std::make_unique<Sensor>(map_,
+                                       scan.beam_opening_rad,
+                                       robot_of(scan, params_.most_laser_range_m),
+                                       params_.preset,
+                                       random_);
     if (start_) {
       sensor_->localizer.update(*poses_.T_map_robot(), {});
       sensor_->localizer.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);

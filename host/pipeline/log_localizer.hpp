@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/datasets/log_record.hpp"
-#include "host/localization/monte_carlo_localizer.hpp"
+#include "host/localization/localizer_preset.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "host/pipeline/log_poses.hpp"
 #include "host/pipeline/snapshot.hpp"
@@ -25,7 +25,7 @@ struct LogLocalizerParams {
   std::size_t most_readings = 60;
   /// A laser's ranges count up to there, metres.
   double most_laser_range_m = 10.0;
-  localization::LocalizerParams localizer;
+  localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
 };
 
 /// Finds and follows the robot of a log in a map that is given, record by record, by its odometry

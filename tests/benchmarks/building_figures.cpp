@@ -8,6 +8,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/localization/monte_carlo_localizer.hpp"
+#include "host/localization/range_table_model.hpp"
 #include "tests/benchmarks/building_runs.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
 #include "tests/support/believed_near.hpp"
@@ -50,14 +51,12 @@ void fill(localization::RangeTable& table) {
 Score score_of(const std::filesystem::path& folder,
                const std::string& kind,
                std::uint32_t seed,
-               localization::RangeTable& table) {
-  const localization::LikelihoodCodes likelihoods(table,
-                                                  models::BeamModel(models::sonar_cone_returns()));
+               localization::RangeTableModel& model) {
   Score score;
   for (int i = 0; i < kRuns; ++i) {
     const BuildingRun run = read_building_run(folder / fmt::format("gl_{}_{}.txt.gz", kind, i));
     localization::MonteCarloLocalizer localizer(
-        table, likelihoods, {}, std::mt19937(seed + static_cast<std::uint32_t>(i)));
+        model, {}, std::mt19937(seed + static_cast<std::uint32_t>(i)));
     follow(run, localizer, score);
   }
   return score;
@@ -78,10 +77,12 @@ std::vector<Figure> building_figures(std::uint32_t seed) {
   double table_mb = 0.0;
   for (const std::string kind : {"cone8", "cone16", "cone24", "pencil16"}) {
     const bool is_cone = kind.starts_with("cone");
-    localization::RangeTable table(map, {is_cone ? kConeHalfOpeningRad : 0.0, kMaxRangeM});
-    table_s = std::max(table_s, processor_seconds([&] { fill(table); }));
-    table_mb = static_cast<double>(table.memory_bytes()) / 1e6;
-    const Score score = score_of(folder, kind, seed, table);
+    localization::RangeTableModel model(
+        localization::RangeTable(map, {is_cone ? kConeHalfOpeningRad : 0.0, kMaxRangeM}),
+        models::BeamModel(models::sonar_cone_returns()));
+    table_s = std::max(table_s, processor_seconds([&] { fill(model.table()); }));
+    table_mb = static_cast<double>(model.table().memory_bytes()) / 1e6;
+    const Score score = score_of(folder, kind, seed, model);
     figures.push_back({fmt::format("building_{}_of_25", kind),
                        static_cast<double>(score.found),
                        "runs",

@@ -5,6 +5,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/localization/monte_carlo_localizer.hpp"
+#include "host/localization/range_table_model.hpp"
 #include "tests/benchmarks/room_runs.hpp"
 #include "tests/support/believed_near.hpp"
 
@@ -76,14 +77,13 @@ Figure rate(const std::string& name, int part, int whole) {
 }  // namespace
 
 RoomScore score_room(const std::string& room, int directions, int starts, std::uint32_t seed) {
-  localization::RangeTable table(map_of_room(room), kSonar);
-  const localization::LikelihoodCodes likelihoods(table,
-                                                  models::BeamModel(models::sonar_cone_returns()));
+  localization::RangeTableModel model(localization::RangeTable(map_of_room(room), kSonar),
+                                      models::BeamModel(models::sonar_cone_returns()));
   RoomScore score;
   for (int i = 0; i < starts; ++i) {
     const std::uint32_t own_seed = seed + static_cast<std::uint32_t>(i);
     Trial trial{RoomRobot(room, own_seed),
-                MonteCarloLocalizer(table, likelihoods, {}, std::mt19937(own_seed)),
+                MonteCarloLocalizer(model, {}, std::mt19937(own_seed)),
                 directions};
     run(trial, score);
   }

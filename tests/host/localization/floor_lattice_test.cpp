@@ -12,8 +12,8 @@ namespace echomap::localization {
 namespace {
 
 TEST(FloorLattice, StandsOnTheFloorOnly) {
-  const RangeTable table(tests::map_from({"#.. ", "#..#", "####"}, 0.1, {2.0, 3.0}), {0.0, 4.0});
-  const Particles lattice = floor_lattice(table, 0.1, 1.5708);
+  const Particles lattice =
+      floor_lattice(tests::map_from({"#.. ", "#..#", "####"}, 0.1, {2.0, 3.0}), 0.1, 1.5708);
   std::set<std::pair<float, float>> places;
   for (std::size_t i = 0; i < lattice.size(); ++i) {
     places.insert({lattice.x_m[i], lattice.y_m[i]});
@@ -25,8 +25,7 @@ TEST(FloorLattice, StandsOnTheFloorOnly) {
 }
 
 TEST(FloorLattice, IsEmptyWithoutFloor) {
-  const RangeTable table(tests::map_from({"## ", "   "}), {0.0, 4.0});
-  EXPECT_EQ(floor_lattice(table, 0.1, 0.1).size(), 0U);
+  EXPECT_EQ(floor_lattice(tests::map_from({"## ", "   "}), 0.1, 0.1).size(), 0U);
 }
 
 }  // namespace

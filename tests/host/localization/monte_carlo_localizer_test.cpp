@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/localization/range_table_model.hpp"
 #include "tests/support/believed_near.hpp"
 #include "tests/support/drawn_map.hpp"
 
@@ -113,9 +114,8 @@ struct Filter {
   explicit Filter(const mapping::RasterMap& map,
                   std::uint32_t seed = 1,
                   const LocalizerParams& params = {})
-      : table(map, {0.218, 4.0}),
-        likelihoods(table, models::BeamModel(models::sonar_cone_returns())),
-        localizer(table, likelihoods, params, std::mt19937(seed)) {}
+      : model(RangeTable(map, {0.218, 4.0}), models::BeamModel(models::sonar_cone_returns())),
+        localizer(model, params, std::mt19937(seed)) {}
 
   void start_at_truth(const Robot& robot) {
     localizer.update(robot.T_odom_robot(), {});
@@ -130,8 +130,7 @@ struct Filter {
     return localizer.belief();
   }
 
-  RangeTable table;
-  LikelihoodCodes likelihoods;
+  RangeTableModel model;
   MonteCarloLocalizer localizer;
 };
 
@@ -249,13 +248,12 @@ TEST(MonteCarloLocalizer, StaysSoberWhenNothingIsHeard) {
 }
 
 TEST(MonteCarloLocalizer, RefusesSettingsWithoutSense) {
-  RangeTable table(kRoom, {0.2, 4.0});
-  const LikelihoodCodes likelihoods(table, models::BeamModel(models::sonar_cone_returns()));
+  RangeTableModel model(RangeTable(kRoom, {0.2, 4.0}),
+                        models::BeamModel(models::sonar_cone_returns()));
   const auto refuses = [&](auto&& set) {
     LocalizerParams params;
     set(params);
-    EXPECT_THROW(MonteCarloLocalizer(table, likelihoods, params, std::mt19937(1)),
-                 std::invalid_argument);
+    EXPECT_THROW(MonteCarloLocalizer(model, params, std::mt19937(1)), std::invalid_argument);
   };
   refuses([](LocalizerParams& params) { params.filter.least_particles = 0; });
   refuses([](LocalizerParams& params) {

@@ -28,10 +28,15 @@ TEST(MotionUpdate, FollowsOdometryWhereThereIsNoNoise) {
   }
 }
 
-TEST(MotionUpdate, SpreadsAsTheModelSays) {
+class NoiseOfAMotion : public testing::TestWithParam<NoiseShape> {};
+INSTANTIATE_TEST_SUITE_P(Shapes,
+                         NoiseOfAMotion,
+                         testing::Values(NoiseShape::kNormal, NoiseShape::kUniformSum));
+
+TEST_P(NoiseOfAMotion, SpreadsAsTheModelSays) {
   constexpr std::size_t kCount = 100'000;
   Particles particles = at({}, kCount);
-  move(particles, {0, kCount}, {0.0, 1.0, 0.0}, {0.0, 0.2, 0.1, 0.05}, {3, 4});
+  move(particles, {0, kCount}, {0.0, 1.0, 0.0}, {0.0, 0.2, 0.1, 0.05}, {3, 4}, GetParam());
   double x = 0.0;
   double xx = 0.0;
   double yy = 0.0;
@@ -49,14 +54,14 @@ TEST(MotionUpdate, SpreadsAsTheModelSays) {
   EXPECT_NEAR(std::sqrt(turns), 0.1, 0.002);
 }
 
-TEST(MotionUpdate, ComesToTheSameBitsHoweverTheParticlesAreSharedOut) {
+TEST_P(NoiseOfAMotion, ComesToTheSameBitsHoweverTheParticlesAreSharedOut) {
   const models::OdometryStep step{0.2, 0.4, -0.1};
   const models::MotionSpread spread{0.1, 0.1, 0.1, 0.1};
   Particles whole = at({0.5, -0.5, 3.0}, 1003);
   Particles parts = whole;
-  move(whole, {0, 1003}, step, spread, {8, 9});
+  move(whole, {0, 1003}, step, spread, {8, 9}, GetParam());
   for (const ParticleRange range : {ParticleRange{0, 1}, {1, 18}, {18, 555}, {555, 1003}}) {
-    move(parts, range, step, spread, {8, 9});
+    move(parts, range, step, spread, {8, 9}, GetParam());
   }
   EXPECT_EQ(whole.x_m, parts.x_m);
   EXPECT_EQ(whole.y_m, parts.y_m);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/localization/range_table_model.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::localization {
@@ -27,12 +28,13 @@ double mean_x_m(const Particles& particles) {
 }
 
 struct Scene {
-  RangeTable table{kCorridor, {0.0, 4.0}};
-  LikelihoodCodes likelihoods{table, models::BeamModel(models::laser_returns())};
+  RangeTableModel model{RangeTable(kCorridor, {0.0, 4.0}),
+                        models::BeamModel(models::laser_returns())};
 
-  CodedReadings ahead(double range_m) const {
+  ObservationModel& ahead(double range_m) {
     const RangeReading reading{{}, range_m};
-    return {std::span(&reading, 1), table, likelihoods};
+    model.observe(std::span(&reading, 1));
+    return model;
   }
 };
 
@@ -41,7 +43,7 @@ TEST(ParticleFilter, GoesWhereTheReadingsSay) {
   ParticleFilter filter({}, std::mt19937(1));
   filter.start_at({1.0, 0.2, 0.0}, 0.3, 0.01);
   for (int i = 0; i < 10; ++i) {
-    filter.weigh(scene.ahead(1.7), scene.table);
+    filter.weigh(scene.ahead(1.7));
     filter.resample_where_few_count();
   }
   EXPECT_NEAR(mean_x_m(filter.particles()), 1.2, 0.06);
@@ -53,7 +55,7 @@ TEST(ParticleFilter, SaysHowLikelyTheReadingsWere) {
   ParticleFilter far({}, std::mt19937(1));
   near.start_at({1.2, 0.2, 0.0}, 0.01, 0.01);
   far.start_at({2.4, 0.2, 0.0}, 0.01, 0.01);
-  EXPECT_GT(near.weigh(scene.ahead(1.7), scene.table), far.weigh(scene.ahead(1.7), scene.table));
+  EXPECT_GT(near.weigh(scene.ahead(1.7)), far.weigh(scene.ahead(1.7)));
 }
 
 std::size_t size_after_a_sweep(double start_std) {
@@ -61,7 +63,7 @@ std::size_t size_after_a_sweep(double start_std) {
   ParticleFilter filter({.least_particles = 10, .most_particles = 20'000, .resampling_share = 1.0},
                         std::mt19937(1));
   filter.start_at({1.2, 0.2, 0.0}, start_std, start_std);
-  filter.weigh(scene.ahead(1.7), scene.table);
+  filter.weigh(scene.ahead(1.7));
   filter.resample_where_few_count();
   return filter.particles().size();
 }
@@ -87,7 +89,7 @@ TEST(ParticleFilter, IsAnywhereWithoutParticles) {
   ParticleFilter filter({}, std::mt19937(1));
   filter.start_from({}, 0.1, 0.1);
   EXPECT_TRUE(filter.empty());
-  EXPECT_EQ(filter.weigh(scene.ahead(1.0), scene.table), 0.0);
+  EXPECT_EQ(filter.weigh(scene.ahead(1.0)), 0.0);
   filter.resample_where_few_count();
   filter.move({0.1, 0.1, 0.1}, {});
   EXPECT_TRUE(filter.empty());

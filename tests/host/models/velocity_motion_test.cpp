@@ -70,6 +70,34 @@ TEST(VelocityMotion, TheFinalTurnLeavesThePlaceAlone) {
             motion.sample(command).position_m());
 }
 
+TEST(VelocityMotion, SpreadOfTheChordIsThatOfTheArc) {
+  const VelocityMotion motion;
+  const VelocityCommand command{0.3, 0.4, 1.0};
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  const Pose2 exact = motion.sample(command);
+  const OdometryStep step = odometry_step({}, exact);
+  const Pose2 T_chord_start = Pose2(0.0, 0.0, -step.turn_before_rad);
+  constexpr int kSamples = 100'000;
+  double along = 0.0;
+  double aside = 0.0;
+  double heading = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    const Pose2 there = motion.sample(command, {normal(random), normal(random), normal(random)});
+    const Eigen::Vector2d off_m =
+        T_chord_start * Eigen::Vector2d(there.position_m() - exact.position_m());
+    along += off_m.x() * off_m.x() / kSamples;
+    aside += off_m.y() * off_m.y() / kSamples;
+    heading += std::pow(there.heading_rad() - exact.heading_rad(), 2) / kSamples;
+  }
+  const MotionSpread spread = motion.spread(step);
+  EXPECT_NEAR(spread.drive_m, std::sqrt(along), 0.03 * spread.drive_m);
+  EXPECT_NEAR(step.drive_m * spread.turn_before_rad, std::sqrt(aside), 0.03 * std::sqrt(aside));
+  EXPECT_NEAR(std::hypot(spread.turn_before_rad, spread.turn_after_rad),
+              std::sqrt(heading),
+              0.03 * std::sqrt(heading));
+}
+
 TEST(VelocityMotion, RefusesVariancesWithoutSense) {
   EXPECT_THROW(VelocityMotion({.speed_by_speed = -1.0}), std::invalid_argument);
   EXPECT_THROW(VelocityMotion({.final_by_turn = std::nan("")}), std::invalid_argument);

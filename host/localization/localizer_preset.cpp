@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "host/localization/localizer_preset.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "host/localization/contact_model.hpp"
+#include "host/localization/correlation_model.hpp"
+#include "host/localization/point_cloud_view.hpp"
+#include "host/localization/range_table_model.hpp"
+#include "host/localization/view_model.hpp"
+#include "host/mapping/polygon_map.hpp"
+#include "host/models/gaussian_range.hpp"
+
+namespace echomap::localization {
+
+namespace {
+
+/// What the papers' filters have in common: a number of particles that stays, weights as they are,
+/// no noise but that of the motion, no suspicion, and a start anywhere.
+LocalizerParams plain_params(std::size_t particles, const LocalizedRobot& robot) {
+  LocalizerParams params;
+  params.filter.least_particles = particles;
+  params.filter.most_particles = particles;
+  params.filter.temper = 1.0;
+  params.filter.resampling_share = 1.0;
+  params.filter.spread_m = 0.0;
+  params.filter.spread_rad = 0.0;
+  params.watches_for_loss = false;
+  params.global_start = GlobalStart::kScattered;
+  // Places of a robot that sees no farther than 6 cm are told apart in a field of 80.
+  params.hypotheses.bin_m = std::min(params.hypotheses.bin_m, robot.max_range_m);
+  return params;
+}
+
+/// Singh and Bedi 2013, sections 4.3 to 4.5 and Algorithms 1 and 2.
+LocalizerParams nxt_params(const LocalizedRobot& robot) {
+  LocalizerParams params = plain_params(250, robot);
+  params.motion = models::TurnForwardMotion();
+  params.filter.scheme = ResamplingScheme::kWheel;
+  return params;
+}
+
+/// Mukherjee et al., section V; the number of particles is ours, as the paper gives none.
+LocalizerParams create_params(const LocalizedRobot& robot) {
+  LocalizerParams params = plain_params(1000, robot);
+  params.motion = models::LinearOdometryMotion();
+  params.filter.motion_noise = NoiseShape::kUniformSum;
+  params.filter.scheme = ResamplingScheme::kWheel;
+  return params;
+}
+
+/// Mahmood and Ridao 2017, sections 3.3 and 4.1: drawn anew when fewer than half of the particles
+/// count.
+LocalizerParams epuck_params(const LocalizedRobot& robot) {
+  LocalizerParams params = plain_params(1000, robot);
+  params.filter.scheme = ResamplingScheme::kSystematic;
+  params.filter.resampling_share = 0.5;
+  return params;
+}
+
+std::unique_ptr<ObservationModel> default_model(const mapping::RasterMap& map,
+                                                const LocalizedRobot& robot) {
+  models::BeamModelParams returns =
+      robot.is_light ? models::laser_returns() : models::sonar_cone_returns();
+  returns.max_range_m = robot.max_range_m;
+  return std::make_unique<RangeTableModel>(
+      RangeTable(map, {robot.half_opening_rad, robot.max_range_m}), models::BeamModel(returns));
+}
+
+std::unique_ptr<ObservationModel> nxt_model(const mapping::RasterMap& map,
+                                            const LocalizedRobot& robot) {
+  PointCloudViewParams cloud;
+  cloud.half_width_m = 0.6 * map.resolution_m();  // So that no beam slips through a wall of cells.
+  cloud.max_range_m = robot.max_range_m;
+  models::GaussianRangeParams range;
+  range.max_range_m = robot.max_range_m;
+  return std::make_unique<ViewModel<PointCloudView, models::GaussianRange>>(
+      map, PointCloudView(occupied_points(map), cloud), models::GaussianRange(range));
+}
+
+std::unique_ptr<ObservationModel> create_model(const mapping::RasterMap& map,
+                                               const LocalizedRobot& robot) {
+  const auto outline = mapping::polygon_from_raster(map);
+  if (!outline) {
+    throw std::invalid_argument("localizer preset: the map has no floor with an outline");
+  }
+  return std::make_unique<ContactModel>(*outline, robot.body_radius_m);
+}
+
+std::unique_ptr<ObservationModel> epuck_model(const mapping::RasterMap& map,
+                                              const LocalizedRobot& robot) {
+  CorrelationModelParams params;
+  params.cell_m = map.resolution_m();
+  params.sector.thickness_m = 2.0 * map.resolution_m();
+  params.sector.max_range_m = robot.max_range_m;
+  params.sector.opening_rad = std::max(2.0 * robot.half_opening_rad, 0.0175);
+  return std::make_unique<CorrelationModel>(map, params);
+}
+
+}  // namespace
+
+LocalizerParams localizer_params(LocalizerPreset preset, const LocalizedRobot& robot) {
+  switch (preset) {
+    case LocalizerPreset::kNxt:
+      return nxt_params(robot);
+    case LocalizerPreset::kCreate:
+      return create_params(robot);
+    case LocalizerPreset::kEpuck:
+      return epuck_params(robot);
+    case LocalizerPreset::kDefault:
+      break;
+  }
+  return {};
+}
+
+std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
+                                                    const mapping::RasterMap& map,
+                                                    const LocalizedRobot& robot) {
+  switch (preset) {
+    case LocalizerPreset::kNxt:
+      return nxt_model(map, robot);
+    case LocalizerPreset::kCreate:
+      return create_model(map, robot);
+    case LocalizerPreset::kEpuck:
+      return epuck_model(map, robot);
+    case LocalizerPreset::kDefault:
+      break;
+  }
+  return default_model(map, robot);
+}
+
+}  // namespace echomap::localization

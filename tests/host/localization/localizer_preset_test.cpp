@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "host/localization/localizer_preset.hpp"
+
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/believed_near.hpp"
+#include "tests/support/drawn_map.hpp"
+
+namespace echomap::localization {
+namespace {
+
+/// 2 x 1.2 m, with a pillar that breaks its symmetry.
+const mapping::RasterMap kRoom = tests::map_from({"######################",
+                                                  "#....................#",
+                                                  "#....................#",
+                                                  "#....................#",
+                                                  "#..###...............#",
+                                                  "#..###...............#",
+                                                  "#....................#",
+                                                  "#....................#",
+                                                  "#....................#",
+                                                  "#....................#",
+                                                  "#....................#",
+                                                  "#....................#",
+                                                  "######################"},
+                                                 0.1);
+constexpr LocalizedRobot kRobot{0.0, 2.55, false, 0.1};
+const geometry::Pose2 kTruth(1.45, 0.55, 0.4);
+
+/// Eight exact ranges from the truth, a centimetre a step.
+std::vector<RangeReading> look_around() {
+  std::vector<RangeReading> readings;
+  for (int i = 0; i < 8; ++i) {
+    const geometry::Pose2 T_robot_sensor(0.0, 0.0, 0.25 * std::numbers::pi * i);
+    const geometry::Pose2 T_map_sensor = kTruth * T_robot_sensor;
+    double range_m = 0.0;
+    while (kRoom.state(kRoom.cell_at(T_map_sensor * Eigen::Vector2d(range_m, 0.0))) ==
+           mapping::CellState::kFree) {
+      range_m += 0.01;
+    }
+    readings.push_back({T_robot_sensor, range_m});
+  }
+  return readings;
+}
+
+class RangePresets : public testing::TestWithParam<LocalizerPreset> {};
+INSTANTIATE_TEST_SUITE_P(All,
+                         RangePresets,
+                         testing::Values(LocalizerPreset::kDefault,
+                                         LocalizerPreset::kNxt,
+                                         LocalizerPreset::kEpuck));
+
+TEST_P(RangePresets, FollowARobotThatLooksAround) {
+  const auto model = observation_model(GetParam(), kRoom, kRobot);
+  MonteCarloLocalizer localizer(*model, localizer_params(GetParam(), kRobot), std::mt19937(1));
+  localizer.update({}, {});
+  localizer.start_at({1.4, 0.6, 0.35}, 0.08, 0.08);
+  for (int i = 0; i < 3; ++i) {
+    localizer.update({}, look_around());
+  }
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), kTruth, 0.12, 0.12));
+}
+
+TEST(LocalizerPreset, PapersKeepTheirNumberOfParticles) {
+  const auto particles_after = [](LocalizerPreset preset) {
+    const auto model = observation_model(preset, kRoom, kRobot);
+    MonteCarloLocalizer localizer(*model, localizer_params(preset, kRobot), std::mt19937(1));
+    localizer.update({}, look_around());
+    localizer.update({0.01, 0.0, 0.0}, look_around());
+    return localizer.particles().size();
+  };
+  EXPECT_EQ(particles_after(LocalizerPreset::kNxt), 250U);
+  EXPECT_EQ(particles_after(LocalizerPreset::kEpuck), 1000U);
+  EXPECT_EQ(particles_after(LocalizerPreset::kCreate), 1000U);
+}
+
+TEST(LocalizerPreset, CreateIsFoundByWhatItFeels) {
+  const auto model = observation_model(LocalizerPreset::kCreate, kRoom, kRobot);
+  MonteCarloLocalizer localizer(
+      *model, localizer_params(LocalizerPreset::kCreate, kRobot), std::mt19937(1));
+  localizer.update({}, {});
+  localizer.start_at({1.7, 0.6, 0.0}, 0.3, 0.05);
+  model->feel({true, true, true});  // At the right wall, whose inside is at 2.1 m.
+  localizer.update({}, {});
+  ASSERT_FALSE(localizer.belief().hypotheses.empty());
+  EXPECT_NEAR(localizer.belief().hypotheses[0].T_map_robot.x_m(), 2.0, 0.08);
+}
+
+TEST(LocalizerPreset, CreateNeedsAnOutline) {
+  EXPECT_THROW(observation_model(
+                   LocalizerPreset::kCreate, mapping::RasterMap(5, 5, 0.1, {0.0, 0.0}), kRobot),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::localization
