@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "host/localization/usable_reading.hpp"
+
 namespace echomap::localization {
 
 namespace {
@@ -52,7 +54,7 @@ CorrelationModel::CorrelationModel(mapping::RasterMap map, const CorrelationMode
 void CorrelationModel::observe(std::span<const RangeReading> readings) {
   Evidence evidence;
   for (const RangeReading& reading : readings) {
-    if (!reading.range_m || std::isfinite(*reading.range_m)) {
+    if (is_usable(reading)) {
       add_sector(sector_, reading, params_.cell_m, evidence);
     }
   }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "host/localization/lane_math.hpp"
+#include "host/localization/usable_reading.hpp"
 #include "host/mapping/distance_field.hpp"
 #include "host/mapping/vector_clones.hpp"
 
@@ -149,7 +150,7 @@ void LikelihoodField::weigh(std::span<const RangeReading> readings,
                             Particles& particles) const {
   std::vector<End> ends;
   for (const RangeReading& reading : readings) {
-    if (reading.range_m && std::isfinite(*reading.range_m)) {
+    if (reading.range_m && is_usable(reading)) {
       const Eigen::Vector2d end =
           reading.T_robot_sensor * Eigen::Vector2d(*reading.range_m, 0.0) / resolution_m_;
       ends.push_back({static_cast<float>(end.x()), static_cast<float>(end.y())});

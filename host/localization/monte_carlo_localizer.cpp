@@ -7,14 +7,17 @@
 
 #include "host/localization/floor_lattice.hpp"
 #include "host/localization/scattered_particles.hpp"
+#include "host/localization/usable_reading.hpp"
 
 namespace echomap::localization {
 
 namespace {
 
 const LocalizerParams& checked(const LocalizerParams& params) {
-  if (!(params.lattice_m > 0.0) || !(params.lattice_rad > 0.0) || params.suspicious_sweeps < 1) {
-    throw std::invalid_argument("localizer: a lattice's steps and the sweeps are above 0");
+  const bool lattice_ok = params.lattice_m > 0.0 && params.lattice_rad > 0.0;
+  const bool steps_ok = params.step_m > 0.0 && params.step_rad > 0.0;
+  if (!lattice_ok || !steps_ok || params.suspicious_sweeps < 1) {
+    throw std::invalid_argument("localizer: steps, of a lattice too, and the sweeps are above 0");
   }
   return params;
 }
@@ -22,6 +25,22 @@ const LocalizerParams& checked(const LocalizerParams& params) {
 /// Another generator than one with the same seed.
 std::mt19937 branch_of(std::mt19937 random) {
   return std::mt19937(static_cast<std::uint32_t>(random()));
+}
+
+/// Why a robot can be nowhere in a map.
+std::optional<LocalizerOutcome> nowhere_in(const mapping::RasterMap& map) {
+  auto why = LocalizerOutcome::kUnknownMap;
+  for (std::int32_t y = 0; y < map.rows(); ++y) {
+    for (std::int32_t x = 0; x < map.columns(); ++x) {
+      if (map.state({x, y}) == mapping::CellState::kFree) {
+        return std::nullopt;
+      }
+      if (map.state({x, y}) == mapping::CellState::kOccupied) {
+        why = LocalizerOutcome::kNoFloor;
+      }
+    }
+  }
+  return why;
 }
 
 }  // namespace
@@ -34,16 +53,29 @@ MonteCarloLocalizer::MonteCarloLocalizer(ObservationModel& model,
       workers_(params.threads),
       here_(params.filter, random, workers_),
       elsewhere_(params.filter, branch_of(random), workers_),
+      nowhere_(nowhere_in(model.map())),
       loss_(params.loss),
       random_(branch_of(branch_of(random))) {}
 
-void MonteCarloLocalizer::start_at(const geometry::Pose2& T_map_robot,
-                                   double std_m,
-                                   double std_rad) {
+LocalizerOutcome MonteCarloLocalizer::start_at(const geometry::Pose2& T_map_robot,
+                                               double std_m,
+                                               double std_rad) {
+  if (nowhere_) {
+    return *nowhere_;
+  }
+  if (!is_finite(T_map_robot) || !std::isfinite(std_m) || !std::isfinite(std_rad)) {
+    return LocalizerOutcome::kNotFinite;
+  }
   here_.start_at(T_map_robot, std_m, std_rad);
+  T_odom_last_ = T_odom_carried_;
   elsewhere_.clear();
   loss_.restart();
+  const bool is_there = is_on_floor(here_.particles());
+  if (!is_there) {
+    here_.clear();
+  }
   believe();
+  return is_there ? LocalizerOutcome::kMoved : LocalizerOutcome::kOffTheFloor;
 }
 
 void MonteCarloLocalizer::start_anywhere() {
@@ -55,16 +87,65 @@ void MonteCarloLocalizer::start_anywhere() {
 
 const PoseBelief& MonteCarloLocalizer::update(const geometry::Pose2& T_odom_robot,
                                               std::span<const RangeReading> readings) {
+  if (!is_finite(T_odom_robot)) {
+    belief_.outcome = LocalizerOutcome::kNotFinite;
+    return belief_;
+  }
   gave_up_ = false;
-  follow(T_odom_robot);
+  was_off_floor_ = false;
   model_.observe(readings);
   if (model_.count() > 0) {
+    follow(T_odom_robot);
     weigh_readings();
     here_.resample_where_few_count();
     elsewhere_.resample_where_few_count();
+    believe();
+  } else if (has_made_a_step(T_odom_robot)) {
+    follow(T_odom_robot);
+    believe();
+  } else {
+    carry(T_odom_robot);
   }
-  believe();
+  belief_.outcome = outcome_of(readings);
   return belief_;
+}
+
+LocalizerOutcome MonteCarloLocalizer::outcome_of(std::span<const RangeReading> readings) const {
+  if (nowhere_) {
+    return *nowhere_;
+  }
+  if (was_off_floor_) {
+    return LocalizerOutcome::kOffTheFloor;
+  }
+  if (model_.count() == 0 && !readings.empty()) {
+    return LocalizerOutcome::kNoUsableReading;
+  }
+  if (model_.count() == 0) {
+    return here_.empty() ? LocalizerOutcome::kNoParticles : LocalizerOutcome::kMoved;
+  }
+  const bool is_silent = std::none_of(readings.begin(), readings.end(), [](const auto& reading) {
+    return is_usable(reading) && reading.range_m;
+  });
+  return is_silent ? LocalizerOutcome::kSilent : LocalizerOutcome::kWeighed;
+}
+
+bool MonteCarloLocalizer::has_made_a_step(const geometry::Pose2& T_odom_robot) const {
+  if (!T_odom_last_) {
+    return true;
+  }
+  const geometry::Pose2 step = T_odom_last_->inverse() * T_odom_robot;
+  return step.position_m().norm() >= params_.step_m ||
+         std::abs(step.heading_rad()) >= params_.step_rad;
+}
+
+bool MonteCarloLocalizer::is_on_floor(const Particles& particles) const {
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const auto cell = model_.map().cell_at(particles.pose(i).position_m());
+    if (model_.map().state(cell) == mapping::CellState::kFree) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void MonteCarloLocalizer::follow(const geometry::Pose2& T_odom_robot) {
@@ -75,9 +156,24 @@ void MonteCarloLocalizer::follow(const geometry::Pose2& T_odom_robot) {
     elsewhere_.move(step, spread);
   }
   T_odom_last_ = T_odom_robot;
+  T_odom_carried_ = T_odom_robot;
+}
+
+void MonteCarloLocalizer::carry(const geometry::Pose2& T_odom_robot) {
+  const geometry::Pose2 step = T_odom_carried_->inverse() * T_odom_robot;
+  for (PoseHypothesis& hypothesis : belief_.hypotheses) {
+    hypothesis.T_map_robot = hypothesis.T_map_robot * step;
+  }
+  T_odom_carried_ = T_odom_robot;
+  judge_status();
 }
 
 void MonteCarloLocalizer::weigh_readings() {
+  was_off_floor_ = params_.watches_for_loss && !here_.empty() && !is_on_floor(here_.particles());
+  if (was_off_floor_) {
+    start_anywhere();
+    gave_up_ = true;
+  }
   if (here_.empty() && params_.global_start == GlobalStart::kScattered) {
     here_.start_with(scattered_particles(model_.map(), params_.filter.most_particles, random_));
   }
@@ -131,6 +227,10 @@ double MonteCarloLocalizer::look_everywhere(ParticleFilter& filter) {
 void MonteCarloLocalizer::believe() {
   belief_.hypotheses =
       find_hypotheses(here_.particles(), here_.weights(), params_.hypotheses, workers_);
+  judge_status();
+}
+
+void MonteCarloLocalizer::judge_status() {
   if (belief_.hypotheses.empty()) {
     belief_.lost_probability = 1.0;
     belief_.status = LocalizationStatus::kRecovering;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "host/localization/localizer_outcome.hpp"
 #include "host/localization/loss_monitor.hpp"
 #include "host/localization/observation_model.hpp"
 #include "host/localization/particle_filter.hpp"
@@ -29,6 +30,8 @@ struct PoseBelief {
   double lost_probability = 1.0;
   /// The likeliest first; empty where there is no floor to stand on.
   std::vector<PoseHypothesis> hypotheses;
+  /// Of the last update.
+  LocalizerOutcome outcome = LocalizerOutcome::kNoParticles;
 };
 
 /// What a robot that may be anywhere begins with.
@@ -56,6 +59,11 @@ struct LocalizerParams {
   /// And localized below this one, where the first hypothesis is also narrower than that.
   double localized_below = 0.1;
   double localized_std_m = 0.25;
+  /// Particles follow the odometry when there are readings, and without any in steps of that: how
+  /// far it may be off does not depend on how often it speaks. In between the belief is carried
+  /// along.
+  double step_m = 0.1;
+  double step_rad = 0.1745;  ///< 10 degrees.
   /// Threads that share the work; the belief is the same for any number.
   int threads = 1;
   HypothesisParams hypotheses;
@@ -73,8 +81,9 @@ class MonteCarloLocalizer {
   MonteCarloLocalizer(ObservationModel& model, const LocalizerParams& params, std::mt19937 random);
 
   /// The robot is about there, with standard deviations of place and heading, where its odometry is
-  /// what the last update said.
-  void start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad);
+  /// what the last update said. Answers kMoved, or why it did not start there: kNotFinite,
+  /// kOffTheFloor, kUnknownMap or kNoFloor.
+  LocalizerOutcome start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad);
   /// The robot may be anywhere from now on: it was carried off.
   void start_anywhere();
 
@@ -84,15 +93,22 @@ class MonteCarloLocalizer {
                            std::span<const RangeReading> readings);
 
   const PoseBelief& belief() const { return belief_; }
+  /// As of the last readings or step.
   const Particles& particles() const { return here_.particles(); }
 
  private:
   void follow(const geometry::Pose2& T_odom_robot);
+  /// Moves the belief alone.
+  void carry(const geometry::Pose2& T_odom_robot);
+  bool has_made_a_step(const geometry::Pose2& T_odom_robot) const;
+  bool is_on_floor(const Particles& particles) const;
+  LocalizerOutcome outcome_of(std::span<const RangeReading> readings) const;
   void weigh_readings();
   void judge(double log_here);
   /// Starts a filter from the whole floor; returns the logarithm of the readings' mean likelihood.
   double look_everywhere(ParticleFilter& filter);
   void believe();
+  void judge_status();
 
   ObservationModel& model_;
   LocalizerParams params_;
@@ -102,9 +118,13 @@ class MonteCarloLocalizer {
   ParticleFilter elsewhere_;  ///< Empty while there is no suspicion.
   int sweeps_elsewhere_ = 0;
   bool gave_up_ = false;  ///< At this update.
+  bool was_off_floor_ = false;
+  /// Without a floor there is nowhere to be.
+  std::optional<LocalizerOutcome> nowhere_;
   LossMonitor loss_;
-  std::mt19937 random_;  ///< Of starts anywhere.
-  std::optional<geometry::Pose2> T_odom_last_;
+  std::mt19937 random_;                            ///< Of starts anywhere.
+  std::optional<geometry::Pose2> T_odom_last_;     ///< Of the particles.
+  std::optional<geometry::Pose2> T_odom_carried_;  ///< Of the belief.
   PoseBelief belief_;
 };
 

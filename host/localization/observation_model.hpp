@@ -35,7 +35,7 @@ class ObservationModel {
 
   /// Takes the sweep that poses are weighed by from now on.
   virtual void observe(std::span<const RangeReading> readings) = 0;
-  /// How many readings of that sweep say something. What is not finite does not.
+  /// How many readings of that sweep say something. What is_usable refuses does not.
   virtual std::size_t count() const = 0;
 
   /// Makes ready to weigh particles that are where they are now.

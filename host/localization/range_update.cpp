@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/localization/lane_math.hpp"
+#include "host/localization/usable_reading.hpp"
 #include "host/mapping/vector_clones.hpp"
 
 namespace echomap::localization {
@@ -131,7 +132,7 @@ CodedReadings::CodedReadings(std::span<const RangeReading> readings,
                              const RangeTable& table,
                              const LikelihoodCodes& likelihoods) {
   for (const RangeReading& reading : readings) {
-    if (reading.range_m && !std::isfinite(*reading.range_m)) {
+    if (!is_usable(reading)) {
       continue;
     }
     const auto ahead_m = static_cast<float>(reading.T_robot_sensor.x_m());

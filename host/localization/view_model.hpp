@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/localization/observation_model.hpp"
+#include "host/localization/usable_reading.hpp"
 #include "host/models/range_likelihood.hpp"
 
 namespace echomap::localization {
@@ -37,7 +38,7 @@ class ViewModel : public ObservationModel {
   void observe(std::span<const RangeReading> readings) override {
     readings_.clear();
     for (const RangeReading& reading : readings) {
-      if (!reading.range_m || std::isfinite(*reading.range_m)) {
+      if (is_usable(reading)) {
         readings_.push_back(reading);
       }
     }

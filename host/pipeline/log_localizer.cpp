@@ -60,16 +60,34 @@ void LogLocalizer::start_at(const geometry::Pose2& T_map_robot, double std_m, do
 }
 
 void LogLocalizer::add(const datasets::LogRecord& record) {
+  const auto* scan = std::get_if<datasets::RangeScan>(&record);
+  if (scan != nullptr && is_late(*scan)) {
+    ++scans_;
+    ++late_scans_;
+    belief_.outcome = localization::LocalizerOutcome::kTimeRanBack;
+    return;
+  }
   if (const auto stamp = datasets::stamp_s(record)) {
     stamp_s_ = stamp;
   }
   poses_.follow(record);
-  if (const auto* scan = std::get_if<datasets::RangeScan>(&record)) {
+  if (scan != nullptr) {
     gather(*scan);
     if (!gathered_.empty() && has_moved()) {
       update();
     }
   }
+}
+
+bool LogLocalizer::is_late(const datasets::RangeScan& scan) {
+  if (!scan.stamp_s) {
+    return false;
+  }
+  if (scan_stamp_s_ && !(*scan.stamp_s >= *scan_stamp_s_)) {
+    return true;
+  }
+  scan_stamp_s_ = scan.stamp_s;
+  return false;
 }
 
 void LogLocalizer::gather(const datasets::RangeScan& scan) {
@@ -82,7 +100,8 @@ void LogLocalizer::gather(const datasets::RangeScan& scan) {
                                        random_);
     if (start_) {
       sensor_->localizer.update(*poses_.T_map_robot(), {});
-      sensor_->localizer.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
+      start_outcome_ =
+          sensor_->localizer.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
     }
   }
   if (scan.beam_opening_rad != sensor_->opening_rad) {

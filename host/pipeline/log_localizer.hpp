@@ -44,12 +44,16 @@ class LogLocalizer {
 
   /// As of the last update; without any, nothing is known.
   const localization::PoseBelief& belief() const { return belief_; }
+  /// Of the start that was given; kMoved where none was, or while there was no scan.
+  localization::LocalizerOutcome start_outcome() const { return start_outcome_; }
   /// Where it was believed to be at each update that has a stamp and a hypothesis.
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
   std::size_t updates() const { return updates_; }
   std::size_t scans() const { return scans_; }
   /// Scans of another kind of sensor.
   std::size_t unused_scans() const { return unused_scans_; }
+  /// Scans that are left out since time ran backwards: stamped before the one that came before.
+  std::size_t late_scans() const { return late_scans_; }
 
  private:
   struct Sensor;
@@ -60,6 +64,7 @@ class LogLocalizer {
   };
 
   void gather(const datasets::RangeScan& scan);
+  bool is_late(const datasets::RangeScan& scan);
   bool has_moved() const;
   void update();
   std::vector<localization::RangeReading> readings_from(const geometry::Pose2& T_odom_robot);
@@ -73,11 +78,14 @@ class LogLocalizer {
   std::vector<localization::RangeReading> gathered_;  ///< From the odometry's frame.
   std::optional<geometry::Pose2> T_odom_updated_;
   std::optional<double> stamp_s_;
+  std::optional<double> scan_stamp_s_;
   localization::PoseBelief belief_;
+  localization::LocalizerOutcome start_outcome_ = localization::LocalizerOutcome::kMoved;
   std::vector<StampedPose> trajectory_;
   std::size_t updates_ = 0;
   std::size_t scans_ = 0;
   std::size_t unused_scans_ = 0;
+  std::size_t late_scans_ = 0;
 };
 
 }  // namespace echomap::pipeline

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -212,13 +213,108 @@ TEST(MonteCarloLocalizer, ComesToTheSameBitsOnAnyNumberOfThreads) {
   EXPECT_EQ(alone, story(3));
 }
 
-TEST(MonteCarloLocalizer, SaysSoWhereThereIsNoFloor) {
-  Filter filter(mapping::RasterMap(20, 20, 0.05, {0.0, 0.0}));
-  Robot robot(1);
-  const PoseBelief& belief = filter.follow(robot, 3);
-  EXPECT_TRUE(belief.hypotheses.empty());
-  EXPECT_EQ(belief.lost_probability, 1.0);
-  EXPECT_EQ(belief.status, LocalizationStatus::kRecovering);
+mapping::RasterMap walls_only() {
+  mapping::RasterMap map(20, 20, 0.05, {0.0, 0.0});
+  map.set({3, 4}, mapping::CellState::kOccupied);
+  return map;
+}
+
+TEST(MonteCarloLocalizer, IsNowhereWhereThereIsNoFloor) {
+  const std::vector<std::pair<mapping::RasterMap, LocalizerOutcome>> maps{
+      {mapping::RasterMap(1, 1, 0.05, {0.0, 0.0}), LocalizerOutcome::kUnknownMap},
+      {mapping::RasterMap(20, 20, 0.05, {0.0, 0.0}), LocalizerOutcome::kUnknownMap},
+      {walls_only(), LocalizerOutcome::kNoFloor}};
+  for (const auto& [map, outcome] : maps) {
+    Filter filter(map);
+    Robot robot(1);
+    const PoseBelief& belief = filter.follow(robot, 3);
+    EXPECT_EQ(belief.outcome, outcome);
+    EXPECT_EQ(filter.localizer.start_at({}, 0.1, 0.1), outcome);
+    EXPECT_TRUE(belief.hypotheses.empty());
+    EXPECT_EQ(belief.lost_probability, 1.0);
+    EXPECT_EQ(belief.status, LocalizationStatus::kRecovering);
+  }
+}
+
+TEST(MonteCarloLocalizer, SaysWhatHasBecomeOfAnUpdate) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  Robot robot(3);
+  Filter filter(kRoom);
+  MonteCarloLocalizer& localizer = filter.localizer;
+  EXPECT_EQ(localizer.belief().outcome, LocalizerOutcome::kNoParticles);
+  EXPECT_EQ(localizer.update({}, {}).outcome, LocalizerOutcome::kNoParticles);
+  EXPECT_EQ(localizer.update({}, robot.listen()).outcome, LocalizerOutcome::kWeighed);
+  EXPECT_EQ(localizer.update({}, {}).outcome, LocalizerOutcome::kMoved);
+  EXPECT_EQ(localizer.update({}, std::vector<RangeReading>(8)).outcome, LocalizerOutcome::kSilent);
+  std::vector<RangeReading> broken(4);
+  broken[0].range_m = kNaN;
+  broken[1].range_m = std::numeric_limits<double>::infinity();
+  broken[2].range_m = -0.5;
+  broken[3].T_robot_sensor = {kNaN, 0.0, 0.0};
+  EXPECT_EQ(localizer.update({}, broken).outcome, LocalizerOutcome::kNoUsableReading);
+  broken.push_back({{}, 1.0});
+  EXPECT_EQ(localizer.update({}, broken).outcome, LocalizerOutcome::kWeighed);
+}
+
+TEST(MonteCarloLocalizer, RefusesPosesThatAreNoNumbers) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  Robot robot(3);
+  Filter filter(kRoom);
+  filter.start_at_truth(robot);
+  for (const Pose2& pose : {Pose2(kNaN, 0.0, 0.0),
+                            Pose2(0.0, std::numeric_limits<double>::infinity(), 0.0),
+                            Pose2(0.0, 0.0, kNaN)}) {
+    EXPECT_EQ(filter.localizer.update(pose, robot.listen()).outcome, LocalizerOutcome::kNotFinite);
+    EXPECT_EQ(filter.localizer.start_at(pose, 0.1, 0.1), LocalizerOutcome::kNotFinite);
+  }
+  EXPECT_EQ(filter.localizer.start_at({}, kNaN, 0.1), LocalizerOutcome::kNotFinite);
+  EXPECT_TRUE(is_at(filter.follow(robot, 3), robot.T_map_robot()));
+}
+
+TEST(MonteCarloLocalizer, LooksEverywhereForARobotThatWasOffTheFloor) {
+  Robot robot(3);
+  Filter filter(kRoom);
+  filter.localizer.update(robot.T_odom_robot(), {});
+  EXPECT_EQ(filter.localizer.start_at({90.0, -70.0, 0.0}, 0.1, 0.1),
+            LocalizerOutcome::kOffTheFloor);
+  EXPECT_TRUE(filter.localizer.belief().hypotheses.empty());
+  filter.start_at_truth(robot);
+  // Odometry that is wrong by far takes it out of the map.
+  const Pose2 T_odom_far = robot.T_odom_robot() * Pose2(40.0, 0.0, 0.0);
+  const PoseBelief& belief = filter.localizer.update(T_odom_far, robot.listen());
+  EXPECT_EQ(belief.outcome, LocalizerOutcome::kOffTheFloor);
+  EXPECT_EQ(belief.status, LocalizationStatus::kLost);
+  EXPECT_FALSE(belief.hypotheses.empty());
+}
+
+TEST(MonteCarloLocalizer, CarriesItsBeliefAlongBetweenReadings) {
+  Robot robot(3);
+  Filter filter(kRoom);
+  filter.start_at_truth(robot);
+  filter.follow(robot, 5);
+  const Pose2 before = filter.localizer.belief().hypotheses.front().T_map_robot;
+  const std::vector<float> particles = filter.localizer.particles().x_m;
+  const Pose2 step(0.04, 0.0, 0.05);
+  const PoseBelief& belief = filter.localizer.update(robot.T_odom_robot() * step, {});
+  EXPECT_EQ(filter.localizer.particles().x_m, particles);
+  const Pose2 off = (before * step).inverse() * belief.hypotheses.front().T_map_robot;
+  EXPECT_NEAR(off.position_m().norm() + std::abs(off.heading_rad()), 0.0, 1e-9);
+}
+
+/// How far its hypothesis is spread after 1.05 m ahead that the odometry tells in so many parts.
+double std_after_a_drive(int parts) {
+  Robot robot(3);
+  Filter filter(kRoom);
+  filter.localizer.update({}, {});
+  filter.localizer.start_at({1.0, 1.0, 0.0}, 0.02, 0.02);
+  for (int i = 1; i <= parts; ++i) {
+    filter.localizer.update({1.05 * i / parts, 0.0, 0.0}, {});
+  }
+  return std::sqrt(filter.localizer.belief().hypotheses.front().covariance(0, 0));
+}
+
+TEST(MonteCarloLocalizer, IsAsUnsureHoweverOftenTheOdometrySpeaks) {
+  EXPECT_NEAR(std_after_a_drive(1000), std_after_a_drive(10), 0.002);
 }
 
 TEST(MonteCarloLocalizer, KeepsWhatItKnowsWhenReadingsAreNone) {
@@ -261,6 +357,7 @@ TEST(MonteCarloLocalizer, RefusesSettingsWithoutSense) {
   });
   refuses([](LocalizerParams& params) { params.filter.temper = 0.0; });
   refuses([](LocalizerParams& params) { params.lattice_m = 0.0; });
+  refuses([](LocalizerParams& params) { params.step_m = 0.0; });
   refuses([](LocalizerParams& params) { params.threads = 0; });
   refuses([](LocalizerParams& params) { params.loss.kidnap_chance = 1.0; });
 }

@@ -2,6 +2,7 @@
 #include "host/pipeline/log_localizer.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -107,6 +108,28 @@ TEST(LogLocalizer, KnowsNothingWithoutRanges) {
   localizer.add(datasets::OdometryPose{0.0, {}});
   EXPECT_TRUE(localizer.belief().hypotheses.empty());
   EXPECT_TRUE(localizer.trajectory().empty());
+}
+
+TEST(LogLocalizer, LeavesOutScansWhenTimeRunsBackwards) {
+  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  const Pose2 truth = drive(localizer);
+  const std::size_t updates = localizer.updates();
+  localizer.add(datasets::OdometryPose{9.0, {1.0, 1.0, 1.0}});
+  for (const double stamp_s : {1.0, -5.0, std::numeric_limits<double>::quiet_NaN()}) {
+    localizer.add(scan_at({2.0, 0.3, 1.0}, stamp_s));
+    EXPECT_EQ(localizer.belief().outcome, localization::LocalizerOutcome::kTimeRanBack);
+  }
+  EXPECT_EQ(localizer.late_scans(), 3U);
+  EXPECT_EQ(localizer.updates(), updates);
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), truth, 0.1, 0.1));
+}
+
+TEST(LogLocalizer, SaysThatAStartIsOffTheMap) {
+  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  localizer.start_at({50.0, 50.0, 0.0}, 0.1, 0.1);
+  const Pose2 truth = drive(localizer);
+  EXPECT_EQ(localizer.start_outcome(), localization::LocalizerOutcome::kOffTheFloor);
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), truth, 0.1, 0.1));
 }
 
 TEST(LogLocalizer, RefusesSettingsWithoutSense) {
