@@ -29,7 +29,7 @@ struct MotionNoise {
   heading_rad = wrapped(towards_rad + motion.after_rad + motion.after_std_rad * noise.after);
 }
 
-/// Four random words a particle, by their numbers.
+/// Two random words a particle, by their numbers.
 ECHOMAP_VECTOR_CLONES
 void move_all(float* __restrict x_m,
               float* __restrict y_m,
@@ -38,9 +38,9 @@ void move_all(float* __restrict x_m,
               const Motion motion,
               const RandomKey key) {
   for (std::size_t i = range.begin; i < range.end; ++i) {
-    const auto number = static_cast<std::uint32_t>(4 * i);
-    const NormalPair turns = normal_pair(random_bits(key, number), random_bits(key, number + 1));
-    const NormalPair ways = normal_pair(random_bits(key, number + 2), random_bits(key, number + 3));
+    const auto number = static_cast<std::uint32_t>(2 * i);
+    const NormalPair turns = normal_pair(random_bits(key, number));
+    const NormalPair ways = normal_pair(random_bits(key, number + 1));
     move_one(motion,
              {turns.first, ways.first, turns.second, ways.second},
              x_m[i],

@@ -12,6 +12,30 @@
 
 namespace echomap::localization {
 
+namespace {
+
+/// Looks out for what another thread is about to change: closely at first, then letting others run.
+class Lookout {
+ public:
+  /// It has taken long: better to sleep.
+  bool is_over() const { return looks_ >= kClosely; }
+  void look() {
+    if (++looks_ > kClosely) {
+      std::this_thread::yield();
+      return;
+    }
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+  }
+
+ private:
+  static constexpr int kClosely = 2000;
+  int looks_ = 0;
+};
+
+}  // namespace
+
 /// Numbers are claimed from a ticket that counts down, so that a thread that comes late finds
 /// nothing left and keeps nobody waiting. The ticket's upper half numbers the job, so that a claim
 /// never falls into the next one.
@@ -28,11 +52,12 @@ struct Workers::Crew {
     job = new_job;
     unfinished.store(count, std::memory_order_relaxed);
     const std::uint64_t next = (ticket.load(std::memory_order_relaxed) >> 32U) + 1;
-    {
+    ticket.store(next << 32U | count);
+    // Who is about to sleep has said so before it looks at the ticket for the last time.
+    if (sleepers.load() > 0) {
       const std::lock_guard lock(mutex);
-      ticket.store(next << 32U | count, std::memory_order_release);
+      wake.notify_all();
     }
-    wake.notify_all();
   }
 
   /// Does one number of the job, where any is left.
@@ -51,17 +76,18 @@ struct Workers::Crew {
 
   /// Jobs come one soon after the other: a thread looks out for the next a while before it sleeps.
   void help(const std::stop_token& over) {
-    constexpr int kLooks = 200;
-    int looks = 0;
+    Lookout lookout;
     while (!over.stop_requested()) {
       if (do_one()) {
-        looks = 0;
-      } else if (++looks < kLooks) {
-        std::this_thread::yield();
+        lookout = {};
+      } else if (!lookout.is_over()) {
+        lookout.look();
       } else {
         std::unique_lock lock(mutex);
+        ++sleepers;
         wake.wait(lock, over, [this] { return left_in(ticket.load()) > 0; });
-        looks = 0;
+        --sleepers;
+        lookout = {};
       }
     }
   }
@@ -70,6 +96,7 @@ struct Workers::Crew {
   Job job;
   std::atomic<std::uint64_t> ticket = 0;
   std::atomic<std::uint32_t> unfinished = 0;
+  std::atomic<int> sleepers = 0;
   std::mutex mutex;
   std::condition_variable_any wake;
   std::vector<std::jthread> threads;  ///< The first to go: they use the rest.
@@ -89,8 +116,8 @@ void Workers::run(std::size_t count, Job job) const {
   crew_->start(static_cast<std::uint32_t>(count), job);
   while (crew_->do_one()) {
   }
-  while (crew_->unfinished.load(std::memory_order_acquire) > 0) {
-    std::this_thread::yield();
+  for (Lookout lookout; crew_->unfinished.load(std::memory_order_acquire) > 0;) {
+    lookout.look();
   }
 }
 

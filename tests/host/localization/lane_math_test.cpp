@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ TEST(LaneMath, DrawsEvenNumbers) {
   double products = 0.0;
   double last = 0.5;
   for (std::uint32_t i = 0; i < kCount; ++i) {
-    const auto number = static_cast<double>(uniform(random_bits({17, 4}, i)));
+    const auto number = static_cast<double>(random_bits({17, 4}, i)) * 0x1p-32;
     ASSERT_GE(number, 0.0);
     ASSERT_LT(number, 1.0);
     sum += number;
@@ -65,22 +66,41 @@ TEST(LaneMath, DrawsEvenNumbers) {
 
 TEST(LaneMath, DrawsNormalNumbersThatAreIndependent) {
   constexpr std::uint32_t kCount = 200'000;
-  double mean = 0.0;
-  double square = 0.0;
-  double fourth = 0.0;
-  double product = 0.0;
+  NormalPair mean, square, fourth;
+  float product = 0.0F;
+  float next_product = 0.0F;
+  float last = 0.0F;
+  int beyond_two = 0;
   for (std::uint32_t i = 0; i < kCount; ++i) {
-    const NormalPair pair = normal_pair(random_bits({5, 6}, 2 * i), random_bits({5, 6}, 2 * i + 1));
-    const auto first = static_cast<double>(pair.first);
-    mean += first / kCount;
-    square += first * first / kCount;
-    fourth += first * first * first * first / kCount;
-    product += first * static_cast<double>(pair.second) / kCount;
+    const NormalPair pair = normal_pair(random_bits({5, 6}, i));
+    const auto add = [](float number, float& one, float& two, float& four) {
+      one += number / kCount;
+      two += number * number / kCount;
+      four += number * number * number * number / kCount;
+    };
+    add(pair.first, mean.first, square.first, fourth.first);
+    add(pair.second, mean.second, square.second, fourth.second);
+    product += pair.first * pair.second / kCount;
+    next_product += last * pair.first / kCount;
+    last = pair.second;
+    beyond_two += std::abs(pair.first) > 2.0F ? 1 : 0;
   }
-  EXPECT_NEAR(mean, 0.0, 0.01);
-  EXPECT_NEAR(square, 1.0, 0.015);
-  EXPECT_NEAR(fourth, 3.0, 0.1);
-  EXPECT_NEAR(product, 0.0, 0.01);
+  for (const auto& [one, two, four] : {std::tuple{mean.first, square.first, fourth.first},
+                                       {mean.second, square.second, fourth.second}}) {
+    EXPECT_NEAR(one, 0.0F, 0.01F);
+    EXPECT_NEAR(two, 1.0F, 0.015F);
+    EXPECT_NEAR(four, 3.0F, 0.1F);
+  }
+  EXPECT_NEAR(product, 0.0F, 0.01F);
+  EXPECT_NEAR(next_product, 0.0F, 0.01F);
+  EXPECT_NEAR(beyond_two / static_cast<double>(kCount), 0.0455, 0.002);
+}
+
+TEST(LaneMath, DrawsFiniteNormalNumbersOfAnyBits) {
+  for (const std::uint32_t bits : {0U, 0xFFFFFFFFU, 0x3FFFU, 0xFFFFC000U, 0x2000U, 0x1FFFU}) {
+    const NormalPair pair = normal_pair(bits);
+    ASSERT_LE(std::hypot(pair.first, pair.second), 5.2F) << bits;
+  }
 }
 
 }  // namespace
