@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <fstream>
 #include <optional>
 #include <random>
-#include <unistd.h>
 #include <vector>
 
 #include "hil_mock/runner/faulty_board.hpp"
 #include "host/robot_link/robot_link.hpp"
 #include "tests/hil/turning_wheel.hpp"
+#include "tests/support/resident_memory.hpp"
 
 namespace echomap::tests {
 namespace {
@@ -36,19 +35,6 @@ runner::LineModel line(std::uint32_t seed) {
       .faults = {.rates = {.flip = 2e-5, .drop = 1e-5, .insert = 1e-5, .burst = 5e-6, .cut = 5e-6},
                  .loss = 0.002,
                  .seed = seed}};
-}
-
-/// 0 under the address sanitizer, which keeps what was freed, and looks for leaks by itself.
-double resident_mb() {
-#ifdef __SANITIZE_ADDRESS__
-  return 0.0;
-#else
-  std::ifstream statm("/proc/self/statm");
-  std::uint64_t whole = 0;
-  std::uint64_t resident = 0;
-  statm >> whole >> resident;
-  return double(resident) * double(::sysconf(_SC_PAGESIZE)) / 1e6;
-#endif
 }
 
 /// A wheel as the host counts it: sums of differences of 16 bits.
