@@ -2,10 +2,12 @@
 #include "host/localization/localizer_preset.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "host/localization/contact_model.hpp"
 #include "host/localization/correlation_model.hpp"
+#include "host/localization/likelihood_field_model.hpp"
 #include "host/localization/point_cloud_view.hpp"
 #include "host/localization/range_table_model.hpp"
 #include "host/localization/view_model.hpp"
@@ -23,6 +25,7 @@ LocalizerParams plain_params(std::size_t particles, const LocalizedRobot& robot)
   params.filter.least_particles = particles;
   params.filter.most_particles = particles;
   params.filter.temper = 1.0;
+  params.filter.most_independent = std::numeric_limits<double>::infinity();
   params.filter.resampling_share = 1.0;
   params.filter.spread_m = 0.0;
   params.filter.spread_rad = 0.0;
@@ -59,10 +62,13 @@ LocalizerParams epuck_params(const LocalizedRobot& robot) {
   return params;
 }
 
+/// A sonar's reading ends at the first thing in its cone; a laser's is matched at its end.
 std::unique_ptr<ObservationModel> default_model(const mapping::RasterMap& map,
                                                 const LocalizedRobot& robot) {
-  models::BeamModelParams returns =
-      robot.is_light ? models::laser_returns() : models::sonar_cone_returns();
+  if (robot.is_light) {
+    return std::make_unique<LikelihoodFieldModel>(map);
+  }
+  models::BeamModelParams returns = models::sonar_cone_returns();
   returns.max_range_m = robot.max_range_m;
   return std::make_unique<RangeTableModel>(
       RangeTable(map, {robot.half_opening_rad, robot.max_range_m}), models::BeamModel(returns));

@@ -10,10 +10,10 @@ struct LossMonitorParams {
   /// How fast the long and the short mean of the readings' likelihood follow (alpha_slow and
   /// alpha_fast of Thrun, Burgard and Fox 2005, table 8.3).
   double slow_share = 0.02;
-  double fast_share = 0.4;
+  double fast_share = 0.7;
   /// Suspicion falls on a robot whose readings have become less likely than that, by the short mean
   /// against the long one, natural logarithm a reading.
-  double suspicious_fall = 0.2;
+  double suspicious_fall = 0.05;
   /// Chance that a suspicion is right.
   double kidnap_chance = 0.05;
 };

@@ -185,7 +185,7 @@ void MonteCarloLocalizer::weigh_readings() {
   if (!params_.watches_for_loss) {
     return;
   }
-  const double a_reading = log_here / (params_.filter.temper * static_cast<double>(model_.count()));
+  const double a_reading = log_here / (here_.temper(model_) * static_cast<double>(model_.count()));
   if (!elsewhere_.empty()) {
     loss_.is_suspicious(a_reading);
     judge(log_here);
@@ -217,7 +217,7 @@ double MonteCarloLocalizer::look_everywhere(ParticleFilter& filter) {
   model_.make_ready(lattice_, workers_);
   std::fill(lattice_.log_weight.begin(), lattice_.log_weight.end(), 0.0F);
   share_blocks(workers_, lattice_.size(), [&](ParticleRange range, std::size_t) {
-    model_.weigh(static_cast<float>(params_.filter.temper), range, lattice_);
+    model_.weigh(static_cast<float>(filter.temper(model_)), range, lattice_);
   });
   const double root_12 = std::sqrt(12.0);  // The deviation of an even spread.
   return filter.start_from(lattice_, params_.lattice_m / root_12, params_.lattice_rad / root_12) -

@@ -53,7 +53,7 @@ struct LocalizerParams {
   double lattice_m = 0.2;
   double lattice_rad = 0.1963495;  ///< 11.25 degrees.
   /// A suspicion that has not proved right after so many sweeps is dropped, or raised anew.
-  int suspicious_sweeps = 10;
+  int suspicious_sweeps = 6;
   /// The robot is lost above this probability.
   double lost_above = 0.5;
   /// And localized below this one, where the first hypothesis is also narrower than that.

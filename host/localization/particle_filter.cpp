@@ -20,7 +20,8 @@ const ParticleFilterParams& checked(const ParticleFilterParams& params) {
   const bool counts_ok =
       params.least_particles > 0 && params.least_particles <= params.most_particles;
   const bool shares_ok = params.temper > 0.0 && params.temper <= 1.0 &&
-                         params.resampling_share >= 0.0 && params.resampling_share <= 1.0;
+                         params.most_independent > 0.0 && params.resampling_share >= 0.0 &&
+                         params.resampling_share <= 1.0;
   const bool spread_ok = params.spread_m >= 0.0 && params.spread_rad >= 0.0;
   if (!counts_ok || !shares_ok || !spread_ok || !(params.sample_error > 0.0)) {
     throw std::invalid_argument(
@@ -90,11 +91,17 @@ void ParticleFilter::move(const models::OdometryStep& step, const models::Motion
   });
 }
 
+double ParticleFilter::temper(const ObservationModel& model) const {
+  const auto count = static_cast<double>(std::max<std::size_t>(1, model.count()));
+  return std::min(params_.temper, params_.most_independent / count);
+}
+
 double ParticleFilter::weigh(ObservationModel& model) {
   const double before = sums_.log_total();
+  const auto share = static_cast<float>(temper(model));
   model.make_ready(particles_, workers_);
   share_blocks(workers_, particles_.size(), [&](ParticleRange range, std::size_t) {
-    model.weigh(static_cast<float>(params_.temper), range, particles_);
+    model.weigh(share, range, particles_);
   });
   sums_ = relative_weights(particles_, weights_, workers_);
   return sums_.log_total() - before;

@@ -20,8 +20,10 @@ namespace echomap::localization {
 struct ParticleFilterParams {
   std::size_t least_particles = 1500;
   std::size_t most_particles = 20000;
-  /// Share of the readings' logarithm that counts: those of one sweep err together.
-  double temper = 0.25;
+  /// Share of a reading's logarithm that counts, and how many readings a sweep counts for at most
+  /// when they are shared so: those of one sweep err together, the more the closer they lie.
+  double temper = 0.4;
+  double most_independent = 6.0;
   /// Particles are drawn anew when fewer than this share of them count (Mahmood and Ridao 2017).
   double resampling_share = 0.5;
   ResamplingScheme scheme = ResamplingScheme::kSystematic;
@@ -58,6 +60,8 @@ class ParticleFilter {
   double start_from(const Particles& weighed, double std_m, double std_rad);
 
   void move(const models::OdometryStep& step, const models::MotionSpread& spread);
+  /// The share of a sweep's logarithm that counts.
+  double temper(const ObservationModel& model) const;
   /// Weighs the particles by the sweep that a model observed; returns the logarithm of their mean
   /// likelihood, tempered, and 0 for no particles.
   double weigh(ObservationModel& model);

@@ -29,10 +29,10 @@ struct MotionSpread {
 /// How far odometry is off, by what was driven.
 struct OdometryMotionParams {
   /// alpha1 and alpha2 of the book: variance of a turn by the squares of the turn and of the drive.
-  double turn_by_turn = 0.0025;               ///< 5 % of the turn.
-  double turn_by_drive_rad2_per_m2 = 0.0025;  ///< 2.9 degrees a metre.
+  double turn_by_turn = 0.0009;               ///< 3 % of the turn.
+  double turn_by_drive_rad2_per_m2 = 0.0009;  ///< 1.7 degrees a metre.
   /// alpha3 and alpha4: variance of the drive by the squares of the drive and of the turns.
-  double drive_by_drive = 0.0025;           ///< 5 % of the drive.
+  double drive_by_drive = 0.0009;           ///< 3 % of the drive.
   double drive_by_turn_m2_per_rad2 = 1e-4;  ///< 1 cm a radian: wheels that scrub.
   /// What a step moves aside is that share of its drive: wheels that slip.
   double side_by_drive = 4e-4;

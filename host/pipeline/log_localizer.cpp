@@ -7,17 +7,23 @@
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/localization/likelihood_field_model.hpp"
+#include "host/localization/range_table_model.hpp"
 
 namespace echomap::pipeline {
 
 namespace {
 
-localization::LocalizedRobot robot_of(const datasets::RangeScan& scan, double most_laser_range_m) {
+/// As infra-red is, and a laser, whose beams have no opening.
+bool is_light(const datasets::RangeScan& scan) {
+  return scan.is_light || scan.beam_opening_rad == 0.0;
+}
+
+localization::LocalizedRobot robot_of(const datasets::RangeScan& scan) {
   localization::LocalizedRobot robot;
   robot.half_opening_rad = 0.5 * scan.beam_opening_rad;
-  robot.max_range_m =
-      scan.is_light ? std::min(scan.max_range_m, most_laser_range_m) : scan.max_range_m;
-  robot.is_light = scan.is_light;
+  robot.max_range_m = scan.max_range_m;
+  robot.is_light = is_light(scan);
   return robot;
 }
 
@@ -95,7 +101,7 @@ void LogLocalizer::gather(const datasets::RangeScan& scan) {
   if (!sensor_) {
     sensor_ = std::make_unique<Sensor>(map_,
                                        scan.beam_opening_rad,
-                                       robot_of(scan, params_.most_laser_range_m),
+                                       robot_of(scan),
                                        params_.preset,
                                        random_);
     if (start_) {
@@ -110,7 +116,8 @@ void LogLocalizer::gather(const datasets::RangeScan& scan) {
   }
   const geometry::Pose2 T_odom_sensor = *poses_.T_map_robot() * scan.T_robot_sensor;
   for (const datasets::Beam& beam : scan.beams) {
-    if (beam.range_m || !scan.is_light) {  // Light's silence says nothing.
+    // Light's silence says nothing, and maps end not far beyond what it saw well.
+    if (!is_light(scan) || (beam.range_m && *beam.range_m <= params_.most_laser_range_m)) {
       gathered_.push_back(
           {T_odom_sensor * geometry::Pose2(0.0, 0.0, beam.bearing_rad), beam.range_m});
     }

@@ -16,6 +16,7 @@
 #include "tests/benchmarks/localization_soak.hpp"
 #include "tests/benchmarks/localization_speed.hpp"
 #include "tests/benchmarks/room_figures.hpp"
+#include "tests/benchmarks/wean_figures.hpp"
 
 int main(int argc, char** argv) {
   using namespace echomap;
@@ -32,6 +33,7 @@ int main(int argc, char** argv) {
       {"building", [&] { return bench::building_figures(seed); }},
       {"rooms", [&] { return bench::room_figures(starts, seed); }},
       {"landmarks", [&] { return bench::landmark_figures(verbose); }},
+      {"wean", [&] { return bench::wean_figures(seed, verbose); }},
       {"soak", [&] {
          const bench::SoakScore score = bench::soak_localizer(hours, seed);
          holds = score.holds();
@@ -43,7 +45,7 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--repetitions", repetitions, "Median of so many")->capture_default_str();
-  app.add_option("--part", parts, "Only these: speed, building, rooms, landmarks, soak");
+  app.add_option("--part", parts, "Only these: speed, building, rooms, landmarks, wean, soak");
   app.add_option("--hours", hours, "Simulated time that a robot is followed")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

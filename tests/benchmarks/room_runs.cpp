@@ -61,10 +61,10 @@ mapping::RasterMap map_of_room(const std::string& name) {
   for (int y = 0; y < map.rows(); ++y) {
     for (int x = 0; x < map.columns(); ++x) {
       const Eigen::Vector2d middle_m = map.center_m({x, y});
-      if (plan.clearance_m(middle_m) <= kCellM / 2.0) {
-        map.set({x, y}, mapping::CellState::kOccupied);
-      } else if (plan.is_free(middle_m)) {
+      if (plan.is_free(middle_m)) {
         map.set({x, y}, mapping::CellState::kFree);
+      } else if (plan.clearance_m(middle_m) <= kCellM) {
+        map.set({x, y}, mapping::CellState::kOccupied);
       }
     }
   }

@@ -41,10 +41,8 @@ TEST(RangeTableModel, WeighsByTheSweepThatWasObservedLast) {
   const RangeReading far{{}, 1.7};
   const RangeReading near{{}, 0.7};
   model.observe(std::span(&far, 1));
-  ASSERT_EQ(model.count(), 1U);
   EXPECT_GT(weight_at(1.2, model), weight_at(2.2, model) + 1.0F);
   model.observe(std::span(&near, 1));
-  ASSERT_EQ(model.count(), 1U);
   EXPECT_GT(weight_at(2.2, model), weight_at(1.2, model) + 1.0F);
 }
 
