@@ -12,7 +12,7 @@ namespace {
 TEST(LossMonitor, SuspectsReadingsThatHaveBecomeUnlikely) {
   LossMonitor monitor;
   for (int i = 0; i < 1000; ++i) {
-    ASSERT_FALSE(monitor.is_suspicious(-0.5 + 0.3 * (i % 3))) << i;
+    ASSERT_FALSE(monitor.is_suspicious(-0.5 + 0.03 * (i % 3))) << i;
   }
   int sweeps = 1;
   while (!monitor.is_suspicious(-3.0) && sweeps < 100) {
@@ -24,7 +24,7 @@ TEST(LossMonitor, SuspectsReadingsThatHaveBecomeUnlikely) {
 TEST(LossMonitor, GetsUsedToALikelihoodThatIsLowForLong) {
   LossMonitor monitor;
   monitor.is_suspicious(0.0);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 300; ++i) {
     monitor.is_suspicious(-3.0);
   }
   EXPECT_FALSE(monitor.is_suspicious(-3.0));

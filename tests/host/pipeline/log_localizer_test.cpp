@@ -34,7 +34,8 @@ const mapping::RasterMap kRoom = tests::map_from({"#############################
                                                   "########################################"},
                                                  0.1);
 
-/// A laser of 36 beams, 0.1 m before the middle of the robot.
+/// A laser of 36 beams, 0.1 m before the middle of the robot; a wall stands in the middle of its
+/// cells.
 datasets::RangeScan scan_at(const Pose2& T_map_robot, double stamp_s) {
   const mapping::DistanceField field(kRoom, 10.0);
   const Pose2 T_robot_sensor(0.1, 0.0, 0.0);
@@ -50,7 +51,7 @@ datasets::RangeScan scan_at(const Pose2& T_map_robot, double stamp_s) {
         geometry::unit_vector(T_map_sensor.heading_rad() + bearing_rad).cast<float>();
     float range_m = 0.0F;
     mapping::cast_rays(field, T_map_sensor.position_m(), {&way, 1}, 10.0, {&range_m, 1});
-    scan.beams.push_back({bearing_rad, static_cast<double>(range_m)});
+    scan.beams.push_back({bearing_rad, static_cast<double>(range_m) + 0.05});
   }
   return scan;
 }
