@@ -2,9 +2,10 @@
 #include "host/localization/likelihood_field_model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
+
+#include "host/localization/usable_reading.hpp"
 
 namespace echomap::localization {
 
@@ -24,7 +25,7 @@ void LikelihoodFieldModel::observe(std::span<const RangeReading> readings) {
                readings.end(),
                std::back_inserter(readings_),
                [](const RangeReading& reading) {
-                 return reading.range_m && std::isfinite(*reading.range_m);
+                 return reading.range_m && is_usable(reading);
                });
 }
 

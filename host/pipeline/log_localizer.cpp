@@ -99,11 +99,8 @@ bool LogLocalizer::is_late(const datasets::RangeScan& scan) {
 void LogLocalizer::gather(const datasets::RangeScan& scan) {
   ++scans_;
   if (!sensor_) {
-    sensor_ = std::make_unique<Sensor>(map_,
-                                       scan.beam_opening_rad,
-                                       robot_of(scan),
-                                       params_.preset,
-                                       random_);
+    sensor_ = std::make_unique<Sensor>(
+        map_, scan.beam_opening_rad, robot_of(scan), params_.preset, random_);
     if (start_) {
       sensor_->localizer.update(*poses_.T_map_robot(), {});
       start_outcome_ =
