@@ -15,7 +15,7 @@ namespace echomap::localization {
 
 /// Settings of a LikelihoodField: those of AMCL but for the noise, 0.2 m there.
 struct LikelihoodFieldParams {
-  double hit_std_m = 0.15;        ///< How far from a wall a beam that hit it ends.
+  double hit_std_m = 0.15;      ///< How far from a wall a beam that hit it ends.
   double random_share = 0.05;   ///< Of beams that end anywhere.
   double max_distance_m = 2.0;  ///< What is farther from all walls is as far as that.
 };

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "tests/benchmarks/landmark_runs.hpp"
+#include "tests/benchmarks/nxt_places.hpp"
 #include "tests/support/real_data.hpp"
 
 namespace echomap::bench {
@@ -51,6 +52,16 @@ void add_mrclam(bool verbose, std::vector<Figure>& figures) {
   figures.push_back({"mrclam6_ekf_alone_m", alone_m, "m", 5, {}});
 }
 
+void add_nxt_places(std::vector<Figure>& figures) {
+  const auto folder = tests::real_data("nxt_sonar_imperial");
+  if (!std::filesystem::exists(folder)) {
+    fmt::print("nxt places: not there, skipped\n");
+    return;
+  }
+  figures.push_back(
+      {"nxt_places_of_5", static_cast<double>(nxt_places_known_again(folder)), "places", 5, {}});
+}
+
 void add_brenner(bool verbose, std::vector<Figure>& figures) {
   const auto folder = tests::real_data("lego_brenner");
   if (!std::filesystem::exists(folder)) {
@@ -73,6 +84,7 @@ std::vector<Figure> landmark_figures(bool verbose) {
   std::vector<Figure> figures;
   add_mrclam(verbose, figures);
   add_brenner(verbose, figures);
+  add_nxt_places(figures);
   return figures;
 }
 
