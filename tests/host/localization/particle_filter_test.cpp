@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "host/localization/pose_hypotheses.hpp"
 #include "host/localization/range_table_model.hpp"
 #include "tests/support/drawn_map.hpp"
+#include "tests/support/resident_memory.hpp"
 
 namespace echomap::localization {
 namespace {
@@ -71,6 +73,30 @@ std::size_t size_after_a_sweep(double start_std) {
 TEST(ParticleFilter, NeedsFewerParticlesTheSurerItIs) {
   EXPECT_LT(size_after_a_sweep(0.03), size_after_a_sweep(0.3) / 2);
   EXPECT_GE(size_after_a_sweep(0.03), 10U);
+}
+
+TEST(ParticleFilter, HoldsAMillionParticles) {
+  constexpr std::size_t kMany = 1'000'000;
+  Scene scene;
+  const double before_mb = tests::resident_mb();
+  ParticleFilter filter(
+      {.least_particles = kMany, .most_particles = kMany, .resampling_share = 1.0},
+      std::mt19937(1),
+      Workers(2));
+  filter.start_at({1.0, 0.2, 0.0}, 0.3, 0.01);
+  for (int i = 0; i < 3; ++i) {
+    filter.move({0.0, 0.01, 0.0}, {0.01, 0.01, 0.01, 0.01});
+    filter.weigh(scene.ahead(1.7));
+    filter.resample_where_few_count();
+  }
+  EXPECT_EQ(filter.particles().size(), kMany);
+  EXPECT_NEAR(mean_x_m(filter.particles()), 1.2, 0.1);
+  EXPECT_LT(tests::resident_mb() - before_mb, 64.0);  // 64 bytes a particle.
+  double probability = 0.0;
+  for (const PoseHypothesis& hypothesis : find_hypotheses(filter.particles(), filter.weights())) {
+    probability += hypothesis.probability;
+  }
+  EXPECT_NEAR(probability, 1.0, 1e-9);
 }
 
 TEST(ParticleFilter, TakesInAnotherByItsShare) {
