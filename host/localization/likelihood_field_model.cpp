@@ -24,9 +24,7 @@ void LikelihoodFieldModel::observe(std::span<const RangeReading> readings) {
   std::copy_if(readings.begin(),
                readings.end(),
                std::back_inserter(readings_),
-               [](const RangeReading& reading) {
-                 return reading.range_m && is_usable(reading);
-               });
+               [](const RangeReading& reading) { return reading.range_m && is_usable(reading); });
 }
 
 void LikelihoodFieldModel::weigh(float temper, ParticleRange range, Particles& particles) const {
