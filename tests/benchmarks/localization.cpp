@@ -28,10 +28,11 @@ int main(int argc, char** argv) {
   bool holds = true;
   std::vector<std::string> parts;
   std::filesystem::path json;
+  std::filesystem::path picture;
   const std::vector<std::pair<std::string, std::function<std::vector<bench::Figure>()>>> all{
       {"speed", [&] { return bench::localization_speed_figures(repetitions); }},
       {"building", [&] { return bench::building_figures(seed); }},
-      {"rooms", [&] { return bench::room_figures(starts, seed); }},
+      {"rooms", [&] { return bench::room_figures(starts, seed, picture); }},
       {"landmarks", [&] { return bench::landmark_figures(verbose); }},
       {"wean", [&] { return bench::wean_figures(seed, verbose); }},
       {"soak", [&] {
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("--verbose", verbose, "A line for each robot that is followed");
+  app.add_option("--picture", picture, "Draw how far the probability of being lost holds, as SVG");
   app.add_option("--json", json, "Write the figures to this file");
   CLI11_PARSE(app, argc, argv);
   std::vector<bench::Figure> figures;

@@ -25,10 +25,16 @@ struct Trial {
   MonteCarloLocalizer localizer;
   int directions;
 
-  void listen() { localizer.update(robot.T_odom_robot(), robot.listen(directions)); }
-  bool is_right() const {
+  Reliability& reliability;
+
+  void listen() {
+    localizer.update(robot.T_odom_robot(), robot.listen(directions));
+    reliability.add(localizer.belief().lost_probability, !is_within(0.30, 20.0));
+  }
+  bool is_right() const { return is_within(0.15, 10.0); }
+  bool is_within(double metres, double degrees) const {
     return tests::is_believed_near(
-        localizer.belief(), robot.T_map_robot(), 0.15, geometry::radians(10.0));
+        localizer.belief(), robot.T_map_robot(), metres, geometry::radians(degrees));
   }
   /// Drives on and listens; returns how often the robot was called lost.
   int go_on(int stops) {
@@ -76,7 +82,11 @@ Figure rate(const std::string& name, int part, int whole) {
 
 }  // namespace
 
-RoomScore score_room(const std::string& room, int directions, int starts, std::uint32_t seed) {
+RoomScore score_room(const std::string& room,
+                     int directions,
+                     int starts,
+                     std::uint32_t seed,
+                     Reliability& reliability) {
   localization::RangeTableModel model(localization::RangeTable(map_of_room(room), kSonar),
                                       models::BeamModel(models::sonar_cone_returns()));
   RoomScore score;
@@ -84,19 +94,23 @@ RoomScore score_room(const std::string& room, int directions, int starts, std::u
     const std::uint32_t own_seed = seed + static_cast<std::uint32_t>(i);
     Trial trial{RoomRobot(room, own_seed),
                 MonteCarloLocalizer(model, {}, std::mt19937(own_seed)),
-                directions};
+                directions,
+                reliability};
     run(trial, score);
   }
   return score;
 }
 
-std::vector<Figure> room_figures(int starts, std::uint32_t seed) {
+std::vector<Figure> room_figures(int starts,
+                                 std::uint32_t seed,
+                                 const std::filesystem::path& picture) {
   std::vector<Figure> figures;
   RoomScore both;
+  Reliability reliability;
   for (const int directions : {8, 60}) {
     RoomScore all;
-    for (const char* const room : {"living_room", "l_room", "playground", "landing"}) {
-      const RoomScore score = score_room(room, directions, starts, seed);
+    for (const char* const room : {"living_room", "l_room", "playground", "landing", "office"}) {
+      const RoomScore score = score_room(room, directions, starts, seed, reliability);
       fmt::print(
           "{:12} {:2} directions: found {} of {}; carried off {}, noticed {}, found again {}; "
           "{} false alarms at {} stops\n",
@@ -117,6 +131,11 @@ std::vector<Figure> room_figures(int starts, std::uint32_t seed) {
   figures.push_back(rate("kidnap_noticed", both.noticed, both.kidnapped));
   figures.push_back(rate("kidnap_recovered", both.recovered, both.kidnapped));
   figures.push_back(rate("false_alarms_per_stop", both.alarms, both.stops));
+  figures.push_back(
+      {"lost_probability_error", reliability.mean_error(), "1", reliability.count(), {}});
+  if (!picture.empty()) {
+    write_reliability_svg(reliability, picture);
+  }
   return figures;
 }
 

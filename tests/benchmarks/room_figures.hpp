@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "tests/benchmarks/figures.hpp"
+#include "tests/benchmarks/reliability.hpp"
 
 namespace echomap::bench {
 
@@ -20,10 +22,18 @@ struct RoomScore {
   int alarms = 0;     ///< and how often one was called lost.
 };
 
-/// `starts` robots in a bundled room, each with a sweep in so many directions at each stop.
-RoomScore score_room(const std::string& room, int directions, int starts, std::uint32_t seed);
+/// `starts` robots in a bundled room, each with a sweep in so many directions at each stop. What
+/// was told of being lost, by more than 30 cm or 20 degrees, is added to `reliability`.
+RoomScore score_room(const std::string& room,
+                     int directions,
+                     int starts,
+                     std::uint32_t seed,
+                     Reliability& reliability);
 
-/// Rates over rooms without symmetry, with 8 and with 60 directions; prints a line a room.
-std::vector<Figure> room_figures(int starts, std::uint32_t seed);
+/// Rates over rooms without symmetry, with 8 and with 60 directions; prints a line a room, and
+/// draws how far the probability of being lost holds unless `picture` is empty.
+std::vector<Figure> room_figures(int starts,
+                                 std::uint32_t seed,
+                                 const std::filesystem::path& picture);
 
 }  // namespace echomap::bench

@@ -126,11 +126,16 @@ TEST_P(BundledWorld, IsAValidRoomWithSpaceForTheRobot) {
   EXPECT_GT(plan.clearance_m(plan.T_world_start().position_m()), 0.2);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All,
-    BundledWorld,
-    testing::Values(
-        "living_room", "empty_room", "corridor", "l_room", "landing", "epuck_field", "playground"));
+INSTANTIATE_TEST_SUITE_P(All,
+                         BundledWorld,
+                         testing::Values("living_room",
+                                         "empty_room",
+                                         "corridor",
+                                         "l_room",
+                                         "landing",
+                                         "office",
+                                         "epuck_field",
+                                         "playground"));
 
 }  // namespace
 }  // namespace echomap::world
