@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/localization/correlation_model.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +13,8 @@
 namespace echomap::localization {
 
 namespace {
+
+constexpr double kUnknown = 0.5;
 
 using Cell = std::pair<long, long>;
 using Evidence = std::map<Cell, double>;
@@ -39,6 +43,18 @@ void add_sector(const models::OccupiedSector& sector,
   }
 }
 
+double occupancy_of(mapping::CellState state) {
+  switch (state) {
+    case mapping::CellState::kFree:
+      return 0.0;
+    case mapping::CellState::kOccupied:
+      return 1.0;
+    case mapping::CellState::kUnknown:
+      break;
+  }
+  return kUnknown;
+}
+
 }  // namespace
 
 CorrelationModel::CorrelationModel(mapping::RasterMap map, const CorrelationModelParams& params)
@@ -48,6 +64,13 @@ CorrelationModel::CorrelationModel(mapping::RasterMap map, const CorrelationMode
       likelihood_(params.correlation) {
   if (!(params.cell_m > 0.0)) {
     throw std::invalid_argument("correlation model: a local cell is wider than 0");
+  }
+  for (int y = 0; y < map_.rows(); ++y) {
+    std::transform(
+        map_.row(y),
+        map_.row(y) + map_.columns(),
+        std::back_inserter(occupancy_),
+        [](mapping::CellState state) { return static_cast<float>(occupancy_of(state)); });
   }
 }
 
@@ -60,39 +83,40 @@ void CorrelationModel::observe(std::span<const RangeReading> readings) {
   }
   local_.clear();
   for (const auto& [cell, log_odds] : evidence) {
-    local_.push_back({params_.cell_m * Eigen::Vector2d(static_cast<double>(cell.first),
-                                                       static_cast<double>(cell.second)),
+    local_.push_back({params_.cell_m * static_cast<double>(cell.first),
+                      params_.cell_m * static_cast<double>(cell.second),
                       log_odds > 0.0 ? 1.0 : 0.0});
   }
 }
 
 void CorrelationModel::weigh(float temper, ParticleRange range, Particles& particles) const {
+  const double cells_per_m = 1.0 / map_.resolution_m();
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const geometry::Pose2 T_map_robot = particles.pose(i);
-    const double cosine = std::cos(T_map_robot.heading_rad());
-    const double sine = std::sin(T_map_robot.heading_rad());
+    const Eigen::Vector2d from_cells = cells_per_m * (T_map_robot.position_m() - map_.origin_m());
+    const double cosine = cells_per_m * std::cos(T_map_robot.heading_rad());
+    const double sine = cells_per_m * std::sin(T_map_robot.heading_rad());
     models::MapCorrelation correlation;
     for (const LocalCell& cell : local_) {
-      const Eigen::Vector2d at_m(
-          T_map_robot.x_m() + cosine * cell.middle_m.x() - sine * cell.middle_m.y(),
-          T_map_robot.y_m() + sine * cell.middle_m.x() + cosine * cell.middle_m.y());
-      correlation.add(occupancy_at(at_m), cell.occupancy);
+      const double x_cells = from_cells.x() + cosine * cell.x_m - sine * cell.y_m;
+      const double y_cells = from_cells.y() + sine * cell.x_m + cosine * cell.y_m;
+      correlation.add(occupancy_at(x_cells, y_cells), cell.occupancy);
     }
     particles.log_weight[i] +=
         temper * static_cast<float>(std::log(likelihood_.likelihood(correlation)));
   }
 }
 
-double CorrelationModel::occupancy_at(const Eigen::Vector2d& point_m) const {
-  switch (map_.state(map_.cell_at(point_m))) {
-    case mapping::CellState::kFree:
-      return 0.0;
-    case mapping::CellState::kOccupied:
-      return 1.0;
-    case mapping::CellState::kUnknown:
-      break;
+/// Beyond the map nothing is known.
+double CorrelationModel::occupancy_at(double x_cells, double y_cells) const {
+  const bool is_inside = x_cells >= 0.0 && y_cells >= 0.0 && x_cells < map_.columns() &&  //
+                         y_cells < map_.rows();
+  if (!is_inside) {
+    return kUnknown;
   }
-  return 0.5;
+  const auto column = static_cast<std::size_t>(x_cells);
+  const auto row = static_cast<std::size_t>(y_cells);
+  return static_cast<double>(occupancy_[row * static_cast<std::size_t>(map_.columns()) + column]);
 }
 
 }  // namespace echomap::localization

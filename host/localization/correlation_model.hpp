@@ -3,8 +3,6 @@
 
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "host/localization/observation_model.hpp"
 #include "host/models/map_correlation.hpp"
 #include "host/models/occupied_sector.hpp"
@@ -37,13 +35,15 @@ class CorrelationModel : public ObservationModel {
 
  private:
   struct LocalCell {
-    Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();  ///< From the robot.
+    double x_m = 0.0;  ///< Its middle, from the robot.
+    double y_m = 0.0;
     double occupancy = 0.0;
   };
 
-  double occupancy_at(const Eigen::Vector2d& point_m) const;
+  double occupancy_at(double x_cells, double y_cells) const;
 
   mapping::RasterMap map_;
+  std::vector<float> occupancy_;  ///< Of the map's cells, row by row.
   CorrelationModelParams params_;
   models::OccupiedSector sector_;
   models::CorrelationLikelihood likelihood_;

@@ -54,9 +54,14 @@ LocalizerParams create_params(const LocalizedRobot& robot) {
 }
 
 /// Mahmood and Ridao 2017, sections 3.3 and 4.1: drawn anew when fewer than half of the particles
-/// count.
+/// count. The paper has no numbers for the motion; ours are 5 % of turns and drives.
 LocalizerParams epuck_params(const LocalizedRobot& robot) {
   LocalizerParams params = plain_params(1000, robot);
+  params.motion = models::OdometryMotion({.turn_by_turn = 0.0025,
+                                          .turn_by_drive_rad2_per_m2 = 0.0025,
+                                          .drive_by_drive = 0.0025,
+                                          .drive_by_turn_m2_per_rad2 = 1e-4,
+                                          .side_by_drive = 4e-4});
   params.filter.scheme = ResamplingScheme::kSystematic;
   params.filter.resampling_share = 0.5;
   return params;

@@ -33,9 +33,9 @@ class MapCorrelation {
 
 /// What of the correlation counts.
 struct CorrelationParams {
-  /// The least likelihood. The book has 0 (equation 6.37), by which one bad look would kill every
-  /// particle.
-  double least = 0.05;
+  /// The least likelihood; ours, chosen on the simulated e-puck's field. The book has 0 (equation
+  /// 6.37), by which one bad look would kill every particle.
+  double least = 0.3;
 };
 
 /// p(z | x) = max(rho, least), after equation 6.37. Throws std::invalid_argument for a least that

@@ -5,17 +5,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "hil_mock/world/ir_range.hpp"
-#include "hil_mock/world/robot_file.hpp"
-#include "host/files/toml_reader.hpp"
+#include "hil_mock/world/noise.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/models/occupied_sector.hpp"
-#include "host/sensors/infrared_curve.hpp"
-#include "tests/papers/drive_path.hpp"
+#include "tests/papers/epuck_ring.hpp"
 
 namespace echomap::papers {
 
@@ -26,23 +22,7 @@ using geometry::Pose2;
 
 constexpr double kCellM = 0.001;
 constexpr double kReachM = 0.06;
-constexpr double kPeriodS = 0.1;
-constexpr double kCountsPerMillivolt = 1023.0 / 5000.0;
 constexpr double kCentilogits = 100.0;
-
-files::TomlReader bundled(const std::string& file) {
-  return files::TomlReader::load(std::string(ECHOMAP_SOURCE_DIR) + "/" + file);
-}
-
-/// The curve that a user of the e-puck has in its profile.
-sensors::InfraredCurve profile_curve() {
-  std::vector<sensors::InfraredPoint> points;
-  for (const auto& [counts, range_m] :
-       bundled("host/profiles/epuck.toml").table("infrared").points("curve")) {
-    points.push_back({counts, range_m});
-  }
-  return sensors::InfraredCurve(points);
-}
 
 /// Beside the walls and round both blocks at 5 to 6 cm, and lanes through the rest.
 const std::vector<Eigen::Vector2d> lap_points_m = {
@@ -121,56 +101,31 @@ class SectorGrid {
   mapping::OccupancyGrid grid_{grid_params()};
 };
 
-/// The ring of a simulated e-puck and the host's understanding of it.
-class Ring {
- public:
-  Ring(const world::FloorPlan& field, std::uint32_t seed) : curve_(profile_curve()) {
-    const auto robot = world::read_robot(bundled("hil_mock/robots/epuck.toml"));
-    for (const world::IrRangeParams& params : robot.parts.ranges) {
-      const auto purpose = static_cast<std::uint32_t>(world::NoisePurpose::kRange0) +
-                           static_cast<std::uint32_t>(params.channel);
-      sensors_.emplace_back(
-          field, params, world::NoiseStream(seed, static_cast<world::NoisePurpose>(purpose)));
-    }
-  }
-
-  /// Measures at the true pose and maps from the one that is believed.
-  void measure(const Pose2& T_world_robot,
-               const Pose2& T_world_believed,
-               bool silence_is_free,
-               SectorGrid& grid) {
-    for (world::IrRange& sensor : sensors_) {
-      sensor.step(kPeriodS, T_world_robot);
-      const double counts = std::floor(kCountsPerMillivolt * sensor.millivolts());
-      const auto range_m = curve_.range_m(counts);
-      if (range_m || silence_is_free) {
-        grid.insert({range_m}, T_world_believed * sensor.params().T_robot_sensor);
-      }
-    }
-  }
-
- private:
-  sensors::InfraredCurve curve_;
-  std::vector<world::IrRange> sensors_;
-};
-
 }  // namespace
+
+std::vector<Pose2> epuck_lap(const PathSteps& steps, double phase) {
+  return drive_path(lap_points_m, steps, phase);
+}
 
 mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
                                    const EpuckGridParams& params,
                                    std::uint32_t seed) {
-  Ring ring(field, seed);
+  EpuckRing ring(field, seed);
   SectorGrid grid(params);
   world::NoiseStream camera(seed, world::NoisePurpose::kBody);
   for (int lap = 0; lap < params.laps; ++lap) {
-    for (const Pose2& T_world_robot : drive_path(lap_points_m, PathSteps{}, camera.uniform())) {
+    for (const Pose2& T_world_robot : epuck_lap(PathSteps{}, camera.uniform())) {
       const double x_m = params.position_sd_m * camera.normal();
       const double y_m = params.position_sd_m * camera.normal();
       const double heading_rad = params.heading_sd_rad * camera.normal();
       const Pose2 T_world_believed(T_world_robot.x_m() + x_m,
                                    T_world_robot.y_m() + y_m,
                                    T_world_robot.heading_rad() + heading_rad);
-      ring.measure(T_world_robot, T_world_believed, params.silence_is_free, grid);
+      for (const localization::RangeReading& reading : ring.read(T_world_robot)) {
+        if (reading.range_m || params.silence_is_free) {
+          grid.insert({reading.range_m}, T_world_believed * reading.T_robot_sensor);
+        }
+      }
     }
   }
   return mapping::rasterize(grid.grid());

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "hil_mock/world/floor_plan.hpp"
 #include "host/mapping/raster_map.hpp"
+#include "tests/papers/drive_path.hpp"
 
 namespace echomap::papers {
 
@@ -23,6 +25,10 @@ struct EpuckGridParams {
   /// Algorithm 3 calls all of a beam free where nothing answers; otherwise it is left out.
   bool silence_is_free = true;
 };
+
+/// A drive along walls and obstacles of hil_mock/worlds/epuck_field.toml, cut into poses; the first
+/// lies `phase` of a step behind its beginning.
+std::vector<geometry::Pose2> epuck_lap(const PathSteps& steps, double phase);
 
 /// Drives the simulated e-puck along walls and obstacles of hil_mock/worlds/epuck_field.toml and
 /// maps it in cells of 1 mm by Algorithms 2 and 3. World frame.
