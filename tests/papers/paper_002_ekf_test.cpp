@@ -86,6 +86,9 @@ localization::PoseEkfParams epuck() {
   localization::PoseEkfParams params;
   // A step of the field's lap, as each has an error of its own.
   params.whole_step = {.drive_m = 0.01, .turn_rad = 0.1};
+  params.motion.turn_by_turn = kWheelShare * kWheelShare;
+  params.motion.turn_by_drive_rad2_per_m2 = kWheelShare * kWheelShare;
+  params.motion.drive_by_drive = kWheelShare * kWheelShare;
   return params;
 }
 
