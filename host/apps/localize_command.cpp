@@ -8,6 +8,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/interrupt.hpp"
+#include "host/apps/localize_troubles.hpp"
 #include "host/apps/progress_bar.hpp"
 #include "host/apps/report.hpp"
 #include "host/datasets/open_log.hpp"
@@ -92,6 +93,7 @@ nlohmann::ordered_json to_json(const LocalizeOptions& options,
   nlohmann::ordered_json json{{"log", options.log.filename().string()},
                               {"scans", localizer.scans()},
                               {"unused_scans", localizer.unused_scans()},
+                              {"late_scans", localizer.late_scans()},
                               {"updates", localizer.updates()},
                               {"status", name_of(belief.status)},
                               {"lost_probability", belief.lost_probability},
@@ -125,10 +127,10 @@ ExitCode run_localize(const LocalizeOptions& options) {
   const bool has_ended = feed(*log, localizer, progress);
   progress.clear();
   if (localizer.belief().hypotheses.empty()) {
-    throw CommandError(ExitCode::kRuntimeError,
-                       localizer.scans() == 0
-                           ? options.log.string() + " holds no ranges"
-                           : options.map.string() + " has no floor where a robot could be");
+    throw CommandError(ExitCode::kRuntimeError, why_nowhere(localizer, options.log, options.map));
+  }
+  for (const std::string& trouble : troubles_of(localizer)) {
+    spdlog::warn("{}", trouble);
   }
   exports::write_trajectory_tum(out / "trajectory.tum", localizer.trajectory());
   const auto report = to_json(options, localizer);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "host/pipeline/log_localizer.hpp"
+
+namespace echomap::apps {
+
+/// Why nothing is known of the robot after the whole log, for the user.
+std::string why_nowhere(const pipeline::LogLocalizer& localizer,
+                        const std::filesystem::path& log,
+                        const std::filesystem::path& map);
+
+/// What has gone wrong although the robot was followed, a sentence each.
+std::vector<std::string> troubles_of(const pipeline::LogLocalizer& localizer);
+
+}  // namespace echomap::apps
