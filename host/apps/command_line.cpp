@@ -12,6 +12,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/interrupt.hpp"
+#include "host/apps/localize_options.hpp"
 #include "host/apps/map_options.hpp"
 #include "host/apps/robot_options.hpp"
 #include "host/files/nearest_word.hpp"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/apps/exit_code.hpp"
+#include "host/localization/localizer_preset.hpp"
 
 namespace echomap::apps {
 
@@ -22,14 +23,19 @@ struct RunOptions {
   bool headless = false;
 };
 
-/// `echomap explore`: drives the robot on a port.
-struct ExploreOptions {
-  RunOptions run;
+/// Where a robot is and how to speak to it.
+struct ConnectionOptions {
   std::vector<std::string> ports;  ///< Empty: every USB and Bluetooth serial port.
   int baud = 115200;
   bool no_reset = false;      ///< End where opening the port has reset the robot.
   double reconnect_s = 10.0;  ///< How long to wait for a robot that is away; 0: not at all.
   std::string lockstep;       ///< Socket of a simulated robot's clock; empty for a real one.
+};
+
+/// `echomap explore`: drives the robot on a port.
+struct ExploreOptions {
+  RunOptions run;
+  ConnectionOptions connection;
 };
 ExitCode run_explore(const ExploreOptions& options);
 
@@ -70,16 +76,16 @@ struct ReplayOptions {
 };
 ExitCode run_replay(const ReplayOptions& options);
 
-/// `echomap localize`: finds and follows the robot of a log in a map.
+/// `echomap localize`: finds and follows a robot in a map.
 struct LocalizeOptions {
-  std::filesystem::path log;
+  std::filesystem::path log;  ///< Of a robot that drove; empty: one that drives, at a port.
   std::string format;         ///< Empty: what the log plainly says.
   std::filesystem::path map;  ///< A run directory or the YAML file of a map.
   std::vector<double> at;     ///< x and y in metres, heading in degrees; empty: anywhere.
-  std::uint32_t seed = 1;
-  std::filesystem::path out;
-  std::filesystem::path json;
-  bool headless = false;
+  std::string filter = "mcl";
+  localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
+  ConnectionOptions connection;
+  RunOptions run;
 };
 ExitCode run_localize(const LocalizeOptions& options);
 

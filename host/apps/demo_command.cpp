@@ -9,8 +9,10 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/explore_run.hpp"
+#include "host/apps/open_robot.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/simulated_robot.hpp"
+#include "host/apps/strategy_setup.hpp"
 #include "host/evaluation/run_score.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/transport/open_stream.hpp"
@@ -78,8 +80,9 @@ ExitCode run_demo(const DemoOptions& options) {
   summary.firmware = device.firmware;
   summary.emulator = device.emulator;
 
-  const ExitCode code =
-      explore_and_save(connection_to(robot, options), profile, options.run, out, summary);
+  pipeline::RobotPipeline pipeline = pipeline_for(profile);
+  RobotSession session(connection_to(robot, options), profile, pipeline);
+  const ExitCode code = explore_and_save({session, pipeline, profile}, options.run, out, summary);
   say("map: " + (out / "map.png").string());
   say_what_ran(summary);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));

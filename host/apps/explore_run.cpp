@@ -12,7 +12,7 @@
 
 #include "host/apps/link_report.hpp"
 #include "host/apps/progress_bar.hpp"
-#include "host/apps/robot_session.hpp"
+#include "host/apps/strategy_setup.hpp"
 #include "host/exploration/nxt_farthest.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
@@ -21,21 +21,6 @@ namespace echomap::apps {
 namespace {
 
 using exploration::MotionResult;
-
-exploration::NxtFarthestParams params_for(const RobotProfile& profile, std::size_t most_stops) {
-  exploration::NxtFarthestParams params;
-  params.pan_limit_rad = profile.pan_limit_rad;
-  params.settle_s = profile.settle_s;
-  params.robot_radius_m = profile.body_radius_m;
-  params.most_stops = most_stops;
-  return params;
-}
-
-mapping::SonarMapperParams mapper_params_for(const RobotProfile& profile) {
-  mapping::SonarMapperParams params;
-  params.surfaces.beam_half_angle_rad = profile.beam_half_angle_rad;
-  return params;
-}
 
 double seconds_of(time::HostTime at) {
   return std::chrono::duration<double>(at.time_since_epoch()).count();
@@ -146,27 +131,7 @@ ExitCode exit_code_of(exploration::FinishReason reason) {
   return ExitCode::kRuntimeError;
 }
 
-std::string outcome_of(SessionEnd end) {
-  switch (end) {
-    case SessionEnd::kInterrupted:
-      return "interrupted";
-    case SessionEnd::kSafetyStop:
-      return "safety-stop";
-    case SessionEnd::kFirmwareMismatch:
-      return "firmware-mismatch";
-    case SessionEnd::kConfigInvalid:
-      return "configuration-invalid";
-    case SessionEnd::kLinkLost:
-      break;
-  }
-  return "link-lost";
-}
-
 }  // namespace
-
-std::uint16_t session_id_from(std::uint32_t number) {
-  return static_cast<std::uint16_t>(1 + number % 0xFFFF);
-}
 
 RobotProfile profile_for(const RunOptions& options) {
   RobotProfile profile = load_robot_profile(options.robot);
@@ -179,19 +144,17 @@ RobotProfile profile_for(const RunOptions& options) {
   return profile;
 }
 
-ExitCode explore_and_save(RobotConnection robot,
-                          const RobotProfile& profile,
+ExitCode explore_and_save(const DrivenRobot& robot,
                           const RunOptions& options,
                           const std::filesystem::path& out,
                           exports::RunSummary& summary) {
+  auto& [session, pipeline, profile] = robot;
   summary.echomap_version = ECHOMAP_VERSION;
   summary.robot = profile.name;
   summary.strategy = options.strategy;
   summary.seed = options.seed;
   std::mt19937 random(options.seed);
-  exploration::NxtFarthest explorer(params_for(profile, options.stops), random);
-  pipeline::RobotPipeline pipeline(profile.geometry, mapper_params_for(profile));
-  RobotSession session(std::move(robot), profile, pipeline);
+  exploration::NxtFarthest explorer(strategy_params(profile, options.stops), random);
   RunKeeper keeper(session, pipeline, out, summary);
   ProgressBar progress(stderr, !options.headless);
   if (progress.is_active()) {
@@ -206,6 +169,7 @@ ExitCode explore_and_save(RobotConnection robot,
   session.connect();
   const auto reason = drive(session, pipeline, explorer, keeper);
   session.disarm();
+  session.on_step = nullptr;
   progress.clear();
   if (reason) {
     keeper.save(exploration::name_of(*reason));

@@ -10,24 +10,12 @@
 #include "host/datasets/open_log.hpp"
 
 namespace echomap::apps {
-namespace {
-
-/// What every command has that reads a log and writes a run directory.
-template <typename Options>
-void add_log_options(CLI::App* command, Options& options) {
-  command->add_option("log", options.log, "File of the log, plain or gz, or a run directory")
-      ->required()
-      ->check(CLI::ExistingPath);
-  command
-      ->add_option(
-          "--format", options.format, "Format of the log; not needed where the log says it")
+CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std::string& format) {
+  command.add_option("--format", format, "Format of the log; not needed where the log says it")
       ->check([](const std::string& name) { return datasets::unknown_format(name); });
-  command->add_option("--out", options.out, "Run directory; a stamped one by default");
-  command->add_option("--json", options.json, "Write a report to this file, '-' for stdout");
-  command->add_flag("--headless", options.headless, "No progress line");
+  return command.add_option("log", log, "File of the log, plain or gz, or a run directory")
+      ->check(CLI::ExistingPath);
 }
-
-}  // namespace
 
 void add_eval(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("eval", "Score a run against what is known to be true");
@@ -78,7 +66,10 @@ void add_diff(CLI::App& app, CommandAction& action) {
 void add_replay(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("replay", "Make a map of a robot's log");
   const auto options = std::make_shared<ReplayOptions>();
-  add_log_options(command, *options);
+  add_log_options(*command, options->log, options->format)->required();
+  command->add_option("--out", options->out, "Run directory; a stamped one by default");
+  command->add_option("--json", options->json, "Write a report to this file, '-' for stdout");
+  command->add_flag("--headless", options->headless, "No progress line");
   command
       ->add_option("--map",
                    options->map,
@@ -98,23 +89,6 @@ void add_replay(CLI::App& app, CommandAction& action) {
       ->capture_default_str();
   command->footer("Example: echomap replay aces.log.gz --poses given --out aces");
   command->callback([&action, options] { action = [options] { return run_replay(*options); }; });
-}
-
-void add_localize(CLI::App& app, CommandAction& action) {
-  CLI::App* command = app.add_subcommand("localize", "Find and follow the robot of a log in a map");
-  const auto options = std::make_shared<LocalizeOptions>();
-  add_log_options(command, *options);
-  command->add_option("--map", options->map, "Run directory, or YAML file of a ROS map")
-      ->required()
-      ->check(CLI::ExistingPath);
-  command
-      ->add_option("--at",
-                   options->at,
-                   "Where it starts: x and y in metres, heading in degrees; anywhere by default")
-      ->expected(3);
-  command->add_option("--seed", options->seed, "Seed of the particles")->capture_default_str();
-  command->footer("Example: echomap localize tuesday.log --map monday");
-  command->callback([&action, options] { action = [options] { return run_localize(*options); }; });
 }
 
 }  // namespace echomap::apps

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include <CLI/App.hpp>
 
 #include "host/apps/command_action.hpp"
@@ -12,6 +15,8 @@ namespace echomap::apps {
 void add_eval(CLI::App& app, CommandAction& action);
 void add_diff(CLI::App& app, CommandAction& action);
 void add_replay(CLI::App& app, CommandAction& action);
-void add_localize(CLI::App& app, CommandAction& action);
+
+/// The file of a log, which is answered, and its format.
+CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std::string& format);
 
 }  // namespace echomap::apps

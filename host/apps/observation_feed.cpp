@@ -4,32 +4,32 @@
 namespace echomap::apps {
 
 void ObservationFeed::take(const protocol::Odometry& message) {
-  pipeline_.on_odometry(converter_.convert(message));
+  sink_.on_odometry(converter_.convert(message));
 }
 
 void ObservationFeed::take(const protocol::Echo& message) {
-  pipeline_.on_sonar(converter_.convert(message));
+  sink_.on_sonar(converter_.convert(message));
 }
 
 void ObservationFeed::take(const protocol::Health& message) {
   if (const auto battery = converter_.convert(message)) {
-    pipeline_.on_battery(*battery);
+    sink_.on_battery(*battery);
   }
 }
 
 void ObservationFeed::take(const protocol::Ranges& message) {
-  pipeline_.on_infrared(converter_.convert(message));
+  sink_.on_infrared(converter_.convert(message));
 }
 
 void ObservationFeed::take(const protocol::Gyro& message) {
   if (const auto yaw = converter_.convert(message)) {
-    pipeline_.on_yaw(*yaw);
+    sink_.on_yaw(*yaw);
   }
 }
 
 sensors::HazardObservation ObservationFeed::take(const protocol::Status& message) {
   const auto hazards = converter_.convert(message);
-  pipeline_.on_hazards(hazards);
+  sink_.on_hazards(hazards);
   return hazards;
 }
 

@@ -2,19 +2,19 @@
 #pragma once
 
 #include "host/apps/robot_profile.hpp"
-#include "host/pipeline/robot_pipeline.hpp"
+#include "host/pipeline/observation_sink.hpp"
 #include "host/sensors/observation_converter.hpp"
 #include "host/sensors/observations.hpp"
 #include "protocol/telemetry_messages.hpp"
 
 namespace echomap::apps {
 
-/// Takes what the robot senses to the pipeline, in SI units.
+/// Takes what the robot senses to a pipeline, in SI units.
 class ObservationFeed {
  public:
-  /// `pipeline` outlives the feed.
-  ObservationFeed(const RobotProfile& profile, pipeline::RobotPipeline& pipeline)
-      : pipeline_(pipeline), converter_(profile.geometry, profile.range, profile.sensors) {}
+  /// `sink` outlives the feed.
+  ObservationFeed(const RobotProfile& profile, pipeline::ObservationSink& sink)
+      : sink_(sink), converter_(profile.geometry, profile.range, profile.sensors) {}
 
   /// The robot's counters and clock begin at zero again; the pose goes on.
   void restart() { converter_.restart(); }
@@ -28,7 +28,7 @@ class ObservationFeed {
   sensors::HazardObservation take(const protocol::Status& message);
 
  private:
-  pipeline::RobotPipeline& pipeline_;
+  pipeline::ObservationSink& sink_;
   sensors::ObservationConverter converter_;
 };
 

@@ -33,14 +33,15 @@ double seconds_of(RobotLine::Duration duration) {
 
 RobotLine::RobotLine(RobotConnection robot,
                      const RobotProfile& profile,
-                     pipeline::RobotPipeline& pipeline)
+                     pipeline::ObservationSink& sink)
     : stream_(std::move(robot.stream)),
       pace_(std::move(robot.pace)),
       patience_(robot.patience),
+      may_be_lifted_(robot.may_be_lifted),
       time_to_live_ms_(static_cast<std::uint16_t>(
           std::chrono::duration_cast<std::chrono::milliseconds>(robot.link.keep_alive_ttl)
               .count())),
-      observations_(profile, pipeline),
+      observations_(profile, sink),
       link_(*this, robot.session_id, robot.link) {}
 
 void RobotLine::begin() {
@@ -58,7 +59,9 @@ bool RobotLine::wait_until(const std::function<bool()>& done, Duration limit) {
 }
 
 bool RobotLine::wait_until_ready() {
-  const auto ready = [&] { return link_.state() == LinkState::kReady; };
+  const auto ready = [&] {
+    return link_.state() == LinkState::kReady && !(may_be_lifted_ && is_lifted_);
+  };
   return wait_until(ready, Duration::max()) && !end_;
 }
 
@@ -81,6 +84,7 @@ void RobotLine::disarm() {
     return;
   }
   disarmed_ = true;
+  was_reset_ = true;
   link_.keep_alive(false);
   const auto ticket = link_.submit(protocol::Arm{0, 0});
   const time::HostTime start = now_;
@@ -162,6 +166,10 @@ void RobotLine::end(SessionEnd end, const std::string& reason) {
 }
 
 void RobotLine::end_for_safety(protocol::MotionOutcome outcome) {
+  if (may_be_lifted_ && outcome == protocol::MotionOutcome::kLifted) {
+    was_reset_ = true;
+    return;
+  }
   if (const auto why = safety_stop(outcome); !why.empty()) {
     end(SessionEnd::kSafetyStop, "the board has stopped: " + std::string(why));
   }
@@ -169,7 +177,8 @@ void RobotLine::end_for_safety(protocol::MotionOutcome outcome) {
 
 void RobotLine::on_status(const protocol::Status& message) {
   status_ = message;
-  if (observations_.take(message).lifted && is_held_) {
+  is_lifted_ = observations_.take(message).lifted;
+  if (is_lifted_ && is_held_) {
     end_for_safety(protocol::MotionOutcome::kLifted);
   }
 }
@@ -192,6 +201,7 @@ void RobotLine::on_reset(std::uint8_t reset_cause) {
                robot_link::reset_cause_text(reset_cause));
   observations_.restart();
   status_.reset();
+  is_lifted_ = false;
   was_reset_ = true;
 }
 

@@ -11,7 +11,7 @@
 #include "host/apps/robot_connection.hpp"
 #include "host/apps/robot_profile.hpp"
 #include "host/apps/session_end.hpp"
-#include "host/pipeline/robot_pipeline.hpp"
+#include "host/pipeline/observation_sink.hpp"
 #include "host/robot_link/robot_link.hpp"
 
 namespace echomap::apps {
@@ -22,8 +22,8 @@ class RobotLine final : private robot_link::RobotLinkListener {
  public:
   using Duration = time::HostClock::duration;
 
-  /// `pipeline` outlives the line.
-  RobotLine(RobotConnection robot, const RobotProfile& profile, pipeline::RobotPipeline& pipeline);
+  /// `sink` outlives the line.
+  RobotLine(RobotConnection robot, const RobotProfile& profile, pipeline::ObservationSink& sink);
   RobotLine(const RobotLine&) = delete;
   RobotLine& operator=(const RobotLine&) = delete;
 
@@ -32,8 +32,8 @@ class RobotLine final : private robot_link::RobotLinkListener {
   void begin();
   /// Lets time pass until `done`, for `limit` at most or until the session ends; true when done.
   bool wait_until(const std::function<bool()>& done, Duration limit);
-  /// Waits for a ready link for as long as the connection's patience allows; false at the session's
-  /// end.
+  /// Waits for a ready link for as long as the connection's patience allows, and for a robot that
+  /// may be lifted until it stands; false at the session's end.
   bool wait_until_ready();
   /// Sends a command and waits for its outcome; empty where none came.
   std::optional<robot_link::CommandResult> perform(const robot_link::Command& command);
@@ -45,24 +45,28 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::uint16_t time_to_live_ms() const { return time_to_live_ms_; }
 
   /// From now on a link that is away for longer than the connection's patience ends the session, as
-  /// do a lifted robot and other firmware.
+  /// do other firmware and a robot that is lifted where it may not be.
   void hold_on() { is_held_ = true; }
   /// Stops and disarms, where a robot that was held still hears it, even after the end; the second
-  /// time does nothing.
+  /// time does nothing. To go on it has to be set up again.
   void disarm();
 
   /// Nothing is waited for any more. The first end counts.
   void end(SessionEnd end, const std::string& reason);
-  /// Ends the session where a motion that ended so has disarmed the board.
+  /// Ends the session where a motion that ended so has disarmed the board; one that may be lifted
+  /// has to be set up again.
   void end_for_safety(protocol::MotionOutcome outcome);
   std::optional<SessionEnd> end() const { return end_; }
   /// For people: why, in a sentence.
   const std::string& end_reason() const { return end_reason_; }
 
-  /// Since the last `forget_resets` the robot has started anew, or was found to be disarmed, as
-  /// another host's Hello does it: it has to be set up again.
+  /// Since the last `forget_resets` the robot has started anew, was lifted or was found to be
+  /// disarmed, as another host's Hello does it: it has to be set up again.
   bool was_reset() const { return was_reset_; }
-  void forget_resets() { was_reset_ = false; }
+  void forget_resets() {
+    was_reset_ = false;
+    disarmed_ = false;
+  }
   /// The last since the robot's start; empty before the first.
   const std::optional<protocol::Status>& status() const { return status_; }
 
@@ -97,6 +101,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::unique_ptr<transport::ByteStream> stream_;
   std::unique_ptr<Pace> pace_;
   Duration patience_;
+  bool may_be_lifted_;
   std::uint16_t time_to_live_ms_;
   ObservationFeed observations_;
   robot_link::RobotLink link_;
@@ -114,6 +119,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::optional<robot_link::CommandResult> result_;
   std::optional<robot_link::BulkResult> bulk_;
   bool was_reset_ = false;
+  bool is_lifted_ = false;
 };
 
 }  // namespace echomap::apps

@@ -18,21 +18,6 @@ constexpr std::size_t kMostStops = 100;
 /// In seconds: the robot's stamps of 32 bits tell absences of up to 35.8 minutes apart.
 constexpr double kLongestAbsenceS = 1800.0;
 
-void add_run_options(CLI::App& command, RunOptions& run) {
-  command.add_option("--robot", run.robot, "Profile of the robot: a bundled name or a TOML file")
-      ->capture_default_str();
-  command.add_option("--strategy", run.strategy, "How to explore")
-      ->check(CLI::IsMember({"nxt-farthest"}))
-      ->capture_default_str();
-  command.add_option("--stops", run.stops, "End after this many stops at the latest")
-      ->check(CLI::Range(std::size_t{1}, kMostStops))
-      ->capture_default_str();
-  command.add_option("--seed", run.seed, "Seed of every random choice")->capture_default_str();
-  command.add_option("--out", run.out, "Run directory; a stamped one by default");
-  command.add_option("--json", run.json, "Write a report to this file, '-' for stdout");
-  command.add_flag("--headless", run.headless, "No progress line");
-}
-
 /// A board names its emulator; where both are named they have to fit.
 void choose_emulator(DemoOptions& options, bool emulator_is_named) {
   if (options.board.empty()) {
@@ -48,30 +33,48 @@ void choose_emulator(DemoOptions& options, bool emulator_is_named) {
 
 }  // namespace
 
-void add_explore(CLI::App& app, CommandAction& action) {
-  CLI::App* command = app.add_subcommand("explore", "Drive a robot through its room and map it");
-  const auto options = std::make_shared<ExploreOptions>();
-  command->add_option(
-      "--port",
-      options->ports,
-      "Serial device, pty, tcp://HOST:PORT, bt://ADDRESS or id:TEXT of a USB port. "
-      "Of several, or of all ports where none is named, the one robot that answers");
-  command->add_option("--baud", options->baud, "Speed of a serial device")
+void add_run_options(CLI::App& command, RunOptions& run) {
+  command.add_option("--robot", run.robot, "Profile of the robot: a bundled name or a TOML file")
+      ->capture_default_str();
+  command.add_option("--strategy", run.strategy, "How to explore")
+      ->check(CLI::IsMember({"nxt-farthest"}))
+      ->capture_default_str();
+  command.add_option("--stops", run.stops, "End after this many stops at the latest")
+      ->check(CLI::Range(std::size_t{1}, kMostStops))
+      ->capture_default_str();
+  command.add_option("--seed", run.seed, "Seed of every random choice")->capture_default_str();
+  command.add_option("--out", run.out, "Run directory; a stamped one by default");
+  command.add_option("--json", run.json, "Write a report to this file, '-' for stdout");
+  command.add_flag("--headless", run.headless, "No progress line");
+}
+
+void add_connection_options(CLI::App& command, ConnectionOptions& options) {
+  command.add_option("--port",
+                     options.ports,
+                     "Serial device, pty, tcp://HOST:PORT, bt://ADDRESS or id:TEXT of a USB port. "
+                     "Of several, or of all ports where none is named, the one robot that answers");
+  command.add_option("--baud", options.baud, "Speed of a serial device")
       ->check(CLI::IsMember({9600, 57600, 115200, 250000, 500000}))
       ->capture_default_str();
   command
-      ->add_option("--reconnect",
-                   options->reconnect_s,
-                   "Wait so many seconds for a robot that was unplugged or reset")
+      .add_option("--reconnect",
+                  options.reconnect_s,
+                  "Wait so many seconds for a robot that was unplugged or reset")
       ->check(CLI::Range(0.0, kLongestAbsenceS))
       ->capture_default_str();
-  command->add_flag("--no-reset",
-                    options->no_reset,
-                    "Join a robot that runs, and end where opening its port has reset it: the "
-                    "kernel raises DTR when a port is first opened after plugging in, or after a "
-                    "program that dropped it, and that resets most Arduinos; it stays up from "
-                    "then on");
-  command->add_option("--lockstep", options->lockstep, "Socket of a simulated robot's clock");
+  command.add_flag("--no-reset",
+                   options.no_reset,
+                   "Join a robot that runs, and end where opening its port has reset it: the "
+                   "kernel raises DTR when a port is first opened after plugging in, or after a "
+                   "program that dropped it, and that resets most Arduinos; it stays up from "
+                   "then on");
+  command.add_option("--lockstep", options.lockstep, "Socket of a simulated robot's clock");
+}
+
+void add_explore(CLI::App& app, CommandAction& action) {
+  CLI::App* command = app.add_subcommand("explore", "Drive a robot through its room and map it");
+  const auto options = std::make_shared<ExploreOptions>();
+  add_connection_options(*command, options->connection);
   add_run_options(*command, options->run);
   command->footer("Example: echomap explore --port /dev/ttyACM0 --robot uno_2wd --out kitchen");
   command->callback([&action, options] { action = [options] { return run_explore(*options); }; });

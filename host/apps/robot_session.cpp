@@ -22,11 +22,11 @@ constexpr int kSweepTries = 3;
 
 RobotSession::RobotSession(RobotConnection robot,
                            const RobotProfile& profile,
-                           pipeline::RobotPipeline& pipeline)
+                           pipeline::ObservationSink& sink)
     : no_reset_(robot.no_reset),
       profile_(profile),
-      pipeline_(pipeline),
-      line_(std::move(robot), profile_, pipeline),
+      sink_(sink),
+      line_(std::move(robot), profile_, sink),
       setup_(line_, profile_),
       motions_(line_, profile_) {
   line_.on_step = [this] {
@@ -89,9 +89,9 @@ MotionResult RobotSession::execute(const exploration::Motion& motion) {
     return sweep(*pan);
   }
   if (std::holds_alternative<exploration::BeginScan>(motion)) {
-    pipeline_.begin_scan();
+    sink_.begin_scan();
   } else if (std::holds_alternative<exploration::EndScan>(motion)) {
-    pipeline_.end_scan();
+    sink_.end_scan();
   }
   return MotionResult::kReached;
 }

@@ -13,20 +13,18 @@
 #include "host/apps/robot_setup.hpp"
 #include "host/apps/session_end.hpp"
 #include "host/exploration/explorer.hpp"
-#include "host/pipeline/robot_pipeline.hpp"
+#include "host/pipeline/observation_sink.hpp"
 #include "host/robot_link/robot_link.hpp"
 
 namespace echomap::apps {
 
-/// A robot that answers: feeds its observations to the pipeline and carries out motions. When the
+/// A robot that answers: feeds its observations to a pipeline and carries out motions. When the
 /// board is reset or its line breaks, the session waits, sets the robot up again and goes on. Every
 /// call that waits lets the session's time pass; nothing here reads a clock.
 class RobotSession {
  public:
-  /// `pipeline` outlives the session.
-  RobotSession(RobotConnection robot,
-               const RobotProfile& profile,
-               pipeline::RobotPipeline& pipeline);
+  /// `sink` outlives the session.
+  RobotSession(RobotConnection robot, const RobotProfile& profile, pipeline::ObservationSink& sink);
   /// Disarms, however the session ends; `on_step` is not called any more.
   ~RobotSession();
   RobotSession(const RobotSession&) = delete;
@@ -41,7 +39,8 @@ class RobotSession {
   /// Waits for a link that is away first. After `end()` is set the answer means nothing.
   exploration::MotionResult execute(const exploration::Motion& motion);
 
-  /// Stops and disarms, where the robot still hears it; the second time does nothing.
+  /// Stops and disarms, where the robot still hears it; the second time does nothing. The next
+  /// motion arms it again.
   void disarm() { line_.disarm(); }
 
   /// Set once nothing more can be done with the robot.
@@ -66,7 +65,7 @@ class RobotSession {
 
   bool no_reset_;
   RobotProfile profile_;
-  pipeline::RobotPipeline& pipeline_;
+  pipeline::ObservationSink& sink_;
   RobotLine line_;
   RobotSetup setup_;
   MotionExecution motions_;

@@ -19,6 +19,22 @@ ExitCode exit_code_of(SessionEnd end) {
   return ExitCode::kLinkLost;
 }
 
+std::string outcome_of(SessionEnd end) {
+  switch (end) {
+    case SessionEnd::kInterrupted:
+      return "interrupted";
+    case SessionEnd::kSafetyStop:
+      return "safety-stop";
+    case SessionEnd::kFirmwareMismatch:
+      return "firmware-mismatch";
+    case SessionEnd::kConfigInvalid:
+      return "configuration-invalid";
+    case SessionEnd::kLinkLost:
+      break;
+  }
+  return "link-lost";
+}
+
 std::string_view safety_stop(protocol::MotionOutcome outcome) {
   switch (outcome) {
     case protocol::MotionOutcome::kLifted:

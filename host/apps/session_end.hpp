@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "host/apps/exit_code.hpp"
@@ -20,6 +21,9 @@ enum class SessionEnd : std::uint8_t {
 
 /// What the shell sees of it.
 ExitCode exit_code_of(SessionEnd end);
+
+/// "interrupted", "link-lost", ..., as summary.json says it.
+std::string outcome_of(SessionEnd end);
 
 /// Why a board that ended a motion so has disarmed by itself and what to do, in words; empty where
 /// it has not.

@@ -42,4 +42,10 @@ LocalizerPreset preset_named(std::string_view name) {
   return found->second;
 }
 
+std::string name_of(LocalizerPreset preset) {
+  const auto found = std::find_if(
+      kPresets.begin(), kPresets.end(), [&](const auto& entry) { return preset == entry.second; });
+  return found->first;
+}
+
 }  // namespace echomap::pipeline

@@ -9,6 +9,7 @@
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/mapping/sonar_mapper.hpp"
+#include "host/pipeline/observation_sink.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/sensors/observations.hpp"
 #include "host/sensors/odometry.hpp"
@@ -19,27 +20,29 @@ namespace echomap::pipeline {
 /// Observations in, snapshots out: the same object live and in replay, a function of its input
 /// alone. Feed observations in the order of their stamps. Between stops the pose is odometry; at
 /// the end of a scan it is moved to where the scan agrees with those before it.
-class RobotPipeline {
+class RobotPipeline final : public ObservationSink {
  public:
   explicit RobotPipeline(const sensors::RobotGeometry& robot,
                          const mapping::SonarMapperParams& params = {});
 
-  void on_odometry(const sensors::OdometryObservation& observation);
+  void on_odometry(const sensors::OdometryObservation& observation) override;
   /// Places the reading by its own wheel travel. Its echo is a point of the map at once; the grid
   /// only takes readings of a scan.
-  void on_sonar(const sensors::SonarObservation& observation);
+  void on_sonar(const sensors::SonarObservation& observation) override;
 
   /// The last of each stands in the snapshot; a wheel that begins to hang counts as a lift.
-  void on_hazards(const sensors::HazardObservation& observation);
-  void on_infrared(const sensors::InfraredObservation& observation) { infrared_ = observation; }
-  void on_yaw(const sensors::YawObservation& observation) { yaw_ = observation; }
-  void on_battery(const sensors::BatteryObservation& observation) { battery_ = observation; }
+  void on_hazards(const sensors::HazardObservation& observation) override;
+  void on_infrared(const sensors::InfraredObservation& observation) override {
+    infrared_ = observation;
+  }
+  void on_yaw(const sensors::YawObservation& observation) override { yaw_ = observation; }
+  void on_battery(const sensors::BatteryObservation& observation) override {
+    battery_ = observation;
+  }
 
-  /// Readings from here to `end_scan` are one scan, whatever turns of the body lie between them. A
-  /// scan that was left open is ended first.
-  void begin_scan();
-  /// Puts the scan's readings into the grid together; does nothing where no scan is open.
-  void end_scan();
+  void begin_scan() override;
+  /// Puts the scan's readings into the grid together.
+  void end_scan() override;
 
   Snapshot snapshot() const;
 

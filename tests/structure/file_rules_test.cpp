@@ -42,6 +42,7 @@ const std::vector<std::string> without_own_test{
     "host/apps/explore_run.cpp",
     "host/apps/flash_command.cpp",
     "host/apps/interrupt.cpp",
+    "host/apps/localize_run.cpp",
     "host/apps/simulated_robot.cpp",
 };
 

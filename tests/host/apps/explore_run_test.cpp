@@ -30,19 +30,11 @@ TEST(ProfileFor, IsOfARobotThatTheStrategyCanUse) {
   }
 }
 
-TEST(SessionId, IsNeverThatOfARobotWhichHasJustStarted) {
-  for (const std::uint32_t number : {0U, 1U, 0xFFFEU, 0xFFFFU, 0x10000U, 0xFFFFFFFFU}) {
-    EXPECT_NE(session_id_from(number), 0) << number;
-  }
-}
-
 class ExploreRun : public SessionOnACable {
  protected:
   ExitCode explore() {
-    RobotConnection connection{
-        std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7};
     return explore_and_save(
-        std::move(connection), profile, options_for("uno_2wd"), folder.path(), summary);
+        {*session, pipeline, profile}, options_for("uno_2wd"), folder.path(), summary);
   }
 
   const TemporaryFolder folder;

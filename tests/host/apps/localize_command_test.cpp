@@ -30,11 +30,11 @@ class LocalizeCommandTest : public ::testing::Test {
     run_replay(replay);
     options_.log = replay.log;
     options_.map = replay.out;
-    options_.out = scratch_ / "run";
-    options_.headless = true;
+    options_.run.out = scratch_ / "run";
+    options_.run.headless = true;
   }
   nlohmann::json summary() const {
-    return nlohmann::json::parse(files::read_text_file(options_.out / "summary.json"));
+    return nlohmann::json::parse(files::read_text_file(options_.run.out / "summary.json"));
   }
   std::string error() {
     return tests::thrown_text<std::runtime_error>([&] { run_localize(options_); });
@@ -49,7 +49,7 @@ TEST_F(LocalizeCommandTest, FollowsARobotThatBeginsWhereItIsTold) {
   ASSERT_EQ(run_localize(options_), ExitCode::kOk);
   EXPECT_EQ(summary()["status"], "localized");
   EXPECT_LT(summary()["lost_probability"], 0.1);
-  const auto found = exports::read_trajectory_tum(options_.out / "trajectory.tum").back();
+  const auto found = exports::read_trajectory_tum(options_.run.out / "trajectory.tum").back();
   const auto mapped = exports::read_trajectory_tum(options_.map / "trajectory.tum").back();
   EXPECT_LT((found.T_map_robot.position_m() - mapped.T_map_robot.position_m()).norm(), 0.15);
 }

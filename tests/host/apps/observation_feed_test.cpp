@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "host/pipeline/robot_pipeline.hpp"
+
 namespace echomap::apps {
 namespace {
 

@@ -31,6 +31,29 @@ TEST_F(RobotLineTest, EndsForSafetyWhenTheRobotIsLifted) {
   EXPECT_EQ(exit_code_of(*session->end()), ExitCode::kSafetyStop);
 }
 
+TEST_F(RobotLineTest, WaitsForARobotThatMayBeLiftedUntilItStands) {
+  may_be_lifted = true;
+  session = new_session(false);
+  session->connect();
+  cable.robot.motion_ms = 3000;
+  time::HostTime placed;
+  after_ms(300, [&] {
+    cable.robot.hazards = protocol::kHazardWheelDrop;
+    cable.robot.armed = false;
+    after_ms(5000, [&] {
+      cable.robot.hazards = 0;
+      placed = session->now();
+    });
+  });
+  session->execute(exploration::Drive{0.1});
+  cable.robot.motion_ms = 100;
+  EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kReached);
+  EXPECT_GT(session->now(), placed);
+  EXPECT_GT(placed, time::HostTime());
+  EXPECT_TRUE(cable.robot.armed);
+  EXPECT_FALSE(session->end());
+}
+
 TEST_F(RobotLineTest, WaitsForALinkThatIsAway) {
   session->connect();
   cable.robot.motion_ms = 500;

@@ -27,6 +27,16 @@ TEST_F(RobotSessionTest, SetsUpAndArmsAndDisarmsInTheEnd) {
   EXPECT_FALSE(cable.robot.armed);
 }
 
+TEST_F(RobotSessionTest, ArmsAgainForAMotionAfterItHasDisarmed) {
+  session->connect();
+  session->disarm();
+  EXPECT_FALSE(cable.robot.armed);
+  EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kReached);
+  EXPECT_TRUE(cable.robot.armed);
+  session.reset();
+  EXPECT_FALSE(cable.robot.armed);
+}
+
 TEST_F(RobotSessionTest, GivesARobotItsTimeHoweverLongItsPortWasLookedFor) {
   cable.begin = time::HostTime(std::chrono::seconds(10));
   cable.powered = false;

@@ -16,6 +16,12 @@ TEST(SessionEnd, HasAnExitCodeOfItsOwn) {
   EXPECT_EQ(exit_code_of(SessionEnd::kConfigInvalid), ExitCode::kConfigInvalid);
 }
 
+TEST(SessionEnd, HasANameOfItsOwn) {
+  EXPECT_EQ(outcome_of(SessionEnd::kInterrupted), "interrupted");
+  EXPECT_EQ(outcome_of(SessionEnd::kLinkLost), "link-lost");
+  EXPECT_EQ(outcome_of(SessionEnd::kSafetyStop), "safety-stop");
+}
+
 TEST(SessionEnd, ComesOfWhatDisarmsTheBoardAndOfNothingElse) {
   for (const auto outcome :
        {MotionOutcome::kLifted, MotionOutcome::kRunaway, MotionOutcome::kOverSpeed}) {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "host/apps/robot_session.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
 #include "tests/host/robot_link/fake_robot.hpp"
 
 namespace echomap::apps {
@@ -107,10 +108,12 @@ class SessionOnACable : public testing::Test {
   RobotProfile profile = load_robot_profile("uno_2wd");
   pipeline::RobotPipeline pipeline{profile.geometry};
   std::chrono::milliseconds patience{3000};
+  bool may_be_lifted = false;
   std::unique_ptr<RobotSession> new_session(bool no_reset) {
     RobotConnection connection{
         std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7};
     connection.no_reset = no_reset;
+    connection.may_be_lifted = may_be_lifted;
     connection.patience = patience;
     return std::make_unique<RobotSession>(std::move(connection), profile, pipeline);
   }

@@ -14,6 +14,7 @@ TEST(PresetNames, EachNamesAPresetOfItsOwn) {
   std::set<localization::LocalizerPreset> presets;
   for (const std::string& name : preset_names()) {
     presets.insert(preset_named(name));
+    EXPECT_EQ(name_of(preset_named(name)), name);
   }
   EXPECT_EQ(presets.size(), 4U);
   EXPECT_EQ(preset_named("epuck"), localization::LocalizerPreset::kEpuck);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/live_filter.hpp"
+#include "host/apps/robot_session.hpp"
+#include "host/apps/stop_driver.hpp"
+
+namespace echomap::apps {
+
+/// A robot that drives from stop to stop, and the filter that listens.
+struct FollowedRobot {
+  RobotSession& session;
+  StopDriver& driver;
+  LiveFilter& filter;
+};
+
+/// Drives to the next stop and says where the robot is. Once it is not where it was thought to be,
+/// the driver's own map is void, too. False where the drive is over.
+bool follow_to_next_stop(const FollowedRobot& robot);
+
+/// `echomap localize` of a robot on a port: drives it from stop to stop and writes trajectory.tum
+/// and summary.json into `out`, whatever ends it. Throws CommandError and files::FileError.
+ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::path& out);
+
+}  // namespace echomap::apps

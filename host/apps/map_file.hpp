@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "host/mapping/raster_map.hpp"
+
+namespace echomap::apps {
+
+/// The map of a run directory, or of the YAML file of a ROS map. Throws files::FileError, and
+/// CommandError 1 for a map without any floor where a robot could be.
+mapping::RasterMap read_map(const std::filesystem::path& map);
+
+}  // namespace echomap::apps

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/robot_connection.hpp"
+#include "host/transport/lockstep_channel.hpp"
+
+namespace echomap::apps {
+
+/// A session's number from any other: never 0, which a robot that has just started stands for.
+std::uint16_t session_id_from(std::uint32_t number);
+
+/// A robot whose port is open.
+struct OpenedRobot {
+  RobotConnection connection;
+  /// That of a simulated robot, which outlives the connection; null for one on a desk.
+  std::unique_ptr<transport::LockstepChannel> lockstep;
+};
+
+/// Opens the one port where the robot is. In lockstep a session is a function of `seed`. Throws
+/// CommandError 3 and transport::TransportError.
+OpenedRobot open_robot(const ConnectionOptions& options, std::uint32_t seed);
+
+}  // namespace echomap::apps

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <random>
+
+#include "host/apps/robot_profile.hpp"
+#include "host/apps/robot_session.hpp"
+#include "host/exploration/nxt_farthest.hpp"
+#include "host/pipeline/observation_fork.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+
+namespace echomap::apps {
+
+/// Drives a robot from stop to stop and sweeps its sonar at each, as long as is wanted, for others
+/// that listen at the same fork. Where to go, the strategy of the exploration decides by a map of
+/// its own, which begins where the driver does.
+class StopDriver {
+ public:
+  /// `session` feeds `fork`; both, and the profile, outlive this.
+  StopDriver(RobotSession& session,
+             pipeline::ObservationFork& fork,
+             const RobotProfile& profile,
+             std::uint32_t seed);
+  ~StopDriver();
+  StopDriver(const StopDriver&) = delete;
+  StopDriver& operator=(const StopDriver&) = delete;
+
+  /// To the end of the next stop's scan; false where the session has ended or the strategy knows
+  /// nothing more to do, which `finished` tells. Where there is nowhere to go it listens once more
+  /// from the same place, a few times.
+  bool go_to_next_stop();
+  /// The robot was carried off: the driver's map is of somewhere else.
+  void start_anew();
+
+  std::optional<exploration::FinishReason> finished() const { return finished_; }
+
+ private:
+  RobotSession& session_;
+  pipeline::ObservationFork& fork_;
+  const RobotProfile& profile_;
+  std::mt19937 random_;
+  std::unique_ptr<pipeline::RobotPipeline> pipeline_;
+  std::unique_ptr<exploration::NxtFarthest> explorer_;
+  int stops_on_the_spot_ = 0;  ///< In a row.
+  exploration::MotionResult last_ = exploration::MotionResult::kReached;
+  std::optional<exploration::FinishReason> finished_;
+};
+
+}  // namespace echomap::apps

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/robot_localizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace echomap::pipeline {
+namespace {
+
+bool is_in_the_air(const sensors::HazardObservation& hazards) {
+  const auto& cliffs = hazards.cliffs;
+  return hazards.lifted || std::all_of(cliffs.begin(), cliffs.end(), [](bool is) { return is; });
+}
+
+}  // namespace
+
+RobotLocalizer::RobotLocalizer(const mapping::RasterMap& map,
+                               const sensors::RobotGeometry& robot,
+                               const RobotLocalizerParams& params,
+                               std::mt19937 random)
+    : robot_(robot),
+      params_(params),
+      observation_(localization::observation_model(params.preset, map, params.sonar)),
+      localizer_(
+          *observation_, localization::localizer_params(params.preset, params.sonar), random),
+      odometry_(robot.track_m) {
+  if (!(params.step_m > 0.0) || !(params.step_rad > 0.0) || params.most_readings == 0) {
+    throw std::invalid_argument(
+        "robot localizer: steps are above 0, and at least one reading counts");
+  }
+}
+
+void RobotLocalizer::start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad) {
+  update({});
+  localizer_.start_at(T_map_robot, std_m, std_rad);
+}
+
+void RobotLocalizer::start_anywhere() { localizer_.start_anywhere(); }
+
+void RobotLocalizer::on_odometry(const sensors::OdometryObservation& observation) {
+  follow(observation.stamp, observation.travel);
+}
+
+void RobotLocalizer::on_sonar(const sensors::SonarObservation& observation) {
+  follow(observation.stamp, observation.travel);
+  if (scan_is_open_) {
+    open_scan_.push_back({odometry_.T_odom_robot() * robot_.T_robot_sonar(observation.pan_rad),
+                          observation.range_m});
+  }
+}
+
+void RobotLocalizer::on_hazards(const sensors::HazardObservation& observation) {
+  feel({observation.bump_left, observation.bump_right, observation.virtual_wall});
+  const bool was_lifted = std::exchange(is_lifted_, is_in_the_air(observation));
+  if (is_lifted_ && !was_lifted) {
+    ++times_lifted_;
+    open_scan_.clear();
+    start_anywhere();
+  }
+}
+
+/// A contact counts where it begins; between contacts, models of ranges know nothing new.
+void RobotLocalizer::feel(const models::ContactReading& contact) {
+  observation_->feel(contact);
+  const bool touches = contact.bump_left || contact.bump_right;
+  if (touches && !std::exchange(touches_, touches)) {
+    update({});
+  }
+  touches_ = touches;
+}
+
+void RobotLocalizer::begin_scan() {
+  end_scan();
+  scan_is_open_ = true;
+}
+
+void RobotLocalizer::end_scan() {
+  if (!std::exchange(scan_is_open_, false)) {
+    return;
+  }
+  update(readings());
+  open_scan_.clear();
+  ++scans_;
+  if (!belief().hypotheses.empty()) {
+    trajectory_.push_back({stamp_, belief().hypotheses.front().T_map_robot});
+  }
+}
+
+void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
+  odometry_.update(travel);
+  stamp_ = std::max(stamp_, stamp);
+  const geometry::Pose2 step = T_odom_updated_.inverse() * odometry_.T_odom_robot();
+  if (step.position_m().norm() >= params_.step_m ||
+      std::abs(step.heading_rad()) >= params_.step_rad) {
+    update({});
+  }
+}
+
+void RobotLocalizer::update(const std::vector<localization::RangeReading>& readings) {
+  T_odom_updated_ = odometry_.T_odom_robot();
+  localizer_.update(T_odom_updated_, readings);
+}
+
+std::vector<localization::RangeReading> RobotLocalizer::readings() const {
+  const geometry::Pose2 T_robot_odom = odometry_.T_odom_robot().inverse();
+  const std::size_t count = std::min(open_scan_.size(), params_.most_readings);
+  std::vector<localization::RangeReading> readings;
+  for (std::size_t i = 0; i < count; ++i) {
+    const localization::RangeReading& reading = open_scan_[i * open_scan_.size() / count];
+    readings.push_back({T_robot_odom * reading.T_robot_sensor, reading.range_m});
+  }
+  return readings;
+}
+
+}  // namespace echomap::pipeline

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/localize_options.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/host/apps/said_by_command_line.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kLog = ECHOMAP_SOURCE_DIR "/tests/data/small_room.clf";
+
+TEST(LocalizeOptions, TellLogsFromRobots) {
+  const Said help = run({"localize", "--help"});
+  EXPECT_EQ(help.code, ExitCode::kOk);
+  EXPECT_THAT(help.out, HasSubstr("Example: echomap localize"));
+  EXPECT_THAT(help.out, HasSubstr("--port"));
+  const Said both = run({"localize", kLog, "--map", ".", "--port", "x"});
+  EXPECT_EQ(both.code, ExitCode::kUsage);
+  EXPECT_THAT(both.err, HasSubstr("--port"));
+}
+
+TEST(LocalizeOptions, SuggestThePresetThatWasMeant) {
+  const Said said = run({"localize", kLog, "--map", ".", "--preset", "epuk"});
+  EXPECT_EQ(said.code, ExitCode::kUsage);
+  EXPECT_THAT(said.err, HasSubstr("did you mean 'epuck'?"));
+}
+
+TEST(LocalizeOptions, NameWhatIsMissing) {
+  const Said missing = run({"localize", kLog, "--map", "/no/such/map"});
+  EXPECT_EQ(missing.code, ExitCode::kUsage);
+  EXPECT_THAT(missing.err, HasSubstr("/no/such/map"));
+  EXPECT_EQ(run({"localize", kLog}).code, ExitCode::kUsage);
+  EXPECT_EQ(run({"localize", kLog, "--map", ".", "--at", "1", "2"}).code, ExitCode::kUsage);
+}
+
+}  // namespace
+}  // namespace echomap::apps

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/map_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/apps/exit_code.hpp"
+#include "host/exports/pgm_yaml.hpp"
+#include "host/files/atomic_file.hpp"
+#include "tests/support/drawn_map.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/thrown_text.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(MapFile, IsThatOfARunDirectoryOrTheFileItself) {
+  const tests::ScratchFolder scratch;
+  exports::write_pgm_yaml(scratch / "map.yaml", tests::map_from({"###", "#.#", "###"}));
+  EXPECT_EQ(read_map(scratch.path()).columns(), 3);
+  EXPECT_EQ(read_map(scratch / "map.yaml").rows(), 3);
+}
+
+TEST(MapFile, NeedsFloorWhereARobotCouldBe) {
+  const tests::ScratchFolder scratch;
+  exports::write_pgm_yaml(scratch / "map.yaml", tests::map_from({"## ", "# #", "###"}));
+  const auto text = tests::thrown_text<CommandError>([&] { read_map(scratch.path()); });
+  EXPECT_THAT(text, HasSubstr("no floor"));
+  EXPECT_THAT(text, HasSubstr("next: "));
+}
+
+TEST(MapFile, NamesTheFileThatIsMissing) {
+  const tests::ScratchFolder scratch;
+  EXPECT_THAT(tests::thrown_text<files::FileError>([&] { read_map(scratch.path()); }),
+              HasSubstr("map.yaml"));
+}
+
+}  // namespace
+}  // namespace echomap::apps

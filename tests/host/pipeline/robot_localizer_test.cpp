@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/robot_localizer.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/ray_casting.hpp"
+#include "tests/support/believed_near.hpp"
+#include "tests/support/drawn_map.hpp"
+
+namespace echomap::pipeline {
+namespace {
+
+using geometry::Pose2;
+using localization::LocalizationStatus;
+
+const mapping::RasterMap kRoom = tests::map_from({"########################################",
+                                                  "#......................................#",
+                                                  "#..........#####.......................#",
+                                                  "#..........#####.......................#",
+                                                  "#.............................#........#",
+                                                  "#.............................#........#",
+                                                  "#......................................#",
+                                                  "#....###...............................#",
+                                                  "#....###...............................#",
+                                                  "#......................................#",
+                                                  "#...................####################",
+                                                  "#......................................#",
+                                                  "#......................................#",
+                                                  "########################################"},
+                                                 0.1);
+
+sensors::RobotGeometry plain_robot() {
+  sensors::RobotGeometry robot;
+  robot.track_m = 0.2;
+  robot.sonar_x_m = 0.0;
+  return robot;
+}
+
+RobotLocalizerParams params() {
+  RobotLocalizerParams params;
+  params.sonar.half_opening_rad = geometry::radians(13.0);
+  params.sonar.max_range_m = 3.0;
+  return params;
+}
+
+/// A robot in the room of which the test tells the story, and what it hears: what the map says.
+class RobotLocalizerTest : public ::testing::Test {
+ protected:
+  void turn(double turn_rad) {
+    left_m -= 0.1 * turn_rad;
+    right_m += 0.1 * turn_rad;
+    T_map_robot = T_map_robot * Pose2(0.0, 0.0, turn_rad);
+    localizer.on_odometry({now(), {left_m, right_m}});
+  }
+  void drive(double distance_m) {
+    left_m += distance_m;
+    right_m += distance_m;
+    T_map_robot = T_map_robot * Pose2(distance_m, 0.0, 0.0);
+    localizer.on_odometry({now(), {left_m, right_m}});
+  }
+  /// All around, in two halves between which the body turns.
+  void scan() {
+    localizer.begin_scan();
+    for (int half = 0; half < 2; ++half) {
+      for (int pan_deg = -90; pan_deg < 90; pan_deg += 6) {
+        ping(geometry::radians(pan_deg));
+      }
+      turn(std::numbers::pi);
+    }
+    localizer.end_scan();
+  }
+  void stop_at_three_places() {
+    for (const double turn_rad : {0.3, -0.5, 0.7}) {
+      scan();
+      turn(turn_rad);
+      drive(0.3);
+    }
+    scan();
+  }
+  void lift(bool lifted) {
+    sensors::HazardObservation hazards;
+    hazards.stamp = now();
+    hazards.lifted = lifted;
+    localizer.on_hazards(hazards);
+  }
+  time::RobotTime now() {
+    stamp_us += 20'000;
+    return time::RobotTime(time::RobotClock::duration(stamp_us));
+  }
+
+  Pose2 T_map_robot{0.45, 0.95, 0.1};
+  RobotLocalizer localizer{kRoom, plain_robot(), params(), std::mt19937(1)};
+
+ private:
+  /// Hears the nearest thing in the cone.
+  void ping(double pan_rad) {
+    const Pose2 T_map_sonar = T_map_robot * Pose2(0.0, 0.0, pan_rad);
+    float nearest_m = 3.0F;
+    for (int aside_deg = -12; aside_deg <= 12; aside_deg += 3) {
+      const Eigen::Vector2f way =
+          geometry::unit_vector(T_map_sonar.heading_rad() + geometry::radians(aside_deg))
+              .cast<float>();
+      float range_m = 0.0F;
+      mapping::cast_rays(field, T_map_sonar.position_m(), {&way, 1}, 3.0, {&range_m, 1});
+      nearest_m = std::min(nearest_m, range_m);
+    }
+    const bool is_heard = nearest_m < 3.0F;
+    localizer.on_sonar({now(),
+                        {left_m, right_m},
+                        pan_rad,
+                        is_heard ? std::optional<double>(nearest_m) : std::nullopt});
+  }
+
+  mapping::DistanceField field{kRoom, 3.0};
+  double left_m = 0.0;
+  double right_m = 0.0;
+  std::int64_t stamp_us = 0;
+};
+
+TEST_F(RobotLocalizerTest, FindsARobotThatMayBeAnywhere) {
+  stop_at_three_places();
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.15, 0.15));
+  EXPECT_EQ(localizer.belief().status, LocalizationStatus::kLocalized);
+  EXPECT_EQ(localizer.scans(), 4U);
+  EXPECT_EQ(localizer.trajectory().size(), 4U);
+}
+
+TEST_F(RobotLocalizerTest, FollowsARobotFromWhereItIsTold) {
+  turn(0.0);
+  localizer.start_at(T_map_robot, 0.05, 0.05);
+  EXPECT_EQ(localizer.belief().status, LocalizationStatus::kLocalized);
+  drive(0.5);
+  scan();
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.1, 0.1));
+}
+
+TEST_F(RobotLocalizerTest, GrowsUnsureByATurnToAndFro) {
+  turn(0.0);
+  localizer.start_at(T_map_robot, 0.05, 0.05);
+  const double before = localizer.belief().hypotheses.front().covariance(2, 2);
+  for (int i = 0; i < 10; ++i) {
+    turn(1.5);
+    turn(-1.5);
+  }
+  EXPECT_GT(localizer.belief().hypotheses.front().covariance(2, 2), 1.5 * before);
+}
+
+TEST_F(RobotLocalizerTest, MayBeAnywhereOnceItWasLifted) {
+  stop_at_three_places();
+  localizer.begin_scan();
+  lift(true);
+  lift(true);
+  EXPECT_EQ(localizer.times_lifted(), 1U);
+  EXPECT_TRUE(localizer.belief().hypotheses.empty());
+  lift(false);
+  T_map_robot = Pose2(3.4, 0.25, 2.0);
+  stop_at_three_places();
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.15, 0.15));
+}
+
+TEST_F(RobotLocalizerTest, TakesFourCliffsAtOnceForBeingLiftedAndOneForACliff) {
+  sensors::HazardObservation hazards;
+  hazards.cliffs = {true, true, true, false};
+  localizer.on_hazards(hazards);
+  EXPECT_EQ(localizer.times_lifted(), 0U);
+  hazards.cliffs.fill(true);
+  localizer.on_hazards(hazards);
+  EXPECT_EQ(localizer.times_lifted(), 1U);
+}
+
+TEST_F(RobotLocalizerTest, TakesReadingsOfScansOnly) {
+  localizer.on_sonar({now(), {}, 0.0, 1.0});
+  localizer.end_scan();
+  EXPECT_EQ(localizer.scans(), 0U);
+  EXPECT_TRUE(localizer.belief().hypotheses.empty());
+}
+
+TEST(RobotLocalizer, RefusesSettingsWithoutSense) {
+  auto bad = params();
+  bad.most_readings = 0;
+  EXPECT_THROW(RobotLocalizer(kRoom, plain_robot(), bad, std::mt19937(1)), std::invalid_argument);
+  bad = params();
+  bad.step_rad = 0.0;
+  EXPECT_THROW(RobotLocalizer(kRoom, plain_robot(), bad, std::mt19937(1)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::pipeline

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/exports/pgm_yaml.hpp"
+#include "host/exports/trajectory_tum.hpp"
+#include "host/files/atomic_file.hpp"
+#include "host/geometry/angle.hpp"
+#include "tests/integration/programs.hpp"
+#include "tests/support/drawn_map.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::test {
+namespace {
+
+using exports::read_trajectory_tum;
+using files::read_text_file;
+using files::write_text_file;
+using geometry::Pose2;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// `echomap localize` of a simulated robot in lockstep, in the living room that it has mapped.
+class Localize : public ::testing::Test {
+ protected:
+  std::string at(const std::string& name) const { return (scratch / name).string(); }
+
+  void explore() {
+    const Ended ended =
+        Program("echomap",
+                {"demo", "--headless", "--emulator=mock", "--seed=7", "--out=" + at("map")},
+                scratch / "demo.log")
+            .wait();
+    ASSERT_EQ(ended.status, 0) << ended.said;
+  }
+
+  void start_robot(const std::string& program, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "--link=" + at("robot"), "--lockstep=" + at("lockstep"), "--truth=" + at("truth")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    robot = std::make_unique<Program>(program, arguments, scratch / "robot.log");
+    ASSERT_TRUE(eventually([&] {
+      return fs::exists(scratch / "robot") && fs::exists(scratch / "lockstep");
+    })) << read_text_file(scratch / "robot.log");
+  }
+
+  std::vector<std::string> arguments(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments{"localize",
+                                       "--headless",
+                                       "--port=" + at("robot"),
+                                       "--lockstep=" + at("lockstep"),
+                                       "--out=" + at("run")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  Ended localize(const std::vector<std::string>& more) {
+    Ended ended = Program("echomap", arguments(more), scratch / "log").wait();
+    if (robot) {
+      robot->wait();
+    }
+    return ended;
+  }
+
+  nlohmann::json summary() const {
+    return nlohmann::json::parse(read_text_file(scratch / "run/summary.json"));
+  }
+  /// Where the robot truly is at the end of the run, in the frame of the map, which begins at the
+  /// explorer's start.
+  Pose2 truth() const {
+    const auto stamp = read_trajectory_tum(scratch / "run/trajectory.tum").back().stamp;
+    const Pose2 T_world_map =
+        read_trajectory_tum(scratch / "map/truth/truth.tum").front().T_map_robot;
+    for (const auto& pose : read_trajectory_tum(scratch / "truth/truth.tum")) {
+      if (pose.stamp >= stamp) {
+        return T_world_map.inverse() * pose.T_map_robot;
+      }
+    }
+    return {};
+  }
+  void expect_found() const {
+    const auto last = summary();
+    EXPECT_EQ(last.at("status"), "localized");
+    const auto& place = last.at("hypotheses").at(0);
+    EXPECT_LT(std::hypot(place.at("x_m").get<double>() - truth().x_m(),
+                         place.at("y_m").get<double>() - truth().y_m()),
+              0.2);
+    EXPECT_LT(std::abs(geometry::angle_between(place.at("heading_rad").get<double>(),
+                                               truth().heading_rad())),
+              geometry::radians(12.0));
+  }
+
+  tests::ScratchFolder scratch;
+  std::unique_ptr<Program> robot;
+};
+
+TEST_F(Localize, FindsARobotThatMayBeAnywhere) {
+  explore();
+  start_robot("echomap-mock", {"--seed=3", "--start=2.6,1.2,100"});
+  const Ended ended = localize({"--map=" + at("map"), "--stops=8", "--json=" + at("report.json")});
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("localized"));
+  expect_found();
+  EXPECT_EQ(summary().at("stops").size(), 8U);
+  EXPECT_EQ(summary().at("outcome"), "stop-limit");
+  EXPECT_EQ(nlohmann::json::parse(read_text_file(scratch / "report.json")), summary());
+}
+
+TEST_F(Localize, FindsARobotThatRunsTheBinaryWhichAUserFlashes) {
+  if (!fs::exists(ECHOMAP_BINARY_DIR "/bin/echomap-simavr")) {
+    GTEST_SKIP() << "echomap-simavr was not built on this machine";
+  }
+  explore();
+  start_robot("echomap-simavr", {"--seed=4", "--start=2.6,1.2,100"});
+  const Ended ended = localize({"--map=" + at("map"), "--stops=6"});
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  expect_found();
+  EXPECT_THAT(summary().at("firmware").get<std::string>(), HasSubstr("uno"));
+}
+
+TEST_F(Localize, NoticesThatTheRobotWasCarriedOff) {
+  explore();
+  start_robot("echomap-mock", {"--seed=4", "--kidnap=80,2,3.0,1.0,90"});
+  const Ended ended = localize({"--map=" + at("map"), "--stops=12", "--at", "0", "0", "0"});
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("lost"));
+  expect_found();
+}
+
+/// The robot tells it: a wheel hangs.
+TEST_F(Localize, GoesOnFromAnywhereWhenTheRobotWasLifted) {
+  explore();
+  std::string body = read_text_file(ECHOMAP_SOURCE_DIR "/hil_mock/robots/uno_2wd.toml");
+  write_text_file(scratch / "body.toml", body + "\n[wiring.native]\npin_4 = \"wheel_drop\"\n");
+  std::string profile = read_text_file(ECHOMAP_SOURCE_DIR "/host/profiles/uno_2wd.toml");
+  write_text_file(scratch / "profile.toml", profile + "\n[wiring]\npin_4 = \"wheel_drop\"\n");
+  start_robot("echomap-mock",
+              {"--seed=4", "--robot=" + at("body.toml"), "--kidnap=80,5,3.0,1.0,90"});
+  const Ended ended =
+      localize({"--map=" + at("map"), "--stops=9", "--robot=" + at("profile.toml")});
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("lifted"));
+  EXPECT_EQ(summary().at("times_lifted"), 1);
+  expect_found();
+}
+
+TEST_F(Localize, KeepsItsTrajectoryWhenInterrupted) {
+  explore();
+  start_robot("echomap-mock", {"--seed=3"});
+  Program run("echomap", arguments({"--map=" + at("map"), "--stops=100"}), scratch / "log");
+  ASSERT_TRUE(eventually([&] {
+    return fs::exists(scratch / "log") &&
+           read_text_file(scratch / "log").find("localized") != std::string::npos;
+  }));
+  run.send(SIGINT);
+  const Ended ended = run.wait();
+  EXPECT_EQ(ended.status, 130) << ended.said;
+  EXPECT_EQ(summary().at("outcome"), "interrupted");
+  EXPECT_FALSE(read_trajectory_tum(scratch / "run/trajectory.tum").empty());
+}
+
+TEST_F(Localize, SaysWhatIsWrongBeforeARobotIsAsked) {
+  fs::create_directories(scratch / "floorless");
+  exports::write_pgm_yaml(scratch / "floorless/map.yaml", tests::map_from({"###", "###"}));
+  const Ended no_floor = localize({"--map=" + at("floorless"), "--port=/dev/ttyNONE"});
+  EXPECT_EQ(no_floor.status, 1);
+  EXPECT_THAT(no_floor.said, AllOf(HasSubstr("no floor"), HasSubstr("next: ")));
+  const Ended no_map = localize({"--map=" + at("nowhere")});
+  EXPECT_EQ(no_map.status, 2);
+  EXPECT_THAT(no_map.said, HasSubstr("nowhere"));
+  const Ended no_sonar = localize({"--map=" + at("floorless"), "--robot=epuck"});
+  EXPECT_EQ(no_sonar.status, 6);
+}
+
+TEST_F(Localize, NamesAPortThatIsMissing) {
+  fs::create_directories(scratch / "room");
+  exports::write_pgm_yaml(scratch / "room/map.yaml", tests::map_from({"###", "#.#", "###"}));
+  const Ended ended =
+      Program("echomap",
+              {"localize", "--map=" + at("room"), "--port=/dev/ttyNONE", "--out=" + at("run")},
+              scratch / "log")
+          .wait();
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_THAT(ended.said, AllOf(HasSubstr("/dev/ttyNONE"), HasSubstr("next: ")));
+}
+
+}  // namespace
+}  // namespace echomap::test
