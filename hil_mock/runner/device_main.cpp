@@ -51,8 +51,7 @@ void schedule_kidnaps(const DeviceOptions& options, RobotSimulation& simulation)
   const world::RobotWorld& world = simulation.world();
   for (const Kidnap& kidnap : options.kidnaps) {
     const Eigen::Vector2d place_m = kidnap.T_world_robot.position_m();
-    if (!world.plan().is_free(place_m) ||
-        world.plan().clearance_m(place_m) < world.robot().body.radius_m) {
+    if (!world.fits(place_m, 0.0)) {
       throw files::ConfigError("--kidnap: the robot does not fit at " +
                                std::to_string(place_m.x()) + ", " + std::to_string(place_m.y()));
     }

@@ -44,6 +44,10 @@ LockstepEnd LockstepRun::run() {
     if (std::holds_alternative<Quit>(*request)) {
       return LockstepEnd::kQuit;
     }
+    if (const auto* carry = std::get_if<CarryOff>(&*request)) {
+      simulation_.carry_off(carry->held_us * 1000);
+      continue;
+    }
     const auto* grant = std::get_if<Grant>(&*request);
     if (grant == nullptr || !wait_for_bytes(grant->host_bytes)) {
       break;

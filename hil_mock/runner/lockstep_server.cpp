@@ -45,14 +45,25 @@ sockaddr_un local_address(const std::filesystem::path& path) {
 
 /// Simulated time is counted in nanoseconds.
 constexpr std::int64_t kLastMicrosecond = std::numeric_limits<std::int64_t>::max() / 1000;
+/// Nobody holds a robot for longer than an hour.
+constexpr std::int64_t kLongestHoldUs = 3'600'000'000;
 
 LockstepRequest parse_request(std::string_view line) {
   constexpr std::string_view kGrant = "grant";
+  constexpr std::string_view kCarryOff = "carry-off";
   if (line == "quit") {
     return Quit{};
   }
-  Grant grant;
   std::string_view rest = line;
+  if (rest.starts_with(kCarryOff)) {
+    rest.remove_prefix(kCarryOff.size());
+    CarryOff carry;
+    if (take_number(rest, carry.held_us) && rest.empty() && carry.held_us > 0 &&
+        carry.held_us <= kLongestHoldUs) {
+      return carry;
+    }
+  }
+  Grant grant;
   if (rest.starts_with(kGrant)) {
     rest.remove_prefix(kGrant.size());
     if (take_number(rest, grant.until_us) && take_number(rest, grant.host_bytes) && rest.empty() &&

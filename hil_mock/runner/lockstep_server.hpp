@@ -19,6 +19,12 @@ struct Grant {
   bool operator==(const Grant&) const = default;
 };
 
+/// The host wants somebody to carry the robot off, and to hold it for so long.
+struct CarryOff {
+  std::int64_t held_us = 0;
+  bool operator==(const CarryOff&) const = default;
+};
+
 /// The host wants the truth files and the end.
 struct Quit {
   bool operator==(const Quit&) const = default;
@@ -36,7 +42,7 @@ struct BadRequest {
 };
 
 /// All that a host can ask, well or badly.
-using LockstepRequest = std::variant<Grant, Quit, HostGone, BadRequest>;
+using LockstepRequest = std::variant<Grant, CarryOff, Quit, HostGone, BadRequest>;
 
 /// What a line of the host says (docs/guides/lockstep.md); without its line end.
 LockstepRequest parse_request(std::string_view line);

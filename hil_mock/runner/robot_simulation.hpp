@@ -45,6 +45,10 @@ class RobotSimulation {
 
   /// Plans a kidnap, after those that are planned already.
   void schedule(const Kidnap& kidnap) { kidnaps_.push_back(kidnap); }
+  /// Somebody lifts the robot now, holds it for so long and puts it down somewhere else.
+  void carry_off(std::int64_t held_ns) {
+    schedule({now_ns_, now_ns_ + held_ns, world_.somewhere_else()});
+  }
 
   /// Bytes for the board's receive line.
   void receive(std::span<const std::uint8_t> bytes);

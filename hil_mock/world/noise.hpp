@@ -15,6 +15,7 @@ enum class NoisePurpose : std::uint32_t {
   kLineDelays = 4,
   kGyro = 5,
   kBattery = 6,
+  kPlaces = 7,
   kRange0 = 16,  ///< .. 23, one for each infra-red channel.
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/robot_world.hpp"
 
+#include <numbers>
 #include <utility>
+
+#include <Eigen/Geometry>
 
 namespace echomap::world {
 
@@ -11,6 +14,7 @@ RobotWorld::RobotWorld(FloorPlan plan, const RobotParams& robot, std::uint32_t s
       body_(plan_, robot.drive, robot.body, NoiseStream(seed, NoisePurpose::kBody)),
       sonar_(plan_, robot.sonar),
       sonar_noise_(seed, NoisePurpose::kSonar),
+      places_(seed, NoisePurpose::kPlaces),
       parts_(plan_, body_, robot.parts, seed) {}
 
 void RobotWorld::step(double dt_s, const WheelDuty& duty, EncoderChanges& changes) {
@@ -21,6 +25,33 @@ void RobotWorld::step(double dt_s, const WheelDuty& duty, EncoderChanges& change
 void RobotWorld::place(const geometry::Pose2& T_world_robot) {
   body_.place(T_world_robot);
   parts_.forget_heading();
+}
+
+bool RobotWorld::fits(const Eigen::Vector2d& place_m, double clearance_m) const {
+  return plan_.is_free(place_m) && plan_.clearance_m(place_m) >= robot_.body.radius_m + clearance_m;
+}
+
+geometry::Pose2 RobotWorld::somewhere_else() {
+  constexpr int kTries = 1000;
+  constexpr double kClearanceM = 0.05;
+  constexpr double kFarM = 1.0;
+  Eigen::AlignedBox2d room;
+  for (const Eigen::Vector2d& corner_m : plan_.room_m()) {
+    room.extend(corner_m);
+  }
+  geometry::Pose2 farthest = T_world_robot();
+  double distance_m = 0.0;
+  for (int i = 0; i < kTries && distance_m < kFarM; ++i) {
+    const Eigen::Vector2d share(places_.uniform(), places_.uniform());
+    const Eigen::Vector2d place_m = room.min() + share.cwiseProduct(room.sizes());
+    const double heading_rad = 2.0 * std::numbers::pi * places_.uniform();
+    const double away_m = (place_m - T_world_robot().position_m()).norm();
+    if (away_m > distance_m && fits(place_m, kClearanceM)) {
+      farthest = {place_m.x(), place_m.y(), heading_rad};
+      distance_m = away_m;
+    }
+  }
+  return farthest;
 }
 
 std::optional<double> RobotWorld::ping(double pan_rad) {

@@ -33,6 +33,11 @@ class RobotWorld {
   void lift() { body_.lift(); }
   /// Puts the robot down elsewhere.
   void place(const geometry::Pose2& T_world_robot);
+  /// Whether the robot has room there, with so much between its hull and the walls.
+  bool fits(const Eigen::Vector2d& place_m, double clearance_m) const;
+  /// A place with room for the robot, a metre and more from here, looking anywhere: where somebody
+  /// who carries it off may put it down. In a room without one, the farthest of a thousand others.
+  geometry::Pose2 somewhere_else();
 
   const geometry::Pose2& T_world_robot() const { return body_.T_world_robot(); }
   geometry::Pose2 T_world_sonar(double pan_rad) const;
@@ -48,6 +53,7 @@ class RobotWorld {
   RobotBody body_;
   SonarPhysics sonar_;
   NoiseStream sonar_noise_;
+  NoiseStream places_;
   RobotParts parts_;
 };
 

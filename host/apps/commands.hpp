@@ -50,6 +50,7 @@ struct DemoOptions {
   /// What is true of the robot (docs/decisions/0002); empty: the bundled body of the profile's
   /// name.
   std::string body;
+  bool no_kidnap = false;  ///< End with the map.
 };
 ExitCode run_demo(const DemoOptions& options);
 

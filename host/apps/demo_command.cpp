@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -8,12 +9,14 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/demo_kidnap.hpp"
 #include "host/apps/explore_run.hpp"
 #include "host/apps/open_robot.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/simulated_robot.hpp"
 #include "host/apps/strategy_setup.hpp"
 #include "host/evaluation/run_score.hpp"
+#include "host/evaluation/truth_directory.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/transport/open_stream.hpp"
 
@@ -81,12 +84,23 @@ ExitCode run_demo(const DemoOptions& options) {
   summary.emulator = device.emulator;
 
   pipeline::RobotPipeline pipeline = pipeline_for(profile);
-  RobotSession session(connection_to(robot, options), profile, pipeline);
-  const ExitCode code = explore_and_save({session, pipeline, profile}, options.run, out, summary);
+  pipeline::ObservationFork fork;
+  fork.add(pipeline);
+  RobotSession session(connection_to(robot, options), profile, fork);
+  const DrivenRobot driven{session, pipeline, profile};
+  const ExitCode code = explore_and_save(driven, options.run, out, summary);
+  std::optional<DemoKidnap> kidnap;
+  if (code == ExitCode::kOk && !options.no_kidnap) {
+    fork.remove(pipeline);
+    kidnap = show_kidnap(driven, fork, robot.lockstep(), options.run.seed);
+  }
   say("map: " + (out / "map.png").string());
   say_what_ran(summary);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
-  const std::string unscored = add_scores(robot, out, report);
+  std::string unscored = add_scores(robot, out, report);
+  if (kidnap && unscored.empty()) {
+    report["kidnap"] = kidnap_report(*kidnap, evaluation::read_truth(robot.truth()).trajectory);
+  }
   write_report(out / "summary.json", report);
   write_report(options.run.json, report);
   if (unscored.empty()) {

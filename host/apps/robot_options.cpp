@@ -113,6 +113,9 @@ void add_demo(CLI::App& app, CommandAction& action) {
       options->body,
       "What is true of the robot, where --robot is what the host believes: a bundled "
       "name or a TOML file; by default the name in the profile");
+  command->add_flag("--no-kidnap",
+                    options->no_kidnap,
+                    "End with the map; else the robot is carried off then, and finds itself again");
   add_run_options(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
   command->callback([&action, options, emulator] {

@@ -33,6 +33,10 @@ RobotLocalizer::RobotLocalizer(const mapping::RasterMap& map,
 }
 
 void RobotLocalizer::start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad) {
+  if (!T_odom_updated_) {
+    start_ = {T_map_robot, std_m, std_rad};
+    return;
+  }
   update({});
   localizer_.start_at(T_map_robot, std_m, std_rad);
 }
@@ -91,7 +95,14 @@ void RobotLocalizer::end_scan() {
 void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
   odometry_.update(travel);
   stamp_ = std::max(stamp_, stamp);
-  const geometry::Pose2 step = T_odom_updated_.inverse() * odometry_.T_odom_robot();
+  if (!T_odom_updated_) {
+    update({});
+    if (start_) {
+      localizer_.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
+    }
+    return;
+  }
+  const geometry::Pose2 step = T_odom_updated_->inverse() * odometry_.T_odom_robot();
   if (step.position_m().norm() >= params_.step_m ||
       std::abs(step.heading_rad()) >= params_.step_rad) {
     update({});
@@ -100,7 +111,7 @@ void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& t
 
 void RobotLocalizer::update(const std::vector<localization::RangeReading>& readings) {
   T_odom_updated_ = odometry_.T_odom_robot();
-  localizer_.update(T_odom_updated_, readings);
+  localizer_.update(*T_odom_updated_, readings);
 }
 
 std::vector<localization::RangeReading> RobotLocalizer::readings() const {

@@ -39,7 +39,7 @@ class RobotLocalizer final : public ObservationSink {
                  const RobotLocalizerParams& params,
                  std::mt19937 random);
 
-  /// The robot is about there, where it stands now.
+  /// The robot is about there, where it stands now or, before the first observation, is then.
   void start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad);
   /// The robot may be anywhere from now on: somebody says so.
   void start_anywhere();
@@ -61,6 +61,12 @@ class RobotLocalizer final : public ObservationSink {
   std::size_t times_lifted() const { return times_lifted_; }
 
  private:
+  struct Start {
+    geometry::Pose2 T_map_robot;
+    double std_m = 0.0;
+    double std_rad = 0.0;
+  };
+
   void follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
   void feel(const models::ContactReading& contact);
   void update(const std::vector<localization::RangeReading>& readings);
@@ -71,7 +77,8 @@ class RobotLocalizer final : public ObservationSink {
   std::unique_ptr<localization::ObservationModel> observation_;
   localization::MonteCarloLocalizer localizer_;
   sensors::WheelOdometry odometry_;
-  geometry::Pose2 T_odom_updated_;
+  std::optional<geometry::Pose2> T_odom_updated_;  ///< Empty before the first observation.
+  std::optional<Start> start_;                     ///< To begin with the first observation.
   time::RobotTime stamp_;
   std::vector<localization::RangeReading> open_scan_;  ///< From the odometry's frame.
   bool scan_is_open_ = false;

@@ -38,6 +38,10 @@ std::optional<Reached> LockstepChannel::grant(std::int64_t until_us, std::uint64
   return reached;
 }
 
+void LockstepChannel::carry_off(std::chrono::microseconds held) {
+  send_line("carry-off " + std::to_string(held.count()));
+}
+
 bool LockstepChannel::quit() {
   send_line("quit");
   return read_line() == "bye";

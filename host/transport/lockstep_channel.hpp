@@ -28,6 +28,9 @@ class LockstepChannel {
   /// all. Empty when the device is gone or answers nonsense: see `close_reason()`.
   std::optional<Reached> grant(std::int64_t until_us, std::uint64_t host_bytes);
 
+  /// Somebody takes the robot up now, holds it for so long and puts it down somewhere else.
+  void carry_off(std::chrono::microseconds held);
+
   /// Ends the device; true when it confirms that its truth files are on disk.
   bool quit();
 

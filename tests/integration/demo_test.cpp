@@ -79,6 +79,9 @@ TEST_P(ScoredDemo, EndsByItselfAndScoresItsMap) {
     EXPECT_GT(report.at(score), 0.0) << score;
     EXPECT_LE(report.at(score), 1.0) << score;
   }
+  EXPECT_TRUE(report.at("kidnap").at("noticed"));
+  EXPECT_TRUE(report.at("kidnap").at("found"));
+  EXPECT_LE(report.at("kidnap").at("error_m"), 0.15);
   EXPECT_EQ(report.at("seed"), 3);
   EXPECT_THAT(report.at("emulator").get<std::string>(), HasSubstr(GetParam().emulator));
   EXPECT_THAT(report.at("firmware").get<std::string>(), HasSubstr(GetParam().firmware));
@@ -107,6 +110,13 @@ TEST_P(Demo, IsAFunctionOfItsSeed) {
   run("other", {"--seed=6", "--stops=3"});
   EXPECT_NE(read_text_file(scratch / "first" / "points.csv"),
             read_text_file(scratch / "other" / "points.csv"));
+}
+
+TEST_P(Demo, EndsWithTheMapWhereNobodyIsToBeKidnapped) {
+  const Ended ended = run("run", {"--seed=5", "--stops=1", "--no-kidnap"});
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  EXPECT_FALSE(
+      nlohmann::json::parse(read_text_file(scratch / "run/summary.json")).contains("kidnap"));
 }
 
 TEST_P(Demo, KeepsItsMapWhenInterrupted) {

@@ -35,6 +35,7 @@ const std::vector<std::string> without_own_test{
     "hil_mock/mock_device/main.cpp",
     "hil_mock/unicorn/main.cpp",
     "host/apps/demo_command.cpp",
+    "host/apps/demo_kidnap.cpp",
     "host/apps/diff_command.cpp",
     "host/apps/echomap.cpp",
     "host/apps/eval_command.cpp",

@@ -51,6 +51,19 @@ TEST_F(LockstepRunTest, GrantsAreReachedAndBytesComeBack) {
   EXPECT_EQ(simulation.now_ns(), 25 * kMs);
 }
 
+TEST_F(LockstepRunTest, TheRobotIsCarriedOffWhenTheHostWantsIt) {
+  auto end = start();
+  channel.write("grant 10000 0\ncarry-off 50000\ngrant 50000 0\n");
+  EXPECT_EQ(channel.read_line(), "reached 10000 0");
+  EXPECT_EQ(channel.read_line(), "reached 50000 0");
+  EXPECT_TRUE(robot_world.body().is_lifted());
+  channel.write("grant 70000 0\nquit\n");
+  end.get();
+  EXPECT_FALSE(robot_world.body().is_lifted());
+  EXPECT_NE(robot_world.T_world_robot().position_m(),
+            robot_world.plan().T_world_start().position_m());
+}
+
 TEST_F(LockstepRunTest, AGrantWaitsForTheBytesThatItCounts) {
   auto end = start();
   channel.write("grant 10000 0\ngrant 20000 4\n");

@@ -28,6 +28,7 @@ std::optional<LockstepRequest> wait_for_request(LockstepServer& server) {
 TEST(LockstepRequests, AreReadStrictly) {
   EXPECT_EQ(parse_request("grant 20000 17"), LockstepRequest(Grant{20000, 17}));
   EXPECT_EQ(parse_request("quit"), LockstepRequest(Quit{}));
+  EXPECT_EQ(parse_request("carry-off 2000000"), LockstepRequest(CarryOff{2'000'000}));
   for (const std::string line : {"",
                                  "grant",
                                  "grant 1",
@@ -36,6 +37,10 @@ TEST(LockstepRequests, AreReadStrictly) {
                                  "grant  1 2",
                                  "grant x 2",
                                  "grant 9223372036854776 2",
+                                 "carry-off",
+                                 "carry-off 0",
+                                 "carry-off 1 2",
+                                 "carry-off 4000000000",
                                  "quit!"}) {
     EXPECT_EQ(parse_request(line), LockstepRequest(BadRequest{line})) << line;
   }

@@ -35,6 +35,22 @@ Trace drive_and_ping(std::uint32_t seed, int extra_pings) {
   return trace;
 }
 
+TEST(RobotWorld, KnowsPlacesElsewhereWithRoomForTheRobot) {
+  RobotWorld world(box_room(), RobotParams{}, 5);
+  for (int i = 0; i < 20; ++i) {
+    const geometry::Pose2 before = world.T_world_robot();
+    const geometry::Pose2 place = world.somewhere_else();
+    EXPECT_TRUE(world.fits(place.position_m(), 0.05)) << i;
+    EXPECT_GT((place.position_m() - before.position_m()).norm(), 1.0) << i;
+    world.place(place);
+  }
+  RobotWorld twin(box_room(), RobotParams{}, 5);
+  RobotWorld other(box_room(), RobotParams{}, 6);
+  const geometry::Pose2 first = RobotWorld(box_room(), RobotParams{}, 5).somewhere_else();
+  EXPECT_EQ(twin.somewhere_else().position_m(), first.position_m());
+  EXPECT_NE(other.somewhere_else().position_m(), first.position_m());
+}
+
 TEST(RobotWorld, IsAFunctionOfItsSeed) {
   EXPECT_EQ(drive_and_ping(3, 0), drive_and_ping(3, 0));
   EXPECT_FALSE(drive_and_ping(3, 0) == drive_and_ping(4, 0));

@@ -38,6 +38,7 @@ class MclFilterTest : public SessionOnACable {
 TEST_F(MclFilterTest, BelievesTheUserAtFirst) {
   MclFilter told = filter(StartPose{{0.5, 0.4, 0.0}, 0.05, 0.05});
   EXPECT_TRUE(told.begin(*session));
+  told.sink().on_odometry({});
   EXPECT_EQ(told.report().at("status"), "localized");
   MclFilter untold = filter(std::nullopt);
   EXPECT_TRUE(untold.begin(*session));
@@ -47,6 +48,7 @@ TEST_F(MclFilterTest, BelievesTheUserAtFirst) {
 TEST_F(MclFilterTest, HasLostARobotThatWasLifted) {
   MclFilter told = filter(StartPose{{0.5, 0.4, 0.0}, 0.05, 0.05});
   told.begin(*session);
+  told.sink().on_odometry({});
   EXPECT_FALSE(told.has_lost_it());
   sensors::HazardObservation hazards;
   hazards.lifted = true;

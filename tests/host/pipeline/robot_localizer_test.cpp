@@ -97,6 +97,8 @@ class RobotLocalizerTest : public ::testing::Test {
 
   Pose2 T_map_robot{0.45, 0.95, 0.1};
   RobotLocalizer localizer{kRoom, plain_robot(), params(), std::mt19937(1)};
+  double left_m = 0.0;
+  double right_m = 0.0;
 
  private:
   /// Hears the nearest thing in the cone.
@@ -119,8 +121,6 @@ class RobotLocalizerTest : public ::testing::Test {
   }
 
   mapping::DistanceField field{kRoom, 3.0};
-  double left_m = 0.0;
-  double right_m = 0.0;
   std::int64_t stamp_us = 0;
 };
 
@@ -139,6 +139,15 @@ TEST_F(RobotLocalizerTest, FollowsARobotFromWhereItIsTold) {
   drive(0.5);
   scan();
   EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.1, 0.1));
+}
+
+TEST_F(RobotLocalizerTest, BeginsWhereItIsToldHoweverFarTheWheelsHaveRolledBefore) {
+  localizer.start_at(T_map_robot, 0.05, 0.05);
+  left_m = 7.0;
+  right_m = 5.5;
+  scan();
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.1, 0.1));
+  EXPECT_EQ(localizer.belief().status, LocalizationStatus::kLocalized);
 }
 
 TEST_F(RobotLocalizerTest, GrowsUnsureByATurnToAndFro) {

@@ -25,6 +25,8 @@ using testing::HasSubstr;
 constexpr const char* kHello =
     "{\"lockstep\":1,\"firmware\":\"echomap-uno 0.1.0\",\"emulator\":\"simavr 1.6\"}\n";
 
+constexpr const char* kNoAnswer = "no answer";
+
 /// A device that says hello and answers each line as its script says; an empty answer hangs up.
 class ScriptedDevice {
  public:
@@ -64,6 +66,9 @@ class ScriptedDevice {
       if (answer.empty()) {
         break;
       }
+      if (answer == kNoAnswer) {
+        continue;
+      }
       boost::asio::write(host, boost::asio::buffer(answer), error);
     }
   }
@@ -78,6 +83,9 @@ class ScriptedDevice {
 std::string obedient(const std::string& line) {
   if (line == "quit") {
     return "bye\n";
+  }
+  if (line.starts_with("carry-off")) {
+    return kNoAnswer;
   }
   return "reached " + line.substr(6, line.rfind(' ') - 6) + " 4711\n";
 }
@@ -97,11 +105,13 @@ TEST(LockstepChannel, GrantsTimeAndEndsTheDevice) {
     ASSERT_TRUE(reached);
     EXPECT_EQ(reached->until_us, 5'000);
     EXPECT_EQ(reached->device_bytes, 4711U);
+    channel.carry_off(std::chrono::seconds(2));
     EXPECT_TRUE(channel.grant(7'000'000'000'000, 18));
     EXPECT_TRUE(channel.quit());
     EXPECT_EQ(channel.close_reason(), "");
   }
-  EXPECT_THAT(device.lines(), ElementsAre("grant 5000 17", "grant 7000000000000 18", "quit"));
+  EXPECT_THAT(device.lines(),
+              ElementsAre("grant 5000 17", "carry-off 2000000", "grant 7000000000000 18", "quit"));
 }
 
 TEST(LockstepChannel, KnowsADeviceThatDiesInAGrant) {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/demo_kidnap.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/apps/localize_run.hpp"
+#include "host/apps/mcl_filter.hpp"
+#include "host/apps/report.hpp"
+#include "host/geometry/angle.hpp"
+#include "host/mapping/raster_map.hpp"
+
+namespace echomap::apps {
+namespace {
+
+constexpr std::size_t kMostStops = 10;
+/// So many stops in a row that are sure of the place.
+constexpr int kSureStops = 2;
+constexpr std::chrono::seconds kHeld(2);
+/// An explorer's own pose at the end.
+constexpr double kStartStdM = 0.1;
+constexpr double kStartStdRad = 0.1;
+
+/// Drives on until the place is sure.
+void go_on(const FollowedRobot& followed, MclFilter& filter, DemoKidnap& kidnap) {
+  int sure_stops = 0;
+  while (kidnap.stops < kMostStops && sure_stops < kSureStops && follow_to_next_stop(followed)) {
+    ++kidnap.stops;
+    const auto status = filter.localizer().belief().status;
+    kidnap.is_noticed = kidnap.is_noticed || status == localization::LocalizationStatus::kLost ||
+                        filter.localizer().times_lifted() > 0;
+    const bool is_sure =
+        kidnap.is_noticed && status == localization::LocalizationStatus::kLocalized;
+    sure_stops = is_sure ? sure_stops + 1 : 0;
+  }
+  if (sure_stops > 0) {
+    kidnap.found = filter.trajectory().back();
+  }
+}
+
+}  // namespace
+
+DemoKidnap show_kidnap(const DrivenRobot& robot,
+                       pipeline::ObservationFork& fork,
+                       transport::LockstepChannel& world,
+                       std::uint32_t seed) {
+  const auto snapshot = robot.pipeline.snapshot();
+  MclFilter filter(mapping::rasterize(*snapshot.grid),
+                   robot.profile.geometry,
+                   localizer_params(robot.profile, localization::LocalizerPreset::kDefault),
+                   StartPose{snapshot.latest.T_map_robot, kStartStdM, kStartStdRad},
+                   std::mt19937(seed));
+  fork.add(filter.sink());
+  StopDriver driver(robot.session, fork, robot.profile, seed);
+  const FollowedRobot followed{robot.session, driver, filter};
+  DemoKidnap kidnap;
+  kidnap.start = snapshot.trajectory->front();
+
+  say("it follows itself in its map:");
+  filter.begin(robot.session);
+  if (follow_to_next_stop(followed)) {
+    world.carry_off(kHeld);
+    say("it is carried off:");
+    go_on(followed, filter, kidnap);
+  }
+  robot.session.disarm();
+  fork.remove(filter.sink());
+  return kidnap;
+}
+
+nlohmann::ordered_json kidnap_report(const DemoKidnap& kidnap,
+                                     const std::vector<evaluation::TruePose>& truth) {
+  constexpr double kFoundM = 0.15;
+  const double found_rad = geometry::radians(10.0);
+  nlohmann::ordered_json json{{"noticed", kidnap.is_noticed},
+                              {"found", false},
+                              {"stops", kidnap.stops},
+                              {"error_m", nullptr},
+                              {"heading_error_rad", nullptr}};
+  if (kidnap.found) {
+    const auto error = evaluation::score_trajectory({kidnap.start, *kidnap.found}, truth);
+    const double off_rad = std::abs(error.final_heading_error_rad);
+    json["found"] = error.final_error_m <= kFoundM && off_rad <= found_rad;
+    json["error_m"] = error.final_error_m;
+    json["heading_error_rad"] = off_rad;
+  }
+  return json;
+}
+
+}  // namespace echomap::apps
