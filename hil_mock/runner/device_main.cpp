@@ -12,6 +12,7 @@
 
 #include "hil_mock/runner/device_options.hpp"
 #include "hil_mock/runner/faulty_board.hpp"
+#include "hil_mock/runner/fix_sender.hpp"
 #include "hil_mock/runner/lockstep_run.hpp"
 #include "hil_mock/runner/paced_run.hpp"
 #include "hil_mock/runner/pty_endpoint.hpp"
@@ -93,6 +94,9 @@ class Device {
         simulation_(*board_, *world_),
         endpoint_(open_endpoint(options)) {
     schedule_kidnaps(options, simulation_);
+    if (!options.camera.empty()) {
+      put_up_camera();
+    }
   }
 
   void run() {
@@ -104,6 +108,20 @@ class Device {
   }
 
  private:
+  void put_up_camera() {
+    camera_.emplace(options_.camera_params, options_.seed);
+    try {
+      fixes_ = make_fix_sender(options_.camera);
+    } catch (const std::invalid_argument& fault) {
+      throw files::ConfigError("--camera " + std::string(fault.what()));
+    }
+    simulation_.on_step = [this] {
+      for (const std::string& line : camera_->look(simulation_.now_ns(), world_->T_world_robot())) {
+        fixes_->send(line);
+      }
+    };
+  }
+
   void run_paced() {
     std::cout << name_ << ": " << world_->robot().name << " in " << world_->plan().name()
               << " listens on " << endpoint_->address() << std::endl;
@@ -145,6 +163,8 @@ class Device {
   std::unique_ptr<SimulatedBoard> board_;
   RobotSimulation simulation_;
   std::unique_ptr<ByteEndpoint> endpoint_;
+  std::optional<OverheadCamera> camera_;
+  std::unique_ptr<FixSender> fixes_;
 };
 
 }  // namespace

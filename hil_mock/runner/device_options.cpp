@@ -29,6 +29,7 @@ struct RawOptions {
   std::vector<double> start;
   std::vector<double> kidnaps;
   std::string faults;
+  std::string camera_params;
   std::string line = "direct";
 };
 
@@ -48,6 +49,15 @@ std::string check_finite(const std::string& text) {
 std::string check_faults(const std::string& text) {
   try {
     line_faults::parse_line_faults(text);
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+std::string check_camera(const std::string& text) {
+  try {
+    parse_camera(text);
     return "";
   } catch (const std::invalid_argument& error) {
     return error.what();
@@ -127,6 +137,15 @@ void add_options(CLI::App& app,
       ->delimiter(',')
       ->expected(kKidnapNumbers, 100 * kKidnapNumbers)
       ->check(check_finite);
+  auto* camera = app.add_option("--camera",
+                                options.camera,
+                                "Send an overhead camera's fixes to udp:PORT of this machine, or "
+                                "serve them on tcp:PORT");
+  app.add_option("--camera-params",
+                 raw.camera_params,
+                 "What the camera is like: rate=HZ,delay=S,jitter=S,noise=M,heading=DEG,drop=SHARE")
+      ->check(check_camera)
+      ->needs(camera);
   app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
       ->check(CLI::PositiveNumber)
       ->excludes(lockstep);
@@ -149,6 +168,7 @@ void understand(const RawOptions& raw, DeviceOptions& options) {
         geometry::Pose2(raw.start[0], raw.start[1], geometry::radians(raw.start[2]));
   }
   options.kidnaps = read_kidnaps(raw.kidnaps);
+  options.camera_params = parse_camera(raw.camera_params);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "hil_mock/runner/device_main.hpp"
 #include "hil_mock/runner/faulty_board.hpp"
+#include "hil_mock/runner/overhead_camera.hpp"
 #include "hil_mock/runner/robot_simulation.hpp"
 #include "host/geometry/pose2.hpp"
 
@@ -33,6 +34,9 @@ struct DeviceOptions {
   /// Folder of the truth files; empty for none.
   std::filesystem::path truth;
   std::optional<geometry::Pose2> T_world_start;
+  /// Where the overhead camera's fixes go (FixSender); empty for no camera.
+  std::string camera;
+  CameraParams camera_params;
   /// In the order of their times.
   std::vector<Kidnap> kidnaps;
   /// Simulated seconds; infinite without an end.

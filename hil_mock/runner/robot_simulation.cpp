@@ -64,6 +64,9 @@ void RobotSimulation::step_world() {
   if (now_ns_ % kTruthPeriodNs == 0) {
     record_truth();
   }
+  if (on_step) {
+    on_step();
+  }
 }
 
 void RobotSimulation::kidnap() {

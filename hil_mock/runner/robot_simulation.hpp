@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,6 +50,9 @@ class RobotSimulation {
   void carry_off(std::int64_t held_ns) {
     schedule({now_ns_, now_ns_ + held_ns, world_.somewhere_else()});
   }
+
+  /// Called after every millisecond of the world.
+  std::function<void()> on_step;
 
   /// Bytes for the board's receive line.
   void receive(std::span<const std::uint8_t> bytes);

@@ -16,6 +16,7 @@ enum class NoisePurpose : std::uint32_t {
   kGyro = 5,
   kBattery = 6,
   kPlaces = 7,
+  kCamera = 8,
   kRange0 = 16,  ///< .. 23, one for each infra-red channel.
 };
 

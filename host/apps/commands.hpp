@@ -79,11 +79,14 @@ ExitCode run_replay(const ReplayOptions& options);
 
 /// `echomap localize`: finds and follows a robot in a map.
 struct LocalizeOptions {
-  std::filesystem::path log;  ///< Of a robot that drove; empty: one that drives, at a port.
-  std::string format;         ///< Empty: what the log plainly says.
-  std::filesystem::path map;  ///< A run directory or the YAML file of a map.
-  std::vector<double> at;     ///< x and y in metres, heading in degrees; empty: anywhere.
-  std::string filter = "mcl";
+  std::filesystem::path log;   ///< Of a robot that drove; empty: one that drives, at a port.
+  std::string format;          ///< Empty: what the log plainly says.
+  std::filesystem::path map;   ///< A run directory or the YAML file of a map.
+  std::vector<double> at;      ///< x and y in metres, heading in degrees; empty: anywhere.
+  std::string filter = "mcl";  ///< Or "ekf", which has fixes instead of a map.
+  std::string fixes;           ///< udp:HOST:PORT or tcp:HOST:PORT of an overhead camera.
+  /// The camera's frame in the map: metres and degrees; empty: the map's own.
+  std::vector<double> camera_at;
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
   ConnectionOptions connection;
   RunOptions run;

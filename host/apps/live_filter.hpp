@@ -22,8 +22,8 @@ class LiveFilter {
   /// After every step of the session's time: takes what comes from elsewhere, and tells the user
   /// what cannot wait for the next stop.
   virtual void poll(const RobotSession& session) = 0;
-  /// The robot is connected and stands: false, and said why, where the filter cannot begin.
-  virtual bool begin(RobotSession& session) = 0;
+  /// The robot is connected and stands. Throws CommandError where the filter cannot begin.
+  virtual void begin(RobotSession& session) = 0;
 
   /// At the end of a stop: the robot was found not to be where it was thought to be, or was lifted,
   /// since the last stop.

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include "host/apps/ekf_filter.hpp"
 #include "host/apps/explore_run.hpp"
 #include "host/apps/link_report.hpp"
 #include "host/apps/map_file.hpp"
@@ -27,6 +28,12 @@ using nlohmann::ordered_json;
 
 std::unique_ptr<LiveFilter> filter_for(const LocalizeOptions& options,
                                        const RobotProfile& profile) {
+  if (options.filter == "ekf") {
+    return std::make_unique<EkfFilter>(profile.geometry,
+                                       FixStream(open_fixes(options.fixes)),
+                                       pose_option(options.camera_at).value_or(geometry::Pose2()),
+                                       start_pose(options.at));
+  }
   return std::make_unique<MclFilter>(read_map(options.map),
                                      profile.geometry,
                                      localizer_params(profile, options.preset),
@@ -136,9 +143,8 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
     account.describe(opened.lockstep->device());
   }
   session.connect();
-  if (filter->begin(session)) {
-    drive(robot, options.run.stops, account);
-  }
+  filter->begin(session);
+  drive(robot, options.run.stops, account);
   session.disarm();
   account.save(outcome_of(robot), robot, out);
   write_report(options.run.json, account.json());

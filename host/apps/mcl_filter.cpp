@@ -7,21 +7,10 @@
 
 #include "host/apps/belief_report.hpp"
 #include "host/apps/report.hpp"
-#include "host/geometry/angle.hpp"
 
 namespace echomap::apps {
 
 using localization::LocalizationStatus;
-
-std::optional<StartPose> start_pose(const std::vector<double>& at) {
-  constexpr std::size_t kNumbers = 3;
-  if (at.size() != kNumbers) {
-    return std::nullopt;
-  }
-  StartPose start;
-  start.T_map_robot = {at[0], at[1], geometry::radians(at[2])};
-  return start;
-}
 
 pipeline::RobotLocalizerParams localizer_params(const RobotProfile& profile,
                                                 localization::LocalizerPreset preset) {
@@ -48,11 +37,10 @@ void MclFilter::poll(const RobotSession& /*session*/) {
   }
 }
 
-bool MclFilter::begin(RobotSession& /*session*/) {
+void MclFilter::begin(RobotSession& /*session*/) {
   if (start_) {
     localizer_.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
   }
-  return true;
 }
 
 bool MclFilter::has_lost_it() {

@@ -7,20 +7,11 @@
 
 #include "host/apps/live_filter.hpp"
 #include "host/apps/robot_profile.hpp"
+#include "host/apps/start_pose.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "host/pipeline/robot_localizer.hpp"
 
 namespace echomap::apps {
-
-/// Where the user says that a robot starts, and how well one knows that.
-struct StartPose {
-  geometry::Pose2 T_map_robot;
-  double std_m = 0.3;
-  double std_rad = 0.2;
-};
-
-/// The start of `--at X Y DEGREES`; empty for none.
-std::optional<StartPose> start_pose(const std::vector<double>& at);
 
 /// A preset with what it has to know of a robot.
 pipeline::RobotLocalizerParams localizer_params(const RobotProfile& profile,
@@ -38,7 +29,7 @@ class MclFilter final : public LiveFilter {
 
   pipeline::ObservationSink& sink() override { return localizer_; }
   void poll(const RobotSession& session) override;
-  bool begin(RobotSession& session) override;
+  void begin(RobotSession& session) override;
   bool has_lost_it() override;
   std::string line() const override;
   nlohmann::ordered_json report() const override;

@@ -39,6 +39,11 @@ class RobotSession {
   /// Waits for a link that is away first. After `end()` is set the answer means nothing.
   exploration::MotionResult execute(const exploration::Motion& motion);
 
+  /// Lets time pass until `done`, for `limit` at most or until the session ends.
+  void wait_until(const std::function<bool()>& done, time::HostClock::duration limit) {
+    line_.wait_until(done, limit);
+  }
+
   /// Stops and disarms, where the robot still hears it; the second time does nothing. The next
   /// motion arms it again.
   void disarm() { line_.disarm(); }

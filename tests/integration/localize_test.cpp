@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -149,6 +152,95 @@ TEST_F(Localize, GoesOnFromAnywhereWhenTheRobotWasLifted) {
   EXPECT_THAT(ended.said, HasSubstr("lifted"));
   EXPECT_EQ(summary().at("times_lifted"), 1);
   expect_found();
+}
+
+/// Under an overhead camera whose fixes are a tenth of a second late and of which a fifth is
+/// missing. The frame of the fixes is the world's.
+class LocalizeUnderACamera : public Localize {
+ protected:
+  /// A port of this machine that nobody has now.
+  static std::string free_port() {
+    boost::asio::io_context io;
+    const boost::asio::ip::udp::socket socket(io, {boost::asio::ip::make_address("127.0.0.1"), 0});
+    return std::to_string(socket.local_endpoint().port());
+  }
+  Ended follow(const std::string& kind,
+               const std::string& seed,
+               const std::vector<std::string>& more = {}) {
+    const std::string port = free_port();
+    start_robot("echomap-mock",
+                {"--seed=" + seed,
+                 "--camera=" + kind + ":" + port,
+                 "--camera-params=delay=0.1,noise=0.01,drop=0.2"});
+    std::vector<std::string> arguments{
+        "--filter=ekf", "--fixes=" + kind + ":127.0.0.1:" + port, "--stops=4"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return localize(arguments);
+  }
+  Pose2 true_pose_at(double seconds) const {
+    const auto truth = read_trajectory_tum(scratch / "truth/truth.tum");
+    for (const auto& pose : truth) {
+      if (std::chrono::duration<double>(pose.stamp.time_since_epoch()).count() >= seconds) {
+        return pose.T_map_robot;
+      }
+    }
+    return truth.back().T_map_robot;
+  }
+  /// At every stop; answers how many of the three numbers are off by more than three deviations.
+  int check_stops() const {
+    int beyond = 0;
+    for (const auto& stop : summary().at("stops")) {
+      const Pose2 truth = true_pose_at(stop.at("sim_seconds"));
+      const auto& place = stop.at("hypotheses").at(0);
+      const auto number = [&](const char* key) { return place.at(key).get<double>(); };
+      const double x_off_m = number("x_m") - truth.x_m();
+      const double y_off_m = number("y_m") - truth.y_m();
+      const double off_rad = geometry::angle_between(number("heading_rad"), truth.heading_rad());
+      EXPECT_LT(std::hypot(x_off_m, y_off_m), 0.01);
+      EXPECT_LT(std::abs(off_rad), geometry::radians(1.5));
+      beyond += std::abs(x_off_m) > 3.0 * number("std_x_m") ? 1 : 0;
+      beyond += std::abs(y_off_m) > 3.0 * number("std_y_m") ? 1 : 0;
+      beyond += std::abs(off_rad) > 3.0 * number("std_heading_rad") ? 1 : 0;
+    }
+    return beyond;
+  }
+};
+
+TEST_F(LocalizeUnderACamera, FollowsWithinThreeOfItsDeviations) {
+  int beyond = 0;
+  for (const char* seed : {"1", "2", "3", "4", "5", "6"}) {
+    const Ended ended = follow("udp", seed);
+    ASSERT_EQ(ended.status, 0) << ended.said;
+    const auto fixes = summary().at("fixes");
+    EXPECT_GT(fixes.at("applied"), 300) << seed;
+    EXPECT_LE(fixes.at("gated"), 5) << seed;
+    EXPECT_EQ(fixes.at("bad_lines"), 0) << seed;
+    EXPECT_EQ(summary().at("times_lost"), 0) << seed;
+    beyond += check_stops();
+  }
+  EXPECT_LE(beyond, 1) << "of 72 numbers; 0.2 are to be expected";
+}
+
+TEST_F(LocalizeUnderACamera, FetchesFixesFromAServer) {
+  const Ended ended = follow("tcp", "5");
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  EXPECT_LE(check_stops(), 1);
+}
+
+TEST_F(LocalizeUnderACamera, SaysThatNoFixComes) {
+  start_robot("echomap-mock", {});
+  const Ended ended = localize({"--filter=ekf", "--fixes=udp:127.0.0.1:" + free_port()});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.said, AllOf(HasSubstr("no fix came"), HasSubstr("next: ")));
+}
+
+TEST_F(LocalizeUnderACamera, NamesAServerThatIsMissingAndAnAddressThatIsNone) {
+  const Ended missing = localize({"--filter=ekf", "--fixes=tcp:127.0.0.1:" + free_port()});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_THAT(missing.said, AllOf(HasSubstr("no fixes"), HasSubstr("next: ")));
+  const Ended wrong = localize({"--filter=ekf", "--fixes=127.0.0.1"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.said, HasSubstr("udp:HOST:PORT"));
 }
 
 TEST_F(Localize, KeepsItsTrajectoryWhenInterrupted) {

@@ -67,6 +67,16 @@ TEST(DeviceOptions, KidnapsComeOneAfterTheOther) {
   EXPECT_EQ(std::get<int>(read({"--kidnap=10,2,1,1,0", "--kidnap=11,2,1,1,0"})), 2);
 }
 
+TEST(DeviceOptions, ACameraHasAnAddressAndParameters) {
+  const auto options =
+      std::get<DeviceOptions>(read({"--camera=udp:7001", "--camera-params=delay=0.25,drop=0.5"}));
+  EXPECT_EQ(options.camera, "udp:7001");
+  EXPECT_EQ(options.camera_params.delay_s, 0.25);
+  EXPECT_EQ(options.camera_params.drop, 0.5);
+  EXPECT_TRUE(std::get<DeviceOptions>(read({})).camera.empty());
+  EXPECT_EQ(std::get<int>(read({"--camera=udp:7001", "--camera-params=speed=1"})), 2);
+}
+
 TEST(DeviceOptions, TheLineIsSeededLikeTheRest) {
   const auto options = std::get<DeviceOptions>(read({"--seed=9", "--faults=loss=0.01"}));
   EXPECT_EQ(options.line->faults.seed, 9U);
@@ -83,6 +93,7 @@ TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
                                   "--start=1,1,nan",
                                   "--tcp=70000",
                                   "--duration=-1",
+                                  "--camera-params=rate=10",
                                   "--kidnap=10,2,1,1",
                                   "--kidnap=10,2,1,1,0,20",
                                   "--kidnap=10,0,1,1,0",

@@ -29,6 +29,17 @@ TEST(LocalizeOptions, SuggestThePresetThatWasMeant) {
   EXPECT_THAT(said.err, HasSubstr("did you mean 'epuck'?"));
 }
 
+TEST(LocalizeOptions, TellFiltersApart) {
+  const Said no_fixes = run({"localize", "--filter", "ekf"});
+  EXPECT_EQ(no_fixes.code, ExitCode::kUsage);
+  EXPECT_THAT(no_fixes.err, HasSubstr("--fixes"));
+  EXPECT_EQ(run({"localize", kLog, "--filter", "ekf", "--fixes", "udp:1:1"}).code,
+            ExitCode::kUsage);
+  EXPECT_EQ(run({"localize", "--map", ".", "--fixes", "udp:127.0.0.1:7001"}).code,
+            ExitCode::kUsage);
+  EXPECT_EQ(run({"localize", "--map", ".", "--filter", "ukf"}).code, ExitCode::kUsage);
+}
+
 TEST(LocalizeOptions, NameWhatIsMissing) {
   const Said missing = run({"localize", kLog, "--map", "/no/such/map"});
   EXPECT_EQ(missing.code, ExitCode::kUsage);

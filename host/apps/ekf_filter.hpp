@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/apps/fix_stream.hpp"
+#include "host/apps/live_filter.hpp"
+#include "host/apps/start_pose.hpp"
+#include "host/pipeline/robot_ekf.hpp"
+
+namespace echomap::apps {
+
+/// Extended Kalman filter of odometry, gyro and the fixes of an overhead camera.
+class EkfFilter final : public LiveFilter {
+ public:
+  /// Without `start` the first fix tells where the robot is. `T_map_camera` is where the map has
+  /// the frame of the fixes.
+  EkfFilter(const sensors::RobotGeometry& robot,
+            FixStream fixes,
+            const geometry::Pose2& T_map_camera,
+            const std::optional<StartPose>& start);
+
+  pipeline::ObservationSink& sink() override { return ekf_; }
+  void poll(const RobotSession& session) override;
+  /// Throws CommandError 1 where there is no start and no fix comes within five seconds.
+  void begin(RobotSession& session) override;
+  bool has_lost_it() override;
+  std::string line() const override;
+  nlohmann::ordered_json report() const override;
+  const std::vector<pipeline::StampedPose>& trajectory() const override {
+    return ekf_.trajectory();
+  }
+
+ private:
+  double stamp_s_of(time::HostTime instant, const RobotSession& session) const;
+
+  pipeline::RobotEkf ekf_;
+  FixStream fixes_;
+  geometry::Pose2 T_map_camera_;
+  std::optional<StartPose> start_;
+  std::size_t losses_told_ = 0;
+  bool was_lost_ = false;  ///< Since the last stop.
+};
+
+}  // namespace echomap::apps

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/ekf_filter.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/geometry/angle.hpp"
+#include "host/pipeline/observation_fork.hpp"
+#include "tests/host/apps/session_on_a_cable.hpp"
+#include "tests/support/thrown_text.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A camera that sends what it is told.
+class Camera final : public transport::ByteStream {
+ public:
+  explicit Camera(std::string& bytes) : bytes_(bytes) {}
+
+  std::size_t read_some(std::span<std::uint8_t> into, std::chrono::microseconds /*wait*/) override {
+    const std::size_t count = std::min(into.size(), bytes_.size());
+    std::copy_n(bytes_.begin(), count, into.begin());
+    bytes_.erase(0, count);
+    return count;
+  }
+  void write(std::span<const std::uint8_t> /*bytes*/) override {}
+  transport::StreamStatus status() const override { return transport::StreamStatus::kOpen; }
+  std::string close_reason() const override { return {}; }
+  std::string name() const override { return "udp://camera"; }
+
+ private:
+  std::string& bytes_;
+};
+
+/// A robot that stands under a camera, whose frame the map has at (1, 0), a quarter turned.
+class EkfFilterTest : public SessionOnACable {
+ protected:
+  std::unique_ptr<EkfFilter> connect(const std::optional<StartPose>& start) {
+    auto filter = std::make_unique<EkfFilter>(profile.geometry,
+                                              FixStream(std::make_unique<Camera>(bytes)),
+                                              geometry::Pose2(1.0, 0.0, geometry::radians(90.0)),
+                                              start);
+    fork.add(filter->sink());
+    session = std::make_unique<RobotSession>(
+        RobotConnection{
+            std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7},
+        profile,
+        fork);
+    session->connect();
+    session->on_step = [this, raw = filter.get()] { raw->poll(*session); };
+    return filter;
+  }
+  void let_pass(int ms) {
+    session->wait_until([] { return false; }, std::chrono::milliseconds(ms));
+  }
+
+  std::string bytes;
+  pipeline::ObservationFork fork;
+};
+
+constexpr const char* kFix =
+    "{\"stamp_s\": 70.0, \"sent_s\": 70.1, \"x_m\": 2, \"y_m\": 0, \"heading_rad\": 0}\n";
+
+TEST_F(EkfFilterTest, StartsWithTheFirstFixInTheMapsFrame) {
+  const auto filter = connect(std::nullopt);
+  EXPECT_THAT(filter->line(), HasSubstr("lost"));
+  bytes = std::string("nonsense\n") + kFix;
+  filter->begin(*session);
+  const auto report = filter->report();
+  EXPECT_NEAR(report.at("hypotheses").at(0).at("x_m").get<double>(), 1.0, 1e-6);
+  EXPECT_NEAR(report.at("hypotheses").at(0).at("y_m").get<double>(), 2.0, 1e-6);
+  EXPECT_EQ(report.at("fixes").at("applied"), 1);
+  EXPECT_EQ(report.at("fixes").at("bad_lines"), 1);
+  EXPECT_THAT(filter->line(), HasSubstr("1.00, 2.00 m, 90 degrees"));
+}
+
+TEST_F(EkfFilterTest, PutsAFixWhereItBelongs) {
+  const auto filter = connect(std::nullopt);
+  let_pass(3000);
+  bytes = kFix;
+  let_pass(200);
+  bytes = "{\"stamp_s\": 60.0, \"sent_s\": 70.3, \"x_m\": 2, \"y_m\": 0, \"heading_rad\": 0}\n";
+  let_pass(20);
+  EXPECT_EQ(filter->report().at("fixes").at("refused"), 1) << "of ten seconds ago";
+  bytes = "{\"stamp_s\": 70.25, \"sent_s\": 70.3, \"x_m\": 2, \"y_m\": 0, \"heading_rad\": 0}\n";
+  let_pass(20);
+  EXPECT_EQ(filter->report().at("fixes").at("applied"), 2);
+}
+
+TEST_F(EkfFilterTest, SaysThatNoFixComes) {
+  const auto filter = connect(std::nullopt);
+  bytes = "what?\nwhat?\n";
+  const auto text = tests::thrown_text<CommandError>([&] { filter->begin(*session); });
+  EXPECT_THAT(text, HasSubstr("no fix came from udp://camera"));
+  EXPECT_THAT(text, HasSubstr("2 lines that are none"));
+  EXPECT_THAT(text, HasSubstr("next: "));
+}
+
+TEST_F(EkfFilterTest, GoesByOdometryFromWhereTheUserSays) {
+  const auto filter = connect(StartPose{{0.5, 0.25, 0.0}});
+  EXPECT_NO_THROW(filter->begin(*session));
+  let_pass(100);
+  EXPECT_THAT(filter->line(), HasSubstr("0.50, 0.25 m"));
+  EXPECT_FALSE(filter->has_lost_it());
+}
+
+TEST_F(EkfFilterTest, HasLostALiftedRobotUntilTheNextFix) {
+  const auto filter = connect(StartPose{{0.5, 0.25, 0.0}});
+  filter->begin(*session);
+  sensors::HazardObservation hazards;
+  hazards.lifted = true;
+  filter->sink().on_hazards(hazards);
+  filter->poll(*session);
+  EXPECT_TRUE(filter->has_lost_it());
+  EXPECT_FALSE(filter->has_lost_it());
+  EXPECT_EQ(filter->report().at("status"), "lost");
+}
+
+}  // namespace
+}  // namespace echomap::apps

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/fix_stream.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/apps/exit_code.hpp"
+#include "tests/support/thrown_text.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Bytes that a test has told it.
+class ToldStream final : public transport::ByteStream {
+ public:
+  explicit ToldStream(std::string& bytes) : bytes_(bytes) {}
+
+  std::size_t read_some(std::span<std::uint8_t> into, std::chrono::microseconds /*wait*/) override {
+    const std::size_t count = std::min({into.size(), bytes_.size(), std::size_t{7}});
+    std::copy_n(bytes_.begin(), count, into.begin());
+    bytes_.erase(0, count);
+    return count;
+  }
+  void write(std::span<const std::uint8_t> /*bytes*/) override {}
+  transport::StreamStatus status() const override { return transport::StreamStatus::kOpen; }
+  std::string close_reason() const override { return {}; }
+  std::string name() const override { return "camera"; }
+
+ private:
+  std::string& bytes_;
+};
+
+std::string line(double stamp_s, double sent_s) {
+  return "{\"stamp_s\": " + std::to_string(stamp_s) + ", \"sent_s\": " + std::to_string(sent_s) +
+         ", \"x_m\": 1, \"y_m\": 2, \"heading_rad\": 0}\n";
+}
+
+time::HostTime at_ms(int ms) { return time::HostTime(std::chrono::milliseconds(ms)); }
+
+class FixStreamTest : public ::testing::Test {
+ protected:
+  std::string bytes;
+  FixStream fixes{std::make_unique<ToldStream>(bytes)};
+};
+
+TEST_F(FixStreamTest, PlacesPicturesOnTheHostsClock) {
+  bytes = line(900.0, 900.1);
+  const auto first = fixes.take(at_ms(5000));
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(first[0].taken, at_ms(4900));
+  bytes = line(901.0, 901.1);
+  EXPECT_EQ(fixes.take(at_ms(6300))[0].taken, at_ms(5900)) << "200 ms more on its way";
+}
+
+TEST_F(FixStreamTest, TakesLinesInPiecesAndCountsThoseThatAreNone) {
+  const std::string whole = line(900.0, 900.1);
+  bytes = "garbage\n" + whole + "{\"stamp_s\": 1}\n" + whole.substr(0, 30);
+  EXPECT_EQ(fixes.take(at_ms(1)).size(), 1U);
+  bytes = whole.substr(30);
+  EXPECT_EQ(fixes.take(at_ms(2)).size(), 1U);
+  EXPECT_EQ(fixes.fixes(), 2U);
+  EXPECT_EQ(fixes.bad_lines(), 2U);
+}
+
+TEST_F(FixStreamTest, LeavesOutALineThatNeverEnds) {
+  bytes = std::string(100'000, ' ') + line(1.0, 1.0) + line(2.0, 2.0);
+  EXPECT_EQ(fixes.take(at_ms(1)).size(), 1U);
+  EXPECT_EQ(fixes.bad_lines(), 1U);
+}
+
+TEST(OpenFixes, SaysWhatIsWrongAndWhatToDo) {
+  for (const char* wrong :
+       {"127.0.0.1:7001", "udp:127.0.0.1", "udp:there:7001", "tcp:127.0.0.1:1"}) {
+    const auto text = tests::thrown_text<CommandError>([&] { open_fixes(wrong); });
+    EXPECT_THAT(text, HasSubstr("next: ")) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace echomap::apps
