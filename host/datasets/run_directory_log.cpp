@@ -28,6 +28,9 @@ class RunDirectoryLog : public LogReader {
   }
 
   std::optional<LogRecord> next() override {
+    if (given_) {
+      return std::exchange(given_, std::nullopt);
+    }
     if (scan_) {
       return std::exchange(scan_, std::nullopt);
     }
@@ -43,7 +46,8 @@ class RunDirectoryLog : public LogReader {
     fields.expect_end();
     read_scan(T_map_robot);
     ++pose_index_;
-    return GivenPose{std::nullopt, T_map_robot};
+    given_ = GivenPose{std::nullopt, T_map_robot};
+    return OdometryPose{std::nullopt, T_map_robot};
   }
 
   double progress() const override { return points_.progress(); }
@@ -96,6 +100,7 @@ class RunDirectoryLog : public LogReader {
   LineReader points_;
   std::int64_t pose_index_ = 0;
   std::optional<Echo> echo_;
+  std::optional<GivenPose> given_;
   std::optional<RangeScan> scan_;
 };
 

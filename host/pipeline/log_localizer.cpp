@@ -22,7 +22,9 @@ bool is_light(const datasets::RangeScan& scan) {
 localization::LocalizedRobot robot_of(const datasets::RangeScan& scan) {
   localization::LocalizedRobot robot;
   robot.half_opening_rad = 0.5 * scan.beam_opening_rad;
-  robot.max_range_m = scan.max_range_m;
+  // A log that does not say how far its sensor reaches, as of our own runs.
+  constexpr double kUnknownReachM = 4.0;
+  robot.max_range_m = std::isfinite(scan.max_range_m) ? scan.max_range_m : kUnknownReachM;
   robot.is_light = is_light(scan);
   return robot;
 }

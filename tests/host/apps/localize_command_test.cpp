@@ -60,6 +60,24 @@ TEST_F(LocalizeCommandTest, TakesAYamlFileForAMap) {
   EXPECT_FALSE(summary()["hypotheses"].empty());
 }
 
+TEST_F(LocalizeCommandTest, FollowsTheRobotOfARunDirectory) {
+  ReplayOptions replay;
+  replay.log = options_.log;
+  replay.map = "points";
+  replay.out = scratch_ / "points";
+  replay.headless = true;
+  run_replay(replay);
+  options_.log = replay.out;
+  options_.at = {0.0, 0.0, 0.0};
+  ASSERT_EQ(run_localize(options_), ExitCode::kOk);
+  EXPECT_EQ(summary()["status"], "localized");
+  const auto mapped = exports::read_trajectory_tum(options_.map / "trajectory.tum").back();
+  const nlohmann::json place = summary()["hypotheses"][0];
+  EXPECT_LT(std::hypot(place["x_m"].get<double>() - mapped.T_map_robot.x_m(),
+                       place["y_m"].get<double>() - mapped.T_map_robot.y_m()),
+            0.15);
+}
+
 TEST_F(LocalizeCommandTest, SaysWhatIsWrongWithItsInputs) {
   files::write_text_file(scratch_ / "still.clf", "ODOM 0 0 0 0 0 0 1 here 1\n");
   options_.log = scratch_ / "still.clf";

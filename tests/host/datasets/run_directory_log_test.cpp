@@ -24,13 +24,15 @@ class RunDirectoryLogTest : public tests::LogTest {
 
 TEST_F(RunDirectoryLogTest, EachPoseIsFollowedByTheEchoesItSaw) {
   const auto records = read(poses_);
-  ASSERT_EQ(records.size(), 5U);
-  EXPECT_EQ(std::get<GivenPose>(records[0]).T_map_robot.x_m(), 0.0);
-  const auto& first = std::get<RangeScan>(records[1]);
+  ASSERT_EQ(records.size(), 8U);
+  EXPECT_EQ(std::get<OdometryPose>(records[0]).T_odom_robot.x_m(), 0.0);
+  EXPECT_EQ(std::get<GivenPose>(records[1]).T_map_robot.x_m(), 0.0);
+  const auto& first = std::get<RangeScan>(records[2]);
   EXPECT_EQ(first.beams, (std::vector<Beam>{{0.0, 1.0}, {std::numbers::pi / 2.0, 2.0}}));
-  EXPECT_EQ(std::get<GivenPose>(records[2]).T_map_robot.x_m(), 5.0);
-  EXPECT_EQ(std::get<GivenPose>(records[3]).T_map_robot.x_m(), 1.0);
-  const auto& last = std::get<RangeScan>(records[4]);
+  EXPECT_EQ(std::get<OdometryPose>(records[3]).T_odom_robot.x_m(), 5.0);
+  EXPECT_EQ(std::get<GivenPose>(records[4]).T_map_robot.x_m(), 5.0);
+  EXPECT_EQ(std::get<GivenPose>(records[6]).T_map_robot.x_m(), 1.0);
+  const auto& last = std::get<RangeScan>(records[7]);
   ASSERT_EQ(last.beams.size(), 1U);
   EXPECT_NEAR(last.beams[0].bearing_rad, 0.0, 1e-12);
   EXPECT_NEAR(*last.beams[0].range_m, 2.0, 1e-12);
@@ -38,7 +40,7 @@ TEST_F(RunDirectoryLogTest, EachPoseIsFollowedByTheEchoesItSaw) {
 
 TEST_F(RunDirectoryLogTest, TheFolderIsTheLogToo) {
   put("poses.csv", poses_);
-  EXPECT_EQ(tests::records_of(*open_run_directory_log(folder_.path())).size(), 5U);
+  EXPECT_EQ(tests::records_of(*open_run_directory_log(folder_.path())).size(), 8U);
 }
 
 TEST_F(RunDirectoryLogTest, PointsWithoutTheirPoseAreErrors) {
