@@ -9,6 +9,7 @@
 
 #include "hil_mock/runner/robot_simulation.hpp"
 #include "host/apps/robot_session.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
 
 namespace echomap::tests {
 
