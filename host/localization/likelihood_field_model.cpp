@@ -17,7 +17,17 @@ constexpr float kLogOffFloor = -8.0F;
 
 LikelihoodFieldModel::LikelihoodFieldModel(mapping::RasterMap map,
                                            const LikelihoodFieldParams& params)
-    : map_(std::move(map)), field_(map_, params) {}
+    : map_(std::move(map)),
+      field_(map_, params),
+      origin_m_((map_.origin_m() - Eigen::Vector2d::Constant(map_.resolution_m())).cast<float>()),
+      cells_per_m_(static_cast<float>(1.0 / map_.resolution_m())) {
+  for (int y = -1; y <= map_.rows(); ++y) {
+    for (int x = -1; x <= map_.columns(); ++x) {
+      const bool is_floor = map_.state({x, y}) == mapping::CellState::kFree;
+      floor_logs_.push_back(is_floor ? 0.0F : kLogOffFloor);
+    }
+  }
+}
 
 void LikelihoodFieldModel::observe(std::span<const RangeReading> readings) {
   readings_.clear();
@@ -29,11 +39,14 @@ void LikelihoodFieldModel::observe(std::span<const RangeReading> readings) {
 
 void LikelihoodFieldModel::weigh(float temper, ParticleRange range, Particles& particles) const {
   field_.weigh(readings_, temper, range, particles);
+  const auto columns = static_cast<std::size_t>(map_.columns()) + 2;
+  const auto last_x = static_cast<float>(map_.columns()) + 1.5F;
+  const auto last_y = static_cast<float>(map_.rows()) + 1.5F;
   for (std::size_t i = range.begin; i < range.end; ++i) {
-    const Eigen::Vector2d place_m(particles.x_m[i], particles.y_m[i]);
-    if (map_.state(map_.cell_at(place_m)) != mapping::CellState::kFree) {
-      particles.log_weight[i] += kLogOffFloor;
-    }
+    const float x = std::clamp((particles.x_m[i] - origin_m_.x()) * cells_per_m_, 0.0F, last_x);
+    const float y = std::clamp((particles.y_m[i] - origin_m_.y()) * cells_per_m_, 0.0F, last_y);
+    particles.log_weight[i] +=
+        floor_logs_[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)];
   }
 }
 

@@ -25,6 +25,9 @@ class LikelihoodFieldModel : public ObservationModel {
  private:
   mapping::RasterMap map_;
   LikelihoodField field_;
+  Eigen::Vector2f origin_m_;  ///< Of a ring around the map.
+  float cells_per_m_;
+  std::vector<float> floor_logs_;       ///< Of each cell with the ring, row by row.
   std::vector<RangeReading> readings_;  ///< Those that say something.
 };
 

@@ -7,6 +7,8 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/localization/likelihood_field.hpp"
+#include "host/localization/likelihood_field_model.hpp"
+#include "host/localization/monte_carlo_localizer.hpp"
 #include "host/localization/motion_update.hpp"
 #include "host/localization/pose_hypotheses.hpp"
 #include "host/localization/range_update.hpp"
@@ -106,6 +108,23 @@ Figure full_step(const mapping::RasterMap& map, std::size_t repetitions) {
   return nanoseconds("full_step_60_ns", kParticles, repetitions, [&] { step(); });
 }
 
+/// The same of the whole localizer: off the floor counts, the sample's size is found, what is drawn
+/// is spread, and the belief is judged.
+Figure localizer_step(const mapping::RasterMap& map, std::size_t repetitions) {
+  LikelihoodFieldModel model(map);
+  LocalizerParams params;
+  params.filter.least_particles = kParticles;
+  params.filter.most_particles = kParticles;
+  params.filter.resampling_share = 1.0;
+  params.watches_for_loss = false;  // The readings are not those of the place.
+  MonteCarloLocalizer localizer(model, params, std::mt19937(4));
+  localizer.update({}, {});
+  localizer.start_at({7.0, 4.0, 0.5}, 0.2, 0.1);
+  const std::vector<RangeReading> readings = sweep(60);
+  return nanoseconds(
+      "localizer_step_60_ns", kParticles, repetitions, [&] { localizer.update({}, readings); });
+}
+
 }  // namespace
 
 std::vector<Figure> localization_kernel_figures(const mapping::RasterMap& map,
@@ -117,7 +136,8 @@ std::vector<Figure> localization_kernel_figures(const mapping::RasterMap& map,
           motion(repetitions),
           resample(repetitions),
           cluster(repetitions),
-          full_step(map, repetitions)};
+          full_step(map, repetitions),
+          localizer_step(map, repetitions)};
 }
 
 }  // namespace echomap::bench
