@@ -2,6 +2,8 @@
 #include "host/localization/contact_model.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <stdexcept>
 
 #include "host/localization/view_model.hpp"
 
@@ -11,12 +13,31 @@ namespace {
 
 constexpr double kFloorCellM = 0.05;
 
+double checked_radius(double radius_m) {
+  if (!(radius_m > 0.0)) {
+    throw std::invalid_argument("contact model: the radius of a body is above 0");
+  }
+  return radius_m;
+}
+
+mapping::RasterMap floor_of(const mapping::PolygonMap& map) {
+  mapping::RasterMap floor = rasterize(map, kFloorCellM);
+  for (std::int32_t y = 0; y < floor.rows(); ++y) {
+    for (std::int32_t x = 0; x < floor.columns(); ++x) {
+      if (floor.state({x, y}) == mapping::CellState::kFree) {
+        return floor;
+      }
+    }
+  }
+  throw std::invalid_argument("contact model: no cell of the map is floor");
+}
+
 }  // namespace
 
 ContactModel::ContactModel(const mapping::PolygonMap& map,
                            double radius_m,
                            const models::ContactParams& params)
-    : view_(map), floor_(rasterize(map, kFloorCellM)), radius_m_(radius_m), likelihood_(params) {}
+    : view_(map), floor_(floor_of(map)), radius_m_(checked_radius(radius_m)), likelihood_(params) {}
 
 void ContactModel::weigh(float temper, ParticleRange range, Particles& particles) const {
   for (std::size_t i = range.begin; i < range.end; ++i) {

@@ -12,8 +12,8 @@ namespace echomap::localization {
 /// say nothing.
 class ContactModel : public ObservationModel {
  public:
-  /// `radius_m` is that of the robot's body. Throws std::invalid_argument where the map's floor has
-  /// no area in cells of 5 cm.
+  /// `radius_m` is that of the robot's body. Throws std::invalid_argument where it is not above 0,
+  /// and where the map's floor has no cell of 5 cm.
   ContactModel(const mapping::PolygonMap& map,
                double radius_m,
                const models::ContactParams& params = {});

@@ -11,8 +11,8 @@ namespace echomap::localization {
 /// it is.
 enum class LocalizerOutcome : std::uint8_t {
   kWeighed,          ///< The belief was weighed by the readings.
-  kMoved,            ///< No readings came: the belief followed the odometry.
-  kSilent,           ///< Weighed, and no reading had heard anything: that says little.
+  kMoved,            ///< Nothing came that the model counts: the belief followed the odometry.
+  kSilent,           ///< No reading had heard anything: that says little, and to lasers nothing.
   kNoUsableReading,  ///< Readings came, and none has a range and a place that are numbers.
   kNoParticles,      ///< Nothing is known, and nothing that would tell has come.
   kOffTheFloor,      ///< The robot was thought to be where no floor is: it may be anywhere now.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "host/localization/contact_model.hpp"
@@ -32,7 +33,9 @@ LocalizerParams plain_params(std::size_t particles, const LocalizedRobot& robot)
   params.watches_for_loss = false;
   params.global_start = GlobalStart::kScattered;
   // Places of a robot that sees no farther than 6 cm are told apart in a field of 80.
-  params.hypotheses.bin_m = std::min(params.hypotheses.bin_m, robot.max_range_m);
+  if (robot.max_range_m > 0.0) {
+    params.hypotheses.bin_m = std::min(params.hypotheses.bin_m, robot.max_range_m);
+  }
   return params;
 }
 
@@ -82,7 +85,8 @@ std::unique_ptr<ObservationModel> default_model(const mapping::RasterMap& map,
 std::unique_ptr<ObservationModel> nxt_model(const mapping::RasterMap& map,
                                             const LocalizedRobot& robot) {
   PointCloudViewParams cloud;
-  cloud.half_width_m = 0.6 * map.resolution_m();  // So that no beam slips through a wall of cells.
+  // So that no beam slips through a wall of cells, not even between two that meet in a corner.
+  cloud.half_width_m = 0.5 * std::numbers::sqrt2 * map.resolution_m();
   cloud.max_range_m = robot.max_range_m;
   models::GaussianRangeParams range;
   range.max_range_m = robot.max_range_m;

@@ -24,7 +24,7 @@ struct LocalizedRobot {
   double half_opening_rad = 0.2618;
   /// What is farther off does not answer, metres.
   double max_range_m = 4.0;
-  /// The sensor is a laser.
+  /// The sensor sees by light, as lasers and infra-red do: it is weighed by where its beams end.
   bool is_light = false;
   /// Of a round body with a bumper in front; that of an iRobot Create.
   double body_radius_m = 0.165;

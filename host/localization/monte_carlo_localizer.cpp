@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "host/localization/floor_lattice.hpp"
@@ -13,11 +14,22 @@ namespace echomap::localization {
 
 namespace {
 
+bool is_probability(double value) { return value >= 0.0 && value <= 1.0; }
+
 const LocalizerParams& checked(const LocalizerParams& params) {
   const bool lattice_ok = params.lattice_m > 0.0 && params.lattice_rad > 0.0;
   const bool steps_ok = params.step_m > 0.0 && params.step_rad > 0.0;
   if (!lattice_ok || !steps_ok || params.suspicious_sweeps < 1) {
     throw std::invalid_argument("localizer: steps, of a lattice too, and the sweeps are above 0");
+  }
+  const HypothesisParams& bins = params.hypotheses;
+  if (!(bins.bin_m > 0.0) || !(bins.bin_rad > 0.0 && bins.bin_rad <= 2.0 * std::numbers::pi)) {
+    throw std::invalid_argument("localizer: bins are above 0, and at most a turn");
+  }
+  if (!is_probability(params.lost_above) || !is_probability(params.localized_below) ||
+      !(params.localized_std_m > 0.0)) {
+    throw std::invalid_argument(
+        "localizer: what is lost or localized is by probabilities and a deviation above 0");
   }
   return params;
 }
@@ -66,6 +78,7 @@ LocalizerOutcome MonteCarloLocalizer::start_at(const geometry::Pose2& T_map_robo
   if (!is_finite(T_map_robot) || !std::isfinite(std_m) || !std::isfinite(std_rad)) {
     return LocalizerOutcome::kNotFinite;
   }
+  gave_up_ = false;
   here_.start_at(T_map_robot, std_m, std_rad);
   T_odom_last_ = T_odom_carried_;
   elsewhere_.clear();
@@ -79,6 +92,7 @@ LocalizerOutcome MonteCarloLocalizer::start_at(const geometry::Pose2& T_map_robo
 }
 
 void MonteCarloLocalizer::start_anywhere() {
+  gave_up_ = false;
   here_.clear();
   elsewhere_.clear();
   loss_.restart();
@@ -117,16 +131,19 @@ LocalizerOutcome MonteCarloLocalizer::outcome_of(std::span<const RangeReading> r
   if (was_off_floor_) {
     return LocalizerOutcome::kOffTheFloor;
   }
-  if (model_.count() == 0 && !readings.empty()) {
+  if (!readings.empty() && std::none_of(readings.begin(), readings.end(), is_usable)) {
     return LocalizerOutcome::kNoUsableReading;
   }
-  if (model_.count() == 0) {
-    return here_.empty() ? LocalizerOutcome::kNoParticles : LocalizerOutcome::kMoved;
-  }
-  const bool is_silent = std::none_of(readings.begin(), readings.end(), [](const auto& reading) {
+  const auto is_heard = [](const RangeReading& reading) {
     return is_usable(reading) && reading.range_m;
-  });
-  return is_silent ? LocalizerOutcome::kSilent : LocalizerOutcome::kWeighed;
+  };
+  if (!readings.empty() && std::none_of(readings.begin(), readings.end(), is_heard)) {
+    return LocalizerOutcome::kSilent;
+  }
+  if (here_.empty()) {
+    return LocalizerOutcome::kNoParticles;
+  }
+  return model_.count() > 0 ? LocalizerOutcome::kWeighed : LocalizerOutcome::kMoved;
 }
 
 bool MonteCarloLocalizer::has_made_a_step(const geometry::Pose2& T_odom_robot) const {

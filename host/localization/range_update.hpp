@@ -13,8 +13,8 @@
 
 namespace echomap::localization {
 
-/// Logarithms of a model's likelihoods for all pairs of codes of a table, in 1/256; those of
-/// kNoFloor are the least there are.
+/// Logarithms of a model's likelihoods for all pairs of codes of a table, in 1/256. To
+/// stand where no floor is costs 32 for each reading, less than the least likely reading may.
 class LikelihoodCodes {
  public:
   using Row = std::array<std::int16_t, 256>;

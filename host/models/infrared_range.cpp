@@ -34,8 +34,8 @@ double InfraredRange::likelihood(std::optional<double> range_m,
   }
   const double hit = 1.0 - silent - params_.random_chance;
   if (expected.is_aslant) {
-    const double behind_m = std::max(most_m - *expected.range_m, params_.near_std_m);
-    return anywhere + (*range_m > *expected.range_m - params_.near_std_m ? hit / behind_m : 0.0);
+    const double least_m = std::max(0.0, std::min(*expected.range_m, most_m) - params_.near_std_m);
+    return anywhere + (*range_m > least_m ? hit / (most_m - least_m) : 0.0);
   }
   const double std_m =
       params_.near_std_m + params_.far_std_m * std::pow(*expected.range_m / most_m, 3);

@@ -26,7 +26,7 @@ struct InfraredRangeParams {
 /// 2002, equation 4), so that one step of the converter is a length that grows with the third power
 /// of the range: sigma(r) = near + far (r / max)^3. A wall that is "almost perpendicular" answers
 /// (Mahmood and Ridao 2017, section 4); one aslant is silent, or answers weakly and so seems to be
-/// anywhere up to the end of the range.
+/// anywhere from its noise before it up to the end of the range.
 class InfraredRange {
  public:
   /// Throws std::invalid_argument for chances that leave nothing for a hit, and for a noise or

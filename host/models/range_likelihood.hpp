@@ -10,8 +10,8 @@ namespace echomap::models {
 struct ExpectedRange {
   /// Of the nearest thing that the sensor could hear or see; empty where nothing is in range.
   std::optional<double> range_m;
-  /// The nearest thing lies at the edge of the cone, so that its surface is seen aslant: a smooth
-  /// one throws the sound aside. Never for a thin beam.
+  /// The surface of the nearest thing is seen aslant, as it is at the edge of a cone: a smooth one
+  /// throws the sound, or light, aside.
   bool is_aslant = false;
 };
 

@@ -13,6 +13,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/poses/CPosePDFParticles.h>
 
+#include "host/localization/likelihood_field.hpp"
 #include "tests/benchmarks/localization_workloads.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
 #include "tests/support/median.hpp"
@@ -43,8 +44,9 @@ COccupancyGridMap2D grid_of(const mapping::RasterMap& map) {
   }
   // As our field; each beam counts.
   grid.likelihoodOptions.likelihoodMethod = COccupancyGridMap2D::lmLikelihoodField_Thrun;
-  grid.likelihoodOptions.LF_stdHit = 0.2F;
-  grid.likelihoodOptions.LF_maxCorrsDistance = 2.0F;
+  const localization::LikelihoodFieldParams field;
+  grid.likelihoodOptions.LF_stdHit = static_cast<float>(field.hit_std_m);
+  grid.likelihoodOptions.LF_maxCorrsDistance = static_cast<float>(field.max_distance_m);
   grid.likelihoodOptions.LF_decimation = 1;
   return grid;
 }

@@ -109,7 +109,7 @@ class Soak {
 
 bool SoakScore::holds() const {
   return not_finite == 0 && least_particles > 0 && grown_mb <= kMostGrownMb &&
-         right >= 0.95 * stops;
+         right >= 0.95 * stops && false_alarms <= hours;
 }
 
 SoakScore soak_localizer(double hours, std::uint32_t seed) {

@@ -20,7 +20,8 @@ struct SoakScore {
   std::size_t least_particles = 0;
   double grown_mb = 0.0;  ///< Memory of this program since a tenth of the time.
 
-  /// Nothing broke: all finite, never without particles, memory flat, and mostly right.
+  /// Nothing broke: all finite, never without particles, memory flat, mostly right, and at most one
+  /// false alarm an hour.
   bool holds() const;
 };
 

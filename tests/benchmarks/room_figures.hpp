@@ -30,7 +30,7 @@ RoomScore score_room(const std::string& room,
                      std::uint32_t seed,
                      Reliability& reliability);
 
-/// Rates over rooms without symmetry, with 8 and with 60 directions; prints a line a room, and
+/// Rates over the five bundled rooms, with 8 and with 60 directions; prints a line a room, and
 /// draws how far the probability of being lost holds unless `picture` is empty.
 std::vector<Figure> room_figures(int starts,
                                  std::uint32_t seed,

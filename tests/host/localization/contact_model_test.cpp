@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,13 @@ TEST(ContactModel, HasAFloorToStartFrom) {
   const ContactModel model(kRoom, kRadiusM);
   EXPECT_EQ(model.map().state(model.map().cell_at({1.0, 0.5})), mapping::CellState::kFree);
   EXPECT_NE(model.map().state(model.map().cell_at({1.0, 1.5})), mapping::CellState::kFree);
+}
+
+TEST(ContactModel, RefusesABodyWithoutSizeAndARoomWithoutFloor) {
+  EXPECT_THROW(ContactModel(kRoom, 0.0), std::invalid_argument);
+  EXPECT_THROW(ContactModel(kRoom, std::nan("")), std::invalid_argument);
+  const mapping::PolygonMap crumb({{0.0, 0.0}, {0.01, 0.0}, {0.01, 0.01}, {0.0, 0.01}});
+  EXPECT_THROW(ContactModel(crumb, kRadiusM), std::invalid_argument);
 }
 
 }  // namespace

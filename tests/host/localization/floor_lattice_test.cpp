@@ -24,6 +24,22 @@ TEST(FloorLattice, StandsOnTheFloorOnly) {
   EXPECT_NEAR(places.begin()->second, 3.15F, 1e-5F);
 }
 
+TEST(FloorLattice, StandsInPassagesThatAreThinnerThanItsSteps) {
+  const Particles lattice =
+      floor_lattice(tests::map_from({"####", "####", "....", "####"}, 0.1), 0.4, 6.2832);
+  ASSERT_EQ(lattice.size(), 1U);
+  EXPECT_NEAR(lattice.x_m[0], 0.25F, 1e-5F);
+  EXPECT_NEAR(lattice.y_m[0], 0.15F, 1e-5F);
+}
+
+TEST(FloorLattice, StandsInTheMiddleOfAnOpenFloor) {
+  const Particles lattice =
+      floor_lattice(tests::map_from({"....", "....", "....", "...."}, 0.1), 0.4, 6.2832);
+  ASSERT_EQ(lattice.size(), 1U);
+  EXPECT_NEAR(lattice.x_m[0], 0.25F, 1e-5F);
+  EXPECT_NEAR(lattice.y_m[0], 0.25F, 1e-5F);
+}
+
 TEST(FloorLattice, IsEmptyWithoutFloor) {
   EXPECT_EQ(floor_lattice(tests::map_from({"## ", "   "}), 0.1, 0.1).size(), 0U);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/localization/localizer_preset.hpp"
 
+#include <cstdint>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -58,8 +60,9 @@ TEST_P(RangePresets, FollowARobotThatLooksAround) {
   const auto model = observation_model(GetParam(), kRoom, kRobot);
   MonteCarloLocalizer localizer(*model, localizer_params(GetParam(), kRobot), std::mt19937(1));
   localizer.update({}, {});
-  localizer.start_at({1.4, 0.6, 0.35}, 0.08, 0.08);
-  for (int i = 0; i < 3; ++i) {
+  // A quarter of a metre and 0.3 rad off.
+  localizer.start_at({1.25, 0.7, 0.1}, 0.25, 0.3);
+  for (int i = 0; i < 10; ++i) {
     localizer.update({}, look_around());
   }
   EXPECT_TRUE(tests::is_believed_near(localizer.belief(), kTruth, 0.12, 0.12));
@@ -88,6 +91,33 @@ TEST(LocalizerPreset, CreateIsFoundByWhatItFeels) {
   localizer.update({}, {});
   ASSERT_FALSE(localizer.belief().hypotheses.empty());
   EXPECT_NEAR(localizer.belief().hypotheses[0].T_map_robot.x_m(), 2.0, 0.08);
+}
+
+TEST(LocalizerPreset, ARobotWithoutRangesHasWholeBins) {
+  const LocalizedRobot blind{0.0, 0.0, false, 0.1};
+  EXPECT_EQ(localizer_params(LocalizerPreset::kCreate, blind).hypotheses.bin_m,
+            HypothesisParams().bin_m);
+}
+
+TEST(LocalizerPreset, NxtSeesAWallOfCellsThatMeetInCorners) {
+  mapping::RasterMap map(40, 40, 0.1, {0.0, 0.0});
+  for (std::int32_t i = 0; i < 40; ++i) {
+    map.set({i, 39 - i}, mapping::CellState::kOccupied);
+  }
+  const auto model = observation_model(LocalizerPreset::kNxt, map, kRobot);
+  const RangeReading heard{{}, 1.0};
+  model->observe(std::span(&heard, 1));
+  Particles particles;
+  particles.resize(2);
+  // A metre before a cell's middle, and as far before the wall between two.
+  const double aside_m = 0.65 * 0.1 * std::numbers::sqrt2 / 2.0;
+  const Eigen::Vector2d before_m =
+      Eigen::Vector2d(2.05, 1.95) - Eigen::Vector2d::Constant(std::numbers::sqrt2 / 2.0);
+  particles.set_pose(0, {before_m.x(), before_m.y(), 0.25 * std::numbers::pi});
+  particles.set_pose(1, {before_m.x() + aside_m, before_m.y() - aside_m, 0.25 * std::numbers::pi});
+  particles.log_weight = {0.0F, 0.0F};
+  model->weigh(1.0F, {0, 2}, particles);
+  EXPECT_NEAR(particles.log_weight[0], particles.log_weight[1], 0.1F);
 }
 
 TEST(LocalizerPreset, CreateNeedsAnOutline) {

@@ -11,7 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/localization/contact_model.hpp"
+#include "host/localization/likelihood_field_model.hpp"
 #include "host/localization/range_table_model.hpp"
+#include "host/mapping/polygon_map.hpp"
 #include "tests/support/believed_near.hpp"
 #include "tests/support/drawn_map.hpp"
 
@@ -256,6 +259,35 @@ TEST(MonteCarloLocalizer, SaysWhatHasBecomeOfAnUpdate) {
   EXPECT_EQ(localizer.update({}, broken).outcome, LocalizerOutcome::kWeighed);
 }
 
+TEST(MonteCarloLocalizer, ContactsWeighWithoutReadings) {
+  ContactModel model(mapping::PolygonMap({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}}), 0.1);
+  MonteCarloLocalizer localizer(model, {}, std::mt19937(1));
+  EXPECT_EQ(localizer.update({}, {}).outcome, LocalizerOutcome::kWeighed);
+  EXPECT_EQ(localizer.update({}, std::vector<RangeReading>(1)).outcome, LocalizerOutcome::kSilent);
+}
+
+TEST(MonteCarloLocalizer, ASilentLaserIsNotABrokenOne) {
+  LikelihoodFieldModel model(kRoom);
+  MonteCarloLocalizer localizer(model, {}, std::mt19937(1));
+  const std::vector<RangeReading> silence(8);
+  const std::vector<RangeReading> broken{{{}, -1.0}};
+  const std::vector<RangeReading> heard{{{}, 1.0}};
+  EXPECT_EQ(localizer.update({}, silence).outcome, LocalizerOutcome::kSilent);
+  EXPECT_EQ(localizer.update({}, broken).outcome, LocalizerOutcome::kNoUsableReading);
+  EXPECT_EQ(localizer.update({}, heard).outcome, LocalizerOutcome::kWeighed);
+}
+
+TEST(MonteCarloLocalizer, FindsARobotOnAThinFloor) {
+  // One cell wide, beside the middle of each square of the lattice.
+  const mapping::RasterMap passage =
+      tests::map_from({"############", "############", "#..........#", "############"}, 0.05);
+  Filter filter(passage);
+  const std::vector<RangeReading> heard{{{}, 0.3}};
+  const PoseBelief& belief = filter.localizer.update({}, heard);
+  EXPECT_EQ(belief.outcome, LocalizerOutcome::kWeighed);
+  EXPECT_FALSE(belief.hypotheses.empty());
+}
+
 TEST(MonteCarloLocalizer, RefusesPosesThatAreNoNumbers) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   Robot robot(3);
@@ -285,6 +317,22 @@ TEST(MonteCarloLocalizer, LooksEverywhereForARobotThatWasOffTheFloor) {
   EXPECT_EQ(belief.outcome, LocalizerOutcome::kOffTheFloor);
   EXPECT_EQ(belief.status, LocalizationStatus::kLost);
   EXPECT_FALSE(belief.hypotheses.empty());
+}
+
+TEST(MonteCarloLocalizer, IsNoLongerLostWhereItIsPlacedAnew) {
+  Robot robot(3);
+  Filter filter(kRoom);
+  const auto lose = [&] {
+    filter.start_at_truth(robot);
+    const Pose2 T_odom_far = robot.T_odom_robot() * Pose2(40.0, 0.0, 0.0);
+    return filter.localizer.update(T_odom_far, robot.listen()).status;
+  };
+  ASSERT_EQ(lose(), LocalizationStatus::kLost);
+  filter.localizer.start_at(robot.T_map_robot(), 0.05, 0.05);
+  EXPECT_EQ(filter.localizer.belief().status, LocalizationStatus::kLocalized);
+  ASSERT_EQ(lose(), LocalizationStatus::kLost);
+  filter.localizer.start_anywhere();
+  EXPECT_EQ(filter.localizer.belief().status, LocalizationStatus::kRecovering);
 }
 
 TEST(MonteCarloLocalizer, CarriesItsBeliefAlongBetweenReadings) {
@@ -360,6 +408,12 @@ TEST(MonteCarloLocalizer, RefusesSettingsWithoutSense) {
   refuses([](LocalizerParams& params) { params.step_m = 0.0; });
   refuses([](LocalizerParams& params) { params.threads = 0; });
   refuses([](LocalizerParams& params) { params.loss.kidnap_chance = 1.0; });
+  refuses([](LocalizerParams& params) { params.hypotheses.bin_m = 0.0; });
+  refuses([](LocalizerParams& params) { params.hypotheses.bin_rad = 0.0; });
+  refuses([](LocalizerParams& params) { params.hypotheses.bin_rad = 7.0; });
+  refuses([](LocalizerParams& params) { params.lost_above = -0.1; });
+  refuses([](LocalizerParams& params) { params.localized_below = 1.1; });
+  refuses([](LocalizerParams& params) { params.localized_std_m = 0.0; });
 }
 
 }  // namespace

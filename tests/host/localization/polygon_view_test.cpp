@@ -74,6 +74,7 @@ TEST(PolygonView, RasterHasTheFloorsCells) {
 TEST(PolygonView, RefusesParametersWithoutSense) {
   EXPECT_THROW(PolygonView(kRoom, {.max_range_m = 0.0}), std::invalid_argument);
   EXPECT_THROW(rasterize(kRoom, 0.0), std::invalid_argument);
+  EXPECT_THROW(rasterize(kRoom, std::nan("")), std::invalid_argument);
 }
 
 }  // namespace

@@ -25,8 +25,9 @@ TEST(InfraredRange, ChancesAddUpToOne) {
   const InfraredRange model;
   EXPECT_NEAR(total(model, {}), 1.0, 1e-9);
   EXPECT_NEAR(total(model, {0.03, false}), 1.0, 1e-6);
-  // Light that comes from a little nearer than the wall is not left out of the rest.
-  EXPECT_NEAR(total(model, {0.02, true}), 1.0, 0.02);
+  for (const double aslant_m : {0.001, 0.02, 0.05, 0.057, 0.06}) {
+    EXPECT_NEAR(total(model, {aslant_m, true}), 1.0, 1e-6) << aslant_m;
+  }
 }
 
 TEST(InfraredRange, IsSharpNearAndBroadFar) {
