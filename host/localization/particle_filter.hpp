@@ -65,6 +65,7 @@ class ParticleFilter {
   /// Weighs the particles by the sweep that a model observed; returns the logarithm of their mean
   /// likelihood, tempered, and 0 for no particles.
   double weigh(ObservationModel& model);
+  /// The number only falls: docs/algorithms/localization.md, step 4.
   void resample_where_few_count();
   /// Takes in the particles of another filter so that they have `share` of all weight.
   void join(const ParticleFilter& other, double share);
