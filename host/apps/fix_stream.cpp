@@ -15,6 +15,8 @@ namespace echomap::apps {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;
+/// So many at once: a sender without end cannot keep the robot waiting.
+constexpr int kMostPieces = 64;
 constexpr std::size_t kShownBytes = 60;
 
 /// What of a stranger's line can be shown on a terminal.
@@ -49,22 +51,32 @@ std::unique_ptr<transport::ByteStream> open_fixes(const std::string& address) {
 std::vector<TimedFix> FixStream::take(time::HostTime now) {
   std::vector<TimedFix> fixes;
   std::array<std::uint8_t, kLongestLine> piece{};
-  while (const std::size_t count = stream_->read_some(piece, std::chrono::microseconds(0))) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const char letter = static_cast<char>(piece[i]);
-      if (letter == '\n') {
-        take_line(std::exchange(received_, {}), now, fixes);
-      } else if (received_.size() < kLongestLine) {
-        received_.push_back(letter);
-      } else {
-        skips_line_ = true;
-      }
+  for (int pieces = 0; pieces < kMostPieces; ++pieces) {
+    const std::size_t count = stream_->read_some(piece, std::chrono::microseconds(0));
+    if (count == 0) {
+      break;
     }
+    take_piece({piece.data(), count}, now, fixes);
   }
   if (stream_->status() == transport::StreamStatus::kClosed && !std::exchange(end_is_told_, true)) {
     spdlog::warn("no more fixes: {}: {}", name(), stream_->close_reason());
   }
   return fixes;
+}
+
+void FixStream::take_piece(std::span<const std::uint8_t> piece,
+                           time::HostTime now,
+                           std::vector<TimedFix>& fixes) {
+  for (const std::uint8_t byte : piece) {
+    const char letter = static_cast<char>(byte);
+    if (letter == '\n') {
+      take_line(std::exchange(received_, {}), now, fixes);
+    } else if (received_.size() < kLongestLine) {
+      received_.push_back(letter);
+    } else {
+      skips_line_ = true;
+    }
+  }
 }
 
 void FixStream::take_line(const std::string& line,
@@ -73,17 +85,20 @@ void FixStream::take_line(const std::string& line,
   const bool is_whole = !std::exchange(skips_line_, false);
   const auto fix = is_whole ? parse_camera_fix(line) : std::nullopt;
   if (!fix) {
-    tell_bad(line);
+    tell_bad(line, "is no fix");
+    return;
+  }
+  if (!clock_.add(fix->sent_s, now)) {
+    tell_bad(line, "was sent at another time than those before");
     return;
   }
   ++fixes_;
-  clock_.add(fix->sent_s, now);
   fixes.push_back({clock_.host_time(fix->stamp_s).value_or(now), *fix});
 }
 
-void FixStream::tell_bad(const std::string& line) {
+void FixStream::tell_bad(const std::string& line, std::string_view what) {
   if (++bad_lines_ == 1) {
-    spdlog::warn("{} sent a line that is no fix, as may be others: {}", name(), shown(line));
+    spdlog::warn("{} sent a line that {}, as may be others: {}", name(), what, shown(line));
   }
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/apps/camera_fix.hpp"
@@ -23,12 +26,14 @@ struct TimedFix {
 /// CommandError 1 with what is wrong and what to do.
 std::unique_ptr<transport::ByteStream> open_fixes(const std::string& address);
 
-/// The lines of an overhead camera. A line that is none is counted, and the first is shown.
+/// The lines of an overhead camera. A line that is none, or that was sent more than a second
+/// off by the clock of those before, is counted, and the first is shown.
 class FixStream {
  public:
   explicit FixStream(std::unique_ptr<transport::ByteStream> stream) : stream_(std::move(stream)) {}
 
-  /// The fixes that have come since the last call, in the order of their coming. Does not wait.
+  /// The fixes that have come since the last call, in the order of their coming. Does not wait; of
+  /// a great many the rest comes with the next calls.
   std::vector<TimedFix> take(time::HostTime now);
 
   std::size_t fixes() const { return fixes_; }
@@ -36,8 +41,11 @@ class FixStream {
   std::string name() const { return stream_->name(); }
 
  private:
+  void take_piece(std::span<const std::uint8_t> piece,
+                  time::HostTime now,
+                  std::vector<TimedFix>& fixes);
   void take_line(const std::string& line, time::HostTime now, std::vector<TimedFix>& fixes);
-  void tell_bad(const std::string& line);
+  void tell_bad(const std::string& line, std::string_view what);
 
   std::unique_ptr<transport::ByteStream> stream_;
   time::SenderClock clock_;

@@ -37,6 +37,10 @@ EkfOutcome RobotEkf::add(const localization::PoseFix& fix) {
     ++refused_;
     return EkfOutcome::kNotFinite;
   }
+  if (landed_ && fix.stamp_s < seconds_of(*landed_)) {
+    ++refused_;
+    return EkfOutcome::kTooOld;
+  }
   return ekf_ && stamp_ && fix.stamp_s > seconds_of(*stamp_) ? hold(fix) : apply(fix);
 }
 
@@ -114,6 +118,9 @@ void RobotEkf::on_hazards(const sensors::HazardObservation& observation) {
     ++times_lost_;
     ekf_.reset();
     held_.clear();
+  }
+  if (was_lifted && !is_lifted_) {
+    landed_ = observation.stamp;
   }
 }
 

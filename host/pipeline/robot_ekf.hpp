@@ -35,7 +35,8 @@ class RobotEkf final : public ObservationSink {
   /// The robot is about there at its next odometry.
   void start_at(const localization::PoseGaussian& start);
   /// Stamped on the odometry's clock; in any order. Answers kApplied where it starts the filter,
-  /// and kHeld where the odometry has to get there first.
+  /// kHeld where the odometry has to get there first, and
+  /// kTooOld for one from before the robot was put down.
   localization::EkfOutcome add(const localization::PoseFix& fix);
 
   void on_odometry(const sensors::OdometryObservation& observation) override;
@@ -80,6 +81,7 @@ class RobotEkf final : public ObservationSink {
   double wheel_turn_rad_ = 0.0;           ///< Since then.
   double heading_rad_ = 0.0;              ///< At the last odometry, not wrapped.
   bool is_lifted_ = false;
+  std::optional<time::RobotTime> landed_;    ///< Since then it is where fixes say.
   std::vector<localization::PoseFix> held_;  ///< Ahead of the odometry.
   std::vector<StampedPose> trajectory_;
   std::size_t applied_ = 0;

@@ -49,7 +49,7 @@ void RobotLocalizer::on_odometry(const sensors::OdometryObservation& observation
 
 void RobotLocalizer::on_sonar(const sensors::SonarObservation& observation) {
   follow(observation.stamp, observation.travel);
-  if (scan_is_open_) {
+  if (scan_is_open_ && !is_lifted_) {
     open_scan_.push_back({odometry_.T_odom_robot() * robot_.T_robot_sonar(observation.pan_rad),
                           observation.range_m});
   }
@@ -69,10 +69,10 @@ void RobotLocalizer::on_hazards(const sensors::HazardObservation& observation) {
 void RobotLocalizer::feel(const models::ContactReading& contact) {
   observation_->feel(contact);
   const bool touches = contact.bump_left || contact.bump_right;
-  if (touches && !std::exchange(touches_, touches)) {
+  const bool has_touched = std::exchange(touches_, touches);
+  if (touches && !has_touched && T_odom_updated_) {
     update({});
   }
-  touches_ = touches;
 }
 
 void RobotLocalizer::begin_scan() {

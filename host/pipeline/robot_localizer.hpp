@@ -45,7 +45,7 @@ class RobotLocalizer final : public ObservationSink {
   void start_anywhere();
 
   void on_odometry(const sensors::OdometryObservation& observation) override;
-  /// Counts where it belongs to a scan.
+  /// Counts where it belongs to a scan and the robot stands.
   void on_sonar(const sensors::SonarObservation& observation) override;
   /// A wheel that hangs, or four cliffs at once, mean that the robot was lifted.
   void on_hazards(const sensors::HazardObservation& observation) override;

@@ -8,6 +8,12 @@ namespace echomap::time {
 namespace {
 
 constexpr std::chrono::seconds kWindow(60);
+/// What is farther off is of another clock; no message is under way for so long.
+constexpr double kMostOffS = 1.0;
+/// So many in a row that agree are of one clock. A jam that lets go all at once looks different:
+/// there each message is less late than the one before by a picture's period.
+constexpr int kMostOthers = 3;
+constexpr double kAgreesS = 0.05;
 
 double seconds_of(HostTime at) {
   return std::chrono::duration<double>(at.time_since_epoch()).count();
@@ -15,8 +21,15 @@ double seconds_of(HostTime at) {
 
 }  // namespace
 
-void SenderClock::add(double sent_s, HostTime arrived) {
+bool SenderClock::add(double sent_s, HostTime arrived) {
   const double apart_s = seconds_of(arrived) - sent_s;
+  if (!offsets_.empty() && std::abs(apart_s - offsets_.front().apart_s) > kMostOffS) {
+    if (!is_another_clock(apart_s)) {
+      return false;
+    }
+    offsets_.clear();
+  }
+  others_ = 0;
   while (!offsets_.empty() && offsets_.back().apart_s >= apart_s) {
     offsets_.pop_back();
   }
@@ -24,6 +37,15 @@ void SenderClock::add(double sent_s, HostTime arrived) {
   while (offsets_.front().arrived + kWindow < arrived) {
     offsets_.pop_front();
   }
+  return true;
+}
+
+bool SenderClock::is_another_clock(double apart_s) {
+  if (others_ == 0 || std::abs(apart_s - other_apart_s_) > kAgreesS) {
+    other_apart_s_ = apart_s;
+    others_ = 0;
+  }
+  return ++others_ >= kMostOthers;
 }
 
 std::optional<HostTime> SenderClock::host_time(double sender_s) const {

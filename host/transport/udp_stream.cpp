@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include <boost/asio/error.hpp>
 #include <boost/asio/ip/udp.hpp>
 
 #include "host/transport/tcp_address.hpp"
@@ -15,6 +16,9 @@ namespace echomap::transport {
 namespace {
 
 using boost::asio::ip::udp;
+
+/// So many empty datagrams at once: who sends no end of them cannot keep a read from returning.
+constexpr int kMostPassedOver = 64;
 
 [[noreturn]] void fail(const std::string& address, const std::string& reason) {
   throw TransportError("cannot listen on " + address,
@@ -45,26 +49,39 @@ class UdpStream final : public ByteStream {
 
  private:
   void receive(std::chrono::microseconds wait) {
-    bool is_there = socket_.available() > 0;
-    if (!is_there && wait.count() > 0) {
-      socket_.async_wait(udp::socket::wait_read,
-                         [&](const boost::system::error_code& error) { is_there = !error; });
-      io_.restart();
-      io_.run_for(wait);
-      socket_.cancel();
-      io_.restart();
-      io_.poll();
+    if (!take_next() && wait.count() > 0) {
+      wait_for_datagram(wait);
+      take_next();
     }
-    if (!is_there) {
-      return;
+  }
+  /// The next datagram that holds something; false where none is there.
+  bool take_next() {
+    for (int i = 0; i < kMostPassedOver; ++i) {
+      boost::system::error_code error;  // Of a datagram that came to nobody, too.
+      begin_ = 0;
+      end_ = socket_.receive(boost::asio::buffer(buffer_.data(), buffer_.size() - 1), 0, error);
+      if (end_ > 0) {
+        end_line();
+        return true;
+      }
+      if (error == boost::asio::error::would_block) {
+        return false;
+      }
     }
-    boost::system::error_code ignored;  // Of a datagram that came to nobody; the next may be good.
-    const std::size_t room = buffer_.size() - 1;
-    begin_ = 0;
-    end_ = socket_.receive(boost::asio::buffer(buffer_.data(), room), 0, ignored);
-    if (end_ > 0 && buffer_[end_ - 1] != '\n') {
+    return false;
+  }
+  void end_line() {
+    if (buffer_[end_ - 1] != '\n') {
       buffer_[end_++] = '\n';
     }
+  }
+  void wait_for_datagram(std::chrono::microseconds wait) {
+    socket_.async_wait(udp::socket::wait_read, [](const boost::system::error_code& /*error*/) {});
+    io_.restart();
+    io_.run_for(wait);
+    socket_.cancel();
+    io_.restart();
+    io_.poll();
   }
 
   std::string name_;

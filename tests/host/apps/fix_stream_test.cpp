@@ -69,8 +69,42 @@ TEST_F(FixStreamTest, TakesLinesInPiecesAndCountsThoseThatAreNone) {
 
 TEST_F(FixStreamTest, LeavesOutALineThatNeverEnds) {
   bytes = std::string(100'000, ' ') + line(1.0, 1.0) + line(2.0, 2.0);
-  EXPECT_EQ(fixes.take(at_ms(1)).size(), 1U);
+  std::size_t taken = 0;
+  while (!bytes.empty()) {
+    taken += fixes.take(at_ms(1)).size();
+  }
+  EXPECT_EQ(taken, 1U);
   EXPECT_EQ(fixes.bad_lines(), 1U);
+}
+
+TEST_F(FixStreamTest, ComesBackFromASenderWithoutEnd) {
+  bytes = std::string(100'000, '\n');
+  fixes.take(at_ms(1));
+  EXPECT_EQ(bytes.size(), 100'000U - 64 * 7);
+}
+
+TEST_F(FixStreamTest, LosesOneFixByALineOfAnotherClock) {
+  for (int i = 0; i < 10; ++i) {
+    const double sent_s = i == 3 ? 5000.0 : 900.0 + 0.1 * i;
+    bytes = line(sent_s - 0.1, sent_s);
+    const auto taken = fixes.take(at_ms(5000 + 100 * i));
+    ASSERT_EQ(taken.size(), i == 3 ? 0U : 1U) << i;
+    EXPECT_TRUE(taken.empty() || taken[0].taken == at_ms(4900 + 100 * i)) << i;
+  }
+  EXPECT_EQ(fixes.bad_lines(), 1U);
+}
+
+TEST_F(FixStreamTest, FollowsACameraThatWasStarted) {
+  bytes = line(900.0, 900.1);
+  fixes.take(at_ms(5000));
+  std::vector<TimedFix> taken;
+  for (int i = 0; i < 3; ++i) {
+    bytes = line(0.1 * i, 0.1 * i + 0.1);
+    taken = fixes.take(at_ms(9000 + 100 * i));
+  }
+  ASSERT_EQ(taken.size(), 1U);
+  EXPECT_EQ(taken[0].taken, at_ms(9100));
+  EXPECT_EQ(fixes.bad_lines(), 2U);
 }
 
 TEST(OpenFixes, SaysWhatIsWrongAndWhatToDo) {

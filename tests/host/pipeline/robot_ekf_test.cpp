@@ -157,6 +157,23 @@ TEST_F(RobotEkfTest, ForgetsWhereALiftedRobotWasAndHearsNoFixInTheAir) {
   EXPECT_EQ(ekf.belief()->T_map_robot.x_m(), 3.0);
 }
 
+TEST_F(RobotEkfTest, StartsNotByAFixOfBeforeTheLanding) {
+  drive(1, 0.0, 0.0);
+  sensors::HazardObservation hazards;
+  for (const bool is_lifted : {true, false}) {
+    hazards.stamp = stamp();
+    hazards.lifted = is_lifted;
+    ekf.on_hazards(hazards);
+    drive(10, 0.0, 0.0);
+  }
+  const double landed_s = now_s - 10 * kPeriodS;
+  EXPECT_EQ(ekf.add(fix_at(landed_s - 0.01, T_map_robot)), EkfOutcome::kTooOld);
+  EXPECT_FALSE(ekf.belief());
+  EXPECT_EQ(ekf.refused(), 1U);
+  EXPECT_EQ(ekf.add(fix_at(landed_s + 0.01, T_map_robot)), EkfOutcome::kApplied);
+  EXPECT_TRUE(ekf.belief());
+}
+
 TEST_F(RobotEkfTest, RefusesWhatIsNoFix) {
   drive(1, 0.0, 0.0);
   auto bad = fix_at(now_s, T_map_robot);

@@ -150,6 +150,24 @@ TEST_F(RobotLocalizerTest, BeginsWhereItIsToldHoweverFarTheWheelsHaveRolledBefor
   EXPECT_EQ(localizer.belief().status, LocalizationStatus::kLocalized);
 }
 
+TEST_F(RobotLocalizerTest, BeginsWhereItIsToldAlthoughABumperIsPressed) {
+  localizer.start_at(T_map_robot, 0.05, 0.05);
+  sensors::HazardObservation hazards;
+  hazards.bump_left = true;
+  localizer.on_hazards(hazards);
+  turn(0.0);
+  EXPECT_EQ(localizer.belief().status, LocalizationStatus::kLocalized);
+  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.1, 0.1));
+}
+
+TEST_F(RobotLocalizerTest, HearsNothingInTheAir) {
+  stop_at_three_places();
+  localizer.begin_scan();
+  lift(true);
+  scan();
+  EXPECT_TRUE(localizer.belief().hypotheses.empty());
+}
+
 TEST_F(RobotLocalizerTest, GrowsUnsureByATurnToAndFro) {
   turn(0.0);
   localizer.start_at(T_map_robot, 0.05, 0.05);
