@@ -69,6 +69,55 @@ RobotConnection connection_to(SimulatedRobot& robot, const DemoOptions& options)
   return connection;
 }
 
+/// How a drive has ended, and what became of a robot that was carried off behind it.
+struct DemoDrive {
+  ExitCode code = ExitCode::kOk;
+  std::optional<DemoKidnap> kidnap;
+};
+
+DemoDrive drive(SimulatedRobot& robot,
+                const DemoOptions& options,
+                const RobotProfile& profile,
+                const std::filesystem::path& out,
+                exports::RunSummary& summary) {
+  pipeline::RobotPipeline pipeline = pipeline_for(profile);
+  pipeline::ObservationFork fork;
+  fork.add(pipeline);
+  RobotSession session(connection_to(robot, options), profile, fork);
+  const DrivenRobot driven{session, pipeline, profile};
+  DemoDrive drive;
+  drive.code = explore_and_save(driven, options.run, out, summary);
+  if (drive.code != ExitCode::kOk || options.no_kidnap) {
+    return drive;
+  }
+  fork.remove(pipeline);
+  drive.kidnap = show_kidnap(driven, fork, robot.lockstep(), options.run.seed);
+  if (const auto end = session.end()) {
+    spdlog::error("the map is kept; the robot did not look for itself to the end, for {}",
+                  session.end_reason());
+    drive.code = exit_code_of(*end);
+  }
+  return drive;
+}
+
+/// Ends the robot and writes the report; answers why there are no scores, empty where there are.
+std::string report_on(const DemoDrive& drive,
+                      SimulatedRobot& robot,
+                      const DemoOptions& options,
+                      const std::filesystem::path& out,
+                      const exports::RunSummary& summary) {
+  auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
+  std::string unscored = add_scores(robot, out, report);
+  if (drive.kidnap && unscored.empty()) {
+    report["kidnap"] =
+        kidnap_report(*drive.kidnap, evaluation::read_truth(robot.truth()).trajectory);
+    say(kidnap_line(report["kidnap"]));
+  }
+  write_report(out / "summary.json", report);
+  write_report(options.run.json, report);
+  return unscored;
+}
+
 }  // namespace
 
 ExitCode run_demo(const DemoOptions& options) {
@@ -83,31 +132,15 @@ ExitCode run_demo(const DemoOptions& options) {
   summary.firmware = device.firmware;
   summary.emulator = device.emulator;
 
-  pipeline::RobotPipeline pipeline = pipeline_for(profile);
-  pipeline::ObservationFork fork;
-  fork.add(pipeline);
-  RobotSession session(connection_to(robot, options), profile, fork);
-  const DrivenRobot driven{session, pipeline, profile};
-  const ExitCode code = explore_and_save(driven, options.run, out, summary);
-  std::optional<DemoKidnap> kidnap;
-  if (code == ExitCode::kOk && !options.no_kidnap) {
-    fork.remove(pipeline);
-    kidnap = show_kidnap(driven, fork, robot.lockstep(), options.run.seed);
-  }
+  const DemoDrive driven = drive(robot, options, profile, out, summary);
   say("map: " + (out / "map.png").string());
   say_what_ran(summary);
-  auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
-  std::string unscored = add_scores(robot, out, report);
-  if (kidnap && unscored.empty()) {
-    report["kidnap"] = kidnap_report(*kidnap, evaluation::read_truth(robot.truth()).trajectory);
-  }
-  write_report(out / "summary.json", report);
-  write_report(options.run.json, report);
+  const std::string unscored = report_on(driven, robot, options, out, summary);
   if (unscored.empty()) {
-    return code;
+    return driven.code;
   }
   spdlog::error("the map has no score: {}", unscored);
-  return code == ExitCode::kOk ? ExitCode::kRuntimeError : code;
+  return driven.code == ExitCode::kOk ? ExitCode::kRuntimeError : driven.code;
 }
 
 }  // namespace echomap::apps

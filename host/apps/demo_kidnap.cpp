@@ -91,4 +91,16 @@ nlohmann::ordered_json kidnap_report(const DemoKidnap& kidnap,
   return json;
 }
 
+std::string kidnap_line(const nlohmann::ordered_json& report) {
+  const auto stops = report.at("stops").get<std::size_t>();
+  if (report.at("error_m").is_null()) {
+    return fmt::format("carried off: it did not find itself again in {} stops", stops);
+  }
+  const bool is_found = report.at("found").get<bool>();
+  return fmt::format("carried off: after {} stops it {}, {:.0f} cm off",
+                     stops,
+                     is_found ? "had found itself again" : "was sure of a wrong place",
+                     100.0 * report.at("error_m").get<double>());
+}
+
 }  // namespace echomap::apps

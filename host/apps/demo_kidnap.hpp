@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -27,7 +28,7 @@ struct DemoKidnap {
 
 /// Lets the localizer follow an explorer in the map that it has made, has the robot carried off by
 /// its world and drives on until the localizer is sure again, for a few stops at most. `fork` is
-/// what the session feeds.
+/// what the session feeds. Ends early where the session does.
 DemoKidnap show_kidnap(const DrivenRobot& robot,
                        pipeline::ObservationFork& fork,
                        transport::LockstepChannel& world,
@@ -37,5 +38,8 @@ DemoKidnap show_kidnap(const DrivenRobot& robot,
 /// which are null where the localizer was not sure.
 nlohmann::ordered_json kidnap_report(const DemoKidnap& kidnap,
                                      const std::vector<evaluation::TruePose>& truth);
+
+/// The same for people, in a line.
+std::string kidnap_line(const nlohmann::ordered_json& report);
 
 }  // namespace echomap::apps

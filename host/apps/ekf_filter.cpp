@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 #include "host/apps/belief_report.hpp"
 #include "host/apps/report.hpp"
@@ -44,22 +45,44 @@ void EkfFilter::poll(const RobotSession& session) {
     was_lost_ = true;
     say("  lost: the robot was lifted, or fixes find it elsewhere; it is where the next one says");
   }
+  look_for_silence(session.now());
 }
 
-/// Odometry's newest stamp lies at a known instant of the host, and from there on it is no way.
+void EkfFilter::look_for_silence(time::HostTime now) {
+  if (!silent_since_) {
+    return;
+  }
+  if (ekf_.applied() > applied_) {
+    applied_ = ekf_.applied();
+    silent_since_ = now;
+    silence_is_told_ = false;
+  } else if (now - *silent_since_ >= kFixPatience && !std::exchange(silence_is_told_, true)) {
+    spdlog::warn("{} has sent no fix of use for {} s; the robot is followed by its odometry alone",
+                 fixes_.name(),
+                 kFixPatience.count());
+  }
+}
+
+/// The last odometry has one stamp of the robot's clock, which lies at a known instant of the
+/// host's, and one that the filter goes by; from the one the other is reckoned.
 double EkfFilter::stamp_s_of(time::HostTime instant, const RobotSession& session) const {
-  const auto newest_us = session.link().newest_stamp_us();
-  const auto estimate = newest_us ? session.link().clock().host_time(*newest_us) : std::nullopt;
-  const time::HostTime newest = estimate ? estimate->instant : session.now();
+  const auto odometry_us = session.odometry_stamp_us();
+  const auto estimate = odometry_us ? session.link().clock().host_time(*odometry_us) : std::nullopt;
+  const time::HostTime sensed = estimate ? estimate->instant : session.now();
   const std::chrono::duration<double> stamp = ekf_.stamp()->time_since_epoch();
-  return stamp.count() + std::chrono::duration<double>(instant - newest).count();
+  return stamp.count() + std::chrono::duration<double>(instant - sensed).count();
 }
 
 void EkfFilter::begin(RobotSession& session) {
   if (start_) {
     ekf_.start_at({start_->T_map_robot, covariance_of(start_->std_m, start_->std_rad)});
-    return;
+  } else {
+    wait_for_fix(session);
   }
+  silent_since_ = session.now();
+}
+
+void EkfFilter::wait_for_fix(RobotSession& session) const {
   session.wait_until([this] { return ekf_.belief().has_value(); }, kFixPatience);
   if (!ekf_.belief() && !session.end()) {
     throw CommandError(ExitCode::kRuntimeError,

@@ -33,12 +33,18 @@ class EkfFilter final : public LiveFilter {
   }
 
  private:
+  void wait_for_fix(RobotSession& session) const;
+  /// Warns where no fix was of use for long.
+  void look_for_silence(time::HostTime now);
   double stamp_s_of(time::HostTime instant, const RobotSession& session) const;
 
   pipeline::RobotEkf ekf_;
   FixStream fixes_;
   geometry::Pose2 T_map_camera_;
   std::optional<StartPose> start_;
+  std::optional<time::HostTime> silent_since_;  ///< Empty before the drive.
+  bool silence_is_told_ = false;
+  std::size_t applied_ = 0;  ///< Fixes, when one was last applied.
   std::size_t losses_told_ = 0;
   bool was_lost_ = false;  ///< Since the last stop.
 };

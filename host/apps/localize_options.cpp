@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/localize_options.hpp"
 
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -24,20 +26,55 @@ localization::LocalizerPreset preset_option(const std::string& name) {
   }
 }
 
-void check_what_fits(const LocalizeOptions& options) {
+std::string check_finite(const std::string& text) {
+  double number = 0.0;
+  return CLI::detail::lexical_cast(text, number) && std::isfinite(number) ? ""
+                                                                          : "it must be a number";
+}
+
+/// What would do nothing is refused.
+void check_what_fits(const CLI::App& command, const LocalizeOptions& options) {
   const bool is_ekf = options.filter == "ekf";
   if (is_ekf && !options.log.empty()) {
     throw CLI::ValidationError("--filter", "ekf follows a robot on a --port, not a log");
   }
-  if (is_ekf && options.fixes.empty()) {
-    throw CLI::RequiredError("--fixes");
+  const std::vector<std::string> others = is_ekf
+                                              ? std::vector<std::string>{"--map", "--preset"}
+                                              : std::vector<std::string>{"--fixes", "--camera-at"};
+  for (const std::string& other : others) {
+    if (command.count(other) > 0) {
+      throw CLI::ValidationError(other,
+                                 std::string("it is for --filter ") + (is_ekf ? "mcl" : "ekf"));
+    }
   }
-  if (!is_ekf && !options.fixes.empty()) {
-    throw CLI::ValidationError("--fixes", "they are for --filter ekf");
+  const std::string needed = is_ekf ? "--fixes" : "--map";
+  if (command.count(needed) == 0) {
+    throw CLI::RequiredError(needed);
   }
-  if (!is_ekf && options.map.empty()) {
-    throw CLI::RequiredError("--map");
-  }
+}
+
+void add_filter_options(CLI::App& command, LocalizeOptions& options) {
+  command
+      .add_option("--filter",
+                  options.filter,
+                  "mcl finds the robot in a map by its ranges, ekf follows it by the fixes of an "
+                  "overhead camera")
+      ->check(CLI::IsMember({"mcl", "ekf"}))
+      ->capture_default_str();
+  command.add_option("--fixes",
+                     options.fixes,
+                     "Fixes of an overhead camera: udp:HOST:PORT, where they are listened for, or "
+                     "tcp:HOST:PORT, where they are fetched");
+  command
+      .add_option("--camera-at",
+                  options.camera_at,
+                  "Where the map has the camera's frame: x and y in metres, degrees")
+      ->expected(3)
+      ->check(check_finite);
+  command.add_option_function<std::string>(
+      "--preset",
+      [&options](const std::string& name) { options.preset = preset_option(name); },
+      "The filter: ours, or that of a paper: " + CLI::detail::join(pipeline::preset_names(), ", "));
 }
 
 }  // namespace
@@ -47,41 +84,27 @@ void add_localize(CLI::App& app, CommandAction& action) {
       app.add_subcommand("localize", "Find and follow a robot, or that of a log, in a map");
   const auto options = std::make_shared<LocalizeOptions>();
   CLI::Option* log = add_log_options(*command, options->log, options->format);
+  command->get_option("--format")->needs(log);
   command->add_option("--map", options->map, "Run directory, or YAML file of a ROS map; for mcl")
       ->check(CLI::ExistingPath);
   command
       ->add_option("--at",
                    options->at,
                    "Where it starts: x and y in metres, heading in degrees; anywhere by default")
-      ->expected(3);
-  command
-      ->add_option("--filter",
-                   options->filter,
-                   "mcl finds the robot in a map by its ranges, ekf follows it by the fixes of an "
-                   "overhead camera")
-      ->check(CLI::IsMember({"mcl", "ekf"}))
-      ->capture_default_str();
-  command->add_option("--fixes",
-                      options->fixes,
-                      "Fixes of an overhead camera: udp:HOST:PORT, where they are listened for, or "
-                      "tcp:HOST:PORT, where they are fetched");
-  command
-      ->add_option("--camera-at",
-                   options->camera_at,
-                   "Where the map has the camera's frame: x and y in metres, degrees")
-      ->expected(3);
-  command->add_option_function<std::string>(
-      "--preset",
-      [options](const std::string& name) { options->preset = preset_option(name); },
-      "The filter: ours, or that of a paper: " + CLI::detail::join(pipeline::preset_names(), ", "));
+      ->expected(3)
+      ->check(check_finite);
+  add_filter_options(*command, *options);
   add_connection_options(*command, options->connection);
-  command->get_option("--port")->excludes(log);
   add_run_options(*command, options->run);
+  for (const char* of_a_robot :
+       {"--port", "--baud", "--reconnect", "--no-reset", "--lockstep", "--robot", "--stops"}) {
+    command->get_option(of_a_robot)->excludes(log);
+  }
   command->footer(
       "Example: echomap localize tuesday.log --map monday\n"
       "Example: echomap localize --port /dev/ttyACM0 --map kitchen");
-  command->callback([&action, options] {
-    check_what_fits(*options);
+  command->callback([&action, command, options] {
+    check_what_fits(*command, *options);
     action = [options] { return run_localize(*options); };
   });
 }

@@ -45,10 +45,12 @@ std::unique_ptr<LiveFilter> filter_for(const LocalizeOptions& options,
 class Account {
  public:
   Account(const LocalizeOptions& options, const RobotProfile& profile) {
-    json_["map"] = options.map.string();
     json_["robot"] = profile.name;
     json_["filter"] = options.filter;
-    json_["preset"] = pipeline::name_of(options.preset);
+    if (options.filter == "mcl") {
+      json_["map"] = options.map.string();
+      json_["preset"] = pipeline::name_of(options.preset);
+    }
     json_["seed"] = options.run.seed;
     json_["stops"] = ordered_json::array();
   }

@@ -19,12 +19,18 @@ std::string why_nowhere(const pipeline::LogLocalizer& localizer,
   return fmt::format("{}: {}", (is_the_map ? map : log).string(), localization::text_of(outcome));
 }
 
+std::optional<std::string> trouble_of_start(LocalizerOutcome start) {
+  if (start == LocalizerOutcome::kMoved) {
+    return std::nullopt;
+  }
+  return fmt::format("not there at the start: {}; looked for everywhere",
+                     localization::text_of(start));
+}
+
 std::vector<std::string> troubles_of(const pipeline::LogLocalizer& localizer) {
   std::vector<std::string> troubles;
-  const LocalizerOutcome start = localizer.start_outcome();
-  if (start != LocalizerOutcome::kMoved) {
-    troubles.push_back(fmt::format("not there at the start: {}; looked for everywhere",
-                                   localization::text_of(start)));
+  if (const auto trouble = trouble_of_start(localizer.start_outcome())) {
+    troubles.push_back(*trouble);
   }
   if (localizer.late_scans() > 0) {
     troubles.push_back(fmt::format("{} scans were left out: {}",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace echomap::apps {
 std::string why_nowhere(const pipeline::LogLocalizer& localizer,
                         const std::filesystem::path& log,
                         const std::filesystem::path& map);
+
+/// Why the robot is not followed from where it was said to start; empty where it is.
+std::optional<std::string> trouble_of_start(localization::LocalizerOutcome start);
 
 /// What has gone wrong although the robot was followed, a sentence each.
 std::vector<std::string> troubles_of(const pipeline::LogLocalizer& localizer);

@@ -4,8 +4,10 @@
 #include <utility>
 
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 #include "host/apps/belief_report.hpp"
+#include "host/apps/localize_troubles.hpp"
 #include "host/apps/report.hpp"
 
 namespace echomap::apps {
@@ -34,6 +36,10 @@ void MclFilter::poll(const RobotSession& /*session*/) {
     lifts_told_ = localizer_.times_lifted();
     was_lifted_ = true;
     say("  lost: the robot was lifted and may be put down anywhere");
+  }
+  const auto trouble = trouble_of_start(localizer_.start_outcome());
+  if (trouble && !std::exchange(start_is_told_, true)) {
+    spdlog::warn("{}", *trouble);
   }
 }
 

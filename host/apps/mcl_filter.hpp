@@ -42,6 +42,7 @@ class MclFilter final : public LiveFilter {
  private:
   std::optional<StartPose> start_;
   pipeline::RobotLocalizer localizer_;
+  bool start_is_told_ = false;  ///< It cannot be.
   std::size_t lifts_told_ = 0;
   bool was_lifted_ = false;  ///< Since the last stop.
 };

@@ -175,6 +175,11 @@ void RobotLine::end_for_safety(protocol::MotionOutcome outcome) {
   }
 }
 
+void RobotLine::on_odometry(const protocol::Odometry& message) {
+  odometry_stamp_us_ = message.stamp_us;
+  observations_.take(message);
+}
+
 void RobotLine::on_status(const protocol::Status& message) {
   status_ = message;
   is_lifted_ = observations_.take(message).lifted;
@@ -201,6 +206,7 @@ void RobotLine::on_reset(std::uint8_t reset_cause) {
                robot_link::reset_cause_text(reset_cause));
   observations_.restart();
   status_.reset();
+  odometry_stamp_us_.reset();
   is_lifted_ = false;
   was_reset_ = true;
 }

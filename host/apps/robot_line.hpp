@@ -70,6 +70,9 @@ class RobotLine final : private robot_link::RobotLinkListener {
   /// The last since the robot's start; empty before the first.
   const std::optional<protocol::Status>& status() const { return status_; }
 
+  /// The robot's stamp of the last odometry since its start; empty before the first.
+  std::optional<std::uint32_t> odometry_stamp_us() const { return odometry_stamp_us_; }
+
   std::string name() const { return stream_->name(); }
   /// How often the port was opened again.
   std::uint64_t reconnects() const { return stream_->reconnects(); }
@@ -80,7 +83,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::function<void()> on_step;
 
  private:
-  void on_odometry(const protocol::Odometry& message) override { observations_.take(message); }
+  void on_odometry(const protocol::Odometry& message) override;
   void on_echo(const protocol::Echo& message) override { observations_.take(message); }
   void on_status(const protocol::Status& message) override;
   void on_health(const protocol::Health& message) override { observations_.take(message); }
@@ -116,6 +119,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::string end_reason_;
 
   std::optional<protocol::Status> status_;
+  std::optional<std::uint32_t> odometry_stamp_us_;
   std::optional<robot_link::CommandResult> result_;
   std::optional<robot_link::BulkResult> bulk_;
   bool was_reset_ = false;

@@ -59,6 +59,8 @@ class RobotSession {
   time::HostTime now() const { return line_.now(); }
   /// How often the port was opened again.
   std::uint64_t reconnects() const { return line_.reconnects(); }
+  /// The robot's stamp of the last odometry since its start; empty before the first.
+  std::optional<std::uint32_t> odometry_stamp_us() const { return line_.odometry_stamp_us(); }
   const robot_link::RobotLink& link() const { return line_.link(); }
 
  private:

@@ -38,7 +38,7 @@ void RobotLocalizer::start_at(const geometry::Pose2& T_map_robot, double std_m, 
     return;
   }
   update({});
-  localizer_.start_at(T_map_robot, std_m, std_rad);
+  start_outcome_ = localizer_.start_at(T_map_robot, std_m, std_rad);
 }
 
 void RobotLocalizer::start_anywhere() { localizer_.start_anywhere(); }
@@ -98,7 +98,7 @@ void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& t
   if (!T_odom_updated_) {
     update({});
     if (start_) {
-      localizer_.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
+      start_outcome_ = localizer_.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
     }
     return;
   }

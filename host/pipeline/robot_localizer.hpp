@@ -53,6 +53,8 @@ class RobotLocalizer final : public ObservationSink {
   /// Updates the belief by the scan's readings, placed by odometry.
   void end_scan() override;
 
+  /// Of the start that was told, once it counts: kMoved where it can be.
+  localization::LocalizerOutcome start_outcome() const { return start_outcome_; }
   const localization::PoseBelief& belief() const { return localizer_.belief(); }
   /// Where it was believed to be at the end of each scan.
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
@@ -79,6 +81,7 @@ class RobotLocalizer final : public ObservationSink {
   sensors::WheelOdometry odometry_;
   std::optional<geometry::Pose2> T_odom_updated_;  ///< Empty before the first observation.
   std::optional<Start> start_;                     ///< To begin with the first observation.
+  localization::LocalizerOutcome start_outcome_ = localization::LocalizerOutcome::kMoved;
   time::RobotTime stamp_;
   std::vector<localization::RangeReading> open_scan_;  ///< From the odometry's frame.
   bool scan_is_open_ = false;

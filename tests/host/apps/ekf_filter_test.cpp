@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
 
 #include "host/geometry/angle.hpp"
 #include "host/pipeline/observation_fork.hpp"
@@ -109,6 +112,24 @@ TEST_F(EkfFilterTest, GoesByOdometryFromWhereTheUserSays) {
   let_pass(100);
   EXPECT_THAT(filter->line(), HasSubstr("0.50, 0.25 m"));
   EXPECT_FALSE(filter->has_lost_it());
+}
+
+TEST_F(EkfFilterTest, WarnsOnceOfACameraThatIsSilent) {
+  const auto filter = connect(StartPose{{1.0, 2.0, geometry::radians(90.0)}});
+  std::ostringstream said;
+  const auto before = spdlog::default_logger();
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>(
+      "test", std::make_shared<spdlog::sinks::ostream_sink_st>(said)));
+  filter->begin(*session);
+  let_pass(4000);
+  bytes = kFix;
+  let_pass(4900);
+  EXPECT_EQ(said.str(), "");
+  let_pass(10'000);
+  spdlog::set_default_logger(before);
+  const std::string text = said.str();
+  EXPECT_THAT(text, HasSubstr("udp://camera has sent no fix of use for 5 s"));
+  EXPECT_EQ(text.find("no fix of use"), text.rfind("no fix of use"));
 }
 
 TEST_F(EkfFilterTest, HasLostALiftedRobotUntilTheNextFix) {

@@ -40,6 +40,32 @@ TEST(LocalizeOptions, TellFiltersApart) {
   EXPECT_EQ(run({"localize", "--map", ".", "--filter", "ukf"}).code, ExitCode::kUsage);
 }
 
+TEST(LocalizeOptions, RefuseWhatWouldDoNothing) {
+  const std::vector<std::vector<std::string>> useless = {
+      {"localize", "--filter", "ekf", "--fixes", "udp:1:1", "--map", "."},
+      {"localize", "--filter", "ekf", "--fixes", "udp:1:1", "--preset", "nxt"},
+      {"localize", "--map", ".", "--camera-at", "0", "0", "0"},
+      {"localize", "--map", ".", "--port", "x", "--format", "carmen"},
+      {"localize", kLog, "--map", ".", "--lockstep", "x"},
+      {"localize", kLog, "--map", ".", "--baud", "9600"},
+      {"localize", kLog, "--map", ".", "--stops", "3"}};
+  for (const auto& arguments : useless) {
+    const Said said = run(arguments);
+    EXPECT_EQ(said.code, ExitCode::kUsage) << said.err;
+    EXPECT_THAT(said.err, HasSubstr("--")) << said.err;
+  }
+}
+
+TEST(LocalizeOptions, RefuseAPoseThatIsNoNumber) {
+  const Said nan = run({"localize", "--map", ".", "--port", "x", "--at", "nan", "0", "0"});
+  EXPECT_EQ(nan.code, ExitCode::kUsage);
+  EXPECT_THAT(nan.err, HasSubstr("--at"));
+  const Said inf =
+      run({"localize", "--filter", "ekf", "--fixes", "udp:1:1", "--camera-at", "inf", "0", "0"});
+  EXPECT_EQ(inf.code, ExitCode::kUsage);
+  EXPECT_THAT(inf.err, HasSubstr("--camera-at"));
+}
+
 TEST(LocalizeOptions, NameWhatIsMissing) {
   const Said missing = run({"localize", kLog, "--map", "/no/such/map"});
   EXPECT_EQ(missing.code, ExitCode::kUsage);

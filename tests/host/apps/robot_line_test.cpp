@@ -54,6 +54,18 @@ TEST_F(RobotLineTest, WaitsForARobotThatMayBeLiftedUntilItStands) {
   EXPECT_FALSE(session->end());
 }
 
+TEST_F(RobotLineTest, KeepsTheStampOfOdometryApartFromThatOfOtherTelemetry) {
+  session->connect();
+  protocol::Status status{};
+  status.stamp_us = cable.robot.stamp_us() + 15'000;
+  cable.robot.send(status);
+  session->wait_until([] { return false; }, std::chrono::milliseconds(5));
+  EXPECT_EQ(session->link().newest_stamp_us(), status.stamp_us);
+  ASSERT_TRUE(session->odometry_stamp_us());
+  EXPECT_LT(*session->odometry_stamp_us(), status.stamp_us);
+  EXPECT_GE(*session->odometry_stamp_us() + 35'000, status.stamp_us);
+}
+
 TEST_F(RobotLineTest, WaitsForALinkThatIsAway) {
   session->connect();
   cable.robot.motion_ms = 500;

@@ -168,6 +168,15 @@ TEST_F(RobotLocalizerTest, HearsNothingInTheAir) {
   EXPECT_TRUE(localizer.belief().hypotheses.empty());
 }
 
+TEST_F(RobotLocalizerTest, TellsThatItCannotBeWhereItIsToldToBegin) {
+  localizer.start_at(Pose2(50.0, 50.0, 0.0), 0.05, 0.05);
+  EXPECT_EQ(localizer.start_outcome(), localization::LocalizerOutcome::kMoved) << "not yet";
+  turn(0.0);
+  EXPECT_EQ(localizer.start_outcome(), localization::LocalizerOutcome::kOffTheFloor);
+  localizer.start_at(T_map_robot, 0.05, 0.05);
+  EXPECT_EQ(localizer.start_outcome(), localization::LocalizerOutcome::kMoved);
+}
+
 TEST_F(RobotLocalizerTest, GrowsUnsureByATurnToAndFro) {
   turn(0.0);
   localizer.start_at(T_map_robot, 0.05, 0.05);
