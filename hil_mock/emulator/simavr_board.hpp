@@ -23,6 +23,7 @@ class SimavrBoard final : public runner::SimulatedBoard {
 
   std::int64_t now_ns() const override;
   void run_until(std::int64_t until_ns) override;
+  void reset() override { machine_.reset(ResetSource::kExternal); }
 
   void receive(std::span<const std::uint8_t> bytes) override { machine_.usart().receive(bytes); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/line_faults/faulty_line.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <sstream>
@@ -40,6 +41,19 @@ double read_share(std::string_view name, std::string_view text) {
   return share;
 }
 
+Absence read_absence(std::string_view name, std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view until = colon == std::string_view::npos ? "" : text.substr(colon + 1);
+  const Absence absence{read_number<double>(name, text.substr(0, colon)),
+                        read_number<double>(name, until)};
+  const bool is_sound = absence.at_s >= 0.0 && absence.for_s >= 0.0;
+  if (!is_sound) {
+    throw std::invalid_argument(std::string(name) + "=" + std::string(text) +
+                                ": it takes AT:FOR in seconds, as in away=60:5");
+  }
+  return absence;
+}
+
 }  // namespace
 
 LineFaults parse_line_faults(const std::string& text) {
@@ -57,16 +71,25 @@ LineFaults parse_line_faults(const std::string& text) {
     const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
     if (name == "seed") {
       faults.seed = read_number<std::uint32_t>(name, value);
+    } else if (name == "away") {
+      faults.away.push_back(read_absence(name, value));
     } else if (const auto share = shares.find(name); share != shares.end()) {
       *share->second = read_share(name, value);
     } else {
-      throw std::invalid_argument("'" + part +
-                                  "': expected flip, drop, insert, burst, cut, loss or seed, as in "
-                                  "flip=1e-4,loss=0.01,seed=3");
+      throw std::invalid_argument(
+          "'" + part +
+          "': expected flip, drop, insert, burst, cut, loss, away or seed, as "
+          "in flip=1e-4,loss=0.01,seed=3");
     }
   }
   FaultyLine(faults, Direction::kToRobot);
   return faults;
+}
+
+bool is_away(const LineFaults& faults, double now_s) {
+  return std::any_of(faults.away.begin(), faults.away.end(), [&](const Absence& absence) {
+    return now_s >= absence.at_s && now_s < absence.at_s + absence.for_s;
+  });
 }
 
 FaultyLine::FaultyLine(const LineFaults& faults, Direction direction)

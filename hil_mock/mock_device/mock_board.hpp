@@ -22,6 +22,7 @@ class MockBoard final : public runner::SimulatedBoard {
 
   std::int64_t now_ns() const override { return board_.now_ns(); }
   void run_until(std::int64_t until_ns) override { board_.run_until_ns(until_ns); }
+  void reset() override { board_.reset(); }
   void receive(std::span<const std::uint8_t> bytes) override;
   runner::MotorDuty motor_duty() const override;
   double pan_pulse_us() const override { return board_.pan_pulse_us(); }

@@ -41,7 +41,8 @@ std::unique_ptr<world::RobotWorld> load_world(const DeviceOptions& options) {
   const auto path = files::bundled_file(options.robot, "hil_mock/robots", "robot");
   const world::RobotParams robot = world::read_robot(files::TomlReader::load(path));
   try {
-    return std::make_unique<world::RobotWorld>(load_plan(options), robot, options.seed);
+    return std::make_unique<world::RobotWorld>(
+        load_plan(options), robot, options.seed, options.part_faults);
   } catch (const std::invalid_argument& fault) {
     throw files::ConfigError(options.robot + " in " + options.world + ": " + fault.what());
   }

@@ -29,6 +29,7 @@ struct RawOptions {
   std::vector<double> start;
   std::vector<double> kidnaps;
   std::string faults;
+  std::string part_faults;
   std::string camera_params;
   std::string line = "direct";
 };
@@ -49,6 +50,15 @@ std::string check_finite(const std::string& text) {
 std::string check_faults(const std::string& text) {
   try {
     line_faults::parse_line_faults(text);
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+std::string check_part_faults(const std::string& text) {
+  try {
+    world::parse_part_faults(text);
     return "";
   } catch (const std::invalid_argument& error) {
     return error.what();
@@ -87,45 +97,34 @@ std::vector<Kidnap> read_kidnaps(const std::vector<double>& numbers) {
   return kidnaps;
 }
 
-void add_options(CLI::App& app,
-                 DeviceOptions& options,
-                 RawOptions& raw,
-                 const DeviceProgram& program) {
-  app.add_option("--world", options.world, "Room: a bundled name or a TOML file")
-      ->capture_default_str();
-  app.add_option("--robot", options.robot, "Robot: a bundled name or a TOML file")
-      ->capture_default_str();
-  if (!program.boards.empty()) {
-    options.board.board = program.boards.front();
-    auto* board = app.add_option("--board", options.board.board, "Run this board's firmware")
-                      ->check(CLI::IsMember(program.boards))
-                      ->capture_default_str();
-    app.add_option(
-           "--firmware", options.board.firmware, "Run this ELF, on the board that it is for")
-        ->check(CLI::ExistingFile)
-        ->excludes(board);
+void add_board_options(CLI::App& app, DeviceOptions& options, const DeviceProgram& program) {
+  if (program.boards.empty()) {
+    return;
   }
-  auto* link =
-      app.add_option("--link", options.link, "Symbolic link to the pty")->capture_default_str();
-  app.add_option("--tcp", options.tcp_port, "Serve a TCP port on 127.0.0.1 (0: a free one)")
-      ->excludes(link);
-  auto* lockstep =
-      app.add_option("--lockstep", options.lockstep, "Socket on which a host grants the time");
-  app.add_option("--speed", raw.speed, "Simulated seconds per second, or max")
-      ->check(check_speed)
-      ->capture_default_str()
-      ->excludes(lockstep);
-  app.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
+  options.board.board = program.boards.front();
+  auto* board = app.add_option("--board", options.board.board, "Run this board's firmware")
+                    ->check(CLI::IsMember(program.boards))
+                    ->capture_default_str();
+  app.add_option("--firmware", options.board.firmware, "Run this ELF, on the board that it is for")
+      ->check(CLI::ExistingFile)
+      ->excludes(board);
+}
+
+void add_line_faults(CLI::App& app, RawOptions& raw) {
   app.add_option(
          "--faults",
          raw.faults,
          "Faults of the line, for each byte: flip=R,drop=R,insert=R,burst=R,cut=R; for each "
-         "frame: loss=R; and seed=N, by default that of --seed")
+         "frame: loss=R; away=AT_S:FOR_S for a while without any; and seed=N, by default that of "
+         "--seed")
       ->check(check_faults);
   app.add_option("--line", raw.line, "What carries the bytes, and delays them")
       ->check(CLI::IsMember({"direct", "usb", "ftdi", "bluetooth"}))
       ->capture_default_str();
-  app.add_option("--truth", options.truth, "Folder for the truth files, written at the end");
+}
+
+/// Where the robot stands, where it is carried, and who looks on.
+void add_place_options(CLI::App& app, DeviceOptions& options, RawOptions& raw) {
   app.add_option("--start", raw.start, "Start x,y,heading in metres and degrees")
       ->delimiter(',')
       ->expected(3)
@@ -146,6 +145,37 @@ void add_options(CLI::App& app,
                  "What the camera is like: rate=HZ,delay=S,jitter=S,noise=M,heading=DEG,drop=SHARE")
       ->check(check_camera)
       ->needs(camera);
+}
+
+void add_options(CLI::App& app,
+                 DeviceOptions& options,
+                 RawOptions& raw,
+                 const DeviceProgram& program) {
+  app.add_option("--world", options.world, "Room: a bundled name or a TOML file")
+      ->capture_default_str();
+  app.add_option("--robot", options.robot, "Robot: a bundled name or a TOML file")
+      ->capture_default_str();
+  add_board_options(app, options, program);
+  auto* link =
+      app.add_option("--link", options.link, "Symbolic link to the pty")->capture_default_str();
+  app.add_option("--tcp", options.tcp_port, "Serve a TCP port on 127.0.0.1 (0: a free one)")
+      ->excludes(link);
+  auto* lockstep =
+      app.add_option("--lockstep", options.lockstep, "Socket on which a host grants the time");
+  app.add_option("--speed", raw.speed, "Simulated seconds per second, or max")
+      ->check(check_speed)
+      ->capture_default_str()
+      ->excludes(lockstep);
+  app.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
+  add_line_faults(app, raw);
+  app.add_option("--part-faults",
+                 raw.part_faults,
+                 "Parts that fail, NAME@AT_S[:FOR_S[:VALUE]] with commas between: encoder-left, "
+                 "encoder-right, sonar-dead, sonar-stuck (metres), slip-left, slip-right, "
+                 "battery-low (shares), board-reset")
+      ->check(check_part_faults);
+  app.add_option("--truth", options.truth, "Folder for the truth files, written at the end");
+  add_place_options(app, options, raw);
   app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
       ->check(CLI::PositiveNumber)
       ->excludes(lockstep);
@@ -167,6 +197,7 @@ void understand(const RawOptions& raw, DeviceOptions& options) {
     options.T_world_start =
         geometry::Pose2(raw.start[0], raw.start[1], geometry::radians(raw.start[2]));
   }
+  options.part_faults = world::parse_part_faults(raw.part_faults);
   options.kidnaps = read_kidnaps(raw.kidnaps);
   options.camera_params = parse_camera(raw.camera_params);
 }

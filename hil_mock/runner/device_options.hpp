@@ -12,6 +12,7 @@
 #include "hil_mock/runner/faulty_board.hpp"
 #include "hil_mock/runner/overhead_camera.hpp"
 #include "hil_mock/runner/robot_simulation.hpp"
+#include "hil_mock/world/part_faults.hpp"
 #include "host/geometry/pose2.hpp"
 
 namespace echomap::runner {
@@ -31,6 +32,7 @@ struct DeviceOptions {
   std::uint32_t seed = 1;
   /// What the line between board and host does; empty for a good one without delays.
   std::optional<LineModel> line;
+  std::vector<world::PartFault> part_faults;
   /// Folder of the truth files; empty for none.
   std::filesystem::path truth;
   std::optional<geometry::Pose2> T_world_start;

@@ -10,6 +10,7 @@ using line_faults::Direction;
 
 FaultyBoard::FaultyBoard(std::unique_ptr<SimulatedBoard> board, const LineModel& line)
     : board_(std::move(board)),
+      faults_(line.faults),
       to_robot_(line.faults, Direction::kToRobot),
       to_host_(line.faults, Direction::kToHost) {
   if (line.delays) {
@@ -46,7 +47,14 @@ void FaultyBoard::run_until(std::int64_t until_ns) {
   give_to_host(to_host.take_arrived(until_ns));
 }
 
+bool FaultyBoard::is_away() const {
+  return line_faults::is_away(faults_, 1e-9 * static_cast<double>(board_->now_ns()));
+}
+
 void FaultyBoard::receive(std::span<const std::uint8_t> bytes) {
+  if (is_away()) {
+    return;
+  }
   const std::vector<std::uint8_t> passed = to_robot_.pass(bytes);
   if (!delay_to_robot_) {
     board_->receive(passed);
@@ -58,6 +66,9 @@ void FaultyBoard::receive(std::span<const std::uint8_t> bytes) {
 }
 
 void FaultyBoard::take_from_board(std::uint8_t byte) {
+  if (is_away()) {
+    return;
+  }
   const std::vector<std::uint8_t> passed = to_host_.pass({&byte, 1});
   if (!delay_to_host_) {
     give_to_host(passed);

@@ -27,6 +27,7 @@ class FaultyBoard final : public SimulatedBoard {
 
   std::int64_t now_ns() const override { return board_->now_ns(); }
   void run_until(std::int64_t until_ns) override;
+  void reset() override { board_->reset(); }
   void receive(std::span<const std::uint8_t> bytes) override;
   MotorDuty motor_duty() const override { return board_->motor_duty(); }
   double pan_pulse_us() const override { return board_->pan_pulse_us(); }
@@ -48,10 +49,12 @@ class FaultyBoard final : public SimulatedBoard {
   std::string emulator_name() const override { return board_->emulator_name(); }
 
  private:
+  bool is_away() const;
   void take_from_board(std::uint8_t byte);
   void give_to_host(std::span<const std::uint8_t> bytes);
 
   std::unique_ptr<SimulatedBoard> board_;
+  line_faults::LineFaults faults_;
   line_faults::FaultyLine to_robot_;
   line_faults::FaultyLine to_host_;
   std::optional<line_faults::DelayedLine> delay_to_robot_;

@@ -23,7 +23,11 @@ RobotSimulation::RobotSimulation(SimulatedBoard& board, world::RobotWorld& world
   if (const auto& stepper = world.robot().parts.stepper) {
     stepper_.emplace(*stepper);
   }
-  board_.on_sent = [this](std::uint8_t byte) { sent_.push_back(byte); };
+  board_.on_sent = [this](std::uint8_t byte) {
+    if (!world_.board_is_reset()) {
+      sent_.push_back(byte);
+    }
+  };
   board_.on_trigger = [this](std::int64_t at_ns) { on_trigger(at_ns); };
   record_truth();
 }
@@ -41,13 +45,18 @@ void RobotSimulation::advance_to(std::int64_t until_ns) {
 
 void RobotSimulation::receive(std::span<const std::uint8_t> bytes) {
   last_heard_ns_ = now_ns_;
-  board_.receive(bytes);
+  if (!world_.board_is_reset()) {
+    board_.receive(bytes);
+  }
 }
 
 std::vector<std::uint8_t> RobotSimulation::take_sent() { return std::exchange(sent_, {}); }
 
 void RobotSimulation::step_world() {
   kidnap();
+  if (world_.board_is_reset()) {
+    board_.reset();
+  }
   const MotorDuty duty = board_.motor_duty();
   if (duty.left != 0.0 || duty.right != 0.0) {
     last_driven_ns_ = now_ns_;
@@ -96,7 +105,8 @@ void RobotSimulation::schedule_edges(Wheel wheel, const std::vector<world::Level
 }
 
 void RobotSimulation::on_trigger(std::int64_t at_ns) {
-  if (!world_.robot().has_sonar || at_ns < sonar_busy_until_ns_) {
+  const bool hears = world_.robot().has_sonar && !world_.sonar_is_dead();
+  if (!hears || at_ns < sonar_busy_until_ns_) {
     return;
   }
   const auto flight_s = world_.ping(pan_rad());

@@ -72,9 +72,8 @@ json wall_feature(const world::Wall& wall) {
   const auto position = [](const Eigen::Vector2d& point_m) {
     return json{point_m.x(), point_m.y()};
   };
-  const bool rough = wall.surface.material == world::Material::kRough;
   return {{"type", "Feature"},
-          {"properties", {{"material", rough ? "rough" : "smooth"}}},
+          {"properties", {{"material", world::name_of(wall.surface.material)}}},
           {"geometry",
            {{"type", "LineString"},
             {"coordinates", {position(wall.segment.from_m), position(wall.segment.to_m)}}}}};
@@ -82,7 +81,7 @@ json wall_feature(const world::Wall& wall) {
 
 std::string geojson_text(const world::FloorPlan& plan) {
   json features = json::array();
-  for (const world::Wall& wall : plan.walls()) {
+  for (const world::Wall& wall : plan.still_walls()) {
     features.push_back(wall_feature(wall));
   }
   return json{{"type", "FeatureCollection"}, {"features", features}}.dump(1) + "\n";
@@ -109,6 +108,8 @@ std::string summary_text(const RobotSimulation& simulation, const TruthSummary& 
                      {"last_driven_ns", simulation.last_driven_ns()},
                      {"left_counts", world.body().left_wheel().counts()},
                      {"right_counts", world.body().right_wheel().counts()},
+                     {"bumps", world.body().collisions().bumps},
+                     {"hard_collisions", world.body().collisions().hard},
                      {"dropped_bytes", summary.dropped_bytes},
                      {"stop", summary.stop ? stop_json(*summary.stop) : json(nullptr)}};
   return text.dump(1) + "\n";

@@ -21,6 +21,7 @@ class UnicornBoard final : public runner::SimulatedBoard {
 
   std::int64_t now_ns() const override;
   void run_until(std::int64_t until_ns) override;
+  void reset() override { chip_.reset(ResetSource::kExternal); }
 
   void receive(std::span<const std::uint8_t> bytes) override { chip_.usart().receive(bytes); }
 

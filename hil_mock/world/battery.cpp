@@ -14,6 +14,10 @@ void Battery::step(double dt_s, const MotorLoad& left, const MotorLoad& right) {
   volts_ = std::max(0.0, rest_v - amperes * params_.resistance_ohm);
 }
 
+void Battery::drain_to(double share) {
+  used_ah_ = std::max(used_ah_, (1.0 - share) * params_.capacity_ah);
+}
+
 double Battery::pin_millivolts() {
   const double mean_mv = 1000.0 * params_.divider * volts_;
   return std::max(0.0, mean_mv + params_.noise_mv * noise_.normal());

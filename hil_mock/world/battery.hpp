@@ -21,6 +21,9 @@ class Battery {
   /// Feeds two motors for `dt_s`.
   void step(double dt_s, const MotorLoad& left, const MotorLoad& right);
 
+  /// Leaves no more than this share of its charge, 0 .. 1.
+  void drain_to(double share);
+
   double volts() const { return volts_; }
   /// Behind the divider, with noise; draws it anew at each call.
   double pin_millivolts();

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
+
+#include "host/geometry/unit_vector.hpp"
 
 namespace echomap::world {
 namespace {
@@ -29,7 +32,24 @@ double turn_at(const Segment& before, const Segment& after) {
   return std::atan2(geometry::cross(from, to), from.dot(to));
 }
 
+/// Trousers scatter sound and are dark.
+constexpr Surface kClothes{Material::kRough, 0.4};
+/// Sides of the polygon that stands for a person.
+constexpr int kPersonSides = 12;
+
 }  // namespace
+
+std::string_view name_of(Material material) {
+  switch (material) {
+    case Material::kRough:
+      return "rough";
+    case Material::kGlass:
+      return "glass";
+    case Material::kSmooth:
+      break;
+  }
+  return "smooth";
+}
 
 FloorPlan::FloorPlan(std::string name,
                      Outline room,
@@ -50,6 +70,7 @@ FloorPlan::FloorPlan(std::string name,
     obstacles_m_.push_back(obstacle.corners_m);
     add_walls(std::move(obstacle), false);
   }
+  still_walls_ = walls_.size();
   check_holes();
   if (!is_free(T_world_start.position_m())) {
     throw std::invalid_argument("start: it is not in the free space of the room");
@@ -98,10 +119,24 @@ bool FloorPlan::is_hole(const Eigen::Vector2d& point_m) const {
 
 double FloorPlan::clearance_m(const Eigen::Vector2d& point_m) const {
   double least_m = std::numeric_limits<double>::infinity();
-  for (const Wall& wall : walls_) {
+  for (const Wall& wall : still_walls()) {
     least_m = std::min(least_m, (nearest_point(wall.segment, point_m) - point_m).norm());
   }
   return least_m;
+}
+
+void FloorPlan::put_people(std::span<const Disc> people) {
+  walls_.resize(still_walls_);
+  for (const Disc& person : people) {
+    const auto corner_m = [&](int i) {
+      const double bearing_rad = -2.0 * std::numbers::pi * i / kPersonSides;
+      return Eigen::Vector2d(person.middle_m +
+                             person.radius_m * geometry::unit_vector(bearing_rad));
+    };
+    for (int i = 0; i < kPersonSides; ++i) {
+      walls_.push_back({{corner_m(i), corner_m(i + 1)}, kClothes});
+    }
+  }
 }
 
 FloorPlan FloorPlan::starting_at(const geometry::Pose2& T_world_start) const {

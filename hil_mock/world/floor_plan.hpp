@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "hil_mock/world/person.hpp"
 #include "host/geometry/polygon.hpp"
 #include "host/geometry/pose2.hpp"
 
@@ -16,8 +19,12 @@ namespace echomap::world {
 using geometry::Polygon;
 using geometry::Segment;
 
-/// What a wall does to sound: a smooth one is a mirror, a rough one scatters.
-enum class Material : std::uint8_t { kSmooth, kRough };
+/// What a wall does to sound and light: a smooth one is a mirror for sound, a rough one scatters
+/// it, and glass is a mirror for both, so that it is seen only straight on.
+enum class Material : std::uint8_t { kSmooth, kRough, kGlass };
+
+/// "smooth", "rough" or "glass".
+std::string_view name_of(Material material);
 
 /// What a wall is made of.
 struct Surface {
@@ -56,11 +63,12 @@ struct VirtualWall {
   double half_angle_rad = 0.0;
 };
 
-/// What a floor has that is no wall.
+/// What a floor has that is no wall, and who crosses it.
 struct FloorMarks {
   /// Where there is no floor: stairs, the edge of a table.
   std::vector<Polygon> holes_m;
   std::vector<VirtualWall> virtual_walls;
+  std::vector<PersonParams> people = {};
 };
 
 /// A room seen from above, in metres in the world frame: an outline, what stands in it and what is
@@ -78,20 +86,27 @@ class FloorPlan {
   const std::string& name() const { return name_; }
   const Polygon& room_m() const { return room_m_; }
   const std::vector<Polygon>& obstacles_m() const { return obstacles_m_; }
+  /// All that stands at this moment: what stands always, and behind it the sides of people.
   const std::vector<Wall>& walls() const { return walls_; }
+  /// What stands always.
+  std::span<const Wall> still_walls() const { return std::span(walls_).first(still_walls_); }
   const std::vector<Corner>& corners() const { return corners_; }
   const std::vector<Polygon>& holes_m() const { return marks_.holes_m; }
   const std::vector<VirtualWall>& virtual_walls() const { return marks_.virtual_walls; }
+  const std::vector<PersonParams>& people() const { return marks_.people; }
   const geometry::Pose2& T_world_start() const { return T_world_start_; }
 
   /// Whether a point is inside of the room and outside of every obstacle and hole.
   bool is_free(const Eigen::Vector2d& point_m) const;
   /// Whether there is no floor under a point.
   bool is_hole(const Eigen::Vector2d& point_m) const;
-  /// Distance from a point to the nearest wall.
+  /// Distance from a point to the nearest wall that stands always.
   double clearance_m(const Eigen::Vector2d& point_m) const;
   /// The same room with another start; throws std::invalid_argument where it is not free.
   FloorPlan starting_at(const geometry::Pose2& T_world_start) const;
+
+  /// Puts people where they are now, in place of those before.
+  void put_people(std::span<const Disc> people);
 
  private:
   void add_walls(Outline outline, bool counter_clockwise);
@@ -101,7 +116,8 @@ class FloorPlan {
   Polygon room_m_;
   std::vector<Polygon> obstacles_m_;
   FloorMarks marks_;
-  std::vector<Wall> walls_;
+  std::vector<Wall> walls_;  ///< The first `still_walls_` stand always.
+  std::size_t still_walls_ = 0;
   std::vector<Corner> corners_;
   geometry::Pose2 T_world_start_;
 };

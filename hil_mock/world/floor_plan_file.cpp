@@ -15,11 +15,14 @@ Material read_material(const files::TomlReader& table, Material fallback) {
     return fallback;
   }
   const std::string name = table.text("material");
-  if (name != "smooth" && name != "rough") {
-    table.fail("material",
-               "unknown material '" + name + "'" + files::suggestion(name, {"smooth", "rough"}));
+  for (const Material material : {Material::kSmooth, Material::kRough, Material::kGlass}) {
+    if (name == name_of(material)) {
+      return material;
+    }
   }
-  return name == "rough" ? Material::kRough : Material::kSmooth;
+  table.fail(
+      "material",
+      "unknown material '" + name + "'" + files::suggestion(name, {"smooth", "rough", "glass"}));
 }
 
 Surface read_surface(const files::TomlReader& table, const Surface& fallback) {
@@ -29,6 +32,8 @@ Surface read_surface(const files::TomlReader& table, const Surface& fallback) {
 
 /// The truth map has a cell for every centimetre within.
 constexpr double kFarthestCornerM = 100.0;
+/// No run is longer.
+constexpr double kLatestStartS = 1e9;
 
 Polygon read_corners(const files::TomlReader& table) {
   Polygon corners_m;
@@ -71,6 +76,26 @@ VirtualWall read_virtual_wall(const files::TomlReader& table) {
   return beam;
 }
 
+PersonParams read_person(const files::TomlReader& table) {
+  PersonParams person;
+  table.text_or("name", "");
+  for (const auto& [x_m, y_m] : table.points("path_m")) {
+    person.path_m.emplace_back(x_m, y_m);
+  }
+  if (person.path_m.size() < 2) {
+    table.fail("path_m", "a path takes two points or more");
+  }
+  for (const Eigen::Vector2d& point_m : person.path_m) {
+    if (!(point_m.cwiseAbs().maxCoeff() <= kFarthestCornerM)) {
+      table.fail("path_m", "a point is more than 100 m away; points are in metres");
+    }
+  }
+  person.speed_m_per_s = positive(table, "speed_m_per_s");
+  person.radius_m = positive(table, "radius_m");
+  person.start_s = within(table, "start_s", 0.0, kLatestStartS);
+  return person;
+}
+
 FloorMarks read_marks(const files::TomlReader& file, const Polygon& room_m) {
   FloorMarks marks;
   for (const files::TomlReader& table : file.tables("hole")) {
@@ -86,6 +111,9 @@ FloorMarks read_marks(const files::TomlReader& file, const Polygon& room_m) {
         geometry::distance_to_sides_m(room_m, marks.virtual_walls.back().origin_m) > 0.0) {
       table.fail("x_m", "the beam begins outside of the room");
     }
+  }
+  for (const files::TomlReader& table : file.tables("person")) {
+    marks.people.push_back(read_person(table));
   }
   return marks;
 }

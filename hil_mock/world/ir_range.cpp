@@ -118,9 +118,9 @@ double IrRange::mean_millivolts(const geometry::Pose2& T_world_sensor) const {
     const double bearing_rad = T_world_sensor.heading_rad() + off_axis_rad;
     const auto hit = cast_ray(
         plan_, T_world_sensor.position_m(), {std::cos(bearing_rad), std::sin(bearing_rad)});
-    if (hit) {
-      const double reflectance = hit->wall->surface.reflectance;
-      sum_mv += ir_millivolts(params_.kind, {hit->distance_m, reflectance, hit->incidence_rad});
+    const double share = hit ? light_back(hit->wall->surface, hit->incidence_rad) : 0.0;
+    if (share > 0.0) {
+      sum_mv += ir_millivolts(params_.kind, {hit->distance_m, share, hit->incidence_rad});
     }
   }
   return sum_mv / 3.0;

@@ -20,7 +20,8 @@ bool lights_up(const FloorPlan& plan,
                double reach_m) {
   const auto hit = cast_ray(plan, from_m, {std::cos(bearing_rad), std::sin(bearing_rad)});
   return hit &&
-         hit->distance_m <= reach_m * std::sqrt(hit->wall->surface.reflectance / kPaperReflectance);
+         hit->distance_m <= reach_m * std::sqrt(light_back(hit->wall->surface, hit->incidence_rad) /
+                                                kPaperReflectance);
 }
 
 bool own_beam_lights_up(const FloorPlan& plan,

@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/geometry/angle.hpp"
+
 namespace echomap::world {
 namespace {
 
 constexpr double kClearM = 1e-6;
+constexpr double kPaneReflectance = 0.08;
+/// Half of the opening of the sensors' lenses.
+constexpr double kPaneLimitRad = geometry::radians(5.0);
 
 }  // namespace
 
@@ -26,6 +31,13 @@ std::optional<RayHit> cast_ray(const FloorPlan& plan,
     nearest->incidence_rad = std::acos(std::min(1.0, cosine));
   }
   return nearest;
+}
+
+double light_back(const Surface& surface, double incidence_rad) {
+  if (surface.material != Material::kGlass) {
+    return surface.reflectance;
+  }
+  return incidence_rad <= kPaneLimitRad ? kPaneReflectance : 0.0;
 }
 
 bool sees(const FloorPlan& plan, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) {

@@ -22,6 +22,11 @@ std::optional<RayHit> cast_ray(const FloorPlan& plan,
                                const Eigen::Vector2d& origin_m,
                                const Eigen::Vector2d& direction);
 
+/// Share of an infra-red sensor's light that a surface throws back to it. Of a pane that is the 4 %
+/// of each of its sides (Fresnel's equations for an index of 1.5), and only from straight on; what
+/// goes through is lost.
+double light_back(const Surface& surface, double incidence_rad);
+
 /// Whether no wall stands between two points.
 bool sees(const FloorPlan& plan, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
 

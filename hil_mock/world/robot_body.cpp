@@ -50,7 +50,8 @@ RobotBody::RobotBody(const FloorPlan& plan,
       left_(drive, drive.wheel_diameter_m * errors.left_diameter, errors.left_gain),
       right_(drive, drive.wheel_diameter_m * errors.right_diameter, errors.right_gain),
       noise_(noise),
-      T_world_robot_(plan.T_world_start()) {
+      T_world_robot_(plan.T_world_start()),
+      collisions_(body) {
   const double sizes[] = {drive.wheel_diameter_m,
                           drive.track_m,
                           drive.counts_per_turn,
@@ -73,8 +74,12 @@ RobotBody::RobotBody(const FloorPlan& plan,
 void RobotBody::step(double dt_s, const WheelDuty& duty, EncoderChanges& changes) {
   const double left_m = left_.step(dt_s, duty.left, changes.left);
   const double right_m = right_.step(dt_s, duty.right, changes.right);
-  roll(slipped(left_m), slipped(right_m));
-  T_world_robot_ = pushed_out(plan_, T_world_robot_, body_.radius_m);
+  roll((1.0 - slip_.left) * slipped(left_m), (1.0 - slip_.right) * slipped(right_m));
+  const geometry::Pose2 T_world_out = pushed_out(plan_, T_world_robot_, body_.radius_m);
+  if (!lifted_) {
+    collisions_.note((T_world_robot_.inverse() * T_world_out).position_m(), dt_s);
+  }
+  T_world_robot_ = T_world_out;
 }
 
 void RobotBody::place(const geometry::Pose2& T_world_robot) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "hil_mock/world/collision_counter.hpp"
 #include "hil_mock/world/contact_physics.hpp"
 #include "hil_mock/world/floor_contact.hpp"
 #include "hil_mock/world/floor_plan.hpp"
@@ -15,6 +16,12 @@ namespace echomap::world {
 
 /// Duty of both motors, -1 .. 1 of full, forward positive.
 struct WheelDuty {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// Shares of what the wheels roll that are lost to the floor, 0 .. 1: a wet spot, a thread.
+struct WheelSlip {
   double left = 0.0;
   double right = 0.0;
 };
@@ -42,6 +49,9 @@ class RobotBody {
   /// Moves for `dt_s` and appends what the encoders do in that time.
   void step(double dt_s, const WheelDuty& duty, EncoderChanges& changes);
 
+  /// The wheels lose so much of what they roll from now on.
+  void slip(const WheelSlip& slip) { slip_ = slip; }
+
   /// Takes the robot off the floor: its wheels turn freely until it is placed.
   void lift() { lifted_ = true; }
   bool is_lifted() const { return lifted_; }
@@ -51,6 +61,8 @@ class RobotBody {
   /// Frame of the robot: origin in the middle of the axle, x forward, y left.
   const geometry::Pose2& T_world_robot() const { return T_world_robot_; }
   Contacts contacts() const;
+  /// With walls, since the beginning.
+  const Collisions& collisions() const { return collisions_.collisions(); }
   /// Which wheels stand on the floor.
   WheelSupport support() const;
   const WheelDrive& left_wheel() const { return left_; }
@@ -73,9 +85,11 @@ class RobotBody {
   double track_m_;
   WheelDrive left_;
   WheelDrive right_;
+  WheelSlip slip_;
   NoiseStream noise_;
   geometry::Pose2 T_world_robot_;
   bool lifted_ = false;
+  CollisionCounter collisions_;
 };
 
 }  // namespace echomap::world

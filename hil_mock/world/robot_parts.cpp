@@ -51,6 +51,12 @@ void RobotParts::step(double dt_s, const WheelDuty& duty) {
   }
 }
 
+void RobotParts::drain_battery_to(double share) {
+  if (battery_) {
+    battery_->drain_to(share);
+  }
+}
+
 bool RobotParts::is_active(PinPart part) const {
   switch (part) {
     case PinPart::kCliffLeft:

@@ -29,6 +29,9 @@ class RobotParts {
   /// The body was put elsewhere by hand; the gyro is not told.
   void forget_heading() { heading_rad_ = body_.T_world_robot().heading_rad(); }
 
+  /// Leaves a battery no more than this share of its charge.
+  void drain_battery_to(double share);
+
   /// Whether a part that says yes or no says yes; false for one that is not there.
   bool is_active(PinPart part) const;
   /// Output of a part with a voltage; 0 for one that is not there. The battery's noise is drawn

@@ -2,24 +2,78 @@
 #include "hil_mock/world/robot_world.hpp"
 
 #include <numbers>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 namespace echomap::world {
 
-RobotWorld::RobotWorld(FloorPlan plan, const RobotParams& robot, std::uint32_t seed)
+namespace {
+
+std::vector<PartFault> checked(std::vector<PartFault> faults, const RobotParams& robot) {
+  for (const PartFault& fault : faults) {
+    const bool of_sonar =
+        fault.kind == PartFaultKind::kSonarDead || fault.kind == PartFaultKind::kSonarStuck;
+    const bool of_battery = fault.kind == PartFaultKind::kBatteryLow;
+    if ((of_sonar && !robot.has_sonar) || (of_battery && !robot.parts.battery)) {
+      throw std::invalid_argument("part fault '" + std::string(name_of(fault.kind)) +
+                                  "': the robot has no " + (of_sonar ? "sonar" : "battery"));
+    }
+  }
+  return faults;
+}
+
+}  // namespace
+
+RobotWorld::RobotWorld(FloorPlan plan,
+                       const RobotParams& robot,
+                       std::uint32_t seed,
+                       std::vector<PartFault> faults)
     : plan_(std::move(plan)),
       robot_(robot),
       body_(plan_, robot.drive, robot.body, NoiseStream(seed, NoisePurpose::kBody)),
       sonar_(plan_, robot.sonar),
       sonar_noise_(seed, NoisePurpose::kSonar),
       places_(seed, NoisePurpose::kPlaces),
-      parts_(plan_, body_, robot.parts, seed) {}
+      parts_(plan_, body_, robot.parts, seed),
+      faults_(checked(std::move(faults), robot)) {
+  for (const PersonParams& person : plan_.people()) {
+    people_.emplace_back(person);
+  }
+}
 
 void RobotWorld::step(double dt_s, const WheelDuty& duty, EncoderChanges& changes) {
+  now_s_ += dt_s;
+  move_people(dt_s);
+  body_.slip({fault(PartFaultKind::kSlipLeft).value_or(0.0),
+              fault(PartFaultKind::kSlipRight).value_or(0.0)});
   body_.step(dt_s, duty, changes);
+  if (fault(PartFaultKind::kEncoderLeft)) {
+    changes.left.clear();
+  }
+  if (fault(PartFaultKind::kEncoderRight)) {
+    changes.right.clear();
+  }
+  if (const auto share = fault(PartFaultKind::kBatteryLow)) {
+    parts_.drain_battery_to(*share);
+  }
   parts_.step(dt_s, duty);
+}
+
+void RobotWorld::move_people(double dt_s) {
+  if (people_.empty()) {
+    return;
+  }
+  std::vector<Disc> places;
+  for (Person& person : people_) {
+    person.step(dt_s, now_s_, {T_world_robot().position_m(), robot_.body.radius_m});
+    if (person.place()) {
+      places.push_back(*person.place());
+    }
+  }
+  plan_.put_people(places);
 }
 
 void RobotWorld::place(const geometry::Pose2& T_world_robot) {
@@ -55,8 +109,11 @@ geometry::Pose2 RobotWorld::somewhere_else() {
 }
 
 std::optional<double> RobotWorld::ping(double pan_rad) {
-  const auto range_m = sonar_.ping_m(T_world_sonar(pan_rad), sonar_noise_);
-  if (!range_m) {
+  auto range_m = sonar_.ping_m(T_world_sonar(pan_rad), sonar_noise_);
+  if (const auto stuck_m = fault(PartFaultKind::kSonarStuck)) {
+    range_m = stuck_m;
+  }
+  if (!range_m || sonar_is_dead()) {
     return std::nullopt;
   }
   return 2.0 * *range_m / robot_.sonar.speed_of_sound_m_per_s;

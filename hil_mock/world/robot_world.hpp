@@ -3,9 +3,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "hil_mock/world/floor_plan.hpp"
 #include "hil_mock/world/noise.hpp"
+#include "hil_mock/world/part_faults.hpp"
+#include "hil_mock/world/person.hpp"
 #include "hil_mock/world/robot_body.hpp"
 #include "hil_mock/world/robot_params.hpp"
 #include "hil_mock/world/robot_parts.hpp"
@@ -18,7 +21,11 @@ namespace echomap::world {
 class RobotWorld {
  public:
   /// Throws std::invalid_argument where robot or start do not fit.
-  RobotWorld(FloorPlan plan, const RobotParams& robot, std::uint32_t seed);
+  /// A fault of a part that the robot has not is refused in the same way.
+  RobotWorld(FloorPlan plan,
+             const RobotParams& robot,
+             std::uint32_t seed,
+             std::vector<PartFault> faults = {});
   RobotWorld(const RobotWorld&) = delete;
   RobotWorld& operator=(const RobotWorld&) = delete;
 
@@ -28,6 +35,10 @@ class RobotWorld {
   /// One ping at the present pose: the echo's time of flight, there and back, in seconds; empty
   /// where nothing answered.
   std::optional<double> ping(double pan_rad);
+  /// Whether the sonar does not even say that nothing has answered.
+  bool sonar_is_dead() const { return fault(PartFaultKind::kSonarDead).has_value(); }
+  /// Whether the board is held in its boot loader.
+  bool board_is_reset() const { return fault(PartFaultKind::kBoardReset).has_value(); }
 
   /// Takes the robot off the floor, until it is placed.
   void lift() { body_.lift(); }
@@ -48,6 +59,9 @@ class RobotWorld {
   const RobotParams& robot() const { return robot_; }
 
  private:
+  std::optional<double> fault(PartFaultKind kind) const { return fault_at(faults_, kind, now_s_); }
+  void move_people(double dt_s);
+
   FloorPlan plan_;
   RobotParams robot_;
   RobotBody body_;
@@ -55,6 +69,9 @@ class RobotWorld {
   NoiseStream sonar_noise_;
   NoiseStream places_;
   RobotParts parts_;
+  std::vector<PartFault> faults_;
+  std::vector<Person> people_;
+  double now_s_ = 0.0;
 };
 
 }  // namespace echomap::world

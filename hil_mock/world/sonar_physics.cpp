@@ -19,6 +19,9 @@ constexpr double kBeamEdge = 0.1;
 constexpr double kRayStepRad = geometry::radians(0.5);
 /// A wall's answer falls from 88 to 12 % over 8 degrees of incidence.
 constexpr double kIncidenceEdgeRad = geometry::radians(2.0);
+/// A pane is flat to far less than the 8.6 mm of a wave: but for the spread of a transducer's own
+/// field nothing comes back that is not met straight on.
+constexpr double kGlassLimitRad = geometry::radians(4.0);
 /// Returns weaker than this are left out.
 constexpr double kLeastStrength = 1e-3;
 
@@ -82,8 +85,10 @@ double SonarPhysics::beam_strength(double off_axis_rad) const {
 }
 
 double SonarPhysics::wall_strength(double incidence_rad, Material material) const {
-  const double limit_rad =
+  const double wall_limit_rad =
       material == Material::kRough ? params_.rough_limit_rad : params_.smooth_limit_rad;
+  const double limit_rad =
+      material == Material::kGlass ? std::min(kGlassLimitRad, wall_limit_rad) : wall_limit_rad;
   return fall_off(limit_rad - incidence_rad, kIncidenceEdgeRad);
 }
 

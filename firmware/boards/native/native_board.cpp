@@ -29,12 +29,20 @@ NativeBoard& NativeBoard::instance() {
 }
 
 void NativeBoard::power_on() {
+  now_ns_ = 0;
+  starts_ = 0;
+  encoder_levels_ = 0;
+  watchdog_kicks_ = 0;
+  start_program();
+}
+
+void NativeBoard::start_program() {
   events_.clear();
   line_.clear();
-  now_ns_ = 0;
+  started_ns_ = now_ns_;
+  ++starts_;
   sending_ = false;
   echo_high_ = false;
-  encoder_levels_ = 0;
   left_duty_ = 0;
   right_duty_ = 0;
   pan_pulse_us_ = 0.0;
@@ -42,11 +50,10 @@ void NativeBoard::power_on() {
   aux_outputs_.fill(false);
   conversion_end_ns_ = 0;
   two_wire.stop();
-  watchdog_kicks_ = 0;
   new (&app::devices) app::Devices();
   new (&app::robot) app::Robot(app::devices);
   app::robot.start();
-  at(kTickNs, [this] { tick(); });
+  at(now_ns_ + kTickNs, [this] { tick(); });
 }
 
 void NativeBoard::run_until_ns(std::int64_t until_ns) {
@@ -166,7 +173,7 @@ void NativeBoard::finish_byte(std::uint8_t byte) {
 
 void NativeBoard::set_echo(bool high) {
   echo_high_ = high;
-  hal::on_echo_edge(high, static_cast<std::uint32_t>(now_ns_ / 500));
+  hal::on_echo_edge(high, static_cast<std::uint32_t>(program_ns() / 500));
 }
 
 void NativeBoard::set_encoder(bool right, bool a, bool b) {

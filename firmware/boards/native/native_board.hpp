@@ -34,7 +34,14 @@ class NativeBoard {
   /// Back to time 0: forgets all events and bytes under way and starts the program anew. Hooks and
   /// what contacts and spare pins see from outside stay, encoder and echo pins are low.
   void power_on();
+  /// Pulls the reset pin: time goes on, the program and its clock start anew. Edges of encoders and
+  /// echo that are under way are lost.
+  void reset() { start_program(); }
 
+  /// How often the program has started since `power_on`, that start included.
+  std::uint16_t starts() const { return starts_; }
+  /// Since the program's last start.
+  std::int64_t program_ns() const { return now_ns_ - started_ns_; }
   /// Simulated time since `power_on`.
   std::int64_t now_ns() const { return now_ns_; }
   /// Serves every event up to and including this time.
@@ -99,6 +106,7 @@ class NativeBoard {
   using Event = std::function<void()>;
 
   NativeBoard() = default;
+  void start_program();
   void at(std::int64_t at_ns, Event event) { events_.emplace(at_ns, std::move(event)); }
   void tick();
   void deliver_byte();
@@ -109,6 +117,8 @@ class NativeBoard {
   std::multimap<std::int64_t, Event> events_;  ///< Equal times in the order of scheduling.
   std::deque<std::uint8_t> line_;
   std::int64_t now_ns_ = 0;
+  std::int64_t started_ns_ = 0;
+  std::uint16_t starts_ = 0;
   bool sending_ = false;
   bool echo_high_ = false;
   std::uint8_t encoder_levels_ = 0;

@@ -25,7 +25,7 @@ native::NativeBoard& board() { return native::NativeBoard::instance(); }
 
 }  // namespace
 
-uint32_t now_us() { return static_cast<uint32_t>(board().now_ns() / 1000); }
+uint32_t now_us() { return static_cast<uint32_t>(board().program_ns() / 1000); }
 
 uint8_t lock_interrupts() { return 0; }
 void restore_interrupts(uint8_t /*state*/) {}
@@ -67,8 +67,10 @@ uint16_t line_bytes_per_s() { return 1000000000 / native::NativeBoard::kByteNs; 
 void start_watchdog() {}
 void kick_watchdog() { board().kick_watchdog(); }
 
-uint8_t reset_cause() { return protocol::kResetPowerOn; }
-uint16_t boot_id() { return 1; }
+uint8_t reset_cause() {
+  return board().starts() == 1 ? protocol::kResetPowerOn : protocol::kResetExternal;
+}
+uint16_t boot_id() { return board().starts(); }
 
 /// The stack of this computer is nobody's worry.
 uint16_t least_free_stack_bytes() { return UINT16_MAX; }

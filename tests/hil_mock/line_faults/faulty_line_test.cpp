@@ -24,6 +24,15 @@ TEST(LineFaults, AreReadInAnyOrder) {
   EXPECT_EQ(faults.seed, 3U);
 }
 
+TEST(LineFaults, NothingPassesDuringAnAbsence) {
+  const LineFaults faults = parse_line_faults("away=60:5,away=80:0.5");
+  EXPECT_FALSE(is_away(faults, 59.999));
+  EXPECT_TRUE(is_away(faults, 60.0));
+  EXPECT_TRUE(is_away(faults, 64.999));
+  EXPECT_FALSE(is_away(faults, 65.0));
+  EXPECT_TRUE(is_away(faults, 80.4));
+}
+
 TEST(LineFaults, ComplainInWords) {
   using testing::HasSubstr;
   EXPECT_THAT(complaint("flop=1"), HasSubstr("'flop=1': expected flip, drop"));
@@ -32,6 +41,8 @@ TEST(LineFaults, ComplainInWords) {
   EXPECT_THAT(complaint("drop=2"), HasSubstr("drop=2: it must be in 0 .. 1"));
   EXPECT_THAT(complaint("drop=nan"), HasSubstr("0 .. 1"));
   EXPECT_THAT(complaint("seed=-1"), HasSubstr("seed=-1: not a number"));
+  EXPECT_THAT(complaint("away=60"), HasSubstr("away=: not a number"));
+  EXPECT_THAT(complaint("away=-1:5"), HasSubstr("AT:FOR in seconds"));
   EXPECT_THAT(complaint("flip=0.7,cut=0.7"), HasSubstr("sum"));
 }
 

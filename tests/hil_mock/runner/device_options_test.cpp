@@ -84,6 +84,14 @@ TEST(DeviceOptions, TheLineIsSeededLikeTheRest) {
   EXPECT_FALSE(std::get<DeviceOptions>(read({"--seed=9"})).line);
 }
 
+TEST(DeviceOptions, PartsMayFail) {
+  const auto options =
+      std::get<DeviceOptions>(read({"--part-faults=sonar-dead@30,slip-left@20:2:0.3"}));
+  ASSERT_EQ(options.part_faults.size(), 2U);
+  EXPECT_EQ(options.part_faults[1].at_s, 20.0);
+  EXPECT_TRUE(std::get<DeviceOptions>(read({})).part_faults.empty());
+}
+
 TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
   for (const std::string wrong : {"--speed=0",
                                   "--speed=fast",
@@ -101,6 +109,8 @@ TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
                                   "--faults=flop=1",
                                   "--line=pigeon",
                                   "--faults=loss=1.5",
+                                  "--part-faults=sonar-dead",
+                                  "--part-faults=leg-broken@3",
                                   "--nonsense",
                                   "--firmware=x.elf"}) {
     EXPECT_EQ(std::get<int>(read({wrong})), 2) << wrong;

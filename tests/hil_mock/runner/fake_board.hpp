@@ -37,6 +37,7 @@ class FakeBoard : public SimulatedBoard {
       duty = {};
     }
   }
+  void reset() override { ++resets; }
   void receive(std::span<const std::uint8_t> bytes) override {
     received.insert(received.end(), bytes.begin(), bytes.end());
     received_at_ns = time_ns;
@@ -64,6 +65,7 @@ class FakeBoard : public SimulatedBoard {
   std::string emulator_name() const override { return "none"; }
 
   std::int64_t time_ns = 0;
+  int resets = 0;
   std::int64_t stop_at_ns = INT64_MAX;
   std::int64_t received_at_ns = -1;
   MotorDuty duty;

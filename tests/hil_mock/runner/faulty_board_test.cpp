@@ -25,7 +25,9 @@ Bytes echoed(const line_faults::LineFaults& faults, const Bytes& bytes) {
 Bytes frames(int count) {
   Bytes bytes;
   for (int i = 0; i < count; ++i) {
-    bytes.insert(bytes.end(), {3, 1, 2, 0});
+    for (const std::uint8_t byte : Bytes{3, 1, 2, 0}) {
+      bytes.push_back(byte);
+    }
   }
   return bytes;
 }
@@ -59,6 +61,23 @@ TEST(FaultyBoard, DelaysBytesOfBothDirections) {
   EXPECT_EQ(sent, frames(1));
 }
 
+TEST(FaultyBoard, PassesNothingEitherWayWhileTheLineIsAway) {
+  auto inner = std::make_unique<FakeBoard>();
+  FakeBoard& fake = *inner;
+  FaultyBoard board(std::move(inner), {.faults = line_faults::parse_line_faults("away=1:5")});
+  Bytes sent;
+  board.on_sent = [&sent](std::uint8_t byte) { sent.push_back(byte); };
+  board.receive(frames(1));
+  board.run_until(1'000'000'000);
+  EXPECT_TRUE(sent.empty()) << "it answers when the line is away already";
+  board.receive(frames(1));
+  EXPECT_TRUE(fake.received.empty());
+  board.run_until(6'000'000'000);
+  board.receive(frames(1));
+  board.run_until(6'000'000'001);
+  EXPECT_EQ(sent, frames(1));
+}
+
 TEST(FaultyBoard, HandsOnPinsAndHooks) {
   auto inner = std::make_unique<FakeBoard>();
   FakeBoard& fake = *inner;
@@ -76,6 +95,8 @@ TEST(FaultyBoard, HandsOnPinsAndHooks) {
   EXPECT_TRUE(fake.left_bump);
   EXPECT_EQ(board.motor_duty().right, -0.5);
   EXPECT_EQ(board.firmware_name(), "fake 1.0");
+  board.reset();
+  EXPECT_EQ(fake.resets, 1);
 }
 
 }  // namespace

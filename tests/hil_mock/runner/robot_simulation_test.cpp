@@ -195,5 +195,39 @@ TEST(RobotSimulation, ARobotWithoutSonarNeverRaisesItsEchoPin) {
   EXPECT_TRUE(board.echoes.empty());
 }
 
+TEST(RobotSimulationWithFaults, ABoardInItsBootLoaderIsResetAndHearsAndSaysNothing) {
+  FakeBoard board;
+  world::RobotWorld world(
+      world::box_room(), quiet_robot(), 1, world::parse_part_faults("board-reset@0.1:0.2"));
+  RobotSimulation simulation(board, world);
+  simulation.advance_to(100 * kMs);
+  EXPECT_LE(board.resets, 1);
+  simulation.advance_to(150 * kMs);
+  EXPECT_GT(board.resets, 40);
+  board.on_sent(7);
+  simulation.receive(std::vector<std::uint8_t>{1, 2});
+  EXPECT_TRUE(board.received.empty());
+  simulation.advance_to(301 * kMs);
+  const int resets = board.resets;
+  simulation.advance_to(400 * kMs);
+  EXPECT_EQ(board.resets, resets);
+  EXPECT_TRUE(simulation.take_sent().empty());
+  simulation.receive(std::vector<std::uint8_t>{1, 2});
+  simulation.advance_to(401 * kMs);
+  EXPECT_EQ(simulation.take_sent().size(), 2U);
+}
+
+TEST(RobotSimulationWithFaults, ADeadSonarGivesNoPulseAtAll) {
+  FakeBoard board;
+  world::RobotWorld robot_world(
+      world::box_room(), quiet_robot(), 1, world::parse_part_faults("sonar-dead@0.1"));
+  RobotSimulation simulation(board, robot_world);
+  board.on_trigger(0);
+  EXPECT_EQ(board.echoes.size(), 1U);
+  simulation.advance_to(200 * kMs);
+  board.on_trigger(200 * kMs);
+  EXPECT_EQ(board.echoes.size(), 1U);
+}
+
 }  // namespace
 }  // namespace echomap::runner

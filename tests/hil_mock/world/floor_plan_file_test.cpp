@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/floor_plan_file.hpp"
 
+#include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "hil_mock/world/floor_contact.hpp"
 #include "host/files/bundled_files.hpp"
 
 namespace echomap::world {
@@ -117,13 +122,54 @@ TEST(FloorPlanFile, NamesThePlaceOfABadHoleOrVirtualWall) {
               StartsWith("small.toml:3:7: start: "));
 }
 
-class BundledWorld : public testing::TestWithParam<const char*> {};
+class BundledWorld : public testing::TestWithParam<const char*> {
+ protected:
+  FloorPlan load() const {
+    const auto path = files::bundled_file(GetParam(), "hil_mock/worlds", "world");
+    return read_floor_plan(files::TomlReader::load(path));
+  }
+};
 
 TEST_P(BundledWorld, IsAValidRoomWithSpaceForTheRobot) {
-  const auto path = files::bundled_file(GetParam(), "hil_mock/worlds", "world");
-  const FloorPlan plan = read_floor_plan(files::TomlReader::load(path));
+  const FloorPlan plan = load();
   EXPECT_EQ(plan.name(), GetParam());
   EXPECT_GT(plan.clearance_m(plan.T_world_start().position_m()), 0.2);
+}
+
+/// Places, points of a lattice, that a disc can be moved to from the start with so much room round
+/// its middle.
+std::vector<Eigen::Vector2d> reachable_m(const FloorPlan& plan, double clearance_m, double step_m) {
+  std::set<std::pair<int, int>> seen;
+  std::vector<std::pair<int, int>> open{{0, 0}};
+  std::vector<Eigen::Vector2d> reached_m;
+  while (!open.empty()) {
+    const auto [x, y] = open.back();
+    open.pop_back();
+    const Eigen::Vector2d place_m =
+        plan.T_world_start().position_m() + step_m * Eigen::Vector2d(x, y);
+    if (!seen.insert({x, y}).second || !plan.is_free(place_m) ||
+        plan.clearance_m(place_m) < clearance_m || hole_distance_m(plan, place_m) < clearance_m) {
+      continue;
+    }
+    reached_m.push_back(place_m);
+    open.insert(open.end(), {{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}});
+  }
+  return reached_m;
+}
+
+TEST_P(BundledWorld, HasNoGapThatIsJustWideEnough) {
+  if (GetParam() == std::string("office")) {
+    GTEST_SKIP() << "its armchair leaves 0.2 m to the wall";
+  }
+  const double radius_m = GetParam() == std::string("epuck_field") ? 0.037 : 0.09;
+  const FloorPlan plan = load();
+  const auto with_room_m = reachable_m(plan, 1.2 * radius_m, 0.25 * radius_m);
+  for (const Eigen::Vector2d& place_m : reachable_m(plan, 0.9 * radius_m, 0.5 * radius_m)) {
+    const bool is_near = std::any_of(with_room_m.begin(), with_room_m.end(), [&](const auto& one) {
+      return (one - place_m).norm() < 2.0 * radius_m;
+    });
+    ASSERT_TRUE(is_near) << "only a robot that scrapes its way in gets to " << place_m.transpose();
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All,
@@ -135,7 +181,51 @@ INSTANTIATE_TEST_SUITE_P(All,
                                          "landing",
                                          "office",
                                          "epuck_field",
-                                         "playground"));
+                                         "playground",
+                                         "nxt_room",
+                                         "create_l",
+                                         "create_t",
+                                         "corridor_rooms",
+                                         "round_room",
+                                         "pillar_hall"));
+
+const std::string person_text = R"([[person]]
+path_m = [[-0.5, 0.5], [2.5, 0.5]]
+speed_m_per_s = 0.8
+radius_m = 0.2
+start_s = 12
+)";
+
+std::string edited_person(std::string from, const std::string& to) {
+  std::string text = room_text + person_text;
+  return text.replace(text.rfind(from), from.size(), to);
+}
+
+TEST(FloorPlanFile, ReadsPeopleAndGlass) {
+  const FloorPlan plan = read_floor_plan(
+      files::TomlReader::parse(edited_person("\"rough\"", "\"glass\""), "small.toml"));
+  EXPECT_EQ(plan.walls()[1].surface.material, Material::kGlass);
+  ASSERT_EQ(plan.people().size(), 1U);
+  EXPECT_EQ(plan.people()[0].path_m[1], Eigen::Vector2d(2.5, 0.5));
+  EXPECT_EQ(plan.people()[0].speed_m_per_s, 0.8);
+  EXPECT_EQ(plan.people()[0].radius_m, 0.2);
+  EXPECT_EQ(plan.people()[0].start_s, 12.0);
+}
+
+TEST(FloorPlanFile, NamesThePlaceOfABadPerson) {
+  EXPECT_EQ(error_of(room_text + person_text), "no error");
+  EXPECT_THAT(error_of(edited_person(", [2.5, 0.5]", "")),
+              StartsWith("small.toml:15:10: a path takes two points or more"));
+  EXPECT_THAT(error_of(edited_person("[2.5, 0.5]", "[250, 0.5]")),
+              StartsWith("small.toml:15:10: a point is more than 100 m away"));
+  EXPECT_THAT(error_of(edited_person("0.8", "0")),
+              StartsWith("small.toml:16:17: it must be positive"));
+  EXPECT_THAT(error_of(edited_person("radius_m = 0.2", "radius_m = -0.2")),
+              StartsWith("small.toml:17:12: it must be positive"));
+  EXPECT_THAT(error_of(edited_person("start_s = 12", "start_s = -1")),
+              StartsWith("small.toml:18:11: it must be between 0 and"));
+  EXPECT_THAT(error_of(edited_person("speed_m_per_s", "sped_m_per_s")), HasSubstr("sped_m_per_s"));
+}
 
 }  // namespace
 }  // namespace echomap::world

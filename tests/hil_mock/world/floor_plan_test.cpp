@@ -94,5 +94,22 @@ TEST(FloorPlan, RefusesAHoleBeyondTheRoomOrOfNoArea) {
   EXPECT_THROW(with_hole({{1.0, 1.0}, {1.5, 1.5}}), std::invalid_argument);
 }
 
+TEST(FloorPlan, PeopleStandInTheRoomAndNotInItsTruth) {
+  FloorPlan plan = box_room();
+  const std::vector<Disc> people{{{2.0, 1.5}, 0.2}};
+  plan.put_people(people);
+  EXPECT_GT(plan.walls().size(), 4U);
+  EXPECT_EQ(plan.still_walls().size(), 4U);
+  for (std::size_t i = 4; i < plan.walls().size(); ++i) {
+    const Eigen::Vector2d corner_m = plan.walls()[i].segment.from_m;
+    EXPECT_NEAR((corner_m - people[0].middle_m).norm(), 0.2, 1e-9);
+    EXPECT_EQ(plan.walls()[i].surface.material, Material::kRough);
+  }
+  EXPECT_EQ(plan.clearance_m({2.0, 1.5}), 1.5);
+  EXPECT_TRUE(plan.is_free({2.0, 1.5}));
+  plan.put_people({});
+  EXPECT_EQ(plan.walls().size(), 4U);
+}
+
 }  // namespace
 }  // namespace echomap::world

@@ -106,5 +106,22 @@ TEST(IrRange, TheOutputStandsStillBetweenTwoMeasurements) {
   EXPECT_NEAR(changes, 1000.0 / 38.3, 1.5) << "38.3 ms each";
 }
 
+TEST(IrRange, SeesAPaneStraightOnAndAlmostNotAtAll) {
+  const auto walled = [](Material material) {
+    return FloorPlan("box",
+                     {rectangle(0.0, 0.0, 4.0, 3.0), {{}, {material}}},
+                     {},
+                     geometry::Pose2(2.0, 1.5, 0.0));
+  };
+  const FloorPlan glass = walled(Material::kGlass);
+  const FloorPlan paint = walled(Material::kSmooth);
+  const auto share = [&](double heading_rad) {
+    const auto at = before_wall(0.02, heading_rad);
+    return mean_mv(glass, IrKind::kCreateWall, at) / mean_mv(paint, IrKind::kCreateWall, at);
+  };
+  EXPECT_NEAR(share(0.0), 0.08 / 0.9, 0.02);
+  EXPECT_LT(share(radians(20.0)), 0.01);
+}
+
 }  // namespace
 }  // namespace echomap::world

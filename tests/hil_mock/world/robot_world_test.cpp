@@ -3,6 +3,8 @@
 
 #include <numbers>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -130,6 +132,117 @@ TEST(RobotWorld, LiftedItsWheelsTurnAndItStays) {
   world.place({1.0, 1.0, 0.0});
   world.step(0.001, {0.5, 0.5}, changes);
   EXPECT_GT(world.T_world_robot().x_m(), 1.0);
+}
+
+/// Drives for so many seconds, straight ahead as far as the robot knows.
+EncoderChanges drive_for(RobotWorld& world, double seconds) {
+  EncoderChanges changes;
+  for (double at_s = 0.0; at_s < seconds; at_s += 0.001) {
+    world.step(0.001, {0.5, 0.5}, changes);
+  }
+  return changes;
+}
+
+RobotWorld world_with(const std::string& faults) {
+  return {box_room(), RobotParams{}, 1, parse_part_faults(faults)};
+}
+
+TEST(RobotWorld, AWheelThatSlipsTurnsTheRobotWhileItsEncoderGoesOn) {
+  RobotWorld whole = world_with("");
+  RobotWorld slipping = world_with("slip-left@0:1:0.3");
+  const auto edges = drive_for(whole, 1.0).left.size();
+  EXPECT_EQ(drive_for(slipping, 1.0).left.size(), edges);
+  const double turned_rad =
+      slipping.T_world_robot().heading_rad() - whole.T_world_robot().heading_rad();
+  EXPECT_GT(turned_rad, 0.2);
+  EXPECT_LT(turned_rad, 0.6);
+}
+
+TEST(RobotWorld, ADeadEncoderIsStillWhileItsWheelTurns) {
+  RobotWorld world = world_with("encoder-left@0.5");
+  EXPECT_GT(drive_for(world, 0.4).left.size(), 100U);
+  drive_for(world, 0.11);
+  const EncoderChanges changes = drive_for(world, 0.5);
+  EXPECT_TRUE(changes.left.empty());
+  EXPECT_GT(changes.right.size(), 100U);
+  EXPECT_GT(world.T_world_robot().x_m(), 2.1) << "it drives on";
+}
+
+TEST(RobotWorld, ASonarMayDieOrSayOneThing) {
+  RobotWorld dead = world_with("sonar-dead@0.1:0.2");
+  EXPECT_TRUE(dead.ping(0.0));
+  drive_for(dead, 0.2);
+  EXPECT_TRUE(dead.sonar_is_dead());
+  EXPECT_FALSE(dead.ping(0.0));
+  drive_for(dead, 0.2);
+  EXPECT_TRUE(dead.ping(0.0)) << "it is back";
+
+  RobotWorld stuck = world_with("sonar-stuck@0:inf:0.7");
+  drive_for(stuck, 0.01);
+  for (const double pan_rad : {-1.0, 0.3, 1.4}) {
+    EXPECT_NEAR(stuck.ping(pan_rad).value_or(0.0), 2.0 * 0.7 / 343.2, 1e-9);
+  }
+}
+
+TEST(RobotWorld, ABatteryMayBeNearlyEmpty) {
+  RobotParams robot;
+  robot.parts.battery.emplace();
+  RobotWorld full(box_room(), robot, 1);
+  RobotWorld low(box_room(), robot, 1, parse_part_faults("battery-low@0.1:inf:0.02"));
+  drive_for(full, 0.2);
+  drive_for(low, 0.2);
+  const auto& params = *robot.parts.battery;
+  EXPECT_NEAR(full.parts().battery()->volts() - low.parts().battery()->volts(),
+              0.98 * (params.full_v - params.empty_v),
+              0.01);
+}
+
+TEST(RobotWorld, RefusesFaultsOfPartsThatItHasNot) {
+  RobotParams blind;
+  blind.has_sonar = false;
+  EXPECT_THROW(RobotWorld(box_room(), blind, 1, parse_part_faults("sonar-dead@1")),
+               std::invalid_argument);
+  EXPECT_THROW(RobotWorld(box_room(), RobotParams{}, 1, parse_part_faults("battery-low@1")),
+               std::invalid_argument);
+}
+
+/// Somebody crosses before the robot, which stands in the middle of the box room.
+FloorPlan crossed_room() {
+  const FloorPlan room = box_room();
+  FloorMarks marks;
+  marks.people.push_back({{{2.6, -0.5}, {2.6, 3.5}}, 1.0, 0.2, 1.0});
+  return {"crossed", {room.room_m(), {}}, {}, room.T_world_start(), marks};
+}
+
+TEST(RobotWorld, SomebodyWhoCrossesIsHeardAndThenGone) {
+  RobotWorld world(crossed_room(), RobotParams{}, 1);
+  EncoderChanges changes;
+  std::vector<double> heard_m;
+  for (int i = 0; i < 6000; ++i) {
+    world.step(0.001, {}, changes);
+    if (i % 1000 == 999) {
+      heard_m.push_back(world.ping(0.0).value_or(0.0) * 343.2 / 2.0);
+    }
+  }
+  ASSERT_EQ(heard_m.size(), 6U);
+  EXPECT_NEAR(heard_m[0], 1.97, 0.15) << "the wall";
+  EXPECT_NEAR(heard_m[2], 0.37, 0.15) << "the person, after two seconds of its way";
+  EXPECT_NEAR(heard_m[5], 1.97, 0.15);
+  EXPECT_EQ(world.plan().walls().size(), 4U);
+}
+
+TEST(RobotWorld, ARobotThatDrivesIntoSomebodyBumps) {
+  const FloorPlan room = box_room();
+  FloorMarks marks;
+  marks.people.push_back({{{2.5, 1.5}, {2.5, 1.501}, {2.5, 1.6}}, 0.001, 0.2, 0.0});
+  RobotWorld world(
+      FloorPlan("blocked", {room.room_m(), {}}, {}, room.T_world_start(), marks), RobotParams{}, 1);
+  const auto touches = [&] { return world.contacts().left || world.contacts().right; };
+  for (int i = 0; i < 100 && !touches(); ++i) {
+    drive_for(world, 0.02);
+  }
+  EXPECT_TRUE(touches());
+  EXPECT_NEAR(world.T_world_robot().x_m(), 2.5 - 0.2 - 0.09, 0.02);
 }
 
 }  // namespace

@@ -188,5 +188,14 @@ TEST(SonarPhysics, RefusesAConeThatIsNone) {
   EXPECT_THROW(SonarPhysics(plan, {.min_range_m = 2.0, .max_range_m = 1.0}), std::invalid_argument);
 }
 
+TEST(SonarPhysics, HearsGlassOnlyWhereItsBeamMeetsItStraightOn) {
+  const FloorPlan plan = single_wall(Material::kGlass);
+  const SonarPhysics sonar(plan, {});
+  const double lost_deg = half_heard_deg(sonar);
+  EXPECT_GT(lost_deg, 10.0);
+  EXPECT_LT(lost_deg, 20.0) << "a painted wall is lost between 25 and 30";
+  EXPECT_NEAR(sonar.first_return({0.0, 0.3, 0.0}, 0.5)->range_m, 1.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace echomap::world

@@ -65,5 +65,19 @@ TEST_F(NativeBoardTest, PowerOnForgetsWhatWasScheduled) {
   EXPECT_EQ(board.pan_pulse_us(), 0.0);
 }
 
+TEST_F(NativeBoardTest, AResetStartsTheProgramAnewWhileTimeGoesOn) {
+  board.schedule_encoder_edge(true, 5000000, true, false);
+  board.run_until_ns(7000000);
+  board.reset();
+  EXPECT_EQ(board.now_ns(), 7000000);
+  EXPECT_EQ(board.program_ns(), 0);
+  EXPECT_EQ(board.starts(), 2);
+  EXPECT_EQ(app::devices.encoders.counts().right, 0);
+  int sent = 0;
+  board.on_sent = [&](std::uint8_t /*byte*/) { ++sent; };
+  board.run_until_ns(107000000);
+  EXPECT_GE(sent, 20) << "it says that it is there";
+}
+
 }  // namespace
 }  // namespace echomap::native

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace echomap::world {
+
+/// What may be wrong with a part of a robot.
+enum class PartFaultKind : std::uint8_t {
+  kEncoderLeft,   ///< Its pins stand still, however the wheel turns.
+  kEncoderRight,  ///< The same of the right one.
+  kSonarDead,     ///< It answers no trigger.
+  kSonarStuck,    ///< Every ping is answered from `value` metres.
+  kSlipLeft,      ///< The wheel loses the share `value` of what it rolls, 0 .. 1.
+  kSlipRight,     ///< The same of the right one.
+  kBatteryLow,    ///< It has no more than the share `value` of its charge, 0 .. 1.
+  kBoardReset,    ///< It is reset, and its boot loader hears and says nothing.
+};
+
+/// One fault, from `at_s` of simulated time on.
+struct PartFault {
+  PartFaultKind kind = PartFaultKind::kSonarDead;
+  double at_s = 0.0;
+  double for_s = std::numeric_limits<double>::infinity();
+  double value = 0.0;
+};
+
+/// Reads "NAME@AT[:FOR[:VALUE]]" with commas between, as in "sonar-dead@30,slip-left@20:2:0.3". FOR
+/// may be "inf", which it is without, but for a board's second of boot loader. Names are those that
+/// `name_of` gives. An empty text is no fault. Throws std::invalid_argument that says what is
+/// wrong.
+std::vector<PartFault> parse_part_faults(const std::string& text);
+
+/// "encoder-left", "encoder-right", "sonar-dead", "sonar-stuck", "slip-left", "slip-right",
+/// "battery-low" or "board-reset".
+std::string_view name_of(PartFaultKind kind);
+
+/// The value of a fault of this kind that there is at this time; empty where there is none.
+std::optional<double> fault_at(const std::vector<PartFault>& faults,
+                               PartFaultKind kind,
+                               double now_s);
+
+}  // namespace echomap::world

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "hil_mock/world/part_faults.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace echomap::world {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_part_faults(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(PartFaults, ReadsKindTimeDurationAndValue) {
+  const auto faults = parse_part_faults("sonar-dead@30,slip-left@20:2:0.25,sonar-stuck@5:inf:1.2");
+  ASSERT_EQ(faults.size(), 3U);
+  EXPECT_EQ(faults[0].kind, PartFaultKind::kSonarDead);
+  EXPECT_EQ(faults[0].at_s, 30.0);
+  EXPECT_TRUE(std::isinf(faults[0].for_s));
+  EXPECT_EQ(faults[1].kind, PartFaultKind::kSlipLeft);
+  EXPECT_EQ(faults[1].for_s, 2.0);
+  EXPECT_EQ(faults[1].value, 0.25);
+  EXPECT_TRUE(std::isinf(faults[2].for_s));
+  EXPECT_EQ(faults[2].value, 1.2);
+  EXPECT_TRUE(parse_part_faults("").empty());
+  EXPECT_EQ(parse_part_faults("board-reset@30").front().for_s, 1.0);
+}
+
+TEST(PartFaults, EveryNameIsReadAgain) {
+  for (const char* const name : {"encoder-left",
+                                 "encoder-right",
+                                 "sonar-dead",
+                                 "sonar-stuck",
+                                 "slip-left",
+                                 "slip-right",
+                                 "battery-low",
+                                 "board-reset"}) {
+    const auto faults = parse_part_faults(std::string(name) + "@1");
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_EQ(name_of(faults[0].kind), name);
+  }
+}
+
+TEST(PartFaults, SaysWhatIsWrong) {
+  EXPECT_THAT(error_of("sonar-daed@3"), HasSubstr("nothing is called 'sonar-daed'"));
+  EXPECT_THAT(error_of("sonar-daed@3"), HasSubstr("sonar-dead"));
+  EXPECT_THAT(error_of("sonar-dead"), HasSubstr("it takes NAME@AT"));
+  EXPECT_THAT(error_of("sonar-dead@"), HasSubstr("it takes NAME@AT"));
+  EXPECT_THAT(error_of("sonar-dead@3:1:2:3"), HasSubstr("it takes NAME@AT"));
+  EXPECT_THAT(error_of("sonar-dead@soon"), HasSubstr("'soon' is no number"));
+  EXPECT_THAT(error_of("sonar-dead@-1"), HasSubstr("'-1' is no number"));
+  EXPECT_THAT(error_of("sonar-dead@nan"), HasSubstr("'nan' is no number"));
+  EXPECT_THAT(error_of("sonar-dead@inf"), HasSubstr("begin at some time"));
+  EXPECT_THAT(error_of("sonar-dead@1:2:3"), HasSubstr("takes no value"));
+  EXPECT_THAT(error_of("slip-left@1:2:1.5"), HasSubstr("a share, 0 to 1"));
+  EXPECT_THAT(error_of("sonar-stuck@1:2:99"), HasSubstr("too large"));
+}
+
+TEST(PartFaults, AFaultIsThereFromItsBeginningToItsEnd) {
+  const auto faults = parse_part_faults("slip-left@20:2:0.25");
+  EXPECT_FALSE(fault_at(faults, PartFaultKind::kSlipLeft, 19.999));
+  EXPECT_EQ(fault_at(faults, PartFaultKind::kSlipLeft, 20.0), 0.25);
+  EXPECT_EQ(fault_at(faults, PartFaultKind::kSlipLeft, 21.999), 0.25);
+  EXPECT_FALSE(fault_at(faults, PartFaultKind::kSlipLeft, 22.0));
+  EXPECT_FALSE(fault_at(faults, PartFaultKind::kSlipRight, 21.0));
+}
+
+}  // namespace
+}  // namespace echomap::world
