@@ -18,16 +18,13 @@ double GaussianPatch::evidence(const SensorReading& reading, const PolarPoint& p
   }
   const double ahead_m = point.range_m * std::cos(point.off_axis_rad) - *reading.range_m;
   const double aside_m = point.range_m * std::sin(point.off_axis_rad);
-  return bump_evidence(std::hypot(ahead_m, aside_m));
+  const double away_m = std::hypot(ahead_m, aside_m);
+  const double sigmas = away_m / params_.sigma_m;
+  return away_m > params_.radius_m ? 0.0 : std::exp(-0.5 * sigmas * sigmas);
 }
 
 double GaussianPatch::reach_m(const SensorReading& reading) const {
   return reading.range_m ? *reading.range_m + params_.radius_m : 0.0;
-}
-
-double GaussianPatch::bump_evidence(double from_bumper_line_m) const {
-  const double sigmas = from_bumper_line_m / params_.sigma_m;
-  return from_bumper_line_m > params_.radius_m ? 0.0 : std::exp(-0.5 * sigmas * sigmas);
 }
 
 geometry::Segment bumper_line(double ahead_m, double width_m) {

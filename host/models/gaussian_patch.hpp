@@ -29,10 +29,6 @@ class GaussianPatch {
   double evidence(const SensorReading& reading, const PolarPoint& point) const;
   double reach_m(const SensorReading& reading) const;
 
-  /// The same for an obstacle that the bumper has met: a line of patches as long as the bumper is
-  /// wide, at right angles to the way forward. `from_bumper_line_m` is the distance to that line.
-  double bump_evidence(double from_bumper_line_m) const;
-
  private:
   GaussianPatchParams params_;
 };

@@ -82,6 +82,14 @@ HazardObservation ObservationConverter::convert(const protocol::Status& message)
           hazard(protocol::kHazardWall)};
 }
 
+HazardObservation ObservationConverter::with_bumps_of(const protocol::Odometry& message,
+                                                      HazardObservation known) {
+  known.stamp = time_.unwrap(message.stamp_us);
+  known.bump_left = (message.flags & protocol::kFlagBumpLeft) != 0;
+  known.bump_right = (message.flags & protocol::kFlagBumpRight) != 0;
+  return known;
+}
+
 std::optional<BatteryObservation> ObservationConverter::convert(const protocol::Health& message) {
   constexpr double kFullScaleCounts = 1023.0;
   if (!sensors_.battery_full_scale_v || message.battery_raw == 0) {
@@ -92,11 +100,11 @@ std::optional<BatteryObservation> ObservationConverter::convert(const protocol::
       message.battery_raw / kFullScaleCounts * *sensors_.battery_full_scale_v};
 }
 
-void ObservationConverter::restart() {
+void ObservationConverter::restart(time::RobotClock::duration passed) {
   if (yaw_) {
     yaw_->restart();
   }
-  time_.restart();
+  time_.restart(passed);
   left_.restart();
   right_.restart();
 }

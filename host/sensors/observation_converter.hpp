@@ -54,11 +54,14 @@ class ObservationConverter {
   /// Empty where the robot has no gyro.
   std::optional<YawObservation> convert(const protocol::Gyro& message);
   HazardObservation convert(const protocol::Status& message);
+  /// `known`, with the bumpers and the stamp of `message`, which was converted before.
+  HazardObservation with_bumps_of(const protocol::Odometry& message, HazardObservation known);
   /// Empty where no battery is measured.
   std::optional<BatteryObservation> convert(const protocol::Health& message);
 
-  /// The robot was reset: its counters and its clock start at zero, travel and stamps go on.
-  void restart();
+  /// The robot was reset, and `passed` since its last message: its counters and its clock start at
+  /// zero, travel and stamps go on.
+  void restart(time::RobotClock::duration passed = time::RobotClock::duration::zero());
 
  private:
   WheelTravel travel(std::int16_t left_ticks, std::int16_t right_ticks);

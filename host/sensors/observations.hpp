@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -55,6 +56,12 @@ struct HazardObservation {
   bool lifted = false;  ///< A wheel hangs: the robot was picked up, and its pose is void.
   bool virtual_wall = false;
   bool wall = false;
+
+  bool is_touching() const { return bump_left || bump_right; }
+  /// A wheel hangs, or there is no floor under any of four sensors.
+  bool is_in_the_air() const {
+    return lifted || std::all_of(cliffs.begin(), cliffs.end(), [](bool is) { return is; });
+  }
 };
 
 /// The battery's voltage.

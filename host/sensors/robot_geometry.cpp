@@ -37,6 +37,12 @@ WheelTicks RobotGeometry::turn_on_spot(double turn_rad) const {
   return {-ticks, ticks};
 }
 
+WheelTicks RobotGeometry::arc_speeds(double forward_m_per_s, double turn_rad_per_s) const {
+  const double apart_m_per_s = turn_rad_per_s * track_m / 2.0;
+  return {ticks_from_metres(forward_m_per_s - apart_m_per_s),
+          ticks_from_metres(forward_m_per_s + apart_m_per_s)};
+}
+
 geometry::Pose2 RobotGeometry::T_robot_sonar(double pan_rad) const {
   return {sonar_x_m + sonar_forward_m * std::cos(pan_rad),
           sonar_y_m + sonar_forward_m * std::sin(pan_rad),

@@ -33,6 +33,8 @@ struct RobotGeometry {
   WheelTicks straight(double distance_m) const;
   /// Wheels against each other: a turn on the spot, counter-clockwise positive, any size.
   WheelTicks turn_on_spot(double turn_rad) const;
+  /// Counts a second of both wheels on an arc, counter-clockwise positive.
+  WheelTicks arc_speeds(double forward_m_per_s, double turn_rad_per_s) const;
   /// The sonar's face with the pan at `pan_rad`; its x axis is the axis of the cone.
   geometry::Pose2 T_robot_sonar(double pan_rad) const;
 

@@ -147,14 +147,18 @@ struct Fit {
   double range_m = 0.0;
 };
 
+/// Equation (1): the range of a wall 1 m away.
+double stretch_at(double off_bearing_rad, double half_opening_rad) {
+  return 1.0 /
+         std::cos(std::clamp(std::abs(off_bearing_rad) - half_opening_rad, 0.0, kFarthestOffRad));
+}
+
 Fit fit_range(Echoes dip, double bearing_rad, double half_opening_rad) {
   double ranges = 0.0;
   double stretches = 0.0;
   double both = 0.0;
   for (const Echo& echo : dip) {
-    const double off_rad = std::clamp(
-        std::abs(echo.bearing_rad - bearing_rad) - half_opening_rad, 0.0, kFarthestOffRad);
-    const double stretch = 1.0 / std::cos(off_rad);
+    const double stretch = stretch_at(echo.bearing_rad - bearing_rad, half_opening_rad);
     ranges += echo.range_m * echo.range_m;
     stretches += stretch * stretch;
     both += echo.range_m * stretch;
@@ -180,6 +184,16 @@ std::array<Fit, kHalfOpenings> profile_of(Echoes dip) {
   return profile;
 }
 
+std::vector<WallReading> heard_by(Echoes dip, const Fit& fit, double half_opening_rad) {
+  std::vector<WallReading> heard;
+  for (const Echo& echo : dip) {
+    const double off_rad = echo.bearing_rad - fit.bearing_rad;
+    heard.push_back(
+        {std::abs(off_rad), echo.range_m - fit.range_m * stretch_at(off_rad, half_opening_rad)});
+  }
+  return heard;
+}
+
 SweptWall wall_of(Echoes dip) {
   const auto profile = profile_of(dip);
   const auto better = [](const Fit& a, const Fit& b) { return a.squares_m2 < b.squares_m2; };
@@ -202,7 +216,8 @@ SweptWall wall_of(Echoes dip) {
           best->range_m,
           {opening_rad(best), opening_rad(low), opening_rad(high)},
           std::sqrt(variance_m2),
-          dip.size()};
+          dip.size(),
+          heard_by(dip, *best, 0.5 * opening_rad(best))};
 }
 
 /// No wall is surer than the grid.

@@ -22,6 +22,13 @@ struct WallOpeningParams {
   std::size_t least_readings = 8;
 };
 
+/// One reading of a wall: the angle between the beam's axis and the wall's perpendicular, and the
+/// range less that of equation (1) below.
+struct WallReading {
+  double incidence_rad = 0.0;
+  double residual_m = 0.0;
+};
+
 /// One wall in a sweep, and the opening of the cone that saw it.
 struct SweptWall {
   /// Where the wall is nearest, and how near.
@@ -30,6 +37,7 @@ struct SweptWall {
   ConeOpening opening;
   double residual_m = 0.0;
   std::size_t readings = 0;
+  std::vector<WallReading> heard;  ///< All of these readings.
 };
 
 /// The walls in a sweep, by bearing. A cone hears the nearest thing in it, so a straight wall at

@@ -26,12 +26,15 @@ class RobotTimeUnwrapper {
   RobotTime unwrap(std::uint32_t stamp_us);
   /// The last stamp that was unwrapped.
   RobotTime last() const { return RobotTime(RobotClock::duration(last_us_)); }
-  /// The robot was reset: its clock starts at zero again, ours goes on after the last stamp.
-  void restart();
+  /// The robot was reset: its clock starts at zero again, ours goes on after the last stamp. Where
+  /// it is known how much time has `passed` since that stamp, the next one is so much later, or as
+  /// much as it counts itself.
+  void restart(RobotClock::duration passed = RobotClock::duration::zero());
 
  private:
   std::int64_t last_us_ = 0;
   std::int64_t epoch_us_ = 0;
+  std::int64_t passed_us_ = 0;  ///< Since the last stamp before the restart.
   bool started_ = false;
 };
 

@@ -41,8 +41,6 @@ TEST(GaussianPatch, DrawsABumpAcrossTheWayForward) {
   const auto line = bumper_line(0.1, 0.2);
   EXPECT_DOUBLE_EQ(line.length_m(), 0.2);
   EXPECT_DOUBLE_EQ(line.from_m.x(), line.to_m.x());
-  EXPECT_DOUBLE_EQ(kModel.bump_evidence(0.0), 1.0);
-  EXPECT_NEAR(kModel.bump_evidence(0.05), std::exp(-0.5), 1e-12);
 }
 
 TEST(GaussianPatch, RefusesParametersWithoutSense) {

@@ -35,6 +35,14 @@ TEST(RobotGeometry, RoundsToTheNearestTickEitherWay) {
   }
 }
 
+TEST(RobotGeometry, SharesTheSpeedsOfAnArcOutByTheTrack) {
+  EXPECT_EQ(kTribot.arc_speeds(0.055 * pi, 0.0), kTribot.straight(0.055 * pi));
+  EXPECT_EQ(kTribot.arc_speeds(0.0, 2.0 * pi), kTribot.turn_on_spot(2.0 * pi));
+  const auto arc = kTribot.arc_speeds(0.055 * pi, 1.0);
+  EXPECT_EQ(arc.left + arc.right, 720);
+  EXPECT_GT(arc.right, arc.left);
+}
+
 TEST(RobotGeometry, TurnsOnTheSpotAlongTheCircleOfItsTrack) {
   // Track of two wheel diameters: one turn of the body is two turns of each wheel.
   EXPECT_EQ(kTribot.turn_on_spot(2.0 * pi), (WheelTicks{-720, 720}));

@@ -51,5 +51,15 @@ TEST(RobotTimeUnwrapper, GoesOnThroughAReset) {
   EXPECT_EQ(micros(unwrapper.unwrap(0xC000'0001)), 0xF000'0000LL + 0xC000'0001);
 }
 
+TEST(RobotTimeUnwrapper, CountsTheTimeThatPassedWhileTheRobotWasAway) {
+  RobotTimeUnwrapper unwrapper;
+  unwrapper.unwrap(1'000);
+  unwrapper.restart(RobotClock::duration(5'000'000));
+  EXPECT_EQ(micros(unwrapper.unwrap(40'000)), 5'001'000);
+  EXPECT_EQ(micros(unwrapper.unwrap(60'000)), 5'021'000);
+  unwrapper.restart(RobotClock::duration(10'000));
+  EXPECT_EQ(micros(unwrapper.unwrap(40'000)), 5'061'000) << "it has been on for longer than that";
+}
+
 }  // namespace
 }  // namespace echomap::time
