@@ -21,8 +21,12 @@ Eigen::Index row_of_scan(std::size_t scan) { return 3 * static_cast<Eigen::Index
 std::vector<ScanSurfaces> corrected(std::vector<ScanSurfaces> scans, const Corrections& by) {
   for (std::size_t i = 0; i < scans.size(); ++i) {
     scans[i].center_m += by.segment<2>(row_of_scan(i));
+    const double turn_rad = by[row_of_scan(i) + 2];
     for (SonarSurface& surface : scans[i].surfaces) {
-      surface.bearing_rad = geometry::wrap_angle(surface.bearing_rad + by[row_of_scan(i) + 2]);
+      surface.bearing_rad = geometry::wrap_angle(surface.bearing_rad + turn_rad);
+    }
+    for (SonarLook& look : scans[i].looks) {
+      look.bearing_rad = geometry::wrap_angle(look.bearing_rad + turn_rad);
     }
   }
   return scans;

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include "host/geometry/unit_vector.hpp"
-#include "host/mapping/scan_outline.hpp"
 
 namespace echomap::mapping {
 
@@ -29,24 +27,16 @@ std::set<CellIndex> cells_along(const OccupancyGrid& grid,
   return cells;
 }
 
-/// Whether a wall stands between two points, or `margin_m` behind the second one.
-bool hides(const MatchedWall& wall,
-           const Eigen::Vector2d& from_m,
-           const Eigen::Vector2d& to_m,
-           const SonarMapperParams& params) {
-  const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
-  const Eigen::Vector2d along(-normal.y(), normal.x());
-  const double before_m = wall.offset_m - normal.dot(from_m);
-  const double towards_m = normal.dot(to_m - from_m);
-  if (before_m <= 0.0 || towards_m + params.margin_m <= before_m) {
-    return false;
+/// An echo from where no floor ends came another way.
+bool borders_floor(const OccupancyGrid& floor, CellIndex cell) {
+  for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (std::int32_t x = cell.x - 1; x <= cell.x + 1; ++x) {
+      if (floor.state({x, y}) == CellState::kFree) {
+        return true;
+      }
+    }
   }
-  const double share = std::min(1.0, before_m / std::max(towards_m, params.margin_m));
-  const double at_m = along.dot(from_m + share * (to_m - from_m));
-  return std::any_of(wall.pieces.begin(), wall.pieces.end(), [&](const auto& piece) {
-    return at_m > piece.from_m - params.hidden_beyond_ends_m &&
-           at_m < piece.to_m + params.hidden_beyond_ends_m;
-  });
+  return false;
 }
 
 }  // namespace
@@ -55,7 +45,7 @@ SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
   const auto& surfaces = params.surfaces;
   const bool beam_ok =
       surfaces.beam_half_angle_rad > 0.0 && surfaces.beam_half_angle_rad <= kWidestBeamHalfAngleRad;
-  const bool lengths_ok = surfaces.depth_tolerance_m > 0.0 && params.margin_m >= 0.0 &&
+  const bool lengths_ok = surfaces.depth_tolerance_m > 0.0 && params.floor.margin_m >= 0.0 &&
                           params.fade_m > 0.0 && params.matching.range_tolerance_m > 0.0;
   const bool evidence_ok = params.free_centilogits > 0 && params.occupied_centilogits > 0 &&
                            params.post_centilogits >= 0 && params.matched_centilogits > 0;
@@ -72,40 +62,46 @@ void SonarMapper::add(const Scan& scan) {
 }
 
 OccupancyGrid SonarMapper::grid() const {
-  OccupancyGrid grid(params_.grid);
+  OccupancyGrid floor(params_.grid);
+  const auto walls = joined_at_corners(matched_.walls, matched_.scans, params_.corners);
+  const CellSet solid = solid_cells(floor);
   for (const auto& scan : matched_.scans) {
-    add_floor(scan, matched_.walls, grid);
-    add_surfaces(scan, grid);
+    add_floor(scan, walls, solid, floor);
   }
-  add_matched(matched_, grid);
+  OccupancyGrid grid = floor;
+  for (const auto& scan : matched_.scans) {
+    add_surfaces(scan, floor, grid);
+  }
+  for (const CellIndex cell : solid) {
+    if (borders_floor(floor, cell)) {
+      grid.add(cell, params_.matched_centilogits);
+    }
+  }
   return grid;
 }
 
 void SonarMapper::add_floor(const ScanSurfaces& scan,
                             const std::vector<MatchedWall>& walls,
+                            const CellSet& solid,
                             OccupancyGrid& grid) const {
-  const ScanOutline outline(scan, params_.widest_gap_rad);
-  const double reach_m = outline.farthest_m();
+  const StopFloor floor(scan, walls, params_.surfaces, params_.floor);
+  const double reach_m = floor.farthest_m();
   const CellIndex low = grid.cell_at(scan.center_m.array() - reach_m);
   const CellIndex high = grid.cell_at(scan.center_m.array() + reach_m);
   for (std::int32_t y = low.y; y <= high.y; ++y) {
     for (std::int32_t x = low.x; x <= high.x; ++x) {
-      const Eigen::Vector2d cell_m = grid.center_m({x, y});
-      const Eigen::Vector2d way_m = cell_m - scan.center_m;
+      const Eigen::Vector2d way_m = grid.center_m({x, y}) - scan.center_m;
       const double distance_m = way_m.norm();
-      const bool inside =
-          distance_m + params_.margin_m < outline.range_m(std::atan2(way_m.y(), way_m.x()));
-      const auto hides_cell = [&](const MatchedWall& wall) {
-        return hides(wall, scan.center_m, cell_m, params_);
-      };
-      if (inside && std::none_of(walls.begin(), walls.end(), hides_cell)) {
+      if (distance_m < floor.reach_m(std::atan2(way_m.y(), way_m.x())) && !solid.contains({x, y})) {
         grid.add({x, y}, -faded(params_.free_centilogits, distance_m));
       }
     }
   }
 }
 
-void SonarMapper::add_surfaces(const ScanSurfaces& scan, OccupancyGrid& grid) const {
+void SonarMapper::add_surfaces(const ScanSurfaces& scan,
+                               const OccupancyGrid& floor,
+                               OccupancyGrid& grid) const {
   for (const auto& surface : scan.surfaces) {
     const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
     const Eigen::Vector2d half_m = surface.half_length_m * Eigen::Vector2d(-normal.y(), normal.x());
@@ -113,27 +109,27 @@ void SonarMapper::add_surfaces(const ScanSurfaces& scan, OccupancyGrid& grid) co
     const int evidence =
         surface.half_length_m > 0.0 ? params_.occupied_centilogits : params_.post_centilogits;
     for (const CellIndex cell : cells_along(grid, middle_m - half_m, middle_m + half_m)) {
-      grid.add(cell, faded(evidence, surface.range_m));
+      if (borders_floor(floor, cell)) {
+        grid.add(cell, faded(evidence, surface.range_m));
+      }
     }
   }
 }
 
-void SonarMapper::add_matched(const MatchedSurfaces& matched, OccupancyGrid& grid) const {
-  std::set<CellIndex> cells;
-  for (const auto& wall : matched.walls) {
+SonarMapper::CellSet SonarMapper::solid_cells(const OccupancyGrid& grid) const {
+  CellSet cells;
+  for (const auto& wall : matched_.walls) {
     const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
     const Eigen::Vector2d along(-normal.y(), normal.x());
-    const Eigen::Vector2d foot_m = wall.offset_m * normal;
+    const Eigen::Vector2d foot_m = (wall.offset_m + params_.drawn_behind_m) * normal;
     for (const auto& piece : wall.pieces) {
       cells.merge(cells_along(grid, foot_m + piece.from_m * along, foot_m + piece.to_m * along));
     }
   }
-  for (const auto& post_m : matched.posts_m) {
+  for (const auto& post_m : matched_.posts_m) {
     cells.insert(grid.cell_at(post_m));
   }
-  for (const CellIndex cell : cells) {
-    grid.add(cell, params_.matched_centilogits);
-  }
+  return cells;
 }
 
 int SonarMapper::faded(int centilogits, double distance_m) const {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/scan_alignment.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
+#include "host/mapping/stop_floor.hpp"
 #include "host/mapping/surface_matching.hpp"
+#include "host/mapping/wall_corners.hpp"
 
 namespace echomap::mapping {
 
@@ -17,12 +20,8 @@ struct SonarMapperParams {
   SonarSurfaceParams surfaces;
   SurfaceMatchingParams matching;
   ScanAlignmentParams alignment;
-  /// Between two surfaces farther apart than this a stop knows nothing of the floor.
-  double widest_gap_rad = 1.1;
-  /// Floor nearer to a surface than this is not called free: its noise and half a cell.
-  double margin_m = 0.04;
-  /// A wall hides the floor behind it for so far beyond its seen ends, too.
-  double hidden_beyond_ends_m = 0.1;
+  WallCornerParams corners;
+  StopFloorParams floor;
   /// Evidence of one stop for floor or surface at its feet; it falls to 1/e at `fade_m`, because an
   /// error of bearing counts the more the farther off.
   int free_centilogits = 220;
@@ -33,6 +32,9 @@ struct SonarMapperParams {
   double fade_m = 3.0;
   /// Evidence for a wall or post that several stops agree on.
   int matched_centilogits = 500;
+  /// Such a wall is drawn so far behind its face: floor ends in the middle of a cell, and the half
+  /// before the wall is floor.
+  double drawn_behind_m = 0.02;
 };
 
 /// Makes an occupancy grid of sonar scans. Not reading by reading: the readings of a stop are
@@ -52,11 +54,17 @@ class SonarMapper {
   const geometry::Pose2& T_map_odom() const { return T_map_odom_; }
 
  private:
+  using CellSet = std::set<geometry::CellIndex>;
+
   void add_floor(const ScanSurfaces& scan,
                  const std::vector<MatchedWall>& walls,
+                 const CellSet& solid,
                  OccupancyGrid& grid) const;
-  void add_surfaces(const ScanSurfaces& scan, OccupancyGrid& grid) const;
-  void add_matched(const MatchedSurfaces& matched, OccupancyGrid& grid) const;
+  void add_surfaces(const ScanSurfaces& scan,
+                    const OccupancyGrid& floor,
+                    OccupancyGrid& grid) const;
+  /// Where the walls and posts stand that stops agree on.
+  CellSet solid_cells(const OccupancyGrid& grid) const;
   int faded(int centilogits, double distance_m) const;
 
   SonarMapperParams params_;

@@ -17,13 +17,6 @@ namespace {
 /// So many readings in a row that disagree end a region: more than both looks at one bearing.
 constexpr int kStrangersThatEnd = 3;
 
-/// A reading as seen from the middle of the scan.
-struct Look {
-  double bearing_rad = 0.0;
-  /// Empty without echo, and once a region has claimed the reading.
-  std::optional<double> range_m;
-};
-
 struct Region {
   double bearing_rad = 0.0;
   double range_m = 0.0;
@@ -49,8 +42,8 @@ Eigen::Vector2d center_of(const Scan& scan) {
   return scan.empty() ? sum_m : Eigen::Vector2d(sum_m / static_cast<double>(scan.size()));
 }
 
-std::vector<Look> looks_from(const Eigen::Vector2d& center_m, const Scan& scan) {
-  std::vector<Look> looks;
+std::vector<SonarLook> looks_from(const Eigen::Vector2d& center_m, const Scan& scan) {
+  std::vector<SonarLook> looks;
   for (const auto& reading : scan) {
     if (const auto echo_m = echo_point_m(reading)) {
       const Eigen::Vector2d way_m = *echo_m - center_m;
@@ -65,13 +58,13 @@ std::vector<Look> looks_from(const Eigen::Vector2d& center_m, const Scan& scan) 
 /// Takes regions out of the looks of one scan, one after the other.
 class RegionFinder {
  public:
-  RegionFinder(std::vector<Look> looks, const SonarSurfaceParams& params)
+  RegionFinder(std::vector<SonarLook> looks, const SonarSurfaceParams& params)
       : looks_(std::move(looks)), params_(params) {}
 
   /// The region with the highest score among the looks that are left; empty where none is one.
   std::optional<Region> take_best() {
     std::optional<Region> best;
-    for (const Look& look : looks_) {
+    for (const SonarLook& look : looks_) {
       auto region = centred_region_near(look.bearing_rad);
       if (region && (!best || region->score() > best->score())) {
         best = std::move(region);
@@ -88,7 +81,7 @@ class RegionFinder {
  private:
   /// A wall answers from the foot of its perpendicular while that is in the beam, and beyond from
   /// where the beam's edge meets it.
-  bool agrees(const Look& look, double depth_m, double off_rad) const {
+  bool agrees(const SonarLook& look, double depth_m, double off_rad) const {
     const double beyond_beam_rad = std::max(0.0, off_rad - params_.beam_half_angle_rad);
     return look.range_m && std::abs(*look.range_m - depth_m / std::cos(beyond_beam_rad)) <=
                                params_.depth_tolerance_m;
@@ -97,7 +90,7 @@ class RegionFinder {
   /// The depth that most readings within half a beam of the bearing share.
   std::optional<double> common_depth_m(double bearing_rad) const {
     std::vector<double> ranges_m;
-    for (const Look& look : looks_) {
+    for (const SonarLook& look : looks_) {
       const double off_rad = std::abs(geometry::angle_between(bearing_rad, look.bearing_rad));
       if (look.range_m && off_rad <= params_.beam_half_angle_rad) {
         ranges_m.push_back(*look.range_m);
@@ -177,7 +170,7 @@ class RegionFinder {
            members >= params_.least_agreement * all;
   }
 
-  std::vector<Look> looks_;
+  std::vector<SonarLook> looks_;  ///< Without the range once a region has claimed the reading.
   const SonarSurfaceParams& params_;
 };
 
@@ -195,7 +188,8 @@ SonarSurface surface_of(const Region& region, const SonarSurfaceParams& params) 
 ScanSurfaces find_surfaces(const Scan& scan, const SonarSurfaceParams& params) {
   ScanSurfaces found;
   found.center_m = center_of(scan);
-  RegionFinder finder(looks_from(found.center_m, scan), params);
+  found.looks = looks_from(found.center_m, scan);
+  RegionFinder finder(found.looks, params);
   while (true) {
     const auto region = finder.take_best();
     if (!region) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -44,11 +45,19 @@ struct SonarSurface {
   std::size_t readings = 0;
 };
 
+/// A reading as seen from the middle of a scan; the bearing in the map frame.
+struct SonarLook {
+  double bearing_rad = 0.0;
+  std::optional<double> range_m;  ///< Empty without echo.
+};
+
 /// The surfaces around one stop.
 struct ScanSurfaces {
   /// Where the sonar was, on average over the scan.
   Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
   std::vector<SonarSurface> surfaces;
+  /// All of its readings.
+  std::vector<SonarLook> looks;
 };
 
 /// Resolves the readings of one scan together into surfaces, the best supported first. A reading

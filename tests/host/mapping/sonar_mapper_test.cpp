@@ -35,7 +35,7 @@ TEST(SonarMapper, DrawsTheFloorAndTheWallsThatSeveralStopsAgreeOn) {
                              " #...........# ",
                              " #...........# ",
                              " #...........# ",
-                             " # ..........# ",
+                             " #...........# ",
                              "   ########  # ",
                              "               "}));
 }

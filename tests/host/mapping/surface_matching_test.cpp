@@ -16,13 +16,13 @@ const SurfaceMatchingParams kParams;
 
 /// A stop that has seen a wall at y = 2 with its bearing off by so much.
 ScanSurfaces stop_below_wall(double x_m, double y_m, double bearing_error_deg) {
-  ScanSurfaces scan{{x_m, y_m}, {}};
+  ScanSurfaces scan{{x_m, y_m}, {}, {}};
   scan.surfaces.push_back({radians(90.0 + bearing_error_deg), 2.0 - y_m, 0.2, 18});
   return scan;
 }
 
 ScanSurfaces stop_near_post(double x_m, double y_m, double bearing_error_deg) {
-  ScanSurfaces scan{{x_m, y_m}, {}};
+  ScanSurfaces scan{{x_m, y_m}, {}, {}};
   const double bearing_rad = std::atan2(1.5 - y_m, 1.0 - x_m) + radians(bearing_error_deg);
   scan.surfaces.push_back({bearing_rad, std::hypot(1.0 - x_m, 1.5 - y_m), 0.0, 9});
   return scan;
@@ -69,7 +69,7 @@ TEST(MatchSurfaces, BridgesAGapThatIsNoDoor) {
 }
 
 TEST(MatchSurfaces, LeavesAloneWhatOneStopHasSeen) {
-  const auto scans = std::vector{stop_below_wall(0.0, 0.0, 4.0), ScanSurfaces{{1.0, 1.0}, {}}};
+  const auto scans = std::vector{stop_below_wall(0.0, 0.0, 4.0), ScanSurfaces{{1.0, 1.0}, {}, {}}};
   const auto matched = match_surfaces(scans, kParams);
   EXPECT_TRUE(matched.walls.empty());
   EXPECT_TRUE(matched.posts_m.empty());

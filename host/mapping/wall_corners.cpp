@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/wall_corners.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "host/geometry/segment.hpp"
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::mapping {
+namespace {
+
+using Piece = MatchedWall::Piece;
+
+Eigen::Vector2d along(const MatchedWall& wall) {
+  const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
+  return {-normal.y(), normal.x()};
+}
+
+Eigen::Vector2d point_on(const MatchedWall& wall, double at_m) {
+  return wall.offset_m * geometry::unit_vector(wall.normal_rad) + at_m * along(wall);
+}
+
+/// Where two lines cross, along each of them.
+struct Crossing {
+  double on_first_m = 0.0;
+  double on_second_m = 0.0;
+};
+
+std::optional<Crossing> crossing_of(const MatchedWall& first,
+                                    const MatchedWall& second,
+                                    double least_angle_rad) {
+  const Eigen::Vector2d first_normal = geometry::unit_vector(first.normal_rad);
+  const Eigen::Vector2d second_normal = geometry::unit_vector(second.normal_rad);
+  const double sine = geometry::cross(first_normal, second_normal);
+  if (std::abs(sine) < std::sin(least_angle_rad)) {
+    return std::nullopt;
+  }
+  const double first_m = (second.offset_m - first.offset_m * first_normal.dot(second_normal)) /
+                         along(first).dot(second_normal);
+  return Crossing{first_m, along(second).dot(point_on(first, first_m))};
+}
+
+bool comes_near(const MatchedWall& wall, double at_m, double reach_m) {
+  return std::any_of(wall.pieces.begin(), wall.pieces.end(), [&](const Piece& piece) {
+    return at_m > piece.from_m - reach_m && at_m < piece.to_m + reach_m;
+  });
+}
+
+/// Finds how far the ends of pieces go on.
+class CornerFinder {
+ public:
+  CornerFinder(const std::vector<MatchedWall>& walls,
+               const std::vector<ScanSurfaces>& scans,
+               const WallCornerParams& params)
+      : walls_(walls), params_(params) {
+    for (const ScanSurfaces& scan : scans) {
+      for (const SonarSurface& surface : scan.surfaces) {
+        const double before_m = std::max(0.0, surface.range_m - params.behind_m);
+        sights_.push_back(
+            {scan.center_m, scan.center_m + before_m * geometry::unit_vector(surface.bearing_rad)});
+      }
+    }
+  }
+
+  /// From an end at `end_m`, upwards or downwards along its wall, to the nearest corner.
+  std::optional<double> corner_m(std::size_t index, double end_m, double up) const {
+    const MatchedWall& wall = walls_[index];
+    double nearest_m = params_.reach_m;
+    std::optional<double> corner;
+    for (std::size_t other = 0; other < walls_.size(); ++other) {
+      const auto crossing =
+          other == index ? std::nullopt : crossing_of(wall, walls_[other], params_.least_angle_rad);
+      const double beyond_m = crossing ? up * (crossing->on_first_m - end_m) : -1.0;
+      if (beyond_m > 0.0 && beyond_m < nearest_m &&
+          comes_near(walls_[other], crossing->on_second_m, params_.reach_m)) {
+        nearest_m = beyond_m;
+        corner = crossing->on_first_m;
+      }
+    }
+    return corner && !is_seen_through({point_on(wall, end_m), point_on(wall, *corner)})
+               ? corner
+               : std::nullopt;
+  }
+
+ private:
+  bool is_seen_through(const geometry::Segment& gap) const {
+    return std::any_of(sights_.begin(), sights_.end(), [&](const geometry::Segment& sight) {
+      return geometry::cross_properly(sight, gap);
+    });
+  }
+
+  const std::vector<MatchedWall>& walls_;
+  const WallCornerParams& params_;
+  std::vector<geometry::Segment> sights_;
+};
+
+}  // namespace
+
+std::vector<MatchedWall> joined_at_corners(std::vector<MatchedWall> walls,
+                                           const std::vector<ScanSurfaces>& scans,
+                                           const WallCornerParams& params) {
+  const std::vector<MatchedWall> seen = walls;
+  const CornerFinder finder(seen, scans, params);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    for (Piece& piece : walls[i].pieces) {
+      piece.to_m = finder.corner_m(i, piece.to_m, 1.0).value_or(piece.to_m);
+      piece.from_m = finder.corner_m(i, piece.from_m, -1.0).value_or(piece.from_m);
+    }
+  }
+  return walls;
+}
+
+}  // namespace echomap::mapping
