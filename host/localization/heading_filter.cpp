@@ -21,6 +21,7 @@ HeadingFilter::HeadingFilter(const HeadingFilterParams& params) : params_(params
                              params.bias_rad_per_s_per_root_s,
                              params.wheel_turn_share,
                              params.wheel_floor_rad,
+                             params.wheel_rad_per_root_m,
                              params.gate}) {
     if (!(value >= 0.0 && std::isfinite(value))) {
       throw std::invalid_argument("heading filter: a setting is not negative, and finite");
@@ -36,7 +37,7 @@ HeadingFilter::HeadingFilter(const HeadingFilterParams& params) : params_(params
 
 HeadingOutcome HeadingFilter::update(const HeadingStep& step) {
   if (!std::isfinite(step.duration_s) || !std::isfinite(step.gyro_turn_rad) ||
-      !std::isfinite(step.wheel_turn_rad)) {
+      !std::isfinite(step.wheel_turn_rad) || !std::isfinite(step.forward_m)) {
     return HeadingOutcome::kNotFinite;
   }
   if (step.duration_s <= 0.0) {
@@ -57,8 +58,10 @@ HeadingOutcome HeadingFilter::update(const HeadingStep& step) {
 
   // By the gyro's turn: by the wheels' own, those that report too little would weigh more.
   const double innovation_rad = step.wheel_turn_rad - turn_rad;
-  const double variance =
-      turn_variance + square(params_.wheel_floor_rad) + square(params_.wheel_turn_share * turn_rad);
+  const double wheel_variance = square(params_.wheel_floor_rad) +
+                                square(params_.wheel_rad_per_root_m) * std::abs(step.forward_m) +
+                                square(params_.wheel_turn_share * turn_rad);
+  const double variance = turn_variance + wheel_variance;
   if (square(innovation_rad) > params_.gate * variance) {
     return HeadingOutcome::kWheelsSlipped;
   }

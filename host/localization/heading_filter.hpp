@@ -18,6 +18,9 @@ struct HeadingFilterParams {
   /// The wheels' turn is off by that share of it, and by that much anyway, as wheels that slip.
   double wheel_turn_share = 0.1;
   double wheel_floor_rad = 2e-3;
+  /// And by that much times the root of what they have rolled ahead: for steps of a whole move,
+  /// where the floor, which is one step's, says too little.
+  double wheel_rad_per_root_m = 0.0;
   /// The wheels are not believed where gyro and bias say otherwise by more than this, squared:
   /// 99.9 % of chi square with one degree of freedom.
   double gate = 10.83;
@@ -28,6 +31,7 @@ struct HeadingStep {
   double duration_s = 0.0;
   double gyro_turn_rad = 0.0;  ///< Its bias included.
   double wheel_turn_rad = 0.0;
+  double forward_m = 0.0;  ///< Either way.
 };
 
 /// What has become of a step.

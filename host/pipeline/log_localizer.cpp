@@ -81,7 +81,10 @@ void LogLocalizer::add(const datasets::LogRecord& record) {
   poses_.follow(record);
   if (scan != nullptr) {
     gather(*scan);
-    if (!gathered_.empty() && has_moved()) {
+    const bool is_due =
+        !T_odom_updated_ ||
+        has_moved(*T_odom_updated_, *poses_.T_map_robot(), params_.step_m, params_.step_rad);
+    if (!gathered_.empty() && is_due) {
       update();
     }
   }
@@ -123,36 +126,16 @@ void LogLocalizer::gather(const datasets::RangeScan& scan) {
   }
 }
 
-bool LogLocalizer::has_moved() const {
-  if (!T_odom_updated_) {
-    return true;
-  }
-  const geometry::Pose2 step = T_odom_updated_->inverse() * *poses_.T_map_robot();
-  return step.position_m().norm() >= params_.step_m ||
-         std::abs(step.heading_rad()) >= params_.step_rad;
-}
-
 void LogLocalizer::update() {
   const geometry::Pose2 T_odom_robot = *poses_.T_map_robot();
-  belief_ = sensor_->localizer.update(T_odom_robot, readings_from(T_odom_robot));
+  belief_ = sensor_->localizer.update(
+      T_odom_robot, evenly_picked(gathered_, T_odom_robot, params_.most_readings));
   gathered_.clear();
   T_odom_updated_ = T_odom_robot;
   ++updates_;
   if (stamp_s_ && !belief_.hypotheses.empty()) {
     trajectory_.push_back({robot_time(*stamp_s_), belief_.hypotheses.front().T_map_robot});
   }
-}
-
-std::vector<localization::RangeReading> LogLocalizer::readings_from(
-    const geometry::Pose2& T_odom_robot) {
-  const geometry::Pose2 T_robot_odom = T_odom_robot.inverse();
-  const std::size_t count = std::min(gathered_.size(), params_.most_readings);
-  std::vector<localization::RangeReading> readings;
-  for (std::size_t i = 0; i < count; ++i) {
-    const localization::RangeReading& reading = gathered_[i * gathered_.size() / count];
-    readings.push_back({T_robot_odom * reading.T_robot_sensor, reading.range_m});
-  }
-  return readings;
 }
 
 }  // namespace echomap::pipeline

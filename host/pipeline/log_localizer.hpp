@@ -10,6 +10,7 @@
 #include "host/datasets/log_record.hpp"
 #include "host/localization/localizer_preset.hpp"
 #include "host/mapping/raster_map.hpp"
+#include "host/pipeline/localizer_feed.hpp"
 #include "host/pipeline/log_poses.hpp"
 #include "host/pipeline/snapshot.hpp"
 
@@ -57,24 +58,17 @@ class LogLocalizer {
 
  private:
   struct Sensor;
-  struct Start {
-    geometry::Pose2 T_map_robot;
-    double std_m = 0.0;
-    double std_rad = 0.0;
-  };
 
   void gather(const datasets::RangeScan& scan);
   bool is_late(const datasets::RangeScan& scan);
-  bool has_moved() const;
   void update();
-  std::vector<localization::RangeReading> readings_from(const geometry::Pose2& T_odom_robot);
 
   mapping::RasterMap map_;
   LogLocalizerParams params_;
   std::mt19937 random_;
   LogPoses poses_{PoseSource::kOdometry};
   std::unique_ptr<Sensor> sensor_;  ///< Since the first scan.
-  std::optional<Start> start_;
+  std::optional<ToldStart> start_;
   std::vector<localization::RangeReading> gathered_;  ///< From the odometry's frame.
   std::optional<geometry::Pose2> T_odom_updated_;
   std::optional<double> stamp_s_;

@@ -113,7 +113,7 @@ void RobotEkf::on_odometry(const sensors::OdometryObservation& observation) {
 void RobotEkf::on_yaw(const sensors::YawObservation& observation) { yaw_ = observation.yaw; }
 
 void RobotEkf::on_hazards(const sensors::HazardObservation& observation) {
-  const bool was_lifted = std::exchange(is_lifted_, observation.lifted);
+  const bool was_lifted = std::exchange(is_lifted_, observation.is_in_the_air());
   if (is_lifted_ && !was_lifted) {
     ++times_lost_;
     ekf_.reset();

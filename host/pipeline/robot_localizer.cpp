@@ -2,19 +2,10 @@
 #include "host/pipeline/robot_localizer.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 namespace echomap::pipeline {
-namespace {
-
-bool is_in_the_air(const sensors::HazardObservation& hazards) {
-  const auto& cliffs = hazards.cliffs;
-  return hazards.lifted || std::all_of(cliffs.begin(), cliffs.end(), [](bool is) { return is; });
-}
-
-}  // namespace
 
 RobotLocalizer::RobotLocalizer(const mapping::RasterMap& map,
                                const sensors::RobotGeometry& robot,
@@ -57,7 +48,7 @@ void RobotLocalizer::on_sonar(const sensors::SonarObservation& observation) {
 
 void RobotLocalizer::on_hazards(const sensors::HazardObservation& observation) {
   feel({observation.bump_left, observation.bump_right, observation.virtual_wall});
-  const bool was_lifted = std::exchange(is_lifted_, is_in_the_air(observation));
+  const bool was_lifted = std::exchange(is_lifted_, observation.is_in_the_air());
   if (is_lifted_ && !was_lifted) {
     ++times_lifted_;
     open_scan_.clear();
@@ -84,7 +75,7 @@ void RobotLocalizer::end_scan() {
   if (!std::exchange(scan_is_open_, false)) {
     return;
   }
-  update(readings());
+  update(evenly_picked(open_scan_, odometry_.T_odom_robot(), params_.most_readings));
   open_scan_.clear();
   ++scans_;
   if (!belief().hypotheses.empty()) {
@@ -102,9 +93,7 @@ void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& t
     }
     return;
   }
-  const geometry::Pose2 step = T_odom_updated_->inverse() * odometry_.T_odom_robot();
-  if (step.position_m().norm() >= params_.step_m ||
-      std::abs(step.heading_rad()) >= params_.step_rad) {
+  if (has_moved(*T_odom_updated_, odometry_.T_odom_robot(), params_.step_m, params_.step_rad)) {
     update({});
   }
 }
@@ -112,17 +101,6 @@ void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& t
 void RobotLocalizer::update(const std::vector<localization::RangeReading>& readings) {
   T_odom_updated_ = odometry_.T_odom_robot();
   localizer_.update(*T_odom_updated_, readings);
-}
-
-std::vector<localization::RangeReading> RobotLocalizer::readings() const {
-  const geometry::Pose2 T_robot_odom = odometry_.T_odom_robot().inverse();
-  const std::size_t count = std::min(open_scan_.size(), params_.most_readings);
-  std::vector<localization::RangeReading> readings;
-  for (std::size_t i = 0; i < count; ++i) {
-    const localization::RangeReading& reading = open_scan_[i * open_scan_.size() / count];
-    readings.push_back({T_robot_odom * reading.T_robot_sensor, reading.range_m});
-  }
-  return readings;
 }
 
 }  // namespace echomap::pipeline

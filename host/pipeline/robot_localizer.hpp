@@ -9,6 +9,7 @@
 
 #include "host/localization/localizer_preset.hpp"
 #include "host/mapping/raster_map.hpp"
+#include "host/pipeline/localizer_feed.hpp"
 #include "host/pipeline/observation_sink.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/sensors/odometry.hpp"
@@ -63,16 +64,9 @@ class RobotLocalizer final : public ObservationSink {
   std::size_t times_lifted() const { return times_lifted_; }
 
  private:
-  struct Start {
-    geometry::Pose2 T_map_robot;
-    double std_m = 0.0;
-    double std_rad = 0.0;
-  };
-
   void follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
   void feel(const models::ContactReading& contact);
   void update(const std::vector<localization::RangeReading>& readings);
-  std::vector<localization::RangeReading> readings() const;
 
   sensors::RobotGeometry robot_;
   RobotLocalizerParams params_;
@@ -80,7 +74,7 @@ class RobotLocalizer final : public ObservationSink {
   localization::MonteCarloLocalizer localizer_;
   sensors::WheelOdometry odometry_;
   std::optional<geometry::Pose2> T_odom_updated_;  ///< Empty before the first observation.
-  std::optional<Start> start_;                     ///< To begin with the first observation.
+  std::optional<ToldStart> start_;                 ///< To begin with the first observation.
   localization::LocalizerOutcome start_outcome_ = localization::LocalizerOutcome::kMoved;
   time::RobotTime stamp_;
   std::vector<localization::RangeReading> open_scan_;  ///< From the odometry's frame.

@@ -4,31 +4,62 @@
 #include <utility>
 
 namespace echomap::pipeline {
+namespace {
+
+/// What may be written: a copy of its own where a snapshot still holds the one there is.
+template <class Part>
+Part& own(std::shared_ptr<Part>& part) {
+  if (part.use_count() > 1) {
+    part = std::make_shared<Part>(*part);
+  }
+  return *part;
+}
+
+}  // namespace
 
 RobotPipeline::RobotPipeline(const sensors::RobotGeometry& robot,
-                             const mapping::SonarMapperParams& params)
+                             const mapping::SonarMapperParams& params,
+                             const mapping::NearMapperParams& near)
     : robot_(robot),
       mapper_(params),
+      near_(near, params.grid),
       odometry_(robot.track_m),
-      grid_(std::make_shared<const mapping::OccupancyGrid>(params.grid)),
+      far_grid_(std::make_shared<const mapping::OccupancyGrid>(params.grid)),
+      grid_(far_grid_),
       last_scan_(std::make_shared<const mapping::Scan>()) {}
 
 void RobotPipeline::on_odometry(const sensors::OdometryObservation& observation) {
   follow(observation.stamp, observation.travel);
+  if (times_lifted_ == 0) {
+    near_.pass_over(T_map_robot());
+  }
 }
 
 void RobotPipeline::on_sonar(const sensors::SonarObservation& observation) {
   const geometry::Pose2 T_odom_robot = follow(observation.stamp, observation.travel);
   const geometry::Pose2 T_odom_sonar = T_odom_robot * robot_.T_robot_sonar(observation.pan_rad);
   const mapping::PlacedReading reading{T_odom_robot, T_odom_sonar, observation.range_m};
-  points_.add(on_map(reading));
+  own(points_).add(on_map(reading));
   if (scan_is_open_) {
     open_scan_.push_back(reading);
   }
 }
 
+void RobotPipeline::on_infrared(const sensors::InfraredObservation& observation) {
+  follow(observation.stamp, observation.travel);
+  if (times_lifted_ == 0) {
+    near_.see(T_map_robot(), observation.range_m);
+  }
+  infrared_ = observation;
+}
+
 void RobotPipeline::on_hazards(const sensors::HazardObservation& observation) {
   times_lifted_ += observation.lifted && !hazards_.lifted ? 1 : 0;
+  if (times_lifted_ == 0) {
+    near_.bump(T_map_robot(),
+               observation.bump_left && !hazards_.bump_left,
+               observation.bump_right && !hazards_.bump_right);
+  }
   hazards_ = observation;
 }
 
@@ -41,31 +72,45 @@ void RobotPipeline::end_scan() {
   if (!scan_is_open_) {
     return;
   }
-  mapper_.add(open_scan_);
-  const auto grid = std::make_shared<const mapping::OccupancyGrid>(mapper_.grid());
-  newly_free_m2_ = mapping::newly_free_area_m2(*grid_, *grid);
-  grid_ = grid;
-  mapping::Scan scan;
-  for (const auto& reading : std::exchange(open_scan_, {})) {
-    scan.push_back(on_map(reading));
+  last_scan_fault_ = mapping::fault_of(on_map(open_scan_), *far_grid_);
+  newly_free_m2_ = 0.0;
+  if (last_scan_fault_ == mapping::ScanFault::kNone) {
+    map_scan();
   }
-  last_scan_ = std::make_shared<const mapping::Scan>(std::move(scan));
-  if (!trajectory_.empty()) {
-    trajectory_.back().T_map_robot = mapper_.T_map_odom() * odometry_.T_odom_robot();
+  last_scan_ = std::make_shared<const mapping::Scan>(on_map(std::exchange(open_scan_, {})));
+  if (!trajectory_->empty()) {
+    own(trajectory_).back().T_map_robot = T_map_robot();
   }
   scan_is_open_ = false;
   ++stops_;
 }
 
+void RobotPipeline::map_scan() {
+  mapper_.add(open_scan_);
+  const auto grid = std::make_shared<const mapping::OccupancyGrid>(mapper_.grid());
+  newly_free_m2_ = mapping::newly_free_area_m2(*far_grid_, *grid);
+  far_grid_ = grid;
+  grid_ = nullptr;
+}
+
+void RobotPipeline::move_to(const geometry::Pose2& T_map_robot) {
+  T_map_mapped_ = T_map_robot * (mapper_.T_map_odom() * odometry_.T_odom_robot()).inverse();
+  if (!trajectory_->empty()) {
+    own(trajectory_).back().T_map_robot = T_map_robot;
+  }
+}
+
 Snapshot RobotPipeline::snapshot() const {
   Snapshot snapshot;
-  if (!trajectory_.empty()) {
-    snapshot.latest = trajectory_.back();
+  if (!trajectory_->empty()) {
+    snapshot.latest = trajectory_->back();
   }
-  snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(trajectory_);
-  snapshot.points = std::make_shared<const mapping::PointCloudMap>(points_);
-  snapshot.grid = grid_;
+  snapshot.T_odom_robot = odometry_.T_odom_robot();
+  snapshot.trajectory = trajectory_;
+  snapshot.points = points_;
+  snapshot.grid = grid();
   snapshot.last_scan = last_scan_;
+  snapshot.last_scan_fault = last_scan_fault_;
   snapshot.stops = stops_;
   snapshot.newly_free_m2 = newly_free_m2_;
   snapshot.hazards = hazards_;
@@ -76,18 +121,34 @@ Snapshot RobotPipeline::snapshot() const {
   return snapshot;
 }
 
+std::shared_ptr<const mapping::OccupancyGrid> RobotPipeline::grid() const {
+  if (grid_ == nullptr || near_in_grid_ != near_.grid().revision()) {
+    grid_ = std::make_shared<const mapping::OccupancyGrid>(
+        mapping::with_near_evidence(*far_grid_, near_.grid()));
+    near_in_grid_ = near_.grid().revision();
+  }
+  return grid_;
+}
+
 geometry::Pose2 RobotPipeline::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
   geometry::Pose2 T_odom_robot = odometry_.update(travel);
-  if (trajectory_.empty() || stamp > trajectory_.back().stamp) {
-    trajectory_.push_back({stamp, mapper_.T_map_odom() * T_odom_robot});
+  if (trajectory_->empty() || stamp > trajectory_->back().stamp) {
+    own(trajectory_).push_back({stamp, T_map_robot()});
   }
   return T_odom_robot;
 }
 
 mapping::PlacedReading RobotPipeline::on_map(const mapping::PlacedReading& reading) const {
-  return {mapper_.T_map_odom() * reading.T_map_robot,
-          mapper_.T_map_odom() * reading.T_map_sonar,
-          reading.range_m};
+  return {T_map_odom() * reading.T_map_robot, T_map_odom() * reading.T_map_sonar, reading.range_m};
+}
+
+mapping::Scan RobotPipeline::on_map(const mapping::Scan& scan) const {
+  mapping::Scan placed;
+  placed.reserve(scan.size());
+  for (const mapping::PlacedReading& reading : scan) {
+    placed.push_back(on_map(reading));
+  }
+  return placed;
 }
 
 }  // namespace echomap::pipeline

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "host/mapping/near_mapper.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/mapping/sonar_mapper.hpp"
@@ -19,11 +21,13 @@ namespace echomap::pipeline {
 
 /// Observations in, snapshots out: the same object live and in replay, a function of its input
 /// alone. Feed observations in the order of their stamps. Between stops the pose is odometry; at
-/// the end of a scan it is moved to where the scan agrees with those before it.
+/// the end of a scan it is moved to where the scan agrees with those before it. What the robot
+/// feels on its way goes into the grid at once, until somebody lifts it.
 class RobotPipeline final : public ObservationSink {
  public:
   explicit RobotPipeline(const sensors::RobotGeometry& robot,
-                         const mapping::SonarMapperParams& params = {});
+                         const mapping::SonarMapperParams& params = {},
+                         const mapping::NearMapperParams& near = {});
 
   void on_odometry(const sensors::OdometryObservation& observation) override;
   /// Places the reading by its own wheel travel. Its echo is a point of the map at once; the grid
@@ -32,17 +36,21 @@ class RobotPipeline final : public ObservationSink {
 
   /// The last of each stands in the snapshot; a wheel that begins to hang counts as a lift.
   void on_hazards(const sensors::HazardObservation& observation) override;
-  void on_infrared(const sensors::InfraredObservation& observation) override {
-    infrared_ = observation;
-  }
+  /// Placed by its own wheel travel.
+  void on_infrared(const sensors::InfraredObservation& observation) override;
   void on_yaw(const sensors::YawObservation& observation) override { yaw_ = observation; }
   void on_battery(const sensors::BatteryObservation& observation) override {
     battery_ = observation;
   }
 
   void begin_scan() override;
-  /// Puts the scan's readings into the grid together.
+  /// Puts the scan's readings into the grid together, unless they are of a sonar that hangs or of
+  /// another place.
   void end_scan() override;
+
+  /// The robot is there, as somebody knows who sees it (an overhead camera); its odometry goes on
+  /// from there. What is in the map already stays where it is.
+  void move_to(const geometry::Pose2& T_map_robot);
 
   Snapshot snapshot() const;
 
@@ -51,16 +59,31 @@ class RobotPipeline final : public ObservationSink {
   geometry::Pose2 follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
   /// Moves a reading that odometry has placed to where it is on the map.
   mapping::PlacedReading on_map(const mapping::PlacedReading& reading) const;
+  mapping::Scan on_map(const mapping::Scan& scan) const;
+  /// Puts the open scan into the map.
+  void map_scan();
+  /// Where odometry has the robot, on the map.
+  geometry::Pose2 T_map_robot() const { return T_map_odom() * odometry_.T_odom_robot(); }
+  geometry::Pose2 T_map_odom() const { return T_map_mapped_ * mapper_.T_map_odom(); }
+
+  std::shared_ptr<const mapping::OccupancyGrid> grid() const;
 
   sensors::RobotGeometry robot_;
   mapping::SonarMapper mapper_;
+  mapping::NearMapper near_;
   sensors::WheelOdometry odometry_;
-  std::vector<StampedPose> trajectory_;
-  mapping::PointCloudMap points_;
-  std::shared_ptr<const mapping::OccupancyGrid> grid_;
+  geometry::Pose2 T_map_mapped_;  ///< What somebody who sees the robot adds to what it knows.
+  std::shared_ptr<std::vector<StampedPose>> trajectory_ =
+      std::make_shared<std::vector<StampedPose>>();
+  std::shared_ptr<mapping::PointCloudMap> points_ = std::make_shared<mapping::PointCloudMap>();
+  std::shared_ptr<const mapping::OccupancyGrid> far_grid_;
+  /// Both together, made when a snapshot asks for it after one of them has changed.
+  mutable std::shared_ptr<const mapping::OccupancyGrid> grid_;
+  mutable std::uint64_t near_in_grid_ = 0;
   std::shared_ptr<const mapping::Scan> last_scan_;
   mapping::Scan open_scan_;
   bool scan_is_open_ = false;
+  mapping::ScanFault last_scan_fault_ = mapping::ScanFault::kNone;
   std::size_t stops_ = 0;
   double newly_free_m2_ = 0.0;
   sensors::HazardObservation hazards_;

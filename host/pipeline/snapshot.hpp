@@ -10,6 +10,7 @@
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/point_cloud_map.hpp"
+#include "host/mapping/scan_check.hpp"
 #include "host/sensors/observations.hpp"
 #include "host/time/robot_time.hpp"
 
@@ -25,11 +26,15 @@ struct StampedPose {
 /// shared and never null.
 struct Snapshot {
   StampedPose latest;
+  /// Where the wheels alone place the robot, from where it started.
+  geometry::Pose2 T_odom_robot;
   std::shared_ptr<const std::vector<StampedPose>> trajectory;
   std::shared_ptr<const mapping::PointCloudMap> points;
   std::shared_ptr<const mapping::OccupancyGrid> grid;
   /// The last scan that was ended; empty before.
   std::shared_ptr<const mapping::Scan> last_scan;
+  /// A scan with a fault that makes it worthless is not in the grid.
+  mapping::ScanFault last_scan_fault = mapping::ScanFault::kNone;
   /// Scans ended so far, one per stop.
   std::size_t stops = 0;
   /// Floor that the last scan showed free and nobody had known before, square metres.

@@ -71,6 +71,19 @@ TEST(HeadingFilter, IsBetterThanGyroOrWheelsAlone) {
   EXPECT_LT(filter_off, 0.2 * wheels_off);
 }
 
+TEST(HeadingFilter, BelievesWheelsTheLessTheFartherTheyRolled) {
+  HeadingFilterParams params;
+  params.wheel_rad_per_root_m = 0.02;
+  const auto bias_after = [&](double forward_m) {
+    HeadingFilter filter(params);
+    filter.update({13.0, 0.0, 0.0});
+    filter.update({4.0, 0.005, 0.0, forward_m});
+    return filter.bias_rad_per_s();
+  };
+  EXPECT_LT(std::abs(bias_after(1.0)), 0.3 * std::abs(bias_after(0.0)));
+  EXPECT_EQ(bias_after(-1.0), bias_after(1.0));
+}
+
 TEST(HeadingFilter, ItsErrorIsWithinThreeSigma) {
   int outside = 0;
   for (std::uint32_t seed = 1; seed <= 50; ++seed) {

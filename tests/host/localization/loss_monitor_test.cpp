@@ -10,9 +10,9 @@ namespace echomap::localization {
 namespace {
 
 TEST(LossMonitor, SuspectsReadingsThatHaveBecomeUnlikely) {
-  LossMonitor monitor;
+  LossMonitor monitor({.fast_share = 0.4, .suspicious_fall = 0.2});
   for (int i = 0; i < 1000; ++i) {
-    ASSERT_FALSE(monitor.is_suspicious(-0.5 + 0.03 * (i % 3))) << i;
+    ASSERT_FALSE(monitor.is_suspicious(-0.5 + 0.3 * (i % 3))) << i;
   }
   int sweeps = 1;
   while (!monitor.is_suspicious(-3.0) && sweeps < 100) {
@@ -22,9 +22,9 @@ TEST(LossMonitor, SuspectsReadingsThatHaveBecomeUnlikely) {
 }
 
 TEST(LossMonitor, GetsUsedToALikelihoodThatIsLowForLong) {
-  LossMonitor monitor;
+  LossMonitor monitor({.fast_share = 0.4, .suspicious_fall = 0.2});
   monitor.is_suspicious(0.0);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 200; ++i) {
     monitor.is_suspicious(-3.0);
   }
   EXPECT_FALSE(monitor.is_suspicious(-3.0));

@@ -11,28 +11,14 @@
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_casting.hpp"
 #include "tests/support/believed_near.hpp"
-#include "tests/support/drawn_map.hpp"
+#include "tests/support/furnished_room.hpp"
 
 namespace echomap::pipeline {
 namespace {
 
 using geometry::Pose2;
 
-const mapping::RasterMap kRoom = tests::map_from({"########################################",
-                                                  "#......................................#",
-                                                  "#..........#####.......................#",
-                                                  "#..........#####.......................#",
-                                                  "#.............................#........#",
-                                                  "#.............................#........#",
-                                                  "#......................................#",
-                                                  "#....###...............................#",
-                                                  "#....###...............................#",
-                                                  "#......................................#",
-                                                  "#...................####################",
-                                                  "#......................................#",
-                                                  "#......................................#",
-                                                  "########################################"},
-                                                 0.1);
+const mapping::RasterMap kRoom = tests::furnished_room();
 
 /// A laser of 36 beams, 0.1 m before the middle of the robot; a wall stands in the middle of its
 /// cells.

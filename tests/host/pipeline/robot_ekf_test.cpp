@@ -157,6 +157,18 @@ TEST_F(RobotEkfTest, ForgetsWhereALiftedRobotWasAndHearsNoFixInTheAir) {
   EXPECT_EQ(ekf.belief()->T_map_robot.x_m(), 3.0);
 }
 
+TEST_F(RobotEkfTest, TakesFourCliffsForALift) {
+  drive(1, 0.0, 0.0);
+  ekf.add(fix_at(now_s, T_map_robot));
+  sensors::HazardObservation hazards;
+  hazards.cliffs = {true, true, true, false};
+  ekf.on_hazards(hazards);
+  EXPECT_TRUE(ekf.belief());
+  hazards.cliffs.fill(true);
+  ekf.on_hazards(hazards);
+  EXPECT_FALSE(ekf.belief());
+}
+
 TEST_F(RobotEkfTest, StartsNotByAFixOfBeforeTheLanding) {
   drive(1, 0.0, 0.0);
   sensors::HazardObservation hazards;

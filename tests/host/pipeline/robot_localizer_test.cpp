@@ -12,7 +12,7 @@
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_casting.hpp"
 #include "tests/support/believed_near.hpp"
-#include "tests/support/drawn_map.hpp"
+#include "tests/support/furnished_room.hpp"
 
 namespace echomap::pipeline {
 namespace {
@@ -20,21 +20,7 @@ namespace {
 using geometry::Pose2;
 using localization::LocalizationStatus;
 
-const mapping::RasterMap kRoom = tests::map_from({"########################################",
-                                                  "#......................................#",
-                                                  "#..........#####.......................#",
-                                                  "#..........#####.......................#",
-                                                  "#.............................#........#",
-                                                  "#.............................#........#",
-                                                  "#......................................#",
-                                                  "#....###...............................#",
-                                                  "#....###...............................#",
-                                                  "#......................................#",
-                                                  "#...................####################",
-                                                  "#......................................#",
-                                                  "#......................................#",
-                                                  "########################################"},
-                                                 0.1);
+const mapping::RasterMap kRoom = tests::furnished_room();
 
 sensors::RobotGeometry plain_robot() {
   sensors::RobotGeometry robot;

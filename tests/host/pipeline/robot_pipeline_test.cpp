@@ -36,10 +36,10 @@ class RobotPipelineTest : public ::testing::Test {
     pipeline.on_sonar({at_us(stamp_us), at, geometry::radians(pan_deg), range_m});
   }
 
-  /// A half turn of readings, all as far, from where the wheels have brought the robot.
+  /// A half turn of readings, all about as far, from where the wheels have brought the robot.
   void sweep(const sensors::WheelTravel& at, double range_m) {
     for (int pan_deg = -90; pan_deg < 90; pan_deg += 6) {
-      read(at, pan_deg, range_m);
+      read(at, pan_deg, range_m + (pan_deg % 4 == 0 ? 0.006 : 0.0));
     }
   }
 
@@ -67,6 +67,16 @@ TEST_F(RobotPipelineTest, StartsAtTheOriginWithNothing) {
   EXPECT_EQ(snapshot.stops, 0U);
 }
 
+TEST_F(RobotPipelineTest, LeavesASnapshotThatIsHeldAsItIs) {
+  read(travel(0.0, 0.0), 0.0, 1.0);
+  const Snapshot before = pipeline.snapshot();
+  scan(0.5, 1.0);
+  EXPECT_EQ(before.trajectory->size(), 1U);
+  EXPECT_EQ(before.points->points().size(), 1U);
+  EXPECT_GT(pipeline.snapshot().trajectory->size(), 1U);
+  EXPECT_GT(pipeline.snapshot().points->points().size(), 1U);
+}
+
 TEST_F(RobotPipelineTest, FollowsTheWheels) {
   pipeline.on_odometry({at_us(1000), travel(0.5, 0.0)});
   pipeline.on_odometry({at_us(2000), travel(0.5, geometry::radians(90.0))});
@@ -76,6 +86,19 @@ TEST_F(RobotPipelineTest, FollowsTheWheels) {
   EXPECT_EQ(snapshot.latest.stamp, at_us(3000));
   EXPECT_NEAR(
       (snapshot.latest.T_map_robot.position_m() - Eigen::Vector2d(0.5, 0.3)).norm(), 0.0, 1e-9);
+}
+
+TEST_F(RobotPipelineTest, GoesOnFromWhereItIsSeen) {
+  pipeline.on_odometry({at_us(1000), travel(1.0, 0.0)});
+  pipeline.move_to({2.0, 3.0, geometry::radians(90.0)});
+  EXPECT_EQ(pipeline.snapshot().latest.T_map_robot.x_m(), 2.0);
+  pipeline.on_odometry({at_us(2000), travel(1.5, 0.0)});
+  const auto snapshot = pipeline.snapshot();
+  EXPECT_NEAR(snapshot.latest.T_map_robot.x_m(), 2.0, 1e-12);
+  EXPECT_NEAR(snapshot.latest.T_map_robot.y_m(), 3.5, 1e-12);
+  stamp_us = 2000;
+  read(travel(1.5, 0.0), 0.0, 1.0);
+  EXPECT_NEAR(pipeline.snapshot().points->points().back().position_m.y(), 4.5, 1e-9);
 }
 
 TEST_F(RobotPipelineTest, KeepsStampsOfTheTrajectoryRising) {
@@ -131,6 +154,32 @@ TEST_F(RobotPipelineTest, KeepsReadingsOutsideOfAScanOutOfTheGrid) {
   EXPECT_EQ(snapshot.stops, 0U);
 }
 
+TEST_F(RobotPipelineTest, KeepsAScanOfASonarThatHangsOutOfTheGrid) {
+  scan(0.0, 1.0);
+  const auto before = tests::drawing_of(mapping::rasterize(*pipeline.snapshot().grid));
+  pipeline.begin_scan();
+  for (int pan_deg = -90; pan_deg < 90; pan_deg += 6) {
+    read(travel(0.0, 0.0), pan_deg, 0.5);
+  }
+  pipeline.end_scan();
+  const Snapshot snapshot = pipeline.snapshot();
+  EXPECT_EQ(snapshot.last_scan_fault, mapping::ScanFault::kStuck);
+  EXPECT_EQ(snapshot.stops, 2U);
+  EXPECT_EQ(snapshot.newly_free_m2, 0.0);
+  EXPECT_EQ(tests::drawing_of(mapping::rasterize(*snapshot.grid)), before);
+}
+
+TEST_F(RobotPipelineTest, KeepsAScanOfAnotherPlaceOutOfTheGridAndItsPose) {
+  scan(0.0, 1.5);
+  scan(0.0, 1.5);
+  const auto before = tests::drawing_of(mapping::rasterize(*pipeline.snapshot().grid));
+  scan(0.0, 0.6);
+  EXPECT_EQ(pipeline.snapshot().last_scan_fault, mapping::ScanFault::kElsewhere);
+  EXPECT_EQ(tests::drawing_of(mapping::rasterize(*pipeline.snapshot().grid)), before);
+  scan(0.0, 1.5);
+  EXPECT_EQ(pipeline.snapshot().last_scan_fault, mapping::ScanFault::kNone);
+}
+
 TEST_F(RobotPipelineTest, EndsAnOpenScanBeforeTheNext) {
   pipeline.begin_scan();
   read(travel(0.0, 0.0), 0.0, 1.0);
@@ -175,6 +224,75 @@ TEST(RobotPipeline, CountsHowOftenTheRobotWasLifted) {
   }
   EXPECT_EQ(pipeline.snapshot().times_lifted, 2U);
   EXPECT_TRUE(pipeline.snapshot().hazards.lifted);
+}
+
+/// A body of 0.1 m with one infra-red sensor that looks ahead from its middle.
+mapping::NearMapperParams feeling_body() {
+  mapping::NearMapperParams near;
+  near.body_radius_m = 0.1;
+  near.T_robot_infrared = {{}};
+  near.infrared_reach_m = 0.5;
+  return near;
+}
+
+/// State of the cell at a place of the map.
+mapping::CellState state_at(const RobotPipeline& pipeline, double x_m, double y_m) {
+  const auto grid = pipeline.snapshot().grid;
+  return grid->state(grid->cell_at({x_m, y_m}));
+}
+
+TEST(RobotPipeline, MapsWhatItFeelsWhereItsWheelsHaveBroughtIt) {
+  using mapping::CellState;
+  RobotPipeline pipeline(plain_robot(), {}, feeling_body());
+  pipeline.on_odometry({at_us(1000), travel(1.01, 0.0)});
+  EXPECT_EQ(state_at(pipeline, 0.27, 0.01), CellState::kUnknown);
+  pipeline.on_odometry({at_us(2000), travel(1.02, 0.0)});
+  pipeline.on_odometry({at_us(3000), travel(1.03, 0.0)});
+  EXPECT_EQ(state_at(pipeline, 1.03, 0.01), CellState::kFree);
+  pipeline.on_hazards({.stamp = at_us(3000), .bump_left = true, .bump_right = true});
+  EXPECT_EQ(state_at(pipeline, 1.13, 0.01), CellState::kOccupied);
+  pipeline.on_infrared({at_us(4000), travel(1.03, geometry::radians(90.0)), {0.4}});
+  EXPECT_EQ(state_at(pipeline, 1.02, 0.41), CellState::kOccupied);
+}
+
+TEST(RobotPipeline, ABumpIsToldOnceHoweverLongTheSwitchIsClosed) {
+  RobotPipeline pipeline(plain_robot(), {}, feeling_body());
+  for (int i = 0; i < 5; ++i) {
+    pipeline.on_hazards({.stamp = at_us(i), .bump_left = true, .bump_right = true});
+  }
+  const auto grid = pipeline.snapshot().grid;
+  EXPECT_EQ(grid->centilogits(grid->cell_at({0.11, 0.01})), 295);
+}
+
+TEST_F(RobotPipelineTest, KeepsWhatItFeltWhenAScanRemakesTheGrid) {
+  RobotPipeline feeling(plain_robot(), {}, feeling_body());
+  feeling.on_hazards({.stamp = at_us(1), .bump_left = true, .bump_right = true});
+  feeling.begin_scan();
+  for (int pan_deg = -180; pan_deg < 180; pan_deg += 6) {
+    const double range_m = pan_deg % 4 == 0 ? 1.006 : 1.0;
+    feeling.on_sonar({at_us(50'000 + pan_deg), {}, geometry::radians(pan_deg), range_m});
+  }
+  feeling.end_scan();
+  EXPECT_EQ(state_at(feeling, 0.11, 0.01), mapping::CellState::kOccupied);
+  EXPECT_EQ(state_at(feeling, 0.0, 0.4), mapping::CellState::kFree);
+}
+
+TEST(RobotPipeline, MapsNothingMoreOfWhatItFeelsOnceItWasLifted) {
+  RobotPipeline pipeline(plain_robot(), {}, feeling_body());
+  pipeline.on_hazards({.stamp = at_us(1), .lifted = true});
+  pipeline.on_hazards({.stamp = at_us(2), .bump_left = true});
+  pipeline.on_odometry({at_us(3), travel(1.0, 0.0)});
+  pipeline.on_infrared({at_us(4), travel(1.0, 0.0), {0.4}});
+  EXPECT_TRUE(pipeline.snapshot().grid->bounds().empty());
+}
+
+TEST(RobotPipeline, SharesOneGridBetweenSnapshotsWhileNothingHasChanged) {
+  RobotPipeline pipeline(plain_robot(), {}, feeling_body());
+  pipeline.on_odometry({at_us(1), travel(0.1, 0.0)});
+  const auto before = pipeline.snapshot().grid;
+  EXPECT_EQ(pipeline.snapshot().grid, before);
+  pipeline.on_odometry({at_us(2), travel(0.2, 0.0)});
+  EXPECT_NE(pipeline.snapshot().grid, before);
 }
 
 TEST(RobotPipeline, ShowsTheLastOfEverySensor) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/localizer_feed.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace echomap::pipeline {
+namespace {
+
+using geometry::Pose2;
+
+TEST(LocalizerFeed, CountsAStepByItsLengthOrItsTurn) {
+  const Pose2 before(1.0, 2.0, 3.0);
+  EXPECT_FALSE(has_moved(before, before * Pose2(0.09, 0.0, 0.19), 0.1, 0.2));
+  EXPECT_TRUE(has_moved(before, before * Pose2(0.0, -0.11, 0.0), 0.1, 0.2));
+  EXPECT_TRUE(has_moved(before, before * Pose2(0.0, 0.0, -0.21), 0.1, 0.2));
+}
+
+TEST(LocalizerFeed, PicksReadingsEvenlyAndPutsThemBeforeTheRobot) {
+  std::vector<localization::RangeReading> gathered;
+  for (int i = 0; i < 10; ++i) {
+    gathered.push_back({Pose2(1.0, 0.1 * i, 0.0), 0.5 + i});
+  }
+  const Pose2 T_odom_robot(1.0, -1.0, std::numbers::pi / 2.0);
+  const auto picked = evenly_picked(gathered, T_odom_robot, 5);
+  ASSERT_EQ(picked.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(picked[i].range_m, 0.5 + 2.0 * static_cast<double>(i));
+    EXPECT_NEAR(picked[i].T_robot_sensor.x_m(), 1.0 + 0.2 * static_cast<double>(i), 1e-12);
+    EXPECT_NEAR(picked[i].T_robot_sensor.y_m(), 0.0, 1e-12);
+    EXPECT_NEAR(picked[i].T_robot_sensor.heading_rad(), -std::numbers::pi / 2.0, 1e-12);
+  }
+}
+
+TEST(LocalizerFeed, TakesAllWhereThereAreFew) {
+  const std::vector<localization::RangeReading> gathered(3);
+  EXPECT_EQ(evenly_picked(gathered, {}, 60).size(), 3U);
+  EXPECT_TRUE(evenly_picked({}, {}, 60).empty());
+}
+
+}  // namespace
+}  // namespace echomap::pipeline
