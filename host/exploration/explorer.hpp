@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <variant>
+#include <vector>
 
+#include <Eigen/Core>
+
+#include "host/mapping/cell_field.hpp"
 #include "host/pipeline/snapshot.hpp"
 
 namespace echomap::exploration {
@@ -16,6 +22,14 @@ struct Turn {
 /// Straight ahead, or backwards where negative.
 struct Drive {
   double distance_m = 0.0;
+};
+
+/// Both wheels at a steady speed for a while: an arc, or a turn on the spot where `forward_m_per_s`
+/// is 0. The wheels roll on into a next motion that is a Roll, too; before any other they stop.
+struct Roll {
+  double forward_m_per_s = 0.0;
+  double turn_rad_per_s = 0.0;  ///< Counter-clockwise positive.
+  double for_s = 0.0;
 };
 
 /// Pan the sonar from `from_rad` to `to_rad`, both read, in steps, and wait after each.
@@ -32,10 +46,20 @@ struct EndScan {};
 
 /// Why an exploration ended.
 enum class FinishReason : std::uint8_t {
+  kComplete,     ///< the strategy has done what it set out to do
   kStopLimit,    ///< as many stops as were asked for
   kNoNewGround,  ///< the last stops showed no floor that was not known
   kNowhereToGo,  ///< nothing within reach: walls all around, or no echo at all
   kCannotSense,  ///< none of a stop's sweeps was carried out: the sonar or its pan drive is broken
+  kWaypointsMissed,  ///< at the last waypoint, and without some of those before it
+  kNotBack,          ///< the last waypoint was out of reach
+  kStuck,            ///< the robot is held, or its wheels turn and it does not move
+  kLifted,           ///< somebody has picked it up: the pose is void
+  kBatteryLow,       ///< short of power; it has gone back to where it started, if it could
+  kSonarSilent,      ///< nothing answered all round
+  kSonarStuck,       ///< the sonar says one range, wherever it looks
+  kWheelFault,       ///< a wheel does not turn, or its encoder does not count
+  kLost,  ///< what it hears is not what the map has there: carried off, or its wheels slipped
 };
 
 /// The exploration is over; the robot stands.
@@ -44,7 +68,7 @@ struct Finished {
 };
 
 /// What an explorer asks for next.
-using Motion = std::variant<Turn, Drive, Sweep, BeginScan, EndScan, Finished>;
+using Motion = std::variant<Turn, Drive, Roll, Sweep, BeginScan, EndScan, Finished>;
 
 /// How the last motion ended.
 enum class MotionResult : std::uint8_t {
@@ -58,6 +82,17 @@ enum class MotionResult : std::uint8_t {
   kInterrupted,  ///< line or board failed under it; the pose says how far it came
 };
 
+/// What a strategy has made of its own, beside the map that the pipeline makes.
+struct StrategyProducts {
+  /// Outline of the room in the map frame, counter-clockwise; empty for none.
+  std::vector<Eigen::Vector2d> outline_m;
+  /// Confidence that there is an obstacle, cell by cell; null for none.
+  std::shared_ptr<const mapping::CellField> confidence;
+  /// Waypoints that it had, and those that it has reached; 0 where it has none.
+  std::size_t phases = 0;
+  std::size_t phases_reached = 0;
+};
+
 /// Decides where to go: a snapshot in, the next motion out.
 class Explorer {
  public:
@@ -65,9 +100,11 @@ class Explorer {
   /// Called when the motion before has ended, with how it ended and a snapshot from after it. Once
   /// it has answered Finished it is not called again.
   virtual Motion next(const pipeline::Snapshot& snapshot, MotionResult last) = 0;
+  /// What it has made so far.
+  virtual StrategyProducts products() const { return {}; }
 };
 
-/// "stop-limit", "no-new-ground", "nowhere-to-go" or "cannot-sense".
+/// As summary.json says it: "complete", "stop-limit", ...
 const char* name_of(FinishReason reason);
 
 }  // namespace echomap::exploration

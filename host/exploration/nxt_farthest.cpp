@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -17,20 +16,14 @@ namespace {
 
 using geometry::Pose2;
 
-constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
-/// Angles given in degrees are whole numbers of steps only up to rounding.
-constexpr double kRoundingRad = 1e-9;
-
 void check(const NxtFarthestParams& params) {
-  const bool angles_ok = params.scan_rad >= kFullTurnRad - kRoundingRad && params.step_rad > 0.0 &&
-                         params.pan_limit_rad >= params.step_rad;
   const bool lengths_ok = params.robot_radius_m > 0.0 && params.clearance_m >= 0.0 &&
                           params.least_drive_m > 0.0 && params.back_off_m >= 0.0 &&
                           params.stop_spacing_m >= 0.0 && params.candidate_spread_rad >= 0.0;
   const bool choice_ok = params.candidates > 0 && params.drive_share > 0.0 &&
                          params.drive_share <= 1.0 && params.most_stops > 0 &&
-                         params.stops_without_new_ground > 0 && params.settle_s >= 0.0;
-  if (!angles_ok || !lengths_ok || !choice_ok) {
+                         params.stops_without_new_ground > 0 && params.scans > 0;
+  if (!is_possible(params.sweep) || !lengths_ok || !choice_ok) {
     throw std::invalid_argument("nxt-farthest: a parameter is outside of its range");
   }
 }
@@ -97,8 +90,13 @@ double known_floor_m(const mapping::OccupancyGrid& grid,
   return length_m;
 }
 
-bool is_apart(const Eigen::Vector2d& point_m, const std::vector<Pose2>& poses, double spacing_m) {
-  return std::none_of(poses.begin(), poses.end(), [&](const Pose2& pose) {
+/// From the poses, beginning with `first`.
+bool is_apart(const Eigen::Vector2d& point_m,
+              const std::vector<Pose2>& poses,
+              std::size_t first,
+              double spacing_m) {
+  const auto begin = poses.begin() + static_cast<std::ptrdiff_t>(first);
+  return std::none_of(begin, poses.end(), [&](const Pose2& pose) {
     return (pose.position_m() - point_m).norm() < spacing_m;
   });
 }
@@ -139,32 +137,12 @@ void NxtFarthest::note(MotionResult last) {
   }
 }
 
-/// Section 3.1. Each sector is swept to and fro until all rounds are read; where the pan does not
-/// go all the way round, the body turns from sector to sector. It turns towards the heading of the
-/// start, so that an error of the wheel track does not add up over the stops.
+/// Section 3.1. The body turns towards the heading of the start, so that an error of the wheel
+/// track does not add up over the stops.
 void NxtFarthest::plan_sensing(const pipeline::Snapshot& snapshot) {
   phase_ = Phase::kSensing;
   sweeps_done_ = 0;
-  const auto sectors =
-      static_cast<int>(std::ceil(std::numbers::pi / params_.pan_limit_rad - kRoundingRad));
-  const auto rounds = static_cast<int>(std::lround(params_.scan_rad / kFullTurnRad));
-  const double sector_rad = kFullTurnRad / sectors;
-  const bool turned_left = snapshot.latest.T_map_robot.heading_rad() > 0.0;
-  Sweep sweep{
-      -sector_rad / 2.0, sector_rad / 2.0 - params_.step_rad, params_.step_rad, params_.settle_s};
-
-  plan_.emplace_back(BeginScan{});
-  for (int sector = 0; sector < sectors; ++sector) {
-    if (sector > 0) {
-      plan_.emplace_back(Turn{turned_left ? -sector_rad : sector_rad});
-    }
-    for (int round = 0; round < rounds; ++round) {
-      plan_.emplace_back(sweep);
-      std::swap(sweep.from_rad, sweep.to_rad);
-      sweep.step_rad = -sweep.step_rad;
-    }
-  }
-  plan_.emplace_back(EndScan{});
+  plan_ = round_sweep(params_.sweep, snapshot.latest.T_map_robot.heading_rad() > 0.0);
 }
 
 /// Section 3.2: one of the farthest echoes at random, and half the way to it.
@@ -201,7 +179,7 @@ std::optional<Eigen::Vector2d> NxtFarthest::choose_way_m(const pipeline::Snapsho
     for (const auto& way_m : ways_m) {
       const Eigen::Vector2d goal_m = snapshot.latest.T_map_robot.position_m() + way_m;
       if (way_m.norm() >= params_.least_drive_m &&
-          is_apart(goal_m, snapshot.points->poses(), spacing_m)) {
+          is_apart(goal_m, snapshot.points->poses(), first_pose_, spacing_m)) {
         return way_m;
       }
     }
@@ -212,6 +190,24 @@ std::optional<Eigen::Vector2d> NxtFarthest::choose_way_m(const pipeline::Snapsho
 std::optional<FinishReason> NxtFarthest::reason_to_finish(const pipeline::Snapshot& snapshot) {
   if (sweeps_done_ == 0) {
     return FinishReason::kCannotSense;
+  }
+  const auto reason = end_of_scan(snapshot);
+  if (!reason || ++scans_done_ == params_.scans) {
+    return reason;
+  }
+  if (scans_done_ == 1) {
+    stops_of_first_scan_ = snapshot.stops;
+    end_of_first_scan_ = *reason;
+  }
+  first_stop_ = snapshot.stops;
+  first_pose_ = snapshot.points->poses().size();
+  return std::nullopt;
+}
+
+std::optional<FinishReason> NxtFarthest::end_of_scan(const pipeline::Snapshot& snapshot) {
+  if (scans_done_ > 0) {
+    const bool is_over = snapshot.stops - first_stop_ >= stops_of_first_scan_;
+    return is_over ? std::optional(end_of_first_scan_) : std::nullopt;
   }
   poor_stops_ = snapshot.newly_free_m2 < params_.new_ground_m2 ? poor_stops_ + 1 : 0;
   if (poor_stops_ >= params_.stops_without_new_ground) {

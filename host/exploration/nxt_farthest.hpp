@@ -10,21 +10,15 @@
 #include <Eigen/Core>
 
 #include "host/exploration/explorer.hpp"
+#include "host/exploration/round_sweep.hpp"
 
 namespace echomap::exploration {
 
 /// Values are those of Singh and Bedi 2013, section 3, where they give one; the others are ours,
 /// chosen in simulation.
 struct NxtFarthestParams {
-  /// Pan range read per stop: 720 degrees, so that every bearing is read twice.
-  double scan_rad = 12.566370614359172;
-  /// Angle between two readings: 6 degrees.
-  double step_rad = 0.10471975511965977;
-  /// The sonar pans from minus this to plus this: 90 degrees for a hobby servo, 360 for the
-  /// paper's motor. What it lacks to all round is made up for by turns of the body.
-  double pan_limit_rad = 1.5707963267948966;
-  /// Wait after each step of the pan, until the servo stands and old echoes have died away.
-  double settle_s = 0.03;
+  /// 720 degrees a stop, so that every bearing is read twice; the paper's motor pans all round.
+  RoundSweepParams sweep{.scan_rad = 12.566370614359172};
   /// One of this many farthest readings is chosen at random.
   std::size_t candidates = 4;
   /// Readings less than this apart are one candidate: about a beam's width, as a wide beam reads
@@ -43,17 +37,21 @@ struct NxtFarthestParams {
   double least_drive_m = 0.10;
   /// How far to back off from what was bumped into.
   double back_off_m = 0.05;
-  /// End after this many stops.
+  /// A scan of the room ends after this many stops at the latest.
   std::size_t most_stops = 20;
   /// A stop that shows less floor than this has shown no new ground.
   double new_ground_m2 = 0.10;
-  /// End after this many such stops in a row.
+  /// A scan of the room ends after this many such stops in a row.
   std::size_t stops_without_new_ground = 2;
+  /// So many scans of the room (section 5.1: "scan the room continuously till a highly detailed map
+  /// is constructed"). Each behind the first makes as many stops as that has made, apart from each
+  /// other, but not from those before.
+  std::size_t scans = 1;
 };
 
 /// Strategy `nxt-farthest`, the exploration of Singh and Bedi 2013, section 3: read all around,
-/// pick one of the farthest echoes at random, turn to it, go half the way, and again. Knows nothing
-/// of earlier stops but whether the last ones showed new ground.
+/// pick one of the farthest echoes at random, turn to it, go half the way, and again. Of earlier
+/// stops it knows only where they were and whether the last ones showed new ground.
 class NxtFarthest final : public Explorer {
  public:
   /// Keeps a reference to `random`. Throws std::invalid_argument for parameters without sense.
@@ -68,6 +66,8 @@ class NxtFarthest final : public Explorer {
   void plan_sensing(const pipeline::Snapshot& snapshot);
   void plan_moving(const pipeline::Snapshot& snapshot);
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
+  /// Why the scan of the room that is under way has come to its end; empty where it has not.
+  std::optional<FinishReason> end_of_scan(const pipeline::Snapshot& snapshot);
   std::optional<Eigen::Vector2d> choose_way_m(const pipeline::Snapshot& snapshot);
   double drivable_m(const Eigen::Vector2d& way_m, const pipeline::Snapshot& snapshot) const;
 
@@ -76,6 +76,11 @@ class NxtFarthest final : public Explorer {
   Phase phase_ = Phase::kMoving;
   std::deque<Motion> plan_;
   std::size_t poor_stops_ = 0;
+  std::size_t scans_done_ = 0;  ///< Of the room.
+  std::size_t first_stop_ = 0;  ///< Of this scan of the room.
+  std::size_t first_pose_ = 0;  ///< The same among the poses of the map.
+  std::size_t stops_of_first_scan_ = 0;
+  FinishReason end_of_first_scan_ = FinishReason::kNoNewGround;
   bool sweeping_ = false;        ///< The last motion was a sweep.
   std::size_t sweeps_done_ = 0;  ///< At this stop.
 };

@@ -93,7 +93,7 @@ TEST(NxtFarthest, ReadsTwiceAllAroundInStepsOfSixDegrees) {
 TEST(NxtFarthest, NeedsNoTurnOfTheBodyWhereThePanGoesAllRound) {
   std::mt19937 random(1);
   NxtFarthestParams params;
-  params.pan_limit_rad = std::numbers::pi;
+  params.sweep.pan_limit_rad = std::numbers::pi;
   NxtFarthest explorer(params, random);
   for (const Motion& motion : sensing(explorer, seen({}))) {
     EXPECT_FALSE(std::holds_alternative<Turn>(motion));
@@ -268,6 +268,25 @@ TEST(NxtFarthest, EndsWhenTwoStopsInARowShowNoNewGround) {
   EXPECT_EQ(finished.reason, FinishReason::kNoNewGround);
 }
 
+TEST(NxtFarthest, ScansTheRoomAgainWithAsManyStopsAsAtFirst) {
+  std::mt19937 random(1);
+  NxtFarthestParams params;
+  params.scans = 3;
+  NxtFarthest explorer(params, random);
+  auto snapshot = seen(kFiveWays);
+  snapshot.newly_free_m2 = 0.0;
+  snapshot.stops = 0;
+  Motion motion;
+  do {
+    ++snapshot.stops;
+    sensing(explorer, snapshot);
+    motion = explorer.next(snapshot, MotionResult::kReached);
+    explorer.next(snapshot, MotionResult::kReached);
+  } while (std::holds_alternative<Turn>(motion) && snapshot.stops < 20);
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kNoNewGround);
+  EXPECT_EQ(snapshot.stops, 6U) << "three times the two stops that found nothing new";
+}
+
 TEST(NxtFarthest, EndsWhereItHearsNothing) {
   std::mt19937 random(1);
   NxtFarthest explorer({}, random);
@@ -297,11 +316,12 @@ TEST(NxtFarthest, RefusesParametersWithoutSense) {
     change(params);
     EXPECT_THROW(NxtFarthest(params, random), std::invalid_argument);
   };
-  refused([](auto& params) { params.step_rad = 0.0; });
-  refused([](auto& params) { params.scan_rad = 1.0; });
+  refused([](auto& params) { params.sweep.step_rad = 0.0; });
+  refused([](auto& params) { params.sweep.scan_rad = 1.0; });
   refused([](auto& params) { params.candidates = 0; });
   refused([](auto& params) { params.drive_share = 1.5; });
   refused([](auto& params) { params.most_stops = 0; });
+  refused([](auto& params) { params.scans = 0; });
   refused([](auto& params) { params.robot_radius_m = 0.0; });
 }
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/fault_watch.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace echomap::exploration {
+namespace {
+
+bool has_stalled(MotionResult result) {
+  return result == MotionResult::kStalled || result == MotionResult::kTimedOut;
+}
+
+}  // namespace
+
+FaultWatch::FaultWatch(std::unique_ptr<Explorer> strategy, const FaultWatchParams& params)
+    : strategy_(std::move(strategy)), params_(params) {
+  const bool scans_ok = params.scans_elsewhere > 0 && params.silent_readings > 0 &&
+                        params.compared_scans >= params.least_compared_scans &&
+                        params.compared_echoes > 0 && params.most_floor_share > 0.0 &&
+                        params.doubtful_echoes > 0 && params.doubtful_floor_share > 0.0;
+  if (!strategy_ || !scans_ok || params.most_stalled_turns == 0 || !(params.try_turn_rad > 0.0)) {
+    throw std::invalid_argument("fault watch: a parameter is outside of its range");
+  }
+}
+
+Motion FaultWatch::next(const pipeline::Snapshot& snapshot, MotionResult last) {
+  const auto reason = fault_of_scans(snapshot);
+  map_before_ = snapshot.grid;
+  if (reason) {
+    return Finished{*reason};
+  }
+  if (turns_ > 0 || has_stalled(last)) {
+    if (const auto motion = try_wheels(last)) {
+      return *motion;
+    }
+    last = stalled_;
+  }
+  return strategy_->next(snapshot, last);
+}
+
+std::optional<FinishReason> FaultWatch::fault_of_scans(const pipeline::Snapshot& snapshot) {
+  if (std::exchange(stops_, snapshot.stops) == snapshot.stops) {
+    return std::nullopt;
+  }
+  const mapping::Scan& scan = *snapshot.last_scan;
+  const bool is_heard = std::any_of(
+      scan.begin(), scan.end(), [](const auto& reading) { return reading.range_m.has_value(); });
+  silent_readings_ = is_heard ? 0 : silent_readings_ + scan.size();
+  if (silent_readings_ >= params_.silent_readings) {
+    return FinishReason::kSonarSilent;
+  }
+  if (snapshot.last_scan_fault == mapping::ScanFault::kStuck) {
+    return FinishReason::kSonarStuck;
+  }
+  const mapping::ScanFit fit =
+      map_before_ ? mapping::fit_of(scan, *map_before_) : mapping::ScanFit{};
+  const bool is_elsewhere =
+      snapshot.last_scan_fault == mapping::ScanFault::kElsewhere || is_doubtful(fit);
+  scans_elsewhere_ = is_elsewhere ? scans_elsewhere_ + 1 : 0;
+  const bool is_lost = contradicts_itself(fit) || scans_elsewhere_ >= params_.scans_elsewhere;
+  return is_lost ? std::optional(FinishReason::kLost) : std::nullopt;
+}
+
+bool FaultWatch::is_doubtful(const mapping::ScanFit& fit) const {
+  const std::size_t known = fit.on_walls + fit.on_floor;
+  return known >= params_.doubtful_echoes &&
+         static_cast<double>(fit.on_floor) >=
+             params_.doubtful_floor_share * static_cast<double>(known);
+}
+
+bool FaultWatch::contradicts_itself(const mapping::ScanFit& fit) {
+  fits_.push_back(fit);
+  if (fits_.size() > params_.compared_scans) {
+    fits_.pop_front();
+  }
+  std::size_t known = 0;
+  std::size_t on_floor = 0;
+  for (const mapping::ScanFit& one : fits_) {
+    known += one.on_walls + one.on_floor;
+    on_floor += one.on_floor;
+  }
+  return fits_.size() >= params_.least_compared_scans && known >= params_.compared_echoes &&
+         static_cast<double>(on_floor) >= params_.most_floor_share * static_cast<double>(known);
+}
+
+/// To and fro until a turn does not stall; the robot is left turned by that one.
+std::optional<Motion> FaultWatch::try_wheels(MotionResult last) {
+  if (turns_ == 0) {
+    stalled_ = last;
+  } else if (!has_stalled(last)) {
+    turns_ = 0;
+    return std::nullopt;
+  } else if (turns_ == params_.most_stalled_turns) {
+    return Finished{FinishReason::kWheelFault};
+  }
+  const double sign = turns_ % 2 == 0 ? 1.0 : -1.0;
+  ++turns_;
+  return Turn{sign * params_.try_turn_rad};
+}
+
+}  // namespace echomap::exploration

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "host/exploration/explorer.hpp"
+#include "host/mapping/scan_check.hpp"
+
+namespace echomap::exploration {
+
+/// When a part is taken for broken; ours, chosen in simulated rooms.
+struct FaultWatchParams {
+  /// So many scans in a row that are of another place than the robot believes to be at: it is lost.
+  /// One alone may be a door that has been opened.
+  std::size_t scans_elsewhere = 2;
+  /// A scan is in doubt where the map before it knew so many of its echoes at least, and such a
+  /// share of them lies on floor; two in a row are as bad as two of another place.
+  std::size_t doubtful_echoes = 20;
+  double doubtful_floor_share = 0.33;
+  /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans,
+  /// so few at least and so many at most, it knew something of so many at least, and such a share
+  /// of them lies on its floor.
+  std::size_t least_compared_scans = 3;
+  std::size_t compared_scans = 5;
+  std::size_t compared_echoes = 100;
+  double most_floor_share = 0.2;
+  /// So many readings in a row, of whole scans, that nothing has answered are a dead sonar: a turn
+  /// all round in the paper's steps of 6 degrees.
+  std::size_t silent_readings = 60;
+  /// How far the robot is turned to and fro, to try wheels that have stalled.
+  double try_turn_rad = 0.35;
+  /// So many of these turns in a row that stall as well are a broken wheel, motor or encoder.
+  std::size_t most_stalled_turns = 2;
+};
+
+/// Watches the parts of a robot that any strategy drives, and ends the exploration where going on
+/// would spoil the map: a sonar that is silent or hangs, a wheel or its encoder that does not turn,
+/// a robot that is not where it believes to be.
+class FaultWatch final : public Explorer {
+ public:
+  /// Throws std::invalid_argument for parameters without sense.
+  explicit FaultWatch(std::unique_ptr<Explorer> strategy, const FaultWatchParams& params = {});
+
+  Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
+  StrategyProducts products() const override { return strategy_->products(); }
+
+ private:
+  std::optional<FinishReason> fault_of_scans(const pipeline::Snapshot& snapshot);
+  /// The next try of the wheels; empty where they turn.
+  std::optional<Motion> try_wheels(MotionResult last);
+
+  bool is_doubtful(const mapping::ScanFit& fit) const;
+  bool contradicts_itself(const mapping::ScanFit& fit);
+
+  std::unique_ptr<Explorer> strategy_;
+  FaultWatchParams params_;
+  std::size_t stops_ = 0;
+  std::size_t scans_elsewhere_ = 0;                           ///< In a row, or in doubt.
+  std::shared_ptr<const mapping::OccupancyGrid> map_before_;  ///< As it was before the last motion.
+  std::deque<mapping::ScanFit> fits_;                         ///< Of the last scans.
+  std::size_t silent_readings_ = 0;                           ///< In a row, and no echo among them.
+  std::size_t turns_ = 0;  ///< That have been tried since the wheels stalled.
+  /// How the strategy's own motion ended, while the wheels are tried.
+  MotionResult stalled_ = MotionResult::kStalled;
+};
+
+}  // namespace echomap::exploration

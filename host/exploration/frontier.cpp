@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/frontier.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+#include <stdexcept>
+#include <variant>
+
+#include "host/exploration/frontier_search.hpp"
+#include "host/exploration/unwinding_turn.hpp"
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/raster_map.hpp"
+
+namespace echomap::exploration {
+
+namespace {
+
+using geometry::CellIndex;
+using geometry::Pose2;
+using mapping::CellState;
+using mapping::RasterMap;
+
+constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
+/// Angles given in degrees are whole numbers of steps only up to rounding.
+constexpr double kRoundingRad = 1e-9;
+
+void check(const FrontierParams& params) {
+  const bool lengths_ok = params.least_gain_m2 > 0.0 && params.back_off_m >= 0.0 &&
+                          params.obstacle_m > 0.0 && params.openings_apart_m >= 0.0 &&
+                          params.openings.step_m > 0.0 && params.openings.half_width_m > 0.0 &&
+                          params.openings.far_m > 0.0;
+  if (!is_possible(params.sweep) || !lengths_ok || params.most_failures == 0 ||
+      params.most_stops == 0) {
+    throw std::invalid_argument("frontier: a parameter is outside of its range");
+  }
+}
+
+/// Makes the cells within `radius_m` of a point so, of those that are in `from`.
+void draw_disc(RasterMap& map,
+               const Eigen::Vector2d& at_m,
+               double radius_m,
+               std::initializer_list<CellState> from,
+               CellState state) {
+  const CellIndex low = map.cell_at(at_m.array() - radius_m);
+  const CellIndex high = map.cell_at(at_m.array() + radius_m);
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      const bool is_in = (map.center_m({x, y}) - at_m).norm() <= radius_m;
+      const bool is_from = std::find(from.begin(), from.end(), map.state({x, y})) != from.end();
+      if (is_in && is_from && map.contains({x, y})) {
+        map.set({x, y}, state);
+      }
+    }
+  }
+}
+
+/// The map with room around it for what looks may have reached, with what has stopped the robot,
+/// and with floor where it stands.
+RasterMap planning_map(const pipeline::Snapshot& snapshot,
+                       const std::vector<Eigen::Vector2d>& bumps_m,
+                       const FrontierParams& params) {
+  const RasterMap known = mapping::rasterize(*snapshot.grid);
+  const auto margin = 1 + static_cast<std::int32_t>(params.gain.depth_m / known.resolution_m());
+  RasterMap map = mapping::cut_out(
+      known, {{-margin, -margin}, {known.columns() - 1 + margin, known.rows() - 1 + margin}});
+  for (const Eigen::Vector2d& bump_m : bumps_m) {
+    draw_disc(map,
+              bump_m,
+              0.5 * params.obstacle_m,
+              {CellState::kFree, CellState::kUnknown},
+              CellState::kOccupied);
+  }
+  draw_disc(map,
+            snapshot.latest.T_map_robot.position_m(),
+            params.costs.robot_radius_m,
+            {CellState::kUnknown},
+            CellState::kFree);
+  return map;
+}
+
+/// Twice what the way takes at the lowest speed, and some turns.
+std::size_t patience_for(double way_m, const PathFollowerParams& params) {
+  constexpr double kTurns = 20.0;
+  return static_cast<std::size_t>(kTurns + 2.0 * way_m / (params.slowest_m_per_s * params.roll_s));
+}
+
+}  // namespace
+
+Frontier::Frontier(const FrontierParams& params) : params_(params), follower_(params.follower) {
+  check(params);
+}
+
+Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
+  sweeps_done_ += sweeping_ && last == MotionResult::kReached ? 1 : 0;
+  sweeping_ = false;
+  if (auto motion = recover(snapshot, last)) {
+    return *motion;
+  }
+  if (!plan_.empty()) {
+    return take_planned();
+  }
+  switch (phase_) {
+    case Phase::kStarting:
+      plan_sweep(snapshot.latest.T_map_robot, {0.0, 0.0, kFullTurnRad});
+      return take_planned();
+    case Phase::kDriving:
+      return drive_on(snapshot);
+    case Phase::kSensing:
+    case Phase::kBackingOff:
+      break;
+  }
+  return decide(snapshot);
+}
+
+/// What stopped a move stands before the robot: it is kept, and the robot backs off. A lifted robot
+/// begins anew where it was put down.
+std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, MotionResult last) {
+  const bool touches = snapshot.hazards.bump_left || snapshot.hazards.bump_right;
+  const bool pushes = phase_ == Phase::kDriving && touches;
+  if (last == MotionResult::kReached && !pushes) {
+    return std::nullopt;
+  }
+  if (++failures_ > params_.most_failures) {
+    return Finished{FinishReason::kNowhereToGo};
+  }
+  if (last == MotionResult::kLifted) {
+    plan_.clear();
+    phase_ = Phase::kStarting;
+    return std::nullopt;
+  }
+  const bool in_the_way = pushes || last == MotionResult::kBumped ||
+                          last == MotionResult::kHazard || last == MotionResult::kStalled;
+  if (phase_ != Phase::kDriving || !in_the_way) {
+    return std::nullopt;
+  }
+  remember_obstacle(snapshot);
+  phase_ = Phase::kBackingOff;
+  return Drive{-params_.back_off_m};
+}
+
+/// Before the hull, or on the side of it where the bumper was pushed.
+void Frontier::remember_obstacle(const pipeline::Snapshot& snapshot) {
+  constexpr double kSideRad = 0.6;
+  const auto& hazards = snapshot.hazards;
+  const double aside_rad =
+      kSideRad * ((hazards.bump_left ? 1.0 : 0.0) - (hazards.bump_right ? 1.0 : 0.0));
+  const double ahead_m = params_.costs.robot_radius_m + 0.5 * params_.obstacle_m;
+  const Eigen::Vector2d from_robot_m = ahead_m * geometry::unit_vector(aside_rad);
+  bumps_m_.emplace_back(snapshot.latest.T_map_robot * from_robot_m);
+}
+
+void Frontier::remember_scan(const pipeline::Snapshot& snapshot) {
+  if (snapshot.last_scan_fault == mapping::ScanFault::kNone) {
+    scans_.push_back(snapshot.last_scan);
+  }
+}
+
+std::optional<FinishReason> Frontier::reason_to_finish(const pipeline::Snapshot& snapshot) {
+  if (phase_ == Phase::kSensing && sweeps_done_ == 0) {
+    return FinishReason::kCannotSense;
+  }
+  if (snapshot.stops >= params_.most_stops) {
+    return FinishReason::kStopLimit;
+  }
+  return std::nullopt;
+}
+
+Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
+  if (const auto reason = reason_to_finish(snapshot)) {
+    return Finished{*reason};
+  }
+  if (phase_ == Phase::kSensing) {
+    failures_ = 0;
+    remember_scan(snapshot);
+  }
+  const Pose2& T_map_robot = snapshot.latest.T_map_robot;
+  const RasterMap map = planning_map(snapshot, bumps_m_, params_);
+  const CellIndex here = map.cell_at(T_map_robot.position_m());
+  costs_.emplace(map, T_map_robot.position_m(), params_.costs);
+  travel_.search(*costs_, here);
+  goal_ = choose_viewpoint(*costs_,
+                           travel_,
+                           find_frontiers(map, here),
+                           ViewGain(map, views_, params_.gain),
+                           T_map_robot,
+                           params_.least_gain_m2,
+                           params_.viewpoints);
+  if (!goal_) {
+    goal_ = choose_opening(map, T_map_robot);
+  }
+  if (!goal_) {
+    return Finished{FinishReason::kComplete};
+  }
+  const auto path = planner_.find(*costs_, here, costs_->cell_at(goal_->at_m));
+  follower_.follow(path && goal_->cost_m > 0.0 ? path->points_m : std::vector<Eigen::Vector2d>{});
+  patience_ = patience_for(goal_->cost_m, params_.follower);
+  phase_ = Phase::kDriving;
+  return drive_on(snapshot);
+}
+
+/// The nearest that was not tried. The floor right behind it is supposed to be there, until
+/// something stops the robot.
+std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map, const Pose2& T_map_robot) {
+  std::optional<Viewpoint> nearest;
+  for (const Opening& opening : find_openings(map, scans_, params_.openings)) {
+    const auto cost_m = travel_.cost_m(map.cell_at(opening.edge_m));
+    if (cost_m && !was_tried(opening.beyond_m) && (!nearest || *cost_m < nearest->cost_m)) {
+      nearest = Viewpoint{opening.beyond_m, {0.0, 0.0, kFullTurnRad}, *cost_m, 0.0};
+    }
+  }
+  if (!nearest) {
+    return std::nullopt;
+  }
+  failures_ = 0;
+  openings_m_.push_back(nearest->at_m);
+  nearest->cost_m += params_.openings.step_m;
+  RasterMap stepped = map;
+  const double radius_m = params_.openings.step_m + 2.0 * map.resolution_m();
+  draw_disc(stepped, nearest->at_m, radius_m, {CellState::kUnknown}, CellState::kFree);
+  costs_.emplace(stepped, T_map_robot.position_m(), params_.costs);
+  return nearest;
+}
+
+bool Frontier::was_tried(const Eigen::Vector2d& opening_m) const {
+  const auto is_near = [&](const Eigen::Vector2d& tried_m) {
+    return (tried_m - opening_m).norm() < params_.openings_apart_m;
+  };
+  return std::any_of(openings_m_.begin(), openings_m_.end(), is_near) ||
+         std::any_of(bumps_m_.begin(), bumps_m_.end(), is_near);
+}
+
+/// On along the way; where it ends, or has taken too long, the sweep.
+Motion Frontier::drive_on(const pipeline::Snapshot& snapshot) {
+  const auto motion = follower_.next(snapshot.latest.T_map_robot, *costs_);
+  if (motion && patience_ > 0) {
+    --patience_;
+    return *motion;
+  }
+  plan_sweep(snapshot.latest.T_map_robot, goal_->view);
+  return take_planned();
+}
+
+void Frontier::plan_sweep(const Pose2& T_map_robot, const BestView& view) {
+  phase_ = Phase::kSensing;
+  sweeps_done_ = 0;
+  views_.push_back({T_map_robot.position_m(), view.middle_rad, 0.5 * view.width_rad});
+  if (view.width_rad >= kFullTurnRad - kRoundingRad) {
+    plan_ = round_sweep(params_.sweep, T_map_robot.heading_rad() > 0.0);
+  } else {
+    plan_sector(T_map_robot.heading_rad(), view);
+  }
+}
+
+/// The body turns only as far as the pan does not reach.
+void Frontier::plan_sector(double heading_rad, const BestView& view) {
+  const double half_rad = std::min(0.5 * view.width_rad, params_.sweep.pan_limit_rad);
+  const double slack_rad = params_.sweep.pan_limit_rad - half_rad;
+  const double off_rad = geometry::angle_between(heading_rad, view.middle_rad);
+  const double pan_rad = std::clamp(off_rad, -slack_rad, slack_rad);
+  const double steps = std::max(1.0, std::round(2.0 * half_rad / params_.sweep.step_rad));
+  plan_ = {BeginScan{}};
+  if (std::abs(off_rad) > slack_rad) {
+    plan_.emplace_back(
+        Turn{unwinding_turn_rad(heading_rad, geometry::wrap_angle(view.middle_rad - pan_rad))});
+  }
+  plan_.emplace_back(Sweep{
+      pan_rad - half_rad, pan_rad + half_rad, 2.0 * half_rad / steps, params_.sweep.settle_s});
+  plan_.emplace_back(EndScan{});
+}
+
+Motion Frontier::take_planned() {
+  Motion motion = plan_.front();
+  plan_.pop_front();
+  sweeping_ = std::holds_alternative<Sweep>(motion);
+  return motion;
+}
+
+}  // namespace echomap::exploration

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/exploration/cost_grid.hpp"
+#include "host/exploration/explorer.hpp"
+#include "host/exploration/opening_search.hpp"
+#include "host/exploration/path_follower.hpp"
+#include "host/exploration/path_planner.hpp"
+#include "host/exploration/round_sweep.hpp"
+#include "host/exploration/travel_field.hpp"
+#include "host/exploration/view_gain.hpp"
+#include "host/exploration/viewpoint_choice.hpp"
+
+namespace echomap::exploration {
+
+/// Values without another source are ours, chosen in simulation.
+struct FrontierParams {
+  CostGridParams costs;
+  PathFollowerParams follower;
+  ViewGainParams gain;
+  ViewpointParams viewpoints;
+  OpeningParams openings;
+  /// All round once, in steps of 4 degrees: a beam of 26 degrees then hears a wall seven times. A
+  /// sweep of a sector is as dense.
+  RoundSweepParams sweep{6.283185307179586, 0.06981317007977318, 1.5707963267948966, 0.03};
+  /// The room is done when no sweep would show more than this.
+  double least_gain_m2 = 0.2;
+  /// How far to back off from what was bumped into.
+  double back_off_m = 0.1;
+  /// What stopped the robot is taken to be so wide.
+  double obstacle_m = 0.2;
+  /// An opening so near to one that was chosen before, or to a bump, is the same one.
+  double openings_apart_m = 0.3;
+  /// Give up after more motions that failed than this since the last stop, or since an opening was
+  /// chosen.
+  std::size_t most_failures = 8;
+  /// End after this many stops.
+  std::size_t most_stops = 40;
+};
+
+/// Strategy `frontier`, ours: goes to where a sweep shows most unknown floor for the time that it
+/// takes, and where no reachable place promises more, steps into what openings are left. The room
+/// is complete without any (after Yamauchi 1997 and Gonzalez-Banos and Latombe 2002).
+class Frontier final : public Explorer {
+ public:
+  /// Throws std::invalid_argument for parameters without sense.
+  explicit Frontier(const FrontierParams& params);
+
+  Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
+
+ private:
+  enum class Phase : std::uint8_t { kStarting, kDriving, kSensing, kBackingOff };
+
+  std::optional<Motion> recover(const pipeline::Snapshot& snapshot, MotionResult last);
+  void remember_obstacle(const pipeline::Snapshot& snapshot);
+  void remember_scan(const pipeline::Snapshot& snapshot);
+  std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
+  Motion decide(const pipeline::Snapshot& snapshot);
+  std::optional<Viewpoint> choose_opening(const mapping::RasterMap& map,
+                                          const geometry::Pose2& T_map_robot);
+  bool was_tried(const Eigen::Vector2d& opening_m) const;
+  Motion drive_on(const pipeline::Snapshot& snapshot);
+  void plan_sweep(const geometry::Pose2& T_map_robot, const BestView& view);
+  void plan_sector(double heading_rad, const BestView& view);
+  Motion take_planned();
+
+  FrontierParams params_;
+  PathFollower follower_;
+  PathPlanner planner_;
+  TravelField travel_;
+  std::optional<CostGrid> costs_;
+  Phase phase_ = Phase::kStarting;
+  std::deque<Motion> plan_;
+  std::optional<Viewpoint> goal_;
+  std::vector<PastView> views_;
+  HeardScans scans_;
+  std::vector<Eigen::Vector2d> openings_m_;  ///< Those that were chosen, reached or not.
+  std::vector<Eigen::Vector2d> bumps_m_;     ///< What has stopped the robot.
+  std::size_t patience_ = 0;                 ///< Motions that the way may still take.
+  std::size_t failures_ = 0;                 ///< Since the last stop or opening.
+  bool sweeping_ = false;                    ///< The last motion was a sweep.
+  std::size_t sweeps_done_ = 0;              ///< At this stop.
+};
+
+}  // namespace echomap::exploration

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/opening_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/geometry/angle.hpp"
+#include "host/mapping/distance_field.hpp"
+
+namespace echomap::exploration {
+
+namespace {
+
+using geometry::CellIndex;
+using mapping::CellState;
+using mapping::DistanceField;
+using mapping::RasterMap;
+
+/// An echo so far beyond a place does not come from there.
+constexpr double kEchoMarginM = 0.1;
+
+/// Where free floor ends, and the way from there on into the unknown.
+struct Edge {
+  Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d outward = Eigen::Vector2d::UnitX();
+};
+
+/// How far each cell is from free floor.
+DistanceField distance_to_floor(const RasterMap& map, double most_m) {
+  RasterMap floor = map;
+  for (int y = 0; y < map.rows(); ++y) {
+    const CellState* states = map.row(y);
+    for (int x = 0; x < map.columns(); ++x) {
+      floor.set({x, y}, states[x] == CellState::kFree ? CellState::kOccupied : CellState::kUnknown);
+    }
+  }
+  return DistanceField(floor, most_m);
+}
+
+/// The edge of the floor nearest to a cell that is at most so many cells off it.
+Edge nearest_edge(const RasterMap& map, CellIndex cell, std::int32_t reach) {
+  Edge nearest;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  const Eigen::Vector2d from_m = map.center_m(cell);
+  for (std::int32_t y = cell.y - reach; y <= cell.y + reach; ++y) {
+    for (std::int32_t x = cell.x - reach; x <= cell.x + reach; ++x) {
+      const Eigen::Vector2d way_m = from_m - map.center_m({x, y});
+      if (map.state({x, y}) == CellState::kFree && way_m.norm() < nearest_m) {
+        nearest_m = way_m.norm();
+        nearest = {map.center_m({x, y}), way_m.normalized()};
+      }
+    }
+  }
+  return nearest;
+}
+
+bool floor_lies_between(const RasterMap& map,
+                        const Eigen::Vector2d& from_m,
+                        const Eigen::Vector2d& to_m) {
+  const auto steps = static_cast<int>((to_m - from_m).norm() / map.resolution_m()) + 1;
+  for (int i = 0; i < steps; ++i) {
+    const Eigen::Vector2d at_m = from_m + static_cast<double>(i) / steps * (to_m - from_m);
+    if (map.state(map.cell_at(at_m)) != CellState::kFree) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// A beam of the scan met the edge squarely, and none that way was answered from about there.
+bool listened_through(const mapping::Scan& scan,
+                      const RasterMap& map,
+                      const Edge& edge,
+                      const OpeningParams& params) {
+  bool met_squarely = false;
+  for (const mapping::PlacedReading& reading : scan) {
+    const Eigen::Vector2d way_m = edge.at_m - reading.T_map_sonar.position_m();
+    const double distance_m = way_m.norm();
+    const double off_axis_rad = geometry::angle_between(std::atan2(way_m.y(), way_m.x()),
+                                                        reading.T_map_sonar.heading_rad());
+    if (distance_m > params.far_m || std::abs(off_axis_rad) > params.look_half_angle_rad) {
+      continue;
+    }
+    if (reading.range_m && *reading.range_m <= distance_m + params.step_m + kEchoMarginM) {
+      return false;
+    }
+    met_squarely |= way_m.dot(edge.outward) >= std::cos(params.square_rad) * distance_m;
+  }
+  return met_squarely && floor_lies_between(map, scan.front().T_map_sonar.position_m(), edge.at_m);
+}
+
+}  // namespace
+
+std::vector<Opening> find_openings(const RasterMap& map,
+                                   const HeardScans& scans,
+                                   const OpeningParams& params) {
+  const double step_cells = params.step_m / map.resolution_m();
+  const double half_width_cells = params.half_width_m / map.resolution_m();
+  const DistanceField to_floor = distance_to_floor(map, params.step_m + 2.0 * map.resolution_m());
+  const DistanceField to_occupied(map, params.half_width_m + map.resolution_m());
+  const auto is_narrow = [&](CellIndex cell) {
+    return static_cast<double>(to_occupied.distance_cells(cell)) < half_width_cells;
+  };
+  std::vector<Opening> openings;
+  for (int y = 0; y < map.rows(); ++y) {
+    for (int x = 0; x < map.columns(); ++x) {
+      const auto off_cells = static_cast<double>(to_floor.distance_cells({x, y}));
+      const bool is_step_away = off_cells >= step_cells && off_cells <= step_cells + 1.0;
+      if (!is_step_away || map.state({x, y}) != CellState::kUnknown || is_narrow({x, y})) {
+        continue;
+      }
+      const Edge edge = nearest_edge(map, {x, y}, 1 + static_cast<std::int32_t>(step_cells));
+      if (!is_narrow(map.cell_at(edge.at_m)) &&
+          std::any_of(scans.begin(), scans.end(), [&](const auto& scan) {
+            return listened_through(*scan, map, edge, params);
+          })) {
+        openings.push_back({edge.at_m, map.center_m({x, y})});
+      }
+    }
+  }
+  return openings;
+}
+
+}  // namespace echomap::exploration

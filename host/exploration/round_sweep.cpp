@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/round_sweep.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace echomap::exploration {
+
+namespace {
+
+constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
+/// Angles given in degrees are whole numbers of steps only up to rounding.
+constexpr double kRoundingRad = 1e-9;
+
+}  // namespace
+
+bool is_possible(const RoundSweepParams& params) {
+  return params.scan_rad >= kFullTurnRad - kRoundingRad && params.step_rad > 0.0 &&
+         params.pan_limit_rad >= params.step_rad && params.settle_s >= 0.0;
+}
+
+std::deque<Motion> round_sweep(const RoundSweepParams& params, bool turned_left) {
+  const auto sectors =
+      static_cast<int>(std::ceil(std::numbers::pi / params.pan_limit_rad - kRoundingRad));
+  const auto rounds = static_cast<int>(std::lround(params.scan_rad / kFullTurnRad));
+  const double sector_rad = kFullTurnRad / sectors;
+  Sweep sweep{
+      -sector_rad / 2.0, sector_rad / 2.0 - params.step_rad, params.step_rad, params.settle_s};
+
+  std::deque<Motion> motions{BeginScan{}};
+  for (int sector = 0; sector < sectors; ++sector) {
+    if (sector > 0) {
+      motions.emplace_back(Turn{turned_left ? -sector_rad : sector_rad});
+    }
+    for (int round = 0; round < rounds; ++round) {
+      motions.emplace_back(sweep);
+      std::swap(sweep.from_rad, sweep.to_rad);
+      sweep.step_rad = -sweep.step_rad;
+    }
+  }
+  motions.emplace_back(EndScan{});
+  return motions;
+}
+
+}  // namespace echomap::exploration

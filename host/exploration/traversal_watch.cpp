@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/traversal_watch.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::exploration {
+
+namespace {
+
+constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
+
+}  // namespace
+
+TraversalWatch::TraversalWatch(const TraversalParams& params) : params_(params) {
+  if (!(params.reach_m > 0.0) || !(params.reach_per_m >= 0.0) || !(params.turn_slack_rad >= 0.0)) {
+    throw std::invalid_argument("traversal: reach and slack are not below 0");
+  }
+}
+
+void TraversalWatch::add(const WallStep& step) {
+  const Eigen::Vector2d& place_m = step.T_map_robot.position_m();
+  const double bearing_rad = std::atan2(place_m.y(), place_m.x());
+  if (!first_) {
+    first_ = step;
+    bearing_rad_ = bearing_rad;
+  }
+  covered_rad_ += geometry::angle_between(bearing_rad_, bearing_rad);
+  bearing_rad_ = bearing_rad;
+  if (!along_turned_rad_ && step.contact.wall_beside && !step.contact.bumped) {
+    along_turned_rad_ = step.turned_rad;
+  }
+  if (state_ != Traversal::kUnderway || !along_turned_rad_) {
+    return;
+  }
+  const double turned_rad = step.turned_rad - *along_turned_rad_;
+  const double away_m = (place_m - first_->T_map_robot.position_m()).norm();
+  if (std::abs(turned_rad) >= kFullTurnRad - params_.turn_slack_rad &&
+      away_m <= params_.reach_m + params_.reach_per_m * step.way_m) {
+    state_ = turned_rad > 0.0 ? Traversal::kRoundRoom : Traversal::kRoundIsland;
+    round_m_ = step.way_m;
+  }
+}
+
+}  // namespace echomap::exploration

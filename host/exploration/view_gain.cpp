@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/view_gain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/distance_field.hpp"
+
+namespace echomap::exploration {
+
+namespace {
+
+using geometry::CellIndex;
+using mapping::CellState;
+
+constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
+constexpr double kSectorRad = kFullTurnRad / ViewGain::kSectors;
+
+double bearing_of(std::size_t sector) {
+  return -std::numbers::pi + (static_cast<double>(sector) + 0.5) * kSectorRad;
+}
+
+/// std::floor is a call where the processor need not have SSE 4.1.
+std::int32_t rounded_down(double value) {
+  const auto towards_zero = static_cast<std::int32_t>(value);
+  return towards_zero - (value < towards_zero ? 1 : 0);
+}
+
+}  // namespace
+
+ViewGain::ViewGain(const mapping::RasterMap& map,
+                   const std::vector<PastView>& past,
+                   const ViewGainParams& params)
+    : map_(map),
+      params_(params),
+      worth_(static_cast<std::size_t>(map.columns()) * static_cast<std::size_t>(map.rows()), 1.0F),
+      seen_(worth_.size()) {
+  const bool lengths_ok = params.reach_m > 0.0 && params.fade_m > 0.0 && params.look_fade_m > 0.0 &&
+                          params.depth_m > 0.0;
+  if (!lengths_ok || !(params.left_by_look > 0.0) || params.left_by_look > 1.0) {
+    throw std::invalid_argument("view gain: a parameter is outside of its range");
+  }
+  const double step_m = map.resolution_m();
+  const auto steps = static_cast<int>(params.reach_m / step_m);
+  for (int i = 0; i <= steps; ++i) {
+    const double range_m = i * step_m;
+    const double looks = std::exp(-range_m / params.look_fade_m);
+    shown_m2_.push_back(std::exp(-range_m / params.fade_m) * range_m * kSectorRad * step_m);
+    left_.push_back(static_cast<float>(std::pow(params.left_by_look, looks)));
+  }
+  weigh_by_walls();
+  for (const PastView& view : past) {
+    look(view);
+  }
+}
+
+/// Calls `visit(cell, step)` for the unknown cells along a ray, in steps of one cell's edge.
+template <typename Visitor>
+void ViewGain::follow(const Eigen::Vector2d& from_m, double bearing_rad, Visitor&& visit) const {
+  const double step_m = map_.resolution_m();
+  const Eigen::Vector2d step_cells = geometry::unit_vector(bearing_rad);
+  Eigen::Vector2d at_cells = (from_m - map_.origin_m()) / step_m;
+  auto unknown_steps = static_cast<int>(std::lround(params_.depth_m / step_m));
+  for (std::size_t i = 0; i < shown_m2_.size(); ++i, at_cells += step_cells) {
+    const CellIndex cell{rounded_down(at_cells.x()), rounded_down(at_cells.y())};
+    const CellState state = map_.state(cell);
+    if (state == CellState::kOccupied) {
+      return;
+    }
+    if (state == CellState::kUnknown) {
+      visit(cell, i);
+      if (--unknown_steps == 0) {
+        return;
+      }
+    }
+  }
+}
+
+void ViewGain::weigh_by_walls() {
+  if (params_.beside_wall_m <= 0.0) {
+    return;
+  }
+  const mapping::DistanceField to_wall(map_, params_.beside_wall_m);
+  const auto beside_cells = static_cast<float>(params_.beside_wall_m / map_.resolution_m());
+  for (int y = 0; y < map_.rows(); ++y) {
+    const float* distances = to_wall.row(y);
+    float* worths = &worth_[index({0, y})];
+    for (int x = 0; x < map_.columns(); ++x) {
+      worths[x] = std::min(1.0F, distances[x] / beside_cells);
+    }
+  }
+}
+
+/// As many rays as hit each cell at the far end.
+void ViewGain::look(const PastView& view) {
+  ++views_;
+  const double step_rad = map_.resolution_m() / params_.reach_m;
+  const int rays = 1 + static_cast<int>(2.0 * view.half_width_rad / step_rad);
+  for (int i = 0; i < rays; ++i) {
+    const double bearing_rad = view.middle_rad - view.half_width_rad + i * step_rad;
+    follow(view.from_m, bearing_rad, [this](CellIndex cell, std::size_t step) {
+      if (map_.contains(cell) && seen_[index(cell)] != views_) {
+        seen_[index(cell)] = views_;
+        worth_[index(cell)] *= left_[step];
+      }
+    });
+  }
+}
+
+std::vector<double> ViewGain::by_sector_m2(const Eigen::Vector2d& from_m) const {
+  std::vector<double> gains_m2(kSectors);
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    double& gain_m2 = gains_m2[sector];
+    follow(from_m, bearing_of(sector), [&](CellIndex cell, std::size_t step) {
+      const double worth = map_.contains(cell) ? static_cast<double>(worth_[index(cell)]) : 1.0;
+      gain_m2 += worth * shown_m2_[step];
+    });
+  }
+  return gains_m2;
+}
+
+BestView best_view(const std::vector<double>& by_sector_m2, double width_rad) {
+  const std::size_t count = by_sector_m2.size();
+  const auto wide = std::clamp<std::size_t>(
+      static_cast<std::size_t>(std::lround(width_rad / kSectorRad)), 1, count);
+  BestView best{-1.0, 0.0, static_cast<double>(wide) * kSectorRad};
+  for (std::size_t first = 0; first < count; ++first) {
+    double gain_m2 = 0.0;
+    for (std::size_t i = 0; i < wide; ++i) {
+      gain_m2 += by_sector_m2[(first + i) % count];
+    }
+    if (gain_m2 > best.gain_m2) {
+      best.gain_m2 = gain_m2;
+      best.middle_rad = geometry::wrap_angle(
+          -std::numbers::pi +
+          (static_cast<double>(first) + 0.5 * static_cast<double>(wide)) * kSectorRad);
+    }
+  }
+  return best;
+}
+
+}  // namespace echomap::exploration

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/mapping/raster_map.hpp"
+
+namespace echomap::exploration {
+
+/// The values are ours, chosen in simulation.
+struct ViewGainParams {
+  /// Unknown floor farther off than this is not counted: bearings of echoes are too poor.
+  double reach_m = 2.5;
+  /// Unknown floor counts 1/e at this distance.
+  double fade_m = 4.0;
+  /// A look from this distance counts 1/e of one from beside.
+  double look_fade_m = 1.0;
+  /// A look goes this deep into unknown floor: what lies behind is anybody's guess.
+  double depth_m = 0.5;
+  /// Unknown floor nearer to something occupied than this counts the less the nearer: most of it
+  /// lies behind a wall of which only a part was seen.
+  double beside_wall_m = 0.4;
+  /// What each look that left it unknown leaves of the worth of a cell: behind most of it stands a
+  /// wall.
+  double left_by_look = 0.05;
+};
+
+/// A sweep as it was made: from where, and the bearings that its beams covered.
+struct PastView {
+  Eigen::Vector2d from_m = Eigen::Vector2d::Zero();
+  double middle_rad = 0.0;      ///< In the map frame.
+  double half_width_rad = 0.0;  ///< Half of what the sweep covered, at most pi.
+};
+
+/// Where a sweep would show most.
+struct BestView {
+  double gain_m2 = 0.0;
+  double middle_rad = 0.0;  ///< In the map frame.
+  double width_rad = 0.0;
+};
+
+/// How much unknown floor a sweep from a place would show: rays run over free floor and into the
+/// unknown until something occupied stops them, and what earlier sweeps have looked at in vain
+/// counts less each time.
+class ViewGain {
+ public:
+  /// Bearings are told apart in so many sectors of the full turn.
+  static constexpr std::size_t kSectors = 72;
+
+  /// `map` outlives this. Throws std::invalid_argument for parameters without sense.
+  ViewGain(const mapping::RasterMap& map,
+           const std::vector<PastView>& past,
+           const ViewGainParams& params);
+
+  /// Square metres by sector, from -pi on.
+  std::vector<double> by_sector_m2(const Eigen::Vector2d& from_m) const;
+
+ private:
+  template <typename Visitor>
+  void follow(const Eigen::Vector2d& from_m, double bearing_rad, Visitor&& visit) const;
+  void weigh_by_walls();
+  void look(const PastView& view);
+  std::size_t index(geometry::CellIndex cell) const {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(map_.columns()) +
+           static_cast<std::size_t>(cell.x);
+  }
+
+  const mapping::RasterMap& map_;
+  ViewGainParams params_;
+  std::vector<float> worth_;         ///< By cell: 1 far from walls where nobody has looked.
+  std::vector<std::uint32_t> seen_;  ///< By cell: the last view that has looked at it.
+  std::uint32_t views_ = 0;
+  std::vector<double> shown_m2_;  ///< By step of a ray: what one unknown cell there adds.
+  std::vector<float> left_;       ///< By step of a ray: what a look leaves of a cell's worth.
+};
+
+/// The part of the gain within `width_rad`, where it is greatest.
+BestView best_view(const std::vector<double>& by_sector_m2, double width_rad);
+
+}  // namespace echomap::exploration

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/frontier.hpp"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+#include "tests/support/told_snapshot.hpp"
+
+namespace echomap::exploration {
+namespace {
+
+using geometry::CellIndex;
+using geometry::Pose2;
+using geometry::radians;
+using mapping::OccupancyGrid;
+
+/// Free floor of 4 m x 2 m with its walls, but for the one at the far end of x, around the start.
+OccupancyGrid open_room(bool closed = false) {
+  OccupancyGrid grid;
+  for (int y = -20; y <= 20; ++y) {
+    for (int x = -20; x <= 60; ++x) {
+      const bool wall = x == -20 || std::abs(y) == 20 || (closed && x == 60);
+      grid.add({x, y}, wall ? 300 : -300);
+    }
+  }
+  return grid;
+}
+
+pipeline::Snapshot told(OccupancyGrid grid, const Pose2& T_map_robot, std::size_t stops = 1) {
+  auto snapshot = tests::snapshot_of(std::move(grid), {tests::pose_at(1.0, T_map_robot)});
+  snapshot.stops = stops;
+  return snapshot;
+}
+
+/// The motions of a stop, all of them carried out: those from BeginScan to EndScan.
+std::vector<Motion> stop_of(Frontier& explorer, const pipeline::Snapshot& snapshot) {
+  std::vector<Motion> motions;
+  do {
+    motions.push_back(explorer.next(snapshot, MotionResult::kReached));
+  } while (!std::holds_alternative<EndScan>(motions.back()) && motions.size() < 20);
+  return motions;
+}
+
+/// After the first stop, the first motion towards the open end of the room.
+Motion first_move(Frontier& explorer, const pipeline::Snapshot& snapshot) {
+  stop_of(explorer, snapshot);
+  return explorer.next(snapshot, MotionResult::kReached);
+}
+
+TEST(Frontier, LooksAllRoundAtFirst) {
+  Frontier explorer({});
+  const auto motions = stop_of(explorer, told(OccupancyGrid(), {}));
+  ASSERT_TRUE(std::holds_alternative<BeginScan>(motions.front()));
+  double heading_rad = 0.0;
+  std::vector<bool> read(90, false);
+  for (const Motion& motion : motions) {
+    if (const auto* turn = std::get_if<Turn>(&motion)) {
+      heading_rad += turn->angle_rad;
+    }
+    if (const auto* sweep = std::get_if<Sweep>(&motion)) {
+      const auto readings = std::lround((sweep->to_rad - sweep->from_rad) / sweep->step_rad) + 1;
+      for (int i = 0; i < readings; ++i) {
+        const double pan_rad = sweep->from_rad + i * sweep->step_rad;
+        EXPECT_LE(std::abs(pan_rad), FrontierParams{}.sweep.pan_limit_rad + 1e-9);
+        const double bearing_rad = geometry::wrap_angle(heading_rad + pan_rad) + std::numbers::pi;
+        read[static_cast<std::size_t>(bearing_rad / (2.0 * std::numbers::pi) * 89.999)] = true;
+      }
+    }
+  }
+  EXPECT_GT(std::count(read.begin(), read.end(), true), 80);
+}
+
+/// Carries out the way that begins with `motion`, to the sweep at its end.
+Pose2 end_of_way(Frontier& explorer, Motion motion, pipeline::Snapshot snapshot) {
+  Pose2& at = snapshot.latest.T_map_robot;
+  for (int motions = 0; motions < 500 && !std::holds_alternative<BeginScan>(motion); ++motions) {
+    if (const auto* turn = std::get_if<Turn>(&motion)) {
+      at = at * Pose2(0.0, 0.0, turn->angle_rad);
+    } else {
+      const auto roll = std::get<Roll>(motion);
+      at = at * Pose2(roll.forward_m_per_s * roll.for_s, 0.0, roll.turn_rad_per_s * roll.for_s);
+    }
+    motion = explorer.next(snapshot, MotionResult::kReached);
+  }
+  EXPECT_TRUE(std::holds_alternative<BeginScan>(motion));
+  return at;
+}
+
+TEST(Frontier, GoesTowardsUnknownFloorAndSweepsIt) {
+  Frontier explorer({});
+  const auto snapshot = told(open_room(), {});
+  EXPECT_GT(end_of_way(explorer, first_move(explorer, snapshot), snapshot).x_m(), 1.0);
+}
+
+/// A corridor of 1 m along x whose end at 1.5 m is open, and in which nothing has answered.
+pipeline::Snapshot silent_corridor() {
+  OccupancyGrid grid;
+  for (int y = -10; y <= 10; ++y) {
+    for (int x = -20; x < 30; ++x) {
+      grid.add({x, y}, x == -20 || std::abs(y) == 10 ? 300 : -300);
+    }
+  }
+  mapping::Scan silence;
+  for (int deg = 0; deg < 360; deg += 4) {
+    const Pose2 look(0.0, 0.0, radians(deg));
+    silence.push_back({look, look, std::nullopt});
+  }
+  auto snapshot = told(grid, {});
+  snapshot.last_scan = std::make_shared<const mapping::Scan>(silence);
+  return snapshot;
+}
+
+FrontierParams no_look_is_worth_it() {
+  FrontierParams params;
+  params.least_gain_m2 = 100.0;
+  return params;
+}
+
+TEST(Frontier, StepsOnceIntoAnOpeningWhereNoLookIsWorthIt) {
+  Frontier explorer(no_look_is_worth_it());
+  const auto snapshot = silent_corridor();
+  const Pose2 end = end_of_way(explorer, first_move(explorer, snapshot), snapshot);
+  EXPECT_NEAR(end.x_m(), 1.7, 0.1);
+  EXPECT_LT(std::abs(end.y_m()), 0.3);
+  // The map of this snapshot has the opening still, and the robot before it.
+  stop_of(explorer, snapshot);
+  const auto motion = explorer.next(snapshot, MotionResult::kReached);
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kComplete);
+}
+
+TEST(Frontier, LeavesAnOpeningAloneThatOnlyAFaultyScanTellsOf) {
+  Frontier explorer(no_look_is_worth_it());
+  auto snapshot = silent_corridor();
+  snapshot.last_scan_fault = mapping::ScanFault::kElsewhere;
+  const auto motion = first_move(explorer, snapshot);
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kComplete);
+}
+
+TEST(Frontier, IsCompleteWhereTheRoomIsClosed) {
+  Frontier explorer({});
+  const auto motion = first_move(explorer, told(open_room(true), {}));
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kComplete);
+}
+
+TEST(Frontier, BacksOffFromABumpAndGoesAnotherWay) {
+  Frontier explorer({});
+  auto snapshot = told(open_room(), {});
+  first_move(explorer, snapshot);
+  snapshot.hazards.bump_left = true;
+  snapshot.hazards.bump_right = true;
+  const auto back = explorer.next(snapshot, MotionResult::kBumped);
+  ASSERT_TRUE(std::holds_alternative<Drive>(back));
+  EXPECT_LT(std::get<Drive>(back).distance_m, 0.0);
+  snapshot.hazards = {};
+  const auto on = explorer.next(snapshot, MotionResult::kReached);
+  const auto* turn = std::get_if<Turn>(&on);
+  const auto* roll = std::get_if<Roll>(&on);
+  ASSERT_TRUE(turn != nullptr || roll != nullptr);
+  EXPECT_TRUE(turn != nullptr || std::abs(roll->turn_rad_per_s) > 0.1) << "straight into it again";
+}
+
+TEST(Frontier, TakesAContactThatNoMotionToldForABump) {
+  Frontier explorer({});
+  auto snapshot = told(open_room(), {});
+  first_move(explorer, snapshot);
+  snapshot.hazards.bump_left = true;
+  EXPECT_TRUE(std::holds_alternative<Drive>(explorer.next(snapshot, MotionResult::kReached)));
+}
+
+TEST(Frontier, GivesUpWhereNothingMovesIt) {
+  Frontier explorer({});
+  const auto snapshot = told(open_room(), {});
+  Motion motion = first_move(explorer, snapshot);
+  for (int i = 0; i < 100 && !std::holds_alternative<Finished>(motion); ++i) {
+    motion = explorer.next(snapshot, MotionResult::kStalled);
+  }
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kNowhereToGo);
+}
+
+TEST(Frontier, SaysThatItCannotSenseWhereNoSweepIsDone) {
+  Frontier explorer({});
+  const auto snapshot = told(open_room(), {});
+  Motion motion = explorer.next(snapshot, MotionResult::kReached);
+  for (int i = 0; i < 20 && !std::holds_alternative<Finished>(motion); ++i) {
+    const bool sweep = std::holds_alternative<Sweep>(motion);
+    motion = explorer.next(snapshot, sweep ? MotionResult::kTimedOut : MotionResult::kReached);
+  }
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kCannotSense);
+}
+
+TEST(Frontier, LooksAllRoundAnewOnceItWasLifted) {
+  Frontier explorer({});
+  const auto snapshot = told(open_room(), {});
+  first_move(explorer, snapshot);
+  EXPECT_TRUE(std::holds_alternative<BeginScan>(explorer.next(snapshot, MotionResult::kLifted)));
+}
+
+TEST(Frontier, StopsAfterSoManyStops) {
+  Frontier explorer({});
+  const auto motion = first_move(explorer, told(open_room(), {}, FrontierParams{}.most_stops));
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kStopLimit);
+}
+
+TEST(Frontier, RejectsParametersWithoutSense) {
+  FrontierParams params;
+  params.sweep.step_rad = 0.0;
+  EXPECT_THROW(Frontier{params}, std::invalid_argument);
+  params = {};
+  params.least_gain_m2 = 0.0;
+  EXPECT_THROW(Frontier{params}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::exploration

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/view_gain.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::exploration {
+namespace {
+
+using geometry::radians;
+using mapping::CellState;
+using mapping::RasterMap;
+
+constexpr double kCellM = 0.05;
+
+/// 3 m x 3 m of free floor in the middle of 5 m x 5 m, with a wall to the left of it.
+RasterMap open_to_the_right() {
+  RasterMap map(100, 100, kCellM, {-2.5, -2.5});
+  for (int y = 20; y < 80; ++y) {
+    for (int x = 20; x < 80; ++x) {
+      map.set({x, y}, CellState::kFree);
+    }
+  }
+  for (int y = 0; y < 100; ++y) {
+    map.set({19, y}, CellState::kOccupied);
+  }
+  return map;
+}
+
+ViewGainParams plain() {
+  ViewGainParams params;
+  params.reach_m = 4.0;
+  params.fade_m = 1e6;
+  params.look_fade_m = 1e6;
+  params.depth_m = 0.5;
+  params.beside_wall_m = 0.0;
+  return params;
+}
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+TEST(ViewGain, IsTheAreaOfTheUnknownFloorInSightUpToItsDepth) {
+  const RasterMap map = open_to_the_right();
+  const auto gain_m2 = ViewGain(map, {}, plain()).by_sector_m2({0.0, 0.0});
+  for (std::size_t i = 0; i < gain_m2.size(); ++i) {
+    const double bearing_rad =
+        -std::numbers::pi + (static_cast<double>(i) + 0.5) * 2.0 * std::numbers::pi / 72.0;
+    const double to_border_m =
+        1.5 / std::max(std::abs(std::cos(bearing_rad)), std::abs(std::sin(bearing_rad)));
+    const bool wall = std::cos(bearing_rad) < -std::abs(std::sin(bearing_rad));
+    const double to_m = to_border_m + 0.5;
+    if (std::abs(std::abs(bearing_rad) - 0.75 * std::numbers::pi) < radians(5.0)) {
+      continue;  // Half of the sector looks at the wall.
+    }
+    const double wedge_m2 =
+        0.5 * (to_m * to_m - to_border_m * to_border_m) * 2.0 * std::numbers::pi / 72.0;
+    EXPECT_NEAR(gain_m2[i], wall ? 0.0 : wedge_m2, 0.15 * wedge_m2) << "sector " << i;
+  }
+}
+
+TEST(ViewGain, WhatWasLookedAtInVainCountsLessEachTime) {
+  const RasterMap map = open_to_the_right();
+  const auto params = plain();
+  const PastView rightwards{{0.0, 0.0}, 0.0, radians(45.0)};
+  const double fresh_m2 = sum(ViewGain(map, {}, params).by_sector_m2({0.0, 0.0}));
+  const double once_m2 = sum(ViewGain(map, {rightwards}, params).by_sector_m2({0.0, 0.0}));
+  const double twice_m2 =
+      sum(ViewGain(map, {rightwards, rightwards}, params).by_sector_m2({0.0, 0.0}));
+  EXPECT_NEAR(once_m2, fresh_m2 / 3.0 * (2.0 + params.left_by_look), 0.05 * fresh_m2);
+  EXPECT_NEAR(twice_m2,
+              fresh_m2 / 3.0 * (2.0 + params.left_by_look * params.left_by_look),
+              0.05 * fresh_m2);
+}
+
+TEST(ViewGain, WhatIsFarCountsLess) {
+  const RasterMap map = open_to_the_right();
+  auto params = plain();
+  params.fade_m = 1.0;
+  const ViewGain gain(map, {}, params);
+  EXPECT_LT(sum(gain.by_sector_m2({0.0, 0.0})), sum(gain.by_sector_m2({1.0, 0.0})));
+}
+
+TEST(ViewGain, WhatIsBesideAWallCountsLess) {
+  RasterMap map = open_to_the_right();
+  const auto params = plain();
+  auto wary = params;
+  wary.beside_wall_m = 0.4;
+  const Eigen::Vector2d at_m(0.0, 0.0);
+  const double far_m2 = sum(ViewGain(map, {}, wary).by_sector_m2(at_m));
+  EXPECT_GT(far_m2, 0.9 * sum(ViewGain(map, {}, params).by_sector_m2(at_m)));
+  for (int y = 20; y < 80; y += 8) {
+    map.set({80, y}, CellState::kOccupied);
+  }
+  EXPECT_LT(sum(ViewGain(map, {}, wary).by_sector_m2(at_m)), 0.95 * far_m2);
+}
+
+TEST(ViewGain, AViewFromInsideAWallShowsNothing) {
+  const RasterMap map = open_to_the_right();
+  EXPECT_EQ(sum(ViewGain(map, {}, plain()).by_sector_m2({-1.53, 0.0})), 0.0);
+}
+
+TEST(ViewGain, RejectsParametersWithoutSense) {
+  const RasterMap map = open_to_the_right();
+  auto params = plain();
+  params.left_by_look = 0.0;
+  EXPECT_THROW(ViewGain(map, {}, params), std::invalid_argument);
+  params = plain();
+  params.reach_m = -1.0;
+  EXPECT_THROW(ViewGain(map, {}, params), std::invalid_argument);
+}
+
+TEST(BestView, LiesWhereTheGainIsAndTurnsOverTheBack) {
+  std::vector<double> gains_m2(ViewGain::kSectors);
+  gains_m2.front() = 1.0;
+  gains_m2.back() = 2.0;
+  gains_m2[36] = 2.5;
+  const BestView behind = best_view(gains_m2, radians(10.0));
+  EXPECT_NEAR(behind.gain_m2, 3.0, 1e-12);
+  EXPECT_NEAR(std::abs(behind.middle_rad), std::numbers::pi, 1e-9);
+  const BestView all_round = best_view(gains_m2, radians(360.0));
+  EXPECT_NEAR(all_round.gain_m2, 5.5, 1e-12);
+  EXPECT_NEAR(all_round.width_rad, radians(360.0), 1e-12);
+}
+
+}  // namespace
+}  // namespace echomap::exploration
