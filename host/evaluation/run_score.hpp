@@ -4,18 +4,21 @@
 #include <filesystem>
 
 #include "host/evaluation/map_agreement.hpp"
+#include "host/evaluation/outline_agreement.hpp"
 #include "host/evaluation/trajectory_error.hpp"
 
 namespace echomap::evaluation {
 
-/// How good a run's map and trajectory are.
+/// How good a run's map, trajectory and outline are.
 struct RunScore {
   MapAgreement map;
   TrajectoryError trajectory;
+  OutlineAgreement outline;
 };
 
-/// Scores map.yaml and trajectory.tum of a run directory against the truth directory of the same
-/// run. The map is placed in the world by the first true pose alone. Throws files::FileError.
+/// Scores map.yaml, trajectory.tum and outline.geojson, where it is, of a run directory against the
+/// truth directory of the same run. The map is placed in the world by the first true pose alone.
+/// Throws files::FileError.
 RunScore score_run(const std::filesystem::path& run_directory,
                    const std::filesystem::path& truth_directory);
 

@@ -50,7 +50,8 @@ void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary) 
 
 void write_run_directory(const std::filesystem::path& directory,
                          const pipeline::Snapshot& snapshot,
-                         const RunSummary& summary) {
+                         const RunSummary& summary,
+                         const geometry::Polygon& outline_m) {
   make_directory(directory);
   write_points_csv(directory / "points.csv", snapshot.points->points());
   write_poses_csv(directory / "poses.csv", snapshot.points->poses());
@@ -59,7 +60,8 @@ void write_run_directory(const std::filesystem::path& directory,
   write_occupancy_grid_csv(directory / "occupancy_grid.csv", *snapshot.grid);
   write_trajectory_tum(directory / "trajectory.tum", *snapshot.trajectory);
   write_map_png(directory / "map.png", snapshot);
-  const auto polygon = mapping::polygon_from_raster(map);
+  const auto polygon = outline_m.empty() ? mapping::polygon_from_raster(map)
+                                         : std::optional(mapping::PolygonMap(outline_m));
   write_outline_geojson(directory / "outline.geojson", polygon);
   write_map_svg(directory / "map.svg", snapshot, polygon);
   write_summary_json(directory / "summary.json", summary);

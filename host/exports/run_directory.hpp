@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "host/exports/summary_json.hpp"
+#include "host/geometry/polygon.hpp"
 #include "host/pipeline/snapshot.hpp"
 
 namespace echomap::exports {
@@ -14,9 +15,11 @@ void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary);
 
 /// Writes map.yaml, map.pgm, occupancy_grid.csv, map.png, map.svg, outline.geojson, points.csv,
 /// poses.csv, trajectory.tum and summary.json into `directory`, which is made where it is missing.
-/// Each file is whole or absent. Throws files::FileError.
+/// Each file is whole or absent. The outline is `outline_m`, or that of the grid's free floor where
+/// it is empty. Throws files::FileError, and std::invalid_argument for an outline that is none.
 void write_run_directory(const std::filesystem::path& directory,
                          const pipeline::Snapshot& snapshot,
-                         const RunSummary& summary);
+                         const RunSummary& summary,
+                         const geometry::Polygon& outline_m = {});
 
 }  // namespace echomap::exports

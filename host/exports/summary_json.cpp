@@ -56,6 +56,8 @@ std::string to_json_text(const RunSummary& summary) {
       {"stops", summary.stops},
       {"poses", summary.poses},
       {"points", summary.points},
+      {"phases", or_null(summary.phases)},
+      {"phases_reached", or_null(summary.phases_reached)},
       {"travelled_m", summary.travelled_m},
       {"free_area_m2", summary.free_area_m2},
   };

@@ -55,6 +55,9 @@ struct RunSummary {
   /// Rows of poses.csv and of points.csv.
   std::size_t poses = 0;
   std::size_t points = 0;
+  /// Waypoints that the strategy had, and those that it has reached; empty where it has none.
+  std::optional<std::size_t> phases;
+  std::optional<std::size_t> phases_reached;
   /// Length of the trajectory, and the floor known to be free.
   double travelled_m = 0.0;
   double free_area_m2 = 0.0;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "host/geometry/polygon.hpp"
+#include "host/geometry/pose2.hpp"
+#include "host/geometry/segment.hpp"
+#include "host/mapping/polygon_map.hpp"
+
+namespace echomap::evaluation {
+
+/// How well the corners of an outline agree with those of the room.
+struct OutlineAgreement {
+  std::size_t corners = 0;       ///< Of the outline; 0 for none.
+  std::size_t room_corners = 0;  ///< Of the room, what stands in it left out.
+  /// Root mean square distance from each corner of the room to the nearest of the outline, metres;
+  /// empty without an outline.
+  std::optional<double> corner_rmse_m;
+};
+
+/// The walls of the first closed round: those of the room, which a truth directory tells before
+/// those of what stands in it. Empty where no round is closed.
+geometry::Polygon first_ring(const std::vector<geometry::Segment>& walls);
+
+/// `T_world_map` places the outline in the world; nothing is fitted.
+OutlineAgreement score_outline(const std::optional<mapping::PolygonMap>& outline,
+                               const geometry::Pose2& T_world_map,
+                               const geometry::Polygon& room_m);
+
+}  // namespace echomap::evaluation

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "host/evaluation/outline_agreement.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::evaluation {
+namespace {
+
+using geometry::Polygon;
+using mapping::PolygonMap;
+
+const Polygon square{{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {0.0, 2.0}};
+
+TEST(OutlineAgreement, IsFullForTheRoomItself) {
+  const auto same = score_outline(PolygonMap(square), {}, square);
+  EXPECT_EQ(same.corners, 4U);
+  EXPECT_EQ(same.room_corners, 4U);
+  EXPECT_EQ(same.corner_rmse_m, 0.0);
+}
+
+TEST(OutlineAgreement, CountsACornerTooManyAndAsksForEveryOneOfTheRoom) {
+  const Polygon cut{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}};
+  const auto agreement = score_outline(PolygonMap(cut), {}, square);
+  EXPECT_EQ(agreement.corners, 5U);
+  EXPECT_NEAR(*agreement.corner_rmse_m, 0.5, 1e-12);
+}
+
+TEST(OutlineAgreement, PlacesTheOutlineInTheWorld) {
+  const geometry::Pose2 T_world_map(2.0, 0.0, geometry::radians(90.0));
+  const auto agreement = score_outline(PolygonMap(square), T_world_map, square);
+  EXPECT_NEAR(*agreement.corner_rmse_m, 0.0, 1e-12);
+}
+
+TEST(OutlineAgreement, HasNoDistanceWithoutAnOutline) {
+  const auto none = score_outline(std::nullopt, {}, square);
+  EXPECT_EQ(none.corners, 0U);
+  EXPECT_FALSE(none.corner_rmse_m);
+}
+
+TEST(OutlineAgreement, TakesTheFirstRoundOfWallsForTheRoom) {
+  std::vector<geometry::Segment> walls;
+  for (std::size_t i = 0; i < square.size(); ++i) {
+    walls.push_back(geometry::side(square, i));
+  }
+  walls.push_back({{0.5, 0.5}, {0.5, 0.7}});
+  EXPECT_EQ(first_ring(walls), square);
+  walls.erase(walls.begin() + 3);
+  EXPECT_TRUE(first_ring(walls).empty());
+}
+
+}  // namespace
+}  // namespace echomap::evaluation
