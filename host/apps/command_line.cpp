@@ -93,6 +93,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_replay(app, action);
   add_localize(app, action);
   add_diff(app, action);
+  add_characterise(app, action);
   add_flash(app, action);
   try {
     app.parse(argc, argv);

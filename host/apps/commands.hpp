@@ -17,6 +17,10 @@ struct RunOptions {
   std::string robot = "uno_2wd";
   std::string strategy = "nxt-farthest";
   std::size_t stops = 20;
+  std::size_t scans = 1;  ///< Of the room, by nxt-farthest.
+  std::string waypoints;  ///< Course of tangent-bug: a bundled name or a TOML file; empty: none.
+  std::string hand = "right";  ///< Or "left": which is held to the wall.
+  double seconds = 120.0;      ///< How long random-bounce drives.
   std::uint32_t seed = 1;
   std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
   std::filesystem::path json;  ///< Empty: none; "-": stdout.
@@ -35,6 +39,7 @@ struct ConnectionOptions {
 /// `echomap explore`: drives the robot on a port.
 struct ExploreOptions {
   RunOptions run;
+  std::string fixes;  ///< udp:HOST:PORT or tcp:HOST:PORT of an overhead camera; empty: none.
   ConnectionOptions connection;
 };
 ExitCode run_explore(const ExploreOptions& options);
@@ -46,11 +51,15 @@ struct DemoOptions {
   std::string emulator = "simavr";  ///< Or "unicorn" or "mock".
   std::string board;                ///< One of that emulator; empty: its usual one.
   std::string line = "direct";      ///< What carries the bytes: direct, usb, ftdi or bluetooth.
-  std::string faults;  ///< Of the line, as the robot's program takes them; empty: none.
+  std::string faults;       ///< Of the line, as the robot's program takes them; empty: none.
+  std::string part_faults;  ///< As the robot's program takes them; empty: none.
   /// What is true of the robot (docs/decisions/0002); empty: the bundled body of the profile's
   /// name.
   std::string body;
-  bool no_kidnap = false;  ///< End with the map.
+  /// udp:127.0.0.1:PORT where the simulated camera over the room sends its fixes; empty: no camera.
+  std::string fixes;
+  std::string camera_params;  ///< What that camera is like; empty: as the robot's program has it.
+  bool no_kidnap = false;     ///< End with the map.
 };
 ExitCode run_demo(const DemoOptions& options);
 
@@ -101,6 +110,16 @@ struct DiffOptions {
   std::filesystem::path json;     ///< Empty: none; "-": stdout.
 };
 ExitCode run_diff(const DiffOptions& options);
+
+/// `echomap characterise`: how a sonar's cone opens and its ranges are off, from its own sweeps.
+struct CharacteriseOptions {
+  std::vector<std::filesystem::path> logs;  ///< Of one sonar; or run directories.
+  std::string format;                       ///< Empty: what a log plainly says.
+  /// What a range is thought to be off by; no wall fits worse by far.
+  double range_sd_m = 0.01;
+  std::filesystem::path json;  ///< Empty: none; "-": stdout.
+};
+ExitCode run_characterise(const CharacteriseOptions& options);
 
 /// `echomap flash`: writes the firmware to a board.
 struct FlashOptions {

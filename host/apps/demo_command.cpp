@@ -82,12 +82,16 @@ DemoDrive drive(SimulatedRobot& robot,
                 exports::RunSummary& summary) {
   pipeline::RobotPipeline pipeline = pipeline_for(profile);
   pipeline::ObservationFork fork;
+  const auto camera = camera_at(options.fixes, profile, pipeline);
+  if (camera) {
+    fork.add(camera->sink());
+  }
   fork.add(pipeline);
   RobotSession session(connection_to(robot, options), profile, fork);
-  const DrivenRobot driven{session, pipeline, profile};
+  const DrivenRobot driven{session, pipeline, profile, camera.get()};
   DemoDrive drive;
   drive.code = explore_and_save(driven, options.run, out, summary);
-  if (drive.code != ExitCode::kOk || options.no_kidnap) {
+  if (drive.code != ExitCode::kOk || options.no_kidnap || !profile.has_sonar) {
     return drive;
   }
   fork.remove(pipeline);

@@ -26,6 +26,8 @@ class EkfFilter final : public LiveFilter {
   /// Throws CommandError 1 where there is no start and no fix comes within five seconds.
   void begin(RobotSession& session) override;
   bool has_lost_it() override;
+  /// Empty before a start.
+  std::optional<localization::PoseGaussian> belief() const { return ekf_.belief(); }
   std::string line() const override;
   nlohmann::ordered_json report() const override;
   const std::vector<pipeline::StampedPose>& trajectory() const override {

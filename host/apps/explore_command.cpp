@@ -9,6 +9,7 @@
 #include "host/apps/open_robot.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/strategy_setup.hpp"
+#include "host/pipeline/observation_fork.hpp"
 
 namespace echomap::apps {
 
@@ -24,8 +25,15 @@ ExitCode run_explore(const ExploreOptions& options) {
   }
 
   pipeline::RobotPipeline pipeline = pipeline_for(profile);
-  RobotSession session(std::move(robot.connection), profile, pipeline);
-  const ExitCode code = explore_and_save({session, pipeline, profile}, options.run, out, summary);
+  pipeline::ObservationFork fork;
+  const auto camera = camera_at(options.fixes, profile, pipeline);
+  if (camera) {
+    fork.add(camera->sink());
+  }
+  fork.add(pipeline);
+  RobotSession session(std::move(robot.connection), profile, fork);
+  const ExitCode code =
+      explore_and_save({session, pipeline, profile, camera.get()}, options.run, out, summary);
   if (robot.lockstep) {
     robot.lockstep->quit();
   }

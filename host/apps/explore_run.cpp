@@ -7,13 +7,12 @@
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "host/apps/explore_progress.hpp"
 #include "host/apps/link_report.hpp"
-#include "host/apps/progress_bar.hpp"
 #include "host/apps/strategy_setup.hpp"
-#include "host/exploration/nxt_farthest.hpp"
+#include "host/exports/confidence_grid_csv.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
 
@@ -31,9 +30,14 @@ class RunKeeper {
  public:
   RunKeeper(const RobotSession& session,
             const pipeline::RobotPipeline& pipeline,
+            const exploration::Explorer& explorer,
             std::filesystem::path out,
             exports::RunSummary& summary)
-      : session_(session), pipeline_(pipeline), out_(std::move(out)), summary_(summary) {}
+      : session_(session),
+        pipeline_(pipeline),
+        explorer_(explorer),
+        out_(std::move(out)),
+        summary_(summary) {}
 
   void save(const std::string& outcome) {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
@@ -44,7 +48,15 @@ class RunKeeper {
     describe_clock();
     describe_link();
     exports::describe_snapshot(snapshot, summary_);
-    exports::write_run_directory(out_, snapshot, summary_);
+    const exploration::StrategyProducts products = explorer_.products();
+    if (products.phases > 0) {
+      summary_.phases = products.phases;
+      summary_.phases_reached = products.phases_reached;
+    }
+    exports::write_run_directory(out_, snapshot, summary_, products.outline_m);
+    if (products.confidence) {
+      exports::write_confidence_grid_csv(out_ / "confidence_grid.csv", *products.confidence);
+    }
   }
 
   /// A disk that is full now need not be so at the end: warns once and lets the robot go on.
@@ -84,22 +96,34 @@ class RunKeeper {
 
   const RobotSession& session_;
   const pipeline::RobotPipeline& pipeline_;
+  const exploration::Explorer& explorer_;
   std::filesystem::path out_;
   exports::RunSummary& summary_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool warned_ = false;
 };
 
-void show_progress(ProgressBar& progress,
-                   const pipeline::Snapshot& snapshot,
-                   std::size_t most_stops,
-                   time::HostTime now) {
-  progress.show(static_cast<double>(snapshot.stops) / static_cast<double>(most_stops),
-                fmt::format("stop {} of at most {}, {} echoes, {:.0f} s of robot time",
-                            snapshot.stops,
-                            most_stops,
-                            snapshot.points->points().size(),
-                            seconds_of(now)));
+std::string progress_line(const pipeline::Snapshot& snapshot,
+                          const RunOptions& options,
+                          time::HostTime now) {
+  exports::RunSummary summary;
+  exports::describe_snapshot(snapshot, summary);
+  ExploreProgress progress;
+  progress.stops = summary.stops;
+  progress.floor_m2 = summary.free_area_m2;
+  progress.travelled_m = summary.travelled_m;
+  progress.elapsed_s = seconds_of(now);
+  switch (limit_of(options)) {
+    case StrategyLimit::kStops:
+      progress.most_stops = options.stops * options.scans;
+      break;
+    case StrategyLimit::kSeconds:
+      progress.most_s = options.seconds;
+      break;
+    case StrategyLimit::kNone:
+      break;
+  }
+  return line_of(progress);
 }
 
 /// Motion by motion until the explorer has finished or the session has ended.
@@ -121,26 +145,62 @@ std::optional<exploration::FinishReason> drive(RobotSession& session,
   return std::nullopt;
 }
 
+/// For people: why an exploration that has ended early did so, and what to do; empty for the
+/// others.
+std::string trouble_of(exploration::FinishReason reason) {
+  switch (reason) {
+    case exploration::FinishReason::kCannotSense:
+      return "no sweep of the sonar was carried out\n  next: check the pan drive and the sonar's "
+             "wires";
+    case exploration::FinishReason::kStuck:
+      return "the robot is stuck: held by something, or its wheels slip\n  next: free it, and "
+             "start "
+             "anew";
+    case exploration::FinishReason::kLifted:
+      return "the robot was picked up, and does not know where it is\n  next: put it down, and "
+             "start "
+             "anew";
+    case exploration::FinishReason::kBatteryLow:
+      return "the battery is low\n  next: charge it, and start anew";
+    case exploration::FinishReason::kSonarSilent:
+      return "nothing has answered the sonar all round\n  next: check the sonar's wires, or start "
+             "where a wall is within its range";
+    case exploration::FinishReason::kSonarStuck:
+      return "the sonar says one range wherever it looks\n  next: check its wires and what stands "
+             "right before it";
+    case exploration::FinishReason::kWheelFault:
+      return "a wheel does not turn, or its encoder does not count\n  next: free the wheels, and "
+             "compare motors and encoders with docs/guides/wiring.md";
+    case exploration::FinishReason::kLost:
+      return "what the sonar hears is not what the map has there: carried off, or the wheels have "
+             "slipped\n  next: find it again with echomap localize, or start anew";
+    default:
+      return "";
+  }
+}
+
 ExitCode exit_code_of(exploration::FinishReason reason) {
-  if (reason != exploration::FinishReason::kCannotSense) {
+  const std::string trouble = trouble_of(reason);
+  if (trouble.empty()) {
     return ExitCode::kOk;
   }
-  spdlog::error(
-      "no sweep of the sonar was carried out; the map so far is kept\n  next: check the pan drive "
-      "and the sonar's wires");
-  return ExitCode::kRuntimeError;
+  spdlog::error("the map so far is kept: {}", trouble);
+  switch (reason) {
+    case exploration::FinishReason::kStuck:
+    case exploration::FinishReason::kLifted:
+    case exploration::FinishReason::kBatteryLow:
+    case exploration::FinishReason::kWheelFault:
+      return ExitCode::kSafetyStop;
+    default:
+      return ExitCode::kRuntimeError;
+  }
 }
 
 }  // namespace
 
 RobotProfile profile_for(const RunOptions& options) {
   RobotProfile profile = load_robot_profile(options.robot);
-  if (!profile.has_sonar) {
-    throw CommandError(ExitCode::kConfigInvalid,
-                       "strategy '" + options.strategy + "' needs a sonar, and profile '" +
-                           profile.name +
-                           "' has none\n  next: name another with --robot, as uno_2wd");
-  }
+  require_fit(profile, options);
   return profile;
 }
 
@@ -148,26 +208,31 @@ ExitCode explore_and_save(const DrivenRobot& robot,
                           const RunOptions& options,
                           const std::filesystem::path& out,
                           exports::RunSummary& summary) {
-  auto& [session, pipeline, profile] = robot;
+  auto& [session, pipeline, profile, camera] = robot;
   summary.echomap_version = ECHOMAP_VERSION;
   summary.robot = profile.name;
   summary.strategy = options.strategy;
   summary.seed = options.seed;
   std::mt19937 random(options.seed);
-  exploration::NxtFarthest explorer(strategy_params(profile, options.stops), random);
-  RunKeeper keeper(session, pipeline, out, summary);
-  ProgressBar progress(stderr, !options.headless);
-  if (progress.is_active()) {
-    session.on_step = [&, steps = 0]() mutable {
-      constexpr int kStepsPerDrawing = 64;
-      if (++steps % kStepsPerDrawing == 0) {
-        show_progress(progress, pipeline.snapshot(), options.stops, session.now());
-      }
-    };
-  }
+  const auto explorer = explorer_for(profile, options, random);
+  RunKeeper keeper(session, pipeline, *explorer, out, summary);
+  ProgressTeller progress(stderr, !options.headless);
+  session.on_step = [&, steps = 0]() mutable {
+    constexpr int kStepsPerDrawing = 64;
+    if (camera != nullptr) {
+      camera->poll(session);
+    }
+    if (++steps % kStepsPerDrawing == 0) {
+      progress.tell(seconds_of(session.now()),
+                    [&] { return progress_line(pipeline.snapshot(), options, session.now()); });
+    }
+  };
 
   session.connect();
-  const auto reason = drive(session, pipeline, explorer, keeper);
+  if (camera != nullptr) {
+    camera->begin(session);
+  }
+  const auto reason = drive(session, pipeline, *explorer, keeper);
   session.disarm();
   session.on_step = nullptr;
   progress.clear();

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "host/apps/camera_follower.hpp"
 #include "host/apps/commands.hpp"
 #include "host/apps/exit_code.hpp"
 #include "host/apps/robot_profile.hpp"
@@ -21,6 +22,7 @@ struct DrivenRobot {
   RobotSession& session;
   pipeline::RobotPipeline& pipeline;
   const RobotProfile& profile;
+  CameraFollower* camera = nullptr;  ///< Where somebody sees the robot.
 };
 
 /// Connects and lets the strategy drive the robot until it is finished, is interrupted or is lost.

@@ -10,9 +10,17 @@
 #include "host/datasets/open_log.hpp"
 
 namespace echomap::apps {
-CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std::string& format) {
+namespace {
+
+void add_format_option(CLI::App& command, std::string& format) {
   command.add_option("--format", format, "Format of the log; not needed where the log says it")
       ->check([](const std::string& name) { return datasets::unknown_format(name); });
+}
+
+}  // namespace
+
+CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std::string& format) {
+  add_format_option(command, format);
   return command.add_option("log", log, "File of the log, plain or gz, or a run directory")
       ->check(CLI::ExistingPath);
 }
@@ -61,6 +69,29 @@ void add_diff(CLI::App& app, CommandAction& action) {
   command->add_option("--json", options->json, "Write the changes to this file, '-' for stdout");
   command->footer("Example: echomap diff monday tuesday --picture changes.png");
   command->callback([&action, options] { action = [options] { return run_diff(*options); }; });
+}
+
+void add_characterise(CLI::App& app, CommandAction& action) {
+  CLI::App* command = app.add_subcommand(
+      "characterise", "Measure a sonar's cone and range noise in a recording of its sweeps");
+  const auto options = std::make_shared<CharacteriseOptions>();
+  add_format_option(*command, options->format);
+  command
+      ->add_option(
+          "logs", options->logs, "Files of logs, plain or gz, or run directories; of one sonar")
+      ->required()
+      ->check(CLI::ExistingPath);
+  command
+      ->add_option("--range-sd",
+                   options->range_sd_m,
+                   "Standard deviation of a range in metres, about: a wall has to rise by three of "
+                   "it at both ends, and to fit within two")
+      ->check(CLI::Range(0.001, 0.1))
+      ->capture_default_str();
+  command->add_option("--json", options->json, "Write the figures to this file, '-' for stdout");
+  command->footer("Example: echomap characterise first_map --json -");
+  command->callback(
+      [&action, options] { action = [options] { return run_characterise(*options); }; });
 }
 
 void add_replay(CLI::App& app, CommandAction& action) {

@@ -14,6 +14,7 @@ namespace echomap::apps {
 /// it is to do.
 void add_eval(CLI::App& app, CommandAction& action);
 void add_diff(CLI::App& app, CommandAction& action);
+void add_characterise(CLI::App& app, CommandAction& action);
 void add_replay(CLI::App& app, CommandAction& action);
 
 /// The file of a log, which is answered, and its format.

@@ -68,6 +68,40 @@ MotionResult MotionExecution::sweep(const exploration::Sweep& sweep) {
   return finish(command, seconds_of(duration_s(sweep)));
 }
 
+MotionResult MotionExecution::roll(const exploration::Roll& roll) {
+  const bool was_touching = line_.hazards().is_touching();
+  const int hazards_before = stopping_hazards();
+  const auto met = [&] { return line_.hazards().is_touching() && !was_touching; };
+  const auto endangered = [&] { return (stopping_hazards() & ~hazards_before) != 0; };
+  const auto heard = [&] {
+    return !line_.was_reset() && line_.link().state() == robot_link::LinkState::kReady;
+  };
+  may_still_move_ = true;
+  line_.drive(profile_.geometry.arc_speeds(roll.forward_m_per_s, roll.turn_rad_per_s));
+  line_.keep_alive(true);
+  line_.wait_until([&] { return met() || endangered() || !heard() || has_stalled(); },
+                   seconds_of(roll.for_s));
+  line_.keep_alive(false);
+  if (line_.hazards().lifted) {
+    return MotionResult::kLifted;
+  }
+  if (!heard()) {
+    return MotionResult::kInterrupted;
+  }
+  if (has_stalled()) {
+    return stop() ? MotionResult::kStalled : MotionResult::kInterrupted;
+  }
+  return met()          ? MotionResult::kBumped
+         : endangered() ? MotionResult::kHazard
+                        : MotionResult::kReached;
+}
+
+bool MotionExecution::has_stalled() const {
+  const auto& status = line_.status();
+  return status &&
+         status->move_outcome == static_cast<std::uint8_t>(protocol::MotionOutcome::kStalled);
+}
+
 /// From the far end of the pan to the first angle, and then at each angle until the pan has settled
 /// and the ping is over.
 double MotionExecution::duration_s(const exploration::Sweep& sweep) const {

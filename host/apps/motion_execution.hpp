@@ -19,10 +19,15 @@ class MotionExecution {
   /// Waits until the body has come to rest, too.
   exploration::MotionResult move(const sensors::WheelTicks& ticks);
   exploration::MotionResult sweep(const exploration::Sweep& sweep);
+  /// Ends before its time where something new is touched or stops the wheels; they roll on
+  /// behind it until the next motion, and for the line's time to live at most.
+  exploration::MotionResult roll(const exploration::Roll& roll);
 
  private:
   exploration::MotionResult finish(const robot_link::Command& command,
                                    RobotLine::Duration expected);
+  /// The wheels do not follow set-points; none does anything before a stop.
+  bool has_stalled() const;
   /// False where the robot does not say that it stopped.
   bool stop();
   double duration_s(const exploration::Sweep& sweep) const;

@@ -5,6 +5,11 @@ namespace echomap::apps {
 
 void ObservationFeed::take(const protocol::Odometry& message) {
   sink_.on_odometry(converter_.convert(message));
+  const auto hazards = converter_.with_bumps_of(message, hazards_);
+  if (hazards.bump_left != hazards_.bump_left || hazards.bump_right != hazards_.bump_right) {
+    hazards_ = hazards;
+    sink_.on_hazards(hazards_);
+  }
 }
 
 void ObservationFeed::take(const protocol::Echo& message) {
@@ -27,10 +32,9 @@ void ObservationFeed::take(const protocol::Gyro& message) {
   }
 }
 
-sensors::HazardObservation ObservationFeed::take(const protocol::Status& message) {
-  const auto hazards = converter_.convert(message);
-  sink_.on_hazards(hazards);
-  return hazards;
+void ObservationFeed::take(const protocol::Status& message) {
+  hazards_ = converter_.convert(message);
+  sink_.on_hazards(hazards_);
 }
 
 }  // namespace echomap::apps

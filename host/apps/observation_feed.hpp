@@ -16,20 +16,25 @@ class ObservationFeed {
   ObservationFeed(const RobotProfile& profile, pipeline::ObservationSink& sink)
       : sink_(sink), converter_(profile.geometry, profile.range, profile.sensors) {}
 
-  /// The robot's counters and clock begin at zero again; the pose goes on.
-  void restart() { converter_.restart(); }
+  /// The robot's counters and clock begin at zero again, so much later than its last message; the
+  /// pose goes on.
+  void restart(time::RobotClock::duration passed) { converter_.restart(passed); }
 
+  /// Hands on its bumpers, too, where they have changed: odometry comes more often than Status.
   void take(const protocol::Odometry& message);
   void take(const protocol::Echo& message);
   void take(const protocol::Health& message);
   void take(const protocol::Ranges& message);
   void take(const protocol::Gyro& message);
-  /// Answers the dangers in it.
-  sensors::HazardObservation take(const protocol::Status& message);
+  void take(const protocol::Status& message);
+
+  /// The last that was told.
+  const sensors::HazardObservation& hazards() const { return hazards_; }
 
  private:
   pipeline::ObservationSink& sink_;
   sensors::ObservationConverter converter_;
+  sensors::HazardObservation hazards_;
 };
 
 }  // namespace echomap::apps

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <unistd.h>
 
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+
 namespace echomap::apps {
 
 ProgressBar::ProgressBar(std::FILE* out, bool enabled)
@@ -13,14 +16,29 @@ ProgressBar::ProgressBar(std::FILE* out, bool enabled)
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::show(double share, const std::string& text) {
-  const auto now = std::chrono::steady_clock::now();
-  if (!active_ || (drawn_ && now - last_ < std::chrono::milliseconds(100))) {
-    return;
+  if (is_due()) {
+    draw(fmt::format("{} {:3.0f} %  {}", bar_of(share, 24), 100.0 * share, text));
   }
-  last_ = now;
+}
+
+void ProgressBar::show(const std::string& text) {
+  if (is_due()) {
+    draw(text);
+  }
+}
+
+bool ProgressBar::is_due() const {
+  const auto now = std::chrono::steady_clock::now();
+  return active_ && (!drawn_ || now - last_ >= std::chrono::milliseconds(100));
+}
+
+void ProgressBar::draw(const std::string& line) {
+  last_ = std::chrono::steady_clock::now();
   drawn_ = true;
-  std::fprintf(
-      out_, "\r\033[K%s %3.0f %%  %s", bar_of(share, 24).c_str(), 100.0 * share, text.c_str());
+  winsize size{};
+  const bool is_known = ::ioctl(::fileno(out_), TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  const std::size_t width = is_known ? size.ws_col - 1U : 0U;
+  std::fprintf(out_, "\r\033[K%s", clipped(line, width).c_str());
   std::fflush(out_);
 }
 
@@ -30,6 +48,10 @@ void ProgressBar::clear() {
     std::fflush(out_);
     drawn_ = false;
   }
+}
+
+std::string clipped(const std::string& line, std::size_t width) {
+  return width == 0 ? line : line.substr(0, width);
 }
 
 std::string bar_of(double share, int width) {

@@ -76,6 +76,12 @@ nlohmann::ordered_json to_json(const evaluation::RunScore& score) {
   json["ate_heading_rmse_rad"] = score.trajectory.ate_heading_rmse_rad;
   json["final_error_m"] = score.trajectory.final_error_m;
   json["final_heading_error_rad"] = score.trajectory.final_heading_error_rad;
+  json["outline_corners"] = score.outline.corners;
+  json["room_corners"] = score.outline.room_corners;
+  json["corner_rmse_m"] = nullptr;
+  if (score.outline.corner_rmse_m) {
+    json["corner_rmse_m"] = *score.outline.corner_rmse_m;
+  }
   return json;
 }
 

@@ -17,7 +17,7 @@ struct RobotConnection {
   std::unique_ptr<Pace> pace;
   std::uint16_t session_id = 1;
   /// How long a link that was ready may be away before the run ends.
-  std::chrono::milliseconds patience{3000};
+  std::chrono::milliseconds patience{10'000};
   /// The robot must not have been reset by opening its port.
   bool no_reset = false;
   /// Whoever lifts the robot puts it down again, somewhere, and the run goes on; else it ends.

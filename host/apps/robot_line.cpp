@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/robot_line.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "host/apps/interrupt.hpp"
@@ -38,6 +41,9 @@ RobotLine::RobotLine(RobotConnection robot,
       pace_(std::move(robot.pace)),
       patience_(robot.patience),
       may_be_lifted_(robot.may_be_lifted),
+      reset_loses_pan_(profile.has_sonar &&
+                       profile.configuration.pan.kind ==
+                           static_cast<std::uint8_t>(protocol::PanKind::kStepper)),
       time_to_live_ms_(static_cast<std::uint16_t>(
           std::chrono::duration_cast<std::chrono::milliseconds>(robot.link.keep_alive_ttl)
               .count())),
@@ -69,6 +75,17 @@ std::optional<robot_link::CommandResult> RobotLine::perform(const robot_link::Co
   const auto ticket = link_.submit(command);
   const auto done = [&] { return result_ && result_->ticket == ticket; };
   return wait_until(done, kCommandLimit) ? result_ : std::nullopt;
+}
+
+void RobotLine::drive(const sensors::WheelTicks& ticks_per_s) {
+  const auto within = [](std::int32_t ticks) {
+    constexpr std::int32_t kMost = std::numeric_limits<std::int16_t>::max();
+    return static_cast<std::int16_t>(std::clamp(ticks, -kMost, kMost));
+  };
+  link_.send(
+      protocol::DriveSetpoint{
+          within(ticks_per_s.left), within(ticks_per_s.right), time_to_live_ms_},
+      now_);
 }
 
 std::optional<robot_link::BulkResult> RobotLine::read(protocol::BulkContent content) {
@@ -177,12 +194,14 @@ void RobotLine::end_for_safety(protocol::MotionOutcome outcome) {
 
 void RobotLine::on_odometry(const protocol::Odometry& message) {
   odometry_stamp_us_ = message.stamp_us;
+  odometry_at_ = now_;
   observations_.take(message);
 }
 
 void RobotLine::on_status(const protocol::Status& message) {
   status_ = message;
-  is_lifted_ = observations_.take(message).lifted;
+  observations_.take(message);
+  is_lifted_ = hazards().lifted;
   if (is_lifted_ && is_held_) {
     end_for_safety(protocol::MotionOutcome::kLifted);
   }
@@ -202,9 +221,18 @@ void RobotLine::on_command_done(const robot_link::CommandResult& result) {
 }
 
 void RobotLine::on_reset(std::uint8_t reset_cause) {
+  if (reset_loses_pan_ && is_held_) {
+    end(SessionEnd::kSafetyStop,
+        fmt::format("the robot was reset ({}), and its stepper does not know any more where the "
+                    "sonar looks\n"
+                    "  next: turn the sonar straight ahead, then start anew",
+                    robot_link::reset_cause_text(reset_cause)));
+    return;
+  }
   spdlog::warn("the robot was reset ({}); the pose is kept and the robot set up again",
                robot_link::reset_cause_text(reset_cause));
-  observations_.restart();
+  observations_.restart(
+      std::chrono::duration_cast<time::RobotClock::duration>(now_ - odometry_at_));
   status_.reset();
   odometry_stamp_us_.reset();
   is_lifted_ = false;

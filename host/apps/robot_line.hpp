@@ -13,6 +13,7 @@
 #include "host/apps/session_end.hpp"
 #include "host/pipeline/observation_sink.hpp"
 #include "host/robot_link/robot_link.hpp"
+#include "host/sensors/robot_geometry.hpp"
 
 namespace echomap::apps {
 
@@ -39,6 +40,8 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::optional<robot_link::CommandResult> perform(const robot_link::Command& command);
   /// Reads a bulk content; empty where it did not come, as after a reset.
   std::optional<robot_link::BulkResult> read(protocol::BulkContent content);
+  /// Sends wheel speeds, which the robot follows for its time to live or until the next.
+  void drive(const sensors::WheelTicks& ticks_per_s);
   /// While on, motion on the robot is kept alive.
   void keep_alive(bool on) { link_.keep_alive(on); }
   /// How long motion outlives the last that was heard from the host.
@@ -69,6 +72,8 @@ class RobotLine final : private robot_link::RobotLinkListener {
   }
   /// The last since the robot's start; empty before the first.
   const std::optional<protocol::Status>& status() const { return status_; }
+  /// What touches or threatens the robot, as it was told last.
+  const sensors::HazardObservation& hazards() const { return observations_.hazards(); }
 
   /// The robot's stamp of the last odometry since its start; empty before the first.
   std::optional<std::uint32_t> odometry_stamp_us() const { return odometry_stamp_us_; }
@@ -105,6 +110,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::unique_ptr<Pace> pace_;
   Duration patience_;
   bool may_be_lifted_;
+  bool reset_loses_pan_;  ///< A stepper takes where it stands at its start for straight ahead.
   std::uint16_t time_to_live_ms_;
   ObservationFeed observations_;
   robot_link::RobotLink link_;
@@ -120,6 +126,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
 
   std::optional<protocol::Status> status_;
   std::optional<std::uint32_t> odometry_stamp_us_;
+  time::HostTime odometry_at_;  ///< When the last odometry came.
   std::optional<robot_link::CommandResult> result_;
   std::optional<robot_link::BulkResult> bulk_;
   bool was_reset_ = false;

@@ -8,12 +8,14 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/flash_boards.hpp"
+#include "host/apps/strategy_setup.hpp"
 
 namespace echomap::apps {
 namespace {
 
 /// Where the grid of one stop begins to take a second (docs/algorithms/sonar_grid.md).
 constexpr std::size_t kMostStops = 100;
+constexpr std::size_t kMostScans = 5;
 
 /// In seconds: the robot's stamps of 32 bits tell absences of up to 35.8 minutes apart.
 constexpr double kLongestAbsenceS = 1800.0;
@@ -37,10 +39,27 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   command.add_option("--robot", run.robot, "Profile of the robot: a bundled name or a TOML file")
       ->capture_default_str();
   command.add_option("--strategy", run.strategy, "How to explore")
-      ->check(CLI::IsMember({"nxt-farthest"}))
+      ->check(CLI::IsMember(strategy_names()))
       ->capture_default_str();
   command.add_option("--stops", run.stops, "End after this many stops at the latest")
       ->check(CLI::Range(std::size_t{1}, kMostStops))
+      ->capture_default_str();
+  command
+      .add_option("--scans",
+                  run.scans,
+                  "How often nxt-farthest scans the room, each time with as many stops")
+      ->check(CLI::Range(std::size_t{1}, kMostScans))
+      ->capture_default_str();
+  command.add_option(
+      "--waypoints",
+      run.waypoints,
+      "What tangent-bug knows of the room and where it has to go: a bundled name, as "
+      "playground, or a TOML file");
+  command.add_option("--hand", run.hand, "Which hand coastal holds to the wall; the sensor's side")
+      ->check(CLI::IsMember({"right", "left"}))
+      ->capture_default_str();
+  command.add_option("--seconds", run.seconds, "How long random-bounce drives")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command.add_option("--seed", run.seed, "Seed of every random choice")->capture_default_str();
   command.add_option("--out", run.out, "Run directory; a stamped one by default");
@@ -75,6 +94,10 @@ void add_explore(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("explore", "Drive a robot through its room and map it");
   const auto options = std::make_shared<ExploreOptions>();
   add_connection_options(*command, options->connection);
+  command->add_option("--fixes",
+                      options->fixes,
+                      "udp:HOST:PORT or tcp:HOST:PORT of an overhead camera that tells where the "
+                      "robot is (docs/guides/localize.md)");
   add_run_options(*command, options->run);
   command->footer("Example: echomap explore --port /dev/ttyACM0 --robot uno_2wd --out kitchen");
   command->callback([&action, options] { action = [options] { return run_explore(*options); }; });
@@ -108,14 +131,27 @@ void add_demo(CLI::App& app, CommandAction& action) {
   command->add_option("--faults",
                       options->faults,
                       "Faults of the line, as in loss=0.01: see echomap-simavr --help");
+  command->add_option("--part-faults",
+                      options->part_faults,
+                      "Parts that fail, as in sonar-dead@30: see echomap-simavr --help");
   command->add_option(
       "--body",
       options->body,
       "What is true of the robot, where --robot is what the host believes: a bundled "
       "name or a TOML file; by default the name in the profile");
-  command->add_flag("--no-kidnap",
-                    options->no_kidnap,
-                    "End with the map; else the robot is carried off then, and finds itself again");
+  CLI::Option* fixes = command->add_option("--fixes",
+                                           options->fixes,
+                                           "Put an overhead camera over the room and follow "
+                                           "the robot by its fixes at udp:127.0.0.1:PORT");
+  command
+      ->add_option("--camera-params",
+                   options->camera_params,
+                   "What that camera is like: see echomap-simavr --help")
+      ->needs(fixes);
+  command->add_flag(
+      "--no-kidnap",
+      options->no_kidnap,
+      "End with the map; else a robot with a sonar is carried off then, and finds itself again");
   add_run_options(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
   command->callback([&action, options, emulator] {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -59,6 +60,20 @@ void read_drive(const TomlReader& table, RobotProfile& profile) {
   drive.proportional = field<std::uint16_t>(table, "proportional", 1.0, kGains);
   drive.integral = field<std::uint16_t>(table, "integral", 1.0, kGains);
   drive.odometry_period_ms = field<std::uint8_t>(table, "odometry_period_ms", 1.0, {1, UINT8_MAX});
+}
+
+void read_odometry(const TomlReader& table, RobotProfile& profile) {
+  std::vector<localization::MeasuredDistance> distances;
+  for (const auto& [odometry_m, true_m] : table.points("measured_m")) {
+    distances.push_back({odometry_m, true_m});
+  }
+  const auto correction = localization::fit_correction(distances);
+  if (!correction || !(correction->slope > 0.0)) {
+    table.fail("measured_m",
+               "'measured_m' must hold pairs [by odometry, by tape] of two different drives or "
+               "more, in metres");
+  }
+  profile.distance_correction = *correction;
 }
 
 void read_sonar(const TomlReader& table, RobotProfile& profile) {
@@ -159,6 +174,9 @@ RobotProfile load_robot_profile(const std::string& name_or_file) {
   if (profile.has_sonar) {
     read_sonar(toml.table("sonar"), profile);
     read_pan(toml.table("pan"), profile);
+  }
+  if (toml.has("odometry")) {
+    read_odometry(toml.table("odometry"), profile);
   }
   read_sensors(toml, profile);
   toml.reject_unknown_keys();

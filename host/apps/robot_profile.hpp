@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "host/localization/odometry_correction.hpp"
 #include "host/sensors/observation_converter.hpp"
 #include "host/sensors/robot_geometry.hpp"
 #include "protocol/configuration.hpp"
@@ -23,6 +25,12 @@ struct RobotProfile {
   double settle_s = 0.0;       ///< Wait after a pan step, once the servo has arrived.
   bool has_sonar = false;      ///< Else sonar and pan above mean nothing.
   sensors::SensorParams sensors;
+  /// Of the battery: go home below the one, stop below the other; empty where the profile gives
+  /// none.
+  std::optional<double> return_below_v;
+  std::optional<double> stop_below_v;
+  /// Of the way by odometry, from drives that were measured.
+  localization::DistanceCorrection distance_correction;
   /// What the board must hold, with command_ids of 0.
   protocol::Configuration configuration{};
 

@@ -85,6 +85,9 @@ MotionResult RobotSession::execute(const exploration::Motion& motion) {
   if (const auto* drive = std::get_if<exploration::Drive>(&motion)) {
     return motions_.move(profile_.geometry.straight(drive->distance_m));
   }
+  if (const auto* arc = std::get_if<exploration::Roll>(&motion)) {
+    return motions_.roll(*arc);
+  }
   if (const auto* pan = std::get_if<exploration::Sweep>(&motion)) {
     return sweep(*pan);
   }

@@ -213,6 +213,12 @@ void read_sensors(const TomlReader& profile_file, RobotProfile& profile) {
     const TomlReader battery = profile_file.table("battery");
     require_pin(pins, protocol::kPinBattery, battery, "full_scale_v", "battery");
     profile.sensors.battery_full_scale_v = positive(battery, "full_scale_v");
+    if (battery.has("return_below_v")) {
+      profile.return_below_v = positive(battery, "return_below_v");
+    }
+    if (battery.has("stop_below_v")) {
+      profile.stop_below_v = positive(battery, "stop_below_v");
+    }
   }
   if (profile_file.has("safety")) {
     read_safety(profile_file.table("safety"), profile);

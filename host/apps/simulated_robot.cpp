@@ -42,6 +42,15 @@ SimulatedRobot::SimulatedRobot(const DemoOptions& options,
   if (!options.faults.empty()) {
     command.push_back("--faults=" + options.faults);
   }
+  if (!options.part_faults.empty()) {
+    command.push_back("--part-faults=" + options.part_faults);
+  }
+  if (!options.fixes.empty()) {
+    command.push_back("--camera=udp:" + options.fixes.substr(options.fixes.rfind(':') + 1));
+  }
+  if (!options.camera_params.empty()) {
+    command.push_back("--camera-params=" + options.camera_params);
+  }
   if (!options.board.empty()) {
     command.push_back("--board=" + options.board);
   }

@@ -16,7 +16,7 @@ constexpr int kMostStopsOnTheSpot = 3;
 /// The strategy, without an end of its own: its ground need not be new.
 exploration::NxtFarthestParams endless(const RobotProfile& profile) {
   constexpr auto kNever = std::numeric_limits<std::size_t>::max();
-  auto params = strategy_params(profile, kNever);
+  auto params = nxt_farthest_params(profile, kNever);
   params.stops_without_new_ground = kNever;
   return params;
 }

@@ -15,6 +15,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/pipeline/observation_fork.hpp"
 #include "tests/host/apps/session_on_a_cable.hpp"
+#include "tests/host/apps/told_stream.hpp"
 #include "tests/support/thrown_text.hpp"
 
 namespace echomap::apps {
@@ -22,32 +23,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A camera that sends what it is told.
-class Camera final : public transport::ByteStream {
- public:
-  explicit Camera(std::string& bytes) : bytes_(bytes) {}
-
-  std::size_t read_some(std::span<std::uint8_t> into, std::chrono::microseconds /*wait*/) override {
-    const std::size_t count = std::min(into.size(), bytes_.size());
-    std::copy_n(bytes_.begin(), count, into.begin());
-    bytes_.erase(0, count);
-    return count;
-  }
-  void write(std::span<const std::uint8_t> /*bytes*/) override {}
-  transport::StreamStatus status() const override { return transport::StreamStatus::kOpen; }
-  std::string close_reason() const override { return {}; }
-  std::string name() const override { return "udp://camera"; }
-
- private:
-  std::string& bytes_;
-};
-
 /// A robot that stands under a camera, whose frame the map has at (1, 0), a quarter turned.
 class EkfFilterTest : public SessionOnACable {
  protected:
   std::unique_ptr<EkfFilter> connect(const std::optional<StartPose>& start) {
     auto filter = std::make_unique<EkfFilter>(profile.geometry,
-                                              FixStream(std::make_unique<Camera>(bytes)),
+                                              FixStream(std::make_unique<tests::ToldStream>(bytes)),
                                               geometry::Pose2(1.0, 0.0, geometry::radians(90.0)),
                                               start);
     fork.add(filter->sink());

@@ -8,32 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "host/apps/exit_code.hpp"
+#include "tests/host/apps/told_stream.hpp"
 #include "tests/support/thrown_text.hpp"
 
 namespace echomap::apps {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// Bytes that a test has told it.
-class ToldStream final : public transport::ByteStream {
- public:
-  explicit ToldStream(std::string& bytes) : bytes_(bytes) {}
-
-  std::size_t read_some(std::span<std::uint8_t> into, std::chrono::microseconds /*wait*/) override {
-    const std::size_t count = std::min({into.size(), bytes_.size(), std::size_t{7}});
-    std::copy_n(bytes_.begin(), count, into.begin());
-    bytes_.erase(0, count);
-    return count;
-  }
-  void write(std::span<const std::uint8_t> /*bytes*/) override {}
-  transport::StreamStatus status() const override { return transport::StreamStatus::kOpen; }
-  std::string close_reason() const override { return {}; }
-  std::string name() const override { return "camera"; }
-
- private:
-  std::string& bytes_;
-};
 
 std::string line(double stamp_s, double sent_s) {
   return "{\"stamp_s\": " + std::to_string(stamp_s) + ", \"sent_s\": " + std::to_string(sent_s) +
@@ -45,7 +26,7 @@ time::HostTime at_ms(int ms) { return time::HostTime(std::chrono::milliseconds(m
 class FixStreamTest : public ::testing::Test {
  protected:
   std::string bytes;
-  FixStream fixes{std::make_unique<ToldStream>(bytes)};
+  FixStream fixes{std::make_unique<tests::ToldStream>(bytes)};
 };
 
 TEST_F(FixStreamTest, PlacesPicturesOnTheHostsClock) {

@@ -2,6 +2,8 @@
 #include "host/apps/motion_execution.hpp"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -46,6 +48,41 @@ TEST_F(MotionExecutionTest, GivesASlowPanItsTime) {
   session->connect();
   cable.robot.motion_ms = 40'000;
   EXPECT_EQ(session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0}), MotionResult::kReached);
+}
+
+TEST_F(MotionExecutionTest, RollsBySetpointsAndStopsBeforeAnyOtherMotion) {
+  session->connect();
+  std::vector<std::string> commands;
+  cable.robot.on_command = [&](std::string_view name) { commands.emplace_back(name); };
+  const auto start = session->now();
+  EXPECT_EQ(session->execute(exploration::Roll{0.1, 0.5, 0.5}), MotionResult::kReached);
+  EXPECT_GE(session->now() - start, std::chrono::milliseconds(500));
+  EXPECT_GE(cable.robot.keep_alives.size(), 2U) << "it outlives its time to live";
+  EXPECT_EQ(session->execute(exploration::Roll{0.1, 0.0, 0.05}), MotionResult::kReached);
+  EXPECT_TRUE(commands.empty());
+  ASSERT_EQ(cable.robot.setpoints.size(), 2U);
+  const auto arc = profile.geometry.arc_speeds(0.1, 0.5);
+  EXPECT_EQ(cable.robot.setpoints[0].left_ticks_per_s, arc.left);
+  EXPECT_EQ(cable.robot.setpoints[0].right_ticks_per_s, arc.right);
+  EXPECT_EQ(session->execute(exploration::Drive{0.1}), MotionResult::kReached);
+  EXPECT_EQ(commands, (std::vector<std::string>{"Stop", "MoveTicks"}));
+}
+
+TEST_F(MotionExecutionTest, EndsARollByWhatItMeetsAndNotByWhatItHasTouchedBefore) {
+  session->connect();
+  after_ms(50, [this] {
+    cable.robot.send(protocol::Odometry{cable.robot.stamp_us(), 0, 0, protocol::kFlagBumpLeft});
+  });
+  const auto start = session->now();
+  EXPECT_EQ(session->execute(exploration::Roll{0.1, 0.0, 1.0}), MotionResult::kBumped);
+  EXPECT_LT(session->now() - start, std::chrono::milliseconds(200));
+  EXPECT_EQ(session->execute(exploration::Roll{0.0, 1.0, 0.1}), MotionResult::kReached);
+}
+
+TEST_F(MotionExecutionTest, CallsARollInterruptedUnderWhichTheBoardWasReset) {
+  session->connect();
+  after_ms(50, [this] { pull_power_and_start_anew(); });
+  EXPECT_EQ(session->execute(exploration::Roll{0.1, 0.0, 1.0}), MotionResult::kInterrupted);
 }
 
 TEST_F(MotionExecutionTest, GivesUpASweepThatDoesNotEnd) {

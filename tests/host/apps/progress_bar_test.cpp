@@ -15,11 +15,18 @@ TEST(ProgressBar, DrawsItsShare) {
   EXPECT_EQ(bar_of(7.0, 4), "[====]");
 }
 
+TEST(ProgressBar, KeepsItsLineWithinTheTerminal) {
+  EXPECT_EQ(clipped("4 stops", 5), "4 sto");
+  EXPECT_EQ(clipped("4 stops", 80), "4 stops");
+  EXPECT_EQ(clipped("4 stops", 0), "4 stops") << "nobody knows how wide it is";
+}
+
 TEST(ProgressBar, SaysNothingWhereNobodyLooks) {
   std::FILE* file = std::tmpfile();
   {
     ProgressBar bar(file);
     bar.show(0.5, "half");
+    bar.show("so far");
   }
   EXPECT_EQ(std::ftell(file), 0);
   std::fclose(file);

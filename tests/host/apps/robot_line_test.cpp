@@ -107,6 +107,18 @@ TEST_F(RobotLineTest, EndsWhenTheRobotStaysAway) {
   EXPECT_EQ(session->end(), SessionEnd::kLinkLost);
 }
 
+TEST_F(RobotLineTest, EndsWhenABoardIsResetThatTurnsItsSonarByAStepper) {
+  profile.configuration.pan.kind = static_cast<std::uint8_t>(protocol::PanKind::kStepper);
+  session = new_session(false);
+  session->connect();
+  ASSERT_FALSE(session->end()) << "it comes up from a reset";
+  cable.robot.motion_ms = 3000;
+  after_ms(300, [this] { pull_power_and_start_anew(); });
+  session->execute(exploration::Drive{0.2});
+  EXPECT_EQ(session->end(), SessionEnd::kSafetyStop);
+  EXPECT_NE(session->end_reason().find("where the sonar looks"), std::string::npos);
+}
+
 TEST_F(RobotLineTest, EndsWhenTheRobotIsResetAndNeverComesBack) {
   session->connect();
   after_ms(50, [this] {

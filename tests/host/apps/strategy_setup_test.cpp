@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/strategy_setup.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace echomap::apps {
@@ -8,12 +9,61 @@ namespace {
 
 TEST(StrategySetup, TakesTheRobotFromItsProfile) {
   const RobotProfile profile = load_robot_profile("uno_2wd");
-  const auto params = strategy_params(profile, 7);
+  const auto params = nxt_farthest_params(profile, 7);
   EXPECT_EQ(params.most_stops, 7U);
   EXPECT_EQ(params.robot_radius_m, profile.body_radius_m);
-  EXPECT_EQ(params.pan_limit_rad, profile.pan_limit_rad);
-  EXPECT_EQ(params.settle_s, profile.settle_s);
+  EXPECT_EQ(params.sweep.pan_limit_rad, profile.pan_limit_rad);
+  EXPECT_EQ(params.sweep.settle_s, profile.settle_s);
   EXPECT_EQ(pipeline_for(profile).snapshot().stops, 0U);
+}
+
+TEST(StrategySetup, MakesEachStrategyThatTheOptionsMayName) {
+  std::mt19937 random(1);
+  for (const Strategy& strategy : strategies()) {
+    for (const char* robot : {"uno_2wd", "create", "epuck"}) {
+      const RobotProfile profile = load_robot_profile(robot);
+      RunOptions options;
+      options.strategy = strategy.name;
+      options.waypoints = "playground";
+      if (strategy.lack(profile, options).empty()) {
+        EXPECT_TRUE(explorer_for(profile, options, random)) << strategy.name << " " << robot;
+      }
+    }
+  }
+}
+
+TEST(StrategySetup, TellsTangentBugOfTheRobot) {
+  const RobotProfile profile = load_robot_profile("ev3");
+  const auto params = tangent_bug_params(profile);
+  EXPECT_EQ(params.robot_radius_m, profile.body_radius_m);
+  EXPECT_EQ(params.beam_half_angle_rad, profile.beam_half_angle_rad);
+  EXPECT_EQ(params.farthest_m, profile.range.max_range_m);
+  EXPECT_EQ(params.sweep.pan_limit_rad, profile.pan_limit_rad);
+  EXPECT_EQ(params.sweep.settle_s, profile.settle_s);
+}
+
+TEST(StrategySetup, AsksForTheWaypointsOfTangentBug) {
+  std::mt19937 random(1);
+  RunOptions options;
+  options.strategy = "tangent-bug";
+  try {
+    explorer_for(load_robot_profile("ev3"), options, random);
+    FAIL() << "it has no waypoints";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code(), ExitCode::kUsage);
+    EXPECT_THAT(error.what(), testing::HasSubstr("--waypoints"));
+  }
+}
+
+TEST(StrategySetup, SaysWhatARobotLacks) {
+  std::mt19937 random(1);
+  try {
+    explorer_for(load_robot_profile("create"), RunOptions{}, random);
+    FAIL() << "it has no sonar";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code(), ExitCode::kConfigInvalid);
+    EXPECT_THAT(error.what(), testing::HasSubstr("needs a sonar"));
+  }
 }
 
 }  // namespace

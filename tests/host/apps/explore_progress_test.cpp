@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/explore_progress.hpp"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace echomap::apps {
+namespace {
+
+std::string text_of(std::FILE* file) {
+  std::rewind(file);
+  std::array<char, 200> text{};
+  const std::size_t size = std::fread(text.data(), 1, text.size(), file);
+  return {text.data(), size};
+}
+
+TEST(ExploreProgress, TellsWhatIsCoveredAndDriven) {
+  EXPECT_EQ(line_of({.stops = 1, .floor_m2 = 1.25, .travelled_m = 0.0, .elapsed_s = 14.4}),
+            "1 stop, 1.2 m2 of floor, 0.0 m driven in 0:14");
+  EXPECT_EQ(line_of({.stops = 12, .floor_m2 = 8.9, .travelled_m = 10.31, .elapsed_s = 125.0}),
+            "12 stops, 8.9 m2 of floor, 10.3 m driven in 2:05");
+}
+
+TEST(ExploreProgress, TellsTheTimeThatALimitLeaves) {
+  ExploreProgress progress{.stops = 4, .floor_m2 = 5.3, .travelled_m = 6.1, .elapsed_s = 94.0};
+  progress.most_stops = 20;
+  EXPECT_DOUBLE_EQ(*longest_left_s(progress), 376.0) << "sixteen stops of 23.5 s";
+  EXPECT_EQ(line_of(progress), "4 stops, 5.3 m2 of floor, 6.1 m driven in 1:34, 6:16 left at most");
+  progress.most_s = 120.0;
+  EXPECT_DOUBLE_EQ(*longest_left_s(progress), 26.0);
+  progress.elapsed_s = 121.0;
+  EXPECT_EQ(*longest_left_s(progress), 0.0);
+}
+
+TEST(ExploreProgress, InventsNoTime) {
+  EXPECT_FALSE(longest_left_s({.stops = 3, .elapsed_s = 60.0}));
+  ExploreProgress first{.stops = 0, .elapsed_s = 3.0};
+  first.most_stops = 20;
+  EXPECT_FALSE(longest_left_s(first)) << "no stop has told its pace yet";
+}
+
+TEST(ProgressTeller, SaysALineForEveryHalfMinuteWhereNoTerminalIs) {
+  std::FILE* file = std::tmpfile();
+  ProgressTeller teller(file, true);
+  int made = 0;
+  for (int i = 0; i < 700; ++i) {
+    teller.tell(0.1 * i, [&] { return "line " + std::to_string(++made); });
+  }
+  EXPECT_EQ(text_of(file), "line 1\nline 2\n");
+  std::fclose(file);
+}
+
+TEST(ProgressTeller, SaysNothingWhereItMustNot) {
+  std::FILE* file = std::tmpfile();
+  ProgressTeller teller(file, false);
+  teller.tell(100.0, [] { return "line"; });
+  teller.clear();
+  EXPECT_EQ(text_of(file), "");
+  std::fclose(file);
+}
+
+}  // namespace
+}  // namespace echomap::apps
