@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/benchmarks/figures.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -10,12 +12,24 @@ namespace echomap::bench {
 
 void report(const std::vector<Figure>& figures, const std::filesystem::path& json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::size_t width = 28;
   for (const Figure& figure : figures) {
-    fmt::print(
-        "{:28} {:10.4f} {:8} runs {}\n", figure.name, figure.value, figure.unit, figure.runs);
+    width = std::max(width, figure.name.size());
+  }
+  for (const Figure& figure : figures) {
+    fmt::print("{:{}} {:10.4f} {:8} runs {}\n",
+               figure.name,
+               width,
+               figure.value,
+               figure.unit,
+               figure.runs);
     for (const auto& [peer, value] : figure.peers) {
-      fmt::print(
-          "  {:26} {:10.4f} {:8} {:.1f} times\n", peer, value, figure.unit, figure.value / value);
+      fmt::print("  {:{}} {:10.4f} {:8} {:.2f} times\n",
+                 peer,
+                 width - 2,
+                 value,
+                 figure.unit,
+                 figure.value / value);
     }
     list.push_back({{"name", figure.name},
                     {"value", figure.value},

@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "hil_mock/world/noise.hpp"
+#include "host/mapping/near_mapper.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/models/occupied_sector.hpp"
 #include "tests/papers/epuck_ring.hpp"
@@ -22,6 +24,7 @@ using geometry::Pose2;
 
 constexpr double kCellM = 0.001;
 constexpr double kReachM = 0.06;
+constexpr double kBodyRadiusM = 0.037;
 constexpr double kCentilogits = 100.0;
 
 /// Beside the walls and round both blocks at 5 to 6 cm, and lanes through the rest.
@@ -101,17 +104,15 @@ class SectorGrid {
   mapping::OccupancyGrid grid_{grid_params()};
 };
 
-}  // namespace
+using Readings = std::vector<localization::RangeReading>;
 
-std::vector<Pose2> epuck_lap(const PathSteps& steps, double phase) {
-  return drive_path(lap_points_m, steps, phase);
-}
-
-mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
-                                   const EpuckGridParams& params,
-                                   std::uint32_t seed) {
+/// Calls `visit` with every round of readings and where the camera saw the robot then.
+template <typename Visitor>
+void drive_laps(const world::FloorPlan& field,
+                const EpuckGridParams& params,
+                std::uint32_t seed,
+                Visitor&& visit) {
   EpuckRing ring(field, seed);
-  SectorGrid grid(params);
   world::NoiseStream camera(seed, world::NoisePurpose::kBody);
   for (int lap = 0; lap < params.laps; ++lap) {
     for (const Pose2& T_world_robot : epuck_lap(PathSteps{}, camera.uniform())) {
@@ -121,14 +122,49 @@ mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
       const Pose2 T_world_believed(T_world_robot.x_m() + x_m,
                                    T_world_robot.y_m() + y_m,
                                    T_world_robot.heading_rad() + heading_rad);
-      for (const localization::RangeReading& reading : ring.read(T_world_robot)) {
-        if (reading.range_m || params.silence_is_free) {
-          grid.insert({reading.range_m}, T_world_believed * reading.T_robot_sensor);
-        }
-      }
+      visit(T_world_believed, ring.read(T_world_robot));
     }
   }
+}
+
+}  // namespace
+
+std::vector<Pose2> epuck_lap(const PathSteps& steps, double phase) {
+  return drive_path(lap_points_m, steps, phase);
+}
+
+mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
+                                   const EpuckGridParams& params,
+                                   std::uint32_t seed) {
+  SectorGrid grid(params);
+  drive_laps(field, params, seed, [&](const Pose2& T_world_robot, const Readings& readings) {
+    for (const localization::RangeReading& reading : readings) {
+      if (reading.range_m || params.silence_is_free) {
+        grid.insert({reading.range_m}, T_world_robot * reading.T_robot_sensor);
+      }
+    }
+  });
   return mapping::rasterize(grid.grid());
+}
+
+mapping::RasterMap feel_epuck_field(const world::FloorPlan& field, std::uint32_t seed) {
+  constexpr double kNearCellM = 0.01;
+  mapping::NearMapperParams params;
+  params.body_radius_m = kBodyRadiusM;
+  params.infrared_reach_m = kReachM;
+  params.T_robot_infrared = EpuckRing(field, seed).places();
+  mapping::OccupancyGridParams grid;
+  grid.resolution_m = kNearCellM;
+  mapping::NearMapper mapper(params, grid);
+  drive_laps(field, {}, seed, [&](const Pose2& T_world_robot, const Readings& readings) {
+    std::vector<std::optional<double>> range_m;
+    for (const localization::RangeReading& reading : readings) {
+      range_m.push_back(reading.range_m);
+    }
+    mapper.pass_over(T_world_robot);
+    mapper.see(T_world_robot, range_m);
+  });
+  return mapping::rasterize(mapper.grid());
 }
 
 }  // namespace echomap::papers

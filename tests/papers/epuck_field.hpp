@@ -36,4 +36,7 @@ mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
                                    const EpuckGridParams& params,
                                    std::uint32_t seed);
 
+/// The same drives as RobotPipeline maps them: in cells of 1 cm by mapping::NearMapper.
+mapping::RasterMap feel_epuck_field(const world::FloorPlan& field, std::uint32_t seed);
+
 }  // namespace echomap::papers

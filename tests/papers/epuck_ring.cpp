@@ -50,4 +50,12 @@ std::vector<localization::RangeReading> EpuckRing::read(const geometry::Pose2& T
   return readings;
 }
 
+std::vector<geometry::Pose2> EpuckRing::places() const {
+  std::vector<geometry::Pose2> T_robot_sensors;
+  for (const world::IrRange& sensor : sensors_) {
+    T_robot_sensors.push_back(sensor.params().T_robot_sensor);
+  }
+  return T_robot_sensors;
+}
+
 }  // namespace echomap::papers

@@ -19,6 +19,8 @@ class EpuckRing {
 
   /// A reading of each sensor, a tenth of a second after the last ones.
   std::vector<localization::RangeReading> read(const geometry::Pose2& T_world_robot);
+  /// Where the sensors are, each as T_robot_sensor.
+  std::vector<geometry::Pose2> places() const;
 
  private:
   sensors::InfraredCurve curve_;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string>
 
 #include "hil_mock/world/contact_physics.hpp"
@@ -12,18 +11,16 @@
 #include "hil_mock/world/sonar_physics.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/mapping/patch_grid.hpp"
 #include "host/models/gaussian_patch.hpp"
 
 namespace echomap::papers {
 
 namespace {
 
-using geometry::CellIndex;
 using geometry::Pose2;
 using geometry::Segment;
 
-constexpr mapping::CellBounds kCells{{0, 0}, {55, 43}};
-constexpr double kCellM = 0.05;
 constexpr int kReadings = 72;
 /// Between two stops: five moves reach any of the paper's way points (section II.E).
 constexpr double kMoveM = 0.42;
@@ -96,39 +93,32 @@ class DriftingRobot {
 /// The drive and what it adds to the grid.
 class Mapper {
  public:
-  Mapper(const Playground& playground, const PatchGridParams& params, std::uint32_t seed)
+  Mapper(const Playground& playground, const PatchDriveParams& params, std::uint32_t seed)
       : playground_(playground),
         params_(params),
         robot_(ev3()),
         sonar_(playground.heard, robot_.sonar),
         noise_(seed, world::NoisePurpose::kSonar),
-        body_(robot_, params.with_drift, seed),
-        grid_{mapping::CellField(kCells, kCellM), {}, 0, 0.0} {
+        body_(robot_, params.with_drift, seed) {
     if (params.with_known_walls) {
-      mark_known_walls();
+      for (const Segment& wall : playground_.known_walls) {
+        grid_.mark_wall(wall);
+      }
     }
   }
 
-  PatchGrid run() {
+  PatchDrive run() {
     sweep();
     for (std::size_t point = 1; point < way_points_m.size(); ++point) {
       go_to(way_points_m[point]);
     }
-    grid_.final_error_m = (body_.T_believed().position_m() - body_.T_true().position_m()).norm();
-    return grid_;
+    return {grid_.confidence(),
+            echoes_m_,
+            bumps_,
+            (body_.T_believed().position_m() - body_.T_true().position_m()).norm()};
   }
 
  private:
-  void mark_known_walls() {
-    for (std::size_t i = 0; i < grid_.confidence.size(); ++i) {
-      const Eigen::Vector2d center_m = grid_.confidence.center_m(grid_.confidence.cell(i));
-      for (const Segment& wall : playground_.known_walls) {
-        if (geometry::distance_m(wall, center_m) <= 0.5 * kCellM) {
-          grid_.confidence[i] = 1.0F;
-        }
-      }
-    }
-  }
   void go_to(const Eigen::Vector2d& goal_m) {
     const Eigen::Vector2d way_m = goal_m - body_.T_true().position_m();
     body_.turn(
@@ -148,7 +138,7 @@ class Mapper {
       const world::Contacts contacts =
           world::contacts_at(playground_.met, body_.T_true(), robot_.body);
       if (contacts.left || contacts.right) {
-        ++grid_.bumps;
+        ++bumps_;
         if (params_.with_bumps) {
           add_bump();
         }
@@ -160,51 +150,27 @@ class Mapper {
   void sweep() {
     for (int i = 0; i < kReadings; ++i) {
       const Pose2 T_robot_sonar(0.0, 0.0, 2.0 * std::numbers::pi * i / kReadings);
-      const models::SensorReading reading{sonar_.ping_m(body_.T_true() * T_robot_sonar, noise_)};
-      if (reading.range_m) {
-        add_patch(reading, body_.T_believed() * T_robot_sonar);
+      if (const auto range_m = sonar_.ping_m(body_.T_true() * T_robot_sonar, noise_)) {
+        const Pose2 T_grid_sonar = body_.T_believed() * T_robot_sonar;
+        echoes_m_.push_back(T_grid_sonar * Eigen::Vector2d(*range_m, 0.0));
+        grid_.add_echo(T_grid_sonar, *range_m);
       }
     }
-  }
-  void add_patch(const models::SensorReading& reading, const Pose2& T_grid_sonar) {
-    const Eigen::Vector2d echo_m = T_grid_sonar * Eigen::Vector2d(*reading.range_m, 0.0);
-    grid_.echoes_m.push_back(echo_m);
-    const Pose2 T_sonar_grid = T_grid_sonar.inverse();
-    add_around(echo_m, model_.reach_m({0.0}), [&](const Eigen::Vector2d& center_m) {
-      return model_.evidence(reading, models::polar_point(T_sonar_grid * center_m));
-    });
   }
   void add_bump() {
     const Segment in_robot = models::bumper_line(robot_.body.radius_m, 2.0 * robot_.body.radius_m);
-    const Segment line{body_.T_believed() * in_robot.from_m, body_.T_believed() * in_robot.to_m};
-    const double reach_m = robot_.body.radius_m + model_.reach_m({0.0});
-    add_around(0.5 * (line.from_m + line.to_m), reach_m, [&](const Eigen::Vector2d& center_m) {
-      return model_.bump_evidence(geometry::distance_m(line, center_m));
-    });
-  }
-  /// Adds a confidence to the cells of a square that are within the grid.
-  template <typename Confidence>
-  void add_around(const Eigen::Vector2d& middle_m, double reach_m, Confidence&& confidence) {
-    mapping::CellField& field = grid_.confidence;
-    const CellIndex low = field.cell_at(middle_m.array() - reach_m);
-    const CellIndex high = field.cell_at(middle_m.array() + reach_m);
-    for (CellIndex cell = low; cell.y <= high.y; ++cell.y) {
-      for (cell.x = low.x; cell.x <= high.x; ++cell.x) {
-        if (field.holds(cell)) {
-          field[field.index(cell)] += static_cast<float>(confidence(field.center_m(cell)));
-        }
-      }
-    }
+    grid_.add_bump({body_.T_believed() * in_robot.from_m, body_.T_believed() * in_robot.to_m});
   }
 
   const Playground& playground_;
-  PatchGridParams params_;
+  PatchDriveParams params_;
   world::RobotParams robot_;
   world::SonarPhysics sonar_;
   world::NoiseStream noise_;
   DriftingRobot body_;
-  models::GaussianPatch model_;
-  PatchGrid grid_;
+  mapping::PatchGrid grid_;
+  std::vector<Eigen::Vector2d> echoes_m_;
+  int bumps_ = 0;
 };
 
 }  // namespace
@@ -233,9 +199,9 @@ Playground make_playground() {
            {{0.35, 2.00}, {0.35, 0.25}}}};
 }
 
-PatchGrid map_playground(const Playground& playground,
-                         const PatchGridParams& params,
-                         std::uint32_t seed) {
+PatchDrive map_playground(const Playground& playground,
+                          const PatchDriveParams& params,
+                          std::uint32_t seed) {
   return Mapper(playground, params, seed).run();
 }
 

@@ -24,7 +24,7 @@ struct Playground {
 Playground make_playground();
 
 /// What section II.B does, in parts.
-struct PatchGridParams {
+struct PatchDriveParams {
   /// "We initialize the coordinates corresponding to the playground walls as one."
   bool with_known_walls = true;
   bool with_bumps = true;
@@ -33,7 +33,7 @@ struct PatchGridParams {
 };
 
 /// What a drive through the seven phases has brought.
-struct PatchGrid {
+struct PatchDrive {
   mapping::CellField confidence;
   /// The echoes on the axis of their beams, where the robot believed them; grid frame.
   std::vector<Eigen::Vector2d> echoes_m;
@@ -42,8 +42,8 @@ struct PatchGrid {
   double final_error_m = 0.0;
 };
 
-PatchGrid map_playground(const Playground& playground,
-                         const PatchGridParams& params,
-                         std::uint32_t seed);
+PatchDrive map_playground(const Playground& playground,
+                          const PatchDriveParams& params,
+                          std::uint32_t seed);
 
 }  // namespace echomap::papers

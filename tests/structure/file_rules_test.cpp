@@ -34,6 +34,7 @@ const std::vector<std::string> without_own_test{
     "firmware/app/main.cpp",
     "hil_mock/mock_device/main.cpp",
     "hil_mock/unicorn/main.cpp",
+    "host/apps/characterise_command.cpp",
     "host/apps/demo_command.cpp",
     "host/apps/demo_kidnap.cpp",
     "host/apps/diff_command.cpp",

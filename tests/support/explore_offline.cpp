@@ -12,6 +12,7 @@
 namespace {
 
 using echomap::tests::OfflineRun;
+using echomap::tests::OfflineStrategy;
 
 template <class Figure>
 double median_of(const std::vector<OfflineRun>& runs, Figure figure) {
@@ -50,23 +51,27 @@ void print_medians(const std::vector<OfflineRun>& runs) {
 
 }  // namespace
 
-/// explore_offline ROOM ROBOT RUNS [DIRECTORY]: seeds 1 .. RUNS, one line each, then the medians;
-/// with a directory the run directory of each seed as well.
+/// explore_offline STRATEGY ROOM ROBOT FIRST LAST [DIRECTORY]: seeds FIRST .. LAST, one line each,
+/// then the medians; with a directory the run directory of each seed as well.
 int main(int argc, char** argv) {
-  if (argc < 4) {
-    std::fprintf(stderr, "usage: explore_offline ROOM ROBOT RUNS [DIRECTORY]\n");
+  if (argc < 6) {
+    std::fprintf(
+        stderr, "usage: explore_offline nxt-farthest|frontier ROOM ROBOT FIRST LAST [DIRECTORY]\n");
     return 2;
   }
+  const auto strategy = std::string(argv[1]) == "frontier" ? OfflineStrategy::kFrontier
+                                                           : OfflineStrategy::kNxtFarthest;
   std::vector<OfflineRun> runs;
-  const auto count = static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10));
-  for (std::uint32_t seed = 1; seed <= count; ++seed) {
-    runs.push_back(echomap::tests::explore_offline(argv[1], argv[2], seed));
+  const auto first = static_cast<std::uint32_t>(std::strtoul(argv[4], nullptr, 10));
+  const auto last = static_cast<std::uint32_t>(std::strtoul(argv[5], nullptr, 10));
+  for (std::uint32_t seed = first; seed <= last; ++seed) {
+    runs.push_back(echomap::tests::explore_offline(argv[2], argv[3], seed, strategy));
     const std::string name = std::string("seed ") + std::to_string(seed);
     print_row(name.c_str(), runs.back());
-    if (argc > 4) {
+    if (argc > 6) {
       echomap::exports::RunSummary summary;
       echomap::exports::describe_snapshot(runs.back().snapshot, summary);
-      const std::filesystem::path directory = std::filesystem::path(argv[4]) / std::to_string(seed);
+      const std::filesystem::path directory = std::filesystem::path(argv[6]) / std::to_string(seed);
       echomap::exports::write_run_directory(directory, runs.back().snapshot, summary);
     }
   }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/offline_exploration.hpp"
 
+#include <memory>
 #include <random>
 
 #include "hil_mock/runner/truth_map.hpp"
 #include "hil_mock/world/floor_plan_file.hpp"
 #include "hil_mock/world/robot_file.hpp"
 #include "hil_mock/world/robot_world.hpp"
+#include "host/exploration/frontier.hpp"
+#include "host/exploration/nxt_farthest.hpp"
 #include "host/files/toml_reader.hpp"
 #include "tests/support/offline_robot.hpp"
 
@@ -20,10 +23,17 @@ std::string bundled(const std::string& folder, const std::string& name) {
   return std::string(ECHOMAP_SOURCE_DIR) + "/hil_mock/" + folder + "/" + name + ".toml";
 }
 
-exploration::NxtFarthestParams strategy_for(const world::RobotParams& robot) {
+std::unique_ptr<exploration::Explorer> explorer_for(const world::RobotParams& robot,
+                                                    OfflineStrategy strategy,
+                                                    std::mt19937& random) {
+  if (strategy == OfflineStrategy::kFrontier) {
+    exploration::FrontierParams params;
+    params.costs.robot_radius_m = robot.body.radius_m;
+    return std::make_unique<exploration::Frontier>(params);
+  }
   exploration::NxtFarthestParams params;
   params.robot_radius_m = robot.body.radius_m;
-  return params;
+  return std::make_unique<exploration::NxtFarthest>(params, random);
 }
 
 mapping::SonarMapperParams mapper_for(const world::RobotParams& robot) {
@@ -72,23 +82,27 @@ world::FloorPlan bundled_room(const std::string& room) {
   return world::read_floor_plan(files::TomlReader::load(bundled("worlds", room)));
 }
 
-OfflineRun explore_offline(const std::string& room, const std::string& robot, std::uint32_t seed) {
-  return explore_offline(bundled_room(room), robot, seed);
+OfflineRun explore_offline(const std::string& room,
+                           const std::string& robot,
+                           std::uint32_t seed,
+                           OfflineStrategy strategy) {
+  return explore_offline(bundled_room(room), robot, seed, strategy);
 }
 
 OfflineRun explore_offline(const world::FloorPlan& room,
                            const std::string& robot,
-                           std::uint32_t seed) {
+                           std::uint32_t seed,
+                           OfflineStrategy strategy) {
   const auto robot_params = world::read_robot(files::TomlReader::load(bundled("robots", robot)));
   world::RobotWorld world(room, robot_params, seed);
   const auto geometry = believed_geometry(robot_params);
   pipeline::RobotPipeline pipeline(geometry, mapper_for(robot_params));
   OfflineRobot offline_robot(world, geometry, pipeline);
   std::mt19937 random(seed);
-  exploration::NxtFarthest explorer(strategy_for(robot_params), random);
+  const auto explorer = explorer_for(robot_params, strategy, random);
 
   OfflineRun run;
-  run.reason = explore(explorer, offline_robot, pipeline, run.bumps);
+  run.reason = explore(*explorer, offline_robot, pipeline, run.bumps);
   run.snapshot = pipeline.snapshot();
   run.sim_seconds = offline_robot.now_s();
   const geometry::Pose2 T_world_map = world.plan().T_world_start();

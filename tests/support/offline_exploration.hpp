@@ -24,11 +24,18 @@ struct OfflineRun {
   double final_heading_error_rad = 0.0;
 };
 
-/// Explores a bundled room with a bundled robot, nxt-farthest and the default parameters.
-OfflineRun explore_offline(const std::string& room, const std::string& robot, std::uint32_t seed);
+/// Strategies that explore offline, with their default parameters.
+enum class OfflineStrategy : std::uint8_t { kNxtFarthest, kFrontier };
+
+/// Explores a bundled room with a bundled robot.
+OfflineRun explore_offline(const std::string& room,
+                           const std::string& robot,
+                           std::uint32_t seed,
+                           OfflineStrategy strategy = OfflineStrategy::kNxtFarthest);
 OfflineRun explore_offline(const world::FloorPlan& room,
                            const std::string& robot,
-                           std::uint32_t seed);
+                           std::uint32_t seed,
+                           OfflineStrategy strategy = OfflineStrategy::kNxtFarthest);
 
 /// A room that comes with the programs.
 world::FloorPlan bundled_room(const std::string& room);

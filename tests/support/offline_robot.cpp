@@ -55,6 +55,9 @@ MotionResult OfflineRobot::execute(const exploration::Motion& motion) {
   if (const auto* drive = std::get_if<exploration::Drive>(&motion)) {
     return move(geometry_.straight(drive->distance_m));
   }
+  if (const auto* arc = std::get_if<exploration::Roll>(&motion)) {
+    return roll(*arc);
+  }
   if (const auto* sweep_motion = std::get_if<exploration::Sweep>(&motion)) {
     return sweep(*sweep_motion);
   }
@@ -78,8 +81,7 @@ MotionResult OfflineRobot::move(const sensors::WheelTicks& ticks) {
     world::WheelDuty duty{duty_for(left), duty_for(right)};
     duty.left *= 1.0 + kDutyPerTickApart * apart;
     duty.right *= 1.0 - kDutyPerTickApart * apart;
-    const auto contacts = world_.contacts();
-    const bool bumped = forward && (contacts.left || contacts.right);
+    const bool bumped = forward && is_touching();
     step(bumped ? world::WheelDuty{} : duty);
     const bool at_rest = bumped || (duty.left == 0.0 && duty.right == 0.0);
     steps_at_rest = at_rest ? steps_at_rest + 1 : 0;
@@ -88,6 +90,31 @@ MotionResult OfflineRobot::move(const sensors::WheelTicks& ticks) {
     }
   }
   return MotionResult::kTimedOut;
+}
+
+MotionResult OfflineRobot::roll(const exploration::Roll& roll) {
+  const auto& drive = world_.robot().drive;
+  const auto duty_of = [&](double speed_m_per_s) {
+    const double share = std::abs(speed_m_per_s) / drive.no_load_speed_m_per_s;
+    const double duty = share * (1.0 - drive.dead_zone_duty) + drive.dead_zone_duty;
+    return speed_m_per_s == 0.0 ? 0.0 : std::copysign(std::min(duty, 1.0), speed_m_per_s);
+  };
+  const double apart_m_per_s = roll.turn_rad_per_s * geometry_.track_m / 2.0;
+  const world::WheelDuty duty{duty_of(roll.forward_m_per_s - apart_m_per_s),
+                              duty_of(roll.forward_m_per_s + apart_m_per_s)};
+  const bool was_touching = is_touching();
+  for (const std::int64_t end_us = now_us_ + std::llround(roll.for_s * 1e6); now_us_ < end_us;) {
+    step(is_touching() && roll.forward_m_per_s > 0.0 ? world::WheelDuty{} : duty);
+    if (is_touching() && !was_touching) {
+      return MotionResult::kBumped;
+    }
+  }
+  return MotionResult::kReached;
+}
+
+bool OfflineRobot::is_touching() const {
+  const auto contacts = world_.contacts();
+  return contacts.left || contacts.right;
 }
 
 MotionResult OfflineRobot::sweep(const exploration::Sweep& sweep) {
@@ -117,7 +144,13 @@ void OfflineRobot::step(const world::WheelDuty& duty) {
   world_.step(static_cast<double>(kStepUs) * 1e-6, duty, changes_);
   now_us_ += kStepUs;
   if (now_us_ % kOdometryPeriodUs == 0) {
+    const auto contacts = world_.contacts();
     pipeline_.on_odometry({stamp(), travel()});
+    sensors::HazardObservation hazards;
+    hazards.stamp = stamp();
+    hazards.bump_left = contacts.left;
+    hazards.bump_right = contacts.right;
+    pipeline_.on_hazards(hazards);
   }
 }
 

@@ -28,6 +28,8 @@ class OfflineRobot {
 
  private:
   exploration::MotionResult move(const sensors::WheelTicks& ticks);
+  exploration::MotionResult roll(const exploration::Roll& roll);
+  bool is_touching() const;
   exploration::MotionResult sweep(const exploration::Sweep& sweep);
   sensors::WheelTravel travel() const;
   time::RobotTime stamp() const { return time::RobotTime(time::RobotClock::duration(now_us_)); }

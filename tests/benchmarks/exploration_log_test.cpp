@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "tests/benchmarks/exploration_log.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "host/files/atomic_file.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::bench {
+namespace {
+
+const ExplorationCase in_the_hall{"hall", "frontier", "uno_2wd"};
+
+ExplorationRun some_run() {
+  ExplorationRun run;
+  run.complete = true;
+  run.outcome = "complete";
+  run.free_iou = 0.1 + 0.2;
+  run.sim_seconds = 61.25;
+  run.hard_collisions = 2;
+  run.phases = 7;
+  return run;
+}
+
+TEST(ExplorationLog, GivesBackWhatAnEarlierOneWasGiven) {
+  const tests::ScratchFolder folder;
+  ExplorationLog(folder / "runs").add(in_the_hall, 3, some_run());
+  const auto run = ExplorationLog(folder / "runs").find(in_the_hall, 3);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->outcome, "complete");
+  EXPECT_EQ(run->free_iou, 0.1 + 0.2);
+  EXPECT_EQ(run->sim_seconds, 61.25);
+  EXPECT_EQ(run->hard_collisions, 2);
+  EXPECT_EQ(run->phases, 7U);
+  EXPECT_FALSE(run->wall_rmse_m);
+}
+
+TEST(ExplorationLog, KnowsARunByAllThatItIsAFunctionOf) {
+  const tests::ScratchFolder folder;
+  ExplorationLog log(folder / "runs");
+  log.add(in_the_hall, 3, some_run());
+  EXPECT_FALSE(log.find(in_the_hall, 4));
+  auto what = in_the_hall;
+  what.board = "mega";
+  EXPECT_FALSE(log.find(what, 3));
+  what = in_the_hall;
+  what.strategy = "nxt-farthest";
+  EXPECT_FALSE(log.find(what, 3));
+}
+
+TEST(ExplorationLog, KeepsNothingWithoutAFile) {
+  ExplorationLog log;
+  log.add(in_the_hall, 3, some_run());
+  EXPECT_FALSE(log.find(in_the_hall, 3));
+}
+
+TEST(ExplorationLog, RefusesALineThatIsNoRun) {
+  const tests::ScratchFolder folder;
+  files::write_text_file(folder / "runs", "{\"run\": \"hall\"}\n");
+  EXPECT_THROW(ExplorationLog(folder / "runs"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace echomap::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Singh and Bedi 2013, section 3.2 and figure 6: an NXT explores its room by the farthest echoes.
+// The shares over 20 seeds are told by `./run bench exploration --part papers`; here are three, on
+// the image that a user flashes.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/papers/demo_run.hpp"
+#include "tests/support/exploration_case.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::papers {
+namespace {
+
+TEST(Paper000Exploration, EndsByItselfWithItsRoomOnTheReleaseFirmware) {
+  const tests::ScratchFolder scratch;
+  for (const int seed : {1, 2, 3}) {
+    const auto report = run_demo(tests::demo_arguments(tests::nxt_in_its_room(), seed),
+                                 scratch / std::to_string(seed));
+    EXPECT_EQ(report.at("outcome").get<std::string>(), "no-new-ground") << seed;
+    EXPECT_GE(report.at("free_iou"), 0.85) << seed;
+    EXPECT_LE(report.at("wall_rmse_m"), 0.06) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace echomap::papers
