@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+#include "host/localization/pose_gaussian.hpp"
+#include "host/mapping/occupancy_grid.hpp"
+#include "host/slam/range_scan.hpp"
+
+namespace echomap::slam {
+
+/// A way to find out at once where a robot is and what is around it, from its odometry and its
+/// ranges. The map frame is that of the odometry at the first scan.
+class SlamMethod {
+ public:
+  SlamMethod() = default;
+  virtual ~SlamMethod() = default;
+  SlamMethod(const SlamMethod&) = delete;
+  SlamMethod& operator=(const SlamMethod&) = delete;
+
+  /// Takes a scan, and where the odometry had the robot when it was taken. In the order of time.
+  virtual void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) = 0;
+  /// Where the robot was at the last scan.
+  virtual localization::PoseGaussian belief() const = 0;
+  /// Where the robot was at each scan that was added, as it is known now: a loop that is closed
+  /// moves poses of the past, too.
+  virtual std::vector<geometry::Pose2> trajectory() const = 0;
+  /// The map of all scans, in cells.
+  virtual mapping::OccupancyGrid grid() const = 0;
+};
+
+}  // namespace echomap::slam
