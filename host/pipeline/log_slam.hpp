@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host/datasets/log_record.hpp"
+#include "host/geometry/pose2.hpp"
+#include "host/pipeline/log_poses.hpp"
+#include "host/slam/range_scan.hpp"
+#include "host/slam/slam_method.hpp"
+
+namespace echomap::pipeline {
+
+/// The scan of a log as SLAM takes it.
+slam::RangeScan slam_scan(const datasets::RangeScan& scan);
+
+/// Feeds a log's odometry and scans to a way of doing SLAM. What the log itself says of the robot's
+/// true pose is not looked at.
+class LogSlam {
+ public:
+  /// `method` has to live as long.
+  explicit LogSlam(slam::SlamMethod& method) : method_(&method) {}
+
+  void add(const datasets::LogRecord& record);
+  /// Where the robot was at every record that says something of its place, with the scans that
+  /// follow it, as it is known now. From one scan to the next its odometry goes on.
+  std::vector<geometry::Pose2> trajectory() const;
+  std::size_t scans() const { return T_odom_scans_.size(); }
+
+ private:
+  struct Instant {
+    geometry::Pose2 T_odom_robot;
+    std::size_t scans = 0;  ///< Taken up to then.
+  };
+
+  slam::SlamMethod* method_;
+  LogPoses poses_{PoseSource::kOdometry};
+  std::vector<Instant> instants_;
+  std::vector<geometry::Pose2> T_odom_scans_;
+};
+
+}  // namespace echomap::pipeline

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "tests/benchmarks/relation_log.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <variant>
+
+#include "host/datasets/line_reader.hpp"
+#include "host/datasets/open_log.hpp"
+#include "host/files/atomic_file.hpp"
+#include "host/geometry/angle.hpp"
+#include "host/pipeline/log_poses.hpp"
+#include "host/pipeline/log_slam.hpp"
+#include "tests/support/real_data.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::bench {
+namespace {
+
+constexpr double kConeReachM = 4.0;
+constexpr double kConeNoiseM = 0.01;
+const double cone_opening_rad = geometry::radians(15.0);
+
+std::vector<evaluation::PoseRelation> read_packed_relations(const std::filesystem::path& packed) {
+  std::string text;
+  datasets::LineReader lines(packed);
+  while (const auto line = lines.next()) {
+    text.append(*line).append("\n");
+  }
+  const tests::ScratchFolder folder;
+  files::write_text_file(folder / "relations", text);
+  return evaluation::read_relations(folder / "relations");
+}
+
+/// The number of the beam in the middle of the `i`th of `count` even shares.
+std::size_t middle_beam(const datasets::RangeScan& scan, std::size_t i, std::size_t count) {
+  return (2 * i + 1) * scan.beams.size() / (2 * count);
+}
+
+/// What `change` makes of each scan; the other records are as they were.
+template <class Change>
+RelationLog with_scans(const RelationLog& log, const Change& change) {
+  RelationLog changed = log;
+  for (datasets::LogRecord& record : changed.records) {
+    if (auto* scan = std::get_if<datasets::RangeScan>(&record)) {
+      change(*scan);
+    }
+  }
+  return changed;
+}
+
+std::optional<double> nearest_within(const datasets::RangeScan& scan, double bearing_rad) {
+  std::optional<double> nearest_m;
+  for (const datasets::Beam& beam : scan.beams) {
+    const double off_rad = std::abs(beam.bearing_rad - bearing_rad);
+    if (off_rad <= cone_opening_rad / 2.0 && beam.range_m && *beam.range_m < kConeReachM) {
+      nearest_m = std::min(*beam.range_m, nearest_m.value_or(kConeReachM));
+    }
+  }
+  return nearest_m;
+}
+
+}  // namespace
+
+std::optional<RelationLog> read_relation_log(const std::string& name) {
+  const auto folder = tests::real_data("slam_relations");
+  if (!std::filesystem::exists(folder)) {
+    return std::nullopt;
+  }
+  RelationLog log;
+  const auto reader = datasets::open_log(folder / (name + ".clf.gz"), "carmen");
+  while (auto record = reader->next()) {
+    log.records.push_back(std::move(*record));
+  }
+  log.relations = read_packed_relations(folder / (name + ".assoc.gz"));
+  return log;
+}
+
+RelationLog with_beams(const RelationLog& log, std::size_t count) {
+  return with_scans(log, [&](datasets::RangeScan& scan) {
+    std::vector<datasets::Beam> kept;
+    for (std::size_t i = 0; i < count; ++i) {
+      kept.push_back(scan.beams[middle_beam(scan, i, count)]);
+    }
+    scan.beams = std::move(kept);
+  });
+}
+
+RelationLog with_cones(const RelationLog& log, std::size_t count, std::mt19937& random) {
+  std::normal_distribution<double> noise_m(0.0, kConeNoiseM);
+  return with_scans(log, [&](datasets::RangeScan& scan) {
+    std::vector<datasets::Beam> cones;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double bearing_rad = scan.beams[middle_beam(scan, i, count)].bearing_rad;
+      std::optional<double> range_m = nearest_within(scan, bearing_rad);
+      if (range_m) {
+        range_m = datasets::returned_range_m(*range_m + noise_m(random), kConeReachM);
+      }
+      cones.push_back({bearing_rad, range_m});
+    }
+    scan.beams = std::move(cones);
+    scan.beam_opening_rad = cone_opening_rad;
+    scan.max_range_m = kConeReachM;
+  });
+}
+
+evaluation::RelationError score_odometry(const RelationLog& log) {
+  pipeline::LogPoses poses(pipeline::PoseSource::kOdometry);
+  std::vector<geometry::Pose2> trajectory;
+  for (const datasets::LogRecord& record : log.records) {
+    if (poses.follow(record)) {
+      trajectory.push_back(*poses.T_map_robot());
+    }
+  }
+  return evaluation::score_relations(trajectory, log.relations);
+}
+
+evaluation::RelationError score_slam(const RelationLog& log, slam::SlamMethod& method) {
+  pipeline::LogSlam slam(method);
+  for (const datasets::LogRecord& record : log.records) {
+    slam.add(record);
+  }
+  return evaluation::score_relations(slam.trajectory(), log.relations);
+}
+
+}  // namespace echomap::bench

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/log_slam.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace echomap::pipeline {
+namespace {
+
+using geometry::Pose2;
+
+/// Has every scan a metre to the left of where the odometry has it.
+class MovedAside : public slam::SlamMethod {
+ public:
+  void add(const Pose2& T_odom_robot, const slam::RangeScan& scan) override {
+    poses.push_back(Pose2(0.0, 1.0, 0.0) * T_odom_robot);
+    beams += scan.beams.size();
+  }
+  localization::PoseGaussian belief() const override { return {poses.back(), {}}; }
+  std::vector<Pose2> trajectory() const override { return poses; }
+  mapping::OccupancyGrid grid() const override { return mapping::OccupancyGrid(); }
+
+  std::vector<Pose2> poses;
+  std::size_t beams = 0;
+};
+
+datasets::LogRecord at(double x_m) { return datasets::OdometryPose{{}, {x_m, 0.0, 0.0}}; }
+
+const datasets::LogRecord scan = datasets::RangeScan{{}, {}, {{0.0, 1.0}, {0.1, {}}}, 0.0, 5.0};
+
+TEST(LogSlam, GivesEachScanItsOdometryAndBeams) {
+  MovedAside method;
+  LogSlam slam(method);
+  for (const auto& record : {at(1.0), scan, at(2.0), scan}) {
+    slam.add(record);
+  }
+  EXPECT_EQ(slam.scans(), 2U);
+  EXPECT_EQ(method.beams, 4U);
+  EXPECT_DOUBLE_EQ(method.poses[1].x_m(), 2.0);
+}
+
+TEST(LogSlam, GoesOnByOdometryFromTheScanBefore) {
+  MovedAside method;
+  LogSlam slam(method);
+  for (const auto& record : {at(0.5), at(1.0), scan, at(1.5), at(2.0), scan}) {
+    slam.add(record);
+  }
+  const auto trajectory = slam.trajectory();
+  ASSERT_EQ(trajectory.size(), 4U);
+  EXPECT_DOUBLE_EQ(trajectory[0].y_m(), 0.0) << "before any scan";
+  EXPECT_DOUBLE_EQ(trajectory[1].y_m(), 1.0) << "a scan belongs to the pose before it";
+  EXPECT_DOUBLE_EQ(trajectory[2].x_m(), 1.5);
+  EXPECT_DOUBLE_EQ(trajectory[2].y_m(), 1.0);
+  EXPECT_DOUBLE_EQ(trajectory[3].x_m(), 2.0);
+}
+
+TEST(LogSlam, LooksAtNoPoseThatTheLogGives) {
+  MovedAside method;
+  LogSlam slam(method);
+  for (const auto& record :
+       {at(1.0), datasets::LogRecord(datasets::GivenPose{{}, {7.0, 7.0, 1.0}}), scan}) {
+    slam.add(record);
+  }
+  EXPECT_DOUBLE_EQ(method.poses[0].x_m(), 1.0);
+}
+
+}  // namespace
+}  // namespace echomap::pipeline
