@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
 #include "host/mapping/distance_field.hpp"
 
 namespace echomap::exploration {
@@ -68,26 +69,62 @@ bool floor_lies_between(const RasterMap& map,
   return true;
 }
 
-/// A beam of the scan met the edge squarely, and none that way was answered from about there.
-bool listened_through(const mapping::Scan& scan,
+/// One reading of a stop, from where and which way.
+struct Look {
+  Eigen::Vector2d from_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d axis = Eigen::Vector2d::UnitX();
+  double range_m = std::numeric_limits<double>::infinity();  ///< Without answer it is endless.
+};
+
+/// What was heard at one stop, and the circle that all its looks lie in.
+struct Stop {
+  Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
+  double radius_m = 0.0;
+  std::vector<Look> looks;
+};
+
+std::vector<Stop> stops_of(const HeardScans& scans) {
+  std::vector<Stop> stops;
+  for (const auto& scan : scans) {
+    if (scan->empty()) {
+      continue;
+    }
+    Stop stop{scan->front().T_map_sonar.position_m(), 0.0, {}};
+    for (const mapping::PlacedReading& reading : *scan) {
+      const Eigen::Vector2d from_m = reading.T_map_sonar.position_m();
+      stop.radius_m = std::max(stop.radius_m, (from_m - stop.at_m).norm());
+      stop.looks.push_back({from_m,
+                            geometry::unit_vector(reading.T_map_sonar.heading_rad()),
+                            reading.range_m.value_or(std::numeric_limits<double>::infinity())});
+    }
+    stops.push_back(std::move(stop));
+  }
+  return stops;
+}
+
+/// A beam of the stop met the edge squarely, and none that way was answered from about there.
+bool listened_through(const Stop& stop,
                       const RasterMap& map,
                       const Edge& edge,
                       const OpeningParams& params) {
+  if ((edge.at_m - stop.at_m).norm() > params.far_m + stop.radius_m) {
+    return false;
+  }
+  const double cos_look = std::cos(params.look_half_angle_rad);
+  const double cos_square = std::cos(params.square_rad);
   bool met_squarely = false;
-  for (const mapping::PlacedReading& reading : scan) {
-    const Eigen::Vector2d way_m = edge.at_m - reading.T_map_sonar.position_m();
+  for (const Look& look : stop.looks) {
+    const Eigen::Vector2d way_m = edge.at_m - look.from_m;
     const double distance_m = way_m.norm();
-    const double off_axis_rad = geometry::angle_between(std::atan2(way_m.y(), way_m.x()),
-                                                        reading.T_map_sonar.heading_rad());
-    if (distance_m > params.far_m || std::abs(off_axis_rad) > params.look_half_angle_rad) {
+    if (distance_m > params.far_m || way_m.dot(look.axis) < cos_look * distance_m) {
       continue;
     }
-    if (reading.range_m && *reading.range_m <= distance_m + params.step_m + kEchoMarginM) {
+    if (look.range_m <= distance_m + params.step_m + kEchoMarginM) {
       return false;
     }
-    met_squarely |= way_m.dot(edge.outward) >= std::cos(params.square_rad) * distance_m;
+    met_squarely |= way_m.dot(edge.outward) >= cos_square * distance_m;
   }
-  return met_squarely && floor_lies_between(map, scan.front().T_map_sonar.position_m(), edge.at_m);
+  return met_squarely && floor_lies_between(map, stop.at_m, edge.at_m);
 }
 
 }  // namespace
@@ -102,6 +139,7 @@ std::vector<Opening> find_openings(const RasterMap& map,
   const auto is_narrow = [&](CellIndex cell) {
     return static_cast<double>(to_occupied.distance_cells(cell)) < half_width_cells;
   };
+  const std::vector<Stop> stops = stops_of(scans);
   std::vector<Opening> openings;
   for (int y = 0; y < map.rows(); ++y) {
     for (int x = 0; x < map.columns(); ++x) {
@@ -112,8 +150,8 @@ std::vector<Opening> find_openings(const RasterMap& map,
       }
       const Edge edge = nearest_edge(map, {x, y}, 1 + static_cast<std::int32_t>(step_cells));
       if (!is_narrow(map.cell_at(edge.at_m)) &&
-          std::any_of(scans.begin(), scans.end(), [&](const auto& scan) {
-            return listened_through(*scan, map, edge, params);
+          std::any_of(stops.begin(), stops.end(), [&](const Stop& stop) {
+            return listened_through(stop, map, edge, params);
           })) {
         openings.push_back({edge.at_m, map.center_m({x, y})});
       }

@@ -3,11 +3,17 @@
 
 #include <algorithm>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "host/exploration/frontier.hpp"
+#include "host/exploration/opening_search.hpp"
+#include "host/mapping/raster_map.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
 #include "tests/support/median.hpp"
 #include "tests/support/told_snapshot.hpp"
@@ -88,6 +94,52 @@ std::vector<double> decisions_ms(int edge, std::size_t decisions) {
   return took_ms;
 }
 
+/// As many stops as the strategy makes at most, all before the edge of the known floor of the hall,
+/// which have heard nothing all round.
+exploration::HeardScans silent_scans(int edge, double resolution_m) {
+  constexpr int kReadings = 90;
+  const exploration::FrontierParams params;
+  const double edge_m = resolution_m * (-edge / 2 + 2 * edge / 3);
+  const double side_m = 0.4 * resolution_m * edge;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> before_m(0.5, params.openings.far_m);
+  std::uniform_real_distribution<double> aside_m(-side_m, side_m);
+  exploration::HeardScans scans;
+  for (std::size_t stop = 0; stop < params.most_stops; ++stop) {
+    const Pose2 T_map_robot(edge_m - before_m(random), aside_m(random), 0.0);
+    mapping::Scan scan;
+    for (int i = 0; i < kReadings; ++i) {
+      const Pose2 T_robot_sonar(0.0, 0.0, i * 2.0 * std::numbers::pi / kReadings);
+      scan.push_back({T_map_robot, T_map_robot * T_robot_sonar, std::nullopt});
+    }
+    scans.push_back(std::make_shared<const mapping::Scan>(std::move(scan)));
+  }
+  return scans;
+}
+
+/// What the search for openings adds to a decision where no look promises enough.
+Figure opening_figure(int edge, std::size_t searches) {
+  const mapping::OccupancyGrid grid = hall(edge);
+  const mapping::RasterMap map = mapping::rasterize(grid);
+  const auto scans = silent_scans(edge, grid.resolution_m());
+  std::vector<double> took_ms;
+  for (std::size_t i = 0; i < searches; ++i) {
+    std::vector<exploration::Opening> found;
+    took_ms.push_back(1e3 * processor_seconds([&] {
+                        found =
+                            exploration::find_openings(map, scans, exploration::OpeningParams{});
+                      }));
+    if (found.empty()) {
+      throw std::logic_error("the hall has no openings to search for");
+    }
+  }
+  return {"opening_search_ms_" + std::to_string(edge),
+          tests::median(took_ms),
+          "ms",
+          took_ms.size(),
+          {}};
+}
+
 }  // namespace
 
 std::vector<Figure> decision_figures(std::size_t decisions) {
@@ -101,6 +153,7 @@ std::vector<Figure> decision_figures(std::size_t decisions) {
                        "ms",
                        took_ms.size(),
                        {}});
+    figures.push_back(opening_figure(edge, decisions));
   }
   return figures;
 }
