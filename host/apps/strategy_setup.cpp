@@ -124,6 +124,21 @@ const Strategy& strategy_of(const RunOptions& options) {
   return *found;
 }
 
+/// What only another strategy goes by shall not do nothing in silence.
+void refuse_strange_options(const RunOptions& options) {
+  const auto refuse = [&](const std::string& option, const std::string& owner) {
+    throw CommandError(ExitCode::kUsage,
+                       option + " is for strategy '" + owner + "', not for '" + options.strategy +
+                           "'\n  next: leave it out, or --strategy " + owner);
+  };
+  if (options.scans > 1 && options.strategy != "nxt-farthest") {
+    refuse("--scans", "nxt-farthest");
+  }
+  if (!options.waypoints.empty() && options.strategy != "tangent-bug") {
+    refuse("--waypoints", "tangent-bug");
+  }
+}
+
 }  // namespace
 
 const std::vector<Strategy>& strategies() {
@@ -160,6 +175,7 @@ ExplorerPtr explorer_for(const RobotProfile& profile,
 }
 
 void require_fit(const RobotProfile& profile, const RunOptions& options) {
+  refuse_strange_options(options);
   if (const std::string lack = strategy_of(options).lack(profile, options); !lack.empty()) {
     throw CommandError(ExitCode::kConfigInvalid,
                        "strategy '" + options.strategy + "' needs " + lack + ", and profile '" +

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/thrown_text.hpp"
+
 namespace echomap::apps {
 namespace {
 
@@ -24,7 +26,7 @@ TEST(StrategySetup, MakesEachStrategyThatTheOptionsMayName) {
       const RobotProfile profile = load_robot_profile(robot);
       RunOptions options;
       options.strategy = strategy.name;
-      options.waypoints = "playground";
+      options.waypoints = options.strategy == "tangent-bug" ? "playground" : "";
       if (strategy.lack(profile, options).empty()) {
         EXPECT_TRUE(explorer_for(profile, options, random)) << strategy.name << " " << robot;
       }
@@ -53,6 +55,22 @@ TEST(StrategySetup, AsksForTheWaypointsOfTangentBug) {
     EXPECT_EQ(error.code(), ExitCode::kUsage);
     EXPECT_THAT(error.what(), testing::HasSubstr("--waypoints"));
   }
+}
+
+TEST(StrategySetup, RefusesWhatOnlyAnotherStrategyGoesBy) {
+  const auto complaint_about = [](const RunOptions& options) {
+    return tests::thrown_text<CommandError>(
+        [&] { require_fit(load_robot_profile("uno_2wd"), options); });
+  };
+  RunOptions options;
+  options.strategy = "frontier";
+  options.scans = 2;
+  EXPECT_THAT(complaint_about(options),
+              testing::HasSubstr("--scans is for strategy 'nxt-farthest'"));
+  options.scans = 1;
+  options.waypoints = "playground";
+  EXPECT_THAT(complaint_about(options),
+              testing::HasSubstr("--waypoints is for strategy 'tangent-bug'"));
 }
 
 TEST(StrategySetup, SaysWhatARobotLacks) {
