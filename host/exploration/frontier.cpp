@@ -24,8 +24,6 @@ using mapping::CellState;
 using mapping::RasterMap;
 
 constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
-/// Angles given in degrees are whole numbers of steps only up to rounding.
-constexpr double kRoundingRad = 1e-9;
 
 void check(const FrontierParams& params) {
   const bool lengths_ok = params.least_gain_m2 > 0.0 && params.back_off_m >= 0.0 &&
@@ -247,7 +245,7 @@ void Frontier::plan_sweep(const Pose2& T_map_robot, const BestView& view) {
   phase_ = Phase::kSensing;
   sweeps_done_ = 0;
   views_.push_back({T_map_robot.position_m(), view.middle_rad, 0.5 * view.width_rad});
-  if (view.width_rad >= kFullTurnRad - kRoundingRad) {
+  if (is_full_turn(view.width_rad)) {
     plan_ = round_sweep(params_.sweep, T_map_robot.heading_rad() > 0.0);
   } else {
     plan_sector(T_map_robot.heading_rad(), view);

@@ -15,8 +15,10 @@ constexpr double kRoundingRad = 1e-9;
 
 }  // namespace
 
+bool is_full_turn(double angle_rad) { return angle_rad >= kFullTurnRad - kRoundingRad; }
+
 bool is_possible(const RoundSweepParams& params) {
-  return params.scan_rad >= kFullTurnRad - kRoundingRad && params.step_rad > 0.0 &&
+  return is_full_turn(params.scan_rad) && params.step_rad > 0.0 &&
          params.pan_limit_rad >= params.step_rad && params.settle_s >= 0.0;
 }
 

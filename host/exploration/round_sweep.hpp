@@ -21,6 +21,9 @@ struct RoundSweepParams {
   double settle_s = 0.03;
 };
 
+/// Whether an angle is a whole turn or more, up to what is lost in rounding.
+bool is_full_turn(double angle_rad);
+
 /// Whether a robot can do that.
 bool is_possible(const RoundSweepParams& params);
 
