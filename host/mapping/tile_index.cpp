@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/tile_index.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace echomap::mapping {
@@ -20,6 +21,11 @@ void TileIndex::insert(CellIndex tile, std::int32_t number) {
     grow();
   }
   place({tile, number});
+}
+
+void TileIndex::clear() {
+  std::fill(slots_.begin(), slots_.end(), Slot{});
+  used_ = 0;
 }
 
 /// Fibonacci hashing: the golden ratio's bits spread neighbours over the table.

@@ -19,6 +19,8 @@ class TileIndex {
   std::int32_t find(geometry::CellIndex tile) const;
   /// `tile` must not be in yet and `number` not be negative.
   void insert(geometry::CellIndex tile, std::int32_t number);
+  /// Forgets all tiles; the memory stays.
+  void clear();
   std::size_t memory_bytes() const { return slots_.capacity() * sizeof(Slot); }
 
  private:

@@ -43,5 +43,18 @@ TEST(TileIndex, GrowsWithTheTilesNotWithTheGroundBetweenThem) {
   EXPECT_EQ(index.find({2'000'000'000, -2'000'000'000}), 1);
 }
 
+TEST(TileIndex, ForgetsAllButItsMemory) {
+  TileIndex index;
+  for (std::int32_t number = 0; number < 100; ++number) {
+    index.insert({number, 0}, number);
+  }
+  const std::size_t bytes = index.memory_bytes();
+  index.clear();
+  EXPECT_EQ(index.find({7, 0}), TileIndex::kNone);
+  index.insert({7, 0}, 3);
+  EXPECT_EQ(index.find({7, 0}), 3);
+  EXPECT_EQ(index.memory_bytes(), bytes);
+}
+
 }  // namespace
 }  // namespace echomap::mapping

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/scan_matching.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::slam {
+namespace {
+
+using geometry::Pose2;
+
+/// The square sum of the points' errors around a pose: half its second and its first derivative.
+struct NormalEquations {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  double cost = 0.0;
+  double share = 0.0;
+};
+
+/// Adds one point, turned into the map but not yet moved, `off_m` from its surface.
+void add_point(const Surface& surface,
+               const Eigen::Vector2d& turned_m,
+               const Eigen::Vector2d& off_m,
+               double weight,
+               NormalEquations& sum) {
+  const double xx = weight * surface.information_xx;
+  const double xy = weight * surface.information_xy;
+  const double yy = weight * surface.information_yy;
+  // By heading a point moves at right angles to where it lies from the robot.
+  const double dx = -turned_m.y();
+  const double dy = turned_m.x();
+  const double ax = xx * dx + xy * dy;
+  const double ay = xy * dx + yy * dy;
+  const double ex = xx * off_m.x() + xy * off_m.y();
+  const double ey = xy * off_m.x() + yy * off_m.y();
+  sum.information(0, 0) += xx;
+  sum.information(0, 1) += xy;
+  sum.information(1, 1) += yy;
+  sum.information(0, 2) += ax;
+  sum.information(1, 2) += ay;
+  sum.information(2, 2) += dx * ax + dy * ay;
+  sum.gradient += Eigen::Vector3d(ex, ey, dx * ex + dy * ey);
+}
+
+NormalEquations linearised(std::span<const Eigen::Vector2d> points_m,
+                           const Eigen::Vector3d& pose,
+                           int level,
+                           double kernel,
+                           SurfaceField& field) {
+  NormalEquations sum;
+  const double cos = std::cos(pose.z());
+  const double sin = std::sin(pose.z());
+  for (const Eigen::Vector2d& point_m : points_m) {
+    const Eigen::Vector2d turned_m(cos * point_m.x() - sin * point_m.y(),
+                                   sin * point_m.x() + cos * point_m.y());
+    const Eigen::Vector2d placed_m = pose.head<2>() + turned_m;
+    const Surface& surface = field.surface_at(placed_m, level);
+    if (surface.empty()) {
+      sum.cost += kernel * kernel / 2.0;
+      continue;
+    }
+    const Eigen::Vector2d off_m = placed_m - surface.mean_m;
+    const double square = surface.information_xx * off_m.x() * off_m.x() +
+                          2.0 * surface.information_xy * off_m.x() * off_m.y() +
+                          surface.information_yy * off_m.y() * off_m.y();
+    // Geman and McClure's kernel: cost k^2 e^2 / (k^2 + e^2) / 2.
+    const double root = 1.0 / (1.0 + square / (kernel * kernel));
+    sum.cost += square * root / 2.0;
+    sum.share += root;
+    add_point(surface, turned_m, off_m, root * root, sum);
+  }
+  sum.information.triangularView<Eigen::StrictlyLower>() = sum.information.transpose();
+  sum.share /= static_cast<double>(points_m.size());
+  return sum;
+}
+
+}  // namespace
+
+ScanMatcher::ScanMatcher(const ScanMatchingParams& params) : params_(params) {
+  if (!(params.kernel > 0.0) || !(params.weight > 0.0) || params.most_iterations < 1) {
+    throw std::invalid_argument(
+        "scan matching: kernel and weight are above 0, and there is at least one iteration");
+  }
+}
+
+ScanMatch ScanMatcher::match(std::span<const Eigen::Vector2d> points_m,
+                             const localization::PoseGaussian& prior,
+                             SurfaceField& field) const {
+  const Pose2& expected = prior.T_map_robot;
+  if (points_m.empty() || field.empty()) {
+    return {expected, Eigen::Matrix3d::Zero(), 0.0, 0.0};
+  }
+  const Prior before{{expected.x_m(), expected.y_m(), expected.heading_rad()},
+                     prior.covariance.inverse()};
+  ScanMatch best = refined(points_m, before, before.pose, SurfaceField::kLevels - 1, field);
+  if (best.share < params_.good_share) {
+    for (const double steps : {-2.0, -1.0, 1.0, 2.0}) {
+      Eigen::Vector3d start = before.pose;
+      start.z() += steps * params_.heading_step_rad;
+      const ScanMatch other = refined(points_m, before, start, SurfaceField::kLevels - 1, field);
+      best = other.cost < best.cost ? other : best;
+    }
+  }
+  return best;
+}
+
+ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
+                               const Prior& prior,
+                               const Eigen::Vector3d& start,
+                               int from_level,
+                               SurfaceField& field) const {
+  Eigen::Vector3d pose = start;
+  NormalEquations last;
+  double prior_cost = 0.0;
+  for (int level = from_level; level >= 0; --level) {
+    for (int i = 0; i < params_.most_iterations; ++i) {
+      last = linearised(points_m, pose, level, params_.kernel, field);
+      Eigen::Vector3d off = pose - prior.pose;
+      off.z() = geometry::wrap_angle(off.z());
+      prior_cost = 0.5 * off.dot(prior.information * off);
+      const Eigen::Matrix3d information = params_.weight * last.information + prior.information;
+      const Eigen::Vector3d gradient = params_.weight * last.gradient + prior.information * off;
+      const Eigen::Vector3d step = -information.ldlt().solve(gradient);
+      pose += step;
+      if (step.head<2>().norm() < params_.least_step_m &&
+          std::abs(step.z()) < params_.least_step_rad) {
+        break;
+      }
+    }
+  }
+  return {Pose2(pose.x(), pose.y(), pose.z()),
+          params_.weight * last.information,
+          last.share,
+          params_.weight * last.cost + prior_cost};
+}
+
+}  // namespace echomap::slam

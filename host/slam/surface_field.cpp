@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/surface_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "host/geometry/whole_cell.hpp"
+
+namespace echomap::slam {
+namespace {
+
+/// A wall that fills 3 x 3 cells has this variance along itself, in squared cells: 3^2 / 12.
+constexpr double kWallVarianceCells2 = 0.75;
+/// What is at least half as long as that wall may go on beyond the cells.
+constexpr double kLongShare = 0.25;
+
+}  // namespace
+
+void SurfaceField::Moments::add(const Eigen::Vector2d& point_m) {
+  count += 1.0;
+  sum_m += point_m;
+  square_xx_m2 += point_m.x() * point_m.x();
+  square_xy_m2 += point_m.x() * point_m.y();
+  square_yy_m2 += point_m.y() * point_m.y();
+}
+
+void SurfaceField::Moments::add(const Moments& other) {
+  count += other.count;
+  sum_m += other.sum_m;
+  square_xx_m2 += other.square_xx_m2;
+  square_xy_m2 += other.square_xy_m2;
+  square_yy_m2 += other.square_yy_m2;
+}
+
+geometry::CellIndex SurfaceField::Level::cell_at(const Eigen::Vector2d& point_m) const {
+  return {geometry::whole_cell(point_m.x() / cell_m), geometry::whole_cell(point_m.y() / cell_m)};
+}
+
+SurfaceField::Cell& SurfaceField::Level::cell(geometry::CellIndex at) {
+  std::int32_t number = index.find(at);
+  if (number == mapping::TileIndex::kNone) {
+    number = static_cast<std::int32_t>(cells.size());
+    index.insert(at, number);
+    cells.emplace_back();
+  }
+  return cells[static_cast<std::size_t>(number)];
+}
+
+SurfaceField::SurfaceField(const SurfaceFieldParams& params) : params_(params) {
+  if (!(params.cell_m > 0.0) || !(params.noise_m > 0.0) || params.least_points < 3) {
+    throw std::invalid_argument(
+        "surface field: cells and noise are above 0, a surface has three points at least");
+  }
+  double scale = 1.0;
+  for (Level& level : levels_) {
+    level.cell_m = scale * params.cell_m;
+    level.noise_m = scale * params.noise_m;
+    scale *= 2.0;
+  }
+}
+
+void SurfaceField::clear() {
+  ++revision_;
+  for (Level& level : levels_) {
+    level.index.clear();
+    level.cells.clear();
+  }
+}
+
+void SurfaceField::add(std::span<const Eigen::Vector2d> points_m) {
+  ++revision_;
+  for (Level& level : levels_) {
+    for (const Eigen::Vector2d& point_m : points_m) {
+      level.cell(level.cell_at(point_m)).moments.add(point_m);
+    }
+  }
+}
+
+const Surface& SurfaceField::surface_at(const Eigen::Vector2d& point_m, int level) {
+  while (true) {
+    Level& asked = levels_[static_cast<std::size_t>(level)];
+    const geometry::CellIndex at = asked.cell_at(point_m);
+    Cell& cell = asked.cell(at);
+    if (cell.fitted != revision_) {
+      cell.surface = fitted(asked, moments_around(asked, at));
+      cell.fitted = revision_;
+    }
+    if (!cell.surface.empty() || level + 1 == kLevels) {
+      return cell.surface;
+    }
+    ++level;
+  }
+}
+
+SurfaceField::Moments SurfaceField::moments_around(const Level& level,
+                                                   geometry::CellIndex middle) const {
+  Moments around;
+  for (std::int32_t y = middle.y - 1; y <= middle.y + 1; ++y) {
+    for (std::int32_t x = middle.x - 1; x <= middle.x + 1; ++x) {
+      const std::int32_t number = level.index.find({x, y});
+      if (number != mapping::TileIndex::kNone) {
+        around.add(level.cells[static_cast<std::size_t>(number)].moments);
+      }
+    }
+  }
+  return around;
+}
+
+Surface SurfaceField::fitted(const Level& level, const Moments& moments) const {
+  if (moments.count < params_.least_points) {
+    return {};
+  }
+  const Eigen::Vector2d mean_m = moments.sum_m / moments.count;
+  const double xx_m2 = moments.square_xx_m2 / moments.count - mean_m.x() * mean_m.x();
+  const double xy_m2 = moments.square_xy_m2 / moments.count - mean_m.x() * mean_m.y();
+  const double yy_m2 = moments.square_yy_m2 / moments.count - mean_m.y() * mean_m.y();
+  const double middle_m2 = (xx_m2 + yy_m2) / 2.0;
+  const double reach_m2 = std::hypot((xx_m2 - yy_m2) / 2.0, xy_m2);
+  const double noise_m2 = level.noise_m * level.noise_m;
+  const double across = 1.0 / (std::max(0.0, middle_m2 - reach_m2) + noise_m2);
+  const double long_m2 = kLongShare * kWallVarianceCells2 * level.cell_m * level.cell_m;
+  const double along_m2 = middle_m2 + reach_m2;
+  const double along = std::max(0.0, 1.0 - along_m2 / long_m2) / (along_m2 + noise_m2);
+  // The direction along: twice its angle is that of ((xx - yy) / 2, xy).
+  const double cos_twice = reach_m2 > 0.0 ? (xx_m2 - yy_m2) / 2.0 / reach_m2 : 1.0;
+  const double sin_twice = reach_m2 > 0.0 ? xy_m2 / reach_m2 : 0.0;
+  return {mean_m,
+          (along + across) / 2.0 + (along - across) / 2.0 * cos_twice,
+          (along - across) / 2.0 * sin_twice,
+          (along + across) / 2.0 - (along - across) / 2.0 * cos_twice};
+}
+
+}  // namespace echomap::slam
