@@ -97,9 +97,9 @@ ScanMatch ScanMatcher::match(std::span<const Eigen::Vector2d> points_m,
   }
   const Prior before{{expected.x_m(), expected.y_m(), expected.heading_rad()},
                      prior.covariance.inverse()};
-  ScanMatch best = refined(points_m, before, before.pose, SurfaceField::kLevels - 1, field);
+  ScanMatch best = refined(points_m, before, before.pose, 1, field);
   if (best.share < params_.good_share) {
-    for (const double steps : {-2.0, -1.0, 1.0, 2.0}) {
+    for (const double steps : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
       Eigen::Vector3d start = before.pose;
       start.z() += steps * params_.heading_step_rad;
       const ScanMatch other = refined(points_m, before, start, SurfaceField::kLevels - 1, field);
@@ -118,13 +118,16 @@ ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
   NormalEquations last;
   double prior_cost = 0.0;
   for (int level = from_level; level >= 0; --level) {
+    const double weight = params_.weight * std::pow(4.0, level);
     for (int i = 0; i < params_.most_iterations; ++i) {
       last = linearised(points_m, pose, level, params_.kernel, field);
       Eigen::Vector3d off = pose - prior.pose;
       off.z() = geometry::wrap_angle(off.z());
-      prior_cost = 0.5 * off.dot(prior.information * off);
-      const Eigen::Matrix3d information = params_.weight * last.information + prior.information;
-      const Eigen::Vector3d gradient = params_.weight * last.gradient + prior.information * off;
+      const double square = off.dot(prior.information * off);
+      const double root = 1.0 / (1.0 + square / (params_.prior_kernel * params_.prior_kernel));
+      prior_cost = 0.5 * square * root;
+      const Eigen::Matrix3d information = weight * last.information + root * root * prior.information;
+      const Eigen::Vector3d gradient = weight * last.gradient + root * root * prior.information * off;
       const Eigen::Vector3d step = -information.ldlt().solve(gradient);
       pose += step;
       if (step.head<2>().norm() < params_.least_step_m &&

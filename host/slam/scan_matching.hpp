@@ -14,6 +14,7 @@ namespace echomap::slam {
 struct ScanMatchingParams {
   /// A point so many standard deviations from its surface counts a quarter (Geman and McClure).
   double kernel = 3.0;
+  double prior_kernel = 3.0;
   /// What one point counts: neighbours err together, and so does the map they are matched to.
   double weight = 0.1;
   int most_iterations = 6;  ///< On each level.
