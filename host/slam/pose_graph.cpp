@@ -81,6 +81,13 @@ class Equations {
 
 }  // namespace
 
+Eigen::Matrix3d in_frame_of(const Pose2& T_map_robot, const Eigen::Matrix3d& information) {
+  Eigen::Matrix3d to_map = Eigen::Matrix3d::Identity();
+  to_map.topLeftCorner<2, 2>() =
+      Eigen::Rotation2Dd(T_map_robot.heading_rad()).toRotationMatrix();
+  return to_map.transpose() * information * to_map;
+}
+
 EdgeError edge_error(const PoseEdge& edge, const Pose2& T_map_from, const Pose2& T_map_to) {
   const Eigen::Matrix2d to_from = Eigen::Rotation2Dd(-T_map_from.heading_rad()).toRotationMatrix();
   const Eigen::Matrix2d to_edge =

@@ -15,7 +15,7 @@ struct PoseEdge {
   std::size_t from = 0;
   std::size_t to = 0;
   geometry::Pose2 T_from_to;
-  /// Of x, y (m) and heading (rad) in the frame of `from`.
+  /// Of x, y (m) and heading (rad) on the axes of `to`.
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
   /// It may be wrong, as a closed loop may be: the farther it is off, the less it pulls.
   bool is_doubtful = false;
@@ -29,6 +29,9 @@ struct PoseGraphParams {
   /// A doubtful edge so many standard deviations off counts a quarter (Geman and McClure).
   double kernel = 5.0;
 };
+
+/// Information on a pose in the map, on the axes of the map, turned to those of the pose.
+Eigen::Matrix3d in_frame_of(const geometry::Pose2& T_map_robot, const Eigen::Matrix3d& information);
 
 /// How far an edge is off, and how that changes with the poses it joins.
 struct EdgeError {

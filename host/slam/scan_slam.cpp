@@ -2,13 +2,12 @@
 #include "host/slam/scan_slam.hpp"
 
 #include <cmath>
-#include <iterator>
-#include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include <Eigen/LU>
 
-#include "host/geometry/angle.hpp"
-#include "host/mapping/ray_insertion.hpp"
+#include "host/geometry/unit_vector.hpp"
 
 namespace echomap::slam {
 
@@ -16,129 +15,158 @@ using geometry::Pose2;
 
 namespace {
 
-std::vector<Eigen::Vector2d> spaced(const std::vector<Eigen::Vector2d>& points_m, double spacing_m) {
-  std::vector<Eigen::Vector2d> kept;
-  kept.reserve(points_m.size());
-  for (const Eigen::Vector2d& point_m : points_m) {
-    if (kept.empty() || (point_m - kept.back()).squaredNorm() >= spacing_m * spacing_m) {
-      kept.push_back(point_m);
-    }
-  }
-  return kept;
-}
+/// The first pose is where the map begins; so much is left of doubt for the algebra's sake.
+constexpr double kKnownVariance = 1e-8;
 
 }  // namespace
 
 ScanSlam::ScanSlam(const ScanSlamParams& params)
-    : params_(params), motion_(params.motion), matcher_(params.matching), field_(params.field),
-      graph_(params.graph) {}
+    : params_(params),
+      motion_(params.motion),
+      gathering_(params.gathering),
+      matcher_(params.matching),
+      loops_(params.loops, params.search, params.matching, params.field),
+      frames_(params.graph),
+      field_(params.field) {
+  if (!(params.least_spread_m > 0.0) || !(params.least_spread_rad > 0.0) ||
+      !(params.key_frame_m > 0.0) || !(params.key_frame_rad > 0.0) ||
+      !(params.local_way_m > 0.0) || !(params.renewal_way_m > 0.0)) {
+    throw std::invalid_argument("scan SLAM: spreads, key frames and ways are above 0");
+  }
+}
 
 void ScanSlam::add(const Pose2& T_odom_robot, const RangeScan& scan) {
   predict(T_odom_robot);
-  std::vector<Eigen::Vector2d> points_m =
-      spaced(end_points_m(scan, std::numeric_limits<double>::infinity()), params_.point_spacing_m);
-  gathered_count_ += points_m.size();
-  gathered_.push_back({T_odom_robot, std::move(points_m)});
-  if (gathered_count_ < params_.least_points && !(key_frames_.empty())) {
+  gathering_.add(T_odom_robot, scan);
+  if (!gathering_.is_enough() && !frames_.empty()) {
     return;
   }
-  std::vector<Eigen::Vector2d> all_m = gathered_points_m();
-  const ScanMatch match = matcher_.match(all_m, belief_, field_);
-  last_share_ = match.share;
-  const Eigen::Matrix3d prior = belief_.covariance.inverse();
-  Eigen::Matrix3d information = match.information;
-  if (!field_.empty()) {
-    belief_.T_map_robot = match.T_map_robot;
-    belief_.covariance = (prior + match.information).inverse();
-    information = prior + match.information;
+  std::vector<Eigen::Vector2d> points_m = gathering_.points_m();
+  const Eigen::Matrix3d information = place(points_m);
+  if (is_far_from_frame()) {
+    begin_frame(std::move(points_m), information);
+    close_loops();
   }
-  const bool is_first = key_frames_.empty();
-  const Pose2 T_key_robot =
-      is_first ? Pose2() : graph_.nodes().back().inverse() * belief_.T_map_robot;
-  if (is_first || T_key_robot.position_m().norm() > params_.key_frame_m ||
-      std::abs(T_key_robot.heading_rad()) > params_.key_frame_rad) {
-    add_key_frame(std::move(all_m), information);
-  }
-  const Pose2 T_robot_odom = T_odom_robot.inverse();
-  const Pose2 T_key_now = graph_.nodes().back().inverse() * belief_.T_map_robot;
-  for (const GatheredScan& gathered : gathered_) {
-    placed_.push_back({graph_.nodes().size() - 1, T_key_now * (T_robot_odom * gathered.T_odom_robot)});
-  }
-  gathered_.clear();
-  gathered_count_ = 0;
+  settle_gathered();
 }
 
 void ScanSlam::predict(const Pose2& T_odom_robot) {
-  if (placed_.empty() && gathered_.empty()) {
-    belief_.T_map_robot = T_odom_robot;
-    belief_.covariance = 1e-8 * Eigen::Matrix3d::Identity();
-    T_odom_last_ = T_odom_robot;
-    return;
+  if (!T_odom_last_) {
+    belief_ = {T_odom_robot, kKnownVariance * Eigen::Matrix3d::Identity()};
+  } else {
+    const models::OdometryStep step = models::odometry_step(*T_odom_last_, T_odom_robot);
+    models::MotionSpread spread = motion_.spread(step);
+    spread.drive_m = std::hypot(spread.drive_m, params_.least_spread_m);
+    spread.side_m = std::hypot(spread.side_m, params_.least_spread_m);
+    spread.turn_after_rad = std::hypot(spread.turn_after_rad, params_.least_spread_rad);
+    belief_ =
+        localization::moved(belief_, T_odom_last_->inverse() * T_odom_robot, step, spread);
   }
-  const Pose2 T_before_after = T_odom_last_.inverse() * T_odom_robot;
-  const models::OdometryStep step = models::odometry_step(T_odom_last_, T_odom_robot);
-  models::MotionSpread spread = motion_.spread(step);
-  spread.drive_m = std::hypot(spread.drive_m, params_.least_spread_m);
-  spread.side_m = std::hypot(spread.side_m, params_.least_spread_m);
-  spread.turn_after_rad = std::hypot(spread.turn_after_rad, params_.least_spread_rad);
-  belief_ = localization::moved(belief_, T_before_after, step, spread);
   T_odom_last_ = T_odom_robot;
 }
 
-std::vector<Eigen::Vector2d> ScanSlam::gathered_points_m() const {
-  std::vector<Eigen::Vector2d> points_m;
-  const Pose2 T_robot_odom = gathered_.back().T_odom_robot.inverse();
-  for (const GatheredScan& scan : gathered_) {
-    const Pose2 T_now_then = T_robot_odom * scan.T_odom_robot;
-    for (const Eigen::Vector2d& point_m : scan.points_m) {
-      points_m.push_back(T_now_then * point_m);
-    }
-  }
-  return points_m;
+Eigen::Matrix3d ScanSlam::place(const std::vector<Eigen::Vector2d>& points_m) {
+  const ScanMatch match = matcher_.match(points_m, belief_, field_);
+  last_share_ = match.share;
+  const Eigen::Matrix3d information = belief_.covariance.inverse() + match.information;
+  belief_ = {match.T_map_robot, information.inverse()};
+  return information;
 }
 
-void ScanSlam::add_key_frame(std::vector<Eigen::Vector2d> points_m,
-                             const Eigen::Matrix3d& information) {
-  const std::size_t node = graph_.add_node(belief_.T_map_robot);
-  KeyFrame frame;
-  frame.points_m = std::move(points_m);
-  if (node > 0) {
-    const Pose2 T_from_to = graph_.nodes()[node - 1].inverse() * graph_.nodes()[node];
-    frame.way_m = key_frames_.back().way_m + T_from_to.position_m().norm();
-    graph_.add_edge({node - 1, node, T_from_to, information, false});
+bool ScanSlam::is_far_from_frame() const {
+  if (frames_.empty()) {
+    return true;
   }
-  key_frames_.push_back(std::move(frame));
-  rebuild_field();
+  const Pose2 T_frame_robot =
+      frames_.T_map_frame(frames_.size() - 1).inverse() * belief_.T_map_robot;
+  return T_frame_robot.position_m().norm() > params_.key_frame_m ||
+         std::abs(T_frame_robot.heading_rad()) > params_.key_frame_rad;
 }
 
-void ScanSlam::rebuild_field() {
+void ScanSlam::begin_frame(std::vector<Eigen::Vector2d> points_m,
+                           const Eigen::Matrix3d& information) {
+  KeyFrame frame{std::move(points_m), {}};
+  const Pose2 T_now_odom = T_odom_last_->inverse();
+  for (const GatheredScan& gathered : gathering_.scans()) {
+    frame.scans.push_back({T_now_odom * gathered.T_odom_robot, gathered.scan});
+  }
+  const std::size_t newest = frames_.add(belief_.T_map_robot, std::move(frame));
+  if (newest > 0) {
+    const Pose2 T_from_to = frames_.T_map_frame(newest - 1).inverse() * belief_.T_map_robot;
+    frames_.join({newest - 1,
+                  newest,
+                  T_from_to,
+                  in_frame_of(belief_.T_map_robot, information),
+                  false});
+    field_way_m_ += T_from_to.position_m().norm();
+  }
+  field_.add(frames_.map_points_m(newest));
+}
+
+void ScanSlam::close_loops() {
+  std::vector<PoseEdge> edges;
+  if (params_.closes_loops) {
+    edges = loops_.close(frames_);
+  }
+  for (const PoseEdge& edge : edges) {
+    frames_.join(edge);
+  }
+  if (!edges.empty()) {
+    frames_.solve();
+    belief_.T_map_robot = frames_.T_map_frame(frames_.size() - 1);
+  }
+  if (!edges.empty() || field_way_m_ > params_.renewal_way_m) {
+    renew_field();
+  }
+}
+
+void ScanSlam::renew_field() {
   field_.clear();
-  std::vector<Eigen::Vector2d> points_m;
-  for (std::size_t i = key_frames_.size(); i-- > 0;) {
-    if (key_frames_.back().way_m - key_frames_[i].way_m > params_.local_way_m) {
-      break;
-    }
-    points_m.clear();
-    for (const auto& p : key_frames_[i].points_m) {
-      points_m.push_back(graph_.nodes()[i] * p);
-    }
-    field_.add(points_m);
+  for (const NearFrame& near : frames_.near(frames_.size() - 1, params_.local_way_m)) {
+    field_.add(frames_.map_points_m(near.frame));
   }
+  field_way_m_ = 0.0;
+}
+
+void ScanSlam::settle_gathered() {
+  const std::size_t frame = frames_.size() - 1;
+  const Pose2 T_frame_odom = frames_.T_map_frame(frame).inverse() * belief_.T_map_robot *
+                             T_odom_last_->inverse();
+  for (const GatheredScan& gathered : gathering_.scans()) {
+    places_.push_back({frame, T_frame_odom * gathered.T_odom_robot});
+  }
+  gathering_.clear();
 }
 
 std::vector<Pose2> ScanSlam::trajectory() const {
-  std::vector<Pose2> poses;
-  for (const PlacedScan& scan : placed_) {
-    poses.push_back(graph_.nodes()[scan.key_frame] * scan.T_key_scan);
+  std::vector<Pose2> T_map_robots;
+  T_map_robots.reserve(places_.size() + gathering_.scans().size());
+  for (const ScanPlace& place : places_) {
+    T_map_robots.push_back(frames_.T_map_frame(place.frame) * place.T_frame_robot);
   }
-  for (const GatheredScan& scan : gathered_) {
-    poses.push_back(belief_.T_map_robot * (T_odom_last_.inverse() * scan.T_odom_robot));
+  for (const GatheredScan& gathered : gathering_.scans()) {
+    T_map_robots.push_back(belief_.T_map_robot *
+                           (T_odom_last_->inverse() * gathered.T_odom_robot));
   }
-  return poses;
+  return T_map_robots;
 }
 
 mapping::OccupancyGrid ScanSlam::grid() const {
-  mapping::OccupancyGrid grid;
+  mapping::OccupancyGrid grid(params_.grid);
+  mapping::RayInserter inserter(params_.rays);
+  std::vector<mapping::Ray> rays;
+  for (std::size_t number = 0; number < frames_.size(); ++number) {
+    for (const PlacedScan& placed : frames_.frame(number).scans) {
+      rays.clear();
+      for (const RangeBeam& beam : placed.scan.beams) {
+        if (beam.range_m) {
+          rays.push_back({*beam.range_m * geometry::unit_vector(beam.bearing_rad), true});
+        }
+      }
+      inserter.insert(
+          frames_.T_map_frame(number) * placed.T_key_robot * placed.scan.T_robot_sensor, rays, grid);
+    }
+  }
   return grid;
 }
 

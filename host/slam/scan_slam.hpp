@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "host/mapping/ray_insertion.hpp"
 #include "host/models/odometry_motion.hpp"
-#include "host/slam/pose_graph.hpp"
+#include "host/slam/key_frames.hpp"
+#include "host/slam/loop_closing.hpp"
+#include "host/slam/scan_gathering.hpp"
 #include "host/slam/scan_matching.hpp"
 #include "host/slam/slam_method.hpp"
 #include "host/slam/surface_field.hpp"
@@ -14,70 +18,73 @@ namespace echomap::slam {
 
 /// How ScanSlam works.
 struct ScanSlamParams {
+  ScanGatheringParams gathering;
   SurfaceFieldParams field;
   ScanMatchingParams matching;
   PoseGraphParams graph;
+  LoopSearchParams search;
+  LoopClosingParams loops;
   /// How far odometry may be off: three times the default of a good base, since what it is off by
   /// is not known of a log.
   models::OdometryMotionParams motion{0.01, 0.0025, 0.0025, 1e-3, 1e-3};
   /// Of every step, metres and radians: odometry is rounded, and scans are not taken at its instant.
   double least_spread_m = 0.005;
   double least_spread_rad = 0.005;
-  /// Points nearer to the one before say nothing new, metres.
-  double point_spacing_m = 0.05;
-  /// Scans are gathered until they have so many points, metres and radians of the way or not.
-  std::size_t least_points = 80;
   /// A key frame is begun after such a way or turn.
   double key_frame_m = 0.5;
   double key_frame_rad = 0.5;
-  /// The scans of the last metres of the way are what a new one is matched to.
+  /// A scan is matched to the key frames within such a way along the graph, metres.
   double local_way_m = 12.0;
+  /// After so long a way the map around the robot is gathered anew, metres.
+  double renewal_way_m = 4.0;
+  bool closes_loops = true;
+  mapping::OccupancyGridParams grid;
+  mapping::RayInsertionParams rays;
 };
 
-/// Scan-to-map SLAM.
+/// SLAM by matching scans to the surfaces that were seen around: each scan is put where it lies on
+/// them, with odometry as a prior; key frames are kept as nodes of a pose graph; where the robot is
+/// back at a place, an edge closes the loop; the map is what the key frames have seen from their
+/// corrected poses. Scans with few beams are gathered first. For lasers, dense and thin.
 class ScanSlam : public SlamMethod {
  public:
   /// Throws std::invalid_argument for parameters that make no sense.
   explicit ScanSlam(const ScanSlamParams& params = {});
 
   void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) override;
+  /// The covariance is that of the pose against the map around it.
   localization::PoseGaussian belief() const override { return belief_; }
   std::vector<geometry::Pose2> trajectory() const override;
   mapping::OccupancyGrid grid() const override;
-  const PoseGraph& graph() const { return graph_; }
+  const PoseGraph& graph() const { return frames_.graph(); }
   double last_share() const { return last_share_; }
 
  private:
-  struct GatheredScan {
-    geometry::Pose2 T_odom_robot;
-    std::vector<Eigen::Vector2d> points_m;  ///< Robot's frame.
-  };
-  struct PlacedScan {
-    std::size_t key_frame = 0;
-    geometry::Pose2 T_key_scan;
-  };
-  struct KeyFrame {
-    std::vector<Eigen::Vector2d> points_m;
-    std::vector<Eigen::Vector2d> all_points_m;
-    double way_m = 0.0;
+  struct ScanPlace {
+    std::size_t frame = 0;
+    geometry::Pose2 T_frame_robot;
   };
 
   void predict(const geometry::Pose2& T_odom_robot);
-  std::vector<Eigen::Vector2d> gathered_points_m() const;
-  void add_key_frame(std::vector<Eigen::Vector2d> points_m, const Eigen::Matrix3d& information);
-  void rebuild_field();
+  /// What is known of the pose after the match.
+  Eigen::Matrix3d place(const std::vector<Eigen::Vector2d>& points_m);
+  bool is_far_from_frame() const;
+  void begin_frame(std::vector<Eigen::Vector2d> points_m, const Eigen::Matrix3d& information);
+  void close_loops();
+  void renew_field();
+  void settle_gathered();
 
   ScanSlamParams params_;
   models::OdometryMotion motion_;
+  ScanGathering gathering_;
   ScanMatcher matcher_;
-  SurfaceField field_;
-  PoseGraph graph_;
-  std::vector<KeyFrame> key_frames_;
+  LoopClosing loops_;
+  KeyFrames frames_;
+  SurfaceField field_;          ///< Around the robot.
+  double field_way_m_ = 0.0;    ///< Driven since it was gathered.
   localization::PoseGaussian belief_;
-  geometry::Pose2 T_odom_last_;
-  std::vector<GatheredScan> gathered_;
-  std::size_t gathered_count_ = 0;
-  std::vector<PlacedScan> placed_;
+  std::optional<geometry::Pose2> T_odom_last_;
+  std::vector<ScanPlace> places_;  ///< Of all scans that are not being gathered.
   double last_share_ = 0.0;
 };
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/key_frames.hpp"
+
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace echomap::slam {
+
+std::size_t KeyFrames::add(const geometry::Pose2& T_map_frame, KeyFrame frame) {
+  frames_.push_back(std::move(frame));
+  ways_.emplace_back();
+  return graph_.add_node(T_map_frame);
+}
+
+void KeyFrames::join(const PoseEdge& edge) {
+  graph_.add_edge(edge);
+  const double length_m = edge.T_from_to.position_m().norm();
+  ways_[edge.from].push_back({edge.to, length_m});
+  ways_[edge.to].push_back({edge.from, length_m});
+}
+
+std::vector<NearFrame> KeyFrames::near(std::size_t from, double most_m) const {
+  using Reached = std::pair<double, std::size_t>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+  std::vector<double> shortest_m(frames_.size(), std::numeric_limits<double>::infinity());
+  std::vector<NearFrame> near;
+  shortest_m[from] = 0.0;
+  open.emplace(0.0, from);
+  while (!open.empty()) {
+    const auto [way_m, frame] = open.top();
+    open.pop();
+    if (way_m > shortest_m[frame]) {
+      continue;
+    }
+    near.push_back({frame, way_m});
+    for (const Way& way : ways_[frame]) {
+      const double through_m = way_m + way.length_m;
+      if (through_m <= most_m && through_m < shortest_m[way.to]) {
+        shortest_m[way.to] = through_m;
+        open.emplace(through_m, way.to);
+      }
+    }
+  }
+  return near;
+}
+
+std::vector<Eigen::Vector2d> KeyFrames::map_points_m(std::size_t number) const {
+  std::vector<Eigen::Vector2d> points_m;
+  points_m.reserve(frames_[number].points_m.size());
+  for (const Eigen::Vector2d& point_m : frames_[number].points_m) {
+    points_m.push_back(T_map_frame(number) * point_m);
+  }
+  return points_m;
+}
+
+}  // namespace echomap::slam

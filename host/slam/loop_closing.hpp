@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "host/slam/key_frames.hpp"
+#include "host/slam/loop_search.hpp"
+#include "host/slam/scan_matching.hpp"
+#include "host/slam/surface_field.hpp"
+#include "host/slam/view_agreement.hpp"
+
+namespace echomap::slam {
+
+/// How loops are found and what proves them.
+struct LoopClosingParams {
+  /// Frames nearer than this along the way are matched by tracking, metres.
+  double least_way_m = 12.0;
+  /// How far the pose may have drifted: so much, and more by the way around the loop.
+  double drift_m = 0.2;
+  double drift_m_per_m = 0.01;
+  double most_drift_m = 3.0;
+  double drift_rad = 0.05;
+  double drift_rad_per_m = 0.003;
+  double most_drift_rad = 0.4;
+  /// A place is as well seen from so far away, metres.
+  double sight_m = 2.0;
+  /// The frames within such a way of a place, and of the robot, are compared, metres.
+  double patch_m = 4.0;
+  /// A drift of no more than this is matched at once; more is searched for first.
+  double near_m = 0.4;
+  /// What a loop has to show: share of points on surfaces, share of points that the other side
+  /// would have seen through, points that the other side has met.
+  double least_share = 0.6;
+  double most_contradicted = 0.15;
+  std::size_t least_met = 60;
+  double view_margin_m = 0.3;
+  /// A searched loop counts when the next one moves the map the same way, to within:
+  double agreement_m = 0.3;
+  double agreement_rad = 0.06;
+  /// and was found at most so many frames before.
+  std::size_t agreement_frames = 6;
+};
+
+/// Finds where the robot is back at a place it has been to, and proves it before it is believed.
+class LoopClosing {
+ public:
+  /// Throws std::invalid_argument for parameters that make no sense.
+  LoopClosing(const LoopClosingParams& params,
+              const LoopSearchParams& search,
+              const ScanMatchingParams& matching,
+              const SurfaceFieldParams& field);
+
+  /// The edges that the newest frame proves: none, one, or two where it confirms an earlier one.
+  std::vector<PoseEdge> close(const KeyFrames& frames);
+
+ private:
+  struct Candidate {
+    std::size_t frame = 0;
+    double drift_m = 0.0;
+    double drift_rad = 0.0;
+  };
+  struct Loop {
+    PoseEdge edge;
+    geometry::Pose2 T_map_newest;
+    geometry::Pose2 T_map_moved;  ///< How the newest frame moves in the map.
+    double drift_m = 0.0;
+  };
+
+  std::optional<Candidate> candidate(const KeyFrames& frames,
+                                     const std::vector<NearFrame>& reached) const;
+  std::optional<Loop> matched(const KeyFrames& frames,
+                              const std::vector<NearFrame>& reached,
+                              const Candidate& candidate);
+  ViewAgreement agreement(const KeyFrames& frames,
+                          std::size_t newest,
+                          const std::vector<std::size_t>& old_frames,
+                          const geometry::Pose2& T_map_newest) const;
+  bool agree(const Loop& one, const Loop& other) const;
+
+  LoopClosingParams params_;
+  LoopSearch search_;
+  ScanMatcher matcher_;
+  SurfaceField field_;
+  std::optional<Loop> pending_;
+};
+
+}  // namespace echomap::slam

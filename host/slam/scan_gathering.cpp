@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/scan_gathering.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+namespace echomap::slam {
+namespace {
+
+std::vector<Eigen::Vector2d> spaced_points_m(const RangeScan& scan, double spacing_m) {
+  std::vector<Eigen::Vector2d> kept_m;
+  for (const Eigen::Vector2d& point_m :
+       end_points_m(scan, std::numeric_limits<double>::infinity())) {
+    if (kept_m.empty() || (point_m - kept_m.back()).squaredNorm() >= spacing_m * spacing_m) {
+      kept_m.push_back(point_m);
+    }
+  }
+  return kept_m;
+}
+
+}  // namespace
+
+ScanGathering::ScanGathering(const ScanGatheringParams& params) : params_(params) {
+  if (!(params.spacing_m >= 0.0) || params.least_points < 1 || !(params.most_way_m > 0.0)) {
+    throw std::invalid_argument(
+        "scan gathering: no spacing below 0, at least one point, and a way above 0");
+  }
+}
+
+void ScanGathering::add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) {
+  if (!scans_.empty()) {
+    way_m_ += (T_odom_robot.position_m() - scans_.back().T_odom_robot.position_m()).norm();
+  }
+  scans_.push_back({T_odom_robot, scan});
+  points_m_.push_back(spaced_points_m(scan, params_.spacing_m));
+  count_ += points_m_.back().size();
+}
+
+bool ScanGathering::is_enough() const {
+  return count_ >= params_.least_points || way_m_ >= params_.most_way_m;
+}
+
+std::vector<Eigen::Vector2d> ScanGathering::points_m() const {
+  std::vector<Eigen::Vector2d> all_m;
+  all_m.reserve(count_);
+  const geometry::Pose2 T_now_odom = scans_.back().T_odom_robot.inverse();
+  for (std::size_t i = 0; i < scans_.size(); ++i) {
+    const geometry::Pose2 T_now_then = T_now_odom * scans_[i].T_odom_robot;
+    for (const Eigen::Vector2d& point_m : points_m_[i]) {
+      all_m.push_back(T_now_then * point_m);
+    }
+  }
+  return all_m;
+}
+
+void ScanGathering::clear() {
+  scans_.clear();
+  points_m_.clear();
+  count_ = 0;
+  way_m_ = 0.0;
+}
+
+}  // namespace echomap::slam
