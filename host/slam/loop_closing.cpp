@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
+#include <stdexcept>
 
 namespace echomap::slam {
 
@@ -112,22 +112,31 @@ std::optional<LoopClosing::Loop> LoopClosing::matched(const KeyFrames& frames,
   if (getenv("LOOPS")) {
     const Pose2 moved = match.T_map_robot * T_map_newest.inverse();
     const Pose2 d = T_map_newest.inverse() * match.T_map_robot;
-    printf("loop %zu-%zu drift %.2f share %.2f contra %.2f met %zu moved %.2f %.3f\n", newest, candidate.frame,
-           candidate.drift_m, match.share, views.contradicted_share(), views.met, d.position_m().norm(), moved.heading_rad());
+    printf("loop %zu-%zu drift %.2f share %.2f contra %.2f met %zu moved %.2f %.3f\n",
+           newest,
+           candidate.frame,
+           candidate.drift_m,
+           match.share,
+           views.contradicted_share(),
+           views.met,
+           d.position_m().norm(),
+           moved.heading_rad());
   }
   if (match.share < params_.least_share || views.met < params_.least_met ||
       views.contradicted_share() > params_.most_contradicted) {
     return std::nullopt;
   }
   const Pose2& T_map_old = frames.T_map_frame(candidate.frame);
-  return Loop{{candidate.frame,
-               newest,
-               T_map_old.inverse() * match.T_map_robot,
-               in_frame_of(match.T_map_robot, match.information),
-               true},
-              match.T_map_robot,
-              match.T_map_robot * T_map_newest.inverse(),
-              candidate.drift_m};
+  return Loop{
+      {candidate.frame,
+       newest,
+       T_map_old.inverse() * match.T_map_robot,
+       with_spread(
+           in_frame_of(match.T_map_robot, match.information), params_.spread_m, params_.spread_rad),
+       true},
+      match.T_map_robot,
+      match.T_map_robot * T_map_newest.inverse(),
+      candidate.drift_m};
 }
 
 ViewAgreement LoopClosing::agreement(const KeyFrames& frames,
@@ -135,7 +144,9 @@ ViewAgreement LoopClosing::agreement(const KeyFrames& frames,
                                      const std::vector<std::size_t>& old_frames,
                                      const Pose2& T_map_newest) const {
   ViewAgreement views;
-  const auto look = [&](const KeyFrame& from, const Pose2& T_map_from, const KeyFrame& at,
+  const auto look = [&](const KeyFrame& from,
+                        const Pose2& T_map_from,
+                        const KeyFrame& at,
                         const Pose2& T_map_at) {
     std::vector<Eigen::Vector2d> points_m;
     for (const PlacedScan& scan : from.scans) {

@@ -16,7 +16,7 @@ namespace echomap::slam {
 /// How loops are found and what proves them.
 struct LoopClosingParams {
   /// Frames nearer than this along the way are matched by tracking, metres.
-  double least_way_m = 12.0;
+  double least_way_m = 8.0;
   /// How far the pose may have drifted: so much, and more by the way around the loop.
   double drift_m = 0.2;
   double drift_m_per_m = 0.01;
@@ -32,10 +32,13 @@ struct LoopClosingParams {
   double near_m = 0.4;
   /// What a loop has to show: share of points on surfaces, share of points that the other side
   /// would have seen through, points that the other side has met.
-  double least_share = 0.6;
-  double most_contradicted = 0.15;
+  double least_share = 0.4;
+  double most_contradicted = 0.1;
   std::size_t least_met = 60;
   double view_margin_m = 0.3;
+  /// A match of two patches may be off by so much that its points do not tell.
+  double spread_m = 0.03;
+  double spread_rad = 0.01;
   /// A searched loop counts when the next one moves the map the same way, to within:
   double agreement_m = 0.3;
   double agreement_rad = 0.06;

@@ -116,8 +116,8 @@ std::vector<LoopSearch::Cell> LoopSearch::cells_of(std::span<const Eigen::Vector
     const Eigen::Vector2d placed_m =
         position_m + point_m.x() * ahead + point_m.y() * Eigen::Vector2d(-ahead.y(), ahead.x());
     const Eigen::Vector2d in_cells = (placed_m - origin_m_) / params_.cell_m;
-    cells.push_back({static_cast<int>(std::floor(in_cells.x())),
-                     static_cast<int>(std::floor(in_cells.y()))});
+    cells.push_back(
+        {static_cast<int>(std::floor(in_cells.x())), static_cast<int>(std::floor(in_cells.y()))});
   }
   return cells;
 }
@@ -150,11 +150,11 @@ void LoopSearch::draw_point(const Eigen::Vector2d& point_m) {
   const int x0 = static_cast<int>(in_cells.x());
   const int y0 = static_cast<int>(in_cells.y());
   const int reach = static_cast<int>(std::ceil(2.0 * params_.spread_m / params_.cell_m));
-  const double scale = params_.cell_m * params_.cell_m / (2.0 * params_.spread_m * params_.spread_m);
+  const double scale =
+      params_.cell_m * params_.cell_m / (2.0 * params_.spread_m * params_.spread_m);
   for (int y = y0 - reach; y <= y0 + reach; ++y) {
     for (int x = x0 - reach; x <= x0 + reach; ++x) {
-      const double square =
-          (Eigen::Vector2d(x + 0.5, y + 0.5) - in_cells).squaredNorm();
+      const double square = (Eigen::Vector2d(x + 0.5, y + 0.5) - in_cells).squaredNorm();
       const auto value = static_cast<std::uint8_t>(kFullCount * std::exp(-scale * square));
       std::uint8_t& cell = most_[0][static_cast<std::size_t>(y * columns_ + x)];
       cell = std::max(cell, value);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 
 #include "host/geometry/angle.hpp"
@@ -83,9 +84,18 @@ class Equations {
 
 Eigen::Matrix3d in_frame_of(const Pose2& T_map_robot, const Eigen::Matrix3d& information) {
   Eigen::Matrix3d to_map = Eigen::Matrix3d::Identity();
-  to_map.topLeftCorner<2, 2>() =
-      Eigen::Rotation2Dd(T_map_robot.heading_rad()).toRotationMatrix();
+  to_map.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(T_map_robot.heading_rad()).toRotationMatrix();
   return to_map.transpose() * information * to_map;
+}
+
+Eigen::Matrix3d with_spread(const Eigen::Matrix3d& information,
+                            double spread_m,
+                            double spread_rad) {
+  // (information^-1 + spread)^-1 without the inverse of what may be singular.
+  const Eigen::Vector3d variance(spread_m * spread_m, spread_m * spread_m, spread_rad * spread_rad);
+  const Eigen::Matrix3d growth = Eigen::Matrix3d::Identity() + information * variance.asDiagonal();
+  const Eigen::Matrix3d left = growth.inverse() * information;
+  return (left + left.transpose()) / 2.0;
 }
 
 EdgeError edge_error(const PoseEdge& edge, const Pose2& T_map_from, const Pose2& T_map_to) {

@@ -33,6 +33,11 @@ struct PoseGraphParams {
 /// Information on a pose in the map, on the axes of the map, turned to those of the pose.
 Eigen::Matrix3d in_frame_of(const geometry::Pose2& T_map_robot, const Eigen::Matrix3d& information);
 
+/// Information that is left when an estimate may be off by more than it knows of: normal errors of
+/// so many metres in x and y and radians in heading are added to it. What it says nothing of stays
+/// so.
+Eigen::Matrix3d with_spread(const Eigen::Matrix3d& information, double spread_m, double spread_rad);
+
 /// How far an edge is off, and how that changes with the poses it joins.
 struct EdgeError {
   Eigen::Vector3d error = Eigen::Vector3d::Zero();  ///< Of x, y (m) and heading (rad).

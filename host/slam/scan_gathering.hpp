@@ -12,7 +12,7 @@ namespace echomap::slam {
 /// When scans are enough to be matched.
 struct ScanGatheringParams {
   /// Points nearer to the one before say nothing new and are left out, metres.
-  double spacing_m = 0.05;
+  double spacing_m = 0.03;
   /// Scans are gathered until they have so many points together. A full laser has them at once;
   /// twelve beams take eight scans.
   std::size_t least_points = 80;

@@ -126,8 +126,10 @@ ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
       const double square = off.dot(prior.information * off);
       const double root = 1.0 / (1.0 + square / (params_.prior_kernel * params_.prior_kernel));
       prior_cost = 0.5 * square * root;
-      const Eigen::Matrix3d information = weight * last.information + root * root * prior.information;
-      const Eigen::Vector3d gradient = weight * last.gradient + root * root * prior.information * off;
+      const Eigen::Matrix3d information =
+          weight * last.information + root * root * prior.information;
+      const Eigen::Vector3d gradient =
+          weight * last.gradient + root * root * prior.information * off;
       const Eigen::Vector3d step = -information.ldlt().solve(gradient);
       pose += step;
       if (step.head<2>().norm() < params_.least_step_m &&

@@ -16,7 +16,7 @@ struct ScanMatchingParams {
   double kernel = 3.0;
   double prior_kernel = 3.0;
   /// What one point counts: neighbours err together, and so does the map they are matched to.
-  double weight = 0.1;
+  double weight = 0.5;
   int most_iterations = 6;  ///< On each level.
   /// A step smaller than this is the last one of a level.
   double least_step_m = 5e-4;

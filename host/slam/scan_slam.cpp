@@ -29,8 +29,8 @@ ScanSlam::ScanSlam(const ScanSlamParams& params)
       frames_(params.graph),
       field_(params.field) {
   if (!(params.least_spread_m > 0.0) || !(params.least_spread_rad > 0.0) ||
-      !(params.key_frame_m > 0.0) || !(params.key_frame_rad > 0.0) ||
-      !(params.local_way_m > 0.0) || !(params.renewal_way_m > 0.0)) {
+      !(params.key_frame_m > 0.0) || !(params.key_frame_rad > 0.0) || !(params.local_way_m > 0.0) ||
+      !(params.renewal_way_m > 0.0)) {
     throw std::invalid_argument("scan SLAM: spreads, key frames and ways are above 0");
   }
 }
@@ -59,8 +59,7 @@ void ScanSlam::predict(const Pose2& T_odom_robot) {
     spread.drive_m = std::hypot(spread.drive_m, params_.least_spread_m);
     spread.side_m = std::hypot(spread.side_m, params_.least_spread_m);
     spread.turn_after_rad = std::hypot(spread.turn_after_rad, params_.least_spread_rad);
-    belief_ =
-        localization::moved(belief_, T_odom_last_->inverse() * T_odom_robot, step, spread);
+    belief_ = localization::moved(belief_, T_odom_last_->inverse() * T_odom_robot, step, spread);
   }
   T_odom_last_ = T_odom_robot;
 }
@@ -96,7 +95,9 @@ void ScanSlam::begin_frame(std::vector<Eigen::Vector2d> points_m,
     frames_.join({newest - 1,
                   newest,
                   T_from_to,
-                  in_frame_of(belief_.T_map_robot, information),
+                  with_spread(in_frame_of(belief_.T_map_robot, information),
+                              params_.frame_spread_m,
+                              params_.frame_spread_rad),
                   false});
     field_way_m_ += T_from_to.position_m().norm();
   }
@@ -130,8 +131,8 @@ void ScanSlam::renew_field() {
 
 void ScanSlam::settle_gathered() {
   const std::size_t frame = frames_.size() - 1;
-  const Pose2 T_frame_odom = frames_.T_map_frame(frame).inverse() * belief_.T_map_robot *
-                             T_odom_last_->inverse();
+  const Pose2 T_frame_odom =
+      frames_.T_map_frame(frame).inverse() * belief_.T_map_robot * T_odom_last_->inverse();
   for (const GatheredScan& gathered : gathering_.scans()) {
     places_.push_back({frame, T_frame_odom * gathered.T_odom_robot});
   }
@@ -145,8 +146,7 @@ std::vector<Pose2> ScanSlam::trajectory() const {
     T_map_robots.push_back(frames_.T_map_frame(place.frame) * place.T_frame_robot);
   }
   for (const GatheredScan& gathered : gathering_.scans()) {
-    T_map_robots.push_back(belief_.T_map_robot *
-                           (T_odom_last_->inverse() * gathered.T_odom_robot));
+    T_map_robots.push_back(belief_.T_map_robot * (T_odom_last_->inverse() * gathered.T_odom_robot));
   }
   return T_map_robots;
 }
@@ -163,8 +163,9 @@ mapping::OccupancyGrid ScanSlam::grid() const {
           rays.push_back({*beam.range_m * geometry::unit_vector(beam.bearing_rad), true});
         }
       }
-      inserter.insert(
-          frames_.T_map_frame(number) * placed.T_key_robot * placed.scan.T_robot_sensor, rays, grid);
+      inserter.insert(frames_.T_map_frame(number) * placed.T_key_robot * placed.scan.T_robot_sensor,
+                      rays,
+                      grid);
     }
   }
   return grid;

@@ -27,12 +27,16 @@ struct ScanSlamParams {
   /// How far odometry may be off: three times the default of a good base, since what it is off by
   /// is not known of a log.
   models::OdometryMotionParams motion{0.01, 0.0025, 0.0025, 1e-3, 1e-3};
-  /// Of every step, metres and radians: odometry is rounded, and scans are not taken at its instant.
-  double least_spread_m = 0.005;
-  double least_spread_rad = 0.005;
+  /// Of every step, metres and radians: odometry is rounded, and scans are not taken at its
+  /// instant.
+  double least_spread_m = 0.01;
+  double least_spread_rad = 0.01;
   /// A key frame is begun after such a way or turn.
   double key_frame_m = 0.5;
   double key_frame_rad = 0.5;
+  /// The way between two key frames may be off by so much that the match does not tell.
+  double frame_spread_m = 0.01;
+  double frame_spread_rad = 0.003;
   /// A scan is matched to the key frames within such a way along the graph, metres.
   double local_way_m = 12.0;
   /// After so long a way the map around the robot is gathered anew, metres.
@@ -80,8 +84,8 @@ class ScanSlam : public SlamMethod {
   ScanMatcher matcher_;
   LoopClosing loops_;
   KeyFrames frames_;
-  SurfaceField field_;          ///< Around the robot.
-  double field_way_m_ = 0.0;    ///< Driven since it was gathered.
+  SurfaceField field_;        ///< Around the robot.
+  double field_way_m_ = 0.0;  ///< Driven since it was gathered.
   localization::PoseGaussian belief_;
   std::optional<geometry::Pose2> T_odom_last_;
   std::vector<ScanPlace> places_;  ///< Of all scans that are not being gathered.
