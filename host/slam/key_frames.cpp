@@ -47,12 +47,7 @@ std::vector<NearFrame> KeyFrames::near(std::size_t from, double most_m) const {
 }
 
 std::vector<Eigen::Vector2d> KeyFrames::map_points_m(std::size_t number) const {
-  std::vector<Eigen::Vector2d> points_m;
-  points_m.reserve(frames_[number].points_m.size());
-  for (const Eigen::Vector2d& point_m : frames_[number].points_m) {
-    points_m.push_back(T_map_frame(number) * point_m);
-  }
-  return points_m;
+  return in_frame_a_m(T_map_frame(number), frames_[number].points_m);
 }
 
 }  // namespace echomap::slam

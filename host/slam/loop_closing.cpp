@@ -79,10 +79,9 @@ std::optional<LoopClosing::Loop> LoopClosing::matched(const KeyFrames& frames,
   for (const NearFrame& frame : reached) {
     is_recent[frame.frame] = frame.way_m < params_.least_way_m;
     if (frame.way_m < params_.patch_m) {
-      const Pose2 T_newest_frame = T_map_newest.inverse() * frames.T_map_frame(frame.frame);
-      for (const Eigen::Vector2d& point_m : frames.frame(frame.frame).points_m) {
-        points_m.push_back(T_newest_frame * point_m);
-      }
+      const auto added_m = in_frame_a_m(T_map_newest.inverse() * frames.T_map_frame(frame.frame),
+                                        frames.frame(frame.frame).points_m);
+      points_m.insert(points_m.end(), added_m.begin(), added_m.end());
     }
   }
   std::vector<std::size_t> old_frames;
@@ -148,13 +147,9 @@ ViewAgreement LoopClosing::agreement(const KeyFrames& frames,
                         const Pose2& T_map_from,
                         const KeyFrame& at,
                         const Pose2& T_map_at) {
-    std::vector<Eigen::Vector2d> points_m;
     for (const PlacedScan& scan : from.scans) {
       const Pose2 T_robot_at = (T_map_from * scan.T_key_robot).inverse() * T_map_at;
-      points_m.clear();
-      for (const Eigen::Vector2d& point_m : at.points_m) {
-        points_m.push_back(T_robot_at * point_m);
-      }
+      const auto points_m = in_frame_a_m(T_robot_at, at.points_m);
       views += view_agreement(scan.scan, points_m, params_.view_margin_m);
     }
   };

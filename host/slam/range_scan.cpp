@@ -10,11 +10,23 @@ std::vector<Eigen::Vector2d> end_points_m(const RangeScan& scan, double most_ran
   points_m.reserve(scan.beams.size());
   for (const RangeBeam& beam : scan.beams) {
     if (beam.range_m && *beam.range_m <= most_range_m) {
-      points_m.push_back(scan.T_robot_sensor *
-                         (*beam.range_m * geometry::unit_vector(beam.bearing_rad)));
+      points_m.push_back(*beam.range_m * geometry::unit_vector(beam.bearing_rad));
     }
   }
-  return points_m;
+  return in_frame_a_m(scan.T_robot_sensor, points_m);
+}
+
+std::vector<Eigen::Vector2d> in_frame_a_m(const geometry::Pose2& T_a_b,
+                                          std::span<const Eigen::Vector2d> points_b_m) {
+  const Eigen::Vector2d ahead = geometry::unit_vector(T_a_b.heading_rad());
+  std::vector<Eigen::Vector2d> points_a_m;
+  points_a_m.reserve(points_b_m.size());
+  for (const Eigen::Vector2d& point_m : points_b_m) {
+    points_a_m.emplace_back(
+        T_a_b.x_m() + point_m.x() * ahead.x() - point_m.y() * ahead.y(),
+        T_a_b.y_m() + point_m.x() * ahead.y() + point_m.y() * ahead.x());
+  }
+  return points_a_m;
 }
 
 }  // namespace echomap::slam

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
@@ -25,5 +26,9 @@ struct RangeScan {
 /// Where the answers of a scan lie, on the axes of their beams, in the robot's frame. In the order
 /// of the beams; those without answer, or with one beyond `most_range_m`, are left out.
 std::vector<Eigen::Vector2d> end_points_m(const RangeScan& scan, double most_range_m);
+
+/// The same points in another frame.
+std::vector<Eigen::Vector2d> in_frame_a_m(const geometry::Pose2& T_a_b,
+                                          std::span<const Eigen::Vector2d> points_b_m);
 
 }  // namespace echomap::slam

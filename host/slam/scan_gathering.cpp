@@ -45,10 +45,8 @@ std::vector<Eigen::Vector2d> ScanGathering::points_m() const {
   all_m.reserve(count_);
   const geometry::Pose2 T_now_odom = scans_.back().T_odom_robot.inverse();
   for (std::size_t i = 0; i < scans_.size(); ++i) {
-    const geometry::Pose2 T_now_then = T_now_odom * scans_[i].T_odom_robot;
-    for (const Eigen::Vector2d& point_m : points_m_[i]) {
-      all_m.push_back(T_now_then * point_m);
-    }
+    const auto points_m = in_frame_a_m(T_now_odom * scans_[i].T_odom_robot, points_m_[i]);
+    all_m.insert(all_m.end(), points_m.begin(), points_m.end());
   }
   return all_m;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -47,19 +48,46 @@ void add_point(const Surface& surface,
   sum.gradient += Eigen::Vector3d(ex, ey, dx * ex + dy * ey);
 }
 
+/// The surfaces that points were last found on: from one iteration to the next most stay in their
+/// cells.
+class FoundSurfaces {
+ public:
+  FoundSurfaces(SurfaceField& field, std::size_t points) : field_(&field), found_(points) {}
+
+  const Surface& at(std::size_t point, const Eigen::Vector2d& placed_m, int level) {
+    Found& found = found_[point];
+    const geometry::CellIndex cell = field_->cell_at(placed_m, level);
+    if (found.level != level || found.cell != cell) {
+      found = {level, cell, field_->surface_at(cell, level)};
+    }
+    return found.surface;
+  }
+
+ private:
+  struct Found {
+    int level = -1;
+    geometry::CellIndex cell;
+    Surface surface;
+  };
+
+  SurfaceField* field_;
+  std::vector<Found> found_;
+};
+
 NormalEquations linearised(std::span<const Eigen::Vector2d> points_m,
                            const Eigen::Vector3d& pose,
                            int level,
                            double kernel,
-                           SurfaceField& field) {
+                           FoundSurfaces& surfaces) {
   NormalEquations sum;
   const double cos = std::cos(pose.z());
   const double sin = std::sin(pose.z());
-  for (const Eigen::Vector2d& point_m : points_m) {
+  for (std::size_t i = 0; i < points_m.size(); ++i) {
+    const Eigen::Vector2d& point_m = points_m[i];
     const Eigen::Vector2d turned_m(cos * point_m.x() - sin * point_m.y(),
                                    sin * point_m.x() + cos * point_m.y());
     const Eigen::Vector2d placed_m = pose.head<2>() + turned_m;
-    const Surface& surface = field.surface_at(placed_m, level);
+    const Surface& surface = surfaces.at(i, placed_m, level);
     if (surface.empty()) {
       sum.cost += kernel * kernel / 2.0;
       continue;
@@ -114,13 +142,15 @@ ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
                                const Eigen::Vector3d& start,
                                int from_level,
                                SurfaceField& field) const {
+  FoundSurfaces surfaces(field, points_m.size());
   Eigen::Vector3d pose = start;
   NormalEquations last;
   double prior_cost = 0.0;
   for (int level = from_level; level >= 0; --level) {
     const double weight = params_.weight * std::pow(4.0, level);
-    for (int i = 0; i < params_.most_iterations; ++i) {
-      last = linearised(points_m, pose, level, params_.kernel, field);
+    const int most = level > 0 ? params_.most_coarse_iterations : params_.most_iterations;
+    for (int i = 0; i < most; ++i) {
+      last = linearised(points_m, pose, level, params_.kernel, surfaces);
       Eigen::Vector3d off = pose - prior.pose;
       off.z() = geometry::wrap_angle(off.z());
       const double square = off.dot(prior.information * off);

@@ -17,10 +17,11 @@ struct ScanMatchingParams {
   double prior_kernel = 3.0;
   /// What one point counts: neighbours err together, and so does the map they are matched to.
   double weight = 0.5;
-  int most_iterations = 6;  ///< On each level.
+  int most_coarse_iterations = 2;  ///< On each level but the finest.
+  int most_iterations = 4;         ///< On the finest.
   /// A step smaller than this is the last one of a level.
-  double least_step_m = 5e-4;
-  double least_step_rad = 1e-4;
+  double least_step_m = 2e-3;
+  double least_step_rad = 5e-4;
   /// A match below this share of points on surfaces is tried from other headings, too.
   double good_share = 0.5;
   /// Which are so far to either side: two steps of this.

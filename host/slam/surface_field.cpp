@@ -5,8 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "host/geometry/whole_cell.hpp"
-
 namespace echomap::slam {
 namespace {
 
@@ -33,10 +31,6 @@ void SurfaceField::Moments::add(const Moments& other) {
   square_yy_m2 += other.square_yy_m2;
 }
 
-geometry::CellIndex SurfaceField::Level::cell_at(const Eigen::Vector2d& point_m) const {
-  return {geometry::whole_cell(point_m.x() / cell_m), geometry::whole_cell(point_m.y() / cell_m)};
-}
-
 SurfaceField::Cell& SurfaceField::Level::cell(geometry::CellIndex at) {
   std::int32_t number = index.find(at);
   if (number == mapping::TileIndex::kNone) {
@@ -55,6 +49,7 @@ SurfaceField::SurfaceField(const SurfaceFieldParams& params) : params_(params) {
   double scale = 1.0;
   for (Level& level : levels_) {
     level.cell_m = scale * params.cell_m;
+    level.cells_per_m = 1.0 / level.cell_m;
     level.noise_m = scale * params.noise_m;
     scale *= 2.0;
   }
@@ -70,25 +65,27 @@ void SurfaceField::clear() {
 
 void SurfaceField::add(std::span<const Eigen::Vector2d> points_m) {
   ++revision_;
-  for (Level& level : levels_) {
+  for (int level = 0; level < kLevels; ++level) {
+    Level& filled = levels_[static_cast<std::size_t>(level)];
     for (const Eigen::Vector2d& point_m : points_m) {
-      level.cell(level.cell_at(point_m)).moments.add(point_m);
+      filled.cell(cell_at(point_m, level)).moments.add(point_m);
     }
   }
 }
 
-const Surface& SurfaceField::surface_at(const Eigen::Vector2d& point_m, int level) {
+Surface SurfaceField::surface_at(geometry::CellIndex cell, int level) {
   while (true) {
     Level& asked = levels_[static_cast<std::size_t>(level)];
-    const geometry::CellIndex at = asked.cell_at(point_m);
-    Cell& cell = asked.cell(at);
-    if (cell.fitted != revision_) {
-      cell.surface = fitted(asked, moments_around(asked, at));
-      cell.fitted = revision_;
+    Cell& found = asked.cell(cell);
+    if (found.fitted != revision_) {
+      found.surface = fitted(asked, moments_around(asked, cell));
+      found.fitted = revision_;
     }
-    if (!cell.surface.empty() || level + 1 == kLevels) {
-      return cell.surface;
+    if (!found.surface.empty() || level + 1 == kLevels) {
+      return found.surface;
     }
+    // Cells double from level to level.
+    cell = {cell.x >> 1, cell.y >> 1};
     ++level;
   }
 }

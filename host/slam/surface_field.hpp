@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "host/geometry/cell_index.hpp"
+#include "host/geometry/whole_cell.hpp"
 #include "host/mapping/tile_index.hpp"
 
 namespace echomap::slam {
@@ -51,9 +52,15 @@ class SurfaceField {
   void clear();
   void add(std::span<const Eigen::Vector2d> points_m);
   bool empty() const { return levels_[0].cells.empty(); }
-  /// The surface around a point at a level, 0 the finest; or, where it has too few points, the next
-  /// coarser one that has; empty if none has. Valid until the field changes or is asked again.
-  const Surface& surface_at(const Eigen::Vector2d& point_m, int level);
+  /// The cell of a level that a point falls into. Within a cell the surface is one.
+  geometry::CellIndex cell_at(const Eigen::Vector2d& point_m, int level) const {
+    const double cells_per_m = levels_[static_cast<std::size_t>(level)].cells_per_m;
+    return {geometry::whole_cell(point_m.x() * cells_per_m),
+            geometry::whole_cell(point_m.y() * cells_per_m)};
+  }
+  /// The surface around a cell of a level, 0 the finest; or, where it has too few points, that
+  /// around the next coarser cell that has; empty if none has.
+  Surface surface_at(geometry::CellIndex cell, int level);
 
  private:
   /// Number of points and their moments.
@@ -74,11 +81,11 @@ class SurfaceField {
   };
   struct Level {
     double cell_m = 0.0;
+    double cells_per_m = 0.0;
     double noise_m = 0.0;
     mapping::TileIndex index;
     std::vector<Cell> cells;
 
-    geometry::CellIndex cell_at(const Eigen::Vector2d& point_m) const;
     Cell& cell(geometry::CellIndex at);
   };
 
