@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
@@ -108,19 +106,6 @@ std::optional<LoopClosing::Loop> LoopClosing::matched(const KeyFrames& frames,
   }
   const ScanMatch match = matcher_.match(points_m, start, field_);
   const ViewAgreement views = agreement(frames, newest, old_frames, match.T_map_robot);
-  if (getenv("LOOPS")) {
-    const Pose2 moved = match.T_map_robot * T_map_newest.inverse();
-    const Pose2 d = T_map_newest.inverse() * match.T_map_robot;
-    printf("loop %zu-%zu drift %.2f share %.2f contra %.2f met %zu moved %.2f %.3f\n",
-           newest,
-           candidate.frame,
-           candidate.drift_m,
-           match.share,
-           views.contradicted_share(),
-           views.met,
-           d.position_m().norm(),
-           moved.heading_rad());
-  }
   if (match.share < params_.least_share || views.met < params_.least_met ||
       views.contradicted_share() > params_.most_contradicted) {
     return std::nullopt;

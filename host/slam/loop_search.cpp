@@ -130,34 +130,50 @@ void LoopSearch::draw(std::span<const Eigen::Vector2d> map_points_m) {
     high_m = high_m.cwiseMax(point_m);
   }
   // The maxima of squares reach to the left of and below what they are of.
-  const double margin_m = (1 << (params_.levels - 1)) * params_.cell_m + 3.0 * params_.spread_m;
-  origin_m_ = low_m.array() - margin_m;
-  const Eigen::Vector2d size_m = high_m - origin_m_;
-  columns_ = static_cast<int>((size_m.x() + 3.0 * params_.spread_m) / params_.cell_m) + 2;
-  rows_ = static_cast<int>((size_m.y() + 3.0 * params_.spread_m) / params_.cell_m) + 2;
+  const double spread_m = (reach_cells() + 1) * params_.cell_m;
+  const double squares_m = (1 << (params_.levels - 1)) * params_.cell_m;
+  origin_m_ = low_m.array() - (squares_m + spread_m);
+  const Eigen::Vector2d size_m = (high_m - origin_m_).array() + spread_m;
+  columns_ = static_cast<int>(size_m.x() / params_.cell_m) + 1;
+  rows_ = static_cast<int>(size_m.y() / params_.cell_m) + 1;
   most_.assign(static_cast<std::size_t>(params_.levels),
                std::vector<std::uint8_t>(static_cast<std::size_t>(columns_ * rows_)));
+  const std::vector<std::uint8_t> drawn = drawn_point();
   for (const Eigen::Vector2d& point_m : map_points_m) {
-    draw_point(point_m);
+    draw_point(point_m, drawn);
   }
   for (int level = 1; level < params_.levels; ++level) {
     add_level(level);
   }
 }
 
-void LoopSearch::draw_point(const Eigen::Vector2d& point_m) {
-  const Eigen::Vector2d in_cells = (point_m - origin_m_) / params_.cell_m;
-  const int x0 = static_cast<int>(in_cells.x());
-  const int y0 = static_cast<int>(in_cells.y());
-  const int reach = static_cast<int>(std::ceil(2.0 * params_.spread_m / params_.cell_m));
-  const double scale =
-      params_.cell_m * params_.cell_m / (2.0 * params_.spread_m * params_.spread_m);
+std::vector<std::uint8_t> LoopSearch::drawn_point() const {
+  const int reach = reach_cells();
+  std::vector<std::uint8_t> drawn;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      const double away_m = params_.cell_m * std::hypot(x, y);
+      const double sigmas = away_m / params_.spread_m;
+      drawn.push_back(static_cast<std::uint8_t>(kFullCount * std::exp(-0.5 * sigmas * sigmas)));
+    }
+  }
+  return drawn;
+}
+
+int LoopSearch::reach_cells() const {
+  return static_cast<int>(std::ceil(2.0 * params_.spread_m / params_.cell_m));
+}
+
+void LoopSearch::draw_point(const Eigen::Vector2d& point_m,
+                            const std::vector<std::uint8_t>& drawn) {
+  const int x0 = static_cast<int>((point_m.x() - origin_m_.x()) / params_.cell_m);
+  const int y0 = static_cast<int>((point_m.y() - origin_m_.y()) / params_.cell_m);
+  const int reach = reach_cells();
+  auto value = drawn.begin();
   for (int y = y0 - reach; y <= y0 + reach; ++y) {
-    for (int x = x0 - reach; x <= x0 + reach; ++x) {
-      const double square = (Eigen::Vector2d(x + 0.5, y + 0.5) - in_cells).squaredNorm();
-      const auto value = static_cast<std::uint8_t>(kFullCount * std::exp(-scale * square));
-      std::uint8_t& cell = most_[0][static_cast<std::size_t>(y * columns_ + x)];
-      cell = std::max(cell, value);
+    std::uint8_t* cell = &most_[0][static_cast<std::size_t>(y * columns_ + x0 - reach)];
+    for (int x = 0; x <= 2 * reach; ++x, ++cell, ++value) {
+      *cell = std::max(*cell, *value);
     }
   }
 }

@@ -65,7 +65,10 @@ class LoopSearch {
   };
 
   void draw(std::span<const Eigen::Vector2d> map_points_m);
-  void draw_point(const Eigen::Vector2d& point_m);
+  /// What a point counts in the cells around it, row by row.
+  std::vector<std::uint8_t> drawn_point() const;
+  int reach_cells() const;
+  void draw_point(const Eigen::Vector2d& point_m, const std::vector<std::uint8_t>& drawn);
   void add_level(int level);
   std::vector<Cell> cells_of(std::span<const Eigen::Vector2d> points_m,
                              const Eigen::Vector2d& position_m,

@@ -22,9 +22,8 @@ std::vector<Eigen::Vector2d> in_frame_a_m(const geometry::Pose2& T_a_b,
   std::vector<Eigen::Vector2d> points_a_m;
   points_a_m.reserve(points_b_m.size());
   for (const Eigen::Vector2d& point_m : points_b_m) {
-    points_a_m.emplace_back(
-        T_a_b.x_m() + point_m.x() * ahead.x() - point_m.y() * ahead.y(),
-        T_a_b.y_m() + point_m.x() * ahead.y() + point_m.y() * ahead.x());
+    points_a_m.emplace_back(T_a_b.x_m() + point_m.x() * ahead.x() - point_m.y() * ahead.y(),
+                            T_a_b.y_m() + point_m.x() * ahead.y() + point_m.y() * ahead.x());
   }
   return points_a_m;
 }

@@ -21,9 +21,10 @@ std::vector<Eigen::Vector2d> spaced_points_m(const RangeScan& scan, double spaci
 }  // namespace
 
 ScanGathering::ScanGathering(const ScanGatheringParams& params) : params_(params) {
-  if (!(params.spacing_m >= 0.0) || params.least_points < 1 || !(params.most_way_m > 0.0)) {
+  if (!(params.spacing_m >= 0.0) || params.least_points < 1 || !(params.most_way_m > 0.0) ||
+      params.most_scans < 1) {
     throw std::invalid_argument(
-        "scan gathering: no spacing below 0, at least one point, and a way above 0");
+        "scan gathering: no spacing below 0, at least one point and scan, and a way above 0");
   }
 }
 
@@ -37,7 +38,8 @@ void ScanGathering::add(const geometry::Pose2& T_odom_robot, const RangeScan& sc
 }
 
 bool ScanGathering::is_enough() const {
-  return count_ >= params_.least_points || way_m_ >= params_.most_way_m;
+  return count_ >= params_.least_points || way_m_ >= params_.most_way_m ||
+         scans_.size() >= params_.most_scans;
 }
 
 std::vector<Eigen::Vector2d> ScanGathering::points_m() const {

@@ -18,6 +18,8 @@ struct ScanGatheringParams {
   std::size_t least_points = 80;
   /// But over no longer way, metres: odometry has to hold the points together.
   double most_way_m = 2.0;
+  /// And no more of them, where nothing answers and the robot stands.
+  std::size_t most_scans = 40;
 };
 
 /// A scan, and where the odometry had the robot then.

@@ -15,6 +15,19 @@ namespace {
 
 using geometry::Pose2;
 
+/// Where odometry holds, the error before a match is within these cells.
+constexpr int kStartLevel = 1;
+
+Eigen::Vector3d as_vector(const Pose2& pose) {
+  return {pose.x_m(), pose.y_m(), pose.heading_rad()};
+}
+
+/// Geman and McClure's kernel k^2 e^2 / (k^2 + e^2) of a squared error, over that: its square is
+/// what the error counts.
+double kernel_share(double square, double kernel) {
+  return 1.0 / (1.0 + square / (kernel * kernel));
+}
+
 /// The square sum of the points' errors around a pose: half its second and its first derivative.
 struct NormalEquations {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -96,11 +109,10 @@ NormalEquations linearised(std::span<const Eigen::Vector2d> points_m,
     const double square = surface.information_xx * off_m.x() * off_m.x() +
                           2.0 * surface.information_xy * off_m.x() * off_m.y() +
                           surface.information_yy * off_m.y() * off_m.y();
-    // Geman and McClure's kernel: cost k^2 e^2 / (k^2 + e^2) / 2.
-    const double root = 1.0 / (1.0 + square / (kernel * kernel));
-    sum.cost += square * root / 2.0;
-    sum.share += root;
-    add_point(surface, turned_m, off_m, root * root, sum);
+    const double share = kernel_share(square, kernel);
+    sum.cost += square * share / 2.0;
+    sum.share += share;
+    add_point(surface, turned_m, off_m, share * share, sum);
   }
   sum.information.triangularView<Eigen::StrictlyLower>() = sum.information.transpose();
   sum.share /= static_cast<double>(points_m.size());
@@ -119,20 +131,50 @@ ScanMatcher::ScanMatcher(const ScanMatchingParams& params) : params_(params) {
 ScanMatch ScanMatcher::match(std::span<const Eigen::Vector2d> points_m,
                              const localization::PoseGaussian& prior,
                              SurfaceField& field) const {
-  const Pose2& expected = prior.T_map_robot;
   if (points_m.empty() || field.empty()) {
-    return {expected, Eigen::Matrix3d::Zero(), 0.0, 0.0};
+    return {prior.T_map_robot, Eigen::Matrix3d::Zero(), 0.0, 0.0};
   }
-  const Prior before{{expected.x_m(), expected.y_m(), expected.heading_rad()},
-                     prior.covariance.inverse()};
-  ScanMatch best = refined(points_m, before, before.pose, 1, field);
-  if (best.share < params_.good_share) {
-    for (const double steps : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
-      Eigen::Vector3d start = before.pose;
-      start.z() += steps * params_.heading_step_rad;
-      const ScanMatch other = refined(points_m, before, start, SurfaceField::kLevels - 1, field);
-      best = other.cost < best.cost ? other : best;
-    }
+  const Prior before{as_vector(prior.T_map_robot), prior.covariance.inverse()};
+  const ScanMatch match = refined(points_m, before, before.pose, kStartLevel, field);
+  if (match.share >= params_.good_share) {
+    return match;
+  }
+  const bool is_heading_known =
+      match.share >= params_.poor_share &&
+      prior.covariance(2, 2) < params_.known_heading_rad * params_.known_heading_rad;
+  const ScanMatch other = best_of_starts(points_m, before, before.pose, is_heading_known, field);
+  return other.cost < match.cost ? other : match;
+}
+
+ScanMatch ScanMatcher::match_after(std::span<const Eigen::Vector2d> points_m,
+                                   const Pose2& T_map_before,
+                                   const localization::PoseGaussian& prior,
+                                   SurfaceField& field) const {
+  const ScanMatch match = this->match(points_m, prior, field);
+  if (match.share >= params_.poor_share || points_m.empty() || field.empty()) {
+    return match;
+  }
+  const Prior believed{as_vector(prior.T_map_robot), prior.covariance.inverse()};
+  const ScanMatch stayed =
+      best_of_starts(points_m, believed, as_vector(T_map_before), false, field);
+  return stayed.share >= params_.good_share ? stayed : match;
+}
+
+ScanMatch ScanMatcher::best_of_starts(std::span<const Eigen::Vector2d> points_m,
+                                      const Prior& prior,
+                                      const Eigen::Vector3d& start,
+                                      bool is_heading_known,
+                                      SurfaceField& field) const {
+  constexpr int kCoarsest = SurfaceField::kLevels - 1;
+  ScanMatch best = refined(points_m, prior, start, kCoarsest, field);
+  if (is_heading_known) {
+    return best;
+  }
+  for (const double steps : {-1.0, 1.0, -2.0, 2.0}) {
+    const Eigen::Vector3d turned =
+        start + Eigen::Vector3d(0.0, 0.0, steps * params_.heading_step_rad);
+    const ScanMatch other = refined(points_m, prior, turned, kCoarsest, field);
+    best = other.cost < best.cost ? other : best;
   }
   return best;
 }
@@ -144,23 +186,23 @@ ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
                                SurfaceField& field) const {
   FoundSurfaces surfaces(field, points_m.size());
   Eigen::Vector3d pose = start;
-  NormalEquations last;
+  NormalEquations points;
   double prior_cost = 0.0;
   for (int level = from_level; level >= 0; --level) {
+    // Noise doubles with the cells; a point keeps its weight against the prior.
     const double weight = params_.weight * std::pow(4.0, level);
     const int most = level > 0 ? params_.most_coarse_iterations : params_.most_iterations;
     for (int i = 0; i < most; ++i) {
-      last = linearised(points_m, pose, level, params_.kernel, surfaces);
+      points = linearised(points_m, pose, level, params_.kernel, surfaces);
       Eigen::Vector3d off = pose - prior.pose;
       off.z() = geometry::wrap_angle(off.z());
       const double square = off.dot(prior.information * off);
-      const double root = 1.0 / (1.0 + square / (params_.prior_kernel * params_.prior_kernel));
-      prior_cost = 0.5 * square * root;
-      const Eigen::Matrix3d information =
-          weight * last.information + root * root * prior.information;
-      const Eigen::Vector3d gradient =
-          weight * last.gradient + root * root * prior.information * off;
-      const Eigen::Vector3d step = -information.ldlt().solve(gradient);
+      const double share = kernel_share(square, params_.prior_kernel);
+      prior_cost = square * share / 2.0;
+      const Eigen::Matrix3d trusted = share * share * prior.information;
+      const Eigen::Matrix3d information = weight * points.information + trusted;
+      const Eigen::Vector3d step =
+          -information.ldlt().solve(weight * points.gradient + trusted * off);
       pose += step;
       if (step.head<2>().norm() < params_.least_step_m &&
           std::abs(step.z()) < params_.least_step_rad) {
@@ -169,9 +211,9 @@ ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
     }
   }
   return {Pose2(pose.x(), pose.y(), pose.z()),
-          params_.weight * last.information,
-          last.share,
-          params_.weight * last.cost + prior_cost};
+          params_.weight * points.information,
+          points.share,
+          params_.weight * points.cost + prior_cost};
 }
 
 }  // namespace echomap::slam

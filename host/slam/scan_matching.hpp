@@ -14,6 +14,7 @@ namespace echomap::slam {
 struct ScanMatchingParams {
   /// A point so many standard deviations from its surface counts a quarter (Geman and McClure).
   double kernel = 3.0;
+  /// So does what was believed before where the points contradict it: wheels slip.
   double prior_kernel = 3.0;
   /// What one point counts: neighbours err together, and so does the map they are matched to.
   double weight = 0.5;
@@ -22,9 +23,12 @@ struct ScanMatchingParams {
   /// A step smaller than this is the last one of a level.
   double least_step_m = 2e-3;
   double least_step_rad = 5e-4;
-  /// A match below this share of points on surfaces is tried from other headings, too.
-  double good_share = 0.5;
-  /// Which are so far to either side: two steps of this.
+  /// A match with a smaller share of points on surfaces is tried again from coarser cells; and from
+  /// other headings where it is poor, or the heading was not known to within `known_heading_rad`.
+  double good_share = 0.75;
+  double poor_share = 0.5;
+  double known_heading_rad = 0.03;
+  /// The other headings are one and two such steps to either side.
   double heading_step_rad = 0.12;
 };
 
@@ -48,15 +52,28 @@ class ScanMatcher {
   /// Throws std::invalid_argument for parameters that make no sense.
   explicit ScanMatcher(const ScanMatchingParams& params = {});
 
+  /// Not moved where there are no points or no surfaces.
   ScanMatch match(std::span<const Eigen::Vector2d> points_m,
                   const localization::PoseGaussian& prior,
                   SurfaceField& field) const;
+  /// The same where odometry may have jumped: if the match is poor and a good one is found from
+  /// where the robot was before, it has stayed there.
+  ScanMatch match_after(std::span<const Eigen::Vector2d> points_m,
+                        const geometry::Pose2& T_map_before,
+                        const localization::PoseGaussian& prior,
+                        SurfaceField& field) const;
 
  private:
   struct Prior {
     Eigen::Vector3d pose;
     Eigen::Matrix3d information;
   };
+
+  ScanMatch best_of_starts(std::span<const Eigen::Vector2d> points_m,
+                           const Prior& prior,
+                           const Eigen::Vector3d& start,
+                           bool is_heading_known,
+                           SurfaceField& field) const;
 
   ScanMatch refined(std::span<const Eigen::Vector2d> points_m,
                     const Prior& prior,

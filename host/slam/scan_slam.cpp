@@ -65,10 +65,9 @@ void ScanSlam::predict(const Pose2& T_odom_robot) {
 }
 
 Eigen::Matrix3d ScanSlam::place(const std::vector<Eigen::Vector2d>& points_m) {
-  const ScanMatch match = matcher_.match(points_m, belief_, field_);
-  last_share_ = match.share;
-  const Eigen::Matrix3d information = belief_.covariance.inverse() + match.information;
-  belief_ = {match.T_map_robot, information.inverse()};
+  last_match_ = matcher_.match_after(points_m, T_map_placed_, belief_, field_);
+  const Eigen::Matrix3d information = belief_.covariance.inverse() + last_match_.information;
+  belief_ = {last_match_.T_map_robot, information.inverse()};
   return information;
 }
 
@@ -137,6 +136,7 @@ void ScanSlam::settle_gathered() {
     places_.push_back({frame, T_frame_odom * gathered.T_odom_robot});
   }
   gathering_.clear();
+  T_map_placed_ = belief_.T_map_robot;
 }
 
 std::vector<Pose2> ScanSlam::trajectory() const {

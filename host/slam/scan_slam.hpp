@@ -61,7 +61,9 @@ class ScanSlam : public SlamMethod {
   std::vector<geometry::Pose2> trajectory() const override;
   mapping::OccupancyGrid grid() const override;
   const PoseGraph& graph() const { return frames_.graph(); }
-  double last_share() const { return last_share_; }
+  /// How well the last scans lay on what was known: a share that stays small says that the robot
+  /// is lost.
+  const ScanMatch& last_match() const { return last_match_; }
 
  private:
   struct ScanPlace {
@@ -89,7 +91,8 @@ class ScanSlam : public SlamMethod {
   localization::PoseGaussian belief_;
   std::optional<geometry::Pose2> T_odom_last_;
   std::vector<ScanPlace> places_;  ///< Of all scans that are not being gathered.
-  double last_share_ = 0.0;
+  geometry::Pose2 T_map_placed_;   ///< At the last match.
+  ScanMatch last_match_;
 };
 
 }  // namespace echomap::slam
