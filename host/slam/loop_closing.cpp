@@ -10,6 +10,17 @@ namespace echomap::slam {
 
 using geometry::Pose2;
 
+namespace {
+
+/// A search looks so many times the drift that is expected, its standard deviation, to each side.
+constexpr double kSearchedDrifts = 2.0;
+
+void append(const std::vector<Eigen::Vector2d>& added_m, std::vector<Eigen::Vector2d>& points_m) {
+  points_m.insert(points_m.end(), added_m.begin(), added_m.end());
+}
+
+}  // namespace
+
 LoopClosing::LoopClosing(const LoopClosingParams& params,
                          const LoopSearchParams& search,
                          const ScanMatchingParams& matching,
@@ -31,7 +42,7 @@ std::vector<PoseEdge> LoopClosing::close(const KeyFrames& frames) {
   if (!loop) {
     return {};
   }
-  if (loop->drift_m <= params_.near_m) {
+  if (!loop->was_searched) {
     return {loop->edge};
   }
   std::vector<PoseEdge> proved;
@@ -72,75 +83,117 @@ std::optional<LoopClosing::Loop> LoopClosing::matched(const KeyFrames& frames,
                                                       const Candidate& candidate) {
   const std::size_t newest = frames.size() - 1;
   const Pose2& T_map_newest = frames.T_map_frame(newest);
-  std::vector<bool> is_recent(frames.size(), false);
-  std::vector<Eigen::Vector2d> points_m;
-  for (const NearFrame& frame : reached) {
-    is_recent[frame.frame] = frame.way_m < params_.least_way_m;
-    if (frame.way_m < params_.patch_m) {
-      const auto added_m = in_frame_a_m(T_map_newest.inverse() * frames.T_map_frame(frame.frame),
-                                        frames.frame(frame.frame).points_m);
-      points_m.insert(points_m.end(), added_m.begin(), added_m.end());
-    }
-  }
-  std::vector<std::size_t> old_frames;
+  const auto points_m = newest_patch_m(frames, reached);
+  const auto old_frames = old_patch(frames, reached, candidate.frame);
   std::vector<Eigen::Vector2d> map_points_m;
-  for (const NearFrame& frame : frames.near(candidate.frame, params_.patch_m)) {
-    if (!is_recent[frame.frame]) {
-      old_frames.push_back(frame.frame);
-      const auto added_m = frames.map_points_m(frame.frame);
-      map_points_m.insert(map_points_m.end(), added_m.begin(), added_m.end());
-    }
+  for (const std::size_t old : old_frames) {
+    append(frames.map_points_m(old), map_points_m);
+  }
+  const auto start = start_of_match(map_points_m, points_m, {T_map_newest, candidate});
+  if (!start) {
+    return std::nullopt;
   }
   field_.clear();
   field_.add(map_points_m);
+  const ScanMatch match = matcher_.match(points_m, *start, field_);
+  if (match.share < params_.least_share ||
+      !is_within_drift(T_map_newest.inverse() * match.T_map_robot, candidate) ||
+      !is_seen_alike(frames, old_frames, match.T_map_robot)) {
+    return std::nullopt;
+  }
+  const PoseEdge edge{
+      candidate.frame,
+      newest,
+      frames.T_map_frame(candidate.frame).inverse() * match.T_map_robot,
+      with_spread(
+          in_frame_of(match.T_map_robot, match.information), params_.spread_m, params_.spread_rad),
+      true};
+  return Loop{edge,
+              match.T_map_robot,
+              match.T_map_robot * T_map_newest.inverse(),
+              candidate.drift_m > params_.near_m};
+}
+
+std::vector<Eigen::Vector2d> LoopClosing::newest_patch_m(
+    const KeyFrames& frames, const std::vector<NearFrame>& reached) const {
+  const Pose2 T_newest_map = frames.T_map_frame(frames.size() - 1).inverse();
+  std::vector<Eigen::Vector2d> points_m;
+  for (const NearFrame& frame : reached) {
+    if (frame.way_m < params_.patch_m) {
+      append(in_frame_a_m(T_newest_map * frames.T_map_frame(frame.frame),
+                          frames.frame(frame.frame).points_m),
+             points_m);
+    }
+  }
+  return points_m;
+}
+
+std::vector<std::size_t> LoopClosing::old_patch(const KeyFrames& frames,
+                                                const std::vector<NearFrame>& reached,
+                                                std::size_t middle) const {
+  std::vector<bool> is_recent(frames.size(), false);
+  for (const NearFrame& frame : reached) {
+    is_recent[frame.frame] = frame.way_m < params_.least_way_m;
+  }
+  std::vector<std::size_t> old;
+  for (const NearFrame& frame : frames.near(middle, params_.patch_m)) {
+    if (!is_recent[frame.frame]) {
+      old.push_back(frame.frame);
+    }
+  }
+  return old;
+}
+
+std::optional<localization::PoseGaussian> LoopClosing::start_of_match(
+    const std::vector<Eigen::Vector2d>& map_points_m,
+    const std::vector<Eigen::Vector2d>& points_m,
+    const Expected& expected) {
+  const auto& [T_map_newest, candidate] = expected;
   localization::PoseGaussian start{T_map_newest, Eigen::Matrix3d::Zero()};
   start.covariance.diagonal() << candidate.drift_m * candidate.drift_m,
       candidate.drift_m * candidate.drift_m, candidate.drift_rad * candidate.drift_rad;
   if (candidate.drift_m > params_.near_m) {
     const auto found = search_.find(
-        map_points_m, points_m, {T_map_newest, 2.0 * candidate.drift_m, 2.0 * candidate.drift_rad});
+        map_points_m,
+        points_m,
+        {T_map_newest, kSearchedDrifts * candidate.drift_m, kSearchedDrifts * candidate.drift_rad});
     if (!found) {
       return std::nullopt;
     }
     start.T_map_robot = found->T_map_robot;
   }
-  const ScanMatch match = matcher_.match(points_m, start, field_);
-  const ViewAgreement views = agreement(frames, newest, old_frames, match.T_map_robot);
-  if (match.share < params_.least_share || views.met < params_.least_met ||
-      views.contradicted_share() > params_.most_contradicted) {
-    return std::nullopt;
-  }
-  const Pose2& T_map_old = frames.T_map_frame(candidate.frame);
-  return Loop{
-      {candidate.frame,
-       newest,
-       T_map_old.inverse() * match.T_map_robot,
-       with_spread(
-           in_frame_of(match.T_map_robot, match.information), params_.spread_m, params_.spread_rad),
-       true},
-      match.T_map_robot,
-      match.T_map_robot * T_map_newest.inverse(),
-      candidate.drift_m};
+  return start;
 }
 
-ViewAgreement LoopClosing::agreement(const KeyFrames& frames,
-                                     std::size_t newest,
-                                     const std::vector<std::size_t>& old_frames,
-                                     const Pose2& T_map_newest) const {
+bool LoopClosing::is_within_drift(const Pose2& T_newest_matched, const Candidate& candidate) {
+  // A search looks in a square; a match may go on a little.
+  constexpr double kMostDrifts = 1.5 * kSearchedDrifts;
+  return T_newest_matched.position_m().norm() <= kMostDrifts * candidate.drift_m &&
+         std::abs(T_newest_matched.heading_rad()) <= kMostDrifts * candidate.drift_rad;
+}
+
+bool LoopClosing::is_seen_alike(const KeyFrames& frames,
+                                const std::vector<std::size_t>& old_frames,
+                                const Pose2& T_map_newest) const {
+  const KeyFrame& newest = frames.frame(frames.size() - 1);
   ViewAgreement views;
-  const auto look = [&](const KeyFrame& from,
-                        const Pose2& T_map_from,
-                        const KeyFrame& at,
-                        const Pose2& T_map_at) {
-    for (const PlacedScan& scan : from.scans) {
-      const Pose2 T_robot_at = (T_map_from * scan.T_key_robot).inverse() * T_map_at;
-      const auto points_m = in_frame_a_m(T_robot_at, at.points_m);
-      views += view_agreement(scan.scan, points_m, params_.view_margin_m);
-    }
-  };
-  for (const std::size_t old : old_frames) {
-    look(frames.frame(newest), T_map_newest, frames.frame(old), frames.T_map_frame(old));
-    look(frames.frame(old), frames.T_map_frame(old), frames.frame(newest), T_map_newest);
+  for (const std::size_t number : old_frames) {
+    const Pose2 T_newest_old = T_map_newest.inverse() * frames.T_map_frame(number);
+    const KeyFrame& old = frames.frame(number);
+    views += look(newest, T_newest_old, old.points_m);
+    views += look(old, T_newest_old.inverse(), newest.points_m);
+  }
+  return views.met >= params_.least_met && views.contradicted_share() <= params_.most_contradicted;
+}
+
+ViewAgreement LoopClosing::look(const KeyFrame& from,
+                                const Pose2& T_from_points,
+                                const std::vector<Eigen::Vector2d>& points_m) const {
+  ViewAgreement views;
+  for (const PlacedScan& scan : from.scans) {
+    views += view_agreement(scan.scan,
+                            in_frame_a_m(scan.T_key_robot.inverse() * T_from_points, points_m),
+                            params_.view_margin_m);
   }
   return views;
 }

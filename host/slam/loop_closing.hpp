@@ -59,16 +59,21 @@ class LoopClosing {
   std::vector<PoseEdge> close(const KeyFrames& frames);
 
  private:
+  /// A frame that may be near, and how far the robot may have drifted since it was.
   struct Candidate {
     std::size_t frame = 0;
     double drift_m = 0.0;
     double drift_rad = 0.0;
   };
+  struct Expected {
+    geometry::Pose2 T_map_newest;
+    Candidate candidate;
+  };
   struct Loop {
     PoseEdge edge;
     geometry::Pose2 T_map_newest;
-    geometry::Pose2 T_map_moved;  ///< How the newest frame moves in the map.
-    double drift_m = 0.0;
+    geometry::Pose2 T_map_moved;  ///< How the newest frame moved in the map.
+    bool was_searched = false;
   };
 
   std::optional<Candidate> candidate(const KeyFrames& frames,
@@ -76,10 +81,25 @@ class LoopClosing {
   std::optional<Loop> matched(const KeyFrames& frames,
                               const std::vector<NearFrame>& reached,
                               const Candidate& candidate);
-  ViewAgreement agreement(const KeyFrames& frames,
-                          std::size_t newest,
-                          const std::vector<std::size_t>& old_frames,
-                          const geometry::Pose2& T_map_newest) const;
+  /// The points around the newest frame, in its frame.
+  std::vector<Eigen::Vector2d> newest_patch_m(const KeyFrames& frames,
+                                              const std::vector<NearFrame>& reached) const;
+  /// The frames around an old one that tracking does not match with.
+  std::vector<std::size_t> old_patch(const KeyFrames& frames,
+                                     const std::vector<NearFrame>& reached,
+                                     std::size_t middle) const;
+  std::optional<localization::PoseGaussian> start_of_match(
+      const std::vector<Eigen::Vector2d>& map_points_m,
+      const std::vector<Eigen::Vector2d>& points_m,
+      const Expected& expected);
+  static bool is_within_drift(const geometry::Pose2& T_newest_matched, const Candidate& candidate);
+  /// Whether neither side sees through what the other has met.
+  bool is_seen_alike(const KeyFrames& frames,
+                     const std::vector<std::size_t>& old_frames,
+                     const geometry::Pose2& T_map_newest) const;
+  ViewAgreement look(const KeyFrame& from,
+                     const geometry::Pose2& T_from_points,
+                     const std::vector<Eigen::Vector2d>& points_m) const;
   bool agree(const Loop& one, const Loop& other) const;
 
   LoopClosingParams params_;
