@@ -143,7 +143,8 @@ ScanMatch ScanMatcher::match(std::span<const Eigen::Vector2d> points_m,
       match.share >= params_.poor_share &&
       prior.covariance(2, 2) < params_.known_heading_rad * params_.known_heading_rad;
   const ScanMatch other = best_of_starts(points_m, before, before.pose, is_heading_known, field);
-  return other.cost < match.cost ? other : match;
+  const bool is_better = other.cost < match.cost && other.share >= match.share + params_.least_gain;
+  return is_better ? other : match;
 }
 
 ScanMatch ScanMatcher::match_after(std::span<const Eigen::Vector2d> points_m,

@@ -28,6 +28,8 @@ struct ScanMatchingParams {
   double good_share = 0.75;
   double poor_share = 0.5;
   double known_heading_rad = 0.03;
+  /// And is left only for one with so much larger a share: new ground fits nothing rightly.
+  double least_gain = 0.1;
   /// The other headings are one and two such steps to either side.
   double heading_step_rad = 0.12;
 };

@@ -77,8 +77,9 @@ bool ScanSlam::is_far_from_frame() const {
   }
   const Pose2 T_frame_robot =
       frames_.T_map_frame(frames_.size() - 1).inverse() * belief_.T_map_robot;
-  return T_frame_robot.position_m().norm() > params_.key_frame_m ||
-         std::abs(T_frame_robot.heading_rad()) > params_.key_frame_rad;
+  const double scale = last_match_.share < params_.new_ground_share ? params_.new_ground_way : 1.0;
+  return T_frame_robot.position_m().norm() > scale * params_.key_frame_m ||
+         std::abs(T_frame_robot.heading_rad()) > scale * params_.key_frame_rad;
 }
 
 void ScanSlam::begin_frame(std::vector<Eigen::Vector2d> points_m,

@@ -34,6 +34,9 @@ struct ScanSlamParams {
   /// A key frame is begun after such a way or turn.
   double key_frame_m = 0.5;
   double key_frame_rad = 0.5;
+  /// Or after such a share of them where fewer points than this lie on what is known.
+  double new_ground_way = 0.3;
+  double new_ground_share = 0.75;
   /// The way between two key frames may be off by so much that the match does not tell.
   double frame_spread_m = 0.01;
   double frame_spread_rad = 0.003;

@@ -25,5 +25,14 @@ TEST(EndPoints, LeaveOutWhatDidNotAnswerAndWhatIsTooFar) {
   EXPECT_EQ(end_points_m(scan, 4.0).size(), 1U);
 }
 
+TEST(InFrame, MovesEachPointAsThePoseDoes) {
+  const geometry::Pose2 T_a_b(1.0, -2.0, 0.7);
+  const std::vector<Eigen::Vector2d> points_b_m{{0.0, 0.0}, {3.0, 1.0}};
+  const auto points_a_m = in_frame_a_m(T_a_b, points_b_m);
+  ASSERT_EQ(points_a_m.size(), 2U);
+  EXPECT_LT((points_a_m[0] - T_a_b.position_m()).norm(), 1e-12);
+  EXPECT_LT((points_a_m[1] - T_a_b * points_b_m[1]).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace echomap::slam
