@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "host/slam/scan_gathering.hpp"
 
-#include <limits>
 #include <stdexcept>
 
 namespace echomap::slam {
 namespace {
 
-std::vector<Eigen::Vector2d> spaced_points_m(const RangeScan& scan, double spacing_m) {
+std::vector<Eigen::Vector2d> spaced_points_m(const RangeScan& scan,
+                                             double most_range_m,
+                                             double spacing_m) {
   std::vector<Eigen::Vector2d> kept_m;
-  for (const Eigen::Vector2d& point_m :
-       end_points_m(scan, std::numeric_limits<double>::infinity())) {
+  for (const Eigen::Vector2d& point_m : end_points_m(scan, most_range_m)) {
     if (kept_m.empty() || (point_m - kept_m.back()).squaredNorm() >= spacing_m * spacing_m) {
       kept_m.push_back(point_m);
     }
@@ -21,10 +21,11 @@ std::vector<Eigen::Vector2d> spaced_points_m(const RangeScan& scan, double spaci
 }  // namespace
 
 ScanGathering::ScanGathering(const ScanGatheringParams& params) : params_(params) {
-  if (!(params.spacing_m >= 0.0) || params.least_points < 1 || !(params.most_way_m > 0.0) ||
-      params.most_scans < 1) {
+  if (!(params.most_range_m > 0.0) || !(params.spacing_m >= 0.0) || params.least_points < 1 ||
+      !(params.most_way_m > 0.0) || params.most_scans < 1) {
     throw std::invalid_argument(
-        "scan gathering: no spacing below 0, at least one point and scan, and a way above 0");
+        "scan gathering: a range above 0, no spacing below 0, at least one point and scan, and a "
+        "way above 0");
   }
 }
 
@@ -33,7 +34,7 @@ void ScanGathering::add(const geometry::Pose2& T_odom_robot, const RangeScan& sc
     way_m_ += (T_odom_robot.position_m() - scans_.back().T_odom_robot.position_m()).norm();
   }
   scans_.push_back({T_odom_robot, scan});
-  points_m_.push_back(spaced_points_m(scan, params_.spacing_m));
+  points_m_.push_back(spaced_points_m(scan, params_.most_range_m, params_.spacing_m));
   count_ += points_m_.back().size();
 }
 

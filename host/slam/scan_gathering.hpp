@@ -11,6 +11,8 @@ namespace echomap::slam {
 
 /// When scans are enough to be matched.
 struct ScanGatheringParams {
+  /// Farther answers are left out, metres: lasers of buildings reach 80 m.
+  double most_range_m = 100.0;
   /// Points nearer to the one before say nothing new and are left out, metres.
   double spacing_m = 0.03;
   /// Scans are gathered until they have so many points together. A full laser has them at once;

@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 
 #include "host/geometry/cell_index.hpp"
-#include "host/geometry/whole_cell.hpp"
 #include "host/mapping/tile_index.hpp"
 
 namespace echomap::slam {
@@ -52,11 +51,11 @@ class SurfaceField {
   void clear();
   void add(std::span<const Eigen::Vector2d> points_m);
   bool empty() const { return levels_[0].cells.empty(); }
-  /// The cell of a level that a point falls into. Within a cell the surface is one.
+  /// The cell of a level that a point, within 2^30 cells, falls into. Within a cell the surface is
+  /// one.
   geometry::CellIndex cell_at(const Eigen::Vector2d& point_m, int level) const {
     const double cells_per_m = levels_[static_cast<std::size_t>(level)].cells_per_m;
-    return {geometry::whole_cell(point_m.x() * cells_per_m),
-            geometry::whole_cell(point_m.y() * cells_per_m)};
+    return {rounded_down(point_m.x() * cells_per_m), rounded_down(point_m.y() * cells_per_m)};
   }
   /// The surface around a cell of a level, 0 the finest; or, where it has too few points, that
   /// around the next coarser cell that has; empty if none has.
@@ -88,6 +87,12 @@ class SurfaceField {
 
     Cell& cell(geometry::CellIndex at);
   };
+
+  /// std::floor is a call where the processor need not have SSE 4.1.
+  static std::int32_t rounded_down(double value) {
+    const auto towards_zero = static_cast<std::int32_t>(value);
+    return towards_zero - (value < towards_zero ? 1 : 0);
+  }
 
   Moments moments_around(const Level& level, geometry::CellIndex middle) const;
   Surface fitted(const Level& level, const Moments& moments) const;
