@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include <Eigen/Eigenvalues>
+
 namespace echomap::slam {
 
 using geometry::Pose2;
@@ -96,7 +98,8 @@ std::optional<LoopClosing::Loop> LoopClosing::matched(const KeyFrames& frames,
   field_.clear();
   field_.add(map_points_m);
   const ScanMatch match = matcher_.match(points_m, *start, field_);
-  if (match.share < params_.least_share ||
+  const bool is_searched = candidate.drift_m > params_.near_m;
+  if (match.share < params_.least_share || (is_searched && !is_determined(match)) ||
       !is_within_drift(T_map_newest.inverse() * match.T_map_robot, candidate) ||
       !is_seen_alike(frames, old_frames, match.T_map_robot)) {
     return std::nullopt;
@@ -108,10 +111,7 @@ std::optional<LoopClosing::Loop> LoopClosing::matched(const KeyFrames& frames,
       with_spread(
           in_frame_of(match.T_map_robot, match.information), params_.spread_m, params_.spread_rad),
       true};
-  return Loop{edge,
-              match.T_map_robot,
-              match.T_map_robot * T_map_newest.inverse(),
-              candidate.drift_m > params_.near_m};
+  return Loop{edge, match.T_map_robot, match.T_map_robot * T_map_newest.inverse(), is_searched};
 }
 
 std::vector<Eigen::Vector2d> LoopClosing::newest_patch_m(
@@ -163,6 +163,13 @@ std::optional<localization::PoseGaussian> LoopClosing::start_of_match(
     start.T_map_robot = found->T_map_robot;
   }
   return start;
+}
+
+bool LoopClosing::is_determined(const ScanMatch& match) const {
+  const Eigen::Vector2d along =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(match.information.topLeftCorner<2, 2>())
+          .eigenvalues();
+  return along[0] >= params_.least_determined * along[1];
 }
 
 bool LoopClosing::is_within_drift(const Pose2& T_newest_matched, const Candidate& candidate) {

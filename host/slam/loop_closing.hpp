@@ -36,6 +36,9 @@ struct LoopClosingParams {
   double most_contradicted = 0.1;
   std::size_t least_met = 60;
   double view_margin_m = 0.3;
+  /// And, where it was searched for: so much information in the direction that is known worst, of
+  /// that in the one known best. Along a corridor any place is as good as the next.
+  double least_determined = 0.03;
   /// A match of two patches may be off by so much that its points do not tell.
   double spread_m = 0.03;
   double spread_rad = 0.01;
@@ -92,6 +95,8 @@ class LoopClosing {
       const std::vector<Eigen::Vector2d>& map_points_m,
       const std::vector<Eigen::Vector2d>& points_m,
       const Expected& expected);
+  /// Whether the points tell where the robot is in each direction.
+  bool is_determined(const ScanMatch& match) const;
   static bool is_within_drift(const geometry::Pose2& T_newest_matched, const Candidate& candidate);
   /// Whether neither side sees through what the other has met.
   bool is_seen_alike(const KeyFrames& frames,

@@ -65,7 +65,10 @@ void ScanSlam::predict(const Pose2& T_odom_robot) {
 }
 
 Eigen::Matrix3d ScanSlam::place(const std::vector<Eigen::Vector2d>& points_m) {
-  last_match_ = matcher_.match_after(points_m, T_map_placed_, belief_, field_);
+  // Scans that were gathered along a way tell that there was one.
+  last_match_ = gathering_.scans().size() == 1
+                    ? matcher_.match_after(points_m, T_map_placed_, belief_, field_)
+                    : matcher_.match(points_m, belief_, field_);
   const Eigen::Matrix3d information = belief_.covariance.inverse() + last_match_.information;
   belief_ = {last_match_.T_map_robot, information.inverse()};
   return information;

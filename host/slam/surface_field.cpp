@@ -8,10 +8,9 @@
 namespace echomap::slam {
 namespace {
 
-/// A wall that fills 3 x 3 cells has this variance along itself, in squared cells: 3^2 / 12.
-constexpr double kWallVarianceCells2 = 0.75;
-/// What is at least half as long as that wall may go on beyond the cells.
-constexpr double kLongShare = 0.25;
+/// Points that spread along their surface by less than so many times the noise do not tell how it
+/// lies: they may be those of one beam that grazes a wall.
+constexpr double kLeastLength = 1.5;
 
 }  // namespace
 
@@ -115,17 +114,17 @@ Surface SurfaceField::fitted(const Level& level, const Moments& moments) const {
   const double middle_m2 = (xx_m2 + yy_m2) / 2.0;
   const double reach_m2 = std::hypot((xx_m2 - yy_m2) / 2.0, xy_m2);
   const double noise_m2 = level.noise_m * level.noise_m;
+  if (middle_m2 + reach_m2 < kLeastLength * kLeastLength * noise_m2) {
+    return {};
+  }
   const double across = 1.0 / (std::max(0.0, middle_m2 - reach_m2) + noise_m2);
-  const double long_m2 = kLongShare * kWallVarianceCells2 * level.cell_m * level.cell_m;
-  const double along_m2 = middle_m2 + reach_m2;
-  const double along = std::max(0.0, 1.0 - along_m2 / long_m2) / (along_m2 + noise_m2);
   // The direction along: twice its angle is that of ((xx - yy) / 2, xy).
   const double cos_twice = reach_m2 > 0.0 ? (xx_m2 - yy_m2) / 2.0 / reach_m2 : 1.0;
   const double sin_twice = reach_m2 > 0.0 ? xy_m2 / reach_m2 : 0.0;
   return {mean_m,
-          (along + across) / 2.0 + (along - across) / 2.0 * cos_twice,
-          (along - across) / 2.0 * sin_twice,
-          (along + across) / 2.0 - (along - across) / 2.0 * cos_twice};
+          across / 2.0 * (1.0 - cos_twice),
+          -across / 2.0 * sin_twice,
+          across / 2.0 * (1.0 + cos_twice)};
 }
 
 }  // namespace echomap::slam

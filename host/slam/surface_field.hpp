@@ -24,11 +24,11 @@ struct SurfaceFieldParams {
   int least_points = 3;
 };
 
-/// A normal distribution of points around one place: a piece of wall where they lie on a line.
+/// A normal distribution of points around one place, which is a piece of a wall.
 struct Surface {
   Eigen::Vector2d mean_m = Eigen::Vector2d::Zero();
-  /// Inverse covariance (1/m^2) of a point on the surface: xx, xy, yy. Along a wall that goes on it
-  /// is 0, since where along it a point lies says nothing.
+  /// Inverse covariance (1/m^2) of a point on the surface: xx, xy, yy. Along the surface it is 0,
+  /// since where along it a point lies says nothing.
   double information_xx = 0.0;
   double information_xy = 0.0;
   double information_yy = 0.0;

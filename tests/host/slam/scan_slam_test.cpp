@@ -155,6 +155,19 @@ TEST(ScanSlam, KeepsOdometryAlongAFeaturelessCorridor) {
   EXPECT_GT(believed.covariance(0, 0), 20.0 * believed.covariance(1, 1));
 }
 
+TEST(ScanSlam, IsNotHeldBackInACorridorByTheBeamsThatGrazeIt) {
+  for (const int beams : {36, 12}) {
+    ScanSlam slam;
+    Robot robot(tests::LaserBuilding::corridor(), beams, {0.0, 0.2, 0.0});
+    robot.see(slam);
+    for (int i = 0; i < 200; ++i) {
+      robot.go({0.1, 0.0, 0.0});
+      robot.see(slam);
+    }
+    EXPECT_NEAR(slam.belief().T_map_robot.x_m(), 1.04 * 20.0, 0.5) << beams;
+  }
+}
+
 TEST(ScanSlam, GetsOverAJumpOfTheOdometry) {
   ScanSlam slam;
   Robot robot = hall_robot(180);

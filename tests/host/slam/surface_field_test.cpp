@@ -40,12 +40,10 @@ TEST(SurfaceField, AWallSaysNothingAlongItself) {
   EXPECT_NEAR(surface.information_yy, 1.0 / (0.03 * 0.03), 1.0);
 }
 
-TEST(SurfaceField, APostSaysWhereItIsBothWays) {
+TEST(SurfaceField, PointsInAClusterDoNotTellHowTheirSurfaceLies) {
   SurfaceField field;
   field.add(std::vector<Vector2d>{{1.0, 1.0}, {1.01, 1.0}, {1.0, 1.01}, {1.01, 1.01}});
-  const Surface surface = surface_at(field, {1.0, 1.0}, 0);
-  EXPECT_GT(surface.information_xx, 500.0);
-  EXPECT_GT(surface.information_yy, 500.0);
+  EXPECT_TRUE(surface_at(field, {1.0, 1.0}, 0).empty());
 }
 
 TEST(SurfaceField, AsksCoarserCellsWherePointsAreFew) {
