@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "host/slam/ekf_slam.hpp"
+#include "tests/benchmarks/landmark_runs.hpp"
+
+namespace echomap::bench {
+
+/// How well EKF-SLAM found robots and landmarks.
+struct LandmarkSlamScore {
+  std::vector<FollowScore> robots;  ///< At every odometry pose; nothing aligned.
+  /// Of the landmarks at the end: as they are, and laid onto the surveyed ones without scale.
+  double landmark_m = 0.0;
+  double aligned_landmark_m = 0.0;
+  double landmark_nees = 0.0;  ///< Mean over the landmarks; 2 is right.
+  std::size_t landmarks = 0;
+};
+
+/// Robots 1 to 5 of a folder of UTIAS MRCLAM from their true poses on, the landmarks unknown but
+/// for their numbers: all in one filter, that also takes their sightings of each other. Throws
+/// files::FileError.
+LandmarkSlamScore slam_mrclam_team(const std::filesystem::path& folder,
+                                   const slam::EkfSlamParams& params = {});
+/// One of them alone.
+LandmarkSlamScore slam_mrclam_robot(const std::filesystem::path& folder,
+                                    std::int64_t robot,
+                                    const slam::EkfSlamParams& params = {});
+
+}  // namespace echomap::bench
