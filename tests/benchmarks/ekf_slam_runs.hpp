@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "host/slam/ekf_slam.hpp"
+#include "tests/benchmarks/gps_track.hpp"
 #include "tests/benchmarks/landmark_runs.hpp"
 
 namespace echomap::bench {
@@ -29,5 +32,23 @@ LandmarkSlamScore slam_mrclam_team(const std::filesystem::path& folder,
 LandmarkSlamScore slam_mrclam_robot(const std::filesystem::path& folder,
                                     std::int64_t robot,
                                     const slam::EkfSlamParams& params = {});
+
+/// EKF-SLAM among trees that are known by their numbers.
+struct TreeSlamRun {
+  std::vector<geometry::Pose2> T_map_robots;   ///< After each step, by what was known then.
+  std::vector<geometry::Pose2> T_odom_robots;  ///< The same by odometry alone.
+  double innovation_nees = 0.0;                ///< Mean over the updates; 2 is right.
+  std::size_t updates = 0;
+  std::size_t gated = 0;
+  std::size_t trees = 0;
+};
+
+/// Victoria Park (Guivant and Nebot 2001), as gtsam gives it. Throws files::FileError.
+TreeSlamRun slam_victoria_park(const std::filesystem::path& folder,
+                               const slam::EkfSlamParams& params = {});
+/// How a path of it lies to its GPS fixes; those that would have the truck leap are left out.
+/// Throws files::FileError.
+GpsAgreement victoria_park_agreement(const std::filesystem::path& folder,
+                                     std::span<const geometry::Pose2> T_map_robots);
 
 }  // namespace echomap::bench
