@@ -272,4 +272,9 @@ Eigen::Matrix2d EkfSlam::landmark_covariance(std::size_t landmark) const {
   return covariance_.block<2, 2>(landmark_at(landmark), landmark_at(landmark));
 }
 
+Eigen::Vector2d EkfSlam::landmark_variance(std::size_t landmark) const {
+  const Eigen::Index at = landmark_at(landmark);
+  return {covariance_.at(at, at), covariance_.at(at + 1, at + 1)};
+}
+
 }  // namespace echomap::slam

@@ -33,6 +33,7 @@ struct Landmark {
   double along_to_m = 0.0;
   int label = 0;
   std::size_t sightings = 0;
+  std::size_t passes = 0;  ///< How often a beam went through where it should be.
 };
 
 /// A sighting of a landmark as a linear function of the state.
@@ -80,6 +81,8 @@ class EkfSlam {
   void update(std::span<const LinearSighting> sightings);
   /// Counts a sighting to its landmark, and lengthens a wall by what was seen of it.
   void note(const LandmarkSighting& sighting, std::size_t landmark);
+  /// Counts a beam that went through where a landmark should be.
+  void note_pass(std::size_t landmark) { ++landmarks_[landmark].passes; }
   /// Takes a landmark into the map; answers its index.
   std::size_t add(const LandmarkSighting& sighting);
   /// Takes a landmark out of the map; those behind it move up by one.
@@ -89,6 +92,8 @@ class EkfSlam {
   localization::PoseGaussian belief(std::size_t robot = 0) const;
   const std::vector<Landmark>& landmarks() const { return landmarks_; }
   Eigen::Matrix2d landmark_covariance(std::size_t landmark) const;
+  /// The diagonal of that.
+  Eigen::Vector2d landmark_variance(std::size_t landmark) const;
   /// Of the poses of all robots, then of all landmarks.
   Eigen::MatrixXd covariance() const { return covariance_.whole(); }
 
