@@ -19,7 +19,7 @@ inline constexpr int kPost = 3;         ///< Stands alone: a leg, a trunk, a spi
 struct LandmarkExtractionParams {
   /// What is farther is not looked at: there beams are too far apart.
   double most_range_m = 20.0;
-  mapping::LineExtractionParams lines{.split_distance_m = 0.06,
+  mapping::LineExtractionParams lines{.split_distance_m = 0.09,
                                       .widest_gap_m = 0.5,
                                       .point_sd_m = 0.03,
                                       .least_points = 6,

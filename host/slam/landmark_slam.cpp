@@ -93,7 +93,7 @@ void LandmarkSlam::move_to(const Pose2& T_odom_robot) {
                  step,
                  models::cut_step_spread(motion_, step, params_.whole_step));
   } else {
-    const localization::PoseGaussian start{T_odom_robot, Eigen::Matrix3d::Zero()};
+    const localization::PoseGaussian start{T_odom_robot, params_.start_covariance};
     filter_ = EkfSlam({&start, 1}, params_.filter);
   }
   T_odom_robot_ = T_odom_robot;

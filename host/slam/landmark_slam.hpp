@@ -22,6 +22,8 @@ enum class AssociationMethod : std::uint8_t { kNearestNeighbour, kJointCompatibi
 /// Settings of a LandmarkSlam; the default is for a laser indoors.
 struct LandmarkSlamParams {
   EkfSlamParams filter{};
+  /// Of the pose at the first scan, by x, y (m) and heading (rad): none where the map begins there.
+  Eigen::Matrix3d start_covariance = Eigen::Matrix3d::Zero();
   models::OdometryMotionParams motion{};
   models::WholeStep whole_step{};
   LandmarkExtractionParams extraction{};

@@ -33,6 +33,10 @@ LandmarkSlamScore slam_mrclam_robot(const std::filesystem::path& folder,
                                     std::int64_t robot,
                                     const slam::EkfSlamParams& params = {});
 
+/// Brenner's LEGO robot among cylinders of which only the diameter is known, from its known start
+/// on, at its scanner; the reference made smaller as in landmark_runs.hpp. Throws files::FileError.
+LandmarkSlamScore slam_brenner(const std::filesystem::path& folder);
+
 /// EKF-SLAM among trees that are known by their numbers.
 struct TreeSlamRun {
   std::vector<geometry::Pose2> T_map_robots;   ///< After each step, by what was known then.
