@@ -31,9 +31,43 @@ Eigen::Matrix2d turning_translation(double turn_rad) {
   return matrix;
 }
 
-Eigen::Vector2d turned(const Eigen::Vector2d& vector, double turn_rad) {
-  return Pose2(0.0, 0.0, turn_rad) * vector;
-}
+/// A correction as a turn and translation of the whole map, that of the first robot, and what each
+/// place is moved by of its own.
+class GroupStep {
+ public:
+  GroupStep(const Eigen::Vector2d& first_m, const Eigen::VectorXd& correction)
+      : first_m_(first_m),
+        turn_rad_(correction.z()),
+        turning_(turning_translation(turn_rad_)),
+        first_own_m_(own_m(first_m, correction.head<2>())) {}
+
+  Eigen::Vector2d place_m(const Eigen::Vector2d& place_m,
+                          const Eigen::Vector2d& correction_m) const {
+    return Pose2(0.0, 0.0, turn_rad_) * place_m + turning_ * own_m(place_m, correction_m);
+  }
+  Eigen::Vector2d wall(const Eigen::Vector2d& wall, const Eigen::Vector2d& correction) const {
+    const double normal_rad = geometry::wrap_angle(wall.y() + correction.y());
+    const double own = correction.x() - geometry::unit_vector(wall.y()).dot(first_own_m_);
+    return {wall.x() + own + geometry::unit_vector(normal_rad).dot(turning_ * first_own_m_),
+            normal_rad};
+  }
+  Eigen::RowVector3d wall_by_first(const Eigen::Vector2d& before,
+                                   const Eigen::Vector2d& after) const {
+    const Eigen::Vector2d swing =
+        geometry::unit_vector(after.y()) - geometry::unit_vector(before.y());
+    return {swing.x(), swing.y(), -swing.dot(quarter_turned(first_m_))};
+  }
+
+ private:
+  Eigen::Vector2d own_m(const Eigen::Vector2d& place_m, const Eigen::Vector2d& correction_m) const {
+    return correction_m - turn_rad_ * quarter_turned(place_m);
+  }
+
+  Eigen::Vector2d first_m_;
+  double turn_rad_;
+  Eigen::Matrix2d turning_;
+  Eigen::Vector2d first_own_m_;
+};
 
 }  // namespace
 
@@ -52,10 +86,6 @@ EkfSlam::EkfSlam(std::span<const localization::PoseGaussian> starts, const EkfSl
     T_map_robots_.push_back(start.T_map_robot);
     covariance_.append(Eigen::MatrixXd::Zero(kPoseSize, covariance_.size()), start.covariance);
   }
-}
-
-Eigen::Index EkfSlam::landmark_at(std::size_t landmark) const {
-  return pose_at(robots()) + kLandmarkSize * static_cast<Eigen::Index>(landmark);
 }
 
 void EkfSlam::move(std::size_t robot,
@@ -162,29 +192,25 @@ void EkfSlam::update(std::span<const LinearSighting> sightings) {
   const Eigen::MatrixXd root_gain = root.matrixL().solve(cross.transpose()).transpose();
   const Eigen::VectorXd correction = root_gain * root.matrixL().solve(innovations);
   covariance_.add_product(-root_gain, root_gain);
-  step_by(correction);
+  if (params_.is_invariant) {
+    carry_errors(step_invariantly_by(correction));
+  } else {
+    step_by(correction);
+  }
 }
 
-/// Moves the mean.
+/// Moves the mean as the book does: by addition.
 void EkfSlam::step_by(const Eigen::VectorXd& correction) {
-  if (params_.is_invariant) {
-    // Errors are carried from where the state was to where it is: M P M^T with M = I + U E^T, E the
-    // columns of the first robot's pose.
-    const Eigen::MatrixXd by_first = step_invariantly_by(correction);
-    const Eigen::MatrixXd carried =
-        covariance_.columns<kPoseSize>(0) + 0.5 * by_first * covariance_.block<3, 3>(0, 0);
-    Eigen::MatrixXd left(covariance_.size(), 2 * kPoseSize);
-    Eigen::MatrixXd right(covariance_.size(), 2 * kPoseSize);
-    left << by_first, carried;
-    right << carried, by_first;
-    covariance_.add_product(left, right);
-    return;
-  }
+  const auto moved = [&](const Pose2& pose, Eigen::Index at) {
+    return Pose2(pose.x_m() + correction(at),
+                 pose.y_m() + correction(at + 1),
+                 pose.heading_rad() + correction(at + 2));
+  };
   for (std::size_t i = 0; i < robots(); ++i) {
-    const auto step = correction.segment<kPoseSize>(pose_at(i));
-    const Eigen::Vector2d position_m = T_map_robots_[i].position_m() + step.head<2>();
-    T_map_robots_[i] =
-        Pose2(position_m.x(), position_m.y(), T_map_robots_[i].heading_rad() + step.z());
+    T_map_robots_[i] = moved(T_map_robots_[i], pose_at(i));
+  }
+  for (KeptPose& kept : kept_) {
+    kept.T_map_robot = moved(kept.T_map_robot, kept.at);
   }
   for (std::size_t i = 0; i < landmarks_.size(); ++i) {
     landmarks_[i].value += correction.segment<kLandmarkSize>(landmark_at(i));
@@ -194,39 +220,47 @@ void EkfSlam::step_by(const Eigen::VectorXd& correction) {
 /// Moves the mean along the group of turns and translations of the whole map. Answers U: by how
 /// much more the error of each place now changes with that of the first robot's pose.
 Eigen::MatrixXd EkfSlam::step_invariantly_by(const Eigen::VectorXd& correction) {
-  const double turn_rad = correction.z();
-  const Eigen::Matrix2d turning = turning_translation(turn_rad);
   Eigen::MatrixXd by_first = Eigen::MatrixXd::Zero(covariance_.size(), kPoseSize);
-  const auto moved_place = [&](const Eigen::Vector2d& place_m, Eigen::Index at) {
-    const Eigen::Vector2d own_m = correction.segment<2>(at) - turn_rad * quarter_turned(place_m);
-    const Eigen::Vector2d after_m = turned(place_m, turn_rad) + turning * own_m;
+  const GroupStep step(T_map_robots_.front().position_m(), correction);
+  const auto moved = [&](const Eigen::Vector2d& place_m, Eigen::Index at) {
+    const Eigen::Vector2d after_m = step.place_m(place_m, correction.segment<2>(at));
     by_first.block<2, 1>(at, 2) = quarter_turned(after_m - place_m);
     return after_m;
   };
-  const Eigen::Vector2d first_m = T_map_robots_.front().position_m();
-  const Eigen::Vector2d first_own_m = correction.head<2>() - turn_rad * quarter_turned(first_m);
+  const auto moved_pose = [&](const Pose2& pose, Eigen::Index at) {
+    const Eigen::Vector2d after_m = moved(pose.position_m(), at);
+    return Pose2(after_m.x(), after_m.y(), pose.heading_rad() + correction(at + 2));
+  };
   for (std::size_t i = 0; i < robots(); ++i) {
-    const Eigen::Vector2d position_m = moved_place(T_map_robots_[i].position_m(), pose_at(i));
-    T_map_robots_[i] = Pose2(position_m.x(),
-                             position_m.y(),
-                             T_map_robots_[i].heading_rad() + correction(pose_at(i) + 2));
+    T_map_robots_[i] = moved_pose(T_map_robots_[i], pose_at(i));
+  }
+  for (KeptPose& kept : kept_) {
+    kept.T_map_robot = moved_pose(kept.T_map_robot, kept.at);
   }
   for (std::size_t i = 0; i < landmarks_.size(); ++i) {
-    Landmark& landmark = landmarks_[i];
     const Eigen::Index at = landmark_at(i);
-    if (landmark.kind == LandmarkKind::kPoint) {
-      landmark.value = moved_place(landmark.value, at);
+    Eigen::Vector2d& value = landmarks_[i].value;
+    if (landmarks_[i].kind == LandmarkKind::kPoint) {
+      value = moved(value, at);
       continue;
     }
-    const Eigen::Vector2d before = geometry::unit_vector(landmark.value.y());
-    landmark.value.y() = geometry::wrap_angle(landmark.value.y() + correction(at + 1));
-    const Eigen::Vector2d after = geometry::unit_vector(landmark.value.y());
-    landmark.value.x() +=
-        correction(at) - before.dot(first_own_m) + after.dot(turning * first_own_m);
-    const Eigen::Vector2d swing = after - before;
-    by_first.row(at) << swing.x(), swing.y(), -swing.dot(quarter_turned(first_m));
+    const Eigen::Vector2d before = value;
+    value = step.wall(before, correction.segment<2>(at));
+    by_first.row(at) = step.wall_by_first(before, value);
   }
   return by_first;
+}
+
+/// Errors are carried from where the state was to where it is: M P M^T with M = I + U E^T, E the
+/// columns of the first robot's pose.
+void EkfSlam::carry_errors(const Eigen::MatrixXd& by_first) {
+  const Eigen::MatrixXd carried =
+      covariance_.columns<kPoseSize>(0) + 0.5 * by_first * covariance_.block<3, 3>(0, 0);
+  Eigen::MatrixXd left(covariance_.size(), 2 * kPoseSize);
+  Eigen::MatrixXd right(covariance_.size(), 2 * kPoseSize);
+  left << by_first, carried;
+  right << carried, by_first;
+  covariance_.add_product(left, right);
 }
 
 void EkfSlam::note(const LandmarkSighting& sighting, std::size_t landmark) {
@@ -244,6 +278,7 @@ void EkfSlam::note(const LandmarkSighting& sighting, std::size_t landmark) {
 std::size_t EkfSlam::add(const LandmarkSighting& sighting) {
   const PlacedLandmark placed = placed_landmark(sighting, T_map_robots_[sighting.robot]);
   const Eigen::Index at = pose_at(sighting.robot);
+  landmarks_at_.push_back(covariance_.size());
   const Eigen::MatrixXd cross = placed.by_pose * covariance_.columns<kPoseSize>(at).transpose();
   covariance_.append(cross,
                      cross.middleCols<kPoseSize>(at) * placed.by_pose.transpose() +
@@ -260,8 +295,31 @@ std::size_t EkfSlam::add(const LandmarkSighting& sighting) {
 }
 
 void EkfSlam::remove(std::size_t landmark) {
-  covariance_.erase(landmark_at(landmark), kLandmarkSize);
+  erase(landmark_at(landmark), kLandmarkSize);
   landmarks_.erase(landmarks_.begin() + static_cast<std::ptrdiff_t>(landmark));
+  landmarks_at_.erase(landmarks_at_.begin() + static_cast<std::ptrdiff_t>(landmark));
+}
+
+void EkfSlam::keep_pose(std::size_t robot) {
+  const Eigen::Index at = pose_at(robot);
+  kept_.push_back({T_map_robots_[robot], covariance_.size()});
+  covariance_.append(covariance_.columns<kPoseSize>(at).transpose(),
+                     covariance_.block<kPoseSize, kPoseSize>(at, at));
+}
+
+void EkfSlam::forget_pose(std::size_t kept) {
+  erase(kept_[kept].at, kPoseSize);
+  kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(kept));
+}
+
+void EkfSlam::erase(Eigen::Index at, Eigen::Index size) {
+  covariance_.erase(at, size);
+  for (Eigen::Index& other : landmarks_at_) {
+    other -= other > at ? size : 0;
+  }
+  for (KeptPose& other : kept_) {
+    other.at -= other.at > at ? size : 0;
+  }
 }
 
 localization::PoseGaussian EkfSlam::belief(std::size_t robot) const {

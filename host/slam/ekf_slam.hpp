@@ -87,29 +87,45 @@ class EkfSlam {
   std::size_t add(const LandmarkSighting& sighting);
   /// Takes a landmark out of the map; those behind it move up by one.
   void remove(std::size_t landmark);
+  /// Keeps where a robot is now: what is learnt later corrects that place, too (a clone of the
+  /// state, Roumeliotis and Burdick 2002).
+  void keep_pose(std::size_t robot = 0);
+  /// Lets a kept pose go; those behind it move up by one.
+  void forget_pose(std::size_t kept);
 
   std::size_t robots() const { return T_map_robots_.size(); }
   localization::PoseGaussian belief(std::size_t robot = 0) const;
   const std::vector<Landmark>& landmarks() const { return landmarks_; }
+  std::size_t kept_poses() const { return kept_.size(); }
+  const geometry::Pose2& T_map_kept(std::size_t kept) const { return kept_[kept].T_map_robot; }
   Eigen::Matrix2d landmark_covariance(std::size_t landmark) const;
   /// The diagonal of that.
   Eigen::Vector2d landmark_variance(std::size_t landmark) const;
-  /// Of the poses of all robots, then of all landmarks.
+  /// Of the poses of all robots, then of all landmarks and kept poses in the order they came.
   Eigen::MatrixXd covariance() const { return covariance_.whole(); }
 
  private:
+  struct KeptPose {
+    geometry::Pose2 T_map_robot;
+    Eigen::Index at = 0;  ///< Where in the state it stands.
+  };
+
   Eigen::Index pose_at(std::size_t robot) const { return 3 * static_cast<Eigen::Index>(robot); }
-  Eigen::Index landmark_at(std::size_t landmark) const;
+  Eigen::Index landmark_at(std::size_t landmark) const { return landmarks_at_[landmark]; }
+  void erase(Eigen::Index at, Eigen::Index size);
   /// Columns of P H^T for all sightings.
   Eigen::MatrixXd cross_covariance(std::span<const LinearSighting> sightings) const;
   Eigen::MatrixXd innovation_covariance(std::span<const LinearSighting> sightings,
                                         const Eigen::MatrixXd& cross) const;
   void step_by(const Eigen::VectorXd& correction);
   Eigen::MatrixXd step_invariantly_by(const Eigen::VectorXd& correction);
+  void carry_errors(const Eigen::MatrixXd& by_first);
 
   EkfSlamParams params_;
   std::vector<geometry::Pose2> T_map_robots_;
   std::vector<Landmark> landmarks_;
+  std::vector<Eigen::Index> landmarks_at_;
+  std::vector<KeptPose> kept_;
   GrowingCovariance covariance_;
 };
 

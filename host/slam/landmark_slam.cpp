@@ -66,9 +66,10 @@ LandmarkSlam::LandmarkSlam(const LandmarkSlamParams& params)
       provisional_(params.provisional) {
   const bool sense = params.association.gate > 0.0 &&
                      params.association.gate_of_new >= params.association.gate &&
-                     params.pruned_share > 0.0;
+                     params.pruned_share > 0.0 && params.most_kept >= 2;
   if (!sense) {
-    throw std::invalid_argument("landmark slam: gates and shares are above 0");
+    throw std::invalid_argument(
+        "landmark slam: gates and shares are above 0, at least two poses kept");
   }
 }
 
@@ -80,7 +81,7 @@ void LandmarkSlam::add(const Pose2& T_odom_robot, const RangeScan& scan) {
   correct(sightings, paired(near));
   extend(sightings, new_sightings(sightings.size(), near), T_odom_robot);
   prune(scan);
-  T_map_robots_.push_back(filter_.belief().T_map_robot);
+  keep_pose();
   scans_.push_back(scan);
 }
 
@@ -152,12 +153,59 @@ void LandmarkSlam::prune(const RangeScan& scan) {
   }
 }
 
+void LandmarkSlam::keep_pose() {
+  const Pose2 T_map_robot = filter_.belief().T_map_robot;
+  const auto T_kept_robot = [&] {
+    return filter_.T_map_kept(filter_.kept_poses() - 1).inverse() * T_map_robot;
+  };
+  const bool is_due =
+      filter_.kept_poses() == 0 ||
+      T_kept_robot().position_m().norm() >= kept_every_ * params_.kept_every_m ||
+      std::abs(T_kept_robot().heading_rad()) >= kept_every_ * params_.kept_every_rad;
+  if (is_due) {
+    filter_.keep_pose();
+  }
+  instants_.push_back({filter_.kept_poses() - 1, T_kept_robot()});
+  if (filter_.kept_poses() > params_.most_kept) {
+    thin_out_kept();
+  }
+}
+
+/// Every other kept pose goes; what hung on it now hangs on the one before.
+void LandmarkSlam::thin_out_kept() {
+  kept_every_ *= 2.0;
+  for (Instant& instant : instants_) {
+    if (instant.kept % 2 == 1) {
+      const Pose2 T_before_kept =
+          filter_.T_map_kept(instant.kept - 1).inverse() * filter_.T_map_kept(instant.kept);
+      instant.T_kept_robot = T_before_kept * instant.T_kept_robot;
+    }
+    instant.kept /= 2;
+  }
+  const std::size_t kept = filter_.kept_poses();
+  for (std::size_t i = kept; i-- > 0;) {
+    if (i % 2 == 1) {
+      filter_.forget_pose(i);
+    }
+  }
+}
+
+std::vector<geometry::Pose2> LandmarkSlam::trajectory() const {
+  std::vector<Pose2> T_map_robots;
+  T_map_robots.reserve(instants_.size());
+  for (const Instant& instant : instants_) {
+    T_map_robots.push_back(filter_.T_map_kept(instant.kept) * instant.T_kept_robot);
+  }
+  return T_map_robots;
+}
+
 mapping::OccupancyGrid LandmarkSlam::grid() const {
   mapping::OccupancyGrid grid(params_.grid);
   mapping::RayInserter inserter;
+  const std::vector<Pose2> T_map_robots = trajectory();
   for (std::size_t i = 0; i < scans_.size(); ++i) {
     const auto rays = rays_of(scans_[i]);
-    inserter.insert(T_map_robots_[i] * scans_[i].T_robot_sensor, rays, grid);
+    inserter.insert(T_map_robots[i] * scans_[i].T_robot_sensor, rays, grid);
   }
   return grid;
 }

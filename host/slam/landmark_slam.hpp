@@ -36,6 +36,11 @@ struct LandmarkSlamParams {
   std::size_t least_passes = 5;
   /// A beam has passed that ends so much farther.
   double pass_margin_m = 0.5;
+  /// A pose is kept every so often, for what is learnt later to correct the way up to there; where
+  /// there are too many, every other one is let go and they are kept half as often.
+  double kept_every_m = 1.0;
+  double kept_every_rad = 0.5;
+  std::size_t most_kept = 100;
   mapping::OccupancyGridParams grid{};  ///< Of the map that is drawn.
 };
 
@@ -49,13 +54,18 @@ class LandmarkSlam : public SlamMethod {
 
   void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) override;
   localization::PoseGaussian belief() const override { return filter_.belief(); }
-  /// As it was known when each scan was taken: the filter does not look back.
-  std::vector<geometry::Pose2> trajectory() const override { return T_map_robots_; }
+  std::vector<geometry::Pose2> trajectory() const override;
   mapping::OccupancyGrid grid() const override;
 
   const EkfSlam& filter() const { return filter_; }
 
  private:
+  /// Where a scan was taken, from the last pose that was kept before.
+  struct Instant {
+    std::size_t kept = 0;
+    geometry::Pose2 T_kept_robot;
+  };
+
   void move_to(const geometry::Pose2& T_odom_robot);
   std::vector<Candidate> paired(std::span<const Candidate> candidates) const;
   void correct(std::span<const LandmarkSighting> sightings, std::span<const Candidate> pairs);
@@ -63,13 +73,16 @@ class LandmarkSlam : public SlamMethod {
               std::span<const std::size_t> unknown,
               const geometry::Pose2& T_odom_robot);
   void prune(const RangeScan& scan);
+  void keep_pose();
+  void thin_out_kept();
 
   LandmarkSlamParams params_;
   models::OdometryMotion motion_;
   EkfSlam filter_;
   ProvisionalLandmarks provisional_;
   std::optional<geometry::Pose2> T_odom_robot_;
-  std::vector<geometry::Pose2> T_map_robots_;
+  double kept_every_ = 1.0;  ///< In units of the settings.
+  std::vector<Instant> instants_;
   std::vector<RangeScan> scans_;
 };
 

@@ -142,6 +142,46 @@ TEST(EkfSlam, IsNotChangedByALandmarkThatCameAndWent) {
   EXPECT_EQ(filter.landmarks().size(), 3U);
 }
 
+TEST(EkfSlam, CorrectsAPoseOfThePastByWhatIsLearntLater) {
+  for (const bool is_invariant : {true, false}) {
+    EkfSlam filter(EkfSlamParams{.is_invariant = is_invariant});
+    filter.add(sighting(LandmarkKind::kPoint, 2.0, 0.0));
+    const auto drive = [&](double way_m) {
+      filter.move(
+          0, {way_m, 0.0, 0.0}, models::odometry_step({}, {way_m, 0.0, 0.0}), {0.0, 0.3, 0.0, 0.3});
+    };
+    drive(1.0);
+    filter.keep_pose();
+    drive(-1.0);
+    const double before = filter.covariance().block(5, 5, 2, 2).trace();
+    // Back where it began, it sees to have driven 0.2 m less.
+    const auto seen = filter.linearized(sighting(LandmarkKind::kPoint, 2.2, 0.0), 0);
+    filter.update({&*seen, 1});
+
+    EXPECT_NEAR(filter.T_map_kept(0).x_m(), 0.91, 0.03);
+    EXPECT_LT(filter.covariance().block(5, 5, 2, 2).trace(), before);
+  }
+}
+
+TEST(EkfSlam, IsTheSameWithoutTheKeptPosesAndLandmarksThatWent) {
+  EkfSlam filter = unsure_filter(true);
+  const Eigen::MatrixXd before = filter.covariance();
+  filter.keep_pose();
+  filter.add(sighting(LandmarkKind::kPoint, 7.0, 1.0));
+  filter.keep_pose();
+  filter.forget_pose(0);
+  const auto seen = filter.linearized(sighting(LandmarkKind::kPoint, 7.0, 1.0), 3);
+  EXPECT_LT(seen->innovation.norm(), 1e-12);
+  EXPECT_NEAR(filter.covariance_between(*seen, *seen)(0, 0),
+              sighting(LandmarkKind::kPoint, 7.0, 1.0).noise(0, 0),
+              1e-9)
+      << "it is known but for the noise it was seen with";
+  filter.remove(3);
+  filter.forget_pose(0);
+
+  EXPECT_EQ(filter.covariance(), before);
+}
+
 TEST(EkfSlam, LengthensAWallByWhatIsSeenOfIt) {
   EkfSlam filter;
   LandmarkSighting wall = sighting(LandmarkKind::kWall, 2.0, std::numbers::pi / 2.0);

@@ -103,6 +103,23 @@ TEST(LandmarkSlam, KnowsWhereItIsInARoomThatItDidNotKnow) {
   }
 }
 
+TEST(LandmarkSlam, KnowsItsWholeWayHoweverFewPosesItKeeps) {
+  for (const std::size_t most_kept : {2U, 5U, 100U}) {
+    LandmarkSlamParams params;
+    params.most_kept = most_kept;
+    LandmarkSlam slam(params);
+    drive(slam);
+    const auto trajectory = slam.trajectory();
+
+    EXPECT_LE(slam.filter().kept_poses(), most_kept);
+    for (int step = 0; step <= kSteps; ++step) {
+      const Eigen::Vector2d off_m =
+          trajectory[static_cast<std::size_t>(step)].position_m() - pose_at(step).position_m();
+      ASSERT_LT(off_m.norm(), 0.15) << "step " << step << ", " << most_kept << " kept";
+    }
+  }
+}
+
 TEST(LandmarkSlam, MapsEachWallOnce) {
   LandmarkSlam slam;
   drive(slam);
