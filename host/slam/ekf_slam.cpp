@@ -36,20 +36,12 @@ Eigen::Matrix2d turning_translation(double turn_rad) {
 class GroupStep {
  public:
   GroupStep(const Eigen::Vector2d& first_m, const Eigen::VectorXd& correction)
-      : first_m_(first_m),
-        turn_rad_(correction.z()),
-        turning_(turning_translation(turn_rad_)),
-        first_own_m_(own_m(first_m, correction.head<2>())) {}
+      : first_m_(first_m), turn_rad_(correction.z()), turning_(turning_translation(turn_rad_)) {}
 
   Eigen::Vector2d place_m(const Eigen::Vector2d& place_m,
                           const Eigen::Vector2d& correction_m) const {
-    return Pose2(0.0, 0.0, turn_rad_) * place_m + turning_ * own_m(place_m, correction_m);
-  }
-  Eigen::Vector2d wall(const Eigen::Vector2d& wall, const Eigen::Vector2d& correction) const {
-    const double normal_rad = geometry::wrap_angle(wall.y() + correction.y());
-    const double own = correction.x() - geometry::unit_vector(wall.y()).dot(first_own_m_);
-    return {wall.x() + own + geometry::unit_vector(normal_rad).dot(turning_ * first_own_m_),
-            normal_rad};
+    const Eigen::Vector2d own_m = correction_m - turn_rad_ * quarter_turned(place_m);
+    return Pose2(0.0, 0.0, turn_rad_) * place_m + turning_ * own_m;
   }
   Eigen::RowVector3d wall_by_first(const Eigen::Vector2d& before,
                                    const Eigen::Vector2d& after) const {
@@ -59,14 +51,9 @@ class GroupStep {
   }
 
  private:
-  Eigen::Vector2d own_m(const Eigen::Vector2d& place_m, const Eigen::Vector2d& correction_m) const {
-    return correction_m - turn_rad_ * quarter_turned(place_m);
-  }
-
   Eigen::Vector2d first_m_;
   double turn_rad_;
   Eigen::Matrix2d turning_;
-  Eigen::Vector2d first_own_m_;
 };
 
 }  // namespace
@@ -245,7 +232,9 @@ Eigen::MatrixXd EkfSlam::step_invariantly_by(const Eigen::VectorXd& correction) 
       continue;
     }
     const Eigen::Vector2d before = value;
-    value = step.wall(before, correction.segment<2>(at));
+    // By addition: a turn around the origin changes the normal alone, and what stays, stays.
+    value.x() += correction(at);
+    value.y() = geometry::wrap_angle(value.y() + correction(at + 1));
     by_first.row(at) = step.wall_by_first(before, value);
   }
   return by_first;

@@ -182,6 +182,33 @@ TEST(EkfSlam, IsTheSameWithoutTheKeptPosesAndLandmarksThatWent) {
   EXPECT_EQ(filter.covariance(), before);
 }
 
+/// Headings that go to and fro have a lever of as far as the origin is.
+TEST(EkfSlam, LeavesWallsFarFromTheOriginWhereTheyAre) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  const PoseGaussian start{{60.0, 40.0, 0.0}, 1e-6 * Eigen::Matrix3d::Identity()};
+  EkfSlam filter({&start, 1});
+  const auto wall_at = [&](double offset_m, double normal_rad) {
+    return sighting(
+        LandmarkKind::kWall, offset_m + 0.02 * normal(random), normal_rad + 0.005 * normal(random));
+  };
+  filter.add(wall_at(3.0, 0.0));
+  filter.add(wall_at(4.0, std::numbers::pi / 2.0));
+  for (int i = 0; i < 2000; ++i) {
+    filter.move(0, {}, {}, {0.02, 0.0, 0.0, 0.0});
+    const std::vector<LinearSighting> seen{
+        *filter.linearized(wall_at(3.0, 0.0), 0),
+        *filter.linearized(wall_at(4.0, std::numbers::pi / 2.0), 1)};
+    filter.update(seen);
+  }
+  const Eigen::Vector2d position_m = filter.belief().T_map_robot.position_m();
+
+  EXPECT_LT((position_m - Eigen::Vector2d(60.0, 40.0)).norm(), 0.1);
+  EXPECT_NEAR(filter.landmarks()[0].value.x(), 63.0, 1.0);
+  EXPECT_NEAR(
+      filter.linearized(sighting(LandmarkKind::kWall, 3.0, 0.0), 0)->innovation.x(), 0.0, 0.1);
+}
+
 TEST(EkfSlam, LengthensAWallByWhatIsSeenOfIt) {
   EkfSlam filter;
   LandmarkSighting wall = sighting(LandmarkKind::kWall, 2.0, std::numbers::pi / 2.0);
