@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/landmark_slam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/segment.hpp"
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::slam {
+namespace {
+
+using geometry::Pose2;
+using geometry::Segment;
+
+constexpr int kSteps = 240;
+
+/// A room of 8 m x 6 m with a cupboard in it.
+const std::vector<Segment> room{{{-4.0, -3.0}, {4.0, -3.0}},
+                                {{4.0, -3.0}, {4.0, 3.0}},
+                                {{4.0, 3.0}, {-4.0, 3.0}},
+                                {{-4.0, 3.0}, {-4.0, -3.0}},
+                                {{-0.6, -0.5}, {0.6, -0.5}},
+                                {{0.6, -0.5}, {0.6, 0.5}},
+                                {{0.6, 0.5}, {-0.6, 0.5}},
+                                {{-0.6, 0.5}, {-0.6, -0.5}}};
+
+RangeScan scan_from(const Pose2& T_map_robot, const std::vector<Segment>& walls) {
+  RangeScan scan;
+  scan.max_range_m = 30.0;
+  for (int i = 0; i < 360; ++i) {
+    const double bearing_rad = geometry::radians(-180.0 + i);
+    std::optional<double> nearest_m;
+    for (const Segment& wall : walls) {
+      const auto range_m =
+          geometry::ray_distance_m(T_map_robot.position_m(),
+                                   geometry::unit_vector(T_map_robot.heading_rad() + bearing_rad),
+                                   wall);
+      if (range_m && (!nearest_m || *range_m < *nearest_m)) {
+        nearest_m = range_m;
+      }
+    }
+    scan.beams.push_back({bearing_rad, nearest_m});
+  }
+  return scan;
+}
+
+/// Around the cupboard.
+Pose2 pose_at(int step) {
+  const double along_rad = 2.0 * std::numbers::pi * step / 120.0;
+  return {2.5 * std::cos(along_rad), 2.0 * std::sin(along_rad), along_rad + std::numbers::pi / 2.0};
+}
+
+struct Drive {
+  double odometry_off_m = 0.0;
+  double off_m = 0.0;
+};
+
+/// Twice around, with odometry that turns too far.
+Drive drive(LandmarkSlam& slam) {
+  Pose2 T_odom_robot = pose_at(0);
+  Drive result;
+  for (int step = 0; step <= kSteps; ++step) {
+    if (step > 0) {
+      const Pose2 moved = pose_at(step - 1).inverse() * pose_at(step);
+      T_odom_robot =
+          T_odom_robot * Pose2(1.02 * moved.x_m(), moved.y_m(), 1.03 * moved.heading_rad());
+    }
+    slam.add(T_odom_robot, scan_from(pose_at(step), room));
+    const Eigen::Vector2d truth_m = pose_at(step).position_m();
+    result.odometry_off_m =
+        std::max(result.odometry_off_m, (T_odom_robot.position_m() - truth_m).norm());
+    result.off_m =
+        std::max(result.off_m, (slam.belief().T_map_robot.position_m() - truth_m).norm());
+  }
+  return result;
+}
+
+TEST(LandmarkSlam, RefusesGatesThatAreNone) {
+  LandmarkSlamParams params;
+  params.association.gate_of_new = 1.0;
+  EXPECT_THROW(LandmarkSlam{params}, std::invalid_argument);
+}
+
+TEST(LandmarkSlam, KnowsWhereItIsInARoomThatItDidNotKnow) {
+  for (const auto method :
+       {AssociationMethod::kNearestNeighbour, AssociationMethod::kJointCompatibility}) {
+    LandmarkSlamParams params;
+    params.method = method;
+    LandmarkSlam slam(params);
+    const Drive result = drive(slam);
+
+    EXPECT_GT(result.odometry_off_m, 0.4);
+    EXPECT_LT(result.off_m, 0.1);
+    EXPECT_EQ(slam.trajectory().size(), static_cast<std::size_t>(kSteps) + 1);
+  }
+}
+
+TEST(LandmarkSlam, KnowsItsWholeWayHoweverFewPosesItKeeps) {
+  for (const std::size_t most_kept : {2U, 5U, 100U}) {
+    LandmarkSlamParams params;
+    params.most_kept = most_kept;
+    LandmarkSlam slam(params);
+    drive(slam);
+    const auto trajectory = slam.trajectory();
+
+    EXPECT_LE(slam.filter().kept_poses(), most_kept);
+    for (int step = 0; step <= kSteps; ++step) {
+      const Eigen::Vector2d off_m =
+          trajectory[static_cast<std::size_t>(step)].position_m() - pose_at(step).position_m();
+      ASSERT_LT(off_m.norm(), 0.15) << "step " << step << ", " << most_kept << " kept";
+    }
+  }
+}
+
+TEST(LandmarkSlam, MapsEachWallOnce) {
+  LandmarkSlam slam;
+  drive(slam);
+  const auto& landmarks = slam.filter().landmarks();
+  const auto walls =
+      std::count_if(landmarks.begin(), landmarks.end(), [](const Landmark& landmark) {
+        return landmark.kind == LandmarkKind::kWall;
+      });
+
+  EXPECT_GE(walls, 4);
+  EXPECT_LE(walls, 9);
+}
+
+TEST(LandmarkSlam, DrawsWhatTheScansHaveSeen) {
+  LandmarkSlam slam;
+  drive(slam);
+  const auto grid = slam.grid();
+
+  EXPECT_EQ(grid.state(grid.cell_at({3.0, 2.0})), mapping::CellState::kFree);
+  EXPECT_NE(grid.state(grid.cell_at({0.0, 0.0})), mapping::CellState::kFree);
+  EXPECT_EQ(grid.state(grid.cell_at({6.0, 0.0})), mapping::CellState::kUnknown);
+}
+
+TEST(LandmarkSlam, TakesOutWhatBeamsPassThrough) {
+  LandmarkSlam slam;
+  std::vector<Segment> with_screen = room;
+  with_screen.push_back({{2.0, 1.4}, {3.5, 1.4}});
+  const Pose2 T_map_robot(2.5, 0.0, 0.0);
+  for (int i = 0; i < 6; ++i) {
+    slam.add(T_map_robot, scan_from(T_map_robot, with_screen));
+  }
+  const std::size_t before = slam.filter().landmarks().size();
+  for (int i = 0; i < 12; ++i) {
+    slam.add(T_map_robot, scan_from(T_map_robot, room));
+  }
+  const auto& landmarks = slam.filter().landmarks();
+
+  EXPECT_GT(before, 0U);
+  EXPECT_TRUE(std::none_of(landmarks.begin(), landmarks.end(), [](const Landmark& landmark) {
+    return landmark.kind == LandmarkKind::kWall && std::abs(landmark.value.x() - 1.4) < 0.1 &&
+           std::abs(landmark.value.y() - std::numbers::pi / 2.0) < 0.1;
+  }));
+}
+
+TEST(LandmarkSlam, GoesOnByOdometryWhereThereIsNothingToSee) {
+  LandmarkSlam slam;
+  slam.add({1.0, 2.0, 0.5}, RangeScan{});
+  slam.add({1.5, 2.0, 0.4}, RangeScan{});
+
+  EXPECT_NEAR(slam.belief().T_map_robot.x_m(), 1.5, 1e-12);
+  EXPECT_NEAR(slam.belief().T_map_robot.heading_rad(), 0.4, 1e-12);
+  EXPECT_GT(slam.belief().covariance(0, 0), 0.0);
+}
+
+}  // namespace
+}  // namespace echomap::slam
