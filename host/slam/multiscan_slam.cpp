@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/multiscan_slam.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace echomap::slam {
+
+MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
+    : params_(params), gathering_(params.gathering) {
+  graph_.multiscans.emplace_back();
+}
+
+void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) {
+  if (scans_.empty()) {
+    graph_.multiscans.front().T_map_begin = T_odom_robot;
+  }
+  if (const auto piece = gathering_.add(T_odom_robot, scan)) {
+    begin_multiscan(*piece);
+  }
+  scans_.push_back({graph_.pieces.size(), gathering_.piece().T_before_after, scan});
+}
+
+void MultiscanSlam::begin_multiscan(const OdometryPiece& piece) {
+  graph_.multiscans.back().patches = find_patches(gathering_.finished().echoes, params_.patches);
+  const geometry::Pose2 T_map_begin =
+      graph_.multiscans.back().T_map_begin * calibrated(piece, graph_.calibration);
+  graph_.pieces.push_back(piece);
+  graph_.multiscans.push_back({T_map_begin, {}});
+  align();
+}
+
+void MultiscanSlam::align() {
+  const std::size_t count = graph_.multiscans.size();
+  const auto due = static_cast<std::size_t>(params_.whole_share * static_cast<double>(count));
+  const bool is_whole = count >= aligned_whole_ + std::max<std::size_t>(1, due);
+  const std::size_t last_window = count > params_.window ? count - params_.window : 1;
+  const std::size_t first_free = is_whole ? 1 : last_window;
+  for (int step = 0; step < params_.steps; ++step) {
+    const auto matches = match_patches(graph_.multiscans, first_free, params_.matching);
+    last_covariance_ =
+        align_multiscans(graph_, matches, first_free, last_window, params_.alignment);
+  }
+  if (is_whole) {
+    aligned_whole_ = count;
+  }
+}
+
+geometry::Pose2 MultiscanSlam::T_map_robot(const TakenScan& taken) const {
+  return graph_.multiscans[taken.multiscan].T_map_begin * taken.T_begin_robot;
+}
+
+localization::PoseGaussian MultiscanSlam::belief() const {
+  if (scans_.empty()) {
+    return {};
+  }
+  return {T_map_robot(scans_.back()), last_covariance_};
+}
+
+std::vector<geometry::Pose2> MultiscanSlam::trajectory() const {
+  std::vector<geometry::Pose2> poses;
+  poses.reserve(scans_.size());
+  for (const TakenScan& taken : scans_) {
+    poses.push_back(T_map_robot(taken));
+  }
+  return poses;
+}
+
+mapping::OccupancyGrid MultiscanSlam::grid() const { return mapping::OccupancyGrid{}; }
+
+}  // namespace echomap::slam
