@@ -219,9 +219,8 @@ Eigen::Matrix3d align_multiscans(MultiscanGraph& graph,
     add_piece(graph, i, params.odometry, equations);
   }
   for (const PatchMatch& match : matches) {
-    const bool is_wide = match.is_revisit && match.later.multiscan >= first_wide;
-    add_match(
-        graph, match, is_wide ? params.revisit_apart_m : params.most_apart_m, params, equations);
+    const double place_sd_m = match.later.multiscan >= first_wide ? match.place_sd_m : 0.0;
+    add_match(graph, match, std::hypot(params.most_apart_m, place_sd_m), params, equations);
   }
   Eigen::Matrix3d last_covariance;
   const Eigen::VectorXd change = equations.solve(last_covariance);

@@ -24,8 +24,6 @@ struct MultiscanAlignmentParams {
   /// Patches that are farther apart than this count less and less (Geman and McClure 1985): they
   /// are of different surfaces.
   double most_apart_m = 0.1;
-  /// The same while it is not yet known how far odometry has drifted since an earlier visit.
-  double revisit_apart_m = 0.3;
   /// What a match counts. The patches of a multiscan share echoes, and all that are matched with
   /// one surface share its errors: together they know far less than as many measurements.
   double match_weight = 0.075;
@@ -43,8 +41,8 @@ struct MultiscanGraph {
 /// `first_free` (at least 1: the first one holds the map) on, with the odometry between them and
 /// the matches as measurements (graph SLAM; Thrun, Burgard and Fox 2005, chapter 11). Where all but
 /// the first are free, the calibration of the odometry is estimated, too. Matches of multiscans
-/// from `first_wide` on may still lie far apart. Answers the covariance of the last one's x, y and
-/// heading, in the map frame, given what is not free.
+/// from `first_wide` on may be as far apart as their places are unknown. Answers the covariance of
+/// the last one's x, y and heading, in the map frame, given what is not free.
 Eigen::Matrix3d align_multiscans(MultiscanGraph& graph,
                                  const std::vector<PatchMatch>& matches,
                                  std::size_t first_free,

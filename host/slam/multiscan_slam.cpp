@@ -26,7 +26,7 @@ void MultiscanSlam::begin_multiscan(const OdometryPiece& piece) {
   const geometry::Pose2 T_map_begin =
       graph_.multiscans.back().T_map_begin * calibrated(piece, graph_.calibration);
   graph_.pieces.push_back(piece);
-  graph_.multiscans.push_back({T_map_begin, {}});
+  graph_.multiscans.push_back({T_map_begin, {}, covariance_after(piece)});
   align();
 }
 
@@ -38,12 +38,24 @@ void MultiscanSlam::align() {
   const std::size_t first_free = is_whole ? 1 : last_window;
   for (int step = 0; step < params_.steps; ++step) {
     const auto matches = match_patches(graph_.multiscans, first_free, params_.matching);
-    last_covariance_ =
+    const Eigen::Matrix3d covariance =
         align_multiscans(graph_, matches, first_free, last_window, params_.alignment);
+    if (is_whole) {
+      graph_.multiscans.back().covariance = covariance;
+      aligned_whole_ = count;
+    }
   }
-  if (is_whole) {
-    aligned_whole_ = count;
-  }
+}
+
+Eigen::Matrix3d MultiscanSlam::covariance_after(const OdometryPiece& piece) const {
+  const PlacedPatches& last = graph_.multiscans.back();
+  const Eigen::Vector2d way_m =
+      (last.T_map_begin * piece.T_before_after).position_m() - last.T_map_begin.position_m();
+  Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
+  by_pose.topRightCorner<2, 1>() << -way_m.y(), way_m.x();
+  Eigen::Matrix3d covariance = by_pose * last.covariance * by_pose.transpose();
+  covariance.diagonal() += variances(piece, params_.alignment.odometry);
+  return covariance;
 }
 
 geometry::Pose2 MultiscanSlam::T_map_robot(const TakenScan& taken) const {
@@ -54,7 +66,7 @@ localization::PoseGaussian MultiscanSlam::belief() const {
   if (scans_.empty()) {
     return {};
   }
-  return {T_map_robot(scans_.back()), last_covariance_};
+  return {T_map_robot(scans_.back()), covariance_after(gathering_.piece())};
 }
 
 std::vector<geometry::Pose2> MultiscanSlam::trajectory() const {

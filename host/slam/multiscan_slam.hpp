@@ -51,6 +51,8 @@ class MultiscanSlam final : public SlamMethod {
 
   void begin_multiscan(const OdometryPiece& piece);
   void align();
+  /// Of the robot after it has gone on from the newest multiscan.
+  Eigen::Matrix3d covariance_after(const OdometryPiece& piece) const;
   /// Where the robot was, from the multiscan's begin, by odometry without its steady errors.
   geometry::Pose2 T_map_robot(const TakenScan& taken) const;
 
@@ -59,7 +61,6 @@ class MultiscanSlam final : public SlamMethod {
   MultiscanGraph graph_;
   std::vector<TakenScan> scans_;
   std::size_t aligned_whole_ = 0;  ///< Multiscans when all moved last.
-  Eigen::Matrix3d last_covariance_ = Eigen::Matrix3d::Zero();
 };
 
 }  // namespace echomap::slam

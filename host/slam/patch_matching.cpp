@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 #include "host/geometry/angle.hpp"
@@ -14,17 +15,30 @@ namespace echomap::slam {
 
 namespace {
 
+/// Standard deviations.
+constexpr double kGate = 3.0;
+
 struct PlacedPatch {
   PatchIndex index;
   Eigen::Vector2d point_m;
   double normal_rad = 0.0;
+  const PlacedPatches* multiscan = nullptr;
 };
+
+/// Variance of where the patch lies along `direction`, by what is not known of its multiscan.
+double place_variance_m2(const PlacedPatch& patch, const Eigen::Vector2d& direction) {
+  const Eigen::Vector2d lever_m = patch.point_m - patch.multiscan->T_map_begin.position_m();
+  const Eigen::Vector3d by_place(
+      direction.x(), direction.y(), direction.y() * lever_m.x() - direction.x() * lever_m.y());
+  return by_place.dot(patch.multiscan->covariance * by_place);
+}
 
 PlacedPatch placed(const PlacedPatches& multiscan, PatchIndex index) {
   const SurfacePatch& patch = multiscan.patches[index.patch];
   return {index,
           multiscan.T_map_begin * patch.point_m,
-          geometry::wrap_angle(multiscan.T_map_begin.heading_rad() + patch.normal_rad)};
+          geometry::wrap_angle(multiscan.T_map_begin.heading_rad() + patch.normal_rad),
+          &multiscan};
 }
 
 /// Patches by the square of the map that they lie in.
@@ -62,7 +76,7 @@ class PatchCells {
 };
 
 struct Candidate {
-  std::size_t patch = 0;
+  PatchMatch match;
   double squares_m2 = 0.0;
 };
 /// The nearest patch of each multiscan, in the order of time.
@@ -74,54 +88,62 @@ class PartnerSearch {
       : cells_(cells), params_(params) {}
 
   void append_partners(const PlacedPatch& patch, std::vector<PatchMatch>& matches) const {
-    const Candidates candidates = candidates_of(patch);
-    std::vector<PatchIndex> visit;
-    std::vector<PatchIndex> revisits;
-    for (const auto& [multiscan, candidate] : candidates) {
-      (is_revisit(patch.index.multiscan, multiscan) ? revisits : visit)
-          .push_back({multiscan, candidate.patch});
+    std::vector<PatchMatch> visit;
+    std::vector<PatchMatch> revisits;
+    for (const auto& [multiscan, candidate] : candidates_of(patch)) {
+      (candidate.match.is_revisit ? revisits : visit).push_back(candidate.match);
     }
     const std::size_t latest = std::min(visit.size(), params_.most_partners);
-    for (std::size_t i = visit.size() - latest; i < visit.size(); ++i) {
-      matches.push_back({patch.index, visit[i], false});
-    }
+    matches.insert(matches.end(), visit.end() - static_cast<std::ptrdiff_t>(latest), visit.end());
     const std::size_t spread = std::min(revisits.size(), params_.most_partners);
     for (std::size_t i = 0; i < spread; ++i) {
-      matches.push_back({patch.index, revisits[i * revisits.size() / spread], true});
+      matches.push_back(revisits[i * revisits.size() / spread]);
     }
   }
 
  private:
-  bool is_revisit(std::size_t later, std::size_t earlier) const {
-    return later - earlier > params_.visit_multiscans;
-  }
-
   Candidates candidates_of(const PlacedPatch& patch) const {
     Candidates candidates;
     cells_.visit_near(patch.point_m, [&](const PlacedPatch& other) {
-      if (other.index.multiscan >= patch.index.multiscan || !may_be_one(patch, other)) {
+      if (other.index.multiscan >= patch.index.multiscan) {
         return;
       }
-      const double squares_m2 = (patch.point_m - other.point_m).squaredNorm();
-      const auto [found, is_new] =
-          candidates.try_emplace(other.index.multiscan, Candidate{other.index.patch, squares_m2});
-      if (!is_new && squares_m2 < found->second.squares_m2) {
-        found->second = {other.index.patch, squares_m2};
+      const auto match = match_of(patch, other);
+      if (!match) {
+        return;
+      }
+      const Candidate candidate{*match, (patch.point_m - other.point_m).squaredNorm()};
+      const auto [found, is_new] = candidates.try_emplace(other.index.multiscan, candidate);
+      if (!is_new && candidate.squares_m2 < found->second.squares_m2) {
+        found->second = candidate;
       }
     });
     return candidates;
   }
 
-  bool may_be_one(const PlacedPatch& patch, const PlacedPatch& other) const {
+  std::optional<PatchMatch> match_of(const PlacedPatch& patch, const PlacedPatch& other) const {
     const Eigen::Vector2d normal = geometry::unit_vector(other.normal_rad);
     const Eigen::Vector2d apart_m = patch.point_m - other.point_m;
-    const double across_m = std::abs(normal.dot(apart_m));
     const double along_m = std::abs(normal.x() * apart_m.y() - normal.y() * apart_m.x());
-    const bool is_old = is_revisit(patch.index.multiscan, other.index.multiscan);
-    return along_m <= params_.along_m &&
-           across_m <= (is_old ? params_.revisit_across_m : params_.across_m) &&
-           std::abs(geometry::angle_between(other.normal_rad, patch.normal_rad)) <=
-               params_.most_angle_rad;
+    if (along_m > params_.along_m ||
+        std::abs(geometry::angle_between(other.normal_rad, patch.normal_rad)) >
+            params_.most_angle_rad) {
+      return std::nullopt;
+    }
+    const bool is_revisit =
+        patch.index.multiscan - other.index.multiscan > params_.visit_multiscans;
+    const double place_sd_m = is_revisit ? place_sd(patch, other, normal) : 0.0;
+    if (std::abs(normal.dot(apart_m)) > kGate * std::hypot(params_.across_sd_m, place_sd_m)) {
+      return std::nullopt;
+    }
+    return PatchMatch{patch.index, other.index, is_revisit, place_sd_m};
+  }
+
+  double place_sd(const PlacedPatch& patch,
+                  const PlacedPatch& other,
+                  const Eigen::Vector2d& normal) const {
+    const double variance_m2 = place_variance_m2(patch, normal) + place_variance_m2(other, normal);
+    return std::min(std::sqrt(variance_m2), params_.most_place_sd_m);
   }
 
   const PatchCells& cells_;
@@ -129,7 +151,7 @@ class PartnerSearch {
 };
 
 double reach_m(const PatchMatchingParams& params) {
-  return std::hypot(params.along_m, std::max(params.across_m, params.revisit_across_m));
+  return std::hypot(params.along_m, kGate * std::hypot(params.across_sd_m, params.most_place_sd_m));
 }
 
 }  // namespace

@@ -11,11 +11,13 @@ namespace echomap::slam {
 
 /// When two patches of different multiscans may be the same surface. Ours.
 struct PatchMatchingParams {
-  /// Not farther apart than this along the surface, and across it.
+  /// Not farther apart than this along the surface.
   double along_m = 0.5;
-  double across_m = 0.3;
-  /// Across, if one of them is of an earlier visit: as far as odometry may have drifted since then.
-  double revisit_across_m = 0.6;
+  /// What surfaces are off across themselves, besides what is not known of where the robot was;
+  /// three times both together is too far.
+  double across_sd_m = 0.1;
+  /// More is never believed of what is not known.
+  double most_place_sd_m = 0.3;
   double most_angle_rad = 0.5;
   /// Multiscans that lie farther apart than this in time are different visits.
   std::size_t visit_multiscans = 20;
@@ -28,6 +30,8 @@ struct PatchMatchingParams {
 struct PlacedPatches {
   geometry::Pose2 T_map_begin;
   std::vector<SurfacePatch> patches;
+  /// Of x, y and heading, when it was the newest.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
 /// A patch by the multiscan that it is of.
@@ -41,6 +45,8 @@ struct PatchMatch {
   PatchIndex later;
   PatchIndex earlier;
   bool is_revisit = false;
+  /// How far they may lie apart across because one of them is of an earlier visit.
+  double place_sd_m = 0.0;
 };
 
 /// Pairs every patch of the multiscans from `first` on with patches before it that lie near, look
