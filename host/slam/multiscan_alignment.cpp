@@ -166,7 +166,7 @@ void add_match(const MultiscanGraph& graph,
   const MatchResidual residual = match_residual(from.T_map_begin, later, to.T_map_begin, earlier);
   const double variance_m2 = square(params.patch_sd_m) + square(later.offset_sd_m) +
                              square(earlier.offset_sd_m) +
-                             square(earlier.normal_sd_rad * residual.along_m);
+                             (square(params.normal_sd_rad)+square(earlier.normal_sd_rad)) * square(residual.along_m);
   const double trust = 1.0 / square(1.0 + square(residual.value_m / most_apart_m));
   const double weight = params.match_weight * trust / variance_m2;
   const Eigen::Index row_later = equations.row_of(match.later.multiscan);
@@ -179,6 +179,17 @@ void add_match(const MultiscanGraph& graph,
       row_later, row_earlier, weight * residual.by_later.transpose() * residual.by_earlier);
   equations.add_gradient(row_later, weight * residual.value_m * residual.by_later.transpose());
   equations.add_gradient(row_earlier, weight * residual.value_m * residual.by_earlier.transpose());
+  const double turned_rad = geometry::angle_between(
+      to.T_map_begin.heading_rad() + earlier.normal_rad, from.T_map_begin.heading_rad() + later.normal_rad);
+  const double angle_trust = 1.0 / square(1.0 + square(turned_rad / params.most_angle_rad));
+  const double angle_weight = params.angle_weight * trust * angle_trust /
+      (square(params.normal_sd_rad) + square(later.normal_sd_rad) + square(earlier.normal_sd_rad));
+  const Eigen::Matrix3d angle_block = Eigen::Vector3d(0.0, 0.0, angle_weight).asDiagonal();
+  equations.add_information(row_later, row_later, angle_block);
+  equations.add_information(row_earlier, row_earlier, angle_block);
+  equations.add_information(row_later, row_earlier, -angle_block);
+  equations.add_gradient(row_later, Eigen::Vector3d(0.0, 0.0, angle_weight * turned_rad));
+  equations.add_gradient(row_earlier, Eigen::Vector3d(0.0, 0.0, -angle_weight * turned_rad));
 }
 
 /// What is known of the calibration beforehand; nothing of it may change where it is not sought.

@@ -27,6 +27,9 @@ struct MultiscanAlignmentParams {
   /// What a match counts. The patches of a multiscan share echoes, and all that are matched with
   /// one surface share its errors: together they know far less than as many measurements.
   double match_weight = 0.075;
+  double angle_weight = 0.075;
+  double normal_sd_rad = 0.15;
+  double most_angle_rad = 0.2;
 };
 
 /// What is estimated: where multiscans began, and how odometry is off.

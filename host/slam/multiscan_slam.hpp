@@ -41,6 +41,7 @@ class MultiscanSlam final : public SlamMethod {
   /// How odometry is off, as far as is known.
   const OdometryCalibration& calibration() const { return graph_.calibration; }
   std::size_t multiscans() const { return graph_.multiscans.size(); }
+  const MultiscanGraph& graph() const { return graph_; }
 
  private:
   struct TakenScan {
