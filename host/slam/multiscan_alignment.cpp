@@ -55,8 +55,11 @@ class NormalEquations {
     }
   }
 
-  /// The change of everything; and the covariance of the last pose.
-  Eigen::VectorXd solve(Eigen::Matrix3d& last_covariance) const {
+  /// Of a measurement that is off by so many squared deviations, its weight known beforehand.
+  void add_surprise(double surprise) { surprise_ += surprise; }
+
+  /// The change of everything.
+  Eigen::VectorXd solve(AlignmentStep& step) const {
     Eigen::SparseMatrix<double> information(gradient_.size(), gradient_.size());
     information.setFromTriplets(entries_.begin(), entries_.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(information);
@@ -64,7 +67,8 @@ class NormalEquations {
     right.col(0) = -gradient_;
     right.block<3, 3>(calibration_row_ - 3, 1).setIdentity();
     const Eigen::MatrixXd solved = factors.solve(right);
-    last_covariance = solved.block<3, 3>(calibration_row_ - 3, 1);
+    step.last_covariance = solved.block<3, 3>(calibration_row_ - 3, 1);
+    step.surprise = surprise_ + factors.vectorD().array().log().sum();
     return solved.col(0);
   }
 
@@ -73,6 +77,7 @@ class NormalEquations {
   Eigen::Index calibration_row_;
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::VectorXd gradient_;
+  double surprise_ = 0.0;
 };
 
 /// What is left of the way between two poses after what odometry says of it, and how that changes
@@ -114,7 +119,10 @@ void add_piece(const MultiscanGraph& graph,
                                                 graph.multiscans[before + 1].T_map_begin,
                                                 piece,
                                                 graph.calibration);
-  const Eigen::Matrix3d weights = variances(piece, noise).cwiseInverse().asDiagonal();
+  const Eigen::Vector3d piece_variances = square(graph.odometry_scale) * variances(piece, noise);
+  const Eigen::Matrix3d weights = piece_variances.cwiseInverse().asDiagonal();
+  equations.add_surprise(residual.value.dot(weights * residual.value) +
+                         piece_variances.array().log().sum());
   const struct {
     Eigen::Index row;
     const Eigen::Matrix3d& by;
@@ -164,11 +172,13 @@ void add_match(const MultiscanGraph& graph,
   const SurfacePatch& later = from.patches[match.later.patch];
   const SurfacePatch& earlier = to.patches[match.earlier.patch];
   const MatchResidual residual = match_residual(from.T_map_begin, later, to.T_map_begin, earlier);
-  const double variance_m2 = square(params.patch_sd_m) + square(later.offset_sd_m) +
-                             square(earlier.offset_sd_m) +
-                             (square(params.normal_sd_rad)+square(earlier.normal_sd_rad)) * square(residual.along_m);
+  const double variance_m2 =
+      square(params.patch_sd_m) + square(later.offset_sd_m) + square(earlier.offset_sd_m) +
+      (square(params.normal_sd_rad) + square(earlier.normal_sd_rad)) * square(residual.along_m);
   const double trust = 1.0 / square(1.0 + square(residual.value_m / most_apart_m));
   const double weight = params.match_weight * trust / variance_m2;
+  equations.add_surprise(params.match_weight * square(residual.value_m) * std::sqrt(trust) /
+                         variance_m2);
   const Eigen::Index row_later = equations.row_of(match.later.multiscan);
   const Eigen::Index row_earlier = equations.row_of(match.earlier.multiscan);
   equations.add_information(
@@ -179,11 +189,16 @@ void add_match(const MultiscanGraph& graph,
       row_later, row_earlier, weight * residual.by_later.transpose() * residual.by_earlier);
   equations.add_gradient(row_later, weight * residual.value_m * residual.by_later.transpose());
   equations.add_gradient(row_earlier, weight * residual.value_m * residual.by_earlier.transpose());
-  const double turned_rad = geometry::angle_between(
-      to.T_map_begin.heading_rad() + earlier.normal_rad, from.T_map_begin.heading_rad() + later.normal_rad);
+  const double turned_rad =
+      geometry::angle_between(to.T_map_begin.heading_rad() + earlier.normal_rad,
+                              from.T_map_begin.heading_rad() + later.normal_rad);
   const double angle_trust = 1.0 / square(1.0 + square(turned_rad / params.most_angle_rad));
-  const double angle_weight = params.angle_weight * trust * angle_trust /
+  const double angle_weight =
+      params.angle_weight * trust * angle_trust /
       (square(params.normal_sd_rad) + square(later.normal_sd_rad) + square(earlier.normal_sd_rad));
+  equations.add_surprise(
+      params.angle_weight * trust * square(turned_rad) * std::sqrt(angle_trust) /
+      (square(params.normal_sd_rad) + square(later.normal_sd_rad) + square(earlier.normal_sd_rad)));
   const Eigen::Matrix3d angle_block = Eigen::Vector3d(0.0, 0.0, angle_weight).asDiagonal();
   equations.add_information(row_later, row_later, angle_block);
   equations.add_information(row_earlier, row_earlier, angle_block);
@@ -206,6 +221,8 @@ void add_calibration(const OdometryCalibration& calibration,
   }
   const Eigen::Vector3d sd(params.turn_share_sd, params.drift_sd_rad_per_m, params.drive_share_sd);
   const Eigen::Vector3d information = sd.cwiseAbs2().cwiseInverse();
+  equations.add_surprise(calibration.values.dot(information.cwiseProduct(calibration.values)) -
+                         information.array().log().sum());
   equations.add_information(equations.calibration_row(),
                             equations.calibration_row(),
                             information.asDiagonal().toDenseMatrix());
@@ -218,11 +235,11 @@ Pose2 moved(const Pose2& pose, const Eigen::Vector3d& change) {
 
 }  // namespace
 
-Eigen::Matrix3d align_multiscans(MultiscanGraph& graph,
-                                 const std::vector<PatchMatch>& matches,
-                                 std::size_t first_free,
-                                 std::size_t first_wide,
-                                 const MultiscanAlignmentParams& params) {
+AlignmentStep align_multiscans(MultiscanGraph& graph,
+                               const std::vector<PatchMatch>& matches,
+                               std::size_t first_free,
+                               std::size_t first_wide,
+                               const MultiscanAlignmentParams& params) {
   const bool is_whole = first_free <= 1;
   NormalEquations equations(graph.multiscans.size(), first_free);
   add_calibration(graph.calibration, is_whole, params, equations);
@@ -233,8 +250,8 @@ Eigen::Matrix3d align_multiscans(MultiscanGraph& graph,
     const double place_sd_m = match.later.multiscan >= first_wide ? match.place_sd_m : 0.0;
     add_match(graph, match, std::hypot(params.most_apart_m, place_sd_m), params, equations);
   }
-  Eigen::Matrix3d last_covariance;
-  const Eigen::VectorXd change = equations.solve(last_covariance);
+  AlignmentStep step;
+  const Eigen::VectorXd change = equations.solve(step);
   for (std::size_t i = first_free; i < graph.multiscans.size(); ++i) {
     Pose2& pose = graph.multiscans[i].T_map_begin;
     pose = moved(pose, change.segment<3>(equations.row_of(i)));
@@ -242,7 +259,7 @@ Eigen::Matrix3d align_multiscans(MultiscanGraph& graph,
   if (is_whole) {
     graph.calibration.values += change.tail<3>();
   }
-  return last_covariance;
+  return step;
 }
 
 }  // namespace echomap::slam

@@ -38,18 +38,28 @@ struct MultiscanGraph {
   /// `pieces[i]` leads from multiscan i to i + 1.
   std::vector<OdometryPiece> pieces;
   OdometryCalibration calibration;
+  /// How much worse this odometry is than the parameters say: a factor of its deviations by chance.
+  double odometry_scale = 1.0;
+};
+
+/// What one step of alignment has found.
+struct AlignmentStep {
+  /// Of the last multiscan's x, y and heading in the map frame, given what is not free.
+  Eigen::Matrix3d last_covariance;
+  /// Minus twice the logarithm of how likely all measurements were before the step, by the method
+  /// of Laplace, without what does not depend on the graph.
+  double surprise = 0.0;
 };
 
 /// Makes one step of Gauss and Newton: least squares over the poses of the multiscans from
 /// `first_free` (at least 1: the first one holds the map) on, with the odometry between them and
 /// the matches as measurements (graph SLAM; Thrun, Burgard and Fox 2005, chapter 11). Where all but
 /// the first are free, the calibration of the odometry is estimated, too. Matches of multiscans
-/// from `first_wide` on may be as far apart as their places are unknown. Answers the covariance of
-/// the last one's x, y and heading, in the map frame, given what is not free.
-Eigen::Matrix3d align_multiscans(MultiscanGraph& graph,
-                                 const std::vector<PatchMatch>& matches,
-                                 std::size_t first_free,
-                                 std::size_t first_wide,
-                                 const MultiscanAlignmentParams& params);
+/// from `first_wide` on may be as far apart as their places are unknown.
+AlignmentStep align_multiscans(MultiscanGraph& graph,
+                               const std::vector<PatchMatch>& matches,
+                               std::size_t first_free,
+                               std::size_t first_wide,
+                               const MultiscanAlignmentParams& params);
 
 }  // namespace echomap::slam

@@ -2,13 +2,21 @@
 #include "host/slam/multiscan_slam.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace echomap::slam {
 
+namespace {
+
+constexpr double kScaleStep = 1.5;
+
+}  // namespace
+
 MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
     : params_(params), gathering_(params.gathering) {
   graph_.multiscans.emplace_back();
+  graph_.odometry_scale = params.first_odometry_scale;
 }
 
 void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) {
@@ -38,13 +46,35 @@ void MultiscanSlam::align() {
   const std::size_t first_free = is_whole ? 1 : last_window;
   for (int step = 0; step < params_.steps; ++step) {
     const auto matches = match_patches(graph_.multiscans, first_free, params_.matching);
-    const Eigen::Matrix3d covariance =
+    if (is_whole) {
+      learn_odometry_scale(matches, last_window);
+    }
+    const AlignmentStep aligned =
         align_multiscans(graph_, matches, first_free, last_window, params_.alignment);
     if (is_whole) {
-      graph_.multiscans.back().covariance = covariance;
+      graph_.multiscans.back().covariance = aligned.last_covariance;
       aligned_whole_ = count;
     }
   }
+}
+
+void MultiscanSlam::learn_odometry_scale(const std::vector<PatchMatch>& matches,
+                                         std::size_t first_wide) {
+  double least_surprise = std::numeric_limits<double>::max();
+  double best = graph_.odometry_scale;
+  for (const double factor : {1.0, 1.0 / kScaleStep, kScaleStep}) {
+    MultiscanGraph tried = graph_;
+    tried.odometry_scale = std::clamp(
+        factor * graph_.odometry_scale, params_.least_odometry_scale, params_.most_odometry_scale);
+    align_multiscans(tried, matches, 1, first_wide, params_.alignment);
+    const double surprise =
+        align_multiscans(tried, matches, 1, first_wide, params_.alignment).surprise;
+    if (surprise < least_surprise) {
+      least_surprise = surprise;
+      best = tried.odometry_scale;
+    }
+  }
+  graph_.odometry_scale = best;
 }
 
 Eigen::Matrix3d MultiscanSlam::covariance_after(const OdometryPiece& piece) const {
@@ -54,7 +84,8 @@ Eigen::Matrix3d MultiscanSlam::covariance_after(const OdometryPiece& piece) cons
   Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
   by_pose.topRightCorner<2, 1>() << -way_m.y(), way_m.x();
   Eigen::Matrix3d covariance = by_pose * last.covariance * by_pose.transpose();
-  covariance.diagonal() += variances(piece, params_.alignment.odometry);
+  covariance.diagonal() +=
+      graph_.odometry_scale * graph_.odometry_scale * variances(piece, params_.alignment.odometry);
   return covariance;
 }
 

@@ -24,6 +24,9 @@ struct MultiscanSlamParams {
   double whole_share = 0.025;
   /// Steps of matching and aligning, each time.
   int steps = 2;
+  double first_odometry_scale = 1.0;
+  double least_odometry_scale = 0.33;
+  double most_odometry_scale = 3.0;
 };
 
 /// SLAM for sensors that see too little at once to be matched scan by scan
@@ -52,6 +55,9 @@ class MultiscanSlam final : public SlamMethod {
 
   void begin_multiscan(const OdometryPiece& piece);
   void align();
+  /// Takes the scale under which all measurements are the least surprising: an evidence that
+  /// would only bend good odometry a little stays without effect.
+  void learn_odometry_scale(const std::vector<PatchMatch>& matches, std::size_t first_wide);
   /// Of the robot after it has gone on from the newest multiscan.
   Eigen::Matrix3d covariance_after(const OdometryPiece& piece) const;
   /// Where the robot was, from the multiscan's begin, by odometry without its steady errors.
