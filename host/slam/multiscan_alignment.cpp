@@ -2,6 +2,8 @@
 #include "host/slam/multiscan_alignment.hpp"
 
 #include <cmath>
+#include <iterator>
+#include <stdexcept>
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
@@ -189,22 +191,6 @@ void add_match(const MultiscanGraph& graph,
       row_later, row_earlier, weight * residual.by_later.transpose() * residual.by_earlier);
   equations.add_gradient(row_later, weight * residual.value_m * residual.by_later.transpose());
   equations.add_gradient(row_earlier, weight * residual.value_m * residual.by_earlier.transpose());
-  const double turned_rad =
-      geometry::angle_between(to.T_map_begin.heading_rad() + earlier.normal_rad,
-                              from.T_map_begin.heading_rad() + later.normal_rad);
-  const double angle_trust = 1.0 / square(1.0 + square(turned_rad / params.most_angle_rad));
-  const double angle_weight =
-      params.angle_weight * trust * angle_trust /
-      (square(params.normal_sd_rad) + square(later.normal_sd_rad) + square(earlier.normal_sd_rad));
-  equations.add_surprise(
-      params.angle_weight * trust * square(turned_rad) * std::sqrt(angle_trust) /
-      (square(params.normal_sd_rad) + square(later.normal_sd_rad) + square(earlier.normal_sd_rad)));
-  const Eigen::Matrix3d angle_block = Eigen::Vector3d(0.0, 0.0, angle_weight).asDiagonal();
-  equations.add_information(row_later, row_later, angle_block);
-  equations.add_information(row_earlier, row_earlier, angle_block);
-  equations.add_information(row_later, row_earlier, -angle_block);
-  equations.add_gradient(row_later, Eigen::Vector3d(0.0, 0.0, angle_weight * turned_rad));
-  equations.add_gradient(row_earlier, Eigen::Vector3d(0.0, 0.0, -angle_weight * turned_rad));
 }
 
 /// What is known of the calibration beforehand; nothing of it may change where it is not sought.
@@ -234,6 +220,16 @@ Pose2 moved(const Pose2& pose, const Eigen::Vector3d& change) {
 }
 
 }  // namespace
+
+void check(const MultiscanAlignmentParams& params) {
+  const bool calibration_ok =
+      params.turn_share_sd > 0.0 && params.drift_sd_rad_per_m > 0.0 && params.drive_share_sd > 0.0;
+  const bool patches_ok = params.patch_sd_m > 0.0 && params.normal_sd_rad >= 0.0 &&
+                          params.most_apart_m > 0.0 && params.match_weight > 0.0;
+  if (!params.odometry.is_sound() || !calibration_ok || !patches_ok) {
+    throw std::invalid_argument("multiscan alignment: a parameter is outside of its range");
+  }
+}
 
 AlignmentStep align_multiscans(MultiscanGraph& graph,
                                const std::vector<PatchMatch>& matches,

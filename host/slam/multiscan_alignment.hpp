@@ -21,16 +21,18 @@ struct MultiscanAlignmentParams {
   double drive_share_sd = 0.03;
   /// Of one patch across against another: surfaces are not quite straight.
   double patch_sd_m = 0.05;
+  /// Of a patch's direction, besides what its echoes leave open: measured in simulated rooms.
+  double normal_sd_rad = 0.15;
   /// Patches that are farther apart than this count less and less (Geman and McClure 1985): they
   /// are of different surfaces.
   double most_apart_m = 0.1;
   /// What a match counts. The patches of a multiscan share echoes, and all that are matched with
   /// one surface share its errors: together they know far less than as many measurements.
   double match_weight = 0.075;
-  double angle_weight = 0.075;
-  double normal_sd_rad = 0.15;
-  double most_angle_rad = 0.2;
 };
+
+/// Throws std::invalid_argument for parameters without sense.
+void check(const MultiscanAlignmentParams& params);
 
 /// What is estimated: where multiscans began, and how odometry is off.
 struct MultiscanGraph {

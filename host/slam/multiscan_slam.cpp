@@ -2,6 +2,7 @@
 #include "host/slam/multiscan_slam.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -9,14 +10,23 @@ namespace echomap::slam {
 
 namespace {
 
+/// From one odometry scale to the next that is tried.
 constexpr double kScaleStep = 1.5;
 
 }  // namespace
 
 MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
     : params_(params), gathering_(params.gathering) {
+  const bool scales_ok = params.least_odometry_scale > 0.0 && params.least_odometry_scale <= 1.0 &&
+                         params.most_odometry_scale >= 1.0 &&
+                         std::isfinite(params.most_odometry_scale);
+  if (!scales_ok || params.window < 2 || params.steps < 1 || !(params.whole_share >= 0.0)) {
+    throw std::invalid_argument("multiscan SLAM: a parameter is outside of its range");
+  }
+  check(params.patches);
+  check(params.matching);
+  check(params.alignment);
   graph_.multiscans.emplace_back();
-  graph_.odometry_scale = params.first_odometry_scale;
 }
 
 void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) {
@@ -41,21 +51,23 @@ void MultiscanSlam::begin_multiscan(const OdometryPiece& piece) {
 void MultiscanSlam::align() {
   const std::size_t count = graph_.multiscans.size();
   const auto due = static_cast<std::size_t>(params_.whole_share * static_cast<double>(count));
-  const bool is_whole = count >= aligned_whole_ + std::max<std::size_t>(1, due);
-  const std::size_t last_window = count > params_.window ? count - params_.window : 1;
-  const std::size_t first_free = is_whole ? 1 : last_window;
-  for (int step = 0; step < params_.steps; ++step) {
-    const auto matches = match_patches(graph_.multiscans, first_free, params_.matching);
-    if (is_whole) {
-      learn_odometry_scale(matches, last_window);
+  const std::size_t window = count > params_.window ? count - params_.window : 1;
+  if (count < aligned_whole_ + std::max<std::size_t>(1, due)) {
+    for (int step = 0; step < params_.steps; ++step) {
+      align_from(window, window);
     }
-    const AlignmentStep aligned =
-        align_multiscans(graph_, matches, first_free, last_window, params_.alignment);
-    if (is_whole) {
-      graph_.multiscans.back().covariance = aligned.last_covariance;
-      aligned_whole_ = count;
-    }
+    return;
   }
+  learn_odometry_scale(match_patches(graph_.multiscans, 1, params_.matching), window);
+  for (int step = 0; step < params_.steps; ++step) {
+    graph_.multiscans.back().covariance = align_from(1, window).last_covariance;
+  }
+  aligned_whole_ = count;
+}
+
+AlignmentStep MultiscanSlam::align_from(std::size_t first_free, std::size_t first_wide) {
+  const auto matches = match_patches(graph_.multiscans, first_free, params_.matching);
+  return align_multiscans(graph_, matches, first_free, first_wide, params_.alignment);
 }
 
 void MultiscanSlam::learn_odometry_scale(const std::vector<PatchMatch>& matches,
@@ -109,6 +121,13 @@ std::vector<geometry::Pose2> MultiscanSlam::trajectory() const {
   return poses;
 }
 
-mapping::OccupancyGrid MultiscanSlam::grid() const { return mapping::OccupancyGrid{}; }
+mapping::OccupancyGrid MultiscanSlam::grid() const {
+  std::vector<PlacedScan> placed;
+  placed.reserve(scans_.size());
+  for (const TakenScan& taken : scans_) {
+    placed.push_back({T_map_robot(taken), taken.scan});
+  }
+  return map_of_scans(placed, params_.map);
+}
 
 }  // namespace echomap::slam

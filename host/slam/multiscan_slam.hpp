@@ -7,6 +7,7 @@
 #include "host/slam/multiscan.hpp"
 #include "host/slam/multiscan_alignment.hpp"
 #include "host/slam/patch_matching.hpp"
+#include "host/slam/scan_map.hpp"
 #include "host/slam/slam_method.hpp"
 #include "host/slam/surface_patch.hpp"
 
@@ -24,9 +25,10 @@ struct MultiscanSlamParams {
   double whole_share = 0.025;
   /// Steps of matching and aligning, each time.
   int steps = 2;
-  double first_odometry_scale = 1.0;
+  /// The odometry may turn out to be so much better or worse than `alignment.odometry` says.
   double least_odometry_scale = 0.33;
   double most_odometry_scale = 3.0;
+  ScanMapParams map;
 };
 
 /// SLAM for sensors that see too little at once to be matched scan by scan
@@ -43,7 +45,7 @@ class MultiscanSlam final : public SlamMethod {
 
   /// How odometry is off, as far as is known.
   const OdometryCalibration& calibration() const { return graph_.calibration; }
-  std::size_t multiscans() const { return graph_.multiscans.size(); }
+  /// What is estimated, for looking into.
   const MultiscanGraph& graph() const { return graph_; }
 
  private:
@@ -54,9 +56,11 @@ class MultiscanSlam final : public SlamMethod {
   };
 
   void begin_multiscan(const OdometryPiece& piece);
+  /// Aligns the newest multiscans, or all of them.
   void align();
-  /// Takes the scale under which all measurements are the least surprising: an evidence that
-  /// would only bend good odometry a little stays without effect.
+  AlignmentStep align_from(std::size_t first_free, std::size_t first_wide);
+  /// Takes the odometry's scale under which all measurements are the least surprising (empirical
+  /// Bayes). So good odometry is hardly bent by echoes that are only a little off.
   void learn_odometry_scale(const std::vector<PatchMatch>& matches, std::size_t first_wide);
   /// Of the robot after it has gone on from the newest multiscan.
   Eigen::Matrix3d covariance_after(const OdometryPiece& piece) const;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <unordered_map>
 
 #include "host/geometry/angle.hpp"
@@ -155,6 +156,14 @@ double reach_m(const PatchMatchingParams& params) {
 }
 
 }  // namespace
+
+void check(const PatchMatchingParams& params) {
+  if (!(params.along_m > 0.0) || !(params.across_sd_m > 0.0) || !(params.most_place_sd_m >= 0.0) ||
+      !(params.most_angle_rad > 0.0) || params.most_partners == 0 ||
+      !std::isfinite(reach_m(params))) {
+    throw std::invalid_argument("patch matching: a parameter is outside of its range");
+  }
+}
 
 std::vector<PatchMatch> match_patches(const std::vector<PlacedPatches>& multiscans,
                                       std::size_t first,

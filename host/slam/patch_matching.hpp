@@ -26,6 +26,9 @@ struct PatchMatchingParams {
   std::size_t most_partners = 4;
 };
 
+/// Throws std::invalid_argument for parameters without sense.
+void check(const PatchMatchingParams& params);
+
 /// A multiscan as the map has it.
 struct PlacedPatches {
   geometry::Pose2 T_map_begin;

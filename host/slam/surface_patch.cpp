@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -192,6 +193,17 @@ Echoes neighbours_of(const Echo& echo, const std::vector<Echo>& echoes, double r
 }
 
 }  // namespace
+
+void check(const SurfacePatchParams& params) {
+  const bool lengths_ok = params.reach_m > 0.0 && params.most_rms_m > 0.0 &&
+                          params.least_length_m >= 0.0 && params.echo_sd_m > 0.0 &&
+                          params.spacing_m > 0.0;
+  const bool others_ok = params.least_echoes >= 3 && params.least_agreement > 0.0 &&
+                         params.least_agreement <= 1.0 && params.most_normal_sd_rad > 0.0;
+  if (!lengths_ok || !others_ok) {
+    throw std::invalid_argument("surface patches: a parameter is outside of its range");
+  }
+}
 
 std::vector<SurfacePatch> find_patches(const std::vector<Echo>& echoes,
                                        const SurfacePatchParams& params) {

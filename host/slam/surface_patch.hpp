@@ -30,6 +30,9 @@ struct SurfacePatchParams {
   double spacing_m = 0.15;
 };
 
+/// Throws std::invalid_argument for parameters without sense.
+void check(const SurfacePatchParams& params);
+
 /// A small piece of surface as some echoes have seen it together.
 struct SurfacePatch {
   Eigen::Vector2d point_m = Eigen::Vector2d::Zero();
