@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/multiscan.hpp"
+
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+#include <utility>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::slam {
+
+MultiscanGathering::MultiscanGathering(const MultiscanParams& params) : params_(params) {
+  for (const double value : {params.most_path_m,
+                             params.most_turned_rad,
+                             params.most_range_m,
+                             params.jump_m,
+                             params.jump_rad}) {
+    if (!(value > 0.0) || !std::isfinite(value)) {
+      throw std::invalid_argument("multiscan: a parameter is not above 0, or not finite");
+    }
+  }
+}
+
+std::optional<OdometryPiece> MultiscanGathering::add(const geometry::Pose2& T_odom_robot,
+                                                     const RangeScan& scan) {
+  const bool is_first = !T_odom_last_;
+  if (is_first) {
+    open_.T_odom_begin = T_odom_robot;
+    T_odom_last_ = T_odom_robot;
+  }
+  follow(T_odom_robot);
+  std::optional<OdometryPiece> piece;
+  const bool has_jumped = piece_.jumped_m > 0.0 || piece_.jumped_rad > 0.0;
+  if (piece_.path_m >= params_.most_path_m || piece_.turned_rad >= params_.most_turned_rad ||
+      has_jumped) {
+    piece = std::exchange(piece_, {});
+    finished_ = std::exchange(open_, {T_odom_robot, {}});
+  }
+  gather(scan);
+  return piece;
+}
+
+void MultiscanGathering::follow(const geometry::Pose2& T_odom_robot) {
+  const geometry::Pose2 T_last_robot = T_odom_last_->inverse() * T_odom_robot;
+  const double way_m = T_last_robot.position_m().norm();
+  const double turn_rad = T_last_robot.heading_rad();
+  if (way_m > params_.jump_m || std::abs(turn_rad) > params_.jump_rad) {
+    piece_.jumped_m += way_m;
+    piece_.jumped_rad += std::abs(turn_rad);
+  } else {
+    piece_.path_m += way_m;
+    piece_.turn_rad += turn_rad;
+    piece_.turned_rad += std::abs(turn_rad);
+  }
+  piece_.T_before_after = open_.T_odom_begin.inverse() * T_odom_robot;
+  T_odom_last_ = T_odom_robot;
+}
+
+void MultiscanGathering::gather(const RangeScan& scan) {
+  const geometry::Pose2 T_begin_sensor = piece_.T_before_after * scan.T_robot_sensor;
+  for (const RangeBeam& beam : scan.beams) {
+    if (beam.range_m && *beam.range_m <= params_.most_range_m) {
+      open_.echoes.push_back({T_begin_sensor.position_m(),
+                              T_begin_sensor.heading_rad() + beam.bearing_rad,
+                              *beam.range_m,
+                              scan.beam_opening_rad / 2.0});
+    }
+  }
+}
+
+}  // namespace echomap::slam

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+#include "host/slam/odometry_piece.hpp"
+#include "host/slam/range_scan.hpp"
+#include "host/slam/wall_echo.hpp"
+
+namespace echomap::slam {
+
+/// How long readings are gathered. Odometry is good over such a stretch.
+struct MultiscanParams {
+  double most_path_m = 1.0;
+  double most_turned_rad = 0.5;
+  /// Echoes from farther away are not used: a small error of heading moves them far.
+  double most_range_m = 12.0;
+  /// Motion between two scans that is more than this is a jump.
+  double jump_m = 1.0;
+  double jump_rad = 1.0;
+};
+
+/// Echoes gathered over a stretch of motion (Beevers and Huang 2006), in the frame of the robot
+/// where that began.
+struct Multiscan {
+  geometry::Pose2 T_odom_begin;
+  std::vector<Echo> echoes;
+};
+
+/// Gathers scans into multiscans by what was driven and turned.
+class MultiscanGathering {
+ public:
+  /// Throws std::invalid_argument for parameters without sense.
+  explicit MultiscanGathering(const MultiscanParams& params);
+
+  /// Takes the next scan. If it is the first of a new multiscan, answers the odometry's piece from
+  /// the begin of the last one to the begin of the new one; `finished` is then the last one.
+  std::optional<OdometryPiece> add(const geometry::Pose2& T_odom_robot, const RangeScan& scan);
+
+  /// What is being gathered.
+  const Multiscan& open() const { return open_; }
+  /// What was gathered before that.
+  const Multiscan& finished() const { return finished_; }
+  /// From the begin of what is being gathered to the last scan.
+  const OdometryPiece& piece() const { return piece_; }
+
+ private:
+  void follow(const geometry::Pose2& T_odom_robot);
+  void gather(const RangeScan& scan);
+
+  MultiscanParams params_;
+  std::optional<geometry::Pose2> T_odom_last_;
+  Multiscan open_;
+  Multiscan finished_;
+  OdometryPiece piece_;
+};
+
+}  // namespace echomap::slam

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/slam/odometry_piece.hpp"
+#include "host/slam/patch_matching.hpp"
+
+namespace echomap::slam {
+
+/// What odometry and patches are worth. Standard deviations; ours, of the right size for small
+/// robots, and checked on logs of others.
+struct MultiscanAlignmentParams {
+  OdometryNoise odometry;
+  /// Of how odometry is off all the time: of a turn, heading over way, of a drive.
+  double turn_share_sd = 0.03;
+  double drift_sd_rad_per_m = 0.05;
+  double drive_share_sd = 0.03;
+  /// Of one patch across against another: surfaces are not quite straight.
+  double patch_sd_m = 0.05;
+  /// Of a patch's direction, besides what its echoes leave open: measured in simulated rooms.
+  double normal_sd_rad = 0.15;
+  /// Patches that are farther apart than this count less and less (Geman and McClure 1985): they
+  /// are of different surfaces.
+  double most_apart_m = 0.1;
+  /// What a match counts. The patches of a multiscan share echoes, and all that are matched with
+  /// one surface share its errors: together they know far less than as many measurements.
+  double match_weight = 0.075;
+};
+
+/// Throws std::invalid_argument for parameters without sense.
+void check(const MultiscanAlignmentParams& params);
+
+/// What is estimated: where multiscans began, and how odometry is off.
+struct MultiscanGraph {
+  std::vector<PlacedPatches> multiscans;
+  /// `pieces[i]` leads from multiscan i to i + 1.
+  std::vector<OdometryPiece> pieces;
+  OdometryCalibration calibration;
+  /// How much worse this odometry is than the parameters say: a factor of its deviations by chance.
+  double odometry_scale = 1.0;
+};
+
+/// What one step of alignment has found.
+struct AlignmentStep {
+  /// Of the last multiscan's x, y and heading in the map frame, given what is not free.
+  Eigen::Matrix3d last_covariance;
+  /// Minus twice the logarithm of how likely all measurements were before the step, by the method
+  /// of Laplace, without what does not depend on the graph.
+  double surprise = 0.0;
+};
+
+/// Makes one step of Gauss and Newton: least squares over the poses of the multiscans from
+/// `first_free` (at least 1: the first one holds the map) on, with the odometry between them and
+/// the matches as measurements (graph SLAM; Thrun, Burgard and Fox 2005, chapter 11). Where all but
+/// the first are free, the calibration of the odometry is estimated, too. Matches of multiscans
+/// from `first_wide` on may be as far apart as their places are unknown.
+AlignmentStep align_multiscans(MultiscanGraph& graph,
+                               const std::vector<PatchMatch>& matches,
+                               std::size_t first_free,
+                               std::size_t first_wide,
+                               const MultiscanAlignmentParams& params);
+
+}  // namespace echomap::slam

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/patch_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::slam {
+
+namespace {
+
+/// Standard deviations.
+constexpr double kGate = 3.0;
+
+struct PlacedPatch {
+  PatchIndex index;
+  Eigen::Vector2d point_m;
+  double normal_rad = 0.0;
+  const PlacedPatches* multiscan = nullptr;
+};
+
+/// Variance of where the patch lies along `direction`, by what is not known of its multiscan.
+double place_variance_m2(const PlacedPatch& patch, const Eigen::Vector2d& direction) {
+  const Eigen::Vector2d lever_m = patch.point_m - patch.multiscan->T_map_begin.position_m();
+  const Eigen::Vector3d by_place(
+      direction.x(), direction.y(), direction.y() * lever_m.x() - direction.x() * lever_m.y());
+  return by_place.dot(patch.multiscan->covariance * by_place);
+}
+
+PlacedPatch placed(const PlacedPatches& multiscan, PatchIndex index) {
+  const SurfacePatch& patch = multiscan.patches[index.patch];
+  return {index,
+          multiscan.T_map_begin * patch.point_m,
+          geometry::wrap_angle(multiscan.T_map_begin.heading_rad() + patch.normal_rad),
+          &multiscan};
+}
+
+/// Patches by the square of the map that they lie in.
+class PatchCells {
+ public:
+  explicit PatchCells(double edge_m) : edge_m_(edge_m) {}
+
+  void add(const PlacedPatch& patch) {
+    cells_[key(whole(patch.point_m.x()), whole(patch.point_m.y()))].push_back(patch);
+  }
+
+  /// Calls `visit` for the patches of the square that holds the point and of the eight around it.
+  template <class Visit>
+  void visit_near(const Eigen::Vector2d& point_m, const Visit& visit) const {
+    for (std::int64_t x = whole(point_m.x()) - 1; x <= whole(point_m.x()) + 1; ++x) {
+      for (std::int64_t y = whole(point_m.y()) - 1; y <= whole(point_m.y()) + 1; ++y) {
+        const auto cell = cells_.find(key(x, y));
+        if (cell != cells_.end()) {
+          std::for_each(cell->second.begin(), cell->second.end(), visit);
+        }
+      }
+    }
+  }
+
+ private:
+  std::int64_t whole(double coordinate_m) const {
+    return static_cast<std::int64_t>(std::floor(coordinate_m / edge_m_));
+  }
+  static std::int64_t key(std::int64_t x, std::int64_t y) {
+    return x * (std::int64_t{1} << 32U) + y;
+  }
+
+  double edge_m_;
+  std::unordered_map<std::int64_t, std::vector<PlacedPatch>> cells_;
+};
+
+struct Candidate {
+  PatchMatch match;
+  double squares_m2 = 0.0;
+};
+/// The nearest patch of each multiscan, in the order of time.
+using Candidates = std::map<std::size_t, Candidate>;
+
+class PartnerSearch {
+ public:
+  PartnerSearch(const PatchCells& cells, const PatchMatchingParams& params)
+      : cells_(cells), params_(params) {}
+
+  void append_partners(const PlacedPatch& patch, std::vector<PatchMatch>& matches) const {
+    std::vector<PatchMatch> visit;
+    std::vector<PatchMatch> revisits;
+    for (const auto& [multiscan, candidate] : candidates_of(patch)) {
+      (candidate.match.is_revisit ? revisits : visit).push_back(candidate.match);
+    }
+    const std::size_t latest = std::min(visit.size(), params_.most_partners);
+    matches.insert(matches.end(), visit.end() - static_cast<std::ptrdiff_t>(latest), visit.end());
+    const std::size_t spread = std::min(revisits.size(), params_.most_partners);
+    for (std::size_t i = 0; i < spread; ++i) {
+      matches.push_back(revisits[i * revisits.size() / spread]);
+    }
+  }
+
+ private:
+  Candidates candidates_of(const PlacedPatch& patch) const {
+    Candidates candidates;
+    cells_.visit_near(patch.point_m, [&](const PlacedPatch& other) {
+      if (other.index.multiscan >= patch.index.multiscan) {
+        return;
+      }
+      const auto match = match_of(patch, other);
+      if (!match) {
+        return;
+      }
+      const Candidate candidate{*match, (patch.point_m - other.point_m).squaredNorm()};
+      const auto [found, is_new] = candidates.try_emplace(other.index.multiscan, candidate);
+      if (!is_new && candidate.squares_m2 < found->second.squares_m2) {
+        found->second = candidate;
+      }
+    });
+    return candidates;
+  }
+
+  std::optional<PatchMatch> match_of(const PlacedPatch& patch, const PlacedPatch& other) const {
+    const Eigen::Vector2d normal = geometry::unit_vector(other.normal_rad);
+    const Eigen::Vector2d apart_m = patch.point_m - other.point_m;
+    const double along_m = std::abs(normal.x() * apart_m.y() - normal.y() * apart_m.x());
+    if (along_m > params_.along_m ||
+        std::abs(geometry::angle_between(other.normal_rad, patch.normal_rad)) >
+            params_.most_angle_rad) {
+      return std::nullopt;
+    }
+    const bool is_revisit =
+        patch.index.multiscan - other.index.multiscan > params_.visit_multiscans;
+    const double place_sd_m = is_revisit ? place_sd(patch, other, normal) : 0.0;
+    if (std::abs(normal.dot(apart_m)) > kGate * std::hypot(params_.across_sd_m, place_sd_m)) {
+      return std::nullopt;
+    }
+    return PatchMatch{patch.index, other.index, is_revisit, place_sd_m};
+  }
+
+  double place_sd(const PlacedPatch& patch,
+                  const PlacedPatch& other,
+                  const Eigen::Vector2d& normal) const {
+    const double variance_m2 = place_variance_m2(patch, normal) + place_variance_m2(other, normal);
+    return std::min(std::sqrt(variance_m2), params_.most_place_sd_m);
+  }
+
+  const PatchCells& cells_;
+  const PatchMatchingParams& params_;
+};
+
+double reach_m(const PatchMatchingParams& params) {
+  return std::hypot(params.along_m, kGate * std::hypot(params.across_sd_m, params.most_place_sd_m));
+}
+
+}  // namespace
+
+void check(const PatchMatchingParams& params) {
+  if (!(params.along_m > 0.0) || !(params.across_sd_m > 0.0) || !(params.most_place_sd_m >= 0.0) ||
+      !(params.most_angle_rad > 0.0) || params.most_partners == 0 ||
+      !std::isfinite(reach_m(params))) {
+    throw std::invalid_argument("patch matching: a parameter is outside of its range");
+  }
+}
+
+std::vector<PatchMatch> match_patches(const std::vector<PlacedPatches>& multiscans,
+                                      std::size_t first,
+                                      const PatchMatchingParams& params) {
+  PatchCells cells(reach_m(params));
+  for (std::size_t i = 0; i < multiscans.size(); ++i) {
+    for (std::size_t k = 0; k < multiscans[i].patches.size(); ++k) {
+      cells.add(placed(multiscans[i], {i, k}));
+    }
+  }
+  const PartnerSearch search(cells, params);
+  std::vector<PatchMatch> matches;
+  for (std::size_t i = first; i < multiscans.size(); ++i) {
+    for (std::size_t k = 0; k < multiscans[i].patches.size(); ++k) {
+      search.append_partners(placed(multiscans[i], {i, k}), matches);
+    }
+  }
+  return matches;
+}
+
+}  // namespace echomap::slam

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/surface_patch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::slam {
+
+namespace {
+
+constexpr int kMostSteps = 8;
+constexpr double kLongestTurnRad = 0.3;
+constexpr double kConverged = 1e-5;
+/// More neighbours say nothing new.
+constexpr std::size_t kMostNeighbours = 40;
+/// Directions that a fit begins with, off the axis of the echo in question.
+constexpr double kFirstTurnsRad[] = {-0.7, -0.35, 0.0, 0.35, 0.7};
+/// Echoes are met by a surface up to this slant.
+constexpr double kMostSlantRad = 1.2;
+
+using Echoes = std::vector<const Echo*>;
+
+struct FittedLine {
+  WallLine line;
+  Eigen::Matrix2d information;
+};
+
+/// How well a line explains the echoes that were asked.
+struct Explanation {
+  std::size_t explained = 0;
+  double squares_m2 = 0.0;
+  double from_m = std::numeric_limits<double>::max();
+  double to_m = std::numeric_limits<double>::lowest();
+
+  double rms_m() const { return std::sqrt(squares_m2 / static_cast<double>(explained)); }
+};
+
+double square(double value) { return value * value; }
+
+/// The line at right angles to `normal_rad` that the echo has measured.
+WallLine line_through(const Echo& echo, double normal_rad) {
+  const WallView view = view_of_wall(echo, {normal_rad, 0.0});
+  return {normal_rad, (echo.range_m - view.range_m) / view.by_line[1]};
+}
+
+/// Least squares of ranges; what is off by more than the noise counts less and less.
+std::optional<FittedLine> fitted(WallLine line, const Echoes& echoes, double most_rms_m) {
+  FittedLine fit{line, Eigen::Matrix2d::Zero()};
+  for (int step = 0; step < kMostSteps; ++step) {
+    fit.information = Eigen::Vector2d(1e-6, 1e-9).asDiagonal();
+    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+    for (const Echo* echo : echoes) {
+      const WallView view = view_of_wall(*echo, fit.line);
+      const double error_m = view.range_m - echo->range_m;
+      const double weight = 1.0 / (1.0 + square(error_m / most_rms_m));
+      fit.information += weight * view.by_line * view.by_line.transpose();
+      gradient += weight * error_m * view.by_line;
+    }
+    Eigen::Vector2d change = -fit.information.ldlt().solve(gradient);
+    if (!change.allFinite()) {
+      return std::nullopt;
+    }
+    change *= std::min(1.0, kLongestTurnRad / std::max(std::abs(change[0]), 1e-12));
+    fit.line.normal_rad = geometry::wrap_angle(fit.line.normal_rad + change[0]);
+    fit.line.offset_m += change[1];
+    if (change.norm() < kConverged) {
+      break;
+    }
+  }
+  return fit;
+}
+
+double error_m(const Echo& echo, const WallLine& line) {
+  return view_of_wall(echo, line).range_m - echo.range_m;
+}
+
+Explanation explanation(const WallLine& line, const Echoes& echoes, double most_error_m) {
+  const Eigen::Vector2d normal = geometry::unit_vector(line.normal_rad);
+  const Eigen::Vector2d left(-normal.y(), normal.x());
+  Explanation found;
+  for (const Echo* echo : echoes) {
+    const WallView view = view_of_wall(*echo, line);
+    const double off_m = view.range_m - echo->range_m;
+    if (std::abs(off_m) > most_error_m) {
+      continue;
+    }
+    const double along_m =
+        left.dot(echo->sensor_m + echo->range_m * geometry::unit_vector(view.contact_rad));
+    ++found.explained;
+    found.squares_m2 += square(off_m);
+    found.from_m = std::min(found.from_m, along_m);
+    found.to_m = std::max(found.to_m, along_m);
+  }
+  return found;
+}
+
+SurfacePatch patch_at(const Echo& echo, const FittedLine& fit, double echo_sd_m) {
+  const Eigen::Vector2d normal = geometry::unit_vector(fit.line.normal_rad);
+  const Eigen::Vector2d left(-normal.y(), normal.x());
+  const WallView view = view_of_wall(echo, fit.line);
+  Eigen::Vector2d point_m = echo.sensor_m + echo.range_m * geometry::unit_vector(view.contact_rad);
+  point_m += normal * (fit.line.offset_m - normal.dot(point_m));
+  const Eigen::Matrix2d covariance = square(echo_sd_m) * fit.information.inverse();
+  const Eigen::Vector2d offset_by_line(-left.dot(point_m), 1.0);
+  return {point_m,
+          fit.line.normal_rad,
+          std::sqrt(std::max(0.0, offset_by_line.dot(covariance * offset_by_line))),
+          std::sqrt(covariance(0, 0))};
+}
+
+/// A patch where `echo` has met the line that explains it and its neighbours best.
+class PatchSearch {
+ public:
+  PatchSearch(const Echo& echo, const Echoes& neighbours, const SurfacePatchParams& params)
+      : echo_(echo), neighbours_(neighbours), params_(params) {}
+
+  std::optional<SurfacePatch> best() const {
+    std::optional<SurfacePatch> best;
+    double least_cost = std::numeric_limits<double>::max();
+    for (const double turn_rad : kFirstTurnsRad) {
+      const auto fit =
+          fitted(line_through(echo_, echo_.axis_rad + turn_rad), neighbours_, params_.most_rms_m);
+      if (!fit) {
+        continue;
+      }
+      const Explanation found = explanation(fit->line, neighbours_, 2.5 * params_.most_rms_m);
+      if (!is_good(found, fit->line) || cost(found) >= least_cost) {
+        continue;
+      }
+      const SurfacePatch patch = patch_at(echo_, *fit, params_.echo_sd_m);
+      if (patch.normal_sd_rad <= params_.most_normal_sd_rad) {
+        least_cost = cost(found);
+        best = patch;
+      }
+    }
+    return best;
+  }
+
+ private:
+  bool is_good(const Explanation& found, const WallLine& line) const {
+    const double share =
+        static_cast<double>(found.explained) / static_cast<double>(neighbours_.size());
+    const double slant_rad = geometry::angle_between(echo_.axis_rad, line.normal_rad);
+    return found.explained >= params_.least_echoes && share >= params_.least_agreement &&
+           found.rms_m() <= params_.most_rms_m &&
+           found.to_m - found.from_m >= params_.least_length_m &&
+           std::abs(slant_rad) <= kMostSlantRad &&
+           std::abs(error_m(echo_, line)) <= 2.0 * params_.most_rms_m;
+  }
+
+  double cost(const Explanation& found) const {
+    const auto missed = static_cast<double>(neighbours_.size() - found.explained);
+    return found.squares_m2 + missed * square(2.5 * params_.most_rms_m);
+  }
+
+  const Echo& echo_;
+  const Echoes& neighbours_;
+  const SurfacePatchParams& params_;
+};
+
+bool is_covered(const Eigen::Vector2d& point_m,
+                const std::vector<SurfacePatch>& patches,
+                double spacing_m) {
+  return std::any_of(patches.begin(), patches.end(), [&](const SurfacePatch& patch) {
+    return (patch.point_m - point_m).norm() < spacing_m;
+  });
+}
+
+Echoes neighbours_of(const Echo& echo, const std::vector<Echo>& echoes, double reach_m) {
+  const Eigen::Vector2d middle_m = echo.middle_m();
+  const double within_m = reach_m + 0.7 * echo.range_m * std::sin(echo.half_opening_rad);
+  Echoes near;
+  for (const Echo& other : echoes) {
+    if ((other.middle_m() - middle_m).squaredNorm() < square(within_m)) {
+      near.push_back(&other);
+    }
+  }
+  const std::size_t stride = near.size() / kMostNeighbours + 1;
+  Echoes kept;
+  for (std::size_t i = 0; i < near.size(); i += stride) {
+    kept.push_back(near[i]);
+  }
+  return kept;
+}
+
+}  // namespace
+
+void check(const SurfacePatchParams& params) {
+  const bool lengths_ok = params.reach_m > 0.0 && params.most_rms_m > 0.0 &&
+                          params.least_length_m >= 0.0 && params.echo_sd_m > 0.0 &&
+                          params.spacing_m > 0.0;
+  const bool others_ok = params.least_echoes >= 3 && params.least_agreement > 0.0 &&
+                         params.least_agreement <= 1.0 && params.most_normal_sd_rad > 0.0;
+  if (!lengths_ok || !others_ok) {
+    throw std::invalid_argument("surface patches: a parameter is outside of its range");
+  }
+}
+
+std::vector<SurfacePatch> find_patches(const std::vector<Echo>& echoes,
+                                       const SurfacePatchParams& params) {
+  std::vector<SurfacePatch> patches;
+  for (const Echo& echo : echoes) {
+    if (is_covered(echo.middle_m(), patches, params.spacing_m)) {
+      continue;
+    }
+    const Echoes neighbours = neighbours_of(echo, echoes, params.reach_m);
+    if (neighbours.size() < params.least_echoes) {
+      continue;
+    }
+    const auto patch = PatchSearch(echo, neighbours, params).best();
+    if (patch && !is_covered(patch->point_m, patches, params.spacing_m)) {
+      patches.push_back(*patch);
+    }
+  }
+  return patches;
+}
+
+}  // namespace echomap::slam

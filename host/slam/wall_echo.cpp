@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/wall_echo.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::slam {
+
+namespace {
+
+const double most_slant_rad = geometry::radians(75.0);
+
+}  // namespace
+
+Eigen::Vector2d Echo::middle_m() const {
+  return sensor_m + range_m * geometry::unit_vector(axis_rad);
+}
+
+WallView view_of_wall(const Echo& echo, const WallLine& line) {
+  const Eigen::Vector2d normal = geometry::unit_vector(line.normal_rad);
+  const Eigen::Vector2d left(-normal.y(), normal.x());
+  const double distance_m = line.offset_m - normal.dot(echo.sensor_m);
+  const double off_axis_rad = geometry::angle_between(echo.axis_rad, line.normal_rad);
+  const double in_beam_rad =
+      std::clamp(off_axis_rad, -echo.half_opening_rad, echo.half_opening_rad);
+  const double slant_rad = std::clamp(off_axis_rad - in_beam_rad, -most_slant_rad, most_slant_rad);
+  const double cosine = std::cos(slant_rad);
+  const double by_slant = distance_m * std::sin(slant_rad) / (cosine * cosine);
+  return {distance_m / cosine,
+          {-left.dot(echo.sensor_m) / cosine + by_slant, 1.0 / cosine},
+          echo.axis_rad + in_beam_rad};
+}
+
+}  // namespace echomap::slam
