@@ -10,7 +10,7 @@
 namespace echomap::slam {
 
 /// A scan near a key frame.
-struct PlacedScan {
+struct FrameScan {
   geometry::Pose2 T_key_robot;
   RangeScan scan;
 };
@@ -18,7 +18,7 @@ struct PlacedScan {
 /// What was seen around one pose of the way.
 struct KeyFrame {
   std::vector<Eigen::Vector2d> points_m;  ///< In the frame of the robot there.
-  std::vector<PlacedScan> scans;          ///< That the points are of.
+  std::vector<FrameScan> scans;           ///< That the points are of.
 };
 
 /// A key frame and how long the shortest way to it is along the edges of the graph.

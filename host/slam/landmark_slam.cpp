@@ -7,7 +7,6 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
-#include "host/mapping/ray_insertion.hpp"
 #include "host/slam/joint_compatibility.hpp"
 
 namespace echomap::slam {
@@ -15,17 +14,6 @@ namespace echomap::slam {
 namespace {
 
 using geometry::Pose2;
-
-std::vector<mapping::Ray> rays_of(const RangeScan& scan) {
-  std::vector<mapping::Ray> rays;
-  rays.reserve(scan.beams.size());
-  for (const RangeBeam& beam : scan.beams) {
-    if (beam.range_m) {
-      rays.push_back({*beam.range_m * geometry::unit_vector(beam.bearing_rad), true});
-    }
-  }
-  return rays;
-}
 
 /// The middle of what has been seen of a landmark.
 Eigen::Vector2d middle_m(const Landmark& landmark) {
@@ -200,14 +188,12 @@ std::vector<geometry::Pose2> LandmarkSlam::trajectory() const {
 }
 
 mapping::OccupancyGrid LandmarkSlam::grid() const {
-  mapping::OccupancyGrid grid(params_.grid);
-  mapping::RayInserter inserter;
   const std::vector<Pose2> T_map_robots = trajectory();
+  std::vector<PlacedScan> placed;
   for (std::size_t i = 0; i < scans_.size(); ++i) {
-    const auto rays = rays_of(scans_[i]);
-    inserter.insert(T_map_robots[i] * scans_[i].T_robot_sensor, rays, grid);
+    placed.push_back({T_map_robots[i], scans_[i]});
   }
-  return grid;
+  return map_of_scans(placed, params_.map);
 }
 
 }  // namespace echomap::slam

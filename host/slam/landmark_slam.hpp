@@ -12,6 +12,7 @@
 #include "host/slam/ekf_slam.hpp"
 #include "host/slam/landmark_extraction.hpp"
 #include "host/slam/provisional_landmarks.hpp"
+#include "host/slam/scan_map.hpp"
 #include "host/slam/slam_method.hpp"
 
 namespace echomap::slam {
@@ -41,7 +42,7 @@ struct LandmarkSlamParams {
   double kept_every_m = 1.0;
   double kept_every_rad = 0.5;
   std::size_t most_kept = 100;
-  mapping::OccupancyGridParams grid{};  ///< Of the map that is drawn.
+  ScanMapParams map{};
 };
 
 /// EKF-SLAM of the paper (Akzhalova and Polichshuk): odometry moves the robot, landmarks are

@@ -197,7 +197,7 @@ ViewAgreement LoopClosing::look(const KeyFrame& from,
                                 const Pose2& T_from_points,
                                 const std::vector<Eigen::Vector2d>& points_m) const {
   ViewAgreement views;
-  for (const PlacedScan& scan : from.scans) {
+  for (const FrameScan& scan : from.scans) {
     views += view_agreement(scan.scan,
                             in_frame_a_m(scan.T_key_robot.inverse() * T_from_points, points_m),
                             params_.view_margin_m);

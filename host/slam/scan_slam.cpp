@@ -7,8 +7,6 @@
 
 #include <Eigen/LU>
 
-#include "host/geometry/unit_vector.hpp"
-
 namespace echomap::slam {
 
 using geometry::Pose2;
@@ -156,23 +154,13 @@ std::vector<Pose2> ScanSlam::trajectory() const {
 }
 
 mapping::OccupancyGrid ScanSlam::grid() const {
-  mapping::OccupancyGrid grid(params_.grid);
-  mapping::RayInserter inserter(params_.rays);
-  std::vector<mapping::Ray> rays;
+  std::vector<PlacedScan> placed;
   for (std::size_t number = 0; number < frames_.size(); ++number) {
-    for (const PlacedScan& placed : frames_.frame(number).scans) {
-      rays.clear();
-      for (const RangeBeam& beam : placed.scan.beams) {
-        if (beam.range_m) {
-          rays.push_back({*beam.range_m * geometry::unit_vector(beam.bearing_rad), true});
-        }
-      }
-      inserter.insert(frames_.T_map_frame(number) * placed.T_key_robot * placed.scan.T_robot_sensor,
-                      rays,
-                      grid);
+    for (const FrameScan& taken : frames_.frame(number).scans) {
+      placed.push_back({frames_.T_map_frame(number) * taken.T_key_robot, taken.scan});
     }
   }
-  return grid;
+  return map_of_scans(placed, params_.map);
 }
 
 }  // namespace echomap::slam

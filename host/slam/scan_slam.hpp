@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "host/mapping/ray_insertion.hpp"
 #include "host/models/odometry_motion.hpp"
 #include "host/slam/key_frames.hpp"
 #include "host/slam/loop_closing.hpp"
 #include "host/slam/scan_gathering.hpp"
+#include "host/slam/scan_map.hpp"
 #include "host/slam/scan_matching.hpp"
 #include "host/slam/slam_method.hpp"
 #include "host/slam/surface_field.hpp"
@@ -45,8 +45,7 @@ struct ScanSlamParams {
   /// After so long a way the map around the robot is gathered anew, metres.
   double renewal_way_m = 4.0;
   bool closes_loops = true;
-  mapping::OccupancyGridParams grid;
-  mapping::RayInsertionParams rays;
+  ScanMapParams map;
 };
 
 /// SLAM by matching scans to the surfaces that were seen around: each scan is put where it lies on

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/slam_methods.hpp"
+
+#include <numbers>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace echomap::slam {
+namespace {
+
+/// What a robot at `x_m` of a square room of 4 m sees with a laser all round.
+RangeScan seen_from(double x_m) {
+  constexpr int kBeams = 180;
+  RangeScan scan;
+  scan.max_range_m = 10.0;
+  for (int i = 0; i < kBeams; ++i) {
+    const double bearing_rad = (i - kBeams / 2) * 2.0 * std::numbers::pi / kBeams;
+    const double along = std::cos(bearing_rad);
+    const double aside = std::abs(std::sin(bearing_rad));
+    const double to_wall_m = (along > 0.0 ? 2.0 - x_m : 2.0 + x_m) / std::abs(along);
+    scan.beams.push_back({bearing_rad, std::min(to_wall_m, 2.0 / aside)});
+  }
+  return scan;
+}
+
+class EachSlam : public testing::TestWithParam<const NamedSlam*> {};
+
+TEST_P(EachSlam, KeepsAPoseForEachScanAndDrawsTheRoom) {
+  const auto slam = GetParam()->make();
+  constexpr int kScans = 80;
+  for (int i = 0; i < kScans; ++i) {
+    const double x_m = 0.02 * i;
+    slam->add({x_m, 0.0, 0.0}, seen_from(x_m));
+  }
+  ASSERT_EQ(slam->trajectory().size(), std::size_t{kScans});
+  EXPECT_NEAR(slam->trajectory().back().x_m(), 1.58, 0.05);
+  EXPECT_NEAR(slam->belief().T_map_robot.x_m(), 1.58, 0.05);
+  const auto grid = slam->grid();
+  EXPECT_EQ(grid.state(grid.cell_at({1.0, 0.5})), mapping::CellState::kFree);
+  EXPECT_GE(grid.bounds().columns() * grid.resolution_m(), 3.9);
+}
+
+TEST_P(EachSlam, HasNothingBeforeTheFirstScan) {
+  const auto slam = GetParam()->make();
+  EXPECT_TRUE(slam->trajectory().empty());
+  EXPECT_TRUE(slam->grid().bounds().empty());
+}
+
+TEST_P(EachSlam, StaysWithItsOdometryWhereNothingAnswers) {
+  const auto slam = GetParam()->make();
+  RangeScan silent = seen_from(0.0);
+  for (RangeBeam& beam : silent.beams) {
+    beam.range_m.reset();
+  }
+  for (int i = 0; i < 40; ++i) {
+    slam->add({0.05 * i, 0.0, 0.01 * i}, silent);
+  }
+  const auto last = slam->trajectory().back();
+  EXPECT_NEAR(last.x_m(), 1.95, 1e-6);
+  EXPECT_NEAR(last.heading_rad(), 0.39, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         EachSlam,
+                         testing::ValuesIn([] {
+                           std::vector<const NamedSlam*> all;
+                           for (const NamedSlam& one : slam_methods()) {
+                             all.push_back(&one);
+                           }
+                           return all;
+                         }()),
+                         [](const auto& tested) { return std::string(tested.param->name); });
+
+TEST(SlamMethods, AreAskedForByTheirNames) {
+  EXPECT_NE(make_slam("scan"), nullptr);
+  EXPECT_THROW(make_slam("laser"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::slam
