@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// SLAM on public logs, by each of its ways, with one setting for each kind of sensor.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "tests/benchmarks/ekf_slam_figures.hpp"
+#include "tests/benchmarks/figures.hpp"
+#include "tests/benchmarks/range_slam_figures.hpp"
+
+namespace echomap::bench {
+namespace {
+
+struct Options {
+  std::string part = "all";
+  std::size_t seeds = 10;
+  bool verbose = false;
+  std::filesystem::path json;
+};
+
+void run(const Options& options) {
+  std::vector<Figure> figures;
+  const auto add = [&](const std::string& part, const auto& measure) {
+    if (options.part == part || options.part == "all") {
+      const std::vector<Figure> some = measure();
+      figures.insert(figures.end(), some.begin(), some.end());
+    }
+  };
+  add("laser", laser_slam_figures);
+  add("sonar", [&] { return sonar_slam_figures(options.seeds); });
+  add("ekf", [&] { return ekf_slam_figures(options.verbose); });
+  add("cost", laser_slam_cost_figures);
+  add("cost", [&] { return ekf_slam_cost_figures(options.verbose); });
+  report(figures, options.json);
+}
+
+}  // namespace
+}  // namespace echomap::bench
+
+int main(int argc, char** argv) {
+  echomap::bench::Options options;
+  CLI::App app("SLAM on public logs: errors of relations, landmarks and paths, and what it costs");
+  app.add_option("--part", options.part, "Of what is measured")
+      ->check(CLI::IsMember({"laser", "sonar", "ekf", "cost", "all"}))
+      ->capture_default_str();
+  app.add_option("--seeds", options.seeds, "Of the noise of sonars")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("-v,--verbose", options.verbose, "Say more of each robot");
+  app.add_option("--json", options.json, "Write the figures to this file");
+  CLI11_PARSE(app, argc, argv);
+  echomap::bench::run(options);
+  return 0;
+}
