@@ -79,6 +79,7 @@ struct ReplayOptions {
   std::string format;              ///< Empty: what the log plainly says.
   std::string map = "grid";        ///< Or "points" or "polygon".
   std::string poses = "odometry";  ///< Or "given".
+  std::string slam;                ///< A way of slam::slam_methods(); empty: by `poses`.
   double resolution_m = 0.05;
   std::filesystem::path out;
   std::filesystem::path json;

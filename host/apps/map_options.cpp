@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "host/apps/commands.hpp"
 #include "host/datasets/open_log.hpp"
+#include "host/slam/slam_methods.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -15,6 +17,14 @@ namespace {
 void add_format_option(CLI::App& command, std::string& format) {
   command.add_option("--format", format, "Format of the log; not needed where the log says it")
       ->check([](const std::string& name) { return datasets::unknown_format(name); });
+}
+
+std::vector<std::string> slam_names() {
+  std::vector<std::string> names;
+  for (const slam::NamedSlam& method : slam::slam_methods()) {
+    names.emplace_back(method.name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -108,17 +118,25 @@ void add_replay(CLI::App& app, CommandAction& action) {
                    "around the floor")
       ->check(CLI::IsMember({"grid", "points", "polygon"}))
       ->capture_default_str();
+  CLI::Option* poses =
+      command
+          ->add_option("--poses",
+                       options->poses,
+                       "Where scans were taken: by the robot's odometry, or by the poses that the "
+                       "log gives as corrected or true")
+          ->check(CLI::IsMember({"odometry", "given"}))
+          ->capture_default_str();
   command
-      ->add_option("--poses",
-                   options->poses,
-                   "Where scans were taken: by the robot's odometry, or by the poses that the log "
-                   "gives as corrected or true")
-      ->check(CLI::IsMember({"odometry", "given"}))
-      ->capture_default_str();
+      ->add_option("--slam",
+                   options->slam,
+                   "Find out where scans were taken: by landmarks (ekf), for sonars and few beams "
+                   "(grid), for lasers (scan)")
+      ->check(CLI::IsMember(slam_names()))
+      ->excludes(poses);
   command->add_option("--resolution", options->resolution_m, "Edge of a cell in metres")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  command->footer("Example: echomap replay aces.log.gz --poses given --out aces");
+  command->footer("Example: echomap replay aces.log.gz --slam scan --out aces");
   command->callback([&action, options] { action = [options] { return run_replay(*options); }; });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,9 @@
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/pipeline/log_mapper.hpp"
+#include "host/pipeline/log_slam.hpp"
+#include "host/pipeline/replaced_poses.hpp"
+#include "host/slam/slam_methods.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -30,13 +34,46 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// SLAM gives its poses as a log gives its own.
+bool are_poses_given(const ReplayOptions& options) {
+  return options.poses == "given" || !options.slam.empty();
+}
+
 pipeline::LogMapperParams params_of(const ReplayOptions& options) {
   pipeline::LogMapperParams params;
   params.map = options.map == "points" ? pipeline::MapKind::kPoints : pipeline::MapKind::kGrid;
   params.poses =
-      options.poses == "given" ? pipeline::PoseSource::kGiven : pipeline::PoseSource::kOdometry;
+      are_poses_given(options) ? pipeline::PoseSource::kGiven : pipeline::PoseSource::kOdometry;
   params.grid.resolution_m = options.resolution_m;
   return params;
+}
+
+/// Where it was interrupted or is damaged, SLAM ends; what the damage is, is told when the map is
+/// made, which meets it again.
+void feed(datasets::LogReader& log, pipeline::LogSlam& slam, ProgressBar& progress) {
+  try {
+    while (!interrupted()) {
+      const auto record = log.next();
+      if (!record) {
+        return;
+      }
+      slam.add(*record);
+      progress.show(log.progress(), fmt::format("slam: {} scans", slam.scans()));
+    }
+  } catch (const files::FileError&) {
+    return;
+  }
+}
+
+/// The log with the poses that SLAM finds for it.
+std::unique_ptr<datasets::LogReader> placed_by_slam(const ReplayOptions& options,
+                                                    datasets::LogReader& log,
+                                                    ProgressBar& progress) {
+  const auto method = slam::make_slam(options.slam);
+  pipeline::LogSlam slam(*method);
+  feed(log, slam, progress);
+  return std::make_unique<pipeline::ReplacedPoses>(datasets::open_log(options.log, options.format),
+                                                   slam.trajectory());
 }
 
 /// Feeds the log to the mapper until it ends, is damaged or the user has had enough; answers why it
@@ -67,11 +104,15 @@ std::string unusable(const ReplayOptions& options, const pipeline::LogMapper& ma
   const pipeline::LogCounts& counts = mapper.counts();
   const pipeline::LogPoses& poses = mapper.poses();
   const std::string log = options.log.string();
-  if (counts.scans > 0 && counts.scans == counts.scans_without_pose) {
+  const bool has_no_pose = counts.scans > 0 && counts.scans == counts.scans_without_pose;
+  if (has_no_pose && !options.slam.empty()) {
+    return log + " has no odometry, which SLAM begins with\n  next: leave out --slam";
+  }
+  if (has_no_pose) {
     return log + " gives no poses for its scans\n  next: --poses odometry";
   }
   // One scan may be of a robot that stands.
-  if (options.poses == "odometry" && poses.odometry_records() == 0 && counts.scans > 1) {
+  if (!are_poses_given(options) && poses.odometry_records() == 0 && counts.scans > 1) {
     return log + " has no odometry" +
            (poses.given_records() > 0 ? "\n  next: --poses given" : ", and no other poses");
   }
@@ -98,7 +139,7 @@ nlohmann::ordered_json replay_json(const ReplayOptions& options,
   const pipeline::LogCounts& counts = mapper.counts();
   return {{"log", options.log.filename().string()},
           {"map", options.map},
-          {"poses", options.poses},
+          {"poses", options.slam.empty() ? options.poses : options.slam},
           {"records", counts.records},
           {"scans", counts.scans},
           {"beams", counts.beams},
@@ -129,11 +170,14 @@ void say_what_was_made(const exports::RunSummary& summary,
 
 ExitCode run_replay(const ReplayOptions& options) {
   const auto start = Clock::now();
-  const auto log = datasets::open_log(options.log, options.format);
+  auto log = datasets::open_log(options.log, options.format);
   const auto out = run_folder(options.out);
   prepare_outputs(out, options.json);
-  pipeline::LogMapper mapper(params_of(options));
   ProgressBar progress(stderr, !options.headless);
+  if (!options.slam.empty()) {
+    log = placed_by_slam(options, *log, progress);
+  }
+  pipeline::LogMapper mapper(params_of(options));
   const auto [outcome, damage] = feed(*log, mapper, progress);
   progress.clear();
   if (const std::string reason = unusable(options, mapper); damage.empty() && !reason.empty()) {

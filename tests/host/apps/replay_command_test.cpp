@@ -67,6 +67,42 @@ TEST_F(ReplayCommandTest, ByGivenPosesTheRoomIsAsItIs) {
   EXPECT_EQ(exports::read_trajectory_tum(options_.out / "trajectory.tum").size(), 48U);
 }
 
+TEST_F(ReplayCommandTest, SlamPlacesTheScansBetterThanOdometry) {
+  const auto error_m = [&](const std::string& slam) {
+    options_.slam = slam;
+    EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+    const auto found = exports::read_trajectory_tum(options_.out / "trajectory.tum");
+    options_.slam.clear();
+    options_.poses = "given";
+    EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+    options_.poses = "odometry";
+    const auto given = exports::read_trajectory_tum(options_.out / "trajectory.tum");
+    EXPECT_EQ(found.size(), given.size());
+    const auto moved = [](const auto& trajectory) {
+      return trajectory.front().T_map_robot.inverse() * trajectory.back().T_map_robot;
+    };
+    return (moved(found).position_m() - moved(given).position_m()).norm();
+  };
+  const double odometry_m = error_m("");
+  EXPECT_GT(odometry_m, 0.1);
+  EXPECT_LT(error_m("scan"), 0.5 * odometry_m);
+}
+
+TEST_F(ReplayCommandTest, SlamNeedsOdometryToBeginWith) {
+  files::write_text_file(scratch_ / "poses.txt", "1 0 0 0\n2 0 0 0\n");
+  write_log("measurement.txt", "1 1 1 1 1 1 1 1 1\n2 1 1 1 1 1 1 1 1\n");
+  options_.slam = "grid";
+  EXPECT_THAT(error(), HasSubstr("has no odometry, which SLAM begins with\n  next: "));
+}
+
+TEST_F(ReplayCommandTest, ADamagedLogKeepsItsMapBySlamUpToThere) {
+  write_log("cut.clf", files::read_text_file(options_.log) + "FLASER 60 1.0\n");
+  options_.slam = "scan";
+  EXPECT_EQ(run_replay(options_), ExitCode::kRuntimeError);
+  EXPECT_EQ(summary().at("outcome"), "log-damaged");
+  EXPECT_EQ(exports::read_trajectory_tum(options_.out / "trajectory.tum").size(), 48U);
+}
+
 TEST_F(ReplayCommandTest, WritesTheLandmarksOfALogWhereItsPosesPutThem) {
   files::write_text_file(scratch_ / "Barcodes.dat", "7 45\n");
   files::write_text_file(scratch_ / "Robot1_Measurement.dat", "12 45 2.0 0.0\n");
