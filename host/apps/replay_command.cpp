@@ -48,15 +48,30 @@ pipeline::LogMapperParams params_of(const ReplayOptions& options) {
   return params;
 }
 
+/// Throws CommandError for a scan of sound where SLAM takes wide beams for thin ones, and errs.
+void require_fit(const datasets::LogRecord& record, const slam::NamedSlam& method) {
+  const auto* scan = std::get_if<datasets::RangeScan>(&record);
+  if (scan != nullptr && scan->beam_opening_rad > 0.0 && !method.takes_cones) {
+    throw CommandError(ExitCode::kRuntimeError,
+                       fmt::format("--slam {} is for lasers, and the log is of sensors with wide "
+                                   "beams\n  next: --slam grid",
+                                   method.name));
+  }
+}
+
 /// Where it was interrupted or is damaged, SLAM ends; what the damage is, is told when the map is
 /// made, which meets it again.
-void feed(datasets::LogReader& log, pipeline::LogSlam& slam, ProgressBar& progress) {
+void feed(datasets::LogReader& log,
+          const slam::NamedSlam& method,
+          pipeline::LogSlam& slam,
+          ProgressBar& progress) {
   try {
     while (!interrupted()) {
       const auto record = log.next();
       if (!record) {
         return;
       }
+      require_fit(*record, method);
       slam.add(*record);
       progress.show(log.progress(), fmt::format("slam: {} scans", slam.scans()));
     }
@@ -69,24 +84,27 @@ void feed(datasets::LogReader& log, pipeline::LogSlam& slam, ProgressBar& progre
 std::unique_ptr<datasets::LogReader> placed_by_slam(const ReplayOptions& options,
                                                     datasets::LogReader& log,
                                                     ProgressBar& progress) {
-  const auto method = slam::make_slam(options.slam);
-  pipeline::LogSlam slam(*method);
-  feed(log, slam, progress);
+  const slam::NamedSlam& method = slam::slam_by_name(options.slam);
+  const auto running = method.make();
+  pipeline::LogSlam slam(*running);
+  feed(log, method, slam, progress);
   return std::make_unique<pipeline::ReplacedPoses>(datasets::open_log(options.log, options.format),
                                                    slam.trajectory());
 }
 
 /// Feeds the log to the mapper until it ends, is damaged or the user has had enough; answers why it
-/// ended, and with the error where it is damaged.
+/// ended, and with the error where it is damaged. What SLAM had found where it was interrupted is
+/// drawn whole.
 std::pair<std::string, std::string> feed(datasets::LogReader& log,
                                          pipeline::LogMapper& mapper,
-                                         ProgressBar& progress) {
+                                         ProgressBar& progress,
+                                         bool was_interrupted) {
   constexpr std::size_t kRecordsPerDrawing = 256;
   try {
-    while (!interrupted()) {
+    while (was_interrupted || !interrupted()) {
       const auto record = log.next();
       if (!record) {
-        return {"finished", ""};
+        return {was_interrupted ? "interrupted" : "finished", ""};
       }
       mapper.add(*record);
       if (mapper.counts().records % kRecordsPerDrawing == 0) {
@@ -177,8 +195,9 @@ ExitCode run_replay(const ReplayOptions& options) {
   if (!options.slam.empty()) {
     log = placed_by_slam(options, *log, progress);
   }
+  const bool slam_was_interrupted = !options.slam.empty() && interrupted();
   pipeline::LogMapper mapper(params_of(options));
-  const auto [outcome, damage] = feed(*log, mapper, progress);
+  const auto [outcome, damage] = feed(*log, mapper, progress, slam_was_interrupted);
   progress.clear();
   if (const std::string reason = unusable(options, mapper); damage.empty() && !reason.empty()) {
     throw CommandError(ExitCode::kRuntimeError, reason);

@@ -22,18 +22,18 @@ std::unique_ptr<SlamMethod> make() {
 
 const std::vector<NamedSlam>& slam_methods() {
   static const std::vector<NamedSlam> all{
-      {"ekf", make<LandmarkSlam>}, {"grid", make<MultiscanSlam>}, {"scan", make<ScanSlam>}};
+      {"ekf", make<LandmarkSlam>}, {"grid", make<MultiscanSlam>, true}, {"scan", make<ScanSlam>}};
   return all;
 }
 
-std::unique_ptr<SlamMethod> make_slam(std::string_view name) {
+const NamedSlam& slam_by_name(std::string_view name) {
   const auto& all = slam_methods();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const NamedSlam& one) { return one.name == name; });
   if (found == all.end()) {
     throw std::invalid_argument("there is no SLAM by the name '" + std::string(name) + "'");
   }
-  return found->make();
+  return *found;
 }
 
 }  // namespace echomap::slam

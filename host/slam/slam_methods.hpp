@@ -13,12 +13,13 @@ namespace echomap::slam {
 struct NamedSlam {
   std::string_view name;
   std::unique_ptr<SlamMethod> (*make)();  ///< With its one setting.
+  bool takes_cones = false;               ///< Or thin beams alone.
 };
 
 /// All there are.
 const std::vector<NamedSlam>& slam_methods();
 
 /// Throws std::invalid_argument for a name that none has.
-std::unique_ptr<SlamMethod> make_slam(std::string_view name);
+const NamedSlam& slam_by_name(std::string_view name);
 
 }  // namespace echomap::slam

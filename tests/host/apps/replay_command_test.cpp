@@ -95,6 +95,28 @@ TEST_F(ReplayCommandTest, SlamNeedsOdometryToBeginWith) {
   EXPECT_THAT(error(), HasSubstr("has no odometry, which SLAM begins with\n  next: "));
 }
 
+TEST_F(ReplayCommandTest, SlamForLasersRefusesSonars) {
+  write_log("Garden.txt", "0,0,0,376,97,60,60,0,0\n4,4,0,376,97,60,60,0,0\n");
+  options_.format = "bigwheelbot";
+  for (const char* for_lasers : {"scan", "ekf"}) {
+    options_.slam = for_lasers;
+    EXPECT_THAT(error(), HasSubstr("is for lasers")) << for_lasers;
+  }
+  options_.slam = "grid";
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+}
+
+TEST_F(ReplayCommandTest, CtrlCInSlamLeavesTheMapOfWhatItHadFound) {
+  options_.slam = "scan";
+  const auto replay_and_interrupt = [&] {
+    catch_interrupts();
+    std::raise(SIGINT);
+    std::exit(static_cast<int>(run_replay(options_)));
+  };
+  EXPECT_EXIT(replay_and_interrupt(), ::testing::ExitedWithCode(130), "");
+  EXPECT_EQ(summary().at("outcome"), "interrupted");
+}
+
 TEST_F(ReplayCommandTest, ADamagedLogKeepsItsMapBySlamUpToThere) {
   write_log("cut.clf", files::read_text_file(options_.log) + "FLASER 60 1.0\n");
   options_.slam = "scan";

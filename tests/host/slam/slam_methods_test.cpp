@@ -73,8 +73,9 @@ INSTANTIATE_TEST_SUITE_P(All,
                          [](const auto& tested) { return std::string(tested.param->name); });
 
 TEST(SlamMethods, AreAskedForByTheirNames) {
-  EXPECT_NE(make_slam("scan"), nullptr);
-  EXPECT_THROW(make_slam("laser"), std::invalid_argument);
+  EXPECT_FALSE(slam_by_name("scan").takes_cones);
+  EXPECT_TRUE(slam_by_name("grid").takes_cones);
+  EXPECT_THROW(slam_by_name("laser"), std::invalid_argument);
 }
 
 }  // namespace
