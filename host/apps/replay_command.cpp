@@ -88,8 +88,15 @@ std::unique_ptr<datasets::LogReader> placed_by_slam(const ReplayOptions& options
   const auto running = method.make();
   pipeline::LogSlam slam(*running);
   feed(log, method, slam, progress);
+  std::vector<geometry::Pose2> trajectory = slam.trajectory();
+  if ((slam.scans() == 0 || trajectory.empty()) && !interrupted()) {
+    throw CommandError(ExitCode::kRuntimeError,
+                       options.log.string() + " has " +
+                           (slam.scans() == 0 ? "no scans" : "no odometry") +
+                           ", and SLAM needs both\n  next: leave out --slam");
+  }
   return std::make_unique<pipeline::ReplacedPoses>(datasets::open_log(options.log, options.format),
-                                                   slam.trajectory());
+                                                   std::move(trajectory));
 }
 
 /// Feeds the log to the mapper until it ends, is damaged or the user has had enough; answers why it
@@ -122,11 +129,7 @@ std::string unusable(const ReplayOptions& options, const pipeline::LogMapper& ma
   const pipeline::LogCounts& counts = mapper.counts();
   const pipeline::LogPoses& poses = mapper.poses();
   const std::string log = options.log.string();
-  const bool has_no_pose = counts.scans > 0 && counts.scans == counts.scans_without_pose;
-  if (has_no_pose && !options.slam.empty()) {
-    return log + " has no odometry, which SLAM begins with\n  next: leave out --slam";
-  }
-  if (has_no_pose) {
+  if (counts.scans > 0 && counts.scans == counts.scans_without_pose) {
     return log + " gives no poses for its scans\n  next: --poses odometry";
   }
   // One scan may be of a robot that stands.

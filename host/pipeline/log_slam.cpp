@@ -16,16 +16,20 @@ slam::RangeScan slam_scan(const datasets::RangeScan& scan) {
 
 void LogSlam::add(const datasets::LogRecord& record) {
   if (poses_.follow(record)) {
-    instants_.push_back({*poses_.T_map_robot(), scans()});
+    const geometry::Pose2 T_log_robot = *poses_.T_map_robot();
+    if (instants_.empty() && std::holds_alternative<datasets::OdometryPose>(record)) {
+      T_log_odom_ = T_log_robot;
+    }
+    T_odom_robot_ = T_log_odom_.inverse() * T_log_robot;
+    instants_.push_back({T_odom_robot_, scans()});
     return;
   }
   const auto* scan = std::get_if<datasets::RangeScan>(&record);
   if (scan == nullptr) {
     return;
   }
-  const geometry::Pose2 T_odom_robot = *poses_.T_map_robot();
-  method_->add(T_odom_robot, slam_scan(*scan));
-  T_odom_scans_.push_back(T_odom_robot);
+  method_->add(T_odom_robot_, slam_scan(*scan));
+  T_odom_scans_.push_back(T_odom_robot_);
   if (!instants_.empty()) {
     instants_.back().scans = scans();
   }
@@ -37,10 +41,11 @@ std::vector<geometry::Pose2> LogSlam::trajectory() const {
   poses.reserve(instants_.size());
   for (const Instant& instant : instants_) {
     if (instant.scans == 0) {
-      poses.push_back(instant.T_odom_robot);
+      poses.push_back(T_log_odom_ * instant.T_odom_robot);
     } else {
       const std::size_t last = instant.scans - 1;
-      poses.push_back(T_map_scans[last] * (T_odom_scans_[last].inverse() * instant.T_odom_robot));
+      const geometry::Pose2 T_scan_robot = T_odom_scans_[last].inverse() * instant.T_odom_robot;
+      poses.push_back(T_log_odom_ * T_map_scans[last] * T_scan_robot);
     }
   }
   return poses;

@@ -15,8 +15,9 @@ namespace echomap::pipeline {
 /// The scan of a log as SLAM takes it.
 slam::RangeScan slam_scan(const datasets::RangeScan& scan);
 
-/// Feeds a log's odometry and scans to a way of doing SLAM. What the log itself says of the robot's
-/// true pose is not looked at.
+/// Feeds a log's odometry and scans to a way of doing SLAM, as if it began at the origin:
+/// coordinates of a country have no digits left for centimetres. Scans before any odometry were
+/// taken where it begins. What the log itself says of the robot's true pose is not looked at.
 class LogSlam {
  public:
   /// `method` has to live as long.
@@ -24,7 +25,8 @@ class LogSlam {
 
   void add(const datasets::LogRecord& record);
   /// Where the robot was at every record that says something of its place, with the scans that
-  /// follow it, as it is known now. From one scan to the next its odometry goes on.
+  /// follow it, as it is known now. From one scan to the next its odometry goes on. Empty where
+  /// the log has no odometry.
   std::vector<geometry::Pose2> trajectory() const;
   std::size_t scans() const { return T_odom_scans_.size(); }
 
@@ -36,6 +38,8 @@ class LogSlam {
 
   slam::SlamMethod* method_;
   LogPoses poses_{PoseSource::kOdometry};
+  geometry::Pose2 T_log_odom_;  ///< Where the log's odometry begins.
+  geometry::Pose2 T_odom_robot_;
   std::vector<Instant> instants_;
   std::vector<geometry::Pose2> T_odom_scans_;
 };

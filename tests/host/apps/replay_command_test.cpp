@@ -92,7 +92,9 @@ TEST_F(ReplayCommandTest, SlamNeedsOdometryToBeginWith) {
   files::write_text_file(scratch_ / "poses.txt", "1 0 0 0\n2 0 0 0\n");
   write_log("measurement.txt", "1 1 1 1 1 1 1 1 1\n2 1 1 1 1 1 1 1 1\n");
   options_.slam = "grid";
-  EXPECT_THAT(error(), HasSubstr("has no odometry, which SLAM begins with\n  next: "));
+  EXPECT_THAT(error(), HasSubstr("has no odometry, and SLAM needs both\n  next: leave out --slam"));
+  write_log("poses.tum", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
+  EXPECT_THAT(error(), HasSubstr("has no scans, and SLAM needs both"));
 }
 
 TEST_F(ReplayCommandTest, SlamForLasersRefusesSonars) {

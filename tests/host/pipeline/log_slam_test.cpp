@@ -37,7 +37,7 @@ TEST(LogSlam, GivesEachScanItsOdometryAndBeams) {
   }
   EXPECT_EQ(slam.scans(), 2U);
   EXPECT_EQ(method.beams, 4U);
-  EXPECT_DOUBLE_EQ(method.poses[1].x_m(), 2.0);
+  EXPECT_DOUBLE_EQ(method.poses[1].x_m(), 1.0);
 }
 
 TEST(LogSlam, GoesOnByOdometryFromTheScanBefore) {
@@ -55,6 +55,35 @@ TEST(LogSlam, GoesOnByOdometryFromTheScanBefore) {
   EXPECT_DOUBLE_EQ(trajectory[3].x_m(), 2.0);
 }
 
+TEST(LogSlam, BeginsAtTheOriginWhereverTheLogBegins) {
+  MovedAside method;
+  LogSlam slam(method);
+  for (const auto& record : {scan, at(5e6), at(5e6 + 1.0), scan}) {
+    slam.add(record);
+  }
+  EXPECT_DOUBLE_EQ(method.poses[0].x_m(), 0.0) << "before any odometry";
+  EXPECT_DOUBLE_EQ(method.poses[1].x_m(), 1.0);
+  EXPECT_DOUBLE_EQ(slam.trajectory()[1].x_m(), 5e6 + 1.0);
+  EXPECT_DOUBLE_EQ(slam.trajectory()[1].y_m(), 1.0);
+}
+
+TEST(LogSlam, TakesTheFirstStepToBeDrivenAfterTheScansBeforeIt) {
+  MovedAside method;
+  LogSlam slam(method);
+  const datasets::LogRecord step = datasets::OdometryStep{{}, {0.5, 0.0, 0.0}};
+  for (const auto& record : {scan, step, scan}) {
+    slam.add(record);
+  }
+  EXPECT_DOUBLE_EQ(method.poses[1].x_m() - method.poses[0].x_m(), 0.5);
+}
+
+TEST(LogSlam, HasNoTrajectoryOfALogWithoutOdometry) {
+  MovedAside method;
+  LogSlam slam(method);
+  slam.add(scan);
+  EXPECT_TRUE(slam.trajectory().empty());
+}
+
 TEST(LogSlam, LooksAtNoPoseThatTheLogGives) {
   MovedAside method;
   LogSlam slam(method);
@@ -62,7 +91,7 @@ TEST(LogSlam, LooksAtNoPoseThatTheLogGives) {
        {at(1.0), datasets::LogRecord(datasets::GivenPose{{}, {7.0, 7.0, 1.0}}), scan}) {
     slam.add(record);
   }
-  EXPECT_DOUBLE_EQ(method.poses[0].x_m(), 1.0);
+  EXPECT_DOUBLE_EQ(method.poses[0].x_m(), 0.0);
 }
 
 }  // namespace
