@@ -175,6 +175,9 @@ void EkfSlam::update(std::span<const LinearSighting> sightings) {
   }
   const Eigen::MatrixXd cross = cross_covariance(sightings);
   const Eigen::LLT<Eigen::MatrixXd> root(innovation_covariance(sightings, cross));
+  if (root.info() != Eigen::Success) {
+    return;
+  }
   // With S = L L^T the gain is K = root_gain L^-1, and K S K^T = root_gain root_gain^T.
   const Eigen::MatrixXd root_gain = root.matrixL().solve(cross.transpose()).transpose();
   const Eigen::VectorXd correction = root_gain * root.matrixL().solve(innovations);

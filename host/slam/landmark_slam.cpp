@@ -37,12 +37,13 @@ bool passes(const RangeScan& scan,
         return std::abs(geometry::angle_between(bearing_rad, left.bearing_rad)) <
                std::abs(geometry::angle_between(bearing_rad, right.bearing_rad));
       });
+  if (nearest == scan.beams.end() || !nearest->range_m) {
+    return false;
+  }
   constexpr double kWidestBeamRad = 0.02;
-  return nearest != scan.beams.end() && nearest->range_m &&
-         std::abs(geometry::angle_between(
-             bearing_rad, nearest->bearing_rad))<kWidestBeamRad&& * nearest->range_m>
-                 seen_m.norm() +
-             margin_m;
+  const double off_rad = std::abs(geometry::angle_between(bearing_rad, nearest->bearing_rad));
+  const double beyond_m = *nearest->range_m - seen_m.norm();
+  return off_rad < kWidestBeamRad && beyond_m > margin_m;
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ MultiscanGathering::MultiscanGathering(const MultiscanParams& params) : params_(
                              params.most_turned_rad,
                              params.most_range_m,
                              params.jump_m,
-                             params.jump_rad}) {
+                             params.jump_rad,
+                             static_cast<double>(params.most_echoes)}) {
     if (!(value > 0.0) || !std::isfinite(value)) {
       throw std::invalid_argument("multiscan: a parameter is not above 0, or not finite");
     }
@@ -36,6 +37,8 @@ std::optional<OdometryPiece> MultiscanGathering::add(const geometry::Pose2& T_od
       has_jumped) {
     piece = std::exchange(piece_, {});
     finished_ = std::exchange(open_, {T_odom_robot, {}});
+    taken_every_ = 1;
+    answers_ = 0;
   }
   gather(scan);
   return piece;
@@ -60,13 +63,28 @@ void MultiscanGathering::follow(const geometry::Pose2& T_odom_robot) {
 void MultiscanGathering::gather(const RangeScan& scan) {
   const geometry::Pose2 T_begin_sensor = piece_.T_before_after * scan.T_robot_sensor;
   for (const RangeBeam& beam : scan.beams) {
-    if (beam.range_m && *beam.range_m <= params_.most_range_m) {
+    if (!beam.range_m || *beam.range_m > params_.most_range_m) {
+      continue;
+    }
+    if (answers_++ % taken_every_ == 0) {
       open_.echoes.push_back({T_begin_sensor.position_m(),
                               T_begin_sensor.heading_rad() + beam.bearing_rad,
                               *beam.range_m,
                               scan.beam_opening_rad / 2.0});
     }
+    if (open_.echoes.size() > params_.most_echoes) {
+      thin_out();
+    }
   }
+}
+
+void MultiscanGathering::thin_out() {
+  std::vector<Echo> kept;
+  for (std::size_t i = 0; i < open_.echoes.size(); i += 2) {
+    kept.push_back(open_.echoes[i]);
+  }
+  open_.echoes = std::move(kept);
+  taken_every_ *= 2;
 }
 
 }  // namespace echomap::slam

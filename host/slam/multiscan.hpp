@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct MultiscanParams {
   double most_turned_rad = 0.5;
   /// Echoes from farther away are not used: a small error of heading moves them far.
   double most_range_m = 12.0;
+  /// A robot that stands hears the same over and over: where there are so many echoes, every other
+  /// one is let go, and they are taken half as often.
+  std::size_t most_echoes = 4000;
   /// Motion between two scans that is more than this is a jump.
   double jump_m = 1.0;
   double jump_rad = 1.0;
@@ -49,10 +53,13 @@ class MultiscanGathering {
  private:
   void follow(const geometry::Pose2& T_odom_robot);
   void gather(const RangeScan& scan);
+  void thin_out();
 
   MultiscanParams params_;
   std::optional<geometry::Pose2> T_odom_last_;
   Multiscan open_;
+  std::size_t taken_every_ = 1;
+  std::size_t answers_ = 0;  ///< Since what is being gathered began.
   Multiscan finished_;
   OdometryPiece piece_;
 };

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -60,7 +61,7 @@ class NormalEquations {
   /// Of a measurement that is off by so many squared deviations, its weight known beforehand.
   void add_surprise(double surprise) { surprise_ += surprise; }
 
-  /// The change of everything.
+  /// The change of everything; none, and endless surprise, where it cannot be told.
   Eigen::VectorXd solve(AlignmentStep& step) const {
     Eigen::SparseMatrix<double> information(gradient_.size(), gradient_.size());
     information.setFromTriplets(entries_.begin(), entries_.end());
@@ -68,6 +69,10 @@ class NormalEquations {
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(gradient_.size(), 4);
     right.col(0) = -gradient_;
     right.block<3, 3>(calibration_row_ - 3, 1).setIdentity();
+    if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0.0) {
+      step.surprise = std::numeric_limits<double>::infinity();
+      return Eigen::VectorXd::Zero(gradient_.size());
+    }
     const Eigen::MatrixXd solved = factors.solve(right);
     step.last_covariance = solved.block<3, 3>(calibration_row_ - 3, 1);
     step.surprise = surprise_ + factors.vectorD().array().log().sum();

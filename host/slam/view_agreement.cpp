@@ -57,8 +57,11 @@ ViewAgreement view_agreement(const RangeScan& scan,
     const Eigen::Vector2d seen_m = T_sensor_robot * point_m;
     const double range_m = seen_m.norm();
     const RangesBeside beside = ranges_beside(scan, std::atan2(seen_m.y(), seen_m.x()));
+    if (beside.most_m == 0.0) {
+      continue;
+    }
     const double allowed_m = margin_m + kMarginByRange * range_m;
-    if (range_m < beside.least_m - allowed_m && beside.most_m > 0.0) {
+    if (range_m < beside.least_m - allowed_m) {
       ++agreement.through;
     } else if (range_m < beside.most_m + allowed_m) {
       ++agreement.met;

@@ -47,6 +47,21 @@ TEST(MultiscanGathering, PlacesEchoesByOdometryFromWhereItBegan) {
   EXPECT_LT((echoes[1].middle_m() - Eigen::Vector2d(2.1, 0.0)).norm(), 1e-9);
 }
 
+TEST(MultiscanGathering, OfARobotThatStandsKeepsAFewEchoesOfItsWholeStay) {
+  MultiscanParams params;
+  params.most_echoes = 100;
+  MultiscanGathering gathering(params);
+  constexpr int kPings = 5000;
+  for (int i = 0; i < kPings; ++i) {
+    gathering.add({}, scan_ahead(1.0 + 0.001 * i));
+  }
+  const auto& echoes = gathering.open().echoes;
+  EXPECT_GE(echoes.size(), 50U);
+  EXPECT_LE(echoes.size(), 100U);
+  EXPECT_LT(echoes.front().middle_m().norm(), 1.5);
+  EXPECT_GT(echoes.back().middle_m().norm(), 5.5);
+}
+
 TEST(MultiscanGathering, LeavesOutSilence) {
   MultiscanGathering gathering({});
   gathering.add({}, scan_ahead(std::nullopt));
