@@ -17,36 +17,20 @@ slam::RangeScan slam_scan(const datasets::RangeScan& scan) {
 void LogSlam::add(const datasets::LogRecord& record) {
   if (poses_.follow(record)) {
     const geometry::Pose2 T_log_robot = *poses_.T_map_robot();
-    if (instants_.empty() && std::holds_alternative<datasets::OdometryPose>(record)) {
+    if (track_.instants() == 0 && std::holds_alternative<datasets::OdometryPose>(record)) {
       T_log_odom_ = T_log_robot;
     }
     T_odom_robot_ = T_log_odom_.inverse() * T_log_robot;
-    instants_.push_back({T_odom_robot_, scans()});
-    return;
-  }
-  const auto* scan = std::get_if<datasets::RangeScan>(&record);
-  if (scan == nullptr) {
-    return;
-  }
-  method_->add(T_odom_robot_, slam_scan(*scan));
-  T_odom_scans_.push_back(T_odom_robot_);
-  if (!instants_.empty()) {
-    instants_.back().scans = scans();
+    track_.follow(T_odom_robot_);
+  } else if (const auto* scan = std::get_if<datasets::RangeScan>(&record)) {
+    track_.add(T_odom_robot_, slam_scan(*scan));
   }
 }
 
 std::vector<geometry::Pose2> LogSlam::trajectory() const {
-  const std::vector<geometry::Pose2> T_map_scans = method_->trajectory();
-  std::vector<geometry::Pose2> poses;
-  poses.reserve(instants_.size());
-  for (const Instant& instant : instants_) {
-    if (instant.scans == 0) {
-      poses.push_back(T_log_odom_ * instant.T_odom_robot);
-    } else {
-      const std::size_t last = instant.scans - 1;
-      const geometry::Pose2 T_scan_robot = T_odom_scans_[last].inverse() * instant.T_odom_robot;
-      poses.push_back(T_log_odom_ * T_map_scans[last] * T_scan_robot);
-    }
+  std::vector<geometry::Pose2> poses = track_.trajectory();
+  for (geometry::Pose2& pose : poses) {
+    pose = T_log_odom_ * pose;
   }
   return poses;
 }

@@ -7,6 +7,7 @@
 #include "host/datasets/log_record.hpp"
 #include "host/geometry/pose2.hpp"
 #include "host/pipeline/log_poses.hpp"
+#include "host/pipeline/slam_track.hpp"
 #include "host/slam/range_scan.hpp"
 #include "host/slam/slam_method.hpp"
 
@@ -21,27 +22,20 @@ slam::RangeScan slam_scan(const datasets::RangeScan& scan);
 class LogSlam {
  public:
   /// `method` has to live as long.
-  explicit LogSlam(slam::SlamMethod& method) : method_(&method) {}
+  explicit LogSlam(slam::SlamMethod& method) : track_(method) {}
 
   void add(const datasets::LogRecord& record);
   /// Where the robot was at every record that says something of its place, with the scans that
   /// follow it, as it is known now. From one scan to the next its odometry goes on. Empty where
   /// the log has no odometry.
   std::vector<geometry::Pose2> trajectory() const;
-  std::size_t scans() const { return T_odom_scans_.size(); }
+  std::size_t scans() const { return track_.scans(); }
 
  private:
-  struct Instant {
-    geometry::Pose2 T_odom_robot;
-    std::size_t scans = 0;  ///< Taken up to then.
-  };
-
-  slam::SlamMethod* method_;
+  SlamTrack track_;
   LogPoses poses_{PoseSource::kOdometry};
   geometry::Pose2 T_log_odom_;  ///< Where the log's odometry begins.
   geometry::Pose2 T_odom_robot_;
-  std::vector<Instant> instants_;
-  std::vector<geometry::Pose2> T_odom_scans_;
 };
 
 }  // namespace echomap::pipeline

@@ -25,11 +25,6 @@ MultiscanGathering::MultiscanGathering(const MultiscanParams& params) : params_(
 
 std::optional<OdometryPiece> MultiscanGathering::add(const geometry::Pose2& T_odom_robot,
                                                      const RangeScan& scan) {
-  const bool is_first = !T_odom_last_;
-  if (is_first) {
-    open_.T_odom_begin = T_odom_robot;
-    T_odom_last_ = T_odom_robot;
-  }
   follow(T_odom_robot);
   std::optional<OdometryPiece> piece;
   const bool has_jumped = piece_.jumped_m > 0.0 || piece_.jumped_rad > 0.0;
@@ -45,6 +40,10 @@ std::optional<OdometryPiece> MultiscanGathering::add(const geometry::Pose2& T_od
 }
 
 void MultiscanGathering::follow(const geometry::Pose2& T_odom_robot) {
+  if (!T_odom_last_) {
+    open_.T_odom_begin = T_odom_robot;
+    T_odom_last_ = T_odom_robot;
+  }
   const geometry::Pose2 T_last_robot = T_odom_last_->inverse() * T_odom_robot;
   const double way_m = T_last_robot.position_m().norm();
   const double turn_rad = T_last_robot.heading_rad();

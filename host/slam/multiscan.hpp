@@ -21,7 +21,7 @@ struct MultiscanParams {
   /// A robot that stands hears the same over and over: where there are so many echoes, every other
   /// one is let go, and they are taken half as often.
   std::size_t most_echoes = 4000;
-  /// Motion between two scans that is more than this is a jump.
+  /// Motion at once that is more than this is a jump.
   double jump_m = 1.0;
   double jump_rad = 1.0;
 };
@@ -39,6 +39,8 @@ class MultiscanGathering {
   /// Throws std::invalid_argument for parameters without sense.
   explicit MultiscanGathering(const MultiscanParams& params);
 
+  /// Takes the odometry between two scans: without it, a long way from one to the next is a jump.
+  void follow(const geometry::Pose2& T_odom_robot);
   /// Takes the next scan. If it is the first of a new multiscan, answers the odometry's piece from
   /// the begin of the last one to the begin of the new one; `finished` is then the last one.
   std::optional<OdometryPiece> add(const geometry::Pose2& T_odom_robot, const RangeScan& scan);
@@ -51,7 +53,6 @@ class MultiscanGathering {
   const OdometryPiece& piece() const { return piece_; }
 
  private:
-  void follow(const geometry::Pose2& T_odom_robot);
   void gather(const RangeScan& scan);
   void thin_out();
 

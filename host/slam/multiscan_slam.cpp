@@ -29,10 +29,16 @@ MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
   graph_.multiscans.emplace_back();
 }
 
-void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) {
-  if (scans_.empty()) {
+void MultiscanSlam::follow(const geometry::Pose2& T_odom_robot) {
+  if (!has_begun_) {
     graph_.multiscans.front().T_map_begin = T_odom_robot;
+    has_begun_ = true;
   }
+  gathering_.follow(T_odom_robot);
+}
+
+void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) {
+  follow(T_odom_robot);
   if (const auto piece = gathering_.add(T_odom_robot, scan)) {
     begin_multiscan(*piece);
   }

@@ -38,6 +38,7 @@ class MultiscanSlam final : public SlamMethod {
   /// Throws std::invalid_argument for parameters without sense.
   explicit MultiscanSlam(const MultiscanSlamParams& params = {});
 
+  void follow(const geometry::Pose2& T_odom_robot) override;
   void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) override;
   localization::PoseGaussian belief() const override;
   std::vector<geometry::Pose2> trajectory() const override;
@@ -69,6 +70,7 @@ class MultiscanSlam final : public SlamMethod {
 
   MultiscanSlamParams params_;
   MultiscanGathering gathering_;
+  bool has_begun_ = false;
   MultiscanGraph graph_;
   std::vector<TakenScan> scans_;
   std::size_t aligned_whole_ = 0;  ///< Multiscans when all moved last.

@@ -11,7 +11,7 @@
 namespace echomap::slam {
 
 /// A way to find out at once where a robot is and what is around it, from its odometry and its
-/// ranges. The map frame is that of the odometry at the first scan.
+/// ranges. The map frame is that of the odometry where it is first told.
 class SlamMethod {
  public:
   SlamMethod() = default;
@@ -19,6 +19,9 @@ class SlamMethod {
   SlamMethod(const SlamMethod&) = delete;
   SlamMethod& operator=(const SlamMethod&) = delete;
 
+  /// Takes where the odometry has the robot between two scans. A method that only looks at scans
+  /// need not know.
+  virtual void follow(const geometry::Pose2& /*T_odom_robot*/) {}
   /// Takes a scan, and where the odometry had the robot when it was taken. In the order of time.
   virtual void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) = 0;
   /// Where the robot was at the last scan.
