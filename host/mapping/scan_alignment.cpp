@@ -18,18 +18,20 @@ using Corrections = Eigen::VectorXd;
 
 Eigen::Index row_of_scan(std::size_t scan) { return 3 * static_cast<Eigen::Index>(scan); }
 
-std::vector<ScanSurfaces> corrected(std::vector<ScanSurfaces> scans, const Corrections& by) {
+/// The correction of a scan turns it about its centre.
+geometry::Pose2 motion_of(const ScanSurfaces& scan, const Eigen::Vector3d& correction) {
+  const Eigen::Vector2d to_m = scan.center_m + correction.head<2>();
+  return geometry::Pose2(to_m.x(), to_m.y(), correction.z()) *
+         geometry::Pose2(-scan.center_m.x(), -scan.center_m.y(), 0.0);
+}
+
+std::vector<ScanSurfaces> corrected(const std::vector<ScanSurfaces>& scans, const Corrections& by) {
+  std::vector<ScanSurfaces> placed;
+  placed.reserve(scans.size());
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    scans[i].center_m += by.segment<2>(row_of_scan(i));
-    const double turn_rad = by[row_of_scan(i) + 2];
-    for (SonarSurface& surface : scans[i].surfaces) {
-      surface.bearing_rad = geometry::wrap_angle(surface.bearing_rad + turn_rad);
-    }
-    for (SonarLook& look : scans[i].looks) {
-      look.bearing_rad = geometry::wrap_angle(look.bearing_rad + turn_rad);
-    }
+    placed.push_back(moved(scans[i], motion_of(scans[i], by.segment<3>(row_of_scan(i)))));
   }
-  return scans;
+  return placed;
 }
 
 /// The normal equations of one step of Gauss and Newton over scans and features.
@@ -148,19 +150,6 @@ std::vector<MatchedFeature> well_supported(std::vector<MatchedFeature> features,
   return features;
 }
 
-/// The correction of the last scan turns it about its centre.
-geometry::Pose2 motion_of_last(const std::vector<ScanSurfaces>& scans,
-                               const Corrections& corrections) {
-  if (scans.empty()) {
-    return {};
-  }
-  const Eigen::Vector3d last = corrections.tail<3>();
-  const Eigen::Vector2d& center_m = scans.back().center_m;
-  const Eigen::Vector2d to_m = center_m + last.head<2>();
-  return geometry::Pose2(to_m.x(), to_m.y(), last[2]) *
-         geometry::Pose2(-center_m.x(), -center_m.y(), 0.0);
-}
-
 }  // namespace
 
 AlignedScans align_scans(const std::vector<ScanSurfaces>& scans,
@@ -184,7 +173,10 @@ AlignedScans align_scans(const std::vector<ScanSurfaces>& scans,
     }
     corrections += equations.solve();
   }
-  return {corrected(scans, corrections), motion_of_last(scans, corrections)};
+  if (scans.empty()) {
+    return {};
+  }
+  return {corrected(scans, corrections), motion_of(scans.back(), corrections.tail<3>())};
 }
 
 }  // namespace echomap::mapping

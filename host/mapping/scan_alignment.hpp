@@ -26,14 +26,14 @@ struct ScanAlignmentParams {
 /// Scans where they agree.
 struct AlignedScans {
   std::vector<ScanSurfaces> scans;
-  /// How the last scan was moved, and with it the robot: from the odometry's frame to the map's.
-  geometry::Pose2 T_map_odom;
+  /// How the last scan was moved, and with it the robot.
+  geometry::Pose2 T_map_placed;
 };
 
-/// Corrects where `scans`, placed by odometry, were taken, so that they agree with what they have
-/// seen together: least squares over the stops' poses and the matched features, with the odometry
-/// between the stops as a prior (graph SLAM on features; Thrun, Burgard and Fox 2005, chapter 11).
-/// The first scan stays. Scans that share nothing with others keep to their odometry.
+/// Corrects where `scans`, placed by odometry (or by SLAM), were taken, so that they agree with
+/// what they have seen together: least squares over the stops' poses and the matched features, with
+/// the odometry between the stops as a prior (graph SLAM on features; Thrun, Burgard and Fox 2005,
+/// chapter 11). The first scan stays. Scans that share nothing with others keep to their odometry.
 AlignedScans align_scans(const std::vector<ScanSurfaces>& scans,
                          const SurfaceMatchingParams& matching,
                          const ScanAlignmentParams& params);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "host/geometry/unit_vector.hpp"
 
@@ -54,10 +55,17 @@ SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
   }
 }
 
-void SonarMapper::add(const Scan& scan) {
+void SonarMapper::add(const Scan& scan, const std::vector<geometry::Pose2>& T_slam_odom) {
   scans_.push_back(find_surfaces(scan, params_.surfaces));
-  const AlignedScans aligned = align_scans(scans_, params_.matching, params_.alignment);
-  T_map_odom_ = aligned.T_map_odom;
+  if (!T_slam_odom.empty() && T_slam_odom.size() != scans_.size()) {
+    throw std::invalid_argument("sonar mapper: SLAM does not place every stop");
+  }
+  std::vector<ScanSurfaces> placed = scans_;
+  for (std::size_t i = 0; i < T_slam_odom.size(); ++i) {
+    placed[i] = moved(std::move(placed[i]), T_slam_odom[i]);
+  }
+  const AlignedScans aligned = align_scans(placed, params_.matching, params_.alignment);
+  T_map_placed_ = aligned.T_map_placed;
   matched_ = match_surfaces(aligned.scans, params_.matching);
 }
 

@@ -45,13 +45,14 @@ class SonarMapper {
   /// Throws std::invalid_argument for parameters without sense.
   explicit SonarMapper(const SonarMapperParams& params = {});
 
-  /// Adds the readings of one stop, placed by odometry alone.
-  void add(const Scan& scan);
+  /// Adds the readings of one stop, placed by odometry alone. Where SLAM knows more of the way, it
+  /// says for every stop, this one last, from where odometry places it to where it was.
+  void add(const Scan& scan, const std::vector<geometry::Pose2>& T_slam_odom = {});
 
   /// The grid of all scans so far; without any echo, an untouched one.
   OccupancyGrid grid() const;
-  /// From where odometry places the robot since the last scan to where it is on the map.
-  const geometry::Pose2& T_map_odom() const { return T_map_odom_; }
+  /// From where odometry, or SLAM, places the robot since the last scan to where it is on the map.
+  const geometry::Pose2& T_map_placed() const { return T_map_placed_; }
 
  private:
   using CellSet = std::set<geometry::CellIndex>;
@@ -70,7 +71,7 @@ class SonarMapper {
   SonarMapperParams params_;
   std::vector<ScanSurfaces> scans_;  ///< As odometry places them.
   MatchedSurfaces matched_;          ///< On the map.
-  geometry::Pose2 T_map_odom_;
+  geometry::Pose2 T_map_placed_;
 };
 
 }  // namespace echomap::mapping

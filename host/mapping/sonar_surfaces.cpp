@@ -185,6 +185,17 @@ SonarSurface surface_of(const Region& region, const SonarSurfaceParams& params) 
 
 }  // namespace
 
+ScanSurfaces moved(ScanSurfaces scan, const geometry::Pose2& T_to_from) {
+  scan.center_m = T_to_from * scan.center_m;
+  for (SonarSurface& surface : scan.surfaces) {
+    surface.bearing_rad = geometry::wrap_angle(surface.bearing_rad + T_to_from.heading_rad());
+  }
+  for (SonarLook& look : scan.looks) {
+    look.bearing_rad = geometry::wrap_angle(look.bearing_rad + T_to_from.heading_rad());
+  }
+  return scan;
+}
+
 ScanSurfaces find_surfaces(const Scan& scan, const SonarSurfaceParams& params) {
   ScanSurfaces found;
   found.center_m = center_of(scan);

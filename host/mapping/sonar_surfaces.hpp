@@ -64,4 +64,7 @@ struct ScanSurfaces {
 /// that supports none of them, as ghosts do, is dropped.
 ScanSurfaces find_surfaces(const Scan& scan, const SonarSurfaceParams& params);
 
+/// The same scan, had it been taken from elsewhere.
+ScanSurfaces moved(ScanSurfaces scan, const geometry::Pose2& T_to_from);
+
 }  // namespace echomap::mapping
