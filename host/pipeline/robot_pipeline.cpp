@@ -19,14 +19,19 @@ Part& own(std::shared_ptr<Part>& part) {
 
 RobotPipeline::RobotPipeline(const sensors::RobotGeometry& robot,
                              const mapping::SonarMapperParams& params,
-                             const mapping::NearMapperParams& near)
+                             const mapping::NearMapperParams& near,
+                             std::unique_ptr<slam::SlamMethod> slam)
     : robot_(robot),
       mapper_(params),
       near_(near, params.grid),
       odometry_(robot.track_m),
       far_grid_(std::make_shared<const mapping::OccupancyGrid>(params.grid)),
       grid_(far_grid_),
-      last_scan_(std::make_shared<const mapping::Scan>()) {}
+      last_scan_(std::make_shared<const mapping::Scan>()) {
+  if (slam) {
+    slam_.emplace(std::move(slam), 2.0 * params.surfaces.beam_half_angle_rad);
+  }
+}
 
 void RobotPipeline::on_odometry(const sensors::OdometryObservation& observation) {
   follow(observation.stamp, observation.travel);
@@ -38,6 +43,9 @@ void RobotPipeline::on_odometry(const sensors::OdometryObservation& observation)
 void RobotPipeline::on_sonar(const sensors::SonarObservation& observation) {
   const geometry::Pose2 T_odom_robot = follow(observation.stamp, observation.travel);
   const geometry::Pose2 T_odom_sonar = T_odom_robot * robot_.T_robot_sonar(observation.pan_rad);
+  if (slam_) {
+    slam_->hear(T_odom_robot, robot_.T_robot_sonar(observation.pan_rad), observation.range_m);
+  }
   const mapping::PlacedReading reading{T_odom_robot, T_odom_sonar, observation.range_m};
   own(points_).add(on_map(reading));
   if (scan_is_open_) {
@@ -66,6 +74,9 @@ void RobotPipeline::on_hazards(const sensors::HazardObservation& observation) {
 void RobotPipeline::begin_scan() {
   end_scan();
   scan_is_open_ = true;
+  if (slam_) {
+    slam_->begin_stop();
+  }
 }
 
 void RobotPipeline::end_scan() {
@@ -74,8 +85,15 @@ void RobotPipeline::end_scan() {
   }
   last_scan_fault_ = mapping::fault_of(on_map(open_scan_), *far_grid_);
   newly_free_m2_ = 0.0;
-  if (last_scan_fault_ == mapping::ScanFault::kNone) {
+  const bool counts = last_scan_fault_ == mapping::ScanFault::kNone;
+  if (slam_) {
+    slam_->end_stop(counts);
+  }
+  if (counts) {
     map_scan();
+  }
+  if (slam_) {
+    move_past();
   }
   last_scan_ = std::make_shared<const mapping::Scan>(on_map(std::exchange(open_scan_, {})));
   if (!trajectory_->empty()) {
@@ -86,15 +104,24 @@ void RobotPipeline::end_scan() {
 }
 
 void RobotPipeline::map_scan() {
-  mapper_.add(open_scan_);
+  mapper_.add(open_scan_, slam_ ? slam_->T_map_odom_of_stops() : std::vector<geometry::Pose2>());
   const auto grid = std::make_shared<const mapping::OccupancyGrid>(mapper_.grid());
   newly_free_m2_ = mapping::newly_free_area_m2(*far_grid_, *grid);
   far_grid_ = grid;
   grid_ = nullptr;
 }
 
+void RobotPipeline::move_past() {
+  const std::vector<geometry::Pose2> T_map_robots = slam_->trajectory();
+  auto& trajectory = own(trajectory_);
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    trajectory[i].T_map_robot = T_map_robots[i];
+  }
+  points_ = std::make_shared<mapping::PointCloudMap>(slam_->points(T_map_robots));
+}
+
 void RobotPipeline::move_to(const geometry::Pose2& T_map_robot) {
-  T_map_mapped_ = T_map_robot * (mapper_.T_map_odom() * odometry_.T_odom_robot()).inverse();
+  T_map_mapped_ = T_map_robot * (T_map_mapped_.inverse() * this->T_map_robot()).inverse();
   if (!trajectory_->empty()) {
     own(trajectory_).back().T_map_robot = T_map_robot;
   }
@@ -133,9 +160,17 @@ std::shared_ptr<const mapping::OccupancyGrid> RobotPipeline::grid() const {
 geometry::Pose2 RobotPipeline::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
   geometry::Pose2 T_odom_robot = odometry_.update(travel);
   if (trajectory_->empty() || stamp > trajectory_->back().stamp) {
+    if (slam_) {
+      slam_->follow(T_odom_robot);
+    }
     own(trajectory_).push_back({stamp, T_map_robot()});
   }
   return T_odom_robot;
+}
+
+geometry::Pose2 RobotPipeline::T_map_odom() const {
+  const geometry::Pose2 T_map_placed = T_map_mapped_ * mapper_.T_map_placed();
+  return slam_ ? T_map_placed * slam_->T_map_odom() : T_map_placed;
 }
 
 mapping::PlacedReading RobotPipeline::on_map(const mapping::PlacedReading& reading) const {

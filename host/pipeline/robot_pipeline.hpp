@@ -12,22 +12,26 @@
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/mapping/sonar_mapper.hpp"
 #include "host/pipeline/observation_sink.hpp"
+#include "host/pipeline/robot_slam.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/sensors/observations.hpp"
 #include "host/sensors/odometry.hpp"
 #include "host/sensors/robot_geometry.hpp"
+#include "host/slam/slam_method.hpp"
 
 namespace echomap::pipeline {
 
 /// Observations in, snapshots out: the same object live and in replay, a function of its input
-/// alone. Feed observations in the order of their stamps. Between stops the pose is odometry; at
-/// the end of a scan it is moved to where the scan agrees with those before it. What the robot
-/// feels on its way goes into the grid at once, until somebody lifts it.
+/// alone. Feed observations in the order of their stamps. Between stops the pose is odometry, or
+/// that of SLAM; at the end of a scan it is moved to where the scan agrees with those before it,
+/// and what SLAM has learnt of the way so far moves it as well as all scans. What the robot feels
+/// on its way goes into the grid at once, until somebody lifts it, and stays there.
 class RobotPipeline final : public ObservationSink {
  public:
   explicit RobotPipeline(const sensors::RobotGeometry& robot,
                          const mapping::SonarMapperParams& params = {},
-                         const mapping::NearMapperParams& near = {});
+                         const mapping::NearMapperParams& near = {},
+                         std::unique_ptr<slam::SlamMethod> slam = nullptr);
 
   void on_odometry(const sensors::OdometryObservation& observation) override;
   /// Places the reading by its own wheel travel. Its echo is a point of the map at once; the grid
@@ -53,6 +57,8 @@ class RobotPipeline final : public ObservationSink {
   void move_to(const geometry::Pose2& T_map_robot);
 
   Snapshot snapshot() const;
+  /// Null without SLAM.
+  const slam::SlamMethod* slam() const { return slam_ ? &slam_->method() : nullptr; }
 
  private:
   /// The pose by odometry alone, after the wheels' travel so far.
@@ -62,9 +68,11 @@ class RobotPipeline final : public ObservationSink {
   mapping::Scan on_map(const mapping::Scan& scan) const;
   /// Puts the open scan into the map.
   void map_scan();
+  /// Moves trajectory and points to where SLAM has them now.
+  void move_past();
   /// Where odometry has the robot, on the map.
   geometry::Pose2 T_map_robot() const { return T_map_odom() * odometry_.T_odom_robot(); }
-  geometry::Pose2 T_map_odom() const { return T_map_mapped_ * mapper_.T_map_odom(); }
+  geometry::Pose2 T_map_odom() const;
 
   std::shared_ptr<const mapping::OccupancyGrid> grid() const;
 
@@ -72,6 +80,7 @@ class RobotPipeline final : public ObservationSink {
   mapping::SonarMapper mapper_;
   mapping::NearMapper near_;
   sensors::WheelOdometry odometry_;
+  std::optional<RobotSlam> slam_;
   geometry::Pose2 T_map_mapped_;  ///< What somebody who sees the robot adds to what it knows.
   std::shared_ptr<std::vector<StampedPose>> trajectory_ =
       std::make_shared<std::vector<StampedPose>>();

@@ -21,14 +21,29 @@ std::vector<geometry::Pose2> SlamTrack::trajectory() const {
   const std::vector<geometry::Pose2> T_map_scans = method_->trajectory();
   std::vector<geometry::Pose2> poses;
   poses.reserve(instants_.size());
-  for (const auto& [T_odom_robot, scans] : instants_) {
-    if (scans == 0) {
-      poses.push_back(T_odom_robot);
-    } else {
-      poses.push_back(T_map_scans[scans - 1] * T_odom_scans_[scans - 1].inverse() * T_odom_robot);
-    }
+  for (const Instant& instant : instants_) {
+    poses.push_back(T_map_odom(instant, T_map_scans) * instant.T_odom_robot);
   }
   return poses;
+}
+
+std::vector<geometry::Pose2> SlamTrack::T_map_odom_at(std::span<const std::size_t> instants) const {
+  const std::vector<geometry::Pose2> T_map_scans = method_->trajectory();
+  std::vector<geometry::Pose2> corrections;
+  corrections.reserve(instants.size());
+  for (const std::size_t instant : instants) {
+    corrections.push_back(instant < instants_.size() ? T_map_odom(instants_[instant], T_map_scans)
+                                                     : T_map_odom_);
+  }
+  return corrections;
+}
+
+geometry::Pose2 SlamTrack::T_map_odom(const Instant& instant,
+                                      const std::vector<geometry::Pose2>& T_map_scans) const {
+  if (instant.scans == 0) {
+    return {};
+  }
+  return T_map_scans[instant.scans - 1] * T_odom_scans_[instant.scans - 1].inverse();
 }
 
 }  // namespace echomap::pipeline

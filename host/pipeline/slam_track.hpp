@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
@@ -26,6 +27,9 @@ class SlamTrack {
   const geometry::Pose2& T_map_odom() const { return T_map_odom_; }
   /// Where the robot was at every instant, as it is known now.
   std::vector<geometry::Pose2> trajectory() const;
+  /// From where odometry had the robot at those instants to where SLAM has it now; instants to come
+  /// are as the last one.
+  std::vector<geometry::Pose2> T_map_odom_at(std::span<const std::size_t> instants) const;
   std::size_t instants() const { return instants_.size(); }
   std::size_t scans() const { return T_odom_scans_.size(); }
 
@@ -34,6 +38,9 @@ class SlamTrack {
     geometry::Pose2 T_odom_robot;
     std::size_t scans = 0;  ///< Taken up to then.
   };
+
+  geometry::Pose2 T_map_odom(const Instant& instant,
+                             const std::vector<geometry::Pose2>& T_map_scans) const;
 
   slam::SlamMethod* method_;
   geometry::Pose2 T_map_odom_;

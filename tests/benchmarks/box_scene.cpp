@@ -102,7 +102,8 @@ mapping::RasterMap BoxScene::mapped(const std::vector<std::size_t>& boxes, bool 
   }
   const auto plan = with_boxes(plan_, polygons, after ? after_start_ : before_start_);
   return mapping::rasterize(
-      *tests::explore_offline(plan, "uno_2wd", 10 * seed_ + runs_++).snapshot.grid);
+      *tests::explore_offline(plan, tests::bundled_robot("uno_2wd"), 10 * seed_ + runs_++)
+           .snapshot.grid);
 }
 
 double BoxScene::signed_share() {

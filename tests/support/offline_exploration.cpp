@@ -11,6 +11,7 @@
 #include "host/exploration/frontier.hpp"
 #include "host/exploration/nxt_farthest.hpp"
 #include "host/files/toml_reader.hpp"
+#include "host/slam/slam_methods.hpp"
 #include "tests/support/offline_robot.hpp"
 
 namespace echomap::tests {
@@ -82,36 +83,32 @@ world::FloorPlan bundled_room(const std::string& room) {
   return world::read_floor_plan(files::TomlReader::load(bundled("worlds", room)));
 }
 
-OfflineRun explore_offline(const std::string& room,
-                           const std::string& robot,
-                           std::uint32_t seed,
-                           OfflineStrategy strategy) {
-  return explore_offline(bundled_room(room), robot, seed, strategy);
+world::RobotParams bundled_robot(const std::string& robot) {
+  return world::read_robot(files::TomlReader::load(bundled("robots", robot)));
 }
 
 OfflineRun explore_offline(const world::FloorPlan& room,
-                           const std::string& robot,
+                           const world::RobotParams& robot,
                            std::uint32_t seed,
-                           OfflineStrategy strategy) {
-  const auto robot_params = world::read_robot(files::TomlReader::load(bundled("robots", robot)));
-  world::RobotWorld world(room, robot_params, seed);
-  const auto geometry = believed_geometry(robot_params);
-  pipeline::RobotPipeline pipeline(geometry, mapper_for(robot_params));
+                           const OfflineSettings& settings) {
+  world::RobotWorld world(room, robot, seed);
+  const auto geometry = believed_geometry(robot);
+  pipeline::RobotPipeline pipeline(
+      geometry, mapper_for(robot), {}, settings.slam ? slam::slam_by_name("grid").make() : nullptr);
   OfflineRobot offline_robot(world, geometry, pipeline);
   std::mt19937 random(seed);
-  const auto explorer = explorer_for(robot_params, strategy, random);
+  const auto explorer = explorer_for(robot, settings.strategy, random);
 
   OfflineRun run;
   run.reason = explore(*explorer, offline_robot, pipeline, run.bumps);
   run.snapshot = pipeline.snapshot();
   run.sim_seconds = offline_robot.now_s();
-  const geometry::Pose2 T_world_map = world.plan().T_world_start();
-  const geometry::Pose2 T_true_believed =
-      world.T_world_robot().inverse() * T_world_map * run.snapshot.latest.T_map_robot;
-  run.final_error_m = T_true_believed.position_m().norm();
-  run.final_heading_error_rad = std::abs(T_true_believed.heading_rad());
+  run.trajectory =
+      evaluation::score_trajectory(*run.snapshot.trajectory, offline_robot.true_path());
+  run.odometry =
+      evaluation::score_trajectory(offline_robot.odometry_path(), offline_robot.true_path());
   run.agreement = evaluation::score_map(
-      mapping::rasterize(*run.snapshot.grid), T_world_map, truth_of(world.plan()));
+      mapping::rasterize(*run.snapshot.grid), world.plan().T_world_start(), truth_of(world.plan()));
   return run;
 }
 

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "hil_mock/world/floor_plan.hpp"
+#include "hil_mock/world/robot_world.hpp"
 #include "host/evaluation/map_agreement.hpp"
+#include "host/evaluation/trajectory_error.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/nxt_farthest.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
@@ -19,25 +21,25 @@ struct OfflineRun {
   exploration::FinishReason reason = exploration::FinishReason::kStopLimit;
   double sim_seconds = 0.0;
   int bumps = 0;
-  /// Between where the robot is and where it believes to be.
-  double final_error_m = 0.0;
-  double final_heading_error_rad = 0.0;
+  evaluation::TrajectoryError trajectory;
+  evaluation::TrajectoryError odometry;  ///< Alone.
 };
 
 /// Strategies that explore offline, with their default parameters.
 enum class OfflineStrategy : std::uint8_t { kNxtFarthest, kFrontier };
 
-/// Explores a bundled room with a bundled robot.
-OfflineRun explore_offline(const std::string& room,
-                           const std::string& robot,
-                           std::uint32_t seed,
-                           OfflineStrategy strategy = OfflineStrategy::kNxtFarthest);
-OfflineRun explore_offline(const world::FloorPlan& room,
-                           const std::string& robot,
-                           std::uint32_t seed,
-                           OfflineStrategy strategy = OfflineStrategy::kNxtFarthest);
+struct OfflineSettings {
+  OfflineStrategy strategy = OfflineStrategy::kNxtFarthest;
+  bool slam = false;  ///< Grid SLAM tells the pose.
+};
 
-/// A room that comes with the programs.
+OfflineRun explore_offline(const world::FloorPlan& room,
+                           const world::RobotParams& robot,
+                           std::uint32_t seed,
+                           const OfflineSettings& settings = {});
+
+/// A room and a robot that come with the programs.
 world::FloorPlan bundled_room(const std::string& room);
+world::RobotParams bundled_robot(const std::string& robot);
 
 }  // namespace echomap::tests

@@ -46,7 +46,7 @@ sensors::RobotGeometry believed_geometry(const world::RobotParams& robot) {
 OfflineRobot::OfflineRobot(world::RobotWorld& world,
                            const sensors::RobotGeometry& geometry,
                            pipeline::RobotPipeline& pipeline)
-    : world_(world), geometry_(geometry), pipeline_(pipeline) {}
+    : world_(world), geometry_(geometry), pipeline_(pipeline), odometry_(geometry.track_m) {}
 
 MotionResult OfflineRobot::execute(const exploration::Motion& motion) {
   if (const auto* turn = std::get_if<exploration::Turn>(&motion)) {
@@ -129,6 +129,7 @@ MotionResult OfflineRobot::sweep(const exploration::Sweep& sweep) {
       observation.range_m = *flight_s * world_.robot().sonar.speed_of_sound_m_per_s / 2.0;
     }
     pipeline_.on_sonar(observation);
+    keep_path();
   }
   return MotionResult::kReached;
 }
@@ -146,12 +147,18 @@ void OfflineRobot::step(const world::WheelDuty& duty) {
   if (now_us_ % kOdometryPeriodUs == 0) {
     const auto contacts = world_.contacts();
     pipeline_.on_odometry({stamp(), travel()});
+    keep_path();
     sensors::HazardObservation hazards;
     hazards.stamp = stamp();
     hazards.bump_left = contacts.left;
     hazards.bump_right = contacts.right;
     pipeline_.on_hazards(hazards);
   }
+}
+
+void OfflineRobot::keep_path() {
+  true_path_.push_back({stamp(), world_.T_world_robot()});
+  odometry_path_.push_back({stamp(), odometry_.update(travel())});
 }
 
 }  // namespace echomap::tests

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "hil_mock/world/robot_world.hpp"
+#include "host/evaluation/trajectory_error.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
+#include "host/sensors/odometry.hpp"
 #include "host/sensors/robot_geometry.hpp"
 
 namespace echomap::tests {
@@ -24,6 +27,10 @@ class OfflineRobot {
 
   exploration::MotionResult execute(const exploration::Motion& motion);
 
+  /// Where the robot was at every observation that the pipeline has had, truly and by odometry
+  /// alone.
+  const std::vector<evaluation::TruePose>& true_path() const { return true_path_; }
+  const std::vector<pipeline::StampedPose>& odometry_path() const { return odometry_path_; }
   double now_s() const { return static_cast<double>(now_us_) * 1e-6; }
 
  private:
@@ -34,12 +41,16 @@ class OfflineRobot {
   sensors::WheelTravel travel() const;
   time::RobotTime stamp() const { return time::RobotTime(time::RobotClock::duration(now_us_)); }
   void step(const world::WheelDuty& duty);
+  void keep_path();
 
   world::RobotWorld& world_;
   sensors::RobotGeometry geometry_;
   pipeline::RobotPipeline& pipeline_;
   world::EncoderChanges changes_;
   std::int64_t now_us_ = 0;
+  sensors::WheelOdometry odometry_;
+  std::vector<evaluation::TruePose> true_path_;
+  std::vector<pipeline::StampedPose> odometry_path_;
 };
 
 }  // namespace echomap::tests

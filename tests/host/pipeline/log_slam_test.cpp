@@ -1,29 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "host/pipeline/log_slam.hpp"
 
-#include <vector>
-
 #include <gtest/gtest.h>
+
+#include "tests/host/pipeline/moved_aside.hpp"
 
 namespace echomap::pipeline {
 namespace {
-
-using geometry::Pose2;
-
-/// Has every scan a metre to the left of where the odometry has it.
-class MovedAside : public slam::SlamMethod {
- public:
-  void add(const Pose2& T_odom_robot, const slam::RangeScan& scan) override {
-    poses.push_back(Pose2(0.0, 1.0, 0.0) * T_odom_robot);
-    beams += scan.beams.size();
-  }
-  localization::PoseGaussian belief() const override { return {poses.back(), {}}; }
-  std::vector<Pose2> trajectory() const override { return poses; }
-  mapping::OccupancyGrid grid() const override { return mapping::OccupancyGrid(); }
-
-  std::vector<Pose2> poses;
-  std::size_t beams = 0;
-};
 
 datasets::LogRecord at(double x_m) { return datasets::OdometryPose{{}, {x_m, 0.0, 0.0}}; }
 

@@ -7,6 +7,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/mapping/raster_map.hpp"
+#include "tests/host/pipeline/moved_aside.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::pipeline {
@@ -214,6 +215,40 @@ TEST_F(RobotPipelineTest, SurvivesAScanWithoutAnyEcho) {
   EXPECT_EQ(snapshot.newly_free_m2, 0.0);
   EXPECT_EQ(snapshot.points->poses().size(), 1U);
   EXPECT_TRUE(snapshot.points->points().empty());
+}
+
+/// The same with SLAM that knows where the robot was only when it has heard the second stop.
+TEST_F(RobotPipelineTest, MovesAllToWhereSlamHasIt) {
+  auto method = std::make_unique<MovedAside>();
+  MovedAside& slam = *method;
+  slam.T_map_odom = {};
+  RobotPipeline placed(plain_robot(), {}, {}, std::move(method));
+  std::swap(pipeline, placed);
+  scan(0.0, 1.0);
+  slam.T_map_odom = {0.0, 0.3, 0.0};
+  scan(0.0, 1.0);
+
+  const Snapshot snapshot = pipeline.snapshot();
+  EXPECT_EQ(pipeline.slam(), &slam);
+  EXPECT_NEAR(snapshot.latest.T_map_robot.y_m(), 0.3, 0.02);
+  EXPECT_NEAR(snapshot.trajectory->front().T_map_robot.y_m(), 0.3, 1e-9);
+  EXPECT_NEAR(snapshot.points->poses().front().y_m(), 0.3, 1e-9);
+  EXPECT_NEAR(snapshot.last_scan->front().T_map_robot.y_m(), 0.3, 0.02);
+  EXPECT_EQ(snapshot.grid->state(snapshot.grid->cell_at({0.0, 1.15})), mapping::CellState::kFree)
+      << "the floor of both stops moved";
+}
+
+TEST_F(RobotPipelineTest, KeepsAScanOfAnotherPlaceFromSlam) {
+  auto method = std::make_unique<MovedAside>();
+  const MovedAside& slam = *method;
+  RobotPipeline placed(plain_robot(), {}, {}, std::move(method));
+  std::swap(pipeline, placed);
+  scan(0.0, 1.5);
+  scan(0.0, 1.5);
+  const std::size_t beams = slam.beams;
+  scan(0.0, 0.6);
+  EXPECT_EQ(pipeline.snapshot().last_scan_fault, mapping::ScanFault::kElsewhere);
+  EXPECT_EQ(slam.beams, beams);
 }
 
 TEST(RobotPipeline, CountsHowOftenTheRobotWasLifted) {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+#include "host/mapping/point_cloud_map.hpp"
+#include "host/pipeline/slam_track.hpp"
+#include "host/slam/slam_method.hpp"
+
+namespace echomap::pipeline {
+
+/// SLAM of a robot that drives and pings: every ping is a scan of one beam.
+class RobotSlam {
+ public:
+  RobotSlam(std::unique_ptr<slam::SlamMethod> method, double beam_opening_rad);
+
+  /// The next instant of the robot's way.
+  void follow(const geometry::Pose2& T_odom_robot);
+  /// A ping of the last instant.
+  void hear(const geometry::Pose2& T_odom_robot,
+            const geometry::Pose2& T_robot_sonar,
+            const std::optional<double>& range_m);
+  /// What comes now is held back until the stop's end: the robot stays where it was thought to be.
+  void begin_stop() { is_at_stop_ = true; }
+  /// Pings of a stop that are of another place, or of a sonar that hangs, do not count.
+  void end_stop(bool pings_count);
+
+  const geometry::Pose2& T_map_odom() const { return track_.T_map_odom(); }
+  /// Of each stop that counted, from where odometry had it to where it was, as is known now.
+  std::vector<geometry::Pose2> T_map_odom_of_stops() const { return track_.T_map_odom_at(stops_); }
+  /// At every instant up to the last stop's end, as is known now.
+  std::vector<geometry::Pose2> trajectory() const { return track_.trajectory(); }
+  /// All echoes on a trajectory of this.
+  mapping::PointCloudMap points(const std::vector<geometry::Pose2>& trajectory) const;
+  const slam::SlamMethod& method() const { return *method_; }
+
+ private:
+  struct Ping {
+    std::size_t instant = 0;
+    geometry::Pose2 T_odom_robot;
+    geometry::Pose2 T_robot_sonar;
+    std::optional<double> range_m;
+  };
+
+  void count(const Ping& ping);
+
+  std::unique_ptr<slam::SlamMethod> method_;
+  SlamTrack track_;
+  double beam_opening_rad_;
+  std::vector<Ping> pings_;
+  bool is_at_stop_ = false;
+  std::vector<geometry::Pose2> held_T_odom_robots_;
+  std::size_t held_pings_ = 0;      ///< The last ones of all.
+  std::vector<std::size_t> stops_;  ///< The instant in the middle of each.
+};
+
+}  // namespace echomap::pipeline

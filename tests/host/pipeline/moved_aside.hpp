@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host/slam/slam_method.hpp"
+
+namespace echomap::pipeline {
+
+/// SLAM that has every scan a metre to the left of where the odometry has it, or so far as is told.
+class MovedAside final : public slam::SlamMethod {
+ public:
+  void follow(const geometry::Pose2& /*T_odom_robot*/) override { ++followed; }
+  void add(const geometry::Pose2& T_odom_robot, const slam::RangeScan& scan) override {
+    poses.push_back(T_odom_robot);
+    beams += scan.beams.size();
+  }
+  localization::PoseGaussian belief() const override { return {T_map_odom * poses.back(), {}}; }
+  std::vector<geometry::Pose2> trajectory() const override {
+    std::vector<geometry::Pose2> moved;
+    for (const geometry::Pose2& pose : poses) {
+      moved.push_back(T_map_odom * pose);
+    }
+    return moved;
+  }
+  mapping::OccupancyGrid grid() const override { return mapping::OccupancyGrid(); }
+
+  geometry::Pose2 T_map_odom{0.0, 1.0, 0.0};
+  std::vector<geometry::Pose2> poses;  ///< By odometry.
+  std::size_t beams = 0;
+  std::size_t followed = 0;
+};
+
+}  // namespace echomap::pipeline
