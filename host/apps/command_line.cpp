@@ -47,6 +47,7 @@ ExitCode report_usage(const CLI::App& app, const CLI::ParseError& error, const s
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) {
     names.push_back(command->get_name());
+    names.insert(names.end(), command->get_aliases().begin(), command->get_aliases().end());
   }
   const bool known = std::find(names.begin(), names.end(), name) != names.end();
   const std::string what =

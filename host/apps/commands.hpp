@@ -21,6 +21,8 @@ struct RunOptions {
   std::string waypoints;  ///< Course of tangent-bug: a bundled name or a TOML file; empty: none.
   std::string hand = "right";  ///< Or "left": which is held to the wall.
   double seconds = 120.0;      ///< How long random-bounce drives.
+  /// A way of slam::slam_methods() that a robot with a sonar is placed by, or "none": odometry.
+  std::string slam = "grid";
   std::uint32_t seed = 1;
   std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
   std::filesystem::path json;  ///< Empty: none; "-": stdout.

@@ -33,6 +33,18 @@ void choose_emulator(DemoOptions& options, bool emulator_is_named) {
   options.emulator = fitting;
 }
 
+/// A camera knows better, so that one of both has the robot's pose.
+void add_slam_option(CLI::App& command, RunOptions& run) {
+  command
+      .add_option("--slam",
+                  run.slam,
+                  "What tells a robot with a sonar where it is while it maps: grid, SLAM by its "
+                  "odometry and echoes, or none, its odometry alone")
+      ->check(CLI::IsMember(live_slam_names()))
+      ->excludes("--fixes")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_run_options(CLI::App& command, RunOptions& run) {
@@ -99,6 +111,8 @@ void add_explore(CLI::App& app, CommandAction& action) {
                       "udp:HOST:PORT or tcp:HOST:PORT of an overhead camera that tells where the "
                       "robot is (docs/guides/localize.md)");
   add_run_options(*command, options->run);
+  add_slam_option(*command, options->run);
+  command->alias("slam");
   command->footer("Example: echomap explore --port /dev/ttyACM0 --robot uno_2wd --out kitchen");
   command->callback([&action, options] { action = [options] { return run_explore(*options); }; });
 }
@@ -153,6 +167,7 @@ void add_demo(CLI::App& app, CommandAction& action) {
       options->no_kidnap,
       "End with the map; else a robot with a sonar is carried off then, and finds itself again");
   add_run_options(*command, options->run);
+  add_slam_option(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
   command->callback([&action, options, emulator] {
     choose_emulator(*options, emulator->count() > 0);

@@ -37,7 +37,7 @@ void StopDriver::start_anew() {
   if (pipeline_) {
     fork_.remove(*pipeline_);
   }
-  pipeline_ = std::make_unique<pipeline::RobotPipeline>(pipeline_for(profile_));
+  pipeline_ = std::make_unique<pipeline::RobotPipeline>(pipeline_for(profile_, RunOptions{}.slam));
   fork_.add(*pipeline_);
   explorer_ = std::make_unique<exploration::NxtFarthest>(endless(profile_), random_);
   last_ = exploration::MotionResult::kReached;

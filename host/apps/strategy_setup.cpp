@@ -10,9 +10,12 @@
 #include "host/exploration/fault_watch.hpp"
 #include "host/exploration/random_bounce.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/slam/slam_methods.hpp"
 
 namespace echomap::apps {
 namespace {
+
+constexpr const char* kNoSlam = "none";
 
 /// Cells of a map that is only felt: sensors of a few centimetres tell a wall's place to some
 /// millimetres, a sonar to some centimetres.
@@ -141,6 +144,16 @@ void refuse_strange_options(const RunOptions& options) {
 
 }  // namespace
 
+std::vector<std::string> live_slam_names() {
+  std::vector<std::string> names{kNoSlam};
+  for (const slam::NamedSlam& method : slam::slam_methods()) {
+    if (method.takes_cones) {
+      names.emplace_back(method.name);
+    }
+  }
+  return names;
+}
+
 const std::vector<Strategy>& strategies() {
   static const std::vector<Strategy> all{
       {"nxt-farthest", lack_of_sonar, make_nxt_farthest, false, StrategyLimit::kStops},
@@ -217,7 +230,7 @@ exploration::FrontierParams frontier_params(const RobotProfile& profile, std::si
   return params;
 }
 
-pipeline::RobotPipeline pipeline_for(const RobotProfile& profile) {
+pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::string& slam) {
   mapping::SonarMapperParams params;
   mapping::NearMapperParams near;
   if (profile.has_sonar) {
@@ -232,7 +245,9 @@ pipeline::RobotPipeline pipeline_for(const RobotProfile& profile) {
   for (const sensors::InfraredSensor& sensor : profile.sensors.infrared) {
     near.T_robot_infrared.push_back(sensor.T_robot_sensor);
   }
-  return pipeline::RobotPipeline(profile.geometry, params, near);
+  const bool by_slam = profile.has_sonar && slam != kNoSlam;
+  return pipeline::RobotPipeline(
+      profile.geometry, params, near, by_slam ? slam::slam_by_name(slam).make() : nullptr);
 }
 
 }  // namespace echomap::apps

@@ -40,6 +40,9 @@ struct Strategy {
 const std::vector<Strategy>& strategies();
 std::vector<std::string> strategy_names();
 
+/// What `--slam` of a robot that drives may be: the ways for sonars, and none.
+std::vector<std::string> live_slam_names();
+
 /// That of the strategy of the options. Throws CommandError where there is no such strategy.
 StrategyLimit limit_of(const RunOptions& options);
 
@@ -61,7 +64,8 @@ exploration::TangentBugParams tangent_bug_params(const RobotProfile& profile);
 /// What frontier has to know of a robot.
 exploration::FrontierParams frontier_params(const RobotProfile& profile, std::size_t most_stops);
 
-/// An empty pipeline for what the robot senses.
-pipeline::RobotPipeline pipeline_for(const RobotProfile& profile);
+/// An empty pipeline for what the robot senses. SLAM of that name (RunOptions::slam) places a robot
+/// with a sonar.
+pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::string& slam);
 
 }  // namespace echomap::apps

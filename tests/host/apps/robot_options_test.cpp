@@ -23,5 +23,18 @@ TEST(RobotOptions, AreCheckedBeforeARobotIsAsked) {
   EXPECT_EQ(run({"demo", "--emulator", "mock", "--board", "uno"}).code, ExitCode::kUsage);
 }
 
+TEST(RobotOptions, SlamIsAnotherNameOfExplore) {
+  EXPECT_THAT(run({"slam", "--help"}).out, HasSubstr("echomap explore"));
+  const auto refused = run({"slam", "--slam", "scan"});
+  EXPECT_EQ(refused.code, ExitCode::kUsage) << "that is for lasers";
+  EXPECT_THAT(refused.err, HasSubstr("--slam"));
+}
+
+TEST(RobotOptions, APoseIsOfTheCameraOrOfSlam) {
+  const auto refused = run({"explore", "--fixes", "udp:127.0.0.1:5000", "--slam", "grid"});
+  EXPECT_EQ(refused.code, ExitCode::kUsage);
+  EXPECT_THAT(refused.err, HasSubstr("excludes"));
+}
+
 }  // namespace
 }  // namespace echomap::apps

@@ -16,7 +16,7 @@ TEST(StrategySetup, TakesTheRobotFromItsProfile) {
   EXPECT_EQ(params.robot_radius_m, profile.body_radius_m);
   EXPECT_EQ(params.sweep.pan_limit_rad, profile.pan_limit_rad);
   EXPECT_EQ(params.sweep.settle_s, profile.settle_s);
-  EXPECT_EQ(pipeline_for(profile).snapshot().stops, 0U);
+  EXPECT_EQ(pipeline_for(profile, "none").snapshot().stops, 0U);
 }
 
 TEST(StrategySetup, MakesEachStrategyThatTheOptionsMayName) {
@@ -71,6 +71,12 @@ TEST(StrategySetup, RefusesWhatOnlyAnotherStrategyGoesBy) {
   options.waypoints = "playground";
   EXPECT_THAT(complaint_about(options),
               testing::HasSubstr("--waypoints is for strategy 'tangent-bug'"));
+}
+
+TEST(StrategySetup, PlacesARobotWithASonarBySlam) {
+  EXPECT_NE(pipeline_for(load_robot_profile("uno_2wd"), "grid").slam(), nullptr);
+  EXPECT_EQ(pipeline_for(load_robot_profile("uno_2wd"), "none").slam(), nullptr);
+  EXPECT_EQ(pipeline_for(load_robot_profile("create"), "grid").slam(), nullptr);
 }
 
 TEST(StrategySetup, SaysWhatARobotLacks) {
