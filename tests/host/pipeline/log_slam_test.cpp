@@ -20,6 +20,7 @@ class MovedAside : public slam::SlamMethod {
   localization::PoseGaussian belief() const override { return {poses.back(), {}}; }
   std::vector<Pose2> trajectory() const override { return poses; }
   mapping::OccupancyGrid grid() const override { return mapping::OccupancyGrid(); }
+  slam::FactorGraph factor_graph() const override { return {poses, {}, {}, {}}; }
 
   std::vector<Pose2> poses;
   std::size_t beams = 0;
