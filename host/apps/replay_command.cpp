@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,8 +16,10 @@
 #include "host/apps/report.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/exports/landmarks_csv.hpp"
+#include "host/exports/pose_graph_g2o.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/geometry/angle.hpp"
 #include "host/pipeline/log_mapper.hpp"
 #include "host/pipeline/log_slam.hpp"
 #include "host/pipeline/replaced_poses.hpp"
@@ -80,10 +83,16 @@ void feed(datasets::LogReader& log,
   }
 }
 
-/// The log with the poses that SLAM finds for it.
-std::unique_ptr<datasets::LogReader> placed_by_slam(const ReplayOptions& options,
-                                                    datasets::LogReader& log,
-                                                    ProgressBar& progress) {
+/// What SLAM has found of a log.
+struct FoundBySlam {
+  std::vector<geometry::Pose2> trajectory;
+  slam::FactorGraph graph;          ///< In the trajectory's frame.
+  Eigen::Matrix3d last_covariance;  ///< Of the last pose.
+};
+
+FoundBySlam find_by_slam(const ReplayOptions& options,
+                         datasets::LogReader& log,
+                         ProgressBar& progress) {
   const slam::NamedSlam& method = slam::slam_by_name(options.slam);
   const auto running = method.make();
   pipeline::LogSlam slam(*running);
@@ -95,8 +104,9 @@ std::unique_ptr<datasets::LogReader> placed_by_slam(const ReplayOptions& options
                            (slam.scans() == 0 ? "no scans" : "no odometry") +
                            ", and SLAM needs both\n  next: leave out --slam");
   }
-  return std::make_unique<pipeline::ReplacedPoses>(datasets::open_log(options.log, options.format),
-                                                   std::move(trajectory));
+  return {std::move(trajectory),
+          slam::in_frame_a(slam.T_log_map(), running->factor_graph()),
+          running->belief().covariance};
 }
 
 /// Feeds the log to the mapper until it ends, is damaged or the user has had enough; answers why it
@@ -156,19 +166,46 @@ void refuse_huge_map(const mapping::OccupancyGrid& grid) {
 }
 
 nlohmann::ordered_json replay_json(const ReplayOptions& options,
-                                   const pipeline::LogMapper& mapper) {
+                                   const pipeline::LogMapper& mapper,
+                                   const std::optional<FoundBySlam>& found) {
   const pipeline::LogCounts& counts = mapper.counts();
-  return {{"log", options.log.filename().string()},
-          {"map", options.map},
-          {"poses", options.slam.empty() ? options.poses : options.slam},
-          {"records", counts.records},
-          {"scans", counts.scans},
-          {"beams", counts.beams},
-          {"scans_without_pose", counts.scans_without_pose},
-          {"poses_without_stamp", counts.poses_without_stamp},
-          {"bumps", counts.bumps},
-          {"sightings", counts.sightings},
-          {"sightings_without_pose", counts.sightings_without_pose}};
+  nlohmann::ordered_json json{{"log", options.log.filename().string()},
+                              {"map", options.map},
+                              {"poses", options.slam.empty() ? options.poses : options.slam},
+                              {"records", counts.records},
+                              {"scans", counts.scans},
+                              {"beams", counts.beams},
+                              {"scans_without_pose", counts.scans_without_pose},
+                              {"poses_without_stamp", counts.poses_without_stamp},
+                              {"bumps", counts.bumps},
+                              {"sightings", counts.sightings},
+                              {"sightings_without_pose", counts.sightings_without_pose}};
+  if (found) {
+    const Eigen::Vector3d variance = found->last_covariance.diagonal();
+    json["pose_std_m"] = std::sqrt(variance.x() + variance.y());
+    json["pose_std_deg"] = geometry::degrees(std::sqrt(variance.z()));
+  }
+  return json;
+}
+
+exports::RunSummary summary_of(const pipeline::LogMapper& mapper,
+                               const pipeline::Snapshot& snapshot,
+                               const std::string& outcome) {
+  exports::RunSummary summary;
+  summary.echomap_version = ECHOMAP_VERSION;
+  summary.outcome = outcome;
+  summary.sim_seconds = mapper.duration_s().value_or(0.0);
+  exports::describe_snapshot(snapshot, summary);
+  return summary;
+}
+
+void write_pose_graph(const std::filesystem::path& path, const FoundBySlam& found) {
+  exports::write_pose_graph_g2o(path, found.graph);
+  say(fmt::format("pose graph: {} ({} poses, {} landmarks, {} edges)",
+                  path.string(),
+                  found.graph.T_map_nodes.size(),
+                  found.graph.landmarks_m.size(),
+                  found.graph.edges.size() + found.graph.landmark_edges.size()));
 }
 
 void say_what_was_made(const exports::RunSummary& summary,
@@ -195,10 +232,13 @@ ExitCode run_replay(const ReplayOptions& options) {
   const auto out = run_folder(options.out);
   prepare_outputs(out, options.json);
   ProgressBar progress(stderr, !options.headless);
+  std::optional<FoundBySlam> found;
   if (!options.slam.empty()) {
-    log = placed_by_slam(options, *log, progress);
+    found = find_by_slam(options, *log, progress);
+    log = std::make_unique<pipeline::ReplacedPoses>(datasets::open_log(options.log, options.format),
+                                                    found->trajectory);
   }
-  const bool slam_was_interrupted = !options.slam.empty() && interrupted();
+  const bool slam_was_interrupted = found && interrupted();
   pipeline::LogMapper mapper(params_of(options));
   const auto [outcome, damage] = feed(*log, mapper, progress, slam_was_interrupted);
   progress.clear();
@@ -208,16 +248,15 @@ ExitCode run_replay(const ReplayOptions& options) {
 
   const pipeline::Snapshot snapshot = mapper.snapshot();
   refuse_huge_map(*snapshot.grid);
-  exports::RunSummary summary;
-  summary.echomap_version = ECHOMAP_VERSION;
-  summary.outcome = outcome;
-  summary.sim_seconds = mapper.duration_s().value_or(0.0);
-  exports::describe_snapshot(snapshot, summary);
+  exports::RunSummary summary = summary_of(mapper, snapshot, outcome);
   exports::write_run_directory(out, snapshot, summary);
   exports::write_landmarks_csv(out / "landmarks.csv", mapper.landmarks());
+  if (found) {
+    write_pose_graph(out / "pose_graph.g2o", *found);
+  }
   summary.wall_seconds = seconds_since(start);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
-  report["replay"] = replay_json(options, mapper);
+  report["replay"] = replay_json(options, mapper, found);
   write_report(out / "summary.json", report);
   write_report(options.json, report);
   say_what_was_made(summary, mapper.counts(), out);

@@ -29,6 +29,8 @@ class LogSlam {
   /// follow it, as it is known now. From one scan to the next its odometry goes on. Empty where
   /// the log has no odometry.
   std::vector<geometry::Pose2> trajectory() const;
+  /// From SLAM's map to the frame of the log's odometry, which `trajectory` is in.
+  const geometry::Pose2& T_log_map() const { return T_log_odom_; }
   std::size_t scans() const { return track_.scans(); }
 
  private:

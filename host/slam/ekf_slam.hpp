@@ -98,6 +98,9 @@ class EkfSlam {
   const std::vector<Landmark>& landmarks() const { return landmarks_; }
   std::size_t kept_poses() const { return kept_.size(); }
   const geometry::Pose2& T_map_kept(std::size_t kept) const { return kept_[kept].T_map_robot; }
+  Eigen::Matrix3d kept_covariance(std::size_t kept) const {
+    return covariance_.block<3, 3>(kept_[kept].at, kept_[kept].at);
+  }
   Eigen::Matrix2d landmark_covariance(std::size_t landmark) const;
   /// The diagonal of that.
   Eigen::Vector2d landmark_variance(std::size_t landmark) const;

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/slam/joint_compatibility.hpp"
@@ -44,6 +47,33 @@ bool passes(const RangeScan& scan,
   const double off_rad = std::abs(geometry::angle_between(bearing_rad, nearest->bearing_rad));
   const double beyond_m = *nearest->range_m - seen_m.norm();
   return off_rad < kWidestBeamRad && beyond_m > margin_m;
+}
+
+/// Nothing where all of it is known: then it is where the map begins.
+void add_pose(const localization::PoseGaussian& pose, FactorGraph& graph) {
+  if (!localization::is_covariance(pose.covariance)) {
+    return;
+  }
+  const Eigen::Matrix3d information = pose.covariance.llt().solve(Eigen::Matrix3d::Identity());
+  graph.edges.push_back({0,
+                         graph.T_map_nodes.size(),
+                         graph.T_map_nodes.front().inverse() * pose.T_map_robot,
+                         in_frame_of(pose.T_map_robot, information),
+                         false});
+  graph.T_map_nodes.push_back(pose.T_map_robot);
+}
+
+void add_landmark(const Eigen::Vector2d& place_m,
+                  const Eigen::Matrix2d& covariance,
+                  FactorGraph& graph) {
+  const Pose2 T_first_map = graph.T_map_nodes.front().inverse();
+  const Eigen::Matrix2d to_first = Eigen::Rotation2Dd(T_first_map.heading_rad()).toRotationMatrix();
+  const Eigen::Matrix2d on_axes_of_first = to_first * covariance * to_first.transpose();
+  graph.landmark_edges.push_back({0,
+                                  graph.landmarks_m.size(),
+                                  T_first_map * place_m,
+                                  on_axes_of_first.llt().solve(Eigen::Matrix2d::Identity())});
+  graph.landmarks_m.push_back(place_m);
 }
 
 }  // namespace
@@ -195,6 +225,24 @@ mapping::OccupancyGrid LandmarkSlam::grid() const {
     placed.push_back({T_map_robots[i], scans_[i]});
   }
   return map_of_scans(placed, params_.map);
+}
+
+FactorGraph LandmarkSlam::factor_graph() const {
+  FactorGraph graph;
+  if (filter_.kept_poses() == 0) {
+    return graph;
+  }
+  graph.T_map_nodes = {filter_.T_map_kept(0)};
+  for (std::size_t kept = 1; kept < filter_.kept_poses(); ++kept) {
+    add_pose({filter_.T_map_kept(kept), filter_.kept_covariance(kept)}, graph);
+  }
+  add_pose(filter_.belief(), graph);
+  for (std::size_t i = 0; i < filter_.landmarks().size(); ++i) {
+    if (const Landmark& landmark = filter_.landmarks()[i]; landmark.kind == LandmarkKind::kPoint) {
+      add_landmark(landmark.value, filter_.landmark_covariance(i), graph);
+    }
+  }
+  return graph;
 }
 
 }  // namespace echomap::slam

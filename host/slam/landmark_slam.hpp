@@ -57,6 +57,10 @@ class LandmarkSlam : public SlamMethod {
   localization::PoseGaussian belief() const override { return filter_.belief(); }
   std::vector<geometry::Pose2> trajectory() const override;
   mapping::OccupancyGrid grid() const override;
+  /// What the filter knows of each by itself (its marginals; that errors of two are alike is lost):
+  /// edges from the first pose, which is taken as known, to those kept, to the last one and to all
+  /// landmarks that are points. Walls are left out.
+  FactorGraph factor_graph() const override;
 
   const EkfSlam& filter() const { return filter_; }
 

@@ -169,33 +169,20 @@ MatchResidual match_residual(const Pose2& T_map_later,
           {-normal.x(), -normal.y(), left.dot(point_m - T_map_earlier.position_m())}};
 }
 
-void add_match(const MultiscanGraph& graph,
-               const PatchMatch& match,
-               double most_apart_m,
-               const MultiscanAlignmentParams& params,
-               NormalEquations& equations) {
-  const PlacedPatches& from = graph.multiscans[match.later.multiscan];
-  const PlacedPatches& to = graph.multiscans[match.earlier.multiscan];
-  const SurfacePatch& later = from.patches[match.later.patch];
-  const SurfacePatch& earlier = to.patches[match.earlier.patch];
-  const MatchResidual residual = match_residual(from.T_map_begin, later, to.T_map_begin, earlier);
-  const double variance_m2 =
-      square(params.patch_sd_m) + square(later.offset_sd_m) + square(earlier.offset_sd_m) +
-      (square(params.normal_sd_rad) + square(earlier.normal_sd_rad)) * square(residual.along_m);
-  const double trust = 1.0 / square(1.0 + square(residual.value_m / most_apart_m));
-  const double weight = params.match_weight * trust / variance_m2;
-  equations.add_surprise(params.match_weight * square(residual.value_m) * std::sqrt(trust) /
-                         variance_m2);
+void add_match(const PatchMatch& match, const PatchFactor& factor, NormalEquations& equations) {
+  equations.add_surprise(factor.information_per_m2 * square(factor.across_m) *
+                         std::sqrt(factor.trust));
+  const double weight = factor.information_per_m2 * factor.trust;
   const Eigen::Index row_later = equations.row_of(match.later.multiscan);
   const Eigen::Index row_earlier = equations.row_of(match.earlier.multiscan);
   equations.add_information(
-      row_later, row_later, weight * residual.by_later.transpose() * residual.by_later);
+      row_later, row_later, weight * factor.by_later.transpose() * factor.by_later);
   equations.add_information(
-      row_earlier, row_earlier, weight * residual.by_earlier.transpose() * residual.by_earlier);
+      row_earlier, row_earlier, weight * factor.by_earlier.transpose() * factor.by_earlier);
   equations.add_information(
-      row_later, row_earlier, weight * residual.by_later.transpose() * residual.by_earlier);
-  equations.add_gradient(row_later, weight * residual.value_m * residual.by_later.transpose());
-  equations.add_gradient(row_earlier, weight * residual.value_m * residual.by_earlier.transpose());
+      row_later, row_earlier, weight * factor.by_later.transpose() * factor.by_earlier);
+  equations.add_gradient(row_later, weight * factor.across_m * factor.by_later.transpose());
+  equations.add_gradient(row_earlier, weight * factor.across_m * factor.by_earlier.transpose());
 }
 
 /// What is known of the calibration beforehand; nothing of it may change where it is not sought.
@@ -236,6 +223,27 @@ void check(const MultiscanAlignmentParams& params) {
   }
 }
 
+PatchFactor patch_factor(const MultiscanGraph& graph,
+                         const PatchMatch& match,
+                         std::size_t first_wide,
+                         const MultiscanAlignmentParams& params) {
+  const PlacedPatches& from = graph.multiscans[match.later.multiscan];
+  const PlacedPatches& to = graph.multiscans[match.earlier.multiscan];
+  const SurfacePatch& later = from.patches[match.later.patch];
+  const SurfacePatch& earlier = to.patches[match.earlier.patch];
+  const MatchResidual residual = match_residual(from.T_map_begin, later, to.T_map_begin, earlier);
+  const double variance_m2 =
+      square(params.patch_sd_m) + square(later.offset_sd_m) + square(earlier.offset_sd_m) +
+      (square(params.normal_sd_rad) + square(earlier.normal_sd_rad)) * square(residual.along_m);
+  const double place_sd_m = match.later.multiscan >= first_wide ? match.place_sd_m : 0.0;
+  const double most_apart_m = std::hypot(params.most_apart_m, place_sd_m);
+  return {residual.value_m,
+          residual.by_later,
+          residual.by_earlier,
+          params.match_weight / variance_m2,
+          1.0 / square(1.0 + square(residual.value_m / most_apart_m))};
+}
+
 AlignmentStep align_multiscans(MultiscanGraph& graph,
                                const std::vector<PatchMatch>& matches,
                                std::size_t first_free,
@@ -248,8 +256,7 @@ AlignmentStep align_multiscans(MultiscanGraph& graph,
     add_piece(graph, i, params.odometry, equations);
   }
   for (const PatchMatch& match : matches) {
-    const double place_sd_m = match.later.multiscan >= first_wide ? match.place_sd_m : 0.0;
-    add_match(graph, match, std::hypot(params.most_apart_m, place_sd_m), params, equations);
+    add_match(match, patch_factor(graph, match, first_wide, params), equations);
   }
   AlignmentStep step;
   const Eigen::VectorXd change = equations.solve(step);

@@ -53,6 +53,22 @@ struct AlignmentStep {
   double surprise = 0.0;
 };
 
+/// What a match measures: how far one patch lies across the other.
+struct PatchFactor {
+  double across_m = 0.0;
+  /// By x, y and heading of the two multiscans in the map frame.
+  Eigen::RowVector3d by_later = Eigen::RowVector3d::Zero();
+  Eigen::RowVector3d by_earlier = Eigen::RowVector3d::Zero();
+  double information_per_m2 = 0.0;
+  double trust = 1.0;  ///< What is left of the information because the patches are so far apart.
+};
+
+/// Where the multiscans are; `first_wide` as below.
+PatchFactor patch_factor(const MultiscanGraph& graph,
+                         const PatchMatch& match,
+                         std::size_t first_wide,
+                         const MultiscanAlignmentParams& params);
+
 /// Makes one step of Gauss and Newton: least squares over the poses of the multiscans from
 /// `first_free` (at least 1: the first one holds the map) on, with the odometry between them and
 /// the matches as measurements (graph SLAM; Thrun, Burgard and Fox 2005, chapter 11). Where all but

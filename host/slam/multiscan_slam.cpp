@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "host/slam/multiscan_factors.hpp"
+
 namespace echomap::slam {
 
 namespace {
@@ -54,10 +56,15 @@ void MultiscanSlam::begin_multiscan(const OdometryPiece& piece) {
   align();
 }
 
+std::size_t MultiscanSlam::first_of_window() const {
+  const std::size_t count = graph_.multiscans.size();
+  return count > params_.window ? count - params_.window : 1;
+}
+
 void MultiscanSlam::align() {
   const std::size_t count = graph_.multiscans.size();
   const auto due = static_cast<std::size_t>(params_.whole_share * static_cast<double>(count));
-  const std::size_t window = count > params_.window ? count - params_.window : 1;
+  const std::size_t window = first_of_window();
   if (count < aligned_whole_ + std::max<std::size_t>(1, due)) {
     for (int step = 0; step < params_.steps; ++step) {
       align_from(window, window);
@@ -134,6 +141,13 @@ mapping::OccupancyGrid MultiscanSlam::grid() const {
     placed.push_back({T_map_robot(taken), taken.scan});
   }
   return map_of_scans(placed, params_.map);
+}
+
+FactorGraph MultiscanSlam::factor_graph() const {
+  return slam::factor_graph(graph_,
+                            match_patches(graph_.multiscans, 1, params_.matching),
+                            first_of_window(),
+                            params_.alignment);
 }
 
 }  // namespace echomap::slam

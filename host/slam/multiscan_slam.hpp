@@ -43,6 +43,7 @@ class MultiscanSlam final : public SlamMethod {
   localization::PoseGaussian belief() const override;
   std::vector<geometry::Pose2> trajectory() const override;
   mapping::OccupancyGrid grid() const override;
+  FactorGraph factor_graph() const override;
 
   /// How odometry is off, as far as is known.
   const OdometryCalibration& calibration() const { return graph_.calibration; }
@@ -57,6 +58,8 @@ class MultiscanSlam final : public SlamMethod {
   };
 
   void begin_multiscan(const OdometryPiece& piece);
+  /// Of the newest multiscans, which move with each new one.
+  std::size_t first_of_window() const;
   /// Aligns the newest multiscans, or all of them.
   void align();
   AlignmentStep align_from(std::size_t first_free, std::size_t first_wide);

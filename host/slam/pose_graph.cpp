@@ -141,6 +141,15 @@ double PoseGraph::square_error(const PoseEdge& edge) const {
   return error.dot(edge.information * error);
 }
 
+std::vector<PoseEdge> PoseGraph::weighed_edges() const {
+  std::vector<PoseEdge> weighed = edges_;
+  for (PoseEdge& edge : weighed) {
+    edge.information *= trust(edge, square_error(edge));
+    edge.is_doubtful = false;
+  }
+  return weighed;
+}
+
 double PoseGraph::trust(const PoseEdge& edge, double square) const {
   if (!edge.is_doubtful) {
     return 1.0;

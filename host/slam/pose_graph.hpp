@@ -67,6 +67,9 @@ class PoseGraph {
   const std::vector<PoseEdge>& edges() const { return edges_; }
   /// How far the nodes are off what the edge says: the square of the error in standard deviations.
   double square_error(const PoseEdge& edge) const;
+  /// The edges for those who know of no doubt: of a doubtful one, the information that is left
+  /// where the nodes are now.
+  std::vector<PoseEdge> weighed_edges() const;
 
   /// Gauss-Newton with a sparse Cholesky factorisation. Each node has to hang on the first one by
   /// edges. False where that is not so: then nothing moves any more.

@@ -62,6 +62,10 @@ class ScanSlam : public SlamMethod {
   localization::PoseGaussian belief() const override { return belief_; }
   std::vector<geometry::Pose2> trajectory() const override;
   mapping::OccupancyGrid grid() const override;
+  /// Key frames; odometry and matches from each to the next, and the loops that were closed.
+  FactorGraph factor_graph() const override {
+    return {graph().nodes(), {}, graph().weighed_edges(), {}};
+  }
   const PoseGraph& graph() const { return frames_.graph(); }
   /// How well the last scans lay on what was known: a share that stays small says that the robot
   /// is lost.

@@ -6,6 +6,7 @@
 #include "host/geometry/pose2.hpp"
 #include "host/localization/pose_gaussian.hpp"
 #include "host/mapping/occupancy_grid.hpp"
+#include "host/slam/factor_graph.hpp"
 #include "host/slam/range_scan.hpp"
 
 namespace echomap::slam {
@@ -31,6 +32,8 @@ class SlamMethod {
   virtual std::vector<geometry::Pose2> trajectory() const = 0;
   /// The map of all scans, in cells.
   virtual mapping::OccupancyGrid grid() const = 0;
+  /// Poses of the way and what is known between them, as it is known now.
+  virtual FactorGraph factor_graph() const = 0;
 };
 
 }  // namespace echomap::slam

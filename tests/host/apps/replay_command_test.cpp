@@ -2,6 +2,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -86,6 +87,35 @@ TEST_F(ReplayCommandTest, SlamPlacesTheScansBetterThanOdometry) {
   const double odometry_m = error_m("");
   EXPECT_GT(odometry_m, 0.1);
   EXPECT_LT(error_m("scan"), 0.5 * odometry_m);
+}
+
+TEST_F(ReplayCommandTest, SlamWritesItsGraphAndHowSureItIs) {
+  for (const char* slam : {"scan", "grid", "ekf"}) {
+    options_.slam = slam;
+    EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+    const std::string graph = files::read_text_file(options_.out / "pose_graph.g2o");
+    const auto trajectory = exports::read_trajectory_tum(options_.out / "trajectory.tum");
+    std::istringstream first(graph);
+    std::string tag;
+    int id = -1;
+    double x_m = 0.0;
+    double y_m = 0.0;
+    first >> tag >> id >> x_m >> y_m;
+    EXPECT_EQ(tag, "VERTEX_SE2") << slam;
+    EXPECT_NEAR(x_m, trajectory.front().T_map_robot.x_m(), 1e-5) << "in the trajectory's frame";
+    EXPECT_NEAR(y_m, trajectory.front().T_map_robot.y_m(), 1e-5);
+    EXPECT_THAT(graph, HasSubstr("\nEDGE_SE2 0 1 "));
+    EXPECT_GT(summary()["replay"]["pose_std_m"], 0.001) << slam;
+    EXPECT_LT(summary()["replay"]["pose_std_m"], 0.5) << slam;
+    EXPECT_GT(summary()["replay"]["pose_std_deg"], 0.01) << slam;
+    EXPECT_LT(summary()["replay"]["pose_std_deg"], 10.0) << slam;
+  }
+}
+
+TEST_F(ReplayCommandTest, WithoutSlamThereIsNoGraph) {
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+  EXPECT_FALSE(fs::exists(options_.out / "pose_graph.g2o"));
+  EXPECT_FALSE(summary()["replay"].contains("pose_std_m"));
 }
 
 TEST_F(ReplayCommandTest, SlamNeedsOdometryToBeginWith) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
@@ -141,6 +142,47 @@ TEST(LandmarkSlam, DrawsWhatTheScansHaveSeen) {
   EXPECT_EQ(grid.state(grid.cell_at({3.0, 2.0})), mapping::CellState::kFree);
   EXPECT_NE(grid.state(grid.cell_at({0.0, 0.0})), mapping::CellState::kFree);
   EXPECT_EQ(grid.state(grid.cell_at({6.0, 0.0})), mapping::CellState::kUnknown);
+}
+
+TEST(LandmarkSlam, ItsGraphHoldsWhatTheFilterKnowsOfEachPose) {
+  LandmarkSlam slam;
+  drive(slam);
+  const EkfSlam& filter = slam.filter();
+  const FactorGraph graph = slam.factor_graph();
+  ASSERT_EQ(graph.T_map_nodes.size(), filter.kept_poses() + 1);
+  ASSERT_EQ(graph.edges.size(), filter.kept_poses());
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    const Eigen::Matrix3d covariance =
+        i + 1 < graph.edges.size() ? filter.kept_covariance(i + 1) : filter.belief().covariance;
+    const PoseEdge& edge = graph.edges[i];
+    const EdgeError off = edge_error(edge, graph.T_map_nodes.front(), graph.T_map_nodes[edge.to]);
+    EXPECT_LT(off.error.norm(), 1e-9);
+    const Eigen::Matrix3d in_map = off.by_to.transpose() * edge.information * off.by_to;
+    EXPECT_LT((in_map * covariance - Eigen::Matrix3d::Identity()).norm(), 1e-6) << i;
+  }
+}
+
+TEST(LandmarkSlam, ItsGraphHoldsWhatTheFilterKnowsOfEachPoint) {
+  LandmarkSlam slam;
+  drive(slam);
+  const FactorGraph graph = slam.factor_graph();
+  const Pose2& T_map_first = graph.T_map_nodes.front();
+  const Eigen::Matrix2d to_map = Eigen::Rotation2Dd(T_map_first.heading_rad()).toRotationMatrix();
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < slam.filter().landmarks().size(); ++i) {
+    const Landmark& landmark = slam.filter().landmarks()[i];
+    if (landmark.kind != LandmarkKind::kPoint) {
+      continue;
+    }
+    const LandmarkEdge& edge = graph.landmark_edges.at(points++);
+    EXPECT_EQ(graph.landmarks_m.at(edge.landmark), landmark.value);
+    EXPECT_LT((T_map_first * edge.place_m - landmark.value).norm(), 1e-9);
+    const Eigen::Matrix2d in_map = to_map * edge.information * to_map.transpose();
+    const Eigen::Matrix2d one = in_map * slam.filter().landmark_covariance(i);
+    EXPECT_LT((one - Eigen::Matrix2d::Identity()).norm(), 1e-6) << i;
+  }
+  EXPECT_GT(points, 2U);
+  EXPECT_EQ(graph.landmark_edges.size(), points);
 }
 
 TEST(LandmarkSlam, TakesOutWhatBeamsPassThrough) {

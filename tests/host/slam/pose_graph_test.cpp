@@ -117,6 +117,31 @@ TEST(PoseGraph, ADoubtfulEdgeThatIsWrongBarelyPulls) {
   EXPECT_NEAR(square.worst_m(), right_m, 0.01);
 }
 
+TEST(PoseGraph, WeighedEdgesHoldTheNodesWithoutDoubt) {
+  Square square;
+  const Pose2 T_last_first(1.0, 0.0, std::numbers::pi / 2);
+  square.graph.add_edge({15, 0, T_last_first, Square::information(0.01, 0.005), true});
+  square.graph.add_edge({2, 10, {0.5, 0.0, 0.0}, Square::information(0.5, 0.3), true});
+  ASSERT_TRUE(square.graph.solve());
+  const auto weighed = square.graph.weighed_edges();
+  EXPECT_EQ(weighed.front().information, square.graph.edges().front().information);
+  EXPECT_LT(weighed.back().information(0, 0), 0.9 * square.graph.edges().back().information(0, 0));
+  PoseGraph without_doubt;
+  for (const Pose2& node : square.graph.nodes()) {
+    without_doubt.add_node(node);
+  }
+  for (const PoseEdge& edge : weighed) {
+    EXPECT_FALSE(edge.is_doubtful);
+    without_doubt.add_edge(edge);
+  }
+  ASSERT_TRUE(without_doubt.solve());
+  for (std::size_t i = 0; i < weighed.size() - 1; ++i) {
+    const Eigen::Vector2d moved_m =
+        without_doubt.nodes()[i].position_m() - square.graph.nodes()[i].position_m();
+    EXPECT_LT(moved_m.norm(), 1e-3) << i;
+  }
+}
+
 TEST(PoseGraph, SaysWhereANodeHangsOnNothing) {
   PoseGraph graph;
   graph.add_node({});

@@ -41,10 +41,35 @@ TEST_P(EachSlam, KeepsAPoseForEachScanAndDrawsTheRoom) {
   EXPECT_GE(grid.bounds().columns() * grid.resolution_m(), 3.9);
 }
 
+TEST_P(EachSlam, GivesAGraphThatHangsOnItsFirstPose) {
+  const auto slam = GetParam()->make();
+  for (int i = 0; i < 80; ++i) {
+    const double x_m = 0.02 * i;
+    slam->add({x_m, 0.0, 0.0}, seen_from(x_m));
+  }
+  const FactorGraph graph = slam->factor_graph();
+  ASSERT_GE(graph.T_map_nodes.size(), 2U);
+  EXPECT_NEAR(graph.T_map_nodes.front().x_m(), 0.0, 1e-9);
+  EXPECT_GT(graph.T_map_nodes.back().x_m(), 0.9);
+  PoseGraph solved;
+  for (const auto& node : graph.T_map_nodes) {
+    solved.add_node(node);
+  }
+  for (const PoseEdge& edge : graph.edges) {
+    EXPECT_FALSE(edge.is_doubtful);
+    solved.add_edge(edge);
+  }
+  ASSERT_TRUE(solved.solve());
+  for (std::size_t i = 0; i < graph.T_map_nodes.size(); ++i) {
+    EXPECT_NEAR(solved.nodes()[i].x_m(), graph.T_map_nodes[i].x_m(), 0.01) << i;
+  }
+}
+
 TEST_P(EachSlam, HasNothingBeforeTheFirstScan) {
   const auto slam = GetParam()->make();
   EXPECT_TRUE(slam->trajectory().empty());
   EXPECT_TRUE(slam->grid().bounds().empty());
+  EXPECT_TRUE(slam->factor_graph().edges.empty());
 }
 
 TEST_P(EachSlam, StaysWithItsOdometryWhereNothingAnswers) {

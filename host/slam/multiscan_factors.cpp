@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/multiscan_factors.hpp"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+namespace echomap::slam {
+
+namespace {
+
+using geometry::Pose2;
+
+/// What is known no better than to a metre or a radian is not told: linearised it means nothing.
+constexpr double kLeastInformation = 1.0;
+
+PoseEdge edge_of_piece(const MultiscanGraph& graph,
+                       std::size_t before,
+                       const OdometryNoise& noise) {
+  const OdometryPiece& piece = graph.pieces[before];
+  const Pose2 driven = calibrated(piece, graph.calibration);
+  const Eigen::Vector3d spread =
+      graph.odometry_scale * graph.odometry_scale * variances(piece, noise);
+  const Eigen::Matrix3d on_axes_before = spread.cwiseInverse().asDiagonal();
+  return {before, before + 1, driven, in_frame_of(driven, on_axes_before), false};
+}
+
+/// Half the second derivative of the squared errors of two multiscans' matches, and half the first,
+/// by x, y and heading of the later one in the map.
+struct Pull {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+
+  void add(const PatchFactor& factor) {
+    const Eigen::Vector3d weighted =
+        factor.information_per_m2 * factor.trust * factor.by_later.transpose();
+    information += weighted * factor.by_later;
+    gradient += weighted * factor.across_m;
+  }
+};
+
+/// The one edge that pulls as all the matches do. Empty where they know too little.
+std::optional<PoseEdge> edge_of_matches(const MultiscanGraph& graph,
+                                        std::size_t earlier,
+                                        std::size_t later,
+                                        const Pull& pull) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> known(pull.information);
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d change = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Eigen::Vector3d direction = known.eigenvectors().col(i);
+    if (const double value = known.eigenvalues()[i]; value >= kLeastInformation) {
+      information += value * direction * direction.transpose();
+      change -= direction.dot(pull.gradient) / value * direction;
+    }
+  }
+  if (information.isZero()) {
+    return std::nullopt;
+  }
+  const Pose2& T_map_later = graph.multiscans[later].T_map_begin;
+  const Pose2 T_map_measured(T_map_later.x_m() + change.x(),
+                             T_map_later.y_m() + change.y(),
+                             T_map_later.heading_rad() + change.z());
+  return PoseEdge{earlier,
+                  later,
+                  graph.multiscans[earlier].T_map_begin.inverse() * T_map_measured,
+                  in_frame_of(T_map_measured, information),
+                  false};
+}
+
+}  // namespace
+
+FactorGraph factor_graph(const MultiscanGraph& graph,
+                         const std::vector<PatchMatch>& matches,
+                         std::size_t first_wide,
+                         const MultiscanAlignmentParams& params) {
+  FactorGraph factors;
+  for (const PlacedPatches& multiscan : graph.multiscans) {
+    factors.T_map_nodes.push_back(multiscan.T_map_begin);
+  }
+  for (std::size_t before = 0; before < graph.pieces.size(); ++before) {
+    factors.edges.push_back(edge_of_piece(graph, before, params.odometry));
+  }
+  std::map<std::pair<std::size_t, std::size_t>, Pull> pulls;
+  for (const PatchMatch& match : matches) {
+    pulls[{match.earlier.multiscan, match.later.multiscan}].add(
+        patch_factor(graph, match, first_wide, params));
+  }
+  for (const auto& [multiscans, pull] : pulls) {
+    if (const auto edge = edge_of_matches(graph, multiscans.first, multiscans.second, pull)) {
+      factors.edges.push_back(*edge);
+    }
+  }
+  return factors;
+}
+
+}  // namespace echomap::slam
