@@ -13,6 +13,7 @@
 #include "host/apps/link_report.hpp"
 #include "host/apps/strategy_setup.hpp"
 #include "host/exports/confidence_grid_csv.hpp"
+#include "host/exports/pose_graph_g2o.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
 
@@ -48,6 +49,10 @@ class RunKeeper {
     describe_clock();
     describe_link();
     exports::describe_snapshot(snapshot, summary_);
+    if (const slam::SlamMethod* slam = pipeline_.slam()) {
+      exports::describe_uncertainty(slam->belief().covariance, summary_);
+      exports::write_pose_graph_g2o(out_ / "pose_graph.g2o", slam->factor_graph());
+    }
     const exploration::StrategyProducts products = explorer_.products();
     if (products.phases > 0) {
       summary_.phases = products.phases;

@@ -166,26 +166,19 @@ void refuse_huge_map(const mapping::OccupancyGrid& grid) {
 }
 
 nlohmann::ordered_json replay_json(const ReplayOptions& options,
-                                   const pipeline::LogMapper& mapper,
-                                   const std::optional<FoundBySlam>& found) {
+                                   const pipeline::LogMapper& mapper) {
   const pipeline::LogCounts& counts = mapper.counts();
-  nlohmann::ordered_json json{{"log", options.log.filename().string()},
-                              {"map", options.map},
-                              {"poses", options.slam.empty() ? options.poses : options.slam},
-                              {"records", counts.records},
-                              {"scans", counts.scans},
-                              {"beams", counts.beams},
-                              {"scans_without_pose", counts.scans_without_pose},
-                              {"poses_without_stamp", counts.poses_without_stamp},
-                              {"bumps", counts.bumps},
-                              {"sightings", counts.sightings},
-                              {"sightings_without_pose", counts.sightings_without_pose}};
-  if (found) {
-    const Eigen::Vector3d variance = found->last_covariance.diagonal();
-    json["pose_std_m"] = std::sqrt(variance.x() + variance.y());
-    json["pose_std_deg"] = geometry::degrees(std::sqrt(variance.z()));
-  }
-  return json;
+  return {{"log", options.log.filename().string()},
+          {"map", options.map},
+          {"poses", options.slam.empty() ? options.poses : options.slam},
+          {"records", counts.records},
+          {"scans", counts.scans},
+          {"beams", counts.beams},
+          {"scans_without_pose", counts.scans_without_pose},
+          {"poses_without_stamp", counts.poses_without_stamp},
+          {"bumps", counts.bumps},
+          {"sightings", counts.sightings},
+          {"sightings_without_pose", counts.sightings_without_pose}};
 }
 
 exports::RunSummary summary_of(const pipeline::LogMapper& mapper,
@@ -252,11 +245,12 @@ ExitCode run_replay(const ReplayOptions& options) {
   exports::write_run_directory(out, snapshot, summary);
   exports::write_landmarks_csv(out / "landmarks.csv", mapper.landmarks());
   if (found) {
+    exports::describe_uncertainty(found->last_covariance, summary);
     write_pose_graph(out / "pose_graph.g2o", *found);
   }
   summary.wall_seconds = seconds_since(start);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
-  report["replay"] = replay_json(options, mapper, found);
+  report["replay"] = replay_json(options, mapper);
   write_report(out / "summary.json", report);
   write_report(options.json, report);
   say_what_was_made(summary, mapper.counts(), out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/exports/run_directory.hpp"
 
+#include <cmath>
 #include <system_error>
 
 #include "host/exports/geojson.hpp"
@@ -12,6 +13,7 @@
 #include "host/exports/poses_csv.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/geometry/angle.hpp"
 #include "host/mapping/polygon_map.hpp"
 #include "host/mapping/raster_map.hpp"
 
@@ -46,6 +48,11 @@ void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary) 
   summary.travelled_m = length_m(*snapshot.trajectory);
   const mapping::OccupancyGrid empty;
   summary.free_area_m2 = mapping::newly_free_area_m2(empty, *snapshot.grid);
+}
+
+void describe_uncertainty(const Eigen::Matrix3d& covariance, RunSummary& summary) {
+  summary.pose_std_m = std::sqrt(covariance(0, 0) + covariance(1, 1));
+  summary.pose_std_deg = geometry::degrees(std::sqrt(covariance(2, 2)));
 }
 
 void write_run_directory(const std::filesystem::path& directory,

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include <Eigen/Core>
+
 #include "host/exports/summary_json.hpp"
 #include "host/geometry/polygon.hpp"
 #include "host/pipeline/snapshot.hpp"
@@ -12,6 +14,9 @@ namespace echomap::exports {
 /// Sets the fields of a summary that follow from what the pipeline knows: stops, poses, points,
 /// length and area.
 void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary);
+
+/// Sets what the covariance of x, y (m) and heading (rad) says of the last pose.
+void describe_uncertainty(const Eigen::Matrix3d& covariance, RunSummary& summary);
 
 /// Writes map.yaml, map.pgm, occupancy_grid.csv, map.png, map.svg, outline.geojson, points.csv,
 /// poses.csv, trajectory.tum and summary.json into `directory`, which is made where it is missing.

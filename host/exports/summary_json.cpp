@@ -58,6 +58,8 @@ std::string to_json_text(const RunSummary& summary) {
       {"points", summary.points},
       {"phases", or_null(summary.phases)},
       {"phases_reached", or_null(summary.phases_reached)},
+      {"pose_std_m", or_null(summary.pose_std_m)},
+      {"pose_std_deg", or_null(summary.pose_std_deg)},
       {"travelled_m", summary.travelled_m},
       {"free_area_m2", summary.free_area_m2},
   };

@@ -58,6 +58,10 @@ struct RunSummary {
   /// Waypoints that the strategy had, and those that it has reached; empty where it has none.
   std::optional<std::size_t> phases;
   std::optional<std::size_t> phases_reached;
+  /// How well SLAM knows where the robot ended: root of the variances of x and y together, and of
+  /// the heading; empty without SLAM.
+  std::optional<double> pose_std_m;
+  std::optional<double> pose_std_deg;
   /// Length of the trajectory, and the floor known to be free.
   double travelled_m = 0.0;
   double free_area_m2 = 0.0;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// SLAM on public logs, by each of its ways, with one setting for each kind of sensor.
+// SLAM on public logs and in simulated rooms, by each of its ways, with one setting for each kind
+// of sensor.
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "tests/benchmarks/ekf_slam_figures.hpp"
 #include "tests/benchmarks/figures.hpp"
 #include "tests/benchmarks/range_slam_figures.hpp"
+#include "tests/benchmarks/room_slam_figures.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -16,6 +19,7 @@ namespace {
 struct Options {
   std::string part = "all";
   std::size_t seeds = 10;
+  std::uint32_t room_seeds = 20;
   bool verbose = false;
   std::filesystem::path json;
 };
@@ -30,6 +34,7 @@ void run(const Options& options) {
   };
   add("laser", laser_slam_figures);
   add("sonar", [&] { return sonar_slam_figures(options.seeds); });
+  add("rooms", [&] { return room_slam_figures(options.room_seeds); });
   add("ekf", [&] { return ekf_slam_figures(options.verbose); });
   add("cost", laser_slam_cost_figures);
   add("cost", [&] { return ekf_slam_cost_figures(options.verbose); });
@@ -41,11 +46,16 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   echomap::bench::Options options;
-  CLI::App app("SLAM on public logs: errors of relations, landmarks and paths, and what it costs");
+  CLI::App app(
+      "SLAM on public logs and in rooms: errors of relations, landmarks and paths, and what it "
+      "costs");
   app.add_option("--part", options.part, "Of what is measured")
-      ->check(CLI::IsMember({"laser", "sonar", "ekf", "cost", "all"}))
+      ->check(CLI::IsMember({"laser", "sonar", "rooms", "ekf", "cost", "all"}))
       ->capture_default_str();
   app.add_option("--seeds", options.seeds, "Of the noise of sonars")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--room-seeds", options.room_seeds, "Of each simulated room")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("-v,--verbose", options.verbose, "Say more of each robot");

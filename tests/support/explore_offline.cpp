@@ -6,6 +6,7 @@
 
 #include "host/exports/run_directory.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/slam/slam_methods.hpp"
 #include "tests/support/median.hpp"
 #include "tests/support/offline_exploration.hpp"
 
@@ -67,7 +68,9 @@ int main(int argc, char** argv) {
   }
   const std::string strategy = argv[1];
   echomap::tests::OfflineSettings settings;
-  settings.slam = strategy.ends_with("+slam");
+  if (strategy.ends_with("+slam")) {
+    settings.slam = echomap::slam::slam_by_name("grid").make;
+  }
   settings.strategy =
       strategy.starts_with("frontier") ? OfflineStrategy::kFrontier : OfflineStrategy::kNxtFarthest;
   const auto room = echomap::tests::bundled_room(argv[2]);

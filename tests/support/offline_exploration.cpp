@@ -11,7 +11,6 @@
 #include "host/exploration/frontier.hpp"
 #include "host/exploration/nxt_farthest.hpp"
 #include "host/files/toml_reader.hpp"
-#include "host/slam/slam_methods.hpp"
 #include "tests/support/offline_robot.hpp"
 
 namespace echomap::tests {
@@ -94,7 +93,7 @@ OfflineRun explore_offline(const world::FloorPlan& room,
   world::RobotWorld world(room, robot, seed);
   const auto geometry = believed_geometry(robot);
   pipeline::RobotPipeline pipeline(
-      geometry, mapper_for(robot), {}, settings.slam ? slam::slam_by_name("grid").make() : nullptr);
+      geometry, mapper_for(robot), {}, settings.slam ? settings.slam() : nullptr);
   OfflineRobot offline_robot(world, geometry, pipeline);
   std::mt19937 random(seed);
   const auto explorer = explorer_for(robot, settings.strategy, random);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -30,7 +32,8 @@ enum class OfflineStrategy : std::uint8_t { kNxtFarthest, kFrontier };
 
 struct OfflineSettings {
   OfflineStrategy strategy = OfflineStrategy::kNxtFarthest;
-  bool slam = false;  ///< Grid SLAM tells the pose.
+  /// Makes what tells the pose; empty: odometry.
+  std::function<std::unique_ptr<slam::SlamMethod>()> slam;
 };
 
 OfflineRun explore_offline(const world::FloorPlan& room,

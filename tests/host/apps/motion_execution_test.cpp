@@ -66,6 +66,7 @@ TEST_F(MotionExecutionTest, RollsBySetpointsAndStopsBeforeAnyOtherMotion) {
   EXPECT_EQ(cable.robot.setpoints[0].right_ticks_per_s, arc.right);
   EXPECT_EQ(session->execute(exploration::Drive{0.1}), MotionResult::kReached);
   EXPECT_EQ(commands, (std::vector<std::string>{"Stop", "MoveTicks"}));
+  cable.robot.on_command = {};  // The session ends after this function has.
 }
 
 TEST_F(MotionExecutionTest, EndsARollByWhatItMeetsAndNotByWhatItHasTouchedBefore) {

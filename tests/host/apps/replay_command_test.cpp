@@ -105,17 +105,17 @@ TEST_F(ReplayCommandTest, SlamWritesItsGraphAndHowSureItIs) {
     EXPECT_NEAR(x_m, trajectory.front().T_map_robot.x_m(), 1e-5) << "in the trajectory's frame";
     EXPECT_NEAR(y_m, trajectory.front().T_map_robot.y_m(), 1e-5);
     EXPECT_THAT(graph, HasSubstr("\nEDGE_SE2 0 1 "));
-    EXPECT_GT(summary()["replay"]["pose_std_m"], 0.001) << slam;
-    EXPECT_LT(summary()["replay"]["pose_std_m"], 0.5) << slam;
-    EXPECT_GT(summary()["replay"]["pose_std_deg"], 0.01) << slam;
-    EXPECT_LT(summary()["replay"]["pose_std_deg"], 10.0) << slam;
+    EXPECT_GT(summary()["pose_std_m"], 0.001) << slam;
+    EXPECT_LT(summary()["pose_std_m"], 0.5) << slam;
+    EXPECT_GT(summary()["pose_std_deg"], 0.01) << slam;
+    EXPECT_LT(summary()["pose_std_deg"], 10.0) << slam;
   }
 }
 
 TEST_F(ReplayCommandTest, WithoutSlamThereIsNoGraph) {
   EXPECT_EQ(run_replay(options_), ExitCode::kOk);
   EXPECT_FALSE(fs::exists(options_.out / "pose_graph.g2o"));
-  EXPECT_FALSE(summary()["replay"].contains("pose_std_m"));
+  EXPECT_TRUE(summary()["pose_std_m"].is_null());
 }
 
 TEST_F(ReplayCommandTest, SlamNeedsOdometryToBeginWith) {

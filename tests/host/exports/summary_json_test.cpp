@@ -28,6 +28,8 @@ TEST(SummaryJson, HoldsEveryField) {
   EXPECT_EQ(json.at("stops"), 7);
   EXPECT_EQ(json.at("clock_rate_error_ppm"), -412.5);
   EXPECT_TRUE(json.at("clock_uncertainty_us").is_null());
+  EXPECT_TRUE(json.at("pose_std_m").is_null());
+  EXPECT_TRUE(json.at("pose_std_deg").is_null());
   EXPECT_EQ(json.at("link").at("frames_lost"), 4);
   EXPECT_EQ(json.at("link").at("robot_encoder_errors"), 70'000);
   EXPECT_TRUE(json.at("link").at("round_trip_us").is_null());
