@@ -106,18 +106,15 @@ void ScanSlam::begin_frame(std::vector<Eigen::Vector2d> points_m,
 }
 
 void ScanSlam::close_loops() {
-  std::vector<PoseEdge> edges;
+  std::vector<PoseEdge> loops;
   if (params_.closes_loops) {
-    edges = loops_.close(frames_);
+    loops = loops_.close(frames_);
   }
-  for (const PoseEdge& edge : edges) {
-    frames_.join(edge);
-  }
-  if (!edges.empty()) {
-    frames_.solve();
+  const bool is_closed = !loops.empty() && frames_.close_loops(loops);
+  if (is_closed) {
     belief_.T_map_robot = frames_.T_map_frame(frames_.size() - 1);
   }
-  if (!edges.empty() || field_way_m_ > params_.renewal_way_m) {
+  if (is_closed || field_way_m_ > params_.renewal_way_m) {
     renew_field();
   }
 }
