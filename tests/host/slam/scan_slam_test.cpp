@@ -145,6 +145,22 @@ TEST(ScanSlam, DoesNotTakeALoopThatCannotBeSolvedFor) {
   EXPECT_EQ(worst_m, drive_ring(open));
 }
 
+TEST(ScanSlam, NeedsNoMoreKeyFramesInARoomThatItKnows) {
+  ScanSlam slam;
+  Robot robot(tests::LaserBuilding::room(), 180, {2.0, 0.8, 0.0});
+  std::vector<std::size_t> frames;
+  for (int lap = 0; lap < 20; ++lap) {
+    for (int i = 0; i < 80; ++i) {
+      robot.see(slam);
+      robot.go({0.1, 0.0, 2.0 * std::numbers::pi / 80});
+    }
+    frames.push_back(slam.graph().nodes().size());
+  }
+  EXPECT_EQ(frames.back(), frames[2]);
+  EXPECT_LT(robot.worst_m(slam.trajectory()), 0.1);
+  EXPECT_GT(robot.odometry_worst_m(), 1.0);
+}
+
 TEST(ScanSlam, IsOdometryWhereNothingAnswers) {
   ScanSlam slam;
   Robot robot = hall_robot(180);
