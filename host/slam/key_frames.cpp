@@ -16,6 +16,25 @@ std::size_t KeyFrames::add(const geometry::Pose2& T_map_frame, KeyFrame frame) {
 
 void KeyFrames::join(const PoseEdge& edge) {
   graph_.add_edge(edge);
+  add_ways(edge);
+}
+
+bool KeyFrames::close_loops(std::span<const PoseEdge> loops) {
+  PoseGraph closed = graph_;
+  for (const PoseEdge& loop : loops) {
+    closed.add_edge(loop);
+  }
+  if (!closed.solve()) {
+    return false;
+  }
+  graph_ = std::move(closed);
+  for (const PoseEdge& loop : loops) {
+    add_ways(loop);
+  }
+  return true;
+}
+
+void KeyFrames::add_ways(const PoseEdge& edge) {
   const double length_m = edge.T_from_to.position_m().norm();
   ways_[edge.from].push_back({edge.to, length_m});
   ways_[edge.to].push_back({edge.from, length_m});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "host/slam/pose_graph.hpp"
@@ -41,8 +42,9 @@ class KeyFrames {
   std::size_t add(const geometry::Pose2& T_map_frame, KeyFrame frame);
   /// Throws std::invalid_argument for frames that are not there, or are one.
   void join(const PoseEdge& edge);
-  /// Moves the frames to where the edges agree best. False where they cannot be solved.
-  bool solve() { return graph_.solve(); }
+  /// Joins frames by loops as well and moves all to where the edges agree best. False where that
+  /// cannot be solved: then all is as it was.
+  bool close_loops(std::span<const PoseEdge> loops);
 
   /// The frames that can be reached from one by edges of so many metres together, itself first and
   /// in the order of the way (Dijkstra 1959). What was joined by a closed loop is near.
@@ -55,6 +57,8 @@ class KeyFrames {
     std::size_t to = 0;
     double length_m = 0.0;
   };
+
+  void add_ways(const PoseEdge& edge);
 
   PoseGraph graph_;
   std::vector<KeyFrame> frames_;

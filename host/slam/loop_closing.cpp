@@ -14,7 +14,8 @@ using geometry::Pose2;
 
 namespace {
 
-/// A search looks so many times the drift that is expected, its standard deviation, to each side.
+/// Places are looked for within so many times the drift that is expected, its standard deviation,
+/// to each side.
 constexpr double kSearchedDrifts = 2.0;
 
 void append(const std::vector<Eigen::Vector2d>& added_m, std::vector<Eigen::Vector2d>& points_m) {
@@ -34,8 +35,12 @@ LoopClosing::LoopClosing(const LoopClosingParams& params,
 }
 
 std::vector<PoseEdge> LoopClosing::close(const KeyFrames& frames) {
+  const std::size_t newest = frames.size() - 1;
+  if (waiting_ && newest - waiting_->to > params_.agreement_frames) {
+    waiting_.reset();
+  }
   const std::vector<NearFrame> reached =
-      frames.near(frames.size() - 1, std::numeric_limits<double>::infinity());
+      frames.near(newest, std::numeric_limits<double>::infinity());
   const auto place = candidate(frames, reached);
   if (!place) {
     return {};
@@ -44,16 +49,15 @@ std::vector<PoseEdge> LoopClosing::close(const KeyFrames& frames) {
   if (!loop) {
     return {};
   }
-  if (!loop->was_searched) {
-    return {loop->edge};
+  if (!is_searched(*place)) {
+    return {*loop};
   }
-  std::vector<PoseEdge> proved;
-  if (pending_ && agree(*pending_, *loop)) {
-    proved = {pending_->edge, loop->edge};
-    pending_.reset();
-  } else {
-    pending_ = loop;
+  if (!waiting_ || !agree(frames, *waiting_, *loop)) {
+    waiting_ = loop;
+    return {};
   }
+  const std::vector<PoseEdge> proved{*waiting_, *loop};
+  waiting_.reset();
   return proved;
 }
 
@@ -69,7 +73,7 @@ std::optional<LoopClosing::Candidate> LoopClosing::candidate(
     const double away_m = (frames.T_map_frame(frame.frame).position_m() - here_m).norm();
     const double drift_m =
         std::min(params_.most_drift_m, params_.drift_m + params_.drift_m_per_m * frame.way_m);
-    if (away_m < params_.sight_m + drift_m && away_m < least_m) {
+    if (away_m < params_.sight_m + kSearchedDrifts * drift_m && away_m < least_m) {
       least_m = away_m;
       nearest = {frame.frame,
                  drift_m,
@@ -80,9 +84,13 @@ std::optional<LoopClosing::Candidate> LoopClosing::candidate(
   return nearest;
 }
 
-std::optional<LoopClosing::Loop> LoopClosing::matched(const KeyFrames& frames,
-                                                      const std::vector<NearFrame>& reached,
-                                                      const Candidate& candidate) {
+bool LoopClosing::is_searched(const Candidate& candidate) const {
+  return candidate.drift_m > params_.near_m;
+}
+
+std::optional<PoseEdge> LoopClosing::matched(const KeyFrames& frames,
+                                             const std::vector<NearFrame>& reached,
+                                             const Candidate& candidate) {
   const std::size_t newest = frames.size() - 1;
   const Pose2& T_map_newest = frames.T_map_frame(newest);
   const auto points_m = newest_patch_m(frames, reached);
@@ -98,20 +106,18 @@ std::optional<LoopClosing::Loop> LoopClosing::matched(const KeyFrames& frames,
   field_.clear();
   field_.add(map_points_m);
   const ScanMatch match = matcher_.match(points_m, *start, field_);
-  const bool is_searched = candidate.drift_m > params_.near_m;
-  if (match.share < params_.least_share || (is_searched && !is_determined(match)) ||
+  if (match.share < params_.least_share || (is_searched(candidate) && !is_determined(match)) ||
       !is_within_drift(T_map_newest.inverse() * match.T_map_robot, candidate) ||
       !is_seen_alike(frames, old_frames, match.T_map_robot)) {
     return std::nullopt;
   }
-  const PoseEdge edge{
+  return PoseEdge{
       candidate.frame,
       newest,
       frames.T_map_frame(candidate.frame).inverse() * match.T_map_robot,
       with_spread(
           in_frame_of(match.T_map_robot, match.information), params_.spread_m, params_.spread_rad),
       true};
-  return Loop{edge, match.T_map_robot, match.T_map_robot * T_map_newest.inverse(), is_searched};
 }
 
 std::vector<Eigen::Vector2d> LoopClosing::newest_patch_m(
@@ -152,7 +158,7 @@ std::optional<localization::PoseGaussian> LoopClosing::start_of_match(
   localization::PoseGaussian start{T_map_newest, Eigen::Matrix3d::Zero()};
   start.covariance.diagonal() << candidate.drift_m * candidate.drift_m,
       candidate.drift_m * candidate.drift_m, candidate.drift_rad * candidate.drift_rad;
-  if (candidate.drift_m > params_.near_m) {
+  if (is_searched(candidate)) {
     const auto found = search_.find(
         map_points_m,
         points_m,
@@ -205,11 +211,12 @@ ViewAgreement LoopClosing::look(const KeyFrame& from,
   return views;
 }
 
-bool LoopClosing::agree(const Loop& one, const Loop& other) const {
-  const Pose2 T_map_by_one = one.T_map_moved * other.T_map_moved.inverse() * other.T_map_newest;
-  const Pose2 difference = T_map_by_one.inverse() * other.T_map_newest;
-  return other.edge.to - one.edge.to <= params_.agreement_frames &&
-         difference.position_m().norm() <= params_.agreement_m &&
+bool LoopClosing::agree(const KeyFrames& frames, const PoseEdge& one, const PoseEdge& other) const {
+  const Pose2 T_map_by_other = frames.T_map_frame(other.from) * other.T_from_to;
+  const Pose2 T_map_by_one = frames.T_map_frame(one.from) * one.T_from_to *
+                             frames.T_map_frame(one.to).inverse() * frames.T_map_frame(other.to);
+  const Pose2 difference = T_map_by_one.inverse() * T_map_by_other;
+  return difference.position_m().norm() <= params_.agreement_m &&
          std::abs(difference.heading_rad()) <= params_.agreement_rad;
 }
 

@@ -17,14 +17,15 @@ namespace echomap::slam {
 struct LoopClosingParams {
   /// Frames nearer than this along the way are matched by tracking, metres.
   double least_way_m = 8.0;
-  /// How far the pose may have drifted: so much, and more by the way around the loop.
+  /// How far the pose may have drifted (1 sigma): so much, and more by the way around the loop.
+  /// Places are looked for within twice as much, so within 6 m at most.
   double drift_m = 0.2;
   double drift_m_per_m = 0.01;
   double most_drift_m = 3.0;
   double drift_rad = 0.05;
   double drift_rad_per_m = 0.003;
   double most_drift_rad = 0.4;
-  /// A place is as well seen from so far away, metres.
+  /// A place is as well seen from so far away, metres; it may be twice the drift farther.
   double sight_m = 2.0;
   /// The frames within such a way of a place, and of the robot, are compared, metres.
   double patch_m = 4.0;
@@ -45,7 +46,7 @@ struct LoopClosingParams {
   /// A searched loop counts when the next one moves the map the same way, to within:
   double agreement_m = 0.3;
   double agreement_rad = 0.06;
-  /// and was found at most so many frames before.
+  /// It is forgotten when another was found that disagrees, and after so many frames.
   std::size_t agreement_frames = 6;
 };
 
@@ -72,18 +73,14 @@ class LoopClosing {
     geometry::Pose2 T_map_newest;
     Candidate candidate;
   };
-  struct Loop {
-    PoseEdge edge;
-    geometry::Pose2 T_map_newest;
-    geometry::Pose2 T_map_moved;  ///< How the newest frame moved in the map.
-    bool was_searched = false;
-  };
 
   std::optional<Candidate> candidate(const KeyFrames& frames,
                                      const std::vector<NearFrame>& reached) const;
-  std::optional<Loop> matched(const KeyFrames& frames,
-                              const std::vector<NearFrame>& reached,
-                              const Candidate& candidate);
+  /// Whether the robot may have drifted too far for a match to begin where it believes to be.
+  bool is_searched(const Candidate& candidate) const;
+  std::optional<PoseEdge> matched(const KeyFrames& frames,
+                                  const std::vector<NearFrame>& reached,
+                                  const Candidate& candidate);
   /// The points around the newest frame, in its frame.
   std::vector<Eigen::Vector2d> newest_patch_m(const KeyFrames& frames,
                                               const std::vector<NearFrame>& reached) const;
@@ -105,13 +102,14 @@ class LoopClosing {
   ViewAgreement look(const KeyFrame& from,
                      const geometry::Pose2& T_from_points,
                      const std::vector<Eigen::Vector2d>& points_m) const;
-  bool agree(const Loop& one, const Loop& other) const;
+  /// Whether two loops move the map, as it is now, the same way.
+  bool agree(const KeyFrames& frames, const PoseEdge& one, const PoseEdge& other) const;
 
   LoopClosingParams params_;
   LoopSearch search_;
   ScanMatcher matcher_;
   SurfaceField field_;
-  std::optional<Loop> pending_;
+  std::optional<PoseEdge> waiting_;  ///< A searched loop that no other has confirmed yet.
 };
 
 }  // namespace echomap::slam

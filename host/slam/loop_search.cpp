@@ -55,7 +55,7 @@ std::optional<FoundPlace> LoopSearch::find(std::span<const Eigen::Vector2d> map_
       for (int x = -radius; x <= radius; x += edge) {
         Branch branch{x, y, top, 0.0};
         branch.score = score(cells, branch);
-        search(cells, branch, best);
+        search(cells, radius, branch, best);
       }
     }
     if (best.score > before) {
@@ -67,8 +67,11 @@ std::optional<FoundPlace> LoopSearch::find(std::span<const Eigen::Vector2d> map_
   return found;
 }
 
-void LoopSearch::search(const std::vector<Cell>& cells, const Branch& branch, Branch& best) const {
-  if (branch.score <= best.score) {
+void LoopSearch::search(const std::vector<Cell>& cells,
+                        int radius,
+                        const Branch& branch,
+                        Branch& best) const {
+  if (branch.x > radius || branch.y > radius || branch.score <= best.score) {
     return;
   }
   if (branch.level == 0) {
@@ -87,7 +90,7 @@ void LoopSearch::search(const std::vector<Cell>& cells, const Branch& branch, Br
     return one.score > other.score;
   });
   for (const Branch& part : parts) {
-    search(cells, part, best);
+    search(cells, radius, part, best);
   }
 }
 

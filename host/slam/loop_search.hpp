@@ -27,8 +27,8 @@ struct LoopSearchParams {
 /// Where to look.
 struct SearchWindow {
   geometry::Pose2 T_map_robot;  ///< The middle.
-  double radius_m = 0.0;        ///< Half the edge of the square of positions.
-  double turn_rad = 0.0;        ///< To either side.
+  double radius_m = 0.0;        ///< Half the edge of the square of positions, up to whole cells.
+  double turn_rad = 0.0;        ///< To either side, up to whole steps.
 };
 
 /// A place that was found.
@@ -74,7 +74,8 @@ class LoopSearch {
                              const Eigen::Vector2d& position_m,
                              double heading_rad) const;
   double score(const std::vector<Cell>& cells, const Branch& branch) const;
-  void search(const std::vector<Cell>& cells, const Branch& branch, Branch& best) const;
+  /// Improves the best by what is within a branch and at most `radius` cells from the middle.
+  void search(const std::vector<Cell>& cells, int radius, const Branch& branch, Branch& best) const;
   std::uint8_t at(int level, int x, int y) const;
 
   LoopSearchParams params_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/slam/scan_slam.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -41,9 +42,14 @@ void ScanSlam::add(const Pose2& T_odom_robot, const RangeScan& scan) {
   }
   std::vector<Eigen::Vector2d> points_m = gathering_.points_m();
   const Eigen::Matrix3d information = place(points_m);
-  if (is_far_from_frame()) {
+  if (const auto here = frame_here()) {
+    go_to_frame(*here);
+  } else {
     begin_frame(std::move(points_m), information);
     close_loops();
+  }
+  if (field_way_m_ > params_.renewal_way_m) {
+    renew_field();
   }
   settle_gathered();
 }
@@ -72,15 +78,32 @@ Eigen::Matrix3d ScanSlam::place(const std::vector<Eigen::Vector2d>& points_m) {
   return information;
 }
 
-bool ScanSlam::is_far_from_frame() const {
-  if (frames_.empty()) {
-    return true;
+std::optional<std::size_t> ScanSlam::frame_here() const {
+  if (!around_.empty() && steps_from(frame_) <= 1.0) {
+    return frame_;
   }
-  const Pose2 T_frame_robot =
-      frames_.T_map_frame(frames_.size() - 1).inverse() * belief_.T_map_robot;
+  const auto nearest =
+      std::min_element(around_.begin(), around_.end(), [this](std::size_t one, std::size_t other) {
+        return steps_from(one) < steps_from(other);
+      });
+  if (nearest == around_.end() || steps_from(*nearest) > 1.0) {
+    return std::nullopt;
+  }
+  return *nearest;
+}
+
+double ScanSlam::steps_from(std::size_t frame) const {
+  const Pose2 T_frame_robot = frames_.T_map_frame(frame).inverse() * belief_.T_map_robot;
   const double scale = last_match_.share < params_.new_ground_share ? params_.new_ground_way : 1.0;
-  return T_frame_robot.position_m().norm() > scale * params_.key_frame_m ||
-         std::abs(T_frame_robot.heading_rad()) > scale * params_.key_frame_rad;
+  return std::max(T_frame_robot.position_m().norm() / params_.key_frame_m,
+                  std::abs(T_frame_robot.heading_rad()) / params_.key_frame_rad) /
+         scale;
+}
+
+void ScanSlam::go_to_frame(std::size_t frame) {
+  field_way_m_ +=
+      (frames_.T_map_frame(frame).position_m() - frames_.T_map_frame(frame_).position_m()).norm();
+  frame_ = frame;
 }
 
 void ScanSlam::begin_frame(std::vector<Eigen::Vector2d> points_m,
@@ -92,50 +115,45 @@ void ScanSlam::begin_frame(std::vector<Eigen::Vector2d> points_m,
   }
   const std::size_t newest = frames_.add(belief_.T_map_robot, std::move(frame));
   if (newest > 0) {
-    const Pose2 T_from_to = frames_.T_map_frame(newest - 1).inverse() * belief_.T_map_robot;
-    frames_.join({newest - 1,
+    frames_.join({frame_,
                   newest,
-                  T_from_to,
+                  frames_.T_map_frame(frame_).inverse() * belief_.T_map_robot,
                   with_spread(in_frame_of(belief_.T_map_robot, information),
                               params_.frame_spread_m,
                               params_.frame_spread_rad),
                   false});
-    field_way_m_ += T_from_to.position_m().norm();
   }
+  go_to_frame(newest);
+  around_.push_back(newest);
   field_.add(frames_.map_points_m(newest));
 }
 
 void ScanSlam::close_loops() {
-  std::vector<PoseEdge> edges;
+  std::vector<PoseEdge> loops;
   if (params_.closes_loops) {
-    edges = loops_.close(frames_);
+    loops = loops_.close(frames_);
   }
-  for (const PoseEdge& edge : edges) {
-    frames_.join(edge);
-  }
-  if (!edges.empty()) {
-    frames_.solve();
-    belief_.T_map_robot = frames_.T_map_frame(frames_.size() - 1);
-  }
-  if (!edges.empty() || field_way_m_ > params_.renewal_way_m) {
+  if (!loops.empty() && frames_.close_loops(loops)) {
+    belief_.T_map_robot = frames_.T_map_frame(frame_);
     renew_field();
   }
 }
 
 void ScanSlam::renew_field() {
   field_.clear();
-  for (const NearFrame& near : frames_.near(frames_.size() - 1, params_.local_way_m)) {
+  around_.clear();
+  for (const NearFrame& near : frames_.near(frame_, params_.local_way_m)) {
+    around_.push_back(near.frame);
     field_.add(frames_.map_points_m(near.frame));
   }
   field_way_m_ = 0.0;
 }
 
 void ScanSlam::settle_gathered() {
-  const std::size_t frame = frames_.size() - 1;
   const Pose2 T_frame_odom =
-      frames_.T_map_frame(frame).inverse() * belief_.T_map_robot * T_odom_last_->inverse();
+      frames_.T_map_frame(frame_).inverse() * belief_.T_map_robot * T_odom_last_->inverse();
   for (const GatheredScan& gathered : gathering_.scans()) {
-    places_.push_back({frame, T_frame_odom * gathered.T_odom_robot});
+    places_.push_back({frame_, T_frame_odom * gathered.T_odom_robot});
   }
   gathering_.clear();
   T_map_placed_ = belief_.T_map_robot;

@@ -31,7 +31,8 @@ struct ScanSlamParams {
   /// instant.
   double least_spread_m = 0.01;
   double least_spread_rad = 0.01;
-  /// A key frame is begun after such a way or turn.
+  /// A key frame is begun where the robot is farther than this, or turned by more, from each
+  /// around.
   double key_frame_m = 0.5;
   double key_frame_rad = 0.5;
   /// Or after such a share of them where fewer points than this lie on what is known.
@@ -49,9 +50,10 @@ struct ScanSlamParams {
 };
 
 /// SLAM by matching scans to the surfaces that were seen around: each scan is put where it lies on
-/// them, with odometry as a prior; key frames are kept as nodes of a pose graph; where the robot is
-/// back at a place, an edge closes the loop; the map is what the key frames have seen from their
-/// corrected poses. Scans with few beams are gathered first. For lasers, dense and thin.
+/// them, with odometry as a prior; key frames are kept as nodes of a pose graph, as many as the
+/// ground that was seen takes; where the robot is back at a place, an edge closes the loop; the map
+/// is what the key frames have seen from their corrected poses. Scans with few beams are gathered
+/// first. For lasers, dense and thin.
 class ScanSlam : public SlamMethod {
  public:
   /// Throws std::invalid_argument for parameters that make no sense.
@@ -80,7 +82,12 @@ class ScanSlam : public SlamMethod {
   void predict(const geometry::Pose2& T_odom_robot);
   /// What is known of the pose after the match.
   Eigen::Matrix3d place(const std::vector<Eigen::Vector2d>& points_m);
-  bool is_far_from_frame() const;
+  /// The key frame that the robot is at: the last one, until it is far from it; then any of those
+  /// around. Empty where a new one is due.
+  std::optional<std::size_t> frame_here() const;
+  /// How far the robot is from a frame, 1 where it is at it no more.
+  double steps_from(std::size_t frame) const;
+  void go_to_frame(std::size_t frame);
   void begin_frame(std::vector<Eigen::Vector2d> points_m, const Eigen::Matrix3d& information);
   void close_loops();
   void renew_field();
@@ -92,8 +99,10 @@ class ScanSlam : public SlamMethod {
   ScanMatcher matcher_;
   LoopClosing loops_;
   KeyFrames frames_;
-  SurfaceField field_;        ///< Around the robot.
-  double field_way_m_ = 0.0;  ///< Driven since it was gathered.
+  std::size_t frame_ = 0;            ///< That the robot is at.
+  std::vector<std::size_t> around_;  ///< Frames that the robot is matched to.
+  SurfaceField field_;               ///< Of these frames.
+  double field_way_m_ = 0.0;         ///< Driven since it was gathered.
   localization::PoseGaussian belief_;
   std::optional<geometry::Pose2> T_odom_last_;
   std::vector<ScanPlace> places_;  ///< Of all scans that are not being gathered.

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <vector>
+
+#include "host/geometry/angle.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -17,23 +21,50 @@ struct RangesBeside {
   double most_m = 0.0;
 };
 
-RangesBeside ranges_beside(const RangeScan& scan, double bearing_rad) {
-  const auto first = std::lower_bound(
-      scan.beams.begin(),
-      scan.beams.end(),
-      bearing_rad - kBesideBeamRad,
-      [](const RangeBeam& beam, double bearing) { return beam.bearing_rad < bearing; });
-  RangesBeside beside;
-  for (auto beam = first;
-       beam != scan.beams.end() && beam->bearing_rad <= bearing_rad + kBesideBeamRad;
-       ++beam) {
-    if (beam->range_m) {
-      beside.least_m = std::min(beside.least_m, *beam->range_m);
-      beside.most_m = std::max(beside.most_m, *beam->range_m);
+/// The beams with an answer in the order of their bearings, all the way round.
+class AnswersByBearing {
+ public:
+  explicit AnswersByBearing(const RangeScan& scan) {
+    constexpr double kRound = 2.0 * std::numbers::pi;
+    for (const RangeBeam& beam : scan.beams) {
+      if (!beam.range_m) {
+        continue;
+      }
+      const double bearing_rad = geometry::wrap_angle(beam.bearing_rad);
+      answers_.push_back({bearing_rad, *beam.range_m});
+      // Beside a beam at one end of the circle lie those at the other.
+      if (std::abs(bearing_rad) > std::numbers::pi - kBesideBeamRad) {
+        answers_.push_back({bearing_rad - std::copysign(kRound, bearing_rad), *beam.range_m});
+      }
     }
+    std::sort(answers_.begin(), answers_.end(), [](const Answer& one, const Answer& other) {
+      return one.bearing_rad < other.bearing_rad;
+    });
   }
-  return beside;
-}
+
+  RangesBeside beside(double bearing_rad) const {
+    auto answer =
+        std::lower_bound(answers_.begin(),
+                         answers_.end(),
+                         bearing_rad - kBesideBeamRad,
+                         [](const Answer& one, double least) { return one.bearing_rad < least; });
+    RangesBeside beside;
+    for (; answer != answers_.end() && answer->bearing_rad <= bearing_rad + kBesideBeamRad;
+         ++answer) {
+      beside.least_m = std::min(beside.least_m, answer->range_m);
+      beside.most_m = std::max(beside.most_m, answer->range_m);
+    }
+    return beside;
+  }
+
+ private:
+  struct Answer {
+    double bearing_rad = 0.0;
+    double range_m = 0.0;
+  };
+
+  std::vector<Answer> answers_;
+};
 
 }  // namespace
 
@@ -52,11 +83,12 @@ ViewAgreement view_agreement(const RangeScan& scan,
                              std::span<const Eigen::Vector2d> points_m,
                              double margin_m) {
   const geometry::Pose2 T_sensor_robot = scan.T_robot_sensor.inverse();
+  const AnswersByBearing answers(scan);
   ViewAgreement agreement;
   for (const Eigen::Vector2d& point_m : points_m) {
     const Eigen::Vector2d seen_m = T_sensor_robot * point_m;
     const double range_m = seen_m.norm();
-    const RangesBeside beside = ranges_beside(scan, std::atan2(seen_m.y(), seen_m.x()));
+    const RangesBeside beside = answers.beside(std::atan2(seen_m.y(), seen_m.x()));
     if (beside.most_m == 0.0) {
       continue;
     }

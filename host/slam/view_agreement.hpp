@@ -23,7 +23,6 @@ struct ViewAgreement {
 /// Looks at points, in the robot's frame, along the beams of a scan. A point counts where a beam
 /// with an answer passes within 1/100 rad; what stands behind the answer is hidden and does not
 /// count. A range may be off by `margin_m` and a twentieth of itself: walls are seen at an angle.
-/// The scan's beams have to be in the order of their bearings.
 ViewAgreement view_agreement(const RangeScan& scan,
                              std::span<const Eigen::Vector2d> points_m,
                              double margin_m);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/slam/key_frames.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace echomap::slam {
@@ -42,9 +44,20 @@ TEST(KeyFrames, AClosedLoopMakesOldFramesNear) {
 TEST(KeyFrames, PointsMoveWithTheirFrame) {
   KeyFrames frames = line();
   EXPECT_NEAR(frames.map_points_m(4)[0].x(), 5.0, 1e-12);
-  frames.join({0, 9, {8.1, 0.0, 0.0}, Eigen::Matrix3d::Identity(), false});
-  ASSERT_TRUE(frames.solve());
+  const std::vector<PoseEdge> loops{{0, 9, {8.1, 0.0, 0.0}, Eigen::Matrix3d::Identity(), false}};
+  ASSERT_TRUE(frames.close_loops(loops));
   EXPECT_LT(frames.map_points_m(9)[0].x(), 9.9);
+}
+
+TEST(KeyFrames, ALoopThatCannotBeSolvedForChangesNothing) {
+  KeyFrames frames = line();
+  const Eigen::Matrix3d unknown =
+      Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const std::vector<PoseEdge> loops{{0, 9, {8.1, 0.0, 0.0}, unknown, true}};
+  EXPECT_FALSE(frames.close_loops(loops));
+  EXPECT_EQ(frames.T_map_frame(9).x_m(), 9.0);
+  EXPECT_EQ(frames.graph().edges().size(), 9U);
+  EXPECT_EQ(numbers(frames.near(9, 8.5)).back(), 1U) << "no way to the first frame";
 }
 
 }  // namespace

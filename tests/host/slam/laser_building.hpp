@@ -33,6 +33,17 @@ class LaserBuilding {
                           {{8.0, 3.6}, {8.0, 3.0}}});
   }
 
+  /// 4 m by 4 m with a box in it and a niche.
+  static LaserBuilding room() {
+    return LaserBuilding({{{0.0, 0.0}, {4.0, 0.0}},
+                          {{4.0, 0.0}, {4.0, 4.0}},
+                          {{4.0, 4.0}, {0.0, 4.0}},
+                          {{0.0, 4.0}, {0.0, 0.0}},
+                          {{1.7, 2.0}, {2.2, 2.0}},
+                          {{2.2, 2.0}, {2.2, 2.4}},
+                          {{0.0, 1.0}, {0.4, 1.0}}});
+  }
+
   /// Corridors, 2 m wide, around a block of 12 m by 8 m: a loop of about 48 m. Niches tell places
   /// apart.
   static LaserBuilding ring() {

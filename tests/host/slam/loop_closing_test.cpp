@@ -49,18 +49,20 @@ Pose2 on_ring(int step) {
   }
 }
 
+/// How far a robot has drifted on the ring, 50 m after the start 0.47 m.
+Pose2 drift_on_ring(int step) {
+  const double share = step / 100.0;
+  return {0.4 * share, -0.25 * share, 0.03 * share};
+}
+
 TEST(LoopClosing, SaysHowFarTheRobotHasDriftedAroundARing) {
   const auto building = tests::LaserBuilding::ring();
-  const Pose2 drift_at_end(0.4, -0.25, 0.03);
   LoopClosing closing = loop_closing();
   Drive drive;
   std::vector<PoseEdge> edges;
   for (int step = 0; step < 110 && edges.empty(); ++step) {
     drive.T_world_robot = on_ring(step);
-    const double share = step / 100.0;
-    const Pose2 drift(
-        share * drift_at_end.x_m(), share * drift_at_end.y_m(), share * drift_at_end.heading_rad());
-    drive.see(building, drive.T_world_robot * drift);
+    drive.see(building, drive.T_world_robot * drift_on_ring(step));
     edges = closing.close(drive.frames);
   }
   ASSERT_FALSE(edges.empty());
@@ -71,6 +73,61 @@ TEST(LoopClosing, SaysHowFarTheRobotHasDriftedAroundARing) {
     EXPECT_NEAR(edge.T_from_to.heading_rad(), truth.heading_rad(), 0.02);
     EXPECT_TRUE(edge.is_doubtful);
   }
+}
+
+/// What the frame of a step on the ring proves if only that of one before has looked for loops.
+std::vector<PoseEdge> proved_after(int first, int second, bool is_put_right) {
+  const auto building = tests::LaserBuilding::ring();
+  LoopClosing closing = loop_closing();
+  Drive drive;
+  Pose2 T_right_map;
+  for (int step = 0; step <= second; ++step) {
+    drive.T_world_robot = on_ring(step);
+    drive.see(building, T_right_map * drive.T_world_robot * drift_on_ring(step));
+    if (step != first) {
+      continue;
+    }
+    EXPECT_TRUE(closing.close(drive.frames).empty()) << "one searched loop proves nothing";
+    if (is_put_right) {
+      const std::size_t newest = drive.frames.size() - 1;
+      const Pose2 T_map_before = drive.frames.T_map_frame(newest);
+      const Pose2 truth = on_ring(50).inverse() * drive.T_world_robot;
+      const PoseEdge known{50, newest, truth, 1e6 * Eigen::Matrix3d::Identity(), false};
+      EXPECT_TRUE(drive.frames.close_loops(std::vector{known}));
+      T_right_map = drive.frames.T_map_frame(newest) * T_map_before.inverse();
+    }
+  }
+  return closing.close(drive.frames);
+}
+
+TEST(LoopClosing, ALoopThatWaitsIsComparedInTheMapAsItIsNow) {
+  EXPECT_EQ(proved_after(105, 111, false).size(), 2U);
+  EXPECT_EQ(proved_after(105, 111, true).size(), 2U);
+}
+
+TEST(LoopClosing, ALoopThatHasWaitedForLongIsForgotten) {
+  EXPECT_EQ(proved_after(105, 111, false).size(), 2U);
+  EXPECT_TRUE(proved_after(104, 111, false).empty());
+}
+
+TEST(LoopClosing, LooksAsFarFromThePlaceAsItSearches) {
+  const auto building = tests::LaserBuilding::hall();
+  LoopClosingParams params;
+  params.drift_m = 0.5;
+  LoopClosing closing(params, {}, {}, {});
+  Drive drive;
+  std::vector<PoseEdge> edges;
+  for (int step = 0; step < 16; ++step) {
+    drive.T_world_robot = {2.0 + 0.5 * step, 1.2, 0.0};
+    drive.see(building, drive.T_world_robot);
+  }
+  for (int step = 0; step < 12 && edges.empty(); ++step) {
+    drive.T_world_robot = {9.0 - 0.5 * step, 3.0, std::numbers::pi};
+    const Pose2 drifted(drive.T_world_robot.x_m(), 4.0, std::numbers::pi);
+    drive.see(building, drifted);
+    edges = closing.close(drive.frames);
+  }
+  EXPECT_FALSE(edges.empty()) << "2.8 m from the frames: as far as places are seen, and 1.5 sigma";
 }
 
 TEST(LoopClosing, IsNotTakenInByAnotherPlaceWhereAnOldOneShouldBe) {

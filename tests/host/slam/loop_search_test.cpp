@@ -54,6 +54,25 @@ TEST(LoopSearch, FindsTheBestOfAllOnTheLattice) {
   EXPECT_DOUBLE_EQ(branched->score, each->score);
 }
 
+TEST(LoopSearch, LooksEquallyFarToEachSide) {
+  constexpr double kRadiusM = 0.8;
+  Search search;
+  const auto map_m = search.map_m();
+  const Pose2 truth(4.0, 3.5, 0.3);
+  const auto points_m = search.seen_m(truth);
+  for (const Eigen::Vector2d& off_m :
+       {Eigen::Vector2d(1.5, 0.0), {-1.5, 0.0}, {0.0, 1.5}, {0.0, -1.5}}) {
+    const Eigen::Vector2d middle_m = truth.position_m() + off_m;
+    LoopSearchParams any;
+    any.least_score = 0.0;
+    const auto found =
+        LoopSearch(any).find(map_m, points_m, {{middle_m.x(), middle_m.y(), 0.3}, kRadiusM, 0.0});
+    ASSERT_TRUE(found);
+    const Eigen::Vector2d way_m = found->T_map_robot.position_m() - middle_m;
+    EXPECT_LE(way_m.cwiseAbs().maxCoeff(), kRadiusM + 1e-9) << "from " << off_m.transpose();
+  }
+}
+
 TEST(LoopSearch, FindsNothingWhereItHasNotBeen) {
   Search search;
   const auto map_m = search.map_m();

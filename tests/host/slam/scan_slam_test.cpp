@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -105,28 +105,60 @@ TEST(ScanSlam, FollowsAThinLaserByGatheringScans) {
   EXPECT_LT(robot.worst_m(slam.trajectory()), 0.25 * robot.odometry_worst_m());
 }
 
-TEST(ScanSlam, ClosesALoopAndMovesThePast) {
-  const auto drive_ring = [](SlamMethod& method) {
-    Robot robot(tests::LaserBuilding::ring(), 180, {1.0, 1.0, 0.0});
-    robot.see(method);
-    for (const double side_m : {14.0, 10.0, 14.0, 10.0, 5.0}) {
-      for (int i = 0; i < static_cast<int>(side_m / 0.25); ++i) {
-        robot.go({0.25, 0.0, 0.0});
-        robot.see(method);
-      }
-      for (int i = 0; i < 8; ++i) {
-        robot.go({0.0, 0.0, std::numbers::pi / 16});
-        robot.see(method);
-      }
+/// A lap and a little of the ring; how far the trajectory is off then.
+double drive_ring(SlamMethod& method) {
+  Robot robot(tests::LaserBuilding::ring(), 180, {1.0, 1.0, 0.0});
+  robot.see(method);
+  for (const double side_m : {14.0, 10.0, 14.0, 10.0, 5.0}) {
+    for (int i = 0; i < static_cast<int>(side_m / 0.25); ++i) {
+      robot.go({0.25, 0.0, 0.0});
+      robot.see(method);
     }
-    return robot.worst_m(method.trajectory());
-  };
-  ScanSlam slam;
-  const double worst_m = drive_ring(slam);
-  EXPECT_LT(worst_m, 0.15);
+    for (int i = 0; i < 8; ++i) {
+      robot.go({0.0, 0.0, std::numbers::pi / 16});
+      robot.see(method);
+    }
+  }
+  return robot.worst_m(method.trajectory());
+}
+
+bool has_loops(const ScanSlam& slam) {
   const auto& edges = slam.graph().edges();
-  EXPECT_TRUE(
-      std::any_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.is_doubtful; }));
+  return std::any_of(
+      edges.begin(), edges.end(), [](const PoseEdge& edge) { return edge.is_doubtful; });
+}
+
+TEST(ScanSlam, ClosesALoopAndMovesThePast) {
+  ScanSlam slam;
+  EXPECT_LT(drive_ring(slam), 0.15);
+  EXPECT_TRUE(has_loops(slam));
+}
+
+TEST(ScanSlam, DoesNotTakeALoopThatCannotBeSolvedFor) {
+  ScanSlamParams params;
+  params.loops.spread_m = std::numeric_limits<double>::quiet_NaN();
+  ScanSlam unsolvable(params);
+  const double worst_m = drive_ring(unsolvable);
+  EXPECT_FALSE(has_loops(unsolvable));
+  params.closes_loops = false;
+  ScanSlam open(params);
+  EXPECT_EQ(worst_m, drive_ring(open));
+}
+
+TEST(ScanSlam, NeedsNoMoreKeyFramesInARoomThatItKnows) {
+  ScanSlam slam;
+  Robot robot(tests::LaserBuilding::room(), 180, {2.0, 0.8, 0.0});
+  std::vector<std::size_t> frames;
+  for (int lap = 0; lap < 20; ++lap) {
+    for (int i = 0; i < 80; ++i) {
+      robot.see(slam);
+      robot.go({0.1, 0.0, 2.0 * std::numbers::pi / 80});
+    }
+    frames.push_back(slam.graph().nodes().size());
+  }
+  EXPECT_EQ(frames.back(), frames[2]);
+  EXPECT_LT(robot.worst_m(slam.trajectory()), 0.1);
+  EXPECT_GT(robot.odometry_worst_m(), 1.0);
 }
 
 TEST(ScanSlam, IsOdometryWhereNothingAnswers) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host/slam/view_agreement.hpp"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
+
+#include "host/geometry/unit_vector.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -28,6 +32,26 @@ TEST(ViewAgreement, APointBeforeTheWallIsSeenThrough) {
 TEST(ViewAgreement, WhatIsHiddenBesideOrUnansweredDoesNotCount) {
   for (const Vector2d& point_m : {Vector2d(8.0, 0.0), Vector2d(3.0, 1.0), Vector2d(2.0, 1.6)}) {
     EXPECT_EQ(seen(point_m).met + seen(point_m).through, 0U) << point_m.transpose();
+  }
+}
+
+TEST(ViewAgreement, BeamsMayComeInAnyOrder) {
+  for (const double bearing_rad : {-1.5, 0.0, 0.5}) {
+    const RangeScan clockwise{
+        {}, {{0.5, 4.0}, {0.0, 4.0}, {-0.8, std::nullopt}, {-1.5, 4.0}}, 0.0, 8.0};
+    const auto views = view_agreement(
+        clockwise, std::vector{Vector2d(2.0 * geometry::unit_vector(bearing_rad))}, 0.3);
+    EXPECT_EQ(views.through, 1U) << bearing_rad;
+  }
+}
+
+TEST(ViewAgreement, BearingsMayGoOnPastHalfATurn) {
+  constexpr double kBehind = std::numbers::pi;
+  const RangeScan round{{}, {{0.0, 4.0}, {kBehind - 0.004, 4.0}, {1.5 * kBehind, 4.0}}, 0.0, 8.0};
+  for (const double bearing_rad : {kBehind - 0.01, 0.004 - kBehind, -0.5 * kBehind}) {
+    const auto views =
+        view_agreement(round, std::vector{Vector2d(2.0 * geometry::unit_vector(bearing_rad))}, 0.3);
+    EXPECT_EQ(views.through, 1U) << bearing_rad;
   }
 }
 
