@@ -80,7 +80,8 @@ DemoDrive drive(SimulatedRobot& robot,
                 const RobotProfile& profile,
                 const std::filesystem::path& out,
                 exports::RunSummary& summary) {
-  pipeline::RobotPipeline pipeline = pipeline_for(profile, options.fixes.empty() ? options.run.slam : "none");
+  pipeline::RobotPipeline pipeline =
+      pipeline_for(profile, options.fixes.empty() ? options.run.slam : "none");
   pipeline::ObservationFork fork;
   const auto camera = camera_at(options.fixes, profile, pipeline);
   if (camera) {

@@ -24,7 +24,8 @@ ExitCode run_explore(const ExploreOptions& options) {
     summary.emulator = robot.lockstep->device().emulator;
   }
 
-  pipeline::RobotPipeline pipeline = pipeline_for(profile, options.fixes.empty() ? options.run.slam : "none");
+  pipeline::RobotPipeline pipeline =
+      pipeline_for(profile, options.fixes.empty() ? options.run.slam : "none");
   pipeline::ObservationFork fork;
   const auto camera = camera_at(options.fixes, profile, pipeline);
   if (camera) {
