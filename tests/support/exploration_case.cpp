@@ -36,6 +36,9 @@ std::vector<std::string> demo_arguments(const ExplorationCase& what, int seed) {
   if (!what.course.empty()) {
     arguments.push_back("--waypoints=" + what.course.string());
   }
+  if (!what.slam.empty()) {
+    arguments.push_back("--slam=" + what.slam);
+  }
   if (!what.body.empty()) {
     arguments.push_back("--body=" + what.body.string());
   }
@@ -47,7 +50,9 @@ std::vector<std::string> demo_arguments(const ExplorationCase& what, int seed) {
 }
 
 ExplorationCase nxt_in_its_room() {
-  return {"nxt_room", "nxt-farthest", "nxt_tribot", {}, false, "uno"};
+  ExplorationCase what{"nxt_room", "nxt-farthest", "nxt_tribot", {}, false, "uno"};
+  what.slam = "none";
+  return what;
 }
 
 ExplorationCase create_in(const std::string& arena) {
@@ -57,7 +62,9 @@ ExplorationCase create_in(const std::string& arena) {
 ExplorationCase epuck_on_its_field() { return {"epuck_field", "epuck", "epuck", {}, true, "mega"}; }
 
 ExplorationCase ev3_at_its_door() {
-  return {"playground_door", "tangent-bug", "ev3", "playground", false, "mega"};
+  ExplorationCase what{"playground_door", "tangent-bug", "ev3", "playground", false, "mega"};
+  what.slam = "none";
+  return what;
 }
 
 ExplorationCase stretched_create_in(const std::string& arena, const fs::path& folder) {

@@ -16,6 +16,8 @@ struct ExplorationCase {
   bool under_camera = false;       ///< An overhead camera tells the robot's pose.
   std::string board{};             ///< Where it is named, the release image on this board,
   std::string emulator = "mock";   ///< and otherwise the native firmware in this program.
+  /// What tells the pose, as `--slam` has it; empty: ours.
+  std::string slam{};
   std::filesystem::path body{};  ///< What is true of the robot; empty: as the profile's name says.
 };
 
@@ -23,8 +25,8 @@ struct ExplorationCase {
 /// and 0.6 degrees and is a tenth of a second late, sends to a port of its own.
 std::vector<std::string> demo_arguments(const ExplorationCase& what, int seed);
 
-/// The papers' own explorations, each with the paper's robot on the release image of a board that
-/// has the pins for it.
+/// The papers' own explorations, by odometry alone as they were, each with the paper's robot on the
+/// release image of a board that has the pins for it.
 ExplorationCase nxt_in_its_room();
 /// A Create in an arena, by name.
 ExplorationCase create_in(const std::string& arena);
