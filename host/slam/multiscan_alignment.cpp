@@ -170,7 +170,7 @@ MatchResidual match_residual(const Pose2& T_map_later,
 }
 
 void add_match(const PatchMatch& match, const PatchFactor& factor, NormalEquations& equations) {
-  equations.add_surprise(factor.information_per_m2 * square(factor.across_m) *
+  equations.add_surprise(-factor.information_per_m2 * square(factor.most_apart_m) *
                          std::sqrt(factor.trust));
   const double weight = factor.information_per_m2 * factor.trust;
   const Eigen::Index row_later = equations.row_of(match.later.multiscan);
@@ -186,7 +186,7 @@ void add_match(const PatchMatch& match, const PatchFactor& factor, NormalEquatio
 }
 
 /// What is known of the calibration beforehand; nothing of it may change where it is not sought.
-void add_calibration(const OdometryCalibration& calibration,
+void add_calibration(const MultiscanGraph& graph,
                      bool is_sought,
                      const MultiscanAlignmentParams& params,
                      NormalEquations& equations) {
@@ -198,13 +198,13 @@ void add_calibration(const OdometryCalibration& calibration,
     return;
   }
   const Eigen::Vector3d sd(params.turn_share_sd, params.drift_sd_rad_per_m, params.drive_share_sd);
-  const Eigen::Vector3d information = sd.cwiseAbs2().cwiseInverse();
-  equations.add_surprise(calibration.values.dot(information.cwiseProduct(calibration.values)) -
-                         information.array().log().sum());
+  const Eigen::Vector3d information = (graph.steady_scale * sd).cwiseAbs2().cwiseInverse();
+  const Eigen::Vector3d gradient = information.cwiseProduct(graph.calibration.values);
+  equations.add_surprise(graph.calibration.values.dot(gradient) - information.array().log().sum());
   equations.add_information(equations.calibration_row(),
                             equations.calibration_row(),
                             information.asDiagonal().toDenseMatrix());
-  equations.add_gradient(equations.calibration_row(), information.cwiseProduct(calibration.values));
+  equations.add_gradient(equations.calibration_row(), gradient);
 }
 
 Pose2 moved(const Pose2& pose, const Eigen::Vector3d& change) {
@@ -241,6 +241,7 @@ PatchFactor patch_factor(const MultiscanGraph& graph,
           residual.by_later,
           residual.by_earlier,
           params.match_weight / variance_m2,
+          most_apart_m,
           1.0 / square(1.0 + square(residual.value_m / most_apart_m))};
 }
 
@@ -251,7 +252,7 @@ AlignmentStep align_multiscans(MultiscanGraph& graph,
                                const MultiscanAlignmentParams& params) {
   const bool is_whole = first_free <= 1;
   NormalEquations equations(graph.multiscans.size(), first_free);
-  add_calibration(graph.calibration, is_whole, params, equations);
+  add_calibration(graph, is_whole, params, equations);
   for (std::size_t i = first_free - 1; i + 1 < graph.multiscans.size(); ++i) {
     add_piece(graph, i, params.odometry, equations);
   }

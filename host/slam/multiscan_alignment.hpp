@@ -42,6 +42,8 @@ struct MultiscanGraph {
   OdometryCalibration calibration;
   /// How much worse this odometry is than the parameters say: a factor of its deviations by chance.
   double odometry_scale = 1.0;
+  /// The same for what is off all the time.
+  double steady_scale = 1.0;
 };
 
 /// What one step of alignment has found.
@@ -49,7 +51,8 @@ struct AlignmentStep {
   /// Of the last multiscan's x, y and heading in the map frame, given what is not free.
   Eigen::Matrix3d last_covariance;
   /// Minus twice the logarithm of how likely all measurements were before the step, by the method
-  /// of Laplace, without what does not depend on the graph.
+  /// of Laplace, without what does not depend on the graph. A patch that is not matched surprises
+  /// like one that lies endlessly far from its match.
   double surprise = 0.0;
 };
 
@@ -60,6 +63,7 @@ struct PatchFactor {
   Eigen::RowVector3d by_later = Eigen::RowVector3d::Zero();
   Eigen::RowVector3d by_earlier = Eigen::RowVector3d::Zero();
   double information_per_m2 = 0.0;
+  double most_apart_m = 0.0;  ///< Patches that are farther apart count less and less.
   double trust = 1.0;  ///< What is left of the information because the patches are so far apart.
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "host/slam/multiscan_factors.hpp"
@@ -15,25 +16,37 @@ namespace {
 /// From one odometry scale to the next that is tried.
 constexpr double kScaleStep = 1.5;
 
+bool is_sound(const OdometryBelief& belief) {
+  return belief.steady_scale > 0.0 && std::isfinite(belief.steady_scale) &&
+         belief.least_scale > 0.0 && belief.least_scale <= belief.most_scale &&
+         std::isfinite(belief.most_scale);
+}
+
 }  // namespace
 
 MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
     : params_(params), gathering_(params.gathering) {
-  const bool scales_ok = params.least_odometry_scale > 0.0 && params.least_odometry_scale <= 1.0 &&
-                         params.most_odometry_scale >= 1.0 &&
-                         std::isfinite(params.most_odometry_scale);
-  if (!scales_ok || params.window < 2 || params.steps < 1 || !(params.whole_share >= 0.0)) {
+  const bool beliefs_ok = !params.beliefs.empty() &&
+                          std::all_of(params.beliefs.begin(), params.beliefs.end(), is_sound);
+  if (!beliefs_ok || params.window < 2 || params.steps < 1 || !(params.whole_share >= 0.0)) {
     throw std::invalid_argument("multiscan SLAM: a parameter is outside of its range");
   }
   check(params.patches);
   check(params.matching);
   check(params.alignment);
-  graph_.multiscans.emplace_back();
+  for (const OdometryBelief& belief : params.beliefs) {
+    MultiscanGraph& graph = graphs_.emplace_back();
+    graph.multiscans.emplace_back();
+    graph.odometry_scale = std::clamp(1.0, belief.least_scale, belief.most_scale);
+    graph.steady_scale = belief.steady_scale;
+  }
 }
 
 void MultiscanSlam::follow(const geometry::Pose2& T_odom_robot) {
   if (!has_begun_) {
-    graph_.multiscans.front().T_map_begin = T_odom_robot;
+    for (MultiscanGraph& graph : graphs_) {
+      graph.multiscans.front().T_map_begin = T_odom_robot;
+    }
     has_begun_ = true;
   }
   gathering_.follow(T_odom_robot);
@@ -44,85 +57,116 @@ void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const RangeScan& sc
   if (const auto piece = gathering_.add(T_odom_robot, scan)) {
     begin_multiscan(*piece);
   }
-  scans_.push_back({graph_.pieces.size(), gathering_.piece().T_before_after, scan});
+  scans_.push_back({graph().pieces.size(), gathering_.piece().T_before_after, scan});
 }
 
 void MultiscanSlam::begin_multiscan(const OdometryPiece& piece) {
-  graph_.multiscans.back().patches = find_patches(gathering_.finished().echoes, params_.patches);
-  const geometry::Pose2 T_map_begin =
-      graph_.multiscans.back().T_map_begin * calibrated(piece, graph_.calibration);
-  graph_.pieces.push_back(piece);
-  graph_.multiscans.push_back({T_map_begin, {}, covariance_after(piece)});
+  const auto patches = find_patches(gathering_.finished().echoes, params_.patches);
+  for (MultiscanGraph& graph : graphs_) {
+    graph.multiscans.back().patches = patches;
+    const geometry::Pose2 T_map_begin =
+        graph.multiscans.back().T_map_begin * calibrated(piece, graph.calibration);
+    const Eigen::Matrix3d covariance = covariance_after(graph, piece);
+    graph.pieces.push_back(piece);
+    graph.multiscans.push_back({T_map_begin, {}, covariance});
+  }
   align();
 }
 
 std::size_t MultiscanSlam::first_of_window() const {
-  const std::size_t count = graph_.multiscans.size();
+  const std::size_t count = graph().multiscans.size();
   return count > params_.window ? count - params_.window : 1;
 }
 
 void MultiscanSlam::align() {
-  const std::size_t count = graph_.multiscans.size();
+  const std::size_t count = graph().multiscans.size();
   const auto due = static_cast<std::size_t>(params_.whole_share * static_cast<double>(count));
-  const std::size_t window = first_of_window();
-  if (count < aligned_whole_ + std::max<std::size_t>(1, due)) {
-    for (int step = 0; step < params_.steps; ++step) {
-      align_from(window, window);
-    }
+  if (count >= aligned_whole_ + std::max<std::size_t>(1, due)) {
+    align_whole();
+    aligned_whole_ = count;
     return;
   }
-  learn_odometry_scale(match_patches(graph_.multiscans, 1, params_.matching), window);
-  for (int step = 0; step < params_.steps; ++step) {
-    graph_.multiscans.back().covariance = align_from(1, window).last_covariance;
-  }
-  aligned_whole_ = count;
-}
-
-AlignmentStep MultiscanSlam::align_from(std::size_t first_free, std::size_t first_wide) {
-  const auto matches = match_patches(graph_.multiscans, first_free, params_.matching);
-  return align_multiscans(graph_, matches, first_free, first_wide, params_.alignment);
-}
-
-void MultiscanSlam::learn_odometry_scale(const std::vector<PatchMatch>& matches,
-                                         std::size_t first_wide) {
-  double least_surprise = std::numeric_limits<double>::max();
-  double best = graph_.odometry_scale;
-  for (const double factor : {1.0, 1.0 / kScaleStep, kScaleStep}) {
-    MultiscanGraph tried = graph_;
-    tried.odometry_scale = std::clamp(
-        factor * graph_.odometry_scale, params_.least_odometry_scale, params_.most_odometry_scale);
-    align_multiscans(tried, matches, 1, first_wide, params_.alignment);
-    const double surprise =
-        align_multiscans(tried, matches, 1, first_wide, params_.alignment).surprise;
-    if (surprise < least_surprise) {
-      least_surprise = surprise;
-      best = tried.odometry_scale;
+  for (MultiscanGraph& graph : graphs_) {
+    for (int step = 0; step < params_.steps; ++step) {
+      const auto matches = match_patches(graph.multiscans, first_of_window(), params_.matching);
+      align_multiscans(graph, matches, first_of_window(), first_of_window(), params_.alignment);
     }
   }
-  graph_.odometry_scale = best;
 }
 
-Eigen::Matrix3d MultiscanSlam::covariance_after(const OdometryPiece& piece) const {
-  const PlacedPatches& last = graph_.multiscans.back();
+void MultiscanSlam::align_whole() {
+  double least_surprise = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < graphs_.size(); ++i) {
+    MultiscanGraph& graph = graphs_[i];
+    for (int step = 0; step < params_.steps; ++step) {
+      const auto matches = match_patches(graph.multiscans, 1, params_.matching);
+      if (step == 0) {
+        learn_odometry_scale(params_.beliefs[i], matches, graph);
+      }
+      graph.multiscans.back().covariance =
+          align_multiscans(graph, matches, 1, first_of_window(), params_.alignment).last_covariance;
+    }
+    const double surprise = surprise_of(graph);
+    if (surprise < least_surprise) {
+      least_surprise = surprise;
+      best_ = i;
+    }
+  }
+}
+
+void MultiscanSlam::learn_odometry_scale(const OdometryBelief& belief,
+                                         const std::vector<PatchMatch>& matches,
+                                         MultiscanGraph& graph) const {
+  std::set<double> scales;
+  for (const double factor : {1.0 / kScaleStep, 1.0, kScaleStep}) {
+    scales.insert(std::clamp(factor * graph.odometry_scale, belief.least_scale, belief.most_scale));
+  }
+  if (scales.size() < 2) {
+    return;
+  }
+  double least_surprise = std::numeric_limits<double>::max();
+  for (const double scale : scales) {
+    MultiscanGraph tried = graph;
+    tried.odometry_scale = scale;
+    align_multiscans(tried, matches, 1, first_of_window(), params_.alignment);
+    const double surprise =
+        align_multiscans(tried, matches, 1, first_of_window(), params_.alignment).surprise;
+    if (surprise < least_surprise) {
+      least_surprise = surprise;
+      graph.odometry_scale = scale;
+    }
+  }
+}
+
+double MultiscanSlam::surprise_of(MultiscanGraph graph) const {
+  PatchMatchingParams narrow = params_.matching;
+  narrow.most_place_sd_m = 0.0;
+  const auto matches = match_patches(graph.multiscans, 1, narrow);
+  return align_multiscans(graph, matches, 1, first_of_window(), params_.alignment).surprise;
+}
+
+Eigen::Matrix3d MultiscanSlam::covariance_after(const MultiscanGraph& graph,
+                                                const OdometryPiece& piece) const {
+  const PlacedPatches& last = graph.multiscans.back();
   const Eigen::Vector2d way_m =
       (last.T_map_begin * piece.T_before_after).position_m() - last.T_map_begin.position_m();
   Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
   by_pose.topRightCorner<2, 1>() << -way_m.y(), way_m.x();
   Eigen::Matrix3d covariance = by_pose * last.covariance * by_pose.transpose();
   covariance.diagonal() +=
-      graph_.odometry_scale * graph_.odometry_scale * variances(piece, params_.alignment.odometry);
+      graph.odometry_scale * graph.odometry_scale * variances(piece, params_.alignment.odometry);
   return covariance;
 }
 
 geometry::Pose2 MultiscanSlam::T_map_robot(const TakenScan& taken) const {
-  return graph_.multiscans[taken.multiscan].T_map_begin * taken.T_begin_robot;
+  return graph().multiscans[taken.multiscan].T_map_begin * taken.T_begin_robot;
 }
 
 localization::PoseGaussian MultiscanSlam::belief() const {
   if (scans_.empty()) {
     return {};
   }
-  return {T_map_robot(scans_.back()), covariance_after(gathering_.piece())};
+  return {T_map_robot(scans_.back()), covariance_after(graph(), gathering_.piece())};
 }
 
 std::vector<geometry::Pose2> MultiscanSlam::trajectory() const {
@@ -144,8 +188,8 @@ mapping::OccupancyGrid MultiscanSlam::grid() const {
 }
 
 FactorGraph MultiscanSlam::factor_graph() const {
-  return slam::factor_graph(graph_,
-                            match_patches(graph_.multiscans, 1, params_.matching),
+  return slam::factor_graph(graph(),
+                            match_patches(graph().multiscans, 1, params_.matching),
                             first_of_window(),
                             params_.alignment);
 }

@@ -13,6 +13,14 @@
 
 namespace echomap::slam {
 
+/// How good the odometry may be: factors of the deviations that MultiscanAlignmentParams says.
+struct OdometryBelief {
+  double steady_scale = 1.0;  ///< Of what is off all the time.
+  /// Of what is off by chance: learnt between these.
+  double least_scale = 0.33;
+  double most_scale = 3.0;
+};
+
 /// One setting for sonars, infra-red and thin lasers.
 struct MultiscanSlamParams {
   MultiscanParams gathering;
@@ -25,9 +33,9 @@ struct MultiscanSlamParams {
   double whole_share = 0.025;
   /// Steps of matching and aligning, each time.
   int steps = 2;
-  /// The odometry may turn out to be so much better or worse than `alignment.odometry` says.
-  double least_odometry_scale = 0.33;
-  double most_odometry_scale = 3.0;
+  /// Each is followed all the time; what surprises least is believed. Good odometry is hardly bent,
+  /// and poor odometry is not trusted for long.
+  std::vector<OdometryBelief> beliefs{{}, {0.25, 0.2, 0.2}};
   ScanMapParams map;
 };
 
@@ -46,9 +54,9 @@ class MultiscanSlam final : public SlamMethod {
   FactorGraph factor_graph() const override;
 
   /// How odometry is off, as far as is known.
-  const OdometryCalibration& calibration() const { return graph_.calibration; }
-  /// What is estimated, for looking into.
-  const MultiscanGraph& graph() const { return graph_; }
+  const OdometryCalibration& calibration() const { return graph().calibration; }
+  /// What is estimated under the belief that surprises least, for looking into.
+  const MultiscanGraph& graph() const { return graphs_[best_]; }
 
  private:
   struct TakenScan {
@@ -60,21 +68,27 @@ class MultiscanSlam final : public SlamMethod {
   void begin_multiscan(const OdometryPiece& piece);
   /// Of the newest multiscans, which move with each new one.
   std::size_t first_of_window() const;
-  /// Aligns the newest multiscans, or all of them.
+  /// Aligns the newest multiscans, or all of them and chooses the belief anew.
   void align();
-  AlignmentStep align_from(std::size_t first_free, std::size_t first_wide);
+  void align_whole();
   /// Takes the odometry's scale under which all measurements are the least surprising (empirical
   /// Bayes). So good odometry is hardly bent by echoes that are only a little off.
-  void learn_odometry_scale(const std::vector<PatchMatch>& matches, std::size_t first_wide);
+  void learn_odometry_scale(const OdometryBelief& belief,
+                            const std::vector<PatchMatch>& matches,
+                            MultiscanGraph& graph) const;
+  /// Of all that was measured. Nothing is matched farther than surfaces are off: who hopes for
+  /// matches from far away shall not be paid for finding some.
+  double surprise_of(MultiscanGraph graph) const;
   /// Of the robot after it has gone on from the newest multiscan.
-  Eigen::Matrix3d covariance_after(const OdometryPiece& piece) const;
+  Eigen::Matrix3d covariance_after(const MultiscanGraph& graph, const OdometryPiece& piece) const;
   /// Where the robot was, from the multiscan's begin, by odometry without its steady errors.
   geometry::Pose2 T_map_robot(const TakenScan& taken) const;
 
   MultiscanSlamParams params_;
   MultiscanGathering gathering_;
   bool has_begun_ = false;
-  MultiscanGraph graph_;
+  std::vector<MultiscanGraph> graphs_;  ///< One for each belief.
+  std::size_t best_ = 0;                ///< Of the beliefs, that which surprises least.
   std::vector<TakenScan> scans_;
   std::size_t aligned_whole_ = 0;  ///< Multiscans when all moved last.
 };

@@ -73,8 +73,10 @@ TEST(MultiscanAlignment, AnswersTheCovarianceOfTheLast) {
   EXPECT_LT(seen.trace(), unseen.trace());
 }
 
-TEST(MultiscanAlignment, FindsTheSteadyErrorOfOdometry) {
-  constexpr double kDriftRadPerM = 0.05;
+constexpr double kDriftRadPerM = 0.05;
+
+/// A way along the corner by an odometry that drifts.
+MultiscanGraph drifted() {
   constexpr double kStepM = 0.25;
   MultiscanGraph graph;
   geometry::Pose2 believed;
@@ -86,9 +88,21 @@ TEST(MultiscanAlignment, FindsTheSteadyErrorOfOdometry) {
     believed = believed * step;
   }
   graph.pieces.pop_back();
+  return graph;
+}
+
+TEST(MultiscanAlignment, FindsTheSteadyErrorOfOdometry) {
+  MultiscanGraph graph = drifted();
   align(graph, 10);
   EXPECT_GT(graph.calibration.drift_rad_per_m(), 0.3 * kDriftRadPerM);
   EXPECT_LT(graph.calibration.drift_rad_per_m(), 1.5 * kDriftRadPerM);
+}
+
+TEST(MultiscanAlignment, FindsLittleSteadyErrorWhereLittleIsBelieved) {
+  MultiscanGraph graph = drifted();
+  graph.steady_scale = 0.05;
+  align(graph, 10);
+  EXPECT_LT(graph.calibration.drift_rad_per_m(), 0.1 * kDriftRadPerM);
 }
 
 TEST(MultiscanAlignment, IsSurprisedByWallsThatDoNotAgree) {
@@ -97,6 +111,13 @@ TEST(MultiscanAlignment, IsSurprisedByWallsThatDoNotAgree) {
   align(right, 6);
   const double before = align(wrong, 1).surprise;
   EXPECT_LT(align(right, 1).surprise, before);
+}
+
+TEST(MultiscanAlignment, IsSurprisedByPatchesWithoutMatch) {
+  MultiscanGraph matched = displaced();
+  align(matched, 6);
+  MultiscanGraph alone = matched;
+  EXPECT_LT(align(matched, 1).surprise, align_multiscans(alone, {}, 1, 1, {}).surprise);
 }
 
 TEST(MultiscanAlignment, RefusesParametersWithoutSense) {

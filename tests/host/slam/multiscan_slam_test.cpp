@@ -40,8 +40,8 @@ struct Drive {
   std::vector<Pose2> T_odom_robot;
 };
 
-/// Rounds in the room, with an odometry that turns aside by 0.05 rad a metre.
-Drive rounds(int count) {
+/// Rounds in the room, with an odometry that turns aside.
+Drive rounds(int count, double drift_rad_per_m = 0.05) {
   constexpr int kSteps = 100;
   constexpr double kRadiusM = 0.8;
   const double turn_rad = radians(360.0) / kSteps;
@@ -50,7 +50,7 @@ Drive rounds(int count) {
   for (int i = 0; i < count * kSteps; ++i) {
     drive.T_map_robot.push_back(drive.T_map_robot.back() * Pose2(way_m, 0.0, turn_rad));
     drive.T_odom_robot.push_back(drive.T_odom_robot.back() *
-                                 Pose2(way_m, 0.0, turn_rad + 0.05 * way_m));
+                                 Pose2(way_m, 0.0, turn_rad + drift_rad_per_m * way_m));
   }
   return drive;
 }
@@ -77,6 +77,15 @@ TEST(MultiscanSlam, CorrectsOdometryThatTurnsAside) {
   ASSERT_EQ(poses.size(), drive.T_map_robot.size());
   EXPECT_GT(worst_error_m(drive.T_odom_robot, drive), 0.5);
   EXPECT_LT(worst_error_m(poses, drive), 0.2 * worst_error_m(drive.T_odom_robot, drive));
+}
+
+TEST(MultiscanSlam, BelievesGoodOdometryAndNoOther) {
+  MultiscanSlam with_good;
+  run(with_good, rounds(1, 0.0));
+  EXPECT_LT(with_good.graph().steady_scale, 1.0);
+  MultiscanSlam with_poor;
+  run(with_poor, rounds(2, 0.1));
+  EXPECT_EQ(with_poor.graph().steady_scale, 1.0);
 }
 
 TEST(MultiscanSlam, SaysHowSureItIs) {
@@ -146,6 +155,15 @@ TEST(MultiscanSlam, RefusesParametersWithoutSense) {
   MultiscanSlamParams params;
   params.steps = 0;
   EXPECT_THROW(MultiscanSlam{params}, std::invalid_argument);
+}
+
+TEST(MultiscanSlam, RefusesBeliefsWithoutSense) {
+  MultiscanSlamParams params;
+  for (const std::vector<OdometryBelief>& beliefs :
+       {std::vector<OdometryBelief>{}, {{0.0, 0.33, 3.0}}, {{1.0, 3.0, 0.33}}}) {
+    params.beliefs = beliefs;
+    EXPECT_THROW(MultiscanSlam{params}, std::invalid_argument);
+  }
 }
 
 }  // namespace
