@@ -207,6 +207,27 @@ ExitCode exit_code_of(exploration::FinishReason reason) {
   }
 }
 
+void describe_run(const DrivenRobot& robot,
+                  const RunOptions& options,
+                  exports::RunSummary& summary) {
+  summary.echomap_version = ECHOMAP_VERSION;
+  summary.robot = robot.profile.name;
+  summary.strategy = options.strategy;
+  summary.seed = options.seed;
+  if (robot.resumed) {
+    summary.resumed_stops = robot.resumed->stops;
+  }
+}
+
+/// Of a session that has ended before its strategy had.
+ExitCode save_what_is_left(RobotSession& session, RunKeeper& keeper) {
+  session.end_scan();
+  spdlog::error("the map so far is kept, for {}", session.end_reason());
+  const SessionEnd end = session.end().value_or(SessionEnd::kLinkLost);
+  keeper.save(outcome_of(end));
+  return exit_code_of(end);
+}
+
 }  // namespace
 
 RobotProfile profile_for(const RunOptions& options) {
@@ -221,13 +242,7 @@ ExitCode explore_and_save(const DrivenRobot& robot,
                           exports::RunSummary& summary) {
   RobotSession& session = robot.session;
   CameraFollower* const camera = robot.camera;
-  summary.echomap_version = ECHOMAP_VERSION;
-  summary.robot = robot.profile.name;
-  summary.strategy = options.strategy;
-  summary.seed = options.seed;
-  if (robot.resumed) {
-    summary.resumed_stops = robot.resumed->stops;
-  }
+  describe_run(robot, options, summary);
   std::mt19937 random(options.seed);
   const auto explorer = explorer_for(robot.profile, options, random);
   RunKeeper keeper(robot, *explorer, out, summary);
@@ -254,11 +269,7 @@ ExitCode explore_and_save(const DrivenRobot& robot,
     keeper.save(exploration::name_of(*reason));
     return exit_code_of(*reason);
   }
-  session.end_scan();
-  spdlog::error("the map so far is kept, for {}", session.end_reason());
-  const SessionEnd end = session.end().value_or(SessionEnd::kLinkLost);
-  keeper.save(outcome_of(end));
-  return exit_code_of(end);
+  return save_what_is_left(session, keeper);
 }
 
 }  // namespace echomap::apps

@@ -72,9 +72,10 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   }
   exports::RunSummary summary;
   exports::describe_snapshot(snapshot, summary);
-  say(fmt::format("goes on with {}: {} stops, {:.1f} m2 of floor",
+  say(fmt::format("goes on with {}: {} stop{}, {:.1f} m2 of floor",
                   run.string(),
                   summary.stops,
+                  summary.stops == 1 ? "" : "s",
                   summary.free_area_m2));
   return ResumedRun{summary.stops, facts.sim_seconds};
 }
