@@ -42,6 +42,7 @@ struct ConnectionOptions {
 struct ExploreOptions {
   RunOptions run;
   std::string fixes;  ///< udp:HOST:PORT or tcp:HOST:PORT of an overhead camera; empty: none.
+  std::filesystem::path resume;  ///< Run directory of the run to go on with; empty: none.
   ConnectionOptions connection;
 };
 ExitCode run_explore(const ExploreOptions& options);

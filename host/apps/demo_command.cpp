@@ -83,13 +83,12 @@ DemoDrive drive(SimulatedRobot& robot,
   pipeline::RobotPipeline pipeline =
       pipeline_for(profile, options.fixes.empty() ? options.run.slam : "none");
   pipeline::ObservationFork fork;
+  exports::ObservationRecorder recorder;
   const auto camera = camera_at(options.fixes, profile, pipeline);
-  if (camera) {
-    fork.add(camera->sink());
-  }
+  fork.add(camera ? camera->sink() : recorder);
   fork.add(pipeline);
   RobotSession session(connection_to(robot, options), profile, fork);
-  const DrivenRobot driven{session, pipeline, profile, camera.get()};
+  const DrivenRobot driven{session, pipeline, profile, recorder, camera.get()};
   DemoDrive drive;
   drive.code = explore_and_save(driven, options.run, out, summary);
   if (drive.code != ExitCode::kOk || options.no_kidnap || !profile.has_sonar) {

@@ -9,6 +9,7 @@
 #include "host/apps/open_robot.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/strategy_setup.hpp"
+#include "host/pipeline/joined_sessions.hpp"
 #include "host/pipeline/observation_fork.hpp"
 
 namespace echomap::apps {
@@ -17,6 +18,15 @@ ExitCode run_explore(const ExploreOptions& options) {
   const RobotProfile profile = profile_for(options.run);
   const auto out = run_folder(options.run.out);
   exports::RunSummary summary;
+  pipeline::RobotPipeline pipeline =
+      pipeline_for(profile, options.fixes.empty() ? options.run.slam : "none");
+  pipeline::ObservationFork fork;
+  exports::ObservationRecorder recorder;
+  const auto camera = camera_at(options.fixes, profile, pipeline);
+  fork.add(camera ? camera->sink() : recorder);
+  fork.add(pipeline);
+  pipeline::JoinedSessions sessions(fork);
+  const auto resumed = resume_run(options.resume, profile, sessions, pipeline);
   prepare_outputs(out, options.run.json);
   OpenedRobot robot = open_robot(options.connection, options.run.seed);
   if (robot.lockstep) {
@@ -24,17 +34,9 @@ ExitCode run_explore(const ExploreOptions& options) {
     summary.emulator = robot.lockstep->device().emulator;
   }
 
-  pipeline::RobotPipeline pipeline =
-      pipeline_for(profile, options.fixes.empty() ? options.run.slam : "none");
-  pipeline::ObservationFork fork;
-  const auto camera = camera_at(options.fixes, profile, pipeline);
-  if (camera) {
-    fork.add(camera->sink());
-  }
-  fork.add(pipeline);
-  RobotSession session(std::move(robot.connection), profile, fork);
-  const ExitCode code =
-      explore_and_save({session, pipeline, profile, camera.get()}, options.run, out, summary);
+  RobotSession session(std::move(robot.connection), profile, sessions);
+  const ExitCode code = explore_and_save(
+      {session, pipeline, profile, recorder, camera.get(), resumed}, options.run, out, summary);
   if (robot.lockstep) {
     robot.lockstep->quit();
   }

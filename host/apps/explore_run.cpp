@@ -22,34 +22,35 @@ namespace {
 
 using exploration::MotionResult;
 
-double seconds_of(time::HostTime at) {
-  return std::chrono::duration<double>(at.time_since_epoch()).count();
+/// What was there before this run.
+ResumedRun before(const DrivenRobot& robot) { return robot.resumed.value_or(ResumedRun{}); }
+
+/// Of the robot's time, that of the run that it resumes included.
+double elapsed_s(const DrivenRobot& robot) {
+  const std::chrono::duration<double> session = robot.session.now().time_since_epoch();
+  return before(robot).sim_seconds + session.count();
 }
 
 /// Saves the map so far, with how far the exploration has come.
 class RunKeeper {
  public:
-  RunKeeper(const RobotSession& session,
-            const pipeline::RobotPipeline& pipeline,
+  RunKeeper(const DrivenRobot& robot,
             const exploration::Explorer& explorer,
             std::filesystem::path out,
             exports::RunSummary& summary)
-      : session_(session),
-        pipeline_(pipeline),
-        explorer_(explorer),
-        out_(std::move(out)),
-        summary_(summary) {}
+      : robot_(robot), explorer_(explorer), out_(std::move(out)), summary_(summary) {}
 
   void save(const std::string& outcome) {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
-    const auto snapshot = pipeline_.snapshot();
+    const auto snapshot = robot_.pipeline.snapshot();
     summary_.outcome = outcome;
-    summary_.sim_seconds = seconds_of(session_.now());
+    summary_.sim_seconds = elapsed_s(robot_);
     summary_.wall_seconds = wall.count();
     describe_clock();
     describe_link();
     exports::describe_snapshot(snapshot, summary_);
-    if (const slam::SlamMethod* slam = pipeline_.slam()) {
+    robot_.recorder.save(out_ / kRecordName);
+    if (const slam::SlamMethod* slam = robot_.pipeline.slam()) {
       exports::describe_uncertainty(slam->belief().covariance, summary_);
       exports::write_pose_graph_g2o(out_ / "pose_graph.g2o", slam->factor_graph());
     }
@@ -77,7 +78,7 @@ class RunKeeper {
 
  private:
   void describe_clock() {
-    const time::ClockSync& clock = session_.link().clock();
+    const time::ClockSync& clock = robot_.session.link().clock();
     summary_.clock_rate_error_ppm = clock.rate_error_ppm();
     summary_.clock_uncertainty_us = clock.uncertainty_us();
     if (summary_.clock_rate_error_ppm && summary_.clock_uncertainty_us) {
@@ -88,19 +89,18 @@ class RunKeeper {
   }
 
   void describe_link() {
-    const auto link = summary_of(session_.link().statistics(), session_.reconnects());
+    const auto link = summary_of(robot_.session.link().statistics(), robot_.session.reconnects());
     spdlog::debug("{}", line_of(link));
     if (const auto losses = losses_between(summary_.link, link); !losses.empty()) {
       spdlog::warn("since the last stop the robot has counted {}", losses);
     }
     summary_.link = link;
-    if (const auto& robot = session_.link().robot(); robot && summary_.firmware.empty()) {
+    if (const auto& robot = robot_.session.link().robot(); robot && summary_.firmware.empty()) {
       summary_.firmware = firmware_of(*robot);
     }
   }
 
-  const RobotSession& session_;
-  const pipeline::RobotPipeline& pipeline_;
+  const DrivenRobot& robot_;
   const exploration::Explorer& explorer_;
   std::filesystem::path out_;
   exports::RunSummary& summary_;
@@ -108,22 +108,21 @@ class RunKeeper {
   bool warned_ = false;
 };
 
-std::string progress_line(const pipeline::Snapshot& snapshot,
-                          const RunOptions& options,
-                          time::HostTime now) {
+/// Of the whole map, as the summary is.
+std::string progress_line(const DrivenRobot& robot, const RunOptions& options) {
   exports::RunSummary summary;
-  exports::describe_snapshot(snapshot, summary);
+  exports::describe_snapshot(robot.pipeline.snapshot(), summary);
   ExploreProgress progress;
   progress.stops = summary.stops;
   progress.floor_m2 = summary.free_area_m2;
   progress.travelled_m = summary.travelled_m;
-  progress.elapsed_s = seconds_of(now);
+  progress.elapsed_s = elapsed_s(robot);
   switch (limit_of(options)) {
     case StrategyLimit::kStops:
-      progress.most_stops = options.stops * options.scans;
+      progress.most_stops = before(robot).stops + options.stops * options.scans;
       break;
     case StrategyLimit::kSeconds:
-      progress.most_s = options.seconds;
+      progress.most_s = before(robot).sim_seconds + options.seconds;
       break;
     case StrategyLimit::kNone:
       break;
@@ -131,18 +130,24 @@ std::string progress_line(const pipeline::Snapshot& snapshot,
   return line_of(progress);
 }
 
+/// For a strategy, which counts its own stops.
+pipeline::Snapshot snapshot_of_this_run(const DrivenRobot& robot) {
+  pipeline::Snapshot snapshot = robot.pipeline.snapshot();
+  snapshot.stops -= before(robot).stops;
+  return snapshot;
+}
+
 /// Motion by motion until the explorer has finished or the session has ended.
-std::optional<exploration::FinishReason> drive(RobotSession& session,
-                                               const pipeline::RobotPipeline& pipeline,
+std::optional<exploration::FinishReason> drive(const DrivenRobot& robot,
                                                exploration::Explorer& explorer,
                                                RunKeeper& keeper) {
   MotionResult last = MotionResult::kReached;
-  while (!session.end()) {
-    const auto motion = explorer.next(pipeline.snapshot(), last);
+  while (!robot.session.end()) {
+    const auto motion = explorer.next(snapshot_of_this_run(robot), last);
     if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
       return finished->reason;
     }
-    last = session.execute(motion);
+    last = robot.session.execute(motion);
     if (std::holds_alternative<exploration::EndScan>(motion)) {
       keeper.save_in_passing();
     }
@@ -166,7 +171,8 @@ std::string trouble_of(exploration::FinishReason reason) {
              "start "
              "anew";
     case exploration::FinishReason::kBatteryLow:
-      return "the battery is low\n  next: charge it, and start anew";
+      return "the battery is low\n  next: charge it where it stands, and go on "
+             "with echomap explore --resume";
     case exploration::FinishReason::kSonarSilent:
       return "nothing has answered the sonar all round\n  next: check the sonar's wires, or start "
              "where a wall is within its range";
@@ -201,6 +207,27 @@ ExitCode exit_code_of(exploration::FinishReason reason) {
   }
 }
 
+void describe_run(const DrivenRobot& robot,
+                  const RunOptions& options,
+                  exports::RunSummary& summary) {
+  summary.echomap_version = ECHOMAP_VERSION;
+  summary.robot = robot.profile.name;
+  summary.strategy = options.strategy;
+  summary.seed = options.seed;
+  if (robot.resumed) {
+    summary.resumed_stops = robot.resumed->stops;
+  }
+}
+
+/// Of a session that has ended before its strategy had.
+ExitCode save_what_is_left(RobotSession& session, RunKeeper& keeper) {
+  session.end_scan();
+  spdlog::error("the map so far is kept, for {}", session.end_reason());
+  const SessionEnd end = session.end().value_or(SessionEnd::kLinkLost);
+  keeper.save(outcome_of(end));
+  return exit_code_of(end);
+}
+
 }  // namespace
 
 RobotProfile profile_for(const RunOptions& options) {
@@ -213,14 +240,12 @@ ExitCode explore_and_save(const DrivenRobot& robot,
                           const RunOptions& options,
                           const std::filesystem::path& out,
                           exports::RunSummary& summary) {
-  auto& [session, pipeline, profile, camera] = robot;
-  summary.echomap_version = ECHOMAP_VERSION;
-  summary.robot = profile.name;
-  summary.strategy = options.strategy;
-  summary.seed = options.seed;
+  RobotSession& session = robot.session;
+  CameraFollower* const camera = robot.camera;
+  describe_run(robot, options, summary);
   std::mt19937 random(options.seed);
-  const auto explorer = explorer_for(profile, options, random);
-  RunKeeper keeper(session, pipeline, *explorer, out, summary);
+  const auto explorer = explorer_for(robot.profile, options, random);
+  RunKeeper keeper(robot, *explorer, out, summary);
   ProgressTeller progress(stderr, !options.headless);
   session.on_step = [&, steps = 0]() mutable {
     constexpr int kStepsPerDrawing = 64;
@@ -228,8 +253,7 @@ ExitCode explore_and_save(const DrivenRobot& robot,
       camera->poll(session);
     }
     if (++steps % kStepsPerDrawing == 0) {
-      progress.tell(seconds_of(session.now()),
-                    [&] { return progress_line(pipeline.snapshot(), options, session.now()); });
+      progress.tell(elapsed_s(robot), [&] { return progress_line(robot, options); });
     }
   };
 
@@ -237,7 +261,7 @@ ExitCode explore_and_save(const DrivenRobot& robot,
   if (camera != nullptr) {
     camera->begin(session);
   }
-  const auto reason = drive(session, pipeline, *explorer, keeper);
+  const auto reason = drive(robot, *explorer, keeper);
   session.disarm();
   session.on_step = nullptr;
   progress.clear();
@@ -245,11 +269,7 @@ ExitCode explore_and_save(const DrivenRobot& robot,
     keeper.save(exploration::name_of(*reason));
     return exit_code_of(*reason);
   }
-  pipeline.end_scan();
-  spdlog::error("the map so far is kept, for {}", session.end_reason());
-  const SessionEnd end = session.end().value_or(SessionEnd::kLinkLost);
-  keeper.save(outcome_of(end));
-  return exit_code_of(end);
+  return save_what_is_left(session, keeper);
 }
 
 }  // namespace echomap::apps

@@ -6,8 +6,10 @@
 #include "host/apps/camera_follower.hpp"
 #include "host/apps/commands.hpp"
 #include "host/apps/exit_code.hpp"
+#include "host/apps/resumed_run.hpp"
 #include "host/apps/robot_profile.hpp"
 #include "host/apps/robot_session.hpp"
+#include "host/exports/observations_csv.hpp"
 #include "host/exports/summary_json.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 
@@ -22,7 +24,9 @@ struct DrivenRobot {
   RobotSession& session;
   pipeline::RobotPipeline& pipeline;
   const RobotProfile& profile;
-  CameraFollower* camera = nullptr;  ///< Where somebody sees the robot.
+  const exports::ObservationRecorder& recorder;
+  CameraFollower* camera = nullptr;        ///< Where somebody sees the robot.
+  std::optional<ResumedRun> resumed = {};  ///< What the pipeline already knows.
 };
 
 /// Connects and lets the strategy drive the robot until it is finished, is interrupted or is lost.

@@ -112,6 +112,13 @@ void add_explore(CLI::App& app, CommandAction& action) {
                       "robot is (docs/guides/localize.md)");
   add_run_options(*command, options->run);
   add_slam_option(*command, options->run);
+  command
+      ->add_option("--resume",
+                   options->resume,
+                   "Go on with the map of this run directory, the robot standing where that run "
+                   "has ended")
+      ->check(CLI::ExistingDirectory)
+      ->excludes("--fixes");
   command->alias("slam");
   command->footer("Example: echomap explore --port /dev/ttyACM0 --robot uno_2wd --out kitchen");
   command->callback([&action, options] { action = [options] { return run_explore(*options); }; });

@@ -94,7 +94,7 @@ MotionResult RobotSession::execute(const exploration::Motion& motion) {
   if (std::holds_alternative<exploration::BeginScan>(motion)) {
     sink_.begin_scan();
   } else if (std::holds_alternative<exploration::EndScan>(motion)) {
-    sink_.end_scan();
+    end_scan();
   }
   return MotionResult::kReached;
 }

@@ -39,6 +39,9 @@ class RobotSession {
   /// Waits for a link that is away first. After `end()` is set the answer means nothing.
   exploration::MotionResult execute(const exploration::Motion& motion);
 
+  /// Ends a scan that is open, also where the robot is gone.
+  void end_scan() { sink_.end_scan(); }
+
   /// Lets time pass until `done`, for `limit` at most or until the session ends.
   void wait_until(const std::function<bool()>& done, time::HostClock::duration limit) {
     line_.wait_until(done, limit);

@@ -77,8 +77,14 @@ std::string_view FieldCursor::word_of_commas(const char* name) {
   return field;
 }
 
-double FieldCursor::number(const char* name) {
+double FieldCursor::number(const char* name) { return number_in(word(name), name); }
+
+std::optional<double> FieldCursor::number_or_none(const char* name) {
   const std::string_view field = word(name);
+  return field == "none" ? std::nullopt : std::optional(number_in(field, name));
+}
+
+double FieldCursor::number_in(std::string_view field, const char* name) const {
   double value = 0.0;
   if (!parse(without_plus(field), value) || !std::isfinite(value)) {
     fail(name, field, "not a finite number");

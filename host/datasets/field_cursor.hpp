@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,8 @@ class FieldCursor {
   std::string_view word(const char* name);
   /// A finite number of at most 1e15, either way.
   double number(const char* name);
+  /// The same; empty for the word `none`.
+  std::optional<double> number_or_none(const char* name);
   std::int64_t integer(const char* name);
   /// How many fields follow: as many as the line has room for, or it is an error.
   std::size_t count(const char* name);
@@ -37,6 +40,7 @@ class FieldCursor {
   [[noreturn]] void fail(const char* name, std::string_view field, const std::string& why) const;
 
  private:
+  double number_in(std::string_view field, const char* name) const;
   std::string_view word_of_blanks();
   std::string_view word_of_commas(const char* name);
   void drop_leading_blanks();

@@ -30,11 +30,15 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
 
 }  // namespace
 
-void append_row(std::string& text, std::span<const double> values, char separator) {
+void append_number(std::string& text, double value) {
   std::array<char, 32> digits{};
+  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  text.append(digits.data(), result.ptr);
+}
+
+void append_row(std::string& text, std::span<const double> values, char separator) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), values[i]);
-    text.append(digits.data(), result.ptr);
+    append_number(text, values[i]);
     text.push_back(i + 1 < values.size() ? separator : '\n');
   }
 }

@@ -24,7 +24,10 @@ struct NumberRow {
   std::size_t line = 0;  ///< In the file, from 1, whatever is skipped before it.
 };
 
-/// Appends one line. Numbers are the shortest decimals that read back as the same double.
+/// Appends the shortest decimal that reads back as the same double.
+void append_number(std::string& text, double value);
+
+/// Appends one line of such numbers.
 void append_row(std::string& text, std::span<const double> values, char separator);
 
 /// Reads such a file; lines that begin with # are skipped. Throws files::FileError, whose text

@@ -54,6 +54,7 @@ std::string to_json_text(const RunSummary& summary) {
       {"clock_uncertainty_us", or_null(summary.clock_uncertainty_us)},
       {"link", to_json(summary.link)},
       {"stops", summary.stops},
+      {"resumed_stops", or_null(summary.resumed_stops)},
       {"poses", summary.poses},
       {"points", summary.points},
       {"phases", or_null(summary.phases)},

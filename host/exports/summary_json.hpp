@@ -52,6 +52,9 @@ struct RunSummary {
   std::optional<double> clock_uncertainty_us;
   LinkSummary link;
   std::size_t stops = 0;
+  /// Those of the run that this one has resumed, which `sim_seconds`, `stops` and all that follows
+  /// hold, too; empty where it began anew.
+  std::optional<std::size_t> resumed_stops;
   /// Rows of poses.csv and of points.csv.
   std::size_t poses = 0;
   std::size_t points = 0;

@@ -34,10 +34,11 @@ class ExploreRun : public SessionOnACable {
  protected:
   ExitCode explore() {
     return explore_and_save(
-        {*session, pipeline, profile}, options_for("uno_2wd"), folder.path(), summary);
+        {*session, pipeline, profile, recorder}, options_for("uno_2wd"), folder.path(), summary);
   }
 
   const TemporaryFolder folder;
+  const exports::ObservationRecorder recorder;
   exports::RunSummary summary;
 };
 

@@ -36,5 +36,12 @@ TEST(RobotOptions, APoseIsOfTheCameraOrOfSlam) {
   EXPECT_THAT(refused.err, HasSubstr("excludes"));
 }
 
+TEST(RobotOptions, ARunThatIsResumedIsADirectoryAndHasNoCamera) {
+  EXPECT_EQ(run({"explore", "--resume", "no/such/run"}).code, ExitCode::kUsage);
+  const auto refused = run({"explore", "--resume", ".", "--fixes", "udp:127.0.0.1:5000"});
+  EXPECT_EQ(refused.code, ExitCode::kUsage);
+  EXPECT_THAT(refused.err, HasSubstr("excludes"));
+}
+
 }  // namespace
 }  // namespace echomap::apps

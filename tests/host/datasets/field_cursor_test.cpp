@@ -73,6 +73,12 @@ TEST_F(FieldCursorTest, ErrorsNameFileLineFieldAndReason) {
               EndsWith("log:2: 'x y' follows, the line should end before it"));
 }
 
+TEST_F(FieldCursorTest, ANumberMayBeNone) {
+  EXPECT_EQ(of("none").number_or_none("x"), std::nullopt);
+  EXPECT_EQ(of("0.5").number_or_none("x"), 0.5);
+  EXPECT_THAT(error_of([&] { of("nine").number_or_none("x"); }), HasSubstr("x is 'nine'"));
+}
+
 TEST_F(FieldCursorTest, RefusesWhatIsNoFiniteNumber) {
   for (const char* text :
        {"nan", "inf", "-INF", "1e400", "0x10", "1,5", "--1", "+-1", "+", "1e16"}) {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/resumed_run.hpp"
+
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/apps/exit_code.hpp"
+#include "host/apps/report.hpp"
+#include "host/exports/observations_csv.hpp"
+#include "host/exports/run_directory.hpp"
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::apps {
+namespace {
+
+/// Of the summary of a run.
+struct RunFacts {
+  std::string robot;
+  double sim_seconds = 0.0;
+};
+
+RunFacts read_facts(const std::filesystem::path& summary) {
+  const auto json = nlohmann::json::parse(files::read_text_file(summary), nullptr, false);
+  try {
+    return {json.at("robot").get<std::string>(), json.at("sim_seconds").get<double>()};
+  } catch (const nlohmann::json::exception&) {
+    throw files::FileError(summary.string() +
+                           ": not the summary of a run, robot or sim_seconds is missing");
+  }
+}
+
+void require_record(const std::filesystem::path& run) {
+  if (!std::filesystem::exists(run / kRecordName)) {
+    throw CommandError(ExitCode::kUsage,
+                       "cannot resume " + run.string() + ": it has no " + kRecordName +
+                           "\n  next: name the run directory of echomap explore with --resume");
+  }
+}
+
+void require_same_robot(const std::filesystem::path& run,
+                        const std::string& robot,
+                        const RobotProfile& profile) {
+  if (robot != profile.name) {
+    throw CommandError(ExitCode::kUsage,
+                       "cannot resume " + run.string() + ": its robot is '" + robot + "', not '" +
+                           profile.name + "'\n  next: name that robot's profile with --robot");
+  }
+}
+
+}  // namespace
+
+std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
+                                     const RobotProfile& profile,
+                                     pipeline::JoinedSessions& sessions,
+                                     const pipeline::RobotPipeline& pipeline) {
+  if (run.empty()) {
+    return std::nullopt;
+  }
+  require_record(run);
+  const RunFacts facts = read_facts(run / "summary.json");
+  require_same_robot(run, facts.robot, profile);
+  exports::replay_observations_csv(run / kRecordName, sessions);
+  sessions.begin_next();
+  const auto snapshot = pipeline.snapshot();
+  if (snapshot.trajectory->empty()) {
+    throw CommandError(ExitCode::kUsage,
+                       "cannot resume " + run.string() +
+                           ": its record is empty, as that of a run with a camera\n  next: name "
+                           "another run, or start anew");
+  }
+  exports::RunSummary summary;
+  exports::describe_snapshot(snapshot, summary);
+  say(fmt::format("goes on with {}: {} stop{}, {:.1f} m2 of floor",
+                  run.string(),
+                  summary.stops,
+                  summary.stops == 1 ? "" : "s",
+                  summary.free_area_m2));
+  return ResumedRun{summary.stops, facts.sim_seconds};
+}
+
+}  // namespace echomap::apps

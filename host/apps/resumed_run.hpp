@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+
+#include "host/apps/robot_profile.hpp"
+#include "host/pipeline/joined_sessions.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+
+namespace echomap::apps {
+
+/// The record of a run, in its directory.
+inline constexpr const char* kRecordName = "observations.csv";
+
+/// What a run had come to when it ended.
+struct ResumedRun {
+  std::size_t stops = 0;
+  double sim_seconds = 0.0;
+};
+
+/// Hands the record of the run in that directory to `sessions`, which lead to `pipeline`, and
+/// begins the next session there; does nothing for an empty path. Reads only. Throws CommandError 2
+/// where the run has no record or is of another robot, and files::FileError where its files are
+/// damaged.
+std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
+                                     const RobotProfile& profile,
+                                     pipeline::JoinedSessions& sessions,
+                                     const pipeline::RobotPipeline& pipeline);
+
+}  // namespace echomap::apps

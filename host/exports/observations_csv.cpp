@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "host/exports/observations_csv.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "host/datasets/field_cursor.hpp"
+#include "host/datasets/line_reader.hpp"
+#include "host/exports/number_table.hpp"
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::exports {
+namespace {
+
+constexpr std::string_view kHeader = "kind,stamp_us,values";
+
+/// Over three thousand years: no clock counts so many, and sums of them still fit.
+constexpr std::int64_t kLargestStampUs = 100'000'000'000'000'000;
+/// Between two lines; a map as large as a damaged number would not fit into memory.
+constexpr double kLongestStepM = 100.0;
+constexpr double kLongestRangeM = 1000.0;
+
+/// Reads the lines of one file.
+class Replay {
+ public:
+  Replay(const std::filesystem::path& path, pipeline::ObservationSink& sink)
+      : lines_(path), sink_(sink) {}
+
+  void run() {
+    const auto header = lines_.next();
+    if (!header || *header != kHeader) {
+      lines_.fail("expected the header '" + std::string(kHeader) + "'");
+    }
+    while (const auto line = lines_.next()) {
+      datasets::FieldCursor fields(lines_, *line, datasets::Separator::kComma);
+      hand_on(fields);
+    }
+  }
+
+ private:
+  struct Kind {
+    std::string_view name;
+    void (Replay::*hand_on)(datasets::FieldCursor& fields);
+  };
+  static const std::array<Kind, 6> kKinds;
+
+  void hand_on(datasets::FieldCursor& fields) {
+    const std::string_view name = fields.word("the kind");
+    const auto kind = std::find_if(
+        kKinds.begin(), kKinds.end(), [&](const Kind& one) { return one.name == name; });
+    if (kind == kKinds.end()) {
+      fields.fail("the kind", name, "not one of those that a run records");
+    }
+    (this->*kind->hand_on)(fields);
+  }
+
+  void odometry(datasets::FieldCursor& fields) {
+    const auto stamp = read_stamp(fields);
+    const auto travel = read_travel(fields);
+    fields.expect_end();
+    sink_.on_odometry({stamp, travel});
+  }
+
+  void sonar(datasets::FieldCursor& fields) {
+    const auto stamp = read_stamp(fields);
+    const auto travel = read_travel(fields);
+    const double pan_rad = fields.number("the pan angle");
+    const auto range_m = read_range_m(fields);
+    fields.expect_end();
+    sink_.on_sonar({stamp, travel, pan_rad, range_m});
+  }
+
+  void infrared(datasets::FieldCursor& fields) {
+    sensors::InfraredObservation observation{read_stamp(fields), read_travel(fields), {}};
+    while (!fields.at_end()) {
+      observation.range_m.push_back(read_range_m(fields));
+    }
+    sink_.on_infrared(observation);
+  }
+
+  void hazards(datasets::FieldCursor& fields) {
+    sensors::HazardObservation observation;
+    observation.stamp = read_stamp(fields);
+    observation.bump_left = read_flag(fields);
+    observation.bump_right = read_flag(fields);
+    for (bool& cliff : observation.cliffs) {
+      cliff = read_flag(fields);
+    }
+    observation.lifted = read_flag(fields);
+    observation.virtual_wall = read_flag(fields);
+    observation.wall = read_flag(fields);
+    fields.expect_end();
+    sink_.on_hazards(observation);
+  }
+
+  void begin_scan(datasets::FieldCursor& fields) {
+    fields.expect_end();
+    sink_.begin_scan();
+  }
+
+  void end_scan(datasets::FieldCursor& fields) {
+    fields.expect_end();
+    sink_.end_scan();
+  }
+
+  time::RobotTime read_stamp(datasets::FieldCursor& fields) const {
+    const std::int64_t stamp_us = fields.integer("the stamp");
+    if (stamp_us < -kLargestStampUs || stamp_us > kLargestStampUs) {
+      lines_.fail("no clock counts so many microseconds");
+    }
+    return time::RobotTime(time::RobotClock::duration(stamp_us));
+  }
+
+  sensors::WheelTravel read_travel(datasets::FieldCursor& fields) {
+    const double left_m = fields.number("the left wheel");
+    const double right_m = fields.number("the right wheel");
+    const double step_m =
+        std::max(std::abs(left_m - travel_.left_m), std::abs(right_m - travel_.right_m));
+    if (step_m > kLongestStepM) {
+      lines_.fail("a wheel has rolled more than 100 m since the line before");
+    }
+    travel_ = {left_m, right_m};
+    return travel_;
+  }
+
+  std::optional<double> read_range_m(datasets::FieldCursor& fields) const {
+    const auto range_m = fields.number_or_none("the range");
+    if (range_m && std::abs(*range_m) > kLongestRangeM) {
+      lines_.fail("no sensor of a robot reaches so far");
+    }
+    return range_m;
+  }
+
+  bool read_flag(datasets::FieldCursor& fields) const {
+    const std::int64_t flag = fields.integer("a flag");
+    if (flag != 0 && flag != 1) {
+      lines_.fail("a flag is neither 0 nor 1");
+    }
+    return flag == 1;
+  }
+
+  datasets::LineReader lines_;
+  pipeline::ObservationSink& sink_;
+  sensors::WheelTravel travel_;  ///< Of the line before.
+};
+
+const std::array<Replay::Kind, 6> Replay::kKinds{{
+    {"odometry", &Replay::odometry},
+    {"sonar", &Replay::sonar},
+    {"infrared", &Replay::infrared},
+    {"hazards", &Replay::hazards},
+    {"begin-scan", &Replay::begin_scan},
+    {"end-scan", &Replay::end_scan},
+}};
+
+}  // namespace
+
+ObservationRecorder::ObservationRecorder() : text_(std::string(kHeader) + '\n') {}
+
+void ObservationRecorder::on_odometry(const sensors::OdometryObservation& observation) {
+  begin_line("odometry", observation.stamp, observation.travel);
+  text_ += '\n';
+}
+
+void ObservationRecorder::on_sonar(const sensors::SonarObservation& observation) {
+  begin_line("sonar", observation.stamp, observation.travel);
+  add(observation.pan_rad);
+  add(observation.range_m);
+  text_ += '\n';
+}
+
+void ObservationRecorder::on_infrared(const sensors::InfraredObservation& observation) {
+  begin_line("infrared", observation.stamp, observation.travel);
+  for (const auto& range_m : observation.range_m) {
+    add(range_m);
+  }
+  text_ += '\n';
+}
+
+void ObservationRecorder::on_hazards(const sensors::HazardObservation& observation) {
+  begin_line("hazards", observation.stamp);
+  const auto& cliffs = observation.cliffs;
+  for (const bool flag : {observation.bump_left,
+                          observation.bump_right,
+                          cliffs[0],
+                          cliffs[1],
+                          cliffs[2],
+                          cliffs[3],
+                          observation.lifted,
+                          observation.virtual_wall,
+                          observation.wall}) {
+    text_ += flag ? ",1" : ",0";
+  }
+  text_ += '\n';
+}
+
+void ObservationRecorder::begin_scan() { text_ += "begin-scan\n"; }
+
+void ObservationRecorder::end_scan() { text_ += "end-scan\n"; }
+
+void ObservationRecorder::save(const std::filesystem::path& path) const {
+  files::write_text_file(path, text_);
+}
+
+void ObservationRecorder::begin_line(std::string_view kind, time::RobotTime stamp) {
+  text_ += kind;
+  text_ += ',' + std::to_string(stamp.time_since_epoch().count());
+}
+
+void ObservationRecorder::begin_line(std::string_view kind,
+                                     time::RobotTime stamp,
+                                     const sensors::WheelTravel& travel) {
+  begin_line(kind, stamp);
+  add(travel.left_m);
+  add(travel.right_m);
+}
+
+void ObservationRecorder::add(double value) {
+  text_ += ',';
+  append_number(text_, value);
+}
+
+void ObservationRecorder::add(const std::optional<double>& value) {
+  if (value) {
+    add(*value);
+  } else {
+    text_ += ",none";
+  }
+}
+
+void replay_observations_csv(const std::filesystem::path& path, pipeline::ObservationSink& sink) {
+  Replay(path, sink).run();
+}
+
+}  // namespace echomap::exports

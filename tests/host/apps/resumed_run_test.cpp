@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/resumed_run.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/apps/exit_code.hpp"
+#include "host/files/atomic_file.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/thrown_text.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class ResumedRunTest : public ::testing::Test {
+ protected:
+  void record(const std::string& lines) {
+    files::write_text_file(run / kRecordName, "kind,stamp_us,values\n" + lines);
+  }
+  void summarise(const std::string& json) { files::write_text_file(run / "summary.json", json); }
+  std::optional<ResumedRun> resume() { return resume_run(run.path(), profile, sessions, pipeline); }
+
+  const tests::ScratchFolder run;
+  const RobotProfile profile = load_robot_profile("uno_2wd");
+  pipeline::RobotPipeline pipeline{profile.geometry};
+  pipeline::JoinedSessions sessions{pipeline};
+};
+
+TEST_F(ResumedRunTest, IsNoneWhereNoneIsNamed) {
+  EXPECT_FALSE(resume_run("", profile, sessions, pipeline));
+}
+
+TEST_F(ResumedRunTest, GoesOnWithItsMapFromWhereItHasEnded) {
+  record("odometry,1000,0.5,0.5\nbegin-scan\nsonar,2000,0.5,0.5,0,1\n");
+  summarise(R"({"robot": "uno_2wd", "sim_seconds": 56.5})");
+  const auto resumed = resume();
+  ASSERT_TRUE(resumed);
+  EXPECT_EQ(resumed->stops, 1U) << "the open scan is ended";
+  EXPECT_EQ(resumed->sim_seconds, 56.5);
+  sessions.on_odometry({time::RobotTime(std::chrono::microseconds(7)), {3.0, 3.0}});
+  sessions.on_odometry({time::RobotTime(std::chrono::microseconds(9)), {3.25, 3.25}});
+  const auto latest = pipeline.snapshot().latest;
+  EXPECT_EQ(latest.stamp.time_since_epoch().count(), 2002);
+  EXPECT_NEAR(latest.T_map_robot.x_m(), 0.75, 1e-12);
+}
+
+TEST_F(ResumedRunTest, NeedsARecordWithARobotsWay) {
+  summarise(R"({"robot": "uno_2wd", "sim_seconds": 1})");
+  EXPECT_THAT(tests::thrown_text<CommandError>([&] { resume(); }),
+              AllOf(HasSubstr("it has no observations.csv"), HasSubstr("next: ")));
+  record("");
+  EXPECT_THAT(tests::thrown_text<CommandError>([&] { resume(); }),
+              AllOf(HasSubstr("its record is empty"), HasSubstr("next: ")));
+}
+
+TEST_F(ResumedRunTest, RefusesAnotherRobot) {
+  record("odometry,1000,0.5,0.5\n");
+  summarise(R"({"robot": "ev3", "sim_seconds": 1})");
+  EXPECT_THAT(tests::thrown_text<CommandError>([&] { resume(); }),
+              AllOf(HasSubstr("its robot is 'ev3', not 'uno_2wd'"), HasSubstr("next: ")));
+}
+
+TEST_F(ResumedRunTest, NamesTheFileThatIsDamaged) {
+  record("odometry,1000,0.5\n");
+  for (const char* json : {"", "[]", R"({"robot": 7, "sim_seconds": 1})", R"({"robot": "x"})"}) {
+    summarise(json);
+    EXPECT_THAT(tests::thrown_text<files::FileError>([&] { resume(); }),
+                HasSubstr("summary.json: not the summary of a run"))
+        << json;
+  }
+  summarise(R"({"robot": "uno_2wd", "sim_seconds": 1})");
+  EXPECT_THAT(tests::thrown_text<files::FileError>([&] { resume(); }),
+              HasSubstr("observations.csv:2: the right wheel is missing"));
+}
+
+}  // namespace
+}  // namespace echomap::apps

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+/// What becomes of a run that was ended and goes on another day.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/evaluation/truth_directory.hpp"
+#include "host/exports/trajectory_tum.hpp"
+#include "host/files/atomic_file.hpp"
+#include "host/geometry/angle.hpp"
+#include "tests/integration/programs.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// At the port of a mock that is started anew for each run.
+class Resume : public ::testing::Test {
+ protected:
+  /// `stops` of a mock that starts as `start` says; its truth goes into `truth_of(out)`.
+  Ended explore(const std::string& out,
+                const std::vector<std::string>& start,
+                const std::vector<std::string>& more = {},
+                int stops = 3) {
+    const auto socket = scratch / (out + "_lockstep");
+    const auto port = scratch / (out + "_robot");
+    std::filesystem::create_directories(truth_of(out));
+    std::vector<std::string> of_robot{"--link=" + port.string(),
+                                      "--lockstep=" + socket.string(),
+                                      "--truth=" + truth_of(out).string()};
+    of_robot.insert(of_robot.end(), start.begin(), start.end());
+    Program robot("echomap-mock", of_robot, scratch / "robot_log");
+    EXPECT_TRUE(eventually([&] { return exists(socket) && exists(port); }));
+    std::vector<std::string> of_host{"explore",
+                                     "--stops=" + std::to_string(stops),
+                                     "--port=" + port.string(),
+                                     "--lockstep=" + socket.string(),
+                                     "--out=" + (scratch / out).string()};
+    of_host.insert(of_host.end(), more.begin(), more.end());
+    const Ended ended = Program("echomap", of_host, scratch / "log").wait();
+    EXPECT_EQ(robot.wait().status, 0);
+    return ended;
+  }
+
+  std::filesystem::path truth_of(const std::string& out) const {
+    return scratch / (out + "_truth");
+  }
+
+  /// Where the robot of that run stands, for the next one.
+  std::string where_it_stands(const std::string& out) const {
+    const auto T_world_robot =
+        evaluation::read_truth(truth_of(out)).trajectory.back().T_world_robot;
+    return fmt::format("--start={},{},{}",
+                       T_world_robot.x_m(),
+                       T_world_robot.y_m(),
+                       geometry::degrees(T_world_robot.heading_rad()));
+  }
+
+  std::string resume(const std::string& out) const {
+    return "--resume=" + (scratch / out).string();
+  }
+
+  std::string text_of(const std::string& out, const std::string& name) const {
+    return files::read_text_file(scratch / out / name);
+  }
+
+  nlohmann::json summary(const std::string& out) const {
+    return nlohmann::json::parse(text_of(out, "summary.json"));
+  }
+
+  /// Of a map that began as the run `first` did.
+  nlohmann::json score(const std::string& out, const std::string& first) const {
+    const auto json = scratch / (out + "_score.json");
+    const Ended ended = Program("echomap",
+                                {"eval",
+                                 (scratch / out).string(),
+                                 "--truth=" + truth_of(first).string(),
+                                 "--json=" + json.string()},
+                                scratch / "eval_log")
+                            .wait();
+    EXPECT_EQ(ended.status, 0) << ended.said;
+    return nlohmann::json::parse(files::read_text_file(json));
+  }
+
+  tests::ScratchFolder scratch;
+};
+
+TEST_F(Resume, ARobotGoesOnWhereItStoodAndItsMapGrows) {
+  ASSERT_EQ(explore("monday", {}).status, 0);
+  const Ended ended =
+      explore("tuesday", {where_it_stands("monday"), "--seed=2"}, {resume("monday")});
+  ASSERT_EQ(ended.status, 0) << ended.said;
+
+  const auto monday = summary("monday");
+  const auto tuesday = summary("tuesday");
+  EXPECT_EQ(monday.at("resumed_stops"), nullptr);
+  EXPECT_EQ(tuesday.at("resumed_stops"), 3);
+  EXPECT_EQ(tuesday.at("stops"), 6);
+  for (const char* grows : {"sim_seconds", "travelled_m", "poses", "points", "free_area_m2"}) {
+    EXPECT_GT(tuesday.at(grows), monday.at(grows)) << grows;
+  }
+  EXPECT_THAT(text_of("tuesday", "observations.csv"),
+              ::testing::StartsWith(text_of("monday", "observations.csv")));
+
+  const auto before = score("monday", "monday");
+  const auto after = score("tuesday", "monday");
+  EXPECT_GT(after.at("free_iou"), before.at("free_iou").get<double>() + 0.1);
+  EXPECT_GT(after.at("wall_recall"), before.at("wall_recall"));
+  EXPECT_LT(after.at("wall_rmse_m"), before.at("wall_rmse_m").get<double>() + 0.02);
+
+  const auto trajectory = exports::read_trajectory_tum(scratch / "tuesday" / "trajectory.tum");
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    EXPECT_LT(trajectory[i - 1].stamp, trajectory[i].stamp) << "row " << i;
+  }
+}
+
+TEST_F(Resume, TheSameDirectoryHoldsBothRuns) {
+  ASSERT_EQ(explore("run", {}).status, 0);
+  const auto stands = where_it_stands("run");
+  ASSERT_EQ(explore("run", {stands}, {resume("run"), "--slam=none"}).status, 0);
+  EXPECT_EQ(summary("run").at("stops"), 6);
+}
+
+TEST_F(Resume, ARobotThatWasMovedIsLost) {
+  ASSERT_EQ(explore("monday", {}).status, 0);
+  const Ended ended = explore("tuesday", {"--start=2.6,1.2,100"}, {resume("monday")}, 6);
+  EXPECT_EQ(ended.status, 1) << ended.said;
+  EXPECT_EQ(summary("tuesday").at("outcome"), "lost");
+}
+
+TEST_F(Resume, WhatWasThereStaysWhereNoRobotAnswers) {
+  ASSERT_EQ(explore("run", {}).status, 0);
+  const std::string record = text_of("run", "observations.csv");
+  const auto before = summary("run");
+  const Ended ended = Program("echomap",
+                              {"explore",
+                               "--port=" + (scratch / "nowhere").string(),
+                               resume("run"),
+                               "--out=" + (scratch / "run").string()},
+                              scratch / "log")
+                          .wait();
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_THAT(ended.said, HasSubstr("next: "));
+  EXPECT_EQ(text_of("run", "observations.csv"), record);
+  EXPECT_EQ(summary("run"), before);
+}
+
+}  // namespace
+}  // namespace echomap::test
