@@ -4,6 +4,7 @@
 #include <chrono>
 #include <random>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -49,10 +50,12 @@ class RunKeeper {
     describe_clock();
     describe_link();
     exports::describe_snapshot(snapshot, summary_);
-    robot_.recorder.save(out_ / kRecordName);
+    save_record();
     if (const slam::SlamMethod* slam = robot_.pipeline.slam()) {
       exports::describe_uncertainty(slam->belief().covariance, summary_);
       exports::write_pose_graph_g2o(out_ / "pose_graph.g2o", slam->factor_graph());
+    } else {
+      std::filesystem::remove(out_ / "pose_graph.g2o");
     }
     const exploration::StrategyProducts products = explorer_.products();
     if (products.phases > 0) {
@@ -100,12 +103,26 @@ class RunKeeper {
     }
   }
 
+  /// The record of a former run in the same directory stays beside it.
+  void save_record() {
+    const std::filesystem::path record = out_ / kRecordName;
+    if (!std::exchange(former_is_kept_, true) && exists(record)) {
+      std::error_code failure;
+      std::filesystem::rename(record, out_ / kFormerRecordName, failure);
+      if (failure) {
+        throw files::FileError(record.string() + " is in the way: " + failure.message());
+      }
+    }
+    robot_.recorder.save(record);
+  }
+
   const DrivenRobot& robot_;
   const exploration::Explorer& explorer_;
   std::filesystem::path out_;
   exports::RunSummary& summary_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool warned_ = false;
+  bool former_is_kept_ = false;
 };
 
 /// Of the whole map, as the summary is.
@@ -221,7 +238,6 @@ void describe_run(const DrivenRobot& robot,
 
 /// Of a session that has ended before its strategy had.
 ExitCode save_what_is_left(RobotSession& session, RunKeeper& keeper) {
-  session.end_scan();
   spdlog::error("the map so far is kept, for {}", session.end_reason());
   const SessionEnd end = session.end().value_or(SessionEnd::kLinkLost);
   keeper.save(outcome_of(end));
@@ -262,6 +278,7 @@ ExitCode explore_and_save(const DrivenRobot& robot,
     camera->begin(session);
   }
   const auto reason = drive(robot, *explorer, keeper);
+  session.end_scan();
   session.disarm();
   session.on_step = nullptr;
   progress.clear();

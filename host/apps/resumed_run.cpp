@@ -70,6 +70,12 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
                            ": its record is empty, as that of a run with a camera\n  next: name "
                            "another run, or start anew");
   }
+  if (snapshot.times_lifted > 0) {
+    throw CommandError(ExitCode::kUsage,
+                       "cannot resume " + run.string() +
+                           ": the robot was lifted in it, and where it is since then nobody "
+                           "knows\n  next: start anew");
+  }
   exports::RunSummary summary;
   exports::describe_snapshot(snapshot, summary);
   say(fmt::format("goes on with {}: {} stop{}, {:.1f} m2 of floor",

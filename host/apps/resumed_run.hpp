@@ -13,6 +13,8 @@ namespace echomap::apps {
 
 /// The record of a run, in its directory.
 inline constexpr const char* kRecordName = "observations.csv";
+/// That of the run that had the directory before.
+inline constexpr const char* kFormerRecordName = "observations.before.csv";
 
 /// What a run had come to when it ended.
 struct ResumedRun {

@@ -31,11 +31,15 @@ void RobotSlam::hear(const geometry::Pose2& T_odom_robot,
 void RobotSlam::end_stop(bool pings_count) {
   const std::size_t middle = track_.instants() + held_T_odom_robots_.size() / 2;
   auto ping = pings_.end() - static_cast<std::ptrdiff_t>(std::exchange(held_pings_, 0));
-  for (const geometry::Pose2& T_odom_robot : std::exchange(held_T_odom_robots_, {})) {
-    track_.follow(T_odom_robot);
+  const auto count_so_far = [&] {
     for (; pings_count && ping != pings_.end() && ping->instant < track_.instants(); ++ping) {
       count(*ping);
     }
+  };
+  count_so_far();  // Those whose stamps have not risen.
+  for (const geometry::Pose2& T_odom_robot : std::exchange(held_T_odom_robots_, {})) {
+    track_.follow(T_odom_robot);
+    count_so_far();
   }
   if (pings_count) {
     stops_.push_back(middle);

@@ -20,7 +20,7 @@ class RobotSlam {
 
   /// The next instant of the robot's way.
   void follow(const geometry::Pose2& T_odom_robot);
-  /// A ping of the last instant.
+  /// A ping of the last instant, of which there is one.
   void hear(const geometry::Pose2& T_odom_robot,
             const geometry::Pose2& T_robot_sonar,
             const std::optional<double>& range_m);

@@ -259,7 +259,7 @@ AlignmentStep align_multiscans(MultiscanGraph& graph,
   for (const PatchMatch& match : matches) {
     add_match(match, patch_factor(graph, match, first_wide, params), equations);
   }
-  AlignmentStep step;
+  AlignmentStep step{graph.multiscans.back().covariance};
   const Eigen::VectorXd change = equations.solve(step);
   for (std::size_t i = first_free; i < graph.multiscans.size(); ++i) {
     Pose2& pose = graph.multiscans[i].T_map_begin;

@@ -48,7 +48,8 @@ struct MultiscanGraph {
 
 /// What one step of alignment has found.
 struct AlignmentStep {
-  /// Of the last multiscan's x, y and heading in the map frame, given what is not free.
+  /// Of the last multiscan's x, y and heading in the map frame, given what is not free; that of
+  /// before where it cannot be told.
   Eigen::Matrix3d last_covariance;
   /// Minus twice the logarithm of how likely all measurements were before the step, by the method
   /// of Laplace, without what does not depend on the graph. A patch that is not matched surprises

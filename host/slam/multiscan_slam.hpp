@@ -81,7 +81,7 @@ class MultiscanSlam final : public SlamMethod {
   double surprise_of(MultiscanGraph graph) const;
   /// Of the robot after it has gone on from the newest multiscan.
   Eigen::Matrix3d covariance_after(const MultiscanGraph& graph, const OdometryPiece& piece) const;
-  /// Where the robot was, from the multiscan's begin, by odometry without its steady errors.
+  /// Where the robot was, from the multiscan's begin, by odometry.
   geometry::Pose2 T_map_robot(const TakenScan& taken) const;
 
   MultiscanSlamParams params_;

@@ -124,8 +124,11 @@ TEST_F(Resume, ARobotGoesOnWhereItStoodAndItsMapGrows) {
 TEST_F(Resume, TheSameDirectoryHoldsBothRuns) {
   ASSERT_EQ(explore("run", {}).status, 0);
   const auto stands = where_it_stands("run");
+  const std::string record = text_of("run", "observations.csv");
   ASSERT_EQ(explore("run", {stands}, {resume("run"), "--slam=none"}).status, 0);
   EXPECT_EQ(summary("run").at("stops"), 6);
+  EXPECT_EQ(text_of("run", "observations.before.csv"), record);
+  EXPECT_FALSE(exists(scratch / "run" / "pose_graph.g2o")) << "that of the run before";
 }
 
 TEST_F(Resume, ARobotThatWasMovedIsLost) {

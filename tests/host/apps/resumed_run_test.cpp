@@ -65,6 +65,13 @@ TEST_F(ResumedRunTest, RefusesAnotherRobot) {
               AllOf(HasSubstr("its robot is 'ev3', not 'uno_2wd'"), HasSubstr("next: ")));
 }
 
+TEST_F(ResumedRunTest, RefusesARunInWhichTheRobotWasLifted) {
+  record("odometry,1000,0.5,0.5\nhazards,2000,0,0,0,0,0,0,1,0,0\n");
+  summarise(R"({"robot": "uno_2wd", "sim_seconds": 1})");
+  EXPECT_THAT(tests::thrown_text<CommandError>([&] { resume(); }),
+              AllOf(HasSubstr("the robot was lifted in it"), HasSubstr("next: ")));
+}
+
 TEST_F(ResumedRunTest, NamesTheFileThatIsDamaged) {
   record("odometry,1000,0.5\n");
   for (const char* json : {"", "[]", R"({"robot": 7, "sim_seconds": 1})", R"({"robot": "x"})"}) {

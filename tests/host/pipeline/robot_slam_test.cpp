@@ -64,6 +64,14 @@ TEST_F(RobotSlamTest, HasAllEchoesOnTheTrajectory) {
   EXPECT_DOUBLE_EQ(points[1].position_m.x(), 1.5);
 }
 
+TEST_F(RobotSlamTest, CountsPingsOfAStopThatAreOfAnOlderInstant) {
+  ping_at(0.0);
+  slam.begin_stop();
+  slam.hear({}, {}, 0.5);
+  slam.end_stop(true);
+  EXPECT_EQ(method->beams, 2U);
+}
+
 TEST_F(RobotSlamTest, SurvivesAStopOfNothing) {
   slam.begin_stop();
   slam.end_stop(true);
