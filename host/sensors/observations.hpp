@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/geometry/pose2.hpp"
 #include "host/sensors/yaw_integrator.hpp"
 #include "host/time/robot_time.hpp"
 
@@ -62,6 +63,13 @@ struct HazardObservation {
   bool is_in_the_air() const {
     return lifted || std::all_of(cliffs.begin(), cliffs.end(), [](bool is) { return is; });
   }
+};
+
+/// Somebody has carried the robot: it is there now, and its wheels go on from `travel`.
+struct CarriedObservation {
+  time::RobotTime stamp;
+  WheelTravel travel;
+  geometry::Pose2 T_map_robot;
 };
 
 /// The battery's voltage.

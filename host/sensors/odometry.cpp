@@ -34,4 +34,9 @@ const geometry::Pose2& WheelOdometry::update(const WheelTravel& travel) {
   return T_odom_robot_;
 }
 
+void WheelOdometry::move_to(const geometry::Pose2& T_odom_robot, const WheelTravel& travel) {
+  T_odom_robot_ = T_odom_robot;
+  last_ = travel;
+}
+
 }  // namespace echomap::sensors

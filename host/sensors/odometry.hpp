@@ -23,6 +23,9 @@ class WheelOdometry {
   /// a late message, takes the pose back.
   const geometry::Pose2& update(const WheelTravel& travel);
 
+  /// The robot was carried there; its wheels go on from `travel`.
+  void move_to(const geometry::Pose2& T_odom_robot, const WheelTravel& travel);
+
   const geometry::Pose2& T_odom_robot() const { return T_odom_robot_; }
 
  private:

@@ -106,6 +106,13 @@ TEST(ArcStep, IsAQuarterOfACircleAfterAQuarterTurn) {
   expect_near(arc_step(-2.0, 0.0), Pose2(-2.0, 0.0, 0.0), 0.0);
 }
 
+TEST(WheelOdometry, GoesOnFromWhereTheRobotWasCarriedTo) {
+  WheelOdometry odometry(0.2);
+  odometry.update({1.0, 1.0});
+  odometry.move_to(Pose2(5.0, 6.0, std::numbers::pi / 2.0), {3.0, 2.0});
+  expect_near(odometry.update({3.5, 2.5}), Pose2(5.0, 6.5, std::numbers::pi / 2.0), 1e-12);
+}
+
 TEST(WheelOdometry, RefusesATrackThatIsNone) {
   EXPECT_THROW(WheelOdometry{0.0}, std::invalid_argument);
   EXPECT_THROW(WheelOdometry{-0.1}, std::invalid_argument);
