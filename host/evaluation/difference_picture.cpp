@@ -53,7 +53,7 @@ void write_difference_picture(const std::filesystem::path& path,
       view.fill_cell(picture, canvas.cell_at(center_m), colour_of(region.kind));
     }
   }
-  for (const Eigen::Vector2d& center_m : occupied_centers_m(after)) {
+  for (const Eigen::Vector2d& center_m : centers_m(after, mapping::CellState::kOccupied)) {
     picture.fill_disc(view.place(T_before_after * center_m), 2.0, kWallAfter);
   }
   for (const ChangedRegion& region : difference.regions) {

@@ -127,20 +127,8 @@ mapping::CellBounds cells_of_both(const RasterMap& map,
 
 double wall_reach_m(const RasterMap& map) { return std::max(kRecallReachM, map.resolution_m()); }
 
-std::vector<Eigen::Vector2d> occupied_centers_m(const RasterMap& map) {
-  std::vector<Eigen::Vector2d> centers_m;
-  for (int y = 0; y < map.rows(); ++y) {
-    for (int x = 0; x < map.columns(); ++x) {
-      if (map.state({x, y}) == CellState::kOccupied) {
-        centers_m.push_back(map.center_m({x, y}));
-      }
-    }
-  }
-  return centers_m;
-}
-
 MapAgreement score_map(const RasterMap& map, const Pose2& T_world_map, const MapTruth& truth) {
-  const auto centers_m = in_the_world_m(occupied_centers_m(map), T_world_map);
+  const auto centers_m = in_the_world_m(mapping::centers_m(map, CellState::kOccupied), T_world_map);
   MapAgreement agreement;
   agreement.free_iou = free_iou(map, T_world_map, truth.cells);
   agreement.wall_rmse_m = wall_rmse_m(centers_m, truth.walls);

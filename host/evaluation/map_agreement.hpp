@@ -40,9 +40,6 @@ mapping::CellBounds cells_of_both(const mapping::RasterMap& map,
 /// larger.
 double wall_reach_m(const mapping::RasterMap& map);
 
-/// Centres of the occupied cells, in the map frame.
-std::vector<Eigen::Vector2d> occupied_centers_m(const mapping::RasterMap& map);
-
 /// `T_world_map` places the map in the world; nothing is fitted. Throws std::invalid_argument where
 /// map and truth lie so far apart that no grid can cover both.
 MapAgreement score_map(const mapping::RasterMap& map,

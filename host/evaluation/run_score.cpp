@@ -28,8 +28,8 @@ RunScore score_run(const std::filesystem::path& run_directory,
   if (truth.trajectory.empty()) {
     throw files::FileError((truth_directory / "truth.tum").string() + ": holds no pose");
   }
-  const geometry::Pose2& T_world_map = truth.trajectory.front().T_world_robot;
   try {
+    const geometry::Pose2 T_world_map = start_aligned(trajectory, truth.trajectory);
     return {score_map(map, T_world_map, truth.map),
             score_trajectory(trajectory, truth.trajectory),
             score_outline(outline_of(run_directory), T_world_map, first_ring(truth.map.walls))};

@@ -17,8 +17,8 @@ struct RunScore {
 };
 
 /// Scores map.yaml, trajectory.tum and outline.geojson, where it is, of a run directory against the
-/// truth directory of the same run. The map is placed in the world by the first true pose alone.
-/// Throws files::FileError.
+/// truth directory of the same run. The map is placed in the world by the first pose of the
+/// trajectory that the truth knows, and by nothing else. Throws files::FileError.
 RunScore score_run(const std::filesystem::path& run_directory,
                    const std::filesystem::path& truth_directory);
 

@@ -42,9 +42,19 @@ std::optional<Pose2> true_pose_at(const std::vector<TruePose>& truth, time::Robo
 
 }  // namespace
 
+geometry::Pose2 start_aligned(const std::vector<StampedPose>& estimate,
+                              const std::vector<TruePose>& truth) {
+  for (const auto& [stamp, T_map_robot] : estimate) {
+    if (const auto T_world_robot = true_pose_at(truth, stamp)) {
+      return *T_world_robot * T_map_robot.inverse();
+    }
+  }
+  throw std::invalid_argument("the estimate and the truth have no instant in common");
+}
+
 TrajectoryError score_trajectory(const std::vector<StampedPose>& estimate,
                                  const std::vector<TruePose>& truth) {
-  std::optional<Pose2> T_map_world;
+  const Pose2 T_map_world = start_aligned(estimate, truth).inverse();
   TrajectoryError error;
   double squares_m2 = 0.0;
   double squares_rad2 = 0.0;
@@ -54,18 +64,12 @@ TrajectoryError score_trajectory(const std::vector<StampedPose>& estimate,
     if (!T_world_robot) {
       continue;
     }
-    if (!T_map_world) {
-      T_map_world = T_map_robot * T_world_robot->inverse();
-    }
-    const Pose2 T_robot_true = T_map_robot.inverse() * *T_map_world * *T_world_robot;
+    const Pose2 T_robot_true = T_map_robot.inverse() * T_map_world * *T_world_robot;
     error.final_error_m = T_robot_true.position_m().norm();
     error.final_heading_error_rad = std::abs(T_robot_true.heading_rad());
     squares_m2 += error.final_error_m * error.final_error_m;
     squares_rad2 += error.final_heading_error_rad * error.final_heading_error_rad;
     ++compared;
-  }
-  if (compared == 0) {
-    throw std::invalid_argument("the estimate and the truth have no instant in common");
   }
   error.ate_rmse_m = std::sqrt(squares_m2 / compared);
   error.ate_heading_rmse_rad = std::sqrt(squares_rad2 / compared);

@@ -24,6 +24,11 @@ struct TrajectoryError {
   double final_heading_error_rad = 0.0;
 };
 
+/// Where the map of the estimate lies in the world, by the first pose that the truth knows:
+/// T_world_map. Throws std::invalid_argument where it knows none.
+geometry::Pose2 start_aligned(const std::vector<pipeline::StampedPose>& estimate,
+                              const std::vector<TruePose>& truth);
+
 /// Compares at the stamps of `estimate` that `truth` covers; the truth is interpolated in time.
 /// Both in the order of their stamps. Throws std::invalid_argument where they have no instant in
 /// common.

@@ -19,6 +19,10 @@ struct PlacedReading {
 /// What the robot saw from one stop, in the order in which it was read.
 using Scan = std::vector<PlacedReading>;
 
+/// The same in another frame, or from where else they were taken: by `T_to_from` to the left.
+PlacedReading moved(const PlacedReading& reading, const geometry::Pose2& T_to_from);
+Scan moved(const Scan& scan, const geometry::Pose2& T_to_from);
+
 /// Where the echo would lie if it came from the axis of the beam, in the map frame; empty without
 /// echo.
 std::optional<Eigen::Vector2d> echo_point_m(const PlacedReading& reading);

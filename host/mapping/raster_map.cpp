@@ -58,6 +58,18 @@ RasterMap rasterize(const OccupancyGrid& grid) {
   return raster;
 }
 
+std::vector<Eigen::Vector2d> centers_m(const RasterMap& map, CellState state) {
+  std::vector<Eigen::Vector2d> centers_m;
+  for (int y = 0; y < map.rows(); ++y) {
+    for (int x = 0; x < map.columns(); ++x) {
+      if (map.state({x, y}) == state) {
+        centers_m.push_back(map.center_m({x, y}));
+      }
+    }
+  }
+  return centers_m;
+}
+
 RasterMap cut_out(const RasterMap& map, const CellBounds& cells) {
   const Eigen::Vector2d shift_m = map.resolution_m() * Eigen::Vector2d(cells.min.x, cells.min.y);
   RasterMap part(cells.columns(), cells.rows(), map.resolution_m(), map.origin_m() + shift_m);

@@ -49,6 +49,9 @@ class RasterMap {
 /// cell at the origin.
 RasterMap rasterize(const OccupancyGrid& grid);
 
+/// Centres of the cells that are so, row by row.
+std::vector<Eigen::Vector2d> centers_m(const RasterMap& map, CellState state);
+
 /// The part of a map within `cells`, which may reach beyond it into the unknown. Throws
 /// std::invalid_argument for no cells.
 RasterMap cut_out(const RasterMap& map, const CellBounds& cells);

@@ -25,13 +25,13 @@ geometry::Pose2 motion_of(const ScanSurfaces& scan, const Eigen::Vector3d& corre
          geometry::Pose2(-scan.center_m.x(), -scan.center_m.y(), 0.0);
 }
 
-std::vector<ScanSurfaces> corrected(const std::vector<ScanSurfaces>& scans, const Corrections& by) {
-  std::vector<ScanSurfaces> placed;
-  placed.reserve(scans.size());
+AlignedScans corrected(const std::vector<ScanSurfaces>& scans, const Corrections& by) {
+  AlignedScans aligned;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    placed.push_back(moved(scans[i], motion_of(scans[i], by.segment<3>(row_of_scan(i)))));
+    aligned.T_map_placed.push_back(motion_of(scans[i], by.segment<3>(row_of_scan(i))));
+    aligned.scans.push_back(moved(scans[i], aligned.T_map_placed.back()));
   }
-  return placed;
+  return aligned;
 }
 
 /// The normal equations of one step of Gauss and Newton over scans and features.
@@ -157,11 +157,11 @@ AlignedScans align_scans(const std::vector<ScanSurfaces>& scans,
                          const ScanAlignmentParams& params) {
   Corrections corrections = Corrections::Zero(row_of_scan(scans.size()));
   for (int round = 0; round < params.rounds && scans.size() > 1; ++round) {
-    const MatchedSurfaces matched = match_surfaces(corrected(scans, corrections), matching);
+    const auto placed = corrected(scans, corrections).scans;
+    const MatchedSurfaces matched = match_surfaces(placed, matching);
     const auto features = well_supported(matched.features, params.least_supporters);
     NormalEquations equations(scans.size(), features.size());
     add_odometry(scans, corrections, params, equations);
-    const auto placed = corrected(scans, corrections);
     for (std::size_t i = 0; i < features.size(); ++i) {
       for (const auto& [scan, index] : features[i].supporters) {
         add_sighting({placed[scan], placed[scan].surfaces[index], row_of_scan(scan)},
@@ -173,10 +173,7 @@ AlignedScans align_scans(const std::vector<ScanSurfaces>& scans,
     }
     corrections += equations.solve();
   }
-  if (scans.empty()) {
-    return {};
-  }
-  return {corrected(scans, corrections), motion_of(scans.back(), corrections.tail<3>())};
+  return corrected(scans, corrections);
 }
 
 }  // namespace echomap::mapping

@@ -26,8 +26,8 @@ struct ScanAlignmentParams {
 /// Scans where they agree.
 struct AlignedScans {
   std::vector<ScanSurfaces> scans;
-  /// How the last scan was moved, and with it the robot.
-  geometry::Pose2 T_map_placed;
+  /// How each was moved; the robot goes with the last one.
+  std::vector<geometry::Pose2> T_map_placed;
 };
 
 /// Corrects where `scans`, placed by odometry (or by SLAM), were taken, so that they agree with

@@ -65,7 +65,11 @@ void SonarMapper::add(const Scan& scan, const std::vector<geometry::Pose2>& T_sl
     placed[i] = moved(std::move(placed[i]), T_slam_odom[i]);
   }
   const AlignedScans aligned = align_scans(placed, params_.matching, params_.alignment);
-  T_map_placed_ = aligned.T_map_placed;
+  T_map_odom_of_scans_ = aligned.T_map_placed;
+  for (std::size_t i = 0; i < T_slam_odom.size(); ++i) {
+    T_map_odom_of_scans_[i] = T_map_odom_of_scans_[i] * T_slam_odom[i];
+  }
+  T_map_placed_ = aligned.T_map_placed.back();
   matched_ = match_surfaces(aligned.scans, params_.matching);
 }
 

@@ -53,6 +53,8 @@ class SonarMapper {
   OccupancyGrid grid() const;
   /// From where odometry, or SLAM, places the robot since the last scan to where it is on the map.
   const geometry::Pose2& T_map_placed() const { return T_map_placed_; }
+  /// From where odometry places each scan to where it is on the map now.
+  const std::vector<geometry::Pose2>& T_map_odom_of_scans() const { return T_map_odom_of_scans_; }
 
  private:
   using CellSet = std::set<geometry::CellIndex>;
@@ -72,6 +74,7 @@ class SonarMapper {
   std::vector<ScanSurfaces> scans_;  ///< As odometry places them.
   MatchedSurfaces matched_;          ///< On the map.
   geometry::Pose2 T_map_placed_;
+  std::vector<geometry::Pose2> T_map_odom_of_scans_;
 };
 
 }  // namespace echomap::mapping

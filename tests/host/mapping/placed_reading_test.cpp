@@ -17,5 +17,16 @@ TEST(EchoPoint, LiesOnTheAxisOfTheBeam) {
 
 TEST(EchoPoint, IsNowhereWithoutEcho) { EXPECT_FALSE(echo_point_m(PlacedReading{}).has_value()); }
 
+TEST(MovedScan, KeepsItsShape) {
+  const geometry::Pose2 T_robot_sonar(0.1, 0.0, geometry::radians(90.0));
+  const Scan scan{{{}, T_robot_sonar, 0.5}, {{1.0, 0.0, 0.0}, {1.1, 0.0, 0.0}, std::nullopt}};
+  const geometry::Pose2 T_to_from(1.0, 2.0, geometry::radians(90.0));
+  const Scan there = moved(scan, T_to_from);
+  ASSERT_EQ(there.size(), 2U);
+  EXPECT_NEAR((echo_point_m(there[0]).value() - Eigen::Vector2d(0.5, 2.1)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((there[1].T_map_robot.position_m() - Eigen::Vector2d(1.0, 3.0)).norm(), 0.0, 1e-12);
+  EXPECT_FALSE(there[1].range_m.has_value());
+}
+
 }  // namespace
 }  // namespace echomap::mapping

@@ -50,6 +50,13 @@ TEST(RasterMap, IsCutOutWithItsPlace) {
   EXPECT_THROW(cut_out(map, CellBounds()), std::invalid_argument);
 }
 
+TEST(RasterMap, TellsTheCentresOfTheCellsOfAState) {
+  const RasterMap map = tests::map_from({"# .", ".#."}, 0.5, {1.0, 2.0});
+  EXPECT_EQ(centers_m(map, CellState::kOccupied),
+            (std::vector<Eigen::Vector2d>{{1.75, 2.25}, {1.25, 2.75}}));
+  EXPECT_EQ(centers_m(map, CellState::kUnknown), (std::vector<Eigen::Vector2d>{{1.75, 2.75}}));
+}
+
 TEST(Rasterize, DrawsTheGridWithAMarginOfUnknownCells) {
   OccupancyGrid grid;
   grid.add({-2, 4}, -200);

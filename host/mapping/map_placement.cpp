@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/map_placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "host/geometry/angle.hpp"
+#include "host/mapping/point_set.hpp"
+#include "host/mapping/pose_climb.hpp"
+#include "host/mapping/wall_distance.hpp"
+
+namespace echomap::mapping {
+namespace {
+
+using geometry::CellIndex;
+using geometry::Pose2;
+using Points = std::vector<Eigen::Vector2d>;
+
+constexpr double kCoarseStepRad = 0.0524;  // 3 degrees: 0.1 m at 2 m.
+constexpr std::int32_t kCoarseStepCells = 2;
+/// The coarse steps are bridged by walls as wide as this.
+constexpr double kCoarseSdM = 0.12;
+constexpr std::size_t kCoarsePoints = 200;
+/// Of the lattice, so many of the best are looked at, and so many different ones of them refined.
+constexpr std::size_t kBest = 3000;
+/// Poses that are held while the best are sought.
+constexpr std::size_t kMostHeld = 100'000;
+constexpr std::size_t kRefined = 24;
+/// Walls farther apart do not agree at all.
+constexpr double kMostM = 0.5;
+
+/// Everything but floor is solid, as far around the map as matters.
+RasterMap without_floor(const RasterMap& map) {
+  const int margin = static_cast<int>(std::ceil(kMostM / map.resolution_m()));
+  RasterMap solid =
+      cut_out(map, {{-margin, -margin}, {map.columns() - 1 + margin, map.rows() - 1 + margin}});
+  for (int y = 0; y < solid.rows(); ++y) {
+    for (int x = 0; x < solid.columns(); ++x) {
+      if (solid.state({x, y}) != CellState::kFree) {
+        solid.set({x, y}, CellState::kOccupied);
+      }
+    }
+  }
+  return solid;
+}
+
+/// One of the two maps, in its own frame.
+class Side {
+ public:
+  explicit Side(const RasterMap& map)
+      : map_(map),
+        walls_m_(centers_m(map, CellState::kOccupied)),
+        to_wall_(map, kMostM),
+        to_floors_end_(without_floor(map), kMostM) {}
+
+  const RasterMap& map() const { return map_; }
+  const Points& walls_m() const { return walls_m_; }
+  /// 1 on a wall, less beside it.
+  double wall_at(const Eigen::Vector2d& point_m, double sd_m) const {
+    const double off = to_wall_.at_m(point_m) / sd_m;
+    return std::exp(-0.5 * off * off);
+  }
+  bool is_deep_in_floor(const Eigen::Vector2d& point_m, double depth_m) const {
+    return map_.state(map_.cell_at(point_m)) == CellState::kFree &&
+           to_floors_end_.at_m(point_m) > depth_m;
+  }
+  bool knows(const Eigen::Vector2d& point_m) const {
+    return map_.state(map_.cell_at(point_m)) != CellState::kUnknown;
+  }
+  Points deep_floor_m(double depth_m) const {
+    Points deep_m = centers_m(map_, CellState::kFree);
+    std::erase_if(deep_m, [&](const auto& point_m) { return !is_deep_in_floor(point_m, depth_m); });
+    return deep_m;
+  }
+
+ private:
+  const RasterMap& map_;
+  Points walls_m_;
+  WallDistance to_wall_;
+  WallDistance to_floors_end_;
+};
+
+/// Adds what the walls of one map say of their place in the other.
+void add_walls(const Side& of,
+               const Side& on,
+               const Pose2& T_on_of,
+               const MapPlacementParams& params,
+               MapPlacement& sum) {
+  const double cell_m = of.map().resolution_m();
+  for (const Eigen::Vector2d& wall_m : of.walls_m()) {
+    const Eigen::Vector2d point_m = T_on_of * wall_m;
+    const double common = on.wall_at(point_m, params.wall_sd_m);
+    const bool contradicts = on.is_deep_in_floor(point_m, params.floor_depth_m);
+    sum.common_m += cell_m * common;
+    sum.contradicting_m += contradicts ? cell_m : 0.0;
+    sum.known_m += cell_m * (contradicts || on.knows(point_m) ? 1.0 : common);
+  }
+}
+
+MapPlacement placed_at(const Pose2& T_former_later,
+                       const Side& former,
+                       const Side& later,
+                       const MapPlacementParams& params) {
+  MapPlacement placement{T_former_later};
+  add_walls(later, former, T_former_later, params, placement);
+  add_walls(former, later, T_former_later.inverse(), params, placement);
+  return placement;
+}
+
+/// What lies under a point of the later map, cell by cell of the former one.
+class Lattice {
+ public:
+  Lattice(const Side& former, const MapPlacementParams& params)
+      : columns_(former.map().columns()), rows_(former.map().rows()) {
+    for (int y = 0; y < rows_; ++y) {
+      for (int x = 0; x < columns_; ++x) {
+        const Eigen::Vector2d center_m = former.map().center_m({x, y});
+        const bool contradicts = former.is_deep_in_floor(center_m, params.floor_depth_m);
+        const double wall = former.wall_at(center_m, kCoarseSdM);
+        for_wall_.push_back(static_cast<float>(contradicts ? -MapPlacement::kContradiction : wall));
+        const bool is_wall = former.map().state({x, y}) == CellState::kOccupied;
+        for_floor_.push_back(is_wall ? -1.0F : 0.0F);
+      }
+    }
+  }
+
+  float walls(const std::vector<CellIndex>& cells, CellIndex shift) const {
+    return sum(for_wall_, cells, shift);
+  }
+  float floor(const std::vector<CellIndex>& cells, CellIndex shift) const {
+    return sum(for_floor_, cells, shift);
+  }
+
+ private:
+  float sum(const std::vector<float>& of,
+            const std::vector<CellIndex>& cells,
+            CellIndex shift) const {
+    float sum = 0.0F;
+    for (const CellIndex& cell : cells) {
+      const std::int32_t x = cell.x + shift.x;
+      const std::int32_t y = cell.y + shift.y;
+      if (x >= 0 && y >= 0 && x < columns_ && y < rows_) {
+        sum += of[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(x)];
+      }
+    }
+    return sum;
+  }
+
+  int columns_;
+  int rows_;
+  std::vector<float> for_wall_;
+  std::vector<float> for_floor_;
+};
+
+struct Candidate {
+  Pose2 T_former_later;
+  float weight = 0.0F;
+};
+
+std::vector<CellIndex> cells_of(const RasterMap& map, const Points& points_m, const Pose2& T_to_m) {
+  std::vector<CellIndex> cells;
+  for (const Eigen::Vector2d& point_m : points_m) {
+    cells.push_back(map.cell_at(T_to_m * point_m));
+  }
+  return cells;
+}
+
+CellBounds bounds_of(const std::vector<CellIndex>& cells) {
+  CellBounds bounds;
+  for (const CellIndex& cell : cells) {
+    bounds = united(bounds, {cell, cell});
+  }
+  return bounds;
+}
+
+float share_of(const Points& some, const Points& all) {
+  return all.empty() ? 1.0F : static_cast<float>(some.size()) / static_cast<float>(all.size());
+}
+
+/// The best first.
+void keep_best(std::vector<Candidate>& found) {
+  const auto best = found.begin() + static_cast<std::ptrdiff_t>(std::min(kBest, found.size()));
+  std::partial_sort(found.begin(), best, found.end(), [](const auto& one, const auto& other) {
+    return one.weight > other.weight;
+  });
+  found.erase(best, found.end());
+}
+
+/// Poses on the lattice, the best first.
+std::vector<Candidate> coarse_search(const Side& former,
+                                     const Side& later,
+                                     const MapPlacementParams& params) {
+  const Lattice lattice(former, params);
+  const Points walls_m = some_of(later.walls_m(), kCoarsePoints);
+  const Points all_floor_m = later.deep_floor_m(params.floor_depth_m);
+  const Points floor_m = some_of(all_floor_m, kCoarsePoints);
+  // Both count in metres of the map, not in points that were taken.
+  const float per_floor = static_cast<float>(MapPlacement::kContradiction) *
+                          share_of(walls_m, later.walls_m()) / share_of(floor_m, all_floor_m);
+  const double cell_m = former.map().resolution_m();
+  const int turns = static_cast<int>(std::ceil(2.0 * std::numbers::pi / kCoarseStepRad));
+  std::vector<Candidate> found;
+  for (int turn = 0; turn < turns; ++turn) {
+    const Pose2 turned(0.0, 0.0, geometry::wrap_angle(turn * 2.0 * std::numbers::pi / turns));
+    const auto walls = cells_of(former.map(), walls_m, turned);
+    const auto floor = cells_of(former.map(), floor_m, turned);
+    const CellBounds bounds = bounds_of(walls);
+    for (auto y = -bounds.max.y; y <= former.map().rows() - bounds.min.y; y += kCoarseStepCells) {
+      for (auto x = -bounds.max.x; x <= former.map().columns() - bounds.min.x;
+           x += kCoarseStepCells) {
+        const float of_walls = lattice.walls(walls, {x, y});
+        if (of_walls > 0.0F) {
+          found.push_back({Pose2(x * cell_m, y * cell_m, turned.heading_rad()),
+                           of_walls + per_floor * lattice.floor(floor, {x, y})});
+        }
+      }
+    }
+    if (found.size() > kMostHeld) {
+      keep_best(found);
+    }
+  }
+  keep_best(found);
+  return found;
+}
+
+/// Whether one of those places the pivot about there.
+template <class Placed>
+bool is_among(const Pose2& T_former_later,
+              const std::vector<Placed>& placements,
+              const Eigen::Vector2d& pivot_m,
+              const MapPlacementParams& params) {
+  return std::any_of(placements.begin(), placements.end(), [&](const Placed& other) {
+    return (T_former_later * pivot_m - other.T_former_later * pivot_m).norm() < params.apart_m &&
+           std::abs(geometry::angle_between(T_former_later.heading_rad(),
+                                            other.T_former_later.heading_rad())) < params.apart_rad;
+  });
+}
+
+std::vector<Candidate> apart(const std::vector<Candidate>& candidates,
+                             const Eigen::Vector2d& pivot_m,
+                             const MapPlacementParams& params) {
+  std::vector<Candidate> chosen;
+  for (const Candidate& candidate : candidates) {
+    if (chosen.size() < kRefined && !is_among(candidate.T_former_later, chosen, pivot_m, params)) {
+      chosen.push_back(candidate);
+    }
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<MapPlacement> find_placements(const RasterMap& former,
+                                          const RasterMap& later,
+                                          const MapPlacementParams& params) {
+  const Side on(former);
+  const Side of(later);
+  if (on.walls_m().empty() || of.walls_m().empty()) {
+    return {};
+  }
+  const Eigen::Vector2d pivot_m = mean_of(of.walls_m());
+  const auto placed = [&](const Pose2& T_former_later) {
+    return placed_at(T_former_later, on, of, params);
+  };
+  std::vector<MapPlacement> found;
+  for (const Candidate& candidate : apart(coarse_search(on, of, params), pivot_m, params)) {
+    found.push_back(
+        placed(climbed(candidate.T_former_later, pivot_m, {}, [&](const Pose2& T_former_later) {
+          return placed(T_former_later).weight_m();
+        })));
+  }
+  std::sort(found.begin(), found.end(), [](const auto& one, const auto& other) {
+    return one.weight_m() > other.weight_m();
+  });
+  std::vector<MapPlacement> placements;
+  for (const MapPlacement& placement : found) {
+    if (!is_among(placement.T_former_later, placements, pivot_m, params)) {
+      placements.push_back(placement);
+    }
+  }
+  return placements;
+}
+
+std::optional<MapPlacement> sure_placement(const std::vector<MapPlacement>& placements,
+                                           const MapPlacementParams& params) {
+  if (placements.empty()) {
+    return std::nullopt;
+  }
+  const MapPlacement& best = placements.front();
+  const double rival_m = placements.size() > 1 ? placements[1].weight_m() : 0.0;
+  const bool is_sure = best.common_m >= params.least_common_m &&
+                       best.weight_m() >= params.least_share * best.known_m &&
+                       best.weight_m() - rival_m >= params.least_lead_m &&
+                       rival_m <= params.most_rival_share * best.weight_m();
+  return is_sure ? std::optional(best) : std::nullopt;
+}
+
+}  // namespace echomap::mapping
