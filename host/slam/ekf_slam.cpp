@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
@@ -18,6 +19,7 @@ using geometry::Pose2;
 
 constexpr Eigen::Index kPoseSize = 3;
 constexpr Eigen::Index kLandmarkSize = 2;
+constexpr Eigen::Index kCalibrationSize = 3;
 
 /// What the exponential map of SE(2) makes of a translation while it turns.
 Eigen::Matrix2d turning_translation(double turn_rad) {
@@ -86,6 +88,49 @@ void EkfSlam::move(std::size_t robot,
       localization::motion_jacobians(before.T_map_robot, T_before_after, step).by_pose;
   const Eigen::Index at = pose_at(robot);
   Eigen::MatrixXd columns = covariance_.columns<kPoseSize>(at) * by_pose.transpose();
+  columns.middleRows<kPoseSize>(at) = after.covariance;
+  covariance_.set_columns(at, columns);
+  T_map_robots_[robot] = after.T_map_robot;
+}
+
+void EkfSlam::add_calibration(const Eigen::Matrix3d& covariance) {
+  calibration_at_ = covariance_.size();
+  covariance_.append(Eigen::MatrixXd::Zero(kCalibrationSize, covariance_.size()), covariance);
+}
+
+EkfSlam::MotionChange EkfSlam::change_by(std::size_t robot, const CalibratedMotion& motion) const {
+  const Pose2& T_map_before = T_map_robots_[robot];
+  Eigen::Matrix3d to_map = Eigen::Matrix3d::Identity();
+  to_map.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(T_map_before.heading_rad()).toRotationMatrix();
+  MotionChange change{Eigen::Matrix3d::Identity(),
+                      to_map * motion.by_calibration,
+                      to_map * motion.variances.asDiagonal() * to_map.transpose()};
+  change.by_pose.topRightCorner<2, 1>() =
+      quarter_turned(to_map.topLeftCorner<2, 2>() * motion.T_before_after.position_m());
+  return change;
+}
+
+localization::PoseGaussian EkfSlam::belief_after(std::size_t robot,
+                                                 const CalibratedMotion& motion) const {
+  const MotionChange change = change_by(robot, motion);
+  Eigen::Matrix<double, 3, 6> by_both;
+  by_both << change.by_pose, change.by_calibration;
+  const Eigen::Index at = pose_at(robot);
+  const Eigen::Matrix3d cross = covariance_.block<3, 3>(at, *calibration_at_);
+  Eigen::Matrix<double, 6, 6> both;
+  both << covariance_.block<3, 3>(at, at), cross, cross.transpose(),
+      covariance_.block<3, 3>(*calibration_at_, *calibration_at_);
+  return {T_map_robots_[robot] * motion.T_before_after,
+          by_both * both * by_both.transpose() + change.noise};
+}
+
+void EkfSlam::move(std::size_t robot, const CalibratedMotion& motion) {
+  const MotionChange change = change_by(robot, motion);
+  const localization::PoseGaussian after = belief_after(robot, motion);
+  const Eigen::Index at = pose_at(robot);
+  Eigen::MatrixXd columns =
+      covariance_.columns<kPoseSize>(at) * change.by_pose.transpose() +
+      covariance_.columns<kCalibrationSize>(*calibration_at_) * change.by_calibration.transpose();
   columns.middleRows<kPoseSize>(at) = after.covariance;
   covariance_.set_columns(at, columns);
   T_map_robots_[robot] = after.T_map_robot;
@@ -181,6 +226,9 @@ void EkfSlam::update(std::span<const LinearSighting> sightings) {
   // With S = L L^T the gain is K = root_gain L^-1, and K S K^T = root_gain root_gain^T.
   const Eigen::MatrixXd root_gain = root.matrixL().solve(cross.transpose()).transpose();
   const Eigen::VectorXd correction = root_gain * root.matrixL().solve(innovations);
+  if (calibration_at_) {
+    calibration_ += correction.segment<kCalibrationSize>(*calibration_at_);
+  }
   covariance_.add_product(-root_gain, root_gain);
   if (params_.is_invariant) {
     carry_errors(step_invariantly_by(correction));
@@ -311,6 +359,9 @@ void EkfSlam::erase(Eigen::Index at, Eigen::Index size) {
   }
   for (KeptPose& other : kept_) {
     other.at -= other.at > at ? size : 0;
+  }
+  if (calibration_at_ && *calibration_at_ > at) {
+    *calibration_at_ -= size;
   }
 }
 

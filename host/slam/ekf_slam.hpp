@@ -46,6 +46,14 @@ struct LinearSighting {
   Eigen::Index target_at = 0;  ///< Where the two numbers of what it saw stand.
 };
 
+/// A motion as odometry tells it, with the calibration as it is thought to be.
+struct CalibratedMotion {
+  geometry::Pose2 T_before_after;
+  /// How x, y and heading of T_before_after change with the calibration.
+  Eigen::Matrix3d by_calibration = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d variances = Eigen::Vector3d::Zero();  ///< By chance, of the same three.
+};
+
 /// SLAM with an extended Kalman filter (Thrun, Burgard and Fox 2005, table 10.1): the poses of a
 /// robot, or of a team, and all landmarks are one normal distribution. A motion costs as much as
 /// there are landmarks, an update the square of that. Sightings are to be told which landmark they
@@ -64,6 +72,13 @@ class EkfSlam {
             const geometry::Pose2& T_before_after,
             const models::OdometryStep& step,
             const models::MotionSpread& spread);
+  /// From now on how odometry is off all the time is estimated, too, as three numbers that are
+  /// nought as far as `covariance` leaves open.
+  void add_calibration(const Eigen::Matrix3d& covariance);
+  /// A motion of a robot after `add_calibration`.
+  void move(std::size_t robot, const CalibratedMotion& motion);
+  /// Where a robot would be after that.
+  localization::PoseGaussian belief_after(std::size_t robot, const CalibratedMotion& motion) const;
 
   /// What a sighting says if it is of that landmark. Empty where the robot believes to stand on it.
   std::optional<LinearSighting> linearized(const LandmarkSighting& sighting,
@@ -95,6 +110,8 @@ class EkfSlam {
 
   std::size_t robots() const { return T_map_robots_.size(); }
   localization::PoseGaussian belief(std::size_t robot = 0) const;
+  /// As far as it is known how odometry is off all the time.
+  const Eigen::Vector3d& calibration() const { return calibration_; }
   const std::vector<Landmark>& landmarks() const { return landmarks_; }
   std::size_t kept_poses() const { return kept_.size(); }
   const geometry::Pose2& T_map_kept(std::size_t kept) const { return kept_[kept].T_map_robot; }
@@ -104,7 +121,8 @@ class EkfSlam {
   Eigen::Matrix2d landmark_covariance(std::size_t landmark) const;
   /// The diagonal of that.
   Eigen::Vector2d landmark_variance(std::size_t landmark) const;
-  /// Of the poses of all robots, then of all landmarks and kept poses in the order they came.
+  /// Of the poses of all robots, then of the calibration, of all landmarks and kept poses in the
+  /// order they came.
   Eigen::MatrixXd covariance() const { return covariance_.whole(); }
 
  private:
@@ -113,6 +131,14 @@ class EkfSlam {
     Eigen::Index at = 0;  ///< Where in the state it stands.
   };
 
+  /// How a pose after a motion changes with the one before, and with the calibration.
+  struct MotionChange {
+    Eigen::Matrix3d by_pose;
+    Eigen::Matrix3d by_calibration;
+    Eigen::Matrix3d noise;
+  };
+
+  MotionChange change_by(std::size_t robot, const CalibratedMotion& motion) const;
   Eigen::Index pose_at(std::size_t robot) const { return 3 * static_cast<Eigen::Index>(robot); }
   Eigen::Index landmark_at(std::size_t landmark) const { return landmarks_at_[landmark]; }
   void erase(Eigen::Index at, Eigen::Index size);
@@ -129,6 +155,8 @@ class EkfSlam {
   std::vector<Landmark> landmarks_;
   std::vector<Eigen::Index> landmarks_at_;
   std::vector<KeptPose> kept_;
+  Eigen::Vector3d calibration_ = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Index> calibration_at_;
   GrowingCovariance covariance_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/slam/multiscan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
@@ -40,6 +41,12 @@ std::optional<OdometryPiece> MultiscanGathering::add(const geometry::Pose2& T_od
 }
 
 void MultiscanGathering::follow(const geometry::Pose2& T_odom_robot) {
+  step_to(T_odom_robot, false);
+}
+
+void MultiscanGathering::carry(const geometry::Pose2& T_odom_robot) { step_to(T_odom_robot, true); }
+
+void MultiscanGathering::step_to(const geometry::Pose2& T_odom_robot, bool is_carried) {
   if (!T_odom_last_) {
     open_.T_odom_begin = T_odom_robot;
     T_odom_last_ = T_odom_robot;
@@ -47,7 +54,10 @@ void MultiscanGathering::follow(const geometry::Pose2& T_odom_robot) {
   const geometry::Pose2 T_last_robot = T_odom_last_->inverse() * T_odom_robot;
   const double way_m = T_last_robot.position_m().norm();
   const double turn_rad = T_last_robot.heading_rad();
-  if (way_m > params_.jump_m || std::abs(turn_rad) > params_.jump_rad) {
+  if (is_carried) {
+    piece_.jumped_m += std::max(way_m, params_.jump_m);
+    piece_.jumped_rad += std::max(std::abs(turn_rad), params_.jump_rad);
+  } else if (way_m > params_.jump_m || std::abs(turn_rad) > params_.jump_rad) {
     piece_.jumped_m += way_m;
     piece_.jumped_rad += std::abs(turn_rad);
   } else {

@@ -41,6 +41,8 @@ class MultiscanGathering {
 
   /// Takes the odometry between two scans: without it, a long way from one to the next is a jump.
   void follow(const geometry::Pose2& T_odom_robot);
+  /// The same, and however short the step is, it is a jump.
+  void carry(const geometry::Pose2& T_odom_robot);
   /// Takes the next scan. If it is the first of a new multiscan, answers the odometry's piece from
   /// the begin of the last one to the begin of the new one; `finished` is then the last one.
   std::optional<OdometryPiece> add(const geometry::Pose2& T_odom_robot, const RangeScan& scan);
@@ -53,6 +55,7 @@ class MultiscanGathering {
   const OdometryPiece& piece() const { return piece_; }
 
  private:
+  void step_to(const geometry::Pose2& T_odom_robot, bool is_carried);
   void gather(const RangeScan& scan);
   void thin_out();
 

@@ -28,7 +28,8 @@ MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
     : params_(params), gathering_(params.gathering) {
   const bool beliefs_ok = !params.beliefs.empty() &&
                           std::all_of(params.beliefs.begin(), params.beliefs.end(), is_sound);
-  if (!beliefs_ok || params.window < 2 || params.steps < 1 || !(params.whole_share >= 0.0)) {
+  if (!beliefs_ok || !(params.belief_match_weight > 0.0) || params.window < 2 || params.steps < 1 ||
+      !(params.whole_share >= 0.0)) {
     throw std::invalid_argument("multiscan SLAM: a parameter is outside of its range");
   }
   check(params.patches);
@@ -42,14 +43,23 @@ MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
   }
 }
 
-void MultiscanSlam::follow(const geometry::Pose2& T_odom_robot) {
+void MultiscanSlam::begin_once(const geometry::Pose2& T_odom_robot) {
   if (!has_begun_) {
     for (MultiscanGraph& graph : graphs_) {
       graph.multiscans.front().T_map_begin = T_odom_robot;
     }
     has_begun_ = true;
   }
+}
+
+void MultiscanSlam::follow(const geometry::Pose2& T_odom_robot) {
+  begin_once(T_odom_robot);
   gathering_.follow(T_odom_robot);
+}
+
+void MultiscanSlam::carry(const geometry::Pose2& T_odom_robot) {
+  begin_once(T_odom_robot);
+  gathering_.carry(T_odom_robot);
 }
 
 void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) {
@@ -141,8 +151,10 @@ void MultiscanSlam::learn_odometry_scale(const OdometryBelief& belief,
 double MultiscanSlam::surprise_of(MultiscanGraph graph) const {
   PatchMatchingParams narrow = params_.matching;
   narrow.most_place_sd_m = 0.0;
+  MultiscanAlignmentParams weighted = params_.alignment;
+  weighted.match_weight = params_.belief_match_weight;
   const auto matches = match_patches(graph.multiscans, 1, narrow);
-  return align_multiscans(graph, matches, 1, first_of_window(), params_.alignment).surprise;
+  return align_multiscans(graph, matches, 1, first_of_window(), weighted).surprise;
 }
 
 Eigen::Matrix3d MultiscanSlam::covariance_after(const MultiscanGraph& graph,

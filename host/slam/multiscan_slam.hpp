@@ -36,6 +36,9 @@ struct MultiscanSlamParams {
   /// Each is followed all the time; what surprises least is believed. Good odometry is hardly bent,
   /// and poor odometry is not trusted for long.
   std::vector<OdometryBelief> beliefs{{}, {0.25, 0.2, 0.2}};
+  /// What a match counts where beliefs are compared; more than in the alignment: what matches share
+  /// is much the same in both, and does not tell them apart.
+  double belief_match_weight = 0.3;
   ScanMapParams map;
 };
 
@@ -47,6 +50,7 @@ class MultiscanSlam final : public SlamMethod {
   explicit MultiscanSlam(const MultiscanSlamParams& params = {});
 
   void follow(const geometry::Pose2& T_odom_robot) override;
+  void carry(const geometry::Pose2& T_odom_robot) override;
   void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) override;
   localization::PoseGaussian belief() const override;
   std::vector<geometry::Pose2> trajectory() const override;
@@ -65,6 +69,7 @@ class MultiscanSlam final : public SlamMethod {
     RangeScan scan;
   };
 
+  void begin_once(const geometry::Pose2& T_odom_robot);
   void begin_multiscan(const OdometryPiece& piece);
   /// Of the newest multiscans, which move with each new one.
   std::size_t first_of_window() const;

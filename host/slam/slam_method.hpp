@@ -23,6 +23,8 @@ class SlamMethod {
   /// Takes where the odometry has the robot between two scans. A method that only looks at scans
   /// need not know.
   virtual void follow(const geometry::Pose2& /*T_odom_robot*/) {}
+  /// Somebody has carried the robot to there, in the odometry's frame.
+  virtual void carry(const geometry::Pose2& T_odom_robot) { follow(T_odom_robot); }
   /// Takes a scan, and where the odometry had the robot when it was taken. In the order of time.
   virtual void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) = 0;
   /// Where the robot was at the last scan.

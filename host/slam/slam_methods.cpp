@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "host/slam/landmark_slam.hpp"
+#include "host/slam/landmark_slam_by_beams.hpp"
 #include "host/slam/multiscan_slam.hpp"
 #include "host/slam/scan_slam.hpp"
 
@@ -21,8 +21,9 @@ std::unique_ptr<SlamMethod> make() {
 }  // namespace
 
 const std::vector<NamedSlam>& slam_methods() {
-  static const std::vector<NamedSlam> all{
-      {"ekf", make<LandmarkSlam>}, {"grid", make<MultiscanSlam>, true}, {"scan", make<ScanSlam>}};
+  static const std::vector<NamedSlam> all{{"ekf", make<LandmarkSlamByBeams>, true},
+                                          {"grid", make<MultiscanSlam>, true},
+                                          {"scan", make<ScanSlam>}};
   return all;
 }
 

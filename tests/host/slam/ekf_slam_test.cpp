@@ -348,5 +348,27 @@ TEST(EkfSlam, TellsBothRobotsWhatOneSeesOfTheOther) {
   EXPECT_LT(team.belief(1).covariance(0, 0), 0.02);
 }
 
+TEST(EkfSlam, LearnsHowOdometryIsOffAllTheTime) {
+  EkfSlam filter;
+  filter.add_calibration(1e-2 * Eigen::Matrix3d::Identity());
+  LandmarkSighting wall;
+  wall.kind = LandmarkKind::kWall;
+  wall.value = {10.0, 0.0};
+  wall.noise = 1e-6 * Eigen::Matrix2d::Identity();
+  filter.add(wall);
+  CalibratedMotion motion;
+  motion.T_before_after = {1.0, 0.0, 0.0};
+  motion.by_calibration(0, 2) = 1.0;  // The third number is a share of the drive.
+  motion.variances.setConstant(1e-6);
+  const auto foreseen = filter.belief_after(0, motion);
+  filter.move(0, motion);
+  EXPECT_TRUE(foreseen.covariance.isApprox(filter.belief().covariance));
+  EXPECT_NEAR(filter.belief().covariance(0, 0), 1e-2, 1e-4);
+  wall.value.x() = 8.95;  // It has driven 1.05 m.
+  filter.update(std::vector<LinearSighting>{*filter.linearized(wall, 0)});
+  EXPECT_NEAR(filter.calibration()[2], 0.05, 1e-3);
+  EXPECT_NEAR(filter.belief().T_map_robot.x_m(), 1.05, 1e-3);
+}
+
 }  // namespace
 }  // namespace echomap::slam

@@ -86,7 +86,7 @@ Drive drive(LandmarkSlam& slam) {
 
 TEST(LandmarkSlam, RefusesGatesThatAreNone) {
   LandmarkSlamParams params;
-  params.association.gate_of_new = 1.0;
+  params.update.association.gate_of_new = 1.0;
   EXPECT_THROW(LandmarkSlam{params}, std::invalid_argument);
 }
 
@@ -94,7 +94,7 @@ TEST(LandmarkSlam, KnowsWhereItIsInARoomThatItDidNotKnow) {
   for (const auto method :
        {AssociationMethod::kNearestNeighbour, AssociationMethod::kJointCompatibility}) {
     LandmarkSlamParams params;
-    params.method = method;
+    params.update.method = method;
     LandmarkSlam slam(params);
     const Drive result = drive(slam);
 
@@ -107,7 +107,7 @@ TEST(LandmarkSlam, KnowsWhereItIsInARoomThatItDidNotKnow) {
 TEST(LandmarkSlam, KnowsItsWholeWayHoweverFewPosesItKeeps) {
   for (const std::size_t most_kept : {2U, 5U, 100U}) {
     LandmarkSlamParams params;
-    params.most_kept = most_kept;
+    params.way.most_kept = most_kept;
     LandmarkSlam slam(params);
     drive(slam);
     const auto trajectory = slam.trajectory();

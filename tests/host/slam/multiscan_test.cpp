@@ -77,6 +77,18 @@ TEST(MultiscanGathering, SaysThatOdometryHasJumped) {
   EXPECT_EQ(piece->path_m, 0.0);
 }
 
+TEST(MultiscanGathering, TakesAShortStepForAJumpWhereTheRobotWasCarried) {
+  MultiscanGathering gathering({});
+  gathering.add({}, scan_ahead(2.0));
+  gathering.carry({0.3, 0.0, 0.1});
+  const auto piece = gathering.add({0.3, 0.0, 0.1}, scan_ahead(2.0));
+  ASSERT_TRUE(piece);
+  EXPECT_GE(piece->jumped_m, 1.0);
+  EXPECT_GE(piece->jumped_rad, 1.0);
+  EXPECT_EQ(piece->path_m, 0.0);
+  EXPECT_NEAR(piece->T_before_after.x_m(), 0.3, 1e-9);
+}
+
 TEST(MultiscanGathering, RefusesParametersWithoutSense) {
   MultiscanParams params;
   params.most_path_m = 0.0;

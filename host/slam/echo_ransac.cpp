@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/echo_ransac.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::slam {
+
+namespace {
+
+constexpr int kFitRounds = 4;
+
+double square(double value) { return value * value; }
+
+/// Where along a wall echoes are from, in that order, and which.
+using Places = std::vector<std::pair<double, std::size_t>>;
+
+/// The first and behind the last of the most places without a wider gap.
+std::pair<std::size_t, std::size_t> longest_run(const Places& places, double widest_gap_m) {
+  std::pair<std::size_t, std::size_t> longest{0, 0};
+  for (std::size_t from = 0, to = 1; to <= places.size(); ++to) {
+    if (to == places.size() || places[to].first - places[to - 1].first > widest_gap_m) {
+      if (to - from > longest.second - longest.first) {
+        longest = {from, to};
+      }
+      from = to;
+    }
+  }
+  return longest;
+}
+
+/// How echoes that are still free speak of a feature.
+struct Consensus {
+  std::vector<std::size_t> agreeing;
+  std::size_t denying = 0;  ///< Should have heard it, and heard something behind it.
+
+  std::size_t votes() const { return agreeing.size() - std::min(agreeing.size(), denying); }
+};
+
+class FeatureSearch {
+ public:
+  FeatureSearch(const std::vector<Echo>& echoes,
+                const EchoRansacParams& params,
+                std::mt19937& random)
+      : echoes_(echoes), params_(params), is_free_(echoes.size(), true) {
+    if (echoes.size() >= 2) {
+      draw(random);
+    }
+  }
+
+  /// The feature with the most votes, which takes its echoes. Empty where none is left.
+  std::optional<HeardFeature> next() {
+    while (const auto best = most_voted()) {
+      auto heard = fitted(candidates_[*best].feature);
+      candidates_.erase(candidates_.begin() + static_cast<std::ptrdiff_t>(*best));
+      if (heard && is_well_known(*heard)) {
+        take(heard->echoes);
+        return heard;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Candidate {
+    EchoFeature feature;
+    Consensus consensus;
+  };
+
+  void draw(std::mt19937& random) {
+    std::uniform_int_distribution<std::size_t> any(0, echoes_.size() - 1);
+    for (std::size_t i = 0; i < params_.pairs; ++i) {
+      const Echo& first = echoes_[any(random)];
+      const Echo& second = echoes_[any(random)];
+      if ((first.middle_m() - second.middle_m()).norm() > params_.pair_reach_m) {
+        continue;
+      }
+      for (const EchoFeature& feature : features_through(first, second, params_.hearing)) {
+        add(feature);
+      }
+    }
+  }
+
+  void add(const EchoFeature& feature) {
+    Consensus consensus = consensus_on(feature);
+    if (is_enough(consensus.votes(), feature)) {
+      candidates_.push_back({feature, std::move(consensus)});
+    }
+  }
+
+  bool is_enough(std::size_t votes, const EchoFeature& feature) const {
+    return votes >=
+           (feature.kind == LandmarkKind::kWall ? params_.least_of_wall : params_.least_of_point);
+  }
+
+  std::optional<std::size_t> most_voted() const {
+    std::optional<std::size_t> best;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (candidates_[i].consensus.votes() > most) {
+        most = candidates_[i].consensus.votes();
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  void take(const std::vector<std::size_t>& taken) {
+    for (const std::size_t i : taken) {
+      is_free_[i] = false;
+    }
+    for (Candidate& candidate : candidates_) {
+      candidate.consensus = consensus_on(candidate.feature);
+    }
+    std::erase_if(candidates_, [&](const Candidate& candidate) {
+      return !is_enough(candidate.consensus.votes(), candidate.feature);
+    });
+  }
+
+  Consensus consensus_on(const EchoFeature& feature) const {
+    Consensus consensus;
+    std::vector<std::size_t> denying;
+    for (std::size_t i = 0; i < echoes_.size(); ++i) {
+      if (!is_free_[i]) {
+        continue;
+      }
+      const auto expected = echo_of(feature, echoes_[i], params_.hearing.most_slant_rad);
+      if (!expected) {
+        continue;
+      }
+      const double off_m = echoes_[i].range_m - expected->range_m;
+      if (std::abs(off_m) <= params_.hearing.tolerance_m) {
+        consensus.agreeing.push_back(i);
+      } else if (off_m > 0.0 && should_hear(feature, echoes_[i])) {
+        denying.push_back(i);
+      }
+    }
+    if (feature.kind == LandmarkKind::kWall) {
+      keep_longest_piece(feature, consensus, denying);
+    }
+    consensus.denying = denying.size();
+    return consensus;
+  }
+
+  /// A smooth wall answers where its perpendicular is in the beam.
+  bool should_hear(const EchoFeature& feature, const Echo& echo) const {
+    return feature.kind == LandmarkKind::kPoint || echo_of(feature, echo, 0.0).has_value();
+  }
+
+  /// The piece of the wall, without gaps, that the most echoes are of; who denies another piece
+  /// does not count.
+  void keep_longest_piece(const EchoFeature& wall,
+                          Consensus& consensus,
+                          std::vector<std::size_t>& denying) const {
+    Places places;
+    for (const std::size_t i : consensus.agreeing) {
+      places.emplace_back(along_m(wall, echoes_[i]), i);
+    }
+    std::sort(places.begin(), places.end());
+    const auto [from, to] = longest_run(places, params_.widest_gap_m);
+    consensus.agreeing.clear();
+    for (std::size_t i = from; i < to; ++i) {
+      consensus.agreeing.push_back(places[i].second);
+    }
+    const bool is_none = from == to;
+    const double from_m = is_none ? 0.0 : places[from].first;
+    const double to_m = is_none ? 0.0 : places[to - 1].first;
+    std::erase_if(denying, [&](std::size_t i) {
+      const double at_m = along_m(wall, echoes_[i]);
+      return is_none || at_m < from_m || at_m > to_m;
+    });
+  }
+
+  /// Of its range, and of its bearing, which is as good as evenly spread over where it is heard.
+  void add_evidence(const Echo& echo,
+                    const EchoFeature& feature,
+                    Eigen::Matrix2d& information,
+                    Eigen::Vector2d& pull) const {
+    const auto expected = *echo_of(feature, echo, params_.hearing.most_slant_rad);
+    const auto add = [&](double off, const Eigen::Vector2d& by_feature, double variance) {
+      information += by_feature * by_feature.transpose() / variance;
+      pull += off / variance * by_feature;
+    };
+    add(echo.range_m - expected.range_m, expected.range_by_feature, square(params_.range_sd_m));
+    add(geometry::angle_between(expected.bearing_rad, echo.axis_rad),
+        expected.bearing_by_feature,
+        square(expected.widest_off_axis_rad) / 3.0);
+  }
+
+  /// Gauss and Newton over those that agree.
+  std::optional<HeardFeature> fitted(const EchoFeature& candidate) const {
+    HeardFeature heard{candidate, {}, {}};
+    for (int round = 0; round < kFitRounds; ++round) {
+      heard.echoes = consensus_on(heard.feature).agreeing;
+      if (!is_enough(heard.echoes.size(), heard.feature)) {
+        return std::nullopt;
+      }
+      Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+      Eigen::Vector2d pull = Eigen::Vector2d::Zero();
+      for (const std::size_t i : heard.echoes) {
+        add_evidence(echoes_[i], heard.feature, information, pull);
+      }
+      heard.covariance = information.inverse();
+      heard.feature.value += information.ldlt().solve(pull);
+      if (!heard.feature.value.allFinite() || !heard.covariance.allFinite()) {
+        return std::nullopt;
+      }
+    }
+    if (heard.feature.kind == LandmarkKind::kWall) {
+      heard.feature.value.y() = geometry::wrap_angle(heard.feature.value.y());
+    }
+    return heard;
+  }
+
+  bool is_well_known(const HeardFeature& heard) const {
+    if (heard.feature.kind == LandmarkKind::kWall) {
+      return std::sqrt(heard.covariance(1, 1)) <= params_.most_normal_sd_rad;
+    }
+    return std::sqrt(heard.covariance.trace()) <= params_.most_point_sd_m;
+  }
+
+  const std::vector<Echo>& echoes_;
+  const EchoRansacParams& params_;
+  std::vector<bool> is_free_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+void check(const EchoRansacParams& params) {
+  for (const double value : {params.pair_reach_m,
+                             params.hearing.tolerance_m,
+                             params.range_sd_m,
+                             params.widest_gap_m,
+                             params.most_normal_sd_rad,
+                             params.most_point_sd_m}) {
+    if (!(value > 0.0) || !std::isfinite(value)) {
+      throw std::invalid_argument("echo ransac: lengths and deviations are above 0 and finite");
+    }
+  }
+  if (params.least_of_wall < 3 || params.least_of_point < 3 ||
+      !(params.hearing.most_slant_rad >= 0.0)) {
+    throw std::invalid_argument("echo ransac: at least three echoes, and a slant of 0 or more");
+  }
+}
+
+std::vector<HeardFeature> find_features(const std::vector<Echo>& echoes,
+                                        const EchoRansacParams& params,
+                                        std::mt19937& random) {
+  FeatureSearch search(echoes, params, random);
+  std::vector<HeardFeature> features;
+  while (auto heard = search.next()) {
+    features.push_back(std::move(*heard));
+  }
+  return features;
+}
+
+}  // namespace echomap::slam

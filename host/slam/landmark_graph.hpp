@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "host/slam/ekf_slam.hpp"
+#include "host/slam/factor_graph.hpp"
+
+namespace echomap::slam {
+
+/// What a filter knows of each by itself (its marginals; that errors of two are alike is lost):
+/// edges from the first pose it keeps, which is taken as known, to the other ones, to where its
+/// first robot is and to all landmarks that are points. Walls are left out.
+FactorGraph landmark_graph(const EkfSlam& filter);
+
+}  // namespace echomap::slam

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/landmark_slam_by_beams.hpp"
+
+#include <utility>
+
+#include "host/slam/landmark_slam.hpp"
+#include "host/slam/scan_map.hpp"
+#include "host/slam/sonar_landmark_slam.hpp"
+
+namespace echomap::slam {
+
+using geometry::Pose2;
+
+void LandmarkSlamByBeams::follow(const Pose2& T_odom_robot) {
+  if (chosen_) {
+    chosen_->follow(T_odom_robot);
+  } else {
+    T_odom_before_scans_.push_back(T_odom_robot);
+  }
+}
+
+void LandmarkSlamByBeams::carry(const Pose2& T_odom_robot) {
+  if (chosen_) {
+    chosen_->carry(T_odom_robot);
+  } else {
+    follow(T_odom_robot);
+  }
+}
+
+void LandmarkSlamByBeams::add(const Pose2& T_odom_robot, const RangeScan& scan) {
+  if (!chosen_) {
+    if (scan.beam_opening_rad > 0.0) {
+      chosen_ = std::make_unique<SonarLandmarkSlam>();
+    } else {
+      chosen_ = std::make_unique<LandmarkSlam>();
+    }
+    for (const Pose2& T_odom_before : std::exchange(T_odom_before_scans_, {})) {
+      chosen_->follow(T_odom_before);
+    }
+  }
+  chosen_->add(T_odom_robot, scan);
+}
+
+localization::PoseGaussian LandmarkSlamByBeams::belief() const {
+  return chosen_ ? chosen_->belief() : localization::PoseGaussian{};
+}
+
+std::vector<Pose2> LandmarkSlamByBeams::trajectory() const {
+  return chosen_ ? chosen_->trajectory() : std::vector<Pose2>{};
+}
+
+mapping::OccupancyGrid LandmarkSlamByBeams::grid() const {
+  return chosen_ ? chosen_->grid() : map_of_scans({}, {});
+}
+
+FactorGraph LandmarkSlamByBeams::factor_graph() const {
+  return chosen_ ? chosen_->factor_graph() : FactorGraph{};
+}
+
+}  // namespace echomap::slam

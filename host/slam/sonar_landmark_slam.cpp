@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/sonar_landmark_slam.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace echomap::slam {
+
+using geometry::Pose2;
+
+SonarLandmarkSlam::SonarLandmarkSlam(const SonarLandmarkSlamParams& params)
+    : params_(params), gathering_(params.gathering), random_(params.seed) {
+  check(params.landmarks);
+  const bool trusts_ok =
+      !params.trusts.empty() &&
+      std::all_of(params.trusts.begin(), params.trusts.end(), [](const OdometryTrust& trust) {
+        return trust.steady_scale > 0.0 && trust.chance_scale > 0.0;
+      });
+  if (!params.odometry.is_sound() || !(params.calibration_sd.minCoeff() > 0.0) || !trusts_ok) {
+    throw std::invalid_argument("sonar landmark slam: odometry's deviations are above 0");
+  }
+  begin_at({});
+}
+
+void SonarLandmarkSlam::begin_at(const Pose2& T_odom_robot) {
+  const localization::PoseGaussian start{T_odom_robot};
+  estimates_.clear();
+  for (const OdometryTrust& trust : params_.trusts) {
+    Estimate& estimate = estimates_.emplace_back(Estimate{EkfSlam({&start, 1}, params_.filter),
+                                                          LandmarkUpdate(params_.update),
+                                                          KeptWay(params_.way),
+                                                          trust.surprise});
+    const Eigen::Vector3d sd = trust.steady_scale * params_.calibration_sd;
+    estimate.filter.add_calibration(sd.cwiseAbs2().asDiagonal());
+  }
+}
+
+void SonarLandmarkSlam::begin_once(const Pose2& T_odom_robot) {
+  if (!has_begun_) {
+    begin_at(T_odom_robot);
+    has_begun_ = true;
+  }
+}
+
+void SonarLandmarkSlam::follow(const Pose2& T_odom_robot) {
+  begin_once(T_odom_robot);
+  gathering_.follow(T_odom_robot);
+}
+
+void SonarLandmarkSlam::carry(const Pose2& T_odom_robot) {
+  begin_once(T_odom_robot);
+  gathering_.carry(T_odom_robot);
+}
+
+void SonarLandmarkSlam::add(const Pose2& T_odom_robot, const RangeScan& scan) {
+  follow(T_odom_robot);
+  if (const auto piece = gathering_.add(T_odom_robot, scan)) {
+    finish_multiscan(*piece);
+  }
+  open_.push_back(gathering_.piece());
+  scans_.push_back(scan);
+}
+
+void SonarLandmarkSlam::finish_multiscan(const OdometryPiece& piece) {
+  const Multiscan& finished = gathering_.finished();
+  const auto sightings = sonar_landmarks(finished.echoes, params_.landmarks, random_);
+  for (std::size_t i = 0; i < estimates_.size(); ++i) {
+    Estimate& estimate = estimates_[i];
+    estimate.surprise += estimate.update.see(sightings, finished.T_odom_begin, estimate.filter);
+    estimate.way.keep(estimate.filter);
+    for (const OdometryPiece& to_scan : open_) {
+      estimate.way.add(motion_by(to_scan, i).T_before_after);
+    }
+    estimate.filter.move(0, motion_by(piece, i));
+    if (estimate.surprise < estimates_[best_].surprise) {
+      best_ = i;
+    }
+  }
+  open_.clear();
+}
+
+CalibratedMotion SonarLandmarkSlam::motion_by(const OdometryPiece& piece,
+                                              std::size_t estimate) const {
+  const OdometryCalibration calibration{estimates_[estimate].filter.calibration()};
+  const double scale = params_.trusts[estimate].chance_scale;
+  return {calibrated(piece, calibration),
+          calibrated_by_calibration(piece, calibration),
+          scale * scale * variances(piece, params_.odometry)};
+}
+
+localization::PoseGaussian SonarLandmarkSlam::belief() const {
+  return open_.empty() ? localization::PoseGaussian{}
+                       : filter().belief_after(0, motion_by(open_.back(), best_));
+}
+
+std::vector<Pose2> SonarLandmarkSlam::trajectory() const {
+  std::vector<Pose2> T_map_robots = estimates_[best_].way.trajectory(filter());
+  for (const OdometryPiece& to_scan : open_) {
+    T_map_robots.push_back(filter().belief().T_map_robot *
+                           motion_by(to_scan, best_).T_before_after);
+  }
+  return T_map_robots;
+}
+
+mapping::OccupancyGrid SonarLandmarkSlam::grid() const {
+  const std::vector<Pose2> T_map_robots = trajectory();
+  std::vector<PlacedScan> placed;
+  placed.reserve(scans_.size());
+  for (std::size_t i = 0; i < scans_.size(); ++i) {
+    placed.push_back({T_map_robots[i], scans_[i]});
+  }
+  return map_of_scans(placed, params_.map);
+}
+
+}  // namespace echomap::slam

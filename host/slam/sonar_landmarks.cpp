@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/sonar_landmarks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::slam {
+
+namespace {
+
+LandmarkSighting wall_sighting(const HeardFeature& wall,
+                               const std::vector<Echo>& echoes,
+                               const SonarLandmarksParams& params) {
+  const Eigen::Vector2d own_sd(params.wall_offset_sd_m, params.wall_normal_sd_rad);
+  LandmarkSighting sighting;
+  sighting.kind = LandmarkKind::kWall;
+  sighting.value = wall.feature.value;
+  sighting.noise = wall.covariance + Eigen::Matrix2d(own_sd.cwiseAbs2().asDiagonal());
+  sighting.along_from_m = std::numeric_limits<double>::max();
+  sighting.along_to_m = std::numeric_limits<double>::lowest();
+  for (const std::size_t i : wall.echoes) {
+    const double at_m = along_m(wall.feature, echoes[i]);
+    sighting.along_from_m = std::min(sighting.along_from_m, at_m);
+    sighting.along_to_m = std::max(sighting.along_to_m, at_m);
+  }
+  return sighting;
+}
+
+/// Range and bearing have the covariance of the place, turned to face it.
+LandmarkSighting point_sighting(const HeardFeature& point, const SonarLandmarksParams& params) {
+  const Eigen::Vector2d& place_m = point.feature.value;
+  const double range_m = place_m.norm();
+  Eigen::Matrix2d by_place;
+  by_place << place_m.transpose() / range_m,
+      quarter_turned(place_m).transpose() / (range_m * range_m);
+  const Eigen::Matrix2d covariance =
+      point.covariance + params.point_sd_m * params.point_sd_m * Eigen::Matrix2d::Identity();
+  LandmarkSighting sighting;
+  sighting.value = {range_m, std::atan2(place_m.y(), place_m.x())};
+  sighting.noise = by_place * covariance * by_place.transpose();
+  return sighting;
+}
+
+}  // namespace
+
+void check(const SonarLandmarksParams& params) {
+  check(params.search);
+  for (const double sd_m :
+       {params.wall_offset_sd_m, params.wall_normal_sd_rad, params.point_sd_m}) {
+    if (!(sd_m >= 0.0) || !std::isfinite(sd_m)) {
+      throw std::invalid_argument("sonar landmarks: deviations are 0 or more, and finite");
+    }
+  }
+}
+
+std::vector<LandmarkSighting> sonar_landmarks(const std::vector<Echo>& echoes,
+                                              const SonarLandmarksParams& params,
+                                              std::mt19937& random) {
+  std::vector<LandmarkSighting> sightings;
+  for (const HeardFeature& heard : find_features(echoes, params.search, random)) {
+    const bool is_wall = heard.feature.kind == LandmarkKind::kWall;
+    if (is_wall && params.with_walls) {
+      sightings.push_back(wall_sighting(heard, echoes, params));
+    }
+    if (!is_wall && params.with_points) {
+      sightings.push_back(point_sighting(heard, params));
+    }
+  }
+  return sightings;
+}
+
+}  // namespace echomap::slam

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/landmark_slam_by_beams.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/slam/landmark_slam.hpp"
+#include "host/slam/sonar_landmark_slam.hpp"
+
+namespace echomap::slam {
+namespace {
+
+using geometry::Pose2;
+
+RangeScan scan_of(double opening_rad) { return {{}, {{0.0, 1.0}}, opening_rad, 4.0}; }
+
+/// How sure of itself a way of SLAM is that has driven two steps; the odometry's noise of the two
+/// kinds differs.
+template <class Method>
+double variance_of(double opening_rad) {
+  Method method;
+  method.follow(Pose2(1.0, 0.0, 0.0));
+  method.add(Pose2(1.0, 0.0, 0.0), scan_of(opening_rad));
+  method.add(Pose2(1.4, 0.0, 0.1), scan_of(opening_rad));
+  return method.belief().covariance.trace();
+}
+
+TEST(LandmarkSlamByBeams, TakesThinBeamsForALaserAndConesForSonars) {
+  EXPECT_EQ(variance_of<LandmarkSlamByBeams>(0.0), variance_of<LandmarkSlam>(0.0));
+  EXPECT_EQ(variance_of<LandmarkSlamByBeams>(0.4), variance_of<SonarLandmarkSlam>(0.4));
+  EXPECT_NE(variance_of<LandmarkSlamByBeams>(0.4), variance_of<LandmarkSlamByBeams>(0.0));
+}
+
+TEST(LandmarkSlamByBeams, BeginsWhereItWasFirstTold) {
+  LandmarkSlamByBeams slam;
+  slam.follow({1.0, 2.0, 0.5});
+  EXPECT_TRUE(slam.trajectory().empty());
+  slam.add({1.1, 2.0, 0.5}, scan_of(0.4));
+  ASSERT_EQ(slam.trajectory().size(), 1U);
+  EXPECT_NEAR(slam.trajectory().front().x_m(), 1.1, 1e-9);
+  EXPECT_NEAR(slam.belief().T_map_robot.y_m(), 2.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace echomap::slam

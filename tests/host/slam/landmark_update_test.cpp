@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/landmark_update.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace echomap::slam {
+namespace {
+
+LandmarkSighting point(double range_m, double bearing_rad) {
+  LandmarkSighting sighting;
+  sighting.value = {range_m, bearing_rad};
+  sighting.noise = 1e-4 * Eigen::Matrix2d::Identity();
+  return sighting;
+}
+
+TEST(LandmarkUpdate, AddsWhatHasBeenSeenOftenEnoughAndThenCountsIt) {
+  EkfSlam filter;
+  LandmarkUpdate update({.provisional = {.sightings = 2}});
+  const std::vector<LandmarkSighting> seen{point(2.0, 0.3)};
+  update.see(seen, {}, filter);
+  EXPECT_TRUE(filter.landmarks().empty());
+  update.see(seen, {}, filter);
+  ASSERT_EQ(filter.landmarks().size(), 1U);
+  update.see(seen, {}, filter);
+  EXPECT_EQ(filter.landmarks().front().sightings, 2U);
+  EXPECT_EQ(filter.landmarks().size(), 1U);
+}
+
+TEST(LandmarkUpdate, IsMoreSurprisedTheFartherALandmarkIsOff) {
+  const auto surprise_at = [](double range_m) {
+    EkfSlam filter;
+    filter.add(point(2.0, 0.3));
+    LandmarkUpdate update;
+    return update.see(std::vector<LandmarkSighting>{point(range_m, 0.3)}, {}, filter);
+  };
+  EXPECT_LT(surprise_at(2.0), surprise_at(2.02));
+  EXPECT_LT(surprise_at(2.02), surprise_at(3.0)) << "that is of no landmark";
+  EXPECT_EQ(surprise_at(3.0), surprise_at(4.0)) << "as likely from anywhere";
+}
+
+TEST(LandmarkUpdate, RefusesGatesThatAreNone) {
+  EXPECT_THROW(LandmarkUpdate({.association = {.gate = 0.0}}), std::invalid_argument);
+  EXPECT_THROW(LandmarkUpdate({.association = {.gate_of_new = 1.0}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::slam
