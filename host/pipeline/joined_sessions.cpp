@@ -36,6 +36,11 @@ void JoinedSessions::on_infrared(const sensors::InfraredObservation& observation
   sink_.on_infrared(shifted);
 }
 
+void JoinedSessions::on_carried(const sensors::CarriedObservation& observation) {
+  sink_.on_carried(
+      {joined(observation.stamp), joined(observation.travel), observation.T_map_robot});
+}
+
 void JoinedSessions::on_yaw(const sensors::YawObservation& observation) {
   sink_.on_yaw({joined(observation.stamp), observation.yaw});
 }

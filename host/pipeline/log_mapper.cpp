@@ -202,6 +202,7 @@ Snapshot LogMapper::snapshot() const {
   snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(trajectory_);
   snapshot.points = std::make_shared<const mapping::PointCloudMap>(scan_poses_, points_);
   snapshot.grid = std::make_shared<const mapping::OccupancyGrid>(grid());
+  snapshot.scans = std::make_shared<const std::vector<mapping::Scan>>();
   snapshot.last_scan = std::make_shared<const mapping::Scan>();
   snapshot.stops = scan_poses_.size();
   return snapshot;

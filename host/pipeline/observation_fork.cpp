@@ -27,6 +27,12 @@ void ObservationFork::on_infrared(const sensors::InfraredObservation& observatio
   }
 }
 
+void ObservationFork::on_carried(const sensors::CarriedObservation& observation) {
+  for (ObservationSink* sink : sinks_) {
+    sink->on_carried(observation);
+  }
+}
+
 void ObservationFork::on_yaw(const sensors::YawObservation& observation) {
   for (ObservationSink* sink : sinks_) {
     sink->on_yaw(observation);

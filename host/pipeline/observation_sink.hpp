@@ -14,6 +14,7 @@ class ObservationSink {
   virtual void on_sonar(const sensors::SonarObservation& observation) = 0;
   virtual void on_hazards(const sensors::HazardObservation& /*observation*/) {}
   virtual void on_infrared(const sensors::InfraredObservation& /*observation*/) {}
+  virtual void on_carried(const sensors::CarriedObservation& /*observation*/) {}
   virtual void on_yaw(const sensors::YawObservation& /*observation*/) {}
   virtual void on_battery(const sensors::BatteryObservation& /*observation*/) {}
 

@@ -27,6 +27,7 @@ RobotPipeline::RobotPipeline(const sensors::RobotGeometry& robot,
       odometry_(robot.track_m),
       far_grid_(std::make_shared<const mapping::OccupancyGrid>(params.grid)),
       grid_(far_grid_),
+      scans_(std::make_shared<const std::vector<mapping::Scan>>()),
       last_scan_(std::make_shared<const mapping::Scan>()) {
   if (slam) {
     slam_.emplace(std::move(slam), 2.0 * params.surfaces.beam_half_angle_rad);
@@ -62,13 +63,24 @@ void RobotPipeline::on_infrared(const sensors::InfraredObservation& observation)
 }
 
 void RobotPipeline::on_hazards(const sensors::HazardObservation& observation) {
-  times_lifted_ += observation.lifted && !hazards_.lifted ? 1 : 0;
+  times_lifted_ += observation.is_in_the_air() && !hazards_.is_in_the_air() ? 1 : 0;
   if (times_lifted_ == 0) {
     near_.bump(T_map_robot(),
                observation.bump_left && !hazards_.bump_left,
                observation.bump_right && !hazards_.bump_right);
   }
   hazards_ = observation;
+}
+
+void RobotPipeline::on_carried(const sensors::CarriedObservation& observation) {
+  end_scan();
+  odometry_.move_to(T_map_odom().inverse() * observation.T_map_robot, observation.travel);
+  if (slam_) {
+    slam_->carry(odometry_.T_odom_robot());
+  }
+  follow(observation.stamp, observation.travel);
+  hazards_ = {};
+  times_lifted_ = 0;
 }
 
 void RobotPipeline::begin_scan() {
@@ -109,6 +121,12 @@ void RobotPipeline::map_scan() {
   newly_free_m2_ = mapping::newly_free_area_m2(*far_grid_, *grid);
   far_grid_ = grid;
   grid_ = nullptr;
+  T_odom_scans_.push_back(open_scan_);
+  std::vector<mapping::Scan> scans;
+  for (std::size_t i = 0; i < T_odom_scans_.size(); ++i) {
+    scans.push_back(mapping::moved(T_odom_scans_[i], mapper_.T_map_odom_of_scans()[i]));
+  }
+  scans_ = std::make_shared<const std::vector<mapping::Scan>>(std::move(scans));
 }
 
 void RobotPipeline::move_past() {
@@ -136,6 +154,7 @@ Snapshot RobotPipeline::snapshot() const {
   snapshot.trajectory = trajectory_;
   snapshot.points = points_;
   snapshot.grid = grid();
+  snapshot.scans = scans_;
   snapshot.last_scan = last_scan_;
   snapshot.last_scan_fault = last_scan_fault_;
   snapshot.stops = stops_;
@@ -171,19 +190,6 @@ geometry::Pose2 RobotPipeline::follow(time::RobotTime stamp, const sensors::Whee
 geometry::Pose2 RobotPipeline::T_map_odom() const {
   const geometry::Pose2 T_map_placed = T_map_mapped_ * mapper_.T_map_placed();
   return slam_ ? T_map_placed * slam_->T_map_odom() : T_map_placed;
-}
-
-mapping::PlacedReading RobotPipeline::on_map(const mapping::PlacedReading& reading) const {
-  return {T_map_odom() * reading.T_map_robot, T_map_odom() * reading.T_map_sonar, reading.range_m};
-}
-
-mapping::Scan RobotPipeline::on_map(const mapping::Scan& scan) const {
-  mapping::Scan placed;
-  placed.reserve(scan.size());
-  for (const mapping::PlacedReading& reading : scan) {
-    placed.push_back(on_map(reading));
-  }
-  return placed;
 }
 
 }  // namespace echomap::pipeline

@@ -42,6 +42,8 @@ class RobotPipeline final : public ObservationSink {
   void on_hazards(const sensors::HazardObservation& observation) override;
   /// Placed by its own wheel travel.
   void on_infrared(const sensors::InfraredObservation& observation) override;
+  /// The pose is known again; what is in the map stays where it is. Ends a scan that is open.
+  void on_carried(const sensors::CarriedObservation& observation) override;
   void on_yaw(const sensors::YawObservation& observation) override { yaw_ = observation; }
   void on_battery(const sensors::BatteryObservation& observation) override {
     battery_ = observation;
@@ -63,9 +65,13 @@ class RobotPipeline final : public ObservationSink {
  private:
   /// The pose by odometry alone, after the wheels' travel so far.
   geometry::Pose2 follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
-  /// Moves a reading that odometry has placed to where it is on the map.
-  mapping::PlacedReading on_map(const mapping::PlacedReading& reading) const;
-  mapping::Scan on_map(const mapping::Scan& scan) const;
+  /// Moves what odometry has placed to where it is on the map.
+  mapping::PlacedReading on_map(const mapping::PlacedReading& reading) const {
+    return mapping::moved(reading, T_map_odom());
+  }
+  mapping::Scan on_map(const mapping::Scan& scan) const {
+    return mapping::moved(scan, T_map_odom());
+  }
   /// Puts the open scan into the map.
   void map_scan();
   /// Moves trajectory and points to where SLAM has them now.
@@ -89,6 +95,8 @@ class RobotPipeline final : public ObservationSink {
   /// Both together, made when a snapshot asks for it after one of them has changed.
   mutable std::shared_ptr<const mapping::OccupancyGrid> grid_;
   mutable std::uint64_t near_in_grid_ = 0;
+  std::vector<mapping::Scan> T_odom_scans_;  ///< Those in the grid, as odometry places them.
+  std::shared_ptr<const std::vector<mapping::Scan>> scans_;
   std::shared_ptr<const mapping::Scan> last_scan_;
   mapping::Scan open_scan_;
   bool scan_is_open_ = false;

@@ -20,6 +20,8 @@ class RobotSlam {
 
   /// The next instant of the robot's way.
   void follow(const geometry::Pose2& T_odom_robot);
+  /// Between two stops: somebody has put the robot there.
+  void carry(const geometry::Pose2& T_odom_robot) { method_->carry(T_odom_robot); }
   /// A ping of the last instant, of which there is one.
   void hear(const geometry::Pose2& T_odom_robot,
             const geometry::Pose2& T_robot_sonar,

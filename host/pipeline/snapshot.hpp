@@ -31,6 +31,8 @@ struct Snapshot {
   std::shared_ptr<const std::vector<StampedPose>> trajectory;
   std::shared_ptr<const mapping::PointCloudMap> points;
   std::shared_ptr<const mapping::OccupancyGrid> grid;
+  /// What was heard at all stops whose scans are in the grid, where it has them now.
+  std::shared_ptr<const std::vector<mapping::Scan>> scans;
   /// The last scan that was ended; empty before.
   std::shared_ptr<const mapping::Scan> last_scan;
   /// A scan with a fault that makes it worthless is not in the grid.

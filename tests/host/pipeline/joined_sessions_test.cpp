@@ -35,6 +35,10 @@ class Notes final : public ObservationSink {
     stamps_us.push_back(observation.stamp.time_since_epoch().count());
     hazards = observation;
   }
+  void on_carried(const sensors::CarriedObservation& observation) override {
+    note(observation.stamp, observation.travel);
+    T_map_robot = observation.T_map_robot;
+  }
   void on_yaw(const sensors::YawObservation& observation) override {
     stamps_us.push_back(observation.stamp.time_since_epoch().count());
   }
@@ -49,6 +53,7 @@ class Notes final : public ObservationSink {
   std::vector<double> right_m;
   sensors::HazardObservation hazards;
   std::string scans;
+  geometry::Pose2 T_map_robot;
 
  private:
   void note(time::RobotTime stamp, const sensors::WheelTravel& travel) {
@@ -106,6 +111,17 @@ TEST_F(JoinedSessionsTest, GoesOnFromTheLatestStampWhereMessagesCameLate) {
   sessions.on_odometry({at_us(1), {}});
   EXPECT_EQ(notes.stamps_us.back(), 1000);
   EXPECT_EQ(notes.left_m.back(), 0.9) << "where the pipeline has the wheels";
+}
+
+TEST_F(JoinedSessionsTest, HandsOnWhereTheRobotWasCarried) {
+  sessions.on_odometry({at_us(10), {1.0, 1.0}});
+  sessions.begin_next();
+  sessions.on_odometry({at_us(5), {}});
+  sessions.on_carried({at_us(7), {0.5, 0.25}, {3.0, 4.0, 1.0}});
+  EXPECT_EQ(notes.stamps_us.back(), 12);
+  EXPECT_EQ(notes.left_m.back(), 1.5);
+  EXPECT_EQ(notes.right_m.back(), 1.25);
+  EXPECT_EQ(notes.T_map_robot.x_m(), 3.0);
 }
 
 TEST_F(JoinedSessionsTest, EndsAnOpenScanAndWhatTouchedTheRobot) {

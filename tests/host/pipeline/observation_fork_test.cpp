@@ -17,6 +17,7 @@ class Notes final : public ObservationSink {
   void on_infrared(const sensors::InfraredObservation& /*observation*/) override { text += 'i'; }
   void on_yaw(const sensors::YawObservation& /*observation*/) override { text += 'y'; }
   void on_battery(const sensors::BatteryObservation& /*observation*/) override { text += 'b'; }
+  void on_carried(const sensors::CarriedObservation& /*observation*/) override { text += 'c'; }
   void begin_scan() override { text += '('; }
   void end_scan() override { text += ')'; }
 
@@ -31,6 +32,7 @@ void tell_everything(ObservationSink& sink) {
   sink.on_infrared({});
   sink.on_yaw({});
   sink.on_battery({});
+  sink.on_carried({});
   sink.end_scan();
 }
 
@@ -41,12 +43,12 @@ TEST(ObservationFork, HandsEverythingOnToThoseThatListen) {
   fork.add(first);
   fork.add(second);
   tell_everything(fork);
-  EXPECT_EQ(first.text, "(oshiyb)");
+  EXPECT_EQ(first.text, "(oshiybc)");
   EXPECT_EQ(second.text, first.text);
   fork.remove(first);
   tell_everything(fork);
-  EXPECT_EQ(first.text, "(oshiyb)");
-  EXPECT_EQ(second.text, "(oshiyb)(oshiyb)");
+  EXPECT_EQ(first.text, "(oshiybc)");
+  EXPECT_EQ(second.text, "(oshiybc)(oshiybc)");
 }
 
 }  // namespace

@@ -234,6 +234,8 @@ TEST_F(RobotPipelineTest, MovesAllToWhereSlamHasIt) {
   EXPECT_NEAR(snapshot.trajectory->front().T_map_robot.y_m(), 0.3, 1e-9);
   EXPECT_NEAR(snapshot.points->poses().front().y_m(), 0.3, 1e-9);
   EXPECT_NEAR(snapshot.last_scan->front().T_map_robot.y_m(), 0.3, 0.02);
+  ASSERT_EQ(snapshot.scans->size(), 2U);
+  EXPECT_NEAR(snapshot.scans->front().front().T_map_robot.y_m(), 0.3, 0.02);
   EXPECT_EQ(snapshot.grid->state(snapshot.grid->cell_at({0.0, 1.15})), mapping::CellState::kFree)
       << "the floor of both stops moved";
 }
@@ -248,6 +250,7 @@ TEST_F(RobotPipelineTest, KeepsAScanOfAnotherPlaceFromSlam) {
   const std::size_t beams = slam.beams;
   scan(0.0, 0.6);
   EXPECT_EQ(pipeline.snapshot().last_scan_fault, mapping::ScanFault::kElsewhere);
+  EXPECT_EQ(pipeline.snapshot().scans->size(), 2U);
   EXPECT_EQ(slam.beams, beams);
 }
 
@@ -259,6 +262,21 @@ TEST(RobotPipeline, CountsHowOftenTheRobotWasLifted) {
   }
   EXPECT_EQ(pipeline.snapshot().times_lifted, 2U);
   EXPECT_TRUE(pipeline.snapshot().hazards.lifted);
+}
+
+TEST_F(RobotPipelineTest, IsThereOnItsMapWhereSomebodyHasCarriedIt) {
+  scan(0.5, 1.5);
+  pipeline.on_hazards({.stamp = at_us(++stamp_us), .lifted = true});
+  pipeline.begin_scan();
+  const geometry::Pose2 T_map_robot(3.0, -1.0, 1.0);
+  pipeline.on_carried({at_us(++stamp_us), travel(9.0, 0.0), T_map_robot});
+  EXPECT_EQ(pipeline.snapshot().stops, 2U) << "the open scan is ended";
+  EXPECT_EQ(pipeline.snapshot().times_lifted, 0U);
+  pipeline.on_odometry({at_us(++stamp_us), travel(9.5, 0.0)});
+  const geometry::Pose2 T_there_robot =
+      T_map_robot.inverse() * pipeline.snapshot().latest.T_map_robot;
+  EXPECT_NEAR(T_there_robot.x_m(), 0.5, 1e-9);
+  EXPECT_NEAR(T_there_robot.y_m(), 0.0, 1e-9);
 }
 
 /// A body of 0.1 m with one infra-red sensor that looks ahead from its middle.

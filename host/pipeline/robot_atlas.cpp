@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/robot_atlas.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace echomap::pipeline {
+namespace {
+
+RobotPipeline replayed(const ObservationLog& record, RobotPipeline pipeline) {
+  record.replay(pipeline);
+  return pipeline;
+}
+
+mapping::RasterMap map_of(const RobotPipeline& pipeline) {
+  return mapping::rasterize(*pipeline.snapshot().grid);
+}
+
+}  // namespace
+
+RobotAtlas::RobotAtlas(MakePipeline make, const RobotAtlasParams& params)
+    : make_(std::move(make)), params_(params), pipeline_(make_()) {
+  if (params.agreeing_stops == 0 || !(params.same_m > 0.0) || !(params.same_rad > 0.0)) {
+    throw std::invalid_argument("robot atlas: a parameter is outside of its range");
+  }
+}
+
+void RobotAtlas::on_odometry(const sensors::OdometryObservation& observation) {
+  record_.on_odometry(observation);
+  pipeline_.on_odometry(observation);
+}
+
+void RobotAtlas::on_sonar(const sensors::SonarObservation& observation) {
+  record_.on_sonar(observation);
+  pipeline_.on_sonar(observation);
+}
+
+void RobotAtlas::on_hazards(const sensors::HazardObservation& observation) {
+  record_.on_hazards(observation);
+  pipeline_.on_hazards(observation);
+}
+
+void RobotAtlas::on_infrared(const sensors::InfraredObservation& observation) {
+  record_.on_infrared(observation);
+  pipeline_.on_infrared(observation);
+}
+
+void RobotAtlas::on_carried(const sensors::CarriedObservation& observation) {
+  record_.on_carried(observation);
+  pipeline_.on_carried(observation);
+}
+
+void RobotAtlas::begin_scan() {
+  record_.begin_scan();
+  pipeline_.begin_scan();
+}
+
+void RobotAtlas::end_scan() {
+  record_.end_scan();
+  pipeline_.end_scan();
+}
+
+void RobotAtlas::begin_anew(std::size_t stops_elsewhere) {
+  const bool is_lifted = pipeline_.snapshot().times_lifted > 0;
+  ObservationLog later = is_lifted ? record_.split_off_lift() : record_.split_off(stops_elsewhere);
+  if (!is_lifted && stops_elsewhere > 1) {
+    later = later.split_off(stops_elsewhere - 1);  // The first may be of both places.
+  }
+  if (record_.scans() > 0) {
+    set_aside(std::move(record_));
+  }
+  take(std::move(later));
+  ++changes_;
+}
+
+void RobotAtlas::set_aside(ObservationLog record) {
+  RobotPipeline pipeline = replayed(record, make_());
+  former_.push_back({std::move(record), std::move(pipeline), std::nullopt, 0});
+  ++changes_;
+}
+
+bool RobotAtlas::join() {
+  if (former_.empty()) {
+    return false;
+  }
+  const mapping::RasterMap map = map_of(pipeline_);
+  for (std::size_t i = former_.size(); i-- > 0;) {
+    if (look_in(former_[i], map)) {
+      const FormerMap found = std::move(former_[i]);
+      former_.erase(former_.begin() + static_cast<std::ptrdiff_t>(i));
+      take(joined(found.record, record_, *found.T_former_map));
+      ++joins_;
+      ++changes_;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool RobotAtlas::look_in(FormerMap& former, const mapping::RasterMap& map) const {
+  const auto placement = mapping::sure_placement(
+      mapping::find_placements(map_of(former.pipeline), map, params_.placement), params_.placement);
+  if (!placement) {
+    former.agreeing_stops = 0;
+    return false;
+  }
+  const auto& T_former_map = placement->T_former_later;
+  const geometry::Pose2 T_before_now =
+      former.T_former_map.value_or(T_former_map).inverse() * T_former_map;
+  const bool agrees = T_before_now.position_m().norm() <= params_.same_m &&
+                      std::abs(T_before_now.heading_rad()) <= params_.same_rad;
+  former.agreeing_stops = agrees ? former.agreeing_stops + 1 : 1;
+  former.T_former_map = T_former_map;
+  return former.agreeing_stops >= params_.agreeing_stops;
+}
+
+void RobotAtlas::take(ObservationLog record) {
+  for (FormerMap& former : former_) {
+    former.agreeing_stops = 0;
+  }
+  record_ = std::move(record);
+  pipeline_ = replayed(record_, make_());
+}
+
+}  // namespace echomap::pipeline

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "host/mapping/map_placement.hpp"
+#include "host/pipeline/observation_log.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+
+namespace echomap::pipeline {
+
+/// When two maps of an atlas are joined; ours, chosen in simulated rooms.
+struct RobotAtlasParams {
+  mapping::MapPlacementParams placement;
+  /// So many stops in a row have to find the same place, as near as this.
+  std::size_t agreeing_stops = 2;
+  double same_m = 0.3;
+  double same_rad = 0.17;
+};
+
+/// A map that the robot was carried away from.
+struct FormerMap {
+  ObservationLog record;
+  RobotPipeline pipeline;
+  /// Where the stops so far have found the map that the robot is in, and how many in a row.
+  std::optional<geometry::Pose2> T_former_map;
+  std::size_t agreeing_stops = 0;
+};
+
+/// The maps of a robot that may be carried off while it explores: that which it is in, and those
+/// before it, until it is known where they lie (an atlas: Elvira, Tardos and Montiel 2019). Every
+/// map is what a pipeline makes of its record.
+class RobotAtlas final : public ObservationSink {
+ public:
+  using MakePipeline = std::function<RobotPipeline()>;
+
+  /// `make` makes empty pipelines, all of one kind.
+  explicit RobotAtlas(MakePipeline make, const RobotAtlasParams& params = {});
+
+  void on_odometry(const sensors::OdometryObservation& observation) override;
+  void on_sonar(const sensors::SonarObservation& observation) override;
+  void on_hazards(const sensors::HazardObservation& observation) override;
+  void on_infrared(const sensors::InfraredObservation& observation) override;
+  void on_carried(const sensors::CarriedObservation& observation) override;
+  void on_yaw(const sensors::YawObservation& observation) override {
+    pipeline_.on_yaw(observation);
+  }
+  void on_battery(const sensors::BatteryObservation& observation) override {
+    pipeline_.on_battery(observation);
+  }
+  void begin_scan() override;
+  void end_scan() override;
+
+  /// The robot was picked up, or else its last stops are of another place than its map: the map
+  /// without them is set aside, and they begin a new one. A map without any stop is let go.
+  void begin_anew(std::size_t stops_elsewhere);
+
+  /// Another map of the same robot, from before what the atlas holds.
+  void set_aside(ObservationLog record);
+
+  /// To be called after a stop: looks for the robot's map in the former ones, the latest first, and
+  /// joins it to one where it has found it for some stops in a row. Answers whether it has.
+  bool join();
+
+  /// Of the map that the robot is in; it stays the same object.
+  RobotPipeline& pipeline() { return pipeline_; }
+  const RobotPipeline& pipeline() const { return pipeline_; }
+  const ObservationLog& record() const { return record_; }
+  /// The earliest first.
+  const std::vector<FormerMap>& former_maps() const { return former_; }
+  /// How often maps were joined.
+  std::size_t joins() const { return joins_; }
+  /// How often a map was begun, set aside or joined.
+  std::size_t changes() const { return changes_; }
+
+ private:
+  void take(ObservationLog record);
+  bool look_in(FormerMap& former, const mapping::RasterMap& map) const;
+
+  MakePipeline make_;
+  RobotAtlasParams params_;
+  ObservationLog record_;
+  RobotPipeline pipeline_;
+  std::vector<FormerMap> former_;
+  std::size_t joins_ = 0;
+  std::size_t changes_ = 0;
+};
+
+}  // namespace echomap::pipeline
