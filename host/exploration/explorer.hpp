@@ -65,6 +65,8 @@ enum class FinishReason : std::uint8_t {
 /// The exploration is over; the robot stands.
 struct Finished {
   FinishReason reason = FinishReason::kStopLimit;
+  /// Of a robot that is lost: so many of its last stops are of another place than its map.
+  std::size_t stops_elsewhere = 0;
 };
 
 /// What an explorer asks for next.

@@ -26,10 +26,10 @@ FaultWatch::FaultWatch(std::unique_ptr<Explorer> strategy, const FaultWatchParam
 }
 
 Motion FaultWatch::next(const pipeline::Snapshot& snapshot, MotionResult last) {
-  const auto reason = fault_of_scans(snapshot);
+  const auto fault = fault_of_scans(snapshot);
   map_before_ = snapshot.grid;
-  if (reason) {
-    return Finished{*reason};
+  if (fault) {
+    return *fault;
   }
   if (turns_ > 0 || has_stalled(last)) {
     if (const auto motion = try_wheels(last)) {
@@ -40,7 +40,7 @@ Motion FaultWatch::next(const pipeline::Snapshot& snapshot, MotionResult last) {
   return strategy_->next(snapshot, last);
 }
 
-std::optional<FinishReason> FaultWatch::fault_of_scans(const pipeline::Snapshot& snapshot) {
+std::optional<Finished> FaultWatch::fault_of_scans(const pipeline::Snapshot& snapshot) {
   if (std::exchange(stops_, snapshot.stops) == snapshot.stops) {
     return std::nullopt;
   }
@@ -49,18 +49,28 @@ std::optional<FinishReason> FaultWatch::fault_of_scans(const pipeline::Snapshot&
       scan.begin(), scan.end(), [](const auto& reading) { return reading.range_m.has_value(); });
   silent_readings_ = is_heard ? 0 : silent_readings_ + scan.size();
   if (silent_readings_ >= params_.silent_readings) {
-    return FinishReason::kSonarSilent;
+    return Finished{FinishReason::kSonarSilent};
   }
   if (snapshot.last_scan_fault == mapping::ScanFault::kStuck) {
-    return FinishReason::kSonarStuck;
+    return Finished{FinishReason::kSonarStuck};
   }
   const mapping::ScanFit fit =
       map_before_ ? mapping::fit_of(scan, *map_before_) : mapping::ScanFit{};
   const bool is_elsewhere =
       snapshot.last_scan_fault == mapping::ScanFault::kElsewhere || is_doubtful(fit);
   scans_elsewhere_ = is_elsewhere ? scans_elsewhere_ + 1 : 0;
-  const bool is_lost = contradicts_itself(fit) || scans_elsewhere_ >= params_.scans_elsewhere;
-  return is_lost ? std::optional(FinishReason::kLost) : std::nullopt;
+  const bool is_bent = contradicts_itself(fit);
+  const bool is_lost = is_bent || scans_elsewhere_ >= params_.scans_elsewhere;
+  return is_lost ? std::optional(Finished{FinishReason::kLost, scans_since_misfit()})
+                 : std::nullopt;
+}
+
+std::size_t FaultWatch::scans_since_misfit() const {
+  const auto fits = std::find_if(fits_.rbegin(), fits_.rend(), [&](const mapping::ScanFit& fit) {
+    const auto known = static_cast<double>(fit.on_walls + fit.on_floor);
+    return static_cast<double>(fit.on_floor) <= params_.mixed_floor_share * known;
+  });
+  return std::max(scans_elsewhere_, static_cast<std::size_t>(fits - fits_.rbegin()));
 }
 
 bool FaultWatch::is_doubtful(const mapping::ScanFit& fit) const {

@@ -20,6 +20,9 @@ struct FaultWatchParams {
   /// share of them lies on floor; two in a row are as bad as two of another place.
   std::size_t doubtful_echoes = 20;
   double doubtful_floor_share = 0.33;
+  /// A robot that was carried off in the midst of a scan has heard two places: of those right
+  /// before it is lost, scans count as of another place from this share on.
+  double mixed_floor_share = 0.1;
   /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans,
   /// so few at least and so many at most, it knew something of so many at least, and such a share
   /// of them lies on its floor.
@@ -48,12 +51,14 @@ class FaultWatch final : public Explorer {
   StrategyProducts products() const override { return strategy_->products(); }
 
  private:
-  std::optional<FinishReason> fault_of_scans(const pipeline::Snapshot& snapshot);
+  std::optional<Finished> fault_of_scans(const pipeline::Snapshot& snapshot);
   /// The next try of the wheels; empty where they turn.
   std::optional<Motion> try_wheels(MotionResult last);
 
   bool is_doubtful(const mapping::ScanFit& fit) const;
   bool contradicts_itself(const mapping::ScanFit& fit);
+  /// The last scans, from the first in a row that may be of another place in part on.
+  std::size_t scans_since_misfit() const;
 
   std::unique_ptr<Explorer> strategy_;
   FaultWatchParams params_;

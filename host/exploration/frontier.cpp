@@ -150,12 +150,6 @@ void Frontier::remember_obstacle(const pipeline::Snapshot& snapshot) {
   bumps_m_.emplace_back(snapshot.latest.T_map_robot * from_robot_m);
 }
 
-void Frontier::remember_scan(const pipeline::Snapshot& snapshot) {
-  if (snapshot.last_scan_fault == mapping::ScanFault::kNone) {
-    scans_.push_back(snapshot.last_scan);
-  }
-}
-
 std::optional<FinishReason> Frontier::reason_to_finish(const pipeline::Snapshot& snapshot) {
   if (phase_ == Phase::kSensing && sweeps_done_ == 0) {
     return FinishReason::kCannotSense;
@@ -172,7 +166,6 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
   }
   if (phase_ == Phase::kSensing) {
     failures_ = 0;
-    remember_scan(snapshot);
   }
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   const RasterMap map = planning_map(snapshot, bumps_m_, params_);
@@ -187,7 +180,7 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
                            params_.least_gain_m2,
                            params_.viewpoints);
   if (!goal_) {
-    goal_ = choose_opening(map, T_map_robot);
+    goal_ = choose_opening(map, snapshot);
   }
   if (!goal_) {
     return Finished{FinishReason::kComplete};
@@ -201,11 +194,12 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
 
 /// The nearest that was not tried. The floor right behind it is supposed to be there, until
 /// something stops the robot.
-std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map, const Pose2& T_map_robot) {
+std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
+                                                  const pipeline::Snapshot& snapshot) {
   std::optional<Viewpoint> nearest;
-  for (const Opening& opening : find_openings(map, scans_, params_.openings)) {
+  for (const Opening& opening : find_openings(map, *snapshot.scans, params_.openings)) {
     const auto cost_m = travel_.cost_m(map.cell_at(opening.edge_m));
-    if (cost_m && !was_tried(opening.beyond_m) && (!nearest || *cost_m < nearest->cost_m)) {
+    if (cost_m && !was_tried(opening.beyond_m, map) && (!nearest || *cost_m < nearest->cost_m)) {
       nearest = Viewpoint{opening.beyond_m, {0.0, 0.0, kFullTurnRad}, *cost_m, 0.0};
     }
   }
@@ -218,15 +212,19 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map, const Po
   RasterMap stepped = map;
   const double radius_m = params_.openings.step_m + 2.0 * map.resolution_m();
   draw_disc(stepped, nearest->at_m, radius_m, {CellState::kUnknown}, CellState::kFree);
-  costs_.emplace(stepped, T_map_robot.position_m(), params_.costs);
+  costs_.emplace(stepped, snapshot.latest.T_map_robot.position_m(), params_.costs);
   return nearest;
 }
 
-bool Frontier::was_tried(const Eigen::Vector2d& opening_m) const {
+/// In vain: where one that was chosen has become floor, the way goes on.
+bool Frontier::was_tried(const Eigen::Vector2d& opening_m, const RasterMap& map) const {
   const auto is_near = [&](const Eigen::Vector2d& tried_m) {
     return (tried_m - opening_m).norm() < params_.openings_apart_m;
   };
-  return std::any_of(openings_m_.begin(), openings_m_.end(), is_near) ||
+  const auto is_in_vain = [&](const Eigen::Vector2d& tried_m) {
+    return is_near(tried_m) && map.state(map.cell_at(tried_m)) != CellState::kFree;
+  };
+  return std::any_of(openings_m_.begin(), openings_m_.end(), is_in_vain) ||
          std::any_of(bumps_m_.begin(), bumps_m_.end(), is_near);
 }
 

@@ -62,12 +62,11 @@ class Frontier final : public Explorer {
 
   std::optional<Motion> recover(const pipeline::Snapshot& snapshot, MotionResult last);
   void remember_obstacle(const pipeline::Snapshot& snapshot);
-  void remember_scan(const pipeline::Snapshot& snapshot);
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
   Motion decide(const pipeline::Snapshot& snapshot);
   std::optional<Viewpoint> choose_opening(const mapping::RasterMap& map,
-                                          const geometry::Pose2& T_map_robot);
-  bool was_tried(const Eigen::Vector2d& opening_m) const;
+                                          const pipeline::Snapshot& snapshot);
+  bool was_tried(const Eigen::Vector2d& opening_m, const mapping::RasterMap& map) const;
   Motion drive_on(const pipeline::Snapshot& snapshot);
   void plan_sweep(const geometry::Pose2& T_map_robot, const BestView& view);
   void plan_sector(double heading_rad, const BestView& view);
@@ -82,7 +81,6 @@ class Frontier final : public Explorer {
   std::deque<Motion> plan_;
   std::optional<Viewpoint> goal_;
   std::vector<PastView> views_;
-  HeardScans scans_;
   std::vector<Eigen::Vector2d> openings_m_;  ///< Those that were chosen, reached or not.
   std::vector<Eigen::Vector2d> bumps_m_;     ///< What has stopped the robot.
   std::size_t patience_ = 0;                 ///< Motions that the way may still take.

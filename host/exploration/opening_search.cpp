@@ -83,14 +83,14 @@ struct Stop {
   std::vector<Look> looks;
 };
 
-std::vector<Stop> stops_of(const HeardScans& scans) {
+std::vector<Stop> stops_of(const std::vector<mapping::Scan>& scans) {
   std::vector<Stop> stops;
-  for (const auto& scan : scans) {
-    if (scan->empty()) {
+  for (const mapping::Scan& scan : scans) {
+    if (scan.empty()) {
       continue;
     }
-    Stop stop{scan->front().T_map_sonar.position_m(), 0.0, {}};
-    for (const mapping::PlacedReading& reading : *scan) {
+    Stop stop{scan.front().T_map_sonar.position_m(), 0.0, {}};
+    for (const mapping::PlacedReading& reading : scan) {
       const Eigen::Vector2d from_m = reading.T_map_sonar.position_m();
       stop.radius_m = std::max(stop.radius_m, (from_m - stop.at_m).norm());
       stop.looks.push_back({from_m,
@@ -102,24 +102,27 @@ std::vector<Stop> stops_of(const HeardScans& scans) {
   return stops;
 }
 
-/// A beam of the stop met the edge squarely, and none that way was answered from about there.
+/// A beam of the stop went through the edge squarely to the place beyond, and none that way was
+/// answered from about there.
 bool listened_through(const Stop& stop,
                       const RasterMap& map,
                       const Edge& edge,
+                      const Eigen::Vector2d& beyond_m,
                       const OpeningParams& params) {
-  if ((edge.at_m - stop.at_m).norm() > params.far_m + stop.radius_m) {
+  const double far_m = params.far_m + params.step_m;
+  if ((beyond_m - stop.at_m).norm() > far_m + stop.radius_m) {
     return false;
   }
   const double cos_look = std::cos(params.look_half_angle_rad);
   const double cos_square = std::cos(params.square_rad);
   bool met_squarely = false;
   for (const Look& look : stop.looks) {
-    const Eigen::Vector2d way_m = edge.at_m - look.from_m;
+    const Eigen::Vector2d way_m = beyond_m - look.from_m;
     const double distance_m = way_m.norm();
-    if (distance_m > params.far_m || way_m.dot(look.axis) < cos_look * distance_m) {
+    if (distance_m > far_m || way_m.dot(look.axis) < cos_look * distance_m) {
       continue;
     }
-    if (look.range_m <= distance_m + params.step_m + kEchoMarginM) {
+    if (look.range_m <= distance_m + kEchoMarginM) {
       return false;
     }
     met_squarely |= way_m.dot(edge.outward) >= cos_square * distance_m;
@@ -130,7 +133,7 @@ bool listened_through(const Stop& stop,
 }  // namespace
 
 std::vector<Opening> find_openings(const RasterMap& map,
-                                   const HeardScans& scans,
+                                   const std::vector<mapping::Scan>& scans,
                                    const OpeningParams& params) {
   const double step_cells = params.step_m / map.resolution_m();
   const double half_width_cells = params.half_width_m / map.resolution_m();
@@ -151,7 +154,7 @@ std::vector<Opening> find_openings(const RasterMap& map,
       const Edge edge = nearest_edge(map, {x, y}, 1 + static_cast<std::int32_t>(step_cells));
       if (!is_narrow(map.cell_at(edge.at_m)) &&
           std::any_of(stops.begin(), stops.end(), [&](const Stop& stop) {
-            return listened_through(stop, map, edge, params);
+            return listened_through(stop, map, edge, map.center_m({x, y}), params);
           })) {
         openings.push_back({edge.at_m, map.center_m({x, y})});
       }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -32,14 +31,12 @@ struct Opening {
   Eigen::Vector2d beyond_m = Eigen::Vector2d::Zero();  ///< A step from there, on unknown floor.
 };
 
-/// What the robot has heard at its stops, each a scan in the map frame.
-using HeardScans = std::vector<std::shared_ptr<const mapping::Scan>>;
-
-/// Openings in what is known, which some stop has listened through without an answer. Silence along
-/// a corridor, where a wall across it would have answered, is no wall that throws sound aside:
-/// there the way goes on. One for each cell that lies a step beyond free floor.
+/// Openings in what is known, which one of the stops, whose scans are in the map frame, has
+/// listened through without an answer. Silence along a corridor, where a wall across it would have
+/// answered, is no wall that throws sound aside: there the way goes on. One for each cell that lies
+/// a step beyond free floor.
 std::vector<Opening> find_openings(const mapping::RasterMap& map,
-                                   const HeardScans& scans,
+                                   const std::vector<mapping::Scan>& scans,
                                    const OpeningParams& params);
 
 }  // namespace echomap::exploration

@@ -80,7 +80,9 @@ TEST_F(FaultWatchTest, TwoScansOfAnotherPlaceInARowMeanThatItIsLost) {
   EXPECT_TRUE(drives(after(MotionResult::kReached))) << "the same scan";
   EXPECT_TRUE(drives(after_scan(ScanFault::kNone)));
   EXPECT_TRUE(drives(after_scan(ScanFault::kElsewhere)));
-  EXPECT_EQ(reason(after_scan(ScanFault::kElsewhere)), FinishReason::kLost);
+  const Motion motion = after_scan(ScanFault::kElsewhere);
+  EXPECT_EQ(reason(motion), FinishReason::kLost);
+  EXPECT_EQ(std::get<Finished>(motion).stops_elsewhere, 2U);
 }
 
 /// Readings all round, of which so many end on the floor of `walled_floor` and the rest at its

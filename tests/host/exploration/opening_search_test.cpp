@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,11 +33,11 @@ RasterMap corridor() {
 
 /// A stop in the corridor: readings all round, 4 degrees apart, each as `range` of its bearing.
 template <typename Range>
-HeardScans stop_at(double x_m, double y_m, Range range) {
-  auto scan = std::make_shared<mapping::Scan>();
+std::vector<mapping::Scan> stop_at(double x_m, double y_m, Range range) {
+  mapping::Scan scan;
   for (int deg = -180; deg < 180; deg += 4) {
     const Pose2 at(x_m, y_m, radians(deg));
-    scan->push_back({at, at, range(radians(deg))});
+    scan.push_back({at, at, range(radians(deg))});
   }
   return {scan};
 }
@@ -131,8 +132,7 @@ TEST(Openings, AreAsWideAsADoorAtLeast) {
 
 TEST(Openings, AreNoneWithoutAnyScan) {
   EXPECT_TRUE(find_openings(corridor(), {}, kParams).empty());
-  EXPECT_TRUE(
-      find_openings(corridor(), {std::make_shared<const mapping::Scan>()}, kParams).empty());
+  EXPECT_TRUE(find_openings(corridor(), {mapping::Scan{}}, kParams).empty());
 }
 
 }  // namespace

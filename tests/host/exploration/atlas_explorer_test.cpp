@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/atlas_explorer.hpp"
+
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/slam/slam_methods.hpp"
+#include "tests/support/offline_exploration.hpp"
+
+namespace echomap::exploration {
+namespace {
+
+/// Says what it is told to.
+class Puppet final : public Explorer {
+ public:
+  explicit Puppet(Motion& motion, std::vector<std::size_t>& stops)
+      : motion_(motion), stops_(stops) {}
+  Motion next(const pipeline::Snapshot& snapshot, MotionResult /*last*/) override {
+    stops_.push_back(snapshot.stops);
+    return std::exchange(motion_, Drive{0.5});
+  }
+
+ private:
+  Motion& motion_;
+  std::vector<std::size_t>& stops_;
+};
+
+class AtlasExplorerTest : public ::testing::Test {
+ protected:
+  AtlasExplorer explorer(bool begins_anew = true) {
+    return {atlas,
+            [this](std::size_t stops) -> std::unique_ptr<Explorer> {
+              made_at.push_back(stops);
+              return stops < 5 ? std::make_unique<Puppet>(says, told_stops) : nullptr;
+            },
+            begins_anew};
+  }
+  void stop() {
+    atlas.begin_scan();
+    atlas.end_scan();
+  }
+  Motion next(AtlasExplorer& explorer) {
+    return explorer.next(atlas.pipeline().snapshot(), MotionResult::kReached);
+  }
+
+  pipeline::RobotAtlas atlas{[] { return pipeline::RobotPipeline(sensors::RobotGeometry{}); }};
+  Motion says = Drive{0.5};
+  std::vector<std::size_t> made_at;
+  std::vector<std::size_t> told_stops;
+};
+
+TEST_F(AtlasExplorerTest, ALostRobotGoesOnInAnotherMapWithAStrategyThatBeginsAnew) {
+  stop();
+  AtlasExplorer explorer = this->explorer();
+  for (int i = 0; i < 3; ++i) {
+    stop();
+    EXPECT_TRUE(std::holds_alternative<Drive>(next(explorer)));
+  }
+  says = Finished{FinishReason::kLost, 2};
+  EXPECT_TRUE(std::holds_alternative<Drive>(next(explorer)));
+  EXPECT_EQ(atlas.former_maps().size(), 1U);
+  EXPECT_EQ(made_at, (std::vector<std::size_t>{0, 3}));
+  EXPECT_EQ(told_stops, (std::vector<std::size_t>{1, 2, 3, 3, 0})) << "its own";
+}
+
+TEST_F(AtlasExplorerTest, ALiftedRobotDoesSo) {
+  AtlasExplorer explorer = this->explorer();
+  stop();
+  atlas.on_hazards({.stamp = {}, .lifted = true});
+  EXPECT_TRUE(std::holds_alternative<Drive>(next(explorer)));
+  EXPECT_EQ(atlas.former_maps().size(), 1U);
+  EXPECT_EQ(atlas.pipeline().snapshot().times_lifted, 0U);
+}
+
+TEST_F(AtlasExplorerTest, EndsWhereNoStopIsLeft) {
+  AtlasExplorer explorer = this->explorer();
+  for (int i = 0; i < 5; ++i) {
+    stop();
+  }
+  says = Finished{FinishReason::kLost, 2};
+  const Motion motion = next(explorer);
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kStopLimit);
+  EXPECT_TRUE(explorer.products().outline_m.empty());
+}
+
+TEST_F(AtlasExplorerTest, EndsWithAStrategyThatCannotBeginAnew) {
+  AtlasExplorer explorer = this->explorer(false);
+  stop();
+  atlas.on_hazards({.stamp = {}, .lifted = true});
+  says = Finished{FinishReason::kLost, 1};
+  const Motion motion = next(explorer);
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kLost);
+  EXPECT_TRUE(atlas.former_maps().empty());
+}
+
+/// In a bundled room, by SLAM.
+tests::OfflineRun explore(const std::string& room,
+                          std::uint32_t seed,
+                          const std::vector<tests::OfflineCarry>& carries) {
+  tests::OfflineSettings settings;
+  settings.slam = slam::slam_by_name("grid").make;
+  settings.is_watched = true;
+  settings.carries = carries;
+  return tests::explore_offline(
+      tests::bundled_room(room), tests::bundled_robot("uno_2wd"), seed, settings);
+}
+
+TEST(AtlasExplorer, ARobotThatIsCarriedOffMapsOnAndFindsItsFormerMapAgain) {
+  for (const bool is_felt : {false, true}) {
+    const auto run = explore("living_room", 1, {{110.0, {2.2, 2.4, -1.57}, is_felt}});
+    EXPECT_GE(run.joins, 1U) << is_felt;
+    EXPECT_EQ(run.former_maps, 0U) << is_felt;
+    EXPECT_LT(run.trajectory.final_error_m, 0.25) << is_felt;
+    EXPECT_GT(run.agreement.free_iou, 0.75) << is_felt;
+    EXPECT_LT(run.agreement.wall_rmse_m.value_or(1.0), 0.12) << is_felt;
+  }
+}
+
+}  // namespace
+}  // namespace echomap::exploration
