@@ -21,6 +21,7 @@ constexpr std::int64_t kLargestStampUs = 100'000'000'000'000'000;
 /// Between two lines; a map as large as a damaged number would not fit into memory.
 constexpr double kLongestStepM = 100.0;
 constexpr double kLongestRangeM = 1000.0;
+constexpr double kFarthestM = 1000.0;
 
 /// Reads the lines of one file.
 class Replay {
@@ -44,7 +45,7 @@ class Replay {
     std::string_view name;
     void (Replay::*hand_on)(datasets::FieldCursor& fields);
   };
-  static const std::array<Kind, 6> kKinds;
+  static const std::array<Kind, 7> kKinds;
 
   void hand_on(datasets::FieldCursor& fields) {
     const std::string_view name = fields.word("the kind");
@@ -95,6 +96,16 @@ class Replay {
     sink_.on_hazards(observation);
   }
 
+  void carried(datasets::FieldCursor& fields) {
+    const auto stamp = read_stamp(fields);
+    const auto travel = read_travel(fields);
+    const double x_m = read_place_m(fields);
+    const double y_m = read_place_m(fields);
+    const double heading_rad = fields.number("the heading");
+    fields.expect_end();
+    sink_.on_carried({stamp, travel, {x_m, y_m, heading_rad}});
+  }
+
   void begin_scan(datasets::FieldCursor& fields) {
     fields.expect_end();
     sink_.begin_scan();
@@ -133,6 +144,14 @@ class Replay {
     return range_m;
   }
 
+  double read_place_m(datasets::FieldCursor& fields) const {
+    const double place_m = fields.number("the place");
+    if (std::abs(place_m) > kFarthestM) {
+      lines_.fail("nobody carries a robot so far");
+    }
+    return place_m;
+  }
+
   bool read_flag(datasets::FieldCursor& fields) const {
     const std::int64_t flag = fields.integer("a flag");
     if (flag != 0 && flag != 1) {
@@ -146,11 +165,12 @@ class Replay {
   sensors::WheelTravel travel_;  ///< Of the line before.
 };
 
-const std::array<Replay::Kind, 6> Replay::kKinds{{
+const std::array<Replay::Kind, 7> Replay::kKinds{{
     {"odometry", &Replay::odometry},
     {"sonar", &Replay::sonar},
     {"infrared", &Replay::infrared},
     {"hazards", &Replay::hazards},
+    {"carried", &Replay::carried},
     {"begin-scan", &Replay::begin_scan},
     {"end-scan", &Replay::end_scan},
 }};
@@ -193,6 +213,14 @@ void ObservationRecorder::on_hazards(const sensors::HazardObservation& observati
                           observation.wall}) {
     text_ += flag ? ",1" : ",0";
   }
+  text_ += '\n';
+}
+
+void ObservationRecorder::on_carried(const sensors::CarriedObservation& observation) {
+  begin_line("carried", observation.stamp, observation.travel);
+  add(observation.T_map_robot.x_m());
+  add(observation.T_map_robot.y_m());
+  add(observation.T_map_robot.heading_rad());
   text_ += '\n';
 }
 

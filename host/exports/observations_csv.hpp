@@ -17,6 +17,7 @@ namespace echomap::exports {
 ///     sonar,STAMP_US,LEFT_M,RIGHT_M,PAN_RAD,RANGE_M      `none` where nothing has answered
 ///     infrared,STAMP_US,LEFT_M,RIGHT_M,RANGE_M,...       in the order of the profile
 ///     hazards,STAMP_US,BUMP,BUMP,CLIFF,CLIFF,CLIFF,CLIFF,LIFTED,VIRTUAL_WALL,WALL    0 or 1
+///     carried,STAMP_US,LEFT_M,RIGHT_M,X_M,Y_M,HEADING_RAD    on the map, from there on
 ///     begin-scan
 ///     end-scan
 class ObservationRecorder final : public pipeline::ObservationSink {
@@ -27,6 +28,7 @@ class ObservationRecorder final : public pipeline::ObservationSink {
   void on_sonar(const sensors::SonarObservation& observation) override;
   void on_hazards(const sensors::HazardObservation& observation) override;
   void on_infrared(const sensors::InfraredObservation& observation) override;
+  void on_carried(const sensors::CarriedObservation& observation) override;
   void begin_scan() override;
   void end_scan() override;
 

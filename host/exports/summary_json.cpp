@@ -55,6 +55,8 @@ std::string to_json_text(const RunSummary& summary) {
       {"link", to_json(summary.link)},
       {"stops", summary.stops},
       {"resumed_stops", or_null(summary.resumed_stops)},
+      {"former_maps", summary.former_maps},
+      {"maps_joined", summary.maps_joined},
       {"poses", summary.poses},
       {"points", summary.points},
       {"phases", or_null(summary.phases)},

@@ -55,6 +55,10 @@ struct RunSummary {
   /// Those of the run that this one has resumed, which `sim_seconds`, `stops` and all that follows
   /// hold, too; empty where it began anew.
   std::optional<std::size_t> resumed_stops;
+  /// Maps from which the robot was carried away and that were not found again (former_1, ...), and
+  /// those that were and are part of this one.
+  std::size_t former_maps = 0;
+  std::size_t maps_joined = 0;
   /// Rows of poses.csv and of points.csv.
   std::size_t poses = 0;
   std::size_t points = 0;

@@ -113,6 +113,7 @@ TEST(ObservationsCsv, IsAsItsDocumentSays) {
   recorder.on_hazards({.stamp = at_us(9), .bump_right = true, .cliffs = {true}, .lifted = true});
   recorder.on_battery({at_us(10), 7.0});
   recorder.end_scan();
+  recorder.on_carried({at_us(11), {0.1, 0.2}, {1.5, -2.0, 0.25}});
   recorder.save(scratch / "record");
   EXPECT_EQ(files::read_text_file(scratch / "record"),
             "kind,stamp_us,values\n"
@@ -122,7 +123,8 @@ TEST(ObservationsCsv, IsAsItsDocumentSays) {
             "sonar,7,0.1,0.2,0,2\n"
             "infrared,8,0.1,0.2,0.5,none\n"
             "hazards,9,0,1,1,0,0,0,1,0,0\n"
-            "end-scan\n");
+            "end-scan\n"
+            "carried,11,0.1,0.2,1.5,-2,0.25\n");
 }
 
 TEST(ObservationsCsv, SaysWhichLineIsDamagedAndWhy) {
