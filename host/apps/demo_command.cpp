@@ -63,6 +63,7 @@ RobotConnection connection_to(SimulatedRobot& robot, const DemoOptions& options)
   connection.stream = transport::open_stream(robot.port(), 0);
   connection.pace = lockstep_pace(robot.lockstep());
   connection.session_id = session_id_from(options.run.seed);
+  connection.may_be_lifted = options.fixes.empty() && begins_anywhere(options.run);
   if (options.line == "bluetooth") {
     connection.link = robot_link::radio_link();
   }
@@ -80,21 +81,22 @@ DemoDrive drive(SimulatedRobot& robot,
                 const RobotProfile& profile,
                 const std::filesystem::path& out,
                 exports::RunSummary& summary) {
-  pipeline::RobotPipeline pipeline =
-      pipeline_for(profile, options.fixes.empty() ? options.run.slam : "none");
+  pipeline::RobotAtlas atlas =
+      atlas_for(profile, options.fixes.empty() ? options.run.slam : "none");
   pipeline::ObservationFork fork;
-  exports::ObservationRecorder recorder;
-  const auto camera = camera_at(options.fixes, profile, pipeline);
-  fork.add(camera ? camera->sink() : recorder);
-  fork.add(pipeline);
+  const auto camera = camera_at(options.fixes, profile, atlas.pipeline());
+  if (camera) {
+    fork.add(camera->sink());
+  }
+  fork.add(atlas);
   RobotSession session(connection_to(robot, options), profile, fork);
-  const DrivenRobot driven{session, pipeline, profile, recorder, camera.get()};
+  const DrivenRobot driven{session, atlas, profile, camera.get()};
   DemoDrive drive;
   drive.code = explore_and_save(driven, options.run, out, summary);
   if (drive.code != ExitCode::kOk || options.no_kidnap || !profile.has_sonar) {
     return drive;
   }
-  fork.remove(pipeline);
+  fork.remove(atlas);
   drive.kidnap = show_kidnap(driven, fork, robot.lockstep(), options.run.seed);
   if (const auto end = session.end()) {
     spdlog::error("the map is kept; the robot did not look for itself to the end, for {}",

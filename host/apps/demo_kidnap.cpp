@@ -48,7 +48,7 @@ DemoKidnap show_kidnap(const DrivenRobot& robot,
                        pipeline::ObservationFork& fork,
                        transport::LockstepChannel& world,
                        std::uint32_t seed) {
-  const auto snapshot = robot.pipeline.snapshot();
+  const auto snapshot = robot.atlas.pipeline().snapshot();
   MclFilter filter(mapping::rasterize(*snapshot.grid),
                    robot.profile.geometry,
                    localizer_params(robot.profile, localization::LocalizerPreset::kDefault),

@@ -18,25 +18,27 @@ ExitCode run_explore(const ExploreOptions& options) {
   const RobotProfile profile = profile_for(options.run);
   const auto out = run_folder(options.run.out);
   exports::RunSummary summary;
-  pipeline::RobotPipeline pipeline =
-      pipeline_for(profile, options.fixes.empty() ? options.run.slam : "none");
+  pipeline::RobotAtlas atlas =
+      atlas_for(profile, options.fixes.empty() ? options.run.slam : "none");
   pipeline::ObservationFork fork;
-  exports::ObservationRecorder recorder;
-  const auto camera = camera_at(options.fixes, profile, pipeline);
-  fork.add(camera ? camera->sink() : recorder);
-  fork.add(pipeline);
+  const auto camera = camera_at(options.fixes, profile, atlas.pipeline());
+  if (camera) {
+    fork.add(camera->sink());
+  }
+  fork.add(atlas);
   pipeline::JoinedSessions sessions(fork);
-  const auto resumed = resume_run(options.resume, profile, sessions, pipeline);
+  const auto resumed = resume_run(options.resume, profile, sessions, atlas);
   prepare_outputs(out, options.run.json);
   OpenedRobot robot = open_robot(options.connection, options.run.seed);
+  robot.connection.may_be_lifted = options.fixes.empty() && begins_anywhere(options.run);
   if (robot.lockstep) {
     summary.firmware = robot.lockstep->device().firmware;
     summary.emulator = robot.lockstep->device().emulator;
   }
 
   RobotSession session(std::move(robot.connection), profile, sessions);
-  const ExitCode code = explore_and_save(
-      {session, pipeline, profile, recorder, camera.get(), resumed}, options.run, out, summary);
+  const ExitCode code =
+      explore_and_save({session, atlas, profile, camera.get(), resumed}, options.run, out, summary);
   if (robot.lockstep) {
     robot.lockstep->quit();
   }

@@ -1,134 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/explore_run.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <random>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <variant>
 
 #include <spdlog/spdlog.h>
 
 #include "host/apps/explore_progress.hpp"
-#include "host/apps/link_report.hpp"
+#include "host/apps/report.hpp"
+#include "host/apps/run_keeper.hpp"
 #include "host/apps/strategy_setup.hpp"
-#include "host/exports/confidence_grid_csv.hpp"
-#include "host/exports/pose_graph_g2o.hpp"
+#include "host/exploration/atlas_explorer.hpp"
 #include "host/exports/run_directory.hpp"
-#include "host/files/atomic_file.hpp"
 
 namespace echomap::apps {
 namespace {
 
 using exploration::MotionResult;
 
-/// What was there before this run.
-ResumedRun before(const DrivenRobot& robot) { return robot.resumed.value_or(ResumedRun{}); }
-
-/// Of the robot's time, that of the run that it resumes included.
-double elapsed_s(const DrivenRobot& robot) {
-  const std::chrono::duration<double> session = robot.session.now().time_since_epoch();
-  return before(robot).sim_seconds + session.count();
-}
-
-/// Saves the map so far, with how far the exploration has come.
-class RunKeeper {
- public:
-  RunKeeper(const DrivenRobot& robot,
-            const exploration::Explorer& explorer,
-            std::filesystem::path out,
-            exports::RunSummary& summary)
-      : robot_(robot), explorer_(explorer), out_(std::move(out)), summary_(summary) {}
-
-  void save(const std::string& outcome) {
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
-    const auto snapshot = robot_.pipeline.snapshot();
-    summary_.outcome = outcome;
-    summary_.sim_seconds = elapsed_s(robot_);
-    summary_.wall_seconds = wall.count();
-    describe_clock();
-    describe_link();
-    exports::describe_snapshot(snapshot, summary_);
-    save_record();
-    if (const slam::SlamMethod* slam = robot_.pipeline.slam()) {
-      exports::describe_uncertainty(slam->belief().covariance, summary_);
-      exports::write_pose_graph_g2o(out_ / "pose_graph.g2o", slam->factor_graph());
-    } else {
-      std::filesystem::remove(out_ / "pose_graph.g2o");
-    }
-    const exploration::StrategyProducts products = explorer_.products();
-    if (products.phases > 0) {
-      summary_.phases = products.phases;
-      summary_.phases_reached = products.phases_reached;
-    }
-    exports::write_run_directory(out_, snapshot, summary_, products.outline_m);
-    if (products.confidence) {
-      exports::write_confidence_grid_csv(out_ / "confidence_grid.csv", *products.confidence);
-    }
-  }
-
-  /// A disk that is full now need not be so at the end: warns once and lets the robot go on.
-  void save_in_passing() {
-    try {
-      save("exploring");
-    } catch (const files::FileError& error) {
-      if (!std::exchange(warned_, true)) {
-        spdlog::warn("the map so far is not saved: {}", error.what());
-      }
-    }
-  }
-
- private:
-  void describe_clock() {
-    const time::ClockSync& clock = robot_.session.link().clock();
-    summary_.clock_rate_error_ppm = clock.rate_error_ppm();
-    summary_.clock_uncertainty_us = clock.uncertainty_us();
-    if (summary_.clock_rate_error_ppm && summary_.clock_uncertainty_us) {
-      spdlog::debug("the robot's clock runs {:+.1f} ppm fast, known to {:.0f} us",
-                    *summary_.clock_rate_error_ppm,
-                    *summary_.clock_uncertainty_us);
-    }
-  }
-
-  void describe_link() {
-    const auto link = summary_of(robot_.session.link().statistics(), robot_.session.reconnects());
-    spdlog::debug("{}", line_of(link));
-    if (const auto losses = losses_between(summary_.link, link); !losses.empty()) {
-      spdlog::warn("since the last stop the robot has counted {}", losses);
-    }
-    summary_.link = link;
-    if (const auto& robot = robot_.session.link().robot(); robot && summary_.firmware.empty()) {
-      summary_.firmware = firmware_of(*robot);
-    }
-  }
-
-  /// The record of a former run in the same directory stays beside it.
-  void save_record() {
-    const std::filesystem::path record = out_ / kRecordName;
-    if (!std::exchange(former_is_kept_, true) && exists(record)) {
-      std::error_code failure;
-      std::filesystem::rename(record, out_ / kFormerRecordName, failure);
-      if (failure) {
-        throw files::FileError(record.string() + " is in the way: " + failure.message());
-      }
-    }
-    robot_.recorder.save(record);
-  }
-
-  const DrivenRobot& robot_;
-  const exploration::Explorer& explorer_;
-  std::filesystem::path out_;
-  exports::RunSummary& summary_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  bool warned_ = false;
-  bool former_is_kept_ = false;
-};
-
 /// Of the whole map, as the summary is.
 std::string progress_line(const DrivenRobot& robot, const RunOptions& options) {
   exports::RunSummary summary;
-  exports::describe_snapshot(robot.pipeline.snapshot(), summary);
+  exports::describe_snapshot(robot.atlas.pipeline().snapshot(), summary);
   ExploreProgress progress;
   progress.stops = summary.stops;
   progress.floor_m2 = summary.free_area_m2;
@@ -136,10 +32,10 @@ std::string progress_line(const DrivenRobot& robot, const RunOptions& options) {
   progress.elapsed_s = elapsed_s(robot);
   switch (limit_of(options)) {
     case StrategyLimit::kStops:
-      progress.most_stops = before(robot).stops + options.stops * options.scans;
+      progress.most_stops = before_this_run(robot).stops + options.stops * options.scans;
       break;
     case StrategyLimit::kSeconds:
-      progress.most_s = before(robot).sim_seconds + options.seconds;
+      progress.most_s = before_this_run(robot).sim_seconds + options.seconds;
       break;
     case StrategyLimit::kNone:
       break;
@@ -147,11 +43,40 @@ std::string progress_line(const DrivenRobot& robot, const RunOptions& options) {
   return line_of(progress);
 }
 
-/// For a strategy, which counts its own stops.
-pipeline::Snapshot snapshot_of_this_run(const DrivenRobot& robot) {
-  pipeline::Snapshot snapshot = robot.pipeline.snapshot();
-  snapshot.stops -= before(robot).stops;
-  return snapshot;
+/// Told of what becomes of a robot that is lost.
+class MapsTeller {
+ public:
+  explicit MapsTeller(const pipeline::RobotAtlas& atlas)
+      : atlas_(atlas), joins_(atlas.joins()), changes_(atlas.changes()) {}
+
+  void tell() {
+    if (std::exchange(joins_, atlas_.joins()) != atlas_.joins()) {
+      say("it has found itself in the map of before: both are one");
+    } else if (changes_ != atlas_.changes()) {
+      say("what the sonar hears is not what the map has there, or the robot was lifted: the map so "
+          "far is set aside, and another one begun");
+    }
+    changes_ = atlas_.changes();
+  }
+
+ private:
+  const pipeline::RobotAtlas& atlas_;
+  std::size_t joins_;
+  std::size_t changes_;
+};
+
+/// Where the robot may be in another map, as that of a strategy which goes anywhere, under the eyes
+/// of one that sets maps aside.
+std::unique_ptr<exploration::Explorer> explorer_of(const DrivenRobot& robot,
+                                                   const RunOptions& options,
+                                                   std::mt19937& random) {
+  const auto make = [&](std::size_t stops_made) -> std::unique_ptr<exploration::Explorer> {
+    RunOptions left = options;
+    left.stops -= std::min(left.stops, stops_made / options.scans);
+    return left.stops > 0 ? explorer_for(robot.profile, left, random) : nullptr;
+  };
+  return std::make_unique<exploration::AtlasExplorer>(
+      robot.atlas, make, robot.camera == nullptr && begins_anywhere(options));
 }
 
 /// Motion by motion until the explorer has finished or the session has ended.
@@ -159,8 +84,10 @@ std::optional<exploration::FinishReason> drive(const DrivenRobot& robot,
                                                exploration::Explorer& explorer,
                                                RunKeeper& keeper) {
   MotionResult last = MotionResult::kReached;
+  MapsTeller maps(robot.atlas);
   while (!robot.session.end()) {
-    const auto motion = explorer.next(snapshot_of_this_run(robot), last);
+    const auto motion = explorer.next(robot.atlas.pipeline().snapshot(), last);
+    maps.tell();
     if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
       return finished->reason;
     }
@@ -236,6 +163,17 @@ void describe_run(const DrivenRobot& robot,
   }
 }
 
+void warn_of_former_maps(const pipeline::RobotAtlas& atlas) {
+  if (const std::size_t former = atlas.former_maps().size(); former > 0) {
+    spdlog::warn(
+        "the map is that since the robot was carried off or its wheels slipped; where {} lies on "
+        "it "
+        "was not found: kept in {}",
+        former == 1 ? "the one before" : "those before",
+        former == 1 ? "former_1" : "former_1, former_2, ...");
+  }
+}
+
 /// Of a session that has ended before its strategy had.
 ExitCode save_what_is_left(RobotSession& session, RunKeeper& keeper) {
   spdlog::error("the map so far is kept, for {}", session.end_reason());
@@ -260,7 +198,7 @@ ExitCode explore_and_save(const DrivenRobot& robot,
   CameraFollower* const camera = robot.camera;
   describe_run(robot, options, summary);
   std::mt19937 random(options.seed);
-  const auto explorer = explorer_for(robot.profile, options, random);
+  const auto explorer = explorer_of(robot, options, random);
   RunKeeper keeper(robot, *explorer, out, summary);
   ProgressTeller progress(stderr, !options.headless);
   session.on_step = [&, steps = 0]() mutable {
@@ -274,14 +212,17 @@ ExitCode explore_and_save(const DrivenRobot& robot,
   };
 
   session.connect();
+  session.look_around_on_the_way(robot.atlas.pipeline().slam() != nullptr);
   if (camera != nullptr) {
     camera->begin(session);
   }
   const auto reason = drive(robot, *explorer, keeper);
   session.end_scan();
+  session.look_around_on_the_way(false);
   session.disarm();
   session.on_step = nullptr;
   progress.clear();
+  warn_of_former_maps(robot.atlas);
   if (reason) {
     keeper.save(exploration::name_of(*reason));
     return exit_code_of(*reason);

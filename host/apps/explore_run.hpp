@@ -3,31 +3,17 @@
 
 #include <filesystem>
 
-#include "host/apps/camera_follower.hpp"
 #include "host/apps/commands.hpp"
+#include "host/apps/driven_robot.hpp"
 #include "host/apps/exit_code.hpp"
-#include "host/apps/resumed_run.hpp"
 #include "host/apps/robot_profile.hpp"
-#include "host/apps/robot_session.hpp"
-#include "host/exports/observations_csv.hpp"
 #include "host/exports/summary_json.hpp"
-#include "host/pipeline/robot_pipeline.hpp"
 
 namespace echomap::apps {
 
 /// The profile of the robot that is named. Throws files::ConfigError, and CommandError where the
 /// strategy cannot do with it.
 RobotProfile profile_for(const RunOptions& options);
-
-/// A robot, and what is made of what it senses.
-struct DrivenRobot {
-  RobotSession& session;
-  pipeline::RobotPipeline& pipeline;
-  const RobotProfile& profile;
-  const exports::ObservationRecorder& recorder;
-  CameraFollower* camera = nullptr;        ///< Where somebody sees the robot.
-  std::optional<ResumedRun> resumed = {};  ///< What the pipeline already knows.
-};
 
 /// Connects and lets the strategy drive the robot until it is finished, is interrupted or is lost.
 /// The run directory `out` is brought up to date after every stop, so that whatever happens the map

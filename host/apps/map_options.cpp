@@ -127,10 +127,11 @@ void add_replay(CLI::App& app, CommandAction& action) {
           ->check(CLI::IsMember({"odometry", "given"}))
           ->capture_default_str();
   command
-      ->add_option("--slam",
-                   options->slam,
-                   "Find out where scans were taken: by landmarks (ekf), for sonars and few beams "
-                   "(grid), for lasers (scan)")
+      ->add_option(
+          "--slam",
+          options->slam,
+          "Find out where scans were taken: by landmarks, for sonars and lasers (ekf), for "
+          "sonars and few beams (grid), for lasers (scan)")
       ->check(CLI::IsMember(slam_names()))
       ->excludes(poses);
   command->add_option("--resolution", options->resolution_m, "Edge of a cell in metres")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <variant>
 
 #include "host/geometry/angle.hpp"
@@ -19,11 +20,25 @@ using Duration = RobotLine::Duration;
 
 /// After a move, until the body has come to rest.
 constexpr milliseconds kRest(150);
+/// Of a look on the way, from side to side in 1.5 s.
+constexpr double kWidestLookRad = std::numbers::pi / 2.0;
+constexpr double kLookStepRad = std::numbers::pi / 12.0;
+constexpr double kLookSettleS = 0.03;
 
 Duration seconds_of(double value_s) { return Duration(std::llround(value_s * 1e6)); }
 
+double radians_of_cdeg(std::int32_t cdeg) { return geometry::radians(0.01 * cdeg); }
+
 std::int32_t centidegrees(double angle_rad) {
   return static_cast<std::int32_t>(std::lround(geometry::degrees(angle_rad) * 100.0));
+}
+
+protocol::StartSweep command_of(const exploration::Sweep& sweep) {
+  return {0,
+          centidegrees(sweep.from_rad),
+          centidegrees(sweep.to_rad),
+          centidegrees(sweep.step_rad),
+          static_cast<std::uint16_t>(std::lround(sweep.settle_s * 1e3))};
 }
 
 /// What a command that was not accepted means for the motion. `hazards` are those that stop the
@@ -49,6 +64,10 @@ MotionResult MotionExecution::move(const sensors::WheelTicks& ticks) {
       2.0 * profile_.ticks_per_s() / profile_.configuration.drive.max_ticks_per_s2;
   const double expected_s = static_cast<double>(longest) / profile_.ticks_per_s() + ramp_s;
 
+  if (may_still_move_ && !stop()) {
+    return MotionResult::kInterrupted;
+  }
+  look_around();
   line_.keep_alive(true);
   const MotionResult result = finish(
       protocol::MoveTicks{
@@ -60,12 +79,40 @@ MotionResult MotionExecution::move(const sensors::WheelTicks& ticks) {
 }
 
 MotionResult MotionExecution::sweep(const exploration::Sweep& sweep) {
-  const protocol::StartSweep command{0,
-                                     centidegrees(sweep.from_rad),
-                                     centidegrees(sweep.to_rad),
-                                     centidegrees(sweep.step_rad),
-                                     static_cast<std::uint16_t>(std::lround(sweep.settle_s * 1e3))};
-  return finish(command, seconds_of(duration_s(sweep)));
+  if ((may_still_move_ || may_still_look_) && !stop()) {
+    return MotionResult::kInterrupted;
+  }
+  return finish(command_of(sweep), seconds_of(duration_s(sweep)));
+}
+
+void MotionExecution::look_around() {
+  if (!looks_on_the_way_ || is_looking()) {
+    return;
+  }
+  const protocol::ConfigurePan& pan = profile_.configuration.pan;
+  const double right_rad = std::max(radians_of_cdeg(pan.min_cdeg), -kWidestLookRad);
+  const double left_rad = std::min(radians_of_cdeg(pan.max_cdeg), kWidestLookRad);
+  const exploration::Sweep look =
+      looks_from_left_ ? exploration::Sweep{left_rad, right_rad, -kLookStepRad, kLookSettleS}
+                       : exploration::Sweep{right_rad, left_rad, kLookStepRad, kLookSettleS};
+  const auto result = line_.perform(command_of(look));
+  if (result && result->outcome == CommandOutcome::kAccepted) {
+    look_id_ = result->command_id;
+    looks_until_ = line_.now() + seconds_of(duration_s(look));
+    looks_from_left_ = !looks_from_left_;
+    may_still_look_ = true;
+  }
+  if (result && result->outcome == CommandOutcome::kOutOfRange) {
+    looks_on_the_way_ = false;  // This pan cannot.
+  }
+}
+
+bool MotionExecution::is_looking() const {
+  const auto& status = line_.status();
+  const bool is_over = status && status->sweep_id == look_id_ &&
+                       static_cast<protocol::MotionOutcome>(status->sweep_outcome) !=
+                           protocol::MotionOutcome::kRunning;
+  return may_still_look_ && !is_over && line_.now() < looks_until_;
 }
 
 MotionResult MotionExecution::roll(const exploration::Roll& roll) {
@@ -79,6 +126,7 @@ MotionResult MotionExecution::roll(const exploration::Roll& roll) {
   may_still_move_ = true;
   line_.drive(profile_.geometry.arc_speeds(roll.forward_m_per_s, roll.turn_rad_per_s));
   line_.keep_alive(true);
+  look_around();
   line_.wait_until([&] { return met() || endangered() || !heard() || has_stalled(); },
                    seconds_of(roll.for_s));
   line_.keep_alive(false);
@@ -116,9 +164,6 @@ double MotionExecution::duration_s(const exploration::Sweep& sweep) const {
 
 /// Sends the command and waits until the robot's Status says that its motion has ended.
 MotionResult MotionExecution::finish(const robot_link::Command& command, Duration expected) {
-  if (may_still_move_ && !stop()) {
-    return MotionResult::kInterrupted;
-  }
   const auto result = line_.perform(command);
   may_still_move_ = !result || result->outcome == CommandOutcome::kLinkLost;
   if (!result || result->outcome != CommandOutcome::kAccepted) {
@@ -147,6 +192,7 @@ MotionResult MotionExecution::finish(const robot_link::Command& command, Duratio
 bool MotionExecution::stop() {
   const auto result = line_.perform(protocol::Stop{});
   may_still_move_ = !result || result->outcome != CommandOutcome::kAccepted;
+  may_still_look_ = may_still_look_ && may_still_move_;
   return !may_still_move_;
 }
 

@@ -22,8 +22,13 @@ class MotionExecution {
   /// Ends before its time where something new is touched or stops the wheels; they roll on
   /// behind it until the next motion, and for the line's time to live at most.
   exploration::MotionResult roll(const exploration::Roll& roll);
+  /// Whether the sonar looks from one side to the other while the wheels turn, until the next
+  /// sweep.
+  void look_around_on_the_way(bool on) { looks_on_the_way_ = on; }
 
  private:
+  void look_around();
+  bool is_looking() const;
   exploration::MotionResult finish(const robot_link::Command& command,
                                    RobotLine::Duration expected);
   /// The wheels do not follow set-points; none does anything before a stop.
@@ -39,6 +44,12 @@ class MotionExecution {
   /// The link was away when the last motion should have ended, or when it was sent: the robot,
   /// which may be busy with it, has to be stopped before the next.
   bool may_still_move_ = false;
+  bool looks_on_the_way_ = false;
+  /// The sonar may be busy with a look: it has to be stopped before the next sweep.
+  bool may_still_look_ = false;
+  std::uint8_t look_id_ = 0;     ///< The last look's, as in Status::sweep_id.
+  time::HostTime looks_until_;   ///< At the latest, by what the profile says of the pan.
+  bool looks_from_left_ = true;  ///< The next one.
 };
 
 }  // namespace echomap::apps

@@ -2,6 +2,7 @@
 #include "host/apps/resumed_run.hpp"
 
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -51,10 +52,14 @@ void require_same_robot(const std::filesystem::path& run,
 
 }  // namespace
 
+std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_t number) {
+  return run / fmt::format("former_{}", number);
+}
+
 std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
                                      const RobotProfile& profile,
                                      pipeline::JoinedSessions& sessions,
-                                     const pipeline::RobotPipeline& pipeline) {
+                                     pipeline::RobotAtlas& atlas) {
   if (run.empty()) {
     return std::nullopt;
   }
@@ -62,8 +67,13 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   const RunFacts facts = read_facts(run / "summary.json");
   require_same_robot(run, facts.robot, profile);
   exports::replay_observations_csv(run / kRecordName, sessions);
+  for (std::size_t number = 1; exists(former_map_of(run, number)); ++number) {
+    pipeline::ObservationLog former;
+    exports::replay_observations_csv(former_map_of(run, number) / kRecordName, former);
+    atlas.set_aside(std::move(former));
+  }
   sessions.begin_next();
-  const auto snapshot = pipeline.snapshot();
+  const auto snapshot = atlas.pipeline().snapshot();
   if (snapshot.trajectory->empty()) {
     throw CommandError(ExitCode::kUsage,
                        "cannot resume " + run.string() +

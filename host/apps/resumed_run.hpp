@@ -7,7 +7,7 @@
 
 #include "host/apps/robot_profile.hpp"
 #include "host/pipeline/joined_sessions.hpp"
-#include "host/pipeline/robot_pipeline.hpp"
+#include "host/pipeline/robot_atlas.hpp"
 
 namespace echomap::apps {
 
@@ -22,13 +22,16 @@ struct ResumedRun {
   double sim_seconds = 0.0;
 };
 
-/// Hands the record of the run in that directory to `sessions`, which lead to `pipeline`, and
-/// begins the next session there; does nothing for an empty path. Reads only. Throws CommandError 2
-/// where the run has no record or is of another robot, and files::FileError where its files are
-/// damaged.
+/// The folder of a run's map that was set aside, in its directory: 1 is the earliest.
+std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_t number);
+
+/// Hands the record of the run in that directory to `sessions`, which lead to `atlas`, and those of
+/// its former maps to the atlas, and begins the next session there; does nothing for an empty path.
+/// Reads only. Throws CommandError 2 where the run has no record or is of another robot, and
+/// files::FileError where its files are damaged.
 std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
                                      const RobotProfile& profile,
                                      pipeline::JoinedSessions& sessions,
-                                     const pipeline::RobotPipeline& pipeline);
+                                     pipeline::RobotAtlas& atlas);
 
 }  // namespace echomap::apps

@@ -39,7 +39,8 @@ void add_slam_option(CLI::App& command, RunOptions& run) {
       .add_option("--slam",
                   run.slam,
                   "What tells a robot with a sonar where it is while it maps: grid, SLAM by its "
-                  "odometry and echoes, or none, its odometry alone")
+                  "odometry and echoes, ekf, SLAM by walls and points, or none, its odometry "
+                  "alone")
       ->check(CLI::IsMember(live_slam_names()))
       ->excludes("--fixes")
       ->capture_default_str();

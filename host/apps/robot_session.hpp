@@ -39,6 +39,10 @@ class RobotSession {
   /// Waits for a link that is away first. After `end()` is set the answer means nothing.
   exploration::MotionResult execute(const exploration::Motion& motion);
 
+  /// Whether the sonar looks around whenever a motion turns the wheels. What it hears comes to the
+  /// pipeline like the readings of a sweep.
+  void look_around_on_the_way(bool on) { motions_.look_around_on_the_way(on); }
+
   /// Ends a scan that is open, also where the robot is gone.
   void end_scan() { sink_.end_scan(); }
 

@@ -156,9 +156,9 @@ std::vector<std::string> live_slam_names() {
 
 const std::vector<Strategy>& strategies() {
   static const std::vector<Strategy> all{
-      {"nxt-farthest", lack_of_sonar, make_nxt_farthest, false, StrategyLimit::kStops},
+      {"nxt-farthest", lack_of_sonar, make_nxt_farthest, false, StrategyLimit::kStops, true},
       {"tangent-bug", lack_of_sonar, make_tangent_bug, true},
-      {"frontier", lack_of_sonar, make_frontier, false, StrategyLimit::kStops},
+      {"frontier", lack_of_sonar, make_frontier, false, StrategyLimit::kStops, true},
       {"coastal", lack_of_wall_sensor, make_coastal},
       {"random-bounce", lack_of_nothing, make_random_bounce, false, StrategyLimit::kSeconds},
       {"epuck", lack_of_infrared_ring, make_epuck},
@@ -175,6 +175,8 @@ std::vector<std::string> strategy_names() {
 }
 
 StrategyLimit limit_of(const RunOptions& options) { return strategy_of(options).limit; }
+
+bool begins_anywhere(const RunOptions& options) { return strategy_of(options).begins_anywhere; }
 
 ExplorerPtr explorer_for(const RobotProfile& profile,
                          const RunOptions& options,
@@ -248,6 +250,10 @@ pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::str
   const bool by_slam = profile.has_sonar && slam != kNoSlam;
   return pipeline::RobotPipeline(
       profile.geometry, params, near, by_slam ? slam::slam_by_name(slam).make() : nullptr);
+}
+
+pipeline::RobotAtlas atlas_for(const RobotProfile& profile, const std::string& slam) {
+  return pipeline::RobotAtlas([&profile, slam] { return pipeline_for(profile, slam); });
 }
 
 }  // namespace echomap::apps

@@ -15,6 +15,7 @@
 #include "host/exploration/frontier.hpp"
 #include "host/exploration/nxt_farthest.hpp"
 #include "host/exploration/tangent_bug.hpp"
+#include "host/pipeline/robot_atlas.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 
 namespace echomap::apps {
@@ -34,6 +35,8 @@ struct Strategy {
   /// It sees to it that its ways are clear, so that the danger checker does not shorten them.
   bool checks_its_ways = false;
   StrategyLimit limit = StrategyLimit::kNone;
+  /// It goes by nothing but the map, so that it can begin anew in another one.
+  bool begins_anywhere = false;
 };
 
 /// In the order of the help.
@@ -45,6 +48,9 @@ std::vector<std::string> live_slam_names();
 
 /// That of the strategy of the options. Throws CommandError where there is no such strategy.
 StrategyLimit limit_of(const RunOptions& options);
+
+/// Whether the strategy of the options does.
+bool begins_anywhere(const RunOptions& options);
 
 /// The strategy of the options, for a robot, under the eyes of a danger checker. Throws
 /// CommandError where the robot lacks what it needs, and as `Strategy::make`.
@@ -67,5 +73,7 @@ exploration::FrontierParams frontier_params(const RobotProfile& profile, std::si
 /// An empty pipeline for what the robot senses. SLAM of that name (RunOptions::slam) places a robot
 /// with a sonar.
 pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::string& slam);
+/// An atlas of such pipelines. The profile outlives it.
+pipeline::RobotAtlas atlas_for(const RobotProfile& profile, const std::string& slam);
 
 }  // namespace echomap::apps

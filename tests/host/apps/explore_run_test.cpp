@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/apps/strategy_setup.hpp"
 #include "host/apps/temporary_folder.hpp"
 #include "tests/host/apps/session_on_a_cable.hpp"
 
@@ -34,11 +35,11 @@ class ExploreRun : public SessionOnACable {
  protected:
   ExitCode explore() {
     return explore_and_save(
-        {*session, pipeline, profile, recorder}, options_for("uno_2wd"), folder.path(), summary);
+        {*session, atlas, profile}, options_for("uno_2wd"), folder.path(), summary);
   }
 
   const TemporaryFolder folder;
-  const exports::ObservationRecorder recorder;
+  pipeline::RobotAtlas atlas = atlas_for(profile, "none");
   exports::RunSummary summary;
 };
 

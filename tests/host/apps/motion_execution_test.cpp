@@ -69,6 +69,41 @@ TEST_F(MotionExecutionTest, RollsBySetpointsAndStopsBeforeAnyOtherMotion) {
   cable.robot.on_command = {};  // The session ends after this function has.
 }
 
+TEST_F(MotionExecutionTest, LooksAroundWhileTheWheelsTurnWhereItShall) {
+  session->connect();
+  std::vector<std::string> commands;
+  cable.robot.on_command = [&](std::string_view name) { commands.emplace_back(name); };
+  session->execute(exploration::Drive{0.1});
+  EXPECT_EQ(commands, std::vector<std::string>{"MoveTicks"});
+
+  session->look_around_on_the_way(true);
+  commands.clear();
+  session->execute(exploration::Drive{0.1});
+  EXPECT_EQ(commands, (std::vector<std::string>{"StartSweep", "MoveTicks"}));
+  commands.clear();
+  session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0});
+  EXPECT_EQ(commands, (std::vector<std::string>{"Stop", "StartSweep"}))
+      << "a robot that still looks would refuse the sweep";
+
+  cable.robot.motion_ms = 1000;
+  commands.clear();
+  session->execute(exploration::Roll{0.1, 0.0, 0.4});
+  session->execute(exploration::Roll{0.1, 0.0, 0.4});
+  EXPECT_EQ(commands, std::vector<std::string>{"StartSweep"}) << "one look at a time";
+  session->execute(exploration::Roll{0.1, 0.0, 0.8});
+  session->execute(exploration::Roll{0.1, 0.0, 0.1});
+  EXPECT_EQ(commands, (std::vector<std::string>{"StartSweep", "StartSweep"}));
+  cable.robot.on_command = {};  // The session ends after this function has.
+}
+
+TEST_F(MotionExecutionTest, DrivesOnWhereItCannotLook) {
+  session->connect();
+  session->look_around_on_the_way(true);
+  cable.robot.answer = protocol::CommandStatus::kOutOfRange;
+  EXPECT_EQ(session->execute(exploration::Roll{0.1, 0.0, 0.1}), MotionResult::kReached);
+  EXPECT_EQ(cable.robot.setpoints.size(), 1U);
+}
+
 TEST_F(MotionExecutionTest, EndsARollByWhatItMeetsAndNotByWhatItHasTouchedBefore) {
   session->connect();
   after_ms(50, [this] {

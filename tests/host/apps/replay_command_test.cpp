@@ -130,12 +130,12 @@ TEST_F(ReplayCommandTest, SlamNeedsOdometryToBeginWith) {
 TEST_F(ReplayCommandTest, SlamForLasersRefusesSonars) {
   write_log("Garden.txt", "0,0,0,376,97,60,60,0,0\n4,4,0,376,97,60,60,0,0\n");
   options_.format = "bigwheelbot";
-  for (const char* for_lasers : {"scan", "ekf"}) {
-    options_.slam = for_lasers;
-    EXPECT_THAT(error(), HasSubstr("is for lasers")) << for_lasers;
+  options_.slam = "scan";
+  EXPECT_THAT(error(), HasSubstr("is for lasers"));
+  for (const char* for_sonars : {"grid", "ekf"}) {
+    options_.slam = for_sonars;
+    EXPECT_EQ(run_replay(options_), ExitCode::kOk) << for_sonars;
   }
-  options_.slam = "grid";
-  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
 }
 
 TEST_F(ReplayCommandTest, CtrlCInSlamLeavesTheMapOfWhatItHadFound) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/apps/exit_code.hpp"
+#include "host/apps/strategy_setup.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
@@ -23,16 +24,16 @@ class ResumedRunTest : public ::testing::Test {
     files::write_text_file(run / kRecordName, "kind,stamp_us,values\n" + lines);
   }
   void summarise(const std::string& json) { files::write_text_file(run / "summary.json", json); }
-  std::optional<ResumedRun> resume() { return resume_run(run.path(), profile, sessions, pipeline); }
+  std::optional<ResumedRun> resume() { return resume_run(run.path(), profile, sessions, atlas); }
 
   const tests::ScratchFolder run;
   const RobotProfile profile = load_robot_profile("uno_2wd");
-  pipeline::RobotPipeline pipeline{profile.geometry};
-  pipeline::JoinedSessions sessions{pipeline};
+  pipeline::RobotAtlas atlas = atlas_for(profile, "none");
+  pipeline::JoinedSessions sessions{atlas};
 };
 
 TEST_F(ResumedRunTest, IsNoneWhereNoneIsNamed) {
-  EXPECT_FALSE(resume_run("", profile, sessions, pipeline));
+  EXPECT_FALSE(resume_run("", profile, sessions, atlas));
 }
 
 TEST_F(ResumedRunTest, GoesOnWithItsMapFromWhereItHasEnded) {
@@ -44,9 +45,23 @@ TEST_F(ResumedRunTest, GoesOnWithItsMapFromWhereItHasEnded) {
   EXPECT_EQ(resumed->sim_seconds, 56.5);
   sessions.on_odometry({time::RobotTime(std::chrono::microseconds(7)), {3.0, 3.0}});
   sessions.on_odometry({time::RobotTime(std::chrono::microseconds(9)), {3.25, 3.25}});
-  const auto latest = pipeline.snapshot().latest;
+  const auto latest = atlas.pipeline().snapshot().latest;
   EXPECT_EQ(latest.stamp.time_since_epoch().count(), 2002);
   EXPECT_NEAR(latest.T_map_robot.x_m(), 0.75, 1e-12);
+}
+
+TEST_F(ResumedRunTest, KnowsTheMapsThatTheRobotWasCarriedAwayFrom) {
+  const std::string former = "kind,stamp_us,values\nodometry,500,0.5,0.5\nbegin-scan\nend-scan\n";
+  record("carried,900,0.5,0.5,0,0,0\nodometry,1000,0.6,0.6\n");
+  summarise(R"({"robot": "uno_2wd", "sim_seconds": 56.5})");
+  for (std::size_t number : {1U, 2U}) {
+    std::filesystem::create_directories(former_map_of(run.path(), number));
+    files::write_text_file(former_map_of(run.path(), number) / kRecordName, former);
+  }
+  ASSERT_TRUE(resume());
+  ASSERT_EQ(atlas.former_maps().size(), 2U);
+  EXPECT_EQ(atlas.former_maps().front().record.scans(), 1U);
+  EXPECT_NEAR(atlas.pipeline().snapshot().latest.T_map_robot.x_m(), 0.1, 1e-12);
 }
 
 TEST_F(ResumedRunTest, NeedsARecordWithARobotsWay) {

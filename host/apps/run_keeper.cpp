@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/run_keeper.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include <spdlog/spdlog.h>
+
+#include "host/apps/link_report.hpp"
+#include "host/exports/confidence_grid_csv.hpp"
+#include "host/exports/observations_csv.hpp"
+#include "host/exports/pose_graph_g2o.hpp"
+#include "host/exports/run_directory.hpp"
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Moves a file or folder, in place of one that has that name.
+void move_away(const fs::path& from, const fs::path& to) {
+  if (!exists(from)) {
+    return;
+  }
+  std::error_code failure;
+  fs::remove_all(to, failure);
+  if (!failure) {
+    fs::rename(from, to, failure);
+  }
+  if (failure) {
+    throw files::FileError(from.string() + " is in the way: " + failure.message());
+  }
+}
+
+void describe_slam(const pipeline::RobotPipeline& pipeline,
+                   const fs::path& folder,
+                   exports::RunSummary& summary) {
+  if (const slam::SlamMethod* slam = pipeline.slam()) {
+    exports::describe_uncertainty(slam->belief().covariance, summary);
+    exports::write_pose_graph_g2o(folder / "pose_graph.g2o", slam->factor_graph());
+  } else {
+    fs::remove(folder / "pose_graph.g2o");
+  }
+}
+
+}  // namespace
+
+RunKeeper::RunKeeper(const DrivenRobot& robot,
+                     const exploration::Explorer& explorer,
+                     fs::path out,
+                     exports::RunSummary& summary)
+    : robot_(robot), explorer_(explorer), out_(std::move(out)), summary_(summary) {}
+
+void RunKeeper::save(const std::string& outcome) {
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
+  summary_.outcome = outcome;
+  summary_.sim_seconds = elapsed_s(robot_);
+  summary_.wall_seconds = wall.count();
+  summary_.former_maps = robot_.atlas.former_maps().size();
+  summary_.maps_joined = robot_.atlas.joins();
+  describe_clock();
+  describe_link();
+  try {
+    if (!former_is_kept_) {
+      keep_former_run();
+      former_is_kept_ = true;
+    }
+    save_former_maps();
+    save_map();
+    remove_joined_maps();
+  } catch (const fs::filesystem_error& error) {
+    throw files::FileError(error.what());
+  }
+}
+
+void RunKeeper::save_in_passing() {
+  try {
+    save("exploring");
+  } catch (const files::FileError& error) {
+    if (!std::exchange(warned_, true)) {
+      spdlog::warn("the map so far is not saved: {}", error.what());
+    }
+  }
+}
+
+void RunKeeper::save_map() {
+  const auto snapshot = robot_.atlas.pipeline().snapshot();
+  exports::describe_snapshot(snapshot, summary_);
+  save_record(out_, robot_.atlas.record());
+  describe_slam(robot_.atlas.pipeline(), out_, summary_);
+  const exploration::StrategyProducts products = explorer_.products();
+  if (products.phases > 0) {
+    summary_.phases = products.phases;
+    summary_.phases_reached = products.phases_reached;
+  }
+  exports::write_run_directory(out_, snapshot, summary_, products.outline_m);
+  if (products.confidence) {
+    exports::write_confidence_grid_csv(out_ / "confidence_grid.csv", *products.confidence);
+  }
+}
+
+void RunKeeper::save_former_maps() {
+  if (changes_saved_ == robot_.atlas.changes()) {
+    return;
+  }
+  const auto& former = robot_.atlas.former_maps();
+  for (std::size_t i = 0; i < former.size(); ++i) {
+    const fs::path folder = former_map_of(out_, i + 1);
+    exports::RunSummary summary = summary_;
+    summary.outcome = "set-aside";
+    const auto snapshot = former[i].pipeline.snapshot();
+    exports::describe_snapshot(snapshot, summary);
+    fs::create_directories(folder);
+    save_record(folder, former[i].record);
+    describe_slam(former[i].pipeline, folder, summary);
+    exports::write_run_directory(folder, snapshot, summary);
+  }
+  changes_saved_ = robot_.atlas.changes();
+  former_saved_ = std::max(former_saved_, former.size());
+}
+
+void RunKeeper::remove_joined_maps() {
+  for (; former_saved_ > robot_.atlas.former_maps().size(); --former_saved_) {
+    fs::remove_all(former_map_of(out_, former_saved_));
+  }
+}
+
+void RunKeeper::keep_former_run() const {
+  move_away(out_ / kRecordName, out_ / kFormerRecordName);
+  for (std::size_t number = 1; exists(former_map_of(out_, number)); ++number) {
+    move_away(former_map_of(out_, number), former_map_of(out_, number).string() + ".before");
+  }
+}
+
+/// Of a robot under a camera the record is empty: it does not hold what the camera has said.
+void RunKeeper::save_record(const fs::path& folder, const pipeline::ObservationLog& record) const {
+  exports::ObservationRecorder recorder;
+  if (robot_.camera == nullptr) {
+    record.replay(recorder);
+  }
+  recorder.save(folder / kRecordName);
+}
+
+void RunKeeper::describe_clock() {
+  const time::ClockSync& clock = robot_.session.link().clock();
+  summary_.clock_rate_error_ppm = clock.rate_error_ppm();
+  summary_.clock_uncertainty_us = clock.uncertainty_us();
+  if (summary_.clock_rate_error_ppm && summary_.clock_uncertainty_us) {
+    spdlog::debug("the robot's clock runs {:+.1f} ppm fast, known to {:.0f} us",
+                  *summary_.clock_rate_error_ppm,
+                  *summary_.clock_uncertainty_us);
+  }
+}
+
+void RunKeeper::describe_link() {
+  const auto link = summary_of(robot_.session.link().statistics(), robot_.session.reconnects());
+  spdlog::debug("{}", line_of(link));
+  if (const auto losses = losses_between(summary_.link, link); !losses.empty()) {
+    spdlog::warn("since the last stop the robot has counted {}", losses);
+  }
+  summary_.link = link;
+  if (const auto& robot = robot_.session.link().robot(); robot && summary_.firmware.empty()) {
+    summary_.firmware = firmware_of(*robot);
+  }
+}
+
+}  // namespace echomap::apps

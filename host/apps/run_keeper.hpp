@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "host/apps/driven_robot.hpp"
+#include "host/exploration/explorer.hpp"
+#include "host/exports/summary_json.hpp"
+
+namespace echomap::apps {
+
+/// Saves the map so far, with how far the exploration has come. A map that was set aside is saved
+/// in a run directory of its own beside it, former_1, former_2, ...
+class RunKeeper {
+ public:
+  /// All of them outlive this.
+  RunKeeper(const DrivenRobot& robot,
+            const exploration::Explorer& explorer,
+            std::filesystem::path out,
+            exports::RunSummary& summary);
+
+  /// Throws files::FileError.
+  void save(const std::string& outcome);
+  /// A disk that is full now need not be so at the end: warns once and lets the robot go on.
+  void save_in_passing();
+
+ private:
+  void describe_clock();
+  void describe_link();
+  void save_map();
+  void save_former_maps();
+  /// Their stops are in the map that is saved by then.
+  void remove_joined_maps();
+  /// What a former run has left in the same directory stays beside it.
+  void keep_former_run() const;
+  void save_record(const std::filesystem::path& folder,
+                   const pipeline::ObservationLog& record) const;
+
+  const DrivenRobot& robot_;
+  const exploration::Explorer& explorer_;
+  std::filesystem::path out_;
+  exports::RunSummary& summary_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  bool warned_ = false;
+  bool former_is_kept_ = false;
+  std::size_t changes_saved_ = 0;  ///< Of the atlas's maps.
+  std::size_t former_saved_ = 0;   ///< Directories of maps that were set aside.
+};
+
+}  // namespace echomap::apps
