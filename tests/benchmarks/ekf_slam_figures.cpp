@@ -155,7 +155,7 @@ void print_edmonton(const EdmontonLog& log) {
                geometry::degrees(error.rotation_mean_rad));
   };
   slam::LandmarkSlamParams nearest;
-  nearest.method = slam::AssociationMethod::kNearestNeighbour;
+  nearest.update.method = slam::AssociationMethod::kNearestNeighbour;
   told("nearest neighbour", nearest);
   slam::LandmarkSlamParams book;
   book.filter = of_the_book;

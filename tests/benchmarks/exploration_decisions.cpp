@@ -96,7 +96,7 @@ std::vector<double> decisions_ms(int edge, std::size_t decisions) {
 
 /// As many stops as the strategy makes at most, all before the edge of the known floor of the hall,
 /// which have heard nothing all round.
-exploration::HeardScans silent_scans(int edge, double resolution_m) {
+std::vector<mapping::Scan> silent_scans(int edge, double resolution_m) {
   constexpr int kReadings = 90;
   const exploration::FrontierParams params;
   const double edge_m = resolution_m * (-edge / 2 + 2 * edge / 3);
@@ -104,7 +104,7 @@ exploration::HeardScans silent_scans(int edge, double resolution_m) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> before_m(0.5, params.openings.far_m);
   std::uniform_real_distribution<double> aside_m(-side_m, side_m);
-  exploration::HeardScans scans;
+  std::vector<mapping::Scan> scans;
   for (std::size_t stop = 0; stop < params.most_stops; ++stop) {
     const Pose2 T_map_robot(edge_m - before_m(random), aside_m(random), 0.0);
     mapping::Scan scan;
@@ -112,7 +112,7 @@ exploration::HeardScans silent_scans(int edge, double resolution_m) {
       const Pose2 T_robot_sonar(0.0, 0.0, i * 2.0 * std::numbers::pi / kReadings);
       scan.push_back({T_map_robot, T_map_robot * T_robot_sonar, std::nullopt});
     }
-    scans.push_back(std::make_shared<const mapping::Scan>(std::move(scan)));
+    scans.push_back(std::move(scan));
   }
   return scans;
 }

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "host/geometry/angle.hpp"
-#include "host/slam/multiscan_slam.hpp"
 #include "host/slam/scan_slam.hpp"
 #include "tests/benchmarks/relation_log.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
@@ -89,7 +88,7 @@ std::vector<Figure> laser_slam_cost_figures() {
           {"scan_slam_ms", ms_a_scan(*edmonton, {}), "ms", 1, {}}};
 }
 
-std::vector<Figure> sonar_slam_figures(std::size_t seeds) {
+std::vector<Figure> sonar_slam_figures(const slam::NamedSlam& method, std::size_t seeds) {
   const auto edmonton = log_or_note("edm");
   if (!edmonton) {
     return {};
@@ -101,8 +100,8 @@ std::vector<Figure> sonar_slam_figures(std::size_t seeds) {
     double worst_m = 0.0;
     for (std::size_t seed = 1; seed <= seeds; ++seed) {
       std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
-      slam::MultiscanSlam slam;
-      const auto error = score_slam(with_cones(*edmonton, cones, random), slam);
+      const auto slam = method.make();
+      const auto error = score_slam(with_cones(*edmonton, cones, random), *slam);
       sum_m += error.translation_mean_m;
       worst_m = std::max(worst_m, error.translation_mean_m);
     }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "host/slam/slam_methods.hpp"
 #include "tests/benchmarks/figures.hpp"
 
 namespace echomap::bench {
@@ -17,8 +18,8 @@ std::vector<Figure> laser_slam_figures();
 /// all.
 std::vector<Figure> laser_slam_cost_figures();
 
-/// Relation errors of MultiscanSlam on Edmonton as 24 and as 12 sonars would have heard it, over as
+/// Relation errors of a way of SLAM on Edmonton as 24 and as 12 sonars would have heard it, over as
 /// many seeds of their noise: the mean, and the worst seed. Odometry stands beside each.
-std::vector<Figure> sonar_slam_figures(std::size_t seeds);
+std::vector<Figure> sonar_slam_figures(const slam::NamedSlam& method, std::size_t seeds);
 
 }  // namespace echomap::bench

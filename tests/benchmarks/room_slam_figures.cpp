@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 
-#include "host/slam/multiscan_slam.hpp"
+#include "host/slam/slam_methods.hpp"
+#include "tests/benchmarks/slam_run_figures.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
-#include "tests/support/median.hpp"
 #include "tests/support/offline_exploration.hpp"
 
 namespace echomap::bench {
@@ -22,90 +23,59 @@ struct Cost {
   double longest_s = 0.0;
 };
 
-/// Grid SLAM that adds to what it has cost.
+/// SLAM that adds to what it has cost.
 class TimedSlam final : public slam::SlamMethod {
  public:
-  explicit TimedSlam(Cost& cost) : cost_(&cost) {}
+  TimedSlam(std::unique_ptr<slam::SlamMethod> method, Cost& cost)
+      : cost_(&cost), method_(std::move(method)) {}
 
   void follow(const geometry::Pose2& T_odom_robot) override {
-    cost_->sum_s += processor_seconds([&] { slam_.follow(T_odom_robot); });
+    cost_->sum_s += processor_seconds([&] { method_->follow(T_odom_robot); });
   }
   void add(const geometry::Pose2& T_odom_robot, const slam::RangeScan& scan) override {
-    const double took_s = processor_seconds([&] { slam_.add(T_odom_robot, scan); });
+    const double took_s = processor_seconds([&] { method_->add(T_odom_robot, scan); });
     ++cost_->pings;
     cost_->sum_s += took_s;
     cost_->longest_s = std::max(cost_->longest_s, took_s);
   }
-  localization::PoseGaussian belief() const override { return slam_.belief(); }
-  std::vector<geometry::Pose2> trajectory() const override { return slam_.trajectory(); }
-  mapping::OccupancyGrid grid() const override { return slam_.grid(); }
-  slam::FactorGraph factor_graph() const override { return slam_.factor_graph(); }
+  localization::PoseGaussian belief() const override { return method_->belief(); }
+  std::vector<geometry::Pose2> trajectory() const override { return method_->trajectory(); }
+  mapping::OccupancyGrid grid() const override { return method_->grid(); }
+  slam::FactorGraph factor_graph() const override { return method_->factor_graph(); }
 
  private:
   Cost* cost_;
-  slam::MultiscanSlam slam_;
+  std::unique_ptr<slam::SlamMethod> method_;
 };
 
-world::RobotParams with_rough_odometry(world::RobotParams robot) {
-  robot.drive.wheel_diameter_sd = 0.03;
-  robot.drive.wheel_mismatch_sd = 0.01;
-  robot.drive.track_sd = 0.03;
-  robot.drive.slip_m_per_sqrt_m = 0.003;
-  return robot;
-}
-
-/// The runs of one room, a value a seed.
-struct RoomRuns {
-  std::vector<double> ate_ratios;
-  std::vector<double> heading_ratios;
-  std::vector<double> odometry_ate_m;
-  std::vector<double> free_ious;
-
-  void add(const tests::OfflineRun& run) {
-    ate_ratios.push_back(run.trajectory.ate_rmse_m / run.odometry.ate_rmse_m);
-    heading_ratios.push_back(run.trajectory.ate_heading_rmse_rad /
-                             run.odometry.ate_heading_rmse_rad);
-    odometry_ate_m.push_back(run.odometry.ate_rmse_m);
-    free_ious.push_back(run.agreement.free_iou);
-  }
-};
-
-void add_figures(const std::string& room, const RoomRuns& runs, std::vector<Figure>& figures) {
-  constexpr double kHarm = 1.05;
-  const auto count = runs.ate_ratios.size();
-  const auto harmed = std::count_if(
-      runs.ate_ratios.begin(), runs.ate_ratios.end(), [](double ratio) { return ratio > kHarm; });
-  const double worst = *std::max_element(runs.ate_ratios.begin(), runs.ate_ratios.end());
-  figures.push_back({room + "_odometry_ate_m", tests::median(runs.odometry_ate_m), "m", count, {}});
-  figures.push_back({room + "_ate_ratio", tests::median(runs.ate_ratios), "", count, {}});
-  figures.push_back({room + "_ate_ratio_worst", worst, "", count, {}});
-  figures.push_back({room + "_harmed_runs", static_cast<double>(harmed), "", count, {}});
-  figures.push_back({room + "_heading_ratio", tests::median(runs.heading_ratios), "", count, {}});
-  figures.push_back({room + "_free_iou", tests::median(runs.free_ious), "", count, {}});
-}
-
-RoomRuns explore_room(const std::string& room,
-                      const world::RobotParams& robot,
-                      std::uint32_t seeds,
-                      Cost& cost) {
-  tests::OfflineSettings settings;
-  settings.slam = [&cost] { return std::make_unique<TimedSlam>(cost); };
-  RoomRuns runs;
+std::vector<SlamRun> explore_room(const std::string& room,
+                                  const world::RobotParams& robot,
+                                  std::uint32_t seeds,
+                                  const tests::OfflineSettings& settings) {
+  std::vector<SlamRun> runs;
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-    runs.add(tests::explore_offline(tests::bundled_room(room), robot, seed, settings));
+    const auto run = tests::explore_offline(tests::bundled_room(room), robot, seed, settings);
+    runs.push_back({run.trajectory, run.odometry, run.agreement.free_iou});
   }
   return runs;
 }
 
 }  // namespace
 
-std::vector<Figure> room_slam_figures(std::uint32_t seeds) {
+std::vector<Figure> room_slam_figures(const slam::NamedSlam& method, std::uint32_t seeds) {
+  const world::RobotParams rough = tests::bundled_robot("uno_2wd_rough");
   const world::RobotParams fine = tests::bundled_robot("uno_2wd");
   std::vector<Figure> figures;
   Cost cost;
+  tests::OfflineSettings settings;
+  settings.slam = [&] { return std::make_unique<TimedSlam>(method.make(), cost); };
+  const auto add = [&](const std::string& name, const std::vector<SlamRun>& runs) {
+    const auto some = slam_run_figures(name, runs);
+    figures.insert(figures.end(), some.begin(), some.end());
+  };
   for (const std::string room : {"living_room", "office", "corridor"}) {
-    add_figures(room, explore_room(room, with_rough_odometry(fine), seeds, cost), figures);
-    add_figures(room + "_fine", explore_room(room, fine, seeds, cost), figures);
+    add(room, explore_room(room, rough, seeds, settings));
+    add(room + "_fine", explore_room(room, fine, seeds, settings));
   }
   const double sensing_s = static_cast<double>(cost.pings) / kPingsPerS;
   figures.push_back({"sonar_cpu_percent", 100.0 * cost.sum_s / sensing_s, "%", cost.pings, {}});

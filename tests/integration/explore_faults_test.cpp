@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// What becomes of an exploration when a part fails, the robot is carried off or the line breaks.
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <tuple>
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/integration/programs.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -67,11 +69,24 @@ class ExploreFaults : public ::testing::Test {
     EXPECT_EQ(ended.status, 0) << ended.said;
     return nlohmann::json::parse(files::read_text_file(json));
   }
+  static bool has_right_pose_and_map(const nlohmann::json& scores) {
+    return scores.at("ate_rmse_m") < 0.15 && scores.at("final_error_m") < 0.25 &&
+           scores.at("wall_rmse_m") < 0.12;
+  }
   /// Nothing has jumped.
   void expect_right_pose_and_map() {
-    EXPECT_LT(summary().at("ate_rmse_m"), 0.15);
-    EXPECT_LT(summary().at("final_error_m"), 0.25);
-    EXPECT_LT(summary().at("wall_rmse_m"), 0.12);
+    EXPECT_TRUE(has_right_pose_and_map(summary())) << summary().dump(1);
+  }
+  /// The stamps of the trajectory rise, from the start to the end, whatever the board's clock does.
+  void expect_steady_time() {
+    const auto trajectory = exports::read_trajectory_tum(scratch / "run/trajectory.tum");
+    constexpr std::chrono::seconds kLongestGap(4);
+    for (std::size_t i = 1; i < trajectory.size(); ++i) {
+      EXPECT_LT(trajectory[i - 1].stamp, trajectory[i].stamp) << i;
+      EXPECT_LT(trajectory[i].stamp - trajectory[i - 1].stamp, kLongestGap) << i;
+    }
+    const std::chrono::duration<double> end = trajectory.back().stamp.time_since_epoch();
+    EXPECT_NEAR(end.count(), summary().at("sim_seconds"), 5.0);
   }
   nlohmann::json summary() const {
     return nlohmann::json::parse(files::read_text_file(scratch / "run/summary.json"));
@@ -125,30 +140,66 @@ TEST_F(ExploreFaults, AWheelThatSlipsAtRestOfTheRobotDoesNothing) {
 }
 
 /// While the robot turns or drives, at its third and fourth stop.
-TEST_F(ExploreFaults, AWheelThatSlipsOnItsWayEndsItWithTheMapKept) {
-  for (const auto& [fault, seed] : {std::pair("slip-left@62:2:0.3", "--seed=101"),
-                                    std::pair("slip-right@62:2:0.3", "--seed=102"),
-                                    std::pair("slip-left@60:2:0.3", "--seed=102")}) {
-    const Ended ended = run({"--part-faults", fault, seed});
-    EXPECT_EQ(ended.status, 1) << fault << ended.said;
-    EXPECT_THAT(ended.said, HasSubstr("the map so far is kept: what the sonar hears is not"));
-    EXPECT_EQ(summary().at("outcome"), "lost");
-    EXPECT_LT(summary().at("stops"), 8) << "told soon";
-    EXPECT_GT(summary().at("free_area_m2"), 0.5);
+/// Not each is noticed, as a slip that looks like poor odometry.
+TEST_F(ExploreFaults, AWheelThatSlipsOnItsWaySeldomSpoilsTheMap) {
+  int right = 0;
+  for (const char* fault : {"slip-left@60", "slip-right@60", "slip-left@62", "slip-right@62"}) {
+    for (const char* seed : {"--seed=101", "--seed=102"}) {
+      const Ended ended = run({"--part-faults", fault + std::string(":2:0.3"), seed});
+      EXPECT_EQ(ended.status, 0) << fault << seed << ended.said;
+      right += has_right_pose_and_map(summary()) ? 1 : 0;
+    }
   }
+  EXPECT_GE(right, 6) << "of 8";
 }
 
 /// By a robot without a wheel-drop switch, so that only its sonar can tell.
-TEST_F(ExploreFaults, CarriedOffItStopsAndKeepsItsMap) {
-  for (const auto& [seed, kidnap] : {std::pair("1", "80,2,2.2,2.4,-90"),
-                                     std::pair("2", "80,2,2.2,2.4,-90"),
-                                     std::pair("103", "100,2,2.2,2.4,-90")}) {
-    const Ended ended = run_carried_off(seed, kidnap);
-    EXPECT_EQ(ended.status, 1) << seed << ended.said;
-    EXPECT_THAT(ended.said, HasSubstr("the map so far is kept: what the sonar hears is not"));
-    EXPECT_EQ(summary().at("outcome"), "lost");
-    EXPECT_LT(score().at("wall_rmse_m"), 0.12) << seed;
+TEST_F(ExploreFaults, CarriedOffItMapsOnAndMostlyFindsItsFormerMapAgain) {
+  int joined = 0;
+  for (const char* seed : {"1", "2", "3", "4", "5", "6", "7", "8"}) {
+    const Ended ended = run_carried_off(seed, "80,2,2.2,2.4,-90");
+    EXPECT_EQ(ended.status, 0) << seed << ended.said;
+    if (summary().at("maps_joined") == 0) {
+      continue;
+    }
+    EXPECT_THAT(ended.said,
+                AllOf(HasSubstr("the map so far is set aside"), HasSubstr("both are one")));
+    EXPECT_TRUE(has_right_pose_and_map(score())) << seed << ": both parts of its way";
+    joined += summary().at("former_maps") == 0 && !exists(scratch / "run/former_1") ? 1 : 0;
   }
+  EXPECT_GE(joined, 6) << "of 8";
+}
+
+TEST_F(ExploreFaults, CarriedOffAfterItsFirstStopItKeepsTwoMapsAndBothAreRight) {
+  const Ended ended = run_carried_off("1", "12,2,2.2,2.4,-90");
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_THAT(ended.said,
+              HasSubstr("where the one before lies on it was not found: kept in former_1"));
+  EXPECT_EQ(summary().at("former_maps"), 1);
+  EXPECT_EQ(summary().at("maps_joined"), 0);
+  const auto scores = score();
+  EXPECT_LT(scores.at("ate_rmse_m"), 0.15) << "from where the map begins";
+  EXPECT_LT(scores.at("wall_rmse_m"), 0.12);
+  EXPECT_GT(scores.at("free_iou"), 0.75);
+  for (const char* const file : {"map.png", "map.yaml", "trajectory.tum", "observations.csv"}) {
+    EXPECT_TRUE(exists(scratch / "run/former_1" / file)) << file;
+  }
+  const auto former =
+      nlohmann::json::parse(files::read_text_file(scratch / "run/former_1/summary.json"));
+  EXPECT_EQ(former.at("outcome"), "set-aside");
+  EXPECT_GT(former.at("stops"), 0);
+}
+
+/// Its waypoints lie in the map that it began.
+TEST_F(ExploreFaults, AStrategyThatGoesByMoreThanItsMapEndsWhereTheRobotIsLost) {
+  const Ended ended = run({"--robot=ev3",
+                           "--world=playground",
+                           "--strategy=tangent-bug",
+                           "--waypoints=playground",
+                           "--part-faults=slip-left@60:8:0.6"});
+  EXPECT_EQ(ended.status, 1) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("the map so far is kept: what the sonar hears is not"));
+  EXPECT_EQ(summary().at("outcome"), "lost");
 }
 
 TEST_F(ExploreFaults, ALineThatIsAwayForFiveSecondsIsWaitedFor) {
@@ -178,7 +229,9 @@ TEST_F(ExploreFaults, ABoardThatIsResetIsSetUpAgainAndGoesOnFromWhereItWas) {
     EXPECT_THAT(ended.said, HasSubstr("the robot was reset (reset line); the pose is kept"));
     EXPECT_EQ(summary().at("outcome"), "no-new-ground");
     EXPECT_EQ(summary().at("link").at("resets"), 1);
+    EXPECT_FALSE(summary().at("pose_std_m").is_null()) << "SLAM runs";
     expect_right_pose_and_map();
+    expect_steady_time();
   }
 }
 

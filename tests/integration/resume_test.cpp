@@ -95,14 +95,15 @@ class Resume : public ::testing::Test {
 TEST_F(Resume, ARobotGoesOnWhereItStoodAndItsMapGrows) {
   ASSERT_EQ(explore("monday", {}).status, 0);
   const Ended ended =
-      explore("tuesday", {where_it_stands("monday"), "--seed=2"}, {resume("monday")});
+      explore("tuesday", {where_it_stands("monday"), "--seed=2"}, {resume("monday")}, 5);
   ASSERT_EQ(ended.status, 0) << ended.said;
 
   const auto monday = summary("monday");
   const auto tuesday = summary("tuesday");
   EXPECT_EQ(monday.at("resumed_stops"), nullptr);
   EXPECT_EQ(tuesday.at("resumed_stops"), 3);
-  EXPECT_EQ(tuesday.at("stops"), 6);
+  EXPECT_EQ(tuesday.at("stops"), 8);
+  EXPECT_EQ(tuesday.at("former_maps"), 0);
   for (const char* grows : {"sim_seconds", "travelled_m", "poses", "points", "free_area_m2"}) {
     EXPECT_GT(tuesday.at(grows), monday.at(grows)) << grows;
   }
@@ -131,11 +132,13 @@ TEST_F(Resume, TheSameDirectoryHoldsBothRuns) {
   EXPECT_FALSE(exists(scratch / "run" / "pose_graph.g2o")) << "that of the run before";
 }
 
-TEST_F(Resume, ARobotThatWasMovedIsLost) {
+TEST_F(Resume, ARobotThatWasMovedGoesOnInAnotherMap) {
   ASSERT_EQ(explore("monday", {}).status, 0);
   const Ended ended = explore("tuesday", {"--start=2.6,1.2,100"}, {resume("monday")}, 6);
-  EXPECT_EQ(ended.status, 1) << ended.said;
-  EXPECT_EQ(summary("tuesday").at("outcome"), "lost");
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("the map so far is set aside"));
+  const auto tuesday = summary("tuesday");
+  EXPECT_EQ(tuesday.at("former_maps").get<int>() + tuesday.at("maps_joined").get<int>(), 1);
 }
 
 TEST_F(Resume, WhatWasThereStaysWhereNoRobotAnswers) {

@@ -57,19 +57,21 @@ void print_medians(const std::vector<OfflineRun>& runs) {
 
 }  // namespace
 
-/// explore_offline STRATEGY[+slam] ROOM ROBOT FIRST LAST [DIRECTORY]: seeds FIRST .. LAST, one line
-/// each, then the medians; with a directory the run directory of each seed as well.
+/// explore_offline STRATEGY[+slam|+ekf] ROOM ROBOT FIRST LAST [DIRECTORY]: seeds FIRST .. LAST, one
+/// line each, then the medians; with a directory the run directory of each seed as well.
 int main(int argc, char** argv) {
   if (argc < 6) {
-    std::fprintf(
-        stderr,
-        "usage: explore_offline nxt-farthest|frontier[+slam] ROOM ROBOT FIRST LAST [DIRECTORY]\n");
+    std::fprintf(stderr,
+                 "usage: explore_offline nxt-farthest|frontier[+slam|+ekf] ROOM ROBOT FIRST LAST "
+                 "[DIRECTORY]\n");
     return 2;
   }
   const std::string strategy = argv[1];
   echomap::tests::OfflineSettings settings;
   if (strategy.ends_with("+slam")) {
     settings.slam = echomap::slam::slam_by_name("grid").make;
+  } else if (strategy.ends_with("+ekf")) {
+    settings.slam = echomap::slam::slam_by_name("ekf").make;
   }
   settings.strategy =
       strategy.starts_with("frontier") ? OfflineStrategy::kFrontier : OfflineStrategy::kNxtFarthest;

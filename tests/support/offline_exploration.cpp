@@ -8,6 +8,8 @@
 #include "hil_mock/world/floor_plan_file.hpp"
 #include "hil_mock/world/robot_file.hpp"
 #include "hil_mock/world/robot_world.hpp"
+#include "host/exploration/atlas_explorer.hpp"
+#include "host/exploration/fault_watch.hpp"
 #include "host/exploration/frontier.hpp"
 #include "host/exploration/nxt_farthest.hpp"
 #include "host/files/toml_reader.hpp"
@@ -57,6 +59,19 @@ exploration::FinishReason explore(exploration::Explorer& explorer,
   }
 }
 
+std::unique_ptr<exploration::Explorer> watched(const world::RobotParams& robot,
+                                               const OfflineSettings& settings,
+                                               pipeline::RobotAtlas& atlas,
+                                               std::mt19937& random) {
+  if (!settings.is_watched) {
+    return explorer_for(robot, settings.strategy, random);
+  }
+  return std::make_unique<exploration::AtlasExplorer>(atlas, [&](std::size_t /*stops_made*/) {
+    return std::make_unique<exploration::FaultWatch>(
+        explorer_for(robot, settings.strategy, random));
+  });
+}
+
 /// The truth as the mock writes it, and as its reader understands it.
 evaluation::MapTruth truth_of(const world::FloorPlan& plan) {
   const auto drawn = runner::draw_truth_map(plan, kTruthResolutionM);
@@ -92,15 +107,22 @@ OfflineRun explore_offline(const world::FloorPlan& room,
                            const OfflineSettings& settings) {
   world::RobotWorld world(room, robot, seed);
   const auto geometry = believed_geometry(robot);
-  pipeline::RobotPipeline pipeline(
-      geometry, mapper_for(robot), {}, settings.slam ? settings.slam() : nullptr);
-  OfflineRobot offline_robot(world, geometry, pipeline);
+  pipeline::RobotAtlas atlas([&] {
+    return pipeline::RobotPipeline(
+        geometry, mapper_for(robot), {}, settings.slam ? settings.slam() : nullptr);
+  });
+  OfflineRobot offline_robot(world, geometry, atlas, settings.carries);
+  if (settings.slam) {
+    offline_robot.look_around_on_the_way();
+  }
   std::mt19937 random(seed);
-  const auto explorer = explorer_for(robot, settings.strategy, random);
+  const auto explorer = watched(robot, settings, atlas, random);
 
   OfflineRun run;
-  run.reason = explore(*explorer, offline_robot, pipeline, run.bumps);
-  run.snapshot = pipeline.snapshot();
+  run.reason = explore(*explorer, offline_robot, atlas.pipeline(), run.bumps);
+  run.snapshot = atlas.pipeline().snapshot();
+  run.former_maps = atlas.former_maps().size();
+  run.joins = atlas.joins();
   run.sim_seconds = offline_robot.now_s();
   run.trajectory =
       evaluation::score_trajectory(*run.snapshot.trajectory, offline_robot.true_path());

@@ -13,12 +13,15 @@
 #include "host/evaluation/trajectory_error.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/nxt_farthest.hpp"
-#include "host/pipeline/robot_pipeline.hpp"
+#include "host/pipeline/robot_atlas.hpp"
+#include "tests/support/offline_robot.hpp"
 
 namespace echomap::tests {
 
 struct OfflineRun {
   pipeline::Snapshot snapshot;
+  std::size_t former_maps = 0;  ///< That were not joined.
+  std::size_t joins = 0;
   evaluation::MapAgreement agreement;
   exploration::FinishReason reason = exploration::FinishReason::kStopLimit;
   double sim_seconds = 0.0;
@@ -34,6 +37,9 @@ struct OfflineSettings {
   OfflineStrategy strategy = OfflineStrategy::kNxtFarthest;
   /// Makes what tells the pose; empty: odometry.
   std::function<std::unique_ptr<slam::SlamMethod>()> slam;
+  /// A robot that is lost goes on in another map.
+  bool is_watched = false;
+  std::vector<OfflineCarry> carries;
 };
 
 OfflineRun explore_offline(const world::FloorPlan& room,

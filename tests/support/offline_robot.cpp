@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 namespace echomap::tests {
 
@@ -20,6 +21,9 @@ constexpr double kSlowestDuty = 0.15;
 constexpr double kDutyPerTick = 0.0015;
 constexpr double kDutyPerTickApart = 0.002;
 constexpr double kCloseTicks = 2.0;
+/// A look on the way: 15 degrees on, at rest, and an echo from 4 m.
+constexpr std::int64_t kLookPeriodUs = 110'000;
+constexpr double kWidestLookRad = 1.571;
 
 /// Faster the farther it is to go; stands when it is there.
 double duty_for(double ticks_to_go) {
@@ -45,8 +49,13 @@ sensors::RobotGeometry believed_geometry(const world::RobotParams& robot) {
 
 OfflineRobot::OfflineRobot(world::RobotWorld& world,
                            const sensors::RobotGeometry& geometry,
-                           pipeline::RobotPipeline& pipeline)
-    : world_(world), geometry_(geometry), pipeline_(pipeline), odometry_(geometry.track_m) {}
+                           pipeline::ObservationSink& sink,
+                           std::vector<OfflineCarry> carries)
+    : world_(world),
+      geometry_(geometry),
+      sink_(sink),
+      carries_(std::move(carries)),
+      odometry_(geometry.track_m) {}
 
 MotionResult OfflineRobot::execute(const exploration::Motion& motion) {
   if (const auto* turn = std::get_if<exploration::Turn>(&motion)) {
@@ -62,9 +71,9 @@ MotionResult OfflineRobot::execute(const exploration::Motion& motion) {
     return sweep(*sweep_motion);
   }
   if (std::holds_alternative<exploration::BeginScan>(motion)) {
-    pipeline_.begin_scan();
+    sink_.begin_scan();
   } else if (std::holds_alternative<exploration::EndScan>(motion)) {
-    pipeline_.end_scan();
+    sink_.end_scan();
   }
   return MotionResult::kReached;
 }
@@ -124,14 +133,32 @@ MotionResult OfflineRobot::sweep(const exploration::Sweep& sweep) {
     const double pan_rad = sweep.from_rad + i * sweep.step_rad;
     constexpr double kServoAndPingS = 0.06;
     now_us_ += std::llround((sweep.settle_s + kServoAndPingS) * 1e6);
-    sensors::SonarObservation observation{stamp(), travel(), pan_rad, std::nullopt};
-    if (const auto flight_s = world_.ping(pan_rad)) {
-      observation.range_m = *flight_s * world_.robot().sonar.speed_of_sound_m_per_s / 2.0;
-    }
-    pipeline_.on_sonar(observation);
-    keep_path();
+    ping(pan_rad);
+    carry_off();
   }
   return MotionResult::kReached;
+}
+
+void OfflineRobot::look_around() {
+  if (now_us_ < next_look_us_) {
+    return;
+  }
+  next_look_us_ = now_us_ + kLookPeriodUs;
+  look_pan_rad_ += look_step_rad_;
+  if (std::abs(look_pan_rad_) > kWidestLookRad) {
+    look_step_rad_ = -look_step_rad_;
+    look_pan_rad_ += look_step_rad_;
+  }
+  ping(look_pan_rad_);
+}
+
+void OfflineRobot::ping(double pan_rad) {
+  sensors::SonarObservation observation{stamp(), travel(), pan_rad, std::nullopt};
+  if (const auto flight_s = world_.ping(pan_rad)) {
+    observation.range_m = *flight_s * world_.robot().sonar.speed_of_sound_m_per_s / 2.0;
+  }
+  sink_.on_sonar(observation);
+  keep_path();
 }
 
 sensors::WheelTravel OfflineRobot::travel() const {
@@ -144,16 +171,34 @@ void OfflineRobot::step(const world::WheelDuty& duty) {
   changes_.clear();
   world_.step(static_cast<double>(kStepUs) * 1e-6, duty, changes_);
   now_us_ += kStepUs;
+  if (looks_on_the_way_ && (duty.left != 0.0 || duty.right != 0.0)) {
+    look_around();
+  }
   if (now_us_ % kOdometryPeriodUs == 0) {
     const auto contacts = world_.contacts();
-    pipeline_.on_odometry({stamp(), travel()});
+    sink_.on_odometry({stamp(), travel()});
     keep_path();
     sensors::HazardObservation hazards;
     hazards.stamp = stamp();
     hazards.bump_left = contacts.left;
     hazards.bump_right = contacts.right;
-    pipeline_.on_hazards(hazards);
+    sink_.on_hazards(hazards);
+    carry_off();
   }
+}
+
+void OfflineRobot::carry_off() {
+  if (carries_.empty() || now_s() < carries_.front().at_s) {
+    return;
+  }
+  if (carries_.front().is_felt) {
+    sensors::HazardObservation hazards;
+    hazards.stamp = stamp();
+    hazards.lifted = true;
+    sink_.on_hazards(hazards);
+  }
+  world_.place(carries_.front().T_world_robot);
+  carries_.erase(carries_.begin());
 }
 
 void OfflineRobot::keep_path() {

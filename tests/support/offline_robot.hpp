@@ -7,7 +7,7 @@
 #include "hil_mock/world/robot_world.hpp"
 #include "host/evaluation/trajectory_error.hpp"
 #include "host/exploration/explorer.hpp"
-#include "host/pipeline/robot_pipeline.hpp"
+#include "host/pipeline/observation_sink.hpp"
 #include "host/sensors/odometry.hpp"
 #include "host/sensors/robot_geometry.hpp"
 
@@ -16,6 +16,13 @@ namespace echomap::tests {
 /// What the host believes of a simulated robot: its nominal sizes.
 sensors::RobotGeometry believed_geometry(const world::RobotParams& robot);
 
+/// Somebody takes the robot and puts it down there at once, which it feels or not.
+struct OfflineCarry {
+  double at_s = 0.0;
+  geometry::Pose2 T_world_robot;
+  bool is_felt = false;
+};
+
 /// A simulated robot that carries out motions without board or link: wheels by a plain controller,
 /// readings straight from the world. Times are simulated and only roughly those of a real robot.
 class OfflineRobot {
@@ -23,11 +30,14 @@ class OfflineRobot {
   /// All three outlive this.
   OfflineRobot(world::RobotWorld& world,
                const sensors::RobotGeometry& geometry,
-               pipeline::RobotPipeline& pipeline);
+               pipeline::ObservationSink& sink,
+               std::vector<OfflineCarry> carries = {});
 
   exploration::MotionResult execute(const exploration::Motion& motion);
+  /// From now on the sonar looks around whenever the wheels turn, as that of apps::RobotSession.
+  void look_around_on_the_way() { looks_on_the_way_ = true; }
 
-  /// Where the robot was at every observation that the pipeline has had, truly and by odometry
+  /// Where the robot was at every observation that the sink has had, truly and by odometry
   /// alone.
   const std::vector<evaluation::TruePose>& true_path() const { return true_path_; }
   const std::vector<pipeline::StampedPose>& odometry_path() const { return odometry_path_; }
@@ -40,13 +50,22 @@ class OfflineRobot {
   exploration::MotionResult sweep(const exploration::Sweep& sweep);
   sensors::WheelTravel travel() const;
   time::RobotTime stamp() const { return time::RobotTime(time::RobotClock::duration(now_us_)); }
+  void look_around();
+  void ping(double pan_rad);
   void step(const world::WheelDuty& duty);
   void keep_path();
+  /// The first of those that are planned, once it is due.
+  void carry_off();
 
   world::RobotWorld& world_;
   sensors::RobotGeometry geometry_;
-  pipeline::RobotPipeline& pipeline_;
+  pipeline::ObservationSink& sink_;
+  std::vector<OfflineCarry> carries_;
   world::EncoderChanges changes_;
+  bool looks_on_the_way_ = false;
+  std::int64_t next_look_us_ = 0;
+  double look_pan_rad_ = 0.0;
+  double look_step_rad_ = 0.26;
   std::int64_t now_us_ = 0;
   sensors::WheelOdometry odometry_;
   std::vector<evaluation::TruePose> true_path_;

@@ -21,6 +21,7 @@ inline pipeline::Snapshot snapshot_of(mapping::OccupancyGrid grid,
       std::make_shared<const std::vector<pipeline::StampedPose>>(std::move(trajectory));
   snapshot.points = std::make_shared<const mapping::PointCloudMap>(std::move(points));
   snapshot.grid = std::make_shared<const mapping::OccupancyGrid>(std::move(grid));
+  snapshot.scans = std::make_shared<const std::vector<mapping::Scan>>();
   snapshot.last_scan = std::make_shared<const mapping::Scan>();
   return snapshot;
 }
