@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/exports/run_directory.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <system_error>
 
@@ -21,14 +22,18 @@ namespace echomap::exports {
 
 namespace {
 
-double length_m(const std::vector<pipeline::StampedPose>& trajectory) {
-  double length_m = 0.0;
-  for (std::size_t i = 1; i < trajectory.size(); ++i) {
-    length_m +=
-        (trajectory[i].T_map_robot.position_m() - trajectory[i - 1].T_map_robot.position_m())
-            .norm();
+/// Of the way that the wheels drove, without the hops between.
+double driven_m(const pipeline::Snapshot& snapshot) {
+  const auto& poses = *snapshot.trajectory;
+  const auto& carried_to = snapshot.carried_to;
+  double driven_m = 0.0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    if (std::find(carried_to.begin(), carried_to.end(), i) == carried_to.end()) {
+      driven_m +=
+          (poses[i].T_map_robot.position_m() - poses[i - 1].T_map_robot.position_m()).norm();
+    }
   }
-  return length_m;
+  return driven_m;
 }
 
 void make_directory(const std::filesystem::path& directory) {
@@ -45,7 +50,7 @@ void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary) 
   summary.stops = snapshot.stops;
   summary.poses = snapshot.points->poses().size();
   summary.points = snapshot.points->points().size();
-  summary.travelled_m = length_m(*snapshot.trajectory);
+  summary.travelled_m = driven_m(snapshot);
   const mapping::OccupancyGrid empty;
   summary.free_area_m2 = mapping::newly_free_area_m2(empty, *snapshot.grid);
 }

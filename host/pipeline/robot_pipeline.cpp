@@ -74,6 +74,7 @@ void RobotPipeline::on_hazards(const sensors::HazardObservation& observation) {
 
 void RobotPipeline::on_carried(const sensors::CarriedObservation& observation) {
   end_scan();
+  carried_to_.push_back(trajectory_->size());
   odometry_.move_to(T_map_odom().inverse() * observation.T_map_robot, observation.travel);
   if (slam_) {
     slam_->carry(odometry_.T_odom_robot());
@@ -152,6 +153,7 @@ Snapshot RobotPipeline::snapshot() const {
   }
   snapshot.T_odom_robot = odometry_.T_odom_robot();
   snapshot.trajectory = trajectory_;
+  snapshot.carried_to = carried_to_;
   snapshot.points = points_;
   snapshot.grid = grid();
   snapshot.scans = scans_;

@@ -90,6 +90,7 @@ class RobotPipeline final : public ObservationSink {
   geometry::Pose2 T_map_mapped_;  ///< What somebody who sees the robot adds to what it knows.
   std::shared_ptr<std::vector<StampedPose>> trajectory_ =
       std::make_shared<std::vector<StampedPose>>();
+  std::vector<std::size_t> carried_to_;  ///< Indices of the trajectory.
   std::shared_ptr<mapping::PointCloudMap> points_ = std::make_shared<mapping::PointCloudMap>();
   std::shared_ptr<const mapping::OccupancyGrid> far_grid_;
   /// Both together, made when a snapshot asks for it after one of them has changed.

@@ -29,6 +29,8 @@ struct Snapshot {
   /// Where the wheels alone place the robot, from where it started.
   geometry::Pose2 T_odom_robot;
   std::shared_ptr<const std::vector<StampedPose>> trajectory;
+  /// Indices of poses of the trajectory to which the robot was carried from the one before.
+  std::vector<std::size_t> carried_to;
   std::shared_ptr<const mapping::PointCloudMap> points;
   std::shared_ptr<const mapping::OccupancyGrid> grid;
   /// What was heard at all stops whose scans are in the grid, where it has them now.

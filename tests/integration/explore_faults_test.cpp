@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// What becomes of an exploration when a part fails, the robot is carried off or the line breaks.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -76,6 +77,21 @@ class ExploreFaults : public ::testing::Test {
   /// Nothing has jumped.
   void expect_right_pose_and_map() {
     EXPECT_TRUE(has_right_pose_and_map(summary())) << summary().dump(1);
+  }
+  /// It counts its way without the hop, by far its longest step.
+  void expect_counts_no_hop() {
+    const auto trajectory = exports::read_trajectory_tum(scratch / "run/trajectory.tum");
+    double way_m = 0.0;
+    double longest_m = 0.0;
+    for (std::size_t i = 1; i < trajectory.size(); ++i) {
+      const double step_m =
+          (trajectory[i].T_map_robot.position_m() - trajectory[i - 1].T_map_robot.position_m())
+              .norm();
+      way_m += step_m;
+      longest_m = std::max(longest_m, step_m);
+    }
+    EXPECT_GT(longest_m, 0.1);
+    EXPECT_NEAR(summary().at("travelled_m"), way_m - longest_m, 0.01);
   }
   /// The stamps of the trajectory rise, from the start to the end, whatever the board's clock does.
   void expect_steady_time() {
@@ -165,6 +181,7 @@ TEST_F(ExploreFaults, CarriedOffItMapsOnAndMostlyFindsItsFormerMapAgain) {
     EXPECT_THAT(ended.said,
                 AllOf(HasSubstr("the map so far is set aside"), HasSubstr("both are one")));
     EXPECT_TRUE(has_right_pose_and_map(score())) << seed << ": both parts of its way";
+    expect_counts_no_hop();
     joined += summary().at("former_maps") == 0 && !exists(scratch / "run/former_1") ? 1 : 0;
   }
   EXPECT_GE(joined, 6) << "of 8";

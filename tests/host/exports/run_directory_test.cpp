@@ -103,6 +103,18 @@ TEST(DescribeSnapshot, CountsAndMeasures) {
   EXPECT_NEAR(summary.free_area_m2, 0.005, 1e-12);
 }
 
+TEST(DescribeSnapshot, CountsWhatTheWheelsDroveAndNotWhereSomebodyHasCarriedTheRobot) {
+  auto run = tests::snapshot_of(mapping::OccupancyGrid(),
+                                {tests::pose_at(0.0, {}),
+                                 tests::pose_at(1.0, {0.3, 0.4, 0.0}),
+                                 tests::pose_at(3.0, {3.0, 4.0, 0.0}),
+                                 tests::pose_at(4.0, {3.0, 4.25, 0.0})});
+  RunSummary summary;
+  run.carried_to = {0, 2};
+  describe_snapshot(run, summary);
+  EXPECT_NEAR(summary.travelled_m, 0.75, 1e-12);
+}
+
 TEST(RunDirectory, SaysHowWellThePoseIsKnown) {
   RunSummary summary;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();

@@ -279,6 +279,25 @@ TEST_F(RobotPipelineTest, IsThereOnItsMapWhereSomebodyHasCarriedIt) {
   EXPECT_NEAR(T_there_robot.y_m(), 0.0, 1e-9);
 }
 
+TEST_F(RobotPipelineTest, TellsToWhichPosesItWasCarried) {
+  pipeline.on_carried({at_us(stamp_us), travel(0.0, 0.0), geometry::Pose2()});
+  pipeline.on_odometry({at_us(++stamp_us), travel(0.1, 0.0)});
+  pipeline.on_carried({at_us(++stamp_us), travel(0.1, 0.0), geometry::Pose2(3.0, -1.0, 1.0)});
+  const Snapshot snapshot = pipeline.snapshot();
+  ASSERT_EQ(snapshot.carried_to, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(snapshot.trajectory->at(1).T_map_robot.x_m(), 0.1);
+  EXPECT_NEAR(snapshot.trajectory->at(2).T_map_robot.x_m(), 3.0, 1e-9);
+}
+
+TEST_F(RobotPipelineTest, CountsAPoseThatComesLaterWhereTheStampOfTheCarryIsNotNew) {
+  pipeline.on_odometry({at_us(stamp_us), travel(0.0, 0.0)});
+  pipeline.on_carried({at_us(stamp_us), travel(0.0, 0.0), geometry::Pose2(3.0, 0.0, 0.0)});
+  pipeline.on_odometry({at_us(++stamp_us), travel(0.1, 0.0)});
+  const Snapshot snapshot = pipeline.snapshot();
+  ASSERT_EQ(snapshot.carried_to, (std::vector<std::size_t>{1}));
+  EXPECT_NEAR(snapshot.trajectory->at(1).T_map_robot.x_m(), 3.1, 1e-9);
+}
+
 /// A body of 0.1 m with one infra-red sensor that looks ahead from its middle.
 mapping::NearMapperParams feeling_body() {
   mapping::NearMapperParams near;
