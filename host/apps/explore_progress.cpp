@@ -23,11 +23,12 @@ std::optional<double> longest_left_s(const ExploreProgress& progress) {
   if (progress.most_s) {
     return std::max(0.0, *progress.most_s - progress.elapsed_s);
   }
-  if (!progress.most_stops || progress.stops == 0) {
+  const std::size_t stops = progress.stops + progress.stops_elsewhere;
+  if (!progress.most_stops || stops == 0) {
     return std::nullopt;
   }
-  const double per_stop_s = progress.elapsed_s / static_cast<double>(progress.stops);
-  const std::size_t left = *progress.most_stops - std::min(*progress.most_stops, progress.stops);
+  const double per_stop_s = progress.elapsed_s / static_cast<double>(stops);
+  const std::size_t left = *progress.most_stops - std::min(*progress.most_stops, stops);
   return per_stop_s * static_cast<double>(left);
 }
 

@@ -13,11 +13,12 @@ namespace echomap::apps {
 
 /// How far an exploration has come, and what ends it at the latest.
 struct ExploreProgress {
-  std::size_t stops = 0;
-  double floor_m2 = 0.0;  ///< Known to be free.
+  std::size_t stops = 0;            ///< In the map.
+  std::size_t stops_elsewhere = 0;  ///< Those that are not in it, of a robot that was carried off.
+  double floor_m2 = 0.0;            ///< Known to be free.
   double travelled_m = 0.0;
   double elapsed_s = 0.0;  ///< Of the robot's time.
-  /// The most stops that it makes; empty where its strategy counts none.
+  /// The most stops that it makes, in whichever map; empty where its strategy counts none.
   std::optional<std::size_t> most_stops{};
   /// How long it drives; empty where that is not known before.
   std::optional<double> most_s{};

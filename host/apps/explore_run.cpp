@@ -21,18 +21,36 @@ namespace {
 
 using exploration::MotionResult;
 
+/// Of all maps.
+std::size_t stops_in(const pipeline::RobotAtlas& atlas) {
+  std::size_t stops = atlas.pipeline().snapshot().stops;
+  for (const pipeline::FormerMap& former : atlas.former_maps()) {
+    stops += former.pipeline.snapshot().stops;
+  }
+  return stops;
+}
+
+/// How many stops the robot has made, and how many it had when this run began.
+struct StopCount {
+  std::size_t made = 0;
+  std::size_t before = 0;
+};
+
 /// Of the whole map, as the summary is.
-std::string progress_line(const DrivenRobot& robot, const RunOptions& options) {
+std::string progress_line(const DrivenRobot& robot,
+                          const RunOptions& options,
+                          const StopCount& stops) {
   exports::RunSummary summary;
   exports::describe_snapshot(robot.atlas.pipeline().snapshot(), summary);
   ExploreProgress progress;
   progress.stops = summary.stops;
+  progress.stops_elsewhere = stops.made - std::min(stops.made, summary.stops);
   progress.floor_m2 = summary.free_area_m2;
   progress.travelled_m = summary.travelled_m;
   progress.elapsed_s = elapsed_s(robot);
   switch (limit_of(options)) {
     case StrategyLimit::kStops:
-      progress.most_stops = before_this_run(robot).stops + options.stops * options.scans;
+      progress.most_stops = stops.before + options.stops * options.scans;
       break;
     case StrategyLimit::kSeconds:
       progress.most_s = before_this_run(robot).sim_seconds + options.seconds;
@@ -67,9 +85,9 @@ class MapsTeller {
 
 /// Where the robot may be in another map, as that of a strategy which goes anywhere, under the eyes
 /// of one that sets maps aside.
-std::unique_ptr<exploration::Explorer> explorer_of(const DrivenRobot& robot,
-                                                   const RunOptions& options,
-                                                   std::mt19937& random) {
+std::unique_ptr<exploration::AtlasExplorer> explorer_of(const DrivenRobot& robot,
+                                                        const RunOptions& options,
+                                                        std::mt19937& random) {
   const auto make = [&](std::size_t stops_made) -> std::unique_ptr<exploration::Explorer> {
     RunOptions left = options;
     left.stops -= std::min(left.stops, stops_made / options.scans);
@@ -201,13 +219,17 @@ ExitCode explore_and_save(const DrivenRobot& robot,
   const auto explorer = explorer_of(robot, options, random);
   RunKeeper keeper(robot, *explorer, out, summary);
   ProgressTeller progress(stderr, !options.headless);
+  const std::size_t stops_before = stops_in(robot.atlas);
+  const auto line = [&] {
+    return progress_line(robot, options, {stops_before + explorer->stops_made(), stops_before});
+  };
   session.on_step = [&, steps = 0]() mutable {
     constexpr int kStepsPerDrawing = 64;
     if (camera != nullptr) {
       camera->poll(session);
     }
     if (++steps % kStepsPerDrawing == 0) {
-      progress.tell(elapsed_s(robot), [&] { return progress_line(robot, options); });
+      progress.tell(elapsed_s(robot), line);
     }
   };
 

@@ -26,6 +26,9 @@ class AtlasExplorer final : public Explorer {
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
   StrategyProducts products() const override;
 
+  /// Since it began, in whichever map.
+  std::size_t stops_made() const { return stops_made_; }
+
  private:
   void begin_strategy();
   /// In another map, with a strategy that knows nothing of the one before.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -93,6 +94,15 @@ class ExploreFaults : public ::testing::Test {
     EXPECT_GT(longest_m, 0.1);
     EXPECT_NEAR(summary().at("travelled_m"), way_m - longest_m, 0.01);
   }
+  /// How long it goes on at most, as every half minute tells it; seconds.
+  static std::vector<double> told_left_s(const std::string& said) {
+    const std::regex told("driven in [0-9:]+, ([0-9]+):([0-9]+) left at most");
+    std::vector<double> left_s;
+    for (std::sregex_iterator i(said.begin(), said.end(), told); i != std::sregex_iterator(); ++i) {
+      left_s.push_back(60.0 * std::stod((*i)[1]) + std::stod((*i)[2]));
+    }
+    return left_s;
+  }
   /// The stamps of the trajectory rise, from the start to the end, whatever the board's clock does.
   void expect_steady_time() {
     const auto trajectory = exports::read_trajectory_tum(scratch / "run/trajectory.tum");
@@ -182,6 +192,11 @@ TEST_F(ExploreFaults, CarriedOffItMapsOnAndMostlyFindsItsFormerMapAgain) {
                 AllOf(HasSubstr("the map so far is set aside"), HasSubstr("both are one")));
     EXPECT_TRUE(has_right_pose_and_map(score())) << seed << ": both parts of its way";
     expect_counts_no_hop();
+    const auto left_s = told_left_s(ended.said);
+    ASSERT_GE(left_s.size(), 4U) << ended.said;
+    EXPECT_LT(*std::max_element(left_s.begin(), left_s.end()), 1.5 * left_s.front())
+        << seed << ": it does not begin anew with the map\n"
+        << ended.said;
     joined += summary().at("former_maps") == 0 && !exists(scratch / "run/former_1") ? 1 : 0;
   }
   EXPECT_GE(joined, 6) << "of 8";

@@ -33,6 +33,15 @@ TEST(ExploreProgress, TellsTheTimeThatALimitLeaves) {
   EXPECT_EQ(*longest_left_s(progress), 0.0);
 }
 
+TEST(ExploreProgress, CountsStopsThatAreNotInTheMap) {
+  ExploreProgress progress{.stops = 1, .stops_elsewhere = 9, .elapsed_s = 200.0};
+  progress.most_stops = 20;
+  EXPECT_DOUBLE_EQ(*longest_left_s(progress), 200.0) << "ten stops of 20 s";
+  progress.stops = 0;
+  progress.stops_elsewhere = 10;
+  EXPECT_DOUBLE_EQ(*longest_left_s(progress), 200.0);
+}
+
 TEST(ExploreProgress, InventsNoTime) {
   EXPECT_FALSE(longest_left_s({.stops = 3, .elapsed_s = 60.0}));
   ExploreProgress first{.stops = 0, .elapsed_s = 3.0};

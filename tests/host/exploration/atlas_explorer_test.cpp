@@ -61,6 +61,7 @@ TEST_F(AtlasExplorerTest, ALostRobotGoesOnInAnotherMapWithAStrategyThatBeginsAne
   says = Finished{FinishReason::kLost, 2};
   EXPECT_TRUE(std::holds_alternative<Drive>(next(explorer)));
   EXPECT_EQ(atlas.former_maps().size(), 1U);
+  EXPECT_EQ(explorer.stops_made(), 3U) << "in both maps";
   EXPECT_EQ(made_at, (std::vector<std::size_t>{0, 3}));
   EXPECT_EQ(told_stops, (std::vector<std::size_t>{1, 2, 3, 3, 0})) << "its own";
 }
