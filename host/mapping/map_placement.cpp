@@ -9,7 +9,6 @@
 #include "host/geometry/angle.hpp"
 #include "host/mapping/point_set.hpp"
 #include "host/mapping/pose_climb.hpp"
-#include "host/mapping/wall_distance.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -28,63 +27,10 @@ constexpr std::size_t kBest = 3000;
 /// Poses that are held while the best are sought.
 constexpr std::size_t kMostHeld = 100'000;
 constexpr std::size_t kRefined = 24;
-/// Walls farther apart do not agree at all.
-constexpr double kMostM = 0.5;
-
-/// Everything but floor is solid, as far around the map as matters.
-RasterMap without_floor(const RasterMap& map) {
-  const int margin = static_cast<int>(std::ceil(kMostM / map.resolution_m()));
-  RasterMap solid =
-      cut_out(map, {{-margin, -margin}, {map.columns() - 1 + margin, map.rows() - 1 + margin}});
-  for (int y = 0; y < solid.rows(); ++y) {
-    for (int x = 0; x < solid.columns(); ++x) {
-      if (solid.state({x, y}) != CellState::kFree) {
-        solid.set({x, y}, CellState::kOccupied);
-      }
-    }
-  }
-  return solid;
-}
-
-/// One of the two maps, in its own frame.
-class Side {
- public:
-  explicit Side(const RasterMap& map)
-      : map_(map),
-        walls_m_(centers_m(map, CellState::kOccupied)),
-        to_wall_(map, kMostM),
-        to_floors_end_(without_floor(map), kMostM) {}
-
-  const RasterMap& map() const { return map_; }
-  const Points& walls_m() const { return walls_m_; }
-  /// 1 on a wall, less beside it.
-  double wall_at(const Eigen::Vector2d& point_m, double sd_m) const {
-    const double off = to_wall_.at_m(point_m) / sd_m;
-    return std::exp(-0.5 * off * off);
-  }
-  bool is_deep_in_floor(const Eigen::Vector2d& point_m, double depth_m) const {
-    return map_.state(map_.cell_at(point_m)) == CellState::kFree &&
-           to_floors_end_.at_m(point_m) > depth_m;
-  }
-  bool knows(const Eigen::Vector2d& point_m) const {
-    return map_.state(map_.cell_at(point_m)) != CellState::kUnknown;
-  }
-  Points deep_floor_m(double depth_m) const {
-    Points deep_m = centers_m(map_, CellState::kFree);
-    std::erase_if(deep_m, [&](const auto& point_m) { return !is_deep_in_floor(point_m, depth_m); });
-    return deep_m;
-  }
-
- private:
-  const RasterMap& map_;
-  Points walls_m_;
-  WallDistance to_wall_;
-  WallDistance to_floors_end_;
-};
 
 /// Adds what the walls of one map say of their place in the other.
-void add_walls(const Side& of,
-               const Side& on,
+void add_walls(const PlaceableMap& of,
+               const PlaceableMap& on,
                const Pose2& T_on_of,
                const MapPlacementParams& params,
                MapPlacement& sum) {
@@ -100,8 +46,8 @@ void add_walls(const Side& of,
 }
 
 MapPlacement placed_at(const Pose2& T_former_later,
-                       const Side& former,
-                       const Side& later,
+                       const PlaceableMap& former,
+                       const PlaceableMap& later,
                        const MapPlacementParams& params) {
   MapPlacement placement{T_former_later};
   add_walls(later, former, T_former_later, params, placement);
@@ -112,7 +58,7 @@ MapPlacement placed_at(const Pose2& T_former_later,
 /// What lies under a point of the later map, cell by cell of the former one.
 class Lattice {
  public:
-  Lattice(const Side& former, const MapPlacementParams& params)
+  Lattice(const PlaceableMap& former, const MapPlacementParams& params)
       : columns_(former.map().columns()), rows_(former.map().rows()) {
     for (int y = 0; y < rows_; ++y) {
       for (int x = 0; x < columns_; ++x) {
@@ -190,8 +136,8 @@ void keep_best(std::vector<Candidate>& found) {
 }
 
 /// Poses on the lattice, the best first.
-std::vector<Candidate> coarse_search(const Side& former,
-                                     const Side& later,
+std::vector<Candidate> coarse_search(const PlaceableMap& former,
+                                     const PlaceableMap& later,
                                      const MapPlacementParams& params) {
   const Lattice lattice(former, params);
   const Points walls_m = some_of(later.walls_m(), kCoarsePoints);
@@ -253,20 +199,18 @@ std::vector<Candidate> apart(const std::vector<Candidate>& candidates,
 
 }  // namespace
 
-std::vector<MapPlacement> find_placements(const RasterMap& former,
-                                          const RasterMap& later,
+std::vector<MapPlacement> find_placements(const PlaceableMap& former,
+                                          const PlaceableMap& later,
                                           const MapPlacementParams& params) {
-  const Side on(former);
-  const Side of(later);
-  if (on.walls_m().empty() || of.walls_m().empty()) {
+  if (former.walls_m().empty() || later.walls_m().empty()) {
     return {};
   }
-  const Eigen::Vector2d pivot_m = mean_of(of.walls_m());
+  const Eigen::Vector2d pivot_m = mean_of(later.walls_m());
   const auto placed = [&](const Pose2& T_former_later) {
-    return placed_at(T_former_later, on, of, params);
+    return placed_at(T_former_later, former, later, params);
   };
   std::vector<MapPlacement> found;
-  for (const Candidate& candidate : apart(coarse_search(on, of, params), pivot_m, params)) {
+  for (const Candidate& candidate : apart(coarse_search(former, later, params), pivot_m, params)) {
     found.push_back(
         placed(climbed(candidate.T_former_later, pivot_m, {}, [&](const Pose2& T_former_later) {
           return placed(T_former_later).weight_m();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
-#include "host/mapping/raster_map.hpp"
+#include "host/mapping/placeable_map.hpp"
 
 namespace echomap::mapping {
 
@@ -45,8 +45,8 @@ struct MapPlacement {
 /// All ways to lay `later` onto `former` that walls and floor speak for, wherever it may lie and
 /// however turned, the best first: correlative matching (Olson 2009) on a coarse lattice, and finer
 /// around the best of them. Both maps have one resolution.
-std::vector<MapPlacement> find_placements(const RasterMap& former,
-                                          const RasterMap& later,
+std::vector<MapPlacement> find_placements(const PlaceableMap& former,
+                                          const PlaceableMap& later,
                                           const MapPlacementParams& params = {});
 
 /// The first of them where there is enough that speaks for it, hardly anything against it and no

@@ -13,8 +13,8 @@ RobotPipeline replayed(const ObservationLog& record, RobotPipeline pipeline) {
   return pipeline;
 }
 
-mapping::RasterMap map_of(const RobotPipeline& pipeline) {
-  return mapping::rasterize(*pipeline.snapshot().grid);
+mapping::PlaceableMap map_of(const RobotPipeline& pipeline) {
+  return mapping::PlaceableMap(mapping::rasterize(*pipeline.snapshot().grid));
 }
 
 }  // namespace
@@ -76,7 +76,8 @@ void RobotAtlas::begin_anew(std::size_t stops_elsewhere) {
 
 void RobotAtlas::set_aside(ObservationLog record) {
   RobotPipeline pipeline = replayed(record, make_());
-  former_.push_back({std::move(record), std::move(pipeline), std::nullopt, 0});
+  mapping::PlaceableMap map = map_of(pipeline);
+  former_.push_back({std::move(record), std::move(pipeline), std::move(map), std::nullopt, 0});
   ++changes_;
 }
 
@@ -84,7 +85,7 @@ bool RobotAtlas::join() {
   if (former_.empty()) {
     return false;
   }
-  const mapping::RasterMap map = map_of(pipeline_);
+  const mapping::PlaceableMap map = map_of(pipeline_);
   for (std::size_t i = former_.size(); i-- > 0;) {
     if (look_in(former_[i], map)) {
       const FormerMap found = std::move(former_[i]);
@@ -98,9 +99,9 @@ bool RobotAtlas::join() {
   return false;
 }
 
-bool RobotAtlas::look_in(FormerMap& former, const mapping::RasterMap& map) const {
+bool RobotAtlas::look_in(FormerMap& former, const mapping::PlaceableMap& map) const {
   const auto placement = mapping::sure_placement(
-      mapping::find_placements(map_of(former.pipeline), map, params_.placement), params_.placement);
+      mapping::find_placements(former.map, map, params_.placement), params_.placement);
   if (!placement) {
     former.agreeing_stops = 0;
     return false;

@@ -25,6 +25,7 @@ struct RobotAtlasParams {
 struct FormerMap {
   ObservationLog record;
   RobotPipeline pipeline;
+  mapping::PlaceableMap map;  ///< Of the pipeline, which does not change any more.
   /// Where the stops so far have found the map that the robot is in, and how many in a row.
   std::optional<geometry::Pose2> T_former_map;
   std::size_t agreeing_stops = 0;
@@ -78,7 +79,7 @@ class RobotAtlas final : public ObservationSink {
 
  private:
   void take(ObservationLog record);
-  bool look_in(FormerMap& former, const mapping::RasterMap& map) const;
+  bool look_in(FormerMap& former, const mapping::PlaceableMap& map) const;
 
   MakePipeline make_;
   RobotAtlasParams params_;

@@ -12,6 +12,7 @@
 #include "tests/benchmarks/ekf_slam_figures.hpp"
 #include "tests/benchmarks/emulated_slam_figures.hpp"
 #include "tests/benchmarks/figures.hpp"
+#include "tests/benchmarks/joining_figures.hpp"
 #include "tests/benchmarks/range_slam_figures.hpp"
 #include "tests/benchmarks/room_slam_figures.hpp"
 
@@ -53,6 +54,7 @@ void run(const Options& options) {
   }
   add("ekf", [&] { return ekf_slam_figures(options.verbose); });
   add("cost", laser_slam_cost_figures);
+  add("joining", [&] { return joining_figures(options.seeds); });
   add("cost", [&] { return ekf_slam_cost_figures(options.verbose); });
   report(figures, options.json);
 }
@@ -68,10 +70,18 @@ int main(int argc, char** argv) {
   app.add_option("--part",
                  options.part,
                  "Of what is measured; emulated, which takes a quarter of an hour, is not in all")
-      ->check(CLI::IsMember(
-          {"laser", "sonar", "rooms", "emulated", "ekf", "ekf_sonar", "ekf_rooms", "cost", "all"}))
+      ->check(CLI::IsMember({"laser",
+                             "sonar",
+                             "rooms",
+                             "emulated",
+                             "ekf",
+                             "ekf_sonar",
+                             "ekf_rooms",
+                             "cost",
+                             "joining",
+                             "all"}))
       ->capture_default_str();
-  app.add_option("--seeds", options.seeds, "Of the noise of sonars")
+  app.add_option("--seeds", options.seeds, "Of the noise of sonars; how often a map is looked for")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--room-seeds", options.room_seeds, "Of each simulated room")

@@ -2,6 +2,7 @@
 #include "host/mapping/map_placement.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -26,10 +27,10 @@ struct Box {
 
 /// A room with things in it, as a robot maps it that starts at `T_world_start` and has only seen
 /// `seen`.
-RasterMap map_of_room(const Box& room,
-                      const std::vector<Box>& things,
-                      const Pose2& T_world_start,
-                      const Box& seen) {
+PlaceableMap map_of_room(const Box& room,
+                         const std::vector<Box>& things,
+                         const Pose2& T_world_start,
+                         const Box& seen) {
   const Eigen::Vector2d middle_m = T_world_start.inverse() * (0.5 * (room.low_m + room.high_m));
   RasterMap map(120, 120, kEdgeM, middle_m.array() - 3.0);
   for (int y = 0; y < map.rows(); ++y) {
@@ -48,7 +49,7 @@ RasterMap map_of_room(const Box& room,
       map.set({x, y}, !in_room || near_thing ? CellState::kOccupied : CellState::kFree);
     }
   }
-  return map;
+  return PlaceableMap(std::move(map));
 }
 
 const Box kRoom{{0.0, 0.0}, {4.0, 3.0}};
@@ -62,10 +63,10 @@ void expect_near(const Pose2& found, const Pose2& expected) {
 
 TEST(MapPlacement, FindsAMapThatLiesAnywhereAndHoweverTurned) {
   const Pose2 T_world_former(1.0, 1.0, 0.3);
-  const RasterMap former = map_of_room(kRoom, kFurniture, T_world_former, kAll);
+  const PlaceableMap former = map_of_room(kRoom, kFurniture, T_world_former, kAll);
   for (const double heading_rad : {0.0, 1.0, 2.5, -2.0, -0.7}) {
     const Pose2 T_world_later(2.4, 1.7, heading_rad);
-    const RasterMap later = map_of_room(kRoom, kFurniture, T_world_later, kAll);
+    const PlaceableMap later = map_of_room(kRoom, kFurniture, T_world_later, kAll);
     const auto sure = sure_placement(find_placements(former, later));
     ASSERT_TRUE(sure) << heading_rad;
     expect_near(sure->T_former_later, T_world_former.inverse() * T_world_later);
@@ -75,7 +76,7 @@ TEST(MapPlacement, FindsAMapThatLiesAnywhereAndHoweverTurned) {
 
 TEST(MapPlacement, FindsAPartOfARoomInTheWhole) {
   const Pose2 T_world_later(0.7, 0.7, -1.2);
-  const RasterMap former = map_of_room(kRoom, kFurniture, {}, kAll);
+  const PlaceableMap former = map_of_room(kRoom, kFurniture, {}, kAll);
   const Box west{{-1.0, -1.0}, {3.2, 6.0}};
   const auto sure =
       sure_placement(find_placements(former, map_of_room(kRoom, kFurniture, T_world_later, west)));
@@ -84,7 +85,7 @@ TEST(MapPlacement, FindsAPartOfARoomInTheWhole) {
 }
 
 TEST(MapPlacement, IsNotSureInARoomThatIsTheSameWhenItIsTurned) {
-  const RasterMap former = map_of_room(kRoom, {}, {}, kAll);
+  const PlaceableMap former = map_of_room(kRoom, {}, {}, kAll);
   const auto placements = find_placements(former, map_of_room(kRoom, {}, {1.0, 1.0, 0.5}, kAll));
   ASSERT_GE(placements.size(), 2U);
   EXPECT_GT(placements[1].weight_m(), 0.8 * placements[0].weight_m());
@@ -92,7 +93,7 @@ TEST(MapPlacement, IsNotSureInARoomThatIsTheSameWhenItIsTurned) {
 }
 
 TEST(MapPlacement, IsNotSureOfAnotherRoom) {
-  const RasterMap former = map_of_room(kRoom, kFurniture, {}, kAll);
+  const PlaceableMap former = map_of_room(kRoom, kFurniture, {}, kAll);
   const Box hall{{0.0, 0.0}, {5.2, 2.2}};
   const std::vector<Box> shelves{{{2.0, 1.8}, {4.0, 2.2}}};
   EXPECT_FALSE(
@@ -100,8 +101,8 @@ TEST(MapPlacement, IsNotSureOfAnotherRoom) {
 }
 
 TEST(MapPlacement, ThereIsNoneOfAMapWithoutWalls) {
-  const RasterMap empty(1, 1, kEdgeM, {0.0, 0.0});
-  const RasterMap room = map_of_room(kRoom, kFurniture, {}, kAll);
+  const PlaceableMap empty(RasterMap(1, 1, kEdgeM, {0.0, 0.0}));
+  const PlaceableMap room = map_of_room(kRoom, kFurniture, {}, kAll);
   EXPECT_TRUE(find_placements(room, empty).empty());
   EXPECT_TRUE(find_placements(empty, room).empty());
   EXPECT_FALSE(sure_placement({}));
