@@ -20,7 +20,8 @@ struct RobotConnection {
   std::chrono::milliseconds patience{10'000};
   /// The robot must not have been reset by opening its port.
   bool no_reset = false;
-  /// Whoever lifts the robot puts it down again, somewhere, and the run goes on; else it ends.
+  /// Whoever lifts the robot puts it down again within five minutes, somewhere, and the run goes
+  /// on; else it ends.
   bool may_be_lifted = false;
   /// By what carries the bytes.
   robot_link::RobotLinkParams link{};

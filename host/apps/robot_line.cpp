@@ -25,6 +25,8 @@ constexpr seconds kCommandLimit(5);
 constexpr seconds kDisarmLimit(1);
 /// For the whole of a configuration, with resends.
 constexpr seconds kBulkLimit(5);
+/// For whoever has lifted the robot to put it down again.
+constexpr std::chrono::minutes kLongestLift(5);
 /// An absence that is no mere reset.
 constexpr std::chrono::milliseconds kWorthTelling(500);
 
@@ -147,6 +149,22 @@ void RobotLine::look_for_end() {
     return;
   }
   look_for_absence();
+  look_for_lift();
+}
+
+void RobotLine::look_for_lift() {
+  if (!is_lifted_ || !is_held_ || !may_be_lifted_) {
+    lifted_since_.reset();
+  } else if (!lifted_since_) {
+    lifted_since_ = now_;
+    spdlog::info("the robot is off the floor; it is waited for, {} minutes at most",
+                 kLongestLift.count());
+  } else if (now_ - *lifted_since_ > kLongestLift) {
+    end(SessionEnd::kSafetyStop,
+        fmt::format("the robot was lifted and not put down again within {} minutes\n"
+                    "  next: put it down and start anew",
+                    kLongestLift.count()));
+  }
 }
 
 void RobotLine::look_for_absence() {

@@ -34,7 +34,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   /// Lets time pass until `done`, for `limit` at most or until the session ends; true when done.
   bool wait_until(const std::function<bool()>& done, Duration limit);
   /// Waits for a ready link for as long as the connection's patience allows, and for a robot that
-  /// may be lifted until it stands; false at the session's end.
+  /// may be lifted until it stands, five minutes at most; false at the session's end.
   bool wait_until_ready();
   /// Sends a command and waits for its outcome; empty where none came.
   std::optional<robot_link::CommandResult> perform(const robot_link::Command& command);
@@ -104,6 +104,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   void step();
   void look_for_end();
   void look_for_absence();
+  void look_for_lift();
   std::string reason_of_absence() const;
 
   std::unique_ptr<transport::ByteStream> stream_;
@@ -121,6 +122,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   bool disarmed_ = false;
   std::optional<time::HostTime> away_since_;  ///< While the link is not ready.
   bool absence_is_told_ = false;
+  std::optional<time::HostTime> lifted_since_;  ///< While a robot that may be is lifted.
   std::optional<SessionEnd> end_;
   std::string end_reason_;
 

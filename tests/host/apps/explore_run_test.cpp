@@ -64,5 +64,22 @@ TEST_F(ExploreRun, SavesTheMapWhereTheBoardTakesItsProfileNoMore) {
   EXPECT_TRUE(std::filesystem::exists(folder / "summary.json"));
 }
 
+TEST_F(ExploreRun, SavesTheMapWhereTheRobotIsLiftedAndNotPutDownAgain) {
+  may_be_lifted = true;
+  session = new_session(false);
+  cable.robot.on_command = [this](std::string_view name) {
+    if (name == "StartSweep") {
+      cable.robot.hazards = protocol::kHazardWheelDrop;
+      cable.robot.armed = false;
+    }
+  };
+  EXPECT_EQ(explore(), ExitCode::kSafetyStop);
+  EXPECT_EQ(summary.outcome, "safety-stop");
+  EXPECT_GT(summary.sim_seconds, 300.0);
+  EXPECT_LT(summary.sim_seconds, 330.0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "map.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "observations.csv"));
+}
+
 }  // namespace
 }  // namespace echomap::apps

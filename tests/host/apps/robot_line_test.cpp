@@ -54,6 +54,46 @@ TEST_F(RobotLineTest, WaitsForARobotThatMayBeLiftedUntilItStands) {
   EXPECT_FALSE(session->end());
 }
 
+TEST_F(RobotLineTest, EndsWhenARobotThatMayBeLiftedIsNotPutDownWithinFiveMinutes) {
+  may_be_lifted = true;
+  session = new_session(false);
+  session->connect();
+  cable.robot.motion_ms = 3000;
+  time::HostTime lifted;
+  after_ms(300, [&] {
+    cable.robot.hazards = protocol::kHazardWheelDrop;
+    cable.robot.armed = false;
+    lifted = session->now();
+  });
+  session->execute(exploration::Drive{0.1});
+  EXPECT_FALSE(session->end());
+  session->execute(exploration::Drive{0.2});
+  EXPECT_EQ(session->end(), SessionEnd::kSafetyStop);
+  EXPECT_NE(session->end_reason().find("not put down again within 5 minutes\n  next: put it down"),
+            std::string::npos)
+      << session->end_reason();
+  EXPECT_GT(session->now(), lifted + std::chrono::minutes(5));
+  EXPECT_LT(session->now(), lifted + std::chrono::minutes(5) + std::chrono::seconds(1));
+}
+
+TEST_F(RobotLineTest, WaitsForEveryLiftAnew) {
+  may_be_lifted = true;
+  session = new_session(false);
+  session->connect();
+  for (int lift = 0; lift < 2; ++lift) {
+    cable.robot.motion_ms = 3000;
+    after_ms(300, [&] {
+      cable.robot.hazards = protocol::kHazardWheelDrop;
+      cable.robot.armed = false;
+      after_ms(4 * 60'000, [&] { cable.robot.hazards = 0; });
+    });
+    session->execute(exploration::Drive{0.1});
+    cable.robot.motion_ms = 100;
+    EXPECT_EQ(session->execute(exploration::Drive{0.2}), MotionResult::kReached) << lift;
+  }
+  EXPECT_FALSE(session->end());
+}
+
 TEST_F(RobotLineTest, KeepsTheStampOfOdometryApartFromThatOfOtherTelemetry) {
   session->connect();
   protocol::Status status{};
