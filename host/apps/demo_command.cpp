@@ -97,7 +97,7 @@ DemoDrive drive(SimulatedRobot& robot,
     return drive;
   }
   fork.remove(atlas);
-  drive.kidnap = show_kidnap(driven, fork, robot.lockstep(), options.run.seed);
+  drive.kidnap = show_kidnap(driven, fork, robot.lockstep(), options.run);
   if (const auto end = session.end()) {
     spdlog::error("the map is kept; the robot did not look for itself to the end, for {}",
                   session.end_reason());

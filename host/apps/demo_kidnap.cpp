@@ -47,15 +47,15 @@ void go_on(const FollowedRobot& followed, MclFilter& filter, DemoKidnap& kidnap)
 DemoKidnap show_kidnap(const DrivenRobot& robot,
                        pipeline::ObservationFork& fork,
                        transport::LockstepChannel& world,
-                       std::uint32_t seed) {
+                       const RunOptions& options) {
   const auto snapshot = robot.atlas.pipeline().snapshot();
   MclFilter filter(mapping::rasterize(*snapshot.grid),
                    robot.profile.geometry,
                    localizer_params(robot.profile, localization::LocalizerPreset::kDefault),
                    StartPose{snapshot.latest.T_map_robot, kStartStdM, kStartStdRad},
-                   std::mt19937(seed));
+                   std::mt19937(options.seed));
   fork.add(filter.sink());
-  StopDriver driver(robot.session, fork, robot.profile, seed);
+  StopDriver driver(robot.session, fork, robot.profile, options.slam, options.seed);
   const FollowedRobot followed{robot.session, driver, filter};
   DemoKidnap kidnap;
   kidnap.start = snapshot.trajectory->front();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,12 +26,12 @@ struct DemoKidnap {
 };
 
 /// Lets the localizer follow an explorer in the map that it has made, has the robot carried off by
-/// its world and drives on until the localizer is sure again, for a few stops at most. `fork` is
-/// what the session feeds. Ends early where the session does.
+/// its world and drives on until the localizer is sure again, for a few stops at most, placed by
+/// the SLAM of the options. `fork` is what the session feeds. Ends early where the session does.
 DemoKidnap show_kidnap(const DrivenRobot& robot,
                        pipeline::ObservationFork& fork,
                        transport::LockstepChannel& world,
-                       std::uint32_t seed);
+                       const RunOptions& options);
 
 /// noticed, found (within 15 cm and 10 degrees of the truth), stops, error_m and heading_error_rad,
 /// which are null where the localizer was not sure.

@@ -136,7 +136,7 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   pipeline::ObservationFork fork;
   fork.add(filter->sink());
   RobotSession session(std::move(opened.connection), profile, fork);
-  StopDriver driver(session, fork, profile, options.run.seed);
+  StopDriver driver(session, fork, profile, options.run.slam, options.run.seed);
   const FollowedRobot robot{session, driver, *filter};
   session.on_step = [&] { filter->poll(session); };
 

@@ -2,6 +2,7 @@
 #include "host/apps/stop_driver.hpp"
 
 #include <limits>
+#include <utility>
 #include <variant>
 
 #include "host/apps/strategy_setup.hpp"
@@ -26,8 +27,9 @@ exploration::NxtFarthestParams endless(const RobotProfile& profile) {
 StopDriver::StopDriver(RobotSession& session,
                        pipeline::ObservationFork& fork,
                        const RobotProfile& profile,
+                       std::string slam,
                        std::uint32_t seed)
-    : session_(session), fork_(fork), profile_(profile), random_(seed) {
+    : session_(session), fork_(fork), profile_(profile), slam_(std::move(slam)), random_(seed) {
   start_anew();
 }
 
@@ -37,7 +39,7 @@ void StopDriver::start_anew() {
   if (pipeline_) {
     fork_.remove(*pipeline_);
   }
-  pipeline_ = std::make_unique<pipeline::RobotPipeline>(pipeline_for(profile_, RunOptions{}.slam));
+  pipeline_ = std::make_unique<pipeline::RobotPipeline>(pipeline_for(profile_, slam_));
   fork_.add(*pipeline_);
   explorer_ = std::make_unique<exploration::NxtFarthest>(endless(profile_), random_);
   last_ = exploration::MotionResult::kReached;

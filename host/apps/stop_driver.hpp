@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <string>
 
 #include "host/apps/robot_profile.hpp"
 #include "host/apps/robot_session.hpp"
@@ -19,10 +20,12 @@ namespace echomap::apps {
 /// its own, which begins where the driver does.
 class StopDriver {
  public:
-  /// `session` feeds `fork`; both, and the profile, outlive this.
+  /// `session` feeds `fork`; both, and the profile, outlive this. SLAM of that name
+  /// (RunOptions::slam) places the robot in the driver's own map.
   StopDriver(RobotSession& session,
              pipeline::ObservationFork& fork,
              const RobotProfile& profile,
+             std::string slam,
              std::uint32_t seed);
   ~StopDriver();
   StopDriver(const StopDriver&) = delete;
@@ -35,12 +38,15 @@ class StopDriver {
   /// The robot was carried off: the driver's map is of somewhere else.
   void start_anew();
 
+  /// Of the driver's own map.
+  const pipeline::RobotPipeline& pipeline() const { return *pipeline_; }
   std::optional<exploration::FinishReason> finished() const { return finished_; }
 
  private:
   RobotSession& session_;
   pipeline::ObservationFork& fork_;
   const RobotProfile& profile_;
+  std::string slam_;
   std::mt19937 random_;
   std::unique_ptr<pipeline::RobotPipeline> pipeline_;
   std::unique_ptr<exploration::NxtFarthest> explorer_;

@@ -35,7 +35,7 @@ class StopDriverTest : public SessionOnACable {
         profile,
         fork);
     session->connect();
-    driver = std::make_unique<StopDriver>(*session, fork, profile, 3);
+    driver = std::make_unique<StopDriver>(*session, fork, profile, "grid", 3);
   }
   void let_it_hear() {
     cable.robot.on_command = [this](std::string_view name) {
@@ -68,6 +68,14 @@ TEST_F(StopDriverTest, ListensOnWhereNothingAnswersAndThenKnowsNowhereToGo) {
   EXPECT_TRUE(driver->go_to_next_stop());
   EXPECT_FALSE(driver->go_to_next_stop());
   EXPECT_EQ(driver->finished(), FinishReason::kNowhereToGo);
+}
+
+TEST_F(StopDriverTest, IsPlacedByTheSlamThatIsNamedAlsoWhereItStartsAnew) {
+  EXPECT_NE(driver->pipeline().slam(), nullptr);
+  driver = std::make_unique<StopDriver>(*session, fork, profile, "none", 3);
+  EXPECT_EQ(driver->pipeline().slam(), nullptr);
+  driver->start_anew();
+  EXPECT_EQ(driver->pipeline().slam(), nullptr);
 }
 
 TEST_F(StopDriverTest, EndsWithTheSession) {
