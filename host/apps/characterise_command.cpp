@@ -8,6 +8,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/whole_records.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/pipeline/log_sweeps.hpp"
@@ -34,7 +35,7 @@ pipeline::LogSweeps read_sweeps(const CharacteriseOptions& options) {
   pipeline::LogSweeps sweeps;
   for (const auto& path : options.logs) {
     const auto log = datasets::open_log(path, options.format);
-    while (const auto record = log->next()) {
+    while (const auto record = next_whole_record(*log)) {
       sweeps.add(*record);
     }
     sweeps.finish();

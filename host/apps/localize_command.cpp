@@ -14,6 +14,7 @@
 #include "host/apps/mcl_filter.hpp"
 #include "host/apps/progress_bar.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/whole_records.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/log_localizer.hpp"
@@ -40,7 +41,7 @@ class StatusLine {
 bool feed(datasets::LogReader& log, pipeline::LogLocalizer& localizer, ProgressBar& progress) {
   StatusLine status;
   while (!interrupted()) {
-    const auto record = log.next();
+    const auto record = next_whole_record(log);
     if (!record) {
       return true;
     }

@@ -14,6 +14,7 @@
 #include "host/apps/interrupt.hpp"
 #include "host/apps/progress_bar.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/whole_records.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/exports/landmarks_csv.hpp"
 #include "host/exports/pose_graph_g2o.hpp"
@@ -119,7 +120,7 @@ std::pair<std::string, std::string> feed(datasets::LogReader& log,
   constexpr std::size_t kRecordsPerDrawing = 256;
   try {
     while (was_interrupted || !interrupted()) {
-      const auto record = log.next();
+      const auto record = next_whole_record(log);
       if (!record) {
         return {was_interrupted ? "interrupted" : "finished", ""};
       }

@@ -48,10 +48,13 @@ std::optional<std::string_view> LineReader::next() {
     const bool is_whole = newline != nullptr;
     const std::size_t length =
         is_whole ? static_cast<std::size_t>(static_cast<const char*>(newline) - first) : held;
-    if (is_whole || length > kMaxLineBytes || !fill()) {
+    const bool is_given = is_whole || length > kMaxLineBytes;
+    const bool is_at_end = !is_given && !fill();
+    if (is_given || is_at_end) {
       if (!is_whole && length == 0) {
         return std::nullopt;
       }
+      lacks_end_ = is_at_end;
       ++line_number_;
       const std::string_view line(buffer_.data() + begin_, length);
       begin_ += length + (is_whole ? 1 : 0);
@@ -101,7 +104,11 @@ double LineReader::progress() const {
 }
 
 void LineReader::fail(const std::string& message) const {
-  throw files::FileError(path_.string() + ":" + std::to_string(line_number_) + ": " + message);
+  const std::string text = path_.string() + ":" + std::to_string(line_number_) + ": " + message;
+  if (lacks_end_ && line_number_ > 1) {
+    throw CutOffLine(text);
+  }
+  throw files::FileError(text);
 }
 
 }  // namespace echomap::datasets

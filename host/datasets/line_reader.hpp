@@ -9,9 +9,18 @@
 #include <string_view>
 #include <vector>
 
+#include "host/files/atomic_file.hpp"
+
 struct gzFile_s;
 
 namespace echomap::datasets {
+
+/// The last line of a file has no end and is not what its format says: whoever wrote it was cut off
+/// in its midst. All before it is whole.
+class CutOffLine : public files::FileError {
+ public:
+  using FileError::FileError;
+};
 
 /// Reads a text file, plain or gz, line by line in bounded memory: a quarter of a megabyte for
 /// itself and what zlib needs, however large the file or what is packed in it.
@@ -33,7 +42,8 @@ class LineReader {
   std::size_t line_number() const { return line_number_; }
   /// The share of the file's bytes that have been read, 0 .. 1.
   double progress() const;
-  /// Throws files::FileError with the text `file:line: message` for the line given last.
+  /// Throws files::FileError with the text `file:line: message` for the line given last; CutOffLine
+  /// where that is the file's last of several and lacks its end.
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
@@ -52,6 +62,7 @@ class LineReader {
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   std::size_t line_number_ = 0;
+  bool lacks_end_ = false;  ///< The line given last.
 };
 
 }  // namespace echomap::datasets

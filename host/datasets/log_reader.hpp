@@ -16,7 +16,8 @@ class LogReader {
   LogReader& operator=(const LogReader&) = delete;
 
   /// The next record; empty at the end. Throws files::FileError, whose text begins `file:line: `
-  /// where the log is not what its format says.
+  /// where the log is not what its format says: CutOffLine where that is half a line at its end,
+  /// behind all other records.
   virtual std::optional<LogRecord> next() = 0;
   /// The share of the log that has been read, 0 .. 1.
   virtual double progress() const = 0;

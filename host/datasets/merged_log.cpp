@@ -17,14 +17,22 @@ std::optional<LogRecord> MergedLog::next() {
     fill(source);
   }
   Source* first = earliest();
+  if (first == nullptr && cut_off_) {
+    throw *std::exchange(cut_off_, std::nullopt);
+  }
   return first == nullptr ? std::nullopt : std::exchange(first->head, std::nullopt);
 }
 
 void MergedLog::fill(Source& source) {
-  if (!source.head && !source.has_ended) {
-    source.head = source.log->next();
-    source.has_ended = !source.head;
+  if (source.head || source.has_ended) {
+    return;
   }
+  try {
+    source.head = source.log->next();
+  } catch (const CutOffLine& half) {
+    cut_off_ = half;
+  }
+  source.has_ended = !source.head;
 }
 
 MergedLog::Source* MergedLog::earliest() {

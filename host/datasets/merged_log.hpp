@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "host/datasets/line_reader.hpp"
 #include "host/datasets/log_reader.hpp"
 
 namespace echomap::datasets {
@@ -25,10 +27,12 @@ class MergedLog : public LogReader {
     std::optional<LogRecord> head;
     bool has_ended = false;
   };
-  static void fill(Source& source);
+  /// Half a line at the end of one log waits until all have ended.
+  void fill(Source& source);
   Source* earliest();
 
   std::vector<Source> sources_;
+  std::optional<CutOffLine> cut_off_;
 };
 
 }  // namespace echomap::datasets

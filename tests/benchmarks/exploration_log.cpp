@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/benchmarks/exploration_log.hpp"
 
+#include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <utility>
@@ -72,7 +74,15 @@ struct ReadField {
 ExplorationLog::ExplorationLog(std::filesystem::path path) : path_(std::move(path)) {
   std::ifstream file(path_);
   std::string text;
+  std::uintmax_t whole_bytes = 0;
   while (std::getline(file, text)) {
+    if (file.eof()) {
+      std::fprintf(
+          stderr, "%s: the last line is cut off, and its run is made again\n", path_.c_str());
+      std::filesystem::resize_file(path_, whole_bytes);
+      return;
+    }
+    whole_bytes += text.size() + 1;
     try {
       const auto line = nlohmann::ordered_json::parse(text);
       each_field(runs_[line.at("run").get<std::string>()], ReadField{line});

@@ -16,7 +16,8 @@ namespace echomap::bench {
 /// Safe to use from several threads.
 class ExplorationLog {
  public:
-  /// Keeps nothing where `path` is empty. Throws std::runtime_error for a line that is no run.
+  /// Keeps nothing where `path` is empty. A last line that has no end, as whoever wrote it was
+  /// killed, is told and taken off the file. Throws std::runtime_error for a line that is no run.
   explicit ExplorationLog(std::filesystem::path path = {});
 
   /// Empty for a run that was not made.

@@ -62,5 +62,31 @@ TEST(ExplorationLog, RefusesALineThatIsNoRun) {
   EXPECT_THROW(ExplorationLog(folder / "runs"), std::runtime_error);
 }
 
+TEST(ExplorationLog, GoesOnBehindALastLineThatIsCutOff) {
+  const tests::ScratchFolder folder;
+  const auto path = folder / "runs";
+  ExplorationLog(path).add(in_the_hall, 3, some_run());
+  const std::string whole = files::read_text_file(path);
+  ExplorationLog(path).add(in_the_hall, 4, some_run());
+  const std::string both = files::read_text_file(path);
+  for (const std::size_t bytes : {whole.size() + 1, both.size() - 20, both.size() - 1}) {
+    files::write_text_file(path, both.substr(0, bytes));
+    ExplorationLog log(path);
+    EXPECT_TRUE(log.find(in_the_hall, 3)) << bytes;
+    EXPECT_FALSE(log.find(in_the_hall, 4)) << bytes;
+    log.add(in_the_hall, 4, some_run());
+    EXPECT_EQ(files::read_text_file(path), both) << bytes;
+  }
+}
+
+TEST(ExplorationLog, RefusesHalfALineInItsMiddle) {
+  const tests::ScratchFolder folder;
+  const auto path = folder / "runs";
+  ExplorationLog(path).add(in_the_hall, 3, some_run());
+  const std::string line = files::read_text_file(path);
+  files::write_text_file(path, line.substr(0, 50) + "\n" + line);
+  EXPECT_THROW(ExplorationLog{path}, std::runtime_error);
+}
+
 }  // namespace
 }  // namespace echomap::bench

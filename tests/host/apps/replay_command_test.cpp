@@ -199,10 +199,30 @@ TEST_F(ReplayCommandTest, ARunsOwnPointsBecomeAMapAgain) {
 
 TEST_F(ReplayCommandTest, ADamagedLogKeepsItsMapUpToThere) {
   const std::string whole = files::read_text_file(options_.log);
-  write_log("cut.clf", whole.substr(0, whole.find('\n', whole.size() / 2) + 100));
-  EXPECT_EQ(run_replay(options_), ExitCode::kRuntimeError);
-  EXPECT_EQ(summary().at("outcome"), "log-damaged");
-  EXPECT_GT(summary().at("free_area_m2"), 1.0);
+  const std::size_t middle = whole.find('\n', whole.size() / 2) + 100;
+  for (const std::string& rest : {std::string("\n"), whole.substr(whole.find('\n', middle))}) {
+    write_log("damaged.clf", whole.substr(0, middle) + rest);
+    EXPECT_EQ(run_replay(options_), ExitCode::kRuntimeError);
+    EXPECT_EQ(summary().at("outcome"), "log-damaged");
+    EXPECT_GT(summary().at("free_area_m2"), 1.0);
+  }
+}
+
+TEST_F(ReplayCommandTest, ALogThatIsCutOffInItsLastLineIsReadUpToThere) {
+  const std::string whole = files::read_text_file(options_.log);
+  const std::size_t middle = whole.find('\n', whole.size() / 2) + 1;
+  write_log("whole.clf", whole.substr(0, middle));
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+  const auto expected = files::read_text_file(options_.out / "points.csv");
+  write_log("cut.clf", whole.substr(0, middle + 100));
+  for (const char* slam : {"", "grid"}) {
+    options_.slam = slam;
+    EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+    EXPECT_EQ(summary().at("outcome"), "finished");
+    if (options_.slam.empty()) {
+      EXPECT_EQ(files::read_text_file(options_.out / "points.csv"), expected);
+    }
+  }
 }
 
 TEST_F(ReplayCommandTest, ALogWithoutThePosesThatShouldCountSaysWhatToDo) {

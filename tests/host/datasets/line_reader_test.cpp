@@ -50,6 +50,33 @@ TEST_F(LineReaderTest, TheLastLineMayLackItsEnd) {
   EXPECT_THAT(lines_of_text(""), ElementsAre());
 }
 
+TEST_F(LineReaderTest, TellsALastLineThatIsCutOffFromOneThatIsDamaged) {
+  const auto is_cut_off = [&](const std::string& text) {
+    files::write_text_file(file_, text);
+    LineReader reader(file_);
+    while (const auto line = reader.next()) {
+      if (*line == "bad") {
+        break;
+      }
+    }
+    try {
+      reader.fail("no");
+    } catch (const CutOffLine&) {
+      return true;
+    } catch (const files::FileError&) {
+      return false;
+    }
+  };
+  EXPECT_TRUE(is_cut_off("one\nbad"));
+  EXPECT_FALSE(is_cut_off("one\nbad\n"));
+  EXPECT_FALSE(is_cut_off("one\nbad\nthree"));
+  EXPECT_FALSE(is_cut_off("bad")) << "nothing is whole";
+  EXPECT_FALSE(is_cut_off("one\ntwo\n")) << "at its end";
+  EXPECT_TRUE(is_cut_off("one\ntwo")) << "at its end";
+  const std::string long_lines(2 * LineReader::kMaxLineBytes, '\n');
+  EXPECT_TRUE(is_cut_off(long_lines + "bad")) << "behind the edge of its buffer";
+}
+
 TEST_F(LineReaderTest, ReadsGzAsIfItWereNotPacked) {
   tests::write_gz(folder_ / "log.gz", "one\ntwo\n");
   EXPECT_THAT(lines_of(folder_ / "log.gz"), ElementsAre("one", "two"));

@@ -5,7 +5,10 @@
 
 #include <gmock/gmock.h>
 
+#include "host/datasets/tum_log.hpp"
+#include "host/files/atomic_file.hpp"
 #include "tests/support/log_files.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -44,6 +47,21 @@ TEST(MergedLog, TakesTheEarliestAndAnUnstampedRecordRightAfterTheOneBeforeIt) {
   }
   EXPECT_THAT(names, ::testing::ElementsAre(1.0, 2.0, 2.0, 1.0, 2.0, 1.0));
   EXPECT_EQ(log.progress(), 1.0);
+}
+
+TEST(MergedLog, KeepsHalfALineAtTheEndOfOneUntilTheOthersHaveEndedToo) {
+  const tests::ScratchFolder folder;
+  files::write_text_file(folder / "short.tum", "1 1 0 0 0 0 0 1\n2 2 0");
+  files::write_text_file(folder / "long.tum", "3 3 0 0 0 0 0 1\n4 4 0 0 0 0 0 1\n");
+  std::vector<std::unique_ptr<LogReader>> logs;
+  logs.push_back(open_tum_log(folder / "short.tum"));
+  logs.push_back(open_tum_log(folder / "long.tum"));
+  MergedLog log(std::move(logs));
+  for (int record = 0; record < 3; ++record) {
+    EXPECT_TRUE(log.next()) << record;
+  }
+  EXPECT_THROW(log.next(), CutOffLine);
+  EXPECT_FALSE(log.next());
 }
 
 }  // namespace
