@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 #include "host/apps/exit_code.hpp"
 #include "host/apps/report.hpp"
@@ -50,6 +51,13 @@ void require_same_robot(const std::filesystem::path& run,
   }
 }
 
+/// Tells of a record whose writer was killed.
+void replay_record(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
+  if (exports::replay_observations_csv(record, sink)) {
+    spdlog::warn("the last line of {} is cut off, and all before it is read", record.string());
+  }
+}
+
 }  // namespace
 
 std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_t number) {
@@ -66,10 +74,10 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   require_record(run);
   const RunFacts facts = read_facts(run / "summary.json");
   require_same_robot(run, facts.robot, profile);
-  exports::replay_observations_csv(run / kRecordName, sessions);
+  replay_record(run / kRecordName, sessions);
   for (std::size_t number = 1; exists(former_map_of(run, number)); ++number) {
     pipeline::ObservationLog former;
-    exports::replay_observations_csv(former_map_of(run, number) / kRecordName, former);
+    replay_record(former_map_of(run, number) / kRecordName, former);
     atlas.set_aside(std::move(former));
   }
   sessions.begin_next();

@@ -9,7 +9,6 @@
 
 #include "host/apps/link_report.hpp"
 #include "host/exports/confidence_grid_csv.hpp"
-#include "host/exports/observations_csv.hpp"
 #include "host/exports/pose_graph_g2o.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
@@ -51,7 +50,11 @@ RunKeeper::RunKeeper(const DrivenRobot& robot,
                      const exploration::Explorer& explorer,
                      fs::path out,
                      exports::RunSummary& summary)
-    : robot_(robot), explorer_(explorer), out_(std::move(out)), summary_(summary) {}
+    : robot_(robot),
+      explorer_(explorer),
+      out_(std::move(out)),
+      summary_(summary),
+      record_(out_ / kRecordName) {}
 
 void RunKeeper::save(const std::string& outcome) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
@@ -88,7 +91,7 @@ void RunKeeper::save_in_passing() {
 void RunKeeper::save_map() {
   const auto snapshot = robot_.atlas.pipeline().snapshot();
   exports::describe_snapshot(snapshot, summary_);
-  save_record(out_, robot_.atlas.record());
+  save_record();
   describe_slam(robot_.atlas.pipeline(), out_, summary_);
   const exploration::StrategyProducts products = explorer_.products();
   if (products.phases > 0) {
@@ -113,7 +116,7 @@ void RunKeeper::save_former_maps() {
     const auto snapshot = former[i].pipeline.snapshot();
     exports::describe_snapshot(snapshot, summary);
     fs::create_directories(folder);
-    save_record(folder, former[i].record);
+    exports::ObservationsFile(folder / kRecordName).save(former[i].record, false);
     describe_slam(former[i].pipeline, folder, summary);
     exports::write_run_directory(folder, snapshot, summary);
   }
@@ -135,12 +138,12 @@ void RunKeeper::keep_former_run() const {
 }
 
 /// Of a robot under a camera the record is empty: it does not hold what the camera has said.
-void RunKeeper::save_record(const fs::path& folder, const pipeline::ObservationLog& record) const {
-  exports::ObservationRecorder recorder;
-  if (robot_.camera == nullptr) {
-    record.replay(recorder);
-  }
-  recorder.save(folder / kRecordName);
+void RunKeeper::save_record() {
+  const std::size_t changes = robot_.atlas.changes();
+  const bool is_seen = robot_.camera != nullptr;
+  record_.save(is_seen ? pipeline::ObservationLog() : robot_.atlas.record(),
+               changes == changes_recorded_);
+  changes_recorded_ = changes;
 }
 
 void RunKeeper::describe_clock() {

@@ -8,6 +8,7 @@
 
 #include "host/apps/driven_robot.hpp"
 #include "host/exploration/explorer.hpp"
+#include "host/exports/observations_file.hpp"
 #include "host/exports/summary_json.hpp"
 
 namespace echomap::apps {
@@ -36,8 +37,7 @@ class RunKeeper {
   void remove_joined_maps();
   /// What a former run has left in the same directory stays beside it.
   void keep_former_run() const;
-  void save_record(const std::filesystem::path& folder,
-                   const pipeline::ObservationLog& record) const;
+  void save_record();
 
   const DrivenRobot& robot_;
   const exploration::Explorer& explorer_;
@@ -46,8 +46,10 @@ class RunKeeper {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool warned_ = false;
   bool former_is_kept_ = false;
-  std::size_t changes_saved_ = 0;  ///< Of the atlas's maps.
-  std::size_t former_saved_ = 0;   ///< Directories of maps that were set aside.
+  exports::ObservationsFile record_;
+  std::size_t changes_recorded_ = 0;  ///< Of the atlas's maps, when the record was saved.
+  std::size_t changes_saved_ = 0;     ///< When the former maps were.
+  std::size_t former_saved_ = 0;      ///< Directories of maps that were set aside.
 };
 
 }  // namespace echomap::apps

@@ -9,7 +9,6 @@
 #include "host/datasets/field_cursor.hpp"
 #include "host/datasets/line_reader.hpp"
 #include "host/exports/number_table.hpp"
-#include "host/files/atomic_file.hpp"
 
 namespace echomap::exports {
 namespace {
@@ -29,15 +28,20 @@ class Replay {
   Replay(const std::filesystem::path& path, pipeline::ObservationSink& sink)
       : lines_(path), sink_(sink) {}
 
-  void run() {
+  /// Whether the last line lacks its end.
+  bool run() {
     const auto header = lines_.next();
     if (!header || *header != kHeader) {
       lines_.fail("expected the header '" + std::string(kHeader) + "'");
     }
     while (const auto line = lines_.next()) {
+      if (lines_.lacks_end()) {
+        return true;
+      }
       datasets::FieldCursor fields(lines_, *line, datasets::Separator::kComma);
       hand_on(fields);
     }
+    return false;
   }
 
  private:
@@ -228,8 +232,8 @@ void ObservationRecorder::begin_scan() { text_ += "begin-scan\n"; }
 
 void ObservationRecorder::end_scan() { text_ += "end-scan\n"; }
 
-void ObservationRecorder::save(const std::filesystem::path& path) const {
-  files::write_text_file(path, text_);
+std::string_view ObservationRecorder::lines() const {
+  return std::string_view(text_).substr(kHeader.size() + 1);
 }
 
 void ObservationRecorder::begin_line(std::string_view kind, time::RobotTime stamp) {
@@ -258,8 +262,12 @@ void ObservationRecorder::add(const std::optional<double>& value) {
   }
 }
 
-void replay_observations_csv(const std::filesystem::path& path, pipeline::ObservationSink& sink) {
-  Replay(path, sink).run();
+bool replay_observations_csv(const std::filesystem::path& path, pipeline::ObservationSink& sink) {
+  try {
+    return Replay(path, sink).run();
+  } catch (const datasets::CutOffLine&) {
+    return true;  // Zero bytes, as a loss of power leaves them.
+  }
 }
 
 }  // namespace echomap::exports

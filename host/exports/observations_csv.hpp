@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "host/files/atomic_file.hpp"
 #include "host/pipeline/observation_sink.hpp"
 
 namespace echomap::exports {
@@ -32,8 +33,10 @@ class ObservationRecorder final : public pipeline::ObservationSink {
   void begin_scan() override;
   void end_scan() override;
 
-  /// All so far, 10 MB after an hour of odometry at 50 Hz. Throws files::FileError.
-  void save(const std::filesystem::path& path) const;
+  /// A file of all so far, 10 MB after an hour of odometry at 50 Hz. Throws files::FileError.
+  void save(const std::filesystem::path& path) const { files::write_text_file(path, text_); }
+  /// The lines of that file behind its header.
+  std::string_view lines() const;
 
  private:
   void begin_line(std::string_view kind, time::RobotTime stamp);
@@ -44,8 +47,10 @@ class ObservationRecorder final : public pipeline::ObservationSink {
   std::string text_;
 };
 
-/// Hands on what such a file holds, in its order. Throws files::FileError, whose text begins
-/// `file:line: ` where a line is none of these or the wheels jump; what stands before is handed on.
-void replay_observations_csv(const std::filesystem::path& path, pipeline::ObservationSink& sink);
+/// Hands on what such a file holds, in its order. A last line without end, as whoever wrote it was
+/// killed, is left out, and the answer is whether there was one. Throws files::FileError, whose
+/// text begins `file:line: ` where a line is none of these or the wheels jump; what stands before
+/// is handed on.
+bool replay_observations_csv(const std::filesystem::path& path, pipeline::ObservationSink& sink);
 
 }  // namespace echomap::exports

@@ -52,7 +52,7 @@ void ObservationLog::add(const Event& event) {
   stretches_.back().events.push_back(event);
 }
 
-void ObservationLog::replay(ObservationSink& sink) const {
+void ObservationLog::replay(ObservationSink& sink, std::size_t skipped) const {
   const Overloaded hand_on{
       [&](const sensors::OdometryObservation& observation) { sink.on_odometry(observation); },
       [&](const sensors::SonarObservation& observation) { sink.on_sonar(observation); },
@@ -61,13 +61,24 @@ void ObservationLog::replay(ObservationSink& sink) const {
       [&](const BeginScan&) { sink.begin_scan(); },
       [&](const EndScan&) { sink.end_scan(); }};
   for (const Stretch& stretch : stretches_) {
-    if (stretch.carried) {
+    if (stretch.carried && skipped == 0) {
       sink.on_carried(*stretch.carried);
     }
-    for (const Event& event : stretch.events) {
-      std::visit(hand_on, event);
+    skipped -= stretch.carried && skipped > 0 ? 1 : 0;
+    const std::size_t first = std::min(skipped, stretch.events.size());
+    skipped -= first;
+    for (std::size_t i = first; i < stretch.events.size(); ++i) {
+      std::visit(hand_on, stretch.events[i]);
     }
   }
+}
+
+std::size_t ObservationLog::observations() const {
+  std::size_t observations = 0;
+  for (const Stretch& stretch : stretches_) {
+    observations += stretch.events.size() + (stretch.carried ? 1 : 0);
+  }
+  return observations;
 }
 
 std::size_t ObservationLog::scans() const {

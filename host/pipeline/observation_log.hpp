@@ -23,8 +23,11 @@ class ObservationLog final : public ObservationSink {
   void begin_scan() override;
   void end_scan() override;
 
-  /// Hands all of it on, in its order.
-  void replay(ObservationSink& sink) const;
+  /// Hands it on in its order, without the first `skipped` of its observations.
+  void replay(ObservationSink& sink, std::size_t skipped = 0) const;
+
+  /// How many it holds; where a scan begins, where it ends and where the robot was carried count.
+  std::size_t observations() const;
 
   std::size_t scans() const;
 

@@ -15,6 +15,7 @@
 #include "tests/benchmarks/joining_figures.hpp"
 #include "tests/benchmarks/range_slam_figures.hpp"
 #include "tests/benchmarks/room_slam_figures.hpp"
+#include "tests/benchmarks/saving_figures.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -55,6 +56,7 @@ void run(const Options& options) {
   add("ekf", [&] { return ekf_slam_figures(options.verbose); });
   add("cost", laser_slam_cost_figures);
   add("joining", [&] { return joining_figures(options.seeds); });
+  add("saving", [&] { return saving_figures(options.seeds); });
   add("cost", [&] { return ekf_slam_cost_figures(options.verbose); });
   report(figures, options.json);
 }
@@ -79,9 +81,11 @@ int main(int argc, char** argv) {
                              "ekf_rooms",
                              "cost",
                              "joining",
+                             "saving",
                              "all"}))
       ->capture_default_str();
-  app.add_option("--seeds", options.seeds, "Of the noise of sonars; how often a map is looked for")
+  app.add_option(
+         "--seeds", options.seeds, "Of the noise of sonars; how often joining and saving are tried")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--room-seeds", options.room_seeds, "Of each simulated room")

@@ -132,6 +132,18 @@ TEST_F(Resume, TheSameDirectoryHoldsBothRuns) {
   EXPECT_FALSE(exists(scratch / "run" / "pose_graph.g2o")) << "that of the run before";
 }
 
+TEST_F(Resume, ARunThatWasKilledWhileItWroteItsRecordGoesOn) {
+  ASSERT_EQ(explore("run", {}).status, 0);
+  const auto stands = where_it_stands("run");
+  const std::string record = text_of("run", "observations.csv");
+  files::write_text_file(scratch / "run" / "observations.csv", record + "odometry,99");
+  const Ended ended = explore("on", {stands}, {resume("run")}, 1);
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("observations.csv is cut off, and all before it is read"));
+  EXPECT_EQ(summary("on").at("resumed_stops"), 3);
+  EXPECT_THAT(text_of("on", "observations.csv"), ::testing::StartsWith(record));
+}
+
 TEST_F(Resume, ARobotThatWasMovedGoesOnInAnotherMap) {
   ASSERT_EQ(explore("monday", {}).status, 0);
   const Ended ended = explore("tuesday", {"--start=2.6,1.2,100"}, {resume("monday")}, 6);

@@ -50,6 +50,13 @@ TEST_F(ResumedRunTest, GoesOnWithItsMapFromWhereItHasEnded) {
   EXPECT_NEAR(latest.T_map_robot.x_m(), 0.75, 1e-12);
 }
 
+TEST_F(ResumedRunTest, LeavesOutHalfALineAtTheEndOfTheRecord) {
+  record("odometry,1000,0.5,0.5\nbegin-scan\nend-scan\nodometry,2000,0.75,0.7");
+  summarise(R"({"robot": "uno_2wd", "sim_seconds": 56.5})");
+  ASSERT_TRUE(resume());
+  EXPECT_EQ(atlas.pipeline().snapshot().trajectory->size(), 1U);
+}
+
 TEST_F(ResumedRunTest, KnowsTheMapsThatTheRobotWasCarriedAwayFrom) {
   const std::string former = "kind,stamp_us,values\nodometry,500,0.5,0.5\nbegin-scan\nend-scan\n";
   record("carried,900,0.5,0.5,0,0,0\nodometry,1000,0.6,0.6\n");

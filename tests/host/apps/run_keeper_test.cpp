@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host/apps/strategy_setup.hpp"
+#include "host/exports/observations_csv.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/host/apps/session_on_a_cable.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -51,6 +52,30 @@ TEST_F(RunKeeperTest, AMapThatWasSetAsideHasARunDirectoryOfItsOwn) {
   EXPECT_EQ(files::read_text_file(out / "former_1/observations.csv"),
             "kind,stamp_us,values\nodometry,20000,0,0\nbegin-scan\nend-scan\n");
   EXPECT_TRUE(exists(out / "former_1/map.png"));
+}
+
+TEST_F(RunKeeperTest, TheRecordIsThatOfTheMapAfterEveryStop) {
+  const DrivenRobot robot{*session, atlas, profile};
+  RunKeeper keeper(robot, explorer, out.path(), summary);
+  const auto expect_saved = [&](const char* when) {
+    keeper.save("exploring");
+    exports::ObservationRecorder recorder;
+    atlas.record().replay(recorder);
+    recorder.save(out / "expected.csv");
+    EXPECT_EQ(files::read_text_file(out / kRecordName), files::read_text_file(out / "expected.csv"))
+        << when;
+  };
+  expect_saved("at the start");
+  stop();
+  expect_saved("after a stop");
+  stop();
+  stop();
+  expect_saved("after two more");
+  atlas.begin_anew(2);
+  stop();
+  expect_saved("in another map");
+  stop();
+  expect_saved("after a stop there");
 }
 
 TEST_F(RunKeeperTest, AMapThatCouldNotBeSavedIsSavedTheNextTime) {

@@ -155,6 +155,26 @@ TEST(ObservationsCsv, SaysWhichLineIsDamagedAndWhy) {
   }
 }
 
+TEST(ObservationsCsv, LeavesOutALastLineWithoutEnd) {
+  const tests::ScratchFolder scratch;
+  const auto path = scratch / "record";
+  const std::string whole = "kind,stamp_us,values\nodometry,1,0,0\n";
+  for (const std::string& rest : {std::string("odometry,2,0"),
+                                  std::string("odometry,2,0,0.12"),
+                                  std::string("no"),
+                                  std::string(5000, '\0')}) {
+    files::write_text_file(path, whole + rest);
+    ObservationRecorder read;
+    EXPECT_TRUE(replay_observations_csv(path, read)) << rest;
+    EXPECT_EQ(read.lines(), "odometry,1,0,0\n") << rest;
+  }
+  ObservationRecorder read;
+  files::write_text_file(path, whole);
+  EXPECT_FALSE(replay_observations_csv(path, read));
+  files::write_text_file(path, whole + "odometry,2,0\nodometry,3,0");
+  EXPECT_THROW(replay_observations_csv(path, read), files::FileError) << "not the last line";
+}
+
 TEST(ObservationsCsv, NeedsItsHeader) {
   const tests::ScratchFolder scratch;
   const auto path = scratch / "record";
