@@ -3,16 +3,17 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include "host/apps/interrupt.hpp"
 #include "host/apps/localize_options.hpp"
+#include "host/apps/log_sink.hpp"
 #include "host/apps/map_options.hpp"
 #include "host/apps/robot_options.hpp"
 #include "host/files/nearest_word.hpp"
@@ -23,7 +24,7 @@ namespace echomap::apps {
 namespace {
 
 void set_up_logging(bool verbose, bool quiet) {
-  auto logger = spdlog::stderr_color_mt("echomap");
+  auto logger = std::make_shared<spdlog::logger>("echomap", std::make_shared<LogSink>(stderr));
   logger->set_pattern("echomap: %^%l%$: %v");
   logger->set_level(verbose ? spdlog::level::debug
                             : (quiet ? spdlog::level::err : spdlog::level::info));

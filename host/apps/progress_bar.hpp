@@ -36,6 +36,10 @@ class ProgressBar {
   std::chrono::steady_clock::time_point last_{};
 };
 
+/// Wipes the line of the bar that stands on a terminal now, if one does, so that another line can
+/// be printed there; the bar comes back when it is next shown.
+void make_way_for_a_line();
+
 /// The first `width` characters of a line, which a terminal would wrap else; all of it for 0.
 std::string clipped(const std::string& line, std::size_t width);
 

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include "host/apps/progress_bar.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
 
@@ -60,6 +61,7 @@ void prepare_outputs(const std::filesystem::path& out, const std::filesystem::pa
 
 void say(const std::string& line) {
   if (spdlog::should_log(spdlog::level::info)) {
+    make_way_for_a_line();
     fmt::print(stderr, "{}\n", line);
   }
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/host/apps/terminal.hpp"
+
 namespace echomap::apps {
 namespace {
 
@@ -30,6 +32,25 @@ TEST(ProgressBar, SaysNothingWhereNobodyLooks) {
   }
   EXPECT_EQ(std::ftell(file), 0);
   std::fclose(file);
+}
+
+TEST(ProgressBar, MakesWayForALineAndComesBackAtOnce) {
+  const Terminal terminal;
+  make_way_for_a_line();
+  ProgressBar bar(terminal.file());
+  bar.show("4 stops");
+  make_way_for_a_line();
+  make_way_for_a_line();
+  std::fputs("a line\n", terminal.file());
+  bar.show("5 stops");
+  EXPECT_EQ(terminal.shown(), "\r\033[K4 stops\r\033[Ka line\n\r\033[K5 stops");
+}
+
+TEST(ProgressBar, MakesNoWayWhereItIsGone) {
+  const Terminal terminal;
+  { ProgressBar(terminal.file()).show("4 stops"); }
+  make_way_for_a_line();
+  EXPECT_EQ(terminal.shown(), "\r\033[K4 stops\r\033[K");
 }
 
 }  // namespace

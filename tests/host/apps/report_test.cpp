@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/apps/progress_bar.hpp"
 #include "host/apps/temporary_folder.hpp"
 #include "host/files/atomic_file.hpp"
+#include "tests/host/apps/terminal.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -49,6 +51,14 @@ TEST(Report, IsWrittenToItsFile) {
   write_report(path, {{"free_iou", 0.9}});
   EXPECT_EQ(nlohmann::json::parse(files::read_text_file(path))["free_iou"], 0.9);
   EXPECT_NO_THROW(write_report({}, {}));
+}
+
+TEST(Report, AProgressBarMakesWayForWhatIsSaid) {
+  const Terminal terminal;
+  ProgressBar bar(terminal.file());
+  bar.show("4 stops");
+  say("said by a test");
+  EXPECT_EQ(terminal.shown(), "\r\033[K4 stops\r\033[K");
 }
 
 }  // namespace
