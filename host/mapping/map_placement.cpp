@@ -9,6 +9,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/mapping/point_set.hpp"
 #include "host/mapping/pose_climb.hpp"
+#include "host/mapping/shifted_sums.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -18,7 +19,6 @@ using geometry::Pose2;
 using Points = std::vector<Eigen::Vector2d>;
 
 constexpr double kCoarseStepRad = 0.0524;  // 3 degrees: 0.1 m at 2 m.
-constexpr std::int32_t kCoarseStepCells = 2;
 /// The coarse steps are bridged by walls as wide as this.
 constexpr double kCoarseSdM = 0.12;
 constexpr std::size_t kCoarsePoints = 200;
@@ -55,51 +55,28 @@ MapPlacement placed_at(const Pose2& T_former_later,
   return placement;
 }
 
-/// What lies under a point of the later map, cell by cell of the former one.
-class Lattice {
- public:
-  Lattice(const PlaceableMap& former, const MapPlacementParams& params)
-      : columns_(former.map().columns()), rows_(former.map().rows()) {
-    for (int y = 0; y < rows_; ++y) {
-      for (int x = 0; x < columns_; ++x) {
-        const Eigen::Vector2d center_m = former.map().center_m({x, y});
-        const bool contradicts = former.is_deep_in_floor(center_m, params.floor_depth_m);
-        const double wall = former.wall_at(center_m, kCoarseSdM);
-        for_wall_.push_back(static_cast<float>(contradicts ? -MapPlacement::kContradiction : wall));
-        const bool is_wall = former.map().state({x, y}) == CellState::kOccupied;
-        for_floor_.push_back(is_wall ? -1.0F : 0.0F);
-      }
-    }
-  }
-
-  float walls(const std::vector<CellIndex>& cells, CellIndex shift) const {
-    return sum(for_wall_, cells, shift);
-  }
-  float floor(const std::vector<CellIndex>& cells, CellIndex shift) const {
-    return sum(for_floor_, cells, shift);
-  }
-
- private:
-  float sum(const std::vector<float>& of,
-            const std::vector<CellIndex>& cells,
-            CellIndex shift) const {
-    float sum = 0.0F;
-    for (const CellIndex& cell : cells) {
-      const std::int32_t x = cell.x + shift.x;
-      const std::int32_t y = cell.y + shift.y;
-      if (x >= 0 && y >= 0 && x < columns_ && y < rows_) {
-        sum += of[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-                  static_cast<std::size_t>(x)];
-      }
-    }
-    return sum;
-  }
-
-  int columns_;
-  int rows_;
-  std::vector<float> for_wall_;
-  std::vector<float> for_floor_;
+/// What lies under a point of the later map, summed over its points for all their places on the
+/// former one.
+struct Lattice {
+  ShiftedSums walls;
+  ShiftedSums floor;
 };
+
+Lattice lattice_of(const PlaceableMap& former, const MapPlacementParams& params) {
+  const RasterMap& map = former.map();
+  std::vector<float> for_wall;
+  std::vector<float> for_floor;
+  for (int y = 0; y < map.rows(); ++y) {
+    for (int x = 0; x < map.columns(); ++x) {
+      const Eigen::Vector2d center_m = map.center_m({x, y});
+      const bool contradicts = former.is_deep_in_floor(center_m, params.floor_depth_m);
+      const double wall = former.wall_at(center_m, kCoarseSdM);
+      for_wall.push_back(static_cast<float>(contradicts ? -MapPlacement::kContradiction : wall));
+      for_floor.push_back(map.state({x, y}) == CellState::kOccupied ? -1.0F : 0.0F);
+    }
+  }
+  return {ShiftedSums(for_wall, map.columns()), ShiftedSums(for_floor, map.columns())};
+}
 
 struct Candidate {
   Pose2 T_former_later;
@@ -114,12 +91,15 @@ std::vector<CellIndex> cells_of(const RasterMap& map, const Points& points_m, co
   return cells;
 }
 
-CellBounds bounds_of(const std::vector<CellIndex>& cells) {
+/// Those that bring any of the cells onto the map.
+EvenShifts shifts_onto(const RasterMap& map, const std::vector<CellIndex>& cells) {
   CellBounds bounds;
   for (const CellIndex& cell : cells) {
     bounds = united(bounds, {cell, cell});
   }
-  return bounds;
+  return {{-bounds.max.x, -bounds.max.y},
+          (map.columns() + bounds.max.x - bounds.min.x) / 2 + 1,
+          (map.rows() + bounds.max.y - bounds.min.y) / 2 + 1};
 }
 
 float share_of(const Points& some, const Points& all) {
@@ -139,7 +119,7 @@ void keep_best(std::vector<Candidate>& found) {
 std::vector<Candidate> coarse_search(const PlaceableMap& former,
                                      const PlaceableMap& later,
                                      const MapPlacementParams& params) {
-  const Lattice lattice(former, params);
+  const Lattice lattice = lattice_of(former, params);
   const Points walls_m = some_of(later.walls_m(), kCoarsePoints);
   const Points all_floor_m = later.deep_floor_m(params.floor_depth_m);
   const Points floor_m = some_of(all_floor_m, kCoarsePoints);
@@ -152,16 +132,15 @@ std::vector<Candidate> coarse_search(const PlaceableMap& former,
   for (int turn = 0; turn < turns; ++turn) {
     const Pose2 turned(0.0, 0.0, geometry::wrap_angle(turn * 2.0 * std::numbers::pi / turns));
     const auto walls = cells_of(former.map(), walls_m, turned);
-    const auto floor = cells_of(former.map(), floor_m, turned);
-    const CellBounds bounds = bounds_of(walls);
-    for (auto y = -bounds.max.y; y <= former.map().rows() - bounds.min.y; y += kCoarseStepCells) {
-      for (auto x = -bounds.max.x; x <= former.map().columns() - bounds.min.x;
-           x += kCoarseStepCells) {
-        const float of_walls = lattice.walls(walls, {x, y});
-        if (of_walls > 0.0F) {
-          found.push_back({Pose2(x * cell_m, y * cell_m, turned.heading_rad()),
-                           of_walls + per_floor * lattice.floor(floor, {x, y})});
-        }
+    const EvenShifts shifts = shifts_onto(former.map(), walls);
+    const auto of_walls = lattice.walls.over(walls, shifts);
+    const auto of_floor = lattice.floor.over(cells_of(former.map(), floor_m, turned), shifts);
+    for (std::size_t i = 0; i < of_walls.size(); ++i) {
+      if (of_walls[i] > 0.0F) {
+        const int x = shifts.first.x + 2 * (static_cast<int>(i) % shifts.columns);
+        const int y = shifts.first.y + 2 * (static_cast<int>(i) / shifts.columns);
+        found.push_back({Pose2(x * cell_m, y * cell_m, turned.heading_rad()),
+                         of_walls[i] + per_floor * of_floor[i]});
       }
     }
     if (found.size() > kMostHeld) {
