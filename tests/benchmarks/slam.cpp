@@ -44,6 +44,7 @@ void run(const Options& options) {
   const slam::NamedSlam& grid = slam::slam_by_name("grid");
   const slam::NamedSlam& ekf = slam::slam_by_name("ekf");
   add("laser", laser_slam_figures);
+  add("spoilt", [&] { return spoilt_slam_figures(options.seeds); });
   add("sonar", [&] { return sonar_slam_figures(grid, options.seeds); });
   add("rooms", [&] { return room_slam_figures(grid, options.room_seeds); });
   add("ekf_sonar", [&] { return named_after(ekf, sonar_slam_figures(ekf, options.seeds)); });
@@ -68,10 +69,19 @@ int main(int argc, char** argv) {
   app.add_option("--part",
                  options.part,
                  "Of what is measured; emulated, which takes a quarter of an hour, is not in all")
-      ->check(CLI::IsMember(
-          {"laser", "sonar", "rooms", "emulated", "ekf", "ekf_sonar", "ekf_rooms", "cost", "all"}))
+      ->check(CLI::IsMember({"laser",
+                             "spoilt",
+                             "sonar",
+                             "rooms",
+                             "emulated",
+                             "ekf",
+                             "ekf_sonar",
+                             "ekf_rooms",
+                             "cost",
+                             "all"}))
       ->capture_default_str();
-  app.add_option("--seeds", options.seeds, "Of the noise of sonars")
+  app.add_option(
+         "--seeds", options.seeds, "Of the noise of sonars, and of odometry that is made bad")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--room-seeds", options.room_seeds, "Of each simulated room")
