@@ -135,16 +135,15 @@ ScanMatch ScanMatcher::match(std::span<const Eigen::Vector2d> points_m,
     return {prior.T_map_robot, Eigen::Matrix3d::Zero(), 0.0, 0.0};
   }
   const Prior before{as_vector(prior.T_map_robot), prior.covariance.inverse()};
-  const ScanMatch match = refined(points_m, before, before.pose, kStartLevel, field);
-  if (match.share >= params_.good_share) {
+  const ScanMatch match = refined(points_m, before, before.pose, {kStartLevel, 0}, field);
+  const bool is_heading_known =
+      prior.covariance(2, 2) < params_.known_heading_rad * params_.known_heading_rad;
+  if (match.share >= (is_heading_known ? params_.good_share : params_.good_turned_share)) {
     return match;
   }
-  const bool is_heading_known =
-      match.share >= params_.poor_share &&
-      prior.covariance(2, 2) < params_.known_heading_rad * params_.known_heading_rad;
-  const ScanMatch other = best_of_starts(points_m, before, before.pose, is_heading_known, field);
-  const bool is_better = other.cost < match.cost && other.share >= match.share + params_.least_gain;
-  return is_better ? other : match;
+  const bool is_turned = match.share < params_.poor_share || !is_heading_known;
+  const ScanMatch other = best_of_starts(points_m, before, is_turned ? params_.turns : 0, field);
+  return other.cost < (1.0 - params_.least_saving) * match.cost ? other : match;
 }
 
 ScanMatch ScanMatcher::match_after(std::span<const Eigen::Vector2d> points_m,
@@ -155,41 +154,38 @@ ScanMatch ScanMatcher::match_after(std::span<const Eigen::Vector2d> points_m,
   if (match.share >= params_.poor_share || points_m.empty() || field.empty()) {
     return match;
   }
-  const Prior believed{as_vector(prior.T_map_robot), prior.covariance.inverse()};
-  const ScanMatch stayed =
-      best_of_starts(points_m, believed, as_vector(T_map_before), false, field);
+  const Prior before{as_vector(T_map_before), prior.covariance.inverse()};
+  const ScanMatch stayed = best_of_starts(points_m, before, params_.turns, field);
   return stayed.share >= params_.good_share ? stayed : match;
 }
 
 ScanMatch ScanMatcher::best_of_starts(std::span<const Eigen::Vector2d> points_m,
                                       const Prior& prior,
-                                      const Eigen::Vector3d& start,
-                                      bool is_heading_known,
+                                      int turns,
                                       SurfaceField& field) const {
   constexpr int kCoarsest = SurfaceField::kLevels - 1;
-  ScanMatch best = refined(points_m, prior, start, kCoarsest, field);
-  if (is_heading_known) {
-    return best;
+  ScanMatch best = refined(points_m, prior, prior.pose, {kCoarsest, kCoarsest}, field);
+  for (int turn = 1; turn <= turns; ++turn) {
+    for (const double side : {-1.0, 1.0}) {
+      const Eigen::Vector3d turned =
+          prior.pose + Eigen::Vector3d(0.0, 0.0, side * turn * params_.turn_rad);
+      const ScanMatch other = refined(points_m, prior, turned, {kCoarsest, kCoarsest}, field);
+      best = other.cost < best.cost ? other : best;
+    }
   }
-  for (const double steps : {-1.0, 1.0, -2.0, 2.0}) {
-    const Eigen::Vector3d turned =
-        start + Eigen::Vector3d(0.0, 0.0, steps * params_.heading_step_rad);
-    const ScanMatch other = refined(points_m, prior, turned, kCoarsest, field);
-    best = other.cost < best.cost ? other : best;
-  }
-  return best;
+  return refined(points_m, prior, as_vector(best.T_map_robot), {kCoarsest - 1, 0}, field);
 }
 
 ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
                                const Prior& prior,
                                const Eigen::Vector3d& start,
-                               int from_level,
+                               const Levels& levels,
                                SurfaceField& field) const {
   FoundSurfaces surfaces(field, points_m.size());
   Eigen::Vector3d pose = start;
   NormalEquations points;
   double prior_cost = 0.0;
-  for (int level = from_level; level >= 0; --level) {
+  for (int level = levels.from; level >= levels.to; --level) {
     // Noise doubles with the cells; a point keeps its weight against the prior.
     const double weight = params_.weight * std::pow(4.0, level);
     const int most = level > 0 ? params_.most_coarse_iterations : params_.most_iterations;
@@ -199,7 +195,7 @@ ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
       off.z() = geometry::wrap_angle(off.z());
       const double square = off.dot(prior.information * off);
       const double share = kernel_share(square, params_.prior_kernel);
-      prior_cost = square * share / 2.0;
+      prior_cost = square / 2.0;
       const Eigen::Matrix3d trusted = share * share * prior.information;
       const Eigen::Matrix3d information = weight * points.information + trusted;
       const Eigen::Vector3d step =

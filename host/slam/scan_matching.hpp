@@ -24,14 +24,18 @@ struct ScanMatchingParams {
   double least_step_m = 2e-3;
   double least_step_rad = 5e-4;
   /// A match with a smaller share of points on surfaces is tried again from coarser cells; and from
-  /// other headings where it is poor, or the heading was not known to within `known_heading_rad`.
+  /// other headings where it is poor, or the heading was not known to within `known_heading_rad`:
+  /// then more has to lie on surfaces.
   double good_share = 0.75;
+  double good_turned_share = 0.9;
   double poor_share = 0.5;
   double known_heading_rad = 0.03;
-  /// And is left only for one with so much larger a share: new ground fits nothing rightly.
-  double least_gain = 0.1;
-  /// The other headings are one and two such steps to either side.
-  double heading_step_rad = 0.12;
+  /// And is left only for one whose cost is smaller by such a share: new ground fits nothing
+  /// rightly.
+  double least_saving = 0.3;
+  /// The other headings are so many such turns away, to either side.
+  int turns = 4;
+  double turn_rad = 0.1;
 };
 
 /// Where points fit.
@@ -41,7 +45,8 @@ struct ScanMatch {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   /// Share of the points that lie on surfaces, in [0, 1].
   double share = 0.0;
-  /// What was minimised: half the squares of all errors, of the points and of the prior.
+  /// Half the squares of all errors: of the points, under their kernel, and of the prior, without
+  /// its own, so that where the prior is contradicted, points have to speak for it.
   double cost = 0.0;
 };
 
@@ -70,17 +75,21 @@ class ScanMatcher {
     Eigen::Vector3d pose;
     Eigen::Matrix3d information;
   };
+  /// Of cells, from coarse to fine.
+  struct Levels {
+    int from = 0;
+    int to = 0;
+  };
 
   ScanMatch best_of_starts(std::span<const Eigen::Vector2d> points_m,
                            const Prior& prior,
-                           const Eigen::Vector3d& start,
-                           bool is_heading_known,
+                           int turns,
                            SurfaceField& field) const;
 
   ScanMatch refined(std::span<const Eigen::Vector2d> points_m,
                     const Prior& prior,
                     const Eigen::Vector3d& start,
-                    int from_level,
+                    const Levels& levels,
                     SurfaceField& field) const;
 
   ScanMatchingParams params_;

@@ -11,7 +11,9 @@
 #include "host/geometry/angle.hpp"
 #include "host/slam/scan_slam.hpp"
 #include "tests/benchmarks/relation_log.hpp"
+#include "tests/benchmarks/spoilt_log.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
+#include "tests/support/median.hpp"
 
 namespace echomap::bench {
 
@@ -56,6 +58,49 @@ double ms_a_scan(const RelationLog& log, const slam::ScanSlamParams& params) {
   slam::ScanSlam slam(params);
   const double took_s = processor_seconds([&] { score_slam(log, slam); });
   return 1e3 * took_s / static_cast<double>(slam.trajectory().size());
+}
+
+/// A log to spoil, of which every `every`th scan is taken.
+struct SpoiltCase {
+  const char* name;
+  const char* file;
+  std::size_t every;
+};
+
+constexpr SpoiltCase kSpoiltCases[]{
+    {"aces", "carmen_corrected/aces-corrected", 1},
+    {"belgioioso", "carmen_corrected/belgioioso-corrected", 1},
+    {"csail", "carmen_corrected/csail-corrected", 1},
+    {"fr079_4th", "carmen_corrected/freiburg-079-corrected", 4},
+    {"fr079_8th", "carmen_corrected/freiburg-079-corrected", 8},
+};
+
+constexpr double kLostM = 0.1;
+
+void add_spoilt_log(const SpoiltCase& spoilt, std::size_t seeds, std::vector<Figure>& figures) {
+  std::vector<double> errors_m;
+  std::vector<double> odometry_m;
+  for (std::size_t seed = 1; seed <= seeds; ++seed) {
+    std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+    const auto log = read_spoilt_log(spoilt.file, spoilt.every, random);
+    if (!log) {
+      fmt::print("{}: not there, skipped\n", spoilt.file);
+      return;
+    }
+    slam::ScanSlam slam;
+    errors_m.push_back(score_slam(*log, slam).translation_mean_m);
+    odometry_m.push_back(score_odometry(*log).translation_mean_m);
+  }
+  const std::string name = std::string("spoilt_") + spoilt.name;
+  const auto lost = std::count_if(
+      errors_m.begin(), errors_m.end(), [](double error_m) { return error_m > kLostM; });
+  figures.push_back({name + "_m",
+                     tests::median(errors_m),
+                     "m",
+                     seeds,
+                     {{"odometry", tests::median(odometry_m)}}});
+  figures.push_back({name + "_worst_m", *std::ranges::max_element(errors_m), "m", seeds, {}});
+  figures.push_back({name + "_lost", static_cast<double>(lost), "runs", seeds, {}});
 }
 
 }  // namespace
@@ -109,6 +154,14 @@ std::vector<Figure> sonar_slam_figures(const slam::NamedSlam& method, std::size_
     figures.push_back(
         {name + "_m", sum_m / static_cast<double>(seeds), "m", seeds, {{"odometry", odometry_m}}});
     figures.push_back({name + "_worst_m", worst_m, "m", seeds, {{"odometry", odometry_m}}});
+  }
+  return figures;
+}
+
+std::vector<Figure> spoilt_slam_figures(std::size_t seeds) {
+  std::vector<Figure> figures;
+  for (const SpoiltCase& spoilt : kSpoiltCases) {
+    add_spoilt_log(spoilt, seeds, figures);
   }
   return figures;
 }

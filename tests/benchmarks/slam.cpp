@@ -46,6 +46,7 @@ void run(const Options& options) {
   const slam::NamedSlam& grid = slam::slam_by_name("grid");
   const slam::NamedSlam& ekf = slam::slam_by_name("ekf");
   add("laser", laser_slam_figures);
+  add("spoilt", [&] { return spoilt_slam_figures(options.seeds); });
   add("sonar", [&] { return sonar_slam_figures(grid, options.seeds); });
   add("rooms", [&] { return room_slam_figures(grid, options.room_seeds); });
   add("ekf_sonar", [&] { return named_after(ekf, sonar_slam_figures(ekf, options.seeds)); });
@@ -72,28 +73,34 @@ int main(int argc, char** argv) {
   app.add_option("--part",
                  options.part,
                  "Of what is measured; emulated, which takes a quarter of an hour, is not in all")
-      ->check(CLI::IsMember({"laser",
-                             "sonar",
-                             "rooms",
-                             "emulated",
-                             "ekf",
-                             "ekf_sonar",
-                             "ekf_rooms",
-                             "cost",
-                             "joining",
-                             "saving",
-                             "all"}))
+      ->check(CLI::IsMember({"laser", "joining", "saving", "all"}))
       ->capture_default_str();
   app.add_option(
-         "--seeds", options.seeds, "Of the noise of sonars; how often joining and saving are tried")
-      ->check(CLI::PositiveNumber)
+      "--seeds",
+      options.seeds,
+      "Of the noise of sonars and of bad odometry; how often joining and saving are tried") "sonar",
+      "rooms", "emulated", "ekf", "ekf_sonar", "ekf_rooms", "cost",
+<<<<<<< HEAD
+      "joining", "saving", "all"
+}))
       ->capture_default_str();
-  app.add_option("--room-seeds", options.room_seeds, "Of each simulated room")
-      ->check(CLI::PositiveNumber)
+app.add_option("--seeds",
+               options.seeds,
+               "Of the noise of sonars; how often joining and saving are tried")
+=======
+      "all"
+}))
       ->capture_default_str();
-  app.add_flag("-v,--verbose", options.verbose, "Say more of each robot");
-  app.add_option("--json", options.json, "Write the figures to this file");
-  CLI11_PARSE(app, argc, argv);
-  echomap::bench::run(options);
-  return 0;
+app.add_option("--seeds", options.seeds, "Of the noise of sonars, and of odometry that is made bad")
+>>>>>>> carry
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+app.add_option("--room-seeds", options.room_seeds, "Of each simulated room")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+app.add_flag("-v,--verbose", options.verbose, "Say more of each robot");
+app.add_option("--json", options.json, "Write the figures to this file");
+CLI11_PARSE(app, argc, argv);
+echomap::bench::run(options);
+return 0;
 }
