@@ -120,13 +120,14 @@ struct PlacedSighting {
 void add_sighting(const PlacedSighting& sighting,
                   const SonarFeature& feature,
                   Eigen::Index feature_row,
-                  const SurfaceMatchingParams& matching,
+                  double range_sd_m,
+                  double bearing_sd_rad,
                   NormalEquations& equations) {
   const FeatureView view = view_from(sighting.scan.center_m, feature);
   const Eigen::Vector2d towards(std::cos(view.bearing_rad), std::sin(view.bearing_rad));
   const Eigen::RowVector3d range_by_scan(-towards.x(), -towards.y(), 0.0);
   equations.add<3, 2>(view.range_m - sighting.surface.range_m,
-                      matching.range_sd_m,
+                      range_sd_m,
                       sighting.row,
                       range_by_scan,
                       feature_row,
@@ -135,7 +136,7 @@ void add_sighting(const PlacedSighting& sighting,
   const Eigen::RowVector3d bearing_by_scan(
       turn_per_m * towards.y(), -turn_per_m * towards.x(), -1.0);
   equations.add<3, 2>(geometry::angle_between(sighting.surface.bearing_rad, view.bearing_rad),
-                      matching.bearing_sd_rad,
+                      bearing_sd_rad,
                       sighting.row,
                       bearing_by_scan,
                       feature_row,
@@ -167,7 +168,8 @@ AlignedScans align_scans(const std::vector<ScanSurfaces>& scans,
         add_sighting({placed[scan], placed[scan].surfaces[index], row_of_scan(scan)},
                      features[i].feature,
                      equations.row_of_feature(i),
-                     matching,
+                     matching.range_sd_m,
+                     params.bearing_sd_rad,
                      equations);
       }
     }

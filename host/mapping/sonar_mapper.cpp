@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "host/geometry/unit_vector.hpp"
 
@@ -40,6 +40,25 @@ bool borders_floor(const OccupancyGrid& floor, CellIndex cell) {
   return false;
 }
 
+/// How a scan has moved as a whole; empty where it was bent by more than a fraction of what a sonar
+/// tells, or is another one.
+std::optional<geometry::Pose2> rigid_motion(const Scan& from, const Scan& to) {
+  constexpr double kBentM = 0.003;
+  constexpr double kBentRad = 0.003;
+  if (from.empty() || from.size() != to.size()) {
+    return std::nullopt;
+  }
+  const geometry::Pose2 T_to_from = to.front().T_map_sonar * from.front().T_map_sonar.inverse();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const geometry::Pose2 off = to[i].T_map_sonar.inverse() * T_to_from * from[i].T_map_sonar;
+    if (from[i].range_m != to[i].range_m || off.position_m().norm() > kBentM ||
+        std::abs(off.heading_rad()) > kBentRad) {
+      return std::nullopt;
+    }
+  }
+  return T_to_from;
+}
+
 }  // namespace
 
 SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
@@ -55,21 +74,31 @@ SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
   }
 }
 
-void SonarMapper::add(const Scan& scan, const std::vector<geometry::Pose2>& T_slam_odom) {
-  scans_.push_back(find_surfaces(scan, params_.surfaces));
-  if (!T_slam_odom.empty() && T_slam_odom.size() != scans_.size()) {
-    throw std::invalid_argument("sonar mapper: SLAM does not place every stop");
+void SonarMapper::add(const Scan& scan) {
+  scans_.push_back({scan, find_surfaces(scan, params_.surfaces)});
+  std::vector<ScanSurfaces> placed;
+  for (const KnownScan& known : scans_) {
+    placed.push_back(known.surfaces);
   }
-  std::vector<ScanSurfaces> placed = scans_;
-  for (std::size_t i = 0; i < T_slam_odom.size(); ++i) {
-    placed[i] = moved(std::move(placed[i]), T_slam_odom[i]);
+  match(placed);
+}
+
+void SonarMapper::take(const std::vector<Scan>& scans) {
+  scans_.resize(scans.size());
+  std::vector<ScanSurfaces> placed;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const auto T_new_old = rigid_motion(scans_[i].readings, scans[i]);
+    if (!T_new_old) {
+      scans_[i] = {scans[i], find_surfaces(scans[i], params_.surfaces)};
+    }
+    placed.push_back(moved(scans_[i].surfaces, T_new_old.value_or(geometry::Pose2())));
   }
+  match(placed);
+}
+
+void SonarMapper::match(const std::vector<ScanSurfaces>& placed) {
   const AlignedScans aligned = align_scans(placed, params_.matching, params_.alignment);
-  T_map_odom_of_scans_ = aligned.T_map_placed;
-  for (std::size_t i = 0; i < T_slam_odom.size(); ++i) {
-    T_map_odom_of_scans_[i] = T_map_odom_of_scans_[i] * T_slam_odom[i];
-  }
-  T_map_placed_ = aligned.T_map_placed.back();
+  T_map_placed_ = aligned.T_map_placed;
   matched_ = match_surfaces(aligned.scans, params_.matching);
 }
 

@@ -45,19 +45,26 @@ class SonarMapper {
   /// Throws std::invalid_argument for parameters without sense.
   explicit SonarMapper(const SonarMapperParams& params = {});
 
-  /// Adds the readings of one stop, placed by odometry alone. Where SLAM knows more of the way, it
-  /// says for every stop, this one last, from where odometry places it to where it was.
-  void add(const Scan& scan, const std::vector<geometry::Pose2>& T_slam_odom = {});
+  /// Adds the readings of one stop, placed by odometry alone.
+  void add(const Scan& scan);
+  /// Takes the readings of all stops so far, as SLAM places them now, for those of before.
+  void take(const std::vector<Scan>& scans);
 
   /// The grid of all scans so far; without any echo, an untouched one.
   OccupancyGrid grid() const;
-  /// From where odometry, or SLAM, places the robot since the last scan to where it is on the map.
-  const geometry::Pose2& T_map_placed() const { return T_map_placed_; }
-  /// From where odometry places each scan to where it is on the map now.
-  const std::vector<geometry::Pose2>& T_map_odom_of_scans() const { return T_map_odom_of_scans_; }
+  /// From where each scan was placed to where it is on the map; the robot goes with the last one.
+  const std::vector<geometry::Pose2>& T_map_placed() const { return T_map_placed_; }
 
  private:
   using CellSet = std::set<geometry::CellIndex>;
+
+  /// Readings and what was found in them, both as they were placed then.
+  struct KnownScan {
+    Scan readings;
+    ScanSurfaces surfaces;
+  };
+
+  void match(const std::vector<ScanSurfaces>& placed);
 
   void add_floor(const ScanSurfaces& scan,
                  const std::vector<MatchedWall>& walls,
@@ -71,10 +78,9 @@ class SonarMapper {
   int faded(int centilogits, double distance_m) const;
 
   SonarMapperParams params_;
-  std::vector<ScanSurfaces> scans_;  ///< As odometry places them.
-  MatchedSurfaces matched_;          ///< On the map.
-  geometry::Pose2 T_map_placed_;
-  std::vector<geometry::Pose2> T_map_odom_of_scans_;
+  std::vector<KnownScan> scans_;
+  MatchedSurfaces matched_;  ///< On the map.
+  std::vector<geometry::Pose2> T_map_placed_;
 };
 
 }  // namespace echomap::mapping

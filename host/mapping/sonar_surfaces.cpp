@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/mapping/region_bearing.hpp"
 
 namespace echomap::mapping {
 
@@ -16,6 +17,8 @@ namespace {
 
 /// So many readings in a row that disagree end a region: more than both looks at one bearing.
 constexpr int kStrangersThatEnd = 3;
+/// What cuts a region short moves its middle at most so far.
+constexpr double kMostAsideRad = geometry::radians(16.0);
 
 struct Region {
   double bearing_rad = 0.0;
@@ -79,11 +82,8 @@ class RegionFinder {
   }
 
  private:
-  /// A wall answers from the foot of its perpendicular while that is in the beam, and beyond from
-  /// where the beam's edge meets it.
   bool agrees(const SonarLook& look, double depth_m, double off_rad) const {
-    const double beyond_beam_rad = std::max(0.0, off_rad - params_.beam_half_angle_rad);
-    return look.range_m && std::abs(*look.range_m - depth_m / std::cos(beyond_beam_rad)) <=
+    return look.range_m && std::abs(*look.range_m - range_off_foot_m(depth_m, off_rad, params_)) <=
                                params_.depth_tolerance_m;
   }
 
@@ -174,10 +174,13 @@ class RegionFinder {
   const SonarSurfaceParams& params_;
 };
 
-SonarSurface surface_of(const Region& region, const SonarSurfaceParams& params) {
+SonarSurface surface_of(const Region& region,
+                        const std::vector<SonarLook>& looks,
+                        const SonarSurfaceParams& params) {
   const double wider_rad =
       std::max(0.0, region.half_width_rad() - params.beam_edge * params.beam_half_angle_rad);
-  return {geometry::wrap_angle(region.middle_rad()),
+  const double within_rad = std::min(region.half_width_rad(), kMostAsideRad);
+  return {likely_bearing_rad(looks, region.middle_rad(), within_rad, region.range_m, params),
           region.range_m,
           region.range_m * std::tan(wider_rad),
           region.members.size()};
@@ -206,7 +209,7 @@ ScanSurfaces find_surfaces(const Scan& scan, const SonarSurfaceParams& params) {
     if (!region) {
       return found;
     }
-    found.surfaces.push_back(surface_of(*region, params));
+    found.surfaces.push_back(surface_of(*region, found.looks, params));
   }
 }
 

@@ -58,9 +58,9 @@ class CornerFinder {
       : walls_(walls), params_(params) {
     for (const ScanSurfaces& scan : scans) {
       for (const SonarSurface& surface : scan.surfaces) {
-        const double before_m = std::max(0.0, surface.range_m - params.behind_m);
         sights_.push_back(
-            {scan.center_m, scan.center_m + before_m * geometry::unit_vector(surface.bearing_rad)});
+            {scan.center_m,
+             scan.center_m + surface.range_m * geometry::unit_vector(surface.bearing_rad)});
       }
     }
   }
@@ -87,8 +87,10 @@ class CornerFinder {
 
  private:
   bool is_seen_through(const geometry::Segment& gap) const {
+    const Eigen::Vector2d along_gap = (gap.to_m - gap.from_m).normalized();
     return std::any_of(sights_.begin(), sights_.end(), [&](const geometry::Segment& sight) {
-      return geometry::cross_properly(sight, gap);
+      const double behind_m = std::abs(geometry::cross(along_gap, sight.to_m - gap.from_m));
+      return behind_m > params_.behind_m && geometry::cross_properly(sight, gap);
     });
   }
 

@@ -117,15 +117,20 @@ void RobotPipeline::end_scan() {
 }
 
 void RobotPipeline::map_scan() {
-  mapper_.add(open_scan_, slam_ ? slam_->T_map_odom_of_stops() : std::vector<geometry::Pose2>());
+  if (slam_) {
+    placed_scans_ = slam_->stops();
+    mapper_.take(placed_scans_);
+  } else {
+    placed_scans_.push_back(open_scan_);
+    mapper_.add(open_scan_);
+  }
   const auto grid = std::make_shared<const mapping::OccupancyGrid>(mapper_.grid());
   newly_free_m2_ = mapping::newly_free_area_m2(*far_grid_, *grid);
   far_grid_ = grid;
   grid_ = nullptr;
-  T_odom_scans_.push_back(open_scan_);
   std::vector<mapping::Scan> scans;
-  for (std::size_t i = 0; i < T_odom_scans_.size(); ++i) {
-    scans.push_back(mapping::moved(T_odom_scans_[i], mapper_.T_map_odom_of_scans()[i]));
+  for (std::size_t i = 0; i < placed_scans_.size(); ++i) {
+    scans.push_back(mapping::moved(placed_scans_[i], mapper_.T_map_placed()[i]));
   }
   scans_ = std::make_shared<const std::vector<mapping::Scan>>(std::move(scans));
 }
@@ -190,7 +195,9 @@ geometry::Pose2 RobotPipeline::follow(time::RobotTime stamp, const sensors::Whee
 }
 
 geometry::Pose2 RobotPipeline::T_map_odom() const {
-  const geometry::Pose2 T_map_placed = T_map_mapped_ * mapper_.T_map_placed();
+  const auto& T_map_scans = mapper_.T_map_placed();
+  const geometry::Pose2 T_map_placed =
+      T_map_scans.empty() ? T_map_mapped_ : T_map_mapped_ * T_map_scans.back();
   return slam_ ? T_map_placed * slam_->T_map_odom() : T_map_placed;
 }
 

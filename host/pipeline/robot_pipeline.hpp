@@ -96,7 +96,8 @@ class RobotPipeline final : public ObservationSink {
   /// Both together, made when a snapshot asks for it after one of them has changed.
   mutable std::shared_ptr<const mapping::OccupancyGrid> grid_;
   mutable std::uint64_t near_in_grid_ = 0;
-  std::vector<mapping::Scan> T_odom_scans_;  ///< Those in the grid, as odometry places them.
+  std::vector<mapping::Scan>
+      placed_scans_;  ///< Those in the grid, as odometry or SLAM places them.
   std::shared_ptr<const std::vector<mapping::Scan>> scans_;
   std::shared_ptr<const mapping::Scan> last_scan_;
   mapping::Scan open_scan_;

@@ -29,8 +29,8 @@ void RobotSlam::hear(const geometry::Pose2& T_odom_robot,
 }
 
 void RobotSlam::end_stop(bool pings_count) {
-  const std::size_t middle = track_.instants() + held_T_odom_robots_.size() / 2;
-  auto ping = pings_.end() - static_cast<std::ptrdiff_t>(std::exchange(held_pings_, 0));
+  const std::size_t first = pings_.size() - std::exchange(held_pings_, 0);
+  auto ping = pings_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto count_so_far = [&] {
     for (; pings_count && ping != pings_.end() && ping->instant < track_.instants(); ++ping) {
       count(*ping);
@@ -42,7 +42,7 @@ void RobotSlam::end_stop(bool pings_count) {
     count_so_far();
   }
   if (pings_count) {
-    stops_.push_back(middle);
+    stops_.push_back({first, pings_.size()});
   }
   is_at_stop_ = false;
 }
@@ -50,6 +50,27 @@ void RobotSlam::end_stop(bool pings_count) {
 void RobotSlam::count(const Ping& ping) {
   track_.add(ping.T_odom_robot,
              {ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_opening_rad_, 0.0});
+}
+
+std::vector<mapping::Scan> RobotSlam::stops() const {
+  std::vector<std::size_t> instants;
+  for (const Stop& stop : stops_) {
+    for (std::size_t i = stop.first; i < stop.last; ++i) {
+      instants.push_back(pings_[i].instant);
+    }
+  }
+  const std::vector<geometry::Pose2> T_map_odom = track_.T_map_odom_at(instants);
+  auto correction = T_map_odom.begin();
+  std::vector<mapping::Scan> scans;
+  for (const Stop& stop : stops_) {
+    scans.emplace_back();
+    for (std::size_t i = stop.first; i < stop.last; ++i) {
+      const geometry::Pose2 T_map_robot = *correction++ * pings_[i].T_odom_robot;
+      scans.back().push_back(
+          {T_map_robot, T_map_robot * pings_[i].T_robot_sonar, pings_[i].range_m});
+    }
+  }
+  return scans;
 }
 
 mapping::PointCloudMap RobotSlam::points(const std::vector<geometry::Pose2>& trajectory) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
+#include "host/mapping/placed_reading.hpp"
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/pipeline/slam_track.hpp"
 #include "host/slam/slam_method.hpp"
@@ -32,8 +33,9 @@ class RobotSlam {
   void end_stop(bool pings_count);
 
   const geometry::Pose2& T_map_odom() const { return track_.T_map_odom(); }
-  /// Of each stop that counted, from where odometry had it to where it was, as is known now.
-  std::vector<geometry::Pose2> T_map_odom_of_stops() const { return track_.T_map_odom_at(stops_); }
+  /// What was heard at each stop that counted, where it was heard as is known now: a body that
+  /// turns farther than its wheels tell would bend the scan of a stop that odometry places.
+  std::vector<mapping::Scan> stops() const;
   /// At every instant up to the last stop's end, as is known now.
   std::vector<geometry::Pose2> trajectory() const { return track_.trajectory(); }
   /// All echoes on a trajectory of this.
@@ -48,6 +50,12 @@ class RobotSlam {
     std::optional<double> range_m;
   };
 
+  /// Its pings, and the one behind.
+  struct Stop {
+    std::size_t first = 0;
+    std::size_t last = 0;
+  };
+
   void count(const Ping& ping);
 
   std::unique_ptr<slam::SlamMethod> method_;
@@ -56,8 +64,8 @@ class RobotSlam {
   std::vector<Ping> pings_;
   bool is_at_stop_ = false;
   std::vector<geometry::Pose2> held_T_odom_robots_;
-  std::size_t held_pings_ = 0;      ///< The last ones of all.
-  std::vector<std::size_t> stops_;  ///< The instant in the middle of each.
+  std::size_t held_pings_ = 0;  ///< The last ones of all.
+  std::vector<Stop> stops_;
 };
 
 }  // namespace echomap::pipeline

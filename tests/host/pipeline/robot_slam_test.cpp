@@ -38,8 +38,13 @@ TEST_F(RobotSlamTest, HoldsBackWhatComesAtAStop) {
   EXPECT_EQ(method->beams, 3U);
   EXPECT_EQ(method->followed, 3U);
   EXPECT_DOUBLE_EQ(method->poses.back().x_m(), 2.0);
-  ASSERT_EQ(slam.T_map_odom_of_stops().size(), 1U);
-  EXPECT_DOUBLE_EQ(slam.T_map_odom_of_stops().front().y_m(), 1.0);
+  ASSERT_EQ(slam.stops().size(), 1U);
+  const mapping::Scan stop = slam.stops().front();
+  ASSERT_EQ(stop.size(), 2U);
+  EXPECT_DOUBLE_EQ(stop.front().T_map_sonar.x_m(), 1.0);
+  EXPECT_DOUBLE_EQ(stop.back().T_map_robot.x_m(), 2.0);
+  EXPECT_DOUBLE_EQ(stop.back().T_map_robot.y_m(), 1.0);
+  EXPECT_EQ(stop.back().range_m, 0.5);
 }
 
 TEST_F(RobotSlamTest, LeavesOutPingsThatDoNotCount) {
@@ -48,7 +53,7 @@ TEST_F(RobotSlamTest, LeavesOutPingsThatDoNotCount) {
   slam.end_stop(false);
   EXPECT_EQ(method->beams, 0U);
   EXPECT_EQ(method->followed, 1U) << "the robot drove all the same";
-  EXPECT_TRUE(slam.T_map_odom_of_stops().empty());
+  EXPECT_TRUE(slam.stops().empty());
 }
 
 TEST_F(RobotSlamTest, HasAllEchoesOnTheTrajectory) {
@@ -75,8 +80,8 @@ TEST_F(RobotSlamTest, CountsPingsOfAStopThatAreOfAnOlderInstant) {
 TEST_F(RobotSlamTest, SurvivesAStopOfNothing) {
   slam.begin_stop();
   slam.end_stop(true);
-  ASSERT_EQ(slam.T_map_odom_of_stops().size(), 1U);
-  EXPECT_DOUBLE_EQ(slam.T_map_odom_of_stops().front().y_m(), 0.0);
+  ASSERT_EQ(slam.stops().size(), 1U);
+  EXPECT_TRUE(slam.stops().front().empty());
 }
 
 }  // namespace
