@@ -73,34 +73,31 @@ int main(int argc, char** argv) {
   app.add_option("--part",
                  options.part,
                  "Of what is measured; emulated, which takes a quarter of an hour, is not in all")
-      ->check(CLI::IsMember({"laser", "joining", "saving", "all"}))
+      ->check(CLI::IsMember({"laser",
+                             "spoilt",
+                             "sonar",
+                             "rooms",
+                             "emulated",
+                             "ekf",
+                             "ekf_sonar",
+                             "ekf_rooms",
+                             "cost",
+                             "joining",
+                             "saving",
+                             "all"}))
       ->capture_default_str();
   app.add_option(
-      "--seeds",
-      options.seeds,
-      "Of the noise of sonars and of bad odometry; how often joining and saving are tried") "sonar",
-      "rooms", "emulated", "ekf", "ekf_sonar", "ekf_rooms", "cost",
-<<<<<<< HEAD
-      "joining", "saving", "all"
-}))
+         "--seeds",
+         options.seeds,
+         "Of the noise of sonars and of bad odometry; how often joining and saving are tried")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
-app.add_option("--seeds",
-               options.seeds,
-               "Of the noise of sonars; how often joining and saving are tried")
-=======
-      "all"
-}))
+  app.add_option("--room-seeds", options.room_seeds, "Of each simulated room")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
-app.add_option("--seeds", options.seeds, "Of the noise of sonars, and of odometry that is made bad")
->>>>>>> carry
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-app.add_option("--room-seeds", options.room_seeds, "Of each simulated room")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-app.add_flag("-v,--verbose", options.verbose, "Say more of each robot");
-app.add_option("--json", options.json, "Write the figures to this file");
-CLI11_PARSE(app, argc, argv);
-echomap::bench::run(options);
-return 0;
+  app.add_flag("-v,--verbose", options.verbose, "Say more of each robot");
+  app.add_option("--json", options.json, "Write the figures to this file");
+  CLI11_PARSE(app, argc, argv);
+  echomap::bench::run(options);
+  return 0;
 }
