@@ -29,7 +29,8 @@ std::filesystem::path required_companion(const std::filesystem::path& path,
 /// skipped.
 class CompanionLines {
  public:
-  explicit CompanionLines(const std::filesystem::path& path) : lines_(path) {}
+  explicit CompanionLines(const std::filesystem::path& path)
+      : lines_(path, LineReader::Role::kCompanion) {}
 
   /// The fields of the next line, valid until the next call; empty at the end.
   std::optional<FieldCursor> next();

@@ -22,7 +22,8 @@ constexpr std::size_t kBufferBytes = 2 * LineReader::kMaxLineBytes;
 
 }  // namespace
 
-LineReader::LineReader(std::filesystem::path path) : path_(std::move(path)) {
+LineReader::LineReader(std::filesystem::path path, Role role)
+    : path_(std::move(path)), role_(role) {
   std::error_code error;
   if (std::filesystem::is_directory(path_, error)) {
     fail_to_open(path_, EISDIR);
@@ -105,7 +106,7 @@ double LineReader::progress() const {
 
 void LineReader::fail(const std::string& message) const {
   const std::string text = path_.string() + ":" + std::to_string(line_number_) + ": " + message;
-  if (lacks_end_ && line_number_ > 1) {
+  if (role_ == Role::kMain && lacks_end_ && line_number_ > 1) {
     throw CutOffLine(text);
   }
   throw files::FileError(text);

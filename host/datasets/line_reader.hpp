@@ -29,8 +29,11 @@ class LineReader {
   /// A longer line is an error. The longest of a public log that we know has 7 kB.
   static constexpr std::size_t kMaxLineBytes = 65536;
 
+  /// A companion's lines belong to those of another file, which goes on where they are cut off.
+  enum class Role { kMain, kCompanion };
+
   /// Throws files::FileError where the file cannot be opened.
-  explicit LineReader(std::filesystem::path path);
+  explicit LineReader(std::filesystem::path path, Role role = Role::kMain);
 
   /// The next line without its end (LF or CR LF; the last may lack it), valid until the next call;
   /// empty at the end of the file. Throws files::FileError with `file:line: ` for a line that is
@@ -45,7 +48,7 @@ class LineReader {
   /// The share of the file's bytes that have been read, 0 .. 1.
   double progress() const;
   /// Throws files::FileError with the text `file:line: message` for the line given last; CutOffLine
-  /// where that is the file's last of several and lacks its end.
+  /// where that is the main file's last of several and lacks its end.
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
@@ -58,6 +61,7 @@ class LineReader {
   std::string_view checked(std::string_view line) const;
 
   std::filesystem::path path_;
+  Role role_;
   double file_bytes_ = 0.0;
   std::unique_ptr<gzFile_s, Close> file_;
   std::vector<char> buffer_;

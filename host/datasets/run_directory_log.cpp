@@ -21,7 +21,7 @@ struct Echo {
 class RunDirectoryLog : public LogReader {
  public:
   explicit RunDirectoryLog(const std::filesystem::path& folder)
-      : poses_(folder / "poses.csv"), points_(folder / "points.csv") {
+      : poses_(folder / "poses.csv"), points_(folder / "points.csv", LineReader::Role::kCompanion) {
     expect_header(poses_, "x_m,y_m,heading_rad");
     expect_header(points_, "x_m,y_m,pose_index");
     read_echo();

@@ -51,9 +51,10 @@ TEST_F(LineReaderTest, TheLastLineMayLackItsEnd) {
 }
 
 TEST_F(LineReaderTest, TellsALastLineThatIsCutOffFromOneThatIsDamaged) {
-  const auto is_cut_off = [&](const std::string& text) {
+  const auto is_cut_off = [&](const std::string& text,
+                              LineReader::Role role = LineReader::Role::kMain) {
     files::write_text_file(file_, text);
-    LineReader reader(file_);
+    LineReader reader(file_, role);
     while (const auto line = reader.next()) {
       if (*line == "bad") {
         break;
@@ -68,6 +69,7 @@ TEST_F(LineReaderTest, TellsALastLineThatIsCutOffFromOneThatIsDamaged) {
     }
   };
   EXPECT_TRUE(is_cut_off("one\nbad"));
+  EXPECT_FALSE(is_cut_off("one\nbad", LineReader::Role::kCompanion)) << "the main file goes on";
   EXPECT_FALSE(is_cut_off("one\nbad\n"));
   EXPECT_FALSE(is_cut_off("one\nbad\nthree"));
   EXPECT_FALSE(is_cut_off("bad")) << "nothing is whole";

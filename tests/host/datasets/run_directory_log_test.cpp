@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "host/datasets/line_reader.hpp"
 #include "tests/support/log_test.hpp"
 
 namespace echomap::datasets {
@@ -48,6 +49,15 @@ TEST_F(RunDirectoryLogTest, PointsWithoutTheirPoseAreErrors) {
               HasSubstr("points.csv:4: no pose of poses.csv has this index"));
   put("points.csv", "x_m,y_m,pose_index\n1,0,1\n1,0,0\n");
   EXPECT_THAT(error_of(poses_), HasSubstr("points.csv:3: the index of the pose falls"));
+  put("points.csv", "x_m,y_m,pose_index\n1,0,0\n1,");
+  try {
+    read(poses_);
+    ADD_FAILURE() << "half an echo, and two poses are still to come";
+  } catch (const CutOffLine&) {
+    ADD_FAILURE() << "that would say that all is read";
+  } catch (const files::FileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("points.csv:3: "));
+  }
   put("points.csv", "a,b\n");
   EXPECT_THAT(error_of(poses_),
               HasSubstr("points.csv:1: expected the header 'x_m,y_m,pose_index'"));
