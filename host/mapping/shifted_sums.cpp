@@ -41,9 +41,9 @@ std::vector<float> ShiftedSums::over(const std::vector<geometry::CellIndex>& cel
     for (int row = 0; row < shifts.rows; ++row) {
       const std::int32_t y = cell.y + shifts.first.y + 2 * row;
       if (count > 0 && y >= 0 && y < rows_) {
-        add(&halves_[static_cast<std::size_t>(half)][0] + y * half_columns_ + left + begin,
+        add(halves_[static_cast<std::size_t>(half)].data() + (y * half_columns_ + left + begin),
             count,
-            &sums[0] + row * shifts.columns + begin);
+            sums.data() + (row * shifts.columns + begin));
       }
     }
   }

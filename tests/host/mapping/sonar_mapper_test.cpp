@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/sonar_mapper.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -90,6 +92,36 @@ TEST(SonarMapper, RefusesParametersWithoutSense) {
   SonarMapperParams no_fade;
   no_fade.fade_m = 0.0;
   EXPECT_THROW(SonarMapper{no_fade}, std::invalid_argument);
+}
+
+TEST(SonarMapper, TakesStopsThatWereMovedOrBentAsIfItHadNotKnownThem) {
+  const std::vector<Scan> heard{scan_of(kRoom, {-0.5, 0.0}),
+                                scan_of(kRoom, {0.5, 0.2}),
+                                scan_of(kRoom, {-0.4, 0.3}),
+                                scan_of(kRoom, {0.2, -0.2})};
+  std::vector<Scan> placed = heard;
+  placed[1] = moved(heard[1], {0.1, -0.05, 0.05});
+  const auto half = static_cast<std::ptrdiff_t>(heard[2].size() / 2);
+  const Scan turned = moved(heard[2], {0.0, 0.0, 0.1});
+  std::copy(turned.begin() + half, turned.end(), placed[2].begin() + half);
+  SonarMapper fresh;
+  fresh.take(placed);
+  SonarMapper knowing;
+  knowing.take({heard[0], heard[1]});
+  knowing.take(heard);
+  knowing.take(placed);
+  EXPECT_EQ(tests::drawing_of(rasterize(knowing.grid())),
+            tests::drawing_of(rasterize(fresh.grid())));
+  ASSERT_EQ(knowing.T_map_placed().size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const geometry::Pose2 off = fresh.T_map_placed()[i].inverse() * knowing.T_map_placed()[i];
+    EXPECT_LT(off.position_m().norm(), 1e-6) << i;
+    EXPECT_NEAR(off.heading_rad(), 0.0, 1e-6) << i;
+  }
+  SonarMapper unbent;
+  unbent.take({heard[0], placed[1], heard[2], heard[3]});
+  EXPECT_NE(tests::drawing_of(rasterize(unbent.grid())), tests::drawing_of(rasterize(fresh.grid())))
+      << "a bend shows";
 }
 
 }  // namespace
