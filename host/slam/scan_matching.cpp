@@ -122,9 +122,12 @@ NormalEquations linearised(std::span<const Eigen::Vector2d> points_m,
 }  // namespace
 
 ScanMatcher::ScanMatcher(const ScanMatchingParams& params) : params_(params) {
-  if (!(params.kernel > 0.0) || !(params.weight > 0.0) || params.most_iterations < 1) {
+  if (!(params.kernel > 0.0) || !(params.weight > 0.0) || params.most_iterations < 1 ||
+      params.most_coarse_iterations < 1 || params.turns < 0 || !(params.least_saving >= 0.0) ||
+      !(params.least_saving < 1.0)) {
     throw std::invalid_argument(
-        "scan matching: kernel and weight are above 0, and there is at least one iteration");
+        "scan matching: kernel and weight are above 0, there is at least one iteration on each "
+        "level and no turn below 0, and what is saved is a share");
   }
 }
 

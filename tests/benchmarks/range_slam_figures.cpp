@@ -77,10 +77,13 @@ constexpr SpoiltCase kSpoiltCases[]{
 
 constexpr double kLostM = 0.1;
 
-void add_spoilt_log(const SpoiltCase& spoilt, std::size_t seeds, std::vector<Figure>& figures) {
+void add_spoilt_log(const SpoiltCase& spoilt,
+                    std::size_t first,
+                    std::size_t seeds,
+                    std::vector<Figure>& figures) {
   std::vector<double> errors_m;
   std::vector<double> odometry_m;
-  for (std::size_t seed = 1; seed <= seeds; ++seed) {
+  for (std::size_t seed = first; seed < first + seeds; ++seed) {
     std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
     const auto log = read_spoilt_log(spoilt.file, spoilt.every, random);
     if (!log) {
@@ -158,10 +161,10 @@ std::vector<Figure> sonar_slam_figures(const slam::NamedSlam& method, std::size_
   return figures;
 }
 
-std::vector<Figure> spoilt_slam_figures(std::size_t seeds) {
+std::vector<Figure> spoilt_slam_figures(std::size_t first, std::size_t seeds) {
   std::vector<Figure> figures;
   for (const SpoiltCase& spoilt : kSpoiltCases) {
-    add_spoilt_log(spoilt, seeds, figures);
+    add_spoilt_log(spoilt, first, seeds, figures);
   }
   return figures;
 }

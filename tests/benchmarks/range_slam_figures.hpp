@@ -22,9 +22,9 @@ std::vector<Figure> laser_slam_cost_figures();
 /// many seeds of their noise: the mean, and the worst seed. Odometry stands beside each.
 std::vector<Figure> sonar_slam_figures(const slam::NamedSlam& method, std::size_t seeds);
 
-/// Relation errors of ScanSlam on public logs whose odometry was made bad, over as many seeds of it
-/// (read_spoilt_log): the median, the worst seed, and how many are above 0.1 m. Odometry's median
-/// stands beside.
-std::vector<Figure> spoilt_slam_figures(std::size_t seeds);
+/// Relation errors of ScanSlam on public logs whose odometry was made bad, over so many seeds of it
+/// from `first` on (read_spoilt_log): the median, the worst seed, and how many are above 0.1 m.
+/// Odometry's median stands beside.
+std::vector<Figure> spoilt_slam_figures(std::size_t first, std::size_t seeds);
 
 }  // namespace echomap::bench

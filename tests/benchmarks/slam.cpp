@@ -23,6 +23,7 @@ namespace {
 struct Options {
   std::string part = "all";
   std::size_t seeds = 10;
+  std::size_t first_seed = 1;
   std::uint32_t room_seeds = 20;
   bool verbose = false;
   std::filesystem::path json;
@@ -46,7 +47,7 @@ void run(const Options& options) {
   const slam::NamedSlam& grid = slam::slam_by_name("grid");
   const slam::NamedSlam& ekf = slam::slam_by_name("ekf");
   add("laser", laser_slam_figures);
-  add("spoilt", [&] { return spoilt_slam_figures(options.seeds); });
+  add("spoilt", [&] { return spoilt_slam_figures(options.first_seed, options.seeds); });
   add("sonar", [&] { return sonar_slam_figures(grid, options.seeds); });
   add("rooms", [&] { return room_slam_figures(grid, options.room_seeds); });
   add("ekf_sonar", [&] { return named_after(ekf, sonar_slam_figures(ekf, options.seeds)); });
@@ -92,6 +93,7 @@ int main(int argc, char** argv) {
          "Of the noise of sonars and of bad odometry; how often joining and saving are tried")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_option("--first-seed", options.first_seed, "Of bad odometry")->capture_default_str();
   app.add_option("--room-seeds", options.room_seeds, "Of each simulated room")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
