@@ -12,4 +12,9 @@ inline Eigen::Vector2d unit_vector(double bearing_rad) {
   return {std::cos(bearing_rad), std::sin(bearing_rad)};
 }
 
+/// The vector turned counter-clockwise by a quarter turn.
+inline Eigen::Vector2d perpendicular(const Eigen::Vector2d& vector) {
+  return {-vector.y(), vector.x()};
+}
+
 }  // namespace echomap::geometry

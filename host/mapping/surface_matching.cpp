@@ -9,10 +9,11 @@
 #include <queue>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include "host/geometry/angle.hpp"
+#include "host/geometry/square.hpp"
 #include "host/mapping/sonar_feature.hpp"
+#include "host/optimization/gauss_newton.hpp"
+#include "host/optimization/normal_equations.hpp"
 
 namespace echomap::mapping {
 
@@ -138,23 +139,25 @@ class FeatureFinder {
 
   /// Least squares over ranges and bearings of the supporters (Gauss and Newton).
   void fit(Proposal& proposal) const {
-    const Eigen::Vector2d weights(std::pow(params_.bearing_sd_rad, -2.0),
-                                  std::pow(params_.range_sd_m, -2.0));
-    for (int step = 0; step < kFitSteps; ++step) {
-      Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-      Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+    const Eigen::Vector2d variance(geometry::square(params_.bearing_sd_rad),
+                                   geometry::square(params_.range_sd_m));
+    const Eigen::Matrix2d information = variance.cwiseInverse().asDiagonal();
+    const auto linearize = [&] {
+      optimization::NormalEquations<2> equations;
       for (const std::size_t index : proposal.supporters) {
         const auto& surface = sightings_[index].surface;
         const FeatureView view = view_from(sightings_[index].center_m, proposal.feature);
         const Eigen::Vector2d residual(
             geometry::angle_between(surface.bearing_rad, view.bearing_rad),
             view.range_m - surface.range_m);
-        const Eigen::Matrix2d weighted = view.jacobian.transpose() * weights.asDiagonal();
-        information += weighted * view.jacobian;
-        gradient += weighted * residual;
+        equations.add<2>(residual, view.jacobian, information);
       }
-      proposal.feature.parameters -= information.inverse() * gradient;
-    }
+      return equations;
+    };
+    optimization::gauss_newton(kFitSteps, linearize, [&](const Eigen::Vector2d& step) {
+      proposal.feature.parameters += step;
+      return false;
+    });
   }
 
   std::optional<Proposal> take(Proposal proposal) {

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "host/geometry/angle.hpp"
-#include "host/geometry/unit_vector.hpp"
+#include "host/geometry/square.hpp"
+#include "host/optimization/normal_equations.hpp"
 
 namespace echomap::slam {
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kFitRounds = 4;
 
-double square(double value) { return value * value; }
+using geometry::square;
 
 /// Where along a wall echoes are from, in that order, and which.
 using Places = std::vector<std::pair<double, std::size_t>>;
@@ -183,17 +183,14 @@ class FeatureSearch {
   /// Of its range, and of its bearing, which is as good as evenly spread over where it is heard.
   void add_evidence(const Echo& echo,
                     const EchoFeature& feature,
-                    Eigen::Matrix2d& information,
-                    Eigen::Vector2d& pull) const {
+                    optimization::NormalEquations<2>& equations) const {
     const auto expected = *echo_of(feature, echo, params_.hearing.most_slant_rad);
-    const auto add = [&](double off, const Eigen::Vector2d& by_feature, double variance) {
-      information += by_feature * by_feature.transpose() / variance;
-      pull += off / variance * by_feature;
-    };
-    add(echo.range_m - expected.range_m, expected.range_by_feature, square(params_.range_sd_m));
-    add(geometry::angle_between(expected.bearing_rad, echo.axis_rad),
-        expected.bearing_by_feature,
-        square(expected.widest_off_axis_rad) / 3.0);
+    equations.add(expected.range_m - echo.range_m,
+                  expected.range_by_feature.transpose(),
+                  1.0 / square(params_.range_sd_m));
+    equations.add(geometry::angle_between(echo.axis_rad, expected.bearing_rad),
+                  expected.bearing_by_feature.transpose(),
+                  3.0 / square(expected.widest_off_axis_rad));
   }
 
   /// Gauss and Newton over those that agree.
@@ -204,16 +201,16 @@ class FeatureSearch {
       if (!is_enough(heard.echoes.size(), heard.feature)) {
         return std::nullopt;
       }
-      Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-      Eigen::Vector2d pull = Eigen::Vector2d::Zero();
+      optimization::NormalEquations<2> equations;
       for (const std::size_t i : heard.echoes) {
-        add_evidence(echoes_[i], heard.feature, information, pull);
+        add_evidence(echoes_[i], heard.feature, equations);
       }
-      heard.covariance = information.inverse();
-      heard.feature.value += information.ldlt().solve(pull);
-      if (!heard.feature.value.allFinite() || !heard.covariance.allFinite()) {
+      const auto step = equations.solve();
+      heard.covariance = equations.information().inverse();
+      if (!step || !heard.covariance.allFinite()) {
         return std::nullopt;
       }
+      heard.feature.value += *step;
     }
     if (heard.feature.kind == LandmarkKind::kWall) {
       heard.feature.value.y() = geometry::wrap_angle(heard.feature.value.y());

@@ -8,6 +8,9 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "host/geometry/square.hpp"
+#include "host/optimization/normal_equations.hpp"
+
 namespace echomap::slam {
 
 namespace {
@@ -22,48 +25,34 @@ PoseEdge edge_of_piece(const MultiscanGraph& graph,
                        const OdometryNoise& noise) {
   const OdometryPiece& piece = graph.pieces[before];
   const Pose2 driven = calibrated(piece, graph.calibration);
-  const Eigen::Vector3d spread =
-      graph.odometry_scale * graph.odometry_scale * variances(piece, noise);
+  const Eigen::Vector3d spread = geometry::square(graph.odometry_scale) * variances(piece, noise);
   const Eigen::Matrix3d on_axes_before = spread.cwiseInverse().asDiagonal();
   return {before, before + 1, driven, in_frame_of(driven, on_axes_before), false};
 }
 
-/// Half the second derivative of the squared errors of two multiscans' matches, and half the first,
-/// by x, y and heading of the later one in the map.
-struct Pull {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-
-  void add(const PatchFactor& factor) {
-    const Eigen::Vector3d weighted =
-        factor.information_per_m2 * factor.trust * factor.by_later.transpose();
-    information += weighted * factor.by_later;
-    gradient += weighted * factor.across_m;
-  }
-};
+/// The squared errors of two multiscans' matches by x, y and heading of the later one in the map.
+using Pull = optimization::NormalEquations<3>;
 
 /// The one edge that pulls as all the matches do. Empty where they know too little.
 std::optional<PoseEdge> edge_of_matches(const MultiscanGraph& graph,
                                         std::size_t earlier,
                                         std::size_t later,
                                         const Pull& pull) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> known(pull.information);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> known(pull.information());
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d change = Eigen::Vector3d::Zero();
   for (Eigen::Index i = 0; i < 3; ++i) {
     const Eigen::Vector3d direction = known.eigenvectors().col(i);
     if (const double value = known.eigenvalues()[i]; value >= kLeastInformation) {
       information += value * direction * direction.transpose();
-      change -= direction.dot(pull.gradient) / value * direction;
+      change -= direction.dot(pull.gradient()) / value * direction;
     }
   }
   if (information.isZero()) {
     return std::nullopt;
   }
   const Pose2& T_map_later = graph.multiscans[later].T_map_begin;
-  const Pose2 T_map_measured(T_map_later.x_m() + change.x(),
-                             T_map_later.y_m() + change.y(),
-                             T_map_later.heading_rad() + change.z());
+  const Pose2 T_map_measured = moved(T_map_later, change);
   return PoseEdge{earlier,
                   later,
                   graph.multiscans[earlier].T_map_begin.inverse() * T_map_measured,
@@ -86,8 +75,9 @@ FactorGraph factor_graph(const MultiscanGraph& graph,
   }
   std::map<std::pair<std::size_t, std::size_t>, Pull> pulls;
   for (const PatchMatch& match : matches) {
+    const PatchFactor factor = patch_factor(graph, match, first_wide, params);
     pulls[{match.earlier.multiscan, match.later.multiscan}].add(
-        patch_factor(graph, match, first_wide, params));
+        factor.across_m, factor.by_later, factor.information_per_m2 * factor.trust);
   }
   for (const auto& [multiscans, pull] : pulls) {
     if (const auto edge = edge_of_matches(graph, multiscans.first, multiscans.second, pull)) {

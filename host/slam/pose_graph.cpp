@@ -7,78 +7,25 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SparseCholesky>
 
 #include "host/geometry/angle.hpp"
+#include "host/optimization/block_equations.hpp"
+#include "host/optimization/gauss_newton.hpp"
+#include "host/optimization/robust_kernel.hpp"
 
 namespace echomap::slam {
 namespace {
 
 using geometry::Pose2;
 
-constexpr Eigen::Index kPoseSize = 3;
-
-/// The normal equations of all nodes but the first.
-class Equations {
- public:
-  explicit Equations(std::size_t nodes)
-      : size_(kPoseSize * static_cast<Eigen::Index>(nodes - 1)),
-        gradient_(Eigen::VectorXd::Zero(size_)) {}
-
-  void add(const PoseEdge& edge, const EdgeError& off, double trust) {
-    const Eigen::Matrix3d information = trust * edge.information;
-    add_block(edge.from, edge.from, off.by_from.transpose() * information * off.by_from);
-    add_block(edge.to, edge.to, off.by_to.transpose() * information * off.by_to);
-    // The lower half is enough.
-    if (edge.from > edge.to) {
-      add_block(edge.from, edge.to, off.by_from.transpose() * information * off.by_to);
-    } else {
-      add_block(edge.to, edge.from, off.by_to.transpose() * information * off.by_from);
-    }
-    add_gradient(edge.from, off.by_from.transpose() * information * off.error);
-    add_gradient(edge.to, off.by_to.transpose() * information * off.error);
+optimization::BlockEquations equations_over(std::size_t nodes) {
+  optimization::BlockEquations equations;
+  equations.add_fixed_block();
+  for (std::size_t node = 1; node < nodes; ++node) {
+    equations.add_block(3);
   }
-
-  /// The step of all nodes but the first; empty where the equations do not determine it.
-  Eigen::VectorXd solved() const {
-    Eigen::SparseMatrix<double> information(size_, size_);
-    information.setFromTriplets(entries_.begin(), entries_.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(information);
-    if (factors.info() != Eigen::Success) {
-      return {};
-    }
-    Eigen::VectorXd step = factors.solve(-gradient_);
-    return step.allFinite() ? step : Eigen::VectorXd();
-  }
-
- private:
-  static Eigen::Index place(std::size_t node) {
-    return kPoseSize * (static_cast<Eigen::Index>(node) - 1);
-  }
-
-  void add_block(std::size_t row_node, std::size_t column_node, const Eigen::Matrix3d& block) {
-    if (row_node == 0 || column_node == 0) {
-      return;
-    }
-    for (Eigen::Index row = 0; row < kPoseSize; ++row) {
-      const Eigen::Index last = row_node == column_node ? row : kPoseSize - 1;
-      for (Eigen::Index column = 0; column <= last; ++column) {
-        entries_.emplace_back(
-            place(row_node) + row, place(column_node) + column, block(row, column));
-      }
-    }
-  }
-
-  void add_gradient(std::size_t node, const Eigen::Vector3d& gradient) {
-    if (node != 0) {
-      gradient_.segment<kPoseSize>(place(node)) += gradient;
-    }
-  }
-
-  Eigen::Index size_;
-  Eigen::VectorXd gradient_;
-  std::vector<Eigen::Triplet<double>> entries_;
-};
+  return equations;
+}
 
 }  // namespace
 
@@ -96,6 +43,10 @@ Eigen::Matrix3d with_spread(const Eigen::Matrix3d& information,
   const Eigen::Matrix3d growth = Eigen::Matrix3d::Identity() + information * variance.asDiagonal();
   const Eigen::Matrix3d left = growth.inverse() * information;
   return (left + left.transpose()) / 2.0;
+}
+
+Pose2 moved(const Pose2& pose, const Eigen::Vector3d& step) {
+  return {pose.x_m() + step.x(), pose.y_m() + step.y(), pose.heading_rad() + step.z()};
 }
 
 EdgeError edge_error(const PoseEdge& edge, const Pose2& T_map_from, const Pose2& T_map_to) {
@@ -144,54 +95,40 @@ double PoseGraph::square_error(const PoseEdge& edge) const {
 std::vector<PoseEdge> PoseGraph::weighed_edges() const {
   std::vector<PoseEdge> weighed = edges_;
   for (PoseEdge& edge : weighed) {
-    edge.information *= trust(edge, square_error(edge));
+    edge.information *= robust_weight(edge, square_error(edge));
     edge.is_doubtful = false;
   }
   return weighed;
 }
 
-double PoseGraph::trust(const PoseEdge& edge, double square) const {
-  if (!edge.is_doubtful) {
-    return 1.0;
-  }
-  const double root = 1.0 / (1.0 + square / (params_.kernel * params_.kernel));
-  return root * root;
+double PoseGraph::robust_weight(const PoseEdge& edge, double squared_error) const {
+  return edge.is_doubtful ? optimization::geman_mcclure_weight(squared_error, params_.kernel) : 1.0;
 }
 
 bool PoseGraph::solve() {
-  for (int i = 0; T_map_nodes_.size() > 1 && i < params_.most_iterations; ++i) {
-    double most_m = 0.0;
-    double most_rad = 0.0;
-    if (!move_nodes(most_m, most_rad)) {
-      return false;
+  const auto linearize = [this] {
+    optimization::BlockEquations equations = equations_over(T_map_nodes_.size());
+    for (const PoseEdge& edge : edges_) {
+      const EdgeError off = edge_error(edge, T_map_nodes_[edge.from], T_map_nodes_[edge.to]);
+      const double weight = robust_weight(edge, off.error.dot(edge.information * off.error));
+      equations.add<3, 3, 3>(
+          off.error, weight * edge.information, {edge.from, off.by_from}, {edge.to, off.by_to});
     }
-    if (most_m < params_.least_step_m && most_rad < params_.least_step_rad) {
-      break;
+    return equations;
+  };
+  const auto apply = [this](const optimization::BlockSolution& solution) {
+    double max_step_m = 0.0;
+    double max_step_rad = 0.0;
+    for (std::size_t node = 1; node < T_map_nodes_.size(); ++node) {
+      const Eigen::Vector3d step = solution.step_of<3>(node);
+      T_map_nodes_[node] = moved(T_map_nodes_[node], step);
+      max_step_m = std::max(max_step_m, step.head<2>().norm());
+      max_step_rad = std::max(max_step_rad, std::abs(step.z()));
     }
-  }
-  return true;
-}
-
-bool PoseGraph::move_nodes(double& most_m, double& most_rad) {
-  Equations equations(T_map_nodes_.size());
-  for (const PoseEdge& edge : edges_) {
-    const EdgeError off = edge_error(edge, T_map_nodes_[edge.from], T_map_nodes_[edge.to]);
-    equations.add(edge, off, trust(edge, off.error.dot(edge.information * off.error)));
-  }
-  const Eigen::VectorXd step = equations.solved();
-  if (step.size() == 0) {
-    return false;
-  }
-  for (std::size_t node = 1; node < T_map_nodes_.size(); ++node) {
-    const Eigen::Vector3d moved =
-        step.segment<kPoseSize>(kPoseSize * static_cast<Eigen::Index>(node - 1));
-    const Pose2& before = T_map_nodes_[node];
-    T_map_nodes_[node] = {
-        before.x_m() + moved.x(), before.y_m() + moved.y(), before.heading_rad() + moved.z()};
-    most_m = std::max(most_m, moved.head<2>().norm());
-    most_rad = std::max(most_rad, std::abs(moved.z()));
-  }
-  return true;
+    return max_step_m < params_.least_step_m && max_step_rad < params_.least_step_rad;
+  };
+  return T_map_nodes_.size() < 2 ||
+         optimization::gauss_newton(params_.most_iterations, linearize, apply);
 }
 
 }  // namespace echomap::slam

@@ -38,6 +38,9 @@ Eigen::Matrix3d in_frame_of(const geometry::Pose2& T_map_robot, const Eigen::Mat
 /// so.
 Eigen::Matrix3d with_spread(const Eigen::Matrix3d& information, double spread_m, double spread_rad);
 
+/// The pose after a step of its x, y (m) and heading (rad) in the map.
+geometry::Pose2 moved(const geometry::Pose2& T_map_pose, const Eigen::Vector3d& step);
+
 /// How far an edge is off, and how that changes with the poses it joins.
 struct EdgeError {
   Eigen::Vector3d error = Eigen::Vector3d::Zero();  ///< Of x, y (m) and heading (rad).
@@ -76,9 +79,7 @@ class PoseGraph {
   bool solve();
 
  private:
-  double trust(const PoseEdge& edge, double square) const;
-  /// The largest steps of a round: metres and radians; empty where it cannot be solved.
-  bool move_nodes(double& most_m, double& most_rad);
+  double robust_weight(const PoseEdge& edge, double squared_error) const;
 
   PoseGraphParams params_;
   std::vector<geometry::Pose2> T_map_nodes_;

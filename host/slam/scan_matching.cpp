@@ -5,10 +5,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+#include "host/optimization/gauss_newton.hpp"
+#include "host/optimization/normal_equations.hpp"
+#include "host/optimization/robust_kernel.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -22,43 +25,19 @@ Eigen::Vector3d as_vector(const Pose2& pose) {
   return {pose.x_m(), pose.y_m(), pose.heading_rad()};
 }
 
-/// Geman and McClure's kernel k^2 e^2 / (k^2 + e^2) of a squared error, over that: its square is
-/// what the error counts.
-double kernel_share(double square, double kernel) {
-  return 1.0 / (1.0 + square / (kernel * kernel));
-}
-
-/// The square sum of the points' errors around a pose: half its second and its first derivative.
-struct NormalEquations {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+/// The errors of the points around a pose.
+struct PointErrors {
+  optimization::NormalEquations<3> equations;
   double cost = 0.0;
-  double share = 0.0;
+  double share = 0.0;  ///< Of the points that lie on surfaces.
 };
 
-/// Adds one point, turned into the map but not yet moved, `off_m` from its surface.
-void add_point(const Surface& surface,
-               const Eigen::Vector2d& turned_m,
-               const Eigen::Vector2d& off_m,
-               double weight,
-               NormalEquations& sum) {
-  const double xx = weight * surface.information_xx;
-  const double xy = weight * surface.information_xy;
-  const double yy = weight * surface.information_yy;
-  // By heading a point moves at right angles to where it lies from the robot.
-  const double dx = -turned_m.y();
-  const double dy = turned_m.x();
-  const double ax = xx * dx + xy * dy;
-  const double ay = xy * dx + yy * dy;
-  const double ex = xx * off_m.x() + xy * off_m.y();
-  const double ey = xy * off_m.x() + yy * off_m.y();
-  sum.information(0, 0) += xx;
-  sum.information(0, 1) += xy;
-  sum.information(1, 1) += yy;
-  sum.information(0, 2) += ax;
-  sum.information(1, 2) += ay;
-  sum.information(2, 2) += dx * ax + dy * ay;
-  sum.gradient += Eigen::Vector3d(ex, ey, dx * ex + dy * ey);
+/// How a point, turned into the map but not yet moved, changes with x, y and heading: by heading it
+/// moves at right angles to where it lies from the robot.
+Eigen::Matrix<double, 2, 3> point_by_pose(const Eigen::Vector2d& turned_m) {
+  Eigen::Matrix<double, 2, 3> jacobian;
+  jacobian << Eigen::Matrix2d::Identity(), geometry::perpendicular(turned_m);
+  return jacobian;
 }
 
 /// The surfaces that points were last found on: from one iteration to the next most stay in their
@@ -87,12 +66,12 @@ class FoundSurfaces {
   std::vector<Found> found_;
 };
 
-NormalEquations linearised(std::span<const Eigen::Vector2d> points_m,
-                           const Eigen::Vector3d& pose,
-                           int level,
-                           double kernel,
-                           FoundSurfaces& surfaces) {
-  NormalEquations sum;
+PointErrors linearized(std::span<const Eigen::Vector2d> points_m,
+                       const Eigen::Vector3d& pose,
+                       int level,
+                       double kernel,
+                       FoundSurfaces& surfaces) {
+  PointErrors sum;
   const double cos = std::cos(pose.z());
   const double sin = std::sin(pose.z());
   for (std::size_t i = 0; i < points_m.size(); ++i) {
@@ -106,15 +85,13 @@ NormalEquations linearised(std::span<const Eigen::Vector2d> points_m,
       continue;
     }
     const Eigen::Vector2d off_m = placed_m - surface.mean_m;
-    const double square = surface.information_xx * off_m.x() * off_m.x() +
-                          2.0 * surface.information_xy * off_m.x() * off_m.y() +
-                          surface.information_yy * off_m.y() * off_m.y();
-    const double share = kernel_share(square, kernel);
+    const Eigen::Matrix2d information = surface.information();
+    const double square = off_m.dot(information * off_m);
+    const double share = optimization::inlier_share(square, kernel);
     sum.cost += square * share / 2.0;
     sum.share += share;
-    add_point(surface, turned_m, off_m, share * share, sum);
+    sum.equations.add<2>(off_m, point_by_pose(turned_m), share * share * information);
   }
-  sum.information.triangularView<Eigen::StrictlyLower>() = sum.information.transpose();
   sum.share /= static_cast<double>(points_m.size());
   return sum;
 }
@@ -186,32 +163,32 @@ ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
                                SurfaceField& field) const {
   FoundSurfaces surfaces(field, points_m.size());
   Eigen::Vector3d pose = start;
-  NormalEquations points;
+  PointErrors points;
   double prior_cost = 0.0;
   for (int level = levels.from; level >= levels.to; --level) {
-    // Noise doubles with the cells; a point keeps its weight against the prior.
-    const double weight = params_.weight * std::pow(4.0, level);
-    const int most = level > 0 ? params_.most_coarse_iterations : params_.most_iterations;
-    for (int i = 0; i < most; ++i) {
-      points = linearised(points_m, pose, level, params_.kernel, surfaces);
+    const auto linearize = [&] {
+      points = linearized(points_m, pose, level, params_.kernel, surfaces);
       Eigen::Vector3d off = pose - prior.pose;
       off.z() = geometry::wrap_angle(off.z());
       const double square = off.dot(prior.information * off);
-      const double share = kernel_share(square, params_.prior_kernel);
+      const double weight = optimization::geman_mcclure_weight(square, params_.prior_kernel);
       prior_cost = square / 2.0;
-      const Eigen::Matrix3d trusted = share * share * prior.information;
-      const Eigen::Matrix3d information = weight * points.information + trusted;
-      const Eigen::Vector3d step =
-          -information.ldlt().solve(weight * points.gradient + trusted * off);
+      optimization::NormalEquations<3> equations;
+      // Noise doubles with the cells; a point keeps its weight against the prior.
+      equations.add(points.equations, params_.weight * std::pow(4.0, level));
+      equations.add_prior(off, weight * prior.information);
+      return equations;
+    };
+    const auto apply = [&](const Eigen::Vector3d& step) {
       pose += step;
-      if (step.head<2>().norm() < params_.least_step_m &&
-          std::abs(step.z()) < params_.least_step_rad) {
-        break;
-      }
-    }
+      return step.head<2>().norm() < params_.least_step_m &&
+             std::abs(step.z()) < params_.least_step_rad;
+    };
+    optimization::gauss_newton(
+        level > 0 ? params_.most_coarse_iterations : params_.most_iterations, linearize, apply);
   }
   return {Pose2(pose.x(), pose.y(), pose.z()),
-          params_.weight * points.information,
+          params_.weight * points.equations.information(),
           points.share,
           params_.weight * points.cost + prior_cost};
 }

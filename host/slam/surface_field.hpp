@@ -33,6 +33,10 @@ struct Surface {
   double information_xy = 0.0;
   double information_yy = 0.0;
 
+  Eigen::Matrix2d information() const {
+    return (Eigen::Matrix2d() << information_xx, information_xy, information_xy, information_yy)
+        .finished();
+  }
   bool empty() const { return information_xx + information_yy == 0.0; }
 };
 

@@ -7,11 +7,14 @@
 #include <optional>
 #include <stdexcept>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/square.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/optimization/gauss_newton.hpp"
+#include "host/optimization/normal_equations.hpp"
+#include "host/optimization/robust_kernel.hpp"
 
 namespace echomap::slam {
 
@@ -27,6 +30,7 @@ constexpr double kFirstTurnsRad[] = {-0.7, -0.35, 0.0, 0.35, 0.7};
 /// Echoes are met by a surface up to this slant.
 constexpr double kMostSlantRad = 1.2;
 
+using geometry::square;
 using Echoes = std::vector<const Echo*>;
 
 struct FittedLine {
@@ -44,8 +48,6 @@ struct Explanation {
   double rms_m() const { return std::sqrt(squares_m2 / static_cast<double>(explained)); }
 };
 
-double square(double value) { return value * value; }
-
 /// The line at right angles to `normal_rad` that the echo has measured.
 WallLine line_through(const Echo& echo, double normal_rad) {
   const WallView view = view_of_wall(echo, {normal_rad, 0.0});
@@ -55,28 +57,27 @@ WallLine line_through(const Echo& echo, double normal_rad) {
 /// Least squares of ranges; what is off by more than the noise counts less and less.
 std::optional<FittedLine> fitted(WallLine line, const Echoes& echoes, double most_rms_m) {
   FittedLine fit{line, Eigen::Matrix2d::Zero()};
-  for (int step = 0; step < kMostSteps; ++step) {
-    fit.information = Eigen::Vector2d(1e-6, 1e-9).asDiagonal();
-    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+  const auto linearize = [&] {
+    optimization::NormalEquations<2> equations;
+    equations.add_prior(Eigen::Vector2d::Zero(), Eigen::Vector2d(1e-6, 1e-9).asDiagonal());
     for (const Echo* echo : echoes) {
       const WallView view = view_of_wall(*echo, fit.line);
       const double error_m = view.range_m - echo->range_m;
-      const double weight = 1.0 / (1.0 + square(error_m / most_rms_m));
-      fit.information += weight * view.by_line * view.by_line.transpose();
-      gradient += weight * error_m * view.by_line;
+      const double weight = optimization::inlier_share(square(error_m), most_rms_m);
+      equations.add(error_m, view.by_line.transpose(), weight);
     }
-    Eigen::Vector2d change = -fit.information.ldlt().solve(gradient);
-    if (!change.allFinite()) {
-      return std::nullopt;
-    }
-    change *= std::min(1.0, kLongestTurnRad / std::max(std::abs(change[0]), 1e-12));
+    fit.information = equations.information();
+    return equations;
+  };
+  const auto apply = [&](const Eigen::Vector2d& step) {
+    const Eigen::Vector2d change =
+        step * std::min(1.0, kLongestTurnRad / std::max(std::abs(step[0]), 1e-12));
     fit.line.normal_rad = geometry::wrap_angle(fit.line.normal_rad + change[0]);
     fit.line.offset_m += change[1];
-    if (change.norm() < kConverged) {
-      break;
-    }
-  }
-  return fit;
+    return change.norm() < kConverged;
+  };
+  return optimization::gauss_newton(kMostSteps, linearize, apply) ? std::optional(fit)
+                                                                  : std::nullopt;
 }
 
 double error_m(const Echo& echo, const WallLine& line) {
@@ -85,7 +86,7 @@ double error_m(const Echo& echo, const WallLine& line) {
 
 Explanation explanation(const WallLine& line, const Echoes& echoes, double most_error_m) {
   const Eigen::Vector2d normal = geometry::unit_vector(line.normal_rad);
-  const Eigen::Vector2d left(-normal.y(), normal.x());
+  const Eigen::Vector2d left = geometry::perpendicular(normal);
   Explanation found;
   for (const Echo* echo : echoes) {
     const WallView view = view_of_wall(*echo, line);
@@ -105,7 +106,7 @@ Explanation explanation(const WallLine& line, const Echoes& echoes, double most_
 
 SurfacePatch patch_at(const Echo& echo, const FittedLine& fit, double echo_sd_m) {
   const Eigen::Vector2d normal = geometry::unit_vector(fit.line.normal_rad);
-  const Eigen::Vector2d left(-normal.y(), normal.x());
+  const Eigen::Vector2d left = geometry::perpendicular(normal);
   const WallView view = view_of_wall(echo, fit.line);
   Eigen::Vector2d point_m = echo.sensor_m + echo.range_m * geometry::unit_vector(view.contact_rad);
   point_m += normal * (fit.line.offset_m - normal.dot(point_m));
