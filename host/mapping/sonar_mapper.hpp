@@ -20,7 +20,7 @@ struct SonarMapperParams {
   SonarSurfaceParams surfaces;
   SurfaceMatchingParams matching;
   ScanAlignmentParams alignment;
-  WallCornerParams corners;
+  CornerJoiningParams corners;
   StopFloorParams floor;
   /// Evidence of one stop for floor or surface at its feet; it falls to 1/e at `fade_m`, because an
   /// error of bearing counts the more the farther off.

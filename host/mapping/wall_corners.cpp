@@ -54,7 +54,7 @@ class CornerFinder {
  public:
   CornerFinder(const std::vector<MatchedWall>& walls,
                const std::vector<ScanSurfaces>& scans,
-               const WallCornerParams& params)
+               const CornerJoiningParams& params)
       : walls_(walls), params_(params) {
     for (const ScanSurfaces& scan : scans) {
       for (const SonarSurface& surface : scan.surfaces) {
@@ -95,7 +95,7 @@ class CornerFinder {
   }
 
   const std::vector<MatchedWall>& walls_;
-  const WallCornerParams& params_;
+  const CornerJoiningParams& params_;
   std::vector<geometry::Segment> sights_;
 };
 
@@ -103,7 +103,7 @@ class CornerFinder {
 
 std::vector<MatchedWall> joined_at_corners(std::vector<MatchedWall> walls,
                                            const std::vector<ScanSurfaces>& scans,
-                                           const WallCornerParams& params) {
+                                           const CornerJoiningParams& params) {
   const std::vector<MatchedWall> seen = walls;
   const CornerFinder finder(seen, scans, params);
   for (std::size_t i = 0; i < walls.size(); ++i) {

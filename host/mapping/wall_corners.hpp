@@ -8,8 +8,8 @@
 
 namespace echomap::mapping {
 
-/// How far walls may go on unseen. Ours, chosen in simulated rooms.
-struct WallCornerParams {
+/// When a wall is prolonged to a corner that no echo came from. Ours, chosen in simulated rooms.
+struct CornerJoiningParams {
   /// A sonar hears a wall only from before it, so that the last part up to a corner stays unheard
   /// where the robot does not come near. Farther than this a wall is not prolonged.
   double reach_m = 0.6;
@@ -23,6 +23,6 @@ struct WallCornerParams {
 /// no surface of `scans` has been heard through the gap.
 std::vector<MatchedWall> joined_at_corners(std::vector<MatchedWall> walls,
                                            const std::vector<ScanSurfaces>& scans,
-                                           const WallCornerParams& params);
+                                           const CornerJoiningParams& params);
 
 }  // namespace echomap::mapping

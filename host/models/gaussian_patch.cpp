@@ -4,7 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host/models/concepts.hpp"
+
 namespace echomap::models {
+
+static_assert(InverseModel<GaussianPatch>);
 
 GaussianPatch::GaussianPatch(const GaussianPatchParams& params) : params_(params) {
   if (params.sigma_m <= 0.0 || params.radius_m <= 0.0) {

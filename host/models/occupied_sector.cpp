@@ -5,7 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host/models/concepts.hpp"
+
 namespace echomap::models {
+
+static_assert(InverseModel<OccupiedSector>);
 
 OccupiedSector::OccupiedSector(const OccupiedSectorParams& params) : params_(params) {
   const bool lengths_ok = params.thickness_m > 0.0 && params.max_range_m > 0.0;

@@ -6,7 +6,11 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "host/models/concepts.hpp"
+
 namespace echomap::models {
+
+static_assert(InverseModel<SonarCone>);
 
 namespace {
 

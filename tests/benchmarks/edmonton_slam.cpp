@@ -6,8 +6,8 @@
 
 #include "host/datasets/edmonton_log.hpp"
 #include "host/pipeline/log_slam.hpp"
-#include "host/slam/turn_first_odometry.hpp"
 #include "tests/benchmarks/relation_log.hpp"
+#include "tests/benchmarks/turn_first_odometry.hpp"
 #include "tests/support/log_files.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -27,7 +27,7 @@ std::vector<geometry::Pose2> paper_odometry(const EdmontonLog& log) {
   geometry::Pose2 T_odom_robot;
   for (const datasets::LogRecord& record : log.records) {
     if (const auto* step = std::get_if<datasets::OdometryStep>(&record)) {
-      T_odom_robot = slam::turned_then_driven(T_odom_robot, step->T_last_now);
+      T_odom_robot = turned_then_driven(T_odom_robot, step->T_last_now);
     } else if (std::holds_alternative<datasets::RangeScan>(record)) {
       T_odom_scans.push_back(T_odom_robot);
     }

@@ -120,7 +120,7 @@ LaserAgreement LaserTruth::score(const OccupancyGrid& map) const {
     const double distance_m = walls_.nearest(point_m)->distance_m;
     squares_m2 += distance_m * distance_m;
   }
-  const mapping::NearestPoints found(occupied_m);
+  const tests::NearestPoints found(occupied_m);
   const auto recalled =
       std::count_if(reachable_walls_m_.begin(), reachable_walls_m_.end(), [&](const auto& point_m) {
         return found.nearest(point_m)->distance_m <= kRecallReachM;

@@ -6,8 +6,8 @@
 
 #include "host/datasets/log_record.hpp"
 #include "host/geometry/pose2.hpp"
-#include "host/mapping/nearest_points.hpp"
 #include "host/mapping/occupancy_grid.hpp"
+#include "tests/support/nearest_points.hpp"
 
 namespace echomap::bench {
 
@@ -42,7 +42,7 @@ class LaserTruth {
  private:
   mapping::OccupancyGrid grid_;
   std::vector<Eigen::Vector2d> reachable_walls_m_;
-  mapping::NearestPoints walls_;
+  tests::NearestPoints walls_;
 };
 
 }  // namespace echomap::bench

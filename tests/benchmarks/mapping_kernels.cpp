@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "host/geometry/unit_vector.hpp"
-#include "host/mapping/cone_insertion.hpp"
 #include "host/mapping/distance_field.hpp"
 #include "host/mapping/ray_casting.hpp"
 #include "host/mapping/ray_insertion.hpp"
@@ -100,30 +99,6 @@ Figure rays(std::size_t repetitions) {
       "rays_5m_mbeams", "Mbeam/s", beams / 1e6, repetitions, against(ours, ray_peers(scans)));
 }
 
-Figure cones(std::size_t repetitions) {
-  std::mt19937 random(2);
-  std::vector<SonarEcho> echoes;
-  for (int i = 0; i < 5000; ++i) {
-    const Pose2 T_map_sonar = any_pose(-4.0, 4.0, random);
-    echoes.push_back({T_map_sonar, between(1.0, 5.0, random)});
-  }
-  mapping::OccupancyGrid grid({.resolution_m = kResolutionM});
-  mapping::ConeInserter inserter({.half_opening_rad = kConeHalfOpeningRad, .reach_m = 5.2}, grid);
-  const auto ours = [&] {
-    return processor_seconds([&] {
-      for (const SonarEcho& echo : echoes) {
-        inserter.insert({echo.T_map_sonar, echo.range_m, echo.range_m}, grid);
-      }
-    });
-  };
-  const auto readings = static_cast<double>(echoes.size());
-  return contest("cones_3m_mreadings",
-                 "Mreading/s",
-                 readings / 1e6,
-                 repetitions,
-                 against(ours, cone_peers(echoes)));
-}
-
 /// A walled square with boxes of up to `largest` cells standing about.
 mapping::RasterMap hall(int side, int boxes, std::uint32_t largest, std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -205,7 +180,6 @@ Figure casts(std::size_t repetitions) {
 
 std::vector<Figure> kernel_figures(std::size_t repetitions) {
   return {rays(repetitions),
-          cones(repetitions),
           distances(repetitions),
           tile_updates(100 * repetitions),
           casts(repetitions)};

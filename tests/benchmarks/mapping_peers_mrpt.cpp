@@ -58,22 +58,6 @@ std::vector<Contestant> ray_peers(const std::vector<LaserScan>& scans) {
   return {inserting(observations)};
 }
 
-std::vector<Contestant> cone_peers(const std::vector<SonarEcho>& echoes) {
-  using mrpt::obs::CObservationRange;
-  auto observations = std::make_shared<Placed<CObservationRange>>();
-  for (const SonarEcho& echo : echoes) {
-    CObservationRange observation;
-    observation.minSensorDistance = 0.0F;
-    observation.maxSensorDistance = 20.0F;
-    observation.sensorConeApperture = static_cast<float>(2.0 * kConeHalfOpeningRad);
-    CObservationRange::TMeasurement measurement;
-    measurement.sensedDistance = static_cast<float>(echo.range_m);
-    observation.sensedData.push_back(measurement);
-    observations->emplace_back(observation, pose_of(echo.T_map_sonar));
-  }
-  return {inserting(observations)};
-}
-
 std::vector<Contestant> cast_peers(const CastWorkload& workload) {
   const mapping::RasterMap& map = workload.map;
   const auto side_m = static_cast<float>(map.columns() * kResolutionM);
@@ -106,7 +90,6 @@ std::vector<Contestant> cast_peers(const CastWorkload& workload) {
 namespace echomap::bench {
 
 std::vector<Contestant> ray_peers(const std::vector<LaserScan>&) { return {}; }
-std::vector<Contestant> cone_peers(const std::vector<SonarEcho>&) { return {}; }
 std::vector<Contestant> cast_peers(const CastWorkload&) { return {}; }
 
 }  // namespace echomap::bench

@@ -31,14 +31,6 @@ struct LaserScan {
   std::vector<float> ranges_m;
 };
 
-/// A cone of 15 degrees.
-constexpr double kConeHalfOpeningRad = geometry::radians(7.5);
-
-struct SonarEcho {
-  geometry::Pose2 T_map_sonar;
-  double range_m = 0.0;
-};
-
 /// Scans of kBeams rays each are cast from these places, at most 10 m far.
 struct CastWorkload {
   mapping::RasterMap map;
@@ -54,7 +46,6 @@ struct Contestant {
 
 /// MRPT's and OpenCV's ways; none where this was built without them.
 std::vector<Contestant> ray_peers(const std::vector<LaserScan>& scans);
-std::vector<Contestant> cone_peers(const std::vector<SonarEcho>& echoes);
 std::vector<Contestant> cast_peers(const CastWorkload& workload);
 std::vector<Contestant> distance_peers(const mapping::RasterMap& map);
 

@@ -16,13 +16,13 @@ constexpr Column kColumns[] = {
     &LaserAgreement::free_iou, &LaserAgreement::wall_rmse_m, &LaserAgreement::wall_recall};
 
 std::vector<mapping::Scan> sonar_sweeps(const std::vector<PosedScan>& scans,
-                                        const datasets::LaserToSonarParams& sonar,
+                                        const LaserToSonarParams& sonar,
                                         std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<mapping::Scan> sweeps;
   for (const PosedScan& posed : scans) {
     mapping::Scan sweep;
-    for (const auto& beam : datasets::laser_to_sonar(posed.scan, sonar, random).beams) {
+    for (const auto& beam : laser_to_sonar(posed.scan, sonar, random).beams) {
       sweep.push_back({posed.T_map_laser,
                        posed.T_map_laser * geometry::Pose2(0.0, 0.0, beam.bearing_rad),
                        beam.range_m});
@@ -33,7 +33,7 @@ std::vector<mapping::Scan> sonar_sweeps(const std::vector<PosedScan>& scans,
 }
 
 SonarRun run_once(const std::vector<mapping::Scan>& sweeps,
-                  const datasets::LaserToSonarParams& params,
+                  const LaserToSonarParams& params,
                   const LaserTruth& truth) {
   mapping::SonarConeMapper mapper;
   for (const auto& sweep : sweeps) {
@@ -102,7 +102,7 @@ const std::vector<SonarLog>& blind_sonar_logs() {
 }
 
 SonarRun run_sonar_log(const std::filesystem::path& log,
-                       const datasets::LaserToSonarParams& sonar,
+                       const LaserToSonarParams& sonar,
                        std::size_t seeds) {
   const auto scans = read_posed_scans(log);
   const LaserTruth truth(scans, sonar.max_range_m);

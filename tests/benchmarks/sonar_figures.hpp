@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "host/datasets/laser_to_sonar.hpp"
 #include "host/mapping/sonar_cone_mapper.hpp"
 #include "tests/benchmarks/figures.hpp"
+#include "tests/benchmarks/laser_to_sonar.hpp"
 #include "tests/benchmarks/laser_truth.hpp"
 
 namespace echomap::bench {
@@ -40,7 +40,7 @@ struct SonarRun {
 /// sonar's noise. Each score is the median over them; the counts are of the last. Throws
 /// files::FileError.
 SonarRun run_sonar_log(const std::filesystem::path& log,
-                       const datasets::LaserToSonarParams& sonar,
+                       const LaserToSonarParams& sonar,
                        std::size_t seeds);
 
 /// sonar_free_iou, sonar_wall_rmse_m and sonar_wall_recall with `suffix`.

@@ -18,7 +18,7 @@ namespace echomap::bench {
 namespace {
 
 struct Options {
-  datasets::LaserToSonarParams sonar;
+  LaserToSonarParams sonar;
   std::size_t seeds = 3;
   std::vector<std::string> chosen;
   bool blind = false;

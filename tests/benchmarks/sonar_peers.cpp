@@ -7,7 +7,6 @@
 #include <map>
 
 #include "host/geometry/angle.hpp"
-#include "host/models/concepts.hpp"
 #include "host/models/gaussian_patch.hpp"
 #include "host/models/occupied_sector.hpp"
 
@@ -19,9 +18,6 @@ using geometry::CellIndex;
 using mapping::OccupancyGrid;
 using mapping::PlacedReading;
 using mapping::Scan;
-
-static_assert(models::InverseModel<models::OccupiedSector>);
-static_assert(models::InverseModel<models::GaussianPatch>);
 
 constexpr double kCentilogits = 100.0;
 constexpr int kCertainCentilogits = 500;

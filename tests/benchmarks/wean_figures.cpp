@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "host/datasets/open_log.hpp"
-#include "host/exports/wean_map.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/pipeline/log_localizer.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
 #include "tests/support/believed_near.hpp"
 #include "tests/support/log_files.hpp"
 #include "tests/support/real_data.hpp"
+#include "tests/support/wean_map.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -48,7 +48,7 @@ std::vector<Figure> wean_figures(std::uint32_t seed, bool verbose) {
     fmt::print("wean: not there, skipped\n");
     return {};
   }
-  const mapping::RasterMap map = exports::read_wean_map(folder / "wean.dat.gz");
+  const mapping::RasterMap map = tests::read_wean_map(folder / "wean.dat.gz");
   int found = 0;
   double seconds = 0.0;
   double lasted_s = 0.0;

@@ -17,8 +17,8 @@
 #include "host/datasets/nxt_scan_log.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
-#include "host/sensors/post_opening.hpp"
 #include "host/sensors/wall_opening.hpp"
+#include "tests/papers/post_opening.hpp"
 #include "tests/support/log_files.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -130,8 +130,7 @@ TEST(ConeAngle, IsFoundBySweepingPastAPost) {
     Rates rates;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
       count(rates,
-            sensors::opening_past_post(double_sweep(plan, ev3_sonar(opening_deg), seed),
-                                       {0.79, 0.05, 0.02}),
+            opening_past_post(double_sweep(plan, ev3_sonar(opening_deg), seed), {0.79, 0.05, 0.02}),
             opening_deg);
     }
     print("post, " + std::to_string(opening_deg), rates);
@@ -234,8 +233,7 @@ std::vector<SweepReading> tilts_of(const std::string& path, std::size_t column) 
 
 /// The cone of a card's tilts; the paper's figure is of things at a distance.
 ConeOpening opening_before(const std::string& path, const Card& card) {
-  const auto opening =
-      sensors::opening_by_tilt(tilts_of(path, card.column), {card.range_m, 0.05, 0.0});
+  const auto opening = opening_by_tilt(tilts_of(path, card.column), {card.range_m, 0.05, 0.0});
   if (!opening) {
     throw std::runtime_error("no edge in the tilts of " + std::string(card.name));
   }

@@ -14,8 +14,8 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/slam/landmark_slam.hpp"
-#include "host/slam/turn_first_odometry.hpp"
 #include "tests/benchmarks/edmonton_slam.hpp"
+#include "tests/benchmarks/turn_first_odometry.hpp"
 
 namespace echomap::papers {
 namespace {
@@ -82,7 +82,7 @@ std::vector<Eigen::Vector2d> scanned_points_m(const bench::EdmontonLog& log,
     for (const datasets::Beam& beam : scan->beams) {
       if (beam.range_m && *beam.range_m < kFarthestDrawnM) {
         points_m.push_back(
-            slam::scanned_point_m(T_map_scans[index], *beam.range_m, beam.bearing_rad));
+            bench::scanned_point_m(T_map_scans[index], *beam.range_m, beam.bearing_rad));
       }
     }
     ++index;

@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "protocol/message_description.hpp"
 #include "tests/protocol/every_message.hpp"
 #include "tests/protocol/frames.hpp"
+#include "tests/support/message_description.hpp"
 
 namespace echomap::protocol {
 namespace {

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "protocol/frame_encoder.hpp"
-#include "protocol/message_description.hpp"
 #include "tests/protocol/every_message.hpp"
+#include "tests/support/message_description.hpp"
 
 namespace echomap::protocol {
 namespace {

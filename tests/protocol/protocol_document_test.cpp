@@ -11,9 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "protocol/message_description.hpp"
 #include "protocol/messages.hpp"
 #include "protocol/schema_description.hpp"
+#include "tests/support/message_description.hpp"
 
 // docs/protocol.md against the code: the table of messages and the worked example.
 namespace echomap::protocol {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "protocol/message_description.hpp"
 #include "protocol/messages.hpp"
 #include "tests/protocol/described_schema.hpp"
+#include "tests/support/message_description.hpp"
 
 namespace echomap::protocol {
 namespace {

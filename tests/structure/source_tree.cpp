@@ -47,7 +47,8 @@ std::vector<Include> includes_of(const SourceFile& file) {
   for (const std::string& line : file.lines) {
     ++line_number;
     std::smatch match;
-    if (std::regex_match(line, match, include_line)) {
+    const bool may_include = line.find('#') != std::string::npos;
+    if (may_include && std::regex_match(line, match, include_line)) {
       includes.push_back({match[2].str(), line_number, match[1].str() == "\""});
     }
   }

@@ -7,13 +7,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "host/exports/wean_map.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/mapping/polygon_map.hpp"
 #include "tests/support/random_polygon.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
+#include "tests/support/wean_map.hpp"
 
 namespace echomap::exports {
 namespace {
@@ -137,7 +137,8 @@ TEST_F(GeoJsonTest, IsValidByRfc7946ForMapsOfAnyShape) {
 TEST_F(GeoJsonTest, IsValidByRfc7946ForWeanHall) {
   const auto file = tests::real_data("wean_mcl/wean.dat.gz");
   ECHOMAP_SKIP_WITHOUT(file);
-  write_outline_geojson(folder / "a.geojson", mapping::polygon_from_raster(read_wean_map(file)));
+  write_outline_geojson(folder / "a.geojson",
+                        mapping::polygon_from_raster(tests::read_wean_map(file)));
   const auto rings = written()["features"][0]["geometry"]["coordinates"];
   EXPECT_GT(rings.size(), 10U);
   expect_valid_polygon(rings);

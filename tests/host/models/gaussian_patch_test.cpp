@@ -6,12 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/models/concepts.hpp"
-
 namespace echomap::models {
 namespace {
-
-static_assert(InverseModel<GaussianPatch>);
 
 constexpr SensorReading kEcho{1.0};
 const GaussianPatch kModel;

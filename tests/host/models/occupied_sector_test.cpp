@@ -6,12 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
-#include "host/models/concepts.hpp"
 
 namespace echomap::models {
 namespace {
-
-static_assert(InverseModel<OccupiedSector>);
 
 constexpr SensorReading kEcho{1.0};
 const OccupiedSector kModel;

@@ -5,12 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/models/concepts.hpp"
-
 namespace echomap::models {
 namespace {
-
-static_assert(InverseModel<SonarCone>);
 
 constexpr SensorReading kEcho{1.0};
 const SonarCone kModel;

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "host/datasets/open_log.hpp"
-#include "host/mapping/nearest_points.hpp"
 #include "host/pipeline/log_mapper.hpp"
+#include "tests/support/nearest_points.hpp"
 #include "tests/support/real_data.hpp"
 
 namespace echomap::pipeline {
@@ -65,7 +65,7 @@ class SonarLog : public testing::TestWithParam<SonarLogCase> {
 
 TEST_P(SonarLog, ClaimsNothingBeyondWhatTheSensorReaches) {
   constexpr double kArcM = 0.15;
-  const mapping::NearestPoints path(path_m());
+  const tests::NearestPoints path(path_m());
   for (const auto* cells_m : {&free_m_, &walls_m_}) {
     for (const Eigen::Vector2d& cell_m : *cells_m) {
       ASSERT_LE(path.nearest(cell_m)->distance_m, GetParam().max_range_m + kArcM);
@@ -85,7 +85,7 @@ TEST_P(SonarLog, PutsWallsBesideFreeFloor) {
   ASSERT_FALSE(free_m_.empty());
   ASSERT_FALSE(walls_m_.empty());
   constexpr double kBesideM = 0.15;
-  const mapping::NearestPoints floor(free_m_);
+  const tests::NearestPoints floor(free_m_);
   const auto beside = std::count_if(walls_m_.begin(), walls_m_.end(), [&](const auto& wall_m) {
     return floor.nearest(wall_m)->distance_m <= kBesideM;
   });

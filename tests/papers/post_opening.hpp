@@ -6,7 +6,7 @@
 
 #include "host/sensors/cone_opening.hpp"
 
-namespace echomap::sensors {
+namespace echomap::papers {
 
 /// What stands before the sonar while its cone is measured.
 struct PostOpeningParams {
@@ -28,14 +28,14 @@ struct PostOpeningParams {
 /// (chi-squared, one degree of freedom); all three less the angle that the post itself takes up.
 ///
 /// Empty where the post was heard fewer than three times, or to one end of the sweep.
-std::optional<ConeOpening> opening_past_post(std::span<const SweepReading> sweep,
-                                             const PostOpeningParams& params);
+std::optional<sensors::ConeOpening> opening_past_post(std::span<const sensors::SweepReading> sweep,
+                                                      const PostOpeningParams& params);
 
 /// The same from a smooth card that is turned before a sonar which stands still; `bearing_rad` is
 /// the angle between the sonar's axis and the card's perpendicular, of which one sign is enough. A
 /// smooth card answers while its perpendicular lies in the cone, so that the opening is twice the
 /// angle of the edge.
-std::optional<ConeOpening> opening_by_tilt(std::span<const SweepReading> tilts,
-                                           const PostOpeningParams& params);
+std::optional<sensors::ConeOpening> opening_by_tilt(std::span<const sensors::SweepReading> tilts,
+                                                    const PostOpeningParams& params);
 
-}  // namespace echomap::sensors
+}  // namespace echomap::papers

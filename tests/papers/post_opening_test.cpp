@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/sensors/post_opening.hpp"
+#include "tests/papers/post_opening.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -9,10 +9,11 @@
 
 #include "host/geometry/angle.hpp"
 
-namespace echomap::sensors {
+namespace echomap::papers {
 namespace {
 
 using geometry::radians;
+using sensors::SweepReading;
 
 constexpr PostOpeningParams kPostAt1M{1.0, 0.1, 0.0};
 
@@ -98,4 +99,4 @@ TEST(OpeningPastPost, RefusesParametersWithoutSense) {
 }
 
 }  // namespace
-}  // namespace echomap::sensors
+}  // namespace echomap::papers

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "host/slam/turn_first_odometry.hpp"
+#include "tests/benchmarks/turn_first_odometry.hpp"
 
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-namespace echomap::slam {
+namespace echomap::bench {
 namespace {
 
 using geometry::Pose2;
@@ -30,4 +30,4 @@ TEST(TurnFirstOdometry, PlacesABeamsEndByPoseAndBearing) {
 }
 
 }  // namespace
-}  // namespace echomap::slam
+}  // namespace echomap::bench

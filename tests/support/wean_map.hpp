@@ -5,7 +5,7 @@
 
 #include "host/mapping/raster_map.hpp"
 
-namespace echomap::exports {
+namespace echomap::tests {
 
 /// Reads the map of Wean Hall (CMU, course 16-831; text, plain or gz), which belongs to the logs of
 /// datasets::open_wean_log. Its lower left corner is the origin. A line of numbers is a COLUMN of
@@ -15,4 +15,4 @@ namespace echomap::exports {
 /// files::FileError whose text begins `file:line: `.
 mapping::RasterMap read_wean_map(const std::filesystem::path& path);
 
-}  // namespace echomap::exports
+}  // namespace echomap::tests

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/datasets/laser_to_sonar.hpp"
+#include "tests/benchmarks/laser_to_sonar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,12 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 
-namespace echomap::datasets {
+namespace echomap::bench {
 
 namespace {
+
+using datasets::Beam;
+using datasets::RangeScan;
 
 /// A normal is fitted to points up to this far along the wall, to either side.
 constexpr double kNormalReachM = 0.2;
@@ -194,4 +197,4 @@ RangeScan laser_to_sonar(const RangeScan& laser,
   return sonar;
 }
 
-}  // namespace echomap::datasets
+}  // namespace echomap::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/exports/wean_map.hpp"
+#include "tests/support/wean_map.hpp"
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
-namespace echomap::exports {
+namespace echomap::tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -35,22 +35,22 @@ class WeanMapTest : public ::testing::Test {
     return read_wean_map(folder / "wean.dat");
   }
   std::string complaint(const std::string& text) {
-    return tests::thrown_text<files::FileError>([&] { read(text); });
+    return thrown_text<files::FileError>([&] { read(text); });
   }
 
-  tests::ScratchFolder folder;
+  ScratchFolder folder;
 };
 
 TEST_F(WeanMapTest, ALineIsAColumnFromBelow) {
   const auto map = read(head(2, 3) + "1 1 0\n1 -1 -1\n");
-  EXPECT_EQ(tests::drawing_of(map), (tests::DrawnMap{"# ", ". ", ".."}));
+  EXPECT_EQ(drawing_of(map), (DrawnMap{"# ", ". ", ".."}));
   EXPECT_EQ(map.resolution_m(), 0.1);
   EXPECT_EQ(map.origin_m(), Eigen::Vector2d(0.0, 0.0));
 }
 
 TEST_F(WeanMapTest, ANumberIsTheProbabilityOfFreeFloor) {
-  EXPECT_EQ(tests::drawing_of(read(head(5, 1) + "0.000\n0.300\n0.500\n0.900\n-1.000\n")),
-            tests::DrawnMap{"## . "});
+  EXPECT_EQ(drawing_of(read(head(5, 1) + "0.000\n0.300\n0.500\n0.900\n-1.000\n")),
+            DrawnMap{"## . "});
 }
 
 TEST_F(WeanMapTest, NamesTheLineThatIsWrong) {
@@ -111,8 +111,8 @@ double share_at_walls(const mapping::RasterMap& map,
 }
 
 TEST(RealWeanMap, FitsTheLastScanOfItsLogWhereALocalizerHasFoundIt) {
-  const auto map_file = tests::real_data("wean_mcl/wean.dat.gz");
-  const auto log = tests::real_data("wean_mcl/robotdata1.log.gz");
+  const auto map_file = real_data("wean_mcl/wean.dat.gz");
+  const auto log = real_data("wean_mcl/robotdata1.log.gz");
   ECHOMAP_SKIP_WITHOUT(map_file);
   const auto map = read_wean_map(map_file);
   EXPECT_EQ(map.columns(), 800);
@@ -129,4 +129,4 @@ TEST(RealWeanMap, FitsTheLastScanOfItsLogWhereALocalizerHasFoundIt) {
 }
 
 }  // namespace
-}  // namespace echomap::exports
+}  // namespace echomap::tests

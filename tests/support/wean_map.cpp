@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/exports/wean_map.hpp"
+#include "tests/support/wean_map.hpp"
 
 #include <string>
 #include <string_view>
@@ -8,7 +8,7 @@
 #include "host/datasets/line_reader.hpp"
 #include "host/geometry/cell_index.hpp"
 
-namespace echomap::exports {
+namespace echomap::tests {
 namespace {
 
 using datasets::FieldCursor;
@@ -107,4 +107,4 @@ mapping::RasterMap read_wean_map(const std::filesystem::path& path) {
   return map;
 }
 
-}  // namespace echomap::exports
+}  // namespace echomap::tests

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "host/mapping/nearest_points.hpp"
+#include "tests/support/nearest_points.hpp"
 
 #include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
 
-namespace echomap::mapping {
+namespace echomap::tests {
 namespace {
 
 std::vector<Eigen::Vector2d> random_points(std::mt19937& random, std::size_t count) {
@@ -53,4 +53,4 @@ TEST(NearestPoints, MayBeMoved) {
 }
 
 }  // namespace
-}  // namespace echomap::mapping
+}  // namespace echomap::tests

@@ -6,7 +6,7 @@
 
 #include "host/datasets/log_record.hpp"
 
-namespace echomap::datasets {
+namespace echomap::bench {
 
 /// The pan sonar that a laser scan is heard with.
 struct LaserToSonarParams {
@@ -39,8 +39,8 @@ struct LaserToSonarParams {
 /// its cone. Edges, where no normal can be told, answer at any incidence. A laser beam without
 /// return is empty space. Throws std::invalid_argument for parameters without sense and for beams
 /// that do not go counter-clockwise.
-RangeScan laser_to_sonar(const RangeScan& laser,
-                         const LaserToSonarParams& params,
-                         std::mt19937& random);
+datasets::RangeScan laser_to_sonar(const datasets::RangeScan& laser,
+                                   const LaserToSonarParams& params,
+                                   std::mt19937& random);
 
-}  // namespace echomap::datasets
+}  // namespace echomap::bench

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "host/mapping/nearest_points.hpp"
+#include "tests/support/nearest_points.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <nanoflann.hpp>
 
-namespace echomap::mapping {
+namespace echomap::tests {
 namespace {
 
 /// The points as nanoflann asks for them.
@@ -71,4 +71,4 @@ std::vector<Neighbour> NearestPoints::nearest(const Eigen::Vector2d& place_m,
   return tree_->nearest(place_m, count);
 }
 
-}  // namespace echomap::mapping
+}  // namespace echomap::tests

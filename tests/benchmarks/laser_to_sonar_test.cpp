@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/datasets/laser_to_sonar.hpp"
+#include "tests/benchmarks/laser_to_sonar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,11 @@
 
 #include "host/geometry/angle.hpp"
 
-namespace echomap::datasets {
+namespace echomap::bench {
 namespace {
+
+using datasets::Beam;
+using datasets::RangeScan;
 
 using geometry::radians;
 
@@ -126,4 +129,4 @@ TEST(LaserToSonar, RefusesBeamsThatGoClockwise) {
 }
 
 }  // namespace
-}  // namespace echomap::datasets
+}  // namespace echomap::bench

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-namespace echomap::mapping {
+namespace echomap::tests {
 
 /// One of the points that a NearestPoints was made of.
 struct Neighbour {
@@ -35,4 +35,4 @@ class NearestPoints {
   std::unique_ptr<Tree> tree_;
 };
 
-}  // namespace echomap::mapping
+}  // namespace echomap::tests

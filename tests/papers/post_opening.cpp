@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/sensors/post_opening.hpp"
+#include "tests/papers/post_opening.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +11,12 @@
 
 #include "host/geometry/angle.hpp"
 
-namespace echomap::sensors {
+namespace echomap::papers {
 
 namespace {
+
+using sensors::ConeOpening;
+using sensors::SweepReading;
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kGridStepRad = geometry::radians(0.5);
@@ -167,4 +170,4 @@ std::optional<ConeOpening> opening_by_tilt(std::span<const SweepReading> tilts,
   return peak_of(profile, 2.0 * kGridStepRad);
 }
 
-}  // namespace echomap::sensors
+}  // namespace echomap::papers
