@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "host/apps/exit_code.hpp"
+#include "host/console/exit_code.hpp"
 
 namespace echomap::apps {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "host/apps/exit_code.hpp"
+#include "host/console/exit_code.hpp"
 
 namespace echomap::apps {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "host/apps/exit_code.hpp"
+#include "host/console/exit_code.hpp"
 #include "host/exports/pgm_yaml.hpp"
 
 namespace echomap::apps {

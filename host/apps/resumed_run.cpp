@@ -8,8 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
-#include "host/apps/exit_code.hpp"
 #include "host/apps/report.hpp"
+#include "host/console/exit_code.hpp"
+#include "host/console/print.hpp"
 #include "host/exports/observations_csv.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
@@ -43,7 +44,7 @@ void require_record(const std::filesystem::path& run) {
 
 void require_same_robot(const std::filesystem::path& run,
                         const std::string& robot,
-                        const RobotProfile& profile) {
+                        const session::RobotProfile& profile) {
   if (robot != profile.name) {
     throw CommandError(ExitCode::kUsage,
                        "cannot resume " + run.string() + ": its robot is '" + robot + "', not '" +
@@ -65,7 +66,7 @@ std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_
 }
 
 std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
-                                     const RobotProfile& profile,
+                                     const session::RobotProfile& profile,
                                      pipeline::JoinedSessions& sessions,
                                      pipeline::RobotAtlas& atlas) {
   if (run.empty()) {
@@ -96,11 +97,11 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   }
   exports::RunSummary summary;
   exports::describe_snapshot(snapshot, summary);
-  say(fmt::format("goes on with {}: {} stop{}, {:.1f} m2 of floor",
-                  run.string(),
-                  summary.stops,
-                  summary.stops == 1 ? "" : "s",
-                  summary.free_area_m2));
+  console::print(fmt::format("goes on with {}: {} stop{}, {:.1f} m2 of floor",
+                             run.string(),
+                             summary.stops,
+                             summary.stops == 1 ? "" : "s",
+                             summary.free_area_m2));
   return ResumedRun{summary.stops, facts.sim_seconds};
 }
 

@@ -165,7 +165,7 @@ void RunKeeper::describe_link() {
   }
   summary_.link = link;
   if (const auto& robot = robot_.session.link().robot(); robot && summary_.firmware.empty()) {
-    summary_.firmware = firmware_of(*robot);
+    summary_.firmware = session::firmware_of(*robot);
   }
 }
 
