@@ -8,6 +8,6 @@
 namespace echomap::apps {
 
 /// What a sub-command does once its arguments are understood; empty where there is none.
-using CommandAction = std::function<ExitCode()>;
+using CommandAction = std::function<console::ExitCode()>;
 
 }  // namespace echomap::apps

@@ -23,6 +23,9 @@
 namespace echomap::apps {
 namespace {
 
+using console::CommandError;
+using console::ExitCode;
+
 void set_up_logging(bool verbose, bool quiet) {
   auto logger =
       std::make_shared<spdlog::logger>("echomap", std::make_shared<console::LogSink>(stderr));

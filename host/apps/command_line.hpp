@@ -7,6 +7,6 @@ namespace echomap::apps {
 
 /// The whole program: reads the arguments, runs the sub-command, turns every failure into a message
 /// on stderr and an exit code.
-ExitCode run_command_line(int argc, char** argv);
+console::ExitCode run_command_line(int argc, char** argv);
 
 }  // namespace echomap::apps

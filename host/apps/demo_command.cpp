@@ -17,6 +17,7 @@
 #include "host/evaluation/truth_directory.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/session/open_robot.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "host/session/simulated_robot.hpp"
 #include "host/strategies/strategy_setup.hpp"
 #include "host/transport/open_stream.hpp"

@@ -11,6 +11,7 @@
 #include "host/pipeline/joined_sessions.hpp"
 #include "host/pipeline/observation_fork.hpp"
 #include "host/session/open_robot.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {

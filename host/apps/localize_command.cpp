@@ -65,7 +65,7 @@ nlohmann::ordered_json log_report(const LocalizeOptions& options,
                               {"unused_scans", localizer.unused_scans()},
                               {"late_scans", localizer.late_scans()},
                               {"updates", localizer.updates()}};
-  json.update(to_json(localizer.belief()));
+  json.update(tracking::to_json(localizer.belief()));
   return json;
 }
 

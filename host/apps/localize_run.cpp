@@ -18,6 +18,7 @@
 #include "host/console/print.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/preset_names.hpp"
+#include "host/session/firmware_name.hpp"
 #include "host/session/open_robot.hpp"
 #include "host/tracking/ekf_filter.hpp"
 #include "host/tracking/mcl_filter.hpp"

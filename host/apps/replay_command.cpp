@@ -54,7 +54,7 @@ pipeline::LogMapperParams params_of(const ReplayOptions& options) {
 }
 
 /// Throws CommandError for a scan of sound where SLAM takes wide beams for thin ones, and errs.
-void strategies::require_fit(const datasets::LogRecord& record, const slam::NamedSlam& method) {
+void require_fit(const datasets::LogRecord& record, const slam::NamedSlam& method) {
   const auto* scan = std::get_if<datasets::RangeScan>(&record);
   if (scan != nullptr && scan->beam_opening_rad > 0.0 && !method.takes_cones) {
     throw CommandError(ExitCode::kRuntimeError,
@@ -76,7 +76,7 @@ void feed(datasets::LogReader& log,
       if (!record) {
         return;
       }
-      strategies::require_fit(*record, method);
+      require_fit(*record, method);
       slam.add(*record);
       progress.show(log.progress(), fmt::format("slam: {} scans", slam.scans()));
     }

@@ -36,9 +36,10 @@ RunFacts read_facts(const std::filesystem::path& summary) {
 
 void require_record(const std::filesystem::path& run) {
   if (!std::filesystem::exists(run / kRecordName)) {
-    throw CommandError(ExitCode::kUsage,
-                       "cannot resume " + run.string() + ": it has no " + kRecordName +
-                           "\n  next: name the run directory of echomap explore with --resume");
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        "cannot resume " + run.string() + ": it has no " + kRecordName +
+            "\n  next: name the run directory of echomap explore with --resume");
   }
 }
 
@@ -46,9 +47,10 @@ void require_same_robot(const std::filesystem::path& run,
                         const std::string& robot,
                         const session::RobotProfile& profile) {
   if (robot != profile.name) {
-    throw CommandError(ExitCode::kUsage,
-                       "cannot resume " + run.string() + ": its robot is '" + robot + "', not '" +
-                           profile.name + "'\n  next: name that robot's profile with --robot");
+    throw console::CommandError(console::ExitCode::kUsage,
+                                "cannot resume " + run.string() + ": its robot is '" + robot +
+                                    "', not '" + profile.name +
+                                    "'\n  next: name that robot's profile with --robot");
   }
 }
 
@@ -84,16 +86,18 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   sessions.begin_next();
   const auto snapshot = atlas.pipeline().snapshot();
   if (snapshot.trajectory->empty()) {
-    throw CommandError(ExitCode::kUsage,
-                       "cannot resume " + run.string() +
-                           ": its record is empty, as that of a run with a camera\n  next: name "
-                           "another run, or start anew");
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        "cannot resume " + run.string() +
+            ": its record is empty, as that of a run with a camera\n  next: name "
+            "another run, or start anew");
   }
   if (snapshot.times_lifted > 0) {
-    throw CommandError(ExitCode::kUsage,
-                       "cannot resume " + run.string() +
-                           ": the robot was lifted in it, and where it is since then nobody "
-                           "knows\n  next: start anew");
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        "cannot resume " + run.string() +
+            ": the robot was lifted in it, and where it is since then nobody "
+            "knows\n  next: start anew");
   }
   exports::RunSummary summary;
   exports::describe_snapshot(snapshot, summary);

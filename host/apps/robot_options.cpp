@@ -8,6 +8,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/flashing/flash_boards.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {
@@ -189,7 +190,7 @@ void add_flash(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("flash", "Write the firmware to a board");
   const auto options = std::make_shared<FlashOptions>();
   command->add_option("--board", options->board, "Which board; by default what its USB id says")
-      ->check(CLI::IsMember(flash_board_names()));
+      ->check(CLI::IsMember(flashing::flash_board_names()));
   command
       ->add_option("--port",
                    options->port,

@@ -12,6 +12,7 @@
 #include "host/exports/pose_graph_g2o.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/session/firmware_name.hpp"
 
 namespace echomap::apps {
 namespace {

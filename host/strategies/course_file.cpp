@@ -32,7 +32,7 @@ int cells_of(const TomlReader& grid, std::string_view key) {
 }
 
 void read_grid(const TomlReader& grid, WaypointCourse& course) {
-  course.cell_m = positive(grid, "cell_m");
+  course.cell_m = session::positive(grid, "cell_m");
   const auto first = [&](std::string_view key) {
     return static_cast<int>(std::lround(grid.number_or(key, 0.0) / course.cell_m));
   };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "host/console/exit_code.hpp"
 #include "host/exploration/danger_checker.hpp"
 #include "host/exploration/epuck_drive.hpp"
 #include "host/exploration/fault_watch.hpp"

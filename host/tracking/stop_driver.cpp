@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "host/session/pipeline_setup.hpp"
 #include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::tracking {
