@@ -96,7 +96,9 @@ std::unique_ptr<exploration::AtlasExplorer> explorer_of(const DrivenRobot& robot
     return left.stops > 0 ? strategies::explorer_for(robot.profile, left, random) : nullptr;
   };
   return std::make_unique<exploration::AtlasExplorer>(
-      robot.atlas, make, robot.camera == nullptr && strategies::begins_anywhere(options.strategy));
+      make,
+      robot.atlas.pipeline().snapshot().stops,
+      robot.camera == nullptr && strategies::begins_anywhere(options.strategy));
 }
 
 /// Motion by motion until the explorer has finished or the session has ended.
