@@ -9,6 +9,7 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/whole_records.hpp"
+#include "host/console/print.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/pipeline/log_sweeps.hpp"
@@ -109,25 +110,25 @@ nlohmann::ordered_json to_json(const SonarCharacter& character) {
 
 void print(const SonarCharacter& character) {
   const sensors::PooledOpening& opening = character.opening;
-  say(fmt::format("{} walls in {} sweeps", character.walls.size(), character.sweeps));
-  say(
+  console::print(fmt::format("{} walls in {} sweeps", character.walls.size(), character.sweeps));
+  console::print(
       fmt::format("  the cone opens by {:.1f} +- {:.1f} degrees from wall to wall, its mean lies "
                   "from {:.1f} to {:.1f}",
                   degrees(opening.mean.opening_rad),
                   degrees(opening.spread_rad),
                   degrees(opening.mean.low_rad),
                   degrees(opening.mean.high_rad)));
-  say("  incidence   readings   bias       sd");
+  console::print("  incidence   readings   bias       sd");
   for (const sensors::IncidenceNoise& row : character.noise) {
-    say(fmt::format("  {:2.0f} .. {:2.0f} deg {:8d} {:7.1f} mm {:6.1f} mm",
-                    degrees(row.from_rad),
-                    degrees(row.to_rad),
-                    row.readings,
-                    1e3 * row.bias_m,
-                    1e3 * row.sd_m));
+    console::print(fmt::format("  {:2.0f} .. {:2.0f} deg {:8d} {:7.1f} mm {:6.1f} mm",
+                               degrees(row.from_rad),
+                               degrees(row.to_rad),
+                               row.readings,
+                               1e3 * row.bias_m,
+                               1e3 * row.sd_m));
   }
-  say(fmt::format("  for the profile's [sonar]: beam_half_angle_deg = {:.1f}",
-                  suggested_half_angle_deg(character)));
+  console::print(fmt::format("  for the profile's [sonar]: beam_half_angle_deg = {:.1f}",
+                             suggested_half_angle_deg(character)));
 }
 
 }  // namespace

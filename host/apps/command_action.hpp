@@ -3,11 +3,11 @@
 
 #include <functional>
 
-#include "host/apps/exit_code.hpp"
+#include "host/console/exit_code.hpp"
 
 namespace echomap::apps {
 
 /// What a sub-command does once its arguments are understood; empty where there is none.
-using CommandAction = std::function<ExitCode()>;
+using CommandAction = std::function<console::ExitCode()>;
 
 }  // namespace echomap::apps

@@ -11,11 +11,11 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
 
-#include "host/apps/interrupt.hpp"
 #include "host/apps/localize_options.hpp"
-#include "host/apps/log_sink.hpp"
 #include "host/apps/map_options.hpp"
 #include "host/apps/robot_options.hpp"
+#include "host/console/interrupt.hpp"
+#include "host/console/log_sink.hpp"
 #include "host/files/nearest_word.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/transport/transport_error.hpp"
@@ -23,8 +23,12 @@
 namespace echomap::apps {
 namespace {
 
+using console::CommandError;
+using console::ExitCode;
+
 void set_up_logging(bool verbose, bool quiet) {
-  auto logger = std::make_shared<spdlog::logger>("echomap", std::make_shared<LogSink>(stderr));
+  auto logger =
+      std::make_shared<spdlog::logger>("echomap", std::make_shared<console::LogSink>(stderr));
   logger->set_pattern("echomap: %^%l%$: %v");
   logger->set_level(verbose ? spdlog::level::debug
                             : (quiet ? spdlog::level::err : spdlog::level::info));
@@ -103,7 +107,7 @@ ExitCode run_command_line(int argc, char** argv) {
     return report_usage(app, error, named_command(argc, argv));
   }
   set_up_logging(verbose, quiet);
-  catch_interrupts();
+  console::catch_interrupts();
   return run_and_report(action);
 }
 

@@ -7,20 +7,21 @@
 #include <string>
 #include <vector>
 
-#include "host/apps/exit_code.hpp"
+#include "host/console/exit_code.hpp"
 #include "host/localization/localizer_preset.hpp"
+#include "host/session/open_robot.hpp"
+#include "host/session/simulated_robot.hpp"
+#include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {
+
+using console::CommandError;
+using console::ExitCode;
 
 /// Options that mean the same in every sub-command that has them.
 struct RunOptions {
   std::string robot = "uno_2wd";
-  std::string strategy = "nxt-farthest";
-  std::size_t stops = 20;
-  std::size_t scans = 1;  ///< Of the room, by nxt-farthest.
-  std::string waypoints;  ///< Course of tangent-bug: a bundled name or a TOML file; empty: none.
-  std::string hand = "right";  ///< Or "left": which is held to the wall.
-  double seconds = 120.0;      ///< How long random-bounce drives.
+  strategies::StrategyOptions strategy;
   /// A way of slam::slam_methods() that a robot with a sonar is placed by, or "none": odometry.
   std::string slam = "grid";
   std::uint32_t seed = 1;
@@ -29,40 +30,20 @@ struct RunOptions {
   bool headless = false;
 };
 
-/// Where a robot is and how to speak to it.
-struct ConnectionOptions {
-  std::vector<std::string> ports;  ///< Empty: every USB and Bluetooth serial port.
-  int baud = 115200;
-  bool no_reset = false;      ///< End where opening the port has reset the robot.
-  double reconnect_s = 10.0;  ///< How long to wait for a robot that is away; 0: not at all.
-  std::string lockstep;       ///< Socket of a simulated robot's clock; empty for a real one.
-};
-
 /// `echomap explore`: drives the robot on a port.
 struct ExploreOptions {
   RunOptions run;
   std::string fixes;  ///< udp:HOST:PORT or tcp:HOST:PORT of an overhead camera; empty: none.
   std::filesystem::path resume;  ///< Run directory of the run to go on with; empty: none.
-  ConnectionOptions connection;
+  session::ConnectionOptions connection;
 };
 ExitCode run_explore(const ExploreOptions& options);
 
 /// `echomap demo`: an emulated robot in a bundled room explores it and is scored.
 struct DemoOptions {
   RunOptions run;
-  std::string world = "living_room";
-  std::string emulator = "simavr";  ///< Or "unicorn" or "mock".
-  std::string board;                ///< One of that emulator; empty: its usual one.
-  std::string line = "direct";      ///< What carries the bytes: direct, usb, ftdi or bluetooth.
-  std::string faults;       ///< Of the line, as the robot's program takes them; empty: none.
-  std::string part_faults;  ///< As the robot's program takes them; empty: none.
-  /// What is true of the robot (docs/decisions/0002); empty: the bundled body of the profile's
-  /// name.
-  std::string body;
-  /// udp:127.0.0.1:PORT where the simulated camera over the room sends its fixes; empty: no camera.
-  std::string fixes;
-  std::string camera_params;  ///< What that camera is like; empty: as the robot's program has it.
-  bool no_kidnap = false;     ///< End with the map.
+  session::SimulatedRobotOptions robot;
+  bool no_kidnap = false;  ///< End with the map.
 };
 ExitCode run_demo(const DemoOptions& options);
 
@@ -101,7 +82,7 @@ struct LocalizeOptions {
   /// The camera's frame in the map: metres and degrees; empty: the map's own.
   std::vector<double> camera_at;
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
-  ConnectionOptions connection;
+  session::ConnectionOptions connection;
   RunOptions run;
 };
 ExitCode run_localize(const LocalizeOptions& options);

@@ -11,13 +11,15 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/demo_kidnap.hpp"
 #include "host/apps/explore_run.hpp"
-#include "host/apps/open_robot.hpp"
 #include "host/apps/report.hpp"
-#include "host/apps/simulated_robot.hpp"
-#include "host/apps/strategy_setup.hpp"
+#include "host/console/print.hpp"
 #include "host/evaluation/run_score.hpp"
 #include "host/evaluation/truth_directory.hpp"
 #include "host/files/bundled_files.hpp"
+#include "host/session/open_robot.hpp"
+#include "host/session/pipeline_setup.hpp"
+#include "host/session/simulated_robot.hpp"
+#include "host/strategies/strategy_setup.hpp"
 #include "host/transport/open_stream.hpp"
 
 namespace echomap::apps {
@@ -25,13 +27,15 @@ namespace {
 
 /// The TOML file of what is true of the robot: the one named, or else the bundled one of the robot
 /// that the profile describes.
-std::filesystem::path body_of(const DemoOptions& options, const RobotProfile& profile) {
-  return files::bundled_file(
-      options.body.empty() ? profile.name : options.body, "hil_mock/robots", "body (--body)");
+std::filesystem::path body_of(const DemoOptions& options, const session::RobotProfile& profile) {
+  return files::bundled_file(options.robot.body.empty() ? profile.name : options.robot.body,
+                             "hil_mock/robots",
+                             "body (--body)");
 }
 
-void say_what_ran(const exports::RunSummary& summary) {
-  say(fmt::format("{} under {} explored {}: {} stops, {:.0f} s of robot time in {:.1f} s",
+void print_what_ran(const exports::RunSummary& summary) {
+  console::print(
+      fmt::format("{} under {} explored {}: {} stops, {:.0f} s of robot time in {:.1f} s",
                   summary.firmware,
                   summary.emulator,
                   summary.world,
@@ -42,7 +46,7 @@ void say_what_ran(const exports::RunSummary& summary) {
 
 /// Ends the robot and adds the scores to `report`; answers why there are none, empty where there
 /// are.
-std::string add_scores(SimulatedRobot& robot,
+std::string add_scores(session::SimulatedRobot& robot,
                        const std::filesystem::path& out,
                        nlohmann::ordered_json& report) {
   try {
@@ -58,13 +62,14 @@ std::string add_scores(SimulatedRobot& robot,
   }
 }
 
-RobotConnection connection_to(SimulatedRobot& robot, const DemoOptions& options) {
-  RobotConnection connection;
+session::RobotConnection connection_to(session::SimulatedRobot& robot, const DemoOptions& options) {
+  session::RobotConnection connection;
   connection.stream = transport::open_stream(robot.port(), 0);
-  connection.pace = lockstep_pace(robot.lockstep());
-  connection.session_id = session_id_from(options.run.seed);
-  connection.may_be_lifted = options.fixes.empty() && begins_anywhere(options.run);
-  if (options.line == "bluetooth") {
+  connection.pace = session::lockstep_pace(robot.lockstep());
+  connection.session_id = session::session_id_from(options.run.seed);
+  connection.may_be_lifted =
+      options.robot.fixes.empty() && strategies::begins_anywhere(options.run.strategy);
+  if (options.robot.line == "bluetooth") {
     connection.link = robot_link::radio_link();
   }
   return connection;
@@ -76,20 +81,20 @@ struct DemoDrive {
   std::optional<DemoKidnap> kidnap;
 };
 
-DemoDrive drive(SimulatedRobot& robot,
+DemoDrive drive(session::SimulatedRobot& robot,
                 const DemoOptions& options,
-                const RobotProfile& profile,
+                const session::RobotProfile& profile,
                 const std::filesystem::path& out,
                 exports::RunSummary& summary) {
   pipeline::RobotAtlas atlas =
-      atlas_for(profile, options.fixes.empty() ? options.run.slam : "none");
+      session::atlas_for(profile, options.robot.fixes.empty() ? options.run.slam : "none");
   pipeline::ObservationFork fork;
-  const auto camera = camera_at(options.fixes, profile, atlas.pipeline());
+  const auto camera = tracking::camera_at(options.robot.fixes, profile, atlas.pipeline());
   if (camera) {
     fork.add(camera->sink());
   }
   fork.add(atlas);
-  RobotSession session(connection_to(robot, options), profile, fork);
+  session::RobotSession session(connection_to(robot, options), profile, fork);
   const DrivenRobot driven{session, atlas, profile, camera.get()};
   DemoDrive drive;
   drive.code = explore_and_save(driven, options.run, out, summary);
@@ -108,7 +113,7 @@ DemoDrive drive(SimulatedRobot& robot,
 
 /// Ends the robot and writes the report; answers why there are no scores, empty where there are.
 std::string report_on(const DemoDrive& drive,
-                      SimulatedRobot& robot,
+                      session::SimulatedRobot& robot,
                       const DemoOptions& options,
                       const std::filesystem::path& out,
                       const exports::RunSummary& summary) {
@@ -117,7 +122,7 @@ std::string report_on(const DemoDrive& drive,
   if (drive.kidnap && unscored.empty()) {
     report["kidnap"] =
         kidnap_report(*drive.kidnap, evaluation::read_truth(robot.truth()).trajectory);
-    say(kidnap_line(report["kidnap"]));
+    console::print(kidnap_line(report["kidnap"]));
   }
   write_report(out / "summary.json", report);
   write_report(options.run.json, report);
@@ -127,20 +132,20 @@ std::string report_on(const DemoDrive& drive,
 }  // namespace
 
 ExitCode run_demo(const DemoOptions& options) {
-  const RobotProfile profile = profile_for(options.run);
+  const session::RobotProfile profile = profile_for(options.run);
   const auto body = body_of(options, profile);
   const auto out = run_folder(options.run.out);
   prepare_outputs(out, options.run.json);
-  SimulatedRobot robot(options, body, out);
+  session::SimulatedRobot robot(options.robot, options.run.seed, body, out);
   const transport::DeviceInfo& device = robot.lockstep().device();
   exports::RunSummary summary;
-  summary.world = options.world;
+  summary.world = options.robot.world;
   summary.firmware = device.firmware;
   summary.emulator = device.emulator;
 
   const DemoDrive driven = drive(robot, options, profile, out, summary);
-  say("map: " + (out / "map.png").string());
-  say_what_ran(summary);
+  console::print("map: " + (out / "map.png").string());
+  print_what_ran(summary);
   const std::string unscored = report_on(driven, robot, options, out, summary);
   if (unscored.empty()) {
     return driven.code;

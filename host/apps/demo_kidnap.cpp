@@ -9,10 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/localize_run.hpp"
-#include "host/apps/mcl_filter.hpp"
 #include "host/apps/report.hpp"
+#include "host/console/print.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/mapping/raster_map.hpp"
+#include "host/tracking/mcl_filter.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -26,7 +27,7 @@ constexpr double kStartStdM = 0.1;
 constexpr double kStartStdRad = 0.1;
 
 /// Drives on until the place is sure.
-void go_on(const FollowedRobot& followed, MclFilter& filter, DemoKidnap& kidnap) {
+void go_on(const FollowedRobot& followed, tracking::MclFilter& filter, DemoKidnap& kidnap) {
   int sure_stops = 0;
   while (kidnap.stops < kMostStops && sure_stops < kSureStops && follow_to_next_stop(followed)) {
     ++kidnap.stops;
@@ -49,22 +50,23 @@ DemoKidnap show_kidnap(const DrivenRobot& robot,
                        transport::LockstepChannel& world,
                        const RunOptions& options) {
   const auto snapshot = robot.atlas.pipeline().snapshot();
-  MclFilter filter(mapping::rasterize(*snapshot.grid),
-                   robot.profile.geometry,
-                   localizer_params(robot.profile, localization::LocalizerPreset::kDefault),
-                   StartPose{snapshot.latest.T_map_robot, kStartStdM, kStartStdRad},
-                   std::mt19937(options.seed));
+  tracking::MclFilter filter(
+      mapping::rasterize(*snapshot.grid),
+      robot.profile.geometry,
+      tracking::localizer_params(robot.profile, localization::LocalizerPreset::kDefault),
+      tracking::StartPose{snapshot.latest.T_map_robot, kStartStdM, kStartStdRad},
+      std::mt19937(options.seed));
   fork.add(filter.sink());
-  StopDriver driver(robot.session, fork, robot.profile, options.slam, options.seed);
+  tracking::StopDriver driver(robot.session, fork, robot.profile, options.slam, options.seed);
   const FollowedRobot followed{robot.session, driver, filter};
   DemoKidnap kidnap;
   kidnap.start = snapshot.trajectory->front();
 
-  say("it follows itself in its map:");
+  console::print("it follows itself in its map:");
   filter.begin(robot.session);
   if (follow_to_next_stop(followed)) {
     world.carry_off(kHeld);
-    say("it is carried off:");
+    console::print("it is carried off:");
     go_on(followed, filter, kidnap);
   }
   robot.session.disarm();

@@ -4,6 +4,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/report.hpp"
+#include "host/console/print.hpp"
 #include "host/evaluation/difference_picture.hpp"
 #include "host/exports/pgm_yaml.hpp"
 #include "host/geometry/angle.hpp"
@@ -39,22 +40,23 @@ nlohmann::ordered_json to_json(const evaluation::MapDifference& difference) {
 
 void print(const evaluation::MapDifference& difference) {
   const auto& T_a_b = difference.alignment.T_a_b;
-  say(fmt::format("  aligned by {:.2f} m, {:.2f} m, {:.1f} degrees; {:.0f} % of the walls agree",
+  console::print(
+      fmt::format("  aligned by {:.2f} m, {:.2f} m, {:.1f} degrees; {:.0f} % of the walls agree",
                   T_a_b.x_m(),
                   T_a_b.y_m(),
                   geometry::degrees(T_a_b.heading_rad()),
                   100.0 * difference.alignment.agreement));
   for (const auto& region : difference.regions) {
-    say(fmt::format("  {} at {:.2f}, {:.2f} m: {:.2f} x {:.2f} m, confidence {:.2f}",
-                    name_of(region.kind),
-                    region.center_m.x(),
-                    region.center_m.y(),
-                    region.size_m.x(),
-                    region.size_m.y(),
-                    region.confidence));
+    console::print(fmt::format("  {} at {:.2f}, {:.2f} m: {:.2f} x {:.2f} m, confidence {:.2f}",
+                               name_of(region.kind),
+                               region.center_m.x(),
+                               region.center_m.y(),
+                               region.size_m.x(),
+                               region.size_m.y(),
+                               region.confidence));
   }
   if (difference.regions.empty()) {
-    say("  nothing has changed");
+    console::print("  nothing has changed");
   }
 }
 

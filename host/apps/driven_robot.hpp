@@ -4,21 +4,21 @@
 #include <chrono>
 #include <optional>
 
-#include "host/apps/camera_follower.hpp"
 #include "host/apps/resumed_run.hpp"
-#include "host/apps/robot_profile.hpp"
-#include "host/apps/robot_session.hpp"
 #include "host/pipeline/robot_atlas.hpp"
+#include "host/session/robot_profile.hpp"
+#include "host/session/robot_session.hpp"
+#include "host/tracking/camera_follower.hpp"
 
 namespace echomap::apps {
 
 /// A robot, and what is made of what it senses.
 struct DrivenRobot {
-  RobotSession& session;
+  session::RobotSession& session;
   pipeline::RobotAtlas& atlas;
-  const RobotProfile& profile;
-  CameraFollower* camera = nullptr;        ///< Where somebody sees the robot.
-  std::optional<ResumedRun> resumed = {};  ///< What the atlas already knows.
+  const session::RobotProfile& profile;
+  tracking::CameraFollower* camera = nullptr;  ///< Where somebody sees the robot.
+  std::optional<ResumedRun> resumed = {};      ///< What the atlas already knows.
 };
 
 /// What was there before this run.

@@ -6,6 +6,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/report.hpp"
+#include "host/console/print.hpp"
 #include "host/evaluation/relation_error.hpp"
 #include "host/evaluation/run_score.hpp"
 #include "host/evaluation/truth_directory.hpp"
@@ -24,7 +25,7 @@ void draw_on_truth(const EvalOptions& options) {
                                   exports::read_pgm_yaml(options.run / "map.yaml"),
                                   truth.trajectory.front().T_world_robot,
                                   truth.map);
-  say("  picture              " + options.picture.string());
+  console::print("  picture              " + options.picture.string());
 }
 
 evaluation::RelationError score_relations_of(const EvalOptions& options) {

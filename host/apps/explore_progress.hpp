@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "host/apps/progress_bar.hpp"
+#include "host/console/progress_bar.hpp"
 
 namespace echomap::apps {
 
@@ -47,7 +47,7 @@ class ProgressTeller {
  private:
   std::FILE* out_;
   bool enabled_;
-  ProgressBar bar_;
+  console::ProgressBar bar_;
   double next_line_s_;
 };
 

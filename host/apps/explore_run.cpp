@@ -12,9 +12,10 @@
 #include "host/apps/explore_progress.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_keeper.hpp"
-#include "host/apps/strategy_setup.hpp"
+#include "host/console/print.hpp"
 #include "host/exploration/atlas_explorer.hpp"
 #include "host/exports/run_directory.hpp"
+#include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -48,14 +49,14 @@ std::string progress_line(const DrivenRobot& robot,
   progress.floor_m2 = summary.free_area_m2;
   progress.travelled_m = summary.travelled_m;
   progress.elapsed_s = elapsed_s(robot);
-  switch (limit_of(options)) {
-    case StrategyLimit::kStops:
-      progress.most_stops = stops.before + options.stops * options.scans;
+  switch (strategies::limit_of(options.strategy)) {
+    case strategies::StrategyLimit::kStops:
+      progress.most_stops = stops.before + options.strategy.stops * options.strategy.scans;
       break;
-    case StrategyLimit::kSeconds:
-      progress.most_s = before_this_run(robot).sim_seconds + options.seconds;
+    case strategies::StrategyLimit::kSeconds:
+      progress.most_s = before_this_run(robot).sim_seconds + options.strategy.seconds;
       break;
-    case StrategyLimit::kNone:
+    case strategies::StrategyLimit::kNone:
       break;
   }
   return line_of(progress);
@@ -69,9 +70,10 @@ class MapsTeller {
 
   void tell() {
     if (std::exchange(joins_, atlas_.joins()) != atlas_.joins()) {
-      say("it has found itself in the map of before: both are one");
+      console::print("it has found itself in the map of before: both are one");
     } else if (changes_ != atlas_.changes()) {
-      say("what the sonar hears is not what the map has there, or the robot was lifted: the map so "
+      console::print(
+          "what the sonar hears is not what the map has there, or the robot was lifted: the map so "
           "far is set aside, and another one begun");
     }
     changes_ = atlas_.changes();
@@ -89,12 +91,14 @@ std::unique_ptr<exploration::AtlasExplorer> explorer_of(const DrivenRobot& robot
                                                         const RunOptions& options,
                                                         std::mt19937& random) {
   const auto make = [&](std::size_t stops_made) -> std::unique_ptr<exploration::Explorer> {
-    RunOptions left = options;
-    left.stops -= std::min(left.stops, stops_made / options.scans);
-    return left.stops > 0 ? explorer_for(robot.profile, left, random) : nullptr;
+    strategies::StrategyOptions left = options.strategy;
+    left.stops -= std::min(left.stops, stops_made / left.scans);
+    return left.stops > 0 ? strategies::explorer_for(robot.profile, left, random) : nullptr;
   };
   return std::make_unique<exploration::AtlasExplorer>(
-      robot.atlas, make, robot.camera == nullptr && begins_anywhere(options));
+      make,
+      robot.atlas.pipeline().snapshot().stops,
+      robot.camera == nullptr && strategies::begins_anywhere(options.strategy));
 }
 
 /// Motion by motion until the explorer has finished or the session has ended.
@@ -174,7 +178,7 @@ void describe_run(const DrivenRobot& robot,
                   exports::RunSummary& summary) {
   summary.echomap_version = ECHOMAP_VERSION;
   summary.robot = robot.profile.name;
-  summary.strategy = options.strategy;
+  summary.strategy = options.strategy.name;
   summary.seed = options.seed;
   if (robot.resumed) {
     summary.resumed_stops = robot.resumed->stops;
@@ -193,18 +197,18 @@ void warn_of_former_maps(const pipeline::RobotAtlas& atlas) {
 }
 
 /// Of a session that has ended before its strategy had.
-ExitCode save_what_is_left(RobotSession& session, RunKeeper& keeper) {
+ExitCode save_what_is_left(session::RobotSession& session, RunKeeper& keeper) {
   spdlog::error("the map so far is kept, for {}", session.end_reason());
-  const SessionEnd end = session.end().value_or(SessionEnd::kLinkLost);
+  const session::SessionEnd end = session.end().value_or(session::SessionEnd::kLinkLost);
   keeper.save(outcome_of(end));
   return exit_code_of(end);
 }
 
 }  // namespace
 
-RobotProfile profile_for(const RunOptions& options) {
-  RobotProfile profile = load_robot_profile(options.robot);
-  require_fit(profile, options);
+session::RobotProfile profile_for(const RunOptions& options) {
+  session::RobotProfile profile = session::load_robot_profile(options.robot);
+  strategies::require_fit(profile, options.strategy);
   return profile;
 }
 
@@ -212,8 +216,8 @@ ExitCode explore_and_save(const DrivenRobot& robot,
                           const RunOptions& options,
                           const std::filesystem::path& out,
                           exports::RunSummary& summary) {
-  RobotSession& session = robot.session;
-  CameraFollower* const camera = robot.camera;
+  session::RobotSession& session = robot.session;
+  tracking::CameraFollower* const camera = robot.camera;
   describe_run(robot, options, summary);
   std::mt19937 random(options.seed);
   const auto explorer = explorer_of(robot, options, random);

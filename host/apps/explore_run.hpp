@@ -5,15 +5,15 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/driven_robot.hpp"
-#include "host/apps/exit_code.hpp"
-#include "host/apps/robot_profile.hpp"
+#include "host/console/exit_code.hpp"
 #include "host/exports/summary_json.hpp"
+#include "host/session/robot_profile.hpp"
 
 namespace echomap::apps {
 
 /// The profile of the robot that is named. Throws files::ConfigError, and CommandError where the
 /// strategy cannot do with it.
-RobotProfile profile_for(const RunOptions& options);
+session::RobotProfile profile_for(const RunOptions& options);
 
 /// Connects and lets the strategy drive the robot until it is finished, is interrupted or is lost.
 /// The run directory `out` is brought up to date after every stop, so that whatever happens the map

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 
-#include "host/apps/child_process.hpp"
 #include "host/apps/commands.hpp"
-#include "host/apps/flash_plan.hpp"
-#include "host/apps/flash_run.hpp"
+#include "host/flashing/flash_plan.hpp"
+#include "host/flashing/flash_run.hpp"
+#include "host/session/child_process.hpp"
 
 namespace echomap::apps {
 namespace {
 
 /// The image that was named, or the board's of the build that this program is of.
-std::string image_for(const FlashOptions& options, const FlashBoard& board) {
+std::string image_for(const FlashOptions& options, const flashing::FlashBoard& board) {
   const std::filesystem::path image =
-      options.image.empty() ? program_folder().parent_path() / board.image : options.image;
+      options.image.empty() ? session::program_folder().parent_path() / board.image : options.image;
   if (!std::filesystem::is_regular_file(image)) {
     throw CommandError(ExitCode::kRuntimeError,
                        "there is no image " + image.string() + "\n  next: ./run build " +
@@ -24,7 +24,7 @@ std::string image_for(const FlashOptions& options, const FlashBoard& board) {
 }  // namespace
 
 ExitCode run_flash(const FlashOptions& options) {
-  const FlashTarget target = choose_flash_target(
+  const flashing::FlashTarget target = flashing::choose_flash_target(
       {options.board, options.port}, {transport::list_ports(), transport::list_usb_devices()});
   return carry_out(flash_plan(target, image_for(options, *target.board)), options.dry_run);
 }

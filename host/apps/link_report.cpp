@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "protocol/version.hpp"
-
 namespace echomap::apps {
 
 exports::LinkSummary summary_of(const robot_link::LinkStatistics& link, std::uint64_t reconnects) {
@@ -75,10 +73,6 @@ std::string losses_between(const exports::LinkSummary& before, const exports::Li
       "telemetry frames dropped, for the line is too slow: a higher baud rate or a longer "
       "odometry_period_ms helps");
   return text;
-}
-
-std::string firmware_of(const protocol::HelloReply& robot) {
-  return fmt::format("echomap {}", protocol::VersionText(robot.firmware_version).text());
 }
 
 }  // namespace echomap::apps

@@ -6,7 +6,6 @@
 
 #include "host/exports/summary_json.hpp"
 #include "host/robot_link/link_statistics.hpp"
-#include "protocol/handshake_messages.hpp"
 
 namespace echomap::apps {
 
@@ -18,8 +17,5 @@ std::string line_of(const exports::LinkSummary& link);
 
 /// What the robot has lost or miscounted since `before`, and what to look at; empty where nothing.
 std::string losses_between(const exports::LinkSummary& before, const exports::LinkSummary& now);
-
-/// "echomap 0.1.0", as the robot says it.
-std::string firmware_of(const protocol::HelloReply& robot);
 
 }  // namespace echomap::apps

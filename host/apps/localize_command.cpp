@@ -5,19 +5,20 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
-#include "host/apps/belief_report.hpp"
 #include "host/apps/commands.hpp"
-#include "host/apps/interrupt.hpp"
 #include "host/apps/localize_run.hpp"
-#include "host/apps/localize_troubles.hpp"
 #include "host/apps/map_file.hpp"
-#include "host/apps/mcl_filter.hpp"
-#include "host/apps/progress_bar.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/whole_records.hpp"
+#include "host/console/interrupt.hpp"
+#include "host/console/print.hpp"
+#include "host/console/progress_bar.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/log_localizer.hpp"
+#include "host/tracking/belief_report.hpp"
+#include "host/tracking/localize_troubles.hpp"
+#include "host/tracking/mcl_filter.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -30,7 +31,7 @@ class StatusLine {
       return;
     }
     last_ = belief.status;
-    say(fmt::format("  scan {}: {}", scans, text_of(belief)));
+    console::print(fmt::format("  scan {}: {}", scans, tracking::text_of(belief)));
   }
 
  private:
@@ -38,9 +39,11 @@ class StatusLine {
 };
 
 /// Feeds the log until it ends or the user has had enough; answers whether it ended.
-bool feed(datasets::LogReader& log, pipeline::LogLocalizer& localizer, ProgressBar& progress) {
+bool feed(datasets::LogReader& log,
+          pipeline::LogLocalizer& localizer,
+          console::ProgressBar& progress) {
   StatusLine status;
-  while (!interrupted()) {
+  while (!console::interrupted()) {
     const auto record = next_whole_record(log);
     if (!record) {
       return true;
@@ -62,7 +65,7 @@ nlohmann::ordered_json log_report(const LocalizeOptions& options,
                               {"unused_scans", localizer.unused_scans()},
                               {"late_scans", localizer.late_scans()},
                               {"updates", localizer.updates()}};
-  json.update(to_json(localizer.belief()));
+  json.update(tracking::to_json(localizer.belief()));
   return json;
 }
 
@@ -71,24 +74,26 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
   pipeline::LogLocalizerParams params;
   params.preset = options.preset;
   pipeline::LogLocalizer localizer(read_map(options.map), params, std::mt19937(options.run.seed));
-  if (const auto start = start_pose(options.at)) {
+  if (const auto start = tracking::start_pose(options.at)) {
     localizer.start_at(start->T_map_robot, start->std_m, start->std_rad);
   }
-  ProgressBar progress(stderr, !options.run.headless);
+  console::ProgressBar progress(stderr, !options.run.headless);
   const bool has_ended = feed(*log, localizer, progress);
   progress.clear();
   if (localizer.belief().hypotheses.empty()) {
-    throw CommandError(ExitCode::kRuntimeError, why_nowhere(localizer, options.log, options.map));
+    throw CommandError(ExitCode::kRuntimeError,
+                       tracking::why_nowhere(localizer, options.log, options.map));
   }
-  for (const std::string& trouble : troubles_of(localizer)) {
+  for (const std::string& trouble : tracking::troubles_of(localizer)) {
     spdlog::warn("{}", trouble);
   }
   exports::write_trajectory_tum(out / "trajectory.tum", localizer.trajectory());
   const auto report = log_report(options, localizer);
   write_report(out / "summary.json", report);
   write_report(options.run.json, report);
-  say(fmt::format("{} scans: {}", localizer.scans(), text_of(localizer.belief())));
-  say("trajectory: " + (out / "trajectory.tum").string());
+  console::print(
+      fmt::format("{} scans: {}", localizer.scans(), tracking::text_of(localizer.belief())));
+  console::print("trajectory: " + (out / "trajectory.tum").string());
   return has_ended ? ExitCode::kOk : ExitCode::kInterrupted;
 }
 

@@ -11,40 +11,43 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
-#include "host/apps/ekf_filter.hpp"
 #include "host/apps/explore_run.hpp"
 #include "host/apps/link_report.hpp"
 #include "host/apps/map_file.hpp"
-#include "host/apps/mcl_filter.hpp"
-#include "host/apps/open_robot.hpp"
 #include "host/apps/report.hpp"
+#include "host/console/print.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/preset_names.hpp"
+#include "host/session/firmware_name.hpp"
+#include "host/session/open_robot.hpp"
+#include "host/tracking/ekf_filter.hpp"
+#include "host/tracking/mcl_filter.hpp"
 
 namespace echomap::apps {
 namespace {
 
 using nlohmann::ordered_json;
 
-std::unique_ptr<LiveFilter> filter_for(const LocalizeOptions& options,
-                                       const RobotProfile& profile) {
+std::unique_ptr<tracking::LiveFilter> filter_for(const LocalizeOptions& options,
+                                                 const session::RobotProfile& profile) {
   if (options.filter == "ekf") {
-    return std::make_unique<EkfFilter>(profile.geometry,
-                                       FixStream(open_fixes(options.fixes)),
-                                       pose_option(options.camera_at).value_or(geometry::Pose2()),
-                                       start_pose(options.at));
+    return std::make_unique<tracking::EkfFilter>(
+        profile.geometry,
+        tracking::FixStream(tracking::open_fixes(options.fixes)),
+        tracking::pose_option(options.camera_at).value_or(geometry::Pose2()),
+        tracking::start_pose(options.at));
   }
-  return std::make_unique<MclFilter>(read_map(options.map),
-                                     profile.geometry,
-                                     localizer_params(profile, options.preset),
-                                     start_pose(options.at),
-                                     std::mt19937(options.run.seed));
+  return std::make_unique<tracking::MclFilter>(read_map(options.map),
+                                               profile.geometry,
+                                               tracking::localizer_params(profile, options.preset),
+                                               tracking::start_pose(options.at),
+                                               std::mt19937(options.run.seed));
 }
 
 /// What became of a drive, and where the robot was at its stops.
 class Account {
  public:
-  Account(const LocalizeOptions& options, const RobotProfile& profile) {
+  Account(const LocalizeOptions& options, const session::RobotProfile& profile) {
     json_["robot"] = profile.name;
     json_["filter"] = options.filter;
     if (options.filter == "mcl") {
@@ -70,7 +73,7 @@ class Account {
     json_["sim_seconds"] = seconds(robot.session);
     if (const auto& described = robot.session.link().robot();
         described && !json_.contains("firmware")) {
-      json_["firmware"] = firmware_of(*described);
+      json_["firmware"] = session::firmware_of(*described);
     }
     json_.update(robot.filter.report());
     exports::write_trajectory_tum(out / "trajectory.tum", robot.filter.trajectory());
@@ -80,7 +83,7 @@ class Account {
   const ordered_json& json() const { return json_; }
 
  private:
-  static double seconds(const RobotSession& session) {
+  static double seconds(const session::RobotSession& session) {
     return std::chrono::duration<double>(session.now().time_since_epoch()).count();
   }
 
@@ -121,7 +124,7 @@ bool follow_to_next_stop(const FollowedRobot& robot) {
   if (!robot.driver.go_to_next_stop()) {
     return false;
   }
-  say("  " + robot.filter.line());
+  console::print("  " + robot.filter.line());
   if (robot.filter.has_lost_it()) {
     robot.driver.start_anew();
   }
@@ -129,14 +132,14 @@ bool follow_to_next_stop(const FollowedRobot& robot) {
 }
 
 ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::path& out) {
-  const RobotProfile profile = profile_for(options.run);
-  const std::unique_ptr<LiveFilter> filter = filter_for(options, profile);
-  OpenedRobot opened = open_robot(options.connection, options.run.seed);
+  const session::RobotProfile profile = profile_for(options.run);
+  const std::unique_ptr<tracking::LiveFilter> filter = filter_for(options, profile);
+  session::OpenedRobot opened = session::open_robot(options.connection, options.run.seed);
   opened.connection.may_be_lifted = true;
   pipeline::ObservationFork fork;
   fork.add(filter->sink());
-  RobotSession session(std::move(opened.connection), profile, fork);
-  StopDriver driver(session, fork, profile, options.run.slam, options.run.seed);
+  session::RobotSession session(std::move(opened.connection), profile, fork);
+  tracking::StopDriver driver(session, fork, profile, options.run.slam, options.run.seed);
   const FollowedRobot robot{session, driver, *filter};
   session.on_step = [&] { filter->poll(session); };
 
@@ -146,15 +149,15 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   }
   session.connect();
   filter->begin(session);
-  drive(robot, options.run.stops, account);
+  drive(robot, options.run.strategy.stops, account);
   session.disarm();
   account.save(outcome_of(robot), robot, out);
   write_report(options.run.json, account.json());
   if (opened.lockstep) {
     opened.lockstep->quit();
   }
-  say(fmt::format("{} stops: {}", account.stops(), filter->line()));
-  say("trajectory: " + (out / "trajectory.tum").string());
+  console::print(fmt::format("{} stops: {}", account.stops(), filter->line()));
+  console::print("trajectory: " + (out / "trajectory.tum").string());
   return exit_code_of(robot);
 }
 

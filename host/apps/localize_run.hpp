@@ -6,17 +6,17 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "host/apps/commands.hpp"
-#include "host/apps/live_filter.hpp"
-#include "host/apps/robot_session.hpp"
-#include "host/apps/stop_driver.hpp"
+#include "host/session/robot_session.hpp"
+#include "host/tracking/live_filter.hpp"
+#include "host/tracking/stop_driver.hpp"
 
 namespace echomap::apps {
 
 /// A robot that drives from stop to stop, and the filter that listens.
 struct FollowedRobot {
-  RobotSession& session;
-  StopDriver& driver;
-  LiveFilter& filter;
+  session::RobotSession& session;
+  tracking::StopDriver& driver;
+  tracking::LiveFilter& filter;
 };
 
 /// Drives to the next stop and says where the robot is. Once it is not where it was thought to be,

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "host/apps/exit_code.hpp"
+#include "host/console/exit_code.hpp"
 #include "host/exports/pgm_yaml.hpp"
 
 namespace echomap::apps {
@@ -25,10 +25,10 @@ mapping::RasterMap read_map(const std::filesystem::path& map) {
   const bool is_run = std::filesystem::is_directory(map);
   mapping::RasterMap raster = exports::read_pgm_yaml(is_run ? map / "map.yaml" : map);
   if (!has_floor(raster)) {
-    throw CommandError(ExitCode::kRuntimeError,
-                       map.string() +
-                           " has no floor where a robot could be\n"
-                           "  next: name another map with --map, or explore first");
+    throw console::CommandError(console::ExitCode::kRuntimeError,
+                                map.string() +
+                                    " has no floor where a robot could be\n"
+                                    "  next: name another map with --map, or explore first");
   }
   return raster;
 }

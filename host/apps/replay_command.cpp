@@ -11,10 +11,11 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
-#include "host/apps/interrupt.hpp"
-#include "host/apps/progress_bar.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/whole_records.hpp"
+#include "host/console/interrupt.hpp"
+#include "host/console/print.hpp"
+#include "host/console/progress_bar.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/exports/landmarks_csv.hpp"
 #include "host/exports/pose_graph_g2o.hpp"
@@ -68,9 +69,9 @@ void require_fit(const datasets::LogRecord& record, const slam::NamedSlam& metho
 void feed(datasets::LogReader& log,
           const slam::NamedSlam& method,
           pipeline::LogSlam& slam,
-          ProgressBar& progress) {
+          console::ProgressBar& progress) {
   try {
-    while (!interrupted()) {
+    while (!console::interrupted()) {
       const auto record = log.next();
       if (!record) {
         return;
@@ -93,13 +94,13 @@ struct FoundBySlam {
 
 FoundBySlam find_by_slam(const ReplayOptions& options,
                          datasets::LogReader& log,
-                         ProgressBar& progress) {
+                         console::ProgressBar& progress) {
   const slam::NamedSlam& method = slam::slam_by_name(options.slam);
   const auto running = method.make();
   pipeline::LogSlam slam(*running);
   feed(log, method, slam, progress);
   std::vector<geometry::Pose2> trajectory = slam.trajectory();
-  if ((slam.scans() == 0 || trajectory.empty()) && !interrupted()) {
+  if ((slam.scans() == 0 || trajectory.empty()) && !console::interrupted()) {
     throw CommandError(ExitCode::kRuntimeError,
                        options.log.string() + " has " +
                            (slam.scans() == 0 ? "no scans" : "no odometry") +
@@ -115,11 +116,11 @@ FoundBySlam find_by_slam(const ReplayOptions& options,
 /// drawn whole.
 std::pair<std::string, std::string> feed(datasets::LogReader& log,
                                          pipeline::LogMapper& mapper,
-                                         ProgressBar& progress,
+                                         console::ProgressBar& progress,
                                          bool was_interrupted) {
   constexpr std::size_t kRecordsPerDrawing = 256;
   try {
-    while (was_interrupted || !interrupted()) {
+    while (was_interrupted || !console::interrupted()) {
       const auto record = next_whole_record(log);
       if (!record) {
         return {was_interrupted ? "interrupted" : "finished", ""};
@@ -195,26 +196,26 @@ exports::RunSummary summary_of(const pipeline::LogMapper& mapper,
 
 void write_pose_graph(const std::filesystem::path& path, const FoundBySlam& found) {
   exports::write_pose_graph_g2o(path, found.graph);
-  say(fmt::format("pose graph: {} ({} poses, {} landmarks, {} edges)",
-                  path.string(),
-                  found.graph.T_map_nodes.size(),
-                  found.graph.landmarks_m.size(),
-                  found.graph.edges.size() + found.graph.landmark_edges.size()));
+  console::print(fmt::format("pose graph: {} ({} poses, {} landmarks, {} edges)",
+                             path.string(),
+                             found.graph.T_map_nodes.size(),
+                             found.graph.landmarks_m.size(),
+                             found.graph.edges.size() + found.graph.landmark_edges.size()));
 }
 
 void say_what_was_made(const exports::RunSummary& summary,
                        const pipeline::LogCounts& counts,
                        const std::filesystem::path& out) {
-  say("map: " + (out / "map.png").string());
-  say(fmt::format("{} scans of {} beams, {:.1f} m, {:.0f} s of log in {:.2f} s",
-                  counts.scans,
-                  counts.beams,
-                  summary.travelled_m,
-                  summary.sim_seconds,
-                  summary.wall_seconds));
+  console::print("map: " + (out / "map.png").string());
+  console::print(fmt::format("{} scans of {} beams, {:.1f} m, {:.0f} s of log in {:.2f} s",
+                             counts.scans,
+                             counts.beams,
+                             summary.travelled_m,
+                             summary.sim_seconds,
+                             summary.wall_seconds));
   if (counts.scans_without_pose > 0) {
-    say(fmt::format("{} scans before the first given pose are not in the map",
-                    counts.scans_without_pose));
+    console::print(fmt::format("{} scans before the first given pose are not in the map",
+                               counts.scans_without_pose));
   }
 }
 
@@ -225,14 +226,14 @@ ExitCode run_replay(const ReplayOptions& options) {
   auto log = datasets::open_log(options.log, options.format);
   const auto out = run_folder(options.out);
   prepare_outputs(out, options.json);
-  ProgressBar progress(stderr, !options.headless);
+  console::ProgressBar progress(stderr, !options.headless);
   std::optional<FoundBySlam> found;
   if (!options.slam.empty()) {
     found = find_by_slam(options, *log, progress);
     log = std::make_unique<pipeline::ReplacedPoses>(datasets::open_log(options.log, options.format),
                                                     found->trajectory);
   }
-  const bool slam_was_interrupted = found && interrupted();
+  const bool slam_was_interrupted = found && console::interrupted();
   pipeline::LogMapper mapper(params_of(options));
   const auto [outcome, damage] = feed(*log, mapper, progress, slam_was_interrupted);
   progress.clear();

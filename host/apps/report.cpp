@@ -9,9 +9,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
-#include "host/apps/progress_bar.hpp"
+#include "host/console/print.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
 
@@ -59,13 +58,6 @@ void prepare_outputs(const std::filesystem::path& out, const std::filesystem::pa
   const files::AtomicFile report(json);
 }
 
-void say(const std::string& line) {
-  if (spdlog::should_log(spdlog::level::info)) {
-    make_way_for_a_line();
-    fmt::print(stderr, "{}\n", line);
-  }
-}
-
 nlohmann::ordered_json to_json(const evaluation::RunScore& score) {
   nlohmann::ordered_json json;
   json["free_iou"] = score.map.free_iou;
@@ -107,18 +99,22 @@ void write_report(const std::filesystem::path& path, const nlohmann::ordered_jso
 void print_score(const evaluation::RunScore& score) {
   const auto& map = score.map;
   const auto& path = score.trajectory;
-  say(fmt::format("  free floor agrees    {:5.1f} %  (free_iou)", 100.0 * map.free_iou));
+  console::print(fmt::format("  free floor agrees    {:5.1f} %  (free_iou)", 100.0 * map.free_iou));
   if (map.wall_rmse_m) {
-    say(fmt::format("  walls are off by     {:5.1f} cm (wall_rmse_m)", 100.0 * *map.wall_rmse_m));
+    console::print(
+        fmt::format("  walls are off by     {:5.1f} cm (wall_rmse_m)", 100.0 * *map.wall_rmse_m));
   }
-  say(fmt::format("  walls seen           {:5.1f} %  (wall_recall)", 100.0 * map.wall_recall));
-  say(fmt::format("  the pose is off by  {:5.1f} cm, {:.1f} degrees (ate_rmse_m, heading)",
+  console::print(
+      fmt::format("  walls seen           {:5.1f} %  (wall_recall)", 100.0 * map.wall_recall));
+  console::print(
+      fmt::format("  the pose is off by  {:5.1f} cm, {:.1f} degrees (ate_rmse_m, heading)",
                   100.0 * path.ate_rmse_m,
                   geometry::degrees(path.ate_heading_rmse_rad)));
 }
 
 void print_relation_error(const evaluation::RelationError& error) {
-  say(fmt::format("  {} relations are off by {:.3f} +- {:.3f} m, {:.2f} +- {:.2f} degrees",
+  console::print(
+      fmt::format("  {} relations are off by {:.3f} +- {:.3f} m, {:.2f} +- {:.2f} degrees",
                   error.relations,
                   error.translation_mean_m,
                   error.translation_sd_m,

@@ -20,9 +20,6 @@ std::filesystem::path run_folder(const std::filesystem::path& chosen);
 /// written: a run is not driven for nothing. Throws files::FileError.
 void prepare_outputs(const std::filesystem::path& out, const std::filesystem::path& json);
 
-/// For people, on stderr, unless -q was given.
-void say(const std::string& line);
-
 /// The scores under the names that every report uses: free_iou, wall_rmse_m, ...
 nlohmann::ordered_json to_json(const evaluation::RunScore& score);
 
@@ -33,7 +30,7 @@ nlohmann::ordered_json to_json(const evaluation::RelationError& error);
 /// files::FileError.
 void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& report);
 
-/// Says the scores in one line each.
+/// Prints the scores in one line each.
 void print_score(const evaluation::RunScore& score);
 
 /// The same for the relation error.

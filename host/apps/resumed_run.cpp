@@ -8,8 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
-#include "host/apps/exit_code.hpp"
 #include "host/apps/report.hpp"
+#include "host/console/exit_code.hpp"
+#include "host/console/print.hpp"
 #include "host/exports/observations_csv.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
@@ -35,19 +36,21 @@ RunFacts read_facts(const std::filesystem::path& summary) {
 
 void require_record(const std::filesystem::path& run) {
   if (!std::filesystem::exists(run / kRecordName)) {
-    throw CommandError(ExitCode::kUsage,
-                       "cannot resume " + run.string() + ": it has no " + kRecordName +
-                           "\n  next: name the run directory of echomap explore with --resume");
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        "cannot resume " + run.string() + ": it has no " + kRecordName +
+            "\n  next: name the run directory of echomap explore with --resume");
   }
 }
 
 void require_same_robot(const std::filesystem::path& run,
                         const std::string& robot,
-                        const RobotProfile& profile) {
+                        const session::RobotProfile& profile) {
   if (robot != profile.name) {
-    throw CommandError(ExitCode::kUsage,
-                       "cannot resume " + run.string() + ": its robot is '" + robot + "', not '" +
-                           profile.name + "'\n  next: name that robot's profile with --robot");
+    throw console::CommandError(console::ExitCode::kUsage,
+                                "cannot resume " + run.string() + ": its robot is '" + robot +
+                                    "', not '" + profile.name +
+                                    "'\n  next: name that robot's profile with --robot");
   }
 }
 
@@ -65,7 +68,7 @@ std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_
 }
 
 std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
-                                     const RobotProfile& profile,
+                                     const session::RobotProfile& profile,
                                      pipeline::JoinedSessions& sessions,
                                      pipeline::RobotAtlas& atlas) {
   if (run.empty()) {
@@ -83,24 +86,26 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   sessions.begin_next();
   const auto snapshot = atlas.pipeline().snapshot();
   if (snapshot.trajectory->empty()) {
-    throw CommandError(ExitCode::kUsage,
-                       "cannot resume " + run.string() +
-                           ": its record is empty, as that of a run with a camera\n  next: name "
-                           "another run, or start anew");
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        "cannot resume " + run.string() +
+            ": its record is empty, as that of a run with a camera\n  next: name "
+            "another run, or start anew");
   }
   if (snapshot.times_lifted > 0) {
-    throw CommandError(ExitCode::kUsage,
-                       "cannot resume " + run.string() +
-                           ": the robot was lifted in it, and where it is since then nobody "
-                           "knows\n  next: start anew");
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        "cannot resume " + run.string() +
+            ": the robot was lifted in it, and where it is since then nobody "
+            "knows\n  next: start anew");
   }
   exports::RunSummary summary;
   exports::describe_snapshot(snapshot, summary);
-  say(fmt::format("goes on with {}: {} stop{}, {:.1f} m2 of floor",
-                  run.string(),
-                  summary.stops,
-                  summary.stops == 1 ? "" : "s",
-                  summary.free_area_m2));
+  console::print(fmt::format("goes on with {}: {} stop{}, {:.1f} m2 of floor",
+                             run.string(),
+                             summary.stops,
+                             summary.stops == 1 ? "" : "s",
+                             summary.free_area_m2));
   return ResumedRun{summary.stops, facts.sim_seconds};
 }
 

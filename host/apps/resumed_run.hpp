@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "host/apps/robot_profile.hpp"
 #include "host/pipeline/joined_sessions.hpp"
 #include "host/pipeline/robot_atlas.hpp"
+#include "host/session/robot_profile.hpp"
 
 namespace echomap::apps {
 
@@ -30,7 +30,7 @@ std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_
 /// Reads only. Throws CommandError 2 where the run has no record or is of another robot, and
 /// files::FileError where its files are damaged.
 std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
-                                     const RobotProfile& profile,
+                                     const session::RobotProfile& profile,
                                      pipeline::JoinedSessions& sessions,
                                      pipeline::RobotAtlas& atlas);
 

@@ -7,8 +7,9 @@
 #include <CLI/CLI.hpp>
 
 #include "host/apps/commands.hpp"
-#include "host/apps/flash_boards.hpp"
-#include "host/apps/strategy_setup.hpp"
+#include "host/flashing/flash_boards.hpp"
+#include "host/session/pipeline_setup.hpp"
+#include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::size_t kMostScans = 5;
 constexpr double kLongestAbsenceS = 1800.0;
 
 /// A board names its emulator; where both are named they have to fit.
-void choose_emulator(DemoOptions& options, bool emulator_is_named) {
+void choose_emulator(session::SimulatedRobotOptions& options, bool emulator_is_named) {
   if (options.board.empty()) {
     return;
   }
@@ -41,7 +42,7 @@ void add_slam_option(CLI::App& command, RunOptions& run) {
                   "What tells a robot with a sonar where it is while it maps: grid, SLAM by its "
                   "odometry and echoes, ekf, SLAM by walls and points, or none, its odometry "
                   "alone")
-      ->check(CLI::IsMember(live_slam_names()))
+      ->check(CLI::IsMember(session::live_slam_names()))
       ->excludes("--fixes")
       ->capture_default_str();
 }
@@ -51,27 +52,29 @@ void add_slam_option(CLI::App& command, RunOptions& run) {
 void add_run_options(CLI::App& command, RunOptions& run) {
   command.add_option("--robot", run.robot, "Profile of the robot: a bundled name or a TOML file")
       ->capture_default_str();
-  command.add_option("--strategy", run.strategy, "How to explore")
-      ->check(CLI::IsMember(strategy_names()))
+  command.add_option("--strategy", run.strategy.name, "How to explore")
+      ->check(CLI::IsMember(strategies::strategy_names()))
       ->capture_default_str();
-  command.add_option("--stops", run.stops, "End after this many stops at the latest")
+  command.add_option("--stops", run.strategy.stops, "End after this many stops at the latest")
       ->check(CLI::Range(std::size_t{1}, kMostStops))
       ->capture_default_str();
   command
       .add_option("--scans",
-                  run.scans,
+                  run.strategy.scans,
                   "How often nxt-farthest scans the room, each time with as many stops")
       ->check(CLI::Range(std::size_t{1}, kMostScans))
       ->capture_default_str();
   command.add_option(
       "--waypoints",
-      run.waypoints,
+      run.strategy.waypoints,
       "What tangent-bug knows of the room and where it has to go: a bundled name, as "
       "playground, or a TOML file");
-  command.add_option("--hand", run.hand, "Which hand coastal holds to the wall; the sensor's side")
+  command
+      .add_option(
+          "--hand", run.strategy.hand, "Which hand coastal holds to the wall; the sensor's side")
       ->check(CLI::IsMember({"right", "left"}))
       ->capture_default_str();
-  command.add_option("--seconds", run.seconds, "How long random-bounce drives")
+  command.add_option("--seconds", run.strategy.seconds, "How long random-bounce drives")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command.add_option("--seed", run.seed, "Seed of every random choice")->capture_default_str();
@@ -80,7 +83,7 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   command.add_flag("--headless", run.headless, "No progress line");
 }
 
-void add_connection_options(CLI::App& command, ConnectionOptions& options) {
+void add_connection_options(CLI::App& command, session::ConnectionOptions& options) {
   command.add_option("--port",
                      options.ports,
                      "Serial device, pty, tcp://HOST:PORT, bt://ADDRESS or id:TEXT of a USB port. "
@@ -129,45 +132,45 @@ void add_demo(CLI::App& app, CommandAction& action) {
   CLI::App* command =
       app.add_subcommand("demo", "Watch an emulated robot map a room, and see it scored");
   const auto options = std::make_shared<DemoOptions>();
-  command->add_option("--world", options->world, "Room: a bundled name or a TOML file")
+  command->add_option("--world", options->robot.world, "Room: a bundled name or a TOML file")
       ->capture_default_str();
   const CLI::Option* emulator =
       command
           ->add_option("--emulator",
-                       options->emulator,
+                       options->robot.emulator,
                        "simavr and unicorn run the binary that a user flashes, of an AVR board and "
                        "of an STM32, mock the same code natively")
           ->check(CLI::IsMember({"simavr", "unicorn", "mock"}))
           ->capture_default_str();
   command
       ->add_option("--board",
-                   options->board,
+                   options->robot.board,
                    "The board that is emulated: uno or mega by simavr, stm32f103 by unicorn")
       ->check(CLI::IsMember({"uno", "mega", "stm32f103"}));
   command
       ->add_option("--line",
-                   options->line,
+                   options->robot.line,
                    "What carries the bytes: nothing between, or a model of a line's delays")
       ->check(CLI::IsMember({"direct", "usb", "ftdi", "bluetooth"}))
       ->capture_default_str();
   command->add_option("--faults",
-                      options->faults,
+                      options->robot.faults,
                       "Faults of the line, as in loss=0.01: see echomap-simavr --help");
   command->add_option("--part-faults",
-                      options->part_faults,
+                      options->robot.part_faults,
                       "Parts that fail, as in sonar-dead@30: see echomap-simavr --help");
   command->add_option(
       "--body",
-      options->body,
+      options->robot.body,
       "What is true of the robot, where --robot is what the host believes: a bundled "
       "name or a TOML file; by default the name in the profile");
   CLI::Option* fixes = command->add_option("--fixes",
-                                           options->fixes,
+                                           options->robot.fixes,
                                            "Put an overhead camera over the room and follow "
                                            "the robot by its fixes at udp:127.0.0.1:PORT");
   command
       ->add_option("--camera-params",
-                   options->camera_params,
+                   options->robot.camera_params,
                    "What that camera is like: see echomap-simavr --help")
       ->needs(fixes);
   command->add_flag(
@@ -178,7 +181,7 @@ void add_demo(CLI::App& app, CommandAction& action) {
   add_slam_option(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
   command->callback([&action, options, emulator] {
-    choose_emulator(*options, emulator->count() > 0);
+    choose_emulator(options->robot, emulator->count() > 0);
     action = [options] { return run_demo(*options); };
   });
 }
@@ -187,7 +190,7 @@ void add_flash(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("flash", "Write the firmware to a board");
   const auto options = std::make_shared<FlashOptions>();
   command->add_option("--board", options->board, "Which board; by default what its USB id says")
-      ->check(CLI::IsMember(flash_board_names()));
+      ->check(CLI::IsMember(flashing::flash_board_names()));
   command
       ->add_option("--port",
                    options->port,

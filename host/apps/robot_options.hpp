@@ -15,7 +15,7 @@ void add_demo(CLI::App& app, CommandAction& action);
 void add_flash(CLI::App& app, CommandAction& action);
 
 /// The options of every command that speaks to a robot on a port.
-void add_connection_options(CLI::App& command, ConnectionOptions& options);
+void add_connection_options(CLI::App& command, session::ConnectionOptions& options);
 
 /// The options of every command that drives a robot.
 void add_run_options(CLI::App& command, RunOptions& run);

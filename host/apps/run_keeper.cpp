@@ -12,6 +12,7 @@
 #include "host/exports/pose_graph_g2o.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/session/firmware_name.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -165,7 +166,7 @@ void RunKeeper::describe_link() {
   }
   summary_.link = link;
   if (const auto& robot = robot_.session.link().robot(); robot && summary_.firmware.empty()) {
-    summary_.firmware = firmware_of(*robot);
+    summary_.firmware = session::firmware_of(*robot);
   }
 }
 

@@ -6,44 +6,48 @@
 
 namespace echomap::exploration {
 
-AtlasExplorer::AtlasExplorer(pipeline::RobotAtlas& atlas, MakeExplorer make, bool begins_anew)
-    : atlas_(atlas), make_(std::move(make)), begins_anew_(begins_anew) {
-  begin_strategy();
+AtlasExplorer::AtlasExplorer(MakeExplorer make, std::size_t stops, bool begins_anew)
+    : make_(std::move(make)), begins_anew_(begins_anew) {
+  begin_strategy(stops);
 }
 
 Motion AtlasExplorer::next(const pipeline::Snapshot& snapshot, MotionResult last) {
+  if (const auto otherwise = std::exchange(otherwise_, std::nullopt)) {
+    if (last != MotionResult::kReached) {
+      return *otherwise;
+    }
+    begin_strategy(snapshot.stops);
+    return next_of_strategy(snapshot, MotionResult::kReached);
+  }
   stops_made_ += snapshot.stops - stops_;
   const bool is_new_stop = std::exchange(stops_, snapshot.stops) != snapshot.stops;
   if (!begins_anew_) {
     return next_of_strategy(snapshot, last);
   }
   if (snapshot.times_lifted > 0) {
-    atlas_.begin_anew(0);
-    return go_on();
+    return ask_for(BeginNewMap{}, Finished{FinishReason::kLifted});
   }
   const Motion motion = next_of_strategy(snapshot, last);
   const auto* finished = std::get_if<Finished>(&motion);
   if (finished != nullptr && finished->reason == FinishReason::kLost) {
-    atlas_.begin_anew(finished->stops_elsewhere);
-    return go_on();
+    return ask_for(BeginNewMap{finished->stops_elsewhere}, motion);
   }
-  return is_new_stop && atlas_.join() ? go_on() : motion;
+  return is_new_stop ? ask_for(JoinMaps{}, motion) : motion;
 }
 
 StrategyProducts AtlasExplorer::products() const {
   return strategy_ ? strategy_->products() : StrategyProducts{};
 }
 
-void AtlasExplorer::begin_strategy() {
+void AtlasExplorer::begin_strategy(std::size_t stops) {
   strategy_ = make_(stops_made_);
-  const auto snapshot = atlas_.pipeline().snapshot();
-  stops_ = snapshot.stops;
-  stops_before_ = snapshot.stops;
+  stops_ = stops;
+  stops_before_ = stops;
 }
 
-Motion AtlasExplorer::go_on() {
-  begin_strategy();
-  return next_of_strategy(atlas_.pipeline().snapshot(), MotionResult::kReached);
+Motion AtlasExplorer::ask_for(const Motion& change, const Motion& otherwise) {
+  otherwise_ = otherwise;
+  return change;
 }
 
 Motion AtlasExplorer::next_of_strategy(pipeline::Snapshot snapshot, MotionResult last) {
@@ -52,6 +56,17 @@ Motion AtlasExplorer::next_of_strategy(pipeline::Snapshot snapshot, MotionResult
   }
   snapshot.stops -= stops_before_;
   return strategy_->next(snapshot, last);
+}
+
+std::optional<MotionResult> change_maps(pipeline::RobotAtlas& atlas, const Motion& motion) {
+  if (const auto* begin = std::get_if<BeginNewMap>(&motion)) {
+    atlas.begin_anew(begin->stops_elsewhere);
+    return MotionResult::kReached;
+  }
+  if (std::holds_alternative<JoinMaps>(motion)) {
+    return atlas.join() ? MotionResult::kReached : MotionResult::kRefused;
+  }
+  return std::nullopt;
 }
 
 }  // namespace echomap::exploration

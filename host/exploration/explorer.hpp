@@ -44,6 +44,16 @@ struct Sweep {
 struct BeginScan {};
 struct EndScan {};
 
+/// The robot is somewhere else than its map: sets that map aside, without so many of its last stops,
+/// and begins another one (RobotAtlas::begin_anew). Ends with kReached.
+struct BeginNewMap {
+  std::size_t stops_elsewhere = 0;
+};
+
+/// Looks for the map in those that were set aside (RobotAtlas::join). Ends with kReached where it was
+/// joined to one, else with kRefused.
+struct JoinMaps {};
+
 /// Why an exploration ended.
 enum class FinishReason : std::uint8_t {
   kComplete,     ///< the strategy has done what it set out to do
@@ -69,8 +79,9 @@ struct Finished {
   std::size_t stops_elsewhere = 0;
 };
 
-/// What an explorer asks for next.
-using Motion = std::variant<Turn, Drive, Roll, Sweep, BeginScan, EndScan, Finished>;
+/// What an explorer asks for next: a motion of the robot, or a decision about its maps.
+using Motion =
+    std::variant<Turn, Drive, Roll, Sweep, BeginScan, EndScan, BeginNewMap, JoinMaps, Finished>;
 
 /// How the last motion ended.
 enum class MotionResult : std::uint8_t {

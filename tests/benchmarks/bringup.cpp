@@ -13,9 +13,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/apps/child_process.hpp"
-#include "host/apps/temporary_folder.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/session/child_process.hpp"
+#include "host/session/temporary_folder.hpp"
 #include "tests/benchmarks/figures.hpp"
 #include "tests/support/median.hpp"
 
@@ -60,7 +60,7 @@ std::optional<nlohmann::json> run_demo(const Options& options,
   const auto report = run.string() + ".json";
   const auto log = run.string() + ".log";
   std::vector<std::string> command{
-      apps::program_folder() / "echomap",
+      session::program_folder() / "echomap",
       "demo",
       "--headless",
       "--world=" + options.world,
@@ -73,7 +73,7 @@ std::optional<nlohmann::json> run_demo(const Options& options,
   if (!options.faults.empty()) {
     command.push_back("--faults=" + options.faults);
   }
-  apps::ChildProcess demo(command, log);
+  session::ChildProcess demo(command, log);
   if (demo.wait_for(kPatience) != 0) {
     fmt::print(stderr, "seed {} did not end by itself:\n{}\n", seed, files::read_text_file(log));
     return std::nullopt;
@@ -94,7 +94,7 @@ void take(const nlohmann::json& report, Values& values) {
 
 /// What the runs that ended by themselves say, by column; "runs_complete" counts them.
 std::vector<Figure> measure(const Options& options) {
-  const apps::TemporaryFolder folder;
+  const session::TemporaryFolder folder;
   Values values;
   double complete = 0.0;
   for (int seed = 1; seed <= options.seeds; ++seed) {

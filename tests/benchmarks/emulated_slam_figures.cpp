@@ -10,13 +10,13 @@
 
 #include <fmt/format.h>
 
-#include "host/apps/child_process.hpp"
-#include "host/apps/temporary_folder.hpp"
 #include "host/evaluation/run_score.hpp"
 #include "host/evaluation/truth_directory.hpp"
 #include "host/exports/observations_csv.hpp"
 #include "host/pipeline/observation_sink.hpp"
 #include "host/sensors/odometry.hpp"
+#include "host/session/child_process.hpp"
+#include "host/session/temporary_folder.hpp"
 #include "tests/benchmarks/slam_run_figures.hpp"
 #include "tests/support/offline_exploration.hpp"
 #include "tests/support/offline_robot.hpp"
@@ -58,15 +58,15 @@ std::optional<SlamRun> explore(const std::string& room,
                                std::uint32_t seed,
                                const fs::path& folder) {
   const fs::path run = folder / (room + std::to_string(seed));
-  apps::ChildProcess demo({apps::program_folder() / "echomap",
-                           "demo",
-                           "--headless",
-                           "--no-kidnap",
-                           "--world=" + room,
-                           "--body=" + std::string(kBody),
-                           "--seed=" + std::to_string(seed),
-                           "--out=" + run.string()},
-                          run.string() + ".log");
+  session::ChildProcess demo({session::program_folder() / "echomap",
+                              "demo",
+                              "--headless",
+                              "--no-kidnap",
+                              "--world=" + room,
+                              "--body=" + std::string(kBody),
+                              "--seed=" + std::to_string(seed),
+                              "--out=" + run.string()},
+                             run.string() + ".log");
   const auto status = demo.wait_for(kPatience);
   try {
     if (status != 0) {
@@ -86,7 +86,7 @@ std::optional<SlamRun> explore(const std::string& room,
 }  // namespace
 
 std::vector<Figure> emulated_slam_figures(std::uint32_t seeds) {
-  const apps::TemporaryFolder folder;
+  const session::TemporaryFolder folder;
   std::vector<Figure> figures;
   for (const std::string room : {"living_room", "office", "corridor"}) {
     std::vector<SlamRun> runs;

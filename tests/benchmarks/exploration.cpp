@@ -10,9 +10,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "host/apps/strategy_setup.hpp"
-#include "host/apps/temporary_folder.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/session/temporary_folder.hpp"
+#include "host/strategies/strategy_setup.hpp"
 #include "tests/benchmarks/exploration_decisions.hpp"
 #include "tests/benchmarks/exploration_entry.hpp"
 #include "tests/benchmarks/exploration_log.hpp"
@@ -97,7 +97,7 @@ void put_on(const Options& options, ExplorationCase& what) {
 }
 
 void measure_rooms(const Options& options, ExplorationLog& log, Outcome& outcome) {
-  const apps::TemporaryFolder courses;
+  const session::TemporaryFolder courses;
   std::vector<ExplorationCell> cells;
   for (const std::string& room : options.rooms) {
     for (const std::string& strategy : options.strategies) {
@@ -112,7 +112,7 @@ void measure_rooms(const Options& options, ExplorationLog& log, Outcome& outcome
 }
 
 void measure_papers(const Options& options, ExplorationLog& log, Outcome& outcome) {
-  const apps::TemporaryFolder files;
+  const session::TemporaryFolder files;
   std::vector<MeasuredPaper> measured;
   for (auto& [paper, what] : paper_experiments(files.path())) {
     if (!options.papers.empty() && std::ranges::count(options.papers, paper) == 0) {
@@ -143,7 +143,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--rooms", options.rooms)->delimiter(',')->capture_default_str();
   app.add_option("--strategies", options.strategies)
       ->delimiter(',')
-      ->check(CLI::IsMember(apps::strategy_names()))
+      ->check(CLI::IsMember(strategies::strategy_names()))
       ->capture_default_str();
   app.add_option("--papers", options.papers, "As paper_001,paper_003; all where none is named")
       ->delimiter(',')

@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 
 #include "hil_mock/world/floor_plan_file.hpp"
-#include "host/apps/course_file.hpp"
-#include "host/apps/robot_profile.hpp"
 #include "host/exploration/tangent_bug.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/mapping/cell_field.hpp"
+#include "host/session/robot_profile.hpp"
+#include "host/strategies/course_file.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -132,7 +132,7 @@ std::string put_course(const world::FloorPlan& room,
         std::any_of(course.waypoints.begin(), course.waypoints.end(), [&](const auto& waypoint) {
           return (waypoint.position_m - start_m).norm() > reached_m;
         });
-    apps::write_course(path, course);
+    strategies::write_course(path, course);
     return leads_on ? "" : "all of its places count as reached from the start";
   } catch (const std::invalid_argument& error) {
     return error.what();
@@ -170,7 +170,7 @@ ExplorationEntry entry_of(const std::string& room,
   const mapping::CellBounds bounds = clearances_m(plan).bounds();
   entry.room_edge_m = kCellM * std::max(bounds.columns(), bounds.rows());
   entry.what.under_camera = strategy == "epuck";
-  const double radius_m = apps::load_robot_profile(entry.what.robot).body_radius_m;
+  const double radius_m = session::load_robot_profile(entry.what.robot).body_radius_m;
   entry.why_not = misfit_of(plan, entry.what, radius_m);
   if (strategy == "tangent-bug" && entry.why_not.empty()) {
     entry.what.course = folder / (plan.name() + ".toml");

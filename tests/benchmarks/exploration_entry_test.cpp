@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/apps/course_file.hpp"
+#include "host/strategies/course_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::bench {
@@ -60,7 +60,7 @@ TEST(Entry, WritesACourseForTangentBug) {
   EXPECT_EQ(entry.why_not, "");
   EXPECT_EQ(entry.what.robot, "uno_2wd");
   EXPECT_NEAR(entry.room_edge_m, 4.0, 0.05);
-  EXPECT_GE(apps::load_course(entry.what.course.string()).waypoints.size(), 4U);
+  EXPECT_GE(strategies::load_course(entry.what.course.string()).waypoints.size(), 4U);
 }
 
 TEST(Entry, SaysWhyAStrategyDoesNotRun) {

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/apps/child_process.hpp"
-#include "host/apps/temporary_folder.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/session/child_process.hpp"
+#include "host/session/temporary_folder.hpp"
 #include "tests/benchmarks/exploration_log.hpp"
 
 namespace echomap::bench {
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::minutes kPatience(15);
 
 std::vector<std::string> command_of(const ExplorationCase& what, int seed, const fs::path& run) {
-  std::vector<std::string> command{apps::program_folder() / "echomap",
+  std::vector<std::string> command{session::program_folder() / "echomap",
                                    "demo",
                                    "--headless",
                                    "--no-kidnap",
@@ -79,7 +79,7 @@ std::optional<ExplorationRun> explore_once(const ExplorationCase& what,
                                            const fs::path& folder) {
   const fs::path run = folder / std::to_string(seed);
   const std::string log = run.string() + ".log";
-  apps::ChildProcess demo(command_of(what, seed, run), log);
+  session::ChildProcess demo(command_of(what, seed, run), log);
   const auto code = demo.wait_for(kPatience);
   const std::string report = run.string() + ".json";
   if (!code || !fs::exists(report)) {
@@ -102,7 +102,7 @@ std::optional<ExplorationRun> explore_once(const ExplorationCase& what,
 std::vector<ExplorationRun> explore_seeds(const ExplorationCase& what,
                                           const SeedRange& seeds,
                                           ExplorationLog& log) {
-  const apps::TemporaryFolder folder;
+  const session::TemporaryFolder folder;
   std::vector<std::optional<ExplorationRun>> by_seed(static_cast<std::size_t>(seeds.count));
   std::atomic<int> next{0};
   const auto work = [&] {

@@ -4,9 +4,9 @@
 
 #include "hil_mock/world/floor_plan_file.hpp"
 #include "hil_mock/world/robot_file.hpp"
-#include "host/apps/robot_profile.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/files/toml_reader.hpp"
+#include "host/session/robot_profile.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/fuzz/memory_file.hpp"
 
@@ -21,7 +21,7 @@ enum Kind : std::uint8_t { kRoom, kBody, kProfile, kKinds };
 void read_profile(std::span<const std::uint8_t> bytes) {
   static echomap::fuzz::MemoryFile file;
   file.write(bytes);
-  const auto profile = echomap::apps::load_robot_profile(file.path().string());
+  const auto profile = echomap::session::load_robot_profile(file.path().string());
   require(profile.ticks_per_s() > 0, "a robot of a profile moves");
   const bool has_reach = std::isfinite(profile.pan_limit_rad) && profile.pan_limit_rad > 0.0;
   require(!profile.has_sonar || has_reach, "the pan of a sonar has a reach");

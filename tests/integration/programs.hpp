@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/apps/child_process.hpp"
+#include "host/session/child_process.hpp"
 #include "tests/support/eventually.hpp"
 
 namespace echomap::test {
@@ -30,7 +30,7 @@ class Program {
 
  private:
   std::filesystem::path log_;
-  apps::ChildProcess process_;
+  session::ChildProcess process_;
 };
 
 using tests::eventually;

@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/apps/child_process.hpp"
 #include "host/robot_link/robot_link.hpp"
+#include "host/session/child_process.hpp"
 #include "host/time/host_time.hpp"
 #include "host/transport/local_stream.hpp"
 #include "host/transport/transport_error.hpp"
@@ -95,7 +95,7 @@ class Qemu : public ::testing::Test {
 
  private:
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::optional<apps::ChildProcess> machine_;
+  std::optional<session::ChildProcess> machine_;
   std::unique_ptr<transport::ByteStream> stream_;
 };
 

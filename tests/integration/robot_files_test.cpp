@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "hil_mock/world/robot_file.hpp"
-#include "host/apps/robot_profile.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/session/robot_profile.hpp"
 
 // A bundled robot has two files, what the host believes and what is true; what was soldered and
 // where its sensors sit must be the same in both.

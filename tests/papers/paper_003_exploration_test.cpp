@@ -14,10 +14,10 @@
 
 #include "hil_mock/world/robot_file.hpp"
 #include "hil_mock/world/robot_world.hpp"
-#include "host/apps/course_file.hpp"
 #include "host/exploration/tangent_bug.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/toml_reader.hpp"
+#include "host/strategies/course_file.hpp"
 #include "tests/papers/confidence_picture.hpp"
 #include "tests/papers/demo_run.hpp"
 #include "tests/support/exploration_case.hpp"
@@ -67,7 +67,7 @@ double farthest_missed_m(const std::vector<Eigen::Vector2d>& way_m,
 }
 
 TEST_F(Paper003Exploration, GoesThroughTheDoorToTheCornersAndBackOnTheReleaseFirmware) {
-  const auto course = apps::load_course("playground");
+  const auto course = strategies::load_course("playground");
   for (const int seed : {1, 2}) {
     const auto report = explore(seed);
     EXPECT_EQ(report.at("outcome"), "complete") << seed;
@@ -109,7 +109,7 @@ Drive drive(const exploration::TangentBugParams& params, std::uint32_t seed) {
   const auto geometry = tests::believed_geometry(ev3());
   pipeline::RobotPipeline pipeline(geometry);
   tests::OfflineRobot robot(world, geometry, pipeline);
-  exploration::TangentBug explorer(params, apps::load_course("playground"));
+  exploration::TangentBug explorer(params, strategies::load_course("playground"));
   Drive drive{{}, {}, {world.T_world_robot().position_m()}, 0};
   auto last = exploration::MotionResult::kReached;
   for (;;) {

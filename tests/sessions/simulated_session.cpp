@@ -49,7 +49,7 @@ class SimulatedSession::Stream final : public transport::ByteStream {
   SimulatedSession& owner_;
 };
 
-class SimulatedSession::Pace final : public apps::Pace {
+class SimulatedSession::Pace final : public session::Pace {
  public:
   explicit Pace(SimulatedSession& owner) : owner_(owner) {}
 
@@ -81,14 +81,14 @@ SimulatedSession::SimulatedSession(runner::SimulatedBoard& board,
              seed),
       simulation_(board, world_),
       T_world_start_(world_.T_world_robot()),
-      pipeline_(apps::load_robot_profile(kRobot).geometry) {
-  apps::RobotConnection connection;
+      pipeline_(session::load_robot_profile(kRobot).geometry) {
+  session::RobotConnection connection;
   connection.stream = std::make_unique<Stream>(*this);
   connection.pace = std::make_unique<Pace>(*this);
   connection.session_id = 4711;
   connection.patience = std::chrono::seconds(10);
-  session_ = std::make_unique<apps::RobotSession>(
-      std::move(connection), apps::load_robot_profile(kRobot), pipeline_);
+  session_ = std::make_unique<session::RobotSession>(
+      std::move(connection), session::load_robot_profile(kRobot), pipeline_);
 }
 
 SimulatedSession::~SimulatedSession() = default;

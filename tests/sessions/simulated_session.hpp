@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hil_mock/runner/robot_simulation.hpp"
-#include "host/apps/robot_session.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
+#include "host/session/robot_session.hpp"
 
 namespace echomap::tests {
 
@@ -31,8 +31,8 @@ class SimulatedSession {
   SimulatedSession(const SimulatedSession&) = delete;
   SimulatedSession& operator=(const SimulatedSession&) = delete;
 
-  apps::RobotSession& session() { return *session_; }
-  const apps::RobotSession& session() const { return *session_; }
+  session::RobotSession& session() { return *session_; }
+  const session::RobotSession& session() const { return *session_; }
   const runner::RobotSimulation& simulation() const { return simulation_; }
   Cable& cable() { return cable_; }
   double now_s() const { return double(simulation_.now_ns()) * 1e-9; }
@@ -52,7 +52,7 @@ class SimulatedSession {
   Cable cable_;
   std::vector<std::uint8_t> to_host_;
   pipeline::RobotPipeline pipeline_;
-  std::unique_ptr<apps::RobotSession> session_;
+  std::unique_ptr<session::RobotSession> session_;
 };
 
 }  // namespace echomap::tests

@@ -43,9 +43,9 @@ const std::vector<std::string> without_own_test{
     "host/apps/explore_command.cpp",
     "host/apps/explore_run.cpp",
     "host/apps/flash_command.cpp",
-    "host/apps/interrupt.cpp",
     "host/apps/localize_run.cpp",
-    "host/apps/simulated_robot.cpp",
+    "host/console/interrupt.cpp",
+    "host/session/simulated_robot.cpp",
 };
 
 const std::vector<SourceFile>& tree() {

@@ -46,13 +46,17 @@ mapping::SonarMapperParams mapper_for(const world::RobotParams& robot) {
 
 exploration::FinishReason explore(exploration::Explorer& explorer,
                                   OfflineRobot& robot,
-                                  const pipeline::RobotPipeline& pipeline,
+                                  pipeline::RobotAtlas& atlas,
                                   int& bumps) {
   auto last = exploration::MotionResult::kReached;
   for (;;) {
-    const auto motion = explorer.next(pipeline.snapshot(), last);
+    const auto motion = explorer.next(atlas.pipeline().snapshot(), last);
     if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
       return finished->reason;
+    }
+    if (const auto changed = exploration::change_maps(atlas, motion)) {
+      last = *changed;
+      continue;
     }
     last = robot.execute(motion);
     bumps += last == exploration::MotionResult::kBumped ? 1 : 0;
@@ -61,15 +65,15 @@ exploration::FinishReason explore(exploration::Explorer& explorer,
 
 std::unique_ptr<exploration::Explorer> watched(const world::RobotParams& robot,
                                                const OfflineSettings& settings,
-                                               pipeline::RobotAtlas& atlas,
                                                std::mt19937& random) {
   if (!settings.is_watched) {
     return explorer_for(robot, settings.strategy, random);
   }
-  return std::make_unique<exploration::AtlasExplorer>(atlas, [&](std::size_t /*stops_made*/) {
+  const auto make = [&](std::size_t /*stops_made*/) {
     return std::make_unique<exploration::FaultWatch>(
         explorer_for(robot, settings.strategy, random));
-  });
+  };
+  return std::make_unique<exploration::AtlasExplorer>(make, 0);
 }
 
 /// The truth as the mock writes it, and as its reader understands it.
@@ -116,10 +120,10 @@ OfflineRun explore_offline(const world::FloorPlan& room,
     offline_robot.look_around_on_the_way();
   }
   std::mt19937 random(seed);
-  const auto explorer = watched(robot, settings, atlas, random);
+  const auto explorer = watched(robot, settings, random);
 
   OfflineRun run;
-  run.reason = explore(*explorer, offline_robot, atlas.pipeline(), run.bumps);
+  run.reason = explore(*explorer, offline_robot, atlas, run.bumps);
   run.snapshot = atlas.pipeline().snapshot();
   run.former_maps = atlas.former_maps().size();
   run.joins = atlas.joins();

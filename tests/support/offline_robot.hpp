@@ -34,7 +34,7 @@ class OfflineRobot {
                std::vector<OfflineCarry> carries = {});
 
   exploration::MotionResult execute(const exploration::Motion& motion);
-  /// From now on the sonar looks around whenever the wheels turn, as that of apps::RobotSession.
+  /// From now on the sonar looks around whenever the wheels turn, as that of session::RobotSession.
   void look_around_on_the_way() { looks_on_the_way_ = true; }
 
   /// Where the robot was at every observation that the sink has had, truly and by odometry

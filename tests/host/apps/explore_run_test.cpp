@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/apps/strategy_setup.hpp"
-#include "host/apps/temporary_folder.hpp"
-#include "tests/host/apps/session_on_a_cable.hpp"
+#include "host/session/temporary_folder.hpp"
+#include "host/strategies/strategy_setup.hpp"
+#include "tests/host/session/session_on_a_cable.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 RunOptions options_for(const char* robot) {
   RunOptions options;
   options.robot = robot;
-  options.stops = 1;
+  options.strategy.stops = 1;
   options.headless = true;
   return options;
 }
@@ -31,15 +31,15 @@ TEST(ProfileFor, IsOfARobotThatTheStrategyCanUse) {
   }
 }
 
-class ExploreRun : public SessionOnACable {
+class ExploreRun : public session::SessionOnACable {
  protected:
   ExitCode explore() {
     return explore_and_save(
         {*session, atlas, profile}, options_for("uno_2wd"), folder.path(), summary);
   }
 
-  const TemporaryFolder folder;
-  pipeline::RobotAtlas atlas = atlas_for(profile, "none");
+  const session::TemporaryFolder folder;
+  pipeline::RobotAtlas atlas = session::atlas_for(profile, "none");
   exports::RunSummary summary;
 };
 

@@ -51,7 +51,7 @@ TEST(LinkReport, TellsALossOnceAndOnlyWhereItRises) {
 TEST(LinkReport, NamesTheFirmwareOfARealBoard) {
   protocol::HelloReply robot{};
   robot.firmware_version = 107;
-  EXPECT_EQ(firmware_of(robot), "echomap 1.0.7");
+  EXPECT_EQ(session::firmware_of(robot), "echomap 1.0.7");
 }
 
 }  // namespace

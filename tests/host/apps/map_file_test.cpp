@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/apps/exit_code.hpp"
+#include "host/console/exit_code.hpp"
 #include "host/exports/pgm_yaml.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/support/drawn_map.hpp"

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/commands.hpp"
-#include "host/apps/interrupt.hpp"
+#include "host/console/interrupt.hpp"
 #include "host/exports/geojson.hpp"
 #include "host/exports/pgm_yaml.hpp"
 #include "host/exports/points_csv.hpp"
@@ -141,7 +141,7 @@ TEST_F(ReplayCommandTest, SlamForLasersRefusesSonars) {
 TEST_F(ReplayCommandTest, CtrlCInSlamLeavesTheMapOfWhatItHadFound) {
   options_.slam = "scan";
   const auto replay_and_interrupt = [&] {
-    catch_interrupts();
+    console::catch_interrupts();
     std::raise(SIGINT);
     std::exit(static_cast<int>(run_replay(options_)));
   };
@@ -254,7 +254,7 @@ TEST_F(ReplayCommandTest, AMapThatOnlyADamagedPoseMakesHugeIsRefused) {
 
 TEST_F(ReplayCommandTest, CtrlCLeavesAMapThatCanBeRead) {
   const auto replay_and_interrupt = [&] {
-    catch_interrupts();
+    console::catch_interrupts();
     std::raise(SIGINT);
     std::exit(static_cast<int>(run_replay(options_)));
   };

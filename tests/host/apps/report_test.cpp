@@ -6,10 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "host/apps/progress_bar.hpp"
-#include "host/apps/temporary_folder.hpp"
 #include "host/files/atomic_file.hpp"
-#include "tests/host/apps/terminal.hpp"
+#include "host/session/temporary_folder.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -29,7 +27,7 @@ TEST(Report, AMapWithoutWallsHasNoWallError) {
 }
 
 TEST(Report, OutputsArePreparedWithoutATrace) {
-  const TemporaryFolder folder;
+  const session::TemporaryFolder folder;
   files::write_text_file(folder / "report.json", "older");
   prepare_outputs(folder / "a/run", folder / "report.json");
   EXPECT_TRUE(std::filesystem::is_empty(folder / "a/run"));
@@ -38,7 +36,7 @@ TEST(Report, OutputsArePreparedWithoutATrace) {
 }
 
 TEST(Report, OutputsThatCannotBeWrittenAreRefused) {
-  const TemporaryFolder folder;
+  const session::TemporaryFolder folder;
   files::write_text_file(folder / "file", "");
   EXPECT_THROW(prepare_outputs(folder / "file/run", {}), files::FileError);
   EXPECT_THROW(prepare_outputs(folder / "run", folder / "none/report.json"), files::FileError);
@@ -46,19 +44,11 @@ TEST(Report, OutputsThatCannotBeWrittenAreRefused) {
 }
 
 TEST(Report, IsWrittenToItsFile) {
-  const TemporaryFolder folder;
+  const session::TemporaryFolder folder;
   const auto path = folder / "report.json";
   write_report(path, {{"free_iou", 0.9}});
   EXPECT_EQ(nlohmann::json::parse(files::read_text_file(path))["free_iou"], 0.9);
   EXPECT_NO_THROW(write_report({}, {}));
-}
-
-TEST(Report, AProgressBarMakesWayForWhatIsSaid) {
-  const Terminal terminal;
-  ProgressBar bar(terminal.file());
-  bar.show("4 stops");
-  say("said by a test");
-  EXPECT_EQ(terminal.shown(), "\r\033[K4 stops\r\033[K");
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/apps/exit_code.hpp"
-#include "host/apps/strategy_setup.hpp"
+#include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/strategies/strategy_setup.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
@@ -27,8 +27,8 @@ class ResumedRunTest : public ::testing::Test {
   std::optional<ResumedRun> resume() { return resume_run(run.path(), profile, sessions, atlas); }
 
   const tests::ScratchFolder run;
-  const RobotProfile profile = load_robot_profile("uno_2wd");
-  pipeline::RobotAtlas atlas = atlas_for(profile, "none");
+  const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
+  pipeline::RobotAtlas atlas = session::atlas_for(profile, "none");
   pipeline::JoinedSessions sessions{atlas};
 };
 

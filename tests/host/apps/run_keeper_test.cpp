@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "host/apps/strategy_setup.hpp"
 #include "host/exports/observations_csv.hpp"
 #include "host/files/atomic_file.hpp"
-#include "tests/host/apps/session_on_a_cable.hpp"
+#include "host/strategies/strategy_setup.hpp"
+#include "tests/host/session/session_on_a_cable.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::apps {
@@ -21,7 +21,7 @@ class Idler final : public exploration::Explorer {
   }
 };
 
-class RunKeeperTest : public SessionOnACable {
+class RunKeeperTest : public session::SessionOnACable {
  protected:
   void stop() {
     atlas.on_odometry({stamp += std::chrono::milliseconds(20), {}});
@@ -29,7 +29,7 @@ class RunKeeperTest : public SessionOnACable {
     atlas.end_scan();
   }
 
-  pipeline::RobotAtlas atlas = atlas_for(profile, "none");
+  pipeline::RobotAtlas atlas = session::atlas_for(profile, "none");
   time::RobotTime stamp;
   Idler explorer;
   const tests::ScratchFolder out;

@@ -9,9 +9,9 @@
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
-#include "host/apps/temporary_folder.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/session/temporary_folder.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -35,7 +35,7 @@ class WholeRecords : public ::testing::Test {
     return records;
   }
 
-  const TemporaryFolder folder_;
+  const session::TemporaryFolder folder_;
   std::ostringstream said_;
 
  private:

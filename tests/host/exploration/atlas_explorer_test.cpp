@@ -30,19 +30,24 @@ class Puppet final : public Explorer {
 class AtlasExplorerTest : public ::testing::Test {
  protected:
   AtlasExplorer explorer(bool begins_anew = true) {
-    return {atlas,
-            [this](std::size_t stops) -> std::unique_ptr<Explorer> {
+    return {[this](std::size_t stops) -> std::unique_ptr<Explorer> {
               made_at.push_back(stops);
               return stops < 5 ? std::make_unique<Puppet>(says, told_stops) : nullptr;
             },
+            atlas.pipeline().snapshot().stops,
             begins_anew};
   }
   void stop() {
     atlas.begin_scan();
     atlas.end_scan();
   }
+  /// The next motion of the robot, behind what is decided about its maps.
   Motion next(AtlasExplorer& explorer) {
-    return explorer.next(atlas.pipeline().snapshot(), MotionResult::kReached);
+    Motion motion = explorer.next(atlas.pipeline().snapshot(), MotionResult::kReached);
+    while (const auto changed = change_maps(atlas, motion)) {
+      motion = explorer.next(atlas.pipeline().snapshot(), *changed);
+    }
+    return motion;
   }
 
   pipeline::RobotAtlas atlas{[] { return pipeline::RobotPipeline(sensors::RobotGeometry{}); }};
@@ -73,6 +78,22 @@ TEST_F(AtlasExplorerTest, ALiftedRobotDoesSo) {
   EXPECT_TRUE(std::holds_alternative<Drive>(next(explorer)));
   EXPECT_EQ(atlas.former_maps().size(), 1U);
   EXPECT_EQ(atlas.pipeline().snapshot().times_lifted, 0U);
+}
+
+TEST_F(AtlasExplorerTest, LeavesTheMapsToWhoeverDrives) {
+  AtlasExplorer explorer = this->explorer();
+  stop();
+  const pipeline::Snapshot one_stop = atlas.pipeline().snapshot();
+  says = Turn{1.0};
+  EXPECT_TRUE(std::holds_alternative<JoinMaps>(explorer.next(one_stop, MotionResult::kReached)));
+  const Motion put_off = explorer.next(one_stop, MotionResult::kRefused);
+  ASSERT_TRUE(std::holds_alternative<Turn>(put_off)) << "no former map: the strategy goes on";
+  EXPECT_EQ(std::get<Turn>(put_off).angle_rad, 1.0);
+  says = Finished{FinishReason::kLost, 2};
+  const Motion change = explorer.next(one_stop, MotionResult::kReached);
+  ASSERT_TRUE(std::holds_alternative<BeginNewMap>(change));
+  EXPECT_EQ(std::get<BeginNewMap>(change).stops_elsewhere, 2U);
+  EXPECT_EQ(atlas.changes(), 0U);
 }
 
 TEST_F(AtlasExplorerTest, EndsWhereNoStopIsLeft) {

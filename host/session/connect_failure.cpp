@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "host/session/connect_failure.hpp"
+
+namespace echomap::session {
+
+using robot_link::LinkState;
+
+console::ExitCode connect_failure(const robot_link::RobotLink& link) {
+  return link.mismatch() ? console::ExitCode::kFirmwareMismatch : console::ExitCode::kNoRobot;
+}
+
+std::string reason_of_connect_failure(const robot_link::RobotLink& link, const std::string& port) {
+  if (const auto& mismatch = link.mismatch()) {
+    return mismatch->message();
+  }
+  switch (link.state()) {
+    case LinkState::kGarbage:
+      return "bytes come from " + port +
+             ", but no echomap frame is among them: another program runs on that board, or the "
+             "baud rate is another one\n  what came first:\n" +
+             link.preview().text() + "  next: ./run flash --port " + port +
+             ", or try --baud 250000";
+    case LinkState::kUnheard:
+      return "a robot talks on " + port +
+             " but does not hear us\n  next: check the wire to the board's RX pin";
+    case LinkState::kDescribing:
+      return "the robot on " + port +
+             " was built from other messages, and did not say which\n  next: ./run flash --port " +
+             port;
+    case LinkState::kConnecting:
+      return "the robot on " + port +
+             " answers and starts anew again and again\n  next: give servo and motors a supply of "
+             "their own, or fresh batteries";
+    case LinkState::kLost:
+      return "the robot on " + port +
+             " answered once and is silent now\n  next: check its cable and its supply, then the "
+             "same again";
+    default:
+      return "nothing answers on " + port +
+             "\n  next: is the robot switched on and flashed? ./run flash --port " + port;
+  }
+}
+
+std::optional<time::HostTime> start_of_robot(const robot_link::RobotLink& link) {
+  const auto stamp_us = link.newest_stamp_us();
+  const auto newest = stamp_us ? link.clock().host_time(*stamp_us) : std::nullopt;
+  return newest ? std::optional(newest->instant - std::chrono::microseconds(*stamp_us))
+                : std::nullopt;
+}
+
+bool was_reset_since(time::HostTime instant, const robot_link::RobotLink& link) {
+  const auto start = start_of_robot(link);
+  const auto& robot = link.robot();
+  const bool by_reset_line = robot && (robot->reset_cause & protocol::kResetExternal) != 0;
+  return start && by_reset_line && *start > instant;
+}
+
+std::string reset_by_opening(const std::string& port) {
+  return "opening " + port +
+         " has reset the robot: its DTR was down, and the kernel raises it when a port is opened\n"
+         "  next: the same again; DTR stays up now, and the robot runs on";
+}
+
+}  // namespace echomap::session

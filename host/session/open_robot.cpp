@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "host/session/open_robot.hpp"
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "host/session/port_choice.hpp"
+#include "host/transport/open_stream.hpp"
+#include "host/transport/port_identity.hpp"
+#include "host/transport/reconnecting_stream.hpp"
+
+namespace echomap::session {
+namespace {
+
+OpenPort opener(const ConnectionOptions& options) {
+  return
+      [baud = options.baud](const std::string& port) { return transport::open_stream(port, baud); };
+}
+
+/// A robot that may be unplugged and reset, and is waited for.
+RobotConnection connection_on_a_desk(const ConnectionOptions& options) {
+  RobotConnection robot;
+  robot.no_reset = options.no_reset;
+  robot.pace = real_time_pace();
+  robot.session_id = session_id_from(std::random_device{}());
+  const OpenPort open = opener(options);
+  robot.stream = choose_port(candidate_ports(options.ports), open, robot.session_id);
+  robot.link = transport::is_radio(robot.stream->name()) ? robot_link::radio_link()
+                                                         : robot_link::wired_link(options.baud);
+  if (options.reconnect_s > 0.0) {
+    const transport::PortIdentity identity(robot.stream->name());
+    robot.stream = std::make_unique<transport::ReconnectingStream>(
+        std::move(robot.stream), [open, identity] { return open(identity.name_now()); });
+    robot.patience = std::chrono::milliseconds(std::llround(1e3 * options.reconnect_s));
+  }
+  return robot;
+}
+
+}  // namespace
+
+std::uint16_t session_id_from(std::uint32_t number) {
+  return static_cast<std::uint16_t>(1 + number % 0xFFFF);
+}
+
+OpenedRobot open_robot(const ConnectionOptions& options, std::uint32_t seed) {
+  if (options.lockstep.empty()) {
+    return {connection_on_a_desk(options), nullptr};
+  }
+  OpenedRobot robot;
+  robot.connection.session_id = session_id_from(seed);
+  robot.connection.stream =
+      choose_port(candidate_ports(options.ports), opener(options), robot.connection.session_id);
+  robot.lockstep = std::make_unique<transport::LockstepChannel>(options.lockstep);
+  robot.connection.pace = lockstep_pace(*robot.lockstep);
+  return robot;
+}
+
+}  // namespace echomap::session

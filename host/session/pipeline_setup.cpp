@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "host/session/pipeline_setup.hpp"
+
+#include "host/slam/slam_methods.hpp"
+
+namespace echomap::session {
+namespace {
+
+constexpr const char* kNoSlam = "none";
+
+/// Cells of a map that is only felt: sensors of a few centimetres tell a wall's place to some
+/// millimetres, a sonar to some centimetres.
+constexpr double kNearResolutionM = 0.01;
+
+}  // namespace
+
+std::vector<std::string> live_slam_names() {
+  std::vector<std::string> names{kNoSlam};
+  for (const slam::NamedSlam& method : slam::slam_methods()) {
+    if (method.takes_cones) {
+      names.emplace_back(method.name);
+    }
+  }
+  return names;
+}
+
+pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::string& slam) {
+  mapping::SonarMapperParams params;
+  mapping::NearMapperParams near;
+  if (profile.has_sonar) {
+    params.surfaces.beam_half_angle_rad = profile.beam_half_angle_rad;
+  } else {
+    params.grid.resolution_m = kNearResolutionM;
+  }
+  near.body_radius_m = profile.body_radius_m;
+  if (profile.sensors.infrared_curve) {
+    near.infrared_reach_m = profile.sensors.infrared_curve->farthest_m();
+  }
+  for (const sensors::InfraredSensor& sensor : profile.sensors.infrared) {
+    near.T_robot_infrared.push_back(sensor.T_robot_sensor);
+  }
+  const bool by_slam = profile.has_sonar && slam != kNoSlam;
+  return pipeline::RobotPipeline(
+      profile.geometry, params, near, by_slam ? slam::slam_by_name(slam).make() : nullptr);
+}
+
+pipeline::RobotAtlas atlas_for(const RobotProfile& profile, const std::string& slam) {
+  return pipeline::RobotAtlas([&profile, slam] { return pipeline_for(profile, slam); });
+}
+
+}  // namespace echomap::session

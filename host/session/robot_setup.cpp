@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "host/session/robot_setup.hpp"
+
+#include <string_view>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "host/session/configuration_check.hpp"
+#include "protocol/config_digest.hpp"
+
+namespace echomap::session {
+namespace {
+
+using robot_link::BulkStatus;
+using robot_link::CommandOutcome;
+
+/// Begun anew when the board was reset in the middle of it, which a servo's first start on a weak
+/// supply does, and when the link was lost.
+constexpr int kTries = 5;
+/// New pins may switch off a sensor that the board held as wanted before: what differs then is sent
+/// once more, to be taken or refused.
+constexpr int kRounds = 2;
+
+std::string_view words_of(BulkStatus status) {
+  switch (status) {
+    case BulkStatus::kNotThere:
+      return "the firmware tells none";
+    case BulkStatus::kInconsistent:
+      return "it changed while it was read";
+    case BulkStatus::kWhole:
+      return "it is of another firmware";
+    case BulkStatus::kNoAnswer:
+      break;
+  }
+  return "no answer";
+}
+
+}  // namespace
+
+bool RobotSetup::set_up() {
+  const auto resets = [this] { return line_.link().statistics().resets_seen; };
+  const std::uint64_t resets_before = resets();
+  for (int i = 0; i < kTries && line_.wait_until_ready(); ++i) {
+    if (try_to_set_up()) {
+      return true;
+    }
+  }
+  line_.end(SessionEnd::kLinkLost, reason_of_failure(resets() - resets_before));
+  return false;
+}
+
+std::string RobotSetup::reason_of_failure(std::uint64_t resets) const {
+  if (resets > 1) {
+    return fmt::format(
+        "the robot on {} is reset again and again: {} times while it was set up\n"
+        "  next: give servo and motors a supply of their own, or fresh batteries",
+        line_.name(),
+        resets);
+  }
+  return fmt::format(
+      "the robot on {} was not set up in {} tries, in the last one for {}\n"
+      "  next: check its cable and its supply, press its reset button and start again",
+      line_.name(),
+      kTries,
+      failure_);
+}
+
+bool RobotSetup::try_to_set_up() {
+  line_.forget_resets();
+  failure_ = "a reset in its midst";
+  return configure() && arm() && !line_.was_reset();
+}
+
+bool RobotSetup::configure() {
+  const protocol::Configuration& wanted = profile_.configuration;
+  const auto& robot = line_.link().robot();
+  if (robot && robot->config_digest == protocol::config_digest(wanted)) {
+    spdlog::debug("the board holds the configuration of profile '{}' already", profile_.name);
+    return true;
+  }
+  auto held = read_configuration();
+  for (int i = 0; i < kRounds; ++i) {
+    for (const robot_link::Command& command : commands_between(held, wanted)) {
+      if (!send(command)) {
+        return false;
+      }
+    }
+    held = read_configuration();
+    if (!held) {
+      return false;
+    }
+    if (first_difference(*held, wanted).empty()) {
+      return !line_.was_reset();
+    }
+  }
+  line_.end(SessionEnd::kConfigInvalid,
+            "the board does not hold what it was sent: " + first_difference(*held, wanted) +
+                "\n  next: ./run flash --port " + line_.name());
+  return false;
+}
+
+bool RobotSetup::arm() {
+  const auto armed = line_.perform(protocol::Arm{0, 1});
+  if (armed && armed->outcome == CommandOutcome::kBlocked) {
+    line_.end(SessionEnd::kSafetyStop,
+              "the board does not arm: a wheel hangs in the air\n"
+              "  next: put the robot on the floor and start again");
+  }
+  return is_accepted(protocol::Arm{}, armed);
+}
+
+bool RobotSetup::send(const robot_link::Command& command) {
+  const auto result = line_.perform(command);
+  if (result && result->outcome == CommandOutcome::kOutOfRange) {
+    line_.end(SessionEnd::kConfigInvalid,
+              "the board refuses " + name_of(command) + " of profile '" + profile_.name +
+                  "': it has no such pins or sensors, or a number is out of its range\n"
+                  "  next: compare the profile with the board's page in docs/hardware, or "
+                  "update the firmware: ./run flash --port " +
+                  line_.name());
+  }
+  return is_accepted(command, result);
+}
+
+bool RobotSetup::is_accepted(const robot_link::Command& command,
+                             const std::optional<robot_link::CommandResult>& result) {
+  if (result && result->outcome == CommandOutcome::kAccepted) {
+    return true;
+  }
+  failure_ =
+      fmt::format("{}: {}", name_of(command), result ? to_string(result->outcome) : "no answer");
+  return false;
+}
+
+std::optional<protocol::Configuration> RobotSetup::read_configuration() {
+  const auto bulk = line_.read(protocol::BulkContent::kConfiguration);
+  const auto configuration = bulk ? configuration_in(*bulk) : std::nullopt;
+  if (!configuration) {
+    failure_ = fmt::format("reading its configuration: {}",
+                           words_of(bulk ? bulk->status : BulkStatus::kNoAnswer));
+  }
+  return configuration;
+}
+
+}  // namespace echomap::session

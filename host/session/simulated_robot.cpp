@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "host/session/simulated_robot.hpp"
+
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include "host/console/exit_code.hpp"
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string program_of(const std::string& emulator) {
+  const fs::path program = program_folder() / ("echomap-" + emulator);
+  if (!fs::exists(program)) {
+    throw console::CommandError(console::ExitCode::kRuntimeError,
+                                program.string() +
+                                    " was not built: this machine lacks what it needs\n"
+                                    "  next: ./run setup and ./run build, or --emulator mock");
+  }
+  return program;
+}
+
+}  // namespace
+
+SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
+                               std::uint32_t seed,
+                               const fs::path& body,
+                               const fs::path& out)
+    : truth_(out / "truth"), log_(out / "robot.log") {
+  fs::create_directories(truth_);
+  const fs::path socket = folder_ / "lockstep";
+  std::vector<std::string> command{program_of(options.emulator),
+                                   "--world=" + options.world,
+                                   "--robot=" + body.string(),
+                                   "--seed=" + std::to_string(seed),
+                                   "--link=" + port(),
+                                   "--lockstep=" + socket.string(),
+                                   "--truth=" + truth_.string()};
+  command.push_back("--line=" + options.line);
+  if (!options.faults.empty()) {
+    command.push_back("--faults=" + options.faults);
+  }
+  if (!options.part_faults.empty()) {
+    command.push_back("--part-faults=" + options.part_faults);
+  }
+  if (!options.fixes.empty()) {
+    command.push_back("--camera=udp:" + options.fixes.substr(options.fixes.rfind(':') + 1));
+  }
+  if (!options.camera_params.empty()) {
+    command.push_back("--camera-params=" + options.camera_params);
+  }
+  if (!options.board.empty()) {
+    command.push_back("--board=" + options.board);
+  }
+  process_ = std::make_unique<ChildProcess>(command, log_);
+  wait_until_it_listens(socket);
+  lockstep_ = std::make_unique<transport::LockstepChannel>(socket);
+}
+
+void SimulatedRobot::wait_until_it_listens(const fs::path& socket) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!fs::exists(socket) || !fs::exists(port())) {
+    if (const auto status = process_->exit_status()) {
+      const auto code = static_cast<console::ExitCode>(*status);
+      const bool users_fault =
+          code == console::ExitCode::kConfigInvalid || code == console::ExitCode::kUsage;
+      throw console::CommandError(users_fault ? code : console::ExitCode::kRuntimeError,
+                                  files::read_text_file(log_));
+    }
+    if (std::chrono::steady_clock::now() > end) {
+      throw console::CommandError(console::ExitCode::kRuntimeError,
+                                  "the simulated robot did not start; see " + log_.string());
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+}  // namespace echomap::session

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "host/strategies/strategy_setup.hpp"
+
+#include <algorithm>
+
+#include "host/console/exit_code.hpp"
+#include "host/exploration/danger_checker.hpp"
+#include "host/exploration/epuck_drive.hpp"
+#include "host/exploration/fault_watch.hpp"
+#include "host/exploration/random_bounce.hpp"
+#include "host/geometry/angle.hpp"
+#include "host/strategies/coastal_setup.hpp"
+#include "host/strategies/course_file.hpp"
+
+namespace echomap::strategies {
+namespace {
+
+using ExplorerPtr = std::unique_ptr<exploration::Explorer>;
+
+std::string lack_of_sonar(const session::RobotProfile& profile,
+                          const StrategyOptions& /*options*/) {
+  return profile.has_sonar ? "" : "a sonar";
+}
+
+ExplorerPtr make_nxt_farthest(const session::RobotProfile& profile,
+                              const StrategyOptions& options,
+                              std::mt19937& random) {
+  auto params = nxt_farthest_params(profile, options.stops);
+  params.scans = options.scans;
+  return std::make_unique<exploration::NxtFarthest>(params, random);
+}
+
+ExplorerPtr make_tangent_bug(const session::RobotProfile& profile,
+                             const StrategyOptions& options,
+                             std::mt19937& /*random*/) {
+  if (options.waypoints.empty()) {
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        "strategy 'tangent-bug' goes from waypoint to waypoint, and has none\n"
+        "  next: name a course with --waypoints, as playground, or a TOML file of "
+        "your room");
+  }
+  return std::make_unique<exploration::TangentBug>(tangent_bug_params(profile),
+                                                   load_course(options.waypoints));
+}
+
+ExplorerPtr make_frontier(const session::RobotProfile& profile,
+                          const StrategyOptions& options,
+                          std::mt19937& /*random*/) {
+  return std::make_unique<exploration::Frontier>(frontier_params(profile, options.stops));
+}
+
+exploration::DangerCheckerParams danger_params(const session::RobotProfile& profile) {
+  exploration::DangerCheckerParams params;
+  params.robot_radius_m = profile.body_radius_m;
+  params.costs.robot_radius_m = profile.body_radius_m;
+  params.follower.speed_m_per_s = profile.speed_m_per_s;
+  params.return_below_v = profile.return_below_v;
+  params.stop_below_v = profile.stop_below_v;
+  return params;
+}
+
+exploration::Hand hand_of(const StrategyOptions& options) {
+  return options.hand == "left" ? exploration::Hand::kLeft : exploration::Hand::kRight;
+}
+
+std::string lack_of_wall_sensor(const session::RobotProfile& profile,
+                                const StrategyOptions& options) {
+  return lack_for_coastal(profile, hand_of(options));
+}
+
+ExplorerPtr make_coastal(const session::RobotProfile& profile,
+                         const StrategyOptions& options,
+                         std::mt19937& /*random*/) {
+  return std::make_unique<exploration::Coastal>(coastal_params(profile, hand_of(options)));
+}
+
+/// Every board has contacts; without bumpers at them a wheel that stands says the same.
+std::string lack_of_nothing(const session::RobotProfile& /*profile*/,
+                            const StrategyOptions& /*options*/) {
+  return "";
+}
+
+ExplorerPtr make_random_bounce(const session::RobotProfile& profile,
+                               const StrategyOptions& options,
+                               std::mt19937& random) {
+  exploration::RandomBounceParams params;
+  params.speed_m_per_s = profile.speed_m_per_s;
+  params.most_s = options.seconds;
+  return std::make_unique<exploration::RandomBounce>(params, random);
+}
+
+std::string lack_of_infrared_ring(const session::RobotProfile& profile,
+                                  const StrategyOptions& /*options*/) {
+  const auto& ring = profile.sensors.infrared;
+  const auto looks = [&](double from_deg, double to_deg) {
+    return std::any_of(ring.begin(), ring.end(), [&](const sensors::InfraredSensor& sensor) {
+      const double bearing_deg = geometry::degrees(sensor.T_robot_sensor.heading_rad());
+      return bearing_deg >= from_deg && bearing_deg <= to_deg;
+    });
+  };
+  return looks(-30.0, 30.0) && looks(-120.0, -76.0)
+             ? ""
+             : "infra-red sensors that look ahead and to the right";
+}
+
+ExplorerPtr make_epuck(const session::RobotProfile& profile,
+                       const StrategyOptions& /*options*/,
+                       std::mt19937& /*random*/) {
+  exploration::EpuckDriveParams params;
+  params.follower.speed_m_per_s = profile.speed_m_per_s;
+  params.follower.robot_radius_m = profile.body_radius_m;
+  for (const sensors::InfraredSensor& sensor : profile.sensors.infrared) {
+    params.follower.T_robot_sensor.push_back(sensor.T_robot_sensor);
+  }
+  return std::make_unique<exploration::EpuckDrive>(params);
+}
+
+const Strategy& strategy_of(const StrategyOptions& options) {
+  const auto& all = strategies();
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&](const Strategy& one) { return one.name == options.name; });
+  if (found == all.end()) {
+    throw console::CommandError(console::ExitCode::kUsage,
+                                "there is no strategy '" + options.name + "'");
+  }
+  return *found;
+}
+
+/// What only another strategy goes by shall not do nothing in silence.
+void refuse_strange_options(const StrategyOptions& options) {
+  const auto refuse = [&](const std::string& option, const std::string& owner) {
+    throw console::CommandError(console::ExitCode::kUsage,
+                                option + " is for strategy '" + owner + "', not for '" +
+                                    options.name + "'\n  next: leave it out, or --strategy " +
+                                    owner);
+  };
+  if (options.scans > 1 && options.name != "nxt-farthest") {
+    refuse("--scans", "nxt-farthest");
+  }
+  if (!options.waypoints.empty() && options.name != "tangent-bug") {
+    refuse("--waypoints", "tangent-bug");
+  }
+}
+
+}  // namespace
+
+const std::vector<Strategy>& strategies() {
+  static const std::vector<Strategy> all{
+      {"nxt-farthest", lack_of_sonar, make_nxt_farthest, false, StrategyLimit::kStops, true},
+      {"tangent-bug", lack_of_sonar, make_tangent_bug, true},
+      {"frontier", lack_of_sonar, make_frontier, false, StrategyLimit::kStops, true},
+      {"coastal", lack_of_wall_sensor, make_coastal},
+      {"random-bounce", lack_of_nothing, make_random_bounce, false, StrategyLimit::kSeconds},
+      {"epuck", lack_of_infrared_ring, make_epuck},
+  };
+  return all;
+}
+
+std::vector<std::string> strategy_names() {
+  std::vector<std::string> names;
+  for (const Strategy& strategy : strategies()) {
+    names.emplace_back(strategy.name);
+  }
+  return names;
+}
+
+StrategyLimit limit_of(const StrategyOptions& options) { return strategy_of(options).limit; }
+
+bool begins_anywhere(const StrategyOptions& options) {
+  return strategy_of(options).begins_anywhere;
+}
+
+ExplorerPtr explorer_for(const session::RobotProfile& profile,
+                         const StrategyOptions& options,
+                         std::mt19937& random) {
+  require_fit(profile, options);
+  const Strategy& strategy = strategy_of(options);
+  exploration::DangerCheckerParams danger = danger_params(profile);
+  danger.shortens_drives = !strategy.checks_its_ways;
+  return std::make_unique<exploration::FaultWatch>(std::make_unique<exploration::DangerChecker>(
+      strategy.make(profile, options, random), danger));
+}
+
+void require_fit(const session::RobotProfile& profile, const StrategyOptions& options) {
+  refuse_strange_options(options);
+  if (const std::string lack = strategy_of(options).lack(profile, options); !lack.empty()) {
+    throw console::CommandError(console::ExitCode::kConfigInvalid,
+                                "strategy '" + options.name + "' needs " + lack +
+                                    ", and profile '" + profile.name +
+                                    "' has none\n  next: name another with --robot, as uno_2wd");
+  }
+}
+
+exploration::NxtFarthestParams nxt_farthest_params(const session::RobotProfile& profile,
+                                                   std::size_t most_stops) {
+  exploration::NxtFarthestParams params;
+  params.sweep.pan_limit_rad = profile.pan_limit_rad;
+  params.sweep.settle_s = profile.settle_s;
+  params.robot_radius_m = profile.body_radius_m;
+  params.most_stops = most_stops;
+  return params;
+}
+
+exploration::TangentBugParams tangent_bug_params(const session::RobotProfile& profile) {
+  exploration::TangentBugParams params;
+  params.sweep.pan_limit_rad = profile.pan_limit_rad;
+  params.sweep.settle_s = profile.settle_s;
+  params.farthest_m = profile.range.max_range_m;
+  params.robot_radius_m = profile.body_radius_m;
+  params.beam_half_angle_rad = profile.beam_half_angle_rad;
+  return params;
+}
+
+exploration::FrontierParams frontier_params(const session::RobotProfile& profile,
+                                            std::size_t most_stops) {
+  exploration::FrontierParams params;
+  params.costs.robot_radius_m = profile.body_radius_m;
+  params.follower.speed_m_per_s = profile.speed_m_per_s;
+  params.follower.slowest_m_per_s =
+      std::min(params.follower.slowest_m_per_s, profile.speed_m_per_s);
+  params.viewpoints.speed_m_per_s = profile.speed_m_per_s;
+  params.sweep.pan_limit_rad = profile.pan_limit_rad;
+  params.sweep.settle_s = profile.settle_s;
+  params.most_stops = most_stops;
+  return params;
+}
+
+}  // namespace echomap::strategies

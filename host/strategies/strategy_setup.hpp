@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "host/exploration/explorer.hpp"
+#include "host/exploration/frontier.hpp"
+#include "host/exploration/nxt_farthest.hpp"
+#include "host/exploration/tangent_bug.hpp"
+#include "host/session/robot_profile.hpp"
+
+namespace echomap::strategies {
+
+/// How to explore, as the command line names it.
+struct StrategyOptions {
+  std::string name = "nxt-farthest";
+  std::size_t stops = 20;
+  std::size_t scans = 1;  ///< Of the room, by nxt-farthest.
+  std::string waypoints;  ///< Course of tangent-bug: a bundled name or a TOML file; empty: none.
+  std::string hand = "right";  ///< Or "left": which is held to the wall.
+  double seconds = 120.0;      ///< How long random-bounce drives.
+};
+
+/// What of the options ends an exploration at the latest.
+enum class StrategyLimit : std::uint8_t { kNone, kStops, kSeconds };
+
+/// A way to explore that `--strategy` names.
+struct Strategy {
+  const char* name;
+  /// What it needs and the profile has not, as "a sonar"; empty where nothing lacks.
+  std::function<std::string(const session::RobotProfile& profile, const StrategyOptions& options)>
+      lack;
+  /// Keeps a reference to `random`. Throws files::ConfigError for a file that the options name.
+  std::function<std::unique_ptr<exploration::Explorer>(
+      const session::RobotProfile& profile, const StrategyOptions& options, std::mt19937& random)>
+      make;
+  /// It sees to it that its ways are clear, so that the danger checker does not shorten them.
+  bool checks_its_ways = false;
+  StrategyLimit limit = StrategyLimit::kNone;
+  /// It goes by nothing but the map, so that it can begin anew in another one.
+  bool begins_anywhere = false;
+};
+
+/// In the order of the help.
+const std::vector<Strategy>& strategies();
+std::vector<std::string> strategy_names();
+
+/// That of the strategy of the options. Throws CommandError where there is no such strategy.
+StrategyLimit limit_of(const StrategyOptions& options);
+
+/// Whether the strategy of the options does.
+bool begins_anywhere(const StrategyOptions& options);
+
+/// The strategy of the options, for a robot, under the eyes of a danger checker. Throws
+/// CommandError where the robot lacks what it needs, and as `Strategy::make`.
+std::unique_ptr<exploration::Explorer> explorer_for(const session::RobotProfile& profile,
+                                                    const StrategyOptions& options,
+                                                    std::mt19937& random);
+/// Throws CommandError where the robot lacks what the strategy of the options needs.
+void require_fit(const session::RobotProfile& profile, const StrategyOptions& options);
+
+/// What nxt-farthest has to know of a robot.
+exploration::NxtFarthestParams nxt_farthest_params(const session::RobotProfile& profile,
+                                                   std::size_t most_stops);
+
+/// What tangent-bug has to know of a robot.
+exploration::TangentBugParams tangent_bug_params(const session::RobotProfile& profile);
+
+/// What frontier has to know of a robot.
+exploration::FrontierParams frontier_params(const session::RobotProfile& profile,
+                                            std::size_t most_stops);
+
+}  // namespace echomap::strategies

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "host/pipeline/observation_sink.hpp"
+#include "host/pipeline/snapshot.hpp"
+#include "host/session/robot_session.hpp"
+
+namespace echomap::tracking {
+
+/// What follows a robot while it drives, as `echomap localize --filter` names it.
+class LiveFilter {
+ public:
+  virtual ~LiveFilter() = default;
+
+  /// Takes what the robot senses.
+  virtual pipeline::ObservationSink& sink() = 0;
+  /// After every step of the session's time: takes what comes from elsewhere, and tells the user
+  /// what cannot wait for the next stop.
+  virtual void poll(const session::RobotSession& session) = 0;
+  /// The robot is connected and stands. Throws CommandError where the filter cannot begin.
+  virtual void begin(session::RobotSession& session) = 0;
+
+  /// At the end of a stop: the robot was found not to be where it was thought to be, or was lifted,
+  /// since the last stop.
+  virtual bool has_lost_it() = 0;
+  /// Where the robot is, for people.
+  virtual std::string line() const = 0;
+  /// The same as the entries of a report.
+  virtual nlohmann::ordered_json report() const = 0;
+  virtual const std::vector<pipeline::StampedPose>& trajectory() const = 0;
+};
+
+}  // namespace echomap::tracking

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "host/tracking/mcl_filter.hpp"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include "host/console/print.hpp"
+#include "host/tracking/belief_report.hpp"
+#include "host/tracking/localize_troubles.hpp"
+
+namespace echomap::tracking {
+
+using localization::LocalizationStatus;
+
+pipeline::RobotLocalizerParams localizer_params(const session::RobotProfile& profile,
+                                                localization::LocalizerPreset preset) {
+  pipeline::RobotLocalizerParams params;
+  params.preset = preset;
+  params.sonar.body_radius_m = profile.body_radius_m;
+  params.sonar.half_opening_rad = profile.beam_half_angle_rad;
+  params.sonar.max_range_m = profile.range.max_range_m;
+  return params;
+}
+
+MclFilter::MclFilter(const mapping::RasterMap& map,
+                     const sensors::RobotGeometry& robot,
+                     const pipeline::RobotLocalizerParams& params,
+                     const std::optional<StartPose>& start,
+                     std::mt19937 random)
+    : start_(start), localizer_(map, robot, params, random) {}
+
+void MclFilter::poll(const session::RobotSession& /*session*/) {
+  if (localizer_.times_lifted() > lifts_told_) {
+    lifts_told_ = localizer_.times_lifted();
+    was_lifted_ = true;
+    console::print("  lost: the robot was lifted and may be put down anywhere");
+  }
+  const auto trouble = trouble_of_start(localizer_.start_outcome());
+  if (trouble && !std::exchange(start_is_told_, true)) {
+    spdlog::warn("{}", *trouble);
+  }
+}
+
+void MclFilter::begin(session::RobotSession& /*session*/) {
+  if (start_) {
+    localizer_.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
+  }
+}
+
+bool MclFilter::has_lost_it() {
+  return std::exchange(was_lifted_, false) ||
+         localizer_.belief().status == LocalizationStatus::kLost;
+}
+
+std::string MclFilter::line() const { return text_of(localizer_.belief()); }
+
+nlohmann::ordered_json MclFilter::report() const {
+  auto json = to_json(localizer_.belief());
+  json["times_lifted"] = localizer_.times_lifted();
+  return json;
+}
+
+}  // namespace echomap::tracking

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "host/tracking/stop_driver.hpp"
+
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "host/session/pipeline_setup.hpp"
+#include "host/strategies/strategy_setup.hpp"
+
+namespace echomap::tracking {
+namespace {
+
+using exploration::FinishReason;
+
+constexpr int kMostStopsOnTheSpot = 3;
+
+/// The strategy, without an end of its own: its ground need not be new.
+exploration::NxtFarthestParams endless(const session::RobotProfile& profile) {
+  constexpr auto kNever = std::numeric_limits<std::size_t>::max();
+  auto params = strategies::nxt_farthest_params(profile, kNever);
+  params.stops_without_new_ground = kNever;
+  return params;
+}
+
+}  // namespace
+
+StopDriver::StopDriver(session::RobotSession& session,
+                       pipeline::ObservationFork& fork,
+                       const session::RobotProfile& profile,
+                       std::string slam,
+                       std::uint32_t seed)
+    : session_(session), fork_(fork), profile_(profile), slam_(std::move(slam)), random_(seed) {
+  start_anew();
+}
+
+StopDriver::~StopDriver() { fork_.remove(*pipeline_); }
+
+void StopDriver::start_anew() {
+  if (pipeline_) {
+    fork_.remove(*pipeline_);
+  }
+  pipeline_ = std::make_unique<pipeline::RobotPipeline>(session::pipeline_for(profile_, slam_));
+  fork_.add(*pipeline_);
+  explorer_ = std::make_unique<exploration::NxtFarthest>(endless(profile_), random_);
+  last_ = exploration::MotionResult::kReached;
+}
+
+bool StopDriver::go_to_next_stop() {
+  while (!session_.end()) {
+    const auto motion = explorer_->next(pipeline_->snapshot(), last_);
+    if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
+      if (finished->reason != FinishReason::kNowhereToGo ||
+          ++stops_on_the_spot_ == kMostStopsOnTheSpot) {
+        finished_ = finished->reason;
+        return false;
+      }
+      start_anew();  // What bars the way may be its own map's fault.
+      continue;
+    }
+    stops_on_the_spot_ =
+        std::holds_alternative<exploration::Drive>(motion) ? 0 : stops_on_the_spot_;
+    last_ = session_.execute(motion);
+    if (std::holds_alternative<exploration::EndScan>(motion)) {
+      return !session_.end();
+    }
+  }
+  return false;
+}
+
+}  // namespace echomap::tracking

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "host/exploration/nxt_farthest.hpp"
+#include "host/pipeline/observation_fork.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+#include "host/session/robot_profile.hpp"
+#include "host/session/robot_session.hpp"
+
+namespace echomap::tracking {
+
+/// Drives a robot from stop to stop and sweeps its sonar at each, as long as is wanted, for others
+/// that listen at the same fork. Where to go, the strategy of the exploration decides by a map of
+/// its own, which begins where the driver does.
+class StopDriver {
+ public:
+  /// `session` feeds `fork`; both, and the profile, outlive this. SLAM of that name
+  /// (session::pipeline_for) places the robot in the driver's own map.
+  StopDriver(session::RobotSession& session,
+             pipeline::ObservationFork& fork,
+             const session::RobotProfile& profile,
+             std::string slam,
+             std::uint32_t seed);
+  ~StopDriver();
+  StopDriver(const StopDriver&) = delete;
+  StopDriver& operator=(const StopDriver&) = delete;
+
+  /// To the end of the next stop's scan; false where the session has ended or the strategy knows
+  /// nothing more to do, which `finished` tells. Where there is nowhere to go it listens once more
+  /// from the same place, a few times.
+  bool go_to_next_stop();
+  /// The robot was carried off: the driver's map is of somewhere else.
+  void start_anew();
+
+  /// Of the driver's own map.
+  const pipeline::RobotPipeline& pipeline() const { return *pipeline_; }
+  std::optional<exploration::FinishReason> finished() const { return finished_; }
+
+ private:
+  session::RobotSession& session_;
+  pipeline::ObservationFork& fork_;
+  const session::RobotProfile& profile_;
+  std::string slam_;
+  std::mt19937 random_;
+  std::unique_ptr<pipeline::RobotPipeline> pipeline_;
+  std::unique_ptr<exploration::NxtFarthest> explorer_;
+  int stops_on_the_spot_ = 0;  ///< In a row.
+  exploration::MotionResult last_ = exploration::MotionResult::kReached;
+  std::optional<exploration::FinishReason> finished_;
+};
+
+}  // namespace echomap::tracking

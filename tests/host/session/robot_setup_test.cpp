@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "host/session/robot_setup.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "host/console/exit_code.hpp"
+#include "protocol/config_digest.hpp"
+#include "tests/host/session/session_on_a_cable.hpp"
+
+namespace echomap::session {
+namespace {
+
+/// How a session sets its robot up.
+class RobotSetupTest : public SessionOnACable {
+ protected:
+  /// Of a link that ends while the robot is set up.
+  std::string reason_of_failure() {
+    try {
+      session->connect();
+    } catch (const console::CommandError& error) {
+      EXPECT_EQ(error.code(), console::ExitCode::kLinkLost);
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(RobotSetupTest, BeginsSettingUpAnewWhenTheBoardIsResetInItsMidst) {
+  cable.robot.on_command = [this](std::string_view name) {
+    if (name == "ConfigureSonar" && restarts == 0) {
+      pull_power_and_start_anew();
+    }
+  };
+  session->connect();
+  EXPECT_EQ(restarts, 1);
+  EXPECT_EQ(protocol::config_digest(cable.robot.configuration),
+            protocol::config_digest(profile.configuration))
+      << "the board kept some of its defaults";
+  EXPECT_TRUE(cable.robot.armed);
+}
+
+TEST_F(RobotSetupTest, GivesUpOnABoardThatIsResetAgainAndAgain) {
+  cable.robot.on_command = [this](std::string_view name) {
+    if (name == "Arm") {
+      pull_power_and_start_anew();
+    }
+  };
+  EXPECT_NE(reason_of_failure().find("again and again: 5 times"), std::string::npos);
+}
+
+TEST_F(RobotSetupTest, WaitsForACableThatIsPulledInItsMidst) {
+  cable.robot.on_command = [this](std::string_view name) {
+    if (name == "ConfigureSonar") {
+      cable.plugged = false;
+      after_ms(3000, [this] { cable.plugged = true; });
+    }
+  };
+  session->connect();
+  EXPECT_GT(session->now(), time::HostTime(std::chrono::seconds(3)));
+  EXPECT_EQ(protocol::config_digest(cable.robot.configuration),
+            protocol::config_digest(profile.configuration));
+  EXPECT_TRUE(cable.robot.armed);
+}
+
+TEST_F(RobotSetupTest, SaysWhatTheLastTryFailedAt) {
+  cable.robot.configuration = profile.configuration;
+  cable.robot.answer = protocol::CommandStatus::kBusy;
+  const std::string reason = reason_of_failure();
+  EXPECT_NE(reason.find("Arm: busy"), std::string::npos) << reason;
+  EXPECT_EQ(reason.find("again and again"), std::string::npos) << reason;
+
+  cable.robot.answers_bulk_reads = false;
+  cable.robot.answer = protocol::CommandStatus::kAccepted;
+  cable.robot.configuration.pan.max_cdeg = 4500;
+  session = new_session(false);
+  EXPECT_NE(reason_of_failure().find("reading its configuration: no answer"), std::string::npos);
+}
+
+TEST_F(RobotSetupTest, SendsNothingToABoardThatHoldsTheProfileAlready) {
+  cable.robot.configuration = profile.configuration;
+  session->connect();
+  EXPECT_EQ(cable.robot.configurations, 0);
+  EXPECT_EQ(cable.robot.bulk_reads, 0);
+  EXPECT_TRUE(cable.robot.armed);
+}
+
+TEST_F(RobotSetupTest, SendsOnlyWhatTheBoardDoesNotHold) {
+  cable.robot.configuration = profile.configuration;
+  cable.robot.configuration.pan.max_cdeg = 4500;
+  session->connect();
+  EXPECT_EQ(cable.robot.configurations, 1);
+  EXPECT_EQ(cable.robot.configuration.pan.max_cdeg, 9000);
+}
+
+/// A board that holds the gyro as wanted and lets go of it when it gets new pins.
+class NewPins : public RobotSetupTest {
+ protected:
+  NewPins() {
+    profile.configuration.sensors.gyro_period_ms = 10;
+    session = new_session(false);
+    cable.robot.configuration = profile.configuration;
+    ++cable.robot.configuration.pins.pin_0;
+    cable.robot.on_command = [this](std::string_view name) {
+      if (name == "ConfigurePins") {
+        cable.robot.configuration.sensors.gyro_period_ms = 0;
+      } else if (name == "ConfigureSensors" && refuses_sensors) {
+        cable.robot.answer = protocol::CommandStatus::kOutOfRange;
+      }
+    };
+  }
+
+  bool refuses_sensors = false;
+};
+
+TEST_F(NewPins, HaveWhatTheySwitchOffSentAgain) {
+  session->connect();
+  EXPECT_EQ(cable.robot.configuration.sensors.gyro_period_ms, 10);
+  EXPECT_EQ(cable.robot.configurations, 2);
+}
+
+TEST_F(NewPins, HaveTheRefusalOfWhatTheySwitchOffTold) {
+  refuses_sensors = true;
+  try {
+    session->connect();
+    FAIL() << "connected";
+  } catch (const console::CommandError& error) {
+    EXPECT_EQ(error.code(), console::ExitCode::kConfigInvalid);
+    EXPECT_NE(std::string(error.what()).find("refuses ConfigureSensors"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(RobotSetupTest, NamesTheFieldThatTheBoardDoesNotTake) {
+  cable.robot.pan_error_cdeg = 7;
+  try {
+    session->connect();
+    FAIL() << "connected";
+  } catch (const console::CommandError& error) {
+    EXPECT_EQ(error.code(), console::ExitCode::kConfigInvalid);
+    EXPECT_NE(std::string(error.what()).find("ConfigurePan.max_cdeg is 9007, not 9000"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_FALSE(cable.robot.armed);
+}
+
+TEST_F(RobotSetupTest, TakesARefusedProfileForInvalid) {
+  cable.robot.answer = protocol::CommandStatus::kOutOfRange;
+  try {
+    session->connect();
+    FAIL() << "connected";
+  } catch (const console::CommandError& error) {
+    EXPECT_EQ(error.code(), console::ExitCode::kConfigInvalid);
+  }
+}
+
+}  // namespace
+}  // namespace echomap::session

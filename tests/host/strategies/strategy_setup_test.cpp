@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "host/strategies/strategy_setup.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/thrown_text.hpp"
+
+namespace echomap::strategies {
+namespace {
+
+TEST(StrategySetup, TakesTheRobotFromItsProfile) {
+  const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
+  const auto params = nxt_farthest_params(profile, 7);
+  EXPECT_EQ(params.most_stops, 7U);
+  EXPECT_EQ(params.robot_radius_m, profile.body_radius_m);
+  EXPECT_EQ(params.sweep.pan_limit_rad, profile.pan_limit_rad);
+  EXPECT_EQ(params.sweep.settle_s, profile.settle_s);
+}
+
+TEST(StrategySetup, MakesEachStrategyThatTheOptionsMayName) {
+  std::mt19937 random(1);
+  for (const Strategy& strategy : strategies()) {
+    for (const char* robot : {"uno_2wd", "create", "epuck"}) {
+      const session::RobotProfile profile = session::load_robot_profile(robot);
+      StrategyOptions options;
+      options.name = strategy.name;
+      options.waypoints = options.name == "tangent-bug" ? "playground" : "";
+      if (strategy.lack(profile, options).empty()) {
+        EXPECT_TRUE(explorer_for(profile, options, random)) << strategy.name << " " << robot;
+      }
+    }
+  }
+}
+
+TEST(StrategySetup, TellsTangentBugOfTheRobot) {
+  const session::RobotProfile profile = session::load_robot_profile("ev3");
+  const auto params = tangent_bug_params(profile);
+  EXPECT_EQ(params.robot_radius_m, profile.body_radius_m);
+  EXPECT_EQ(params.beam_half_angle_rad, profile.beam_half_angle_rad);
+  EXPECT_EQ(params.farthest_m, profile.range.max_range_m);
+  EXPECT_EQ(params.sweep.pan_limit_rad, profile.pan_limit_rad);
+  EXPECT_EQ(params.sweep.settle_s, profile.settle_s);
+}
+
+TEST(StrategySetup, AsksForTheWaypointsOfTangentBug) {
+  std::mt19937 random(1);
+  StrategyOptions options;
+  options.name = "tangent-bug";
+  try {
+    explorer_for(session::load_robot_profile("ev3"), options, random);
+    FAIL() << "it has no waypoints";
+  } catch (const console::CommandError& error) {
+    EXPECT_EQ(error.code(), console::ExitCode::kUsage);
+    EXPECT_THAT(error.what(), testing::HasSubstr("--waypoints"));
+  }
+}
+
+TEST(StrategySetup, RefusesWhatOnlyAnotherStrategyGoesBy) {
+  const auto complaint_about = [](const StrategyOptions& options) {
+    return tests::thrown_text<console::CommandError>(
+        [&] { require_fit(session::load_robot_profile("uno_2wd"), options); });
+  };
+  StrategyOptions options;
+  options.name = "frontier";
+  options.scans = 2;
+  EXPECT_THAT(complaint_about(options),
+              testing::HasSubstr("--scans is for strategy 'nxt-farthest'"));
+  options.scans = 1;
+  options.waypoints = "playground";
+  EXPECT_THAT(complaint_about(options),
+              testing::HasSubstr("--waypoints is for strategy 'tangent-bug'"));
+}
+
+TEST(StrategySetup, SaysWhatARobotLacks) {
+  std::mt19937 random(1);
+  try {
+    explorer_for(session::load_robot_profile("create"), StrategyOptions{}, random);
+    FAIL() << "it has no sonar";
+  } catch (const console::CommandError& error) {
+    EXPECT_EQ(error.code(), console::ExitCode::kConfigInvalid);
+    EXPECT_THAT(error.what(), testing::HasSubstr("needs a sonar"));
+  }
+}
+
+}  // namespace
+}  // namespace echomap::strategies

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "host/tracking/localize_troubles.hpp"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/drawn_map.hpp"
+
+namespace echomap::tracking {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+const mapping::RasterMap kRoom =
+    tests::map_from({"##########", "#........#", "#........#", "#........#", "##########"}, 0.1);
+
+datasets::RangeScan scan(double stamp_s, double range_m = 0.2) {
+  datasets::RangeScan scan;
+  scan.stamp_s = stamp_s;
+  scan.max_range_m = 4.0;
+  scan.beam_opening_rad = 0.4;
+  scan.beams.push_back({0.0, range_m});
+  return scan;
+}
+
+std::string reason(const mapping::RasterMap& map, const std::vector<datasets::RangeScan>& scans) {
+  pipeline::LogLocalizer localizer(map, {}, std::mt19937(1));
+  for (const datasets::RangeScan& one : scans) {
+    localizer.add(one);
+  }
+  return why_nowhere(localizer, "a.log", "a.yaml");
+}
+
+TEST(LocalizeTroubles, SayWhyTheRobotIsNowhere) {
+  EXPECT_EQ(reason(kRoom, {}), "a.log holds no ranges");
+  EXPECT_EQ(reason(mapping::RasterMap(5, 5, 0.1, {0.0, 0.0}), {scan(0.0)}),
+            "a.yaml: no cell of the map is known");
+  EXPECT_EQ(reason(tests::map_from({"###", "###"}, 0.1), {scan(0.0)}),
+            "a.yaml: no cell of the map is free: there is no floor where a robot could be");
+  EXPECT_EQ(reason(kRoom, {scan(0.0, std::numeric_limits<double>::quiet_NaN())}),
+            "a.log: no reading has a range and a place that are numbers");
+}
+
+TEST(LocalizeTroubles, AreNoneWhenAllIsWell) {
+  pipeline::LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  localizer.start_at({0.4, 0.2, 0.0}, 0.1, 0.1);
+  localizer.add(scan(0.0));
+  EXPECT_THAT(troubles_of(localizer), IsEmpty());
+}
+
+TEST(LocalizeTroubles, NameAStartOffTheMapAndTimeThatRunsBackwards) {
+  pipeline::LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  localizer.start_at({40.0, 0.2, 0.0}, 0.1, 0.1);
+  localizer.add(scan(3.0));
+  localizer.add(scan(2.0));
+  localizer.add(scan(1.0));
+  EXPECT_THAT(
+      troubles_of(localizer),
+      ElementsAre("not there at the start: the robot was thought to be where the map has no "
+                  "floor; looked for everywhere",
+                  "2 scans were left out: time ran backwards"));
+}
+
+}  // namespace
+}  // namespace echomap::tracking

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "host/tracking/stop_driver.hpp"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "tests/host/session/session_on_a_cable.hpp"
+
+namespace echomap::tracking {
+namespace {
+
+using exploration::FinishReason;
+
+/// Counts scans.
+class Scans final : public pipeline::ObservationSink {
+ public:
+  void on_odometry(const sensors::OdometryObservation& /*observation*/) override {}
+  void on_sonar(const sensors::SonarObservation& /*observation*/) override { ++readings; }
+  void begin_scan() override {}
+  void end_scan() override { ++ended; }
+
+  int readings = 0;
+  int ended = 0;
+};
+
+/// The fake robot on its cable, which hears nothing unless it is let.
+class StopDriverTest : public session::SessionOnACable {
+ protected:
+  StopDriverTest() {
+    fork.add(scans);
+    session = std::make_unique<session::RobotSession>(
+        session::RobotConnection{
+            std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7},
+        profile,
+        fork);
+    session->connect();
+    driver = std::make_unique<StopDriver>(*session, fork, profile, "grid", 3);
+  }
+  void let_it_hear() {
+    cable.robot.on_command = [this](std::string_view name) {
+      for (int pan_deg = -90; name == "StartSweep" && pan_deg < 90; pan_deg += 6) {
+        cable.robot.send(protocol::Echo{cable.robot.stamp_us(),
+                                        0,
+                                        0,
+                                        static_cast<std::int16_t>(100 * pan_deg),
+                                        static_cast<std::uint16_t>(11'655)});
+      }
+    };
+  }
+
+  pipeline::ObservationFork fork;
+  Scans scans;
+  std::unique_ptr<StopDriver> driver;
+};
+
+TEST_F(StopDriverTest, SweepsTwiceAroundAtAStop) {
+  let_it_hear();
+  EXPECT_TRUE(driver->go_to_next_stop());
+  EXPECT_EQ(scans.ended, 1);
+  EXPECT_EQ(scans.readings, 4 * 30);
+  EXPECT_FALSE(driver->finished());
+}
+
+TEST_F(StopDriverTest, ListensOnWhereNothingAnswersAndThenKnowsNowhereToGo) {
+  EXPECT_TRUE(driver->go_to_next_stop());
+  EXPECT_TRUE(driver->go_to_next_stop());
+  EXPECT_TRUE(driver->go_to_next_stop());
+  EXPECT_FALSE(driver->go_to_next_stop());
+  EXPECT_EQ(driver->finished(), FinishReason::kNowhereToGo);
+}
+
+TEST_F(StopDriverTest, IsPlacedByTheSlamThatIsNamedAlsoWhereItStartsAnew) {
+  EXPECT_NE(driver->pipeline().slam(), nullptr);
+  driver = std::make_unique<StopDriver>(*session, fork, profile, "none", 3);
+  EXPECT_EQ(driver->pipeline().slam(), nullptr);
+  driver->start_anew();
+  EXPECT_EQ(driver->pipeline().slam(), nullptr);
+}
+
+TEST_F(StopDriverTest, EndsWithTheSession) {
+  cable.time_passes = false;
+  EXPECT_FALSE(driver->go_to_next_stop());
+  EXPECT_FALSE(driver->finished());
+}
+
+TEST_F(StopDriverTest, ListensNoMoreOnceItIsGone) {
+  driver.reset();
+  fork.end_scan();
+  EXPECT_EQ(scans.ended, 1);
+}
+
+}  // namespace
+}  // namespace echomap::tracking
