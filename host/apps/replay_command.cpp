@@ -13,6 +13,7 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/interrupt.hpp"
 #include "host/apps/progress_bar.hpp"
+#include "host/apps/replay_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/whole_records.hpp"
 #include "host/datasets/open_log.hpp"
@@ -218,9 +219,7 @@ void say_what_was_made(const exports::RunSummary& summary,
   }
 }
 
-}  // namespace
-
-ExitCode run_replay(const ReplayOptions& options) {
+ExitCode replay_log(const ReplayOptions& options) {
   const auto start = Clock::now();
   auto log = datasets::open_log(options.log, options.format);
   const auto out = run_folder(options.out);
@@ -260,6 +259,12 @@ ExitCode run_replay(const ReplayOptions& options) {
     return ExitCode::kRuntimeError;
   }
   return outcome == "interrupted" ? ExitCode::kInterrupted : ExitCode::kOk;
+}
+
+}  // namespace
+
+ExitCode run_replay(const ReplayOptions& options) {
+  return is_replayed_as_driven(options) ? replay_run(options) : replay_log(options);
 }
 
 }  // namespace echomap::apps

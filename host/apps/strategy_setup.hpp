@@ -43,6 +43,9 @@ struct Strategy {
 const std::vector<Strategy>& strategies();
 std::vector<std::string> strategy_names();
 
+/// What `--slam` says where the odometry alone places the robot.
+inline constexpr const char* kNoSlam = "none";
+
 /// What `--slam` of a robot that drives may be: the ways for sonars, and none.
 std::vector<std::string> live_slam_names();
 
