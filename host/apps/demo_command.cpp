@@ -84,7 +84,7 @@ DemoDrive drive(SimulatedRobot& robot,
   pipeline::RobotAtlas atlas =
       atlas_for(profile, options.fixes.empty() ? options.run.slam : "none");
   pipeline::ObservationFork fork;
-  const auto camera = camera_at(options.fixes, profile, atlas.pipeline());
+  const auto camera = camera_at(options.fixes, profile, atlas);
   if (camera) {
     fork.add(camera->sink());
   }

@@ -88,8 +88,7 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   if (snapshot.trajectory->empty()) {
     throw CommandError(ExitCode::kUsage,
                        "cannot resume " + run.string() +
-                           ": its record is empty, as that of a run with a camera\n  next: name "
-                           "another run, or start anew");
+                           ": its record is empty\n  next: name another run, or start anew");
   }
   if (snapshot.times_lifted > 0) {
     throw CommandError(ExitCode::kUsage,

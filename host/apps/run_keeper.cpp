@@ -93,12 +93,9 @@ void RunKeeper::remove_joined_maps() {
   }
 }
 
-/// Of a robot under a camera the record is empty: it does not hold what the camera has said.
 void RunKeeper::save_record() {
   const std::size_t changes = robot_.atlas.changes();
-  static const pipeline::ObservationLog kNothing;
-  const bool is_seen = robot_.camera != nullptr;
-  record_.save(is_seen ? kNothing : robot_.atlas.record(), changes == changes_recorded_);
+  record_.save(robot_.atlas.record(), changes == changes_recorded_);
   changes_recorded_ = changes;
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/apps/exit_code.hpp"
+#include "host/apps/saved_map.hpp"
 #include "host/apps/strategy_setup.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/support/scratch_folder.hpp"

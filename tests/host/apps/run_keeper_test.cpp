@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/apps/saved_map.hpp"
 #include "host/apps/strategy_setup.hpp"
 #include "host/exports/observations_csv.hpp"
 #include "host/files/atomic_file.hpp"
