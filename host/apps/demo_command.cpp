@@ -87,9 +87,9 @@ DemoDrive drive(session::SimulatedRobot& robot,
                 const std::filesystem::path& out,
                 exports::RunSummary& summary) {
   pipeline::RobotAtlas atlas =
-      session::atlas_for(profile, options.robot.fixes.empty() ? options.run.slam : "none");
+      session::atlas_for(profile, options.robot.fixes.empty() ? options.run.slam : session::kNoSlam);
   pipeline::ObservationFork fork;
-  const auto camera = tracking::camera_at(options.robot.fixes, profile, atlas.pipeline());
+  const auto camera = tracking::camera_at(options.robot.fixes, profile, atlas);
   if (camera) {
     fork.add(camera->sink());
   }

@@ -21,9 +21,9 @@ ExitCode run_explore(const ExploreOptions& options) {
   const auto out = run_folder(options.run.out);
   exports::RunSummary summary;
   pipeline::RobotAtlas atlas =
-      session::atlas_for(profile, options.fixes.empty() ? options.run.slam : "none");
+      session::atlas_for(profile, options.fixes.empty() ? options.run.slam : session::kNoSlam);
   pipeline::ObservationFork fork;
-  const auto camera = tracking::camera_at(options.fixes, profile, atlas.pipeline());
+  const auto camera = tracking::camera_at(options.fixes, profile, atlas);
   if (camera) {
     fork.add(camera->sink());
   }

@@ -178,6 +178,7 @@ void describe_run(const DrivenRobot& robot,
                   exports::RunSummary& summary) {
   summary.echomap_version = ECHOMAP_VERSION;
   summary.robot = robot.profile.name;
+  summary.slam = robot.atlas.pipeline().slam() != nullptr ? options.slam : session::kNoSlam;
   summary.strategy = options.strategy.name;
   summary.seed = options.seed;
   if (robot.resumed) {

@@ -11,6 +11,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/replay_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/whole_records.hpp"
 #include "host/console/interrupt.hpp"
@@ -219,9 +220,7 @@ void say_what_was_made(const exports::RunSummary& summary,
   }
 }
 
-}  // namespace
-
-ExitCode run_replay(const ReplayOptions& options) {
+ExitCode replay_log(const ReplayOptions& options) {
   const auto start = Clock::now();
   auto log = datasets::open_log(options.log, options.format);
   const auto out = run_folder(options.out);
@@ -261,6 +260,12 @@ ExitCode run_replay(const ReplayOptions& options) {
     return ExitCode::kRuntimeError;
   }
   return outcome == "interrupted" ? ExitCode::kInterrupted : ExitCode::kOk;
+}
+
+}  // namespace
+
+ExitCode run_replay(const ReplayOptions& options) {
+  return is_replayed_as_driven(options) ? replay_run(options) : replay_log(options);
 }
 
 }  // namespace echomap::apps

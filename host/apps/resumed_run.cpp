@@ -9,6 +9,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/report.hpp"
+#include "host/apps/saved_map.hpp"
 #include "host/console/exit_code.hpp"
 #include "host/console/print.hpp"
 #include "host/exports/observations_csv.hpp"
@@ -55,7 +56,7 @@ void require_same_robot(const std::filesystem::path& run,
 }
 
 /// Tells of a record whose writer was killed.
-void replay_record(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
+void play_record(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
   if (exports::replay_observations_csv(record, sink)) {
     spdlog::warn("the last line of {} is cut off, and all before it is read", record.string());
   }
@@ -63,8 +64,15 @@ void replay_record(const std::filesystem::path& record, pipeline::ObservationSin
 
 }  // namespace
 
-std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_t number) {
-  return run / fmt::format("former_{}", number);
+void play_run(const std::filesystem::path& run,
+              pipeline::ObservationSink& sink,
+              pipeline::RobotAtlas& atlas) {
+  play_record(run / kRecordName, sink);
+  for (std::size_t number = 1; exists(former_map_of(run, number)); ++number) {
+    pipeline::ObservationLog former;
+    play_record(former_map_of(run, number) / kRecordName, former);
+    atlas.set_aside(std::move(former));
+  }
 }
 
 std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
@@ -77,20 +85,14 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   require_record(run);
   const RunFacts facts = read_facts(run / "summary.json");
   require_same_robot(run, facts.robot, profile);
-  replay_record(run / kRecordName, sessions);
-  for (std::size_t number = 1; exists(former_map_of(run, number)); ++number) {
-    pipeline::ObservationLog former;
-    replay_record(former_map_of(run, number) / kRecordName, former);
-    atlas.set_aside(std::move(former));
-  }
+  play_run(run, sessions, atlas);
   sessions.begin_next();
   const auto snapshot = atlas.pipeline().snapshot();
   if (snapshot.trajectory->empty()) {
     throw console::CommandError(
         console::ExitCode::kUsage,
         "cannot resume " + run.string() +
-            ": its record is empty, as that of a run with a camera\n  next: name "
-            "another run, or start anew");
+            ": its record is empty\n  next: name another run, or start anew");
   }
   if (snapshot.times_lifted > 0) {
     throw console::CommandError(

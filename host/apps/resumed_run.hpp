@@ -11,19 +11,18 @@
 
 namespace echomap::apps {
 
-/// The record of a run, in its directory.
-inline constexpr const char* kRecordName = "observations.csv";
-/// That of the run that had the directory before.
-inline constexpr const char* kFormerRecordName = "observations.before.csv";
-
 /// What a run had come to when it ended.
 struct ResumedRun {
   std::size_t stops = 0;
   double sim_seconds = 0.0;
 };
 
-/// The folder of a run's map that was set aside, in its directory: 1 is the earliest.
-std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_t number);
+/// Hands the record of the run in that directory to `sink`, which leads to `atlas`, and those of
+/// its former maps to the atlas. Throws files::FileError where a record is damaged; what comes
+/// before is handed on.
+void play_run(const std::filesystem::path& run,
+              pipeline::ObservationSink& sink,
+              pipeline::RobotAtlas& atlas);
 
 /// Hands the record of the run in that directory to `sessions`, which lead to `atlas`, and those of
 /// its former maps to the atlas, and begins the next session there; does nothing for an empty path.

@@ -2,50 +2,19 @@
 #include "host/apps/run_keeper.hpp"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 #include <spdlog/spdlog.h>
 
 #include "host/apps/link_report.hpp"
+#include "host/apps/saved_map.hpp"
 #include "host/exports/confidence_grid_csv.hpp"
-#include "host/exports/pose_graph_g2o.hpp"
-#include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/session/firmware_name.hpp"
 
 namespace echomap::apps {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// Moves a file or folder, in place of one that has that name.
-void move_away(const fs::path& from, const fs::path& to) {
-  if (!exists(from)) {
-    return;
-  }
-  std::error_code failure;
-  fs::remove_all(to, failure);
-  if (!failure) {
-    fs::rename(from, to, failure);
-  }
-  if (failure) {
-    throw files::FileError(from.string() + " is in the way: " + failure.message());
-  }
-}
-
-void describe_slam(const pipeline::RobotPipeline& pipeline,
-                   const fs::path& folder,
-                   exports::RunSummary& summary) {
-  if (const slam::SlamMethod* slam = pipeline.slam()) {
-    exports::describe_uncertainty(slam->belief().covariance, summary);
-    exports::write_pose_graph_g2o(folder / "pose_graph.g2o", slam->factor_graph());
-  } else {
-    fs::remove(folder / "pose_graph.g2o");
-  }
-}
-
-}  // namespace
 
 RunKeeper::RunKeeper(const DrivenRobot& robot,
                      const exploration::Explorer& explorer,
@@ -68,11 +37,11 @@ void RunKeeper::save(const std::string& outcome) {
   describe_link();
   try {
     if (!former_is_kept_) {
-      keep_former_run();
+      move_earlier_run_aside(out_);
       former_is_kept_ = true;
     }
     save_former_maps();
-    save_map();
+    save_current_map();
     remove_joined_maps();
   } catch (const fs::filesystem_error& error) {
     throw files::FileError(error.what());
@@ -89,17 +58,14 @@ void RunKeeper::save_in_passing() {
   }
 }
 
-void RunKeeper::save_map() {
-  const auto snapshot = robot_.atlas.pipeline().snapshot();
-  exports::describe_snapshot(snapshot, summary_);
+void RunKeeper::save_current_map() {
   save_record();
-  describe_slam(robot_.atlas.pipeline(), out_, summary_);
   const exploration::StrategyProducts products = explorer_.products();
   if (products.phases > 0) {
     summary_.phases = products.phases;
     summary_.phases_reached = products.phases_reached;
   }
-  exports::write_run_directory(out_, snapshot, summary_, products.outline_m);
+  save_map(robot_.atlas.pipeline(), robot_.profile, out_, summary_, products.outline_m);
   if (products.confidence) {
     exports::write_confidence_grid_csv(out_ / "confidence_grid.csv", *products.confidence);
   }
@@ -114,12 +80,9 @@ void RunKeeper::save_former_maps() {
     const fs::path folder = former_map_of(out_, i + 1);
     exports::RunSummary summary = summary_;
     summary.outcome = "set-aside";
-    const auto snapshot = former[i].pipeline.snapshot();
-    exports::describe_snapshot(snapshot, summary);
     fs::create_directories(folder);
     exports::ObservationsFile(folder / kRecordName).save(former[i].record, false);
-    describe_slam(former[i].pipeline, folder, summary);
-    exports::write_run_directory(folder, snapshot, summary);
+    save_map(former[i].pipeline, robot_.profile, folder, summary);
   }
   changes_saved_ = robot_.atlas.changes();
   former_saved_ = std::max(former_saved_, former.size());
@@ -131,19 +94,9 @@ void RunKeeper::remove_joined_maps() {
   }
 }
 
-void RunKeeper::keep_former_run() const {
-  move_away(out_ / kRecordName, out_ / kFormerRecordName);
-  for (std::size_t number = 1; exists(former_map_of(out_, number)); ++number) {
-    move_away(former_map_of(out_, number), former_map_of(out_, number).string() + ".before");
-  }
-}
-
-/// Of a robot under a camera the record is empty: it does not hold what the camera has said.
 void RunKeeper::save_record() {
   const std::size_t changes = robot_.atlas.changes();
-  static const pipeline::ObservationLog kNothing;
-  const bool is_seen = robot_.camera != nullptr;
-  record_.save(is_seen ? kNothing : robot_.atlas.record(), changes == changes_recorded_);
+  record_.save(robot_.atlas.record(), changes == changes_recorded_);
   changes_recorded_ = changes;
 }
 

@@ -31,12 +31,10 @@ class RunKeeper {
  private:
   void describe_clock();
   void describe_link();
-  void save_map();
+  void save_current_map();
   void save_former_maps();
   /// Their stops are in the map that is saved by then.
   void remove_joined_maps();
-  /// What a former run has left in the same directory stays beside it.
-  void keep_former_run() const;
   void save_record();
 
   const DrivenRobot& robot_;

@@ -49,7 +49,7 @@ class Replay {
     std::string_view name;
     void (Replay::*hand_on)(datasets::FieldCursor& fields);
   };
-  static const std::array<Kind, 7> kKinds;
+  static const std::array<Kind, 8> kKinds;
 
   void hand_on(datasets::FieldCursor& fields) {
     const std::string_view name = fields.word("the kind");
@@ -103,11 +103,16 @@ class Replay {
   void carried(datasets::FieldCursor& fields) {
     const auto stamp = read_stamp(fields);
     const auto travel = read_travel(fields);
-    const double x_m = read_place_m(fields);
-    const double y_m = read_place_m(fields);
-    const double heading_rad = fields.number("the heading");
+    const auto T_map_robot = read_pose(fields);
     fields.expect_end();
-    sink_.on_carried({stamp, travel, {x_m, y_m, heading_rad}});
+    sink_.on_carried({stamp, travel, T_map_robot});
+  }
+
+  void fix(datasets::FieldCursor& fields) {
+    const auto stamp = read_stamp(fields);
+    const auto T_map_robot = read_pose(fields);
+    fields.expect_end();
+    sink_.on_pose_fix({stamp, T_map_robot});
   }
 
   void begin_scan(datasets::FieldCursor& fields) {
@@ -118,6 +123,12 @@ class Replay {
   void end_scan(datasets::FieldCursor& fields) {
     fields.expect_end();
     sink_.end_scan();
+  }
+
+  geometry::Pose2 read_pose(datasets::FieldCursor& fields) const {
+    const double x_m = read_place_m(fields);
+    const double y_m = read_place_m(fields);
+    return {x_m, y_m, fields.number("the heading")};
   }
 
   time::RobotTime read_stamp(datasets::FieldCursor& fields) const {
@@ -169,12 +180,13 @@ class Replay {
   sensors::WheelTravel travel_;  ///< Of the line before.
 };
 
-const std::array<Replay::Kind, 7> Replay::kKinds{{
+const std::array<Replay::Kind, 8> Replay::kKinds{{
     {"odometry", &Replay::odometry},
     {"sonar", &Replay::sonar},
     {"infrared", &Replay::infrared},
     {"hazards", &Replay::hazards},
     {"carried", &Replay::carried},
+    {"fix", &Replay::fix},
     {"begin-scan", &Replay::begin_scan},
     {"end-scan", &Replay::end_scan},
 }};
@@ -222,9 +234,13 @@ void ObservationRecorder::on_hazards(const sensors::HazardObservation& observati
 
 void ObservationRecorder::on_carried(const sensors::CarriedObservation& observation) {
   begin_line("carried", observation.stamp, observation.travel);
-  add(observation.T_map_robot.x_m());
-  add(observation.T_map_robot.y_m());
-  add(observation.T_map_robot.heading_rad());
+  add(observation.T_map_robot);
+  text_ += '\n';
+}
+
+void ObservationRecorder::on_pose_fix(const sensors::PoseFixObservation& observation) {
+  begin_line("fix", observation.stamp);
+  add(observation.T_map_robot);
   text_ += '\n';
 }
 
@@ -252,6 +268,12 @@ void ObservationRecorder::begin_line(std::string_view kind,
 void ObservationRecorder::add(double value) {
   text_ += ',';
   append_number(text_, value);
+}
+
+void ObservationRecorder::add(const geometry::Pose2& pose) {
+  add(pose.x_m());
+  add(pose.y_m());
+  add(pose.heading_rad());
 }
 
 void ObservationRecorder::add(const std::optional<double>& value) {

@@ -19,6 +19,7 @@ namespace echomap::exports {
 ///     infrared,STAMP_US,LEFT_M,RIGHT_M,RANGE_M,...       in the order of the profile
 ///     hazards,STAMP_US,BUMP,BUMP,CLIFF,CLIFF,CLIFF,CLIFF,LIFTED,VIRTUAL_WALL,WALL    0 or 1
 ///     carried,STAMP_US,LEFT_M,RIGHT_M,X_M,Y_M,HEADING_RAD    on the map, from there on
+///     fix,STAMP_US,X_M,Y_M,HEADING_RAD                   on the map, as a camera knows
 ///     begin-scan
 ///     end-scan
 class ObservationRecorder final : public pipeline::ObservationSink {
@@ -30,6 +31,7 @@ class ObservationRecorder final : public pipeline::ObservationSink {
   void on_hazards(const sensors::HazardObservation& observation) override;
   void on_infrared(const sensors::InfraredObservation& observation) override;
   void on_carried(const sensors::CarriedObservation& observation) override;
+  void on_pose_fix(const sensors::PoseFixObservation& observation) override;
   void begin_scan() override;
   void end_scan() override;
 
@@ -42,6 +44,7 @@ class ObservationRecorder final : public pipeline::ObservationSink {
   void begin_line(std::string_view kind, time::RobotTime stamp);
   void begin_line(std::string_view kind, time::RobotTime stamp, const sensors::WheelTravel& travel);
   void add(double value);
+  void add(const geometry::Pose2& pose);
   void add(const std::optional<double>& value);
 
   std::string text_;

@@ -40,6 +40,8 @@ struct RunSummary {
   /// How it ended: name_of(FinishReason), "interrupted", "link-lost", ...
   std::string outcome;
   std::string robot;
+  /// What placed the robot on its map: slam::NamedSlam::name, or "none" for its odometry.
+  std::string slam;
   std::string world;
   std::string firmware;
   std::string emulator;
@@ -62,6 +64,8 @@ struct RunSummary {
   /// Rows of poses.csv and of points.csv.
   std::size_t poses = 0;
   std::size_t points = 0;
+  /// Whether the strategy itself drew outline.geojson; else it is that of the grid.
+  bool outline_by_strategy = false;
   /// Waypoints that the strategy had, and those that it has reached; empty where it has none.
   std::optional<std::size_t> phases;
   std::optional<std::size_t> phases_reached;

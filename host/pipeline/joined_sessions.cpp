@@ -41,6 +41,10 @@ void JoinedSessions::on_carried(const sensors::CarriedObservation& observation) 
       {joined(observation.stamp), joined(observation.travel), observation.T_map_robot});
 }
 
+void JoinedSessions::on_pose_fix(const sensors::PoseFixObservation& observation) {
+  sink_.on_pose_fix({joined(observation.stamp), observation.T_map_robot});
+}
+
 void JoinedSessions::on_yaw(const sensors::YawObservation& observation) {
   sink_.on_yaw({joined(observation.stamp), observation.yaw});
 }

@@ -24,6 +24,7 @@ class JoinedSessions final : public ObservationSink {
   void on_hazards(const sensors::HazardObservation& observation) override;
   void on_infrared(const sensors::InfraredObservation& observation) override;
   void on_carried(const sensors::CarriedObservation& observation) override;
+  void on_pose_fix(const sensors::PoseFixObservation& observation) override;
   void on_yaw(const sensors::YawObservation& observation) override;
   void on_battery(const sensors::BatteryObservation& observation) override;
   void begin_scan() override { sink_.begin_scan(); }

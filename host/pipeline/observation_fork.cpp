@@ -33,6 +33,12 @@ void ObservationFork::on_carried(const sensors::CarriedObservation& observation)
   }
 }
 
+void ObservationFork::on_pose_fix(const sensors::PoseFixObservation& observation) {
+  for (ObservationSink* sink : sinks_) {
+    sink->on_pose_fix(observation);
+  }
+}
+
 void ObservationFork::on_yaw(const sensors::YawObservation& observation) {
   for (ObservationSink* sink : sinks_) {
     sink->on_yaw(observation);

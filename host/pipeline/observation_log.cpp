@@ -33,6 +33,10 @@ void ObservationLog::on_carried(const sensors::CarriedObservation& observation) 
   stretches_.push_back({observation, {}});
 }
 
+void ObservationLog::on_pose_fix(const sensors::PoseFixObservation& observation) {
+  add(observation);
+}
+
 void ObservationLog::begin_scan() {
   end_scan();
   add(BeginScan{});
@@ -58,6 +62,7 @@ void ObservationLog::replay(ObservationSink& sink, std::size_t skipped) const {
       [&](const sensors::SonarObservation& observation) { sink.on_sonar(observation); },
       [&](const sensors::HazardObservation& observation) { sink.on_hazards(observation); },
       [&](const sensors::InfraredObservation& observation) { sink.on_infrared(observation); },
+      [&](const sensors::PoseFixObservation& observation) { sink.on_pose_fix(observation); },
       [&](const BeginScan&) { sink.begin_scan(); },
       [&](const EndScan&) { sink.end_scan(); }};
   for (const Stretch& stretch : stretches_) {
@@ -171,6 +176,11 @@ ObservationLog joined(ObservationLog one,
   for (ObservationLog::Stretch stretch : other.stretches_) {
     if (stretch.carried) {
       stretch.carried->T_map_robot = T_one_other * stretch.carried->T_map_robot;
+    }
+    for (ObservationLog::Event& event : stretch.events) {
+      if (auto* fix = std::get_if<sensors::PoseFixObservation>(&event)) {
+        fix->T_map_robot = T_one_other * fix->T_map_robot;
+      }
     }
     one.stretches_.push_back(std::move(stretch));
   }

@@ -20,6 +20,7 @@ class ObservationLog final : public ObservationSink {
   void on_hazards(const sensors::HazardObservation& observation) override;
   void on_infrared(const sensors::InfraredObservation& observation) override;
   void on_carried(const sensors::CarriedObservation& observation) override;
+  void on_pose_fix(const sensors::PoseFixObservation& observation) override;
   void begin_scan() override;
   void end_scan() override;
 
@@ -52,6 +53,7 @@ class ObservationLog final : public ObservationSink {
                              sensors::SonarObservation,
                              sensors::HazardObservation,
                              sensors::InfraredObservation,
+                             sensors::PoseFixObservation,
                              BeginScan,
                              EndScan>;
   /// What was sensed in one go, since the robot was put down.

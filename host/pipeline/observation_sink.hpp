@@ -15,6 +15,7 @@ class ObservationSink {
   virtual void on_hazards(const sensors::HazardObservation& /*observation*/) {}
   virtual void on_infrared(const sensors::InfraredObservation& /*observation*/) {}
   virtual void on_carried(const sensors::CarriedObservation& /*observation*/) {}
+  virtual void on_pose_fix(const sensors::PoseFixObservation& /*observation*/) {}
   virtual void on_yaw(const sensors::YawObservation& /*observation*/) {}
   virtual void on_battery(const sensors::BatteryObservation& /*observation*/) {}
 

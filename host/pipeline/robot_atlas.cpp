@@ -51,6 +51,11 @@ void RobotAtlas::on_carried(const sensors::CarriedObservation& observation) {
   pipeline_.on_carried(observation);
 }
 
+void RobotAtlas::on_pose_fix(const sensors::PoseFixObservation& observation) {
+  record_.on_pose_fix(observation);
+  pipeline_.on_pose_fix(observation);
+}
+
 void RobotAtlas::begin_scan() {
   record_.begin_scan();
   pipeline_.begin_scan();

@@ -46,6 +46,7 @@ class RobotAtlas final : public ObservationSink {
   void on_hazards(const sensors::HazardObservation& observation) override;
   void on_infrared(const sensors::InfraredObservation& observation) override;
   void on_carried(const sensors::CarriedObservation& observation) override;
+  void on_pose_fix(const sensors::PoseFixObservation& observation) override;
   void on_yaw(const sensors::YawObservation& observation) override {
     pipeline_.on_yaw(observation);
   }

@@ -144,10 +144,10 @@ void RobotPipeline::move_past() {
   points_ = std::make_shared<mapping::PointCloudMap>(slam_->points(T_map_robots));
 }
 
-void RobotPipeline::move_to(const geometry::Pose2& T_map_robot) {
-  T_map_mapped_ = T_map_robot * (T_map_mapped_.inverse() * this->T_map_robot()).inverse();
+void RobotPipeline::on_pose_fix(const sensors::PoseFixObservation& observation) {
+  T_map_mapped_ = observation.T_map_robot * (T_map_mapped_.inverse() * T_map_robot()).inverse();
   if (!trajectory_->empty()) {
-    own(trajectory_).back().T_map_robot = T_map_robot;
+    own(trajectory_).back().T_map_robot = observation.T_map_robot;
   }
 }
 

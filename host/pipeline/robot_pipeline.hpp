@@ -44,6 +44,8 @@ class RobotPipeline final : public ObservationSink {
   void on_infrared(const sensors::InfraredObservation& observation) override;
   /// The pose is known again; what is in the map stays where it is. Ends a scan that is open.
   void on_carried(const sensors::CarriedObservation& observation) override;
+  /// The robot is there; its odometry continues from there.
+  void on_pose_fix(const sensors::PoseFixObservation& observation) override;
   void on_yaw(const sensors::YawObservation& observation) override { yaw_ = observation; }
   void on_battery(const sensors::BatteryObservation& observation) override {
     battery_ = observation;
@@ -53,10 +55,6 @@ class RobotPipeline final : public ObservationSink {
   /// Puts the scan's readings into the grid together, unless they are of a sonar that hangs or of
   /// another place.
   void end_scan() override;
-
-  /// The robot is there, as somebody knows who sees it (an overhead camera); its odometry goes on
-  /// from there. What is in the map already stays where it is.
-  void move_to(const geometry::Pose2& T_map_robot);
 
   Snapshot snapshot() const;
   /// Null without SLAM.

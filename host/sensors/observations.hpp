@@ -72,6 +72,13 @@ struct CarriedObservation {
   geometry::Pose2 T_map_robot;
 };
 
+/// Somebody who sees the robot, as an overhead camera, knows where it is at that instant. What is
+/// in the map already stays where it is.
+struct PoseFixObservation {
+  time::RobotTime stamp;
+  geometry::Pose2 T_map_robot;
+};
+
 /// The battery's voltage.
 struct BatteryObservation {
   time::RobotTime stamp;

@@ -6,8 +6,6 @@
 namespace echomap::session {
 namespace {
 
-constexpr const char* kNoSlam = "none";
-
 /// Cells of a map that is only felt: sensors of a few centimetres tell a wall's place to some
 /// millimetres, a sonar to some centimetres.
 constexpr double kNearResolutionM = 0.01;

@@ -10,6 +10,9 @@
 
 namespace echomap::session {
 
+/// What `--slam` is for a robot that its odometry alone places.
+inline constexpr const char* kNoSlam = "none";
+
 /// What `--slam` of a robot that drives may be: the SLAM methods for sonars, and "none".
 std::vector<std::string> live_slam_names();
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "host/files/atomic_file.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
@@ -157,14 +158,23 @@ void read_pan(const TomlReader& table, RobotProfile& profile) {
   }
 }
 
+std::string text_of(const std::filesystem::path& file) {
+  try {
+    return files::read_text_file(file);
+  } catch (const files::FileError& error) {
+    throw files::ConfigError(error.what());
+  }
+}
+
 }  // namespace
 
 std::uint16_t RobotProfile::ticks_per_s() const { return configuration.drive.max_ticks_per_s; }
 
 RobotProfile load_robot_profile(const std::string& name_or_file) {
-  const auto toml =
-      TomlReader::load(files::bundled_file(name_or_file, "host/profiles", "robot profile"));
+  const auto path = files::bundled_file(name_or_file, "host/profiles", "robot profile");
   RobotProfile profile;
+  profile.toml = text_of(path);
+  const auto toml = TomlReader::parse(profile.toml, path.string());
   profile.name = toml.text("name");
   read_drive(toml.table("drive"), profile);
   profile.body_radius_m = positive(toml.table("body"), "radius_m");

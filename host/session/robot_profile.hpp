@@ -16,6 +16,7 @@ namespace echomap::session {
 /// sent at connect, so a number is never changed by flashing.
 struct RobotProfile {
   std::string name;
+  std::string toml;  ///< Text of its file.
   sensors::RobotGeometry geometry;
   sensors::SonarRangeParams range;
   double speed_m_per_s = 0.0;

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/apps/saved_map.hpp"
 #include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/strategies/strategy_setup.hpp"

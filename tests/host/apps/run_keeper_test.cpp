@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/apps/saved_map.hpp"
 #include "host/exports/observations_csv.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/strategies/strategy_setup.hpp"

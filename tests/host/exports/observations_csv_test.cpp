@@ -114,6 +114,7 @@ TEST(ObservationsCsv, IsAsItsDocumentSays) {
   recorder.on_battery({at_us(10), 7.0});
   recorder.end_scan();
   recorder.on_carried({at_us(11), {0.1, 0.2}, {1.5, -2.0, 0.25}});
+  recorder.on_pose_fix({at_us(12), {1.25, -2.0, 0.5}});
   recorder.save(scratch / "record");
   EXPECT_EQ(files::read_text_file(scratch / "record"),
             "kind,stamp_us,values\n"
@@ -124,7 +125,11 @@ TEST(ObservationsCsv, IsAsItsDocumentSays) {
             "infrared,8,0.1,0.2,0.5,none\n"
             "hazards,9,0,1,1,0,0,0,1,0,0\n"
             "end-scan\n"
-            "carried,11,0.1,0.2,1.5,-2,0.25\n");
+            "carried,11,0.1,0.2,1.5,-2,0.25\n"
+            "fix,12,1.25,-2,0.5\n");
+  ObservationRecorder again;
+  EXPECT_FALSE(replay_observations_csv(scratch / "record", again));
+  EXPECT_EQ(again.lines(), recorder.lines());
 }
 
 TEST(ObservationsCsv, SaysWhichLineIsDamagedAndWhy) {

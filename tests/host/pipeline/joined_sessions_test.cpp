@@ -39,6 +39,10 @@ class Notes final : public ObservationSink {
     note(observation.stamp, observation.travel);
     T_map_robot = observation.T_map_robot;
   }
+  void on_pose_fix(const sensors::PoseFixObservation& observation) override {
+    stamps_us.push_back(observation.stamp.time_since_epoch().count());
+    T_map_robot = observation.T_map_robot;
+  }
   void on_yaw(const sensors::YawObservation& observation) override {
     stamps_us.push_back(observation.stamp.time_since_epoch().count());
   }
@@ -122,6 +126,9 @@ TEST_F(JoinedSessionsTest, HandsOnWhereTheRobotWasCarried) {
   EXPECT_EQ(notes.left_m.back(), 1.5);
   EXPECT_EQ(notes.right_m.back(), 1.25);
   EXPECT_EQ(notes.T_map_robot.x_m(), 3.0);
+  sessions.on_pose_fix({at_us(8), {5.0, 4.0, 1.0}});
+  EXPECT_EQ(notes.stamps_us.back(), 13);
+  EXPECT_EQ(notes.T_map_robot.x_m(), 5.0);
 }
 
 TEST_F(JoinedSessionsTest, EndsAnOpenScanAndWhatTouchedTheRobot) {

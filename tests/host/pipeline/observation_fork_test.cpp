@@ -18,6 +18,7 @@ class Notes final : public ObservationSink {
   void on_yaw(const sensors::YawObservation& /*observation*/) override { text += 'y'; }
   void on_battery(const sensors::BatteryObservation& /*observation*/) override { text += 'b'; }
   void on_carried(const sensors::CarriedObservation& /*observation*/) override { text += 'c'; }
+  void on_pose_fix(const sensors::PoseFixObservation& /*observation*/) override { text += 'f'; }
   void begin_scan() override { text += '('; }
   void end_scan() override { text += ')'; }
 
@@ -33,6 +34,7 @@ void tell_everything(ObservationSink& sink) {
   sink.on_yaw({});
   sink.on_battery({});
   sink.on_carried({});
+  sink.on_pose_fix({});
   sink.end_scan();
 }
 
@@ -43,12 +45,12 @@ TEST(ObservationFork, HandsEverythingOnToThoseThatListen) {
   fork.add(first);
   fork.add(second);
   tell_everything(fork);
-  EXPECT_EQ(first.text, "(oshiybc)");
+  EXPECT_EQ(first.text, "(oshiybcf)");
   EXPECT_EQ(second.text, first.text);
   fork.remove(first);
   tell_everything(fork);
-  EXPECT_EQ(first.text, "(oshiybc)");
-  EXPECT_EQ(second.text, "(oshiybc)(oshiybc)");
+  EXPECT_EQ(first.text, "(oshiybcf)");
+  EXPECT_EQ(second.text, "(oshiybcf)(oshiybcf)");
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ class Story final : public ObservationSink {
     text += "c" + whole(carried.travel.left_m) + "@" + whole(carried.T_map_robot.x_m()) + "," +
             whole(carried.T_map_robot.y_m()) + " ";
   }
+  void on_pose_fix(const sensors::PoseFixObservation& fix) override {
+    text += "f@" + whole(fix.T_map_robot.x_m()) + "," + whole(fix.T_map_robot.y_m()) + " ";
+  }
   void begin_scan() override { text += "( "; }
   void end_scan() override { text += ") "; }
 
@@ -146,10 +149,12 @@ TEST_F(ObservationLogTest, TwoAreJoinedInTheFrameOfTheFirstByTheirTime) {
   second.on_carried({at_us(10), {2.0, 2.0}, {}});
   ObservationLog third;
   third.on_carried({at_us(20), {3.0, 3.0}, {}});
+  third.on_pose_fix({at_us(21), {1.0, 1.0, 0.0}});
   const geometry::Pose2 T_first_third(5.0, 6.0, 0.0);
   const ObservationLog both = joined(third, first, T_first_third.inverse());
-  EXPECT_EQ(story_of(both), "o1 c3@5,6 ");
-  EXPECT_EQ(story_of(joined(second, both, geometry::Pose2(1.0, 0.0, 0.0))), "o1 c2@-1,0 c3@5,6 ");
+  EXPECT_EQ(story_of(both), "o1 c3@5,6 f@6,7 ");
+  EXPECT_EQ(story_of(joined(second, both, geometry::Pose2(1.0, 0.0, 0.0))),
+            "o1 c2@-1,0 c3@5,6 f@6,7 ");
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST_F(RobotPipelineTest, FollowsTheWheels) {
 
 TEST_F(RobotPipelineTest, GoesOnFromWhereItIsSeen) {
   pipeline.on_odometry({at_us(1000), travel(1.0, 0.0)});
-  pipeline.move_to({2.0, 3.0, geometry::radians(90.0)});
+  pipeline.on_pose_fix({at_us(1000), {2.0, 3.0, geometry::radians(90.0)}});
   EXPECT_EQ(pipeline.snapshot().latest.T_map_robot.x_m(), 2.0);
   pipeline.on_odometry({at_us(2000), travel(1.5, 0.0)});
   const auto snapshot = pipeline.snapshot();

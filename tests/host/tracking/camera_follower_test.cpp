@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/pipeline/observation_fork.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
 #include "tests/host/tracking/told_stream.hpp"
 
@@ -16,11 +17,11 @@ namespace {
 /// A robot that stands under a camera.
 class CameraFollowerTest : public session::SessionOnACable {
  protected:
-  CameraFollowerTest() : pipeline(profile.geometry) {
+  CameraFollowerTest() {
     follower = std::make_unique<CameraFollower>(
-        profile.geometry, FixStream(std::make_unique<tests::ToldStream>(bytes)), pipeline);
+        profile.geometry, FixStream(std::make_unique<tests::ToldStream>(bytes)), atlas);
     fork.add(follower->sink());
-    fork.add(pipeline);
+    fork.add(atlas);
     session = std::make_unique<session::RobotSession>(
         session::RobotConnection{
             std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7},
@@ -40,22 +41,36 @@ class CameraFollowerTest : public session::SessionOnACable {
 
   std::string bytes;
   pipeline::ObservationFork fork;
-  pipeline::RobotPipeline pipeline;
+  pipeline::RobotAtlas atlas = session::atlas_for(profile, session::kNoSlam);
   std::unique_ptr<CameraFollower> follower;
 };
 
 TEST_F(CameraFollowerTest, BeginsTheMapWhereTheRobotStandsAndMovesItWithTheFixes) {
   tell(70.0, 2.0, 1.5707963);
   follower->begin(*session);
-  EXPECT_NEAR(pipeline.snapshot().latest.T_map_robot.position_m().norm(), 0.0, 1e-6);
+  EXPECT_NEAR(atlas.pipeline().snapshot().latest.T_map_robot.position_m().norm(), 0.0, 1e-6);
   for (int i = 0; i < 20; ++i) {
     tell(73.1 + 0.1 * i, 1.97, 1.5707963);
     let_pass(100);
   }
   // The camera's -x is the map's y, as the robot looked along the camera's y.
-  const auto& pose = pipeline.snapshot().latest.T_map_robot;
+  const auto& pose = atlas.pipeline().snapshot().latest.T_map_robot;
   EXPECT_NEAR(pose.x_m(), 0.0, 0.005);
   EXPECT_NEAR(pose.y_m(), 0.03, 0.01);
+}
+
+TEST_F(CameraFollowerTest, ItsFixesAreInTheRecord) {
+  tell(70.0, 2.0, 1.5707963);
+  follower->begin(*session);
+  tell(73.1, 1.97, 1.5707963);
+  let_pass(200);
+  pipeline::RobotAtlas again = session::atlas_for(profile, session::kNoSlam);
+  atlas.record().replay(again);
+  const auto live = atlas.pipeline().snapshot().latest;
+  const auto replayed = again.pipeline().snapshot().latest;
+  EXPECT_NE(live.T_map_robot.y_m(), 0.0);
+  EXPECT_EQ(replayed.T_map_robot.position_m(), live.T_map_robot.position_m());
+  EXPECT_EQ(replayed.T_map_robot.heading_rad(), live.T_map_robot.heading_rad());
 }
 
 TEST_F(CameraFollowerTest, EndsWithoutAFix) {
@@ -63,9 +78,10 @@ TEST_F(CameraFollowerTest, EndsWithoutAFix) {
 }
 
 TEST(CameraAt, IsNoneWithoutAnAddress) {
-  pipeline::RobotPipeline pipeline(sensors::RobotGeometry{});
-  EXPECT_FALSE(camera_at("", session::RobotProfile{}, pipeline));
-  EXPECT_THROW(camera_at("nowhere", session::RobotProfile{}, pipeline), console::CommandError);
+  const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
+  pipeline::RobotAtlas atlas = session::atlas_for(profile, session::kNoSlam);
+  EXPECT_FALSE(camera_at("", profile, atlas));
+  EXPECT_THROW(camera_at("nowhere", profile, atlas), console::CommandError);
 }
 
 }  // namespace

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/replay_run.hpp"
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include "host/apps/report.hpp"
+#include "host/apps/resumed_run.hpp"
+#include "host/apps/saved_map.hpp"
+#include "host/console/print.hpp"
+#include "host/exports/geojson.hpp"
+#include "host/exports/observations_file.hpp"
+#include "host/files/atomic_file.hpp"
+#include "host/session/pipeline_setup.hpp"
+
+namespace echomap::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// Why the observations of a run are not played; empty where they are.
+std::string reason_against(const ReplayOptions& options) {
+  const ReplayOptions usual;
+  if (options.map != usual.map || options.poses != usual.poses || options.slam != usual.slam ||
+      options.resolution_m != usual.resolution_m) {
+    return "--map, --poses, --slam or --resolution asks for another map than the run's";
+  }
+  for (const char* needed : {kRecordName, kProfileName}) {
+    if (!exists(options.log / needed)) {
+      return fmt::format("the run has no {}", needed);
+    }
+  }
+  return "";
+}
+
+/// The summary of a run, and what of it the replay needs.
+struct PlayedSummary {
+  ordered_json json;
+  std::string slam;
+  bool outline_by_strategy = false;
+};
+
+PlayedSummary read_summary(const fs::path& path) {
+  PlayedSummary summary;
+  summary.json = ordered_json::parse(files::read_text_file(path), nullptr, false);
+  try {
+    summary.json.at("slam").get_to(summary.slam);
+    summary.json.at("outline_by_strategy").get_to(summary.outline_by_strategy);
+  } catch (const nlohmann::json::exception&) {
+    throw files::FileError(path.string() +
+                           ": not the summary of a run, slam or outline_by_strategy is missing");
+  }
+  return summary;
+}
+
+/// What a strategy has drawn itself is not in the observations.
+geometry::Polygon outline_of(const fs::path& run, const PlayedSummary& summary) {
+  const auto outline = summary.outline_by_strategy
+                           ? exports::read_outline_geojson(run / "outline.geojson")
+                           : std::nullopt;
+  return outline ? outline->outline_m() : geometry::Polygon{};
+}
+
+/// The run's summary, with what this replay has made of its map.
+void save_summary(const fs::path& folder,
+                  ordered_json run,
+                  const exports::RunSummary& map,
+                  const ordered_json& replay) {
+  const auto made = ordered_json::parse(exports::to_json_text(map));
+  for (const char* key : {"stops",
+                          "poses",
+                          "points",
+                          "outline_by_strategy",
+                          "pose_std_m",
+                          "pose_std_deg",
+                          "travelled_m",
+                          "free_area_m2"}) {
+    run[key] = made.at(key);
+  }
+  run["replay"] = replay;
+  write_report(folder / "summary.json", run);
+}
+
+struct PlayedMap {
+  const pipeline::ObservationLog& record;
+  const pipeline::RobotPipeline& pipeline;
+};
+
+void save_played(const PlayedMap& map,
+                 const session::RobotProfile& profile,
+                 const fs::path& run,
+                 const fs::path& out) {
+  const PlayedSummary summary = read_summary(run / "summary.json");
+  exports::RunSummary made;
+  fs::create_directories(out);
+  exports::ObservationsFile(out / kRecordName).save(map.record, false);
+  save_map(map.pipeline, profile, out, made, outline_of(run, summary));
+  save_summary(out,
+               summary.json,
+               made,
+               {{"log", run.filename().string()},
+                {"map", "grid"},
+                {"poses", summary.slam},
+                {"observations", map.record.observations()}});
+}
+
+}  // namespace
+
+bool is_replayed_as_driven(const ReplayOptions& options) {
+  if (!fs::is_directory(options.log)) {
+    return false;
+  }
+  const std::string reason = reason_against(options);
+  if (!reason.empty()) {
+    console::print("the map will differ from the run's: " + reason +
+                   "; its echoes are mapped as thin beams");
+  }
+  return reason.empty();
+}
+
+console::ExitCode replay_run(const ReplayOptions& options) {
+  const fs::path& run = options.log;
+  const session::RobotProfile profile = session::load_robot_profile((run / kProfileName).string());
+  pipeline::RobotAtlas atlas = session::atlas_for(profile, read_summary(run / "summary.json").slam);
+  const auto start = std::chrono::steady_clock::now();
+  std::string damage;
+  try {
+    play_run(run, atlas, atlas);
+  } catch (const files::FileError& error) {
+    damage = error.what();
+  }
+  const auto out = run_folder(options.out);
+  prepare_outputs(out, options.json);
+  for (std::size_t i = 0; i < atlas.former_maps().size(); ++i) {
+    const pipeline::FormerMap& former = atlas.former_maps()[i];
+    save_played({former.record, former.pipeline},
+                profile,
+                former_map_of(run, i + 1),
+                former_map_of(out, i + 1));
+  }
+  save_played({atlas.record(), atlas.pipeline()}, profile, run, out);
+  write_report(options.json, ordered_json::parse(files::read_text_file(out / "summary.json")));
+  console::print("map: " + (out / "map.png").string());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  console::print(fmt::format(
+      "{} observations played in {:.2f} s", atlas.record().observations(), seconds.count()));
+  if (!damage.empty()) {
+    spdlog::error("{}; the map up to there is kept", damage);
+    return console::ExitCode::kRuntimeError;
+  }
+  return console::ExitCode::kOk;
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/saved_map.hpp"
+
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "host/exports/pose_graph_g2o.hpp"
+#include "host/exports/run_directory.hpp"
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Renames a file or folder, in place of one that has that name.
+void move_aside(const fs::path& from, const fs::path& to) {
+  if (!exists(from)) {
+    return;
+  }
+  std::error_code failure;
+  fs::remove_all(to, failure);
+  if (!failure) {
+    fs::rename(from, to, failure);
+  }
+  if (failure) {
+    throw files::FileError(from.string() + " is in the way: " + failure.message());
+  }
+}
+
+void save_pose_graph(const pipeline::RobotPipeline& pipeline,
+                     const fs::path& folder,
+                     exports::RunSummary& summary) {
+  if (const slam::SlamMethod* slam = pipeline.slam()) {
+    exports::describe_uncertainty(slam->belief().covariance, summary);
+    exports::write_pose_graph_g2o(folder / "pose_graph.g2o", slam->factor_graph());
+    return;
+  }
+  const fs::path earlier = folder / "pose_graph.g2o";
+  std::error_code failure;
+  fs::remove(earlier, failure);
+  if (failure) {
+    throw files::FileError(earlier.string() + " is in the way: " + failure.message());
+  }
+}
+
+}  // namespace
+
+fs::path former_map_of(const fs::path& run, std::size_t number) {
+  return run / fmt::format("former_{}", number);
+}
+
+void move_earlier_run_aside(const fs::path& out) {
+  move_aside(out / kRecordName, out / kFormerRecordName);
+  for (std::size_t number = 1; exists(former_map_of(out, number)); ++number) {
+    move_aside(former_map_of(out, number), former_map_of(out, number).string() + ".before");
+  }
+}
+
+void save_map(const pipeline::RobotPipeline& pipeline,
+              const session::RobotProfile& profile,
+              const fs::path& folder,
+              exports::RunSummary& summary,
+              const geometry::Polygon& outline_m) {
+  const auto snapshot = pipeline.snapshot();
+  exports::describe_snapshot(snapshot, summary);
+  summary.outline_by_strategy = !outline_m.empty();
+  save_pose_graph(pipeline, folder, summary);
+  files::write_text_file(folder / kProfileName, profile.toml);
+  exports::write_run_directory(folder, snapshot, summary, outline_m);
+}
+
+}  // namespace echomap::apps

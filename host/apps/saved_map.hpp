@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "host/exports/summary_json.hpp"
+#include "host/geometry/polygon.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
+#include "host/session/robot_profile.hpp"
+
+namespace echomap::apps {
+
+/// The record of a run, in its directory.
+inline constexpr const char* kRecordName = "observations.csv";
+/// The record of the run that had the directory before.
+inline constexpr const char* kFormerRecordName = "observations.before.csv";
+/// The profile of the robot that drove, as it was then.
+inline constexpr const char* kProfileName = "robot.toml";
+
+/// The folder of a run's map that was set aside, in its directory: 1 is the earliest.
+std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_t number);
+
+/// Renames the record and the former maps of an earlier run in the same directory. Throws
+/// files::FileError.
+void move_earlier_run_aside(const std::filesystem::path& out);
+
+/// Writes the map of a pipeline into its run directory, with the pose graph of its SLAM and the
+/// profile of its robot, and fills in what `summary` says of the map. The outline is `outline_m`,
+/// or that of the grid where it is empty. Throws files::FileError.
+void save_map(const pipeline::RobotPipeline& pipeline,
+              const session::RobotProfile& profile,
+              const std::filesystem::path& folder,
+              exports::RunSummary& summary,
+              const geometry::Polygon& outline_m = {});
+
+}  // namespace echomap::apps

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/replay_run.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/apps/saved_map.hpp"
+#include "host/exports/observations_file.hpp"
+#include "host/files/atomic_file.hpp"
+#include "host/session/pipeline_setup.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/thrown_text.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ReplayRunTest : public ::testing::Test {
+ protected:
+  ReplayRunTest() {
+    options.log = scratch / "run";
+    options.out = scratch / "again";
+    std::filesystem::create_directories(options.log);
+    stop(1.0);
+    stop(1.2);
+    exports::ObservationsFile(options.log / kRecordName).save(atlas.record(), false);
+    summary.robot = profile.name;
+    summary.slam = "grid";
+    save_map(atlas.pipeline(), profile, options.log, summary);
+  }
+  /// All round, in a room whose walls are about so far.
+  void stop(double range_m) {
+    way_m += 0.2 / 3.0;
+    const sensors::WheelTravel travel{way_m, way_m};
+    atlas.on_odometry({stamp += std::chrono::milliseconds(20), travel});
+    atlas.begin_scan();
+    for (int i = 0; i < 31; ++i) {
+      atlas.on_sonar({stamp += std::chrono::milliseconds(50), travel, 0.1 * i - 1.5, range_m});
+    }
+    atlas.end_scan();
+  }
+  std::string text(const std::string& file) const {
+    return files::read_text_file(options.out / file);
+  }
+  std::string live_text(const std::string& file) const {
+    return files::read_text_file(options.log / file);
+  }
+
+  const tests::ScratchFolder scratch;
+  const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
+  pipeline::RobotAtlas atlas = session::atlas_for(profile, "grid");
+  exports::RunSummary summary;
+  time::RobotTime stamp;
+  double way_m = 0.0;
+  ReplayOptions options;
+};
+
+TEST_F(ReplayRunTest, WritesTheSameFiles) {
+  ASSERT_TRUE(is_replayed_as_driven(options));
+  EXPECT_EQ(run_replay(options), console::ExitCode::kOk);
+  for (const char* file : {"map.pgm",
+                           "map.yaml",
+                           "occupancy_grid.csv",
+                           "points.csv",
+                           "poses.csv",
+                           "trajectory.tum",
+                           "outline.geojson",
+                           "pose_graph.g2o",
+                           "observations.csv",
+                           "robot.toml"}) {
+    EXPECT_EQ(text(file), live_text(file)) << file;
+  }
+  const auto report = nlohmann::json::parse(text("summary.json"));
+  EXPECT_EQ(report.at("robot"), "uno_2wd");
+  EXPECT_EQ(report.at("replay").at("poses"), "grid");
+  EXPECT_EQ(report.at("pose_std_m"),
+            nlohmann::json::parse(live_text("summary.json"))["pose_std_m"]);
+}
+
+TEST_F(ReplayRunTest, KeepsTheOutlineThatTheStrategyDrew) {
+  save_map(atlas.pipeline(), profile, options.log, summary, {{0.1, 0.2}, {1.0, 0.3}, {0.7, 1.0}});
+  EXPECT_EQ(run_replay(options), console::ExitCode::kOk);
+  EXPECT_EQ(text("outline.geojson"), live_text("outline.geojson"));
+  EXPECT_EQ(text("map.svg"), live_text("map.svg"));
+}
+
+TEST_F(ReplayRunTest, IsNotForWhatAsksForAnotherMap) {
+  const auto with = [&](auto member, const auto& value) {
+    ReplayOptions other = options;
+    other.*member = value;
+    return is_replayed_as_driven(other);
+  };
+  EXPECT_FALSE(with(&ReplayOptions::slam, "ekf"));
+  EXPECT_FALSE(with(&ReplayOptions::poses, "given"));
+  EXPECT_FALSE(with(&ReplayOptions::map, "points"));
+  EXPECT_FALSE(with(&ReplayOptions::resolution_m, 0.1));
+  EXPECT_FALSE(with(&ReplayOptions::log, options.log / "poses.csv"));
+  std::filesystem::remove(options.log / kProfileName);
+  EXPECT_FALSE(is_replayed_as_driven(options)) << "as runs of older programs";
+}
+
+TEST_F(ReplayRunTest, KeepsTheMapUpToWhereTheRecordIsDamaged) {
+  const std::string record = live_text(kRecordName);
+  files::write_text_file(options.log / kRecordName, record + "odometry,1\n");
+  EXPECT_EQ(run_replay(options), console::ExitCode::kRuntimeError);
+  EXPECT_EQ(text("map.pgm"), live_text("map.pgm"));
+}
+
+TEST_F(ReplayRunTest, NeedsTheSummaryOfARun) {
+  files::write_text_file(options.log / "summary.json", "{}");
+  EXPECT_THAT(tests::thrown_text<files::FileError>([&] { run_replay(options); }),
+              HasSubstr("summary.json: not the summary of a run"));
+  EXPECT_FALSE(exists(options.out));
+}
+
+}  // namespace
+}  // namespace echomap::apps

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/saved_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/files/atomic_file.hpp"
+#include "host/session/pipeline_setup.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::apps {
+namespace {
+
+TEST(SavedMap, HoldsTheProfileOfItsRobotAndSaysWhoDrewTheOutline) {
+  const tests::ScratchFolder out;
+  const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
+  const auto pipeline = session::pipeline_for(profile, session::kNoSlam);
+  exports::RunSummary summary;
+  save_map(pipeline, profile, out.path(), summary, {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}});
+  EXPECT_TRUE(summary.outline_by_strategy);
+  EXPECT_TRUE(exists(out / "map.pgm"));
+  const session::RobotProfile again = session::load_robot_profile((out / kProfileName).string());
+  EXPECT_EQ(again.name, profile.name);
+  EXPECT_EQ(again.toml, profile.toml);
+  save_map(pipeline, profile, out.path(), summary);
+  EXPECT_FALSE(summary.outline_by_strategy);
+}
+
+TEST(SavedMap, HasAPoseGraphWhereThereIsSlam) {
+  const tests::ScratchFolder out;
+  const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
+  exports::RunSummary summary;
+  save_map(session::pipeline_for(profile, "grid"), profile, out.path(), summary);
+  EXPECT_TRUE(exists(out / "pose_graph.g2o"));
+  save_map(session::pipeline_for(profile, session::kNoSlam), profile, out.path(), summary);
+  EXPECT_FALSE(exists(out / "pose_graph.g2o")) << "that of the run before";
+}
+
+TEST(SavedMap, MovesAsideWhatAnEarlierRunHasLeft) {
+  const tests::ScratchFolder out;
+  files::write_text_file(out / kRecordName, "old");
+  std::filesystem::create_directories(former_map_of(out.path(), 1));
+  move_earlier_run_aside(out.path());
+  EXPECT_EQ(files::read_text_file(out / kFormerRecordName), "old");
+  EXPECT_FALSE(exists(out / kRecordName));
+  EXPECT_TRUE(exists(out / "former_1.before"));
+  EXPECT_FALSE(exists(former_map_of(out.path(), 1)));
+}
+
+}  // namespace
+}  // namespace echomap::apps
