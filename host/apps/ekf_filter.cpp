@@ -12,13 +12,14 @@
 #include "host/apps/belief_report.hpp"
 #include "host/apps/report.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/geometry/square.hpp"
 
 namespace echomap::apps {
 namespace {
 
 constexpr std::chrono::seconds kFixPatience(5);
 
-double square(double value) { return value * value; }
+using geometry::square;
 
 Eigen::Matrix3d covariance_of(double std_m, double std_rad) {
   return Eigen::Vector3d(square(std_m), square(std_m), square(std_rad)).asDiagonal();

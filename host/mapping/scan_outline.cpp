@@ -21,7 +21,7 @@ ScanOutline::ScanOutline(const ScanSurfaces& scan, double widest_gap_rad)
     : widest_gap_rad_(widest_gap_rad) {
   for (const auto& surface : scan.surfaces) {
     const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
-    const Eigen::Vector2d along(-normal.y(), normal.x());
+    const Eigen::Vector2d along = geometry::perpendicular(normal);
     for (const double side : {-1.0, 1.0}) {
       const Eigen::Vector2d place_m =
           surface.range_m * normal + side * surface.half_length_m * along;
