@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "host/geometry/unit_vector.hpp"
+
 namespace echomap::evaluation {
 
 namespace {
@@ -75,7 +77,7 @@ std::vector<Eigen::Vector2d> visible_wall_points_m(const MapTruth& truth) {
   std::vector<Eigen::Vector2d> points_m;
   for (const auto& wall : truth.walls) {
     const Eigen::Vector2d along = (wall.to_m - wall.from_m).normalized();
-    const Eigen::Vector2d skin_m = kWallSkinM * Eigen::Vector2d(-along.y(), along.x());
+    const Eigen::Vector2d skin_m = kWallSkinM * geometry::perpendicular(along);
     const int steps = static_cast<int>(std::lround(wall.length_m() / kWallStepM));
     for (int i = 0; i < steps; ++i) {
       const Eigen::Vector2d point_m = wall.from_m + (i + 0.5) * kWallStepM * along;

@@ -6,11 +6,13 @@
 #include <optional>
 #include <stdexcept>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/line_extraction.hpp"
+#include "host/optimization/gauss_newton.hpp"
+#include "host/optimization/normal_equations.hpp"
 
 namespace echomap::exploration {
 
@@ -72,36 +74,32 @@ const FittedLine* nearest_wall(const std::vector<FittedLine>& walls,
   return nearest;
 }
 
-/// One step of Gauss and Newton: the points' distances from their walls, and no farther astray than
-/// odometry may be.
-void improve(Shift& shift,
-             const std::vector<WallPoint>& points,
-             const std::vector<FittedLine>& walls,
-             const LoopClosureParams& params) {
+/// The points' distances from their walls, and no farther astray than odometry may be.
+optimization::NormalEquations<3> linearized(const Shift& shift,
+                                            const std::vector<WallPoint>& points,
+                                            const std::vector<FittedLine>& walls,
+                                            const LoopClosureParams& params) {
   const double position_weight = 1.0 / (params.position_sd_m * params.position_sd_m);
   const double heading_weight = 1.0 / (params.heading_sd_rad * params.heading_sd_rad);
   const double independent = (points.back().way_m - points.front().way_m) / kOneErrorM;
   const double wall_weight = std::max(independent, 1.0) / static_cast<double>(points.size()) /
                              (params.wall_sd_m * params.wall_sd_m);
-  Eigen::Matrix3d normal =
-      Eigen::Vector3d(position_weight, position_weight, heading_weight).asDiagonal();
-  Eigen::Vector3d right =
-      normal * Eigen::Vector3d(-shift.shift_m.x(), -shift.shift_m.y(), -shift.turn_rad);
+  optimization::NormalEquations<3> equations;
+  equations.add_prior(
+      {shift.shift_m.x(), shift.shift_m.y(), shift.turn_rad},
+      Eigen::Vector3d(position_weight, position_weight, heading_weight).asDiagonal());
   for (const WallPoint& point : points) {
     const Eigen::Vector2d place_m = shift(point.place_m);
     const WallPoint moved{place_m, point.way_m, point.heading_rad + shift.turn_rad};
     if (const FittedLine* wall = nearest_wall(walls, moved, params.reach_m)) {
       const Eigen::Vector2d across = geometry::unit_vector(wall->normal_rad);
       const Eigen::Vector2d arm_m = place_m - shift.centre_m - shift.shift_m;
-      const Eigen::Vector3d row(across.x(), across.y(), geometry::cross(arm_m, across));
-      const double off_m = across.dot(place_m) - wall->offset_m;
-      normal += wall_weight * row * row.transpose();
-      right -= wall_weight * off_m * row;
+      equations.add(across.dot(place_m) - wall->offset_m,
+                    {across.x(), across.y(), geometry::cross(arm_m, across)},
+                    wall_weight);
     }
   }
-  const Eigen::Vector3d step = normal.ldlt().solve(right);
-  shift.shift_m += step.head<2>();
-  shift.turn_rad += step.z();
+  return equations;
 }
 
 /// Between the steps the walk is bent by the turn's share of the way, then shifted by its share of
@@ -158,9 +156,14 @@ std::vector<WallStep> closed_walk(std::vector<WallStep> steps,
     shift.centre_m += point.place_m / static_cast<double>(last.size());
     end_m += point.way_m / static_cast<double>(last.size());
   }
-  for (int round = 0; round < params.rounds; ++round) {
-    improve(shift, last, walls, params);
-  }
+  optimization::gauss_newton(
+      params.rounds,
+      [&] { return linearized(shift, last, walls, params); },
+      [&shift](const Eigen::Vector3d& step) {
+        shift.shift_m += step.head<2>();
+        shift.turn_rad += step.z();
+        return false;
+      });
   bend(steps, shift, end_m);
   return steps;
 }

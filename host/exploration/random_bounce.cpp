@@ -4,6 +4,8 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "host/models/uniform_sample.hpp"
+
 namespace echomap::exploration {
 
 namespace {
@@ -34,7 +36,7 @@ Motion RandomBounce::next(const pipeline::Snapshot& snapshot, MotionResult last)
     return Roll{params_.speed_m_per_s, 0.0, params_.tick_s};
   }
   // Not a standard distribution: the choice has to repeat with any standard library.
-  const double share = static_cast<double>(random_()) / 4294967296.0;
+  const double share = models::uniform_sample(random_);
   const double turn_rad =
       params_.least_turn_rad + share * (params_.most_turn_rad - params_.least_turn_rad);
   return Roll{0.0, params_.spin_rad_per_s, turn_rad / params_.spin_rad_per_s};

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "host/exports/number_text.hpp"
 
 namespace echomap::exports {
 namespace {
@@ -44,12 +45,6 @@ int legend_width(const std::vector<LegendEntry>& legend) {
     width = std::max(width, 3 * kMargin + kSwatch + Picture::text_width(entry.text, kTextScale));
   }
   return width;
-}
-
-std::string number_text(double value) {
-  std::array<char, 32> digits{};
-  const int length = std::snprintf(digits.data(), digits.size(), "%.9g", value);
-  return {digits.data(), static_cast<std::size_t>(length)};
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 #include "host/exports/number_table.hpp"
+#include "host/exports/number_text.hpp"
 #include "host/files/atomic_file.hpp"
 
 namespace echomap::exports {
@@ -18,13 +18,6 @@ std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\"'[");
   const std::size_t end = text.find_last_not_of(" \t\r\"']");
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
-
-/// Nine digits: whole multiples of a resolution stay as short as a person would write them.
-std::string number_text(double value) {
-  std::array<char, 32> digits{};
-  const auto length = std::snprintf(digits.data(), digits.size(), "%.9g", value);
-  return {digits.data(), static_cast<std::size_t>(length)};
 }
 
 /// One file being read: knows where it is when something is wrong.

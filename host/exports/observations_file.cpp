@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "host/exports/observations_csv.hpp"
-#include "host/files/append_text.hpp"
+#include "host/files/atomic_file.hpp"
 
 namespace echomap::exports {
 

@@ -13,13 +13,39 @@
 
 namespace echomap::files {
 
+namespace {
+
+/// Throws FileError with the reason in errno.
+[[noreturn]] void fail(const char* action, const std::filesystem::path& path) {
+  const int reason = errno;
+  throw FileError("cannot " + std::string(action) + " " + path.string() + ": " +
+                  std::generic_category().message(reason));
+}
+
+/// False with the reason in errno where not all of it could be written.
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno != EINTR) {
+      return false;
+    }
+    text.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// The same. Pipes and devices cannot be flushed, and need not be.
+bool flush(int descriptor) { return ::fsync(descriptor) == 0 || errno == EINVAL; }
+
+}  // namespace
+
 AtomicFile::AtomicFile(std::filesystem::path path)
     : path_(std::move(path)), temporary_path_(path_.string() + ".part") {
   descriptor_ = ::open(temporary_path_.c_str(),
                        O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC,
                        S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
   if (descriptor_ < 0) {
-    fail("create");
+    fail("create", path_);
   }
 }
 
@@ -31,15 +57,8 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor_, text.data(), text.size());
-    if (written < 0 && errno == EINTR) {
-      continue;
-    }
-    if (written < 0) {
-      fail("write");
-    }
-    text.remove_prefix(static_cast<std::size_t>(written));
+  if (!write_all(descriptor_, text)) {
+    fail("write", path_);
   }
 }
 
@@ -48,25 +67,33 @@ void AtomicFile::write(std::span<const unsigned char> bytes) {
 }
 
 void AtomicFile::commit() {
-  if (::fsync(descriptor_) != 0 && errno != EINVAL) {
-    fail("write");
+  if (!flush(descriptor_)) {
+    fail("write", path_);
   }
   if (::rename(temporary_path_.c_str(), path_.c_str()) != 0) {
-    fail("rename");
+    fail("rename", path_);
   }
   ::close(std::exchange(descriptor_, -1));
-}
-
-void AtomicFile::fail(const char* action) const {
-  const int reason = errno;
-  throw FileError("cannot " + std::string(action) + " " + path_.string() + ": " +
-                  std::generic_category().message(reason));
 }
 
 void write_text_file(const std::filesystem::path& path, std::string_view text) {
   AtomicFile file(path);
   file.write(text);
   file.commit();
+}
+
+void append_text(const std::filesystem::path& path, std::string_view text) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor < 0) {
+    fail("write", path);
+  }
+  const bool is_written = write_all(descriptor, text) && flush(descriptor);
+  const int reason = errno;
+  ::close(descriptor);
+  if (!is_written) {
+    errno = reason;
+    fail("write", path);
+  }
 }
 
 std::string read_text_file(const std::filesystem::path& path) {

@@ -5,12 +5,13 @@
 #include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/square.hpp"
 
 namespace echomap::localization {
 
 namespace {
 
-double square(double value) { return value * value; }
+using geometry::square;
 
 }  // namespace
 

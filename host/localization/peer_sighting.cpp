@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "host/geometry/square.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::localization {
@@ -12,7 +13,7 @@ namespace {
 /// As good as none: no heading is farther off than half a turn.
 constexpr double kAnyHeadingVariance = 100.0;
 
-double square(double value) { return value * value; }
+using geometry::square;
 
 /// Along and across the line of sight, in the map.
 Eigen::Matrix2d line_of_sight(const PeerSighting& sighting, const PoseGaussian& observer) {

@@ -8,12 +8,13 @@
 
 #include "host/localization/lane_math.hpp"
 #include "host/mapping/vector_clones.hpp"
+#include "host/models/uniform_sample.hpp"
 
 namespace echomap::localization {
 
 namespace {
 
-double unit(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-32; }
+using models::uniform_sample;
 
 /// Sums in lanes, so that the order of additions is the same on every processor.
 template <typename Term>
@@ -146,7 +147,11 @@ void draw_residual(std::span<const float> weights,
   const std::size_t left = count - ancestors.size();
   if (left > 0 && rest > 0.0) {
     draw_by_steps(
-        rests, rest / static_cast<double>(left), left, [&] { return unit(random); }, ancestors);
+        rests,
+        rest / static_cast<double>(left),
+        left,
+        [&] { return uniform_sample(random); },
+        ancestors);
     std::sort(ancestors.begin(), ancestors.end());
   } else {
     ancestors.resize(count, ancestors.empty() ? 0 : ancestors.back());
@@ -159,10 +164,10 @@ void draw_by_wheel(std::span<const float> weights,
                    std::mt19937& random,
                    std::vector<std::uint32_t>& ancestors) {
   const double greatest = static_cast<double>(*std::max_element(weights.begin(), weights.end()));
-  auto i = static_cast<std::size_t>(unit(random) * static_cast<double>(weights.size()));
+  auto i = static_cast<std::size_t>(uniform_sample(random) * static_cast<double>(weights.size()));
   double beyond = 0.0;
   for (std::size_t drawn = 0; drawn < count; ++drawn) {
-    beyond += 2.0 * greatest * unit(random);
+    beyond += 2.0 * greatest * uniform_sample(random);
     while (beyond > static_cast<double>(weights[i])) {
       beyond -= static_cast<double>(weights[i]);
       i = i + 1 == weights.size() ? 0 : i + 1;
@@ -224,13 +229,13 @@ void draw_ancestors(std::span<const float> weights,
   }
   ancestors.reserve(count);
   if (scheme == ResamplingScheme::kSystematic) {
-    draw_systematic(weights, count, unit(random), ancestors, workers);
+    draw_systematic(weights, count, uniform_sample(random), ancestors, workers);
     return;
   }
   const double step = sum_of(weights) / static_cast<double>(count);
   if (scheme == ResamplingScheme::kStratified) {
     draw_by_steps(
-        weights, step, count, [&] { return unit(random); }, ancestors);
+        weights, step, count, [&] { return uniform_sample(random); }, ancestors);
   } else if (scheme == ResamplingScheme::kResidual) {
     draw_residual(weights, step, count, random, ancestors);
   } else {

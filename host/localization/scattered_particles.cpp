@@ -2,43 +2,27 @@
 #include "host/localization/scattered_particles.hpp"
 
 #include <numbers>
-#include <vector>
+
+#include "host/models/uniform_sample.hpp"
 
 namespace echomap::localization {
-
-namespace {
-
-double unit(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-32; }
-
-std::vector<geometry::CellIndex> free_cells(const mapping::RasterMap& map) {
-  std::vector<geometry::CellIndex> cells;
-  for (std::int32_t y = 0; y < map.rows(); ++y) {
-    for (std::int32_t x = 0; x < map.columns(); ++x) {
-      if (map.state({x, y}) == mapping::CellState::kFree) {
-        cells.push_back({x, y});
-      }
-    }
-  }
-  return cells;
-}
-
-}  // namespace
 
 Particles scattered_particles(const mapping::RasterMap& map,
                               std::size_t count,
                               std::mt19937& random) {
-  const std::vector<geometry::CellIndex> cells = free_cells(map);
+  const auto floor_m = mapping::centers_m(map, mapping::CellState::kFree);
   Particles particles;
-  if (cells.empty()) {
+  if (floor_m.empty()) {
     return particles;
   }
+  const auto uniform = [&random] { return models::uniform_sample(random); };
+  const auto cells = static_cast<double>(floor_m.size());
   particles.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto cell =
-        cells[static_cast<std::size_t>(unit(random) * static_cast<double>(cells.size()))];
-    const double x_m = map.center_m(cell).x() + map.resolution_m() * (unit(random) - 0.5);
-    const double y_m = map.center_m(cell).y() + map.resolution_m() * (unit(random) - 0.5);
-    const double heading_rad = (2.0 * unit(random) - 1.0) * std::numbers::pi;
+    const Eigen::Vector2d& center_m = floor_m[static_cast<std::size_t>(uniform() * cells)];
+    const double x_m = center_m.x() + map.resolution_m() * (uniform() - 0.5);
+    const double y_m = center_m.y() + map.resolution_m() * (uniform() - 0.5);
+    const double heading_rad = (2.0 * uniform() - 1.0) * std::numbers::pi;
     particles.set_pose(i, {x_m, y_m, heading_rad});
   }
   return particles;

@@ -33,7 +33,7 @@ Eigen::Matrix2d covariance_of(const Moments& moments,
                               std::size_t points,
                               double point_sd_m) {
   const Eigen::Vector2d normal = geometry::unit_vector(normal_rad);
-  const Eigen::Vector2d along(-normal.y(), normal.x());
+  const Eigen::Vector2d along = geometry::perpendicular(normal);
   const double along_m2 = along.dot(moments.scatter_m2 * along);
   const double across_m2 = normal.dot(moments.scatter_m2 * normal);
   const double spread_m2 = along_m2 - across_m2;

@@ -79,8 +79,7 @@ void RayInserter::place(const geometry::Pose2& T_map_sensor,
       T_map_sensor.position_m() / resolution_m - Eigen::Vector2d(origin.x, origin.y);
   rays_.clear();
   for (const Ray& ray : rays) {
-    Eigen::Vector2d way =
-        ray.end_m.x() * ahead + ray.end_m.y() * Eigen::Vector2d(-ahead.y(), ahead.x());
+    Eigen::Vector2d way = ray.end_m.x() * ahead + ray.end_m.y() * geometry::perpendicular(ahead);
     const double square = way.squaredNorm();
     if (!std::isfinite(square)) {
       continue;

@@ -64,14 +64,14 @@ void add_odometry(const std::vector<ScanSurfaces>& odometry,
   }
 }
 
-/// How bearing and range of a feature change with the correction of the scan that sees it: where a
+/// How range and bearing of a feature change with the correction of the scan that sees it: where a
 /// stop stands counts as much as where the feature stands, with the opposite sign.
-Eigen::Matrix<double, 2, 3> view_by_scan(const FeatureView& view, bool is_wall) {
+Eigen::Matrix<double, 2, 3> view_by_scan(const FeatureView& view, LandmarkKind kind) {
   const Eigen::Vector2d towards = geometry::unit_vector(view.bearing_rad);
-  const double turn_per_m = is_wall ? 0.0 : 1.0 / view.range_m;
+  const double turn_per_m = kind == LandmarkKind::kWall ? 0.0 : 1.0 / view.range_m;
   Eigen::Matrix<double, 2, 3> jacobian;
-  jacobian << -turn_per_m * geometry::perpendicular(towards).transpose(), -1.0,
-      -towards.transpose(), 0.0;
+  jacobian << -towards.transpose(), 0.0, -turn_per_m * geometry::perpendicular(towards).transpose(),
+      -1.0;
   return jacobian;
 }
 
@@ -83,11 +83,11 @@ void add_sightings(const std::vector<ScanSurfaces>& placed,
   for (const auto& [scan, index] : matched.supporters) {
     const SonarSurface& surface = placed[scan].surfaces[index];
     const FeatureView view = view_from(placed[scan].center_m, matched.feature);
-    const Eigen::Vector2d residual(geometry::angle_between(surface.bearing_rad, view.bearing_rad),
-                                   view.range_m - surface.range_m);
+    const Eigen::Vector2d residual(view.range_m - surface.range_m,
+                                   geometry::angle_between(surface.bearing_rad, view.bearing_rad));
     equations.add<2, 3, 2>(residual,
                            information,
-                           {scan, view_by_scan(view, matched.feature.is_wall)},
+                           {scan, view_by_scan(view, matched.feature.kind)},
                            {feature_block, view.jacobian});
   }
 }
@@ -106,7 +106,7 @@ AlignedScans align_scans(const std::vector<ScanSurfaces>& scans,
                          const SurfaceMatchingParams& matching,
                          const ScanAlignmentParams& params) {
   Corrections corrections(scans.size(), Eigen::Vector3d::Zero());
-  const Eigen::Vector2d variance(square(params.bearing_sd_rad), square(matching.range_sd_m));
+  const Eigen::Vector2d variance(square(matching.range_sd_m), square(params.bearing_sd_rad));
   const Eigen::Matrix2d information = variance.cwiseInverse().asDiagonal();
   for (int round = 0; round < params.rounds && scans.size() > 1; ++round) {
     const auto placed = corrected(scans, corrections).scans;

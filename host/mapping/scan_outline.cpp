@@ -5,23 +5,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/geometry/segment.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
-
-namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-}  // namespace
 
 ScanOutline::ScanOutline(const ScanSurfaces& scan, double widest_gap_rad)
     : widest_gap_rad_(widest_gap_rad) {
   for (const auto& surface : scan.surfaces) {
     const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
-    const Eigen::Vector2d along(-normal.y(), normal.x());
+    const Eigen::Vector2d along = geometry::perpendicular(normal);
     for (const double side : {-1.0, 1.0}) {
       const Eigen::Vector2d place_m =
           surface.range_m * normal + side * surface.half_length_m * along;
@@ -49,10 +42,10 @@ double ScanOutline::range_m(double bearing_rad) const {
     return 0.0;
   }
   const Eigen::Vector2d border_m = to.place_m - from.place_m;
-  const double slant = cross(geometry::unit_vector(bearing_rad), border_m);
+  const double slant = geometry::cross(geometry::unit_vector(bearing_rad), border_m);
   constexpr double kAlongTheBorder = 1e-9;
   return slant < kAlongTheBorder ? std::min(from.place_m.norm(), to.place_m.norm())
-                                 : cross(from.place_m, border_m) / slant;
+                                 : geometry::cross(from.place_m, border_m) / slant;
 }
 
 double ScanOutline::farthest_m() const {

@@ -145,7 +145,7 @@ void SonarMapper::add_surfaces(const ScanSurfaces& scan,
                                OccupancyGrid& grid) const {
   for (const auto& surface : scan.surfaces) {
     const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
-    const Eigen::Vector2d half_m = surface.half_length_m * Eigen::Vector2d(-normal.y(), normal.x());
+    const Eigen::Vector2d half_m = surface.half_length_m * geometry::perpendicular(normal);
     const Eigen::Vector2d middle_m = scan.center_m + surface.range_m * normal;
     const int evidence =
         surface.half_length_m > 0.0 ? params_.occupied_centilogits : params_.post_centilogits;
@@ -161,7 +161,7 @@ SonarMapper::CellSet SonarMapper::solid_cells(const OccupancyGrid& grid) const {
   CellSet cells;
   for (const auto& wall : matched_.walls) {
     const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
-    const Eigen::Vector2d along(-normal.y(), normal.x());
+    const Eigen::Vector2d along = geometry::perpendicular(normal);
     const Eigen::Vector2d foot_m = (wall.offset_m + params_.drawn_behind_m) * normal;
     for (const auto& piece : wall.pieces) {
       cells.merge(cells_along(grid, foot_m + piece.from_m * along, foot_m + piece.to_m * along));

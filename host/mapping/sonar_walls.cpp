@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/point_buckets.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
@@ -29,44 +29,6 @@ constexpr double kSteepest = 0.9;
 /// Pieces that hide others are drawn in cells of this size; a wall so near to a foot is its own.
 constexpr double kWallCellM = 0.05;
 constexpr double kOwnWallM = 0.1;
-
-/// A number for the square of a lattice that a point lies in, or for one beside it.
-std::int64_t square_of(const Eigen::Vector2d& point_m, double edge_m, int dx = 0, int dy = 0) {
-  const auto x = static_cast<std::int64_t>(std::floor(point_m.x() / edge_m)) + dx;
-  const auto y = static_cast<std::int64_t>(std::floor(point_m.y() / edge_m)) + dy;
-  return x * (std::int64_t{1} << 32) + y;
-}
-
-/// Views by where they stand, to find those nearby.
-class ViewIndex {
- public:
-  ViewIndex(const std::vector<SonarView>& views, double reach_m) : reach_m_(reach_m) {
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      places_[key(views[i].origin_m, 0, 0)].push_back(i);
-    }
-  }
-
-  /// Calls `visit(i)` for all views within `reach_m`, and some beyond.
-  template <typename Visitor>
-  void around(const Eigen::Vector2d& point_m, Visitor&& visit) const {
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const auto place = places_.find(key(point_m, dx, dy));
-        if (place != places_.end()) {
-          std::for_each(place->second.begin(), place->second.end(), visit);
-        }
-      }
-    }
-  }
-
- private:
-  std::int64_t key(const Eigen::Vector2d& point_m, int dx, int dy) const {
-    return square_of(point_m, reach_m_, dx, dy);
-  }
-
-  double reach_m_;
-  std::unordered_map<std::int64_t, std::vector<std::size_t>> places_;
-};
 
 /// A wall as one view hears it: its foot is `range_m` away towards `normal_rad`.
 struct HeardWall {
@@ -110,7 +72,9 @@ class WalledCells {
   }
 
  private:
-  static std::int64_t key(const Eigen::Vector2d& point_m) { return square_of(point_m, kWallCellM); }
+  static std::int64_t key(const Eigen::Vector2d& point_m) {
+    return geometry::square_key(point_m, kWallCellM);
+  }
 
   std::unordered_set<std::int64_t> cells_;
 };
@@ -143,11 +107,15 @@ class WallFinder {
         half_angle_rad_(half_angle_rad),
         max_range_m_(max_range_m),
         params_(params),
-        index_(views, std::max(max_range_m, params.most_baseline_m)) {}
+        index_(std::max(max_range_m, params.most_baseline_m)) {
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      index_.add(views[i].origin_m, i);
+    }
+  }
 
   std::vector<Segment> find() {
     for (std::size_t i = 0; i < views_.size(); ++i) {
-      index_.around(views_[i].origin_m, [&](std::size_t j) {
+      index_.visit_near(views_[i].origin_m, [&](std::size_t j) {
         const double apart_m = (views_[j].origin_m - views_[i].origin_m).norm();
         if (j > i && apart_m >= params_.least_baseline_m && apart_m <= params_.most_baseline_m) {
           add_tangents(views_[i], views_[j]);
@@ -214,7 +182,7 @@ class WallFinder {
       return;
     }
     bool missed = false;
-    index_.around(wall.from_m, [&](std::size_t i) {
+    index_.visit_near(wall.from_m, [&](std::size_t i) {
       missed = missed || misses(views_[i], wall, one.normal_rad);
     });
     if (!missed) {
@@ -247,7 +215,7 @@ class WallFinder {
   double half_angle_rad_;
   double max_range_m_;
   SonarWallParams params_;
-  ViewIndex index_;
+  geometry::PointBuckets<std::size_t> index_;
   std::vector<PieceOfWall> pieces_;
 };
 

@@ -24,7 +24,7 @@ std::vector<geometry::Segment> segments_of(const std::vector<MatchedWall>& walls
   std::vector<geometry::Segment> segments;
   for (const MatchedWall& wall : walls) {
     const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
-    const Eigen::Vector2d along(-normal.y(), normal.x());
+    const Eigen::Vector2d along = geometry::perpendicular(normal);
     const Eigen::Vector2d foot_m = wall.offset_m * normal;
     for (const auto& piece : wall.pieces) {
       segments.push_back({foot_m + (piece.from_m - beyond_ends_m) * along,

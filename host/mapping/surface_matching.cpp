@@ -11,7 +11,8 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/square.hpp"
-#include "host/mapping/sonar_feature.hpp"
+#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/echo_feature.hpp"
 #include "host/optimization/gauss_newton.hpp"
 #include "host/optimization/normal_equations.hpp"
 
@@ -21,9 +22,21 @@ namespace {
 
 constexpr int kFitSteps = 3;
 
+/// A surface with the place it was seen from.
+struct Sighting {
+  std::size_t scan = 0;
+  std::size_t index = 0;
+  Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
+  SonarSurface surface;
+
+  RangeCircle circle() const { return {center_m, surface.range_m}; }
+};
+
+bool is_wall(const EchoFeature& feature) { return feature.kind == LandmarkKind::kWall; }
+
 /// A feature and what supports it.
 struct Proposal {
-  SonarFeature feature;
+  EchoFeature feature;
   /// Indices of the sightings, at most one for each scan.
   std::vector<std::size_t> supporters;
   double support = 0.0;
@@ -78,7 +91,8 @@ class FeatureFinder {
     if (sightings_[first].scan == sightings_[second].scan) {
       return;
     }
-    for (const auto& feature : features_through(sightings_[first], sightings_[second])) {
+    for (const auto& feature :
+         features_through(sightings_[first].circle(), sightings_[second].circle())) {
       if (misfit_m(feature, sightings_[first]) && misfit_m(feature, sightings_[second])) {
         Proposal proposal{feature, {}, 0.0};
         gather(proposal);
@@ -89,25 +103,25 @@ class FeatureFinder {
   }
 
   /// How far a sighting's range is off; empty where it cannot be of that feature.
-  std::optional<double> misfit_m(const SonarFeature& feature, const Sighting& sighting) const {
+  std::optional<double> misfit_m(const EchoFeature& feature, const Sighting& sighting) const {
     const FeatureView view = view_from(sighting.center_m, feature);
     const double off_rad =
         std::abs(geometry::angle_between(view.bearing_rad, sighting.surface.bearing_rad));
     const double misfit_m = std::abs(view.range_m - sighting.surface.range_m);
     const double bearing_tolerance_rad =
-        feature.is_wall ? params_.wall_bearing_tolerance_rad : params_.post_bearing_tolerance_rad;
+        is_wall(feature) ? params_.wall_bearing_tolerance_rad : params_.post_bearing_tolerance_rad;
     if (off_rad > bearing_tolerance_rad || misfit_m > params_.range_tolerance_m) {
       return std::nullopt;
     }
     return misfit_m;
   }
 
-  double weight(const SonarFeature& feature, const Sighting& sighting, double misfit_m) const {
+  double weight(const EchoFeature& feature, const Sighting& sighting, double misfit_m) const {
     const double readings = static_cast<double>(sighting.surface.readings);
     const double relative = misfit_m / params_.range_tolerance_m;
     const bool looks_like_wall = sighting.surface.half_length_m > 0.0;
     return std::min(1.0, readings / params_.full_readings) * (1.0 - 0.5 * relative * relative) *
-           (looks_like_wall == feature.is_wall ? 1.0 : params_.other_kind_weight);
+           (looks_like_wall == is_wall(feature) ? 1.0 : params_.other_kind_weight);
   }
 
   /// Collects, of each scan, the sighting that fits best.
@@ -139,8 +153,8 @@ class FeatureFinder {
 
   /// Least squares over ranges and bearings of the supporters (Gauss and Newton).
   void fit(Proposal& proposal) const {
-    const Eigen::Vector2d variance(geometry::square(params_.bearing_sd_rad),
-                                   geometry::square(params_.range_sd_m));
+    const Eigen::Vector2d variance(geometry::square(params_.range_sd_m),
+                                   geometry::square(params_.bearing_sd_rad));
     const Eigen::Matrix2d information = variance.cwiseInverse().asDiagonal();
     const auto linearize = [&] {
       optimization::NormalEquations<2> equations;
@@ -148,14 +162,14 @@ class FeatureFinder {
         const auto& surface = sightings_[index].surface;
         const FeatureView view = view_from(sightings_[index].center_m, proposal.feature);
         const Eigen::Vector2d residual(
-            geometry::angle_between(surface.bearing_rad, view.bearing_rad),
-            view.range_m - surface.range_m);
+            view.range_m - surface.range_m,
+            geometry::angle_between(surface.bearing_rad, view.bearing_rad));
         equations.add<2>(residual, view.jacobian, information);
       }
       return equations;
     };
     optimization::gauss_newton(kFitSteps, linearize, [&](const Eigen::Vector2d& step) {
-      proposal.feature.parameters += step;
+      proposal.feature.value += step;
       return false;
     });
   }
@@ -199,9 +213,9 @@ std::vector<MatchedWall::Piece> joined(std::vector<MatchedWall::Piece> pieces,
 
 MatchedWall wall_of(const Proposal& proposal, const FeatureFinder& finder, double bridged_gap_m) {
   MatchedWall wall;
-  wall.normal_rad = geometry::wrap_angle(proposal.feature.parameters.x());
-  wall.offset_m = proposal.feature.parameters.y();
-  const Eigen::Vector2d along(-std::sin(wall.normal_rad), std::cos(wall.normal_rad));
+  wall.normal_rad = geometry::wrap_angle(proposal.feature.value.y());
+  wall.offset_m = proposal.feature.value.x();
+  const Eigen::Vector2d along = geometry::perpendicular(geometry::unit_vector(wall.normal_rad));
   for (const std::size_t index : proposal.supporters) {
     const Sighting& sighting = finder.sighting(index);
     const double foot_m = along.dot(sighting.center_m);
@@ -217,10 +231,10 @@ void add(const Proposal& proposal,
          const FeatureFinder& finder,
          double bridged_gap_m,
          MatchedSurfaces& matched) {
-  if (proposal.feature.is_wall) {
+  if (is_wall(proposal.feature)) {
     matched.walls.push_back(wall_of(proposal, finder, bridged_gap_m));
   } else {
-    matched.posts_m.push_back(proposal.feature.parameters);
+    matched.posts_m.push_back(proposal.feature.value);
   }
   matched.features.push_back({proposal.feature, {}});
   for (const std::size_t index : proposal.supporters) {
@@ -230,7 +244,7 @@ void add(const Proposal& proposal,
     const FeatureView view = view_from(sighting.center_m, proposal.feature);
     surface.bearing_rad = geometry::wrap_angle(view.bearing_rad);
     surface.range_m = view.range_m;
-    surface.half_length_m = proposal.feature.is_wall ? surface.half_length_m : 0.0;
+    surface.half_length_m = is_wall(proposal.feature) ? surface.half_length_m : 0.0;
   }
 }
 

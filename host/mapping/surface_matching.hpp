@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "host/mapping/sonar_feature.hpp"
+#include "host/mapping/echo_feature.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
 
 namespace echomap::mapping {
@@ -49,7 +49,7 @@ struct MatchedWall {
 
 /// A feature and the sightings that it was made of.
 struct MatchedFeature {
-  SonarFeature feature;
+  EchoFeature feature;
   /// Scan and index of the surface in it; at most one of each scan.
   std::vector<std::pair<std::size_t, std::size_t>> supporters;
 };

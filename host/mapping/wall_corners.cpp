@@ -15,8 +15,7 @@ namespace {
 using Piece = MatchedWall::Piece;
 
 Eigen::Vector2d along(const MatchedWall& wall) {
-  const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
-  return {-normal.y(), normal.x()};
+  return geometry::perpendicular(geometry::unit_vector(wall.normal_rad));
 }
 
 Eigen::Vector2d point_on(const MatchedWall& wall, double at_m) {

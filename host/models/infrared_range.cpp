@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
+
+#include "host/models/normal_density.hpp"
 
 namespace echomap::models {
 
@@ -39,9 +40,7 @@ double InfraredRange::likelihood(std::optional<double> range_m,
   }
   const double std_m =
       params_.near_std_m + params_.far_std_m * std::pow(*expected.range_m / most_m, 3);
-  const double ratio = (*range_m - *expected.range_m) / std_m;
-  return anywhere +
-         hit * std::exp(-0.5 * ratio * ratio) / (std_m * std::sqrt(2.0 * std::numbers::pi));
+  return anywhere + hit * normal_density(*range_m - *expected.range_m, std_m);
 }
 
 }  // namespace echomap::models

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
 
 namespace echomap::models {
 
@@ -23,10 +24,10 @@ std::optional<LandmarkView> landmark_view(const geometry::Pose2& T_map_robot,
     return std::nullopt;
   }
   const Eigen::Vector2d along = way_m / range_m;
-  const Eigen::Vector2d across(-along.y(), along.x());
+  const Eigen::Vector2d across = geometry::perpendicular(along);
   // A turn of the robot swings the sensor around its centre.
   const Eigen::Vector2d arm_m = T_map_sensor.position_m() - T_map_robot.position_m();
-  const Eigen::Vector2d swing_m(-arm_m.y(), arm_m.x());
+  const Eigen::Vector2d swing_m = geometry::perpendicular(arm_m);
   LandmarkView view;
   view.range_m = range_m;
   view.bearing_rad =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <Eigen/Core>
@@ -8,6 +9,14 @@
 #include "host/geometry/pose2.hpp"
 
 namespace echomap::models {
+
+/// What a landmark is: two numbers either way.
+enum class LandmarkKind : std::uint8_t {
+  kPoint,  ///< In the map x and y (m); seen as range (m) and bearing (rad).
+  /// A straight wall, seen from one side: the points p with n . p = offset, n the unit vector from
+  /// the robot's side into the wall. In the map, and as seen: offset (m) and direction of n (rad).
+  kWall,
+};
 
 /// How a landmark is seen from a pose, and how that changes with the pose.
 struct LandmarkView {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/square.hpp"
 
 namespace echomap::models {
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kLeastDriveM = 1e-3;
 
-double square(double value) { return value * value; }
+using geometry::square;
 
 }  // namespace
 

@@ -3,19 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "host/models/normal_density.hpp"
+
 namespace echomap::models {
-
-namespace {
-
-double normal_density(double off_m, double std_m) {
-  const double ratio = off_m / std_m;
-  return std::exp(-0.5 * ratio * ratio) / (std_m * std::sqrt(2.0 * std::numbers::pi));
-}
-
-}  // namespace
 
 BeamModel::BeamModel(const BeamModelParams& params) : params_(params) {
   const double least = std::min({params.short_chance,

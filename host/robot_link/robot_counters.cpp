@@ -6,18 +6,18 @@
 namespace echomap::robot_link {
 namespace {
 
-std::uint16_t step(std::uint16_t from, std::uint16_t to) {
+std::uint16_t increase(std::uint16_t from, std::uint16_t to) {
   return static_cast<std::uint16_t>(to - from);
 }
 
 }  // namespace
 
 void RobotCounters::take(const protocol::Health& health) {
-  frames_bad_ += step(last_.frames_bad, health.frames_bad);
-  frames_lost_ += step(last_.frames_lost, health.frames_lost);
-  receive_overruns_ += step(last_.receive_overruns, health.receive_overruns);
-  telemetry_dropped_ += step(last_.telemetry_dropped, health.telemetry_dropped);
-  encoder_errors_ += step(last_.encoder_errors, health.encoder_errors);
+  frames_bad_ += increase(last_.frames_bad, health.frames_bad);
+  frames_lost_ += increase(last_.frames_lost, health.frames_lost);
+  receive_overruns_ += increase(last_.receive_overruns, health.receive_overruns);
+  telemetry_dropped_ += increase(last_.telemetry_dropped, health.telemetry_dropped);
+  encoder_errors_ += increase(last_.encoder_errors, health.encoder_errors);
   if (health.stack_free_bytes != 0) {
     least_stack_free_bytes_ = std::min(least_stack_free_bytes_.value_or(health.stack_free_bytes),
                                        health.stack_free_bytes);

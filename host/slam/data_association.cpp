@@ -50,7 +50,7 @@ bool is_on_the_wall(const EkfSlam& filter,
                     double widest_gap_m) {
   const Pose2 T_map_sensor = filter.belief(sighting.robot).T_map_robot * sighting.T_robot_sensor;
   const double foot_m =
-      quarter_turned(geometry::unit_vector(wall.value.y())).dot(T_map_sensor.position_m());
+      geometry::perpendicular(geometry::unit_vector(wall.value.y())).dot(T_map_sensor.position_m());
   return foot_m + sighting.along_from_m <= wall.along_to_m + widest_gap_m &&
          foot_m + sighting.along_to_m >= wall.along_from_m - widest_gap_m;
 }

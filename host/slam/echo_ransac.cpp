@@ -20,6 +20,9 @@ namespace {
 constexpr int kFitRounds = 4;
 
 using geometry::square;
+using mapping::Echo;
+using mapping::EchoFeature;
+using models::LandmarkKind;
 
 /// Where along a wall echoes are from, in that order, and which.
 using Places = std::vector<std::pair<double, std::size_t>>;
@@ -186,11 +189,11 @@ class FeatureSearch {
                     optimization::NormalEquations<2>& equations) const {
     const auto expected = *echo_of(feature, echo, params_.hearing.most_slant_rad);
     equations.add(expected.range_m - echo.range_m,
-                  expected.range_by_feature.transpose(),
+                  expected.jacobian.row(0),
                   1.0 / square(params_.range_sd_m));
     equations.add(geometry::angle_between(echo.axis_rad, expected.bearing_rad),
-                  expected.bearing_by_feature.transpose(),
-                  3.0 / square(expected.widest_off_axis_rad));
+                  expected.jacobian.row(1),
+                  3.0 / square(expected.max_off_axis_rad));
   }
 
   /// Gauss and Newton over those that agree.

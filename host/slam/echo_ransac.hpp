@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "host/slam/echo_feature.hpp"
+#include "host/mapping/echo_feature.hpp"
 
 namespace echomap::slam {
 
@@ -17,7 +17,7 @@ struct EchoRansacParams {
   /// Pairs of echoes that are drawn. Their ends lie no farther apart than the reach.
   std::size_t pairs = 400;
   double pair_reach_m = 1.0;
-  HearingParams hearing{};
+  mapping::HearingParams hearing{};
   double range_sd_m = 0.03;  ///< Mean precision of an HC-SR04 (Singh and Bedi 2013, section 2.4).
   /// A wall's echoes leave no wider gap along it.
   double widest_gap_m = 0.8;
@@ -34,7 +34,7 @@ void check(const EchoRansacParams& params);
 
 /// A feature and the echoes that came from it.
 struct HeardFeature {
-  EchoFeature feature;
+  mapping::EchoFeature feature;
   /// Of its value, as far as the echoes' noise goes.
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   /// Indices; each echo is of one feature at most.
@@ -46,7 +46,7 @@ struct HeardFeature {
 /// that should have heard it and heard something behind it, is fitted to them and takes them; and
 /// again. The best supported comes first. The fit is least squares of ranges and of bearings, which
 /// lie anywhere in the cone (Tardos et al. 2002, section 3).
-std::vector<HeardFeature> find_features(const std::vector<Echo>& echoes,
+std::vector<HeardFeature> find_features(const std::vector<mapping::Echo>& echoes,
                                         const EchoRansacParams& params,
                                         std::mt19937& random);
 

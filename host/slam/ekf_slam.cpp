@@ -42,14 +42,14 @@ class GroupStep {
 
   Eigen::Vector2d place_m(const Eigen::Vector2d& place_m,
                           const Eigen::Vector2d& correction_m) const {
-    const Eigen::Vector2d own_m = correction_m - turn_rad_ * quarter_turned(place_m);
+    const Eigen::Vector2d own_m = correction_m - turn_rad_ * geometry::perpendicular(place_m);
     return Pose2(0.0, 0.0, turn_rad_) * place_m + turning_ * own_m;
   }
   Eigen::RowVector3d wall_by_first(const Eigen::Vector2d& before,
                                    const Eigen::Vector2d& after) const {
     const Eigen::Vector2d swing =
         geometry::unit_vector(after.y()) - geometry::unit_vector(before.y());
-    return {swing.x(), swing.y(), -swing.dot(quarter_turned(first_m_))};
+    return {swing.x(), swing.y(), -swing.dot(geometry::perpendicular(first_m_))};
   }
 
  private:
@@ -106,7 +106,7 @@ EkfSlam::MotionChange EkfSlam::change_by(std::size_t robot, const CalibratedMoti
                       to_map * motion.by_calibration,
                       to_map * motion.variances.asDiagonal() * to_map.transpose()};
   change.by_pose.topRightCorner<2, 1>() =
-      quarter_turned(to_map.topLeftCorner<2, 2>() * motion.T_before_after.position_m());
+      geometry::perpendicular(to_map.topLeftCorner<2, 2>() * motion.T_before_after.position_m());
   return change;
 }
 
@@ -262,7 +262,7 @@ Eigen::MatrixXd EkfSlam::step_invariantly_by(const Eigen::VectorXd& correction) 
   const GroupStep step(T_map_robots_.front().position_m(), correction);
   const auto moved = [&](const Eigen::Vector2d& place_m, Eigen::Index at) {
     const Eigen::Vector2d after_m = step.place_m(place_m, correction.segment<2>(at));
-    by_first.block<2, 1>(at, 2) = quarter_turned(after_m - place_m);
+    by_first.block<2, 1>(at, 2) = geometry::perpendicular(after_m - place_m);
     return after_m;
   };
   const auto moved_pose = [&](const Pose2& pose, Eigen::Index at) {
@@ -308,8 +308,8 @@ void EkfSlam::note(const LandmarkSighting& sighting, std::size_t landmark) {
   ++target.sightings;
   if (target.kind == LandmarkKind::kWall) {
     const Pose2 T_map_sensor = T_map_robots_[sighting.robot] * sighting.T_robot_sensor;
-    const double foot_m =
-        quarter_turned(geometry::unit_vector(target.value.y())).dot(T_map_sensor.position_m());
+    const double foot_m = geometry::perpendicular(geometry::unit_vector(target.value.y()))
+                              .dot(T_map_sensor.position_m());
     target.along_from_m = std::min(target.along_from_m, foot_m + sighting.along_from_m);
     target.along_to_m = std::max(target.along_to_m, foot_m + sighting.along_to_m);
   }
@@ -325,8 +325,8 @@ std::size_t EkfSlam::add(const LandmarkSighting& sighting) {
                          placed.by_value * sighting.noise * placed.by_value.transpose());
   Landmark landmark{sighting.kind, placed.landmark, 0.0, 0.0, sighting.label, 0};
   const Pose2 T_map_sensor = T_map_robots_[sighting.robot] * sighting.T_robot_sensor;
-  const double foot_m =
-      quarter_turned(geometry::unit_vector(placed.landmark.y())).dot(T_map_sensor.position_m());
+  const double foot_m = geometry::perpendicular(geometry::unit_vector(placed.landmark.y()))
+                            .dot(T_map_sensor.position_m());
   landmark.along_from_m = foot_m + sighting.along_from_m;
   landmark.along_to_m = foot_m + sighting.along_to_m;
   landmark.sightings = 1;

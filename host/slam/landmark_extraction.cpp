@@ -17,7 +17,7 @@ std::vector<Eigen::Vector2d> points_of(const RangeScan& scan, double most_range_
 
 LandmarkSighting wall_sighting(const mapping::FittedLine& line,
                                const LandmarkExtractionParams& params) {
-  const Eigen::Vector2d along = quarter_turned(geometry::unit_vector(line.normal_rad));
+  const Eigen::Vector2d along = geometry::perpendicular(geometry::unit_vector(line.normal_rad));
   const double from_m = along.dot(line.segment.from_m);
   const double to_m = along.dot(line.segment.to_m);
   const Eigen::Vector2d own_sd(params.wall_offset_sd_m, params.wall_normal_sd_rad);

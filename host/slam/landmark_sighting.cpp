@@ -3,7 +3,6 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
-#include "host/models/landmark_view.hpp"
 
 namespace echomap::slam {
 
@@ -32,9 +31,9 @@ ExpectedSighting expected_wall(const Eigen::Vector2d& wall,
   ExpectedSighting expected;
   expected.value = {wall.x() - normal.dot(T_map_sensor.position_m()),
                     geometry::angle_between(T_map_sensor.heading_rad(), wall.y())};
-  expected.by_pose << -normal.x(), -normal.y(), -normal.dot(quarter_turned(arm_m)),  //
+  expected.by_pose << -normal.x(), -normal.y(), -normal.dot(geometry::perpendicular(arm_m)),  //
       0.0, 0.0, -1.0;
-  expected.by_landmark << 1.0, -quarter_turned(normal).dot(T_map_sensor.position_m()),  //
+  expected.by_landmark << 1.0, -geometry::perpendicular(normal).dot(T_map_sensor.position_m()),  //
       0.0, 1.0;
   return expected;
 }
@@ -47,8 +46,8 @@ PlacedLandmark placed_point(const LandmarkSighting& sighting, const Pose2& T_map
   PlacedLandmark placed;
   placed.landmark = T_map_sensor.position_m() + way_m;
   placed.by_pose << Eigen::Matrix2d::Identity(),
-      quarter_turned(placed.landmark - T_map_robot.position_m());
-  placed.by_value << along, quarter_turned(way_m);
+      geometry::perpendicular(placed.landmark - T_map_robot.position_m());
+  placed.by_value << along, geometry::perpendicular(way_m);
   return placed;
 }
 
@@ -57,10 +56,10 @@ PlacedLandmark placed_wall(const LandmarkSighting& sighting, const Pose2& T_map_
   const Eigen::Vector2d arm_m = T_map_sensor.position_m() - T_map_robot.position_m();
   const double normal_rad = geometry::wrap_angle(T_map_sensor.heading_rad() + sighting.value.y());
   const Eigen::Vector2d normal = geometry::unit_vector(normal_rad);
-  const double sway_m = quarter_turned(normal).dot(T_map_sensor.position_m());
+  const double sway_m = geometry::perpendicular(normal).dot(T_map_sensor.position_m());
   PlacedLandmark placed;
   placed.landmark = {sighting.value.x() + normal.dot(T_map_sensor.position_m()), normal_rad};
-  placed.by_pose << normal.x(), normal.y(), sway_m + normal.dot(quarter_turned(arm_m)),  //
+  placed.by_pose << normal.x(), normal.y(), sway_m + normal.dot(geometry::perpendicular(arm_m)),  //
       0.0, 0.0, 1.0;
   placed.by_value << 1.0, sway_m,  //
       0.0, 1.0;

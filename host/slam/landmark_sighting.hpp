@@ -2,22 +2,16 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 
 #include <Eigen/Core>
 
 #include "host/geometry/pose2.hpp"
+#include "host/models/landmark_view.hpp"
 
 namespace echomap::slam {
 
-/// What a landmark is: two numbers either way.
-enum class LandmarkKind : std::uint8_t {
-  kPoint,  ///< In the map x and y (m); seen as range (m) and bearing (rad).
-  /// A straight wall, seen from one side: the points p with n . p = offset, n the unit vector from
-  /// the robot's side into the wall. In the map, and as seen: offset (m) and direction of n (rad).
-  kWall,
-};
+using models::LandmarkKind;
 
 /// A landmark as a sensor has seen it.
 struct LandmarkSighting {
@@ -65,10 +59,5 @@ PlacedLandmark placed_landmark(const LandmarkSighting& sighting,
 
 /// What was seen less what was expected; the angle in (-pi, pi].
 Eigen::Vector2d innovation(const Eigen::Vector2d& seen, const Eigen::Vector2d& expected);
-
-/// A quarter turn counter-clockwise.
-inline Eigen::Vector2d quarter_turned(const Eigen::Vector2d& vector) {
-  return {-vector.y(), vector.x()};
-}
 
 }  // namespace echomap::slam

@@ -21,7 +21,7 @@ Eigen::Vector2d middle_m(const Landmark& landmark) {
   }
   const Eigen::Vector2d normal = geometry::unit_vector(landmark.value.y());
   return landmark.value.x() * normal +
-         0.5 * (landmark.along_from_m + landmark.along_to_m) * quarter_turned(normal);
+         0.5 * (landmark.along_from_m + landmark.along_to_m) * geometry::perpendicular(normal);
 }
 
 /// Whether the beam that points to a place of the map ends well behind it.

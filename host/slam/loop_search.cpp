@@ -117,7 +117,7 @@ std::vector<LoopSearch::Cell> LoopSearch::cells_of(std::span<const Eigen::Vector
   cells.reserve(points_m.size());
   for (const Eigen::Vector2d& point_m : points_m) {
     const Eigen::Vector2d placed_m =
-        position_m + point_m.x() * ahead + point_m.y() * Eigen::Vector2d(-ahead.y(), ahead.x());
+        position_m + point_m.x() * ahead + point_m.y() * geometry::perpendicular(ahead);
     const Eigen::Vector2d in_cells = (placed_m - origin_m_) / params_.cell_m;
     cells.push_back(
         {static_cast<int>(std::floor(in_cells.x())), static_cast<int>(std::floor(in_cells.y()))});

@@ -88,7 +88,7 @@ void MultiscanGathering::gather(const RangeScan& scan) {
 }
 
 void MultiscanGathering::thin_out() {
-  std::vector<Echo> kept;
+  std::vector<mapping::Echo> kept;
   for (std::size_t i = 0; i < open_.echoes.size(); i += 2) {
     kept.push_back(open_.echoes[i]);
   }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
+#include "host/mapping/wall_echo.hpp"
 #include "host/slam/odometry_piece.hpp"
 #include "host/slam/range_scan.hpp"
-#include "host/slam/wall_echo.hpp"
 
 namespace echomap::slam {
 
@@ -30,7 +30,7 @@ struct MultiscanParams {
 /// where that began.
 struct Multiscan {
   geometry::Pose2 T_odom_begin;
-  std::vector<Echo> echoes;
+  std::vector<mapping::Echo> echoes;
 };
 
 /// Gathers scans into multiscans by what was driven and turned.

@@ -6,11 +6,13 @@
 
 #include <Eigen/Geometry>
 
+#include "host/geometry/square.hpp"
+
 namespace echomap::slam {
 
 namespace {
 
-double square(double value) { return value * value; }
+using geometry::square;
 
 double drift_rad(const OdometryPiece& piece, const OdometryCalibration& calibration) {
   return calibration.turn_share() * piece.turn_rad + calibration.drift_rad_per_m() * piece.path_m;

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <stdexcept>
-#include <unordered_map>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/point_buckets.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::slam {
@@ -43,38 +42,7 @@ PlacedPatch placed(const PlacedPatches& multiscan, PatchIndex index) {
 }
 
 /// Patches by the square of the map that they lie in.
-class PatchCells {
- public:
-  explicit PatchCells(double edge_m) : edge_m_(edge_m) {}
-
-  void add(const PlacedPatch& patch) {
-    cells_[key(whole(patch.point_m.x()), whole(patch.point_m.y()))].push_back(patch);
-  }
-
-  /// Calls `visit` for the patches of the square that holds the point and of the eight around it.
-  template <class Visit>
-  void visit_near(const Eigen::Vector2d& point_m, const Visit& visit) const {
-    for (std::int64_t x = whole(point_m.x()) - 1; x <= whole(point_m.x()) + 1; ++x) {
-      for (std::int64_t y = whole(point_m.y()) - 1; y <= whole(point_m.y()) + 1; ++y) {
-        const auto cell = cells_.find(key(x, y));
-        if (cell != cells_.end()) {
-          std::for_each(cell->second.begin(), cell->second.end(), visit);
-        }
-      }
-    }
-  }
-
- private:
-  std::int64_t whole(double coordinate_m) const {
-    return static_cast<std::int64_t>(std::floor(coordinate_m / edge_m_));
-  }
-  static std::int64_t key(std::int64_t x, std::int64_t y) {
-    return x * (std::int64_t{1} << 32U) + y;
-  }
-
-  double edge_m_;
-  std::unordered_map<std::int64_t, std::vector<PlacedPatch>> cells_;
-};
+using PatchCells = geometry::PointBuckets<PlacedPatch>;
 
 struct Candidate {
   PatchMatch match;
@@ -171,7 +139,8 @@ std::vector<PatchMatch> match_patches(const std::vector<PlacedPatches>& multisca
   PatchCells cells(reach_m(params));
   for (std::size_t i = 0; i < multiscans.size(); ++i) {
     for (std::size_t k = 0; k < multiscans[i].patches.size(); ++k) {
-      cells.add(placed(multiscans[i], {i, k}));
+      const PlacedPatch patch = placed(multiscans[i], {i, k});
+      cells.add(patch.point_m, patch);
     }
   }
   const PartnerSearch search(cells, params);

@@ -13,7 +13,7 @@ namespace echomap::slam {
 namespace {
 
 LandmarkSighting wall_sighting(const HeardFeature& wall,
-                               const std::vector<Echo>& echoes,
+                               const std::vector<mapping::Echo>& echoes,
                                const SonarLandmarksParams& params) {
   const Eigen::Vector2d own_sd(params.wall_offset_sd_m, params.wall_normal_sd_rad);
   LandmarkSighting sighting;
@@ -36,7 +36,7 @@ LandmarkSighting point_sighting(const HeardFeature& point, const SonarLandmarksP
   const double range_m = place_m.norm();
   Eigen::Matrix2d by_place;
   by_place << place_m.transpose() / range_m,
-      quarter_turned(place_m).transpose() / (range_m * range_m);
+      geometry::perpendicular(place_m).transpose() / (range_m * range_m);
   const Eigen::Matrix2d covariance =
       point.covariance + params.point_sd_m * params.point_sd_m * Eigen::Matrix2d::Identity();
   LandmarkSighting sighting;
@@ -57,7 +57,7 @@ void check(const SonarLandmarksParams& params) {
   }
 }
 
-std::vector<LandmarkSighting> sonar_landmarks(const std::vector<Echo>& echoes,
+std::vector<LandmarkSighting> sonar_landmarks(const std::vector<mapping::Echo>& echoes,
                                               const SonarLandmarksParams& params,
                                               std::mt19937& random) {
   std::vector<LandmarkSighting> sightings;

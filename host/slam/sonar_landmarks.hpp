@@ -27,7 +27,7 @@ void check(const SonarLandmarksParams& params);
 
 /// Walls and points that the echoes of a multiscan came from, seen from where it began. All points
 /// have one label: a sonar does not tell a corner from an edge or a leg.
-std::vector<LandmarkSighting> sonar_landmarks(const std::vector<Echo>& echoes,
+std::vector<LandmarkSighting> sonar_landmarks(const std::vector<mapping::Echo>& echoes,
                                               const SonarLandmarksParams& params,
                                               std::mt19937& random);
 

@@ -31,6 +31,9 @@ constexpr double kFirstTurnsRad[] = {-0.7, -0.35, 0.0, 0.35, 0.7};
 constexpr double kMostSlantRad = 1.2;
 
 using geometry::square;
+using mapping::Echo;
+using mapping::WallLine;
+using mapping::WallView;
 using Echoes = std::vector<const Echo*>;
 
 struct FittedLine {
@@ -47,12 +50,6 @@ struct Explanation {
 
   double rms_m() const { return std::sqrt(squares_m2 / static_cast<double>(explained)); }
 };
-
-/// The line at right angles to `normal_rad` that the echo has measured.
-WallLine line_through(const Echo& echo, double normal_rad) {
-  const WallView view = view_of_wall(echo, {normal_rad, 0.0});
-  return {normal_rad, (echo.range_m - view.range_m) / view.by_line[1]};
-}
 
 /// Least squares of ranges; what is off by more than the noise counts less and less.
 std::optional<FittedLine> fitted(WallLine line, const Echoes& echoes, double most_rms_m) {
@@ -129,7 +126,7 @@ class PatchSearch {
     double least_cost = std::numeric_limits<double>::max();
     for (const double turn_rad : kFirstTurnsRad) {
       const auto fit =
-          fitted(line_through(echo_, echo_.axis_rad + turn_rad), neighbours_, params_.most_rms_m);
+          fitted(wall_through(echo_, echo_.axis_rad + turn_rad), neighbours_, params_.most_rms_m);
       if (!fit) {
         continue;
       }

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "host/slam/wall_echo.hpp"
+#include "host/mapping/wall_echo.hpp"
 
 namespace echomap::slam {
 
@@ -47,7 +47,7 @@ struct SurfacePatch {
 /// does not say from where in it the echo came; neighbours do, as the sonar moves or turns: a line
 /// is fitted to their ranges by what a beam would measure of it (view_of_wall), not to points.
 /// Echoes that no line explains, as of clutter and ghosts, give none.
-std::vector<SurfacePatch> find_patches(const std::vector<Echo>& echoes,
+std::vector<SurfacePatch> find_patches(const std::vector<mapping::Echo>& echoes,
                                        const SurfacePatchParams& params);
 
 }  // namespace echomap::slam

@@ -11,6 +11,7 @@
 
 #include "host/console/print.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/geometry/square.hpp"
 #include "host/tracking/belief_report.hpp"
 
 namespace echomap::tracking {
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::chrono::seconds kFixPatience(5);
 
-double square(double value) { return value * value; }
+using geometry::square;
 
 Eigen::Matrix3d covariance_of(double std_m, double std_rad) {
   return Eigen::Vector3d(square(std_m), square(std_m), square(std_rad)).asDiagonal();

@@ -157,7 +157,7 @@ void draw_landmarks(const slam::LandmarkSlam& method,
     }
     const Eigen::Vector2d normal = geometry::unit_vector(landmark.value.y());
     const Eigen::Vector2d foot_m = landmark.value.x() * normal;
-    const Eigen::Vector2d along = slam::quarter_turned(normal);
+    const Eigen::Vector2d along = geometry::perpendicular(normal);
     picture.draw_line(
         view.place(panel.place_m(first_column, foot_m + landmark.along_from_m * along)),
         view.place(panel.place_m(first_column, foot_m + landmark.along_to_m * along)),

@@ -7,10 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include "host/slam/landmark_sighting.hpp"
 #include "tests/host/slam/heard_room.hpp"
 
 namespace echomap::slam {
 namespace {
+
+using mapping::Echo;
+using mapping::EchoFeature;
 
 constexpr int kSeeds = 100;
 

@@ -9,10 +9,14 @@
 #include <vector>
 
 #include "host/geometry/angle.hpp"
-#include "host/slam/echo_feature.hpp"
+#include "host/mapping/echo_feature.hpp"
 
 namespace echomap::slam {
 
+using mapping::Echo;
+using mapping::EchoFeature;
+using mapping::HearingParams;
+using models::LandmarkKind;
 /// Of a cone, as of the sonar that hears the rooms below.
 inline constexpr double kHalfOpeningRad = 0.23;
 

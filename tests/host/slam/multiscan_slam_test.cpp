@@ -13,6 +13,10 @@
 namespace echomap::slam {
 namespace {
 
+using mapping::Echo;
+using mapping::view_of_wall;
+using mapping::WallLine;
+
 using geometry::Pose2;
 using geometry::radians;
 

@@ -13,6 +13,9 @@
 namespace echomap::slam {
 namespace {
 
+using mapping::Echo;
+using mapping::EchoFeature;
+
 using geometry::Pose2;
 
 constexpr double kRadiusM = 0.5;

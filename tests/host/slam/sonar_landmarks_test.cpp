@@ -12,6 +12,8 @@
 namespace echomap::slam {
 namespace {
 
+using mapping::EchoFeature;
+
 /// The sighting of a feature, from the origin; none where nothing is near it.
 std::optional<LandmarkSighting> sighting_of(const EchoFeature& feature,
                                             const std::vector<LandmarkSighting>& sightings) {

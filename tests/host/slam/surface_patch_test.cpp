@@ -12,6 +12,9 @@
 namespace echomap::slam {
 namespace {
 
+using mapping::Echo;
+using mapping::view_of_wall;
+
 using geometry::radians;
 
 /// Echoes of the wall x = 2 by a sensor that drives along x = 0, looking there at a slant.

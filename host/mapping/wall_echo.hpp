@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace echomap::slam {
+namespace echomap::mapping {
 
 /// One range with an answer, and where it was taken.
 struct Echo {
@@ -37,4 +37,7 @@ struct WallView {
 /// wall seen at less than a grazing angle of 15 degrees is taken as seen at that angle.
 WallView view_of_wall(const Echo& echo, const WallLine& line);
 
-}  // namespace echomap::slam
+/// The wall with that normal whose nearest point within the beam answered.
+WallLine wall_through(const Echo& echo, double normal_rad);
+
+}  // namespace echomap::mapping

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/slam/wall_echo.hpp"
+#include "host/mapping/wall_echo.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 #include "host/geometry/angle.hpp"
 
-namespace echomap::slam {
+namespace echomap::mapping {
 namespace {
 
 using geometry::radians;
@@ -32,6 +32,13 @@ TEST(WallView, OfAThinBeamIsWhereItMeetsTheWall) {
   EXPECT_NEAR(view.range_m, 1.5 / std::cos(radians(60.0)), 1e-12);
 }
 
+TEST(WallView, OfTheWallThroughAnEchoIsThatEcho) {
+  for (const double normal_deg : {-40.0, 0.0, 12.0, 35.0}) {
+    const Echo echo{{0.4, -0.3}, radians(5.0), 1.7, radians(12.0)};
+    EXPECT_NEAR(view_of_wall(echo, wall_through(echo, radians(normal_deg))).range_m, 1.7, 1e-12);
+  }
+}
+
 TEST(WallView, ChangesWithTheWallAsItsDerivativesSay) {
   constexpr double kStep = 1e-6;
   for (const double axis_deg : {-50.0, -20.0, 5.0, 35.0, 60.0}) {
@@ -47,4 +54,4 @@ TEST(WallView, ChangesWithTheWallAsItsDerivativesSay) {
 }
 
 }  // namespace
-}  // namespace echomap::slam
+}  // namespace echomap::mapping

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/slam/wall_echo.hpp"
+#include "host/mapping/wall_echo.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 
-namespace echomap::slam {
+namespace echomap::mapping {
 
 namespace {
 
@@ -21,7 +21,7 @@ Eigen::Vector2d Echo::middle_m() const {
 
 WallView view_of_wall(const Echo& echo, const WallLine& line) {
   const Eigen::Vector2d normal = geometry::unit_vector(line.normal_rad);
-  const Eigen::Vector2d left(-normal.y(), normal.x());
+  const Eigen::Vector2d left = geometry::perpendicular(normal);
   const double distance_m = line.offset_m - normal.dot(echo.sensor_m);
   const double off_axis_rad = geometry::angle_between(echo.axis_rad, line.normal_rad);
   const double in_beam_rad =
@@ -34,4 +34,9 @@ WallView view_of_wall(const Echo& echo, const WallLine& line) {
           echo.axis_rad + in_beam_rad};
 }
 
-}  // namespace echomap::slam
+WallLine wall_through(const Echo& echo, double normal_rad) {
+  const WallView at_origin = view_of_wall(echo, {normal_rad, 0.0});
+  return {normal_rad, (echo.range_m - at_origin.range_m) / at_origin.by_line[1]};
+}
+
+}  // namespace echomap::mapping

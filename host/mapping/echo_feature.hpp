@@ -6,13 +6,15 @@
 
 #include <Eigen/Core>
 
-#include "host/slam/landmark_sighting.hpp"
-#include "host/slam/wall_echo.hpp"
+#include "host/mapping/wall_echo.hpp"
+#include "host/models/landmark_view.hpp"
 
-namespace echomap::slam {
+namespace echomap::mapping {
 
-/// What a cone can hear: a wall, or a point that answers from all around, as an edge, a corner or a
-/// leg does. All in the frame of the echoes.
+using models::LandmarkKind;
+
+/// What a sonar can hear: a wall, or a point that answers from all around, as an edge, a corner, a
+/// post or a leg does. All in the frame of the echoes.
 struct EchoFeature {
   LandmarkKind kind = LandmarkKind::kPoint;
   /// By the kind, as a landmark has it: x and y (m), or offset (m) and direction of the normal.
@@ -28,14 +30,21 @@ struct HearingParams {
   double most_slant_rad = 0.26;
 };
 
-/// What a cone would measure of a feature, and how that changes with the feature's value.
-struct FeatureEcho {
+/// Range and bearing of a feature's nearest point. The range is negative behind a wall.
+struct FeatureView {
   double range_m = 0.0;
-  Eigen::Vector2d range_by_feature = Eigen::Vector2d::Zero();
-  /// Towards the feature's nearest point, whether in the cone or beside it.
   double bearing_rad = 0.0;
-  Eigen::Vector2d bearing_by_feature = Eigen::Vector2d::Zero();
-  double widest_off_axis_rad = 0.0;  ///< The cone hears it up to there.
+  /// Derivatives of range (first row) and bearing (second row) by the feature's value.
+  Eigen::Matrix2d jacobian = Eigen::Matrix2d::Zero();
+};
+
+/// How a feature looks from a place, whatever way the sensor points.
+FeatureView view_from(const Eigen::Vector2d& sensor_m, const EchoFeature& feature);
+
+/// What a cone would measure of a feature; the bearing is that of the feature's nearest point,
+/// whether in the cone or beside it.
+struct FeatureEcho : FeatureView {
+  double max_off_axis_rad = 0.0;  ///< The cone hears the feature up to there.
 };
 
 /// Of a wall by view_of_wall, of a point by its distance. Empty where the cone does not hear it: a
@@ -48,6 +57,16 @@ std::optional<FeatureEcho> echo_of(const EchoFeature& feature,
 /// perpendicular, positive counter-clockwise.
 double along_m(const EchoFeature& wall, const Echo& echo);
 
+/// A range without a bearing: what answered lies on a circle, or touches it.
+struct RangeCircle {
+  Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
+  double range_m = 0.0;
+};
+
+/// The features that fit two ranges: up to two walls, tangents of the two circles, and up to two
+/// points, where the circles cross. None where the centres lie too near together.
+std::vector<EchoFeature> features_through(const RangeCircle& first, const RangeCircle& second);
+
 /// The features that explain two echoes: walls, of which each has measured the same (tangents of
 /// both arcs, and what meets the edges of the cones), and points where the arcs cross. Of cones
 /// that heard one thing from one place that is the wall, and the point, in their middle.
@@ -55,4 +74,4 @@ std::vector<EchoFeature> features_through(const Echo& first,
                                           const Echo& second,
                                           const HearingParams& hearing);
 
-}  // namespace echomap::slam
+}  // namespace echomap::mapping
