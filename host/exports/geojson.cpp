@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "host/exports/geojson.hpp"
 
-#include <cmath>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -64,17 +63,6 @@ Json outline_feature(const mapping::PolygonMap& map) {
   }
   return feature(
       {{"name", "outline"}, {"area_m2", map.area_m2()}, {"corners", corners}}, "Polygon", rings);
-}
-
-Json line_feature(const mapping::FittedLine& line) {
-  return feature({{"name", "wall"},
-                  {"normal_rad", line.normal_rad},
-                  {"offset_m", line.offset_m},
-                  {"offset_sd_m", std::sqrt(line.covariance(0, 0))},
-                  {"normal_sd_rad", std::sqrt(line.covariance(1, 1))},
-                  {"points", line.points}},
-                 "LineString",
-                 Json::array({position_of(line.segment.from_m), position_of(line.segment.to_m)}));
 }
 
 void write_features(const std::filesystem::path& path, Json features) {
@@ -145,15 +133,6 @@ void write_outline_geojson(const std::filesystem::path& path,
 
 std::optional<mapping::PolygonMap> read_outline_geojson(const std::filesystem::path& path) {
   return read_geometries(path, first_polygon);
-}
-
-void write_lines_geojson(const std::filesystem::path& path,
-                         const std::vector<mapping::FittedLine>& lines) {
-  Json features = Json::array();
-  for (const mapping::FittedLine& line : lines) {
-    features.push_back(line_feature(line));
-  }
-  write_features(path, std::move(features));
 }
 
 std::vector<geometry::Segment> read_line_strings(const std::filesystem::path& path) {

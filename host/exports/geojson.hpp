@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "host/geometry/segment.hpp"
-#include "host/mapping/line_fit.hpp"
 #include "host/mapping/polygon_map.hpp"
 
 namespace echomap::exports {
@@ -21,11 +20,6 @@ void write_outline_geojson(const std::filesystem::path& path,
 /// The first Polygon of a file; empty where there is none. Throws files::FileError that names the
 /// file, also where its rings are no floor.
 std::optional<mapping::PolygonMap> read_outline_geojson(const std::filesystem::path& path);
-
-/// One LineString a line, from end to end, with `normal_rad`, `offset_m`, `offset_sd_m`,
-/// `normal_sd_rad` and `points` as properties. Throws files::FileError.
-void write_lines_geojson(const std::filesystem::path& path,
-                         const std::vector<mapping::FittedLine>& lines);
 
 /// Every piece of every LineString of a file; other geometries are passed over. Throws
 /// files::FileError that names the file.

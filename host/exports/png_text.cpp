@@ -5,8 +5,6 @@
 #include <string_view>
 #include <zlib.h>
 
-#include "host/files/atomic_file.hpp"
-
 namespace echomap::exports {
 namespace {
 
@@ -24,14 +22,6 @@ void append_big_endian(std::string& bytes, std::uint32_t value) {
   for (const int shift : {24, 16, 8, 0}) {
     bytes.push_back(static_cast<char>(value >> shift & 0xFFU));
   }
-}
-
-std::uint32_t big_endian_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < kLengthBytes; ++i) {
-    value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
-  }
-  return value;
 }
 
 std::string chunk_of(const PngText& text) {
@@ -55,28 +45,6 @@ void add_png_texts(std::vector<unsigned char>& png, const std::vector<PngText>& 
     chunks += chunk_of(text);
   }
   png.insert(png.begin() + kHeaderEnd, chunks.begin(), chunks.end());
-}
-
-std::vector<PngText> read_png_texts(const std::filesystem::path& path) {
-  const std::string bytes = files::read_text_file(path);
-  if (!bytes.starts_with(kSignature)) {
-    throw files::FileError(path.string() + ": not a PNG file");
-  }
-  std::vector<PngText> texts;
-  for (std::size_t at = kSignature.size(); at < bytes.size();) {
-    const std::size_t left = bytes.size() - at;
-    if (left < kAroundBytes || big_endian_at(bytes, at) > left - kAroundBytes) {
-      throw files::FileError(path.string() + ": the file ends within a chunk");
-    }
-    const std::size_t length = big_endian_at(bytes, at);
-    const std::string content = bytes.substr(at + kLengthBytes + kTypeBytes, length);
-    const std::size_t zero = content.find('\0');
-    if (bytes.compare(at + kLengthBytes, kTypeBytes, kTextType) == 0 && zero != std::string::npos) {
-      texts.push_back({content.substr(0, zero), content.substr(zero + 1)});
-    }
-    at += kAroundBytes + length;
-  }
-  return texts;
 }
 
 }  // namespace echomap::exports

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,5 @@ struct PngText {
 
 /// Puts tEXt chunks behind the header of a whole PNG file in memory.
 void add_png_texts(std::vector<unsigned char>& png, const std::vector<PngText>& texts);
-
-/// The tEXt chunks of a PNG file. Throws files::FileError where it is none or is cut short.
-std::vector<PngText> read_png_texts(const std::filesystem::path& path);
 
 }  // namespace echomap::exports

@@ -2,7 +2,6 @@
 #include "host/exports/points_csv.hpp"
 
 #include <array>
-#include <cmath>
 
 #include "host/exports/number_table.hpp"
 #include "host/files/atomic_file.hpp"
@@ -25,18 +24,6 @@ void write_points_csv(const std::filesystem::path& path,
     append_row(text, row, kFormat.separator);
   }
   files::write_text_file(path, text);
-}
-
-std::vector<mapping::MapPoint> read_points_csv(const std::filesystem::path& path) {
-  std::vector<mapping::MapPoint> points;
-  for (const auto& [row, line] : read_number_table(path, kFormat)) {
-    const bool is_index = row[2] >= 0.0 && row[2] < 4294967296.0 && row[2] == std::floor(row[2]);
-    if (!is_index) {
-      fail_at_line(path, line, "pose_index must be a whole number from 0");
-    }
-    points.push_back({{row[0], row[1]}, static_cast<std::size_t>(row[2])});
-  }
-  return points;
 }
 
 }  // namespace echomap::exports

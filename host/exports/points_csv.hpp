@@ -14,7 +14,4 @@ namespace echomap::exports {
 void write_points_csv(const std::filesystem::path& path,
                       const std::vector<mapping::MapPoint>& points);
 
-/// Throws files::FileError whose text begins `file:line: ` where the file is not as above.
-std::vector<mapping::MapPoint> read_points_csv(const std::filesystem::path& path);
-
 }  // namespace echomap::exports

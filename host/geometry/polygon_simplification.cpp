@@ -57,17 +57,6 @@ std::size_t farthest_corner(const Polygon& polygon, const Eigen::Vector2d& place
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> simplified_way(const std::vector<Eigen::Vector2d>& way_m,
-                                            double tolerance_m) {
-  Way simple_m;
-  if (!way_m.empty()) {
-    for (const std::size_t i : kept_between(way_m, 0, way_m.size() - 1, tolerance_m)) {
-      simple_m.push_back(way_m[i]);
-    }
-  }
-  return simple_m;
-}
-
 SimplifiedRing::SimplifiedRing(const Polygon& ring, double tolerance_m) : way_m_(ring) {
   if (ring.empty()) {
     return;
@@ -96,10 +85,6 @@ bool SimplifiedRing::split(std::size_t side) {
     kept_.insert(kept_.begin() + static_cast<std::ptrdiff_t>(side) + 1, *farthest);
   }
   return farthest.has_value();
-}
-
-Polygon simplified_polygon(const Polygon& polygon, double tolerance_m) {
-  return SimplifiedRing(polygon, tolerance_m).polygon();
 }
 
 }  // namespace echomap::geometry

@@ -10,13 +10,10 @@
 
 namespace echomap::geometry {
 
-/// The way with fewer points, both ends kept: no dropped point is farther than `tolerance_m` from
-/// the piece that replaces it (Douglas and Peucker 1973).
-std::vector<Eigen::Vector2d> simplified_way(const std::vector<Eigen::Vector2d>& way_m,
-                                            double tolerance_m);
-
-/// The same for a closed outline, cut at two corners far apart, which stay. What is left may have
-/// sides that cross (polygon_fault), or fewer than three corners; then single sides can be split.
+/// A closed outline with fewer corners, cut at two corners far apart, which stay: no dropped corner
+/// is farther than `tolerance_m` from the side that replaces it (Douglas and Peucker 1973). What is
+/// left may have sides that cross (polygon_fault), or fewer than three corners; then single sides
+/// can be split.
 class SimplifiedRing {
  public:
   SimplifiedRing(const Polygon& ring, double tolerance_m);
@@ -31,8 +28,5 @@ class SimplifiedRing {
   std::vector<Eigen::Vector2d> way_m_;  ///< Closed: the first corner stands at its end again.
   std::vector<std::size_t> kept_;
 };
-
-/// The corners of a SimplifiedRing.
-Polygon simplified_polygon(const Polygon& polygon, double tolerance_m);
 
 }  // namespace echomap::geometry

@@ -36,12 +36,4 @@ std::optional<DistanceCorrection> fit_correction(std::span<const MeasuredDistanc
              : std::nullopt;
 }
 
-geometry::Pose2 corrected_step(const geometry::Pose2& T_odom_robot,
-                               double turn_rad,
-                               double odometry_m,
-                               const DistanceCorrection& correction) {
-  return T_odom_robot * geometry::Pose2(0.0, 0.0, turn_rad) *
-         geometry::Pose2(correction.corrected_m(odometry_m), 0.0, 0.0);
-}
-
 }  // namespace echomap::localization

@@ -4,8 +4,6 @@
 #include <optional>
 #include <span>
 
-#include "host/geometry/pose2.hpp"
-
 namespace echomap::localization {
 
 /// A distance by the odometry and by a tape measure.
@@ -27,12 +25,5 @@ struct DistanceCorrection {
 
 /// By least squares; empty for fewer than two different distances, and for one that is not finite.
 std::optional<DistanceCorrection> fit_correction(std::span<const MeasuredDistance> distances);
-
-/// The pose after a turn by `turn_rad` and a drive of `odometry_m` (equations 6 to 8; the paper
-/// trusts the turn, as the wall guides it).
-geometry::Pose2 corrected_step(const geometry::Pose2& T_odom_robot,
-                               double turn_rad,
-                               double odometry_m,
-                               const DistanceCorrection& correction);
 
 }  // namespace echomap::localization

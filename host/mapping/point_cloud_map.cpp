@@ -2,9 +2,6 @@
 #include "host/mapping/point_cloud_map.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -35,22 +32,6 @@ void PointCloudMap::add(const PlacedReading& reading) {
   if (const auto point_m = echo_point_m(reading)) {
     points_.push_back({*point_m, poses_.size() - 1});
   }
-}
-
-PointCloudMap thinned(const PointCloudMap& map, double edge_m) {
-  if (!(edge_m > 0.0)) {
-    throw std::invalid_argument("the edge of a voxel must be above 0");
-  }
-  std::set<std::pair<std::int64_t, std::int64_t>> taken;
-  std::vector<MapPoint> points;
-  for (const MapPoint& point : map.points()) {
-    const std::pair voxel(std::llround(std::floor(point.position_m.x() / edge_m)),
-                          std::llround(std::floor(point.position_m.y() / edge_m)));
-    if (taken.insert(voxel).second) {
-      points.push_back(point);
-    }
-  }
-  return {map.poses(), points};
 }
 
 }  // namespace echomap::mapping

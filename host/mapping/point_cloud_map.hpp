@@ -38,9 +38,4 @@ class PointCloudMap {
   std::vector<MapPoint> points_;
 };
 
-/// The map with the first point only of all that lie in the same square of `edge_m` (a voxel of two
-/// dimensions), in their order; the poses stay. Throws std::invalid_argument for an edge that is
-/// not above zero.
-PointCloudMap thinned(const PointCloudMap& map, double edge_m);
-
 }  // namespace echomap::mapping

@@ -171,17 +171,6 @@ CornerKind corner_kind(const Polygon& ring, std::size_t index) {
   return turn < 0.0 ? CornerKind::kReflex : CornerKind::kNonReflex;
 }
 
-std::optional<PolygonMap> polygon_from_contour(const std::vector<Eigen::Vector2d>& contour_m,
-                                               const PolygonMapParams& params) {
-  check(params);
-  const Polygon whole = geometry::simplified_polygon(contour_m, 0.0);
-  const std::vector<Polygon> rings = simplified({whole}, params.tolerance_m);
-  if (!faults_of(rings).empty()) {
-    return std::nullopt;
-  }
-  return map_of(rings);
-}
-
 std::optional<PolygonMap> polygon_from_raster(const RasterMap& map,
                                               const PolygonMapParams& params) {
   check(params);

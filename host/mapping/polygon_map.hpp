@@ -50,11 +50,6 @@ struct PolygonMapParams {
   double least_hole_m2 = 0.02;
 };
 
-/// The map from places along the walls, in the order in which a robot that follows them comes by.
-/// Empty where they bound no area. Throws std::invalid_argument for a negative parameter.
-std::optional<PolygonMap> polygon_from_contour(const std::vector<Eigen::Vector2d>& contour_m,
-                                               const PolygonMapParams& params = {});
-
 /// The map of the largest connected piece of free floor; empty where no cell is free. Throws
 /// std::invalid_argument for a negative parameter.
 std::optional<PolygonMap> polygon_from_raster(const RasterMap& map,

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "host/geometry/unit_vector.hpp"
 #include "host/mapping/vector_clones.hpp"
 
 namespace echomap::mapping {
@@ -189,29 +187,6 @@ void cast_rays(const DistanceField& field,
   for (float& range_m : ranges_m.first(directions.size())) {
     range_m *= resolution_m;
   }
-}
-
-double cone_range_m(const DistanceField& field,
-                    const Eigen::Vector2d& from_m,
-                    double bearing_rad,
-                    double half_opening_rad,
-                    double most_m) {
-  const double arc_cells = 2.0 * half_opening_rad * most_m / field.resolution_m();
-  const int gaps = std::max(1, static_cast<int>(std::ceil(arc_cells)));
-  double nearest_m = most_m;
-  std::array<Eigen::Vector2f, kLanes> directions;
-  std::array<float, kLanes> ranges_m{};
-  for (int begin = 0; begin <= gaps; begin += static_cast<int>(kLanes)) {
-    for (int i = 0; i < static_cast<int>(kLanes); ++i) {
-      const double share = std::min(1.0, static_cast<double>(begin + i) / gaps);
-      const double off_axis_rad = half_opening_rad * (2.0 * share - 1.0);
-      directions[static_cast<std::size_t>(i)] =
-          geometry::unit_vector(bearing_rad + off_axis_rad).cast<float>();
-    }
-    cast_rays(field, from_m, directions, most_m, ranges_m);
-    nearest_m = std::min<double>(nearest_m, *std::min_element(ranges_m.begin(), ranges_m.end()));
-  }
-  return nearest_m;
 }
 
 }  // namespace echomap::mapping

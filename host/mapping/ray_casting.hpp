@@ -24,13 +24,4 @@ void cast_rays(const DistanceField& field,
                double most_m,
                std::span<float> ranges_m);
 
-/// The range that a cone of sound would be answered from: the least of rays that fill its opening
-/// and are at most one cell apart at `most_m`. `half_opening_rad` in [0, pi / 2), `most_m` at most
-/// 2000 cells.
-double cone_range_m(const DistanceField& field,
-                    const Eigen::Vector2d& from_m,
-                    double bearing_rad,
-                    double half_opening_rad,
-                    double most_m);
-
 }  // namespace echomap::mapping

@@ -6,9 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "host/files/atomic_file.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/session/profile_fields.hpp"
@@ -16,7 +14,6 @@
 namespace echomap::strategies {
 namespace {
 
-using exploration::Waypoint;
 using exploration::WaypointCourse;
 using files::TomlReader;
 
@@ -64,9 +61,6 @@ Eigen::Vector2d read_place_m(const TomlReader& table, const WaypointCourse& cour
   return place_m;
 }
 
-/// A basic string of TOML escapes as JSON does.
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
-
 }  // namespace
 
 WaypointCourse read_course(const TomlReader& file) {
@@ -93,35 +87,6 @@ WaypointCourse read_course(const TomlReader& file) {
 WaypointCourse load_course(const std::string& name_or_file) {
   return read_course(
       TomlReader::load(files::bundled_file(name_or_file, "host/courses", "course (--waypoints)")));
-}
-
-void write_course(const std::filesystem::path& path, const WaypointCourse& course) {
-  const geometry::Pose2& start = course.T_course_start;
-  std::string text = fmt::format("name = {}\n\n", quoted(course.name));
-  text += fmt::format("[grid]\nx_m = {}\ny_m = {}\ncolumns = {}\nrows = {}\ncell_m = {}\n\n",
-                      course.cells.min.x * course.cell_m,
-                      course.cells.min.y * course.cell_m,
-                      course.cells.columns(),
-                      course.cells.rows(),
-                      course.cell_m);
-  text += fmt::format("[start]\nx_m = {}\ny_m = {}\nheading_deg = {}\n",
-                      start.x_m(),
-                      start.y_m(),
-                      geometry::degrees(start.heading_rad()));
-  for (const geometry::Segment& wall : course.known_walls) {
-    text += fmt::format("\n[[known_wall]]\npoints_m = [[{}, {}], [{}, {}]]\n",
-                        wall.from_m.x(),
-                        wall.from_m.y(),
-                        wall.to_m.x(),
-                        wall.to_m.y());
-  }
-  for (const Waypoint& waypoint : course.waypoints) {
-    text += fmt::format("\n[[waypoint]]\nname = {}\nx_m = {}\ny_m = {}\n",
-                        quoted(waypoint.name),
-                        waypoint.position_m.x(),
-                        waypoint.position_m.y());
-  }
-  files::write_text_file(path, text);
 }
 
 }  // namespace echomap::strategies

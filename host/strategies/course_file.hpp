@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "host/exploration/waypoint_course.hpp"
@@ -17,8 +16,5 @@ exploration::WaypointCourse read_course(const files::TomlReader& file);
 /// `name_or_file` is the name of a bundled course ("playground") or a path that ends in .toml.
 /// Throws files::ConfigError.
 exploration::WaypointCourse load_course(const std::string& name_or_file);
-
-/// Writes what `load_course` reads. Throws files::FileError.
-void write_course(const std::filesystem::path& path, const exploration::WaypointCourse& course);
 
 }  // namespace echomap::strategies

@@ -14,7 +14,7 @@
 #include "host/files/bundled_files.hpp"
 #include "host/mapping/cell_field.hpp"
 #include "host/session/robot_profile.hpp"
-#include "host/strategies/course_file.hpp"
+#include "tests/benchmarks/course_around.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -132,7 +132,7 @@ std::string put_course(const world::FloorPlan& room,
         std::any_of(course.waypoints.begin(), course.waypoints.end(), [&](const auto& waypoint) {
           return (waypoint.position_m - start_m).norm() > reached_m;
         });
-    strategies::write_course(path, course);
+    write_course(path, course);
     return leads_on ? "" : "all of its places count as reached from the start";
   } catch (const std::invalid_argument& error) {
     return error.what();
@@ -152,7 +152,7 @@ double share_in_reach(const world::FloorPlan& room, double body_radius_m) {
 }
 
 exploration::WaypointCourse course_of(const world::FloorPlan& room, double body_radius_m) {
-  auto course = exploration::course_around(room.room_m(), room.T_world_start());
+  auto course = course_around(room.room_m(), room.T_world_start());
   const Eigen::Vector2d start_m = room.T_world_start().position_m();
   std::erase_if(course.waypoints, [&](const exploration::Waypoint& waypoint) {
     const bool has_room = room.is_free(waypoint.position_m) &&

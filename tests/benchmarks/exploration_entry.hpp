@@ -21,7 +21,7 @@ struct ExplorationEntry {
 /// 2 cm.
 double share_in_reach(const world::FloorPlan& room, double body_radius_m);
 
-/// A course round the room: exploration::course_around, without the waypoints where furniture
+/// A course round the room: course_around, without the waypoints where furniture
 /// leaves no place for the hull. Throws std::invalid_argument where the room is too small for its
 /// corners.
 exploration::WaypointCourse course_of(const world::FloorPlan& room, double body_radius_m);

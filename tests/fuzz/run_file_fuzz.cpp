@@ -7,11 +7,7 @@
 #include "host/evaluation/truth_directory.hpp"
 #include "host/exports/geojson.hpp"
 #include "host/exports/map_yaml.hpp"
-#include "host/exports/occupancy_grid_csv.hpp"
 #include "host/exports/pgm_image.hpp"
-#include "host/exports/png_text.hpp"
-#include "host/exports/points_csv.hpp"
-#include "host/exports/poses_csv.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
@@ -25,19 +21,7 @@ namespace exports = echomap::exports;
 namespace fs = std::filesystem;
 
 /// The files that echomap reads back from a run.
-enum Kind : std::uint8_t {
-  kPoints,
-  kPoses,
-  kTrajectory,
-  kYaml,
-  kPgm,
-  kWalls,
-  kGrid,
-  kOutline,
-  kPngTexts,
-  kRelations,
-  kKinds
-};
+enum Kind : std::uint8_t { kTrajectory, kYaml, kPgm, kWalls, kOutline, kRelations, kKinds };
 
 /// A truth directory whose walls are in memory.
 class TruthFolder {
@@ -57,12 +41,6 @@ class TruthFolder {
 void read(std::uint8_t kind, const fs::path& file) {
   static const TruthFolder truth(file);
   switch (kind % kKinds) {
-    case kPoints:
-      exports::read_points_csv(file);
-      break;
-    case kPoses:
-      exports::read_poses_csv(file);
-      break;
     case kTrajectory:
       for (const auto& pose : exports::read_trajectory_tum(file)) {
         require(std::abs(pose.stamp.time_since_epoch().count()) <= std::int64_t{1} << 60U,
@@ -79,20 +57,10 @@ void read(std::uint8_t kind, const fs::path& file) {
               "a picture has all of its pixels");
       break;
     }
-    case kGrid: {
-      const auto table = exports::read_occupancy_grid_csv(file);
-      require(table.cells.size() ==
-                  static_cast<std::size_t>(table.columns) * static_cast<std::size_t>(table.rows),
-              "a grid has all of its cells");
-      break;
-    }
     case kOutline:
       if (const auto map = exports::read_outline_geojson(file)) {
         require(map->outline_m().size() >= 3, "an outline bounds an area");
       }
-      break;
-    case kPngTexts:
-      exports::read_png_texts(file);
       break;
     case kRelations:
       echomap::evaluation::read_relations(file);
@@ -106,8 +74,6 @@ void read(std::uint8_t kind, const fs::path& file) {
 
 std::vector<echomap::fuzz::Input> echomap::fuzz::seeds() {
   return {
-      echomap::fuzz::input_of(kPoints, "x_m,y_m,pose_index\n1.5,-0.25,0\n2,3e-3,1\n"),
-      echomap::fuzz::input_of(kPoses, "x_m,y_m,heading_rad\n0,0,0\n0.5,0.25,-3.14\n"),
       echomap::fuzz::input_of(kTrajectory,
                               "# t x y z qx qy qz qw\n0.02 0 0 0 0 0 0 1\n1.5 1 2 0 0 0 0.7 0.7\n"),
       echomap::fuzz::input_of(
@@ -119,12 +85,10 @@ std::vector<echomap::fuzz::Input> echomap::fuzz::seeds() {
           kWalls,
           R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":)"
           R"("LineString","coordinates":[[0,0],[1,0],[1,2.5]]}}]})"),
-      echomap::fuzz::input_of(kGrid, "# resolution_m,..\n# 0.05,0,0,2,2\n-1,0.5\n0,1\n"),
       echomap::fuzz::input_of(
           kOutline,
           R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":)"
           R"("Polygon","coordinates":[[[0,0],[1,0],[1,2.5],[0,0]]]}}]})"),
-      echomap::fuzz::input_of(kPngTexts, std::string("\x89PNG\r\n\x1a\n\0\0\0\4tEXta\0bcdcrc", 24)),
       echomap::fuzz::input_of(kRelations, "0 1 0.5 0 -0.1\n1 4 1 2 3\n"),
   };
 }

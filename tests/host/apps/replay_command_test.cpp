@@ -17,6 +17,7 @@
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/support/real_data.hpp"
+#include "tests/support/run_tables.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
@@ -171,7 +172,7 @@ TEST_F(ReplayCommandTest, WritesTheLandmarksOfALogWhereItsPosesPutThem) {
 TEST_F(ReplayCommandTest, PointsAreAllEchoesAndNoFloor) {
   options_.map = "points";
   EXPECT_EQ(run_replay(options_), ExitCode::kOk);
-  EXPECT_EQ(exports::read_points_csv(options_.out / "points.csv").size(), 48U * 60U);
+  EXPECT_EQ(tests::read_points_csv(options_.out / "points.csv").size(), 48U * 60U);
   EXPECT_FALSE(exports::read_outline_geojson(options_.out / "outline.geojson"));
 }
 

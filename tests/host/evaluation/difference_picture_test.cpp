@@ -6,6 +6,7 @@
 #include "host/exports/png_text.hpp"
 #include "tests/support/drawn_map.hpp"
 #include "tests/support/png_picture.hpp"
+#include "tests/support/png_texts.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::evaluation {
@@ -36,7 +37,7 @@ TEST(DifferencePicture, ShowsRegionsAndTheWallsOfBothMaps) {
   EXPECT_EQ(pixel(1.05, 0.45), kAppeared) << "the frame";
   EXPECT_EQ(pixel(0.525, 0.775), kWallAfter);
   EXPECT_EQ(pixel(1.5, 0.2), 0xFFFFFF);
-  EXPECT_EQ(exports::read_png_texts(folder / "a.png").size(), 3U);
+  EXPECT_EQ(tests::read_png_texts(folder / "a.png").size(), 3U);
 }
 
 TEST(DifferencePicture, HoldsBothMaps) {

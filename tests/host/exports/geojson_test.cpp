@@ -159,18 +159,16 @@ TEST_F(GeoJsonTest, WithoutAMapHasNoFeature) {
   EXPECT_FALSE(read_outline_geojson(folder / "a.geojson"));
 }
 
-TEST_F(GeoJsonTest, HoldsWallsWithWhatTheFitKnows) {
-  const std::vector<Eigen::Vector2d> points{{0.0, 2.0}, {1.0, 2.0}, {2.0, 2.0}};
-  const auto line = mapping::fit_line(points, 0.03);
-  write_lines_geojson(folder / "a.geojson", {line});
+TEST_F(GeoJsonTest, HasEveryPieceOfItsLineStrings) {
+  files::write_text_file(folder / "a.geojson",
+                         R"({"features": [
+      {"geometry": {"type": "LineString", "coordinates": [[0, 2], [2, 2], [2, 0.5]]}},
+      {"geometry": {"type": "Point", "coordinates": [5, 5]}}]})");
   const auto pieces = read_line_strings(folder / "a.geojson");
-  ASSERT_EQ(pieces.size(), 1U);
-  EXPECT_EQ(pieces[0].from_m, line.segment.from_m);
-  EXPECT_EQ(pieces[0].to_m, line.segment.to_m);
-  const auto properties = written()["features"][0]["properties"];
-  EXPECT_NEAR(properties["offset_m"].get<double>(), 2.0, 1e-12);
-  EXPECT_NEAR(properties["normal_sd_rad"].get<double>(), 0.03 / std::sqrt(2.0), 1e-9);
-  EXPECT_EQ(properties["points"], 3);
+  ASSERT_EQ(pieces.size(), 2U);
+  EXPECT_EQ(pieces[0].from_m, Eigen::Vector2d(0.0, 2.0));
+  EXPECT_EQ(pieces[0].to_m, Eigen::Vector2d(2.0, 2.0));
+  EXPECT_EQ(pieces[1].to_m, Eigen::Vector2d(2.0, 0.5));
 }
 
 TEST_F(GeoJsonTest, NamesTheFileThatIsBroken) {

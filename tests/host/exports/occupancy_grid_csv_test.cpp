@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/files/atomic_file.hpp"
+#include "tests/support/run_tables.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
@@ -46,7 +47,7 @@ TEST(OccupancyGridCsv, ReadsBackTheSameProbabilities) {
              static_cast<int>(random() % 800) - 400);
   }
   write_occupancy_grid_csv(folder / "grid.csv", grid);
-  const auto table = read_occupancy_grid_csv(folder / "grid.csv");
+  const auto table = tests::read_occupancy_grid_csv(folder / "grid.csv");
   EXPECT_EQ(table.resolution_m, 0.05);
   EXPECT_EQ(table.columns, grid.bounds().columns());
   EXPECT_EQ(table.rows, grid.bounds().rows());
@@ -72,7 +73,8 @@ TEST(OccupancyGridCsv, SaysWhichLineIsWrong) {
   const tests::ScratchFolder folder;
   const auto complaint_about = [&](const std::string& text) {
     files::write_text_file(folder / "a.csv", text);
-    return tests::thrown_text<files::FileError>([&] { read_occupancy_grid_csv(folder / "a.csv"); });
+    return tests::thrown_text<files::FileError>(
+        [&] { tests::read_occupancy_grid_csv(folder / "a.csv"); });
   };
   const std::string names = "# resolution_m,origin_x_m,origin_y_m,rows,columns\n";
   EXPECT_THAT(complaint_about(""), HasSubstr("a.csv:1: "));

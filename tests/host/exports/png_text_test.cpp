@@ -8,6 +8,7 @@
 
 #include "host/exports/picture.hpp"
 #include "host/files/atomic_file.hpp"
+#include "tests/support/png_texts.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
@@ -23,14 +24,14 @@ class PngTextTest : public ::testing::Test {
   PngTextTest() { Picture(7, 5, {1, 2, 3}).write_png(path, kTexts); }
   std::string complaint_about(const std::string& bytes) {
     files::write_text_file(folder / "b.png", bytes);
-    return tests::thrown_text<files::FileError>([&] { read_png_texts(folder / "b.png"); });
+    return tests::thrown_text<files::FileError>([&] { tests::read_png_texts(folder / "b.png"); });
   }
 
   tests::ScratchFolder folder;
   std::filesystem::path path = folder / "a.png";
 };
 
-TEST_F(PngTextTest, IsReadBack) { EXPECT_EQ(read_png_texts(path), kTexts); }
+TEST_F(PngTextTest, IsReadBack) { EXPECT_EQ(tests::read_png_texts(path), kTexts); }
 
 TEST_F(PngTextTest, IsWhatLibpngFinds) {
   std::FILE* file = std::fopen(path.c_str(), "rb");
@@ -52,7 +53,7 @@ TEST_F(PngTextTest, IsWhatLibpngFinds) {
 
 TEST_F(PngTextTest, OfAPictureWithoutTextsIsEmpty) {
   Picture(1, 1, {0, 0, 0}).write_png(folder / "c.png");
-  EXPECT_TRUE(read_png_texts(folder / "c.png").empty());
+  EXPECT_TRUE(tests::read_png_texts(folder / "c.png").empty());
 }
 
 TEST_F(PngTextTest, NamesTheFileThatIsNoneOrIsCutShort) {

@@ -6,6 +6,7 @@
 
 #include "host/exports/points_csv.hpp"
 #include "host/files/atomic_file.hpp"
+#include "tests/support/run_tables.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
@@ -21,7 +22,7 @@ TEST(PosesCsv, ReloadsToTheSamePosesToTheLastBit) {
     poses.emplace_back(i / 7.0, -i / 11.0, i / 3.0);
   }
   write_poses_csv(folder / "poses.csv", poses);
-  const auto read = read_poses_csv(folder / "poses.csv");
+  const auto read = tests::read_poses_csv(folder / "poses.csv");
   ASSERT_EQ(read.size(), poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(read[i].position_m(), poses[i].position_m());
@@ -38,7 +39,7 @@ TEST(PointCloudMap, ReloadsFromItsTwoMatrices) {
   }
   write_points_csv(folder / "points.csv", map.points());
   write_poses_csv(folder / "poses.csv", map.poses());
-  const auto read = read_point_cloud_map(folder.path());
+  const auto read = tests::read_point_cloud_map(folder.path());
   ASSERT_EQ(read.poses().size(), map.poses().size());
   ASSERT_EQ(read.points().size(), map.points().size());
   for (std::size_t i = 0; i < map.points().size(); ++i) {
@@ -51,8 +52,9 @@ TEST(PointCloudMap, IsNotReadWhereAPointNamesNoPose) {
   const tests::ScratchFolder folder;
   write_points_csv(folder / "points.csv", {{{0.0, 0.0}, 3}});
   write_poses_csv(folder / "poses.csv", {geometry::Pose2()});
-  EXPECT_THAT(tests::thrown_text<files::FileError>([&] { read_point_cloud_map(folder.path()); }),
-              HasSubstr("points.csv"));
+  EXPECT_THAT(
+      tests::thrown_text<files::FileError>([&] { tests::read_point_cloud_map(folder.path()); }),
+      HasSubstr("points.csv"));
 }
 
 }  // namespace

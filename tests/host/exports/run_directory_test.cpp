@@ -12,6 +12,8 @@
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/support/drawn_map.hpp"
+#include "tests/support/png_texts.hpp"
+#include "tests/support/run_tables.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/told_snapshot.hpp"
 
@@ -62,12 +64,12 @@ TEST(RunDirectory, ReloadsToTheSameMap) {
   write_run_directory(folder.path(), short_run(), {});
   EXPECT_EQ(tests::drawing_of(read_pgm_yaml(folder / "map.yaml")),
             (tests::DrawnMap{"     ", " ..# ", "     "}));
-  EXPECT_EQ(read_point_cloud_map(folder.path()).points().size(), 1U);
+  EXPECT_EQ(tests::read_point_cloud_map(folder.path()).points().size(), 1U);
   EXPECT_EQ(read_trajectory_tum(folder / "trajectory.tum").size(), 2U);
   EXPECT_NEAR(read_outline_geojson(folder / "outline.geojson")->area_m2(), 0.005, 1e-12);
-  const auto table = read_occupancy_grid_csv(folder / "occupancy_grid.csv");
+  const auto table = tests::read_occupancy_grid_csv(folder / "occupancy_grid.csv");
   EXPECT_GT(table.at(2, 0).value(), 0.65);
-  EXPECT_EQ(read_png_texts(folder / "map.png").size(), 3U);
+  EXPECT_EQ(tests::read_png_texts(folder / "map.png").size(), 3U);
 }
 
 TEST(RunDirectory, WritesTheSameBytesAgain) {

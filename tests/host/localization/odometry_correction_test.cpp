@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "host/geometry/angle.hpp"
-
 namespace echomap::localization {
 namespace {
 
@@ -53,14 +51,6 @@ TEST(OdometryCorrection, IsTheSameBackwardsAndNothingStanding) {
   EXPECT_NEAR(correction.corrected_m(1.0), 0.92, 1e-12);
   EXPECT_NEAR(correction.corrected_m(-1.0), -0.92, 1e-12);
   EXPECT_EQ(correction.corrected_m(0.0), 0.0);
-}
-
-TEST(OdometryCorrection, StepsInTheDirectionAfterTheTurn) {
-  const auto pose = corrected_step(
-      {1.0, 1.0, geometry::radians(45.0)}, geometry::radians(45.0), 1.0, {0.9, 0.02});
-  EXPECT_NEAR(pose.x_m(), 1.0, 1e-12);
-  EXPECT_NEAR(pose.y_m(), 1.92, 1e-12);
-  EXPECT_NEAR(pose.heading_rad(), geometry::radians(90.0), 1e-12);
 }
 
 }  // namespace

@@ -99,31 +99,6 @@ TEST(PolygonMap, RefusesRingsThatAreNoFloor) {
   EXPECT_THROW(PolygonMap(kL, {across}), std::invalid_argument);
 }
 
-TEST(PolygonFromContour, FindsTheCornersOfANoisyWalkAroundTheRoom) {
-  std::mt19937 random(4);
-  std::normal_distribution<double> noise_m(0.0, 0.01);
-  std::vector<Eigen::Vector2d> contour;
-  for (std::size_t i = 0; i < kL.size(); ++i) {
-    const auto [from, to] = geometry::side(kL, i);
-    for (int step = 0; step < 40; ++step) {
-      contour.emplace_back(from + step / 40.0 * (to - from) +
-                           Eigen::Vector2d(noise_m(random), noise_m(random)));
-    }
-  }
-  const auto map = polygon_from_contour(contour);
-  ASSERT_TRUE(map);
-  ASSERT_EQ(map->outline_m().size(), 6U);
-  EXPECT_NEAR(map->area_m2(), 8.0, 0.1);
-  for (const auto& corner : kL) {
-    EXPECT_LT(geometry::distance_to_sides_m(map->outline_m(), corner), 0.05);
-  }
-}
-
-TEST(PolygonFromContour, OfPlacesThatBoundNothingIsEmpty) {
-  EXPECT_FALSE(polygon_from_contour({}));
-  EXPECT_FALSE(polygon_from_contour({{0, 0}, {1, 0}, {2, 0}}));
-}
-
 TEST(PolygonFromRaster, StraightensTheStairsOfASlantedWall) {
   RasterMap map(80, 60, 0.05, {0.0, 0.0});
   const PolygonMap room({{0.2, 0.2}, {3.8, 0.2}, {3.8, 1.5}, {2.3, 2.8}, {0.2, 2.8}});
@@ -173,7 +148,7 @@ TEST(PolygonFromRaster, NeverHasAFaultAndStaysNearTheFloor) {
 
 TEST(PolygonMapParams, AreNotNegative) {
   EXPECT_THROW(polygon_from_raster(map_from({"."}), {-1.0, 0.0}), std::invalid_argument);
-  EXPECT_THROW(polygon_from_contour(kL, {0.0, -1.0}), std::invalid_argument);
+  EXPECT_THROW(polygon_from_raster(map_from({"."}), {0.0, -1.0}), std::invalid_argument);
 }
 
 }  // namespace

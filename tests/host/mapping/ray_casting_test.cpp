@@ -102,38 +102,5 @@ TEST(RayCasting, EndsAtOnceInAnObstacleAndFindsNothingFromOutside) {
   EXPECT_EQ(range_m[0], 5.0F);
 }
 
-TEST(ConeRange, IsThatOfTheNearestObstacleInTheOpening) {
-  RasterMap map(80, 80, 0.05, {0.0, 0.0});
-  for (std::int32_t y = 0; y < 80; ++y) {
-    map.set({70, y}, CellState::kOccupied);
-  }
-  map.set({50, 45}, CellState::kOccupied);
-  const DistanceField field(map, 4.0);
-  const Eigen::Vector2d from_m(1.0, 2.0);
-  EXPECT_NEAR(cone_range_m(field, from_m, 0.0, 0.1, 4.0), 2.5, 0.001);
-  EXPECT_NEAR(cone_range_m(field, from_m, 0.0, 0.25, 4.0), std::hypot(1.5, 0.25), 0.05);
-  EXPECT_EQ(cone_range_m(field, from_m, 3.14, 0.25, 4.0), 4.0);
-}
-
-TEST(ConeRange, IsTheLeastOfItsRays) {
-  std::mt19937 random(43);
-  const RasterMap map = room(random);
-  const DistanceField field(map, 2.0);
-  for (int i = 0; i < 100; ++i) {
-    const Eigen::Vector2d from_m(0.3 + 0.05 * i, 1.3);
-    const double bearing_rad = 0.4 * i;
-    const double range_m = cone_range_m(field, from_m, bearing_rad, 0.26, 3.0);
-    std::vector<Eigen::Vector2f> fan;
-    for (int k = -400; k <= 400; ++k) {
-      fan.push_back(geometry::unit_vector(bearing_rad + 0.26 * k / 400.0).cast<float>());
-    }
-    std::vector<float> fine_m(fan.size());
-    cast_rays(field, from_m, fan, 3.0, fine_m);
-    const float least_m = *std::min_element(fine_m.begin(), fine_m.end());
-    EXPECT_GE(range_m, least_m - 1e-4);
-    EXPECT_LE(range_m, least_m + 0.051) << "a ray at most half a cell off meets the same cell";
-  }
-}
-
 }  // namespace
 }  // namespace echomap::mapping

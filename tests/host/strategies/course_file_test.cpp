@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "host/strategies/course_file.hpp"
 
-#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -9,8 +8,6 @@
 
 #include "host/files/atomic_file.hpp"
 #include "host/files/toml_reader.hpp"
-#include "host/geometry/angle.hpp"
-#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::strategies {
 namespace {
@@ -73,26 +70,6 @@ TEST(CourseFile, NamesTheNearestBundledOne) {
     FAIL();
   } catch (const files::ConfigError& error) {
     EXPECT_THAT(error.what(), HasSubstr("playground"));
-  }
-}
-
-TEST(CourseFile, ReadsWhatItHasWritten) {
-  const tests::ScratchFolder folder;
-  const geometry::Polygon outline_m{{-1.0, -0.5}, {2.0, -0.5}, {2.0, 2.6}, {-1.0, 2.6}};
-  auto course = exploration::course_around(outline_m, {0.1, 0.2, 0.7});
-  course.name = "my \"room\"";
-  write_course(folder / "course.toml", course);
-  const auto read = load_course(folder / "course.toml");
-  EXPECT_EQ(read.name, course.name);
-  EXPECT_EQ(read.cells.min, course.cells.min);
-  EXPECT_EQ(read.cells.max, course.cells.max);
-  EXPECT_EQ(read.cell_m, course.cell_m);
-  EXPECT_NEAR(read.T_course_start.heading_rad(), 0.7, 1e-12);
-  ASSERT_EQ(read.known_walls.size(), course.known_walls.size());
-  ASSERT_EQ(read.waypoints.size(), course.waypoints.size());
-  for (std::size_t i = 0; i < read.waypoints.size(); ++i) {
-    EXPECT_EQ(read.waypoints[i].name, course.waypoints[i].name);
-    EXPECT_EQ(read.waypoints[i].position_m, course.waypoints[i].position_m);
   }
 }
 

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "host/exploration/waypoint_course.hpp"
+#include "tests/benchmarks/course_around.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
-namespace echomap::exploration {
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+#include "host/geometry/angle.hpp"
+
+namespace echomap::bench {
 
 namespace {
+
+using exploration::Waypoint;
+using exploration::WaypointCourse;
 
 /// The smallest box around points.
 struct Box {
@@ -56,6 +65,9 @@ bool has_room(const geometry::Polygon& outline_m, const Eigen::Vector2d& place_m
          geometry::distance_to_sides_m(outline_m, place_m) >= room_m - kRoundingM;
 }
 
+/// A basic string of TOML escapes as JSON does.
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
 }  // namespace
 
 WaypointCourse course_around(const geometry::Polygon& outline_m,
@@ -93,4 +105,33 @@ WaypointCourse course_around(const geometry::Polygon& outline_m,
   return course;
 }
 
-}  // namespace echomap::exploration
+void write_course(const std::filesystem::path& path, const WaypointCourse& course) {
+  const geometry::Pose2& start = course.T_course_start;
+  std::string text = fmt::format("name = {}\n\n", quoted(course.name));
+  text += fmt::format("[grid]\nx_m = {}\ny_m = {}\ncolumns = {}\nrows = {}\ncell_m = {}\n\n",
+                      course.cells.min.x * course.cell_m,
+                      course.cells.min.y * course.cell_m,
+                      course.cells.columns(),
+                      course.cells.rows(),
+                      course.cell_m);
+  text += fmt::format("[start]\nx_m = {}\ny_m = {}\nheading_deg = {}\n",
+                      start.x_m(),
+                      start.y_m(),
+                      geometry::degrees(start.heading_rad()));
+  for (const geometry::Segment& wall : course.known_walls) {
+    text += fmt::format("\n[[known_wall]]\npoints_m = [[{}, {}], [{}, {}]]\n",
+                        wall.from_m.x(),
+                        wall.from_m.y(),
+                        wall.to_m.x(),
+                        wall.to_m.y());
+  }
+  for (const Waypoint& waypoint : course.waypoints) {
+    text += fmt::format("\n[[waypoint]]\nname = {}\nx_m = {}\ny_m = {}\n",
+                        quoted(waypoint.name),
+                        waypoint.position_m.x(),
+                        waypoint.position_m.y());
+  }
+  files::write_text_file(path, text);
+}
+
+}  // namespace echomap::bench

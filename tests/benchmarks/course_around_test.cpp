@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/exploration/waypoint_course.hpp"
+#include "tests/benchmarks/course_around.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,13 @@
 
 #include <gtest/gtest.h>
 
-namespace echomap::exploration {
+#include "host/apps/course_file.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::bench {
 namespace {
 
+using exploration::Waypoint;
 using geometry::Polygon;
 
 const Polygon kBox{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.5}, {0.0, 1.5}};
@@ -64,5 +68,25 @@ TEST(CourseAround, RefusesWhatHasNoCorners) {
   EXPECT_THROW(course_around(kBox, {}, {.spacing_m = 0.0}), std::invalid_argument);
 }
 
+TEST(CourseAround, IsReadAsItWasWritten) {
+  const tests::ScratchFolder folder;
+  const geometry::Polygon outline_m{{-1.0, -0.5}, {2.0, -0.5}, {2.0, 2.6}, {-1.0, 2.6}};
+  auto course = course_around(outline_m, {0.1, 0.2, 0.7});
+  course.name = "my \"room\"";
+  write_course(folder / "course.toml", course);
+  const auto read = apps::load_course(folder / "course.toml");
+  EXPECT_EQ(read.name, course.name);
+  EXPECT_EQ(read.cells.min, course.cells.min);
+  EXPECT_EQ(read.cells.max, course.cells.max);
+  EXPECT_EQ(read.cell_m, course.cell_m);
+  EXPECT_NEAR(read.T_course_start.heading_rad(), 0.7, 1e-12);
+  ASSERT_EQ(read.known_walls.size(), course.known_walls.size());
+  ASSERT_EQ(read.waypoints.size(), course.waypoints.size());
+  for (std::size_t i = 0; i < read.waypoints.size(); ++i) {
+    EXPECT_EQ(read.waypoints[i].name, course.waypoints[i].name);
+    EXPECT_EQ(read.waypoints[i].position_m, course.waypoints[i].position_m);
+  }
+}
+
 }  // namespace
-}  // namespace echomap::exploration
+}  // namespace echomap::bench
