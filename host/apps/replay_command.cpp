@@ -25,6 +25,7 @@
 #include "host/pipeline/log_mapper.hpp"
 #include "host/pipeline/log_slam.hpp"
 #include "host/pipeline/replaced_poses.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/slam_methods.hpp"
 
 namespace echomap::apps {
@@ -55,8 +56,8 @@ pipeline::LogMapperParams params_of(const ReplayOptions& options) {
 
 /// Throws CommandError for a scan of sound where SLAM takes wide beams for thin ones, and errs.
 void require_fit(const datasets::LogRecord& record, const slam::NamedSlam& method) {
-  const auto* scan = std::get_if<datasets::RangeScan>(&record);
-  if (scan != nullptr && scan->beam_opening_rad > 0.0 && !method.takes_cones) {
+  const auto* scan = std::get_if<sensors::RangeScan>(&record);
+  if (scan != nullptr && scan->beam_width_rad > 0.0 && !method.takes_cones) {
     throw CommandError(ExitCode::kRuntimeError,
                        fmt::format("--slam {} is for lasers, and the log is of sensors with wide "
                                    "beams\n  next: --slam grid",

@@ -8,13 +8,14 @@
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/nearest_points.hpp"
 #include "host/mapping/occupancy_grid.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::bench {
 
 /// A laser scan with its corrected pose.
 struct PosedScan {
   geometry::Pose2 T_map_laser;
-  datasets::RangeScan scan;
+  sensors::RangeScan scan;
 };
 
 /// All scans of a CARMEN log with given poses. Throws files::FileError.
