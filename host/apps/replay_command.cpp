@@ -265,7 +265,7 @@ ExitCode replay_log(const ReplayOptions& options) {
 }  // namespace
 
 ExitCode run_replay(const ReplayOptions& options) {
-  return is_replayed_as_driven(options) ? replay_run(options) : replay_log(options);
+  return plays_observations(options) ? replay_run(options) : replay_log(options);
 }
 
 }  // namespace echomap::apps
