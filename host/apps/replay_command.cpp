@@ -26,6 +26,7 @@
 #include "host/pipeline/log_mapper.hpp"
 #include "host/pipeline/log_slam.hpp"
 #include "host/pipeline/replaced_poses.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/slam_methods.hpp"
 
 namespace echomap::apps {
@@ -56,8 +57,8 @@ pipeline::LogMapperParams params_of(const ReplayOptions& options) {
 
 /// Throws CommandError for a scan of sound where SLAM takes wide beams for thin ones, and errs.
 void require_fit(const datasets::LogRecord& record, const slam::NamedSlam& method) {
-  const auto* scan = std::get_if<datasets::RangeScan>(&record);
-  if (scan != nullptr && scan->beam_opening_rad > 0.0 && !method.takes_cones) {
+  const auto* scan = std::get_if<sensors::RangeScan>(&record);
+  if (scan != nullptr && scan->beam_width_rad > 0.0 && !method.takes_cones) {
     throw CommandError(ExitCode::kRuntimeError,
                        fmt::format("--slam {} is for lasers, and the log is of sensors with wide "
                                    "beams\n  next: --slam grid",
@@ -265,7 +266,7 @@ ExitCode replay_log(const ReplayOptions& options) {
 }  // namespace
 
 ExitCode run_replay(const ReplayOptions& options) {
-  return is_replayed_as_driven(options) ? replay_run(options) : replay_log(options);
+  return plays_observations(options) ? replay_run(options) : replay_log(options);
 }
 
 }  // namespace echomap::apps

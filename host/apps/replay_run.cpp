@@ -17,6 +17,7 @@
 #include "host/exports/observations_file.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/session/pipeline_setup.hpp"
+#include "host/slam/slam_methods.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -27,9 +28,12 @@ using nlohmann::ordered_json;
 /// Why the observations of a run are not played; empty where they are.
 std::string reason_against(const ReplayOptions& options) {
   const ReplayOptions usual;
-  if (options.map != usual.map || options.poses != usual.poses || options.slam != usual.slam ||
+  if (options.map != usual.map || options.poses != usual.poses ||
       options.resolution_m != usual.resolution_m) {
-    return "--map, --poses, --slam or --resolution asks for another map than the run's";
+    return "--map, --poses or --resolution asks for another map";
+  }
+  if (!options.slam.empty() && !slam::slam_by_name(options.slam).takes_cones) {
+    return "--slam " + options.slam + " is for lasers";
   }
   for (const char* needed : {kRecordName, kProfileName}) {
     if (!exists(options.log / needed)) {
@@ -73,7 +77,8 @@ void save_summary(const fs::path& folder,
                   const exports::RunSummary& map,
                   const ordered_json& replay) {
   const auto made = ordered_json::parse(exports::to_json_text(map));
-  for (const char* key : {"stops",
+  for (const char* key : {"slam",
+                          "stops",
                           "poses",
                           "points",
                           "outline_by_strategy",
@@ -90,6 +95,7 @@ void save_summary(const fs::path& folder,
 struct PlayedMap {
   const pipeline::ObservationLog& record;
   const pipeline::RobotPipeline& pipeline;
+  std::string slam;
 };
 
 void save_played(const PlayedMap& map,
@@ -98,6 +104,7 @@ void save_played(const PlayedMap& map,
                  const fs::path& out) {
   const PlayedSummary summary = read_summary(run / "summary.json");
   exports::RunSummary made;
+  made.slam = map.slam;
   fs::create_directories(out);
   exports::ObservationsFile(out / kRecordName).save(map.record, false);
   save_map(map.pipeline, profile, out, made, outline_of(run, summary));
@@ -106,13 +113,23 @@ void save_played(const PlayedMap& map,
                made,
                {{"log", run.filename().string()},
                 {"map", "grid"},
-                {"poses", summary.slam},
+                {"poses", map.slam},
                 {"observations", map.record.observations()}});
+}
+
+/// The run's, or the one that is asked for.
+std::string slam_of(const ReplayOptions& options, const session::RobotProfile& profile) {
+  const std::string slam = read_summary(options.log / "summary.json").slam;
+  if (options.slam.empty() || options.slam == slam || !profile.has_sonar) {
+    return slam;
+  }
+  console::print(fmt::format("the map will differ from the run's: it was placed by '{}'", slam));
+  return options.slam;
 }
 
 }  // namespace
 
-bool is_replayed_as_driven(const ReplayOptions& options) {
+bool plays_observations(const ReplayOptions& options) {
   if (!fs::is_directory(options.log)) {
     return false;
   }
@@ -125,13 +142,14 @@ bool is_replayed_as_driven(const ReplayOptions& options) {
 }
 
 console::ExitCode replay_run(const ReplayOptions& options) {
-  const fs::path& run = options.log;
-  const session::RobotProfile profile = session::load_robot_profile((run / kProfileName).string());
-  pipeline::RobotAtlas atlas = session::atlas_for(profile, read_summary(run / "summary.json").slam);
   const auto start = std::chrono::steady_clock::now();
+  const session::RobotProfile profile =
+      session::load_robot_profile((options.log / kProfileName).string());
+  const std::string slam = slam_of(options, profile);
+  pipeline::RobotAtlas atlas = session::atlas_for(profile, slam);
   std::string damage;
   try {
-    play_run(run, atlas, atlas);
+    play_run(options.log, atlas, atlas);
   } catch (const files::FileError& error) {
     damage = error.what();
   }
@@ -139,17 +157,17 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   prepare_outputs(out, options.json);
   for (std::size_t i = 0; i < atlas.former_maps().size(); ++i) {
     const pipeline::FormerMap& former = atlas.former_maps()[i];
-    save_played({former.record, former.pipeline},
+    save_played({former.record, former.pipeline, slam},
                 profile,
-                former_map_of(run, i + 1),
+                former_map_of(options.log, i + 1),
                 former_map_of(out, i + 1));
   }
-  save_played({atlas.record(), atlas.pipeline()}, profile, run, out);
+  save_played({atlas.record(), atlas.pipeline(), slam}, profile, options.log, out);
   write_report(options.json, ordered_json::parse(files::read_text_file(out / "summary.json")));
   console::print("map: " + (out / "map.png").string());
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   console::print(fmt::format(
-      "{} observations played in {:.2f} s", atlas.record().observations(), seconds.count()));
+      "{} observations played in {:.2f} s", atlas.record().observations(), wall.count()));
   if (!damage.empty()) {
     spdlog::error("{}; the map up to there is kept", damage);
     return console::ExitCode::kRuntimeError;

@@ -6,10 +6,10 @@
 
 namespace echomap::apps {
 
-/// Whether the log is a run directory that is replayed as the robot drove it: it holds the run's
-/// observations and the robot's profile, and no option asks for another map. Where it is a run
-/// directory that is not, says why.
-bool is_replayed_as_driven(const ReplayOptions& options);
+/// Whether the log is a run directory whose observations are played: it holds them and the robot's
+/// profile, and no option asks for a map that the robot's pipeline does not make. Where it is a run
+/// directory that is not played, says why.
+bool plays_observations(const ReplayOptions& options);
 
 /// Plays the observations of a run, and those of its former maps, into pipelines like the run's
 /// own. The run directory that it writes is the same, byte for byte, but for the report of the

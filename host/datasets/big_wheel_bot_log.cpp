@@ -7,6 +7,7 @@
 #include "host/datasets/field_cursor.hpp"
 #include "host/datasets/line_log.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -19,7 +20,7 @@ constexpr double kInfraredMaxRangeM = 0.6;
 constexpr double kInfraredBearingDeg = 45.0;
 
 std::optional<double> read_range_m(FieldCursor& fields, const char* name, double max_range_m) {
-  return returned_range_m(fields.number(name) / 100.0, max_range_m);
+  return sensors::returned_range_m(fields.number(name) / 100.0, max_range_m);
 }
 
 class BigWheelBotParser : public LineParser {
@@ -34,13 +35,13 @@ class BigWheelBotParser : public LineParser {
     records.emplace_back(Heading{{}, geometry::wrap_angle(-clockwise_rad)});
     records.emplace_back(WheelIncrement{{}, left_m, right_m, kTrackM});
 
-    RangeScan sonar{{}, {}, {}, geometry::radians(kSonarOpeningDeg), kSonarMaxRangeM};
+    sensors::RangeScan sonar{{}, {}, {}, geometry::radians(kSonarOpeningDeg), kSonarMaxRangeM};
     sonar.beams = {{0.0, read_range_m(fields, "the front range", kSonarMaxRangeM)},
                    {std::numbers::pi, read_range_m(fields, "the rear range", kSonarMaxRangeM)}};
     records.emplace_back(std::move(sonar));
 
     const double side_rad = geometry::radians(kInfraredBearingDeg);
-    RangeScan infrared{{}, {}, {}, 0.0, kInfraredMaxRangeM};
+    sensors::RangeScan infrared{{}, {}, {}, 0.0, kInfraredMaxRangeM};
     infrared.beams = {{side_rad, read_range_m(fields, "the left IR range", kInfraredMaxRangeM)},
                       {-side_rad, read_range_m(fields, "the right IR range", kInfraredMaxRangeM)}};
     records.emplace_back(std::move(infrared));

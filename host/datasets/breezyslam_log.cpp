@@ -8,6 +8,7 @@
 #include "host/datasets/line_log.hpp"
 #include "host/datasets/rising_stamp.hpp"
 #include "host/datasets/wheel_counters.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -35,12 +36,13 @@ class BreezyslamParser : public LineParser {
     const double right_ticks = fields.number("the right ticks");
     fields.skip(kFieldsBeforeRanges - 4);
     records.emplace_back(wheels_.increment(stamp_s, left_ticks, right_ticks));
-    RangeScan scan{stamp_s, {kLaserAheadM, 0.0, 0.0}, {}, 0.0, kMaxRangeM};
+    sensors::RangeScan scan{stamp_s, {kLaserAheadM, 0.0, 0.0}, {}, 0.0, kMaxRangeM};
     for (int i = 0; i < kBeams; ++i) {
       const double range_mm = fields.number("a range");
       if (i >= kMargin && i < kBeams - kMargin) {
         const double range_m = range_mm < kLeastRangeMm ? 0.0 : range_mm / 1000.0;
-        scan.beams.push_back({(i - kBeamAhead) * kStepRad, returned_range_m(range_m, kMaxRangeM)});
+        scan.beams.push_back(
+            {(i - kBeamAhead) * kStepRad, sensors::returned_range_m(range_m, kMaxRangeM)});
       }
     }
     fields.expect_end();

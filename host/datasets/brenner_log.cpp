@@ -9,6 +9,7 @@
 #include "host/datasets/merged_log.hpp"
 #include "host/datasets/rising_stamp.hpp"
 #include "host/datasets/wheel_counters.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -37,12 +38,12 @@ class ScanParser : public LineParser {
              std::vector<LogRecord>& records) override {
     FieldCursor fields(lines, line);
     const auto stamp_s = stamps_.accept(read_time_s(fields, "S"));
-    RangeScan scan{stamp_s, {kScannerAheadM, 0.0, 0.0}, {}, 0.0, kMaxRangeM};
+    sensors::RangeScan scan{stamp_s, {kScannerAheadM, 0.0, 0.0}, {}, 0.0, kMaxRangeM};
     scan.beams.resize(fields.count("the number of ranges"));
     for (std::size_t i = 0; i < scan.beams.size(); ++i) {
       const double range_m = fields.number("a range") / 1000.0;
       scan.beams[i] = {(static_cast<double>(i) - 330.0) * kBeamStepRad + kScannerTurnRad,
-                       returned_range_m(range_m, kMaxRangeM)};
+                       sensors::returned_range_m(range_m, kMaxRangeM)};
     }
     fields.expect_end();
     records.emplace_back(std::move(scan));

@@ -10,6 +10,7 @@
 #include "host/datasets/rising_stamp.hpp"
 #include "host/datasets/wheel_counters.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -69,9 +70,10 @@ class CarlParser : public LineParser {
 
     records.emplace_back(Heading{stamp_s, geometry::wrap_angle(-geometry::radians(clockwise_deg))});
     records.emplace_back(wheels_.increment(stamp_s, left_deg, right_deg));
-    RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
+    sensors::RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
     scan.is_light = true;
-    scan.beams = {{-geometry::radians(pan_clockwise_deg), returned_range_m(range_m, kMaxRangeM)}};
+    scan.beams = {
+        {-geometry::radians(pan_clockwise_deg), sensors::returned_range_m(range_m, kMaxRangeM)}};
     records.emplace_back(std::move(scan));
   }
 

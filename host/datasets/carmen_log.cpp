@@ -8,6 +8,7 @@
 #include "host/datasets/line_log.hpp"
 #include "host/datasets/pose_fields.hpp"
 #include "host/datasets/rising_stamp.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -24,10 +25,10 @@ std::optional<double> read_stamp(FieldCursor& fields, RisingStamp& stamps) {
   return stamps.accept(stamp_s);
 }
 
-void read_ranges(FieldCursor& fields, double first_rad, double step_rad, RangeScan& scan) {
+void read_ranges(FieldCursor& fields, double first_rad, double step_rad, sensors::RangeScan& scan) {
   for (std::size_t i = 0; i < scan.beams.size(); ++i) {
     scan.beams[i] = {first_rad + step_rad * static_cast<double>(i),
-                     returned_range_m(fields.number("a range"), scan.max_range_m)};
+                     sensors::returned_range_m(fields.number("a range"), scan.max_range_m)};
   }
 }
 
@@ -57,7 +58,7 @@ class CarmenParser : public LineParser {
   }
 
   void parse_front_laser(FieldCursor& fields, std::vector<LogRecord>& records) {
-    RangeScan scan;
+    sensors::RangeScan scan;
     scan.max_range_m = kFrontLaserMaxRangeM;
     const std::size_t count = fields.count("the number of ranges");
     scan.beams.resize(count);
@@ -73,7 +74,7 @@ class CarmenParser : public LineParser {
   }
 
   void parse_robot_laser(FieldCursor& fields, std::vector<LogRecord>& records) {
-    RangeScan scan;
+    sensors::RangeScan scan;
     fields.number("the type of laser");
     const double first_rad = fields.number("the first bearing");
     fields.number("the field of view");

@@ -9,6 +9,7 @@
 #include "host/datasets/pose_fields.hpp"
 #include "host/datasets/rising_stamp.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -33,7 +34,7 @@ class EdmontonParser : public LineParser {
   void parse(const LineReader& lines,
              std::string_view line,
              std::vector<LogRecord>& records) override {
-    RangeScan scan = read_scan(FieldCursor(lines, line));
+    sensors::RangeScan scan = read_scan(FieldCursor(lines, line));
     if (times_) {
       scan.stamp_s = stamps_.accept(times_->require(lines).number("the time"));
     }
@@ -52,13 +53,13 @@ class EdmontonParser : public LineParser {
   }
 
  private:
-  static RangeScan read_scan(FieldCursor fields) {
-    RangeScan scan;
+  static sensors::RangeScan read_scan(FieldCursor fields) {
+    sensors::RangeScan scan;
     scan.max_range_m = kMaxRangeM;
     scan.beams.reserve(kBeams);
     for (std::size_t i = 0; i < kBeams; ++i) {
       scan.beams.push_back({geometry::radians(static_cast<double>(i) - 90.0),
-                            returned_range_m(fields.number("a range"), kMaxRangeM)});
+                            sensors::returned_range_m(fields.number("a range"), kMaxRangeM)});
     }
     fields.expect_end();
     return scan;

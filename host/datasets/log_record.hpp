@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 
@@ -53,32 +54,6 @@ struct GivenPosition {
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
 };
 
-/// One beam; empty where nothing answered.
-struct Beam {
-  double bearing_rad = 0.0;  ///< In the sensor's frame.
-  std::optional<double> range_m;
-
-  bool operator==(const Beam&) const = default;
-};
-
-/// Ranges taken together from one place: a laser scan, a ring of sonars, one ping.
-struct RangeScan {
-  std::optional<double> stamp_s;
-  geometry::Pose2 T_robot_sensor;
-  std::vector<Beam> beams;
-  double beam_opening_rad = 0.0;  ///< The whole cone of a beam; 0 for a laser.
-  double max_range_m = 0.0;       ///< What is as far as this or farther does not answer.
-  /// Light is swallowed as easily as it gets lost: its silence says nothing. Sound that nothing
-  /// answers speaks for free floor.
-  bool is_light = false;
-};
-
-/// The range that stands in a log; empty for zero, below, and `max_range_m` or more.
-inline std::optional<double> returned_range_m(double range_m, double max_range_m) {
-  const bool is_return = range_m > 0.0 && range_m < max_range_m;
-  return is_return ? std::optional(range_m) : std::nullopt;
-}
-
 /// What touches the robot.
 struct Contact {
   std::optional<double> stamp_s;
@@ -102,7 +77,7 @@ using LogRecord = std::variant<OdometryPose,
                                Heading,
                                GivenPose,
                                GivenPosition,
-                               RangeScan,
+                               sensors::RangeScan,
                                Contact,
                                LandmarkSighting>;
 

@@ -6,6 +6,7 @@
 
 #include "host/datasets/field_cursor.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -20,7 +21,7 @@ class NxtScanLog : public LogReader {
   explicit NxtScanLog(const std::filesystem::path& path) : lines_(path) {}
 
   std::optional<LogRecord> next() override {
-    RangeScan scan{{}, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
+    sensors::RangeScan scan{{}, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
     while (const auto line = lines_.next()) {
       FieldCursor fields(lines_, *line);
       if (fields.at_end()) {
@@ -31,7 +32,7 @@ class NxtScanLog : public LogReader {
       if (scan.beams.size() == kMostRanges) {
         lines_.fail("more ranges than a scan has");
       }
-      scan.beams.push_back({0.0, returned_range_m(range_m, kMaxRangeM)});
+      scan.beams.push_back({0.0, sensors::returned_range_m(range_m, kMaxRangeM)});
     }
     if (scan.beams.empty()) {
       return std::nullopt;

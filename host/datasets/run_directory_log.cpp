@@ -8,6 +8,7 @@
 #include "host/datasets/field_cursor.hpp"
 #include "host/datasets/line_reader.hpp"
 #include "host/datasets/pose_fields.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -78,7 +79,7 @@ class RunDirectoryLog : public LogReader {
 
   /// Collects the echoes that the pose with this index saw.
   void read_scan(const geometry::Pose2& T_map_robot) {
-    RangeScan scan;
+    sensors::RangeScan scan;
     scan.max_range_m = std::numeric_limits<double>::infinity();
     const geometry::Pose2 T_robot_map = T_map_robot.inverse();
     while (echo_ && echo_->pose_index == pose_index_) {
@@ -101,7 +102,7 @@ class RunDirectoryLog : public LogReader {
   std::int64_t pose_index_ = 0;
   std::optional<Echo> echo_;
   std::optional<GivenPose> given_;
-  std::optional<RangeScan> scan_;
+  std::optional<sensors::RangeScan> scan_;
 };
 
 }  // namespace

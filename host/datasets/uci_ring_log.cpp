@@ -6,6 +6,7 @@
 #include "host/datasets/field_cursor.hpp"
 #include "host/datasets/line_log.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -20,10 +21,11 @@ class UciRingParser : public LineParser {
              std::string_view line,
              std::vector<LogRecord>& records) override {
     FieldCursor fields(lines, line, Separator::kComma);
-    RangeScan scan{{}, {}, {}, geometry::radians(kStepDeg), kMaxRangeM};
+    sensors::RangeScan scan{{}, {}, {}, geometry::radians(kStepDeg), kMaxRangeM};
     for (int i = 0; i < kSonars; ++i) {
       const double bearing_rad = geometry::wrap_angle(-geometry::radians(kStepDeg * i));
-      scan.beams.push_back({bearing_rad, returned_range_m(fields.number("a range"), kMaxRangeM)});
+      scan.beams.push_back(
+          {bearing_rad, sensors::returned_range_m(fields.number("a range"), kMaxRangeM)});
     }
     fields.word("the label");
     fields.expect_end();

@@ -9,6 +9,7 @@
 #include "host/datasets/pose_fields.hpp"
 #include "host/datasets/rising_stamp.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -37,10 +38,11 @@ class UdacityParser : public LineParser {
     }
     const auto stamp_s = stamps_.accept(time_ms / 1000.0);
     records.emplace_back(GivenPose{stamp_s, T_map_robot});
-    RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
+    sensors::RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
     for (const double bearing_deg : kBearingsDeg) {
       const double range_m = fields.number("a range") / 1000.0;
-      scan.beams.push_back({geometry::radians(bearing_deg), returned_range_m(range_m, kMaxRangeM)});
+      scan.beams.push_back(
+          {geometry::radians(bearing_deg), sensors::returned_range_m(range_m, kMaxRangeM)});
     }
     fields.expect_end();
     records.emplace_back(std::move(scan));

@@ -7,6 +7,7 @@
 #include "host/datasets/pose_fields.hpp"
 #include "host/datasets/rising_stamp.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::datasets {
 namespace {
@@ -42,14 +43,14 @@ class WeanParser : public LineParser {
   void parse_laser(FieldCursor& fields, std::vector<LogRecord>& records) {
     const auto T_odom_robot = read_pose(fields, "the pose", kCentimetres);
     const auto T_odom_laser = read_pose(fields, "the pose of the laser", kCentimetres);
-    RangeScan scan;
+    sensors::RangeScan scan;
     scan.T_robot_sensor = T_odom_robot.inverse() * T_odom_laser;
     scan.max_range_m = kMaxRangeM;
     scan.beams.reserve(kBeams);
     for (std::size_t i = 0; i < kBeams; ++i) {
       const double range_m = fields.number("a range") * kCentimetres.length_m;
       scan.beams.push_back({geometry::radians(static_cast<double>(i) - 90.0),
-                            returned_range_m(range_m, kMaxRangeM)});
+                            sensors::returned_range_m(range_m, kMaxRangeM)});
     }
     scan.stamp_s = read_stamp(fields, laser_stamps_);
     records.emplace_back(OdometryPose{scan.stamp_s, T_odom_robot});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 
@@ -31,12 +32,12 @@ struct Heard {
   bool is_heard = false;
 };
 
-std::vector<Heard> heard_around(const std::vector<SonarLook>& looks,
+std::vector<Heard> heard_around(const std::vector<sensors::Beam>& looks,
                                 double bearing_rad,
                                 double range_m,
                                 const SonarSurfaceParams& params) {
   std::vector<Heard> heard;
-  for (const SonarLook& look : looks) {
+  for (const sensors::Beam& look : looks) {
     const double off_rad = std::abs(geometry::angle_between(bearing_rad, look.bearing_rad));
     if (off_rad > kAroundRad) {
       continue;
@@ -67,7 +68,7 @@ double range_off_foot_m(double foot_m, double off_rad, const SonarSurfaceParams&
   return foot_m / std::cos(std::max(0.0, off_rad - params.beam_half_angle_rad));
 }
 
-double likely_bearing_rad(const std::vector<SonarLook>& looks,
+double likely_bearing_rad(const std::vector<sensors::Beam>& looks,
                           double near_rad,
                           double within_rad,
                           double range_m,

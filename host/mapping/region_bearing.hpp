@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/mapping/sonar_surfaces.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 
@@ -13,7 +14,7 @@ namespace echomap::mapping {
 /// farther away, say that the surface was not heard; echoes from nearer say nothing, since they
 /// would have come first. So what cuts a region short on one side does not pull its middle to the
 /// other.
-double likely_bearing_rad(const std::vector<SonarLook>& looks,
+double likely_bearing_rad(const std::vector<sensors::Beam>& looks,
                           double near_rad,
                           double within_rad,
                           double range_m,

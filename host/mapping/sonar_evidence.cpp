@@ -10,6 +10,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 
@@ -114,7 +115,7 @@ SonarEvidence::SonarEvidence(const std::vector<SonarView>& views,
   draw_walls(walls);
   for (const SonarView& view : views) {
     auto& arcs = arcs_.emplace_back();
-    for (const SonarBeam& beam : view.beams) {
+    for (const sensors::Beam& beam : view.beams) {
       if (beam.range_m && *beam.range_m <= cone.params().max_range_m) {
         arcs.push_back(arc_of(view, {beam.bearing_rad, *beam.range_m}));
       }

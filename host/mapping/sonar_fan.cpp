@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 
@@ -41,7 +42,7 @@ void SonarFan::for_beams_on_rays(const models::SonarCone& model, Visitor&& visit
   const double half_angle_rad = model.params().half_angle_rad;
   const double spacing_rad = rays_.spacing_rad();
   const auto count = static_cast<std::int64_t>(rays_.count());
-  for (const SonarBeam& beam : view_.beams) {
+  for (const sensors::Beam& beam : view_.beams) {
     const auto first =
         static_cast<std::int64_t>(std::ceil((beam.bearing_rad - half_angle_rad) / spacing_rad));
     const auto last =
@@ -56,11 +57,11 @@ void SonarFan::for_beams_on_rays(const models::SonarCone& model, Visitor&& visit
 
 void SonarFan::put_beams_on_rays(const models::SonarCone& model) {
   for_beams_on_rays(
-      model, [this](const SonarBeam&, std::size_t ray, double) { ++first_on_ray_[ray + 1]; });
+      model, [this](const sensors::Beam&, std::size_t ray, double) { ++first_on_ray_[ray + 1]; });
   std::partial_sum(first_on_ray_.begin(), first_on_ray_.end(), first_on_ray_.begin());
   on_ray_.resize(first_on_ray_.back());
   std::vector<std::uint32_t> next(first_on_ray_.begin(), first_on_ray_.end() - 1);
-  for_beams_on_rays(model, [&](const SonarBeam& beam, std::size_t ray, double off_axis_rad) {
+  for_beams_on_rays(model, [&](const sensors::Beam& beam, std::size_t ray, double off_axis_rad) {
     const models::SensorReading reading{beam.range_m};
     const double free_to_m = model.free_to_m(reading);
     on_ray_[next[ray]++] = {free_to_m, model.miss_chance(reading, {0.0, off_axis_rad})};

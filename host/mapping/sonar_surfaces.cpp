@@ -10,6 +10,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/mapping/region_bearing.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 
@@ -45,8 +46,8 @@ Eigen::Vector2d center_of(const Scan& scan) {
   return scan.empty() ? sum_m : Eigen::Vector2d(sum_m / static_cast<double>(scan.size()));
 }
 
-std::vector<SonarLook> looks_from(const Eigen::Vector2d& center_m, const Scan& scan) {
-  std::vector<SonarLook> looks;
+std::vector<sensors::Beam> looks_from(const Eigen::Vector2d& center_m, const Scan& scan) {
+  std::vector<sensors::Beam> looks;
   for (const auto& reading : scan) {
     if (const auto echo_m = echo_point_m(reading)) {
       const Eigen::Vector2d way_m = *echo_m - center_m;
@@ -61,13 +62,13 @@ std::vector<SonarLook> looks_from(const Eigen::Vector2d& center_m, const Scan& s
 /// Takes regions out of the looks of one scan, one after the other.
 class RegionFinder {
  public:
-  RegionFinder(std::vector<SonarLook> looks, const SonarSurfaceParams& params)
+  RegionFinder(std::vector<sensors::Beam> looks, const SonarSurfaceParams& params)
       : looks_(std::move(looks)), params_(params) {}
 
   /// The region with the highest score among the looks that are left; empty where none is one.
   std::optional<Region> take_best() {
     std::optional<Region> best;
-    for (const SonarLook& look : looks_) {
+    for (const sensors::Beam& look : looks_) {
       auto region = centred_region_near(look.bearing_rad);
       if (region && (!best || region->score() > best->score())) {
         best = std::move(region);
@@ -82,7 +83,7 @@ class RegionFinder {
   }
 
  private:
-  bool agrees(const SonarLook& look, double depth_m, double off_rad) const {
+  bool agrees(const sensors::Beam& look, double depth_m, double off_rad) const {
     return look.range_m && std::abs(*look.range_m - range_off_foot_m(depth_m, off_rad, params_)) <=
                                params_.depth_tolerance_m;
   }
@@ -90,7 +91,7 @@ class RegionFinder {
   /// The depth that most readings within half a beam of the bearing share.
   std::optional<double> common_depth_m(double bearing_rad) const {
     std::vector<double> ranges_m;
-    for (const SonarLook& look : looks_) {
+    for (const sensors::Beam& look : looks_) {
       const double off_rad = std::abs(geometry::angle_between(bearing_rad, look.bearing_rad));
       if (look.range_m && off_rad <= params_.beam_half_angle_rad) {
         ranges_m.push_back(*look.range_m);
@@ -170,12 +171,12 @@ class RegionFinder {
            members >= params_.least_agreement * all;
   }
 
-  std::vector<SonarLook> looks_;  ///< Without the range once a region has claimed the reading.
+  std::vector<sensors::Beam> looks_;  ///< Without the range once a region has claimed the reading.
   const SonarSurfaceParams& params_;
 };
 
 SonarSurface surface_of(const Region& region,
-                        const std::vector<SonarLook>& looks,
+                        const std::vector<sensors::Beam>& looks,
                         const SonarSurfaceParams& params) {
   const double wider_rad =
       std::max(0.0, region.half_width_rad() - params.beam_edge * params.beam_half_angle_rad);
@@ -193,7 +194,7 @@ ScanSurfaces moved(ScanSurfaces scan, const geometry::Pose2& T_to_from) {
   for (SonarSurface& surface : scan.surfaces) {
     surface.bearing_rad = geometry::wrap_angle(surface.bearing_rad + T_to_from.heading_rad());
   }
-  for (SonarLook& look : scan.looks) {
+  for (sensors::Beam& look : scan.looks) {
     look.bearing_rad = geometry::wrap_angle(look.bearing_rad + T_to_from.heading_rad());
   }
   return scan;

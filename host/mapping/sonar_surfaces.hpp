@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "host/mapping/placed_reading.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 
@@ -45,19 +46,13 @@ struct SonarSurface {
   std::size_t readings = 0;
 };
 
-/// A reading as seen from the middle of a scan; the bearing in the map frame.
-struct SonarLook {
-  double bearing_rad = 0.0;
-  std::optional<double> range_m;  ///< Empty without echo.
-};
-
 /// The surfaces around one stop.
 struct ScanSurfaces {
   /// Where the sonar was, on average over the scan.
   Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
   std::vector<SonarSurface> surfaces;
-  /// All of its readings.
-  std::vector<SonarLook> looks;
+  /// All of its readings, as seen from there; bearings in the map frame.
+  std::vector<sensors::Beam> looks;
 };
 
 /// Resolves the readings of one scan together into surfaces, the best supported first. A reading

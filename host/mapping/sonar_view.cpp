@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 
@@ -14,17 +15,17 @@ namespace {
 /// Readings closer together than this look in one direction.
 constexpr double kSameDirectionRad = geometry::radians(1.0);
 
-double range_or_far_m(const SonarBeam& beam) {
+double range_or_far_m(const sensors::Beam& beam) {
   return beam.range_m.value_or(std::numeric_limits<double>::infinity());
 }
 
-std::vector<SonarBeam> without_repeats(std::vector<SonarBeam> beams) {
+std::vector<sensors::Beam> without_repeats(std::vector<sensors::Beam> beams) {
   std::sort(beams.begin(), beams.end(), [](const auto& a, const auto& b) {
     return a.bearing_rad < b.bearing_rad;
   });
-  std::vector<SonarBeam> once;
+  std::vector<sensors::Beam> once;
   for (auto first = beams.begin(); first != beams.end();) {
-    const auto last = std::find_if(first, beams.end(), [&](const SonarBeam& beam) {
+    const auto last = std::find_if(first, beams.end(), [&](const sensors::Beam& beam) {
       return beam.bearing_rad > first->bearing_rad + kSameDirectionRad;
     });
     const auto middle = first + (last - first) / 2;

@@ -7,20 +7,15 @@
 #include <Eigen/Core>
 
 #include "host/mapping/placed_reading.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
-
-/// One direction of a view, in the map frame; empty where nothing answered.
-struct SonarBeam {
-  double bearing_rad = 0.0;
-  std::optional<double> range_m;
-};
 
 /// All that a sonar has heard from one place. Its readings go together: they are of one moment, and
 /// none counts as a second witness of another.
 struct SonarView {
   Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();
-  std::vector<SonarBeam> beams;
+  std::vector<sensors::Beam> beams;  ///< Bearings in the map frame.
   /// Where the robot's middle was; empty where it is not known.
   std::optional<Eigen::Vector2d> robot_m = std::nullopt;
 };

@@ -12,6 +12,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/point_buckets.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 
@@ -129,8 +130,8 @@ class WallFinder {
   void add_tangents(const SonarView& one, const SonarView& other) {
     const Eigen::Vector2d apart_m = other.origin_m - one.origin_m;
     const double along_rad = std::atan2(apart_m.y(), apart_m.x());
-    for (const SonarBeam& near : one.beams) {
-      for (const SonarBeam& far : other.beams) {
+    for (const sensors::Beam& near : one.beams) {
+      for (const sensors::Beam& far : other.beams) {
         if (!near.range_m || !far.range_m) {
           continue;
         }
@@ -146,9 +147,9 @@ class WallFinder {
   }
 
   void add_tangent(const SonarView& one,
-                   const SonarBeam& near,
+                   const sensors::Beam& near,
                    const SonarView& other,
-                   const SonarBeam& far,
+                   const sensors::Beam& far,
                    double normal_rad) {
     if (near.range_m && far.range_m && looks_along(one, near, normal_rad) &&
         looks_along(other, far, normal_rad)) {
@@ -157,17 +158,17 @@ class WallFinder {
     }
   }
 
-  double off_axis_rad(const SonarBeam& beam, double bearing_rad) const {
+  double off_axis_rad(const sensors::Beam& beam, double bearing_rad) const {
     return std::abs(geometry::angle_between(beam.bearing_rad, bearing_rad));
   }
 
   /// Whether `beam` is the view's nearest to that direction, and all others that hold it agree.
-  bool looks_along(const SonarView& view, const SonarBeam& beam, double normal_rad) const {
+  bool looks_along(const SonarView& view, const sensors::Beam& beam, double normal_rad) const {
     const double off_rad = off_axis_rad(beam, normal_rad);
     if (off_rad > half_angle_rad_) {
       return false;
     }
-    return std::all_of(view.beams.begin(), view.beams.end(), [&](const SonarBeam& next) {
+    return std::all_of(view.beams.begin(), view.beams.end(), [&](const sensors::Beam& next) {
       const double next_off_rad = off_axis_rad(next, normal_rad);
       const bool hears_nothing_else =
           next_off_rad > half_angle_rad_ ||
@@ -202,7 +203,7 @@ class WallFinder {
     }
     bool asked = false;
     double nearest_m = std::numeric_limits<double>::infinity();
-    for (const SonarBeam& beam : view.beams) {
+    for (const sensors::Beam& beam : view.beams) {
       if (off_axis_rad(beam, normal_rad) <= kSureShare * half_angle_rad_) {
         asked = true;
         nearest_m = std::min(nearest_m, beam.range_m.value_or(nearest_m));

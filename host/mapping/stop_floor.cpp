@@ -10,6 +10,7 @@
 #include "host/geometry/segment.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/scan_outline.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -48,10 +49,10 @@ double wall_m(const std::vector<geometry::Segment>& walls,
 }
 
 /// The nearest that was heard about a direction: infinity for silence, 0 where nobody has listened.
-double heard_m(const std::vector<SonarLook>& looks, double bearing_rad, double half_angle_rad) {
+double heard_m(const std::vector<sensors::Beam>& looks, double bearing_rad, double half_angle_rad) {
   double nearest_m = kNowhereM;
   bool listened = false;
-  for (const SonarLook& look : looks) {
+  for (const sensors::Beam& look : looks) {
     if (std::abs(geometry::angle_between(bearing_rad, look.bearing_rad)) <= half_angle_rad) {
       listened = true;
       nearest_m = std::min(nearest_m, look.range_m.value_or(kNowhereM));

@@ -2,6 +2,7 @@
 #include "host/pipeline/joined_sessions.hpp"
 
 #include <algorithm>
+#include <variant>
 
 namespace echomap::pipeline {
 
@@ -12,45 +13,19 @@ void JoinedSessions::begin_next() {
   travel_shift_.reset();
 }
 
-void JoinedSessions::on_odometry(const sensors::OdometryObservation& observation) {
-  sink_.on_odometry({joined(observation.stamp), joined(observation.travel)});
-}
-
-void JoinedSessions::on_sonar(const sensors::SonarObservation& observation) {
-  auto shifted = observation;
-  shifted.stamp = joined(observation.stamp);
-  shifted.travel = joined(observation.travel);
-  sink_.on_sonar(shifted);
-}
-
-void JoinedSessions::on_hazards(const sensors::HazardObservation& observation) {
-  auto shifted = observation;
-  shifted.stamp = joined(observation.stamp);
-  sink_.on_hazards(shifted);
-}
-
-void JoinedSessions::on_infrared(const sensors::InfraredObservation& observation) {
-  auto shifted = observation;
-  shifted.stamp = joined(observation.stamp);
-  shifted.travel = joined(observation.travel);
-  sink_.on_infrared(shifted);
-}
-
-void JoinedSessions::on_carried(const sensors::CarriedObservation& observation) {
-  sink_.on_carried(
-      {joined(observation.stamp), joined(observation.travel), observation.T_map_robot});
-}
-
-void JoinedSessions::on_pose_fix(const sensors::PoseFixObservation& observation) {
-  sink_.on_pose_fix({joined(observation.stamp), observation.T_map_robot});
-}
-
-void JoinedSessions::on_yaw(const sensors::YawObservation& observation) {
-  sink_.on_yaw({joined(observation.stamp), observation.yaw});
-}
-
-void JoinedSessions::on_battery(const sensors::BatteryObservation& observation) {
-  sink_.on_battery({joined(observation.stamp), observation.voltage_v});
+void JoinedSessions::on(const sensors::Observation& observation) {
+  sensors::Observation shifted = observation;
+  std::visit(
+      [this](auto& one) {
+        if constexpr (requires { one.stamp; }) {
+          one.stamp = joined(one.stamp);
+        }
+        if constexpr (requires { one.travel; }) {
+          one.travel = joined(one.travel);
+        }
+      },
+      shifted);
+  hand_on(shifted, sink_);
 }
 
 time::RobotTime JoinedSessions::joined(time::RobotTime stamp) {

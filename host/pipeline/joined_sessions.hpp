@@ -9,7 +9,7 @@ namespace echomap::pipeline {
 
 /// Makes one session of several: hands on what each senses, with stamps and wheel travel that go on
 /// from where the session before ended.
-class JoinedSessions final : public ObservationSink {
+class JoinedSessions final : public AnyObservationSink {
  public:
   /// `sink` outlives this.
   explicit JoinedSessions(ObservationSink& sink) : sink_(sink) {}
@@ -19,16 +19,7 @@ class JoinedSessions final : public ObservationSink {
   /// it is over.
   void begin_next();
 
-  void on_odometry(const sensors::OdometryObservation& observation) override;
-  void on_sonar(const sensors::SonarObservation& observation) override;
-  void on_hazards(const sensors::HazardObservation& observation) override;
-  void on_infrared(const sensors::InfraredObservation& observation) override;
-  void on_carried(const sensors::CarriedObservation& observation) override;
-  void on_pose_fix(const sensors::PoseFixObservation& observation) override;
-  void on_yaw(const sensors::YawObservation& observation) override;
-  void on_battery(const sensors::BatteryObservation& observation) override;
-  void begin_scan() override { sink_.begin_scan(); }
-  void end_scan() override { sink_.end_scan(); }
+  void on(const sensors::Observation& observation) override;
 
  private:
   time::RobotTime joined(time::RobotTime stamp);

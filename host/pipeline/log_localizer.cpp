@@ -9,19 +9,20 @@
 #include "host/geometry/angle.hpp"
 #include "host/localization/likelihood_field_model.hpp"
 #include "host/localization/range_table_model.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::pipeline {
 
 namespace {
 
 /// As infra-red is, and a laser, whose beams have no opening.
-bool is_light(const datasets::RangeScan& scan) {
-  return scan.is_light || scan.beam_opening_rad == 0.0;
+bool is_light(const sensors::RangeScan& scan) {
+  return scan.is_light || scan.beam_width_rad == 0.0;
 }
 
-localization::LocalizedRobot robot_of(const datasets::RangeScan& scan) {
+localization::LocalizedRobot robot_of(const sensors::RangeScan& scan) {
   localization::LocalizedRobot robot;
-  robot.half_opening_rad = 0.5 * scan.beam_opening_rad;
+  robot.half_opening_rad = 0.5 * scan.beam_width_rad;
   // A log that does not say how far its sensor reaches, as of our own runs.
   constexpr double kUnknownReachM = 4.0;
   robot.max_range_m = std::isfinite(scan.max_range_m) ? scan.max_range_m : kUnknownReachM;
@@ -38,11 +39,11 @@ time::RobotTime robot_time(double stamp_s) {
 /// What the ranges of one kind of sensor need.
 struct LogLocalizer::Sensor {
   Sensor(const mapping::RasterMap& map,
-         double beam_opening_rad,
+         double beam_width_rad,
          const localization::LocalizedRobot& robot,
          localization::LocalizerPreset preset,
          std::mt19937 random)
-      : opening_rad(beam_opening_rad),
+      : opening_rad(beam_width_rad),
         observation(localization::observation_model(preset, map, robot)),
         localizer(*observation, localization::localizer_params(preset, robot), random) {}
 
@@ -68,7 +69,7 @@ void LogLocalizer::start_at(const geometry::Pose2& T_map_robot, double std_m, do
 }
 
 void LogLocalizer::add(const datasets::LogRecord& record) {
-  const auto* scan = std::get_if<datasets::RangeScan>(&record);
+  const auto* scan = std::get_if<sensors::RangeScan>(&record);
   if (scan != nullptr && is_late(*scan)) {
     ++scans_;
     ++late_scans_;
@@ -90,7 +91,7 @@ void LogLocalizer::add(const datasets::LogRecord& record) {
   }
 }
 
-bool LogLocalizer::is_late(const datasets::RangeScan& scan) {
+bool LogLocalizer::is_late(const sensors::RangeScan& scan) {
   if (!scan.stamp_s) {
     return false;
   }
@@ -101,23 +102,23 @@ bool LogLocalizer::is_late(const datasets::RangeScan& scan) {
   return false;
 }
 
-void LogLocalizer::gather(const datasets::RangeScan& scan) {
+void LogLocalizer::gather(const sensors::RangeScan& scan) {
   ++scans_;
   if (!sensor_) {
     sensor_ = std::make_unique<Sensor>(
-        map_, scan.beam_opening_rad, robot_of(scan), params_.preset, random_);
+        map_, scan.beam_width_rad, robot_of(scan), params_.preset, random_);
     if (start_) {
       sensor_->localizer.update(*poses_.T_map_robot(), {});
       start_outcome_ =
           sensor_->localizer.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
     }
   }
-  if (scan.beam_opening_rad != sensor_->opening_rad) {
+  if (scan.beam_width_rad != sensor_->opening_rad) {
     ++unused_scans_;
     return;
   }
   const geometry::Pose2 T_odom_sensor = *poses_.T_map_robot() * scan.T_robot_sensor;
-  for (const datasets::Beam& beam : scan.beams) {
+  for (const sensors::Beam& beam : scan.beams) {
     // Light's silence says nothing, and maps end not far beyond what it saw well.
     if (!is_light(scan) || (beam.range_m && *beam.range_m <= params_.most_laser_range_m)) {
       gathered_.push_back(

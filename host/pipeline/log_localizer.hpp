@@ -13,6 +13,7 @@
 #include "host/pipeline/localizer_feed.hpp"
 #include "host/pipeline/log_poses.hpp"
 #include "host/pipeline/snapshot.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::pipeline {
 
@@ -59,8 +60,8 @@ class LogLocalizer {
  private:
   struct Sensor;
 
-  void gather(const datasets::RangeScan& scan);
-  bool is_late(const datasets::RangeScan& scan);
+  void gather(const sensors::RangeScan& scan);
+  bool is_late(const sensors::RangeScan& scan);
   void update();
 
   mapping::RasterMap map_;

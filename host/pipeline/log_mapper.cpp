@@ -8,6 +8,7 @@
 
 #include "host/geometry/unit_vector.hpp"
 #include "host/models/gaussian_patch.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::pipeline {
 namespace {
@@ -25,7 +26,7 @@ time::RobotTime time_of(double stamp_s) {
   return time::RobotTime(time::RobotClock::duration(std::llround(stamp_s * 1e6)));
 }
 
-Eigen::Vector2d end_m(const datasets::Beam& beam) {
+Eigen::Vector2d end_m(const sensors::Beam& beam) {
   return *beam.range_m * geometry::unit_vector(beam.bearing_rad);
 }
 
@@ -85,7 +86,7 @@ void LogMapper::note_pose(std::optional<double> stamp_s) {
   }
 }
 
-void LogMapper::use(const datasets::RangeScan& scan) {
+void LogMapper::use(const sensors::RangeScan& scan) {
   ++counts_.scans;
   counts_.beams += scan.beams.size();
   const auto T_map_robot = poses_.T_map_robot();
@@ -98,7 +99,7 @@ void LogMapper::use(const datasets::RangeScan& scan) {
   const geometry::Pose2 T_map_sensor = *T_map_robot * scan.T_robot_sensor;
   if (params_.map == MapKind::kPoints) {
     add_points(T_map_sensor, scan);
-  } else if (scan.beam_opening_rad > 0.0) {
+  } else if (scan.beam_width_rad > 0.0) {
     add_readings(T_map_sensor, scan);
   } else {
     add_rays(T_map_sensor, scan);
@@ -142,7 +143,7 @@ void LogMapper::begin_trajectory(std::optional<double> stamp_s) {
   }
 }
 
-void LogMapper::add_points(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan) {
+void LogMapper::add_points(const geometry::Pose2& T_map_sensor, const sensors::RangeScan& scan) {
   for (const auto& beam : scan.beams) {
     if (beam.range_m) {
       points_.push_back({T_map_sensor * end_m(beam), scan_poses_.size() - 1});
@@ -150,7 +151,7 @@ void LogMapper::add_points(const geometry::Pose2& T_map_sensor, const datasets::
   }
 }
 
-void LogMapper::add_rays(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan) {
+void LogMapper::add_rays(const geometry::Pose2& T_map_sensor, const sensors::RangeScan& scan) {
   scan_rays_.clear();
   for (const auto& beam : scan.beams) {
     if (beam.range_m) {
@@ -160,7 +161,7 @@ void LogMapper::add_rays(const geometry::Pose2& T_map_sensor, const datasets::Ra
   rays_.insert(T_map_sensor, scan_rays_, grid_);
 }
 
-void LogMapper::add_readings(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan) {
+void LogMapper::add_readings(const geometry::Pose2& T_map_sensor, const sensors::RangeScan& scan) {
   mapping::Scan readings;
   for (const auto& beam : scan.beams) {
     if (beam.range_m || !scan.is_light) {
@@ -172,13 +173,13 @@ void LogMapper::add_readings(const geometry::Pose2& T_map_sensor, const datasets
   sonar_of(scan).add(readings);
 }
 
-mapping::SonarConeMapper& LogMapper::sonar_of(const datasets::RangeScan& scan) {
-  const auto kind = std::pair(scan.beam_opening_rad, scan.is_light);
+mapping::SonarConeMapper& LogMapper::sonar_of(const sensors::RangeScan& scan) {
+  const auto kind = std::pair(scan.beam_width_rad, scan.is_light);
   auto known = sonars_.find(kind);
   if (known == sonars_.end()) {
     mapping::SonarConeMapperParams params = params_.sonars;
     params.grid = params_.grid;
-    params.cone.half_angle_rad = scan.beam_opening_rad / 2.0;
+    params.cone.half_angle_rad = scan.beam_width_rad / 2.0;
     params.cone.max_range_m = scan.max_range_m;
     params.is_sound = !scan.is_light;
     known = sonars_.emplace(kind, mapping::SonarConeMapper(params)).first;

@@ -17,6 +17,7 @@
 #include "host/pipeline/log_poses.hpp"
 #include "host/pipeline/seen_landmark.hpp"
 #include "host/pipeline/snapshot.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::pipeline {
 
@@ -66,7 +67,7 @@ class LogMapper {
 
  private:
   void note_pose(std::optional<double> stamp_s);
-  void use(const datasets::RangeScan& scan);
+  void use(const sensors::RangeScan& scan);
   /// A bump is where a switch closes; that it stays closed is no news.
   void use(const datasets::Contact& contact);
   void use(const datasets::LandmarkSighting& sighting);
@@ -74,11 +75,11 @@ class LogMapper {
   void use(const Other& /*is_no_observation*/) {}
   /// Begins the trajectory with an observation before which the log tells of no pose.
   void begin_trajectory(std::optional<double> stamp_s);
-  void add_points(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
-  void add_rays(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
-  void add_readings(const geometry::Pose2& T_map_sensor, const datasets::RangeScan& scan);
+  void add_points(const geometry::Pose2& T_map_sensor, const sensors::RangeScan& scan);
+  void add_rays(const geometry::Pose2& T_map_sensor, const sensors::RangeScan& scan);
+  void add_readings(const geometry::Pose2& T_map_sensor, const sensors::RangeScan& scan);
   /// Made when a log first has cones like those of the scan.
-  mapping::SonarConeMapper& sonar_of(const datasets::RangeScan& scan);
+  mapping::SonarConeMapper& sonar_of(const sensors::RangeScan& scan);
   /// What the lasers and the sonars say together.
   mapping::OccupancyGrid grid() const;
 

@@ -3,16 +3,9 @@
 
 #include <variant>
 
-namespace echomap::pipeline {
+#include "host/sensors/range_scan.hpp"
 
-slam::RangeScan slam_scan(const datasets::RangeScan& scan) {
-  slam::RangeScan taken{scan.T_robot_sensor, {}, scan.beam_opening_rad, scan.max_range_m};
-  taken.beams.reserve(scan.beams.size());
-  for (const datasets::Beam& beam : scan.beams) {
-    taken.beams.push_back({beam.bearing_rad, beam.range_m});
-  }
-  return taken;
-}
+namespace echomap::pipeline {
 
 void LogSlam::add(const datasets::LogRecord& record) {
   if (poses_.follow(record)) {
@@ -22,8 +15,8 @@ void LogSlam::add(const datasets::LogRecord& record) {
     }
     T_odom_robot_ = T_log_odom_.inverse() * T_log_robot;
     track_.follow(T_odom_robot_);
-  } else if (const auto* scan = std::get_if<datasets::RangeScan>(&record)) {
-    track_.add(T_odom_robot_, slam_scan(*scan));
+  } else if (const auto* scan = std::get_if<sensors::RangeScan>(&record)) {
+    track_.add(T_odom_robot_, *scan);
   }
 }
 

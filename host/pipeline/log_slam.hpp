@@ -8,13 +8,9 @@
 #include "host/geometry/pose2.hpp"
 #include "host/pipeline/log_poses.hpp"
 #include "host/pipeline/slam_track.hpp"
-#include "host/slam/range_scan.hpp"
 #include "host/slam/slam_method.hpp"
 
 namespace echomap::pipeline {
-
-/// The scan of a log as SLAM takes it.
-slam::RangeScan slam_scan(const datasets::RangeScan& scan);
 
 /// Feeds a log's odometry and scans to a way of doing SLAM, as if it began at the origin:
 /// coordinates of a country have no digits left for centimetres. Scans before any odometry were

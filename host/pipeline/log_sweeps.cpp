@@ -7,12 +7,13 @@
 #include <variant>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::pipeline {
 
 namespace {
 
-using sensors::SweepReading;
+using sensors::Beam;
 
 /// Fewer readings have no direction.
 constexpr std::size_t kLeastReadings = 3;
@@ -20,12 +21,12 @@ constexpr std::size_t kLeastReadings = 3;
 constexpr double kMovedM = 0.005;
 constexpr double kMovedRad = 0.01;
 
-double turn_rad(const SweepReading& from, const SweepReading& to) {
+double turn_rad(const sensors::Beam& from, const sensors::Beam& to) {
   return geometry::angle_between(from.bearing_rad, to.bearing_rad);
 }
 
 /// A log that leaves out what nothing answered has gaps; what is next to one is no neighbour.
-std::vector<SweepReading> with_silence(const std::vector<SweepReading>& sweep) {
+std::vector<sensors::Beam> with_silence(const std::vector<sensors::Beam>& sweep) {
   std::vector<double> steps_rad;
   for (std::size_t i = 1; i < sweep.size(); ++i) {
     steps_rad.push_back(std::abs(turn_rad(sweep[i - 1], sweep[i])));
@@ -33,7 +34,7 @@ std::vector<SweepReading> with_silence(const std::vector<SweepReading>& sweep) {
   auto sorted_rad = steps_rad;
   std::sort(sorted_rad.begin(), sorted_rad.end());
   const double usual_rad = sorted_rad[sorted_rad.size() / 2];
-  std::vector<SweepReading> whole{sweep.front()};
+  std::vector<sensors::Beam> whole{sweep.front()};
   for (std::size_t i = 1; i < sweep.size(); ++i) {
     if (steps_rad[i - 1] > 1.5 * usual_rad) {
       whole.push_back(
@@ -51,7 +52,7 @@ bool is_a_way(const geometry::Pose2& T_last_now) {
 }  // namespace
 
 void LogSweeps::add(const datasets::LogRecord& record) {
-  if (const auto* scan = std::get_if<datasets::RangeScan>(&record)) {
+  if (const auto* scan = std::get_if<sensors::RangeScan>(&record)) {
     add_scan(*scan);
   } else if (const auto* step = std::get_if<datasets::OdometryStep>(&record)) {
     if (is_a_way(step->T_last_now)) {
@@ -69,7 +70,7 @@ void LogSweeps::add(const datasets::LogRecord& record) {
   }
 }
 
-void LogSweeps::add_scan(const datasets::RangeScan& scan) {
+void LogSweeps::add_scan(const sensors::RangeScan& scan) {
   if (scan.is_light) {
     ++laser_scans_;
     return;
@@ -78,7 +79,7 @@ void LogSweeps::add_scan(const datasets::RangeScan& scan) {
   if (is_whole) {
     end_sweep();
   }
-  for (const datasets::Beam& beam : scan.beams) {
+  for (const sensors::Beam& beam : scan.beams) {
     add_reading(
         {geometry::wrap_angle(scan.T_robot_sensor.heading_rad() + beam.bearing_rad), beam.range_m});
   }
@@ -87,7 +88,7 @@ void LogSweeps::add_scan(const datasets::RangeScan& scan) {
   }
 }
 
-void LogSweeps::add_reading(const SweepReading& reading) {
+void LogSweeps::add_reading(const sensors::Beam& reading) {
   if (open_.size() >= 2) {
     const double before_rad = turn_rad(open_[open_.size() - 2], open_.back());
     if (before_rad * turn_rad(open_.back(), reading) <= 0.0) {

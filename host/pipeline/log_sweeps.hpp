@@ -6,6 +6,7 @@
 
 #include "host/datasets/log_record.hpp"
 #include "host/sensors/cone_opening.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::pipeline {
 
@@ -19,18 +20,18 @@ class LogSweeps {
   void finish() { end_sweep(); }
 
   /// Those of three readings or more.
-  const std::vector<std::vector<sensors::SweepReading>>& sweeps() const { return sweeps_; }
+  const std::vector<std::vector<sensors::Beam>>& sweeps() const { return sweeps_; }
   /// Scans of a laser, which say nothing here.
   std::size_t laser_scans() const { return laser_scans_; }
 
  private:
-  void add_scan(const datasets::RangeScan& scan);
-  void add_reading(const sensors::SweepReading& reading);
+  void add_scan(const sensors::RangeScan& scan);
+  void add_reading(const sensors::Beam& reading);
   void end_sweep();
 
   geometry::Pose2 T_odom_last_;
-  std::vector<sensors::SweepReading> open_;
-  std::vector<std::vector<sensors::SweepReading>> sweeps_;
+  std::vector<sensors::Beam> open_;
+  std::vector<std::vector<sensors::Beam>> sweeps_;
   std::size_t laser_scans_ = 0;
 };
 

@@ -6,65 +6,30 @@
 #include <utility>
 
 namespace echomap::pipeline {
-namespace {
 
-template <class... Visits>
-struct Overloaded : Visits... {
-  using Visits::operator()...;
-};
-template <class... Visits>
-Overloaded(Visits...) -> Overloaded<Visits...>;
+using sensors::BeginScan;
+using sensors::EndScan;
 
-}  // namespace
-
-void ObservationLog::on_odometry(const sensors::OdometryObservation& observation) {
-  add(observation);
-}
-
-void ObservationLog::on_sonar(const sensors::SonarObservation& observation) { add(observation); }
-
-void ObservationLog::on_hazards(const sensors::HazardObservation& observation) { add(observation); }
-
-void ObservationLog::on_infrared(const sensors::InfraredObservation& observation) {
-  add(observation);
-}
-
-void ObservationLog::on_carried(const sensors::CarriedObservation& observation) {
-  stretches_.push_back({observation, {}});
-}
-
-void ObservationLog::on_pose_fix(const sensors::PoseFixObservation& observation) {
-  add(observation);
-}
-
-void ObservationLog::begin_scan() {
-  end_scan();
-  add(BeginScan{});
-  scan_is_open_ = true;
-}
-
-void ObservationLog::end_scan() {
-  if (std::exchange(scan_is_open_, false)) {
-    add(EndScan{});
+void ObservationLog::on(const sensors::Observation& observation) {
+  if (const auto* carried = std::get_if<sensors::CarriedObservation>(&observation)) {
+    stretches_.push_back({*carried, {}});
+    return;
   }
-}
-
-void ObservationLog::add(const Event& event) {
+  if (is<sensors::YawObservation>(observation) || is<sensors::BatteryObservation>(observation) ||
+      (is<EndScan>(observation) && !scan_is_open_)) {
+    return;
+  }
+  if (is<BeginScan>(observation)) {
+    end_scan();
+  }
+  scan_is_open_ = is<BeginScan>(observation) || (scan_is_open_ && !is<EndScan>(observation));
   if (stretches_.empty()) {
     stretches_.emplace_back();
   }
-  stretches_.back().events.push_back(event);
+  stretches_.back().events.push_back(observation);
 }
 
 void ObservationLog::replay(ObservationSink& sink, std::size_t skipped) const {
-  const Overloaded hand_on{
-      [&](const sensors::OdometryObservation& observation) { sink.on_odometry(observation); },
-      [&](const sensors::SonarObservation& observation) { sink.on_sonar(observation); },
-      [&](const sensors::HazardObservation& observation) { sink.on_hazards(observation); },
-      [&](const sensors::InfraredObservation& observation) { sink.on_infrared(observation); },
-      [&](const sensors::PoseFixObservation& observation) { sink.on_pose_fix(observation); },
-      [&](const BeginScan&) { sink.begin_scan(); },
-      [&](const EndScan&) { sink.end_scan(); }};
   for (const Stretch& stretch : stretches_) {
     if (stretch.carried && skipped == 0) {
       sink.on_carried(*stretch.carried);
@@ -73,7 +38,7 @@ void ObservationLog::replay(ObservationSink& sink, std::size_t skipped) const {
     const std::size_t first = std::min(skipped, stretch.events.size());
     skipped -= first;
     for (std::size_t i = first; i < stretch.events.size(); ++i) {
-      std::visit(hand_on, stretch.events[i]);
+      hand_on(stretch.events[i], sink);
     }
   }
 }

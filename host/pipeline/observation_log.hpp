@@ -13,16 +13,9 @@ namespace echomap::pipeline {
 
 /// Keeps what moves a robot's pose and map, so that a pipeline can be given it again. Battery and
 /// yaw are left out: they are of the moment. Wherever the robot was carried, a new stretch begins.
-class ObservationLog final : public ObservationSink {
+class ObservationLog final : public AnyObservationSink {
  public:
-  void on_odometry(const sensors::OdometryObservation& observation) override;
-  void on_sonar(const sensors::SonarObservation& observation) override;
-  void on_hazards(const sensors::HazardObservation& observation) override;
-  void on_infrared(const sensors::InfraredObservation& observation) override;
-  void on_carried(const sensors::CarriedObservation& observation) override;
-  void on_pose_fix(const sensors::PoseFixObservation& observation) override;
-  void begin_scan() override;
-  void end_scan() override;
+  void on(const sensors::Observation& observation) override;
 
   /// Hands it on in its order, without the first `skipped` of its observations.
   void replay(ObservationSink& sink, std::size_t skipped = 0) const;
@@ -47,22 +40,13 @@ class ObservationLog final : public ObservationSink {
                                const geometry::Pose2& T_one_other);
 
  private:
-  struct BeginScan {};
-  struct EndScan {};
-  using Event = std::variant<sensors::OdometryObservation,
-                             sensors::SonarObservation,
-                             sensors::HazardObservation,
-                             sensors::InfraredObservation,
-                             sensors::PoseFixObservation,
-                             BeginScan,
-                             EndScan>;
+  using Event = sensors::Observation;
   /// What was sensed in one go, since the robot was put down.
   struct Stretch {
     std::optional<sensors::CarriedObservation> carried;  ///< Empty for the start of the first one.
     std::vector<Event> events;
   };
 
-  void add(const Event& event);
   template <class Kind>
   static bool is(const Event& event) {
     return std::holds_alternative<Kind>(event);

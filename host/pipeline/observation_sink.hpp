@@ -26,4 +26,24 @@ class ObservationSink {
   virtual void end_scan() = 0;
 };
 
+/// Calls the function of the sink that takes this observation.
+void hand_on(const sensors::Observation& observation, ObservationSink& sink);
+
+/// Takes all observations alike.
+class AnyObservationSink : public ObservationSink {
+ public:
+  virtual void on(const sensors::Observation& observation) = 0;
+
+  void on_odometry(const sensors::OdometryObservation& observation) final { on(observation); }
+  void on_sonar(const sensors::SonarObservation& observation) final { on(observation); }
+  void on_hazards(const sensors::HazardObservation& observation) final { on(observation); }
+  void on_infrared(const sensors::InfraredObservation& observation) final { on(observation); }
+  void on_carried(const sensors::CarriedObservation& observation) final { on(observation); }
+  void on_pose_fix(const sensors::PoseFixObservation& observation) final { on(observation); }
+  void on_yaw(const sensors::YawObservation& observation) final { on(observation); }
+  void on_battery(const sensors::BatteryObservation& observation) final { on(observation); }
+  void begin_scan() final { on(sensors::BeginScan{}); }
+  void end_scan() final { on(sensors::EndScan{}); }
+};
+
 }  // namespace echomap::pipeline

@@ -26,44 +26,9 @@ RobotAtlas::RobotAtlas(MakePipeline make, const RobotAtlasParams& params)
   }
 }
 
-void RobotAtlas::on_odometry(const sensors::OdometryObservation& observation) {
-  record_.on_odometry(observation);
-  pipeline_.on_odometry(observation);
-}
-
-void RobotAtlas::on_sonar(const sensors::SonarObservation& observation) {
-  record_.on_sonar(observation);
-  pipeline_.on_sonar(observation);
-}
-
-void RobotAtlas::on_hazards(const sensors::HazardObservation& observation) {
-  record_.on_hazards(observation);
-  pipeline_.on_hazards(observation);
-}
-
-void RobotAtlas::on_infrared(const sensors::InfraredObservation& observation) {
-  record_.on_infrared(observation);
-  pipeline_.on_infrared(observation);
-}
-
-void RobotAtlas::on_carried(const sensors::CarriedObservation& observation) {
-  record_.on_carried(observation);
-  pipeline_.on_carried(observation);
-}
-
-void RobotAtlas::on_pose_fix(const sensors::PoseFixObservation& observation) {
-  record_.on_pose_fix(observation);
-  pipeline_.on_pose_fix(observation);
-}
-
-void RobotAtlas::begin_scan() {
-  record_.begin_scan();
-  pipeline_.begin_scan();
-}
-
-void RobotAtlas::end_scan() {
-  record_.end_scan();
-  pipeline_.end_scan();
+void RobotAtlas::on(const sensors::Observation& observation) {
+  record_.on(observation);
+  hand_on(observation, pipeline_);
 }
 
 void RobotAtlas::begin_anew(std::size_t stops_elsewhere) {

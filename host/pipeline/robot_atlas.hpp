@@ -34,27 +34,14 @@ struct FormerMap {
 /// The maps of a robot that may be carried off while it explores: that which it is in, and those
 /// before it, until it is known where they lie (an atlas: Elvira, Tardos and Montiel 2019). Every
 /// map is what a pipeline makes of its record.
-class RobotAtlas final : public ObservationSink {
+class RobotAtlas final : public AnyObservationSink {
  public:
   using MakePipeline = std::function<RobotPipeline()>;
 
   /// `make` makes empty pipelines, all of one kind.
   explicit RobotAtlas(MakePipeline make, const RobotAtlasParams& params = {});
 
-  void on_odometry(const sensors::OdometryObservation& observation) override;
-  void on_sonar(const sensors::SonarObservation& observation) override;
-  void on_hazards(const sensors::HazardObservation& observation) override;
-  void on_infrared(const sensors::InfraredObservation& observation) override;
-  void on_carried(const sensors::CarriedObservation& observation) override;
-  void on_pose_fix(const sensors::PoseFixObservation& observation) override;
-  void on_yaw(const sensors::YawObservation& observation) override {
-    pipeline_.on_yaw(observation);
-  }
-  void on_battery(const sensors::BatteryObservation& observation) override {
-    pipeline_.on_battery(observation);
-  }
-  void begin_scan() override;
-  void end_scan() override;
+  void on(const sensors::Observation& observation) override;
 
   /// The robot was picked up, or else its last stops are of another place than its map: the map
   /// without them is set aside, and they begin a new one. A map without any stop is let go.

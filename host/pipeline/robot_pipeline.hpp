@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "host/mapping/near_mapper.hpp"
-#include "host/mapping/occupancy_grid.hpp"
-#include "host/mapping/point_cloud_map.hpp"
+#include "host/mapping/placed_reading.hpp"
 #include "host/mapping/sonar_mapper.hpp"
 #include "host/pipeline/observation_sink.hpp"
-#include "host/pipeline/robot_slam.hpp"
+#include "host/pipeline/pose_track.hpp"
+#include "host/pipeline/robot_status.hpp"
 #include "host/pipeline/snapshot.hpp"
+#include "host/pipeline/stop_map.hpp"
 #include "host/sensors/observations.hpp"
-#include "host/sensors/odometry.hpp"
 #include "host/sensors/robot_geometry.hpp"
 #include "host/slam/slam_method.hpp"
 
@@ -46,9 +43,9 @@ class RobotPipeline final : public ObservationSink {
   void on_carried(const sensors::CarriedObservation& observation) override;
   /// The robot is there; its odometry continues from there.
   void on_pose_fix(const sensors::PoseFixObservation& observation) override;
-  void on_yaw(const sensors::YawObservation& observation) override { yaw_ = observation; }
+  void on_yaw(const sensors::YawObservation& observation) override { status_.on_yaw(observation); }
   void on_battery(const sensors::BatteryObservation& observation) override {
-    battery_ = observation;
+    status_.on_battery(observation);
   }
 
   void begin_scan() override;
@@ -58,56 +55,16 @@ class RobotPipeline final : public ObservationSink {
 
   Snapshot snapshot() const;
   /// Null without SLAM.
-  const slam::SlamMethod* slam() const { return slam_ ? &slam_->method() : nullptr; }
+  const slam::SlamMethod* slam() const {
+    return track_.slam() != nullptr ? &track_.slam()->method() : nullptr;
+  }
 
  private:
-  /// The pose by odometry alone, after the wheels' travel so far.
-  geometry::Pose2 follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
-  /// Moves what odometry has placed to where it is on the map.
-  mapping::PlacedReading on_map(const mapping::PlacedReading& reading) const {
-    return mapping::moved(reading, T_map_odom());
-  }
-  mapping::Scan on_map(const mapping::Scan& scan) const {
-    return mapping::moved(scan, T_map_odom());
-  }
-  /// Puts the open scan into the map.
-  void map_scan();
-  /// Moves trajectory and points to where SLAM has them now.
-  void move_past();
-  /// Where odometry has the robot, on the map.
-  geometry::Pose2 T_map_robot() const { return T_map_odom() * odometry_.T_odom_robot(); }
-  geometry::Pose2 T_map_odom() const;
-
-  std::shared_ptr<const mapping::OccupancyGrid> grid() const;
-
   sensors::RobotGeometry robot_;
-  mapping::SonarMapper mapper_;
-  mapping::NearMapper near_;
-  sensors::WheelOdometry odometry_;
-  std::optional<RobotSlam> slam_;
-  geometry::Pose2 T_map_mapped_;  ///< What somebody who sees the robot adds to what it knows.
-  std::shared_ptr<std::vector<StampedPose>> trajectory_ =
-      std::make_shared<std::vector<StampedPose>>();
-  std::vector<std::size_t> carried_to_;  ///< Indices of the trajectory.
-  std::shared_ptr<mapping::PointCloudMap> points_ = std::make_shared<mapping::PointCloudMap>();
-  std::shared_ptr<const mapping::OccupancyGrid> far_grid_;
-  /// Both together, made when a snapshot asks for it after one of them has changed.
-  mutable std::shared_ptr<const mapping::OccupancyGrid> grid_;
-  mutable std::uint64_t near_in_grid_ = 0;
-  std::vector<mapping::Scan>
-      placed_scans_;  ///< Those in the grid, as odometry or SLAM places them.
-  std::shared_ptr<const std::vector<mapping::Scan>> scans_;
-  std::shared_ptr<const mapping::Scan> last_scan_;
-  mapping::Scan open_scan_;
-  bool scan_is_open_ = false;
-  mapping::ScanFault last_scan_fault_ = mapping::ScanFault::kNone;
-  std::size_t stops_ = 0;
-  double newly_free_m2_ = 0.0;
-  sensors::HazardObservation hazards_;
-  sensors::InfraredObservation infrared_;
-  std::optional<sensors::YawObservation> yaw_;
-  std::optional<sensors::BatteryObservation> battery_;
-  std::size_t times_lifted_ = 0;
+  PoseTrack track_;
+  StopMap map_;
+  RobotStatus status_;
+  std::optional<mapping::Scan> open_scan_;  ///< As odometry places it.
 };
 
 }  // namespace echomap::pipeline

@@ -17,7 +17,7 @@ namespace echomap::pipeline {
 /// SLAM of a robot that drives and pings: every ping is a scan of one beam.
 class RobotSlam {
  public:
-  RobotSlam(std::unique_ptr<slam::SlamMethod> method, double beam_opening_rad);
+  RobotSlam(std::unique_ptr<slam::SlamMethod> method, double beam_width_rad);
 
   /// The next instant of the robot's way.
   void follow(const geometry::Pose2& T_odom_robot);

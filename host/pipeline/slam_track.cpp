@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/pipeline/slam_track.hpp"
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::pipeline {
 
 void SlamTrack::follow(const geometry::Pose2& T_odom_robot) {
@@ -8,7 +10,7 @@ void SlamTrack::follow(const geometry::Pose2& T_odom_robot) {
   instants_.push_back({T_odom_robot, scans()});
 }
 
-void SlamTrack::add(const geometry::Pose2& T_odom_robot, const slam::RangeScan& scan) {
+void SlamTrack::add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) {
   method_->add(T_odom_robot, scan);
   T_map_odom_ = method_->belief().T_map_robot * T_odom_robot.inverse();
   T_odom_scans_.push_back(T_odom_robot);

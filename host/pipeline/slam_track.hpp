@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/slam_method.hpp"
 
 namespace echomap::pipeline {
@@ -21,7 +22,7 @@ class SlamTrack {
   void follow(const geometry::Pose2& T_odom_robot);
   /// A scan that belongs to the last instant, or is from before the first; the robot may have gone
   /// on a little since then.
-  void add(const geometry::Pose2& T_odom_robot, const slam::RangeScan& scan);
+  void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan);
 
   /// From where odometry has the robot to where SLAM has it, after the last scan.
   const geometry::Pose2& T_map_odom() const { return T_map_odom_; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
@@ -84,5 +85,21 @@ struct BatteryObservation {
   time::RobotTime stamp;
   double voltage_v = 0.0;
 };
+
+/// Readings from here to `EndScan` are one scan, whatever turns of the body lie between them.
+struct BeginScan {};
+struct EndScan {};
+
+/// Whatever a robot senses, and where its scans begin and end.
+using Observation = std::variant<OdometryObservation,
+                                 SonarObservation,
+                                 HazardObservation,
+                                 InfraredObservation,
+                                 CarriedObservation,
+                                 PoseFixObservation,
+                                 YawObservation,
+                                 BatteryObservation,
+                                 BeginScan,
+                                 EndScan>;
 
 }  // namespace echomap::sensors

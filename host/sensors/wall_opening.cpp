@@ -11,6 +11,7 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::sensors {
 
@@ -40,7 +41,7 @@ double student_t(std::size_t degrees_of_freedom) {
 /// The sweep as runs of echoes that may be of one wall.
 class Runs {
  public:
-  Runs(std::span<const SweepReading> sweep, const WallOpeningParams& params)
+  Runs(std::span<const Beam> sweep, const WallOpeningParams& params)
       : sweep_(sweep), params_(params) {
     if (sweep.size() < params.least_readings) {
       return;
@@ -99,7 +100,7 @@ class Runs {
                params_.jump_share * std::min(*from_m, *to_m) + 2.0 * params_.range_sd_m;
   }
 
-  std::span<const SweepReading> sweep_;
+  std::span<const Beam> sweep_;
   const WallOpeningParams& params_;
   std::vector<std::vector<Echo>> runs_;
 };
@@ -229,8 +230,7 @@ double weight_of(const SweptWall& wall) {
 
 }  // namespace
 
-std::vector<SweptWall> swept_walls(std::span<const SweepReading> sweep,
-                                   const WallOpeningParams& params) {
+std::vector<SweptWall> swept_walls(std::span<const Beam> sweep, const WallOpeningParams& params) {
   if (params.range_sd_m <= 0.0 || params.jump_share < 0.0 || params.least_readings <= kUnknowns) {
     throw std::invalid_argument("wall opening: a parameter is outside of its range");
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/sensors/cone_opening.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::sensors {
 
@@ -51,7 +52,7 @@ struct SweptWall {
 ///
 /// Bearings rise or fall throughout; a sweep that closes on itself is taken as a ring. Throws
 /// std::invalid_argument for parameters without sense.
-std::vector<SweptWall> swept_walls(std::span<const SweepReading> sweep,
+std::vector<SweptWall> swept_walls(std::span<const Beam> sweep,
                                    const WallOpeningParams& params = {});
 
 /// What several walls say together.

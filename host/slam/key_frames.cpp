@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::slam {
 
 std::size_t KeyFrames::add(const geometry::Pose2& T_map_frame, KeyFrame frame) {
@@ -66,7 +68,7 @@ std::vector<NearFrame> KeyFrames::near(std::size_t from, double most_m) const {
 }
 
 std::vector<Eigen::Vector2d> KeyFrames::map_points_m(std::size_t number) const {
-  return in_frame_a_m(T_map_frame(number), frames_[number].points_m);
+  return sensors::in_frame_a_m(T_map_frame(number), frames_[number].points_m);
 }
 
 }  // namespace echomap::slam

@@ -5,15 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/pose_graph.hpp"
-#include "host/slam/range_scan.hpp"
 
 namespace echomap::slam {
 
 /// A scan near a key frame.
 struct FrameScan {
   geometry::Pose2 T_key_robot;
-  RangeScan scan;
+  sensors::RangeScan scan;
 };
 
 /// What was seen around one pose of the way.

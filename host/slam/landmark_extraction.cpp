@@ -5,14 +5,15 @@
 #include <cmath>
 
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 
 namespace {
 
-std::vector<Eigen::Vector2d> points_of(const RangeScan& scan, double most_range_m) {
-  RangeScan at_sensor{{}, scan.beams};
-  return end_points_m(at_sensor, most_range_m);
+std::vector<Eigen::Vector2d> points_of(const sensors::RangeScan& scan, double most_range_m) {
+  sensors::RangeScan at_sensor{{}, {}, scan.beams};
+  return sensors::end_points_m(at_sensor, most_range_m);
 }
 
 LandmarkSighting wall_sighting(const mapping::FittedLine& line,
@@ -45,7 +46,7 @@ int label_of(mapping::CornerKind kind) {
 
 }  // namespace
 
-std::vector<LandmarkSighting> extract_landmarks(const RangeScan& scan,
+std::vector<LandmarkSighting> extract_landmarks(const sensors::RangeScan& scan,
                                                 const LandmarkExtractionParams& params) {
   const std::vector<Eigen::Vector2d> points_m = points_of(scan, params.most_range_m);
   const auto lines = mapping::extract_lines(points_m, params.lines);

@@ -5,8 +5,8 @@
 
 #include "host/mapping/cylinder_detection.hpp"
 #include "host/mapping/line_extraction.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/landmark_sighting.hpp"
-#include "host/slam/range_scan.hpp"
 
 namespace echomap::slam {
 
@@ -40,7 +40,7 @@ struct LandmarkExtractionParams {
 
 /// Walls, corners and posts in a scan of a laser. Throws std::invalid_argument for parameters
 /// without sense.
-std::vector<LandmarkSighting> extract_landmarks(const RangeScan& scan,
+std::vector<LandmarkSighting> extract_landmarks(const sensors::RangeScan& scan,
                                                 const LandmarkExtractionParams& params = {});
 
 }  // namespace echomap::slam

@@ -7,6 +7,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 
@@ -25,17 +26,19 @@ Eigen::Vector2d middle_m(const Landmark& landmark) {
 }
 
 /// Whether the beam that points to a place of the map ends well behind it.
-bool passes(const RangeScan& scan,
+bool passes(const sensors::RangeScan& scan,
             const Pose2& T_map_sensor,
             const Eigen::Vector2d& place_m,
             double margin_m) {
   const Eigen::Vector2d seen_m = T_map_sensor.inverse() * place_m;
   const double bearing_rad = std::atan2(seen_m.y(), seen_m.x());
-  const auto nearest = std::min_element(
-      scan.beams.begin(), scan.beams.end(), [&](const RangeBeam& left, const RangeBeam& right) {
-        return std::abs(geometry::angle_between(bearing_rad, left.bearing_rad)) <
-               std::abs(geometry::angle_between(bearing_rad, right.bearing_rad));
-      });
+  const auto nearest =
+      std::min_element(scan.beams.begin(),
+                       scan.beams.end(),
+                       [&](const sensors::Beam& left, const sensors::Beam& right) {
+                         return std::abs(geometry::angle_between(bearing_rad, left.bearing_rad)) <
+                                std::abs(geometry::angle_between(bearing_rad, right.bearing_rad));
+                       });
   if (nearest == scan.beams.end() || !nearest->range_m) {
     return false;
   }
@@ -58,7 +61,7 @@ LandmarkSlam::LandmarkSlam(const LandmarkSlamParams& params)
   }
 }
 
-void LandmarkSlam::add(const Pose2& T_odom_robot, const RangeScan& scan) {
+void LandmarkSlam::add(const Pose2& T_odom_robot, const sensors::RangeScan& scan) {
   move_to(T_odom_robot);
   update_.see(extract_landmarks(scan, params_.extraction), T_odom_robot, filter_);
   prune(scan);
@@ -83,7 +86,7 @@ void LandmarkSlam::move_to(const Pose2& T_odom_robot) {
 }
 
 /// What beams pass through is not there, or no longer.
-void LandmarkSlam::prune(const RangeScan& scan) {
+void LandmarkSlam::prune(const sensors::RangeScan& scan) {
   const Pose2 T_map_sensor = filter_.belief().T_map_robot * scan.T_robot_sensor;
   for (std::size_t i = filter_.landmarks().size(); i-- > 0;) {
     if (passes(scan, T_map_sensor, middle_m(filter_.landmarks()[i]), params_.pass_margin_m)) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/models/cut_step_spread.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/ekf_slam.hpp"
 #include "host/slam/kept_way.hpp"
 #include "host/slam/landmark_extraction.hpp"
@@ -43,7 +44,7 @@ class LandmarkSlam : public SlamMethod {
   /// Throws std::invalid_argument for parameters without sense.
   explicit LandmarkSlam(const LandmarkSlamParams& params = {});
 
-  void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) override;
+  void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
   localization::PoseGaussian belief() const override { return filter_.belief(); }
   std::vector<geometry::Pose2> trajectory() const override { return way_.trajectory(filter_); }
   mapping::OccupancyGrid grid() const override;
@@ -53,7 +54,7 @@ class LandmarkSlam : public SlamMethod {
 
  private:
   void move_to(const geometry::Pose2& T_odom_robot);
-  void prune(const RangeScan& scan);
+  void prune(const sensors::RangeScan& scan);
 
   LandmarkSlamParams params_;
   models::OdometryMotion motion_;
@@ -61,7 +62,7 @@ class LandmarkSlam : public SlamMethod {
   LandmarkUpdate update_;
   KeptWay way_;
   std::optional<geometry::Pose2> T_odom_robot_;
-  std::vector<RangeScan> scans_;
+  std::vector<sensors::RangeScan> scans_;
 };
 
 }  // namespace echomap::slam

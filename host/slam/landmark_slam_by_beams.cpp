@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/landmark_slam.hpp"
 #include "host/slam/scan_map.hpp"
 #include "host/slam/sonar_landmark_slam.hpp"
@@ -27,9 +28,9 @@ void LandmarkSlamByBeams::carry(const Pose2& T_odom_robot) {
   }
 }
 
-void LandmarkSlamByBeams::add(const Pose2& T_odom_robot, const RangeScan& scan) {
+void LandmarkSlamByBeams::add(const Pose2& T_odom_robot, const sensors::RangeScan& scan) {
   if (!chosen_) {
-    if (scan.beam_opening_rad > 0.0) {
+    if (scan.beam_width_rad > 0.0) {
       chosen_ = std::make_unique<SonarLandmarkSlam>();
     } else {
       chosen_ = std::make_unique<LandmarkSlam>();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/slam_method.hpp"
 
 namespace echomap::slam {
@@ -14,7 +15,7 @@ class LandmarkSlamByBeams final : public SlamMethod {
  public:
   void follow(const geometry::Pose2& T_odom_robot) override;
   void carry(const geometry::Pose2& T_odom_robot) override;
-  void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) override;
+  void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
   localization::PoseGaussian belief() const override;
   std::vector<geometry::Pose2> trajectory() const override;
   mapping::OccupancyGrid grid() const override;

@@ -8,6 +8,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::slam {
 
 using geometry::Pose2;
@@ -126,8 +128,8 @@ std::vector<Eigen::Vector2d> LoopClosing::newest_patch_m(
   std::vector<Eigen::Vector2d> points_m;
   for (const NearFrame& frame : reached) {
     if (frame.way_m < params_.patch_m) {
-      append(in_frame_a_m(T_newest_map * frames.T_map_frame(frame.frame),
-                          frames.frame(frame.frame).points_m),
+      append(sensors::in_frame_a_m(T_newest_map * frames.T_map_frame(frame.frame),
+                                   frames.frame(frame.frame).points_m),
              points_m);
     }
   }
@@ -204,9 +206,10 @@ ViewAgreement LoopClosing::look(const KeyFrame& from,
                                 const std::vector<Eigen::Vector2d>& points_m) const {
   ViewAgreement views;
   for (const FrameScan& scan : from.scans) {
-    views += view_agreement(scan.scan,
-                            in_frame_a_m(scan.T_key_robot.inverse() * T_from_points, points_m),
-                            params_.view_margin_m);
+    views +=
+        view_agreement(scan.scan,
+                       sensors::in_frame_a_m(scan.T_key_robot.inverse() * T_from_points, points_m),
+                       params_.view_margin_m);
   }
   return views;
 }

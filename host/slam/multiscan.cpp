@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 
@@ -25,7 +26,7 @@ MultiscanGathering::MultiscanGathering(const MultiscanParams& params) : params_(
 }
 
 std::optional<OdometryPiece> MultiscanGathering::add(const geometry::Pose2& T_odom_robot,
-                                                     const RangeScan& scan) {
+                                                     const sensors::RangeScan& scan) {
   follow(T_odom_robot);
   std::optional<OdometryPiece> piece;
   const bool has_jumped = piece_.jumped_m > 0.0 || piece_.jumped_rad > 0.0;
@@ -69,9 +70,9 @@ void MultiscanGathering::step_to(const geometry::Pose2& T_odom_robot, bool is_ca
   T_odom_last_ = T_odom_robot;
 }
 
-void MultiscanGathering::gather(const RangeScan& scan) {
+void MultiscanGathering::gather(const sensors::RangeScan& scan) {
   const geometry::Pose2 T_begin_sensor = piece_.T_before_after * scan.T_robot_sensor;
-  for (const RangeBeam& beam : scan.beams) {
+  for (const sensors::Beam& beam : scan.beams) {
     if (!beam.range_m || *beam.range_m > params_.most_range_m) {
       continue;
     }
@@ -79,7 +80,7 @@ void MultiscanGathering::gather(const RangeScan& scan) {
       open_.echoes.push_back({T_begin_sensor.position_m(),
                               T_begin_sensor.heading_rad() + beam.bearing_rad,
                               *beam.range_m,
-                              scan.beam_opening_rad / 2.0});
+                              scan.beam_width_rad / 2.0});
     }
     if (open_.echoes.size() > params_.most_echoes) {
       thin_out();

@@ -7,8 +7,8 @@
 
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/wall_echo.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/odometry_piece.hpp"
-#include "host/slam/range_scan.hpp"
 
 namespace echomap::slam {
 
@@ -45,7 +45,8 @@ class MultiscanGathering {
   void carry(const geometry::Pose2& T_odom_robot);
   /// Takes the next scan. If it is the first of a new multiscan, answers the odometry's piece from
   /// the begin of the last one to the begin of the new one; `finished` is then the last one.
-  std::optional<OdometryPiece> add(const geometry::Pose2& T_odom_robot, const RangeScan& scan);
+  std::optional<OdometryPiece> add(const geometry::Pose2& T_odom_robot,
+                                   const sensors::RangeScan& scan);
 
   /// What is being gathered.
   const Multiscan& open() const { return open_; }
@@ -56,7 +57,7 @@ class MultiscanGathering {
 
  private:
   void step_to(const geometry::Pose2& T_odom_robot, bool is_carried);
-  void gather(const RangeScan& scan);
+  void gather(const sensors::RangeScan& scan);
   void thin_out();
 
   MultiscanParams params_;

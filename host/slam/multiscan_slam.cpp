@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/multiscan_factors.hpp"
 
 namespace echomap::slam {
@@ -62,7 +63,7 @@ void MultiscanSlam::carry(const geometry::Pose2& T_odom_robot) {
   gathering_.carry(T_odom_robot);
 }
 
-void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) {
+void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) {
   follow(T_odom_robot);
   if (const auto piece = gathering_.add(T_odom_robot, scan)) {
     begin_multiscan(*piece);

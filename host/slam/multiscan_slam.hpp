@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/multiscan.hpp"
 #include "host/slam/multiscan_alignment.hpp"
 #include "host/slam/patch_matching.hpp"
@@ -51,7 +52,7 @@ class MultiscanSlam final : public SlamMethod {
 
   void follow(const geometry::Pose2& T_odom_robot) override;
   void carry(const geometry::Pose2& T_odom_robot) override;
-  void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) override;
+  void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
   localization::PoseGaussian belief() const override;
   std::vector<geometry::Pose2> trajectory() const override;
   mapping::OccupancyGrid grid() const override;
@@ -66,7 +67,7 @@ class MultiscanSlam final : public SlamMethod {
   struct TakenScan {
     std::size_t multiscan = 0;
     geometry::Pose2 T_begin_robot;
-    RangeScan scan;
+    sensors::RangeScan scan;
   };
 
   void begin_once(const geometry::Pose2& T_odom_robot);

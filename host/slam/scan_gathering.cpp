@@ -3,14 +3,16 @@
 
 #include <stdexcept>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::slam {
 namespace {
 
-std::vector<Eigen::Vector2d> spaced_points_m(const RangeScan& scan,
+std::vector<Eigen::Vector2d> spaced_points_m(const sensors::RangeScan& scan,
                                              double most_range_m,
                                              double spacing_m) {
   std::vector<Eigen::Vector2d> kept_m;
-  for (const Eigen::Vector2d& point_m : end_points_m(scan, most_range_m)) {
+  for (const Eigen::Vector2d& point_m : sensors::end_points_m(scan, most_range_m)) {
     if (kept_m.empty() || (point_m - kept_m.back()).squaredNorm() >= spacing_m * spacing_m) {
       kept_m.push_back(point_m);
     }
@@ -29,7 +31,7 @@ ScanGathering::ScanGathering(const ScanGatheringParams& params) : params_(params
   }
 }
 
-void ScanGathering::add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) {
+void ScanGathering::add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) {
   if (!scans_.empty()) {
     way_m_ += (T_odom_robot.position_m() - scans_.back().T_odom_robot.position_m()).norm();
   }
@@ -48,7 +50,7 @@ std::vector<Eigen::Vector2d> ScanGathering::points_m() const {
   all_m.reserve(count_);
   const geometry::Pose2 T_now_odom = scans_.back().T_odom_robot.inverse();
   for (std::size_t i = 0; i < scans_.size(); ++i) {
-    const auto points_m = in_frame_a_m(T_now_odom * scans_[i].T_odom_robot, points_m_[i]);
+    const auto points_m = sensors::in_frame_a_m(T_now_odom * scans_[i].T_odom_robot, points_m_[i]);
     all_m.insert(all_m.end(), points_m.begin(), points_m.end());
   }
   return all_m;

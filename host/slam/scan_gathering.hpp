@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
-#include "host/slam/range_scan.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 
@@ -27,7 +27,7 @@ struct ScanGatheringParams {
 /// A scan, and where the odometry had the robot then.
 struct GatheredScan {
   geometry::Pose2 T_odom_robot;
-  RangeScan scan;
+  sensors::RangeScan scan;
 };
 
 /// Gathers scans over a stretch of motion, held together by odometry, until they have points enough
@@ -37,7 +37,7 @@ class ScanGathering {
   /// Throws std::invalid_argument for parameters that make no sense.
   explicit ScanGathering(const ScanGatheringParams& params = {});
 
-  void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan);
+  void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan);
   bool is_enough() const;
   /// All points in the frame of the robot at the last scan.
   std::vector<Eigen::Vector2d> points_m() const;

@@ -2,6 +2,7 @@
 #include "host/slam/scan_map.hpp"
 
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 
@@ -10,14 +11,14 @@ namespace {
 mapping::OccupancyGrid map_of_cones(const std::vector<PlacedScan>& scans,
                                     const ScanMapParams& params) {
   mapping::SonarConeMapperParams cones = params.cones;
-  cones.cone.half_angle_rad = scans.front().scan.beam_opening_rad / 2.0;
+  cones.cone.half_angle_rad = scans.front().scan.beam_width_rad / 2.0;
   if (scans.front().scan.max_range_m > 0.0) {
     cones.cone.max_range_m = scans.front().scan.max_range_m;
   }
   mapping::SonarConeMapper mapper(cones);
   for (const auto& [T_map_robot, scan] : scans) {
     mapping::Scan readings;
-    for (const RangeBeam& beam : scan.beams) {
+    for (const sensors::Beam& beam : scan.beams) {
       const geometry::Pose2 T_sensor_beam(0.0, 0.0, beam.bearing_rad);
       readings.push_back(
           {T_map_robot, T_map_robot * scan.T_robot_sensor * T_sensor_beam, beam.range_m});
@@ -33,7 +34,7 @@ mapping::OccupancyGrid map_of_rays(const std::vector<PlacedScan>& scans,
   mapping::RayInserter inserter(params.rays);
   for (const auto& [T_map_robot, scan] : scans) {
     std::vector<mapping::Ray> rays;
-    for (const RangeBeam& beam : scan.beams) {
+    for (const sensors::Beam& beam : scan.beams) {
       if (beam.range_m) {
         rays.push_back({*beam.range_m * geometry::unit_vector(beam.bearing_rad), true});
       }
@@ -50,7 +51,7 @@ mapping::OccupancyGrid map_of_scans(const std::vector<PlacedScan>& scans,
   if (scans.empty()) {
     return mapping::OccupancyGrid(params.cones.grid);
   }
-  const bool is_cone = scans.front().scan.beam_opening_rad > 0.0;
+  const bool is_cone = scans.front().scan.beam_width_rad > 0.0;
   return is_cone ? map_of_cones(scans, params) : map_of_rays(scans, params);
 }
 

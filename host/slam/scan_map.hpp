@@ -7,7 +7,7 @@
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/ray_insertion.hpp"
 #include "host/mapping/sonar_cone_mapper.hpp"
-#include "host/slam/range_scan.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 
@@ -22,7 +22,7 @@ struct ScanMapParams {
 /// A scan and where the robot was.
 struct PlacedScan {
   geometry::Pose2 T_map_robot;
-  RangeScan scan;
+  sensors::RangeScan scan;
 };
 
 /// The map of scans of one sensor: of cones as SonarConeMapper understands them together, of thin

@@ -8,6 +8,8 @@
 
 #include <Eigen/LU>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::slam {
 
 using geometry::Pose2;
@@ -34,7 +36,7 @@ ScanSlam::ScanSlam(const ScanSlamParams& params)
   }
 }
 
-void ScanSlam::add(const Pose2& T_odom_robot, const RangeScan& scan) {
+void ScanSlam::add(const Pose2& T_odom_robot, const sensors::RangeScan& scan) {
   predict(T_odom_robot);
   gathering_.add(T_odom_robot, scan);
   if (!gathering_.is_enough() && !frames_.empty()) {

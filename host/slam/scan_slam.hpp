@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/models/odometry_motion.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/key_frames.hpp"
 #include "host/slam/loop_closing.hpp"
 #include "host/slam/scan_gathering.hpp"
@@ -59,7 +60,7 @@ class ScanSlam : public SlamMethod {
   /// Throws std::invalid_argument for parameters that make no sense.
   explicit ScanSlam(const ScanSlamParams& params = {});
 
-  void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) override;
+  void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
   /// The covariance is that of the pose against the map around it.
   localization::PoseGaussian belief() const override { return belief_; }
   std::vector<geometry::Pose2> trajectory() const override;

@@ -6,8 +6,8 @@
 #include "host/geometry/pose2.hpp"
 #include "host/localization/pose_gaussian.hpp"
 #include "host/mapping/occupancy_grid.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/factor_graph.hpp"
-#include "host/slam/range_scan.hpp"
 
 namespace echomap::slam {
 
@@ -26,7 +26,7 @@ class SlamMethod {
   /// Somebody has carried the robot to there, in the odometry's frame.
   virtual void carry(const geometry::Pose2& T_odom_robot) { follow(T_odom_robot); }
   /// Takes a scan, and where the odometry had the robot when it was taken. In the order of time.
-  virtual void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) = 0;
+  virtual void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) = 0;
   /// Where the robot was at the last scan.
   virtual localization::PoseGaussian belief() const = 0;
   /// Where the robot was at each scan that was added, as it is known now: a loop that is closed

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::slam {
 
 using geometry::Pose2;
@@ -52,7 +54,7 @@ void SonarLandmarkSlam::carry(const Pose2& T_odom_robot) {
   gathering_.carry(T_odom_robot);
 }
 
-void SonarLandmarkSlam::add(const Pose2& T_odom_robot, const RangeScan& scan) {
+void SonarLandmarkSlam::add(const Pose2& T_odom_robot, const sensors::RangeScan& scan) {
   follow(T_odom_robot);
   if (const auto piece = gathering_.add(T_odom_robot, scan)) {
     finish_multiscan(*piece);

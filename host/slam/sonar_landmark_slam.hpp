@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/ekf_slam.hpp"
 #include "host/slam/kept_way.hpp"
 #include "host/slam/landmark_graph.hpp"
@@ -53,7 +54,7 @@ class SonarLandmarkSlam final : public SlamMethod {
 
   void follow(const geometry::Pose2& T_odom_robot) override;
   void carry(const geometry::Pose2& T_odom_robot) override;
-  void add(const geometry::Pose2& T_odom_robot, const RangeScan& scan) override;
+  void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
   localization::PoseGaussian belief() const override;
   std::vector<geometry::Pose2> trajectory() const override;
   mapping::OccupancyGrid grid() const override;
@@ -84,7 +85,7 @@ class SonarLandmarkSlam final : public SlamMethod {
   std::mt19937 random_;
   bool has_begun_ = false;
   std::vector<OdometryPiece> open_;  ///< To each scan, from where the stretch began.
-  std::vector<RangeScan> scans_;
+  std::vector<sensors::RangeScan> scans_;
 };
 
 }  // namespace echomap::slam

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -24,9 +25,9 @@ struct RangesBeside {
 /// The beams with an answer in the order of their bearings, all the way round.
 class AnswersByBearing {
  public:
-  explicit AnswersByBearing(const RangeScan& scan) {
+  explicit AnswersByBearing(const sensors::RangeScan& scan) {
     constexpr double kRound = 2.0 * std::numbers::pi;
-    for (const RangeBeam& beam : scan.beams) {
+    for (const sensors::Beam& beam : scan.beams) {
       if (!beam.range_m) {
         continue;
       }
@@ -79,7 +80,7 @@ double ViewAgreement::contradicted_share() const {
   return seen == 0 ? 0.0 : static_cast<double>(through) / static_cast<double>(seen);
 }
 
-ViewAgreement view_agreement(const RangeScan& scan,
+ViewAgreement view_agreement(const sensors::RangeScan& scan,
                              std::span<const Eigen::Vector2d> points_m,
                              double margin_m) {
   const geometry::Pose2 T_sensor_robot = scan.T_robot_sensor.inverse();

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "host/slam/range_scan.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 
@@ -23,7 +23,7 @@ struct ViewAgreement {
 /// Looks at points, in the robot's frame, along the beams of a scan. A point counts where a beam
 /// with an answer passes within 1/100 rad; what stands behind the answer is hidden and does not
 /// count. A range may be off by `margin_m` and a twentieth of itself: walls are seen at an angle.
-ViewAgreement view_agreement(const RangeScan& scan,
+ViewAgreement view_agreement(const sensors::RangeScan& scan,
                              std::span<const Eigen::Vector2d> points_m,
                              double margin_m);
 

@@ -6,6 +6,7 @@
 #include "host/localization/landmark_matching.hpp"
 #include "host/localization/pose_ekf.hpp"
 #include "host/mapping/cylinder_detection.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/benchmarks/brenner_arena.hpp"
 #include "tests/benchmarks/landmark_runs.hpp"
 #include "tests/benchmarks/true_path.hpp"
@@ -23,11 +24,11 @@ localization::PoseEkf started_filter(const BrennerArena& arena) {
   return localization::PoseEkf({arena.T_map_start, arena.start_covariance}, params);
 }
 
-void look(const datasets::RangeScan& scan,
+void look(const sensors::RangeScan& scan,
           const std::vector<Eigen::Vector2d>& landmarks_m,
           localization::PoseEkf& filter) {
   std::vector<Eigen::Vector2d> points_m;
-  for (const datasets::Beam& beam : scan.beams) {
+  for (const sensors::Beam& beam : scan.beams) {
     if (beam.range_m) {
       points_m.push_back(*beam.range_m * geometry::unit_vector(beam.bearing_rad));
     }
@@ -60,7 +61,7 @@ FollowScore follow_brenner(const std::filesystem::path& folder, bool scaled) {
   FollowTally tally;
   Pose2 T_odom_robot;
   for (const datasets::LogRecord& record : arena.records) {
-    if (const auto* scan = std::get_if<datasets::RangeScan>(&record)) {
+    if (const auto* scan = std::get_if<sensors::RangeScan>(&record)) {
       look(*scan, arena.landmarks_m, filter);
     } else if (const auto* wheels = std::get_if<datasets::WheelIncrement>(&record)) {
       T_odom_robot = T_odom_robot * brenner_step(*wheels);

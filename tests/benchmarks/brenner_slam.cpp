@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "host/pipeline/log_slam.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/landmark_slam.hpp"
 #include "tests/benchmarks/brenner_arena.hpp"
 #include "tests/benchmarks/ekf_slam_runs.hpp"
@@ -45,9 +46,9 @@ TruePath odometry_of(const BrennerArena& arena) {
   return path;
 }
 
-slam::RangeScan corrected_scan(const datasets::RangeScan& scan) {
-  slam::RangeScan corrected = pipeline::slam_scan(scan);
-  for (slam::RangeBeam& beam : corrected.beams) {
+sensors::RangeScan corrected_scan(const sensors::RangeScan& scan) {
+  sensors::RangeScan corrected = scan;
+  for (sensors::Beam& beam : corrected.beams) {
     if (beam.range_m) {
       *beam.range_m += kBrennerReadsShortM;
     }
@@ -83,7 +84,7 @@ LandmarkSlamScore slam_brenner(const std::filesystem::path& folder) {
   slam::LandmarkSlam slam(cylinder_params(arena));
   FollowTally tally;
   for (const datasets::LogRecord& record : arena.records) {
-    const auto* scan = std::get_if<datasets::RangeScan>(&record);
+    const auto* scan = std::get_if<sensors::RangeScan>(&record);
     if (scan == nullptr || !scan->stamp_s) {
       continue;
     }

@@ -28,7 +28,7 @@ exploration::WaypointCourse course_around(const geometry::Polygon& outline_m,
                                           const geometry::Pose2& T_outline_start,
                                           const CourseAroundParams& params = {});
 
-/// Writes what apps::load_course reads. Throws files::FileError.
+/// Writes what strategies::load_course reads. Throws files::FileError.
 void write_course(const std::filesystem::path& path, const exploration::WaypointCourse& course);
 
 }  // namespace echomap::bench

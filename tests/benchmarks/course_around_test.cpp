@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/apps/course_file.hpp"
+#include "host/strategies/course_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::bench {
@@ -74,7 +74,7 @@ TEST(CourseAround, IsReadAsItWasWritten) {
   auto course = course_around(outline_m, {0.1, 0.2, 0.7});
   course.name = "my \"room\"";
   write_course(folder / "course.toml", course);
-  const auto read = apps::load_course(folder / "course.toml");
+  const auto read = strategies::load_course(folder / "course.toml");
   EXPECT_EQ(read.name, course.name);
   EXPECT_EQ(read.cells.min, course.cells.min);
   EXPECT_EQ(read.cells.max, course.cells.max);

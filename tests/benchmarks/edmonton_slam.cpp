@@ -6,6 +6,7 @@
 
 #include "host/datasets/edmonton_log.hpp"
 #include "host/pipeline/log_slam.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/benchmarks/relation_log.hpp"
 #include "tests/benchmarks/turn_first_odometry.hpp"
 #include "tests/support/log_files.hpp"
@@ -28,7 +29,7 @@ std::vector<geometry::Pose2> paper_odometry(const EdmontonLog& log) {
   for (const datasets::LogRecord& record : log.records) {
     if (const auto* step = std::get_if<datasets::OdometryStep>(&record)) {
       T_odom_robot = turned_then_driven(T_odom_robot, step->T_last_now);
-    } else if (std::holds_alternative<datasets::RangeScan>(record)) {
+    } else if (std::holds_alternative<sensors::RangeScan>(record)) {
       T_odom_scans.push_back(T_odom_robot);
     }
   }

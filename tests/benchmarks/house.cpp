@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/apps/child_process.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/session/child_process.hpp"
 #include "tests/benchmarks/figures.hpp"
 #include "tests/benchmarks/replay_identity.hpp"
 #include "tests/structure/function_lengths.hpp"
@@ -47,7 +47,7 @@ std::vector<Figure> size_figures(const std::vector<SourceFile>& product) {
     lines += structure::is_below(file.path, "host") ? file.lines.size() : 0;
     long_files += file.lines.size() > kMaxFileLines ? 1 : 0;
   }
-  const auto program = apps::program_folder() / "echomap";
+  const auto program = session::program_folder() / "echomap";
   return {count("host_lines", lines, "lines"),
           count("echomap_bytes", std::filesystem::file_size(program), "B"),
           count("files_in_no_program", structure::files_in_no_program(product).size(), "files"),

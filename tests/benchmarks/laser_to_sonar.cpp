@@ -11,13 +11,14 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::bench {
 
 namespace {
 
-using datasets::Beam;
-using datasets::RangeScan;
+using sensors::Beam;
+using sensors::RangeScan;
 
 /// A normal is fitted to points up to this far along the wall, to either side.
 constexpr double kNormalReachM = 0.2;
@@ -45,9 +46,9 @@ struct Hit {
   }
 };
 
-std::vector<Hit> hits_of(const RangeScan& laser) {
+std::vector<Hit> hits_of(const sensors::RangeScan& laser) {
   std::vector<Hit> hits;
-  for (const Beam& beam : laser.beams) {
+  for (const sensors::Beam& beam : laser.beams) {
     Hit hit;
     hit.bearing_rad = beam.bearing_rad;
     hit.range_m = beam.range_m.value_or(kNeverM);
@@ -160,7 +161,7 @@ std::optional<double> heard_m(const std::vector<Hit>& hits,
   return read_m > params.max_range_m ? std::nullopt : std::optional(std::max(read_m, kLeastRangeM));
 }
 
-void check(const RangeScan& laser, const LaserToSonarParams& params) {
+void check(const sensors::RangeScan& laser, const LaserToSonarParams& params) {
   const bool params_ok = params.directions > 0 && params.half_opening_rad > 0.0 &&
                          params.max_range_m > 0.0 && params.noise_m >= 0.0 &&
                          params.noise_share >= 0.0;
@@ -175,9 +176,9 @@ void check(const RangeScan& laser, const LaserToSonarParams& params) {
 
 }  // namespace
 
-RangeScan laser_to_sonar(const RangeScan& laser,
-                         const LaserToSonarParams& params,
-                         std::mt19937& random) {
+sensors::RangeScan laser_to_sonar(const sensors::RangeScan& laser,
+                                  const LaserToSonarParams& params,
+                                  std::mt19937& random) {
   check(laser, params);
   std::vector<Hit> hits = hits_of(laser);
   for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -185,7 +186,7 @@ RangeScan laser_to_sonar(const RangeScan& laser,
       find_normal(hits, i, params.smooth_residual_m);
     }
   }
-  RangeScan sonar{
+  sensors::RangeScan sonar{
       laser.stamp_s, laser.T_robot_sensor, {}, 2.0 * params.half_opening_rad, params.max_range_m};
   const double first_rad = hits.front().bearing_rad;
   const double field_rad = hits.back().bearing_rad - first_rad;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "host/datasets/log_record.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::bench {
 
@@ -39,8 +40,8 @@ struct LaserToSonarParams {
 /// its cone. Edges, where no normal can be told, answer at any incidence. A laser beam without
 /// return is empty space. Throws std::invalid_argument for parameters without sense and for beams
 /// that do not go counter-clockwise.
-datasets::RangeScan laser_to_sonar(const datasets::RangeScan& laser,
-                                   const LaserToSonarParams& params,
-                                   std::mt19937& random);
+sensors::RangeScan laser_to_sonar(const sensors::RangeScan& laser,
+                                  const LaserToSonarParams& params,
+                                  std::mt19937& random);
 
 }  // namespace echomap::bench

@@ -8,19 +8,20 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::bench {
 namespace {
 
-using datasets::Beam;
-using datasets::RangeScan;
+using sensors::Beam;
+using sensors::RangeScan;
 
 using geometry::radians;
 
 /// A laser of 180 degrees, four beams a degree, that sees `range_m(bearing)`.
 template <typename Range>
-RangeScan laser_seeing(Range&& range_m) {
-  RangeScan scan;
+sensors::RangeScan laser_seeing(Range&& range_m) {
+  sensors::RangeScan scan;
   scan.stamp_s = 12.5;
   for (int quarter = -360; quarter <= 360; ++quarter) {
     const double bearing_rad = radians(0.25 * quarter);
@@ -43,7 +44,7 @@ LaserToSonarParams quiet() {
   return params;
 }
 
-RangeScan heard(const RangeScan& laser, const LaserToSonarParams& params) {
+sensors::RangeScan heard(const sensors::RangeScan& laser, const LaserToSonarParams& params) {
   std::mt19937 random(1);
   return laser_to_sonar(laser, params, random);
 }
@@ -54,14 +55,14 @@ TEST(LaserToSonar, LooksInto24DirectionsOverTheField) {
   EXPECT_NEAR(sonar.beams.front().bearing_rad, radians(-86.25), 1e-9);
   EXPECT_NEAR(sonar.beams[1].bearing_rad - sonar.beams[0].bearing_rad, radians(7.5), 1e-9);
   EXPECT_EQ(sonar.stamp_s, 12.5);
-  EXPECT_NEAR(sonar.beam_opening_rad, radians(30.0), 1e-4);
+  EXPECT_NEAR(sonar.beam_width_rad, radians(30.0), 1e-4);
 }
 
 TEST(LaserToSonar, HearsTheNearestInItsCone) {
   auto params = quiet();
   params.specular = false;
   const auto sonar = heard(laser_seeing(wall_ahead_m), params);
-  for (const Beam& beam : sonar.beams) {
+  for (const sensors::Beam& beam : sonar.beams) {
     const double nearest_rad = std::max(0.0, std::abs(beam.bearing_rad) - radians(15.0));
     if (nearest_rad < radians(65.0)) {
       ASSERT_TRUE(beam.range_m);
@@ -71,7 +72,7 @@ TEST(LaserToSonar, HearsTheNearestInItsCone) {
 }
 
 TEST(LaserToSonar, LosesASmoothWallBeyondThirtyDegreesOffTheAxis) {
-  for (const Beam& beam : heard(laser_seeing(wall_ahead_m), quiet()).beams) {
+  for (const sensors::Beam& beam : heard(laser_seeing(wall_ahead_m), quiet()).beams) {
     EXPECT_EQ(beam.range_m.has_value(), std::abs(beam.bearing_rad) < radians(30.5))
         << geometry::degrees(beam.bearing_rad);
   }
@@ -81,14 +82,14 @@ TEST(LaserToSonar, HearsAPostFromAnyDirectionWithinTheCone) {
   const auto post = laser_seeing([](double bearing_rad) {
     return std::abs(bearing_rad - radians(40.0)) < radians(0.6) ? std::optional(1.5) : std::nullopt;
   });
-  for (const Beam& beam : heard(post, quiet()).beams) {
+  for (const sensors::Beam& beam : heard(post, quiet()).beams) {
     EXPECT_EQ(beam.range_m.has_value(), std::abs(beam.bearing_rad - radians(40.0)) < radians(15.0));
   }
 }
 
 TEST(LaserToSonar, HearsNothingBeyondItsRange) {
   const auto far_wall = laser_seeing([](double) { return std::optional(3.2); });
-  for (const Beam& beam : heard(far_wall, quiet()).beams) {
+  for (const sensors::Beam& beam : heard(far_wall, quiet()).beams) {
     EXPECT_FALSE(beam.range_m);
   }
 }
@@ -105,12 +106,12 @@ TEST(LaserToSonar, HearsASecondBounceFartherThanTheWallItself) {
   params.smooth_limit_rad = radians(25.0);
   params.directions = 90;
   std::size_t silent = 0;
-  for (const Beam& beam : heard(corner, params).beams) {
+  for (const sensors::Beam& beam : heard(corner, params).beams) {
     silent += beam.range_m ? 0 : 1;
   }
   params.second_bounce_chance = 1.0;
   std::size_t still_silent = 0;
-  for (const Beam& beam : heard(corner, params).beams) {
+  for (const sensors::Beam& beam : heard(corner, params).beams) {
     still_silent += beam.range_m ? 0 : 1;
   }
   EXPECT_LT(still_silent, silent);

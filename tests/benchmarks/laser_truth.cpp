@@ -10,6 +10,7 @@
 #include "host/datasets/carmen_log.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_insertion.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::bench {
 
@@ -29,7 +30,7 @@ OccupancyGrid laser_map(const std::vector<PosedScan>& scans) {
   mapping::RayInserter inserter;
   for (const PosedScan& posed : scans) {
     std::vector<mapping::Ray> rays;
-    for (const datasets::Beam& beam : posed.scan.beams) {
+    for (const sensors::Beam& beam : posed.scan.beams) {
       if (beam.range_m && *beam.range_m <= kLaserRangeM) {
         rays.push_back({*beam.range_m * geometry::unit_vector(beam.bearing_rad), true});
       }
@@ -64,7 +65,7 @@ std::vector<Eigen::Vector2d> walls_within_m(const std::vector<PosedScan>& scans,
                                             double reach_m) {
   OccupancyGrid near;
   for (const PosedScan& posed : scans) {
-    for (const datasets::Beam& beam : posed.scan.beams) {
+    for (const sensors::Beam& beam : posed.scan.beams) {
       if (beam.range_m && *beam.range_m <= reach_m) {
         const Eigen::Vector2d hit_m =
             posed.T_map_laser *
@@ -89,7 +90,7 @@ std::vector<PosedScan> read_posed_scans(const std::filesystem::path& log) {
   while (auto record = reader->next()) {
     if (const auto* pose = std::get_if<datasets::GivenPose>(&*record)) {
       T_map_robot = pose->T_map_robot;
-    } else if (auto* scan = std::get_if<datasets::RangeScan>(&*record)) {
+    } else if (auto* scan = std::get_if<sensors::RangeScan>(&*record)) {
       scans.push_back({T_map_robot * scan->T_robot_sensor, std::move(*scan)});
     }
   }

@@ -7,6 +7,7 @@
 #include "host/datasets/log_record.hpp"
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/occupancy_grid.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/nearest_points.hpp"
 
 namespace echomap::bench {
@@ -14,7 +15,7 @@ namespace echomap::bench {
 /// A laser scan with its corrected pose.
 struct PosedScan {
   geometry::Pose2 T_map_laser;
-  datasets::RangeScan scan;
+  sensors::RangeScan scan;
 };
 
 /// All scans of a CARMEN log with given poses. Throws files::FileError.

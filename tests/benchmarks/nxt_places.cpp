@@ -5,6 +5,7 @@
 
 #include "host/datasets/nxt_scan_log.hpp"
 #include "host/localization/place_recognition.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/log_files.hpp"
 
 namespace echomap::bench {
@@ -16,8 +17,8 @@ constexpr std::size_t kPlaces = 5;
 localization::RoundScan read_scan(const std::filesystem::path& path) {
   localization::RoundScan scan;
   const auto records = tests::records_of(*datasets::open_nxt_scan_log(path));
-  for (const auto& all_round : tests::only<datasets::RangeScan>(records)) {
-    for (const datasets::Beam& beam : all_round.beams) {
+  for (const auto& all_round : tests::only<sensors::RangeScan>(records)) {
+    for (const sensors::Beam& beam : all_round.beams) {
       scan.push_back(beam.range_m);
     }
   }

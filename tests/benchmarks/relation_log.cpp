@@ -11,6 +11,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/pipeline/log_poses.hpp"
 #include "host/pipeline/log_slam.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -33,7 +34,7 @@ std::vector<evaluation::PoseRelation> read_packed_relations(const std::filesyste
 }
 
 /// The number of the beam in the middle of the `i`th of `count` even shares.
-std::size_t middle_beam(const datasets::RangeScan& scan, std::size_t i, std::size_t count) {
+std::size_t middle_beam(const sensors::RangeScan& scan, std::size_t i, std::size_t count) {
   return (2 * i + 1) * scan.beams.size() / (2 * count);
 }
 
@@ -42,16 +43,16 @@ template <class Change>
 RelationLog with_scans(const RelationLog& log, const Change& change) {
   RelationLog changed = log;
   for (datasets::LogRecord& record : changed.records) {
-    if (auto* scan = std::get_if<datasets::RangeScan>(&record)) {
+    if (auto* scan = std::get_if<sensors::RangeScan>(&record)) {
       change(*scan);
     }
   }
   return changed;
 }
 
-std::optional<double> nearest_within(const datasets::RangeScan& scan, double bearing_rad) {
+std::optional<double> nearest_within(const sensors::RangeScan& scan, double bearing_rad) {
   std::optional<double> nearest_m;
-  for (const datasets::Beam& beam : scan.beams) {
+  for (const sensors::Beam& beam : scan.beams) {
     const double off_rad = std::abs(beam.bearing_rad - bearing_rad);
     if (off_rad <= cone_opening_rad / 2.0 && beam.range_m && *beam.range_m < kConeReachM) {
       nearest_m = std::min(*beam.range_m, nearest_m.value_or(kConeReachM));
@@ -77,8 +78,8 @@ std::optional<RelationLog> read_relation_log(const std::string& name) {
 }
 
 RelationLog with_beams(const RelationLog& log, std::size_t count) {
-  return with_scans(log, [&](datasets::RangeScan& scan) {
-    std::vector<datasets::Beam> kept;
+  return with_scans(log, [&](sensors::RangeScan& scan) {
+    std::vector<sensors::Beam> kept;
     for (std::size_t i = 0; i < count; ++i) {
       kept.push_back(scan.beams[middle_beam(scan, i, count)]);
     }
@@ -88,18 +89,18 @@ RelationLog with_beams(const RelationLog& log, std::size_t count) {
 
 RelationLog with_cones(const RelationLog& log, std::size_t count, std::mt19937& random) {
   std::normal_distribution<double> noise_m(0.0, kConeNoiseM);
-  return with_scans(log, [&](datasets::RangeScan& scan) {
-    std::vector<datasets::Beam> cones;
+  return with_scans(log, [&](sensors::RangeScan& scan) {
+    std::vector<sensors::Beam> cones;
     for (std::size_t i = 0; i < count; ++i) {
       const double bearing_rad = scan.beams[middle_beam(scan, i, count)].bearing_rad;
       std::optional<double> range_m = nearest_within(scan, bearing_rad);
       if (range_m) {
-        range_m = datasets::returned_range_m(*range_m + noise_m(random), kConeReachM);
+        range_m = sensors::returned_range_m(*range_m + noise_m(random), kConeReachM);
       }
       cones.push_back({bearing_rad, range_m});
     }
     scan.beams = std::move(cones);
-    scan.beam_opening_rad = cone_opening_rad;
+    scan.beam_width_rad = cone_opening_rad;
     scan.max_range_m = kConeReachM;
   });
 }

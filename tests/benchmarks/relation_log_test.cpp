@@ -6,14 +6,15 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/real_data.hpp"
 
 namespace echomap::bench {
 namespace {
 
-const datasets::RangeScan& first_scan(const RelationLog& log) {
+const sensors::RangeScan& first_scan(const RelationLog& log) {
   for (const auto& record : log.records) {
-    if (const auto* scan = std::get_if<datasets::RangeScan>(&record)) {
+    if (const auto* scan = std::get_if<sensors::RangeScan>(&record)) {
       return *scan;
     }
   }
@@ -22,7 +23,7 @@ const datasets::RangeScan& first_scan(const RelationLog& log) {
 
 /// A scan of 180 beams, the `i`th of 1 m + i cm.
 RelationLog slanted_log() {
-  datasets::RangeScan scan;
+  sensors::RangeScan scan;
   for (int i = 0; i < 180; ++i) {
     scan.beams.push_back({geometry::radians(i - 90.0), 1.0 + 0.01 * i});
   }
@@ -52,7 +53,7 @@ TEST(RelationLog, AConeHearsTheNearestOfItsBeams) {
   ASSERT_EQ(scan.beams.size(), 12U);
   EXPECT_NEAR(*scan.beams[0].range_m, 1.0, 0.05) << "beams 0 to 14";
   EXPECT_NEAR(*scan.beams[11].range_m, 2.65, 0.05) << "beams 165 to 179";
-  EXPECT_NEAR(geometry::degrees(scan.beam_opening_rad), 15.0, 1e-9);
+  EXPECT_NEAR(geometry::degrees(scan.beam_width_rad), 15.0, 1e-9);
 }
 
 }  // namespace

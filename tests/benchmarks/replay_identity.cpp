@@ -6,22 +6,22 @@
 #include <optional>
 #include <thread>
 
-#include "host/apps/child_process.hpp"
-#include "host/apps/temporary_folder.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/session/child_process.hpp"
+#include "host/session/temporary_folder.hpp"
 
 namespace echomap::bench {
 namespace {
 
-using apps::ChildProcess;
-using apps::TemporaryFolder;
+using session::ChildProcess;
+using session::TemporaryFolder;
 using Words = std::vector<std::string>;
 
 constexpr std::chrono::minutes kMaxRunTime(10);
 constexpr std::chrono::seconds kMaxStartTime(10);
 constexpr const char* kDemoRoom = "living_room";
 
-std::string program(const std::string& name) { return apps::program_folder() / name; }
+std::string program(const std::string& name) { return session::program_folder() / name; }
 
 /// True where the program ended with a map: as finished (0) or with floor left unseen (8).
 bool ends_with_a_map(ChildProcess& process) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/slam_methods.hpp"
 #include "tests/benchmarks/slam_run_figures.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
@@ -32,7 +33,7 @@ class TimedSlam final : public slam::SlamMethod {
   void follow(const geometry::Pose2& T_odom_robot) override {
     cost_->sum_s += processor_seconds([&] { method_->follow(T_odom_robot); });
   }
-  void add(const geometry::Pose2& T_odom_robot, const slam::RangeScan& scan) override {
+  void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override {
     const double took_s = processor_seconds([&] { method_->add(T_odom_robot, scan); });
     ++cost_->pings;
     cost_->sum_s += took_s;

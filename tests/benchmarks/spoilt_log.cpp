@@ -9,6 +9,7 @@
 #include "host/datasets/open_log.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/models/odometry_motion.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/real_data.hpp"
 
 namespace echomap::bench {
@@ -22,7 +23,7 @@ constexpr double kRevisitM = 1.0;
 
 struct TakenScan {
   Pose2 T_map_robot;
-  datasets::RangeScan scan;
+  sensors::RangeScan scan;
 };
 
 std::vector<TakenScan> read_scans(const std::filesystem::path& path, std::size_t every) {
@@ -33,7 +34,7 @@ std::vector<TakenScan> read_scans(const std::filesystem::path& path, std::size_t
   while (auto record = reader->next()) {
     if (const auto* given = std::get_if<datasets::GivenPose>(&*record)) {
       T_map_robot = given->T_map_robot;
-    } else if (auto* scan = std::get_if<datasets::RangeScan>(&*record)) {
+    } else if (auto* scan = std::get_if<sensors::RangeScan>(&*record)) {
       if (count++ % every == 0) {
         scans.push_back({T_map_robot, std::move(*scan)});
       }

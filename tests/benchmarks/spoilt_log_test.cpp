@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/real_data.hpp"
 
 namespace echomap::bench {
@@ -15,7 +16,7 @@ constexpr const char* kLog = "carmen_corrected/belgioioso-corrected";
 std::size_t scans(const RelationLog& log) {
   std::size_t count = 0;
   for (const auto& record : log.records) {
-    count += std::holds_alternative<datasets::RangeScan>(record) ? 1 : 0;
+    count += std::holds_alternative<sensors::RangeScan>(record) ? 1 : 0;
   }
   return count;
 }

@@ -9,6 +9,7 @@
 
 #include "host/datasets/open_log.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/temporary_folder.hpp"
@@ -18,6 +19,7 @@ namespace {
 using echomap::fuzz::require;
 namespace datasets = echomap::datasets;
 namespace fs = std::filesystem;
+namespace sensors = echomap::sensors;
 
 /// Ends one file of an input and begins the next.
 constexpr char kNextFile = '\x1e';
@@ -74,7 +76,7 @@ class LogFolders {
   echomap::fuzz::TemporaryFolder folder_;
 };
 
-void check(const datasets::RangeScan& scan) {
+void check(const sensors::RangeScan& scan) {
   // A line has at most so many numbers; a run directory says so of its own scans.
   constexpr std::size_t kMostBeams = 100000;
   require(scan.beams.size() <= kMostBeams, "a scan has no more beams than its text");
@@ -91,7 +93,7 @@ void read(const datasets::LogFormat& format, const fs::path& path) {
   while (const auto record = log->next()) {
     const auto stamp_s = datasets::stamp_s(*record);
     require(!stamp_s || std::isfinite(*stamp_s), "a stamp is a number");
-    if (const auto* scan = std::get_if<datasets::RangeScan>(&*record)) {
+    if (const auto* scan = std::get_if<sensors::RangeScan>(&*record)) {
       check(*scan);
     } else if (const auto* pose = std::get_if<datasets::GivenPose>(&*record)) {
       require(std::isfinite(pose->T_map_robot.x_m()), "a pose is somewhere");

@@ -124,7 +124,8 @@ TEST_F(LiveIsReplay, WithMapsThatWereJoined) {
 
 TEST_F(LiveIsReplay, OptionsForAnotherMapAreFollowedAndTold) {
   drive({"--stops=4"});
-  for (const char* option : {"--slam=ekf", "--resolution=0.1", "--map=points", "--poses=given"}) {
+  for (const char* option :
+       {"--slam=ekf", "--slam=scan", "--resolution=0.1", "--map=points", "--poses=given"}) {
     const Ended ended = replay({option});
     EXPECT_EQ(ended.status, 0) << option << ended.said;
     EXPECT_THAT(ended.said, ::testing::HasSubstr("the map will differ from the run's: ")) << option;

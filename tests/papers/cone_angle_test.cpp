@@ -17,6 +17,7 @@
 #include "host/datasets/nxt_scan_log.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/sensors/wall_opening.hpp"
 #include "tests/papers/post_opening.hpp"
 #include "tests/support/log_files.hpp"
@@ -29,8 +30,8 @@ namespace {
 
 using geometry::degrees;
 using geometry::radians;
+using sensors::Beam;
 using sensors::ConeOpening;
-using sensors::SweepReading;
 
 constexpr double kPaperDeg = 32.8;
 constexpr double kPaperBoundDeg = 9.6;
@@ -74,14 +75,14 @@ world::FloorPlan square_room() {
   return {"square", {{{-0.6, -0.7}, {0.8, -0.7}, {0.8, 0.7}, {-0.6, 0.7}}, rough}, {}, {}};
 }
 
-std::vector<SweepReading> sweep(const world::FloorPlan& plan,
-                                const world::SonarParams& sonar,
-                                double half_deg,
-                                double step_deg,
-                                std::uint32_t seed) {
+std::vector<sensors::Beam> sweep(const world::FloorPlan& plan,
+                                 const world::SonarParams& sonar,
+                                 double half_deg,
+                                 double step_deg,
+                                 std::uint32_t seed) {
   const world::SonarPhysics physics(plan, sonar);
   world::NoiseStream noise(seed, world::NoisePurpose::kSonar);
-  std::vector<SweepReading> readings;
+  std::vector<sensors::Beam> readings;
   for (double bearing_deg = -half_deg; bearing_deg < half_deg; bearing_deg += step_deg) {
     const double bearing_rad = radians(bearing_deg);
     readings.push_back({bearing_rad, physics.ping_m({0.0, 0.0, bearing_rad}, noise)});
@@ -115,9 +116,9 @@ void print(const std::string& what, const Rates& rates) {
 }
 
 /// There and back, a degree a step.
-std::vector<SweepReading> double_sweep(const world::FloorPlan& plan,
-                                       const world::SonarParams& sonar,
-                                       std::uint32_t seed) {
+std::vector<sensors::Beam> double_sweep(const world::FloorPlan& plan,
+                                        const world::SonarParams& sonar,
+                                        std::uint32_t seed) {
   auto readings = sweep(plan, sonar, 60.0, 1.0, seed);
   const auto back = sweep(plan, sonar, 60.0, 1.0, seed + kSeeds);
   readings.insert(readings.end(), back.begin(), back.end());
@@ -182,9 +183,9 @@ TEST(ConeAngle, OfTheNxtSonarIsThePapers) {
                         ("place_" + std::string(set) + "_loc_0" + std::to_string(place) + ".dat");
       ECHOMAP_SKIP_WITHOUT(path);
       const auto records = tests::records_of(*datasets::open_nxt_scan_log(path));
-      std::vector<SweepReading> readings;
-      const auto scan = tests::only<datasets::RangeScan>(records).at(0);
-      for (const datasets::Beam& beam : scan.beams) {
+      std::vector<sensors::Beam> readings;
+      const auto scan = tests::only<sensors::RangeScan>(records).at(0);
+      for (const sensors::Beam& beam : scan.beams) {
         readings.push_back({beam.bearing_rad, beam.range_m});
       }
       const auto found = sensors::swept_walls(readings);
@@ -214,9 +215,9 @@ constexpr std::array<Card, 5> kCards = {{{"upright 2 cm", 0, 0.02},
                                          {"flat 5 cm", 12, 0.05}}};
 
 /// Rows are angle and reading in centimetres by turns, some empty at a column's end.
-std::vector<SweepReading> tilts_of(const std::string& path, std::size_t column) {
+std::vector<sensors::Beam> tilts_of(const std::string& path, std::size_t column) {
   std::ifstream file(path);
-  std::vector<SweepReading> tilts;
+  std::vector<sensors::Beam> tilts;
   std::string line;
   for (std::getline(file, line); std::getline(file, line);) {
     std::istringstream words(line);

@@ -13,6 +13,7 @@
 #include "host/exports/map_view.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/landmark_slam.hpp"
 #include "tests/benchmarks/edmonton_slam.hpp"
 #include "tests/benchmarks/turn_first_odometry.hpp"
@@ -75,11 +76,11 @@ std::vector<Eigen::Vector2d> scanned_points_m(const bench::EdmontonLog& log,
   std::vector<Eigen::Vector2d> points_m;
   std::size_t index = 0;
   for (const datasets::LogRecord& record : log.records) {
-    const auto* scan = std::get_if<datasets::RangeScan>(&record);
+    const auto* scan = std::get_if<sensors::RangeScan>(&record);
     if (scan == nullptr) {
       continue;
     }
-    for (const datasets::Beam& beam : scan->beams) {
+    for (const sensors::Beam& beam : scan->beams) {
       if (beam.range_m && *beam.range_m < kFarthestDrawnM) {
         points_m.push_back(
             bench::scanned_point_m(T_map_scans[index], *beam.range_m, beam.bearing_rad));

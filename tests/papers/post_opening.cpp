@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::papers {
 
 namespace {
 
+using sensors::Beam;
 using sensors::ConeOpening;
-using sensors::SweepReading;
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kGridStepRad = geometry::radians(0.5);
@@ -42,12 +43,12 @@ struct Shape {
   double softness_rad;
 };
 
-std::vector<Trial> trials_of(std::span<const SweepReading> sweep, const PostOpeningParams& params) {
+std::vector<Trial> trials_of(std::span<const Beam> sweep, const PostOpeningParams& params) {
   if (params.target_range_m <= 0.0 || params.tolerance_m <= 0.0 || params.width_m < 0.0) {
     throw std::invalid_argument("post opening: a parameter is outside of its range");
   }
   std::vector<Trial> trials;
-  for (const SweepReading& reading : sweep) {
+  for (const Beam& reading : sweep) {
     const bool heard =
         reading.range_m && std::abs(*reading.range_m - params.target_range_m) <= params.tolerance_m;
     trials.push_back({reading.bearing_rad, heard});
@@ -119,7 +120,7 @@ std::optional<double> middle_rad(const std::vector<Trial>& trials) {
 
 }  // namespace
 
-std::optional<ConeOpening> opening_past_post(std::span<const SweepReading> sweep,
+std::optional<ConeOpening> opening_past_post(std::span<const Beam> sweep,
                                              const PostOpeningParams& params) {
   const std::vector<Trial> trials = trials_of(sweep, params);
   const auto axis_rad = middle_rad(trials);
@@ -151,7 +152,7 @@ std::optional<ConeOpening> opening_past_post(std::span<const SweepReading> sweep
   return opening;
 }
 
-std::optional<ConeOpening> opening_by_tilt(std::span<const SweepReading> tilts,
+std::optional<ConeOpening> opening_by_tilt(std::span<const Beam> tilts,
                                            const PostOpeningParams& params) {
   std::vector<Trial> trials = trials_of(tilts, params);
   if (!middle_rad(trials)) {

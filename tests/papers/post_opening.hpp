@@ -5,6 +5,7 @@
 #include <span>
 
 #include "host/sensors/cone_opening.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::papers {
 
@@ -28,14 +29,14 @@ struct PostOpeningParams {
 /// (chi-squared, one degree of freedom); all three less the angle that the post itself takes up.
 ///
 /// Empty where the post was heard fewer than three times, or to one end of the sweep.
-std::optional<sensors::ConeOpening> opening_past_post(std::span<const sensors::SweepReading> sweep,
+std::optional<sensors::ConeOpening> opening_past_post(std::span<const sensors::Beam> sweep,
                                                       const PostOpeningParams& params);
 
 /// The same from a smooth card that is turned before a sonar which stands still; `bearing_rad` is
 /// the angle between the sonar's axis and the card's perpendicular, of which one sign is enough. A
 /// smooth card answers while its perpendicular lies in the cone, so that the opening is twice the
 /// angle of the edge.
-std::optional<sensors::ConeOpening> opening_by_tilt(std::span<const sensors::SweepReading> tilts,
+std::optional<sensors::ConeOpening> opening_by_tilt(std::span<const sensors::Beam> tilts,
                                                     const PostOpeningParams& params);
 
 }  // namespace echomap::papers

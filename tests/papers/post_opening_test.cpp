@@ -8,19 +8,20 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::papers {
 namespace {
 
 using geometry::radians;
-using sensors::SweepReading;
+using sensors::Beam;
 
 constexpr PostOpeningParams kPostAt1M{1.0, 0.1, 0.0};
 
 /// A sweep of one degree a step through the post at `post_deg`, which is heard up to `half_deg` off
 /// it; a wall stands behind it.
-std::vector<SweepReading> sharp_sweep(double post_deg, double half_deg) {
-  std::vector<SweepReading> sweep;
+std::vector<Beam> sharp_sweep(double post_deg, double half_deg) {
+  std::vector<Beam> sweep;
   for (double off_deg = -60.0; off_deg <= 60.0; off_deg += 1.0) {
     const double range_m = std::abs(off_deg) <= half_deg ? 1.0 : 2.5;
     sweep.push_back({geometry::wrap_angle(radians(post_deg + off_deg)), range_m});
@@ -66,7 +67,7 @@ TEST(OpeningPastPost, OutlivesMissesAndStrayEchoes) {
 
 TEST(OpeningPastPost, IsUnsureWhereReadingsAreFew) {
   const auto sweep = sharp_sweep(0.0, 15.25);
-  std::vector<SweepReading> coarse;
+  std::vector<Beam> coarse;
   for (std::size_t i = 0; i < sweep.size(); i += 6) {
     coarse.push_back(sweep[i]);
   }
@@ -83,7 +84,7 @@ TEST(OpeningPastPost, IsEmptyWhereThePostIsNotHeardOrHeardToTheEnd) {
 }
 
 TEST(OpeningByTilt, IsTwiceTheAngleOfTheEdge) {
-  std::vector<SweepReading> tilts;
+  std::vector<Beam> tilts;
   for (double tilt_deg = 1.0; tilt_deg < 45.0; tilt_deg += 1.0) {
     tilts.push_back({radians(tilt_deg), tilt_deg < 16.5 ? 1.02 : 2.7});
   }

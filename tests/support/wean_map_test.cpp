@@ -10,6 +10,7 @@
 #include "host/datasets/wean_log.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/drawn_map.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -80,10 +81,10 @@ TEST_F(WeanMapTest, TheHeadHasToAgreeWithItself) {
 double share_at_walls(const mapping::RasterMap& map,
                       const std::filesystem::path& log,
                       const geometry::Pose2& T_map_robot) {
-  std::optional<datasets::RangeScan> last;
+  std::optional<sensors::RangeScan> last;
   const auto reader = datasets::open_wean_log(log);
   while (const auto record = reader->next()) {
-    if (const auto* scan = std::get_if<datasets::RangeScan>(&*record)) {
+    if (const auto* scan = std::get_if<sensors::RangeScan>(&*record)) {
       last = *scan;
     }
   }

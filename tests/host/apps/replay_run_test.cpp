@@ -60,7 +60,7 @@ class ReplayRunTest : public ::testing::Test {
 };
 
 TEST_F(ReplayRunTest, WritesTheSameFiles) {
-  ASSERT_TRUE(is_replayed_as_driven(options));
+  ASSERT_TRUE(plays_observations(options));
   EXPECT_EQ(run_replay(options), console::ExitCode::kOk);
   for (const char* file : {"map.pgm",
                            "map.yaml",
@@ -92,15 +92,29 @@ TEST_F(ReplayRunTest, IsNotForWhatAsksForAnotherMap) {
   const auto with = [&](auto member, const auto& value) {
     ReplayOptions other = options;
     other.*member = value;
-    return is_replayed_as_driven(other);
+    return plays_observations(other);
   };
-  EXPECT_FALSE(with(&ReplayOptions::slam, "ekf"));
+  EXPECT_TRUE(with(&ReplayOptions::slam, "ekf"));
+  EXPECT_FALSE(with(&ReplayOptions::slam, "scan"));
   EXPECT_FALSE(with(&ReplayOptions::poses, "given"));
   EXPECT_FALSE(with(&ReplayOptions::map, "points"));
   EXPECT_FALSE(with(&ReplayOptions::resolution_m, 0.1));
   EXPECT_FALSE(with(&ReplayOptions::log, options.log / "poses.csv"));
   std::filesystem::remove(options.log / kProfileName);
-  EXPECT_FALSE(is_replayed_as_driven(options)) << "as runs of older programs";
+  EXPECT_FALSE(plays_observations(options)) << "as runs of older programs";
+}
+
+TEST_F(ReplayRunTest, PlacesTheRobotByAnotherSlamWhereOneIsNamed) {
+  options.slam = "grid";
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  EXPECT_EQ(text("pose_graph.g2o"), live_text("pose_graph.g2o")) << "the run's own";
+  options.slam = "ekf";
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  EXPECT_NE(text("pose_graph.g2o"), live_text("pose_graph.g2o"));
+  EXPECT_EQ(text("observations.csv"), live_text("observations.csv"));
+  const auto report = nlohmann::json::parse(text("summary.json"));
+  EXPECT_EQ(report.at("slam"), "ekf");
+  EXPECT_EQ(report.at("replay").at("poses"), "ekf");
 }
 
 TEST_F(ReplayRunTest, KeepsTheMapUpToWhereTheRecordIsDamaged) {

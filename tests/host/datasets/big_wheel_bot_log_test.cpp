@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/log_test.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -40,11 +41,12 @@ TEST_F(BigWheelBotLogTest, TicksAreThoseOfTheLine) {
 }
 
 TEST_F(BigWheelBotLogTest, FiveMetresOfASonarAndSixtyCentimetresOfInfraredAreNoReturn) {
-  const auto scans = tests::only<RangeScan>(read("0,0,0,499,500,59,60,0,0\n"));
+  const auto scans = tests::only<sensors::RangeScan>(read("0,0,0,499,500,59,60,0,0\n"));
   ASSERT_EQ(scans.size(), 2U);
-  EXPECT_EQ(scans[0].beams, (std::vector<Beam>{{0.0, 4.99}, {std::numbers::pi, std::nullopt}}));
+  EXPECT_EQ(scans[0].beams,
+            (std::vector<sensors::Beam>{{0.0, 4.99}, {std::numbers::pi, std::nullopt}}));
   EXPECT_EQ(scans[1].beams,
-            (std::vector<Beam>{{radians(45.0), 0.59}, {radians(-45.0), std::nullopt}}));
+            (std::vector<sensors::Beam>{{radians(45.0), 0.59}, {radians(-45.0), std::nullopt}}));
 }
 
 TEST_F(BigWheelBotLogTest, ErrorsNameTheLine) {

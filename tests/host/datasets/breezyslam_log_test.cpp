@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/log_test.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -37,10 +38,10 @@ TEST_F(BreezyslamLogTest, TicksAreTheThirdAndFourthField) {
 TEST_F(BreezyslamLogTest, TheMiddleBeamLooksAheadAndTheOuterOnesAreLeftOut) {
   const std::string ranges =
       tests::repeated(" 200", 70) + tests::repeated(" 1500", 543) + tests::repeated(" 200", 70);
-  const auto scan = tests::only<RangeScan>(read(line("1 0 0 0", ranges))).at(0);
+  const auto scan = tests::only<sensors::RangeScan>(read(line("1 0 0 0", ranges))).at(0);
   EXPECT_EQ(scan.T_robot_sensor.x_m(), 0.145);
   ASSERT_EQ(scan.beams.size(), 543U);
-  EXPECT_EQ(scan.beams[271], (Beam{0.0, 1.5}));
+  EXPECT_EQ(scan.beams[271], (sensors::Beam{0.0, 1.5}));
   EXPECT_NEAR(scan.beams[272].bearing_rad, std::numbers::pi / 512.0, 1e-12);
   EXPECT_EQ(scan.beams[0].range_m, 1.5);
   EXPECT_EQ(scan.beams[542].range_m, 1.5);
@@ -49,7 +50,7 @@ TEST_F(BreezyslamLogTest, TheMiddleBeamLooksAheadAndTheOuterOnesAreLeftOut) {
 TEST_F(BreezyslamLogTest, ZeroAndErrorCodesAreNoReturn) {
   const std::string ranges =
       tests::repeated(" 1", 70) + " 0 19 20 5600" + tests::repeated(" 1", 609);
-  const auto scan = tests::only<RangeScan>(read(line("1 0 0 0", ranges))).at(0);
+  const auto scan = tests::only<sensors::RangeScan>(read(line("1 0 0 0", ranges))).at(0);
   EXPECT_EQ(scan.beams[0].range_m, std::nullopt);
   EXPECT_EQ(scan.beams[1].range_m, std::nullopt);
   EXPECT_EQ(scan.beams[2].range_m, 0.020);
@@ -64,7 +65,7 @@ TEST(RealBreezyslamLog, HasThePathOfItsReadme) {
   const auto path = tests::real_data("breezyslam_mines/exp1.dat.gz");
   ECHOMAP_SKIP_WITHOUT(path);
   const auto records = tests::records_of(*open_breezyslam_log(path));
-  EXPECT_EQ(tests::only<RangeScan>(records).size(), 756U);
+  EXPECT_EQ(tests::only<sensors::RangeScan>(records).size(), 756U);
   double path_m = 0.0;
   const auto wheels = tests::only<WheelIncrement>(records);
   for (const auto& increment : wheels) {

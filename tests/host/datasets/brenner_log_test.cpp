@@ -5,6 +5,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/sensors/odometry.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/log_test.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -26,7 +27,7 @@ TEST_F(BrennerLogTest, RecordsOfItsFilesComeInTheOrderOfTheirStamps) {
   const auto records = read("S 300 2 1000 0\r\nS 700 1 5000\r\n");
   ASSERT_EQ(records.size(), 6U);
   EXPECT_EQ(std::get<WheelIncrement>(records[0]).left_m, 0.0) << "counts start anywhere";
-  const auto& scan = std::get<RangeScan>(records[1]);
+  const auto& scan = std::get<sensors::RangeScan>(records[1]);
   EXPECT_EQ(scan.stamp_s, 0.3);
   EXPECT_EQ(scan.T_robot_sensor.x_m(), 0.030);
   EXPECT_EQ(scan.beams[0].range_m, 1.0);
@@ -34,11 +35,12 @@ TEST_F(BrennerLogTest, RecordsOfItsFilesComeInTheOrderOfTheirStamps) {
   EXPECT_DOUBLE_EQ(std::get<WheelIncrement>(records[2]).left_m, 100 * 0.000349);
   EXPECT_DOUBLE_EQ(std::get<GivenPosition>(records[3]).position_m.x(), 1.85);
   EXPECT_DOUBLE_EQ(std::get<WheelIncrement>(records[4]).left_m, -10 * 0.000349);
-  EXPECT_EQ(std::get<RangeScan>(records[5]).beams[0].range_m, std::nullopt);
+  EXPECT_EQ(std::get<sensors::RangeScan>(records[5]).beams[0].range_m, std::nullopt);
 }
 
 TEST_F(BrennerLogTest, Beam330LooksAlongTheAxisOfTheScannerThatIsTurnedToTheRight) {
-  const auto scan = tests::only<RangeScan>(read("S 300 660" + tests::repeated(" 1", 660))).at(0);
+  const auto scan =
+      tests::only<sensors::RangeScan>(read("S 300 660" + tests::repeated(" 1", 660))).at(0);
   EXPECT_NEAR(scan.beams[330].bearing_rad, geometry::radians(-4.0), 1e-6);
   EXPECT_NEAR(scan.beams[331].bearing_rad - scan.beams[330].bearing_rad, 0.006135923, 1e-12);
 }
@@ -67,7 +69,7 @@ TEST(RealBrennerLog, DeadReckoningMissesTheReferenceByAsMuchAsItsReadmeSays) {
       const auto T_map_robot = T_map_start * T_start_robot;
       final_error_m = (T_map_robot.position_m() - given->position_m).norm();
     }
-    scans += std::holds_alternative<RangeScan>(*record) ? 1 : 0;
+    scans += std::holds_alternative<sensors::RangeScan>(*record) ? 1 : 0;
   }
   EXPECT_EQ(scans, 278U);
   EXPECT_NEAR(final_error_m, 1.050, 0.05);

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/log_test.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -28,15 +29,15 @@ TEST_F(CarlLogTest, HeadingAndPanAreTurnedFromClockwise) {
   const auto records = read(header_ + "20200705-092618.125, 0, 0, 10.0, 12.5, 1500\n");
   ASSERT_EQ(records.size(), 3U);
   EXPECT_DOUBLE_EQ(std::get<Heading>(records[0]).heading_rad, radians(-10.0));
-  const auto& scan = std::get<RangeScan>(records[2]);
-  EXPECT_EQ(scan.beams, (std::vector<Beam>{{radians(-12.5), 1.5}}));
-  EXPECT_DOUBLE_EQ(scan.beam_opening_rad, radians(25.0));
+  const auto& scan = std::get<sensors::RangeScan>(records[2]);
+  EXPECT_EQ(scan.beams, (std::vector<sensors::Beam>{{radians(-12.5), 1.5}}));
+  EXPECT_DOUBLE_EQ(scan.beam_width_rad, radians(25.0));
   EXPECT_TRUE(scan.is_light);
 }
 
 TEST_F(CarlLogTest, ThreeMetresAreNoReturn) {
   const auto records = read("20200705-092618.125,0,0,0,0,3000\n20200705-092618.500,0,0,0,0,1\n");
-  EXPECT_EQ(tests::only<RangeScan>(records).at(0).beams.at(0).range_m, std::nullopt);
+  EXPECT_EQ(tests::only<sensors::RangeScan>(records).at(0).beams.at(0).range_m, std::nullopt);
 }
 
 TEST_F(CarlLogTest, ATurnOfTheWheelIs360Counts) {
@@ -51,7 +52,7 @@ TEST_F(CarlLogTest, ATurnOfTheWheelIs360Counts) {
 }
 
 TEST_F(CarlLogTest, StampsAreSecondsSince1970) {
-  const auto scans = tests::only<RangeScan>(read("20200705-092618.125,0,0,0,0,1\n"));
+  const auto scans = tests::only<sensors::RangeScan>(read("20200705-092618.125,0,0,0,0,1\n"));
   EXPECT_EQ(scans.at(0).stamp_s, 1593941178.125);
 }
 
@@ -70,7 +71,7 @@ TEST(RealCarlLog, PansOverElevenPlacesAndDrivesAlmostTenMetres) {
   const auto records = tests::records_of(*open_carl_log(path));
   std::set<double> bearings_rad;
   std::size_t returns = 0;
-  const auto scans = tests::only<RangeScan>(records);
+  const auto scans = tests::only<sensors::RangeScan>(records);
   for (const auto& scan : scans) {
     bearings_rad.insert(scan.beams.at(0).bearing_rad);
     returns += scan.beams[0].range_m ? 1 : 0;

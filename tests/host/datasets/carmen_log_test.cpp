@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/log_files.hpp"
 #include "tests/support/log_test.hpp"
 #include "tests/support/real_data.hpp"
@@ -30,9 +31,9 @@ TEST_F(CarmenLogTest, AFrontLaserLineIsTwoPosesAndAScan) {
   EXPECT_EQ(given.T_map_robot.x_m(), 10.0);
   EXPECT_EQ(given.T_map_robot.heading_rad(), 0.5);
   EXPECT_EQ(given.stamp_s, 7.5);
-  const auto& scan = std::get<RangeScan>(records[2]);
+  const auto& scan = std::get<sensors::RangeScan>(records[2]);
   EXPECT_EQ(scan.stamp_s, 7.5);
-  EXPECT_EQ(scan.beam_opening_rad, 0.0);
+  EXPECT_EQ(scan.beam_width_rad, 0.0);
   ASSERT_EQ(scan.beams.size(), 4U);
   EXPECT_EQ(scan.beams[3].range_m, 4.5);
 }
@@ -52,7 +53,7 @@ TEST_F(CarmenLogTest, BeamsGoFromRightToLeftOverHalfACircle) {
     for (int i = 0; i < beams; ++i) {
       line += " 1";
     }
-    const auto scan = tests::only<RangeScan>(read(line + " 0 0 0 0 0 0 1 h 1\n")).at(0);
+    const auto scan = tests::only<sensors::RangeScan>(read(line + " 0 0 0 0 0 0 1 h 1\n")).at(0);
     EXPECT_NEAR(scan.beams[0].bearing_rad, radians(-90.0), 1e-12) << beams;
     EXPECT_NEAR(scan.beams[1].bearing_rad, radians(step_deg - 90.0), 1e-12) << beams;
     EXPECT_NEAR(scan.beams.back().bearing_rad, radians(last_deg), 1e-12) << beams;
@@ -61,7 +62,7 @@ TEST_F(CarmenLogTest, BeamsGoFromRightToLeftOverHalfACircle) {
 
 TEST_F(CarmenLogTest, FiftyMetresAndMoreAndZeroAreNoReturn) {
   const auto records = read("FLASER 6 50 51.15 81.8 81.91 0 49.9 0 0 0 0 0 0 1 h 1\n");
-  const auto scan = tests::only<RangeScan>(records).at(0);
+  const auto scan = tests::only<sensors::RangeScan>(records).at(0);
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(scan.beams[i].range_m, std::nullopt) << i;
   }
@@ -73,12 +74,12 @@ TEST_F(CarmenLogTest, ARobotLaserLineSaysItsOwnBearingsAndRange) {
       "ROBOTLASER1 0 -1.5 3 0.5 80 0.01 0 3 1 80 79 2 9 9 1.25 2 0.5 1 2 0.5 0 0 0 0 0 12.5 b21 "
       "1\n");
   ASSERT_EQ(records.size(), 3U);
-  const auto& scan = std::get<RangeScan>(records[2]);
+  const auto& scan = std::get<sensors::RangeScan>(records[2]);
   EXPECT_EQ(scan.stamp_s, 12.5);
   ASSERT_EQ(scan.beams.size(), 3U);
-  EXPECT_EQ(scan.beams[0], (Beam{-1.5, 1.0}));
-  EXPECT_EQ(scan.beams[1], (Beam{-1.0, std::nullopt}));
-  EXPECT_EQ(scan.beams[2], (Beam{-0.5, 79.0}));
+  EXPECT_EQ(scan.beams[0], (sensors::Beam{-1.5, 1.0}));
+  EXPECT_EQ(scan.beams[1], (sensors::Beam{-1.0, std::nullopt}));
+  EXPECT_EQ(scan.beams[2], (sensors::Beam{-0.5, 79.0}));
   EXPECT_EQ(std::get<OdometryPose>(records[0]).T_odom_robot.x_m(), 1.0);
   EXPECT_NEAR(scan.T_robot_sensor.x_m(), 0.25 * std::cos(0.5), 1e-12);
   EXPECT_NEAR(scan.T_robot_sensor.y_m(), -0.25 * std::sin(0.5), 1e-12);
@@ -124,7 +125,7 @@ TEST(RealCarmenLogs, HaveAsManyScansAsTheirReadmeSays) {
         Case{"edmonton/edmonton-corrected.log.gz", 340, 180}}) {
     const auto path = tests::real_data(file);
     ECHOMAP_SKIP_WITHOUT(path);
-    const auto found = tests::only<RangeScan>(tests::records_of(*open_carmen_log(path)));
+    const auto found = tests::only<sensors::RangeScan>(tests::records_of(*open_carmen_log(path)));
     ASSERT_EQ(found.size(), scans) << file;
     for (const auto& scan : found) {
       ASSERT_EQ(scan.beams.size(), beams) << file;
@@ -135,7 +136,8 @@ TEST(RealCarmenLogs, HaveAsManyScansAsTheirReadmeSays) {
 TEST(RealCarmenLogs, TheStampsOfCsailAreBrokenAndThoseOfAcesAreNot) {
   const auto stamped = [](const std::filesystem::path& path) {
     std::size_t count = 0;
-    for (const auto& scan : tests::only<RangeScan>(tests::records_of(*open_carmen_log(path)))) {
+    for (const auto& scan :
+         tests::only<sensors::RangeScan>(tests::records_of(*open_carmen_log(path)))) {
       count += scan.stamp_s ? 1 : 0;
     }
     return count;

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "host/datasets/line_reader.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/log_test.hpp"
 
 namespace echomap::datasets {
@@ -28,12 +29,12 @@ TEST_F(RunDirectoryLogTest, EachPoseIsFollowedByTheEchoesItSaw) {
   ASSERT_EQ(records.size(), 8U);
   EXPECT_EQ(std::get<OdometryPose>(records[0]).T_odom_robot.x_m(), 0.0);
   EXPECT_EQ(std::get<GivenPose>(records[1]).T_map_robot.x_m(), 0.0);
-  const auto& first = std::get<RangeScan>(records[2]);
-  EXPECT_EQ(first.beams, (std::vector<Beam>{{0.0, 1.0}, {std::numbers::pi / 2.0, 2.0}}));
+  const auto& first = std::get<sensors::RangeScan>(records[2]);
+  EXPECT_EQ(first.beams, (std::vector<sensors::Beam>{{0.0, 1.0}, {std::numbers::pi / 2.0, 2.0}}));
   EXPECT_EQ(std::get<OdometryPose>(records[3]).T_odom_robot.x_m(), 5.0);
   EXPECT_EQ(std::get<GivenPose>(records[4]).T_map_robot.x_m(), 5.0);
   EXPECT_EQ(std::get<GivenPose>(records[6]).T_map_robot.x_m(), 1.0);
-  const auto& last = std::get<RangeScan>(records[7]);
+  const auto& last = std::get<sensors::RangeScan>(records[7]);
   ASSERT_EQ(last.beams.size(), 1U);
   EXPECT_NEAR(last.beams[0].bearing_rad, 0.0, 1e-12);
   EXPECT_NEAR(*last.beams[0].range_m, 2.0, 1e-12);

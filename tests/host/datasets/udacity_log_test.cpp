@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/log_test.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -31,11 +32,12 @@ TEST_F(UdacityLogTest, PosesAreInMillimetresAndTenthsOfADegree) {
 }
 
 TEST_F(UdacityLogTest, SonarsGoFromRightToLeftAnd5110IsNoReturn) {
-  const auto beams = tests::only<RangeScan>(read("1000 5110 5109 3 4 5 6 7 400\n")).at(0).beams;
+  const auto beams =
+      tests::only<sensors::RangeScan>(read("1000 5110 5109 3 4 5 6 7 400\n")).at(0).beams;
   ASSERT_EQ(beams.size(), 8U);
-  EXPECT_EQ(beams[0], (Beam{radians(-90.0), std::nullopt}));
-  EXPECT_EQ(beams[1], (Beam{radians(-37.5), 5.109}));
-  EXPECT_EQ(beams[7], (Beam{radians(90.0), 0.4}));
+  EXPECT_EQ(beams[0], (sensors::Beam{radians(-90.0), std::nullopt}));
+  EXPECT_EQ(beams[1], (sensors::Beam{radians(-37.5), 5.109}));
+  EXPECT_EQ(beams[7], (sensors::Beam{radians(90.0), 0.4}));
 }
 
 TEST_F(UdacityLogTest, APoseOfAnotherTimeIsAnError) {
@@ -48,7 +50,7 @@ TEST(RealUdacityLog, HasTheReadingsOfItsReadme) {
   const auto path = tests::real_data("udacity_8sonar/measurement.txt");
   ECHOMAP_SKIP_WITHOUT(path);
   const auto records = tests::records_of(*open_udacity_log(path));
-  const auto scans = tests::only<RangeScan>(records);
+  const auto scans = tests::only<sensors::RangeScan>(records);
   ASSERT_EQ(scans.size(), 413U);
   std::size_t silent = 0;
   for (const auto& scan : scans) {

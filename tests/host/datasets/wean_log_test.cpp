@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/log_test.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -31,7 +32,7 @@ TEST_F(WeanLogTest, TheLaserIsWhereItsPoseSaysAndLooksFromRightToLeft) {
       read("L 100 0 0 125 0 0 66 8183 8191 8179" + tests::repeated(" 100", 176) + " 3.5\n");
   ASSERT_EQ(records.size(), 2U);
   EXPECT_DOUBLE_EQ(std::get<OdometryPose>(records[0]).T_odom_robot.x_m(), 1.0);
-  const auto& scan = std::get<RangeScan>(records[1]);
+  const auto& scan = std::get<sensors::RangeScan>(records[1]);
   EXPECT_DOUBLE_EQ(scan.T_robot_sensor.x_m(), 0.25);
   EXPECT_EQ(scan.stamp_s, 3.5);
   ASSERT_EQ(scan.beams.size(), 180U);
@@ -41,7 +42,7 @@ TEST_F(WeanLogTest, TheLaserIsWhereItsPoseSaysAndLooksFromRightToLeft) {
 }
 
 TEST_F(WeanLogTest, From81Point8MetresOnNothingReturned) {
-  const auto scan = tests::only<RangeScan>(
+  const auto scan = tests::only<sensors::RangeScan>(
                         read("L 0 0 0 0 0 0 8183 8191 8179" + tests::repeated(" 1", 177) + " 3\n"))
                         .at(0);
   EXPECT_EQ(scan.beams[0].range_m, std::nullopt);
@@ -66,7 +67,7 @@ TEST(RealWeanLogs, HaveTheLinesOfTheirReadme) {
     const auto path = tests::real_data("wean_mcl") / file;
     ECHOMAP_SKIP_WITHOUT(path);
     const auto records = tests::records_of(*open_wean_log(path));
-    const auto found = tests::only<RangeScan>(records);
+    const auto found = tests::only<sensors::RangeScan>(records);
     EXPECT_EQ(found.size(), scans) << file;
     EXPECT_EQ(tests::only<OdometryPose>(records).size(), odometry + scans) << file;
     for (const auto& scan : found) {

@@ -58,6 +58,8 @@ TEST(SummaryJson, HoldsEveryField) {
   }
   for (const char* key : {"echomap_version",
                           "robot",
+                          "slam",
+                          "outline_by_strategy",
                           "world",
                           "firmware",
                           "emulator",

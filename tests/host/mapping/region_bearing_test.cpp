@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -15,8 +16,8 @@ using geometry::radians;
 const SonarSurfaceParams kParams;
 
 /// Looks every 4 degrees; those up to `half_deg` off `at_deg` are answered from a metre.
-std::vector<SonarLook> looks_at(double at_deg, double half_deg) {
-  std::vector<SonarLook> looks;
+std::vector<sensors::Beam> looks_at(double at_deg, double half_deg) {
+  std::vector<sensors::Beam> looks;
   for (double deg = -180.0; deg < 180.0; deg += 4.0) {
     looks.push_back({radians(deg), std::nullopt});
     const double off_rad =
@@ -28,7 +29,7 @@ std::vector<SonarLook> looks_at(double at_deg, double half_deg) {
   return looks;
 }
 
-double bearing_deg(const std::vector<SonarLook>& looks, double near_deg) {
+double bearing_deg(const std::vector<sensors::Beam>& looks, double near_deg) {
   return geometry::degrees(
       likely_bearing_rad(looks, radians(near_deg), radians(16.0), 1.0, kParams));
 }
@@ -51,7 +52,7 @@ TEST(LikelyBearing, LiesAcrossTheCutOfTheCircle) {
 
 TEST(LikelyBearing, IsNotPulledAsideByWhatStandsBeforeIt) {
   auto looks = looks_at(0.0, 26.0);
-  for (SonarLook& look : looks) {
+  for (sensors::Beam& look : looks) {
     if (look.bearing_rad > radians(9.0) && look.bearing_rad < radians(60.0)) {
       look.range_m = 0.5;
     }
@@ -62,7 +63,7 @@ TEST(LikelyBearing, IsNotPulledAsideByWhatStandsBeforeIt) {
 
 TEST(LikelyBearing, IsTheMiddleOfWhatIsCutOnBothSides) {
   auto looks = looks_at(0.0, 10.0);
-  for (SonarLook& look : looks) {
+  for (sensors::Beam& look : looks) {
     look.range_m = look.range_m.value_or(0.5);
   }
   EXPECT_NEAR(bearing_deg(looks, 0.0), 0.0, 0.1);
@@ -70,7 +71,7 @@ TEST(LikelyBearing, IsTheMiddleOfWhatIsCutOnBothSides) {
 
 TEST(LikelyBearing, BearsAMissingEcho) {
   auto looks = looks_at(0.0, 26.0);
-  for (SonarLook& look : looks) {
+  for (sensors::Beam& look : looks) {
     if (std::abs(look.bearing_rad - radians(20.0)) < 1e-9) {
       look.range_m.reset();
     }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -46,7 +47,7 @@ TEST(SonarWalls, ReachNoFartherThanADoorIsWide) {
 
 TEST(SonarWalls, NeedAllReadingsOfAViewToAgree) {
   auto view = beside_wall(0.8);
-  for (SonarBeam& beam : view.beams) {
+  for (sensors::Beam& beam : view.beams) {
     if (std::abs(beam.bearing_rad - radians(100.0)) < 0.01) {
       beam.range_m = 2.0;
     }

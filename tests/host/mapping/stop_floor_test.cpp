@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -47,11 +48,11 @@ TEST(StopFloor, ReachesToAWallBeforeWhichNothingWasHeard) {
 
 TEST(StopFloor, EndsBeforeTheWallWhereSomethingNearerWasHeard) {
   ScanSurfaces scan = posts_around();
-  for (SonarLook& look : scan.looks) {
+  for (sensors::Beam& look : scan.looks) {
     look.range_m = 1.0;
   }
   EXPECT_LT(floor_of(scan, kWall).reach_m(0.0), 1.0);
-  for (SonarLook& look : scan.looks) {
+  for (sensors::Beam& look : scan.looks) {
     look.range_m = 1.95;
   }
   EXPECT_NEAR(floor_of(scan, kWall).reach_m(0.0), 2.0, 1e-3);

@@ -10,6 +10,7 @@
 
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_casting.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/believed_near.hpp"
 #include "tests/support/furnished_room.hpp"
 
@@ -22,11 +23,11 @@ const mapping::RasterMap kRoom = tests::furnished_room();
 
 /// A laser of 36 beams, 0.1 m before the middle of the robot; a wall stands in the middle of its
 /// cells.
-datasets::RangeScan scan_at(const Pose2& T_map_robot, double stamp_s) {
+sensors::RangeScan scan_at(const Pose2& T_map_robot, double stamp_s) {
   const mapping::DistanceField field(kRoom, 10.0);
   const Pose2 T_robot_sensor(0.1, 0.0, 0.0);
   const Pose2 T_map_sensor = T_map_robot * T_robot_sensor;
-  datasets::RangeScan scan;
+  sensors::RangeScan scan;
   scan.stamp_s = stamp_s;
   scan.T_robot_sensor = T_robot_sensor;
   scan.max_range_m = 10.0;
@@ -84,8 +85,8 @@ TEST(LogLocalizer, WaitsUntilTheRobotHasMoved) {
 TEST(LogLocalizer, CountsScansOfAnotherSensor) {
   LogLocalizer localizer(kRoom, {}, std::mt19937(1));
   localizer.add(scan_at({0.45, 0.95, 0.1}, 0.0));
-  datasets::RangeScan sonar = scan_at({0.45, 0.95, 0.1}, 0.1);
-  sonar.beam_opening_rad = 0.5;
+  sensors::RangeScan sonar = scan_at({0.45, 0.95, 0.1}, 0.1);
+  sonar.beam_width_rad = 0.5;
   localizer.add(sonar);
   EXPECT_EQ(localizer.unused_scans(), 1U);
 }

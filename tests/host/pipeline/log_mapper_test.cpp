@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::pipeline {
@@ -12,11 +13,11 @@ namespace {
 
 using datasets::GivenPose;
 using datasets::OdometryPose;
-using datasets::RangeScan;
+using sensors::RangeScan;
 using ::testing::ElementsAre;
 
-RangeScan laser(std::vector<datasets::Beam> beams) {
-  RangeScan scan;
+sensors::RangeScan laser(std::vector<sensors::Beam> beams) {
+  sensors::RangeScan scan;
   scan.beams = std::move(beams);
   scan.max_range_m = 10.0;
   return scan;
@@ -50,7 +51,7 @@ TEST(LogMapper, ASensorOffTheMiddleSeesFromThere) {
   params.map = MapKind::kPoints;
   LogMapper mapper(params);
   mapper.add(OdometryPose{1.0, {1.0, 0.0, std::numbers::pi / 2.0}});
-  RangeScan scan = laser({{0.0, 2.0}, {0.0, std::nullopt}});
+  sensors::RangeScan scan = laser({{0.0, 2.0}, {0.0, std::nullopt}});
   scan.T_robot_sensor = {0.25, 0.0, 0.0};
   mapper.add(scan);
   const auto snapshot = mapper.snapshot();
@@ -62,8 +63,8 @@ TEST(LogMapper, ASensorOffTheMiddleSeesFromThere) {
 
 TEST(LogMapper, TheEchoesOfASonarThatPassesAWallBecomeThatWall) {
   LogMapper mapper;
-  RangeScan scan = laser({{std::numbers::pi / 2.0, 1.0}});
-  scan.beam_opening_rad = 0.5;
+  sensors::RangeScan scan = laser({{std::numbers::pi / 2.0, 1.0}});
+  scan.beam_width_rad = 0.5;
   scan.max_range_m = 3.0;
   for (int i = 0; i < 20; ++i) {
     mapper.add(OdometryPose{0.1 * i, {0.1 * i, 0.0, 0.0}});
@@ -80,8 +81,8 @@ TEST(LogMapper, TheEchoesOfASonarThatPassesAWallBecomeThatWall) {
 TEST(LogMapper, TheSilenceOfSoundSpeaksForFreeFloorAndThatOfLightDoesNot) {
   for (const bool is_light : {false, true}) {
     LogMapper mapper;
-    RangeScan scan = laser({{0.0, std::nullopt}});
-    scan.beam_opening_rad = 0.5;
+    sensors::RangeScan scan = laser({{0.0, std::nullopt}});
+    scan.beam_width_rad = 0.5;
     scan.max_range_m = 3.0;
     scan.is_light = is_light;
     mapper.add(scan);

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::pipeline {
 namespace {
 
@@ -34,7 +36,7 @@ TEST(LogPoses, OdometryBeginsAtTheOriginAndTakesEveryKindOfRecord) {
   EXPECT_TRUE(poses.follow(OdometryPose{{}, {7.0, 8.0, 0.0}}));
   expect_near(poses.T_map_robot(), {7.0, 8.0, 0.0});
   EXPECT_FALSE(poses.follow(GivenPose{{}, {1.0, 1.0, 1.0}}));
-  EXPECT_FALSE(poses.follow(datasets::RangeScan{}));
+  EXPECT_FALSE(poses.follow(sensors::RangeScan{}));
   EXPECT_EQ(poses.odometry_records(), 3U);
   EXPECT_EQ(poses.given_records(), 1U);
 }

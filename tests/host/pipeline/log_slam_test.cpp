@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "tests/host/pipeline/moved_aside.hpp"
 
 namespace echomap::pipeline {
@@ -10,7 +11,7 @@ namespace {
 
 datasets::LogRecord at(double x_m) { return datasets::OdometryPose{{}, {x_m, 0.0, 0.0}}; }
 
-const datasets::LogRecord scan = datasets::RangeScan{{}, {}, {{0.0, 1.0}, {0.1, {}}}, 0.0, 5.0};
+const datasets::LogRecord scan = sensors::RangeScan{{}, {}, {{0.0, 1.0}, {0.1, {}}}, 0.0, 5.0};
 
 TEST(LogSlam, GivesEachScanItsOdometryAndBeams) {
   MovedAside method;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::pipeline {
 namespace {
@@ -11,16 +12,16 @@ namespace {
 using geometry::degrees;
 using geometry::radians;
 
-datasets::RangeScan scan_of(const std::vector<double>& bearings_deg) {
-  datasets::RangeScan scan;
+sensors::RangeScan scan_of(const std::vector<double>& bearings_deg) {
+  sensors::RangeScan scan;
   for (const double bearing_deg : bearings_deg) {
     scan.beams.push_back({radians(bearing_deg), 1.0});
   }
   return scan;
 }
 
-datasets::RangeScan ping_at(double pan_deg) {
-  datasets::RangeScan scan = scan_of({0.0});
+sensors::RangeScan ping_at(double pan_deg) {
+  sensors::RangeScan scan = scan_of({0.0});
   scan.T_robot_sensor = {0.03, 0.0, radians(pan_deg)};
   return scan;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/slam_method.hpp"
 
 namespace echomap::pipeline {
@@ -12,7 +13,7 @@ namespace echomap::pipeline {
 class MovedAside final : public slam::SlamMethod {
  public:
   void follow(const geometry::Pose2& /*T_odom_robot*/) override { ++followed; }
-  void add(const geometry::Pose2& T_odom_robot, const slam::RangeScan& scan) override {
+  void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override {
     poses.push_back(T_odom_robot);
     beams += scan.beams.size();
   }

@@ -7,13 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::pipeline {
 namespace {
 
 using datasets::GivenPose;
 using datasets::LogRecord;
 using datasets::OdometryPose;
-using datasets::RangeScan;
+using sensors::RangeScan;
 
 class ToldLog final : public datasets::LogReader {
  public:
@@ -40,7 +42,7 @@ TEST(ReplacedPoses, StandInPlaceOfTheOdometryAndOfThoseOfTheLog) {
   ReplacedPoses log(
       std::make_unique<ToldLog>(std::vector<LogRecord>{OdometryPose{1.0, {1.0, 0.0, 0.0}},
                                                        GivenPose{1.0, {9.0, 9.0, 0.0}},
-                                                       RangeScan{},
+                                                       sensors::RangeScan{},
                                                        datasets::GivenPosition{},
                                                        OdometryPose{2.0, {2.0, 0.0, 0.0}}}),
       {{3.0, 0.0, 0.0}, {4.0, 0.0, 0.0}});
@@ -50,7 +52,7 @@ TEST(ReplacedPoses, StandInPlaceOfTheOdometryAndOfThoseOfTheLog) {
   ASSERT_EQ(records.size(), 3U);
   EXPECT_DOUBLE_EQ(std::get<GivenPose>(records[0]).T_map_robot.x_m(), 3.0);
   EXPECT_EQ(std::get<GivenPose>(records[0]).stamp_s, 1.0);
-  EXPECT_TRUE(std::holds_alternative<RangeScan>(records[1]));
+  EXPECT_TRUE(std::holds_alternative<sensors::RangeScan>(records[1]));
   EXPECT_DOUBLE_EQ(std::get<GivenPose>(records[2]).T_map_robot.x_m(), 4.0);
 }
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::sensors {
 namespace {
@@ -37,10 +38,10 @@ std::optional<double> nearest_m(const std::vector<HeardWall>& walls,
 }
 
 /// All round from `first_deg`, steps of 5 degrees, in whole centimetres as the NXT's sonar counts.
-std::vector<SweepReading> sweep_past(const std::vector<HeardWall>& walls,
-                                     double opening_deg,
-                                     double first_deg = 0.0) {
-  std::vector<SweepReading> sweep;
+std::vector<Beam> sweep_past(const std::vector<HeardWall>& walls,
+                             double opening_deg,
+                             double first_deg = 0.0) {
+  std::vector<Beam> sweep;
   for (int i = 0; i < 72; ++i) {
     const double bearing_rad = geometry::wrap_angle(radians(first_deg + 5.0 * i));
     auto range_m = nearest_m(walls, bearing_rad, radians(0.5 * opening_deg));
@@ -88,13 +89,13 @@ TEST(SweptWalls, IsTheSameWhereverTheSweepBeginsAndWhicheverWayItGoes) {
 }
 
 TEST(SweptWalls, PassesOverWhatIsNoWall) {
-  std::vector<SweepReading> ragged;
+  std::vector<Beam> ragged;
   for (int i = 0; i < 72; ++i) {
     ragged.push_back({radians(5.0 * i), i % 2 == 0 ? 0.50 : 0.53});
   }
   EXPECT_TRUE(swept_walls(ragged).empty());
   EXPECT_TRUE(swept_walls({}).empty());
-  EXPECT_TRUE(swept_walls(std::vector<SweepReading>(72)).empty());
+  EXPECT_TRUE(swept_walls(std::vector<Beam>(72)).empty());
 }
 
 TEST(SweptWalls, RefusesParametersWithoutSense) {

@@ -12,6 +12,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/segment.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -19,8 +20,8 @@ namespace {
 using geometry::Segment;
 
 /// A laser of 361 beams over 180 degrees at the origin, among walls.
-RangeScan scan_of(const std::vector<Segment>& walls) {
-  RangeScan scan;
+sensors::RangeScan scan_of(const std::vector<Segment>& walls) {
+  sensors::RangeScan scan;
   scan.max_range_m = 30.0;
   for (int i = 0; i <= 360; ++i) {
     const double bearing_rad = geometry::radians(-90.0 + 0.5 * i);
@@ -102,7 +103,7 @@ TEST(LandmarkExtraction, FindsAPostBeforeAWall) {
 
 TEST(LandmarkExtraction, FindsNothingWhereNothingAnswers) {
   EXPECT_TRUE(extract_landmarks(scan_of({})).empty());
-  EXPECT_TRUE(extract_landmarks(RangeScan{}).empty());
+  EXPECT_TRUE(extract_landmarks(sensors::RangeScan{}).empty());
 }
 
 TEST(LandmarkExtraction, FindsOnlyWhatItIsToldTo) {
@@ -115,7 +116,7 @@ TEST(LandmarkExtraction, FindsOnlyWhatItIsToldTo) {
 }
 
 TEST(LandmarkExtraction, KeepsWhereTheSensorSits) {
-  RangeScan scan = scan_of(corner_of_a_room);
+  sensors::RangeScan scan = scan_of(corner_of_a_room);
   const auto without = extract_landmarks(scan);
   scan.T_robot_sensor = {0.2, 0.1, 0.3};
   const auto with = extract_landmarks(scan);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/landmark_slam.hpp"
 #include "host/slam/sonar_landmark_slam.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 
 using geometry::Pose2;
 
-RangeScan scan_of(double opening_rad) { return {{}, {{0.0, 1.0}}, opening_rad, 4.0}; }
+sensors::RangeScan scan_of(double opening_rad) { return {{}, {}, {{0.0, 1.0}}, opening_rad, 4.0}; }
 
 /// How sure of itself a way of SLAM is that has driven two steps; the odometry's noise of the two
 /// kinds differs.

@@ -14,6 +14,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/segment.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -33,8 +34,8 @@ const std::vector<Segment> room{{{-4.0, -3.0}, {4.0, -3.0}},
                                 {{0.6, 0.5}, {-0.6, 0.5}},
                                 {{-0.6, 0.5}, {-0.6, -0.5}}};
 
-RangeScan scan_from(const Pose2& T_map_robot, const std::vector<Segment>& walls) {
-  RangeScan scan;
+sensors::RangeScan scan_from(const Pose2& T_map_robot, const std::vector<Segment>& walls) {
+  sensors::RangeScan scan;
   scan.max_range_m = 30.0;
   for (int i = 0; i < 360; ++i) {
     const double bearing_rad = geometry::radians(-180.0 + i);
@@ -208,8 +209,8 @@ TEST(LandmarkSlam, TakesOutWhatBeamsPassThrough) {
 
 TEST(LandmarkSlam, GoesOnByOdometryWhereThereIsNothingToSee) {
   LandmarkSlam slam;
-  slam.add({1.0, 2.0, 0.5}, RangeScan{});
-  slam.add({1.5, 2.0, 0.4}, RangeScan{});
+  slam.add({1.0, 2.0, 0.5}, sensors::RangeScan{});
+  slam.add({1.5, 2.0, 0.4}, sensors::RangeScan{});
 
   EXPECT_NEAR(slam.belief().T_map_robot.x_m(), 1.5, 1e-12);
   EXPECT_NEAR(slam.belief().T_map_robot.heading_rad(), 0.4, 1e-12);

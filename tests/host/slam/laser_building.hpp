@@ -8,7 +8,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/segment.hpp"
 #include "host/geometry/unit_vector.hpp"
-#include "host/slam/range_scan.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::tests {
 
@@ -71,11 +71,11 @@ class LaserBuilding {
   }
 
   /// What `beams` over the half circle ahead measure, with 1 cm of noise, as far as 8 m.
-  slam::RangeScan scan(const geometry::Pose2& T_world_robot,
-                       int beams,
-                       std::mt19937& random) const {
+  sensors::RangeScan scan(const geometry::Pose2& T_world_robot,
+                          int beams,
+                          std::mt19937& random) const {
     std::normal_distribution<double> noise_m(0.0, 0.01);
-    slam::RangeScan scan;
+    sensors::RangeScan scan;
     scan.max_range_m = 8.0;
     for (int i = 0; i < beams; ++i) {
       const double bearing_rad = geometry::radians(180.0 * (i + 0.5) / beams - 90.0);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "tests/host/slam/laser_building.hpp"
 
 namespace echomap::slam {
@@ -22,7 +23,7 @@ struct Drive {
 
   void see(const tests::LaserBuilding& building, const Pose2& T_map_robot) {
     KeyFrame frame{{}, {{{}, building.scan(T_world_robot, 180, random)}}};
-    frame.points_m = end_points_m(frame.scans[0].scan, 20.0);
+    frame.points_m = sensors::end_points_m(frame.scans[0].scan, 20.0);
     const std::size_t newest = frames.add(T_map_robot, std::move(frame));
     if (newest > 0) {
       frames.join({newest - 1,

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "tests/host/slam/laser_building.hpp"
 
 namespace echomap::slam {
@@ -18,12 +19,12 @@ struct Search {
   std::mt19937 random{1};
 
   std::vector<Eigen::Vector2d> seen_m(const Pose2& from) {
-    return end_points_m(building.scan(from, 180, random), 20.0);
+    return sensors::end_points_m(building.scan(from, 180, random), 20.0);
   }
   std::vector<Eigen::Vector2d> map_m() {
     std::vector<Eigen::Vector2d> map_m;
     for (const Pose2& from : {Pose2(3.0, 3.0, 0.0), Pose2(3.0, 3.0, 3.0), Pose2(5.0, 4.0, 1.0)}) {
-      const auto points_m = in_frame_a_m(from, seen_m(from));
+      const auto points_m = sensors::in_frame_a_m(from, seen_m(from));
       map_m.insert(map_m.end(), points_m.begin(), points_m.end());
     }
     return map_m;

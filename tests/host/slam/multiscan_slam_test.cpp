@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -21,9 +22,9 @@ using geometry::Pose2;
 using geometry::radians;
 
 /// A room of 4 x 3 m around the origin, as a ring of eight sonars hears it.
-RangeScan ring_in_room(const Pose2& T_map_robot) {
+sensors::RangeScan ring_in_room(const Pose2& T_map_robot) {
   constexpr WallLine kWalls[] = {{0.0, 2.0}, {1.5707963, 1.5}, {3.1415927, 2.0}, {-1.5707963, 1.5}};
-  RangeScan scan{{}, {}, radians(20.0), 5.0};
+  sensors::RangeScan scan{{}, {}, {}, radians(20.0), 5.0};
   for (int i = 0; i < 8; ++i) {
     const double bearing_rad = radians(45.0 * i);
     const Echo cone{
@@ -116,7 +117,7 @@ TEST(MultiscanSlam, IsOdometryWhereNothingAnswers) {
   const Drive drive = rounds(2);
   MultiscanSlam slam;
   for (const Pose2& T_odom_robot : drive.T_odom_robot) {
-    slam.add(T_odom_robot, {{}, {{0.0, std::nullopt}}, radians(20.0), 5.0});
+    slam.add(T_odom_robot, {{}, {}, {{0.0, std::nullopt}}, radians(20.0), 5.0});
   }
   const auto poses = slam.trajectory();
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -128,7 +129,7 @@ TEST(MultiscanSlam, KeepsTheWayAlongACorridorOfOdometry) {
   MultiscanSlam slam;
   for (int step = 0; step <= 120; ++step) {
     slam.add({0.1 * step, 0.0, 0.0},
-             {{}, {{radians(90.0), 1.0}, {radians(-90.0), 1.0}}, radians(20.0), 5.0});
+             {{}, {}, {{radians(90.0), 1.0}, {radians(-90.0), 1.0}}, radians(20.0), 5.0});
   }
   EXPECT_NEAR(slam.belief().T_map_robot.x_m(), 12.0, 0.01);
   EXPECT_NEAR(slam.belief().T_map_robot.y_m(), 0.0, 0.01);

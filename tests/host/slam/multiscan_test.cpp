@@ -7,11 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::slam {
 namespace {
 
-RangeScan scan_ahead(std::optional<double> range_m) {
-  return {{0.1, 0.0, 0.0}, {{0.0, range_m}}, 0.26, 4.0};
+sensors::RangeScan scan_ahead(std::optional<double> range_m) {
+  return {{}, {0.1, 0.0, 0.0}, {{0.0, range_m}}, 0.26, 4.0};
 }
 
 TEST(MultiscanGathering, BeginsANewOneAfterAMetre) {

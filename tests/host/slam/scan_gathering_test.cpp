@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::slam {
 namespace {
 
-RangeScan ahead(double range_m) { return {{}, {{0.0, range_m}}}; }
+sensors::RangeScan ahead(double range_m) { return {{}, {}, {{0.0, range_m}}}; }
 
 TEST(ScanGathering, PutsPointsIntoTheFrameOfTheLastScan) {
   ScanGathering gathering;
@@ -46,7 +48,7 @@ TEST(ScanGathering, IsEnoughByPointsByWayOrByScans) {
 
 TEST(ScanGathering, LeavesOutPointsBesideTheOneBefore) {
   ScanGathering gathering({100.0, 0.05, 80, 2.0, 40});
-  gathering.add({}, {{}, {{0.0, 2.0}, {0.01, 2.0}, {0.02, 2.0}, {0.03, 2.0}}});
+  gathering.add({}, {{}, {}, {{0.0, 2.0}, {0.01, 2.0}, {0.02, 2.0}, {0.03, 2.0}}});
   EXPECT_EQ(gathering.points_m().size(), 2U) << "2 cm from beam to beam";
 }
 
@@ -54,7 +56,7 @@ TEST(ScanGathering, LeavesOutWhatIsTooFarOrNoNumber) {
   ScanGathering gathering;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  gathering.add({}, {{}, {{0.0, 101.0}, {0.1, kFar}, {0.2, kNone}, {0.3, 5.0}}});
+  gathering.add({}, {{}, {}, {{0.0, 101.0}, {0.1, kFar}, {0.2, kNone}, {0.3, 5.0}}});
   EXPECT_EQ(gathering.points_m().size(), 1U);
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "tests/host/slam/laser_building.hpp"
 
 namespace echomap::slam {
@@ -36,12 +37,12 @@ struct Match {
   explicit Match(tests::LaserBuilding of) : building(std::move(of)) {}
 
   std::vector<Eigen::Vector2d> seen_m(const Pose2& from) {
-    return end_points_m(building.scan(from, 180, random), kReachM);
+    return sensors::end_points_m(building.scan(from, 180, random), kReachM);
   }
   void see_all_round(double x_m, double y_m) {
     for (const double heading_rad : {0.0, 1.5, 3.0, -1.5}) {
       const Pose2 from(x_m, y_m, heading_rad);
-      field.add(in_frame_a_m(from, seen_m(from)));
+      field.add(sensors::in_frame_a_m(from, seen_m(from)));
     }
   }
 };

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "tests/host/slam/laser_building.hpp"
 
 namespace echomap::slam {
@@ -22,7 +23,7 @@ class Robot {
       : building_(std::move(building)), beams_(beams), truth_{start}, odometry_{start} {}
 
   void see(SlamMethod& method) {
-    const RangeScan scan = building_.scan(truth_.back(), beams_, random_);
+    const sensors::RangeScan scan = building_.scan(truth_.back(), beams_, random_);
     method.add(odometry_.back(), is_blind ? silent(scan) : scan);
   }
   /// Odometry tells 4 % too much of a drive, turns 0.02 rad a metre to the left and shakes.
@@ -52,8 +53,8 @@ class Robot {
   bool is_blind = false;
 
  private:
-  static RangeScan silent(RangeScan scan) {
-    for (RangeBeam& beam : scan.beams) {
+  static sensors::RangeScan silent(sensors::RangeScan scan) {
+    for (sensors::Beam& beam : scan.beams) {
       beam.range_m.reset();
     }
     return scan;

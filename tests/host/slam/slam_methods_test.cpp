@@ -6,13 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
+
 namespace echomap::slam {
 namespace {
 
 /// What a robot at `x_m` of a square room of 4 m sees with a laser all round.
-RangeScan seen_from(double x_m) {
+sensors::RangeScan seen_from(double x_m) {
   constexpr int kBeams = 180;
-  RangeScan scan;
+  sensors::RangeScan scan;
   scan.max_range_m = 10.0;
   for (int i = 0; i < kBeams; ++i) {
     const double bearing_rad = (i - kBeams / 2) * 2.0 * std::numbers::pi / kBeams;
@@ -74,8 +76,8 @@ TEST_P(EachSlam, HasNothingBeforeTheFirstScan) {
 
 TEST_P(EachSlam, StaysWithItsOdometryWhereNothingAnswers) {
   const auto slam = GetParam()->make();
-  RangeScan silent = seen_from(0.0);
-  for (RangeBeam& beam : silent.beams) {
+  sensors::RangeScan silent = seen_from(0.0);
+  for (sensors::Beam& beam : silent.beams) {
     beam.range_m.reset();
   }
   for (int i = 0; i < 40; ++i) {

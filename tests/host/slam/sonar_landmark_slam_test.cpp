@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "tests/host/slam/heard_room.hpp"
 
 namespace echomap::slam {
@@ -41,9 +42,9 @@ Drive rounds(int count, double drift_rad_per_m) {
 }
 
 /// Ten cones all round, as they hear the room.
-RangeScan ring_from(const Pose2& T_map_robot, std::mt19937& random) {
+sensors::RangeScan ring_from(const Pose2& T_map_robot, std::mt19937& random) {
   std::normal_distribution<double> noise_m(0.0, 0.01);
-  RangeScan scan{{}, {}, 2.0 * kHalfOpeningRad, 4.0};
+  sensors::RangeScan scan{{}, {}, {}, 2.0 * kHalfOpeningRad, 4.0};
   for (int i = 0; i < 10; ++i) {
     const double bearing_rad = geometry::radians(36.0 * i);
     const Echo cone{
@@ -130,7 +131,7 @@ TEST(SonarLandmarkSlam, IsOdometryWhereNothingAnswers) {
   const Drive drive = rounds(2, 0.05);
   SonarLandmarkSlam slam;
   for (const Pose2& T_odom_robot : drive.T_odom_robot) {
-    slam.add(T_odom_robot, {{}, {{0.0, std::nullopt}}, 0.4, 4.0});
+    slam.add(T_odom_robot, {{}, {}, {{0.0, std::nullopt}}, 0.4, 4.0});
   }
   const auto poses = slam.trajectory();
   for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/unit_vector.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -14,8 +15,8 @@ using Eigen::Vector2d;
 
 /// A wall 4 m ahead of a sensor that stands 1 m before the middle of the robot; to its left
 /// nothing answers.
-RangeScan wall_ahead() {
-  return {{1.0, 0.0, 0.0}, {{-0.01, 4.0}, {0.0, 4.0}, {0.01, 4.0}, {1.0, std::nullopt}}};
+sensors::RangeScan wall_ahead() {
+  return {{}, {1.0, 0.0, 0.0}, {{-0.01, 4.0}, {0.0, 4.0}, {0.01, 4.0}, {1.0, std::nullopt}}};
 }
 
 ViewAgreement seen(const Vector2d& point_m) {
@@ -37,8 +38,8 @@ TEST(ViewAgreement, WhatIsHiddenBesideOrUnansweredDoesNotCount) {
 
 TEST(ViewAgreement, BeamsMayComeInAnyOrder) {
   for (const double bearing_rad : {-1.5, 0.0, 0.5}) {
-    const RangeScan clockwise{
-        {}, {{0.5, 4.0}, {0.0, 4.0}, {-0.8, std::nullopt}, {-1.5, 4.0}}, 0.0, 8.0};
+    const sensors::RangeScan clockwise{
+        {}, {}, {{0.5, 4.0}, {0.0, 4.0}, {-0.8, std::nullopt}, {-1.5, 4.0}}, 0.0, 8.0};
     const auto views = view_agreement(
         clockwise, std::vector{Vector2d(2.0 * geometry::unit_vector(bearing_rad))}, 0.3);
     EXPECT_EQ(views.through, 1U) << bearing_rad;
@@ -47,7 +48,8 @@ TEST(ViewAgreement, BeamsMayComeInAnyOrder) {
 
 TEST(ViewAgreement, BearingsMayGoOnPastHalfATurn) {
   constexpr double kBehind = std::numbers::pi;
-  const RangeScan round{{}, {{0.0, 4.0}, {kBehind - 0.004, 4.0}, {1.5 * kBehind, 4.0}}, 0.0, 8.0};
+  const sensors::RangeScan round{
+      {}, {}, {{0.0, 4.0}, {kBehind - 0.004, 4.0}, {1.5 * kBehind, 4.0}}, 0.0, 8.0};
   for (const double bearing_rad : {kBehind - 0.01, 0.004 - kBehind, -0.5 * kBehind}) {
     const auto views =
         view_agreement(round, std::vector{Vector2d(2.0 * geometry::unit_vector(bearing_rad))}, 0.3);

@@ -59,6 +59,17 @@ TEST_F(CameraFollowerTest, BeginsTheMapWhereTheRobotStandsAndMovesItWithTheFixes
   EXPECT_NEAR(pose.y_m(), 0.03, 0.01);
 }
 
+TEST_F(CameraFollowerTest, ContinuesInTheFrameOfAMapThatThereIs) {
+  atlas.on_pose_fix({time::RobotTime{}, {1.0, 0.5, 0.0}});
+  tell(70.0, 2.0, 1.5707963);
+  follower->begin(*session);
+  tell(73.1, 2.0, 1.5707963);
+  let_pass(200);
+  const auto& pose = atlas.pipeline().snapshot().latest.T_map_robot;
+  EXPECT_NEAR(pose.x_m(), 1.0, 0.005);
+  EXPECT_NEAR(pose.y_m(), 0.5, 0.005);
+}
+
 TEST_F(CameraFollowerTest, ItsFixesAreInTheRecord) {
   tell(70.0, 2.0, 1.5707963);
   follower->begin(*session);

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/sensors/range_scan.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::tracking {
@@ -17,18 +18,18 @@ using ::testing::IsEmpty;
 const mapping::RasterMap kRoom =
     tests::map_from({"##########", "#........#", "#........#", "#........#", "##########"}, 0.1);
 
-datasets::RangeScan scan(double stamp_s, double range_m = 0.2) {
-  datasets::RangeScan scan;
+sensors::RangeScan scan(double stamp_s, double range_m = 0.2) {
+  sensors::RangeScan scan;
   scan.stamp_s = stamp_s;
   scan.max_range_m = 4.0;
-  scan.beam_opening_rad = 0.4;
+  scan.beam_width_rad = 0.4;
   scan.beams.push_back({0.0, range_m});
   return scan;
 }
 
-std::string reason(const mapping::RasterMap& map, const std::vector<datasets::RangeScan>& scans) {
+std::string reason(const mapping::RasterMap& map, const std::vector<sensors::RangeScan>& scans) {
   pipeline::LogLocalizer localizer(map, {}, std::mt19937(1));
-  for (const datasets::RangeScan& one : scans) {
+  for (const sensors::RangeScan& one : scans) {
     localizer.add(one);
   }
   return why_nowhere(localizer, "a.log", "a.yaml");

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "host/slam/range_scan.hpp"
+
+#include "host/sensors/range_scan.hpp"
 
 #include <numbers>
 #include <optional>
 
 #include <gtest/gtest.h>
 
-namespace echomap::slam {
+namespace echomap::sensors {
 namespace {
 
 TEST(EndPoints, LieWhereTheSensorOnTheRobotSeesThem) {
-  const RangeScan scan{{0.1, 0.0, std::numbers::pi / 2}, {{0.0, 2.0}, {std::numbers::pi / 2, 1.0}}};
+  const RangeScan scan{
+      {}, {0.1, 0.0, std::numbers::pi / 2}, {{0.0, 2.0}, {std::numbers::pi / 2, 1.0}}};
 
   const auto points_m = end_points_m(scan, 10.0);
 
@@ -20,7 +22,7 @@ TEST(EndPoints, LieWhereTheSensorOnTheRobotSeesThem) {
 }
 
 TEST(EndPoints, LeaveOutWhatDidNotAnswerAndWhatIsTooFar) {
-  const RangeScan scan{{}, {{0.0, std::nullopt}, {0.1, 4.0}, {0.2, 4.1}}};
+  const RangeScan scan{{}, {}, {{0.0, std::nullopt}, {0.1, 4.0}, {0.2, 4.1}}};
 
   EXPECT_EQ(end_points_m(scan, 4.0).size(), 1U);
 }
@@ -35,4 +37,4 @@ TEST(InFrame, MovesEachPointAsThePoseDoes) {
 }
 
 }  // namespace
-}  // namespace echomap::slam
+}  // namespace echomap::sensors

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "host/slam/range_scan.hpp"
+#include "host/sensors/range_scan.hpp"
 
 #include "host/geometry/unit_vector.hpp"
 
-namespace echomap::slam {
+namespace echomap::sensors {
 
-std::vector<Eigen::Vector2d> end_points_m(const RangeScan& scan, double most_range_m) {
+std::vector<Eigen::Vector2d> end_points_m(const RangeScan& scan, double max_range_m) {
   std::vector<Eigen::Vector2d> points_m;
   points_m.reserve(scan.beams.size());
-  for (const RangeBeam& beam : scan.beams) {
-    if (beam.range_m && *beam.range_m <= most_range_m) {
+  for (const Beam& beam : scan.beams) {
+    if (beam.range_m && *beam.range_m <= max_range_m) {
       points_m.push_back(*beam.range_m * geometry::unit_vector(beam.bearing_rad));
     }
   }
@@ -28,4 +28,4 @@ std::vector<Eigen::Vector2d> in_frame_a_m(const geometry::Pose2& T_a_b,
   return points_a_m;
 }
 
-}  // namespace echomap::slam
+}  // namespace echomap::sensors

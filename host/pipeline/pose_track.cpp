@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/pose_track.hpp"
+
+#include <utility>
+
+#include "host/pipeline/detached.hpp"
+
+namespace echomap::pipeline {
+
+PoseTrack::PoseTrack(double track_m, std::unique_ptr<slam::SlamMethod> slam, double beam_width_rad)
+    : odometry_(track_m) {
+  if (slam) {
+    slam_.emplace(std::move(slam), beam_width_rad);
+  }
+}
+
+geometry::Pose2 PoseTrack::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
+  const geometry::Pose2 T_odom_robot = odometry_.update(travel);
+  if (trajectory_->empty() || stamp > trajectory_->back().stamp) {
+    if (slam_) {
+      slam_->follow(T_odom_robot);
+    }
+    detached(trajectory_).push_back({stamp, T_map_robot()});
+  }
+  return T_odom_robot;
+}
+
+void PoseTrack::carry(const sensors::CarriedObservation& observation) {
+  carried_to_.push_back(trajectory_->size());
+  odometry_.move_to(T_map_odom().inverse() * observation.T_map_robot, observation.travel);
+  if (slam_) {
+    slam_->carry(odometry_.T_odom_robot());
+  }
+  follow(observation.stamp, observation.travel);
+}
+
+void PoseTrack::fix(const geometry::Pose2& T_map_robot) {
+  T_map_mapped_ = T_map_robot * (T_map_mapped_.inverse() * this->T_map_robot()).inverse();
+  if (!trajectory_->empty()) {
+    detached(trajectory_).back().T_map_robot = T_map_robot;
+  }
+}
+
+std::vector<geometry::Pose2> PoseTrack::apply_corrected_trajectory() {
+  std::vector<geometry::Pose2> T_map_robots = slam_->trajectory();
+  auto& trajectory = detached(trajectory_);
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    trajectory[i].T_map_robot = T_map_robots[i];
+  }
+  return T_map_robots;
+}
+
+void PoseTrack::update_last_pose() {
+  if (!trajectory_->empty()) {
+    detached(trajectory_).back().T_map_robot = T_map_robot();
+  }
+}
+
+geometry::Pose2 PoseTrack::T_map_odom() const {
+  const geometry::Pose2 T_map_placed =
+      T_map_placed_ ? T_map_mapped_ * *T_map_placed_ : T_map_mapped_;
+  return slam_ ? T_map_placed * slam_->T_map_odom() : T_map_placed;
+}
+
+void PoseTrack::describe(Snapshot& snapshot) const {
+  if (!trajectory_->empty()) {
+    snapshot.latest = trajectory_->back();
+  }
+  snapshot.T_odom_robot = odometry_.T_odom_robot();
+  snapshot.trajectory = trajectory_;
+  snapshot.carried_to = carried_to_;
+}
+
+}  // namespace echomap::pipeline

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+#include "host/mapping/placed_reading.hpp"
+#include "host/pipeline/robot_slam.hpp"
+#include "host/pipeline/snapshot.hpp"
+#include "host/sensors/observations.hpp"
+#include "host/sensors/odometry.hpp"
+#include "host/slam/slam_method.hpp"
+
+namespace echomap::pipeline {
+
+/// Where a robot is and was. Its wheels' odometry leads to the map by three corrections: SLAM's,
+/// that of the map's stops which agree best, and that of a camera. The stamps of the trajectory
+/// rise.
+class PoseTrack {
+ public:
+  /// `slam` is null for odometry alone.
+  PoseTrack(double track_m, std::unique_ptr<slam::SlamMethod> slam, double beam_width_rad);
+
+  /// Appends a pose where the stamp rises. Returns the pose by odometry alone.
+  geometry::Pose2 follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
+  /// The robot was put down there.
+  void carry(const sensors::CarriedObservation& observation);
+  /// A camera has the robot there.
+  void fix(const geometry::Pose2& T_map_robot);
+  /// The last stop of the map agrees best with those before it where it is moved by this.
+  void correct(const geometry::Pose2& T_map_placed) { T_map_placed_ = T_map_placed; }
+  /// Moves all poses to where SLAM has them now, and returns these.
+  std::vector<geometry::Pose2> apply_corrected_trajectory();
+  /// The last pose is where the corrections of now have the robot.
+  void update_last_pose();
+
+  /// From odometry to the map.
+  geometry::Pose2 T_map_odom() const;
+  geometry::Pose2 T_map_robot() const { return T_map_odom() * odometry_.T_odom_robot(); }
+  /// What odometry has placed, on the map.
+  template <class Placed>
+  Placed on_map(const Placed& by_odometry) const {
+    return mapping::moved(by_odometry, T_map_odom());
+  }
+
+  /// Null without SLAM.
+  RobotSlam* slam() { return slam_ ? &*slam_ : nullptr; }
+  const RobotSlam* slam() const { return slam_ ? &*slam_ : nullptr; }
+  void describe(Snapshot& snapshot) const;
+
+ private:
+  sensors::WheelOdometry odometry_;
+  std::optional<RobotSlam> slam_;
+  std::optional<geometry::Pose2> T_map_placed_;  ///< Empty before the first stop of the map.
+  geometry::Pose2 T_map_mapped_;                 ///< The camera's correction.
+  std::shared_ptr<std::vector<StampedPose>> trajectory_ =
+      std::make_shared<std::vector<StampedPose>>();
+  std::vector<std::size_t> carried_to_;  ///< Indices of the trajectory.
+};
+
+}  // namespace echomap::pipeline

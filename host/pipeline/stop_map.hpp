@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+#include "host/mapping/near_mapper.hpp"
+#include "host/mapping/occupancy_grid.hpp"
+#include "host/mapping/point_cloud_map.hpp"
+#include "host/mapping/sonar_mapper.hpp"
+#include "host/pipeline/snapshot.hpp"
+
+namespace echomap::pipeline {
+
+/// What a robot knows of its room: every echo as a point, a grid of the scans of its stops, and a
+/// grid of what it touched and saw close by on its way. The grid of a snapshot is both together.
+class StopMap {
+ public:
+  StopMap(const mapping::SonarMapperParams& sonar, const mapping::NearMapperParams& contact);
+
+  /// On the map.
+  void add_echo(const mapping::PlacedReading& reading);
+  /// All echoes, now that SLAM has them elsewhere.
+  void replace_points(mapping::PointCloudMap points);
+  /// Why a scan on the map is worthless.
+  mapping::ScanFault fault_of(const mapping::Scan& scan) const {
+    return mapping::fault_of(scan, *sonar_grid_);
+  }
+  /// Both as odometry or SLAM places them. Returns where the last one belongs.
+  geometry::Pose2 add_stop(const mapping::Scan& scan);
+  geometry::Pose2 replace_stops(std::vector<mapping::Scan> scans);
+  /// Counts the scan on the map as a stop; `fault` is why it was not added.
+  void end_stop(mapping::Scan scan, mapping::ScanFault fault);
+
+  mapping::NearMapper& contacts() { return contacts_; }
+  void describe(Snapshot& snapshot) const;
+
+ private:
+  geometry::Pose2 update_sonar_grid();
+  std::shared_ptr<const mapping::OccupancyGrid> grid() const;
+
+  mapping::SonarMapper sonar_;
+  mapping::NearMapper contacts_;
+  std::shared_ptr<mapping::PointCloudMap> points_ = std::make_shared<mapping::PointCloudMap>();
+  std::shared_ptr<const mapping::OccupancyGrid> sonar_grid_;
+  /// Made when a snapshot asks for it after one of the two has changed.
+  mutable std::shared_ptr<const mapping::OccupancyGrid> grid_;
+  mutable std::uint64_t contacts_in_grid_ = 0;
+  std::vector<mapping::Scan>
+      placed_scans_;  ///< Those in the grid, as odometry or SLAM places them.
+  std::shared_ptr<const std::vector<mapping::Scan>> scans_;
+  std::shared_ptr<const mapping::Scan> last_scan_;
+  mapping::ScanFault last_scan_fault_ = mapping::ScanFault::kNone;
+  std::size_t stops_ = 0;
+  double newly_free_m2_ = 0.0;
+};
+
+}  // namespace echomap::pipeline
