@@ -152,6 +152,119 @@ TEST_F(RunFlash, ConfiguresAnewAfterAConfigurationThatFailed) {
   EXPECT_THAT(run_flash("").output, Not(HasSubstr("--preset")));
 }
 
+/// ./run demo, with a cmake that knows every target.
+class RunDemo : public RunFlash {
+ protected:
+  void SetUp() override {
+    RunFlash::SetUp();
+    stand_in("cmake",
+             "case $* in *help) for t in echomap echomap-mock echomap-simavr echomap-unicorn "
+             "firmware_uno-usual firmware_mega-usual firmware_stm32f103-usual; do "
+             "echo \"$t: phony\"; done ;; *) echo \"built:${*##*--target}\" ;; esac");
+  }
+  std::string built_for(const std::string& arguments) {
+    const std::string output =
+        run("demo " + arguments, shell_quoted((folder() / "tree" / "run").string())).output;
+    const std::size_t begin = output.find("built: ") + 7;
+    return output.substr(begin, output.find('\n', begin) - begin);
+  }
+};
+
+TEST_F(RunDemo, BuildsOnlyWhatItsArgumentsNeed) {
+  std::ofstream(build_ / "build.ninja") << "\n";
+  EXPECT_EQ(built_for("--headless"), "echomap echomap-simavr firmware_uno-usual");
+  EXPECT_EQ(built_for("--emulator mock"), "echomap echomap-mock");
+  EXPECT_EQ(built_for("--seed 3 --board=mega"), "echomap echomap-simavr firmware_mega-usual");
+  EXPECT_EQ(built_for("--board stm32f103"), "echomap echomap-unicorn firmware_stm32f103-usual");
+  EXPECT_EQ(built_for("--emulator=unicorn"), "echomap echomap-unicorn firmware_stm32f103-usual");
+}
+
+/// ./run test, with a ctest that leaves a log of two tests.
+class RunTest : public RunFlash {
+ protected:
+  void SetUp() override {
+    RunFlash::SetUp();
+    stand_in("ctest", "echo \"called: ctest $*\"");
+    fs::create_directories(build_ / "Testing" / "Temporary");
+    std::ofstream(build_ / "Testing" / "Temporary" / "LastTest.log")
+        << "1/2 Testing: sensors_test\n"
+        << "[       OK ] Odometry.Turns (1500 ms)\n[       OK ] Odometry.Stands (20 ms)\n"
+        << "measured: 1.50 s of processor, 40 MB\nTest time =   1.60 sec\n"
+        << "2/2 Testing: fuzz.log\n"
+        << "measured: 2.10 s of processor, 90 MB\nTest time =   2.25 sec\n";
+  }
+  ShellResult run_test(const std::string& arguments) {
+    return run("test " + arguments, shell_quoted((folder() / "tree" / "run").string()));
+  }
+};
+
+TEST_F(RunTest, BuildsAndRunsWhatItsTierNames) {
+  const std::string quick = run_test("--quick").output;
+  EXPECT_THAT(quick, HasSubstr("--target quick_tests\n"));
+  EXPECT_THAT(quick, HasSubstr(" -L quick\n"));
+  EXPECT_THAT(run_test("").output, HasSubstr(" -LE full\n"));
+  EXPECT_THAT(run_test("--full").output, Not(HasSubstr(" -L")));
+  EXPECT_THAT(run_test("--asan").output, HasSubstr("-LE structure|hil|full\n"));
+}
+
+TEST_F(RunTest, TellsTheSlowestCasesAndWhatAllTook) {
+  const std::string output = run_test("--quick").output;
+  EXPECT_THAT(output,
+              HasSubstr("  2.25 s  fuzz.log\n  1.50 s  Odometry.Turns\n"
+                        "  0.02 s  Odometry.Stands\n"));
+  EXPECT_THAT(output, HasSubstr("run: 4 s of processor in 0:0"));
+  EXPECT_THAT(output, HasSubstr("most memory: 90 MB, fuzz.log\n"));
+}
+
+/// ./run lint in a repository of its own, with a clang-tidy that names its file.
+class RunLint : public RunFlash {
+ protected:
+  void SetUp() override {
+    RunFlash::SetUp();
+    stand_in("clang-tidy-16", "for file; do :; done; echo \"checks ${file##*/}\"");
+    fs::create_directories(tree_ / "build" / "lint");
+    std::ofstream database(tree_ / "build" / "lint" / "compile_commands.json");
+    for (const std::string name : {"a.cpp", "b.cpp", "c.cpp"}) {
+      database << "  \"file\": \"" << (tree_ / name).string() << "\"\n";
+      std::ofstream(tree_ / name) << "#include \"" << name[0] << ".hpp\"\n#include \"d.hpp\"\n";
+    }
+    commit("first");
+  }
+  void commit(const std::string& subject) {
+    const ShellResult result = run_shell(
+        "git init --quiet; git add '*.?pp'; git -c user.name=a -c user.email=a@b commit --quiet "
+        "--message " +
+            subject,
+        tree_);
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+  }
+  std::string changed() {
+    return run("lint --changed", shell_quoted((tree_ / "run").string())).output;
+  }
+
+  const fs::path tree_ = folder() / "tree";
+};
+
+TEST_F(RunLint, ChecksWhatTheLastCommitChanged) {
+  std::ofstream(tree_ / "b.cpp") << "#include \"d.hpp\"\n";
+  commit("second");
+  EXPECT_THAT(changed(), HasSubstr("checks b.cpp\n"));
+  EXPECT_THAT(changed(), HasSubstr("clang-tidy finds nothing in 1 files"));
+}
+
+TEST_F(RunLint, ChecksAHeaderByASourceThatIncludesIt) {
+  std::ofstream(tree_ / "c.hpp") << "int c();\n";
+  std::ofstream(tree_ / "d.hpp") << "int d();\n";
+  commit("second");
+  EXPECT_THAT(changed(), HasSubstr("checks c.cpp\n"));
+  EXPECT_THAT(changed(), HasSubstr("checks a.cpp\n"));
+  EXPECT_THAT(changed(), Not(HasSubstr("checks b.cpp\n")));
+}
+
+TEST_F(RunLint, SaysSoWhereNoCommitBeforeIsHere) {
+  EXPECT_THAT(changed(), HasSubstr("nothing to compare with"));
+}
+
 /// ./run fuzz, with a cmake that names two decoders and "builds" them: one sound, one that breaks.
 class RunFuzz : public RunFlash {
  protected:
