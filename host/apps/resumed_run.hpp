@@ -22,6 +22,11 @@ struct ResumedRun {
   double sim_seconds = 0.0;
 };
 
+/// The robot's time in a run before this one, if there was any.
+inline double sim_seconds_of(const std::optional<ResumedRun>& run) {
+  return run ? run->sim_seconds : 0.0;
+}
+
 /// The folder of a run's map that was set aside, in its directory: 1 is the earliest.
 std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_t number);
 

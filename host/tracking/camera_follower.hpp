@@ -13,7 +13,7 @@ namespace echomap::tracking {
 
 /// Keeps the robot of a pipeline where an overhead camera and its odometry together have it. The
 /// map frame remains the robot's pose at its start, wherever the camera's lies.
-class CameraFollower {
+class CameraFollower final : public session::Follower {
  public:
   /// `pipeline` outlives this.
   CameraFollower(const sensors::RobotGeometry& robot,
@@ -21,12 +21,12 @@ class CameraFollower {
                  pipeline::RobotPipeline& pipeline);
 
   /// Takes what the robot senses, before the pipeline does.
-  pipeline::ObservationSink& sink() { return filter_.sink(); }
+  pipeline::ObservationSink& sink() override { return filter_.sink(); }
   /// The robot is connected and stands, and goes on standing until it is known well where. Throws
   /// CommandError 1 where no fix comes.
-  void begin(session::RobotSession& session);
+  void begin(session::RobotSession& session) override;
   /// After every step of the session's time.
-  void poll(const session::RobotSession& session);
+  void poll(const session::RobotSession& session) override;
 
  private:
   EkfFilter filter_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/apps/run_keeper.hpp"
+#include "host/apps/run_writer.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -47,23 +47,24 @@ void describe_slam(const pipeline::RobotPipeline& pipeline,
 
 }  // namespace
 
-RunKeeper::RunKeeper(const DrivenRobot& robot,
+RunWriter::RunWriter(const session::RobotContext& robot,
                      const exploration::Explorer& explorer,
-                     fs::path out,
+                     const ExploreRun& run,
                      exports::RunSummary& summary)
     : robot_(robot),
       explorer_(explorer),
-      out_(std::move(out)),
+      out_(run.out),
+      before_s_(sim_seconds_of(run.resumed)),
       summary_(summary),
       record_(out_ / kRecordName) {}
 
-void RunKeeper::save(const std::string& outcome) {
+void RunWriter::save(const std::string& outcome) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
   summary_.outcome = outcome;
-  summary_.sim_seconds = elapsed_s(robot_);
+  summary_.sim_seconds = before_s_ + now_s(robot_.session());
   summary_.wall_seconds = wall.count();
-  summary_.former_maps = robot_.atlas.former_maps().size();
-  summary_.maps_joined = robot_.atlas.joins();
+  summary_.former_maps = robot_.atlas().former_maps().size();
+  summary_.maps_joined = robot_.atlas().joins();
   describe_clock();
   describe_link();
   try {
@@ -79,7 +80,7 @@ void RunKeeper::save(const std::string& outcome) {
   }
 }
 
-void RunKeeper::save_in_passing() {
+void RunWriter::save_in_passing() {
   try {
     save("exploring");
   } catch (const files::FileError& error) {
@@ -89,11 +90,11 @@ void RunKeeper::save_in_passing() {
   }
 }
 
-void RunKeeper::save_map() {
-  const auto snapshot = robot_.atlas.pipeline().snapshot();
+void RunWriter::save_map() {
+  const auto snapshot = robot_.atlas().pipeline().snapshot();
   exports::describe_snapshot(snapshot, summary_);
   save_record();
-  describe_slam(robot_.atlas.pipeline(), out_, summary_);
+  describe_slam(robot_.atlas().pipeline(), out_, summary_);
   const exploration::StrategyProducts products = explorer_.products();
   if (products.phases > 0) {
     summary_.phases = products.phases;
@@ -105,11 +106,11 @@ void RunKeeper::save_map() {
   }
 }
 
-void RunKeeper::save_former_maps() {
-  if (changes_saved_ == robot_.atlas.changes()) {
+void RunWriter::save_former_maps() {
+  if (changes_saved_ == robot_.atlas().changes()) {
     return;
   }
-  const auto& former = robot_.atlas.former_maps();
+  const auto& former = robot_.atlas().former_maps();
   for (std::size_t i = 0; i < former.size(); ++i) {
     const fs::path folder = former_map_of(out_, i + 1);
     exports::RunSummary summary = summary_;
@@ -121,17 +122,17 @@ void RunKeeper::save_former_maps() {
     describe_slam(former[i].pipeline, folder, summary);
     exports::write_run_directory(folder, snapshot, summary);
   }
-  changes_saved_ = robot_.atlas.changes();
+  changes_saved_ = robot_.atlas().changes();
   former_saved_ = std::max(former_saved_, former.size());
 }
 
-void RunKeeper::remove_joined_maps() {
-  for (; former_saved_ > robot_.atlas.former_maps().size(); --former_saved_) {
+void RunWriter::remove_joined_maps() {
+  for (; former_saved_ > robot_.atlas().former_maps().size(); --former_saved_) {
     fs::remove_all(former_map_of(out_, former_saved_));
   }
 }
 
-void RunKeeper::keep_former_run() const {
+void RunWriter::keep_former_run() const {
   move_away(out_ / kRecordName, out_ / kFormerRecordName);
   for (std::size_t number = 1; exists(former_map_of(out_, number)); ++number) {
     move_away(former_map_of(out_, number), former_map_of(out_, number).string() + ".before");
@@ -139,16 +140,16 @@ void RunKeeper::keep_former_run() const {
 }
 
 /// Of a robot under a camera the record is empty: it does not hold what the camera has said.
-void RunKeeper::save_record() {
-  const std::size_t changes = robot_.atlas.changes();
+void RunWriter::save_record() {
+  const std::size_t changes = robot_.atlas().changes();
   static const pipeline::ObservationLog kNothing;
-  const bool is_seen = robot_.camera != nullptr;
-  record_.save(is_seen ? kNothing : robot_.atlas.record(), changes == changes_recorded_);
+  record_.save(robot_.is_followed() ? kNothing : robot_.atlas().record(),
+               changes == changes_recorded_);
   changes_recorded_ = changes;
 }
 
-void RunKeeper::describe_clock() {
-  const time::ClockSync& clock = robot_.session.link().clock();
+void RunWriter::describe_clock() {
+  const time::ClockSync& clock = robot_.session().link().clock();
   summary_.clock_rate_error_ppm = clock.rate_error_ppm();
   summary_.clock_uncertainty_us = clock.uncertainty_us();
   if (summary_.clock_rate_error_ppm && summary_.clock_uncertainty_us) {
@@ -158,14 +159,14 @@ void RunKeeper::describe_clock() {
   }
 }
 
-void RunKeeper::describe_link() {
-  const auto link = summary_of(robot_.session.link().statistics(), robot_.session.reconnects());
+void RunWriter::describe_link() {
+  const auto link = summary_of(robot_.session().link().statistics(), robot_.session().reconnects());
   spdlog::debug("{}", line_of(link));
   if (const auto losses = losses_between(summary_.link, link); !losses.empty()) {
     spdlog::warn("since the last stop the robot has counted {}", losses);
   }
   summary_.link = link;
-  if (const auto& robot = robot_.session.link().robot(); robot && summary_.firmware.empty()) {
+  if (const auto& robot = robot_.session().link().robot(); robot && summary_.firmware.empty()) {
     summary_.firmware = session::firmware_of(*robot);
   }
 }
