@@ -15,6 +15,7 @@
 
 namespace echomap::apps {
 
+/// What a command answers or throws.
 using console::CommandError;
 using console::ExitCode;
 

@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <random>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -45,32 +44,30 @@ void go_on(const FollowedRobot& followed, tracking::MclFilter& filter, DemoKidna
 
 }  // namespace
 
-DemoKidnap show_kidnap(const DrivenRobot& robot,
-                       pipeline::ObservationFork& fork,
-                       transport::LockstepChannel& world,
-                       const RunOptions& options) {
-  const auto snapshot = robot.atlas.pipeline().snapshot();
+DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam) {
+  const auto snapshot = robot.atlas().pipeline().snapshot();
+  const session::RobotProfile& profile = robot.profile();
   tracking::MclFilter filter(
       mapping::rasterize(*snapshot.grid),
-      robot.profile.geometry,
-      tracking::localizer_params(robot.profile, localization::LocalizerPreset::kDefault),
+      profile.geometry,
+      tracking::localizer_params(profile, localization::LocalizerPreset::kDefault),
       tracking::StartPose{snapshot.latest.T_map_robot, kStartStdM, kStartStdRad},
-      std::mt19937(options.seed));
-  fork.add(filter.sink());
-  tracking::StopDriver driver(robot.session, fork, robot.profile, options.slam, options.seed);
-  const FollowedRobot followed{robot.session, driver, filter};
+      robot.seed().generator(session::SeedPurpose::kLocalizer));
+  robot.fork().add(filter.sink());
+  tracking::StopDriver driver(robot, slam);
+  const FollowedRobot followed{robot.session(), driver, filter};
   DemoKidnap kidnap;
   kidnap.start = snapshot.trajectory->front();
 
   console::print("it follows itself in its map:");
-  filter.begin(robot.session);
+  filter.begin(robot.session());
   if (follow_to_next_stop(followed)) {
-    world.carry_off(kHeld);
+    robot.lockstep()->carry_off(kHeld);
     console::print("it is carried off:");
     go_on(followed, filter, kidnap);
   }
-  robot.session.disarm();
-  fork.remove(filter.sink());
+  robot.session().disarm();
+  robot.fork().remove(filter.sink());
   return kidnap;
 }
 

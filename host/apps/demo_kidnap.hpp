@@ -8,10 +8,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "host/apps/explore_run.hpp"
 #include "host/evaluation/trajectory_error.hpp"
-#include "host/pipeline/observation_fork.hpp"
-#include "host/transport/lockstep_channel.hpp"
+#include "host/session/robot_context.hpp"
 
 namespace echomap::apps {
 
@@ -25,13 +23,10 @@ struct DemoKidnap {
   std::optional<pipeline::StampedPose> found;
 };
 
-/// Lets the localizer follow an explorer in the map that it has made, has the robot carried off by
-/// its world and drives on until the localizer is sure again, for a few stops at most, placed by
-/// the SLAM of the options. `fork` is what the session feeds. Ends early where the session does.
-DemoKidnap show_kidnap(const DrivenRobot& robot,
-                       pipeline::ObservationFork& fork,
-                       transport::LockstepChannel& world,
-                       const RunOptions& options);
+/// Lets the localizer follow a simulated robot in the map that it has made, has the robot carried
+/// off by its world and drives on until the localizer is sure again, for a few stops at most,
+/// placed by the SLAM method of that name. Ends early where the session does.
+DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam);
 
 /// noticed, found (within 15 cm and 10 degrees of the truth), stops, error_m and heading_error_rad,
 /// which are null where the localizer was not sure.

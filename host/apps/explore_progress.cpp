@@ -45,10 +45,10 @@ std::string line_of(const ExploreProgress& progress) {
   return line;
 }
 
-ProgressTeller::ProgressTeller(std::FILE* out, bool enabled)
+ProgressReporter::ProgressReporter(std::FILE* out, bool enabled)
     : out_(out), enabled_(enabled), bar_(out, enabled), next_line_s_(kLinePeriodS) {}
 
-void ProgressTeller::tell(double elapsed_s, const MakeLine& make_line) {
+void ProgressReporter::report(double elapsed_s, const MakeLine& make_line) {
   if (bar_.is_active()) {
     if (bar_.is_due()) {
       bar_.show(make_line());

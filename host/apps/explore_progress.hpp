@@ -31,16 +31,16 @@ std::optional<double> longest_left_s(const ExploreProgress& progress);
 /// "4 stops, 5.3 m2 of floor, 6.1 m driven in 1:34, 6:16 left at most".
 std::string line_of(const ExploreProgress& progress);
 
-/// Tells people how an exploration gets on: on a terminal a line that is drawn again in place,
+/// Reports how an exploration gets on: on a terminal a line that is drawn again in place,
 /// elsewhere a line for every half minute of the robot's time.
-class ProgressTeller {
+class ProgressReporter {
  public:
   using MakeLine = std::function<std::string()>;
 
-  explicit ProgressTeller(std::FILE* out, bool enabled);
+  explicit ProgressReporter(std::FILE* out, bool enabled);
 
   /// `make_line` is called where a line is due.
-  void tell(double elapsed_s, const MakeLine& make_line);
+  void report(double elapsed_s, const MakeLine& make_line);
   /// Wipes the line of a terminal, for other output.
   void clear() { bar_.clear(); }
 

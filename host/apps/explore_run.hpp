@@ -2,26 +2,49 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
 
-#include "host/apps/commands.hpp"
-#include "host/apps/driven_robot.hpp"
+#include "host/apps/resumed_run.hpp"
 #include "host/console/exit_code.hpp"
 #include "host/exports/summary_json.hpp"
-#include "host/session/robot_profile.hpp"
+#include "host/session/robot_context.hpp"
+#include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {
 
+/// How a robot explores, and where its run is written.
+struct ExploreRun {
+  const strategies::StrategyOptions& strategy;
+  std::filesystem::path out;
+  bool shows_progress = true;
+  std::optional<ResumedRun> resumed{};  ///< What the maps already know.
+};
+
 /// The profile of the robot that is named. Throws files::ConfigError, and CommandError where the
 /// strategy cannot do with it.
-session::RobotProfile profile_for(const RunOptions& options);
+session::RobotProfile profile_for(const std::string& robot,
+                                  const strategies::StrategyOptions& strategy);
+
+/// Begins the maps of an exploration: the robot is placed by the camera whose fixes come to that
+/// address or, where it is empty, by the SLAM method of that name. Throws CommandError 1 where the
+/// camera cannot be listened to.
+void begin_maps(session::RobotContext& robot, const std::string& fixes, const std::string& slam);
+
+/// Opens the port of a robot that explores; describes a simulated one in `summary`. Throws as
+/// session::open_robot does.
+void open_port(session::RobotContext& robot,
+               const session::ConnectionOptions& connection,
+               const strategies::StrategyOptions& strategy,
+               exports::RunSummary& summary);
 
 /// Connects and lets the strategy drive the robot until it is finished, is interrupted or is lost.
-/// The run directory `out` is brought up to date after every stop, so that whatever happens the map
-/// so far is on disk. Fills in what the exploration knows of `summary`. Throws CommandError where
-/// no robot is found and files::FileError where the map cannot be saved.
-ExitCode explore_and_save(const DrivenRobot& robot,
-                          const RunOptions& options,
-                          const std::filesystem::path& out,
-                          exports::RunSummary& summary);
+/// The run directory is brought up to date after every stop, so that whatever happens the map so
+/// far is on disk. Fills in what the exploration knows of `summary`. Throws CommandError where no
+/// robot is found and files::FileError where the map cannot be saved.
+console::ExitCode explore_and_save(session::RobotContext& robot,
+                                   const ExploreRun& run,
+                                   exports::RunSummary& summary);
 
 }  // namespace echomap::apps

@@ -16,6 +16,7 @@
 #include "host/datasets/open_log.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/log_localizer.hpp"
+#include "host/session/seed.hpp"
 #include "host/tracking/belief_report.hpp"
 #include "host/tracking/localize_troubles.hpp"
 #include "host/tracking/mcl_filter.hpp"
@@ -73,7 +74,10 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
   const auto log = datasets::open_log(options.log, options.format);
   pipeline::LogLocalizerParams params;
   params.preset = options.preset;
-  pipeline::LogLocalizer localizer(read_map(options.map), params, std::mt19937(options.run.seed));
+  pipeline::LogLocalizer localizer(
+      read_map(options.map),
+      params,
+      session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer));
   if (const auto start = tracking::start_pose(options.at)) {
     localizer.start_at(start->T_map_robot, start->std_m, start->std_rad);
   }

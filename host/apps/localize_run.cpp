@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/localize_run.hpp"
 
-#include <chrono>
 #include <memory>
-#include <random>
 #include <string>
 #include <utility>
 
@@ -27,9 +25,11 @@ namespace echomap::apps {
 namespace {
 
 using nlohmann::ordered_json;
+using session::RobotProfile;
 
 std::unique_ptr<tracking::LiveFilter> filter_for(const LocalizeOptions& options,
-                                                 const session::RobotProfile& profile) {
+                                                 const RobotProfile& profile,
+                                                 const session::Seed& seed) {
   if (options.filter == "ekf") {
     return std::make_unique<tracking::EkfFilter>(
         profile.geometry,
@@ -41,13 +41,13 @@ std::unique_ptr<tracking::LiveFilter> filter_for(const LocalizeOptions& options,
                                                profile.geometry,
                                                tracking::localizer_params(profile, options.preset),
                                                tracking::start_pose(options.at),
-                                               std::mt19937(options.run.seed));
+                                               seed.generator(session::SeedPurpose::kLocalizer));
 }
 
 /// What became of a drive, and where the robot was at its stops.
 class Account {
  public:
-  Account(const LocalizeOptions& options, const session::RobotProfile& profile) {
+  Account(const LocalizeOptions& options, const RobotProfile& profile) {
     json_["robot"] = profile.name;
     json_["filter"] = options.filter;
     if (options.filter == "mcl") {
@@ -64,13 +64,13 @@ class Account {
   }
   void add_stop(const FollowedRobot& robot) {
     json_["stops"].push_back(robot.filter.report());
-    json_["stops"].back()["sim_seconds"] = seconds(robot.session);
+    json_["stops"].back()["sim_seconds"] = now_s(robot.session);
   }
   void save(const std::string& outcome,
             const FollowedRobot& robot,
             const std::filesystem::path& out) {
     json_["outcome"] = outcome;
-    json_["sim_seconds"] = seconds(robot.session);
+    json_["sim_seconds"] = now_s(robot.session);
     if (const auto& described = robot.session.link().robot();
         described && !json_.contains("firmware")) {
       json_["firmware"] = session::firmware_of(*described);
@@ -83,10 +83,6 @@ class Account {
   const ordered_json& json() const { return json_; }
 
  private:
-  static double seconds(const session::RobotSession& session) {
-    return std::chrono::duration<double>(session.now().time_since_epoch()).count();
-  }
-
   ordered_json json_;
 };
 
@@ -132,31 +128,28 @@ bool follow_to_next_stop(const FollowedRobot& robot) {
 }
 
 ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::path& out) {
-  const session::RobotProfile profile = profile_for(options.run);
-  const std::unique_ptr<tracking::LiveFilter> filter = filter_for(options, profile);
-  session::OpenedRobot opened = session::open_robot(options.connection, options.run.seed);
+  const RunOptions& run = options.run;
+  session::RobotContext context(profile_for(run.robot, run.strategy), session::Seed(run.seed));
+  auto made = filter_for(options, context.profile(), context.seed());
+  tracking::LiveFilter& filter = *made;
+  context.follow(std::move(made));
+  session::OpenedRobot opened = session::open_robot(options.connection, context.seed());
   opened.connection.may_be_lifted = true;
-  pipeline::ObservationFork fork;
-  fork.add(filter->sink());
-  session::RobotSession session(std::move(opened.connection), profile, fork);
-  tracking::StopDriver driver(session, fork, profile, options.run.slam, options.run.seed);
-  const FollowedRobot robot{session, driver, *filter};
-  session.on_step = [&] { filter->poll(session); };
+  context.open(std::move(opened));
+  tracking::StopDriver driver(context, run.slam);
+  const FollowedRobot robot{context.session(), driver, filter};
 
-  Account account(options, profile);
-  if (opened.lockstep) {
-    account.describe(opened.lockstep->device());
+  Account account(options, context.profile());
+  if (context.lockstep() != nullptr) {
+    account.describe(context.lockstep()->device());
   }
-  session.connect();
-  filter->begin(session);
-  drive(robot, options.run.strategy.stops, account);
-  session.disarm();
+  context.connect();
+  drive(robot, run.strategy.stops, account);
+  context.session().disarm();
   account.save(outcome_of(robot), robot, out);
-  write_report(options.run.json, account.json());
-  if (opened.lockstep) {
-    opened.lockstep->quit();
-  }
-  console::print(fmt::format("{} stops: {}", account.stops(), filter->line()));
+  write_report(run.json, account.json());
+  context.quit();
+  console::print(fmt::format("{} stops: {}", account.stops(), filter.line()));
   console::print("trajectory: " + (out / "trajectory.tum").string());
   return exit_code_of(robot);
 }

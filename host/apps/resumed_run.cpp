@@ -19,6 +19,10 @@
 namespace echomap::apps {
 namespace {
 
+using console::CommandError;
+using console::ExitCode;
+using session::RobotProfile;
+
 /// Of the summary of a run.
 struct RunFacts {
   std::string robot;
@@ -37,21 +41,19 @@ RunFacts read_facts(const std::filesystem::path& summary) {
 
 void require_record(const std::filesystem::path& run) {
   if (!std::filesystem::exists(run / kRecordName)) {
-    throw console::CommandError(
-        console::ExitCode::kUsage,
-        "cannot resume " + run.string() + ": it has no " + kRecordName +
-            "\n  next: name the run directory of echomap explore with --resume");
+    throw CommandError(ExitCode::kUsage,
+                       "cannot resume " + run.string() + ": it has no " + kRecordName +
+                           "\n  next: name the run directory of echomap explore with --resume");
   }
 }
 
 void require_same_robot(const std::filesystem::path& run,
                         const std::string& robot,
-                        const session::RobotProfile& profile) {
+                        const RobotProfile& profile) {
   if (robot != profile.name) {
-    throw console::CommandError(console::ExitCode::kUsage,
-                                "cannot resume " + run.string() + ": its robot is '" + robot +
-                                    "', not '" + profile.name +
-                                    "'\n  next: name that robot's profile with --robot");
+    throw CommandError(ExitCode::kUsage,
+                       "cannot resume " + run.string() + ": its robot is '" + robot + "', not '" +
+                           profile.name + "'\n  next: name that robot's profile with --robot");
   }
 }
 
@@ -76,7 +78,7 @@ void play_run(const std::filesystem::path& run,
 }
 
 std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
-                                     const session::RobotProfile& profile,
+                                     const RobotProfile& profile,
                                      pipeline::JoinedSessions& sessions,
                                      pipeline::RobotAtlas& atlas) {
   if (run.empty()) {
@@ -89,17 +91,15 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   sessions.begin_next();
   const auto snapshot = atlas.pipeline().snapshot();
   if (snapshot.trajectory->empty()) {
-    throw console::CommandError(
-        console::ExitCode::kUsage,
-        "cannot resume " + run.string() +
-            ": its record is empty\n  next: name another run, or start anew");
+    throw CommandError(ExitCode::kUsage,
+                       "cannot resume " + run.string() +
+                           ": its record is empty\n  next: name another run, or start anew");
   }
   if (snapshot.times_lifted > 0) {
-    throw console::CommandError(
-        console::ExitCode::kUsage,
-        "cannot resume " + run.string() +
-            ": the robot was lifted in it, and where it is since then nobody "
-            "knows\n  next: start anew");
+    throw CommandError(ExitCode::kUsage,
+                       "cannot resume " + run.string() +
+                           ": the robot was lifted in it, and where it is since then nobody "
+                           "knows\n  next: start anew");
   }
   exports::RunSummary summary;
   exports::describe_snapshot(snapshot, summary);

@@ -17,6 +17,11 @@ struct ResumedRun {
   double sim_seconds = 0.0;
 };
 
+/// The robot's time in a run before this one, if there was any.
+inline double sim_seconds_of(const std::optional<ResumedRun>& run) {
+  return run ? run->sim_seconds : 0.0;
+}
+
 /// Hands the record of the run in that directory to `sink`, which leads to `atlas`, and those of
 /// its former maps to the atlas. Throws files::FileError where a record is damaged; what comes
 /// before is handed on.

@@ -2,6 +2,7 @@
 #include "host/apps/robot_options.hpp"
 
 #include <memory>
+#include <random>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -104,6 +105,7 @@ void add_connection_options(CLI::App& command, session::ConnectionOptions& optio
                    "program that dropped it, and that resets most Arduinos; it stays up from "
                    "then on");
   command.add_option("--lockstep", options.lockstep, "Socket of a simulated robot's clock");
+  options.session_number = std::random_device{}();
 }
 
 void add_explore(CLI::App& app, CommandAction& action) {

@@ -2,7 +2,6 @@
 #include "host/session/open_robot.hpp"
 
 #include <cmath>
-#include <random>
 #include <string>
 #include <utility>
 
@@ -24,7 +23,7 @@ RobotConnection connection_on_a_desk(const ConnectionOptions& options) {
   RobotConnection robot;
   robot.no_reset = options.no_reset;
   robot.pace = real_time_pace();
-  robot.session_id = session_id_from(std::random_device{}());
+  robot.session_id = session_id_from(options.session_number);
   const OpenPort open = opener(options);
   robot.stream = choose_port(candidate_ports(options.ports), open, robot.session_id);
   robot.link = transport::is_radio(robot.stream->name()) ? robot_link::radio_link()
@@ -44,16 +43,19 @@ std::uint16_t session_id_from(std::uint32_t number) {
   return static_cast<std::uint16_t>(1 + number % 0xFFFF);
 }
 
-OpenedRobot open_robot(const ConnectionOptions& options, std::uint32_t seed) {
+OpenedRobot open_robot(const ConnectionOptions& options, const Seed& seed) {
   if (options.lockstep.empty()) {
     return {connection_on_a_desk(options), nullptr};
   }
   OpenedRobot robot;
-  robot.connection.session_id = session_id_from(seed);
+  robot.connection.session_id = session_id_from(seed.of(SeedPurpose::kSessionId));
   robot.connection.stream =
       choose_port(candidate_ports(options.ports), opener(options), robot.connection.session_id);
   robot.lockstep = std::make_unique<transport::LockstepChannel>(options.lockstep);
   robot.connection.pace = lockstep_pace(*robot.lockstep);
+  if (options.is_radio) {
+    robot.connection.link = robot_link::radio_link();
+  }
   return robot;
 }
 

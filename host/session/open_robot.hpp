@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/session/robot_connection.hpp"
+#include "host/session/seed.hpp"
 #include "host/transport/lockstep_channel.hpp"
 
 namespace echomap::session {
@@ -18,6 +19,9 @@ struct ConnectionOptions {
   bool no_reset = false;      ///< End where opening the port has reset the robot.
   double reconnect_s = 10.0;  ///< How long to wait for a robot that is away; 0: not at all.
   std::string lockstep;       ///< Socket of a simulated robot's clock; empty for a real one.
+  bool is_radio = false;      ///< What carries the bytes of a simulated robot is a radio.
+  /// From which the number of a session with a real robot is made: another one every time.
+  std::uint32_t session_number = 0;
 };
 
 /// A session's number from any other: never 0, which a robot that has just started stands for.
@@ -32,6 +36,6 @@ struct OpenedRobot {
 
 /// Opens the one port where the robot is. In lockstep a session is a function of `seed`. Throws
 /// CommandError 3 and transport::TransportError.
-OpenedRobot open_robot(const ConnectionOptions& options, std::uint32_t seed);
+OpenedRobot open_robot(const ConnectionOptions& options, const Seed& seed);
 
 }  // namespace echomap::session

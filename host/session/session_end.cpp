@@ -3,37 +3,36 @@
 
 namespace echomap::session {
 
-console::ExitCode exit_code_of(SessionEnd end) {
+namespace {
+
+using console::ExitCode;
+
+struct EndName {
+  ExitCode code;
+  const char* outcome;
+};
+
+EndName name_of(SessionEnd end) {
   switch (end) {
     case SessionEnd::kInterrupted:
-      return console::ExitCode::kInterrupted;
+      return {ExitCode::kInterrupted, "interrupted"};
     case SessionEnd::kSafetyStop:
-      return console::ExitCode::kSafetyStop;
+      return {ExitCode::kSafetyStop, "safety-stop"};
     case SessionEnd::kFirmwareMismatch:
-      return console::ExitCode::kFirmwareMismatch;
+      return {ExitCode::kFirmwareMismatch, "firmware-mismatch"};
     case SessionEnd::kConfigInvalid:
-      return console::ExitCode::kConfigInvalid;
+      return {ExitCode::kConfigInvalid, "configuration-invalid"};
     case SessionEnd::kLinkLost:
       break;
   }
-  return console::ExitCode::kLinkLost;
+  return {ExitCode::kLinkLost, "link-lost"};
 }
 
-std::string outcome_of(SessionEnd end) {
-  switch (end) {
-    case SessionEnd::kInterrupted:
-      return "interrupted";
-    case SessionEnd::kSafetyStop:
-      return "safety-stop";
-    case SessionEnd::kFirmwareMismatch:
-      return "firmware-mismatch";
-    case SessionEnd::kConfigInvalid:
-      return "configuration-invalid";
-    case SessionEnd::kLinkLost:
-      break;
-  }
-  return "link-lost";
-}
+}  // namespace
+
+ExitCode exit_code_of(SessionEnd end) { return name_of(end).code; }
+
+std::string outcome_of(SessionEnd end) { return name_of(end).outcome; }
 
 std::string_view safety_stop(protocol::MotionOutcome outcome) {
   switch (outcome) {

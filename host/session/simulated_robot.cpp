@@ -11,15 +11,18 @@
 namespace echomap::session {
 namespace {
 
+using console::CommandError;
+using console::ExitCode;
+
 namespace fs = std::filesystem;
 
 std::string program_of(const std::string& emulator) {
   const fs::path program = program_folder() / ("echomap-" + emulator);
   if (!fs::exists(program)) {
-    throw console::CommandError(console::ExitCode::kRuntimeError,
-                                program.string() +
-                                    " was not built: this machine lacks what it needs\n"
-                                    "  next: ./run setup and ./run build, or --emulator mock");
+    throw CommandError(ExitCode::kRuntimeError,
+                       program.string() +
+                           " was not built: this machine lacks what it needs\n"
+                           "  next: ./run setup and ./run build, or --emulator mock");
   }
   return program;
 }
@@ -27,18 +30,17 @@ std::string program_of(const std::string& emulator) {
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
-                               std::uint32_t seed,
+                               const Seed& seed,
                                const fs::path& body,
                                const fs::path& out)
-    : truth_(out / "truth"), log_(out / "robot.log") {
+    : is_radio_(options.line == "bluetooth"), truth_(out / "truth"), log_(out / "robot.log") {
   fs::create_directories(truth_);
-  const fs::path socket = folder_ / "lockstep";
   std::vector<std::string> command{program_of(options.emulator),
                                    "--world=" + options.world,
                                    "--robot=" + body.string(),
-                                   "--seed=" + std::to_string(seed),
+                                   "--seed=" + std::to_string(seed.of(SeedPurpose::kSimulation)),
                                    "--link=" + port(),
-                                   "--lockstep=" + socket.string(),
+                                   "--lockstep=" + socket(),
                                    "--truth=" + truth_.string()};
   command.push_back("--line=" + options.line);
   if (!options.faults.empty()) {
@@ -57,23 +59,28 @@ SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
     command.push_back("--board=" + options.board);
   }
   process_ = std::make_unique<ChildProcess>(command, log_);
-  wait_until_it_listens(socket);
-  lockstep_ = std::make_unique<transport::LockstepChannel>(socket);
+  wait_until_it_listens();
 }
 
-void SimulatedRobot::wait_until_it_listens(const fs::path& socket) {
+ConnectionOptions SimulatedRobot::connection() const {
+  ConnectionOptions options;
+  options.ports = {port()};
+  options.lockstep = socket();
+  options.is_radio = is_radio_;
+  return options;
+}
+
+void SimulatedRobot::wait_until_it_listens() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (!fs::exists(socket) || !fs::exists(port())) {
+  while (!fs::exists(socket()) || !fs::exists(port())) {
     if (const auto status = process_->exit_status()) {
-      const auto code = static_cast<console::ExitCode>(*status);
-      const bool users_fault =
-          code == console::ExitCode::kConfigInvalid || code == console::ExitCode::kUsage;
-      throw console::CommandError(users_fault ? code : console::ExitCode::kRuntimeError,
-                                  files::read_text_file(log_));
+      const auto code = static_cast<ExitCode>(*status);
+      const bool users_fault = code == ExitCode::kConfigInvalid || code == ExitCode::kUsage;
+      throw CommandError(users_fault ? code : ExitCode::kRuntimeError, files::read_text_file(log_));
     }
     if (std::chrono::steady_clock::now() > end) {
-      throw console::CommandError(console::ExitCode::kRuntimeError,
-                                  "the simulated robot did not start; see " + log_.string());
+      throw CommandError(ExitCode::kRuntimeError,
+                         "the simulated robot did not start; see " + log_.string());
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include "host/session/child_process.hpp"
+#include "host/session/open_robot.hpp"
 #include "host/session/temporary_folder.hpp"
-#include "host/transport/lockstep_channel.hpp"
 
 namespace echomap::session {
 
@@ -36,22 +35,24 @@ class SimulatedRobot {
   /// CommandError: 1 where its program is missing or does not start, 6 where world or robot are
   /// invalid.
   SimulatedRobot(const SimulatedRobotOptions& options,
-                 std::uint32_t seed,
+                 const Seed& seed,
                  const std::filesystem::path& body,
                  const std::filesystem::path& out);
 
-  std::string port() const { return folder_ / "robot"; }
-  transport::LockstepChannel& lockstep() { return *lockstep_; }
+  /// The way to it.
+  ConnectionOptions connection() const;
   const std::filesystem::path& truth() const { return truth_; }
 
  private:
-  void wait_until_it_listens(const std::filesystem::path& socket);
+  std::string port() const { return folder_ / "robot"; }
+  std::string socket() const { return folder_ / "lockstep"; }
+  void wait_until_it_listens();
 
+  bool is_radio_;
   std::filesystem::path truth_;
   std::filesystem::path log_;
   TemporaryFolder folder_;
   std::unique_ptr<ChildProcess> process_;
-  std::unique_ptr<transport::LockstepChannel> lockstep_;
 };
 
 }  // namespace echomap::session

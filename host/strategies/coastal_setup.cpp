@@ -12,6 +12,7 @@ namespace echomap::strategies {
 namespace {
 
 using exploration::Hand;
+using session::RobotProfile;
 
 /// The wall sensor looks so far off straight ahead, at least and at most.
 constexpr double kLeastAsideRad = geometry::radians(45.0);
@@ -27,14 +28,14 @@ struct FindPin {
   }
 };
 
-bool is_wired(const session::RobotProfile& profile, unsigned function) {
+bool is_wired(const RobotProfile& profile, unsigned function) {
   FindPin find{function};
   protocol::ConfigurePins::each(profile.configuration.pins, find);
   return find.is_found;
 }
 
 /// The infra-red sensor that looks to that side.
-std::optional<std::size_t> sensor_at(const session::RobotProfile& profile, Hand hand) {
+std::optional<std::size_t> sensor_at(const RobotProfile& profile, Hand hand) {
   for (std::size_t i = 0; i < profile.sensors.infrared.size(); ++i) {
     const double heading_rad = profile.sensors.infrared[i].T_robot_sensor.heading_rad();
     const double aside_rad = hand == Hand::kRight ? -heading_rad : heading_rad;
@@ -47,7 +48,7 @@ std::optional<std::size_t> sensor_at(const session::RobotProfile& profile, Hand 
 
 }  // namespace
 
-std::string lack_for_coastal(const session::RobotProfile& profile, Hand hand) {
+std::string lack_for_coastal(const RobotProfile& profile, Hand hand) {
   if (!is_wired(profile, protocol::kPinWall)) {
     return "a wall sensor on a pin named 'wall'";
   }
@@ -57,7 +58,7 @@ std::string lack_for_coastal(const session::RobotProfile& profile, Hand hand) {
   return "";
 }
 
-exploration::CoastalParams coastal_params(const session::RobotProfile& profile, Hand hand) {
+exploration::CoastalParams coastal_params(const RobotProfile& profile, Hand hand) {
   exploration::CoastalParams params;
   params.hand = hand;
   params.robot_radius_m = profile.body_radius_m;

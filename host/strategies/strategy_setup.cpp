@@ -15,14 +15,17 @@
 namespace echomap::strategies {
 namespace {
 
+using console::CommandError;
+using console::ExitCode;
+using session::RobotProfile;
+
 using ExplorerPtr = std::unique_ptr<exploration::Explorer>;
 
-std::string lack_of_sonar(const session::RobotProfile& profile,
-                          const StrategyOptions& /*options*/) {
+std::string lack_of_sonar(const RobotProfile& profile, const StrategyOptions& /*options*/) {
   return profile.has_sonar ? "" : "a sonar";
 }
 
-ExplorerPtr make_nxt_farthest(const session::RobotProfile& profile,
+ExplorerPtr make_nxt_farthest(const RobotProfile& profile,
                               const StrategyOptions& options,
                               std::mt19937& random) {
   auto params = nxt_farthest_params(profile, options.stops);
@@ -30,27 +33,26 @@ ExplorerPtr make_nxt_farthest(const session::RobotProfile& profile,
   return std::make_unique<exploration::NxtFarthest>(params, random);
 }
 
-ExplorerPtr make_tangent_bug(const session::RobotProfile& profile,
+ExplorerPtr make_tangent_bug(const RobotProfile& profile,
                              const StrategyOptions& options,
                              std::mt19937& /*random*/) {
   if (options.waypoints.empty()) {
-    throw console::CommandError(
-        console::ExitCode::kUsage,
-        "strategy 'tangent-bug' goes from waypoint to waypoint, and has none\n"
-        "  next: name a course with --waypoints, as playground, or a TOML file of "
-        "your room");
+    throw CommandError(ExitCode::kUsage,
+                       "strategy 'tangent-bug' goes from waypoint to waypoint, and has none\n"
+                       "  next: name a course with --waypoints, as playground, or a TOML file of "
+                       "your room");
   }
   return std::make_unique<exploration::TangentBug>(tangent_bug_params(profile),
                                                    load_course(options.waypoints));
 }
 
-ExplorerPtr make_frontier(const session::RobotProfile& profile,
+ExplorerPtr make_frontier(const RobotProfile& profile,
                           const StrategyOptions& options,
                           std::mt19937& /*random*/) {
   return std::make_unique<exploration::Frontier>(frontier_params(profile, options.stops));
 }
 
-exploration::DangerCheckerParams danger_params(const session::RobotProfile& profile) {
+exploration::DangerCheckerParams danger_params(const RobotProfile& profile) {
   exploration::DangerCheckerParams params;
   params.robot_radius_m = profile.body_radius_m;
   params.costs.robot_radius_m = profile.body_radius_m;
@@ -64,24 +66,22 @@ exploration::Hand hand_of(const StrategyOptions& options) {
   return options.hand == "left" ? exploration::Hand::kLeft : exploration::Hand::kRight;
 }
 
-std::string lack_of_wall_sensor(const session::RobotProfile& profile,
-                                const StrategyOptions& options) {
+std::string lack_of_wall_sensor(const RobotProfile& profile, const StrategyOptions& options) {
   return lack_for_coastal(profile, hand_of(options));
 }
 
-ExplorerPtr make_coastal(const session::RobotProfile& profile,
+ExplorerPtr make_coastal(const RobotProfile& profile,
                          const StrategyOptions& options,
                          std::mt19937& /*random*/) {
   return std::make_unique<exploration::Coastal>(coastal_params(profile, hand_of(options)));
 }
 
 /// Every board has contacts; without bumpers at them a wheel that stands says the same.
-std::string lack_of_nothing(const session::RobotProfile& /*profile*/,
-                            const StrategyOptions& /*options*/) {
+std::string lack_of_nothing(const RobotProfile& /*profile*/, const StrategyOptions& /*options*/) {
   return "";
 }
 
-ExplorerPtr make_random_bounce(const session::RobotProfile& profile,
+ExplorerPtr make_random_bounce(const RobotProfile& profile,
                                const StrategyOptions& options,
                                std::mt19937& random) {
   exploration::RandomBounceParams params;
@@ -90,8 +90,7 @@ ExplorerPtr make_random_bounce(const session::RobotProfile& profile,
   return std::make_unique<exploration::RandomBounce>(params, random);
 }
 
-std::string lack_of_infrared_ring(const session::RobotProfile& profile,
-                                  const StrategyOptions& /*options*/) {
+std::string lack_of_infrared_ring(const RobotProfile& profile, const StrategyOptions& /*options*/) {
   const auto& ring = profile.sensors.infrared;
   const auto looks = [&](double from_deg, double to_deg) {
     return std::any_of(ring.begin(), ring.end(), [&](const sensors::InfraredSensor& sensor) {
@@ -104,7 +103,7 @@ std::string lack_of_infrared_ring(const session::RobotProfile& profile,
              : "infra-red sensors that look ahead and to the right";
 }
 
-ExplorerPtr make_epuck(const session::RobotProfile& profile,
+ExplorerPtr make_epuck(const RobotProfile& profile,
                        const StrategyOptions& /*options*/,
                        std::mt19937& /*random*/) {
   exploration::EpuckDriveParams params;
@@ -121,8 +120,7 @@ const Strategy& strategy_of(const StrategyOptions& options) {
   const auto found = std::find_if(
       all.begin(), all.end(), [&](const Strategy& one) { return one.name == options.name; });
   if (found == all.end()) {
-    throw console::CommandError(console::ExitCode::kUsage,
-                                "there is no strategy '" + options.name + "'");
+    throw CommandError(ExitCode::kUsage, "there is no strategy '" + options.name + "'");
   }
   return *found;
 }
@@ -130,10 +128,9 @@ const Strategy& strategy_of(const StrategyOptions& options) {
 /// What only another strategy goes by shall not do nothing in silence.
 void refuse_strange_options(const StrategyOptions& options) {
   const auto refuse = [&](const std::string& option, const std::string& owner) {
-    throw console::CommandError(console::ExitCode::kUsage,
-                                option + " is for strategy '" + owner + "', not for '" +
-                                    options.name + "'\n  next: leave it out, or --strategy " +
-                                    owner);
+    throw CommandError(ExitCode::kUsage,
+                       option + " is for strategy '" + owner + "', not for '" + options.name +
+                           "'\n  next: leave it out, or --strategy " + owner);
   };
   if (options.scans > 1 && options.name != "nxt-farthest") {
     refuse("--scans", "nxt-farthest");
@@ -171,7 +168,7 @@ bool begins_anywhere(const StrategyOptions& options) {
   return strategy_of(options).begins_anywhere;
 }
 
-ExplorerPtr explorer_for(const session::RobotProfile& profile,
+ExplorerPtr explorer_for(const RobotProfile& profile,
                          const StrategyOptions& options,
                          std::mt19937& random) {
   require_fit(profile, options);
@@ -182,17 +179,17 @@ ExplorerPtr explorer_for(const session::RobotProfile& profile,
       strategy.make(profile, options, random), danger));
 }
 
-void require_fit(const session::RobotProfile& profile, const StrategyOptions& options) {
+void require_fit(const RobotProfile& profile, const StrategyOptions& options) {
   refuse_strange_options(options);
   if (const std::string lack = strategy_of(options).lack(profile, options); !lack.empty()) {
-    throw console::CommandError(console::ExitCode::kConfigInvalid,
-                                "strategy '" + options.name + "' needs " + lack +
-                                    ", and profile '" + profile.name +
-                                    "' has none\n  next: name another with --robot, as uno_2wd");
+    throw CommandError(ExitCode::kConfigInvalid,
+                       "strategy '" + options.name + "' needs " + lack + ", and profile '" +
+                           profile.name +
+                           "' has none\n  next: name another with --robot, as uno_2wd");
   }
 }
 
-exploration::NxtFarthestParams nxt_farthest_params(const session::RobotProfile& profile,
+exploration::NxtFarthestParams nxt_farthest_params(const RobotProfile& profile,
                                                    std::size_t most_stops) {
   exploration::NxtFarthestParams params;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
@@ -202,7 +199,7 @@ exploration::NxtFarthestParams nxt_farthest_params(const session::RobotProfile& 
   return params;
 }
 
-exploration::TangentBugParams tangent_bug_params(const session::RobotProfile& profile) {
+exploration::TangentBugParams tangent_bug_params(const RobotProfile& profile) {
   exploration::TangentBugParams params;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;
@@ -212,8 +209,7 @@ exploration::TangentBugParams tangent_bug_params(const session::RobotProfile& pr
   return params;
 }
 
-exploration::FrontierParams frontier_params(const session::RobotProfile& profile,
-                                            std::size_t most_stops) {
+exploration::FrontierParams frontier_params(const RobotProfile& profile, std::size_t most_stops) {
   exploration::FrontierParams params;
   params.costs.robot_radius_m = profile.body_radius_m;
   params.follower.speed_m_per_s = profile.speed_m_per_s;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host/pipeline/robot_atlas.hpp"
+#include "host/session/follower.hpp"
 #include "host/session/robot_profile.hpp"
 #include "host/tracking/ekf_filter.hpp"
 
@@ -14,18 +15,18 @@ namespace echomap::tracking {
 
 /// Keeps the robot of an atlas where an overhead camera and its odometry together have it. The map
 /// frame remains the one that the atlas has, wherever the camera's lies.
-class CameraFollower {
+class CameraFollower final : public session::Follower {
  public:
   /// `atlas` outlives this.
   CameraFollower(const sensors::RobotGeometry& robot, FixStream fixes, pipeline::RobotAtlas& atlas);
 
   /// Takes what the robot senses, before the atlas does.
-  pipeline::ObservationSink& sink() { return filter_.sink(); }
+  pipeline::ObservationSink& sink() override { return filter_.sink(); }
   /// The robot is connected and stands, and goes on standing until it is known well where. Throws
   /// CommandError 1 where no fix comes.
-  void begin(session::RobotSession& session);
+  void begin(session::RobotSession& session) override;
   /// After every step of the session's time.
-  void poll(const session::RobotSession& session);
+  void poll(const session::RobotSession& session) override;
 
  private:
   EkfFilter filter_;

@@ -6,25 +6,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "host/pipeline/observation_sink.hpp"
 #include "host/pipeline/snapshot.hpp"
-#include "host/session/robot_session.hpp"
+#include "host/session/follower.hpp"
 
 namespace echomap::tracking {
 
 /// What follows a robot while it drives, as `echomap localize --filter` names it.
-class LiveFilter {
+class LiveFilter : public session::Follower {
  public:
-  virtual ~LiveFilter() = default;
-
-  /// Takes what the robot senses.
-  virtual pipeline::ObservationSink& sink() = 0;
-  /// After every step of the session's time: takes what comes from elsewhere, and tells the user
-  /// what cannot wait for the next stop.
-  virtual void poll(const session::RobotSession& session) = 0;
-  /// The robot is connected and stands. Throws CommandError where the filter cannot begin.
-  virtual void begin(session::RobotSession& session) = 0;
-
   /// At the end of a stop: the robot was found not to be where it was thought to be, or was lifted,
   /// since the last stop.
   virtual bool has_lost_it() = 0;

@@ -25,29 +25,28 @@ exploration::NxtFarthestParams endless(const session::RobotProfile& profile) {
 
 }  // namespace
 
-StopDriver::StopDriver(session::RobotSession& session,
-                       pipeline::ObservationFork& fork,
-                       const session::RobotProfile& profile,
-                       std::string slam,
-                       std::uint32_t seed)
-    : session_(session), fork_(fork), profile_(profile), slam_(std::move(slam)), random_(seed) {
+StopDriver::StopDriver(session::RobotContext& robot, std::string slam)
+    : robot_(robot),
+      slam_(std::move(slam)),
+      random_(robot.seed().generator(session::SeedPurpose::kStopDriver)) {
   start_anew();
 }
 
-StopDriver::~StopDriver() { fork_.remove(*pipeline_); }
+StopDriver::~StopDriver() { robot_.fork().remove(*pipeline_); }
 
 void StopDriver::start_anew() {
   if (pipeline_) {
-    fork_.remove(*pipeline_);
+    robot_.fork().remove(*pipeline_);
   }
-  pipeline_ = std::make_unique<pipeline::RobotPipeline>(session::pipeline_for(profile_, slam_));
-  fork_.add(*pipeline_);
-  explorer_ = std::make_unique<exploration::NxtFarthest>(endless(profile_), random_);
+  pipeline_ =
+      std::make_unique<pipeline::RobotPipeline>(session::pipeline_for(robot_.profile(), slam_));
+  robot_.fork().add(*pipeline_);
+  explorer_ = std::make_unique<exploration::NxtFarthest>(endless(robot_.profile()), random_);
   last_ = exploration::MotionResult::kReached;
 }
 
 bool StopDriver::go_to_next_stop() {
-  while (!session_.end()) {
+  while (!robot_.session().end()) {
     const auto motion = explorer_->next(pipeline_->snapshot(), last_);
     if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
       if (finished->reason != FinishReason::kNowhereToGo ||
@@ -60,9 +59,9 @@ bool StopDriver::go_to_next_stop() {
     }
     stops_on_the_spot_ =
         std::holds_alternative<exploration::Drive>(motion) ? 0 : stops_on_the_spot_;
-    last_ = session_.execute(motion);
+    last_ = robot_.session().execute(motion);
     if (std::holds_alternative<exploration::EndScan>(motion)) {
-      return !session_.end();
+      return !robot_.session().end();
     }
   }
   return false;

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <random>
 #include <string>
 
 #include "host/exploration/nxt_farthest.hpp"
-#include "host/pipeline/observation_fork.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
-#include "host/session/robot_profile.hpp"
-#include "host/session/robot_session.hpp"
+#include "host/session/robot_context.hpp"
 
 namespace echomap::tracking {
 
@@ -20,13 +17,9 @@ namespace echomap::tracking {
 /// its own, which begins where the driver does.
 class StopDriver {
  public:
-  /// `session` feeds `fork`; both, and the profile, outlive this. SLAM of that name
-  /// (session::pipeline_for) places the robot in the driver's own map.
-  StopDriver(session::RobotSession& session,
-             pipeline::ObservationFork& fork,
-             const session::RobotProfile& profile,
-             std::string slam,
-             std::uint32_t seed);
+  /// `robot`, which is open, outlives this. The SLAM method of that name (session::pipeline_for)
+  /// places the robot in the driver's own map.
+  StopDriver(session::RobotContext& robot, std::string slam);
   ~StopDriver();
   StopDriver(const StopDriver&) = delete;
   StopDriver& operator=(const StopDriver&) = delete;
@@ -43,9 +36,7 @@ class StopDriver {
   std::optional<exploration::FinishReason> finished() const { return finished_; }
 
  private:
-  session::RobotSession& session_;
-  pipeline::ObservationFork& fork_;
-  const session::RobotProfile& profile_;
+  session::RobotContext& robot_;
   std::string slam_;
   std::mt19937 random_;
   std::unique_ptr<pipeline::RobotPipeline> pipeline_;

@@ -13,7 +13,7 @@
 
 // A bundled robot has two files, what the host believes and what is true; what was soldered and
 // where its sensors sit must be the same in both.
-namespace echomap::apps {
+namespace echomap::session {
 namespace {
 
 using Pins = std::array<int, 16>;
@@ -99,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(All,
                          [](const auto& robot) { return std::string(robot.param); });
 
 }  // namespace
-}  // namespace echomap::apps
+}  // namespace echomap::session

@@ -49,21 +49,21 @@ TEST(ExploreProgress, InventsNoTime) {
   EXPECT_FALSE(longest_left_s(first)) << "no stop has told its pace yet";
 }
 
-TEST(ProgressTeller, SaysALineForEveryHalfMinuteWhereNoTerminalIs) {
+TEST(ProgressReporter, SaysALineForEveryHalfMinuteWhereNoTerminalIs) {
   std::FILE* file = std::tmpfile();
-  ProgressTeller teller(file, true);
+  ProgressReporter teller(file, true);
   int made = 0;
   for (int i = 0; i < 700; ++i) {
-    teller.tell(0.1 * i, [&] { return "line " + std::to_string(++made); });
+    teller.report(0.1 * i, [&] { return "line " + std::to_string(++made); });
   }
   EXPECT_EQ(text_of(file), "line 1\nline 2\n");
   std::fclose(file);
 }
 
-TEST(ProgressTeller, SaysNothingWhereItMustNot) {
+TEST(ProgressReporter, SaysNothingWhereItMustNot) {
   std::FILE* file = std::tmpfile();
-  ProgressTeller teller(file, false);
-  teller.tell(100.0, [] { return "line"; });
+  ProgressReporter teller(file, false);
+  teller.report(100.0, [] { return "line"; });
   teller.clear();
   EXPECT_EQ(text_of(file), "");
   std::fclose(file);

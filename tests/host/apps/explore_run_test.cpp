@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/console/exit_code.hpp"
 #include "host/session/temporary_folder.hpp"
 #include "host/strategies/strategy_setup.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
@@ -11,45 +12,47 @@
 namespace echomap::apps {
 namespace {
 
-RunOptions options_for(const char* robot) {
-  RunOptions options;
-  options.robot = robot;
-  options.strategy.stops = 1;
-  options.headless = true;
-  return options;
+using console::ExitCode;
+
+strategies::StrategyOptions one_stop() {
+  strategies::StrategyOptions strategy;
+  strategy.stops = 1;
+  return strategy;
 }
 
 TEST(ProfileFor, IsOfARobotThatTheStrategyCanUse) {
-  EXPECT_EQ(profile_for(options_for("uno_2wd")).name, "uno_2wd");
+  EXPECT_EQ(profile_for("uno_2wd", one_stop()).name, "uno_2wd");
   try {
-    profile_for(options_for("create"));
+    profile_for("create", one_stop());
     FAIL() << "it has no sonar";
-  } catch (const CommandError& error) {
+  } catch (const console::CommandError& error) {
     EXPECT_EQ(error.code(), ExitCode::kConfigInvalid);
     EXPECT_THAT(error.what(), testing::HasSubstr("needs a sonar"));
     EXPECT_THAT(error.what(), testing::HasSubstr("next: "));
   }
 }
 
-class ExploreRun : public session::SessionOnACable {
+class ExploreAndSave : public session::SessionOnACable {
  protected:
   ExitCode explore() {
-    return explore_and_save(
-        {*session, atlas, profile}, options_for("uno_2wd"), folder.path(), summary);
+    begin_maps(robot, "", "none");
+    robot.open({new_connection(), nullptr});
+    return explore_and_save(robot, {strategy, folder.path(), false}, summary);
   }
 
   const session::TemporaryFolder folder;
-  pipeline::RobotAtlas atlas = session::atlas_for(profile, "none");
+  const strategies::StrategyOptions strategy = one_stop();
+  session::RobotContext robot{profile, session::Seed(1)};
   exports::RunSummary summary;
 };
 
-TEST_F(ExploreRun, ThrowsWhereTheBoardDoesNotTakeTheProfileAndLeavesItDisarmed) {
+TEST_F(ExploreAndSave, ThrowsWhereTheBoardDoesNotTakeTheProfileAndLeavesItDisarmed) {
   cable.robot.answer = protocol::CommandStatus::kOutOfRange;
-  EXPECT_THROW(explore(), CommandError);
+  EXPECT_THROW(explore(), console::CommandError);
   EXPECT_FALSE(cable.robot.armed);
 }
 
-TEST_F(ExploreRun, SavesTheMapWhereTheBoardTakesItsProfileNoMore) {
+TEST_F(ExploreAndSave, SavesTheMapWhereTheBoardTakesItsProfileNoMore) {
   cable.robot.on_command = [this](std::string_view name) {
     if (name == "StartSweep" && restarts == 0) {
       pull_power_and_start_anew();
@@ -64,9 +67,8 @@ TEST_F(ExploreRun, SavesTheMapWhereTheBoardTakesItsProfileNoMore) {
   EXPECT_TRUE(std::filesystem::exists(folder / "summary.json"));
 }
 
-TEST_F(ExploreRun, SavesTheMapWhereTheRobotIsLiftedAndNotPutDownAgain) {
+TEST_F(ExploreAndSave, SavesTheMapWhereTheRobotIsLiftedAndNotPutDownAgain) {
   may_be_lifted = true;
-  session = new_session(false);
   cable.robot.on_command = [this](std::string_view name) {
     if (name == "StartSweep") {
       cable.robot.hazards = protocol::kHazardWheelDrop;

@@ -48,11 +48,5 @@ TEST(LinkReport, TellsALossOnceAndOnlyWhereItRises) {
   EXPECT_EQ(losses_between(now, now), "");
 }
 
-TEST(LinkReport, NamesTheFirmwareOfARealBoard) {
-  protocol::HelloReply robot{};
-  robot.firmware_version = 107;
-  EXPECT_EQ(session::firmware_of(robot), "echomap 1.0.7");
-}
-
 }  // namespace
 }  // namespace echomap::apps

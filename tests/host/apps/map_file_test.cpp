@@ -26,7 +26,7 @@ TEST(MapFile, IsThatOfARunDirectoryOrTheFileItself) {
 TEST(MapFile, NeedsFloorWhereARobotCouldBe) {
   const tests::ScratchFolder scratch;
   exports::write_pgm_yaml(scratch / "map.yaml", tests::map_from({"## ", "# #", "###"}));
-  const auto text = tests::thrown_text<CommandError>([&] { read_map(scratch.path()); });
+  const auto text = tests::thrown_text<console::CommandError>([&] { read_map(scratch.path()); });
   EXPECT_THAT(text, HasSubstr("no floor"));
   EXPECT_THAT(text, HasSubstr("next: "));
 }

@@ -12,11 +12,11 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(MapOptions, EvalWantsSomethingToCompareWith) {
-  EXPECT_EQ(run({"eval", "."}).code, ExitCode::kUsage);
+  EXPECT_EQ(run({"eval", "."}).code, console::ExitCode::kUsage);
   EXPECT_THAT(run({"eval", "."}).err, HasSubstr("--truth or --relations"));
   EXPECT_EQ(run({"eval", ".", "--picture", "a.png", "--relations", "/dev/null"}).code,
-            ExitCode::kUsage);
-  EXPECT_EQ(run({"diff", "no_such_folder", "."}).code, ExitCode::kUsage);
+            console::ExitCode::kUsage);
+  EXPECT_EQ(run({"diff", "no_such_folder", "."}).code, console::ExitCode::kUsage);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "host/apps/saved_map.hpp"
 #include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
-#include "host/strategies/strategy_setup.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
@@ -74,24 +74,24 @@ TEST_F(ResumedRunTest, KnowsTheMapsThatTheRobotWasCarriedAwayFrom) {
 
 TEST_F(ResumedRunTest, NeedsARecordWithARobotsWay) {
   summarise(R"({"robot": "uno_2wd", "sim_seconds": 1})");
-  EXPECT_THAT(tests::thrown_text<CommandError>([&] { resume(); }),
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { resume(); }),
               AllOf(HasSubstr("it has no observations.csv"), HasSubstr("next: ")));
   record("");
-  EXPECT_THAT(tests::thrown_text<CommandError>([&] { resume(); }),
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { resume(); }),
               AllOf(HasSubstr("its record is empty"), HasSubstr("next: ")));
 }
 
 TEST_F(ResumedRunTest, RefusesAnotherRobot) {
   record("odometry,1000,0.5,0.5\n");
   summarise(R"({"robot": "ev3", "sim_seconds": 1})");
-  EXPECT_THAT(tests::thrown_text<CommandError>([&] { resume(); }),
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { resume(); }),
               AllOf(HasSubstr("its robot is 'ev3', not 'uno_2wd'"), HasSubstr("next: ")));
 }
 
 TEST_F(ResumedRunTest, RefusesARunInWhichTheRobotWasLifted) {
   record("odometry,1000,0.5,0.5\nhazards,2000,0,0,0,0,0,0,1,0,0\n");
   summarise(R"({"robot": "uno_2wd", "sim_seconds": 1})");
-  EXPECT_THAT(tests::thrown_text<CommandError>([&] { resume(); }),
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { resume(); }),
               AllOf(HasSubstr("the robot was lifted in it"), HasSubstr("next: ")));
 }
 

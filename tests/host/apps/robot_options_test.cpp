@@ -16,30 +16,30 @@ TEST(RobotOptions, TheHelpOfTheDemoTellsBodyFromProfile) {
 }
 
 TEST(RobotOptions, AreCheckedBeforeARobotIsAsked) {
-  EXPECT_EQ(run({"explore", "--port", "x", "--baud", "1234"}).code, ExitCode::kUsage);
-  EXPECT_EQ(run({"demo", "--stops", "0"}).code, ExitCode::kUsage);
-  EXPECT_EQ(run({"demo", "--stops", "101"}).code, ExitCode::kUsage);
-  EXPECT_EQ(run({"demo", "--board", "due"}).code, ExitCode::kUsage);
-  EXPECT_EQ(run({"demo", "--emulator", "mock", "--board", "uno"}).code, ExitCode::kUsage);
+  EXPECT_EQ(run({"explore", "--port", "x", "--baud", "1234"}).code, console::ExitCode::kUsage);
+  EXPECT_EQ(run({"demo", "--stops", "0"}).code, console::ExitCode::kUsage);
+  EXPECT_EQ(run({"demo", "--stops", "101"}).code, console::ExitCode::kUsage);
+  EXPECT_EQ(run({"demo", "--board", "due"}).code, console::ExitCode::kUsage);
+  EXPECT_EQ(run({"demo", "--emulator", "mock", "--board", "uno"}).code, console::ExitCode::kUsage);
 }
 
 TEST(RobotOptions, SlamIsAnotherNameOfExplore) {
   EXPECT_THAT(run({"slam", "--help"}).out, HasSubstr("echomap explore"));
   const auto refused = run({"slam", "--slam", "scan"});
-  EXPECT_EQ(refused.code, ExitCode::kUsage) << "that is for lasers";
+  EXPECT_EQ(refused.code, console::ExitCode::kUsage) << "that is for lasers";
   EXPECT_THAT(refused.err, HasSubstr("--slam"));
 }
 
 TEST(RobotOptions, APoseIsOfTheCameraOrOfSlam) {
   const auto refused = run({"explore", "--fixes", "udp:127.0.0.1:5000", "--slam", "grid"});
-  EXPECT_EQ(refused.code, ExitCode::kUsage);
+  EXPECT_EQ(refused.code, console::ExitCode::kUsage);
   EXPECT_THAT(refused.err, HasSubstr("excludes"));
 }
 
 TEST(RobotOptions, ARunThatIsResumedIsADirectoryAndHasNoCamera) {
-  EXPECT_EQ(run({"explore", "--resume", "no/such/run"}).code, ExitCode::kUsage);
+  EXPECT_EQ(run({"explore", "--resume", "no/such/run"}).code, console::ExitCode::kUsage);
   const auto refused = run({"explore", "--resume", ".", "--fixes", "udp:127.0.0.1:5000"});
-  EXPECT_EQ(refused.code, ExitCode::kUsage);
+  EXPECT_EQ(refused.code, console::ExitCode::kUsage);
   EXPECT_THAT(refused.err, HasSubstr("excludes"));
 }
 

@@ -7,12 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "host/apps/command_line.hpp"
+#include "host/console/exit_code.hpp"
 
 namespace echomap::apps {
 
 /// How a command line ended and what it said.
 struct Said {
-  ExitCode code;
+  console::ExitCode code;
   std::string out;
   std::string err;
 };
@@ -27,7 +28,7 @@ inline Said run(std::vector<std::string> words) {
   arguments.push_back(nullptr);
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
-  const ExitCode code = run_command_line(static_cast<int>(words.size()), arguments.data());
+  const console::ExitCode code = run_command_line(static_cast<int>(words.size()), arguments.data());
   return {code, ::testing::internal::GetCapturedStdout(), ::testing::internal::GetCapturedStderr()};
 }
 

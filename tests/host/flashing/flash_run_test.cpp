@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "host/console/exit_code.hpp"
 #include "tests/host/robot_link/link_fixture.hpp"
 
 namespace echomap::session {

@@ -22,7 +22,7 @@ TEST(OpenRobot, WaitsForARobotOnADeskAsLongAsItIsTold) {
   options.ports = {pty.name()};
   options.reconnect_s = 2.5;
   options.no_reset = true;
-  const OpenedRobot robot = open_robot(options, 1);
+  const OpenedRobot robot = open_robot(options, Seed(1));
   EXPECT_EQ(robot.lockstep, nullptr);
   EXPECT_EQ(robot.connection.patience, std::chrono::milliseconds(2500));
   EXPECT_TRUE(robot.connection.no_reset);
@@ -35,7 +35,7 @@ TEST(OpenRobot, SaysThatNobodyGrantsTime) {
   ConnectionOptions options;
   options.ports = {pty.name()};
   options.lockstep = scratch / "nobody";
-  EXPECT_THROW(open_robot(options, 1), transport::TransportError);
+  EXPECT_THROW(open_robot(options, Seed(1)), transport::TransportError);
 }
 
 }  // namespace

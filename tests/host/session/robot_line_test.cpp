@@ -10,6 +10,7 @@
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
+#include "host/console/exit_code.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
 
 namespace echomap::session {

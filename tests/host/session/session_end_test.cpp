@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "host/console/exit_code.hpp"
+
 namespace echomap::session {
 namespace {
 

@@ -109,13 +109,16 @@ class SessionOnACable : public testing::Test {
   pipeline::RobotPipeline pipeline{profile.geometry};
   std::chrono::milliseconds patience{3000};
   bool may_be_lifted = false;
-  std::unique_ptr<RobotSession> new_session(bool no_reset) {
+  RobotConnection new_connection(bool no_reset = false) {
     RobotConnection connection{
         std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7};
     connection.no_reset = no_reset;
     connection.may_be_lifted = may_be_lifted;
     connection.patience = patience;
-    return std::make_unique<RobotSession>(std::move(connection), profile, pipeline);
+    return connection;
+  }
+  std::unique_ptr<RobotSession> new_session(bool no_reset) {
+    return std::make_unique<RobotSession>(new_connection(no_reset), profile, pipeline);
   }
   std::unique_ptr<RobotSession> session = new_session(false);
 };

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/console/exit_code.hpp"
 #include "tests/support/thrown_text.hpp"
 
 namespace echomap::strategies {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/console/exit_code.hpp"
 #include "host/pipeline/observation_fork.hpp"
 #include "host/session/pipeline_setup.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
@@ -22,11 +23,7 @@ class CameraFollowerTest : public session::SessionOnACable {
         profile.geometry, FixStream(std::make_unique<tests::ToldStream>(bytes)), atlas);
     fork.add(follower->sink());
     fork.add(atlas);
-    session = std::make_unique<session::RobotSession>(
-        session::RobotConnection{
-            std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7},
-        profile,
-        fork);
+    session = std::make_unique<session::RobotSession>(new_connection(), profile, fork);
     session->connect();
     session->on_step = [this] { follower->poll(*session); };
   }

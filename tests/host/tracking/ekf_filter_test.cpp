@@ -12,6 +12,7 @@
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
+#include "host/console/exit_code.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/pipeline/observation_fork.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
@@ -32,11 +33,7 @@ class EkfFilterTest : public session::SessionOnACable {
                                               geometry::Pose2(1.0, 0.0, geometry::radians(90.0)),
                                               start);
     fork.add(filter->sink());
-    session = std::make_unique<session::RobotSession>(
-        session::RobotConnection{
-            std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7},
-        profile,
-        fork);
+    session = std::make_unique<session::RobotSession>(new_connection(), profile, fork);
     session->connect();
     session->on_step = [this, raw = filter.get()] { raw->poll(*session); };
     return filter;

@@ -28,14 +28,10 @@ class Scans final : public pipeline::ObservationSink {
 class StopDriverTest : public session::SessionOnACable {
  protected:
   StopDriverTest() {
-    fork.add(scans);
-    session = std::make_unique<session::RobotSession>(
-        session::RobotConnection{
-            std::make_unique<CableStream>(cable), std::make_unique<CablePace>(cable), 7},
-        profile,
-        fork);
-    session->connect();
-    driver = std::make_unique<StopDriver>(*session, fork, profile, "grid", 3);
+    robot.fork().add(scans);
+    robot.open({new_connection(), nullptr});
+    robot.connect();
+    driver = std::make_unique<StopDriver>(robot, "grid");
   }
   void let_it_hear() {
     cable.robot.on_command = [this](std::string_view name) {
@@ -49,8 +45,8 @@ class StopDriverTest : public session::SessionOnACable {
     };
   }
 
-  pipeline::ObservationFork fork;
   Scans scans;
+  session::RobotContext robot{profile, session::Seed(3)};
   std::unique_ptr<StopDriver> driver;
 };
 
@@ -72,7 +68,7 @@ TEST_F(StopDriverTest, ListensOnWhereNothingAnswersAndThenKnowsNowhereToGo) {
 
 TEST_F(StopDriverTest, IsPlacedByTheSlamThatIsNamedAlsoWhereItStartsAnew) {
   EXPECT_NE(driver->pipeline().slam(), nullptr);
-  driver = std::make_unique<StopDriver>(*session, fork, profile, "none", 3);
+  driver = std::make_unique<StopDriver>(robot, "none");
   EXPECT_EQ(driver->pipeline().slam(), nullptr);
   driver->start_anew();
   EXPECT_EQ(driver->pipeline().slam(), nullptr);
@@ -86,7 +82,7 @@ TEST_F(StopDriverTest, EndsWithTheSession) {
 
 TEST_F(StopDriverTest, ListensNoMoreOnceItIsGone) {
   driver.reset();
-  fork.end_scan();
+  robot.fork().end_scan();
   EXPECT_EQ(scans.ended, 1);
 }
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "host/apps/driven_robot.hpp"
+#include "host/apps/explore_run.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exports/observations_file.hpp"
 #include "host/exports/summary_json.hpp"
@@ -15,12 +15,12 @@ namespace echomap::apps {
 
 /// Saves the map so far, with how far the exploration has come. A map that was set aside is saved
 /// in a run directory of its own beside it, former_1, former_2, ...
-class RunKeeper {
+class RunWriter {
  public:
   /// All of them outlive this.
-  RunKeeper(const DrivenRobot& robot,
+  RunWriter(const session::RobotContext& robot,
             const exploration::Explorer& explorer,
-            std::filesystem::path out,
+            const ExploreRun& run,
             exports::RunSummary& summary);
 
   /// Throws files::FileError.
@@ -37,9 +37,10 @@ class RunKeeper {
   void remove_joined_maps();
   void save_record();
 
-  const DrivenRobot& robot_;
+  const session::RobotContext& robot_;
   const exploration::Explorer& explorer_;
   std::filesystem::path out_;
+  double before_s_;  ///< The robot's time in the run that this one resumes.
   exports::RunSummary& summary_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool warned_ = false;

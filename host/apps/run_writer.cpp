@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/apps/run_keeper.hpp"
+#include "host/apps/run_writer.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -16,23 +16,24 @@ namespace echomap::apps {
 
 namespace fs = std::filesystem;
 
-RunKeeper::RunKeeper(const DrivenRobot& robot,
+RunWriter::RunWriter(const session::RobotContext& robot,
                      const exploration::Explorer& explorer,
-                     fs::path out,
+                     const ExploreRun& run,
                      exports::RunSummary& summary)
     : robot_(robot),
       explorer_(explorer),
-      out_(std::move(out)),
+      out_(run.out),
+      before_s_(sim_seconds_of(run.resumed)),
       summary_(summary),
       record_(out_ / kRecordName) {}
 
-void RunKeeper::save(const std::string& outcome) {
+void RunWriter::save(const std::string& outcome) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
   summary_.outcome = outcome;
-  summary_.sim_seconds = elapsed_s(robot_);
+  summary_.sim_seconds = before_s_ + now_s(robot_.session());
   summary_.wall_seconds = wall.count();
-  summary_.former_maps = robot_.atlas.former_maps().size();
-  summary_.maps_joined = robot_.atlas.joins();
+  summary_.former_maps = robot_.atlas().former_maps().size();
+  summary_.maps_joined = robot_.atlas().joins();
   describe_clock();
   describe_link();
   try {
@@ -48,7 +49,7 @@ void RunKeeper::save(const std::string& outcome) {
   }
 }
 
-void RunKeeper::save_in_passing() {
+void RunWriter::save_in_passing() {
   try {
     save("exploring");
   } catch (const files::FileError& error) {
@@ -58,50 +59,50 @@ void RunKeeper::save_in_passing() {
   }
 }
 
-void RunKeeper::save_current_map() {
+void RunWriter::save_current_map() {
   save_record();
   const exploration::StrategyProducts products = explorer_.products();
   if (products.phases > 0) {
     summary_.phases = products.phases;
     summary_.phases_reached = products.phases_reached;
   }
-  save_map(robot_.atlas.pipeline(), robot_.profile, out_, summary_, products.outline_m);
+  save_map(robot_.atlas().pipeline(), robot_.profile(), out_, summary_, products.outline_m);
   if (products.confidence) {
     exports::write_confidence_grid_csv(out_ / "confidence_grid.csv", *products.confidence);
   }
 }
 
-void RunKeeper::save_former_maps() {
-  if (changes_saved_ == robot_.atlas.changes()) {
+void RunWriter::save_former_maps() {
+  if (changes_saved_ == robot_.atlas().changes()) {
     return;
   }
-  const auto& former = robot_.atlas.former_maps();
+  const auto& former = robot_.atlas().former_maps();
   for (std::size_t i = 0; i < former.size(); ++i) {
     const fs::path folder = former_map_of(out_, i + 1);
     exports::RunSummary summary = summary_;
     summary.outcome = "set-aside";
     fs::create_directories(folder);
     exports::ObservationsFile(folder / kRecordName).save(former[i].record, false);
-    save_map(former[i].pipeline, robot_.profile, folder, summary);
+    save_map(former[i].pipeline, robot_.profile(), folder, summary);
   }
-  changes_saved_ = robot_.atlas.changes();
+  changes_saved_ = robot_.atlas().changes();
   former_saved_ = std::max(former_saved_, former.size());
 }
 
-void RunKeeper::remove_joined_maps() {
-  for (; former_saved_ > robot_.atlas.former_maps().size(); --former_saved_) {
+void RunWriter::remove_joined_maps() {
+  for (; former_saved_ > robot_.atlas().former_maps().size(); --former_saved_) {
     fs::remove_all(former_map_of(out_, former_saved_));
   }
 }
 
-void RunKeeper::save_record() {
-  const std::size_t changes = robot_.atlas.changes();
-  record_.save(robot_.atlas.record(), changes == changes_recorded_);
+void RunWriter::save_record() {
+  const std::size_t changes = robot_.atlas().changes();
+  record_.save(robot_.atlas().record(), changes == changes_recorded_);
   changes_recorded_ = changes;
 }
 
-void RunKeeper::describe_clock() {
-  const time::ClockSync& clock = robot_.session.link().clock();
+void RunWriter::describe_clock() {
+  const time::ClockSync& clock = robot_.session().link().clock();
   summary_.clock_rate_error_ppm = clock.rate_error_ppm();
   summary_.clock_uncertainty_us = clock.uncertainty_us();
   if (summary_.clock_rate_error_ppm && summary_.clock_uncertainty_us) {
@@ -111,14 +112,14 @@ void RunKeeper::describe_clock() {
   }
 }
 
-void RunKeeper::describe_link() {
-  const auto link = summary_of(robot_.session.link().statistics(), robot_.session.reconnects());
+void RunWriter::describe_link() {
+  const auto link = summary_of(robot_.session().link().statistics(), robot_.session().reconnects());
   spdlog::debug("{}", line_of(link));
   if (const auto losses = losses_between(summary_.link, link); !losses.empty()) {
     spdlog::warn("since the last stop the robot has counted {}", losses);
   }
   summary_.link = link;
-  if (const auto& robot = robot_.session.link().robot(); robot && summary_.firmware.empty()) {
+  if (const auto& robot = robot_.session().link().robot(); robot && summary_.firmware.empty()) {
     summary_.firmware = session::firmware_of(*robot);
   }
 }

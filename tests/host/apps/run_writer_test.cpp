@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/apps/run_keeper.hpp"
+#include "host/apps/run_writer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,31 +22,38 @@ class Idler final : public exploration::Explorer {
   }
 };
 
-class RunKeeperTest : public session::SessionOnACable {
+class RunWriterTest : public session::SessionOnACable {
  protected:
+  pipeline::RobotAtlas& begin_maps() {
+    robot.begin_maps(session::kNoSlam);
+    robot.open({new_connection(), nullptr});
+    return robot.atlas();
+  }
   void stop() {
     atlas.on_odometry({stamp += std::chrono::milliseconds(20), {}});
     atlas.begin_scan();
     atlas.end_scan();
   }
 
-  pipeline::RobotAtlas atlas = session::atlas_for(profile, "none");
+  session::RobotContext robot{profile, session::Seed(1)};
+  pipeline::RobotAtlas& atlas = begin_maps();
   time::RobotTime stamp;
   Idler explorer;
   const tests::ScratchFolder out;
+  const strategies::StrategyOptions strategy;
+  const ExploreRun run{strategy, out.path(), false};
   exports::RunSummary summary;
 };
 
-TEST_F(RunKeeperTest, AMapThatWasSetAsideHasARunDirectoryOfItsOwn) {
-  const DrivenRobot robot{*session, atlas, profile};
-  RunKeeper keeper(robot, explorer, out.path(), summary);
+TEST_F(RunWriterTest, AMapThatWasSetAsideHasARunDirectoryOfItsOwn) {
+  RunWriter writer(robot, explorer, run, summary);
   stop();
-  keeper.save("exploring");
+  writer.save("exploring");
   EXPECT_FALSE(exists(out / "former_1"));
   stop();
   stop();
   atlas.begin_anew(2);
-  keeper.save("complete");
+  writer.save("complete");
   EXPECT_EQ(summary.outcome, "complete");
   EXPECT_EQ(summary.former_maps, 1U);
   EXPECT_EQ(summary.stops, 1U);
@@ -55,11 +62,10 @@ TEST_F(RunKeeperTest, AMapThatWasSetAsideHasARunDirectoryOfItsOwn) {
   EXPECT_TRUE(exists(out / "former_1/map.png"));
 }
 
-TEST_F(RunKeeperTest, TheRecordIsThatOfTheMapAfterEveryStop) {
-  const DrivenRobot robot{*session, atlas, profile};
-  RunKeeper keeper(robot, explorer, out.path(), summary);
+TEST_F(RunWriterTest, TheRecordIsThatOfTheMapAfterEveryStop) {
+  RunWriter writer(robot, explorer, run, summary);
   const auto expect_saved = [&](const char* when) {
-    keeper.save("exploring");
+    writer.save("exploring");
     exports::ObservationRecorder recorder;
     atlas.record().replay(recorder);
     recorder.save(out / "expected.csv");
@@ -79,30 +85,28 @@ TEST_F(RunKeeperTest, TheRecordIsThatOfTheMapAfterEveryStop) {
   expect_saved("after a stop there");
 }
 
-TEST_F(RunKeeperTest, AMapThatCouldNotBeSavedIsSavedTheNextTime) {
-  const DrivenRobot robot{*session, atlas, profile};
-  RunKeeper keeper(robot, explorer, out.path(), summary);
+TEST_F(RunWriterTest, AMapThatCouldNotBeSavedIsSavedTheNextTime) {
+  RunWriter writer(robot, explorer, run, summary);
   stop();
-  keeper.save_in_passing();
+  writer.save_in_passing();
   files::write_text_file(out / "former_1", "in the way");
   stop();
   stop();
   atlas.begin_anew(2);
-  keeper.save_in_passing();
+  writer.save_in_passing();
   EXPECT_EQ(files::read_text_file(out / "former_1"), "in the way");
   std::filesystem::remove(out / "former_1");
-  keeper.save("complete");
+  writer.save("complete");
   EXPECT_TRUE(exists(out / "former_1/observations.csv"));
 }
 
-TEST_F(RunKeeperTest, WhatAFormerRunHasLeftStaysBesideIt) {
+TEST_F(RunWriterTest, WhatAFormerRunHasLeftStaysBesideIt) {
   files::write_text_file(out / kRecordName, "old");
   std::filesystem::create_directories(out / "former_1");
   files::write_text_file(out / "former_1/map.png", "old");
-  const DrivenRobot robot{*session, atlas, profile};
-  RunKeeper keeper(robot, explorer, out.path(), summary);
-  keeper.save("exploring");
-  keeper.save("complete");
+  RunWriter writer(robot, explorer, run, summary);
+  writer.save("exploring");
+  writer.save("complete");
   EXPECT_EQ(files::read_text_file(out / kFormerRecordName), "old");
   EXPECT_EQ(files::read_text_file(out / "former_1.before/map.png"), "old");
   EXPECT_FALSE(exists(out / "former_1"));

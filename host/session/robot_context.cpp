@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "host/session/robot_context.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "host/exploration/atlas_explorer.hpp"
+#include "host/session/pipeline_setup.hpp"
+
+namespace echomap::session {
+
+void RobotContext::begin_maps(const std::string& slam) {
+  atlas_.emplace(atlas_for(profile_, slam));
+  slam_ = atlas_->pipeline().slam() != nullptr ? slam : kNoSlam;
+  fork_.add(*atlas_);
+}
+
+void RobotContext::end_maps() {
+  fork_.remove(*atlas_);
+  if (follower_) {
+    fork_.remove(follower_->sink());
+    follower_.reset();
+  }
+}
+
+void RobotContext::follow(std::unique_ptr<Follower> follower) {
+  follower_ = std::move(follower);
+  if (!follower_) {
+    return;
+  }
+  if (atlas_) {
+    fork_.remove(*atlas_);
+  }
+  fork_.add(follower_->sink());
+  if (atlas_) {
+    fork_.add(*atlas_);
+  }
+}
+
+void RobotContext::open(OpenedRobot robot) {
+  lockstep_ = std::move(robot.lockstep);
+  session_.emplace(std::move(robot.connection), profile_, sessions_);
+  session_->on_step = [this] {
+    if (follower_) {
+      follower_->poll(*session_);
+    }
+    if (on_step) {
+      on_step();
+    }
+  };
+}
+
+void RobotContext::connect() {
+  session_->connect();
+  if (follower_) {
+    follower_->begin(*session_);
+  }
+}
+
+exploration::MotionResult RobotContext::execute(const exploration::Motion& motion) {
+  const auto changed = atlas_ ? exploration::change_maps(*atlas_, motion) : std::nullopt;
+  return changed ? *changed : session_->execute(motion);
+}
+
+double now_s(const RobotSession& session) {
+  return std::chrono::duration<double>(session.now().time_since_epoch()).count();
+}
+
+}  // namespace echomap::session

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "host/pipeline/joined_sessions.hpp"
+#include "host/pipeline/observation_fork.hpp"
+#include "host/pipeline/robot_atlas.hpp"
+#include "host/session/follower.hpp"
+#include "host/session/open_robot.hpp"
+#include "host/session/robot_profile.hpp"
+#include "host/session/robot_session.hpp"
+#include "host/session/seed.hpp"
+
+namespace echomap::session {
+
+/// What a command that drives a robot is assembled from, in this order: its profile and the seed,
+/// the maps or the follower (or both) that its observations go to, its open port.
+class RobotContext {
+ public:
+  RobotContext(RobotProfile profile, const Seed& seed)
+      : profile_(std::move(profile)), seed_(seed) {}
+  RobotContext(const RobotContext&) = delete;
+  RobotContext& operator=(const RobotContext&) = delete;
+
+  /// Maps what the robot senses. The SLAM method of that name places it (`pipeline_for`).
+  void begin_maps(const std::string& slam);
+  /// Leaves the maps as they are from here on, and follows no more.
+  void end_maps();
+  /// Hands what the robot senses to the follower, before the maps; null is none.
+  void follow(std::unique_ptr<Follower> follower);
+  /// The way to the robot, which is not yet spoken to.
+  void open(OpenedRobot robot);
+  /// Connects the session and lets the follower begin. Throws as RobotSession::connect and
+  /// Follower::begin do.
+  void connect();
+  /// Carries out one motion of the robot, or one decision about its maps.
+  exploration::MotionResult execute(const exploration::Motion& motion);
+  /// Ends a simulated robot; false where it ended without its truth, or is none.
+  bool quit() { return lockstep_ && lockstep_->quit(); }
+
+  const RobotProfile& profile() const { return profile_; }
+  const Seed& seed() const { return seed_; }
+  /// Where others listen to what the robot senses.
+  pipeline::ObservationFork& fork() { return fork_; }
+  /// Where the record of an earlier session is played, before the port is open.
+  pipeline::JoinedSessions& sessions() { return sessions_; }
+  /// After `begin_maps`.
+  pipeline::RobotAtlas& atlas() { return *atlas_; }
+  const pipeline::RobotAtlas& atlas() const { return *atlas_; }
+  /// Name of the SLAM method that places the robot, or kNoSlam. After `begin_maps`.
+  const std::string& slam() const { return slam_; }
+  bool is_followed() const { return follower_ != nullptr; }
+  /// After `open`.
+  RobotSession& session() { return *session_; }
+  const RobotSession& session() const { return *session_; }
+  /// The clock of a simulated robot; null for one on a desk.
+  transport::LockstepChannel* lockstep() { return lockstep_.get(); }
+
+  /// Called after every step of the session's time.
+  std::function<void()> on_step;
+
+ private:
+  RobotProfile profile_;
+  Seed seed_;
+  pipeline::ObservationFork fork_;
+  pipeline::JoinedSessions sessions_{fork_};
+  std::optional<pipeline::RobotAtlas> atlas_;
+  std::string slam_;
+  std::unique_ptr<Follower> follower_;
+  std::unique_ptr<transport::LockstepChannel> lockstep_;
+  std::optional<RobotSession> session_;
+};
+
+/// The session's time, in seconds.
+double now_s(const RobotSession& session);
+
+}  // namespace echomap::session

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "host/session/robot_context.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/host/session/session_on_a_cable.hpp"
+
+namespace echomap::session {
+namespace {
+
+/// Writes down what becomes of it, and how many stops the maps had at the end of a scan.
+class Witness final : public Follower, public pipeline::ObservationSink {
+ public:
+  Witness(std::vector<std::string>& seen, RobotContext& robot) : seen_(seen), robot_(robot) {}
+
+  pipeline::ObservationSink& sink() override { return *this; }
+  void poll(const RobotSession& /*session*/) override { note("poll"); }
+  void begin(RobotSession& session) override {
+    note(session.link().state() == robot_link::LinkState::kReady ? "begin" : "begin too early");
+  }
+  void on_odometry(const sensors::OdometryObservation& /*observation*/) override {}
+  void on_sonar(const sensors::SonarObservation& /*observation*/) override {}
+  void begin_scan() override {}
+  void end_scan() override {
+    note("scan " + std::to_string(robot_.atlas().pipeline().snapshot().stops));
+  }
+
+ private:
+  void note(const std::string& what) {
+    if (seen_.empty() || seen_.back() != what) {
+      seen_.push_back(what);
+    }
+  }
+
+  std::vector<std::string>& seen_;
+  RobotContext& robot_;
+};
+
+class RobotContextTest : public SessionOnACable {
+ protected:
+  RobotContextTest() { context.begin_maps("none"); }
+  void open_and_connect() {
+    context.open({new_connection(), nullptr});
+    context.connect();
+  }
+  void stop() {
+    context.execute(exploration::BeginScan{});
+    context.execute(exploration::EndScan{});
+  }
+  std::size_t stops() const { return context.atlas().pipeline().snapshot().stops; }
+
+  std::vector<std::string> seen;
+  RobotContext context{profile, Seed(1)};
+};
+
+TEST_F(RobotContextTest, AFollowerSensesBeforeTheMapsAndIsPolledAtEveryStep) {
+  context.follow(std::make_unique<Witness>(seen, context));
+  EXPECT_TRUE(context.is_followed());
+  int steps = 0;
+  context.on_step = [&] { ++steps; };
+  open_and_connect();
+  stop();
+  EXPECT_GT(steps, 0);
+  EXPECT_EQ(seen, (std::vector<std::string>{"poll", "begin", "scan 0"}));
+  EXPECT_EQ(stops(), 1U);
+}
+
+TEST_F(RobotContextTest, LeavesMapsThatHaveEndedAsTheyAre) {
+  context.follow(std::make_unique<Witness>(seen, context));
+  open_and_connect();
+  stop();
+  context.end_maps();
+  seen.clear();
+  stop();
+  context.execute(exploration::Turn{0.5});
+  EXPECT_EQ(stops(), 1U);
+  EXPECT_TRUE(seen.empty());
+  EXPECT_FALSE(context.is_followed());
+}
+
+TEST_F(RobotContextTest, CarriesOutWhatIsDecidedAboutTheMaps) {
+  open_and_connect();
+  stop();
+  stop();
+  EXPECT_EQ(context.execute(exploration::JoinMaps{}), exploration::MotionResult::kRefused);
+  EXPECT_EQ(context.execute(exploration::BeginNewMap{1}), exploration::MotionResult::kReached);
+  EXPECT_EQ(context.atlas().former_maps().size(), 1U);
+  EXPECT_EQ(stops(), 1U) << "the last is of the new map";
+}
+
+TEST_F(RobotContextTest, CannotEndARealRobot) {
+  open_and_connect();
+  EXPECT_EQ(context.lockstep(), nullptr);
+  EXPECT_FALSE(context.quit());
+  EXPECT_GT(now_s(context.session()), 0.0);
+}
+
+TEST(Seed, MakesTheSameNumbersAgain) {
+  const Seed seed(7);
+  auto random = seed.generator(SeedPurpose::kStrategy);
+  EXPECT_EQ(random(), std::mt19937(7)()) << "as in the runs that are published";
+  EXPECT_EQ(seed.of(SeedPurpose::kSimulation), 7U);
+}
+
+}  // namespace
+}  // namespace echomap::session
