@@ -15,6 +15,7 @@
 #include "host/console/print.hpp"
 #include "host/exploration/atlas_explorer.hpp"
 #include "host/exports/run_directory.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "host/strategies/strategy_setup.hpp"
 #include "host/tracking/camera_follower.hpp"
 

@@ -11,6 +11,7 @@
 
 namespace echomap::mapping {
 
+/// A feature is a wall or a point, as a landmark is.
 using models::LandmarkKind;
 
 /// What a sonar can hear: a wall, or a point that answers from all around, as an edge, a corner, a

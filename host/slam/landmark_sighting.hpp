@@ -11,6 +11,7 @@
 
 namespace echomap::slam {
 
+/// The sensor model knows the kinds of landmarks.
 using models::LandmarkKind;
 
 /// A landmark as a sensor has seen it.

@@ -6,6 +6,7 @@
 #include "host/apps/saved_map.hpp"
 #include "host/exports/observations_csv.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "host/strategies/strategy_setup.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
 #include "tests/support/scratch_folder.hpp"
