@@ -155,6 +155,9 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   }
   const auto out = run_folder(options.out);
   prepare_outputs(out, options.json);
+  if (!fs::equivalent(options.log, out)) {
+    move_earlier_run_aside(out);
+  }
   for (std::size_t i = 0; i < atlas.former_maps().size(); ++i) {
     const pipeline::FormerMap& former = atlas.former_maps()[i];
     save_played({former.record, former.pipeline, slam},

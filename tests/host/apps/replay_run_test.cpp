@@ -81,6 +81,17 @@ TEST_F(ReplayRunTest, WritesTheSameFiles) {
             nlohmann::json::parse(live_text("summary.json"))["pose_std_m"]);
 }
 
+TEST_F(ReplayRunTest, MayHaveTheRunsOwnDirectoryOrThatOfAnotherRun) {
+  std::filesystem::create_directories(former_map_of(options.out, 1));
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  EXPECT_FALSE(exists(former_map_of(options.out, 1))) << "a map of the run before";
+  const std::string map = text("map.pgm");
+  options.log = options.out;
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  EXPECT_EQ(text("map.pgm"), map);
+  EXPECT_FALSE(exists(options.out / kFormerRecordName));
+}
+
 TEST_F(ReplayRunTest, KeepsTheOutlineThatTheStrategyDrew) {
   save_map(atlas.pipeline(), profile, options.log, summary, {{0.1, 0.2}, {1.0, 0.3}, {0.7, 1.0}});
   EXPECT_EQ(run_replay(options), console::ExitCode::kOk);
