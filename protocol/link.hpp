@@ -33,7 +33,7 @@ class ReceiveCounters {
 };
 
 /// The robot's memory of the last command, so that a resent one is acknowledged again but not done
-/// again. Command ids 1 .. 255 go round; 0 stands for none.
+/// again. Command ids 1 .. 255 go round; 0 is no command.
 class CommandFilter {
  public:
   /// A Hello with a new session forgets the last command; true when the session is new.

@@ -19,7 +19,8 @@ bool reached(uint16_t value, uint16_t limit) { return limit != 0 && value >= lim
 
 }  // namespace
 
-MotionOutcome WheelGuard::judge(const protocol::ConfigureSafety& limits, const WheelPeriod& now) {
+MotionOutcome WheelGuard::classify(const protocol::ConfigureSafety& limits,
+                                   const WheelPeriod& now) {
   const uint16_t turned = magnitude(now.turned_ticks);
   const uint16_t turned_of_4 = magnitude(now.turned_ticks_of_4);
   const bool silent = turned_of_4 <= kChatterTicks && magnitude(now.duty) >= kDrivenDuty;

@@ -28,7 +28,7 @@ class WheelGuard {
   void reset() { *this = WheelGuard(); }
 
   /// Once a control period; kNone, kStalled, kRunaway or kOverSpeed.
-  protocol::MotionOutcome judge(const protocol::ConfigureSafety& limits, const WheelPeriod& now);
+  protocol::MotionOutcome classify(const protocol::ConfigureSafety& limits, const WheelPeriod& now);
 
  private:
   uint16_t against_ticks_ = 0;

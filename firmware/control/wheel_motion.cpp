@@ -127,8 +127,8 @@ ECHOMAP_ONE_PIECE bool WheelMotion::step() {
   right_.prepare(settings_, last_steps_.right);
   left_.follow(encoders_.counts().left);
   right_.follow(encoders_.counts().right);
-  const MotionOutcome left_fault = left_.judge(settings_, limits_);
-  const MotionOutcome right_fault = right_.judge(settings_, limits_);
+  const MotionOutcome left_fault = left_.classify(settings_, limits_);
+  const MotionOutcome right_fault = right_.classify(settings_, limits_);
   const MotionOutcome fault = left_fault > right_fault ? left_fault : right_fault;
   if (fault != MotionOutcome::kNone) {
     stop(fault);

@@ -77,8 +77,8 @@ bool WheelSpeedController::arrived() const { return still_periods_ == kStillPeri
 bool WheelSpeedController::near() const { return magnitude(lag_) <= kArrived; }
 
 bool WheelSpeedController::stalled(const protocol::ConfigureDrive& limits) const {
-  constexpr int32_t kLeastBoundTicks = 64;
-  const int32_t bound_ticks = kLeastBoundTicks + limits.max_ticks_per_s / 4;
+  constexpr int32_t kMinBoundTicks = 64;
+  const int32_t bound_ticks = kMinBoundTicks + limits.max_ticks_per_s / 4;
   return magnitude(lag_) > bound_ticks * kOneTick || magnitude(push_) >= kFullDrive;
 }
 

@@ -12,7 +12,7 @@ namespace drivers {
 /// The two bump contacts.
 class Contacts {
  public:
-  static constexpr uint8_t kMostReleaseMs = DebouncedBits::kMostReleaseMs;
+  static constexpr uint8_t kMaxReleaseMs = DebouncedBits::kMaxReleaseMs;
 
   /// Reads the pins; once a millisecond.
   void poll() { bits_.update(hal::pressed_contacts()); }

@@ -7,12 +7,12 @@ namespace echomap {
 namespace drivers {
 
 /// Up to eight contacts or detectors. What one shows counts at once, and until it has not shown it
-/// in a whole window of kReleaseMs, that is for kReleaseMs to kMostReleaseMs: contacts bounce, and
+/// in a whole window of kReleaseMs, that is for kReleaseMs to kMaxReleaseMs: contacts bounce, and
 /// beams flicker at an edge. None keeps another active.
 class DebouncedBits {
  public:
   static constexpr uint8_t kReleaseMs = 20;
-  static constexpr uint8_t kMostReleaseMs = 2 * kReleaseMs;
+  static constexpr uint8_t kMaxReleaseMs = 2 * kReleaseMs;
 
   /// Takes what is shown now; once a millisecond.
   void update(uint8_t shown);

@@ -18,9 +18,9 @@ bool is_stepper(const protocol::ConfigurePan& settings) {
 }  // namespace
 
 bool PanDrive::accepts(const protocol::ConfigurePan& settings) {
-  const int32_t farthest_cdeg = is_stepper(settings) ? protocol::kMaxPanCdeg : kHalfTurnCdeg;
-  if (settings.min_cdeg > settings.max_cdeg || settings.min_cdeg < -farthest_cdeg ||
-      settings.max_cdeg > farthest_cdeg || settings.deg_per_s == 0) {
+  const int32_t limit_cdeg = is_stepper(settings) ? protocol::kMaxPanCdeg : kHalfTurnCdeg;
+  if (settings.min_cdeg > settings.max_cdeg || settings.min_cdeg < -limit_cdeg ||
+      settings.max_cdeg > limit_cdeg || settings.deg_per_s == 0) {
     return false;
   }
   if (is_stepper(settings)) {

@@ -9,7 +9,7 @@ namespace tasks {
 namespace {
 
 constexpr uint8_t kSharePercent = 70;
-constexpr uint16_t kMostCredit = LineBudget::kMostCreditBytes * 256U;
+constexpr uint16_t kMaxCredit = LineBudget::kMaxCreditBytes * 256U;
 
 /// 1/256 bytes in a millisecond, which is also bytes in a window.
 uint16_t share() {
@@ -20,7 +20,7 @@ uint16_t share() {
 
 void LineBudget::tick() {
   const uint16_t earned = share();
-  credit_ = credit_ < kMostCredit - earned ? static_cast<uint16_t>(credit_ + earned) : kMostCredit;
+  credit_ = credit_ < kMaxCredit - earned ? static_cast<uint16_t>(credit_ + earned) : kMaxCredit;
   if (++window_ms_ == 0) {
     end_window(earned);
   }

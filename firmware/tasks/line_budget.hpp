@@ -13,7 +13,7 @@ class LineBudget {
   /// Periods are never stretched by more than 2 to this power.
   static constexpr uint8_t kMaxRateStep = 5;
   /// What an idle line saves up for a burst.
-  static constexpr uint8_t kMostCreditBytes = 128;
+  static constexpr uint8_t kMaxCreditBytes = 128;
   /// A step is taken back after this many windows in which twice as much would have fitted: 2 s.
   static constexpr uint8_t kQuietWindows = 8;
 

@@ -34,7 +34,7 @@ void Telemetry::add(const protocol::Echo& echo) {
 }
 
 ECHOMAP_ONE_PIECE void Telemetry::tick() {
-  stack_free_bytes_ = hal::least_free_stack_bytes();
+  stack_free_bytes_ = hal::min_free_stack_bytes();
   if (!on_) {
     return;
   }

@@ -20,7 +20,7 @@ constexpr std::int64_t kTwoCyclesNs = 125;
 /// The timer of the servo counts at clk/8.
 constexpr double kServoCountUs = 0.5;
 /// Shortest trigger pulse that an HC-SR04 answers: its data sheet, "Timing diagram".
-constexpr std::uint64_t kLeastTriggerCycles = kClockHz / 100'000;
+constexpr std::uint64_t kMinTriggerCycles = kClockHz / 100'000;
 
 std::int64_t ns_of_cycle(std::uint64_t cycle) {
   return static_cast<std::int64_t>(cycle) * kTwoCyclesNs / 2;
@@ -147,7 +147,7 @@ void SimavrBoard::on_trigger_level(bool high) {
   if (high && !trigger_high_) {
     trigger_rise_cycle_ = now;
   }
-  const bool ended = !high && trigger_high_ && now - trigger_rise_cycle_ >= kLeastTriggerCycles;
+  const bool ended = !high && trigger_high_ && now - trigger_rise_cycle_ >= kMinTriggerCycles;
   trigger_high_ = high;
   if (ended && on_trigger) {
     on_trigger(now_ns());

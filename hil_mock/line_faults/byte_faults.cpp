@@ -18,7 +18,7 @@ std::uint8_t with_flipped_bit(std::uint8_t byte, world::NoiseStream& noise) {
 
 bool is_share(double value) { return value >= 0.0 && value <= 1.0; }
 
-FaultRates checked(const FaultRates& rates) {
+FaultRates validated(const FaultRates& rates) {
   const double sum = rates.flip + rates.drop + rates.insert + rates.burst + rates.cut;
   const bool holds = is_share(rates.flip) && is_share(rates.drop) && is_share(rates.insert) &&
                      is_share(rates.burst) && is_share(rates.cut) && is_share(sum);
@@ -57,7 +57,7 @@ void apply_fault(FaultKind kind,
 }
 
 ByteFaults::ByteFaults(const FaultRates& rates, world::NoiseStream noise)
-    : rates_(checked(rates)), noise_(noise) {}
+    : rates_(validated(rates)), noise_(noise) {}
 
 std::vector<std::uint8_t> ByteFaults::pass(std::span<const std::uint8_t> bytes) {
   std::vector<std::uint8_t> passed;

@@ -76,10 +76,9 @@ LineFaults parse_line_faults(const std::string& text) {
     } else if (const auto share = shares.find(name); share != shares.end()) {
       *share->second = read_share(name, value);
     } else {
-      throw std::invalid_argument(
-          "'" + part +
-          "': expected flip, drop, insert, burst, cut, loss, away or seed, as "
-          "in flip=1e-4,loss=0.01,seed=3");
+      throw std::invalid_argument("'" + part +
+                                  "': expected flip, drop, insert, burst, cut, loss, away or seed, "
+                                  "as in flip=1e-4,loss=0.01,seed=3");
     }
   }
   FaultyLine(faults, Direction::kToRobot);

@@ -12,7 +12,7 @@ namespace {
 constexpr double kFullDuty = 255.0;
 /// The converter's reference is a supply of 5 V.
 constexpr double kCountsPerMillivolt = 1024.0 / 5000.0;
-constexpr double kMostCounts = 1023.0;
+constexpr double kMaxCounts = 1023.0;
 
 }  // namespace
 
@@ -63,7 +63,7 @@ void MockBoard::set_aux_level(unsigned pin, bool high) {
 }
 
 void MockBoard::set_aux_millivolts(unsigned pin, double millivolts) {
-  const double counts = std::clamp(millivolts * kCountsPerMillivolt, 0.0, kMostCounts);
+  const double counts = std::clamp(millivolts * kCountsPerMillivolt, 0.0, kMaxCounts);
   board_.set_aux_analog(static_cast<std::uint8_t>(pin), static_cast<std::uint16_t>(counts));
 }
 

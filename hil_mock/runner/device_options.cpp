@@ -114,11 +114,10 @@ void add_line_faults(CLI::App& app, RawOptions& raw) {
   app.add_option(
          "--faults",
          raw.faults,
-         "Faults of the line, for each byte: flip=R,drop=R,insert=R,burst=R,cut=R; for each "
-         "frame: loss=R; away=AT_S:FOR_S for a while without any; and seed=N, by default that of "
-         "--seed")
+         "Faults of the line, for each byte: flip=R,drop=R,insert=R,burst=R,cut=R; for each frame: "
+         "loss=R; away=AT_S:FOR_S for a while without any; and seed=N, by default that of --seed")
       ->check(check_faults);
-  app.add_option("--line", raw.line, "What carries the bytes, and delays them")
+  app.add_option("--line", raw.line, "Serial line, with the modelled delays of an adapter")
       ->check(CLI::IsMember({"direct", "usb", "ftdi", "bluetooth"}))
       ->capture_default_str();
 }
@@ -138,11 +137,12 @@ void add_place_options(CLI::App& app, DeviceOptions& options, RawOptions& raw) {
       ->check(check_finite);
   auto* camera = app.add_option("--camera",
                                 options.camera,
-                                "Send an overhead camera's fixes to udp:PORT of this machine, or "
-                                "serve them on tcp:PORT");
-  app.add_option("--camera-params",
-                 raw.camera_params,
-                 "What the camera is like: rate=HZ,delay=S,jitter=S,noise=M,heading=DEG,drop=SHARE")
+                                "Send an overhead camera's pose measurements to udp:PORT of this "
+                                "machine, or serve them on tcp:PORT");
+  app.add_option(
+         "--camera-params",
+         raw.camera_params,
+         "Parameters of the camera: rate=HZ,delay=S,jitter=S,noise=M,heading=DEG,drop=SHARE")
       ->check(check_camera)
       ->needs(camera);
 }
@@ -166,7 +166,7 @@ void add_options(CLI::App& app,
       ->check(check_speed)
       ->capture_default_str()
       ->excludes(lockstep);
-  app.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
+  app.add_option("--seed", options.seed, "Seed of every random generator")->capture_default_str();
   add_line_faults(app, raw);
   app.add_option("--part-faults",
                  raw.part_faults,

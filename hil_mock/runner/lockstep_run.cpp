@@ -39,7 +39,7 @@ LockstepEnd LockstepRun::run() {
       continue;
     }
     if (const auto* bad = std::get_if<BadRequest>(&*request)) {
-      throw std::runtime_error("the lockstep host says what no host should: " + bad->line);
+      throw std::runtime_error("unexpected lockstep request: " + bad->line);
     }
     if (std::holds_alternative<Quit>(*request)) {
       return LockstepEnd::kQuit;

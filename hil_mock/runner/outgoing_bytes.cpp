@@ -9,14 +9,14 @@
 namespace echomap::runner {
 namespace {
 
-constexpr std::size_t kMostUnread = 4096;
+constexpr std::size_t kMaxUnread = 4096;
 
 }  // namespace
 
 void OutgoingBytes::push(std::span<const std::uint8_t> bytes) {
   std::size_t taken = bytes.size();
   if (when_unread_ == WhenUnread::kDrop) {
-    taken = std::min(taken, kMostUnread - std::min(kMostUnread, bytes_.size()));
+    taken = std::min(taken, kMaxUnread - std::min(kMaxUnread, bytes_.size()));
     dropped_ += bytes.size() - taken;
   }
   bytes_.insert(bytes_.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(taken));

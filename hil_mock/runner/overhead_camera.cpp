@@ -17,15 +17,15 @@ namespace {
 
 constexpr double kSecondNs = 1e9;
 /// A room is no darker than a second's exposure, and nobody waits for a fix longer than a minute.
-constexpr double kLeastHz = 1.0;
-constexpr double kMostHz = 1000.0;
+constexpr double kMinHz = 1.0;
+constexpr double kMaxHz = 1000.0;
 constexpr double kLongestDelayS = 60.0;
 
-const CameraParams& checked(const CameraParams& params) {
+const CameraParams& validated(const CameraParams& params) {
   const auto within = [](double value, double least, double most) {
     return value >= least && value <= most;
   };
-  const bool times_ok = within(params.rate_hz, kLeastHz, kMostHz) &&
+  const bool times_ok = within(params.rate_hz, kMinHz, kMaxHz) &&
                         within(params.delay_s, 0.0, kLongestDelayS) &&
                         within(params.jitter_s, 0.0, kLongestDelayS);
   const bool noise_ok = within(params.noise_m, 0.0, 10.0) && within(params.noise_deg, 0.0, 180.0) &&
@@ -70,11 +70,11 @@ CameraParams parse_camera(const std::string& text) {
     }
     *number->second = number_in(part, part.substr(equals + 1));
   }
-  return checked(params);
+  return validated(params);
 }
 
 OverheadCamera::OverheadCamera(const CameraParams& params, std::uint32_t seed)
-    : params_(checked(params)),
+    : params_(validated(params)),
       noise_(seed, world::NoisePurpose::kCamera),
       period_ns_(nanoseconds(1.0 / params.rate_hz)) {}
 
@@ -109,16 +109,16 @@ void OverheadCamera::take_picture(std::int64_t now_ns, const geometry::Pose2& T_
 }
 
 std::string OverheadCamera::line_of(const Fix& fix) const {
-  constexpr double kLeastStdM = 1e-3;
-  constexpr double kLeastStdRad = 1e-3;
+  constexpr double kMinStddevM = 1e-3;
+  constexpr double kMinStddevRad = 1e-3;
   const nlohmann::ordered_json json{
       {"stamp_s", static_cast<double>(fix.stamp_ns) / kSecondNs},
       {"sent_s", static_cast<double>(fix.sent_ns) / kSecondNs},
       {"x_m", fix.T_world_robot.x_m()},
       {"y_m", fix.T_world_robot.y_m()},
       {"heading_rad", fix.T_world_robot.heading_rad()},
-      {"std_m", std::max(kLeastStdM, params_.noise_m)},
-      {"std_rad", std::max(kLeastStdRad, geometry::radians(params_.noise_deg))}};
+      {"std_m", std::max(kMinStddevM, params_.noise_m)},
+      {"std_rad", std::max(kMinStddevRad, geometry::radians(params_.noise_deg))}};
   return json.dump();
 }
 

@@ -28,7 +28,7 @@ class SimulatedBoard {
   virtual std::int64_t now_ns() const = 0;
   /// Runs the board's program up to `until_ns`; calls the hooks below from within.
   virtual void run_until(std::int64_t until_ns) = 0;
-  /// Pulls the reset pin: the program starts anew, time goes on.
+  /// Pulls the reset pin: the program starts again, time goes on.
   virtual void reset() = 0;
 
   /// Bytes on the board's receive line, paced by its baud rate.

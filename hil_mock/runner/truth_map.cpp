@@ -23,20 +23,20 @@ std::size_t index(const TruthMap& map, int column, int row) {
 }
 
 TruthMap empty_map_around(const world::Polygon& room_m, double resolution_m) {
-  Eigen::Vector2d least_m = room_m.front();
-  Eigen::Vector2d most_m = room_m.front();
+  Eigen::Vector2d min_m = room_m.front();
+  Eigen::Vector2d max_m = room_m.front();
   for (const Eigen::Vector2d& corner_m : room_m) {
-    least_m = least_m.cwiseMin(corner_m);
-    most_m = most_m.cwiseMax(corner_m);
+    min_m = min_m.cwiseMin(corner_m);
+    max_m = max_m.cwiseMax(corner_m);
   }
   const Eigen::Vector2d cells =
-      (most_m - least_m + Eigen::Vector2d::Constant(2.0 * kMarginM)) / resolution_m;
+      (max_m - min_m + Eigen::Vector2d::Constant(2.0 * kMarginM)) / resolution_m;
   TruthMap map;
   map.resolution_m = resolution_m;
   map.width = static_cast<int>(std::ceil(cells.x() - kRounding));
   map.height = static_cast<int>(std::ceil(cells.y() - kRounding));
-  map.origin_x_m = least_m.x() - kMarginM;
-  map.origin_y_m = least_m.y() - kMarginM;
+  map.origin_x_m = min_m.x() - kMarginM;
+  map.origin_y_m = min_m.y() - kMarginM;
   map.cells.assign(index(map, 0, map.height), TruthCell::kUnknown);
   return map;
 }

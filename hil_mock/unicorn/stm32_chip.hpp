@@ -29,7 +29,7 @@ constexpr std::uint64_t kClockHz = 72'000'000;
 
 /// Cost of a half-word of code in cycles of the CPU. Most instructions have one half-word and take
 /// one cycle (Cortex-M3 technical reference manual, section 3.3) from a memory that keeps up.
-constexpr unsigned kLeastCyclesPerHalfWord = 1;
+constexpr unsigned kMinCyclesPerHalfWord = 1;
 /// Two more, as if the prefetch buffer never hid one of the flash's two wait states at 72 MHz (ST
 /// PM0075, section 3.1): what branches and loads take beyond a cycle is less than that on average.
 constexpr unsigned kPessimisticCyclesPerHalfWord = 3;
@@ -51,7 +51,7 @@ class Stm32Chip {
   /// where the program has crashed.
   void run_to(std::uint64_t cycle);
   void reset(ResetSource source);
-  /// What a half-word of code costs from now on; kLeastCyclesPerHalfWord before.
+  /// What a half-word of code costs from now on; kMinCyclesPerHalfWord before.
   void set_cycles_per_half_word(unsigned cycles);
 
   EventQueue& queue() { return queue_; }
@@ -115,7 +115,7 @@ class Stm32Chip {
   CortexCore::Device core_registers_;
   CortexCore::Device flash_data_;
   CortexCore core_{queue_, nvic_};
-  unsigned cycles_per_half_word_ = kLeastCyclesPerHalfWord;
+  unsigned cycles_per_half_word_ = kMinCyclesPerHalfWord;
   unsigned held_clocks_ = 0;
   bool watchdog_bites_ = false;
   std::string refused_;

@@ -18,7 +18,7 @@ using runner::Wheel;
 constexpr std::int64_t kNineCyclesNs = 125;
 constexpr double kCyclesPerUs = 72.0;
 /// Shortest trigger pulse that an HC-SR04 answers: its data sheet, "Timing diagram".
-constexpr std::uint64_t kLeastTriggerCycles = kClockHz / 100'000;
+constexpr std::uint64_t kMinTriggerCycles = kClockHz / 100'000;
 
 std::int64_t ns_of_cycle(std::uint64_t cycle) {
   return static_cast<std::int64_t>(cycle) * kNineCyclesNs / 9;
@@ -48,7 +48,7 @@ double duty_of(const Stm32Chip& chip, const MotorPins& motor) {
 
 /// Of 12 bits; the supply of 3.3 V is the reference.
 constexpr double kCountsPerMillivolt = 4096.0 / 3300.0;
-constexpr double kMostCounts = 4095.0;
+constexpr double kMaxCounts = 4095.0;
 
 Pin spare_pin(unsigned pin) {
   if (pin >= blue_pill_pins::kSpare.size()) {
@@ -119,7 +119,7 @@ void UnicornBoard::set_aux_millivolts(unsigned pin, double millivolts) {
   if (pin >= blue_pill_pins::kChannelOfSpare.size()) {
     throw std::invalid_argument("stm32f103's pin_" + std::to_string(pin) + " reads no voltage");
   }
-  const double counts = std::clamp(millivolts * kCountsPerMillivolt, 0.0, kMostCounts);
+  const double counts = std::clamp(millivolts * kCountsPerMillivolt, 0.0, kMaxCounts);
   chip_.adc().set_input(blue_pill_pins::kChannelOfSpare.at(pin),
                         static_cast<std::uint16_t>(counts));
 }
@@ -156,7 +156,7 @@ void UnicornBoard::on_trigger_level(bool high) {
   const std::uint64_t now = chip_.cycle();
   if (high) {
     trigger_rise_cycle_ = now;
-  } else if (now - trigger_rise_cycle_ >= kLeastTriggerCycles && on_trigger) {
+  } else if (now - trigger_rise_cycle_ >= kMinTriggerCycles && on_trigger) {
     on_trigger(now_ns());
   }
 }

@@ -21,11 +21,11 @@ bool cliff_under(const FloorPlan& plan,
 }
 
 double hole_distance_m(const FloorPlan& plan, const Eigen::Vector2d& point_m) {
-  double least_m = std::numeric_limits<double>::infinity();
+  double min_m = std::numeric_limits<double>::infinity();
   for (const Polygon& hole_m : plan.holes_m()) {
-    least_m = std::min(least_m, geometry::distance_to_sides_m(hole_m, point_m));
+    min_m = std::min(min_m, geometry::distance_to_sides_m(hole_m, point_m));
   }
-  return least_m;
+  return min_m;
 }
 
 }  // namespace echomap::world

@@ -118,11 +118,11 @@ bool FloorPlan::is_hole(const Eigen::Vector2d& point_m) const {
 }
 
 double FloorPlan::clearance_m(const Eigen::Vector2d& point_m) const {
-  double least_m = std::numeric_limits<double>::infinity();
+  double min_m = std::numeric_limits<double>::infinity();
   for (const Wall& wall : still_walls()) {
-    least_m = std::min(least_m, (nearest_point(wall.segment, point_m) - point_m).norm());
+    min_m = std::min(min_m, (nearest_point(wall.segment, point_m) - point_m).norm());
   }
-  return least_m;
+  return min_m;
 }
 
 void FloorPlan::put_people(std::span<const Disc> people) {

@@ -60,7 +60,7 @@ struct VirtualWall {
   double heading_rad = 0.0;
   double length_m = 0.0;
   /// Half of the beam's opening.
-  double half_angle_rad = 0.0;
+  double beam_half_angle_rad = 0.0;
 };
 
 /// What a floor has that is no wall, and who crosses it.

@@ -31,7 +31,7 @@ Surface read_surface(const files::TomlReader& table, const Surface& fallback) {
 }
 
 /// The truth map has a cell for every centimetre within.
-constexpr double kFarthestCornerM = 100.0;
+constexpr double kMaxCornerM = 100.0;
 /// No run is longer.
 constexpr double kLatestStartS = 1e9;
 
@@ -44,7 +44,7 @@ Polygon read_corners(const files::TomlReader& table) {
     table.fail("corners_m", *fault);
   }
   for (const Eigen::Vector2d& corner_m : corners_m) {
-    if (corner_m.cwiseAbs().maxCoeff() > kFarthestCornerM) {
+    if (corner_m.cwiseAbs().maxCoeff() > kMaxCornerM) {
       table.fail("corners_m", "a corner is more than 100 m away; corners are in metres");
     }
   }
@@ -72,7 +72,7 @@ VirtualWall read_virtual_wall(const files::TomlReader& table) {
   beam.origin_m = {table.number("x_m"), table.number("y_m")};
   beam.heading_rad = geometry::radians(table.number("heading_deg"));
   beam.length_m = positive(table, "length_m");
-  beam.half_angle_rad = geometry::radians(positive(table, "half_angle_deg"));
+  beam.beam_half_angle_rad = geometry::radians(positive(table, "beam_half_angle_deg"));
   return beam;
 }
 
@@ -86,7 +86,7 @@ PersonParams read_person(const files::TomlReader& table) {
     table.fail("path_m", "a path takes two points or more");
   }
   for (const Eigen::Vector2d& point_m : person.path_m) {
-    if (!(point_m.cwiseAbs().maxCoeff() <= kFarthestCornerM)) {
+    if (!(point_m.cwiseAbs().maxCoeff() <= kMaxCornerM)) {
       table.fail("path_m", "a point is more than 100 m away; points are in metres");
     }
   }

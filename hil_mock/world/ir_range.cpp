@@ -52,7 +52,7 @@ struct Kind {
   double half_range_m;
   /// e-puck: Mahmood and Ridao 2017, section 4, see a wall only "almost perpendicular".
   double incidence_power;
-  double half_angle_rad;
+  double beam_half_angle_rad;
   double period_s;
   double noise_mv;
 };
@@ -113,8 +113,8 @@ void IrRange::step(double dt_s, const geometry::Pose2& T_world_robot) {
 /// Mean over the middle and both edges of the beam.
 double IrRange::mean_millivolts(const geometry::Pose2& T_world_sensor) const {
   double sum_mv = 0.0;
-  const double half_angle_rad = kind_of(params_.kind).half_angle_rad;
-  for (const double off_axis_rad : {-half_angle_rad, 0.0, half_angle_rad}) {
+  const double beam_half_angle_rad = kind_of(params_.kind).beam_half_angle_rad;
+  for (const double off_axis_rad : {-beam_half_angle_rad, 0.0, beam_half_angle_rad}) {
     const double bearing_rad = T_world_sensor.heading_rad() + off_axis_rad;
     const auto hit = cast_ray(
         plan_, T_world_sensor.position_m(), {std::cos(bearing_rad), std::sin(bearing_rad)});

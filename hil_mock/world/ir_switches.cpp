@@ -41,10 +41,10 @@ bool own_beam_lights_up(const FloorPlan& plan,
 }  // namespace
 
 bool beam_reaches(const FloorPlan& plan, const VirtualWall& beam, const Eigen::Vector2d& point_m) {
-  const Eigen::Vector2d way_m = point_m - beam.origin_m;
+  const Eigen::Vector2d offset_m = point_m - beam.origin_m;
   const double off_axis_rad =
-      geometry::angle_between(beam.heading_rad, std::atan2(way_m.y(), way_m.x()));
-  return way_m.norm() <= beam.length_m && std::abs(off_axis_rad) <= beam.half_angle_rad &&
+      geometry::angle_between(beam.heading_rad, std::atan2(offset_m.y(), offset_m.x()));
+  return offset_m.norm() <= beam.length_m && std::abs(off_axis_rad) <= beam.beam_half_angle_rad &&
          sees(plan, beam.origin_m, point_m);
 }
 

@@ -49,7 +49,7 @@ const KindRow& kind_of(const std::string& fault, const std::string& name) {
     for (const KindRow& row : kKinds) {
       names.emplace_back(row.name);
     }
-    refuse(fault, "nothing is called '" + name + "'" + files::suggestion(name, names));
+    refuse(fault, "unknown part '" + name + "'" + files::suggestion(name, names));
   }
   return *found;
 }

@@ -15,7 +15,7 @@
 namespace echomap::world {
 namespace {
 
-constexpr double kFarthestMountM = 1.0;
+constexpr double kMaxMountM = 1.0;
 
 /// Boards that a robot may carry, by the names of their firmware's images.
 constexpr std::array kBoards = {"native", "uno", "mega", "stm32f103"};
@@ -49,7 +49,7 @@ Value named(const files::TomlReader& table,
 
 double coordinate(const files::TomlReader& table, std::string_view key) {
   const double value_m = table.number(key);
-  if (value_m < -kFarthestMountM || value_m > kFarthestMountM) {
+  if (value_m < -kMaxMountM || value_m > kMaxMountM) {
     table.fail(key, "it must be within 1 m of the middle of the axle");
   }
   return value_m;
@@ -104,8 +104,9 @@ BeamDetectorParams read_beam_detector(const files::TomlReader& table) {
 
 GyroParams read_gyro(const files::TomlReader& table) {
   GyroParams gyro;
-  gyro.bias_sd_deg_per_s = within(table, "bias_sd_deg_per_s", gyro.bias_sd_deg_per_s, 20.0);
-  gyro.scale_sd = within(table, "scale_sd", gyro.scale_sd, 0.1);
+  gyro.bias_stddev_deg_per_s =
+      within(table, "bias_stddev_deg_per_s", gyro.bias_stddev_deg_per_s, 20.0);
+  gyro.scale_stddev = within(table, "scale_stddev", gyro.scale_stddev, 0.1);
   gyro.bias_walk_deg_per_s_per_sqrt_s =
       within(table, "bias_walk_deg_per_s_per_sqrt_s", gyro.bias_walk_deg_per_s_per_sqrt_s, 10.0);
   gyro.noise_deg_per_s_per_sqrt_hz =

@@ -56,8 +56,8 @@ struct BeamDetectorParams {
 struct GyroParams {
   /// Standard deviations over runs: zero-rate output, data sheet +-20 at most; scale factor, +-3 %
   /// tolerance taken as three of them.
-  double bias_sd_deg_per_s = 2.0;
-  double scale_sd = 0.01;
+  double bias_stddev_deg_per_s = 2.0;
+  double scale_stddev = 0.01;
   /// Random walk of the bias: standard deviation after one second.
   double bias_walk_deg_per_s_per_sqrt_s = 0.002;
   double noise_deg_per_s_per_sqrt_hz = 0.005;

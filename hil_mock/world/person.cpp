@@ -23,11 +23,11 @@ void Person::step(double dt_s, double now_s, const Disc& robot) {
   if (now_s < params_.start_s || next_ == params_.path_m.size()) {
     return;
   }
-  const Eigen::Vector2d way_m = params_.path_m[next_] - at_m_;
+  const Eigen::Vector2d offset_m = params_.path_m[next_] - at_m_;
   const double step_m = params_.speed_m_per_s * dt_s;
-  const bool arrives = way_m.norm() <= step_m;
+  const bool arrives = offset_m.norm() <= step_m;
   const Eigen::Vector2d there_m =
-      arrives ? params_.path_m[next_] : Eigen::Vector2d(at_m_ + step_m * way_m.normalized());
+      arrives ? params_.path_m[next_] : Eigen::Vector2d(at_m_ + step_m * offset_m.normalized());
   const double apart_m = (there_m - robot.middle_m).norm();
   const bool comes_nearer = !place_ || apart_m < (at_m_ - robot.middle_m).norm();
   if (comes_nearer && apart_m < params_.radius_m + robot.radius_m + kCareM) {

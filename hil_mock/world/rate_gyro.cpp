@@ -11,8 +11,8 @@ namespace echomap::world {
 RateGyro::RateGyro(const GyroParams& params, const NoiseStream& noise)
     : params_(params),
       noise_(noise),
-      bias_deg_per_s_(params.bias_sd_deg_per_s * noise_.normal()),
-      scale_(1.0 + params.scale_sd * noise_.normal()) {}
+      bias_deg_per_s_(params.bias_stddev_deg_per_s * noise_.normal()),
+      scale_(1.0 + params.scale_stddev * noise_.normal()) {}
 
 void RateGyro::step(double dt_s, double yaw_rad_per_s, double bandwidth_hz) {
   bias_deg_per_s_ += params_.bias_walk_deg_per_s_per_sqrt_s * std::sqrt(dt_s) * noise_.normal();

@@ -22,13 +22,13 @@ void EncoderChanges::clear() {
 
 RobotBody::Errors RobotBody::draw_errors(const DriveParams& drive, NoiseStream& noise) {
   Errors errors;
-  const double common = drive.wheel_diameter_sd * noise.normal();
-  const double mismatch = drive.wheel_mismatch_sd * noise.normal();
+  const double common = drive.wheel_diameter_stddev * noise.normal();
+  const double mismatch = drive.wheel_mismatch_stddev * noise.normal();
   errors.left_diameter = 1.0 + common - 0.5 * mismatch;
   errors.right_diameter = 1.0 + common + 0.5 * mismatch;
-  errors.track = 1.0 + drive.track_sd * noise.normal();
-  errors.left_gain = 1.0 + drive.motor_gain_sd * noise.normal();
-  errors.right_gain = 1.0 + drive.motor_gain_sd * noise.normal();
+  errors.track = 1.0 + drive.track_stddev * noise.normal();
+  errors.left_gain = 1.0 + drive.motor_gain_stddev * noise.normal();
+  errors.right_gain = 1.0 + drive.motor_gain_stddev * noise.normal();
   return errors;
 }
 

@@ -16,10 +16,12 @@ DriveParams read_drive(const files::TomlReader& table) {
   drive.no_load_speed_m_per_s = positive(table, "no_load_speed_m_per_s");
   drive.time_constant_s = positive(table, "time_constant_s");
   drive.dead_zone_duty = within(table, "dead_zone_duty", drive.dead_zone_duty, 0.9);
-  drive.wheel_diameter_sd = within(table, "wheel_diameter_sd", drive.wheel_diameter_sd, 0.1);
-  drive.wheel_mismatch_sd = within(table, "wheel_mismatch_sd", drive.wheel_mismatch_sd, 0.1);
-  drive.track_sd = within(table, "track_sd", drive.track_sd, 0.1);
-  drive.motor_gain_sd = within(table, "motor_gain_sd", drive.motor_gain_sd, 0.2);
+  drive.wheel_diameter_stddev =
+      within(table, "wheel_diameter_stddev", drive.wheel_diameter_stddev, 0.1);
+  drive.wheel_mismatch_stddev =
+      within(table, "wheel_mismatch_stddev", drive.wheel_mismatch_stddev, 0.1);
+  drive.track_stddev = within(table, "track_stddev", drive.track_stddev, 0.1);
+  drive.motor_gain_stddev = within(table, "motor_gain_stddev", drive.motor_gain_stddev, 0.2);
   drive.slip_m_per_sqrt_m = within(table, "slip_m_per_sqrt_m", drive.slip_m_per_sqrt_m, 0.1);
   return drive;
 }
@@ -50,9 +52,9 @@ SonarParams read_sonar(const files::TomlReader& table) {
   SonarParams sonar;
   sonar.mount_x_m = table.number("mount_x_m");
   sonar.mount_y_m = table.number("mount_y_m");
-  sonar.cone_half_angle_rad = geometry::radians(positive(table, "cone_half_angle_deg"));
-  if (sonar.cone_half_angle_rad >= geometry::radians(45.0)) {
-    table.fail("cone_half_angle_deg", "it must be below 45");
+  sonar.beam_half_angle_rad = geometry::radians(positive(table, "beam_half_angle_deg"));
+  if (sonar.beam_half_angle_rad >= geometry::radians(45.0)) {
+    table.fail("beam_half_angle_deg", "it must be below 45");
   }
   sonar.min_range_m = positive(table, "min_range_m");
   sonar.max_range_m = positive(table, "max_range_m");

@@ -24,10 +24,10 @@ struct DriveParams {
   double dead_zone_duty = 0.12;
   /// Standard deviations over runs, relative: both wheels' diameter in common, one wheel against
   /// the other, the track, one motor's speed at a given duty.
-  double wheel_diameter_sd = 0.005;
-  double wheel_mismatch_sd = 0.0003;
-  double track_sd = 0.005;
-  double motor_gain_sd = 0.03;
+  double wheel_diameter_stddev = 0.005;
+  double wheel_mismatch_stddev = 0.0003;
+  double track_stddev = 0.005;
+  double motor_gain_stddev = 0.03;
   /// Random walk of each wheel's travel over ground: standard deviation after one metre.
   double slip_m_per_sqrt_m = 0.001;
 };
@@ -60,7 +60,7 @@ struct SonarParams {
   double mount_x_m = 0.03;
   double mount_y_m = 0.0;
   /// Angle off the axis at which a thin pole is seen every second time.
-  double cone_half_angle_rad = 0.227;
+  double beam_half_angle_rad = 0.227;
   double min_range_m = 0.04;
   double max_range_m = 4.0;
   /// Standard deviation of a reading.

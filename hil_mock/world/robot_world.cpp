@@ -12,7 +12,7 @@ namespace echomap::world {
 
 namespace {
 
-std::vector<PartFault> checked(std::vector<PartFault> faults, const RobotParams& robot) {
+std::vector<PartFault> validated(std::vector<PartFault> faults, const RobotParams& robot) {
   for (const PartFault& fault : faults) {
     const bool of_sonar =
         fault.kind == PartFaultKind::kSonarDead || fault.kind == PartFaultKind::kSonarStuck;
@@ -38,7 +38,7 @@ RobotWorld::RobotWorld(FloorPlan plan,
       sonar_noise_(seed, NoisePurpose::kSonar),
       places_(seed, NoisePurpose::kPlaces),
       parts_(plan_, body_, robot.parts, seed),
-      faults_(checked(std::move(faults), robot)) {
+      faults_(validated(std::move(faults), robot)) {
   for (const PersonParams& person : plan_.people()) {
     people_.emplace_back(person);
   }

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "hil_mock/world/ray_cast.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::world {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kIncidenceEdgeRad = geometry::radians(2.0);
 /// field nothing comes back that is not met straight on.
 constexpr double kGlassLimitRad = geometry::radians(4.0);
 /// Returns weaker than this are left out.
-constexpr double kLeastStrength = 1e-3;
+constexpr double kMinStrength = 1e-3;
 
 double fall_off(double distance_below, double width) {
   return 1.0 / (1.0 + std::exp(-distance_below / width));
@@ -33,18 +33,18 @@ double fall_off(double distance_below, double width) {
 
 SonarPhysics::SonarPhysics(const FloorPlan& plan, const SonarParams& params)
     : plan_(plan), params_(params) {
-  const bool cone_is_one =
-      params.cone_half_angle_rad > 0.0 && params.cone_half_angle_rad < 0.25 * std::numbers::pi;
-  const bool range_is_one = params.min_range_m >= 0.0 && params.max_range_m > params.min_range_m;
-  if (!cone_is_one || !range_is_one || params.speed_of_sound_m_per_s <= 0.0) {
-    throw std::invalid_argument("sonar: cone, range or speed of sound out of bounds");
-  }
+  geometry::ParameterValidator("sonar")
+      .positive("beam_half_angle_rad", params.beam_half_angle_rad)
+      .below("beam_half_angle_rad", params.beam_half_angle_rad, 0.25 * std::numbers::pi)
+      .at_least("min_range_m", params.min_range_m, 0.0)
+      .above("max_range_m", params.max_range_m, params.min_range_m)
+      .positive("speed_of_sound_m_per_s", params.speed_of_sound_m_per_s);
 }
 
 std::vector<SonarReturn> SonarPhysics::returns(const geometry::Pose2& T_world_sonar) const {
   std::vector<SonarReturn> found;
   const int rays =
-      static_cast<int>(std::ceil(kFanHalfAngles * params_.cone_half_angle_rad / kRayStepRad));
+      static_cast<int>(std::ceil(kFanHalfAngles * params_.beam_half_angle_rad / kRayStepRad));
   for (int i = -rays; i <= rays; ++i) {
     const double off_axis_rad = i * kRayStepRad;
     const double bearing_rad = T_world_sonar.heading_rad() + off_axis_rad;
@@ -80,8 +80,8 @@ std::optional<double> SonarPhysics::ping_m(const geometry::Pose2& T_world_sonar,
 }
 
 double SonarPhysics::beam_strength(double off_axis_rad) const {
-  const double half_angles = std::abs(off_axis_rad) / params_.cone_half_angle_rad;
-  return half_angles > kFanHalfAngles ? 0.0 : fall_off(1.0 - half_angles, kBeamEdge);
+  const double beam_half_angles = std::abs(off_axis_rad) / params_.beam_half_angle_rad;
+  return beam_half_angles > kFanHalfAngles ? 0.0 : fall_off(1.0 - beam_half_angles, kBeamEdge);
 }
 
 double SonarPhysics::wall_strength(double incidence_rad, Material material) const {
@@ -133,7 +133,7 @@ void SonarPhysics::add_corner(const geometry::Pose2& T_world_sonar,
 }
 
 void SonarPhysics::add(const SonarReturn& candidate, std::vector<SonarReturn>& found) const {
-  if (candidate.strength > kLeastStrength && candidate.range_m >= params_.min_range_m &&
+  if (candidate.strength > kMinStrength && candidate.range_m >= params_.min_range_m &&
       candidate.range_m <= params_.max_range_m) {
     found.push_back(candidate);
   }

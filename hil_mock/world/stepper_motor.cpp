@@ -43,9 +43,9 @@ void StepperMotor::step(double dt_s, const Coils& coils) {
   if (!goal) {
     return;
   }
-  const double way = std::remainder(*goal - half_steps_, kPattern);
+  const double direction = std::remainder(*goal - half_steps_, kPattern);
   const double reach = params_.max_half_steps_per_s * dt_s;
-  half_steps_ += std::clamp(way, -reach, reach);
+  half_steps_ += std::clamp(direction, -reach, reach);
 }
 
 double StepperMotor::pan_rad() const {

@@ -28,7 +28,7 @@ constexpr double kThinnestRad = geometry::radians(2.0);
 struct SonarCharacter {
   std::size_t sweeps = 0;
   std::vector<sensors::SweptWall> walls;
-  sensors::PooledOpening opening;
+  sensors::PooledBeamWidth opening;
   std::vector<sensors::IncidenceNoise> noise;
 };
 
@@ -59,22 +59,22 @@ SonarCharacter character_of(const CharacteriseOptions& options) {
          sweeps.laser_scans() > 0 ? "only scans of a laser, which has no cone"
                                   : "no sweep of a sonar");
   }
-  sensors::WallOpeningParams params;
-  params.range_sd_m = options.range_sd_m;
+  sensors::WallBeamWidthParams params;
+  params.range_stddev_m = options.range_stddev_m;
   SonarCharacter character;
   character.sweeps = sweeps.sweeps().size();
   for (const auto& sweep : sweeps.sweeps()) {
     const auto found = sensors::swept_walls(sweep, params);
     character.walls.insert(character.walls.end(), found.begin(), found.end());
   }
-  const auto pooled = sensors::pooled_opening(character.walls);
+  const auto pooled = sensors::pooled_beam_width(character.walls);
   if (!pooled) {
     fail(options,
-         fmt::format("{} sweeps show {} straight walls, and it takes 3 for a cone's opening",
+         fmt::format("{} sweeps show {} straight walls, but a beam width takes 3",
                      character.sweeps,
                      character.walls.size()));
   }
-  if (pooled->mean.opening_rad < kThinnestRad) {
+  if (pooled->mean.beam_width_rad < kThinnestRad) {
     fail(options, "its beams are as thin as a laser's, which has no cone");
   }
   character.opening = *pooled;
@@ -84,18 +84,18 @@ SonarCharacter character_of(const CharacteriseOptions& options) {
 
 /// To the tenth of a degree: the bounds are wider.
 double suggested_half_angle_deg(const SonarCharacter& character) {
-  return 0.1 * std::round(5.0 * degrees(character.opening.mean.opening_rad));
+  return 0.1 * std::round(5.0 * degrees(character.opening.mean.beam_width_rad));
 }
 
 nlohmann::ordered_json to_json(const SonarCharacter& character) {
-  const sensors::PooledOpening& opening = character.opening;
+  const sensors::PooledBeamWidth& opening = character.opening;
   nlohmann::ordered_json json{
       {"sweeps", character.sweeps},
       {"walls", character.walls.size()},
-      {"cone_opening_deg", degrees(opening.mean.opening_rad)},
-      {"cone_opening_low_deg", degrees(opening.mean.low_rad)},
-      {"cone_opening_high_deg", degrees(opening.mean.high_rad)},
-      {"cone_opening_spread_deg", degrees(opening.spread_rad)},
+      {"beam_width_deg", degrees(opening.mean.beam_width_rad)},
+      {"beam_width_low_deg", degrees(opening.mean.low_rad)},
+      {"beam_width_high_deg", degrees(opening.mean.high_rad)},
+      {"beam_width_spread_deg", degrees(opening.spread_rad)},
       {"suggested_beam_half_angle_deg", suggested_half_angle_deg(character)},
       {"range_noise", nlohmann::ordered_json::array()}};
   for (const sensors::IncidenceNoise& row : character.noise) {
@@ -103,29 +103,28 @@ nlohmann::ordered_json to_json(const SonarCharacter& character) {
                                    {"incidence_to_deg", degrees(row.to_rad)},
                                    {"readings", row.readings},
                                    {"bias_m", row.bias_m},
-                                   {"sd_m", row.sd_m}});
+                                   {"stddev_m", row.stddev_m}});
   }
   return json;
 }
 
 void print(const SonarCharacter& character) {
-  const sensors::PooledOpening& opening = character.opening;
+  const sensors::PooledBeamWidth& opening = character.opening;
   console::print(fmt::format("{} walls in {} sweeps", character.walls.size(), character.sweeps));
-  console::print(
-      fmt::format("  the cone opens by {:.1f} +- {:.1f} degrees from wall to wall, its mean lies "
-                  "from {:.1f} to {:.1f}",
-                  degrees(opening.mean.opening_rad),
-                  degrees(opening.spread_rad),
-                  degrees(opening.mean.low_rad),
-                  degrees(opening.mean.high_rad)));
-  console::print("  incidence   readings   bias       sd");
+  console::print(fmt::format(
+      "  beam width {:.1f} +- {:.1f} degrees from wall to wall, mean between {:.1f} and {:.1f}",
+      degrees(opening.mean.beam_width_rad),
+      degrees(opening.spread_rad),
+      degrees(opening.mean.low_rad),
+      degrees(opening.mean.high_rad)));
+  console::print("  incidence   readings   bias   stddev");
   for (const sensors::IncidenceNoise& row : character.noise) {
     console::print(fmt::format("  {:2.0f} .. {:2.0f} deg {:8d} {:7.1f} mm {:6.1f} mm",
                                degrees(row.from_rad),
                                degrees(row.to_rad),
                                row.readings,
                                1e3 * row.bias_m,
-                               1e3 * row.sd_m));
+                               1e3 * row.stddev_m));
   }
   console::print(fmt::format("  for the profile's [sonar]: beam_half_angle_deg = {:.1f}",
                              suggested_half_angle_deg(character)));

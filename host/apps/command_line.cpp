@@ -55,9 +55,9 @@ ExitCode report_usage(const CLI::App& app, const CLI::ParseError& error, const s
     names.insert(names.end(), command->get_aliases().begin(), command->get_aliases().end());
   }
   const bool known = std::find(names.begin(), names.end(), name) != names.end();
-  const std::string what =
-      known || name.empty() ? error.what()
-                            : "no command is named '" + name + "'" + files::suggestion(name, names);
+  const std::string what = known || name.empty()
+                               ? error.what()
+                               : "unknown command '" + name + "'" + files::suggestion(name, names);
   const std::string help = known ? "echomap " + name + " --help" : "echomap --help";
   std::fputs(("echomap: " + what + "\n  next: " + help + "\n").c_str(), stderr);
   return ExitCode::kUsage;
@@ -84,13 +84,13 @@ ExitCode run_and_report(const CommandAction& action) {
 }  // namespace
 
 ExitCode run_command_line(int argc, char** argv) {
-  CLI::App app("echomap: cheap robots that map a room and know where they are", "echomap");
+  CLI::App app("echomap: map a room and localize in it with a cheap robot", "echomap");
   app.set_version_flag("--version", "echomap " ECHOMAP_VERSION);
   app.require_subcommand(1);
   bool verbose = false;
   bool quiet = false;
-  app.add_flag("-v,--verbose", verbose, "Say more on stderr");
-  app.add_flag("-q,--quiet", quiet, "Say only errors");
+  app.add_flag("-v,--verbose", verbose, "Print debug messages on stderr");
+  app.add_flag("-q,--quiet", quiet, "Print errors only");
   app.fallthrough();
   CommandAction action;
   add_demo(app, action);

@@ -24,7 +24,7 @@ struct RunOptions {
   std::string robot = "uno_2wd";
   strategies::StrategyOptions strategy;
   /// A way of slam::slam_methods() that a robot with a sonar is placed by, or "none": odometry.
-  std::string slam = "grid";
+  std::string slam = "multiscan";
   std::uint32_t seed = 1;
   std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
   std::filesystem::path json;  ///< Empty: none; "-": stdout.
@@ -102,7 +102,7 @@ struct CharacteriseOptions {
   std::vector<std::filesystem::path> logs;  ///< Of one sonar; or run directories.
   std::string format;                       ///< Empty: what a log plainly says.
   /// What a range is thought to be off by; no wall fits worse by far.
-  double range_sd_m = 0.01;
+  double range_stddev_m = 0.01;
   std::filesystem::path json;  ///< Empty: none; "-": stdout.
 };
 ExitCode run_characterise(const CharacteriseOptions& options);

@@ -51,7 +51,8 @@ std::string add_scores(RobotContext& robot,
                        nlohmann::ordered_json& report) {
   try {
     if (!robot.quit()) {
-      return "the simulated robot ended without its truth; see " + (out / "robot.log").string();
+      return "the simulated robot ended without writing its truth; see " +
+             (out / "robot.log").string();
     }
     const auto score = evaluation::score_run(out, truth);
     print_score(score);
@@ -80,7 +81,7 @@ DemoDrive drive(RobotContext& robot,
   robot.end_maps();
   drive.kidnap = show_kidnap(robot, options.run.slam);
   if (const auto end = robot.session().end()) {
-    spdlog::error("the map is kept; the robot did not look for itself to the end, for {}",
+    spdlog::error("the map is saved; relocalization stopped early: {}",
                   robot.session().end_reason());
     drive.code = exit_code_of(*end);
   }

@@ -17,18 +17,18 @@
 namespace echomap::apps {
 namespace {
 
-constexpr std::size_t kMostStops = 10;
+constexpr std::size_t kMaxStops = 10;
 /// So many stops in a row that are sure of the place.
 constexpr int kSureStops = 2;
 constexpr std::chrono::seconds kHeld(2);
 /// An explorer's own pose at the end.
-constexpr double kStartStdM = 0.1;
-constexpr double kStartStdRad = 0.1;
+constexpr double kStartStddevM = 0.1;
+constexpr double kStartStddevRad = 0.1;
 
 /// Drives on until the place is sure.
 void go_on(const FollowedRobot& followed, tracking::MclFilter& filter, DemoKidnap& kidnap) {
   int sure_stops = 0;
-  while (kidnap.stops < kMostStops && sure_stops < kSureStops && follow_to_next_stop(followed)) {
+  while (kidnap.stops < kMaxStops && sure_stops < kSureStops && follow_to_next_stop(followed)) {
     ++kidnap.stops;
     const auto status = filter.localizer().belief().status;
     kidnap.is_noticed = kidnap.is_noticed || status == localization::LocalizationStatus::kLost ||
@@ -51,7 +51,7 @@ DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam) {
       mapping::rasterize(*snapshot.grid),
       profile.geometry,
       tracking::localizer_params(profile, localization::LocalizerPreset::kDefault),
-      tracking::StartPose{snapshot.latest.T_map_robot, kStartStdM, kStartStdRad},
+      tracking::StartPose{snapshot.latest.T_map_robot, kStartStddevM, kStartStddevRad},
       robot.seed().generator(session::SeedPurpose::kLocalizer));
   robot.fork().add(filter.sink());
   tracking::StopDriver driver(robot, slam);
@@ -59,11 +59,11 @@ DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam) {
   DemoKidnap kidnap;
   kidnap.start = snapshot.trajectory->front();
 
-  console::print("it follows itself in its map:");
+  console::print("localizing in its own map:");
   filter.begin(robot.session());
   if (follow_to_next_stop(followed)) {
     robot.lockstep()->carry_off(kHeld);
-    console::print("it is carried off:");
+    console::print("carried to another place:");
     go_on(followed, filter, kidnap);
   }
   robot.session().disarm();
@@ -93,12 +93,12 @@ nlohmann::ordered_json kidnap_report(const DemoKidnap& kidnap,
 std::string kidnap_line(const nlohmann::ordered_json& report) {
   const auto stops = report.at("stops").get<std::size_t>();
   if (report.at("error_m").is_null()) {
-    return fmt::format("carried off: it did not find itself again in {} stops", stops);
+    return fmt::format("carried off: not relocalized within {} stops", stops);
   }
   const bool is_found = report.at("found").get<bool>();
   return fmt::format("carried off: after {} stops it {}, {:.0f} cm off",
                      stops,
-                     is_found ? "had found itself again" : "was sure of a wrong place",
+                     is_found ? "was relocalized" : "converged to a wrong pose",
                      100.0 * report.at("error_m").get<double>());
 }
 

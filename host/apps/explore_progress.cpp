@@ -20,20 +20,20 @@ std::string minutes_of(double duration_s) {
 }  // namespace
 
 std::optional<double> longest_left_s(const ExploreProgress& progress) {
-  if (progress.most_s) {
-    return std::max(0.0, *progress.most_s - progress.elapsed_s);
+  if (progress.max_s) {
+    return std::max(0.0, *progress.max_s - progress.elapsed_s);
   }
   const std::size_t stops = progress.stops + progress.stops_elsewhere;
-  if (!progress.most_stops || stops == 0) {
+  if (!progress.max_stops || stops == 0) {
     return std::nullopt;
   }
   const double per_stop_s = progress.elapsed_s / static_cast<double>(stops);
-  const std::size_t left = *progress.most_stops - std::min(*progress.most_stops, stops);
+  const std::size_t left = *progress.max_stops - std::min(*progress.max_stops, stops);
   return per_stop_s * static_cast<double>(left);
 }
 
 std::string line_of(const ExploreProgress& progress) {
-  std::string line = fmt::format("{} stop{}, {:.1f} m2 of floor, {:.1f} m driven in {}",
+  std::string line = fmt::format("{} stop{}, {:.1f} m² mapped, {:.1f} m driven in {}",
                                  progress.stops,
                                  progress.stops == 1 ? "" : "s",
                                  progress.floor_m2,

@@ -19,9 +19,9 @@ struct ExploreProgress {
   double travelled_m = 0.0;
   double elapsed_s = 0.0;  ///< Of the robot's time.
   /// The most stops that it makes, in whichever map; empty where its strategy counts none.
-  std::optional<std::size_t> most_stops{};
+  std::optional<std::size_t> max_stops{};
   /// How long it drives; empty where that is not known before.
-  std::optional<double> most_s{};
+  std::optional<double> max_s{};
 };
 
 /// How long it can still go on: to the end of its time, or its last stop at the pace of those so

@@ -33,7 +33,7 @@ using strategies::StrategyOptions;
 /// Of all maps.
 std::size_t stops_in(const pipeline::RobotAtlas& atlas) {
   std::size_t stops = atlas.pipeline().snapshot().stops;
-  for (const pipeline::FormerMap& former : atlas.former_maps()) {
+  for (const pipeline::PreviousMap& former : atlas.previous_maps()) {
     stops += former.pipeline.snapshot().stops;
   }
   return stops;
@@ -60,10 +60,10 @@ std::string progress_line(const RobotContext& robot,
   progress.elapsed_s = before_s + now_s(robot.session());
   switch (strategies::limit_of(run.strategy)) {
     case strategies::StrategyLimit::kStops:
-      progress.most_stops = stops.before + run.strategy.stops * run.strategy.scans;
+      progress.max_stops = stops.before + run.strategy.stops * run.strategy.scans;
       break;
     case strategies::StrategyLimit::kSeconds:
-      progress.most_s = before_s + run.strategy.seconds;
+      progress.max_s = before_s + run.strategy.seconds;
       break;
     case strategies::StrategyLimit::kNone:
       break;
@@ -79,11 +79,11 @@ class AtlasReporter {
 
   void report() {
     if (std::exchange(joins_, atlas_.joins()) != atlas_.joins()) {
-      console::print("it has found itself in the map of before: both are one");
+      console::print("relocalized in the previous map; the two maps are now one");
     } else if (changes_ != atlas_.changes()) {
       console::print(
-          "what the sonar hears is not what the map has there, or the robot was lifted: the map so "
-          "far is set aside, and another one begun");
+          "sonar readings contradict the map (was the robot carried, or did a wheel slip?): "
+          "starting a new map, keeping the old one");
     }
     changes_ = atlas_.changes();
   }
@@ -140,40 +140,40 @@ struct Trouble {
 constexpr Trouble kTroubles[] = {
     {FinishReason::kCannotSense,
      ExitCode::kRuntimeError,
-     "no sweep of the sonar was carried out\n  next: check the pan drive and the sonar's wires"},
+     "the sonar completed no sweep\n  next: check the wiring of the pan drive and of the sonar"},
     {FinishReason::kStuck,
      ExitCode::kSafetyStop,
-     "the robot is stuck: held by something, or its wheels slip\n"
-     "  next: free it, and start anew"},
+     "the robot is stuck: something holds it, or its wheels slip\n"
+     "  next: free it and start again"},
     {FinishReason::kLifted,
      ExitCode::kSafetyStop,
-     "the robot was picked up, and does not know where it is\n  next: put it down, and start anew"},
+     "the robot was picked up and its pose is lost\n  next: put it down and start again"},
     {FinishReason::kBatteryLow,
      ExitCode::kSafetyStop,
      "the battery is low\n"
-     "  next: charge it where it stands, and go on with echomap explore --resume"},
+     "  next: charge it without moving the robot, then: echomap explore --resume RUN"},
     {FinishReason::kSonarSilent,
      ExitCode::kRuntimeError,
-     "nothing has answered the sonar all round\n"
-     "  next: check the sonar's wires, or start where a wall is within its range"},
+     "the sonar received no echo in any direction\n"
+     "  next: check the sonar's wiring, or start where a wall is within its range"},
     {FinishReason::kSonarStuck,
      ExitCode::kRuntimeError,
-     "the sonar says one range wherever it looks\n"
-     "  next: check its wires and what stands right before it"},
+     "the sonar returns the same range in every direction\n"
+     "  next: check its wiring and remove whatever is right in front of it"},
     {FinishReason::kWheelFault,
      ExitCode::kSafetyStop,
      "a wheel does not turn, or its encoder does not count\n"
-     "  next: free the wheels, and compare motors and encoders with docs/guides/wiring.md"},
+     "  next: free the wheels and compare motors and encoders with docs/guides/wiring.md"},
     {FinishReason::kLost,
      ExitCode::kRuntimeError,
-     "what the sonar hears is not what the map has there: carried off, or the wheels have slipped\n"
-     "  next: find it again with echomap localize, or start anew"},
+     "sonar readings contradict the map: the robot was carried, or its wheels slipped\n"
+     "  next: echomap localize --map RUN, or start again"},
 };
 
 ExitCode exit_code_of(FinishReason reason) {
   for (const Trouble& trouble : kTroubles) {
     if (trouble.reason == reason) {
-      spdlog::error("the map so far is kept: {}", trouble.text);
+      spdlog::error("the map so far is saved: {}", trouble.text);
       return trouble.code;
     }
   }
@@ -191,19 +191,19 @@ void describe_run(const RobotContext& robot, const ExploreRun& run, exports::Run
   }
 }
 
-void warn_of_former_maps(const pipeline::RobotAtlas& atlas) {
-  if (const std::size_t former = atlas.former_maps().size(); former > 0) {
+void warn_of_previous_maps(const pipeline::RobotAtlas& atlas) {
+  if (const std::size_t former = atlas.previous_maps().size(); former > 0) {
     spdlog::warn(
-        "the map is that since the robot was carried off or its wheels slipped; where {} lies on "
-        "it was not found: kept in {}",
-        former == 1 ? "the one before" : "those before",
-        former == 1 ? "former_1" : "former_1, former_2, ...");
+        "the map covers only what came after the robot was carried or its wheels slipped; {} could "
+        "not be aligned with it and is saved in {}",
+        former == 1 ? "the previous map" : "those before",
+        former == 1 ? "previous_1" : "previous_1, previous_2, ...");
   }
 }
 
 /// Of a session that has ended before its strategy had.
 ExitCode save_what_is_left(const RobotSession& session, RunWriter& writer) {
-  spdlog::error("the map so far is kept, for {}", session.end_reason());
+  spdlog::error("the map so far is saved: {}", session.end_reason());
   const session::SessionEnd end = session.end().value_or(session::SessionEnd::kLinkLost);
   writer.save(outcome_of(end));
   return exit_code_of(end);
@@ -213,7 +213,7 @@ ExitCode save_what_is_left(const RobotSession& session, RunWriter& writer) {
 
 RobotProfile profile_for(const std::string& robot, const StrategyOptions& strategy) {
   RobotProfile profile = session::load_robot_profile(robot);
-  strategies::require_fit(profile, strategy);
+  strategies::validate_fit(profile, strategy);
   return profile;
 }
 
@@ -263,7 +263,7 @@ ExitCode explore_and_save(RobotContext& robot,
   session.disarm();
   robot.on_step = nullptr;
   progress.clear();
-  warn_of_former_maps(robot.atlas());
+  warn_of_previous_maps(robot.atlas());
   if (reason) {
     writer.save(exploration::name_of(*reason));
     return exit_code_of(*reason);

@@ -64,14 +64,14 @@ std::string losses_between(const exports::LinkSummary& before, const exports::Li
   };
   add(before.robot_encoder_errors,
       now.robot_encoder_errors,
-      "illegal transitions of its encoders, so odometry is off: check their wires and supply");
+      "illegal encoder transitions, so odometry is wrong: check the encoders' wires and supply");
   add(before.robot_receive_overruns,
       now.robot_receive_overruns,
-      "overruns of its receiver, which lose bytes of ours");
+      "receiver overruns, which lose bytes that we send");
   add(before.robot_telemetry_dropped,
       now.robot_telemetry_dropped,
-      "telemetry frames dropped, for the line is too slow: a higher baud rate or a longer "
-      "odometry_period_ms helps");
+      "telemetry frames dropped because the line is too slow: raise the baud rate or "
+      "odometry_period_ms");
   return text;
 }
 

@@ -17,9 +17,9 @@
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/log_localizer.hpp"
 #include "host/session/seed.hpp"
-#include "host/tracking/belief_report.hpp"
 #include "host/tracking/localize_troubles.hpp"
 #include "host/tracking/mcl_filter.hpp"
+#include "host/tracking/pose_report.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -27,7 +27,7 @@ namespace {
 /// Says so whenever the status changes.
 class StatusLine {
  public:
-  void tell(const localization::PoseBelief& belief, std::size_t scans) {
+  void report(const localization::PoseBelief& belief, std::size_t scans) {
     if (belief.status == last_ || belief.hypotheses.empty()) {
       return;
     }
@@ -53,7 +53,7 @@ bool feed(datasets::LogReader& log,
     localizer.add(*record);
     if (localizer.updates() != updates) {
       progress.show(log.progress(), fmt::format("{} scans", localizer.scans()));
-      status.tell(localizer.belief(), localizer.scans());
+      status.report(localizer.belief(), localizer.scans());
     }
   }
   return false;
@@ -79,7 +79,7 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
       params,
       session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer));
   if (const auto start = tracking::start_pose(options.at)) {
-    localizer.start_at(start->T_map_robot, start->std_m, start->std_rad);
+    localizer.start_at(start->T_map_robot, start->stddev_m, start->stddev_rad);
   }
   console::ProgressBar progress(stderr, !options.run.headless);
   const bool has_ended = feed(*log, localizer, progress);

@@ -55,33 +55,34 @@ void check_what_fits(const CLI::App& command, const LocalizeOptions& options) {
 
 void add_filter_options(CLI::App& command, LocalizeOptions& options) {
   command
-      .add_option("--filter",
-                  options.filter,
-                  "mcl finds the robot in a map by its ranges, ekf follows it by the fixes of an "
-                  "overhead camera")
+      .add_option(
+          "--filter",
+          options.filter,
+          "mcl localizes by ranges in a map, ekf by the pose measurements of an overhead camera")
       ->check(CLI::IsMember({"mcl", "ekf"}))
       ->capture_default_str();
   command.add_option("--fixes",
                      options.fixes,
-                     "Fixes of an overhead camera: udp:HOST:PORT, where they are listened for, or "
-                     "tcp:HOST:PORT, where they are fetched");
+                     "Pose measurements of an overhead camera: listen at udp:HOST:PORT, or fetch "
+                     "from tcp:HOST:PORT");
   command
       .add_option("--camera-at",
                   options.camera_at,
-                  "Where the map has the camera's frame: x and y in metres, degrees")
+                  "Pose of the camera's frame in the map: x and y in metres, degrees")
       ->expected(3)
       ->check(check_finite);
   command.add_option_function<std::string>(
       "--preset",
       [&options](const std::string& name) { options.preset = preset_option(name); },
-      "The filter: ours, or that of a paper: " + CLI::detail::join(pipeline::preset_names(), ", "));
+      "Filter preset, ours or that of a paper: " +
+          CLI::detail::join(pipeline::preset_names(), ", "));
 }
 
 }  // namespace
 
 void add_localize(CLI::App& app, CommandAction& action) {
   CLI::App* command =
-      app.add_subcommand("localize", "Find and follow a robot, or that of a log, in a map");
+      app.add_subcommand("localize", "Localize a robot, live or from a log, in a given map");
   const auto options = std::make_shared<LocalizeOptions>();
   CLI::Option* log = add_log_options(*command, options->log, options->format);
   command->get_option("--format")->needs(log);
@@ -90,7 +91,7 @@ void add_localize(CLI::App& app, CommandAction& action) {
   command
       ->add_option("--at",
                    options->at,
-                   "Where it starts: x and y in metres, heading in degrees; anywhere by default")
+                   "Start pose: x and y in metres, heading in degrees; anywhere by default")
       ->expected(3)
       ->check(check_finite);
   add_filter_options(*command, *options);

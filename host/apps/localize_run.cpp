@@ -93,8 +93,7 @@ ExitCode exit_code_of(const FollowedRobot& robot) {
   }
   if (robot.driver.finished() == exploration::FinishReason::kCannotSense) {
     spdlog::error(
-        "no sweep of the sonar was carried out\n  next: check the pan drive and the "
-        "sonar's wires");
+        "the sonar completed no sweep\n  next: check the wiring of the pan drive and of the sonar");
     return ExitCode::kRuntimeError;
   }
   return ExitCode::kOk;
@@ -108,8 +107,8 @@ std::string outcome_of(const FollowedRobot& robot) {
       robot.driver.finished().value_or(exploration::FinishReason::kStopLimit));
 }
 
-void drive(const FollowedRobot& robot, std::size_t most_stops, Account& account) {
-  while (account.stops() < most_stops && follow_to_next_stop(robot)) {
+void drive(const FollowedRobot& robot, std::size_t max_stops, Account& account) {
+  while (account.stops() < max_stops && follow_to_next_stop(robot)) {
     account.add_stop(robot);
   }
 }
@@ -122,7 +121,7 @@ bool follow_to_next_stop(const FollowedRobot& robot) {
   }
   console::print("  " + robot.filter.line());
   if (robot.filter.has_lost_it()) {
-    robot.driver.start_anew();
+    robot.driver.restart();
   }
   return true;
 }

@@ -27,7 +27,7 @@ mapping::RasterMap read_map(const std::filesystem::path& map) {
   if (!has_floor(raster)) {
     throw console::CommandError(console::ExitCode::kRuntimeError,
                                 map.string() +
-                                    " has no floor where a robot could be\n"
+                                    " has no floor where a robot fits\n"
                                     "  next: name another map with --map, or explore first");
   }
   return raster;

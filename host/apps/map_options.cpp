@@ -19,6 +19,17 @@ void add_format_option(CLI::App& command, std::string& format) {
       ->check([](const std::string& name) { return datasets::unknown_format(name); });
 }
 
+/// An option of an earlier version, which is not listed and says its new name.
+void add_renamed_option(CLI::App& command, const std::string& old_name, const std::string& name) {
+  command
+      .add_option_function<std::string>(old_name,
+                                        [old_name, name](const std::string& /*value*/) {
+                                          throw CLI::ValidationError(
+                                              old_name, "this option is now called " + name);
+                                        })
+      ->group("");
+}
+
 std::vector<std::string> slam_names() {
   std::vector<std::string> names;
   for (const slam::NamedSlam& method : slam::slam_methods()) {
@@ -36,7 +47,7 @@ CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std:
 }
 
 void add_eval(CLI::App& app, CommandAction& action) {
-  CLI::App* command = app.add_subcommand("eval", "Score a run against what is known to be true");
+  CLI::App* command = app.add_subcommand("eval", "Score a run against the ground truth");
   const auto options = std::make_shared<EvalOptions>();
   command->add_option("run", options->run, "Run directory")
       ->required()
@@ -48,8 +59,8 @@ void add_eval(CLI::App& app, CommandAction& action) {
       command
           ->add_option("--relations",
                        options->relations,
-                       "Known ways between records, lines 'from to dx dy dtheta': rows of "
-                       "trajectory.tum from 0, metres, radians")
+                       "True relative poses, lines 'from to dx dy dtheta': rows of trajectory.tum "
+                       "from 0, metres, radians")
           ->check(CLI::ExistingFile);
   command
       ->add_option("--picture",
@@ -67,7 +78,8 @@ void add_eval(CLI::App& app, CommandAction& action) {
 }
 
 void add_diff(CLI::App& app, CommandAction& action) {
-  CLI::App* command = app.add_subcommand("diff", "Say what changed between two maps of one room");
+  CLI::App* command =
+      app.add_subcommand("diff", "Report what changed between two maps of one room");
   const auto options = std::make_shared<DiffOptions>();
   command->add_option("before", options->before, "Run directory")
       ->required()
@@ -92,12 +104,13 @@ void add_characterise(CLI::App& app, CommandAction& action) {
       ->required()
       ->check(CLI::ExistingPath);
   command
-      ->add_option("--range-sd",
-                   options->range_sd_m,
-                   "Standard deviation of a range in metres, about: a wall has to rise by three of "
-                   "it at both ends, and to fit within two")
+      ->add_option("--range-stddev",
+                   options->range_stddev_m,
+                   "Approximate standard deviation of a range, metres: a wall rises by three of "
+                   "them at both ends and fits within two")
       ->check(CLI::Range(0.001, 0.1))
       ->capture_default_str();
+  add_renamed_option(*command, "--range-sd", "--range-stddev");
   command->add_option("--json", options->json, "Write the figures to this file, '-' for stdout");
   command->footer("Example: echomap characterise first_map --json -");
   command->callback(
@@ -105,7 +118,7 @@ void add_characterise(CLI::App& app, CommandAction& action) {
 }
 
 void add_replay(CLI::App& app, CommandAction& action) {
-  CLI::App* command = app.add_subcommand("replay", "Make a map of a robot's log");
+  CLI::App* command = app.add_subcommand("replay", "Map a recorded log");
   const auto options = std::make_shared<ReplayOptions>();
   add_log_options(*command, options->log, options->format)->required();
   command->add_option("--out", options->out, "Run directory; a stamped one by default");
@@ -114,24 +127,23 @@ void add_replay(CLI::App& app, CommandAction& action) {
   command
       ->add_option("--map",
                    options->map,
-                   "What to make: an occupancy grid, the points of all echoes, or the polygon "
+                   "Kind of map: an occupancy grid, the points of all echoes, or the polygon "
                    "around the floor")
       ->check(CLI::IsMember({"grid", "points", "polygon"}))
       ->capture_default_str();
-  CLI::Option* poses =
-      command
-          ->add_option("--poses",
-                       options->poses,
-                       "Where scans were taken: by the robot's odometry, or by the poses that the "
-                       "log gives as corrected or true")
-          ->check(CLI::IsMember({"odometry", "given"}))
-          ->capture_default_str();
+  CLI::Option* poses = command
+                           ->add_option("--poses",
+                                        options->poses,
+                                        "Poses of the scans: the robot's odometry, or those that "
+                                        "the log gives as corrected or true")
+                           ->check(CLI::IsMember({"odometry", "given"}))
+                           ->capture_default_str();
   command
-      ->add_option(
-          "--slam",
-          options->slam,
-          "Find out where scans were taken: by landmarks, for sonars and lasers (ekf), for "
-          "sonars and few beams (grid), for lasers (scan)")
+      ->add_option("--slam",
+                   options->slam,
+                   "SLAM method: ekf (landmarks; sonar or laser), multiscan (sonar or few beams) "
+                   "or scan (laser)")
+      ->check(slam::renamed_slam_method)
       ->check(CLI::IsMember(slam_names()))
       ->excludes(poses);
   command->add_option("--resolution", options->resolution_m, "Edge of a cell in metres")

@@ -33,7 +33,7 @@ namespace echomap::apps {
 namespace {
 
 /// A picture of more cells is one of a damaged pose, and would fill the memory.
-constexpr double kMostCells = 5e7;
+constexpr double kMaxCells = 5e7;
 
 using Clock = std::chrono::steady_clock;
 
@@ -56,12 +56,12 @@ pipeline::LogMapperParams params_of(const ReplayOptions& options) {
 }
 
 /// Throws CommandError for a scan of sound where SLAM takes wide beams for thin ones, and errs.
-void require_fit(const datasets::LogRecord& record, const slam::NamedSlam& method) {
+void validate_fit(const datasets::LogRecord& record, const slam::NamedSlam& method) {
   const auto* scan = std::get_if<sensors::RangeScan>(&record);
   if (scan != nullptr && scan->beam_width_rad > 0.0 && !method.takes_cones) {
     throw CommandError(ExitCode::kRuntimeError,
-                       fmt::format("--slam {} is for lasers, and the log is of sensors with wide "
-                                   "beams\n  next: --slam grid",
+                       fmt::format("--slam {} is for lasers, but the log is of sensors with wide "
+                                   "beams\n  next: --slam multiscan",
                                    method.name));
   }
 }
@@ -78,7 +78,7 @@ void feed(datasets::LogReader& log,
       if (!record) {
         return;
       }
-      require_fit(*record, method);
+      validate_fit(*record, method);
       slam.add(*record);
       progress.show(log.progress(), fmt::format("slam: {} scans", slam.scans()));
     }
@@ -106,7 +106,7 @@ FoundBySlam find_by_slam(const ReplayOptions& options,
     throw CommandError(ExitCode::kRuntimeError,
                        options.log.string() + " has " +
                            (slam.scans() == 0 ? "no scans" : "no odometry") +
-                           ", and SLAM needs both\n  next: leave out --slam");
+                           ", but SLAM needs both\n  next: leave out --slam");
   }
   return {std::move(trajectory),
           slam::in_frame_a(slam.T_log_map(), running->factor_graph()),
@@ -158,7 +158,7 @@ void refuse_huge_map(const mapping::OccupancyGrid& grid) {
   const mapping::CellBounds& bounds = grid.bounds();
   const double columns = bounds.columns();
   const double rows = bounds.rows();
-  if (!bounds.empty() && columns * rows > kMostCells) {
+  if (!bounds.empty() && columns * rows > kMaxCells) {
     throw CommandError(ExitCode::kRuntimeError,
                        fmt::format("the map would be {:.0f} x {:.0f} m, too large for cells of {} "
                                    "m: a damaged pose?\n  next: --resolution {}",
@@ -216,8 +216,8 @@ void say_what_was_made(const exports::RunSummary& summary,
                              summary.sim_seconds,
                              summary.wall_seconds));
   if (counts.scans_without_pose > 0) {
-    console::print(fmt::format("{} scans before the first given pose are not in the map",
-                               counts.scans_without_pose));
+    console::print(
+        fmt::format("skipped {} scans before the first given pose", counts.scans_without_pose));
   }
 }
 
@@ -257,7 +257,7 @@ ExitCode replay_log(const ReplayOptions& options) {
   write_report(options.json, report);
   say_what_was_made(summary, mapper.counts(), out);
   if (!damage.empty()) {
-    spdlog::error("{}; the map up to there is kept", damage);
+    spdlog::error("{}; the map up to there is saved", damage);
     return ExitCode::kRuntimeError;
   }
   return outcome == "interrupted" ? ExitCode::kInterrupted : ExitCode::kOk;

@@ -82,8 +82,8 @@ void save_summary(const fs::path& folder,
                           "poses",
                           "points",
                           "outline_by_strategy",
-                          "pose_std_m",
-                          "pose_std_deg",
+                          "pose_stddev_m",
+                          "pose_stddev_deg",
                           "travelled_m",
                           "free_area_m2"}) {
     run[key] = made.at(key);
@@ -158,12 +158,12 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   if (!fs::equivalent(options.log, out)) {
     move_earlier_run_aside(out);
   }
-  for (std::size_t i = 0; i < atlas.former_maps().size(); ++i) {
-    const pipeline::FormerMap& former = atlas.former_maps()[i];
+  for (std::size_t i = 0; i < atlas.previous_maps().size(); ++i) {
+    const pipeline::PreviousMap& former = atlas.previous_maps()[i];
     save_played({former.record, former.pipeline, slam},
                 profile,
-                former_map_of(options.log, i + 1),
-                former_map_of(out, i + 1));
+                previous_map_of(options.log, i + 1),
+                previous_map_of(out, i + 1));
   }
   save_played({atlas.record(), atlas.pipeline(), slam}, profile, options.log, out);
   write_report(options.json, ordered_json::parse(files::read_text_file(out / "summary.json")));
@@ -172,7 +172,7 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   console::print(fmt::format(
       "{} observations played in {:.2f} s", atlas.record().observations(), wall.count()));
   if (!damage.empty()) {
-    spdlog::error("{}; the map up to there is kept", damage);
+    spdlog::error("{}; the map up to there is saved", damage);
     return console::ExitCode::kRuntimeError;
   }
   return console::ExitCode::kOk;

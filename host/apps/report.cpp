@@ -82,9 +82,9 @@ nlohmann::ordered_json to_json(const evaluation::RunScore& score) {
 nlohmann::ordered_json to_json(const evaluation::RelationError& error) {
   return {{"relations", error.relations},
           {"relation_translation_mean_m", error.translation_mean_m},
-          {"relation_translation_sd_m", error.translation_sd_m},
+          {"relation_translation_stddev_m", error.translation_stddev_m},
           {"relation_rotation_mean_rad", error.rotation_mean_rad},
-          {"relation_rotation_sd_rad", error.rotation_sd_rad}};
+          {"relation_rotation_stddev_rad", error.rotation_stddev_rad}};
 }
 
 void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& report) {
@@ -117,9 +117,9 @@ void print_relation_error(const evaluation::RelationError& error) {
       fmt::format("  {} relations are off by {:.3f} +- {:.3f} m, {:.2f} +- {:.2f} degrees",
                   error.relations,
                   error.translation_mean_m,
-                  error.translation_sd_m,
+                  error.translation_stddev_m,
                   geometry::degrees(error.rotation_mean_rad),
-                  geometry::degrees(error.rotation_sd_rad)));
+                  geometry::degrees(error.rotation_stddev_rad)));
 }
 
 }  // namespace echomap::apps

@@ -35,7 +35,7 @@ RunFacts read_facts(const std::filesystem::path& summary) {
     return {json.at("robot").get<std::string>(), json.at("sim_seconds").get<double>()};
   } catch (const nlohmann::json::exception&) {
     throw files::FileError(summary.string() +
-                           ": not the summary of a run, robot or sim_seconds is missing");
+                           ": not the summary of a run: robot or sim_seconds is missing");
   }
 }
 
@@ -60,7 +60,8 @@ void require_same_robot(const std::filesystem::path& run,
 /// Tells of a record whose writer was killed.
 void play_record(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
   if (exports::replay_observations_csv(record, sink)) {
-    spdlog::warn("the last line of {} is cut off, and all before it is read", record.string());
+    spdlog::warn("the last line of {} is incomplete; everything before it was read",
+                 record.string());
   }
 }
 
@@ -70,9 +71,9 @@ void play_run(const std::filesystem::path& run,
               pipeline::ObservationSink& sink,
               pipeline::RobotAtlas& atlas) {
   play_record(run / kRecordName, sink);
-  for (std::size_t number = 1; exists(former_map_of(run, number)); ++number) {
+  for (std::size_t number = 1; exists(previous_map_of(run, number)); ++number) {
     pipeline::ObservationLog former;
-    play_record(former_map_of(run, number) / kRecordName, former);
+    play_record(previous_map_of(run, number) / kRecordName, former);
     atlas.set_aside(std::move(former));
   }
 }
@@ -93,17 +94,17 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   if (snapshot.trajectory->empty()) {
     throw CommandError(ExitCode::kUsage,
                        "cannot resume " + run.string() +
-                           ": its record is empty\n  next: name another run, or start anew");
+                           ": its record is empty\n  next: name another run, or start again");
   }
   if (snapshot.times_lifted > 0) {
     throw CommandError(ExitCode::kUsage,
                        "cannot resume " + run.string() +
-                           ": the robot was lifted in it, and where it is since then nobody "
-                           "knows\n  next: start anew");
+                           ": the robot was lifted during the run and its pose is lost\n  next: "
+                           "start again without --resume");
   }
   exports::RunSummary summary;
   exports::describe_snapshot(snapshot, summary);
-  console::print(fmt::format("goes on with {}: {} stop{}, {:.1f} m2 of floor",
+  console::print(fmt::format("resuming {}: {} stop{}, {:.1f} m² mapped",
                              run.string(),
                              summary.stops,
                              summary.stops == 1 ? "" : "s",

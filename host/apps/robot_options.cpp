@@ -10,14 +10,15 @@
 #include "host/apps/commands.hpp"
 #include "host/flashing/flash_boards.hpp"
 #include "host/session/pipeline_setup.hpp"
+#include "host/slam/slam_methods.hpp"
 #include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {
 namespace {
 
 /// Where the grid of one stop begins to take a second (docs/algorithms/sonar_grid.md).
-constexpr std::size_t kMostStops = 100;
-constexpr std::size_t kMostScans = 5;
+constexpr std::size_t kMaxStops = 100;
+constexpr std::size_t kMaxScans = 5;
 
 /// In seconds: the robot's stamps of 32 bits tell absences of up to 35.8 minutes apart.
 constexpr double kLongestAbsenceS = 1800.0;
@@ -40,9 +41,9 @@ void add_slam_option(CLI::App& command, RunOptions& run) {
   command
       .add_option("--slam",
                   run.slam,
-                  "What tells a robot with a sonar where it is while it maps: grid, SLAM by its "
-                  "odometry and echoes, ekf, SLAM by walls and points, or none, its odometry "
-                  "alone")
+                  "SLAM method of a robot with a sonar: multiscan (graph of gathered echoes), ekf "
+                  "(walls and points) or none (odometry alone)")
+      ->check(slam::renamed_slam_method)
       ->check(CLI::IsMember(session::live_slam_names()))
       ->excludes("--fixes")
       ->capture_default_str();
@@ -53,32 +54,31 @@ void add_slam_option(CLI::App& command, RunOptions& run) {
 void add_run_options(CLI::App& command, RunOptions& run) {
   command.add_option("--robot", run.robot, "Profile of the robot: a bundled name or a TOML file")
       ->capture_default_str();
-  command.add_option("--strategy", run.strategy.name, "How to explore")
+  command.add_option("--strategy", run.strategy.name, "Exploration strategy")
       ->check(CLI::IsMember(strategies::strategy_names()))
       ->capture_default_str();
-  command.add_option("--stops", run.strategy.stops, "End after this many stops at the latest")
-      ->check(CLI::Range(std::size_t{1}, kMostStops))
+  command.add_option("--stops", run.strategy.stops, "Maximum number of stops")
+      ->check(CLI::Range(std::size_t{1}, kMaxStops))
       ->capture_default_str();
   command
       .add_option("--scans",
                   run.strategy.scans,
                   "How often nxt-farthest scans the room, each time with as many stops")
-      ->check(CLI::Range(std::size_t{1}, kMostScans))
+      ->check(CLI::Range(std::size_t{1}, kMaxScans))
       ->capture_default_str();
   command.add_option(
       "--waypoints",
       run.strategy.waypoints,
-      "What tangent-bug knows of the room and where it has to go: a bundled name, as "
-      "playground, or a TOML file");
+      "Waypoints and known walls of tangent-bug: a bundled name, as playground, or a TOML file");
   command
       .add_option(
-          "--hand", run.strategy.hand, "Which hand coastal holds to the wall; the sensor's side")
+          "--hand", run.strategy.hand, "Side of coastal's wall sensor: the hand on the wall")
       ->check(CLI::IsMember({"right", "left"}))
       ->capture_default_str();
-  command.add_option("--seconds", run.strategy.seconds, "How long random-bounce drives")
+  command.add_option("--seconds", run.strategy.seconds, "Duration of random-bounce, seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command.add_option("--seed", run.seed, "Seed of every random choice")->capture_default_str();
+  command.add_option("--seed", run.seed, "Seed of every random generator")->capture_default_str();
   command.add_option("--out", run.out, "Run directory; a stamped one by default");
   command.add_option("--json", run.json, "Write a report to this file, '-' for stdout");
   command.add_flag("--headless", run.headless, "No progress line");
@@ -95,15 +95,14 @@ void add_connection_options(CLI::App& command, session::ConnectionOptions& optio
   command
       .add_option("--reconnect",
                   options.reconnect_s,
-                  "Wait so many seconds for a robot that was unplugged or reset")
+                  "Seconds to wait for a robot that was unplugged or reset")
       ->check(CLI::Range(0.0, kLongestAbsenceS))
       ->capture_default_str();
   command.add_flag("--no-reset",
                    options.no_reset,
-                   "Join a robot that runs, and end where opening its port has reset it: the "
-                   "kernel raises DTR when a port is first opened after plugging in, or after a "
-                   "program that dropped it, and that resets most Arduinos; it stays up from "
-                   "then on");
+                   "Join a running robot, and stop if opening its port has reset it: the kernel "
+                   "raises DTR when a port is first opened after plugging in, which resets most "
+                   "Arduinos; it stays up from then on");
   command.add_option("--lockstep", options.lockstep, "Socket of a simulated robot's clock");
   options.session_number = std::random_device{}();
 }
@@ -114,15 +113,14 @@ void add_explore(CLI::App& app, CommandAction& action) {
   add_connection_options(*command, options->connection);
   command->add_option("--fixes",
                       options->fixes,
-                      "udp:HOST:PORT or tcp:HOST:PORT of an overhead camera that tells where the "
-                      "robot is (docs/guides/localize.md)");
+                      "Pose measurements of an overhead camera at udp:HOST:PORT or tcp:HOST:PORT "
+                      "(docs/guides/localize.md)");
   add_run_options(*command, options->run);
   add_slam_option(*command, options->run);
   command
       ->add_option("--resume",
                    options->resume,
-                   "Go on with the map of this run directory, the robot standing where that run "
-                   "has ended")
+                   "Resume the map of this run directory; the robot stands where that run ended")
       ->check(CLI::ExistingDirectory)
       ->excludes("--fixes");
   command->alias("slam");
@@ -131,8 +129,8 @@ void add_explore(CLI::App& app, CommandAction& action) {
 }
 
 void add_demo(CLI::App& app, CommandAction& action) {
-  CLI::App* command =
-      app.add_subcommand("demo", "Watch an emulated robot map a room, and see it scored");
+  CLI::App* command = app.add_subcommand(
+      "demo", "Explore a simulated room with an emulated robot, and score the map");
   const auto options = std::make_shared<DemoOptions>();
   command->add_option("--world", options->robot.world, "Room: a bundled name or a TOML file")
       ->capture_default_str();
@@ -152,7 +150,7 @@ void add_demo(CLI::App& app, CommandAction& action) {
   command
       ->add_option("--line",
                    options->robot.line,
-                   "What carries the bytes: nothing between, or a model of a line's delays")
+                   "Serial line: direct, or with the modelled delays of an adapter")
       ->check(CLI::IsMember({"direct", "usb", "ftdi", "bluetooth"}))
       ->capture_default_str();
   command->add_option("--faults",
@@ -161,24 +159,23 @@ void add_demo(CLI::App& app, CommandAction& action) {
   command->add_option("--part-faults",
                       options->robot.part_faults,
                       "Parts that fail, as in sonar-dead@30: see echomap-simavr --help");
-  command->add_option(
-      "--body",
-      options->robot.body,
-      "What is true of the robot, where --robot is what the host believes: a bundled "
-      "name or a TOML file; by default the name in the profile");
-  CLI::Option* fixes = command->add_option("--fixes",
-                                           options->robot.fixes,
-                                           "Put an overhead camera over the room and follow "
-                                           "the robot by its fixes at udp:127.0.0.1:PORT");
+  command->add_option("--body",
+                      options->robot.body,
+                      "The simulated body, where --robot is the host's profile of it: a bundled "
+                      "name or a TOML file; by default the name in the profile");
+  CLI::Option* fixes = command->add_option(
+      "--fixes",
+      options->robot.fixes,
+      "Simulate an overhead camera and localize by its pose measurements at udp:127.0.0.1:PORT");
   command
       ->add_option("--camera-params",
                    options->robot.camera_params,
-                   "What that camera is like: see echomap-simavr --help")
+                   "Parameters of that camera: see echomap-simavr --help")
       ->needs(fixes);
   command->add_flag(
       "--no-kidnap",
       options->no_kidnap,
-      "End with the map; else a robot with a sonar is carried off then, and finds itself again");
+      "Stop after mapping; by default a robot with a sonar is then carried off and relocalizes");
   add_run_options(*command, options->run);
   add_slam_option(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");

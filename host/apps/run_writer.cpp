@@ -32,16 +32,16 @@ void RunWriter::save(const std::string& outcome) {
   summary_.outcome = outcome;
   summary_.sim_seconds = before_s_ + now_s(robot_.session());
   summary_.wall_seconds = wall.count();
-  summary_.former_maps = robot_.atlas().former_maps().size();
+  summary_.previous_maps = robot_.atlas().previous_maps().size();
   summary_.maps_joined = robot_.atlas().joins();
   describe_clock();
   describe_link();
   try {
-    if (!former_is_kept_) {
+    if (!previous_is_renamed_) {
       move_earlier_run_aside(out_);
-      former_is_kept_ = true;
+      previous_is_renamed_ = true;
     }
-    save_former_maps();
+    save_previous_maps();
     save_current_map();
     remove_joined_maps();
   } catch (const fs::filesystem_error& error) {
@@ -54,7 +54,7 @@ void RunWriter::save_in_passing() {
     save("exploring");
   } catch (const files::FileError& error) {
     if (!std::exchange(warned_, true)) {
-      spdlog::warn("the map so far is not saved: {}", error.what());
+      spdlog::warn("cannot save the map: {}", error.what());
     }
   }
 }
@@ -72,13 +72,13 @@ void RunWriter::save_current_map() {
   }
 }
 
-void RunWriter::save_former_maps() {
+void RunWriter::save_previous_maps() {
   if (changes_saved_ == robot_.atlas().changes()) {
     return;
   }
-  const auto& former = robot_.atlas().former_maps();
+  const auto& former = robot_.atlas().previous_maps();
   for (std::size_t i = 0; i < former.size(); ++i) {
-    const fs::path folder = former_map_of(out_, i + 1);
+    const fs::path folder = previous_map_of(out_, i + 1);
     exports::RunSummary summary = summary_;
     summary.outcome = "set-aside";
     fs::create_directories(folder);
@@ -86,12 +86,12 @@ void RunWriter::save_former_maps() {
     save_map(former[i].pipeline, robot_.profile(), folder, summary);
   }
   changes_saved_ = robot_.atlas().changes();
-  former_saved_ = std::max(former_saved_, former.size());
+  previous_saved_ = std::max(previous_saved_, former.size());
 }
 
 void RunWriter::remove_joined_maps() {
-  for (; former_saved_ > robot_.atlas().former_maps().size(); --former_saved_) {
-    fs::remove_all(former_map_of(out_, former_saved_));
+  for (; previous_saved_ > robot_.atlas().previous_maps().size(); --previous_saved_) {
+    fs::remove_all(previous_map_of(out_, previous_saved_));
   }
 }
 
@@ -106,7 +106,7 @@ void RunWriter::describe_clock() {
   summary_.clock_rate_error_ppm = clock.rate_error_ppm();
   summary_.clock_uncertainty_us = clock.uncertainty_us();
   if (summary_.clock_rate_error_ppm && summary_.clock_uncertainty_us) {
-    spdlog::debug("the robot's clock runs {:+.1f} ppm fast, known to {:.0f} us",
+    spdlog::debug("the robot's clock runs {:+.1f} ppm fast, +- {:.0f} us",
                   *summary_.clock_rate_error_ppm,
                   *summary_.clock_uncertainty_us);
   }
@@ -116,7 +116,7 @@ void RunWriter::describe_link() {
   const auto link = summary_of(robot_.session().link().statistics(), robot_.session().reconnects());
   spdlog::debug("{}", line_of(link));
   if (const auto losses = losses_between(summary_.link, link); !losses.empty()) {
-    spdlog::warn("since the last stop the robot has counted {}", losses);
+    spdlog::warn("since the last stop the robot counted {}", losses);
   }
   summary_.link = link;
   if (const auto& robot = robot_.session().link().robot(); robot && summary_.firmware.empty()) {

@@ -14,7 +14,7 @@
 namespace echomap::apps {
 
 /// Saves the map so far, with how far the exploration has come. A map that was set aside is saved
-/// in a run directory of its own beside it, former_1, former_2, ...
+/// in a run directory of its own beside it, previous_1, previous_2, ...
 class RunWriter {
  public:
   /// All of them outlive this.
@@ -32,7 +32,7 @@ class RunWriter {
   void describe_clock();
   void describe_link();
   void save_current_map();
-  void save_former_maps();
+  void save_previous_maps();
   /// Their stops are in the map that is saved by then.
   void remove_joined_maps();
   void save_record();
@@ -44,11 +44,11 @@ class RunWriter {
   exports::RunSummary& summary_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool warned_ = false;
-  bool former_is_kept_ = false;
+  bool previous_is_renamed_ = false;
   exports::ObservationsFile record_;
   std::size_t changes_recorded_ = 0;  ///< Of the atlas's maps, when the record was saved.
   std::size_t changes_saved_ = 0;     ///< When the former maps were.
-  std::size_t former_saved_ = 0;      ///< Directories of maps that were set aside.
+  std::size_t previous_saved_ = 0;    ///< Directories of maps that were set aside.
 };
 
 }  // namespace echomap::apps

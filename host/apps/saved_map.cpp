@@ -47,14 +47,16 @@ void save_pose_graph(const pipeline::RobotPipeline& pipeline,
 
 }  // namespace
 
-fs::path former_map_of(const fs::path& run, std::size_t number) {
-  return run / fmt::format("former_{}", number);
+fs::path previous_map_of(const fs::path& run, std::size_t number) {
+  const fs::path folder = run / fmt::format("previous_{}", number);
+  const fs::path of_old_version = run / fmt::format("{}_{}", "former", number);
+  return !exists(folder) && exists(of_old_version) ? of_old_version : folder;
 }
 
 void move_earlier_run_aside(const fs::path& out) {
-  move_aside(out / kRecordName, out / kFormerRecordName);
-  for (std::size_t number = 1; exists(former_map_of(out, number)); ++number) {
-    move_aside(former_map_of(out, number), former_map_of(out, number).string() + ".before");
+  move_aside(out / kRecordName, out / kPreviousRecordName);
+  for (std::size_t number = 1; exists(previous_map_of(out, number)); ++number) {
+    move_aside(previous_map_of(out, number), previous_map_of(out, number).string() + ".before");
   }
 }
 

@@ -14,12 +14,12 @@ namespace echomap::apps {
 /// The record of a run, in its directory.
 inline constexpr const char* kRecordName = "observations.csv";
 /// The record of the run that had the directory before.
-inline constexpr const char* kFormerRecordName = "observations.before.csv";
+inline constexpr const char* kPreviousRecordName = "observations.before.csv";
 /// The profile of the robot that drove, as it was then.
 inline constexpr const char* kProfileName = "robot.toml";
 
 /// The folder of a run's map that was set aside, in its directory: 1 is the earliest.
-std::filesystem::path former_map_of(const std::filesystem::path& run, std::size_t number);
+std::filesystem::path previous_map_of(const std::filesystem::path& run, std::size_t number);
 
 /// Renames the record and the former maps of an earlier run in the same directory. Throws
 /// files::FileError.

@@ -11,7 +11,7 @@ std::optional<datasets::LogRecord> next_whole_record(datasets::LogReader& log) {
   try {
     return log.next();
   } catch (const datasets::CutOffLine& half) {
-    spdlog::warn("the last line is cut off, and all before it is read: {}", half.what());
+    spdlog::warn("the last line is incomplete; everything before it was read: {}", half.what());
     return std::nullopt;
   }
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMetresPerTick = 0.005;
 constexpr double kTrackM = 0.19;
 constexpr double kSonarMaxRangeM = 5.0;
-constexpr double kSonarOpeningDeg = 30.0;
+constexpr double kSonarBeamWidthDeg = 30.0;
 constexpr double kInfraredMaxRangeM = 0.6;
 constexpr double kInfraredBearingDeg = 45.0;
 
@@ -35,7 +35,7 @@ class BigWheelBotParser : public LineParser {
     records.emplace_back(Heading{{}, geometry::wrap_angle(-clockwise_rad)});
     records.emplace_back(WheelIncrement{{}, left_m, right_m, kTrackM});
 
-    sensors::RangeScan sonar{{}, {}, {}, geometry::radians(kSonarOpeningDeg), kSonarMaxRangeM};
+    sensors::RangeScan sonar{{}, {}, {}, geometry::radians(kSonarBeamWidthDeg), kSonarMaxRangeM};
     sonar.beams = {{0.0, read_range_m(fields, "the front range", kSonarMaxRangeM)},
                    {std::numbers::pi, read_range_m(fields, "the rear range", kSonarMaxRangeM)}};
     records.emplace_back(std::move(sonar));

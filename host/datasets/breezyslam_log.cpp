@@ -22,7 +22,7 @@ constexpr int kBeamAhead = kBeams / 2;
 constexpr int kMargin = 70;
 constexpr double kStepRad = 2.0 * std::numbers::pi / 1024.0;
 constexpr double kMaxRangeM = 5.6;
-constexpr double kLeastRangeMm = 20.0;
+constexpr double kMinRangeMm = 20.0;
 
 class BreezyslamParser : public LineParser {
  public:
@@ -40,7 +40,7 @@ class BreezyslamParser : public LineParser {
     for (int i = 0; i < kBeams; ++i) {
       const double range_mm = fields.number("a range");
       if (i >= kMargin && i < kBeams - kMargin) {
-        const double range_m = range_mm < kLeastRangeMm ? 0.0 : range_mm / 1000.0;
+        const double range_m = range_mm < kMinRangeMm ? 0.0 : range_mm / 1000.0;
         scan.beams.push_back(
             {(i - kBeamAhead) * kStepRad, sensors::returned_range_m(range_m, kMaxRangeM)});
       }

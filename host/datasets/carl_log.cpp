@@ -19,7 +19,7 @@ constexpr double kWheelDiameterM = 0.064;
 constexpr double kMetresPerDeg = kWheelDiameterM / 2.0 * geometry::radians(1.0);
 constexpr double kTrackM = 0.11405;
 constexpr double kMaxRangeM = 3.0;
-constexpr double kOpeningDeg = 25.0;
+constexpr double kBeamWidthDeg = 25.0;
 
 /// Seconds since 1970 of YYYYMMDD-HHMMSS.mmm.
 double read_time(FieldCursor& fields) {
@@ -70,7 +70,7 @@ class CarlParser : public LineParser {
 
     records.emplace_back(Heading{stamp_s, geometry::wrap_angle(-geometry::radians(clockwise_deg))});
     records.emplace_back(wheels_.increment(stamp_s, left_deg, right_deg));
-    sensors::RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
+    sensors::RangeScan scan{stamp_s, {}, {}, geometry::radians(kBeamWidthDeg), kMaxRangeM};
     scan.is_light = true;
     scan.beams = {
         {-geometry::radians(pan_clockwise_deg), sensors::returned_range_m(range_m, kMaxRangeM)}};

@@ -52,7 +52,7 @@ FieldCursor::FieldCursor(const LineReader& lines, std::string_view line, Separat
 
 std::string_view FieldCursor::word(const char* name) {
   if (at_end()) {
-    lines_.fail(std::string(name) + " is missing, the line ends before it");
+    lines_.fail(std::string(name) + " is missing: the line ends before it");
   }
   return separator_ == Separator::kBlanks ? word_of_blanks() : word_of_commas(name);
 }
@@ -72,7 +72,7 @@ std::string_view FieldCursor::word_of_commas(const char* name) {
   drop_leading_blanks();
   field = field.substr(0, field.find_last_not_of(kBlanks) + 1);
   if (field.empty()) {
-    lines_.fail(std::string(name) + " is missing, nothing stands between two commas");
+    lines_.fail(std::string(name) + " is missing: there is nothing between two commas");
   }
   return field;
 }
@@ -109,7 +109,7 @@ std::size_t FieldCursor::count(const char* name) {
   std::size_t value = 0;
   // A field takes a letter and, unless it is the last, a separator.
   if (!parse(field, value) || value > (rest_.size() + 1) / 2) {
-    fail(name, field, "not a count of what the line holds");
+    fail(name, field, "not the number of values on the line");
   }
   return value;
 }

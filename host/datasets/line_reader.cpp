@@ -91,7 +91,7 @@ std::string_view LineReader::checked(std::string_view line) const {
     fail("the line is longer than " + std::to_string(kMaxLineBytes) + " bytes, not a log");
   }
   if (line.find('\0') != std::string_view::npos) {
-    fail("the line holds a zero byte, not a text file");
+    fail("the line contains a zero byte: not a text file");
   }
   if (line.ends_with('\r')) {
     line.remove_suffix(1);

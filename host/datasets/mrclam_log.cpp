@@ -87,7 +87,7 @@ class TruthParser : public MrclamParser {
 };
 
 std::map<std::int64_t, std::int64_t> read_barcodes(const std::filesystem::path& path) {
-  constexpr std::size_t kMostSubjects = 1000;
+  constexpr std::size_t kMaxSubjects = 1000;
   std::map<std::int64_t, std::int64_t> subject_of_barcode;
   CompanionLines lines(path);
   while (auto fields = lines.next()) {
@@ -95,7 +95,7 @@ std::map<std::int64_t, std::int64_t> read_barcodes(const std::filesystem::path& 
     const std::int64_t barcode = fields->integer("the barcode");
     fields->expect_end();
     subject_of_barcode[barcode] = subject;
-    if (subject_of_barcode.size() > kMostSubjects) {
+    if (subject_of_barcode.size() > kMaxSubjects) {
       fields->fail("the barcode", std::to_string(barcode), "one of too many");
     }
   }

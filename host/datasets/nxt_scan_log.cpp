@@ -11,8 +11,8 @@
 namespace echomap::datasets {
 namespace {
 
-constexpr std::size_t kMostRanges = 3600;
-constexpr double kOpeningDeg = 30.0;
+constexpr std::size_t kMaxRanges = 3600;
+constexpr double kBeamWidthDeg = 30.0;
 constexpr double kMaxRangeM = 2.55;
 
 /// The scan is known when the whole file has been read.
@@ -21,7 +21,7 @@ class NxtScanLog : public LogReader {
   explicit NxtScanLog(const std::filesystem::path& path) : lines_(path) {}
 
   std::optional<LogRecord> next() override {
-    sensors::RangeScan scan{{}, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
+    sensors::RangeScan scan{{}, {}, {}, geometry::radians(kBeamWidthDeg), kMaxRangeM};
     while (const auto line = lines_.next()) {
       FieldCursor fields(lines_, *line);
       if (fields.at_end()) {
@@ -29,7 +29,7 @@ class NxtScanLog : public LogReader {
       }
       const double range_m = fields.number("the range") / 100.0;
       fields.expect_end();
-      if (scan.beams.size() == kMostRanges) {
+      if (scan.beams.size() == kMaxRanges) {
         lines_.fail("more ranges than a scan has");
       }
       scan.beams.push_back({0.0, sensors::returned_range_m(range_m, kMaxRangeM)});

@@ -99,9 +99,9 @@ const std::vector<LogFormat>& log_formats() {
 }
 
 std::string unknown_format(std::string_view name) {
-  return find_format(name) != nullptr ? std::string()
-                                      : "no log format is named '" + std::string(name) + "'" +
-                                            files::suggestion(name, names());
+  return find_format(name) != nullptr
+             ? std::string()
+             : "unknown log format '" + std::string(name) + "'" + files::suggestion(name, names());
 }
 
 std::optional<std::string_view> recognised_format(const std::filesystem::path& path) {

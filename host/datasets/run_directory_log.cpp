@@ -85,7 +85,7 @@ class RunDirectoryLog : public LogReader {
     while (echo_ && echo_->pose_index == pose_index_) {
       const Eigen::Vector2d echo_m = T_robot_map * echo_->position_m;
       scan.beams.push_back({std::atan2(echo_m.y(), echo_m.x()), echo_m.norm()});
-      if (scan.beams.size() > kMostEchoes) {
+      if (scan.beams.size() > kMaxEchoes) {
         points_.fail("more echoes of one pose than a scan has");
       }
       read_echo();
@@ -95,7 +95,7 @@ class RunDirectoryLog : public LogReader {
     }
   }
 
-  static constexpr std::size_t kMostEchoes = 100000;
+  static constexpr std::size_t kMaxEchoes = 100000;
 
   LineReader poses_;
   LineReader points_;

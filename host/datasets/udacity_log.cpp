@@ -15,7 +15,7 @@ namespace echomap::datasets {
 namespace {
 
 constexpr std::array kBearingsDeg{-90.0, -37.5, -22.5, -7.5, 7.5, 22.5, 37.5, 90.0};
-constexpr double kOpeningDeg = 20.0;
+constexpr double kBeamWidthDeg = 20.0;
 constexpr double kMaxRangeM = 5.11;
 constexpr PoseUnits kMillimetresAndTenths{0.001, geometry::radians(0.1)};
 
@@ -38,7 +38,7 @@ class UdacityParser : public LineParser {
     }
     const auto stamp_s = stamps_.accept(time_ms / 1000.0);
     records.emplace_back(GivenPose{stamp_s, T_map_robot});
-    sensors::RangeScan scan{stamp_s, {}, {}, geometry::radians(kOpeningDeg), kMaxRangeM};
+    sensors::RangeScan scan{stamp_s, {}, {}, geometry::radians(kBeamWidthDeg), kMaxRangeM};
     for (const double bearing_deg : kBearingsDeg) {
       const double range_m = fields.number("a range") / 1000.0;
       scan.beams.push_back(

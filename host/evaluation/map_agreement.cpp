@@ -19,7 +19,7 @@ using mapping::RasterMap;
 
 constexpr double kRecallReachM = 0.05;
 /// A room of 100 m x 100 m at a centimetre; more is a map that lies somewhere else.
-constexpr double kMostCells = 1e8;
+constexpr double kMaxCells = 1e8;
 constexpr double kWallStepM = 0.01;
 /// Free cells of the truth begin beside a wall, at most this far from it.
 constexpr double kWallSkinM = 0.03;
@@ -121,7 +121,7 @@ mapping::CellBounds cells_of_both(const RasterMap& map,
     cells.min = {std::min(cells.min.x, cell.x), std::min(cells.min.y, cell.y)};
     cells.max = {std::max(cells.max.x, cell.x), std::max(cells.max.y, cell.y)};
   }
-  if (static_cast<double>(cells.columns()) * cells.rows() > kMostCells) {
+  if (static_cast<double>(cells.columns()) * cells.rows() > kMaxCells) {
     throw std::invalid_argument("the map lies too far from the truth to be compared with it");
   }
   return cells;

@@ -14,16 +14,16 @@ struct MapAlignmentParams {
   double reach_m = 1.0;
   double reach_rad = 0.5236;  ///< 30 degrees.
   /// Walls of two good maps lie this far apart (twice the `wall_rmse_m` of a run).
-  double wall_sd_m = 0.08;
+  double wall_stddev_m = 0.08;
   /// Maps of which a smaller share of the walls agrees have nothing in common.
-  double least_agreement = 0.45;
+  double min_agreement = 0.45;
 };
 
 /// Where one map lies on another.
 struct MapAlignment {
   geometry::Pose2 T_a_b;
-  /// Mean over the occupied cells of b of exp(-d^2 / (2 wall_sd^2)), d to the nearest of a, and the
-  /// other way round; the root of their product: 1 where every wall lies on a wall.
+  /// Mean over the occupied cells of b of exp(-d^2 / (2 wall_stddev^2)), d to the nearest of a, and
+  /// the other way round; the root of their product: 1 where every wall lies on a wall.
   double agreement = 0.0;
 };
 

@@ -134,13 +134,13 @@ void add_regions(LostFloor lost,
       center_m = T_before_floor * center_m;
     }
     const ChangedRegion region = region_of(cells_m, floor.resolution_m(), params);
-    if (region.confidence >= params.least_confidence) {
+    if (region.confidence >= params.min_confidence) {
       regions.push_back(region);
     }
   }
 }
 
-void check(const MapDifferenceParams& params) {
+void validate(const MapDifferenceParams& params) {
   for (const double value : {params.border_m,
                              params.same_wall_m,
                              params.wall_reach_m,
@@ -157,7 +157,7 @@ void check(const MapDifferenceParams& params) {
 std::optional<MapDifference> find_difference(const RasterMap& before,
                                              const RasterMap& after,
                                              const MapDifferenceParams& params) {
-  check(params);
+  validate(params);
   const auto alignment = align_maps(before, after, params.alignment);
   if (!alignment) {
     return std::nullopt;

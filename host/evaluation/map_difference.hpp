@@ -50,7 +50,7 @@ struct MapDifferenceParams {
   /// A region of this area is a change with a confidence of 1 - 1 / e.
   double area_scale_m2 = 0.03;
   /// A region with less confidence is not told.
-  double least_confidence = 0.65;
+  double min_confidence = 0.65;
 };
 
 /// Lays `after` onto `before` and finds where well inside the floor of one map the other has no

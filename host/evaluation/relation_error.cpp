@@ -12,10 +12,10 @@ namespace echomap::evaluation {
 namespace {
 
 constexpr exports::NumberTableFormat kFormat{"", ' ', 5};
-constexpr double kMostRecords = 4294967296.0;
+constexpr double kMaxRecords = 4294967296.0;
 
 bool is_index(double value) {
-  return value >= 0.0 && value < kMostRecords && value == std::floor(value);
+  return value >= 0.0 && value < kMaxRecords && value == std::floor(value);
 }
 
 /// Mean and standard deviation of what is added.

@@ -22,9 +22,9 @@ struct PoseRelation {
 struct RelationError {
   std::size_t relations = 0;
   double translation_mean_m = 0.0;
-  double translation_sd_m = 0.0;
+  double translation_stddev_m = 0.0;
   double rotation_mean_rad = 0.0;
-  double rotation_sd_rad = 0.0;
+  double rotation_stddev_rad = 0.0;
 };
 
 /// Reads lines `from to dx_m dy_m dtheta_rad`. Throws files::FileError whose text begins

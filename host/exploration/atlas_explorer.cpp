@@ -6,8 +6,8 @@
 
 namespace echomap::exploration {
 
-AtlasExplorer::AtlasExplorer(MakeExplorer make, std::size_t stops, bool begins_anew)
-    : make_(std::move(make)), begins_anew_(begins_anew) {
+AtlasExplorer::AtlasExplorer(MakeExplorer make, std::size_t stops, bool begins_new_map)
+    : make_(std::move(make)), begins_new_map_(begins_new_map) {
   begin_strategy(stops);
 }
 
@@ -21,7 +21,7 @@ Motion AtlasExplorer::next(const pipeline::Snapshot& snapshot, MotionResult last
   }
   stops_made_ += snapshot.stops - stops_;
   const bool is_new_stop = std::exchange(stops_, snapshot.stops) != snapshot.stops;
-  if (!begins_anew_) {
+  if (!begins_new_map_) {
     return next_of_strategy(snapshot, last);
   }
   if (snapshot.times_lifted > 0) {
@@ -60,7 +60,7 @@ Motion AtlasExplorer::next_of_strategy(pipeline::Snapshot snapshot, MotionResult
 
 std::optional<MotionResult> change_maps(pipeline::RobotAtlas& atlas, const Motion& motion) {
   if (const auto* begin = std::get_if<BeginNewMap>(&motion)) {
-    atlas.begin_anew(begin->stops_elsewhere);
+    atlas.begin_new_map(begin->stops_elsewhere);
     return MotionResult::kReached;
   }
   if (std::holds_alternative<JoinMaps>(motion)) {

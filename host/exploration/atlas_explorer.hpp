@@ -22,7 +22,7 @@ class AtlasExplorer final : public Explorer {
 
   /// `stops` are in the map when the exploration begins. A strategy that cannot begin in a new map
   /// ends where the robot is lost or was lifted.
-  AtlasExplorer(MakeExplorer make, std::size_t stops, bool begins_anew = true);
+  AtlasExplorer(MakeExplorer make, std::size_t stops, bool begins_new_map = true);
 
   /// A strategy is told of the stops since it began.
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
@@ -38,7 +38,7 @@ class AtlasExplorer final : public Explorer {
   Motion next_of_strategy(pipeline::Snapshot snapshot, MotionResult last);
 
   MakeExplorer make_;
-  bool begins_anew_;
+  bool begins_new_map_;
   std::unique_ptr<Explorer> strategy_;
   std::optional<Motion> otherwise_;  ///< Set where a change of the maps was asked for.
   std::size_t stops_before_ = 0;     ///< In the map when the strategy began.

@@ -8,6 +8,7 @@
 
 #include "host/exploration/loop_closure.hpp"
 #include "host/exploration/wall_outline.hpp"
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
 
@@ -18,20 +19,22 @@ constexpr double kLeaveRad = 2.0;
 /// A corner that is passed again looks no farther away than this, by odometry.
 constexpr double kSameCornerM = 0.8;
 
-void check(const CoastalParams& params) {
-  const bool is_moving = params.tick_s > 0.0 && params.speed_m_per_s > 0.0 &&
-                         params.spin_rad > 0.0 && params.spin_rad_per_s > 0.0 &&
-                         params.arc_radius_m > 0.0;
-  const bool lengths_ok = params.robot_radius_m > 0.0 && params.least_gap_m >= 0.0 &&
-                          params.wall_m >= 0.0 && params.most_overlap_m >= 0.0 &&
-                          params.most_way_m > 0.0;
-  if (!is_moving || !lengths_ok) {
-    throw std::invalid_argument("coastal: a parameter is outside of its range");
-  }
+void validate(const CoastalParams& params) {
+  geometry::ParameterValidator("coastal")
+      .positive("tick_s", params.tick_s)
+      .positive("speed_m_per_s", params.speed_m_per_s)
+      .positive("spin_rad", params.spin_rad)
+      .positive("spin_rad_per_s", params.spin_rad_per_s)
+      .positive("arc_radius_m", params.arc_radius_m)
+      .positive("robot_radius_m", params.robot_radius_m)
+      .at_least("min_gap_m", params.min_gap_m, 0.0)
+      .at_least("wall_m", params.wall_m, 0.0)
+      .at_least("max_overlap_m", params.max_overlap_m, 0.0)
+      .positive("max_distance_m", params.max_distance_m);
 }
 
 CoastalParams right_handed(CoastalParams params) {
-  check(params);
+  validate(params);
   if (params.hand == Hand::kLeft) {
     params.T_robot_sensor = mirrored(params.T_robot_sensor);
   }
@@ -43,9 +46,9 @@ CoastalParams right_handed(CoastalParams params) {
 }
 
 /// What the sensor measures where the hull, parallel to the wall, is so near to it as it may be.
-double least_range_m(const CoastalParams& params) {
+double min_range_m(const CoastalParams& params) {
   const geometry::Pose2& sensor = params.T_robot_sensor;
-  return (params.robot_radius_m + params.least_gap_m + sensor.y_m()) /
+  return (params.robot_radius_m + params.min_gap_m + sensor.y_m()) /
          -std::sin(sensor.heading_rad());
 }
 
@@ -53,7 +56,7 @@ double least_range_m(const CoastalParams& params) {
 
 Coastal::Coastal(const CoastalParams& params)
     : params_(right_handed(params)),
-      least_range_m_(least_range_m(params_)),
+      min_range_m_(min_range_m(params_)),
       walk_(params.correction),
       corners_(params.corners),
       traversal_(params.traversal) {}
@@ -104,7 +107,7 @@ Roll Coastal::follow_wall(const WallContact& contact) {
   if (!contact.wall_beside) {
     return {params_.speed_m_per_s, -arc_rad_per_s, params_.tick_s};
   }
-  if (contact.range_m && *contact.range_m < least_range_m_) {
+  if (contact.range_m && *contact.range_m < min_range_m_) {
     return {params_.speed_m_per_s, arc_rad_per_s, params_.tick_s};
   }
   return {params_.speed_m_per_s, 0.0, params_.tick_s};
@@ -117,7 +120,7 @@ std::optional<FinishReason> Coastal::reason_to_finish(const WallContact& contact
   if (is_round(step)) {
     return FinishReason::kComplete;
   }
-  return step.way_m > params_.most_way_m || islands_ > params_.most_islands
+  return step.travelled_m > params_.max_distance_m || islands_ > params_.max_islands
              ? std::optional(FinishReason::kNowhereToGo)
              : std::nullopt;
 }
@@ -129,23 +132,23 @@ bool Coastal::is_round(const WallStep& step) const {
   if (traversal_.state() != Traversal::kRoundRoom) {
     return false;
   }
-  const double behind_m = step.way_m - traversal_.round_m();
+  const double behind_m = step.travelled_m - traversal_.round_m();
   const CornerMark* known = corner_behind_a_wall();
   if (known == nullptr) {
     return behind_m > params_.traversal.reach_m;
   }
   const CornerMark* again = passed_again(*known);
-  return behind_m > params_.most_overlap_m ||
-         (again != nullptr && step.way_m > again->way_m + params_.wall_m);
+  return behind_m > params_.max_overlap_m ||
+         (again != nullptr && step.travelled_m > again->travelled_m + params_.wall_m);
 }
 
 const CornerMark* Coastal::corner_behind_a_wall() const {
   double last_m = 0.0;
   for (const CornerMark& mark : corners_.marks()) {
-    if (mark.way_m - last_m > params_.wall_m) {
+    if (mark.travelled_m - last_m > params_.wall_m) {
       return &mark;
     }
-    last_m = mark.way_m;
+    last_m = mark.travelled_m;
   }
   return nullptr;
 }
@@ -153,7 +156,7 @@ const CornerMark* Coastal::corner_behind_a_wall() const {
 const CornerMark* Coastal::passed_again(const CornerMark& known) const {
   const auto& marks = corners_.marks();
   const auto again = std::find_if(marks.begin(), marks.end(), [&](const CornerMark& mark) {
-    return mark.way_m > traversal_.round_m() && mark.kind == known.kind &&
+    return mark.travelled_m > traversal_.round_m() && mark.kind == known.kind &&
            (mark.robot_m - known.robot_m).norm() < kSameCornerM;
   });
   return again == marks.end() ? nullptr : &*again;

@@ -40,7 +40,7 @@ struct CoastalParams {
   double robot_radius_m = 0.165;
   /// Nearer to the wall the robot bears away from it: a hull that slides along a wall presses no
   /// bumper and leads the odometry astray. 0 takes the paper at its word.
-  double least_gap_m = 0.01;
+  double min_gap_m = 0.01;
   /// The wall sensor's place and its index among the infra-red readings (robot profile).
   geometry::Pose2 T_robot_sensor{0.13, -0.10, -1.3089969389957472};
   std::size_t sensor_index = 0;
@@ -49,20 +49,20 @@ struct CoastalParams {
   CornerWatchParams corners;
   TraversalParams traversal;
   /// Behind the first contact the walk goes on past the first corner with so much of wall before it
-  /// and so much behind it, but no farther than `most_overlap_m`: what is seen twice tells how far
+  /// and so much behind it, but no farther than `max_overlap_m`: what is seen twice tells how far
   /// the odometry went astray.
   double wall_m = 0.5;
-  double most_overlap_m = 4.0;
+  double max_overlap_m = 4.0;
   /// Give up after so long a walk, or where more than so many walls were round something that
   /// stands in the room: the robot leaves it for another wall.
-  double most_way_m = 100.0;
-  std::size_t most_islands = 5;
+  double max_distance_m = 100.0;
+  std::size_t max_islands = 5;
 };
 
 /// Strategy `coastal`, the wall following of Mukherjee et al., section IV.
 class Coastal final : public Explorer {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit Coastal(const CoastalParams& params);
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
@@ -85,7 +85,7 @@ class Coastal final : public Explorer {
   const CornerMark* passed_again(const CornerMark& known) const;
 
   CoastalParams params_;
-  double least_range_m_;
+  double min_range_m_;
   WallWalk walk_;
   CornerWatch corners_;
   TraversalWatch traversal_;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "host/exploration/corner_watch.hpp"
 
-#include <stdexcept>
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
 
 using mapping::CornerKind;
 
 CornerWatch::CornerWatch(const CornerWatchParams& params) : params_(params) {
-  if (!(params.reflex_turn_rad > 0.0) || !(params.same_corner_m > 0.0)) {
-    throw std::invalid_argument("corners: the turn and the way are above 0");
-  }
+  geometry::ParameterValidator("corner watch")
+      .positive("reflex_turn_rad", params.reflex_turn_rad)
+      .positive("same_corner_m", params.same_corner_m);
 }
 
 void CornerWatch::add(const WallStep& step) {
@@ -33,9 +33,9 @@ void CornerWatch::add(const WallStep& step) {
 
 void CornerWatch::mark(CornerKind kind, const WallStep& step) {
   const bool is_new = marks_.empty() || marks_.back().kind != kind ||
-                      step.way_m - marks_.back().way_m > params_.same_corner_m;
+                      step.travelled_m - marks_.back().travelled_m > params_.same_corner_m;
   if (is_new) {
-    marks_.push_back({kind, step.T_map_robot.position_m(), step.way_m});
+    marks_.push_back({kind, step.T_map_robot.position_m(), step.travelled_m});
   }
 }
 

@@ -21,7 +21,7 @@ struct CornerWatchParams {
 struct CornerMark {
   mapping::CornerKind kind = mapping::CornerKind::kNonReflex;
   Eigen::Vector2d robot_m = Eigen::Vector2d::Zero();
-  double way_m = 0.0;
+  double travelled_m = 0.0;
 };
 
 /// Feels corners with the right hand on the wall (Mukherjee et al., section IV-B): a bump and a

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/mapping/distance_field.hpp"
 
 namespace echomap::exploration {
@@ -19,12 +19,13 @@ using mapping::RasterMap;
 
 constexpr double kDearestAllowed = 30.0;
 
-void check(const CostGridParams& params) {
-  const bool lengths_ok = params.robot_radius_m > 0.0 && params.clearance_m >= 0.0 &&
-                          params.wary_m >= 0.0 && params.standing_m >= 0.0;
-  if (!lengths_ok || !(params.dearest >= 1.0) || params.dearest > kDearestAllowed) {
-    throw std::invalid_argument("cost grid: a parameter is outside of its range");
-  }
+void validate(const CostGridParams& params) {
+  geometry::ParameterValidator("cost grid")
+      .positive("robot_radius_m", params.robot_radius_m)
+      .at_least("clearance_m", params.clearance_m, 0.0)
+      .at_least("wary_m", params.wary_m, 0.0)
+      .at_least("standing_m", params.standing_m, 0.0)
+      .within("dearest", params.dearest, 1.0, kDearestAllowed);
 }
 
 /// Free floor so few cells off in this direction, and nothing occupied before it.
@@ -41,9 +42,10 @@ bool has_free_floor(const RasterMap& map, CellIndex cell, std::int32_t dx, std::
 
 /// Free floor lies to both sides.
 bool is_ford(const RasterMap& map, CellIndex cell) {
-  constexpr std::array<CellIndex, 4> kWays{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
-  return std::any_of(kWays.begin(), kWays.end(), [&](CellIndex way) {
-    return has_free_floor(map, cell, way.x, way.y) && has_free_floor(map, cell, -way.x, -way.y);
+  constexpr std::array<CellIndex, 4> kDirections{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+  return std::any_of(kDirections.begin(), kDirections.end(), [&](CellIndex direction) {
+    return has_free_floor(map, cell, direction.x, direction.y) &&
+           has_free_floor(map, cell, -direction.x, -direction.y);
   });
 }
 
@@ -72,7 +74,7 @@ CostGrid::CostGrid(const RasterMap& map,
       origin_m_(map.origin_m()),
       costs_(static_cast<std::size_t>(map.columns() + 2) *
              static_cast<std::size_t>(map.rows() + 2)) {
-  check(params);
+  validate(params);
   inflate(map, params);
   open_around(map, here_m, params);
 }

@@ -38,7 +38,7 @@ class CostGrid {
   /// The cost of open floor; 0 is closed.
   static constexpr std::uint8_t kPlain = 8;
 
-  /// `here_m` is where the robot stands. Throws std::invalid_argument for parameters without sense.
+  /// `here_m` is where the robot stands. Throws std::invalid_argument for invalid parameters.
   CostGrid(const mapping::RasterMap& map,
            const Eigen::Vector2d& here_m,
            const CostGridParams& params);

@@ -76,7 +76,7 @@ Eigen::Vector2d CoveredGround::center_m(CellIndex cell) const {
 
 bool CoveredGround::may_be_floor(const Eigen::Vector2d& place_m) const {
   return std::all_of(loops_.begin(), loops_.end(), [&](const WallLoop& loop) {
-    return geometry::contains(loop.way_m, place_m) != loop.is_island;
+    return geometry::contains(loop.path_m, place_m) != loop.is_island;
   });
 }
 

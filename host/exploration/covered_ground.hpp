@@ -15,7 +15,7 @@ namespace echomap::exploration {
 /// A drive along one wall that came round: where the middle of the robot was. Ways round what
 /// stands in the room run clockwise.
 struct WallLoop {
-  geometry::Polygon way_m;
+  geometry::Polygon path_m;
   bool is_island = false;
 };
 

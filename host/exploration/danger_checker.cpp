@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 #include <variant>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 /// A motor that starts pulls the voltage down for a moment: half a minute of reports counts.
 constexpr double kBatteryShare = 0.03;
 /// A strategy whose every drive is in danger is asked so many times at most.
-constexpr int kMostRefusals = 8;
+constexpr int kMaxRefusals = 8;
 
 bool has_failed(MotionResult result) {
   return result == MotionResult::kBumped || result == MotionResult::kHazard ||
@@ -26,12 +27,14 @@ bool has_failed(MotionResult result) {
 
 DangerChecker::DangerChecker(std::unique_ptr<Explorer> strategy, const DangerCheckerParams& params)
     : strategy_(std::move(strategy)), params_(params) {
-  const bool ok = strategy_ && params.robot_radius_m > 0.0 && params.least_clearance_m >= 0.0 &&
-                  params.least_drive_m >= 0.0 && params.most_failures > 0 &&
-                  params.most_same_views > 0 && params.moved_m > 0.0;
-  if (!ok) {
-    throw std::invalid_argument("danger checker: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("danger checker")
+      .require(strategy_ != nullptr, "a strategy must be given")
+      .positive("robot_radius_m", params.robot_radius_m)
+      .at_least("min_clearance_m", params.min_clearance_m, 0.0)
+      .at_least("min_drive_m", params.min_drive_m, 0.0)
+      .positive("max_failures", params.max_failures)
+      .positive("max_same_views", params.max_same_views)
+      .positive("moved_m", params.moved_m);
 }
 
 Motion DangerChecker::next(const pipeline::Snapshot& snapshot, MotionResult last) {
@@ -85,21 +88,21 @@ std::optional<FinishReason> DangerChecker::danger(const pipeline::Snapshot& snap
   if (battery_v_ && params_.stop_below_v && *battery_v_ < *params_.stop_below_v) {
     return FinishReason::kBatteryLow;
   }
-  if (failures_ >= params_.most_failures || same_views_ >= params_.most_same_views) {
+  if (failures_ >= params_.max_failures || same_views_ >= params_.max_same_views) {
     return FinishReason::kStuck;
   }
   return std::nullopt;
 }
 
 Motion DangerChecker::ask_strategy(const pipeline::Snapshot& snapshot, MotionResult last) {
-  for (int i = 0; i < kMostRefusals; ++i) {
+  for (int i = 0; i < kMaxRefusals; ++i) {
     Motion motion = strategy_->next(snapshot, last);
     auto* drive = std::get_if<Drive>(&motion);
     if (drive == nullptr || drive->distance_m <= 0.0 || !params_.shortens_drives) {
       return motion;
     }
-    const double clear_m = clear_way_m(snapshot);
-    if (clear_m >= std::min(drive->distance_m, params_.least_drive_m)) {
+    const double clear_m = clear_distance_m(snapshot);
+    if (clear_m >= std::min(drive->distance_m, params_.min_drive_m)) {
       drive->distance_m = std::min(drive->distance_m, clear_m);
       return motion;
     }
@@ -110,10 +113,10 @@ Motion DangerChecker::ask_strategy(const pipeline::Snapshot& snapshot, MotionRes
 
 /// How far the hull can go straight ahead before it comes near to a cell that is occupied. What it
 /// stands on already, by the map, is no reason to stay.
-double DangerChecker::clear_way_m(const pipeline::Snapshot& snapshot) const {
+double DangerChecker::clear_distance_m(const pipeline::Snapshot& snapshot) const {
   const mapping::OccupancyGrid& grid = *snapshot.grid;
   const geometry::Pose2 T_robot_map = snapshot.latest.T_map_robot.inverse();
-  const double radius_m = params_.robot_radius_m + params_.least_clearance_m;
+  const double radius_m = params_.robot_radius_m + params_.min_clearance_m;
   double clear_m = std::numeric_limits<double>::infinity();
   const auto& bounds = grid.bounds();
   for (std::int32_t y = bounds.min.y; y <= bounds.max.y; ++y) {

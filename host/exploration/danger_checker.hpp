@@ -9,8 +9,8 @@
 #include <Eigen/Core>
 
 #include "host/exploration/explorer.hpp"
+#include "host/exploration/return_path.hpp"
 #include "host/exploration/same_view.hpp"
-#include "host/exploration/way_home.hpp"
 
 namespace echomap::exploration {
 
@@ -22,15 +22,15 @@ struct DangerCheckerParams {
   /// which knows more or less than the map does.
   bool shortens_drives = true;
   /// A straight drive ends with so much floor between hull and what the map holds occupied.
-  double least_clearance_m = 0.02;
+  double min_clearance_m = 0.02;
   /// A drive that this leaves shorter is not begun.
-  double least_drive_m = 0.02;
+  double min_drive_m = 0.02;
   /// After so many motions that were stopped short, and none that got it on by `moved_m`, the robot
   /// is stuck.
-  std::size_t most_failures = 20;
+  std::size_t max_failures = 20;
   /// After so many drives of `moved_m` or more after which it heard what it had heard before, too:
   /// the wheels turn and the world does not.
-  std::size_t most_same_views = 2;
+  std::size_t max_same_views = 2;
   double moved_m = 0.2;
   SameViewParams same_view;
   /// The battery's voltage, the mean over some reports, below which the robot goes back to where it
@@ -46,7 +46,7 @@ struct DangerCheckerParams {
 /// first leads it home (after the danger checker of Hennessey et al., section II.A).
 class DangerChecker final : public Explorer {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   DangerChecker(std::unique_ptr<Explorer> strategy, const DangerCheckerParams& params);
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
@@ -57,16 +57,16 @@ class DangerChecker final : public Explorer {
   void compare_views(const pipeline::Snapshot& snapshot);
   std::optional<FinishReason> danger(const pipeline::Snapshot& snapshot) const;
   Motion ask_strategy(const pipeline::Snapshot& snapshot, MotionResult last);
-  double clear_way_m(const pipeline::Snapshot& snapshot) const;
+  double clear_distance_m(const pipeline::Snapshot& snapshot) const;
 
   std::unique_ptr<Explorer> strategy_;
   DangerCheckerParams params_;
-  std::optional<WayHome> way_home_;  ///< While the robot goes home.
-  std::optional<double> battery_v_;  ///< Smoothed.
+  std::optional<ReturnPath> way_home_;  ///< While the robot goes home.
+  std::optional<double> battery_v_;     ///< Smoothed.
   std::optional<time::RobotTime> battery_stamp_;
   std::size_t failures_ = 0;  ///< Since it got on.
   Eigen::Vector2d got_to_m_ = Eigen::Vector2d::Zero();
-  std::size_t same_views_ = 0;  ///< In a row.
+  std::size_t same_views_ = 0;  ///< Consecutive count.
   std::size_t stops_ = 0;
   Eigen::Vector2d last_stop_m_ = Eigen::Vector2d::Zero();
   std::shared_ptr<const mapping::Scan> last_scan_;

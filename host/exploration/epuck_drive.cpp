@@ -5,29 +5,32 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
 
 namespace {
 
-void check(const EpuckDriveParams& params) {
-  const bool is_sound = params.known_wall_m > 0.0 && params.leave_m > 0.0 &&
-                        params.astray_m > 0.0 && params.turn_per_rad > 0.0 &&
-                        params.most_off_rad > 0.0 && params.most_walls > 0 && params.most_s > 0.0;
-  if (!is_sound) {
-    throw std::invalid_argument("epuck: every parameter is above 0");
-  }
+void validate(const EpuckDriveParams& params) {
+  geometry::ParameterValidator("epuck")
+      .positive("known_wall_m", params.known_wall_m)
+      .positive("leave_m", params.leave_m)
+      .positive("astray_m", params.astray_m)
+      .positive("turn_per_rad", params.turn_per_rad)
+      .positive("max_off_rad", params.max_off_rad)
+      .positive("max_walls", params.max_walls)
+      .positive("max_s", params.max_s);
 }
 
 /// The place of a way that is nearest to another place.
-Eigen::Vector2d nearest_of_m(const geometry::Polygon& way_m, const Eigen::Vector2d& place_m) {
-  return *std::min_element(way_m.begin(), way_m.end(), [&](const auto& a, const auto& b) {
-    return (a - place_m).squaredNorm() < (b - place_m).squaredNorm();
-  });
+Eigen::Vector2d nearest_of_m(const geometry::Polygon& travelled_m, const Eigen::Vector2d& place_m) {
+  return *std::min_element(
+      travelled_m.begin(), travelled_m.end(), [&](const auto& a, const auto& b) {
+        return (a - place_m).squaredNorm() < (b - place_m).squaredNorm();
+      });
 }
 
 }  // namespace
@@ -37,7 +40,7 @@ EpuckDrive::EpuckDrive(const EpuckDriveParams& params)
       follower_(params.follower),
       ground_(params.reach_m, params.cell_m),
       traversal_(params.traversal) {
-  check(params);
+  validate(params);
 }
 
 Motion EpuckDrive::next(const pipeline::Snapshot& snapshot, MotionResult /*last*/) {
@@ -50,7 +53,7 @@ Motion EpuckDrive::next(const pipeline::Snapshot& snapshot, MotionResult /*last*
     return Finished{FinishReason::kComplete};
   }
   const std::chrono::duration<double> driven = snapshot.latest.stamp - *begin_;
-  if (driven.count() > params_.most_s) {
+  if (driven.count() > params_.max_s) {
     return Finished{FinishReason::kNowhereToGo};
   }
   switch (phase_) {
@@ -72,14 +75,14 @@ void EpuckDrive::look(InfraredRanges ranges_m) {
   const WallStep& step = walk_.add({false, false, follower_.beside_m(ranges_m).has_value(), {}});
   traversal_.add(step);
   const bool is_round = traversal_.state() != Traversal::kUnderway;
-  unknown_until_m_ = is_at_known_wall() ? unknown_until_m_ : step.way_m;
+  unknown_until_m_ = is_at_known_wall() ? unknown_until_m_ : step.travelled_m;
   if (phase_ == Phase::kRound && is_round) {
     come_round();
-  } else if (phase_ == Phase::kRound && step.way_m > unknown_until_m_ + params_.astray_m) {
+  } else if (phase_ == Phase::kRound && step.travelled_m > unknown_until_m_ + params_.astray_m) {
     phase_ = Phase::kAcross;
   } else if (phase_ == Phase::kAlong) {
     const double away_m = (step.T_map_robot.position_m() - leave_at_m_).norm();
-    walls_met_ = is_round ? params_.most_walls : walls_met_;
+    walls_met_ = is_round ? params_.max_walls : walls_met_;
     phase_ = is_round || away_m < params_.leave_m || ground_.is_covered(*goal_m_) ? Phase::kAcross
                                                                                   : phase_;
   }
@@ -108,9 +111,9 @@ void EpuckDrive::meet_wall() {
   traversal_ = TraversalWatch(params_.traversal);
   unknown_until_m_ = 0.0;
   for (const WallLoop& loop : ground_.loops()) {
-    if (goal_m_ && geometry::distance_to_sides_m(loop.way_m, here_m) < params_.known_wall_m) {
+    if (goal_m_ && geometry::distance_to_sides_m(loop.path_m, here_m) < params_.known_wall_m) {
       phase_ = Phase::kAlong;
-      leave_at_m_ = nearest_of_m(loop.way_m, *goal_m_);
+      leave_at_m_ = nearest_of_m(loop.path_m, *goal_m_);
     }
   }
 }
@@ -119,7 +122,7 @@ bool EpuckDrive::is_at_known_wall() const {
   const Eigen::Vector2d& here_m = walk_.T_map_robot().position_m();
   const auto& loops = ground_.loops();
   return std::any_of(loops.begin(), loops.end(), [&](const WallLoop& loop) {
-    return geometry::distance_to_sides_m(loop.way_m, here_m) < params_.known_wall_m;
+    return geometry::distance_to_sides_m(loop.path_m, here_m) < params_.known_wall_m;
   });
 }
 
@@ -127,7 +130,7 @@ void EpuckDrive::come_round() {
   WallLoop loop;
   loop.is_island = traversal_.state() == Traversal::kRoundIsland;
   for (const WallStep& step : walk_.steps()) {
-    loop.way_m.push_back(step.T_map_robot.position_m());
+    loop.path_m.push_back(step.T_map_robot.position_m());
   }
   ground_.add(std::move(loop));
   phase_ = Phase::kAcross;
@@ -135,7 +138,7 @@ void EpuckDrive::come_round() {
 }
 
 bool EpuckDrive::choose_goal() {
-  if (goal_m_ && walls_met_ >= params_.most_walls) {
+  if (goal_m_ && walls_met_ >= params_.max_walls) {
     ground_.give_up(*goal_m_);
     goal_m_.reset();
   }
@@ -148,12 +151,12 @@ bool EpuckDrive::choose_goal() {
 
 double EpuckDrive::off_goal_rad() const {
   const geometry::Pose2& pose = walk_.T_map_robot();
-  const Eigen::Vector2d way_m = *goal_m_ - pose.position_m();
-  return geometry::angle_between(pose.heading_rad(), std::atan2(way_m.y(), way_m.x()));
+  const Eigen::Vector2d offset_m = *goal_m_ - pose.position_m();
+  return geometry::angle_between(pose.heading_rad(), std::atan2(offset_m.y(), offset_m.x()));
 }
 
 bool EpuckDrive::turns_on_the_spot() const {
-  return goal_m_ && std::abs(off_goal_rad()) > params_.most_off_rad;
+  return goal_m_ && std::abs(off_goal_rad()) > params_.max_off_rad;
 }
 
 Roll EpuckDrive::go_to_goal() const {

@@ -29,11 +29,11 @@ struct EpuckDriveParams {
   double leave_m = 0.025;
   /// Turn towards the goal for each radian that it is off; a robot farther off turns on the spot.
   double turn_per_rad = 2.0;
-  double most_off_rad = 0.35;
+  double max_off_rad = 0.35;
   /// A goal that so many walls came before is given up.
-  std::size_t most_walls = 4;
+  std::size_t max_walls = 4;
   /// Give up after so long.
-  double most_s = 1800.0;
+  double max_s = 1800.0;
 };
 
 /// Strategy `epuck`, the drive of Mahmood and Ridao 2017, section 4: along the walls of the field
@@ -42,7 +42,7 @@ struct EpuckDriveParams {
 /// (the Bug1 of Lumelsky and Stepanov 1987).
 class EpuckDrive final : public Explorer {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit EpuckDrive(const EpuckDriveParams& params);
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;

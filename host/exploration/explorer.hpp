@@ -44,14 +44,14 @@ struct Sweep {
 struct BeginScan {};
 struct EndScan {};
 
-/// The robot is somewhere else than its map: sets that map aside, without so many of its last stops,
-/// and begins another one (RobotAtlas::begin_anew). Ends with kReached.
+/// The robot is somewhere else than its map: sets that map aside, without so many of its last
+/// stops, and begins another one (RobotAtlas::begin_new_map). Ends with kReached.
 struct BeginNewMap {
   std::size_t stops_elsewhere = 0;
 };
 
-/// Looks for the map in those that were set aside (RobotAtlas::join). Ends with kReached where it was
-/// joined to one, else with kRefused.
+/// Looks for the map in those that were set aside (RobotAtlas::join). Ends with kReached where it
+/// was joined to one, else with kRefused.
 struct JoinMaps {};
 
 /// Why an exploration ended.
@@ -83,7 +83,7 @@ struct Finished {
 using Motion =
     std::variant<Turn, Drive, Roll, Sweep, BeginScan, EndScan, BeginNewMap, JoinMaps, Finished>;
 
-/// How the last motion ended.
+/// Result of the last motion.
 enum class MotionResult : std::uint8_t {
   kReached,      ///< as asked; also said before the first motion
   kBumped,       ///< a contact stopped it short

@@ -2,8 +2,9 @@
 #include "host/exploration/fault_watch.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
 namespace {
@@ -16,13 +17,17 @@ bool has_stalled(MotionResult result) {
 
 FaultWatch::FaultWatch(std::unique_ptr<Explorer> strategy, const FaultWatchParams& params)
     : strategy_(std::move(strategy)), params_(params) {
-  const bool scans_ok = params.scans_elsewhere > 0 && params.silent_readings > 0 &&
-                        params.compared_scans >= params.least_compared_scans &&
-                        params.compared_echoes > 0 && params.most_floor_share > 0.0 &&
-                        params.doubtful_echoes > 0 && params.doubtful_floor_share > 0.0;
-  if (!strategy_ || !scans_ok || params.most_stalled_turns == 0 || !(params.try_turn_rad > 0.0)) {
-    throw std::invalid_argument("fault watch: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("fault watch")
+      .require(strategy_ != nullptr, "a strategy must be given")
+      .positive("scans_elsewhere", params.scans_elsewhere)
+      .positive("silent_readings", params.silent_readings)
+      .at_least("compared_scans", params.compared_scans, params.min_compared_scans)
+      .positive("compared_echoes", params.compared_echoes)
+      .positive("max_floor_share", params.max_floor_share)
+      .positive("doubtful_echoes", params.doubtful_echoes)
+      .positive("doubtful_floor_share", params.doubtful_floor_share)
+      .positive("max_stalled_turns", params.max_stalled_turns)
+      .positive("try_turn_rad", params.try_turn_rad);
 }
 
 Motion FaultWatch::next(const pipeline::Snapshot& snapshot, MotionResult last) {
@@ -91,8 +96,8 @@ bool FaultWatch::contradicts_itself(const mapping::ScanFit& fit) {
     known += one.on_walls + one.on_floor;
     on_floor += one.on_floor;
   }
-  return fits_.size() >= params_.least_compared_scans && known >= params_.compared_echoes &&
-         static_cast<double>(on_floor) >= params_.most_floor_share * static_cast<double>(known);
+  return fits_.size() >= params_.min_compared_scans && known >= params_.compared_echoes &&
+         static_cast<double>(on_floor) >= params_.max_floor_share * static_cast<double>(known);
 }
 
 /// To and fro until a turn does not stall; the robot is left turned by that one.
@@ -102,7 +107,7 @@ std::optional<Motion> FaultWatch::try_wheels(MotionResult last) {
   } else if (!has_stalled(last)) {
     turns_ = 0;
     return std::nullopt;
-  } else if (turns_ == params_.most_stalled_turns) {
+  } else if (turns_ == params_.max_stalled_turns) {
     return Finished{FinishReason::kWheelFault};
   }
   const double sign = turns_ % 2 == 0 ? 1.0 : -1.0;

@@ -26,17 +26,17 @@ struct FaultWatchParams {
   /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans,
   /// so few at least and so many at most, it knew something of so many at least, and such a share
   /// of them lies on its floor.
-  std::size_t least_compared_scans = 3;
+  std::size_t min_compared_scans = 3;
   std::size_t compared_scans = 5;
   std::size_t compared_echoes = 100;
-  double most_floor_share = 0.2;
+  double max_floor_share = 0.2;
   /// So many readings in a row, of whole scans, that nothing has answered are a dead sonar: a turn
   /// all round in the paper's steps of 6 degrees.
   std::size_t silent_readings = 60;
   /// How far the robot is turned to and fro, to try wheels that have stalled.
   double try_turn_rad = 0.35;
   /// So many of these turns in a row that stall as well are a broken wheel, motor or encoder.
-  std::size_t most_stalled_turns = 2;
+  std::size_t max_stalled_turns = 2;
 };
 
 /// Watches the parts of a robot that any strategy drives, and ends the exploration where going on
@@ -44,7 +44,7 @@ struct FaultWatchParams {
 /// a robot that is not where it believes to be.
 class FaultWatch final : public Explorer {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit FaultWatch(std::unique_ptr<Explorer> strategy, const FaultWatchParams& params = {});
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;

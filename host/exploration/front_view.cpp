@@ -34,16 +34,16 @@ std::vector<ViewedRange> front_view(const mapping::Scan& scan,
                                     const geometry::Pose2& T_map_robot,
                                     double goal_bearing_map_rad,
                                     double half_view_rad,
-                                    double farthest_m) {
+                                    double max_m) {
   std::vector<ViewedRange> view;
   for (const mapping::PlacedReading& reading : scan) {
-    const Eigen::Vector2d way_m =
-        reading.T_map_sonar * Eigen::Vector2d(reading.range_m.value_or(farthest_m), 0.0) -
+    const Eigen::Vector2d offset_m =
+        reading.T_map_sonar * Eigen::Vector2d(reading.range_m.value_or(max_m), 0.0) -
         T_map_robot.position_m();
     const double bearing_rad =
-        geometry::angle_between(goal_bearing_map_rad, std::atan2(way_m.y(), way_m.x()));
+        geometry::angle_between(goal_bearing_map_rad, std::atan2(offset_m.y(), offset_m.x()));
     if (std::abs(bearing_rad) <= half_view_rad) {
-      view.push_back({bearing_rad, way_m.norm()});
+      view.push_back({bearing_rad, offset_m.norm()});
     }
   }
   std::stable_sort(view.begin(), view.end(), [](const auto& one, const auto& other) {

@@ -30,7 +30,7 @@ std::vector<ViewedRange> front_view(const mapping::Scan& scan,
                                     const geometry::Pose2& T_map_robot,
                                     double goal_bearing_map_rad,
                                     double half_view_rad,
-                                    double farthest_m);
+                                    double max_m);
 
 /// Every pair of neighbours in a view whose ranges differ by more than `jump_m`, from right to left
 /// (Kamon, Rimon and Rivlin 1998: the ends of the blocking obstacles).

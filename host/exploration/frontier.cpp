@@ -5,12 +5,12 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
-#include <stdexcept>
 #include <variant>
 
 #include "host/exploration/frontier_search.hpp"
 #include "host/exploration/unwinding_turn.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/raster_map.hpp"
 
@@ -25,15 +25,18 @@ using mapping::RasterMap;
 
 constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
 
-void check(const FrontierParams& params) {
-  const bool lengths_ok = params.least_gain_m2 > 0.0 && params.back_off_m >= 0.0 &&
-                          params.obstacle_m > 0.0 && params.openings_apart_m >= 0.0 &&
-                          params.openings.step_m > 0.0 && params.openings.half_width_m > 0.0 &&
-                          params.openings.far_m > 0.0;
-  if (!is_possible(params.sweep) || !lengths_ok || params.most_failures == 0 ||
-      params.most_stops == 0) {
-    throw std::invalid_argument("frontier: a parameter is outside of its range");
-  }
+void validate(const FrontierParams& params) {
+  geometry::ParameterValidator("frontier")
+      .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
+      .positive("min_gain_m2", params.min_gain_m2)
+      .at_least("back_off_m", params.back_off_m, 0.0)
+      .positive("obstacle_m", params.obstacle_m)
+      .at_least("openings_apart_m", params.openings_apart_m, 0.0)
+      .positive("openings.step_m", params.openings.step_m)
+      .positive("openings.half_width_m", params.openings.half_width_m)
+      .positive("openings.far_m", params.openings.far_m)
+      .positive("max_failures", params.max_failures)
+      .positive("max_stops", params.max_stops);
 }
 
 /// Makes the cells within `radius_m` of a point so, of those that are in `from`.
@@ -80,15 +83,16 @@ RasterMap planning_map(const pipeline::Snapshot& snapshot,
 }
 
 /// Twice what the way takes at the lowest speed, and some turns.
-std::size_t patience_for(double way_m, const PathFollowerParams& params) {
+std::size_t patience_for(double travelled_m, const PathFollowerParams& params) {
   constexpr double kTurns = 20.0;
-  return static_cast<std::size_t>(kTurns + 2.0 * way_m / (params.slowest_m_per_s * params.roll_s));
+  return static_cast<std::size_t>(kTurns +
+                                  2.0 * travelled_m / (params.min_speed_m_per_s * params.roll_s));
 }
 
 }  // namespace
 
 Frontier::Frontier(const FrontierParams& params) : params_(params), follower_(params.follower) {
-  check(params);
+  validate(params);
 }
 
 Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
@@ -114,14 +118,14 @@ Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
 }
 
 /// What stopped a move stands before the robot: it is kept, and the robot backs off. A lifted robot
-/// begins anew where it was put down.
+/// starts again where it was put down.
 std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, MotionResult last) {
   const bool touches = snapshot.hazards.bump_left || snapshot.hazards.bump_right;
   const bool pushes = phase_ == Phase::kDriving && touches;
   if (last == MotionResult::kReached && !pushes) {
     return std::nullopt;
   }
-  if (++failures_ > params_.most_failures) {
+  if (++failures_ > params_.max_failures) {
     return Finished{FinishReason::kNowhereToGo};
   }
   if (last == MotionResult::kLifted) {
@@ -154,7 +158,7 @@ std::optional<FinishReason> Frontier::reason_to_finish(const pipeline::Snapshot&
   if (phase_ == Phase::kSensing && sweeps_done_ == 0) {
     return FinishReason::kCannotSense;
   }
-  if (snapshot.stops >= params_.most_stops) {
+  if (snapshot.stops >= params_.max_stops) {
     return FinishReason::kStopLimit;
   }
   return std::nullopt;
@@ -177,7 +181,7 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
                            find_frontiers(map, here),
                            ViewGain(map, views_, params_.gain),
                            T_map_robot,
-                           params_.least_gain_m2,
+                           params_.min_gain_m2,
                            params_.viewpoints);
   if (!goal_) {
     goal_ = choose_opening(map, snapshot);

@@ -33,18 +33,18 @@ struct FrontierParams {
   /// sweep of a sector is as dense.
   RoundSweepParams sweep{6.283185307179586, 0.06981317007977318, 1.5707963267948966, 0.03};
   /// The room is done when no sweep would show more than this.
-  double least_gain_m2 = 0.2;
-  /// How far to back off from what was bumped into.
+  double min_gain_m2 = 0.2;
+  /// Distance to back off after a bump.
   double back_off_m = 0.1;
-  /// What stopped the robot is taken to be so wide.
+  /// Assumed width of an obstacle that stopped the robot.
   double obstacle_m = 0.2;
   /// An opening so near to one that was chosen before, or to a bump, is the same one.
   double openings_apart_m = 0.3;
   /// Give up after more motions that failed than this since the last stop, or since an opening was
   /// chosen.
-  std::size_t most_failures = 8;
+  std::size_t max_failures = 8;
   /// End after this many stops.
-  std::size_t most_stops = 40;
+  std::size_t max_stops = 40;
 };
 
 /// Strategy `frontier`, ours: goes to where a sweep shows most unknown floor for the time that it
@@ -52,7 +52,7 @@ struct FrontierParams {
 /// is complete without any (after Yamauchi 1997 and Gonzalez-Banos and Latombe 2002).
 class Frontier final : public Explorer {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit Frontier(const FrontierParams& params);
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;

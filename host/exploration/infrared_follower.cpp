@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
 
@@ -17,32 +18,35 @@ using geometry::radians;
 
 /// A sensor looks ahead, aslant to the right or to the right side within these bearings.
 constexpr double kAheadRad = radians(30.0);
-constexpr double kAslantRad = radians(75.0);
+constexpr double kObliqueRad = radians(75.0);
 constexpr double kBesideRad = radians(120.0);
 
-void check(const InfraredFollowerParams& params) {
-  const bool moves = params.speed_m_per_s > 0.0 && params.spin_rad_per_s > 0.0 &&
-                     params.tick_s > 0.0 && params.most_turn_rad_per_s > 0.0 &&
-                     params.turn_per_m > 0.0 && params.turn_per_m_per_s >= 0.0;
-  const bool lengths_ok = params.distance_m > 0.0 && params.ahead_m > 0.0 &&
-                          params.aslant_m > 0.0 && params.graze_m > 0.0 &&
-                          params.robot_radius_m > 0.0;
-  if (!moves || !lengths_ok) {
-    throw std::invalid_argument("infra-red follower: a parameter is outside of its range");
-  }
+void validate(const InfraredFollowerParams& params) {
+  geometry::ParameterValidator("infra-red follower")
+      .positive("speed_m_per_s", params.speed_m_per_s)
+      .positive("spin_rad_per_s", params.spin_rad_per_s)
+      .positive("tick_s", params.tick_s)
+      .positive("max_turn_rad_per_s", params.max_turn_rad_per_s)
+      .positive("turn_per_m", params.turn_per_m)
+      .at_least("turn_per_m_per_s", params.turn_per_m_per_s, 0.0)
+      .positive("distance_m", params.distance_m)
+      .positive("ahead_m", params.ahead_m)
+      .positive("oblique_m", params.oblique_m)
+      .positive("graze_m", params.graze_m)
+      .positive("robot_radius_m", params.robot_radius_m);
 }
 
 }  // namespace
 
 InfraredFollower::InfraredFollower(const InfraredFollowerParams& params) : params_(params) {
-  check(params);
+  validate(params);
   std::optional<std::size_t> beside;
   for (std::size_t i = 0; i < params.T_robot_sensor.size(); ++i) {
     const double right_rad = -params.T_robot_sensor[i].heading_rad();
     if (std::abs(right_rad) <= kAheadRad) {
       ahead_.push_back(i);
-    } else if (right_rad > 0.0 && right_rad <= kAslantRad) {
-      aslant_.push_back(i);
+    } else if (right_rad > 0.0 && right_rad <= kObliqueRad) {
+      oblique_.push_back(i);
     } else if (right_rad > 0.0 && right_rad <= kBesideRad) {
       beside = i;
     } else if (right_rad < 0.0 && right_rad >= -kBesideRad) {
@@ -57,7 +61,7 @@ InfraredFollower::InfraredFollower(const InfraredFollowerParams& params) : param
 
 bool InfraredFollower::is_blocked(InfraredRanges ranges_m) const {
   return nearest_m(ranges_m, ahead_) < params_.ahead_m ||
-         nearest_m(ranges_m, aslant_) < params_.aslant_m;
+         nearest_m(ranges_m, oblique_) < params_.oblique_m;
 }
 
 bool InfraredFollower::grazes_right(InfraredRanges ranges_m) const {
@@ -87,7 +91,7 @@ Roll InfraredFollower::follow(InfraredRanges ranges_m) {
   const double turn_rad_per_s = -params_.turn_per_m * (*wall_m - params_.distance_m) -
                                 params_.turn_per_m_per_s * away_m_per_s;
   return {params_.speed_m_per_s,
-          std::clamp(turn_rad_per_s, -params_.most_turn_rad_per_s, params_.most_turn_rad_per_s),
+          std::clamp(turn_rad_per_s, -params_.max_turn_rad_per_s, params_.max_turn_rad_per_s),
           params_.tick_s};
 }
 

@@ -21,13 +21,13 @@ struct InfraredFollowerParams {
   double distance_m = 0.018;
   /// The robot turns away from what is nearer: ahead, and to the right of ahead.
   double ahead_m = 0.020;
-  double aslant_m = 0.024;
+  double oblique_m = 0.024;
   /// On its way across a field it has met a wall that is so near beside it.
   double graze_m = 0.020;
   /// Towards the wall, for each metre too far and each metre a second away from it.
   double turn_per_m = 30.0;
   double turn_per_m_per_s = 40.0;
-  double most_turn_rad_per_s = 1.0;
+  double max_turn_rad_per_s = 1.0;
   double robot_radius_m = 0.037;
   /// The infra-red sensors, in the order of their readings (robot profile).
   std::vector<geometry::Pose2> T_robot_sensor;
@@ -39,8 +39,8 @@ using InfraredRanges = std::span<const std::optional<double>>;
 /// Goes along a wall on the right by a ring of infra-red sensors of short reach.
 class InfraredFollower {
  public:
-  /// Throws std::invalid_argument for parameters without sense, and where no sensor looks ahead or
-  /// none to the right.
+  /// Throws std::invalid_argument for invalid parameters, and where no sensor looks ahead or none
+  /// to the right.
   explicit InfraredFollower(const InfraredFollowerParams& params);
 
   /// Something is too near in front.
@@ -62,7 +62,7 @@ class InfraredFollower {
 
   InfraredFollowerParams params_;
   std::vector<std::size_t> ahead_;
-  std::vector<std::size_t> aslant_;
+  std::vector<std::size_t> oblique_;
   std::vector<std::size_t> left_;
   std::size_t beside_ = 0;
   std::optional<double> last_m_;

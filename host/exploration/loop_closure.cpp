@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 #include <Eigen/Geometry>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/line_extraction.hpp"
 #include "host/optimization/gauss_newton.hpp"
@@ -24,7 +24,7 @@ using mapping::FittedLine;
 /// A place so far beyond the end of a wall is still beside it.
 constexpr double kOverhangM = 0.1;
 /// The robot goes along a wall, more or less.
-constexpr double kSameWayRad = 0.6;
+constexpr double kSameDirectionRad = 0.6;
 /// Errors of the wall sensor last for so long a way.
 constexpr double kOneErrorM = 0.1;
 
@@ -39,23 +39,24 @@ struct Shift {
   }
 };
 
-void check(const LoopClosureParams& params) {
-  const bool is_sound = params.reach_m > 0.0 && params.position_sd_m > 0.0 &&
-                        params.heading_sd_rad > 0.0 && params.wall_sd_m > 0.0 &&
-                        params.lead_m > 0.0 && params.rounds > 0;
-  if (!is_sound) {
-    throw std::invalid_argument("loop closure: every parameter is above 0");
-  }
+void validate(const LoopClosureParams& params) {
+  geometry::ParameterValidator("loop closure")
+      .positive("reach_m", params.reach_m)
+      .positive("position_stddev_m", params.position_stddev_m)
+      .positive("heading_stddev_rad", params.heading_stddev_rad)
+      .positive("wall_stddev_m", params.wall_stddev_m)
+      .positive("lead_m", params.lead_m)
+      .positive("rounds", params.rounds);
 }
 
 /// How far a point lies from a wall; empty where it is not beside it, or was walked by another way.
 std::optional<double> away_m(const FittedLine& wall, const WallPoint& point) {
-  const Eigen::Vector2d way_m = wall.segment.to_m - wall.segment.from_m;
-  const double along_m = way_m.normalized().dot(point.place_m - wall.segment.from_m);
-  const bool is_beside = along_m > -kOverhangM && along_m < way_m.norm() + kOverhangM;
+  const Eigen::Vector2d offset_m = wall.segment.to_m - wall.segment.from_m;
+  const double along_m = offset_m.normalized().dot(point.place_m - wall.segment.from_m);
+  const bool is_beside = along_m > -kOverhangM && along_m < offset_m.norm() + kOverhangM;
   const double turn_rad =
-      geometry::angle_between(std::atan2(way_m.y(), way_m.x()), point.heading_rad);
-  return is_beside && std::abs(turn_rad) < kSameWayRad
+      geometry::angle_between(std::atan2(offset_m.y(), offset_m.x()), point.heading_rad);
+  return is_beside && std::abs(turn_rad) < kSameDirectionRad
              ? std::optional(geometry::distance_m(wall.segment, point.place_m))
              : std::nullopt;
 }
@@ -79,18 +80,18 @@ optimization::NormalEquations<3> linearized(const Shift& shift,
                                             const std::vector<WallPoint>& points,
                                             const std::vector<FittedLine>& walls,
                                             const LoopClosureParams& params) {
-  const double position_weight = 1.0 / (params.position_sd_m * params.position_sd_m);
-  const double heading_weight = 1.0 / (params.heading_sd_rad * params.heading_sd_rad);
-  const double independent = (points.back().way_m - points.front().way_m) / kOneErrorM;
+  const double position_weight = 1.0 / (params.position_stddev_m * params.position_stddev_m);
+  const double heading_weight = 1.0 / (params.heading_stddev_rad * params.heading_stddev_rad);
+  const double independent = (points.back().travelled_m - points.front().travelled_m) / kOneErrorM;
   const double wall_weight = std::max(independent, 1.0) / static_cast<double>(points.size()) /
-                             (params.wall_sd_m * params.wall_sd_m);
+                             (params.wall_stddev_m * params.wall_stddev_m);
   optimization::NormalEquations<3> equations;
   equations.add_prior(
       {shift.shift_m.x(), shift.shift_m.y(), shift.turn_rad},
       Eigen::Vector3d(position_weight, position_weight, heading_weight).asDiagonal());
   for (const WallPoint& point : points) {
     const Eigen::Vector2d place_m = shift(point.place_m);
-    const WallPoint moved{place_m, point.way_m, point.heading_rad + shift.turn_rad};
+    const WallPoint moved{place_m, point.travelled_m, point.heading_rad + shift.turn_rad};
     if (const FittedLine* wall = nearest_wall(walls, moved, params.reach_m)) {
       const Eigen::Vector2d across = geometry::unit_vector(wall->normal_rad);
       const Eigen::Vector2d arm_m = place_m - shift.centre_m - shift.shift_m;
@@ -111,16 +112,16 @@ void bend(std::vector<WallStep>& steps, const Shift& shift, double end_m) {
   Eigen::Vector2d astray_m = Eigen::Vector2d::Zero();
   for (const WallStep& step : steps) {
     const Pose2& pose = step.T_map_robot;
-    const double turn_rad = shift.turn_rad * step.way_m / end_m;
+    const double turn_rad = shift.turn_rad * step.travelled_m / end_m;
     at_m += Eigen::Rotation2Dd(turn_rad) * (pose.position_m() - before_m);
     before_m = pose.position_m();
     bent.emplace_back(at_m.x(), at_m.y(), pose.heading_rad() + turn_rad);
-    if (step.way_m <= end_m) {
+    if (step.travelled_m <= end_m) {
       astray_m = shift(before_m) - at_m;
     }
   }
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Eigen::Vector2d place_m = bent[i].position_m() + steps[i].way_m / end_m * astray_m;
+    const Eigen::Vector2d place_m = bent[i].position_m() + steps[i].travelled_m / end_m * astray_m;
     steps[i].T_map_robot = {place_m.x(), place_m.y(), bent[i].heading_rad()};
   }
 }
@@ -131,21 +132,21 @@ std::vector<WallStep> closed_walk(std::vector<WallStep> steps,
                                   double round_m,
                                   const Pose2& T_robot_sensor,
                                   const LoopClosureParams& params) {
-  check(params);
-  const double first_m = steps.empty() ? 0.0 : steps.back().way_m - round_m + params.lead_m;
+  validate(params);
+  const double first_m = steps.empty() ? 0.0 : steps.back().travelled_m - round_m + params.lead_m;
   std::vector<Eigen::Vector2d> first_places_m;
   std::vector<WallPoint> last;
   for (const WallPoint& point : wall_points(steps, T_robot_sensor)) {
-    if (point.way_m <= first_m) {
+    if (point.travelled_m <= first_m) {
       first_places_m.push_back(point.place_m);
     }
-    if (point.way_m >= round_m) {
+    if (point.travelled_m >= round_m) {
       last.push_back(point);
     }
   }
   mapping::LineExtractionParams straight;
   straight.split_distance_m = 0.02;
-  straight.point_sd_m = params.wall_sd_m;
+  straight.point_stddev_m = params.wall_stddev_m;
   const auto walls = mapping::extract_lines(first_places_m, straight);
   if (walls.empty() || last.empty()) {
     return steps;
@@ -154,7 +155,7 @@ std::vector<WallStep> closed_walk(std::vector<WallStep> steps,
   double end_m = 0.0;
   for (const WallPoint& point : last) {
     shift.centre_m += point.place_m / static_cast<double>(last.size());
-    end_m += point.way_m / static_cast<double>(last.size());
+    end_m += point.travelled_m / static_cast<double>(last.size());
   }
   optimization::gauss_newton(
       params.rounds,

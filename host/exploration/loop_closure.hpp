@@ -12,10 +12,10 @@ struct LoopClosureParams {
   /// What is seen at the end farther than this from a wall of the beginning is none of it.
   double reach_m = 0.3;
   /// How far the odometry may have gone astray, where the walls do not tell.
-  double position_sd_m = 0.15;
-  double heading_sd_rad = 0.10;
+  double position_stddev_m = 0.15;
+  double heading_stddev_rad = 0.10;
   /// Of a point of a wall.
-  double wall_sd_m = 0.01;
+  double wall_stddev_m = 0.01;
   /// Walls of the beginning are looked for so much farther on than its end goes.
   double lead_m = 0.4;
   int rounds = 30;

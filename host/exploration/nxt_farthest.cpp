@@ -5,10 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
 
@@ -16,39 +17,44 @@ namespace {
 
 using geometry::Pose2;
 
-void check(const NxtFarthestParams& params) {
-  const bool lengths_ok = params.robot_radius_m > 0.0 && params.clearance_m >= 0.0 &&
-                          params.least_drive_m > 0.0 && params.back_off_m >= 0.0 &&
-                          params.stop_spacing_m >= 0.0 && params.candidate_spread_rad >= 0.0;
-  const bool choice_ok = params.candidates > 0 && params.drive_share > 0.0 &&
-                         params.drive_share <= 1.0 && params.most_stops > 0 &&
-                         params.stops_without_new_ground > 0 && params.scans > 0;
-  if (!is_possible(params.sweep) || !lengths_ok || !choice_ok) {
-    throw std::invalid_argument("nxt-farthest: a parameter is outside of its range");
-  }
+void validate(const NxtFarthestParams& params) {
+  geometry::ParameterValidator("nxt-farthest")
+      .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
+      .positive("robot_radius_m", params.robot_radius_m)
+      .at_least("clearance_m", params.clearance_m, 0.0)
+      .positive("min_drive_m", params.min_drive_m)
+      .at_least("back_off_m", params.back_off_m, 0.0)
+      .at_least("stop_spacing_m", params.stop_spacing_m, 0.0)
+      .at_least("candidate_spread_rad", params.candidate_spread_rad, 0.0)
+      .positive("candidates", params.candidates)
+      .positive("drive_share", params.drive_share)
+      .at_most("drive_share", params.drive_share, 1.0)
+      .positive("max_stops", params.max_stops)
+      .positive("stops_without_new_ground", params.stops_without_new_ground)
+      .positive("scans", params.scans);
 }
 
 /// From the robot to the echoes of the last scan, the farthest first; of echoes less than
 /// `spread_rad` apart only the farthest.
 std::vector<Eigen::Vector2d> ways_farthest_first_m(const pipeline::Snapshot& snapshot,
                                                    double spread_rad) {
-  std::vector<Eigen::Vector2d> ways_m;
+  std::vector<Eigen::Vector2d> offsets_m;
   for (const auto& reading : *snapshot.last_scan) {
     if (const auto echo_m = mapping::echo_point_m(reading)) {
-      ways_m.emplace_back(*echo_m - snapshot.latest.T_map_robot.position_m());
+      offsets_m.emplace_back(*echo_m - snapshot.latest.T_map_robot.position_m());
     }
   }
-  std::stable_sort(ways_m.begin(), ways_m.end(), [](const auto& a, const auto& b) {
+  std::stable_sort(offsets_m.begin(), offsets_m.end(), [](const auto& a, const auto& b) {
     return a.squaredNorm() > b.squaredNorm();
   });
   std::vector<Eigen::Vector2d> spread_m;
-  for (const auto& way_m : ways_m) {
+  for (const auto& offset_m : offsets_m) {
     const auto is_near = [&](const Eigen::Vector2d& other_m) {
-      return std::acos(std::clamp(way_m.normalized().dot(other_m.normalized()), -1.0, 1.0)) <
+      return std::acos(std::clamp(offset_m.normalized().dot(other_m.normalized()), -1.0, 1.0)) <
              spread_rad;
     };
     if (std::none_of(spread_m.begin(), spread_m.end(), is_near)) {
-      spread_m.push_back(way_m);
+      spread_m.push_back(offset_m);
     }
   }
   return spread_m;
@@ -56,12 +62,12 @@ std::vector<Eigen::Vector2d> ways_farthest_first_m(const pipeline::Snapshot& sna
 
 /// Brings one of the first `candidates` to the front. Plain multiplication instead of a standard
 /// distribution, so that the choice repeats with any standard library.
-void put_random_first(std::vector<Eigen::Vector2d>& ways_m,
+void put_random_first(std::vector<Eigen::Vector2d>& offsets_m,
                       std::size_t candidates,
                       std::mt19937& random) {
-  const std::uint64_t choices = std::min(candidates, ways_m.size());
+  const std::uint64_t choices = std::min(candidates, offsets_m.size());
   const auto chosen = static_cast<std::ptrdiff_t>((random() * choices) >> 32U);
-  std::rotate(ways_m.begin(), ways_m.begin() + chosen, ways_m.begin() + chosen + 1);
+  std::rotate(offsets_m.begin(), offsets_m.begin() + chosen, offsets_m.begin() + chosen + 1);
 }
 
 /// How far a disc of `radius_m` can go along x until it touches the point.
@@ -75,14 +81,14 @@ double room_before_m(const Eigen::Vector2d& point_m, double radius_m) {
 /// How far along the way, from under the body on, the map holds the floor rather free than not.
 double known_floor_m(const mapping::OccupancyGrid& grid,
                      const Eigen::Vector2d& here_m,
-                     const Eigen::Vector2d& way_m,
+                     const Eigen::Vector2d& offset_m,
                      double body_m) {
   constexpr double kEven = 0.5;
-  const double length_m = way_m.norm();
+  const double length_m = offset_m.norm();
   const double step_m = 0.5 * grid.resolution_m();
   for (int i = 0; body_m + i * step_m < length_m; ++i) {
     const double at_m = body_m + i * step_m;
-    const auto probability = grid.probability(grid.cell_at(here_m + at_m / length_m * way_m));
+    const auto probability = grid.probability(grid.cell_at(here_m + at_m / length_m * offset_m));
     if (probability.value_or(1.0) >= kEven) {
       return at_m;
     }
@@ -105,7 +111,7 @@ bool is_apart(const Eigen::Vector2d& point_m,
 
 NxtFarthest::NxtFarthest(const NxtFarthestParams& params, std::mt19937& random)
     : params_(params), random_(random) {
-  check(params);
+  validate(params);
 }
 
 Motion NxtFarthest::next(const pipeline::Snapshot& snapshot, MotionResult last) {
@@ -152,35 +158,35 @@ void NxtFarthest::plan_moving(const pipeline::Snapshot& snapshot) {
     plan_.emplace_back(Finished{*reason});
     return;
   }
-  const auto way_m = choose_way_m(snapshot);
-  if (!way_m) {
+  const auto offset_m = choose_offset_m(snapshot);
+  if (!offset_m) {
     plan_.emplace_back(Finished{FinishReason::kNowhereToGo});
     return;
   }
   // Both headings lie in (-pi, pi]. Their plain difference never turns through the back, so that an
   // error of the wheel track cannot add up turn after turn.
-  const double bearing_rad = std::atan2(way_m->y(), way_m->x());
+  const double bearing_rad = std::atan2(offset_m->y(), offset_m->x());
   plan_.emplace_back(Turn{bearing_rad - snapshot.latest.T_map_robot.heading_rad()});
-  plan_.emplace_back(Drive{way_m->norm()});
+  plan_.emplace_back(Drive{offset_m->norm()});
 }
 
 /// Where the chosen way is not free, or leads where the robot has been, the next farthest echo
 /// takes its place; only where all lead there, one of them will do.
-std::optional<Eigen::Vector2d> NxtFarthest::choose_way_m(const pipeline::Snapshot& snapshot) {
-  auto ways_m = ways_farthest_first_m(snapshot, params_.candidate_spread_rad);
-  if (ways_m.empty()) {
+std::optional<Eigen::Vector2d> NxtFarthest::choose_offset_m(const pipeline::Snapshot& snapshot) {
+  auto offsets_m = ways_farthest_first_m(snapshot, params_.candidate_spread_rad);
+  if (offsets_m.empty()) {
     return std::nullopt;
   }
-  put_random_first(ways_m, params_.candidates, random_);
-  for (auto& way_m : ways_m) {
-    way_m *= drivable_m(way_m, snapshot) / way_m.norm();
+  put_random_first(offsets_m, params_.candidates, random_);
+  for (auto& offset_m : offsets_m) {
+    offset_m *= drivable_m(offset_m, snapshot) / offset_m.norm();
   }
   for (const double spacing_m : {params_.stop_spacing_m, 0.0}) {
-    for (const auto& way_m : ways_m) {
-      const Eigen::Vector2d goal_m = snapshot.latest.T_map_robot.position_m() + way_m;
-      if (way_m.norm() >= params_.least_drive_m &&
+    for (const auto& offset_m : offsets_m) {
+      const Eigen::Vector2d goal_m = snapshot.latest.T_map_robot.position_m() + offset_m;
+      if (offset_m.norm() >= params_.min_drive_m &&
           is_apart(goal_m, snapshot.points->poses(), first_pose_, spacing_m)) {
-        return way_m;
+        return offset_m;
       }
     }
   }
@@ -213,7 +219,7 @@ std::optional<FinishReason> NxtFarthest::end_of_scan(const pipeline::Snapshot& s
   if (poor_stops_ >= params_.stops_without_new_ground) {
     return FinishReason::kNoNewGround;
   }
-  if (snapshot.stops >= params_.most_stops) {
+  if (snapshot.stops >= params_.max_stops) {
     return FinishReason::kStopLimit;
   }
   return std::nullopt;
@@ -221,16 +227,17 @@ std::optional<FinishReason> NxtFarthest::end_of_scan(const pipeline::Snapshot& s
 
 /// Half the way, or as far as the body has room: before any echo of this scan, and over floor that
 /// the map takes to be free.
-double NxtFarthest::drivable_m(const Eigen::Vector2d& way_m,
+double NxtFarthest::drivable_m(const Eigen::Vector2d& offset_m,
                                const pipeline::Snapshot& snapshot) const {
   const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
   const double body_m = params_.robot_radius_m + params_.clearance_m;
-  double drivable_m = std::min(params_.drive_share * way_m.norm(),
-                               known_floor_m(*snapshot.grid, here_m, way_m, body_m) - body_m);
-  const Pose2 T_way_map = Pose2(here_m.x(), here_m.y(), std::atan2(way_m.y(), way_m.x())).inverse();
+  double drivable_m = std::min(params_.drive_share * offset_m.norm(),
+                               known_floor_m(*snapshot.grid, here_m, offset_m, body_m) - body_m);
+  const Pose2 T_offset_map =
+      Pose2(here_m.x(), here_m.y(), std::atan2(offset_m.y(), offset_m.x())).inverse();
   for (const auto& reading : *snapshot.last_scan) {
     if (const auto echo_m = mapping::echo_point_m(reading)) {
-      drivable_m = std::min(drivable_m, room_before_m(T_way_map * *echo_m, body_m));
+      drivable_m = std::min(drivable_m, room_before_m(T_offset_map * *echo_m, body_m));
     }
   }
   return std::max(0.0, drivable_m);

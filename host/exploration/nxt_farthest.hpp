@@ -34,11 +34,11 @@ struct NxtFarthestParams {
   /// Floor to be left between the hull and any echo: two to three sigma of the range noise.
   double clearance_m = 0.08;
   /// A shorter drive is not worth a stop.
-  double least_drive_m = 0.10;
-  /// How far to back off from what was bumped into.
+  double min_drive_m = 0.10;
+  /// Distance to back off after a bump.
   double back_off_m = 0.05;
   /// A scan of the room ends after this many stops at the latest.
-  std::size_t most_stops = 20;
+  std::size_t max_stops = 20;
   /// A stop that shows less floor than this has shown no new ground.
   double new_ground_m2 = 0.10;
   /// A scan of the room ends after this many such stops in a row.
@@ -54,7 +54,7 @@ struct NxtFarthestParams {
 /// stops it knows only where they were and whether the last ones showed new ground.
 class NxtFarthest final : public Explorer {
  public:
-  /// Keeps a reference to `random`. Throws std::invalid_argument for parameters without sense.
+  /// Keeps a reference to `random`. Throws std::invalid_argument for invalid parameters.
   NxtFarthest(const NxtFarthestParams& params, std::mt19937& random);
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
@@ -68,8 +68,8 @@ class NxtFarthest final : public Explorer {
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
   /// Why the scan of the room that is under way has come to its end; empty where it has not.
   std::optional<FinishReason> end_of_scan(const pipeline::Snapshot& snapshot);
-  std::optional<Eigen::Vector2d> choose_way_m(const pipeline::Snapshot& snapshot);
-  double drivable_m(const Eigen::Vector2d& way_m, const pipeline::Snapshot& snapshot) const;
+  std::optional<Eigen::Vector2d> choose_offset_m(const pipeline::Snapshot& snapshot);
+  double drivable_m(const Eigen::Vector2d& offset_m, const pipeline::Snapshot& snapshot) const;
 
   NxtFarthestParams params_;
   std::mt19937& random_;

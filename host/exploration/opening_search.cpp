@@ -28,7 +28,7 @@ struct Edge {
 };
 
 /// How far each cell is from free floor.
-DistanceField distance_to_floor(const RasterMap& map, double most_m) {
+DistanceField distance_to_floor(const RasterMap& map, double max_m) {
   RasterMap floor = map;
   for (int y = 0; y < map.rows(); ++y) {
     const CellState* states = map.row(y);
@@ -36,7 +36,7 @@ DistanceField distance_to_floor(const RasterMap& map, double most_m) {
       floor.set({x, y}, states[x] == CellState::kFree ? CellState::kOccupied : CellState::kUnknown);
     }
   }
-  return DistanceField(floor, most_m);
+  return DistanceField(floor, max_m);
 }
 
 /// The edge of the floor nearest to a cell that is at most so many cells off it.
@@ -46,10 +46,10 @@ Edge nearest_edge(const RasterMap& map, CellIndex cell, std::int32_t reach) {
   const Eigen::Vector2d from_m = map.center_m(cell);
   for (std::int32_t y = cell.y - reach; y <= cell.y + reach; ++y) {
     for (std::int32_t x = cell.x - reach; x <= cell.x + reach; ++x) {
-      const Eigen::Vector2d way_m = from_m - map.center_m({x, y});
-      if (map.state({x, y}) == CellState::kFree && way_m.norm() < nearest_m) {
-        nearest_m = way_m.norm();
-        nearest = {map.center_m({x, y}), way_m.normalized()};
+      const Eigen::Vector2d offset_m = from_m - map.center_m({x, y});
+      if (map.state({x, y}) == CellState::kFree && offset_m.norm() < nearest_m) {
+        nearest_m = offset_m.norm();
+        nearest = {map.center_m({x, y}), offset_m.normalized()};
       }
     }
   }
@@ -117,15 +117,15 @@ bool listened_through(const Stop& stop,
   const double cos_square = std::cos(params.square_rad);
   bool met_squarely = false;
   for (const Look& look : stop.looks) {
-    const Eigen::Vector2d way_m = beyond_m - look.from_m;
-    const double distance_m = way_m.norm();
-    if (distance_m > far_m || way_m.dot(look.axis) < cos_look * distance_m) {
+    const Eigen::Vector2d offset_m = beyond_m - look.from_m;
+    const double distance_m = offset_m.norm();
+    if (distance_m > far_m || offset_m.dot(look.axis) < cos_look * distance_m) {
       continue;
     }
     if (look.range_m <= distance_m + kEchoMarginM) {
       return false;
     }
-    met_squarely |= way_m.dot(edge.outward) >= cos_square * distance_m;
+    met_squarely |= offset_m.dot(edge.outward) >= cos_square * distance_m;
   }
   return met_squarely && floor_lies_between(map, stop.at_m, edge.at_m);
 }

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "host/exploration/unwinding_turn.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
 
@@ -24,13 +24,14 @@ double share_nearest(const Eigen::Vector2d& a,
 }  // namespace
 
 PathFollower::PathFollower(const PathFollowerParams& params) : params_(params) {
-  const bool speeds_ok = params.slowest_m_per_s > 0.0 &&
-                         params.speed_m_per_s >= params.slowest_m_per_s &&
-                         params.braking_m_per_s2 > 0.0;
-  const bool lengths_ok = params.look_ahead_m > params.arrived_m && params.arrived_m > 0.0;
-  if (!speeds_ok || !lengths_ok || params.turn_on_spot_rad <= 0.0 || params.roll_s <= 0.0) {
-    throw std::invalid_argument("path follower: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("path follower")
+      .positive("min_speed_m_per_s", params.min_speed_m_per_s)
+      .at_least("speed_m_per_s", params.speed_m_per_s, params.min_speed_m_per_s)
+      .positive("braking_m_per_s2", params.braking_m_per_s2)
+      .above("look_ahead_m", params.look_ahead_m, params.arrived_m)
+      .positive("arrived_m", params.arrived_m)
+      .positive("turn_on_spot_rad", params.turn_on_spot_rad)
+      .positive("roll_s", params.roll_s);
 }
 
 void PathFollower::follow(std::vector<Eigen::Vector2d> path_m) {
@@ -85,10 +86,10 @@ double PathFollower::speed_m_per_s(const Eigen::Vector2d& here_m, const CostGrid
   const geometry::CellIndex cell = grid.cell_at(here_m);
   const double price = grid.is_open(cell)
                            ? static_cast<double>(grid.costs()[grid.index(cell)]) / CostGrid::kPlain
-                           : params_.speed_m_per_s / params_.slowest_m_per_s;
+                           : params_.speed_m_per_s / params_.min_speed_m_per_s;
   const double to_go_m = (path_m_.back() - here_m).norm();
   const double stoppable_m_per_s = std::sqrt(2.0 * params_.braking_m_per_s2 * to_go_m);
-  return std::max(params_.slowest_m_per_s,
+  return std::max(params_.min_speed_m_per_s,
                   std::min(params_.speed_m_per_s / price, stoppable_m_per_s));
 }
 

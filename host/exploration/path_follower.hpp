@@ -17,7 +17,7 @@ struct PathFollowerParams {
   /// Over open floor (robot profile).
   double speed_m_per_s = 0.25;
   /// Beside what is not free, and at the end of the way.
-  double slowest_m_per_s = 0.12;
+  double min_speed_m_per_s = 0.12;
   /// To slow down with: half of what the motors do (0.6 m/s^2 of uno_2wd's profile).
   double braking_m_per_s2 = 0.3;
   /// The point of the way that is steered for lies so far ahead.
@@ -35,7 +35,7 @@ struct PathFollowerParams {
 /// circle through the robot and a point of the way ahead of it, the slower the dearer the floor.
 class PathFollower {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit PathFollower(const PathFollowerParams& params = {});
 
   /// Takes a new way.

@@ -40,7 +40,7 @@ bool is_same_view(const mapping::Scan& one,
       same += std::abs(*counterpart->range_m - *reading.range_m) <= params.range_m ? 1 : 0;
     }
   }
-  return pairs >= params.least_pairs &&
+  return pairs >= params.min_pairs &&
          static_cast<double>(same) >= params.share * static_cast<double>(pairs);
 }
 

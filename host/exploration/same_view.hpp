@@ -14,7 +14,7 @@ struct SameViewParams {
   /// Ranges are the same within this: two sigma of the difference of two readings.
   double range_m = 0.09;
   /// Fewer pairs tell nothing.
-  std::size_t least_pairs = 16;
+  std::size_t min_pairs = 16;
   /// Share of the pairs that have to be the same.
   double share = 0.85;
 };

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::exploration {
@@ -16,19 +17,25 @@ namespace {
 
 using geometry::Pose2;
 
-void check(const TangentBugParams& params) {
-  const bool lengths_ok = params.reached_m > 0.0 && params.least_move_m > 0.0 &&
-                          params.longest_move_m >= params.least_move_m && params.jump_m > 0.0 &&
-                          params.before_m >= 0.0 && params.farthest_m > 0.0 &&
-                          params.side_clearance_m >= 0.0 && params.robot_radius_m > 0.0 &&
-                          params.back_off_m >= 0.0 && params.clear_margin_m >= 0.0;
-  const bool rest_ok = is_possible(params.sweep) && params.most_moves > 0 &&
-                       params.half_view_rad > 0.0 && params.boundary_step_rad > 0.0 &&
-                       params.clear_sum > 0.0 && params.clear_half_angle_share >= 0.0 &&
-                       params.beam_half_angle_rad > 0.0;
-  if (!lengths_ok || !rest_ok) {
-    throw std::invalid_argument("tangent-bug: a parameter is outside of its range");
-  }
+void validate(const TangentBugParams& params) {
+  geometry::ParameterValidator("tangent-bug")
+      .positive("reached_m", params.reached_m)
+      .positive("min_move_m", params.min_move_m)
+      .at_least("max_move_m", params.max_move_m, params.min_move_m)
+      .positive("jump_m", params.jump_m)
+      .at_least("before_m", params.before_m, 0.0)
+      .positive("max_m", params.max_m)
+      .at_least("side_clearance_m", params.side_clearance_m, 0.0)
+      .positive("robot_radius_m", params.robot_radius_m)
+      .at_least("back_off_m", params.back_off_m, 0.0)
+      .at_least("clear_margin_m", params.clear_margin_m, 0.0)
+      .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
+      .positive("max_moves", params.max_moves)
+      .positive("half_view_rad", params.half_view_rad)
+      .positive("boundary_step_rad", params.boundary_step_rad)
+      .positive("clear_sum", params.clear_sum)
+      .at_least("clear_half_angle_share", params.clear_half_angle_share, 0.0)
+      .positive("beam_half_angle_rad", params.beam_half_angle_rad);
 }
 
 mapping::PatchGrid grid_of(const WaypointCourse& course, const TangentBugParams& params) {
@@ -39,11 +46,13 @@ mapping::PatchGrid grid_of(const WaypointCourse& course, const TangentBugParams&
   return grid;
 }
 
-double bearing_rad(const Eigen::Vector2d& way_m) { return std::atan2(way_m.y(), way_m.x()); }
+double bearing_rad(const Eigen::Vector2d& offset_m) {
+  return std::atan2(offset_m.y(), offset_m.x());
+}
 
 /// A way of that length at most.
-Eigen::Vector2d at_most_m(const Eigen::Vector2d& way_m, double length_m) {
-  return way_m.norm() > length_m ? Eigen::Vector2d(way_m.normalized() * length_m) : way_m;
+Eigen::Vector2d at_most_m(const Eigen::Vector2d& offset_m, double length_m) {
+  return offset_m.norm() > length_m ? Eigen::Vector2d(offset_m.normalized() * length_m) : offset_m;
 }
 
 }  // namespace
@@ -60,7 +69,7 @@ TangentBug::TangentBug(const TangentBugParams& params, WaypointCourse course)
       grid_(grid_of(course_, params)),
       odometry_(params.heading),
       T_course_robot_(course_.T_course_start) {
-  check(params_);
+  validate(params_);
   if (course_.waypoints.empty()) {
     throw std::invalid_argument("tangent-bug: the course has no waypoint");
   }
@@ -151,19 +160,19 @@ void TangentBug::plan_move(const pipeline::Snapshot& snapshot) {
   }
   for (; has_waypoint(); ++current_, followed_side_ = 0, pass_reached()) {
     PhaseReport& phase = phases_[current_];
-    if (phase.moves == params_.most_moves) {
+    if (phase.moves == params_.max_moves) {
       continue;
     }
-    auto way_m = choose_way_m(snapshot);
-    if (way_m) {
+    auto offset_m = choose_offset_m(snapshot);
+    if (offset_m) {
       trail_m_.push_back(T_course_robot_.position_m());
     } else if (current_ + 1 == phases_.size()) {
-      way_m = way_out_m();
+      offset_m = offset_out_m();
     }
-    if (way_m) {
+    if (offset_m) {
       ++phase.moves;
-      plan_ = {Turn{geometry::angle_between(T_course_robot_.heading_rad(), bearing_rad(*way_m))},
-               Drive{way_m->norm()}};
+      plan_ = {Turn{geometry::angle_between(T_course_robot_.heading_rad(), bearing_rad(*offset_m))},
+               Drive{offset_m->norm()}};
       return;
     }
   }
@@ -191,46 +200,46 @@ FinishReason TangentBug::outcome() const {
 
 /// "If there is no obstacle ahead then it heads for the goal directly otherwise it uses the tangent
 /// Bug algorithm" (section II.B).
-std::optional<Eigen::Vector2d> TangentBug::choose_way_m(const pipeline::Snapshot& snapshot) {
+std::optional<Eigen::Vector2d> TangentBug::choose_offset_m(const pipeline::Snapshot& snapshot) {
   const Eigen::Vector2d goal_m =
       course_.waypoints[current_].position_m - T_course_robot_.position_m();
-  const Eigen::Vector2d straight_m = at_most_m(goal_m, params_.longest_move_m);
+  const Eigen::Vector2d straight_m = at_most_m(goal_m, params_.max_move_m);
   if (is_clear(straight_m)) {
     followed_side_ = 0;
     return straight_m;
   }
-  if (const auto way_m = way_past_obstacle_m(snapshot, goal_m)) {
+  if (const auto offset_m = offset_past_obstacle_m(snapshot, goal_m)) {
     followed_side_ = 0;
-    return way_m;
+    return offset_m;
   }
   return way_along_boundary_m(goal_m);
 }
 
 /// The clear point before a discontinuity with the shortest way over it to the goal: the heuristic
 /// distance of Kamon, Rimon and Rivlin. Narrow openings do not count (section II.E).
-std::optional<Eigen::Vector2d> TangentBug::way_past_obstacle_m(
+std::optional<Eigen::Vector2d> TangentBug::offset_past_obstacle_m(
     const pipeline::Snapshot& snapshot, const Eigen::Vector2d& goal_m) const {
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   const double goal_bearing_rad = bearing_rad(goal_m);
   const double in_map_rad =
       goal_bearing_rad - T_course_robot_.heading_rad() + T_map_robot.heading_rad();
   const auto view = front_view(
-      *snapshot.last_scan, T_map_robot, in_map_rad, params_.half_view_rad, params_.farthest_m);
+      *snapshot.last_scan, T_map_robot, in_map_rad, params_.half_view_rad, params_.max_m);
   std::optional<Eigen::Vector2d> best_m;
   double shortest_m = std::numeric_limits<double>::infinity();
   for (const Discontinuity& torn : discontinuities(view, params_.jump_m)) {
     const double along_rad = goal_bearing_rad + torn.near.bearing_rad;
     const double before_m = torn.near.range_m - params_.before_m;
     const bool is_narrow = torn.width_m < 2.0 * params_.robot_radius_m + params_.narrow_clearance_m;
-    if (is_narrow || before_m < params_.least_move_m) {
+    if (is_narrow || before_m < params_.min_move_m) {
       continue;
     }
-    const Eigen::Vector2d way_m =
-        std::min(before_m, params_.longest_move_m) * geometry::unit_vector(along_rad);
-    const double length_m = way_m.norm() + (goal_m - way_m).norm();
-    if (length_m < shortest_m && is_clear(way_m)) {
+    const Eigen::Vector2d offset_m =
+        std::min(before_m, params_.max_move_m) * geometry::unit_vector(along_rad);
+    const double length_m = offset_m.norm() + (goal_m - offset_m).norm();
+    if (length_m < shortest_m && is_clear(offset_m)) {
       shortest_m = length_m;
-      best_m = way_m;
+      best_m = offset_m;
     }
   }
   return best_m;
@@ -240,8 +249,8 @@ std::optional<Eigen::Vector2d> TangentBug::way_past_obstacle_m(
 /// clear way nearest to that of the goal, on the side that was taken before.
 std::optional<Eigen::Vector2d> TangentBug::way_along_boundary_m(const Eigen::Vector2d& goal_m) {
   const auto steps = static_cast<int>(params_.half_view_rad / params_.boundary_step_rad + 1e-9);
-  const double length_m = std::min(params_.longest_move_m, goal_m.norm());
-  const auto way_to = [&](int side, int step) -> Eigen::Vector2d {
+  const double length_m = std::min(params_.max_move_m, goal_m.norm());
+  const auto offset_to = [&](int side, int step) -> Eigen::Vector2d {
     return length_m *
            geometry::unit_vector(bearing_rad(goal_m) + side * step * params_.boundary_step_rad);
   };
@@ -249,10 +258,10 @@ std::optional<Eigen::Vector2d> TangentBug::way_along_boundary_m(const Eigen::Vec
     for (int step = 1; step <= steps; ++step) {
       for (const int side : {1, -1}) {
         const bool is_turn_of_side = followed_side_ == 0 || (side == followed_side_) == (pass == 0);
-        const Eigen::Vector2d way_m = way_to(side, step);
-        if (is_turn_of_side && is_clear(way_m)) {
+        const Eigen::Vector2d offset_m = offset_to(side, step);
+        if (is_turn_of_side && is_clear(offset_m)) {
           followed_side_ = side;
-          return way_m;
+          return offset_m;
         }
       }
     }
@@ -262,24 +271,24 @@ std::optional<Eigen::Vector2d> TangentBug::way_along_boundary_m(const Eigen::Vec
 
 /// Out of a dead end: back to the stop before. The paper's danger checker warns of one; it counts
 /// for the last waypoint only, as there is no next one to go on to.
-std::optional<Eigen::Vector2d> TangentBug::way_out_m() {
+std::optional<Eigen::Vector2d> TangentBug::offset_out_m() {
   if (trail_m_.empty()) {
     return std::nullopt;
   }
-  const Eigen::Vector2d way_m = trail_m_.back() - T_course_robot_.position_m();
+  const Eigen::Vector2d offset_m = trail_m_.back() - T_course_robot_.position_m();
   trail_m_.pop_back();
-  return way_m.norm() < params_.least_move_m ? way_out_m() : std::optional(way_m);
+  return offset_m.norm() < params_.min_move_m ? offset_out_m() : std::optional(offset_m);
 }
 
 /// "The occupancy grid is used to sum up values of the coordinates that fall in the region of the
 /// rectangle" (section II.D, figure 3).
-bool TangentBug::is_clear(const Eigen::Vector2d& way_m) const {
+bool TangentBug::is_clear(const Eigen::Vector2d& offset_m) const {
   const Eigen::Vector2d here_m = T_course_robot_.position_m();
-  const Pose2 T_course_way(here_m.x(), here_m.y(), bearing_rad(way_m));
+  const Pose2 T_course_offset(here_m.x(), here_m.y(), bearing_rad(offset_m));
   const double body_m = params_.robot_radius_m;
-  return grid_.sum_ahead(T_course_way,
+  return grid_.sum_ahead(T_course_offset,
                          body_m,
-                         body_m + way_m.norm(),
+                         body_m + offset_m.norm(),
                          2.0 * (body_m + params_.side_clearance_m)) < params_.clear_sum;
 }
 

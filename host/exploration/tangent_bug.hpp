@@ -29,19 +29,19 @@ struct TangentBugParams {
   /// A waypoint is reached within this of it: 30 cm (section II.B).
   double reached_m = 0.30;
   /// So many moves for a waypoint, then the next one (section II.E).
-  std::size_t most_moves = 5;
+  std::size_t max_moves = 5;
   /// Half of the view that counts: 180 degrees in all (section II.A).
   double half_view_rad = 1.5707963267948966;
   /// A move goes no farther before the next look.
-  double longest_move_m = 0.8;
+  double max_move_m = 0.8;
   /// A shorter move is not worth a look.
-  double least_move_m = 0.10;
+  double min_move_m = 0.10;
   /// Neighbours in the view that differ by more are a discontinuity.
   double jump_m = 0.25;
   /// The robot heads for "the point that is a set distance before the discontinuity".
   double before_m = 0.15;
   /// What answers nothing counts as this far.
-  double farthest_m = 2.5;
+  double max_m = 2.5;
   /// The rectangle in front is as wide as the body and this on either side.
   double side_clearance_m = 0.03;
   /// It is clear where its cells add up to less.
@@ -50,7 +50,7 @@ struct TangentBugParams {
   double narrow_clearance_m = 0.0;
   /// From the middle of the axle to the farthest part of the hull (robot profile).
   double robot_radius_m = 0.10;
-  /// How far to back off from what was bumped into.
+  /// Distance to back off after a bump.
   double back_off_m = 0.08;
   /// Between two ways that are tried where no discontinuity leads on.
   double boundary_step_rad = 0.17453292519943295;
@@ -80,7 +80,7 @@ struct PhaseReport {
 /// is, it knows by wheels and gyro alone.
 class TangentBug final : public Explorer {
  public:
-  /// Throws std::invalid_argument for parameters without sense and a course without waypoints.
+  /// Throws std::invalid_argument for invalid parameters and a course without waypoints.
   TangentBug(const TangentBugParams& params, WaypointCourse course);
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
@@ -104,12 +104,12 @@ class TangentBug final : public Explorer {
   bool has_waypoint() const { return current_ < phases_.size(); }
   FinishReason outcome() const;
 
-  std::optional<Eigen::Vector2d> choose_way_m(const pipeline::Snapshot& snapshot);
-  std::optional<Eigen::Vector2d> way_past_obstacle_m(const pipeline::Snapshot& snapshot,
-                                                     const Eigen::Vector2d& goal_m) const;
+  std::optional<Eigen::Vector2d> choose_offset_m(const pipeline::Snapshot& snapshot);
+  std::optional<Eigen::Vector2d> offset_past_obstacle_m(const pipeline::Snapshot& snapshot,
+                                                        const Eigen::Vector2d& goal_m) const;
   std::optional<Eigen::Vector2d> way_along_boundary_m(const Eigen::Vector2d& goal_m);
-  std::optional<Eigen::Vector2d> way_out_m();
-  bool is_clear(const Eigen::Vector2d& way_m) const;
+  std::optional<Eigen::Vector2d> offset_out_m();
+  bool is_clear(const Eigen::Vector2d& offset_m) const;
 
   TangentBugParams params_;
   WaypointCourse course_;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
 
@@ -16,9 +16,10 @@ constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
 }  // namespace
 
 TraversalWatch::TraversalWatch(const TraversalParams& params) : params_(params) {
-  if (!(params.reach_m > 0.0) || !(params.reach_per_m >= 0.0) || !(params.turn_slack_rad >= 0.0)) {
-    throw std::invalid_argument("traversal: reach and slack are not below 0");
-  }
+  geometry::ParameterValidator("traversal watch")
+      .positive("reach_m", params.reach_m)
+      .at_least("reach_per_m", params.reach_per_m, 0.0)
+      .at_least("turn_slack_rad", params.turn_slack_rad, 0.0);
 }
 
 void TraversalWatch::add(const WallStep& step) {
@@ -39,9 +40,9 @@ void TraversalWatch::add(const WallStep& step) {
   const double turned_rad = step.turned_rad - *along_turned_rad_;
   const double away_m = (place_m - first_->T_map_robot.position_m()).norm();
   if (std::abs(turned_rad) >= kFullTurnRad - params_.turn_slack_rad &&
-      away_m <= params_.reach_m + params_.reach_per_m * step.way_m) {
+      away_m <= params_.reach_m + params_.reach_per_m * step.travelled_m) {
     state_ = turned_rad > 0.0 ? Traversal::kRoundRoom : Traversal::kRoundIsland;
-    round_m_ = step.way_m;
+    round_m_ = step.travelled_m;
   }
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/distance_field.hpp"
 
@@ -39,11 +39,13 @@ ViewGain::ViewGain(const mapping::RasterMap& map,
       params_(params),
       worth_(static_cast<std::size_t>(map.columns()) * static_cast<std::size_t>(map.rows()), 1.0F),
       seen_(worth_.size()) {
-  const bool lengths_ok = params.reach_m > 0.0 && params.fade_m > 0.0 && params.look_fade_m > 0.0 &&
-                          params.depth_m > 0.0;
-  if (!lengths_ok || !(params.left_by_look > 0.0) || params.left_by_look > 1.0) {
-    throw std::invalid_argument("view gain: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("view gain")
+      .positive("reach_m", params.reach_m)
+      .positive("fade_m", params.fade_m)
+      .positive("look_fade_m", params.look_fade_m)
+      .positive("depth_m", params.depth_m)
+      .positive("left_by_look", params.left_by_look)
+      .at_most("left_by_look", params.left_by_look, 1.0);
   const double step_m = map.resolution_m();
   const auto steps = static_cast<int>(params.reach_m / step_m);
   for (int i = 0; i <= steps; ++i) {
@@ -52,7 +54,7 @@ ViewGain::ViewGain(const mapping::RasterMap& map,
     shown_m2_.push_back(std::exp(-range_m / params.fade_m) * range_m * kSectorRad * step_m);
     left_.push_back(static_cast<float>(std::pow(params.left_by_look, looks)));
   }
-  weigh_by_walls();
+  weight_by_walls();
   for (const PastView& view : past) {
     look(view);
   }
@@ -80,7 +82,7 @@ void ViewGain::follow(const Eigen::Vector2d& from_m, double bearing_rad, Visitor
   }
 }
 
-void ViewGain::weigh_by_walls() {
+void ViewGain::weight_by_walls() {
   if (params_.beside_wall_m <= 0.0) {
     return;
   }

@@ -50,7 +50,7 @@ class ViewGain {
   /// Bearings are told apart in so many sectors of the full turn.
   static constexpr std::size_t kSectors = 72;
 
-  /// `map` outlives this. Throws std::invalid_argument for parameters without sense.
+  /// `map` outlives this. Throws std::invalid_argument for invalid parameters.
   ViewGain(const mapping::RasterMap& map,
            const std::vector<PastView>& past,
            const ViewGainParams& params);
@@ -61,7 +61,7 @@ class ViewGain {
  private:
   template <typename Visitor>
   void follow(const Eigen::Vector2d& from_m, double bearing_rad, Visitor&& visit) const;
-  void weigh_by_walls();
+  void weight_by_walls();
   void look(const PastView& view);
   std::size_t index(geometry::CellIndex cell) const {
     return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(map_.columns()) +

@@ -61,7 +61,7 @@ std::vector<Place> places_to_try(const CostGrid& grid,
   std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
     return a.cost_m < b.cost_m;
   });
-  places.resize(std::min(places.size(), params.most_places));
+  places.resize(std::min(places.size(), params.max_places));
   return places;
 }
 
@@ -70,11 +70,11 @@ double time_s(const Place& place,
               const BestView& view,
               const geometry::Pose2& T_map_robot,
               const ViewpointParams& params) {
-  const Eigen::Vector2d way_m = at_m - T_map_robot.position_m();
+  const Eigen::Vector2d offset_m = at_m - T_map_robot.position_m();
   double heading_rad = T_map_robot.heading_rad();
   double turned_rad = 0.0;
   if (place.cost_m > 0.0) {
-    const double bearing_rad = std::atan2(way_m.y(), way_m.x());
+    const double bearing_rad = std::atan2(offset_m.y(), offset_m.x());
     turned_rad += std::abs(geometry::angle_between(heading_rad, bearing_rad));
     heading_rad = bearing_rad;
   }
@@ -90,7 +90,7 @@ std::optional<Viewpoint> choose_viewpoint(const CostGrid& grid,
                                           const std::vector<FrontierCells>& frontiers,
                                           const ViewGain& gain,
                                           const geometry::Pose2& T_map_robot,
-                                          double least_gain_m2,
+                                          double min_gain_m2,
                                           const ViewpointParams& params) {
   std::vector<Place> places = places_to_try(grid, travel, frontiers, params);
   places.push_back({grid.cell_at(T_map_robot.position_m()), 0.0});
@@ -102,7 +102,7 @@ std::optional<Viewpoint> choose_viewpoint(const CostGrid& grid,
     for (const double width_rad : params.widths_rad) {
       const BestView view = best_view(by_sector_m2, width_rad);
       const double gain_per_s = view.gain_m2 / time_s(place, at_m, view, T_map_robot, params);
-      if (view.gain_m2 >= least_gain_m2 && (!best || gain_per_s > best->gain_per_s)) {
+      if (view.gain_m2 >= min_gain_m2 && (!best || gain_per_s > best->gain_per_s)) {
         best = Viewpoint{at_m, view, place.cost_m, gain_per_s};
       }
     }

@@ -22,13 +22,13 @@ struct ViewpointParams {
   /// Places that are tried lie so far apart.
   double spacing_m = 0.2;
   /// The places nearest to the robot are tried, so many in all.
-  std::size_t most_places = 200;
+  std::size_t max_places = 200;
   /// Bearings that a sweep may cover. All round costs a turn of the body where the pan does not
   /// reach so far, but narrower ones tie a stop too loosely to the map: a stop drifts by degrees.
   std::vector<double> widths_rad{6.283185307179586};
   /// What one radian of a sweep takes.
   double sweep_s_per_rad = 1.2;
-  /// What a stop takes beside driving and sweeping: to brake, to rest, to think.
+  /// Time overhead of a stop beside driving and sweeping.
   double stop_s = 1.0;
   /// Speeds of the ways there, for their time.
   double speed_m_per_s = 0.25;
@@ -45,13 +45,13 @@ struct Viewpoint {
 
 /// Of the places that the robot can reach from `T_map_robot` and from which frontiers are near, the
 /// one with the most gain for its time (in the manner of Gonzalez-Banos and Latombe 2002). Views
-/// that gain less than `least_gain_m2` do not count; empty where there is no other.
+/// that gain less than `min_gain_m2` do not count; empty where there is no other.
 std::optional<Viewpoint> choose_viewpoint(const CostGrid& grid,
                                           const TravelField& travel,
                                           const std::vector<FrontierCells>& frontiers,
                                           const ViewGain& gain,
                                           const geometry::Pose2& T_map_robot,
-                                          double least_gain_m2,
+                                          double min_gain_m2,
                                           const ViewpointParams& params);
 
 }  // namespace echomap::exploration

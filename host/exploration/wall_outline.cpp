@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/line_extraction.hpp"
 
@@ -18,30 +18,32 @@ using geometry::Polygon;
 using mapping::FittedLine;
 using Places = std::vector<Eigen::Vector2d>;
 
-constexpr double kPointSdM = 0.01;
+constexpr double kPointStddevM = 0.01;
 /// Ahead of where a walk was noticed to have come round it may come nearer to its beginning still.
 constexpr double kLookOnM = 1.0;
 
-void check(const WallOutlineParams& params) {
-  if (!(params.straight_m > 0.0) || !(params.least_wall_m > 0.0) ||
-      !(params.least_turn_rad > 0.0) || !(params.corner_reach_m > 0.0)) {
-    throw std::invalid_argument("wall outline: every parameter is above 0");
-  }
+void validate(const WallOutlineParams& params) {
+  geometry::ParameterValidator("wall outline")
+      .positive("straight_m", params.straight_m)
+      .positive("min_wall_m", params.min_wall_m)
+      .positive("min_turn_rad", params.min_turn_rad)
+      .positive("corner_reach_m", params.corner_reach_m);
 }
 
 /// The way of one round: to where the walk came nearest to its beginning.
 double one_round_m(const std::vector<WallStep>& steps, double round_m) {
   double nearest_m = std::numeric_limits<double>::infinity();
-  double way_m = round_m;
+  double travelled_m = round_m;
   for (const WallStep& step : steps) {
     const double away_m =
         (step.T_map_robot.position_m() - steps.front().T_map_robot.position_m()).norm();
-    if (step.way_m >= round_m && step.way_m <= round_m + kLookOnM && away_m < nearest_m) {
+    if (step.travelled_m >= round_m && step.travelled_m <= round_m + kLookOnM &&
+        away_m < nearest_m) {
       nearest_m = away_m;
-      way_m = step.way_m;
+      travelled_m = step.travelled_m;
     }
   }
-  return way_m;
+  return travelled_m;
 }
 
 /// In order, beginning in the corner that is farthest from the middle.
@@ -49,7 +51,7 @@ Places ring_of(const std::vector<WallPoint>& points, double end_m) {
   Places ring;
   Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();
   for (const WallPoint& point : points) {
-    if (point.way_m <= end_m) {
+    if (point.travelled_m <= end_m) {
       ring.push_back(point.place_m);
       middle_m += point.place_m;
     }
@@ -74,16 +76,16 @@ bool is_gap(const FittedLine& wall, const Places& ring, double straight_m) {
     }
   }
   std::sort(seen_m.begin(), seen_m.end());
-  double widest_m = 0.0;
+  double max_m = 0.0;
   for (std::size_t i = 1; i < seen_m.size(); ++i) {
-    widest_m = std::max(widest_m, seen_m[i] - seen_m[i - 1]);
+    max_m = std::max(max_m, seen_m[i] - seen_m[i - 1]);
   }
-  return widest_m > 0.5 * length_m;
+  return max_m > 0.5 * length_m;
 }
 
 double bearing_rad(const FittedLine& wall) {
-  const Eigen::Vector2d way_m = wall.segment.to_m - wall.segment.from_m;
-  return std::atan2(way_m.y(), way_m.x());
+  const Eigen::Vector2d offset_m = wall.segment.to_m - wall.segment.from_m;
+  return std::atan2(offset_m.y(), offset_m.x());
 }
 
 double turn_rad(const FittedLine& from, const FittedLine& to) {
@@ -103,7 +105,7 @@ FittedLine joined(const FittedLine& first, const FittedLine& second) {
 }
 
 bool are_one(const FittedLine& first, const FittedLine& second, const WallOutlineParams& params) {
-  if (std::abs(turn_rad(first, second)) > params.least_turn_rad) {
+  if (std::abs(turn_rad(first, second)) > params.min_turn_rad) {
     return false;
   }
   const FittedLine wall = joined(first, second);
@@ -133,7 +135,7 @@ void join(std::vector<FittedLine>& walls, const WallOutlineParams& params) {
 Polygon corners_of(const std::vector<FittedLine>& walls, const WallOutlineParams& params) {
   mapping::WallCornerParams corner_params;
   corner_params.reach_m = params.corner_reach_m;
-  corner_params.least_turn_rad = params.least_turn_rad;
+  corner_params.min_turn_rad = params.min_turn_rad;
   const auto corners = mapping::find_corners(walls, true, corner_params);
   Polygon outline;
   for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -155,15 +157,15 @@ Polygon wall_outline(const std::vector<WallStep>& steps,
                      double round_m,
                      const geometry::Pose2& T_robot_sensor,
                      const WallOutlineParams& params) {
-  check(params);
+  validate(params);
   if (steps.empty()) {
     return {};
   }
   mapping::LineExtractionParams straight;
   straight.split_distance_m = params.straight_m;
-  straight.widest_gap_m = std::numeric_limits<double>::infinity();
-  straight.point_sd_m = kPointSdM;
-  straight.least_length_m = params.least_wall_m;
+  straight.max_gap_m = std::numeric_limits<double>::infinity();
+  straight.point_stddev_m = kPointStddevM;
+  straight.min_length_m = params.min_wall_m;
   const Places ring = ring_of(wall_points(steps, T_robot_sensor), one_round_m(steps, round_m));
   auto walls = mapping::extract_lines(ring, straight);
   std::erase_if(walls,

@@ -13,9 +13,9 @@ struct WallOutlineParams {
   /// A wall is straight where no point is farther from it.
   double straight_m = 0.04;
   /// Shorter pieces are noise.
-  double least_wall_m = 0.15;
+  double min_wall_m = 0.15;
   /// Walls with less of a turn between them are one, where all points are near it.
-  double least_turn_rad = 0.26;
+  double min_turn_rad = 0.26;
   /// No corner lies farther from where both of its walls were seen to end; around a reflex corner
   /// the robot sees no wall for as long as it turns.
   double corner_reach_m = 0.6;

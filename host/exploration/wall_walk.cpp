@@ -19,18 +19,18 @@ void WallWalk::follow(const geometry::Pose2& T_odom_robot) {
   T_map_robot_ =
       T_map_robot_ *
       geometry::Pose2(scale * T_last_now.x_m(), scale * T_last_now.y_m(), T_last_now.heading_rad());
-  way_m_ += std::abs(corrected_m);
+  travelled_m_ += std::abs(corrected_m);
   turned_rad_ += T_last_now.heading_rad();
 }
 
 void WallWalk::begin() {
   steps_.clear();
-  way_m_ = 0.0;
+  travelled_m_ = 0.0;
   turned_rad_ = 0.0;
 }
 
 const WallStep& WallWalk::add(const WallContact& contact) {
-  steps_.push_back({T_map_robot_, contact, way_m_, turned_rad_});
+  steps_.push_back({T_map_robot_, contact, travelled_m_, turned_rad_});
   return steps_.back();
 }
 
@@ -41,7 +41,7 @@ std::vector<WallPoint> wall_points(const std::vector<WallStep>& steps,
     if (step.contact.wall_beside && !step.contact.bumped && step.contact.range_m) {
       const geometry::Pose2 T_map_sensor = step.T_map_robot * T_robot_sensor;
       points.push_back({T_map_sensor * Eigen::Vector2d(*step.contact.range_m, 0.0),
-                        step.way_m,
+                        step.travelled_m,
                         step.T_map_robot.heading_rad()});
     }
   }

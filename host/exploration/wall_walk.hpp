@@ -24,7 +24,7 @@ struct WallStep {
   geometry::Pose2 T_map_robot;
   WallContact contact;
   /// Since the walk began: the way, and the turns, whole ones counted, counter-clockwise positive.
-  double way_m = 0.0;
+  double travelled_m = 0.0;
   double turned_rad = 0.0;
 };
 
@@ -48,7 +48,7 @@ class WallWalk {
   localization::DistanceCorrection correction_;
   std::optional<geometry::Pose2> T_odom_robot_;
   geometry::Pose2 T_map_robot_;
-  double way_m_ = 0.0;
+  double travelled_m_ = 0.0;
   double turned_rad_ = 0.0;
   std::vector<WallStep> steps_;
 };
@@ -56,7 +56,7 @@ class WallWalk {
 /// A place on a wall, how far along the walk it was seen, and where to the robot went there.
 struct WallPoint {
   Eigen::Vector2d place_m = Eigen::Vector2d::Zero();
-  double way_m = 0.0;
+  double travelled_m = 0.0;
   double heading_rad = 0.0;
 };
 

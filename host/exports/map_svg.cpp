@@ -17,7 +17,7 @@ using mapping::RasterMap;
 
 constexpr double kFooterM = 0.4;
 constexpr double kMillimetresPerMetre = 1000.0 / 20.0;
-constexpr double kLeastWidthM = 0.6;
+constexpr double kMinWidthM = 0.6;
 
 /// To a tenth of a millimetre, which is what a map has of sense.
 std::string text_of(double metres) {
@@ -142,7 +142,7 @@ void write_map_svg(const std::filesystem::path& path,
   const double left_m = map.origin_m().x();
   const double map_height_m = map.rows() * map.resolution_m();
   const double top_m = -map.origin_m().y() - map_height_m;
-  const double width_m = std::max(kLeastWidthM, map.columns() * map.resolution_m());
+  const double width_m = std::max(kMinWidthM, map.columns() * map.resolution_m());
   std::string text = header(left_m, top_m, width_m, map_height_m + kFooterM);
   text += "<g transform=\"scale(1,-1)\">\n";
   text += filled("floor", kFloorColour, cells_path(map, CellState::kFree));

@@ -16,10 +16,10 @@ constexpr Colour kUnknown{208, 211, 217};
 constexpr Colour kUnknownHatch{190, 194, 202};
 constexpr int kHatchPeriod = 8;
 
-constexpr int kLeastPixelsPerCell = 2;
-constexpr int kMostPixelsPerCell = 8;
+constexpr int kMinPixelsPerCell = 2;
+constexpr int kMaxPixelsPerCell = 8;
 constexpr int kWantedSide = 900;
-constexpr int kLeastWidth = 160;
+constexpr int kMinWidth = 160;
 constexpr int kFooterHeight = 44;
 constexpr int kLegendLine = 24;
 constexpr int kTextScale = 2;
@@ -40,7 +40,7 @@ Colour colour_of(CellState state, int x, int y) {
 }
 
 int legend_width(const std::vector<LegendEntry>& legend) {
-  int width = kLeastWidth;
+  int width = kMinWidth;
   for (const LegendEntry& entry : legend) {
     width = std::max(width, 3 * kMargin + kSwatch + Picture::text_width(entry.text, kTextScale));
   }
@@ -52,9 +52,8 @@ int legend_width(const std::vector<LegendEntry>& legend) {
 MapView::MapView(const mapping::RasterMap& map, std::vector<LegendEntry> legend)
     : map_(map),
       legend_(std::move(legend)),
-      pixels_per_cell_(std::clamp(kWantedSide / std::max(map.columns(), map.rows()),
-                                  kLeastPixelsPerCell,
-                                  kMostPixelsPerCell)),
+      pixels_per_cell_(std::clamp(
+          kWantedSide / std::max(map.columns(), map.rows()), kMinPixelsPerCell, kMaxPixelsPerCell)),
       metres_per_pixel_(map.resolution_m() / pixels_per_cell_),
       width_(map.columns() * pixels_per_cell_),
       left_(std::max(0, (legend_width(legend_) - width_) / 2)) {

@@ -20,7 +20,7 @@ constexpr std::int64_t kLargestStampUs = 100'000'000'000'000'000;
 /// Between two lines; a map as large as a damaged number would not fit into memory.
 constexpr double kLongestStepM = 100.0;
 constexpr double kLongestRangeM = 1000.0;
-constexpr double kFarthestM = 1000.0;
+constexpr double kMaxM = 1000.0;
 
 /// Reads the lines of one file.
 class Replay {
@@ -56,7 +56,7 @@ class Replay {
     const auto kind = std::find_if(
         kKinds.begin(), kKinds.end(), [&](const Kind& one) { return one.name == name; });
     if (kind == kKinds.end()) {
-      fields.fail("the kind", name, "not one of those that a run records");
+      fields.fail("the kind", name, "not an observation that a run records");
     }
     (this->*kind->hand_on)(fields);
   }
@@ -134,7 +134,7 @@ class Replay {
   time::RobotTime read_stamp(datasets::FieldCursor& fields) const {
     const std::int64_t stamp_us = fields.integer("the stamp");
     if (stamp_us < -kLargestStampUs || stamp_us > kLargestStampUs) {
-      lines_.fail("no clock counts so many microseconds");
+      lines_.fail("outside the range of microseconds");
     }
     return time::RobotTime(time::RobotClock::duration(stamp_us));
   }
@@ -154,15 +154,15 @@ class Replay {
   std::optional<double> read_range_m(datasets::FieldCursor& fields) const {
     const auto range_m = fields.number_or_none("the range");
     if (range_m && std::abs(*range_m) > kLongestRangeM) {
-      lines_.fail("no sensor of a robot reaches so far");
+      lines_.fail("longer than a sensor reaches");
     }
     return range_m;
   }
 
   double read_place_m(datasets::FieldCursor& fields) const {
     const double place_m = fields.number("the place");
-    if (std::abs(place_m) > kFarthestM) {
-      lines_.fail("nobody carries a robot so far");
+    if (std::abs(place_m) > kMaxM) {
+      lines_.fail("longer than a robot can be carried");
     }
     return place_m;
   }

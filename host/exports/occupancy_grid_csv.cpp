@@ -26,8 +26,7 @@ void write_occupancy_grid_csv(const std::filesystem::path& path,
   const auto bounds = grid.bounds().empty() ? mapping::CellBounds{{0, 0}, {0, 0}} : grid.bounds();
   std::string text =
       "# resolution_m,origin_x_m,origin_y_m,rows,columns; origin is the lower left corner, the "
-      "first "
-      "row the top (largest y); p occupied in [0,1], -1 unknown\n# ";
+      "first row the top (largest y); p occupied in [0,1], -1 unknown\n# ";
   const std::vector<double> geometry{grid.resolution_m(),
                                      bounds.min.x * grid.resolution_m(),
                                      bounds.min.y * grid.resolution_m(),

@@ -27,14 +27,14 @@ void append_line(std::string& text,
 }
 
 void append_edge(std::string& text, const slam::PoseEdge& edge) {
-  const geometry::Pose2& way = edge.T_from_to;
+  const geometry::Pose2& T_from_to = edge.T_from_to;
   const Eigen::Matrix3d& known = edge.information;
   append_line(text,
               "EDGE_SE2",
               {edge.from, edge.to},
-              std::array{way.x_m(),
-                         way.y_m(),
-                         way.heading_rad(),
+              std::array{T_from_to.x_m(),
+                         T_from_to.y_m(),
+                         T_from_to.heading_rad(),
                          known(0, 0),
                          known(0, 1),
                          known(0, 2),

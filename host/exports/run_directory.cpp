@@ -56,8 +56,8 @@ void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary) 
 }
 
 void describe_uncertainty(const Eigen::Matrix3d& covariance, RunSummary& summary) {
-  summary.pose_std_m = std::sqrt(covariance(0, 0) + covariance(1, 1));
-  summary.pose_std_deg = geometry::degrees(std::sqrt(covariance(2, 2)));
+  summary.pose_stddev_m = std::sqrt(covariance(0, 0) + covariance(1, 1));
+  summary.pose_stddev_deg = geometry::degrees(std::sqrt(covariance(2, 2)));
 }
 
 void write_run_directory(const std::filesystem::path& directory,

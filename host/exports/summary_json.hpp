@@ -55,11 +55,11 @@ struct RunSummary {
   LinkSummary link;
   std::size_t stops = 0;
   /// Those of the run that this one has resumed, which `sim_seconds`, `stops` and all that follows
-  /// hold, too; empty where it began anew.
+  /// hold, too; empty where it started again.
   std::optional<std::size_t> resumed_stops;
-  /// Maps from which the robot was carried away and that were not found again (former_1, ...), and
-  /// those that were and are part of this one.
-  std::size_t former_maps = 0;
+  /// Maps from which the robot was carried away and that were not found again (previous_1, ...),
+  /// and those that were and are part of this one.
+  std::size_t previous_maps = 0;
   std::size_t maps_joined = 0;
   /// Rows of poses.csv and of points.csv.
   std::size_t poses = 0;
@@ -71,8 +71,8 @@ struct RunSummary {
   std::optional<std::size_t> phases_reached;
   /// How well SLAM knows where the robot ended: root of the variances of x and y together, and of
   /// the heading; empty without SLAM.
-  std::optional<double> pose_std_m;
-  std::optional<double> pose_std_deg;
+  std::optional<double> pose_stddev_m;
+  std::optional<double> pose_stddev_deg;
   /// Length of the trajectory, and the floor known to be free.
   double travelled_m = 0.0;
   double free_area_m2 = 0.0;

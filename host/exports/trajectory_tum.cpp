@@ -43,7 +43,7 @@ std::vector<pipeline::StampedPose> read_trajectory_tum(const std::filesystem::pa
   std::vector<pipeline::StampedPose> trajectory;
   for (const auto& [row, line] : read_number_table(path, kFormat)) {
     if (std::abs(row[0]) > kLongestS) {
-      fail_at_line(path, line, "no clock counts so many seconds");
+      fail_at_line(path, line, "outside the range of seconds");
     }
     const time::RobotTime stamp{time::RobotClock::duration(std::llround(row[0] * 1e6))};
     const double heading_rad = 2.0 * std::atan2(row[6], row[7]);

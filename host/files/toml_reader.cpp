@@ -35,11 +35,11 @@ struct TomlReader::Node {
   /// "; line 7 has 'trak_m'" where a key that nobody has asked for yet looks like `key`.
   std::string lookalike_of(std::string_view key) const {
     std::string hint;
-    std::size_t least_slips = 3;
+    std::size_t min_slips = 3;
     for (const auto& [present, value] : *table) {
       const std::size_t slips = edit_distance(present.str(), key);
-      if (slips < least_slips && !asked.contains(present.str())) {
-        least_slips = slips;
+      if (slips < min_slips && !asked.contains(present.str())) {
+        min_slips = slips;
         hint = "; line " + std::to_string(present.source().begin.line) + " has '" +
                std::string(present.str()) + "'";
       }

@@ -87,9 +87,9 @@ const FlashBoard& flash_board(std::string_view name) {
   const auto found = std::find_if(
       boards.begin(), boards.end(), [&](const FlashBoard& board) { return board.name == name; });
   if (found == boards.end()) {
-    throw console::CommandError(console::ExitCode::kUsage,
-                                "no board is named '" + std::string(name) + "'" +
-                                    files::suggestion(name, flash_board_names()));
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        "unknown board '" + std::string(name) + "'" + files::suggestion(name, flash_board_names()));
   }
   return *found;
 }

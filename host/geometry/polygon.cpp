@@ -36,11 +36,11 @@ double signed_area_m2(const Polygon& polygon) {
 }
 
 double distance_to_sides_m(const Polygon& polygon, const Eigen::Vector2d& point_m) {
-  double least_m = std::numeric_limits<double>::infinity();
+  double min_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    least_m = std::min(least_m, (nearest_point(side(polygon, i), point_m) - point_m).norm());
+    min_m = std::min(min_m, (nearest_point(side(polygon, i), point_m) - point_m).norm());
   }
-  return least_m;
+  return min_m;
 }
 
 bool contains(const Polygon& polygon, const Eigen::Vector2d& point_m) {

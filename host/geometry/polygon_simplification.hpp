@@ -25,7 +25,7 @@ class SimplifiedRing {
   bool split(std::size_t side);
 
  private:
-  std::vector<Eigen::Vector2d> way_m_;  ///< Closed: the first corner stands at its end again.
+  std::vector<Eigen::Vector2d> polyline_m_;  ///< Closed: the first corner stands at its end again.
   std::vector<std::size_t> kept_;
 };
 

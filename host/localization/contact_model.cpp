@@ -39,7 +39,9 @@ ContactModel::ContactModel(const mapping::PolygonMap& map,
                            const models::ContactParams& params)
     : view_(map), floor_(floor_of(map)), radius_m_(checked_radius(radius_m)), likelihood_(params) {}
 
-void ContactModel::weigh(float temper, ParticleRange range, Particles& particles) const {
+void ContactModel::update_weights(float likelihood_exponent,
+                                  ParticleRange range,
+                                  Particles& particles) const {
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const geometry::Pose2 T_map_robot = particles.pose(i);
     if (!view_.is_floor(T_map_robot.position_m())) {
@@ -48,7 +50,7 @@ void ContactModel::weigh(float temper, ParticleRange range, Particles& particles
     }
     const models::WallAhead wall = view_.wall_ahead(T_map_robot, radius_m_);
     particles.log_weight[i] +=
-        temper * static_cast<float>(std::log(likelihood_.likelihood(reading_, wall)));
+        likelihood_exponent * static_cast<float>(std::log(likelihood_.likelihood(reading_, wall)));
   }
 }
 

@@ -18,14 +18,16 @@ class ContactModel : public ObservationModel {
                double radius_m,
                const models::ContactParams& params = {});
 
-  void feel(const models::ContactReading& reading) override { reading_ = reading; }
+  void add_contact(const models::ContactReading& reading) override { reading_ = reading; }
 
   const mapping::RasterMap& map() const override { return floor_; }
   void observe(std::span<const RangeReading> /*readings*/) override {}
   /// That the robot is inside always says something.
   std::size_t count() const override { return 1; }
   void make_ready(const Particles& /*particles*/, const Workers& /*workers*/) override {}
-  void weigh(float temper, ParticleRange range, Particles& particles) const override;
+  void update_weights(float likelihood_exponent,
+                      ParticleRange range,
+                      Particles& particles) const override;
 
  private:
   PolygonView view_;

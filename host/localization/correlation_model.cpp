@@ -5,9 +5,9 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/localization/usable_reading.hpp"
 
 namespace echomap::localization {
@@ -62,9 +62,7 @@ CorrelationModel::CorrelationModel(mapping::RasterMap map, const CorrelationMode
       params_(params),
       sector_(params.sector),
       likelihood_(params.correlation) {
-  if (!(params.cell_m > 0.0)) {
-    throw std::invalid_argument("correlation model: a local cell is wider than 0");
-  }
+  geometry::ParameterValidator("correlation model").positive("cell_m", params.cell_m);
   for (int y = 0; y < map_.rows(); ++y) {
     std::transform(
         map_.row(y),
@@ -89,7 +87,9 @@ void CorrelationModel::observe(std::span<const RangeReading> readings) {
   }
 }
 
-void CorrelationModel::weigh(float temper, ParticleRange range, Particles& particles) const {
+void CorrelationModel::update_weights(float likelihood_exponent,
+                                      ParticleRange range,
+                                      Particles& particles) const {
   const double cells_per_m = 1.0 / map_.resolution_m();
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const geometry::Pose2 T_map_robot = particles.pose(i);
@@ -103,7 +103,7 @@ void CorrelationModel::weigh(float temper, ParticleRange range, Particles& parti
       correlation.add(occupancy_at(x_cells, y_cells), cell.occupancy);
     }
     particles.log_weight[i] +=
-        temper * static_cast<float>(std::log(likelihood_.likelihood(correlation)));
+        likelihood_exponent * static_cast<float>(std::log(likelihood_.likelihood(correlation)));
   }
 }
 

@@ -23,7 +23,7 @@ struct CorrelationModelParams {
 /// does one that sees a wall where there is none. A map's unknown cells are half occupied.
 class CorrelationModel : public ObservationModel {
  public:
-  /// Throws std::invalid_argument for settings without sense.
+  /// Throws std::invalid_argument for invalid settings.
   CorrelationModel(mapping::RasterMap map, const CorrelationModelParams& params);
 
   const mapping::RasterMap& map() const override { return map_; }
@@ -31,7 +31,9 @@ class CorrelationModel : public ObservationModel {
   /// Readings share one local map: 1, or 0 where none says anything.
   std::size_t count() const override { return local_.empty() ? 0 : 1; }
   void make_ready(const Particles& /*particles*/, const Workers& /*workers*/) override {}
-  void weigh(float temper, ParticleRange range, Particles& particles) const override;
+  void update_weights(float likelihood_exponent,
+                      ParticleRange range,
+                      Particles& particles) const override;
 
  private:
   struct LocalCell {

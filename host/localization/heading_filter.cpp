@@ -16,8 +16,8 @@ using geometry::square;
 }  // namespace
 
 HeadingFilter::HeadingFilter(const HeadingFilterParams& params) : params_(params) {
-  for (const double value : {params.start_heading_std_rad,
-                             params.start_bias_std_rad_per_s,
+  for (const double value : {params.start_heading_stddev_rad,
+                             params.start_bias_stddev_rad_per_s,
                              params.gyro_rad_per_root_s,
                              params.bias_rad_per_s_per_root_s,
                              params.wheel_turn_share,
@@ -31,8 +31,8 @@ HeadingFilter::HeadingFilter(const HeadingFilterParams& params) : params_(params
   if (params.wheel_floor_rad == 0.0) {
     throw std::invalid_argument("heading filter: wheels are never without an error");
   }
-  const Eigen::Vector2d variance(square(params.start_heading_std_rad),
-                                 square(params.start_bias_std_rad_per_s));
+  const Eigen::Vector2d variance(square(params.start_heading_stddev_rad),
+                                 square(params.start_bias_stddev_rad_per_s));
   covariance_ = variance.asDiagonal();
 }
 

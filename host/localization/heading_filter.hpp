@@ -9,9 +9,9 @@ namespace echomap::localization {
 
 /// What a heading filter expects of gyro and wheels; ours, for an MPU-6050 on a small robot.
 struct HeadingFilterParams {
-  double start_heading_std_rad = 0.01;
+  double start_heading_stddev_rad = 0.01;
   /// A gyro that nobody has calibrated: 3 degrees a second (MPU-6050's data sheet says 20).
-  double start_bias_std_rad_per_s = 0.05;
+  double start_bias_stddev_rad_per_s = 0.05;
   /// Random walks of heading and bias, by the root of the time.
   double gyro_rad_per_root_s = 1e-3;
   double bias_rad_per_s_per_root_s = 1e-4;

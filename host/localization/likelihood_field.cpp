@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/localization/lane_math.hpp"
 #include "host/localization/usable_reading.hpp"
 #include "host/mapping/distance_field.hpp"
@@ -91,11 +91,11 @@ void sum_up(const FieldView view,
             std::span<const End> ends,
             Stretch& __restrict stretch) {
   for (std::size_t i = 0; i < count; ++i) {
-    const SinCos way = sin_cos(heading_rad[i]);
+    const SinCos direction = sin_cos(heading_rad[i]);
     stretch.x[i] = (x_m[i] - view.origin_x_m) * view.cells_per_m;
     stretch.y[i] = (y_m[i] - view.origin_y_m) * view.cells_per_m;
-    stretch.cos[i] = way.cos;
-    stretch.sin[i] = way.sin;
+    stretch.cos[i] = direction.cos;
+    stretch.sin[i] = direction.sin;
     stretch.sum[i] = 0.0F;
   }
   // What is beyond `count` holds another stretch's poses.
@@ -108,12 +108,12 @@ void sum_up(const FieldView view,
   }
 }
 
-const LikelihoodFieldParams& checked(const LikelihoodFieldParams& params) {
-  if (!(params.hit_std_m > 0.0) || !(params.random_share > 0.0 && params.random_share < 1.0) ||
-      !(params.max_distance_m > 0.0)) {
-    throw std::invalid_argument(
-        "likelihood field: noise and distance are above 0, a share within (0, 1)");
-  }
+const LikelihoodFieldParams& validated(const LikelihoodFieldParams& params) {
+  geometry::ParameterValidator("likelihood field")
+      .positive("hit_stddev_m", params.hit_stddev_m)
+      .positive("random_share", params.random_share)
+      .below("random_share", params.random_share, 1.0)
+      .positive("max_distance_m", params.max_distance_m);
   return params;
 }
 
@@ -126,11 +126,11 @@ LikelihoodField::LikelihoodField(const mapping::RasterMap& map, const Likelihood
       rows_(map.rows() + 2) {
   const mapping::DistanceField distances(
       mapping::cut_out(map, {{-1, -1}, {map.columns(), map.rows()}}),
-      checked(params).max_distance_m);
+      validated(params).max_distance_m);
   for (std::int32_t y = 0; y < rows_; ++y) {
     for (std::int32_t x = 0; x < columns_; ++x) {
-      const double ratio =
-          static_cast<double>(distances.distance_cells({x, y})) * resolution_m_ / params.hit_std_m;
+      const double ratio = static_cast<double>(distances.distance_cells({x, y})) * resolution_m_ /
+                           params.hit_stddev_m;
       const double hit = (1.0 - params.random_share) * std::exp(-0.5 * ratio * ratio);
       logs_.push_back(static_cast<float>(std::log(hit + params.random_share)));
     }
@@ -144,10 +144,10 @@ double LikelihoodField::log_likelihood(const Eigen::Vector2d& end_m) const {
   return static_cast<double>(logs_[static_cast<std::size_t>(y * columns_ + x)]);
 }
 
-void LikelihoodField::weigh(std::span<const RangeReading> readings,
-                            float temper,
-                            ParticleRange range,
-                            Particles& particles) const {
+void LikelihoodField::update_weights(std::span<const RangeReading> readings,
+                                     float likelihood_exponent,
+                                     ParticleRange range,
+                                     Particles& particles) const {
   std::vector<End> ends;
   for (const RangeReading& reading : readings) {
     if (reading.range_m && is_usable(reading)) {
@@ -174,7 +174,7 @@ void LikelihoodField::weigh(std::span<const RangeReading> readings,
            ends,
            stretch);
     for (std::size_t i = 0; i < count; ++i) {
-      particles.log_weight[begin + i] += temper * stretch.sum[i];
+      particles.log_weight[begin + i] += likelihood_exponent * stretch.sum[i];
     }
   }
 }

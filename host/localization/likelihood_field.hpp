@@ -15,7 +15,7 @@ namespace echomap::localization {
 
 /// Settings of a LikelihoodField: those of AMCL but for the noise, 0.2 m there.
 struct LikelihoodFieldParams {
-  double hit_std_m = 0.15;      ///< How far from a wall a beam that hit it ends.
+  double hit_stddev_m = 0.15;   ///< How far from a wall a beam that hit it ends.
   double random_share = 0.05;   ///< Of beams that end anywhere.
   double max_distance_m = 2.0;  ///< What is farther from all walls is as far as that.
 };
@@ -25,17 +25,17 @@ struct LikelihoodFieldParams {
 /// wall. Quick, but blind to what a beam passes through and to the width of a cone: for lasers.
 class LikelihoodField {
  public:
-  /// Throws std::invalid_argument for settings without sense.
+  /// Throws std::invalid_argument for invalid settings.
   LikelihoodField(const mapping::RasterMap& map, const LikelihoodFieldParams& params = {});
 
   double log_likelihood(const Eigen::Vector2d& end_m) const;
 
   /// Adds `temper` times the logarithm of the readings' likelihood to each particle's weight. A
   /// reading without return says nothing.
-  void weigh(std::span<const RangeReading> readings,
-             float temper,
-             ParticleRange range,
-             Particles& particles) const;
+  void update_weights(std::span<const RangeReading> readings,
+                      float likelihood_exponent,
+                      ParticleRange range,
+                      Particles& particles) const;
 
  private:
   double resolution_m_;

@@ -37,8 +37,10 @@ void LikelihoodFieldModel::observe(std::span<const RangeReading> readings) {
                [](const RangeReading& reading) { return reading.range_m && is_usable(reading); });
 }
 
-void LikelihoodFieldModel::weigh(float temper, ParticleRange range, Particles& particles) const {
-  field_.weigh(readings_, temper, range, particles);
+void LikelihoodFieldModel::update_weights(float likelihood_exponent,
+                                          ParticleRange range,
+                                          Particles& particles) const {
+  field_.update_weights(readings_, likelihood_exponent, range, particles);
   const auto columns = static_cast<std::size_t>(map_.columns()) + 2;
   const auto last_x = static_cast<float>(map_.columns()) + 1.5F;
   const auto last_y = static_cast<float>(map_.rows()) + 1.5F;

@@ -12,7 +12,7 @@ namespace echomap::localization {
 /// which end a cast ray too soon.
 class LikelihoodFieldModel : public ObservationModel {
  public:
-  /// Throws std::invalid_argument for settings without sense.
+  /// Throws std::invalid_argument for invalid settings.
   explicit LikelihoodFieldModel(mapping::RasterMap map, const LikelihoodFieldParams& params = {});
 
   const mapping::RasterMap& map() const override { return map_; }
@@ -20,7 +20,9 @@ class LikelihoodFieldModel : public ObservationModel {
   std::size_t count() const override { return readings_.size(); }
   void make_ready(const Particles& /*particles*/, const Workers& /*workers*/) override {}
   /// A pose that is not on free floor loses 8 more than its readings say.
-  void weigh(float temper, ParticleRange range, Particles& particles) const override;
+  void update_weights(float likelihood_exponent,
+                      ParticleRange range,
+                      Particles& particles) const override;
 
  private:
   mapping::RasterMap map_;

@@ -7,13 +7,13 @@ namespace echomap::localization {
 
 std::string_view text_of(LocalizerOutcome outcome) {
   static constexpr std::array<std::string_view, kLocalizerOutcomes> kTexts{
-      "weighed by readings",
+      "updated by readings",
       "moved by odometry alone",
-      "nothing was heard",
-      "no reading has a range and a place that are numbers",
-      "nothing is known yet: no readings have come",
-      "the robot was thought to be where the map has no floor",
-      "a pose is no number",
+      "no echo",
+      "no reading has a finite range and pose",
+      "no readings yet",
+      "the estimated pose was off the floor of the map",
+      "a pose is not finite",
       "time ran backwards",
       "no cell of the map is known",
       "no cell of the map is free: there is no floor where a robot could be"};

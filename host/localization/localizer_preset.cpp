@@ -23,10 +23,10 @@ namespace {
 /// no noise but that of the motion, no suspicion, and a start anywhere.
 LocalizerParams plain_params(std::size_t particles, const LocalizedRobot& robot) {
   LocalizerParams params;
-  params.filter.least_particles = particles;
-  params.filter.most_particles = particles;
-  params.filter.temper = 1.0;
-  params.filter.most_independent = std::numeric_limits<double>::infinity();
+  params.filter.min_particles = particles;
+  params.filter.max_particles = particles;
+  params.filter.likelihood_exponent = 1.0;
+  params.filter.max_independent = std::numeric_limits<double>::infinity();
   params.filter.resampling_share = 1.0;
   params.filter.spread_m = 0.0;
   params.filter.spread_rad = 0.0;
@@ -56,15 +56,15 @@ LocalizerParams create_params(const LocalizedRobot& robot) {
   return params;
 }
 
-/// Mahmood and Ridao 2017, sections 3.3 and 4.1: drawn anew when fewer than half of the particles
+/// Mahmood and Ridao 2017, sections 3.3 and 4.1: resampled when fewer than half of the particles
 /// count. The paper has no numbers for the motion; ours are 5 % of turns and drives.
 LocalizerParams epuck_params(const LocalizedRobot& robot) {
   LocalizerParams params = plain_params(1000, robot);
-  params.motion = models::OdometryMotion({.turn_by_turn = 0.0025,
-                                          .turn_by_drive_rad2_per_m2 = 0.0025,
-                                          .drive_by_drive = 0.0025,
-                                          .drive_by_turn_m2_per_rad2 = 1e-4,
-                                          .side_by_drive = 4e-4});
+  params.motion = models::OdometryMotion({.alpha1 = 0.0025,
+                                          .alpha2_rad2_per_m2 = 0.0025,
+                                          .alpha3 = 0.0025,
+                                          .alpha4_m2_per_rad2 = 1e-4,
+                                          .side_slip = 4e-4});
   params.filter.scheme = ResamplingScheme::kSystematic;
   params.filter.resampling_share = 0.5;
   return params;
@@ -79,7 +79,7 @@ std::unique_ptr<ObservationModel> default_model(const mapping::RasterMap& map,
   models::BeamModelParams returns = models::sonar_cone_returns();
   returns.max_range_m = robot.max_range_m;
   return std::make_unique<RangeTableModel>(
-      RangeTable(map, {robot.half_opening_rad, robot.max_range_m}), models::BeamModel(returns));
+      RangeTable(map, {robot.beam_half_angle_rad, robot.max_range_m}), models::BeamModel(returns));
 }
 
 std::unique_ptr<ObservationModel> nxt_model(const mapping::RasterMap& map,
@@ -109,7 +109,7 @@ std::unique_ptr<ObservationModel> epuck_model(const mapping::RasterMap& map,
   params.cell_m = map.resolution_m();
   params.sector.thickness_m = 2.0 * map.resolution_m();
   params.sector.max_range_m = robot.max_range_m;
-  params.sector.opening_rad = std::max(2.0 * robot.half_opening_rad, 0.0175);
+  params.sector.beam_width_rad = std::max(2.0 * robot.beam_half_angle_rad, 0.0175);
   return std::make_unique<CorrelationModel>(map, params);
 }
 

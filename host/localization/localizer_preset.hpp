@@ -21,7 +21,7 @@ enum class LocalizerPreset : std::uint8_t {
 /// What a preset has to know of a robot.
 struct LocalizedRobot {
   /// Half of the range sensor's cone, radians; 0 for a thin beam.
-  double half_opening_rad = 0.2618;
+  double beam_half_angle_rad = 0.2618;
   /// What is farther off does not answer, metres.
   double max_range_m = 4.0;
   /// The sensor sees by light, as lasers and infra-red do: it is weighed by where its beams end.
@@ -33,8 +33,8 @@ struct LocalizedRobot {
 /// Motion model, number of particles, resampling and all else that a preset asks of the filter.
 LocalizerParams localizer_params(LocalizerPreset preset, const LocalizedRobot& robot);
 
-/// What a preset weighs particles by. Throws std::invalid_argument for a robot without sense, and
-/// for kCreate where no floor of the map has an outline.
+/// The observation model of a preset. Throws std::invalid_argument for an invalid robot, and for
+/// kCreate where no floor of the map has an outline.
 std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
                                                     const mapping::RasterMap& map,
                                                     const LocalizedRobot& robot);

@@ -44,10 +44,10 @@ void LossMonitor::suspect() {
   log_odds_ = std::log(params_.kidnap_chance / (1.0 - params_.kidnap_chance));
 }
 
-void LossMonitor::trust() { log_odds_.reset(); }
+void LossMonitor::clear_suspicion() { log_odds_.reset(); }
 
 void LossMonitor::restart() {
-  trust();
+  clear_suspicion();
   slow_.reset();
 }
 

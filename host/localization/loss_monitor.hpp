@@ -5,7 +5,7 @@
 
 namespace echomap::localization {
 
-/// Settings of a LossMonitor; ours.
+/// Settings of a LossMonitor. Values are ours.
 struct LossMonitorParams {
   /// How fast the long and the short mean of the readings' likelihood follow (alpha_slow and
   /// alpha_fast of Thrun, Burgard and Fox 2005, table 8.3).
@@ -14,7 +14,7 @@ struct LossMonitorParams {
   /// Suspicion falls on a robot whose readings have become less likely than that, by the short mean
   /// against the long one, natural logarithm a reading.
   double suspicious_fall = 0.05;
-  /// Chance that a suspicion is right.
+  /// Prior probability that a suspicion is right.
   double kidnap_chance = 0.05;
 };
 
@@ -31,13 +31,13 @@ class LossMonitor {
   bool is_suspicious(double log_likelihood);
   /// Weighs a sweep's readings by the filter that is watched, and by the second one.
   void compare(double log_here, double log_elsewhere);
-  /// That the second filter is right.
+  /// Probability that the second filter is right.
   double lost_probability() const;
-  /// A suspicion has been raised, and judging begins anew.
+  /// Raises a suspicion; its evidence starts from zero.
   void suspect();
-  /// There is no suspicion any more.
-  void trust();
-  /// The filter starts somewhere else: what has been usual so far is forgotten too.
+  /// Drops the suspicion.
+  void clear_suspicion();
+  /// Resets everything, also the usual likelihood, after the filter was started elsewhere.
   void restart();
 
  private:

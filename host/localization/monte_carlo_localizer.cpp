@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/localization/floor_lattice.hpp"
 #include "host/localization/scattered_particles.hpp"
 #include "host/localization/usable_reading.hpp"
@@ -16,18 +17,20 @@ namespace {
 
 bool is_probability(double value) { return value >= 0.0 && value <= 1.0; }
 
-const LocalizerParams& checked(const LocalizerParams& params) {
-  const bool lattice_ok = params.lattice_m > 0.0 && params.lattice_rad > 0.0;
-  const bool steps_ok = params.step_m > 0.0 && params.step_rad > 0.0;
-  if (!lattice_ok || !steps_ok || params.suspicious_sweeps < 1) {
-    throw std::invalid_argument("localizer: steps, of a lattice too, and the sweeps are above 0");
-  }
+const LocalizerParams& validated(const LocalizerParams& params) {
+  geometry::ParameterValidator("localizer")
+      .positive("lattice_m", params.lattice_m)
+      .positive("lattice_rad", params.lattice_rad)
+      .positive("step_m", params.step_m)
+      .positive("step_rad", params.step_rad)
+      .at_least("suspicious_sweeps", params.suspicious_sweeps, 1);
   const HypothesisParams& bins = params.hypotheses;
-  if (!(bins.bin_m > 0.0) || !(bins.bin_rad > 0.0 && bins.bin_rad <= 2.0 * std::numbers::pi)) {
-    throw std::invalid_argument("localizer: bins are above 0, and at most a turn");
-  }
+  geometry::ParameterValidator("localizer")
+      .positive("bins.bin_m", bins.bin_m)
+      .positive("bins.bin_rad", bins.bin_rad)
+      .at_most("bins.bin_rad", bins.bin_rad, 2.0 * std::numbers::pi);
   if (!is_probability(params.lost_above) || !is_probability(params.localized_below) ||
-      !(params.localized_std_m > 0.0)) {
+      !(params.localized_stddev_m > 0.0)) {
     throw std::invalid_argument(
         "localizer: what is lost or localized is by probabilities and a deviation above 0");
   }
@@ -61,7 +64,7 @@ MonteCarloLocalizer::MonteCarloLocalizer(ObservationModel& model,
                                          const LocalizerParams& params,
                                          std::mt19937 random)
     : model_(model),
-      params_(checked(params)),
+      params_(validated(params)),
       workers_(params.threads),
       here_(params.filter, random, workers_),
       elsewhere_(params.filter, branch_of(random), workers_),
@@ -70,16 +73,16 @@ MonteCarloLocalizer::MonteCarloLocalizer(ObservationModel& model,
       random_(branch_of(branch_of(random))) {}
 
 LocalizerOutcome MonteCarloLocalizer::start_at(const geometry::Pose2& T_map_robot,
-                                               double std_m,
-                                               double std_rad) {
+                                               double stddev_m,
+                                               double stddev_rad) {
   if (nowhere_) {
     return *nowhere_;
   }
-  if (!is_finite(T_map_robot) || !std::isfinite(std_m) || !std::isfinite(std_rad)) {
+  if (!is_finite(T_map_robot) || !std::isfinite(stddev_m) || !std::isfinite(stddev_rad)) {
     return LocalizerOutcome::kNotFinite;
   }
   gave_up_ = false;
-  here_.start_at(T_map_robot, std_m, std_rad);
+  here_.start_at(T_map_robot, stddev_m, stddev_rad);
   T_odom_last_ = T_odom_carried_;
   elsewhere_.clear();
   loss_.restart();
@@ -87,7 +90,7 @@ LocalizerOutcome MonteCarloLocalizer::start_at(const geometry::Pose2& T_map_robo
   if (!is_there) {
     here_.clear();
   }
-  believe();
+  estimate();
   return is_there ? LocalizerOutcome::kMoved : LocalizerOutcome::kOffTheFloor;
 }
 
@@ -96,7 +99,7 @@ void MonteCarloLocalizer::start_anywhere() {
   here_.clear();
   elsewhere_.clear();
   loss_.restart();
-  believe();
+  estimate();
 }
 
 const PoseBelief& MonteCarloLocalizer::update(const geometry::Pose2& T_odom_robot,
@@ -110,13 +113,13 @@ const PoseBelief& MonteCarloLocalizer::update(const geometry::Pose2& T_odom_robo
   model_.observe(readings);
   if (model_.count() > 0) {
     follow(T_odom_robot);
-    weigh_readings();
-    here_.resample_where_few_count();
-    elsewhere_.resample_where_few_count();
-    believe();
+    update_weights();
+    here_.resample_if_needed();
+    elsewhere_.resample_if_needed();
+    estimate();
   } else if (has_made_a_step(T_odom_robot)) {
     follow(T_odom_robot);
-    believe();
+    estimate();
   } else {
     carry(T_odom_robot);
   }
@@ -182,30 +185,31 @@ void MonteCarloLocalizer::carry(const geometry::Pose2& T_odom_robot) {
     hypothesis.T_map_robot = hypothesis.T_map_robot * step;
   }
   T_odom_carried_ = T_odom_robot;
-  judge_status();
+  classify_status();
 }
 
-void MonteCarloLocalizer::weigh_readings() {
+void MonteCarloLocalizer::update_weights() {
   was_off_floor_ = params_.watches_for_loss && !here_.empty() && !is_on_floor(here_.particles());
   if (was_off_floor_) {
     start_anywhere();
     gave_up_ = true;
   }
   if (here_.empty() && params_.global_start == GlobalStart::kScattered) {
-    here_.start_with(scattered_particles(model_.map(), params_.filter.most_particles, random_));
+    here_.start_with(scattered_particles(model_.map(), params_.filter.max_particles, random_));
   }
   if (here_.empty()) {
     look_everywhere(here_);
     return;
   }
-  const double log_here = here_.weigh(model_);
+  const double log_here = here_.update_weights(model_);
   if (!params_.watches_for_loss) {
     return;
   }
-  const double a_reading = log_here / (here_.temper(model_) * static_cast<double>(model_.count()));
+  const double a_reading =
+      log_here / (here_.likelihood_exponent(model_) * static_cast<double>(model_.count()));
   if (!elsewhere_.empty()) {
     loss_.is_suspicious(a_reading);
-    judge(log_here);
+    update_loss_probability(log_here);
   } else if (loss_.is_suspicious(a_reading)) {
     loss_.suspect();
     sweeps_elsewhere_ = 0;
@@ -213,8 +217,8 @@ void MonteCarloLocalizer::weigh_readings() {
   }
 }
 
-void MonteCarloLocalizer::judge(double log_here) {
-  loss_.compare(log_here, elsewhere_.weigh(model_));
+void MonteCarloLocalizer::update_loss_probability(double log_here) {
+  loss_.compare(log_here, elsewhere_.update_weights(model_));
   ++sweeps_elsewhere_;
   if (loss_.lost_probability() > params_.lost_above) {
     here_.join(elsewhere_, std::min(loss_.lost_probability(), 0.999));
@@ -223,7 +227,7 @@ void MonteCarloLocalizer::judge(double log_here) {
     gave_up_ = true;
   } else if (sweeps_elsewhere_ >= params_.suspicious_sweeps) {
     elsewhere_.clear();
-    loss_.trust();
+    loss_.clear_suspicion();
   }
 }
 
@@ -234,20 +238,20 @@ double MonteCarloLocalizer::look_everywhere(ParticleFilter& filter) {
   model_.make_ready(lattice_, workers_);
   std::fill(lattice_.log_weight.begin(), lattice_.log_weight.end(), 0.0F);
   share_blocks(workers_, lattice_.size(), [&](ParticleRange range, std::size_t) {
-    model_.weigh(static_cast<float>(filter.temper(model_)), range, lattice_);
+    model_.update_weights(static_cast<float>(filter.likelihood_exponent(model_)), range, lattice_);
   });
   const double root_12 = std::sqrt(12.0);  // The deviation of an even spread.
   return filter.start_from(lattice_, params_.lattice_m / root_12, params_.lattice_rad / root_12) -
          std::log(static_cast<double>(std::max<std::size_t>(1, lattice_.size())));
 }
 
-void MonteCarloLocalizer::believe() {
+void MonteCarloLocalizer::estimate() {
   belief_.hypotheses =
       find_hypotheses(here_.particles(), here_.weights(), params_.hypotheses, workers_);
-  judge_status();
+  classify_status();
 }
 
-void MonteCarloLocalizer::judge_status() {
+void MonteCarloLocalizer::classify_status() {
   if (belief_.hypotheses.empty()) {
     belief_.lost_probability = 1.0;
     belief_.status = LocalizationStatus::kRecovering;
@@ -255,9 +259,9 @@ void MonteCarloLocalizer::judge_status() {
   }
   const PoseHypothesis& first = belief_.hypotheses.front();
   belief_.lost_probability = 1.0 - (1.0 - loss_.lost_probability()) * first.probability;
-  const double std_m = std::sqrt(first.covariance.topLeftCorner<2, 2>().trace());
+  const double stddev_m = std::sqrt(first.covariance.topLeftCorner<2, 2>().trace());
   const bool is_one_place =
-      belief_.lost_probability < params_.localized_below && std_m < params_.localized_std_m;
+      belief_.lost_probability < params_.localized_below && stddev_m < params_.localized_stddev_m;
   belief_.status = gave_up_       ? LocalizationStatus::kLost
                    : is_one_place ? LocalizationStatus::kLocalized
                                   : LocalizationStatus::kRecovering;

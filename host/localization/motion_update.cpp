@@ -10,7 +10,7 @@ namespace {
 
 struct Motion {
   float before_rad, drive_m, after_rad;
-  float before_std_rad, drive_std_m, after_std_rad, side_std_m;
+  float before_stddev_rad, drive_stddev_m, after_stddev_rad, side_stddev_m;
 };
 
 /// Standard numbers, one for each error of a motion.
@@ -20,13 +20,14 @@ struct MotionNoise {
 
 [[gnu::always_inline]] inline void move_one(
     const Motion& motion, const MotionNoise& noise, float& x_m, float& y_m, float& heading_rad) {
-  const float towards_rad = heading_rad + motion.before_rad + motion.before_std_rad * noise.before;
+  const float towards_rad =
+      heading_rad + motion.before_rad + motion.before_stddev_rad * noise.before;
   const SinCos ahead = sin_cos(towards_rad);
-  const float drive_m = motion.drive_m + motion.drive_std_m * noise.drive;
-  const float side_m = motion.side_std_m * noise.side;
+  const float drive_m = motion.drive_m + motion.drive_stddev_m * noise.drive;
+  const float side_m = motion.side_stddev_m * noise.side;
   x_m += drive_m * ahead.cos - side_m * ahead.sin;
   y_m += drive_m * ahead.sin + side_m * ahead.cos;
-  heading_rad = wrapped(towards_rad + motion.after_rad + motion.after_std_rad * noise.after);
+  heading_rad = wrapped(towards_rad + motion.after_rad + motion.after_stddev_rad * noise.after);
 }
 
 /// Two random words a particle, by their numbers.

@@ -13,13 +13,15 @@
 
 namespace echomap::localization {
 
-/// One reading of a range sensor, from where the robot is now; empty where nothing returned.
+/// One range reading relative to the current pose of the robot; the range is empty where nothing
+/// returned.
 struct RangeReading {
   geometry::Pose2 T_robot_sensor;
   std::optional<double> range_m;
 };
 
-/// How likely a sweep of range readings is from a pose in one map: what particles are weighed by.
+/// How likely a sweep of range readings is from a pose in one map: what updates the particles'
+/// weights.
 class ObservationModel {
  public:
   ObservationModel() = default;
@@ -27,24 +29,26 @@ class ObservationModel {
   ObservationModel& operator=(const ObservationModel&) = delete;
   virtual ~ObservationModel() = default;
 
-  /// A robot stands on free cells.
+  /// The map; a robot stands on its free cells.
   virtual const mapping::RasterMap& map() const = 0;
 
-  /// What bumper and virtual wall say from now on; of no use to models of ranges.
-  virtual void feel(const models::ContactReading& /*reading*/) {}
+  /// Sets the state of bumper and virtual wall for the next updates; models of ranges ignore it.
+  virtual void add_contact(const models::ContactReading& /*reading*/) {}
 
-  /// Takes the sweep that poses are weighed by from now on.
+  /// Sets the sweep for the next weight updates.
   virtual void observe(std::span<const RangeReading> readings) = 0;
-  /// How many readings of that sweep say something. What is_usable refuses does not.
+  /// Number of readings of that sweep that constrain the pose: those that is_usable accepts.
   virtual std::size_t count() const = 0;
 
-  /// Makes ready to weigh particles that are where they are now.
+  /// Prepares for a weight update of these particles.
   virtual void make_ready(const Particles& particles, const Workers& workers) = 0;
 
   /// Adds `temper` times the logarithm of the sweep's likelihood to each particle's weight: below 1
   /// where readings of one sweep are not independent of each other. Apart ranges may be weighed at
   /// once.
-  virtual void weigh(float temper, ParticleRange range, Particles& particles) const = 0;
+  virtual void update_weights(float likelihood_exponent,
+                              ParticleRange range,
+                              Particles& particles) const = 0;
 };
 
 }  // namespace echomap::localization

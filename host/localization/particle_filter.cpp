@@ -16,17 +16,16 @@ namespace {
 /// Fox's bins (2003).
 constexpr PoseBinSize kSampleBins{0.2, 0.1745};
 
-const ParticleFilterParams& checked(const ParticleFilterParams& params) {
-  const bool counts_ok =
-      params.least_particles > 0 && params.least_particles <= params.most_particles;
-  const bool shares_ok = params.temper > 0.0 && params.temper <= 1.0 &&
-                         params.most_independent > 0.0 && params.resampling_share >= 0.0 &&
+const ParticleFilterParams& validated(const ParticleFilterParams& params) {
+  const bool counts_ok = params.min_particles > 0 && params.min_particles <= params.max_particles;
+  const bool shares_ok = params.likelihood_exponent > 0.0 && params.likelihood_exponent <= 1.0 &&
+                         params.max_independent > 0.0 && params.resampling_share >= 0.0 &&
                          params.resampling_share <= 1.0;
   const bool spread_ok = params.spread_m >= 0.0 && params.spread_rad >= 0.0;
   if (!counts_ok || !shares_ok || !spread_ok || !(params.sample_error > 0.0)) {
     throw std::invalid_argument(
-        "particle filter: at least one particle, and at most no fewer; temper within (0, 1], a "
-        "resampling share within [0, 1], an error above 0 and a spread not below");
+        "particle filter: 1 <= min_particles <= max_particles, 0 < likelihood_exponent <= 1, 0 <= "
+        "resampling_share <= 1, sample_error > 0 and spread_m >= 0 must hold");
   }
   return params;
 }
@@ -51,36 +50,38 @@ void add_to_all(float term, std::vector<float>& values) {
 ParticleFilter::ParticleFilter(const ParticleFilterParams& params,
                                std::mt19937 random,
                                Workers workers)
-    : params_(checked(params)), random_(random), workers_(std::move(workers)) {}
+    : params_(validated(params)), random_(random), workers_(std::move(workers)) {}
 
 void ParticleFilter::clear() {
   particles_.resize(0);
-  take_equal_weights();
+  equalize_weights();
 }
 
-void ParticleFilter::start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad) {
-  particles_.resize(params_.most_particles);
+void ParticleFilter::start_at(const geometry::Pose2& T_map_robot,
+                              double stddev_m,
+                              double stddev_rad) {
+  particles_.resize(params_.max_particles);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     particles_.set_pose(i, T_map_robot);
   }
   std::fill(particles_.log_weight.begin(), particles_.log_weight.end(), 0.0F);
-  take_equal_weights();
-  scatter(std_m, std_rad);
+  equalize_weights();
+  scatter(stddev_m, stddev_rad);
 }
 
 void ParticleFilter::start_with(Particles particles) {
   particles_ = std::move(particles);
-  take_equal_weights();
+  equalize_weights();
 }
 
-double ParticleFilter::start_from(const Particles& weighed, double std_m, double std_rad) {
-  if (weighed.size() == 0) {
+double ParticleFilter::start_from(const Particles& weighted, double stddev_m, double stddev_rad) {
+  if (weighted.size() == 0) {
     clear();
     return 0.0;
   }
-  const WeightSums sums = relative_weights(weighed, weights_, workers_);
-  draw(weighed, params_.most_particles);
-  scatter(std_m, std_rad);
+  const WeightSums sums = relative_weights(weighted, weights_, workers_);
+  draw(weighted, params_.max_particles);
+  scatter(stddev_m, stddev_rad);
   return sums.log_total();
 }
 
@@ -91,23 +92,23 @@ void ParticleFilter::move(const models::OdometryStep& step, const models::Motion
   });
 }
 
-double ParticleFilter::temper(const ObservationModel& model) const {
+double ParticleFilter::likelihood_exponent(const ObservationModel& model) const {
   const auto count = static_cast<double>(std::max<std::size_t>(1, model.count()));
-  return std::min(params_.temper, params_.most_independent / count);
+  return std::min(params_.likelihood_exponent, params_.max_independent / count);
 }
 
-double ParticleFilter::weigh(ObservationModel& model) {
+double ParticleFilter::update_weights(ObservationModel& model) {
   const double before = sums_.log_total();
-  const auto share = static_cast<float>(temper(model));
+  const auto share = static_cast<float>(likelihood_exponent(model));
   model.make_ready(particles_, workers_);
   share_blocks(workers_, particles_.size(), [&](ParticleRange range, std::size_t) {
-    model.weigh(share, range, particles_);
+    model.update_weights(share, range, particles_);
   });
   sums_ = relative_weights(particles_, weights_, workers_);
   return sums_.log_total() - before;
 }
 
-void ParticleFilter::resample_where_few_count() {
+void ParticleFilter::resample_if_needed() {
   const auto count = static_cast<double>(particles_.size());
   if (sums_.effective_count() >= params_.resampling_share * count) {
     return;
@@ -129,11 +130,11 @@ void ParticleFilter::join(const ParticleFilter& other, double share) {
   append(others.heading_rad, particles_.heading_rad);
   append(others.log_weight, particles_.log_weight);
   relative_weights(particles_, weights_, workers_);
-  draw(particles_, std::min(particles_.size(), params_.most_particles));
+  draw(particles_, std::min(particles_.size(), params_.max_particles));
   scatter(params_.spread_m, params_.spread_rad);
 }
 
-void ParticleFilter::take_equal_weights() {
+void ParticleFilter::equalize_weights() {
   const auto count = static_cast<double>(particles_.size());
   weights_.assign(particles_.size(), 1.0F);
   sums_ = {0.0, count, count};
@@ -144,7 +145,7 @@ void ParticleFilter::draw(const Particles& from, std::size_t count) {
   draw_ancestors(weights_, count, params_.scheme, random_, ancestors_, workers_);
   take_ancestors(from, ancestors_, spare_, workers_);
   std::swap(particles_, spare_);
-  take_equal_weights();
+  equalize_weights();
 }
 
 std::size_t ParticleFilter::wanted_count() const {
@@ -158,12 +159,12 @@ std::size_t ParticleFilter::wanted_count() const {
     }
   }
   return std::clamp(kld_sample_size(bins.size(), params_.sample_error),
-                    params_.least_particles,
-                    params_.most_particles);
+                    params_.min_particles,
+                    params_.max_particles);
 }
 
-void ParticleFilter::scatter(double std_m, double std_rad) {
-  move({}, {std_rad, std_m, 0.0, std_m});
+void ParticleFilter::scatter(double stddev_m, double stddev_rad) {
+  move({}, {stddev_rad, stddev_m, 0.0, stddev_m});
 }
 
 }  // namespace echomap::localization

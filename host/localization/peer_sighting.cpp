@@ -37,9 +37,9 @@ LandmarkObservation peer_as_landmark(const PeerSighting& sighting,
   seen.landmark_m = peer.T_map_robot.position_m();
   seen.range_m = sighting.range_m;
   seen.bearing_rad = sighting.bearing_rad;
-  seen.range_std_m = std::sqrt(square(sighting.range_std_m) + unsure_m2(0, 0));
-  seen.bearing_std_rad =
-      std::sqrt(square(sighting.bearing_std_rad) + unsure_m2(1, 1) / square(sighting.range_m));
+  seen.range_stddev_m = std::sqrt(square(sighting.range_stddev_m) + unsure_m2(0, 0));
+  seen.bearing_stddev_rad =
+      std::sqrt(square(sighting.bearing_stddev_rad) + unsure_m2(1, 1) / square(sighting.range_m));
   return seen;
 }
 
@@ -47,12 +47,12 @@ PoseFix peer_as_fix(const PeerSighting& sighting,
                     const PoseGaussian& observer,
                     const PoseGaussian& peer) {
   const Eigen::Matrix2d axes = line_of_sight(sighting, observer);
-  const Eigen::Vector2d way_m = sighting.range_m * axes.col(0);
+  const Eigen::Vector2d offset_m = sighting.range_m * axes.col(0);
   Eigen::Matrix<double, 2, 3> by_observer;
-  by_observer << 1.0, 0.0, -way_m.y(), 0.0, 1.0, way_m.x();
-  const Eigen::Vector2d variance(square(sighting.range_std_m),
-                                 square(sighting.range_m * sighting.bearing_std_rad));
-  const Eigen::Vector2d position_m = observer.T_map_robot.position_m() + way_m;
+  by_observer << 1.0, 0.0, -offset_m.y(), 0.0, 1.0, offset_m.x();
+  const Eigen::Vector2d variance(square(sighting.range_stddev_m),
+                                 square(sighting.range_m * sighting.bearing_stddev_rad));
+  const Eigen::Vector2d position_m = observer.T_map_robot.position_m() + offset_m;
   PoseFix fix;
   fix.stamp_s = sighting.stamp_s;
   fix.T_map_robot = {position_m.x(), position_m.y(), peer.T_map_robot.heading_rad()};

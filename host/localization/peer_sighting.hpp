@@ -11,8 +11,8 @@ struct PeerSighting {
   double stamp_s = 0.0;
   double range_m = 0.0;
   double bearing_rad = 0.0;
-  double range_std_m = 0.1;
-  double bearing_std_rad = 0.05;
+  double range_stddev_m = 0.1;
+  double bearing_stddev_rad = 0.05;
 };
 
 /// The robots' beliefs have something in common from the second sighting on, and it is not known

@@ -23,13 +23,13 @@ struct RecognisedPlace {
 };
 
 /// The place whose scan is the likest to one that was taken now, turned in any way: the mean over
-/// all ranges of their difference is the least, where one counts as `most_m` at most. So does
+/// all ranges of their difference is the least, where one counts as `max_m` at most. So does
 /// silence against a range: what nothing returns from may be any distance off. Ours, for robots
 /// without a map, as the matching of signatures by circular shifts is usual. Empty for no places.
-/// Throws std::invalid_argument for scans of different lengths or of none, and for `most_m` not
+/// Throws std::invalid_argument for scans of different lengths or of none, and for `max_m` not
 /// above 0.
 std::optional<RecognisedPlace> recognise_place(const RoundScan& scan,
                                                std::span<const RoundScan> places,
-                                               double most_m = 0.5);
+                                               double max_m = 0.5);
 
 }  // namespace echomap::localization

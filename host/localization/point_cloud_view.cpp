@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/vector_clones.hpp"
 
@@ -13,11 +13,11 @@ namespace echomap::localization {
 
 namespace {
 
-const PointCloudViewParams& checked(const PointCloudViewParams& params) {
-  if (!(params.half_width_m > 0.0) || !(params.half_opening_rad > 0.0) ||
-      !(params.max_range_m > 0.0)) {
-    throw std::invalid_argument("point cloud view: widths and ranges are above 0");
-  }
+const PointCloudViewParams& validated(const PointCloudViewParams& params) {
+  geometry::ParameterValidator("point cloud view")
+      .positive("half_width_m", params.half_width_m)
+      .positive("beam_half_angle_rad", params.beam_half_angle_rad)
+      .positive("max_range_m", params.max_range_m);
   return params;
 }
 
@@ -28,15 +28,15 @@ struct Beam {
   float half_width_m, slope;
 };
 
-/// How far along a beam the nearest point on it is; `most_m` without one. No branches.
+/// How far along a beam the nearest point on it is; `max_m` without one. No branches.
 ECHOMAP_VECTOR_CLONES
 float nearest_along(const float* __restrict x_m,
                     const float* __restrict y_m,
                     std::size_t count,
                     const Beam beam,
-                    float most_m) {
+                    float max_m) {
   std::array<float, kLanes> nearest_m;
-  nearest_m.fill(most_m);
+  nearest_m.fill(max_m);
   for (std::size_t begin = 0; begin < count; begin += kLanes) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const float off_x_m = x_m[begin + lane] - beam.x_m;
@@ -44,8 +44,8 @@ float nearest_along(const float* __restrict x_m,
       const float along_m = beam.way_x * off_x_m + beam.way_y * off_y_m;
       const float aside_m = std::abs(beam.way_x * off_y_m - beam.way_y * off_x_m);
       const float within_m = std::max(beam.half_width_m, beam.slope * along_m);
-      const float ahead_m = along_m > 0.0F ? along_m : most_m;
-      const float on_beam_m = aside_m <= within_m ? ahead_m : most_m;
+      const float ahead_m = along_m > 0.0F ? along_m : max_m;
+      const float on_beam_m = aside_m <= within_m ? ahead_m : max_m;
       nearest_m[lane] = on_beam_m < nearest_m[lane] ? on_beam_m : nearest_m[lane];
     }
   }
@@ -56,7 +56,7 @@ float nearest_along(const float* __restrict x_m,
 
 PointCloudView::PointCloudView(const std::vector<Eigen::Vector2d>& points_m,
                                const PointCloudViewParams& params)
-    : params_(checked(params)), slope_(std::tan(params.half_opening_rad)) {
+    : params_(validated(params)), slope_(std::tan(params.beam_half_angle_rad)) {
   constexpr float kFarM = 1e6F;
   const std::size_t whole = (points_m.size() + kLanes - 1) / kLanes * kLanes;
   x_m_.assign(whole, kFarM);
@@ -68,16 +68,16 @@ PointCloudView::PointCloudView(const std::vector<Eigen::Vector2d>& points_m,
 }
 
 models::ExpectedRange PointCloudView::expected(const geometry::Pose2& T_map_sensor) const {
-  const Eigen::Vector2d way = geometry::unit_vector(T_map_sensor.heading_rad());
-  const auto most_m = static_cast<float>(params_.max_range_m);
+  const Eigen::Vector2d direction = geometry::unit_vector(T_map_sensor.heading_rad());
+  const auto max_m = static_cast<float>(params_.max_range_m);
   const Beam beam{static_cast<float>(T_map_sensor.x_m()),
                   static_cast<float>(T_map_sensor.y_m()),
-                  static_cast<float>(way.x()),
-                  static_cast<float>(way.y()),
+                  static_cast<float>(direction.x()),
+                  static_cast<float>(direction.y()),
                   static_cast<float>(params_.half_width_m),
                   static_cast<float>(slope_)};
-  const float nearest_m = nearest_along(x_m_.data(), y_m_.data(), x_m_.size(), beam, most_m);
-  if (nearest_m >= most_m) {
+  const float nearest_m = nearest_along(x_m_.data(), y_m_.data(), x_m_.size(), beam, max_m);
+  if (nearest_m >= max_m) {
     return {};
   }
   return {static_cast<double>(nearest_m), false};

@@ -17,7 +17,7 @@ struct PointCloudViewParams {
   /// bearings that agree to 0.01 rad, by which most beams pass between all points of their map,
   /// which stand 6 degrees apart.
   double half_width_m = 0.03;
-  double half_opening_rad = 0.0523599;  ///< 3 degrees.
+  double beam_half_angle_rad = 0.0523599;  ///< 3 degrees.
   double max_range_m = 2.55;
 };
 

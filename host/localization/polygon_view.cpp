@@ -8,16 +8,17 @@
 #include <optional>
 #include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::localization {
 
 namespace {
 
-const PolygonViewParams& checked(const PolygonViewParams& params) {
-  if (!(params.max_range_m > 0.0) || !(params.aslant_above_rad > 0.0)) {
-    throw std::invalid_argument("polygon view: range and angle are above 0");
-  }
+const PolygonViewParams& validated(const PolygonViewParams& params) {
+  geometry::ParameterValidator("polygon view")
+      .positive("max_range_m", params.max_range_m)
+      .positive("oblique_above_rad", params.oblique_above_rad);
   return params;
 }
 
@@ -34,10 +35,10 @@ struct Hit {
 
 Hit first_hit(const std::vector<geometry::Segment>& walls,
               const Eigen::Vector2d& from_m,
-              const Eigen::Vector2d& way) {
+              const Eigen::Vector2d& direction) {
   Hit first;
   for (const geometry::Segment& wall : walls) {
-    const std::optional<double> range_m = geometry::ray_distance_m(from_m, way, wall);
+    const std::optional<double> range_m = geometry::ray_distance_m(from_m, direction, wall);
     if (range_m && *range_m < first.range_m) {
       first = {*range_m, &wall};
     }
@@ -48,7 +49,7 @@ Hit first_hit(const std::vector<geometry::Segment>& walls,
 }  // namespace
 
 PolygonView::PolygonView(const mapping::PolygonMap& map, const PolygonViewParams& params)
-    : params_(checked(params)), outline_(map.outline_m()) {
+    : params_(validated(params)), outline_(map.outline_m()) {
   add_sides(map.outline_m(), walls_);
   for (const geometry::Polygon& hole_m : map.holes_m()) {
     add_sides(hole_m, walls_);
@@ -57,13 +58,13 @@ PolygonView::PolygonView(const mapping::PolygonMap& map, const PolygonViewParams
 }
 
 models::ExpectedRange PolygonView::expected(const geometry::Pose2& T_map_sensor) const {
-  const Eigen::Vector2d way = geometry::unit_vector(T_map_sensor.heading_rad());
-  const Hit hit = first_hit(walls_, T_map_sensor.position_m(), way);
+  const Eigen::Vector2d direction = geometry::unit_vector(T_map_sensor.heading_rad());
+  const Hit hit = first_hit(walls_, T_map_sensor.position_m(), direction);
   if (hit.wall == nullptr || hit.range_m >= params_.max_range_m) {
     return {};
   }
-  const double straightness = std::abs(geometry::left_normal(*hit.wall).dot(way));
-  return {hit.range_m, straightness < std::cos(params_.aslant_above_rad)};
+  const double straightness = std::abs(geometry::left_normal(*hit.wall).dot(direction));
+  return {hit.range_m, straightness < std::cos(params_.oblique_above_rad)};
 }
 
 models::WallAhead PolygonView::wall_ahead(const geometry::Pose2& T_map_robot,
@@ -80,8 +81,8 @@ models::WallAhead PolygonView::wall_ahead(const geometry::Pose2& T_map_robot,
       ahead.bearing_rad = std::atan2(nearest_m.y(), nearest_m.x());
     }
   }
-  const Eigen::Vector2d way = geometry::unit_vector(T_map_robot.heading_rad());
-  ahead.ahead_m = first_hit(walls_, T_map_robot.position_m(), way).range_m - radius_m;
+  const Eigen::Vector2d direction = geometry::unit_vector(T_map_robot.heading_rad());
+  ahead.ahead_m = first_hit(walls_, T_map_robot.position_m(), direction).range_m - radius_m;
   return ahead;
 }
 

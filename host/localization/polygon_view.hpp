@@ -18,7 +18,7 @@ namespace echomap::localization {
 struct PolygonViewParams {
   double max_range_m = 0.06;
   /// A wall whose normal is farther off the beam is seen aslant.
-  double aslant_above_rad = 0.4363;  ///< 25 degrees.
+  double oblique_above_rad = 0.4363;  ///< 25 degrees.
 };
 
 /// What sensors are to expect in a room of straight walls (Mukherjee et al.).

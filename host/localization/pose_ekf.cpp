@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "host/geometry/parameter_validator.hpp"
+
 namespace echomap::localization {
 
 namespace {
@@ -42,12 +44,12 @@ PoseEkf::PoseEkf(const PoseGaussian& start, const PoseEkfParams& params)
   if (!is_finite(start.T_map_robot) || !is_covariance(start.covariance)) {
     throw std::invalid_argument("pose ekf: a start is finite, its covariance positive definite");
   }
-  const bool sense = params.whole_step.drive_m > 0.0 && params.whole_step.turn_rad > 0.0 &&
-                     params.gate_of_two > 0.0 && params.gate_of_three > 0.0 &&
-                     params.history_s >= 0.0;
-  if (!sense) {
-    throw std::invalid_argument("pose ekf: whole steps and gates are above 0");
-  }
+  geometry::ParameterValidator("pose ekf")
+      .positive("whole_step.drive_m", params.whole_step.drive_m)
+      .positive("whole_step.turn_rad", params.whole_step.turn_rad)
+      .positive("gate_of_two", params.gate_of_two)
+      .positive("gate_of_three", params.gate_of_three)
+      .at_least("history_s", params.history_s, 0.0);
 }
 
 EkfOutcome PoseEkf::move(double stamp_s, const geometry::Pose2& T_odom_robot) {
@@ -72,7 +74,7 @@ EkfOutcome PoseEkf::update(const PoseMeasurement& measurement) {
   if (!is_ahead) {
     return counted(insert(measurement));
   }
-  if (held_.size() == params_.most_held) {
+  if (held_.size() == params_.max_held) {
     return counted(EkfOutcome::kTooManyHeld);
   }
   held_.push_back(measurement);

@@ -25,7 +25,7 @@ struct PoseEkfParams {
   /// A measurement that comes later than this is too old.
   double history_s = 2.0;
   /// As many measurements wait for odometry of their time.
-  std::size_t most_held = 64;
+  std::size_t max_held = 64;
 };
 
 /// What has become of an odometry pose or a measurement.
@@ -52,7 +52,7 @@ inline constexpr std::size_t kEkfOutcomes = 10;
 class PoseEkf {
  public:
   /// Where the robot is at the first odometry pose. Throws std::invalid_argument for a start that
-  /// is not finite or has no positive definite covariance, and for parameters without sense.
+  /// is not finite or has no positive definite covariance, and for invalid parameters.
   explicit PoseEkf(const PoseGaussian& start, const PoseEkfParams& params = {});
 
   /// Where the robot is by its odometry; answers kApplied, kTimeRanBack or kNotFinite.

@@ -21,15 +21,15 @@ bool is_finite(const geometry::Pose2& pose) {
 MotionJacobians motion_jacobians(const geometry::Pose2& T_map_before,
                                  const geometry::Pose2& T_before_after,
                                  const models::OdometryStep& step) {
-  const Eigen::Vector2d way_m =
+  const Eigen::Vector2d offset_m =
       (T_map_before * T_before_after).position_m() - T_map_before.position_m();
   const Eigen::Vector2d ahead =
       geometry::unit_vector(T_map_before.heading_rad() + step.turn_before_rad);
   MotionJacobians jacobians;
-  jacobians.by_pose(0, 2) = -way_m.y();
-  jacobians.by_pose(1, 2) = way_m.x();
-  jacobians.by_motion << -way_m.y(), ahead.x(), 0.0, -ahead.y(),  //
-      way_m.x(), ahead.y(), 0.0, ahead.x(),                       //
+  jacobians.jacobian_pose(0, 2) = -offset_m.y();
+  jacobians.jacobian_pose(1, 2) = offset_m.x();
+  jacobians.by_motion << -offset_m.y(), ahead.x(), 0.0, -ahead.y(),  //
+      offset_m.x(), ahead.y(), 0.0, ahead.x(),                       //
       1.0, 0.0, 1.0, 0.0;
   return jacobians;
 }
@@ -43,7 +43,7 @@ PoseGaussian moved(const PoseGaussian& before,
       spread.turn_before_rad, spread.drive_m, spread.turn_after_rad, spread.side_m);
   const Eigen::Vector4d variance = std_dev.cwiseAbs2();
   return {before.T_map_robot * T_before_after,
-          by.by_pose * before.covariance * by.by_pose.transpose() +
+          by.jacobian_pose * before.covariance * by.jacobian_pose.transpose() +
               by.by_motion * variance.asDiagonal() * by.by_motion.transpose()};
 }
 

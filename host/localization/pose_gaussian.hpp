@@ -23,7 +23,7 @@ bool is_finite(const geometry::Pose2& pose);
 
 /// How the pose after a motion changes: A and W of Mahmood and Ridao 2017, Algorithm 1.
 struct MotionJacobians {
-  Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d jacobian_pose = Eigen::Matrix3d::Identity();
   /// By the first turn, the drive, the second turn and the slip to the left.
   Eigen::Matrix<double, 3, 4> by_motion = Eigen::Matrix<double, 3, 4>::Zero();
 };

@@ -108,10 +108,10 @@ FilledBins fill_in_parts(const Particles& particles,
                          std::span<const float> weights,
                          const PoseBinSize& size,
                          const Workers& workers) {
-  constexpr std::size_t kLeastPart = 2500;
-  constexpr std::size_t kMostParts = 16;
+  constexpr std::size_t kMinPart = 2500;
+  constexpr std::size_t kMaxParts = 16;
   const std::size_t count = particles.size();
-  const std::size_t parts = std::clamp<std::size_t>(count / kLeastPart, 1, kMostParts);
+  const std::size_t parts = std::clamp<std::size_t>(count / kMinPart, 1, kMaxParts);
   std::vector<FilledBins> filled(parts, {PoseBins(size), {}});
   workers.share(parts, [&](std::size_t part) {
     fill(particles, weights, {part * count / parts, (part + 1) * count / parts}, filled[part]);

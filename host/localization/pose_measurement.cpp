@@ -36,8 +36,8 @@ std::optional<MeasurementFault> fault(const LandmarkObservation& seen) {
   if (seen.range_m <= 0.0) {
     return MeasurementFault::kBadRange;
   }
-  const bool sure = are_finite({seen.range_std_m, seen.bearing_std_rad}) &&
-                    seen.range_std_m > 0.0 && seen.bearing_std_rad > 0.0;
+  const bool sure = are_finite({seen.range_stddev_m, seen.bearing_stddev_rad}) &&
+                    seen.range_stddev_m > 0.0 && seen.bearing_stddev_rad > 0.0;
   return sure ? std::nullopt : std::optional(MeasurementFault::kBadCovariance);
 }
 
@@ -55,19 +55,19 @@ std::optional<LinearMeasurement> linear(const LandmarkObservation& seen,
   if (!view) {
     return std::nullopt;
   }
-  const Eigen::Vector2d variance(seen.range_std_m * seen.range_std_m,
-                                 seen.bearing_std_rad * seen.bearing_std_rad);
+  const Eigen::Vector2d variance(seen.range_stddev_m * seen.range_stddev_m,
+                                 seen.bearing_stddev_rad * seen.bearing_stddev_rad);
   return LinearMeasurement{
       Eigen::Vector2d(seen.range_m - view->range_m,
                       geometry::angle_between(view->bearing_rad, seen.bearing_rad)),
-      view->by_pose,
+      view->jacobian_pose,
       variance.asDiagonal().toDenseMatrix()};
 }
 
 /// S of Algorithm 1, line 4.
 LinearMeasurement::Matrix innovation_covariance(const PoseGaussian& belief,
                                                 const LinearMeasurement& measurement) {
-  return measurement.by_pose * belief.covariance * measurement.by_pose.transpose() +
+  return measurement.jacobian_pose * belief.covariance * measurement.jacobian_pose.transpose() +
          measurement.noise;
 }
 
@@ -90,10 +90,10 @@ double squared_distance(const PoseGaussian& belief, const LinearMeasurement& mea
 PoseGaussian corrected(const PoseGaussian& belief, const LinearMeasurement& measurement) {
   const LinearMeasurement::Matrix covariance = innovation_covariance(belief, measurement);
   const LinearMeasurement::Jacobian gain_transposed =
-      covariance.llt().solve(measurement.by_pose * belief.covariance);
+      covariance.llt().solve(measurement.jacobian_pose * belief.covariance);
   const Eigen::Vector3d step = gain_transposed.transpose() * measurement.innovation;
   const Eigen::Matrix3d left =
-      Eigen::Matrix3d::Identity() - gain_transposed.transpose() * measurement.by_pose;
+      Eigen::Matrix3d::Identity() - gain_transposed.transpose() * measurement.jacobian_pose;
   const Eigen::Matrix3d after = left * belief.covariance * left.transpose() +
                                 gain_transposed.transpose() * measurement.noise * gain_transposed;
   return {geometry::Pose2(belief.T_map_robot.x_m() + step.x(),

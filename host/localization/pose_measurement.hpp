@@ -26,8 +26,8 @@ struct LandmarkObservation {
   geometry::Pose2 T_robot_sensor{};
   double range_m = 0.0;
   double bearing_rad = 0.0;
-  double range_std_m = 0.1;
-  double bearing_std_rad = 0.05;
+  double range_stddev_m = 0.1;
+  double bearing_stddev_rad = 0.05;
 };
 
 /// What a filter of poses can be told beside its odometry.
@@ -49,9 +49,9 @@ struct LinearMeasurement {
   using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3>;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 
-  Vector innovation;  ///< What was measured less what was to be expected.
-  Jacobian by_pose;   ///< H.
-  Matrix noise;       ///< V R V^T.
+  Vector innovation;       ///< What was measured less what was to be expected.
+  Jacobian jacobian_pose;  ///< H.
+  Matrix noise;            ///< V R V^T.
 };
 
 /// Empty where a landmark lies under the sensor.

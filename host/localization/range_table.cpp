@@ -19,27 +19,27 @@ constexpr std::int32_t kParts = (RangeTable::kNothing - 1) / 2 - 1;
 /// The nearest thing is seen aslant where it is one of so many rays at the edge of the cone.
 constexpr std::ptrdiff_t kEdgeRays = 2;
 
-const RangeTableParams& checked(const RangeTableParams& params, const mapping::RasterMap& map) {
-  constexpr double kMostCells = 2000.0;
+const RangeTableParams& validated(const RangeTableParams& params, const mapping::RasterMap& map) {
+  constexpr double kMaxCells = 2000.0;
   const bool opening_ok =
-      params.half_opening_rad >= 0.0 && params.half_opening_rad < std::numbers::pi / 2.0;
+      params.beam_half_angle_rad >= 0.0 && params.beam_half_angle_rad < std::numbers::pi / 2.0;
   const bool range_ok =
-      params.max_range_m > 0.0 && params.max_range_m <= kMostCells * map.resolution_m();
+      params.max_range_m > 0.0 && params.max_range_m <= kMaxCells * map.resolution_m();
   if (!opening_ok || !range_ok) {
     throw std::invalid_argument(
-        "range table: a half opening is within [0, pi / 2), a range within (0, 2000 cells]");
+        "range table: beam_half_angle_rad must be in [0, pi / 2), max_range_m in (0, 2000 cells]");
   }
   return params;
 }
 
 /// A cone is filled by two rays a heading; more than that are of no use to a thin beam.
-std::vector<Eigen::Vector2f> directions(double half_opening_rad) {
-  const std::int32_t count = (half_opening_rad > 0.0 ? 2 : 1) * RangeTable::kHeadings;
-  std::vector<Eigen::Vector2f> ways;
+std::vector<Eigen::Vector2f> directions(double beam_half_angle_rad) {
+  const std::int32_t count = (beam_half_angle_rad > 0.0 ? 2 : 1) * RangeTable::kHeadings;
+  std::vector<Eigen::Vector2f> directions;
   for (std::int32_t i = 0; i < count; ++i) {
-    ways.push_back(geometry::unit_vector(2.0 * std::numbers::pi * i / count).cast<float>());
+    directions.push_back(geometry::unit_vector(2.0 * std::numbers::pi * i / count).cast<float>());
   }
-  return ways;
+  return directions;
 }
 
 constexpr std::size_t tiles_along(std::int32_t cells) {
@@ -55,12 +55,12 @@ std::size_t codes_begin(CellIndex cell) {
 }  // namespace
 
 RangeTable::RangeTable(const mapping::RasterMap& map, const RangeTableParams& params)
-    : params_(checked(params, map)),
+    : params_(validated(params, map)),
       map_(mapping::cut_out(map, {{-1, -1}, {map.columns(), map.rows()}})),
       field_(map_, params.max_range_m),
       tile_columns_(static_cast<std::int32_t>(tiles_along(map_.columns()))),
-      directions_(directions(params.half_opening_rad)),
-      rays_aside_(static_cast<std::int32_t>(params.half_opening_rad *
+      directions_(directions(params.beam_half_angle_rad)),
+      rays_aside_(static_cast<std::int32_t>(params.beam_half_angle_rad *
                                             static_cast<double>(directions_.size()) /
                                             (2.0 * std::numbers::pi))),
       tiles_(tiles_along(map_.columns()) * tiles_along(map_.rows())) {}
@@ -71,7 +71,7 @@ std::uint8_t RangeTable::code_of(const models::ExpectedRange& expected) const {
   }
   const double part = std::max(0.0, *expected.range_m) / params_.max_range_m * kParts;
   return static_cast<std::uint8_t>(2 + 2 * static_cast<std::int32_t>(part) +
-                                   (expected.is_aslant ? 1 : 0));
+                                   (expected.is_oblique ? 1 : 0));
 }
 
 models::ExpectedRange RangeTable::expected_of(std::uint8_t code) const {
@@ -131,8 +131,8 @@ void RangeTable::fill(CellIndex first, Tile& tile) const {
 }
 
 void RangeTable::look_round(CellIndex cell, std::uint8_t* codes) const {
-  constexpr std::size_t kMostRays = 2 * std::size_t{kHeadings};
-  std::array<float, 2 * kMostRays> ranges_m{};
+  constexpr std::size_t kMaxRays = 2 * std::size_t{kHeadings};
+  std::array<float, 2 * kMaxRays> ranges_m{};
   const std::size_t rays = directions_.size();
   mapping::cast_rays(field_,
                      map_.center_m(cell),
@@ -148,9 +148,9 @@ void RangeTable::look_round(CellIndex cell, std::uint8_t* codes) const {
         (heading * stride + rays - static_cast<std::size_t>(rays_aside_)) % rays;
     const float* const first = &ranges_m[first_ray];
     const std::ptrdiff_t nearest = std::min_element(first, first + in_cone) - first;
-    const bool is_aslant =
+    const bool is_oblique =
         rays_aside_ > 0 && (nearest < kEdgeRays || nearest >= in_cone - kEdgeRays);
-    codes[heading] = code_of({first[nearest], is_aslant});
+    codes[heading] = code_of({first[nearest], is_oblique});
   }
 }
 

@@ -20,7 +20,7 @@ namespace echomap::localization {
 /// The sensor of a RangeTable.
 struct RangeTableParams {
   /// Half of the sensor's cone, radians, in [0, pi / 2); 0 for a thin beam.
-  double half_opening_rad = 0.0;
+  double beam_half_angle_rad = 0.0;
   /// What is farther off returns nothing, metres; at most 2000 cells.
   double max_range_m = 4.0;
 };

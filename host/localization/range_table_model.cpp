@@ -13,9 +13,11 @@ void RangeTableModel::make_ready(const Particles& particles, const Workers& work
   }
 }
 
-void RangeTableModel::weigh(float temper, ParticleRange range, Particles& particles) const {
+void RangeTableModel::update_weights(float likelihood_exponent,
+                                     ParticleRange range,
+                                     Particles& particles) const {
   if (readings_) {
-    localization::weigh(table_, *readings_, temper, range, particles);
+    localization::update_weights(table_, *readings_, likelihood_exponent, range, particles);
   }
 }
 

@@ -23,7 +23,9 @@ class RangeTableModel : public ObservationModel {
   void observe(std::span<const RangeReading> readings) override;
   std::size_t count() const override { return readings_ ? readings_->count() : 0; }
   void make_ready(const Particles& particles, const Workers& workers) override;
-  void weigh(float temper, ParticleRange range, Particles& particles) const override;
+  void update_weights(float likelihood_exponent,
+                      ParticleRange range,
+                      Particles& particles) const override;
 
  private:
   RangeTable table_;

@@ -57,9 +57,9 @@ void find_stands(const float* __restrict x_m,
   constexpr std::int32_t kWithin = RangeTable::kTileSide - 1;
   constexpr std::int32_t kTurn = RangeTable::kHeadings << kFractionBits;
   for (std::size_t i = 0; i < count; ++i) {
-    const SinCos way = sin_cos(heading_rad[i]);
-    const float sensor_x_m = x_m[i] + ahead_m * way.cos - left_m * way.sin;
-    const float sensor_y_m = y_m[i] + ahead_m * way.sin + left_m * way.cos;
+    const SinCos direction = sin_cos(heading_rad[i]);
+    const float sensor_x_m = x_m[i] + ahead_m * direction.cos - left_m * direction.sin;
+    const float sensor_y_m = y_m[i] + ahead_m * direction.sin + left_m * direction.cos;
     const std::int32_t x =
         cell_of((sensor_x_m - layout.origin_x_m) * layout.cells_per_m, layout.columns);
     const std::int32_t y =
@@ -148,12 +148,12 @@ CodedReadings::CodedReadings(std::span<const RangeReading> readings,
   }
 }
 
-void weigh(const RangeTable& table,
-           const CodedReadings& readings,
-           float temper,
-           ParticleRange range,
-           Particles& particles) {
-  const float scale = temper / LikelihoodCodes::kPerNat;
+void update_weights(const RangeTable& table,
+                    const CodedReadings& readings,
+                    float likelihood_exponent,
+                    ParticleRange range,
+                    Particles& particles) {
+  const float scale = likelihood_exponent / LikelihoodCodes::kPerNat;
   for_stands(table,
              readings,
              range,

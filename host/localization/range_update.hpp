@@ -70,11 +70,11 @@ class CodedReadings {
 /// Adds `temper` times the logarithm of the readings' likelihood to each particle's weight: below 1
 /// where readings of one sweep are not independent of each other. The table must have been filled
 /// under all of them (fill_under).
-void weigh(const RangeTable& table,
-           const CodedReadings& readings,
-           float temper,
-           ParticleRange range,
-           Particles& particles);
+void update_weights(const RangeTable& table,
+                    const CodedReadings& readings,
+                    float likelihood_exponent,
+                    ParticleRange range,
+                    Particles& particles);
 
 /// Fills the table wherever a particle's sensor may stand.
 void fill_under(const Particles& particles,

@@ -47,12 +47,15 @@ class ViewModel : public ObservationModel {
 
   void make_ready(const Particles& /*particles*/, const Workers& /*workers*/) override {}
 
-  void weigh(float temper, ParticleRange range, Particles& particles) const override {
+  void update_weights(float likelihood_exponent,
+                      ParticleRange range,
+                      Particles& particles) const override {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const geometry::Pose2 T_map_robot = particles.pose(i);
-      particles.log_weight[i] += view_.is_floor(T_map_robot.position_m())
-                                     ? temper * static_cast<float>(log_likelihood(T_map_robot))
-                                     : kRejectedLog;
+      particles.log_weight[i] +=
+          view_.is_floor(T_map_robot.position_m())
+              ? likelihood_exponent * static_cast<float>(log_likelihood(T_map_robot))
+              : kRejectedLog;
     }
   }
 

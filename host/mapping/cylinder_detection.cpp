@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::mapping {
 
@@ -12,24 +13,25 @@ namespace {
 
 using Run = std::span<const Eigen::Vector2d>;
 
-void check(const CylinderDetectionParams& params) {
-  const bool lengths = params.radius_m > 0.0 && params.widest_gap_m > 0.0 &&
-                       params.least_step_m > 0.0 && params.width_tolerance_m >= 0.0;
-  if (!lengths || params.least_points < 1) {
-    throw std::invalid_argument("cylinder detection: lengths above 0 and at least 1 point");
-  }
+void validate(const CylinderDetectionParams& params) {
+  geometry::ParameterValidator("cylinder detection")
+      .positive("radius_m", params.radius_m)
+      .positive("max_gap_m", params.max_gap_m)
+      .positive("min_step_m", params.min_step_m)
+      .at_least("width_tolerance_m", params.width_tolerance_m, 0.0)
+      .at_least("min_points", params.min_points, 1);
 }
 
 /// Whether a neighbour of the run's end lies well behind it.
 bool is_behind(const Eigen::Vector2d& neighbour_m,
                const Eigen::Vector2d& end_m,
                const CylinderDetectionParams& params) {
-  return neighbour_m.norm() - end_m.norm() > params.least_step_m;
+  return neighbour_m.norm() - end_m.norm() > params.min_step_m;
 }
 
 std::optional<Eigen::Vector2d> cylinder_of(Run run, const CylinderDetectionParams& params) {
   const double width_m = (run.back() - run.front()).norm();
-  if (run.size() < params.least_points ||
+  if (run.size() < params.min_points ||
       std::abs(width_m - 2.0 * params.radius_m) > params.width_tolerance_m) {
     return std::nullopt;
   }
@@ -46,11 +48,11 @@ std::optional<Eigen::Vector2d> cylinder_of(Run run, const CylinderDetectionParam
 
 std::vector<Eigen::Vector2d> find_cylinders(std::span<const Eigen::Vector2d> points_m,
                                             const CylinderDetectionParams& params) {
-  check(params);
+  validate(params);
   std::vector<Eigen::Vector2d> centers_m;
   std::size_t begin = 0;
   for (std::size_t i = 1; i < points_m.size(); ++i) {
-    if ((points_m[i] - points_m[i - 1]).norm() <= params.widest_gap_m) {
+    if ((points_m[i] - points_m[i - 1]).norm() <= params.max_gap_m) {
       continue;
     }
     const Run run = points_m.subspan(begin, i - begin);

@@ -73,15 +73,15 @@ void take_roots(const std::uint16_t* squares, std::size_t columns, float most, f
 
 }  // namespace
 
-DistanceField::DistanceField(const RasterMap& map, double most_m)
+DistanceField::DistanceField(const RasterMap& map, double max_m)
     : columns_(map.columns()),
       rows_(map.rows()),
       resolution_m_(map.resolution_m()),
       origin_m_(map.origin_m()),
-      most_cells_(static_cast<float>(most_m / map.resolution_m())),
+      max_cells_(static_cast<float>(max_m / map.resolution_m())),
       reach_cells_(static_cast<std::int32_t>(
-          std::ceil(std::min(most_m / map.resolution_m(), double{kMostRowCells})))) {
-  if (!(most_m > 0.0) || columns_ > kMostRowCells || rows_ > kMostRowCells) {
+          std::ceil(std::min(max_m / map.resolution_m(), double{kMaxRowCells})))) {
+  if (!(max_m > 0.0) || columns_ > kMaxRowCells || rows_ > kMaxRowCells) {
     throw std::invalid_argument(
         "a distance field needs a greatest distance above 0 and at most 16384 cells along an edge");
   }
@@ -97,7 +97,7 @@ void DistanceField::update(const RasterMap& map, const CellBounds& changed) {
   const CellBounds targets = cut(within, reach_cells_);
   const CellBounds sources = cut(targets, reach_cells_);
   find_heights(map, sources, targets);
-  if (reach_cells_ <= kMostNearReach) {
+  if (reach_cells_ <= kMaxNearReach) {
     find_near_distances(sources, targets);
   } else {
     find_distances(sources, targets);
@@ -144,7 +144,7 @@ void DistanceField::find_distances(const CellBounds& sources, const CellBounds& 
         heights_.data() + static_cast<std::size_t>(y - targets.min.y) * columns;
     square(heights, columns, squares.data());
     row_minima(squares, targets.min.x - sources.min.x, minima);
-    take_roots(minima.data(), target_columns, most_cells_, target_row(y, targets));
+    take_roots(minima.data(), target_columns, max_cells_, target_row(y, targets));
   }
 }
 
@@ -161,7 +161,7 @@ void DistanceField::find_near_distances(const CellBounds& sources, const CellBou
         heights_.data() + static_cast<std::size_t>(y - targets.min.y) * columns;
     square_near(heights, columns, reach, squares.data() + before);
     near_row_minima(squares, reach, minima);
-    take_roots(minima.data(), target_columns, most_cells_, target_row(y, targets));
+    take_roots(minima.data(), target_columns, max_cells_, target_row(y, targets));
   }
 }
 

@@ -16,10 +16,10 @@ namespace echomap::mapping {
 /// (Felzenszwalb and Huttenlocher 2012). Unknown cells are no obstacles.
 class DistanceField {
  public:
-  /// Distances above `most_m` count as that; the smaller it is, the less an update costs. Throws
+  /// Distances above `max_m` count as that; the smaller it is, the less an update costs. Throws
   /// std::invalid_argument for one that is not above 0 and for a map of more than 2^14 cells along
   /// an edge.
-  DistanceField(const RasterMap& map, double most_m);
+  DistanceField(const RasterMap& map, double max_m);
 
   /// Makes the field right again after cells of `map` changed, all of them within `changed`, which
   /// is cut to the map. `map` has the size that the field was made for.
@@ -49,7 +49,7 @@ class DistanceField {
   int rows_;
   double resolution_m_;
   Eigen::Vector2d origin_m_;
-  float most_cells_;
+  float max_cells_;
   std::int32_t reach_cells_;
   std::vector<float> cells_;
   /// Of the window being worked on: cells to the nearest occupied one of the same column.

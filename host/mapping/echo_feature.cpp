@@ -66,8 +66,8 @@ void add_walls(const Echo& first,
                const HearingParams& hearing,
                std::vector<EchoFeature>& features) {
   const double apart_rad = geometry::angle_between(first.axis_rad, second.axis_rad);
-  const double first_reach_rad = first.half_opening_rad + hearing.most_slant_rad;
-  const double second_reach_rad = second.half_opening_rad + hearing.most_slant_rad;
+  const double first_reach_rad = first.beam_half_angle_rad + hearing.max_incidence_rad;
+  const double second_reach_rad = second.beam_half_angle_rad + hearing.max_incidence_rad;
   const double from_rad = std::max(-first_reach_rad, apart_rad - second_reach_rad);
   const double to_rad = std::min(first_reach_rad, apart_rad + second_reach_rad);
   const auto difference_m = [&](double turn_rad) {
@@ -130,13 +130,13 @@ FeatureView view_from(const Eigen::Vector2d& sensor_m, const EchoFeature& featur
 
 std::optional<FeatureEcho> echo_of(const EchoFeature& feature,
                                    const Echo& echo,
-                                   double most_slant_rad) {
-  FeatureEcho answer{view_from(echo.sensor_m, feature), echo.half_opening_rad};
+                                   double max_incidence_rad) {
+  FeatureEcho answer{view_from(echo.sensor_m, feature), echo.beam_half_angle_rad};
   if (feature.kind == LandmarkKind::kWall) {
     const WallView in_beam = view_of_wall(echo, line_of(feature));
     answer.range_m = in_beam.range_m;
     answer.jacobian.row(0) = in_beam.by_line.reverse().transpose();
-    answer.max_off_axis_rad += most_slant_rad;
+    answer.max_off_axis_rad += max_incidence_rad;
   }
   const double off_axis_rad = std::abs(geometry::angle_between(echo.axis_rad, answer.bearing_rad));
   if (!(answer.range_m > 0.0) || off_axis_rad > answer.max_off_axis_rad) {

@@ -28,7 +28,7 @@ struct HearingParams {
   double tolerance_m = 0.06;
   /// By how much a wall may be slanted outside of the beam and be heard yet: an HC-SR04 falls
   /// silent 25 to 30 degrees off the axis (UNIVPM's measurements).
-  double most_slant_rad = 0.26;
+  double max_incidence_rad = 0.26;
 };
 
 /// Range and bearing of a feature's nearest point. The range is negative behind a wall.
@@ -49,10 +49,10 @@ struct FeatureEcho : FeatureView {
 };
 
 /// Of a wall by view_of_wall, of a point by its distance. Empty where the cone does not hear it: a
-/// point outside of it, a wall from behind or by more than `most_slant_rad` outside.
+/// point outside of it, a wall from behind or by more than `max_incidence_rad` outside.
 std::optional<FeatureEcho> echo_of(const EchoFeature& feature,
                                    const Echo& echo,
-                                   double most_slant_rad);
+                                   double max_incidence_rad);
 
 /// Where along a wall a cone that hears it has its answer from: from the foot of the origin's
 /// perpendicular, positive counter-clockwise.

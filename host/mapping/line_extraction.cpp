@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
@@ -14,20 +14,21 @@ namespace {
 
 using Run = std::span<const Eigen::Vector2d>;
 
-void check(const LineExtractionParams& params) {
-  const bool lengths = params.split_distance_m > 0.0 && params.widest_gap_m > 0.0 &&
-                       params.point_sd_m > 0.0 && params.least_length_m > 0.0;
-  if (!lengths || params.least_points < 2) {
-    throw std::invalid_argument("line extraction: lengths above 0 and at least 2 points a line");
-  }
+void validate(const LineExtractionParams& params) {
+  geometry::ParameterValidator("line extraction")
+      .positive("split_distance_m", params.split_distance_m)
+      .positive("max_gap_m", params.max_gap_m)
+      .positive("point_stddev_m", params.point_stddev_m)
+      .positive("min_length_m", params.min_length_m)
+      .at_least("min_points", params.min_points, 2);
 }
 
 /// Cuts where neighbours are too far apart for a wall.
-std::vector<Run> without_gaps(Run points, double widest_gap_m) {
+std::vector<Run> without_gaps(Run points, double max_gap_m) {
   std::vector<Run> runs;
   std::size_t begin = 0;
   for (std::size_t i = 1; i <= points.size(); ++i) {
-    if (i == points.size() || (points[i] - points[i - 1]).norm() > widest_gap_m) {
+    if (i == points.size() || (points[i] - points[i - 1]).norm() > max_gap_m) {
       runs.push_back(points.subspan(begin, i - begin));
       begin = i;
     }
@@ -72,20 +73,20 @@ Run joined(Run first, Run second) {
   return {first.data(), static_cast<std::size_t>(second.data() - first.data()) + second.size()};
 }
 
-double farthest_m(Run points, const FittedLine& line) {
+double max_m(Run points, const FittedLine& line) {
   const Eigen::Vector2d normal = geometry::unit_vector(line.normal_rad);
-  double farthest_m = 0.0;
+  double max_m = 0.0;
   for (const Eigen::Vector2d& point_m : points) {
-    farthest_m = std::max(farthest_m, std::abs(normal.dot(point_m) - line.offset_m));
+    max_m = std::max(max_m, std::abs(normal.dot(point_m) - line.offset_m));
   }
-  return farthest_m;
+  return max_m;
 }
 
 bool are_one(Run first, Run second, const LineExtractionParams& params) {
   const Run both = joined(first, second);
   const bool is_closed = (both.front() - both.back()).norm() == 0.0;
   return !is_closed &&
-         farthest_m(both, fit_line(both, params.point_sd_m)) <= params.split_distance_m;
+         max_m(both, fit_line(both, params.point_stddev_m)) <= params.split_distance_m;
 }
 
 std::vector<Run> merged(const std::vector<Run>& pieces, const LineExtractionParams& params) {
@@ -115,7 +116,7 @@ std::optional<WallCorner> corner_between(const FittedLine& first,
                                          const FittedLine& second,
                                          const WallCornerParams& params) {
   const double sine = geometry::cross(direction(first), direction(second));
-  if (std::abs(sine) < std::sin(params.least_turn_rad)) {
+  if (std::abs(sine) < std::sin(params.min_turn_rad)) {
     return std::nullopt;
   }
   const Eigen::Vector2d position_m = crossing_m(first, second, sine);
@@ -130,15 +131,15 @@ std::optional<WallCorner> corner_between(const FittedLine& first,
 
 std::vector<FittedLine> extract_lines(const std::vector<Eigen::Vector2d>& points_m,
                                       const LineExtractionParams& params) {
-  check(params);
+  validate(params);
   std::vector<FittedLine> lines;
-  for (const Run run : without_gaps(points_m, params.widest_gap_m)) {
+  for (const Run run : without_gaps(points_m, params.max_gap_m)) {
     std::vector<Run> pieces;
     split(run, params, pieces);
     for (const Run piece : merged(pieces, params)) {
-      if (piece.size() >= params.least_points &&
-          (piece.front() - piece.back()).norm() >= params.least_length_m) {
-        lines.push_back(fit_line(piece, params.point_sd_m));
+      if (piece.size() >= params.min_points &&
+          (piece.front() - piece.back()).norm() >= params.min_length_m) {
+        lines.push_back(fit_line(piece, params.point_stddev_m));
       }
     }
   }

@@ -16,17 +16,17 @@ struct LineExtractionParams {
   /// with none farther than this from their common line are joined: 3 sigma of the sensor.
   double split_distance_m = 0.09;
   /// Between neighbours farther apart than this there is no wall.
-  double widest_gap_m = 0.3;
+  double max_gap_m = 0.3;
   /// Of each coordinate of a point; Singh and Bedi 2013, section 2.4, for the NXT's sonar.
-  double point_sd_m = 0.03;
+  double point_stddev_m = 0.03;
   /// What is smaller is no wall but clutter.
-  std::size_t least_points = 5;
-  double least_length_m = 0.2;
+  std::size_t min_points = 5;
+  double min_length_m = 0.2;
 };
 
 /// Straight walls in points that are ordered as a robot sees them turning left: split and merge
 /// (Pavlidis and Horowitz 1974), each line then fitted to its points. The lines keep the order.
-/// Throws std::invalid_argument for parameters without sense.
+/// Throws std::invalid_argument for invalid parameters.
 std::vector<FittedLine> extract_lines(const std::vector<Eigen::Vector2d>& points_m,
                                       const LineExtractionParams& params = {});
 
@@ -43,7 +43,7 @@ struct WallCornerParams {
   /// Neither wall may end farther from the corner than this.
   double reach_m = 0.3;
   /// Walls with less of a turn between them, either way, are one wall badly seen.
-  double least_turn_rad = 0.35;
+  double min_turn_rad = 0.35;
 };
 
 /// Corners between neighbours of `lines`, which are in the order of extract_lines; with `closed`

@@ -31,13 +31,13 @@ struct Moments {
 Eigen::Matrix2d covariance_of(const Moments& moments,
                               double normal_rad,
                               std::size_t points,
-                              double point_sd_m) {
+                              double point_stddev_m) {
   const Eigen::Vector2d normal = geometry::unit_vector(normal_rad);
   const Eigen::Vector2d along = geometry::perpendicular(normal);
   const double along_m2 = along.dot(moments.scatter_m2 * along);
   const double across_m2 = normal.dot(moments.scatter_m2 * normal);
   const double spread_m2 = along_m2 - across_m2;
-  const double variance_m2 = point_sd_m * point_sd_m;
+  const double variance_m2 = point_stddev_m * point_stddev_m;
   const double normal_rad2 = variance_m2 * (along_m2 + across_m2) / (spread_m2 * spread_m2);
   const double mean_along_m = along.dot(moments.mean_m);
   Eigen::Matrix2d covariance;
@@ -55,7 +55,7 @@ Eigen::Vector2d foot_on(const FittedLine& line, const Eigen::Vector2d& point_m) 
 
 }  // namespace
 
-FittedLine fit_line(std::span<const Eigen::Vector2d> points_m, double point_sd_m) {
+FittedLine fit_line(std::span<const Eigen::Vector2d> points_m, double point_stddev_m) {
   const Moments moments(points_m);
   if (!(moments.scatter_m2.trace() > 0.0)) {
     throw std::invalid_argument("a line takes two points in different places");
@@ -69,7 +69,7 @@ FittedLine fit_line(std::span<const Eigen::Vector2d> points_m, double point_sd_m
     line.offset_m = -line.offset_m;
     line.normal_rad = geometry::wrap_angle(line.normal_rad + std::numbers::pi);
   }
-  line.covariance = covariance_of(moments, line.normal_rad, line.points, point_sd_m);
+  line.covariance = covariance_of(moments, line.normal_rad, line.points, point_stddev_m);
   line.segment = {foot_on(line, points_m.front()), foot_on(line, points_m.back())};
   return line;
 }

@@ -24,9 +24,9 @@ struct FittedLine {
 };
 
 /// Total least squares: the line with the least squared distances at right angles to it, and how
-/// sure it is where every coordinate of a point is off by `point_sd_m` (to first order in it; Arras
-/// and Siegwart 1997 for points of equal weight). Throws std::invalid_argument for fewer than two
-/// points or points that are all in one place.
-FittedLine fit_line(std::span<const Eigen::Vector2d> points_m, double point_sd_m);
+/// sure it is where every coordinate of a point is off by `point_stddev_m` (to first order in it;
+/// Arras and Siegwart 1997 for points of equal weight). Throws std::invalid_argument for fewer than
+/// two points or points that are all in one place.
+FittedLine fit_line(std::span<const Eigen::Vector2d> points_m, double point_stddev_m);
 
 }  // namespace echomap::mapping

@@ -20,12 +20,12 @@ using Points = std::vector<Eigen::Vector2d>;
 
 constexpr double kCoarseStepRad = 0.0524;  // 3 degrees: 0.1 m at 2 m.
 /// The coarse steps are bridged by walls as wide as this.
-constexpr double kCoarseSdM = 0.12;
+constexpr double kCoarseStddevM = 0.12;
 constexpr std::size_t kCoarsePoints = 200;
 /// Of the lattice, so many of the best are looked at, and so many different ones of them refined.
 constexpr std::size_t kBest = 3000;
 /// Poses that are held while the best are sought.
-constexpr std::size_t kMostHeld = 100'000;
+constexpr std::size_t kMaxHeld = 100'000;
 constexpr std::size_t kRefined = 24;
 
 /// Adds what the walls of one map say of their place in the other.
@@ -37,7 +37,7 @@ void add_walls(const PlaceableMap& of,
   const double cell_m = of.map().resolution_m();
   for (const Eigen::Vector2d& wall_m : of.walls_m()) {
     const Eigen::Vector2d point_m = T_on_of * wall_m;
-    const double common = on.wall_at(point_m, params.wall_sd_m);
+    const double common = on.wall_at(point_m, params.wall_stddev_m);
     const bool contradicts = on.is_deep_in_floor(point_m, params.floor_depth_m);
     sum.common_m += cell_m * common;
     sum.contradicting_m += contradicts ? cell_m : 0.0;
@@ -45,13 +45,13 @@ void add_walls(const PlaceableMap& of,
   }
 }
 
-MapPlacement placed_at(const Pose2& T_former_later,
+MapPlacement placed_at(const Pose2& T_previous_later,
                        const PlaceableMap& former,
                        const PlaceableMap& later,
                        const MapPlacementParams& params) {
-  MapPlacement placement{T_former_later};
-  add_walls(later, former, T_former_later, params, placement);
-  add_walls(former, later, T_former_later.inverse(), params, placement);
+  MapPlacement placement{T_previous_later};
+  add_walls(later, former, T_previous_later, params, placement);
+  add_walls(former, later, T_previous_later.inverse(), params, placement);
   return placement;
 }
 
@@ -70,7 +70,7 @@ Lattice lattice_of(const PlaceableMap& former, const MapPlacementParams& params)
     for (int x = 0; x < map.columns(); ++x) {
       const Eigen::Vector2d center_m = map.center_m({x, y});
       const bool contradicts = former.is_deep_in_floor(center_m, params.floor_depth_m);
-      const double wall = former.wall_at(center_m, kCoarseSdM);
+      const double wall = former.wall_at(center_m, kCoarseStddevM);
       for_wall.push_back(static_cast<float>(contradicts ? -MapPlacement::kContradiction : wall));
       for_floor.push_back(map.state({x, y}) == CellState::kOccupied ? -1.0F : 0.0F);
     }
@@ -79,7 +79,7 @@ Lattice lattice_of(const PlaceableMap& former, const MapPlacementParams& params)
 }
 
 struct Candidate {
-  Pose2 T_former_later;
+  Pose2 T_previous_later;
   float weight = 0.0F;
 };
 
@@ -143,7 +143,7 @@ std::vector<Candidate> coarse_search(const PlaceableMap& former,
                          of_walls[i] + per_floor * of_floor[i]});
       }
     }
-    if (found.size() > kMostHeld) {
+    if (found.size() > kMaxHeld) {
       keep_best(found);
     }
   }
@@ -153,14 +153,16 @@ std::vector<Candidate> coarse_search(const PlaceableMap& former,
 
 /// Whether one of those places the pivot about there.
 template <class Placed>
-bool is_among(const Pose2& T_former_later,
+bool is_among(const Pose2& T_previous_later,
               const std::vector<Placed>& placements,
               const Eigen::Vector2d& pivot_m,
               const MapPlacementParams& params) {
   return std::any_of(placements.begin(), placements.end(), [&](const Placed& other) {
-    return (T_former_later * pivot_m - other.T_former_later * pivot_m).norm() < params.apart_m &&
-           std::abs(geometry::angle_between(T_former_later.heading_rad(),
-                                            other.T_former_later.heading_rad())) < params.apart_rad;
+    return (T_previous_later * pivot_m - other.T_previous_later * pivot_m).norm() <
+               params.apart_m &&
+           std::abs(geometry::angle_between(T_previous_later.heading_rad(),
+                                            other.T_previous_later.heading_rad())) <
+               params.apart_rad;
   });
 }
 
@@ -169,7 +171,8 @@ std::vector<Candidate> apart(const std::vector<Candidate>& candidates,
                              const MapPlacementParams& params) {
   std::vector<Candidate> chosen;
   for (const Candidate& candidate : candidates) {
-    if (chosen.size() < kRefined && !is_among(candidate.T_former_later, chosen, pivot_m, params)) {
+    if (chosen.size() < kRefined &&
+        !is_among(candidate.T_previous_later, chosen, pivot_m, params)) {
       chosen.push_back(candidate);
     }
   }
@@ -185,14 +188,14 @@ std::vector<MapPlacement> find_placements(const PlaceableMap& former,
     return {};
   }
   const Eigen::Vector2d pivot_m = mean_of(later.walls_m());
-  const auto placed = [&](const Pose2& T_former_later) {
-    return placed_at(T_former_later, former, later, params);
+  const auto placed = [&](const Pose2& T_previous_later) {
+    return placed_at(T_previous_later, former, later, params);
   };
   std::vector<MapPlacement> found;
   for (const Candidate& candidate : apart(coarse_search(former, later, params), pivot_m, params)) {
     found.push_back(
-        placed(climbed(candidate.T_former_later, pivot_m, {}, [&](const Pose2& T_former_later) {
-          return placed(T_former_later).weight_m();
+        placed(climbed(candidate.T_previous_later, pivot_m, {}, [&](const Pose2& T_previous_later) {
+          return placed(T_previous_later).weight_m();
         })));
   }
   std::sort(found.begin(), found.end(), [](const auto& one, const auto& other) {
@@ -200,7 +203,7 @@ std::vector<MapPlacement> find_placements(const PlaceableMap& former,
   });
   std::vector<MapPlacement> placements;
   for (const MapPlacement& placement : found) {
-    if (!is_among(placement.T_former_later, placements, pivot_m, params)) {
+    if (!is_among(placement.T_previous_later, placements, pivot_m, params)) {
       placements.push_back(placement);
     }
   }
@@ -214,10 +217,10 @@ std::optional<MapPlacement> sure_placement(const std::vector<MapPlacement>& plac
   }
   const MapPlacement& best = placements.front();
   const double rival_m = placements.size() > 1 ? placements[1].weight_m() : 0.0;
-  const bool is_sure = best.common_m >= params.least_common_m &&
-                       best.weight_m() >= params.least_share * best.known_m &&
-                       best.weight_m() - rival_m >= params.least_lead_m &&
-                       rival_m <= params.most_rival_share * best.weight_m();
+  const bool is_sure = best.common_m >= params.min_common_m &&
+                       best.weight_m() >= params.min_share * best.known_m &&
+                       best.weight_m() - rival_m >= params.min_lead_m &&
+                       rival_m <= params.max_rival_share * best.weight_m();
   return is_sure ? std::optional(best) : std::nullopt;
 }
 

@@ -13,24 +13,24 @@ namespace echomap::mapping {
 /// (docs/algorithms/map_joining.md). Walls are counted in metres, of both maps together.
 struct MapPlacementParams {
   /// Walls of two maps lie this far apart.
-  double wall_sd_m = 0.08;
+  double wall_stddev_m = 0.08;
   /// A wall that lies so deep in the other map's floor speaks against it.
   double floor_depth_m = 0.15;
   /// Placements that are nearer to each other are one.
   double apart_m = 0.5;
   double apart_rad = 0.35;
   /// A sure placement has so much wall in common,
-  double least_common_m = 4.0;
+  double min_common_m = 4.0;
   /// as such a share of the wall that lies where both maps know something, at least,
-  double least_share = 0.6;
+  double min_share = 0.6;
   /// and is ahead of any other one by so much, of which less than such a share speaks for that.
-  double least_lead_m = 1.8;
-  double most_rival_share = 0.6;
+  double min_lead_m = 1.8;
+  double max_rival_share = 0.6;
 };
 
 /// Where a map may lie on another one.
 struct MapPlacement {
-  geometry::Pose2 T_former_later;
+  geometry::Pose2 T_previous_later;
   double common_m = 0.0;         ///< Wall of either map that lies on wall of the other.
   double contradicting_m = 0.0;  ///< Wall of either map that lies on floor of the other.
   double known_m = 0.0;          ///< Wall of either map where the other one knows something.

@@ -52,7 +52,7 @@ struct OccupancyGridParams {
 /// costs nothing. A cell that no evidence has touched is unknown, not even odds.
 class OccupancyGrid {
  public:
-  /// Throws std::invalid_argument for a resolution, a clamp or thresholds that make no sense.
+  /// Throws std::invalid_argument for an invalid resolution, clamp or thresholds.
   explicit OccupancyGrid(const OccupancyGridParams& params = {});
 
   double resolution_m() const { return params_.resolution_m; }

@@ -27,9 +27,9 @@ void for_cells_around(const CellField& field,
   }
 }
 
-const PatchGridParams& checked(const PatchGridParams& params) {
+const PatchGridParams& validated(const PatchGridParams& params) {
   if (params.cells.empty() || params.cells.rows() < 1 || !(params.cell_m > 0.0)) {
-    throw std::invalid_argument("patch grid: a parameter is outside of its range");
+    throw std::invalid_argument("patch grid: a parameter is out of range");
   }
   return params;
 }
@@ -37,7 +37,7 @@ const PatchGridParams& checked(const PatchGridParams& params) {
 }  // namespace
 
 PatchGrid::PatchGrid(const PatchGridParams& params)
-    : params_(checked(params)),
+    : params_(validated(params)),
       patch_(params.patch),
       confidence_(params.cells, params.cell_m),
       lasting_(params.cells, params.cell_m) {}
@@ -70,26 +70,26 @@ void PatchGrid::add_bump(const geometry::Segment& line_m) {
 
 void PatchGrid::clear_cone(const geometry::Pose2& T_grid_sonar,
                            double range_m,
-                           double half_angle_rad) {
+                           double beam_half_angle_rad) {
   const geometry::Pose2 T_sonar_grid = T_grid_sonar.inverse();
   for_cells_around(confidence_, T_grid_sonar.position_m(), range_m, [&](std::size_t index) {
     const auto at =
         models::polar_point(T_sonar_grid * confidence_.center_m(confidence_.cell(index)));
-    if (at.range_m < range_m && std::abs(at.off_axis_rad) <= half_angle_rad) {
+    if (at.range_m < range_m && std::abs(at.off_axis_rad) <= beam_half_angle_rad) {
       confidence_[index] = lasting_[index];
     }
   });
 }
 
-double PatchGrid::sum_ahead(const geometry::Pose2& T_grid_way,
+double PatchGrid::sum_ahead(const geometry::Pose2& T_grid_path,
                             double from_m,
                             double to_m,
                             double width_m) const {
-  const geometry::Pose2 T_way_grid = T_grid_way.inverse();
+  const geometry::Pose2 T_path_grid = T_grid_path.inverse();
   const double reach_m = std::max(std::abs(from_m), std::abs(to_m)) + width_m;
   double sum = 0.0;
-  for_cells_around(confidence_, T_grid_way.position_m(), reach_m, [&](std::size_t index) {
-    const Eigen::Vector2d at_m = T_way_grid * confidence_.center_m(confidence_.cell(index));
+  for_cells_around(confidence_, T_grid_path.position_m(), reach_m, [&](std::size_t index) {
+    const Eigen::Vector2d at_m = T_path_grid * confidence_.center_m(confidence_.cell(index));
     const bool is_inside =
         at_m.x() >= from_m && at_m.x() <= to_m && std::abs(at_m.y()) <= 0.5 * width_m;
     sum += is_inside ? confidence_[index] : 0.0;

@@ -20,7 +20,7 @@ struct PatchGridParams {
 /// of the grid's frame. What falls outside of the grid is left out.
 class PatchGrid {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit PatchGrid(const PatchGridParams& params = {});
 
   /// "We initialize the coordinates corresponding to the playground walls as one": the cells whose
@@ -35,11 +35,11 @@ class PatchGrid {
   /// Takes away what echoes have put into a cone from a sonar on, as far as `range_m`: of what a
   /// beam hears, the nearest thing answers first, so that nothing stands before it. Walls that were
   /// marked and bumps stay. The paper takes nothing away.
-  void clear_cone(const geometry::Pose2& T_grid_sonar, double range_m, double half_angle_rad);
+  void clear_cone(const geometry::Pose2& T_grid_sonar, double range_m, double beam_half_angle_rad);
 
   /// Sum over the cells with their middle in a rectangle: from `from_m` to `to_m` ahead of the
   /// pose, half of `width_m` to either side (section II.D, figure 3).
-  double sum_ahead(const geometry::Pose2& T_grid_way,
+  double sum_ahead(const geometry::Pose2& T_grid_path,
                    double from_m,
                    double to_m,
                    double width_m) const;

@@ -8,11 +8,11 @@ namespace echomap::mapping {
 namespace {
 
 /// Walls farther apart do not agree at all.
-constexpr double kMostM = 0.5;
+constexpr double kMaxM = 0.5;
 
 /// Everything but floor is solid, as far around the map as matters.
 RasterMap without_floor(const RasterMap& map) {
-  const int margin = static_cast<int>(std::ceil(kMostM / map.resolution_m()));
+  const int margin = static_cast<int>(std::ceil(kMaxM / map.resolution_m()));
   RasterMap solid =
       cut_out(map, {{-margin, -margin}, {map.columns() - 1 + margin, map.rows() - 1 + margin}});
   for (int y = 0; y < solid.rows(); ++y) {
@@ -30,11 +30,11 @@ RasterMap without_floor(const RasterMap& map) {
 PlaceableMap::PlaceableMap(RasterMap map)
     : map_(std::move(map)),
       walls_m_(centers_m(map_, CellState::kOccupied)),
-      to_wall_(map_, kMostM),
-      to_floors_end_(without_floor(map_), kMostM) {}
+      to_wall_(map_, kMaxM),
+      to_floors_end_(without_floor(map_), kMaxM) {}
 
-double PlaceableMap::wall_at(const Eigen::Vector2d& point_m, double sd_m) const {
-  const double off = to_wall_.at_m(point_m) / sd_m;
+double PlaceableMap::wall_at(const Eigen::Vector2d& point_m, double stddev_m) const {
+  const double off = to_wall_.at_m(point_m) / stddev_m;
   return std::exp(-0.5 * off * off);
 }
 

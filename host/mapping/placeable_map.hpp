@@ -19,8 +19,8 @@ class PlaceableMap {
   const RasterMap& map() const { return map_; }
   /// The centres of cells that are walls.
   const std::vector<Eigen::Vector2d>& walls_m() const { return walls_m_; }
-  /// 1 on a wall, less beside it: walls lie `sd_m` off.
-  double wall_at(const Eigen::Vector2d& point_m, double sd_m) const;
+  /// 1 on a wall, less beside it: walls lie `stddev_m` off.
+  double wall_at(const Eigen::Vector2d& point_m, double stddev_m) const;
   bool knows(const Eigen::Vector2d& point_m) const;
   /// Whether it is floor, and so is all around it as far as `depth_m`, which is at most 0.5.
   bool is_deep_in_floor(const Eigen::Vector2d& point_m, double depth_m) const;

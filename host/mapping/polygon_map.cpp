@@ -121,8 +121,8 @@ std::vector<Polygon> simplified(const std::vector<Polygon>& rings, double tolera
   }
 }
 
-void check(const PolygonMapParams& params) {
-  if (!(params.tolerance_m >= 0.0) || !(params.least_hole_m2 >= 0.0)) {
+void validate(const PolygonMapParams& params) {
+  if (!(params.tolerance_m >= 0.0) || !(params.min_hole_m2 >= 0.0)) {
     throw std::invalid_argument("a polygon map's tolerance and least hole are not below 0");
   }
 }
@@ -173,14 +173,14 @@ CornerKind corner_kind(const Polygon& ring, std::size_t index) {
 
 std::optional<PolygonMap> polygon_from_raster(const RasterMap& map,
                                               const PolygonMapParams& params) {
-  check(params);
+  validate(params);
   std::vector<Polygon> rings = free_floor_rings(map);
   if (rings.empty()) {
     return std::nullopt;
   }
   std::erase_if(rings, [&](const Polygon& ring) {
     const double area_m2 = geometry::signed_area_m2(ring);
-    return area_m2 < 0.0 && -area_m2 < params.least_hole_m2;
+    return area_m2 < 0.0 && -area_m2 < params.min_hole_m2;
   });
   return map_of(simplified(rings, params.tolerance_m));
 }

@@ -47,7 +47,7 @@ struct PolygonMapParams {
   /// and a half cells of a grid of 5 cm, so that the stairs of a slanted wall go.
   double tolerance_m = 0.075;
   /// A smaller hole is a cell or two that no echo has told of, not something that stands there.
-  double least_hole_m2 = 0.02;
+  double min_hole_m2 = 0.02;
 };
 
 /// The map of the largest connected piece of free floor; empty where no cell is free. Throws

@@ -44,8 +44,8 @@ struct Rays {
   std::int32_t steps_left = 0;
   Floats way_x;
   Floats way_y;
-  Floats per_way_x;  ///< 1 / way.
-  Floats per_way_y;
+  Floats per_direction_x;  ///< 1 / way.
+  Floats per_direction_y;
   Floats sign_x;  ///< 1 or -1.
   Floats sign_y;
   Floats range;
@@ -99,8 +99,10 @@ struct Cells {
   Floats half_side = cells.clear * kClearSquare;
   truncate(half_side);
   half_side += 0.5F;
-  const Floats to_x = (cells.middle_x - view.from_x + rays.sign_x * half_side) * rays.per_way_x;
-  const Floats to_y = (cells.middle_y - view.from_y + rays.sign_y * half_side) * rays.per_way_y;
+  const Floats to_x =
+      (cells.middle_x - view.from_x + rays.sign_x * half_side) * rays.per_direction_x;
+  const Floats to_y =
+      (cells.middle_y - view.from_y + rays.sign_y * half_side) * rays.per_direction_y;
   const Floats to_border = to_x < to_y ? to_x : to_y;
   Floats next = rays.range + cells.clear - kTwoHalfDiagonals;
   next = next > to_border ? next : to_border;
@@ -126,12 +128,12 @@ struct Cells {
   rays.first = first;
   rays.steps_left = 2 * (view.columns + view.rows) + 2;
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const Eigen::Vector2f& way = directions[std::min(first + i, directions.size() - 1)];
-    rays.way_x[i] = std::abs(way.x()) < kLeast ? kLeast : way.x();
-    rays.way_y[i] = std::abs(way.y()) < kLeast ? kLeast : way.y();
+    const Eigen::Vector2f& direction = directions[std::min(first + i, directions.size() - 1)];
+    rays.way_x[i] = std::abs(direction.x()) < kLeast ? kLeast : direction.x();
+    rays.way_y[i] = std::abs(direction.y()) < kLeast ? kLeast : direction.y();
   }
-  rays.per_way_x = 1.0F / rays.way_x;
-  rays.per_way_y = 1.0F / rays.way_y;
+  rays.per_direction_x = 1.0F / rays.way_x;
+  rays.per_direction_y = 1.0F / rays.way_y;
   rays.sign_x = rays.way_x > 0.0F ? Floats{} + 1.0F : Floats{} - 1.0F;
   rays.sign_y = rays.way_y > 0.0F ? Floats{} + 1.0F : Floats{} - 1.0F;
   rays.range = Floats{};
@@ -173,7 +175,7 @@ void follow(const FieldView& view,
 void cast_rays(const DistanceField& field,
                const Eigen::Vector2d& from_m,
                std::span<const Eigen::Vector2f> directions,
-               double most_m,
+               double max_m,
                std::span<float> ranges_m) {
   const Eigen::Vector2f from = ((from_m - field.origin_m()) / field.resolution_m()).cast<float>();
   const auto resolution_m = static_cast<float>(field.resolution_m());
@@ -182,7 +184,7 @@ void cast_rays(const DistanceField& field,
                        field.rows(),
                        from.x(),
                        from.y(),
-                       static_cast<float>(most_m) / resolution_m};
+                       static_cast<float>(max_m) / resolution_m};
   follow(view, directions, ranges_m);
   for (float& range_m : ranges_m.first(directions.size())) {
     range_m *= resolution_m;

@@ -14,14 +14,14 @@ namespace echomap::mapping {
 /// of the cell or of the clear square around it, so that the range is that of a border; eight rays
 /// go at once, and four such groups by turns.
 
-/// From `from_m`, in the map frame, along unit vectors: the range of each, or `most_m` where
+/// From `from_m`, in the map frame, along unit vectors: the range of each, or `max_m` where
 /// nothing stands so near or the ray leaves the map first. The same for all when `from_m` is
 /// outside of the map. Right to 1/500 of a cell; what a ray only clips by less than that may be
 /// missed.
 void cast_rays(const DistanceField& field,
                const Eigen::Vector2d& from_m,
                std::span<const Eigen::Vector2f> directions,
-               double most_m,
+               double max_m,
                std::span<float> ranges_m);
 
 }  // namespace echomap::mapping

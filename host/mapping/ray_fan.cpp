@@ -98,16 +98,16 @@ void find_covered(const double* x,
 
 /// All pairs of neighbours together, the last and the first too, turn whole rounds, and one at
 /// least where more rays lie one way than the other; so every direction lies between some pair.
-void RayFan::reset(std::span<const LatticePoint> ways) {
-  const std::size_t count = ways.size();
+void RayFan::reset(std::span<const LatticePoint> directions) {
+  const std::size_t count = directions.size();
   radii_.fill(0.0);
   for (std::vector<double>* each : {&x_, &y_, &lengths_, &reaches_}) {
     each->resize(count + 1);
   }
   shares_.assign(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
-    x_[i] = ways[i].x;
-    y_[i] = ways[i].y;
+    x_[i] = directions[i].x;
+    y_[i] = directions[i].y;
   }
   x_[count] = x_[0];
   y_[count] = y_[0];

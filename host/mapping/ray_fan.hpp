@@ -22,7 +22,7 @@ class RayFan {
  public:
   /// Takes the rays of a scan, in its order, from the sensor to their ends, none of which is the
   /// sensor's place. In any other order nothing is taken to be crossed.
-  void reset(std::span<const LatticePoint> ways);
+  void reset(std::span<const LatticePoint> directions);
 
   /// How far from the sensor, in lattice units, cells have their centres all of which are crossed.
   double radius(Quadrant quadrant) const { return radii_[static_cast<std::size_t>(quadrant)]; }

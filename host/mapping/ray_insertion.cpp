@@ -15,7 +15,7 @@ namespace {
 using geometry::CellIndex;
 
 /// A lattice's corner lies so many tiles before the sensor's tile: far enough for the longest ray.
-constexpr std::int32_t kTilesBefore = kMostWindowCells / kTileSide / 2;
+constexpr std::int32_t kTilesBefore = kMaxWindowCells / kTileSide / 2;
 constexpr int kLatticeTileBits = kLatticeBits + kTileBits;
 
 /// The odd lattice coordinates of a point that is so many cells, above 0, from the lattice's
@@ -79,16 +79,17 @@ void RayInserter::place(const geometry::Pose2& T_map_sensor,
       T_map_sensor.position_m() / resolution_m - Eigen::Vector2d(origin.x, origin.y);
   rays_.clear();
   for (const Ray& ray : rays) {
-    Eigen::Vector2d way = ray.end_m.x() * ahead + ray.end_m.y() * geometry::perpendicular(ahead);
-    const double square = way.squaredNorm();
+    Eigen::Vector2d direction =
+        ray.end_m.x() * ahead + ray.end_m.y() * geometry::perpendicular(ahead);
+    const double square = direction.squaredNorm();
     if (!std::isfinite(square)) {
       continue;
     }
-    const bool is_cut = square > kMostRayCells * kMostRayCells;
+    const bool is_cut = square > kMaxRayCells * kMaxRayCells;
     if (is_cut) {
-      way *= kMostRayCells / std::sqrt(square);
+      direction *= kMaxRayCells / std::sqrt(square);
     }
-    rays_.push_back({on_lattice(sensor + way), ray.is_hit && !is_cut});
+    rays_.push_back({on_lattice(sensor + direction), ray.is_hit && !is_cut});
   }
 }
 
@@ -98,15 +99,15 @@ void RayInserter::mark(LatticePoint sensor, const CellBounds& tiles) {
   crossed_.reset(tiles.columns(), tiles.rows());
   hits_.assign(static_cast<std::size_t>(tiles.columns()) * static_cast<std::size_t>(tiles.rows()),
                TileBits{});
-  ways_.clear();
+  directions_.clear();
   for (const LatticeRay& ray : rays_) {
-    const LatticePoint way{ray.end.x - sensor.x, ray.end.y - sensor.y};
-    if (way.x != 0 || way.y != 0) {
-      ways_.push_back(way);
+    const LatticePoint direction{ray.end.x - sensor.x, ray.end.y - sensor.y};
+    if (direction.x != 0 || direction.y != 0) {
+      directions_.push_back(direction);
     }
   }
   add_fan(from);
-  crossed_.add_rays(from, ways_, fan_.covered_shares());
+  crossed_.add_rays(from, directions_, fan_.covered_shares());
   for (const LatticeRay& ray : rays_) {
     const LatticePoint to{ray.end.x - corner.x, ray.end.y - corner.y};
     if (ray.is_hit) {
@@ -121,7 +122,7 @@ void RayInserter::mark(LatticePoint sensor, const CellBounds& tiles) {
 }
 
 void RayInserter::add_fan(LatticePoint sensor) {
-  fan_.reset(ways_);
+  fan_.reset(directions_);
   for (const Quadrant quadrant :
        {Quadrant::kRightUp, Quadrant::kLeftUp, Quadrant::kLeftDown, Quadrant::kRightDown}) {
     crossed_.add_quadrant(sensor, quadrant, fan_.radius(quadrant));

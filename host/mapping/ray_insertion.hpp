@@ -30,7 +30,7 @@ struct Ray {
 };
 
 /// The longest ray in cells; a longer one is cut there and hits nothing.
-constexpr double kMostRayCells = 1900.0;
+constexpr double kMaxRayCells = 1900.0;
 
 /// Adds whole scans of thin rays to an occupancy grid. Each cell gets evidence at most once a scan,
 /// and where one ray ends and others pass, the hit counts. Sensor and ends are rounded to 1/256 of
@@ -61,7 +61,7 @@ class RayInserter {
 
   RayInsertionParams params_;
   std::vector<LatticeRay> rays_;
-  std::vector<LatticePoint> ways_;  ///< From the sensor to the ends.
+  std::vector<LatticePoint> directions_;  ///< From the sensor to the ends.
   RayFan fan_;
   RayMask crossed_;
   std::vector<TileBits> hits_;  ///< By the tiles of the window.

@@ -14,9 +14,9 @@ namespace echomap::mapping {
 namespace {
 
 /// As many neighbouring bits as always lie within 8 bytes.
-constexpr std::int32_t kMostBitsAtOnce = 57;
+constexpr std::int32_t kMaxBitsAtOnce = 57;
 
-/// Sets at most kMostBitsAtOnce bits, `first` to `last`; touches up to 7 bytes beyond the last.
+/// Sets at most kMaxBitsAtOnce bits, `first` to `last`; touches up to 7 bytes beyond the last.
 inline void set_short_run(std::uint8_t* line, std::int32_t first, std::int32_t last) {
   std::uint8_t* const bytes = line + (first >> 3);
   std::uint64_t word = 0;
@@ -26,9 +26,9 @@ inline void set_short_run(std::uint8_t* line, std::int32_t first, std::int32_t l
 }
 
 inline void set_run(std::uint8_t* line, std::int32_t first, std::int32_t last) {
-  while (last - first >= kMostBitsAtOnce) {
-    set_short_run(line, first, first + kMostBitsAtOnce - 1);
-    first += kMostBitsAtOnce;
+  while (last - first >= kMaxBitsAtOnce) {
+    set_short_run(line, first, first + kMaxBitsAtOnce - 1);
+    first += kMaxBitsAtOnce;
   }
   set_short_run(line, first, last);
 }
@@ -70,7 +70,7 @@ struct Exits {
   std::int64_t slope = 0;  ///< From one line to the next the exit moves on by as many cells.
 };
 
-/// Marks the cells of a ray whose runs fit kMostBitsAtOnce, 8 lines at once; touches up to 7 lines
+/// Marks the cells of a ray whose runs fit kMaxBitsAtOnce, 8 lines at once; touches up to 7 lines
 /// beyond the last, but changes none there.
 template <bool kRises>
 [[gnu::always_inline]] inline void mark_lines(const LineRay& ray,
@@ -132,7 +132,7 @@ template <bool kRises>
 [[gnu::always_inline]] inline void mark_ray(const LineRay& ray,
                                             std::uint8_t* lines,
                                             std::ptrdiff_t line_bytes) {
-  constexpr std::int64_t kSteepest = std::int64_t{kMostBitsAtOnce - 2} << Exits::kPlaces;
+  constexpr std::int64_t kSteepest = std::int64_t{kMaxBitsAtOnce - 2} << Exits::kPlaces;
   lines += (ray.line >> kLatticeBits) * line_bytes;
   if (ray.last_line() == 0) {
     const std::int32_t begin = ray.along >> kLatticeBits;
@@ -184,13 +184,13 @@ struct Lines {
 
 ECHOMAP_VECTOR_CLONES
 void mark(LatticePoint from,
-          std::span<const LatticePoint> ways,
+          std::span<const LatticePoint> directions,
           const double* covered_shares,
           Lines flat,
           Lines steep) {
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    const LatticePoint to{from.x + ways[i].x, from.y + ways[i].y};
-    if (std::abs(ways[i].x) >= std::abs(ways[i].y)) {
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const LatticePoint to{from.x + directions[i].x, from.y + directions[i].y};
+    if (std::abs(directions[i].x) >= std::abs(directions[i].y)) {
       mark_rising(rising({from.x, from.y, to.x, to.y}, covered_shares[i]), flat.first, flat.bytes);
     } else {
       mark_rising(
@@ -211,10 +211,10 @@ void RayMask::reset(std::int32_t tile_columns, std::int32_t tile_rows) {
 }
 
 void RayMask::add_rays(LatticePoint from,
-                       std::span<const LatticePoint> ways,
+                       std::span<const LatticePoint> directions,
                        std::span<const double> covered_shares) {
   mark(from,
-       ways,
+       directions,
        covered_shares.data(),
        {reinterpret_cast<std::uint8_t*>(flat_.data()), std::ptrdiff_t{tile_columns_} * 8},
        {reinterpret_cast<std::uint8_t*>(steep_.data()), std::ptrdiff_t{tile_rows_} * 8});

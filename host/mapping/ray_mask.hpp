@@ -24,7 +24,7 @@ struct LatticePoint {
 enum class Quadrant : std::uint8_t { kRightUp, kLeftUp, kLeftDown, kRightDown };
 
 /// The most cells that a window may have along an edge.
-constexpr std::int32_t kMostWindowCells = 4096;
+constexpr std::int32_t kMaxWindowCells = 4096;
 
 /// A window of tiles with one bit a cell: crossed by a ray or not.
 ///
@@ -44,7 +44,7 @@ class RayMask {
   /// Those that a ray only meets within its covered share of the way, from the beginning on, may be
   /// left out. There is a share for each way.
   void add_rays(LatticePoint from,
-                std::span<const LatticePoint> ways,
+                std::span<const LatticePoint> directions,
                 std::span<const double> covered_shares);
   /// Marks the cells whose centres are within `radius` lattice units of a point and in a quadrant
   /// around it, all of which must be inside.

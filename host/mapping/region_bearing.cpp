@@ -18,7 +18,7 @@ constexpr int kBearings = 8;
 /// Angles up to which a surface may be heard: a post not quite as far as the beam goes, a smooth
 /// wall as far as beam and incidence go together.
 constexpr double kNarrowestRad = geometry::radians(10.0);
-constexpr double kWidestRad = geometry::radians(34.0);
+constexpr double kMaxRad = geometry::radians(34.0);
 constexpr double kWidthStepRad = geometry::radians(3.0);
 /// The chance to be heard falls from 73 to 27 % over twice this angle.
 constexpr double kEdgeRad = geometry::radians(4.0);
@@ -79,7 +79,7 @@ double likely_bearing_rad(const std::vector<sensors::Beam>& looks,
   for (int i = -kBearings; i <= kBearings; ++i) {
     const double aside_rad = within_rad * i / kBearings;
     const auto heard = heard_around(looks, near_rad + aside_rad, range_m, params);
-    for (double width_rad = kNarrowestRad; width_rad <= kWidestRad; width_rad += kWidthStepRad) {
+    for (double width_rad = kNarrowestRad; width_rad <= kMaxRad; width_rad += kWidthStepRad) {
       const double likelihood = log_likelihood(heard, width_rad);
       if (likelihood > most) {
         const double less = std::exp(most - likelihood);

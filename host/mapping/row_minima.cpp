@@ -82,9 +82,9 @@ ECHOMAP_VECTOR_CLONES
 void row_minima(std::span<std::int32_t> heights,
                 std::int32_t first,
                 std::span<std::int32_t> minima) {
-  constexpr std::int32_t kMostBlocks = kMostRowCells / kCoarse;
-  std::array<std::int32_t, kMostBlocks + kLanes> by_256{};
-  std::array<std::int32_t, kMostRowCells / kLanes + kLanes> by_16{};
+  constexpr std::int32_t kMaxBlocks = kMaxRowCells / kCoarse;
+  std::array<std::int32_t, kMaxBlocks + kLanes> by_256{};
+  std::array<std::int32_t, kMaxRowCells / kLanes + kLanes> by_16{};
   const auto candidates = static_cast<std::int32_t>(heights.size());
   for (std::int32_t i = 0; i < candidates; ++i) {
     heights[static_cast<std::size_t>(i)] += i * i;

@@ -51,12 +51,15 @@ void add_odometry(const std::vector<ScanSurfaces>& odometry,
                   optimization::BlockEquations& equations) {
   for (std::size_t i = 1; i < odometry.size(); ++i) {
     const Eigen::Vector2d offset_m = odometry[i].center_m - odometry[i - 1].center_m;
-    const double position_sd = params.position_sd_m + params.position_sd_per_m * offset_m.norm();
-    const double heading_sd = params.heading_sd_rad + params.heading_sd_rad_per_m * offset_m.norm();
+    const double position_stddev =
+        params.position_stddev_m + params.position_stddev_per_m * offset_m.norm();
+    const double heading_stddev =
+        params.heading_stddev_rad + params.heading_stddev_rad_per_m * offset_m.norm();
     Eigen::Matrix3d by_before = -Eigen::Matrix3d::Identity();
     by_before.topRightCorner<2, 1>() = -geometry::perpendicular(offset_m);
     const Eigen::Vector3d residual = corrections[i] + by_before * corrections[i - 1];
-    const Eigen::Vector3d variance(square(position_sd), square(position_sd), square(heading_sd));
+    const Eigen::Vector3d variance(
+        square(position_stddev), square(position_stddev), square(heading_stddev));
     equations.add<3, 3, 3>(residual,
                            variance.cwiseInverse().asDiagonal(),
                            {i - 1, by_before},
@@ -93,9 +96,9 @@ void add_sightings(const std::vector<ScanSurfaces>& placed,
 }
 
 std::vector<MatchedFeature> well_supported(std::vector<MatchedFeature> features,
-                                           std::size_t least_supporters) {
-  std::erase_if(features, [least_supporters](const MatchedFeature& feature) {
-    return feature.supporters.size() < least_supporters;
+                                           std::size_t min_supporters) {
+  std::erase_if(features, [min_supporters](const MatchedFeature& feature) {
+    return feature.supporters.size() < min_supporters;
   });
   return features;
 }
@@ -106,12 +109,13 @@ AlignedScans align_scans(const std::vector<ScanSurfaces>& scans,
                          const SurfaceMatchingParams& matching,
                          const ScanAlignmentParams& params) {
   Corrections corrections(scans.size(), Eigen::Vector3d::Zero());
-  const Eigen::Vector2d variance(square(matching.range_sd_m), square(params.bearing_sd_rad));
+  const Eigen::Vector2d variance(square(matching.range_stddev_m),
+                                 square(params.bearing_stddev_rad));
   const Eigen::Matrix2d information = variance.cwiseInverse().asDiagonal();
   for (int round = 0; round < params.rounds && scans.size() > 1; ++round) {
     const auto placed = corrected(scans, corrections).scans;
     const auto features =
-        well_supported(match_surfaces(placed, matching).features, params.least_supporters);
+        well_supported(match_surfaces(placed, matching).features, params.min_supporters);
     auto equations = equations_over(scans.size(), features.size());
     add_odometry(scans, corrections, params, equations);
     for (std::size_t i = 0; i < features.size(); ++i) {

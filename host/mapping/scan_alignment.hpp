@@ -13,15 +13,15 @@ namespace echomap::mapping {
 /// How far odometry, or SLAM, is trusted from one stop to the next. The standard deviations are
 /// those of a small robot on rubber tyres; they only have to be of the right size.
 struct ScanAlignmentParams {
-  double heading_sd_rad = 0.03;        ///< Of the turns at a stop.
-  double heading_sd_rad_per_m = 0.03;  ///< Of the way between two stops.
-  double position_sd_m = 0.005;
-  double position_sd_per_m = 0.01;
+  double heading_stddev_rad = 0.03;        ///< Of the turns at a stop.
+  double heading_stddev_rad_per_m = 0.03;  ///< Of the way between two stops.
+  double position_stddev_m = 0.005;
+  double position_stddev_per_m = 0.01;
   /// Of a surface's bearing: 4 to 6 degrees in simulated rooms. That of a feature comes from
   /// ranges, but only bearings tell which way a scan was turned.
-  double bearing_sd_rad = 0.09;
+  double bearing_stddev_rad = 0.09;
   /// Sightings of one feature by fewer stops say too little of where the stops were.
-  std::size_t least_supporters = 3;
+  std::size_t min_supporters = 3;
   /// Matching and correcting are done in turns.
   int rounds = 3;
 };

@@ -12,16 +12,16 @@ namespace {
 
 /// Whether a row of readings, from `first` on, has one range over a wide angle.
 bool hangs_from(const Scan& scan, std::size_t first, const ScanCheckParams& params) {
-  double widest_rad = 0.0;
+  double max_rad = 0.0;
   for (std::size_t i = first; i < scan.size(); ++i) {
     if (!scan[i].range_m ||
         std::abs(*scan[i].range_m - *scan[first].range_m) > params.same_range_m) {
       return false;
     }
-    widest_rad = std::max(widest_rad,
-                          std::abs(geometry::angle_between(scan[first].T_map_sonar.heading_rad(),
-                                                           scan[i].T_map_sonar.heading_rad())));
-    if (i - first + 1 >= params.same_readings && widest_rad >= params.same_bearing_rad) {
+    max_rad = std::max(max_rad,
+                       std::abs(geometry::angle_between(scan[first].T_map_sonar.heading_rad(),
+                                                        scan[i].T_map_sonar.heading_rad())));
+    if (i - first + 1 >= params.same_readings && max_rad >= params.same_bearing_rad) {
       return true;
     }
   }
@@ -75,7 +75,7 @@ ScanFit fit_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams
 }
 
 ScanFault fault_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params) {
-  if (scan.size() < params.least_readings) {
+  if (scan.size() < params.min_readings) {
     return ScanFault::kNone;
   }
   if (is_stuck(scan, params)) {
@@ -83,9 +83,9 @@ ScanFault fault_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckPa
   }
   const ScanFit fit = fit_of(scan, map, params);
   const auto known = static_cast<double>(fit.on_walls + fit.on_floor);
-  const bool is_of_here = static_cast<double>(fit.on_walls) >= params.least_share * known;
-  return known < static_cast<double>(params.least_echoes) || is_of_here ? ScanFault::kNone
-                                                                        : ScanFault::kElsewhere;
+  const bool is_of_here = static_cast<double>(fit.on_walls) >= params.min_share * known;
+  return known < static_cast<double>(params.min_echoes) || is_of_here ? ScanFault::kNone
+                                                                      : ScanFault::kElsewhere;
 }
 
 }  // namespace echomap::mapping

@@ -19,7 +19,7 @@ enum class ScanFault : std::uint8_t {
 /// When a scan has a fault; ours, chosen in simulated rooms.
 struct ScanCheckParams {
   /// Fewer readings tell nothing.
-  std::size_t least_readings = 20;
+  std::size_t min_readings = 20;
   /// Ranges that differ by less are one; a sonar's own noise is larger.
   double same_range_m = 0.004;
   /// So many in a row, over so much of the circle, are no wall: walls end, and no room is round
@@ -31,9 +31,9 @@ struct ScanCheckParams {
   /// An echo is where the map has floor if nothing is known that is nearer to its arc than this.
   double tolerance_m = 0.15;
   /// Of so many echoes that the map has something to say of, a scan of the place has at least
-  /// `least_share` where walls are.
-  std::size_t least_echoes = 12;
-  double least_share = 0.5;
+  /// `min_share` where walls are.
+  std::size_t min_echoes = 12;
+  double min_share = 0.5;
 };
 
 /// How the echoes of a scan agree with a map.

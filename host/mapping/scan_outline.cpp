@@ -10,8 +10,7 @@
 
 namespace echomap::mapping {
 
-ScanOutline::ScanOutline(const ScanSurfaces& scan, double widest_gap_rad)
-    : widest_gap_rad_(widest_gap_rad) {
+ScanOutline::ScanOutline(const ScanSurfaces& scan, double max_gap_rad) : max_gap_rad_(max_gap_rad) {
   for (const auto& surface : scan.surfaces) {
     const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
     const Eigen::Vector2d along = geometry::perpendicular(normal);
@@ -38,7 +37,7 @@ double ScanOutline::range_m(double bearing_rad) const {
   const Corner& from = next == corners_.begin() ? corners_.back() : *(next - 1);
   double gap_rad = to.bearing_rad - from.bearing_rad;
   gap_rad += gap_rad <= 0.0 ? 2.0 * std::numbers::pi : 0.0;
-  if (gap_rad > widest_gap_rad_) {
+  if (gap_rad > max_gap_rad_) {
     return 0.0;
   }
   const Eigen::Vector2d border_m = to.place_m - from.place_m;
@@ -48,12 +47,12 @@ double ScanOutline::range_m(double bearing_rad) const {
                                  : geometry::cross(from.place_m, border_m) / slant;
 }
 
-double ScanOutline::farthest_m() const {
-  double farthest_m = 0.0;
+double ScanOutline::max_m() const {
+  double max_m = 0.0;
   for (const Corner& corner : corners_) {
-    farthest_m = std::max(farthest_m, corner.place_m.norm());
+    max_m = std::max(max_m, corner.place_m.norm());
   }
-  return farthest_m;
+  return max_m;
 }
 
 }  // namespace echomap::mapping

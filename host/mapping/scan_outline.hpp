@@ -13,13 +13,13 @@ namespace echomap::mapping {
 /// surface to surface in a straight line.
 class ScanOutline {
  public:
-  /// Between neighbours farther apart than `widest_gap_rad` nothing is known.
-  ScanOutline(const ScanSurfaces& scan, double widest_gap_rad);
+  /// Between neighbours farther apart than `max_gap_rad` nothing is known.
+  ScanOutline(const ScanSurfaces& scan, double max_gap_rad);
 
   /// From the centre to the border at that bearing; 0 where nothing is known.
   double range_m(double bearing_rad) const;
   /// To the farthest corner of the border; 0 without any surface.
-  double farthest_m() const;
+  double max_m() const;
 
  private:
   struct Corner {
@@ -29,7 +29,7 @@ class ScanOutline {
   };
 
   std::vector<Corner> corners_;
-  double widest_gap_rad_;
+  double max_gap_rad_;
 };
 
 }  // namespace echomap::mapping

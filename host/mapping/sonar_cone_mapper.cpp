@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/sonar_cone_mapper.hpp"
 
-#include <stdexcept>
-
+#include "host/geometry/parameter_validator.hpp"
 #include "host/mapping/sonar_evidence.hpp"
 
 namespace echomap::mapping {
@@ -10,17 +9,22 @@ namespace echomap::mapping {
 SonarConeMapper::SonarConeMapper(const SonarConeMapperParams& params)
     : params_(params), cone_(params.cone) {
   const auto& walls = params.walls;
-  const bool walls_ok = walls.range_tolerance_m > 0.0 && walls.least_baseline_m > 0.0 &&
-                        walls.most_baseline_m > walls.least_baseline_m &&
-                        walls.longest_piece_m > 0.0;
-  const bool evidence_ok = params.wall_evidence > 0.0 && params.most_wall_evidence > 0.0 &&
-                           params.wall_opacity >= 0.0 && params.wall_opacity < 1.0 &&
-                           params.wall_trust >= 0.0 && params.wall_trust < 1.0;
-  const bool robot_ok = params.robot_radius_m >= 0.0 && params.under_robot_chance > 0.0 &&
-                        params.under_robot_chance <= 1.0;
-  if (!walls_ok || !evidence_ok || !robot_ok || params.same_place_m < 0.0 || params.rounds < 1) {
-    throw std::invalid_argument("sonar cone mapper: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("sonar cone mapper")
+      .positive("walls.range_tolerance_m", walls.range_tolerance_m)
+      .positive("walls.min_baseline_m", walls.min_baseline_m)
+      .above("walls.max_baseline_m", walls.max_baseline_m, walls.min_baseline_m)
+      .positive("walls.longest_piece_m", walls.longest_piece_m)
+      .positive("wall_evidence", params.wall_evidence)
+      .positive("max_wall_evidence", params.max_wall_evidence)
+      .at_least("wall_opacity", params.wall_opacity, 0.0)
+      .below("wall_opacity", params.wall_opacity, 1.0)
+      .at_least("wall_weight", params.wall_weight, 0.0)
+      .below("wall_weight", params.wall_weight, 1.0)
+      .at_least("robot_radius_m", params.robot_radius_m, 0.0)
+      .positive("under_robot_chance", params.under_robot_chance)
+      .at_most("under_robot_chance", params.under_robot_chance, 1.0)
+      .at_least("same_place_m", params.same_place_m, 0.0)
+      .at_least("rounds", params.rounds, 1);
 }
 
 void SonarConeMapper::add(const Scan& scan) {
@@ -35,7 +39,7 @@ SonarConeMap SonarConeMapper::map() const {
   std::vector<geometry::Segment> walls;
   if (params_.is_sound) {
     walls = find_sonar_walls(
-        views, cone_.params().half_angle_rad, cone_.params().max_range_m, params_.walls);
+        views, cone_.params().beam_half_angle_rad, cone_.params().max_range_m, params_.walls);
   }
   SonarEvidence evidence(views, walls, cone_, params_);
   evidence.find();

@@ -24,11 +24,11 @@ struct SonarConeMapperParams {
   double same_place_m = 0.03;
   /// Evidence for the cells of a piece of wall, for every pair of views that found it, and at most.
   double wall_evidence = 0.5;
-  double most_wall_evidence = 2.3;
+  double max_wall_evidence = 2.3;
   /// Chance that sound does not get through a found wall.
   double wall_opacity = 0.95;
   /// Chance that a found wall is one: what the views that see through it say counts by the rest.
-  double wall_trust = 0.8;
+  double wall_weight = 0.8;
   /// Floor that has been under the robot is free: hardly a wheeled robot is narrower than this
   /// disc.
   double robot_radius_m = 0.1;
@@ -66,7 +66,7 @@ struct SonarConeMap {
 /// asked for. SonarMapper is for stops with dense sweeps, whose poses it corrects as well.
 class SonarConeMapper {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit SonarConeMapper(const SonarConeMapperParams& params = {});
 
   /// Adds readings in the order in which they were taken: of a sweep, of a ring, or one.

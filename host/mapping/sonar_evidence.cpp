@@ -19,14 +19,14 @@ namespace {
 using geometry::CellIndex;
 
 /// Four fields of them take 1.6 GB; a square kilometre at 10 cm.
-constexpr double kMostCells = 1e8;
+constexpr double kMaxCells = 1e8;
 /// Cells in front of a place that its own wall may fill.
 constexpr double kOwnCells = 1.0;
 constexpr double kOwnArcCells = 2.0;
 /// Belief below this does not stop any sound.
 constexpr float kOpaqueBelief = 0.5F;
 /// What sound reaches with less chance it says nothing of.
-constexpr float kLeastReached = 1e-3F;
+constexpr float kMinReached = 1e-3F;
 /// An arc that sound reaches with less chance lies behind a wall.
 constexpr double kBehindWall = 0.5;
 constexpr double kCentilogits = 100.0;
@@ -42,7 +42,7 @@ CellBounds bounds_around(const std::vector<SonarView>& views, double reach_m, do
   }
   low = ((low - reach_m) / resolution_m).floor() - 1.0;
   high = ((high + reach_m) / resolution_m).floor() + 1.0;
-  if (!((high - low + 1.0).prod() <= kMostCells)) {
+  if (!((high - low + 1.0).prod() <= kMaxCells)) {
     throw std::length_error("sonar readings: the poses lie too far apart for one map");
   }
   return {{static_cast<std::int32_t>(low.x()), static_cast<std::int32_t>(low.y())},
@@ -60,21 +60,21 @@ std::pair<Eigen::Array2d, Eigen::Array2d> box_of_arc_m(const SonarEcho& echo,
     low = low.min(point_m);
     high = high.max(point_m);
   };
-  for (const double side_rad : {-cone.half_angle_rad, cone.half_angle_rad}) {
+  for (const double side_rad : {-cone.beam_half_angle_rad, cone.beam_half_angle_rad}) {
     widen(echo.bearing_rad + side_rad, far_m);
     widen(echo.bearing_rad + side_rad, echo.range_m - cone.arc_half_thickness_m);
   }
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double axis_rad = quarter * std::numbers::pi / 2.0;
-    if (std::abs(geometry::angle_between(axis_rad, echo.bearing_rad)) <= cone.half_angle_rad) {
+    if (std::abs(geometry::angle_between(axis_rad, echo.bearing_rad)) <= cone.beam_half_angle_rad) {
       widen(axis_rad, far_m);
     }
   }
   return {low, high};
 }
 
-/// Calls `visit(cell, way_m)` for the cells whose centres lie as far from the view as its echo, and
-/// somewhere near the cone.
+/// Calls `visit(cell, offset_m)` for the cells whose centres lie as far from the view as its echo,
+/// and somewhere near the cone.
 template <typename Visitor>
 void for_cells_of_arc(const CellField& field,
                       const Eigen::Vector2d& origin_m,
@@ -86,9 +86,9 @@ void for_cells_of_arc(const CellField& field,
   const CellIndex high = field.cell_at(origin_m.array() + high_m);
   for (std::int32_t y = low.y; y <= high.y; ++y) {
     for (std::int32_t x = low.x; x <= high.x; ++x) {
-      const Eigen::Vector2d way_m = field.center_m({x, y}) - origin_m;
-      if (std::abs(way_m.norm() - echo.range_m) <= cone.arc_half_thickness_m) {
-        visit(CellIndex{x, y}, way_m);
+      const Eigen::Vector2d offset_m = field.center_m({x, y}) - origin_m;
+      if (std::abs(offset_m.norm() - echo.range_m) <= cone.arc_half_thickness_m) {
+        visit(CellIndex{x, y}, offset_m);
       }
     }
   }
@@ -125,7 +125,7 @@ SonarEvidence::SonarEvidence(const std::vector<SonarView>& views,
 
 void SonarEvidence::find() {
   for (int round = 0; round < params_.rounds; ++round) {
-    hear_free_floor();
+    add_silent_floor();
     occupied_.clear();
     for (auto& arcs : arcs_) {
       for (Arc& arc : arcs) {
@@ -134,7 +134,7 @@ void SonarEvidence::find() {
       add_arcs(arcs);
     }
   }
-  hear_free_floor();
+  add_silent_floor();
 }
 
 void SonarEvidence::draw_walls(const std::vector<geometry::Segment>& walls) {
@@ -147,7 +147,7 @@ void SonarEvidence::draw_walls(const std::vector<geometry::Segment>& walls) {
       if (cell != last && free_.holds(cell)) {
         float& evidence = wall_[wall_.index(cell)];
         evidence = static_cast<float>(
-            std::min(params_.most_wall_evidence, evidence + params_.wall_evidence));
+            std::min(params_.max_wall_evidence, evidence + params_.wall_evidence));
       }
       last = cell;
     }
@@ -163,9 +163,9 @@ SonarEvidence::Arc SonarEvidence::arc_of(const SonarView& view, const SonarEcho&
       view.origin_m,
       echo,
       cone_.params(),
-      [&](CellIndex cell, const Eigen::Vector2d& way_m) {
-        const double bearing_rad = std::atan2(way_m.y(), way_m.x());
-        const models::PolarPoint point{way_m.norm(),
+      [&](CellIndex cell, const Eigen::Vector2d& offset_m) {
+        const double bearing_rad = std::atan2(offset_m.y(), offset_m.x());
+        const models::PolarPoint point{offset_m.norm(),
                                        geometry::angle_between(echo.bearing_rad, bearing_rad)};
         if (cone_.on_arc(reading, point) && point.range_m <= cone_.params().max_range_m) {
           arc.cells.push_back({static_cast<std::uint32_t>(free_.index(cell)),
@@ -176,7 +176,7 @@ SonarEvidence::Arc SonarEvidence::arc_of(const SonarView& view, const SonarEcho&
   return arc;
 }
 
-void SonarEvidence::hear_free_floor() {
+void SonarEvidence::add_silent_floor() {
   find_opacity();
   CellField free(free_.bounds(), free_.resolution_m());
   for (std::size_t i = 0; i < views_.size(); ++i) {
@@ -208,12 +208,12 @@ float SonarEvidence::opacity(const Eigen::Vector2d& point_m) const {
 
 void SonarEvidence::add_free_floor(const SonarFan& fan, CellField& free) const {
   const double own_m = kOwnCells * free.resolution_m();
-  const auto past_wall = static_cast<float>(1.0 - params_.wall_trust);
+  const auto past_wall = static_cast<float>(1.0 - params_.wall_weight);
   fan.for_cells(free, [&](CellIndex cell, const SonarFan::Place& place) {
     const std::size_t index = free.index(cell);
     const float own = wall_[index] > 0.0F ? past_wall : 1.0F;
     const float reached = own * fan.reached(place, own_m);
-    if (reached > kLeastReached) {
+    if (reached > kMinReached) {
       const auto heard = static_cast<float>(1.0 - fan.miss_chance(place));
       free[index] += std::log(1.0F - reached * heard);
     }

@@ -55,7 +55,7 @@ class SonarEvidence {
   void add_free_floor(const SonarFan& fan, CellField& free) const;
   void add_floor_under_robot(const SonarView& view, CellField& free) const;
   void find_opacity();
-  void hear_free_floor();
+  void add_silent_floor();
   void share_out(Arc& arc) const;
   void add_arcs(const std::vector<Arc>& arcs);
   /// Chance that sound ends at the point, by what was known when the round began.

@@ -20,9 +20,9 @@ FanRays::FanRays(double max_range_m, double resolution_m)
       count_(static_cast<std::size_t>(std::ceil(kTurnRad * max_range_m / resolution_m))),
       steps_(static_cast<std::size_t>(max_range_m / resolution_m) + 2),
       spacing_rad_(kTurnRad / static_cast<double>(count_)) {
-  ways_.reserve(count_);
+  directions_.reserve(count_);
   for (std::size_t ray = 0; ray < count_; ++ray) {
-    ways_.push_back(geometry::unit_vector(static_cast<double>(ray) * spacing_rad_));
+    directions_.push_back(geometry::unit_vector(static_cast<double>(ray) * spacing_rad_));
   }
 }
 
@@ -39,14 +39,14 @@ SonarFan::SonarFan(const SonarView& view, const models::SonarCone& model, const 
 
 template <typename Visitor>
 void SonarFan::for_beams_on_rays(const models::SonarCone& model, Visitor&& visit) const {
-  const double half_angle_rad = model.params().half_angle_rad;
+  const double beam_half_angle_rad = model.params().beam_half_angle_rad;
   const double spacing_rad = rays_.spacing_rad();
   const auto count = static_cast<std::int64_t>(rays_.count());
   for (const sensors::Beam& beam : view_.beams) {
-    const auto first =
-        static_cast<std::int64_t>(std::ceil((beam.bearing_rad - half_angle_rad) / spacing_rad));
-    const auto last =
-        static_cast<std::int64_t>(std::floor((beam.bearing_rad + half_angle_rad) / spacing_rad));
+    const auto first = static_cast<std::int64_t>(
+        std::ceil((beam.bearing_rad - beam_half_angle_rad) / spacing_rad));
+    const auto last = static_cast<std::int64_t>(
+        std::floor((beam.bearing_rad + beam_half_angle_rad) / spacing_rad));
     for (std::int64_t i = first; i <= last; ++i) {
       visit(beam,
             static_cast<std::size_t>((i % count + count) % count),
@@ -95,7 +95,7 @@ void SonarFan::find_sectors(const models::SonarCone& model) {
 }
 
 void SonarFan::widen(Sector& sector, std::size_t ray) const {
-  const Eigen::Array2d end_m = free_to_m_[ray] * rays_.way(ray);
+  const Eigen::Array2d end_m = free_to_m_[ray] * rays_.direction(ray);
   const double beside_m = rays_.step_m();
   ++sector.rays;
   sector.reach_m = std::max(sector.reach_m, free_to_m_[ray]);
@@ -104,8 +104,8 @@ void SonarFan::widen(Sector& sector, std::size_t ray) const {
 }
 
 std::optional<SonarFan::Place> SonarFan::place(const Eigen::Vector2d& point_m) const {
-  const Eigen::Vector2d way_m = point_m - view_.origin_m;
-  const Place place{ray_towards(way_m), way_m.norm()};
+  const Eigen::Vector2d offset_m = point_m - view_.origin_m;
+  const Place place{ray_towards(offset_m), offset_m.norm()};
   const bool is_held = first_on_ray_[place.ray] < first_on_ray_[place.ray + 1];
   return is_held && place.range_m <= max_range_m_ ? std::optional(place) : std::nullopt;
 }

@@ -27,7 +27,7 @@ class FanRays {
   double spacing_rad() const { return spacing_rad_; }
   double step_m() const { return resolution_m_; }
   /// The unit vector along a ray.
-  const Eigen::Vector2d& way(std::size_t ray) const { return ways_[ray]; }
+  const Eigen::Vector2d& direction(std::size_t ray) const { return directions_[ray]; }
 
   /// The ray nearest to a bearing in (-pi, pi].
   std::size_t ray_at(double bearing_rad) const {
@@ -46,7 +46,7 @@ class FanRays {
   std::size_t count_;
   std::size_t steps_;
   double spacing_rad_;
-  std::vector<Eigen::Vector2d> ways_;
+  std::vector<Eigen::Vector2d> directions_;
 };
 
 /// The cones of one view as a fan of fine rays: which beams hold a point, what they say of it, and
@@ -73,12 +73,12 @@ class SonarFan {
     for (const Sector& sector : sectors_) {
       for (std::size_t i = 0; i < sector.rays; ++i) {
         const std::size_t ray = (sector.first_ray + i) % rays_.count();
-        const Eigen::Vector2d& way = rays_.way(ray);
+        const Eigen::Vector2d& direction = rays_.direction(ray);
         float through = 1.0F;
         for (std::size_t step = 0; step < sector.steps; ++step) {
           through_[ray * rays_.steps() + step] = through;
           const double range_m = (static_cast<double>(step) + 0.5) * rays_.step_m();
-          through *= 1.0F - static_cast<float>(opacity(view_.origin_m + range_m * way));
+          through *= 1.0F - static_cast<float>(opacity(view_.origin_m + range_m * direction));
         }
       }
     }
@@ -129,16 +129,17 @@ class SonarFan {
   void put_beams_on_rays(const models::SonarCone& model);
   void find_sectors(const models::SonarCone& model);
   void widen(Sector& sector, std::size_t ray) const;
-  std::size_t ray_towards(const Eigen::Vector2d& way_m) const {
-    return rays_.ray_at(std::atan2(static_cast<float>(way_m.y()), static_cast<float>(way_m.x())));
+  std::size_t ray_towards(const Eigen::Vector2d& offset_m) const {
+    return rays_.ray_at(
+        std::atan2(static_cast<float>(offset_m.y()), static_cast<float>(offset_m.x())));
   }
   /// Empty where the sector's beams say nothing.
-  std::optional<Place> place_in(const Sector& sector, const Eigen::Vector2d& way_m) const {
-    const double square_m2 = way_m.squaredNorm();
+  std::optional<Place> place_in(const Sector& sector, const Eigen::Vector2d& offset_m) const {
+    const double square_m2 = offset_m.squaredNorm();
     if (square_m2 >= sector.reach_m * sector.reach_m) {
       return std::nullopt;
     }
-    const Place place{ray_towards(way_m), std::sqrt(square_m2)};
+    const Place place{ray_towards(offset_m), std::sqrt(square_m2)};
     const bool says_something = holds(sector, place.ray) && place.range_m < free_to_m_[place.ray];
     return says_something ? std::optional(place) : std::nullopt;
   }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
@@ -63,15 +63,17 @@ std::optional<geometry::Pose2> rigid_motion(const Scan& from, const Scan& to) {
 
 SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
   const auto& surfaces = params.surfaces;
-  const bool beam_ok =
-      surfaces.beam_half_angle_rad > 0.0 && surfaces.beam_half_angle_rad <= kWidestBeamHalfAngleRad;
-  const bool lengths_ok = surfaces.depth_tolerance_m > 0.0 && params.floor.margin_m >= 0.0 &&
-                          params.fade_m > 0.0 && params.matching.range_tolerance_m > 0.0;
-  const bool evidence_ok = params.free_centilogits > 0 && params.occupied_centilogits > 0 &&
-                           params.post_centilogits >= 0 && params.matched_centilogits > 0;
-  if (!beam_ok || !lengths_ok || !evidence_ok) {
-    throw std::invalid_argument("sonar mapper: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("sonar mapper")
+      .positive("surfaces.beam_half_angle_rad", surfaces.beam_half_angle_rad)
+      .at_most("surfaces.beam_half_angle_rad", surfaces.beam_half_angle_rad, kMaxBeamHalfAngleRad)
+      .positive("surfaces.depth_tolerance_m", surfaces.depth_tolerance_m)
+      .at_least("floor.margin_m", params.floor.margin_m, 0.0)
+      .positive("fade_m", params.fade_m)
+      .positive("matching.range_tolerance_m", params.matching.range_tolerance_m)
+      .positive("free_centilogits", params.free_centilogits)
+      .positive("occupied_centilogits", params.occupied_centilogits)
+      .at_least("post_centilogits", params.post_centilogits, 0)
+      .positive("matched_centilogits", params.matched_centilogits);
 }
 
 void SonarMapper::add(const Scan& scan) {
@@ -126,14 +128,15 @@ void SonarMapper::add_floor(const ScanSurfaces& scan,
                             const CellSet& solid,
                             OccupancyGrid& grid) const {
   const StopFloor floor(scan, walls, params_.surfaces, params_.floor);
-  const double reach_m = floor.farthest_m();
+  const double reach_m = floor.max_m();
   const CellIndex low = grid.cell_at(scan.center_m.array() - reach_m);
   const CellIndex high = grid.cell_at(scan.center_m.array() + reach_m);
   for (std::int32_t y = low.y; y <= high.y; ++y) {
     for (std::int32_t x = low.x; x <= high.x; ++x) {
-      const Eigen::Vector2d way_m = grid.center_m({x, y}) - scan.center_m;
-      const double distance_m = way_m.norm();
-      if (distance_m < floor.reach_m(std::atan2(way_m.y(), way_m.x())) && !solid.contains({x, y})) {
+      const Eigen::Vector2d offset_m = grid.center_m({x, y}) - scan.center_m;
+      const double distance_m = offset_m.norm();
+      if (distance_m < floor.reach_m(std::atan2(offset_m.y(), offset_m.x())) &&
+          !solid.contains({x, y})) {
         grid.add({x, y}, -faded(params_.free_centilogits, distance_m));
       }
     }

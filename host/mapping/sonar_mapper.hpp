@@ -42,7 +42,7 @@ struct SonarMapperParams {
 /// these agree, and only then is evidence put into cells (docs/algorithms/sonar_grid.md).
 class SonarMapper {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit SonarMapper(const SonarMapperParams& params = {});
 
   /// Adds the readings of one stop, placed by odometry alone.

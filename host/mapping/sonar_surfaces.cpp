@@ -19,7 +19,7 @@ namespace {
 /// So many readings in a row that disagree end a region: more than both looks at one bearing.
 constexpr int kStrangersThatEnd = 3;
 /// What cuts a region short moves its middle at most so far.
-constexpr double kMostAsideRad = geometry::radians(16.0);
+constexpr double kMaxAsideRad = geometry::radians(16.0);
 
 struct Region {
   double bearing_rad = 0.0;
@@ -50,8 +50,8 @@ std::vector<sensors::Beam> looks_from(const Eigen::Vector2d& center_m, const Sca
   std::vector<sensors::Beam> looks;
   for (const auto& reading : scan) {
     if (const auto echo_m = echo_point_m(reading)) {
-      const Eigen::Vector2d way_m = *echo_m - center_m;
-      looks.push_back({std::atan2(way_m.y(), way_m.x()), way_m.norm()});
+      const Eigen::Vector2d offset_m = *echo_m - center_m;
+      looks.push_back({std::atan2(offset_m.y(), offset_m.x()), offset_m.norm()});
     } else {
       looks.push_back({reading.T_map_sonar.heading_rad(), std::nullopt});
     }
@@ -167,8 +167,7 @@ class RegionFinder {
   bool is_surface(const Region& region) const {
     const auto members = static_cast<double>(region.members.size());
     const auto all = members + static_cast<double>(region.strangers);
-    return region.members.size() >= params_.least_readings &&
-           members >= params_.least_agreement * all;
+    return region.members.size() >= params_.min_readings && members >= params_.min_agreement * all;
   }
 
   std::vector<sensors::Beam> looks_;  ///< Without the range once a region has claimed the reading.
@@ -180,7 +179,7 @@ SonarSurface surface_of(const Region& region,
                         const SonarSurfaceParams& params) {
   const double wider_rad =
       std::max(0.0, region.half_width_rad() - params.beam_edge * params.beam_half_angle_rad);
-  const double within_rad = std::min(region.half_width_rad(), kMostAsideRad);
+  const double within_rad = std::min(region.half_width_rad(), kMaxAsideRad);
   return {likely_bearing_rad(looks, region.middle_rad(), within_rad, region.range_m, params),
           region.range_m,
           region.range_m * std::tan(wider_rad),

@@ -13,7 +13,7 @@
 namespace echomap::mapping {
 
 /// A wider beam tells nothing of where in it the echo came from.
-constexpr double kWidestBeamHalfAngleRad = 0.7853981633974483;
+constexpr double kMaxBeamHalfAngleRad = 0.7853981633974483;
 
 /// When readings of a scan are taken for one surface.
 struct SonarSurfaceParams {
@@ -25,10 +25,10 @@ struct SonarSurfaceParams {
   /// A strong echo is still heard at this many half angles off the axis (simulated beam).
   double beam_edge = 1.3;
   /// A region of fewer readings is a ghost or a mishap (two looks at each of two bearings).
-  std::size_t least_readings = 4;
+  std::size_t min_readings = 4;
   /// So is one in which a smaller share of the readings agrees (double bounces are heard now and
   /// then, surfaces nearly always).
-  double least_agreement = 0.5;
+  double min_agreement = 0.5;
 };
 
 /// Something solid as one stop has seen it: a region of constant depth (Leonard and Durrant-Whyte

@@ -55,17 +55,17 @@ struct PieceOfWall {
 class WalledCells {
  public:
   void draw(const Segment& wall) {
-    const Eigen::Vector2d way = (wall.to_m - wall.from_m).normalized();
+    const Eigen::Vector2d direction = (wall.to_m - wall.from_m).normalized();
     for (double along_m = 0.0; along_m < wall.length_m(); along_m += kWallCellM / 4.0) {
-      cells_.insert(key(wall.from_m + along_m * way));
+      cells_.insert(key(wall.from_m + along_m * direction));
     }
   }
   /// Whether a wall stands between the two points, and not at the second.
   bool stand_between(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& foot_m) const {
-    const Eigen::Vector2d way_m = foot_m - origin_m;
-    const double free_m = way_m.norm() - kOwnWallM;
+    const Eigen::Vector2d offset_m = foot_m - origin_m;
+    const double free_m = offset_m.norm() - kOwnWallM;
     for (double along_m = 0.0; along_m < free_m; along_m += kWallCellM / 2.0) {
-      if (cells_.count(key(origin_m + along_m * way_m.normalized())) > 0) {
+      if (cells_.count(key(origin_m + along_m * offset_m.normalized())) > 0) {
         return true;
       }
     }
@@ -101,14 +101,14 @@ std::vector<Segment> without_hidden(std::vector<PieceOfWall> pieces) {
 class WallFinder {
  public:
   WallFinder(const std::vector<SonarView>& views,
-             double half_angle_rad,
+             double beam_half_angle_rad,
              double max_range_m,
              const SonarWallParams& params)
       : views_(views),
-        half_angle_rad_(half_angle_rad),
+        beam_half_angle_rad_(beam_half_angle_rad),
         max_range_m_(max_range_m),
         params_(params),
-        index_(std::max(max_range_m, params.most_baseline_m)) {
+        index_(std::max(max_range_m, params.max_baseline_m)) {
     for (std::size_t i = 0; i < views.size(); ++i) {
       index_.add(views[i].origin_m, i);
     }
@@ -118,7 +118,7 @@ class WallFinder {
     for (std::size_t i = 0; i < views_.size(); ++i) {
       index_.visit_near(views_[i].origin_m, [&](std::size_t j) {
         const double apart_m = (views_[j].origin_m - views_[i].origin_m).norm();
-        if (j > i && apart_m >= params_.least_baseline_m && apart_m <= params_.most_baseline_m) {
+        if (j > i && apart_m >= params_.min_baseline_m && apart_m <= params_.max_baseline_m) {
           add_tangents(views_[i], views_[j]);
         }
       });
@@ -165,13 +165,13 @@ class WallFinder {
   /// Whether `beam` is the view's nearest to that direction, and all others that hold it agree.
   bool looks_along(const SonarView& view, const sensors::Beam& beam, double normal_rad) const {
     const double off_rad = off_axis_rad(beam, normal_rad);
-    if (off_rad > half_angle_rad_) {
+    if (off_rad > beam_half_angle_rad_) {
       return false;
     }
     return std::all_of(view.beams.begin(), view.beams.end(), [&](const sensors::Beam& next) {
       const double next_off_rad = off_axis_rad(next, normal_rad);
       const bool hears_nothing_else =
-          next_off_rad > half_angle_rad_ ||
+          next_off_rad > beam_half_angle_rad_ ||
           (next.range_m && *next.range_m <= *beam.range_m + params_.range_tolerance_m);
       return next_off_rad >= off_rad && hears_nothing_else;
     });
@@ -204,7 +204,7 @@ class WallFinder {
     bool asked = false;
     double nearest_m = std::numeric_limits<double>::infinity();
     for (const sensors::Beam& beam : view.beams) {
-      if (off_axis_rad(beam, normal_rad) <= kSureShare * half_angle_rad_) {
+      if (off_axis_rad(beam, normal_rad) <= kSureShare * beam_half_angle_rad_) {
         asked = true;
         nearest_m = std::min(nearest_m, beam.range_m.value_or(nearest_m));
       }
@@ -213,7 +213,7 @@ class WallFinder {
   }
 
   const std::vector<SonarView>& views_;
-  double half_angle_rad_;
+  double beam_half_angle_rad_;
   double max_range_m_;
   SonarWallParams params_;
   geometry::PointBuckets<std::size_t> index_;
@@ -223,10 +223,10 @@ class WallFinder {
 }  // namespace
 
 std::vector<Segment> find_sonar_walls(const std::vector<SonarView>& views,
-                                      double half_angle_rad,
+                                      double beam_half_angle_rad,
                                       double max_range_m,
                                       const SonarWallParams& params) {
-  return WallFinder(views, half_angle_rad, max_range_m, params).find();
+  return WallFinder(views, beam_half_angle_rad, max_range_m, params).find();
 }
 
 }  // namespace echomap::mapping

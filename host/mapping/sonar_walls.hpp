@@ -13,8 +13,8 @@ struct SonarWallParams {
   /// Echoes of one wall agree to this: some three times the noise of the sensor kind.
   double range_tolerance_m = 0.06;
   /// Views nearer together give no direction, views farther apart rarely hear one wall.
-  double least_baseline_m = 0.08;
-  double most_baseline_m = 2.0;
+  double min_baseline_m = 0.08;
+  double max_baseline_m = 2.0;
   /// Between two feet farther apart there is room for a door.
   double longest_piece_m = 1.5;
 };
@@ -25,7 +25,7 @@ struct SonarWallParams {
 /// whose cone holds its direction, no third view with its foot on the piece may have missed it, and
 /// no piece that was heard from nearer may stand before it.
 std::vector<geometry::Segment> find_sonar_walls(const std::vector<SonarView>& views,
-                                                double half_angle_rad,
+                                                double beam_half_angle_rad,
                                                 double max_range_m,
                                                 const SonarWallParams& params);
 

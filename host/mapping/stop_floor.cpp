@@ -49,11 +49,13 @@ double wall_m(const std::vector<geometry::Segment>& walls,
 }
 
 /// The nearest that was heard about a direction: infinity for silence, 0 where nobody has listened.
-double heard_m(const std::vector<sensors::Beam>& looks, double bearing_rad, double half_angle_rad) {
+double heard_m(const std::vector<sensors::Beam>& looks,
+               double bearing_rad,
+               double beam_half_angle_rad) {
   double nearest_m = kNowhereM;
   bool listened = false;
   for (const sensors::Beam& look : looks) {
-    if (std::abs(geometry::angle_between(bearing_rad, look.bearing_rad)) <= half_angle_rad) {
+    if (std::abs(geometry::angle_between(bearing_rad, look.bearing_rad)) <= beam_half_angle_rad) {
       listened = true;
       nearest_m = std::min(nearest_m, look.range_m.value_or(kNowhereM));
     }
@@ -69,7 +71,7 @@ StopFloor::StopFloor(const ScanSurfaces& scan,
                      const StopFloorParams& params)
     : reaches_m_(kBearings) {
   const auto segments = segments_of(walls, params.hidden_beyond_ends_m);
-  const ScanOutline outline(scan, params.widest_gap_rad);
+  const ScanOutline outline(scan, params.max_gap_rad);
   const double nearer_by_slant = std::cos(beam.beam_edge * beam.beam_half_angle_rad);
   for (std::size_t i = 0; i < kBearings; ++i) {
     const double bearing_rad = -std::numbers::pi + (static_cast<double>(i) + 0.5) * kBearingStepRad;
@@ -88,8 +90,6 @@ double StopFloor::reach_m(double bearing_rad) const {
   return reaches_m_[std::min(index, kBearings - 1)];
 }
 
-double StopFloor::farthest_m() const {
-  return *std::max_element(reaches_m_.begin(), reaches_m_.end());
-}
+double StopFloor::max_m() const { return *std::max_element(reaches_m_.begin(), reaches_m_.end()); }
 
 }  // namespace echomap::mapping

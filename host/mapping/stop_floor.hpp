@@ -11,7 +11,7 @@ namespace echomap::mapping {
 /// What a stop may say of the floor around it. Ours, chosen in simulated rooms.
 struct StopFloorParams {
   /// Between two surfaces farther apart than this a stop knows nothing of the floor.
-  double widest_gap_rad = 1.1;
+  double max_gap_rad = 1.1;
   /// Floor nearer to the border between two surfaces than this is not called free: noise and half a
   /// cell.
   double margin_m = 0.04;
@@ -33,7 +33,7 @@ class StopFloor {
 
   /// From the stop's centre; 0 where nothing is known.
   double reach_m(double bearing_rad) const;
-  double farthest_m() const;
+  double max_m() const;
 
  private:
   std::vector<double> reaches_m_;  ///< By bearing, a full turn from -pi on.

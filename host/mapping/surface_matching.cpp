@@ -69,12 +69,12 @@ class FeatureFinder {
   /// Support only shrinks as others take sightings, so a proposal that is still ahead of the stale
   /// support of the next is the best.
   std::optional<Proposal> take_best() {
-    while (!queue_.empty() && queue_.top().first >= params_.least_support) {
+    while (!queue_.empty() && queue_.top().first >= params_.min_support) {
       const std::size_t index = queue_.top().second;
       queue_.pop();
       gather(proposals_[index]);
       const double support = proposals_[index].support;
-      if (proposals_[index].supporters.size() < 2 || support < params_.least_support) {
+      if (proposals_[index].supporters.size() < 2 || support < params_.min_support) {
         continue;
       }
       if (!queue_.empty() && support < queue_.top().first) {
@@ -153,8 +153,8 @@ class FeatureFinder {
 
   /// Least squares over ranges and bearings of the supporters (Gauss and Newton).
   void fit(Proposal& proposal) const {
-    const Eigen::Vector2d variance(geometry::square(params_.range_sd_m),
-                                   geometry::square(params_.bearing_sd_rad));
+    const Eigen::Vector2d variance(geometry::square(params_.range_stddev_m),
+                                   geometry::square(params_.bearing_stddev_rad));
     const Eigen::Matrix2d information = variance.cwiseInverse().asDiagonal();
     const auto linearize = [&] {
       optimization::NormalEquations<2> equations;

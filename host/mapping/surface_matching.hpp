@@ -22,14 +22,14 @@ struct SurfaceMatchingParams {
   double wall_bearing_tolerance_rad = 0.35;
   double post_bearing_tolerance_rad = 0.26;
   /// Standard deviations for the fit.
-  double range_sd_m = 0.025;
-  double bearing_sd_rad = 0.14;
+  double range_stddev_m = 0.025;
+  double bearing_stddev_rad = 0.14;
   /// A sighting with this many readings, or more, counts fully.
   double full_readings = 10.0;
   /// A wall seen as a post, or the other way round, counts this much.
   double other_kind_weight = 0.6;
   /// Less support than this makes no feature: one full sighting and another, middling one.
-  double least_support = 1.4;
+  double min_support = 1.4;
   /// A piece of wall shorter than this between two seen pieces is there too: less than a door.
   double bridged_gap_m = 0.4;
 };

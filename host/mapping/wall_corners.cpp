@@ -30,11 +30,11 @@ struct Crossing {
 
 std::optional<Crossing> crossing_of(const MatchedWall& first,
                                     const MatchedWall& second,
-                                    double least_angle_rad) {
+                                    double min_angle_rad) {
   const Eigen::Vector2d first_normal = geometry::unit_vector(first.normal_rad);
   const Eigen::Vector2d second_normal = geometry::unit_vector(second.normal_rad);
   const double sine = geometry::cross(first_normal, second_normal);
-  if (std::abs(sine) < std::sin(least_angle_rad)) {
+  if (std::abs(sine) < std::sin(min_angle_rad)) {
     return std::nullopt;
   }
   const double first_m = (second.offset_m - first.offset_m * first_normal.dot(second_normal)) /
@@ -71,7 +71,7 @@ class CornerFinder {
     std::optional<double> corner;
     for (std::size_t other = 0; other < walls_.size(); ++other) {
       const auto crossing =
-          other == index ? std::nullopt : crossing_of(wall, walls_[other], params_.least_angle_rad);
+          other == index ? std::nullopt : crossing_of(wall, walls_[other], params_.min_angle_rad);
       const double beyond_m = crossing ? up * (crossing->on_first_m - end_m) : -1.0;
       if (beyond_m > 0.0 && beyond_m < nearest_m &&
           comes_near(walls_[other], crossing->on_second_m, params_.reach_m)) {

@@ -14,7 +14,7 @@ struct CornerJoiningParams {
   /// where the robot does not come near. Farther than this a wall is not prolonged.
   double reach_m = 0.6;
   /// Walls that meet at less than this are one wall, or none.
-  double least_angle_rad = 0.5;
+  double min_angle_rad = 0.5;
   /// What was heard this much behind a wall was heard through a gap in it.
   double behind_m = 0.12;
 };

@@ -6,15 +6,15 @@
 namespace echomap::mapping {
 namespace {
 
-RasterMap with_margin(const RasterMap& map, double most_m) {
-  const int margin = static_cast<int>(std::ceil(most_m / map.resolution_m()));
+RasterMap with_margin(const RasterMap& map, double max_m) {
+  const int margin = static_cast<int>(std::ceil(max_m / map.resolution_m()));
   return cut_out(map, {{-margin, -margin}, {map.columns() - 1 + margin, map.rows() - 1 + margin}});
 }
 
 }  // namespace
 
-WallDistance::WallDistance(const RasterMap& map, double most_m)
-    : most_m_(most_m), field_(with_margin(map, most_m), most_m) {}
+WallDistance::WallDistance(const RasterMap& map, double max_m)
+    : max_m_(max_m), field_(with_margin(map, max_m), max_m) {}
 
 double WallDistance::at_m(const Eigen::Vector2d& point_m) const {
   const Eigen::Vector2d place =
@@ -23,7 +23,7 @@ double WallDistance::at_m(const Eigen::Vector2d& point_m) const {
   const bool inside = low.x() >= 0.0 && low.y() >= 0.0 && low.x() + 2.0 <= field_.columns() &&
                       low.y() + 2.0 <= field_.rows();
   if (!inside) {
-    return most_m_;
+    return max_m_;
   }
   const auto x = static_cast<int>(low.x());
   const auto y = static_cast<int>(low.y());

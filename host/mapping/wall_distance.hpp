@@ -12,13 +12,13 @@ namespace echomap::mapping {
 /// by bilinear interpolation.
 class WallDistance {
  public:
-  /// Distances above `most_m` count as that. Throws as DistanceField.
-  WallDistance(const RasterMap& map, double most_m);
+  /// Distances above `max_m` count as that. Throws as DistanceField.
+  WallDistance(const RasterMap& map, double max_m);
 
   double at_m(const Eigen::Vector2d& point_m) const;
 
  private:
-  double most_m_;
+  double max_m_;
   DistanceField field_;
 };
 

@@ -11,7 +11,7 @@ namespace echomap::mapping {
 
 namespace {
 
-const double most_slant_rad = geometry::radians(75.0);
+const double max_incidence_rad = geometry::radians(75.0);
 
 }  // namespace
 
@@ -25,8 +25,9 @@ WallView view_of_wall(const Echo& echo, const WallLine& line) {
   const double distance_m = line.offset_m - normal.dot(echo.sensor_m);
   const double off_axis_rad = geometry::angle_between(echo.axis_rad, line.normal_rad);
   const double in_beam_rad =
-      std::clamp(off_axis_rad, -echo.half_opening_rad, echo.half_opening_rad);
-  const double slant_rad = std::clamp(off_axis_rad - in_beam_rad, -most_slant_rad, most_slant_rad);
+      std::clamp(off_axis_rad, -echo.beam_half_angle_rad, echo.beam_half_angle_rad);
+  const double slant_rad =
+      std::clamp(off_axis_rad - in_beam_rad, -max_incidence_rad, max_incidence_rad);
   const double cosine = std::cos(slant_rad);
   const double by_slant = distance_m * std::sin(slant_rad) / (cosine * cosine);
   return {distance_m / cosine,

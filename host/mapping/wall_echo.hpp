@@ -10,7 +10,7 @@ struct Echo {
   Eigen::Vector2d sensor_m = Eigen::Vector2d::Zero();
   double axis_rad = 0.0;  ///< Where the middle of the beam points.
   double range_m = 0.0;
-  double half_opening_rad = 0.0;  ///< 0 for a laser's beam.
+  double beam_half_angle_rad = 0.0;  ///< 0 for a laser's beam.
 
   /// Where the answer lies if it came from the beam's middle.
   Eigen::Vector2d middle_m() const;

@@ -3,7 +3,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::models {
 
@@ -15,12 +16,13 @@ double chance_below(double value) { return 0.5 * std::erfc(-value / std::numbers
 }  // namespace
 
 ContactLikelihood::ContactLikelihood(const ContactParams& params) : params_(params) {
-  const bool noise_ok = params.contact_std_m > 0.0 && params.light_std_m > 0.0;
-  const bool chance_ok = params.wrong_chance > 0.0 && params.wrong_chance < 1.0;
-  if (!noise_ok || !chance_ok || !(params.light_reach_m >= 0.0) || !(params.overlap_rad >= 0.0)) {
-    throw std::invalid_argument(
-        "contacts: deviations are above 0, a chance within (0, 1), reach and overlap not negative");
-  }
+  geometry::ParameterValidator("contacts")
+      .positive("contact_stddev_m", params.contact_stddev_m)
+      .positive("light_stddev_m", params.light_stddev_m)
+      .positive("wrong_chance", params.wrong_chance)
+      .below("wrong_chance", params.wrong_chance, 1.0)
+      .at_least("light_reach_m", params.light_reach_m, 0.0)
+      .at_least("overlap_rad", params.overlap_rad, 0.0);
 }
 
 double ContactLikelihood::likelihood(const ContactReading& reading, const WallAhead& wall) const {
@@ -31,7 +33,7 @@ double ContactLikelihood::likelihood(const ContactReading& reading, const WallAh
 }
 
 double ContactLikelihood::of_bumper(const ContactReading& reading, const WallAhead& wall) const {
-  const double off = wall.gap_m / params_.contact_std_m;
+  const double off = wall.gap_m / params_.contact_stddev_m;
   if (!reading.bump_left && !reading.bump_right) {
     return chance_below(off + 2.0);
   }
@@ -42,7 +44,7 @@ double ContactLikelihood::of_bumper(const ContactReading& reading, const WallAhe
 }
 
 double ContactLikelihood::of_light(bool is_seen, double ahead_m) const {
-  const double seen = chance_below((params_.light_reach_m - ahead_m) / params_.light_std_m);
+  const double seen = chance_below((params_.light_reach_m - ahead_m) / params_.light_stddev_m);
   return is_seen ? seen : 1.0 - seen;
 }
 

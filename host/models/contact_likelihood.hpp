@@ -24,11 +24,11 @@ struct WallAhead {
 /// An iRobot Create, as Mukherjee et al. have it.
 struct ContactParams {
   /// Of the place of a wall that is felt: what the outline of its map is right to; ours.
-  double contact_std_m = 0.05;
+  double contact_stddev_m = 0.05;
   /// The light comes back from up to there, and that is as sharp; ours. The paper's 0.8 for the
   /// light (section V-B) has no unit and is called both variance and sigma.
   double light_reach_m = 0.375;
-  double light_std_m = 0.05;
+  double light_stddev_m = 0.05;
   /// Chance that a sensor says something else; ours. It bounds what one contact can do.
   double wrong_chance = 0.02;
   /// A bumper reaches so far over to the other side.

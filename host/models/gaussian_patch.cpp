@@ -2,8 +2,8 @@
 #include "host/models/gaussian_patch.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/models/concepts.hpp"
 
 namespace echomap::models {
@@ -11,9 +11,9 @@ namespace echomap::models {
 static_assert(InverseModel<GaussianPatch>);
 
 GaussianPatch::GaussianPatch(const GaussianPatchParams& params) : params_(params) {
-  if (params.sigma_m <= 0.0 || params.radius_m <= 0.0) {
-    throw std::invalid_argument("gaussian patch: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("gaussian patch")
+      .positive("sigma_m", params.sigma_m)
+      .positive("radius_m", params.radius_m);
 }
 
 double GaussianPatch::evidence(const SensorReading& reading, const PolarPoint& point) const {

@@ -23,7 +23,7 @@ struct GaussianPatchParams {
 /// is "empty", so this map knows no unknown.
 class GaussianPatch {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit GaussianPatch(const GaussianPatchParams& params = {});
 
   double evidence(const SensorReading& reading, const PolarPoint& point) const;

@@ -8,7 +8,7 @@
 namespace echomap::models {
 
 GaussianRange::GaussianRange(const GaussianRangeParams& params) : params_(params) {
-  for (const double length_m : {params.sense_std_m, params.max_range_m}) {
+  for (const double length_m : {params.sense_stddev_m, params.max_range_m}) {
     if (!(length_m > 0.0) || !std::isfinite(length_m)) {
       throw std::invalid_argument("gaussian range: noise and range are above 0, and finite");
     }
@@ -21,7 +21,7 @@ double GaussianRange::likelihood(std::optional<double> range_m,
     return 1.0;
   }
   const double off_m = *range_m - expected.range_m.value_or(params_.max_range_m);
-  const double variance_m2 = params_.sense_std_m * params_.sense_std_m;
+  const double variance_m2 = params_.sense_stddev_m * params_.sense_stddev_m;
   return std::exp(-off_m * off_m / (2.0 * variance_m2)) /  // Equation (1).
          std::sqrt(2.0 * std::numbers::pi * variance_m2);
 }

@@ -9,8 +9,8 @@ namespace echomap::models {
 
 /// The sonar of Singh and Bedi 2013.
 struct GaussianRangeParams {
-  double sense_std_m = 0.03;  ///< Their sense noise (section 4.5).
-  double max_range_m = 2.55;  ///< Of the NXT's sonar, whose 255 stands for no echo.
+  double sense_stddev_m = 0.03;  ///< Their sense noise (section 4.5).
+  double max_range_m = 2.55;     ///< Of the NXT's sonar, whose 255 stands for no echo.
 };
 
 /// One factor of equation (1) of Singh and Bedi 2013: a normal density of the range around that

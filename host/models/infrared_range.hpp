@@ -13,11 +13,11 @@ struct InfraredRangeParams {
   double max_range_m = 0.06;  ///< Mahmood and Ridao 2017, section 4.
   /// Noise of a range next to nothing, of cells and particles, and what the light adds at the end
   /// of the range.
-  double near_std_m = 0.003;
-  double far_std_m = 0.004;
+  double near_stddev_m = 0.003;
+  double far_stddev_m = 0.004;
   /// Chances that a wall is not seen: straight ahead, and aslant.
   double silent_chance = 0.1;
-  double aslant_silent_chance = 0.7;
+  double oblique_silent_chance = 0.7;
   /// That light from elsewhere makes any range.
   double random_chance = 0.05;
 };

@@ -23,7 +23,7 @@ struct LandmarkView {
   double range_m = 0.0;
   double bearing_rad = 0.0;
   /// Of range and bearing by the robot's x, y and heading.
-  Eigen::Matrix<double, 2, 3> by_pose = Eigen::Matrix<double, 2, 3>::Zero();
+  Eigen::Matrix<double, 2, 3> jacobian_pose = Eigen::Matrix<double, 2, 3>::Zero();
 };
 
 /// Range and bearing of a point of the map (Thrun, Burgard and Fox 2005, table 7.2, lines 10 to

@@ -10,10 +10,8 @@ namespace echomap::models {
 
 LinearOdometryMotion::LinearOdometryMotion(const LinearOdometryMotionParams& params)
     : params_(params) {
-  for (const double share : {params.turn_by_drive_rad_per_m,
-                             params.turn_by_turn,
-                             params.drive_by_drive,
-                             params.drive_by_turn_m_per_rad}) {
+  for (const double share :
+       {params.alpha1_rad_per_m, params.alpha2, params.alpha3, params.alpha4_m_per_rad}) {
     if (!(share >= 0.0) || !std::isfinite(share)) {
       throw std::invalid_argument("linear odometry motion: an alpha is not negative, and finite");
     }
@@ -25,12 +23,12 @@ MotionSpread LinearOdometryMotion::spread(const OdometryStep& step) const {
   const double after_rad = std::abs(step.turn_after_rad);
   const double drive_m = std::abs(step.drive_m);
   const double turn_b =  // Equation (9).
-      params_.turn_by_drive_rad_per_m * drive_m + params_.turn_by_turn * turn_rad;
+      params_.alpha1_rad_per_m * drive_m + params_.alpha2 * turn_rad;
   const double drive_b =  // Equation (10).
-      params_.drive_by_drive * drive_m + params_.drive_by_turn_m_per_rad * (turn_rad + after_rad);
-  return {uniform_sum_std(turn_b),
-          uniform_sum_std(drive_b),
-          uniform_sum_std(params_.turn_by_turn * after_rad),
+      params_.alpha3 * drive_m + params_.alpha4_m_per_rad * (turn_rad + after_rad);
+  return {uniform_sum_stddev(turn_b),
+          uniform_sum_stddev(drive_b),
+          uniform_sum_stddev(params_.alpha2 * after_rad),
           0.0};
 }
 

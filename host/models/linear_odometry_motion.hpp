@@ -8,10 +8,10 @@ namespace echomap::models {
 /// alpha1 to alpha4 of Mukherjee et al., section VI, which they took from 70 drives of an iRobot
 /// Create.
 struct LinearOdometryMotionParams {
-  double turn_by_drive_rad_per_m = 0.0145444;   ///< alpha1: 0.3 degrees in 360 mm.
-  double turn_by_turn = 0.0027778;              ///< alpha2: 1 degree in 360.
-  double drive_by_drive = 0.026;                ///< alpha3: mm a mm.
-  double drive_by_turn_m_per_rad = 1.14592e-5;  ///< alpha4: 0.0002 mm a degree.
+  double alpha1_rad_per_m = 0.0145444;   ///< alpha1: 0.3 degrees in 360 mm.
+  double alpha2 = 0.0027778;             ///< alpha2: 1 degree in 360.
+  double alpha3 = 0.026;                 ///< alpha3: mm a mm.
+  double alpha4_m_per_rad = 1.14592e-5;  ///< alpha4: 0.0002 mm a degree.
 };
 
 /// The odometry model of Mukherjee et al., equations 9 to 13: a turn by phi, then a drive of d,

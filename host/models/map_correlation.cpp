@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::models {
 
@@ -34,9 +35,9 @@ double MapCorrelation::value() const {
 }
 
 CorrelationLikelihood::CorrelationLikelihood(const CorrelationParams& params) : params_(params) {
-  if (!(params.least > 0.0) || !(params.least <= 1.0)) {
-    throw std::invalid_argument("correlation: the least likelihood is within (0, 1]");
-  }
+  geometry::ParameterValidator("correlation")
+      .positive("least", params.least)
+      .at_most("least", params.least, 1.0);
 }
 
 double CorrelationLikelihood::likelihood(const MapCorrelation& correlation) const {

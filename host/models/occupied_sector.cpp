@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/models/concepts.hpp"
 
 namespace echomap::models {
@@ -12,17 +12,18 @@ namespace echomap::models {
 static_assert(InverseModel<OccupiedSector>);
 
 OccupiedSector::OccupiedSector(const OccupiedSectorParams& params) : params_(params) {
-  const bool lengths_ok = params.thickness_m > 0.0 && params.max_range_m > 0.0;
-  const bool evidence_ok = params.occupied_log_odds > 0.0 && params.free_log_odds < 0.0;
-  if (!lengths_ok || !evidence_ok || params.opening_rad <= 0.0) {
-    throw std::invalid_argument("occupied sector: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("occupied sector")
+      .positive("thickness_m", params.thickness_m)
+      .positive("max_range_m", params.max_range_m)
+      .positive("occupied_log_odds", params.occupied_log_odds)
+      .below("free_log_odds", params.free_log_odds, 0.0)
+      .positive("beam_width_rad", params.beam_width_rad);
 }
 
 double OccupiedSector::evidence(const SensorReading& reading, const PolarPoint& point) const {
   const double z_m = reading.range_m.value_or(params_.max_range_m);
   if (point.range_m > reach_m(reading) ||
-      std::abs(point.off_axis_rad) > 0.5 * params_.opening_rad) {  // Line 6.
+      std::abs(point.off_axis_rad) > 0.5 * params_.beam_width_rad) {  // Line 6.
     return 0.0;
   }
   if (z_m < params_.max_range_m &&

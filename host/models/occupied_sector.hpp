@@ -10,7 +10,7 @@ struct OccupiedSectorParams {
   /// alpha: an obstacle is as thick as this.
   double thickness_m = 0.1;
   /// beta: the whole opening of the beam.
-  double opening_rad = 0.5236;
+  double beam_width_rad = 0.5236;
   /// z_max.
   double max_range_m = 3.0;
   /// l_occ and l_free with the prior l_0 = 0: the log-odds of 0.7 and of 0.3.
@@ -26,7 +26,7 @@ struct OccupiedSectorParams {
 /// the sensor's end of range; Thrun et al. compare it with the measurement, and so does this.
 class OccupiedSector {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit OccupiedSector(const OccupiedSectorParams& params = {});
 
   double evidence(const SensorReading& reading, const PolarPoint& point) const;

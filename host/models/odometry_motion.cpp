@@ -12,7 +12,7 @@ namespace echomap::models {
 
 namespace {
 
-constexpr double kLeastDriveM = 1e-3;
+constexpr double kMinDriveM = 1e-3;
 
 using geometry::square;
 
@@ -23,7 +23,7 @@ OdometryStep odometry_step(const geometry::Pose2& T_odom_before,
   const geometry::Pose2 T_before_after = T_odom_before.inverse() * T_odom_after;
   const double turn_rad = T_before_after.heading_rad();
   const double drive_m = T_before_after.position_m().norm();
-  if (drive_m < kLeastDriveM) {
+  if (drive_m < kMinDriveM) {
     return {turn_rad, drive_m, 0.0};
   }
   const double ahead_rad = std::atan2(T_before_after.y_m(), T_before_after.x_m());
@@ -35,11 +35,11 @@ OdometryStep odometry_step(const geometry::Pose2& T_odom_before,
 }
 
 OdometryMotion::OdometryMotion(const OdometryMotionParams& params) : params_(params) {
-  for (const double share : {params.turn_by_turn,
-                             params.turn_by_drive_rad2_per_m2,
-                             params.drive_by_drive,
-                             params.drive_by_turn_m2_per_rad2,
-                             params.side_by_drive}) {
+  for (const double share : {params.alpha1,
+                             params.alpha2_rad2_per_m2,
+                             params.alpha3,
+                             params.alpha4_m2_per_rad2,
+                             params.side_slip}) {
     if (!(share >= 0.0) || !std::isfinite(share)) {
       throw std::invalid_argument("odometry motion: a variance is not negative, and finite");
     }
@@ -51,13 +51,12 @@ MotionSpread OdometryMotion::spread(const OdometryStep& step) const {
   const double after = square(step.turn_after_rad);
   const double drive = square(step.drive_m);
   const auto turn_rad = [&](double turn) {
-    return std::sqrt(params_.turn_by_turn * turn + params_.turn_by_drive_rad2_per_m2 * drive);
+    return std::sqrt(params_.alpha1 * turn + params_.alpha2_rad2_per_m2 * drive);
   };
   return {turn_rad(before),
-          std::sqrt(params_.drive_by_drive * drive +
-                    params_.drive_by_turn_m2_per_rad2 * (before + after)),
+          std::sqrt(params_.alpha3 * drive + params_.alpha4_m2_per_rad2 * (before + after)),
           turn_rad(after),
-          std::sqrt(params_.side_by_drive * drive)};
+          std::sqrt(params_.side_slip * drive)};
 }
 
 }  // namespace echomap::models

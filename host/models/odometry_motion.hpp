@@ -26,16 +26,17 @@ struct MotionSpread {
   double side_m = 0.0;
 };
 
-/// How far odometry is off, by what was driven.
+/// Noise of the odometry by the motion.
 struct OdometryMotionParams {
-  /// alpha1 and alpha2 of the book: variance of a turn by the squares of the turn and of the drive.
-  double turn_by_turn = 0.0009;               ///< 3 % of the turn.
-  double turn_by_drive_rad2_per_m2 = 0.0009;  ///< 1.7 degrees a metre.
-  /// alpha3 and alpha4: variance of the drive by the squares of the drive and of the turns.
-  double drive_by_drive = 0.0009;           ///< 3 % of the drive.
-  double drive_by_turn_m2_per_rad2 = 1e-4;  ///< 1 cm a radian: wheels that scrub.
-  /// What a step moves aside is that share of its drive: wheels that slip.
-  double side_by_drive = 4e-4;
+  /// alpha1, alpha2 (Thrun et al. 2005, table 5.6): variance of a turn per squared turn and per
+  /// squared drive.
+  double alpha1 = 0.0009;              ///< 3 % of the turn.
+  double alpha2_rad2_per_m2 = 0.0009;  ///< 1.7 degrees a metre.
+  /// alpha3, alpha4: variance of the drive per squared drive and per squared turns.
+  double alpha3 = 0.0009;            ///< 3 % of the drive.
+  double alpha4_m2_per_rad2 = 1e-4;  ///< 1 cm a radian: wheels that scrub.
+  /// Variance sideways per squared drive: wheels that slip. Not in the book.
+  double side_slip = 4e-4;
 };
 
 /// The odometry model of a differential drive with squares (Thrun et al. 2005, table 5.6).

@@ -14,12 +14,13 @@ BeamModel::BeamModel(const BeamModelParams& params) : params_(params) {
                                  params.missed_chance,
                                  params.silent_chance,
                                  params.random_chance,
-                                 params.aslant_missed_chance,
-                                 params.aslant_silent_chance});
+                                 params.oblique_missed_chance,
+                                 params.oblique_silent_chance});
   const double always = params.short_chance + params.random_chance;
-  const double most = always + std::max(params.missed_chance + params.silent_chance,
-                                        params.aslant_missed_chance + params.aslant_silent_chance);
-  const bool noise_ok = params.hit_std_m > 0.0 && std::isfinite(params.hit_std_m);
+  const double most =
+      always + std::max(params.missed_chance + params.silent_chance,
+                        params.oblique_missed_chance + params.oblique_silent_chance);
+  const bool noise_ok = params.hit_stddev_m > 0.0 && std::isfinite(params.hit_stddev_m);
   const bool range_ok = params.max_range_m > 0.0 && std::isfinite(params.max_range_m);
   if (!(most < 1.0) || !(least >= 0.0) || !noise_ok || !range_ok) {
     throw std::invalid_argument(
@@ -29,45 +30,45 @@ BeamModel::BeamModel(const BeamModelParams& params) : params_(params) {
 }
 
 double BeamModel::likelihood(std::optional<double> range_m, const ExpectedRange& expected) const {
-  const double most_m = params_.max_range_m;
+  const double max_m = params_.max_range_m;
   if (!expected.range_m) {
     // Of the chances only those stand that need no obstacle.
     const double something = params_.short_chance + params_.random_chance;
-    return range_m ? something / most_m : 1.0 - something;
+    return range_m ? something / max_m : 1.0 - something;
   }
-  const double missed = expected.is_aslant ? params_.aslant_missed_chance : params_.missed_chance;
-  const double silent = expected.is_aslant ? params_.aslant_silent_chance : params_.silent_chance;
+  const double missed = expected.is_oblique ? params_.oblique_missed_chance : params_.missed_chance;
+  const double silent = expected.is_oblique ? params_.oblique_silent_chance : params_.silent_chance;
   if (!range_m) {
     return silent;
   }
   const double hit_chance = 1.0 - params_.short_chance - params_.random_chance - missed - silent;
   const double expected_m = *expected.range_m;
-  const double hit = hit_chance * normal_density(*range_m - expected_m, params_.hit_std_m);
-  const double before_m = std::max(expected_m, params_.hit_std_m);
-  const double behind_m = std::max(most_m - expected_m, params_.hit_std_m);
+  const double hit = hit_chance * normal_density(*range_m - expected_m, params_.hit_stddev_m);
+  const double before_m = std::max(expected_m, params_.hit_stddev_m);
+  const double behind_m = std::max(max_m - expected_m, params_.hit_stddev_m);
   const double aside = *range_m < expected_m ? params_.short_chance / before_m : missed / behind_m;
-  return hit + aside + params_.random_chance / most_m;
+  return hit + aside + params_.random_chance / max_m;
 }
 
 BeamModelParams sonar_cone_returns() {
-  return {.hit_std_m = 0.08,
+  return {.hit_stddev_m = 0.08,
           .short_chance = 0.03,
           .missed_chance = 0.06,
           .silent_chance = 0.06,
           .random_chance = 0.03,
-          .aslant_missed_chance = 0.25,
-          .aslant_silent_chance = 0.25,
+          .oblique_missed_chance = 0.25,
+          .oblique_silent_chance = 0.25,
           .max_range_m = 4.0};
 }
 
 BeamModelParams laser_returns() {
-  return {.hit_std_m = 0.1,
+  return {.hit_stddev_m = 0.1,
           .short_chance = 0.1,
           .missed_chance = 0.02,
           .silent_chance = 0.02,
           .random_chance = 0.05,
-          .aslant_missed_chance = 0.02,
-          .aslant_silent_chance = 0.02,
+          .oblique_missed_chance = 0.02,
+          .oblique_silent_chance = 0.02,
           .max_range_m = 8.0};
 }
 

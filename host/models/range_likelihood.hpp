@@ -6,13 +6,13 @@
 
 namespace echomap::models {
 
-/// What a map lets a range sensor expect.
+/// The range that a sensor should measure in a map.
 struct ExpectedRange {
-  /// Of the nearest thing that the sensor could hear or see; empty where nothing is in range.
+  /// Range of the nearest surface that the sensor could detect; empty where none is in range.
   std::optional<double> range_m;
-  /// The surface of the nearest thing is seen aslant, as it is at the edge of a cone: a smooth one
-  /// throws the sound, or light, aside.
-  bool is_aslant = false;
+  /// The nearest surface is seen at oblique incidence, as at the edge of a cone: a smooth one
+  /// reflects sound or light away.
+  bool is_oblique = false;
 };
 
 /// How likely a reading is: a density, one over metres, of a range; a probability of no return.
@@ -25,15 +25,15 @@ concept RangeLikelihood = requires(const Model& model, std::optional<double> ran
 struct BeamModelParams {
   /// Noise of a range that is what the map says: of the sensor, of the map's cells and of the pose
   /// between particles.
-  double hit_std_m = 0.1;
+  double hit_stddev_m = 0.1;
   /// Chances; what they leave to 1 is that of a hit.
   double short_chance = 0.05;   ///< Something stands before it that the map does not hold.
   double missed_chance = 0.05;  ///< What the map says is not seen, and something behind it is.
   double silent_chance = 0.05;  ///< Nothing returns although something stands there.
   double random_chance = 0.05;  ///< Any range at all.
-  /// What is seen aslant is missed or silent more often.
-  double aslant_missed_chance = 0.05;
-  double aslant_silent_chance = 0.05;
+  /// Additional chances at oblique incidence.
+  double oblique_missed_chance = 0.05;
+  double oblique_silent_chance = 0.05;
   double max_range_m = 4.0;
 };
 

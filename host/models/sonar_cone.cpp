@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/models/concepts.hpp"
 
 namespace echomap::models {
@@ -17,26 +17,28 @@ namespace {
 /// Cells of 5 cm, the maps' habit, share an arc's evidence.
 constexpr double kCellM = 0.05;
 
-bool is_chance(double value) { return value > 0.0 && value < 1.0; }
-
 }  // namespace
 
 SonarCone::SonarCone(const SonarConeParams& params) : params_(params) {
-  const bool cone_ok = params.half_angle_rad > 0.0 &&
-                       params.half_angle_rad <= std::numbers::pi / 4.0 &&
-                       params.edge_weight >= 0.0 && params.edge_weight <= 1.0;
-  const bool lengths_ok = params.max_range_m > 0.0 && params.max_range_m <= 20.0 &&
-                          params.silent_to_m > 0.0 && params.arc_half_thickness_m > 0.0 &&
-                          params.free_margin_m >= 0.0;
-  const bool evidence_ok = is_chance(params.overheard_chance) && is_chance(params.silent_chance) &&
-                           params.arc_evidence > 0.0 && params.cell_evidence > 0.0;
-  if (!cone_ok || !lengths_ok || !evidence_ok) {
-    throw std::invalid_argument("sonar cone: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("sonar cone")
+      .positive("beam_half_angle_rad", params.beam_half_angle_rad)
+      .at_most("beam_half_angle_rad", params.beam_half_angle_rad, std::numbers::pi / 4.0)
+      .within("edge_weight", params.edge_weight, 0.0, 1.0)
+      .positive("max_range_m", params.max_range_m)
+      .at_most("max_range_m", params.max_range_m, 20.0)
+      .positive("silent_to_m", params.silent_to_m)
+      .positive("arc_half_thickness_m", params.arc_half_thickness_m)
+      .at_least("free_margin_m", params.free_margin_m, 0.0)
+      .positive("overheard_chance", params.overheard_chance)
+      .below("overheard_chance", params.overheard_chance, 1.0)
+      .positive("silent_chance", params.silent_chance)
+      .below("silent_chance", params.silent_chance, 1.0)
+      .positive("arc_evidence", params.arc_evidence)
+      .positive("cell_evidence", params.cell_evidence);
 }
 
 double SonarCone::weight(double off_axis_rad) const {
-  const double share = off_axis_rad / params_.half_angle_rad;
+  const double share = off_axis_rad / params_.beam_half_angle_rad;
   return std::abs(share) > 1.0 ? 0.0 : 1.0 - (1.0 - params_.edge_weight) * share * share;
 }
 
@@ -56,7 +58,7 @@ double SonarCone::free_to_m(const SensorReading& reading) const {
 bool SonarCone::on_arc(const SensorReading& reading, const PolarPoint& point) const {
   return reading.range_m &&
          std::abs(point.range_m - *reading.range_m) <= params_.arc_half_thickness_m &&
-         std::abs(point.off_axis_rad) <= params_.half_angle_rad;
+         std::abs(point.off_axis_rad) <= params_.beam_half_angle_rad;
 }
 
 double SonarCone::evidence(const SensorReading& reading, const PolarPoint& point) const {
@@ -64,7 +66,7 @@ double SonarCone::evidence(const SensorReading& reading, const PolarPoint& point
     return std::log(miss_chance(reading, point));
   }
   const double area_m2 =
-      4.0 * params_.half_angle_rad * params_.arc_half_thickness_m * *reading.range_m;
+      4.0 * params_.beam_half_angle_rad * params_.arc_half_thickness_m * *reading.range_m;
   const double cells = std::max(1.0, area_m2 / (kCellM * kCellM));
   return std::min(params_.cell_evidence, params_.arc_evidence * weight(point.off_axis_rad) / cells);
 }

@@ -9,7 +9,7 @@ namespace echomap::models {
 /// checked on three others (docs/algorithms/sonar_cone.md).
 struct SonarConeParams {
   /// Half the cone: 15 degrees of HC-SR04's data sheet; Hennessey et al. measured 16.4 +- 4.8.
-  double half_angle_rad = 0.2618;
+  double beam_half_angle_rad = 0.2618;
   /// What the sonar hears at its edge beside what it hears on its axis.
   double edge_weight = 0.45;
   /// Echoes from farther away do not count.
@@ -36,7 +36,7 @@ struct SonarConeParams {
 /// readings: mapping::SonarConeMapper shares the arc's evidence by what they say.
 class SonarCone {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit SonarCone(const SonarConeParams& params = {});
 
   const SonarConeParams& params() const { return params_; }

@@ -14,7 +14,7 @@ constexpr double kStill = 1e-6;
 }  // namespace
 
 TurnForwardMotion::TurnForwardMotion(const TurnForwardMotionParams& params) : params_(params) {
-  for (const double deviation : {params.turn_std_rad, params.forward_std_m}) {
+  for (const double deviation : {params.turn_stddev_rad, params.forward_stddev_m}) {
     if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
       throw std::invalid_argument("turn and forward motion: noise is not negative, and finite");
     }
@@ -23,10 +23,10 @@ TurnForwardMotion::TurnForwardMotion(const TurnForwardMotionParams& params) : pa
 
 MotionSpread TurnForwardMotion::spread(const OdometryStep& step) const {
   const auto of_turn = [&](double turn_rad) {
-    return std::abs(turn_rad) > kStill ? params_.turn_std_rad : 0.0;
+    return std::abs(turn_rad) > kStill ? params_.turn_stddev_rad : 0.0;
   };
   return {of_turn(step.turn_before_rad),
-          std::abs(step.drive_m) > kStill ? params_.forward_std_m : 0.0,
+          std::abs(step.drive_m) > kStill ? params_.forward_stddev_m : 0.0,
           of_turn(step.turn_after_rad),
           0.0};
 }

@@ -8,8 +8,8 @@ namespace echomap::models {
 /// How far a turn and a drive are off, however long they are: turn and forward noise of Singh and
 /// Bedi 2013, section 4.3, with the numbers of their TriBot.
 struct TurnForwardMotionParams {
-  double turn_std_rad = 0.0043633;  ///< 0.25 degrees.
-  double forward_std_m = 0.0005;
+  double turn_stddev_rad = 0.0043633;  ///< 0.25 degrees.
+  double forward_stddev_m = 0.0005;
 };
 
 /// The motion model of Singh and Bedi 2013, Algorithm 1, line 37: a robot that turns on the spot

@@ -20,7 +20,7 @@ double uniform_sum_sample(double b, Uniform&& uniform) {
 }
 
 /// The standard deviation of `uniform_sum_sample`.
-constexpr double uniform_sum_std(double b) { return b / 3.0; }
+constexpr double uniform_sum_stddev(double b) { return b / 3.0; }
 
 /// The `b` of a sample with that standard deviation.
 constexpr double uniform_sum_b(double std_dev) { return 3.0 * std_dev; }

@@ -13,8 +13,8 @@ namespace echomap::pipeline {
 /// Where somebody says that a robot starts, with standard deviations of place and heading.
 struct ToldStart {
   geometry::Pose2 T_map_robot;
-  double std_m = 0.0;
-  double std_rad = 0.0;
+  double stddev_m = 0.0;
+  double stddev_rad = 0.0;
 };
 
 /// Whether the odometry has gone on by `step_m` or turned by `step_rad`.

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/localization/likelihood_field_model.hpp"
 #include "host/localization/range_table_model.hpp"
 #include "host/sensors/range_scan.hpp"
@@ -22,7 +22,7 @@ bool is_light(const sensors::RangeScan& scan) {
 
 localization::LocalizedRobot robot_of(const sensors::RangeScan& scan) {
   localization::LocalizedRobot robot;
-  robot.half_opening_rad = 0.5 * scan.beam_width_rad;
+  robot.beam_half_angle_rad = 0.5 * scan.beam_width_rad;
   // A log that does not say how far its sensor reaches, as of our own runs.
   constexpr double kUnknownReachM = 4.0;
   robot.max_range_m = std::isfinite(scan.max_range_m) ? scan.max_range_m : kUnknownReachM;
@@ -43,11 +43,11 @@ struct LogLocalizer::Sensor {
          const localization::LocalizedRobot& robot,
          localization::LocalizerPreset preset,
          std::mt19937 random)
-      : opening_rad(beam_width_rad),
+      : beam_width_rad(beam_width_rad),
         observation(localization::observation_model(preset, map, robot)),
         localizer(*observation, localization::localizer_params(preset, robot), random) {}
 
-  double opening_rad;
+  double beam_width_rad;
   std::unique_ptr<localization::ObservationModel> observation;
   localization::MonteCarloLocalizer localizer;
 };
@@ -56,16 +56,18 @@ LogLocalizer::LogLocalizer(mapping::RasterMap map,
                            const LogLocalizerParams& params,
                            std::mt19937 random)
     : map_(std::move(map)), params_(params), random_(random) {
-  if (!(params.step_m > 0.0) || !(params.step_rad > 0.0) || params.most_readings == 0) {
-    throw std::invalid_argument(
-        "log localizer: steps are above 0, and at least one reading counts");
-  }
+  geometry::ParameterValidator("log localizer")
+      .positive("step_m", params.step_m)
+      .positive("step_rad", params.step_rad)
+      .positive("max_readings", params.max_readings);
 }
 
 LogLocalizer::~LogLocalizer() = default;
 
-void LogLocalizer::start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad) {
-  start_ = {T_map_robot, std_m, std_rad};
+void LogLocalizer::start_at(const geometry::Pose2& T_map_robot,
+                            double stddev_m,
+                            double stddev_rad) {
+  start_ = {T_map_robot, stddev_m, stddev_rad};
 }
 
 void LogLocalizer::add(const datasets::LogRecord& record) {
@@ -110,17 +112,17 @@ void LogLocalizer::gather(const sensors::RangeScan& scan) {
     if (start_) {
       sensor_->localizer.update(*poses_.T_map_robot(), {});
       start_outcome_ =
-          sensor_->localizer.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
+          sensor_->localizer.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
     }
   }
-  if (scan.beam_width_rad != sensor_->opening_rad) {
+  if (scan.beam_width_rad != sensor_->beam_width_rad) {
     ++unused_scans_;
     return;
   }
   const geometry::Pose2 T_odom_sensor = *poses_.T_map_robot() * scan.T_robot_sensor;
   for (const sensors::Beam& beam : scan.beams) {
     // Light's silence says nothing, and maps end not far beyond what it saw well.
-    if (!is_light(scan) || (beam.range_m && *beam.range_m <= params_.most_laser_range_m)) {
+    if (!is_light(scan) || (beam.range_m && *beam.range_m <= params_.max_laser_range_m)) {
       gathered_.push_back(
           {T_odom_sensor * geometry::Pose2(0.0, 0.0, beam.bearing_rad), beam.range_m});
     }
@@ -129,8 +131,8 @@ void LogLocalizer::gather(const sensors::RangeScan& scan) {
 
 void LogLocalizer::update() {
   const geometry::Pose2 T_odom_robot = *poses_.T_map_robot();
-  belief_ = sensor_->localizer.update(
-      T_odom_robot, evenly_picked(gathered_, T_odom_robot, params_.most_readings));
+  belief_ = sensor_->localizer.update(T_odom_robot,
+                                      evenly_picked(gathered_, T_odom_robot, params_.max_readings));
   gathered_.clear();
   T_odom_updated_ = T_odom_robot;
   ++updates_;

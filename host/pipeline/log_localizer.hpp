@@ -24,9 +24,9 @@ struct LogLocalizerParams {
   double step_m = 0.1;
   double step_rad = 0.1745;
   /// So many of them are used, evenly picked.
-  std::size_t most_readings = 60;
+  std::size_t max_readings = 60;
   /// A laser's ranges count up to there, metres.
-  double most_laser_range_m = 10.0;
+  double max_laser_range_m = 10.0;
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
 };
 
@@ -35,12 +35,12 @@ struct LogLocalizerParams {
 /// robot's true pose is not looked at.
 class LogLocalizer {
  public:
-  /// Throws std::invalid_argument for settings without sense.
+  /// Throws std::invalid_argument for invalid settings.
   LogLocalizer(mapping::RasterMap map, const LogLocalizerParams& params, std::mt19937 random);
   ~LogLocalizer();
 
   /// The robot starts about there. Before the first record.
-  void start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad);
+  void start_at(const geometry::Pose2& T_map_robot, double stddev_m, double stddev_rad);
 
   void add(const datasets::LogRecord& record);
 

@@ -179,7 +179,7 @@ mapping::SonarConeMapper& LogMapper::sonar_of(const sensors::RangeScan& scan) {
   if (known == sonars_.end()) {
     mapping::SonarConeMapperParams params = params_.sonars;
     params.grid = params_.grid;
-    params.cone.half_angle_rad = scan.beam_width_rad / 2.0;
+    params.cone.beam_half_angle_rad = scan.beam_width_rad / 2.0;
     params.cone.max_range_m = scan.max_range_m;
     params.is_sound = !scan.is_light;
     known = sonars_.emplace(kind, mapping::SonarConeMapper(params)).first;

@@ -50,7 +50,7 @@ struct LogCounts {
 /// Makes a map of a log, record by record. The map frame is that of the poses that count.
 class LogMapper {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit LogMapper(const LogMapperParams& params = {});
 
   void add(const datasets::LogRecord& record);

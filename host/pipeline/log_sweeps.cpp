@@ -16,7 +16,7 @@ namespace {
 using sensors::Beam;
 
 /// Fewer readings have no direction.
-constexpr std::size_t kLeastReadings = 3;
+constexpr std::size_t kMinReadings = 3;
 /// A way farther than this is one: a robot that turns its sonar trembles.
 constexpr double kMovedM = 0.005;
 constexpr double kMovedRad = 0.01;
@@ -45,7 +45,7 @@ std::vector<sensors::Beam> with_silence(const std::vector<sensors::Beam>& sweep)
   return whole;
 }
 
-bool is_a_way(const geometry::Pose2& T_last_now) {
+bool is_a_path(const geometry::Pose2& T_last_now) {
   return T_last_now.position_m().norm() > kMovedM || std::abs(T_last_now.heading_rad()) > kMovedRad;
 }
 
@@ -55,7 +55,7 @@ void LogSweeps::add(const datasets::LogRecord& record) {
   if (const auto* scan = std::get_if<sensors::RangeScan>(&record)) {
     add_scan(*scan);
   } else if (const auto* step = std::get_if<datasets::OdometryStep>(&record)) {
-    if (is_a_way(step->T_last_now)) {
+    if (is_a_path(step->T_last_now)) {
       end_sweep();
     }
   } else if (const auto* wheels = std::get_if<datasets::WheelIncrement>(&record)) {
@@ -63,7 +63,7 @@ void LogSweeps::add(const datasets::LogRecord& record) {
       end_sweep();
     }
   } else if (const auto* pose = std::get_if<datasets::OdometryPose>(&record)) {
-    if (is_a_way(T_odom_last_.inverse() * pose->T_odom_robot)) {
+    if (is_a_path(T_odom_last_.inverse() * pose->T_odom_robot)) {
       end_sweep();
       T_odom_last_ = pose->T_odom_robot;
     }
@@ -75,7 +75,7 @@ void LogSweeps::add_scan(const sensors::RangeScan& scan) {
     ++laser_scans_;
     return;
   }
-  const bool is_whole = scan.beams.size() >= kLeastReadings;
+  const bool is_whole = scan.beams.size() >= kMinReadings;
   if (is_whole) {
     end_sweep();
   }
@@ -100,7 +100,7 @@ void LogSweeps::add_reading(const sensors::Beam& reading) {
 
 void LogSweeps::end_sweep() {
   auto sweep = std::exchange(open_, {});
-  if (sweep.size() >= kLeastReadings) {
+  if (sweep.size() >= kMinReadings) {
     sweeps_.push_back(with_silence(sweep));
   }
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/datasets/log_record.hpp"
-#include "host/sensors/cone_opening.hpp"
+#include "host/sensors/beam_width.hpp"
 #include "host/sensors/range_scan.hpp"
 
 namespace echomap::pipeline {

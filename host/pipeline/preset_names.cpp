@@ -36,7 +36,7 @@ LocalizerPreset preset_named(std::string_view name) {
   const auto found = std::find_if(
       kPresets.begin(), kPresets.end(), [&](const auto& entry) { return name == entry.first; });
   if (found == kPresets.end()) {
-    throw std::invalid_argument("there is no preset '" + std::string(name) + "'" +
+    throw std::invalid_argument("unknown preset '" + std::string(name) + "'" +
                                 files::suggestion(name, preset_names()));
   }
   return found->second;

@@ -2,8 +2,9 @@
 #include "host/pipeline/robot_atlas.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <utility>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::pipeline {
 namespace {
@@ -21,9 +22,10 @@ mapping::PlaceableMap map_of(const RobotPipeline& pipeline) {
 
 RobotAtlas::RobotAtlas(MakePipeline make, const RobotAtlasParams& params)
     : make_(std::move(make)), params_(params), pipeline_(make_()) {
-  if (params.agreeing_stops == 0 || !(params.same_m > 0.0) || !(params.same_rad > 0.0)) {
-    throw std::invalid_argument("robot atlas: a parameter is outside of its range");
-  }
+  geometry::ParameterValidator("robot atlas")
+      .positive("agreeing_stops", params.agreeing_stops)
+      .positive("same_m", params.same_m)
+      .positive("same_rad", params.same_rad);
 }
 
 void RobotAtlas::on(const sensors::Observation& observation) {
@@ -31,7 +33,7 @@ void RobotAtlas::on(const sensors::Observation& observation) {
   hand_on(observation, pipeline_);
 }
 
-void RobotAtlas::begin_anew(std::size_t stops_elsewhere) {
+void RobotAtlas::begin_new_map(std::size_t stops_elsewhere) {
   const bool is_lifted = pipeline_.snapshot().times_lifted > 0;
   ObservationLog later = is_lifted ? record_.split_off_lift() : record_.split_off(stops_elsewhere);
   if (!is_lifted && stops_elsewhere > 1) {
@@ -47,20 +49,20 @@ void RobotAtlas::begin_anew(std::size_t stops_elsewhere) {
 void RobotAtlas::set_aside(ObservationLog record) {
   RobotPipeline pipeline = replayed(record, make_());
   mapping::PlaceableMap map = map_of(pipeline);
-  former_.push_back({std::move(record), std::move(pipeline), std::move(map), std::nullopt, 0});
+  previous_.push_back({std::move(record), std::move(pipeline), std::move(map), std::nullopt, 0});
   ++changes_;
 }
 
 bool RobotAtlas::join() {
-  if (former_.empty()) {
+  if (previous_.empty()) {
     return false;
   }
   const mapping::PlaceableMap map = map_of(pipeline_);
-  for (std::size_t i = former_.size(); i-- > 0;) {
-    if (look_in(former_[i], map)) {
-      const FormerMap found = std::move(former_[i]);
-      former_.erase(former_.begin() + static_cast<std::ptrdiff_t>(i));
-      take(joined(found.record, record_, *found.T_former_map));
+  for (std::size_t i = previous_.size(); i-- > 0;) {
+    if (look_in(previous_[i], map)) {
+      const PreviousMap found = std::move(previous_[i]);
+      previous_.erase(previous_.begin() + static_cast<std::ptrdiff_t>(i));
+      take(joined(found.record, record_, *found.T_previous_map));
       ++joins_;
       ++changes_;
       return true;
@@ -69,25 +71,25 @@ bool RobotAtlas::join() {
   return false;
 }
 
-bool RobotAtlas::look_in(FormerMap& former, const mapping::PlaceableMap& map) const {
+bool RobotAtlas::look_in(PreviousMap& former, const mapping::PlaceableMap& map) const {
   const auto placement = mapping::sure_placement(
       mapping::find_placements(former.map, map, params_.placement), params_.placement);
   if (!placement) {
     former.agreeing_stops = 0;
     return false;
   }
-  const auto& T_former_map = placement->T_former_later;
+  const auto& T_previous_map = placement->T_previous_later;
   const geometry::Pose2 T_before_now =
-      former.T_former_map.value_or(T_former_map).inverse() * T_former_map;
+      former.T_previous_map.value_or(T_previous_map).inverse() * T_previous_map;
   const bool agrees = T_before_now.position_m().norm() <= params_.same_m &&
                       std::abs(T_before_now.heading_rad()) <= params_.same_rad;
   former.agreeing_stops = agrees ? former.agreeing_stops + 1 : 1;
-  former.T_former_map = T_former_map;
+  former.T_previous_map = T_previous_map;
   return former.agreeing_stops >= params_.agreeing_stops;
 }
 
 void RobotAtlas::take(ObservationLog record) {
-  for (FormerMap& former : former_) {
+  for (PreviousMap& former : previous_) {
     former.agreeing_stops = 0;
   }
   record_ = std::move(record);

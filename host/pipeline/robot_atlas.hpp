@@ -12,22 +12,23 @@
 
 namespace echomap::pipeline {
 
-/// When two maps of an atlas are joined; ours, chosen in simulated rooms.
+/// When two maps of an atlas are joined. Values are ours, chosen in simulated rooms.
 struct RobotAtlasParams {
   mapping::MapPlacementParams placement;
-  /// So many stops in a row have to find the same place, as near as this.
+  /// Number of consecutive stops that must agree on the placement, within same_m and same_rad.
   std::size_t agreeing_stops = 2;
   double same_m = 0.3;
   double same_rad = 0.17;
 };
 
-/// A map that the robot was carried away from.
-struct FormerMap {
+/// A map that was set aside when the robot was carried away from it.
+struct PreviousMap {
   ObservationLog record;
   RobotPipeline pipeline;
-  mapping::PlaceableMap map;  ///< Of the pipeline, which does not change any more.
-  /// Where the stops so far have found the map that the robot is in, and how many in a row.
-  std::optional<geometry::Pose2> T_former_map;
+  mapping::PlaceableMap map;  ///< Map of the pipeline, which no longer changes.
+  /// Placement of the current map in this one as of the last stops, and the number of consecutive
+  /// stops that agree.
+  std::optional<geometry::Pose2> T_previous_map;
   std::size_t agreeing_stops = 0;
 };
 
@@ -45,35 +46,35 @@ class RobotAtlas final : public AnyObservationSink {
 
   /// The robot was picked up, or else its last stops are of another place than its map: the map
   /// without them is set aside, and they begin a new one. A map without any stop is let go.
-  void begin_anew(std::size_t stops_elsewhere);
+  void begin_new_map(std::size_t stops_elsewhere);
 
-  /// Another map of the same robot, from before what the atlas holds.
+  /// Adds an earlier map of the same robot in front of those in the atlas.
   void set_aside(ObservationLog record);
 
   /// To be called after a stop: looks for the robot's map in the former ones, the latest first, and
   /// joins it to one where it has found it for some stops in a row. Answers whether it has.
   bool join();
 
-  /// Of the map that the robot is in; it stays the same object.
+  /// Pipeline of the current map; the reference stays valid.
   RobotPipeline& pipeline() { return pipeline_; }
   const RobotPipeline& pipeline() const { return pipeline_; }
   const ObservationLog& record() const { return record_; }
-  /// The earliest first.
-  const std::vector<FormerMap>& former_maps() const { return former_; }
-  /// How often maps were joined.
+  /// The previous maps, the earliest first.
+  const std::vector<PreviousMap>& previous_maps() const { return previous_; }
+  /// Number of times that maps were joined.
   std::size_t joins() const { return joins_; }
-  /// How often a map was begun, set aside or joined.
+  /// Number of times that a map was started, set aside or joined.
   std::size_t changes() const { return changes_; }
 
  private:
   void take(ObservationLog record);
-  bool look_in(FormerMap& former, const mapping::PlaceableMap& map) const;
+  bool look_in(PreviousMap& former, const mapping::PlaceableMap& map) const;
 
   MakePipeline make_;
   RobotAtlasParams params_;
   ObservationLog record_;
   RobotPipeline pipeline_;
-  std::vector<FormerMap> former_;
+  std::vector<PreviousMap> previous_;
   std::size_t joins_ = 0;
   std::size_t changes_ = 0;
 };

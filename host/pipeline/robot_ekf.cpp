@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/sensors/odometry.hpp"
 
 namespace echomap::pipeline {
@@ -22,9 +22,10 @@ double seconds_of(time::RobotTime stamp) {
 
 RobotEkf::RobotEkf(const sensors::RobotGeometry& robot, const RobotEkfParams& params)
     : robot_(robot), params_(params), heading_(params.heading) {
-  if (params.most_gated == 0 || !(params.start_std_m > 0.0) || !(params.start_std_rad > 0.0)) {
-    throw std::invalid_argument("robot ekf: gated fixes and a start's deviations are above 0");
-  }
+  geometry::ParameterValidator("robot ekf")
+      .positive("max_gated", params.max_gated)
+      .positive("start_stddev_m", params.start_stddev_m)
+      .positive("start_stddev_rad", params.start_stddev_rad);
 }
 
 void RobotEkf::start_at(const localization::PoseGaussian& start) {
@@ -45,7 +46,7 @@ EkfOutcome RobotEkf::add(const localization::PoseFix& fix) {
 }
 
 EkfOutcome RobotEkf::hold(const localization::PoseFix& fix) {
-  if (held_.size() >= params_.ekf.most_held) {
+  if (held_.size() >= params_.ekf.max_held) {
     ++refused_;
     return EkfOutcome::kTooManyHeld;
   }
@@ -76,7 +77,7 @@ EkfOutcome RobotEkf::apply(const localization::PoseFix& fix) {
     gated_in_a_row_ = 0;
   } else if (outcome != EkfOutcome::kGated) {
     ++refused_;
-  } else if (++gated_; ++gated_in_a_row_ >= params_.most_gated) {
+  } else if (++gated_; ++gated_in_a_row_ >= params_.max_gated) {
     ++times_lost_;
     start_from(fix);
   }
@@ -84,8 +85,8 @@ EkfOutcome RobotEkf::apply(const localization::PoseFix& fix) {
 }
 
 void RobotEkf::start_from(const localization::PoseFix& fix) {
-  const double variance_m2 = params_.start_std_m * params_.start_std_m;
-  const double variance_rad2 = params_.start_std_rad * params_.start_std_rad;
+  const double variance_m2 = params_.start_stddev_m * params_.start_stddev_m;
+  const double variance_rad2 = params_.start_stddev_rad * params_.start_stddev_rad;
   const Eigen::Vector3d more(variance_m2, variance_m2, variance_rad2);
   const Eigen::Matrix3d covariance = fix.covariance + Eigen::Matrix3d(more.asDiagonal());
   start_at({fix.T_map_robot, covariance});

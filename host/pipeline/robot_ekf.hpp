@@ -19,10 +19,10 @@ struct RobotEkfParams {
   localization::HeadingFilterParams heading;
   /// After so many fixes in a row that cannot be, the robot is where they say, not where it was
   /// thought to be.
-  std::size_t most_gated = 10;
+  std::size_t max_gated = 10;
   /// A fix that the filter starts from is old by the time it comes: added to its deviations.
-  double start_std_m = 0.05;
-  double start_std_rad = 0.1;
+  double start_stddev_m = 0.05;
+  double start_stddev_rad = 0.1;
 };
 
 /// Follows a robot that drives by its odometry and fixes of its pose. Its turns are those of gyro

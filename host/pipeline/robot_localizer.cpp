@@ -2,8 +2,9 @@
 #include "host/pipeline/robot_localizer.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::pipeline {
 
@@ -17,19 +18,21 @@ RobotLocalizer::RobotLocalizer(const mapping::RasterMap& map,
       localizer_(
           *observation_, localization::localizer_params(params.preset, params.sonar), random),
       odometry_(robot.track_m) {
-  if (!(params.step_m > 0.0) || !(params.step_rad > 0.0) || params.most_readings == 0) {
-    throw std::invalid_argument(
-        "robot localizer: steps are above 0, and at least one reading counts");
-  }
+  geometry::ParameterValidator("robot localizer")
+      .positive("step_m", params.step_m)
+      .positive("step_rad", params.step_rad)
+      .positive("max_readings", params.max_readings);
 }
 
-void RobotLocalizer::start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad) {
+void RobotLocalizer::start_at(const geometry::Pose2& T_map_robot,
+                              double stddev_m,
+                              double stddev_rad) {
   if (!T_odom_updated_) {
-    start_ = {T_map_robot, std_m, std_rad};
+    start_ = {T_map_robot, stddev_m, stddev_rad};
     return;
   }
   update({});
-  start_outcome_ = localizer_.start_at(T_map_robot, std_m, std_rad);
+  start_outcome_ = localizer_.start_at(T_map_robot, stddev_m, stddev_rad);
 }
 
 void RobotLocalizer::start_anywhere() { localizer_.start_anywhere(); }
@@ -47,7 +50,7 @@ void RobotLocalizer::on_sonar(const sensors::SonarObservation& observation) {
 }
 
 void RobotLocalizer::on_hazards(const sensors::HazardObservation& observation) {
-  feel({observation.bump_left, observation.bump_right, observation.virtual_wall});
+  add_contact({observation.bump_left, observation.bump_right, observation.virtual_wall});
   const bool was_lifted = std::exchange(is_lifted_, observation.is_in_the_air());
   if (is_lifted_ && !was_lifted) {
     ++times_lifted_;
@@ -57,8 +60,8 @@ void RobotLocalizer::on_hazards(const sensors::HazardObservation& observation) {
 }
 
 /// A contact counts where it begins; between contacts, models of ranges know nothing new.
-void RobotLocalizer::feel(const models::ContactReading& contact) {
-  observation_->feel(contact);
+void RobotLocalizer::add_contact(const models::ContactReading& contact) {
+  observation_->add_contact(contact);
   const bool touches = contact.bump_left || contact.bump_right;
   const bool has_touched = std::exchange(touches_, touches);
   if (touches && !has_touched && T_odom_updated_) {
@@ -75,7 +78,7 @@ void RobotLocalizer::end_scan() {
   if (!std::exchange(scan_is_open_, false)) {
     return;
   }
-  update(evenly_picked(open_scan_, odometry_.T_odom_robot(), params_.most_readings));
+  update(evenly_picked(open_scan_, odometry_.T_odom_robot(), params_.max_readings));
   open_scan_.clear();
   ++scans_;
   if (!belief().hypotheses.empty()) {
@@ -89,7 +92,8 @@ void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& t
   if (!T_odom_updated_) {
     update({});
     if (start_) {
-      start_outcome_ = localizer_.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
+      start_outcome_ =
+          localizer_.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
     }
     return;
   }

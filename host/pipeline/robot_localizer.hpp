@@ -25,7 +25,7 @@ struct RobotLocalizerParams {
   double step_m = 0.2;
   double step_rad = 0.5;
   /// So many readings of a scan are used, evenly picked.
-  std::size_t most_readings = 60;
+  std::size_t max_readings = 60;
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
 };
 
@@ -33,15 +33,15 @@ struct RobotLocalizerParams {
 /// beliefs out, one a scan. A robot that is lifted may be anywhere from then on.
 class RobotLocalizer final : public ObservationSink {
  public:
-  /// The robot may be anywhere on the map's floor. Throws std::invalid_argument for settings
-  /// without sense.
+  /// The robot may be anywhere on the map's floor. Throws std::invalid_argument for invalid
+  /// settings.
   RobotLocalizer(const mapping::RasterMap& map,
                  const sensors::RobotGeometry& robot,
                  const RobotLocalizerParams& params,
                  std::mt19937 random);
 
   /// The robot is about there, where it stands now or, before the first observation, is then.
-  void start_at(const geometry::Pose2& T_map_robot, double std_m, double std_rad);
+  void start_at(const geometry::Pose2& T_map_robot, double stddev_m, double stddev_rad);
   /// The robot may be anywhere from now on: somebody says so.
   void start_anywhere();
 
@@ -65,7 +65,7 @@ class RobotLocalizer final : public ObservationSink {
 
  private:
   void follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
-  void feel(const models::ContactReading& contact);
+  void add_contact(const models::ContactReading& contact);
   void update(const std::vector<localization::RangeReading>& readings);
 
   sensors::RobotGeometry robot_;

@@ -7,7 +7,7 @@ namespace echomap::pipeline {
 
 RobotPipeline::RobotPipeline(const sensors::RobotGeometry& robot,
                              const mapping::SonarMapperParams& params,
-                             const mapping::NearMapperParams& near,
+                             const mapping::ContactMapperParams& near,
                              std::unique_ptr<slam::SlamMethod> slam)
     : robot_(robot),
       track_(robot.track_m, std::move(slam), 2.0 * params.surfaces.beam_half_angle_rad),
@@ -24,7 +24,7 @@ void RobotPipeline::on_sonar(const sensors::SonarObservation& observation) {
   const geometry::Pose2 T_odom_robot = track_.follow(observation.stamp, observation.travel);
   const geometry::Pose2 T_robot_sonar = robot_.T_robot_sonar(observation.pan_rad);
   if (RobotSlam* slam = track_.slam()) {
-    slam->hear(T_odom_robot, T_robot_sonar, observation.range_m);
+    slam->add_ping(T_odom_robot, T_robot_sonar, observation.range_m);
   }
   const mapping::PlacedReading reading{
       T_odom_robot, T_odom_robot * T_robot_sonar, observation.range_m};
@@ -37,7 +37,7 @@ void RobotPipeline::on_sonar(const sensors::SonarObservation& observation) {
 void RobotPipeline::on_infrared(const sensors::InfraredObservation& observation) {
   track_.follow(observation.stamp, observation.travel);
   if (!status_.has_void_pose()) {
-    map_.contacts().see(track_.T_map_robot(), observation.range_m);
+    map_.contacts().add_ranges(track_.T_map_robot(), observation.range_m);
   }
   status_.on_infrared(observation);
 }

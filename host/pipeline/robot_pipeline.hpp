@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "host/mapping/near_mapper.hpp"
+#include "host/mapping/contact_mapper.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/sonar_mapper.hpp"
 #include "host/pipeline/observation_sink.hpp"
@@ -27,7 +27,7 @@ class RobotPipeline final : public ObservationSink {
  public:
   explicit RobotPipeline(const sensors::RobotGeometry& robot,
                          const mapping::SonarMapperParams& params = {},
-                         const mapping::NearMapperParams& near = {},
+                         const mapping::ContactMapperParams& near = {},
                          std::unique_ptr<slam::SlamMethod> slam = nullptr);
 
   void on_odometry(const sensors::OdometryObservation& observation) override;

@@ -6,7 +6,7 @@
 namespace echomap::pipeline {
 
 RobotSlam::RobotSlam(std::unique_ptr<slam::SlamMethod> method, double beam_width_rad)
-    : method_(std::move(method)), track_(*method_), beam_opening_rad_(beam_width_rad) {}
+    : method_(std::move(method)), track_(*method_), beam_width_rad_(beam_width_rad) {}
 
 void RobotSlam::follow(const geometry::Pose2& T_odom_robot) {
   if (is_at_stop_) {
@@ -16,9 +16,9 @@ void RobotSlam::follow(const geometry::Pose2& T_odom_robot) {
   }
 }
 
-void RobotSlam::hear(const geometry::Pose2& T_odom_robot,
-                     const geometry::Pose2& T_robot_sonar,
-                     const std::optional<double>& range_m) {
+void RobotSlam::add_ping(const geometry::Pose2& T_odom_robot,
+                         const geometry::Pose2& T_robot_sonar,
+                         const std::optional<double>& range_m) {
   const std::size_t instants = track_.instants() + held_T_odom_robots_.size();
   pings_.push_back({instants - 1, T_odom_robot, T_robot_sonar, range_m});
   if (is_at_stop_) {
@@ -49,7 +49,7 @@ void RobotSlam::end_stop(bool pings_count) {
 
 void RobotSlam::count(const Ping& ping) {
   track_.add(ping.T_odom_robot,
-             {{}, ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_opening_rad_, 0.0});
+             {{}, ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_width_rad_, 0.0});
 }
 
 std::vector<mapping::Scan> RobotSlam::stops() const {

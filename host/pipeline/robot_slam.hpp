@@ -24,9 +24,9 @@ class RobotSlam {
   /// Between two stops: somebody has put the robot there.
   void carry(const geometry::Pose2& T_odom_robot) { method_->carry(T_odom_robot); }
   /// A ping of the last instant, of which there is one.
-  void hear(const geometry::Pose2& T_odom_robot,
-            const geometry::Pose2& T_robot_sonar,
-            const std::optional<double>& range_m);
+  void add_ping(const geometry::Pose2& T_odom_robot,
+                const geometry::Pose2& T_robot_sonar,
+                const std::optional<double>& range_m);
   /// What comes now is held back until the stop's end: the robot stays where it was thought to be.
   void begin_stop() { is_at_stop_ = true; }
   /// Pings of a stop that are of another place, or of a sonar that hangs, do not count.
@@ -60,7 +60,7 @@ class RobotSlam {
 
   std::unique_ptr<slam::SlamMethod> method_;
   SlamTrack track_;
-  double beam_opening_rad_;
+  double beam_width_rad_;
   std::vector<Ping> pings_;
   bool is_at_stop_ = false;
   std::vector<geometry::Pose2> held_T_odom_robots_;

@@ -7,7 +7,8 @@
 
 namespace echomap::pipeline {
 
-StopMap::StopMap(const mapping::SonarMapperParams& sonar, const mapping::NearMapperParams& contact)
+StopMap::StopMap(const mapping::SonarMapperParams& sonar,
+                 const mapping::ContactMapperParams& contact)
     : sonar_(sonar),
       contacts_(contact, sonar.grid),
       sonar_grid_(std::make_shared<const mapping::OccupancyGrid>(sonar.grid)),
@@ -56,7 +57,7 @@ void StopMap::end_stop(mapping::Scan scan, mapping::ScanFault fault) {
 std::shared_ptr<const mapping::OccupancyGrid> StopMap::grid() const {
   if (grid_ == nullptr || contacts_in_grid_ != contacts_.grid().revision()) {
     grid_ = std::make_shared<const mapping::OccupancyGrid>(
-        mapping::with_near_evidence(*sonar_grid_, contacts_.grid()));
+        mapping::with_contact_evidence(*sonar_grid_, contacts_.grid()));
     contacts_in_grid_ = contacts_.grid().revision();
   }
   return grid_;

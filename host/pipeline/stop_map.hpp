@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
-#include "host/mapping/near_mapper.hpp"
+#include "host/mapping/contact_mapper.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/mapping/sonar_mapper.hpp"
@@ -19,7 +19,7 @@ namespace echomap::pipeline {
 /// grid of what it touched and saw close by on its way. The grid of a snapshot is both together.
 class StopMap {
  public:
-  StopMap(const mapping::SonarMapperParams& sonar, const mapping::NearMapperParams& contact);
+  StopMap(const mapping::SonarMapperParams& sonar, const mapping::ContactMapperParams& contact);
 
   /// On the map.
   void add_echo(const mapping::PlacedReading& reading);
@@ -35,7 +35,7 @@ class StopMap {
   /// Counts the scan on the map as a stop; `fault` is why it was not added.
   void end_stop(mapping::Scan scan, mapping::ScanFault fault);
 
-  mapping::NearMapper& contacts() { return contacts_; }
+  mapping::ContactMapper& contacts() { return contacts_; }
   void describe(Snapshot& snapshot) const;
 
  private:
@@ -43,7 +43,7 @@ class StopMap {
   std::shared_ptr<const mapping::OccupancyGrid> grid() const;
 
   mapping::SonarMapper sonar_;
-  mapping::NearMapper contacts_;
+  mapping::ContactMapper contacts_;
   std::shared_ptr<mapping::PointCloudMap> points_ = std::make_shared<mapping::PointCloudMap>();
   std::shared_ptr<const mapping::OccupancyGrid> sonar_grid_;
   /// Made when a snapshot asks for it after one of the two has changed.

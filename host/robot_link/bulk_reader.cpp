@@ -29,7 +29,7 @@ std::array<std::uint8_t, BulkReader::kPieceBytes> bytes_of(const protocol::BulkD
 
 BulkReader::BulkReader(const RetransmissionParams& retransmission, const BulkParams& params)
     : retransmission_(retransmission), timer_(retransmission), params_(params) {
-  if (params.window == 0 || params.tries < 1 || params.most_bytes == 0) {
+  if (params.window == 0 || params.tries < 1 || params.max_bytes == 0) {
     throw std::invalid_argument("bulk reader: window, tries and length must be positive");
   }
 }
@@ -103,7 +103,7 @@ void BulkReader::take_answer(const protocol::BulkData& data, time::HostTime now)
   open_.erase(request);
   if (data.total == 0) {
     end(BulkStatus::kNotThere);
-  } else if (data.total > params_.most_bytes || data.total != total_bytes_.value_or(data.total)) {
+  } else if (data.total > params_.max_bytes || data.total != total_bytes_.value_or(data.total)) {
     end(BulkStatus::kInconsistent);
   } else {
     keep(data);

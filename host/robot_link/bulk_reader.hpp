@@ -14,9 +14,9 @@ namespace echomap::robot_link {
 
 /// How a bulk content is read.
 struct BulkParams {
-  std::size_t window = 4;         ///< Pieces asked for at a time.
-  int tries = 8;                  ///< Of each piece, as of commands.
-  std::size_t most_bytes = 8192;  ///< What a firmware has to say of itself takes less.
+  std::size_t window = 4;        ///< Pieces asked for at a time.
+  int tries = 8;                 ///< Of each piece, as of commands.
+  std::size_t max_bytes = 8192;  ///< What a firmware has to say of itself takes less.
 };
 
 /// How reading a content ended.
@@ -43,7 +43,7 @@ class BulkReader {
   /// Throws std::invalid_argument for a window, tries or length of nothing.
   explicit BulkReader(const RetransmissionParams& retransmission, const BulkParams& params = {});
 
-  /// Begins anew, whatever was being read.
+  /// Starts again, whatever was being read.
   void start(protocol::BulkContent content);
   /// Ends in kNoAnswer what is being read.
   void abandon();

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kHeaderBytes = 2;
 constexpr std::size_t kCrcBytes = 2;
 /// The length of a payload is one byte in a schema.
-constexpr std::size_t kMostBytes = 255 + protocol::kFrameOverhead;
+constexpr std::size_t kMaxBytes = 255 + protocol::kFrameOverhead;
 
 /// Empty for a block that is cut short.
 std::vector<std::uint8_t> unstuffed(const std::vector<std::uint8_t>& stuffed) {
@@ -34,7 +34,7 @@ void ForeignFrames::add(std::uint8_t byte) {
     stuffed_.clear();
   }
   ended_ = byte == 0;
-  if (!ended_ && stuffed_.size() < kMostBytes) {
+  if (!ended_ && stuffed_.size() < kMaxBytes) {
     stuffed_.push_back(byte);
   }
 }

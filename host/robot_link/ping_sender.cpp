@@ -10,7 +10,7 @@ namespace echomap::robot_link {
 namespace {
 
 /// Answers come within these, or a line is too slow to tell the time by.
-constexpr std::size_t kMostUnanswered = 16;
+constexpr std::size_t kMaxUnanswered = 16;
 
 /// Multiples of these two fill a square evenly, however many they are (Roberts 2018, R2): the
 /// powers -2 and -1 of the plastic number.
@@ -47,7 +47,7 @@ std::uint32_t PingSender::take(time::HostTime now, std::optional<double> uncerta
   const auto later_period = is_sharp ? params_.period : params_.blurred_period;
   const auto period = now < first_phase_end_ ? params_.first_period : later_period;
   unanswered_.push_back({++last_token_, now});
-  if (unanswered_.size() > kMostUnanswered) {
+  if (unanswered_.size() > kMaxUnanswered) {
     unanswered_.pop_front();
   }
   next_ping_ =
@@ -67,7 +67,7 @@ time::HostTime PingSender::at_phase(double share, time::HostTime earliest) const
 std::size_t PingSender::lead_bytes() const {
   const std::uint32_t token = last_token_ + 1;
   const double share = has_lead(token) ? share_of(pair_of(token), kLeadStep) : 0.0;
-  return static_cast<std::size_t>(share * static_cast<double>(params_.most_lead_bytes + 1));
+  return static_cast<std::size_t>(share * static_cast<double>(params_.max_lead_bytes + 1));
 }
 
 std::optional<time::HostTime> PingSender::take_answer(std::uint32_t token) {

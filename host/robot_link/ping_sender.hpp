@@ -26,7 +26,7 @@ struct PingParams {
   /// Bytes to the robot go once in a millisecond (USB), so whole milliseconds are all that the host
   /// chooses by its clock. Every second ping comes behind up to this many delimiters, which take
   /// 87 us each at 115200 baud and together one millisecond: its answer meets the phases between.
-  std::size_t most_lead_bytes = 12;
+  std::size_t max_lead_bytes = 12;
 };
 
 /// Numbers pings and remembers when the last ones were sent.

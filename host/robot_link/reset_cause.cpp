@@ -17,7 +17,7 @@ std::string reset_cause_text(std::uint8_t reset_cause) {
       text += (text.empty() ? "" : ", ") + std::string(words);
     }
   }
-  return text.empty() ? "cause not told" : text;
+  return text.empty() ? "cause not reported" : text;
 }
 
 }  // namespace echomap::robot_link

@@ -19,8 +19,8 @@ void RobotCounters::take(const protocol::Health& health) {
   telemetry_dropped_ += increase(last_.telemetry_dropped, health.telemetry_dropped);
   encoder_errors_ += increase(last_.encoder_errors, health.encoder_errors);
   if (health.stack_free_bytes != 0) {
-    least_stack_free_bytes_ = std::min(least_stack_free_bytes_.value_or(health.stack_free_bytes),
-                                       health.stack_free_bytes);
+    min_stack_free_bytes_ =
+        std::min(min_stack_free_bytes_.value_or(health.stack_free_bytes), health.stack_free_bytes);
   }
   last_ = health;
 }
@@ -31,7 +31,7 @@ void RobotCounters::add_to(LinkStatistics& statistics) const {
   statistics.robot_receive_overruns = receive_overruns_;
   statistics.robot_telemetry_dropped = telemetry_dropped_;
   statistics.robot_encoder_errors = encoder_errors_;
-  statistics.robot_stack_free_bytes = least_stack_free_bytes_;
+  statistics.robot_stack_free_bytes = min_stack_free_bytes_;
   statistics.robot_rate_step = last_.rate_step;
 }
 

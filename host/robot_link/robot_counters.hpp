@@ -27,7 +27,7 @@ class RobotCounters {
   std::uint64_t receive_overruns_ = 0;
   std::uint64_t telemetry_dropped_ = 0;
   std::uint64_t encoder_errors_ = 0;
-  std::optional<std::uint16_t> least_stack_free_bytes_;
+  std::optional<std::uint16_t> min_stack_free_bytes_;
 };
 
 }  // namespace echomap::robot_link

@@ -15,7 +15,7 @@ RobotLink::RobotLink(RobotLinkListener& listener,
                      const RobotLinkParams& params)
     : listener_(listener),
       session_(session),
-      params_(checked(params)),
+      params_(validated(params)),
       identification_(params.needed_messages),
       watch_(params),
       telemetry_(listener, params.max_step_back),
@@ -25,7 +25,7 @@ RobotLink::RobotLink(RobotLinkListener& listener,
       pings_(params.ping),
       clock_(params.clock) {
   if (session == 0) {
-    throw std::invalid_argument("robot link: session 0 stands for none");
+    throw std::invalid_argument("robot link: session must not be 0");
   }
 }
 

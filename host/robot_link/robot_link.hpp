@@ -67,7 +67,7 @@ class RobotLink {
 
   LinkState state() const { return state_; }
   LinkStatistics statistics() const;
-  /// Where the robot's stamps lie on the host's clock; starts anew after a reset and after an
+  /// Where the robot's stamps lie on the host's clock; starts again after a reset and after an
   /// outage of more than its window.
   const time::ClockSync& clock() const { return clock_; }
   /// Of the telemetry since the link became ready; empty before the first.

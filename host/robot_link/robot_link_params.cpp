@@ -12,7 +12,7 @@ namespace {
 using std::chrono::milliseconds;
 
 /// A quarter of what the smallest board takes (docs/protocol.md).
-constexpr double kMostLeadBytes = 24.0;
+constexpr double kMaxLeadBytes = 24.0;
 /// From here on the first pings leave room for all else.
 constexpr int kFastBaud = 57600;
 constexpr milliseconds kSlowFirstPeriod(25);
@@ -25,8 +25,8 @@ RobotLinkParams wired_link(int baud) {
   const double byte_us = kBitsPerByte * 1e6 / std::max(baud, 1);
   RobotLinkParams params;
   params.clock.phase_step_us = std::min(byte_us, kUsbFrameUs);
-  params.ping.most_lead_bytes =
-      static_cast<std::size_t>(std::min(std::ceil(kUsbFrameUs / byte_us), kMostLeadBytes));
+  params.ping.max_lead_bytes =
+      static_cast<std::size_t>(std::min(std::ceil(kUsbFrameUs / byte_us), kMaxLeadBytes));
   params.ping.sharp_us = 50.0 + 0.5 * params.clock.phase_step_us;
   if (baud < kFastBaud) {
     params.ping.first_period = kSlowFirstPeriod;
@@ -39,14 +39,14 @@ RobotLinkParams radio_link() {
   params.retransmission = radio_retransmission();
   params.keep_alive_ttl = milliseconds(500);
   params.ping.first_period = kSlowFirstPeriod;
-  params.ping.most_lead_bytes = 0;
+  params.ping.max_lead_bytes = 0;
   params.ping.sharp_us = 50.0;
   params.clock.telemetry_waits_at_random = true;
   params.clock.phase_step_us = 0.0;
   return params;
 }
 
-RobotLinkParams checked(const RobotLinkParams& params) {
+RobotLinkParams validated(const RobotLinkParams& params) {
   using Duration = RobotLinkParams::Duration;
   const bool holds =
       params.hello_period > Duration::zero() && params.keep_alive_period > Duration::zero() &&

@@ -47,6 +47,6 @@ RobotLinkParams wired_link(int baud);
 RobotLinkParams radio_link();
 
 /// The same; throws std::invalid_argument where the periods do not fit together.
-RobotLinkParams checked(const RobotLinkParams& params);
+RobotLinkParams validated(const RobotLinkParams& params);
 
 }  // namespace echomap::robot_link

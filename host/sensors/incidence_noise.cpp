@@ -20,7 +20,7 @@ IncidenceNoise noise_of(const std::vector<double>& residuals_m) {
   for (const double residual_m : residuals_m) {
     squares_m2 += std::pow(residual_m - noise.bias_m, 2);
   }
-  noise.sd_m = residuals_m.size() < 2 ? 0.0 : std::sqrt(squares_m2 / (count - 1.0));
+  noise.stddev_m = residuals_m.size() < 2 ? 0.0 : std::sqrt(squares_m2 / (count - 1.0));
   return noise;
 }
 

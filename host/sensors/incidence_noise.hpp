@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "host/sensors/wall_opening.hpp"
+#include "host/sensors/wall_beam_width.hpp"
 
 namespace echomap::sensors {
 
@@ -14,8 +14,8 @@ struct IncidenceNoise {
   double from_rad = 0.0;  ///< Between the axis and the wall's perpendicular, from here ...
   double to_rad = 0.0;    ///< ... to here.
   std::size_t readings = 0;
-  double bias_m = 0.0;  ///< Mean of range less wall_opening's equation (1); positive: too far.
-  double sd_m = 0.0;    ///< About that mean; 0 for fewer than two.
+  double bias_m = 0.0;    ///< Mean of range less wall_beam_width's equation (1); positive: too far.
+  double stddev_m = 0.0;  ///< About that mean; 0 for fewer than two.
 };
 
 /// Range noise by incidence over all readings of these walls, in steps of `step_rad` from 0; an

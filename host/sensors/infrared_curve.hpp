@@ -23,7 +23,7 @@ class InfraredCurve {
   /// Empty for fewer counts than those of the farthest point: nothing is in reach. More counts than
   /// the nearest point's are taken for its range: what is nearer looks no nearer.
   std::optional<double> range_m(double counts) const;
-  double farthest_m() const { return points_.back().range_m; }
+  double max_m() const { return points_.back().range_m; }
 
  private:
   std::vector<InfraredPoint> points_;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::sensors {
 
@@ -16,14 +17,13 @@ ObservationConverter::ObservationConverter(const RobotGeometry& geometry,
   if (sensors_.gyro) {
     yaw_.emplace(*sensors_.gyro);
   }
-  geometry_.check();
-  if (!std::isfinite(sonar_.speed_of_sound_m_s) || sonar_.speed_of_sound_m_s <= 0.0) {
-    throw std::invalid_argument("sonar: speed_of_sound_m_s must be positive");
-  }
-  const bool is_interval = sonar_.min_range_m >= 0.0 && sonar_.min_range_m < sonar_.max_range_m;
-  if (!is_interval) {
-    throw std::invalid_argument("sonar: 0 <= min_range_m < max_range_m does not hold");
-  }
+  geometry_.validate();
+  geometry::ParameterValidator("sonar")
+      .finite("sonar_.speed_of_sound_m_s", sonar_.speed_of_sound_m_s)
+      .positive("sonar_.speed_of_sound_m_s", sonar_.speed_of_sound_m_s);
+  geometry::ParameterValidator("sonar")
+      .at_least("sonar_.min_range_m", sonar_.min_range_m, 0.0)
+      .below("sonar_.min_range_m", sonar_.min_range_m, sonar_.max_range_m);
   if (!sensors_.infrared.empty() && !sensors_.infrared_curve) {
     throw std::invalid_argument("infra-red sensors: no curve");
   }

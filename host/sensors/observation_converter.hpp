@@ -42,7 +42,7 @@ struct SensorParams {
 /// arrival.
 class ObservationConverter {
  public:
-  /// Throws std::invalid_argument for a geometry or ranges that make no sense.
+  /// Throws std::invalid_argument for an invalid geometry or invalid ranges.
   ObservationConverter(const RobotGeometry& geometry,
                        const SonarRangeParams& sonar,
                        const SensorParams& sensors = {});

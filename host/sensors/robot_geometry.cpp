@@ -49,7 +49,7 @@ geometry::Pose2 RobotGeometry::T_robot_sonar(double pan_rad) const {
           pan_rad};
 }
 
-void RobotGeometry::check() const {
+void RobotGeometry::validate() const {
   require(positive(wheel_diameter_m), "wheel_diameter_m must be positive");
   require(positive(track_m), "track_m must be positive");
   require(positive(counts_per_turn), "counts_per_turn must be positive");

@@ -39,7 +39,7 @@ struct RobotGeometry {
   geometry::Pose2 T_robot_sonar(double pan_rad) const;
 
   /// Throws std::invalid_argument where a length or count is not positive or not finite.
-  void check() const;
+  void validate() const;
 };
 
 }  // namespace echomap::sensors

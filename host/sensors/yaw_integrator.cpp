@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/sensors/yaw_integrator.hpp"
 
-#include <stdexcept>
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::sensors {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr double kFullScaleCounts = 32768.0;
 
 /// What 16 bits of samples tell apart.
-constexpr double kMostSamples = 32768.0;
+constexpr double kMaxSamples = 32768.0;
 
 std::int64_t step(std::uint16_t from, std::uint16_t to) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(to - from));
@@ -19,14 +19,14 @@ std::int64_t step(std::uint16_t from, std::uint16_t to) {
 }  // namespace
 
 YawIntegrator::YawIntegrator(const GyroParams& params) : params_(params) {
-  if (params.full_scale_rad_per_s <= 0.0 || params.sample_period_s <= 0.0) {
-    throw std::invalid_argument("gyro: full scale and sample period must be positive");
-  }
+  geometry::ParameterValidator("gyro")
+      .positive("full_scale_rad_per_s", params.full_scale_rad_per_s)
+      .positive("sample_period_s", params.sample_period_s);
 }
 
 Yaw YawIntegrator::update(const protocol::Gyro& message) {
   const auto elapsed_us = static_cast<std::int32_t>(message.stamp_us - last_.stamp_us);
-  const bool continues = elapsed_us * 1e-6 < kMostSamples * params_.sample_period_s;
+  const bool continues = elapsed_us * 1e-6 < kMaxSamples * params_.sample_period_s;
   if (started_ && continues) {
     sum_ += static_cast<std::int32_t>(static_cast<std::uint32_t>(message.yaw_sum) -
                                       static_cast<std::uint32_t>(last_.yaw_sum));

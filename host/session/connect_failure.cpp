@@ -16,25 +16,26 @@ std::string reason_of_connect_failure(const robot_link::RobotLink& link, const s
   switch (link.state()) {
     case LinkState::kGarbage:
       return "bytes come from " + port +
-             ", but no echomap frame is among them: another program runs on that board, or the "
-             "baud rate is another one\n  what came first:\n" +
+             ", but no echomap frame is among them: the board runs another program, or the baud "
+             "rate is wrong\n  the first bytes were:\n" +
              link.preview().text() + "  next: ./run flash --port " + port +
              ", or try --baud 250000";
     case LinkState::kUnheard:
-      return "a robot talks on " + port +
-             " but does not hear us\n  next: check the wire to the board's RX pin";
+      return "a robot sends on " + port +
+             " but does not receive our frames\n  next: check the wire to the board's RX pin";
     case LinkState::kDescribing:
       return "the robot on " + port +
-             " was built from other messages, and did not say which\n  next: ./run flash --port " +
+             " was built with other messages and does not describe them\n  next: ./run flash "
+             "--port " +
              port;
     case LinkState::kConnecting:
       return "the robot on " + port +
-             " answers and starts anew again and again\n  next: give servo and motors a supply of "
-             "their own, or fresh batteries";
+             " answers but resets again and again\n  next: give servo and motors their own supply, "
+             "or fresh batteries";
     case LinkState::kLost:
       return "the robot on " + port +
-             " answered once and is silent now\n  next: check its cable and its supply, then the "
-             "same again";
+             " answered once and then stopped\n  next: check its cable and its supply, then repeat "
+             "the command";
     default:
       return "nothing answers on " + port +
              "\n  next: is the robot switched on and flashed? ./run flash --port " + port;
@@ -57,8 +58,8 @@ bool was_reset_since(time::HostTime instant, const robot_link::RobotLink& link) 
 
 std::string reset_by_opening(const std::string& port) {
   return "opening " + port +
-         " has reset the robot: its DTR was down, and the kernel raises it when a port is opened\n"
-         "  next: the same again; DTR stays up now, and the robot runs on";
+         " has reset the robot: the kernel raises DTR when a port is first opened\n"
+         "  next: repeat the command; DTR stays up from now on";
 }
 
 }  // namespace echomap::session

@@ -21,7 +21,7 @@ using Duration = RobotLine::Duration;
 /// After a move, until the body has come to rest.
 constexpr milliseconds kRest(150);
 /// Of a look on the way, from side to side in 1.5 s.
-constexpr double kWidestLookRad = std::numbers::pi / 2.0;
+constexpr double kMaxLookRad = std::numbers::pi / 2.0;
 constexpr double kLookStepRad = std::numbers::pi / 12.0;
 constexpr double kLookSettleS = 0.03;
 
@@ -90,8 +90,8 @@ void MotionExecution::look_around() {
     return;
   }
   const protocol::ConfigurePan& pan = profile_.configuration.pan;
-  const double right_rad = std::max(radians_of_cdeg(pan.min_cdeg), -kWidestLookRad);
-  const double left_rad = std::min(radians_of_cdeg(pan.max_cdeg), kWidestLookRad);
+  const double right_rad = std::max(radians_of_cdeg(pan.min_cdeg), -kMaxLookRad);
+  const double left_rad = std::min(radians_of_cdeg(pan.max_cdeg), kMaxLookRad);
   const exploration::Sweep look =
       looks_from_left_ ? exploration::Sweep{left_rad, right_rad, -kLookStepRad, kLookSettleS}
                        : exploration::Sweep{right_rad, left_rad, kLookStepRad, kLookSettleS};

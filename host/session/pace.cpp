@@ -48,7 +48,7 @@ class LockstepPace final : public Pace {
   }
 
   std::string end_reason() const override {
-    return bytes_are_missing_ ? "bytes that the device has sent did not come"
+    return bytes_are_missing_ ? "bytes that the device sent did not arrive"
                               : channel_.close_reason();
   }
 

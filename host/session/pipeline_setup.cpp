@@ -24,7 +24,7 @@ std::vector<std::string> live_slam_names() {
 
 pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::string& slam) {
   mapping::SonarMapperParams params;
-  mapping::NearMapperParams near;
+  mapping::ContactMapperParams near;
   if (profile.has_sonar) {
     params.surfaces.beam_half_angle_rad = profile.beam_half_angle_rad;
   } else {
@@ -32,7 +32,7 @@ pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::str
   }
   near.body_radius_m = profile.body_radius_m;
   if (profile.sensors.infrared_curve) {
-    near.infrared_reach_m = profile.sensors.infrared_curve->farthest_m();
+    near.infrared_reach_m = profile.sensors.infrared_curve->max_m();
   }
   for (const sensors::InfraredSensor& sensor : profile.sensors.infrared) {
     near.T_robot_infrared.push_back(sensor.T_robot_sensor);

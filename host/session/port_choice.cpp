@@ -113,10 +113,9 @@ std::unique_ptr<transport::ByteStream> choose_port(const CandidatePorts& candida
                                                    const OpenPort& open,
                                                    std::uint16_t session) {
   if (candidates.ports.empty()) {
-    throw console::CommandError(
-        console::ExitCode::kNoRobot,
-        "no USB or Bluetooth serial port is here\n  next: plug the robot in, or try "
-        "without one: echomap demo");
+    throw console::CommandError(console::ExitCode::kNoRobot,
+                                "no USB or Bluetooth serial port is here\n  next: plug the robot "
+                                "in, or try without one: echomap demo");
   }
   if (candidates.are_named && candidates.ports.size() == 1) {
     return open(candidates.ports.front());

@@ -141,7 +141,7 @@ void RobotLine::look_for_end() {
   if (closed || !pace_->end_reason().empty()) {
     end(SessionEnd::kLinkLost,
         "lost " + name() + ": " + (closed ? stream_->close_reason() : pace_->end_reason()) +
-            "\n  next: check the cable or the simulated robot, then start anew");
+            "\n  next: check the cable or the simulated robot, then start again");
     return;
   }
   if (is_held_ && link_.state() == LinkState::kMismatch) {
@@ -157,12 +157,12 @@ void RobotLine::look_for_lift() {
     lifted_since_.reset();
   } else if (!lifted_since_) {
     lifted_since_ = now_;
-    spdlog::info("the robot is off the floor; it is waited for, {} minutes at most",
+    spdlog::info("the robot is off the floor; waiting up to {} minutes for it to be put down",
                  kLongestLift.count());
   } else if (now_ - *lifted_since_ > kLongestLift) {
     end(SessionEnd::kSafetyStop,
-        fmt::format("the robot was lifted and not put down again within {} minutes\n"
-                    "  next: put it down and start anew",
+        fmt::format("the robot was lifted and not put down within {} minutes\n"
+                    "  next: put it down and start again",
                     kLongestLift.count()));
   }
 }
@@ -170,7 +170,7 @@ void RobotLine::look_for_lift() {
 void RobotLine::look_for_absence() {
   if (!is_held_ || link_.state() == LinkState::kReady) {
     if (std::exchange(absence_is_told_, false)) {
-      spdlog::info("{} is back after {:.1f} s", name(), seconds_of(now_ - *away_since_));
+      spdlog::info("{} reconnected after {:.1f} s", name(), seconds_of(now_ - *away_since_));
     }
     away_since_.reset();
   } else if (!away_since_) {
@@ -178,10 +178,10 @@ void RobotLine::look_for_absence() {
   } else if (now_ - *away_since_ > patience_) {
     end(SessionEnd::kLinkLost,
         "lost " + name() + ": " + reason_of_absence() +
-            "\n  next: check its cable and its supply, then start anew; --reconnect 60 waits "
+            "\n  next: check its cable and its supply, then start again; --reconnect 60 waits "
             "longer");
   } else if (now_ - *away_since_ > kWorthTelling && !std::exchange(absence_is_told_, true)) {
-    spdlog::warn("{} is away: {}; it is waited for, {:.0f} s at most",
+    spdlog::warn("{} is disconnected: {}; waiting up to {:.0f} s",
                  name(),
                  reason_of_absence(),
                  seconds_of(patience_));
@@ -190,7 +190,7 @@ void RobotLine::look_for_absence() {
 
 std::string RobotLine::reason_of_absence() const {
   const std::string why = stream_->close_reason();
-  return why.empty() ? "the robot has fallen silent" : why;
+  return why.empty() ? "the robot stopped sending" : why;
 }
 
 void RobotLine::end(SessionEnd end, const std::string& reason) {
@@ -228,7 +228,7 @@ void RobotLine::on_status(const protocol::Status& message) {
 void RobotLine::on_ready(const protocol::HelloReply& reply) {
   spdlog::debug("robot ready: {}, boot {:04x}", firmware_of(reply), reply.boot_id);
   if (const auto& difference = link_.difference()) {
-    spdlog::warn("firmware and host differ, but in nothing that is needed: {}",
+    spdlog::warn("firmware and host differ, but only in messages that are not needed: {}",
                  difference->summary());
   }
 }
@@ -241,13 +241,12 @@ void RobotLine::on_command_done(const robot_link::CommandResult& result) {
 void RobotLine::on_reset(std::uint8_t reset_cause) {
   if (reset_loses_pan_ && is_held_) {
     end(SessionEnd::kSafetyStop,
-        fmt::format("the robot was reset ({}), and its stepper does not know any more where the "
-                    "sonar looks\n"
-                    "  next: turn the sonar straight ahead, then start anew",
+        fmt::format("the robot was reset ({}) and its stepper lost the direction of the sonar\n"
+                    "  next: turn the sonar straight ahead, then start again",
                     robot_link::reset_cause_text(reset_cause)));
     return;
   }
-  spdlog::warn("the robot was reset ({}); the pose is kept and the robot set up again",
+  spdlog::warn("the robot was reset ({}); keeping the pose and configuring it again",
                robot_link::reset_cause_text(reset_cause));
   observations_.restart(
       std::chrono::duration_cast<time::RobotClock::duration>(now_ - odometry_at_));

@@ -23,7 +23,7 @@ namespace {
 using files::TomlReader;
 
 /// One step of the strategy's scan: a pan that reaches less reads nothing.
-constexpr double kLeastReachDeg = 6.0;
+constexpr double kMinReachDeg = 6.0;
 
 /// A sonar and a servo that no robot of the profile has: what the firmware holds by itself, so that
 /// nothing has to be sent.
@@ -86,10 +86,10 @@ void read_sonar(const TomlReader& table, RobotProfile& profile) {
     table.fail("max_range_m", "'max_range_m' must be greater than 'min_range_m'");
   }
   profile.beam_half_angle_rad = geometry::radians(positive(table, "beam_half_angle_deg"));
-  if (profile.beam_half_angle_rad > mapping::kWidestBeamHalfAngleRad) {
+  if (profile.beam_half_angle_rad > mapping::kMaxBeamHalfAngleRad) {
     table.fail("beam_half_angle_deg",
                fmt::format("'beam_half_angle_deg' must be at most {:g}: a wider one tells no walls",
-                           geometry::degrees(mapping::kWidestBeamHalfAngleRad)));
+                           geometry::degrees(mapping::kMaxBeamHalfAngleRad)));
   }
 
   const double microseconds_per_metre = 2.0e6 / profile.range.speed_of_sound_m_s;
@@ -120,10 +120,10 @@ void read_servo(const TomlReader& table, protocol::ConfigurePan& pan) {
 }
 
 void read_stepper(const TomlReader& table, protocol::ConfigurePan& pan) {
-  constexpr double kMostSteps = protocol::kMaxStepsPerTurn;
+  constexpr double kMaxSteps = protocol::kMaxStepsPerTurn;
   pan.kind = static_cast<std::uint8_t>(protocol::PanKind::kStepper);
   pan.steps_per_turn =
-      field<std::int16_t>(table, "half_steps_per_turn", 1.0, {-kMostSteps, kMostSteps});
+      field<std::int16_t>(table, "half_steps_per_turn", 1.0, {-kMaxSteps, kMaxSteps});
   if (pan.steps_per_turn == 0) {
     table.fail("half_steps_per_turn", "'half_steps_per_turn' must not be 0");
   }
@@ -140,12 +140,12 @@ void read_pan(const TomlReader& table, RobotProfile& profile) {
       1e-3 * field<std::uint16_t>(table, "settle_ms", 1.0, {0, protocol::kMaxSettleMs});
 
   const double reach_deg = std::min(-table.number("min_deg"), table.number("max_deg"));
-  if (reach_deg < kLeastReachDeg) {
+  if (reach_deg < kMinReachDeg) {
     table.fail(
         "min_deg",
-        fmt::format("the pan must reach at least {:g} degrees to both sides: 'min_deg' < 0 < "
-                    "'max_deg'",
-                    kLeastReachDeg));
+        fmt::format(
+            "the pan must reach at least {:g} degrees to both sides: 'min_deg' < 0 < 'max_deg'",
+            kMinReachDeg));
   }
   profile.pan_limit_rad = geometry::radians(reach_deg);
   const std::string kind = table.text_or("kind", "servo");

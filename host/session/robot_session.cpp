@@ -56,13 +56,13 @@ void RobotSession::connect() {
                                 reason_of_connect_failure(link(), line_.name()));
   }
   line_.hold_on();
-  check_it_was_not_reset();
+  throw_if_reset();
   if (!setup_.set_up()) {
     throw console::CommandError(exit_code_of(end().value_or(SessionEnd::kLinkLost)), end_reason());
   }
 }
 
-void RobotSession::check_it_was_not_reset() {
+void RobotSession::throw_if_reset() {
   if (!no_reset_) {
     return;
   }

@@ -71,7 +71,7 @@ class RobotSession {
   const robot_link::RobotLink& link() const { return line_.link(); }
 
  private:
-  void check_it_was_not_reset();
+  void throw_if_reset();
   /// Waits for the link and sets the robot up where it has started anew; false at the session's
   /// end.
   bool be_ready();

@@ -15,8 +15,8 @@ namespace {
 using robot_link::BulkStatus;
 using robot_link::CommandOutcome;
 
-/// Begun anew when the board was reset in the middle of it, which a servo's first start on a weak
-/// supply does, and when the link was lost.
+/// Started again when the board was reset in the middle of it, which a servo's first start on a
+/// weak supply does, and when the link was lost.
 constexpr int kTries = 5;
 /// New pins may switch off a sensor that the board held as wanted before: what differs then is sent
 /// once more, to be taken or refused.
@@ -25,7 +25,7 @@ constexpr int kRounds = 2;
 std::string_view words_of(BulkStatus status) {
   switch (status) {
     case BulkStatus::kNotThere:
-      return "the firmware tells none";
+      return "the firmware reports none";
     case BulkStatus::kInconsistent:
       return "it changed while it was read";
     case BulkStatus::kWhole:
@@ -53,13 +53,13 @@ bool RobotSetup::set_up() {
 std::string RobotSetup::reason_of_failure(std::uint64_t resets) const {
   if (resets > 1) {
     return fmt::format(
-        "the robot on {} is reset again and again: {} times while it was set up\n"
-        "  next: give servo and motors a supply of their own, or fresh batteries",
+        "the robot on {} was reset again and again: {} times while it was configured\n"
+        "  next: give servo and motors their own supply, or fresh batteries",
         line_.name(),
         resets);
   }
   return fmt::format(
-      "the robot on {} was not set up in {} tries, in the last one for {}\n"
+      "the robot on {} could not be configured in {} tries; the last one failed: {}\n"
       "  next: check its cable and its supply, press its reset button and start again",
       line_.name(),
       kTries,
@@ -68,7 +68,7 @@ std::string RobotSetup::reason_of_failure(std::uint64_t resets) const {
 
 bool RobotSetup::try_to_set_up() {
   line_.forget_resets();
-  failure_ = "a reset in its midst";
+  failure_ = "the robot was reset meanwhile";
   return configure() && arm() && !line_.was_reset();
 }
 
@@ -76,7 +76,7 @@ bool RobotSetup::configure() {
   const protocol::Configuration& wanted = profile_.configuration;
   const auto& robot = line_.link().robot();
   if (robot && robot->config_digest == protocol::config_digest(wanted)) {
-    spdlog::debug("the board holds the configuration of profile '{}' already", profile_.name);
+    spdlog::debug("the board already has the configuration of profile '{}'", profile_.name);
     return true;
   }
   auto held = read_configuration();
@@ -95,8 +95,8 @@ bool RobotSetup::configure() {
     }
   }
   line_.end(SessionEnd::kConfigInvalid,
-            "the board does not hold what it was sent: " + first_difference(*held, wanted) +
-                "\n  next: ./run flash --port " + line_.name());
+            "the board's configuration differs from what was sent: " +
+                first_difference(*held, wanted) + "\n  next: ./run flash --port " + line_.name());
   return false;
 }
 
@@ -104,7 +104,7 @@ bool RobotSetup::arm() {
   const auto armed = line_.perform(protocol::Arm{0, 1});
   if (armed && armed->outcome == CommandOutcome::kBlocked) {
     line_.end(SessionEnd::kSafetyStop,
-              "the board does not arm: a wheel hangs in the air\n"
+              "the board does not arm: a wheel is off the floor\n"
               "  next: put the robot on the floor and start again");
   }
   return is_accepted(protocol::Arm{}, armed);
@@ -115,9 +115,9 @@ bool RobotSetup::send(const robot_link::Command& command) {
   if (result && result->outcome == CommandOutcome::kOutOfRange) {
     line_.end(SessionEnd::kConfigInvalid,
               "the board refuses " + name_of(command) + " of profile '" + profile_.name +
-                  "': it has no such pins or sensors, or a number is out of its range\n"
-                  "  next: compare the profile with the board's page in docs/hardware, or "
-                  "update the firmware: ./run flash --port " +
+                  "': it has no such pins or sensors, or a value is out of range\n"
+                  "  next: compare the profile with the board's page in docs/hardware, or update "
+                  "the firmware: ./run flash --port " +
                   line_.name());
   }
   return is_accepted(command, result);

@@ -101,11 +101,11 @@ bool has_pin(const Pins& pins, unsigned function) {
   return std::ranges::find(pins, function) != pins.end();
 }
 
-void require_pin(const Pins& pins,
-                 unsigned function,
-                 const TomlReader& table,
-                 std::string_view key,
-                 const std::string& word) {
+void validate_pin(const Pins& pins,
+                  unsigned function,
+                  const TomlReader& table,
+                  std::string_view key,
+                  const std::string& word) {
   if (!has_pin(pins, function)) {
     table.fail(key, "no pin of [wiring] is '" + word + "'");
   }
@@ -127,7 +127,7 @@ sensors::InfraredCurve read_curve(const TomlReader& infrared) {
 
 sensors::InfraredSensor read_infrared_sensor(const TomlReader& table, const Pins& pins) {
   const auto channel = field<std::uint8_t>(table, "channel", 1.0, {0, 7});
-  require_pin(
+  validate_pin(
       pins, protocol::kPinRange0 + channel, table, "channel", "range_" + std::to_string(channel));
   return {
       channel,
@@ -197,11 +197,11 @@ void read_sensors(const TomlReader& profile_file, RobotProfile& profile) {
   const bool has_stepper =
       profile.configuration.pan.kind == static_cast<std::uint8_t>(protocol::PanKind::kStepper);
   for (unsigned phase = 0; has_stepper && phase < 4; ++phase) {
-    require_pin(pins,
-                protocol::kPinStepperPhaseA + phase,
-                profile_file.table("pan"),
-                "kind",
-                std::string("stepper_") + "abcd"[phase]);
+    validate_pin(pins,
+                 protocol::kPinStepperPhaseA + phase,
+                 profile_file.table("pan"),
+                 "kind",
+                 std::string("stepper_") + "abcd"[phase]);
   }
   if (profile_file.has("infrared")) {
     read_infrared(profile_file.table("infrared"), pins, profile);
@@ -211,7 +211,7 @@ void read_sensors(const TomlReader& profile_file, RobotProfile& profile) {
   }
   if (profile_file.has("battery")) {
     const TomlReader battery = profile_file.table("battery");
-    require_pin(pins, protocol::kPinBattery, battery, "full_scale_v", "battery");
+    validate_pin(pins, protocol::kPinBattery, battery, "full_scale_v", "battery");
     profile.sensors.battery_full_scale_v = positive(battery, "full_scale_v");
     if (battery.has("return_below_v")) {
       profile.return_below_v = positive(battery, "return_below_v");

@@ -37,8 +37,8 @@ std::string outcome_of(SessionEnd end) { return name_of(end).outcome; }
 std::string_view safety_stop(protocol::MotionOutcome outcome) {
   switch (outcome) {
     case protocol::MotionOutcome::kLifted:
-      return "the robot was lifted, and its pose is not known any more\n"
-             "  next: put it down and start anew";
+      return "the robot was lifted and its pose is lost\n"
+             "  next: put it down and start again";
     case protocol::MotionOutcome::kRunaway:
       return "a wheel turned against its command\n"
              "  next: check the inversions of motors and encoders in the profile";

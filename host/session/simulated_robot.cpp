@@ -21,8 +21,8 @@ std::string program_of(const std::string& emulator) {
   if (!fs::exists(program)) {
     throw CommandError(ExitCode::kRuntimeError,
                        program.string() +
-                           " was not built: this machine lacks what it needs\n"
-                           "  next: ./run setup and ./run build, or --emulator mock");
+                           " was not built: a dependency is missing on this machine\n"
+                           "  next: ./run setup && ./run build, or --emulator mock");
   }
   return program;
 }

@@ -22,11 +22,12 @@ struct Placed {
   Eigen::Vector2d variance;
 };
 
-Placed placed(const EkfSlam& filter, const LandmarkSighting& sighting) {
+Placed placed(const EkfSlamFilter& filter, const LandmarkSighting& sighting) {
   const localization::PoseGaussian belief = filter.belief(sighting.robot);
   const PlacedLandmark place = placed_landmark(sighting, belief.T_map_robot);
-  const Eigen::Matrix2d covariance = place.by_pose * belief.covariance * place.by_pose.transpose() +
-                                     place.by_value * sighting.noise * place.by_value.transpose();
+  const Eigen::Matrix2d covariance =
+      place.jacobian_pose * belief.covariance * place.jacobian_pose.transpose() +
+      place.by_value * sighting.noise * place.by_value.transpose();
   return {place.landmark, covariance.diagonal()};
 }
 
@@ -44,18 +45,18 @@ bool may_be_within(const Placed& seen,
   return (seen.landmark - landmark.value).squaredNorm() <= bound.sum();
 }
 
-bool is_on_the_wall(const EkfSlam& filter,
+bool is_on_the_wall(const EkfSlamFilter& filter,
                     const LandmarkSighting& sighting,
                     const Landmark& wall,
-                    double widest_gap_m) {
+                    double max_gap_m) {
   const Pose2 T_map_sensor = filter.belief(sighting.robot).T_map_robot * sighting.T_robot_sensor;
   const double foot_m =
       geometry::perpendicular(geometry::unit_vector(wall.value.y())).dot(T_map_sensor.position_m());
-  return foot_m + sighting.along_from_m <= wall.along_to_m + widest_gap_m &&
-         foot_m + sighting.along_to_m >= wall.along_from_m - widest_gap_m;
+  return foot_m + sighting.along_from_m <= wall.along_to_m + max_gap_m &&
+         foot_m + sighting.along_to_m >= wall.along_from_m - max_gap_m;
 }
 
-std::optional<Candidate> candidate(const EkfSlam& filter,
+std::optional<Candidate> candidate(const EkfSlamFilter& filter,
                                    const LandmarkSighting& sighting,
                                    std::size_t landmark,
                                    double gate) {
@@ -73,10 +74,10 @@ std::optional<Candidate> candidate(const EkfSlam& filter,
 
 }  // namespace
 
-std::vector<Candidate> find_candidates(const EkfSlam& filter,
+std::vector<Candidate> find_candidates(const EkfSlamFilter& filter,
                                        std::span<const LandmarkSighting> sightings,
                                        double gate,
-                                       double widest_wall_gap_m) {
+                                       double max_wall_gap_m) {
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const LandmarkSighting& sighting = sightings[i];
@@ -86,7 +87,7 @@ std::vector<Candidate> find_candidates(const EkfSlam& filter,
       if (landmark.kind != sighting.kind || landmark.label != sighting.label ||
           !may_be_within(seen, landmark, filter.landmark_variance(k), gate) ||
           (landmark.kind == LandmarkKind::kWall &&
-           !is_on_the_wall(filter, sighting, landmark, widest_wall_gap_m))) {
+           !is_on_the_wall(filter, sighting, landmark, max_wall_gap_m))) {
         continue;
       }
       if (auto found = candidate(filter, sighting, k, gate)) {

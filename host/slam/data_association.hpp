@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "host/slam/ekf_slam.hpp"
+#include "host/slam/ekf_slam_filter.hpp"
 #include "host/slam/landmark_sighting.hpp"
 
 namespace echomap::slam {
@@ -18,9 +18,9 @@ struct AssociationParams {
   /// What is farther than this from all landmarks is a new one. What lies between is nothing.
   double gate_of_new = 30.0;
   /// A wall goes on where a piece of it is seen no farther than this from what is known of it.
-  double widest_wall_gap_m = 1.0;
+  double max_wall_gap_m = 1.0;
   /// The search for the best pairing of a scan gives up after as many steps, with the best so far.
-  std::size_t most_steps = 20000;
+  std::size_t max_steps = 20000;
 };
 
 /// A sighting that may be of a landmark.
@@ -36,10 +36,10 @@ struct Candidate {
 
 /// All pairs of a sighting and a landmark that could be, in the order of the sightings: those of
 /// the same kind and label within `gate`, walls where their pieces overlap.
-std::vector<Candidate> find_candidates(const EkfSlam& filter,
+std::vector<Candidate> find_candidates(const EkfSlamFilter& filter,
                                        std::span<const LandmarkSighting> sightings,
                                        double gate,
-                                       double widest_wall_gap_m);
+                                       double max_wall_gap_m);
 
 /// The likeliest pair first, then the likeliest of those with neither of the two, and so on.
 std::vector<Candidate> nearest_neighbours(std::vector<Candidate> candidates);

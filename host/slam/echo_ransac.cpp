@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/square.hpp"
 #include "host/optimization/normal_equations.hpp"
 
@@ -28,10 +29,10 @@ using models::LandmarkKind;
 using Places = std::vector<std::pair<double, std::size_t>>;
 
 /// The first and behind the last of the most places without a wider gap.
-std::pair<std::size_t, std::size_t> longest_run(const Places& places, double widest_gap_m) {
+std::pair<std::size_t, std::size_t> longest_run(const Places& places, double max_gap_m) {
   std::pair<std::size_t, std::size_t> longest{0, 0};
   for (std::size_t from = 0, to = 1; to <= places.size(); ++to) {
-    if (to == places.size() || places[to].first - places[to - 1].first > widest_gap_m) {
+    if (to == places.size() || places[to].first - places[to - 1].first > max_gap_m) {
       if (to - from > longest.second - longest.first) {
         longest = {from, to};
       }
@@ -101,8 +102,8 @@ class FeatureSearch {
   }
 
   bool is_enough(std::size_t votes, const EchoFeature& feature) const {
-    return votes >=
-           (feature.kind == LandmarkKind::kWall ? params_.least_of_wall : params_.least_of_point);
+    return votes >= (feature.kind == LandmarkKind::kWall ? params_.min_wall_echoes
+                                                         : params_.min_point_echoes);
   }
 
   std::optional<std::size_t> most_voted() const {
@@ -136,7 +137,7 @@ class FeatureSearch {
       if (!is_free_[i]) {
         continue;
       }
-      const auto expected = echo_of(feature, echoes_[i], params_.hearing.most_slant_rad);
+      const auto expected = echo_of(feature, echoes_[i], params_.hearing.max_incidence_rad);
       if (!expected) {
         continue;
       }
@@ -169,7 +170,7 @@ class FeatureSearch {
       places.emplace_back(along_m(wall, echoes_[i]), i);
     }
     std::sort(places.begin(), places.end());
-    const auto [from, to] = longest_run(places, params_.widest_gap_m);
+    const auto [from, to] = longest_run(places, params_.max_gap_m);
     consensus.agreeing.clear();
     for (std::size_t i = from; i < to; ++i) {
       consensus.agreeing.push_back(places[i].second);
@@ -187,10 +188,10 @@ class FeatureSearch {
   void add_evidence(const Echo& echo,
                     const EchoFeature& feature,
                     optimization::NormalEquations<2>& equations) const {
-    const auto expected = *echo_of(feature, echo, params_.hearing.most_slant_rad);
+    const auto expected = *echo_of(feature, echo, params_.hearing.max_incidence_rad);
     equations.add(expected.range_m - echo.range_m,
                   expected.jacobian.row(0),
-                  1.0 / square(params_.range_sd_m));
+                  1.0 / square(params_.range_stddev_m));
     equations.add(geometry::angle_between(echo.axis_rad, expected.bearing_rad),
                   expected.jacobian.row(1),
                   3.0 / square(expected.max_off_axis_rad));
@@ -223,9 +224,9 @@ class FeatureSearch {
 
   bool is_well_known(const HeardFeature& heard) const {
     if (heard.feature.kind == LandmarkKind::kWall) {
-      return std::sqrt(heard.covariance(1, 1)) <= params_.most_normal_sd_rad;
+      return std::sqrt(heard.covariance(1, 1)) <= params_.max_normal_stddev_rad;
     }
-    return std::sqrt(heard.covariance.trace()) <= params_.most_point_sd_m;
+    return std::sqrt(heard.covariance.trace()) <= params_.max_point_stddev_m;
   }
 
   const std::vector<Echo>& echoes_;
@@ -236,21 +237,21 @@ class FeatureSearch {
 
 }  // namespace
 
-void check(const EchoRansacParams& params) {
+void validate(const EchoRansacParams& params) {
   for (const double value : {params.pair_reach_m,
                              params.hearing.tolerance_m,
-                             params.range_sd_m,
-                             params.widest_gap_m,
-                             params.most_normal_sd_rad,
-                             params.most_point_sd_m}) {
+                             params.range_stddev_m,
+                             params.max_gap_m,
+                             params.max_normal_stddev_rad,
+                             params.max_point_stddev_m}) {
     if (!(value > 0.0) || !std::isfinite(value)) {
       throw std::invalid_argument("echo ransac: lengths and deviations are above 0 and finite");
     }
   }
-  if (params.least_of_wall < 3 || params.least_of_point < 3 ||
-      !(params.hearing.most_slant_rad >= 0.0)) {
-    throw std::invalid_argument("echo ransac: at least three echoes, and a slant of 0 or more");
-  }
+  geometry::ParameterValidator("echo ransac")
+      .at_least("min_wall_echoes", params.min_wall_echoes, 3)
+      .at_least("min_point_echoes", params.min_point_echoes, 3)
+      .at_least("hearing.max_incidence_rad", params.hearing.max_incidence_rad, 0.0);
 }
 
 std::vector<HeardFeature> find_features(const std::vector<Echo>& echoes,

@@ -18,19 +18,20 @@ struct EchoRansacParams {
   std::size_t pairs = 400;
   double pair_reach_m = 1.0;
   mapping::HearingParams hearing{};
-  double range_sd_m = 0.03;  ///< Mean precision of an HC-SR04 (Singh and Bedi 2013, section 2.4).
+  double range_stddev_m =
+      0.03;  ///< Mean precision of an HC-SR04 (Singh and Bedi 2013, section 2.4).
   /// A wall's echoes leave no wider gap along it.
-  double widest_gap_m = 0.8;
+  double max_gap_m = 0.8;
   /// So many echoes make a feature. A cone hears a wall from twice as many directions as a point.
-  std::size_t least_of_wall = 8;
-  std::size_t least_of_point = 4;
+  std::size_t min_wall_echoes = 8;
+  std::size_t min_point_echoes = 4;
   /// What is less well known is not told.
-  double most_normal_sd_rad = 0.1;
-  double most_point_sd_m = 0.08;
+  double max_normal_stddev_rad = 0.1;
+  double max_point_stddev_m = 0.08;
 };
 
-/// Throws std::invalid_argument for parameters without sense.
-void check(const EchoRansacParams& params);
+/// Throws std::invalid_argument for invalid parameters.
+void validate(const EchoRansacParams& params);
 
 /// A feature and the echoes that came from it.
 struct HeardFeature {

@@ -7,7 +7,7 @@ namespace echomap::slam {
 
 namespace {
 
-constexpr Eigen::Index kLeastRoom = 64;
+constexpr Eigen::Index kMinRoom = 64;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void GrowingCovariance::add_product(const Eigen::MatrixXd& left, const Eigen::Ma
 void GrowingCovariance::append(const Eigen::MatrixXd& cross, const Eigen::MatrixXd& corner) {
   const Eigen::Index after = size_ + corner.rows();
   if (after > lower_.rows()) {
-    const Eigen::Index room = std::max(kLeastRoom, 2 * after);
+    const Eigen::Index room = std::max(kMinRoom, 2 * after);
     lower_.conservativeResize(room, room);
   }
   lower_.block(size_, 0, corner.rows(), size_) = cross;

@@ -15,10 +15,9 @@ namespace {
 /// triangular root, to which a further pair adds two rows: the joint distance comes with it.
 class JointPairs {
  public:
-  explicit JointPairs(const EkfSlam& filter, std::size_t most_pairs)
+  explicit JointPairs(const EkfSlamFilter& filter, std::size_t max_pairs)
       : filter_(&filter),
-        root_(2 * static_cast<Eigen::Index>(most_pairs),
-              2 * static_cast<Eigen::Index>(most_pairs)) {}
+        root_(2 * static_cast<Eigen::Index>(max_pairs), 2 * static_cast<Eigen::Index>(max_pairs)) {}
 
   void push(const Candidate& candidate) {
     const Eigen::Index size = 2 * static_cast<Eigen::Index>(pairs_.size());
@@ -60,7 +59,7 @@ class JointPairs {
   const std::vector<const Candidate*>& pairs() const { return pairs_; }
 
  private:
-  const EkfSlam* filter_;
+  const EkfSlamFilter* filter_;
   Eigen::MatrixXd root_;
   std::vector<const Candidate*> pairs_;
   std::vector<double> whitened_;
@@ -92,8 +91,8 @@ std::vector<Choices> choices_by_sighting(std::span<const Candidate> candidates) 
 
 class BranchAndBound {
  public:
-  BranchAndBound(const EkfSlam& filter, std::vector<Choices> choices, std::size_t most_steps)
-      : choices_(std::move(choices)), pairs_(filter, choices_.size()), steps_left_(most_steps) {}
+  BranchAndBound(const EkfSlamFilter& filter, std::vector<Choices> choices, std::size_t max_steps)
+      : choices_(std::move(choices)), pairs_(filter, choices_.size()), steps_left_(max_steps) {}
 
   std::vector<Candidate> best() {
     search(0);
@@ -132,9 +131,9 @@ class BranchAndBound {
     }
   }
   /// Whether a pairing with as many pairs, and at least the distance so far, can still win.
-  bool is_better(std::size_t most_pairs) const {
-    return most_pairs > best_.size() ||
-           (most_pairs == best_.size() && pairs_.distance() < best_distance_);
+  bool is_better(std::size_t max_pairs) const {
+    return max_pairs > best_.size() ||
+           (max_pairs == best_.size() && pairs_.distance() < best_distance_);
   }
 
   std::vector<Choices> choices_;
@@ -153,10 +152,10 @@ double chi_square_99(std::size_t degrees) {
   return count * std::pow(1.0 - spread + kQuantile * std::sqrt(spread), 3.0);
 }
 
-std::vector<Candidate> jointly_compatible(const EkfSlam& filter,
+std::vector<Candidate> jointly_compatible(const EkfSlamFilter& filter,
                                           std::span<const Candidate> candidates,
-                                          std::size_t most_steps) {
-  return BranchAndBound(filter, choices_by_sighting(candidates), most_steps).best();
+                                          std::size_t max_steps) {
+  return BranchAndBound(filter, choices_by_sighting(candidates), max_steps).best();
 }
 
 }  // namespace echomap::slam

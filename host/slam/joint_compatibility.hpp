@@ -17,8 +17,8 @@ double chi_square_99(std::size_t degrees);
 /// of a scan with landmarks that are believable together, the one with the most pairs, and of these
 /// the one with the least distance. A wrong pair that would be believable alone is found out by the
 /// others, whose errors come from the same pose. `candidates` in the order of their sightings.
-std::vector<Candidate> jointly_compatible(const EkfSlam& filter,
+std::vector<Candidate> jointly_compatible(const EkfSlamFilter& filter,
                                           std::span<const Candidate> candidates,
-                                          std::size_t most_steps);
+                                          std::size_t max_steps);
 
 }  // namespace echomap::slam

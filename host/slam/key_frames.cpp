@@ -12,13 +12,13 @@ namespace echomap::slam {
 
 std::size_t KeyFrames::add(const geometry::Pose2& T_map_frame, KeyFrame frame) {
   frames_.push_back(std::move(frame));
-  ways_.emplace_back();
+  neighbours_.emplace_back();
   return graph_.add_node(T_map_frame);
 }
 
 void KeyFrames::join(const PoseEdge& edge) {
   graph_.add_edge(edge);
-  add_ways(edge);
+  add_neighbours(edge);
 }
 
 bool KeyFrames::close_loops(std::span<const PoseEdge> loops) {
@@ -31,18 +31,18 @@ bool KeyFrames::close_loops(std::span<const PoseEdge> loops) {
   }
   graph_ = std::move(closed);
   for (const PoseEdge& loop : loops) {
-    add_ways(loop);
+    add_neighbours(loop);
   }
   return true;
 }
 
-void KeyFrames::add_ways(const PoseEdge& edge) {
+void KeyFrames::add_neighbours(const PoseEdge& edge) {
   const double length_m = edge.T_from_to.position_m().norm();
-  ways_[edge.from].push_back({edge.to, length_m});
-  ways_[edge.to].push_back({edge.from, length_m});
+  neighbours_[edge.from].push_back({edge.to, length_m});
+  neighbours_[edge.to].push_back({edge.from, length_m});
 }
 
-std::vector<NearFrame> KeyFrames::near(std::size_t from, double most_m) const {
+std::vector<NearFrame> KeyFrames::near(std::size_t from, double max_m) const {
   using Reached = std::pair<double, std::size_t>;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
   std::vector<double> shortest_m(frames_.size(), std::numeric_limits<double>::infinity());
@@ -50,17 +50,17 @@ std::vector<NearFrame> KeyFrames::near(std::size_t from, double most_m) const {
   shortest_m[from] = 0.0;
   open.emplace(0.0, from);
   while (!open.empty()) {
-    const auto [way_m, frame] = open.top();
+    const auto [travelled_m, frame] = open.top();
     open.pop();
-    if (way_m > shortest_m[frame]) {
+    if (travelled_m > shortest_m[frame]) {
       continue;
     }
-    near.push_back({frame, way_m});
-    for (const Way& way : ways_[frame]) {
-      const double through_m = way_m + way.length_m;
-      if (through_m <= most_m && through_m < shortest_m[way.to]) {
-        shortest_m[way.to] = through_m;
-        open.emplace(through_m, way.to);
+    near.push_back({frame, travelled_m});
+    for (const Neighbour& neighbour : neighbours_[frame]) {
+      const double through_m = travelled_m + neighbour.length_m;
+      if (through_m <= max_m && through_m < shortest_m[neighbour.to]) {
+        shortest_m[neighbour.to] = through_m;
+        open.emplace(through_m, neighbour.to);
       }
     }
   }

@@ -25,7 +25,7 @@ struct KeyFrame {
 /// A key frame and how long the shortest way to it is along the edges of the graph.
 struct NearFrame {
   std::size_t frame = 0;
-  double way_m = 0.0;
+  double travelled_m = 0.0;
 };
 
 /// The key frames of a run, in the order of time, as nodes of a pose graph.
@@ -48,21 +48,21 @@ class KeyFrames {
 
   /// The frames that can be reached from one by edges of so many metres together, itself first and
   /// in the order of the way (Dijkstra 1959). What was joined by a closed loop is near.
-  std::vector<NearFrame> near(std::size_t from, double most_m) const;
+  std::vector<NearFrame> near(std::size_t from, double max_m) const;
   /// The points of a frame in the map.
   std::vector<Eigen::Vector2d> map_points_m(std::size_t number) const;
 
  private:
-  struct Way {
+  struct Neighbour {
     std::size_t to = 0;
     double length_m = 0.0;
   };
 
-  void add_ways(const PoseEdge& edge);
+  void add_neighbours(const PoseEdge& edge);
 
   PoseGraph graph_;
   std::vector<KeyFrame> frames_;
-  std::vector<std::vector<Way>> ways_;
+  std::vector<std::vector<Neighbour>> neighbours_;
 };
 
 }  // namespace echomap::slam

@@ -18,28 +18,28 @@ inline constexpr int kPost = 3;         ///< Stands alone: a leg, a trunk, a spi
 /// What in a scan is taken for a landmark, and how unsure it is; ours, for a laser.
 struct LandmarkExtractionParams {
   /// What is farther is not looked at: there beams are too far apart.
-  double most_range_m = 20.0;
+  double max_range_m = 20.0;
   mapping::LineExtractionParams lines{.split_distance_m = 0.09,
-                                      .widest_gap_m = 0.5,
-                                      .point_sd_m = 0.03,
-                                      .least_points = 6,
-                                      .least_length_m = 0.5};
+                                      .max_gap_m = 0.5,
+                                      .point_stddev_m = 0.03,
+                                      .min_points = 6,
+                                      .min_length_m = 0.5};
   bool with_walls = true;
-  double least_wall_m = 1.0;  ///< A shorter line only makes corners.
+  double min_wall_m = 1.0;  ///< A shorter line only makes corners.
   /// What a wall is unsure by beyond the noise of its points: it is not quite straight.
-  double wall_offset_sd_m = 0.02;
-  double wall_normal_sd_rad = 0.01;
+  double wall_offset_stddev_m = 0.02;
+  double wall_normal_stddev_rad = 0.01;
   bool with_corners = true;
   mapping::WallCornerParams corners;
-  double corner_sd_m = 0.05;
+  double corner_stddev_m = 0.05;
   bool with_posts = true;
   mapping::CylinderDetectionParams posts{
-      .radius_m = 0.1, .widest_gap_m = 0.15, .least_step_m = 0.5, .width_tolerance_m = 0.1};
-  double post_sd_m = 0.05;
+      .radius_m = 0.1, .max_gap_m = 0.15, .min_step_m = 0.5, .width_tolerance_m = 0.1};
+  double post_stddev_m = 0.05;
 };
 
-/// Walls, corners and posts in a scan of a laser. Throws std::invalid_argument for parameters
-/// without sense.
+/// Walls, corners and posts in a scan of a laser. Throws std::invalid_argument for invalid
+/// parameters.
 std::vector<LandmarkSighting> extract_landmarks(const sensors::RangeScan& scan,
                                                 const LandmarkExtractionParams& params = {});
 

@@ -39,14 +39,14 @@ void add_landmark(const Eigen::Vector2d& place_m,
 
 }  // namespace
 
-FactorGraph landmark_graph(const EkfSlam& filter) {
+FactorGraph landmark_graph(const EkfSlamFilter& filter) {
   FactorGraph graph;
-  if (filter.kept_poses() == 0) {
+  if (filter.stored_poses() == 0) {
     return graph;
   }
-  graph.T_map_nodes = {filter.T_map_kept(0)};
-  for (std::size_t kept = 1; kept < filter.kept_poses(); ++kept) {
-    add_pose({filter.T_map_kept(kept), filter.kept_covariance(kept)}, graph);
+  graph.T_map_nodes = {filter.T_map_stored(0)};
+  for (std::size_t kept = 1; kept < filter.stored_poses(); ++kept) {
+    add_pose({filter.T_map_stored(kept), filter.stored_covariance(kept)}, graph);
   }
   add_pose(filter.belief(), graph);
   for (std::size_t i = 0; i < filter.landmarks().size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "host/slam/ekf_slam.hpp"
+#include "host/slam/ekf_slam_filter.hpp"
 #include "host/slam/factor_graph.hpp"
 
 namespace echomap::slam {
@@ -9,6 +9,6 @@ namespace echomap::slam {
 /// What a filter knows of each by itself (its marginals; that errors of two are alike is lost):
 /// edges from the first pose it keeps, which is taken as known, to the other ones, to where its
 /// first robot is and to all landmarks that are points. Walls are left out.
-FactorGraph landmark_graph(const EkfSlam& filter);
+FactorGraph landmark_graph(const EkfSlamFilter& filter);
 
 }  // namespace echomap::slam

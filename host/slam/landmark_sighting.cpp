@@ -19,7 +19,7 @@ std::optional<ExpectedSighting> expected_point(const Eigen::Vector2d& point_m,
   }
   // To move the landmark is to move the robot the other way.
   return ExpectedSighting{
-      {view->range_m, view->bearing_rad}, view->by_pose, -view->by_pose.leftCols<2>()};
+      {view->range_m, view->bearing_rad}, view->jacobian_pose, -view->jacobian_pose.leftCols<2>()};
 }
 
 ExpectedSighting expected_wall(const Eigen::Vector2d& wall,
@@ -31,9 +31,11 @@ ExpectedSighting expected_wall(const Eigen::Vector2d& wall,
   ExpectedSighting expected;
   expected.value = {wall.x() - normal.dot(T_map_sensor.position_m()),
                     geometry::angle_between(T_map_sensor.heading_rad(), wall.y())};
-  expected.by_pose << -normal.x(), -normal.y(), -normal.dot(geometry::perpendicular(arm_m)),  //
+  expected.jacobian_pose << -normal.x(), -normal.y(),
+      -normal.dot(geometry::perpendicular(arm_m)),  //
       0.0, 0.0, -1.0;
-  expected.by_landmark << 1.0, -geometry::perpendicular(normal).dot(T_map_sensor.position_m()),  //
+  expected.jacobian_landmark << 1.0,
+      -geometry::perpendicular(normal).dot(T_map_sensor.position_m()),  //
       0.0, 1.0;
   return expected;
 }
@@ -42,12 +44,12 @@ PlacedLandmark placed_point(const LandmarkSighting& sighting, const Pose2& T_map
   const Pose2 T_map_sensor = T_map_robot * sighting.T_robot_sensor;
   const Eigen::Vector2d along =
       geometry::unit_vector(T_map_sensor.heading_rad() + sighting.value.y());
-  const Eigen::Vector2d way_m = sighting.value.x() * along;
+  const Eigen::Vector2d offset_m = sighting.value.x() * along;
   PlacedLandmark placed;
-  placed.landmark = T_map_sensor.position_m() + way_m;
-  placed.by_pose << Eigen::Matrix2d::Identity(),
+  placed.landmark = T_map_sensor.position_m() + offset_m;
+  placed.jacobian_pose << Eigen::Matrix2d::Identity(),
       geometry::perpendicular(placed.landmark - T_map_robot.position_m());
-  placed.by_value << along, geometry::perpendicular(way_m);
+  placed.by_value << along, geometry::perpendicular(offset_m);
   return placed;
 }
 
@@ -59,7 +61,8 @@ PlacedLandmark placed_wall(const LandmarkSighting& sighting, const Pose2& T_map_
   const double sway_m = geometry::perpendicular(normal).dot(T_map_sensor.position_m());
   PlacedLandmark placed;
   placed.landmark = {sighting.value.x() + normal.dot(T_map_sensor.position_m()), normal_rad};
-  placed.by_pose << normal.x(), normal.y(), sway_m + normal.dot(geometry::perpendicular(arm_m)),  //
+  placed.jacobian_pose << normal.x(), normal.y(),
+      sway_m + normal.dot(geometry::perpendicular(arm_m)),  //
       0.0, 0.0, 1.0;
   placed.by_value << 1.0, sway_m,  //
       0.0, 1.0;

@@ -35,8 +35,8 @@ struct LandmarkSighting {
 /// numbers of the landmark.
 struct ExpectedSighting {
   Eigen::Vector2d value = Eigen::Vector2d::Zero();
-  Eigen::Matrix<double, 2, 3> by_pose = Eigen::Matrix<double, 2, 3>::Zero();
-  Eigen::Matrix2d by_landmark = Eigen::Matrix2d::Zero();
+  Eigen::Matrix<double, 2, 3> jacobian_pose = Eigen::Matrix<double, 2, 3>::Zero();
+  Eigen::Matrix2d jacobian_landmark = Eigen::Matrix2d::Zero();
 };
 
 /// How a landmark is seen from a pose (Thrun, Burgard and Fox 2005, table 10.1, lines 11 to 15, for
@@ -50,7 +50,7 @@ std::optional<ExpectedSighting> expected_sighting(LandmarkKind kind,
 /// and with the value that was seen.
 struct PlacedLandmark {
   Eigen::Vector2d landmark = Eigen::Vector2d::Zero();
-  Eigen::Matrix<double, 2, 3> by_pose = Eigen::Matrix<double, 2, 3>::Zero();
+  Eigen::Matrix<double, 2, 3> jacobian_pose = Eigen::Matrix<double, 2, 3>::Zero();
   Eigen::Matrix2d by_value = Eigen::Matrix2d::Zero();
 };
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/sensors/range_scan.hpp"
 
@@ -42,10 +42,10 @@ bool passes(const sensors::RangeScan& scan,
   if (nearest == scan.beams.end() || !nearest->range_m) {
     return false;
   }
-  constexpr double kWidestBeamRad = 0.02;
+  constexpr double kMaxBeamRad = 0.02;
   const double off_rad = std::abs(geometry::angle_between(bearing_rad, nearest->bearing_rad));
   const double beyond_m = *nearest->range_m - seen_m.norm();
-  return off_rad < kWidestBeamRad && beyond_m > margin_m;
+  return off_rad < kMaxBeamRad && beyond_m > margin_m;
 }
 
 }  // namespace
@@ -55,18 +55,16 @@ LandmarkSlam::LandmarkSlam(const LandmarkSlamParams& params)
       motion_(params.motion),
       filter_(params.filter),
       update_(params.update),
-      way_(params.way) {
-  if (!(params.pruned_share > 0.0)) {
-    throw std::invalid_argument("landmark slam: the share of passes is above 0");
-  }
+      pose_history_(params.pose_history) {
+  geometry::ParameterValidator("landmark slam").positive("pruned_share", params.pruned_share);
 }
 
 void LandmarkSlam::add(const Pose2& T_odom_robot, const sensors::RangeScan& scan) {
   move_to(T_odom_robot);
-  update_.see(extract_landmarks(scan, params_.extraction), T_odom_robot, filter_);
+  update_.add_sightings(extract_landmarks(scan, params_.extraction), T_odom_robot, filter_);
   prune(scan);
-  way_.keep(filter_);
-  way_.add({});
+  pose_history_.keep(filter_);
+  pose_history_.add({});
   scans_.push_back(scan);
 }
 
@@ -80,7 +78,7 @@ void LandmarkSlam::move_to(const Pose2& T_odom_robot) {
                  models::cut_step_spread(motion_, step, params_.whole_step));
   } else {
     const localization::PoseGaussian start{T_odom_robot, params_.start_covariance};
-    filter_ = EkfSlam({&start, 1}, params_.filter);
+    filter_ = EkfSlamFilter({&start, 1}, params_.filter);
   }
   T_odom_robot_ = T_odom_robot;
 }
@@ -93,7 +91,7 @@ void LandmarkSlam::prune(const sensors::RangeScan& scan) {
       filter_.note_pass(i);
     }
     const Landmark& landmark = filter_.landmarks()[i];
-    if (landmark.passes >= params_.least_passes &&
+    if (landmark.passes >= params_.min_passes &&
         static_cast<double>(landmark.passes) >
             params_.pruned_share * static_cast<double>(landmark.sightings)) {
       filter_.remove(i);

@@ -7,11 +7,11 @@
 
 #include "host/models/cut_step_spread.hpp"
 #include "host/sensors/range_scan.hpp"
-#include "host/slam/ekf_slam.hpp"
-#include "host/slam/kept_way.hpp"
+#include "host/slam/ekf_slam_filter.hpp"
 #include "host/slam/landmark_extraction.hpp"
 #include "host/slam/landmark_graph.hpp"
 #include "host/slam/landmark_update.hpp"
+#include "host/slam/pose_history.hpp"
 #include "host/slam/scan_map.hpp"
 #include "host/slam/slam_method.hpp"
 
@@ -19,20 +19,20 @@ namespace echomap::slam {
 
 /// Settings of a LandmarkSlam; the default is for a laser indoors.
 struct LandmarkSlamParams {
-  EkfSlamParams filter{};
+  EkfSlamFilterParams filter{};
   /// Of the pose at the first scan, by x, y (m) and heading (rad): none where the map begins there.
   Eigen::Matrix3d start_covariance = Eigen::Matrix3d::Zero();
   models::OdometryMotionParams motion{};
   models::WholeStep whole_step{};
   LandmarkExtractionParams extraction{};
   LandmarkUpdateParams update{};
-  /// A landmark is taken out of the map once beams have passed through where it should be by this
-  /// share of its sightings, and at least so often.
+  /// A landmark is removed once beams passed through its place at least min_passes times and by
+  /// this share of its sightings.
   double pruned_share = 0.5;
-  std::size_t least_passes = 5;
+  std::size_t min_passes = 5;
   /// A beam has passed that ends so much farther.
   double pass_margin_m = 0.5;
-  KeptWayParams way{};
+  PoseHistoryParams pose_history{};
   ScanMapParams map{};
 };
 
@@ -41,16 +41,18 @@ struct LandmarkSlamParams {
 /// state, those that are not are added once they have been seen often enough.
 class LandmarkSlam : public SlamMethod {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit LandmarkSlam(const LandmarkSlamParams& params = {});
 
   void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
   localization::PoseGaussian belief() const override { return filter_.belief(); }
-  std::vector<geometry::Pose2> trajectory() const override { return way_.trajectory(filter_); }
+  std::vector<geometry::Pose2> trajectory() const override {
+    return pose_history_.trajectory(filter_);
+  }
   mapping::OccupancyGrid grid() const override;
   FactorGraph factor_graph() const override { return landmark_graph(filter_); }
 
-  const EkfSlam& filter() const { return filter_; }
+  const EkfSlamFilter& filter() const { return filter_; }
 
  private:
   void move_to(const geometry::Pose2& T_odom_robot);
@@ -58,9 +60,9 @@ class LandmarkSlam : public SlamMethod {
 
   LandmarkSlamParams params_;
   models::OdometryMotion motion_;
-  EkfSlam filter_;
+  EkfSlamFilter filter_;
   LandmarkUpdate update_;
-  KeptWay way_;
+  PoseHistory pose_history_;
   std::optional<geometry::Pose2> T_odom_robot_;
   std::vector<sensors::RangeScan> scans_;
 };

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/slam/joint_compatibility.hpp"
 
 namespace echomap::slam {
@@ -14,11 +14,11 @@ namespace echomap::slam {
 namespace {
 
 /// Of a length of up to 5 m in any direction.
-const double surprise_of_stranger = 2.0 * std::log(5.0 * 2.0 * std::numbers::pi);
+const double negative_log_density_of_unmatched = 2.0 * std::log(5.0 * 2.0 * std::numbers::pi);
 
 void correct(std::span<const LandmarkSighting> sightings,
              std::span<const Candidate> pairs,
-             EkfSlam& filter) {
+             EkfSlamFilter& filter) {
   std::vector<LinearSighting> linear;
   for (const Candidate& pair : pairs) {
     linear.push_back(pair.linear);
@@ -29,12 +29,13 @@ void correct(std::span<const LandmarkSighting> sightings,
   }
 }
 
-double surprise_of(std::size_t sightings, std::span<const Candidate> pairs) {
-  double surprise = surprise_of_stranger * static_cast<double>(sightings - pairs.size());
+double negative_log_evidence_of(std::size_t sightings, std::span<const Candidate> pairs) {
+  double negative_log_evidence =
+      negative_log_density_of_unmatched * static_cast<double>(sightings - pairs.size());
   for (const Candidate& pair : pairs) {
-    surprise += pair.unlikeliness + 2.0 * std::log(2.0 * std::numbers::pi);
+    negative_log_evidence += pair.unlikeliness + 2.0 * std::log(2.0 * std::numbers::pi);
   }
-  return surprise;
+  return negative_log_evidence;
 }
 
 }  // namespace
@@ -42,25 +43,25 @@ double surprise_of(std::size_t sightings, std::span<const Candidate> pairs) {
 LandmarkUpdate::LandmarkUpdate(const LandmarkUpdateParams& params)
     : params_(params), provisional_(params.provisional) {
   const AssociationParams& association = params.association;
-  if (!(association.gate > 0.0) || !(association.gate_of_new >= association.gate)) {
-    throw std::invalid_argument("landmark update: gates are above 0, that of new ones the wider");
-  }
+  geometry::ParameterValidator("landmark update")
+      .positive("association.gate", association.gate)
+      .at_least("association.gate_of_new", association.gate_of_new, association.gate);
 }
 
-double LandmarkUpdate::see(std::span<const LandmarkSighting> sightings,
-                           const geometry::Pose2& T_odom_robot,
-                           EkfSlam& filter) {
+double LandmarkUpdate::add_sightings(std::span<const LandmarkSighting> sightings,
+                                     const geometry::Pose2& T_odom_robot,
+                                     EkfSlamFilter& filter) {
   const auto near = find_candidates(
-      filter, sightings, params_.association.gate_of_new, params_.association.widest_wall_gap_m);
+      filter, sightings, params_.association.gate_of_new, params_.association.max_wall_gap_m);
   const auto pairs = paired(near, filter);
-  const double surprise = surprise_of(sightings.size(), pairs);
+  const double negative_log_evidence = negative_log_evidence_of(sightings.size(), pairs);
   correct(sightings, pairs, filter);
   extend(sightings, new_sightings(sightings.size(), near), T_odom_robot, filter);
-  return surprise;
+  return negative_log_evidence;
 }
 
 std::vector<Candidate> LandmarkUpdate::paired(std::span<const Candidate> candidates,
-                                              const EkfSlam& filter) const {
+                                              const EkfSlamFilter& filter) const {
   std::vector<Candidate> within;
   std::copy_if(candidates.begin(),
                candidates.end(),
@@ -69,14 +70,14 @@ std::vector<Candidate> LandmarkUpdate::paired(std::span<const Candidate> candida
                  return candidate.squared_distance <= params_.association.gate;
                });
   return params_.method == AssociationMethod::kJointCompatibility
-             ? jointly_compatible(filter, within, params_.association.most_steps)
+             ? jointly_compatible(filter, within, params_.association.max_steps)
              : nearest_neighbours(std::move(within));
 }
 
 void LandmarkUpdate::extend(std::span<const LandmarkSighting> sightings,
                             std::span<const std::size_t> unknown,
                             const geometry::Pose2& T_odom_robot,
-                            EkfSlam& filter) {
+                            EkfSlamFilter& filter) {
   std::vector<LandmarkSighting> unpaired;
   for (const std::size_t i : unknown) {
     unpaired.push_back(sightings[i]);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include <Eigen/Eigenvalues>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
@@ -31,9 +31,10 @@ LoopClosing::LoopClosing(const LoopClosingParams& params,
                          const ScanMatchingParams& matching,
                          const SurfaceFieldParams& field)
     : params_(params), search_(search), matcher_(matching), field_(field) {
-  if (!(params.least_way_m > 0.0) || !(params.drift_m > 0.0) || !(params.patch_m > 0.0)) {
-    throw std::invalid_argument("loop closing: way, drift and patch are above 0");
-  }
+  geometry::ParameterValidator("loop closing")
+      .positive("min_travelled_m", params.min_travelled_m)
+      .positive("drift_m", params.drift_m)
+      .positive("patch_m", params.patch_m);
 }
 
 std::vector<PoseEdge> LoopClosing::close(const KeyFrames& frames) {
@@ -67,20 +68,20 @@ std::optional<LoopClosing::Candidate> LoopClosing::candidate(
     const KeyFrames& frames, const std::vector<NearFrame>& reached) const {
   const Eigen::Vector2d here_m = frames.T_map_frame(frames.size() - 1).position_m();
   std::optional<Candidate> nearest;
-  double least_m = std::numeric_limits<double>::infinity();
+  double min_m = std::numeric_limits<double>::infinity();
   for (const NearFrame& frame : reached) {
-    if (frame.way_m < params_.least_way_m) {
+    if (frame.travelled_m < params_.min_travelled_m) {
       continue;
     }
     const double away_m = (frames.T_map_frame(frame.frame).position_m() - here_m).norm();
     const double drift_m =
-        std::min(params_.most_drift_m, params_.drift_m + params_.drift_m_per_m * frame.way_m);
-    if (away_m < params_.sight_m + kSearchedDrifts * drift_m && away_m < least_m) {
-      least_m = away_m;
+        std::min(params_.max_drift_m, params_.drift_m + params_.drift_m_per_m * frame.travelled_m);
+    if (away_m < params_.sight_m + kSearchedDrifts * drift_m && away_m < min_m) {
+      min_m = away_m;
       nearest = {frame.frame,
                  drift_m,
-                 std::min(params_.most_drift_rad,
-                          params_.drift_rad + params_.drift_rad_per_m * frame.way_m)};
+                 std::min(params_.max_drift_rad,
+                          params_.drift_rad + params_.drift_rad_per_m * frame.travelled_m)};
     }
   }
   return nearest;
@@ -108,7 +109,7 @@ std::optional<PoseEdge> LoopClosing::matched(const KeyFrames& frames,
   field_.clear();
   field_.add(map_points_m);
   const ScanMatch match = matcher_.match(points_m, *start, field_);
-  if (match.share < params_.least_share || (is_searched(candidate) && !is_determined(match)) ||
+  if (match.share < params_.min_share || (is_searched(candidate) && !is_determined(match)) ||
       !is_within_drift(T_map_newest.inverse() * match.T_map_robot, candidate) ||
       !is_seen_alike(frames, old_frames, match.T_map_robot)) {
     return std::nullopt;
@@ -127,7 +128,7 @@ std::vector<Eigen::Vector2d> LoopClosing::newest_patch_m(
   const Pose2 T_newest_map = frames.T_map_frame(frames.size() - 1).inverse();
   std::vector<Eigen::Vector2d> points_m;
   for (const NearFrame& frame : reached) {
-    if (frame.way_m < params_.patch_m) {
+    if (frame.travelled_m < params_.patch_m) {
       append(sensors::in_frame_a_m(T_newest_map * frames.T_map_frame(frame.frame),
                                    frames.frame(frame.frame).points_m),
              points_m);
@@ -141,7 +142,7 @@ std::vector<std::size_t> LoopClosing::old_patch(const KeyFrames& frames,
                                                 std::size_t middle) const {
   std::vector<bool> is_recent(frames.size(), false);
   for (const NearFrame& frame : reached) {
-    is_recent[frame.frame] = frame.way_m < params_.least_way_m;
+    is_recent[frame.frame] = frame.travelled_m < params_.min_travelled_m;
   }
   std::vector<std::size_t> old;
   for (const NearFrame& frame : frames.near(middle, params_.patch_m)) {
@@ -177,14 +178,14 @@ bool LoopClosing::is_determined(const ScanMatch& match) const {
   const Eigen::Vector2d along =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(match.information.topLeftCorner<2, 2>())
           .eigenvalues();
-  return along[0] >= params_.least_determined * along[1];
+  return along[0] >= params_.min_determined * along[1];
 }
 
 bool LoopClosing::is_within_drift(const Pose2& T_newest_matched, const Candidate& candidate) {
   // A search looks in a square; a match may go on a little.
-  constexpr double kMostDrifts = 1.5 * kSearchedDrifts;
-  return T_newest_matched.position_m().norm() <= kMostDrifts * candidate.drift_m &&
-         std::abs(T_newest_matched.heading_rad()) <= kMostDrifts * candidate.drift_rad;
+  constexpr double kMaxDrifts = 1.5 * kSearchedDrifts;
+  return T_newest_matched.position_m().norm() <= kMaxDrifts * candidate.drift_m &&
+         std::abs(T_newest_matched.heading_rad()) <= kMaxDrifts * candidate.drift_rad;
 }
 
 bool LoopClosing::is_seen_alike(const KeyFrames& frames,
@@ -198,7 +199,7 @@ bool LoopClosing::is_seen_alike(const KeyFrames& frames,
     views += look(newest, T_newest_old, old.points_m);
     views += look(old, T_newest_old.inverse(), newest.points_m);
   }
-  return views.met >= params_.least_met && views.contradicted_share() <= params_.most_contradicted;
+  return views.met >= params_.min_met && views.contradicted_share() <= params_.max_contradicted;
 }
 
 ViewAgreement LoopClosing::look(const KeyFrame& from,

@@ -16,15 +16,15 @@ namespace echomap::slam {
 /// How loops are found and what proves them.
 struct LoopClosingParams {
   /// Frames nearer than this along the way are matched by tracking, metres.
-  double least_way_m = 8.0;
+  double min_travelled_m = 8.0;
   /// How far the pose may have drifted (1 sigma): so much, and more by the way around the loop.
   /// Places are looked for within twice as much, so within 6 m at most.
   double drift_m = 0.2;
   double drift_m_per_m = 0.01;
-  double most_drift_m = 3.0;
+  double max_drift_m = 3.0;
   double drift_rad = 0.05;
   double drift_rad_per_m = 0.003;
-  double most_drift_rad = 0.4;
+  double max_drift_rad = 0.4;
   /// A place is as well seen from so far away, metres; it may be twice the drift farther.
   double sight_m = 2.0;
   /// The frames within such a way of a place, and of the robot, are compared, metres.
@@ -33,13 +33,13 @@ struct LoopClosingParams {
   double near_m = 0.4;
   /// What a loop has to show: share of points on surfaces, share of points that the other side
   /// would have seen through, points that the other side has met.
-  double least_share = 0.4;
-  double most_contradicted = 0.1;
-  std::size_t least_met = 60;
+  double min_share = 0.4;
+  double max_contradicted = 0.1;
+  std::size_t min_met = 60;
   double view_margin_m = 0.3;
   /// And, where it was searched for: so much information in the direction that is known worst, of
   /// that in the one known best. Along a corridor any place is as good as the next.
-  double least_determined = 0.03;
+  double min_determined = 0.03;
   /// A match of two patches may be off by so much that its points do not tell.
   double spread_m = 0.03;
   double spread_rad = 0.01;
@@ -53,7 +53,7 @@ struct LoopClosingParams {
 /// Finds where the robot is back at a place it has been to, and proves it before it is believed.
 class LoopClosing {
  public:
-  /// Throws std::invalid_argument for parameters that make no sense.
+  /// Throws std::invalid_argument for invalid parameters.
   LoopClosing(const LoopClosingParams& params,
               const LoopSearchParams& search,
               const ScanMatchingParams& matching,

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::slam {
@@ -25,11 +25,13 @@ std::vector<Eigen::Vector2d> thinned(std::span<const Eigen::Vector2d> points_m, 
 }  // namespace
 
 LoopSearch::LoopSearch(const LoopSearchParams& params) : params_(params) {
-  if (!(params.cell_m > 0.0) || !(params.spread_m > 0.0) || params.levels < 1 ||
-      params.levels > 10 || !(params.reach_m > 0.0) || params.most_points < 1) {
-    throw std::invalid_argument(
-        "loop search: lengths are above 0, levels 1 to 10, and there is at least one point");
-  }
+  geometry::ParameterValidator("loop search")
+      .positive("cell_m", params.cell_m)
+      .positive("spread_m", params.spread_m)
+      .at_least("levels", params.levels, 1)
+      .at_most("levels", params.levels, 10)
+      .positive("reach_m", params.reach_m)
+      .at_least("max_points", params.max_points, 1);
 }
 
 std::optional<FoundPlace> LoopSearch::find(std::span<const Eigen::Vector2d> map_points_m,
@@ -39,13 +41,13 @@ std::optional<FoundPlace> LoopSearch::find(std::span<const Eigen::Vector2d> map_
     return std::nullopt;
   }
   draw(map_points_m);
-  const std::vector<Eigen::Vector2d> compared_m = thinned(points_m, params_.most_points);
+  const std::vector<Eigen::Vector2d> compared_m = thinned(points_m, params_.max_points);
   const int radius = static_cast<int>(std::ceil(window.radius_m / params_.cell_m));
   const double step_rad = params_.cell_m / params_.reach_m;
   const int turns = static_cast<int>(std::ceil(window.turn_rad / step_rad));
   const int top = params_.levels - 1;
   const int edge = 1 << top;
-  Branch best{0, 0, 0, params_.least_score};
+  Branch best{0, 0, 0, params_.min_score};
   std::optional<FoundPlace> found;
   for (int turn = -turns; turn <= turns; ++turn) {
     const double heading_rad = window.T_map_robot.heading_rad() + turn * step_rad;
@@ -106,7 +108,7 @@ std::uint8_t LoopSearch::at(int level, int x, int y) const {
   if (x < 0 || y < 0 || x >= columns_ || y >= rows_) {
     return 0;
   }
-  return most_[static_cast<std::size_t>(level)][static_cast<std::size_t>(y * columns_ + x)];
+  return max_[static_cast<std::size_t>(level)][static_cast<std::size_t>(y * columns_ + x)];
 }
 
 std::vector<LoopSearch::Cell> LoopSearch::cells_of(std::span<const Eigen::Vector2d> points_m,
@@ -139,8 +141,8 @@ void LoopSearch::draw(std::span<const Eigen::Vector2d> map_points_m) {
   const Eigen::Vector2d size_m = (high_m - origin_m_).array() + spread_m;
   columns_ = static_cast<int>(size_m.x() / params_.cell_m) + 1;
   rows_ = static_cast<int>(size_m.y() / params_.cell_m) + 1;
-  most_.assign(static_cast<std::size_t>(params_.levels),
-               std::vector<std::uint8_t>(static_cast<std::size_t>(columns_ * rows_)));
+  max_.assign(static_cast<std::size_t>(params_.levels),
+              std::vector<std::uint8_t>(static_cast<std::size_t>(columns_ * rows_)));
   const std::vector<std::uint8_t> drawn = drawn_point();
   for (const Eigen::Vector2d& point_m : map_points_m) {
     draw_point(point_m, drawn);
@@ -174,7 +176,7 @@ void LoopSearch::draw_point(const Eigen::Vector2d& point_m,
   const int reach = reach_cells();
   auto value = drawn.begin();
   for (int y = y0 - reach; y <= y0 + reach; ++y) {
-    std::uint8_t* cell = &most_[0][static_cast<std::size_t>(y * columns_ + x0 - reach)];
+    std::uint8_t* cell = &max_[0][static_cast<std::size_t>(y * columns_ + x0 - reach)];
     for (int x = 0; x <= 2 * reach; ++x, ++cell, ++value) {
       *cell = std::max(*cell, *value);
     }
@@ -182,8 +184,8 @@ void LoopSearch::draw_point(const Eigen::Vector2d& point_m,
 }
 
 void LoopSearch::add_level(int level) {
-  const auto& finer = most_[static_cast<std::size_t>(level - 1)];
-  auto& coarser = most_[static_cast<std::size_t>(level)];
+  const auto& finer = max_[static_cast<std::size_t>(level - 1)];
+  auto& coarser = max_[static_cast<std::size_t>(level)];
   const int half = 1 << (level - 1);
   for (int y = 0; y < rows_; ++y) {
     const int above = std::min(y + half, rows_ - 1);

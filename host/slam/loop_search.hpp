@@ -20,8 +20,8 @@ struct LoopSearchParams {
   int levels = 6;         ///< The coarsest squares have 2^(levels - 1) cells along an edge.
   /// A turn that moves a point this far off by a cell is one step; farther points are moved more.
   double reach_m = 8.0;
-  std::size_t most_points = 150;  ///< The more are compared, the longer it takes.
-  double least_score = 0.5;       ///< Below, nothing is found.
+  std::size_t max_points = 150;  ///< The more are compared, the longer it takes.
+  double min_score = 0.5;        ///< Below, nothing is found.
 };
 
 /// Where to look.
@@ -42,7 +42,7 @@ struct FoundPlace {
 /// the lattice is found for certain.
 class LoopSearch {
  public:
-  /// Throws std::invalid_argument for parameters that make no sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit LoopSearch(const LoopSearchParams& params = {});
 
   /// `map_points_m` in the map, `points_m` in the robot's frame. Empty where nothing reaches the
@@ -83,7 +83,7 @@ class LoopSearch {
   int columns_ = 0;
   int rows_ = 0;
   /// By level: the most of the cells right of and above a cell, 2^level along an edge.
-  std::vector<std::vector<std::uint8_t>> most_;
+  std::vector<std::vector<std::uint8_t>> max_;
 };
 
 }  // namespace echomap::slam

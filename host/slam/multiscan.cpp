@@ -13,12 +13,12 @@
 namespace echomap::slam {
 
 MultiscanGathering::MultiscanGathering(const MultiscanParams& params) : params_(params) {
-  for (const double value : {params.most_path_m,
-                             params.most_turned_rad,
-                             params.most_range_m,
+  for (const double value : {params.max_path_m,
+                             params.max_turned_rad,
+                             params.max_range_m,
                              params.jump_m,
                              params.jump_rad,
-                             static_cast<double>(params.most_echoes)}) {
+                             static_cast<double>(params.max_echoes)}) {
     if (!(value > 0.0) || !std::isfinite(value)) {
       throw std::invalid_argument("multiscan: a parameter is not above 0, or not finite");
     }
@@ -30,7 +30,7 @@ std::optional<OdometryPiece> MultiscanGathering::add(const geometry::Pose2& T_od
   follow(T_odom_robot);
   std::optional<OdometryPiece> piece;
   const bool has_jumped = piece_.jumped_m > 0.0 || piece_.jumped_rad > 0.0;
-  if (piece_.path_m >= params_.most_path_m || piece_.turned_rad >= params_.most_turned_rad ||
+  if (piece_.path_m >= params_.max_path_m || piece_.turned_rad >= params_.max_turned_rad ||
       has_jumped) {
     piece = std::exchange(piece_, {});
     finished_ = std::exchange(open_, {T_odom_robot, {}});
@@ -53,16 +53,16 @@ void MultiscanGathering::step_to(const geometry::Pose2& T_odom_robot, bool is_ca
     T_odom_last_ = T_odom_robot;
   }
   const geometry::Pose2 T_last_robot = T_odom_last_->inverse() * T_odom_robot;
-  const double way_m = T_last_robot.position_m().norm();
+  const double travelled_m = T_last_robot.position_m().norm();
   const double turn_rad = T_last_robot.heading_rad();
   if (is_carried) {
-    piece_.jumped_m += std::max(way_m, params_.jump_m);
+    piece_.jumped_m += std::max(travelled_m, params_.jump_m);
     piece_.jumped_rad += std::max(std::abs(turn_rad), params_.jump_rad);
-  } else if (way_m > params_.jump_m || std::abs(turn_rad) > params_.jump_rad) {
-    piece_.jumped_m += way_m;
+  } else if (travelled_m > params_.jump_m || std::abs(turn_rad) > params_.jump_rad) {
+    piece_.jumped_m += travelled_m;
     piece_.jumped_rad += std::abs(turn_rad);
   } else {
-    piece_.path_m += way_m;
+    piece_.path_m += travelled_m;
     piece_.turn_rad += turn_rad;
     piece_.turned_rad += std::abs(turn_rad);
   }
@@ -73,7 +73,7 @@ void MultiscanGathering::step_to(const geometry::Pose2& T_odom_robot, bool is_ca
 void MultiscanGathering::gather(const sensors::RangeScan& scan) {
   const geometry::Pose2 T_begin_sensor = piece_.T_before_after * scan.T_robot_sensor;
   for (const sensors::Beam& beam : scan.beams) {
-    if (!beam.range_m || *beam.range_m > params_.most_range_m) {
+    if (!beam.range_m || *beam.range_m > params_.max_range_m) {
       continue;
     }
     if (answers_++ % taken_every_ == 0) {
@@ -82,7 +82,7 @@ void MultiscanGathering::gather(const sensors::RangeScan& scan) {
                               *beam.range_m,
                               scan.beam_width_rad / 2.0});
     }
-    if (open_.echoes.size() > params_.most_echoes) {
+    if (open_.echoes.size() > params_.max_echoes) {
       thin_out();
     }
   }

@@ -14,13 +14,13 @@ namespace echomap::slam {
 
 /// How long readings are gathered. Odometry is good over such a stretch.
 struct MultiscanParams {
-  double most_path_m = 1.0;
-  double most_turned_rad = 0.5;
+  double max_path_m = 1.0;
+  double max_turned_rad = 0.5;
   /// Echoes from farther away are not used: a small error of heading moves them far.
-  double most_range_m = 12.0;
+  double max_range_m = 12.0;
   /// A robot that stands hears the same over and over: where there are so many echoes, every other
   /// one is let go, and they are taken half as often.
-  std::size_t most_echoes = 4000;
+  std::size_t max_echoes = 4000;
   /// Motion at once that is more than this is a jump.
   double jump_m = 1.0;
   double jump_rad = 1.0;
@@ -36,7 +36,7 @@ struct Multiscan {
 /// Gathers scans into multiscans by what was driven and turned.
 class MultiscanGathering {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit MultiscanGathering(const MultiscanParams& params);
 
   /// Takes the odometry between two scans: without it, a long way from one to the next is a jump.

@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include <Eigen/Geometry>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/square.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/optimization/block_equations.hpp"
@@ -51,13 +51,13 @@ PieceResidual piece_residual(const Pose2& T_map_before,
   const Pose2 T_before_after = T_map_before.inverse() * T_map_after;
   const Eigen::Matrix2d to_before =
       Eigen::Rotation2Dd(-T_map_before.heading_rad()).toRotationMatrix();
-  const Eigen::Vector2d way_m = T_before_after.position_m();
+  const Eigen::Vector2d offset_m = T_before_after.position_m();
   PieceResidual residual;
-  residual.value << way_m - driven.position_m(),
+  residual.value << offset_m - driven.position_m(),
       geometry::angle_between(driven.heading_rad(), T_before_after.heading_rad());
   residual.by_before.setZero();
   residual.by_before.topLeftCorner<2, 2>() = -to_before;
-  residual.by_before.col(2) << way_m.y(), -way_m.x(), -1.0;
+  residual.by_before.col(2) << offset_m.y(), -offset_m.x(), -1.0;
   residual.by_after.setIdentity();
   residual.by_after.topLeftCorner<2, 2>() = to_before;
   residual.by_calibration = -calibrated_by_calibration(piece, calibration);
@@ -112,17 +112,18 @@ double add_match(const PatchMatch& match,
                  const PatchFactor& factor,
                  optimization::BlockEquations& equations) {
   equations.add<3, 3>(factor.across_m,
-                      factor.information_per_m2 * factor.trust,
+                      factor.information_per_m2 * factor.robust_weight,
                       {match.later.multiscan, factor.by_later},
                       {match.earlier.multiscan, factor.by_earlier});
-  return -factor.information_per_m2 * square(factor.most_apart_m) * std::sqrt(factor.trust);
+  return -factor.information_per_m2 * square(factor.max_apart_m) * std::sqrt(factor.robust_weight);
 }
 
 /// What is known of the calibration beforehand.
 double add_calibration(const MultiscanGraph& graph,
                        const MultiscanAlignmentParams& params,
                        optimization::BlockEquations& equations) {
-  const Eigen::Vector3d sd(params.turn_share_sd, params.drift_sd_rad_per_m, params.drive_share_sd);
+  const Eigen::Vector3d sd(
+      params.turn_share_stddev, params.drift_stddev_rad_per_m, params.drive_share_stddev);
   const Eigen::Vector3d information = (graph.steady_scale * sd).cwiseAbs2().cwiseInverse();
   const Eigen::Vector3d& values = graph.calibration.values;
   equations.add<3, 3>(
@@ -132,14 +133,16 @@ double add_calibration(const MultiscanGraph& graph,
 
 }  // namespace
 
-void check(const MultiscanAlignmentParams& params) {
-  const bool calibration_ok =
-      params.turn_share_sd > 0.0 && params.drift_sd_rad_per_m > 0.0 && params.drive_share_sd > 0.0;
-  const bool patches_ok = params.patch_sd_m > 0.0 && params.normal_sd_rad >= 0.0 &&
-                          params.most_apart_m > 0.0 && params.match_weight > 0.0;
-  if (!params.odometry.is_sound() || !calibration_ok || !patches_ok) {
-    throw std::invalid_argument("multiscan alignment: a parameter is outside of its range");
-  }
+void validate(const MultiscanAlignmentParams& params) {
+  geometry::ParameterValidator("multiscan alignment")
+      .require(params.odometry.is_sound(), "the deviations of odometry must be above 0 and finite")
+      .positive("turn_share_stddev", params.turn_share_stddev)
+      .positive("drift_stddev_rad_per_m", params.drift_stddev_rad_per_m)
+      .positive("drive_share_stddev", params.drive_share_stddev)
+      .positive("patch_stddev_m", params.patch_stddev_m)
+      .at_least("normal_stddev_rad", params.normal_stddev_rad, 0.0)
+      .positive("max_apart_m", params.max_apart_m)
+      .positive("match_weight", params.match_weight);
 }
 
 PatchFactor patch_factor(const MultiscanGraph& graph,
@@ -152,16 +155,18 @@ PatchFactor patch_factor(const MultiscanGraph& graph,
   const SurfacePatch& earlier = to.patches[match.earlier.patch];
   const MatchResidual residual = match_residual(from.T_map_begin, later, to.T_map_begin, earlier);
   const double variance_m2 =
-      square(params.patch_sd_m) + square(later.offset_sd_m) + square(earlier.offset_sd_m) +
-      (square(params.normal_sd_rad) + square(earlier.normal_sd_rad)) * square(residual.along_m);
-  const double place_sd_m = match.later.multiscan >= first_wide ? match.place_sd_m : 0.0;
-  const double most_apart_m = std::hypot(params.most_apart_m, place_sd_m);
+      square(params.patch_stddev_m) + square(later.offset_stddev_m) +
+      square(earlier.offset_stddev_m) +
+      (square(params.normal_stddev_rad) + square(earlier.normal_stddev_rad)) *
+          square(residual.along_m);
+  const double place_stddev_m = match.later.multiscan >= first_wide ? match.place_stddev_m : 0.0;
+  const double max_apart_m = std::hypot(params.max_apart_m, place_stddev_m);
   return {residual.value_m,
           residual.by_later,
           residual.by_earlier,
           params.match_weight / variance_m2,
-          most_apart_m,
-          optimization::geman_mcclure_weight(square(residual.value_m), most_apart_m)};
+          max_apart_m,
+          optimization::geman_mcclure_weight(square(residual.value_m), max_apart_m)};
 }
 
 AlignmentStep align_multiscans(MultiscanGraph& graph,
@@ -172,20 +177,21 @@ AlignmentStep align_multiscans(MultiscanGraph& graph,
   const bool is_whole = first_free <= 1;
   auto equations = equations_over(graph.multiscans.size(), first_free, is_whole);
   AlignmentStep step{graph.multiscans.back().covariance};
-  step.surprise = is_whole ? add_calibration(graph, params, equations) : 0.0;
+  step.negative_log_evidence = is_whole ? add_calibration(graph, params, equations) : 0.0;
   for (std::size_t i = first_free - 1; i + 1 < graph.multiscans.size(); ++i) {
-    step.surprise += add_piece(graph, i, params.odometry, equations);
+    step.negative_log_evidence += add_piece(graph, i, params.odometry, equations);
   }
   for (const PatchMatch& match : matches) {
-    step.surprise += add_match(match, patch_factor(graph, match, first_wide, params), equations);
+    step.negative_log_evidence +=
+        add_match(match, patch_factor(graph, match, first_wide, params), equations);
   }
   const auto solution = equations.solve(graph.multiscans.size() - 1);
   if (!solution) {
-    step.surprise = std::numeric_limits<double>::infinity();
+    step.negative_log_evidence = std::numeric_limits<double>::infinity();
     return step;
   }
   step.last_covariance = solution->covariance;
-  step.surprise += solution->log_determinant;
+  step.negative_log_evidence += solution->log_determinant;
   for (std::size_t i = first_free; i < graph.multiscans.size(); ++i) {
     Pose2& pose = graph.multiscans[i].T_map_begin;
     pose = moved(pose, solution->step_of<3>(i));

@@ -16,23 +16,23 @@ namespace echomap::slam {
 struct MultiscanAlignmentParams {
   OdometryNoise odometry;
   /// Of how odometry is off all the time: of a turn, heading over way, of a drive.
-  double turn_share_sd = 0.03;
-  double drift_sd_rad_per_m = 0.05;
-  double drive_share_sd = 0.03;
+  double turn_share_stddev = 0.03;
+  double drift_stddev_rad_per_m = 0.05;
+  double drive_share_stddev = 0.03;
   /// Of one patch across against another: surfaces are not quite straight.
-  double patch_sd_m = 0.05;
+  double patch_stddev_m = 0.05;
   /// Of a patch's direction, besides what its echoes leave open: measured in simulated rooms.
-  double normal_sd_rad = 0.15;
+  double normal_stddev_rad = 0.15;
   /// Patches that are farther apart than this count less and less (Geman and McClure 1985): they
   /// are of different surfaces.
-  double most_apart_m = 0.1;
+  double max_apart_m = 0.1;
   /// What a match counts. The patches of a multiscan share echoes, and all that are matched with
   /// one surface share its errors: together they know far less than as many measurements.
   double match_weight = 0.075;
 };
 
-/// Throws std::invalid_argument for parameters without sense.
-void check(const MultiscanAlignmentParams& params);
+/// Throws std::invalid_argument for invalid parameters.
+void validate(const MultiscanAlignmentParams& params);
 
 /// What is estimated: where multiscans began, and how odometry is off.
 struct MultiscanGraph {
@@ -54,7 +54,7 @@ struct AlignmentStep {
   /// Minus twice the logarithm of how likely all measurements were before the step, by the method
   /// of Laplace, without what does not depend on the graph. A patch that is not matched surprises
   /// like one that lies endlessly far from its match.
-  double surprise = 0.0;
+  double negative_log_evidence = 0.0;
 };
 
 /// What a match measures: how far one patch lies across the other.
@@ -64,8 +64,9 @@ struct PatchFactor {
   Eigen::RowVector3d by_later = Eigen::RowVector3d::Zero();
   Eigen::RowVector3d by_earlier = Eigen::RowVector3d::Zero();
   double information_per_m2 = 0.0;
-  double most_apart_m = 0.0;  ///< Patches that are farther apart count less and less.
-  double trust = 1.0;  ///< What is left of the information because the patches are so far apart.
+  double max_apart_m = 0.0;    ///< Patches that are farther apart count less and less.
+  double robust_weight = 1.0;  ///< Robust weight: the share of the information that is left because
+                               ///< the patches are far apart.
 };
 
 /// Where the multiscans are; `first_wide` as below.

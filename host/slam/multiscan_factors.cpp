@@ -18,7 +18,7 @@ namespace {
 using geometry::Pose2;
 
 /// What is known no better than to a metre or a radian is not told: linearised it means nothing.
-constexpr double kLeastInformation = 1.0;
+constexpr double kMinInformation = 1.0;
 
 PoseEdge edge_of_piece(const MultiscanGraph& graph,
                        std::size_t before,
@@ -43,7 +43,7 @@ std::optional<PoseEdge> edge_of_matches(const MultiscanGraph& graph,
   Eigen::Vector3d change = Eigen::Vector3d::Zero();
   for (Eigen::Index i = 0; i < 3; ++i) {
     const Eigen::Vector3d direction = known.eigenvectors().col(i);
-    if (const double value = known.eigenvalues()[i]; value >= kLeastInformation) {
+    if (const double value = known.eigenvalues()[i]; value >= kMinInformation) {
       information += value * direction * direction.transpose();
       change -= direction.dot(pull.gradient()) / value * direction;
     }
@@ -77,7 +77,7 @@ FactorGraph factor_graph(const MultiscanGraph& graph,
   for (const PatchMatch& match : matches) {
     const PatchFactor factor = patch_factor(graph, match, first_wide, params);
     pulls[{match.earlier.multiscan, match.later.multiscan}].add(
-        factor.across_m, factor.by_later, factor.information_per_m2 * factor.trust);
+        factor.across_m, factor.by_later, factor.information_per_m2 * factor.robust_weight);
   }
   for (const auto& [multiscans, pull] : pulls) {
     if (const auto edge = edge_of_matches(graph, multiscans.first, multiscans.second, pull)) {

@@ -17,29 +17,30 @@ namespace {
 /// From one odometry scale to the next that is tried.
 constexpr double kScaleStep = 1.5;
 
-bool is_sound(const OdometryBelief& belief) {
+bool is_sound(const OdometryNoiseHypothesis& belief) {
   return belief.steady_scale > 0.0 && std::isfinite(belief.steady_scale) &&
-         belief.least_scale > 0.0 && belief.least_scale <= belief.most_scale &&
-         std::isfinite(belief.most_scale);
+         belief.min_scale > 0.0 && belief.min_scale <= belief.max_scale &&
+         std::isfinite(belief.max_scale);
 }
 
 }  // namespace
 
 MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
     : params_(params), gathering_(params.gathering) {
-  const bool beliefs_ok = !params.beliefs.empty() &&
-                          std::all_of(params.beliefs.begin(), params.beliefs.end(), is_sound);
+  const bool beliefs_ok =
+      !params.noise_hypotheses.empty() &&
+      std::all_of(params.noise_hypotheses.begin(), params.noise_hypotheses.end(), is_sound);
   if (!beliefs_ok || !(params.belief_match_weight > 0.0) || params.window < 2 || params.steps < 1 ||
       !(params.whole_share >= 0.0)) {
-    throw std::invalid_argument("multiscan SLAM: a parameter is outside of its range");
+    throw std::invalid_argument("multiscan SLAM: a parameter is out of range");
   }
-  check(params.patches);
-  check(params.matching);
-  check(params.alignment);
-  for (const OdometryBelief& belief : params.beliefs) {
+  validate(params.patches);
+  validate(params.matching);
+  validate(params.alignment);
+  for (const OdometryNoiseHypothesis& belief : params.noise_hypotheses) {
     MultiscanGraph& graph = graphs_.emplace_back();
     graph.multiscans.emplace_back();
-    graph.odometry_scale = std::clamp(1.0, belief.least_scale, belief.most_scale);
+    graph.odometry_scale = std::clamp(1.0, belief.min_scale, belief.max_scale);
     graph.steady_scale = belief.steady_scale;
   }
 }
@@ -106,66 +107,67 @@ void MultiscanSlam::align() {
 }
 
 void MultiscanSlam::align_whole() {
-  double least_surprise = std::numeric_limits<double>::max();
+  double min_negative_log_evidence = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < graphs_.size(); ++i) {
     MultiscanGraph& graph = graphs_[i];
     for (int step = 0; step < params_.steps; ++step) {
       const auto matches = match_patches(graph.multiscans, 1, params_.matching);
       if (step == 0) {
-        learn_odometry_scale(params_.beliefs[i], matches, graph);
+        learn_odometry_scale(params_.noise_hypotheses[i], matches, graph);
       }
       graph.multiscans.back().covariance =
           align_multiscans(graph, matches, 1, first_of_window(), params_.alignment).last_covariance;
     }
-    const double surprise = surprise_of(graph);
-    if (surprise < least_surprise) {
-      least_surprise = surprise;
+    const double negative_log_evidence = negative_log_evidence_of(graph);
+    if (negative_log_evidence < min_negative_log_evidence) {
+      min_negative_log_evidence = negative_log_evidence;
       best_ = i;
     }
   }
 }
 
-void MultiscanSlam::learn_odometry_scale(const OdometryBelief& belief,
+void MultiscanSlam::learn_odometry_scale(const OdometryNoiseHypothesis& belief,
                                          const std::vector<PatchMatch>& matches,
                                          MultiscanGraph& graph) const {
   std::set<double> scales;
   for (const double factor : {1.0 / kScaleStep, 1.0, kScaleStep}) {
-    scales.insert(std::clamp(factor * graph.odometry_scale, belief.least_scale, belief.most_scale));
+    scales.insert(std::clamp(factor * graph.odometry_scale, belief.min_scale, belief.max_scale));
   }
   if (scales.size() < 2) {
     return;
   }
-  double least_surprise = std::numeric_limits<double>::max();
+  double min_negative_log_evidence = std::numeric_limits<double>::max();
   for (const double scale : scales) {
     MultiscanGraph tried = graph;
     tried.odometry_scale = scale;
     align_multiscans(tried, matches, 1, first_of_window(), params_.alignment);
-    const double surprise =
-        align_multiscans(tried, matches, 1, first_of_window(), params_.alignment).surprise;
-    if (surprise < least_surprise) {
-      least_surprise = surprise;
+    const double negative_log_evidence =
+        align_multiscans(tried, matches, 1, first_of_window(), params_.alignment)
+            .negative_log_evidence;
+    if (negative_log_evidence < min_negative_log_evidence) {
+      min_negative_log_evidence = negative_log_evidence;
       graph.odometry_scale = scale;
     }
   }
 }
 
-double MultiscanSlam::surprise_of(MultiscanGraph graph) const {
+double MultiscanSlam::negative_log_evidence_of(MultiscanGraph graph) const {
   PatchMatchingParams narrow = params_.matching;
-  narrow.most_place_sd_m = 0.0;
+  narrow.max_place_stddev_m = 0.0;
   MultiscanAlignmentParams weighted = params_.alignment;
   weighted.match_weight = params_.belief_match_weight;
   const auto matches = match_patches(graph.multiscans, 1, narrow);
-  return align_multiscans(graph, matches, 1, first_of_window(), weighted).surprise;
+  return align_multiscans(graph, matches, 1, first_of_window(), weighted).negative_log_evidence;
 }
 
 Eigen::Matrix3d MultiscanSlam::covariance_after(const MultiscanGraph& graph,
                                                 const OdometryPiece& piece) const {
   const PlacedPatches& last = graph.multiscans.back();
-  const Eigen::Vector2d way_m =
+  const Eigen::Vector2d offset_m =
       (last.T_map_begin * piece.T_before_after).position_m() - last.T_map_begin.position_m();
-  Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
-  by_pose.topRightCorner<2, 1>() << -way_m.y(), way_m.x();
-  Eigen::Matrix3d covariance = by_pose * last.covariance * by_pose.transpose();
+  Eigen::Matrix3d jacobian_pose = Eigen::Matrix3d::Identity();
+  jacobian_pose.topRightCorner<2, 1>() << -offset_m.y(), offset_m.x();
+  Eigen::Matrix3d covariance = jacobian_pose * last.covariance * jacobian_pose.transpose();
   covariance.diagonal() +=
       graph.odometry_scale * graph.odometry_scale * variances(piece, params_.alignment.odometry);
   return covariance;

@@ -14,12 +14,13 @@
 
 namespace echomap::slam {
 
-/// How good the odometry may be: factors of the deviations that MultiscanAlignmentParams says.
-struct OdometryBelief {
-  double steady_scale = 1.0;  ///< Of what is off all the time.
-  /// Of what is off by chance: learnt between these.
-  double least_scale = 0.33;
-  double most_scale = 3.0;
+/// A hypothesis of how accurate the odometry is: factors on the deviations of
+/// MultiscanAlignmentParams.
+struct OdometryNoiseHypothesis {
+  double steady_scale = 1.0;  ///< Scale of the systematic deviations.
+  /// Bounds of the scale of the random deviations, which is learnt.
+  double min_scale = 0.33;
+  double max_scale = 3.0;
 };
 
 /// One setting for sonars, infra-red and thin lasers.
@@ -34,11 +35,11 @@ struct MultiscanSlamParams {
   double whole_share = 0.025;
   /// Steps of matching and aligning, each time.
   int steps = 2;
-  /// Each is followed all the time; what surprises least is believed. Good odometry is hardly bent,
-  /// and poor odometry is not trusted for long.
-  std::vector<OdometryBelief> beliefs{{}, {0.25, 0.2, 0.2}};
-  /// What a match counts where beliefs are compared; more than in the alignment: what matches share
-  /// is much the same in both, and does not tell them apart.
+  /// All hypotheses are tracked; the one with the least negative log evidence is reported. One for
+  /// accurate odometry, one for poor odometry.
+  std::vector<OdometryNoiseHypothesis> noise_hypotheses{{}, {0.25, 0.2, 0.2}};
+  /// Weight of a match when hypotheses are compared; larger than in the alignment, because errors
+  /// that matches share are alike in all hypotheses.
   double belief_match_weight = 0.3;
   ScanMapParams map;
 };
@@ -47,7 +48,7 @@ struct MultiscanSlamParams {
 /// (docs/algorithms/multiscan_slam.md).
 class MultiscanSlam final : public SlamMethod {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit MultiscanSlam(const MultiscanSlamParams& params = {});
 
   void follow(const geometry::Pose2& T_odom_robot) override;
@@ -58,9 +59,9 @@ class MultiscanSlam final : public SlamMethod {
   mapping::OccupancyGrid grid() const override;
   FactorGraph factor_graph() const override;
 
-  /// How odometry is off, as far as is known.
+  /// Estimated systematic errors of the odometry.
   const OdometryCalibration& calibration() const { return graph().calibration; }
-  /// What is estimated under the belief that surprises least, for looking into.
+  /// The graph of the best hypothesis, for inspection.
   const MultiscanGraph& graph() const { return graphs_[best_]; }
 
  private:
@@ -74,17 +75,17 @@ class MultiscanSlam final : public SlamMethod {
   void begin_multiscan(const OdometryPiece& piece);
   /// Of the newest multiscans, which move with each new one.
   std::size_t first_of_window() const;
-  /// Aligns the newest multiscans, or all of them and chooses the belief anew.
+  /// Aligns the newest multiscans, or all of them and selects the hypothesis again.
   void align();
   void align_whole();
   /// Takes the odometry's scale under which all measurements are the least surprising (empirical
   /// Bayes). So good odometry is hardly bent by echoes that are only a little off.
-  void learn_odometry_scale(const OdometryBelief& belief,
+  void learn_odometry_scale(const OdometryNoiseHypothesis& belief,
                             const std::vector<PatchMatch>& matches,
                             MultiscanGraph& graph) const;
   /// Of all that was measured. Nothing is matched farther than surfaces are off: who hopes for
   /// matches from far away shall not be paid for finding some.
-  double surprise_of(MultiscanGraph graph) const;
+  double negative_log_evidence_of(MultiscanGraph graph) const;
   /// Of the robot after it has gone on from the newest multiscan.
   Eigen::Matrix3d covariance_after(const MultiscanGraph& graph, const OdometryPiece& piece) const;
   /// Where the robot was, from the multiscan's begin, by odometry.
@@ -93,8 +94,8 @@ class MultiscanSlam final : public SlamMethod {
   MultiscanSlamParams params_;
   MultiscanGathering gathering_;
   bool has_begun_ = false;
-  std::vector<MultiscanGraph> graphs_;  ///< One for each belief.
-  std::size_t best_ = 0;                ///< Of the beliefs, that which surprises least.
+  std::vector<MultiscanGraph> graphs_;  ///< One graph per hypothesis.
+  std::size_t best_ = 0;  ///< Index of the hypothesis with the least negative log evidence.
   std::vector<TakenScan> scans_;
   std::size_t aligned_whole_ = 0;  ///< Multiscans when all moved last.
 };

@@ -19,7 +19,8 @@ double drift_rad(const OdometryPiece& piece, const OdometryCalibration& calibrat
 }
 
 /// The way of the piece without its part of the scale.
-Eigen::Vector2d drifted_way_m(const OdometryPiece& piece, const OdometryCalibration& calibration) {
+Eigen::Vector2d drifted_offset_m(const OdometryPiece& piece,
+                                 const OdometryCalibration& calibration) {
   return Eigen::Rotation2Dd(drift_rad(piece, calibration) / 2.0) *
          piece.T_before_after.position_m();
 }
@@ -27,29 +28,31 @@ Eigen::Vector2d drifted_way_m(const OdometryPiece& piece, const OdometryCalibrat
 }  // namespace
 
 bool OdometryNoise::is_sound() const {
-  for (const double sd : {heading_sd_rad,
-                          heading_sd_rad_per_sqrt_m,
-                          heading_sd_rad_per_sqrt_rad,
-                          position_sd_m,
-                          position_sd_m_per_sqrt_m}) {
+  for (const double sd : {heading_stddev_rad,
+                          heading_stddev_rad_per_sqrt_m,
+                          heading_stddev_rad_per_sqrt_rad,
+                          position_stddev_m,
+                          position_stddev_m_per_sqrt_m}) {
     if (!(sd >= 0.0) || !std::isfinite(sd)) {
       return false;
     }
   }
-  return heading_sd_rad > 0.0 && position_sd_m > 0.0;
+  return heading_stddev_rad > 0.0 && position_stddev_m > 0.0;
 }
 
 geometry::Pose2 calibrated(const OdometryPiece& piece, const OdometryCalibration& calibration) {
-  const Eigen::Vector2d way_m =
-      (1.0 + calibration.drive_share()) * drifted_way_m(piece, calibration);
-  return {way_m.x(), way_m.y(), piece.T_before_after.heading_rad() + drift_rad(piece, calibration)};
+  const Eigen::Vector2d offset_m =
+      (1.0 + calibration.drive_share()) * drifted_offset_m(piece, calibration);
+  return {offset_m.x(),
+          offset_m.y(),
+          piece.T_before_after.heading_rad() + drift_rad(piece, calibration)};
 }
 
 Eigen::Matrix3d calibrated_by_calibration(const OdometryPiece& piece,
                                           const OdometryCalibration& calibration) {
-  const Eigen::Vector2d drifted_m = drifted_way_m(piece, calibration);
-  const Eigen::Vector2d way_m = (1.0 + calibration.drive_share()) * drifted_m;
-  const Eigen::Vector3d by_drift(-way_m.y() / 2.0, way_m.x() / 2.0, 1.0);
+  const Eigen::Vector2d drifted_m = drifted_offset_m(piece, calibration);
+  const Eigen::Vector2d offset_m = (1.0 + calibration.drive_share()) * drifted_m;
+  const Eigen::Vector3d by_drift(-offset_m.y() / 2.0, offset_m.x() / 2.0, 1.0);
   Eigen::Matrix3d by;
   by.col(0) = piece.turn_rad * by_drift;
   by.col(1) = piece.path_m * by_drift;
@@ -58,12 +61,13 @@ Eigen::Matrix3d calibrated_by_calibration(const OdometryPiece& piece,
 }
 
 Eigen::Vector3d variances(const OdometryPiece& piece, const OdometryNoise& noise) {
-  const double heading =
-      square(noise.heading_sd_rad) + square(noise.heading_sd_rad_per_sqrt_m) * piece.path_m +
-      square(noise.heading_sd_rad_per_sqrt_rad) * piece.turned_rad + square(piece.jumped_rad);
+  const double heading = square(noise.heading_stddev_rad) +
+                         square(noise.heading_stddev_rad_per_sqrt_m) * piece.path_m +
+                         square(noise.heading_stddev_rad_per_sqrt_rad) * piece.turned_rad +
+                         square(piece.jumped_rad);
   // A heading that walks at random along the way moves its end aside: a third of the variance.
-  const double position = square(noise.position_sd_m) +
-                          square(noise.position_sd_m_per_sqrt_m) * piece.path_m +
+  const double position = square(noise.position_stddev_m) +
+                          square(noise.position_stddev_m_per_sqrt_m) * piece.path_m +
                           heading * square(piece.path_m) / 12.0 + square(piece.jumped_m);
   return {position, position, heading};
 }

@@ -31,11 +31,11 @@ struct OdometryCalibration {
 /// How far odometry is off by chance: variances grow with what was driven and turned (a random
 /// walk). Those of small robots on smooth floor.
 struct OdometryNoise {
-  double heading_sd_rad = 0.003;  ///< Of every piece.
-  double heading_sd_rad_per_sqrt_m = 0.02;
-  double heading_sd_rad_per_sqrt_rad = 0.03;
-  double position_sd_m = 0.005;  ///< Of every piece.
-  double position_sd_m_per_sqrt_m = 0.02;
+  double heading_stddev_rad = 0.003;  ///< Of every piece.
+  double heading_stddev_rad_per_sqrt_m = 0.02;
+  double heading_stddev_rad_per_sqrt_rad = 0.03;
+  double position_stddev_m = 0.005;  ///< Of every piece.
+  double position_stddev_m_per_sqrt_m = 0.02;
 
   bool is_sound() const;
 };

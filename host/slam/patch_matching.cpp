@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/point_buckets.hpp"
 #include "host/geometry/unit_vector.hpp"
 
@@ -62,9 +62,9 @@ class PartnerSearch {
     for (const auto& [multiscan, candidate] : candidates_of(patch)) {
       (candidate.match.is_revisit ? revisits : visit).push_back(candidate.match);
     }
-    const std::size_t latest = std::min(visit.size(), params_.most_partners);
+    const std::size_t latest = std::min(visit.size(), params_.max_partners);
     matches.insert(matches.end(), visit.end() - static_cast<std::ptrdiff_t>(latest), visit.end());
-    const std::size_t spread = std::min(revisits.size(), params_.most_partners);
+    const std::size_t spread = std::min(revisits.size(), params_.max_partners);
     for (std::size_t i = 0; i < spread; ++i) {
       matches.push_back(revisits[i * revisits.size() / spread]);
     }
@@ -96,23 +96,24 @@ class PartnerSearch {
     const double along_m = std::abs(normal.x() * apart_m.y() - normal.y() * apart_m.x());
     if (along_m > params_.along_m ||
         std::abs(geometry::angle_between(other.normal_rad, patch.normal_rad)) >
-            params_.most_angle_rad) {
+            params_.max_angle_rad) {
       return std::nullopt;
     }
     const bool is_revisit =
         patch.index.multiscan - other.index.multiscan > params_.visit_multiscans;
-    const double place_sd_m = is_revisit ? place_sd(patch, other, normal) : 0.0;
-    if (std::abs(normal.dot(apart_m)) > kGate * std::hypot(params_.across_sd_m, place_sd_m)) {
+    const double place_stddev_m = is_revisit ? place_stddev(patch, other, normal) : 0.0;
+    if (std::abs(normal.dot(apart_m)) >
+        kGate * std::hypot(params_.across_stddev_m, place_stddev_m)) {
       return std::nullopt;
     }
-    return PatchMatch{patch.index, other.index, is_revisit, place_sd_m};
+    return PatchMatch{patch.index, other.index, is_revisit, place_stddev_m};
   }
 
-  double place_sd(const PlacedPatch& patch,
-                  const PlacedPatch& other,
-                  const Eigen::Vector2d& normal) const {
+  double place_stddev(const PlacedPatch& patch,
+                      const PlacedPatch& other,
+                      const Eigen::Vector2d& normal) const {
     const double variance_m2 = place_variance_m2(patch, normal) + place_variance_m2(other, normal);
-    return std::min(std::sqrt(variance_m2), params_.most_place_sd_m);
+    return std::min(std::sqrt(variance_m2), params_.max_place_stddev_m);
   }
 
   const PatchCells& cells_;
@@ -120,17 +121,20 @@ class PartnerSearch {
 };
 
 double reach_m(const PatchMatchingParams& params) {
-  return std::hypot(params.along_m, kGate * std::hypot(params.across_sd_m, params.most_place_sd_m));
+  return std::hypot(params.along_m,
+                    kGate * std::hypot(params.across_stddev_m, params.max_place_stddev_m));
 }
 
 }  // namespace
 
-void check(const PatchMatchingParams& params) {
-  if (!(params.along_m > 0.0) || !(params.across_sd_m > 0.0) || !(params.most_place_sd_m >= 0.0) ||
-      !(params.most_angle_rad > 0.0) || params.most_partners == 0 ||
-      !std::isfinite(reach_m(params))) {
-    throw std::invalid_argument("patch matching: a parameter is outside of its range");
-  }
+void validate(const PatchMatchingParams& params) {
+  geometry::ParameterValidator("patch matching")
+      .positive("along_m", params.along_m)
+      .positive("across_stddev_m", params.across_stddev_m)
+      .at_least("max_place_stddev_m", params.max_place_stddev_m, 0.0)
+      .positive("max_angle_rad", params.max_angle_rad)
+      .positive("max_partners", params.max_partners)
+      .require(std::isfinite(reach_m(params)), "along_m and the deviations must be finite");
 }
 
 std::vector<PatchMatch> match_patches(const std::vector<PlacedPatches>& multiscans,

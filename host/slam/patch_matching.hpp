@@ -15,19 +15,19 @@ struct PatchMatchingParams {
   double along_m = 0.5;
   /// What surfaces are off across themselves, besides what is not known of where the robot was;
   /// three times both together is too far.
-  double across_sd_m = 0.1;
+  double across_stddev_m = 0.1;
   /// More is never believed of what is not known.
-  double most_place_sd_m = 0.3;
-  double most_angle_rad = 0.5;
+  double max_place_stddev_m = 0.3;
+  double max_angle_rad = 0.5;
   /// Multiscans that lie farther apart than this in time are different visits.
   std::size_t visit_multiscans = 20;
   /// A patch is compared with so many others of its visit, the latest, and so many of earlier
   /// visits, spread over them.
-  std::size_t most_partners = 4;
+  std::size_t max_partners = 4;
 };
 
-/// Throws std::invalid_argument for parameters without sense.
-void check(const PatchMatchingParams& params);
+/// Throws std::invalid_argument for invalid parameters.
+void validate(const PatchMatchingParams& params);
 
 /// A multiscan as the map has it.
 struct PlacedPatches {
@@ -49,7 +49,7 @@ struct PatchMatch {
   PatchIndex earlier;
   bool is_revisit = false;
   /// How far they may lie apart across because one of them is of an earlier visit.
-  double place_sd_m = 0.0;
+  double place_stddev_m = 0.0;
 };
 
 /// Pairs every patch of the multiscans from `first` on with patches before it that lie near, look

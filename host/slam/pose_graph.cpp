@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/optimization/block_equations.hpp"
 #include "host/optimization/gauss_newton.hpp"
 #include "host/optimization/robust_kernel.hpp"
@@ -54,14 +55,14 @@ EdgeError edge_error(const PoseEdge& edge, const Pose2& T_map_from, const Pose2&
   const Eigen::Matrix2d to_edge =
       Eigen::Rotation2Dd(-edge.T_from_to.heading_rad()).toRotationMatrix();
   const Eigen::Matrix2d map_to_edge = to_edge * to_from;
-  const Eigen::Vector2d way_m = T_map_to.position_m() - T_map_from.position_m();
+  const Eigen::Vector2d offset_m = T_map_to.position_m() - T_map_from.position_m();
   EdgeError off;
-  off.error << map_to_edge * way_m - to_edge * edge.T_from_to.position_m(),
+  off.error << map_to_edge * offset_m - to_edge * edge.T_from_to.position_m(),
       geometry::wrap_angle(T_map_to.heading_rad() - T_map_from.heading_rad() -
                            edge.T_from_to.heading_rad());
   off.by_from.topLeftCorner<2, 2>() = -map_to_edge;
   // What lies in the map turns the other way as `from` turns.
-  off.by_from.topRightCorner<2, 1>() = map_to_edge * Eigen::Vector2d(way_m.y(), -way_m.x());
+  off.by_from.topRightCorner<2, 1>() = map_to_edge * Eigen::Vector2d(offset_m.y(), -offset_m.x());
   off.by_from(2, 2) = -1.0;
   off.by_to.topLeftCorner<2, 2>() = map_to_edge;
   off.by_to(2, 2) = 1.0;
@@ -69,9 +70,9 @@ EdgeError edge_error(const PoseEdge& edge, const Pose2& T_map_from, const Pose2&
 }
 
 PoseGraph::PoseGraph(const PoseGraphParams& params) : params_(params) {
-  if (params.most_iterations < 1 || !(params.kernel > 0.0)) {
-    throw std::invalid_argument("pose graph: at least one iteration, and a kernel above 0");
-  }
+  geometry::ParameterValidator("pose graph")
+      .at_least("max_iterations", params.max_iterations, 1)
+      .positive("kernel", params.kernel);
 }
 
 std::size_t PoseGraph::add_node(const Pose2& T_map_node) {
@@ -125,10 +126,10 @@ bool PoseGraph::solve() {
       max_step_m = std::max(max_step_m, step.head<2>().norm());
       max_step_rad = std::max(max_step_rad, std::abs(step.z()));
     }
-    return max_step_m < params_.least_step_m && max_step_rad < params_.least_step_rad;
+    return max_step_m < params_.min_step_m && max_step_rad < params_.min_step_rad;
   };
   return T_map_nodes_.size() < 2 ||
-         optimization::gauss_newton(params_.most_iterations, linearize, apply);
+         optimization::gauss_newton(params_.max_iterations, linearize, apply);
 }
 
 }  // namespace echomap::slam

@@ -23,9 +23,9 @@ struct PoseEdge {
 
 /// How a graph is solved.
 struct PoseGraphParams {
-  int most_iterations = 10;
-  double least_step_m = 1e-4;  ///< The last iteration moves no pose by more, nor turns it by
-  double least_step_rad = 1e-4;
+  int max_iterations = 10;
+  double min_step_m = 1e-4;  ///< The last iteration moves no pose by more, nor turns it by
+  double min_step_rad = 1e-4;
   /// A doubtful edge so many standard deviations off counts a quarter (Geman and McClure).
   double kernel = 5.0;
 };
@@ -58,7 +58,7 @@ EdgeError edge_error(const PoseEdge& edge,
 /// are least (Lu and Milios 1997; Grisetti et al. 2010). The first pose stays.
 class PoseGraph {
  public:
-  /// Throws std::invalid_argument for parameters that make no sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit PoseGraph(const PoseGraphParams& params = {});
 
   /// The number of the new node; they count from 0.

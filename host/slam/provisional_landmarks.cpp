@@ -2,23 +2,24 @@
 #include "host/slam/provisional_landmarks.hpp"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::slam {
 
 ProvisionalLandmarks::ProvisionalLandmarks(const ProvisionalLandmarksParams& params)
     : params_(params) {
-  if (!(params.farthest_m > 0.0) || !(params.farthest_rad > 0.0)) {
-    throw std::invalid_argument("provisional landmarks: distances above 0");
-  }
+  geometry::ParameterValidator("provisional landmarks")
+      .positive("max_m", params.max_m)
+      .positive("max_rad", params.max_rad);
 }
 
 bool ProvisionalLandmarks::is_near(const Waiting& waiting, const Eigen::Vector2d& place) const {
   if (waiting.kind == LandmarkKind::kPoint) {
-    return (waiting.place - place).norm() <= params_.farthest_m;
+    return (waiting.place - place).norm() <= params_.max_m;
   }
   const Eigen::Vector2d off = innovation(place, waiting.place);
-  return std::abs(off.x()) <= params_.farthest_m && std::abs(off.y()) <= params_.farthest_rad;
+  return std::abs(off.x()) <= params_.max_m && std::abs(off.y()) <= params_.max_rad;
 }
 
 std::optional<std::size_t> ProvisionalLandmarks::match(const LandmarkSighting& sighting,

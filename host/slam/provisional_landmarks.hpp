@@ -17,8 +17,8 @@ struct ProvisionalLandmarksParams {
   std::size_t sightings = 4;
   /// Sightings of one thing lie no farther apart, by odometry; of a wall, that far aside and
   /// turned.
-  double farthest_m = 0.3;
-  double farthest_rad = 0.15;
+  double max_m = 0.3;
+  double max_rad = 0.15;
   /// What has not been seen for as many scans is forgotten.
   std::size_t forgotten_after_scans = 20;
 };

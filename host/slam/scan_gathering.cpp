@@ -9,10 +9,10 @@ namespace echomap::slam {
 namespace {
 
 std::vector<Eigen::Vector2d> spaced_points_m(const sensors::RangeScan& scan,
-                                             double most_range_m,
+                                             double max_range_m,
                                              double spacing_m) {
   std::vector<Eigen::Vector2d> kept_m;
-  for (const Eigen::Vector2d& point_m : sensors::end_points_m(scan, most_range_m)) {
+  for (const Eigen::Vector2d& point_m : sensors::end_points_m(scan, max_range_m)) {
     if (kept_m.empty() || (point_m - kept_m.back()).squaredNorm() >= spacing_m * spacing_m) {
       kept_m.push_back(point_m);
     }
@@ -23,8 +23,8 @@ std::vector<Eigen::Vector2d> spaced_points_m(const sensors::RangeScan& scan,
 }  // namespace
 
 ScanGathering::ScanGathering(const ScanGatheringParams& params) : params_(params) {
-  if (!(params.most_range_m > 0.0) || !(params.spacing_m >= 0.0) || params.least_points < 1 ||
-      !(params.most_way_m > 0.0) || params.most_scans < 1) {
+  if (!(params.max_range_m > 0.0) || !(params.spacing_m >= 0.0) || params.min_points < 1 ||
+      !(params.max_distance_m > 0.0) || params.max_scans < 1) {
     throw std::invalid_argument(
         "scan gathering: a range above 0, no spacing below 0, at least one point and scan, and a "
         "way above 0");
@@ -33,16 +33,16 @@ ScanGathering::ScanGathering(const ScanGatheringParams& params) : params_(params
 
 void ScanGathering::add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) {
   if (!scans_.empty()) {
-    way_m_ += (T_odom_robot.position_m() - scans_.back().T_odom_robot.position_m()).norm();
+    travelled_m_ += (T_odom_robot.position_m() - scans_.back().T_odom_robot.position_m()).norm();
   }
   scans_.push_back({T_odom_robot, scan});
-  points_m_.push_back(spaced_points_m(scan, params_.most_range_m, params_.spacing_m));
+  points_m_.push_back(spaced_points_m(scan, params_.max_range_m, params_.spacing_m));
   count_ += points_m_.back().size();
 }
 
 bool ScanGathering::is_enough() const {
-  return count_ >= params_.least_points || way_m_ >= params_.most_way_m ||
-         scans_.size() >= params_.most_scans;
+  return count_ >= params_.min_points || travelled_m_ >= params_.max_distance_m ||
+         scans_.size() >= params_.max_scans;
 }
 
 std::vector<Eigen::Vector2d> ScanGathering::points_m() const {
@@ -60,7 +60,7 @@ void ScanGathering::clear() {
   scans_.clear();
   points_m_.clear();
   count_ = 0;
-  way_m_ = 0.0;
+  travelled_m_ = 0.0;
 }
 
 }  // namespace echomap::slam

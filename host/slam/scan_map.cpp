@@ -11,7 +11,7 @@ namespace {
 mapping::OccupancyGrid map_of_cones(const std::vector<PlacedScan>& scans,
                                     const ScanMapParams& params) {
   mapping::SonarConeMapperParams cones = params.cones;
-  cones.cone.half_angle_rad = scans.front().scan.beam_width_rad / 2.0;
+  cones.cone.beam_half_angle_rad = scans.front().scan.beam_width_rad / 2.0;
   if (scans.front().scan.max_range_m > 0.0) {
     cones.cone.max_range_m = scans.front().scan.max_range_m;
   }

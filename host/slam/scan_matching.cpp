@@ -99,9 +99,9 @@ PointErrors linearized(std::span<const Eigen::Vector2d> points_m,
 }  // namespace
 
 ScanMatcher::ScanMatcher(const ScanMatchingParams& params) : params_(params) {
-  if (!(params.kernel > 0.0) || !(params.weight > 0.0) || params.most_iterations < 1 ||
-      params.most_coarse_iterations < 1 || params.turns < 0 || !(params.least_saving >= 0.0) ||
-      !(params.least_saving < 1.0)) {
+  if (!(params.kernel > 0.0) || !(params.weight > 0.0) || params.max_iterations < 1 ||
+      params.max_coarse_iterations < 1 || params.turns < 0 || !(params.min_saving >= 0.0) ||
+      !(params.min_saving < 1.0)) {
     throw std::invalid_argument(
         "scan matching: kernel and weight are above 0, there is at least one iteration on each "
         "level and no turn below 0, and what is saved is a share");
@@ -123,7 +123,7 @@ ScanMatch ScanMatcher::match(std::span<const Eigen::Vector2d> points_m,
   }
   const bool is_turned = match.share < params_.poor_share || !is_heading_known;
   const ScanMatch other = best_of_starts(points_m, before, is_turned ? params_.turns : 0, field);
-  return other.cost < (1.0 - params_.least_saving) * match.cost ? other : match;
+  return other.cost < (1.0 - params_.min_saving) * match.cost ? other : match;
 }
 
 ScanMatch ScanMatcher::match_after(std::span<const Eigen::Vector2d> points_m,
@@ -181,11 +181,11 @@ ScanMatch ScanMatcher::refined(std::span<const Eigen::Vector2d> points_m,
     };
     const auto apply = [&](const Eigen::Vector3d& step) {
       pose += step;
-      return step.head<2>().norm() < params_.least_step_m &&
-             std::abs(step.z()) < params_.least_step_rad;
+      return step.head<2>().norm() < params_.min_step_m &&
+             std::abs(step.z()) < params_.min_step_rad;
     };
     optimization::gauss_newton(
-        level > 0 ? params_.most_coarse_iterations : params_.most_iterations, linearize, apply);
+        level > 0 ? params_.max_coarse_iterations : params_.max_iterations, linearize, apply);
   }
   return {Pose2(pose.x(), pose.y(), pose.z()),
           params_.weight * points.equations.information(),

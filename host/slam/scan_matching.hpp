@@ -18,11 +18,11 @@ struct ScanMatchingParams {
   double prior_kernel = 3.0;
   /// What one point counts: neighbours err together, and so does the map they are matched to.
   double weight = 0.5;
-  int most_coarse_iterations = 2;  ///< On each level but the finest.
-  int most_iterations = 4;         ///< On the finest.
+  int max_coarse_iterations = 2;  ///< On each level but the finest.
+  int max_iterations = 4;         ///< On the finest.
   /// A step smaller than this is the last one of a level.
-  double least_step_m = 2e-3;
-  double least_step_rad = 5e-4;
+  double min_step_m = 2e-3;
+  double min_step_rad = 5e-4;
   /// A match with a smaller share of points on surfaces is tried again from coarser cells; and from
   /// other headings where it is poor, or the heading was not known to within `known_heading_rad`:
   /// then more has to lie on surfaces.
@@ -32,7 +32,7 @@ struct ScanMatchingParams {
   double known_heading_rad = 0.03;
   /// And is left only for one whose cost is smaller by such a share: new ground fits nothing
   /// rightly.
-  double least_saving = 0.3;
+  double min_saving = 0.3;
   /// The other headings are so many such turns away, to either side.
   int turns = 4;
   double turn_rad = 0.1;
@@ -56,7 +56,7 @@ struct ScanMatch {
 /// say nothing of keep the prior's.
 class ScanMatcher {
  public:
-  /// Throws std::invalid_argument for parameters that make no sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit ScanMatcher(const ScanMatchingParams& params = {});
 
   /// Not moved where there are no points or no surfaces.

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include <Eigen/LU>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
@@ -29,11 +29,13 @@ ScanSlam::ScanSlam(const ScanSlamParams& params)
       loops_(params.loops, params.search, params.matching, params.field),
       frames_(params.graph),
       field_(params.field) {
-  if (!(params.least_spread_m > 0.0) || !(params.least_spread_rad > 0.0) ||
-      !(params.key_frame_m > 0.0) || !(params.key_frame_rad > 0.0) || !(params.local_way_m > 0.0) ||
-      !(params.renewal_way_m > 0.0)) {
-    throw std::invalid_argument("scan SLAM: spreads, key frames and ways are above 0");
-  }
+  geometry::ParameterValidator("scan SLAM")
+      .positive("min_spread_m", params.min_spread_m)
+      .positive("min_spread_rad", params.min_spread_rad)
+      .positive("key_frame_m", params.key_frame_m)
+      .positive("key_frame_rad", params.key_frame_rad)
+      .positive("local_distance_m", params.local_distance_m)
+      .positive("renewal_distance_m", params.renewal_distance_m);
 }
 
 void ScanSlam::add(const Pose2& T_odom_robot, const sensors::RangeScan& scan) {
@@ -50,7 +52,7 @@ void ScanSlam::add(const Pose2& T_odom_robot, const sensors::RangeScan& scan) {
     begin_frame(std::move(points_m), information);
     close_loops();
   }
-  if (field_way_m_ > params_.renewal_way_m) {
+  if (field_distance_m_ > params_.renewal_distance_m) {
     renew_field();
   }
   settle_gathered();
@@ -62,9 +64,9 @@ void ScanSlam::predict(const Pose2& T_odom_robot) {
   } else {
     const models::OdometryStep step = models::odometry_step(*T_odom_last_, T_odom_robot);
     models::MotionSpread spread = motion_.spread(step);
-    spread.drive_m = std::hypot(spread.drive_m, params_.least_spread_m);
-    spread.side_m = std::hypot(spread.side_m, params_.least_spread_m);
-    spread.turn_after_rad = std::hypot(spread.turn_after_rad, params_.least_spread_rad);
+    spread.drive_m = std::hypot(spread.drive_m, params_.min_spread_m);
+    spread.side_m = std::hypot(spread.side_m, params_.min_spread_m);
+    spread.turn_after_rad = std::hypot(spread.turn_after_rad, params_.min_spread_rad);
     belief_ = localization::moved(belief_, T_odom_last_->inverse() * T_odom_robot, step, spread);
   }
   T_odom_last_ = T_odom_robot;
@@ -96,14 +98,15 @@ std::optional<std::size_t> ScanSlam::frame_here() const {
 
 double ScanSlam::steps_from(std::size_t frame) const {
   const Pose2 T_frame_robot = frames_.T_map_frame(frame).inverse() * belief_.T_map_robot;
-  const double scale = last_match_.share < params_.new_ground_share ? params_.new_ground_way : 1.0;
+  const double scale =
+      last_match_.share < params_.new_ground_share ? params_.new_ground_scale : 1.0;
   return std::max(T_frame_robot.position_m().norm() / params_.key_frame_m,
                   std::abs(T_frame_robot.heading_rad()) / params_.key_frame_rad) /
          scale;
 }
 
 void ScanSlam::go_to_frame(std::size_t frame) {
-  field_way_m_ +=
+  field_distance_m_ +=
       (frames_.T_map_frame(frame).position_m() - frames_.T_map_frame(frame_).position_m()).norm();
   frame_ = frame;
 }
@@ -144,11 +147,11 @@ void ScanSlam::close_loops() {
 void ScanSlam::renew_field() {
   field_.clear();
   around_.clear();
-  for (const NearFrame& near : frames_.near(frame_, params_.local_way_m)) {
+  for (const NearFrame& near : frames_.near(frame_, params_.local_distance_m)) {
     around_.push_back(near.frame);
     field_.add(frames_.map_points_m(near.frame));
   }
-  field_way_m_ = 0.0;
+  field_distance_m_ = 0.0;
 }
 
 void ScanSlam::settle_gathered() {

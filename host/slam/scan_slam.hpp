@@ -30,22 +30,22 @@ struct ScanSlamParams {
   models::OdometryMotionParams motion{0.01, 0.0025, 0.0025, 1e-3, 1e-3};
   /// Of every step, metres and radians: odometry is rounded, and scans are not taken at its
   /// instant.
-  double least_spread_m = 0.01;
-  double least_spread_rad = 0.01;
+  double min_spread_m = 0.01;
+  double min_spread_rad = 0.01;
   /// A key frame is begun where the robot is farther than this, or turned by more, from each
   /// around.
   double key_frame_m = 0.5;
   double key_frame_rad = 0.5;
   /// Or after such a share of them where fewer points than this lie on what is known.
-  double new_ground_way = 0.3;
+  double new_ground_scale = 0.3;
   double new_ground_share = 0.75;
   /// The way between two key frames may be off by so much that the match does not tell.
   double frame_spread_m = 0.01;
   double frame_spread_rad = 0.003;
   /// A scan is matched to the key frames within such a way along the graph, metres.
-  double local_way_m = 12.0;
+  double local_distance_m = 12.0;
   /// After so long a way the map around the robot is gathered anew, metres.
-  double renewal_way_m = 4.0;
+  double renewal_distance_m = 4.0;
   bool closes_loops = true;
   ScanMapParams map;
 };
@@ -57,7 +57,7 @@ struct ScanSlamParams {
 /// first. For lasers, dense and thin.
 class ScanSlam : public SlamMethod {
  public:
-  /// Throws std::invalid_argument for parameters that make no sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit ScanSlam(const ScanSlamParams& params = {});
 
   void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
@@ -103,7 +103,7 @@ class ScanSlam : public SlamMethod {
   std::size_t frame_ = 0;            ///< That the robot is at.
   std::vector<std::size_t> around_;  ///< Frames that the robot is matched to.
   SurfaceField field_;               ///< Of these frames.
-  double field_way_m_ = 0.0;         ///< Driven since it was gathered.
+  double field_distance_m_ = 0.0;    ///< Driven since it was gathered.
   localization::PoseGaussian belief_;
   std::optional<geometry::Pose2> T_odom_last_;
   std::vector<ScanPlace> places_;  ///< Of all scans that are not being gathered.

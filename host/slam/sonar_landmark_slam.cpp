@@ -12,13 +12,15 @@ using geometry::Pose2;
 
 SonarLandmarkSlam::SonarLandmarkSlam(const SonarLandmarkSlamParams& params)
     : params_(params), gathering_(params.gathering), random_(params.seed) {
-  check(params.landmarks);
+  validate(params.landmarks);
   const bool trusts_ok =
-      !params.trusts.empty() &&
-      std::all_of(params.trusts.begin(), params.trusts.end(), [](const OdometryTrust& trust) {
-        return trust.steady_scale > 0.0 && trust.chance_scale > 0.0;
-      });
-  if (!params.odometry.is_sound() || !(params.calibration_sd.minCoeff() > 0.0) || !trusts_ok) {
+      !params.noise_hypotheses.empty() && std::all_of(params.noise_hypotheses.begin(),
+                                                      params.noise_hypotheses.end(),
+                                                      [](const OdometryNoisePrior& hypothesis) {
+                                                        return hypothesis.steady_scale > 0.0 &&
+                                                               hypothesis.chance_scale > 0.0;
+                                                      });
+  if (!params.odometry.is_sound() || !(params.calibration_stddev.minCoeff() > 0.0) || !trusts_ok) {
     throw std::invalid_argument("sonar landmark slam: odometry's deviations are above 0");
   }
   begin_at({});
@@ -27,12 +29,13 @@ SonarLandmarkSlam::SonarLandmarkSlam(const SonarLandmarkSlamParams& params)
 void SonarLandmarkSlam::begin_at(const Pose2& T_odom_robot) {
   const localization::PoseGaussian start{T_odom_robot};
   estimates_.clear();
-  for (const OdometryTrust& trust : params_.trusts) {
-    Estimate& estimate = estimates_.emplace_back(Estimate{EkfSlam({&start, 1}, params_.filter),
-                                                          LandmarkUpdate(params_.update),
-                                                          KeptWay(params_.way),
-                                                          trust.surprise});
-    const Eigen::Vector3d sd = trust.steady_scale * params_.calibration_sd;
+  for (const OdometryNoisePrior& hypothesis : params_.noise_hypotheses) {
+    Estimate& estimate =
+        estimates_.emplace_back(Estimate{EkfSlamFilter({&start, 1}, params_.filter),
+                                         LandmarkUpdate(params_.update),
+                                         PoseHistory(params_.pose_history),
+                                         hypothesis.negative_log_evidence});
+    const Eigen::Vector3d sd = hypothesis.steady_scale * params_.calibration_stddev;
     estimate.filter.add_calibration(sd.cwiseAbs2().asDiagonal());
   }
 }
@@ -68,13 +71,14 @@ void SonarLandmarkSlam::finish_multiscan(const OdometryPiece& piece) {
   const auto sightings = sonar_landmarks(finished.echoes, params_.landmarks, random_);
   for (std::size_t i = 0; i < estimates_.size(); ++i) {
     Estimate& estimate = estimates_[i];
-    estimate.surprise += estimate.update.see(sightings, finished.T_odom_begin, estimate.filter);
-    estimate.way.keep(estimate.filter);
+    estimate.negative_log_evidence +=
+        estimate.update.add_sightings(sightings, finished.T_odom_begin, estimate.filter);
+    estimate.pose_history.keep(estimate.filter);
     for (const OdometryPiece& to_scan : open_) {
-      estimate.way.add(motion_by(to_scan, i).T_before_after);
+      estimate.pose_history.add(motion_by(to_scan, i).T_before_after);
     }
     estimate.filter.move(0, motion_by(piece, i));
-    if (estimate.surprise < estimates_[best_].surprise) {
+    if (estimate.negative_log_evidence < estimates_[best_].negative_log_evidence) {
       best_ = i;
     }
   }
@@ -84,7 +88,7 @@ void SonarLandmarkSlam::finish_multiscan(const OdometryPiece& piece) {
 CalibratedMotion SonarLandmarkSlam::motion_by(const OdometryPiece& piece,
                                               std::size_t estimate) const {
   const OdometryCalibration calibration{estimates_[estimate].filter.calibration()};
-  const double scale = params_.trusts[estimate].chance_scale;
+  const double scale = params_.noise_hypotheses[estimate].chance_scale;
   return {calibrated(piece, calibration),
           calibrated_by_calibration(piece, calibration),
           scale * scale * variances(piece, params_.odometry)};
@@ -96,7 +100,7 @@ localization::PoseGaussian SonarLandmarkSlam::belief() const {
 }
 
 std::vector<Pose2> SonarLandmarkSlam::trajectory() const {
-  std::vector<Pose2> T_map_robots = estimates_[best_].way.trajectory(filter());
+  std::vector<Pose2> T_map_robots = estimates_[best_].pose_history.trajectory(filter());
   for (const OdometryPiece& to_scan : open_) {
     T_map_robots.push_back(filter().belief().T_map_robot *
                            motion_by(to_scan, best_).T_before_after);

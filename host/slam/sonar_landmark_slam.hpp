@@ -6,42 +6,43 @@
 #include <vector>
 
 #include "host/sensors/range_scan.hpp"
-#include "host/slam/ekf_slam.hpp"
-#include "host/slam/kept_way.hpp"
+#include "host/slam/ekf_slam_filter.hpp"
 #include "host/slam/landmark_graph.hpp"
 #include "host/slam/landmark_update.hpp"
 #include "host/slam/multiscan.hpp"
 #include "host/slam/odometry_piece.hpp"
+#include "host/slam/pose_history.hpp"
 #include "host/slam/scan_map.hpp"
 #include "host/slam/slam_method.hpp"
 #include "host/slam/sonar_landmarks.hpp"
 
 namespace echomap::slam {
 
-/// How good the odometry may be: factors of the deviations that the settings say.
-struct OdometryTrust {
-  double steady_scale = 1.0;  ///< Of what is off all the time.
-  double chance_scale = 1.0;  ///< Of what is off by chance.
-  double surprise = 0.0;      ///< That odometry is so, before anything was seen.
+/// A hypothesis of how accurate the odometry is: factors on the deviations of the settings.
+struct OdometryNoisePrior {
+  double steady_scale = 1.0;  ///< Scale of the systematic deviations.
+  double chance_scale = 1.0;  ///< Scale of the random deviations.
+  double negative_log_evidence =
+      0.0;  ///< Negative logarithm of the prior probability of this hypothesis.
 };
 
 /// Settings of a SonarLandmarkSlam; the default is for one panned sonar or a ring of them.
 struct SonarLandmarkSlamParams {
-  MultiscanParams gathering{.most_echoes = 600};
+  MultiscanParams gathering{.max_echoes = 600};
   SonarLandmarksParams landmarks{};
-  EkfSlamParams filter{};
+  EkfSlamFilterParams filter{};
   OdometryNoise odometry{};
   /// Of how odometry is off all the time, before anything was seen: as MultiscanAlignmentParams.
-  Eigen::Vector3d calibration_sd{0.03, 0.05, 0.03};
-  /// Each is followed all the time; what surprises least is believed. That odometry is good is
-  /// believed until much speaks against it.
-  std::vector<OdometryTrust> trusts{{1.0, 1.0, 20.0}, {0.25, 0.2, 0.0}};
+  Eigen::Vector3d calibration_stddev{0.03, 0.05, 0.03};
+  /// All hypotheses are tracked; the one with the least negative log evidence is reported. The
+  /// prior favours accurate odometry.
+  std::vector<OdometryNoisePrior> noise_hypotheses{{1.0, 1.0, 20.0}, {0.25, 0.2, 0.0}};
   /// The gate of 90 %: rather a sighting too few than one of another thing.
   LandmarkUpdateParams update{.association = {.gate = 4.61},
-                              .provisional = {.sightings = 2, .farthest_m = 0.2}};
-  KeptWayParams way{};
+                              .provisional = {.sightings = 2, .max_m = 0.2}};
+  PoseHistoryParams pose_history{};
   ScanMapParams map{};
-  std::uint32_t seed = 1;  ///< Of the pairs of echoes that are drawn.
+  std::uint32_t seed = 1;  ///< Seed of the sampled pairs of echoes.
 };
 
 /// EKF-SLAM with cones. Readings are gathered over a stretch of the way; walls and points are found
@@ -49,7 +50,7 @@ struct SonarLandmarkSlamParams {
 /// is off all the time is a part of the state.
 class SonarLandmarkSlam final : public SlamMethod {
  public:
-  /// Throws std::invalid_argument for parameters without sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit SonarLandmarkSlam(const SonarLandmarkSlamParams& params = {});
 
   void follow(const geometry::Pose2& T_odom_robot) override;
@@ -61,16 +62,16 @@ class SonarLandmarkSlam final : public SlamMethod {
   FactorGraph factor_graph() const override { return landmark_graph(filter()); }
 
   /// Its robot is where the stretch began that is being gathered.
-  const EkfSlam& filter() const { return estimates_[best_].filter; }
+  const EkfSlamFilter& filter() const { return estimates_[best_].filter; }
   std::size_t best() const { return best_; }
 
  private:
-  /// What is thought under one trust in the odometry.
+  /// The estimate under one hypothesis of the odometry.
   struct Estimate {
-    EkfSlam filter;
+    EkfSlamFilter filter;
     LandmarkUpdate update;
-    KeptWay way;
-    double surprise = 0.0;  ///< Of all sightings so far.
+    PoseHistory pose_history;
+    double negative_log_evidence = 0.0;  ///< Negative log evidence of all sightings so far.
   };
 
   void begin_at(const geometry::Pose2& T_odom_robot);
@@ -80,8 +81,8 @@ class SonarLandmarkSlam final : public SlamMethod {
 
   SonarLandmarkSlamParams params_;
   MultiscanGathering gathering_;
-  std::vector<Estimate> estimates_;  ///< One for each trust.
-  std::size_t best_ = 0;             ///< That which surprises least.
+  std::vector<Estimate> estimates_;  ///< One estimate per hypothesis.
+  std::size_t best_ = 0;  ///< Index of the hypothesis with the least negative log evidence.
   std::mt19937 random_;
   bool has_begun_ = false;
   std::vector<OdometryPiece> open_;  ///< To each scan, from where the stretch began.

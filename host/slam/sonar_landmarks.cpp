@@ -15,11 +15,11 @@ namespace {
 LandmarkSighting wall_sighting(const HeardFeature& wall,
                                const std::vector<mapping::Echo>& echoes,
                                const SonarLandmarksParams& params) {
-  const Eigen::Vector2d own_sd(params.wall_offset_sd_m, params.wall_normal_sd_rad);
+  const Eigen::Vector2d own_stddev(params.wall_offset_stddev_m, params.wall_normal_stddev_rad);
   LandmarkSighting sighting;
   sighting.kind = LandmarkKind::kWall;
   sighting.value = wall.feature.value;
-  sighting.noise = wall.covariance + Eigen::Matrix2d(own_sd.cwiseAbs2().asDiagonal());
+  sighting.noise = wall.covariance + Eigen::Matrix2d(own_stddev.cwiseAbs2().asDiagonal());
   sighting.along_from_m = std::numeric_limits<double>::max();
   sighting.along_to_m = std::numeric_limits<double>::lowest();
   for (const std::size_t i : wall.echoes) {
@@ -37,8 +37,9 @@ LandmarkSighting point_sighting(const HeardFeature& point, const SonarLandmarksP
   Eigen::Matrix2d by_place;
   by_place << place_m.transpose() / range_m,
       geometry::perpendicular(place_m).transpose() / (range_m * range_m);
-  const Eigen::Matrix2d covariance =
-      point.covariance + params.point_sd_m * params.point_sd_m * Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d covariance = point.covariance + params.point_stddev_m *
+                                                            params.point_stddev_m *
+                                                            Eigen::Matrix2d::Identity();
   LandmarkSighting sighting;
   sighting.value = {range_m, std::atan2(place_m.y(), place_m.x())};
   sighting.noise = by_place * covariance * by_place.transpose();
@@ -47,11 +48,11 @@ LandmarkSighting point_sighting(const HeardFeature& point, const SonarLandmarksP
 
 }  // namespace
 
-void check(const SonarLandmarksParams& params) {
-  check(params.search);
-  for (const double sd_m :
-       {params.wall_offset_sd_m, params.wall_normal_sd_rad, params.point_sd_m}) {
-    if (!(sd_m >= 0.0) || !std::isfinite(sd_m)) {
+void validate(const SonarLandmarksParams& params) {
+  validate(params.search);
+  for (const double stddev_m :
+       {params.wall_offset_stddev_m, params.wall_normal_stddev_rad, params.point_stddev_m}) {
+    if (!(stddev_m >= 0.0) || !std::isfinite(stddev_m)) {
       throw std::invalid_argument("sonar landmarks: deviations are 0 or more, and finite");
     }
   }

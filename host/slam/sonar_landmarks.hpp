@@ -17,13 +17,13 @@ struct SonarLandmarksParams {
   /// What a landmark is unsure by beyond the noise of its echoes: odometry places these, and of a
   /// wall or point that something hides in part, the middle of what is heard is not its nearest
   /// point. Chosen on simulated rooms.
-  double wall_offset_sd_m = 0.03;
-  double wall_normal_sd_rad = 0.08;
-  double point_sd_m = 0.05;
+  double wall_offset_stddev_m = 0.03;
+  double wall_normal_stddev_rad = 0.08;
+  double point_stddev_m = 0.05;
 };
 
-/// Throws std::invalid_argument for parameters without sense.
-void check(const SonarLandmarksParams& params);
+/// Throws std::invalid_argument for invalid parameters.
+void validate(const SonarLandmarksParams& params);
 
 /// Walls and points that the echoes of a multiscan came from, seen from where it began. All points
 /// have one label: a sonar does not tell a corner from an edge or a leg.

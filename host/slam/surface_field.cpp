@@ -3,14 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::slam {
 namespace {
 
 /// Points that spread along their surface by less than so many times the noise do not tell how it
 /// lies: they may be those of one beam that grazes a wall.
-constexpr double kLeastLength = 1.5;
+constexpr double kMinLength = 1.5;
 
 }  // namespace
 
@@ -41,10 +42,10 @@ SurfaceField::Cell& SurfaceField::Level::cell(geometry::CellIndex at) {
 }
 
 SurfaceField::SurfaceField(const SurfaceFieldParams& params) : params_(params) {
-  if (!(params.cell_m > 0.0) || !(params.noise_m > 0.0) || params.least_points < 3) {
-    throw std::invalid_argument(
-        "surface field: cells and noise are above 0, a surface has three points at least");
-  }
+  geometry::ParameterValidator("surface field")
+      .positive("cell_m", params.cell_m)
+      .positive("noise_m", params.noise_m)
+      .at_least("min_points", params.min_points, 3);
   double scale = 1.0;
   for (Level& level : levels_) {
     level.cell_m = scale * params.cell_m;
@@ -104,7 +105,7 @@ SurfaceField::Moments SurfaceField::moments_around(const Level& level,
 }
 
 Surface SurfaceField::fitted(const Level& level, const Moments& moments) const {
-  if (moments.count < params_.least_points) {
+  if (moments.count < params_.min_points) {
     return {};
   }
   const Eigen::Vector2d mean_m = moments.sum_m / moments.count;
@@ -114,7 +115,7 @@ Surface SurfaceField::fitted(const Level& level, const Moments& moments) const {
   const double middle_m2 = (xx_m2 + yy_m2) / 2.0;
   const double reach_m2 = std::hypot((xx_m2 - yy_m2) / 2.0, xy_m2);
   const double noise_m2 = level.noise_m * level.noise_m;
-  if (middle_m2 + reach_m2 < kLeastLength * kLeastLength * noise_m2) {
+  if (middle_m2 + reach_m2 < kMinLength * kMinLength * noise_m2) {
     return {};
   }
   const double across = 1.0 / (std::max(0.0, middle_m2 - reach_m2) + noise_m2);

@@ -21,7 +21,7 @@ struct SurfaceFieldParams {
   /// Noise of a point across its surface in the finest cells, metres; doubled as the cells are.
   double noise_m = 0.03;
   /// Fewer points make no surface: two always lie on a line.
-  int least_points = 3;
+  int min_points = 3;
 };
 
 /// A normal distribution of points around one place, which is a piece of a wall.
@@ -48,7 +48,7 @@ class SurfaceField {
  public:
   static constexpr int kLevels = 3;
 
-  /// Throws std::invalid_argument for parameters that make no sense.
+  /// Throws std::invalid_argument for invalid parameters.
   explicit SurfaceField(const SurfaceFieldParams& params = {});
 
   /// Forgets all points.

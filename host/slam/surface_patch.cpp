@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 #include <Eigen/LU>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/square.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/optimization/gauss_newton.hpp"
@@ -20,15 +20,15 @@ namespace echomap::slam {
 
 namespace {
 
-constexpr int kMostSteps = 8;
+constexpr int kMaxSteps = 8;
 constexpr double kLongestTurnRad = 0.3;
 constexpr double kConverged = 1e-5;
 /// More neighbours say nothing new.
-constexpr std::size_t kMostNeighbours = 40;
+constexpr std::size_t kMaxNeighbours = 40;
 /// Directions that a fit begins with, off the axis of the echo in question.
 constexpr double kFirstTurnsRad[] = {-0.7, -0.35, 0.0, 0.35, 0.7};
 /// Echoes are met by a surface up to this slant.
-constexpr double kMostSlantRad = 1.2;
+constexpr double kMaxIncidenceRad = 1.2;
 
 using geometry::square;
 using mapping::Echo;
@@ -52,7 +52,7 @@ struct Explanation {
 };
 
 /// Least squares of ranges; what is off by more than the noise counts less and less.
-std::optional<FittedLine> fitted(WallLine line, const Echoes& echoes, double most_rms_m) {
+std::optional<FittedLine> fitted(WallLine line, const Echoes& echoes, double max_rms_m) {
   FittedLine fit{line, Eigen::Matrix2d::Zero()};
   const auto linearize = [&] {
     optimization::NormalEquations<2> equations;
@@ -60,7 +60,7 @@ std::optional<FittedLine> fitted(WallLine line, const Echoes& echoes, double mos
     for (const Echo* echo : echoes) {
       const WallView view = view_of_wall(*echo, fit.line);
       const double error_m = view.range_m - echo->range_m;
-      const double weight = optimization::inlier_share(square(error_m), most_rms_m);
+      const double weight = optimization::inlier_share(square(error_m), max_rms_m);
       equations.add(error_m, view.by_line.transpose(), weight);
     }
     fit.information = equations.information();
@@ -73,22 +73,22 @@ std::optional<FittedLine> fitted(WallLine line, const Echoes& echoes, double mos
     fit.line.offset_m += change[1];
     return change.norm() < kConverged;
   };
-  return optimization::gauss_newton(kMostSteps, linearize, apply) ? std::optional(fit)
-                                                                  : std::nullopt;
+  return optimization::gauss_newton(kMaxSteps, linearize, apply) ? std::optional(fit)
+                                                                 : std::nullopt;
 }
 
 double error_m(const Echo& echo, const WallLine& line) {
   return view_of_wall(echo, line).range_m - echo.range_m;
 }
 
-Explanation explanation(const WallLine& line, const Echoes& echoes, double most_error_m) {
+Explanation explanation(const WallLine& line, const Echoes& echoes, double max_error_m) {
   const Eigen::Vector2d normal = geometry::unit_vector(line.normal_rad);
   const Eigen::Vector2d left = geometry::perpendicular(normal);
   Explanation found;
   for (const Echo* echo : echoes) {
     const WallView view = view_of_wall(*echo, line);
     const double off_m = view.range_m - echo->range_m;
-    if (std::abs(off_m) > most_error_m) {
+    if (std::abs(off_m) > max_error_m) {
       continue;
     }
     const double along_m =
@@ -101,13 +101,13 @@ Explanation explanation(const WallLine& line, const Echoes& echoes, double most_
   return found;
 }
 
-SurfacePatch patch_at(const Echo& echo, const FittedLine& fit, double echo_sd_m) {
+SurfacePatch patch_at(const Echo& echo, const FittedLine& fit, double echo_stddev_m) {
   const Eigen::Vector2d normal = geometry::unit_vector(fit.line.normal_rad);
   const Eigen::Vector2d left = geometry::perpendicular(normal);
   const WallView view = view_of_wall(echo, fit.line);
   Eigen::Vector2d point_m = echo.sensor_m + echo.range_m * geometry::unit_vector(view.contact_rad);
   point_m += normal * (fit.line.offset_m - normal.dot(point_m));
-  const Eigen::Matrix2d covariance = square(echo_sd_m) * fit.information.inverse();
+  const Eigen::Matrix2d covariance = square(echo_stddev_m) * fit.information.inverse();
   const Eigen::Vector2d offset_by_line(-left.dot(point_m), 1.0);
   return {point_m,
           fit.line.normal_rad,
@@ -123,20 +123,20 @@ class PatchSearch {
 
   std::optional<SurfacePatch> best() const {
     std::optional<SurfacePatch> best;
-    double least_cost = std::numeric_limits<double>::max();
+    double min_cost = std::numeric_limits<double>::max();
     for (const double turn_rad : kFirstTurnsRad) {
       const auto fit =
-          fitted(wall_through(echo_, echo_.axis_rad + turn_rad), neighbours_, params_.most_rms_m);
+          fitted(wall_through(echo_, echo_.axis_rad + turn_rad), neighbours_, params_.max_rms_m);
       if (!fit) {
         continue;
       }
-      const Explanation found = explanation(fit->line, neighbours_, 2.5 * params_.most_rms_m);
-      if (!is_good(found, fit->line) || cost(found) >= least_cost) {
+      const Explanation found = explanation(fit->line, neighbours_, 2.5 * params_.max_rms_m);
+      if (!is_good(found, fit->line) || cost(found) >= min_cost) {
         continue;
       }
-      const SurfacePatch patch = patch_at(echo_, *fit, params_.echo_sd_m);
-      if (patch.normal_sd_rad <= params_.most_normal_sd_rad) {
-        least_cost = cost(found);
+      const SurfacePatch patch = patch_at(echo_, *fit, params_.echo_stddev_m);
+      if (patch.normal_stddev_rad <= params_.max_normal_stddev_rad) {
+        min_cost = cost(found);
         best = patch;
       }
     }
@@ -148,16 +148,16 @@ class PatchSearch {
     const double share =
         static_cast<double>(found.explained) / static_cast<double>(neighbours_.size());
     const double slant_rad = geometry::angle_between(echo_.axis_rad, line.normal_rad);
-    return found.explained >= params_.least_echoes && share >= params_.least_agreement &&
-           found.rms_m() <= params_.most_rms_m &&
-           found.to_m - found.from_m >= params_.least_length_m &&
-           std::abs(slant_rad) <= kMostSlantRad &&
-           std::abs(error_m(echo_, line)) <= 2.0 * params_.most_rms_m;
+    return found.explained >= params_.min_echoes && share >= params_.min_agreement &&
+           found.rms_m() <= params_.max_rms_m &&
+           found.to_m - found.from_m >= params_.min_length_m &&
+           std::abs(slant_rad) <= kMaxIncidenceRad &&
+           std::abs(error_m(echo_, line)) <= 2.0 * params_.max_rms_m;
   }
 
   double cost(const Explanation& found) const {
     const auto missed = static_cast<double>(neighbours_.size() - found.explained);
-    return found.squares_m2 + missed * square(2.5 * params_.most_rms_m);
+    return found.squares_m2 + missed * square(2.5 * params_.max_rms_m);
   }
 
   const Echo& echo_;
@@ -175,14 +175,14 @@ bool is_covered(const Eigen::Vector2d& point_m,
 
 Echoes neighbours_of(const Echo& echo, const std::vector<Echo>& echoes, double reach_m) {
   const Eigen::Vector2d middle_m = echo.middle_m();
-  const double within_m = reach_m + 0.7 * echo.range_m * std::sin(echo.half_opening_rad);
+  const double within_m = reach_m + 0.7 * echo.range_m * std::sin(echo.beam_half_angle_rad);
   Echoes near;
   for (const Echo& other : echoes) {
     if ((other.middle_m() - middle_m).squaredNorm() < square(within_m)) {
       near.push_back(&other);
     }
   }
-  const std::size_t stride = near.size() / kMostNeighbours + 1;
+  const std::size_t stride = near.size() / kMaxNeighbours + 1;
   Echoes kept;
   for (std::size_t i = 0; i < near.size(); i += stride) {
     kept.push_back(near[i]);
@@ -192,15 +192,17 @@ Echoes neighbours_of(const Echo& echo, const std::vector<Echo>& echoes, double r
 
 }  // namespace
 
-void check(const SurfacePatchParams& params) {
-  const bool lengths_ok = params.reach_m > 0.0 && params.most_rms_m > 0.0 &&
-                          params.least_length_m >= 0.0 && params.echo_sd_m > 0.0 &&
-                          params.spacing_m > 0.0;
-  const bool others_ok = params.least_echoes >= 3 && params.least_agreement > 0.0 &&
-                         params.least_agreement <= 1.0 && params.most_normal_sd_rad > 0.0;
-  if (!lengths_ok || !others_ok) {
-    throw std::invalid_argument("surface patches: a parameter is outside of its range");
-  }
+void validate(const SurfacePatchParams& params) {
+  geometry::ParameterValidator("surface patches")
+      .positive("reach_m", params.reach_m)
+      .positive("max_rms_m", params.max_rms_m)
+      .at_least("min_length_m", params.min_length_m, 0.0)
+      .positive("echo_stddev_m", params.echo_stddev_m)
+      .positive("spacing_m", params.spacing_m)
+      .at_least("min_echoes", params.min_echoes, 3)
+      .positive("min_agreement", params.min_agreement)
+      .at_most("min_agreement", params.min_agreement, 1.0)
+      .positive("max_normal_stddev_rad", params.max_normal_stddev_rad);
 }
 
 std::vector<SurfacePatch> find_patches(const std::vector<Echo>& echoes,
@@ -211,7 +213,7 @@ std::vector<SurfacePatch> find_patches(const std::vector<Echo>& echoes,
       continue;
     }
     const Echoes neighbours = neighbours_of(echo, echoes, params.reach_m);
-    if (neighbours.size() < params.least_echoes) {
+    if (neighbours.size() < params.min_echoes) {
       continue;
     }
     const auto patch = PatchSearch(echo, neighbours, params).best();

@@ -16,22 +16,22 @@ struct SurfacePatchParams {
   /// Echoes are asked that lie this near to each other, besides half of what a beam is wide there.
   double reach_m = 0.35;
   /// So many echoes make a patch, at least, and such a share of those that were asked.
-  std::size_t least_echoes = 4;
-  double least_agreement = 0.7;
+  std::size_t min_echoes = 4;
+  double min_agreement = 0.7;
   /// Echoes of one patch differ from it by so much, root mean square.
-  double most_rms_m = 0.03;
+  double max_rms_m = 0.03;
   /// Measured points lie so far from the first to the last one.
-  double least_length_m = 0.12;
+  double min_length_m = 0.12;
   /// A direction less well known than this is none.
-  double most_normal_sd_rad = 0.25;
+  double max_normal_stddev_rad = 0.25;
   /// Noise of an echo, for what the patch is worth.
-  double echo_sd_m = 0.02;
+  double echo_stddev_m = 0.02;
   /// One patch for each stretch of surface of this length.
   double spacing_m = 0.15;
 };
 
-/// Throws std::invalid_argument for parameters without sense.
-void check(const SurfacePatchParams& params);
+/// Throws std::invalid_argument for invalid parameters.
+void validate(const SurfacePatchParams& params);
 
 /// A small piece of surface as some echoes have seen it together.
 struct SurfacePatch {
@@ -39,8 +39,8 @@ struct SurfacePatch {
   /// Away from the side that is seen.
   double normal_rad = 0.0;
   /// How far the surface may lie behind or before the point.
-  double offset_sd_m = 0.0;
-  double normal_sd_rad = 0.0;
+  double offset_stddev_m = 0.0;
+  double normal_stddev_rad = 0.0;
 };
 
 /// The patches that explain echoes taken from places that are well known to each other. A lone cone

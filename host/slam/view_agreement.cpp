@@ -18,8 +18,8 @@ constexpr double kMarginByRange = 0.05;
 
 /// The least and the most range that beams next to a bearing measured; empty without any.
 struct RangesBeside {
-  double least_m = std::numeric_limits<double>::infinity();
-  double most_m = 0.0;
+  double min_m = std::numeric_limits<double>::infinity();
+  double max_m = 0.0;
 };
 
 /// The beams with an answer in the order of their bearings, all the way round.
@@ -52,8 +52,8 @@ class AnswersByBearing {
     RangesBeside beside;
     for (; answer != answers_.end() && answer->bearing_rad <= bearing_rad + kBesideBeamRad;
          ++answer) {
-      beside.least_m = std::min(beside.least_m, answer->range_m);
-      beside.most_m = std::max(beside.most_m, answer->range_m);
+      beside.min_m = std::min(beside.min_m, answer->range_m);
+      beside.max_m = std::max(beside.max_m, answer->range_m);
     }
     return beside;
   }
@@ -90,13 +90,13 @@ ViewAgreement view_agreement(const sensors::RangeScan& scan,
     const Eigen::Vector2d seen_m = T_sensor_robot * point_m;
     const double range_m = seen_m.norm();
     const RangesBeside beside = answers.beside(std::atan2(seen_m.y(), seen_m.x()));
-    if (beside.most_m == 0.0) {
+    if (beside.max_m == 0.0) {
       continue;
     }
     const double allowed_m = margin_m + kMarginByRange * range_m;
-    if (range_m < beside.least_m - allowed_m) {
+    if (range_m < beside.min_m - allowed_m) {
       ++agreement.through;
-    } else if (range_m < beside.most_m + allowed_m) {
+    } else if (range_m < beside.max_m + allowed_m) {
       ++agreement.met;
     }
   }

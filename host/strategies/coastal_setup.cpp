@@ -15,8 +15,8 @@ using exploration::Hand;
 using session::RobotProfile;
 
 /// The wall sensor looks so far off straight ahead, at least and at most.
-constexpr double kLeastAsideRad = geometry::radians(45.0);
-constexpr double kMostAsideRad = geometry::radians(135.0);
+constexpr double kMinAsideRad = geometry::radians(45.0);
+constexpr double kMaxAsideRad = geometry::radians(135.0);
 
 /// A visitor of the pins' fields that looks for one wired to a function.
 struct FindPin {
@@ -39,7 +39,7 @@ std::optional<std::size_t> sensor_at(const RobotProfile& profile, Hand hand) {
   for (std::size_t i = 0; i < profile.sensors.infrared.size(); ++i) {
     const double heading_rad = profile.sensors.infrared[i].T_robot_sensor.heading_rad();
     const double aside_rad = hand == Hand::kRight ? -heading_rad : heading_rad;
-    if (aside_rad >= kLeastAsideRad && aside_rad <= kMostAsideRad) {
+    if (aside_rad >= kMinAsideRad && aside_rad <= kMaxAsideRad) {
       return i;
     }
   }

@@ -18,12 +18,12 @@ using exploration::WaypointCourse;
 using files::TomlReader;
 
 /// A hall of 100 m in cells of 5 cm.
-constexpr std::int64_t kMostCells = 2000;
+constexpr std::int64_t kMaxCells = 2000;
 
 int cells_of(const TomlReader& grid, std::string_view key) {
   const std::int64_t cells = grid.integer(key);
-  if (cells < 1 || cells > kMostCells) {
-    grid.fail(key, fmt::format("'{}' must be from 1 to {}", key, kMostCells));
+  if (cells < 1 || cells > kMaxCells) {
+    grid.fail(key, fmt::format("'{}' must be from 1 to {}", key, kMaxCells));
   }
   return static_cast<int>(cells);
 }

@@ -38,9 +38,8 @@ ExplorerPtr make_tangent_bug(const RobotProfile& profile,
                              std::mt19937& /*random*/) {
   if (options.waypoints.empty()) {
     throw CommandError(ExitCode::kUsage,
-                       "strategy 'tangent-bug' goes from waypoint to waypoint, and has none\n"
-                       "  next: name a course with --waypoints, as playground, or a TOML file of "
-                       "your room");
+                       "strategy 'tangent-bug' needs waypoints\n"
+                       "  next: --waypoints playground, or a TOML file of your room");
   }
   return std::make_unique<exploration::TangentBug>(tangent_bug_params(profile),
                                                    load_course(options.waypoints));
@@ -86,7 +85,7 @@ ExplorerPtr make_random_bounce(const RobotProfile& profile,
                                std::mt19937& random) {
   exploration::RandomBounceParams params;
   params.speed_m_per_s = profile.speed_m_per_s;
-  params.most_s = options.seconds;
+  params.max_s = options.seconds;
   return std::make_unique<exploration::RandomBounce>(params, random);
 }
 
@@ -120,7 +119,7 @@ const Strategy& strategy_of(const StrategyOptions& options) {
   const auto found = std::find_if(
       all.begin(), all.end(), [&](const Strategy& one) { return one.name == options.name; });
   if (found == all.end()) {
-    throw CommandError(ExitCode::kUsage, "there is no strategy '" + options.name + "'");
+    throw CommandError(ExitCode::kUsage, "unknown strategy '" + options.name + "'");
   }
   return *found;
 }
@@ -171,7 +170,7 @@ bool begins_anywhere(const StrategyOptions& options) {
 ExplorerPtr explorer_for(const RobotProfile& profile,
                          const StrategyOptions& options,
                          std::mt19937& random) {
-  require_fit(profile, options);
+  validate_fit(profile, options);
   const Strategy& strategy = strategy_of(options);
   exploration::DangerCheckerParams danger = danger_params(profile);
   danger.shortens_drives = !strategy.checks_its_ways;
@@ -179,7 +178,7 @@ ExplorerPtr explorer_for(const RobotProfile& profile,
       strategy.make(profile, options, random), danger));
 }
 
-void require_fit(const RobotProfile& profile, const StrategyOptions& options) {
+void validate_fit(const RobotProfile& profile, const StrategyOptions& options) {
   refuse_strange_options(options);
   if (const std::string lack = strategy_of(options).lack(profile, options); !lack.empty()) {
     throw CommandError(ExitCode::kConfigInvalid,
@@ -190,12 +189,12 @@ void require_fit(const RobotProfile& profile, const StrategyOptions& options) {
 }
 
 exploration::NxtFarthestParams nxt_farthest_params(const RobotProfile& profile,
-                                                   std::size_t most_stops) {
+                                                   std::size_t max_stops) {
   exploration::NxtFarthestParams params;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;
   params.robot_radius_m = profile.body_radius_m;
-  params.most_stops = most_stops;
+  params.max_stops = max_stops;
   return params;
 }
 
@@ -203,22 +202,22 @@ exploration::TangentBugParams tangent_bug_params(const RobotProfile& profile) {
   exploration::TangentBugParams params;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;
-  params.farthest_m = profile.range.max_range_m;
+  params.max_m = profile.range.max_range_m;
   params.robot_radius_m = profile.body_radius_m;
   params.beam_half_angle_rad = profile.beam_half_angle_rad;
   return params;
 }
 
-exploration::FrontierParams frontier_params(const RobotProfile& profile, std::size_t most_stops) {
+exploration::FrontierParams frontier_params(const RobotProfile& profile, std::size_t max_stops) {
   exploration::FrontierParams params;
   params.costs.robot_radius_m = profile.body_radius_m;
   params.follower.speed_m_per_s = profile.speed_m_per_s;
-  params.follower.slowest_m_per_s =
-      std::min(params.follower.slowest_m_per_s, profile.speed_m_per_s);
+  params.follower.min_speed_m_per_s =
+      std::min(params.follower.min_speed_m_per_s, profile.speed_m_per_s);
   params.viewpoints.speed_m_per_s = profile.speed_m_per_s;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;
-  params.most_stops = most_stops;
+  params.max_stops = max_stops;
   return params;
 }
 

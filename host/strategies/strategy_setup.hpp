@@ -43,7 +43,7 @@ struct Strategy {
   /// It sees to it that its ways are clear, so that the danger checker does not shorten them.
   bool checks_its_ways = false;
   StrategyLimit limit = StrategyLimit::kNone;
-  /// It goes by nothing but the map, so that it can begin anew in another one.
+  /// It goes by nothing but the map, so that it can start again in another one.
   bool begins_anywhere = false;
 };
 
@@ -63,17 +63,17 @@ std::unique_ptr<exploration::Explorer> explorer_for(const session::RobotProfile&
                                                     const StrategyOptions& options,
                                                     std::mt19937& random);
 /// Throws CommandError where the robot lacks what the strategy of the options needs.
-void require_fit(const session::RobotProfile& profile, const StrategyOptions& options);
+void validate_fit(const session::RobotProfile& profile, const StrategyOptions& options);
 
 /// What nxt-farthest has to know of a robot.
 exploration::NxtFarthestParams nxt_farthest_params(const session::RobotProfile& profile,
-                                                   std::size_t most_stops);
+                                                   std::size_t max_stops);
 
 /// What tangent-bug has to know of a robot.
 exploration::TangentBugParams tangent_bug_params(const session::RobotProfile& profile);
 
 /// What frontier has to know of a robot.
 exploration::FrontierParams frontier_params(const session::RobotProfile& profile,
-                                            std::size_t most_stops);
+                                            std::size_t max_stops);
 
 }  // namespace echomap::strategies

@@ -13,13 +13,13 @@ constexpr int kRateBits = 36;
 /// Of stamps.
 constexpr double kResolutionUs = 1.0;
 /// Neither direction is left without a say: the estimate of who is better is a rough one.
-constexpr double kLeastTrust = 0.25;
-constexpr double kMostTrust = 8.0;
+constexpr double kMinTrust = 0.25;
+constexpr double kMaxTrust = 8.0;
 /// Times the expected excess, tuned on the delay models (tests/hil_mock/line_faults).
 constexpr double kUncertainty = 3.0;
 constexpr double kRateUncertainty = 8.0;
 
-ClockSyncParams checked(const ClockSyncParams& params) {
+ClockSyncParams validated(const ClockSyncParams& params) {
   using Duration = ClockSyncParams::Duration;
   if (params.window <= Duration::zero() || params.fit_period <= Duration::zero() ||
       params.max_rate_error_ppm <= 0.0 || params.phase_step_us < 0.0) {
@@ -37,7 +37,7 @@ std::int64_t micros(Instant instant) {
 }  // namespace
 
 ClockSync::ClockSync(const ClockSyncParams& params)
-    : params_(checked(params)),
+    : params_(validated(params)),
       arrivals_(params.window.count()),
       pongs_(params.window.count()),
       sendings_(params.window.count()) {}
@@ -104,17 +104,17 @@ double ClockSync::arrivals_excess_us(double rate) const {
                   pongs_.expected_excess_us(rate) - pongs_over_lowest_us);
 }
 
-double ClockSync::trust_in_arrivals(double rate) const {
+double ClockSync::share_of_arrivals(double rate) const {
   const double ratio =
       sendings_.expected_excess_us(-rate) / std::max(arrivals_excess_us(rate), kResolutionUs);
-  return std::clamp(ratio, kLeastTrust, kMostTrust);
+  return std::clamp(ratio, kMinTrust, kMaxTrust);
 }
 
 void ClockSync::fit() {
   const LowerHull arrivals = arrivals_.hull();
   const LowerHull sendings = sendings_.hull();
   const double first_rate = likely_rate(arrivals, sendings, 1.0);
-  const double rate = likely_rate(arrivals, sendings, trust_in_arrivals(first_rate));
+  const double rate = likely_rate(arrivals, sendings, share_of_arrivals(first_rate));
   const ClockPoint& arrival = arrivals.touched_by(rate);
   const ClockPoint& sending = sendings.touched_by(-rate);
   const double from_arrival_us = static_cast<double>(sending.robot_us - arrival.robot_us);

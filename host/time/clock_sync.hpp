@@ -85,7 +85,7 @@ class ClockSync {
   void add_arrival(RobotTime stamp, HostTime arrived);
   void fit();
   double likely_rate(const LowerHull& arrivals, const LowerHull& sendings, double trust) const;
-  double trust_in_arrivals(double rate) const;
+  double share_of_arrivals(double rate) const;
   double arrivals_excess_us(double rate) const;
 
   ClockSyncParams params_;

@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::chrono::seconds kWindow(60);
 /// What is farther off is of another clock; no message is under way for so long.
-constexpr double kMostOffS = 1.0;
+constexpr double kMaxOffS = 1.0;
 /// So many in a row that agree are of one clock. A jam that lets go all at once looks different:
 /// there each message is less late than the one before by a picture's period.
-constexpr int kMostOthers = 3;
+constexpr int kMaxOthers = 3;
 constexpr double kAgreesS = 0.05;
 
 double seconds_of(HostTime at) {
@@ -23,7 +23,7 @@ double seconds_of(HostTime at) {
 
 bool SenderClock::add(double sent_s, HostTime arrived) {
   const double apart_s = seconds_of(arrived) - sent_s;
-  if (!offsets_.empty() && std::abs(apart_s - offsets_.front().apart_s) > kMostOffS) {
+  if (!offsets_.empty() && std::abs(apart_s - offsets_.front().apart_s) > kMaxOffS) {
     if (!is_another_clock(apart_s)) {
       return false;
     }
@@ -45,7 +45,7 @@ bool SenderClock::is_another_clock(double apart_s) {
     other_apart_s_ = apart_s;
     others_ = 0;
   }
-  return ++others_ >= kMostOthers;
+  return ++others_ >= kMaxOthers;
 }
 
 std::optional<HostTime> SenderClock::host_time(double sender_s) const {

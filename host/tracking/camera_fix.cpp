@@ -32,16 +32,17 @@ std::optional<CameraFix> parse_camera_fix(std::string_view line) {
   const double heading_rad = number_in(json, "heading_rad", kMissing);
   fix.stamp_s = number_in(json, "stamp_s", kMissing);
   fix.sent_s = number_in(json, "sent_s", fix.stamp_s);
-  fix.std_m = number_in(json, "std_m", fix.std_m);
-  fix.std_rad = number_in(json, "std_rad", fix.std_rad);
+  fix.stddev_m = number_in(json, "std_m", fix.stddev_m);
+  fix.stddev_rad = number_in(json, "std_rad", fix.stddev_rad);
   for (const double number : {x_m, y_m, heading_rad, fix.stamp_s, fix.sent_s}) {
     constexpr double kLargest = 1e12;
     if (!(std::abs(number) < kLargest)) {
       return std::nullopt;
     }
   }
-  const bool makes_sense = fix.sent_s >= fix.stamp_s && fix.std_m > 0.0 && fix.std_rad > 0.0 &&
-                           std::isfinite(fix.std_m) && std::isfinite(fix.std_rad);
+  const bool makes_sense = fix.sent_s >= fix.stamp_s && fix.stddev_m > 0.0 &&
+                           fix.stddev_rad > 0.0 && std::isfinite(fix.stddev_m) &&
+                           std::isfinite(fix.stddev_rad);
   if (!makes_sense) {
     return std::nullopt;
   }

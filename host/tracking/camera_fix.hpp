@@ -13,8 +13,8 @@ struct CameraFix {
   double stamp_s = 0.0;  ///< When the picture was taken, on the camera's clock.
   double sent_s = 0.0;   ///< When the line was sent, on the same.
   geometry::Pose2 T_camera_robot;
-  double std_m = 0.02;  ///< Of x and of y.
-  double std_rad = 0.05;
+  double stddev_m = 0.02;  ///< Of x and of y.
+  double stddev_rad = 0.05;
 };
 
 /// Empty for a line that is no JSON, lacks stamp_s, x_m, y_m or heading_rad, or holds something

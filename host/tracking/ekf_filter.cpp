@@ -12,7 +12,7 @@
 #include "host/console/print.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/geometry/square.hpp"
-#include "host/tracking/belief_report.hpp"
+#include "host/tracking/pose_report.hpp"
 
 namespace echomap::tracking {
 namespace {
@@ -21,8 +21,8 @@ constexpr std::chrono::seconds kFixPatience(5);
 
 using geometry::square;
 
-Eigen::Matrix3d covariance_of(double std_m, double std_rad) {
-  return Eigen::Vector3d(square(std_m), square(std_m), square(std_rad)).asDiagonal();
+Eigen::Matrix3d covariance_of(double stddev_m, double stddev_rad) {
+  return Eigen::Vector3d(square(stddev_m), square(stddev_m), square(stddev_rad)).asDiagonal();
 }
 
 }  // namespace
@@ -38,14 +38,15 @@ void EkfFilter::poll(const session::RobotSession& session) {
     if (ekf_.stamp()) {
       ekf_.add({stamp_s_of(fix.taken, session),
                 T_map_camera_ * fix.fix.T_camera_robot,
-                covariance_of(fix.fix.std_m, fix.fix.std_rad)});
+                covariance_of(fix.fix.stddev_m, fix.fix.stddev_rad)});
     }
   }
   if (ekf_.times_lost() > losses_told_) {
     losses_told_ = ekf_.times_lost();
     was_lost_ = true;
     console::print(
-        "  lost: the robot was lifted, or fixes find it elsewhere; it is where the next one says");
+        "  lost: the robot was lifted, or pose measurements contradict the estimate; restarting at "
+        "the next measurement");
   }
   look_for_silence(session.now());
 }
@@ -59,7 +60,7 @@ void EkfFilter::look_for_silence(time::HostTime now) {
     silent_since_ = now;
     silence_is_told_ = false;
   } else if (now - *silent_since_ >= kFixPatience && !std::exchange(silence_is_told_, true)) {
-    spdlog::warn("{} has sent no fix of use for {} s; the robot is followed by its odometry alone",
+    spdlog::warn("{} has sent no usable pose for {} s; continuing on odometry alone",
                  fixes_.name(),
                  kFixPatience.count());
   }
@@ -77,7 +78,7 @@ double EkfFilter::stamp_s_of(time::HostTime instant, const session::RobotSession
 
 void EkfFilter::begin(session::RobotSession& session) {
   if (start_) {
-    ekf_.start_at({start_->T_map_robot, covariance_of(start_->std_m, start_->std_rad)});
+    ekf_.start_at({start_->T_map_robot, covariance_of(start_->stddev_m, start_->stddev_rad)});
   } else {
     wait_for_fix(session);
   }
@@ -89,8 +90,8 @@ void EkfFilter::wait_for_fix(session::RobotSession& session) const {
   if (!ekf_.belief() && !session.end()) {
     throw console::CommandError(
         console::ExitCode::kRuntimeError,
-        fmt::format("no fix came from {} within {} s, {} lines that are none\n"
-                    "  next: start the camera, or say with --at where the robot is",
+        fmt::format("no pose arrived from {} within {} s ({} malformed lines)\n"
+                    "  next: start the camera, or give the start pose with --at",
                     fixes_.name(),
                     kFixPatience.count(),
                     fixes_.bad_lines()));
@@ -102,9 +103,9 @@ bool EkfFilter::has_lost_it() { return std::exchange(was_lost_, false); }
 std::string EkfFilter::line() const {
   const auto belief = ekf_.belief();
   if (!belief) {
-    return "lost, no fix has come since";
+    return "lost, no pose measurement since";
   }
-  return fmt::format("{}, known to {:.1f} cm and {:.1f} degrees ({} fixes)",
+  return fmt::format("{}, +- {:.1f} cm and {:.1f} degrees ({} pose measurements)",
                      text_of(belief->T_map_robot),
                      100.0 * std::sqrt(belief->covariance.topLeftCorner<2, 2>().trace()),
                      geometry::degrees(std::sqrt(belief->covariance(2, 2))),

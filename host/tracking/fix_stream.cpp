@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 4096;
 /// So many at once: a sender without end cannot keep the robot waiting.
-constexpr int kMostPieces = 64;
+constexpr int kMaxPieces = 64;
 constexpr std::size_t kShownBytes = 60;
 
 /// What of a stranger's line can be shown on a terminal.
@@ -41,7 +41,7 @@ std::unique_ptr<transport::ByteStream> open_fixes(const std::string& address) {
     }
   } catch (const transport::TransportError& error) {
     throw console::CommandError(console::ExitCode::kRuntimeError,
-                                std::string("no fixes: ") + error.what());
+                                std::string("no pose measurements: ") + error.what());
   }
   throw console::CommandError(console::ExitCode::kUsage,
                               "--fixes " + address +
@@ -52,7 +52,7 @@ std::unique_ptr<transport::ByteStream> open_fixes(const std::string& address) {
 std::vector<TimedFix> FixStream::take(time::HostTime now) {
   std::vector<TimedFix> fixes;
   std::array<std::uint8_t, kLongestLine> piece{};
-  for (int pieces = 0; pieces < kMostPieces; ++pieces) {
+  for (int pieces = 0; pieces < kMaxPieces; ++pieces) {
     const std::size_t count = stream_->read_some(piece, std::chrono::microseconds(0));
     if (count == 0) {
       break;
@@ -60,7 +60,7 @@ std::vector<TimedFix> FixStream::take(time::HostTime now) {
     take_piece({piece.data(), count}, now, fixes);
   }
   if (stream_->status() == transport::StreamStatus::kClosed && !std::exchange(end_is_told_, true)) {
-    spdlog::warn("no more fixes: {}: {}", name(), stream_->close_reason());
+    spdlog::warn("no more pose measurements: {}: {}", name(), stream_->close_reason());
   }
   return fixes;
 }
@@ -86,20 +86,20 @@ void FixStream::take_line(const std::string& line,
   const bool is_whole = !std::exchange(skips_line_, false);
   const auto fix = is_whole ? parse_camera_fix(line) : std::nullopt;
   if (!fix) {
-    tell_bad(line, "is no fix");
+    report_malformed(line, "is not a pose");
     return;
   }
   if (!clock_.add(fix->sent_s, now)) {
-    tell_bad(line, "was sent at another time than those before");
+    report_malformed(line, "has a time stamp of another clock");
     return;
   }
   ++fixes_;
   fixes.push_back({clock_.host_time(fix->stamp_s).value_or(now), *fix});
 }
 
-void FixStream::tell_bad(const std::string& line, std::string_view what) {
+void FixStream::report_malformed(const std::string& line, std::string_view what) {
   if (++bad_lines_ == 1) {
-    spdlog::warn("{} sent a line that {}, as may be others: {}", name(), what, shown(line));
+    spdlog::warn("{} sent a line that {} (reported once): {}", name(), what, shown(line));
   }
 }
 

@@ -45,7 +45,7 @@ class FixStream {
                   time::HostTime now,
                   std::vector<TimedFix>& fixes);
   void take_line(const std::string& line, time::HostTime now, std::vector<TimedFix>& fixes);
-  void tell_bad(const std::string& line, std::string_view what);
+  void report_malformed(const std::string& line, std::string_view what);
 
   std::unique_ptr<transport::ByteStream> stream_;
   time::SenderClock clock_;

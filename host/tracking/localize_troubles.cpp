@@ -23,7 +23,7 @@ std::optional<std::string> trouble_of_start(LocalizerOutcome start) {
   if (start == LocalizerOutcome::kMoved) {
     return std::nullopt;
   }
-  return fmt::format("not there at the start: {}; looked for everywhere",
+  return fmt::format("cannot start at that pose: {}; localizing globally",
                      localization::text_of(start));
 }
 
@@ -33,7 +33,7 @@ std::vector<std::string> troubles_of(const pipeline::LogLocalizer& localizer) {
     troubles.push_back(*trouble);
   }
   if (localizer.late_scans() > 0) {
-    troubles.push_back(fmt::format("{} scans were left out: {}",
+    troubles.push_back(fmt::format("{} scans were skipped: {}",
                                    localizer.late_scans(),
                                    localization::text_of(LocalizerOutcome::kTimeRanBack)));
   }

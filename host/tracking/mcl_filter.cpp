@@ -7,8 +7,8 @@
 #include <spdlog/spdlog.h>
 
 #include "host/console/print.hpp"
-#include "host/tracking/belief_report.hpp"
 #include "host/tracking/localize_troubles.hpp"
+#include "host/tracking/pose_report.hpp"
 
 namespace echomap::tracking {
 
@@ -19,7 +19,7 @@ pipeline::RobotLocalizerParams localizer_params(const session::RobotProfile& pro
   pipeline::RobotLocalizerParams params;
   params.preset = preset;
   params.sonar.body_radius_m = profile.body_radius_m;
-  params.sonar.half_opening_rad = profile.beam_half_angle_rad;
+  params.sonar.beam_half_angle_rad = profile.beam_half_angle_rad;
   params.sonar.max_range_m = profile.range.max_range_m;
   return params;
 }
@@ -45,7 +45,7 @@ void MclFilter::poll(const session::RobotSession& /*session*/) {
 
 void MclFilter::begin(session::RobotSession& /*session*/) {
   if (start_) {
-    localizer_.start_at(start_->T_map_robot, start_->std_m, start_->std_rad);
+    localizer_.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
   }
 }
 

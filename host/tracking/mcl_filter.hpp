@@ -20,7 +20,7 @@ pipeline::RobotLocalizerParams localizer_params(const session::RobotProfile& pro
 /// Monte-Carlo localization in a map, by the sonar.
 class MclFilter final : public LiveFilter {
  public:
-  /// Anywhere without `start`. Throws std::invalid_argument for settings or a map without sense.
+  /// Anywhere without `start`. Throws std::invalid_argument for invalid settings or an invalid map.
   MclFilter(const mapping::RasterMap& map,
             const sensors::RobotGeometry& robot,
             const pipeline::RobotLocalizerParams& params,

@@ -11,8 +11,8 @@ namespace echomap::tracking {
 /// Where the user says that a robot starts, and how well one knows that.
 struct StartPose {
   geometry::Pose2 T_map_robot;
-  double std_m = 0.3;
-  double std_rad = 0.2;
+  double stddev_m = 0.3;
+  double stddev_rad = 0.2;
 };
 
 /// The pose of an option X Y DEGREES; empty for none.

@@ -13,7 +13,7 @@ namespace {
 
 using exploration::FinishReason;
 
-constexpr int kMostStopsOnTheSpot = 3;
+constexpr int kMaxStopsOnTheSpot = 3;
 
 /// The strategy, without an end of its own: its ground need not be new.
 exploration::NxtFarthestParams endless(const session::RobotProfile& profile) {
@@ -29,12 +29,12 @@ StopDriver::StopDriver(session::RobotContext& robot, std::string slam)
     : robot_(robot),
       slam_(std::move(slam)),
       random_(robot.seed().generator(session::SeedPurpose::kStopDriver)) {
-  start_anew();
+  restart();
 }
 
 StopDriver::~StopDriver() { robot_.fork().remove(*pipeline_); }
 
-void StopDriver::start_anew() {
+void StopDriver::restart() {
   if (pipeline_) {
     robot_.fork().remove(*pipeline_);
   }
@@ -50,11 +50,11 @@ bool StopDriver::go_to_next_stop() {
     const auto motion = explorer_->next(pipeline_->snapshot(), last_);
     if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
       if (finished->reason != FinishReason::kNowhereToGo ||
-          ++stops_on_the_spot_ == kMostStopsOnTheSpot) {
+          ++stops_on_the_spot_ == kMaxStopsOnTheSpot) {
         finished_ = finished->reason;
         return false;
       }
-      start_anew();  // What bars the way may be its own map's fault.
+      restart();  // What bars the way may be its own map's fault.
       continue;
     }
     stops_on_the_spot_ =

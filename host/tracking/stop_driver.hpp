@@ -29,7 +29,7 @@ class StopDriver {
   /// from the same place, a few times.
   bool go_to_next_stop();
   /// The robot was carried off: the driver's map is of somewhere else.
-  void start_anew();
+  void restart();
 
   /// Of the driver's own map.
   const pipeline::RobotPipeline& pipeline() const { return *pipeline_; }
@@ -41,7 +41,7 @@ class StopDriver {
   std::mt19937 random_;
   std::unique_ptr<pipeline::RobotPipeline> pipeline_;
   std::unique_ptr<exploration::NxtFarthest> explorer_;
-  int stops_on_the_spot_ = 0;  ///< In a row.
+  int stops_on_the_spot_ = 0;  ///< Consecutive count.
   exploration::MotionResult last_ = exploration::MotionResult::kReached;
   std::optional<exploration::FinishReason> finished_;
 };

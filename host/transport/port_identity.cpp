@@ -73,7 +73,7 @@ std::optional<PortInfo> PortIdentity::device_at(const std::string& port) const {
 }
 
 void PortIdentity::refuse(const std::string& why) const {
-  throw TransportError("cannot reopen " + port_, why, "plug it in, or start anew");
+  throw TransportError("cannot reopen " + port_, why, "plug it in, or start again");
 }
 
 }  // namespace echomap::transport

@@ -18,10 +18,10 @@ using boost::asio::ip::tcp;
 constexpr std::chrono::seconds kPatience{5};
 
 [[noreturn]] void fail(const std::string& address, const std::string& why) {
-  throw TransportError("cannot connect to " + address,
-                       why,
-                       "check that the robot's bridge or emulator listens there, as in "
-                       "tcp://127.0.0.1:5000");
+  throw TransportError(
+      "cannot connect to " + address,
+      why,
+      "check that the robot's bridge or emulator listens there, as in tcp://127.0.0.1:5000");
 }
 
 /// A half-open connection, as after a bridge has lost its power, says nothing of itself: bytes that

@@ -18,7 +18,7 @@ namespace {
 using boost::asio::ip::udp;
 
 /// So many empty datagrams at once: who sends no end of them cannot keep a read from returning.
-constexpr int kMostPassedOver = 64;
+constexpr int kMaxPassedOver = 64;
 
 [[noreturn]] void fail(const std::string& address, const std::string& reason) {
   throw TransportError("cannot listen on " + address,
@@ -56,7 +56,7 @@ class UdpStream final : public ByteStream {
   }
   /// The next datagram that holds something; false where none is there.
   bool take_next() {
-    for (int i = 0; i < kMostPassedOver; ++i) {
+    for (int i = 0; i < kMaxPassedOver; ++i) {
       boost::system::error_code error;  // Of a datagram that came to nobody, too.
       begin_ = 0;
       end_ = socket_.receive(boost::asio::buffer(buffer_.data(), buffer_.size() - 1), 0, error);

@@ -23,7 +23,7 @@ constexpr double kStartM = 0.3;
 constexpr double kStartRad = 0.2;
 constexpr double kStartToWallsM = 0.15;
 /// A room in which none of so many places will do has none.
-constexpr int kMostDraws = 100000;
+constexpr int kMaxDraws = 100000;
 
 /// The outline that begins at wall `first` and has so many sides.
 world::Outline outline_at(const FloorPlan& plan, std::size_t first, std::size_t sides) {
@@ -61,7 +61,7 @@ Polygon box_at(const Eigen::Vector2d& center_m) {
 /// The first draw that is right.
 template <class Draw, class IsRight>
 auto first_right(const std::string& what, const Draw& draw, const IsRight& is_right) {
-  for (int i = 0; i < kMostDraws; ++i) {
+  for (int i = 0; i < kMaxDraws; ++i) {
     if (const auto drawn = draw(); is_right(drawn)) {
       return drawn;
     }

@@ -40,9 +40,9 @@ BrennerArena read_brenner(const std::filesystem::path& folder) {
   arena.T_robot_scanner = Pose2(0.030, 0.0, 0.0);
   arena.T_map_start = T_map_scanner_start * arena.T_robot_scanner.inverse();
   arena.start_covariance = Eigen::Vector3d(0.01 * 0.01, 0.01 * 0.01, 0.03 * 0.03).asDiagonal();
-  arena.motion.turn_by_turn = 0.01;
-  arena.motion.turn_by_drive_rad2_per_m2 = 0.01;
-  arena.motion.drive_by_drive = 0.01;
+  arena.motion.alpha1 = 0.01;
+  arena.motion.alpha2_rad2_per_m2 = 0.01;
+  arena.motion.alpha3 = 0.01;
   arena.records = tests::records_of(*datasets::open_brenner_log(folder / "robot4_scan.txt.gz"));
   return arena;
 }

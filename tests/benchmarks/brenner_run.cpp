@@ -17,7 +17,7 @@ namespace {
 
 using geometry::Pose2;
 
-constexpr double kFarthestMatchM = 0.3;
+constexpr double kMaxMatchM = 0.3;
 localization::PoseEkf started_filter(const BrennerArena& arena) {
   localization::PoseEkfParams params;
   params.motion = arena.motion;
@@ -42,7 +42,7 @@ void look(const sensors::RangeScan& scan,
                                      scan.T_robot_sensor,
                                      seen.range_m * geometry::unit_vector(seen.bearing_rad),
                                      landmarks_m,
-                                     kFarthestMatchM);
+                                     kMaxMatchM);
     if (landmark && scan.stamp_s) {
       seen.stamp_s = *scan.stamp_s - kBrennerScanAgeS;
       seen.landmark_m = landmarks_m[*landmark];

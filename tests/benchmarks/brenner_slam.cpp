@@ -19,7 +19,7 @@ namespace {
 using geometry::Pose2;
 
 /// A landmark of the map is of the cylinder that is nearer than this.
-constexpr double kFarthestMatchM = 0.3;
+constexpr double kMaxMatchM = 0.3;
 
 slam::LandmarkSlamParams cylinder_params(const BrennerArena& arena) {
   slam::LandmarkSlamParams params;
@@ -56,14 +56,14 @@ sensors::RangeScan corrected_scan(const sensors::RangeScan& scan) {
   return corrected;
 }
 
-void score_landmarks(const slam::EkfSlam& filter,
+void score_landmarks(const slam::EkfSlamFilter& filter,
                      const BrennerArena& arena,
                      LandmarkSlamScore& score) {
   std::vector<PlacePair> pairs;
   for (std::size_t i = 0; i < filter.landmarks().size(); ++i) {
     for (const Eigen::Vector2d& truth_m : arena.landmarks_m) {
       const Eigen::Vector2d off_m = filter.landmarks()[i].value - truth_m;
-      if (off_m.norm() < kFarthestMatchM) {
+      if (off_m.norm() < kMaxMatchM) {
         pairs.emplace_back(filter.landmarks()[i].value, truth_m);
         score.landmark_nees += off_m.dot(filter.landmark_covariance(i).llt().solve(off_m));
       }

@@ -11,7 +11,7 @@
 #include "host/localization/range_table_model.hpp"
 #include "tests/benchmarks/building_runs.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
-#include "tests/support/believed_near.hpp"
+#include "tests/support/expect_pose_estimate.hpp"
 #include "tests/support/real_data.hpp"
 
 namespace echomap::bench {
@@ -20,7 +20,7 @@ namespace {
 constexpr int kRuns = 25;
 constexpr std::size_t kJudgedStep = 20;
 constexpr double kMaxRangeM = 4.0;
-constexpr double kConeHalfOpeningRad = geometry::radians(12.5);
+constexpr double kBeamHalfAngleRad = geometry::radians(12.5);
 
 struct Score {
   int found = 0;
@@ -36,7 +36,7 @@ void follow(const BuildingRun& run, localization::MonteCarloLocalizer& localizer
   score.steps += kJudgedStep + 1;
   const geometry::Pose2& truth = run.steps[kJudgedStep].T_map_robot;
   score.found +=
-      tests::is_believed_near(localizer.belief(), truth, 0.30, geometry::radians(15.0)) ? 1 : 0;
+      tests::is_estimated_near(localizer.belief(), truth, 0.30, geometry::radians(15.0)) ? 1 : 0;
 }
 
 /// All tiles, so that a step does not pay for them.
@@ -78,7 +78,7 @@ std::vector<Figure> building_figures(std::uint32_t seed) {
   for (const std::string kind : {"cone8", "cone16", "cone24", "pencil16"}) {
     const bool is_cone = kind.starts_with("cone");
     localization::RangeTableModel model(
-        localization::RangeTable(map, {is_cone ? kConeHalfOpeningRad : 0.0, kMaxRangeM}),
+        localization::RangeTable(map, {is_cone ? kBeamHalfAngleRad : 0.0, kMaxRangeM}),
         models::BeamModel(models::sonar_cone_returns()));
     table_s = std::max(table_s, processor_seconds([&] { fill(model.table()); }));
     table_mb = static_cast<double>(model.table().memory_bytes()) / 1e6;

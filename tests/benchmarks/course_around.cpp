@@ -51,10 +51,10 @@ std::array<Eigen::Vector2d, 4> corners_m(const Box& box, const Eigen::Vector2d& 
 /// What lies between two waypoints, the second included.
 void add_leg(const Waypoint& to, double spacing_m, std::vector<Waypoint>& waypoints) {
   const Eigen::Vector2d from_m = waypoints.back().position_m;
-  const Eigen::Vector2d way_m = to.position_m - from_m;
-  const int legs = std::max(1, static_cast<int>(std::ceil(way_m.norm() / spacing_m)));
+  const Eigen::Vector2d offset_m = to.position_m - from_m;
+  const int legs = std::max(1, static_cast<int>(std::ceil(offset_m.norm() / spacing_m)));
   for (int i = 1; i < legs; ++i) {
-    waypoints.push_back({"towards " + to.name, from_m + static_cast<double>(i) / legs * way_m});
+    waypoints.push_back({"towards " + to.name, from_m + static_cast<double>(i) / legs * offset_m});
   }
   waypoints.push_back(to);
 }
@@ -75,7 +75,7 @@ WaypointCourse course_around(const geometry::Polygon& outline_m,
                              const CourseAroundParams& params) {
   if (outline_m.size() < 3 || !(params.cell_m > 0.0) || !(params.inset_m >= 0.0) ||
       !(params.spacing_m > 0.0) || !(params.margin_m >= 0.0)) {
-    throw std::invalid_argument("waypoint course: a parameter is outside of its range");
+    throw std::invalid_argument("waypoint course: a parameter is out of range");
   }
   const Box box = box_around(outline_m);
   const Box inner{box.low_m + params.inset_m, box.high_m - params.inset_m};

@@ -22,8 +22,7 @@ struct CourseAroundParams {
 /// The four corners of the box around a room's outline, counter-clockwise from the one nearest to
 /// the start, and the start again: what the paper does in its playground, for a room of which only
 /// the outline is known. Waypoints that the outline has no room for are left out; its sides are the
-/// known walls. Throws std::invalid_argument for parameters without sense or an outline of no
-/// extent.
+/// known walls. Throws std::invalid_argument for invalid parameters or an outline of no extent.
 exploration::WaypointCourse course_around(const geometry::Polygon& outline_m,
                                           const geometry::Pose2& T_outline_start,
                                           const CourseAroundParams& params = {});

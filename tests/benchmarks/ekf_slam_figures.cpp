@@ -18,7 +18,7 @@ namespace echomap::bench {
 
 namespace {
 
-const slam::EkfSlamParams of_the_book{.is_invariant = false};
+const slam::EkfSlamFilterParams of_the_book{.is_invariant = false};
 
 bool is_there(const char* name, const std::filesystem::path& folder) {
   const bool is_there = std::filesystem::exists(folder);

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "host/slam/ekf_slam.hpp"
+#include "host/slam/ekf_slam_filter.hpp"
 #include "tests/benchmarks/gps_track.hpp"
 #include "tests/benchmarks/landmark_runs.hpp"
 
@@ -27,11 +27,11 @@ struct LandmarkSlamScore {
 /// for their numbers: all in one filter, that also takes their sightings of each other. Throws
 /// files::FileError.
 LandmarkSlamScore slam_mrclam_team(const std::filesystem::path& folder,
-                                   const slam::EkfSlamParams& params = {});
+                                   const slam::EkfSlamFilterParams& params = {});
 /// One of them alone.
 LandmarkSlamScore slam_mrclam_robot(const std::filesystem::path& folder,
                                     std::int64_t robot,
-                                    const slam::EkfSlamParams& params = {});
+                                    const slam::EkfSlamFilterParams& params = {});
 
 /// Brenner's LEGO robot among cylinders of which only the diameter is known, from its known start
 /// on, at its scanner; the reference made smaller as in landmark_runs.hpp. Throws files::FileError.
@@ -49,7 +49,7 @@ struct TreeSlamRun {
 
 /// Victoria Park (Guivant and Nebot 2001), as gtsam gives it. Throws files::FileError.
 TreeSlamRun slam_victoria_park(const std::filesystem::path& folder,
-                               const slam::EkfSlamParams& params = {});
+                               const slam::EkfSlamFilterParams& params = {});
 /// How a path of it lies to its GPS fixes; those that would have the truck leap are left out.
 /// Throws files::FileError.
 GpsAgreement victoria_park_agreement(const std::filesystem::path& folder,

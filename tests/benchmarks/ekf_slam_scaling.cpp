@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/slam/data_association.hpp"
-#include "host/slam/ekf_slam.hpp"
+#include "host/slam/ekf_slam_filter.hpp"
 #include "host/slam/joint_compatibility.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
 
@@ -15,8 +15,8 @@ namespace echomap::bench {
 namespace {
 
 constexpr std::size_t kSeenAtOnce = 10;
-constexpr double kRangeSdM = 0.05;
-constexpr double kBearingSdRad = 0.01;
+constexpr double kRangeStddevM = 0.05;
+constexpr double kBearingStddevRad = 0.01;
 
 /// Posts on a square lattice, two metres apart, the robot among them.
 std::vector<Eigen::Vector2d> lattice_m(std::size_t landmarks) {
@@ -32,9 +32,10 @@ std::vector<Eigen::Vector2d> lattice_m(std::size_t landmarks) {
 slam::LandmarkSighting sighting_of(const Eigen::Vector2d& post_m, std::mt19937& random) {
   std::normal_distribution<double> normal;
   slam::LandmarkSighting seen;
-  seen.value = {post_m.norm() + kRangeSdM * normal(random),
-                std::atan2(post_m.y(), post_m.x()) + kBearingSdRad * normal(random)};
-  seen.noise = Eigen::Vector2d(kRangeSdM * kRangeSdM, kBearingSdRad * kBearingSdRad).asDiagonal();
+  seen.value = {post_m.norm() + kRangeStddevM * normal(random),
+                std::atan2(post_m.y(), post_m.x()) + kBearingStddevRad * normal(random)};
+  seen.noise = Eigen::Vector2d(kRangeStddevM * kRangeStddevM, kBearingStddevRad * kBearingStddevRad)
+                   .asDiagonal();
   return seen;
 }
 
@@ -43,7 +44,7 @@ slam::LandmarkSighting sighting_of(const Eigen::Vector2d& post_m, std::mt19937& 
 EkfSlamStepCost ekf_slam_step_cost(std::size_t landmarks, int steps) {
   std::mt19937 random(1);
   const auto posts_m = lattice_m(landmarks);
-  slam::EkfSlam filter;
+  slam::EkfSlamFilter filter;
   for (const Eigen::Vector2d& post_m : posts_m) {
     filter.add(sighting_of(post_m, random));
   }
@@ -60,8 +61,8 @@ EkfSlamStepCost ekf_slam_step_cost(std::size_t landmarks, int steps) {
     std::vector<slam::Candidate> pairs;
     cost.associate_ms += 1000.0 / steps * processor_seconds([&] {
                            const auto near = slam::find_candidates(
-                               filter, seen, association.gate, association.widest_wall_gap_m);
-                           pairs = slam::jointly_compatible(filter, near, association.most_steps);
+                               filter, seen, association.gate, association.max_wall_gap_m);
+                           pairs = slam::jointly_compatible(filter, near, association.max_steps);
                          });
     std::vector<slam::LinearSighting> linear;
     for (const slam::Candidate& pair : pairs) {

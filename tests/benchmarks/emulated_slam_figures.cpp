@@ -49,7 +49,7 @@ class OdometryPath final : public pipeline::ObservationSink {
 };
 
 std::vector<pipeline::StampedPose> odometry_of(const fs::path& run) {
-  OdometryPath path(tests::believed_geometry(tests::bundled_robot(kBody)).track_m);
+  OdometryPath path(tests::assumed_geometry(tests::bundled_robot(kBody)).track_m);
   exports::replay_observations_csv(run / "observations.csv", path);
   return path.poses();
 }

@@ -186,8 +186,8 @@ int main(int argc, char** argv) {
   using namespace echomap::bench;
   Options options;
   CLI::App app(
-      "Every strategy in every room over many seeds, the papers' own experiments, and what "
-      "a decision takes");
+      "Every strategy in every room over many seeds, the papers' own experiments, and what a "
+      "decision takes");
   add_options(app, options);
   CLI11_PARSE(app, argc, argv);
   try {

@@ -74,7 +74,7 @@ std::vector<double> decisions_ms(int edge, std::size_t decisions) {
   auto snapshot = tests::snapshot_of(hall(edge), {tests::pose_at(1.0, {})});
   snapshot.stops = 1;
   exploration::FrontierParams params;
-  params.most_stops = decisions + 2;
+  params.max_stops = decisions + 2;
   exploration::Frontier explorer(params);
   std::vector<double> took_ms;
   bool decides = false;
@@ -105,7 +105,7 @@ std::vector<mapping::Scan> silent_scans(int edge, double resolution_m) {
   std::uniform_real_distribution<double> before_m(0.5, params.openings.far_m);
   std::uniform_real_distribution<double> aside_m(-side_m, side_m);
   std::vector<mapping::Scan> scans;
-  for (std::size_t stop = 0; stop < params.most_stops; ++stop) {
+  for (std::size_t stop = 0; stop < params.max_stops; ++stop) {
     const Pose2 T_map_robot(edge_m - before_m(random), aside_m(random), 0.0);
     mapping::Scan scan;
     for (int i = 0; i < kReadings; ++i) {
@@ -118,7 +118,7 @@ std::vector<mapping::Scan> silent_scans(int edge, double resolution_m) {
 }
 
 /// What the search for openings adds to a decision where no look promises enough.
-Figure opening_figure(int edge, std::size_t searches) {
+Figure beam_width_figure(int edge, std::size_t searches) {
   const mapping::OccupancyGrid grid = hall(edge);
   const mapping::RasterMap map = mapping::rasterize(grid);
   const auto scans = silent_scans(edge, grid.resolution_m());
@@ -148,12 +148,12 @@ std::vector<Figure> decision_figures(std::size_t decisions) {
     const auto took_ms = decisions_ms(edge, decisions);
     const std::string name = "decision_ms_" + std::to_string(edge);
     figures.push_back({name, tests::median(took_ms), "ms", took_ms.size(), {}});
-    figures.push_back({name + "_most",
+    figures.push_back({name + "_max",
                        *std::max_element(took_ms.begin(), took_ms.end()),
                        "ms",
                        took_ms.size(),
                        {}});
-    figures.push_back(opening_figure(edge, decisions));
+    figures.push_back(beam_width_figure(edge, decisions));
   }
   return figures;
 }

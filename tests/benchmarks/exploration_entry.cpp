@@ -24,9 +24,9 @@ using mapping::CellField;
 
 constexpr double kCellM = 0.02;
 /// A robot that cannot pass over so much of the floor is too large for the room.
-constexpr double kLeastShare = 0.75;
+constexpr double kMinShare = 0.75;
 /// More floor than this takes sensors that see 6 cm far hours.
-constexpr double kMostInfraredFloorM2 = 1.0;
+constexpr double kMaxInfraredFloorM2 = 1.0;
 /// Between a hull at a waypoint and what stands there.
 constexpr double kSpareM = 0.02;
 
@@ -110,11 +110,11 @@ std::string misfit_of(const world::FloorPlan& room,
                       const ExplorationCase& what,
                       double body_radius_m) {
   const double share = share_in_reach(room, body_radius_m);
-  if (share < kLeastShare) {
+  if (share < kMinShare) {
     return fmt::format("{} passes over {:.0f} % of its floor", what.robot, 100.0 * share);
   }
   const double floor_m2 = free_m2(clearances_m(room));
-  if (what.strategy == "epuck" && floor_m2 > kMostInfraredFloorM2) {
+  if (what.strategy == "epuck" && floor_m2 > kMaxInfraredFloorM2) {
     return fmt::format("{:.1f} m2 are too much for sensors that see 6 cm far", floor_m2);
   }
   return "";

@@ -38,7 +38,7 @@ void each_field(Run& run, const Visit& visit) {
   visit("phases", run.phases);
   visit("phases_reached", run.phases_reached);
   visit("end_off_start_m", run.end_off_start_m);
-  visit("farthest_off_start_m", run.farthest_off_start_m);
+  visit("max_distance_from_start_m", run.max_distance_from_start_m);
 }
 
 struct WriteField {
@@ -78,7 +78,7 @@ ExplorationLog::ExplorationLog(std::filesystem::path path) : path_(std::move(pat
   while (std::getline(file, text)) {
     if (file.eof()) {
       std::fprintf(
-          stderr, "%s: the last line is cut off, and its run is made again\n", path_.c_str());
+          stderr, "%s: the last line is incomplete, and its run is made again\n", path_.c_str());
       std::filesystem::resize_file(path_, whole_bytes);
       return;
     }

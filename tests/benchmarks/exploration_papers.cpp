@@ -49,7 +49,7 @@ std::vector<Figure> outline_figures(const ExplorationCell& cell) {
     const auto off_m = [](const ExplorationRun& run) { return run.corner_rmse_m.value_or(0.0); };
     figures.push_back({"corners_right_of_20", cell.of_20(right), "", 0, {}});
     figures.push_back({"corner_rmse_m", all_corners_rmse_m(cell), "m", 0, {}});
-    figures.push_back({"corner_rmse_m_most", most(cell, off_m), "m", 0, {}});
+    figures.push_back({"corner_rmse_m_max", most(cell, off_m), "m", 0, {}});
   }
   return figures;
 }
@@ -58,12 +58,12 @@ std::vector<Figure> field_figures(const ExplorationCell& cell) {
   const auto near = [](const auto& run) { return run.wall_rmse_m.value_or(1.0) <= kWallsM; };
   const auto off_m = [](const ExplorationRun& run) { return run.wall_rmse_m.value_or(1.0); };
   return {{"walls_within_10mm_of_20", cell.of_20(near), "", 0, {}},
-          {"wall_rmse_m_most", most(cell, off_m), "m", 0, {}}};
+          {"wall_rmse_m_max", most(cell, off_m), "m", 0, {}}};
 }
 
 std::vector<Figure> door_figures(const ExplorationCell& cell) {
   const auto there_and_back = [](const auto& run) {
-    return run.farthest_off_start_m >= kThroughDoorM && run.end_off_start_m <= kBackM &&
+    return run.max_distance_from_start_m >= kThroughDoorM && run.end_off_start_m <= kBackM &&
            (run.complete || run.outcome == "waypoints-missed");
   };
   const auto all_phases = [](const auto& run) {
@@ -73,7 +73,7 @@ std::vector<Figure> door_figures(const ExplorationCell& cell) {
   return {{"door_to_door_of_20", cell.of_20(there_and_back), "", 0, {}},
           {"all_phases_of_20", cell.of_20(all_phases), "", 0, {}},
           {"end_off_start_m", cell.median(off_m), "m", 0, {}},
-          {"end_off_start_m_most", most(cell, off_m), "m", 0, {}}};
+          {"end_off_start_m_max", most(cell, off_m), "m", 0, {}}};
 }
 
 std::vector<Figure> own_figures(const ExplorationCell& cell) {

@@ -41,13 +41,13 @@ std::optional<Value> value_or_none(const nlohmann::json& report, const char* nam
   return value.is_number() ? std::optional(value.get<Value>()) : std::nullopt;
 }
 
-void add_true_way(const fs::path& trajectory, ExplorationRun& run) {
+void add_true_path(const fs::path& trajectory, ExplorationRun& run) {
   const auto poses = exports::read_trajectory_tum(trajectory);
   for (const auto& pose : poses) {
     const double off_m =
         (pose.T_map_robot.position_m() - poses.front().T_map_robot.position_m()).norm();
     run.end_off_start_m = off_m;
-    run.farthest_off_start_m = std::max(run.farthest_off_start_m, off_m);
+    run.max_distance_from_start_m = std::max(run.max_distance_from_start_m, off_m);
   }
 }
 
@@ -93,7 +93,7 @@ std::optional<ExplorationRun> explore_once(const ExplorationCase& what,
   }
   auto came_to =
       run_of(scored, nlohmann::json::parse(files::read_text_file(run / "truth/truth.json")));
-  add_true_way(run / "truth/truth.tum", came_to);
+  add_true_path(run / "truth/truth.tum", came_to);
   return came_to;
 }
 

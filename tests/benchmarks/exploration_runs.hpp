@@ -42,7 +42,7 @@ struct ExplorationRun {
   std::optional<std::size_t> phases_reached;
   /// How far from where it started the robot truly was at the end, and at most.
   double end_off_start_m = 0.0;
-  double farthest_off_start_m = 0.0;
+  double max_distance_from_start_m = 0.0;
 };
 
 /// The runs of a case, in the order of their seeds. Those that did not end by themselves or whose

@@ -58,7 +58,7 @@ double median_seconds(const ExplorationCell& cell) {
   return cell.median([](const auto& run) { return run.sim_seconds; });
 }
 
-double median_way_m(const ExplorationCell& cell) {
+double median_distance_m(const ExplorationCell& cell) {
   return cell.median([](const auto& run) { return run.distance_m; });
 }
 
@@ -83,8 +83,8 @@ struct OursOverRooms {
     if (const auto* peer = best_peer(cells, ours.entry.what.room)) {
       ratios.push_back(median_seconds(ours) / median_seconds(*peer));
     }
-    const double least_iou = kLikeMapShare * median_iou(ours);
-    if (const auto* peer = best_peer(cells, ours.entry.what.room, least_iou)) {
+    const double min_iou = kLikeMapShare * median_iou(ours);
+    if (const auto* peer = best_peer(cells, ours.entry.what.room, min_iou)) {
       like_ratios.push_back(median_seconds(ours) / median_seconds(*peer));
     }
   }
@@ -125,7 +125,7 @@ std::vector<Figure> cell_figures(const ExplorationCell& cell) {
   add("wall_rmse_m", median_wall_rmse_m(cell), "m");
   add("wall_recall", median_recall(cell), "");
   add("sim_seconds", median_seconds(cell), "s");
-  add("distance_m", median_way_m(cell), "m");
+  add("distance_m", median_distance_m(cell), "m");
   add("bumps", cell.median([](const auto& run) { return static_cast<double>(run.bumps); }), "");
   add("hard_collisions", hard_collisions(cell), "");
   return figures;
@@ -133,14 +133,14 @@ std::vector<Figure> cell_figures(const ExplorationCell& cell) {
 
 const ExplorationCell* best_peer(const std::vector<ExplorationCell>& cells,
                                  const std::string& room,
-                                 double least_free_iou) {
+                                 double min_free_iou) {
   const ExplorationCell* best = nullptr;
   for (const ExplorationCell& cell : cells) {
     const ExplorationCase& what = cell.entry.what;
     const bool counts = what.room == room && what.strategy != kOurs &&
                         what.strategy != kEndsByTheClock && !cell.runs.empty() &&
                         cell.count(is_complete) >= kCompleteShare * cell.seeds &&
-                        median_iou(cell) >= least_free_iou;
+                        median_iou(cell) >= min_free_iou;
     if (counts && (best == nullptr || median_seconds(cell) < median_seconds(*best))) {
       best = &cell;
     }
@@ -199,7 +199,7 @@ std::vector<std::string> score_texts(const ExplorationCell& cell) {
       texts.push_back(has_walls ? fmt::format("{:.3f}", median_wall_rmse_m(cell)) : "no wall");
       texts.push_back(fmt::format("{:.2f}", median_recall(cell)));
       texts.push_back(fmt::format("{:.0f} s", median_seconds(cell)));
-      texts.push_back(fmt::format("{:.1f} m", median_way_m(cell)));
+      texts.push_back(fmt::format("{:.1f} m", median_distance_m(cell)));
       texts.push_back(fmt::format("{:.0f}", hard_collisions(cell)));
     }
   }

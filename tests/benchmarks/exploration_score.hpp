@@ -34,7 +34,7 @@ std::vector<Figure> cell_figures(const ExplorationCell& cell);
 /// of four seeds and whose map is as good; null where none is.
 const ExplorationCell* best_peer(const std::vector<ExplorationCell>& cells,
                                  const std::string& room,
-                                 double least_free_iou = 0.0);
+                                 double min_free_iou = 0.0);
 
 /// frontier over all rooms: medians of the rooms' medians, and what share of its runs is without a
 /// collision harder than a bump. `frontier_time_ratio` is its time over that of the best peer,

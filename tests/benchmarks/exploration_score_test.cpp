@@ -124,7 +124,7 @@ TEST(PaperFigures, CountClosedOutlinesAndTheirCorners) {
   EXPECT_DOUBLE_EQ(figure(figures, "paper_001.hall.outline_closed_of_20"), 10.0);
   EXPECT_DOUBLE_EQ(figure(figures, "paper_001.hall.corners_right_of_20"), 10.0);
   EXPECT_NEAR(figure(figures, "paper_001.hall.corner_rmse_m"), 0.03536, 1e-5);
-  EXPECT_DOUBLE_EQ(figure(figures, "paper_001.hall.corner_rmse_m_most"), 0.04);
+  EXPECT_DOUBLE_EQ(figure(figures, "paper_001.hall.corner_rmse_m_max"), 0.04);
 }
 
 TEST(PaperFigures, CountNoCornersInARoundRoom) {
@@ -140,10 +140,10 @@ TEST(PaperFigures, BelieveNobodyWhoNeverLeftTheForecourt) {
   through.outcome = "waypoints-missed";
   through.phases = 7;
   through.phases_reached = 6;
-  through.farthest_off_start_m = 2.2;
+  through.max_distance_from_start_m = 2.2;
   through.end_off_start_m = 0.1;
   auto stayed = through;
-  stayed.farthest_off_start_m = 0.4;
+  stayed.max_distance_from_start_m = 0.4;
   auto astray = through;
   astray.end_off_start_m = 0.5;
   const auto figures =

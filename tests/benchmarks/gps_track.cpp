@@ -11,7 +11,7 @@ namespace echomap::bench {
 
 namespace {
 
-constexpr int kMostRounds = 30;
+constexpr int kMaxRounds = 30;
 
 /// The number of the pose of each fix, by the cheapest course of the time stood (dynamic
 /// programming over it, in periods).
@@ -20,11 +20,11 @@ class Synchronisation {
   Synchronisation(std::span<const geometry::Pose2> T_map_robots,
                   std::span<const GpsFix> fixes,
                   double period_s,
-                  double most_stood_s)
+                  double max_stood_s)
       : poses_(T_map_robots),
         fixes_(fixes),
         period_s_(period_s),
-        stops_(static_cast<std::size_t>(most_stood_s / period_s) + 1) {}
+        stops_(static_cast<std::size_t>(max_stood_s / period_s) + 1) {}
 
   std::vector<std::size_t> poses_of_fixes(const geometry::Pose2& T_gps_map) const {
     std::vector<double> cost(stops_, 0.0);
@@ -98,8 +98,8 @@ GpsAgreement agreement_of(const std::vector<PlacePair>& pairs, const geometry::P
 GpsAgreement agreement_with_gps(std::span<const geometry::Pose2> T_map_robots,
                                 std::span<const GpsFix> fixes,
                                 double period_s,
-                                double most_stood_s) {
-  const Synchronisation synchronisation(T_map_robots, fixes, period_s, most_stood_s);
+                                double max_stood_s) {
+  const Synchronisation synchronisation(T_map_robots, fixes, period_s, max_stood_s);
   // First by time alone, as if the robot had stood for half of that at the beginning.
   std::vector<std::size_t> poses(fixes.size());
   for (std::size_t i = 0; i < fixes.size(); ++i) {
@@ -108,7 +108,7 @@ GpsAgreement agreement_with_gps(std::span<const geometry::Pose2> T_map_robots,
   }
   GpsAgreement agreement;
   agreement.rmse_m = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     const auto pairs = pairs_of(T_map_robots, fixes, poses);
     const geometry::Pose2 T_gps_map = laid_onto(pairs);
     const GpsAgreement found = agreement_of(pairs, T_gps_map);

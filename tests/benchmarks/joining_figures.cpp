@@ -31,11 +31,11 @@ pipeline::ObservationLog record_of_stops(const world::RobotParams& robot, std::u
   const world::FloorPlan room = tests::bundled_room("living_room");
   world::RobotWorld world(room, robot, seed);
   world.place(world.somewhere_else());
-  const auto geometry = tests::believed_geometry(robot);
+  const auto geometry = tests::assumed_geometry(robot);
   pipeline::RobotAtlas atlas = empty_atlas(geometry);
   tests::OfflineRobot offline_robot(world, geometry, atlas);
   exploration::NxtFarthestParams params;
-  params.most_stops = kStops;
+  params.max_stops = kStops;
   params.stops_without_new_ground = kStops;
   std::mt19937 random(seed);
   exploration::NxtFarthest explorer(params, random);
@@ -49,18 +49,18 @@ pipeline::ObservationLog record_of_stops(const world::RobotParams& robot, std::u
 
 /// As RobotAtlas::join looks, with every map made anew.
 void look_anew(const pipeline::RobotAtlas& atlas) {
-  for (const pipeline::FormerMap& former : atlas.former_maps()) {
+  for (const pipeline::PreviousMap& former : atlas.previous_maps()) {
     mapping::find_placements(
         mapping::PlaceableMap(mapping::rasterize(*former.pipeline.snapshot().grid)),
         mapping::PlaceableMap(mapping::rasterize(*atlas.pipeline().snapshot().grid)));
   }
 }
 
-Figure attempt(std::size_t former_maps, std::size_t repetitions) {
+Figure attempt(std::size_t previous_maps, std::size_t repetitions) {
   const auto robot = tests::bundled_robot("uno_2wd");
-  pipeline::RobotAtlas atlas = empty_atlas(tests::believed_geometry(robot));
+  pipeline::RobotAtlas atlas = empty_atlas(tests::assumed_geometry(robot));
   record_of_stops(robot, 1).replay(atlas);
-  for (std::uint32_t seed = 2; seed < 2 + former_maps; ++seed) {
+  for (std::uint32_t seed = 2; seed < 2 + previous_maps; ++seed) {
     atlas.set_aside(record_of_stops(robot, seed));
   }
   std::vector<double> kept_ms;
@@ -69,7 +69,7 @@ Figure attempt(std::size_t former_maps, std::size_t repetitions) {
     kept_ms.push_back(1e3 * processor_seconds([&] { atlas.join(); }));
     anew_ms.push_back(1e3 * processor_seconds([&] { look_anew(atlas); }));
   }
-  return {fmt::format("look_for_map_in_{}_former", former_maps),
+  return {fmt::format("look_for_map_in_{}_previous", previous_maps),
           tests::median(kept_ms),
           "ms",
           repetitions,

@@ -17,8 +17,8 @@ namespace {
 
 void print(const std::string& who, const FollowScore& score) {
   fmt::print(
-      "{}: rmse {:.3f} m, mean {:.3f} m (dead reckoning {:.3f} m), NEES {:.2f}, {} poses, "
-      "{} gated\n",
+      "{}: rmse {:.3f} m, mean {:.3f} m (dead reckoning {:.3f} m), NEES {:.2f}, {} poses, {} "
+      "gated\n",
       who,
       score.rmse_m,
       score.mean_m,

@@ -29,7 +29,7 @@ constexpr double kGapSpacings = 4.0;
 constexpr double kWallGapM = 0.3;
 /// A second wall so near is the first one.
 constexpr double kSecondWallM = 0.05;
-constexpr double kLeastRangeM = 0.02;
+constexpr double kMinRangeM = 0.02;
 constexpr double kNeverM = std::numeric_limits<double>::infinity();
 
 /// Where one beam meets something.
@@ -41,8 +41,8 @@ struct Hit {
   std::optional<Eigen::Vector2d> normal;
   bool smooth = false;
 
-  double incidence_rad(const Eigen::Vector2d& way) const {
-    return normal ? std::acos(std::min(1.0, std::abs(normal->dot(way)))) : 0.0;
+  double incidence_rad(const Eigen::Vector2d& direction) const {
+    return normal ? std::acos(std::min(1.0, std::abs(normal->dot(direction)))) : 0.0;
   }
 };
 
@@ -104,8 +104,8 @@ void find_normal(std::vector<Hit>& hits, std::size_t i, double smooth_residual_m
 double second_leg_m(const std::vector<Hit>& hits,
                     const Hit& first,
                     const LaserToSonarParams& params) {
-  const Eigen::Vector2d way = geometry::unit_vector(first.bearing_rad);
-  const Eigen::Vector2d mirrored = way - 2.0 * way.dot(*first.normal) * *first.normal;
+  const Eigen::Vector2d direction = geometry::unit_vector(first.bearing_rad);
+  const Eigen::Vector2d mirrored = direction - 2.0 * direction.dot(*first.normal) * *first.normal;
   double nearest_m = kNeverM;
   double back_m = kNeverM;
   for (std::size_t i = 0; i + 1 < hits.size(); ++i) {
@@ -149,7 +149,7 @@ std::optional<double> heard_m(const std::vector<Hit>& hits,
                               std::mt19937& random) {
   double nearest_m = kNeverM;
   for (const Hit& hit : hits) {
-    if (std::abs(hit.bearing_rad - axis_rad) <= params.half_opening_rad) {
+    if (std::abs(hit.bearing_rad - axis_rad) <= params.beam_half_angle_rad) {
       nearest_m = std::min(nearest_m, answer_m(hits, hit, params, random));
     }
   }
@@ -158,15 +158,15 @@ std::optional<double> heard_m(const std::vector<Hit>& hits,
   }
   const double sigma_m = params.noise_m + params.noise_share * nearest_m;
   const double read_m = nearest_m + std::normal_distribution<>(0.0, 1.0)(random) * sigma_m;
-  return read_m > params.max_range_m ? std::nullopt : std::optional(std::max(read_m, kLeastRangeM));
+  return read_m > params.max_range_m ? std::nullopt : std::optional(std::max(read_m, kMinRangeM));
 }
 
 void check(const sensors::RangeScan& laser, const LaserToSonarParams& params) {
-  const bool params_ok = params.directions > 0 && params.half_opening_rad > 0.0 &&
+  const bool params_ok = params.directions > 0 && params.beam_half_angle_rad > 0.0 &&
                          params.max_range_m > 0.0 && params.noise_m >= 0.0 &&
                          params.noise_share >= 0.0;
   if (!params_ok || laser.beams.size() < 2) {
-    throw std::invalid_argument("laser to sonar: a parameter is outside of its range");
+    throw std::invalid_argument("laser to sonar: a parameter is out of range");
   }
   const double field_rad = laser.beams.back().bearing_rad - laser.beams.front().bearing_rad;
   if (field_rad <= 0.0) {
@@ -186,8 +186,11 @@ sensors::RangeScan laser_to_sonar(const sensors::RangeScan& laser,
       find_normal(hits, i, params.smooth_residual_m);
     }
   }
-  sensors::RangeScan sonar{
-      laser.stamp_s, laser.T_robot_sensor, {}, 2.0 * params.half_opening_rad, params.max_range_m};
+  sensors::RangeScan sonar{laser.stamp_s,
+                           laser.T_robot_sensor,
+                           {},
+                           2.0 * params.beam_half_angle_rad,
+                           params.max_range_m};
   const double first_rad = hits.front().bearing_rad;
   const double field_rad = hits.back().bearing_rad - first_rad;
   const auto directions = static_cast<double>(params.directions);

@@ -15,7 +15,7 @@ struct LaserToSonarParams {
   /// at the ends hear nothing beyond that field.
   std::size_t directions = 24;
   /// HC-SR04's data sheet: 15 degrees off the axis; Hennessey et al.: 32.8 +- 9.6 across.
-  double half_opening_rad = 0.2618;
+  double beam_half_angle_rad = 0.2618;
   double max_range_m = 3.0;
   /// Standard deviation of a range: a share of it (NXT, 1 m: 0.5 cm; hcsr04 notes) beside a fixed
   /// part.
@@ -38,8 +38,8 @@ struct LaserToSonarParams {
 
 /// What a pan sonar in the laser's place would have read: each direction's nearest answer within
 /// its cone. Edges, where no normal can be told, answer at any incidence. A laser beam without
-/// return is empty space. Throws std::invalid_argument for parameters without sense and for beams
-/// that do not go counter-clockwise.
+/// return is empty space. Throws std::invalid_argument for invalid parameters and for beams that do
+/// not go counter-clockwise.
 sensors::RangeScan laser_to_sonar(const sensors::RangeScan& laser,
                                   const LaserToSonarParams& params,
                                   std::mt19937& random);

@@ -102,7 +102,7 @@ TEST(LaserToSonar, HearsASecondBounceFartherThanTheWallItself) {
     return std::optional(std::min(ahead_m, left_m));
   });
   auto params = quiet();
-  params.half_opening_rad = radians(4.0);
+  params.beam_half_angle_rad = radians(4.0);
   params.smooth_limit_rad = radians(25.0);
   params.directions = 90;
   std::size_t silent = 0;

@@ -84,14 +84,14 @@ void measure_load(Report& report, const Path& elf) {
   report.add("miscounts_40k", double(loaded.miscounts), "ticks", std::size_t(loaded.comparisons));
   report.add("tick_jitter_us", usual.tick_jitter_us, "us");
   report.add(
-      "sample_to_pwm_us", tests::measure_control(elf, {.edges_per_s = 40'000}, 4.0).most_us, "us");
+      "sample_to_pwm_us", tests::measure_control(elf, {.edges_per_s = 40'000}, 4.0).max_us, "us");
   report.add("echo_error_us", loaded.worst_echo_error_us, "us", std::size_t(loaded.echoes));
   report.add("pings_per_s", tests::measure_pings_per_s(elf), "/s");
   report.add("cpu_percent_20k", 100.0 * usual.busy_share(), "%");
   const tests::ImageSize size = tests::size_of_image(elf);
   report.add("flash_bytes_uno", double(size.flash_bytes), "B");
   report.add("static_ram_bytes_uno", double(size.ram_bytes), "B");
-  report.add("stack_margin_bytes", double(loaded.least_stack_bytes), "B");
+  report.add("stack_margin_bytes", double(loaded.min_stack_bytes), "B");
 }
 
 void measure_safety(Report& report, const Path& elf) {

@@ -47,22 +47,22 @@ Figure field(const mapping::RasterMap& map, int beams, std::size_t repetitions) 
                      static_cast<double>(kParticles) * beams,
                      repetitions,
                      [&] {
-                       likelihoods.weigh(readings, 0.1F, {0, kParticles}, particles);
+                       likelihoods.update_weights(readings, 0.1F, {0, kParticles}, particles);
                      });
 }
 
 Figure table(const std::string& name,
              const mapping::RasterMap& map,
-             double half_opening_rad,
+             double beam_half_angle_rad,
              int beams,
              std::size_t repetitions) {
-  RangeTable expected(map, {half_opening_rad, kMaxRangeM});
+  RangeTable expected(map, {beam_half_angle_rad, kMaxRangeM});
   const LikelihoodCodes likelihoods(expected, models::BeamModel(models::sonar_cone_returns()));
   const CodedReadings readings(sweep(beams), expected, likelihoods);
   Particles particles = tracking_cloud(kParticles);
   return nanoseconds(name, static_cast<double>(kParticles) * beams, repetitions, [&] {
     fill_under(particles, readings, expected);
-    weigh(expected, readings, 0.1F, {0, kParticles}, particles);
+    update_weights(expected, readings, 0.1F, {0, kParticles}, particles);
   });
 }
 
@@ -113,8 +113,8 @@ Figure full_step(const mapping::RasterMap& map, std::size_t repetitions) {
 Figure localizer_step(const mapping::RasterMap& map, std::size_t repetitions) {
   LikelihoodFieldModel model(map);
   LocalizerParams params;
-  params.filter.least_particles = kParticles;
-  params.filter.most_particles = kParticles;
+  params.filter.min_particles = kParticles;
+  params.filter.max_particles = kParticles;
   params.filter.resampling_share = 1.0;
   params.watches_for_loss = false;  // The readings are not those of the place.
   MonteCarloLocalizer localizer(model, params, std::mt19937(4));

@@ -45,7 +45,7 @@ COccupancyGridMap2D grid_of(const mapping::RasterMap& map) {
   // As our field; each beam counts.
   grid.likelihoodOptions.likelihoodMethod = COccupancyGridMap2D::lmLikelihoodField_Thrun;
   const localization::LikelihoodFieldParams field;
-  grid.likelihoodOptions.LF_stdHit = static_cast<float>(field.hit_std_m);
+  grid.likelihoodOptions.LF_stdHit = static_cast<float>(field.hit_stddev_m);
   grid.likelihoodOptions.LF_maxCorrsDistance = static_cast<float>(field.max_distance_m);
   grid.likelihoodOptions.LF_decimation = 1;
   return grid;
@@ -87,7 +87,7 @@ class Filter {
       particle.d = (mrpt::poses::CPose2D(particle.d) + step).asTPose();
     }
   }
-  void weigh(COccupancyGridMap2D& grid, const CObservation2DRangeScan& scan) {
+  void update_weights(COccupancyGridMap2D& grid, const CObservation2DRangeScan& scan) {
     for (auto& particle : particles_.m_particles) {
       particle.log_w +=
           0.05 * grid.computeObservationLikelihood(scan, mrpt::poses::CPose3D(particle.d));
@@ -125,14 +125,15 @@ std::map<std::string, double> mrpt_localization_figures(const mapping::RasterMap
   constexpr double kAll = static_cast<double>(kParticles);
   std::map<std::string, double> figures;
   figures["field_60_ns"] =
-      nanoseconds(repetitions, 60.0 * kAll, [&] { filter.weigh(grid, of_60); });
-  figures["field_8_ns"] = nanoseconds(repetitions, 8.0 * kAll, [&] { filter.weigh(grid, of_8); });
+      nanoseconds(repetitions, 60.0 * kAll, [&] { filter.update_weights(grid, of_60); });
+  figures["field_8_ns"] =
+      nanoseconds(repetitions, 8.0 * kAll, [&] { filter.update_weights(grid, of_8); });
   figures["motion_ns"] = nanoseconds(repetitions, kAll, [&] { filter.move(); });
   figures["resample_ns"] = nanoseconds(repetitions, kAll, [&] { filter.resample(); });
   Filter other;
   figures["full_step_60_ns"] = nanoseconds(repetitions, kAll, [&] {
     other.move();
-    other.weigh(grid, of_60);
+    other.update_weights(grid, of_60);
     other.estimate();
     other.resample();
   });

@@ -9,7 +9,7 @@
 #include "host/localization/monte_carlo_localizer.hpp"
 #include "host/localization/range_table_model.hpp"
 #include "tests/benchmarks/room_runs.hpp"
-#include "tests/support/believed_near.hpp"
+#include "tests/support/expect_pose_estimate.hpp"
 #include "tests/support/resident_memory.hpp"
 
 namespace echomap::bench {
@@ -25,7 +25,7 @@ constexpr double kMPerS = 0.2;
 constexpr double kRadPerS = 1.0;
 constexpr double kSweepS = 2.0;
 constexpr int kDirections = 24;
-constexpr double kMostGrownMb = 8.0;
+constexpr double kMaxGrownMb = 8.0;
 /// Of HC-SR04's data sheet.
 constexpr localization::RangeTableParams kSonar{geometry::radians(15.0), 4.0};
 
@@ -45,10 +45,10 @@ class Soak {
         robot_(kRoom, seed) {
     localizer_.update(robot_.T_odom_robot(), {});
     localizer_.start_at(robot_.T_map_robot(), 0.05, 0.05);
-    score_.least_particles = localizer_.particles().size();
+    score_.min_particles = localizer_.particles().size();
   }
 
-  void stop_after_a_way() {
+  void stop_after_a_distance() {
     const Pose2 T_odom_before = robot_.T_odom_robot();
     const bool was_right = is_right();
     robot_.drive();
@@ -73,25 +73,26 @@ class Soak {
 
  private:
   bool is_right() const {
-    return tests::is_believed_near(
+    return tests::is_estimated_near(
         localizer_.belief(), robot_.T_map_robot(), 0.15, geometry::radians(10.0));
   }
   void note(const PoseBelief& belief) {
     score_.not_finite += is_finite(belief) ? 0 : 1;
-    score_.least_particles = std::min(score_.least_particles, localizer_.particles().size());
+    score_.min_particles = std::min(score_.min_particles, localizer_.particles().size());
   }
   void tell(const Pose2& T_odom_robot) {
     note(localizer_.update(T_odom_robot, {}));
     ++score_.updates;
   }
-  Pose2 glide(const Pose2& from, const Pose2& way, double speed) {
-    const double length = way.position_m().norm() + std::abs(way.heading_rad());
+  Pose2 glide(const Pose2& from, const Pose2& T_before_after, double speed) {
+    const double length =
+        T_before_after.position_m().norm() + std::abs(T_before_after.heading_rad());
     const int parts = std::max(1, static_cast<int>(std::ceil(length / speed * kOdometryHz)));
     for (int i = 1; i <= parts; ++i) {
       const double share = static_cast<double>(i) / parts;
-      tell(from * Pose2(share * way.x_m(), 0.0, share * way.heading_rad()));
+      tell(from * Pose2(share * T_before_after.x_m(), 0.0, share * T_before_after.heading_rad()));
     }
-    return from * way;
+    return from * T_before_after;
   }
   void rest(const Pose2& T_odom_robot, double seconds) {
     for (int i = 0; i < static_cast<int>(seconds * kOdometryHz); ++i) {
@@ -108,8 +109,8 @@ class Soak {
 }  // namespace
 
 bool SoakScore::holds() const {
-  return not_finite == 0 && least_particles > 0 && grown_mb <= kMostGrownMb &&
-         right >= 0.95 * stops && false_alarms <= hours;
+  return not_finite == 0 && min_particles > 0 && grown_mb <= kMaxGrownMb && right >= 0.95 * stops &&
+         false_alarms <= hours;
 }
 
 SoakScore soak_localizer(double hours, std::uint32_t seed) {
@@ -117,7 +118,7 @@ SoakScore soak_localizer(double hours, std::uint32_t seed) {
   std::optional<double> early_mb;
   double grown_mb = 0.0;
   while (soak.score().hours < hours) {
-    soak.stop_after_a_way();
+    soak.stop_after_a_distance();
     if (soak.score().hours >= 0.1 * hours) {
       early_mb = early_mb ? early_mb : tests::resident_mb();
       grown_mb = std::max(grown_mb, tests::resident_mb() - *early_mb);
@@ -134,7 +135,7 @@ std::vector<Figure> soak_figures(const SoakScore& score) {
           {"soak_hours", score.hours, "h", 1, {}},
           {"soak_right", static_cast<double>(score.right) / score.stops, "1", stops, {}},
           {"soak_not_finite", static_cast<double>(score.not_finite), "", score.updates, {}},
-          {"soak_least_particles", static_cast<double>(score.least_particles), "", stops, {}},
+          {"soak_min_particles", static_cast<double>(score.min_particles), "", stops, {}},
           {"soak_grown_mb", score.grown_mb, "MB", 1, {}}};
 }
 

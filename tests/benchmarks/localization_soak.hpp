@@ -17,7 +17,7 @@ struct SoakScore {
   int right = 0;         ///< Stops where it was believed within 15 cm and 10 degrees.
   int false_alarms = 0;  ///< Called lost while it was believed right at the stop before.
   std::size_t not_finite = 0;
-  std::size_t least_particles = 0;
+  std::size_t min_particles = 0;
   double grown_mb = 0.0;  ///< Memory of this program since a tenth of the time.
 
   /// Nothing broke: all finite, never without particles, memory flat, mostly right, and at most one

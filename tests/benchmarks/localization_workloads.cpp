@@ -44,7 +44,7 @@ void FilterStep::operator()() {
   const std::size_t count = particles_.size();
   share_blocks(workers_, count, [&](ParticleRange range, std::size_t) {
     move(particles_, range, {0.0, 0.0, 0.0}, {0.01, 0.02, 0.01, 0.01}, key);
-    field_.weigh(readings_, 0.05F, range, particles_);
+    field_.update_weights(readings_, 0.05F, range, particles_);
   });
   relative_weights(particles_, weights_, workers_);
   find_hypotheses(particles_, weights_, {}, workers_);

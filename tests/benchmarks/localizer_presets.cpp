@@ -12,7 +12,7 @@
 #include "host/localization/localizer_preset.hpp"
 #include "tests/benchmarks/figures.hpp"
 #include "tests/benchmarks/room_runs.hpp"
-#include "tests/support/believed_near.hpp"
+#include "tests/support/expect_pose_estimate.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -43,7 +43,7 @@ int found_in(const std::string& room, LocalizerPreset preset, int starts, std::u
       }
       localizer.update(robot.T_odom_robot(), robot.listen(8));
     }
-    found += tests::is_believed_near(
+    found += tests::is_estimated_near(
                  localizer.belief(), robot.T_map_robot(), 0.15, geometry::radians(10.0))
                  ? 1
                  : 0;

@@ -40,11 +40,11 @@ std::vector<mapping::Scan> scans_of(std::size_t stops, std::uint32_t seed) {
   const auto robot = world::read_robot(bundled("uno_2wd", "hil_mock/robots"));
   world::RobotWorld world(
       world::read_floor_plan(bundled("living_room", "hil_mock/worlds")), robot, seed);
-  const auto geometry = tests::believed_geometry(robot);
+  const auto geometry = tests::assumed_geometry(robot);
   pipeline::RobotPipeline pipeline(geometry);
   tests::OfflineRobot offline_robot(world, geometry, pipeline);
   exploration::NxtFarthestParams params;
-  params.most_stops = stops;
+  params.max_stops = stops;
   params.stops_without_new_ground = stops;
   std::mt19937 random(seed);
   exploration::NxtFarthest explorer(params, random);
@@ -74,10 +74,10 @@ double seconds_for_grid(const std::vector<mapping::Scan>& scans, std::size_t sto
   return grid.bounds().empty() ? 0.0 : took.count();
 }
 
-std::vector<Figure> stop_figures(std::uint32_t runs, std::size_t most_stops) {
+std::vector<Figure> stop_figures(std::uint32_t runs, std::size_t max_stops) {
   std::vector<std::vector<mapping::Scan>> explored;
   for (std::uint32_t seed = 1; seed <= runs; ++seed) {
-    explored.push_back(scans_of(most_stops, seed));
+    explored.push_back(scans_of(max_stops, seed));
   }
   std::vector<Figure> figures;
   for (const std::size_t stops : {10U, 20U, 50U, 100U}) {

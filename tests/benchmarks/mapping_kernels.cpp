@@ -151,7 +151,7 @@ Figure tile_updates(std::size_t repetitions) {
 
 Figure casts(std::size_t repetitions) {
   CastWorkload workload{hall(160, 30, 8, 5), {}};
-  const mapping::DistanceField field(workload.map, kMostCastM);
+  const mapping::DistanceField field(workload.map, kMaxCastM);
   std::mt19937 random(6);
   while (workload.places.size() < 200) {
     const Pose2 place = any_pose(0.5, 7.5, random);
@@ -167,7 +167,7 @@ Figure casts(std::size_t repetitions) {
   const auto ours = [&] {
     return processor_seconds([&] {
       for (const Pose2& place : workload.places) {
-        mapping::cast_rays(field, place.position_m(), directions, kMostCastM, ranges_m);
+        mapping::cast_rays(field, place.position_m(), directions, kMaxCastM, ranges_m);
       }
     });
   };

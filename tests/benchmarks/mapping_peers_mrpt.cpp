@@ -45,7 +45,7 @@ std::vector<Contestant> ray_peers(const std::vector<LaserScan>& scans) {
   auto observations = std::make_shared<Placed<CObservation2DRangeScan>>();
   for (const LaserScan& scan : scans) {
     CObservation2DRangeScan observation;
-    observation.aperture = static_cast<float>(kScanOpeningRad);
+    observation.aperture = static_cast<float>(kScanBeamWidthRad);
     observation.rightToLeft = true;
     observation.maxRange = 20.0F;
     observation.resizeScan(kBeams);
@@ -76,7 +76,7 @@ std::vector<Contestant> cast_peers(const CastWorkload& workload) {
            for (const geometry::Pose2& place : places) {
              for (std::size_t beam = 0; beam < kBeams; ++beam) {
                grid->simulateScanRay(
-                   place.x_m(), place.y_m(), beam_bearing_rad(beam), range_m, is_valid, kMostCastM);
+                   place.x_m(), place.y_m(), beam_bearing_rad(beam), range_m, is_valid, kMaxCastM);
              }
            }
          });

@@ -20,10 +20,10 @@ constexpr double kResolutionM = 0.05;
 
 /// 360 beams, one a degree, from the right behind to the left behind.
 constexpr std::size_t kBeams = 360;
-constexpr double kScanOpeningRad = geometry::radians(359.0);
+constexpr double kScanBeamWidthRad = geometry::radians(359.0);
 
 inline double beam_bearing_rad(std::size_t beam) {
-  return kScanOpeningRad * (static_cast<double>(beam) / (kBeams - 1) - 0.5);
+  return kScanBeamWidthRad * (static_cast<double>(beam) / (kBeams - 1) - 0.5);
 }
 
 struct LaserScan {
@@ -36,7 +36,7 @@ struct CastWorkload {
   mapping::RasterMap map;
   std::vector<geometry::Pose2> places;
 };
-constexpr double kMostCastM = 10.0;
+constexpr double kMaxCastM = 10.0;
 
 /// Someone's way to do a whole workload; returns the processor time it took, seconds.
 struct Contestant {

@@ -19,8 +19,8 @@ constexpr double kCommandLeadS = 0.2;
 constexpr double kDriveShare = 0.92;
 constexpr double kTurnShare = 0.88;
 /// Ranges count less than they err, as pictures in a row err alike.
-constexpr double kRangeSdM = 0.02;
-constexpr double kRangeSdShare = 0.1;
+constexpr double kRangeStddevM = 0.02;
+constexpr double kRangeStddevShare = 0.1;
 /// A picture is stamped when it has been read.
 constexpr double kPictureAgeS = 0.05;
 
@@ -80,12 +80,14 @@ MrclamSet read_mrclam(const std::filesystem::path& folder) {
 
 models::OdometryMotionParams mrclam_motion() {
   models::OdometryMotionParams motion;
-  motion.turn_by_turn = 0.04;
-  motion.turn_by_drive_rad2_per_m2 = 0.03;
-  motion.drive_by_drive = 0.02;
+  motion.alpha1 = 0.04;
+  motion.alpha2_rad2_per_m2 = 0.03;
+  motion.alpha3 = 0.02;
   return motion;
 }
 
-double mrclam_range_sd_m(double range_m) { return std::hypot(kRangeSdM, kRangeSdShare * range_m); }
+double mrclam_range_stddev_m(double range_m) {
+  return std::hypot(kRangeStddevM, kRangeStddevShare * range_m);
+}
 
 }  // namespace echomap::bench

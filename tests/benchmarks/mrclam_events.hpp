@@ -37,7 +37,7 @@ MrclamSet read_mrclam(const std::filesystem::path& folder);
 
 /// How its robots err, about as their residuals do against the true paths.
 models::OdometryMotionParams mrclam_motion();
-double mrclam_range_sd_m(double range_m);
-inline constexpr double kMrclamBearingSdRad = 0.007;
+double mrclam_range_stddev_m(double range_m);
+inline constexpr double kMrclamBearingStddevRad = 0.007;
 
 }  // namespace echomap::bench

@@ -75,7 +75,7 @@ void see(const MrclamEvent& event,
          bool as_team,
          Team& team) {
   Robot& robot = team[event.robot];
-  const double range_std_m = mrclam_range_sd_m(seen.range_m);
+  const double range_stddev_m = mrclam_range_stddev_m(seen.range_m);
   const auto landmark = landmarks.find(seen.id);
   if (landmark != landmarks.end()) {
     robot.filter().update(localization::LandmarkObservation{event.stamp_s,
@@ -83,11 +83,11 @@ void see(const MrclamEvent& event,
                                                             {},
                                                             seen.range_m,
                                                             seen.bearing_rad,
-                                                            range_std_m,
-                                                            kMrclamBearingSdRad});
+                                                            range_stddev_m,
+                                                            kMrclamBearingStddevRad});
   } else if (as_team && seen.id <= kMrclamRobots && team[seen.id].started() &&
              robot.is_due(seen.id, event.stamp_s)) {
-    meet({event.stamp_s, seen.range_m, seen.bearing_rad, range_std_m, kMrclamBearingSdRad},
+    meet({event.stamp_s, seen.range_m, seen.bearing_rad, range_stddev_m, kMrclamBearingStddevRad},
          robot,
          team[seen.id]);
   }

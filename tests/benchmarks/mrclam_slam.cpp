@@ -8,7 +8,7 @@
 #include <Eigen/Cholesky>
 
 #include "host/models/cut_step_spread.hpp"
-#include "host/slam/ekf_slam.hpp"
+#include "host/slam/ekf_slam_filter.hpp"
 #include "tests/benchmarks/ekf_slam_runs.hpp"
 #include "tests/benchmarks/landmark_map_error.hpp"
 #include "tests/benchmarks/mrclam_events.hpp"
@@ -25,8 +25,8 @@ constexpr double kPeerEveryS = 0.25;
 constexpr double kStartVariance = 1e-4;
 /// Sightings are taken for less sure than where landmarks are known: here an error that stays, as
 /// that of a barcode seen aslant, goes into the map and is not seen as one.
-constexpr double kRangeSdFactor = 2.0;
-constexpr double kBearingSdFactor = 3.0;
+constexpr double kRangeStddevFactor = 2.0;
+constexpr double kBearingStddevFactor = 3.0;
 /// 99.9 % of chi square with two degrees of freedom: barcodes are misread.
 constexpr double kGate = 13.82;
 
@@ -35,7 +35,7 @@ class Team {
  public:
   Team(const MrclamSet& set,
        const std::vector<std::int64_t>& numbers,
-       const slam::EkfSlamParams& params)
+       const slam::EkfSlamFilterParams& params)
       : set_(&set), filter_(starts(set, numbers), params) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       members_[numbers[i]].index = i;
@@ -118,8 +118,8 @@ class Team {
   void see(const MrclamEvent& event, const datasets::LandmarkSighting& seen, Member& member) {
     slam::LandmarkSighting sighting;
     sighting.value = {seen.range_m, seen.bearing_rad};
-    const Eigen::Vector2d sd(kRangeSdFactor * mrclam_range_sd_m(seen.range_m),
-                             kBearingSdFactor * kMrclamBearingSdRad);
+    const Eigen::Vector2d sd(kRangeStddevFactor * mrclam_range_stddev_m(seen.range_m),
+                             kBearingStddevFactor * kMrclamBearingStddevRad);
     sighting.noise = sd.cwiseAbs2().asDiagonal();
     sighting.robot = member.index;
     if (seen.id <= kMrclamRobots) {
@@ -159,14 +159,14 @@ class Team {
 
   const MrclamSet* set_;
   models::OdometryMotion motion_{mrclam_motion()};
-  slam::EkfSlam filter_;
+  slam::EkfSlamFilter filter_;
   std::map<std::int64_t, Member> members_;
   std::map<std::int64_t, std::size_t> indices_;
 };
 
 LandmarkSlamScore run(const std::filesystem::path& folder,
                       const std::vector<std::int64_t>& numbers,
-                      const slam::EkfSlamParams& params) {
+                      const slam::EkfSlamFilterParams& params) {
   const MrclamSet set = read_mrclam(folder);
   Team team(set, numbers, params);
   for (const MrclamEvent& event : set.events) {
@@ -178,13 +178,13 @@ LandmarkSlamScore run(const std::filesystem::path& folder,
 }  // namespace
 
 LandmarkSlamScore slam_mrclam_team(const std::filesystem::path& folder,
-                                   const slam::EkfSlamParams& params) {
+                                   const slam::EkfSlamFilterParams& params) {
   return run(folder, {1, 2, 3, 4, 5}, params);
 }
 
 LandmarkSlamScore slam_mrclam_robot(const std::filesystem::path& folder,
                                     std::int64_t robot,
-                                    const slam::EkfSlamParams& params) {
+                                    const slam::EkfSlamFilterParams& params) {
   return run(folder, {robot}, params);
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kConeReachM = 4.0;
 constexpr double kConeNoiseM = 0.01;
-const double cone_opening_rad = geometry::radians(15.0);
+const double beam_width_rad = geometry::radians(15.0);
 
 std::vector<evaluation::PoseRelation> read_packed_relations(const std::filesystem::path& packed) {
   std::string text;
@@ -54,7 +54,7 @@ std::optional<double> nearest_within(const sensors::RangeScan& scan, double bear
   std::optional<double> nearest_m;
   for (const sensors::Beam& beam : scan.beams) {
     const double off_rad = std::abs(beam.bearing_rad - bearing_rad);
-    if (off_rad <= cone_opening_rad / 2.0 && beam.range_m && *beam.range_m < kConeReachM) {
+    if (off_rad <= beam_width_rad / 2.0 && beam.range_m && *beam.range_m < kConeReachM) {
       nearest_m = std::min(*beam.range_m, nearest_m.value_or(kConeReachM));
     }
   }
@@ -100,7 +100,7 @@ RelationLog with_cones(const RelationLog& log, std::size_t count, std::mt19937& 
       cones.push_back({bearing_rad, range_m});
     }
     scan.beams = std::move(cones);
-    scan.beam_width_rad = cone_opening_rad;
+    scan.beam_width_rad = beam_width_rad;
     scan.max_range_m = kConeReachM;
   });
 }

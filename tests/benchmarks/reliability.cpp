@@ -34,8 +34,7 @@ std::string disc(const Reliability::Bin& bin, std::size_t all) {
 
 std::string axes() {
   std::string svg = fmt::format(
-      "<rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" fill=\"none\" "
-      "stroke=\"#57606a\"/>\n"
+      "<rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" fill=\"none\" stroke=\"#57606a\"/>\n"
       "<line x1=\"{3}\" y1=\"{4}\" x2=\"{5}\" y2=\"{6}\" stroke=\"#57606a\" "
       "stroke-dasharray=\"4\"/>\n",
       x_of(0.0),
@@ -56,13 +55,13 @@ std::string axes() {
         y_of(tick) + 4.0,
         tick);
   }
-  return svg + fmt::format(
-                   "<text x=\"{:.0f}\" y=\"{:.0f}\">told: probability of being lost</text>\n"
-                   "<text transform=\"translate(14 {:.0f}) rotate(-90)\">share that was lost"
-                   "</text>\n",
-                   x_of(0.2),
-                   y_of(0.0) + 36.0,
-                   y_of(0.3));
+  return svg +
+         fmt::format(
+             "<text x=\"{:.0f}\" y=\"{:.0f}\">told: probability of being lost</text>\n"
+             "<text transform=\"translate(14 {:.0f}) rotate(-90)\">share that was lost</text>\n",
+             x_of(0.2),
+             y_of(0.0) + 36.0,
+             y_of(0.3));
 }
 
 }  // namespace

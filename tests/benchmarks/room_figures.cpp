@@ -7,7 +7,7 @@
 #include "host/localization/monte_carlo_localizer.hpp"
 #include "host/localization/range_table_model.hpp"
 #include "tests/benchmarks/room_runs.hpp"
-#include "tests/support/believed_near.hpp"
+#include "tests/support/expect_pose_estimate.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -33,7 +33,7 @@ struct Trial {
   }
   bool is_right() const { return is_within(0.15, 10.0); }
   bool is_within(double metres, double degrees) const {
-    return tests::is_believed_near(
+    return tests::is_estimated_near(
         localizer.belief(), robot.T_map_robot(), metres, geometry::radians(degrees));
   }
   /// Drives on and listens; returns how often the robot was called lost.
@@ -112,8 +112,8 @@ std::vector<Figure> room_figures(int starts,
     for (const char* const room : {"living_room", "l_room", "playground", "landing", "office"}) {
       const RoomScore score = score_room(room, directions, starts, seed, reliability);
       fmt::print(
-          "{:12} {:2} directions: found {} of {}; carried off {}, noticed {}, found again {}; "
-          "{} false alarms at {} stops\n",
+          "{:12} {:2} directions: found {} of {}; carried off {}, noticed {}, found again {}; {} "
+          "false alarms at {} stops\n",
           room,
           directions,
           score.found,

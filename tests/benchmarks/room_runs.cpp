@@ -96,21 +96,21 @@ void RoomRobot::be_carried_off() { T_map_robot_ = anywhere(); }
 void RoomRobot::drive() {
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   double turn_rad = 0.0;
-  double way_m = 0.0;
-  for (int tries = 0; tries < 20 && way_m < 0.1; ++tries) {
+  double travelled_m = 0.0;
+  for (int tries = 0; tries < 20 && travelled_m < 0.1; ++tries) {
     turn_rad = share(random_) * std::numbers::pi;
     const Pose2 T_map_turned = T_map_robot_ * Pose2(0.0, 0.0, turn_rad);
-    way_m = 0.0;
-    while (way_m < 0.4 &&
-           is_clear(world_->plan(), T_map_turned * Eigen::Vector2d(way_m + 0.02, 0.0))) {
-      way_m += 0.02;
+    travelled_m = 0.0;
+    while (travelled_m < 0.4 &&
+           is_clear(world_->plan(), T_map_turned * Eigen::Vector2d(travelled_m + 0.02, 0.0))) {
+      travelled_m += 0.02;
     }
   }
-  const double slip_m = world_->robot().drive.slip_m_per_sqrt_m * std::sqrt(std::abs(way_m));
+  const double slip_m = world_->robot().drive.slip_m_per_sqrt_m * std::sqrt(std::abs(travelled_m));
   const double slip_rad = slip_m / world_->robot().drive.track_m * normal();
-  T_map_robot_ = T_map_robot_ * Pose2(0.0, 0.0, turn_rad) * Pose2(way_m, 0.0, slip_rad);
+  T_map_robot_ = T_map_robot_ * Pose2(0.0, 0.0, turn_rad) * Pose2(travelled_m, 0.0, slip_rad);
   T_odom_robot_ = T_odom_robot_ * Pose2(0.0, 0.0, turn_rad * turn_scale_ + 0.005 * normal()) *
-                  Pose2(way_m * drive_scale_ + slip_m * normal(), 0.0, 0.0);
+                  Pose2(travelled_m * drive_scale_ + slip_m * normal(), 0.0, 0.0);
 }
 
 std::vector<localization::RangeReading> RoomRobot::listen(int directions) {

@@ -35,11 +35,11 @@ struct Records {
 /// Of a robot that goes about the living room whether it sees new ground or not, into `atlas`.
 Records explore(pipeline::RobotAtlas& atlas, const world::RobotParams& params) {
   world::RobotWorld world(tests::bundled_room("living_room"), params, 1);
-  tests::OfflineRobot robot(world, tests::believed_geometry(params), atlas);
+  tests::OfflineRobot robot(world, tests::assumed_geometry(params), atlas);
   robot.look_around_on_the_way();
   exploration::NxtFarthestParams endless;
-  endless.most_stops = std::numeric_limits<std::size_t>::max();
-  endless.stops_without_new_ground = endless.most_stops;
+  endless.max_stops = std::numeric_limits<std::size_t>::max();
+  endless.stops_without_new_ground = endless.max_stops;
   std::mt19937 random(1);
   exploration::NxtFarthest explorer(endless, random);
   Records records;
@@ -73,9 +73,10 @@ Figure size_of(const std::string& name, const std::filesystem::path& file) {
 
 std::vector<Figure> saving_figures(std::size_t repetitions) {
   const auto params = tests::bundled_robot("uno_2wd");
-  const auto geometry = tests::believed_geometry(params);
-  pipeline::RobotAtlas atlas(
-      [&] { return pipeline::RobotPipeline(geometry, {}, {}, slam::slam_by_name("grid").make()); });
+  const auto geometry = tests::assumed_geometry(params);
+  pipeline::RobotAtlas atlas([&] {
+    return pipeline::RobotPipeline(geometry, {}, {}, slam::slam_by_name("multiscan").make());
+  });
   const Records records = explore(atlas, params);
   const tests::ScratchFolder folder;
   std::vector<double> whole_ms;

@@ -44,7 +44,7 @@ void run(const Options& options) {
       figures.insert(figures.end(), some.begin(), some.end());
     }
   };
-  const slam::NamedSlam& grid = slam::slam_by_name("grid");
+  const slam::NamedSlam& multiscan = slam::slam_by_name("multiscan");
   const slam::NamedSlam& ekf = slam::slam_by_name("ekf");
   add("laser", laser_slam_figures);
   add("spoilt", [&] { return spoilt_slam_figures(options.first_seed, options.seeds); });

@@ -53,7 +53,7 @@ std::vector<Figure> figures_of(const tests::SoakResult& result) {
   add("resets", result.resets);
   add("encoder_errors", result.encoder_errors);
   add("receive_overruns", result.receive_overruns);
-  add("least_stack_bytes", result.least_stack_bytes, "B");
+  add("min_stack_bytes", result.min_stack_bytes, "B");
   add("grown_mb", result.grown_mb, "MB");
   return figures;
 }

@@ -40,7 +40,7 @@ SonarRun run_once(const std::vector<mapping::Scan>& sweeps,
     mapper.add(sweep);
   }
   const auto map = mapper.map();
-  const PeerSonar sonar{params.half_opening_rad, params.max_range_m};
+  const PeerSonar sonar{params.beam_half_angle_rad, params.max_range_m};
   SonarRun run{{{"ours", truth.score(map.grid)},
                 {"paper002", truth.score(paper002_grid(sweeps, sonar))},
                 {"paper002_single", truth.score(paper002_single_grid(sweeps, sonar))},

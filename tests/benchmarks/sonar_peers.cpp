@@ -45,14 +45,14 @@ models::PolarPoint seen_from(const PlacedReading& reading, const Eigen::Vector2d
 /// Line 5 of Algorithm 3: the beam nearest to the bearing of a cell.
 const PlacedReading& nearest_beam(const Scan& sweep, const Eigen::Vector2d& point_m) {
   const PlacedReading* nearest = &sweep.front();
-  double least_rad = std::numeric_limits<double>::infinity();
-  const Eigen::Vector2d way_m = point_m - sweep.front().T_map_sonar.position_m();
-  const double bearing_rad = std::atan2(way_m.y(), way_m.x());
+  double min_rad = std::numeric_limits<double>::infinity();
+  const Eigen::Vector2d offset_m = point_m - sweep.front().T_map_sonar.position_m();
+  const double bearing_rad = std::atan2(offset_m.y(), offset_m.x());
   for (const PlacedReading& reading : sweep) {
     const double off_rad =
         std::abs(geometry::angle_between(reading.T_map_sonar.heading_rad(), bearing_rad));
-    if (off_rad < least_rad) {
-      least_rad = off_rad;
+    if (off_rad < min_rad) {
+      min_rad = off_rad;
       nearest = &reading;
     }
   }
@@ -63,7 +63,7 @@ const PlacedReading& nearest_beam(const Scan& sweep, const Eigen::Vector2d& poin
 
 OccupancyGrid paper002_grid(const std::vector<Scan>& sweeps, const PeerSonar& sonar) {
   models::OccupiedSectorParams params;
-  params.opening_rad = 2.0 * sonar.half_angle_rad;
+  params.beam_width_rad = 2.0 * sonar.beam_half_angle_rad;
   params.max_range_m = sonar.max_range_m;
   const models::OccupiedSector model(params);
   OccupancyGrid grid;

@@ -11,7 +11,7 @@ namespace echomap::bench {
 
 /// What the peers need to know of the sonar.
 struct PeerSonar {
-  double half_angle_rad = 0.2618;
+  double beam_half_angle_rad = 0.2618;
   double max_range_m = 3.0;
 };
 

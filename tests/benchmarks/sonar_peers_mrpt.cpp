@@ -65,7 +65,7 @@ std::optional<OccupancyGrid> mrpt_grid(const std::vector<Scan>& sweeps, const Pe
       mrpt::obs::CObservationRange observation;
       observation.minSensorDistance = 0.0F;
       observation.maxSensorDistance = static_cast<float>(sonar.max_range_m);
-      observation.sensorConeApperture = static_cast<float>(2.0 * sonar.half_angle_rad);
+      observation.sensorConeApperture = static_cast<float>(2.0 * sonar.beam_half_angle_rad);
       mrpt::obs::CObservationRange::TMeasurement measurement;
       measurement.sensedDistance =
           static_cast<float>(reading.range_m.value_or(sonar.max_range_m + kBeyond));
@@ -74,7 +74,7 @@ std::optional<OccupancyGrid> mrpt_grid(const std::vector<Scan>& sweeps, const Pe
       const mrpt::poses::CPose3D pose(reading.T_map_sonar.x_m(),
                                       reading.T_map_sonar.y_m(),
                                       0.0,
-                                      reading.T_map_sonar.heading_rad() + sonar.half_angle_rad,
+                                      reading.T_map_sonar.heading_rad() + sonar.beam_half_angle_rad,
                                       0.0,
                                       0.0);
       map.insertObservation(observation, pose);

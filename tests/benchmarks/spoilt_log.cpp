@@ -17,8 +17,8 @@ namespace {
 
 using geometry::Pose2;
 
-constexpr double kRelationWayM = 1.0;
-constexpr double kRevisitWayM = 10.0;
+constexpr double kRelationDistanceM = 1.0;
+constexpr double kRevisitTravelledM = 10.0;
 constexpr double kRevisitM = 1.0;
 
 struct TakenScan {
@@ -54,11 +54,11 @@ class BadOdometry {
 
   Pose2 step(const Pose2& T_before_after) {
     const models::OdometryStep step = models::odometry_step({}, T_before_after);
-    const double way_m = std::abs(step.drive_m);
-    const double root_m = std::sqrt(way_m);
+    const double travelled_m = std::abs(step.drive_m);
+    const double root_m = std::sqrt(travelled_m);
     const double drive_m = step.drive_m * drive_gain_ + 0.02 * root_m * normal_(*random_);
     const double drift_rad =
-        drift_rad_per_m_ * way_m + geometry::radians(1.0) * root_m * normal_(*random_);
+        drift_rad_per_m_ * travelled_m + geometry::radians(1.0) * root_m * normal_(*random_);
     return Pose2(0.0, 0.0, step.turn_before_rad * turn_gain_ + drift_rad / 2.0) *
            Pose2(drive_m, 0.0, step.turn_after_rad * turn_gain_ + drift_rad / 2.0);
   }
@@ -71,27 +71,27 @@ class BadOdometry {
   double drift_rad_per_m_;
 };
 
-std::vector<double> ways_m(const std::vector<TakenScan>& scans) {
-  std::vector<double> ways_m{0.0};
+std::vector<double> offsets_m(const std::vector<TakenScan>& scans) {
+  std::vector<double> offsets_m{0.0};
   for (std::size_t i = 1; i < scans.size(); ++i) {
     const Eigen::Vector2d step_m =
         scans[i].T_map_robot.position_m() - scans[i - 1].T_map_robot.position_m();
-    ways_m.push_back(ways_m.back() + step_m.norm());
+    offsets_m.push_back(offsets_m.back() + step_m.norm());
   }
-  return ways_m;
+  return offsets_m;
 }
 
 /// The nearest of the places long before; empty where none is near.
 std::optional<std::size_t> revisited(const std::vector<TakenScan>& scans,
-                                     const std::vector<double>& ways_m,
+                                     const std::vector<double>& offsets_m,
                                      std::size_t now) {
   std::optional<std::size_t> nearest;
-  double least_m = kRevisitM;
-  for (std::size_t i = 0; i < now && ways_m[i] <= ways_m[now] - kRevisitWayM; ++i) {
+  double min_m = kRevisitM;
+  for (std::size_t i = 0; i < now && offsets_m[i] <= offsets_m[now] - kRevisitTravelledM; ++i) {
     const double away_m =
         (scans[i].T_map_robot.position_m() - scans[now].T_map_robot.position_m()).norm();
-    if (away_m < least_m) {
-      least_m = away_m;
+    if (away_m < min_m) {
+      min_m = away_m;
       nearest = i;
     }
   }
@@ -99,18 +99,18 @@ std::optional<std::size_t> revisited(const std::vector<TakenScan>& scans,
 }
 
 std::vector<evaluation::PoseRelation> relations_of(const std::vector<TakenScan>& scans) {
-  const std::vector<double> ways_m = bench::ways_m(scans);
+  const std::vector<double> offsets_m = bench::offsets_m(scans);
   std::vector<evaluation::PoseRelation> relations;
   const auto add = [&](std::size_t from, std::size_t to) {
     relations.push_back({from, to, scans[from].T_map_robot.inverse() * scans[to].T_map_robot});
   };
   std::size_t last = 0;
   for (std::size_t i = 1; i < scans.size(); ++i) {
-    if (ways_m[i] - ways_m[last] < kRelationWayM) {
+    if (offsets_m[i] - offsets_m[last] < kRelationDistanceM) {
       continue;
     }
     add(last, i);
-    if (const auto before = revisited(scans, ways_m, i)) {
+    if (const auto before = revisited(scans, offsets_m, i)) {
       add(*before, i);
     }
     last = i;

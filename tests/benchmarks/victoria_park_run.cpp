@@ -6,7 +6,7 @@
 
 #include "host/datasets/companion_file.hpp"
 #include "host/models/cut_step_spread.hpp"
-#include "host/slam/ekf_slam.hpp"
+#include "host/slam/ekf_slam_filter.hpp"
 #include "tests/benchmarks/ekf_slam_runs.hpp"
 #include "tests/benchmarks/gps_track.hpp"
 #include "tests/benchmarks/mat_file.hpp"
@@ -18,18 +18,18 @@ namespace {
 using geometry::Pose2;
 
 /// A tree's trunk by a laser of half a degree, up to 20 m away, its middle taken from what is seen.
-constexpr double kRangeSdM = 0.3;
-constexpr double kBearingSdRad = 0.02;
+constexpr double kRangeStddevM = 0.3;
+constexpr double kBearingStddevRad = 0.02;
 /// 99.9 % of chi square with two degrees of freedom.
 constexpr double kGate = 13.82;
 
 /// Faster than this the truck was not: a fix that says so is a wrong one. Above it by a few metres
 /// of what fixes err.
-constexpr double kMostSpeedMPerS = 8.0;
-constexpr double kMostGpsErrorM = 10.0;
+constexpr double kMaxSpeedMPerS = 8.0;
+constexpr double kMaxGpsErrorM = 10.0;
 
 bool is_within_reach(const GpsFix& before, const GpsFix& after) {
-  const double reach_m = kMostGpsErrorM + kMostSpeedMPerS * (after.stamp_s - before.stamp_s);
+  const double reach_m = kMaxGpsErrorM + kMaxSpeedMPerS * (after.stamp_s - before.stamp_s);
   return (after.position_m - before.position_m).norm() <= reach_m;
 }
 
@@ -50,7 +50,7 @@ std::vector<GpsFix> read_gps(const std::filesystem::path& folder) {
 /// Trees by their numbers.
 class TreeSlam {
  public:
-  explicit TreeSlam(const slam::EkfSlamParams& params) : filter_(params) {}
+  explicit TreeSlam(const slam::EkfSlamFilterParams& params) : filter_(params) {}
 
   void move(const Pose2& T_last_now) {
     T_odom_robot_ = T_odom_robot_ * T_last_now;
@@ -64,7 +64,8 @@ class TreeSlam {
     slam::LandmarkSighting sighting;
     sighting.value = {at_m.norm(), std::atan2(at_m.y(), at_m.x())};
     sighting.noise =
-        Eigen::Vector2d(kRangeSdM * kRangeSdM, kBearingSdRad * kBearingSdRad).asDiagonal();
+        Eigen::Vector2d(kRangeStddevM * kRangeStddevM, kBearingStddevRad * kBearingStddevRad)
+            .asDiagonal();
     const auto known = indices_.find(tree);
     if (known == indices_.end()) {
       indices_[tree] = filter_.add(sighting);
@@ -90,7 +91,7 @@ class TreeSlam {
 
  private:
   models::OdometryMotion motion_;
-  slam::EkfSlam filter_;
+  slam::EkfSlamFilter filter_;
   Pose2 T_odom_robot_;
   std::map<std::int64_t, std::size_t> indices_;
   TreeSlamRun score_;
@@ -98,12 +99,12 @@ class TreeSlam {
 
 /// The poses of the log stand at its laser's scans, less those at which the truck stood.
 constexpr double kScanPeriodS = 1.0 / 4.7;
-constexpr double kMostStoodS = 160.0;
+constexpr double kMaxStoodS = 160.0;
 
 }  // namespace
 
 TreeSlamRun slam_victoria_park(const std::filesystem::path& folder,
-                               const slam::EkfSlamParams& params) {
+                               const slam::EkfSlamFilterParams& params) {
   TreeSlam slam(params);
   datasets::CompanionLines lines(folder / "victoria_park_gtsam.txt.gz");
   while (auto fields = lines.next()) {
@@ -123,7 +124,7 @@ TreeSlamRun slam_victoria_park(const std::filesystem::path& folder,
 
 GpsAgreement victoria_park_agreement(const std::filesystem::path& folder,
                                      std::span<const Pose2> T_map_robots) {
-  return agreement_with_gps(T_map_robots, read_gps(folder), kScanPeriodS, kMostStoodS);
+  return agreement_with_gps(T_map_robots, read_gps(folder), kScanPeriodS, kMaxStoodS);
 }
 
 }  // namespace echomap::bench

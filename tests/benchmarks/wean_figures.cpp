@@ -10,7 +10,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/pipeline/log_localizer.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
-#include "tests/support/believed_near.hpp"
+#include "tests/support/expect_pose_estimate.hpp"
 #include "tests/support/log_files.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/wean_map.hpp"
@@ -65,7 +65,7 @@ std::vector<Figure> wean_figures(std::uint32_t seed, bool verbose) {
       lasted_s += drive.lasts_s;
       const localization::PoseBelief& belief = localizer.belief();
       found +=
-          tests::is_believed_near(belief, drive.T_map_end, 0.30, geometry::radians(5.0)) ? 1 : 0;
+          tests::is_estimated_near(belief, drive.T_map_end, 0.30, geometry::radians(5.0)) ? 1 : 0;
       if (verbose) {
         say(drive, own_seed, belief);
       }

@@ -78,8 +78,8 @@ class LogFolders {
 
 void check(const sensors::RangeScan& scan) {
   // A line has at most so many numbers; a run directory says so of its own scans.
-  constexpr std::size_t kMostBeams = 100000;
-  require(scan.beams.size() <= kMostBeams, "a scan has no more beams than its text");
+  constexpr std::size_t kMaxBeams = 100000;
+  require(scan.beams.size() <= kMaxBeams, "a scan has no more beams than its text");
   require(std::isfinite(scan.T_robot_sensor.x_m()), "a sensor is somewhere");
   for (const auto& beam : scan.beams) {
     require(std::isfinite(beam.bearing_rad), "a beam looks somewhere");

@@ -18,7 +18,7 @@ using echomap::fuzz::Reader;
 using echomap::fuzz::require;
 
 constexpr std::uint16_t kSession = 0x5E55;
-constexpr std::size_t kMostCommands = 64;
+constexpr std::size_t kMaxCommands = 64;
 
 /// What the input says next; the rest of a byte's values wrap round.
 enum Step : std::uint8_t { kBytes, kFrame, kReply, kAck, kWait, kCommand, kSetpoint, kSteps };
@@ -85,7 +85,7 @@ class Host : public robot_link::RobotLinkListener {
     }
   }
   void submit(Reader& input) {
-    if (submitted_ < kMostCommands) {
+    if (submitted_ < kMaxCommands) {
       ++submitted_;
       link_.submit(input.byte() % 2 == 0 ? robot_link::Command(protocol::Arm{0, 1})
                                          : robot_link::Command(protocol::Stop{0}));

@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Boards, Clock, every_board(), image_label);
 
 TEST_P(Clock, OdometryComesOnTheTickAndTheStampIsSimulatedTime) {
   constexpr std::int64_t kPeriodUs = 20'000;
-  constexpr std::int64_t kMostLateUs = 250;
+  constexpr std::int64_t kMaxLateUs = 250;
   ASSERT_TRUE(robot.connect());
   robot.forget_heard();
   robot.run_ms(5000);
@@ -138,7 +138,7 @@ TEST_P(Clock, OdometryComesOnTheTickAndTheStampIsSimulatedTime) {
       static_cast<long long>(worst_us),
       static_cast<long long>(fastest_us),
       static_cast<long long>(slowest_us));
-  EXPECT_LE(worst_us, kMostLateUs);
+  EXPECT_LE(worst_us, kMaxLateUs);
   EXPECT_LT(fastest_us, 6000) << "the frame, and what passed before the robot's clock started";
   EXPECT_LT(slowest_us - fastest_us, 4000) << "a Status and a Health may be in front of it";
 }

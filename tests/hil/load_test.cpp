@@ -29,7 +29,7 @@ LoadResult run_under(const std::string& image, const Load& load, double seconds)
               static_cast<long long>(result.miscounts),
               result.encoder_errors,
               result.worst_echo_error_us,
-              result.least_stack_bytes);
+              result.min_stack_bytes);
   return result;
 }
 
@@ -61,9 +61,9 @@ TEST_P(CountsUnderLoad, LosesNoCountNoFrameAndNoMicrosecondInAMinute) {
   EXPECT_EQ(result.receive_overruns, 0);
   EXPECT_GT(result.host_bytes_per_s, 7'000);
   EXPECT_GT(result.robot_bytes_per_s, 5'000);
-  RecordProperty("stack_free_bytes", result.least_stack_bytes);
-  EXPECT_GE(result.least_stack_bytes, 300);
-  EXPECT_LT(result.least_stack_bytes, 8192) << "nothing was painted";
+  RecordProperty("stack_free_bytes", result.min_stack_bytes);
+  EXPECT_GE(result.min_stack_bytes, 300);
+  EXPECT_LT(result.min_stack_bytes, 8192) << "nothing was painted";
 }
 
 class IllegalSteps : public OnEveryBoard {};

@@ -22,8 +22,8 @@ TEST(SlowLine, IsAskedForTooMuchAndFallsBackToWhatFits) {
   const int dropped_before = line.dropped();
   const double bytes_per_s = line.bytes_per_s(kSeconds);
   std::printf(
-      "9600 baud, odometry every 10 ms asked: step %d, %.1f of 960 B/s, %.1f odometry/s, "
-      "%.1f Status/s, %.2f Health/s\n",
+      "9600 baud, odometry every 10 ms asked: step %d, %.1f of 960 B/s, %.1f odometry/s, %.1f "
+      "Status/s, %.2f Health/s\n",
       line.rate_step(),
       bytes_per_s,
       line.per_s<protocol::Odometry>(kSeconds),
@@ -72,8 +72,8 @@ TEST(SlowLine, TakesTwentyOfOdometryAndOfEchoesASecond) {
   const int dropped_before = line.dropped();
   const double bytes_per_s = line.bytes_per_s(kSeconds);
   std::printf(
-      "9600 baud, sweep and odometry every 50 ms: %.1f of 960 B/s, %.1f odometry/s, "
-      "%.1f echoes/s, %.1f Status/s\n",
+      "9600 baud, sweep and odometry every 50 ms: %.1f of 960 B/s, %.1f odometry/s, %.1f echoes/s, "
+      "%.1f Status/s\n",
       bytes_per_s,
       line.per_s<protocol::Odometry>(kSeconds),
       line.per_s<protocol::Echo>(kSeconds),

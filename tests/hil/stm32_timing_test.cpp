@@ -37,21 +37,21 @@ class TickJitter {
   TickJitter(const TickJitter&) = delete;
   TickJitter& operator=(const TickJitter&) = delete;
 
-  double us() const { return double(most_ - least_) * 1e6 / double(unicorn::kClockHz); }
+  double us() const { return double(max_ - min_) * 1e6 / double(unicorn::kClockHz); }
 
  private:
   /// `phase` as a number of either sign, 0 for that of the first tick.
   void note(std::uint64_t phase) {
     const auto late = static_cast<std::int64_t>(phase);
     const auto signed_late = phase < kTickCycles / 2 ? late : late - std::int64_t{kTickCycles};
-    least_ = std::min(least_, signed_late);
-    most_ = std::max(most_, signed_late);
+    min_ = std::min(min_, signed_late);
+    max_ = std::max(max_, signed_late);
   }
 
   Stm32Chip& chip_;
   std::uint64_t first_cycle_ = chip_.cycle();
-  std::int64_t least_ = INT64_MAX;
-  std::int64_t most_ = INT64_MIN;
+  std::int64_t min_ = INT64_MAX;
+  std::int64_t max_ = INT64_MIN;
 };
 
 class Stm32UnderLoad : public ::testing::TestWithParam<std::tuple<unsigned, int>> {};
@@ -59,7 +59,7 @@ class Stm32UnderLoad : public ::testing::TestWithParam<std::tuple<unsigned, int>
 INSTANTIATE_TEST_SUITE_P(
     CyclesPerHalfWordAndEdgesPerS,
     Stm32UnderLoad,
-    ::testing::Combine(::testing::Values(unicorn::kLeastCyclesPerHalfWord,
+    ::testing::Combine(::testing::Values(unicorn::kMinCyclesPerHalfWord,
                                          unicorn::kPessimisticCyclesPerHalfWord),
                        ::testing::Values(20'000, 40'000, 80'000)),
     [](const auto& test) {

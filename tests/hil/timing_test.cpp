@@ -122,9 +122,9 @@ TEST_P(Control, DutyIsMadeOfCountsOfTheLastFiftyMicroseconds) {
   std::printf("control: %.0f Hz, sample to PWM %.1f us, %.1f us at most\n",
               figures.duties_per_s,
               figures.mean_us,
-              figures.most_us);
+              figures.max_us);
   EXPECT_NEAR(figures.duties_per_s, 250.0, 1.0);
-  EXPECT_LE(figures.most_us, 50.0);
+  EXPECT_LE(figures.max_us, 50.0);
   EXPECT_GT(figures.mean_us, 5.0) << "the delay is not measured";
 }
 

@@ -219,7 +219,7 @@ TEST_F(BadInput, APortThatGoesInMidRunKeepsTheMap) {
   mock->send(SIGKILL);
   const Ended ended = explore.wait();
   EXPECT_EQ(ended.status, 5) << ended.said;
-  EXPECT_THAT(ended.said, HasSubstr("map so far is kept"));
+  EXPECT_THAT(ended.said, HasSubstr("map so far is saved"));
   const auto summary = nlohmann::json::parse(read_text_file(scratch / "run/summary.json"));
   EXPECT_EQ(summary.at("outcome"), "link-lost");
   EXPECT_GT(summary.at("points"), 20);

@@ -49,14 +49,14 @@ TEST_F(Characterise, FindsTheConeAndTheNoiseOfASonarInASquareRoom) {
   const auto found = report();
   EXPECT_GE(found.at("walls"), 5);
   // hil_mock/robots/ev3.toml: 32.8 degrees, 1 cm.
-  EXPECT_NEAR(found.at("cone_opening_deg").get<double>(), 32.8, 4.0);
+  EXPECT_NEAR(found.at("beam_width_deg").get<double>(), 32.8, 4.0);
   EXPECT_NEAR(found.at("suggested_beam_half_angle_deg").get<double>(), 16.4, 2.0);
-  EXPECT_LE(found.at("cone_opening_low_deg"), found.at("cone_opening_deg"));
-  EXPECT_GE(found.at("cone_opening_high_deg"), found.at("cone_opening_deg"));
+  EXPECT_LE(found.at("beam_width_low_deg"), found.at("beam_width_deg"));
+  EXPECT_GE(found.at("beam_width_high_deg"), found.at("beam_width_deg"));
   const auto& noise = found.at("range_noise");
   ASSERT_GE(noise.size(), 4U);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(noise[i].at("sd_m").get<double>(), 0.010, 0.004) << i;
+    EXPECT_NEAR(noise[i].at("stddev_m").get<double>(), 0.010, 0.004) << i;
     EXPECT_NEAR(noise[i].at("bias_m").get<double>(), 0.0, 0.006) << i;
   }
 }
@@ -75,7 +75,7 @@ TEST_F(Characterise, OfTheNxtsScansIsThatOfTheSameWallsByHand) {
   const Ended ended = echomap(arguments);
   ASSERT_EQ(ended.status, 0) << ended.said;
   EXPECT_EQ(report().at("walls"), 26);
-  EXPECT_NEAR(report().at("cone_opening_deg").get<double>(), 28.1, 0.1);
+  EXPECT_NEAR(report().at("beam_width_deg").get<double>(), 28.1, 0.1);
 }
 
 TEST_F(Characterise, SaysWhatARecordingLacks) {
@@ -87,7 +87,7 @@ TEST_F(Characterise, SaysWhatARecordingLacks) {
   files::write_text_file(scratch / "scan.dat", "100\n100\n101\n100\n99\n100\n101\n100\n");
   const Ended no_walls = echomap({"characterise", at("scan.dat"), "--format=nxt"});
   EXPECT_EQ(no_walls.status, 1);
-  EXPECT_THAT(no_walls.said, HasSubstr("straight walls, and it takes 3"));
+  EXPECT_THAT(no_walls.said, HasSubstr("straight walls, but a beam width takes 3"));
 
   const Ended laser = echomap({"characterise", ECHOMAP_SOURCE_DIR "/tests/data/small_room.clf"});
   EXPECT_EQ(laser.status, 1);

@@ -82,17 +82,17 @@ class ExploreFaults : public ::testing::Test {
   /// It counts its way without the hop, by far its longest step.
   void expect_counts_no_hop() {
     const auto trajectory = exports::read_trajectory_tum(scratch / "run/trajectory.tum");
-    double way_m = 0.0;
+    double travelled_m = 0.0;
     double longest_m = 0.0;
     for (std::size_t i = 1; i < trajectory.size(); ++i) {
       const double step_m =
           (trajectory[i].T_map_robot.position_m() - trajectory[i - 1].T_map_robot.position_m())
               .norm();
-      way_m += step_m;
+      travelled_m += step_m;
       longest_m = std::max(longest_m, step_m);
     }
     EXPECT_GT(longest_m, 0.1);
-    EXPECT_NEAR(summary().at("travelled_m"), way_m - longest_m, 0.01);
+    EXPECT_NEAR(summary().at("travelled_m"), travelled_m - longest_m, 0.01);
   }
   /// How long it goes on at most, as every half minute tells it; seconds.
   static std::vector<double> told_left_s(const std::string& said) {
@@ -124,7 +124,7 @@ class ExploreFaults : public ::testing::Test {
                       const std::string& said) {
     EXPECT_EQ(ended.status, status) << ended.said;
     EXPECT_THAT(ended.said,
-                AllOf(HasSubstr("the map so far is kept: " + said), HasSubstr("next: ")));
+                AllOf(HasSubstr("the map so far is saved: " + said), HasSubstr("next: ")));
     EXPECT_EQ(summary().at("outcome"), outcome);
     EXPECT_GT(summary().at("free_area_m2"), 0.5);
     EXPECT_LT(summary().at("wall_rmse_m"), 0.12);
@@ -134,12 +134,15 @@ class ExploreFaults : public ::testing::Test {
 };
 
 TEST_F(ExploreFaults, ADeadSonarEndsIt) {
-  expect_stopped(run({"--part-faults=sonar-dead@60"}), 1, "sonar-silent", "nothing has answered");
+  expect_stopped(
+      run({"--part-faults=sonar-dead@60"}), 1, "sonar-silent", "the sonar received no echo");
 }
 
 TEST_F(ExploreFaults, ASonarThatHangsEndsItAndLeavesTheMapAlone) {
-  expect_stopped(
-      run({"--part-faults=sonar-stuck@60:inf:0.6"}), 1, "sonar-stuck", "the sonar says one range");
+  expect_stopped(run({"--part-faults=sonar-stuck@60:inf:0.6"}),
+                 1,
+                 "sonar-stuck",
+                 "the sonar returns the same range");
 }
 
 TEST_F(ExploreFaults, ADeadEncoderEndsIt) {
@@ -189,15 +192,16 @@ TEST_F(ExploreFaults, CarriedOffItMapsOnAndMostlyFindsItsFormerMapAgain) {
       continue;
     }
     EXPECT_THAT(ended.said,
-                AllOf(HasSubstr("the map so far is set aside"), HasSubstr("both are one")));
+                AllOf(HasSubstr("starting a new map, keeping the old one"),
+                      HasSubstr("the two maps are now one")));
     EXPECT_TRUE(has_right_pose_and_map(score())) << seed << ": both parts of its way";
     expect_counts_no_hop();
     const auto left_s = told_left_s(ended.said);
     ASSERT_GE(left_s.size(), 4U) << ended.said;
     EXPECT_LT(*std::max_element(left_s.begin(), left_s.end()), 1.5 * left_s.front())
-        << seed << ": it does not begin anew with the map\n"
+        << seed << ": it does not start again with the map\n"
         << ended.said;
-    joined += summary().at("former_maps") == 0 && !exists(scratch / "run/former_1") ? 1 : 0;
+    joined += summary().at("previous_maps") == 0 && !exists(scratch / "run/previous_1") ? 1 : 0;
   }
   EXPECT_GE(joined, 6) << "of 8";
 }
@@ -205,19 +209,20 @@ TEST_F(ExploreFaults, CarriedOffItMapsOnAndMostlyFindsItsFormerMapAgain) {
 TEST_F(ExploreFaults, CarriedOffAfterItsFirstStopItKeepsTwoMapsAndBothAreRight) {
   const Ended ended = run_carried_off("1", "12,2,2.2,2.4,-90");
   EXPECT_EQ(ended.status, 0) << ended.said;
-  EXPECT_THAT(ended.said,
-              HasSubstr("where the one before lies on it was not found: kept in former_1"));
-  EXPECT_EQ(summary().at("former_maps"), 1);
+  EXPECT_THAT(
+      ended.said,
+      HasSubstr("the previous map could not be aligned with it and is saved in previous_1"));
+  EXPECT_EQ(summary().at("previous_maps"), 1);
   EXPECT_EQ(summary().at("maps_joined"), 0);
   const auto scores = score();
   EXPECT_LT(scores.at("ate_rmse_m"), 0.15) << "from where the map begins";
   EXPECT_LT(scores.at("wall_rmse_m"), 0.12);
   EXPECT_GT(scores.at("free_iou"), 0.75);
   for (const char* const file : {"map.png", "map.yaml", "trajectory.tum", "observations.csv"}) {
-    EXPECT_TRUE(exists(scratch / "run/former_1" / file)) << file;
+    EXPECT_TRUE(exists(scratch / "run/previous_1" / file)) << file;
   }
   const auto former =
-      nlohmann::json::parse(files::read_text_file(scratch / "run/former_1/summary.json"));
+      nlohmann::json::parse(files::read_text_file(scratch / "run/previous_1/summary.json"));
   EXPECT_EQ(former.at("outcome"), "set-aside");
   EXPECT_GT(former.at("stops"), 0);
 }
@@ -230,14 +235,14 @@ TEST_F(ExploreFaults, AStrategyThatGoesByMoreThanItsMapEndsWhereTheRobotIsLost) 
                            "--waypoints=playground",
                            "--part-faults=slip-left@60:8:0.6"});
   EXPECT_EQ(ended.status, 1) << ended.said;
-  EXPECT_THAT(ended.said, HasSubstr("the map so far is kept: what the sonar hears is not"));
+  EXPECT_THAT(ended.said, HasSubstr("the map so far is saved: sonar readings contradict the map"));
   EXPECT_EQ(summary().at("outcome"), "lost");
 }
 
 TEST_F(ExploreFaults, ALineThatIsAwayForFiveSecondsIsWaitedFor) {
   const Ended ended = run({"--faults=away=60:5"});
   EXPECT_EQ(ended.status, 0) << ended.said;
-  EXPECT_THAT(ended.said, AllOf(HasSubstr("is away: "), HasSubstr("is back after 4.")));
+  EXPECT_THAT(ended.said, AllOf(HasSubstr("is disconnected: "), HasSubstr("reconnected after 4.")));
   EXPECT_EQ(summary().at("outcome"), "no-new-ground");
   EXPECT_EQ(summary().at("link").at("outages"), 1);
   expect_right_pose_and_map();
@@ -247,7 +252,7 @@ TEST_F(ExploreFaults, ALineThatStaysAwayEndsIt) {
   const Ended ended = run({"--faults=away=60:1000"});
   EXPECT_EQ(ended.status, 5);
   EXPECT_THAT(ended.said,
-              AllOf(HasSubstr("the map so far is kept, for lost "), HasSubstr("fallen silent")));
+              AllOf(HasSubstr("the map so far is saved: lost "), HasSubstr("stopped sending")));
   EXPECT_EQ(summary().at("outcome"), "link-lost");
   EXPECT_GT(summary().at("free_area_m2"), 0.5);
   expect_right_pose_and_map();
@@ -258,10 +263,10 @@ TEST_F(ExploreFaults, ABoardThatIsResetIsSetUpAgainAndGoesOnFromWhereItWas) {
   for (const char* const fault : {"board-reset@60", "board-reset@62:3"}) {
     const Ended ended = run({"--part-faults", fault});
     EXPECT_EQ(ended.status, 0) << ended.said;
-    EXPECT_THAT(ended.said, HasSubstr("the robot was reset (reset line); the pose is kept"));
+    EXPECT_THAT(ended.said, HasSubstr("the robot was reset (reset line); keeping the pose"));
     EXPECT_EQ(summary().at("outcome"), "no-new-ground");
     EXPECT_EQ(summary().at("link").at("resets"), 1);
-    EXPECT_FALSE(summary().at("pose_std_m").is_null()) << "SLAM runs";
+    EXPECT_FALSE(summary().at("pose_stddev_m").is_null()) << "SLAM runs";
     expect_right_pose_and_map();
     expect_steady_time();
   }
@@ -272,8 +277,8 @@ TEST_F(ExploreFaults, AResetThatLosesAStepperEndsIt) {
       run({"--part-faults=board-reset@40", "--robot=nxt_tribot", "--world=nxt_room"});
   EXPECT_EQ(ended.status, 7);
   EXPECT_THAT(ended.said,
-              AllOf(HasSubstr("the map so far is kept, for the robot was reset"),
-                    HasSubstr("where the sonar looks")));
+              AllOf(HasSubstr("the map so far is saved: the robot was reset"),
+                    HasSubstr("the direction of the sonar")));
   EXPECT_EQ(summary().at("outcome"), "safety-stop");
   EXPECT_LT(summary().at("wall_rmse_m"), 0.12);
 }

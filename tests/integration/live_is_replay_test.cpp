@@ -111,9 +111,9 @@ TEST_F(LiveIsReplay, AcrossAResetOfTheBoard) {
 
 TEST_F(LiveIsReplay, WithTheMapsOfARobotThatWasCarriedOff) {
   drive_carried_off("12,2,2.2,2.4,-90");
-  EXPECT_EQ(summary(run).at("former_maps"), 1);
+  EXPECT_EQ(summary(run).at("previous_maps"), 1);
   expect_replayed();
-  EXPECT_TRUE(exists(again / "former_1" / "map.pgm"));
+  EXPECT_TRUE(exists(again / "previous_1" / "map.pgm"));
 }
 
 TEST_F(LiveIsReplay, WithMapsThatWereJoined) {

@@ -231,13 +231,13 @@ TEST_F(LocalizeUnderACamera, SaysThatNoFixComes) {
   start_robot("echomap-mock", {});
   const Ended ended = localize({"--filter=ekf", "--fixes=udp:127.0.0.1:" + free_port()});
   EXPECT_EQ(ended.status, 1);
-  EXPECT_THAT(ended.said, AllOf(HasSubstr("no fix came"), HasSubstr("next: ")));
+  EXPECT_THAT(ended.said, AllOf(HasSubstr("no pose arrived"), HasSubstr("next: ")));
 }
 
 TEST_F(LocalizeUnderACamera, NamesAServerThatIsMissingAndAnAddressThatIsNone) {
   const Ended missing = localize({"--filter=ekf", "--fixes=tcp:127.0.0.1:" + free_port()});
   EXPECT_EQ(missing.status, 1);
-  EXPECT_THAT(missing.said, AllOf(HasSubstr("no fixes"), HasSubstr("next: ")));
+  EXPECT_THAT(missing.said, AllOf(HasSubstr("no pose measurements"), HasSubstr("next: ")));
   const Ended wrong = localize({"--filter=ekf", "--fixes=127.0.0.1"});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.said, HasSubstr("udp:HOST:PORT"));

@@ -41,13 +41,13 @@ mapping::OccupancyGrid room(bool with_box) {
 class MapCommands : public ::testing::Test {
  protected:
   MapCommands() {
-    const std::vector<pipeline::StampedPose> way{
+    const std::vector<pipeline::StampedPose> path{
         tests::pose_at(0.0, {0.0, 0.0, 0.0}),
         tests::pose_at(5.0, {0.5, 0.0, 0.0}),
         tests::pose_at(10.0, {1.0, 0.0, 0.1}),
     };
-    exports::write_run_directory(scratch / "before", tests::snapshot_of(room(false), way), {});
-    exports::write_run_directory(scratch / "after", tests::snapshot_of(room(true), way), {});
+    exports::write_run_directory(scratch / "before", tests::snapshot_of(room(false), path), {});
+    exports::write_run_directory(scratch / "after", tests::snapshot_of(room(true), path), {});
     tests::write_truth_files(scratch / "truth");
   }
   Ended echomap(std::vector<std::string> arguments) {

@@ -103,7 +103,7 @@ TEST_F(Resume, ARobotGoesOnWhereItStoodAndItsMapGrows) {
   EXPECT_EQ(monday.at("resumed_stops"), nullptr);
   EXPECT_EQ(tuesday.at("resumed_stops"), 3);
   EXPECT_EQ(tuesday.at("stops"), 8);
-  EXPECT_EQ(tuesday.at("former_maps"), 0);
+  EXPECT_EQ(tuesday.at("previous_maps"), 0);
   for (const char* grows : {"sim_seconds", "travelled_m", "poses", "points", "free_area_m2"}) {
     EXPECT_GT(tuesday.at(grows), monday.at(grows)) << grows;
   }
@@ -139,7 +139,8 @@ TEST_F(Resume, ARunThatWasKilledWhileItWroteItsRecordGoesOn) {
   files::write_text_file(scratch / "run" / "observations.csv", record + "odometry,99");
   const Ended ended = explore("on", {stands}, {resume("run")}, 1);
   EXPECT_EQ(ended.status, 0) << ended.said;
-  EXPECT_THAT(ended.said, HasSubstr("observations.csv is cut off, and all before it is read"));
+  EXPECT_THAT(ended.said,
+              HasSubstr("observations.csv is incomplete; everything before it was read"));
   EXPECT_EQ(summary("on").at("resumed_stops"), 3);
   EXPECT_THAT(text_of("on", "observations.csv"), ::testing::StartsWith(record));
 }
@@ -148,9 +149,9 @@ TEST_F(Resume, ARobotThatWasMovedGoesOnInAnotherMap) {
   ASSERT_EQ(explore("monday", {}).status, 0);
   const Ended ended = explore("tuesday", {"--start=2.6,1.2,100"}, {resume("monday")}, 6);
   EXPECT_EQ(ended.status, 0) << ended.said;
-  EXPECT_THAT(ended.said, HasSubstr("the map so far is set aside"));
+  EXPECT_THAT(ended.said, HasSubstr("starting a new map, keeping the old one"));
   const auto tuesday = summary("tuesday");
-  EXPECT_EQ(tuesday.at("former_maps").get<int>() + tuesday.at("maps_joined").get<int>(), 1);
+  EXPECT_EQ(tuesday.at("previous_maps").get<int>() + tuesday.at("maps_joined").get<int>(), 1);
 }
 
 TEST_F(Resume, WhatWasThereStaysWhereNoRobotAnswers) {

@@ -29,9 +29,9 @@ world::RobotParams create_robot() {
 WheelErrors::WheelErrors(const world::DriveParams& drive, world::NoiseStream& noise)
     : drive_(drive),
       noise_(noise),
-      drive_scale_(1.0 + drive.wheel_diameter_sd * noise.normal()),
-      turn_scale_(drive_scale_ / (1.0 + drive.track_sd * noise.normal())),
-      bend_rad_per_m_(drive.wheel_mismatch_sd * noise.normal() / drive.track_m) {}
+      drive_scale_(1.0 + drive.wheel_diameter_stddev * noise.normal()),
+      turn_scale_(drive_scale_ / (1.0 + drive.track_stddev * noise.normal())),
+      bend_rad_per_m_(drive.wheel_mismatch_stddev * noise.normal() / drive.track_m) {}
 
 Pose2 WheelErrors::told(double turn_rad, double drive_m) {
   const auto slip_m = [&](double rolled_m) {
@@ -68,7 +68,7 @@ void BounceRobot::be_carried_off() {
   T_world_robot_ = {at_m.x(), at_m.y(), (2.0 * noise_.uniform() - 1.0) * std::numbers::pi};
 }
 
-void BounceRobot::step(double most_m) {
+void BounceRobot::step(double max_m) {
   if (touches()) {
     const double turn_rad = std::numbers::pi * (0.5 + noise_.uniform());
     T_world_robot_ = T_world_robot_ * Pose2(0.0, 0.0, turn_rad);
@@ -76,7 +76,7 @@ void BounceRobot::step(double most_m) {
     return;
   }
   double driven_m = 0.0;
-  while (driven_m < most_m && !touches()) {
+  while (driven_m < max_m && !touches()) {
     T_world_robot_ =
         world::pushed_out(room_, T_world_robot_ * Pose2(kLookM, 0.0, 0.0), robot_.body.radius_m);
     driven_m += kLookM;

@@ -38,8 +38,8 @@ class BounceRobot {
   /// Stands anywhere in the room, which must outlive this.
   BounceRobot(const world::FloorPlan& room, std::uint32_t seed);
 
-  /// Drives on by up to `most_m`, or turns where it has bumped.
-  void step(double most_m);
+  /// Drives on by up to `max_m`, or turns where it has bumped.
+  void step(double max_m);
   /// What it feels where it is.
   models::ContactReading contacts() const;
   /// To somewhere else; the odometry does not notice.

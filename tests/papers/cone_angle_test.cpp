@@ -18,8 +18,8 @@
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/sensors/range_scan.hpp"
-#include "host/sensors/wall_opening.hpp"
-#include "tests/papers/post_opening.hpp"
+#include "host/sensors/wall_beam_width.hpp"
+#include "tests/papers/post_beam_width.hpp"
 #include "tests/support/log_files.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -31,25 +31,25 @@ namespace {
 using geometry::degrees;
 using geometry::radians;
 using sensors::Beam;
-using sensors::ConeOpening;
+using sensors::BeamWidth;
 
 constexpr double kPaperDeg = 32.8;
 constexpr double kPaperBoundDeg = 9.6;
 constexpr std::uint32_t kSeeds = 20;
 
-bool holds(const ConeOpening& opening, double truth_rad) {
+bool holds(const BeamWidth& opening, double truth_rad) {
   return opening.low_rad <= truth_rad && truth_rad <= opening.high_rad;
 }
 
-void expect_within_paper(double opening_rad) {
-  EXPECT_NEAR(degrees(opening_rad), kPaperDeg, kPaperBoundDeg);
+void expect_within_paper(double beam_width_rad) {
+  EXPECT_NEAR(degrees(beam_width_rad), kPaperDeg, kPaperBoundDeg);
 }
 
-world::SonarParams ev3_sonar(double opening_deg) {
+world::SonarParams ev3_sonar(double beam_width_deg) {
   auto params = world::read_robot(files::TomlReader::load(std::string(ECHOMAP_SOURCE_DIR) +
                                                           "/hil_mock/robots/ev3.toml"))
                     .sonar;
-  params.cone_half_angle_rad = radians(0.5 * opening_deg);
+  params.beam_half_angle_rad = radians(0.5 * beam_width_deg);
   return params;
 }
 
@@ -98,11 +98,11 @@ struct Rates {
   double worst_deg = 0.0;
 };
 
-void count(Rates& rates, const std::optional<ConeOpening>& opening, double truth_deg) {
+void count(Rates& rates, const std::optional<BeamWidth>& opening, double truth_deg) {
   if (!opening) {
     return;
   }
-  const double found_deg = degrees(opening->opening_rad);
+  const double found_deg = degrees(opening->beam_width_rad);
   ++rates.found;
   rates.held += holds(*opening, radians(truth_deg)) ? 1 : 0;
   rates.mean_deg += (found_deg - rates.mean_deg) / rates.found;
@@ -127,30 +127,31 @@ std::vector<sensors::Beam> double_sweep(const world::FloorPlan& plan,
 
 TEST(ConeAngle, IsFoundBySweepingPastAPost) {
   const world::FloorPlan plan = post_in_a_hall();
-  for (const double opening_deg : {20.0, kPaperDeg, 42.0}) {
+  for (const double beam_width_deg : {20.0, kPaperDeg, 42.0}) {
     Rates rates;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
       count(rates,
-            opening_past_post(double_sweep(plan, ev3_sonar(opening_deg), seed), {0.79, 0.05, 0.02}),
-            opening_deg);
+            beam_width_past_post(double_sweep(plan, ev3_sonar(beam_width_deg), seed),
+                                 {0.79, 0.05, 0.02}),
+            beam_width_deg);
     }
-    print("post, " + std::to_string(opening_deg), rates);
+    print("post, " + std::to_string(beam_width_deg), rates);
     EXPECT_EQ(rates.found, static_cast<int>(kSeeds));
     EXPECT_GE(rates.held, static_cast<int>(kSeeds * 9 / 10));
-    EXPECT_NEAR(rates.mean_deg, opening_deg, 1.5);
+    EXPECT_NEAR(rates.mean_deg, beam_width_deg, 1.5);
   }
 }
 
 /// Four sweeps, three degrees a step: a wide cone finds few shoulders in a small room.
 std::vector<sensors::SweptWall> walls_of_room(const world::FloorPlan& plan,
-                                              double opening_deg,
+                                              double beam_width_deg,
                                               std::uint32_t seed) {
-  sensors::WallOpeningParams params;
-  params.range_sd_m = 0.01;
+  sensors::WallBeamWidthParams params;
+  params.range_stddev_m = 0.01;
   std::vector<sensors::SweptWall> walls;
   for (std::uint32_t turn = 0; turn < 4; ++turn) {
     const auto found = sensors::swept_walls(
-        sweep(plan, ev3_sonar(opening_deg), 180.0, 3.0, seed + turn * kSeeds), params);
+        sweep(plan, ev3_sonar(beam_width_deg), 180.0, 3.0, seed + turn * kSeeds), params);
     walls.insert(walls.end(), found.begin(), found.end());
   }
   return walls;
@@ -159,18 +160,18 @@ std::vector<sensors::SweptWall> walls_of_room(const world::FloorPlan& plan,
 // The mean of 42 degrees comes out 2 degrees narrow: its edge is soft, and soft edges look narrow.
 TEST(ConeAngle, IsFoundFromTheWallsOfASquareRoom) {
   const world::FloorPlan plan = square_room();
-  for (const double opening_deg : {20.0, kPaperDeg, 42.0}) {
+  for (const double beam_width_deg : {20.0, kPaperDeg, 42.0}) {
     Rates rates;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-      const auto pooled = sensors::pooled_opening(walls_of_room(plan, opening_deg, seed));
-      count(rates, pooled ? std::optional(pooled->mean) : std::nullopt, opening_deg);
+      const auto pooled = sensors::pooled_beam_width(walls_of_room(plan, beam_width_deg, seed));
+      count(rates, pooled ? std::optional(pooled->mean) : std::nullopt, beam_width_deg);
     }
-    print("walls, " + std::to_string(opening_deg), rates);
+    print("walls, " + std::to_string(beam_width_deg), rates);
     EXPECT_EQ(rates.found, static_cast<int>(kSeeds));
-    if (opening_deg < 40.0) {
+    if (beam_width_deg < 40.0) {
       EXPECT_GE(rates.held, static_cast<int>(kSeeds * 8 / 10));
     }
-    EXPECT_NEAR(rates.mean_deg, opening_deg, 2.5);
+    EXPECT_NEAR(rates.mean_deg, beam_width_deg, 2.5);
     EXPECT_LT(rates.worst_deg, kPaperBoundDeg);
   }
 }
@@ -192,10 +193,10 @@ TEST(ConeAngle, OfTheNxtSonarIsThePapers) {
       walls.insert(walls.end(), found.begin(), found.end());
     }
   }
-  const auto pooled = sensors::pooled_opening(walls);
+  const auto pooled = sensors::pooled_beam_width(walls);
   ASSERT_TRUE(pooled);
-  std::cout << "NXT: " << walls.size() << " walls, " << degrees(pooled->mean.opening_rad) << " +- "
-            << degrees(pooled->spread_rad) << " degrees, mean within "
+  std::cout << "NXT: " << walls.size() << " walls, " << degrees(pooled->mean.beam_width_rad)
+            << " +- " << degrees(pooled->spread_rad) << " degrees, mean within "
             << degrees(pooled->mean.low_rad) << " to " << degrees(pooled->mean.high_rad) << "\n";
   EXPECT_GE(walls.size(), 20U);
   expect_within_paper(pooled->mean.low_rad);
@@ -233,12 +234,12 @@ std::vector<sensors::Beam> tilts_of(const std::string& path, std::size_t column)
 }
 
 /// The cone of a card's tilts; the paper's figure is of things at a distance.
-ConeOpening opening_before(const std::string& path, const Card& card) {
-  const auto opening = opening_by_tilt(tilts_of(path, card.column), {card.range_m, 0.05, 0.0});
+BeamWidth opening_before(const std::string& path, const Card& card) {
+  const auto opening = beam_width_by_tilt(tilts_of(path, card.column), {card.range_m, 0.05, 0.0});
   if (!opening) {
     throw std::runtime_error("no edge in the tilts of " + std::string(card.name));
   }
-  std::cout << "HC-SR04, card " << card.name << ": " << degrees(opening->opening_rad) << " ("
+  std::cout << "HC-SR04, card " << card.name << ": " << degrees(opening->beam_width_rad) << " ("
             << degrees(opening->low_rad) << " to " << degrees(opening->high_rad) << ") degrees\n";
   return *opening;
 }
@@ -247,12 +248,12 @@ TEST(ConeAngle, OfTheHcSr04IsThePapersAt10CmAndWiderBeforeNearCards) {
   const auto path = tests::real_data("hcsr04_incidence_univpm/Misure_prove.csv");
   ECHOMAP_SKIP_WITHOUT(path);
   for (const Card& card : kCards) {
-    const ConeOpening opening = opening_before(path.string(), card);
+    const BeamWidth opening = opening_before(path.string(), card);
     if (card.range_m >= 0.1) {
       expect_within_paper(opening.low_rad);
       expect_within_paper(opening.high_rad);
     } else if (card.range_m > 0.055) {
-      expect_within_paper(opening.opening_rad);
+      expect_within_paper(opening.beam_width_rad);
     } else {
       EXPECT_GT(degrees(opening.low_rad), kPaperDeg + kPaperBoundDeg);
     }

@@ -23,11 +23,11 @@ exports::Colour heat(double confidence) {
 void draw_confidence(const std::filesystem::path& path,
                      const mapping::CellField& confidence,
                      const world::FloorPlan& room,
-                     const std::vector<Eigen::Vector2d>& way_m) {
+                     const std::vector<Eigen::Vector2d>& path_m) {
   std::vector<exports::LegendEntry> legend{{heat(1.0), "confidence 1"},
                                            {heat(20.0), "confidence 20"},
                                            {exports::kVermilion, "what stands there"}};
-  if (!way_m.empty()) {
+  if (!path_m.empty()) {
     legend.push_back({exports::kBlue, "the way driven"});
   }
   const exports::MapView view(mapping::RasterMap(confidence.bounds().columns(),
@@ -45,8 +45,8 @@ void draw_confidence(const std::filesystem::path& path,
     picture.draw_line(
         view.place(wall.segment.from_m), view.place(wall.segment.to_m), 1.5, exports::kVermilion);
   }
-  for (std::size_t i = 1; i < way_m.size(); ++i) {
-    picture.draw_line(view.place(way_m[i - 1]), view.place(way_m[i]), 1.5, exports::kBlue);
+  for (std::size_t i = 1; i < path_m.size(); ++i) {
+    picture.draw_line(view.place(path_m[i - 1]), view.place(path_m[i]), 1.5, exports::kBlue);
   }
   std::filesystem::create_directories(path.parent_path());
   picture.write_png(path, view.texts());

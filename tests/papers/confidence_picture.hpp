@@ -14,6 +14,6 @@ namespace echomap::papers {
 void draw_confidence(const std::filesystem::path& path,
                      const mapping::CellField& confidence,
                      const world::FloorPlan& room,
-                     const std::vector<Eigen::Vector2d>& way_m = {});
+                     const std::vector<Eigen::Vector2d>& path_m = {});
 
 }  // namespace echomap::papers

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hil_mock/world/noise.hpp"
-#include "host/mapping/near_mapper.hpp"
+#include "host/mapping/contact_mapper.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/models/occupied_sector.hpp"
 #include "tests/papers/epuck_ring.hpp"
@@ -59,7 +59,7 @@ std::pair<double, double> span_of(const Triangle& triangle, double y_m) {
 class SectorGrid {
  public:
   explicit SectorGrid(const EpuckGridParams& params)
-      : model_(model_params(params)), slope_(std::tan(0.5 * params.opening_rad)) {}
+      : model_(model_params(params)), slope_(std::tan(0.5 * params.beam_width_rad)) {}
 
   void insert(const models::SensorReading& reading, const Pose2& T_world_sensor) {
     const double reach_m = model_.reach_m(reading);
@@ -86,7 +86,7 @@ class SectorGrid {
   static models::OccupiedSectorParams model_params(const EpuckGridParams& params) {
     models::OccupiedSectorParams model;
     model.thickness_m = params.thickness_m;
-    model.opening_rad = params.opening_rad;
+    model.beam_width_rad = params.beam_width_rad;
     model.max_range_m = kReachM;
     model.occupied_log_odds = params.occupied_log_odds;
     model.free_log_odds = params.free_log_odds;
@@ -116,9 +116,9 @@ void drive_laps(const world::FloorPlan& field,
   world::NoiseStream camera(seed, world::NoisePurpose::kBody);
   for (int lap = 0; lap < params.laps; ++lap) {
     for (const Pose2& T_world_robot : epuck_lap(PathSteps{}, camera.uniform())) {
-      const double x_m = params.position_sd_m * camera.normal();
-      const double y_m = params.position_sd_m * camera.normal();
-      const double heading_rad = params.heading_sd_rad * camera.normal();
+      const double x_m = params.position_stddev_m * camera.normal();
+      const double y_m = params.position_stddev_m * camera.normal();
+      const double heading_rad = params.heading_stddev_rad * camera.normal();
       const Pose2 T_world_believed(T_world_robot.x_m() + x_m,
                                    T_world_robot.y_m() + y_m,
                                    T_world_robot.heading_rad() + heading_rad);
@@ -149,20 +149,20 @@ mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
 
 mapping::RasterMap feel_epuck_field(const world::FloorPlan& field, std::uint32_t seed) {
   constexpr double kNearCellM = 0.01;
-  mapping::NearMapperParams params;
+  mapping::ContactMapperParams params;
   params.body_radius_m = kBodyRadiusM;
   params.infrared_reach_m = kReachM;
   params.T_robot_infrared = EpuckRing(field, seed).places();
   mapping::OccupancyGridParams grid;
   grid.resolution_m = kNearCellM;
-  mapping::NearMapper mapper(params, grid);
+  mapping::ContactMapper mapper(params, grid);
   drive_laps(field, {}, seed, [&](const Pose2& T_world_robot, const Readings& readings) {
     std::vector<std::optional<double>> range_m;
     for (const localization::RangeReading& reading : readings) {
       range_m.push_back(reading.range_m);
     }
     mapper.pass_over(T_world_robot);
-    mapper.see(T_world_robot, range_m);
+    mapper.add_ranges(T_world_robot, range_m);
   });
   return mapping::rasterize(mapper.grid());
 }

@@ -14,13 +14,13 @@ namespace echomap::papers {
 struct EpuckGridParams {
   /// alpha and beta of Algorithm 3.
   double thickness_m = 0.004;
-  double opening_rad = 0.1745;
+  double beam_width_rad = 0.1745;
   /// l_occ and l_free: of 0.9 and of 0.4.
   double occupied_log_odds = 2.2;
   double free_log_odds = -0.4;
   /// Errors of the overhead camera, whose pixels are a millimetre wide; standard deviations.
-  double position_sd_m = 0.001;
-  double heading_sd_rad = 0.01;
+  double position_stddev_m = 0.001;
+  double heading_stddev_rad = 0.01;
   int laps = 2;
   /// Algorithm 3 calls all of a beam free where nothing answers; otherwise it is left out.
   bool silence_is_free = true;
@@ -36,7 +36,7 @@ mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
                                    const EpuckGridParams& params,
                                    std::uint32_t seed);
 
-/// The same drives as RobotPipeline maps them: in cells of 1 cm by mapping::NearMapper.
+/// The same drives as RobotPipeline maps them: in cells of 1 cm by mapping::ContactMapper.
 mapping::RasterMap feel_epuck_field(const world::FloorPlan& field, std::uint32_t seed);
 
 }  // namespace echomap::papers

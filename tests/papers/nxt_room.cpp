@@ -26,8 +26,8 @@ constexpr int kRounds = 10;
 constexpr double kTurnRad = geometry::radians(20.0);
 constexpr double kForwardM = 0.06;
 constexpr double kFirstAngleRad = geometry::radians(30.0);  // pi / 6 of section 4.5.
-constexpr double kTurnSdRad = geometry::radians(0.25);
-constexpr double kForwardSdM = 0.0005;
+constexpr double kTurnStddevRad = geometry::radians(0.25);
+constexpr double kForwardStddevM = 0.0005;
 /// A robot on its arc of ten moves stays free of walls.
 constexpr double kClearanceM = 0.15;
 
@@ -84,7 +84,7 @@ class TriBot {
     do {
       const Eigen::Vector2d at_m = box_around(room.room_m()).at(body_.uniform(), body_.uniform());
       T_world_robot_ = {at_m.x(), at_m.y(), (2.0 * body_.uniform() - 1.0) * std::numbers::pi};
-    } while (!has_way_to_go());
+    } while (!has_distance_to_go());
   }
 
   std::vector<RangeReading> look_around() {
@@ -98,15 +98,15 @@ class TriBot {
   void move() {
     const Pose2 turn(0.0, 0.0, kTurnRad);
     T_odom_robot_ = T_odom_robot_ * turn * Pose2(kForwardM, 0.0, 0.0);
-    T_world_robot_ = T_world_robot_ * Pose2(0.0, 0.0, kTurnRad + kTurnSdRad * body_.normal()) *
-                     Pose2(kForwardM + kForwardSdM * body_.normal(), 0.0, 0.0);
+    T_world_robot_ = T_world_robot_ * Pose2(0.0, 0.0, kTurnRad + kTurnStddevRad * body_.normal()) *
+                     Pose2(kForwardM + kForwardStddevM * body_.normal(), 0.0, 0.0);
   }
 
   const Pose2& T_odom_robot() const { return T_odom_robot_; }
   const Pose2& T_world_robot() const { return T_world_robot_; }
 
  private:
-  bool has_way_to_go() const {
+  bool has_distance_to_go() const {
     Pose2 T_world_there = T_world_robot_;
     for (int i = 0; i <= kRounds; ++i) {
       const Eigen::Vector2d& there_m = T_world_there.position_m();
@@ -128,8 +128,8 @@ class TriBot {
 
 localization::LocalizerParams params_of(const NxtTrial& trial) {
   auto params = localization::localizer_params(localization::LocalizerPreset::kNxt, {});
-  params.filter.least_particles = trial.particles;
-  params.filter.most_particles = trial.particles;
+  params.filter.min_particles = trial.particles;
+  params.filter.max_particles = trial.particles;
   params.filter.spread_m = trial.spread_m;
   params.filter.spread_rad = trial.spread_rad;
   return params;
@@ -180,7 +180,7 @@ NxtOutcome localize_nxt(const world::FloorPlan& room,
                         const NxtTrial& trial,
                         std::uint32_t seed) {
   models::GaussianRangeParams range;
-  range.sense_std_m = trial.sense_std_m;
+  range.sense_stddev_m = trial.sense_stddev_m;
   localization::ViewModel<localization::PointCloudView, models::GaussianRange> model(
       floor_of(room), localization::PointCloudView(cloud_m), models::GaussianRange(range));
   localization::MonteCarloLocalizer localizer(model, params_of(trial), std::mt19937(seed));

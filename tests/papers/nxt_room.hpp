@@ -13,7 +13,7 @@ namespace echomap::papers {
 /// What is tried of Singh and Bedi 2013, section 4. Without change, it is the paper's text.
 struct NxtTrial {
   std::size_t particles = 250;
-  double sense_std_m = 0.03;
+  double sense_stddev_m = 0.03;
   /// As Algorithm 1 is printed: particles are drawn after each reading (line 33 stands in the loop
   /// of line 6), not after the eight that equation (1) multiplies.
   bool draws_after_each_reading = false;
@@ -31,7 +31,7 @@ struct NxtOutcome {
   double twin_error_m = 0.0;
   double twin_heading_error_rad = 0.0;
   /// Of the particles, as the filter has it.
-  double std_m = 0.0;
+  double stddev_m = 0.0;
 };
 
 /// The map of section 3.1: echoes of 120 readings from each of five places, metres in the world

@@ -19,10 +19,10 @@ constexpr int kStarts = 60;
 
 /// Of `kStarts` robots, each or its twin.
 struct NxtRates {
-  int right = 0;                ///< Within 15 cm and 10 degrees.
-  int about = 0;                ///< Within 50 cm and 30 degrees.
-  double median_m = 0.0;        ///< Of the errors of place.
-  double believed_std_m = 0.0;  ///< What the particles say of it, median.
+  int right = 0;                    ///< Within 15 cm and 10 degrees.
+  int about = 0;                    ///< Within 50 cm and 30 degrees.
+  double median_m = 0.0;            ///< Of the errors of place.
+  double estimated_stddev_m = 0.0;  ///< What the particles say of it, median.
 };
 
 bool is_found(const NxtOutcome& outcome, double within_m, double within_deg) {
@@ -43,14 +43,14 @@ NxtRates rates_of(const std::string& name, const NxtTrial& trial) {
     rates.right += is_found(outcome, 0.15, 10.0) ? 1 : 0;
     rates.about += is_found(outcome, 0.5, 30.0) ? 1 : 0;
     errors_m.push_back(std::min(outcome.error_m, outcome.twin_error_m));
-    stds_m.push_back(outcome.std_m);
+    stds_m.push_back(outcome.stddev_m);
   }
   std::sort(errors_m.begin(), errors_m.end());
   std::sort(stds_m.begin(), stds_m.end());
   rates.median_m = errors_m[kStarts / 2];
-  rates.believed_std_m = stds_m[kStarts / 2];
+  rates.estimated_stddev_m = stds_m[kStarts / 2];
   std::cout << name << ": right " << rates.right << ", about " << rates.about << " of " << kStarts
-            << ", median error " << rates.median_m << " m, believed " << rates.believed_std_m
+            << ", median error " << rates.median_m << " m, believed " << rates.estimated_stddev_m
             << " m\n";
   return rates;
 }
@@ -68,7 +68,7 @@ TEST(Paper000Localization, FindsAboutWhereTheRobotIs) {
 }
 
 TEST(Paper000Localization, IsSurerThanItIsRight) {
-  EXPECT_LT(as_told().believed_std_m, 0.05 * as_told().median_m);
+  EXPECT_LT(as_told().estimated_stddev_m, 0.05 * as_told().median_m);
 }
 
 TEST(Paper000Localization, IsWorseAsItsAlgorithmIsPrinted) {

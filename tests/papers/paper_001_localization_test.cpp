@@ -27,7 +27,7 @@ constexpr int kObservations = 70;
 constexpr int kRuns = 10;
 constexpr int kBumps = 25;
 /// Of a normal number: the mean of its absolute value by its deviation.
-const double kMeanByStd = std::sqrt(2.0 / std::numbers::pi);
+const double kMeanByStddev = std::sqrt(2.0 / std::numbers::pi);
 
 /// A room of our own with one reflex corner and no symmetry.
 const world::FloorPlan& room() {
@@ -50,10 +50,10 @@ models::LinearOdometryMotionParams mean_errors(std::uint32_t seed) {
     WheelErrors errors(robot.drive, noise);
     const Pose2 drive = errors.told(0.0, kDriveM);
     const Pose2 turn = errors.told(kTurnRad, 0.0);
-    alphas.turn_by_drive_rad_per_m += std::abs(drive.heading_rad()) / kDriveM / kObservations;
-    alphas.turn_by_turn += std::abs(turn.heading_rad()) / kTurnRad / kObservations;
-    alphas.drive_by_drive += std::abs(drive.x_m() - kDriveM) / kDriveM / kObservations;
-    alphas.drive_by_turn_m_per_rad += turn.position_m().norm() / kTurnRad / kObservations;
+    alphas.alpha1_rad_per_m += std::abs(drive.heading_rad()) / kDriveM / kObservations;
+    alphas.alpha2 += std::abs(turn.heading_rad()) / kTurnRad / kObservations;
+    alphas.alpha3 += std::abs(drive.x_m() - kDriveM) / kDriveM / kObservations;
+    alphas.alpha4_m_per_rad += turn.position_m().norm() / kTurnRad / kObservations;
   }
   return alphas;
 }
@@ -61,17 +61,16 @@ models::LinearOdometryMotionParams mean_errors(std::uint32_t seed) {
 TEST(Paper001Localization, AlphasOfSeventyRunsAreOfThePapersSize) {
   const models::LinearOdometryMotionParams ours = mean_errors(1);
   const models::LinearOdometryMotionParams paper;
-  std::cout << "alpha1 " << geometry::degrees(ours.turn_by_drive_rad_per_m) * 0.36
-            << " degrees in 360 mm, alpha2 " << 360.0 * ours.turn_by_turn
-            << " degrees in 360, alpha3 " << ours.drive_by_drive << " mm a mm, alpha4 "
-            << ours.drive_by_turn_m_per_rad << " m a radian\n";
-  for (const double ratio : {ours.turn_by_drive_rad_per_m / paper.turn_by_drive_rad_per_m,
-                             ours.turn_by_turn / paper.turn_by_turn}) {
+  std::cout << "alpha1 " << geometry::degrees(ours.alpha1_rad_per_m) * 0.36
+            << " degrees in 360 mm, alpha2 " << 360.0 * ours.alpha2 << " degrees in 360, alpha3 "
+            << ours.alpha3 << " mm a mm, alpha4 " << ours.alpha4_m_per_rad << " m a radian\n";
+  for (const double ratio :
+       {ours.alpha1_rad_per_m / paper.alpha1_rad_per_m, ours.alpha2 / paper.alpha2}) {
     EXPECT_GT(ratio, 0.5);
     EXPECT_LT(ratio, 2.0);
   }
   // The simulated Create's wheels are truer than the paper's.
-  EXPECT_LT(ours.drive_by_drive, paper.drive_by_drive);
+  EXPECT_LT(ours.alpha3, paper.alpha3);
 }
 
 TEST(Paper001Localization, ASampleOfTheMeanErrorIsAQuarterOfIt) {
@@ -80,11 +79,11 @@ TEST(Paper001Localization, ASampleOfTheMeanErrorIsAQuarterOfIt) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   double mean = 0.0;
   for (int i = 0; i < kObservations; ++i) {
-    const double b = truth.drive_by_drive;
+    const double b = truth.alpha3;
     mean +=
         std::abs(models::uniform_sum_sample(b, [&] { return uniform(random); })) / kObservations;
   }
-  EXPECT_NEAR(mean / truth.drive_by_drive, kMeanByStd / 3.0, 0.06);
+  EXPECT_NEAR(mean / truth.alpha3, kMeanByStddev / 3.0, 0.06);
 }
 
 /// As the paper has it: half planes of the non-reflex corners' polygon, less all triangles.
@@ -132,7 +131,7 @@ TEST(Paper001Localization, TheOutlinesTestHoldsForSimpleRoomsOnly) {
 struct CreateTrial {
   std::size_t particles = 1000;
   double alpha_scale = 1.0;
-  double temper = 1.0;
+  double likelihood_exponent = 1.0;
   double spread = 0.0;  ///< Metres and radians.
   double resampling_share = 1.0;
 };
@@ -140,16 +139,14 @@ struct CreateTrial {
 localization::LocalizerParams params_of(const CreateTrial& trial) {
   auto params = localization::localizer_params(localization::LocalizerPreset::kCreate, {});
   models::LinearOdometryMotionParams alphas;
-  for (double* const alpha : {&alphas.turn_by_drive_rad_per_m,
-                              &alphas.turn_by_turn,
-                              &alphas.drive_by_drive,
-                              &alphas.drive_by_turn_m_per_rad}) {
+  for (double* const alpha :
+       {&alphas.alpha1_rad_per_m, &alphas.alpha2, &alphas.alpha3, &alphas.alpha4_m_per_rad}) {
     *alpha *= trial.alpha_scale;
   }
   params.motion = models::LinearOdometryMotion(alphas);
-  params.filter.least_particles = trial.particles;
-  params.filter.most_particles = trial.particles;
-  params.filter.temper = trial.temper;
+  params.filter.min_particles = trial.particles;
+  params.filter.max_particles = trial.particles;
+  params.filter.likelihood_exponent = trial.likelihood_exponent;
   params.filter.spread_m = trial.spread;
   params.filter.spread_rad = trial.spread;
   params.filter.resampling_share = trial.resampling_share;
@@ -179,7 +176,7 @@ CreateRates rates_of(const std::string& name, const CreateTrial& trial) {
     BounceRobot robot(room(), seed);
     while (robot.bumps() < kBumps) {
       robot.step(0.15);
-      model.feel(robot.contacts());
+      model.add_contact(robot.contacts());
       localizer.update(robot.T_odom_robot(), {});
     }
     const Pose2& found = localizer.belief().hypotheses.at(0).T_map_robot;
@@ -197,13 +194,14 @@ CreateRates rates_of(const std::string& name, const CreateTrial& trial) {
 
 TEST(Paper001Localization, FindsTheRobotByContactsWhereWhatIsDrawnIsSpread) {
   const CreateRates told = rates_of("as it is told", {});
-  const CreateRates meant = rates_of("alphas as mean errors", {.alpha_scale = 3.0 / kMeanByStd});
-  const CreateRates spread = rates_of("spread, drawn where few count, 2,000 particles",
-                                      {.particles = 2000,
-                                       .alpha_scale = 3.0 / kMeanByStd,
-                                       .temper = 0.3,
-                                       .spread = 0.02,
-                                       .resampling_share = 0.5});
+  const CreateRates meant = rates_of("alphas as mean errors", {.alpha_scale = 3.0 / kMeanByStddev});
+  const CreateRates spread =
+      rates_of("spread, drawn if the effective sample size is low, 2,000 particles",
+               {.particles = 2000,
+                .alpha_scale = 3.0 / kMeanByStddev,
+                .likelihood_exponent = 0.3,
+                .spread = 0.02,
+                .resampling_share = 0.5});
   EXPECT_LE(told.right, 3);
   EXPECT_LE(meant.right, 5);
   EXPECT_GE(spread.right, 6);

@@ -22,8 +22,8 @@ using localization::EkfOutcome;
 using localization::PoseEkf;
 
 constexpr double kPeriodS = 0.1;
-constexpr double kCameraSdM = 0.002;
-constexpr double kCameraSdRad = 0.03;
+constexpr double kCameraStddevM = 0.002;
+constexpr double kCameraStddevRad = 0.03;
 constexpr int kCameraEvery = 3;
 constexpr double kDropOuts = 0.2;
 constexpr double kWheelShare = 0.05;
@@ -31,7 +31,7 @@ const Pose2 field_middle(0.4, 0.3, 0.0);
 
 /// How the filter followed one drive.
 struct Follow {
-  std::vector<double> position_sd_m;
+  std::vector<double> position_stddev_m;
   std::vector<Eigen::Vector3d> error;
   std::size_t outside = 0;
   std::size_t judged = 0;
@@ -73,11 +73,12 @@ struct Late {
 localization::PoseFix fix_of(const Pose2& truth, double stamp_s, world::NoiseStream& noise) {
   localization::PoseFix fix;
   fix.stamp_s = stamp_s;
-  fix.T_map_robot = Pose2(truth.x_m() + kCameraSdM * noise.normal(),
-                          truth.y_m() + kCameraSdM * noise.normal(),
-                          truth.heading_rad() + kCameraSdRad * noise.normal());
-  const Eigen::Vector3d variance(
-      kCameraSdM * kCameraSdM, kCameraSdM * kCameraSdM, kCameraSdRad * kCameraSdRad);
+  fix.T_map_robot = Pose2(truth.x_m() + kCameraStddevM * noise.normal(),
+                          truth.y_m() + kCameraStddevM * noise.normal(),
+                          truth.heading_rad() + kCameraStddevRad * noise.normal());
+  const Eigen::Vector3d variance(kCameraStddevM * kCameraStddevM,
+                                 kCameraStddevM * kCameraStddevM,
+                                 kCameraStddevRad * kCameraStddevRad);
   fix.covariance = variance.asDiagonal();
   return fix;
 }
@@ -86,9 +87,9 @@ localization::PoseEkfParams epuck() {
   localization::PoseEkfParams params;
   // A step of the field's lap, as each has an error of its own.
   params.whole_step = {.drive_m = 0.01, .turn_rad = 0.1};
-  params.motion.turn_by_turn = kWheelShare * kWheelShare;
-  params.motion.turn_by_drive_rad2_per_m2 = kWheelShare * kWheelShare;
-  params.motion.drive_by_drive = kWheelShare * kWheelShare;
+  params.motion.alpha1 = kWheelShare * kWheelShare;
+  params.motion.alpha2_rad2_per_m2 = kWheelShare * kWheelShare;
+  params.motion.alpha3 = kWheelShare * kWheelShare;
   return params;
 }
 
@@ -115,7 +116,7 @@ Follow drive(std::uint32_t seed, int camera_until) {
     on_the_way.erase(due, on_the_way.end());
     const Eigen::Vector3d sd = filter.belief().covariance.diagonal().cwiseSqrt();
     follow.error.push_back(error_of(filter.belief().T_map_robot, truth[at]));
-    follow.position_sd_m.push_back(sd.head<2>().norm());
+    follow.position_stddev_m.push_back(sd.head<2>().norm());
     follow.outside += (follow.error.back().cwiseAbs().array() > 3.0 * sd.array()).count();
     follow.judged += 3;
   }
@@ -140,8 +141,8 @@ TEST(Paper002Ekf, ErrorsStayWithinThreeSigma) {
 TEST(Paper002Ekf, BeliefNarrowsFromAllOfTheFieldToAFewMillimetres) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     const Follow follow = drive(seed, 1000);
-    EXPECT_GT(follow.position_sd_m.front(), 0.002) << seed;
-    EXPECT_LT(follow.position_sd_m[76], 0.005) << seed;
+    EXPECT_GT(follow.position_stddev_m.front(), 0.002) << seed;
+    EXPECT_LT(follow.position_stddev_m[76], 0.005) << seed;
     EXPECT_LT(follow.error[76].head<2>().norm(), 0.01) << seed;
   }
 }
@@ -150,8 +151,8 @@ TEST(Paper002Ekf, WithoutTheCameraItFollowsOnAndGrowsUnsure) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     const Follow follow = drive(seed, 80);
     const std::size_t last = follow.error.size() - 1;
-    EXPECT_GT(follow.position_sd_m[last], 2.0 * follow.position_sd_m[80]) << seed;
-    EXPECT_LT(follow.error[last].head<2>().norm(), 4.0 * follow.position_sd_m[last]) << seed;
+    EXPECT_GT(follow.position_stddev_m[last], 2.0 * follow.position_stddev_m[80]) << seed;
+    EXPECT_LT(follow.error[last].head<2>().norm(), 4.0 * follow.position_stddev_m[last]) << seed;
   }
 }
 

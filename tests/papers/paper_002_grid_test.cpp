@@ -85,11 +85,11 @@ double walls_found(const RasterMap& map) {
   int points = 0;
   int found = 0;
   for (const world::Wall& wall : field().walls()) {
-    const Eigen::Vector2d way_m = wall.segment.to_m - wall.segment.from_m;
-    const int steps = static_cast<int>(std::lround(way_m.norm() / map.resolution_m()));
+    const Eigen::Vector2d offset_m = wall.segment.to_m - wall.segment.from_m;
+    const int steps = static_cast<int>(std::lround(offset_m.norm() / map.resolution_m()));
     for (int i = 0; i < steps; ++i) {
       ++points;
-      found += occupied_within(map, wall.segment.from_m + (i + 0.5) / steps * way_m, kFoundM);
+      found += occupied_within(map, wall.segment.from_m + (i + 0.5) / steps * offset_m, kFoundM);
     }
   }
   return static_cast<double>(found) / points;

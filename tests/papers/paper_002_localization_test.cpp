@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
-// Mahmood and Ridao 2017, section 4.1, Monte-Carlo localization: 1,000 particles in the grid that
-// the e-puck has made of its field, weighed by correlation, drawn anew at every step or only when
-// fewer than half of them count. A step is 3 cm or 30 degrees; the paper does not say what it is.
+// SPDX-License-Identifier: MIT Mahmood and Ridao 2017, section 4.1, Monte-Carlo localization: 1,000
+// particles in the grid that the e-puck has made of its field, weighed by correlation, resampled at
+// every step or only when fewer than half of them count. A step is 3 cm or 30 degrees; the paper
+// does not say what it is.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -43,14 +43,14 @@ localization::CorrelationModelParams model_params() {
   params.cell_m = 0.006;
   params.sector.thickness_m = 0.012;
   params.sector.max_range_m = 0.06;
-  params.sector.opening_rad = 0.1745;
+  params.sector.beam_width_rad = 0.1745;
   return params;
 }
 
 /// Mean and deviation of all particles, as the paper's ellipse.
 struct Cluster {
   Eigen::Vector2d mean_m = Eigen::Vector2d::Zero();
-  Eigen::Vector2d std_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d stddev_m = Eigen::Vector2d::Zero();
 };
 
 Cluster cluster_of(const localization::Particles& particles) {
@@ -67,7 +67,7 @@ Cluster cluster_of(const localization::Particles& particles) {
     squares += weight * at_m.cwiseAbs2();
   }
   cluster.mean_m /= sum;
-  cluster.std_m = (squares / sum - cluster.mean_m.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+  cluster.stddev_m = (squares / sum - cluster.mean_m.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
   return cluster;
 }
 
@@ -99,7 +99,7 @@ std::unique_ptr<localization::ObservationModel> infrared() {
 struct MclTrial {
   double resampling_share = kEveryStep;
   MakeModel make_model = correlation;
-  double temper = 1.0;
+  double likelihood_exponent = 1.0;
 };
 
 /// An e-puck on a lap of its field, from place `start` of the lap on, 0 to 1.
@@ -107,7 +107,7 @@ std::vector<Moment> follow(std::uint32_t seed, double start, const MclTrial& tri
   const auto model = trial.make_model();
   auto params = localization::localizer_params(localization::LocalizerPreset::kEpuck, {});
   params.filter.resampling_share = trial.resampling_share;
-  params.filter.temper = trial.temper;
+  params.filter.likelihood_exponent = trial.likelihood_exponent;
   localization::MonteCarloLocalizer localizer(*model, params, std::mt19937(seed));
   EpuckRing ring(field(), seed);
   world::NoiseStream noise(seed, world::NoisePurpose::kBody);
@@ -133,7 +133,7 @@ std::vector<Moment> follow(std::uint32_t seed, double start, const MclTrial& tri
 /// The step from which on all particles are one cluster.
 std::size_t converged_at(const std::vector<Moment>& moments) {
   std::size_t since = moments.size();
-  while (since > 0 && moments[since - 1].cluster.std_m.norm() < kConvergedM) {
+  while (since > 0 && moments[since - 1].cluster.stddev_m.norm() < kConvergedM) {
     --since;
   }
   return since;
@@ -151,7 +151,7 @@ struct MclRates {
 
 void add(const std::vector<Moment>& moments, std::size_t since, MclRates& rates, double& judged) {
   for (std::size_t i = since; i < moments.size(); ++i) {
-    const auto bound_m = 3.0 * moments[i].cluster.std_m.array();
+    const auto bound_m = 3.0 * moments[i].cluster.stddev_m.array();
     rates.outside_share +=
         static_cast<double>((moments[i].error_m.cwiseAbs().array() > bound_m).count()) / 2.0;
     rates.mean_error_m += moments[i].error_m.norm();
@@ -199,7 +199,7 @@ TEST(Paper002Localization, ErrorsStayWithinThreeSigmaWithAndWithoutNeff) {
 TEST(Paper002Localization, AModelOfTheLightIsSureSoonerButNotMoreOftenRight) {
   const MclRates light =
       rates_of("a model of the light, tempered by 0.15",
-               {.resampling_share = kNeff, .make_model = infrared, .temper = 0.15});
+               {.resampling_share = kNeff, .make_model = infrared, .likelihood_exponent = 0.15});
   EXPECT_GE(light.right, kRuns / 4);
   EXPECT_LT(light.outside_share, 0.03);
   EXPECT_LT(light.mean_converged_at, 140.0);

@@ -40,30 +40,30 @@ class Paper003Exploration : public ::testing::Test {
                     scratch_ / std::to_string(seed));
   }
   /// Where the robot truly went, in the playground's frame.
-  std::vector<Eigen::Vector2d> true_way_m(int seed) const {
-    std::vector<Eigen::Vector2d> way_m;
+  std::vector<Eigen::Vector2d> true_path_m(int seed) const {
+    std::vector<Eigen::Vector2d> path_m;
     for (const auto& pose :
          exports::read_trajectory_tum(scratch_ / std::to_string(seed) / "truth" / "truth.tum")) {
-      way_m.push_back(pose.T_map_robot.position_m());
+      path_m.push_back(pose.T_map_robot.position_m());
     }
-    return way_m;
+    return path_m;
   }
 
   tests::ScratchFolder scratch_;
 };
 
 /// How near the way comes to each waypoint.
-double farthest_missed_m(const std::vector<Eigen::Vector2d>& way_m,
+double farthest_missed_m(const std::vector<Eigen::Vector2d>& path_m,
                          const exploration::WaypointCourse& course) {
-  double farthest_m = 0.0;
+  double max_m = 0.0;
   for (const auto& waypoint : course.waypoints) {
     double nearest_m = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector2d& place_m : way_m) {
+    for (const Eigen::Vector2d& place_m : path_m) {
       nearest_m = std::min(nearest_m, (place_m - waypoint.position_m).norm());
     }
-    farthest_m = std::max(farthest_m, nearest_m);
+    max_m = std::max(max_m, nearest_m);
   }
-  return farthest_m;
+  return max_m;
 }
 
 TEST_F(Paper003Exploration, GoesThroughTheDoorToTheCornersAndBackOnTheReleaseFirmware) {
@@ -75,9 +75,9 @@ TEST_F(Paper003Exploration, GoesThroughTheDoorToTheCornersAndBackOnTheReleaseFir
     EXPECT_EQ(report.at("phases_reached"), 7);
     EXPECT_TRUE(std::filesystem::exists(scratch_ / std::to_string(seed) / "confidence_grid.csv"));
     // The robot believes to be within 30 cm; what it has drifted comes on top.
-    const auto way_m = true_way_m(seed);
-    EXPECT_LT(farthest_missed_m(way_m, course), kReachedM + 0.15) << seed;
-    EXPECT_LT((way_m.back() - way_m.front()).norm(), kReachedM + 0.05) << seed;
+    const auto offset_m = true_path_m(seed);
+    EXPECT_LT(farthest_missed_m(offset_m, course), kReachedM + 0.15) << seed;
+    EXPECT_LT((offset_m.back() - offset_m.front()).norm(), kReachedM + 0.05) << seed;
   }
 }
 
@@ -85,7 +85,7 @@ TEST_F(Paper003Exploration, GoesThroughTheDoorToTheCornersAndBackOnTheReleaseFir
 struct Drive {
   exploration::FinishReason reason = exploration::FinishReason::kStopLimit;
   exploration::StrategyProducts products;
-  std::vector<Eigen::Vector2d> way_m;  ///< The stops, truly.
+  std::vector<Eigen::Vector2d> path_m;  ///< The stops, truly.
   int bumps = 0;
 };
 
@@ -99,14 +99,14 @@ exploration::TangentBugParams ev3_params() {
   const world::RobotParams& robot = ev3();
   exploration::TangentBugParams params;
   params.robot_radius_m = robot.body.radius_m;
-  params.beam_half_angle_rad = robot.sonar.cone_half_angle_rad;
+  params.beam_half_angle_rad = robot.sonar.beam_half_angle_rad;
   params.sweep.pan_limit_rad = 2.0 * std::numbers::pi;
   return params;
 }
 
 Drive drive(const exploration::TangentBugParams& params, std::uint32_t seed) {
   world::RobotWorld world(tests::bundled_room("playground_door"), ev3(), seed);
-  const auto geometry = tests::believed_geometry(ev3());
+  const auto geometry = tests::assumed_geometry(ev3());
   pipeline::RobotPipeline pipeline(geometry);
   tests::OfflineRobot robot(world, geometry, pipeline);
   exploration::TangentBug explorer(params, strategies::load_course("playground"));
@@ -121,7 +121,7 @@ Drive drive(const exploration::TangentBugParams& params, std::uint32_t seed) {
     }
     last = robot.execute(motion);
     drive.bumps += last == exploration::MotionResult::kBumped ? 1 : 0;
-    drive.way_m.push_back(world.T_world_robot().position_m());
+    drive.path_m.push_back(world.T_world_robot().position_m());
   }
 }
 
@@ -162,7 +162,7 @@ TEST(Paper003Offline, IsDrawn) {
   const Drive run = drive(ev3_params(), 2);
   EXPECT_EQ(run.reason, exploration::FinishReason::kComplete);
   draw_confidence(
-      picture_path, *run.products.confidence, tests::bundled_room("playground_door"), run.way_m);
+      picture_path, *run.products.confidence, tests::bundled_room("playground_door"), run.path_m);
   EXPECT_TRUE(std::filesystem::exists(picture_path));
 }
 

@@ -56,10 +56,10 @@ template <typename Chooser>
 std::vector<Eigen::Vector2d> wall_points_m(Chooser&& chosen) {
   std::vector<Eigen::Vector2d> points_m;
   for (const world::Wall& wall : playground().heard.walls()) {
-    const Eigen::Vector2d way_m = wall.segment.to_m - wall.segment.from_m;
-    const int steps = static_cast<int>(std::lround(way_m.norm() / 0.01));
+    const Eigen::Vector2d offset_m = wall.segment.to_m - wall.segment.from_m;
+    const int steps = static_cast<int>(std::lround(offset_m.norm() / 0.01));
     for (int i = 0; i < steps; ++i) {
-      const Eigen::Vector2d point_m = wall.segment.from_m + (i + 0.5) / steps * way_m;
+      const Eigen::Vector2d point_m = wall.segment.from_m + (i + 0.5) / steps * offset_m;
       if (chosen(point_m)) {
         points_m.push_back(point_m);
       }

@@ -26,7 +26,7 @@ using geometry::Pose2;
 
 const std::filesystem::path picture_path = ECHOMAP_BINARY_DIR "/papers/paper_004_edmonton.png";
 constexpr double kPictureCellM = 0.15;
-constexpr double kFarthestDrawnM = 20.0;
+constexpr double kMaxDrawnM = 20.0;
 constexpr double kGutterM = 3.0;
 
 const slam::LandmarkSlam& slam_of(const bench::EdmontonLog& log) {
@@ -39,9 +39,9 @@ const slam::LandmarkSlam& slam_of(const bench::EdmontonLog& log) {
 }
 
 evaluation::RelationError told(const char* what, const evaluation::RelationError& error) {
-  std::cout << what << ": " << error.translation_mean_m << " +- " << error.translation_sd_m
+  std::cout << what << ": " << error.translation_mean_m << " +- " << error.translation_stddev_m
             << " m, " << geometry::degrees(error.rotation_mean_rad) << " +- "
-            << geometry::degrees(error.rotation_sd_rad) << " deg\n";
+            << geometry::degrees(error.rotation_stddev_rad) << " deg\n";
   return error;
 }
 
@@ -81,7 +81,7 @@ std::vector<Eigen::Vector2d> scanned_points_m(const bench::EdmontonLog& log,
       continue;
     }
     for (const sensors::Beam& beam : scan->beams) {
-      if (beam.range_m && *beam.range_m < kFarthestDrawnM) {
+      if (beam.range_m && *beam.range_m < kMaxDrawnM) {
         points_m.push_back(
             bench::scanned_point_m(T_map_scans[index], *beam.range_m, beam.bearing_rad));
       }
@@ -96,17 +96,17 @@ class Panel {
  public:
   Panel(const std::vector<Eigen::Vector2d>& points_m, const std::vector<Pose2>& T_map_scans)
       : T_map_scans_(&T_map_scans) {
-    least_m_ = points_m.front();
-    most_m_ = points_m.front();
+    min_m_ = points_m.front();
+    max_m_ = points_m.front();
     for (const Eigen::Vector2d& point_m : points_m) {
-      least_m_ = least_m_.cwiseMin(point_m);
-      most_m_ = most_m_.cwiseMax(point_m);
+      min_m_ = min_m_.cwiseMin(point_m);
+      max_m_ = max_m_.cwiseMax(point_m);
     }
-    columns_ = static_cast<int>((most_m_.x() - least_m_.x()) / kPictureCellM) + 1;
-    rows_ = static_cast<int>((most_m_.y() - least_m_.y()) / kPictureCellM) + 1;
+    columns_ = static_cast<int>((max_m_.x() - min_m_.x()) / kPictureCellM) + 1;
+    rows_ = static_cast<int>((max_m_.y() - min_m_.y()) / kPictureCellM) + 1;
     ends_.resize(static_cast<std::size_t>(columns_ * rows_));
     for (const Eigen::Vector2d& point_m : points_m) {
-      const Eigen::Vector2i cell = ((point_m - least_m_) / kPictureCellM).cast<int>();
+      const Eigen::Vector2i cell = ((point_m - min_m_) / kPictureCellM).cast<int>();
       ++ends_[static_cast<std::size_t>(cell.y() * columns_ + cell.x())];
     }
   }
@@ -114,10 +114,10 @@ class Panel {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   void draw(int first_column, mapping::RasterMap& map) const {
-    constexpr int kLeastEnds = 3;
+    constexpr int kMinEnds = 3;
     for (int y = 0; y < rows_; ++y) {
       for (int x = 0; x < columns_; ++x) {
-        const bool is_wall = ends_[static_cast<std::size_t>(y * columns_ + x)] >= kLeastEnds;
+        const bool is_wall = ends_[static_cast<std::size_t>(y * columns_ + x)] >= kMinEnds;
         map.set({first_column + x, y},
                 is_wall ? mapping::CellState::kOccupied : mapping::CellState::kFree);
       }
@@ -125,9 +125,9 @@ class Panel {
   }
   /// A point of this side in the picture's map.
   Eigen::Vector2d place_m(int first_column, const Eigen::Vector2d& point_m) const {
-    return point_m - least_m_ + Eigen::Vector2d(first_column * kPictureCellM, 0.0);
+    return point_m - min_m_ + Eigen::Vector2d(first_column * kPictureCellM, 0.0);
   }
-  void draw_way(int first_column, const exports::MapView& view, exports::Picture& picture) const {
+  void draw_path(int first_column, const exports::MapView& view, exports::Picture& picture) const {
     for (std::size_t i = 1; i < T_map_scans_->size(); ++i) {
       picture.draw_line(view.place(place_m(first_column, (*T_map_scans_)[i - 1].position_m())),
                         view.place(place_m(first_column, (*T_map_scans_)[i].position_m())),
@@ -138,8 +138,8 @@ class Panel {
 
  private:
   const std::vector<Pose2>* T_map_scans_;
-  Eigen::Vector2d least_m_;
-  Eigen::Vector2d most_m_;
+  Eigen::Vector2d min_m_;
+  Eigen::Vector2d max_m_;
   int columns_ = 0;
   int rows_ = 0;
   std::vector<int> ends_;
@@ -188,8 +188,8 @@ TEST(Paper004, MapIsDrawn) {
                                {exports::kVermilion, "wall landmarks"},
                                {exports::kBlue, "point landmarks"}});
   exports::Picture picture = view.draw();
-  before.draw_way(0, view, picture);
-  after.draw_way(first_column, view, picture);
+  before.draw_path(0, view, picture);
+  after.draw_path(first_column, view, picture);
   draw_landmarks(slam_of(*log), after, first_column, view, picture);
   std::filesystem::create_directories(picture_path.parent_path());
   picture.write_png(picture_path, view.texts());

@@ -60,8 +60,8 @@ class DriftingRobot {
       : params_(params),
         share_(with_drift ? 1.0 : 0.0),
         noise_(seed, world::NoisePurpose::kBody),
-        length_scale_(1.0 + share_ * params.drive.wheel_diameter_sd * noise_.normal()),
-        turn_scale_(1.0 + share_ * params.parts.gyro.value().scale_sd * noise_.normal()),
+        length_scale_(1.0 + share_ * params.drive.wheel_diameter_stddev * noise_.normal()),
+        turn_scale_(1.0 + share_ * params.parts.gyro.value().scale_stddev * noise_.normal()),
         T_true_(way_points_m[0].x(), way_points_m[0].y(), 0.5 * std::numbers::pi),
         T_believed_(T_true_) {}
 
@@ -120,12 +120,12 @@ class Mapper {
 
  private:
   void go_to(const Eigen::Vector2d& goal_m) {
-    const Eigen::Vector2d way_m = goal_m - body_.T_true().position_m();
-    body_.turn(
-        geometry::angle_between(body_.T_true().heading_rad(), std::atan2(way_m.y(), way_m.x())));
-    const int moves = static_cast<int>(std::ceil(way_m.norm() / kMoveM));
+    const Eigen::Vector2d offset_m = goal_m - body_.T_true().position_m();
+    body_.turn(geometry::angle_between(body_.T_true().heading_rad(),
+                                       std::atan2(offset_m.y(), offset_m.x())));
+    const int moves = static_cast<int>(std::ceil(offset_m.norm() / kMoveM));
     for (int i = 0; i < moves; ++i) {
-      if (!move(way_m.norm() / moves)) {
+      if (!move(offset_m.norm() / moves)) {
         return;
       }
       sweep();

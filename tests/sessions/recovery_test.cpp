@@ -15,7 +15,7 @@ constexpr int kBreaks = 100;
 struct Case {
   Break kind;
   const char* name;
-  double most_s;  ///< From the break's end until the robot is ready.
+  double max_s;  ///< From the break's end until the robot is ready.
 };
 
 class Recovery : public ::testing::TestWithParam<Case> {};
@@ -41,9 +41,9 @@ TEST_P(Recovery, OfAHundredOutOfAHundredWithNobodysHelp) {
       result.longest_s,
       result.worst_position_m);
   EXPECT_EQ(result.recovered, kBreaks);
-  EXPECT_LE(result.longest_s, breaks.most_s);
+  EXPECT_LE(result.longest_s, breaks.max_s);
   EXPECT_TRUE(breaks.kind == Break::kUnplugged || result.longest_s > 0.0) << "nothing broke";
-  EXPECT_LE(result.worst_position_m, 0.10) << "the pose is kept";
+  EXPECT_LE(result.worst_position_m, 0.10) << "keeping the pose";
 }
 
 }  // namespace

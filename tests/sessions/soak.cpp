@@ -117,7 +117,7 @@ class Soak : private robot_link::RobotLinkListener {
     result_.encoder_errors = message.encoder_errors;
     result_.receive_overruns = message.receive_overruns;
     if (message.stack_free_bytes != 0) {
-      result_.least_stack_bytes = std::min(result_.least_stack_bytes, message.stack_free_bytes);
+      result_.min_stack_bytes = std::min(result_.min_stack_bytes, message.stack_free_bytes);
     }
   }
 

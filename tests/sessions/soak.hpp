@@ -26,7 +26,7 @@ struct SoakResult {
   std::uint64_t resets = 0;
   std::uint32_t encoder_errors = 0;
   std::uint32_t receive_overruns = 0;
-  std::uint16_t least_stack_bytes = UINT16_MAX;
+  std::uint16_t min_stack_bytes = UINT16_MAX;
   double grown_mb = 0.0;  ///< Memory of this program since a tenth of the time.
 
   /// Nothing has happened that never must; lost frames must, for the line loses them.

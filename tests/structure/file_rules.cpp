@@ -56,8 +56,7 @@ bool wants_comment(const std::vector<std::string>& lines, std::size_t index) {
   static const std::regex namespace_body("(inline )?namespace .*\\{");
   static const std::regex needs_none(
       "namespace .*|(class|struct|enum class) \\w+;|extern "
-      "\"C\".*|.*\\w::\\w+\\(.*|.*\\boperator\\b.*|"
-      "template <.*> ?(class|struct) \\w+<.*");
+      "\"C\".*|.*\\w::\\w+\\(.*|.*\\boperator\\b.*|template <.*> ?(class|struct) \\w+<.*");
   const std::string& line = lines[index];
   const std::string& before = lines[index - 1];
   if (!std::regex_match(line, declaration) ||
@@ -133,12 +132,12 @@ Problems folder_name_problems(const std::vector<SourceFile>& files) {
 
 Problems portability_problems(const std::vector<SourceFile>& files) {
   static const std::regex cpp_header("^\\s*#\\s*include\\s*<[^.>]*>");
-  static const std::regex of_std("^(?!\\s*//).*\\bstd::");
+  static const std::regex std_pattern("^(?!\\s*//).*\\bstd::");
   Problems problems;
   for (const SourceFile& file : files) {
     if (is_portable_firmware(file.path)) {
       find_in_lines(file, cpp_header, "avr-g++ has no C++ headers", problems);
-      find_in_lines(file, of_std, "avr-g++ has no namespace std", problems);
+      find_in_lines(file, std_pattern, "avr-g++ has no namespace std", problems);
     }
   }
   return problems;
@@ -161,11 +160,7 @@ Problems undocumented_problems(const std::vector<SourceFile>& files) {
 
 Problems reminder_problems(const std::vector<SourceFile>& files) {
   // Written in pieces, so that this line is none itself.
-  static const std::regex reminder(
-      "\\b(TO"
-      "DO|FIX"
-      "ME|XX"
-      "X)\\b");
+  static const std::regex reminder("\\b(TODO|FIXME|XXX)\\b");
   Problems problems;
   for (const SourceFile& file : files) {
     find_in_lines(file, reminder, "a reminder belongs into an issue", problems);

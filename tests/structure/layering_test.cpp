@@ -126,8 +126,8 @@ TEST_F(PlantedViolation, UpwardIsCaught) {
   EXPECT_THAT(
       violations_after("host/time/planted.hpp",
                        "#pragma once\n#include \"host/geometry/angle.hpp\""),
-      testing::Contains("host/time/planted.hpp:2: host/geometry/angle.hpp: host/time may not "
-                        "include it"));
+      testing::Contains(
+          "host/time/planted.hpp:2: host/geometry/angle.hpp: host/time may not include it"));
 }
 
 TEST_F(PlantedViolation, UpwardUnderAConditionIsCaught) {

@@ -159,8 +159,8 @@ class RunDemo : public RunFlash {
     RunFlash::SetUp();
     stand_in("cmake",
              "case $* in *help) for t in echomap echomap-mock echomap-simavr echomap-unicorn "
-             "firmware_uno-usual firmware_mega-usual firmware_stm32f103-usual; do "
-             "echo \"$t: phony\"; done ;; *) echo \"built:${*##*--target}\" ;; esac");
+             "firmware_uno-usual firmware_mega-usual firmware_stm32f103-usual; do echo \"$t: "
+             "phony\"; done ;; *) echo \"built:${*##*--target}\" ;; esac");
   }
   std::string built_for(const std::string& arguments) {
     const std::string output =

@@ -41,7 +41,7 @@ const char* outcome_of(const OfflineRun& run) {
   if (run.joins > 0) {
     return is_right ? "joined right" : "joined wrong";
   }
-  return run.former_maps > 0 ? "not joined" : "one map";
+  return run.previous_maps > 0 ? "not joined" : "one map";
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   OfflineSettings settings;
-  settings.slam = echomap::slam::slam_by_name("grid").make;
+  settings.slam = echomap::slam::slam_by_name("multiscan").make;
   settings.is_watched = true;
   settings.strategy = std::string(argv[1]) == "frontier" ? OfflineStrategy::kFrontier
                                                          : OfflineStrategy::kNxtFarthest;
@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
         "seed %3d  %-12s  former %zu  stops %2zu  %4.0f s  iou %.3f  final %.2f m %3.0f deg\n",
         seed,
         outcome_of(run),
-        run.former_maps,
+        run.previous_maps,
         run.snapshot.stops,
         run.sim_seconds,
         run.agreement.free_iou,

@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
   const std::string strategy = argv[1];
   echomap::tests::OfflineSettings settings;
   if (strategy.ends_with("+slam")) {
-    settings.slam = echomap::slam::slam_by_name("grid").make;
+    settings.slam = echomap::slam::slam_by_name("multiscan").make;
   } else if (strategy.ends_with("+ekf")) {
     settings.slam = echomap::slam::slam_by_name("ekf").make;
   }

@@ -40,7 +40,7 @@ std::unique_ptr<exploration::Explorer> explorer_for(const world::RobotParams& ro
 
 mapping::SonarMapperParams mapper_for(const world::RobotParams& robot) {
   mapping::SonarMapperParams params;
-  params.surfaces.beam_half_angle_rad = robot.sonar.cone_half_angle_rad;
+  params.surfaces.beam_half_angle_rad = robot.sonar.beam_half_angle_rad;
   return params;
 }
 
@@ -110,7 +110,7 @@ OfflineRun explore_offline(const world::FloorPlan& room,
                            std::uint32_t seed,
                            const OfflineSettings& settings) {
   world::RobotWorld world(room, robot, seed);
-  const auto geometry = believed_geometry(robot);
+  const auto geometry = assumed_geometry(robot);
   pipeline::RobotAtlas atlas([&] {
     return pipeline::RobotPipeline(
         geometry, mapper_for(robot), {}, settings.slam ? settings.slam() : nullptr);
@@ -125,7 +125,7 @@ OfflineRun explore_offline(const world::FloorPlan& room,
   OfflineRun run;
   run.reason = explore(*explorer, offline_robot, atlas, run.bumps);
   run.snapshot = atlas.pipeline().snapshot();
-  run.former_maps = atlas.former_maps().size();
+  run.previous_maps = atlas.previous_maps().size();
   run.joins = atlas.joins();
   run.sim_seconds = offline_robot.now_s();
   run.trajectory =

@@ -20,7 +20,7 @@ namespace echomap::tests {
 
 struct OfflineRun {
   pipeline::Snapshot snapshot;
-  std::size_t former_maps = 0;  ///< That were not joined.
+  std::size_t previous_maps = 0;  ///< That were not joined.
   std::size_t joins = 0;
   evaluation::MapAgreement agreement;
   exploration::FinishReason reason = exploration::FinishReason::kStopLimit;

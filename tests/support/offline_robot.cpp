@@ -23,7 +23,7 @@ constexpr double kDutyPerTickApart = 0.002;
 constexpr double kCloseTicks = 2.0;
 /// A look on the way: 15 degrees on, at rest, and an echo from 4 m.
 constexpr std::int64_t kLookPeriodUs = 110'000;
-constexpr double kWidestLookRad = 1.571;
+constexpr double kMaxLookRad = 1.571;
 
 /// Faster the farther it is to go; stands when it is there.
 double duty_for(double ticks_to_go) {
@@ -37,7 +37,7 @@ double duty_for(double ticks_to_go) {
 
 }  // namespace
 
-sensors::RobotGeometry believed_geometry(const world::RobotParams& robot) {
+sensors::RobotGeometry assumed_geometry(const world::RobotParams& robot) {
   sensors::RobotGeometry geometry;
   geometry.wheel_diameter_m = robot.drive.wheel_diameter_m;
   geometry.track_m = robot.drive.track_m;
@@ -145,7 +145,7 @@ void OfflineRobot::look_around() {
   }
   next_look_us_ = now_us_ + kLookPeriodUs;
   look_pan_rad_ += look_step_rad_;
-  if (std::abs(look_pan_rad_) > kWidestLookRad) {
+  if (std::abs(look_pan_rad_) > kMaxLookRad) {
     look_step_rad_ = -look_step_rad_;
     look_pan_rad_ += look_step_rad_;
   }

@@ -14,7 +14,7 @@
 namespace echomap::tests {
 
 /// What the host believes of a simulated robot: its nominal sizes.
-sensors::RobotGeometry believed_geometry(const world::RobotParams& robot);
+sensors::RobotGeometry assumed_geometry(const world::RobotParams& robot);
 
 /// Somebody takes the robot and puts it down there at once, which it feels or not.
 struct OfflineCarry {

@@ -24,7 +24,7 @@ constexpr NumberTableFormat kPosesFormat{"x_m,y_m,heading_rad", ',', 3};
 constexpr double kUnknown = -1.0;
 
 /// More cells than this in a row are a broken head, not a room.
-constexpr double kMostColumns = 1e6;
+constexpr double kMaxColumns = 1e6;
 
 /// The numbers of the comment line that gives resolution, origin, rows and columns.
 NumberRow read_head(const std::filesystem::path& path) {
@@ -37,7 +37,7 @@ NumberRow read_head(const std::filesystem::path& path) {
   }
   NumberRow head = parse_number_row(line.substr(2), {"", ',', 5}, path, 2);
   const auto& [resolution_m, columns] = std::pair(head.values[0], head.values[4]);
-  if (!(resolution_m > 0.0) || columns < 1.0 || columns > kMostColumns ||
+  if (!(resolution_m > 0.0) || columns < 1.0 || columns > kMaxColumns ||
       columns != std::floor(columns)) {
     fail_at_line(path, 2, "resolution_m must be above 0 and columns a whole number from 1");
   }

@@ -50,9 +50,9 @@ inline std::optional<double> ideal_range_m(const geometry::Pose2& T_map_sonar,
     }
   }
   for (const auto& corner_m : room.corners_m) {
-    const Eigen::Vector2d way_m = T_map_sonar.inverse() * corner_m;
-    if (std::abs(std::atan2(way_m.y(), way_m.x())) < kBeamHalfAngleRad) {
-      nearest_m = std::min(nearest_m.value_or(way_m.norm()), way_m.norm());
+    const Eigen::Vector2d offset_m = T_map_sonar.inverse() * corner_m;
+    if (std::abs(std::atan2(offset_m.y(), offset_m.x())) < kBeamHalfAngleRad) {
+      nearest_m = std::min(nearest_m.value_or(offset_m.norm()), offset_m.norm());
     }
   }
   return nearest_m;

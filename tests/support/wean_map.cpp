@@ -17,7 +17,7 @@ using mapping::CellState;
 
 constexpr double kMetresPerCentimetre = 0.01;
 /// A larger map is damage.
-constexpr std::int64_t kMostCellsASide = 8000;
+constexpr std::int64_t kMaxCellsASide = 8000;
 
 /// The next line that is not empty.
 std::string_view next_line(LineReader& lines, const char* expected) {
@@ -44,7 +44,7 @@ double specified(LineReader& lines, const std::string& name) {
 /// How many cells the map has along one axis, which has to be what its length says.
 int read_side(FieldCursor& fields, double length_cm, double resolution_cm) {
   const std::int64_t cells = fields.integer("the number of cells");
-  if (cells < 1 || cells > kMostCellsASide ||
+  if (cells < 1 || cells > kMaxCellsASide ||
       static_cast<double>(cells) * resolution_cm != length_cm) {
     fields.fail("the number of cells", std::to_string(cells), "not what the map's size says");
   }

@@ -31,7 +31,7 @@ extern "C" void paint_stack() {
 
 namespace hal {
 
-uint16_t least_free_stack_bytes() {
+uint16_t min_free_stack_bytes() {
   constexpr uint8_t kBytesPerCall = RAMEND - RAMSTART < 4096 ? 2 : 4;  // All of it in two seconds.
   static const uint8_t* next = &_end;
   static uint16_t free_bytes = 0;

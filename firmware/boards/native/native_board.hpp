@@ -34,8 +34,8 @@ class NativeBoard {
   /// Back to time 0: forgets all events and bytes under way and starts the program anew. Hooks and
   /// what contacts and spare pins see from outside stay, encoder and echo pins are low.
   void power_on();
-  /// Pulls the reset pin: time goes on, the program and its clock start anew. Edges of encoders and
-  /// echo that are under way are lost.
+  /// Pulls the reset pin: time goes on, the program and its clock start again. Edges of encoders
+  /// and echo that are under way are lost.
   void reset() { start_program(); }
 
   /// How often the program has started since `power_on`, that start included.

@@ -73,7 +73,7 @@ uint8_t reset_cause() {
 uint16_t boot_id() { return board().starts(); }
 
 /// The stack of this computer is nobody's worry.
-uint16_t least_free_stack_bytes() { return UINT16_MAX; }
+uint16_t min_free_stack_bytes() { return UINT16_MAX; }
 
 }  // namespace hal
 }  // namespace echomap

@@ -9,7 +9,7 @@ extern "C" const uint32_t _end;
 namespace echomap {
 namespace hal {
 
-uint16_t least_free_stack_bytes() {
+uint16_t min_free_stack_bytes() {
   constexpr uint8_t kWordsPerCall = 16;
   static const uint32_t* next = &_end;
   static uint16_t free_bytes = 0;

@@ -25,9 +25,9 @@ constexpr protocol::ConfigureSafety kLimits{0, 0, 100, 50, 2000};
 TEST(WheelGuard, SilentWheelStallsAfterItsTime) {
   WheelGuard guard;
   for (int ms = kControlPeriodMs; ms < 100; ms += kControlPeriodMs) {
-    EXPECT_EQ(guard.judge(kLimits, {1000, -200, 0, 0}), MotionOutcome::kNone) << ms;
+    EXPECT_EQ(guard.classify(kLimits, {1000, -200, 0, 0}), MotionOutcome::kNone) << ms;
   }
-  EXPECT_EQ(guard.judge(kLimits, {1000, -200, 0, 0}), MotionOutcome::kStalled);
+  EXPECT_EQ(guard.classify(kLimits, {1000, -200, 0, 0}), MotionOutcome::kStalled);
 }
 
 TEST(WheelGuard, TwoTicksOnwardsOrALowDutyBeginTheTimeAnew) {
@@ -35,19 +35,19 @@ TEST(WheelGuard, TwoTicksOnwardsOrALowDutyBeginTheTimeAnew) {
     WheelGuard guard;
     for (int period = 0; period < 200; ++period) {
       const WheelPeriod now = period % 24 == 23 ? break_in : WheelPeriod{1000, 200, 0, 0};
-      EXPECT_EQ(guard.judge(kLimits, now), MotionOutcome::kNone) << period;
+      EXPECT_EQ(guard.classify(kLimits, now), MotionOutcome::kNone) << period;
     }
   }
 }
 
 TEST(WheelGuard, CountsAgainstTheCommandAreARunaway) {
-  for (const int way : {1, -1}) {
+  for (const int direction : {1, -1}) {
     WheelGuard guard;
-    const WheelPeriod now{way * 8000, 0, static_cast<std::int16_t>(-way * 7), 0};
+    const WheelPeriod now{direction * 8000, 0, static_cast<std::int16_t>(-direction * 7), 0};
     for (int ticks = 7; ticks < 50; ticks += 7) {
-      EXPECT_EQ(guard.judge(kLimits, now), MotionOutcome::kNone);
+      EXPECT_EQ(guard.classify(kLimits, now), MotionOutcome::kNone);
     }
-    EXPECT_EQ(guard.judge(kLimits, now), MotionOutcome::kRunaway);
+    EXPECT_EQ(guard.classify(kLimits, now), MotionOutcome::kRunaway);
   }
 }
 
@@ -56,17 +56,21 @@ TEST(WheelGuard, FollowingOrAStandingReferenceForgetsTheRunaway) {
     WheelGuard guard;
     for (int period = 0; period < 100; ++period) {
       const WheelPeriod now = period % 7 == 6 ? good : WheelPeriod{8000, 0, -7, 0};
-      EXPECT_EQ(guard.judge(kLimits, now), MotionOutcome::kNone) << period;
+      EXPECT_EQ(guard.classify(kLimits, now), MotionOutcome::kNone) << period;
     }
   }
 }
 
 TEST(WheelGuard, TooFastIsTooFastBothWays) {
-  for (const int way : {1, -1}) {
+  for (const int direction : {1, -1}) {
     WheelGuard guard;
-    const auto ticks = [way](int size) { return static_cast<std::int16_t>(way * size); };
-    EXPECT_EQ(guard.judge(kLimits, {way * 8000, 0, ticks(7), ticks(31)}), MotionOutcome::kNone);
-    EXPECT_EQ(guard.judge(kLimits, {way * 8000, 0, ticks(8), ticks(32)}), MotionOutcome::kOverSpeed)
+    const auto ticks = [direction](int size) {
+      return static_cast<std::int16_t>(direction * size);
+    };
+    EXPECT_EQ(guard.classify(kLimits, {direction * 8000, 0, ticks(7), ticks(31)}),
+              MotionOutcome::kNone);
+    EXPECT_EQ(guard.classify(kLimits, {direction * 8000, 0, ticks(8), ticks(32)}),
+              MotionOutcome::kOverSpeed)
         << "2000 ticks/s";
   }
 }
@@ -74,8 +78,8 @@ TEST(WheelGuard, TooFastIsTooFastBothWays) {
 TEST(WheelGuard, ZeroSwitchesEachLimitOff) {
   WheelGuard guard;
   for (int period = 0; period < 10000; ++period) {
-    EXPECT_EQ(guard.judge({}, {1000, 255, 0, 0}), MotionOutcome::kNone);
-    EXPECT_EQ(guard.judge({}, {1000, 255, -500, -2000}), MotionOutcome::kNone);
+    EXPECT_EQ(guard.classify({}, {1000, 255, 0, 0}), MotionOutcome::kNone);
+    EXPECT_EQ(guard.classify({}, {1000, 255, -500, -2000}), MotionOutcome::kNone);
   }
 }
 

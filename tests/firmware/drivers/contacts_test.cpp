@@ -34,7 +34,7 @@ TEST_F(ContactsTest, ReleaseCountsWhenItHasLasted) {
   press(true, true);
   press(true, false);
   EXPECT_EQ(contacts.pressed(), hal::kContactRight);
-  for (int ms = 1; ms < Contacts::kMostReleaseMs; ++ms) {
+  for (int ms = 1; ms < Contacts::kMaxReleaseMs; ++ms) {
     contacts.poll();
   }
   EXPECT_EQ(contacts.pressed(), 0);

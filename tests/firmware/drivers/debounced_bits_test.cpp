@@ -33,7 +33,7 @@ TEST(DebouncedBits, EndWhenTheirLevelsHaveLasted) {
       hazards.update(0);
     }
     EXPECT_GE(released_ms, DebouncedBits::kReleaseMs) << age_ms;
-    EXPECT_LE(released_ms, DebouncedBits::kMostReleaseMs) << age_ms;
+    EXPECT_LE(released_ms, DebouncedBits::kMaxReleaseMs) << age_ms;
   }
 }
 
@@ -51,7 +51,7 @@ TEST(DebouncedBits, FlickeringIsOneHazard) {
 TEST(DebouncedBits, OneThatEndsLeavesTheOther) {
   DebouncedBits hazards;
   hazards.update(kHazardCliffLeft | kHazardWheelDrop);
-  for (int ms = 0; ms < DebouncedBits::kMostReleaseMs; ++ms) {
+  for (int ms = 0; ms < DebouncedBits::kMaxReleaseMs; ++ms) {
     hazards.update(kHazardWheelDrop);
     EXPECT_EQ(hazards.fresh(), 0);
   }
@@ -61,7 +61,7 @@ TEST(DebouncedBits, OneThatEndsLeavesTheOther) {
 TEST(DebouncedBits, OneThatFlickersHoldsNoOther) {
   DebouncedBits hazards;
   hazards.update(kHazardCliffLeft | kHazardWheelDrop);
-  for (int ms = 0; ms < DebouncedBits::kMostReleaseMs; ++ms) {
+  for (int ms = 0; ms < DebouncedBits::kMaxReleaseMs; ++ms) {
     hazards.update(ms % 7 == 0 ? kHazardWheelDrop : 0);
   }
   EXPECT_EQ(hazards.active(), kHazardWheelDrop);
@@ -70,7 +70,7 @@ TEST(DebouncedBits, OneThatFlickersHoldsNoOther) {
 TEST(DebouncedBits, MayComeAgain) {
   DebouncedBits hazards;
   hazards.update(kHazardCliffLeft);
-  for (int ms = 0; ms < DebouncedBits::kMostReleaseMs; ++ms) {
+  for (int ms = 0; ms < DebouncedBits::kMaxReleaseMs; ++ms) {
     hazards.update(0);
   }
   hazards.update(kHazardCliffLeft);

@@ -103,13 +103,13 @@ TEST_F(PanDriveTest, AcceptsServoAndStepperOnly) {
   EXPECT_FALSE(PanDrive::accepts(other));
   struct Reach {
     protocol::ConfigurePan settings;
-    std::int32_t farthest_cdeg;
+    std::int32_t limit_cdeg;
   };
   for (Reach reach : {Reach{kServo, 18000}, Reach{kStepper, 72000}}) {
     protocol::ConfigurePan& far = reach.settings;
     far.us_per_90deg = 100;
-    far.min_cdeg = -reach.farthest_cdeg;
-    far.max_cdeg = reach.farthest_cdeg;
+    far.min_cdeg = -reach.limit_cdeg;
+    far.max_cdeg = reach.limit_cdeg;
     EXPECT_TRUE(PanDrive::accepts(far));
     ++far.max_cdeg;
     EXPECT_FALSE(PanDrive::accepts(far)) << "a servo does not turn round, a stepper twice";

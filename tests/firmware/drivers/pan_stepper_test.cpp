@@ -19,9 +19,9 @@ class Rotor {
 
   void see(unsigned phases) {
     constexpr unsigned kHalfSteps[8] = {1, 3, 2, 6, 4, 12, 8, 9};
-    for (int way : {0, 1, -1}) {
-      if (phases == kHalfSteps[(steps + way) & 7]) {
-        steps += way;
+    for (int direction : {0, 1, -1}) {
+      if (phases == kHalfSteps[(steps + direction) & 7]) {
+        steps += direction;
         return;
       }
     }

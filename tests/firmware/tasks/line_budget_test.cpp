@@ -15,12 +15,12 @@ constexpr std::uint8_t kFrame = 15;
 
 class LineBudgetTest : public testing::Test {
  protected:
-  /// A window in which as many frames are taken as there may be, up to `most_bytes`.
-  int run_window(int most_bytes) {
+  /// A window in which as many frames are taken as there may be, up to `max_bytes`.
+  int run_window(int max_bytes) {
     int taken = 0;
     for (int ms = 0; ms < kWindowMs; ++ms) {
       budget.tick();
-      while (taken + kFrame <= most_bytes && budget.take(kFrame)) {
+      while (taken + kFrame <= max_bytes && budget.take(kFrame)) {
         taken += kFrame;
       }
     }
@@ -52,7 +52,7 @@ TEST_F(LineBudgetTest, AnIdleLineSavesUpOneBurst) {
   while (budget.take(kFrame)) {
     burst += kFrame;
   }
-  EXPECT_EQ(burst, LineBudget::kMostCreditBytes / kFrame * kFrame);
+  EXPECT_EQ(burst, LineBudget::kMaxCreditBytes / kFrame * kFrame);
 }
 
 TEST_F(LineBudgetTest, StretchesByOneStepForEachWindowWithLosses) {

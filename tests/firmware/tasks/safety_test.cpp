@@ -102,7 +102,7 @@ TEST_F(SafetyTest, PressStopsForwardMotionAndTurnsButNotBackingOff) {
                           Case{100, -100, MotionOutcome::kBumped},
                           Case{-100, -100, MotionOutcome::kRunning}}) {
     press(false);
-    tick(drivers::Contacts::kMostReleaseMs);
+    tick(drivers::Contacts::kMaxReleaseMs);
     move(one.left, one.right);
     tick(1);
     press(true);
@@ -132,7 +132,7 @@ TEST_F(SafetyTest, HeldContactLetsTheRobotTurnAwayButNotGoOn) {
 TEST_F(SafetyTest, BumpStopsARobotThatIsStillGoingForward) {
   for (const std::int16_t then : {std::int16_t{0}, std::int16_t{-1000}}) {
     press(false);
-    tick(drivers::Contacts::kMostReleaseMs);
+    tick(drivers::Contacts::kMaxReleaseMs);
     motion.drive(1000, 1000);
     for (int i = 0; i < 100; ++i) {
       motion.step();
@@ -150,7 +150,7 @@ TEST_F(SafetyTest, EveryHazardOfTheSettingsStopsTheWheelsAndNoOther) {
   for (const unsigned bit : {0U, 1U, 2U, 3U, 5U, 6U}) {
     for (const bool stops : {false, true}) {
       show(0);
-      tick(drivers::DebouncedBits::kMostReleaseMs);
+      tick(drivers::DebouncedBits::kMaxReleaseMs);
       configuration.safety.hazard_stops = static_cast<std::uint8_t>(stops ? 1U << bit : 0U);
       move(100, 100);
       show(1U << bit);
@@ -172,7 +172,7 @@ TEST_F(SafetyTest, HazardLetsTheRobotBackOffAndTurnAway) {
                           Case{100, -100, MotionOutcome::kHazard, MotionOutcome::kRunning},
                           Case{-100, -100, MotionOutcome::kRunning, MotionOutcome::kRunning}}) {
     show(0);
-    tick(drivers::DebouncedBits::kMostReleaseMs);
+    tick(drivers::DebouncedBits::kMaxReleaseMs);
     move(one.left, one.right);
     show(protocol::kHazardCliffFrontLeft);
     tick(1);
@@ -202,7 +202,7 @@ TEST_F(SafetyTest, WheelDropStopsWhateverMovesAndDisarms) {
   configuration.safety.hazard_stops = 0;
   for (const std::int32_t ticks : {100, -100}) {
     show(0);
-    tick(drivers::DebouncedBits::kMostReleaseMs);
+    tick(drivers::DebouncedBits::kMaxReleaseMs);
     ASSERT_TRUE(safety.arm());
     move(ticks, ticks);
     show(protocol::kHazardWheelDrop);
@@ -231,7 +231,7 @@ TEST_F(SafetyTest, CannotBeArmedWhileAWheelHangs) {
   EXPECT_FALSE(safety.arm());
   EXPECT_FALSE(safety.armed());
   show(0);
-  tick(drivers::DebouncedBits::kMostReleaseMs);
+  tick(drivers::DebouncedBits::kMaxReleaseMs);
   EXPECT_TRUE(safety.arm());
 }
 

@@ -222,7 +222,7 @@ TEST_F(TelemetryTest, TellsAHazardAtOnceAndItsEnd) {
   ASSERT_EQ(begun.status.size(), 1U);
   EXPECT_EQ(begun.status[0].hazards, protocol::kHazardCliffRight);
   EXPECT_TRUE((begun.status[0].flags & protocol::kFlagHazard) != 0);
-  for (int ms = 0; ms < drivers::DebouncedBits::kMostReleaseMs; ++ms) {
+  for (int ms = 0; ms < drivers::DebouncedBits::kMaxReleaseMs; ++ms) {
     sensors.tick();
   }
   tick(1);

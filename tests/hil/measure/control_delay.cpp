@@ -48,7 +48,7 @@ void ControlDelay::note_duty() {
   const double delay_us = double(machine_.cycle() - sample_cycle_) / kCyclesPerUs;
   ++duties_;
   sum_us_ += delay_us;
-  most_us_ = std::max(most_us_, delay_us);
+  max_us_ = std::max(max_us_, delay_us);
 }
 
 }  // namespace echomap::tests

@@ -21,7 +21,7 @@ class ControlDelay {
 
   void stop();
 
-  double most_us() const { return most_us_; }
+  double max_us() const { return max_us_; }
   double mean_us() const { return duties_ == 0 ? 0.0 : sum_us_ / duties_; }
   /// Of both motors.
   int duties() const { return duties_; }
@@ -37,7 +37,7 @@ class ControlDelay {
   bool sampled_ = false;
   int duties_ = 0;
   double sum_us_ = 0.0;
-  double most_us_ = 0.0;
+  double max_us_ = 0.0;
 };
 
 }  // namespace echomap::tests

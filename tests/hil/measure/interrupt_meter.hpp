@@ -30,7 +30,7 @@ class InterruptMeter {
   InterruptMeter(const InterruptMeter&) = delete;
   InterruptMeter& operator=(const InterruptMeter&) = delete;
 
-  /// Begins anew.
+  /// Starts again.
   void restart();
 
   /// By vector number.

@@ -20,7 +20,7 @@ constexpr std::int64_t kSweepMs = 2'500;
 constexpr std::int64_t kRestPeriodMs = 500;
 constexpr std::int64_t kRestMs = 10;
 /// Longer than the line takes for a report that nothing stands before.
-constexpr std::int64_t kLeastDelayUs = 2'000;
+constexpr std::int64_t kMinDelayUs = 2'000;
 
 }  // namespace
 
@@ -133,8 +133,8 @@ void LoadedRobot::answer_ping(std::int64_t at_ns) {
     return std::int64_t(generator_() % std::uint32_t(span_us * 1000.0 + 1.0));
   };
   const std::int64_t rise_ns = at_ns + 460'000 + below(1.0);
-  const std::int64_t fall_ns = rise_ns + std::llround(load_.least_echo_us * 1000.0) +
-                               below(load_.most_echo_us - load_.least_echo_us);
+  const std::int64_t fall_ns = rise_ns + std::llround(load_.min_echo_us * 1000.0) +
+                               below(load_.max_echo_us - load_.min_echo_us);
   robot_.board().schedule_echo(rise_ns, fall_ns);
   widths_us_.push_back(double(fall_ns - rise_ns) * 1e-3);
 }
@@ -165,7 +165,7 @@ void LoadedRobot::take_heard() {
     result_.frames_lost = health->frames_lost;
     result_.receive_overruns = health->receive_overruns;
     if (health->stack_free_bytes != 0) {  // 0: not yet known.
-      result_.least_stack_bytes = std::min(result_.least_stack_bytes, health->stack_free_bytes);
+      result_.min_stack_bytes = std::min(result_.min_stack_bytes, health->stack_free_bytes);
     }
   }
   robot_.forget_heard();
@@ -180,8 +180,8 @@ void LoadedRobot::rest() {
 /// The least delay between stamp and arrival tells the robot's clock, but for that delay itself.
 void LoadedRobot::compare(const protocol::Odometry& odometry, std::int64_t heard_us) {
   const std::int64_t stamp_us = odometry.stamp_us;
-  least_delay_us_ = std::min(least_delay_us_, heard_us - stamp_us);
-  if (!resting_since_us_ || stamp_us + least_delay_us_ < *resting_since_us_ + kLeastDelayUs) {
+  min_delay_us_ = std::min(min_delay_us_, heard_us - stamp_us);
+  if (!resting_since_us_ || stamp_us + min_delay_us_ < *resting_since_us_ + kMinDelayUs) {
     return;
   }
   const auto difference = [](std::int64_t count, std::int16_t reported) {

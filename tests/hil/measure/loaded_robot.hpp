@@ -19,8 +19,8 @@ struct Load {
   /// fall together, right behind each other and apart.
   double edges_per_s = 20'000;
   /// Shortest and longest echo pulse.
-  double least_echo_us = 150.0;
-  double most_echo_us = 23'500.0;
+  double min_echo_us = 150.0;
+  double max_echo_us = 23'500.0;
   std::uint8_t odometry_period_ms = 3;
   /// The host's frames fill two thirds of the line; else it says what a host that drives says: 20
   /// times KeepAlive and 10 set-points a second.
@@ -46,7 +46,7 @@ struct LoadResult {
   std::uint16_t frames_bad = 0;  ///< By robot and host.
   std::uint16_t frames_lost = 0;
   std::uint16_t receive_overruns = 0;
-  std::uint16_t least_stack_bytes = UINT16_MAX;
+  std::uint16_t min_stack_bytes = UINT16_MAX;
 };
 
 /// The release firmware with all that it can be asked for at once: both wheels turn under speed
@@ -89,7 +89,7 @@ class LoadedRobot {
   std::deque<double> widths_us_;
   std::int64_t ms_ = 0;
   std::optional<std::int64_t> resting_since_us_;
-  std::int64_t least_delay_us_ = INT64_MAX;
+  std::int64_t min_delay_us_ = INT64_MAX;
   double speed_ = 0.0;       ///< That the robot's ramp has reached, edges/s.
   double told_ticks_ = 0.0;  ///< Its integral: where the left wheel should be.
   std::uint8_t sweep_id_ = 100;

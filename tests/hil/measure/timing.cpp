@@ -64,7 +64,7 @@ ControlFigures measure_control(const std::filesystem::path& elf, const Load& loa
   ControlDelay delay(simavr_board_of(robot), elf);
   robot.run_s(seconds);
   delay.stop();
-  return {delay.mean_us(), delay.most_us(), delay.duties() / seconds / 2.0};
+  return {delay.mean_us(), delay.max_us(), delay.duties() / seconds / 2.0};
 }
 
 Load usual_load(double edges_per_s) {

@@ -29,7 +29,7 @@ TimingFigures measure_timing(const std::filesystem::path& elf, const Load& load,
 /// From encoder sample to PWM register.
 struct ControlFigures {
   double mean_us = 0.0;
-  double most_us = 0.0;
+  double max_us = 0.0;
   double duties_per_s = 0.0;  ///< Of one wheel.
 };
 ControlFigures measure_control(const std::filesystem::path& elf, const Load& load, double seconds);

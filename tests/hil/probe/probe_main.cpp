@@ -344,13 +344,8 @@ ISR(TIMER2_COMPA_vect) { --sleep_ticks_left; }
 /// The first thing done on entry: when is it, on the timer that called?
 ISR(TIMER1_COMPA_vect, ISR_NAKED) {
   asm volatile(
-      "push r24 \n\t"
-      "lds r24, %0 \n\t"
-      "out %1, r24 \n\t"
-      "lds r24, %0 + 1 \n\t"
-      "out %2, r24 \n\t"
-      "pop r24 \n\t"
-      "reti"
+      "push r24 \n\tlds r24, %0 \n\tout %1, r24 \n\tlds r24, %0 + 1 \n\tout %2, r24 \n\tpop r24 "
+      "\n\treti"
       :
       : "n"(_SFR_MEM_ADDR(TCNT1L)), "I"(_SFR_IO_ADDR(GPIOR1)), "I"(_SFR_IO_ADDR(GPIOR2)));
 }

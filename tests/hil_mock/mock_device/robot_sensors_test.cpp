@@ -227,15 +227,15 @@ TEST(Ev3InABox, ItsStepperPansTwiceRoundAndUnwinds) {
   session.send(protocol::ConfigurePan{11, 1, 0, 0, 4076, 0, 72000, 45});
   session.send(protocol::ConfigureSonar{2, 14000, 30});
   session.send(protocol::StartSweep{4, 0, 71400, 600, 0});
-  double farthest_deg = 0.0;
+  double max_deg = 0.0;
   for (int second = 0; second < 40; ++second) {
     session.pass_ms(1000);
-    farthest_deg = std::max(farthest_deg, geometry::degrees(session.simulation().pan_rad()));
+    max_deg = std::max(max_deg, geometry::degrees(session.simulation().pan_rad()));
   }
   EXPECT_EQ(session.heard().echoes.size(), 120U);
   EXPECT_EQ(session.heard().status.sweep_outcome,
             static_cast<std::uint8_t>(MotionOutcome::kReached));
-  EXPECT_NEAR(farthest_deg, 714.0, 0.3);
+  EXPECT_NEAR(max_deg, 714.0, 0.3);
   EXPECT_EQ(session.heard().echoes.at(75).pan_cdeg, 9000) << "450 degrees, wrapped";
 
   session.send(protocol::StartSweep{5, 0, 0, 600, 0});

@@ -84,8 +84,8 @@ TEST(AuxWiring, ARobotThatIsWiredForOtherBoardsIsRefused) {
     FAIL() << "no error";
   } catch (const files::ConfigError& error) {
     EXPECT_THAT(error.what(),
-                testing::HasSubstr("wired is not wired for the board uno; its file has [wiring] "
-                                   "for: fake"));
+                testing::HasSubstr(
+                    "wired is not wired for the board uno; its file has [wiring] for: fake"));
   }
 }
 

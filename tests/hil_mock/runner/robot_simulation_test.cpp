@@ -19,7 +19,7 @@ constexpr std::int64_t kMs = 1'000'000;
 world::RobotParams quiet_robot() {
   world::RobotParams robot;
   robot.sonar.range_noise_m = 0.0;
-  robot.drive.motor_gain_sd = 0.0;
+  robot.drive.motor_gain_stddev = 0.0;
   return robot;
 }
 

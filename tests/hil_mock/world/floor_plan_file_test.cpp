@@ -85,7 +85,7 @@ x_m = 0.0
 y_m = 0.8
 heading_deg = -90
 length_m = 0.7
-half_angle_deg = 5
+beam_half_angle_deg = 5
 )";
 
 std::string edited_marks(const std::string& from, const std::string& to) {
@@ -113,7 +113,7 @@ TEST(FloorPlanFile, NamesThePlaceOfABadHoleOrVirtualWall) {
   EXPECT_THAT(error_of(edited_marks("y_m = 0.8", "y_m = 1.8")), StartsWith("small.toml:18:7: "));
   EXPECT_THAT(error_of(edited_marks("length_m = 0.7", "length_m = 0")),
               StartsWith("small.toml:21:12: it must be positive"));
-  EXPECT_THAT(error_of(edited_marks("half_angle_deg", "half_angel_deg")),
+  EXPECT_THAT(error_of(edited_marks("beam_half_angle_deg", "half_angel_deg")),
               HasSubstr("has 'half_angel_deg'"));
   EXPECT_THAT(error_of(edited_marks("\"rough\"", "\"rough\"\nreflectance = 1.4")),
               StartsWith("small.toml:11:15: it must be between 0 and 1"));

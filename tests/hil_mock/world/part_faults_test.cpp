@@ -52,7 +52,7 @@ TEST(PartFaults, EveryNameIsReadAgain) {
 }
 
 TEST(PartFaults, SaysWhatIsWrong) {
-  EXPECT_THAT(error_of("sonar-daed@3"), HasSubstr("nothing is called 'sonar-daed'"));
+  EXPECT_THAT(error_of("sonar-daed@3"), HasSubstr("unknown part 'sonar-daed'"));
   EXPECT_THAT(error_of("sonar-daed@3"), HasSubstr("sonar-dead"));
   EXPECT_THAT(error_of("sonar-dead"), HasSubstr("it takes NAME@AT"));
   EXPECT_THAT(error_of("sonar-dead@"), HasSubstr("it takes NAME@AT"));

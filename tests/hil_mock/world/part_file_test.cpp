@@ -34,7 +34,7 @@ y_m = 0.0
 own_beam_reach_m = 0.5
 own_beam_half_angle_deg = 5
 [gyro]
-bias_sd_deg_per_s = 1.5
+bias_stddev_deg_per_s = 1.5
 [battery]
 full_v = 16.0
 empty_v = 12.0
@@ -73,8 +73,8 @@ TEST(PartFile, ReadsEveryPart) {
   EXPECT_EQ(parts.cliffs[0].place, CliffPlace::kFrontLeft);
   EXPECT_DOUBLE_EQ(parts.wall.value().reach_m, 0.1);
   EXPECT_DOUBLE_EQ(parts.beam_detector.value().own_beam_reach_m, 0.5);
-  EXPECT_DOUBLE_EQ(parts.gyro.value().bias_sd_deg_per_s, 1.5);
-  EXPECT_DOUBLE_EQ(parts.gyro.value().scale_sd, GyroParams{}.scale_sd);
+  EXPECT_DOUBLE_EQ(parts.gyro.value().bias_stddev_deg_per_s, 1.5);
+  EXPECT_DOUBLE_EQ(parts.gyro.value().scale_stddev, GyroParams{}.scale_stddev);
   EXPECT_DOUBLE_EQ(parts.battery.value().full_v, 16.0);
   EXPECT_DOUBLE_EQ(parts.stepper.value().half_steps_per_turn, -4076.0);
 }
@@ -106,7 +106,7 @@ TEST(PartFile, NamesThePlaceOfABadPart) {
   EXPECT_THAT(error_after("x_m = 0.03", "x_m = 30"), StartsWith("r.toml:4:7: "));
   EXPECT_THAT(error_after("\"front_left\"", "\"fore\""), StartsWith("r.toml:8:9: unknown word"));
   EXPECT_THAT(error_after("reach_m = 0.1", "reach_m = 0"), StartsWith("r.toml:15:11: "));
-  EXPECT_THAT(error_after("bias_sd_deg", "bias_sd_rad"), HasSubstr("unknown key"));
+  EXPECT_THAT(error_after("bias_stddev_deg", "bias_stddev_rad"), HasSubstr("unknown key"));
   EXPECT_THAT(error_after("empty_v = 12.0", "empty_v = 17.0"), StartsWith("r.toml:25:11: "));
   EXPECT_THAT(error_after("= -4076", "= 0"), StartsWith("r.toml:28:23: "));
 }

@@ -56,7 +56,7 @@ TEST(RateGyro, TheFilterTakesItsTime) {
 
 TEST(RateGyro, BiasAndScaleAreDrawnForEachRun) {
   GyroParams params = quiet();
-  params.bias_sd_deg_per_s = 2.0;
+  params.bias_stddev_deg_per_s = 2.0;
   double sum_of_squares = 0.0;
   for (std::uint32_t seed = 1; seed <= 1000; ++seed) {
     sum_of_squares += std::pow(RateGyro(params, noise(seed)).bias_deg_per_s(), 2);

@@ -17,10 +17,10 @@ constexpr double kStepS = 0.001;
 
 DriveParams perfect_drive() {
   DriveParams drive;
-  drive.wheel_diameter_sd = 0.0;
-  drive.wheel_mismatch_sd = 0.0;
-  drive.track_sd = 0.0;
-  drive.motor_gain_sd = 0.0;
+  drive.wheel_diameter_stddev = 0.0;
+  drive.wheel_mismatch_stddev = 0.0;
+  drive.track_stddev = 0.0;
+  drive.motor_gain_stddev = 0.0;
   drive.slip_m_per_sqrt_m = 0.0;
   return drive;
 }
@@ -111,7 +111,7 @@ TEST(RobotBody, WheelErrorsAndSlipAreThoseOfTheProfile) {
   constexpr int kRuns = 400;
   const FloorPlan plan = box_room({}, {0.5, 1.5, 0.0});
   DriveParams drive = perfect_drive();
-  drive.wheel_diameter_sd = 0.005;
+  drive.wheel_diameter_stddev = 0.005;
   drive.slip_m_per_sqrt_m = 0.001;
   double scale_squares = 0.0;
   double heading_squares = 0.0;

@@ -43,7 +43,7 @@ TEST(RobotFile, TheUnoIsWhatTheDefaultsSay) {
   EXPECT_DOUBLE_EQ(robot.drive.slip_m_per_sqrt_m, defaults.drive.slip_m_per_sqrt_m);
   EXPECT_DOUBLE_EQ(robot.body.radius_m, defaults.body.radius_m);
   EXPECT_NEAR(robot.pan.limit_rad, 0.5 * std::numbers::pi, 1e-12);
-  EXPECT_NEAR(robot.sonar.cone_half_angle_rad, defaults.sonar.cone_half_angle_rad, 1e-3);
+  EXPECT_NEAR(robot.sonar.beam_half_angle_rad, defaults.sonar.beam_half_angle_rad, 1e-3);
   EXPECT_NEAR(robot.sonar.smooth_limit_rad, defaults.sonar.smooth_limit_rad, 1e-3);
   EXPECT_DOUBLE_EQ(robot.sonar.range_noise_m, defaults.sonar.range_noise_m);
 }
@@ -93,7 +93,7 @@ TEST(RobotFile, TheEpuckHasARingOfEight) {
 TEST(RobotFile, TheEv3TurnsItsSonarAllTheWayRoundAndHasAGyro) {
   const RobotParams robot = bundled("ev3");
   EXPECT_TRUE(robot.parts.stepper && robot.parts.gyro);
-  EXPECT_NEAR(2.0 * robot.sonar.cone_half_angle_rad, geometry::radians(32.8), 1e-9);
+  EXPECT_NEAR(2.0 * robot.sonar.beam_half_angle_rad, geometry::radians(32.8), 1e-9);
 }
 
 TEST(RobotFile, EveryPartOfABundledRobotIsWiredOnEachOfItsBoards) {
@@ -122,7 +122,7 @@ TEST(RobotFile, ARobotHasOnePanDrive) {
 TEST(RobotFile, NamesThePlaceOfEveryFault) {
   EXPECT_EQ(error_after("track_m", "track_m"), "no error");
   EXPECT_THAT(error_after("track_m = 0.140", "track_m = -0.140"), HasSubstr("uno.toml:7:11: "));
-  EXPECT_THAT(error_after("track_sd", "trak_sd"), HasSubstr("did you mean 'track_sd'"));
+  EXPECT_THAT(error_after("track_stddev", "trak_stddev"), HasSubstr("did you mean 'track_stddev'"));
   EXPECT_THAT(error_after("max_range_m = 4.0", "max_range_m = 0.01"), HasSubstr("min_range_m"));
   EXPECT_THAT(error_after("edge_strength = 0.4", "edge_strength = 1.4"), HasSubstr("between"));
 }

@@ -108,9 +108,9 @@ TEST(SonarPhysics, ASweepOverAPoleGivesBackTheConesWidth) {
       {{rectangle(1.0, -0.005, 1.01, 0.005),
         {{Material::kRough}, {Material::kRough}, {Material::kRough}, {Material::kRough}}}},
       {0.0, 0.0, 0.0});
-  for (const double half_angle_deg : {10.0, 13.0, 15.0}) {
-    const SonarPhysics sonar(plan, {.cone_half_angle_rad = radians(half_angle_deg)});
-    EXPECT_NEAR(half_heard_deg(sonar), half_angle_deg, 1.0);
+  for (const double beam_half_angle_deg : {10.0, 13.0, 15.0}) {
+    const SonarPhysics sonar(plan, {.beam_half_angle_rad = radians(beam_half_angle_deg)});
+    EXPECT_NEAR(half_heard_deg(sonar), beam_half_angle_deg, 1.0);
   }
 }
 
@@ -145,7 +145,7 @@ TEST(SonarPhysics, TwoMirrorsMakeAGhostAtTheLengthOfBothWays) {
                        {},
                        {1.0, 1.0, 0.0});
   // Along +x from (1, 2): the slanted wall x + y = 5 throws it down, at right angles to y = 0.
-  const SonarPhysics sonar(plan, {.cone_half_angle_rad = radians(5.0)});
+  const SonarPhysics sonar(plan, {.beam_half_angle_rad = radians(5.0)});
   const Pose2 T_world_sonar(1.0, 2.0, 0.0);
   EXPECT_FALSE(sonar.first_return(T_world_sonar, 0.3));
   const auto ghost = sonar.first_return(T_world_sonar, 0.2);
@@ -184,7 +184,7 @@ TEST(SonarPhysics, ReadingsHaveTheNoiseOfTheProfile) {
 
 TEST(SonarPhysics, RefusesAConeThatIsNone) {
   const FloorPlan plan = box_room();
-  EXPECT_THROW(SonarPhysics(plan, {.cone_half_angle_rad = 0.0}), std::invalid_argument);
+  EXPECT_THROW(SonarPhysics(plan, {.beam_half_angle_rad = 0.0}), std::invalid_argument);
   EXPECT_THROW(SonarPhysics(plan, {.min_range_m = 2.0, .max_range_m = 1.0}), std::invalid_argument);
 }
 

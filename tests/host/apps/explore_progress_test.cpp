@@ -17,17 +17,17 @@ std::string text_of(std::FILE* file) {
 
 TEST(ExploreProgress, TellsWhatIsCoveredAndDriven) {
   EXPECT_EQ(line_of({.stops = 1, .floor_m2 = 1.25, .travelled_m = 0.0, .elapsed_s = 14.4}),
-            "1 stop, 1.2 m2 of floor, 0.0 m driven in 0:14");
+            "1 stop, 1.2 m² mapped, 0.0 m driven in 0:14");
   EXPECT_EQ(line_of({.stops = 12, .floor_m2 = 8.9, .travelled_m = 10.31, .elapsed_s = 125.0}),
-            "12 stops, 8.9 m2 of floor, 10.3 m driven in 2:05");
+            "12 stops, 8.9 m² mapped, 10.3 m driven in 2:05");
 }
 
 TEST(ExploreProgress, TellsTheTimeThatALimitLeaves) {
   ExploreProgress progress{.stops = 4, .floor_m2 = 5.3, .travelled_m = 6.1, .elapsed_s = 94.0};
-  progress.most_stops = 20;
+  progress.max_stops = 20;
   EXPECT_DOUBLE_EQ(*longest_left_s(progress), 376.0) << "sixteen stops of 23.5 s";
-  EXPECT_EQ(line_of(progress), "4 stops, 5.3 m2 of floor, 6.1 m driven in 1:34, 6:16 left at most");
-  progress.most_s = 120.0;
+  EXPECT_EQ(line_of(progress), "4 stops, 5.3 m² mapped, 6.1 m driven in 1:34, 6:16 left at most");
+  progress.max_s = 120.0;
   EXPECT_DOUBLE_EQ(*longest_left_s(progress), 26.0);
   progress.elapsed_s = 121.0;
   EXPECT_EQ(*longest_left_s(progress), 0.0);
@@ -35,7 +35,7 @@ TEST(ExploreProgress, TellsTheTimeThatALimitLeaves) {
 
 TEST(ExploreProgress, CountsStopsThatAreNotInTheMap) {
   ExploreProgress progress{.stops = 1, .stops_elsewhere = 9, .elapsed_s = 200.0};
-  progress.most_stops = 20;
+  progress.max_stops = 20;
   EXPECT_DOUBLE_EQ(*longest_left_s(progress), 200.0) << "ten stops of 20 s";
   progress.stops = 0;
   progress.stops_elsewhere = 10;
@@ -45,7 +45,7 @@ TEST(ExploreProgress, CountsStopsThatAreNotInTheMap) {
 TEST(ExploreProgress, InventsNoTime) {
   EXPECT_FALSE(longest_left_s({.stops = 3, .elapsed_s = 60.0}));
   ExploreProgress first{.stops = 0, .elapsed_s = 3.0};
-  first.most_stops = 20;
+  first.max_stops = 20;
   EXPECT_FALSE(longest_left_s(first)) << "no stop has told its pace yet";
 }
 

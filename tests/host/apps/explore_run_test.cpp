@@ -55,7 +55,7 @@ TEST_F(ExploreAndSave, ThrowsWhereTheBoardDoesNotTakeTheProfileAndLeavesItDisarm
 TEST_F(ExploreAndSave, SavesTheMapWhereTheBoardTakesItsProfileNoMore) {
   cable.robot.on_command = [this](std::string_view name) {
     if (name == "StartSweep" && restarts == 0) {
-      pull_power_and_start_anew();
+      power_cycle();
       cable.robot.answer = protocol::CommandStatus::kOutOfRange;
     }
   };

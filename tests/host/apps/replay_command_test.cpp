@@ -91,7 +91,7 @@ TEST_F(ReplayCommandTest, SlamPlacesTheScansBetterThanOdometry) {
 }
 
 TEST_F(ReplayCommandTest, SlamWritesItsGraphAndHowSureItIs) {
-  for (const char* slam : {"scan", "grid", "ekf"}) {
+  for (const char* slam : {"scan", "multiscan", "ekf"}) {
     options_.slam = slam;
     EXPECT_EQ(run_replay(options_), ExitCode::kOk);
     const std::string graph = files::read_text_file(options_.out / "pose_graph.g2o");
@@ -106,24 +106,24 @@ TEST_F(ReplayCommandTest, SlamWritesItsGraphAndHowSureItIs) {
     EXPECT_NEAR(x_m, trajectory.front().T_map_robot.x_m(), 1e-5) << "in the trajectory's frame";
     EXPECT_NEAR(y_m, trajectory.front().T_map_robot.y_m(), 1e-5);
     EXPECT_THAT(graph, HasSubstr("\nEDGE_SE2 0 1 "));
-    EXPECT_GT(summary()["pose_std_m"], 0.001) << slam;
-    EXPECT_LT(summary()["pose_std_m"], 0.5) << slam;
-    EXPECT_GT(summary()["pose_std_deg"], 0.01) << slam;
-    EXPECT_LT(summary()["pose_std_deg"], 10.0) << slam;
+    EXPECT_GT(summary()["pose_stddev_m"], 0.001) << slam;
+    EXPECT_LT(summary()["pose_stddev_m"], 0.5) << slam;
+    EXPECT_GT(summary()["pose_stddev_deg"], 0.01) << slam;
+    EXPECT_LT(summary()["pose_stddev_deg"], 10.0) << slam;
   }
 }
 
 TEST_F(ReplayCommandTest, WithoutSlamThereIsNoGraph) {
   EXPECT_EQ(run_replay(options_), ExitCode::kOk);
   EXPECT_FALSE(fs::exists(options_.out / "pose_graph.g2o"));
-  EXPECT_TRUE(summary()["pose_std_m"].is_null());
+  EXPECT_TRUE(summary()["pose_stddev_m"].is_null());
 }
 
 TEST_F(ReplayCommandTest, SlamNeedsOdometryToBeginWith) {
   files::write_text_file(scratch_ / "poses.txt", "1 0 0 0\n2 0 0 0\n");
   write_log("measurement.txt", "1 1 1 1 1 1 1 1 1\n2 1 1 1 1 1 1 1 1\n");
-  options_.slam = "grid";
-  EXPECT_THAT(error(), HasSubstr("has no odometry, and SLAM needs both\n  next: leave out --slam"));
+  options_.slam = "multiscan";
+  EXPECT_THAT(error(), HasSubstr("has no odometry, but SLAM needs both\n  next: leave out --slam"));
   write_log("poses.tum", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
   EXPECT_THAT(error(), HasSubstr("has no scans, and SLAM needs both"));
 }
@@ -133,7 +133,7 @@ TEST_F(ReplayCommandTest, SlamForLasersRefusesSonars) {
   options_.format = "bigwheelbot";
   options_.slam = "scan";
   EXPECT_THAT(error(), HasSubstr("is for lasers"));
-  for (const char* for_sonars : {"grid", "ekf"}) {
+  for (const char* for_sonars : {"multiscan", "ekf"}) {
     options_.slam = for_sonars;
     EXPECT_EQ(run_replay(options_), ExitCode::kOk) << for_sonars;
   }
@@ -216,7 +216,7 @@ TEST_F(ReplayCommandTest, ALogThatIsCutOffInItsLastLineIsReadUpToThere) {
   EXPECT_EQ(run_replay(options_), ExitCode::kOk);
   const auto expected = files::read_text_file(options_.out / "points.csv");
   write_log("cut.clf", whole.substr(0, middle + 100));
-  for (const char* slam : {"", "grid"}) {
+  for (const char* slam : {"", "multiscan"}) {
     options_.slam = slam;
     EXPECT_EQ(run_replay(options_), ExitCode::kOk);
     EXPECT_EQ(summary().at("outcome"), "finished");

@@ -29,13 +29,13 @@ class ReplayRunTest : public ::testing::Test {
     stop(1.2);
     exports::ObservationsFile(options.log / kRecordName).save(atlas.record(), false);
     summary.robot = profile.name;
-    summary.slam = "grid";
+    summary.slam = "multiscan";
     save_map(atlas.pipeline(), profile, options.log, summary);
   }
   /// All round, in a room whose walls are about so far.
   void stop(double range_m) {
-    way_m += 0.2 / 3.0;
-    const sensors::WheelTravel travel{way_m, way_m};
+    travelled_m += 0.2 / 3.0;
+    const sensors::WheelTravel travel{travelled_m, travelled_m};
     atlas.on_odometry({stamp += std::chrono::milliseconds(20), travel});
     atlas.begin_scan();
     for (int i = 0; i < 31; ++i) {
@@ -52,10 +52,10 @@ class ReplayRunTest : public ::testing::Test {
 
   const tests::ScratchFolder scratch;
   const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
-  pipeline::RobotAtlas atlas = session::atlas_for(profile, "grid");
+  pipeline::RobotAtlas atlas = session::atlas_for(profile, "multiscan");
   exports::RunSummary summary;
   time::RobotTime stamp;
-  double way_m = 0.0;
+  double travelled_m = 0.0;
   ReplayOptions options;
 };
 
@@ -76,20 +76,20 @@ TEST_F(ReplayRunTest, WritesTheSameFiles) {
   }
   const auto report = nlohmann::json::parse(text("summary.json"));
   EXPECT_EQ(report.at("robot"), "uno_2wd");
-  EXPECT_EQ(report.at("replay").at("poses"), "grid");
-  EXPECT_EQ(report.at("pose_std_m"),
-            nlohmann::json::parse(live_text("summary.json"))["pose_std_m"]);
+  EXPECT_EQ(report.at("replay").at("poses"), "multiscan");
+  EXPECT_EQ(report.at("pose_stddev_m"),
+            nlohmann::json::parse(live_text("summary.json"))["pose_stddev_m"]);
 }
 
 TEST_F(ReplayRunTest, MayHaveTheRunsOwnDirectoryOrThatOfAnotherRun) {
-  std::filesystem::create_directories(former_map_of(options.out, 1));
+  std::filesystem::create_directories(previous_map_of(options.out, 1));
   EXPECT_EQ(run_replay(options), ExitCode::kOk);
-  EXPECT_FALSE(exists(former_map_of(options.out, 1))) << "a map of the run before";
+  EXPECT_FALSE(exists(previous_map_of(options.out, 1))) << "a map of the run before";
   const std::string map = text("map.pgm");
   options.log = options.out;
   EXPECT_EQ(run_replay(options), ExitCode::kOk);
   EXPECT_EQ(text("map.pgm"), map);
-  EXPECT_FALSE(exists(options.out / kFormerRecordName));
+  EXPECT_FALSE(exists(options.out / kPreviousRecordName));
 }
 
 TEST_F(ReplayRunTest, KeepsTheOutlineThatTheStrategyDrew) {
@@ -116,7 +116,7 @@ TEST_F(ReplayRunTest, IsNotForWhatAsksForAnotherMap) {
 }
 
 TEST_F(ReplayRunTest, PlacesTheRobotByAnotherSlamWhereOneIsNamed) {
-  options.slam = "grid";
+  options.slam = "multiscan";
   EXPECT_EQ(run_replay(options), ExitCode::kOk);
   EXPECT_EQ(text("pose_graph.g2o"), live_text("pose_graph.g2o")) << "the run's own";
   options.slam = "ekf";

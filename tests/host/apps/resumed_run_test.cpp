@@ -63,12 +63,12 @@ TEST_F(ResumedRunTest, KnowsTheMapsThatTheRobotWasCarriedAwayFrom) {
   record("carried,900,0.5,0.5,0,0,0\nodometry,1000,0.6,0.6\n");
   summarise(R"({"robot": "uno_2wd", "sim_seconds": 56.5})");
   for (std::size_t number : {1U, 2U}) {
-    std::filesystem::create_directories(former_map_of(run.path(), number));
-    files::write_text_file(former_map_of(run.path(), number) / kRecordName, former);
+    std::filesystem::create_directories(previous_map_of(run.path(), number));
+    files::write_text_file(previous_map_of(run.path(), number) / kRecordName, former);
   }
   ASSERT_TRUE(resume());
-  ASSERT_EQ(atlas.former_maps().size(), 2U);
-  EXPECT_EQ(atlas.former_maps().front().record.scans(), 1U);
+  ASSERT_EQ(atlas.previous_maps().size(), 2U);
+  EXPECT_EQ(atlas.previous_maps().front().record.scans(), 1U);
   EXPECT_NEAR(atlas.pipeline().snapshot().latest.T_map_robot.x_m(), 0.1, 1e-12);
 }
 
@@ -78,7 +78,7 @@ TEST_F(ResumedRunTest, NeedsARecordWithARobotsWay) {
               AllOf(HasSubstr("it has no observations.csv"), HasSubstr("next: ")));
   record("");
   EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { resume(); }),
-              AllOf(HasSubstr("its record is empty"), HasSubstr("next: ")));
+              AllOf(HasSubstr("its observations.csv is empty"), HasSubstr("next: ")));
 }
 
 TEST_F(ResumedRunTest, RefusesAnotherRobot) {
@@ -92,7 +92,7 @@ TEST_F(ResumedRunTest, RefusesARunInWhichTheRobotWasLifted) {
   record("odometry,1000,0.5,0.5\nhazards,2000,0,0,0,0,0,0,1,0,0\n");
   summarise(R"({"robot": "uno_2wd", "sim_seconds": 1})");
   EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { resume(); }),
-              AllOf(HasSubstr("the robot was lifted in it"), HasSubstr("next: ")));
+              AllOf(HasSubstr("the robot was lifted during the run"), HasSubstr("next: ")));
 }
 
 TEST_F(ResumedRunTest, NamesTheFileThatIsDamaged) {

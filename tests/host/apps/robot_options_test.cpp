@@ -30,8 +30,14 @@ TEST(RobotOptions, SlamIsAnotherNameOfExplore) {
   EXPECT_THAT(refused.err, HasSubstr("--slam"));
 }
 
+TEST(RobotOptions, AnOldNameOfASlamMethodAnswersWithTheNewOne) {
+  const auto refused = run({"explore", "--slam", "multiscan"});
+  EXPECT_EQ(refused.code, ExitCode::kUsage);
+  EXPECT_THAT(refused.err, HasSubstr("now called 'multiscan'"));
+}
+
 TEST(RobotOptions, APoseIsOfTheCameraOrOfSlam) {
-  const auto refused = run({"explore", "--fixes", "udp:127.0.0.1:5000", "--slam", "grid"});
+  const auto refused = run({"explore", "--fixes", "udp:127.0.0.1:5000", "--slam", "multiscan"});
   EXPECT_EQ(refused.code, console::ExitCode::kUsage);
   EXPECT_THAT(refused.err, HasSubstr("excludes"));
 }

@@ -50,17 +50,17 @@ TEST_F(RunWriterTest, AMapThatWasSetAsideHasARunDirectoryOfItsOwn) {
   RunWriter writer(robot, explorer, run, summary);
   stop();
   writer.save("exploring");
-  EXPECT_FALSE(exists(out / "former_1"));
+  EXPECT_FALSE(exists(out / "previous_1"));
   stop();
   stop();
-  atlas.begin_anew(2);
+  atlas.begin_new_map(2);
   writer.save("complete");
   EXPECT_EQ(summary.outcome, "complete");
-  EXPECT_EQ(summary.former_maps, 1U);
+  EXPECT_EQ(summary.previous_maps, 1U);
   EXPECT_EQ(summary.stops, 1U);
-  EXPECT_EQ(files::read_text_file(out / "former_1/observations.csv"),
+  EXPECT_EQ(files::read_text_file(out / "previous_1/observations.csv"),
             "kind,stamp_us,values\nodometry,20000,0,0\nbegin-scan\nend-scan\n");
-  EXPECT_TRUE(exists(out / "former_1/map.png"));
+  EXPECT_TRUE(exists(out / "previous_1/map.png"));
 }
 
 TEST_F(RunWriterTest, TheRecordIsThatOfTheMapAfterEveryStop) {
@@ -79,7 +79,7 @@ TEST_F(RunWriterTest, TheRecordIsThatOfTheMapAfterEveryStop) {
   stop();
   stop();
   expect_saved("after two more");
-  atlas.begin_anew(2);
+  atlas.begin_new_map(2);
   stop();
   expect_saved("in another map");
   stop();
@@ -90,27 +90,27 @@ TEST_F(RunWriterTest, AMapThatCouldNotBeSavedIsSavedTheNextTime) {
   RunWriter writer(robot, explorer, run, summary);
   stop();
   writer.save_in_passing();
-  files::write_text_file(out / "former_1", "in the way");
+  files::write_text_file(out / "previous_1", "in the way");
   stop();
   stop();
-  atlas.begin_anew(2);
+  atlas.begin_new_map(2);
   writer.save_in_passing();
-  EXPECT_EQ(files::read_text_file(out / "former_1"), "in the way");
-  std::filesystem::remove(out / "former_1");
+  EXPECT_EQ(files::read_text_file(out / "previous_1"), "in the way");
+  std::filesystem::remove(out / "previous_1");
   writer.save("complete");
-  EXPECT_TRUE(exists(out / "former_1/observations.csv"));
+  EXPECT_TRUE(exists(out / "previous_1/observations.csv"));
 }
 
 TEST_F(RunWriterTest, WhatAFormerRunHasLeftStaysBesideIt) {
   files::write_text_file(out / kRecordName, "old");
-  std::filesystem::create_directories(out / "former_1");
-  files::write_text_file(out / "former_1/map.png", "old");
+  std::filesystem::create_directories(out / "previous_1");
+  files::write_text_file(out / "previous_1/map.png", "old");
   RunWriter writer(robot, explorer, run, summary);
   writer.save("exploring");
   writer.save("complete");
-  EXPECT_EQ(files::read_text_file(out / kFormerRecordName), "old");
-  EXPECT_EQ(files::read_text_file(out / "former_1.before/map.png"), "old");
-  EXPECT_FALSE(exists(out / "former_1"));
+  EXPECT_EQ(files::read_text_file(out / kPreviousRecordName), "old");
+  EXPECT_EQ(files::read_text_file(out / "previous_1.before/map.png"), "old");
+  EXPECT_FALSE(exists(out / "previous_1"));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(SavedMap, HasAPoseGraphWhereThereIsSlam) {
   const tests::ScratchFolder out;
   const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
   exports::RunSummary summary;
-  save_map(session::pipeline_for(profile, "grid"), profile, out.path(), summary);
+  save_map(session::pipeline_for(profile, "multiscan"), profile, out.path(), summary);
   EXPECT_TRUE(exists(out / "pose_graph.g2o"));
   save_map(session::pipeline_for(profile, session::kNoSlam), profile, out.path(), summary);
   EXPECT_FALSE(exists(out / "pose_graph.g2o")) << "that of the run before";
@@ -38,12 +38,12 @@ TEST(SavedMap, HasAPoseGraphWhereThereIsSlam) {
 TEST(SavedMap, MovesAsideWhatAnEarlierRunHasLeft) {
   const tests::ScratchFolder out;
   files::write_text_file(out / kRecordName, "old");
-  std::filesystem::create_directories(former_map_of(out.path(), 1));
+  std::filesystem::create_directories(previous_map_of(out.path(), 1));
   move_earlier_run_aside(out.path());
-  EXPECT_EQ(files::read_text_file(out / kFormerRecordName), "old");
+  EXPECT_EQ(files::read_text_file(out / kPreviousRecordName), "old");
   EXPECT_FALSE(exists(out / kRecordName));
-  EXPECT_TRUE(exists(out / "former_1.before"));
-  EXPECT_FALSE(exists(former_map_of(out.path(), 1)));
+  EXPECT_TRUE(exists(out / "previous_1.before"));
+  EXPECT_FALSE(exists(previous_map_of(out.path(), 1)));
 }
 
 }  // namespace

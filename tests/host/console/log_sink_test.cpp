@@ -22,8 +22,7 @@ TEST(LogSink, ItsLinesDoNotStandBehindAProgressBar) {
   log.warn("the robot is back");
   bar.show("5 stops");
   EXPECT_EQ(terminal.shown(),
-            "\r\033[K4 stops"
-            "\r\033[Kwarning: the robot is away\n"
+            "\r\033[K4 stops\r\033[Kwarning: the robot is away\n"
             "warning: the robot is back\n"
             "\r\033[K5 stops");
 }

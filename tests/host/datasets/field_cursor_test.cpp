@@ -68,7 +68,7 @@ TEST_F(FieldCursorTest, ErrorsNameFileLineFieldAndReason) {
   EXPECT_THAT(error_of([&] { of("1.2.3").number("the yaw"); }),
               EndsWith("log:2: the yaw is '1.2.3', not a finite number"));
   EXPECT_THAT(error_of([&] { of("").number("the yaw"); }),
-              EndsWith("log:2: the yaw is missing, the line ends before it"));
+              EndsWith("log:2: the yaw is missing: the line ends before it"));
   EXPECT_THAT(error_of([&] { of("x y").expect_end(); }),
               EndsWith("log:2: 'x y' follows, the line should end before it"));
 }
@@ -96,7 +96,8 @@ TEST_F(FieldCursorTest, ACountIsBelievedOnlyAsFarAsTheLineHasRoom) {
   EXPECT_EQ(of("3 1 2 3").count("n"), 3U);
   EXPECT_EQ(of("0").count("n"), 0U);
   for (const char* text : {"4 1 2 3", "-1 1", "1", "18446744073709551615 1", "1e2 1"}) {
-    EXPECT_THAT(error_of([&] { of(text).count("n"); }), HasSubstr("not a count")) << text;
+    EXPECT_THAT(error_of([&] { of(text).count("n"); }), HasSubstr("not the number of values"))
+        << text;
   }
 }
 

@@ -65,7 +65,7 @@ TEST(MapAlignment, IsEmptyWhereMapsHaveNothingInCommon) {
 
 TEST(MapAlignment, ChecksItsParameters) {
   MapAlignmentParams params;
-  params.wall_sd_m = 0.0;
+  params.wall_stddev_m = 0.0;
   EXPECT_THROW(align_maps(tests::map_from({"#"}), tests::map_from({"#"}), params),
                std::invalid_argument);
 }

@@ -82,9 +82,9 @@ TEST(RelationError, IsMeanAndDeviationOfDistanceAndTurn) {
   const std::vector<Pose2> trajectory{{0, 0, 0}, {1.1, 0, 0}, {1.1, 0, 0.2}};
   const auto error = score_relations(trajectory, {{0, 1, {1, 0, 0}}, {1, 2, {0.3, 0, -0.1}}});
   EXPECT_NEAR(error.translation_mean_m, 0.2, 1e-12);
-  EXPECT_NEAR(error.translation_sd_m, 0.1, 1e-12);
+  EXPECT_NEAR(error.translation_stddev_m, 0.1, 1e-12);
   EXPECT_NEAR(error.rotation_mean_rad, 0.15, 1e-12);
-  EXPECT_NEAR(error.rotation_sd_rad, 0.15, 1e-12);
+  EXPECT_NEAR(error.rotation_stddev_rad, 0.15, 1e-12);
 }
 
 TEST(RelationError, OfEdmontonsOdometryIsTheKnownOne) {
@@ -102,7 +102,7 @@ TEST(RelationError, OfFreiburgsCorrectedPosesIsTheKnownOne) {
   const auto error = score_public_log("fr079", "fr079.cor.gz", 4, folder);
   EXPECT_EQ(error.relations, 1685U);
   EXPECT_NEAR(error.translation_mean_m, 0.0581, 0.00005);
-  EXPECT_NEAR(error.translation_sd_m, 0.0418, 0.00005);
+  EXPECT_NEAR(error.translation_stddev_m, 0.0418, 0.00005);
   EXPECT_NEAR(geometry::degrees(error.rotation_mean_rad), 0.71, 0.005);
 }
 

@@ -29,13 +29,13 @@ class Puppet final : public Explorer {
 
 class AtlasExplorerTest : public ::testing::Test {
  protected:
-  AtlasExplorer explorer(bool begins_anew = true) {
+  AtlasExplorer explorer(bool begins_new_map = true) {
     return {[this](std::size_t stops) -> std::unique_ptr<Explorer> {
               made_at.push_back(stops);
               return stops < 5 ? std::make_unique<Puppet>(says, told_stops) : nullptr;
             },
             atlas.pipeline().snapshot().stops,
-            begins_anew};
+            begins_new_map};
   }
   void stop() {
     atlas.begin_scan();
@@ -65,7 +65,7 @@ TEST_F(AtlasExplorerTest, ALostRobotGoesOnInAnotherMapWithAStrategyThatBeginsAne
   }
   says = Finished{FinishReason::kLost, 2};
   EXPECT_TRUE(std::holds_alternative<Drive>(next(explorer)));
-  EXPECT_EQ(atlas.former_maps().size(), 1U);
+  EXPECT_EQ(atlas.previous_maps().size(), 1U);
   EXPECT_EQ(explorer.stops_made(), 3U) << "in both maps";
   EXPECT_EQ(made_at, (std::vector<std::size_t>{0, 3}));
   EXPECT_EQ(told_stops, (std::vector<std::size_t>{1, 2, 3, 3, 0})) << "its own";
@@ -76,7 +76,7 @@ TEST_F(AtlasExplorerTest, ALiftedRobotDoesSo) {
   stop();
   atlas.on_hazards({.stamp = {}, .lifted = true});
   EXPECT_TRUE(std::holds_alternative<Drive>(next(explorer)));
-  EXPECT_EQ(atlas.former_maps().size(), 1U);
+  EXPECT_EQ(atlas.previous_maps().size(), 1U);
   EXPECT_EQ(atlas.pipeline().snapshot().times_lifted, 0U);
 }
 
@@ -116,7 +116,7 @@ TEST_F(AtlasExplorerTest, EndsWithAStrategyThatCannotBeginAnew) {
   const Motion motion = next(explorer);
   ASSERT_TRUE(std::holds_alternative<Finished>(motion));
   EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kLost);
-  EXPECT_TRUE(atlas.former_maps().empty());
+  EXPECT_TRUE(atlas.previous_maps().empty());
 }
 
 /// In a bundled room, by SLAM.
@@ -124,7 +124,7 @@ tests::OfflineRun explore(const std::string& room,
                           std::uint32_t seed,
                           const std::vector<tests::OfflineCarry>& carries) {
   tests::OfflineSettings settings;
-  settings.slam = slam::slam_by_name("grid").make;
+  settings.slam = slam::slam_by_name("multiscan").make;
   settings.is_watched = true;
   settings.carries = carries;
   return tests::explore_offline(
@@ -135,7 +135,7 @@ TEST(AtlasExplorer, ARobotThatIsCarriedOffMapsOnAndFindsItsFormerMapAgain) {
   for (const bool is_felt : {false, true}) {
     const auto run = explore("living_room", 1, {{110.0, {2.2, 2.4, -1.57}, is_felt}});
     EXPECT_GE(run.joins, 1U) << is_felt;
-    EXPECT_EQ(run.former_maps, 0U) << is_felt;
+    EXPECT_EQ(run.previous_maps, 0U) << is_felt;
     EXPECT_LT(run.trajectory.final_error_m, 0.25) << is_felt;
     EXPECT_GT(run.agreement.free_iou, 0.75) << is_felt;
     EXPECT_LT(run.agreement.wall_rmse_m.value_or(1.0), 0.12) << is_felt;

@@ -62,7 +62,7 @@ TEST(Coastal, BearsAwayFromAWallThatItWouldScrapeAlong) {
   Coastal coastal(CoastalParams{});
   EXPECT_GT(answer(coastal, kTooNear).turn_rad_per_s, 0.0);
   CoastalParams to_the_word;
-  to_the_word.least_gap_m = 0.0;
+  to_the_word.min_gap_m = 0.0;
   Coastal paper(to_the_word);
   EXPECT_EQ(answer(paper, kTooNear).turn_rad_per_s, 0.0);
 }
@@ -87,8 +87,8 @@ TEST(Coastal, DoesAllOfItTheOtherWayRoundWithTheLeftHand) {
 std::optional<FinishReason> walk_square(Coastal& coastal, double half_m, int sides) {
   geometry::Pose2 pose(half_m, 0.0, geometry::radians(90.0));
   for (int side = 0; side <= sides; ++side) {
-    const double way_m = side == 0 || side == sides ? half_m : 2.0 * half_m;
-    for (double at_m = 0.0; at_m < way_m; at_m += 0.02) {
+    const double travelled_m = side == 0 || side == sides ? half_m : 2.0 * half_m;
+    for (double at_m = 0.0; at_m < travelled_m; at_m += 0.02) {
       const Motion motion = coastal.next(felt(kWall, pose), MotionResult::kReached);
       if (const auto* finished = std::get_if<Finished>(&motion)) {
         return finished->reason;
@@ -107,7 +107,7 @@ TEST(Coastal, GoesOnPastACornerForTheSecondTime) {
   Coastal farther(CoastalParams{});
   EXPECT_EQ(walk_square(farther, 1.0, 6), FinishReason::kComplete);
   EXPECT_EQ(farther.traversal().state(), Traversal::kRoundRoom);
-  EXPECT_NEAR(farther.steps().back().way_m, 8.0 + 1.0 + 0.5, 0.2);
+  EXPECT_NEAR(farther.steps().back().travelled_m, 8.0 + 1.0 + 0.5, 0.2);
 }
 
 TEST(Coastal, EndsByThePapersAngleWhereItIsTold) {
@@ -115,12 +115,12 @@ TEST(Coastal, EndsByThePapersAngleWhereItIsTold) {
   params.rule = TraversalRule::kAngleAboutStart;
   Coastal coastal(params);
   EXPECT_EQ(walk_square(coastal, 1.0, 6), FinishReason::kComplete);
-  EXPECT_NEAR(coastal.steps().back().way_m, 8.0, 0.1);
+  EXPECT_NEAR(coastal.steps().back().travelled_m, 8.0, 0.1);
 }
 
 TEST(Coastal, GivesUpAfterTooLongAWay) {
   CoastalParams params;
-  params.most_way_m = 3.0;
+  params.max_distance_m = 3.0;
   Coastal coastal(params);
   EXPECT_EQ(walk_square(coastal, 1.0, 4), FinishReason::kNowhereToGo);
 }

@@ -16,8 +16,8 @@ using mapping::CornerKind;
 constexpr WallContact kAlong{false, false, true, 0.08};
 constexpr WallContact kLost{};
 
-WallStep step(const WallContact& contact, double way_m, double turned_deg) {
-  return {{way_m, 0.0, 0.0}, contact, way_m, radians(turned_deg)};
+WallStep step(const WallContact& contact, double travelled_m, double turned_deg) {
+  return {{travelled_m, 0.0, 0.0}, contact, travelled_m, radians(turned_deg)};
 }
 
 TEST(CornerWatch, NeedsBumpAndVirtualWallTogether) {
@@ -28,13 +28,13 @@ TEST(CornerWatch, NeedsBumpAndVirtualWallTogether) {
   watch.add(step({true, true, true, {}}, 1.2, 0.0));
   ASSERT_EQ(watch.marks().size(), 1U);
   EXPECT_EQ(watch.marks()[0].kind, CornerKind::kNonReflex);
-  EXPECT_EQ(watch.marks()[0].way_m, 1.2);
+  EXPECT_EQ(watch.marks()[0].travelled_m, 1.2);
 }
 
 TEST(CornerWatch, TakesTheBumpsOfOneCornerTogether) {
   CornerWatch watch;
-  for (const double way_m : {1.0, 1.0, 1.05, 1.4}) {
-    watch.add(step({true, true, true, {}}, way_m, 0.0));
+  for (const double travelled_m : {1.0, 1.0, 1.05, 1.4}) {
+    watch.add(step({true, true, true, {}}, travelled_m, 0.0));
   }
   EXPECT_EQ(watch.marks().size(), 2U);
 }

@@ -77,7 +77,7 @@ TEST_F(DangerCheckerTest, LetsASafeMotionBe) {
 TEST_F(DangerCheckerTest, EndsADriveBeforeAWall) {
   auto far = checker(Drive{3.0});
   const double distance_m = std::get<Drive>(far.next(snapshot, MotionResult::kReached)).distance_m;
-  EXPECT_NEAR(distance_m, 1.025 - params.robot_radius_m - params.least_clearance_m, 0.01);
+  EXPECT_NEAR(distance_m, 1.025 - params.robot_radius_m - params.min_clearance_m, 0.01);
 }
 
 TEST_F(DangerCheckerTest, DoesNotBeginADriveIntoAWall) {
@@ -94,7 +94,7 @@ TEST_F(DangerCheckerTest, CallsARobotStuckThatGetsNowhere) {
   while (!reason_of(held.next(snapshot, MotionResult::kStalled))) {
     ASSERT_LT(++asked, 100U);
   }
-  EXPECT_EQ(asked + 1, params.most_failures);
+  EXPECT_EQ(asked + 1, params.max_failures);
 }
 
 TEST_F(DangerCheckerTest, ForgetsFailuresOnceTheRobotHasGotOn) {
@@ -109,7 +109,7 @@ TEST_F(DangerCheckerTest, NoticesWheelsThatTurnWhereTheWorldDoesNot) {
   const auto room = tests::smooth_rectangle();
   auto slipping = checker(Turn{1.0});
   snapshot.last_scan = std::make_shared<const mapping::Scan>(tests::scan_of(room));
-  for (std::size_t stop = 1; stop <= 1 + params.most_same_views; ++stop) {
+  for (std::size_t stop = 1; stop <= 1 + params.max_same_views; ++stop) {
     ASSERT_FALSE(reason_of(slipping.next(snapshot, MotionResult::kReached)));
     snapshot.stops = stop;
     snapshot.latest.T_map_robot = {0.3 * static_cast<double>(stop), 0.0, 0.0};

@@ -34,8 +34,10 @@ class Field {
 
   void carry_out(const Roll& roll) {
     const double half_rad = 0.5 * roll.turn_rad_per_s * roll.for_s;
-    const double way_m = roll.forward_m_per_s * roll.for_s;
-    pose_ = pose_ * Pose2(way_m * std::cos(half_rad), way_m * std::sin(half_rad), 2.0 * half_rad);
+    const double travelled_m = roll.forward_m_per_s * roll.for_s;
+    pose_ =
+        pose_ *
+        Pose2(travelled_m * std::cos(half_rad), travelled_m * std::sin(half_rad), 2.0 * half_rad);
     time_s_ += roll.for_s;
     for (const Segment& wall : walls_) {
       push_out_of(wall);
@@ -108,7 +110,7 @@ TEST(EpuckDrive, GoesRoundTheFieldAndItsBlockAndCoversWhatLiesBetween) {
 TEST(EpuckDrive, GivesUpAfterTooLong) {
   EpuckDriveParams params;
   params.follower = ring_params();
-  params.most_s = 5.0;
+  params.max_s = 5.0;
   EpuckDrive drive(params);
   Field field(params.follower);
   EXPECT_TRUE(std::holds_alternative<Roll>(drive.next(field.seen(), {})));
@@ -122,7 +124,7 @@ TEST(EpuckDrive, RefusesParametersWithoutSense) {
   EpuckDriveParams params;
   EXPECT_THROW(EpuckDrive{params}, std::invalid_argument) << "no sensors";
   params.follower = ring_params();
-  params.most_walls = 0;
+  params.max_walls = 0;
   EXPECT_THROW(EpuckDrive{params}, std::invalid_argument);
 }
 

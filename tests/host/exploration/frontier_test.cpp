@@ -78,7 +78,7 @@ TEST(Frontier, LooksAllRoundAtFirst) {
 }
 
 /// Carries out the way that begins with `motion`, to the sweep at its end.
-Pose2 end_of_way(Frontier& explorer, Motion motion, pipeline::Snapshot snapshot) {
+Pose2 end_of_path(Frontier& explorer, Motion motion, pipeline::Snapshot snapshot) {
   Pose2& at = snapshot.latest.T_map_robot;
   for (int motions = 0; motions < 500 && !std::holds_alternative<BeginScan>(motion); ++motions) {
     if (const auto* turn = std::get_if<Turn>(&motion)) {
@@ -96,7 +96,7 @@ Pose2 end_of_way(Frontier& explorer, Motion motion, pipeline::Snapshot snapshot)
 TEST(Frontier, GoesTowardsUnknownFloorAndSweepsIt) {
   Frontier explorer({});
   const auto snapshot = told(open_room(), {});
-  EXPECT_GT(end_of_way(explorer, first_move(explorer, snapshot), snapshot).x_m(), 1.0);
+  EXPECT_GT(end_of_path(explorer, first_move(explorer, snapshot), snapshot).x_m(), 1.0);
 }
 
 /// A corridor of 1 m along x, known up to 1.5 m or so many cells, and in which nothing has
@@ -121,14 +121,14 @@ pipeline::Snapshot silent_corridor(int known_cells = 30) {
 
 FrontierParams no_look_is_worth_it() {
   FrontierParams params;
-  params.least_gain_m2 = 100.0;
+  params.min_gain_m2 = 100.0;
   return params;
 }
 
 TEST(Frontier, StepsOnceIntoAnOpeningWhereNoLookIsWorthIt) {
   Frontier explorer(no_look_is_worth_it());
   const auto snapshot = silent_corridor();
-  const Pose2 end = end_of_way(explorer, first_move(explorer, snapshot), snapshot);
+  const Pose2 end = end_of_path(explorer, first_move(explorer, snapshot), snapshot);
   EXPECT_NEAR(end.x_m(), 1.7, 0.1);
   EXPECT_LT(std::abs(end.y_m()), 0.3);
   // The map of this snapshot has the opening still, and the robot before it.
@@ -141,10 +141,10 @@ TEST(Frontier, StepsOnceIntoAnOpeningWhereNoLookIsWorthIt) {
 TEST(Frontier, GoesOnWhereAnOpeningHasBecomeFloor) {
   Frontier explorer(no_look_is_worth_it());
   auto snapshot = silent_corridor();
-  end_of_way(explorer, first_move(explorer, snapshot), snapshot);
+  end_of_path(explorer, first_move(explorer, snapshot), snapshot);
   stop_of(explorer, snapshot);
   const auto farther = silent_corridor(35);
-  const Pose2 end = end_of_way(explorer, explorer.next(farther, MotionResult::kReached), farther);
+  const Pose2 end = end_of_path(explorer, explorer.next(farther, MotionResult::kReached), farther);
   EXPECT_NEAR(end.x_m(), 1.95, 0.1);
 }
 
@@ -212,7 +212,7 @@ TEST(Frontier, LooksAllRoundAnewOnceItWasLifted) {
 
 TEST(Frontier, StopsAfterSoManyStops) {
   Frontier explorer({});
-  const auto motion = first_move(explorer, told(open_room(), {}, FrontierParams{}.most_stops));
+  const auto motion = first_move(explorer, told(open_room(), {}, FrontierParams{}.max_stops));
   ASSERT_TRUE(std::holds_alternative<Finished>(motion));
   EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kStopLimit);
 }
@@ -222,7 +222,7 @@ TEST(Frontier, RejectsParametersWithoutSense) {
   params.sweep.step_rad = 0.0;
   EXPECT_THROW(Frontier{params}, std::invalid_argument);
   params = {};
-  params.least_gain_m2 = 0.0;
+  params.min_gain_m2 = 0.0;
   EXPECT_THROW(Frontier{params}, std::invalid_argument);
 }
 

@@ -43,7 +43,7 @@ TEST(InfraredFollower, GoesRoundAnEdgeAtItsDistance) {
 }
 
 TEST(InfraredFollower, SpinsLeftFromWhatIsAheadOrAslant) {
-  for (const std::size_t sensor : {kAhead, kAheadLeft, kAslant}) {
+  for (const std::size_t sensor : {kAhead, kAheadLeft, kOblique}) {
     auto along = follower();
     const auto seen = ranges({{sensor, 0.015}, {kBeside, 0.018}});
     EXPECT_TRUE(along.is_blocked(seen));
@@ -51,14 +51,14 @@ TEST(InfraredFollower, SpinsLeftFromWhatIsAheadOrAslant) {
     EXPECT_EQ(roll.forward_m_per_s, 0.0);
     EXPECT_GT(roll.turn_rad_per_s, 0.0);
   }
-  EXPECT_FALSE(follower().is_blocked(ranges({{kBeside, 0.01}, {kAslantLeft, 0.01}})));
+  EXPECT_FALSE(follower().is_blocked(ranges({{kBeside, 0.01}, {kObliqueLeft, 0.01}})));
 }
 
 TEST(InfraredFollower, KnowsASideThatItGrazes) {
   EXPECT_TRUE(follower().grazes_right(ranges({{kBeside, 0.01}})));
   EXPECT_FALSE(follower().grazes_left(ranges({{kBeside, 0.01}})));
-  EXPECT_TRUE(follower().grazes_left(ranges({{kAslantLeft, 0.01}})));
-  EXPECT_FALSE(follower().grazes_left(ranges({{kAslantLeft, 0.05}})));
+  EXPECT_TRUE(follower().grazes_left(ranges({{kObliqueLeft, 0.01}})));
+  EXPECT_FALSE(follower().grazes_left(ranges({{kObliqueLeft, 0.05}})));
   EXPECT_GT(follower().spin().turn_rad_per_s, 0.0);
 }
 

@@ -12,9 +12,9 @@ namespace echomap::exploration {
 
 /// The e-puck's ring: which reading is whose.
 constexpr std::size_t kAhead = 0;
-constexpr std::size_t kAslant = 1;
+constexpr std::size_t kOblique = 1;
 constexpr std::size_t kBeside = 2;
-constexpr std::size_t kAslantLeft = 6;
+constexpr std::size_t kObliqueLeft = 6;
 constexpr std::size_t kAheadLeft = 7;
 
 inline InfraredFollowerParams ring_params() {

@@ -243,7 +243,7 @@ TEST(NxtFarthest, EndsWhenNoSweepOfAStopWasCarriedOut) {
 TEST(NxtFarthest, EndsAfterSoManyStops) {
   std::mt19937 random(1);
   NxtFarthestParams params;
-  params.most_stops = 3;
+  params.max_stops = 3;
   NxtFarthest explorer(params, random);
   auto snapshot = seen(kFiveWays);
   snapshot.stops = 3;
@@ -320,7 +320,7 @@ TEST(NxtFarthest, RefusesParametersWithoutSense) {
   refused([](auto& params) { params.sweep.scan_rad = 1.0; });
   refused([](auto& params) { params.candidates = 0; });
   refused([](auto& params) { params.drive_share = 1.5; });
-  refused([](auto& params) { params.most_stops = 0; });
+  refused([](auto& params) { params.max_stops = 0; });
   refused([](auto& params) { params.scans = 0; });
   refused([](auto& params) { params.robot_radius_m = 0.0; });
 }

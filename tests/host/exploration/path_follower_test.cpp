@@ -38,25 +38,25 @@ CostGrid open_floor() { return {random_floor(80, 60, 0.0, 1), {0.0, 0.0}, of_a_d
 
 TEST(PathFollower, StaysNearTheWayAndArrivesAtItsEnd) {
   const CostGrid grid = open_floor();
-  const std::vector<Eigen::Vector2d> way_m{{0.5, 0.5}, {2.0, 0.6}, {2.2, 2.0}, {1.0, 2.5}};
+  const std::vector<Eigen::Vector2d> path_m{{0.5, 0.5}, {2.0, 0.6}, {2.2, 2.0}, {1.0, 2.5}};
   PathFollower follower;
-  follower.follow(way_m);
+  follower.follow(path_m);
   Pose2 at(0.5, 0.5, std::numbers::pi);
-  double farthest_m = 0.0;
+  double max_m = 0.0;
   int motions = 0;
   while (const auto motion = follower.next(at, grid)) {
     ASSERT_LT(++motions, 500);
     at = moved(at, *motion);
     double nearest_m = 1e9;
-    for (std::size_t i = 1; i < way_m.size(); ++i) {
+    for (std::size_t i = 1; i < path_m.size(); ++i) {
       nearest_m = std::min(
           nearest_m,
-          geometry::distance_m(geometry::Segment{way_m[i - 1], way_m[i]}, at.position_m()));
+          geometry::distance_m(geometry::Segment{path_m[i - 1], path_m[i]}, at.position_m()));
     }
-    farthest_m = std::max(farthest_m, nearest_m);
+    max_m = std::max(max_m, nearest_m);
   }
-  EXPECT_LE((at.position_m() - way_m.back()).norm(), PathFollowerParams{}.arrived_m);
-  EXPECT_LT(farthest_m, 0.08);
+  EXPECT_LE((at.position_m() - path_m.back()).norm(), PathFollowerParams{}.arrived_m);
+  EXPECT_LT(max_m, 0.08);
 }
 
 TEST(PathFollower, TurnsOnTheSpotWhereTheWayIsBehindIt) {
@@ -82,7 +82,7 @@ TEST(PathFollower, IsSlowerBesideAWallAndAtTheEnd) {
   EXPECT_EQ(speed_m_per_s({1.0, 1.5}, {3.0, 1.5}), params.speed_m_per_s);
   EXPECT_LT(speed_m_per_s({1.0, 0.2}, {3.0, 0.2}), 0.5 * params.speed_m_per_s);
   EXPECT_LT(speed_m_per_s({1.0, 1.5}, {1.06, 1.5}), 0.8 * params.speed_m_per_s);
-  EXPECT_GE(speed_m_per_s({1.0, 0.1}, {3.0, 0.1}), params.slowest_m_per_s);
+  EXPECT_GE(speed_m_per_s({1.0, 0.1}, {3.0, 0.1}), params.min_speed_m_per_s);
 }
 
 TEST(PathFollower, HasNothingToDoWithoutAWay) {
@@ -96,7 +96,7 @@ TEST(PathFollower, HasNothingToDoWithoutAWay) {
 
 TEST(PathFollower, RejectsParametersWithoutSense) {
   PathFollowerParams params;
-  params.slowest_m_per_s = 1.0;
+  params.min_speed_m_per_s = 1.0;
   EXPECT_THROW(PathFollower{params}, std::invalid_argument);
   params = {};
   params.look_ahead_m = 0.01;

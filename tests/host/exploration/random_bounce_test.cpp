@@ -62,14 +62,14 @@ TEST(RandomBounce, IsAFunctionOfItsSeed) {
 
 TEST(RandomBounce, EndsByTimeOrByWay) {
   std::mt19937 random(1);
-  RandomBounce by_time({.most_s = 10.0}, random);
+  RandomBounce by_time({.max_s = 10.0}, random);
   EXPECT_TRUE(std::holds_alternative<Roll>(by_time.next(felt(false, false, 5.0), {})));
   EXPECT_TRUE(std::holds_alternative<Roll>(by_time.next(felt(false, false, 14.9), {})));
   EXPECT_TRUE(std::holds_alternative<Finished>(by_time.next(felt(false, false, 15.0), {})));
-  RandomBounce by_way({.most_way_m = 1.0}, random);
-  EXPECT_TRUE(std::holds_alternative<Roll>(by_way.next(felt(false, false, 0.0, 0.0), {})));
-  EXPECT_TRUE(std::holds_alternative<Roll>(by_way.next(felt(false, false, 1.0, 0.6), {})));
-  EXPECT_TRUE(std::holds_alternative<Finished>(by_way.next(felt(false, false, 2.0, 0.1), {})));
+  RandomBounce by_distance({.max_distance_m = 1.0}, random);
+  EXPECT_TRUE(std::holds_alternative<Roll>(by_distance.next(felt(false, false, 0.0, 0.0), {})));
+  EXPECT_TRUE(std::holds_alternative<Roll>(by_distance.next(felt(false, false, 1.0, 0.6), {})));
+  EXPECT_TRUE(std::holds_alternative<Finished>(by_distance.next(felt(false, false, 2.0, 0.1), {})));
 }
 
 TEST(RandomBounce, TurnsAwayFromWhatStoppedIt) {
@@ -81,9 +81,9 @@ TEST(RandomBounce, TurnsAwayFromWhatStoppedIt) {
 
 TEST(RandomBounce, RefusesParametersWithoutSense) {
   std::mt19937 random(1);
-  EXPECT_THROW(RandomBounce({.least_turn_rad = 2.0, .most_turn_rad = 1.0}, random),
+  EXPECT_THROW(RandomBounce({.min_turn_rad = 2.0, .max_turn_rad = 1.0}, random),
                std::invalid_argument);
-  EXPECT_THROW(RandomBounce({.most_s = 0.0}, random), std::invalid_argument);
+  EXPECT_THROW(RandomBounce({.max_s = 0.0}, random), std::invalid_argument);
 }
 
 }  // namespace

@@ -285,8 +285,8 @@ TEST(TangentBug, RefusesParametersWithoutSense) {
     EXPECT_THROW(TangentBug(params, course_to({{3.0, 2.0}})), std::invalid_argument);
   };
   refused([](auto& params) { params.reached_m = 0.0; });
-  refused([](auto& params) { params.most_moves = 0; });
-  refused([](auto& params) { params.longest_move_m = 0.01; });
+  refused([](auto& params) { params.max_moves = 0; });
+  refused([](auto& params) { params.max_move_m = 0.01; });
   refused([](auto& params) { params.sweep.step_rad = 0.0; });
   refused([](auto& params) { params.clear_sum = 0.0; });
   EXPECT_THROW(TangentBug({}, course_to({})), std::invalid_argument);

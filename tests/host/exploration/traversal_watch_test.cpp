@@ -31,7 +31,7 @@ TEST(TraversalWatch, ComesRoundWhereTheWalkIsBackAtItsBeginning) {
   std::for_each(steps.begin(), steps.end(), [&](const WallStep& step) { watch.add(step); });
   const Eigen::Vector2d begin_m = steps.front().T_map_robot.position_m();
   const auto round = std::find_if(steps.begin(), steps.end(), [&](const WallStep& step) {
-    return step.way_m == watch.round_m();
+    return step.travelled_m == watch.round_m();
   });
   ASSERT_NE(round, steps.end());
   EXPECT_LT((round->T_map_robot.position_m() - begin_m).norm(), 0.45);

@@ -35,7 +35,7 @@ RasterMap corridor(bool west, bool east) {
 std::optional<Viewpoint> choice(const RasterMap& map,
                                 const Pose2& T_map_robot,
                                 const std::vector<PastView>& past = {},
-                                double least_gain_m2 = 0.1) {
+                                double min_gain_m2 = 0.1) {
   const CostGrid grid(map, T_map_robot.position_m(), {});
   TravelField travel;
   travel.search(grid, grid.cell_at(T_map_robot.position_m()));
@@ -47,7 +47,7 @@ std::optional<Viewpoint> choice(const RasterMap& map,
                           find_frontiers(map, grid.cell_at(T_map_robot.position_m())),
                           gain,
                           T_map_robot,
-                          least_gain_m2,
+                          min_gain_m2,
                           params);
 }
 

@@ -23,7 +23,7 @@ inline std::vector<WallStep> walk_round(const geometry::Polygon& room_m,
   const double range_m = (kFromWallM - 0.10) / std::sin(-T_robot_wall_sensor.heading_rad());
   std::vector<WallStep> steps;
   geometry::Pose2 last;
-  double way_m = 0.0;
+  double travelled_m = 0.0;
   double turned_rad = 0.0;
   for (std::size_t i = 0; i <= room_m.size() + 1; ++i) {
     const geometry::Segment wall = geometry::side(room_m, i % room_m.size());
@@ -43,12 +43,12 @@ inline std::vector<WallStep> walk_round(const geometry::Polygon& room_m,
       const geometry::Pose2 T_last_now = last.inverse() * pose;
       last = pose;
       const double rolled_m = T_last_now.position_m().norm();
-      way_m += rolled_m;
+      travelled_m += rolled_m;
       turned_rad += T_last_now.heading_rad();
       steps.push_back({steps.back().T_map_robot * T_last_now *
                            geometry::Pose2(0.0, 0.0, bend_rad_per_m * rolled_m),
                        {false, false, true, range_m},
-                       way_m,
+                       travelled_m,
                        turned_rad});
     }
   }

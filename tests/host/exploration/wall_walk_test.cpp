@@ -30,7 +30,7 @@ TEST(WallWalk, CorrectsEveryStepsWayAndNoTurn) {
   const WallStep& step = walk.add({});
   EXPECT_NEAR(step.T_map_robot.x_m(), 2 * (1.1 * 0.01 + 0.002), 1e-12);
   EXPECT_NEAR(step.T_map_robot.heading_rad(), radians(30.0), 1e-12);
-  EXPECT_NEAR(step.way_m, 0.026, 1e-12);
+  EXPECT_NEAR(step.travelled_m, 0.026, 1e-12);
 }
 
 TEST(WallWalk, StandsStillWhereTheOdometryDoes) {
@@ -63,7 +63,7 @@ TEST(WallWalk, PlacesOnlyWhatWasSeenAlongAWall) {
   ASSERT_EQ(points.size(), 1U);
   EXPECT_NEAR(points[0].place_m.x(), 1.17, 1e-12);
   EXPECT_NEAR(points[0].place_m.y(), 1.1, 1e-12);
-  EXPECT_EQ(points[0].way_m, 0.5);
+  EXPECT_EQ(points[0].travelled_m, 0.5);
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ TEST_F(GeoJsonTest, IsValidByRfc7946ForMapsOfAnyShape) {
       }
     }
     mapping::PolygonMapParams params;
-    params.least_hole_m2 = trial % 2 == 0 ? params.least_hole_m2 : 0.0;
+    params.min_hole_m2 = trial % 2 == 0 ? params.min_hole_m2 : 0.0;
     write_outline_geojson(folder / "a.geojson", mapping::polygon_from_raster(map, params));
     SCOPED_TRACE(trial);
     const auto rings = written()["features"][0]["geometry"]["coordinates"];

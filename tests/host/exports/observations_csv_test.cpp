@@ -28,11 +28,11 @@ time::RobotTime at_us(std::int64_t stamp_us) {
 std::unique_ptr<pipeline::RobotPipeline> new_pipeline() {
   sensors::RobotGeometry robot;
   robot.track_m = 0.2;
-  mapping::NearMapperParams near;
+  mapping::ContactMapperParams near;
   near.T_robot_infrared = {{0.1, 0.0, 0.0}, {0.0, 0.1, 1.5}};
   near.infrared_reach_m = 0.3;
   return std::make_unique<pipeline::RobotPipeline>(
-      robot, mapping::SonarMapperParams{}, near, slam::slam_by_name("grid").make());
+      robot, mapping::SonarMapperParams{}, near, slam::slam_by_name("multiscan").make());
 }
 
 /// A robot that goes round in circles with all its sensors, and what it hears.
@@ -145,12 +145,12 @@ TEST(ObservationsCsv, SaysWhichLineIsDamagedAndWhy) {
            {"odometry,2,0", "the right wheel is missing"},
            {"odometry,2,0,0,0", "'0' follows"},
            {"odometry,2.5,0,0", "the stamp is '2.5', not a whole number"},
-           {"odometry,900000000000000000,0,0", "no clock counts so many microseconds"},
+           {"odometry,900000000000000000,0,0", "outside the range of microseconds"},
            {"odometry,2,0,nan", "the right wheel is 'nan', not a finite number"},
            {"odometry,2,0,101", "more than 100 m since the line before"},
            {"sonar,2,0,0,0.1", "the range is missing"},
            {"sonar,2,0,0,0.1,nothing", "the range is 'nothing'"},
-           {"sonar,2,0,0,0.1,1001", "no sensor of a robot reaches so far"},
+           {"sonar,2,0,0,0.1,1001", "longer than a sensor reaches"},
            {"infrared,2,0,0,0.1,", "the range is missing"},
            {"hazards,2,0,0,0,0,0,0,2,0,0", "neither 0 nor 1"},
            {"begin-scan,1", "'1' follows"},

@@ -66,8 +66,8 @@ slam::FactorGraph read(const std::filesystem::path& path) {
       in >> place_m.x() >> place_m.y();
     } else if (tag == "EDGE_SE2") {
       in >> to;
-      const Pose2 way = read_pose(in);
-      graph.edges.push_back({id, to, way, read_information(in), false});
+      const Pose2 T_from_to = read_pose(in);
+      graph.edges.push_back({id, to, T_from_to, read_information(in), false});
     } else if (tag == "EDGE_SE2_XY") {
       slam::LandmarkEdge edge{id, 0, {}, {}};
       in >> to >> edge.place_m.x() >> edge.place_m.y() >> edge.information(0, 0) >>

@@ -122,8 +122,8 @@ TEST(RunDirectory, SaysHowWellThePoseIsKnown) {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
   covariance.diagonal() << 9e-4, 16e-4, 1.0;
   describe_uncertainty(covariance, summary);
-  EXPECT_NEAR(summary.pose_std_m.value(), 0.05, 1e-9);
-  EXPECT_NEAR(summary.pose_std_deg.value(), 57.2958, 1e-3);
+  EXPECT_NEAR(summary.pose_stddev_m.value(), 0.05, 1e-9);
+  EXPECT_NEAR(summary.pose_stddev_deg.value(), 57.2958, 1e-3);
 }
 
 }  // namespace

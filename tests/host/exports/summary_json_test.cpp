@@ -18,7 +18,7 @@ TEST(SummaryJson, HoldsEveryField) {
   summary.sim_seconds = 123.25;
   summary.stops = 7;
   summary.resumed_stops = 3;
-  summary.former_maps = 2;
+  summary.previous_maps = 2;
   summary.maps_joined = 1;
   summary.clock_rate_error_ppm = -412.5;
   summary.link.frames_lost = 4;
@@ -30,12 +30,12 @@ TEST(SummaryJson, HoldsEveryField) {
   EXPECT_EQ(json.at("sim_seconds"), 123.25);
   EXPECT_EQ(json.at("stops"), 7);
   EXPECT_EQ(json.at("resumed_stops"), 3);
-  EXPECT_EQ(json.at("former_maps"), 2);
+  EXPECT_EQ(json.at("previous_maps"), 2);
   EXPECT_EQ(json.at("maps_joined"), 1);
   EXPECT_EQ(json.at("clock_rate_error_ppm"), -412.5);
   EXPECT_TRUE(json.at("clock_uncertainty_us").is_null());
-  EXPECT_TRUE(json.at("pose_std_m").is_null());
-  EXPECT_TRUE(json.at("pose_std_deg").is_null());
+  EXPECT_TRUE(json.at("pose_stddev_m").is_null());
+  EXPECT_TRUE(json.at("pose_stddev_deg").is_null());
   EXPECT_EQ(json.at("link").at("frames_lost"), 4);
   EXPECT_EQ(json.at("link").at("robot_encoder_errors"), 70'000);
   EXPECT_TRUE(json.at("link").at("round_trip_us").is_null());

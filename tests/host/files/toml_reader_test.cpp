@@ -62,7 +62,7 @@ TEST(TomlReader, NamesAMissingKeyAtItsTable) {
 }
 
 TEST(TomlReader, HintsAtTheKeyThatLooksLikeAMissingOne) {
-  const auto toml = TomlReader::parse("[wall]\nheight_sd = 0.1\nheigth_m = 2.5\n", "room.toml");
+  const auto toml = TomlReader::parse("[wall]\nheight_stddev = 0.1\nheigth_m = 2.5\n", "room.toml");
   EXPECT_EQ(error_of([&] { toml.table("wall").number("height_m"); }),
             "room.toml:1:1: 'height_m' is missing; line 3 has 'heigth_m'");
 }

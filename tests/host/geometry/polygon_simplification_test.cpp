@@ -38,13 +38,13 @@ Polygon simplified_by_boost(const Polygon& ring,
                             std::size_t first,
                             std::size_t last,
                             double tolerance_m) {
-  BoostWay way;
+  BoostWay path;
   for (std::size_t i = first; i != last; i = (i + 1) % ring.size()) {
-    way.emplace_back(ring[i].x(), ring[i].y());
+    path.emplace_back(ring[i].x(), ring[i].y());
   }
-  way.emplace_back(ring[last].x(), ring[last].y());
+  path.emplace_back(ring[last].x(), ring[last].y());
   BoostWay simple;
-  bg::simplify(way, simple, tolerance_m);
+  bg::simplify(path, simple, tolerance_m);
   Polygon corners;
   for (const BoostPoint& point : simple) {
     corners.emplace_back(point.x(), point.y());
@@ -53,7 +53,7 @@ Polygon simplified_by_boost(const Polygon& ring,
   return corners;
 }
 
-std::size_t farthest_from(const Polygon& ring, const Eigen::Vector2d& place_m) {
+std::size_t max_from(const Polygon& ring, const Eigen::Vector2d& place_m) {
   const auto farthest = std::max_element(ring.begin(), ring.end(), [&](auto& one, auto& other) {
     return (one - place_m).squaredNorm() < (other - place_m).squaredNorm();
   });
@@ -76,8 +76,8 @@ TEST(PolygonSimplification, KeepsTheSameCornersAsBoostBetweenTwoFarApart) {
   for (int trial = 0; trial < 300; ++trial) {
     const Polygon ring = tests::random_polygon(random, 40);
     const double tolerance_m = 0.1 + 0.01 * trial;
-    const std::size_t first = farthest_from(ring, ring.front());
-    const std::size_t middle = farthest_from(ring, ring[first]);
+    const std::size_t first = max_from(ring, ring.front());
+    const std::size_t middle = max_from(ring, ring[first]);
     Polygon expected = simplified_by_boost(ring, first, middle, tolerance_m);
     const Polygon back = simplified_by_boost(ring, middle, first, tolerance_m);
     expected.insert(expected.end(), back.begin(), back.end());

@@ -17,7 +17,7 @@ const mapping::PolygonMap kRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}}
 /// The likeliest of poses that look along the x axis, by where they stand on it.
 double likeliest_x_m(const models::ContactReading& reading) {
   ContactModel model(kRoom, kRadiusM);
-  model.feel(reading);
+  model.add_contact(reading);
   model.observe({});
   EXPECT_EQ(model.count(), 1U);
   Particles particles;
@@ -25,7 +25,7 @@ double likeliest_x_m(const models::ContactReading& reading) {
   for (std::size_t i = 0; i < particles.size(); ++i) {
     particles.set_pose(i, {-0.195 + 0.01 * static_cast<double>(i), 0.5, 0.0});
   }
-  model.weigh(1.0F, {0, particles.size()}, particles);
+  model.update_weights(1.0F, {0, particles.size()}, particles);
   const auto best = std::max_element(particles.log_weight.begin(), particles.log_weight.end());
   return particles.x_m[static_cast<std::size_t>(best - particles.log_weight.begin())];
 }
@@ -45,7 +45,7 @@ TEST(ContactModel, RejectsWhatIsOutside) {
   particles.resize(2);
   particles.set_pose(0, {1.0, 0.5, 0.0});
   particles.set_pose(1, {2.01, 0.5, 0.0});
-  model.weigh(1.0F, {0, 2}, particles);
+  model.update_weights(1.0F, {0, 2}, particles);
   EXPECT_GT(particles.log_weight[0], -0.2F);
   EXPECT_LE(particles.log_weight[1], -1000.0F);
 }

@@ -31,7 +31,7 @@ CorrelationModelParams params() {
   params.cell_m = 0.005;
   params.sector.thickness_m = 0.01;
   params.sector.max_range_m = 0.06;
-  params.sector.opening_rad = 0.2;
+  params.sector.beam_width_rad = 0.2;
   return params;
 }
 
@@ -42,7 +42,7 @@ double log_weight_at(const std::vector<RangeReading>& readings, const geometry::
   Particles particles;
   particles.resize(1);
   particles.set_pose(0, pose);
-  model.weigh(1.0F, {0, 1}, particles);
+  model.update_weights(1.0F, {0, 1}, particles);
   return static_cast<double>(particles.log_weight[0]);
 }
 

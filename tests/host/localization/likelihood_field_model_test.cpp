@@ -37,7 +37,7 @@ TEST(LikelihoodFieldModel, WeighsByTheEndsOfTheReadings) {
   model.observe(std::span(&ahead, 1));
   Particles particles = at({{1.2, 0.2, 0.0}, {0.6, 0.2, 0.0}});
   model.make_ready(particles, Workers());
-  model.weigh(0.5F, {0, 2}, particles);
+  model.update_weights(0.5F, {0, 2}, particles);
   const LikelihoodField field(kCorridor);
   EXPECT_NEAR(particles.log_weight[0], 0.5 * field.log_likelihood({2.9, 0.2}), 1e-5);
   EXPECT_NEAR(particles.log_weight[1], 0.5 * field.log_likelihood({2.3, 0.2}), 1e-5);
@@ -49,7 +49,7 @@ TEST(LikelihoodFieldModel, HoldsAPoseInAWallAndBeyondTheMapForUnlikely) {
   const RangeReading ahead{{}, 1.0};
   model.observe(std::span(&ahead, 1));
   Particles particles = at({{1.95, 0.05, 0.0}, {9.0, 0.2, 0.0}, {1.95, 0.15, 0.0}});
-  model.weigh(1.0F, {0, 3}, particles);
+  model.update_weights(1.0F, {0, 3}, particles);
   EXPECT_LT(particles.log_weight[0], particles.log_weight[2] - 5.0F);
   EXPECT_LT(particles.log_weight[1], particles.log_weight[2] - 5.0F);
 }

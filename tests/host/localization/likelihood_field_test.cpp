@@ -26,14 +26,14 @@ const mapping::RasterMap kRoom = tests::map_from({"##############",
                                                  {-0.3, 0.2});
 
 TEST(LikelihoodField, FallsWithTheDistanceToTheNearestWall) {
-  const LikelihoodField field(kRoom, {.hit_std_m = 0.1, .random_share = 0.05});
+  const LikelihoodField field(kRoom, {.hit_stddev_m = 0.1, .random_share = 0.05});
   EXPECT_NEAR(field.log_likelihood({-0.25, 0.45}), 0.0, 1e-6);
   EXPECT_NEAR(field.log_likelihood({-0.15, 0.45}), std::log(0.95 * std::exp(-0.5) + 0.05), 1e-6);
   EXPECT_NEAR(field.log_likelihood({0.75, 0.55}), std::log(0.95 * std::exp(-2.0) + 0.05), 1e-6);
 }
 
 TEST(LikelihoodField, GoesOnBeyondTheMap) {
-  const LikelihoodField field(kRoom, {.hit_std_m = 0.1});
+  const LikelihoodField field(kRoom, {.hit_stddev_m = 0.1});
   const double beyond = field.log_likelihood({-50.0, 0.45});
   EXPECT_TRUE(std::isfinite(beyond));
   EXPECT_NEAR(beyond, field.log_likelihood({-0.35, 0.45}), 1e-9);
@@ -50,7 +50,7 @@ TEST(LikelihoodField, WeighsEachParticleByTheEndsOfItsBeams) {
   }
   const std::vector<RangeReading> readings{
       {{0.1, 0.05, 0.7}, 0.4}, {{}, std::nullopt}, {{}, 0.3}, {{0.0, 0.0, -2.0}, 0.8}};
-  field.weigh(readings, 0.5F, {0, particles.size()}, particles);
+  field.update_weights(readings, 0.5F, {0, particles.size()}, particles);
   std::size_t on_borders = 0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     double sum = 0.0;
@@ -71,12 +71,12 @@ TEST(LikelihoodField, PassesOverReadingsThatAreNoNumbers) {
   particles.resize(1);
   const std::vector<RangeReading> none{{{}, std::numeric_limits<double>::quiet_NaN()},
                                        {{}, std::numeric_limits<double>::infinity()}};
-  field.weigh(none, 1.0F, {0, 1}, particles);
+  field.update_weights(none, 1.0F, {0, 1}, particles);
   EXPECT_EQ(particles.log_weight[0], 0.0F);
 }
 
 TEST(LikelihoodField, RefusesSettingsWithoutSense) {
-  EXPECT_THROW(LikelihoodField(kRoom, {.hit_std_m = 0.0}), std::invalid_argument);
+  EXPECT_THROW(LikelihoodField(kRoom, {.hit_stddev_m = 0.0}), std::invalid_argument);
   EXPECT_THROW(LikelihoodField(kRoom, {.random_share = 0.0}), std::invalid_argument);
   EXPECT_THROW(LikelihoodField(kRoom, {.max_distance_m = -1.0}), std::invalid_argument);
 }

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/believed_near.hpp"
 #include "tests/support/drawn_map.hpp"
+#include "tests/support/expect_pose_estimate.hpp"
 
 namespace echomap::localization {
 namespace {
@@ -65,7 +65,7 @@ TEST_P(RangePresets, FollowARobotThatLooksAround) {
   for (int i = 0; i < 10; ++i) {
     localizer.update({}, look_around());
   }
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), kTruth, 0.12, 0.12));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), kTruth, 0.12, 0.12));
 }
 
 TEST(LocalizerPreset, PapersKeepTheirNumberOfParticles) {
@@ -87,7 +87,7 @@ TEST(LocalizerPreset, CreateIsFoundByWhatItFeels) {
       *model, localizer_params(LocalizerPreset::kCreate, kRobot), std::mt19937(1));
   localizer.update({}, {});
   localizer.start_at({1.7, 0.6, 0.0}, 0.3, 0.05);
-  model->feel({true, true, true});  // At the right wall, whose inside is at 2.1 m.
+  model->add_contact({true, true, true});  // At the right wall, whose inside is at 2.1 m.
   localizer.update({}, {});
   ASSERT_FALSE(localizer.belief().hypotheses.empty());
   EXPECT_NEAR(localizer.belief().hypotheses[0].T_map_robot.x_m(), 2.0, 0.08);
@@ -116,7 +116,7 @@ TEST(LocalizerPreset, NxtSeesAWallOfCellsThatMeetInCorners) {
   particles.set_pose(0, {before_m.x(), before_m.y(), 0.25 * std::numbers::pi});
   particles.set_pose(1, {before_m.x() + aside_m, before_m.y() - aside_m, 0.25 * std::numbers::pi});
   particles.log_weight = {0.0F, 0.0F};
-  model->weigh(1.0F, {0, 2}, particles);
+  model->update_weights(1.0F, {0, 2}, particles);
   EXPECT_NEAR(particles.log_weight[0], particles.log_weight[1], 0.1F);
 }
 

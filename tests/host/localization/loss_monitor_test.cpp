@@ -37,7 +37,7 @@ TEST(LossMonitor, JudgesASuspicionByBayesRule) {
   EXPECT_NEAR(monitor.lost_probability(), 0.1, 1e-12);
   monitor.compare(std::log(0.2), std::log(0.6));
   EXPECT_NEAR(monitor.lost_probability(), 0.1 * 0.6 / (0.1 * 0.6 + 0.9 * 0.2), 1e-12);
-  monitor.trust();
+  monitor.clear_suspicion();
   EXPECT_EQ(monitor.lost_probability(), 0.0);
 }
 

@@ -15,8 +15,8 @@
 #include "host/localization/likelihood_field_model.hpp"
 #include "host/localization/range_table_model.hpp"
 #include "host/mapping/polygon_map.hpp"
-#include "tests/support/believed_near.hpp"
 #include "tests/support/drawn_map.hpp"
+#include "tests/support/expect_pose_estimate.hpp"
 
 namespace echomap::localization {
 namespace {
@@ -139,7 +139,7 @@ struct Filter {
 };
 
 bool is_at(const PoseBelief& belief, const Pose2& truth) {
-  return tests::is_believed_near(belief, truth, 0.15, geometry::radians(10.0));
+  return tests::is_estimated_near(belief, truth, 0.15, geometry::radians(10.0));
 }
 
 TEST(MonteCarloLocalizer, FindsARobotThatMayBeAnywhere) {
@@ -399,11 +399,11 @@ TEST(MonteCarloLocalizer, RefusesSettingsWithoutSense) {
     set(params);
     EXPECT_THROW(MonteCarloLocalizer(model, params, std::mt19937(1)), std::invalid_argument);
   };
-  refuses([](LocalizerParams& params) { params.filter.least_particles = 0; });
+  refuses([](LocalizerParams& params) { params.filter.min_particles = 0; });
   refuses([](LocalizerParams& params) {
-    params.filter.most_particles = params.filter.least_particles - 1;
+    params.filter.max_particles = params.filter.min_particles - 1;
   });
-  refuses([](LocalizerParams& params) { params.filter.temper = 0.0; });
+  refuses([](LocalizerParams& params) { params.filter.likelihood_exponent = 0.0; });
   refuses([](LocalizerParams& params) { params.lattice_m = 0.0; });
   refuses([](LocalizerParams& params) { params.step_m = 0.0; });
   refuses([](LocalizerParams& params) { params.threads = 0; });
@@ -413,7 +413,7 @@ TEST(MonteCarloLocalizer, RefusesSettingsWithoutSense) {
   refuses([](LocalizerParams& params) { params.hypotheses.bin_rad = 7.0; });
   refuses([](LocalizerParams& params) { params.lost_above = -0.1; });
   refuses([](LocalizerParams& params) { params.localized_below = 1.1; });
-  refuses([](LocalizerParams& params) { params.localized_std_m = 0.0; });
+  refuses([](LocalizerParams& params) { params.localized_stddev_m = 0.0; });
 }
 
 }  // namespace

@@ -45,8 +45,8 @@ TEST(ParticleFilter, GoesWhereTheReadingsSay) {
   ParticleFilter filter({}, std::mt19937(1));
   filter.start_at({1.0, 0.2, 0.0}, 0.3, 0.01);
   for (int i = 0; i < 10; ++i) {
-    filter.weigh(scene.ahead(1.7));
-    filter.resample_where_few_count();
+    filter.update_weights(scene.ahead(1.7));
+    filter.resample_if_needed();
   }
   EXPECT_NEAR(mean_x_m(filter.particles()), 1.2, 0.06);
 }
@@ -57,16 +57,16 @@ TEST(ParticleFilter, SaysHowLikelyTheReadingsWere) {
   ParticleFilter far({}, std::mt19937(1));
   near.start_at({1.2, 0.2, 0.0}, 0.01, 0.01);
   far.start_at({2.4, 0.2, 0.0}, 0.01, 0.01);
-  EXPECT_GT(near.weigh(scene.ahead(1.7)), far.weigh(scene.ahead(1.7)));
+  EXPECT_GT(near.update_weights(scene.ahead(1.7)), far.update_weights(scene.ahead(1.7)));
 }
 
-std::size_t size_after_a_sweep(double start_std) {
+std::size_t size_after_a_sweep(double start_stddev) {
   Scene scene;
-  ParticleFilter filter({.least_particles = 10, .most_particles = 20'000, .resampling_share = 1.0},
+  ParticleFilter filter({.min_particles = 10, .max_particles = 20'000, .resampling_share = 1.0},
                         std::mt19937(1));
-  filter.start_at({1.2, 0.2, 0.0}, start_std, start_std);
-  filter.weigh(scene.ahead(1.7));
-  filter.resample_where_few_count();
+  filter.start_at({1.2, 0.2, 0.0}, start_stddev, start_stddev);
+  filter.update_weights(scene.ahead(1.7));
+  filter.resample_if_needed();
   return filter.particles().size();
 }
 
@@ -79,15 +79,14 @@ TEST(ParticleFilter, HoldsAMillionParticles) {
   constexpr std::size_t kMany = 1'000'000;
   Scene scene;
   const double before_mb = tests::resident_mb();
-  ParticleFilter filter(
-      {.least_particles = kMany, .most_particles = kMany, .resampling_share = 1.0},
-      std::mt19937(1),
-      Workers(2));
+  ParticleFilter filter({.min_particles = kMany, .max_particles = kMany, .resampling_share = 1.0},
+                        std::mt19937(1),
+                        Workers(2));
   filter.start_at({1.0, 0.2, 0.0}, 0.3, 0.01);
   for (int i = 0; i < 3; ++i) {
     filter.move({0.0, 0.01, 0.0}, {0.01, 0.01, 0.01, 0.01});
-    filter.weigh(scene.ahead(1.7));
-    filter.resample_where_few_count();
+    filter.update_weights(scene.ahead(1.7));
+    filter.resample_if_needed();
   }
   EXPECT_EQ(filter.particles().size(), kMany);
   EXPECT_NEAR(mean_x_m(filter.particles()), 1.2, 0.1);
@@ -115,15 +114,15 @@ TEST(ParticleFilter, IsAnywhereWithoutParticles) {
   ParticleFilter filter({}, std::mt19937(1));
   filter.start_from({}, 0.1, 0.1);
   EXPECT_TRUE(filter.empty());
-  EXPECT_EQ(filter.weigh(scene.ahead(1.0)), 0.0);
-  filter.resample_where_few_count();
+  EXPECT_EQ(filter.update_weights(scene.ahead(1.0)), 0.0);
+  filter.resample_if_needed();
   filter.move({0.1, 0.1, 0.1}, {});
   EXPECT_TRUE(filter.empty());
 }
 
 TEST(ParticleFilter, RefusesSettingsWithoutSense) {
-  EXPECT_THROW(ParticleFilter({.least_particles = 0}, {}), std::invalid_argument);
-  EXPECT_THROW(ParticleFilter({.temper = 1.1}, {}), std::invalid_argument);
+  EXPECT_THROW(ParticleFilter({.min_particles = 0}, {}), std::invalid_argument);
+  EXPECT_THROW(ParticleFilter({.likelihood_exponent = 1.1}, {}), std::invalid_argument);
   EXPECT_THROW(ParticleFilter({.sample_error = 0.0}, {}), std::invalid_argument);
 }
 

@@ -22,8 +22,8 @@ TEST(PeerSighting, IsALandmarkAsUnsureAsTheOtherRobot) {
   const LandmarkObservation seen = peer_as_landmark(sighting, observer, peer);
   EXPECT_EQ(seen.stamp_s, 5.0);
   EXPECT_TRUE(seen.landmark_m.isApprox(Eigen::Vector2d(-1.1, 1.1)));
-  EXPECT_NEAR(seen.range_std_m, std::sqrt(0.01 + 2.0 * 0.09), 1e-12);
-  EXPECT_NEAR(seen.bearing_std_rad, std::sqrt(0.0025 + 2.0 * 0.01 / 4.0), 1e-12);
+  EXPECT_NEAR(seen.range_stddev_m, std::sqrt(0.01 + 2.0 * 0.09), 1e-12);
+  EXPECT_NEAR(seen.bearing_stddev_rad, std::sqrt(0.0025 + 2.0 * 0.01 / 4.0), 1e-12);
 }
 
 TEST(PeerSighting, IsAFixAsUnsureAsTheOneThatLooks) {

@@ -17,7 +17,7 @@ TEST(PointCloudView, ExpectsTheNearestPointOnTheBeam) {
   const auto expected = view.expected({});
   ASSERT_TRUE(expected.range_m);
   EXPECT_DOUBLE_EQ(*expected.range_m, 1.0);
-  EXPECT_FALSE(expected.is_aslant);
+  EXPECT_FALSE(expected.is_oblique);
   EXPECT_NEAR(*view.expected({0.0, 0.0, 3.14159265}).range_m, 0.2, 1e-6);
 }
 
@@ -43,7 +43,7 @@ TEST(OccupiedPoints, AreTheMiddlesOfOccupiedCells) {
 
 TEST(PointCloudView, RefusesParametersWithoutSense) {
   EXPECT_THROW(PointCloudView({}, {.half_width_m = 0.0}), std::invalid_argument);
-  EXPECT_THROW(PointCloudView({}, {.half_opening_rad = -0.1}), std::invalid_argument);
+  EXPECT_THROW(PointCloudView({}, {.beam_half_angle_rad = -0.1}), std::invalid_argument);
 }
 
 }  // namespace

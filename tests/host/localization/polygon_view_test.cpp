@@ -29,10 +29,10 @@ TEST(PolygonView, ExpectsTheNearestWall) {
 }
 
 TEST(PolygonView, SeesAWallAslantByItsNormal) {
-  const PolygonView view(kRoom, {.max_range_m = 5.0, .aslant_above_rad = 0.4363});
-  EXPECT_FALSE(view.expected({0.5, 0.2, 0.1}).is_aslant);
-  EXPECT_FALSE(view.expected({0.5, 0.5, 3.14159 + 0.43}).is_aslant);
-  EXPECT_TRUE(view.expected({0.5, 0.5, 3.14159 + 0.45}).is_aslant);
+  const PolygonView view(kRoom, {.max_range_m = 5.0, .oblique_above_rad = 0.4363});
+  EXPECT_FALSE(view.expected({0.5, 0.2, 0.1}).is_oblique);
+  EXPECT_FALSE(view.expected({0.5, 0.5, 3.14159 + 0.43}).is_oblique);
+  EXPECT_TRUE(view.expected({0.5, 0.5, 3.14159 + 0.45}).is_oblique);
 }
 
 TEST(PolygonView, FloorIsInsideOfTheOutlineAndOutsideOfHoles) {

@@ -121,7 +121,7 @@ TEST(PoseEkf, HoldsAMeasurementUntilTheOdometryGetsThere) {
 }
 
 TEST(PoseEkf, RefusesOneMoreThanItMayHold) {
-  PoseEkf filter(start(), {.most_held = 2});
+  PoseEkf filter(start(), {.max_held = 2});
   EXPECT_EQ(filter.update(fix_at(0.1, {})), EkfOutcome::kHeld);
   EXPECT_EQ(filter.update(fix_at(0.2, {})), EkfOutcome::kHeld);
   EXPECT_EQ(filter.update(fix_at(0.3, {})), EkfOutcome::kTooManyHeld);

@@ -44,7 +44,7 @@ TEST(MotionJacobians, AreTheNumericOnes) {
       const Eigen::Vector4d none = Eigen::Vector4d::Zero();
       const auto numeric =
           slope(driven(pose - off, step, none), driven(pose + off, step, none), kStep);
-      EXPECT_TRUE(by.by_pose.col(k).isApprox(numeric, 1e-6)) << i << " " << k;
+      EXPECT_TRUE(by.jacobian_pose.col(k).isApprox(numeric, 1e-6)) << i << " " << k;
     }
     for (int k = 0; k < 4; ++k) {
       const Eigen::Vector4d off = kStep * Eigen::Vector4d::Unit(k);

@@ -14,8 +14,8 @@ namespace {
 
 struct Cloud {
   geometry::Pose2 middle;
-  double std_m;
-  double std_rad;
+  double stddev_m;
+  double stddev_rad;
   std::size_t count;
 };
 
@@ -28,9 +28,9 @@ Particles particles_of(const std::vector<Cloud>& clouds) {
     particles.resize(i + cloud.count);
     for (; i < particles.size(); ++i) {
       particles.set_pose(i,
-                         {cloud.middle.x_m() + cloud.std_m * normal(random),
-                          cloud.middle.y_m() + cloud.std_m * normal(random),
-                          cloud.middle.heading_rad() + cloud.std_rad * normal(random)});
+                         {cloud.middle.x_m() + cloud.stddev_m * normal(random),
+                          cloud.middle.y_m() + cloud.stddev_m * normal(random),
+                          cloud.middle.heading_rad() + cloud.stddev_rad * normal(random)});
     }
   }
   return particles;

@@ -40,7 +40,7 @@ TEST(PoseMeasurement, AFixAsSureAsTheBeliefMeetsItHalfWay) {
 
 TEST(PoseMeasurement, ALandmarkTellsOfItsDirectionAndNothingAlongTheCircleAroundIt) {
   const LandmarkObservation seen{
-      .landmark_m = {2.0, 0.0}, .range_m = 2.0, .range_std_m = 1e-4, .bearing_std_rad = 10.0};
+      .landmark_m = {2.0, 0.0}, .range_m = 2.0, .range_stddev_m = 1e-4, .bearing_stddev_rad = 10.0};
   const PoseGaussian before{{}, 0.01 * Eigen::Matrix3d::Identity()};
   const PoseGaussian after = corrected(before, *linearized(seen, before.T_map_robot));
   EXPECT_LT(after.covariance(0, 0), 1e-7);
@@ -58,7 +58,7 @@ TEST(PoseMeasurement, NamesItsFaults) {
   EXPECT_FALSE(fault_of(LandmarkObservation{.range_m = 1.0}));
   EXPECT_EQ(fault_of(LandmarkObservation{.range_m = nan}), MeasurementFault::kNotFinite);
   EXPECT_EQ(fault_of(LandmarkObservation{.range_m = 0.0}), MeasurementFault::kBadRange);
-  EXPECT_EQ(fault_of(LandmarkObservation{.range_m = 1.0, .bearing_std_rad = 0.0}),
+  EXPECT_EQ(fault_of(LandmarkObservation{.range_m = 1.0, .bearing_stddev_rad = 0.0}),
             MeasurementFault::kBadCovariance);
 }
 

@@ -32,7 +32,7 @@ Particles one_at(const geometry::Pose2& pose) {
 float weight_at(double x_m, RangeTableModel& model) {
   Particles particles = one_at({x_m, 0.2, 0.0});
   model.make_ready(particles, Workers());
-  model.weigh(1.0F, {0, 1}, particles);
+  model.update_weights(1.0F, {0, 1}, particles);
   return particles.log_weight[0];
 }
 

@@ -67,11 +67,11 @@ TEST(RangeTable, HasNoFloorInWallsAndAroundTheMap) {
 
 TEST(RangeTable, CodesRangesToHalfAPart) {
   const RangeTable table(kRoom, {0.0, 4.0});
-  for (const bool is_aslant : {false, true}) {
+  for (const bool is_oblique : {false, true}) {
     for (double range_m = 0.0; range_m < 4.0; range_m += 0.003) {
-      const auto expected = table.expected_of(table.code_of({range_m, is_aslant}));
+      const auto expected = table.expected_of(table.code_of({range_m, is_oblique}));
       ASSERT_NEAR(expected.range_m.value(), range_m, 0.5001 * 4.0 / 126.0);
-      ASSERT_EQ(expected.is_aslant, is_aslant);
+      ASSERT_EQ(expected.is_oblique, is_oblique);
     }
   }
   EXPECT_EQ(table.code_of({}), RangeTable::kNothing);
@@ -81,15 +81,15 @@ TEST(RangeTable, CodesRangesToHalfAPart) {
 
 TEST(RangeTable, KnowsAWallThatIsSeenAslant) {
   RangeTable table(kRoom, {0.26, 2.0});
-  const auto is_aslant = [&](double heading_rad) {
+  const auto is_oblique = [&](double heading_rad) {
     const auto heading = static_cast<std::size_t>(
         std::lround(heading_rad / (2.0 * std::numbers::pi) * RangeTable::kHeadings));
-    return table.expected_of(table.codes_at(in_table(2, 5))[heading]).is_aslant;
+    return table.expected_of(table.codes_at(in_table(2, 5))[heading]).is_oblique;
   };
   table.fill_tile(table.tile_of(in_table(2, 5)));
-  EXPECT_FALSE(is_aslant(std::numbers::pi));
-  EXPECT_TRUE(is_aslant(std::numbers::pi + 0.5));
-  EXPECT_TRUE(is_aslant(std::numbers::pi - 0.5));
+  EXPECT_FALSE(is_oblique(std::numbers::pi));
+  EXPECT_TRUE(is_oblique(std::numbers::pi + 0.5));
+  EXPECT_TRUE(is_oblique(std::numbers::pi - 0.5));
 }
 
 TEST(RangeTable, PaysForTheTilesThatAreAskedForOnly) {

@@ -41,7 +41,7 @@ struct Scene {
     particles.set_pose(0, pose);
     const CodedReadings coded(readings, table, likelihoods);
     fill_under(particles, coded, table);
-    weigh(table, coded, 1.0F, {0, 1}, particles);
+    update_weights(table, coded, 1.0F, {0, 1}, particles);
     return particles.log_weight[0];
   }
 
@@ -113,9 +113,9 @@ TEST(RangeUpdate, ComesToTheSameBitsHoweverTheParticlesAreSharedOut) {
   const CodedReadings coded(readings, scene.table, scene.likelihoods);
   fill_under(whole, coded, scene.table);
   Particles parts = whole;
-  weigh(scene.table, coded, 0.25F, {0, 777}, whole);
+  update_weights(scene.table, coded, 0.25F, {0, 777}, whole);
   for (const ParticleRange range : {ParticleRange{0, 300}, {300, 301}, {301, 777}}) {
-    weigh(scene.table, coded, 0.25F, range, parts);
+    update_weights(scene.table, coded, 0.25F, range, parts);
   }
   EXPECT_EQ(whole.log_weight, parts.log_weight);
 }

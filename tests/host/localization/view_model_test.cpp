@@ -37,7 +37,7 @@ TEST(ViewModel, IsTheProductOfTheReadings) {
   ASSERT_EQ(model.count(), 2U);
   Particles particles = at({{0.5, 0.5, 0.0}});
   model.make_ready(particles, Workers());
-  model.weigh(0.5F, {0, 1}, particles);
+  model.update_weights(0.5F, {0, 1}, particles);
   const double one = gaussian.likelihood(0.52, {0.5, false});
   const double other = gaussian.likelihood(0.49, {0.5, false});
   EXPECT_NEAR(particles.log_weight[0], 0.5 * std::log(one * other), 1e-4);
@@ -50,7 +50,7 @@ TEST(ViewModel, RejectsWhatIsOutsideOfTheOutline) {
   model.observe(silence);
   ASSERT_EQ(model.count(), 3U);
   Particles particles = at({{0.5, 0.5, 0.0}, {1.1, 0.5, 0.0}});
-  model.weigh(1.0F, {0, 2}, particles);
+  model.update_weights(1.0F, {0, 2}, particles);
   EXPECT_GT(particles.log_weight[0], -1.0F);
   EXPECT_EQ(particles.log_weight[1], kRejectedLog);
 }
@@ -70,8 +70,8 @@ TEST(ViewModel, LooksAtAnyMapAlike) {
   Particles other = one;
   cloud.observe(readings);
   polygon.observe(readings);
-  cloud.weigh(1.0F, {0, 2}, one);
-  polygon.weigh(1.0F, {0, 2}, other);
+  cloud.update_weights(1.0F, {0, 2}, one);
+  polygon.update_weights(1.0F, {0, 2}, other);
   EXPECT_NEAR(one.log_weight[0], other.log_weight[0], 1e-3);
   EXPECT_NEAR(one.log_weight[1], other.log_weight[1], 1e-3);
 }
@@ -81,7 +81,7 @@ TEST(ViewModel, ImpossibleReadingsStayFinite) {
       rasterize(kRoom, 0.1), PolygonView(kRoom, {.max_range_m = 2.0}), models::GaussianRange());
   model.observe(std::vector<RangeReading>(8, {{}, 2.5}));
   Particles particles = at({{0.5, 0.5, 0.0}});
-  model.weigh(1.0F, {0, 1}, particles);
+  model.update_weights(1.0F, {0, 1}, particles);
   EXPECT_TRUE(std::isfinite(particles.log_weight[0]));
 }
 

@@ -23,8 +23,8 @@ void scatter(int count, std::mt19937& random, RasterMap& map) {
   }
 }
 
-float nearest_cells(const RasterMap& map, geometry::CellIndex cell, float most_cells) {
-  float nearest = most_cells;
+float nearest_cells(const RasterMap& map, geometry::CellIndex cell, float max_cells) {
+  float nearest = max_cells;
   for (std::int32_t y = 0; y < map.rows(); ++y) {
     for (std::int32_t x = 0; x < map.columns(); ++x) {
       if (map.state({x, y}) == CellState::kOccupied) {
@@ -37,11 +37,11 @@ float nearest_cells(const RasterMap& map, geometry::CellIndex cell, float most_c
   return nearest;
 }
 
-void expect_exact(const DistanceField& field, const RasterMap& map, double most_m) {
-  const auto most_cells = static_cast<float>(most_m / map.resolution_m());
+void expect_exact(const DistanceField& field, const RasterMap& map, double max_m) {
+  const auto max_cells = static_cast<float>(max_m / map.resolution_m());
   for (std::int32_t y = 0; y < map.rows(); ++y) {
     for (std::int32_t x = 0; x < map.columns(); ++x) {
-      ASSERT_EQ(field.distance_cells({x, y}), nearest_cells(map, {x, y}, most_cells))
+      ASSERT_EQ(field.distance_cells({x, y}), nearest_cells(map, {x, y}, max_cells))
           << x << ' ' << y;
     }
   }
@@ -64,8 +64,8 @@ TEST(DistanceField, IsExactOnEitherSideOfTheReachThatSixteenBitsHold) {
   RasterMap map(420, 40, 0.05, {0.0, 0.0});
   scatter(4, random, map);
   map.set({0, 0}, CellState::kOccupied);
-  for (const double most_m : {9.04, 9.05, 9.06}) {
-    expect_exact(DistanceField(map, most_m), map, most_m);
+  for (const double max_m : {9.04, 9.05, 9.06}) {
+    expect_exact(DistanceField(map, max_m), map, max_m);
   }
 }
 

@@ -59,7 +59,7 @@ TEST(EchoFeature, TwoEchoesOfAThingSayWhereItIs) {
   for (const EchoFeature& feature : {wall_ahead, leg}) {
     const auto found = features_through(heard(feature, cone(0.0, 0.0, 0.2)),
                                         heard(feature, cone(0.1, 0.5, 0.0)),
-                                        {.most_slant_rad = kSlantRad});
+                                        {.max_incidence_rad = kSlantRad});
     EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const EchoFeature& one) {
       return one.kind == feature.kind && (one.value - feature.value).norm() < 0.05;
     }));
@@ -69,7 +69,7 @@ TEST(EchoFeature, TwoEchoesOfAThingSayWhereItIs) {
 TEST(EchoFeature, FromOnePlaceAWallAndAPointAreInTheMiddle) {
   const auto found = features_through(heard(wall_ahead, cone(0.0, 0.0, 0.1)),
                                       heard(wall_ahead, cone(0.0, 0.0, 0.3)),
-                                      {.most_slant_rad = 0.0});
+                                      {.max_incidence_rad = 0.0});
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].kind, LandmarkKind::kWall);
   EXPECT_NEAR(found[0].value.x(), 1.5, 1e-9);

@@ -19,9 +19,9 @@ using Points = std::vector<Eigen::Vector2d>;
 const Polygon kL{{0, 0}, {4, 0}, {4, 1}, {2, 1}, {2, 3}, {0, 3}};
 
 /// What stands along the sides of a room every 5 cm, counter-clockwise, with noise.
-Points along(const Polygon& room, double sd_m, std::uint32_t seed) {
+Points along(const Polygon& room, double stddev_m, std::uint32_t seed) {
   std::mt19937 random(seed);
-  std::normal_distribution<double> noise_m(0.0, sd_m);
+  std::normal_distribution<double> noise_m(0.0, stddev_m);
   Points points;
   for (std::size_t i = 0; i < room.size(); ++i) {
     const auto [from, to] = geometry::side(room, i);
@@ -96,7 +96,7 @@ TEST(LineExtraction, TurnsAndMovesWithItsPoints) {
 
 TEST(LineExtraction, ChecksItsParameters) {
   LineExtractionParams params;
-  params.least_points = 1;
+  params.min_points = 1;
   EXPECT_THROW(extract_lines({}, params), std::invalid_argument);
   params = {};
   params.split_distance_m = 0.0;

@@ -29,8 +29,8 @@ Points wall(double normal_rad, double offset_m, double along_m, double length_m,
   return points;
 }
 
-Points with_noise(Points points, double sd_m, std::mt19937& random) {
-  std::normal_distribution<double> noise_m(0.0, sd_m);
+Points with_noise(Points points, double stddev_m, std::mt19937& random) {
+  std::normal_distribution<double> noise_m(0.0, stddev_m);
   for (auto& point : points) {
     point += Eigen::Vector2d(noise_m(random), noise_m(random));
   }
@@ -68,14 +68,14 @@ TEST(LineFit, TurnsAndMovesWithItsPoints) {
 TEST(LineFit, KnowsHowSureItIs) {
   // Its own covariance against that of many fits, for walls seen head-on and from far to one side.
   constexpr int kFits = 20000;
-  constexpr double kSdM = 0.03;
+  constexpr double kStddevM = 0.03;
   std::mt19937 random(2);
   for (const double along_m : {0.0, 1.5, -4.0}) {
     const Points true_points = wall(0.6, 2.0, along_m, 1.2, 15);
-    const auto line = fit_line(true_points, kSdM);
+    const auto line = fit_line(true_points, kStddevM);
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     for (int i = 0; i < kFits; ++i) {
-      const auto fit = fit_line(with_noise(true_points, kSdM, random), kSdM);
+      const auto fit = fit_line(with_noise(true_points, kStddevM, random), kStddevM);
       const Eigen::Vector2d off(fit.offset_m - 2.0, geometry::angle_between(0.6, fit.normal_rad));
       sum += off * off.transpose() / kFits;
     }

@@ -62,14 +62,14 @@ void expect_near(const Pose2& found, const Pose2& expected) {
 }
 
 TEST(MapPlacement, FindsAMapThatLiesAnywhereAndHoweverTurned) {
-  const Pose2 T_world_former(1.0, 1.0, 0.3);
-  const PlaceableMap former = map_of_room(kRoom, kFurniture, T_world_former, kAll);
+  const Pose2 T_world_previous(1.0, 1.0, 0.3);
+  const PlaceableMap former = map_of_room(kRoom, kFurniture, T_world_previous, kAll);
   for (const double heading_rad : {0.0, 1.0, 2.5, -2.0, -0.7}) {
     const Pose2 T_world_later(2.4, 1.7, heading_rad);
     const PlaceableMap later = map_of_room(kRoom, kFurniture, T_world_later, kAll);
     const auto sure = sure_placement(find_placements(former, later));
     ASSERT_TRUE(sure) << heading_rad;
-    expect_near(sure->T_former_later, T_world_former.inverse() * T_world_later);
+    expect_near(sure->T_previous_later, T_world_previous.inverse() * T_world_later);
     EXPECT_LT(sure->contradicting_m, 0.5);
   }
 }
@@ -81,7 +81,7 @@ TEST(MapPlacement, FindsAPartOfARoomInTheWhole) {
   const auto sure =
       sure_placement(find_placements(former, map_of_room(kRoom, kFurniture, T_world_later, west)));
   ASSERT_TRUE(sure);
-  expect_near(sure->T_former_later, T_world_later);
+  expect_near(sure->T_previous_later, T_world_later);
 }
 
 TEST(MapPlacement, IsNotSureInARoomThatIsTheSameWhenItIsTurned) {

@@ -14,30 +14,30 @@
 namespace echomap::mapping {
 namespace {
 
-constexpr double kMostM = 6.0;
+constexpr double kMaxM = 6.0;
 constexpr double kSlackCells = 2e-3;
 
 /// Cell by cell (Amanatides and Woo 1987): the range in cells at which the ray enters an occupied
 /// cell that it runs through for at least `chord_cells`.
 double walked_cells(const RasterMap& map,
                     const Eigen::Vector2d& from_cells,
-                    const Eigen::Vector2d& way,
+                    const Eigen::Vector2d& direction,
                     double chord_cells) {
   geometry::CellIndex cell{static_cast<std::int32_t>(std::floor(from_cells.x())),
                            static_cast<std::int32_t>(std::floor(from_cells.y()))};
-  const double most_cells = kMostM / map.resolution_m();
+  const double max_cells = kMaxM / map.resolution_m();
   double at = 0.0;
-  while (at < most_cells && map.contains(cell)) {
-    const double to_x = (cell.x + (way.x() > 0.0 ? 1 : 0) - from_cells.x()) / way.x();
-    const double to_y = (cell.y + (way.y() > 0.0 ? 1 : 0) - from_cells.y()) / way.y();
+  while (at < max_cells && map.contains(cell)) {
+    const double to_x = (cell.x + (direction.x() > 0.0 ? 1 : 0) - from_cells.x()) / direction.x();
+    const double to_y = (cell.y + (direction.y() > 0.0 ? 1 : 0) - from_cells.y()) / direction.y();
     const double leaves = std::min(to_x, to_y);
     if (map.state(cell) == CellState::kOccupied && leaves - at >= chord_cells) {
       return at;
     }
-    (to_x < to_y ? cell.x : cell.y) += (to_x < to_y ? way.x() : way.y()) > 0.0 ? 1 : -1;
+    (to_x < to_y ? cell.x : cell.y) += (to_x < to_y ? direction.x() : direction.y()) > 0.0 ? 1 : -1;
     at = leaves;
   }
-  return most_cells;
+  return max_cells;
 }
 
 RasterMap room(std::mt19937& random) {
@@ -64,13 +64,14 @@ TEST(RayCasting, FindsTheRangesOfAWalkFromCellToCell) {
       directions.push_back(geometry::unit_vector(0.0623 * i + 0.001).cast<float>());
     }
     std::vector<float> ranges_m(directions.size());
-    cast_rays(field, map.origin_m() + 0.05 * from_cells, directions, kMostM, ranges_m);
+    cast_rays(field, map.origin_m() + 0.05 * from_cells, directions, kMaxM, ranges_m);
     for (std::size_t i = 0; i < directions.size(); ++i) {
-      const Eigen::Vector2d way = directions[i].cast<double>();
+      const Eigen::Vector2d direction = directions[i].cast<double>();
       const double range_cells = ranges_m[i] / 0.05;
-      EXPECT_GE(range_cells, walked_cells(map, from_cells, way, 0.0) - kSlackCells)
+      EXPECT_GE(range_cells, walked_cells(map, from_cells, direction, 0.0) - kSlackCells)
           << place << ' ' << i;
-      EXPECT_LE(range_cells, walked_cells(map, from_cells, way, 2.0 * kSlackCells) + kSlackCells)
+      EXPECT_LE(range_cells,
+                walked_cells(map, from_cells, direction, 2.0 * kSlackCells) + kSlackCells)
           << place << ' ' << i;
     }
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kCell = 1 << kLatticeBits;
 
-LatticePoint way(double bearing_deg, double cells) {
+LatticePoint direction(double bearing_deg, double cells) {
   const double bearing_rad = geometry::radians(bearing_deg);
   return {2 * static_cast<std::int32_t>(std::lround(0.5 * kCell * cells * std::cos(bearing_rad))),
           2 * static_cast<std::int32_t>(std::lround(0.5 * kCell * cells * std::sin(bearing_rad)))};
@@ -24,17 +24,17 @@ LatticePoint way(double bearing_deg, double cells) {
 
 /// One ray a degree from the first to before the last bearing, 100 cells long.
 std::vector<LatticePoint> fan_of(int first_deg, int last_deg) {
-  std::vector<LatticePoint> ways;
+  std::vector<LatticePoint> directions;
   for (int bearing_deg = first_deg; bearing_deg < last_deg; ++bearing_deg) {
-    ways.push_back(way(bearing_deg + 0.5, 100.0));
+    directions.push_back(direction(bearing_deg + 0.5, 100.0));
   }
-  return ways;
+  return directions;
 }
 
 /// In cells, counter-clockwise from ahead left.
-std::vector<double> radii_of(const std::vector<LatticePoint>& ways) {
+std::vector<double> radii_of(const std::vector<LatticePoint>& directions) {
   RayFan fan;
-  fan.reset(ways);
+  fan.reset(directions);
   std::vector<double> radii;
   for (const Quadrant quadrant :
        {Quadrant::kRightUp, Quadrant::kLeftUp, Quadrant::kLeftDown, Quadrant::kRightDown}) {
@@ -47,19 +47,19 @@ std::vector<double> radii_of(const std::vector<LatticePoint>& ways) {
 auto is_dense() { return testing::DoubleNear(57.29, 0.3); }
 
 TEST(RayFan, CrossesAllUpToWhereNeighboursAreACellApart) {
-  auto ways = fan_of(0, 360);
-  EXPECT_THAT(radii_of(ways), testing::Each(is_dense()));
-  std::reverse(ways.begin(), ways.end());
-  EXPECT_THAT(radii_of(ways), testing::Each(is_dense()));
-  ways.insert(ways.begin() + 100, 20, ways[100]);
-  EXPECT_THAT(radii_of(ways), testing::Each(is_dense()));
+  auto directions = fan_of(0, 360);
+  EXPECT_THAT(radii_of(directions), testing::Each(is_dense()));
+  std::reverse(directions.begin(), directions.end());
+  EXPECT_THAT(radii_of(directions), testing::Each(is_dense()));
+  directions.insert(directions.begin() + 100, 20, directions[100]);
+  EXPECT_THAT(radii_of(directions), testing::Each(is_dense()));
 }
 
 TEST(RayFan, IsCutByAShortRayInItsQuadrantOnly) {
-  auto ways = fan_of(0, 360);
-  ways[130] = way(130.5, 12.0);
+  auto directions = fan_of(0, 360);
+  directions[130] = direction(130.5, 12.0);
   EXPECT_THAT(
-      radii_of(ways),
+      radii_of(directions),
       testing::ElementsAre(is_dense(), testing::DoubleNear(12.0, 0.1), is_dense(), is_dense()));
 }
 
@@ -73,22 +73,22 @@ TEST(RayFan, CrossesNothingInQuadrantsWithAGap) {
 
 TEST(RayFan, CrossesNothingWithoutAnOrder) {
   EXPECT_THAT(radii_of({}), testing::Each(0.0));
-  EXPECT_THAT(radii_of({way(30.0, 50.0)}), testing::Each(0.0));
-  EXPECT_THAT(radii_of({way(30.0, 50.0), way(30.0, 60.0)}), testing::Each(0.0));
-  EXPECT_THAT(radii_of({way(30.0, 50.0), way(31.0, 50.0)}), testing::Each(0.0));
-  auto ways = fan_of(0, 360);
-  std::swap(ways[30], ways[32]);
-  EXPECT_THAT(radii_of(ways), testing::Each(0.0));
+  EXPECT_THAT(radii_of({direction(30.0, 50.0)}), testing::Each(0.0));
+  EXPECT_THAT(radii_of({direction(30.0, 50.0), direction(30.0, 60.0)}), testing::Each(0.0));
+  EXPECT_THAT(radii_of({direction(30.0, 50.0), direction(31.0, 50.0)}), testing::Each(0.0));
+  auto directions = fan_of(0, 360);
+  std::swap(directions[30], directions[32]);
+  EXPECT_THAT(radii_of(directions), testing::Each(0.0));
 }
 
 TEST(RayFan, CoversARayUpToHalfADiagonalBeforeTheEdge) {
   RayFan fan;
-  auto ways = fan_of(0, 360);
-  fan.reset(ways);
+  auto directions = fan_of(0, 360);
+  fan.reset(directions);
   const double dense = fan.radius(Quadrant::kRightUp) / kCell;
   EXPECT_NEAR(100.0 * fan.covered_shares()[45], dense - 0.708, 0.01);
-  ways[130] = way(130.5, 12.0);
-  fan.reset(ways);
+  directions[130] = direction(130.5, 12.0);
+  fan.reset(directions);
   EXPECT_NEAR(100.0 * fan.covered_shares()[45], dense - 0.708, 0.01);
   EXPECT_NEAR(100.0 * fan.covered_shares()[89], 12.0 - 0.708, 0.01) << "close to the axis";
 }

@@ -94,17 +94,17 @@ TEST(RayInsertion, BoundsExactlyTheTouchedCells) {
 /// Rays of a turning sensor, among them short ones, equal ones and none at all.
 std::vector<Ray> ragged_scan(std::mt19937& random) {
   const auto beams = static_cast<int>(1 + random() % 500);
-  const double opening_rad = static_cast<double>(1 + random() % 720) * 0.0175;
+  const double beam_width_rad = static_cast<double>(1 + random() % 720) * 0.0175;
   const double turn = random() % 2 == 0 ? 1.0 : -1.0;
-  const double most_m = 0.1 + static_cast<double>(random() % 800) / 100.0;
+  const double max_m = 0.1 + static_cast<double>(random() % 800) / 100.0;
   const auto seldom = static_cast<int>(2 + random() % 300);
   const auto is_seldom = [&] { return static_cast<int>(random() % 1000) * seldom < 1000; };
   std::vector<Ray> rays;
   for (int i = 0; i < beams; ++i) {
-    const double bearing_rad = turn * opening_rad * (i - (is_seldom() ? 1 : 0)) / beams;
+    const double bearing_rad = turn * beam_width_rad * (i - (is_seldom() ? 1 : 0)) / beams;
     const double share = is_seldom() ? static_cast<double>(random() % 100) / 100.0 : 1.0;
     const double ripple = 1.0 + 0.2 * std::sin(7.0 * bearing_rad);
-    rays.push_back({share * ripple * most_m * geometry::unit_vector(bearing_rad), false});
+    rays.push_back({share * ripple * max_m * geometry::unit_vector(bearing_rad), false});
     if (is_seldom()) {
       rays.back().end_m.x() = std::numeric_limits<double>::quiet_NaN();
     }
@@ -140,7 +140,7 @@ TEST(RayInsertion, CutsARayThatIsTooLong) {
   OccupancyGrid grid;
   RayInserter inserter;
   inserter.insert(Pose2(), std::vector<Ray>{{{-1e9, 0.0}, true}}, grid);
-  EXPECT_EQ(grid.bounds().columns(), static_cast<int>(kMostRayCells) + 1);
+  EXPECT_EQ(grid.bounds().columns(), static_cast<int>(kMaxRayCells) + 1);
   EXPECT_EQ(grid.centilogits(grid.bounds().min), -40);
 }
 

@@ -24,9 +24,9 @@ void walk(LatticePoint from, LatticePoint to, Cells& cells) {
   const std::int64_t side = 1 << kLatticeBits;
   const std::int64_t dx = to.x - from.x;
   const std::int64_t dy = to.y - from.y;
-  const auto to_border = [&](std::int64_t at, std::int64_t way) {
+  const auto to_border = [&](std::int64_t at, std::int64_t direction) {
     const std::int64_t in_cell = at & (side - 1);
-    return way > 0 ? side - in_cell : in_cell;
+    return direction > 0 ? side - in_cell : in_cell;
   };
   std::int64_t t_max_x = to_border(from.x, dx) * std::abs(dy);
   std::int64_t t_max_y = to_border(from.y, dy) * std::abs(dx);
@@ -51,8 +51,8 @@ void walk(LatticePoint from, LatticePoint to, Cells& cells) {
 }
 
 void add_ray(LatticePoint from, LatticePoint to, double covered_share, RayMask& mask) {
-  const LatticePoint way{to.x - from.x, to.y - from.y};
-  mask.add_rays(from, {&way, 1}, {&covered_share, 1});
+  const LatticePoint direction{to.x - from.x, to.y - from.y};
+  mask.add_rays(from, {&direction, 1}, {&covered_share, 1});
 }
 
 Cells marked(const RayMask& mask) {
@@ -114,8 +114,8 @@ TEST(RayMask, TreatsRaysThroughCornersAndAlongAxesAlike) {
 }
 
 TEST(RayMask, IsExactInTheLargestWindow) {
-  constexpr std::int32_t kTiles = kMostWindowCells / kTileSide;
-  constexpr std::int32_t kLast = (kMostWindowCells << kLatticeBits) - 1;
+  constexpr std::int32_t kTiles = kMaxWindowCells / kTileSide;
+  constexpr std::int32_t kLast = (kMaxWindowCells << kLatticeBits) - 1;
   RayMask mask;
   mask.reset(kTiles, kTiles);
   Cells expected;

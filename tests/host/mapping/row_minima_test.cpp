@@ -44,17 +44,17 @@ TEST(RowMinima, AreThoseOfALoopOverAll) {
 }
 
 TEST(RowMinima, ReachTheEndsOfTheLongestRow) {
-  std::vector<std::int32_t> heights(kMostRowCells, 1 << 30);
+  std::vector<std::int32_t> heights(kMaxRowCells, 1 << 30);
   heights.front() = 0;
-  std::vector<std::int32_t> minima(kMostRowCells);
+  std::vector<std::int32_t> minima(kMaxRowCells);
   row_minima(heights, 0, minima);
   EXPECT_EQ(minima.front(), 0);
-  EXPECT_EQ(minima.back(), (kMostRowCells - 1) * (kMostRowCells - 1));
+  EXPECT_EQ(minima.back(), (kMaxRowCells - 1) * (kMaxRowCells - 1));
 }
 
 TEST(RowMinima, AreTheSameFromNearbyWhereTheyAreBelowTheReachSquared) {
   std::mt19937 random(29);
-  for (const std::int32_t reach : {1, 7, 40, kMostNearReach}) {
+  for (const std::int32_t reach : {1, 7, 40, kMaxNearReach}) {
     for (const std::size_t count : {1U, 31U, 32U, 33U, 200U}) {
       const auto margin = static_cast<std::size_t>(reach);
       const std::int32_t most = reach * reach;

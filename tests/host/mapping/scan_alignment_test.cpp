@@ -24,8 +24,9 @@ std::vector<ScanSurfaces> drifted(const SmoothRoom& room, double drift_rad) {
   std::vector<ScanSurfaces> scans;
   geometry::Pose2 T_odom_stop;
   for (std::size_t i = 0; i < kStops.size(); ++i) {
-    const Eigen::Vector2d way_m = i == 0 ? kStops[0] : Eigen::Vector2d(kStops[i] - kStops[i - 1]);
-    T_odom_stop = T_odom_stop * geometry::Pose2(way_m.x(), way_m.y(), 0.0);
+    const Eigen::Vector2d offset_m =
+        i == 0 ? kStops[0] : Eigen::Vector2d(kStops[i] - kStops[i - 1]);
+    T_odom_stop = T_odom_stop * geometry::Pose2(offset_m.x(), offset_m.y(), 0.0);
     ScanSurfaces scan = find_surfaces(scan_of(room, kStops[i]), {});
     scan.center_m = T_odom_stop.position_m();
     for (SonarSurface& surface : scan.surfaces) {
@@ -37,19 +38,19 @@ std::vector<ScanSurfaces> drifted(const SmoothRoom& room, double drift_rad) {
   return scans;
 }
 
-double farthest_off_m(const std::vector<ScanSurfaces>& scans) {
-  double farthest_m = 0.0;
+double max_distance_off_m(const std::vector<ScanSurfaces>& scans) {
+  double max_m = 0.0;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    farthest_m = std::max(farthest_m, (scans[i].center_m - kStops[i]).norm());
+    max_m = std::max(max_m, (scans[i].center_m - kStops[i]).norm());
   }
-  return farthest_m;
+  return max_m;
 }
 
 TEST(AlignScans, TakesOutMostOfADriftOfTheOdometry) {
   const auto scans = drifted(kRoom, radians(2.0));
-  ASSERT_GT(farthest_off_m(scans), 0.08);
+  ASSERT_GT(max_distance_off_m(scans), 0.08);
   const AlignedScans aligned = align_scans(scans, {}, {});
-  EXPECT_LT(farthest_off_m(aligned.scans), 0.5 * farthest_off_m(scans));
+  EXPECT_LT(max_distance_off_m(aligned.scans), 0.5 * max_distance_off_m(scans));
   ASSERT_EQ(aligned.T_map_placed.size(), scans.size());
   EXPECT_NEAR(aligned.T_map_placed.back().heading_rad(), -5.0 * radians(2.0), 2.5 * radians(2.0));
   for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -59,7 +60,7 @@ TEST(AlignScans, TakesOutMostOfADriftOfTheOdometry) {
 }
 
 TEST(AlignScans, LeavesAnOdometryThatIsRight) {
-  EXPECT_LT(farthest_off_m(align_scans(drifted(kRoom, 0.0), {}, {}).scans), 0.01);
+  EXPECT_LT(max_distance_off_m(align_scans(drifted(kRoom, 0.0), {}, {}).scans), 0.01);
 }
 
 TEST(AlignScans, KeepsToTheOdometryWhereNothingIsSeen) {

@@ -40,7 +40,7 @@ TEST(ScanOutline, FollowsAWallAsFarAsItReaches) {
   for (double bearing_rad = -end_rad; bearing_rad <= end_rad; bearing_rad += 0.05) {
     EXPECT_NEAR(outline.range_m(bearing_rad), 2.0 / std::cos(bearing_rad), 1e-9);
   }
-  EXPECT_NEAR(outline.farthest_m(), std::sqrt(5.0), 1e-9);
+  EXPECT_NEAR(outline.max_m(), std::sqrt(5.0), 1e-9);
 }
 
 TEST(ScanOutline, KnowsNothingInAWideGap) {
@@ -53,7 +53,7 @@ TEST(ScanOutline, KnowsNothingInAWideGap) {
 TEST(ScanOutline, OfNothingIsNothing) {
   const ScanOutline outline({}, kAnyGapRad);
   EXPECT_EQ(outline.range_m(1.0), 0.0);
-  EXPECT_EQ(outline.farthest_m(), 0.0);
+  EXPECT_EQ(outline.max_m(), 0.0);
 }
 
 TEST(ScanOutline, OfOneSurfaceIsThatSurface) {

@@ -36,7 +36,7 @@ StopFloor floor_of(const ScanSurfaces& scan, const std::vector<MatchedWall>& wal
 TEST(StopFloor, EndsShortOfTheOutlineWhereNoWallIsKnown) {
   const StopFloor floor = floor_of(posts_around(), {});
   EXPECT_NEAR(floor.reach_m(radians(90.0)), 1.0 - StopFloorParams{}.margin_m, 5e-3);
-  EXPECT_NEAR(floor.farthest_m(), 1.0 - StopFloorParams{}.margin_m, 5e-3);
+  EXPECT_NEAR(floor.max_m(), 1.0 - StopFloorParams{}.margin_m, 5e-3);
 }
 
 TEST(StopFloor, ReachesToAWallBeforeWhichNothingWasHeard) {
@@ -72,7 +72,7 @@ TEST(StopFloor, EndsAtAWallThatStandsInsideOfTheOutline) {
 
 TEST(StopFloor, IsNothingWithoutAnySurface) {
   EXPECT_EQ(floor_of({}, {}).reach_m(0.0), 0.0);
-  EXPECT_EQ(floor_of({}, {}).farthest_m(), 0.0);
+  EXPECT_EQ(floor_of({}, {}).max_m(), 0.0);
 }
 
 }  // namespace

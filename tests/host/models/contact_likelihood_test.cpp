@@ -47,7 +47,7 @@ TEST(ContactLikelihood, NoTouchSaysThatTheBodyIsNotInAWall) {
 }
 
 TEST(ContactLikelihood, RefusesParametersWithoutSense) {
-  EXPECT_THROW(ContactLikelihood({.contact_std_m = 0.0}), std::invalid_argument);
+  EXPECT_THROW(ContactLikelihood({.contact_stddev_m = 0.0}), std::invalid_argument);
   EXPECT_THROW(ContactLikelihood({.light_reach_m = -0.1}), std::invalid_argument);
   EXPECT_THROW(ContactLikelihood({.wrong_chance = 0.0}), std::invalid_argument);
   EXPECT_THROW(ContactLikelihood({.overlap_rad = -0.1}), std::invalid_argument);

@@ -40,7 +40,7 @@ TEST(GaussianRange, NothingInTheMapIsAsFarAsTheSonarHears) {
 }
 
 TEST(GaussianRange, RefusesParametersWithoutSense) {
-  EXPECT_THROW(GaussianRange({.sense_std_m = 0.0}), std::invalid_argument);
+  EXPECT_THROW(GaussianRange({.sense_stddev_m = 0.0}), std::invalid_argument);
   EXPECT_THROW(GaussianRange({.max_range_m = std::nan("")}), std::invalid_argument);
 }
 

@@ -25,8 +25,8 @@ TEST(InfraredRange, ChancesAddUpToOne) {
   const InfraredRange model;
   EXPECT_NEAR(total(model, {}), 1.0, 1e-9);
   EXPECT_NEAR(total(model, {0.03, false}), 1.0, 1e-6);
-  for (const double aslant_m : {0.001, 0.02, 0.05, 0.057, 0.06}) {
-    EXPECT_NEAR(total(model, {aslant_m, true}), 1.0, 1e-6) << aslant_m;
+  for (const double oblique_m : {0.001, 0.02, 0.05, 0.057, 0.06}) {
+    EXPECT_NEAR(total(model, {oblique_m, true}), 1.0, 1e-6) << oblique_m;
   }
 }
 
@@ -43,9 +43,9 @@ TEST(InfraredRange, AWallAslantIsMostlySilentOrSeemsTooFar) {
 }
 
 TEST(InfraredRange, RefusesChancesWithoutSense) {
-  EXPECT_THROW(InfraredRange({.aslant_silent_chance = 1.0}), std::invalid_argument);
+  EXPECT_THROW(InfraredRange({.oblique_silent_chance = 1.0}), std::invalid_argument);
   EXPECT_THROW(InfraredRange({.random_chance = -0.1}), std::invalid_argument);
-  EXPECT_THROW(InfraredRange({.near_std_m = 0.0}), std::invalid_argument);
+  EXPECT_THROW(InfraredRange({.near_stddev_m = 0.0}), std::invalid_argument);
   EXPECT_THROW(InfraredRange({.max_range_m = 0.0}), std::invalid_argument);
 }
 

@@ -37,8 +37,9 @@ TEST(LandmarkView, JacobianIsTheNumericOne) {
       const LandmarkView more = at(pose + off);
       const LandmarkView less = at(pose - off);
       const double turn_rad = geometry::angle_between(less.bearing_rad, more.bearing_rad);
-      EXPECT_NEAR(at(pose).by_pose(0, k), (more.range_m - less.range_m) / (2.0 * kStep), 1e-6);
-      EXPECT_NEAR(at(pose).by_pose(1, k), turn_rad / (2.0 * kStep), 1e-6);
+      EXPECT_NEAR(
+          at(pose).jacobian_pose(0, k), (more.range_m - less.range_m) / (2.0 * kStep), 1e-6);
+      EXPECT_NEAR(at(pose).jacobian_pose(1, k), turn_rad / (2.0 * kStep), 1e-6);
     }
   }
 }

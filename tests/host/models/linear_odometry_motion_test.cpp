@@ -35,8 +35,8 @@ TEST(LinearOdometryMotion, IsTheSameBackwardsAndToEitherSide) {
 }
 
 TEST(LinearOdometryMotion, RefusesAlphasWithoutSense) {
-  EXPECT_THROW(LinearOdometryMotion({.drive_by_drive = -1.0}), std::invalid_argument);
-  EXPECT_THROW(LinearOdometryMotion({.turn_by_turn = std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(LinearOdometryMotion({.alpha3 = -1.0}), std::invalid_argument);
+  EXPECT_THROW(LinearOdometryMotion({.alpha2 = std::nan("")}), std::invalid_argument);
 }
 
 }  // namespace

@@ -49,11 +49,11 @@ TEST(OdometryStep, TakesLessThanAMillimetreForATurnOnTheSpot) {
 }
 
 TEST(OdometryMotion, SpreadsByTheSquaresOfTableFiveSix) {
-  const OdometryMotion motion({.turn_by_turn = 0.01,
-                               .turn_by_drive_rad2_per_m2 = 0.02,
-                               .drive_by_drive = 0.03,
-                               .drive_by_turn_m2_per_rad2 = 0.04,
-                               .side_by_drive = 0.05});
+  const OdometryMotion motion({.alpha1 = 0.01,
+                               .alpha2_rad2_per_m2 = 0.02,
+                               .alpha3 = 0.03,
+                               .alpha4_m2_per_rad2 = 0.04,
+                               .side_slip = 0.05});
   const MotionSpread spread = motion.spread({0.5, 2.0, -1.0});
   EXPECT_DOUBLE_EQ(spread.turn_before_rad, std::sqrt(0.01 * 0.25 + 0.02 * 4.0));
   EXPECT_DOUBLE_EQ(spread.turn_after_rad, std::sqrt(0.01 * 1.0 + 0.02 * 4.0));
@@ -68,8 +68,8 @@ TEST(OdometryMotion, IsSureOfARobotThatStands) {
 }
 
 TEST(OdometryMotion, RefusesVariancesThatAreNone) {
-  EXPECT_THROW(OdometryMotion({.turn_by_turn = -0.1}), std::invalid_argument);
-  EXPECT_THROW(OdometryMotion({.side_by_drive = std::numeric_limits<double>::quiet_NaN()}),
+  EXPECT_THROW(OdometryMotion({.alpha1 = -0.1}), std::invalid_argument);
+  EXPECT_THROW(OdometryMotion({.side_slip = std::numeric_limits<double>::quiet_NaN()}),
                std::invalid_argument);
 }
 

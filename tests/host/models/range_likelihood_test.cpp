@@ -59,9 +59,9 @@ TEST(BeamModel, RefusesChancesThatLeaveNoHit) {
     EXPECT_THROW(BeamModel{params}, std::invalid_argument);
   };
   refuses([](BeamModelParams& params) { params.short_chance = params.missed_chance = 0.5; });
-  refuses([](BeamModelParams& params) { params.aslant_missed_chance = 1.0; });
+  refuses([](BeamModelParams& params) { params.oblique_missed_chance = 1.0; });
   refuses([](BeamModelParams& params) { params.silent_chance = -0.1; });
-  refuses([](BeamModelParams& params) { params.hit_std_m = 0.0; });
+  refuses([](BeamModelParams& params) { params.hit_stddev_m = 0.0; });
   refuses([](BeamModelParams& params) { params.max_range_m = 0.0; });
 }
 

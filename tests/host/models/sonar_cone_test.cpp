@@ -10,7 +10,7 @@ namespace {
 
 constexpr SensorReading kEcho{1.0};
 const SonarCone kModel;
-const double kEdgeRad = SonarConeParams().half_angle_rad;
+const double kEdgeRad = SonarConeParams().beam_half_angle_rad;
 
 TEST(SonarCone, HearsLessAtItsEdgeAndNothingBeyond) {
   EXPECT_DOUBLE_EQ(kModel.weight(0.0), 1.0);
@@ -59,7 +59,7 @@ TEST(SonarCone, RefusesParametersWithoutSense) {
   params.silent_chance = 1.0;
   EXPECT_THROW(SonarCone{params}, std::invalid_argument);
   params = {};
-  params.half_angle_rad = 1.0;
+  params.beam_half_angle_rad = 1.0;
   EXPECT_THROW(SonarCone{params}, std::invalid_argument);
 }
 

@@ -30,8 +30,8 @@ TEST(TurnForwardMotion, ARobotThatStandsStaysWhereItIs) {
 }
 
 TEST(TurnForwardMotion, RefusesNoiseWithoutSense) {
-  EXPECT_THROW(TurnForwardMotion({.turn_std_rad = -0.1}), std::invalid_argument);
-  EXPECT_THROW(TurnForwardMotion({.forward_std_m = std::numeric_limits<double>::infinity()}),
+  EXPECT_THROW(TurnForwardMotion({.turn_stddev_rad = -0.1}), std::invalid_argument);
+  EXPECT_THROW(TurnForwardMotion({.forward_stddev_m = std::numeric_limits<double>::infinity()}),
                std::invalid_argument);
 }
 

@@ -24,7 +24,7 @@ TEST(UniformSum, DeviatesByAThirdAndIsNearlyNormal) {
     sum += value;
     squares += value * value;
     fourths += std::pow(value, 4);
-    within += std::abs(value) < uniform_sum_std(kB) ? 1 : 0;
+    within += std::abs(value) < uniform_sum_stddev(kB) ? 1 : 0;
   }
   const double variance = squares / kSamples;
   EXPECT_NEAR(sum / kSamples, 0.0, 0.002);
@@ -40,7 +40,7 @@ TEST(UniformSum, NeverLeavesTwiceB) {
   EXPECT_DOUBLE_EQ(uniform_sum_sample(0.3, [] { return 0.5; }), 0.0);
 }
 
-TEST(UniformSum, KnowsItsBAgain) { EXPECT_DOUBLE_EQ(uniform_sum_b(uniform_sum_std(0.7)), 0.7); }
+TEST(UniformSum, KnowsItsBAgain) { EXPECT_DOUBLE_EQ(uniform_sum_b(uniform_sum_stddev(0.7)), 0.7); }
 
 }  // namespace
 }  // namespace echomap::models

@@ -11,7 +11,7 @@
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_casting.hpp"
 #include "host/sensors/range_scan.hpp"
-#include "tests/support/believed_near.hpp"
+#include "tests/support/expect_pose_estimate.hpp"
 #include "tests/support/furnished_room.hpp"
 
 namespace echomap::pipeline {
@@ -34,10 +34,10 @@ sensors::RangeScan scan_at(const Pose2& T_map_robot, double stamp_s) {
   scan.is_light = true;
   for (int i = 0; i < 36; ++i) {
     const double bearing_rad = std::numbers::pi * (i / 18.0 - 1.0);
-    const Eigen::Vector2f way =
+    const Eigen::Vector2f direction =
         geometry::unit_vector(T_map_sensor.heading_rad() + bearing_rad).cast<float>();
     float range_m = 0.0F;
-    mapping::cast_rays(field, T_map_sensor.position_m(), {&way, 1}, 10.0, {&range_m, 1});
+    mapping::cast_rays(field, T_map_sensor.position_m(), {&direction, 1}, 10.0, {&range_m, 1});
     scan.beams.push_back({bearing_rad, static_cast<double>(range_m) + 0.05});
   }
   return scan;
@@ -59,7 +59,7 @@ Pose2 drive(LogLocalizer& localizer) {
 TEST(LogLocalizer, FindsTheRobotOfALog) {
   LogLocalizer localizer(kRoom, {}, std::mt19937(1));
   const Pose2 truth = drive(localizer);
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), truth, 0.1, 0.1));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), truth, 0.1, 0.1));
   EXPECT_EQ(localizer.scans(), 12U);
   EXPECT_EQ(localizer.updates(), localizer.trajectory().size());
   EXPECT_GE(localizer.updates(), 11U);
@@ -69,7 +69,7 @@ TEST(LogLocalizer, BeginsWhereItIsTold) {
   LogLocalizer localizer(kRoom, {}, std::mt19937(1));
   localizer.start_at({0.45, 0.95, 0.1}, 0.05, 0.05);
   localizer.add(scan_at({0.45, 0.95, 0.1}, 0.0));
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), {0.45, 0.95, 0.1}, 0.05, 0.05));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), {0.45, 0.95, 0.1}, 0.05, 0.05));
   EXPECT_EQ(localizer.belief().status, localization::LocalizationStatus::kLocalized);
 }
 
@@ -109,7 +109,7 @@ TEST(LogLocalizer, LeavesOutScansWhenTimeRunsBackwards) {
   }
   EXPECT_EQ(localizer.late_scans(), 3U);
   EXPECT_EQ(localizer.updates(), updates);
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), truth, 0.1, 0.1));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), truth, 0.1, 0.1));
 }
 
 TEST(LogLocalizer, SaysThatAStartIsOffTheMap) {
@@ -117,7 +117,7 @@ TEST(LogLocalizer, SaysThatAStartIsOffTheMap) {
   localizer.start_at({50.0, 50.0, 0.0}, 0.1, 0.1);
   const Pose2 truth = drive(localizer);
   EXPECT_EQ(localizer.start_outcome(), localization::LocalizerOutcome::kOffTheFloor);
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), truth, 0.1, 0.1));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), truth, 0.1, 0.1));
 }
 
 TEST(LogLocalizer, RefusesSettingsWithoutSense) {

@@ -69,7 +69,7 @@ TEST(PoseTrack, SlamMovesItsWholeTrajectory) {
   ASSERT_NE(track.slam(), nullptr);
   track.slam()->begin_stop();
   const geometry::Pose2 T_odom_robot = track.follow(at_us(1), {1.0, 1.0});
-  track.slam()->hear(T_odom_robot, {}, 1.0);
+  track.slam()->add_ping(T_odom_robot, {}, 1.0);
   track.slam()->end_stop(true);
   EXPECT_EQ(described(track).latest.T_map_robot.y_m(), 0.0);
   EXPECT_EQ(track.apply_corrected_trajectory().size(), 1U);

@@ -24,7 +24,7 @@ TEST(PresetNames, AWrongNameLeadsToTheNearest) {
   const auto wrong = [] { preset_named("nxr"); };
   EXPECT_THAT(wrong,
               testing::ThrowsMessage<std::invalid_argument>(
-                  testing::StrEq("there is no preset 'nxr'; did you mean 'nxt'?")));
+                  testing::StrEq("unknown preset 'nxr'; did you mean 'nxt'?")));
 }
 
 }  // namespace

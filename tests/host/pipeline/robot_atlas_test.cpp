@@ -37,7 +37,7 @@ TEST_F(RobotAtlasTest, HasOneMapUntilAnotherOneBegins) {
   stop();
   EXPECT_EQ(x_m(), 1.0);
   EXPECT_EQ(atlas.record().scans(), 1U);
-  EXPECT_TRUE(atlas.former_maps().empty());
+  EXPECT_TRUE(atlas.previous_maps().empty());
   EXPECT_FALSE(atlas.join()) << "with what?";
   EXPECT_EQ(atlas.changes(), 0U);
 }
@@ -48,10 +48,10 @@ TEST_F(RobotAtlasTest, ALostRobotsLastStopsBeginAnotherMapButForTheFirstOfThem) 
     stop();
   }
   const RobotPipeline* const pipeline = &atlas.pipeline();
-  atlas.begin_anew(3);
-  ASSERT_EQ(atlas.former_maps().size(), 1U);
-  EXPECT_EQ(atlas.former_maps().front().record.scans(), 2U);
-  EXPECT_EQ(atlas.former_maps().front().pipeline.snapshot().stops, 2U);
+  atlas.begin_new_map(3);
+  ASSERT_EQ(atlas.previous_maps().size(), 1U);
+  EXPECT_EQ(atlas.previous_maps().front().record.scans(), 2U);
+  EXPECT_EQ(atlas.previous_maps().front().pipeline.snapshot().stops, 2U);
   EXPECT_EQ(atlas.record().scans(), 2U) << "the first may be of both places";
   EXPECT_EQ(atlas.pipeline().snapshot().stops, 2U);
   EXPECT_EQ(x_m(), 1.0) << "from the fourth stop";
@@ -67,8 +67,8 @@ TEST_F(RobotAtlasTest, ALiftedRobotBeginsAnotherMapWhereItIs) {
   lift(true);
   drive_to(7.0);
   lift(false);
-  atlas.begin_anew(0);
-  EXPECT_EQ(atlas.former_maps().front().pipeline.snapshot().latest.T_map_robot.x_m(), 2.0);
+  atlas.begin_new_map(0);
+  EXPECT_EQ(atlas.previous_maps().front().pipeline.snapshot().latest.T_map_robot.x_m(), 2.0);
   EXPECT_EQ(atlas.pipeline().snapshot().times_lifted, 0U);
   EXPECT_EQ(atlas.pipeline().snapshot().stops, 0U);
   EXPECT_EQ(x_m(), 0.0);
@@ -77,8 +77,8 @@ TEST_F(RobotAtlasTest, ALiftedRobotBeginsAnotherMapWhereItIs) {
 TEST_F(RobotAtlasTest, AMapWithoutAnyStopIsLetGo) {
   drive_to(1.0);
   lift(true);
-  atlas.begin_anew(0);
-  EXPECT_TRUE(atlas.former_maps().empty());
+  atlas.begin_new_map(0);
+  EXPECT_TRUE(atlas.previous_maps().empty());
   EXPECT_EQ(x_m(), 0.0);
 }
 
@@ -86,8 +86,8 @@ TEST_F(RobotAtlasTest, ARecordOfEarlierIsAFormerMap) {
   ObservationLog earlier;
   earlier.on_odometry({time::RobotTime{}, {0.5, 0.5}});
   atlas.set_aside(earlier);
-  ASSERT_EQ(atlas.former_maps().size(), 1U);
-  EXPECT_EQ(atlas.former_maps().front().pipeline.snapshot().latest.T_map_robot.x_m(), 0.5);
+  ASSERT_EQ(atlas.previous_maps().size(), 1U);
+  EXPECT_EQ(atlas.previous_maps().front().pipeline.snapshot().latest.T_map_robot.x_m(), 0.5);
 }
 
 TEST(RobotAtlas, RefusesWhatHasNoSense) {

@@ -194,7 +194,7 @@ TEST_F(RobotEkfTest, RefusesWhatIsNoFix) {
   EXPECT_FALSE(ekf.belief());
   EXPECT_EQ(ekf.refused(), 1U);
   RobotEkfParams params;
-  params.most_gated = 0;
+  params.max_gated = 0;
   EXPECT_THROW(RobotEkf(plain_robot(), params), std::invalid_argument);
 }
 

@@ -11,7 +11,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_casting.hpp"
-#include "tests/support/believed_near.hpp"
+#include "tests/support/expect_pose_estimate.hpp"
 #include "tests/support/furnished_room.hpp"
 
 namespace echomap::pipeline {
@@ -31,7 +31,7 @@ sensors::RobotGeometry plain_robot() {
 
 RobotLocalizerParams params() {
   RobotLocalizerParams params;
-  params.sonar.half_opening_rad = geometry::radians(13.0);
+  params.sonar.beam_half_angle_rad = geometry::radians(13.0);
   params.sonar.max_range_m = 3.0;
   return params;
 }
@@ -92,11 +92,11 @@ class RobotLocalizerTest : public ::testing::Test {
     const Pose2 T_map_sonar = T_map_robot * Pose2(0.0, 0.0, pan_rad);
     float nearest_m = 3.0F;
     for (int aside_deg = -12; aside_deg <= 12; aside_deg += 3) {
-      const Eigen::Vector2f way =
+      const Eigen::Vector2f direction =
           geometry::unit_vector(T_map_sonar.heading_rad() + geometry::radians(aside_deg))
               .cast<float>();
       float range_m = 0.0F;
-      mapping::cast_rays(field, T_map_sonar.position_m(), {&way, 1}, 3.0, {&range_m, 1});
+      mapping::cast_rays(field, T_map_sonar.position_m(), {&direction, 1}, 3.0, {&range_m, 1});
       nearest_m = std::min(nearest_m, range_m);
     }
     const bool is_heard = nearest_m < 3.0F;
@@ -112,7 +112,7 @@ class RobotLocalizerTest : public ::testing::Test {
 
 TEST_F(RobotLocalizerTest, FindsARobotThatMayBeAnywhere) {
   stop_at_three_places();
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.15, 0.15));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), T_map_robot, 0.15, 0.15));
   EXPECT_EQ(localizer.belief().status, LocalizationStatus::kLocalized);
   EXPECT_EQ(localizer.scans(), 4U);
   EXPECT_EQ(localizer.trajectory().size(), 4U);
@@ -124,7 +124,7 @@ TEST_F(RobotLocalizerTest, FollowsARobotFromWhereItIsTold) {
   EXPECT_EQ(localizer.belief().status, LocalizationStatus::kLocalized);
   drive(0.5);
   scan();
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.1, 0.1));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), T_map_robot, 0.1, 0.1));
 }
 
 TEST_F(RobotLocalizerTest, BeginsWhereItIsToldHoweverFarTheWheelsHaveRolledBefore) {
@@ -132,7 +132,7 @@ TEST_F(RobotLocalizerTest, BeginsWhereItIsToldHoweverFarTheWheelsHaveRolledBefor
   left_m = 7.0;
   right_m = 5.5;
   scan();
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.1, 0.1));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), T_map_robot, 0.1, 0.1));
   EXPECT_EQ(localizer.belief().status, LocalizationStatus::kLocalized);
 }
 
@@ -143,7 +143,7 @@ TEST_F(RobotLocalizerTest, BeginsWhereItIsToldAlthoughABumperIsPressed) {
   localizer.on_hazards(hazards);
   turn(0.0);
   EXPECT_EQ(localizer.belief().status, LocalizationStatus::kLocalized);
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.1, 0.1));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), T_map_robot, 0.1, 0.1));
 }
 
 TEST_F(RobotLocalizerTest, HearsNothingInTheAir) {
@@ -184,7 +184,7 @@ TEST_F(RobotLocalizerTest, MayBeAnywhereOnceItWasLifted) {
   lift(false);
   T_map_robot = Pose2(3.4, 0.25, 2.0);
   stop_at_three_places();
-  EXPECT_TRUE(tests::is_believed_near(localizer.belief(), T_map_robot, 0.15, 0.15));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), T_map_robot, 0.15, 0.15));
 }
 
 TEST_F(RobotLocalizerTest, TakesFourCliffsAtOnceForBeingLiftedAndOneForACliff) {
@@ -206,7 +206,7 @@ TEST_F(RobotLocalizerTest, TakesReadingsOfScansOnly) {
 
 TEST(RobotLocalizer, RefusesSettingsWithoutSense) {
   auto bad = params();
-  bad.most_readings = 0;
+  bad.max_readings = 0;
   EXPECT_THROW(RobotLocalizer(kRoom, plain_robot(), bad, std::mt19937(1)), std::invalid_argument);
   bad = params();
   bad.step_rad = 0.0;

@@ -299,8 +299,8 @@ TEST_F(RobotPipelineTest, CountsAPoseThatComesLaterWhereTheStampOfTheCarryIsNotN
 }
 
 /// A body of 0.1 m with one infra-red sensor that looks ahead from its middle.
-mapping::NearMapperParams feeling_body() {
-  mapping::NearMapperParams near;
+mapping::ContactMapperParams feeling_body() {
+  mapping::ContactMapperParams near;
   near.body_radius_m = 0.1;
   near.T_robot_infrared = {{}};
   near.infrared_reach_m = 0.5;

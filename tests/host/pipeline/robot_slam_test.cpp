@@ -15,7 +15,7 @@ class RobotSlamTest : public ::testing::Test {
   /// Drives on to `x_m` and pings.
   void ping_at(double x_m) {
     slam.follow({x_m, 0.0, 0.0});
-    slam.hear({x_m, 0.0, 0.0}, {}, 0.5);
+    slam.add_ping({x_m, 0.0, 0.0}, {}, 0.5);
   }
 
   MovedAside* method = new MovedAside;
@@ -72,7 +72,7 @@ TEST_F(RobotSlamTest, HasAllEchoesOnTheTrajectory) {
 TEST_F(RobotSlamTest, CountsPingsOfAStopThatAreOfAnOlderInstant) {
   ping_at(0.0);
   slam.begin_stop();
-  slam.hear({}, {}, 0.5);
+  slam.add_ping({}, {}, 0.5);
   slam.end_stop(true);
   EXPECT_EQ(method->beams, 2U);
 }

@@ -29,8 +29,8 @@ Snapshot described(const StopMap& map) {
 
 class StopMapTest : public ::testing::Test {
  protected:
-  static mapping::NearMapperParams body() {
-    mapping::NearMapperParams params;
+  static mapping::ContactMapperParams body() {
+    mapping::ContactMapperParams params;
     params.body_radius_m = 0.1;
     return params;
   }

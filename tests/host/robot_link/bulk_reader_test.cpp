@@ -156,7 +156,7 @@ TEST_F(BulkReaderTest, EndsWhatItReadsWhenTheLinkIsLost) {
 TEST(BulkReader, RefusesAWindowOfNothing) {
   EXPECT_THROW(BulkReader({}, {.window = 0}), std::invalid_argument);
   EXPECT_THROW(BulkReader({}, {.tries = 0}), std::invalid_argument);
-  EXPECT_THROW(BulkReader({}, {.most_bytes = 0}), std::invalid_argument);
+  EXPECT_THROW(BulkReader({}, {.max_bytes = 0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ class FakeRobot {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  /// Starts anew: forgets sessions and commands, clock and sequence at zero. Says so with session 0
-  /// when it `announces_boot`; refuses moves until the next Hello.
+  /// Starts again: forgets sessions and commands, clock and sequence at zero. Says so with session
+  /// 0 when it `announces_boot`; refuses moves until the next Hello.
   void power_on(std::uint16_t boot_id, std::uint8_t reset_cause = protocol::kResetPowerOn);
 
   void receive(std::span<const std::uint8_t> bytes);

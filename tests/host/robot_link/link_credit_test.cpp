@@ -72,7 +72,7 @@ class LinkCredit : public testing::Test {
       on_ms();
       link.poll(now());
       slow.to_robot.put(link.take_outgoing(), now_ms);
-      most_waiting = std::max(most_waiting, slow.waiting_bytes());
+      max_waiting = std::max(max_waiting, slow.waiting_bytes());
     }
   }
   time::HostTime now() const { return time::HostTime(std::chrono::milliseconds(now_ms)); }
@@ -83,7 +83,7 @@ class LinkCredit : public testing::Test {
   RecordingListener listener;
   RobotLink link{listener, 0x5E55, wired_link(9600)};
   std::function<void()> on_ms = [] {};
-  std::size_t most_waiting = 0;
+  std::size_t max_waiting = 0;
 };
 
 TEST_F(LinkCredit, SparesARobotWhoseBufferWouldOverflow) {
@@ -96,8 +96,8 @@ TEST_F(LinkCredit, SparesARobotWhoseBufferWouldOverflow) {
   }
   run_for(20'000);
   EXPECT_EQ(slow.overruns, 0);
-  EXPECT_LE(most_waiting, 128U);
-  EXPECT_GT(most_waiting, 64U) << "the load did not reach the credit";
+  EXPECT_LE(max_waiting, 128U);
+  EXPECT_GT(max_waiting, 64U) << "the load did not reach the credit";
   EXPECT_EQ(listener.results.size(), 20U);
   EXPECT_GT(slow.robot.keep_alives.size(), 50U);
   EXPECT_GT(slow.robot.setpoints.size(), 50U);
@@ -164,7 +164,7 @@ TEST_P(LinkCreditUnderLoad, NeverExceedsTheCreditAndNeverStandsStill) {
   run_for(20'000);
   on_ms = [] {};
   run_for(60'000);
-  EXPECT_LE(most_waiting, slow.robot.receive_credit_bytes);
+  EXPECT_LE(max_waiting, slow.robot.receive_credit_bytes);
   EXPECT_EQ(slow.overruns, 0);
   EXPECT_EQ(listener.results.size(), submitted);
   EXPECT_EQ(link.state(), LinkState::kReady);

@@ -80,7 +80,7 @@ TEST(PingSender, FillsAMillisecondOfEachPhaseWithDelimiters) {
 }
 
 TEST(PingSender, SendsNoDelimitersWhereTheyTellNothing) {
-  PingSender sender({.most_lead_bytes = 0});
+  PingSender sender({.max_lead_bytes = 0});
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(sender.lead_bytes(), 0U);
     sender.take(at_ms(i), {});

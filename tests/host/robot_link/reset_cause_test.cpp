@@ -15,7 +15,7 @@ TEST(ResetCause, IsToldInWords) {
             "watchdog, power-on");
 }
 
-TEST(ResetCause, MayNotBeTold) { EXPECT_EQ(reset_cause_text(0), "cause not told"); }
+TEST(ResetCause, MayNotBeTold) { EXPECT_EQ(reset_cause_text(0), "cause not reported"); }
 
 }  // namespace
 }  // namespace echomap::robot_link

@@ -30,10 +30,10 @@ TEST(IncidenceNoise, IsOfAllWallsInStepsOfTheAngle) {
   EXPECT_NEAR(degrees(rows[0].to_rad), 10.0, 1e-9);
   EXPECT_EQ(rows[0].readings, 3U);
   EXPECT_NEAR(rows[0].bias_m, 0.02, 1e-12);
-  EXPECT_NEAR(rows[0].sd_m, 0.01, 1e-12);
+  EXPECT_NEAR(rows[0].stddev_m, 0.01, 1e-12);
   EXPECT_NEAR(degrees(rows[1].from_rad), 30.0, 1e-9);
   EXPECT_EQ(rows[1].readings, 1U);
-  EXPECT_EQ(rows[1].sd_m, 0.0);
+  EXPECT_EQ(rows[1].stddev_m, 0.0);
 }
 
 TEST(IncidenceNoise, OfNothingIsNothing) {

@@ -39,7 +39,7 @@ TEST(InfraredCurve, FallsWithTheCountsAllTheWay) {
 TEST(InfraredCurve, SeesNothingBelowItsLastPointAndNoNearerThanItsFirst) {
   EXPECT_FALSE(inverse_square().range_m(9.9));
   EXPECT_EQ(inverse_square().range_m(1023.0), 0.01);
-  EXPECT_EQ(inverse_square().farthest_m(), 0.10);
+  EXPECT_EQ(inverse_square().max_m(), 0.10);
 }
 
 TEST(InfraredCurve, RefusesWhatIsNoCurve) {

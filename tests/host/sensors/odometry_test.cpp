@@ -89,13 +89,13 @@ TEST(WheelOdometry, RollsBackAlongTheWayItCame) {
   std::mt19937 random(3);
   const auto roll_m = [&] { return (static_cast<double>(random() % 2001) - 1000.0) * 1e-4; };
   Driver robot;
-  std::vector<WheelTravel> way;
+  std::vector<WheelTravel> path;
   for (int i = 0; i < 1000; ++i) {
-    way.push_back(robot.travel);
+    path.push_back(robot.travel);
     robot.roll(roll_m(), roll_m());
   }
-  for (; !way.empty(); way.pop_back()) {
-    robot.odometry.update(way.back());
+  for (; !path.empty(); path.pop_back()) {
+    robot.odometry.update(path.back());
   }
   expect_near(robot.pose(), Pose2(), 1e-9);
 }

@@ -60,15 +60,15 @@ TEST(RobotGeometry, PutsTheSonarOnAnArmThatPansAboutItsAxis) {
 }
 
 TEST(RobotGeometry, RefusesABodyThatCannotBe) {
-  EXPECT_NO_THROW(kTribot.check());
-  EXPECT_NO_THROW(RobotGeometry{}.check());
+  EXPECT_NO_THROW(kTribot.validate());
+  EXPECT_NO_THROW(RobotGeometry{}.validate());
   for (double RobotGeometry::*field : {&RobotGeometry::wheel_diameter_m,
                                        &RobotGeometry::track_m,
                                        &RobotGeometry::counts_per_turn}) {
     for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
       RobotGeometry geometry;
       geometry.*field = wrong;
-      EXPECT_THROW(geometry.check(), std::invalid_argument);
+      EXPECT_THROW(geometry.validate(), std::invalid_argument);
     }
   }
 }

@@ -117,7 +117,7 @@ TEST_F(MotionExecutionTest, EndsARollByWhatItMeetsAndNotByWhatItHasTouchedBefore
 
 TEST_F(MotionExecutionTest, CallsARollInterruptedUnderWhichTheBoardWasReset) {
   session->connect();
-  after_ms(50, [this] { pull_power_and_start_anew(); });
+  after_ms(50, [this] { power_cycle(); });
   EXPECT_EQ(session->execute(exploration::Roll{0.1, 0.0, 1.0}), MotionResult::kInterrupted);
 }
 
@@ -159,7 +159,7 @@ TEST_F(MotionExecutionTest, CallsAMoveInterruptedThatALinkBrokeOff) {
 TEST_F(MotionExecutionTest, DoesNotDoAMoveAgainThatAResetBrokeOff) {
   session->connect();
   cable.robot.motion_ms = 1000;
-  after_ms(300, [this] { pull_power_and_start_anew(); });
+  after_ms(300, [this] { power_cycle(); });
   EXPECT_EQ(session->execute(exploration::Drive{0.3}), MotionResult::kInterrupted);
   EXPECT_EQ(cable.robot.moves_done.size(), 1U);
   EXPECT_FALSE(session->end());

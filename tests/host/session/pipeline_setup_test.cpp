@@ -11,9 +11,9 @@ TEST(PipelineSetup, BeginsEmpty) {
 }
 
 TEST(PipelineSetup, PlacesARobotWithASonarBySlam) {
-  EXPECT_NE(pipeline_for(load_robot_profile("uno_2wd"), "grid").slam(), nullptr);
+  EXPECT_NE(pipeline_for(load_robot_profile("uno_2wd"), "multiscan").slam(), nullptr);
   EXPECT_EQ(pipeline_for(load_robot_profile("uno_2wd"), "none").slam(), nullptr);
-  EXPECT_EQ(pipeline_for(load_robot_profile("create"), "grid").slam(), nullptr);
+  EXPECT_EQ(pipeline_for(load_robot_profile("create"), "multiscan").slam(), nullptr);
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST_F(RobotContextTest, CarriesOutWhatIsDecidedAboutTheMaps) {
   stop();
   EXPECT_EQ(context.execute(exploration::JoinMaps{}), exploration::MotionResult::kRefused);
   EXPECT_EQ(context.execute(exploration::BeginNewMap{1}), exploration::MotionResult::kReached);
-  EXPECT_EQ(context.atlas().former_maps().size(), 1U);
+  EXPECT_EQ(context.atlas().previous_maps().size(), 1U);
   EXPECT_EQ(stops(), 1U) << "the last is of the new map";
 }
 

@@ -135,8 +135,9 @@ TEST_F(RobotLineTest, SaysInALineEachThatTheRobotIsAwayBackAndReset) {
   spdlog::set_default_logger(before);
   const std::string text = said.str();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
-  EXPECT_NE(text.find("cable is away: the robot has fallen silent"), std::string::npos) << text;
-  EXPECT_NE(text.find("cable is back after"), std::string::npos) << text;
+  EXPECT_NE(text.find("cable is disconnected: the robot stopped sending"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("cable reconnected after"), std::string::npos) << text;
   EXPECT_NE(text.find("the robot was reset (brown-out)"), std::string::npos) << text;
 }
 
@@ -154,16 +155,16 @@ TEST_F(RobotLineTest, EndsWhenABoardIsResetThatTurnsItsSonarByAStepper) {
   session->connect();
   ASSERT_FALSE(session->end()) << "it comes up from a reset";
   cable.robot.motion_ms = 3000;
-  after_ms(300, [this] { pull_power_and_start_anew(); });
+  after_ms(300, [this] { power_cycle(); });
   session->execute(exploration::Drive{0.2});
   EXPECT_EQ(session->end(), SessionEnd::kSafetyStop);
-  EXPECT_NE(session->end_reason().find("where the sonar looks"), std::string::npos);
+  EXPECT_NE(session->end_reason().find("the direction of the sonar"), std::string::npos);
 }
 
 TEST_F(RobotLineTest, EndsWhenTheRobotIsResetAndNeverComesBack) {
   session->connect();
   after_ms(50, [this] {
-    pull_power_and_start_anew();
+    power_cycle();
     after_ms(5, [this] { cable.powered = false; });
   });
   session->execute(exploration::Drive{0.1});

@@ -69,7 +69,7 @@ TEST(RobotProfile, GivesEachPaperItsSensors) {
 
   const auto epuck = load_robot_profile("epuck");
   EXPECT_EQ(epuck.sensors.infrared.size(), 8U);
-  EXPECT_NEAR(epuck.sensors.infrared_curve->farthest_m(), 0.06, 1e-12);
+  EXPECT_NEAR(epuck.sensors.infrared_curve->max_m(), 0.06, 1e-12);
   EXPECT_EQ(epuck.configuration.safety.hazard_stops, 0);
 
   const auto ev3 = load_robot_profile("ev3");

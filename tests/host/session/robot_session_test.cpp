@@ -103,7 +103,7 @@ TEST_F(RobotSessionTest, RefusesARobotThatOpeningHasReset) {
 TEST_F(RobotSessionTest, EndsWhereABoardThatWasResetTakesItsProfileNoMore) {
   session->connect();
   after_ms(50, [this] {
-    pull_power_and_start_anew();
+    power_cycle();
     cable.robot.answer = protocol::CommandStatus::kOutOfRange;
   });
   EXPECT_NO_THROW(session->execute(exploration::Drive{0.1}));
@@ -116,7 +116,7 @@ TEST_F(RobotSessionTest, EndsAtOnceWhereABoardComesBackWithOtherFirmware) {
   session->connect();
   after_ms(50, [this] {
     cable.robot.protocol_major = 9;
-    pull_power_and_start_anew();
+    power_cycle();
   });
   session->execute(exploration::Drive{0.1});
   session->execute(exploration::Drive{0.1});
@@ -137,7 +137,7 @@ TEST_F(RobotSessionTest, SetsARobotUpAgainThatIsFoundDisarmed) {
 TEST_F(RobotSessionTest, DoesASweepAgainThatAResetBrokeOff) {
   session->connect();
   cable.robot.motion_ms = 1000;
-  after_ms(300, [this] { pull_power_and_start_anew(); });
+  after_ms(300, [this] { power_cycle(); });
   EXPECT_EQ(session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0}), MotionResult::kReached);
   EXPECT_EQ(cable.robot.sweeps, 2);
   EXPECT_TRUE(cable.robot.armed);

@@ -30,7 +30,7 @@ class RobotSetupTest : public SessionOnACable {
 TEST_F(RobotSetupTest, BeginsSettingUpAnewWhenTheBoardIsResetInItsMidst) {
   cable.robot.on_command = [this](std::string_view name) {
     if (name == "ConfigureSonar" && restarts == 0) {
-      pull_power_and_start_anew();
+      power_cycle();
     }
   };
   session->connect();
@@ -44,7 +44,7 @@ TEST_F(RobotSetupTest, BeginsSettingUpAnewWhenTheBoardIsResetInItsMidst) {
 TEST_F(RobotSetupTest, GivesUpOnABoardThatIsResetAgainAndAgain) {
   cable.robot.on_command = [this](std::string_view name) {
     if (name == "Arm") {
-      pull_power_and_start_anew();
+      power_cycle();
     }
   };
   EXPECT_NE(reason_of_failure().find("again and again: 5 times"), std::string::npos);

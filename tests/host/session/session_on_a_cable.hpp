@@ -97,7 +97,7 @@ class SessionOnACable : public testing::Test {
       }
     };
   }
-  void pull_power_and_start_anew() {
+  void power_cycle() {
     cable.robot.power_on(++boot_id);
     ++restarts;
   }

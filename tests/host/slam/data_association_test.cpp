@@ -39,7 +39,7 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs(const std::vector<Candida
 }
 
 TEST(Candidates, AreWithinTheGate) {
-  EkfSlam filter;
+  EkfSlamFilter filter;
   filter.add(point(3.0, 0.0));
   filter.add(point(3.3, 0.0));
   filter.add(point(6.0, 0.0));
@@ -52,7 +52,7 @@ TEST(Candidates, AreWithinTheGate) {
 }
 
 TEST(Candidates, AreOfTheSameKindAndLabel) {
-  EkfSlam filter;
+  EkfSlamFilter filter;
   filter.add(point(3.0, 0.0, 1));
   filter.add(wall(3.0, -1.0, 1.0));
 
@@ -64,7 +64,7 @@ TEST(Candidates, AreOfTheSameKindAndLabel) {
 
 TEST(Candidates, AreFoundHoweverUnsureThePoseIs) {
   const localization::PoseGaussian start{{}, Eigen::Vector3d(4.0, 4.0, 0.25).asDiagonal()};
-  EkfSlam filter({&start, 1});
+  EkfSlamFilter filter({&start, 1});
   filter.add(point(5.0, 0.0));
   filter.move(0, {4.0, 0.0, 0.0}, models::odometry_step({}, {4.0, 0.0, 0.0}), {0.1, 1.0, 0.1, 0.1});
 
@@ -72,7 +72,7 @@ TEST(Candidates, AreFoundHoweverUnsureThePoseIs) {
 }
 
 TEST(Candidates, OfAWallOverlapWithIt) {
-  EkfSlam filter;
+  EkfSlamFilter filter;
   filter.add(wall(3.0, -1.0, 1.0));
   const std::vector<LandmarkSighting> seen{
       wall(3.0, -2.5, -1.5), wall(3.0, 1.5, 4.0), wall(3.0, 2.5, 4.0), wall(3.0, -4.0, -2.5)};
@@ -82,7 +82,7 @@ TEST(Candidates, OfAWallOverlapWithIt) {
 }
 
 TEST(NearestNeighbours, GiveEachLandmarkToItsLikeliestSighting) {
-  EkfSlam filter;
+  EkfSlamFilter filter;
   filter.add(point(3.0, 0.0));
   filter.add(point(3.4, 0.0));
   const std::vector<LandmarkSighting> seen{point(3.15, 0.0), point(3.05, 0.0)};
@@ -94,7 +94,7 @@ TEST(NearestNeighbours, GiveEachLandmarkToItsLikeliestSighting) {
 }
 
 TEST(NearestNeighbours, DoNotPreferALandmarkOfWhichLittleIsKnown) {
-  EkfSlam filter;
+  EkfSlamFilter filter;
   LandmarkSighting vague = point(3.6, 0.0);
   vague.noise *= 100.0;
   filter.add(vague);
@@ -108,7 +108,7 @@ TEST(NearestNeighbours, DoNotPreferALandmarkOfWhichLittleIsKnown) {
 }
 
 TEST(NewSightings, HaveNoCandidate) {
-  EkfSlam filter;
+  EkfSlamFilter filter;
   filter.add(point(3.0, 0.0));
   const std::vector<LandmarkSighting> seen{point(9.0, 0.0), point(3.0, 0.0), point(5.0, 1.0)};
 

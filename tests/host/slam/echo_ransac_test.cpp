@@ -102,25 +102,25 @@ TEST(EchoRansac, GivesEachEchoToOneFeature) {
 TEST(EchoRansac, HearsNothingInTooLittle) {
   std::mt19937 random(1);
   EXPECT_TRUE(find_features({}, {}, random).empty());
-  const Echo one{{0.0, 0.0}, 0.0, 1.0, kHalfOpeningRad};
+  const Echo one{{0.0, 0.0}, 0.0, 1.0, kBeamHalfAngleRad};
   EXPECT_TRUE(find_features({one}, {}, random).empty());
   EXPECT_TRUE(find_features({one, one, one}, {}, random).empty());
 }
 
 TEST(EchoRansac, ARobotThatStandsHearsTheSameThingOnce) {
   std::mt19937 random(1);
-  const Echo one{{0.0, 0.0}, 0.0, 1.0, kHalfOpeningRad};
+  const Echo one{{0.0, 0.0}, 0.0, 1.0, kBeamHalfAngleRad};
   const auto found = find_features(std::vector<Echo>(50, one), {}, random);
   EXPECT_LE(found.size(), 1U);
 }
 
 TEST(EchoRansac, RefusesParametersWithoutSense) {
   EchoRansacParams params;
-  params.range_sd_m = 0.0;
-  EXPECT_THROW(check(params), std::invalid_argument);
+  params.range_stddev_m = 0.0;
+  EXPECT_THROW(validate(params), std::invalid_argument);
   params = {};
-  params.least_of_point = 2;
-  EXPECT_THROW(check(params), std::invalid_argument);
+  params.min_point_echoes = 2;
+  EXPECT_THROW(validate(params), std::invalid_argument);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using mapping::EchoFeature;
 using mapping::HearingParams;
 using models::LandmarkKind;
 /// Of a cone, as of the sonar that hears the rooms below.
-inline constexpr double kHalfOpeningRad = 0.23;
+inline constexpr double kBeamHalfAngleRad = 0.23;
 
 /// A room of 3 x 2.4 m around the origin, and a leg in it.
 inline const std::vector<EchoFeature>& walls_and_leg() {
@@ -36,7 +36,7 @@ inline const std::vector<EchoFeature>& walls_and_leg() {
 inline std::optional<double> heard_m(const Echo& cone, const std::vector<EchoFeature>& features) {
   std::optional<double> nearest_m;
   for (const EchoFeature& feature : features) {
-    const auto answer = echo_of(feature, cone, HearingParams{}.most_slant_rad);
+    const auto answer = echo_of(feature, cone, HearingParams{}.max_incidence_rad);
     if (answer && (!nearest_m || answer->range_m < *nearest_m)) {
       nearest_m = answer->range_m;
     }
@@ -48,17 +48,17 @@ inline std::optional<double> heard_m(const Echo& cone, const std::vector<EchoFea
 /// is there.
 inline std::vector<Echo> sweep(const Eigen::Vector2d& place_m,
                                const std::vector<EchoFeature>& features,
-                               double noise_sd_m,
+                               double noise_stddev_m,
                                double outliers,
                                std::mt19937& random) {
-  std::normal_distribution<double> noise_m(0.0, noise_sd_m);
+  std::normal_distribution<double> noise_m(0.0, noise_stddev_m);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   std::vector<Echo> echoes;
   for (int step = 0; step < 60; ++step) {
-    Echo echo{place_m, geometry::radians(6.0 * step), 0.0, kHalfOpeningRad};
+    Echo echo{place_m, geometry::radians(6.0 * step), 0.0, kBeamHalfAngleRad};
     const auto range_m = heard_m(echo, features);
     const double ghost_m = 0.2 + 2.5 * share(random);
-    const double off_m = noise_sd_m > 0.0 ? noise_m(random) : 0.0;
+    const double off_m = noise_stddev_m > 0.0 ? noise_m(random) : 0.0;
     if (share(random) < outliers) {
       echo.range_m = ghost_m;
     } else if (range_m) {

@@ -22,8 +22,8 @@ const std::vector<Eigen::Vector2d> row_of_posts_m{
     {4.0, -3.0}, {4.0, -2.0}, {4.0, -1.0}, {4.0, 0.0}, {4.0, 1.0}, {4.0, 2.5}};
 
 /// A map of a row of posts, by a robot that has then driven aside and lost half a metre.
-EkfSlam lost_among_posts() {
-  EkfSlam filter;
+EkfSlamFilter lost_among_posts() {
+  EkfSlamFilter filter;
   for (const Eigen::Vector2d& post_m : row_of_posts_m) {
     filter.add(point(post_m));
   }
@@ -49,7 +49,7 @@ std::size_t right_pairs(const std::vector<Candidate>& pairs) {
 }
 
 TEST(JointCompatibility, FindsWhatNearestNeighboursMistake) {
-  const EkfSlam filter = lost_among_posts();
+  const EkfSlamFilter filter = lost_among_posts();
   const auto candidates = find_candidates(filter, seen_aside(), 9.21, 1.0);
 
   EXPECT_LT(right_pairs(nearest_neighbours(candidates)), 3U);
@@ -57,7 +57,7 @@ TEST(JointCompatibility, FindsWhatNearestNeighboursMistake) {
 }
 
 TEST(JointCompatibility, LeavesOutWhatDoesNotFitTheRest) {
-  const EkfSlam filter = lost_among_posts();
+  const EkfSlamFilter filter = lost_among_posts();
   auto seen = seen_aside();
   seen[5] = point({4.0, 2.5});
   const auto pairs = jointly_compatible(filter, find_candidates(filter, seen, 9.21, 1.0), 20000);
@@ -67,7 +67,7 @@ TEST(JointCompatibility, LeavesOutWhatDoesNotFitTheRest) {
 }
 
 TEST(JointCompatibility, NeverPairsALandmarkTwice) {
-  const EkfSlam filter = lost_among_posts();
+  const EkfSlamFilter filter = lost_among_posts();
   const std::vector<LandmarkSighting> seen{point({4.0, 0.0}), point({4.01, 0.0})};
   const auto pairs = jointly_compatible(filter, find_candidates(filter, seen, 9.21, 1.0), 20000);
 
@@ -75,7 +75,7 @@ TEST(JointCompatibility, NeverPairsALandmarkTwice) {
 }
 
 TEST(JointCompatibility, GivesUpAfterTheStepsItMayTake) {
-  const EkfSlam filter = lost_among_posts();
+  const EkfSlamFilter filter = lost_among_posts();
   const auto candidates = find_candidates(filter, seen_aside(), 9.21, 1.0);
 
   EXPECT_LE(jointly_compatible(filter, candidates, 6).size(), 6U);

@@ -38,7 +38,7 @@ TEST(KeyFrames, AClosedLoopMakesOldFramesNear) {
   frames.join({1, 9, {0.2, 0.0, 0.0}, Eigen::Matrix3d::Identity(), true});
   const auto near = frames.near(9, 1.3);
   EXPECT_EQ(numbers(near), (std::vector<std::size_t>{9, 1, 8, 0, 2}));
-  EXPECT_NEAR(near[3].way_m, 1.2, 1e-12);
+  EXPECT_NEAR(near[3].travelled_m, 1.2, 1e-12);
 }
 
 TEST(KeyFrames, PointsMoveWithTheirFrame) {

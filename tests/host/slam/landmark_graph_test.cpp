@@ -8,9 +8,9 @@ namespace {
 
 TEST(LandmarkGraph, HoldsPosesAndPointsAndNoWalls) {
   const localization::PoseGaussian start{{1.0, 2.0, 0.3}, 0.01 * Eigen::Matrix3d::Identity()};
-  EkfSlam filter({&start, 1});
+  EkfSlamFilter filter({&start, 1});
   EXPECT_TRUE(landmark_graph(filter).T_map_nodes.empty()) << "it keeps no pose yet";
-  filter.keep_pose();
+  filter.store_pose();
   filter.move(0, geometry::Pose2(1.0, 0.0, 0.0), {.drive_m = 1.0}, {0.01, 0.05, 0.01, 0.02});
   LandmarkSighting sighting;
   sighting.value = {2.0, 0.1};

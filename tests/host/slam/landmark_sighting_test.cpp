@@ -34,7 +34,7 @@ TEST_P(Sightings, ChangeWithThePoseAsTheirJacobianSays) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto after = expected_sighting(kind, landmark, nudged(T_map_robot, axis), T_robot_sensor);
     const Eigen::Vector2d slope = innovation(after->value, expected->value) / kStep;
-    EXPECT_LT((slope - expected->by_pose.col(axis)).norm(), 1e-4) << "axis " << axis;
+    EXPECT_LT((slope - expected->jacobian_pose.col(axis)).norm(), 1e-4) << "axis " << axis;
   }
 }
 
@@ -45,7 +45,7 @@ TEST_P(Sightings, ChangeWithTheLandmarkAsTheirJacobianSays) {
     const Eigen::Vector2d nudge = kStep * Eigen::Vector2d::Unit(axis);
     const auto after = expected_sighting(kind, landmark + nudge, T_map_robot, T_robot_sensor);
     const Eigen::Vector2d slope = innovation(after->value, expected->value) / kStep;
-    EXPECT_LT((slope - expected->by_landmark.col(axis)).norm(), 1e-4) << "axis " << axis;
+    EXPECT_LT((slope - expected->jacobian_landmark.col(axis)).norm(), 1e-4) << "axis " << axis;
   }
 }
 
@@ -68,7 +68,7 @@ TEST_P(Sightings, PlaceALandmarkWithTrueJacobians) {
   const PlacedLandmark placed = placed_landmark(sighting, T_map_robot);
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector2d after = placed_landmark(sighting, nudged(T_map_robot, axis)).landmark;
-    EXPECT_LT(((after - placed.landmark) / kStep - placed.by_pose.col(axis)).norm(), 1e-4)
+    EXPECT_LT(((after - placed.landmark) / kStep - placed.jacobian_pose.col(axis)).norm(), 1e-4)
         << "axis " << axis;
   }
   for (int axis = 0; axis < 2; ++axis) {

@@ -106,18 +106,18 @@ TEST(LandmarkSlam, KnowsWhereItIsInARoomThatItDidNotKnow) {
 }
 
 TEST(LandmarkSlam, KnowsItsWholeWayHoweverFewPosesItKeeps) {
-  for (const std::size_t most_kept : {2U, 5U, 100U}) {
+  for (const std::size_t max_poses : {2U, 5U, 100U}) {
     LandmarkSlamParams params;
-    params.way.most_kept = most_kept;
+    params.pose_history.max_poses = max_poses;
     LandmarkSlam slam(params);
     drive(slam);
     const auto trajectory = slam.trajectory();
 
-    EXPECT_LE(slam.filter().kept_poses(), most_kept);
+    EXPECT_LE(slam.filter().stored_poses(), max_poses);
     for (int step = 0; step <= kSteps; ++step) {
       const Eigen::Vector2d off_m =
           trajectory[static_cast<std::size_t>(step)].position_m() - pose_at(step).position_m();
-      ASSERT_LT(off_m.norm(), 0.15) << "step " << step << ", " << most_kept << " kept";
+      ASSERT_LT(off_m.norm(), 0.15) << "step " << step << ", " << max_poses << " kept";
     }
   }
 }
@@ -148,13 +148,13 @@ TEST(LandmarkSlam, DrawsWhatTheScansHaveSeen) {
 TEST(LandmarkSlam, ItsGraphHoldsWhatTheFilterKnowsOfEachPose) {
   LandmarkSlam slam;
   drive(slam);
-  const EkfSlam& filter = slam.filter();
+  const EkfSlamFilter& filter = slam.filter();
   const FactorGraph graph = slam.factor_graph();
-  ASSERT_EQ(graph.T_map_nodes.size(), filter.kept_poses() + 1);
-  ASSERT_EQ(graph.edges.size(), filter.kept_poses());
+  ASSERT_EQ(graph.T_map_nodes.size(), filter.stored_poses() + 1);
+  ASSERT_EQ(graph.edges.size(), filter.stored_poses());
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const Eigen::Matrix3d covariance =
-        i + 1 < graph.edges.size() ? filter.kept_covariance(i + 1) : filter.belief().covariance;
+        i + 1 < graph.edges.size() ? filter.stored_covariance(i + 1) : filter.belief().covariance;
     const PoseEdge& edge = graph.edges[i];
     const EdgeError off = edge_error(edge, graph.T_map_nodes.front(), graph.T_map_nodes[edge.to]);
     EXPECT_LT(off.error.norm(), 1e-9);

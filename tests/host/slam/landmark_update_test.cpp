@@ -16,28 +16,30 @@ LandmarkSighting point(double range_m, double bearing_rad) {
 }
 
 TEST(LandmarkUpdate, AddsWhatHasBeenSeenOftenEnoughAndThenCountsIt) {
-  EkfSlam filter;
+  EkfSlamFilter filter;
   LandmarkUpdate update({.provisional = {.sightings = 2}});
   const std::vector<LandmarkSighting> seen{point(2.0, 0.3)};
-  update.see(seen, {}, filter);
+  update.add_sightings(seen, {}, filter);
   EXPECT_TRUE(filter.landmarks().empty());
-  update.see(seen, {}, filter);
+  update.add_sightings(seen, {}, filter);
   ASSERT_EQ(filter.landmarks().size(), 1U);
-  update.see(seen, {}, filter);
+  update.add_sightings(seen, {}, filter);
   EXPECT_EQ(filter.landmarks().front().sightings, 2U);
   EXPECT_EQ(filter.landmarks().size(), 1U);
 }
 
 TEST(LandmarkUpdate, IsMoreSurprisedTheFartherALandmarkIsOff) {
-  const auto surprise_at = [](double range_m) {
-    EkfSlam filter;
+  const auto negative_log_evidence_at = [](double range_m) {
+    EkfSlamFilter filter;
     filter.add(point(2.0, 0.3));
     LandmarkUpdate update;
-    return update.see(std::vector<LandmarkSighting>{point(range_m, 0.3)}, {}, filter);
+    return update.add_sightings(std::vector<LandmarkSighting>{point(range_m, 0.3)}, {}, filter);
   };
-  EXPECT_LT(surprise_at(2.0), surprise_at(2.02));
-  EXPECT_LT(surprise_at(2.02), surprise_at(3.0)) << "that is of no landmark";
-  EXPECT_EQ(surprise_at(3.0), surprise_at(4.0)) << "as likely from anywhere";
+  EXPECT_LT(negative_log_evidence_at(2.0), negative_log_evidence_at(2.02));
+  EXPECT_LT(negative_log_evidence_at(2.02), negative_log_evidence_at(3.0))
+      << "that is of no landmark";
+  EXPECT_EQ(negative_log_evidence_at(3.0), negative_log_evidence_at(4.0))
+      << "as likely from anywhere";
 }
 
 TEST(LandmarkUpdate, RefusesGatesThatAreNone) {

@@ -41,12 +41,12 @@ Pose2 on_ring(int step) {
   const Eigen::Vector2d corners_m[] = {{1.0, 1.0}, {15.0, 1.0}, {15.0, 11.0}, {1.0, 11.0}};
   double left_m = kStepM * step;
   for (int side = 0;; side = (side + 1) % 4) {
-    const Eigen::Vector2d way_m = corners_m[(side + 1) % 4] - corners_m[side];
-    if (left_m < way_m.norm()) {
-      const Eigen::Vector2d at_m = corners_m[side] + left_m * way_m.normalized();
+    const Eigen::Vector2d offset_m = corners_m[(side + 1) % 4] - corners_m[side];
+    if (left_m < offset_m.norm()) {
+      const Eigen::Vector2d at_m = corners_m[side] + left_m * offset_m.normalized();
       return {at_m.x(), at_m.y(), side * std::numbers::pi / 2};
     }
-    left_m -= way_m.norm();
+    left_m -= offset_m.norm();
   }
 }
 

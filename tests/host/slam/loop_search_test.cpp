@@ -65,12 +65,12 @@ TEST(LoopSearch, LooksEquallyFarToEachSide) {
        {Eigen::Vector2d(1.5, 0.0), {-1.5, 0.0}, {0.0, 1.5}, {0.0, -1.5}}) {
     const Eigen::Vector2d middle_m = truth.position_m() + off_m;
     LoopSearchParams any;
-    any.least_score = 0.0;
+    any.min_score = 0.0;
     const auto found =
         LoopSearch(any).find(map_m, points_m, {{middle_m.x(), middle_m.y(), 0.3}, kRadiusM, 0.0});
     ASSERT_TRUE(found);
-    const Eigen::Vector2d way_m = found->T_map_robot.position_m() - middle_m;
-    EXPECT_LE(way_m.cwiseAbs().maxCoeff(), kRadiusM + 1e-9) << "from " << off_m.transpose();
+    const Eigen::Vector2d offset_m = found->T_map_robot.position_m() - middle_m;
+    EXPECT_LE(offset_m.cwiseAbs().maxCoeff(), kRadiusM + 1e-9) << "from " << off_m.transpose();
   }
 }
 

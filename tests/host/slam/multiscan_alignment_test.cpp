@@ -109,21 +109,22 @@ TEST(MultiscanAlignment, IsSurprisedByWallsThatDoNotAgree) {
   MultiscanGraph wrong = displaced();
   MultiscanGraph right = displaced();
   align(right, 6);
-  const double before = align(wrong, 1).surprise;
-  EXPECT_LT(align(right, 1).surprise, before);
+  const double before = align(wrong, 1).negative_log_evidence;
+  EXPECT_LT(align(right, 1).negative_log_evidence, before);
 }
 
 TEST(MultiscanAlignment, IsSurprisedByPatchesWithoutMatch) {
   MultiscanGraph matched = displaced();
   align(matched, 6);
   MultiscanGraph alone = matched;
-  EXPECT_LT(align(matched, 1).surprise, align_multiscans(alone, {}, 1, 1, {}).surprise);
+  EXPECT_LT(align(matched, 1).negative_log_evidence,
+            align_multiscans(alone, {}, 1, 1, {}).negative_log_evidence);
 }
 
 TEST(MultiscanAlignment, RefusesParametersWithoutSense) {
   MultiscanAlignmentParams params;
-  params.odometry.position_sd_m = 0.0;
-  EXPECT_THROW(check(params), std::invalid_argument);
+  params.odometry.position_stddev_m = 0.0;
+  EXPECT_THROW(validate(params), std::invalid_argument);
 }
 
 }  // namespace

@@ -75,12 +75,12 @@ PoseGraph pose_graph_of(const FactorGraph& factors) {
   return graph;
 }
 
-double most_moved_m(const std::vector<Pose2>& from, const std::vector<Pose2>& to) {
-  double most_m = 0.0;
+double max_moved_m(const std::vector<Pose2>& from, const std::vector<Pose2>& to) {
+  double max_m = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    most_m = std::max(most_m, (to[i].position_m() - from[i].position_m()).norm());
+    max_m = std::max(max_m, (to[i].position_m() - from[i].position_m()).norm());
   }
-  return most_m;
+  return max_m;
 }
 
 TEST(MultiscanFactors, OfOdometryAreOffByWhatThePosesAreOffIt) {
@@ -109,10 +109,10 @@ TEST(MultiscanFactors, HoldThePosesWhereAlignmentHasPutThem) {
   const auto matches = aligned(graph);
   const FactorGraph factors = factor_graph(graph, matches, 1, params);
   ASSERT_GT(factors.edges.size(), graph.pieces.size());
-  ASSERT_GT(most_moved_m(by_odometry, factors.T_map_nodes), 0.02);
+  ASSERT_GT(max_moved_m(by_odometry, factors.T_map_nodes), 0.02);
   PoseGraph solved = pose_graph_of(factors);
   ASSERT_TRUE(solved.solve());
-  EXPECT_LT(most_moved_m(factors.T_map_nodes, solved.nodes()), 1e-4);
+  EXPECT_LT(max_moved_m(factors.T_map_nodes, solved.nodes()), 1e-4);
 }
 
 TEST(MultiscanFactors, KnowNothingAlongASingleWall) {

@@ -50,12 +50,12 @@ Drive rounds(int count, double drift_rad_per_m = 0.05) {
   constexpr int kSteps = 100;
   constexpr double kRadiusM = 0.8;
   const double turn_rad = radians(360.0) / kSteps;
-  const double way_m = kRadiusM * turn_rad;
+  const double travelled_m = kRadiusM * turn_rad;
   Drive drive{{{kRadiusM, 0.0, radians(90.0)}}, {{kRadiusM, 0.0, radians(90.0)}}};
   for (int i = 0; i < count * kSteps; ++i) {
-    drive.T_map_robot.push_back(drive.T_map_robot.back() * Pose2(way_m, 0.0, turn_rad));
+    drive.T_map_robot.push_back(drive.T_map_robot.back() * Pose2(travelled_m, 0.0, turn_rad));
     drive.T_odom_robot.push_back(drive.T_odom_robot.back() *
-                                 Pose2(way_m, 0.0, turn_rad + drift_rad_per_m * way_m));
+                                 Pose2(travelled_m, 0.0, turn_rad + drift_rad_per_m * travelled_m));
   }
   return drive;
 }
@@ -164,9 +164,9 @@ TEST(MultiscanSlam, RefusesParametersWithoutSense) {
 
 TEST(MultiscanSlam, RefusesBeliefsWithoutSense) {
   MultiscanSlamParams params;
-  for (const std::vector<OdometryBelief>& beliefs :
-       {std::vector<OdometryBelief>{}, {{0.0, 0.33, 3.0}}, {{1.0, 3.0, 0.33}}}) {
-    params.beliefs = beliefs;
+  for (const std::vector<OdometryNoiseHypothesis>& noise_hypotheses :
+       {std::vector<OdometryNoiseHypothesis>{}, {{0.0, 0.33, 3.0}}, {{1.0, 3.0, 0.33}}}) {
+    params.noise_hypotheses = noise_hypotheses;
     EXPECT_THROW(MultiscanSlam{params}, std::invalid_argument);
   }
 }

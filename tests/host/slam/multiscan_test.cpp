@@ -51,7 +51,7 @@ TEST(MultiscanGathering, PlacesEchoesByOdometryFromWhereItBegan) {
 
 TEST(MultiscanGathering, OfARobotThatStandsKeepsAFewEchoesOfItsWholeStay) {
   MultiscanParams params;
-  params.most_echoes = 100;
+  params.max_echoes = 100;
   MultiscanGathering gathering(params);
   constexpr int kPings = 5000;
   for (int i = 0; i < kPings; ++i) {
@@ -93,7 +93,7 @@ TEST(MultiscanGathering, TakesAShortStepForAJumpWhereTheRobotWasCarried) {
 
 TEST(MultiscanGathering, RefusesParametersWithoutSense) {
   MultiscanParams params;
-  params.most_path_m = 0.0;
+  params.max_path_m = 0.0;
   EXPECT_THROW(MultiscanGathering{params}, std::invalid_argument);
 }
 

@@ -39,21 +39,21 @@ TEST(PatchMatching, ReachesAcrossAsFarAsTheRobotMayHaveDriftedSinceAnEarlierVisi
   const auto matches = match_patches(multiscans, 1, params);
   ASSERT_EQ(matches.size(), 1U);
   EXPECT_TRUE(matches[0].is_revisit);
-  EXPECT_NEAR(matches[0].place_sd_m, 0.2, 1e-9);
+  EXPECT_NEAR(matches[0].place_stddev_m, 0.2, 1e-9);
 }
 
 TEST(PatchMatching, AsksFewPartnersOfAVisit) {
   const PatchMatchingParams params;
   const std::vector<PlacedPatches> multiscans(8, one_patch(2.0, 0.0, 0.0));
   const auto matches = match_patches(multiscans, 7, params);
-  ASSERT_EQ(matches.size(), params.most_partners);
+  ASSERT_EQ(matches.size(), params.max_partners);
   EXPECT_EQ(matches.back().earlier.multiscan, 6U) << "the latest ones";
 }
 
 TEST(PatchMatching, RefusesParametersWithoutSense) {
   PatchMatchingParams params;
-  params.most_partners = 0;
-  EXPECT_THROW(check(params), std::invalid_argument);
+  params.max_partners = 0;
+  EXPECT_THROW(validate(params), std::invalid_argument);
 }
 
 }  // namespace

@@ -82,8 +82,10 @@ struct Square {
       graph.add_edge({node - 1, node, told, information(0.02, 0.03), false});
     }
   }
-  static Eigen::Matrix3d information(double sd_m, double sd_rad) {
-    return Eigen::Vector3d(1.0 / (sd_m * sd_m), 1.0 / (sd_m * sd_m), 1.0 / (sd_rad * sd_rad))
+  static Eigen::Matrix3d information(double stddev_m, double stddev_rad) {
+    return Eigen::Vector3d(1.0 / (stddev_m * stddev_m),
+                           1.0 / (stddev_m * stddev_m),
+                           1.0 / (stddev_rad * stddev_rad))
         .asDiagonal();
   }
   double worst_m() const {

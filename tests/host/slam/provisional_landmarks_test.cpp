@@ -19,7 +19,7 @@ LandmarkSighting point(double range_m, double bearing_rad, int label = 0) {
 const ProvisionalLandmarksParams thrice{.sightings = 3, .forgotten_after_scans = 2};
 
 TEST(ProvisionalLandmarks, RefuseADistanceOfNothing) {
-  EXPECT_THROW(ProvisionalLandmarks({.farthest_m = 0.0}), std::invalid_argument);
+  EXPECT_THROW(ProvisionalLandmarks({.max_m = 0.0}), std::invalid_argument);
 }
 
 TEST(ProvisionalLandmarks, AreConfirmedOnceSeenOftenEnoughFromWhereverTheRobotIs) {

@@ -30,11 +30,11 @@ TEST(ScanGathering, IsEnoughByPointsByWayOrByScans) {
   by_points.add({}, ahead(3.0));
   EXPECT_TRUE(by_points.is_enough());
 
-  ScanGathering by_way({100.0, 0.03, 100, 1.0, 100});
-  by_way.add({}, {});
-  EXPECT_FALSE(by_way.is_enough());
-  by_way.add({1.1, 0.0, 0.0}, {});
-  EXPECT_TRUE(by_way.is_enough());
+  ScanGathering by_distance({100.0, 0.03, 100, 1.0, 100});
+  by_distance.add({}, {});
+  EXPECT_FALSE(by_distance.is_enough());
+  by_distance.add({1.1, 0.0, 0.0}, {});
+  EXPECT_TRUE(by_distance.is_enough());
 
   ScanGathering by_scans({100.0, 0.03, 100, 1.0, 3});
   for (int i = 0; i < 3; ++i) {

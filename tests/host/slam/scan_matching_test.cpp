@@ -16,16 +16,15 @@ using geometry::Pose2;
 
 constexpr double kReachM = 20.0;
 
-localization::PoseGaussian believed(const Pose2& pose, double sd_m, double sd_rad) {
+localization::PoseGaussian believed(const Pose2& pose, double stddev_m, double stddev_rad) {
   localization::PoseGaussian belief{pose, Eigen::Matrix3d::Zero()};
-  belief.covariance.diagonal() << sd_m * sd_m, sd_m * sd_m, sd_rad * sd_rad;
+  belief.covariance.diagonal() << stddev_m * stddev_m, stddev_m * stddev_m, stddev_rad * stddev_rad;
   return belief;
 }
 
-void expect_near(const Pose2& pose, const Pose2& expected, double most_m, double most_rad) {
-  EXPECT_LT((pose.position_m() - expected.position_m()).norm(), most_m);
-  EXPECT_LT(std::abs(geometry::angle_between(pose.heading_rad(), expected.heading_rad())),
-            most_rad);
+void expect_near(const Pose2& pose, const Pose2& expected, double max_m, double max_rad) {
+  EXPECT_LT((pose.position_m() - expected.position_m()).norm(), max_m);
+  EXPECT_LT(std::abs(geometry::angle_between(pose.heading_rad(), expected.heading_rad())), max_rad);
 }
 
 /// A building as it was seen all round from some places, and what is seen from another.

@@ -30,21 +30,21 @@ class Robot {
   void go(const Pose2& step) {
     std::normal_distribution<double> shake(0.0, 1.0);
     truth_.push_back(truth_.back() * step);
-    const double way_m = step.position_m().norm();
-    const Pose2 told(1.04 * step.x_m() + 0.02 * way_m * shake(random_),
+    const double travelled_m = step.position_m().norm();
+    const Pose2 told(1.04 * step.x_m() + 0.02 * travelled_m * shake(random_),
                      step.y_m(),
-                     1.02 * step.heading_rad() + way_m * (0.02 + 0.02 * shake(random_)));
+                     1.02 * step.heading_rad() + travelled_m * (0.02 + 0.02 * shake(random_)));
     odometry_.push_back(odometry_.back() * told);
   }
   void jump(const Pose2& by) { odometry_.back() = odometry_.back() * by; }
 
   const Pose2& truth() const { return truth_.back(); }
   const Pose2& odometry() const { return odometry_.back(); }
-  const std::vector<Pose2>& true_way() const { return truth_; }
-  double worst_m(const std::vector<Pose2>& way) const {
+  const std::vector<Pose2>& true_path() const { return truth_; }
+  double worst_m(const std::vector<Pose2>& path) const {
     double worst = 0.0;
-    for (std::size_t i = 0; i < way.size(); ++i) {
-      worst = std::max(worst, (way[i].position_m() - truth_[i].position_m()).norm());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      worst = std::max(worst, (path[i].position_m() - truth_[i].position_m()).norm());
     }
     return worst;
   }
@@ -92,7 +92,7 @@ TEST(ScanSlam, FollowsADenseLaserAtAnyRate) {
     ScanSlam slam;
     Robot robot = hall_robot(180);
     drive_hall(robot, slam, step_m);
-    ASSERT_EQ(slam.trajectory().size(), robot.true_way().size());
+    ASSERT_EQ(slam.trajectory().size(), robot.true_path().size());
     EXPECT_LT(robot.worst_m(slam.trajectory()), 0.05) << step_m;
     EXPECT_GT(robot.odometry_worst_m(), 0.5);
   }
@@ -102,7 +102,7 @@ TEST(ScanSlam, FollowsAThinLaserByGatheringScans) {
   ScanSlam slam;
   Robot robot = hall_robot(12);
   drive_hall(robot, slam, 0.1);
-  ASSERT_EQ(slam.trajectory().size(), robot.true_way().size());
+  ASSERT_EQ(slam.trajectory().size(), robot.true_path().size());
   EXPECT_LT(robot.worst_m(slam.trajectory()), 0.25 * robot.odometry_worst_m());
 }
 
@@ -169,7 +169,7 @@ TEST(ScanSlam, IsOdometryWhereNothingAnswers) {
   drive_hall(robot, slam, 0.1);
   const Pose2& believed = slam.belief().T_map_robot;
   EXPECT_LT((believed.position_m() - robot.odometry().position_m()).norm(), 1e-9);
-  EXPECT_EQ(slam.trajectory().size(), robot.true_way().size());
+  EXPECT_EQ(slam.trajectory().size(), robot.true_path().size());
   EXPECT_GT(std::sqrt(slam.belief().covariance(0, 0)), 0.1) << "and says how little it knows";
 }
 
@@ -211,7 +211,7 @@ TEST(ScanSlam, GetsOverAJumpOfTheOdometry) {
     robot.go({0.1, 0.0, 0.0});
   }
   EXPECT_LT(
-      (slam.trajectory().back().position_m() - robot.true_way().end()[-2].position_m()).norm(),
+      (slam.trajectory().back().position_m() - robot.true_path().end()[-2].position_m()).norm(),
       0.05);
 }
 

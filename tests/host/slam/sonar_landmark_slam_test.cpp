@@ -30,13 +30,13 @@ struct Drive {
 Drive rounds(int count, double drift_rad_per_m) {
   constexpr int kSteps = 60;
   const double turn_rad = geometry::radians(360.0) / kSteps;
-  const double way_m = kRadiusM * turn_rad;
+  const double travelled_m = kRadiusM * turn_rad;
   Drive drive{{{kRadiusM, 0.0, geometry::radians(90.0)}},
               {{kRadiusM, 0.0, geometry::radians(90.0)}}};
   for (int i = 0; i < count * kSteps; ++i) {
-    drive.T_map_robot.push_back(drive.T_map_robot.back() * Pose2(way_m, 0.0, turn_rad));
+    drive.T_map_robot.push_back(drive.T_map_robot.back() * Pose2(travelled_m, 0.0, turn_rad));
     drive.T_odom_robot.push_back(drive.T_odom_robot.back() *
-                                 Pose2(way_m, 0.0, turn_rad + drift_rad_per_m * way_m));
+                                 Pose2(travelled_m, 0.0, turn_rad + drift_rad_per_m * travelled_m));
   }
   return drive;
 }
@@ -44,11 +44,11 @@ Drive rounds(int count, double drift_rad_per_m) {
 /// Ten cones all round, as they hear the room.
 sensors::RangeScan ring_from(const Pose2& T_map_robot, std::mt19937& random) {
   std::normal_distribution<double> noise_m(0.0, 0.01);
-  sensors::RangeScan scan{{}, {}, {}, 2.0 * kHalfOpeningRad, 4.0};
+  sensors::RangeScan scan{{}, {}, {}, 2.0 * kBeamHalfAngleRad, 4.0};
   for (int i = 0; i < 10; ++i) {
     const double bearing_rad = geometry::radians(36.0 * i);
     const Echo cone{
-        T_map_robot.position_m(), T_map_robot.heading_rad() + bearing_rad, 0.0, kHalfOpeningRad};
+        T_map_robot.position_m(), T_map_robot.heading_rad() + bearing_rad, 0.0, kBeamHalfAngleRad};
     auto range_m = heard_m(cone, walls_and_leg());
     if (range_m) {
       *range_m += noise_m(random);
@@ -151,8 +151,8 @@ TEST(SonarLandmarkSlam, ARobotThatStandsLearnsNothing) {
 }
 
 TEST(SonarLandmarkSlam, RefusesParametersWithoutSense) {
-  EXPECT_THROW(SonarLandmarkSlam({.trusts = {}}), std::invalid_argument);
-  EXPECT_THROW(SonarLandmarkSlam({.odometry = {.heading_sd_rad = 0.0}}), std::invalid_argument);
+  EXPECT_THROW(SonarLandmarkSlam({.noise_hypotheses = {}}), std::invalid_argument);
+  EXPECT_THROW(SonarLandmarkSlam({.odometry = {.heading_stddev_rad = 0.0}}), std::invalid_argument);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(SonarLandmarks, KindsCanBeLeftOut) {
 }
 
 TEST(SonarLandmarks, RefusesDeviationsWithoutSense) {
-  EXPECT_THROW(check(SonarLandmarksParams{.point_sd_m = -1.0}), std::invalid_argument);
+  EXPECT_THROW(validate(SonarLandmarksParams{.point_stddev_m = -1.0}), std::invalid_argument);
 }
 
 }  // namespace

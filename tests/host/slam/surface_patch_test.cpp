@@ -18,10 +18,10 @@ using mapping::view_of_wall;
 using geometry::radians;
 
 /// Echoes of the wall x = 2 by a sensor that drives along x = 0, looking there at a slant.
-std::vector<Echo> drive_by(double axis_rad, double half_opening_rad) {
+std::vector<Echo> drive_by(double axis_rad, double beam_half_angle_rad) {
   std::vector<Echo> echoes;
   for (double y_m = 0.0; y_m < 1.0; y_m += 0.1) {
-    Echo echo{{0.0, y_m}, axis_rad, 0.0, half_opening_rad};
+    Echo echo{{0.0, y_m}, axis_rad, 0.0, beam_half_angle_rad};
     echo.range_m = view_of_wall(echo, {0.0, 2.0}).range_m;
     echoes.push_back(echo);
   }
@@ -33,7 +33,7 @@ void expect_on_wall(const std::vector<SurfacePatch>& patches) {
   for (const SurfacePatch& patch : patches) {
     EXPECT_NEAR(patch.point_m.x(), 2.0, 0.01);
     EXPECT_NEAR(patch.normal_rad, 0.0, radians(2.0));
-    EXPECT_LT(patch.offset_sd_m, 0.03);
+    EXPECT_LT(patch.offset_stddev_m, 0.03);
   }
 }
 
@@ -76,8 +76,8 @@ TEST(SurfacePatches, AreNotMadeOfOneEchoHeardAgainAndAgain) {
 
 TEST(SurfacePatches, ParametersWithoutSenseAreRefused) {
   SurfacePatchParams params;
-  params.most_rms_m = 0.0;
-  EXPECT_THROW(check(params), std::invalid_argument);
+  params.max_rms_m = 0.0;
+  EXPECT_THROW(validate(params), std::invalid_argument);
 }
 
 }  // namespace

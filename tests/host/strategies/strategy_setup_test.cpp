@@ -13,7 +13,7 @@ namespace {
 TEST(StrategySetup, TakesTheRobotFromItsProfile) {
   const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
   const auto params = nxt_farthest_params(profile, 7);
-  EXPECT_EQ(params.most_stops, 7U);
+  EXPECT_EQ(params.max_stops, 7U);
   EXPECT_EQ(params.robot_radius_m, profile.body_radius_m);
   EXPECT_EQ(params.sweep.pan_limit_rad, profile.pan_limit_rad);
   EXPECT_EQ(params.sweep.settle_s, profile.settle_s);
@@ -39,7 +39,7 @@ TEST(StrategySetup, TellsTangentBugOfTheRobot) {
   const auto params = tangent_bug_params(profile);
   EXPECT_EQ(params.robot_radius_m, profile.body_radius_m);
   EXPECT_EQ(params.beam_half_angle_rad, profile.beam_half_angle_rad);
-  EXPECT_EQ(params.farthest_m, profile.range.max_range_m);
+  EXPECT_EQ(params.max_m, profile.range.max_range_m);
   EXPECT_EQ(params.sweep.pan_limit_rad, profile.pan_limit_rad);
   EXPECT_EQ(params.sweep.settle_s, profile.settle_s);
 }
@@ -60,7 +60,7 @@ TEST(StrategySetup, AsksForTheWaypointsOfTangentBug) {
 TEST(StrategySetup, RefusesWhatOnlyAnotherStrategyGoesBy) {
   const auto complaint_about = [](const StrategyOptions& options) {
     return tests::thrown_text<console::CommandError>(
-        [&] { require_fit(session::load_robot_profile("uno_2wd"), options); });
+        [&] { validate_fit(session::load_robot_profile("uno_2wd"), options); });
   };
   StrategyOptions options;
   options.name = "frontier";

@@ -15,15 +15,15 @@ TEST(CameraFix, IsReadFromALine) {
   EXPECT_EQ(fix->sent_s, 12.6);
   EXPECT_EQ(fix->T_camera_robot.y_m(), -2.5);
   EXPECT_EQ(fix->T_camera_robot.heading_rad(), 0.5);
-  EXPECT_EQ(fix->std_m, 0.01);
-  EXPECT_EQ(fix->std_rad, 0.02);
+  EXPECT_EQ(fix->stddev_m, 0.01);
+  EXPECT_EQ(fix->stddev_rad, 0.02);
 }
 
 TEST(CameraFix, IsSentAtOnceWhereItDoesNotSay) {
   const auto fix = parse_camera_fix(R"({"stamp_s": 3, "x_m": 1, "y_m": 2, "heading_rad": 0})");
   ASSERT_TRUE(fix);
   EXPECT_EQ(fix->sent_s, 3.0);
-  EXPECT_GT(fix->std_m, 0.0);
+  EXPECT_GT(fix->stddev_m, 0.0);
 }
 
 TEST(CameraFix, IsNothingWhereALineIsNone) {

@@ -79,7 +79,7 @@ TEST_F(EkfFilterTest, SaysThatNoFixComes) {
   const auto filter = connect(std::nullopt);
   bytes = "what?\nwhat?\n";
   const auto text = tests::thrown_text<console::CommandError>([&] { filter->begin(*session); });
-  EXPECT_THAT(text, HasSubstr("no fix came from udp://camera"));
+  EXPECT_THAT(text, HasSubstr("no pose arrived from udp://camera"));
   EXPECT_THAT(text, HasSubstr("2 lines that are none"));
   EXPECT_THAT(text, HasSubstr("next: "));
 }
@@ -106,8 +106,8 @@ TEST_F(EkfFilterTest, WarnsOnceOfACameraThatIsSilent) {
   let_pass(10'000);
   spdlog::set_default_logger(before);
   const std::string text = said.str();
-  EXPECT_THAT(text, HasSubstr("udp://camera has sent no fix of use for 5 s"));
-  EXPECT_EQ(text.find("no fix of use"), text.rfind("no fix of use"));
+  EXPECT_THAT(text, HasSubstr("udp://camera has sent no usable pose for 5 s"));
+  EXPECT_EQ(text.find("no usable pose"), text.rfind("no usable pose"));
 }
 
 TEST_F(EkfFilterTest, HasLostALiftedRobotUntilTheNextFix) {

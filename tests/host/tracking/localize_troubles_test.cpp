@@ -42,7 +42,7 @@ TEST(LocalizeTroubles, SayWhyTheRobotIsNowhere) {
   EXPECT_EQ(reason(tests::map_from({"###", "###"}, 0.1), {scan(0.0)}),
             "a.yaml: no cell of the map is free: there is no floor where a robot could be");
   EXPECT_EQ(reason(kRoom, {scan(0.0, std::numeric_limits<double>::quiet_NaN())}),
-            "a.log: no reading has a range and a place that are numbers");
+            "a.log: no reading has a finite range and pose");
 }
 
 TEST(LocalizeTroubles, AreNoneWhenAllIsWell) {
@@ -58,11 +58,10 @@ TEST(LocalizeTroubles, NameAStartOffTheMapAndTimeThatRunsBackwards) {
   localizer.add(scan(3.0));
   localizer.add(scan(2.0));
   localizer.add(scan(1.0));
-  EXPECT_THAT(
-      troubles_of(localizer),
-      ElementsAre("not there at the start: the robot was thought to be where the map has no "
-                  "floor; looked for everywhere",
-                  "2 scans were left out: time ran backwards"));
+  EXPECT_THAT(troubles_of(localizer),
+              ElementsAre("cannot start at that pose: the estimated pose was off the floor of the "
+                          "map; localizing globally",
+                          "2 scans were left out: time ran backwards"));
 }
 
 }  // namespace

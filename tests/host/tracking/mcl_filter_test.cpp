@@ -53,7 +53,7 @@ TEST_F(MclFilterTest, HasLostARobotThatWasLifted) {
 TEST_F(MclFilterTest, TakesTheSonarFromTheProfile) {
   const auto params = localizer_params(profile, LocalizerPreset::kNxt);
   EXPECT_EQ(params.preset, LocalizerPreset::kNxt);
-  EXPECT_EQ(params.sonar.half_opening_rad, profile.beam_half_angle_rad);
+  EXPECT_EQ(params.sonar.beam_half_angle_rad, profile.beam_half_angle_rad);
   EXPECT_EQ(params.sonar.max_range_m, profile.range.max_range_m);
 }
 

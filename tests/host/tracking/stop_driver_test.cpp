@@ -70,7 +70,7 @@ TEST_F(StopDriverTest, IsPlacedByTheSlamThatIsNamedAlsoWhereItStartsAnew) {
   EXPECT_NE(driver->pipeline().slam(), nullptr);
   driver = std::make_unique<StopDriver>(robot, "none");
   EXPECT_EQ(driver->pipeline().slam(), nullptr);
-  driver->start_anew();
+  driver->restart();
   EXPECT_EQ(driver->pipeline().slam(), nullptr);
 }
 

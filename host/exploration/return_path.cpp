@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "host/exploration/way_home.hpp"
+#include "host/exploration/return_path.hpp"
 
 #include "host/mapping/raster_map.hpp"
 
 namespace echomap::exploration {
 
-std::optional<Motion> WayHome::next(const pipeline::Snapshot& snapshot) {
+std::optional<Motion> ReturnPath::next(const pipeline::Snapshot& snapshot) {
   const geometry::Pose2& here = snapshot.latest.T_map_robot;
   if (!grid_) {
     grid_.emplace(mapping::rasterize(*snapshot.grid), here.position_m(), costs_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/mapping/near_mapper.hpp"
+#include "host/mapping/contact_mapper.hpp"
 
 #include <array>
 #include <numbers>
@@ -18,28 +18,28 @@ using Ranges = std::array<std::optional<double>, 2>;
 constexpr double kRightRad = -std::numbers::pi / 2.0;
 
 /// A round body of 0.1 m; sensors look ahead, and aside by `apart_rad`.
-NearMapperParams robot(double apart_rad = kRightRad) {
-  NearMapperParams params;
+ContactMapperParams robot(double apart_rad = kRightRad) {
+  ContactMapperParams params;
   params.body_radius_m = 0.1;
   params.T_robot_infrared = {{0.1, 0.0, 0.0}, {0.0, 0.0, apart_rad}};
   params.infrared_reach_m = 0.3;
   return params;
 }
 
-tests::DrawnMap drawn(const NearMapper& mapper) {
+tests::DrawnMap drawn(const ContactMapper& mapper) {
   return tests::drawing_of(rasterize(mapper.grid()));
 }
 
-TEST(NearMapper, CallsTheFloorFreeThatTheBodyHasBeenOn) {
-  NearMapper mapper(robot(), {});
+TEST(ContactMapper, CallsTheFloorFreeThatTheBodyHasBeenOn) {
+  ContactMapper mapper(robot(), {});
   for (double x_m = 0.0; x_m < 0.2; x_m += 0.01) {
     mapper.pass_over({x_m, 0.0, 0.0});
   }
   EXPECT_THAT(drawn(mapper), ElementsAre("        ", " ...... ", " ...... ", "        "));
 }
 
-TEST(NearMapper, ABodyThatStandsSaysItOnce) {
-  NearMapper mapper(robot(), {});
+TEST(ContactMapper, ABodyThatStandsSaysItOnce) {
+  ContactMapper mapper(robot(), {});
   mapper.pass_over({});
   const auto once = mapper.grid().centilogits({0, 0});
   mapper.pass_over({0.001, 0.0, 0.0});
@@ -48,16 +48,16 @@ TEST(NearMapper, ABodyThatStandsSaysItOnce) {
   EXPECT_LT(mapper.grid().centilogits({0, 0}), once);
 }
 
-TEST(NearMapper, ABumpOfBothSwitchesIsAWallAhead) {
-  NearMapper mapper(robot(), {});
+TEST(ContactMapper, ABumpOfBothSwitchesIsAWallAhead) {
+  ContactMapper mapper(robot(), {});
   mapper.bump({0.01, 0.02, 0.0}, true, true);
   EXPECT_THAT(drawn(mapper), ElementsAre("   ", " # ", " # ", " # ", "   "));
   EXPECT_EQ(mapper.grid().bounds().min, (geometry::CellIndex{2, -1}));
 }
 
-TEST(NearMapper, ABumpOfOneSwitchIsOnItsSide) {
+TEST(ContactMapper, ABumpOfOneSwitchIsOnItsSide) {
   for (const bool left : {false, true}) {
-    NearMapper mapper(robot(), {});
+    ContactMapper mapper(robot(), {});
     mapper.bump({}, left, !left);
     const CellBounds& bounds = mapper.grid().bounds();
     ASSERT_FALSE(bounds.empty());
@@ -67,34 +67,34 @@ TEST(NearMapper, ABumpOfOneSwitchIsOnItsSide) {
   }
 }
 
-TEST(NearMapper, ASwitchThatOpensSaysNothing) {
-  NearMapper mapper(robot(), {});
+TEST(ContactMapper, ASwitchThatOpensSaysNothing) {
+  ContactMapper mapper(robot(), {});
   mapper.bump({}, false, false);
   EXPECT_TRUE(mapper.grid().bounds().empty());
 }
 
-TEST(NearMapper, KnowsNothingOfABodyWithoutASize) {
-  NearMapperParams params = robot();
+TEST(ContactMapper, KnowsNothingOfABodyWithoutASize) {
+  ContactMapperParams params = robot();
   params.body_radius_m = 0.0;
-  NearMapper mapper(params, {});
+  ContactMapper mapper(params, {});
   mapper.pass_over({});
   mapper.bump({}, true, true);
   EXPECT_TRUE(mapper.grid().bounds().empty());
 }
 
-TEST(NearMapper, SeesWallsAndTheFloorBeforeThem) {
-  NearMapper mapper(robot(), {});
+TEST(ContactMapper, SeesWallsAndTheFloorBeforeThem) {
+  ContactMapper mapper(robot(), {});
   for (int i = 0; i < 10; ++i) {
-    mapper.see({0.0, 0.025, 0.0}, Ranges{0.17, 0.08});
+    mapper.add_ranges({0.0, 0.025, 0.0}, Ranges{0.17, 0.08});
   }
   EXPECT_THAT(drawn(mapper),
               ElementsAre("        ", " . ...# ", " .      ", " #      ", "        "));
 }
 
-TEST(NearMapper, WhereNothingAnswersAllIsFreeAsFarAsASensorSees) {
-  NearMapper mapper(robot(), {});
+TEST(ContactMapper, WhereNothingAnswersAllIsFreeAsFarAsASensorSees) {
+  ContactMapper mapper(robot(), {});
   for (int i = 0; i < 20; ++i) {
-    mapper.see({0.0, 0.025, 0.0}, Ranges{std::nullopt, std::nullopt});
+    mapper.add_ranges({0.0, 0.025, 0.0}, Ranges{std::nullopt, std::nullopt});
   }
   const auto& grid = mapper.grid();
   EXPECT_EQ(grid.state(grid.cell_at({0.38, 0.025})), CellState::kFree);
@@ -102,10 +102,10 @@ TEST(NearMapper, WhereNothingAnswersAllIsFreeAsFarAsASensorSees) {
   EXPECT_FALSE(grid.probability(grid.cell_at({0.46, 0.025})));
 }
 
-TEST(NearMapper, TheFartherOfTwoAnswersOfOneWallIsNoWall) {
+TEST(ContactMapper, TheFartherOfTwoAnswersOfOneWallIsNoWall) {
   const auto is_wall = [](double apart_rad, const Ranges& range_m) {
-    NearMapper mapper(robot(apart_rad), {});
-    mapper.see({0.0, 0.025, 0.0}, range_m);
+    ContactMapper mapper(robot(apart_rad), {});
+    mapper.add_ranges({0.0, 0.025, 0.0}, range_m);
     return mapper.grid().state(mapper.grid().cell_at({0.1 + 0.17, 0.025})) == CellState::kOccupied;
   };
   EXPECT_FALSE(is_wall(-0.8, {0.17, 0.08}));
@@ -114,19 +114,19 @@ TEST(NearMapper, TheFartherOfTwoAnswersOfOneWallIsNoWall) {
   EXPECT_TRUE(is_wall(kRightRad, {0.17, 0.08})) << "it looks aside, at another wall";
 }
 
-TEST(NearMapper, RefusesWhatHasNoSense) {
-  NearMapperParams params = robot();
+TEST(ContactMapper, RefusesWhatHasNoSense) {
+  ContactMapperParams params = robot();
   params.infrared_reach_m = 0.0;
-  EXPECT_THROW(NearMapper(params, {}), std::invalid_argument);
+  EXPECT_THROW(ContactMapper(params, {}), std::invalid_argument);
   params = robot();
   params.body_radius_m = -0.1;
-  EXPECT_THROW(NearMapper(params, {}), std::invalid_argument);
+  EXPECT_THROW(ContactMapper(params, {}), std::invalid_argument);
   params = robot();
   params.silent_centilogits = 10;
-  EXPECT_THROW(NearMapper(params, {}), std::invalid_argument);
+  EXPECT_THROW(ContactMapper(params, {}), std::invalid_argument);
 }
 
-TEST(WithNearEvidence, WhatIsNearOutweighsWhatIsFar) {
+TEST(WithContactEvidence, WhatIsNearOutweighsWhatIsFar) {
   OccupancyGrid far;
   OccupancyGrid near;
   far.add({0, 0}, -500);
@@ -135,7 +135,7 @@ TEST(WithNearEvidence, WhatIsNearOutweighsWhatIsFar) {
   near.add({0, 0}, 294);
   near.add({1, 0}, -400);
   near.add({3, 0}, 294);
-  const OccupancyGrid both = with_near_evidence(far, near);
+  const OccupancyGrid both = with_contact_evidence(far, near);
   EXPECT_EQ(both.state({0, 0}), CellState::kOccupied);
   EXPECT_EQ(both.state({1, 0}), CellState::kFree);
   EXPECT_EQ(both.centilogits({2, 0}), -500) << "nothing near is known of it";

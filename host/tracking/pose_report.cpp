@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/tracking/belief_report.hpp"
+#include "host/tracking/pose_report.hpp"
 
 #include <cmath>
 

@@ -4,13 +4,13 @@
 #include <optional>
 #include <span>
 
-#include "host/sensors/cone_opening.hpp"
+#include "host/sensors/beam_width.hpp"
 #include "host/sensors/range_scan.hpp"
 
 namespace echomap::papers {
 
 /// What stands before the sonar while its cone is measured.
-struct PostOpeningParams {
+struct PostBeamWidthParams {
   /// Distance to the post or the card, metres.
   double target_range_m = 1.0;
   /// What is heard within this of the distance is the target.
@@ -29,14 +29,14 @@ struct PostOpeningParams {
 /// (chi-squared, one degree of freedom); all three less the angle that the post itself takes up.
 ///
 /// Empty where the post was heard fewer than three times, or to one end of the sweep.
-std::optional<sensors::ConeOpening> opening_past_post(std::span<const sensors::Beam> sweep,
-                                                      const PostOpeningParams& params);
+std::optional<sensors::BeamWidth> beam_width_past_post(std::span<const sensors::Beam> sweep,
+                                                       const PostBeamWidthParams& params);
 
 /// The same from a smooth card that is turned before a sonar which stands still; `bearing_rad` is
 /// the angle between the sonar's axis and the card's perpendicular, of which one sign is enough. A
 /// smooth card answers while its perpendicular lies in the cone, so that the opening is twice the
 /// angle of the edge.
-std::optional<sensors::ConeOpening> opening_by_tilt(std::span<const sensors::Beam> tilts,
-                                                    const PostOpeningParams& params);
+std::optional<sensors::BeamWidth> beam_width_by_tilt(std::span<const sensors::Beam> tilts,
+                                                     const PostBeamWidthParams& params);
 
 }  // namespace echomap::papers

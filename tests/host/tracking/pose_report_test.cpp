@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/tracking/belief_report.hpp"
+#include "host/tracking/pose_report.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -18,19 +18,19 @@ localization::PoseBelief belief() {
   return belief;
 }
 
-TEST(BeliefReport, NamesEveryStatus) {
+TEST(PoseReport, NamesEveryStatus) {
   EXPECT_EQ(name_of(LocalizationStatus::kLost), "lost");
   EXPECT_EQ(name_of(LocalizationStatus::kRecovering), "recovering");
   EXPECT_EQ(name_of(LocalizationStatus::kLocalized), "localized");
 }
 
-TEST(BeliefReport, SaysWhereTheRobotIsAndHowLikelyNot) {
+TEST(PoseReport, SaysWhereTheRobotIsAndHowLikelyNot) {
   EXPECT_EQ(text_of(belief()),
             "localized, 1.50, -0.25 m, 0 degrees (not there with probability 0.12)");
   EXPECT_EQ(text_of(localization::PoseBelief{}), "recovering, it may be anywhere");
 }
 
-TEST(BeliefReport, HoldsEveryHypothesisWithItsDeviations) {
+TEST(PoseReport, HoldsEveryHypothesisWithItsDeviations) {
   const auto json = to_json(belief());
   EXPECT_EQ(json.at("status"), "localized");
   EXPECT_EQ(json.at("lost_probability"), 0.125);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/papers/post_opening.hpp"
+#include "tests/papers/post_beam_width.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ namespace echomap::papers {
 namespace {
 
 using sensors::Beam;
-using sensors::ConeOpening;
+using sensors::BeamWidth;
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kGridStepRad = geometry::radians(0.5);
@@ -43,9 +43,9 @@ struct Shape {
   double softness_rad;
 };
 
-std::vector<Trial> trials_of(std::span<const Beam> sweep, const PostOpeningParams& params) {
+std::vector<Trial> trials_of(std::span<const Beam> sweep, const PostBeamWidthParams& params) {
   if (params.target_range_m <= 0.0 || params.tolerance_m <= 0.0 || params.width_m < 0.0) {
-    throw std::invalid_argument("post opening: a parameter is outside of its range");
+    throw std::invalid_argument("post opening: a parameter is out of range");
   }
   std::vector<Trial> trials;
   for (const Beam& reading : sweep) {
@@ -84,7 +84,7 @@ void for_shapes(Adder&& add) {
 
 /// The likeliest opening and its bounds; `step_rad` between two values of the profile. Empty where
 /// it does not fall to both sides.
-std::optional<ConeOpening> peak_of(const std::vector<double>& profile, double step_rad) {
+std::optional<BeamWidth> peak_of(const std::vector<double>& profile, double step_rad) {
   const auto best = std::max_element(profile.begin(), profile.end());
   const auto is_likely = [&](double value) { return value >= *best - kLikelihoodFall; };
   if (is_likely(profile.front()) || is_likely(profile.back())) {
@@ -96,7 +96,7 @@ std::optional<ConeOpening> peak_of(const std::vector<double>& profile, double st
   const auto angle_rad = [&](auto value) {
     return step_rad * static_cast<double>(value - profile.begin());
   };
-  return ConeOpening{angle_rad(best), angle_rad(low), angle_rad(high)};
+  return BeamWidth{angle_rad(best), angle_rad(low), angle_rad(high)};
 }
 
 /// The middle one of the bearings at which the target was heard; empty for fewer than three.
@@ -120,8 +120,8 @@ std::optional<double> middle_rad(const std::vector<Trial>& trials) {
 
 }  // namespace
 
-std::optional<ConeOpening> opening_past_post(std::span<const Beam> sweep,
-                                             const PostOpeningParams& params) {
+std::optional<BeamWidth> beam_width_past_post(std::span<const Beam> sweep,
+                                              const PostBeamWidthParams& params) {
   const std::vector<Trial> trials = trials_of(sweep, params);
   const auto axis_rad = middle_rad(trials);
   if (!axis_rad) {
@@ -145,15 +145,15 @@ std::optional<ConeOpening> opening_past_post(std::span<const Beam> sweep,
   auto opening = peak_of(profile, kGridStepRad);
   if (opening) {
     const double width_rad = 2.0 * std::atan(0.5 * params.width_m / params.target_range_m);
-    opening->opening_rad -= width_rad;
+    opening->beam_width_rad -= width_rad;
     opening->low_rad -= width_rad;
     opening->high_rad -= width_rad;
   }
   return opening;
 }
 
-std::optional<ConeOpening> opening_by_tilt(std::span<const Beam> tilts,
-                                           const PostOpeningParams& params) {
+std::optional<BeamWidth> beam_width_by_tilt(std::span<const Beam> tilts,
+                                            const PostBeamWidthParams& params) {
   std::vector<Trial> trials = trials_of(tilts, params);
   if (!middle_rad(trials)) {
     return std::nullopt;

@@ -11,9 +11,9 @@
 namespace echomap::exploration {
 
 /// Leads a robot back to where it started, over floor that the map holds free.
-class WayHome {
+class ReturnPath {
  public:
-  WayHome(const CostGridParams& costs, const PathFollowerParams& follower)
+  ReturnPath(const CostGridParams& costs, const PathFollowerParams& follower)
       : costs_(costs), follower_(follower) {}
 
   /// The next motion; empty once the robot is there, or where no way is known.

@@ -10,10 +10,10 @@
 namespace echomap::tests {
 
 /// Whether the first hypothesis is within so much of the truth.
-inline bool is_believed_near(const localization::PoseBelief& belief,
-                             const geometry::Pose2& truth,
-                             double within_m,
-                             double within_rad) {
+inline bool is_estimated_near(const localization::PoseBelief& belief,
+                              const geometry::Pose2& truth,
+                              double within_m,
+                              double within_rad) {
   if (belief.hypotheses.empty()) {
     return false;
   }

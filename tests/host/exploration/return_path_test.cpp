@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/exploration/way_home.hpp"
+#include "host/exploration/return_path.hpp"
 
 #include <utility>
 #include <variant>
@@ -25,12 +25,12 @@ mapping::OccupancyGrid floor_with_a_wall(bool has_gap) {
 }
 
 /// Where a robot ends that does as it is told.
-geometry::Pose2 end_of_way(mapping::OccupancyGrid grid, geometry::Pose2 T_map_robot) {
-  WayHome way_home({}, {});
+geometry::Pose2 end_of_path(mapping::OccupancyGrid grid, geometry::Pose2 T_map_robot) {
+  ReturnPath return_path({}, {});
   auto snapshot = tests::snapshot_of(std::move(grid));
   for (int i = 0; i < 2000; ++i) {
     snapshot.latest.T_map_robot = T_map_robot;
-    const auto motion = way_home.next(snapshot);
+    const auto motion = return_path.next(snapshot);
     if (!motion) {
       return T_map_robot;
     }
@@ -45,19 +45,19 @@ geometry::Pose2 end_of_way(mapping::OccupancyGrid grid, geometry::Pose2 T_map_ro
   return T_map_robot;
 }
 
-TEST(WayHome, LeadsRoundAWallToTheStart) {
-  const auto end = end_of_way(floor_with_a_wall(true), {2.0, -0.5, 1.0});
+TEST(ReturnPath, LeadsRoundAWallToTheStart) {
+  const auto end = end_of_path(floor_with_a_wall(true), {2.0, -0.5, 1.0});
   EXPECT_LT(end.position_m().norm(), 0.1);
 }
 
-TEST(WayHome, StaysWhereNoWayIsKnown) {
-  const auto end = end_of_way(floor_with_a_wall(false), {2.0, -0.5, 1.0});
+TEST(ReturnPath, StaysWhereNoWayIsKnown) {
+  const auto end = end_of_path(floor_with_a_wall(false), {2.0, -0.5, 1.0});
   EXPECT_NEAR(end.x_m(), 2.0, 1e-9);
 }
 
-TEST(WayHome, IsDoneAtTheStart) {
-  WayHome way_home({}, {});
-  EXPECT_FALSE(way_home.next(tests::snapshot_of(floor_with_a_wall(true))));
+TEST(ReturnPath, IsDoneAtTheStart) {
+  ReturnPath return_path({}, {});
+  EXPECT_FALSE(return_path.next(tests::snapshot_of(floor_with_a_wall(true))));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/mapping/near_mapper.hpp"
+#include "host/mapping/contact_mapper.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,26 +12,26 @@
 namespace echomap::mapping {
 namespace {
 
-const NearMapperParams& checked(const NearMapperParams& params) {
+const ContactMapperParams& validated(const ContactMapperParams& params) {
   const bool lengths_ok = params.body_radius_m >= 0.0 && params.body_step_m > 0.0 &&
                           (params.infrared_reach_m > 0.0 || params.T_robot_infrared.empty());
   const bool evidence_ok =
       params.body_centilogits < 0 && params.silent_centilogits < 0 && params.same_wall_rad >= 0.0;
   if (!lengths_ok || !evidence_ok) {
-    throw std::invalid_argument("near mapper: a parameter is outside of its range");
+    throw std::invalid_argument("near mapper: a parameter is out of range");
   }
   return params;
 }
 
 }  // namespace
 
-NearMapper::NearMapper(const NearMapperParams& params, const OccupancyGridParams& grid)
-    : params_(checked(params)),
+ContactMapper::ContactMapper(const ContactMapperParams& params, const OccupancyGridParams& grid)
+    : params_(validated(params)),
       grid_(grid),
       answers_(params.infrared),
       silence_({params.infrared.hit_centilogits, params.silent_centilogits}) {}
 
-void NearMapper::pass_over(const geometry::Pose2& T_map_robot) {
+void ContactMapper::pass_over(const geometry::Pose2& T_map_robot) {
   const Eigen::Vector2d here_m = T_map_robot.position_m();
   const bool has_moved = !last_stand_m_ || (here_m - *last_stand_m_).norm() >= params_.body_step_m;
   if (params_.body_radius_m > 0.0 && has_moved) {
@@ -40,7 +40,7 @@ void NearMapper::pass_over(const geometry::Pose2& T_map_robot) {
   }
 }
 
-void NearMapper::bump(const geometry::Pose2& T_map_robot, bool left, bool right) {
+void ContactMapper::bump(const geometry::Pose2& T_map_robot, bool left, bool right) {
   if (params_.body_radius_m == 0.0 || (!left && !right)) {
     return;
   }
@@ -53,19 +53,19 @@ void NearMapper::bump(const geometry::Pose2& T_map_robot, bool left, bool right)
               grid_);
 }
 
-void NearMapper::see(const geometry::Pose2& T_map_robot,
-                     std::span<const std::optional<double>> range_m) {
+void ContactMapper::add_ranges(const geometry::Pose2& T_map_robot,
+                               std::span<const std::optional<double>> range_m) {
   const std::size_t count = std::min(range_m.size(), params_.T_robot_infrared.size());
   for (std::size_t i = 0; i < count; ++i) {
     const geometry::Pose2 T_map_sensor = T_map_robot * params_.T_robot_infrared[i];
-    const bool is_silent = !range_m[i] || sees_a_slanted_wall(range_m.first(count), i);
+    const bool is_silent = !range_m[i] || sees_an_oblique_wall(range_m.first(count), i);
     const Ray ray{{range_m[i].value_or(params_.infrared_reach_m), 0.0}, !is_silent};
     (is_silent ? silence_ : answers_).insert(T_map_sensor, {&ray, 1}, grid_);
   }
 }
 
-bool NearMapper::sees_a_slanted_wall(std::span<const std::optional<double>> range_m,
-                                     std::size_t i) const {
+bool ContactMapper::sees_an_oblique_wall(std::span<const std::optional<double>> range_m,
+                                         std::size_t i) const {
   for (std::size_t j = 0; j < range_m.size(); ++j) {
     const double apart_rad = std::abs(geometry::angle_between(
         params_.T_robot_infrared[i].heading_rad(), params_.T_robot_infrared[j].heading_rad()));
@@ -76,16 +76,16 @@ bool NearMapper::sees_a_slanted_wall(std::span<const std::optional<double>> rang
   return false;
 }
 
-OccupancyGrid with_near_evidence(OccupancyGrid far,
-                                 const OccupancyGrid& near,
-                                 int most_centilogits) {
+OccupancyGrid with_contact_evidence(OccupancyGrid far,
+                                    const OccupancyGrid& near,
+                                    int max_centilogits) {
   const CellBounds& bounds = near.bounds();
   for (geometry::CellIndex cell = bounds.min; cell.y <= bounds.max.y; ++cell.y) {
     for (cell.x = bounds.min.x; cell.x <= bounds.max.x; ++cell.x) {
       if (const auto evidence = near.centilogits(cell)) {
         const int from_afar = far.centilogits(cell).value_or(0);
         far.add(cell,
-                std::clamp(from_afar, -most_centilogits, most_centilogits) - from_afar + *evidence);
+                std::clamp(from_afar, -max_centilogits, max_centilogits) - from_afar + *evidence);
       }
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/sensors/wall_opening.hpp"
+#include "host/sensors/wall_beam_width.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +39,12 @@ std::optional<double> nearest_m(const std::vector<HeardWall>& walls,
 
 /// All round from `first_deg`, steps of 5 degrees, in whole centimetres as the NXT's sonar counts.
 std::vector<Beam> sweep_past(const std::vector<HeardWall>& walls,
-                             double opening_deg,
+                             double beam_width_deg,
                              double first_deg = 0.0) {
   std::vector<Beam> sweep;
   for (int i = 0; i < 72; ++i) {
     const double bearing_rad = geometry::wrap_angle(radians(first_deg + 5.0 * i));
-    auto range_m = nearest_m(walls, bearing_rad, radians(0.5 * opening_deg));
+    auto range_m = nearest_m(walls, bearing_rad, radians(0.5 * beam_width_deg));
     if (range_m) {
       range_m = 0.01 * std::round(100.0 * *range_m);
     }
@@ -54,12 +54,12 @@ std::vector<Beam> sweep_past(const std::vector<HeardWall>& walls,
 }
 
 TEST(SweptWalls, FindsTheOpeningOfTheCone) {
-  for (const double opening_deg : {15.0, 32.8, 45.0}) {
-    const auto walls = swept_walls(sweep_past({{90.0, 0.6}}, opening_deg));
-    ASSERT_EQ(walls.size(), 1U) << opening_deg;
-    EXPECT_NEAR(geometry::degrees(walls[0].opening.opening_rad), opening_deg, 4.0);
-    EXPECT_LE(walls[0].opening.low_rad, radians(opening_deg));
-    EXPECT_GE(walls[0].opening.high_rad, radians(opening_deg));
+  for (const double beam_width_deg : {15.0, 32.8, 45.0}) {
+    const auto walls = swept_walls(sweep_past({{90.0, 0.6}}, beam_width_deg));
+    ASSERT_EQ(walls.size(), 1U) << beam_width_deg;
+    EXPECT_NEAR(geometry::degrees(walls[0].opening.beam_width_rad), beam_width_deg, 4.0);
+    EXPECT_LE(walls[0].opening.low_rad, radians(beam_width_deg));
+    EXPECT_GE(walls[0].opening.high_rad, radians(beam_width_deg));
     EXPECT_NEAR(geometry::degrees(walls[0].bearing_rad), 90.0, 2.0);
     EXPECT_NEAR(walls[0].range_m, 0.6, 0.01);
   }
@@ -84,8 +84,8 @@ TEST(SweptWalls, IsTheSameWhereverTheSweepBeginsAndWhicheverWayItGoes) {
   ASSERT_EQ(begun_amidst.size(), 1U);
   ASSERT_EQ(turned_back.size(), 1U);
   EXPECT_EQ(begun_amidst[0].readings, begun_behind[0].readings);
-  EXPECT_NEAR(begun_amidst[0].opening.opening_rad, begun_behind[0].opening.opening_rad, 1e-9);
-  EXPECT_NEAR(turned_back[0].opening.opening_rad, begun_behind[0].opening.opening_rad, 1e-9);
+  EXPECT_NEAR(begun_amidst[0].opening.beam_width_rad, begun_behind[0].opening.beam_width_rad, 1e-9);
+  EXPECT_NEAR(turned_back[0].opening.beam_width_rad, begun_behind[0].opening.beam_width_rad, 1e-9);
 }
 
 TEST(SweptWalls, PassesOverWhatIsNoWall) {
@@ -103,18 +103,18 @@ TEST(SweptWalls, RefusesParametersWithoutSense) {
   EXPECT_THROW(swept_walls({}, {0.005, 0.05, 3}), std::invalid_argument);
 }
 
-TEST(PooledOpening, IsTheMeanWithStudentsBounds) {
+TEST(PooledBeamWidth, IsTheMeanWithStudentsBounds) {
   std::vector<SweptWall> walls(3);
-  walls[0].opening.opening_rad = 0.4;
-  walls[1].opening.opening_rad = 0.5;
-  walls[2].opening.opening_rad = 0.6;
-  const auto pooled = pooled_opening(walls);
+  walls[0].opening.beam_width_rad = 0.4;
+  walls[1].opening.beam_width_rad = 0.5;
+  walls[2].opening.beam_width_rad = 0.6;
+  const auto pooled = pooled_beam_width(walls);
   ASSERT_TRUE(pooled);
-  EXPECT_NEAR(pooled->mean.opening_rad, 0.5, 1e-12);
+  EXPECT_NEAR(pooled->mean.beam_width_rad, 0.5, 1e-12);
   EXPECT_NEAR(pooled->spread_rad, 0.1, 1e-12);
   EXPECT_NEAR(pooled->mean.high_rad, 0.5 + 4.303 * 0.1 / std::sqrt(3.0), 1e-3);
   walls.pop_back();
-  EXPECT_FALSE(pooled_opening(walls));
+  EXPECT_FALSE(pooled_beam_width(walls));
 }
 
 }  // namespace

@@ -6,21 +6,21 @@
 #include <span>
 #include <vector>
 
-#include "host/sensors/cone_opening.hpp"
+#include "host/sensors/beam_width.hpp"
 #include "host/sensors/range_scan.hpp"
 
 namespace echomap::sensors {
 
 /// How a cone's opening is read off walls.
-struct WallOpeningParams {
+struct WallBeamWidthParams {
   /// Standard deviation of a range about the model, metres; half of the centimetre in which small
   /// sonars count. A wall has to rise by three of it on both sides, and to be fitted within two.
-  double range_sd_m = 0.005;
+  double range_stddev_m = 0.005;
   /// Where neighbours differ by more than this share of the range and two standard deviations, one
   /// wall ends. At 5 degrees a step and 30 degrees beyond the flat a wall changes by that
   /// much.
   double jump_share = 0.05;
-  std::size_t least_readings = 8;
+  std::size_t min_readings = 8;
 };
 
 /// One reading of a wall: the angle between the beam's axis and the wall's perpendicular, and the
@@ -35,7 +35,7 @@ struct SweptWall {
   /// Where the wall is nearest, and how near.
   double bearing_rad = 0.0;
   double range_m = 0.0;
-  ConeOpening opening;
+  BeamWidth opening;
   double residual_m = 0.0;
   std::size_t readings = 0;
   std::vector<WallReading> heard;  ///< All of these readings.
@@ -51,20 +51,20 @@ struct SweptWall {
 /// that answers beside the perpendicular, and is the wider for one that is not straight.
 ///
 /// Bearings rise or fall throughout; a sweep that closes on itself is taken as a ring. Throws
-/// std::invalid_argument for parameters without sense.
+/// std::invalid_argument for invalid parameters.
 std::vector<SweptWall> swept_walls(std::span<const Beam> sweep,
-                                   const WallOpeningParams& params = {});
+                                   const WallBeamWidthParams& params = {});
 
 /// What several walls say together.
-struct PooledOpening {
+struct PooledBeamWidth {
   /// The mean over the walls, each with the weight of the inverse square of its bounds' distance,
   /// and Student's t for the bounds: walls differ by more than their fits tell.
-  ConeOpening mean;
+  BeamWidth mean;
   /// Standard deviation over the walls, weighted the same.
   double spread_rad = 0.0;
 };
 
 /// Empty for fewer than three walls.
-std::optional<PooledOpening> pooled_opening(std::span<const SweptWall> walls);
+std::optional<PooledBeamWidth> pooled_beam_width(std::span<const SweptWall> walls);
 
 }  // namespace echomap::sensors

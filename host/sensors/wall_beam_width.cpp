@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "host/sensors/wall_opening.hpp"
+#include "host/sensors/wall_beam_width.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include <boost/math/distributions/students_t.hpp>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/sensors/range_scan.hpp"
 
 namespace echomap::sensors {
@@ -27,9 +27,9 @@ struct Echo {
 using Echoes = std::span<const Echo>;
 
 constexpr double kGridStepRad = geometry::radians(0.25);
-constexpr int kHalfOpenings = 181;
+constexpr int kBeamHalfAngles = 181;
 /// Nothing is heard that far off a wall's perpendicular.
-constexpr double kFarthestOffRad = geometry::radians(75.0);
+constexpr double kMaxOffRad = geometry::radians(75.0);
 constexpr std::size_t kUnknowns = 3;
 
 /// Student's t for a confidence of 95 %, both sides.
@@ -41,9 +41,9 @@ double student_t(std::size_t degrees_of_freedom) {
 /// The sweep as runs of echoes that may be of one wall.
 class Runs {
  public:
-  Runs(std::span<const Beam> sweep, const WallOpeningParams& params)
+  Runs(std::span<const Beam> sweep, const WallBeamWidthParams& params)
       : sweep_(sweep), params_(params) {
-    if (sweep.size() < params.least_readings) {
+    if (sweep.size() < params.min_readings) {
       return;
     }
     const std::size_t begin = is_ring() ? first_break() : 0;
@@ -97,11 +97,11 @@ class Runs {
     const auto& to_m = sweep_[now].range_m;
     return !from_m || !to_m ||
            std::abs(*to_m - *from_m) >
-               params_.jump_share * std::min(*from_m, *to_m) + 2.0 * params_.range_sd_m;
+               params_.jump_share * std::min(*from_m, *to_m) + 2.0 * params_.range_stddev_m;
   }
 
   std::span<const Beam> sweep_;
-  const WallOpeningParams& params_;
+  const WallBeamWidthParams& params_;
   std::vector<std::vector<Echo>> runs_;
 };
 
@@ -121,11 +121,11 @@ Iterator shoulder(Iterator nearest, Iterator end, double fall_m) {
 }
 
 /// Adds the pieces of a run that fall and rise again: one for each wall.
-void add_dips(Echoes run, const WallOpeningParams& params, std::vector<Echoes>& dips) {
-  if (run.size() < params.least_readings) {
+void add_dips(Echoes run, const WallBeamWidthParams& params, std::vector<Echoes>& dips) {
+  if (run.size() < params.min_readings) {
     return;
   }
-  const double shoulder_m = 3.0 * params.range_sd_m;
+  const double shoulder_m = 3.0 * params.range_stddev_m;
   const auto nearer = [](const Echo& a, const Echo& b) { return a.smooth_m < b.smooth_m; };
   const auto nearest = std::min_element(run.begin(), run.end(), nearer);
   const auto last = shoulder(nearest, run.end(), shoulder_m);
@@ -134,7 +134,7 @@ void add_dips(Echoes run, const WallOpeningParams& params, std::vector<Echoes>& 
   const auto begin = static_cast<std::size_t>(first - run.begin());
   const auto size = static_cast<std::size_t>(last - first) + 1;
   const bool rises = std::min(first->smooth_m, last->smooth_m) - nearest->smooth_m >= shoulder_m;
-  if (rises && size >= params.least_readings) {
+  if (rises && size >= params.min_readings) {
     dips.push_back(run.subspan(begin, size));
   }
   add_dips(run.first(begin), params, dips);
@@ -149,17 +149,17 @@ struct Fit {
 };
 
 /// Equation (1): the range of a wall 1 m away.
-double stretch_at(double off_bearing_rad, double half_opening_rad) {
+double stretch_at(double off_bearing_rad, double beam_half_angle_rad) {
   return 1.0 /
-         std::cos(std::clamp(std::abs(off_bearing_rad) - half_opening_rad, 0.0, kFarthestOffRad));
+         std::cos(std::clamp(std::abs(off_bearing_rad) - beam_half_angle_rad, 0.0, kMaxOffRad));
 }
 
-Fit fit_range(Echoes dip, double bearing_rad, double half_opening_rad) {
+Fit fit_range(Echoes dip, double bearing_rad, double beam_half_angle_rad) {
   double ranges = 0.0;
   double stretches = 0.0;
   double both = 0.0;
   for (const Echo& echo : dip) {
-    const double stretch = stretch_at(echo.bearing_rad - bearing_rad, half_opening_rad);
+    const double stretch = stretch_at(echo.bearing_rad - bearing_rad, beam_half_angle_rad);
     ranges += echo.range_m * echo.range_m;
     stretches += stretch * stretch;
     both += echo.range_m * stretch;
@@ -168,11 +168,11 @@ Fit fit_range(Echoes dip, double bearing_rad, double half_opening_rad) {
 }
 
 /// The best wall for each half opening.
-std::array<Fit, kHalfOpenings> profile_of(Echoes dip) {
+std::array<Fit, kBeamHalfAngles> profile_of(Echoes dip) {
   const double low_rad = std::min(dip.front().bearing_rad, dip.back().bearing_rad);
   const double high_rad = std::max(dip.front().bearing_rad, dip.back().bearing_rad);
   const int bearings = static_cast<int>((high_rad - low_rad) / (2.0 * kGridStepRad));
-  std::array<Fit, kHalfOpenings> profile;
+  std::array<Fit, kBeamHalfAngles> profile;
   for (std::size_t half = 0; half < profile.size(); ++half) {
     for (int i = 0; i <= bearings; ++i) {
       const double bearing_rad = low_rad + i * 2.0 * kGridStepRad;
@@ -185,12 +185,12 @@ std::array<Fit, kHalfOpenings> profile_of(Echoes dip) {
   return profile;
 }
 
-std::vector<WallReading> heard_by(Echoes dip, const Fit& fit, double half_opening_rad) {
+std::vector<WallReading> heard_by(Echoes dip, const Fit& fit, double beam_half_angle_rad) {
   std::vector<WallReading> heard;
   for (const Echo& echo : dip) {
     const double off_rad = echo.bearing_rad - fit.bearing_rad;
     heard.push_back(
-        {std::abs(off_rad), echo.range_m - fit.range_m * stretch_at(off_rad, half_opening_rad)});
+        {std::abs(off_rad), echo.range_m - fit.range_m * stretch_at(off_rad, beam_half_angle_rad)});
   }
   return heard;
 }
@@ -205,7 +205,7 @@ SweptWall wall_of(Echoes dip) {
   const auto is_likely = [&](const Fit& fit) {
     return fit.squares_m2 <= best->squares_m2 + t * t * variance_m2;
   };
-  const auto opening_rad = [&](auto fit) {
+  const auto beam_width_rad = [&](auto fit) {
     return 2.0 * kGridStepRad * static_cast<double>(fit - profile.begin());
   };
   // Outwards to the grid's next steps.
@@ -215,10 +215,10 @@ SweptWall wall_of(Echoes dip) {
       std::min(std::find_if(profile.rbegin(), profile.rend(), is_likely).base(), profile.end() - 1);
   return {geometry::wrap_angle(best->bearing_rad),
           best->range_m,
-          {opening_rad(best), opening_rad(low), opening_rad(high)},
+          {beam_width_rad(best), beam_width_rad(low), beam_width_rad(high)},
           std::sqrt(variance_m2),
           dip.size(),
-          heard_by(dip, *best, 0.5 * opening_rad(best))};
+          heard_by(dip, *best, 0.5 * beam_width_rad(best))};
 }
 
 /// No wall is surer than the grid.
@@ -230,10 +230,11 @@ double weight_of(const SweptWall& wall) {
 
 }  // namespace
 
-std::vector<SweptWall> swept_walls(std::span<const Beam> sweep, const WallOpeningParams& params) {
-  if (params.range_sd_m <= 0.0 || params.jump_share < 0.0 || params.least_readings <= kUnknowns) {
-    throw std::invalid_argument("wall opening: a parameter is outside of its range");
-  }
+std::vector<SweptWall> swept_walls(std::span<const Beam> sweep, const WallBeamWidthParams& params) {
+  geometry::ParameterValidator("wall beam width")
+      .positive("range_stddev_m", params.range_stddev_m)
+      .at_least("jump_share", params.jump_share, 0.0)
+      .above("min_readings", params.min_readings, kUnknowns);
   const Runs runs(sweep, params);
   std::vector<SweptWall> walls;
   for (const auto& run : runs.runs()) {
@@ -241,7 +242,7 @@ std::vector<SweptWall> swept_walls(std::span<const Beam> sweep, const WallOpenin
     add_dips(run, params, dips);
     for (const Echoes& dip : dips) {
       const SweptWall wall = wall_of(dip);
-      if (wall.residual_m <= 2.0 * params.range_sd_m) {
+      if (wall.residual_m <= 2.0 * params.range_stddev_m) {
         walls.push_back(wall);
       }
     }
@@ -252,7 +253,7 @@ std::vector<SweptWall> swept_walls(std::span<const Beam> sweep, const WallOpenin
   return walls;
 }
 
-std::optional<PooledOpening> pooled_opening(std::span<const SweptWall> walls) {
+std::optional<PooledBeamWidth> pooled_beam_width(std::span<const SweptWall> walls) {
   if (walls.size() < 3) {
     return std::nullopt;
   }
@@ -260,17 +261,17 @@ std::optional<PooledOpening> pooled_opening(std::span<const SweptWall> walls) {
   double sum_rad = 0.0;
   for (const SweptWall& wall : walls) {
     weights += weight_of(wall);
-    sum_rad += weight_of(wall) * wall.opening.opening_rad;
+    sum_rad += weight_of(wall) * wall.opening.beam_width_rad;
   }
   const double mean_rad = sum_rad / weights;
   double squares = 0.0;
   for (const SweptWall& wall : walls) {
-    squares += weight_of(wall) * std::pow(wall.opening.opening_rad - mean_rad, 2);
+    squares += weight_of(wall) * std::pow(wall.opening.beam_width_rad - mean_rad, 2);
   }
   const double count = static_cast<double>(walls.size());
   const double spread_rad = std::sqrt(squares / weights * count / (count - 1.0));
   const double bound_rad = student_t(walls.size() - 1) * spread_rad / std::sqrt(count);
-  return PooledOpening{{mean_rad, mean_rad - bound_rad, mean_rad + bound_rad}, spread_rad};
+  return PooledBeamWidth{{mean_rad, mean_rad - bound_rad, mean_rad + bound_rad}, spread_rad};
 }
 
 }  // namespace echomap::sensors
