@@ -17,13 +17,13 @@ void DrivenWheel::follow(int16_t count) {
   motor_.set(duty_);
 }
 
-protocol::MotionOutcome DrivenWheel::judge(const protocol::ConfigureDrive& settings,
+protocol::MotionOutcome DrivenWheel::classify(const protocol::ConfigureDrive& settings,
                                            const protocol::ConfigureSafety& limits) {
   if (controller_.stalled(settings)) {
     return protocol::MotionOutcome::kStalled;
   }
   const WheelPeriod now{step_, duty_, controller_.turned(), controller_.turned_sum()};
-  return guard_.judge(limits, now);
+  return guard_.classify(limits, now);
 }
 
 void DrivenWheel::release() { motor_.set(0); }

@@ -30,7 +30,7 @@ class DrivenWheel {
 
   bool arrived() const { return controller_.arrived(); }
   /// What is wrong after a control period: kNone, kStalled, kRunaway or kOverSpeed.
-  protocol::MotionOutcome judge(const protocol::ConfigureDrive& settings,
+  protocol::MotionOutcome classify(const protocol::ConfigureDrive& settings,
                                 const protocol::ConfigureSafety& limits);
 
  private:

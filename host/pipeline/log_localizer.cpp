@@ -39,11 +39,11 @@ time::RobotTime robot_time(double stamp_s) {
 /// What the ranges of one kind of sensor need.
 struct LogLocalizer::Sensor {
   Sensor(const mapping::RasterMap& map,
-         double beam_width_rad,
+         double sensor_beam_width_rad,
          const localization::LocalizedRobot& robot,
          localization::LocalizerPreset preset,
          std::mt19937 random)
-      : beam_width_rad(beam_width_rad),
+      : beam_width_rad(sensor_beam_width_rad),
         observation(localization::observation_model(preset, map, robot)),
         localizer(*observation, localization::localizer_params(preset, robot), random) {}
 

@@ -13,7 +13,7 @@ mapping::CellState state_at(const mapping::OccupancyGrid& grid, double x_m, doub
 TEST(ScanMap, KnowsNothingWithoutScans) { EXPECT_TRUE(map_of_scans({}, {}).bounds().empty()); }
 
 TEST(ScanMap, DrawsThinBeamsFromWhereTheRobotWas) {
-  const PlacedScan placed{{1.02, 0.02, 0.0}, {{}, {{0.0, 2.0}}, 0.0, 10.0}};
+  const PlacedScan placed{{1.02, 0.02, 0.0}, {{}, {}, {{0.0, 2.0}}, 0.0, 10.0}};
   const auto grid = map_of_scans(std::vector(6, placed), {});
   EXPECT_EQ(state_at(grid, 2.02, 0.02), mapping::CellState::kFree);
   EXPECT_EQ(state_at(grid, 3.02, 0.02), mapping::CellState::kOccupied);
@@ -21,7 +21,7 @@ TEST(ScanMap, DrawsThinBeamsFromWhereTheRobotWas) {
 }
 
 TEST(ScanMap, DoesNotDrawTheAxisOfALoneConeAsAWall) {
-  const PlacedScan placed{{1.0, 0.0, 0.0}, {{}, {{0.0, 2.0}}, 0.5, 4.0}};
+  const PlacedScan placed{{1.0, 0.0, 0.0}, {{}, {}, {{0.0, 2.0}}, 0.5, 4.0}};
   const auto grid = map_of_scans({placed}, {});
   EXPECT_EQ(state_at(grid, 1.5, 0.0), mapping::CellState::kFree);
   EXPECT_NE(state_at(grid, 3.0, 0.0), mapping::CellState::kOccupied);

@@ -31,7 +31,7 @@ class StopDriverTest : public session::SessionOnACable {
     robot.fork().add(scans);
     robot.open({new_connection(), nullptr});
     robot.connect();
-    driver = std::make_unique<StopDriver>(robot, "grid");
+    driver = std::make_unique<StopDriver>(robot, "multiscan");
   }
   void let_it_hear() {
     cable.robot.on_command = [this](std::string_view name) {
