@@ -18,7 +18,7 @@ void DrivenWheel::follow(int16_t count) {
 }
 
 protocol::MotionOutcome DrivenWheel::classify(const protocol::ConfigureDrive& settings,
-                                           const protocol::ConfigureSafety& limits) {
+                                              const protocol::ConfigureSafety& limits) {
   if (controller_.stalled(settings)) {
     return protocol::MotionOutcome::kStalled;
   }

@@ -31,7 +31,7 @@ class DrivenWheel {
   bool arrived() const { return controller_.arrived(); }
   /// What is wrong after a control period: kNone, kStalled, kRunaway or kOverSpeed.
   protocol::MotionOutcome classify(const protocol::ConfigureDrive& settings,
-                                const protocol::ConfigureSafety& limits);
+                                   const protocol::ConfigureSafety& limits);
 
  private:
   drivers::MotorBridge motor_;

@@ -63,7 +63,7 @@ std::optional<SlamRun> explore(const std::string& room,
                               "--headless",
                               "--no-kidnap",
                               "--world=" + room,
-                              "--body=" + std::string(kBody),
+                              fmt::format("--body={}", kBody),
                               "--seed=" + std::to_string(seed),
                               "--out=" + run.string()},
                              run.string() + ".log");

@@ -48,8 +48,8 @@ void run(const Options& options) {
   const slam::NamedSlam& ekf = slam::slam_by_name("ekf");
   add("laser", laser_slam_figures);
   add("spoilt", [&] { return spoilt_slam_figures(options.first_seed, options.seeds); });
-  add("sonar", [&] { return sonar_slam_figures(grid, options.seeds); });
-  add("rooms", [&] { return room_slam_figures(grid, options.room_seeds); });
+  add("sonar", [&] { return sonar_slam_figures(multiscan, options.seeds); });
+  add("rooms", [&] { return room_slam_figures(multiscan, options.room_seeds); });
   add("ekf_sonar", [&] { return named_after(ekf, sonar_slam_figures(ekf, options.seeds)); });
   add("ekf_rooms", [&] { return named_after(ekf, room_slam_figures(ekf, options.room_seeds)); });
   if (options.part == "emulated") {

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Mahmood and Ridao 2017, section 4.1, Monte-Carlo localization: 1,000
+// SPDX-License-Identifier: MIT
+// Mahmood and Ridao 2017, section 4.1, Monte-Carlo localization: 1,000
 // particles in the grid that the e-puck has made of its field, weighed by correlation, resampled at
 // every step or only when fewer than half of them count. A step is 3 cm or 30 degrees; the paper
 // does not say what it is.

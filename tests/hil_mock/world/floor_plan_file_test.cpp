@@ -113,8 +113,8 @@ TEST(FloorPlanFile, NamesThePlaceOfABadHoleOrVirtualWall) {
   EXPECT_THAT(error_of(edited_marks("y_m = 0.8", "y_m = 1.8")), StartsWith("small.toml:18:7: "));
   EXPECT_THAT(error_of(edited_marks("length_m = 0.7", "length_m = 0")),
               StartsWith("small.toml:21:12: it must be positive"));
-  EXPECT_THAT(error_of(edited_marks("beam_half_angle_deg", "half_angel_deg")),
-              HasSubstr("has 'half_angel_deg'"));
+  EXPECT_THAT(error_of(edited_marks("beam_half_angle_deg", "beam_half_angel_deg")),
+              HasSubstr("has 'beam_half_angel_deg'"));
   EXPECT_THAT(error_of(edited_marks("\"rough\"", "\"rough\"\nreflectance = 1.4")),
               StartsWith("small.toml:11:15: it must be between 0 and 1"));
   EXPECT_THAT(error_of(edited_marks("[1.5, 0], [2, 0], [2, 1], [1.5, 1]",

@@ -40,11 +40,11 @@ TEST(LinkReport, TellsALossOnceAndOnlyWhereItRises) {
   EXPECT_EQ(losses_between(before, now), "");
   now.robot_encoder_errors = 13;
   EXPECT_THAT(losses_between(before, now),
-              AllOf(HasSubstr("3 illegal transitions"), Not(HasSubstr("overruns"))));
+              AllOf(HasSubstr("3 illegal encoder transitions"), Not(HasSubstr("overruns"))));
   now.robot_receive_overruns = 1;
   now.robot_telemetry_dropped = 2;
   EXPECT_THAT(losses_between(before, now),
-              AllOf(HasSubstr("1 overruns"), HasSubstr("2 telemetry")));
+              AllOf(HasSubstr("1 receiver overruns"), HasSubstr("2 telemetry")));
   EXPECT_EQ(losses_between(now, now), "");
 }
 

@@ -125,7 +125,7 @@ TEST_F(ReplayCommandTest, SlamNeedsOdometryToBeginWith) {
   options_.slam = "multiscan";
   EXPECT_THAT(error(), HasSubstr("has no odometry, but SLAM needs both\n  next: leave out --slam"));
   write_log("poses.tum", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
-  EXPECT_THAT(error(), HasSubstr("has no scans, and SLAM needs both"));
+  EXPECT_THAT(error(), HasSubstr("has no scans, but SLAM needs both"));
 }
 
 TEST_F(ReplayCommandTest, SlamForLasersRefusesSonars) {

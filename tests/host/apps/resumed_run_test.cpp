@@ -78,7 +78,7 @@ TEST_F(ResumedRunTest, NeedsARecordWithARobotsWay) {
               AllOf(HasSubstr("it has no observations.csv"), HasSubstr("next: ")));
   record("");
   EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { resume(); }),
-              AllOf(HasSubstr("its observations.csv is empty"), HasSubstr("next: ")));
+              AllOf(HasSubstr("its record is empty"), HasSubstr("next: ")));
 }
 
 TEST_F(ResumedRunTest, RefusesAnotherRobot) {

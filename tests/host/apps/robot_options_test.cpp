@@ -31,8 +31,8 @@ TEST(RobotOptions, SlamIsAnotherNameOfExplore) {
 }
 
 TEST(RobotOptions, AnOldNameOfASlamMethodAnswersWithTheNewOne) {
-  const auto refused = run({"explore", "--slam", "multiscan"});
-  EXPECT_EQ(refused.code, ExitCode::kUsage);
+  const auto refused = run({"explore", "--slam", "grid"});
+  EXPECT_EQ(refused.code, console::ExitCode::kUsage);
   EXPECT_THAT(refused.err, HasSubstr("now called 'multiscan'"));
 }
 

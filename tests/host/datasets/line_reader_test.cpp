@@ -103,7 +103,7 @@ TEST_F(LineReaderTest, RefusesALineThatIsTooLong) {
 
 TEST_F(LineReaderTest, RefusesAZeroByte) {
   files::write_text_file(file_, std::string("1 2\n3 \0 4\n", 10));
-  EXPECT_THAT(error_of(file_), HasSubstr("log.txt:2: the line holds a zero byte"));
+  EXPECT_THAT(error_of(file_), HasSubstr("log.txt:2: the line contains a zero byte"));
 }
 
 TEST_F(LineReaderTest, RefusesGzDataThatAreCutOff) {

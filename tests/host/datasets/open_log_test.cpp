@@ -82,7 +82,7 @@ TEST_F(OpenLogTest, EveryFormatRefusesBinary) {
         tests::records_of(*log);
       }
     });
-    EXPECT_THAT(error, HasSubstr(":1: the line holds a zero byte")) << format.name;
+    EXPECT_THAT(error, HasSubstr(":1: the line contains a zero byte")) << format.name;
   }
 }
 

@@ -141,7 +141,7 @@ TEST(ObservationsCsv, SaysWhichLineIsDamagedAndWhy) {
     return tests::thrown_text<files::FileError>([&] { replay_observations_csv(path, sink); });
   };
   for (const auto& [line, why] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"odometri,2,0,0", "the kind is 'odometri', not one of"},
+           {"odometri,2,0,0", "the kind is 'odometri', not an observation that a run records"},
            {"odometry,2,0", "the right wheel is missing"},
            {"odometry,2,0,0,0", "'0' follows"},
            {"odometry,2.5,0,0", "the stamp is '2.5', not a whole number"},

@@ -51,7 +51,7 @@ TEST_F(ConnectFailure, DoesNotCallARobotSilentThatHasAnswered) {
   while (link.state() == robot_link::LinkState::kReady) {
     run_for(1);
   }
-  EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("starts again again and again"));
+  EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("resets again and again"));
   run_for(100);
   to_host.is_cut = true;
   run_for(1500);

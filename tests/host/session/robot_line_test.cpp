@@ -70,7 +70,7 @@ TEST_F(RobotLineTest, EndsWhenARobotThatMayBeLiftedIsNotPutDownWithinFiveMinutes
   EXPECT_FALSE(session->end());
   session->execute(exploration::Drive{0.2});
   EXPECT_EQ(session->end(), SessionEnd::kSafetyStop);
-  EXPECT_NE(session->end_reason().find("not put down again within 5 minutes\n  next: put it down"),
+  EXPECT_NE(session->end_reason().find("not put down within 5 minutes\n  next: put it down"),
             std::string::npos)
       << session->end_reason();
   EXPECT_GT(session->now(), lifted + std::chrono::minutes(5));

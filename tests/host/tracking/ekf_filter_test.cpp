@@ -80,7 +80,7 @@ TEST_F(EkfFilterTest, SaysThatNoFixComes) {
   bytes = "what?\nwhat?\n";
   const auto text = tests::thrown_text<console::CommandError>([&] { filter->begin(*session); });
   EXPECT_THAT(text, HasSubstr("no pose arrived from udp://camera"));
-  EXPECT_THAT(text, HasSubstr("2 lines that are none"));
+  EXPECT_THAT(text, HasSubstr("2 malformed lines"));
   EXPECT_THAT(text, HasSubstr("next: "));
 }
 

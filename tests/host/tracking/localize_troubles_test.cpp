@@ -61,7 +61,7 @@ TEST(LocalizeTroubles, NameAStartOffTheMapAndTimeThatRunsBackwards) {
   EXPECT_THAT(troubles_of(localizer),
               ElementsAre("cannot start at that pose: the estimated pose was off the floor of the "
                           "map; localizing globally",
-                          "2 scans were left out: time ran backwards"));
+                          "2 scans were skipped: time ran backwards"));
 }
 
 }  // namespace
