@@ -65,7 +65,7 @@ TEST_F(Characterise, OfTheNxtsScansIsThatOfTheSameWallsByHand) {
   const auto folder = tests::real_data("nxt_sonar_imperial");
   ECHOMAP_SKIP_WITHOUT(folder);
   std::vector<std::string> arguments{
-      "characterise", "--format=nxt", "--range-sd=0.005", "--json=" + at("report.json")};
+      "characterise", "--format=nxt", "--range-stddev=0.005", "--json=" + at("report.json")};
   for (const char* set : {"train", "test"}) {
     for (int place = 0; place < 5; ++place) {
       arguments.push_back(
