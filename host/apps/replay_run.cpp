@@ -154,6 +154,10 @@ console::ExitCode replay_run(const ReplayOptions& options) {
     damage = error.what();
   }
   const auto out = run_folder(options.out);
+  if (!damage.empty() && fs::exists(out) && fs::equivalent(options.log, out)) {
+    spdlog::error("{}; the run is left as it is\n  next: name another folder with --out", damage);
+    return console::ExitCode::kRuntimeError;
+  }
   prepare_outputs(out, options.json);
   if (!fs::equivalent(options.log, out)) {
     move_earlier_run_aside(out);

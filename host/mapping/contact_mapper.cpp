@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/mapping/disc_insertion.hpp"
 #include "host/models/gaussian_patch.hpp"
 
@@ -13,13 +13,14 @@ namespace echomap::mapping {
 namespace {
 
 const ContactMapperParams& validated(const ContactMapperParams& params) {
-  const bool lengths_ok = params.body_radius_m >= 0.0 && params.body_step_m > 0.0 &&
-                          (params.infrared_reach_m > 0.0 || params.T_robot_infrared.empty());
-  const bool evidence_ok =
-      params.body_centilogits < 0 && params.silent_centilogits < 0 && params.same_wall_rad >= 0.0;
-  if (!lengths_ok || !evidence_ok) {
-    throw std::invalid_argument("near mapper: a parameter is out of range");
-  }
+  geometry::ParameterValidator("contact mapper")
+      .at_least("body_radius_m", params.body_radius_m, 0)
+      .positive("body_step_m", params.body_step_m)
+      .require(params.infrared_reach_m > 0.0 || params.T_robot_infrared.empty(),
+               "infrared_reach_m is above 0 where there are infra-red sensors")
+      .below("body_centilogits", params.body_centilogits, 0)
+      .below("silent_centilogits", params.silent_centilogits, 0)
+      .at_least("same_wall_rad", params.same_wall_rad, 0);
   return params;
 }
 

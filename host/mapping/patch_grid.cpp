@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::mapping {
 
@@ -28,9 +29,9 @@ void for_cells_around(const CellField& field,
 }
 
 const PatchGridParams& validated(const PatchGridParams& params) {
-  if (params.cells.empty() || params.cells.rows() < 1 || !(params.cell_m > 0.0)) {
-    throw std::invalid_argument("patch grid: a parameter is out of range");
-  }
+  geometry::ParameterValidator("patch grid")
+      .require(!params.cells.empty() && params.cells.rows() >= 1, "cells hold at least one cell")
+      .positive("cell_m", params.cell_m);
   return params;
 }
 

@@ -6,8 +6,9 @@
 
 namespace echomap::session {
 
-/// What random numbers of a run are for. The value tells the streams of one seed apart; 0 keeps the
-/// numbers of the runs that are published, whose streams never draw for the same choice at once.
+/// What random numbers of a run are for. All values are 0 today, so that all streams of one seed
+/// are the same numbers, as in the runs that are published; another value would tell a stream
+/// apart.
 enum class SeedPurpose : std::uint32_t {
   kSimulation = 0,  ///< The world, the body and the line, in the simulated robot's own program.
   kSessionId = 0,   ///< Of a simulated robot; that of a real one has to be new every time.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/sensors/range_scan.hpp"
 #include "host/slam/multiscan_factors.hpp"
 
@@ -27,13 +27,15 @@ bool is_sound(const OdometryNoiseHypothesis& belief) {
 
 MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
     : params_(params), gathering_(params.gathering) {
-  const bool beliefs_ok =
-      !params.noise_hypotheses.empty() &&
-      std::all_of(params.noise_hypotheses.begin(), params.noise_hypotheses.end(), is_sound);
-  if (!beliefs_ok || !(params.belief_match_weight > 0.0) || params.window < 2 || params.steps < 1 ||
-      !(params.whole_share >= 0.0)) {
-    throw std::invalid_argument("multiscan SLAM: a parameter is out of range");
-  }
+  geometry::ParameterValidator("multiscan SLAM")
+      .require(
+          !params.noise_hypotheses.empty() &&
+              std::all_of(params.noise_hypotheses.begin(), params.noise_hypotheses.end(), is_sound),
+          "noise_hypotheses hold at least one, with scales and deviations above 0")
+      .positive("belief_match_weight", params.belief_match_weight)
+      .at_least("window", params.window, 2)
+      .at_least("steps", params.steps, 1)
+      .at_least("whole_share", params.whole_share, 0);
   validate(params.patches);
   validate(params.matching);
   validate(params.alignment);

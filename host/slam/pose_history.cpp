@@ -10,7 +10,7 @@ namespace echomap::slam {
 using geometry::Pose2;
 
 PoseHistory::PoseHistory(const PoseHistoryParams& params) : params_(params) {
-  geometry::ParameterValidator("kept way").at_least("max_poses", params.max_poses, 2);
+  geometry::ParameterValidator("pose history").at_least("max_poses", params.max_poses, 2);
 }
 
 void PoseHistory::keep(EkfSlamFilter& filter) {

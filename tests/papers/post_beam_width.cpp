@@ -45,7 +45,7 @@ struct Shape {
 
 std::vector<Trial> trials_of(std::span<const Beam> sweep, const PostBeamWidthParams& params) {
   if (params.target_range_m <= 0.0 || params.tolerance_m <= 0.0 || params.width_m < 0.0) {
-    throw std::invalid_argument("post opening: a parameter is out of range");
+    throw std::invalid_argument("post beam width: ranges are above 0, a width is not negative");
   }
   std::vector<Trial> trials;
   for (const Beam& reading : sweep) {

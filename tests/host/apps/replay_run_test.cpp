@@ -135,6 +135,14 @@ TEST_F(ReplayRunTest, KeepsTheMapUpToWhereTheRecordIsDamaged) {
   EXPECT_EQ(text("map.pgm"), live_text("map.pgm"));
 }
 
+TEST_F(ReplayRunTest, LeavesADamagedRunAsItIs) {
+  const std::string damaged = live_text(kRecordName) + "odometry,1\n";
+  files::write_text_file(options.log / kRecordName, damaged);
+  options.out = options.log;
+  EXPECT_EQ(run_replay(options), console::ExitCode::kRuntimeError);
+  EXPECT_EQ(live_text(kRecordName), damaged);
+}
+
 TEST_F(ReplayRunTest, NeedsTheSummaryOfARun) {
   files::write_text_file(options.log / "summary.json", "{}");
   EXPECT_THAT(tests::thrown_text<files::FileError>([&] { run_replay(options); }),
