@@ -15,7 +15,8 @@
 #include "host/console/progress_bar.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/exports/trajectory_tum.hpp"
-#include "host/pipeline/log_localizer.hpp"
+#include "host/pipeline/log_player.hpp"
+#include "host/pipeline/robot_localizer.hpp"
 #include "host/session/seed.hpp"
 #include "host/tracking/localize_troubles.hpp"
 #include "host/tracking/mcl_filter.hpp"
@@ -39,18 +40,19 @@ class StatusLine {
   localization::LocalizationStatus last_ = localization::LocalizationStatus::kRecovering;
 };
 
-/// Feeds the log until it ends or the user has had enough; answers whether it ended.
-bool feed(datasets::LogReader& log,
-          pipeline::LogLocalizer& localizer,
+/// Plays the log until it ends or the user has had enough; answers whether it ended.
+bool play(datasets::LogReader& log,
+          pipeline::RobotLocalizer& localizer,
           console::ProgressBar& progress) {
   StatusLine status;
+  pipeline::LogPlayer player(localizer);
   while (!console::interrupted()) {
     const auto record = next_whole_record(log);
     if (!record) {
       return true;
     }
     const std::size_t updates = localizer.updates();
-    localizer.add(*record);
+    player.play(*record);
     if (localizer.updates() != updates) {
       progress.show(log.progress(), fmt::format("{} scans", localizer.scans()));
       status.report(localizer.belief(), localizer.scans());
@@ -60,7 +62,7 @@ bool feed(datasets::LogReader& log,
 }
 
 nlohmann::ordered_json log_report(const LocalizeOptions& options,
-                                  const pipeline::LogLocalizer& localizer) {
+                                  const pipeline::RobotLocalizer& localizer) {
   nlohmann::ordered_json json{{"log", options.log.filename().string()},
                               {"scans", localizer.scans()},
                               {"unused_scans", localizer.unused_scans()},
@@ -72,17 +74,18 @@ nlohmann::ordered_json log_report(const LocalizeOptions& options,
 
 ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::path& out) {
   const auto log = datasets::open_log(options.log, options.format);
-  pipeline::LogLocalizerParams params;
+  pipeline::RobotLocalizerParams params;
   params.preset = options.preset;
-  pipeline::LogLocalizer localizer(
+  pipeline::RobotLocalizer localizer(
       read_map(options.map),
+      {},
       params,
       session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer));
   if (const auto start = tracking::start_pose(options.at)) {
     localizer.start_at(start->T_map_robot, start->stddev_m, start->stddev_rad);
   }
   console::ProgressBar progress(stderr, !options.run.headless);
-  const bool has_ended = feed(*log, localizer, progress);
+  const bool has_ended = play(*log, localizer, progress);
   progress.clear();
   if (localizer.belief().hypotheses.empty()) {
     throw CommandError(ExitCode::kRuntimeError,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <cmath>
-#include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -22,10 +20,8 @@
 #include "host/exports/pose_graph_g2o.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
-#include "host/geometry/angle.hpp"
-#include "host/pipeline/log_mapper.hpp"
-#include "host/pipeline/log_slam.hpp"
-#include "host/pipeline/replaced_poses.hpp"
+#include "host/pipeline/log_player.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
 #include "host/sensors/range_scan.hpp"
 #include "host/slam/slam_methods.hpp"
 
@@ -41,20 +37,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// SLAM gives its poses as a log gives its own.
-bool are_poses_given(const ReplayOptions& options) {
-  return options.poses == "given" || !options.slam.empty();
-}
-
-pipeline::LogMapperParams params_of(const ReplayOptions& options) {
-  pipeline::LogMapperParams params;
-  params.map = options.map == "points" ? pipeline::MapKind::kPoints : pipeline::MapKind::kGrid;
-  params.poses =
-      are_poses_given(options) ? pipeline::PoseSource::kGiven : pipeline::PoseSource::kOdometry;
-  params.grid.resolution_m = options.resolution_m;
-  return params;
-}
-
 /// Throws CommandError for a scan of sound where SLAM takes wide beams for thin ones, and errs.
 void validate_fit(const datasets::LogRecord& record, const slam::NamedSlam& method) {
   const auto* scan = std::get_if<sensors::RangeScan>(&record);
@@ -66,90 +48,89 @@ void validate_fit(const datasets::LogRecord& record, const slam::NamedSlam& meth
   }
 }
 
-/// Where it was interrupted or is damaged, SLAM ends; what the damage is, is told when the map is
-/// made, which meets it again.
-void feed(datasets::LogReader& log,
-          const slam::NamedSlam& method,
-          pipeline::LogSlam& slam,
-          console::ProgressBar& progress) {
-  try {
-    while (!console::interrupted()) {
-      const auto record = log.next();
-      if (!record) {
-        return;
-      }
-      validate_fit(*record, method);
-      slam.add(*record);
-      progress.show(log.progress(), fmt::format("slam: {} scans", slam.scans()));
-    }
-  } catch (const files::FileError&) {
-    return;
-  }
-}
+/// A log that is played into the pipeline of a robot.
+class PlayedLog {
+ public:
+  explicit PlayedLog(const ReplayOptions& options)
+      : options_(options),
+        method_(options.slam.empty() ? nullptr : &slam::slam_by_name(options.slam)),
+        pipeline_(pipeline_for(options)),
+        player_(pipeline_, source_of(options)) {}
 
-/// What SLAM has found of a log.
-struct FoundBySlam {
-  std::vector<geometry::Pose2> trajectory;
-  slam::FactorGraph graph;          ///< In the trajectory's frame.
-  Eigen::Matrix3d last_covariance;  ///< Of the last pose.
+  /// Plays until the log ends, is damaged or the user has had enough; answers why it ended, and
+  /// with the error where it is damaged.
+  std::pair<std::string, std::string> play(datasets::LogReader& log,
+                                           console::ProgressBar& progress) {
+    constexpr std::size_t kRecordsPerDrawing = 256;
+    try {
+      while (!console::interrupted()) {
+        const auto record = next_whole_record(log);
+        if (!record) {
+          return {"finished", ""};
+        }
+        if (method_ != nullptr) {
+          validate_fit(*record, *method_);
+        }
+        player_.play(*record);
+        if (counts().records % kRecordsPerDrawing == 0) {
+          progress.show(log.progress(), fmt::format("{} scans", counts().scans));
+        }
+      }
+    } catch (const files::FileError& error) {
+      return {"log-damaged", error.what()};
+    }
+    return {"interrupted", ""};
+  }
+
+  /// Why there is no map to write; empty where there is one.
+  std::string unusable() const;
+
+  const pipeline::LogCounts& counts() const { return player_.counts(); }
+  double duration_s() const { return player_.duration_s().value_or(0.0); }
+  const pipeline::RobotPipeline& pipeline() const { return pipeline_; }
+
+ private:
+  static pipeline::PoseSource source_of(const ReplayOptions& options) {
+    if (!options.slam.empty()) {
+      return pipeline::PoseSource::kOdometryFromOrigin;
+    }
+    return options.poses == "given" ? pipeline::PoseSource::kGiven
+                                    : pipeline::PoseSource::kOdometry;
+  }
+
+  static pipeline::RobotPipeline pipeline_for(const ReplayOptions& options) {
+    pipeline::ScanMapParams scans;
+    scans.map = options.map == "points" ? pipeline::MapKind::kPoints : pipeline::MapKind::kGrid;
+    scans.grid.resolution_m = options.resolution_m;
+    mapping::SonarMapperParams stops;
+    stops.grid = scans.grid;
+    return pipeline::RobotPipeline(
+        {},
+        stops,
+        {},
+        options.slam.empty() ? nullptr : slam::slam_by_name(options.slam).make(),
+        scans);
+  }
+
+  const ReplayOptions& options_;
+  const slam::NamedSlam* method_;
+  pipeline::RobotPipeline pipeline_;
+  pipeline::LogPlayer player_;
 };
 
-FoundBySlam find_by_slam(const ReplayOptions& options,
-                         datasets::LogReader& log,
-                         console::ProgressBar& progress) {
-  const slam::NamedSlam& method = slam::slam_by_name(options.slam);
-  const auto running = method.make();
-  pipeline::LogSlam slam(*running);
-  feed(log, method, slam, progress);
-  std::vector<geometry::Pose2> trajectory = slam.trajectory();
-  if ((slam.scans() == 0 || trajectory.empty()) && !console::interrupted()) {
-    throw CommandError(ExitCode::kRuntimeError,
-                       options.log.string() + " has " +
-                           (slam.scans() == 0 ? "no scans" : "no odometry") +
-                           ", but SLAM needs both\n  next: leave out --slam");
+std::string PlayedLog::unusable() const {
+  const std::string log = options_.log.string();
+  if (method_ != nullptr && (counts().scans == 0 || counts().odometry_poses == 0)) {
+    return log + " has " + (counts().scans == 0 ? "no scans" : "no odometry") +
+           ", but SLAM needs both\n  next: leave out --slam";
   }
-  return {std::move(trajectory),
-          slam::in_frame_a(slam.T_log_map(), running->factor_graph()),
-          running->belief().covariance};
-}
-
-/// Feeds the log to the mapper until it ends, is damaged or the user has had enough; answers why it
-/// ended, and with the error where it is damaged. What SLAM had found where it was interrupted is
-/// drawn whole.
-std::pair<std::string, std::string> feed(datasets::LogReader& log,
-                                         pipeline::LogMapper& mapper,
-                                         console::ProgressBar& progress,
-                                         bool was_interrupted) {
-  constexpr std::size_t kRecordsPerDrawing = 256;
-  try {
-    while (was_interrupted || !console::interrupted()) {
-      const auto record = next_whole_record(log);
-      if (!record) {
-        return {was_interrupted ? "interrupted" : "finished", ""};
-      }
-      mapper.add(*record);
-      if (mapper.counts().records % kRecordsPerDrawing == 0) {
-        progress.show(log.progress(), fmt::format("{} scans", mapper.counts().scans));
-      }
-    }
-  } catch (const files::FileError& error) {
-    return {"log-damaged", error.what()};
-  }
-  return {"interrupted", ""};
-}
-
-/// Why there is no map to write; empty where there is one.
-std::string unusable(const ReplayOptions& options, const pipeline::LogMapper& mapper) {
-  const pipeline::LogCounts& counts = mapper.counts();
-  const pipeline::LogPoses& poses = mapper.poses();
-  const std::string log = options.log.string();
-  if (counts.scans > 0 && counts.scans == counts.scans_without_pose) {
+  if (counts().scans > 0 && counts().scans == counts().scans_without_pose) {
     return log + " gives no poses for its scans\n  next: --poses odometry";
   }
   // One scan may be of a robot that stands.
-  if (!are_poses_given(options) && poses.odometry_records() == 0 && counts.scans > 1) {
+  if (options_.poses != "given" && counts().odometry_poses == 0 && counts().scans > 1) {
     return log + " has no odometry" +
-           (poses.given_records() > 0 ? "\n  next: --poses given" : ", and no other poses");
+           (counts().given_poses > 0 ? "\n  next: --poses given" : ", and no other poses");
   }
   return "";
 }
@@ -170,8 +151,7 @@ void refuse_huge_map(const mapping::OccupancyGrid& grid) {
 }
 
 nlohmann::ordered_json replay_json(const ReplayOptions& options,
-                                   const pipeline::LogMapper& mapper) {
-  const pipeline::LogCounts& counts = mapper.counts();
+                                   const pipeline::LogCounts& counts) {
   return {{"log", options.log.filename().string()},
           {"map", options.map},
           {"poses", options.slam.empty() ? options.poses : options.slam},
@@ -185,29 +165,32 @@ nlohmann::ordered_json replay_json(const ReplayOptions& options,
           {"sightings_without_pose", counts.sightings_without_pose}};
 }
 
-exports::RunSummary summary_of(const pipeline::LogMapper& mapper,
+exports::RunSummary summary_of(const PlayedLog& log,
                                const pipeline::Snapshot& snapshot,
                                const std::string& outcome) {
   exports::RunSummary summary;
   summary.echomap_version = ECHOMAP_VERSION;
   summary.outcome = outcome;
-  summary.sim_seconds = mapper.duration_s().value_or(0.0);
+  summary.sim_seconds = log.duration_s();
   exports::describe_snapshot(snapshot, summary);
+  if (const slam::SlamMethod* slam = log.pipeline().slam()) {
+    exports::describe_uncertainty(slam->belief().covariance, summary);
+  }
   return summary;
 }
 
-void write_pose_graph(const std::filesystem::path& path, const FoundBySlam& found) {
-  exports::write_pose_graph_g2o(path, found.graph);
+void write_pose_graph(const std::filesystem::path& path, const slam::FactorGraph& graph) {
+  exports::write_pose_graph_g2o(path, graph);
   console::print(fmt::format("pose graph: {} ({} poses, {} landmarks, {} edges)",
                              path.string(),
-                             found.graph.T_map_nodes.size(),
-                             found.graph.landmarks_m.size(),
-                             found.graph.edges.size() + found.graph.landmark_edges.size()));
+                             graph.T_map_nodes.size(),
+                             graph.landmarks_m.size(),
+                             graph.edges.size() + graph.landmark_edges.size()));
 }
 
-void say_what_was_made(const exports::RunSummary& summary,
-                       const pipeline::LogCounts& counts,
-                       const std::filesystem::path& out) {
+void print_what_was_made(const exports::RunSummary& summary,
+                         const pipeline::LogCounts& counts,
+                         const std::filesystem::path& out) {
   console::print("map: " + (out / "map.png").string());
   console::print(fmt::format("{} scans of {} beams, {:.1f} m, {:.0f} s of log in {:.2f} s",
                              counts.scans,
@@ -223,39 +206,34 @@ void say_what_was_made(const exports::RunSummary& summary,
 
 ExitCode replay_log(const ReplayOptions& options) {
   const auto start = Clock::now();
-  auto log = datasets::open_log(options.log, options.format);
+  const auto log = datasets::open_log(options.log, options.format);
   const auto out = run_folder(options.out);
   prepare_outputs(out, options.json);
+  PlayedLog played(options);
   console::ProgressBar progress(stderr, !options.headless);
-  std::optional<FoundBySlam> found;
-  if (!options.slam.empty()) {
-    found = find_by_slam(options, *log, progress);
-    log = std::make_unique<pipeline::ReplacedPoses>(datasets::open_log(options.log, options.format),
-                                                    found->trajectory);
-  }
-  const bool slam_was_interrupted = found && console::interrupted();
-  pipeline::LogMapper mapper(params_of(options));
-  const auto [outcome, damage] = feed(*log, mapper, progress, slam_was_interrupted);
+  const auto [outcome, damage] = played.play(*log, progress);
   progress.clear();
-  if (const std::string reason = unusable(options, mapper); damage.empty() && !reason.empty()) {
+  if (const std::string reason = played.unusable(); outcome == "finished" && !reason.empty()) {
     throw CommandError(ExitCode::kRuntimeError, reason);
   }
 
-  const pipeline::Snapshot snapshot = mapper.snapshot();
+  pipeline::Snapshot snapshot = played.pipeline().snapshot();
+  if (options.map == "points") {
+    snapshot.grid = std::make_shared<const mapping::OccupancyGrid>();
+  }
   refuse_huge_map(*snapshot.grid);
-  exports::RunSummary summary = summary_of(mapper, snapshot, outcome);
+  exports::RunSummary summary = summary_of(played, snapshot, outcome);
   exports::write_run_directory(out, snapshot, summary);
-  exports::write_landmarks_csv(out / "landmarks.csv", mapper.landmarks());
-  if (found) {
-    exports::describe_uncertainty(found->last_covariance, summary);
-    write_pose_graph(out / "pose_graph.g2o", *found);
+  exports::write_landmarks_csv(out / "landmarks.csv", *snapshot.landmarks);
+  if (played.pipeline().slam() != nullptr) {
+    write_pose_graph(out / "pose_graph.g2o", played.pipeline().factor_graph());
   }
   summary.wall_seconds = seconds_since(start);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
-  report["replay"] = replay_json(options, mapper);
+  report["replay"] = replay_json(options, played.counts());
   write_report(out / "summary.json", report);
   write_report(options.json, report);
-  say_what_was_made(summary, mapper.counts(), out);
+  print_what_was_made(summary, played.counts(), out);
   if (!damage.empty()) {
     spdlog::error("{}; the map up to there is saved", damage);
     return ExitCode::kRuntimeError;

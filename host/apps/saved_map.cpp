@@ -34,7 +34,7 @@ void save_pose_graph(const pipeline::RobotPipeline& pipeline,
                      exports::RunSummary& summary) {
   if (const slam::SlamMethod* slam = pipeline.slam()) {
     exports::describe_uncertainty(slam->belief().covariance, summary);
-    exports::write_pose_graph_g2o(folder / "pose_graph.g2o", slam->factor_graph());
+    exports::write_pose_graph_g2o(folder / "pose_graph.g2o", pipeline.factor_graph());
     return;
   }
   const fs::path earlier = folder / "pose_graph.g2o";

@@ -41,15 +41,19 @@ void ContactMapper::pass_over(const geometry::Pose2& T_map_robot) {
   }
 }
 
-void ContactMapper::bump(const geometry::Pose2& T_map_robot, bool left, bool right) {
-  if (params_.body_radius_m == 0.0 || (!left && !right)) {
+void ContactMapper::bump(const geometry::Pose2& T_map_robot,
+                         bool left,
+                         bool right,
+                         double bumper_radius_m) {
+  const double radius_m = bumper_radius_m > 0.0 ? bumper_radius_m : params_.body_radius_m;
+  if (radius_m == 0.0 || (!left && !right)) {
     return;
   }
   const bool both = left && right;
   const double bearing_rad = both ? 0.0 : std::copysign(params_.one_sided_bump_rad, left ? 1 : -1);
-  const double width_m = (both ? 1.0 : 0.5) * params_.body_radius_m;
+  const double width_m = (both ? 1.0 : 0.5) * radius_m;
   insert_bump(T_map_robot * geometry::Pose2(0.0, 0.0, bearing_rad),
-              models::bumper_line(params_.body_radius_m, width_m),
+              models::bumper_line(radius_m, width_m),
               params_.bump,
               grid_);
 }

@@ -47,8 +47,11 @@ class ContactMapper {
 
   /// Marks the floor under the body at this pose as free.
   void pass_over(const geometry::Pose2& T_map_robot);
-  /// Adds a bump: one switch closed, or both.
-  void bump(const geometry::Pose2& T_map_robot, bool left, bool right);
+  /// Adds a bump: one switch closed, or both. `bumper_radius_m` is the body's where it is 0.
+  void bump(const geometry::Pose2& T_map_robot,
+            bool left,
+            bool right,
+            double bumper_radius_m = 0.0);
   /// Adds one reading of each infra-red sensor; empty where nothing is in reach.
   void add_ranges(const geometry::Pose2& T_map_robot,
                   std::span<const std::optional<double>> range_m);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/sensors/observations.hpp"
+#include "host/sensors/range_scan.hpp"
 
 namespace echomap::pipeline {
 
@@ -18,6 +19,11 @@ class ObservationSink {
   virtual void on_pose_fix(const sensors::PoseFixObservation& /*observation*/) {}
   virtual void on_yaw(const sensors::YawObservation& /*observation*/) {}
   virtual void on_battery(const sensors::BatteryObservation& /*observation*/) {}
+
+  /// What only other robots sense, in place of wheels and pings (LogPlayer).
+  virtual void on_odometry_pose(const sensors::OdometryPoseObservation& /*observation*/) {}
+  virtual void on_range_scan(const sensors::RangeScan& /*scan*/) {}
+  virtual void on_landmark(const sensors::LandmarkObservation& /*observation*/) {}
 
   /// Readings from here to `end_scan` are one scan, whatever turns of the body lie between them. A
   /// scan that was left open is ended first.

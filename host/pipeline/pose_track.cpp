@@ -15,7 +15,11 @@ PoseTrack::PoseTrack(double track_m, std::unique_ptr<slam::SlamMethod> slam, dou
 }
 
 geometry::Pose2 PoseTrack::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
-  const geometry::Pose2 T_odom_robot = odometry_.update(travel);
+  return follow(stamp, odometry_.update(travel));
+}
+
+geometry::Pose2 PoseTrack::follow(time::RobotTime stamp, const geometry::Pose2& T_odom_robot) {
+  T_odom_robot_ = T_odom_robot;
   if (trajectory_->empty() || stamp > trajectory_->back().stamp) {
     if (slam_) {
       slam_->follow(T_odom_robot);
@@ -50,6 +54,15 @@ std::vector<geometry::Pose2> PoseTrack::apply_corrected_trajectory() {
   return T_map_robots;
 }
 
+std::vector<StampedPose> PoseTrack::corrected_trajectory() const {
+  std::vector<geometry::Pose2> T_slam_robots = slam_->trajectory();
+  std::vector<StampedPose> trajectory = *trajectory_;
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    trajectory[i].T_map_robot = T_map_mapped_ * T_slam_robots[i];
+  }
+  return trajectory;
+}
+
 void PoseTrack::update_last_pose() {
   if (!trajectory_->empty()) {
     detached(trajectory_).back().T_map_robot = T_map_robot();
@@ -66,7 +79,7 @@ void PoseTrack::describe(Snapshot& snapshot) const {
   if (!trajectory_->empty()) {
     snapshot.latest = trajectory_->back();
   }
-  snapshot.T_odom_robot = odometry_.T_odom_robot();
+  snapshot.T_odom_robot = T_odom_robot_;
   snapshot.trajectory = trajectory_;
   snapshot.carried_to = carried_to_;
 }

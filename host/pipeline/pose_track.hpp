@@ -26,6 +26,7 @@ class PoseTrack {
 
   /// Appends a pose where the stamp rises. Returns the pose by odometry alone.
   geometry::Pose2 follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
+  geometry::Pose2 follow(time::RobotTime stamp, const geometry::Pose2& T_odom_robot);
   /// The robot was put down there.
   void carry(const sensors::CarriedObservation& observation);
   /// A camera has the robot there.
@@ -34,12 +35,22 @@ class PoseTrack {
   void correct(const geometry::Pose2& T_map_placed) { T_map_placed_ = T_map_placed; }
   /// Moves all poses to where SLAM has them now, and returns these.
   std::vector<geometry::Pose2> apply_corrected_trajectory();
+  /// All poses where SLAM has them now.
+  std::vector<StampedPose> corrected_trajectory() const;
   /// The last pose is where the corrections of now have the robot.
   void update_last_pose();
 
   /// From odometry to the map.
   geometry::Pose2 T_map_odom() const;
-  geometry::Pose2 T_map_robot() const { return T_map_odom() * odometry_.T_odom_robot(); }
+  geometry::Pose2 T_map_robot() const { return T_map_odom() * T_odom_robot_; }
+  const geometry::Pose2& T_odom_robot() const { return T_odom_robot_; }
+  /// From SLAM's map to the camera's.
+  const geometry::Pose2& T_map_slam() const { return T_map_mapped_; }
+  /// The last pose of the trajectory; before it, at the stamp 0.
+  StampedPose latest() const {
+    return trajectory_->empty() ? StampedPose{{}, T_map_robot()} : trajectory_->back();
+  }
+  std::size_t poses() const { return trajectory_->size(); }
   /// What odometry has placed, on the map.
   template <class Placed>
   Placed on_map(const Placed& by_odometry) const {
@@ -53,6 +64,7 @@ class PoseTrack {
 
  private:
   sensors::WheelOdometry odometry_;
+  geometry::Pose2 T_odom_robot_;
   std::optional<RobotSlam> slam_;
   std::optional<geometry::Pose2> T_map_placed_;  ///< Empty before the first stop of the map.
   geometry::Pose2 T_map_mapped_;                 ///< The camera's correction.

@@ -2,40 +2,93 @@
 #include "host/pipeline/robot_localizer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::pipeline {
+namespace {
 
-RobotLocalizer::RobotLocalizer(const mapping::RasterMap& map,
+/// As infra-red is, and a laser, whose beams have no opening.
+bool is_light(const sensors::RangeScan& scan) {
+  return scan.is_light || scan.beam_width_rad == 0.0;
+}
+
+localization::LocalizedRobot robot_of(const sensors::RangeScan& scan) {
+  localization::LocalizedRobot robot;
+  robot.beam_half_angle_rad = 0.5 * scan.beam_width_rad;
+  // A log that does not say how far its sensor reaches, as of our own runs.
+  constexpr double kUnknownReachM = 4.0;
+  robot.max_range_m = std::isfinite(scan.max_range_m) ? scan.max_range_m : kUnknownReachM;
+  robot.is_light = is_light(scan);
+  return robot;
+}
+
+}  // namespace
+
+/// The particle filter, and what it knows of the range sensor.
+struct RobotLocalizer::Filter {
+  std::unique_ptr<localization::ObservationModel> observation;
+  localization::MonteCarloLocalizer localizer;
+};
+
+RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
                                const sensors::RobotGeometry& robot,
                                const RobotLocalizerParams& params,
                                std::mt19937 random)
     : robot_(robot),
       params_(params),
-      observation_(localization::observation_model(params.preset, map, params.sonar)),
-      localizer_(
-          *observation_, localization::localizer_params(params.preset, params.sonar), random),
+      map_(std::move(map)),
+      random_(random),
       odometry_(robot.track_m) {
   geometry::ParameterValidator("robot localizer")
       .positive("step_m", params.step_m)
       .positive("step_rad", params.step_rad)
+      .positive("scan_step_m", params.scan_step_m)
+      .positive("scan_step_rad", params.scan_step_rad)
       .positive("max_readings", params.max_readings);
+  if (params.sensor) {
+    make_filter(*params.sensor);
+  }
+}
+
+RobotLocalizer::~RobotLocalizer() = default;
+
+void RobotLocalizer::make_filter(const localization::LocalizedRobot& robot) {
+  auto observation = localization::observation_model(params_.preset, map_, robot);
+  localization::MonteCarloLocalizer localizer(
+      *observation, localization::localizer_params(params_.preset, robot), random_);
+  filter_ = std::make_unique<Filter>(std::move(observation), std::move(localizer));
+  belief_ = filter_->localizer.belief();
 }
 
 void RobotLocalizer::start_at(const geometry::Pose2& T_map_robot,
                               double stddev_m,
                               double stddev_rad) {
-  if (!T_odom_updated_) {
-    start_ = {T_map_robot, stddev_m, stddev_rad};
-    return;
+  start_ = {T_map_robot, stddev_m, stddev_rad};
+  if (T_odom_updated_) {
+    update({});
+    begin_at_told_start();
   }
-  update({});
-  start_outcome_ = localizer_.start_at(T_map_robot, stddev_m, stddev_rad);
 }
 
-void RobotLocalizer::start_anywhere() { localizer_.start_anywhere(); }
+void RobotLocalizer::begin_at_told_start() {
+  if (start_) {
+    start_outcome_ =
+        filter_->localizer.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
+    belief_ = filter_->localizer.belief();
+    start_.reset();
+  }
+}
+
+void RobotLocalizer::start_anywhere() {
+  if (filter_) {
+    filter_->localizer.start_anywhere();
+    belief_ = filter_->localizer.belief();
+  }
+}
 
 void RobotLocalizer::on_odometry(const sensors::OdometryObservation& observation) {
   follow(observation.stamp, observation.travel);
@@ -44,8 +97,8 @@ void RobotLocalizer::on_odometry(const sensors::OdometryObservation& observation
 void RobotLocalizer::on_sonar(const sensors::SonarObservation& observation) {
   follow(observation.stamp, observation.travel);
   if (scan_is_open_ && !is_lifted_) {
-    open_scan_.push_back({odometry_.T_odom_robot() * robot_.T_robot_sonar(observation.pan_rad),
-                          observation.range_m});
+    gathered_.push_back(
+        {T_odom_robot_ * robot_.T_robot_sonar(observation.pan_rad), observation.range_m});
   }
 }
 
@@ -54,14 +107,17 @@ void RobotLocalizer::on_hazards(const sensors::HazardObservation& observation) {
   const bool was_lifted = std::exchange(is_lifted_, observation.is_in_the_air());
   if (is_lifted_ && !was_lifted) {
     ++times_lifted_;
-    open_scan_.clear();
+    gathered_.clear();
     start_anywhere();
   }
 }
 
 /// A contact counts where it begins; between contacts, models of ranges know nothing new.
 void RobotLocalizer::add_contact(const models::ContactReading& contact) {
-  observation_->add_contact(contact);
+  if (!filter_) {
+    return;
+  }
+  filter_->observation->add_contact(contact);
   const bool touches = contact.bump_left || contact.bump_right;
   const bool has_touched = std::exchange(touches_, touches);
   if (touches && !has_touched && T_odom_updated_) {
@@ -78,33 +134,92 @@ void RobotLocalizer::end_scan() {
   if (!std::exchange(scan_is_open_, false)) {
     return;
   }
-  update(evenly_picked(open_scan_, odometry_.T_odom_robot(), params_.max_readings));
-  open_scan_.clear();
+  update(evenly_picked(gathered_, T_odom_robot_, params_.max_readings));
+  gathered_.clear();
   ++scans_;
-  if (!belief().hypotheses.empty()) {
-    trajectory_.push_back({stamp_, belief().hypotheses.front().T_map_robot});
-  }
+  note_pose();
 }
 
 void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
-  odometry_.update(travel);
+  T_odom_robot_ = odometry_.update(travel);
   stamp_ = std::max(stamp_, stamp);
   if (!T_odom_updated_) {
     update({});
-    if (start_) {
-      start_outcome_ =
-          localizer_.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
-    }
+    begin_at_told_start();
+  } else if (has_moved(*T_odom_updated_, T_odom_robot_, params_.step_m, params_.step_rad)) {
+    update({});
+  }
+}
+
+void RobotLocalizer::on_odometry_pose(const sensors::OdometryPoseObservation& observation) {
+  T_odom_robot_ = observation.T_odom_robot;
+  stamp_ = observation.stamp;
+}
+
+void RobotLocalizer::on_range_scan(const sensors::RangeScan& scan) {
+  ++scans_;
+  if (is_late(scan)) {
+    ++late_scans_;
+    belief_.outcome = localization::LocalizerOutcome::kTimeRanBack;
     return;
   }
-  if (has_moved(*T_odom_updated_, odometry_.T_odom_robot(), params_.step_m, params_.step_rad)) {
-    update({});
+  gather(scan);
+  const bool is_due =
+      !T_odom_updated_ ||
+      has_moved(*T_odom_updated_, T_odom_robot_, params_.scan_step_m, params_.scan_step_rad);
+  if (!gathered_.empty() && is_due) {
+    update(evenly_picked(gathered_, T_odom_robot_, params_.max_readings));
+    gathered_.clear();
+    ++updates_;
+    note_pose();
+  }
+}
+
+bool RobotLocalizer::is_late(const sensors::RangeScan& scan) {
+  if (!scan.stamp_s) {
+    return false;
+  }
+  const double last_s = scan_stamp_s_.value_or(-std::numeric_limits<double>::infinity());
+  if (!(*scan.stamp_s >= last_s)) {
+    return true;
+  }
+  scan_stamp_s_ = scan.stamp_s;
+  stamp_ = std::max(stamp_, time::robot_time(*scan.stamp_s));
+  return false;
+}
+
+void RobotLocalizer::gather(const sensors::RangeScan& scan) {
+  if (!filter_) {
+    make_filter(robot_of(scan));
+    if (start_) {
+      filter_->localizer.update(T_odom_robot_, {});
+      begin_at_told_start();
+    }
+  }
+  scan_beam_width_rad_ = scan_beam_width_rad_.value_or(scan.beam_width_rad);
+  if (scan.beam_width_rad != *scan_beam_width_rad_) {
+    ++unused_scans_;
+    return;
+  }
+  const geometry::Pose2 T_odom_sensor = T_odom_robot_ * scan.T_robot_sensor;
+  for (const sensors::Beam& beam : scan.beams) {
+    // Light's silence says nothing, and maps end not far beyond what it saw well.
+    if (!is_light(scan) || (beam.range_m && *beam.range_m <= params_.max_laser_range_m)) {
+      gathered_.push_back(
+          {T_odom_sensor * geometry::Pose2(0.0, 0.0, beam.bearing_rad), beam.range_m});
+    }
   }
 }
 
 void RobotLocalizer::update(const std::vector<localization::RangeReading>& readings) {
-  T_odom_updated_ = odometry_.T_odom_robot();
-  localizer_.update(*T_odom_updated_, readings);
+  T_odom_updated_ = T_odom_robot_;
+  belief_ = filter_->localizer.update(T_odom_robot_, readings);
+}
+
+void RobotLocalizer::note_pose() {
+  if (!belief_.hypotheses.empty()) {
+    trajectory_.push_back({stamp_, belief_.hypotheses.front().T_map_robot});
+  }
 }
 
 }  // namespace echomap::pipeline

@@ -17,28 +17,37 @@
 
 namespace echomap::pipeline {
 
-/// The sonar of a robot that is looked for in a map, and how.
+/// The range sensor of a robot that is looked for in a map, and how.
 struct RobotLocalizerParams {
-  localization::LocalizedRobot sonar;
+  /// That of the first range scan where it is not known before.
+  std::optional<localization::LocalizedRobot> sensor;
   /// The robot's motion is followed in steps of so much: of a turn to and fro only both ways tell
   /// how far it may be off.
   double step_m = 0.2;
   double step_rad = 0.5;
+  /// Range scans are gathered until the robot has moved by so much, since those from one place err
+  /// together.
+  double scan_step_m = 0.1;
+  double scan_step_rad = 0.1745;
   /// So many readings of a scan are used, evenly picked.
   std::size_t max_readings = 60;
+  /// A laser's ranges count up to there, metres.
+  double max_laser_range_m = 10.0;
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
 };
 
-/// Finds and follows a robot that drives in a map that is given: odometry and the sonar's scans in,
-/// beliefs out, one a scan. A robot that is lifted may be anywhere from then on.
+/// Finds and follows a robot that drives in a map that is given: odometry, and a sonar's scans or
+/// range scans of one kind of sensor in, beliefs out, one a scan. A robot that is lifted may be
+/// anywhere from then on. What a log says of the robot's true pose is not looked at.
 class RobotLocalizer final : public ObservationSink {
  public:
   /// The robot may be anywhere on the map's floor. Throws std::invalid_argument for invalid
   /// settings.
-  RobotLocalizer(const mapping::RasterMap& map,
+  RobotLocalizer(mapping::RasterMap map,
                  const sensors::RobotGeometry& robot,
                  const RobotLocalizerParams& params,
                  std::mt19937 random);
+  ~RobotLocalizer() override;
 
   /// The robot is about there, where it stands now or, before the first observation, is then.
   void start_at(const geometry::Pose2& T_map_robot, double stddev_m, double stddev_rad);
@@ -50,39 +59,64 @@ class RobotLocalizer final : public ObservationSink {
   void on_sonar(const sensors::SonarObservation& observation) override;
   /// A wheel that hangs, or four cliffs at once, mean that the robot was lifted.
   void on_hazards(const sensors::HazardObservation& observation) override;
+  void on_odometry_pose(const sensors::OdometryPoseObservation& observation) override;
+  /// Counts where it is of the same kind of sensor, and not stamped before the one before it.
+  void on_range_scan(const sensors::RangeScan& scan) override;
   void begin_scan() override;
   /// Updates the belief by the scan's readings, placed by odometry.
   void end_scan() override;
 
   /// Of the start that was told, once it counts: kMoved where it can be.
   localization::LocalizerOutcome start_outcome() const { return start_outcome_; }
-  const localization::PoseBelief& belief() const { return localizer_.belief(); }
-  /// Where it was believed to be at the end of each scan.
+  /// As of the last update; without any, nothing is known.
+  const localization::PoseBelief& belief() const { return belief_; }
+  /// Where it was believed to be at the end of each scan; of range scans, at each update.
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
   std::size_t scans() const { return scans_; }
+  /// Updates by range scans.
+  std::size_t updates() const { return updates_; }
+  /// Range scans of another kind of sensor.
+  std::size_t unused_scans() const { return unused_scans_; }
+  /// Range scans that are left out since time ran backwards.
+  std::size_t late_scans() const { return late_scans_; }
   /// How often the robot was lifted.
   std::size_t times_lifted() const { return times_lifted_; }
 
  private:
+  struct Filter;
+
+  void make_filter(const localization::LocalizedRobot& robot);
+  void begin_at_told_start();
+  bool is_late(const sensors::RangeScan& scan);
+  void gather(const sensors::RangeScan& scan);
   void follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
   void add_contact(const models::ContactReading& contact);
   void update(const std::vector<localization::RangeReading>& readings);
+  void note_pose();
 
   sensors::RobotGeometry robot_;
   RobotLocalizerParams params_;
-  std::unique_ptr<localization::ObservationModel> observation_;
-  localization::MonteCarloLocalizer localizer_;
+  mapping::RasterMap map_;
+  std::mt19937 random_;
+  std::unique_ptr<Filter> filter_;  ///< Once the sensor is known.
   sensors::WheelOdometry odometry_;
+  geometry::Pose2 T_odom_robot_;
   std::optional<geometry::Pose2> T_odom_updated_;  ///< Empty before the first observation.
   std::optional<ToldStart> start_;                 ///< To begin with the first observation.
   localization::LocalizerOutcome start_outcome_ = localization::LocalizerOutcome::kMoved;
+  localization::PoseBelief belief_;
   time::RobotTime stamp_;
-  std::vector<localization::RangeReading> open_scan_;  ///< From the odometry's frame.
+  std::optional<double> scan_stamp_s_;                ///< Of the last range scan.
+  std::optional<double> scan_beam_width_rad_;         ///< Of the first.
+  std::vector<localization::RangeReading> gathered_;  ///< From the odometry's frame.
   bool scan_is_open_ = false;
   bool is_lifted_ = false;
   bool touches_ = false;
   std::vector<StampedPose> trajectory_;
   std::size_t scans_ = 0;
+  std::size_t updates_ = 0;
+  std::size_t unused_scans_ = 0;
+  std::size_t late_scans_ = 0;
   std::size_t times_lifted_ = 0;
 };
 

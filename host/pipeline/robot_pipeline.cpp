@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "host/pipeline/robot_pipeline.hpp"
 
+#include <stdexcept>
 #include <utility>
+
+#include "host/slam/factor_graph.hpp"
 
 namespace echomap::pipeline {
 
 RobotPipeline::RobotPipeline(const sensors::RobotGeometry& robot,
                              const mapping::SonarMapperParams& params,
                              const mapping::ContactMapperParams& near,
-                             std::unique_ptr<slam::SlamMethod> slam)
+                             std::unique_ptr<slam::SlamMethod> slam,
+                             const ScanMapParams& scans)
     : robot_(robot),
       track_(robot.track_m, std::move(slam), 2.0 * params.surfaces.beam_half_angle_rad),
-      map_(params, near) {}
+      map_(params, near),
+      scan_params_(scans),
+      scan_map_(scans) {}
 
 void RobotPipeline::on_odometry(const sensors::OdometryObservation& observation) {
   track_.follow(observation.stamp, observation.travel);
+  pass_over_floor();
+}
+
+void RobotPipeline::pass_over_floor() {
   if (!status_.has_void_pose()) {
     map_.contacts().pass_over(track_.T_map_robot());
   }
@@ -45,7 +55,8 @@ void RobotPipeline::on_infrared(const sensors::InfraredObservation& observation)
 void RobotPipeline::on_hazards(const sensors::HazardObservation& observation) {
   const NewBumps bumps = status_.on_hazards(observation);
   if (!status_.has_void_pose()) {
-    map_.contacts().bump(track_.T_map_robot(), bumps.left, bumps.right);
+    map_.contacts().bump(
+        track_.T_map_robot(), bumps.left, bumps.right, observation.bumper_radius_m);
   }
 }
 
@@ -57,6 +68,34 @@ void RobotPipeline::on_carried(const sensors::CarriedObservation& observation) {
 
 void RobotPipeline::on_pose_fix(const sensors::PoseFixObservation& observation) {
   track_.fix(observation.T_map_robot);
+}
+
+void RobotPipeline::on_odometry_pose(const sensors::OdometryPoseObservation& observation) {
+  track_.follow(observation.stamp, observation.T_odom_robot);
+  pass_over_floor();
+}
+
+void RobotPipeline::on_range_scan(const sensors::RangeScan& scan) {
+  if (RobotSlam* slam = track_.slam()) {
+    slam->add_scan(track_.T_odom_robot(), scan);
+  }
+  see(scan);
+}
+
+void RobotPipeline::on_landmark(const sensors::LandmarkObservation& observation) {
+  see(observation);
+}
+
+template <class Seen>
+void RobotPipeline::see(const Seen& seen) {
+  if (track_.poses() == 0) {
+    track_.follow({}, geometry::Pose2());
+  }
+  if (track_.slam() != nullptr) {
+    sightings_.push_back({track_.poses() - 1, seen});
+  } else {
+    scan_map_.add(track_.latest(), seen);
+  }
 }
 
 void RobotPipeline::begin_scan() {
@@ -91,8 +130,34 @@ Snapshot RobotPipeline::snapshot() const {
   Snapshot snapshot;
   track_.describe(snapshot);
   map_.describe(snapshot);
+  describe_scans(snapshot);
   status_.describe(snapshot);
   return snapshot;
+}
+
+void RobotPipeline::describe_scans(Snapshot& snapshot) const {
+  if (sightings_.empty()) {
+    if (!scan_map_.is_empty()) {
+      scan_map_.describe(snapshot);
+    }
+    return;
+  }
+  const std::vector<StampedPose> trajectory = track_.corrected_trajectory();
+  ScanMap map(scan_params_);
+  for (const auto& [pose_index, seen] : sightings_) {
+    std::visit([&map, &robot = trajectory[pose_index]](const auto& kind) { map.add(robot, kind); },
+               seen);
+  }
+  map.describe(snapshot);
+  snapshot.latest = trajectory.back();
+  snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(trajectory);
+}
+
+slam::FactorGraph RobotPipeline::factor_graph() const {
+  if (slam() == nullptr) {
+    throw std::logic_error("no SLAM runs, which would have a factor graph");
+  }
+  return slam::in_frame_a(track_.T_map_slam(), slam()->factor_graph());
 }
 
 }  // namespace echomap::pipeline

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <variant>
+#include <vector>
 
 #include "host/mapping/contact_mapper.hpp"
 #include "host/mapping/placed_reading.hpp"
@@ -10,9 +13,11 @@
 #include "host/pipeline/observation_sink.hpp"
 #include "host/pipeline/pose_track.hpp"
 #include "host/pipeline/robot_status.hpp"
+#include "host/pipeline/scan_map.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/pipeline/stop_map.hpp"
 #include "host/sensors/observations.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/sensors/robot_geometry.hpp"
 #include "host/slam/slam_method.hpp"
 
@@ -28,7 +33,8 @@ class RobotPipeline final : public ObservationSink {
   explicit RobotPipeline(const sensors::RobotGeometry& robot,
                          const mapping::SonarMapperParams& params = {},
                          const mapping::ContactMapperParams& near = {},
-                         std::unique_ptr<slam::SlamMethod> slam = nullptr);
+                         std::unique_ptr<slam::SlamMethod> slam = nullptr,
+                         const ScanMapParams& scans = {});
 
   void on_odometry(const sensors::OdometryObservation& observation) override;
   /// Places the reading by its own wheel travel. Its echo is a point of the map at once; the grid
@@ -48,6 +54,11 @@ class RobotPipeline final : public ObservationSink {
     status_.on_battery(observation);
   }
 
+  void on_odometry_pose(const sensors::OdometryPoseObservation& observation) override;
+  /// Goes into the map from where the robot is; with SLAM, from where that has it in the end.
+  void on_range_scan(const sensors::RangeScan& scan) override;
+  void on_landmark(const sensors::LandmarkObservation& observation) override;
+
   void begin_scan() override;
   /// Puts the scan's readings into the grid together, unless they are of a sonar that hangs or of
   /// another place.
@@ -58,11 +69,28 @@ class RobotPipeline final : public ObservationSink {
   const slam::SlamMethod* slam() const {
     return track_.slam() != nullptr ? &track_.slam()->method() : nullptr;
   }
+  /// What SLAM has estimated, on the map. Throws std::logic_error without SLAM.
+  slam::FactorGraph factor_graph() const;
 
  private:
+  /// What was seen from a pose of the trajectory.
+  struct Sighting {
+    std::size_t pose_index = 0;
+    std::variant<sensors::RangeScan, sensors::LandmarkObservation> seen;
+  };
+
+  void pass_over_floor();
+  /// Where the robot has not told its pose yet, it is at the origin.
+  template <class Seen>
+  void see(const Seen& seen);
+  void describe_scans(Snapshot& snapshot) const;
+
   sensors::RobotGeometry robot_;
   PoseTrack track_;
   StopMap map_;
+  ScanMapParams scan_params_;
+  ScanMap scan_map_;
+  std::vector<Sighting> sightings_;  ///< With SLAM, in place of `scan_map_`.
   RobotStatus status_;
   std::optional<mapping::Scan> open_scan_;  ///< As odometry places it.
 };

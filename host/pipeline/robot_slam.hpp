@@ -10,6 +10,7 @@
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/pipeline/slam_track.hpp"
+#include "host/sensors/range_scan.hpp"
 #include "host/slam/slam_method.hpp"
 
 namespace echomap::pipeline {
@@ -27,6 +28,10 @@ class RobotSlam {
   void add_ping(const geometry::Pose2& T_odom_robot,
                 const geometry::Pose2& T_robot_sonar,
                 const std::optional<double>& range_m);
+  /// A scan of the last instant, between two stops. It is not among `points`.
+  void add_scan(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) {
+    track_.add(T_odom_robot, scan);
+  }
   /// What comes now is held back until the stop's end: the robot stays where it was thought to be.
   void begin_stop() { is_at_stop_ = true; }
   /// Pings of a stop that are of another place, or of a sonar that hangs, do not count.

@@ -11,6 +11,7 @@
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/mapping/scan_check.hpp"
+#include "host/pipeline/seen_landmark.hpp"
 #include "host/sensors/observations.hpp"
 #include "host/time/robot_time.hpp"
 
@@ -35,6 +36,8 @@ struct Snapshot {
   std::shared_ptr<const mapping::OccupancyGrid> grid;
   /// What was heard at all stops whose scans are in the grid, where it has them now.
   std::shared_ptr<const std::vector<mapping::Scan>> scans;
+  /// Every landmark that was seen, in their order.
+  std::shared_ptr<const std::vector<SeenLandmark>> landmarks;
   /// The last scan that was ended; empty before.
   std::shared_ptr<const mapping::Scan> last_scan;
   /// A scan with a fault that makes it worthless is not in the grid.

@@ -67,6 +67,7 @@ void StopMap::describe(Snapshot& snapshot) const {
   snapshot.points = points_;
   snapshot.grid = grid();
   snapshot.scans = scans_;
+  snapshot.landmarks = std::make_shared<const std::vector<SeenLandmark>>();
   snapshot.last_scan = last_scan_;
   snapshot.last_scan_fault = last_scan_fault_;
   snapshot.stops = stops_;

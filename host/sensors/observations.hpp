@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -23,6 +24,12 @@ struct WheelTravel {
 struct OdometryObservation {
   time::RobotTime stamp;
   WheelTravel travel;
+};
+
+/// Where a robot is by odometry of its own, which is not told wheel by wheel.
+struct OdometryPoseObservation {
+  time::RobotTime stamp;
+  geometry::Pose2 T_odom_robot;
 };
 
 /// One sonar reading. `range_m` is empty where nothing answered. `pan_rad` is counter-clockwise
@@ -58,6 +65,8 @@ struct HazardObservation {
   bool lifted = false;  ///< A wheel hangs: the robot was picked up, and its pose is void.
   bool virtual_wall = false;
   bool wall = false;
+  /// From the middle of the robot to its bumper, where a log tells; 0 for that of the profile.
+  double bumper_radius_m = 0.0;
 
   bool is_touching() const { return bump_left || bump_right; }
   /// A wheel hangs, or there is no floor under any of four sensors.
@@ -78,6 +87,13 @@ struct CarriedObservation {
 struct PoseFixObservation {
   time::RobotTime stamp;
   geometry::Pose2 T_map_robot;
+};
+
+/// A landmark that is known by its number, seen from the robot.
+struct LandmarkObservation {
+  std::int64_t id = 0;
+  double range_m = 0.0;
+  double bearing_rad = 0.0;
 };
 
 /// The battery's voltage.

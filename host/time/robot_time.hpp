@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 
 namespace echomap::time {
@@ -17,6 +19,12 @@ struct RobotClock {
   static constexpr bool is_steady = true;
 };
 using RobotTime = RobotClock::time_point;
+
+/// Seconds of that clock, rounded to microseconds, and at most 10^12 of them.
+inline RobotTime robot_time(double stamp_s) {
+  constexpr double kMaxS = 1e12;
+  return RobotTime(RobotClock::duration(std::llround(std::clamp(stamp_s, -kMaxS, kMaxS) * 1e6)));
+}
 
 /// Extends the 32-bit microseconds of the wire, which wrap every 71.6 minutes.
 class RobotTimeUnwrapper {

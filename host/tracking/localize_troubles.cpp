@@ -7,7 +7,7 @@ namespace echomap::tracking {
 
 using localization::LocalizerOutcome;
 
-std::string why_nowhere(const pipeline::LogLocalizer& localizer,
+std::string why_nowhere(const pipeline::RobotLocalizer& localizer,
                         const std::filesystem::path& log,
                         const std::filesystem::path& map) {
   if (localizer.scans() == 0) {
@@ -27,7 +27,7 @@ std::optional<std::string> trouble_of_start(LocalizerOutcome start) {
                      localization::text_of(start));
 }
 
-std::vector<std::string> troubles_of(const pipeline::LogLocalizer& localizer) {
+std::vector<std::string> troubles_of(const pipeline::RobotLocalizer& localizer) {
   std::vector<std::string> troubles;
   if (const auto trouble = trouble_of_start(localizer.start_outcome())) {
     troubles.push_back(*trouble);

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "host/pipeline/log_localizer.hpp"
+#include "host/pipeline/robot_localizer.hpp"
 
 namespace echomap::tracking {
 
 /// Why nothing is known of the robot after the whole log, for the user.
-std::string why_nowhere(const pipeline::LogLocalizer& localizer,
+std::string why_nowhere(const pipeline::RobotLocalizer& localizer,
                         const std::filesystem::path& log,
                         const std::filesystem::path& map);
 
@@ -19,6 +19,6 @@ std::string why_nowhere(const pipeline::LogLocalizer& localizer,
 std::optional<std::string> trouble_of_start(localization::LocalizerOutcome start);
 
 /// What has gone wrong although the robot was followed, a sentence each.
-std::vector<std::string> troubles_of(const pipeline::LogLocalizer& localizer);
+std::vector<std::string> troubles_of(const pipeline::RobotLocalizer& localizer);
 
 }  // namespace echomap::tracking

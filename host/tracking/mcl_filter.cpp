@@ -18,9 +18,10 @@ pipeline::RobotLocalizerParams localizer_params(const session::RobotProfile& pro
                                                 localization::LocalizerPreset preset) {
   pipeline::RobotLocalizerParams params;
   params.preset = preset;
-  params.sonar.body_radius_m = profile.body_radius_m;
-  params.sonar.beam_half_angle_rad = profile.beam_half_angle_rad;
-  params.sonar.max_range_m = profile.range.max_range_m;
+  localization::LocalizedRobot& sonar = params.sensor.emplace();
+  sonar.body_radius_m = profile.body_radius_m;
+  sonar.beam_half_angle_rad = profile.beam_half_angle_rad;
+  sonar.max_range_m = profile.range.max_range_m;
   return params;
 }
 

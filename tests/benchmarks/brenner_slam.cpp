@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 
-#include "host/pipeline/log_slam.hpp"
 #include "host/sensors/range_scan.hpp"
 #include "host/slam/landmark_slam.hpp"
 #include "tests/benchmarks/brenner_arena.hpp"

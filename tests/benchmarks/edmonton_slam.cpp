@@ -5,11 +5,11 @@
 #include <variant>
 
 #include "host/datasets/edmonton_log.hpp"
-#include "host/pipeline/log_slam.hpp"
 #include "host/sensors/range_scan.hpp"
 #include "tests/benchmarks/relation_log.hpp"
 #include "tests/benchmarks/turn_first_odometry.hpp"
 #include "tests/support/log_files.hpp"
+#include "tests/support/played_log.hpp"
 #include "tests/support/real_data.hpp"
 
 namespace echomap::bench {
@@ -37,10 +37,8 @@ std::vector<geometry::Pose2> paper_odometry(const EdmontonLog& log) {
 }
 
 void run_edmonton(const EdmontonLog& log, slam::LandmarkSlam& method) {
-  pipeline::LogSlam slam(method);
-  for (const datasets::LogRecord& record : log.records) {
-    slam.add(record);
-  }
+  tests::SlamSink slam(method);
+  tests::play(log.records, slam, pipeline::PoseSource::kOdometryFromOrigin);
 }
 
 }  // namespace echomap::bench

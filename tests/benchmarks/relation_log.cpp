@@ -9,9 +9,8 @@
 #include "host/datasets/open_log.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
-#include "host/pipeline/log_poses.hpp"
-#include "host/pipeline/log_slam.hpp"
 #include "host/sensors/range_scan.hpp"
+#include "tests/support/played_log.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -106,22 +105,15 @@ RelationLog with_cones(const RelationLog& log, std::size_t count, std::mt19937& 
 }
 
 evaluation::RelationError score_odometry(const RelationLog& log) {
-  pipeline::LogPoses poses(pipeline::PoseSource::kOdometry);
-  std::vector<geometry::Pose2> trajectory;
-  for (const datasets::LogRecord& record : log.records) {
-    if (poses.follow(record)) {
-      trajectory.push_back(*poses.T_map_robot());
-    }
-  }
-  return evaluation::score_relations(trajectory, log.relations);
+  tests::OdometrySink odometry;
+  tests::play(log.records, odometry);
+  return evaluation::score_relations(odometry.T_odom_robots, log.relations);
 }
 
 evaluation::RelationError score_slam(const RelationLog& log, slam::SlamMethod& method) {
-  pipeline::LogSlam slam(method);
-  for (const datasets::LogRecord& record : log.records) {
-    slam.add(record);
-  }
-  return evaluation::score_relations(slam.trajectory(), log.relations);
+  tests::SlamSink slam(method);
+  tests::play(log.records, slam, pipeline::PoseSource::kOdometryFromOrigin);
+  return evaluation::score_relations(slam.track().trajectory(), log.relations);
 }
 
 }  // namespace echomap::bench

@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "host/datasets/open_log.hpp"
-#include "host/pipeline/log_mapper.hpp"
+#include "host/pipeline/log_player.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
 #include "tests/support/median.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -18,12 +19,13 @@ namespace {
 double realtime_factor(const std::filesystem::path& path) {
   const auto start = std::chrono::steady_clock::now();
   const auto log = datasets::open_log(path, "");
-  pipeline::LogMapper mapper;
+  pipeline::RobotPipeline pipeline(sensors::RobotGeometry{});
+  pipeline::LogPlayer player(pipeline);
   while (const auto record = log->next()) {
-    mapper.add(*record);
+    player.play(*record);
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  return mapper.duration_s().value_or(0.0) / took.count();
+  return player.duration_s().value_or(0.0) / took.count();
 }
 
 }  // namespace

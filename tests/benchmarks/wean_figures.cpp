@@ -8,10 +8,11 @@
 
 #include "host/datasets/open_log.hpp"
 #include "host/geometry/angle.hpp"
-#include "host/pipeline/log_localizer.hpp"
+#include "host/pipeline/robot_localizer.hpp"
 #include "tests/benchmarks/thread_clock.hpp"
 #include "tests/support/expect_pose_estimate.hpp"
 #include "tests/support/log_files.hpp"
+#include "tests/support/played_log.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/wean_map.hpp"
 
@@ -56,12 +57,8 @@ std::vector<Figure> wean_figures(std::uint32_t seed, bool verbose) {
     const auto records = tests::records_of(
         *datasets::open_log(folder / fmt::format("robotdata{}.log.gz", drive.number), "wean"));
     for (std::uint32_t own_seed = seed; own_seed < seed + kSeeds; ++own_seed) {
-      pipeline::LogLocalizer localizer(map, {}, std::mt19937(own_seed));
-      seconds += processor_seconds([&] {
-        for (const datasets::LogRecord& record : records) {
-          localizer.add(record);
-        }
-      });
+      pipeline::RobotLocalizer localizer(map, {}, {}, std::mt19937(own_seed));
+      seconds += processor_seconds([&] { tests::play(records, localizer); });
       lasted_s += drive.lasts_s;
       const localization::PoseBelief& belief = localizer.belief();
       found +=

@@ -57,9 +57,9 @@ TEST(PoseTrack, MarksWhereTheRobotWasCarriedTo) {
 
 TEST(PoseTrack, ASnapshotKeepsTheTrajectoryThatItHas) {
   PoseTrack track(0.2, nullptr, 0.0);
-  track.follow(at_us(1), {});
+  track.follow(at_us(1), sensors::WheelTravel());
   const Snapshot before = described(track);
-  track.follow(at_us(2), {});
+  track.follow(at_us(2), sensors::WheelTravel());
   EXPECT_EQ(before.trajectory->size(), 1U);
   EXPECT_EQ(described(track).trajectory->size(), 2U);
 }

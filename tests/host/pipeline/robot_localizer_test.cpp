@@ -31,8 +31,8 @@ sensors::RobotGeometry plain_robot() {
 
 RobotLocalizerParams params() {
   RobotLocalizerParams params;
-  params.sonar.beam_half_angle_rad = geometry::radians(13.0);
-  params.sonar.max_range_m = 3.0;
+  params.sensor.emplace().beam_half_angle_rad = geometry::radians(13.0);
+  params.sensor->max_range_m = 3.0;
   return params;
 }
 

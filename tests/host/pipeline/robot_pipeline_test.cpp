@@ -380,5 +380,32 @@ TEST(RobotPipeline, ShowsTheLastOfEverySensor) {
   EXPECT_EQ(snapshot.battery->voltage_v, 7.4);
 }
 
+TEST(RobotPipeline, PlacesRangeScansWhereSlamHasThem) {
+  RobotPipeline pipeline(plain_robot(), {}, {}, std::make_unique<MovedAside>());
+  sensors::RangeScan scan;
+  scan.max_range_m = 5.0;
+  scan.beams = {{0.0, 1.0}};
+  pipeline.on_odometry_pose({at_us(1), {}});
+  pipeline.on_pose_fix({at_us(1), {5e6, 0.0, 0.0}});
+  pipeline.on_odometry_pose({at_us(2), {2.0, 0.0, 0.0}});
+  pipeline.on_range_scan(scan);
+  pipeline.on_landmark({3, 2.0, 0.0});
+  const Snapshot snapshot = pipeline.snapshot();
+  // MovedAside has every scan a metre to the left.
+  EXPECT_NEAR(snapshot.latest.T_map_robot.x_m(), 5e6 + 2.0, 1e-6);
+  EXPECT_NEAR(snapshot.latest.T_map_robot.y_m(), 1.0, 1e-9);
+  EXPECT_LT(snapshot.grid->centilogits(snapshot.grid->cell_at({5e6 + 2.5, 1.01})), 0);
+  ASSERT_EQ(snapshot.landmarks->size(), 1U);
+  EXPECT_NEAR(snapshot.landmarks->front().position_m.x(), 5e6 + 4.0, 1e-6);
+  EXPECT_NEAR(pipeline.factor_graph().T_map_nodes.front().x_m(), 5e6 + 2.0, 1e-6);
+}
+
+TEST(RobotPipeline, TakesARobotThatTellsNoPoseToStandAtTheOrigin) {
+  RobotPipeline pipeline(plain_robot(), {}, {}, std::make_unique<MovedAside>());
+  pipeline.on_landmark({3, 2.0, 0.0});
+  EXPECT_EQ(pipeline.snapshot().landmarks->size(), 1U);
+  EXPECT_THROW(RobotPipeline(plain_robot()).factor_graph(), std::logic_error);
+}
+
 }  // namespace
 }  // namespace echomap::pipeline

@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "host/datasets/open_log.hpp"
-#include "host/pipeline/log_mapper.hpp"
+#include "host/pipeline/log_player.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
 #include "tests/support/nearest_points.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -30,14 +31,13 @@ class SonarLog : public testing::TestWithParam<SonarLogCase> {
   void SetUp() override {
     const auto path = tests::real_data(GetParam().path);
     ECHOMAP_SKIP_WITHOUT(path);
-    LogMapperParams params;
-    params.poses = GetParam().poses;
-    LogMapper mapper(params);
+    RobotPipeline pipeline(sensors::RobotGeometry{});
+    LogPlayer player(pipeline, GetParam().poses);
     const auto log = datasets::open_log(path, GetParam().format);
     while (const auto record = log->next()) {
-      mapper.add(*record);
+      player.play(*record);
     }
-    snapshot_ = mapper.snapshot();
+    snapshot_ = pipeline.snapshot();
     const auto& bounds = grid().bounds();
     for (std::int32_t y = bounds.min.y; y <= bounds.max.y; ++y) {
       for (std::int32_t x = bounds.min.x; x <= bounds.max.x; ++x) {

@@ -28,9 +28,9 @@ sensors::RangeScan scan(double stamp_s, double range_m = 0.2) {
 }
 
 std::string reason(const mapping::RasterMap& map, const std::vector<sensors::RangeScan>& scans) {
-  pipeline::LogLocalizer localizer(map, {}, std::mt19937(1));
+  pipeline::RobotLocalizer localizer(map, {}, {}, std::mt19937(1));
   for (const sensors::RangeScan& one : scans) {
-    localizer.add(one);
+    localizer.on_range_scan(one);
   }
   return why_nowhere(localizer, "a.log", "a.yaml");
 }
@@ -46,18 +46,18 @@ TEST(LocalizeTroubles, SayWhyTheRobotIsNowhere) {
 }
 
 TEST(LocalizeTroubles, AreNoneWhenAllIsWell) {
-  pipeline::LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  pipeline::RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
   localizer.start_at({0.4, 0.2, 0.0}, 0.1, 0.1);
-  localizer.add(scan(0.0));
+  localizer.on_range_scan(scan(0.0));
   EXPECT_THAT(troubles_of(localizer), IsEmpty());
 }
 
 TEST(LocalizeTroubles, NameAStartOffTheMapAndTimeThatRunsBackwards) {
-  pipeline::LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+  pipeline::RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
   localizer.start_at({40.0, 0.2, 0.0}, 0.1, 0.1);
-  localizer.add(scan(3.0));
-  localizer.add(scan(2.0));
-  localizer.add(scan(1.0));
+  localizer.on_range_scan(scan(3.0));
+  localizer.on_range_scan(scan(2.0));
+  localizer.on_range_scan(scan(1.0));
   EXPECT_THAT(troubles_of(localizer),
               ElementsAre("cannot start at that pose: the estimated pose was off the floor of the "
                           "map; localizing globally",

@@ -53,8 +53,8 @@ TEST_F(MclFilterTest, HasLostARobotThatWasLifted) {
 TEST_F(MclFilterTest, TakesTheSonarFromTheProfile) {
   const auto params = localizer_params(profile, LocalizerPreset::kNxt);
   EXPECT_EQ(params.preset, LocalizerPreset::kNxt);
-  EXPECT_EQ(params.sonar.beam_half_angle_rad, profile.beam_half_angle_rad);
-  EXPECT_EQ(params.sonar.max_range_m, profile.range.max_range_m);
+  EXPECT_EQ(params.sensor->beam_half_angle_rad, profile.beam_half_angle_rad);
+  EXPECT_EQ(params.sensor->max_range_m, profile.range.max_range_m);
 }
 
 }  // namespace

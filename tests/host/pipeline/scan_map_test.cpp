@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "host/pipeline/log_mapper.hpp"
+#include "host/pipeline/scan_map.hpp"
 
 #include <numbers>
 
 #include <gmock/gmock.h>
 
-#include "host/sensors/range_scan.hpp"
+#include "host/pipeline/log_player.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::pipeline {
@@ -23,8 +24,29 @@ sensors::RangeScan laser(std::vector<sensors::Beam> beams) {
   return scan;
 }
 
-LogMapperParams coarse() {
-  LogMapperParams params;
+/// A log, and the pipeline that it is played into.
+class Mapper {
+ public:
+  explicit Mapper(const ScanMapParams& params = {}, PoseSource source = PoseSource::kOdometry)
+      : pipeline_({}, with_grid(params.grid), {}, nullptr, params), player_(pipeline_, source) {}
+
+  void add(const datasets::LogRecord& record) { player_.play(record); }
+  Snapshot snapshot() const { return pipeline_.snapshot(); }
+  const LogCounts& counts() const { return player_.counts(); }
+
+ private:
+  static mapping::SonarMapperParams with_grid(const mapping::OccupancyGridParams& grid) {
+    mapping::SonarMapperParams params;
+    params.grid = grid;
+    return params;
+  }
+
+  RobotPipeline pipeline_;
+  LogPlayer player_;
+};
+
+ScanMapParams coarse() {
+  ScanMapParams params;
   params.grid.resolution_m = 0.5;
   // One sighting decides, so that the map can be drawn.
   params.rays.hit_centilogits = 300;
@@ -32,8 +54,8 @@ LogMapperParams coarse() {
   return params;
 }
 
-TEST(LogMapper, RaysOfALaserGoIntoTheGridFromWhereTheRobotWas) {
-  LogMapper mapper(coarse());
+TEST(ScanMap, RaysOfALaserGoIntoTheGridFromWhereTheRobotWas) {
+  Mapper mapper(coarse());
   mapper.add(OdometryPose{1.0, {0.25, 0.25, 0.0}});
   mapper.add(laser({{0.0, 1.5}, {std::numbers::pi / 2.0, std::nullopt}}));
   mapper.add(OdometryPose{2.0, {0.25, 0.25, std::numbers::pi / 2.0}});
@@ -46,10 +68,10 @@ TEST(LogMapper, RaysOfALaserGoIntoTheGridFromWhereTheRobotWas) {
                           "      "));
 }
 
-TEST(LogMapper, ASensorOffTheMiddleSeesFromThere) {
-  LogMapperParams params = coarse();
+TEST(ScanMap, ASensorOffTheMiddleSeesFromThere) {
+  ScanMapParams params = coarse();
   params.map = MapKind::kPoints;
-  LogMapper mapper(params);
+  Mapper mapper(params);
   mapper.add(OdometryPose{1.0, {1.0, 0.0, std::numbers::pi / 2.0}});
   sensors::RangeScan scan = laser({{0.0, 2.0}, {0.0, std::nullopt}});
   scan.T_robot_sensor = {0.25, 0.0, 0.0};
@@ -61,8 +83,8 @@ TEST(LogMapper, ASensorOffTheMiddleSeesFromThere) {
   EXPECT_TRUE(snapshot.grid->bounds().empty());
 }
 
-TEST(LogMapper, TheEchoesOfASonarThatPassesAWallBecomeThatWall) {
-  LogMapper mapper;
+TEST(ScanMap, TheEchoesOfASonarThatPassesAWallBecomeThatWall) {
+  Mapper mapper;
   sensors::RangeScan scan = laser({{std::numbers::pi / 2.0, 1.0}});
   scan.beam_width_rad = 0.5;
   scan.max_range_m = 3.0;
@@ -78,9 +100,9 @@ TEST(LogMapper, TheEchoesOfASonarThatPassesAWallBecomeThatWall) {
   EXPECT_TRUE(is_found);
 }
 
-TEST(LogMapper, TheSilenceOfSoundSpeaksForFreeFloorAndThatOfLightDoesNot) {
+TEST(ScanMap, TheSilenceOfSoundSpeaksForFreeFloorAndThatOfLightDoesNot) {
   for (const bool is_light : {false, true}) {
-    LogMapper mapper;
+    Mapper mapper;
     sensors::RangeScan scan = laser({{0.0, std::nullopt}});
     scan.beam_width_rad = 0.5;
     scan.max_range_m = 3.0;
@@ -90,10 +112,8 @@ TEST(LogMapper, TheSilenceOfSoundSpeaksForFreeFloorAndThatOfLightDoesNot) {
   }
 }
 
-TEST(LogMapper, ScansBeforeTheFirstGivenPoseAreCountedAndLeftOut) {
-  LogMapperParams params;
-  params.poses = PoseSource::kGiven;
-  LogMapper mapper(params);
+TEST(ScanMap, ScansBeforeTheFirstGivenPoseAreCountedAndLeftOut) {
+  Mapper mapper({}, PoseSource::kGiven);
   mapper.add(laser({{0.0, 1.0}}));
   mapper.add(GivenPose{5.0, {0.0, 0.0, 0.0}});
   mapper.add(laser({{0.0, 1.0}, {1.0, 1.0}}));
@@ -105,31 +125,31 @@ TEST(LogMapper, ScansBeforeTheFirstGivenPoseAreCountedAndLeftOut) {
 
 datasets::Contact contact(bool left, bool right) { return {std::nullopt, left, right, 0.9}; }
 
-TEST(LogMapper, ABumpIsAWallBeforeTheRobotOnTheSideThatWasHit) {
+TEST(ScanMap, ABumpIsAWallBeforeTheRobotOnTheSideThatWasHit) {
   const auto drawing_after = [](bool left, bool right) {
-    LogMapper mapper(coarse());
+    Mapper mapper(coarse());
     mapper.add(OdometryPose{1.0, {0.25, 0.0, 0.0}});
     mapper.add(contact(left, right));
     return tests::drawing_of(mapping::rasterize(*mapper.snapshot().grid));
   };
-  // Cells from -0.5 to 0 and from 0 to 0.5 beside the way of the robot.
+  // Cells of half a metre; the end of a bumper looks to its side.
   EXPECT_THAT(drawing_after(true, true), ElementsAre("   ", " # ", " # ", "   "));
-  EXPECT_THAT(drawing_after(true, false), ElementsAre("   ", " # ", "   "));
+  EXPECT_THAT(drawing_after(true, false), ElementsAre("    ", " #  ", "  # ", "    "));
   EXPECT_EQ(drawing_after(false, false), tests::DrawnMap{" "});
 }
 
-TEST(LogMapper, TheSidesOfABumpAreLeftAndRight) {
+TEST(ScanMap, TheSidesOfABumpAreLeftAndRight) {
   for (const bool left : {true, false}) {
-    LogMapper mapper;
+    Mapper mapper;
     mapper.add(contact(left, !left));
     const auto grid = mapper.snapshot().grid;
-    EXPECT_EQ(grid->state(grid->cell_at({0.91, 0.4})) == mapping::CellState::kOccupied, left);
-    EXPECT_EQ(grid->state(grid->cell_at({0.91, -0.4})) == mapping::CellState::kOccupied, !left);
+    EXPECT_EQ(grid->state(grid->cell_at({0.69, 0.58})) == mapping::CellState::kOccupied, left);
+    EXPECT_EQ(grid->state(grid->cell_at({0.69, -0.58})) == mapping::CellState::kOccupied, !left);
   }
 }
 
-TEST(LogMapper, ABumperThatStaysPressedIsOneBump) {
-  LogMapper mapper;
+TEST(ScanMap, ABumperThatStaysPressedIsOneBump) {
+  Mapper mapper;
   mapper.add(contact(true, true));
   const auto cell = mapper.snapshot().grid->cell_at({0.91, 0.1});
   const auto once = mapper.snapshot().grid->centilogits(cell);
@@ -144,54 +164,19 @@ TEST(LogMapper, ABumperThatStaysPressedIsOneBump) {
   EXPECT_GT(mapper.snapshot().grid->centilogits(cell), once);
 }
 
-TEST(LogMapper, PlacesLandmarksByThePosesThatCount) {
-  LogMapperParams params;
-  params.poses = PoseSource::kGiven;
-  LogMapper mapper(params);
+TEST(ScanMap, PlacesLandmarksByThePosesThatCount) {
+  Mapper mapper({}, PoseSource::kGiven);
   mapper.add(datasets::LandmarkSighting{1.0, 7, 2.0, 0.0});
   mapper.add(GivenPose{2.0, {1.0, 2.0, std::numbers::pi / 2.0}});
   mapper.add(datasets::LandmarkSighting{2.5, 7, 2.0, -std::numbers::pi / 2.0});
   EXPECT_EQ(mapper.counts().sightings, 2U);
   EXPECT_EQ(mapper.counts().sightings_without_pose, 1U);
-  ASSERT_EQ(mapper.landmarks().size(), 1U);
-  const SeenLandmark& seen = mapper.landmarks().front();
+  ASSERT_EQ(mapper.snapshot().landmarks->size(), 1U);
+  const SeenLandmark seen = mapper.snapshot().landmarks->front();
   EXPECT_EQ(seen.id, 7);
   EXPECT_EQ(seen.range_m, 2.0);
   EXPECT_EQ(seen.stamp, mapper.snapshot().trajectory->front().stamp);
   EXPECT_NEAR((seen.position_m - Eigen::Vector2d(3.0, 2.0)).norm(), 0.0, 1e-12);
-}
-
-TEST(LogMapper, TheTrajectoryRisesWhateverTheStampsDo) {
-  LogMapper mapper;
-  double x_m = 0.0;
-  for (const std::optional<double> stamp_s : {std::optional(10.0),
-                                              std::optional<double>(),
-                                              std::optional(9.0),
-                                              std::optional(10.5),
-                                              std::optional(10.5),
-                                              std::optional(1e12)}) {
-    mapper.add(OdometryPose{stamp_s, {x_m, 0.0, 0.0}});
-    x_m += 1.0;
-  }
-  std::vector<double> stamps_s;
-  std::vector<double> places_m;
-  const auto snapshot = mapper.snapshot();
-  for (const auto& pose : *snapshot.trajectory) {
-    stamps_s.push_back(static_cast<double>(pose.stamp.time_since_epoch().count()) * 1e-6);
-    places_m.push_back(pose.T_map_robot.x_m());
-  }
-  EXPECT_THAT(stamps_s, ElementsAre(10.0, 10.001, 10.5, 10.501));
-  EXPECT_THAT(places_m, ElementsAre(0.0, 1.0, 4.0, 5.0));
-  EXPECT_EQ(mapper.counts().poses_without_stamp, 2U);
-}
-
-TEST(LogMapper, ALogLastsFromItsFirstStampToItsLast) {
-  LogMapper mapper;
-  EXPECT_FALSE(mapper.duration_s());
-  mapper.add(OdometryPose{12.0, {}});
-  mapper.add(OdometryPose{std::nullopt, {}});
-  mapper.add(OdometryPose{15.5, {}});
-  EXPECT_EQ(mapper.duration_s(), 3.5);
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "host/pipeline/log_localizer.hpp"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,6 +8,7 @@
 
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_casting.hpp"
+#include "host/pipeline/robot_localizer.hpp"
 #include "host/sensors/range_scan.hpp"
 #include "tests/support/expect_pose_estimate.hpp"
 #include "tests/support/furnished_room.hpp"
@@ -44,20 +43,20 @@ sensors::RangeScan scan_at(const Pose2& T_map_robot, double stamp_s) {
 }
 
 /// Drives 1.2 m through the room; the odometry begins elsewhere. Returns where it ends.
-Pose2 drive(LogLocalizer& localizer) {
+Pose2 drive(RobotLocalizer& localizer) {
   const Pose2 T_map_odom(0.6, 0.2, 0.4);
   Pose2 T_map_robot(0.45, 0.95, 0.1);
   for (int i = 0; i < 12; ++i) {
     const double stamp_s = 0.5 * i;
-    localizer.add(datasets::OdometryPose{stamp_s, T_map_odom.inverse() * T_map_robot});
-    localizer.add(scan_at(T_map_robot, stamp_s));
+    localizer.on_odometry_pose({time::robot_time(stamp_s), T_map_odom.inverse() * T_map_robot});
+    localizer.on_range_scan(scan_at(T_map_robot, stamp_s));
     T_map_robot = T_map_robot * Pose2(0.11, 0.0, 0.02);
   }
   return T_map_robot * Pose2(0.11, 0.0, 0.02).inverse();
 }
 
-TEST(LogLocalizer, FindsTheRobotOfALog) {
-  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+TEST(RangeScanLocalizer, FindsARobotByItsRangeScans) {
+  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
   const Pose2 truth = drive(localizer);
   EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), truth, 0.1, 0.1));
   EXPECT_EQ(localizer.scans(), 12U);
@@ -65,46 +64,46 @@ TEST(LogLocalizer, FindsTheRobotOfALog) {
   EXPECT_GE(localizer.updates(), 11U);
 }
 
-TEST(LogLocalizer, BeginsWhereItIsTold) {
-  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+TEST(RangeScanLocalizer, BeginsWhereItIsTold) {
+  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
   localizer.start_at({0.45, 0.95, 0.1}, 0.05, 0.05);
-  localizer.add(scan_at({0.45, 0.95, 0.1}, 0.0));
+  localizer.on_range_scan(scan_at({0.45, 0.95, 0.1}, 0.0));
   EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), {0.45, 0.95, 0.1}, 0.05, 0.05));
   EXPECT_EQ(localizer.belief().status, localization::LocalizationStatus::kLocalized);
 }
 
-TEST(LogLocalizer, WaitsUntilTheRobotHasMoved) {
-  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+TEST(RangeScanLocalizer, WaitsUntilTheRobotHasMoved) {
+  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
   for (int i = 0; i < 5; ++i) {
-    localizer.add(scan_at({0.45, 0.95, 0.1}, 0.1 * i));
+    localizer.on_range_scan(scan_at({0.45, 0.95, 0.1}, 0.1 * i));
   }
   EXPECT_EQ(localizer.updates(), 1U);
   EXPECT_EQ(localizer.scans(), 5U);
 }
 
-TEST(LogLocalizer, CountsScansOfAnotherSensor) {
-  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
-  localizer.add(scan_at({0.45, 0.95, 0.1}, 0.0));
+TEST(RangeScanLocalizer, CountsScansOfAnotherSensor) {
+  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  localizer.on_range_scan(scan_at({0.45, 0.95, 0.1}, 0.0));
   sensors::RangeScan sonar = scan_at({0.45, 0.95, 0.1}, 0.1);
   sonar.beam_width_rad = 0.5;
-  localizer.add(sonar);
+  localizer.on_range_scan(sonar);
   EXPECT_EQ(localizer.unused_scans(), 1U);
 }
 
-TEST(LogLocalizer, KnowsNothingWithoutRanges) {
-  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
-  localizer.add(datasets::OdometryPose{0.0, {}});
+TEST(RangeScanLocalizer, KnowsNothingWithoutRanges) {
+  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  localizer.on_odometry_pose({});
   EXPECT_TRUE(localizer.belief().hypotheses.empty());
   EXPECT_TRUE(localizer.trajectory().empty());
 }
 
-TEST(LogLocalizer, LeavesOutScansWhenTimeRunsBackwards) {
-  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+TEST(RangeScanLocalizer, LeavesOutScansWhenTimeRunsBackwards) {
+  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
   const Pose2 truth = drive(localizer);
   const std::size_t updates = localizer.updates();
-  localizer.add(datasets::OdometryPose{9.0, {1.0, 1.0, 1.0}});
+  localizer.on_odometry_pose({time::robot_time(9.0), {1.0, 1.0, 1.0}});
   for (const double stamp_s : {1.0, -5.0, std::numeric_limits<double>::quiet_NaN()}) {
-    localizer.add(scan_at({2.0, 0.3, 1.0}, stamp_s));
+    localizer.on_range_scan(scan_at({2.0, 0.3, 1.0}, stamp_s));
     EXPECT_EQ(localizer.belief().outcome, localization::LocalizerOutcome::kTimeRanBack);
   }
   EXPECT_EQ(localizer.late_scans(), 3U);
@@ -112,18 +111,18 @@ TEST(LogLocalizer, LeavesOutScansWhenTimeRunsBackwards) {
   EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), truth, 0.1, 0.1));
 }
 
-TEST(LogLocalizer, SaysThatAStartIsOffTheMap) {
-  LogLocalizer localizer(kRoom, {}, std::mt19937(1));
+TEST(RangeScanLocalizer, SaysThatAStartIsOffTheMap) {
+  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
   localizer.start_at({50.0, 50.0, 0.0}, 0.1, 0.1);
   const Pose2 truth = drive(localizer);
   EXPECT_EQ(localizer.start_outcome(), localization::LocalizerOutcome::kOffTheFloor);
   EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), truth, 0.1, 0.1));
 }
 
-TEST(LogLocalizer, RefusesSettingsWithoutSense) {
-  LogLocalizerParams params;
-  params.step_m = 0.0;
-  EXPECT_THROW(LogLocalizer(kRoom, params, std::mt19937(1)), std::invalid_argument);
+TEST(RangeScanLocalizer, RefusesSettingsWithoutSense) {
+  RobotLocalizerParams params;
+  params.scan_step_m = 0.0;
+  EXPECT_THROW(RobotLocalizer(kRoom, {}, params, std::mt19937(1)), std::invalid_argument);
 }
 
 }  // namespace
