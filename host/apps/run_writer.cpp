@@ -8,7 +8,7 @@
 
 #include "host/apps/link_report.hpp"
 #include "host/apps/saved_map.hpp"
-#include "host/exports/confidence_grid_csv.hpp"
+#include "host/exports/grid_csv.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/session/firmware_name.hpp"
 

@@ -88,8 +88,6 @@ class TangentBug final : public Explorer {
   /// The paper's grid, in the course's frame, and how many waypoints were reached.
   StrategyProducts products() const override;
 
-  /// Where the robot believes to be by wheels and gyro, in the course's frame.
-  const geometry::Pose2& T_course_robot() const { return T_course_robot_; }
   /// One for each waypoint of the course.
   const std::vector<PhaseReport>& phases() const { return phases_; }
 

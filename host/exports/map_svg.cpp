@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/exports/map_svg.hpp"
 
-#include <array>
-#include <cstdio>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "host/exports/map_view.hpp"
 #include "host/files/atomic_file.hpp"
@@ -21,9 +21,7 @@ constexpr double kMinWidthM = 0.6;
 
 /// To a tenth of a millimetre, which is what a map has of sense.
 std::string text_of(double metres) {
-  std::array<char, 32> digits{};
-  const int length = std::snprintf(digits.data(), digits.size(), "%.4f", metres);
-  std::string text(digits.data(), static_cast<std::size_t>(length));
+  std::string text = fmt::format("{:.4f}", metres);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') {
     text.pop_back();
@@ -36,10 +34,7 @@ std::string text_of(const Eigen::Vector2d& point_m) {
 }
 
 std::string hex_of(Colour colour) {
-  std::array<char, 8> digits{};
-  std::snprintf(
-      digits.data(), digits.size(), "#%02x%02x%02x", colour.red, colour.green, colour.blue);
-  return digits.data();
+  return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
 }
 
 /// The cells of one state, a rectangle for each run in a row.

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "host/exports/number_text.hpp"
+#include <fmt/format.h>
 
 namespace echomap::exports {
 namespace {
@@ -122,8 +122,8 @@ std::vector<PngText> MapView::texts() const {
   const Eigen::Vector2d corner_m =
       map_.origin_m() - metres_per_pixel_ * Eigen::Vector2d(left_, height() - map_height());
   return {{"Software", "echomap"},
-          {"resolution", number_text(metres_per_pixel_)},
-          {"origin", "[" + number_text(corner_m.x()) + ", " + number_text(corner_m.y()) + ", 0]"}};
+          {"resolution", fmt::format("{:.9g}", metres_per_pixel_)},
+          {"origin", fmt::format("[{:.9g}, {:.9g}, 0]", corner_m.x(), corner_m.y())}};
 }
 
 double scale_bar_m(double longest_m) {
@@ -136,6 +136,6 @@ double scale_bar_m(double longest_m) {
   return 0.1;
 }
 
-std::string length_text(double length_m) { return number_text(length_m) + " m"; }
+std::string length_text(double length_m) { return fmt::format("{:.9g} m", length_m); }
 
 }  // namespace echomap::exports

@@ -2,12 +2,11 @@
 #include "host/exports/map_yaml.hpp"
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "host/exports/number_table.hpp"
-#include "host/exports/number_text.hpp"
 #include "host/files/atomic_file.hpp"
 
 namespace echomap::exports {
@@ -46,13 +45,12 @@ class YamlLines {
   }
 
   double number(const std::string& text) const {
-    double number = 0.0;
     const std::string field = trimmed(text);
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);
-    if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(number)) {
+    const auto number = parse_number(field);
+    if (!number) {
       fail("'" + field + "' is not a finite number");
     }
-    return number;
+    return *number;
   }
 
   /// The value as `[x, y, yaw]`.
@@ -118,13 +116,17 @@ void take(const YamlLines& lines, MapYaml& yaml) {
 }  // namespace
 
 void write_map_yaml(const std::filesystem::path& path, const MapYaml& yaml) {
-  files::write_text_file(
-      path,
-      "image: " + yaml.image + "\nmode: trinary\nresolution: " + number_text(yaml.resolution_m) +
-          "\norigin: [" + number_text(yaml.origin_m.x()) + ", " + number_text(yaml.origin_m.y()) +
-          ", 0]\nnegate: " + (yaml.negate ? "1" : "0") +
-          "\noccupied_thresh: " + number_text(yaml.occupied_threshold) +
-          "\nfree_thresh: " + number_text(yaml.free_threshold) + "\n");
+  files::write_text_file(path,
+                         fmt::format("image: {}\nmode: trinary\nresolution: {:.9g}\n"
+                                     "origin: [{:.9g}, {:.9g}, 0]\nnegate: {:d}\n"
+                                     "occupied_thresh: {:.9g}\nfree_thresh: {:.9g}\n",
+                                     yaml.image,
+                                     yaml.resolution_m,
+                                     yaml.origin_m.x(),
+                                     yaml.origin_m.y(),
+                                     yaml.negate,
+                                     yaml.occupied_threshold,
+                                     yaml.free_threshold));
 }
 
 MapYaml read_map_yaml(const std::filesystem::path& path) {

@@ -12,12 +12,6 @@ namespace echomap::exports {
 
 namespace {
 
-/// Sets `value` where all of `field` is one finite number.
-bool parse_number(std::string_view field, double& value) {
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  return error == std::errc() && end == field.data() + field.size() && std::isfinite(value);
-}
-
 std::vector<std::string_view> split(std::string_view line, char separator) {
   std::vector<std::string_view> fields;
   for (std::size_t begin = 0; begin <= line.size();) {
@@ -29,6 +23,14 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
 }
 
 }  // namespace
+
+std::optional<double> parse_number(std::string_view field) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  const bool is_number =
+      error == std::errc() && end == field.data() + field.size() && std::isfinite(value);
+  return is_number ? std::optional(value) : std::nullopt;
+}
 
 void append_number(std::string& text, double value) {
   std::array<char, 32> digits{};
@@ -54,11 +56,13 @@ NumberRow parse_number_row(std::string_view text,
                  "expected " + std::to_string(format.columns) + " columns, found " +
                      std::to_string(fields.size()));
   }
-  std::vector<double> row(fields.size());
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!parse_number(fields[i], row[i])) {
-      fail_at_line(path, line, "'" + std::string(fields[i]) + "' is not a finite number");
+  std::vector<double> row;
+  for (const std::string_view field : fields) {
+    const auto number = parse_number(field);
+    if (!number) {
+      fail_at_line(path, line, "'" + std::string(field) + "' is not a finite number");
     }
+    row.push_back(*number);
   }
   return {row, line};
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ struct NumberRow {
   std::vector<double> values;
   std::size_t line = 0;  ///< In the file, from 1, whatever is skipped before it.
 };
+
+/// The finite number that all of `field` is.
+std::optional<double> parse_number(std::string_view field);
 
 /// Appends the shortest decimal that reads back as the same double.
 void append_number(std::string& text, double value);

@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "host/exports/geojson.hpp"
+#include "host/exports/grid_csv.hpp"
 #include "host/exports/map_png.hpp"
 #include "host/exports/map_svg.hpp"
-#include "host/exports/occupancy_grid_csv.hpp"
 #include "host/exports/pgm_yaml.hpp"
 #include "host/exports/points_csv.hpp"
 #include "host/exports/poses_csv.hpp"

@@ -3,7 +3,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "host/exports/number_table.hpp"
 #include "host/files/atomic_file.hpp"
@@ -24,17 +27,13 @@ void write_trajectory_tum(const std::filesystem::path& path,
   std::string text;
   for (const auto& [stamp, T_map_robot] : trajectory) {
     const double half_heading_rad = 0.5 * T_map_robot.heading_rad();
-    char line[160];
-    const int length =
-        std::snprintf(line,
-                      sizeof line,
-                      "%.6f %.6f %.6f 0 0 0 %.9f %.9f\n",
-                      std::chrono::duration<double>(stamp.time_since_epoch()).count(),
-                      T_map_robot.x_m(),
-                      T_map_robot.y_m(),
-                      std::sin(half_heading_rad),
-                      std::cos(half_heading_rad));
-    text.append(line, static_cast<std::size_t>(length));
+    fmt::format_to(std::back_inserter(text),
+                   "{:.6f} {:.6f} {:.6f} 0 0 0 {:.9f} {:.9f}\n",
+                   std::chrono::duration<double>(stamp.time_since_epoch()).count(),
+                   T_map_robot.x_m(),
+                   T_map_robot.y_m(),
+                   std::sin(half_heading_rad),
+                   std::cos(half_heading_rad));
   }
   files::write_text_file(path, text);
 }

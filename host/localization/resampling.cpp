@@ -105,59 +105,6 @@ void draw_systematic(std::span<const float> weights,
   });
 }
 
-/// Goes along the weights laid end to end and takes where `count` rising targets fall; `offset()`
-/// is within a step, [0, 1).
-template <typename Offset>
-void draw_by_steps(std::span<const float> weights,
-                   double step,
-                   std::size_t count,
-                   Offset offset,
-                   std::vector<std::uint32_t>& ancestors) {
-  double up_to = 0.0;
-  std::size_t drawn = 0;
-  double target = step * offset();
-  for (std::uint32_t i = 0; i < weights.size() && drawn < count; ++i) {
-    up_to += static_cast<double>(weights[i]);
-    while (target < up_to && drawn < count) {
-      ancestors.push_back(i);
-      ++drawn;
-      target = step * (static_cast<double>(drawn) + offset());
-    }
-  }
-  // What rounding has left over goes to the last that has any weight.
-  const auto last =
-      std::find_if(weights.rbegin(), weights.rend(), [](float w) { return w > 0.0F; });
-  ancestors.resize(ancestors.size() + count - drawn,
-                   static_cast<std::uint32_t>(weights.rend() - last - 1));
-}
-
-void draw_residual(std::span<const float> weights,
-                   double step,
-                   std::size_t count,
-                   std::mt19937& random,
-                   std::vector<std::uint32_t>& ancestors) {
-  std::vector<float> rests(weights.size());
-  for (std::uint32_t i = 0; i < weights.size(); ++i) {
-    const double share = static_cast<double>(weights[i]) / step;
-    const auto whole = std::min(static_cast<std::size_t>(share), count - ancestors.size());
-    ancestors.insert(ancestors.end(), whole, i);
-    rests[i] = static_cast<float>(share - std::floor(share));
-  }
-  const double rest = sum_of(rests);
-  const std::size_t left = count - ancestors.size();
-  if (left > 0 && rest > 0.0) {
-    draw_by_steps(
-        rests,
-        rest / static_cast<double>(left),
-        left,
-        [&] { return uniform_sample(random); },
-        ancestors);
-    std::sort(ancestors.begin(), ancestors.end());
-  } else {
-    ancestors.resize(count, ancestors.empty() ? 0 : ancestors.back());
-  }
-}
-
 /// Algorithm 2 of the paper: on from a random place by up to twice the greatest weight.
 void draw_by_wheel(std::span<const float> weights,
                    std::size_t count,
@@ -232,15 +179,7 @@ void draw_ancestors(std::span<const float> weights,
     draw_systematic(weights, count, uniform_sample(random), ancestors, workers);
     return;
   }
-  const double step = sum_of(weights) / static_cast<double>(count);
-  if (scheme == ResamplingScheme::kStratified) {
-    draw_by_steps(
-        weights, step, count, [&] { return uniform_sample(random); }, ancestors);
-  } else if (scheme == ResamplingScheme::kResidual) {
-    draw_residual(weights, step, count, random, ancestors);
-  } else {
-    draw_by_wheel(weights, count, random, ancestors);
-  }
+  draw_by_wheel(weights, count, random, ancestors);
 }
 
 void take_ancestors(const Particles& before,

@@ -15,8 +15,6 @@ namespace echomap::localization {
 enum class ResamplingScheme : std::uint8_t {
   kSystematic,  ///< One random number, then even steps (low variance; Thrun et al. 2005,
                 ///< table 4.4).
-  kStratified,  ///< One random number in each of the even steps (Kitagawa 1996).
-  kResidual,    ///< The whole parts as they are, the rest at random (Liu and Chen 1998).
   kWheel,       ///< Random steps around a wheel (Singh and Bedi 2013, Algorithm 2).
 };
 

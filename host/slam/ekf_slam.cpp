@@ -51,7 +51,7 @@ std::vector<Pose2> EkfSlam::trajectory() const {
 }
 
 mapping::OccupancyGrid EkfSlam::grid() const {
-  return chosen_ ? chosen_->grid() : map_of_scans({}, {});
+  return chosen_ ? chosen_->grid() : map_of_scans({}, {}, {});
 }
 
 FactorGraph EkfSlam::factor_graph() const {

@@ -141,25 +141,21 @@ void EkfSlamFilter::move(std::size_t robot, const CalibratedMotion& motion) {
 std::optional<LinearSighting> EkfSlamFilter::linearized(const LandmarkSighting& sighting,
                                                         std::size_t landmark) const {
   const Landmark& target = landmarks_[landmark];
-  const auto expected = expected_sighting(
-      target.kind, target.value, T_map_robots_[sighting.robot], sighting.T_robot_sensor);
-  if (!expected) {
-    return std::nullopt;
-  }
-  return LinearSighting{innovation(sighting.value, expected->value),
-                        expected->jacobian_pose,
-                        expected->jacobian_landmark,
-                        sighting.noise,
-                        pose_at(sighting.robot),
-                        landmark_at(landmark)};
+  return linearized_at(sighting, target.kind, target.value, landmark_at(landmark));
 }
 
 std::optional<LinearSighting> EkfSlamFilter::linearized_peer(const LandmarkSighting& sighting,
                                                              std::size_t peer) const {
-  const auto expected = expected_sighting(LandmarkKind::kPoint,
-                                          T_map_robots_[peer].position_m(),
-                                          T_map_robots_[sighting.robot],
-                                          sighting.T_robot_sensor);
+  return linearized_at(
+      sighting, LandmarkKind::kPoint, T_map_robots_[peer].position_m(), pose_at(peer));
+}
+
+std::optional<LinearSighting> EkfSlamFilter::linearized_at(const LandmarkSighting& sighting,
+                                                           LandmarkKind kind,
+                                                           const Eigen::Vector2d& target,
+                                                           Eigen::Index target_at) const {
+  const auto expected =
+      expected_sighting(kind, target, T_map_robots_[sighting.robot], sighting.T_robot_sensor);
   if (!expected) {
     return std::nullopt;
   }
@@ -168,7 +164,7 @@ std::optional<LinearSighting> EkfSlamFilter::linearized_peer(const LandmarkSight
                         expected->jacobian_landmark,
                         sighting.noise,
                         pose_at(sighting.robot),
-                        pose_at(peer)};
+                        target_at};
 }
 
 Eigen::Matrix2d EkfSlamFilter::covariance_between(const LinearSighting& first,

@@ -141,6 +141,11 @@ class EkfSlamFilter {
     Eigen::Matrix3d noise;
   };
 
+  /// What a sighting says if it is of a target that stands at `target_at` in the state.
+  std::optional<LinearSighting> linearized_at(const LandmarkSighting& sighting,
+                                              LandmarkKind kind,
+                                              const Eigen::Vector2d& target,
+                                              Eigen::Index target_at) const;
   MotionChange change_by(std::size_t robot, const CalibratedMotion& motion) const;
   Eigen::Index pose_at(std::size_t robot) const { return 3 * static_cast<Eigen::Index>(robot); }
   Eigen::Index landmark_at(std::size_t landmark) const { return landmarks_at_[landmark]; }

@@ -100,12 +100,7 @@ void LandmarkSlam::prune(const sensors::RangeScan& scan) {
 }
 
 mapping::OccupancyGrid LandmarkSlam::grid() const {
-  const std::vector<Pose2> T_map_robots = trajectory();
-  std::vector<PlacedScan> placed;
-  for (std::size_t i = 0; i < scans_.size(); ++i) {
-    placed.push_back({T_map_robots[i], scans_[i]});
-  }
-  return map_of_scans(placed, params_.map);
+  return map_of_scans(trajectory(), scans_, params_.map);
 }
 
 }  // namespace echomap::slam

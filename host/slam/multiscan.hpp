@@ -48,6 +48,7 @@ class MultiscanGathering {
   std::optional<OdometryPiece> add(const geometry::Pose2& T_odom_robot,
                                    const sensors::RangeScan& scan);
 
+  bool has_begun() const { return T_odom_last_.has_value(); }
   /// What is being gathered.
   const Multiscan& open() const { return open_; }
   /// What was gathered before that.

@@ -48,11 +48,10 @@ MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
 }
 
 void MultiscanSlam::begin_once(const geometry::Pose2& T_odom_robot) {
-  if (!has_begun_) {
+  if (!gathering_.has_begun()) {
     for (MultiscanGraph& graph : graphs_) {
       graph.multiscans.front().T_map_begin = T_odom_robot;
     }
-    has_begun_ = true;
   }
 }
 
@@ -71,7 +70,8 @@ void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const sensors::Rang
   if (const auto piece = gathering_.add(T_odom_robot, scan)) {
     begin_multiscan(*piece);
   }
-  scans_.push_back({graph().pieces.size(), gathering_.piece().T_before_after, scan});
+  taken_.push_back({graph().pieces.size(), gathering_.piece().T_before_after});
+  scans_.push_back(scan);
 }
 
 void MultiscanSlam::begin_multiscan(const OdometryPiece& piece) {
@@ -180,28 +180,23 @@ geometry::Pose2 MultiscanSlam::T_map_robot(const TakenScan& taken) const {
 }
 
 localization::PoseGaussian MultiscanSlam::belief() const {
-  if (scans_.empty()) {
+  if (taken_.empty()) {
     return {};
   }
-  return {T_map_robot(scans_.back()), covariance_after(graph(), gathering_.piece())};
+  return {T_map_robot(taken_.back()), covariance_after(graph(), gathering_.piece())};
 }
 
 std::vector<geometry::Pose2> MultiscanSlam::trajectory() const {
   std::vector<geometry::Pose2> poses;
-  poses.reserve(scans_.size());
-  for (const TakenScan& taken : scans_) {
+  poses.reserve(taken_.size());
+  for (const TakenScan& taken : taken_) {
     poses.push_back(T_map_robot(taken));
   }
   return poses;
 }
 
 mapping::OccupancyGrid MultiscanSlam::grid() const {
-  std::vector<PlacedScan> placed;
-  placed.reserve(scans_.size());
-  for (const TakenScan& taken : scans_) {
-    placed.push_back({T_map_robot(taken), taken.scan});
-  }
-  return map_of_scans(placed, params_.map);
+  return map_of_scans(trajectory(), scans_, params_.map);
 }
 
 FactorGraph MultiscanSlam::factor_graph() const {

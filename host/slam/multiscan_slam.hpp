@@ -68,7 +68,6 @@ class MultiscanSlam final : public SlamMethod {
   struct TakenScan {
     std::size_t multiscan = 0;
     geometry::Pose2 T_begin_robot;
-    sensors::RangeScan scan;
   };
 
   void begin_once(const geometry::Pose2& T_odom_robot);
@@ -93,10 +92,10 @@ class MultiscanSlam final : public SlamMethod {
 
   MultiscanSlamParams params_;
   MultiscanGathering gathering_;
-  bool has_begun_ = false;
   std::vector<MultiscanGraph> graphs_;  ///< One graph per hypothesis.
-  std::size_t best_ = 0;  ///< Index of the hypothesis with the least negative log evidence.
-  std::vector<TakenScan> scans_;
+  std::size_t best_ = 0;          ///< Index of the hypothesis with the least negative log evidence.
+  std::vector<TakenScan> taken_;  ///< One of each scan.
+  std::vector<sensors::RangeScan> scans_;
   std::size_t aligned_whole_ = 0;  ///< Multiscans when all moved last.
 };
 

@@ -19,15 +19,11 @@ struct ScanMapParams {
   mapping::RayInsertionParams rays;
 };
 
-/// A scan and where the robot was.
-struct PlacedScan {
-  geometry::Pose2 T_map_robot;
-  sensors::RangeScan scan;
-};
-
 /// The map of scans of one sensor: of cones as SonarConeMapper understands them together, of thin
-/// beams ray by ray. Beams are cones if those of the first scan are.
-mapping::OccupancyGrid map_of_scans(const std::vector<PlacedScan>& scans,
+/// beams ray by ray. Beams are cones if those of the first scan are. A pose of the robot for each
+/// scan.
+mapping::OccupancyGrid map_of_scans(const std::vector<geometry::Pose2>& T_map_robots,
+                                    const std::vector<sensors::RangeScan>& scans,
                                     const ScanMapParams& params);
 
 }  // namespace echomap::slam

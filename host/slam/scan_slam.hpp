@@ -70,9 +70,6 @@ class ScanSlam : public SlamMethod {
     return {graph().nodes(), {}, graph().weighed_edges(), {}};
   }
   const PoseGraph& graph() const { return frames_.graph(); }
-  /// How well the last scans lay on what was known: a share that stays small says that the robot
-  /// is lost.
-  const ScanMatch& last_match() const { return last_match_; }
 
  private:
   struct ScanPlace {

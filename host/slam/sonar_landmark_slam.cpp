@@ -41,9 +41,8 @@ void SonarLandmarkSlam::begin_at(const Pose2& T_odom_robot) {
 }
 
 void SonarLandmarkSlam::begin_once(const Pose2& T_odom_robot) {
-  if (!has_begun_) {
+  if (!gathering_.has_begun()) {
     begin_at(T_odom_robot);
-    has_begun_ = true;
   }
 }
 
@@ -109,13 +108,7 @@ std::vector<Pose2> SonarLandmarkSlam::trajectory() const {
 }
 
 mapping::OccupancyGrid SonarLandmarkSlam::grid() const {
-  const std::vector<Pose2> T_map_robots = trajectory();
-  std::vector<PlacedScan> placed;
-  placed.reserve(scans_.size());
-  for (std::size_t i = 0; i < scans_.size(); ++i) {
-    placed.push_back({T_map_robots[i], scans_[i]});
-  }
-  return map_of_scans(placed, params_.map);
+  return map_of_scans(trajectory(), scans_, params_.map);
 }
 
 }  // namespace echomap::slam

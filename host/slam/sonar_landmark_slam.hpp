@@ -84,7 +84,6 @@ class SonarLandmarkSlam final : public SlamMethod {
   std::vector<Estimate> estimates_;  ///< One estimate per hypothesis.
   std::size_t best_ = 0;  ///< Index of the hypothesis with the least negative log evidence.
   std::mt19937 random_;
-  bool has_begun_ = false;
   std::vector<OdometryPiece> open_;  ///< To each scan, from where the stretch began.
   std::vector<sensors::RangeScan> scans_;
 };

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "host/exports/geojson.hpp"
-#include "host/exports/occupancy_grid_csv.hpp"
+#include "host/exports/grid_csv.hpp"
 #include "host/exports/pgm_yaml.hpp"
 #include "host/exports/png_text.hpp"
 #include "host/exports/poses_csv.hpp"

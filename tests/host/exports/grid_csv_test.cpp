@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "host/exports/occupancy_grid_csv.hpp"
+#include "host/exports/grid_csv.hpp"
 
 #include <random>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -86,6 +87,20 @@ TEST(OccupancyGridCsv, SaysWhichLineIsWrong) {
   EXPECT_THAT(complaint_about(names + "# 1,0,0,1,2\n-1\n"), HasSubstr("a.csv:3: expected 2"));
   EXPECT_THAT(complaint_about(names + "# 1,0,0,1,1\n1.5\n"), HasSubstr("a.csv:3: a cell"));
   EXPECT_THAT(complaint_about(names + "# 1,0,0,1,1\n-0.5\n"), HasSubstr("a.csv:3: a cell"));
+}
+
+TEST(ConfidenceGridCsv, BeginsAtTheTop) {
+  const tests::ScratchFolder folder;
+  mapping::CellField confidence({{-1, 0}, {1, 1}}, 0.05);
+  confidence[confidence.index({-1, 0})] = 1.0F;
+  confidence[confidence.index({1, 1})] = 12.60653F;
+  write_confidence_grid_csv(folder / "grid.csv", confidence);
+  const std::string text = files::read_text_file(folder / "grid.csv");
+  EXPECT_THAT(text, StartsWith("# resolution_m,origin_x_m,origin_y_m,rows,columns; "));
+  EXPECT_THAT(text,
+              EndsWith("\n# 0.05,-0.05,0,2,3\n"
+                       "0,0,12.6065\n"
+                       "1,0,0\n"));
 }
 
 }  // namespace
