@@ -184,7 +184,7 @@ bool RobotLocalizer::is_late(const sensors::RangeScan& scan) {
     return true;
   }
   scan_stamp_s_ = scan.stamp_s;
-  stamp_ = std::max(stamp_, time::robot_time(*scan.stamp_s));
+  stamp_ = time::robot_time(*scan.stamp_s);
   return false;
 }
 
