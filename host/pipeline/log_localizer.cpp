@@ -86,6 +86,7 @@ void LogLocalizer::add(const datasets::LogRecord& record) {
     gather(*scan);
     const bool is_due =
         !T_odom_updated_ ||
+        // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a scan comes after a pose
         has_moved(*T_odom_updated_, *poses_.T_map_robot(), params_.step_m, params_.step_rad);
     if (!gathered_.empty() && is_due) {
       update();
@@ -110,6 +111,7 @@ void LogLocalizer::gather(const sensors::RangeScan& scan) {
     sensor_ = std::make_unique<Sensor>(
         map_, scan.beam_width_rad, robot_of(scan), params_.preset, random_);
     if (start_) {
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a scan comes after a pose
       sensor_->localizer.update(*poses_.T_map_robot(), {});
       start_outcome_ =
           sensor_->localizer.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
@@ -119,6 +121,7 @@ void LogLocalizer::gather(const sensors::RangeScan& scan) {
     ++unused_scans_;
     return;
   }
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a scan comes after a pose
   const geometry::Pose2 T_odom_sensor = *poses_.T_map_robot() * scan.T_robot_sensor;
   for (const sensors::Beam& beam : scan.beams) {
     // Light's silence says nothing, and maps end not far beyond what it saw well.
@@ -130,6 +133,7 @@ void LogLocalizer::gather(const sensors::RangeScan& scan) {
 }
 
 void LogLocalizer::update() {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a scan comes after a pose
   const geometry::Pose2 T_odom_robot = *poses_.T_map_robot();
   belief_ = sensor_->localizer.update(T_odom_robot,
                                       evenly_picked(gathered_, T_odom_robot, params_.max_readings));

@@ -27,6 +27,7 @@ time::RobotTime time_of(double stamp_s) {
 }
 
 Eigen::Vector2d end_m(const sensors::Beam& beam) {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): callers hand a beam with a range
   return *beam.range_m * geometry::unit_vector(beam.bearing_rad);
 }
 
@@ -71,6 +72,7 @@ void LogMapper::add(const datasets::LogRecord& record) {
 }
 
 void LogMapper::note_pose(std::optional<double> stamp_s) {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): follow() has just set it
   const geometry::Pose2 T_map_robot = *poses_.T_map_robot();
   counts_.poses_without_stamp += stamp_s ? 0 : 1;
   if (trajectory_.empty()) {
@@ -210,6 +212,7 @@ Snapshot LogMapper::snapshot() const {
 }
 
 std::optional<double> LogMapper::duration_s() const {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): both are set together
   return first_stamp_s_ ? std::optional(*last_stamp_s_ - *first_stamp_s_) : std::nullopt;
 }
 

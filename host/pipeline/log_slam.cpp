@@ -9,6 +9,7 @@ namespace echomap::pipeline {
 
 void LogSlam::add(const datasets::LogRecord& record) {
   if (poses_.follow(record)) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): follow() has just set it
     const geometry::Pose2 T_log_robot = *poses_.T_map_robot();
     if (track_.instants() == 0 && std::holds_alternative<datasets::OdometryPose>(record)) {
       T_log_odom_ = T_log_robot;

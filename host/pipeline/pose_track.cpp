@@ -15,7 +15,7 @@ PoseTrack::PoseTrack(double track_m, std::unique_ptr<slam::SlamMethod> slam, dou
 }
 
 geometry::Pose2 PoseTrack::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
-  const geometry::Pose2 T_odom_robot = odometry_.update(travel);
+  geometry::Pose2 T_odom_robot = odometry_.update(travel);
   if (trajectory_->empty() || stamp > trajectory_->back().stamp) {
     if (slam_) {
       slam_->follow(T_odom_robot);
@@ -42,6 +42,7 @@ void PoseTrack::fix(const geometry::Pose2& T_map_robot) {
 }
 
 std::vector<geometry::Pose2> PoseTrack::apply_corrected_trajectory() {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only a SLAM method corrects
   std::vector<geometry::Pose2> T_map_robots = slam_->trajectory();
   auto& trajectory = detached(trajectory_);
   for (std::size_t i = 0; i < trajectory.size(); ++i) {

@@ -14,7 +14,6 @@
 namespace echomap::pipeline {
 namespace {
 
-using geometry::CellIndex;
 using mapping::CellState;
 
 struct SonarLogCase {
