@@ -126,7 +126,8 @@ struct MessageList {
     static constexpr uint8_t kIds[] = {Messages::kId...};
     static constexpr Schema kSchemas[] = {
         {MessageFacts<Messages>::kSeed, MessageFacts<Messages>::kSize}...};
-    for (uint8_t i = 0; i < sizeof...(Messages); ++i) {
+    constexpr uint8_t kCount = sizeof...(Messages);
+    for (uint8_t i = 0; i < kCount; ++i) {
       if (kIds[i] == id) {
         return kSchemas[i];
       }

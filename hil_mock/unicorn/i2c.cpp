@@ -217,8 +217,8 @@ void I2c::end_sending(std::uint8_t byte) {
     device_->write(register_++, byte);
   }
   sending_ = false;
-  if (to_send_) {
-    begin_sending(*std::exchange(to_send_, std::nullopt));
+  if (const auto next = std::exchange(to_send_, std::nullopt)) {
+    begin_sending(*next);
   } else {
     sr1_ |= kByteEnded;
   }

@@ -69,8 +69,8 @@ void RobotWorld::move_people(double dt_s) {
   std::vector<Disc> places;
   for (Person& person : people_) {
     person.step(dt_s, now_s_, {T_world_robot().position_m(), robot_.body.radius_m});
-    if (person.place()) {
-      places.push_back(*person.place());
+    if (const auto place = person.place()) {
+      places.push_back(*place);
     }
   }
   plan_.put_people(places);

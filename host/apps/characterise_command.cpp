@@ -37,6 +37,7 @@ pipeline::LogSweeps read_sweeps(const CharacteriseOptions& options) {
   for (const auto& path : options.logs) {
     const auto log = datasets::open_log(path, options.format);
     while (const auto record = next_whole_record(*log)) {
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       sweeps.add(*record);
     }
     sweeps.finish();

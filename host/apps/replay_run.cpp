@@ -119,7 +119,7 @@ void save_played(const PlayedMap& map,
 
 /// The run's, or the one that is asked for.
 std::string slam_of(const ReplayOptions& options, const session::RobotProfile& profile) {
-  const std::string slam = read_summary(options.log / "summary.json").slam;
+  std::string slam = read_summary(options.log / "summary.json").slam;
   if (options.slam.empty() || options.slam == slam || !profile.has_sonar) {
     return slam;
   }

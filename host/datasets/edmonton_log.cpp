@@ -68,6 +68,7 @@ class EdmontonParser : public LineParser {
   /// The next scan that has a reference pose, and the pose.
   void read_reference() {
     reference_.reset();
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): called only where there are references
     if (auto fields = references_->next()) {
       const auto scan = fields->integer("the index of the scan");
       reference_.emplace(scan, read_pose(*fields, "the reference pose"));

@@ -32,8 +32,14 @@ constexpr std::array<Shown, 5> kShown{{
     {CellVerdict::kWallInvented, exports::kOrange, "called wall, is none"},
 }};
 
+const Shown* shown_as(CellVerdict verdict) {
+  return std::find_if(
+      kShown.begin(), kShown.end(), [&](const Shown& shown) { return shown.verdict == verdict; });
+}
+
 std::vector<exports::LegendEntry> legend() {
   std::vector<exports::LegendEntry> entries;
+  entries.reserve(kShown.size() + 1);
   for (const Shown& shown : kShown) {
     entries.push_back({shown.colour, shown.text});
   }
@@ -81,10 +87,8 @@ void write_truth_picture(const std::filesystem::path& path,
     for (int x = 0; x < canvas.columns(); ++x) {
       const CellVerdict verdict =
           verdict_on({cells.min.x + x, cells.min.y + y}, map, T_world_map, truth);
-      for (const Shown& shown : kShown) {
-        if (shown.verdict == verdict) {
-          view.fill_cell(picture, {x, y}, shown.colour);
-        }
+      if (const auto* shown = shown_as(verdict); shown != kShown.end()) {
+        view.fill_cell(picture, {x, y}, shown->colour);
       }
     }
   }

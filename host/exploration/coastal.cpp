@@ -39,7 +39,7 @@ CoastalParams right_handed(CoastalParams params) {
     params.T_robot_sensor = mirrored(params.T_robot_sensor);
   }
   const double heading_rad = params.T_robot_sensor.heading_rad();
-  if (!(heading_rad < 0.0 && heading_rad > -std::numbers::pi)) {
+  if (std::isnan(heading_rad) || heading_rad >= 0.0 || heading_rad <= -std::numbers::pi) {
     throw std::invalid_argument("coastal: the wall sensor looks to the other side");
   }
   return params;

@@ -83,8 +83,9 @@ void EpuckDrive::look(InfraredRanges ranges_m) {
   } else if (phase_ == Phase::kAlong) {
     const double away_m = (step.T_map_robot.position_m() - leave_at_m_).norm();
     walls_met_ = is_round ? params_.max_walls : walls_met_;
-    phase_ = is_round || away_m < params_.leave_m || ground_.is_covered(*goal_m_) ? Phase::kAcross
-                                                                                  : phase_;
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): it goes along walls to a goal only
+    const bool is_covered = ground_.is_covered(*goal_m_);
+    phase_ = is_round || away_m < params_.leave_m || is_covered ? Phase::kAcross : phase_;
   }
 }
 
@@ -151,6 +152,7 @@ bool EpuckDrive::choose_goal() {
 
 double EpuckDrive::off_goal_rad() const {
   const geometry::Pose2& pose = walk_.T_map_robot();
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): callers have a goal
   const Eigen::Vector2d offset_m = *goal_m_ - pose.position_m();
   return geometry::angle_between(pose.heading_rad(), std::atan2(offset_m.y(), offset_m.x()));
 }

@@ -28,7 +28,7 @@ constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
 void validate(const FrontierParams& params) {
   geometry::ParameterValidator("frontier")
       .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
-      .positive("min_gain_m2", params.min_gain_m2)
+      .positive("viewpoints.min_gain_m2", params.viewpoints.min_gain_m2)
       .at_least("back_off_m", params.back_off_m, 0.0)
       .positive("obstacle_m", params.obstacle_m)
       .at_least("openings_apart_m", params.openings_apart_m, 0.0)
@@ -181,7 +181,6 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
                            find_frontiers(map, here),
                            ViewGain(map, views_, params_.gain),
                            T_map_robot,
-                           params_.min_gain_m2,
                            params_.viewpoints);
   if (!goal_) {
     goal_ = choose_opening(map, snapshot);
@@ -234,11 +233,13 @@ bool Frontier::was_tried(const Eigen::Vector2d& opening_m, const RasterMap& map)
 
 /// On along the way; where it ends, or has taken too long, the sweep.
 Motion Frontier::drive_on(const pipeline::Snapshot& snapshot) {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a path was planned, and on these costs
   const auto motion = follower_.next(snapshot.latest.T_map_robot, *costs_);
   if (motion && patience_ > 0) {
     --patience_;
     return *motion;
   }
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): it drives to a goal
   plan_sweep(snapshot.latest.T_map_robot, goal_->view);
   return take_planned();
 }

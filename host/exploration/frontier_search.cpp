@@ -62,16 +62,18 @@ std::vector<CellIndex> flood(const RasterMap& map, CellIndex from, Marks& marks)
 
 /// Takes the frontier that `seed` belongs to out of the marks.
 FrontierCells take_joined(const RasterMap& map, CellIndex seed, Marks& marks) {
-  FrontierCells joined{seed};
-  marks[seed] = Mark::kReached;
+  FrontierCells joined;
+  const auto take = [&](CellIndex cell) {
+    if (map.contains(cell) && marks[cell] == Mark::kFrontier) {
+      marks[cell] = Mark::kReached;
+      joined.push_back(cell);
+    }
+  };
+  take(seed);
   for (std::size_t i = 0; i < joined.size(); ++i) {
     for (std::int32_t dy = -1; dy <= 1; ++dy) {
       for (std::int32_t dx = -1; dx <= 1; ++dx) {
-        const CellIndex next = beside(joined[i], {dx, dy});
-        if (map.contains(next) && marks[next] == Mark::kFrontier) {
-          marks[next] = Mark::kReached;
-          joined.push_back(next);
-        }
+        take(beside(joined[i], {dx, dy}));
       }
     }
   }

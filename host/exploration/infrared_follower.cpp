@@ -99,8 +99,8 @@ double InfraredFollower::nearest_m(InfraredRanges ranges_m,
                                    const std::vector<std::size_t>& sensors) const {
   double nearest_m = std::numeric_limits<double>::infinity();
   for (const std::size_t i : sensors) {
-    if (i < ranges_m.size() && ranges_m[i]) {
-      nearest_m = std::min(nearest_m, *ranges_m[i]);
+    if (i < ranges_m.size()) {
+      nearest_m = std::min(nearest_m, ranges_m[i].value_or(nearest_m));
     }
   }
   return nearest_m;

@@ -40,7 +40,7 @@ void PathFollower::follow(std::vector<Eigen::Vector2d> path_m) {
 }
 
 std::optional<Motion> PathFollower::next(const geometry::Pose2& T_map_robot, const CostGrid& grid) {
-  const Eigen::Vector2d here_m = T_map_robot.position_m();
+  const Eigen::Vector2d& here_m = T_map_robot.position_m();
   if (path_m_.empty() || (path_m_.back() - here_m).norm() <= params_.arrived_m) {
     path_m_.clear();
     return std::nullopt;

@@ -70,11 +70,12 @@ std::optional<double> line_cost_m(const CostGrid& grid, CellIndex from, CellInde
     const std::int32_t rest = i * rise - whole * steps;
     const std::int32_t at = start + i * ahead + whole * aside;
     const std::int32_t near = costs[static_cast<std::size_t>(at)];
-    const std::int32_t next = rest > 0 ? costs[static_cast<std::size_t>(at + aside)] : near;
+    const std::int32_t beside = at + aside;
+    const std::int32_t next = rest > 0 ? costs[static_cast<std::size_t>(beside)] : near;
     if (near == 0 || next == 0) {
       return std::nullopt;
     }
-    sum += near + static_cast<double>(rest * (next - near)) / steps;
+    sum += near + static_cast<double>(rest) * (next - near) / steps;
   }
   return distance_m(grid, from, to) / steps * sum / CostGrid::kPlain;
 }

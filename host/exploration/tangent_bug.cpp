@@ -208,7 +208,7 @@ std::optional<Eigen::Vector2d> TangentBug::choose_offset_m(const pipeline::Snaps
     followed_side_ = 0;
     return straight_m;
   }
-  if (const auto offset_m = offset_past_obstacle_m(snapshot, goal_m)) {
+  if (auto offset_m = offset_past_obstacle_m(snapshot, goal_m)) {
     followed_side_ = 0;
     return offset_m;
   }
@@ -254,15 +254,20 @@ std::optional<Eigen::Vector2d> TangentBug::way_along_boundary_m(const Eigen::Vec
     return length_m *
            geometry::unit_vector(bearing_rad(goal_m) + side * step * params_.boundary_step_rad);
   };
+  const auto clear_side = [&](int pass, int step) {
+    for (const int side : {1, -1}) {
+      const bool is_turn_of_side = followed_side_ == 0 || (side == followed_side_) == (pass == 0);
+      if (is_turn_of_side && is_clear(offset_to(side, step))) {
+        return side;
+      }
+    }
+    return 0;
+  };
   for (int pass = 0; pass < 2; ++pass) {
     for (int step = 1; step <= steps; ++step) {
-      for (const int side : {1, -1}) {
-        const bool is_turn_of_side = followed_side_ == 0 || (side == followed_side_) == (pass == 0);
-        const Eigen::Vector2d offset_m = offset_to(side, step);
-        if (is_turn_of_side && is_clear(offset_m)) {
-          followed_side_ = side;
-          return offset_m;
-        }
+      if (const int side = clear_side(pass, step); side != 0) {
+        followed_side_ = side;
+        return offset_to(side, step);
       }
     }
   }

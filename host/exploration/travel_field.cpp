@@ -12,7 +12,7 @@ constexpr std::uint32_t kSide = 5;
 constexpr std::uint32_t kAcross = 7;
 /// More than the dearest step, which is across two cells of cost 255, and a power of two.
 constexpr std::size_t kBuckets = 4096;
-static_assert(kBuckets > std::size_t{2 * kAcross * 255});
+static_assert(kBuckets > std::size_t{2} * kAcross * 255);
 
 }  // namespace
 
@@ -43,6 +43,15 @@ void TravelField::search(const CostGrid& grid, geometry::CellIndex from) {
   costs_[grid.index(from)] = 0;
   buckets_[0].push_back(static_cast<std::uint32_t>(grid.index(from)));
   std::size_t waiting = 1;
+  const auto try_step = [&](std::uint32_t at, std::uint32_t cost, const Step& step) {
+    const auto to = static_cast<std::uint32_t>(static_cast<std::int32_t>(at) + step.offset);
+    const std::uint32_t reached = cost + step.length * (prices[at] + prices[to]);
+    if (prices[to] != 0 && reached < costs_[to]) {
+      costs_[to] = reached;
+      buckets_[reached % kBuckets].push_back(to);
+      ++waiting;
+    }
+  };
   for (std::uint32_t cost = 0; waiting > 0; ++cost) {
     auto& bucket = buckets_[cost % kBuckets];
     waiting -= bucket.size();
@@ -51,15 +60,8 @@ void TravelField::search(const CostGrid& grid, geometry::CellIndex from) {
       if (costs_[at] != cost) {
         continue;
       }
-      const std::uint32_t price = prices[at];
       for (const Step& step : steps) {
-        const auto to = static_cast<std::uint32_t>(static_cast<std::int32_t>(at) + step.offset);
-        const std::uint32_t reached = cost + step.length * (price + prices[to]);
-        if (prices[to] != 0 && reached < costs_[to]) {
-          costs_[to] = reached;
-          buckets_[reached % kBuckets].push_back(to);
-          ++waiting;
-        }
+        try_step(at, cost, step);
       }
     }
     bucket.clear();

@@ -40,6 +40,15 @@ std::vector<Place> places_to_try(const CostGrid& grid,
       places.push_back({cell, *cost_m});
     }
   };
+  const auto try_around = [&](const CellIndex& node) {
+    const std::int32_t max_x = std::min(columns - 1, node.x + far);
+    const std::int32_t max_y = std::min(rows - 1, node.y + far);
+    for (std::int32_t y = std::max(0, node.y - far); y <= max_y; ++y) {
+      for (std::int32_t x = std::max(0, node.x - far); x <= max_x; ++x) {
+        try_node(x, y);
+      }
+    }
+  };
   std::vector<char> is_done(is_near.size());
   for (const FrontierCells& frontier : frontiers) {
     for (const CellIndex cell : frontier) {
@@ -50,12 +59,7 @@ std::vector<Place> places_to_try(const CostGrid& grid,
         continue;
       }
       done = 1;
-      for (std::int32_t y = std::max(0, node.y - far); y <= std::min(rows - 1, node.y + far); ++y) {
-        for (std::int32_t x = std::max(0, node.x - far); x <= std::min(columns - 1, node.x + far);
-             ++x) {
-          try_node(x, y);
-        }
-      }
+      try_around(node);
     }
   }
   std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
@@ -90,7 +94,6 @@ std::optional<Viewpoint> choose_viewpoint(const CostGrid& grid,
                                           const std::vector<FrontierCells>& frontiers,
                                           const ViewGain& gain,
                                           const geometry::Pose2& T_map_robot,
-                                          double min_gain_m2,
                                           const ViewpointParams& params) {
   std::vector<Place> places = places_to_try(grid, travel, frontiers, params);
   places.push_back({grid.cell_at(T_map_robot.position_m()), 0.0});
@@ -102,7 +105,7 @@ std::optional<Viewpoint> choose_viewpoint(const CostGrid& grid,
     for (const double width_rad : params.widths_rad) {
       const BestView view = best_view(by_sector_m2, width_rad);
       const double gain_per_s = view.gain_m2 / time_s(place, at_m, view, T_map_robot, params);
-      if (view.gain_m2 >= min_gain_m2 && (!best || gain_per_s > best->gain_per_s)) {
+      if (view.gain_m2 >= params.min_gain_m2 && (!best || gain_per_s > best->gain_per_s)) {
         best = Viewpoint{at_m, view, place.cost_m, gain_per_s};
       }
     }

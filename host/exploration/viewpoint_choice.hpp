@@ -26,6 +26,8 @@ struct ViewpointParams {
   /// Bearings that a sweep may cover. All round costs a turn of the body where the pan does not
   /// reach so far, but narrower ones tie a stop too loosely to the map: a stop drifts by degrees.
   std::vector<double> widths_rad{6.283185307179586};
+  /// The room is done when no sweep would show more than this.
+  double min_gain_m2 = 0.2;
   /// What one radian of a sweep takes.
   double sweep_s_per_rad = 1.2;
   /// Time overhead of a stop beside driving and sweeping.
@@ -45,13 +47,12 @@ struct Viewpoint {
 
 /// Of the places that the robot can reach from `T_map_robot` and from which frontiers are near, the
 /// one with the most gain for its time (in the manner of Gonzalez-Banos and Latombe 2002). Views
-/// that gain less than `min_gain_m2` do not count; empty where there is no other.
+/// that gain less than `params.min_gain_m2` do not count; empty where there is no other.
 std::optional<Viewpoint> choose_viewpoint(const CostGrid& grid,
                                           const TravelField& travel,
                                           const std::vector<FrontierCells>& frontiers,
                                           const ViewGain& gain,
                                           const geometry::Pose2& T_map_robot,
-                                          double min_gain_m2,
                                           const ViewpointParams& params);
 
 }  // namespace echomap::exploration

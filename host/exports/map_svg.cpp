@@ -50,7 +50,8 @@ std::string cells_path(const RasterMap& map, CellState state) {
       if (x > begin) {
         const Eigen::Vector2d corner_m = map.origin_m() + side_m * Eigen::Vector2d(begin, y);
         const std::string width = text_of((x - begin) * side_m);
-        path += "M" + text_of(corner_m) + "h" + width + "v" + text_of(side_m) + "h-" + width + "z";
+        path.append("M").append(text_of(corner_m)).append("h").append(width);
+        path.append("v").append(text_of(side_m)).append("h-").append(width).append("z");
       }
     }
   }

@@ -24,7 +24,7 @@ const ParameterValidator& ParameterValidator::within(std::string_view field,
                                                      double value,
                                                      double low,
                                                      double high) const {
-  if (!(value >= low && value <= high)) {
+  if (std::isnan(value) || value < low || value > high) {
     refuse(algorithm_, field, " = ", value, " is outside ", low, " .. ", high);
   }
   return *this;

@@ -24,7 +24,7 @@ HeadingFilter::HeadingFilter(const HeadingFilterParams& params) : params_(params
                              params.wheel_floor_rad,
                              params.wheel_rad_per_root_m,
                              params.gate}) {
-    if (!(value >= 0.0 && std::isfinite(value))) {
+    if (!std::isfinite(value) || value < 0.0) {
       throw std::invalid_argument("heading filter: a setting is not negative, and finite");
     }
   }

@@ -83,6 +83,7 @@ struct Cells {
 }
 
 ECHOMAP_VECTOR_CLONES
+// NOLINTNEXTLINE(readability-function-size): __restrict holds for parameters only
 void sum_up(const FieldView view,
             const float* __restrict x_m,
             const float* __restrict y_m,
@@ -141,7 +142,9 @@ double LikelihoodField::log_likelihood(const Eigen::Vector2d& end_m) const {
   const Eigen::Vector2d cells = (end_m - origin_m_) / resolution_m_;
   const auto x = static_cast<std::int32_t>(std::clamp(cells.x(), 0.0, columns_ - 0.5));
   const auto y = static_cast<std::int32_t>(std::clamp(cells.y(), 0.0, rows_ - 0.5));
-  return static_cast<double>(logs_[static_cast<std::size_t>(y * columns_ + x)]);
+  return static_cast<double>(
+      logs_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+            static_cast<std::size_t>(x)]);
 }
 
 void LikelihoodField::update_weights(std::span<const RangeReading> readings,

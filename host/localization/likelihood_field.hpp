@@ -26,7 +26,7 @@ struct LikelihoodFieldParams {
 class LikelihoodField {
  public:
   /// Throws std::invalid_argument for invalid settings.
-  LikelihoodField(const mapping::RasterMap& map, const LikelihoodFieldParams& params = {});
+  explicit LikelihoodField(const mapping::RasterMap& map, const LikelihoodFieldParams& params = {});
 
   double log_likelihood(const Eigen::Vector2d& end_m) const;
 

@@ -180,6 +180,7 @@ void MonteCarloLocalizer::follow(const geometry::Pose2& T_odom_robot) {
 }
 
 void MonteCarloLocalizer::carry(const geometry::Pose2& T_odom_robot) {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): follow() came before, which sets it
   const geometry::Pose2 step = T_odom_carried_->inverse() * T_odom_robot;
   for (PoseHypothesis& hypothesis : belief_.hypotheses) {
     hypothesis.T_map_robot = hypothesis.T_map_robot * step;

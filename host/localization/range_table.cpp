@@ -36,6 +36,7 @@ const RangeTableParams& validated(const RangeTableParams& params, const mapping:
 std::vector<Eigen::Vector2f> directions(double beam_half_angle_rad) {
   const std::int32_t count = (beam_half_angle_rad > 0.0 ? 2 : 1) * RangeTable::kHeadings;
   std::vector<Eigen::Vector2f> directions;
+  directions.reserve(static_cast<std::size_t>(count));
   for (std::int32_t i = 0; i < count; ++i) {
     directions.push_back(geometry::unit_vector(2.0 * std::numbers::pi * i / count).cast<float>());
   }
@@ -48,8 +49,8 @@ constexpr std::size_t tiles_along(std::int32_t cells) {
 
 std::size_t codes_begin(CellIndex cell) {
   constexpr std::int32_t kWithin = RangeTable::kTileSide - 1;
-  return static_cast<std::size_t>(
-      (((cell.y & kWithin) << RangeTable::kTileBits) + (cell.x & kWithin)) * RangeTable::kHeadings);
+  const std::int32_t number = ((cell.y & kWithin) << RangeTable::kTileBits) + (cell.x & kWithin);
+  return static_cast<std::size_t>(number) * RangeTable::kHeadings;
 }
 
 }  // namespace
@@ -78,7 +79,8 @@ models::ExpectedRange RangeTable::expected_of(std::uint8_t code) const {
   if (code == kNothing) {
     return {};
   }
-  return {(code / 2 - 0.5) * params_.max_range_m / kParts, (code & 1U) != 0};
+  const int part = code / 2;
+  return {(part - 0.5) * params_.max_range_m / kParts, (code & 1U) != 0};
 }
 
 void RangeTable::fill_tile(std::int32_t number) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "host/localization/lane_math.hpp"
 #include "host/localization/usable_reading.hpp"
@@ -46,6 +47,7 @@ Layout layout_of(const RangeTable& table) {
 }
 
 ECHOMAP_AVX2_CLONES
+// NOLINTNEXTLINE(readability-function-size): __restrict holds for parameters only
 void find_stands(const float* __restrict x_m,
                  const float* __restrict y_m,
                  const float* __restrict heading_rad,
@@ -178,20 +180,16 @@ void fill_under(const Particles& particles,
                 const Workers& workers) {
   std::vector<std::vector<std::int32_t>> missing(blocks_in(particles.size()));
   share_blocks(workers, particles.size(), [&](ParticleRange range, std::size_t block) {
-    for_stands(table,
-               readings,
-               range,
-               particles,
-               [&](const CodedReadings::Place& /*place*/,
-                   std::size_t /*begin*/,
-                   const Stands& stands,
-                   std::size_t count) {
-                 for (std::size_t i = 0; i < count; ++i) {
-                   if (table.tiles()[stands.tile[i]] == nullptr) {
-                     missing[block].push_back(stands.tile[i]);
-                   }
-                 }
-               });
+    const auto note_missing = [&](const CodedReadings::Place& /*place*/,
+                                  std::size_t /*begin*/,
+                                  const Stands& stands,
+                                  std::size_t count) {
+      std::copy_if(stands.tile.begin(),
+                   stands.tile.begin() + static_cast<std::ptrdiff_t>(count),
+                   std::back_inserter(missing[block]),
+                   [&](std::int32_t tile) { return table.tiles()[tile] == nullptr; });
+    };
+    for_stands(table, readings, range, particles, note_missing);
   });
   for (const std::vector<std::int32_t>& tiles : missing) {
     for (const std::int32_t tile : tiles) {

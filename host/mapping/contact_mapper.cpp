@@ -33,7 +33,7 @@ ContactMapper::ContactMapper(const ContactMapperParams& params, const OccupancyG
       silence_({params.infrared.hit_centilogits, params.silent_centilogits}) {}
 
 void ContactMapper::pass_over(const geometry::Pose2& T_map_robot) {
-  const Eigen::Vector2d here_m = T_map_robot.position_m();
+  const Eigen::Vector2d& here_m = T_map_robot.position_m();
   const bool has_moved = !last_stand_m_ || (here_m - *last_stand_m_).norm() >= params_.body_step_m;
   if (params_.body_radius_m > 0.0 && has_moved) {
     insert_disc(here_m, params_.body_radius_m, params_.body_centilogits, grid_);
@@ -74,7 +74,7 @@ bool ContactMapper::sees_an_oblique_wall(std::span<const std::optional<double>> 
   for (std::size_t j = 0; j < range_m.size(); ++j) {
     const double apart_rad = std::abs(geometry::angle_between(
         params_.T_robot_infrared[i].heading_rad(), params_.T_robot_infrared[j].heading_rad()));
-    if (apart_rad <= params_.same_wall_rad && range_m[j] && *range_m[j] < *range_m[i]) {
+    if (apart_rad <= params_.same_wall_rad && range_m[j] && range_m[j] < range_m[i]) {
       return true;
     }
   }

@@ -12,7 +12,7 @@ namespace echomap::mapping {
 namespace {
 
 /// Between two directions that are tried for a wall's normal.
-const double direction_step_rad = geometry::radians(4.0);
+const double kDirectionStepRad = geometry::radians(4.0);
 
 /// A shorter baseline turns a centimetre of range error into more than four degrees of bearing.
 constexpr double kMinBaselineM = 0.15;
@@ -81,7 +81,7 @@ void add_walls(const Echo& first,
   bool was_alike = false;
   double alike_from_rad = from_rad;
   for (double turn_rad = from_rad; turn_rad < to_rad;) {
-    const double next_rad = std::min(turn_rad + direction_step_rad, to_rad);
+    const double next_rad = std::min(turn_rad + kDirectionStepRad, to_rad);
     const double after_m = difference_m(next_rad);
     const bool is_alike = std::max(std::abs(before_m), std::abs(after_m)) <= hearing.tolerance_m;
     if (before_m * after_m < 0.0) {

@@ -27,20 +27,22 @@ geometry::Pose2 climbed(const geometry::Pose2& start,
   double best_value = value(best);
   for (double step_m = steps.first_m; step_m > steps.finest_m;) {
     bool better = false;
+    const auto try_step = [&](const Eigen::Vector3d& step) {
+      const double heading_rad = best.heading_rad() + step.z();
+      const Eigen::Vector2d at_m = best * pivot_m + step.head<2>();
+      const Eigen::Vector2d origin_m = at_m - Pose2(0.0, 0.0, heading_rad) * pivot_m;
+      const Pose2 tried(origin_m.x(), origin_m.y(), heading_rad);
+      if (const double tried_value = value(tried); tried_value > best_value) {
+        best = tried;
+        best_value = tried_value;
+        better = true;
+      }
+    };
     for (const Eigen::Vector3d& step : {Eigen::Vector3d(step_m, 0, 0),
                                         Eigen::Vector3d(0, step_m, 0),
                                         Eigen::Vector3d(0, 0, step_m * steps.rad_per_m)}) {
-      for (const double sign : {1.0, -1.0}) {
-        const double heading_rad = best.heading_rad() + sign * step.z();
-        const Eigen::Vector2d at_m = best * pivot_m + sign * step.head<2>();
-        const Eigen::Vector2d origin_m = at_m - Pose2(0.0, 0.0, heading_rad) * pivot_m;
-        const Pose2 tried(origin_m.x(), origin_m.y(), heading_rad);
-        if (const double tried_value = value(tried); tried_value > best_value) {
-          best = tried;
-          best_value = tried_value;
-          better = true;
-        }
-      }
+      try_step(step);
+      try_step(-step);
     }
     step_m *= better ? 1.0 : 0.5;
   }

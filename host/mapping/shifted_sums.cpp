@@ -19,11 +19,12 @@ ShiftedSums::ShiftedSums(const std::vector<float>& numbers, int columns)
     : rows_(static_cast<int>(numbers.size()) / columns), half_columns_((columns + 1) / 2) {
   for (int half = 0; half < 2; ++half) {
     auto& of_half = halves_[static_cast<std::size_t>(half)];
-    of_half.assign(static_cast<std::size_t>(rows_ * half_columns_), 0.0F);
+    of_half.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(half_columns_), 0.0F);
     for (int y = 0; y < rows_; ++y) {
       for (int x = half; x < columns; x += 2) {
-        of_half[static_cast<std::size_t>(y * half_columns_ + x / 2)] =
-            numbers[static_cast<std::size_t>(y * columns + x)];
+        const std::ptrdiff_t to = std::ptrdiff_t{y} * half_columns_ + x / 2;
+        const std::ptrdiff_t from = std::ptrdiff_t{y} * columns + x;
+        of_half[static_cast<std::size_t>(to)] = numbers[static_cast<std::size_t>(from)];
       }
     }
   }
@@ -31,7 +32,8 @@ ShiftedSums::ShiftedSums(const std::vector<float>& numbers, int columns)
 
 std::vector<float> ShiftedSums::over(const std::vector<geometry::CellIndex>& cells,
                                      const EvenShifts& shifts) const {
-  std::vector<float> sums(static_cast<std::size_t>(shifts.columns * shifts.rows), 0.0F);
+  std::vector<float> sums(
+      static_cast<std::size_t>(shifts.columns) * static_cast<std::size_t>(shifts.rows), 0.0F);
   for (const geometry::CellIndex& cell : cells) {
     const std::int32_t x = cell.x + shifts.first.x;
     const std::int32_t half = x & 1;

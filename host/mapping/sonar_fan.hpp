@@ -94,14 +94,17 @@ class SonarFan {
   /// Calls `visit(cell, place)` once for each cell whose centre the view says something of.
   template <typename Visitor>
   void for_cells(const CellField& field, Visitor&& visit) const {
+    const auto visit_cell = [&](const Sector& sector, geometry::CellIndex cell) {
+      if (const auto place = place_in(sector, field.center_m(cell) - view_.origin_m)) {
+        visit(cell, *place);
+      }
+    };
     for (const Sector& sector : sectors_) {
       const auto low = field.cell_at(view_.origin_m.array() + sector.low_m);
       const auto high = field.cell_at(view_.origin_m.array() + sector.high_m);
       for (std::int32_t y = low.y; y <= high.y; ++y) {
         for (std::int32_t x = low.x; x <= high.x; ++x) {
-          if (const auto place = place_in(sector, field.center_m({x, y}) - view_.origin_m)) {
-            visit(geometry::CellIndex{x, y}, *place);
-          }
+          visit_cell(sector, {x, y});
         }
       }
     }

@@ -79,6 +79,7 @@ SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
 void SonarMapper::add(const Scan& scan) {
   scans_.push_back({scan, find_surfaces(scan, params_.surfaces)});
   std::vector<ScanSurfaces> placed;
+  placed.reserve(scans_.size());
   for (const KnownScan& known : scans_) {
     placed.push_back(known.surfaces);
   }
@@ -88,6 +89,7 @@ void SonarMapper::add(const Scan& scan) {
 void SonarMapper::take(const std::vector<Scan>& scans) {
   scans_.resize(scans.size());
   std::vector<ScanSurfaces> placed;
+  placed.reserve(scans_.size());
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const auto T_new_old = rigid_motion(scans_[i].readings, scans[i]);
     if (!T_new_old) {

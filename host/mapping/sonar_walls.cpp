@@ -56,6 +56,7 @@ class WalledCells {
  public:
   void draw(const Segment& wall) {
     const Eigen::Vector2d direction = (wall.to_m - wall.from_m).normalized();
+    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): no step counts, cells are far wider
     for (double along_m = 0.0; along_m < wall.length_m(); along_m += kWallCellM / 4.0) {
       cells_.insert(key(wall.from_m + along_m * direction));
     }
@@ -64,6 +65,7 @@ class WalledCells {
   bool stand_between(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& foot_m) const {
     const Eigen::Vector2d offset_m = foot_m - origin_m;
     const double free_m = offset_m.norm() - kOwnWallM;
+    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): no step counts, cells are far wider
     for (double along_m = 0.0; along_m < free_m; along_m += kWallCellM / 2.0) {
       if (cells_.count(key(origin_m + along_m * offset_m.normalized())) > 0) {
         return true;

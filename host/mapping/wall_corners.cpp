@@ -72,7 +72,10 @@ class CornerFinder {
     for (std::size_t other = 0; other < walls_.size(); ++other) {
       const auto crossing =
           other == index ? std::nullopt : crossing_of(wall, walls_[other], params_.min_angle_rad);
-      const double beyond_m = crossing ? up * (crossing->on_first_m - end_m) : -1.0;
+      if (!crossing) {
+        continue;
+      }
+      const double beyond_m = up * (crossing->on_first_m - end_m);
       if (beyond_m > 0.0 && beyond_m < nearest_m &&
           comes_near(walls_[other], crossing->on_second_m, params_.reach_m)) {
         nearest_m = beyond_m;

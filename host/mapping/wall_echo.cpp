@@ -11,7 +11,7 @@ namespace echomap::mapping {
 
 namespace {
 
-const double max_incidence_rad = geometry::radians(75.0);
+const double kMaxIncidenceRad = geometry::radians(75.0);
 
 }  // namespace
 
@@ -27,7 +27,7 @@ WallView view_of_wall(const Echo& echo, const WallLine& line) {
   const double in_beam_rad =
       std::clamp(off_axis_rad, -echo.beam_half_angle_rad, echo.beam_half_angle_rad);
   const double slant_rad =
-      std::clamp(off_axis_rad - in_beam_rad, -max_incidence_rad, max_incidence_rad);
+      std::clamp(off_axis_rad - in_beam_rad, -kMaxIncidenceRad, kMaxIncidenceRad);
   const double cosine = std::cos(slant_rad);
   const double by_slant = distance_m * std::sin(slant_rad) / (cosine * cosine);
   return {distance_m / cosine,

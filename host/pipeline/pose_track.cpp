@@ -46,6 +46,7 @@ void PoseTrack::fix(const geometry::Pose2& T_map_robot) {
 }
 
 std::vector<geometry::Pose2> PoseTrack::apply_corrected_trajectory() {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only a SLAM method corrects
   std::vector<geometry::Pose2> T_map_robots = slam_->trajectory();
   auto& trajectory = detached(trajectory_);
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
@@ -55,7 +56,8 @@ std::vector<geometry::Pose2> PoseTrack::apply_corrected_trajectory() {
 }
 
 std::vector<StampedPose> PoseTrack::corrected_trajectory() const {
-  std::vector<geometry::Pose2> T_slam_robots = slam_->trajectory();
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only a SLAM method corrects
+  const std::vector<geometry::Pose2> T_slam_robots = slam_->trajectory();
   std::vector<StampedPose> trajectory = *trajectory_;
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     trajectory[i].T_map_robot = T_map_mapped_ * T_slam_robots[i];

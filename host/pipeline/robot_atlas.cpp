@@ -62,6 +62,7 @@ bool RobotAtlas::join() {
     if (look_in(previous_[i], map)) {
       const PreviousMap found = std::move(previous_[i]);
       previous_.erase(previous_.begin() + static_cast<std::ptrdiff_t>(i));
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): look_in() has set it
       take(joined(found.record, record_, *found.T_previous_map));
       ++joins_;
       ++changes_;

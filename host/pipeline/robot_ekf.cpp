@@ -55,6 +55,7 @@ EkfOutcome RobotEkf::hold(const localization::PoseFix& fix) {
 }
 
 void RobotEkf::add_held() {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): odometry came before
   const double now_s = seconds_of(*stamp_);
   const auto due = std::stable_partition(
       held_.begin(), held_.end(), [&](const auto& fix) { return fix.stamp_s > now_s; });
@@ -92,6 +93,7 @@ void RobotEkf::start_from(const localization::PoseFix& fix) {
   start_at({fix.T_map_robot, covariance});
   ++applied_;
   if (stamp_) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): start_at() has set it
     ekf_->move(seconds_of(*stamp_), T_odom_robot_);
   }
 }

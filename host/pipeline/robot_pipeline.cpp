@@ -110,6 +110,7 @@ void RobotPipeline::end_scan() {
   if (!open_scan_) {
     return;
   }
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): checked above
   const mapping::Scan scan = std::move(*std::exchange(open_scan_, std::nullopt));
   const mapping::ScanFault fault = map_.fault_of(track_.on_map(scan));
   const bool counts = fault == mapping::ScanFault::kNone;

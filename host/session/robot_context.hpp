@@ -50,6 +50,7 @@ class RobotContext {
   /// Where the record of an earlier session is played, before the port is open.
   pipeline::JoinedSessions& sessions() { return sessions_; }
   /// After `begin_maps`.
+  // NOLINTBEGIN(bugprone-unchecked-optional-access): callers begin the maps and open first
   pipeline::RobotAtlas& atlas() { return *atlas_; }
   const pipeline::RobotAtlas& atlas() const { return *atlas_; }
   /// Name of the SLAM method that places the robot, or kNoSlam. After `begin_maps`.
@@ -58,6 +59,7 @@ class RobotContext {
   /// After `open`.
   RobotSession& session() { return *session_; }
   const RobotSession& session() const { return *session_; }
+  // NOLINTEND(bugprone-unchecked-optional-access)
   /// The clock of a simulated robot; null for one on a desk.
   transport::LockstepChannel* lockstep() { return lockstep_.get(); }
 

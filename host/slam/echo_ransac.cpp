@@ -64,7 +64,9 @@ class FeatureSearch {
   /// The feature with the most votes, which takes its echoes. Empty where none is left.
   std::optional<HeardFeature> next() {
     while (const auto best = most_voted()) {
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       auto heard = fitted(candidates_[*best].feature);
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       candidates_.erase(candidates_.begin() + static_cast<std::ptrdiff_t>(*best));
       if (heard && is_well_known(*heard)) {
         take(heard->echoes);
@@ -188,13 +190,16 @@ class FeatureSearch {
   void add_evidence(const Echo& echo,
                     const EchoFeature& feature,
                     optimization::NormalEquations<2>& equations) const {
-    const auto expected = *echo_of(feature, echo, params_.hearing.max_incidence_rad);
-    equations.add(expected.range_m - echo.range_m,
-                  expected.jacobian.row(0),
+    const auto expected = echo_of(feature, echo, params_.hearing.max_incidence_rad);
+    if (!expected) {
+      return;
+    }
+    equations.add(expected->range_m - echo.range_m,
+                  expected->jacobian.row(0),
                   1.0 / square(params_.range_stddev_m));
-    equations.add(geometry::angle_between(echo.axis_rad, expected.bearing_rad),
-                  expected.jacobian.row(1),
-                  3.0 / square(expected.max_off_axis_rad));
+    equations.add(geometry::angle_between(echo.axis_rad, expected->bearing_rad),
+                  expected->jacobian.row(1),
+                  3.0 / square(expected->max_off_axis_rad));
   }
 
   /// Gauss and Newton over those that agree.
@@ -260,6 +265,7 @@ std::vector<HeardFeature> find_features(const std::vector<Echo>& echoes,
   FeatureSearch search(echoes, params, random);
   std::vector<HeardFeature> features;
   while (auto heard = search.next()) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     features.push_back(std::move(*heard));
   }
   return features;

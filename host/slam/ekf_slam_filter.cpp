@@ -118,10 +118,12 @@ localization::PoseGaussian EkfSlamFilter::belief_after(std::size_t robot,
   Eigen::Matrix<double, 3, 6> by_both;
   by_both << change.jacobian_pose, change.by_calibration;
   const Eigen::Index at = pose_at(robot);
-  const Eigen::Matrix3d cross = covariance_.block<3, 3>(at, *calibration_at_);
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the calibration is estimated
+  const Eigen::Index calibration_at = *calibration_at_;
+  const Eigen::Matrix3d cross = covariance_.block<3, 3>(at, calibration_at);
   Eigen::Matrix<double, 6, 6> both;
   both << covariance_.block<3, 3>(at, at), cross, cross.transpose(),
-      covariance_.block<3, 3>(*calibration_at_, *calibration_at_);
+      covariance_.block<3, 3>(calibration_at, calibration_at);
   return {T_map_robots_[robot] * motion.T_before_after,
           by_both * both * by_both.transpose() + change.noise};
 }
@@ -132,6 +134,7 @@ void EkfSlamFilter::move(std::size_t robot, const CalibratedMotion& motion) {
   const Eigen::Index at = pose_at(robot);
   Eigen::MatrixXd columns =
       covariance_.columns<kPoseSize>(at) * change.jacobian_pose.transpose() +
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the calibration is estimated
       covariance_.columns<kCalibrationSize>(*calibration_at_) * change.by_calibration.transpose();
   columns.middleRows<kPoseSize>(at) = after.covariance;
   covariance_.set_columns(at, columns);
@@ -262,7 +265,7 @@ Eigen::MatrixXd EkfSlamFilter::step_invariantly_by(const Eigen::VectorXd& correc
   Eigen::MatrixXd by_first = Eigen::MatrixXd::Zero(covariance_.size(), kPoseSize);
   const GroupStep step(T_map_robots_.front().position_m(), correction);
   const auto moved = [&](const Eigen::Vector2d& place_m, Eigen::Index at) {
-    const Eigen::Vector2d after_m = step.place_m(place_m, correction.segment<2>(at));
+    Eigen::Vector2d after_m = step.place_m(place_m, correction.segment<2>(at));
     by_first.block<2, 1>(at, 2) = geometry::perpendicular(after_m - place_m);
     return after_m;
   };

@@ -97,6 +97,7 @@ class BranchAndBound {
   std::vector<Candidate> best() {
     search(0);
     std::vector<Candidate> best;
+    best.reserve(best_.size());
     for (const Candidate* pair : best_) {
       best.push_back(*pair);
     }

@@ -39,12 +39,13 @@ bool passes(const sensors::RangeScan& scan,
                          return std::abs(geometry::angle_between(bearing_rad, left.bearing_rad)) <
                                 std::abs(geometry::angle_between(bearing_rad, right.bearing_rad));
                        });
-  if (nearest == scan.beams.end() || !nearest->range_m) {
+  const auto range_m = nearest == scan.beams.end() ? std::nullopt : nearest->range_m;
+  if (!range_m) {
     return false;
   }
   constexpr double kMaxBeamRad = 0.02;
   const double off_rad = std::abs(geometry::angle_between(bearing_rad, nearest->bearing_rad));
-  const double beyond_m = *nearest->range_m - seen_m.norm();
+  const double beyond_m = *range_m - seen_m.norm();
   return off_rad < kMaxBeamRad && beyond_m > margin_m;
 }
 

@@ -14,7 +14,7 @@ namespace echomap::slam {
 namespace {
 
 /// Of a length of up to 5 m in any direction.
-const double negative_log_density_of_unmatched = 2.0 * std::log(5.0 * 2.0 * std::numbers::pi);
+const double kNegativeLogDensityOfUnmatched = 2.0 * std::log(5.0 * 2.0 * std::numbers::pi);
 
 void correct(std::span<const LandmarkSighting> sightings,
              std::span<const Candidate> pairs,
@@ -31,7 +31,7 @@ void correct(std::span<const LandmarkSighting> sightings,
 
 double negative_log_evidence_of(std::size_t sightings, std::span<const Candidate> pairs) {
   double negative_log_evidence =
-      negative_log_density_of_unmatched * static_cast<double>(sightings - pairs.size());
+      kNegativeLogDensityOfUnmatched * static_cast<double>(sightings - pairs.size());
   for (const Candidate& pair : pairs) {
     negative_log_evidence += pair.unlikeliness + 2.0 * std::log(2.0 * std::numbers::pi);
   }

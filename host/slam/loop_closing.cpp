@@ -59,7 +59,7 @@ std::vector<PoseEdge> LoopClosing::close(const KeyFrames& frames) {
     waiting_ = loop;
     return {};
   }
-  const std::vector<PoseEdge> proved{*waiting_, *loop};
+  std::vector<PoseEdge> proved{*waiting_, *loop};
   waiting_.reset();
   return proved;
 }

@@ -108,7 +108,9 @@ std::uint8_t LoopSearch::at(int level, int x, int y) const {
   if (x < 0 || y < 0 || x >= columns_ || y >= rows_) {
     return 0;
   }
-  return max_[static_cast<std::size_t>(level)][static_cast<std::size_t>(y * columns_ + x)];
+  return max_[static_cast<std::size_t>(level)]
+             [static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+              static_cast<std::size_t>(x)];
 }
 
 std::vector<LoopSearch::Cell> LoopSearch::cells_of(std::span<const Eigen::Vector2d> points_m,
@@ -186,12 +188,13 @@ void LoopSearch::draw_point(const Eigen::Vector2d& point_m,
 void LoopSearch::add_level(int level) {
   const auto& finer = max_[static_cast<std::size_t>(level - 1)];
   auto& coarser = max_[static_cast<std::size_t>(level)];
+  const auto columns = static_cast<std::size_t>(columns_);
   const int half = 1 << (level - 1);
   for (int y = 0; y < rows_; ++y) {
     const int above = std::min(y + half, rows_ - 1);
-    const std::uint8_t* low = &finer[static_cast<std::size_t>(y * columns_)];
-    const std::uint8_t* high = &finer[static_cast<std::size_t>(above * columns_)];
-    std::uint8_t* target = &coarser[static_cast<std::size_t>(y * columns_)];
+    const std::uint8_t* low = &finer[static_cast<std::size_t>(y) * columns];
+    const std::uint8_t* high = &finer[static_cast<std::size_t>(above) * columns];
+    std::uint8_t* target = &coarser[static_cast<std::size_t>(y) * columns];
     for (int x = 0; x < columns_; ++x) {
       const int right = std::min(x + half, columns_ - 1);
       target[x] = std::max(std::max(low[x], low[right]), std::max(high[x], high[right]));

@@ -51,7 +51,7 @@ PieceResidual piece_residual(const Pose2& T_map_before,
   const Pose2 T_before_after = T_map_before.inverse() * T_map_after;
   const Eigen::Matrix2d to_before =
       Eigen::Rotation2Dd(-T_map_before.heading_rad()).toRotationMatrix();
-  const Eigen::Vector2d offset_m = T_before_after.position_m();
+  const Eigen::Vector2d& offset_m = T_before_after.position_m();
   PieceResidual residual;
   residual.value << offset_m - driven.position_m(),
       geometry::angle_between(driven.heading_rad(), T_before_after.heading_rad());

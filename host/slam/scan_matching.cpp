@@ -115,7 +115,7 @@ ScanMatch ScanMatcher::match(std::span<const Eigen::Vector2d> points_m,
     return {prior.T_map_robot, Eigen::Matrix3d::Zero(), 0.0, 0.0};
   }
   const Prior before{as_vector(prior.T_map_robot), prior.covariance.inverse()};
-  const ScanMatch match = refined(points_m, before, before.pose, {kStartLevel, 0}, field);
+  ScanMatch match = refined(points_m, before, before.pose, {kStartLevel, 0}, field);
   const bool is_heading_known =
       prior.covariance(2, 2) < params_.known_heading_rad * params_.known_heading_rad;
   if (match.share >= (is_heading_known ? params_.good_share : params_.good_turned_share)) {
@@ -130,7 +130,7 @@ ScanMatch ScanMatcher::match_after(std::span<const Eigen::Vector2d> points_m,
                                    const Pose2& T_map_before,
                                    const localization::PoseGaussian& prior,
                                    SurfaceField& field) const {
-  const ScanMatch match = this->match(points_m, prior, field);
+  ScanMatch match = this->match(points_m, prior, field);
   if (match.share >= params_.poor_share || points_m.empty() || field.empty()) {
     return match;
   }

@@ -77,7 +77,7 @@ Eigen::Matrix3d ScanSlam::place(const std::vector<Eigen::Vector2d>& points_m) {
   last_match_ = gathering_.scans().size() == 1
                     ? matcher_.match_after(points_m, T_map_placed_, belief_, field_)
                     : matcher_.match(points_m, belief_, field_);
-  const Eigen::Matrix3d information = belief_.covariance.inverse() + last_match_.information;
+  Eigen::Matrix3d information = belief_.covariance.inverse() + last_match_.information;
   belief_ = {last_match_.T_map_robot, information.inverse()};
   return information;
 }

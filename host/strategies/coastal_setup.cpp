@@ -62,6 +62,7 @@ exploration::CoastalParams coastal_params(const RobotProfile& profile, Hand hand
   exploration::CoastalParams params;
   params.hand = hand;
   params.robot_radius_m = profile.body_radius_m;
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): value() throws
   params.sensor_index = sensor_at(profile, hand).value();
   params.T_robot_sensor = profile.sensors.infrared[params.sensor_index].T_robot_sensor;
   // The offset is what a whole drive gains at its ends, and a tick of a walk has none.

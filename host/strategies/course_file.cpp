@@ -51,7 +51,7 @@ void read_wall(const TomlReader& wall, std::vector<geometry::Segment>& walls) {
 
 /// On the grid: what lies outside of it the robot knows nothing of.
 Eigen::Vector2d read_place_m(const TomlReader& table, const WaypointCourse& course) {
-  const Eigen::Vector2d place_m(table.number("x_m"), table.number("y_m"));
+  Eigen::Vector2d place_m(table.number("x_m"), table.number("y_m"));
   const Eigen::Array2d cell = (place_m / course.cell_m).array().floor();
   const bool is_on_it = cell.x() >= course.cells.min.x && cell.x() <= course.cells.max.x &&
                         cell.y() >= course.cells.min.y && cell.y() <= course.cells.max.y;

@@ -72,6 +72,7 @@ double EkfFilter::stamp_s_of(time::HostTime instant, const session::RobotSession
   const auto odometry_us = session.odometry_stamp_us();
   const auto estimate = odometry_us ? session.link().clock().host_time(*odometry_us) : std::nullopt;
   const time::HostTime sensed = estimate ? estimate->instant : session.now();
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): odometry came before
   const std::chrono::duration<double> stamp = ekf_.stamp()->time_since_epoch();
   return stamp.count() + std::chrono::duration<double>(instant - sensed).count();
 }

@@ -17,9 +17,6 @@ namespace echomap::bench {
 
 namespace {
 
-using sensors::Beam;
-using sensors::RangeScan;
-
 /// A normal is fitted to points up to this far along the wall, to either side.
 constexpr double kNormalReachM = 0.2;
 /// Neighbours farther apart are of two things.

@@ -13,9 +13,6 @@
 namespace echomap::bench {
 namespace {
 
-using sensors::Beam;
-using sensors::RangeScan;
-
 using geometry::radians;
 
 /// A laser of 180 degrees, four beams a degree, that sees `range_m(bearing)`.

@@ -112,7 +112,7 @@ std::vector<Figure> laser_slam_figures() {
   std::vector<Figure> figures;
   if (const auto edmonton = log_or_note("edm")) {
     add_whole_log("edmonton", *edmonton, figures);
-    for (const std::size_t beams : {60, 36, 24, 12}) {
+    for (const std::size_t beams : {60U, 36U, 24U, 12U}) {
       slam::ScanSlam slam;
       const auto error = score_slam(with_beams(*edmonton, beams), slam);
       figures.push_back(
@@ -143,7 +143,7 @@ std::vector<Figure> sonar_slam_figures(const slam::NamedSlam& method, std::size_
   }
   const double odometry_m = score_odometry(*edmonton).translation_mean_m;
   std::vector<Figure> figures;
-  for (const std::size_t cones : {24, 12}) {
+  for (const std::size_t cones : {24U, 12U}) {
     double sum_m = 0.0;
     double worst_m = 0.0;
     for (std::size_t seed = 1; seed <= seeds; ++seed) {

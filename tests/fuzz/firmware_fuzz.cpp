@@ -167,7 +167,7 @@ class Robot {
   /// The upper eight of the converter's ten bits; the low ones are 1.
   void set_voltage(Reader& input) {
     const std::uint8_t pin = input.byte() % NativeBoard::kAuxPins;
-    board_.set_aux_analog(pin, static_cast<std::uint16_t>(input.byte() << 2U | 3U));
+    board_.set_aux_analog(pin, static_cast<std::uint16_t>(unsigned{input.byte()} << 2U | 3U));
   }
   /// A device that answers with this, that does not, or that holds the bus.
   void set_two_wire(Reader& input) {

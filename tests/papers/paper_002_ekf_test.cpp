@@ -117,7 +117,8 @@ Follow drive(std::uint32_t seed, int camera_until) {
     const Eigen::Vector3d sd = filter.belief().covariance.diagonal().cwiseSqrt();
     follow.error.push_back(error_of(filter.belief().T_map_robot, truth[at]));
     follow.position_stddev_m.push_back(sd.head<2>().norm());
-    follow.outside += (follow.error.back().cwiseAbs().array() > 3.0 * sd.array()).count();
+    const auto is_outside = follow.error.back().cwiseAbs().array() > 3.0 * sd.array();
+    follow.outside += static_cast<std::size_t>(is_outside.count());
     follow.judged += 3;
   }
   follow.gated = filter.count(EkfOutcome::kGated);

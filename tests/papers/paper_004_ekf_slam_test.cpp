@@ -21,7 +21,6 @@
 namespace echomap::papers {
 namespace {
 
-using geometry::CellIndex;
 using geometry::Pose2;
 
 const std::filesystem::path picture_path = ECHOMAP_BINARY_DIR "/papers/paper_004_edmonton.png";

@@ -103,13 +103,13 @@ TEST(ProtocolDocument, TakesItsWorkedExampleFromTheVectorsByteByByte) {
 }
 
 TEST(ProtocolDocument, ShowsHowTheDescriptionBeginsAndItsLength) {
-  constexpr auto description = describe_schema<AllMessages>();
+  constexpr auto kSchema = describe_schema<AllMessages>();
   std::ostringstream begin;
   begin << "schema" << std::hex << std::uppercase << std::setfill('0');
   for (std::size_t i = 0; i < 27; ++i) {
-    begin << ' ' << std::setw(2) << int{description.bytes[i]};
+    begin << ' ' << std::setw(2) << int{kSchema.bytes[i]};
   }
-  std::string length = std::to_string(sizeof(description.bytes)) + " bytes of the schema";
+  std::string length = std::to_string(sizeof(kSchema.bytes)) + " bytes of the schema";
   length.insert(1, ",");
   const std::vector<std::string> lines = lines_of("docs/protocol.md");
   EXPECT_THAT(lines, testing::Contains(begin.str()));

@@ -89,7 +89,7 @@ struct Firm {
 };
 
 TEST(SchemaDescription, SharesBeginningsAndRefersToDefinitions) {
-  constexpr auto two = describe_schema<MessageList<First, Firm>>();
+  constexpr auto kTwo = describe_schema<MessageList<First, Firm>>();
   const auto last = [](char character) { return static_cast<std::uint8_t>(character | 0x80); };
   const Bytes expected{
       0x00,       1,         'F',       'i', 'r', 's',       last('t'),  // message 1, "First"
@@ -100,7 +100,7 @@ TEST(SchemaDescription, SharesBeginningsAndRefersToDefinitions) {
       0x80 | 1,                          // the second definition
       4 << 3 | 1, last('1'),             // the same name of another type
   };
-  EXPECT_EQ(Bytes(std::begin(two.bytes), std::end(two.bytes)), expected);
+  EXPECT_EQ(Bytes(std::begin(kTwo.bytes), std::end(kTwo.bytes)), expected);
 }
 
 }  // namespace

@@ -261,6 +261,26 @@ TEST_F(RunLint, ChecksAHeaderByASourceThatIncludesIt) {
   EXPECT_THAT(changed(), Not(HasSubstr("checks b.cpp\n")));
 }
 
+TEST_F(RunLint, ShowsWhatClangTidyFindsAndFails) {
+  stand_in("clang-tidy-16", "for file; do :; done; echo \"$file:1:1: error: odd\"; exit 1");
+  const ShellResult result = run("lint " + shell_quoted((tree_ / "a.cpp").string()),
+                                 shell_quoted((tree_ / "run").string()));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, HasSubstr("a.cpp:1:1: error: odd\n"));
+  EXPECT_THAT(result.output, HasSubstr("clang-tidy found something"));
+}
+
+TEST_F(RunLint, NamesWhatItHadNoTimeFor) {
+  std::ofstream(tree_ / "b.cpp") << "#include \"d.hpp\"\n";
+  commit("second");
+  const ShellResult result =
+      run("lint --changed --seconds 0", shell_quoted((tree_ / "run").string()));
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, Not(HasSubstr("checks b.cpp")));
+  EXPECT_THAT(result.output,
+              HasSubstr("not linted are 1 files; next: ./run lint --changed\n  b.cpp"));
+}
+
 TEST_F(RunLint, SaysSoWhereNoCommitBeforeIsHere) {
   EXPECT_THAT(changed(), HasSubstr("nothing to compare with"));
 }

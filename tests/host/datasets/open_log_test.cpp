@@ -51,6 +51,18 @@ TEST_F(OpenLogTest, WhereNothingIsPlainTheFormatsAreListed) {
   EXPECT_THAT(error_of("none", ""), HasSubstr("cannot read"));
 }
 
+/// Null where the format wants another name of a file.
+std::unique_ptr<LogReader> opened(const LogFormat& format, const std::filesystem::path& file) {
+  try {
+    return format.open(file);
+  } catch (const files::FileError& refused) {
+    if (std::string(refused.what()).find("ends in") == std::string::npos) {
+      throw;
+    }
+  }
+  return nullptr;
+}
+
 TEST_F(OpenLogTest, EveryFormatRefusesBinary) {
   for (const auto& format : log_formats()) {
     for (const char* file : {"a_LASER.txt",
@@ -70,16 +82,9 @@ TEST_F(OpenLogTest, EveryFormatRefusesBinary) {
       for (const char* file :
            {"a_LASER.txt", "a_scan.txt", "R_Odometry.dat", "measurement.txt", "poses.csv"}) {
         // Formats of several files want their own name; the first that opens is read.
-        std::unique_ptr<LogReader> log;
-        try {
-          log = format.open(folder_ / file);
-        } catch (const files::FileError& refused) {
-          if (std::string(refused.what()).find("ends in") != std::string::npos) {
-            continue;
-          }
-          throw;
+        if (const auto log = opened(format, folder_ / file)) {
+          tests::records_of(*log);
         }
-        tests::records_of(*log);
       }
     });
     EXPECT_THAT(error, HasSubstr(":1: the line contains a zero byte")) << format.name;

@@ -16,7 +16,6 @@
 namespace echomap::exploration {
 namespace {
 
-using geometry::CellIndex;
 using geometry::Pose2;
 using geometry::radians;
 using mapping::OccupancyGrid;
@@ -121,7 +120,7 @@ pipeline::Snapshot silent_corridor(int known_cells = 30) {
 
 FrontierParams no_look_is_worth_it() {
   FrontierParams params;
-  params.min_gain_m2 = 100.0;
+  params.viewpoints.min_gain_m2 = 100.0;
   return params;
 }
 
@@ -222,7 +221,7 @@ TEST(Frontier, RejectsParametersWithoutSense) {
   params.sweep.step_rad = 0.0;
   EXPECT_THROW(Frontier{params}, std::invalid_argument);
   params = {};
-  params.min_gain_m2 = 0.0;
+  params.viewpoints.min_gain_m2 = 0.0;
   EXPECT_THROW(Frontier{params}, std::invalid_argument);
 }
 

@@ -17,7 +17,6 @@ namespace {
 
 using geometry::degrees;
 using geometry::Pose2;
-using geometry::radians;
 using geometry::Segment;
 
 /// A grid of 4 x 4 m, the start in its middle, looking along x.

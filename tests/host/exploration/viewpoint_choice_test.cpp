@@ -41,13 +41,13 @@ std::optional<Viewpoint> choice(const RasterMap& map,
   travel.search(grid, grid.cell_at(T_map_robot.position_m()));
   const ViewGain gain(map, past, {});
   ViewpointParams params;
+  params.min_gain_m2 = min_gain_m2;
   params.widths_rad = {radians(180.0), radians(360.0)};
   return choose_viewpoint(grid,
                           travel,
                           find_frontiers(map, grid.cell_at(T_map_robot.position_m())),
                           gain,
                           T_map_robot,
-                          min_gain_m2,
                           params);
 }
 

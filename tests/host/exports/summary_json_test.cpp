@@ -75,7 +75,7 @@ TEST(SummaryJson, HoldsEveryField) {
 TEST(SummaryJson, StandsBytesThatAreNoText) {
   RunSummary summary;
   summary.firmware = "\xff\xfe \"quoted\"\n";
-  EXPECT_NO_THROW(nlohmann::json::parse(to_json_text(summary)));
+  EXPECT_TRUE(nlohmann::json::accept(to_json_text(summary)));
 }
 
 TEST(SummaryJson, IsAFileWithALineEnd) {

@@ -14,8 +14,6 @@
 namespace echomap::localization {
 namespace {
 
-using geometry::Pose2;
-
 const mapping::RasterMap kRoom = tests::map_from({"##############",
                                                   "#............#",
                                                   "#....##......#",

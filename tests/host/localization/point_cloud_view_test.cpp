@@ -10,8 +10,6 @@
 namespace echomap::localization {
 namespace {
 
-using geometry::Pose2;
-
 TEST(PointCloudView, ExpectsTheNearestPointOnTheBeam) {
   const PointCloudView view({{2.0, 0.0}, {1.0, 0.0}, {0.5, 0.3}, {-0.2, 0.0}});
   const auto expected = view.expected({});

@@ -12,8 +12,6 @@
 namespace echomap::localization {
 namespace {
 
-using geometry::Pose2;
-
 /// An L of two wings with a block in the lower one.
 const mapping::PolygonMap kRoom(
     {{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}},

@@ -10,8 +10,6 @@
 namespace echomap::localization {
 namespace {
 
-using geometry::Pose2;
-
 const PoseGaussian belief{{1.0, 1.0, 3.1}, 0.04 * Eigen::Matrix3d::Identity()};
 
 TEST(PoseMeasurement, InnovationOfAFixIsShortestAroundTheCircle) {

@@ -57,16 +57,19 @@ void add_ray(LatticePoint from, LatticePoint to, double covered_share, RayMask& 
 
 Cells marked(const RayMask& mask) {
   Cells cells;
-  for (std::int32_t row = 0; row < mask.tile_rows(); ++row) {
-    for (std::int32_t column = 0; column < mask.tile_columns(); ++column) {
-      const TileBits bits = mask.tile(column, row);
-      for (std::int32_t y = 0; y < kTileSide; ++y) {
-        for (std::int32_t x = 0; x < kTileSide; ++x) {
-          if ((bits[static_cast<std::size_t>(y)] >> x) & 1U) {
-            cells.insert({column * kTileSide + x, row * kTileSide + y});
-          }
+  const auto insert_tile = [&](std::int32_t column, std::int32_t row) {
+    const TileBits bits = mask.tile(column, row);
+    for (std::int32_t y = 0; y < kTileSide; ++y) {
+      for (std::int32_t x = 0; x < kTileSide; ++x) {
+        if ((bits[static_cast<std::size_t>(y)] >> x) & 1U) {
+          cells.insert({column * kTileSide + x, row * kTileSide + y});
         }
       }
+    }
+  };
+  for (std::int32_t row = 0; row < mask.tile_rows(); ++row) {
+    for (std::int32_t column = 0; column < mask.tile_columns(); ++column) {
+      insert_tile(column, row);
     }
   }
   return cells;
@@ -157,6 +160,23 @@ TEST(RayMask, LeavesOutOnlyCellsWithinTheCoveredShare) {
   }
 }
 
+/// Those of a mask of two by two tiles whose centre is within a quadrant of a disc.
+Cells cells_of(Quadrant quadrant, LatticePoint center, double radius) {
+  Cells cells;
+  for (std::int32_t y = 0; y < 2 * kTileSide; ++y) {
+    for (std::int32_t x = 0; x < 2 * kTileSide; ++x) {
+      const std::int32_t right = x * 256 + 128 - center.x;
+      const std::int32_t up = y * 256 + 128 - center.y;
+      const Quadrant above = right < 0 ? Quadrant::kLeftUp : Quadrant::kRightUp;
+      const Quadrant below = right < 0 ? Quadrant::kLeftDown : Quadrant::kRightDown;
+      if (std::hypot(right, up) <= radius && quadrant == (up < 0 ? below : above)) {
+        cells.insert({x, y});
+      }
+    }
+  }
+  return cells;
+}
+
 TEST(RayMask, MarksTheQuadrantsOfADisc) {
   std::mt19937 random(21);
   for (const double radius : {0.0, 100.0, 128.0, 1000.0, 11'111.1}) {
@@ -166,19 +186,8 @@ TEST(RayMask, MarksTheQuadrantsOfADisc) {
       RayMask mask;
       mask.reset(2, 2);
       mask.add_quadrant(center, quadrant, radius);
-      Cells expected;
-      for (std::int32_t y = 0; y < 2 * kTileSide; ++y) {
-        for (std::int32_t x = 0; x < 2 * kTileSide; ++x) {
-          const std::int32_t right = x * 256 + 128 - center.x;
-          const std::int32_t up = y * 256 + 128 - center.y;
-          const Quadrant above = right < 0 ? Quadrant::kLeftUp : Quadrant::kRightUp;
-          const Quadrant below = right < 0 ? Quadrant::kLeftDown : Quadrant::kRightDown;
-          if (std::hypot(right, up) <= radius && quadrant == (up < 0 ? below : above)) {
-            expected.insert({x, y});
-          }
-        }
-      }
-      EXPECT_EQ(marked(mask), expected) << radius << ' ' << static_cast<int>(quadrant);
+      EXPECT_EQ(marked(mask), cells_of(quadrant, center, radius))
+          << radius << ' ' << static_cast<int>(quadrant);
     }
   }
 }

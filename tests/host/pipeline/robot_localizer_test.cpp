@@ -77,8 +77,8 @@ class RobotLocalizerTest : public ::testing::Test {
     localizer.on_hazards(hazards);
   }
   time::RobotTime now() {
-    stamp_us += 20'000;
-    return time::RobotTime(time::RobotClock::duration(stamp_us));
+    stamp_us_ += 20'000;
+    return time::RobotTime(time::RobotClock::duration(stamp_us_));
   }
 
   Pose2 T_map_robot{0.45, 0.95, 0.1};
@@ -96,7 +96,7 @@ class RobotLocalizerTest : public ::testing::Test {
           geometry::unit_vector(T_map_sonar.heading_rad() + geometry::radians(aside_deg))
               .cast<float>();
       float range_m = 0.0F;
-      mapping::cast_rays(field, T_map_sonar.position_m(), {&direction, 1}, 3.0, {&range_m, 1});
+      mapping::cast_rays(field_, T_map_sonar.position_m(), {&direction, 1}, 3.0, {&range_m, 1});
       nearest_m = std::min(nearest_m, range_m);
     }
     const bool is_heard = nearest_m < 3.0F;
@@ -106,8 +106,8 @@ class RobotLocalizerTest : public ::testing::Test {
                         is_heard ? std::optional<double>(nearest_m) : std::nullopt});
   }
 
-  mapping::DistanceField field{kRoom, 3.0};
-  std::int64_t stamp_us = 0;
+  mapping::DistanceField field_{kRoom, 3.0};
+  std::int64_t stamp_us_ = 0;
 };
 
 TEST_F(RobotLocalizerTest, FindsARobotThatMayBeAnywhere) {

@@ -8,8 +8,6 @@
 namespace echomap::pipeline {
 namespace {
 
-using geometry::Pose2;
-
 class RobotSlamTest : public ::testing::Test {
  protected:
   /// Drives on to `x_m` and pings.

@@ -8,8 +8,6 @@
 namespace echomap::pipeline {
 namespace {
 
-using geometry::Pose2;
-
 TEST(SlamTrack, StaysWithTheOdometryBeforeAnyScan) {
   MovedAside method;
   SlamTrack track(method);

@@ -15,7 +15,6 @@
 namespace echomap::pipeline {
 namespace {
 
-using geometry::CellIndex;
 using mapping::CellState;
 
 struct SonarLogCase {

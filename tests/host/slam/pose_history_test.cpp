@@ -36,9 +36,10 @@ TEST(PoseHistory, KnowsEachInstantHoweverFewPosesItKeeps) {
   EXPECT_LE(filter.stored_poses(), 3U);
   const auto poses = history.trajectory(filter);
   ASSERT_EQ(poses.size(), 40U);
-  for (int i = 0; i < 20; ++i) {
-    EXPECT_NEAR(poses[2 * i].x_m(), i, 1e-9);
-    EXPECT_NEAR(poses[2 * i + 1].x_m(), i + 0.5, 1e-9);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const auto x_m = static_cast<double>(i);
+    EXPECT_NEAR(poses[2 * i].x_m(), x_m, 1e-9);
+    EXPECT_NEAR(poses[2 * i + 1].x_m(), x_m + 0.5, 1e-9);
     EXPECT_NEAR(poses[2 * i + 1].y_m(), 0.1, 1e-9);
   }
 }
