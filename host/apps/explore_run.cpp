@@ -2,6 +2,7 @@
 #include "host/apps/explore_run.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <random>
 #include <string>
 #include <utility>
@@ -33,8 +34,8 @@ using strategies::StrategyOptions;
 /// Of all maps.
 std::size_t stops_in(const pipeline::RobotAtlas& atlas) {
   std::size_t stops = atlas.pipeline().snapshot().stops;
-  for (const pipeline::PreviousMap& former : atlas.previous_maps()) {
-    stops += former.pipeline.snapshot().stops;
+  for (const pipeline::PreviousMap& previous : atlas.previous_maps()) {
+    stops += previous.pipeline.snapshot().stops;
   }
   return stops;
 }
@@ -43,6 +44,20 @@ std::size_t stops_in(const pipeline::RobotAtlas& atlas) {
 struct StopCount {
   std::size_t made = 0;
   std::size_t before = 0;
+};
+
+/// Calls a function after every step of a robot's session, for as long as it exists.
+class StepListener {
+ public:
+  StepListener(RobotContext& robot, std::function<void()> on_step) : robot_(robot) {
+    robot_.on_step = std::move(on_step);
+  }
+  ~StepListener() { robot_.on_step = nullptr; }
+  StepListener(const StepListener&) = delete;
+  StepListener& operator=(const StepListener&) = delete;
+
+ private:
+  RobotContext& robot_;
 };
 
 /// Of the whole map, as the summary is.
@@ -130,6 +145,20 @@ std::optional<FinishReason> drive(RobotContext& robot,
   return std::nullopt;
 }
 
+/// Connects, drives and stops the robot; answers why the explorer has finished, if it has.
+std::optional<FinishReason> connect_and_drive(RobotContext& robot,
+                                              exploration::Explorer& explorer,
+                                              RunWriter& writer) {
+  RobotSession& session = robot.session();
+  session.look_around_on_the_way(robot.atlas().pipeline().slam() != nullptr);
+  robot.connect();
+  const auto reason = drive(robot, explorer, writer);
+  session.end_scan();
+  session.look_around_on_the_way(false);
+  session.disarm();
+  return reason;
+}
+
 /// Of an exploration that ends early: what the shell sees, and for people why and what to do.
 struct Trouble {
   FinishReason reason;
@@ -185,19 +214,19 @@ void describe_run(const RobotContext& robot, const ExploreRun& run, exports::Run
   summary.robot = robot.profile().name;
   summary.slam = robot.slam();
   summary.strategy = run.strategy.name;
-  summary.seed = robot.seed().of(session::SeedPurpose::kStrategy);
+  summary.seed = robot.seed().number();
   if (run.resumed) {
     summary.resumed_stops = run.resumed->stops;
   }
 }
 
 void warn_of_previous_maps(const pipeline::RobotAtlas& atlas) {
-  if (const std::size_t former = atlas.previous_maps().size(); former > 0) {
+  if (const std::size_t previous = atlas.previous_maps().size(); previous > 0) {
     spdlog::warn(
         "the map covers only what came after the robot was carried or its wheels slipped; {} could "
         "not be aligned with it and is saved in {}",
-        former == 1 ? "the previous map" : "those before",
-        former == 1 ? "previous_1" : "previous_1, previous_2, ...");
+        previous == 1 ? "the previous map" : "those before",
+        previous == 1 ? "previous_1" : "previous_1, previous_2, ...");
   }
 }
 
@@ -248,20 +277,16 @@ ExitCode explore_and_save(RobotContext& robot,
   const auto line = [&] {
     return progress_line(robot, run, {stops_before + explorer->stops_made(), stops_before});
   };
-  robot.on_step = [&, steps = 0]() mutable {
-    constexpr int kStepsPerDrawing = 64;
-    if (++steps % kStepsPerDrawing == 0) {
-      progress.report(sim_seconds_of(run.resumed) + now_s(session), line);
-    }
-  };
-
-  session.look_around_on_the_way(robot.atlas().pipeline().slam() != nullptr);
-  robot.connect();
-  const auto reason = drive(robot, *explorer, writer);
-  session.end_scan();
-  session.look_around_on_the_way(false);
-  session.disarm();
-  robot.on_step = nullptr;
+  std::optional<FinishReason> reason;
+  {
+    const StepListener listener(robot, [&, steps = 0]() mutable {
+      constexpr int kStepsPerDrawing = 64;
+      if (++steps % kStepsPerDrawing == 0) {
+        progress.report(sim_seconds_of(run.resumed) + now_s(session), line);
+      }
+    });
+    reason = connect_and_drive(robot, *explorer, writer);
+  }
   progress.clear();
   warn_of_previous_maps(robot.atlas());
   if (reason) {

@@ -166,7 +166,7 @@ console::ExitCode replay_run(const ReplayOptions& options) {
     const pipeline::PreviousMap& former = atlas.previous_maps()[i];
     save_played({former.record, former.pipeline, slam},
                 profile,
-                previous_map_of(options.log, i + 1),
+                stored_previous_map(options.log, i + 1),
                 previous_map_of(out, i + 1));
   }
   save_played({atlas.record(), atlas.pipeline(), slam}, profile, options.log, out);

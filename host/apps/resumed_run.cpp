@@ -57,11 +57,21 @@ void require_same_robot(const std::filesystem::path& run,
   }
 }
 
-/// Tells of a record whose writer was killed.
+/// Warns of a record whose writer was killed. Throws files::FileError where a record is damaged.
 void play_record(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
   if (exports::replay_observations_csv(record, sink)) {
     spdlog::warn("the last line of {} is incomplete; everything before it was read",
                  record.string());
+  }
+}
+
+/// Plays a record up to where it is damaged; answers how it is, empty where it is whole.
+std::string damage_of(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
+  try {
+    play_record(record, sink);
+    return "";
+  } catch (const files::FileError& error) {
+    return error.what();
   }
 }
 
@@ -70,11 +80,15 @@ void play_record(const std::filesystem::path& record, pipeline::ObservationSink&
 void play_run(const std::filesystem::path& run,
               pipeline::ObservationSink& sink,
               pipeline::RobotAtlas& atlas) {
-  play_record(run / kRecordName, sink);
-  for (std::size_t number = 1; exists(previous_map_of(run, number)); ++number) {
-    pipeline::ObservationLog former;
-    play_record(previous_map_of(run, number) / kRecordName, former);
-    atlas.set_aside(std::move(former));
+  std::string damage = damage_of(run / kRecordName, sink);
+  for (std::size_t number = 1; exists(stored_previous_map(run, number)); ++number) {
+    pipeline::ObservationLog previous;
+    const std::string more = damage_of(stored_previous_map(run, number) / kRecordName, previous);
+    damage += (damage.empty() || more.empty() ? "" : "\n") + more;
+    atlas.set_aside(std::move(previous));
+  }
+  if (!damage.empty()) {
+    throw files::FileError(damage);
   }
 }
 

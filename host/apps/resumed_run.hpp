@@ -23,15 +23,15 @@ inline double sim_seconds_of(const std::optional<ResumedRun>& run) {
 }
 
 /// Hands the record of the run in that directory to `sink`, which leads to `atlas`, and those of
-/// its former maps to the atlas. Throws files::FileError where a record is damaged; what comes
-/// before is handed on.
+/// its previous maps to the atlas. Of a damaged record it hands on what comes before the damage;
+/// after the last record it throws files::FileError, which names every damaged one.
 void play_run(const std::filesystem::path& run,
               pipeline::ObservationSink& sink,
               pipeline::RobotAtlas& atlas);
 
 /// Hands the record of the run in that directory to `sessions`, which lead to `atlas`, and those of
-/// its former maps to the atlas, and begins the next session there; does nothing for an empty path.
-/// Reads only. Throws CommandError 2 where the run has no record or is of another robot, and
+/// its previous maps to the atlas, and begins the next session there; does nothing for an empty
+/// path. Reads only. Throws CommandError 2 where the run has no record or is of another robot, and
 /// files::FileError where its files are damaged.
 std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
                                      const session::RobotProfile& profile,

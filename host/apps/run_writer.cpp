@@ -76,17 +76,17 @@ void RunWriter::save_previous_maps() {
   if (changes_saved_ == robot_.atlas().changes()) {
     return;
   }
-  const auto& former = robot_.atlas().previous_maps();
-  for (std::size_t i = 0; i < former.size(); ++i) {
+  const auto& previous = robot_.atlas().previous_maps();
+  for (std::size_t i = 0; i < previous.size(); ++i) {
     const fs::path folder = previous_map_of(out_, i + 1);
     exports::RunSummary summary = summary_;
     summary.outcome = "set-aside";
     fs::create_directories(folder);
-    exports::ObservationsFile(folder / kRecordName).save(former[i].record, false);
-    save_map(former[i].pipeline, robot_.profile(), folder, summary);
+    exports::ObservationsFile(folder / kRecordName).save(previous[i].record, false);
+    save_map(previous[i].pipeline, robot_.profile(), folder, summary);
   }
   changes_saved_ = robot_.atlas().changes();
-  previous_saved_ = std::max(previous_saved_, former.size());
+  previous_saved_ = std::max(previous_saved_, previous.size());
 }
 
 void RunWriter::remove_joined_maps() {

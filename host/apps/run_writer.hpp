@@ -47,7 +47,7 @@ class RunWriter {
   bool previous_is_renamed_ = false;
   exports::ObservationsFile record_;
   std::size_t changes_recorded_ = 0;  ///< Of the atlas's maps, when the record was saved.
-  std::size_t changes_saved_ = 0;     ///< When the former maps were.
+  std::size_t changes_saved_ = 0;     ///< When the previous maps were.
   std::size_t previous_saved_ = 0;    ///< Directories of maps that were set aside.
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/saved_map.hpp"
 
+#include <string>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -13,6 +14,15 @@ namespace echomap::apps {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// How earlier versions began the name of a previous map's folder: their runs can be resumed.
+constexpr const char* kOldPreviousPrefix = "former_";
+/// What one run writes beside its map and another does not.
+constexpr const char* kOptionalFiles[] = {"confidence_grid.csv", "landmarks.csv", "pose_graph.g2o"};
+
+fs::path old_previous_map_of(const fs::path& run, std::size_t number) {
+  return run / (kOldPreviousPrefix + std::to_string(number));
+}
 
 /// Renames a file or folder, in place of one that has that name.
 void move_aside(const fs::path& from, const fs::path& to) {
@@ -29,6 +39,15 @@ void move_aside(const fs::path& from, const fs::path& to) {
   }
 }
 
+/// Removes a file of an earlier run. Throws files::FileError.
+void remove_earlier(const fs::path& path) {
+  std::error_code failure;
+  fs::remove(path, failure);
+  if (failure) {
+    throw files::FileError(path.string() + " is in the way: " + failure.message());
+  }
+}
+
 void save_pose_graph(const pipeline::RobotPipeline& pipeline,
                      const fs::path& folder,
                      exports::RunSummary& summary) {
@@ -37,26 +56,31 @@ void save_pose_graph(const pipeline::RobotPipeline& pipeline,
     exports::write_pose_graph_g2o(folder / "pose_graph.g2o", pipeline.factor_graph());
     return;
   }
-  const fs::path earlier = folder / "pose_graph.g2o";
-  std::error_code failure;
-  fs::remove(earlier, failure);
-  if (failure) {
-    throw files::FileError(earlier.string() + " is in the way: " + failure.message());
-  }
+  remove_earlier(folder / "pose_graph.g2o");
 }
 
 }  // namespace
 
 fs::path previous_map_of(const fs::path& run, std::size_t number) {
-  const fs::path folder = run / fmt::format("previous_{}", number);
-  const fs::path of_old_version = run / fmt::format("{}_{}", "former", number);
+  return run / fmt::format("previous_{}", number);
+}
+
+fs::path stored_previous_map(const fs::path& run, std::size_t number) {
+  const fs::path of_old_version = old_previous_map_of(run, number);
+  const fs::path folder = previous_map_of(run, number);
   return !exists(folder) && exists(of_old_version) ? of_old_version : folder;
 }
 
 void move_earlier_run_aside(const fs::path& out) {
   move_aside(out / kRecordName, out / kPreviousRecordName);
-  for (std::size_t number = 1; exists(previous_map_of(out, number)); ++number) {
-    move_aside(previous_map_of(out, number), previous_map_of(out, number).string() + ".before");
+  for (std::size_t number = 1; exists(stored_previous_map(out, number)); ++number) {
+    for (const fs::path& folder :
+         {previous_map_of(out, number), old_previous_map_of(out, number)}) {
+      move_aside(folder, folder.string() + ".before");
+    }
+  }
+  for (const char* name : kOptionalFiles) {
+    remove_earlier(out / name);
   }
 }
 

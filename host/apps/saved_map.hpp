@@ -18,11 +18,15 @@ inline constexpr const char* kPreviousRecordName = "observations.before.csv";
 /// The profile of the robot that drove, as it was then.
 inline constexpr const char* kProfileName = "robot.toml";
 
-/// The folder of a run's map that was set aside, in its directory: 1 is the earliest.
+/// The folder that a run writes a map into that was set aside, in its directory: 1 is the earliest.
 std::filesystem::path previous_map_of(const std::filesystem::path& run, std::size_t number);
 
-/// Renames the record and the former maps of an earlier run in the same directory. Throws
-/// files::FileError.
+/// The folder to read that map from: `previous_map_of`, or the one that an older version of echomap
+/// wrote where only that one exists.
+std::filesystem::path stored_previous_map(const std::filesystem::path& run, std::size_t number);
+
+/// Renames the record and the previous maps of an earlier run in the same directory, and removes
+/// those of its files that the next run might not write. Throws files::FileError.
 void move_earlier_run_aside(const std::filesystem::path& out);
 
 /// Writes the map of a pipeline into its run directory, with the pose graph of its SLAM and the

@@ -6,7 +6,8 @@
 namespace echomap::models {
 
 /// alpha1 to alpha4 of Mukherjee et al., section VI, which they took from 70 drives of an iRobot
-/// Create.
+/// Create. The numbers are in their order: alpha1 is the turn's error from driving and alpha2 that
+/// from turning, which Thrun et al. (2005, table 5.6) number the other way round.
 struct LinearOdometryMotionParams {
   double alpha1_rad_per_m = 0.0145444;   ///< alpha1: 0.3 degrees in 360 mm.
   double alpha2 = 0.0027778;             ///< alpha2: 1 degree in 360.

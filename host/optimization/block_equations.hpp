@@ -10,27 +10,27 @@
 
 namespace echomap::optimization {
 
-/// Derivatives of a residual of `kRows` numbers by the unknowns of one block.
+/// Holds the derivatives of a residual of `kRows` numbers by the unknowns of one block.
 template <int kRows, int kSize>
 struct BlockJacobian {
   std::size_t block = 0;
   Eigen::Matrix<double, kRows, kSize> jacobian = Eigen::Matrix<double, kRows, kSize>::Zero();
 };
 
-/// The rows of the equations that belong to a block.
+/// Says which rows of the equations belong to a block.
 struct BlockRows {
   Eigen::Index first = 0;
   Eigen::Index count = 0;  ///< 0 for a fixed block.
 };
 
-/// What BlockEquations say.
+/// Holds what BlockEquations determine.
 struct BlockSolution {
   Eigen::VectorXd step;          ///< Of all free blocks.
   double log_determinant = 0.0;  ///< Of the information matrix.
   Eigen::MatrixXd covariance;    ///< Marginal, of the block that was asked for.
   std::vector<BlockRows> blocks;
 
-  /// The step of one block of `kSize` unknowns; zero for a fixed one.
+  /// Returns the step of one block of `kSize` unknowns; it is zero for a fixed one.
   template <int kSize>
   Eigen::Matrix<double, kSize, 1> step_of(std::size_t block) const {
     const BlockRows& rows = blocks[block];
@@ -40,12 +40,12 @@ struct BlockSolution {
   }
 };
 
-/// The normal equations of weighted least squares over many blocks of unknowns, as poses and
-/// landmarks: sparse, since each factor joins few of them (Grisetti et al. 2010, section IV;
-/// Kuemmerle et al. 2011). Fixed blocks leave the equations.
+/// Collects the normal equations of weighted least squares over many blocks of unknowns, as poses
+/// and landmarks. They are sparse, since each factor joins few of them (Grisetti et al. 2010,
+/// section IV; Kuemmerle et al. 2011). Fixed blocks leave the equations.
 class BlockEquations {
  public:
-  /// The number of the new block; they count from 0.
+  /// Adds a block of unknowns and returns its number; they count from 0.
   std::size_t add_block(Eigen::Index size);
   std::size_t add_fixed_block() { return add_block(0); }
 
@@ -66,15 +66,18 @@ class BlockEquations {
     (add_rows(by), ...);
   }
 
-  /// The same for a residual of one number, weighted by the inverse of its variance.
+  /// Does the same for a residual of one number, weighted by the inverse of its variance.
   template <int... kSizes>
   void add(double residual, double information, const BlockJacobian<1, kSizes>&... by) {
     using Scalar = Eigen::Matrix<double, 1, 1>;
     add<1, kSizes...>(Scalar(residual), Scalar(information), by...);
   }
 
-  /// The step of Gauss and Newton by a sparse Cholesky factorisation, on request with the marginal
-  /// covariance of one block that is not fixed. Empty where the equations do not determine it.
+  /// Returns the step of Gauss and Newton by a sparse Cholesky factorisation, on request with the
+  /// marginal covariance of one block that is not fixed. It is empty unless the information matrix
+  /// is positive definite: where a block, or the whole graph, may move without an error, even if
+  /// some step would solve the equations. The caller then fixes a block, adds a prior, or leaves
+  /// its estimate as it is.
   std::optional<BlockSolution> solve(std::optional<std::size_t> covariance_of = {}) const;
 
  private:

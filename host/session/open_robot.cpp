@@ -48,7 +48,7 @@ OpenedRobot open_robot(const ConnectionOptions& options, const Seed& seed) {
     return {connection_on_a_desk(options), nullptr};
   }
   OpenedRobot robot;
-  robot.connection.session_id = session_id_from(seed.of(SeedPurpose::kSessionId));
+  robot.connection.session_id = session_id_from(seed.number());
   robot.connection.stream =
       choose_port(candidate_ports(options.ports), opener(options), robot.connection.session_id);
   robot.lockstep = std::make_unique<transport::LockstepChannel>(options.lockstep);

@@ -2,6 +2,7 @@
 #include "host/session/robot_context.hpp"
 
 #include <chrono>
+#include <stdexcept>
 #include <utility>
 
 #include "host/exploration/atlas_explorer.hpp"
@@ -58,7 +59,10 @@ void RobotContext::connect() {
 }
 
 exploration::MotionResult RobotContext::execute(const exploration::Motion& motion) {
-  const auto changed = atlas_ ? exploration::change_maps(*atlas_, motion) : std::nullopt;
+  if (!atlas_) {
+    throw std::logic_error("RobotContext::execute: begin_maps comes first");
+  }
+  const auto changed = exploration::change_maps(*atlas_, motion);
   return changed ? *changed : session_->execute(motion);
 }
 

@@ -38,7 +38,8 @@ class RobotContext {
   /// Connects the session and lets the follower begin. Throws as RobotSession::connect and
   /// Follower::begin do.
   void connect();
-  /// Carries out one motion of the robot, or one decision about its maps.
+  /// Carries out one motion of the robot, or one decision about its maps. Throws std::logic_error
+  /// before `begin_maps`.
   exploration::MotionResult execute(const exploration::Motion& motion);
   /// Ends a simulated robot; false where it ended without its truth, or is none.
   bool quit() { return lockstep_ && lockstep_->quit(); }

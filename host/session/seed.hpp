@@ -6,15 +6,11 @@
 
 namespace echomap::session {
 
-/// What random numbers of a run are for. All values are 0 today, so that all streams of one seed
-/// are the same numbers, as in the runs that are published; another value would tell a stream
-/// apart.
+/// What random numbers of a run are for.
 enum class SeedPurpose : std::uint32_t {
-  kSimulation = 0,  ///< The world, the body and the line, in the simulated robot's own program.
-  kSessionId = 0,   ///< Of a simulated robot; that of a real one has to be new every time.
   kStrategy = 0,
-  kLocalizer = 0,
-  kStopDriver = 0,
+  kLocalizer = 1,
+  kStopDriver = 2,
 };
 
 /// The seed of a run, from which every random number of it comes.
@@ -22,11 +18,19 @@ class Seed {
  public:
   explicit Seed(std::uint32_t number) : number_(number) {}
 
-  /// That of one stream, for a program or a class that makes its own generator of it.
-  std::uint32_t of(SeedPurpose purpose) const {
-    return number_ ^ static_cast<std::uint32_t>(purpose);
+  /// The number that the user gave: for reports, and for programs that make streams of their own of
+  /// it, as the simulated robot does.
+  std::uint32_t number() const { return number_; }
+
+  /// Makes the generator of one purpose; the streams of two purposes are independent. The strategy
+  /// has the plain stream of the number, so that the runs of a seed are those that are published.
+  std::mt19937 generator(SeedPurpose purpose) const {
+    if (purpose == SeedPurpose::kStrategy) {
+      return std::mt19937(number_);
+    }
+    std::seed_seq mixed{number_, static_cast<std::uint32_t>(purpose)};
+    return std::mt19937(mixed);
   }
-  std::mt19937 generator(SeedPurpose purpose) const { return std::mt19937(of(purpose)); }
 
  private:
   std::uint32_t number_;

@@ -38,7 +38,7 @@ SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
   std::vector<std::string> command{program_of(options.emulator),
                                    "--world=" + options.world,
                                    "--robot=" + body.string(),
-                                   "--seed=" + std::to_string(seed.of(SeedPurpose::kSimulation)),
+                                   "--seed=" + std::to_string(seed.number()),
                                    "--link=" + port(),
                                    "--lockstep=" + socket(),
                                    "--truth=" + truth_.string()};

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <regex>
 #include <string>
 #include <string_view>
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 const fs::path tree_root = ECHOMAP_SOURCE_DIR;
 const std::string this_file = "tests/structure/language_test.cpp";
@@ -32,6 +34,24 @@ struct Replacement {
   std::string_view pattern;  ///< ECMAScript.
   std::string_view instead;
 };
+
+/// A file that has to write a word that the table replaces.
+struct Exception {
+  std::string_view path;
+  std::string_view hint;  ///< Of the word's entry in the table.
+  std::string_view reason;
+};
+
+constexpr Exception kExceptions[] = {
+    {"host/apps/saved_map.cpp", "former_", "reads the folders of runs of an older version"},
+    {"tests/host/apps/saved_map_test.cpp", "former_", "makes such folders"},
+};
+
+bool is_excepted(const SourceFile& file, const Replacement& word) {
+  return std::any_of(std::begin(kExceptions), std::end(kExceptions), [&](const Exception& each) {
+    return each.path == file.path && each.hint == word.hint;
+  });
+}
 
 // clang-format off
 constexpr Replacement kReplacements[] = {
@@ -130,7 +150,9 @@ Problems language_problems(const std::vector<SourceFile>& files) {
       continue;
     }
     for (const Replacement& word : kReplacements) {
-      find_words(file, word, problems);
+      if (!is_excepted(file, word)) {
+        find_words(file, word, problems);
+      }
     }
   }
   return problems;
@@ -207,32 +229,73 @@ TEST(Language, CatchesAWordOfOurOwnMakingAndSaysTheTerm) {
                           HasSubstr("host/x.hpp:5: 'start anew'; write start again")));
 }
 
+/// One line for every entry of the table, in its order.
+constexpr std::string_view kFound[] = {
+    "most_particles",
+    "least_points",
+    "widest_gap_m",
+    "farthest_off_m",
+    "kMostCells",
+    "kLeastReadings",
+    "double x_sd_m = 0.1;",
+    "double range_std_m = 0.1;",
+    "kRangeSdM",
+    "kRangeStdM",
+    "half_opening_rad",
+    "ConeOpening",
+    "most_way_m",
+    "by_pose",
+    "by_landmark",
+    "resample_where_few_count()",
+    "surprise_of(x)",
+    "kernel_share",
+    "OdometryBelief",
+    "OdometryTrust",
+    "turn_by_drive_rad_per_m",
+    "move_past(pose)",
+    "aslant_missed_chance",
+    "NearMapper",
+    "near_mapper",
+    "near_grid",
+    "far_grid_",
+    "KeptWayParams",
+    "kept_way",
+    "LandmarkSlamByBeams",
+    "RunKeeper",
+    "MapsTeller",
+    "DrivenRobot",
+    "former_maps",
+    "FormerMap",
+    "begin_anew",
+    "put it down and start anew",
+    "particles are drawn anew",
+    "goes on with {}",
+    "session 0 stands for none",
+    "where few count",
+    "parameters without sense",
+    "values that make no sense",
+    "a parameter is outside of its range",
+    "every parameter is above 0",
+    "found itself in the map of before",
+    "the robot did not look for itself",
+    "one range wherever it looks",
+    "the line is cut off, and all before it is read",
+    "--slam grid",
+};
+
 TEST(Language, CatchesEveryEntryOfItsTable) {
-  for (const char* line : {"least_points",
-                           "widest_gap_m",
-                           "kMostCells",
-                           "kRangeSdM",
-                           "half_opening_rad",
-                           "ConeOpening",
-                           "most_way_m",
-                           "by_pose",
-                           "surprise_of(x)",
-                           "kernel_share",
-                           "OdometryBelief",
-                           "turn_by_drive_rad_per_m",
-                           "aslant_missed_chance",
-                           "NearMapper",
-                           "KeptWayParams",
-                           "LandmarkSlamByBeams",
-                           "MapsTeller",
-                           "former_maps",
-                           "FormerMap",
-                           "begin_anew",
-                           "session 0 stands for none",
-                           "parameters without sense",
-                           "--slam grid"}) {
-    EXPECT_EQ(language_problems({{"host/x.cpp", {line}}}).size(), 1U) << line;
+  ASSERT_EQ(std::size(kFound), std::size(kReplacements));
+  for (std::size_t i = 0; i < std::size(kFound); ++i) {
+    Problems problems;
+    find_words({"host/x.cpp", {std::string(kFound[i])}}, kReplacements[i], problems);
+    EXPECT_EQ(problems.size(), 1U) << kReplacements[i].hint << " in: " << kFound[i];
   }
+}
+
+TEST(Language, ExceptsAWordOnlyInTheFileThatNeedsIt) {
+  EXPECT_THAT(language_problems({{"host/apps/saved_map.cpp", {"former_1"}}}), IsEmpty());
+  EXPECT_THAT(language_problems({{"host/apps/saved_map.cpp", {"near_grid"}}}), SizeIs(1));
+  EXPECT_THAT(language_problems({{"host/apps/run_writer.cpp", {"former_1"}}}), SizeIs(1));
 }
 
 TEST(Language, CatchesLiteralsThatWereSplitWithinALine) {

@@ -207,6 +207,19 @@ TEST_F(RunTest, BuildsAndRunsWhatItsTierNames) {
   EXPECT_THAT(run_test("--asan").output, HasSubstr("-LE structure|hil|full\n"));
 }
 
+TEST_F(RunTest, BuildsAProgramBeforeItRunsItsCases) {
+  const fs::path program = build_ / "bin" / "long_test";
+  fs::create_directories(program.parent_path());
+  std::ofstream(program)
+      << "#!/bin/sh\n"
+         "case $* in *list*) printf 'Pose2.\\n  Turns\\n' ;; *) echo ran ;; esac\n";
+  fs::permissions(program, fs::perms::owner_all);
+  const std::string output = run_test("--cases 'Pose2*'").output;
+  const std::size_t ran = output.find("\nran\n");
+  ASSERT_NE(ran, std::string::npos) << output;
+  EXPECT_LT(output.find("--target long_test\n"), ran) << output;
+}
+
 TEST_F(RunTest, TellsTheSlowestCasesAndWhatAllTook) {
   const std::string output = run_test("--quick").output;
   EXPECT_THAT(output,

@@ -50,6 +50,7 @@ TEST_F(ExploreAndSave, ThrowsWhereTheBoardDoesNotTakeTheProfileAndLeavesItDisarm
   cable.robot.answer = protocol::CommandStatus::kOutOfRange;
   EXPECT_THROW(explore(), console::CommandError);
   EXPECT_FALSE(cable.robot.armed);
+  EXPECT_FALSE(robot.on_step) << "it would draw the progress of an exploration that is over";
 }
 
 TEST_F(ExploreAndSave, SavesTheMapWhereTheBoardTakesItsProfileNoMore) {

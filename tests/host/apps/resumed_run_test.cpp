@@ -59,17 +59,37 @@ TEST_F(ResumedRunTest, LeavesOutHalfALineAtTheEndOfTheRecord) {
 }
 
 TEST_F(ResumedRunTest, KnowsTheMapsThatTheRobotWasCarriedAwayFrom) {
-  const std::string former = "kind,stamp_us,values\nodometry,500,0.5,0.5\nbegin-scan\nend-scan\n";
+  const std::string previous = "kind,stamp_us,values\nodometry,500,0.5,0.5\nbegin-scan\nend-scan\n";
   record("carried,900,0.5,0.5,0,0,0\nodometry,1000,0.6,0.6\n");
   summarise(R"({"robot": "uno_2wd", "sim_seconds": 56.5})");
   for (std::size_t number : {1U, 2U}) {
     std::filesystem::create_directories(previous_map_of(run.path(), number));
-    files::write_text_file(previous_map_of(run.path(), number) / kRecordName, former);
+    files::write_text_file(previous_map_of(run.path(), number) / kRecordName, previous);
   }
   ASSERT_TRUE(resume());
   ASSERT_EQ(atlas.previous_maps().size(), 2U);
   EXPECT_EQ(atlas.previous_maps().front().record.scans(), 1U);
   EXPECT_NEAR(atlas.pipeline().snapshot().latest.T_map_robot.x_m(), 0.1, 1e-12);
+}
+
+TEST_F(ResumedRunTest, PlaysTheLaterMapsWhereAnEarlierOneIsDamaged) {
+  record("odometry,1000,0.6,0.6\n");
+  const std::string header = "kind,stamp_us,values\n";
+  const std::string stop = "odometry,500,0.5,0.5\nbegin-scan\nend-scan\n";
+  std::size_t number = 0;
+  for (const std::string& lines : {stop + "odometry,1\n", std::string("odometry,1\n"), stop}) {
+    const auto folder = previous_map_of(run.path(), ++number);
+    std::filesystem::create_directories(folder);
+    files::write_text_file(folder / kRecordName, header + lines);
+  }
+  EXPECT_THAT(tests::thrown_text<files::FileError>([&] { play_run(run.path(), atlas, atlas); }),
+              AllOf(HasSubstr("previous_1/observations.csv:5"),
+                    HasSubstr("previous_2/observations.csv:2"),
+                    ::testing::Not(HasSubstr("previous_3"))));
+  ASSERT_EQ(atlas.previous_maps().size(), 3U);
+  EXPECT_EQ(atlas.previous_maps()[0].record.scans(), 1U) << "up to the damage";
+  EXPECT_EQ(atlas.previous_maps()[1].record.scans(), 0U);
+  EXPECT_EQ(atlas.previous_maps()[2].record.scans(), 1U);
 }
 
 TEST_F(ResumedRunTest, NeedsARecordWithARobotsWay) {

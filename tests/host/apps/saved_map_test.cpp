@@ -46,5 +46,40 @@ TEST(SavedMap, MovesAsideWhatAnEarlierRunHasLeft) {
   EXPECT_FALSE(exists(previous_map_of(out.path(), 1)));
 }
 
+TEST(SavedMap, MovesAsideThePreviousMapsOfBothNames) {
+  const tests::ScratchFolder out;
+  for (const char* name : {"previous_1", "former_1", "former_2"}) {
+    std::filesystem::create_directories(out / name);
+  }
+  move_earlier_run_aside(out.path());
+  EXPECT_FALSE(exists(stored_previous_map(out.path(), 1)));
+  EXPECT_FALSE(exists(stored_previous_map(out.path(), 2)));
+  for (const char* name : {"previous_1.before", "former_1.before", "former_2.before"}) {
+    EXPECT_TRUE(exists(out / name)) << name;
+  }
+}
+
+TEST(SavedMap, ReadsAPreviousMapOfAnOlderVersionAndWritesNoneOfThatName) {
+  const tests::ScratchFolder run;
+  std::filesystem::create_directories(run / "former_1");
+  EXPECT_EQ(stored_previous_map(run.path(), 1), run / "former_1");
+  EXPECT_EQ(previous_map_of(run.path(), 1), run / "previous_1");
+  std::filesystem::create_directories(run / "previous_1");
+  EXPECT_EQ(stored_previous_map(run.path(), 1), run / "previous_1");
+  EXPECT_FALSE(exists(stored_previous_map(run.path(), 2)));
+}
+
+TEST(SavedMap, RemovesWhatTheNextRunMayNotWrite) {
+  const tests::ScratchFolder out;
+  for (const char* name : {"confidence_grid.csv", "landmarks.csv", "pose_graph.g2o", "notes.txt"}) {
+    files::write_text_file(out / name, "old");
+  }
+  move_earlier_run_aside(out.path());
+  EXPECT_FALSE(exists(out / "confidence_grid.csv"));
+  EXPECT_FALSE(exists(out / "landmarks.csv"));
+  EXPECT_FALSE(exists(out / "pose_graph.g2o"));
+  EXPECT_TRUE(exists(out / "notes.txt")) << "not echomap's";
+}
+
 }  // namespace
 }  // namespace echomap::apps

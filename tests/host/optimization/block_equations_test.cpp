@@ -88,5 +88,30 @@ TEST(BlockEquations, SayNothingWhereABlockHangsOnNothing) {
   EXPECT_FALSE(equations.solve());
 }
 
+/// A chain of three numbers whose differences are measured: it may be shifted as a whole.
+BlockEquations free_chain() {
+  BlockEquations equations;
+  using One = Eigen::Matrix<double, 1, 1>;
+  for (int i = 0; i < 3; ++i) {
+    equations.add_block(1);
+  }
+  for (const std::size_t i : {0U, 1U}) {
+    equations.add<1, 1>(-1.0, 1.0, {i, One(-1.0)}, {i + 1, One(1.0)});
+  }
+  return equations;
+}
+
+TEST(BlockEquations, SayNothingOfAGraphThatMayMoveAsAWhole) {
+  EXPECT_FALSE(free_chain().solve()) << "though a shift of any size solves the equations";
+}
+
+TEST(BlockEquations, DetermineThatGraphOnceAPriorHoldsIt) {
+  BlockEquations equations = free_chain();
+  equations.add<1>(0.0, 1.0, {0, Eigen::Matrix<double, 1, 1>(1.0)});
+  const BlockSolution solution = equations.solve().value();
+  EXPECT_NEAR(solution.step_of<1>(0)[0], 0.0, 1e-12);
+  EXPECT_NEAR(solution.step_of<1>(2)[0], 2.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace echomap::optimization

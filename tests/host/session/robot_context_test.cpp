@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host/session/robot_context.hpp"
 
+#include <cstdint>
 #include <memory>
+#include <random>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -92,6 +96,13 @@ TEST_F(RobotContextTest, CarriesOutWhatIsDecidedAboutTheMaps) {
   EXPECT_EQ(stops(), 1U) << "the last is of the new map";
 }
 
+TEST_F(RobotContextTest, ExecutesNothingBeforeItsMapsHaveBegun) {
+  RobotContext without_maps(profile, Seed(1));
+  without_maps.open({new_connection(), nullptr});
+  EXPECT_THROW(without_maps.execute(exploration::Turn{0.5}), std::logic_error);
+  EXPECT_THROW(without_maps.execute(exploration::JoinMaps{}), std::logic_error);
+}
+
 TEST_F(RobotContextTest, CannotEndARealRobot) {
   open_and_connect();
   EXPECT_EQ(context.lockstep(), nullptr);
@@ -99,11 +110,22 @@ TEST_F(RobotContextTest, CannotEndARealRobot) {
   EXPECT_GT(now_s(context.session()), 0.0);
 }
 
-TEST(Seed, MakesTheSameNumbersAgain) {
-  const Seed seed(7);
-  auto random = seed.generator(SeedPurpose::kStrategy);
-  EXPECT_EQ(random(), std::mt19937(7)()) << "as in the runs that are published";
-  EXPECT_EQ(seed.of(SeedPurpose::kSimulation), 7U);
+TEST(Seed, LetsTheStrategyRepeatThePublishedRuns) {
+  EXPECT_EQ(Seed(7).generator(SeedPurpose::kStrategy), std::mt19937(7));
+  EXPECT_EQ(Seed(7).number(), 7U);
+}
+
+TEST(Seed, GivesEveryPurposeAStreamOfItsOwn) {
+  std::set<std::mt19937::result_type> firsts;
+  for (const std::uint32_t number : {1U, 2U, 3U}) {
+    for (const SeedPurpose purpose :
+         {SeedPurpose::kStrategy, SeedPurpose::kLocalizer, SeedPurpose::kStopDriver}) {
+      auto random = Seed(number).generator(purpose);
+      EXPECT_EQ(random, Seed(number).generator(purpose)) << "the same again";
+      firsts.insert(random());
+    }
+  }
+  EXPECT_EQ(firsts.size(), 9U);
 }
 
 }  // namespace
