@@ -28,7 +28,7 @@ constexpr double kThinnestRad = geometry::radians(2.0);
 struct SonarCharacter {
   std::size_t sweeps = 0;
   std::vector<sensors::SweptWall> walls;
-  sensors::PooledBeamWidth opening;
+  sensors::PooledBeamWidth beam_width;
   std::vector<sensors::IncidenceNoise> noise;
 };
 
@@ -78,25 +78,25 @@ SonarCharacter character_of(const CharacteriseOptions& options) {
   if (pooled->mean.beam_width_rad < kThinnestRad) {
     fail(options, "its beams are as thin as a laser's, which has no cone");
   }
-  character.opening = *pooled;
+  character.beam_width = *pooled;
   character.noise = sensors::noise_by_incidence(character.walls, kIncidenceStepRad);
   return character;
 }
 
 /// To the tenth of a degree: the bounds are wider.
 double suggested_half_angle_deg(const SonarCharacter& character) {
-  return 0.1 * std::round(5.0 * degrees(character.opening.mean.beam_width_rad));
+  return 0.1 * std::round(5.0 * degrees(character.beam_width.mean.beam_width_rad));
 }
 
 nlohmann::ordered_json to_json(const SonarCharacter& character) {
-  const sensors::PooledBeamWidth& opening = character.opening;
+  const sensors::PooledBeamWidth& beam_width = character.beam_width;
   nlohmann::ordered_json json{
       {"sweeps", character.sweeps},
       {"walls", character.walls.size()},
-      {"beam_width_deg", degrees(opening.mean.beam_width_rad)},
-      {"beam_width_low_deg", degrees(opening.mean.low_rad)},
-      {"beam_width_high_deg", degrees(opening.mean.high_rad)},
-      {"beam_width_spread_deg", degrees(opening.spread_rad)},
+      {"beam_width_deg", degrees(beam_width.mean.beam_width_rad)},
+      {"beam_width_low_deg", degrees(beam_width.mean.low_rad)},
+      {"beam_width_high_deg", degrees(beam_width.mean.high_rad)},
+      {"beam_width_spread_deg", degrees(beam_width.spread_rad)},
       {"suggested_beam_half_angle_deg", suggested_half_angle_deg(character)},
       {"range_noise", nlohmann::ordered_json::array()}};
   for (const sensors::IncidenceNoise& row : character.noise) {
@@ -110,14 +110,14 @@ nlohmann::ordered_json to_json(const SonarCharacter& character) {
 }
 
 void print(const SonarCharacter& character) {
-  const sensors::PooledBeamWidth& opening = character.opening;
+  const sensors::PooledBeamWidth& beam_width = character.beam_width;
   console::print(fmt::format("{} walls in {} sweeps", character.walls.size(), character.sweeps));
   console::print(fmt::format(
       "  beam width {:.1f} +- {:.1f} degrees from wall to wall, mean between {:.1f} and {:.1f}",
-      degrees(opening.mean.beam_width_rad),
-      degrees(opening.spread_rad),
-      degrees(opening.mean.low_rad),
-      degrees(opening.mean.high_rad)));
+      degrees(beam_width.mean.beam_width_rad),
+      degrees(beam_width.spread_rad),
+      degrees(beam_width.mean.low_rad),
+      degrees(beam_width.mean.high_rad)));
   console::print("  incidence   readings   bias   stddev");
   for (const sensors::IncidenceNoise& row : character.noise) {
     console::print(fmt::format("  {:2.0f} .. {:2.0f} deg {:8d} {:7.1f} mm {:6.1f} mm",

@@ -11,6 +11,7 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/replay_run.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/saved_map.hpp"
 #include "host/apps/whole_records.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
@@ -204,11 +205,18 @@ void print_what_was_made(const exports::RunSummary& summary,
   }
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& log) {
+  return std::filesystem::is_directory(log) ? log : std::filesystem::absolute(log).parent_path();
+}
+
 ExitCode replay_log(const ReplayOptions& options) {
   const auto start = Clock::now();
   const auto log = datasets::open_log(options.log, options.format);
   const auto out = run_folder(options.out);
   prepare_outputs(out, options.json);
+  if (!std::filesystem::equivalent(folder_of(options.log), out)) {
+    move_earlier_run_aside(out);
+  }
   PlayedLog played(options);
   console::ProgressBar progress(stderr, !options.headless);
   const auto [outcome, damage] = played.play(*log, progress);

@@ -163,8 +163,8 @@ console::ExitCode replay_run(const ReplayOptions& options) {
     move_earlier_run_aside(out);
   }
   for (std::size_t i = 0; i < atlas.previous_maps().size(); ++i) {
-    const pipeline::PreviousMap& former = atlas.previous_maps()[i];
-    save_played({former.record, former.pipeline, slam},
+    const pipeline::PreviousMap& previous = atlas.previous_maps()[i];
+    save_played({previous.record, previous.pipeline, slam},
                 profile,
                 stored_previous_map(options.log, i + 1),
                 previous_map_of(out, i + 1));

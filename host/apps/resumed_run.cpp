@@ -39,7 +39,7 @@ RunFacts read_facts(const std::filesystem::path& summary) {
   }
 }
 
-void require_record(const std::filesystem::path& run) {
+void validate_record(const std::filesystem::path& run) {
   if (!std::filesystem::exists(run / kRecordName)) {
     throw CommandError(ExitCode::kUsage,
                        "cannot resume " + run.string() + ": it has no " + kRecordName +
@@ -47,9 +47,9 @@ void require_record(const std::filesystem::path& run) {
   }
 }
 
-void require_same_robot(const std::filesystem::path& run,
-                        const std::string& robot,
-                        const RobotProfile& profile) {
+void validate_same_robot(const std::filesystem::path& run,
+                         const std::string& robot,
+                         const RobotProfile& profile) {
   if (robot != profile.name) {
     throw CommandError(ExitCode::kUsage,
                        "cannot resume " + run.string() + ": its robot is '" + robot + "', not '" +
@@ -99,9 +99,9 @@ std::optional<ResumedRun> resume_run(const std::filesystem::path& run,
   if (run.empty()) {
     return std::nullopt;
   }
-  require_record(run);
+  validate_record(run);
   const RunFacts facts = read_facts(run / "summary.json");
-  require_same_robot(run, facts.robot, profile);
+  validate_same_robot(run, facts.robot, profile);
   play_run(run, sessions, atlas);
   sessions.begin_next();
   const auto snapshot = atlas.pipeline().snapshot();

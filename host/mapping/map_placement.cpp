@@ -46,31 +46,31 @@ void add_walls(const PlaceableMap& of,
 }
 
 MapPlacement placed_at(const Pose2& T_previous_later,
-                       const PlaceableMap& former,
+                       const PlaceableMap& previous,
                        const PlaceableMap& later,
                        const MapPlacementParams& params) {
   MapPlacement placement{T_previous_later};
-  add_walls(later, former, T_previous_later, params, placement);
-  add_walls(former, later, T_previous_later.inverse(), params, placement);
+  add_walls(later, previous, T_previous_later, params, placement);
+  add_walls(previous, later, T_previous_later.inverse(), params, placement);
   return placement;
 }
 
 /// What lies under a point of the later map, summed over its points for all their places on the
-/// former one.
+/// previous one.
 struct Lattice {
   ShiftedSums walls;
   ShiftedSums floor;
 };
 
-Lattice lattice_of(const PlaceableMap& former, const MapPlacementParams& params) {
-  const RasterMap& map = former.map();
+Lattice lattice_of(const PlaceableMap& previous, const MapPlacementParams& params) {
+  const RasterMap& map = previous.map();
   std::vector<float> for_wall;
   std::vector<float> for_floor;
   for (int y = 0; y < map.rows(); ++y) {
     for (int x = 0; x < map.columns(); ++x) {
       const Eigen::Vector2d center_m = map.center_m({x, y});
-      const bool contradicts = former.is_deep_in_floor(center_m, params.floor_depth_m);
-      const double wall = former.wall_at(center_m, kCoarseStddevM);
+      const bool contradicts = previous.is_deep_in_floor(center_m, params.floor_depth_m);
+      const double wall = previous.wall_at(center_m, kCoarseStddevM);
       for_wall.push_back(static_cast<float>(contradicts ? -MapPlacement::kContradiction : wall));
       for_floor.push_back(map.state({x, y}) == CellState::kOccupied ? -1.0F : 0.0F);
     }
@@ -116,25 +116,25 @@ void keep_best(std::vector<Candidate>& found) {
 }
 
 /// Poses on the lattice, the best first.
-std::vector<Candidate> coarse_search(const PlaceableMap& former,
+std::vector<Candidate> coarse_search(const PlaceableMap& previous,
                                      const PlaceableMap& later,
                                      const MapPlacementParams& params) {
-  const Lattice lattice = lattice_of(former, params);
+  const Lattice lattice = lattice_of(previous, params);
   const Points walls_m = some_of(later.walls_m(), kCoarsePoints);
   const Points all_floor_m = later.deep_floor_m(params.floor_depth_m);
   const Points floor_m = some_of(all_floor_m, kCoarsePoints);
   // Both count in metres of the map, not in points that were taken.
   const float per_floor = static_cast<float>(MapPlacement::kContradiction) *
                           share_of(walls_m, later.walls_m()) / share_of(floor_m, all_floor_m);
-  const double cell_m = former.map().resolution_m();
+  const double cell_m = previous.map().resolution_m();
   const int turns = static_cast<int>(std::ceil(2.0 * std::numbers::pi / kCoarseStepRad));
   std::vector<Candidate> found;
   for (int turn = 0; turn < turns; ++turn) {
     const Pose2 turned(0.0, 0.0, geometry::wrap_angle(turn * 2.0 * std::numbers::pi / turns));
-    const auto walls = cells_of(former.map(), walls_m, turned);
-    const EvenShifts shifts = shifts_onto(former.map(), walls);
+    const auto walls = cells_of(previous.map(), walls_m, turned);
+    const EvenShifts shifts = shifts_onto(previous.map(), walls);
     const auto of_walls = lattice.walls.over(walls, shifts);
-    const auto of_floor = lattice.floor.over(cells_of(former.map(), floor_m, turned), shifts);
+    const auto of_floor = lattice.floor.over(cells_of(previous.map(), floor_m, turned), shifts);
     for (std::size_t i = 0; i < of_walls.size(); ++i) {
       if (of_walls[i] > 0.0F) {
         const int x = shifts.first.x + 2 * (static_cast<int>(i) % shifts.columns);
@@ -181,18 +181,19 @@ std::vector<Candidate> apart(const std::vector<Candidate>& candidates,
 
 }  // namespace
 
-std::vector<MapPlacement> find_placements(const PlaceableMap& former,
+std::vector<MapPlacement> find_placements(const PlaceableMap& previous,
                                           const PlaceableMap& later,
                                           const MapPlacementParams& params) {
-  if (former.walls_m().empty() || later.walls_m().empty()) {
+  if (previous.walls_m().empty() || later.walls_m().empty()) {
     return {};
   }
   const Eigen::Vector2d pivot_m = mean_of(later.walls_m());
   const auto placed = [&](const Pose2& T_previous_later) {
-    return placed_at(T_previous_later, former, later, params);
+    return placed_at(T_previous_later, previous, later, params);
   };
   std::vector<MapPlacement> found;
-  for (const Candidate& candidate : apart(coarse_search(former, later, params), pivot_m, params)) {
+  for (const Candidate& candidate :
+       apart(coarse_search(previous, later, params), pivot_m, params)) {
     found.push_back(
         placed(climbed(candidate.T_previous_later, pivot_m, {}, [&](const Pose2& T_previous_later) {
           return placed(T_previous_later).weight_m();

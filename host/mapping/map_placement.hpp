@@ -42,10 +42,10 @@ struct MapPlacement {
   double weight_m() const { return common_m - kContradiction * contradicting_m; }
 };
 
-/// All ways to lay `later` onto `former` that walls and floor speak for, wherever it may lie and
+/// All ways to lay `later` onto `previous` that walls and floor speak for, wherever it may lie and
 /// however turned, the best first: correlative matching (Olson 2009) on a coarse lattice, and finer
 /// around the best of them. Both maps have one resolution.
-std::vector<MapPlacement> find_placements(const PlaceableMap& former,
+std::vector<MapPlacement> find_placements(const PlaceableMap& previous,
                                           const PlaceableMap& later,
                                           const MapPlacementParams& params = {});
 

@@ -72,26 +72,26 @@ bool RobotAtlas::join() {
   return false;
 }
 
-bool RobotAtlas::look_in(PreviousMap& former, const mapping::PlaceableMap& map) const {
+bool RobotAtlas::look_in(PreviousMap& previous, const mapping::PlaceableMap& map) const {
   const auto placement = mapping::sure_placement(
-      mapping::find_placements(former.map, map, params_.placement), params_.placement);
+      mapping::find_placements(previous.map, map, params_.placement), params_.placement);
   if (!placement) {
-    former.agreeing_stops = 0;
+    previous.agreeing_stops = 0;
     return false;
   }
   const auto& T_previous_map = placement->T_previous_later;
   const geometry::Pose2 T_before_now =
-      former.T_previous_map.value_or(T_previous_map).inverse() * T_previous_map;
+      previous.T_previous_map.value_or(T_previous_map).inverse() * T_previous_map;
   const bool agrees = T_before_now.position_m().norm() <= params_.same_m &&
                       std::abs(T_before_now.heading_rad()) <= params_.same_rad;
-  former.agreeing_stops = agrees ? former.agreeing_stops + 1 : 1;
-  former.T_previous_map = T_previous_map;
-  return former.agreeing_stops >= params_.agreeing_stops;
+  previous.agreeing_stops = agrees ? previous.agreeing_stops + 1 : 1;
+  previous.T_previous_map = T_previous_map;
+  return previous.agreeing_stops >= params_.agreeing_stops;
 }
 
 void RobotAtlas::take(ObservationLog record) {
-  for (PreviousMap& former : previous_) {
-    former.agreeing_stops = 0;
+  for (PreviousMap& previous : previous_) {
+    previous.agreeing_stops = 0;
   }
   record_ = std::move(record);
   pipeline_ = replayed(record_, make_());

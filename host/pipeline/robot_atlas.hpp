@@ -51,8 +51,8 @@ class RobotAtlas final : public AnyObservationSink {
   /// Adds an earlier map of the same robot in front of those in the atlas.
   void set_aside(ObservationLog record);
 
-  /// To be called after a stop: looks for the robot's map in the former ones, the latest first, and
-  /// joins it to one where it has found it for some stops in a row. Answers whether it has.
+  /// To be called after a stop: looks for the robot's map in the previous ones, the latest first,
+  /// and joins it to one where it has found it for some stops in a row. Answers whether it has.
   bool join();
 
   /// Pipeline of the current map; the reference stays valid.
@@ -68,7 +68,7 @@ class RobotAtlas final : public AnyObservationSink {
 
  private:
   void take(ObservationLog record);
-  bool look_in(PreviousMap& former, const mapping::PlaceableMap& map) const;
+  bool look_in(PreviousMap& previous, const mapping::PlaceableMap& map) const;
 
   MakePipeline make_;
   RobotAtlasParams params_;

@@ -224,7 +224,7 @@ SweptWall wall_of(Echoes dip) {
 /// No wall is surer than the grid.
 double weight_of(const SweptWall& wall) {
   const double width_rad =
-      std::max(wall.opening.high_rad - wall.opening.low_rad, 2.0 * kGridStepRad);
+      std::max(wall.beam_width.high_rad - wall.beam_width.low_rad, 2.0 * kGridStepRad);
   return 1.0 / (width_rad * width_rad);
 }
 
@@ -261,12 +261,12 @@ std::optional<PooledBeamWidth> pooled_beam_width(std::span<const SweptWall> wall
   double sum_rad = 0.0;
   for (const SweptWall& wall : walls) {
     weights += weight_of(wall);
-    sum_rad += weight_of(wall) * wall.opening.beam_width_rad;
+    sum_rad += weight_of(wall) * wall.beam_width.beam_width_rad;
   }
   const double mean_rad = sum_rad / weights;
   double squares = 0.0;
   for (const SweptWall& wall : walls) {
-    squares += weight_of(wall) * std::pow(wall.opening.beam_width_rad - mean_rad, 2);
+    squares += weight_of(wall) * std::pow(wall.beam_width.beam_width_rad - mean_rad, 2);
   }
   const double count = static_cast<double>(walls.size());
   const double spread_rad = std::sqrt(squares / weights * count / (count - 1.0));

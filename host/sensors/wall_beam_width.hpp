@@ -35,7 +35,7 @@ struct SweptWall {
   /// Where the wall is nearest, and how near.
   double bearing_rad = 0.0;
   double range_m = 0.0;
-  BeamWidth opening;
+  BeamWidth beam_width;
   double residual_m = 0.0;
   std::size_t readings = 0;
   std::vector<WallReading> heard;  ///< All of these readings.

@@ -17,10 +17,10 @@ namespace {
 /// From one odometry scale to the next that is tried.
 constexpr double kScaleStep = 1.5;
 
-bool is_sound(const OdometryNoiseHypothesis& belief) {
-  return belief.steady_scale > 0.0 && std::isfinite(belief.steady_scale) &&
-         belief.min_scale > 0.0 && belief.min_scale <= belief.max_scale &&
-         std::isfinite(belief.max_scale);
+bool is_sound(const OdometryNoiseHypothesis& hypothesis) {
+  return hypothesis.steady_scale > 0.0 && std::isfinite(hypothesis.steady_scale) &&
+         hypothesis.min_scale > 0.0 && hypothesis.min_scale <= hypothesis.max_scale &&
+         std::isfinite(hypothesis.max_scale);
 }
 
 }  // namespace
@@ -39,11 +39,11 @@ MultiscanSlam::MultiscanSlam(const MultiscanSlamParams& params)
   validate(params.patches);
   validate(params.matching);
   validate(params.alignment);
-  for (const OdometryNoiseHypothesis& belief : params.noise_hypotheses) {
+  for (const OdometryNoiseHypothesis& hypothesis : params.noise_hypotheses) {
     MultiscanGraph& graph = graphs_.emplace_back();
     graph.multiscans.emplace_back();
-    graph.odometry_scale = std::clamp(1.0, belief.min_scale, belief.max_scale);
-    graph.steady_scale = belief.steady_scale;
+    graph.odometry_scale = std::clamp(1.0, hypothesis.min_scale, hypothesis.max_scale);
+    graph.steady_scale = hypothesis.steady_scale;
   }
 }
 
@@ -128,12 +128,13 @@ void MultiscanSlam::align_whole() {
   }
 }
 
-void MultiscanSlam::learn_odometry_scale(const OdometryNoiseHypothesis& belief,
+void MultiscanSlam::learn_odometry_scale(const OdometryNoiseHypothesis& hypothesis,
                                          const std::vector<PatchMatch>& matches,
                                          MultiscanGraph& graph) const {
   std::set<double> scales;
   for (const double factor : {1.0 / kScaleStep, 1.0, kScaleStep}) {
-    scales.insert(std::clamp(factor * graph.odometry_scale, belief.min_scale, belief.max_scale));
+    scales.insert(
+        std::clamp(factor * graph.odometry_scale, hypothesis.min_scale, hypothesis.max_scale));
   }
   if (scales.size() < 2) {
     return;

@@ -79,7 +79,7 @@ class MultiscanSlam final : public SlamMethod {
   void align_whole();
   /// Takes the odometry's scale under which all measurements are the least surprising (empirical
   /// Bayes). So good odometry is hardly bent by echoes that are only a little off.
-  void learn_odometry_scale(const OdometryNoiseHypothesis& belief,
+  void learn_odometry_scale(const OdometryNoiseHypothesis& hypothesis,
                             const std::vector<PatchMatch>& matches,
                             MultiscanGraph& graph) const;
   /// Of all that was measured. Nothing is matched farther than surfaces are off: who hopes for

@@ -2,6 +2,8 @@
 #include "tests/benchmarks/figures.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,8 +11,38 @@
 #include "host/files/atomic_file.hpp"
 
 namespace echomap::bench {
+namespace {
+
+std::string cpu_name() {
+  std::ifstream lines("/proc/cpuinfo");
+  const std::string key = "model name";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(key) && line.find(": ") != std::string::npos) {
+      return line.substr(line.find(": ") + 2);
+    }
+  }
+  return "unknown";
+}
+
+constexpr const char* isa_name() {
+#if defined(__AVX512F__)
+  return "AVX-512";
+#elif defined(__AVX2__)
+  return "AVX2";
+#elif defined(__SSE4_2__)
+  return "SSE4.2";
+#elif defined(__SSE2__)
+  return "SSE2";
+#else
+  return "no vectors";
+#endif
+}
+
+}  // namespace
 
 void report(const std::vector<Figure>& figures, const std::filesystem::path& json) {
+  const std::string cpu = cpu_name();
+  fmt::print("on {}, compiled for {}\n", cpu, isa_name());
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::size_t width = 28;
   for (const Figure& figure : figures) {
@@ -38,7 +70,10 @@ void report(const std::vector<Figure>& figures, const std::filesystem::path& jso
                     {"peers", figure.peers}});
   }
   if (!json.empty()) {
-    files::write_text_file(json, nlohmann::ordered_json{{"figures", list}}.dump(2) + "\n");
+    files::write_text_file(
+        json,
+        nlohmann::ordered_json{{"cpu", cpu}, {"isa", isa_name()}, {"figures", list}}.dump(2) +
+            "\n");
   }
 }
 

@@ -17,7 +17,8 @@ struct Figure {
   std::map<std::string, double> peers;
 };
 
-/// Prints a table on stdout and writes {"figures": [..]} to `json` unless it is empty. Throws
+/// Prints a table on stdout, below the processor and the instruction set that this was compiled
+/// for, and writes {"cpu": .., "isa": .., "figures": [..]} to `json` unless it is empty. Throws
 /// files::FileError.
 void report(const std::vector<Figure>& figures, const std::filesystem::path& json);
 

@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "host/files/atomic_file.hpp"
 #include "host/session/child_process.hpp"
@@ -71,23 +70,20 @@ std::vector<Figure> function_figures(const std::vector<SourceFile>& product) {
 }
 
 /// What `./run test` has measured; a tier that has not been run has no figure.
-std::vector<Figure> tier_figures(const std::filesystem::path& file) {
+std::vector<Figure> tier_figures(const std::filesystem::path& folder) {
   std::vector<Figure> figures;
-  const auto tiers = std::filesystem::exists(file)
-                         ? nlohmann::json::parse(files::read_text_file(file))
-                         : nlohmann::json::object();
   for (const char* name : {"fresh_test_minutes", "quick_minutes"}) {
-    if (tiers.contains(name)) {
-      figures.push_back({name, tiers.at(name).get<double>(), "min", 1, {}});
+    if (std::filesystem::exists(folder / name)) {
+      figures.push_back({name, std::stod(files::read_text_file(folder / name)), "min", 1, {}});
     } else {
-      fmt::print(stderr, "{} has no {}: not measured\n", file.string(), name);
+      fmt::print(stderr, "no {}: not measured in this tree\n", name);
     }
   }
   return figures;
 }
 
-Figure replay_figure(std::uint32_t seeds) {
-  const std::vector<LiveRun> runs = live_runs(seeds);
+Figure replay_figure(std::uint32_t seeds, const std::string& emulator) {
+  const std::vector<LiveRun> runs = live_runs(seeds, emulator);
   std::size_t identical = 0;
   for (const LiveRun& run : runs) {
     const std::vector<std::string> differences = differences_of_replay(run);
@@ -106,15 +102,15 @@ Figure replay_figure(std::uint32_t seeds) {
   return {name, static_cast<double>(identical), "runs", runs.size(), {}};
 }
 
-std::vector<Figure> figures_of(std::uint32_t seeds) {
+std::vector<Figure> figures_of(std::uint32_t seeds, const std::string& emulator) {
   const auto product = product_of(structure::read_source_tree(ECHOMAP_SOURCE_DIR));
   std::vector<Figure> figures = size_figures(product);
   const auto append = [&](const std::vector<Figure>& more) {
     figures.insert(figures.end(), more.begin(), more.end());
   };
   append(function_figures(product));
-  append(tier_figures(std::filesystem::path(ECHOMAP_BINARY_DIR) / "tiers.json"));
-  append({replay_figure(seeds)});
+  append(tier_figures(std::filesystem::path(ECHOMAP_BINARY_DIR) / "tiers"));
+  append({replay_figure(seeds, emulator)});
   return figures;
 }
 
@@ -123,11 +119,14 @@ std::vector<Figure> figures_of(std::uint32_t seeds) {
 
 int main(int argc, char** argv) {
   std::uint32_t seeds = 20;
+  std::string emulator = "mock";
   std::filesystem::path json;
   CLI::App app("Size and shape of the code, waiting times of a contributor, live against replay");
   app.add_option("--seeds", seeds, "Replay the demo room with seeds 1 to this")
       ->capture_default_str();
+  app.add_option("--emulator", emulator, "Of all runs but the kidnapped one, which the mock makes")
+      ->capture_default_str();
   app.add_option("--json", json, "Write the figures to this file");
   CLI11_PARSE(app, argc, argv);
-  echomap::bench::report(echomap::bench::figures_of(seeds), json);
+  echomap::bench::report(echomap::bench::figures_of(seeds, emulator), json);
 }

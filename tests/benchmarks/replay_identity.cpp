@@ -34,7 +34,7 @@ bool demo(const LiveRun& run, const TemporaryFolder& folder) {
                 "demo",
                 "--headless",
                 "--no-kidnap",
-                "--emulator=mock",
+                "--emulator=" + run.emulator,
                 "--world=" + run.room,
                 "--seed=" + std::to_string(run.seed),
                 "--out=" + (folder / "live").string()};
@@ -98,7 +98,7 @@ bool is_same(const std::filesystem::path& one, const std::filesystem::path& othe
 
 }  // namespace
 
-std::vector<LiveRun> live_runs(std::uint32_t seeds) {
+std::vector<LiveRun> live_runs(std::uint32_t seeds, const std::string& emulator) {
   std::vector<LiveRun> runs;
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
     runs.push_back({kDemoRoom, seed});
@@ -108,6 +108,9 @@ std::vector<LiveRun> live_runs(std::uint32_t seeds) {
   }
   runs.push_back({kDemoRoom, 1, "board-reset@20"});
   runs.push_back({kDemoRoom, 1, {}, "30,2,3.2,1.0,90"});
+  for (LiveRun& run : runs) {
+    run.emulator = emulator;
+  }
   return runs;
 }
 

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/udp.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -158,12 +156,6 @@ TEST_F(Localize, GoesOnFromAnywhereWhenTheRobotWasLifted) {
 /// missing. The frame of the fixes is the world's.
 class LocalizeUnderACamera : public Localize {
  protected:
-  /// A port of this machine that nobody has now.
-  static std::string free_port() {
-    boost::asio::io_context io;
-    const boost::asio::ip::udp::socket socket(io, {boost::asio::ip::make_address("127.0.0.1"), 0});
-    return std::to_string(socket.local_endpoint().port());
-  }
   Ended follow(const std::string& kind,
                const std::string& seed,
                const std::vector<std::string>& more = {}) {

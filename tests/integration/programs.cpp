@@ -3,6 +3,8 @@
 
 #include <csignal>
 
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
 #include <gtest/gtest.h>
 
 #include "host/files/atomic_file.hpp"
@@ -29,6 +31,12 @@ Ended Program::wait(std::chrono::seconds limit) {
     ADD_FAILURE() << log_ << " belongs to a program that does not end";
   }
   return {status.value_or(-1), files::read_text_file(log_)};
+}
+
+std::string free_port() {
+  boost::asio::io_context io;
+  const boost::asio::ip::udp::socket socket(io, {boost::asio::ip::make_address("127.0.0.1"), 0});
+  return std::to_string(socket.local_endpoint().port());
 }
 
 }  // namespace echomap::test

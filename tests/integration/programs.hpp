@@ -33,6 +33,9 @@ class Program {
   session::ChildProcess process_;
 };
 
+/// A UDP port of this machine that nobody has now.
+std::string free_port();
+
 using tests::eventually;
 
 }  // namespace echomap::test

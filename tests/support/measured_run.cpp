@@ -50,9 +50,10 @@ int main(int argc, char** argv) {
   const int status = wait_for(child);
   rusage usage{};
   getrusage(RUSAGE_CHILDREN, &usage);
-  std::printf("measured: %.2f s of processor, %ld MB\n",
+  std::printf("measured: %.2f s of processor, %ld MB, exit status %d\n",
               seconds(usage.ru_utime) + seconds(usage.ru_stime),
-              usage.ru_maxrss / 1024);
+              usage.ru_maxrss / 1024,
+              WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
   std::fflush(stdout);
   if (WIFSIGNALED(status)) {
     std::signal(WTERMSIG(status), SIG_DFL);

@@ -57,9 +57,9 @@ TEST(SweptWalls, FindsTheOpeningOfTheCone) {
   for (const double beam_width_deg : {15.0, 32.8, 45.0}) {
     const auto walls = swept_walls(sweep_past({{90.0, 0.6}}, beam_width_deg));
     ASSERT_EQ(walls.size(), 1U) << beam_width_deg;
-    EXPECT_NEAR(geometry::degrees(walls[0].opening.beam_width_rad), beam_width_deg, 4.0);
-    EXPECT_LE(walls[0].opening.low_rad, radians(beam_width_deg));
-    EXPECT_GE(walls[0].opening.high_rad, radians(beam_width_deg));
+    EXPECT_NEAR(geometry::degrees(walls[0].beam_width.beam_width_rad), beam_width_deg, 4.0);
+    EXPECT_LE(walls[0].beam_width.low_rad, radians(beam_width_deg));
+    EXPECT_GE(walls[0].beam_width.high_rad, radians(beam_width_deg));
     EXPECT_NEAR(geometry::degrees(walls[0].bearing_rad), 90.0, 2.0);
     EXPECT_NEAR(walls[0].range_m, 0.6, 0.01);
   }
@@ -84,8 +84,10 @@ TEST(SweptWalls, IsTheSameWhereverTheSweepBeginsAndWhicheverWayItGoes) {
   ASSERT_EQ(begun_amidst.size(), 1U);
   ASSERT_EQ(turned_back.size(), 1U);
   EXPECT_EQ(begun_amidst[0].readings, begun_behind[0].readings);
-  EXPECT_NEAR(begun_amidst[0].opening.beam_width_rad, begun_behind[0].opening.beam_width_rad, 1e-9);
-  EXPECT_NEAR(turned_back[0].opening.beam_width_rad, begun_behind[0].opening.beam_width_rad, 1e-9);
+  EXPECT_NEAR(
+      begun_amidst[0].beam_width.beam_width_rad, begun_behind[0].beam_width.beam_width_rad, 1e-9);
+  EXPECT_NEAR(
+      turned_back[0].beam_width.beam_width_rad, begun_behind[0].beam_width.beam_width_rad, 1e-9);
 }
 
 TEST(SweptWalls, PassesOverWhatIsNoWall) {
@@ -105,9 +107,9 @@ TEST(SweptWalls, RefusesParametersWithoutSense) {
 
 TEST(PooledBeamWidth, IsTheMeanWithStudentsBounds) {
   std::vector<SweptWall> walls(3);
-  walls[0].opening.beam_width_rad = 0.4;
-  walls[1].opening.beam_width_rad = 0.5;
-  walls[2].opening.beam_width_rad = 0.6;
+  walls[0].beam_width.beam_width_rad = 0.4;
+  walls[1].beam_width.beam_width_rad = 0.5;
+  walls[2].beam_width.beam_width_rad = 0.6;
   const auto pooled = pooled_beam_width(walls);
   ASSERT_TRUE(pooled);
   EXPECT_NEAR(pooled->mean.beam_width_rad, 0.5, 1e-12);
