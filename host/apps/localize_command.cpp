@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <string>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,8 @@
 #include "host/apps/localize_run.hpp"
 #include "host/apps/map_file.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/resumed_run.hpp"
+#include "host/apps/saved_map.hpp"
 #include "host/apps/whole_records.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
@@ -16,7 +19,9 @@
 #include "host/datasets/open_log.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/log_player.hpp"
+#include "host/pipeline/observation_sink.hpp"
 #include "host/pipeline/robot_localizer.hpp"
+#include "host/session/robot_profile.hpp"
 #include "host/session/seed.hpp"
 #include "host/tracking/localize_troubles.hpp"
 #include "host/tracking/mcl_filter.hpp"
@@ -40,7 +45,25 @@ class StatusLine {
   localization::LocalizationStatus last_ = localization::LocalizationStatus::kRecovering;
 };
 
-/// Plays the log until it ends or the user has had enough; answers whether it ended.
+/// Says so after each stop.
+class ReportingSink final : public pipeline::AnyObservationSink {
+ public:
+  explicit ReportingSink(pipeline::RobotLocalizer& localizer) : localizer_(localizer) {}
+
+  void on(const sensors::Observation& observation) override {
+    pipeline::hand_on(observation, localizer_);
+    if (std::holds_alternative<sensors::EndScan>(observation)) {
+      status_.report(localizer_.belief(), localizer_.scans());
+    }
+  }
+
+ private:
+  pipeline::RobotLocalizer& localizer_;
+  StatusLine status_;
+};
+
+/// Plays the log of another robot until it ends or the user has had enough; answers whether it
+/// ended.
 bool play(datasets::LogReader& log,
           pipeline::RobotLocalizer& localizer,
           console::ProgressBar& progress) {
@@ -61,6 +84,35 @@ bool play(datasets::LogReader& log,
   return false;
 }
 
+/// Plays what a run has recorded, or else a log; answers whether it ended.
+bool play(const LocalizeOptions& options, pipeline::RobotLocalizer& localizer) {
+  if (is_recorded_run(options.log)) {
+    ReportingSink sink(localizer);
+    play_record(options.log / kRecordName, sink);
+    return true;
+  }
+  const auto log = datasets::open_log(options.log, options.format);
+  console::ProgressBar progress(stderr, !options.run.headless);
+  const bool has_ended = play(*log, localizer, progress);
+  progress.clear();
+  return has_ended;
+}
+
+pipeline::RobotLocalizer localizer_for(const LocalizeOptions& options) {
+  const auto random = session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer);
+  if (is_recorded_run(options.log)) {
+    const session::RobotProfile profile =
+        session::load_robot_profile((options.log / kProfileName).string());
+    return {read_map(options.map),
+            profile.geometry,
+            tracking::localizer_params(profile, options.preset),
+            random};
+  }
+  pipeline::RobotLocalizerParams params;
+  params.preset = options.preset;
+  return {read_map(options.map), {}, params, random};
+}
+
 nlohmann::ordered_json log_report(const LocalizeOptions& options,
                                   const pipeline::RobotLocalizer& localizer) {
   nlohmann::ordered_json json{{"log", options.log.filename().string()},
@@ -73,21 +125,12 @@ nlohmann::ordered_json log_report(const LocalizeOptions& options,
 }
 
 ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::path& out) {
-  const auto log = datasets::open_log(options.log, options.format);
-  pipeline::RobotLocalizerParams params;
-  params.preset = options.preset;
-  pipeline::RobotLocalizer localizer(
-      read_map(options.map),
-      {},
-      params,
-      session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer));
+  pipeline::RobotLocalizer localizer = localizer_for(options);
   if (const auto start = tracking::start_pose(options.at)) {
     localizer.start_at(start->T_map_robot, start->stddev_m, start->stddev_rad);
   }
-  console::ProgressBar progress(stderr, !options.run.headless);
-  const bool has_ended = play(*log, localizer, progress);
-  progress.clear();
-  if (localizer.belief().hypotheses.empty()) {
+  const bool has_ended = play(options, localizer);
+  if (localizer.scans() == 0 || localizer.belief().hypotheses.empty()) {
     throw CommandError(ExitCode::kRuntimeError,
                        tracking::why_nowhere(localizer, options.log, options.map));
   }

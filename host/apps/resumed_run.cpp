@@ -57,14 +57,6 @@ void validate_same_robot(const std::filesystem::path& run,
   }
 }
 
-/// Warns of a record whose writer was killed. Throws files::FileError where a record is damaged.
-void play_record(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
-  if (exports::replay_observations_csv(record, sink)) {
-    spdlog::warn("the last line of {} is incomplete; everything before it was read",
-                 record.string());
-  }
-}
-
 /// Plays a record up to where it is damaged; answers how it is, empty where it is whole.
 std::string damage_of(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
   try {
@@ -76,6 +68,18 @@ std::string damage_of(const std::filesystem::path& record, pipeline::Observation
 }
 
 }  // namespace
+
+bool is_recorded_run(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) && exists(path / kRecordName) &&
+         exists(path / kProfileName);
+}
+
+void play_record(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
+  if (exports::replay_observations_csv(record, sink)) {
+    spdlog::warn("the last line of {} is incomplete; everything before it was read",
+                 record.string());
+  }
+}
 
 void play_run(const std::filesystem::path& run,
               pipeline::ObservationSink& sink,

@@ -22,6 +22,13 @@ inline double sim_seconds_of(const std::optional<ResumedRun>& run) {
   return run ? run->sim_seconds : 0.0;
 }
 
+/// Whether a run has left its record and the profile of its robot in that directory.
+bool is_recorded_run(const std::filesystem::path& path);
+
+/// Hands a record to `sink`. Warns of one whose writer was killed. Throws files::FileError where it
+/// is damaged; what comes before is handed on.
+void play_record(const std::filesystem::path& record, pipeline::ObservationSink& sink);
+
 /// Hands the record of the run in that directory to `sink`, which leads to `atlas`, and those of
 /// its previous maps to the atlas. Of a damaged record it hands on what comes before the damage;
 /// after the last record it throws files::FileError, which names every damaged one.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -101,6 +102,26 @@ class Localize : public ::testing::Test {
   tests::ScratchFolder scratch;
   std::unique_ptr<Program> robot;
 };
+
+TEST_F(Localize, FindsTheRobotOfARunByWhatTheRunRecorded) {
+  explore();
+  const Ended ended =
+      Program("echomap",
+              {"localize", at("map"), "--map=" + at("map"), "--headless", "--out=" + at("run")},
+              scratch / "log")
+          .wait();
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(summary().at("status"), "localized");
+  const auto run = read_trajectory_tum(scratch / "map/trajectory.tum");
+  const auto found = read_trajectory_tum(scratch / "run/trajectory.tum");
+  const auto at_the_end = std::find_if(
+      run.begin(), run.end(), [&](const auto& pose) { return pose.stamp >= found.back().stamp; });
+  ASSERT_NE(at_the_end, run.end());
+  const Pose2 apart = at_the_end->T_map_robot.inverse() * found.back().T_map_robot;
+  EXPECT_LT(apart.position_m().norm(), 0.2);
+  EXPECT_LT(std::abs(apart.heading_rad()), geometry::radians(12.0));
+  EXPECT_EQ(summary().at("scans"), found.size()) << "as many scans as stops, silence included";
+}
 
 TEST_F(Localize, FindsARobotThatMayBeAnywhere) {
   explore();
