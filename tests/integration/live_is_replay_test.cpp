@@ -22,6 +22,7 @@ class LiveIsReplay : public ::testing::Test {
  protected:
   /// The demo on the native mock, without the kidnapping at its end.
   void drive(const std::vector<std::string>& more) {
+    fs::remove_all(run);
     std::vector<std::string> arguments{
         "demo", "--emulator=mock", "--no-kidnap", "--headless", "--out=" + run.string()};
     arguments.insert(arguments.end(), more.begin(), more.end());
