@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::evaluation {
 namespace {
@@ -141,15 +142,12 @@ void add_regions(LostFloor lost,
 }
 
 void validate(const MapDifferenceParams& params) {
-  for (const double value : {params.border_m,
-                             params.same_wall_m,
-                             params.wall_reach_m,
-                             params.reach_m,
-                             params.area_scale_m2}) {
-    if (!(value > 0.0)) {
-      throw std::invalid_argument("map difference: distances and the area must be above 0");
-    }
-  }
+  geometry::ParameterValidator("map difference")
+      .positive("border_m", params.border_m)
+      .positive("same_wall_m", params.same_wall_m)
+      .positive("wall_reach_m", params.wall_reach_m)
+      .positive("reach_m", params.reach_m)
+      .positive("area_scale_m2", params.area_scale_m2);
 }
 
 }  // namespace

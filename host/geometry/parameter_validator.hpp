@@ -20,6 +20,13 @@ class ParameterValidator {
   const ParameterValidator& positive(std::string_view field, Number value) const {
     return above(field, value, 0);
   }
+  const ParameterValidator& positive_finite(std::string_view field, double value) const {
+    return finite(field, value).positive(field, value);
+  }
+  /// 0 or above.
+  const ParameterValidator& nonnegative_finite(std::string_view field, double value) const {
+    return finite(field, value).at_least(field, value, 0);
+  }
   template <typename Number, typename Bound>
   const ParameterValidator& above(std::string_view field, Number value, Bound low) const {
     return expect(as_double(value) > as_double(low), field, value, "is not above", low);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/localization/view_model.hpp"
 
 namespace echomap::localization {
@@ -14,9 +15,7 @@ namespace {
 constexpr double kFloorCellM = 0.05;
 
 double checked_radius(double radius_m) {
-  if (!(radius_m > 0.0)) {
-    throw std::invalid_argument("contact model: the radius of a body is above 0");
-  }
+  geometry::ParameterValidator("contact model").positive("radius_m", radius_m);
   return radius_m;
 }
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
 
 #include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
@@ -94,9 +93,7 @@ bool PolygonView::is_floor(const Eigen::Vector2d& point_m) const {
 }
 
 mapping::RasterMap rasterize(const mapping::PolygonMap& map, double resolution_m) {
-  if (!(resolution_m > 0.0)) {
-    throw std::invalid_argument("polygon view: a resolution is above 0");
-  }
+  geometry::ParameterValidator("polygon view").positive("resolution_m", resolution_m);
   Eigen::Vector2d low_m = map.outline_m().front();
   Eigen::Vector2d high_m = low_m;
   for (const Eigen::Vector2d& corner_m : map.outline_m()) {

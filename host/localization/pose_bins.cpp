@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/mapping/vector_clones.hpp"
 
 namespace echomap::localization {
@@ -55,9 +55,10 @@ PoseBins::PoseBins(const PoseBinSize& size)
     : metres_(size.metres),
       headings_(static_cast<std::int32_t>(std::lround(2.0 * std::numbers::pi / size.radians))),
       radians_(2.0 * std::numbers::pi / headings_) {
-  if (!(size.metres > 0.0) || !(size.radians > 0.0) || headings_ < 1) {
-    throw std::invalid_argument("pose bins: a size is above 0, and at most a turn");
-  }
+  geometry::ParameterValidator("pose bins")
+      .positive("metres", size.metres)
+      .positive("radians", size.radians)
+      .at_least("headings of so many radians", headings_, 1);
 }
 
 void PoseBins::locate(const Particles& particles,

@@ -2,10 +2,9 @@
 #include "host/localization/range_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_casting.hpp"
 
@@ -21,14 +20,11 @@ constexpr std::ptrdiff_t kEdgeRays = 2;
 
 const RangeTableParams& validated(const RangeTableParams& params, const mapping::RasterMap& map) {
   constexpr double kMaxCells = 2000.0;
-  const bool opening_ok =
-      params.beam_half_angle_rad >= 0.0 && params.beam_half_angle_rad < std::numbers::pi / 2.0;
-  const bool range_ok =
-      params.max_range_m > 0.0 && params.max_range_m <= kMaxCells * map.resolution_m();
-  if (!opening_ok || !range_ok) {
-    throw std::invalid_argument(
-        "range table: beam_half_angle_rad must be in [0, pi / 2), max_range_m in (0, 2000 cells]");
-  }
+  geometry::ParameterValidator("range table")
+      .at_least("beam_half_angle_rad", params.beam_half_angle_rad, 0)
+      .below("beam_half_angle_rad", params.beam_half_angle_rad, std::numbers::pi / 2.0)
+      .positive("max_range_m", params.max_range_m)
+      .at_most("max_range_m", params.max_range_m, kMaxCells * map.resolution_m());
   return params;
 }
 

@@ -5,10 +5,11 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
-#include <stdexcept>
 #include <stop_token>
 #include <thread>
 #include <vector>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::localization {
 
@@ -103,9 +104,7 @@ struct Workers::Crew {
 };
 
 Workers::Workers(int threads) : threads_(threads) {
-  if (threads < 1) {
-    throw std::invalid_argument("workers: at least one thread");
-  }
+  geometry::ParameterValidator("workers").at_least("threads", threads, 1);
   if (threads > 1) {
     crew_ = std::make_shared<Crew>(threads - 1);
   }

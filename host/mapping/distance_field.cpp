@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/mapping/row_minima.hpp"
 #include "host/mapping/vector_clones.hpp"
 
@@ -81,10 +81,10 @@ DistanceField::DistanceField(const RasterMap& map, double max_m)
       max_cells_(static_cast<float>(max_m / map.resolution_m())),
       reach_cells_(static_cast<std::int32_t>(
           std::ceil(std::min(max_m / map.resolution_m(), double{kMaxRowCells})))) {
-  if (!(max_m > 0.0) || columns_ > kMaxRowCells || rows_ > kMaxRowCells) {
-    throw std::invalid_argument(
-        "a distance field needs a greatest distance above 0 and at most 16384 cells along an edge");
-  }
+  geometry::ParameterValidator("distance field")
+      .positive("max_m", max_m)
+      .at_most("columns", columns_, kMaxRowCells)
+      .at_most("rows", rows_, kMaxRowCells);
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   update(map, {{0, 0}, {columns_ - 1, rows_ - 1}});
 }

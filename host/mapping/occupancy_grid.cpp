@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/whole_cell.hpp"
 
 namespace echomap::mapping {
@@ -36,15 +36,15 @@ CellBounds united(const CellBounds& one, const CellBounds& other) {
 }
 
 OccupancyGrid::OccupancyGrid(const OccupancyGridParams& params) : params_(params) {
-  const bool thresholds_ordered = params.free_threshold > 0.0 &&
-                                  params.free_threshold < params.occupied_threshold &&
-                                  params.occupied_threshold < 1.0;
+  constexpr int kMaxSteps = 127;
+  geometry::ParameterValidator("occupancy grid")
+      .positive("resolution_m", params.resolution_m)
+      .at_least("clamp_centilogits", params.clamp_centilogits, kStepCentilogits)
+      .below("clamp_centilogits", params.clamp_centilogits, (kMaxSteps + 1) * kStepCentilogits)
+      .positive("free_threshold", params.free_threshold)
+      .above("occupied_threshold", params.occupied_threshold, params.free_threshold)
+      .below("occupied_threshold", params.occupied_threshold, 1);
   const int clamp_steps = params.clamp_centilogits / kStepCentilogits;
-  if (!(params.resolution_m > 0.0) || clamp_steps < 1 || clamp_steps > 127 || !thresholds_ordered) {
-    throw std::invalid_argument(
-        "an occupancy grid needs a resolution above 0, a clamp of 5 to 639 hundredths and "
-        "thresholds with 0 < free < occupied < 1");
-  }
   limits_ = {static_cast<std::uint8_t>(kEvenByte - clamp_steps),
              static_cast<std::uint8_t>(kEvenByte + clamp_steps)};
   free_centilogits_ = to_centilogits(params.free_threshold);

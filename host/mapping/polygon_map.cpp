@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/polygon_simplification.hpp"
 #include "host/geometry/touching_sides.hpp"
 #include "host/mapping/raster_outline.hpp"
@@ -122,9 +123,9 @@ std::vector<Polygon> simplified(const std::vector<Polygon>& rings, double tolera
 }
 
 void validate(const PolygonMapParams& params) {
-  if (!(params.tolerance_m >= 0.0) || !(params.min_hole_m2 >= 0.0)) {
-    throw std::invalid_argument("a polygon map's tolerance and least hole are not below 0");
-  }
+  geometry::ParameterValidator("polygon map")
+      .at_least("tolerance_m", params.tolerance_m, 0)
+      .at_least("min_hole_m2", params.min_hole_m2, 0);
 }
 
 PolygonMap map_of(std::vector<Polygon> rings) {

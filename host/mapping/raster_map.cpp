@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/raster_map.hpp"
 
-#include <stdexcept>
-
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/whole_cell.hpp"
 
 namespace echomap::mapping {
@@ -11,9 +10,10 @@ using geometry::CellIndex;
 
 RasterMap::RasterMap(int columns, int rows, double resolution_m, const Eigen::Vector2d& origin_m)
     : columns_(columns), rows_(rows), resolution_m_(resolution_m), origin_m_(origin_m) {
-  if (columns < 1 || rows < 1 || !(resolution_m > 0.0)) {
-    throw std::invalid_argument("a raster map needs at least one cell and a resolution above 0");
-  }
+  geometry::ParameterValidator("raster map")
+      .at_least("columns", columns, 1)
+      .at_least("rows", rows, 1)
+      .positive("resolution_m", resolution_m);
   cells_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
                 CellState::kUnknown);
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
@@ -34,10 +34,9 @@ CellIndex sum(CellIndex one, CellIndex other) { return {one.x + other.x, one.y +
 }  // namespace
 
 RayInserter::RayInserter(const RayInsertionParams& params) : params_(params) {
-  if (params.hit_centilogits < kStepCentilogits || params.free_centilogits > -kStepCentilogits) {
-    throw std::invalid_argument(
-        "ray insertion: evidence of a hit is at least one step above 0, of a pass one below");
-  }
+  geometry::ParameterValidator("ray insertion")
+      .at_least("hit_centilogits", params.hit_centilogits, kStepCentilogits)
+      .at_most("free_centilogits", params.free_centilogits, -kStepCentilogits);
 }
 
 void RayInserter::insert(const geometry::Pose2& T_map_sensor,

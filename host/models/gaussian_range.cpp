@@ -3,16 +3,15 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::models {
 
 GaussianRange::GaussianRange(const GaussianRangeParams& params) : params_(params) {
-  for (const double length_m : {params.sense_stddev_m, params.max_range_m}) {
-    if (!(length_m > 0.0) || !std::isfinite(length_m)) {
-      throw std::invalid_argument("gaussian range: noise and range are above 0, and finite");
-    }
-  }
+  geometry::ParameterValidator("gaussian range")
+      .positive_finite("sense_stddev_m", params.sense_stddev_m)
+      .positive_finite("max_range_m", params.max_range_m);
 }
 
 double GaussianRange::likelihood(std::optional<double> range_m,

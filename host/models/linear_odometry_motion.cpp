@@ -2,20 +2,19 @@
 #include "host/models/linear_odometry_motion.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/models/uniform_sum.hpp"
 
 namespace echomap::models {
 
 LinearOdometryMotion::LinearOdometryMotion(const LinearOdometryMotionParams& params)
     : params_(params) {
-  for (const double share :
-       {params.alpha1_rad_per_m, params.alpha2, params.alpha3, params.alpha4_m_per_rad}) {
-    if (!(share >= 0.0) || !std::isfinite(share)) {
-      throw std::invalid_argument("linear odometry motion: an alpha is not negative, and finite");
-    }
-  }
+  geometry::ParameterValidator("linear odometry motion")
+      .nonnegative_finite("alpha1_rad_per_m", params.alpha1_rad_per_m)
+      .nonnegative_finite("alpha2", params.alpha2)
+      .nonnegative_finite("alpha3", params.alpha3)
+      .nonnegative_finite("alpha4_m_per_rad", params.alpha4_m_per_rad);
 }
 
 MotionSpread LinearOdometryMotion::spread(const OdometryStep& step) const {

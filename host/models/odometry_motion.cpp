@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/square.hpp"
 
 namespace echomap::models {
@@ -35,15 +35,12 @@ OdometryStep odometry_step(const geometry::Pose2& T_odom_before,
 }
 
 OdometryMotion::OdometryMotion(const OdometryMotionParams& params) : params_(params) {
-  for (const double share : {params.alpha1,
-                             params.alpha2_rad2_per_m2,
-                             params.alpha3,
-                             params.alpha4_m2_per_rad2,
-                             params.side_slip}) {
-    if (!(share >= 0.0) || !std::isfinite(share)) {
-      throw std::invalid_argument("odometry motion: a variance is not negative, and finite");
-    }
-  }
+  geometry::ParameterValidator("odometry motion")
+      .nonnegative_finite("alpha1", params.alpha1)
+      .nonnegative_finite("alpha2_rad2_per_m2", params.alpha2_rad2_per_m2)
+      .nonnegative_finite("alpha3", params.alpha3)
+      .nonnegative_finite("alpha4_m2_per_rad2", params.alpha4_m2_per_rad2)
+      .nonnegative_finite("side_slip", params.side_slip);
 }
 
 MotionSpread OdometryMotion::spread(const OdometryStep& step) const {

@@ -2,7 +2,8 @@
 #include "host/models/turn_forward_motion.hpp"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::models {
 
@@ -14,11 +15,9 @@ constexpr double kStill = 1e-6;
 }  // namespace
 
 TurnForwardMotion::TurnForwardMotion(const TurnForwardMotionParams& params) : params_(params) {
-  for (const double deviation : {params.turn_stddev_rad, params.forward_stddev_m}) {
-    if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
-      throw std::invalid_argument("turn and forward motion: noise is not negative, and finite");
-    }
-  }
+  geometry::ParameterValidator("turn and forward motion")
+      .nonnegative_finite("turn_stddev_rad", params.turn_stddev_rad)
+      .nonnegative_finite("forward_stddev_m", params.forward_stddev_m);
 }
 
 MotionSpread TurnForwardMotion::spread(const OdometryStep& step) const {

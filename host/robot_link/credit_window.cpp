@@ -8,7 +8,7 @@ namespace echomap::robot_link {
 
 CreditWindow::CreditWindow(const CreditParams& params) : params_(params) {
   if (params.release_after <= CreditParams::Duration::zero()) {
-    throw std::invalid_argument("credit: release_after must be positive");
+    throw std::invalid_argument("credit window: release_after is not above 0");
   }
 }
 

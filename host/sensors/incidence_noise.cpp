@@ -3,7 +3,8 @@
 
 #include <cmath>
 #include <map>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::sensors {
 
@@ -27,9 +28,7 @@ IncidenceNoise noise_of(const std::vector<double>& residuals_m) {
 }  // namespace
 
 std::vector<IncidenceNoise> noise_by_incidence(std::span<const SweptWall> walls, double step_rad) {
-  if (!(step_rad > 0.0)) {
-    throw std::invalid_argument("incidence noise: the step must be above 0");
-  }
+  geometry::ParameterValidator("incidence noise").positive("step_rad", step_rad);
   std::map<int, std::vector<double>> residuals_m;
   for (const SweptWall& wall : walls) {
     for (const WallReading& reading : wall.heard) {

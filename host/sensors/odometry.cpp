@@ -2,7 +2,8 @@
 #include "host/sensors/odometry.hpp"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::sensors {
 namespace {
@@ -21,9 +22,7 @@ geometry::Pose2 arc_step(double arc_m, double turn_rad) {
 }
 
 WheelOdometry::WheelOdometry(double track_m) : track_m_(track_m) {
-  if (!std::isfinite(track_m) || track_m <= 0.0) {
-    throw std::invalid_argument("odometry: track_m must be positive");
-  }
+  geometry::ParameterValidator("odometry").positive_finite("track_m", track_m);
 }
 
 const geometry::Pose2& WheelOdometry::update(const WheelTravel& travel) {

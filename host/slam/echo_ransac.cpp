@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include <Eigen/LU>
@@ -243,17 +242,13 @@ class FeatureSearch {
 }  // namespace
 
 void validate(const EchoRansacParams& params) {
-  for (const double value : {params.pair_reach_m,
-                             params.hearing.tolerance_m,
-                             params.range_stddev_m,
-                             params.max_gap_m,
-                             params.max_normal_stddev_rad,
-                             params.max_point_stddev_m}) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
-      throw std::invalid_argument("echo ransac: lengths and deviations are above 0 and finite");
-    }
-  }
   geometry::ParameterValidator("echo ransac")
+      .positive_finite("pair_reach_m", params.pair_reach_m)
+      .positive_finite("hearing.tolerance_m", params.hearing.tolerance_m)
+      .positive_finite("range_stddev_m", params.range_stddev_m)
+      .positive_finite("max_gap_m", params.max_gap_m)
+      .positive_finite("max_normal_stddev_rad", params.max_normal_stddev_rad)
+      .positive_finite("max_point_stddev_m", params.max_point_stddev_m)
       .at_least("min_wall_echoes", params.min_wall_echoes, 3)
       .at_least("min_point_echoes", params.min_point_echoes, 3)
       .at_least("hearing.max_incidence_rad", params.hearing.max_incidence_rad, 0.0);

@@ -4,25 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <stdexcept>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
 
 MultiscanGathering::MultiscanGathering(const MultiscanParams& params) : params_(params) {
-  for (const double value : {params.max_path_m,
-                             params.max_turned_rad,
-                             params.max_range_m,
-                             params.jump_m,
-                             params.jump_rad,
-                             static_cast<double>(params.max_echoes)}) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
-      throw std::invalid_argument("multiscan: a parameter is not above 0, or not finite");
-    }
-  }
+  geometry::ParameterValidator("multiscan")
+      .positive_finite("max_path_m", params.max_path_m)
+      .positive_finite("max_turned_rad", params.max_turned_rad)
+      .positive_finite("max_range_m", params.max_range_m)
+      .positive_finite("jump_m", params.jump_m)
+      .positive_finite("jump_rad", params.jump_rad)
+      .positive("max_echoes", params.max_echoes);
 }
 
 std::optional<OdometryPiece> MultiscanGathering::add(const geometry::Pose2& T_odom_robot,

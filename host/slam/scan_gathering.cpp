@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/slam/scan_gathering.hpp"
 
-#include <stdexcept>
-
+#include "host/geometry/parameter_validator.hpp"
 #include "host/sensors/range_scan.hpp"
 
 namespace echomap::slam {
@@ -23,12 +22,12 @@ std::vector<Eigen::Vector2d> spaced_points_m(const sensors::RangeScan& scan,
 }  // namespace
 
 ScanGathering::ScanGathering(const ScanGatheringParams& params) : params_(params) {
-  if (!(params.max_range_m > 0.0) || !(params.spacing_m >= 0.0) || params.min_points < 1 ||
-      !(params.max_distance_m > 0.0) || params.max_scans < 1) {
-    throw std::invalid_argument(
-        "scan gathering: a range above 0, no spacing below 0, at least one point and scan, and a "
-        "way above 0");
-  }
+  geometry::ParameterValidator("scan gathering")
+      .positive("max_range_m", params.max_range_m)
+      .at_least("spacing_m", params.spacing_m, 0)
+      .at_least("min_points", params.min_points, 1)
+      .positive("max_distance_m", params.max_distance_m)
+      .at_least("max_scans", params.max_scans, 1);
 }
 
 void ScanGathering::add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) {

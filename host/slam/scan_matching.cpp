@@ -2,12 +2,12 @@
 #include "host/slam/scan_matching.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include <Eigen/LU>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/optimization/gauss_newton.hpp"
 #include "host/optimization/normal_equations.hpp"
@@ -99,13 +99,14 @@ PointErrors linearized(std::span<const Eigen::Vector2d> points_m,
 }  // namespace
 
 ScanMatcher::ScanMatcher(const ScanMatchingParams& params) : params_(params) {
-  if (!(params.kernel > 0.0) || !(params.weight > 0.0) || params.max_iterations < 1 ||
-      params.max_coarse_iterations < 1 || params.turns < 0 || !(params.min_saving >= 0.0) ||
-      !(params.min_saving < 1.0)) {
-    throw std::invalid_argument(
-        "scan matching: kernel and weight are above 0, there is at least one iteration on each "
-        "level and no turn below 0, and what is saved is a share");
-  }
+  geometry::ParameterValidator("scan matching")
+      .positive("kernel", params.kernel)
+      .positive("weight", params.weight)
+      .at_least("max_iterations", params.max_iterations, 1)
+      .at_least("max_coarse_iterations", params.max_coarse_iterations, 1)
+      .at_least("turns", params.turns, 0)
+      .at_least("min_saving", params.min_saving, 0)
+      .below("min_saving", params.min_saving, 1);
 }
 
 ScanMatch ScanMatcher::match(std::span<const Eigen::Vector2d> points_m,

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::slam {
@@ -50,12 +50,10 @@ LandmarkSighting point_sighting(const HeardFeature& point, const SonarLandmarksP
 
 void validate(const SonarLandmarksParams& params) {
   validate(params.search);
-  for (const double stddev_m :
-       {params.wall_offset_stddev_m, params.wall_normal_stddev_rad, params.point_stddev_m}) {
-    if (!(stddev_m >= 0.0) || !std::isfinite(stddev_m)) {
-      throw std::invalid_argument("sonar landmarks: deviations are 0 or more, and finite");
-    }
-  }
+  geometry::ParameterValidator("sonar landmarks")
+      .nonnegative_finite("wall_offset_stddev_m", params.wall_offset_stddev_m)
+      .nonnegative_finite("wall_normal_stddev_rad", params.wall_normal_stddev_rad)
+      .nonnegative_finite("point_stddev_m", params.point_stddev_m);
 }
 
 std::vector<LandmarkSighting> sonar_landmarks(const std::vector<mapping::Echo>& echoes,
