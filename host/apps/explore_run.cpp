@@ -225,7 +225,7 @@ void warn_of_previous_maps(const pipeline::RobotAtlas& atlas) {
     spdlog::warn(
         "the map covers only what came after the robot was carried or its wheels slipped; {} could "
         "not be aligned with it and is saved in {}",
-        previous == 1 ? "the previous map" : "those before",
+        previous == 1 ? "the previous map" : "the previous maps",
         previous == 1 ? "previous_1" : "previous_1, previous_2, ...");
   }
 }

@@ -19,11 +19,11 @@ ObservationConverter::ObservationConverter(const RobotGeometry& geometry,
   }
   geometry_.validate();
   geometry::ParameterValidator("sonar")
-      .finite("sonar_.speed_of_sound_m_s", sonar_.speed_of_sound_m_s)
-      .positive("sonar_.speed_of_sound_m_s", sonar_.speed_of_sound_m_s);
+      .finite("speed_of_sound_m_s", sonar_.speed_of_sound_m_s)
+      .positive("speed_of_sound_m_s", sonar_.speed_of_sound_m_s);
   geometry::ParameterValidator("sonar")
-      .at_least("sonar_.min_range_m", sonar_.min_range_m, 0.0)
-      .below("sonar_.min_range_m", sonar_.min_range_m, sonar_.max_range_m);
+      .at_least("min_range_m", sonar_.min_range_m, 0.0)
+      .below("min_range_m", sonar_.min_range_m, sonar_.max_range_m);
   if (!sensors_.infrared.empty() && !sensors_.infrared_curve) {
     throw std::invalid_argument("infra-red sensors: no curve");
   }
