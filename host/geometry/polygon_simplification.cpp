@@ -16,12 +16,12 @@ std::optional<std::size_t> farthest_between(const Polyline& polyline_m,
                                             std::size_t last,
                                             double min_m) {
   const Segment piece{polyline_m[first], polyline_m[last]};
-  double farthest_m = min_m;
+  double largest_off_m = min_m;
   std::optional<std::size_t> farthest;
   for (std::size_t i = first + 1; i < last; ++i) {
     const double off_m = distance_m(piece, polyline_m[i]);
-    if (off_m > farthest_m) {
-      farthest_m = off_m;
+    if (off_m > largest_off_m) {
+      largest_off_m = off_m;
       farthest = i;
     }
   }
