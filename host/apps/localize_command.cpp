@@ -18,6 +18,7 @@
 #include "host/console/progress_bar.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/exports/trajectory_tum.hpp"
+#include "host/files/atomic_file.hpp"
 #include "host/pipeline/log_player.hpp"
 #include "host/pipeline/observation_sink.hpp"
 #include "host/pipeline/robot_localizer.hpp"
@@ -30,7 +31,7 @@
 namespace echomap::apps {
 namespace {
 
-/// Says so whenever the status changes.
+/// Prints the status whenever it changes.
 class StatusLine {
  public:
   void report(const localization::PoseBelief& belief, std::size_t scans) {
@@ -45,7 +46,7 @@ class StatusLine {
   localization::LocalizationStatus last_ = localization::LocalizationStatus::kRecovering;
 };
 
-/// Says so after each stop.
+/// Hands observations to the localizer, and prints changes of its status after each stop.
 class ReportingSink final : public pipeline::AnyObservationSink {
  public:
   explicit ReportingSink(pipeline::RobotLocalizer& localizer) : localizer_(localizer) {}
@@ -84,9 +85,15 @@ bool play(datasets::LogReader& log,
   return false;
 }
 
-/// Plays what a run has recorded, or else a log; answers whether it ended.
+/// A run is played as its robot reported it, unless the log's format is asked for.
+bool plays_record(const LocalizeOptions& options) {
+  return options.format.empty() && is_recorded_run(options.log);
+}
+
+/// Plays what a run has recorded, or else a log; answers whether it ended. Throws files::FileError
+/// where it is damaged.
 bool play(const LocalizeOptions& options, pipeline::RobotLocalizer& localizer) {
-  if (is_recorded_run(options.log)) {
+  if (plays_record(options)) {
     ReportingSink sink(localizer);
     play_record(options.log / kRecordName, sink);
     return true;
@@ -100,7 +107,7 @@ bool play(const LocalizeOptions& options, pipeline::RobotLocalizer& localizer) {
 
 pipeline::RobotLocalizer localizer_for(const LocalizeOptions& options) {
   const auto random = session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer);
-  if (is_recorded_run(options.log)) {
+  if (plays_record(options)) {
     const session::RobotProfile profile =
         session::load_robot_profile((options.log / kProfileName).string());
     return {read_map(options.map),
@@ -119,7 +126,8 @@ nlohmann::ordered_json log_report(const LocalizeOptions& options,
                               {"scans", localizer.scans()},
                               {"unused_scans", localizer.unused_scans()},
                               {"late_scans", localizer.late_scans()},
-                              {"updates", localizer.updates()}};
+                              {"updates", localizer.updates()},
+                              {"times_lifted", localizer.times_lifted()}};
   json.update(tracking::to_json(localizer.belief()));
   return json;
 }
@@ -129,10 +137,17 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
   if (const auto start = tracking::start_pose(options.at)) {
     localizer.start_at(start->T_map_robot, start->stddev_m, start->stddev_rad);
   }
-  const bool has_ended = play(options, localizer);
+  bool has_ended = false;
+  std::string damage;
+  try {
+    has_ended = play(options, localizer);
+  } catch (const files::FileError& error) {
+    damage = error.what();
+  }
   if (localizer.scans() == 0 || localizer.belief().hypotheses.empty()) {
-    throw CommandError(ExitCode::kRuntimeError,
-                       tracking::why_nowhere(localizer, options.log, options.map));
+    throw CommandError(
+        ExitCode::kRuntimeError,
+        damage.empty() ? tracking::why_nowhere(localizer, options.log, options.map) : damage);
   }
   for (const std::string& trouble : tracking::troubles_of(localizer)) {
     spdlog::warn("{}", trouble);
@@ -144,6 +159,10 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
   console::print(
       fmt::format("{} scans: {}", localizer.scans(), tracking::text_of(localizer.belief())));
   console::print("trajectory: " + (out / "trajectory.tum").string());
+  if (!damage.empty()) {
+    spdlog::error("{}; the trajectory up to there is saved", damage);
+    return ExitCode::kRuntimeError;
+  }
   return has_ended ? ExitCode::kOk : ExitCode::kInterrupted;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/replay_run.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/resumed_run.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/apps/whole_records.hpp"
 #include "host/console/interrupt.hpp"
@@ -205,18 +205,25 @@ void print_what_was_made(const exports::RunSummary& summary,
   }
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& log) {
-  return std::filesystem::is_directory(log) ? log : std::filesystem::absolute(log).parent_path();
+/// Throws CommandError where the map of a run's echoes would take the place of the run's own.
+void refuse_to_overwrite(const std::filesystem::path& log, const std::filesystem::path& out) {
+  const auto folder =
+      std::filesystem::is_directory(log) ? log : std::filesystem::absolute(log).parent_path();
+  if (is_recorded_run(folder) && std::filesystem::exists(out) &&
+      std::filesystem::equivalent(folder, out)) {
+    throw CommandError(ExitCode::kUsage,
+                       fmt::format("the map of its echoes would overwrite the run {}\n  next: name "
+                                   "another folder with --out",
+                                   folder.string()));
+  }
 }
 
 ExitCode replay_log(const ReplayOptions& options) {
   const auto start = Clock::now();
   const auto log = datasets::open_log(options.log, options.format);
   const auto out = run_folder(options.out);
+  refuse_to_overwrite(options.log, out);
   prepare_outputs(out, options.json);
-  if (!std::filesystem::equivalent(folder_of(options.log), out)) {
-    move_earlier_run_aside(out);
-  }
   PlayedLog played(options);
   console::ProgressBar progress(stderr, !options.headless);
   const auto [outcome, damage] = played.play(*log, progress);
@@ -225,12 +232,10 @@ ExitCode replay_log(const ReplayOptions& options) {
     throw CommandError(ExitCode::kRuntimeError, reason);
   }
 
-  pipeline::Snapshot snapshot = played.pipeline().snapshot();
-  if (options.map == "points") {
-    snapshot.grid = std::make_shared<const mapping::OccupancyGrid>();
-  }
+  const pipeline::Snapshot snapshot = played.pipeline().snapshot();
   refuse_huge_map(*snapshot.grid);
   exports::RunSummary summary = summary_of(played, snapshot, outcome);
+  move_earlier_run_aside(out);
   exports::write_run_directory(out, snapshot, summary);
   exports::write_landmarks_csv(out / "landmarks.csv", *snapshot.landmarks);
   if (played.pipeline().slam() != nullptr) {

@@ -28,6 +28,9 @@ using nlohmann::ordered_json;
 /// Why the observations of a run are not played; empty where they are.
 std::string reason_against(const ReplayOptions& options) {
   const ReplayOptions usual;
+  if (!options.format.empty()) {
+    return "--format names its echoes alone";
+  }
   if (options.map != usual.map || options.poses != usual.poses ||
       options.resolution_m != usual.resolution_m) {
     return "--map, --poses or --resolution asks for another map";
@@ -164,10 +167,14 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   }
   for (std::size_t i = 0; i < atlas.previous_maps().size(); ++i) {
     const pipeline::PreviousMap& previous = atlas.previous_maps()[i];
-    save_played({previous.record, previous.pipeline, slam},
-                profile,
-                stored_previous_map(options.log, i + 1),
-                previous_map_of(out, i + 1));
+    try {
+      save_played({previous.record, previous.pipeline, slam},
+                  profile,
+                  stored_previous_map(options.log, i + 1),
+                  previous_map_of(out, i + 1));
+    } catch (const files::FileError& error) {
+      damage += (damage.empty() ? "" : "\n") + std::string(error.what());
+    }
   }
   save_played({atlas.record(), atlas.pipeline(), slam}, profile, options.log, out);
   write_report(options.json, ordered_json::parse(files::read_text_file(out / "summary.json")));

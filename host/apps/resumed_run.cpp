@@ -11,10 +11,12 @@
 #include "host/apps/report.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/console/exit_code.hpp"
+#include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
 #include "host/exports/observations_csv.hpp"
 #include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/pipeline/observation_sink.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -57,6 +59,25 @@ void validate_same_robot(const std::filesystem::path& run,
   }
 }
 
+/// Ends the command where the user has had enough.
+class InterruptibleSink final : public pipeline::AnyObservationSink {
+ public:
+  InterruptibleSink(pipeline::ObservationSink& sink, const std::filesystem::path& record)
+      : sink_(sink), record_(record) {}
+
+  void on(const sensors::Observation& observation) override {
+    if (console::interrupted()) {
+      throw CommandError(ExitCode::kInterrupted,
+                         "interrupted in " + record_.string() + "; nothing was written");
+    }
+    pipeline::hand_on(observation, sink_);
+  }
+
+ private:
+  pipeline::ObservationSink& sink_;
+  const std::filesystem::path& record_;
+};
+
 /// Plays a record up to where it is damaged; answers how it is, empty where it is whole.
 std::string damage_of(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
   try {
@@ -75,7 +96,8 @@ bool is_recorded_run(const std::filesystem::path& path) {
 }
 
 void play_record(const std::filesystem::path& record, pipeline::ObservationSink& sink) {
-  if (exports::replay_observations_csv(record, sink)) {
+  InterruptibleSink interruptible(sink, record);
+  if (exports::replay_observations_csv(record, interruptible)) {
     spdlog::warn("the last line of {} is incomplete; everything before it was read",
                  record.string());
   }

@@ -26,7 +26,7 @@ inline double sim_seconds_of(const std::optional<ResumedRun>& run) {
 bool is_recorded_run(const std::filesystem::path& path);
 
 /// Hands a record to `sink`. Warns of one whose writer was killed. Throws files::FileError where it
-/// is damaged; what comes before is handed on.
+/// is damaged; what comes before is handed on. Throws CommandError at an interrupt.
 void play_record(const std::filesystem::path& record, pipeline::ObservationSink& sink);
 
 /// Hands the record of the run in that directory to `sink`, which leads to `atlas`, and those of

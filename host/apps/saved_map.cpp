@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 /// How earlier versions began the name of a previous map's folder: their runs can be resumed.
 constexpr const char* kOldPreviousPrefix = "former_";
 /// What one run writes beside its map and another does not.
-constexpr const char* kOptionalFiles[] = {"confidence_grid.csv", "landmarks.csv", "pose_graph.g2o"};
+constexpr const char* kOptionalFiles[] = {
+    "confidence_grid.csv", "landmarks.csv", "pose_graph.g2o", "robot.toml"};
 
 fs::path old_previous_map_of(const fs::path& run, std::size_t number) {
   return run / (kOldPreviousPrefix + std::to_string(number));

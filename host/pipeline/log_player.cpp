@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <utility>
 #include <variant>
 
 #include "host/geometry/angle.hpp"
@@ -22,7 +21,7 @@ std::optional<double> without_damage(std::optional<double> stamp_s) {
   return stamp_s && std::abs(*stamp_s) <= kLatestStampS ? stamp_s : std::nullopt;
 }
 
-/// Of the next pose.
+/// The stamp of the next pose, which comes after the last one.
 time::RobotTime rising(std::optional<double> stamp_s, std::optional<time::RobotTime> last) {
   if (!last) {
     return time::robot_time(stamp_s.value_or(0.0));
@@ -75,7 +74,7 @@ void LogPlayer::move_to(std::optional<double> stamp_s, const geometry::Pose2& T_
   ++counts_.odometry_poses;
   T_odom_robot_ = T_odom_robot;
   if (source_ != PoseSource::kGiven || has_fix_) {
-    tell_pose(stamp_s);
+    report_pose(stamp_s);
   }
 }
 
@@ -87,13 +86,13 @@ void LogPlayer::take(const datasets::GivenPose& pose) {
   const auto stamp_s = without_damage(pose.stamp_s);
   const bool is_of_last_pose = last_stamp_ && stamp_s && time::robot_time(*stamp_s) <= *last_stamp_;
   if (!is_of_last_pose) {
-    tell_pose(pose.stamp_s);
+    report_pose(pose.stamp_s);
   }
   has_fix_ = true;
   sink_->on_pose_fix({*last_stamp_, pose.T_map_robot});
 }
 
-void LogPlayer::tell_pose(std::optional<double> stamp_s) {
+void LogPlayer::report_pose(std::optional<double> stamp_s) {
   const auto own_s = without_damage(stamp_s);
   counts_.poses_without_stamp += own_s ? 0 : 1;
   last_stamp_ = rising(own_s, last_stamp_);
@@ -102,7 +101,7 @@ void LogPlayer::tell_pose(std::optional<double> stamp_s) {
 
 bool LogPlayer::is_placed(std::optional<double> stamp_s) {
   if (!last_stamp_ && source_ != PoseSource::kGiven) {
-    tell_pose(stamp_s);
+    report_pose(stamp_s);
   }
   return last_stamp_.has_value();
 }

@@ -14,7 +14,7 @@ namespace echomap::pipeline {
 /// Which of a log's poses count.
 enum class PoseSource : std::uint8_t {
   kOdometry,  ///< What the robot believed, from where its log begins.
-  kGiven,     ///< What the log gives as corrected or true; between two of them, odometry goes on.
+  kGiven,     ///< What the log gives as corrected or true; between two of them, odometry continues.
   /// Odometry that begins at the origin, for SLAM: coordinates of a country leave no digits for
   /// centimetres. A fix then tells where in the log's frame that is.
   kOdometryFromOrigin,
@@ -34,8 +34,8 @@ struct LogCounts {
   std::size_t sightings_without_pose = 0;  ///< As of scans.
 };
 
-/// Plays the log of another robot, record by record, as what our own robots tell: odometry, range
-/// scans, contacts, landmarks, and fixes where the log's own poses count.
+/// Plays the log of another robot, record by record, as observations: odometry, range scans,
+/// contacts, landmarks, and fixes where the log's own poses count.
 ///
 /// The stamps of odometry rise: a pose without one comes a millisecond after the one before it, and
 /// one whose stamp does not rise a microsecond after. Odometry begins at the origin where the log
@@ -64,7 +64,7 @@ class LogPlayer {
   void take(const datasets::LandmarkSighting& sighting);
 
   void move_to(std::optional<double> stamp_s, const geometry::Pose2& T_odom_robot);
-  void tell_pose(std::optional<double> stamp_s);
+  void report_pose(std::optional<double> stamp_s);
   /// Whether an observation has a pose: by odometry it is at the origin before the log says more.
   bool is_placed(std::optional<double> stamp_s);
 

@@ -35,7 +35,7 @@ class ObservationSink {
 /// Calls the function of the sink that takes this observation.
 void hand_on(const sensors::Observation& observation, ObservationSink& sink);
 
-/// Takes all observations alike.
+/// Takes all observations of our own robots alike; those of logs go unheard.
 class AnyObservationSink : public ObservationSink {
  public:
   virtual void on(const sensors::Observation& observation) = 0;

@@ -75,7 +75,7 @@ void RobotLocalizer::start_at(const geometry::Pose2& T_map_robot,
 }
 
 void RobotLocalizer::begin_at_told_start() {
-  if (start_) {
+  if (start_ && filter_) {
     start_outcome_ =
         filter_->localizer.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
     belief_ = filter_->localizer.belief();
@@ -106,10 +106,19 @@ void RobotLocalizer::on_hazards(const sensors::HazardObservation& observation) {
   add_contact({observation.bump_left, observation.bump_right, observation.virtual_wall});
   const bool was_lifted = std::exchange(is_lifted_, observation.is_in_the_air());
   if (is_lifted_ && !was_lifted) {
-    ++times_lifted_;
-    gathered_.clear();
-    start_anywhere();
+    lose_pose();
   }
+}
+
+void RobotLocalizer::on_carried(const sensors::CarriedObservation& observation) {
+  follow(observation.stamp, observation.travel);
+  lose_pose();
+}
+
+void RobotLocalizer::lose_pose() {
+  ++times_lifted_;
+  gathered_.clear();
+  start_anywhere();
 }
 
 /// A contact counts where it begins; between contacts, models of ranges know nothing new.
@@ -137,6 +146,7 @@ void RobotLocalizer::end_scan() {
   update(evenly_picked(gathered_, T_odom_robot_, params_.max_readings));
   gathered_.clear();
   ++scans_;
+  ++updates_;
   note_pose();
 }
 
@@ -212,6 +222,9 @@ void RobotLocalizer::gather(const sensors::RangeScan& scan) {
 }
 
 void RobotLocalizer::update(const std::vector<localization::RangeReading>& readings) {
+  if (!filter_) {
+    return;
+  }
   T_odom_updated_ = T_odom_robot_;
   belief_ = filter_->localizer.update(T_odom_robot_, readings);
 }

@@ -59,6 +59,8 @@ class RobotLocalizer final : public ObservationSink {
   void on_sonar(const sensors::SonarObservation& observation) override;
   /// A wheel that hangs, or four cliffs at once, mean that the robot was lifted.
   void on_hazards(const sensors::HazardObservation& observation) override;
+  /// As a lift: where the robot was put down is what is looked for.
+  void on_carried(const sensors::CarriedObservation& observation) override;
   void on_odometry_pose(const sensors::OdometryPoseObservation& observation) override;
   /// Counts where it is of the same kind of sensor, and not stamped before the one before it.
   void on_range_scan(const sensors::RangeScan& scan) override;
@@ -73,7 +75,7 @@ class RobotLocalizer final : public ObservationSink {
   /// Where it was believed to be at the end of each scan; of range scans, at each update.
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
   std::size_t scans() const { return scans_; }
-  /// Updates by range scans.
+  /// Updates by scans.
   std::size_t updates() const { return updates_; }
   /// Range scans of another kind of sensor.
   std::size_t unused_scans() const { return unused_scans_; }
@@ -91,6 +93,7 @@ class RobotLocalizer final : public ObservationSink {
   void gather(const sensors::RangeScan& scan);
   void follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
   void add_contact(const models::ContactReading& contact);
+  void lose_pose();
   void update(const std::vector<localization::RangeReading>& readings);
   void note_pose();
 

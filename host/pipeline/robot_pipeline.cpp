@@ -79,15 +79,15 @@ void RobotPipeline::on_range_scan(const sensors::RangeScan& scan) {
   if (RobotSlam* slam = track_.slam()) {
     slam->add_scan(track_.T_odom_robot(), scan);
   }
-  see(scan);
+  add_sighting(scan);
 }
 
 void RobotPipeline::on_landmark(const sensors::LandmarkObservation& observation) {
-  see(observation);
+  add_sighting(observation);
 }
 
 template <class Seen>
-void RobotPipeline::see(const Seen& seen) {
+void RobotPipeline::add_sighting(const Seen& seen) {
   if (track_.poses() == 0) {
     track_.follow({}, geometry::Pose2());
   }
@@ -138,7 +138,7 @@ Snapshot RobotPipeline::snapshot() const {
 
 void RobotPipeline::describe_scans(Snapshot& snapshot) const {
   if (sightings_.empty()) {
-    if (!scan_map_.is_empty()) {
+    if (!scan_map_.is_empty() || scan_params_.map == MapKind::kPoints) {
       scan_map_.describe(snapshot);
     }
     return;

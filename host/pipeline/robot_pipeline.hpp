@@ -82,7 +82,7 @@ class RobotPipeline final : public ObservationSink {
   void pass_over_floor();
   /// Where the robot has not told its pose yet, it is at the origin.
   template <class Seen>
-  void see(const Seen& seen);
+  void add_sighting(const Seen& seen);
   void describe_scans(Snapshot& snapshot) const;
 
   sensors::RobotGeometry robot_;

@@ -104,7 +104,8 @@ mapping::OccupancyGrid ScanMap::grid() const {
 void ScanMap::describe(Snapshot& snapshot) const {
   snapshot.points = std::make_shared<const mapping::PointCloudMap>(scan_poses_, points_);
   snapshot.grid = std::make_shared<const mapping::OccupancyGrid>(
-      mapping::with_contact_evidence(grid(), *snapshot.grid));
+      params_.map == MapKind::kGrid ? mapping::with_contact_evidence(grid(), *snapshot.grid)
+                                    : mapping::OccupancyGrid(params_.grid));
   snapshot.landmarks = std::make_shared<const std::vector<SeenLandmark>>(landmarks_);
   snapshot.stops = scan_poses_.size();
 }

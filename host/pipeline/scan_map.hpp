@@ -41,7 +41,8 @@ class ScanMap {
 
   /// Neither a scan nor a landmark was added.
   bool is_empty() const { return scan_poses_.empty() && landmarks_.empty(); }
-  /// Replaces points and stops of the snapshot, and puts the grid below the contacts in it.
+  /// Replaces points and stops of the snapshot, and puts the grid below the contacts in it; a map
+  /// of points has no grid.
   void describe(Snapshot& snapshot) const;
 
  private:

@@ -119,7 +119,7 @@ TEST(RangeScanLocalizer, SaysThatAStartIsOffTheMap) {
   EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), truth, 0.1, 0.1));
 }
 
-TEST(RangeScanLocalizer, RefusesSettingsWithoutSense) {
+TEST(RangeScanLocalizer, RejectsInvalidParameters) {
   RobotLocalizerParams params;
   params.scan_step_m = 0.0;
   EXPECT_THROW(RobotLocalizer(kRoom, {}, params, std::mt19937(1)), std::invalid_argument);
