@@ -11,7 +11,7 @@ namespace echomap::apps {
 /// directory that is not played, says why.
 bool plays_observations(const ReplayOptions& options);
 
-/// Plays the observations of a run, and those of its former maps, into pipelines like the run's
+/// Plays the observations of a run, and those of its previous maps, into pipelines like the run's
 /// own. The run directory that it writes is the same, byte for byte, but for the report of the
 /// replay in summary.json and what only the strategy knew (confidence_grid.csv). Throws
 /// files::FileError and files::ConfigError.

@@ -16,7 +16,7 @@ enum class PoseSource : std::uint8_t {
   kOdometry,  ///< What the robot believed, from where its log begins.
   kGiven,     ///< What the log gives as corrected or true; between two of them, odometry continues.
   /// Odometry that begins at the origin, for SLAM: coordinates of a country leave no digits for
-  /// centimetres. A fix then tells where in the log's frame that is.
+  /// centimetres. A fix then gives the place of that origin in the log's frame.
   kOdometryFromOrigin,
 };
 
@@ -39,7 +39,7 @@ struct LogCounts {
 ///
 /// The stamps of odometry rise: a pose without one comes a millisecond after the one before it, and
 /// one whose stamp does not rise a microsecond after. Odometry begins at the origin where the log
-/// tells of something else first.
+/// begins with something else.
 class LogPlayer {
  public:
   /// `sink` has to live as long.

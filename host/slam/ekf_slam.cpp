@@ -5,7 +5,6 @@
 
 #include "host/sensors/range_scan.hpp"
 #include "host/slam/landmark_slam.hpp"
-#include "host/slam/scan_map.hpp"
 #include "host/slam/sonar_landmark_slam.hpp"
 
 namespace echomap::slam {
@@ -48,10 +47,6 @@ localization::PoseGaussian EkfSlam::belief() const {
 
 std::vector<Pose2> EkfSlam::trajectory() const {
   return chosen_ ? chosen_->trajectory() : std::vector<Pose2>{};
-}
-
-mapping::OccupancyGrid EkfSlam::grid() const {
-  return chosen_ ? chosen_->grid() : map_of_scans({}, {}, {});
 }
 
 FactorGraph EkfSlam::factor_graph() const {

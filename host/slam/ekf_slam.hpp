@@ -18,7 +18,6 @@ class EkfSlam final : public SlamMethod {
   void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
   localization::PoseGaussian belief() const override;
   std::vector<geometry::Pose2> trajectory() const override;
-  mapping::OccupancyGrid grid() const override;
   FactorGraph factor_graph() const override;
 
  private:

@@ -66,7 +66,6 @@ void LandmarkSlam::add(const Pose2& T_odom_robot, const sensors::RangeScan& scan
   prune(scan);
   pose_history_.keep(filter_);
   pose_history_.add({});
-  scans_.push_back(scan);
 }
 
 /// The map frame is that of the odometry at the first scan.
@@ -98,10 +97,6 @@ void LandmarkSlam::prune(const sensors::RangeScan& scan) {
       filter_.remove(i);
     }
   }
-}
-
-mapping::OccupancyGrid LandmarkSlam::grid() const {
-  return map_of_scans(trajectory(), scans_, params_.map);
 }
 
 }  // namespace echomap::slam

@@ -12,7 +12,6 @@
 #include "host/slam/landmark_graph.hpp"
 #include "host/slam/landmark_update.hpp"
 #include "host/slam/pose_history.hpp"
-#include "host/slam/scan_map.hpp"
 #include "host/slam/slam_method.hpp"
 
 namespace echomap::slam {
@@ -33,7 +32,6 @@ struct LandmarkSlamParams {
   /// A beam has passed that ends so much farther.
   double pass_margin_m = 0.5;
   PoseHistoryParams pose_history{};
-  ScanMapParams map{};
 };
 
 /// EKF-SLAM of the paper (Akzhalova and Polichshuk): odometry moves the robot, landmarks are
@@ -49,7 +47,6 @@ class LandmarkSlam : public SlamMethod {
   std::vector<geometry::Pose2> trajectory() const override {
     return pose_history_.trajectory(filter_);
   }
-  mapping::OccupancyGrid grid() const override;
   FactorGraph factor_graph() const override { return landmark_graph(filter_); }
 
   const EkfSlamFilter& filter() const { return filter_; }
@@ -64,7 +61,6 @@ class LandmarkSlam : public SlamMethod {
   LandmarkUpdate update_;
   PoseHistory pose_history_;
   std::optional<geometry::Pose2> T_odom_robot_;
-  std::vector<sensors::RangeScan> scans_;
 };
 
 }  // namespace echomap::slam

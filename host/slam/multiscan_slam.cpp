@@ -71,7 +71,6 @@ void MultiscanSlam::add(const geometry::Pose2& T_odom_robot, const sensors::Rang
     begin_multiscan(*piece);
   }
   taken_.push_back({graph().pieces.size(), gathering_.piece().T_before_after});
-  scans_.push_back(scan);
 }
 
 void MultiscanSlam::begin_multiscan(const OdometryPiece& piece) {
@@ -194,10 +193,6 @@ std::vector<geometry::Pose2> MultiscanSlam::trajectory() const {
     poses.push_back(T_map_robot(taken));
   }
   return poses;
-}
-
-mapping::OccupancyGrid MultiscanSlam::grid() const {
-  return map_of_scans(trajectory(), scans_, params_.map);
 }
 
 FactorGraph MultiscanSlam::factor_graph() const {

@@ -8,7 +8,6 @@
 #include "host/slam/multiscan.hpp"
 #include "host/slam/multiscan_alignment.hpp"
 #include "host/slam/patch_matching.hpp"
-#include "host/slam/scan_map.hpp"
 #include "host/slam/slam_method.hpp"
 #include "host/slam/surface_patch.hpp"
 
@@ -41,7 +40,6 @@ struct MultiscanSlamParams {
   /// Weight of a match when hypotheses are compared; larger than in the alignment, because errors
   /// that matches share are alike in all hypotheses.
   double belief_match_weight = 0.3;
-  ScanMapParams map;
 };
 
 /// SLAM for sensors that see too little at once to be matched scan by scan
@@ -56,7 +54,6 @@ class MultiscanSlam final : public SlamMethod {
   void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
   localization::PoseGaussian belief() const override;
   std::vector<geometry::Pose2> trajectory() const override;
-  mapping::OccupancyGrid grid() const override;
   FactorGraph factor_graph() const override;
 
   /// Estimated systematic errors of the odometry.
@@ -95,7 +92,6 @@ class MultiscanSlam final : public SlamMethod {
   std::vector<MultiscanGraph> graphs_;  ///< One graph per hypothesis.
   std::size_t best_ = 0;          ///< Index of the hypothesis with the least negative log evidence.
   std::vector<TakenScan> taken_;  ///< One of each scan.
-  std::vector<sensors::RangeScan> scans_;
   std::size_t aligned_whole_ = 0;  ///< Multiscans when all moved last.
 };
 

@@ -176,16 +176,4 @@ std::vector<Pose2> ScanSlam::trajectory() const {
   return T_map_robots;
 }
 
-mapping::OccupancyGrid ScanSlam::grid() const {
-  std::vector<Pose2> T_map_robots;
-  std::vector<sensors::RangeScan> scans;
-  for (std::size_t number = 0; number < frames_.size(); ++number) {
-    for (const FrameScan& taken : frames_.frame(number).scans) {
-      T_map_robots.push_back(frames_.T_map_frame(number) * taken.T_key_robot);
-      scans.push_back(taken.scan);
-    }
-  }
-  return map_of_scans(T_map_robots, scans, params_.map);
-}
-
 }  // namespace echomap::slam

@@ -10,7 +10,6 @@
 #include "host/slam/key_frames.hpp"
 #include "host/slam/loop_closing.hpp"
 #include "host/slam/scan_gathering.hpp"
-#include "host/slam/scan_map.hpp"
 #include "host/slam/scan_matching.hpp"
 #include "host/slam/slam_method.hpp"
 #include "host/slam/surface_field.hpp"
@@ -47,7 +46,6 @@ struct ScanSlamParams {
   /// After so long a way the map around the robot is gathered anew, metres.
   double renewal_distance_m = 4.0;
   bool closes_loops = true;
-  ScanMapParams map;
 };
 
 /// SLAM by matching scans to the surfaces that were seen around: each scan is put where it lies on
@@ -64,7 +62,6 @@ class ScanSlam : public SlamMethod {
   /// The covariance is that of the pose against the map around it.
   localization::PoseGaussian belief() const override { return belief_; }
   std::vector<geometry::Pose2> trajectory() const override;
-  mapping::OccupancyGrid grid() const override;
   /// Key frames; odometry and matches from each to the next, and the loops that were closed.
   FactorGraph factor_graph() const override {
     return {graph().nodes(), {}, graph().weighed_edges(), {}};

@@ -5,7 +5,6 @@
 
 #include "host/geometry/pose2.hpp"
 #include "host/localization/pose_gaussian.hpp"
-#include "host/mapping/occupancy_grid.hpp"
 #include "host/sensors/range_scan.hpp"
 #include "host/slam/factor_graph.hpp"
 
@@ -32,8 +31,6 @@ class SlamMethod {
   /// Where the robot was at each scan that was added, as it is known now: a loop that is closed
   /// moves poses of the past, too.
   virtual std::vector<geometry::Pose2> trajectory() const = 0;
-  /// The map of all scans, in cells.
-  virtual mapping::OccupancyGrid grid() const = 0;
   /// Poses of the way and what is known between them, as it is known now.
   virtual FactorGraph factor_graph() const = 0;
 };

@@ -62,7 +62,6 @@ void SonarLandmarkSlam::add(const Pose2& T_odom_robot, const sensors::RangeScan&
     finish_multiscan(*piece);
   }
   open_.push_back(gathering_.piece());
-  scans_.push_back(scan);
 }
 
 void SonarLandmarkSlam::finish_multiscan(const OdometryPiece& piece) {
@@ -105,10 +104,6 @@ std::vector<Pose2> SonarLandmarkSlam::trajectory() const {
                            motion_by(to_scan, best_).T_before_after);
   }
   return T_map_robots;
-}
-
-mapping::OccupancyGrid SonarLandmarkSlam::grid() const {
-  return map_of_scans(trajectory(), scans_, params_.map);
 }
 
 }  // namespace echomap::slam

@@ -12,7 +12,6 @@
 #include "host/slam/multiscan.hpp"
 #include "host/slam/odometry_piece.hpp"
 #include "host/slam/pose_history.hpp"
-#include "host/slam/scan_map.hpp"
 #include "host/slam/slam_method.hpp"
 #include "host/slam/sonar_landmarks.hpp"
 
@@ -41,7 +40,6 @@ struct SonarLandmarkSlamParams {
   LandmarkUpdateParams update{.association = {.gate = 4.61},
                               .provisional = {.sightings = 2, .max_m = 0.2}};
   PoseHistoryParams pose_history{};
-  ScanMapParams map{};
   std::uint32_t seed = 1;  ///< Seed of the sampled pairs of echoes.
 };
 
@@ -58,7 +56,6 @@ class SonarLandmarkSlam final : public SlamMethod {
   void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override;
   localization::PoseGaussian belief() const override;
   std::vector<geometry::Pose2> trajectory() const override;
-  mapping::OccupancyGrid grid() const override;
   FactorGraph factor_graph() const override { return landmark_graph(filter()); }
 
   /// Its robot is where the stretch began that is being gathered.
@@ -85,7 +82,6 @@ class SonarLandmarkSlam final : public SlamMethod {
   std::size_t best_ = 0;  ///< Index of the hypothesis with the least negative log evidence.
   std::mt19937 random_;
   std::vector<OdometryPiece> open_;  ///< To each scan, from where the stretch began.
-  std::vector<sensors::RangeScan> scans_;
 };
 
 }  // namespace echomap::slam

@@ -49,9 +49,9 @@ pipeline::ObservationLog record_of_stops(const world::RobotParams& robot, std::u
 
 /// As RobotAtlas::join looks, with every map made anew.
 void look_anew(const pipeline::RobotAtlas& atlas) {
-  for (const pipeline::PreviousMap& former : atlas.previous_maps()) {
+  for (const pipeline::PreviousMap& previous : atlas.previous_maps()) {
     mapping::find_placements(
-        mapping::PlaceableMap(mapping::rasterize(*former.pipeline.snapshot().grid)),
+        mapping::PlaceableMap(mapping::rasterize(*previous.pipeline.snapshot().grid)),
         mapping::PlaceableMap(mapping::rasterize(*atlas.pipeline().snapshot().grid)));
   }
 }

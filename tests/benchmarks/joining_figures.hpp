@@ -7,7 +7,7 @@
 
 namespace echomap::bench {
 
-/// What it takes to look for a robot's map in one and in three former maps of a living room:
+/// What it takes to look for a robot's map in one and in three previous maps of a living room:
 /// processor time of one core for each stop, the median of `repetitions`.
 std::vector<Figure> joining_figures(std::size_t repetitions);
 

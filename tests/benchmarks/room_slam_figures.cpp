@@ -41,7 +41,6 @@ class TimedSlam final : public slam::SlamMethod {
   }
   localization::PoseGaussian belief() const override { return method_->belief(); }
   std::vector<geometry::Pose2> trajectory() const override { return method_->trajectory(); }
-  mapping::OccupancyGrid grid() const override { return method_->grid(); }
   slam::FactorGraph factor_graph() const override { return method_->factor_graph(); }
 
  private:

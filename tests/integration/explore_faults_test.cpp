@@ -221,10 +221,10 @@ TEST_F(ExploreFaults, CarriedOffAfterItsFirstStopItKeepsTwoMapsAndBothAreRight) 
   for (const char* const file : {"map.png", "map.yaml", "trajectory.tum", "observations.csv"}) {
     EXPECT_TRUE(exists(scratch / "run/previous_1" / file)) << file;
   }
-  const auto former =
+  const auto previous =
       nlohmann::json::parse(files::read_text_file(scratch / "run/previous_1/summary.json"));
-  EXPECT_EQ(former.at("outcome"), "set-aside");
-  EXPECT_GT(former.at("stops"), 0);
+  EXPECT_EQ(previous.at("outcome"), "set-aside");
+  EXPECT_GT(previous.at("stops"), 0);
 }
 
 /// Its waypoints lie in the map that it began.

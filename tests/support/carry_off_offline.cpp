@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
     const OfflineRun run =
         echomap::tests::explore_offline(room, robot, static_cast<std::uint32_t>(seed), settings);
     std::printf(
-        "seed %3d  %-12s  former %zu  stops %2zu  %4.0f s  iou %.3f  final %.2f m %3.0f deg\n",
+        "seed %3d  %-12s  previous %zu  stops %2zu  %4.0f s  iou %.3f  final %.2f m %3.0f deg\n",
         seed,
         outcome_of(run),
         run.previous_maps,

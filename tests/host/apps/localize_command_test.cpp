@@ -78,6 +78,17 @@ TEST_F(LocalizeCommandTest, FollowsTheRobotOfARunDirectory) {
             0.15);
 }
 
+TEST_F(LocalizeCommandTest, ADamagedLogKeepsItsTrajectoryUpToThere) {
+  const std::string whole = files::read_text_file(options_.log);
+  const std::size_t middle = whole.find('\n', whole.size() / 2) + 100;
+  options_.log = scratch_ / "damaged.clf";
+  files::write_text_file(options_.log, whole.substr(0, middle) + "\n");
+  options_.at = {0.0, 0.0, 0.0};
+  EXPECT_EQ(run_localize(options_), ExitCode::kRuntimeError);
+  EXPECT_EQ(summary()["status"], "localized");
+  EXPECT_GT(exports::read_trajectory_tum(options_.run.out / "trajectory.tum").size(), 5U);
+}
+
 TEST_F(LocalizeCommandTest, SaysWhatIsWrongWithItsInputs) {
   files::write_text_file(scratch_ / "still.clf", "ODOM 0 0 0 0 0 0 1 here 1\n");
   options_.log = scratch_ / "still.clf";

@@ -174,6 +174,8 @@ TEST_F(ReplayCommandTest, PointsAreAllEchoesAndNoFloor) {
   EXPECT_EQ(run_replay(options_), ExitCode::kOk);
   EXPECT_EQ(tests::read_points_csv(options_.out / "points.csv").size(), 48U * 60U);
   EXPECT_FALSE(exports::read_outline_geojson(options_.out / "outline.geojson"));
+  const auto map = exports::read_pgm_yaml(options_.out / "map.yaml");
+  EXPECT_EQ(map.state(map.cell_at({1.0, 0.0})), mapping::CellState::kUnknown);
 }
 
 TEST_F(ReplayCommandTest, AGridComesWithTheOutlineOfItsFloor) {
@@ -251,6 +253,29 @@ TEST_F(ReplayCommandTest, ALogWithoutThePosesThatShouldCountSaysWhatToDo) {
 TEST_F(ReplayCommandTest, AMapThatOnlyADamagedPoseMakesHugeIsRefused) {
   write_log("far.clf", "FLASER 1 1 0 0 0 0 0 0 1 h 1\nFLASER 1 1 0 0 0 1000 1000 0 2 h 2\n");
   EXPECT_THAT(error(), HasSubstr("a damaged pose?\n  next: --resolution 0.1"));
+}
+
+TEST_F(ReplayCommandTest, ARefusedReplayLeavesTheEarlierRunAsItIs) {
+  ASSERT_EQ(run_replay(options_), ExitCode::kOk);
+  const std::string map = files::read_text_file(options_.out / "map.pgm");
+  write_log("far.clf", "FLASER 1 1 0 0 0 0 0 0 1 h 1\nFLASER 1 1 0 0 0 1000 1000 0 2 h 2\n");
+  EXPECT_THAT(error(), HasSubstr("--resolution 0.1"));
+  EXPECT_EQ(files::read_text_file(options_.out / "map.pgm"), map);
+}
+
+TEST_F(ReplayCommandTest, TheMapOfARunsEchoesDoesNotTakeTheRunsPlace) {
+  options_.map = "points";
+  ASSERT_EQ(run_replay(options_), ExitCode::kOk);
+  for (const char* of_a_run : {"observations.csv", "robot.toml"}) {
+    files::write_text_file(options_.out / of_a_run, "");
+  }
+  const std::string points = files::read_text_file(options_.out / "points.csv");
+  for (const char* log : {".", "points.csv"}) {
+    options_.log = options_.out / log;
+    EXPECT_THAT(error(), HasSubstr("overwrite the run")) << log;
+    EXPECT_THAT(error(), HasSubstr("name another folder with --out"));
+  }
+  EXPECT_EQ(files::read_text_file(options_.out / "points.csv"), points);
 }
 
 TEST_F(ReplayCommandTest, CtrlCLeavesAMapThatCanBeRead) {

@@ -87,7 +87,7 @@ TEST_F(AtlasExplorerTest, LeavesTheMapsToWhoeverDrives) {
   says = Turn{1.0};
   EXPECT_TRUE(std::holds_alternative<JoinMaps>(explorer.next(one_stop, MotionResult::kReached)));
   const Motion put_off = explorer.next(one_stop, MotionResult::kRefused);
-  ASSERT_TRUE(std::holds_alternative<Turn>(put_off)) << "no former map: the strategy goes on";
+  ASSERT_TRUE(std::holds_alternative<Turn>(put_off)) << "no previous map: the strategy goes on";
   EXPECT_EQ(std::get<Turn>(put_off).angle_rad, 1.0);
   says = Finished{FinishReason::kLost, 2};
   const Motion change = explorer.next(one_stop, MotionResult::kReached);

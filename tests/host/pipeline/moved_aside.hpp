@@ -25,7 +25,6 @@ class MovedAside final : public slam::SlamMethod {
     }
     return moved;
   }
-  mapping::OccupancyGrid grid() const override { return mapping::OccupancyGrid(); }
   slam::FactorGraph factor_graph() const override { return {trajectory(), {}, {}, {}}; }
 
   geometry::Pose2 T_map_odom{0.0, 1.0, 0.0};

@@ -97,6 +97,18 @@ TEST(RangeScanLocalizer, KnowsNothingWithoutRanges) {
   EXPECT_TRUE(localizer.trajectory().empty());
 }
 
+TEST(RangeScanLocalizer, TakesWheelsAndContactsBeforeItKnowsItsSensor) {
+  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  localizer.start_at({0.45, 0.95, 0.1}, 0.05, 0.05);
+  localizer.on_odometry({time::robot_time(0.1), {0.3, 0.3}});
+  sensors::HazardObservation bump;
+  bump.bump_left = true;
+  localizer.on_hazards(bump);
+  EXPECT_TRUE(localizer.belief().hypotheses.empty());
+  localizer.on_range_scan(scan_at({0.45, 0.95, 0.1}, 0.2));
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), {0.45, 0.95, 0.1}, 0.05, 0.05));
+}
+
 TEST(RangeScanLocalizer, LeavesOutScansWhenTimeRunsBackwards) {
   RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
   const Pose2 truth = drive(localizer);

@@ -187,6 +187,16 @@ TEST_F(RobotLocalizerTest, MayBeAnywhereOnceItWasLifted) {
   EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), T_map_robot, 0.15, 0.15));
 }
 
+TEST_F(RobotLocalizerTest, MayBeAnywhereOnceItWasCarried) {
+  stop_at_three_places();
+  localizer.on_carried({now(), {left_m, right_m}, T_map_robot});
+  EXPECT_EQ(localizer.times_lifted(), 1U);
+  EXPECT_TRUE(localizer.belief().hypotheses.empty());
+  T_map_robot = Pose2(3.4, 0.25, 2.0);
+  stop_at_three_places();
+  EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), T_map_robot, 0.15, 0.15));
+}
+
 TEST_F(RobotLocalizerTest, TakesFourCliffsAtOnceForBeingLiftedAndOneForACliff) {
   sensors::HazardObservation hazards;
   hazards.cliffs = {true, true, true, false};
@@ -204,7 +214,7 @@ TEST_F(RobotLocalizerTest, TakesReadingsOfScansOnly) {
   EXPECT_TRUE(localizer.belief().hypotheses.empty());
 }
 
-TEST(RobotLocalizer, RefusesSettingsWithoutSense) {
+TEST(RobotLocalizer, RejectsInvalidParameters) {
   auto bad = params();
   bad.max_readings = 0;
   EXPECT_THROW(RobotLocalizer(kRoom, plain_robot(), bad, std::mt19937(1)), std::invalid_argument);

@@ -68,6 +68,18 @@ TEST(ScanMap, RaysOfALaserGoIntoTheGridFromWhereTheRobotWas) {
                           "      "));
 }
 
+TEST(ScanMap, AMapOfPointsHasNoGridWhateverWasTouched) {
+  ScanMapParams params = coarse();
+  params.map = MapKind::kPoints;
+  Mapper mapper(params);
+  mapper.add(OdometryPose{1.0, {0.25, 0.25, 0.0}});
+  mapper.add(datasets::Contact{1.0, true, true, 0.17});
+  EXPECT_TRUE(mapper.snapshot().grid->bounds().empty()) << "before a scan, too";
+  mapper.add(laser({{0.0, 1.5}}));
+  EXPECT_TRUE(mapper.snapshot().grid->bounds().empty());
+  EXPECT_EQ(mapper.snapshot().points->points().size(), 1U);
+}
+
 TEST(ScanMap, ASensorOffTheMiddleSeesFromThere) {
   ScanMapParams params = coarse();
   params.map = MapKind::kPoints;

@@ -135,16 +135,6 @@ TEST(LandmarkSlam, MapsEachWallOnce) {
   EXPECT_LE(walls, 9);
 }
 
-TEST(LandmarkSlam, DrawsWhatTheScansHaveSeen) {
-  LandmarkSlam slam;
-  drive(slam);
-  const auto grid = slam.grid();
-
-  EXPECT_EQ(grid.state(grid.cell_at({3.0, 2.0})), mapping::CellState::kFree);
-  EXPECT_NE(grid.state(grid.cell_at({0.0, 0.0})), mapping::CellState::kFree);
-  EXPECT_EQ(grid.state(grid.cell_at({6.0, 0.0})), mapping::CellState::kUnknown);
-}
-
 TEST(LandmarkSlam, ItsGraphHoldsWhatTheFilterKnowsOfEachPose) {
   LandmarkSlam slam;
   drive(slam);

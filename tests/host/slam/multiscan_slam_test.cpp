@@ -105,14 +105,6 @@ TEST(MultiscanSlam, SaysHowSureItIs) {
       << "99.9 % of a normal distribution";
 }
 
-TEST(MultiscanSlam, DrawsTheRoom) {
-  MultiscanSlam slam;
-  run(slam, rounds(1));
-  const auto grid = slam.grid();
-  EXPECT_EQ(grid.state(grid.cell_at({0.2, 0.1})), mapping::CellState::kFree);
-  EXPECT_FALSE(grid.bounds().empty());
-}
-
 TEST(MultiscanSlam, IsOdometryWhereNothingAnswers) {
   const Drive drive = rounds(2);
   MultiscanSlam slam;
@@ -153,7 +145,6 @@ TEST(MultiscanSlam, IsAtTheOriginBeforeTheFirstScan) {
   const MultiscanSlam slam;
   EXPECT_EQ(slam.belief().T_map_robot.x_m(), 0.0);
   EXPECT_TRUE(slam.trajectory().empty());
-  EXPECT_TRUE(slam.grid().bounds().empty());
 }
 
 TEST(MultiscanSlam, RefusesParametersWithoutSense) {

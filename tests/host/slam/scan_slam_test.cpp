@@ -226,22 +226,6 @@ TEST(ScanSlam, GoesOnAfterAWhileWithoutScans) {
   EXPECT_LT((slam.belief().T_map_robot.position_m() - robot.truth().position_m()).norm(), 0.05);
 }
 
-TEST(ScanSlam, DrawsWallsAndFloor) {
-  ScanSlam slam;
-  Robot robot = hall_robot(180);
-  drive_hall(robot, slam, 0.1);
-  const auto grid = slam.grid();
-  EXPECT_EQ(grid.state(grid.cell_at({8.0, 1.5})), mapping::CellState::kFree);
-  EXPECT_EQ(grid.state(grid.cell_at({8.3, 3.3})), mapping::CellState::kUnknown) << "in the pillar";
-  int walls = 0;
-  for (double x_m = 5.0; x_m < 11.0; x_m += 0.05) {
-    const bool is_wall = grid.state(grid.cell_at({x_m, -0.025})) == mapping::CellState::kOccupied ||
-                         grid.state(grid.cell_at({x_m, 0.025})) == mapping::CellState::kOccupied;
-    walls += is_wall ? 1 : 0;
-  }
-  EXPECT_GT(walls, 110) << "of 120";
-}
-
 TEST(ScanSlam, RefusesParametersWithoutSense) {
   ScanSlamParams params;
   params.key_frame_m = 0.0;

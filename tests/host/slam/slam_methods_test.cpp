@@ -28,7 +28,7 @@ sensors::RangeScan seen_from(double x_m) {
 
 class EachSlam : public testing::TestWithParam<const NamedSlam*> {};
 
-TEST_P(EachSlam, KeepsAPoseForEachScanAndDrawsTheRoom) {
+TEST_P(EachSlam, KeepsAPoseForEachScan) {
   const auto slam = GetParam()->make();
   constexpr int kScans = 80;
   for (int i = 0; i < kScans; ++i) {
@@ -38,9 +38,6 @@ TEST_P(EachSlam, KeepsAPoseForEachScanAndDrawsTheRoom) {
   ASSERT_EQ(slam->trajectory().size(), std::size_t{kScans});
   EXPECT_NEAR(slam->trajectory().back().x_m(), 1.58, 0.05);
   EXPECT_NEAR(slam->belief().T_map_robot.x_m(), 1.58, 0.05);
-  const auto grid = slam->grid();
-  EXPECT_EQ(grid.state(grid.cell_at({1.0, 0.5})), mapping::CellState::kFree);
-  EXPECT_GE(grid.bounds().columns() * grid.resolution_m(), 3.9);
 }
 
 TEST_P(EachSlam, GivesAGraphThatHangsOnItsFirstPose) {
@@ -70,7 +67,6 @@ TEST_P(EachSlam, GivesAGraphThatHangsOnItsFirstPose) {
 TEST_P(EachSlam, HasNothingBeforeTheFirstScan) {
   const auto slam = GetParam()->make();
   EXPECT_TRUE(slam->trajectory().empty());
-  EXPECT_TRUE(slam->grid().bounds().empty());
   EXPECT_TRUE(slam->factor_graph().edges.empty());
 }
 
