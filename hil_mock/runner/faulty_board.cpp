@@ -37,9 +37,11 @@ void FaultyBoard::run_until(std::int64_t until_ns) {
   line_faults::DelayedLine& to_robot = *delay_to_robot_;
   line_faults::DelayedLine& to_host = *delay_to_host_;
   while (const auto arrival_ns = to_robot.next_arrival_ns()) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     if (*arrival_ns > until_ns) {
       break;
     }
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     board_->run_until(std::max(*arrival_ns, board_->now_ns()));
     board_->receive(to_robot.take_arrived(board_->now_ns()));
   }

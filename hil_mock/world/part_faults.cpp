@@ -46,6 +46,7 @@ const KindRow& kind_of(const std::string& fault, const std::string& name) {
       kKinds.begin(), kKinds.end(), [&](const KindRow& row) { return row.name == name; });
   if (found == kKinds.end()) {
     std::vector<std::string> names;
+    names.reserve(kKinds.size());
     for (const KindRow& row : kKinds) {
       names.emplace_back(row.name);
     }

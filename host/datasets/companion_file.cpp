@@ -57,7 +57,9 @@ std::filesystem::path required_companion(const std::filesystem::path& path,
 
 std::optional<FieldCursor> CompanionLines::next() {
   while (const auto line = lines_.next()) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     const FieldCursor fields(lines_, *line);
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     if (!fields.at_end() && !line->starts_with('#')) {
       return fields;
     }

@@ -18,6 +18,7 @@ std::optional<LogRecord> MergedLog::next() {
   }
   Source* first = earliest();
   if (first == nullptr && cut_off_) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): checked above
     throw *std::exchange(cut_off_, std::nullopt);
   }
   return first == nullptr ? std::nullopt : std::exchange(first->head, std::nullopt);

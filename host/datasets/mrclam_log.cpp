@@ -91,11 +91,15 @@ std::map<std::int64_t, std::int64_t> read_barcodes(const std::filesystem::path& 
   std::map<std::int64_t, std::int64_t> subject_of_barcode;
   CompanionLines lines(path);
   while (auto fields = lines.next()) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     const std::int64_t subject = fields->integer("the subject");
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     const std::int64_t barcode = fields->integer("the barcode");
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     fields->expect_end();
     subject_of_barcode[barcode] = subject;
     if (subject_of_barcode.size() > kMaxSubjects) {
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       fields->fail("the barcode", std::to_string(barcode), "one of too many");
     }
   }

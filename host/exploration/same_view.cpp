@@ -37,6 +37,7 @@ bool is_same_view(const mapping::Scan& one,
                         : nullptr;
     if (counterpart != nullptr) {
       ++pairs;
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): both have one
       same += std::abs(*counterpart->range_m - *reading.range_m) <= params.range_m ? 1 : 0;
     }
   }

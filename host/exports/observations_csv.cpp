@@ -38,6 +38,7 @@ class Replay {
       if (lines_.lacks_end()) {
         return true;
       }
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       datasets::FieldCursor fields(lines_, *line, datasets::Separator::kComma);
       hand_on(fields);
     }

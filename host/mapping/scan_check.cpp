@@ -15,6 +15,7 @@ bool hangs_from(const Scan& scan, std::size_t first, const ScanCheckParams& para
   double max_rad = 0.0;
   for (std::size_t i = first; i < scan.size(); ++i) {
     if (!scan[i].range_m ||
+        // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the first of a row has one
         std::abs(*scan[i].range_m - *scan[first].range_m) > params.same_range_m) {
       return false;
     }
@@ -42,11 +43,15 @@ CellState state_on_arc(const PlacedReading& reading,
                        const OccupancyGrid& map,
                        const ScanCheckParams& params) {
   const double step_m = 0.5 * map.resolution_m();
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only echoes are asked about
   const double near_m = *reading.range_m - params.tolerance_m;
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only echoes are asked about
   const double far_m = *reading.range_m + params.tolerance_m;
   CellState found = CellState::kFree;
+  // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): no step counts, cells are wider
   for (double range_m = std::max(near_m, 0.0); range_m <= far_m; range_m += step_m) {
     const double turn_rad = step_m / std::max(range_m, step_m);
+    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): no step counts, cells are wider
     for (double off_rad = -params.beam_half_angle_rad; off_rad <= params.beam_half_angle_rad;
          off_rad += turn_rad) {
       const CellState state =

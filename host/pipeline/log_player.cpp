@@ -41,7 +41,10 @@ void LogPlayer::play(const datasets::LogRecord& record) {
 }
 
 std::optional<double> LogPlayer::duration_s() const {
-  return first_stamp_s_ ? std::optional(*latest_stamp_s_ - *first_stamp_s_) : std::nullopt;
+  if (!first_stamp_s_ || !latest_stamp_s_) {
+    return std::nullopt;
+  }
+  return *latest_stamp_s_ - *first_stamp_s_;
 }
 
 void LogPlayer::take(const datasets::OdometryPose& pose) {
@@ -52,6 +55,7 @@ void LogPlayer::take(const datasets::OdometryPose& pose) {
   }
   move_to(pose.stamp_s, T_log_odom_.inverse() * pose.T_odom_robot);
   if (begins_here) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a pose was reported
     sink_->on_pose_fix({*last_stamp_, T_log_odom_});
   }
 }
@@ -89,6 +93,7 @@ void LogPlayer::take(const datasets::GivenPose& pose) {
     report_pose(pose.stamp_s);
   }
   has_fix_ = true;
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a pose was reported
   sink_->on_pose_fix({*last_stamp_, pose.T_map_robot});
 }
 
@@ -123,6 +128,7 @@ void LogPlayer::take(const datasets::Contact& contact) {
   last_contact_ = contact;
   if (is_placed(contact.stamp_s)) {
     sensors::HazardObservation hazards;
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a pose was reported
     hazards.stamp = *last_stamp_;
     hazards.bump_left = contact.bump_left;
     hazards.bump_right = contact.bump_right;

@@ -10,8 +10,8 @@
 namespace echomap::pipeline {
 namespace {
 
-Eigen::Vector2d end_m(const sensors::Beam& beam) {
-  return *beam.range_m * geometry::unit_vector(beam.bearing_rad);
+Eigen::Vector2d end_m(double range_m, double bearing_rad) {
+  return range_m * geometry::unit_vector(bearing_rad);
 }
 
 void add_evidence(const mapping::OccupancyGrid& from, mapping::OccupancyGrid& to) {
@@ -52,7 +52,8 @@ void ScanMap::add(const StampedPose& robot, const sensors::LandmarkObservation& 
 void ScanMap::add_points(const geometry::Pose2& T_map_sensor, const sensors::RangeScan& scan) {
   for (const auto& beam : scan.beams) {
     if (beam.range_m) {
-      points_.push_back({T_map_sensor * end_m(beam), scan_poses_.size() - 1});
+      points_.push_back(
+          {T_map_sensor * end_m(*beam.range_m, beam.bearing_rad), scan_poses_.size() - 1});
     }
   }
 }
@@ -61,7 +62,7 @@ void ScanMap::add_rays(const geometry::Pose2& T_map_sensor, const sensors::Range
   scan_rays_.clear();
   for (const auto& beam : scan.beams) {
     if (beam.range_m) {
-      scan_rays_.push_back({end_m(beam), true});
+      scan_rays_.push_back({end_m(*beam.range_m, beam.bearing_rad), true});
     }
   }
   rays_.insert(T_map_sensor, scan_rays_, grid_);

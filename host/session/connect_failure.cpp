@@ -45,6 +45,7 @@ std::string reason_of_connect_failure(const robot_link::RobotLink& link, const s
 std::optional<time::HostTime> start_of_robot(const robot_link::RobotLink& link) {
   const auto stamp_us = link.newest_stamp_us();
   const auto newest = stamp_us ? link.clock().host_time(*stamp_us) : std::nullopt;
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): newest has it
   return newest ? std::optional(newest->instant - std::chrono::microseconds(*stamp_us))
                 : std::nullopt;
 }

@@ -17,6 +17,7 @@ void RobotContext::begin_maps(const std::string& slam) {
 }
 
 void RobotContext::end_maps() {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): begin_maps() comes before
   fork_.remove(*atlas_);
   if (follower_) {
     fork_.remove(follower_->sink());
@@ -52,8 +53,10 @@ void RobotContext::open(OpenedRobot robot) {
 }
 
 void RobotContext::connect() {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): open() comes before
   session_->connect();
   if (follower_) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): open() comes before
     follower_->begin(*session_);
   }
 }
@@ -63,6 +66,7 @@ exploration::MotionResult RobotContext::execute(const exploration::Motion& motio
     throw std::logic_error("RobotContext::execute: begin_maps comes first");
   }
   const auto changed = exploration::change_maps(*atlas_, motion);
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): open() comes before
   return changed ? *changed : session_->execute(motion);
 }
 

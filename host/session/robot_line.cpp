@@ -145,6 +145,7 @@ void RobotLine::look_for_end() {
     return;
   }
   if (is_held_ && link_.state() == LinkState::kMismatch) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): in this state it has one
     end(SessionEnd::kFirmwareMismatch, link_.mismatch()->message());
     return;
   }
@@ -170,6 +171,7 @@ void RobotLine::look_for_lift() {
 void RobotLine::look_for_absence() {
   if (!is_held_ || link_.state() == LinkState::kReady) {
     if (std::exchange(absence_is_told_, false)) {
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): set when the absence began
       spdlog::info("{} reconnected after {:.1f} s", name(), seconds_of(now_ - *away_since_));
     }
     away_since_.reset();

@@ -94,9 +94,11 @@ bool RobotSetup::configure() {
       return !line_.was_reset();
     }
   }
-  line_.end(SessionEnd::kConfigInvalid,
-            "the board's configuration differs from what was sent: " +
-                first_difference(*held, wanted) + "\n  next: ./run flash --port " + line_.name());
+  line_.end(
+      SessionEnd::kConfigInvalid,
+      "the board's configuration differs from what was sent: " +
+          // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop leaves where it is empty
+          first_difference(*held, wanted) + "\n  next: ./run flash --port " + line_.name());
   return false;
 }
 

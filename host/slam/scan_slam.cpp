@@ -114,6 +114,7 @@ void ScanSlam::go_to_frame(std::size_t frame) {
 void ScanSlam::begin_frame(std::vector<Eigen::Vector2d> points_m,
                            const Eigen::Matrix3d& information) {
   KeyFrame frame{std::move(points_m), {}};
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a scan was added
   const Pose2 T_now_odom = T_odom_last_->inverse();
   for (const GatheredScan& gathered : gathering_.scans()) {
     frame.scans.push_back({T_now_odom * gathered.T_odom_robot, gathered.scan});
@@ -156,6 +157,7 @@ void ScanSlam::renew_field() {
 
 void ScanSlam::settle_gathered() {
   const Pose2 T_frame_odom =
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a scan was added
       frames_.T_map_frame(frame_).inverse() * belief_.T_map_robot * T_odom_last_->inverse();
   for (const GatheredScan& gathered : gathering_.scans()) {
     places_.push_back({frame_, T_frame_odom * gathered.T_odom_robot});
@@ -171,6 +173,7 @@ std::vector<Pose2> ScanSlam::trajectory() const {
     T_map_robots.push_back(frames_.T_map_frame(place.frame) * place.T_frame_robot);
   }
   for (const GatheredScan& gathered : gathering_.scans()) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a scan was added
     T_map_robots.push_back(belief_.T_map_robot * (T_odom_last_->inverse() * gathered.T_odom_robot));
   }
   return T_map_robots;

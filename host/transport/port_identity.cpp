@@ -53,11 +53,14 @@ std::string PortIdentity::name_now() const {
 
 std::string PortIdentity::device_name_now() const {
   const auto at_its_name = device_at(port_);
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): name_now() has checked it
   if (at_its_name && is_same_device(*at_its_name, *device_)) {
     return port_;
   }
   std::vector<PortInfo> same = list_();
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): name_now() has checked it
   std::erase_if(same, [&](const PortInfo& port) { return !is_same_device(port, *device_); });
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): name_now() has checked it
   if (!device_->serial_number.empty() && same.size() == 1) {
     return same.front().name;
   }
