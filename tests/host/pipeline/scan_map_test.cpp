@@ -14,7 +14,6 @@ namespace {
 
 using datasets::GivenPose;
 using datasets::OdometryPose;
-using sensors::RangeScan;
 using ::testing::ElementsAre;
 
 sensors::RangeScan laser(std::vector<sensors::Beam> beams) {
