@@ -176,8 +176,9 @@ void print_score(const evaluation::RunScore& score) {
   const auto& path = score.trajectory;
   print_shares("free floor agrees", map.free_iou, score.fitted.map.free_iou, "free_iou");
   if (map.wall_rmse_m) {
-    console::print(
-        fmt::format("  walls are off by     {:5.1f} cm (wall_rmse_m)", 100.0 * *map.wall_rmse_m));
+    console::print(fmt::format("  walls are off by     {:5.1f} cm [{:5.1f} cm] (wall_rmse_m)",
+                               100.0 * *map.wall_rmse_m,
+                               100.0 * score.fitted.map.wall_rmse_m.value_or(0.0)));
   }
   print_shares("walls seen", map.wall_recall, score.fitted.map.wall_recall, "wall_recall");
   console::print(
