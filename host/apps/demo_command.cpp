@@ -54,7 +54,7 @@ std::string add_scores(RobotContext& robot,
       return "the simulated robot ended without writing its truth; see " +
              (out / "robot.log").string();
     }
-    const auto score = evaluation::score_run(out, truth);
+    const auto score = evaluation::score_run(out, truth, radius_of_robot(out));
     print_score(score);
     report.update(to_json(score));
     return "";

@@ -45,7 +45,8 @@ evaluation::RelationError score_relations_of(const EvalOptions& options) {
 ExitCode run_eval(const EvalOptions& options) {
   nlohmann::ordered_json report;
   if (!options.truth.empty()) {
-    const auto score = evaluation::score_run(options.run, options.truth);
+    const auto score =
+        evaluation::score_run(options.run, options.truth, radius_of_robot(options.run));
     print_score(score);
     report = to_json(score);
   }

@@ -4,15 +4,19 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+#include <string>
 #include <system_error>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "host/apps/saved_map.hpp"
 #include "host/console/print.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/session/robot_profile.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -23,6 +27,75 @@ std::filesystem::path data_folder() {
   }
   const char* home = std::getenv("HOME");
   return std::filesystem::path(home != nullptr ? home : "/tmp") / ".local" / "share";
+}
+
+nlohmann::ordered_json number_or_null(const std::optional<double>& number) {
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+}
+
+/// Empty where there is nothing that could have been.
+std::optional<double> share_of(std::size_t part, std::size_t whole) {
+  return whole == 0 ? std::nullopt
+                    : std::optional(static_cast<double>(part) / static_cast<double>(whole));
+}
+
+nlohmann::ordered_json map_json(const evaluation::PlacedScore& score) {
+  const auto& [map, obstacles, paths, outline] = score;
+  nlohmann::ordered_json json;
+  json["free_iou"] = map.free_iou;
+  json["wall_rmse_m"] = number_or_null(map.wall_rmse_m);
+  json["wall_recall"] = map.wall_recall;
+  json["solid_called_free"] = number_or_null(obstacles.solid_called_free);
+  json["wall_band_called_free"] = number_or_null(obstacles.wall_band_called_free);
+  json["objects"] = obstacles.objects;
+  json["objects_found"] = number_or_null(share_of(obstacles.objects_found, obstacles.objects));
+  json["path_found_share"] = number_or_null(share_of(paths.paths, paths.pairs));
+  json["path_collision_share"] = number_or_null(share_of(paths.collisions, paths.paths));
+  return json;
+}
+
+/// As "  4.2 %", or a dash for none.
+std::string percent(const std::optional<double>& share) {
+  return share ? fmt::format("{:5.1f} %", 100.0 * *share) : "    -  ";
+}
+
+/// A line with the score by the first pose and, in brackets, fitted.
+void print_shares(const char* label,
+                  const std::optional<double>& start,
+                  const std::optional<double>& fitted,
+                  const char* name) {
+  console::print(
+      fmt::format("  {:<21}{}  [{}]  ({})", label, percent(start), percent(fitted), name));
+}
+
+void print_obstacles(const evaluation::RunScore& score) {
+  const auto& start = score.start;
+  const auto& fitted = score.fitted;
+  print_shares("solid called floor",
+               start.obstacles.solid_called_free,
+               fitted.obstacles.solid_called_free,
+               "solid_called_free");
+  print_shares("10 cm behind walls",
+               start.obstacles.wall_band_called_free,
+               fitted.obstacles.wall_band_called_free,
+               "wall_band_called_free");
+  print_shares("objects found",
+               share_of(start.obstacles.objects_found, start.obstacles.objects),
+               share_of(fitted.obstacles.objects_found, fitted.obstacles.objects),
+               "objects_found");
+  print_shares("paths found",
+               share_of(start.paths.paths, start.paths.pairs),
+               share_of(fitted.paths.paths, fitted.paths.pairs),
+               "path_found_share");
+  print_shares("paths that collide",
+               share_of(start.paths.collisions, start.paths.paths),
+               share_of(fitted.paths.collisions, fitted.paths.paths),
+               "path_collision_share");
+  console::print(
+      fmt::format("  [..]: map laid on the truth, turned by {:.1f} degrees "
+                  "(fit_turn_deg); paths for a radius of {:.1f} cm",
+                  geometry::degrees(score.fit_turn_rad),
+                  100.0 * score.robot_radius_m));
 }
 
 }  // namespace
@@ -58,24 +131,26 @@ void prepare_outputs(const std::filesystem::path& out, const std::filesystem::pa
   const files::AtomicFile report(json);
 }
 
+double radius_of_robot(const std::filesystem::path& run) {
+  const auto profile = run / kProfileName;
+  return std::filesystem::exists(profile)
+             ? session::load_robot_profile(profile.string()).body_radius_m
+             : evaluation::kDefaultRobotRadiusM;
+}
+
 nlohmann::ordered_json to_json(const evaluation::RunScore& score) {
-  nlohmann::ordered_json json;
-  json["free_iou"] = score.map.free_iou;
-  json["wall_rmse_m"] = nullptr;
-  if (score.map.wall_rmse_m) {
-    json["wall_rmse_m"] = *score.map.wall_rmse_m;
-  }
-  json["wall_recall"] = score.map.wall_recall;
+  nlohmann::ordered_json json = map_json(score.start);
   json["ate_rmse_m"] = score.trajectory.ate_rmse_m;
   json["ate_heading_rmse_rad"] = score.trajectory.ate_heading_rmse_rad;
   json["final_error_m"] = score.trajectory.final_error_m;
   json["final_heading_error_rad"] = score.trajectory.final_heading_error_rad;
-  json["outline_corners"] = score.outline.corners;
-  json["room_corners"] = score.outline.room_corners;
-  json["corner_rmse_m"] = nullptr;
-  if (score.outline.corner_rmse_m) {
-    json["corner_rmse_m"] = *score.outline.corner_rmse_m;
-  }
+  json["outline_corners"] = score.start.outline.corners;
+  json["room_corners"] = score.start.outline.room_corners;
+  json["corner_rmse_m"] = number_or_null(score.start.outline.corner_rmse_m);
+  json["robot_radius_m"] = score.robot_radius_m;
+  json["fit_turn_deg"] = geometry::degrees(score.fit_turn_rad);
+  json["fitted"] = map_json(score.fitted);
+  json["fitted"]["corner_rmse_m"] = number_or_null(score.fitted.outline.corner_rmse_m);
   return json;
 }
 
@@ -97,19 +172,20 @@ void write_report(const std::filesystem::path& path, const nlohmann::ordered_jso
 }
 
 void print_score(const evaluation::RunScore& score) {
-  const auto& map = score.map;
+  const auto& map = score.start.map;
   const auto& path = score.trajectory;
-  console::print(fmt::format("  free floor agrees    {:5.1f} %  (free_iou)", 100.0 * map.free_iou));
+  print_shares("free floor agrees", map.free_iou, score.fitted.map.free_iou, "free_iou");
   if (map.wall_rmse_m) {
-    console::print(
-        fmt::format("  walls are off by     {:5.1f} cm (wall_rmse_m)", 100.0 * *map.wall_rmse_m));
+    console::print(fmt::format("  walls are off by     {:5.1f} cm [{:5.1f} cm] (wall_rmse_m)",
+                               100.0 * *map.wall_rmse_m,
+                               100.0 * score.fitted.map.wall_rmse_m.value_or(0.0)));
   }
-  console::print(
-      fmt::format("  walls seen           {:5.1f} %  (wall_recall)", 100.0 * map.wall_recall));
+  print_shares("walls seen", map.wall_recall, score.fitted.map.wall_recall, "wall_recall");
   console::print(
       fmt::format("  the pose is off by  {:5.1f} cm, {:.1f} degrees (ate_rmse_m, heading)",
                   100.0 * path.ate_rmse_m,
                   geometry::degrees(path.ate_heading_rmse_rad)));
+  print_obstacles(score);
 }
 
 void print_relation_error(const evaluation::RelationError& error) {

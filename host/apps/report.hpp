@@ -20,6 +20,10 @@ std::filesystem::path run_folder(const std::filesystem::path& chosen);
 /// written: a run is not driven for nothing. Throws files::FileError.
 void prepare_outputs(const std::filesystem::path& out, const std::filesystem::path& json);
 
+/// The radius of the robot that made a run, from the run's robot.toml; where it has none,
+/// evaluation::kDefaultRobotRadiusM. Throws files::ConfigError.
+double radius_of_robot(const std::filesystem::path& run);
+
 /// The scores under the names that every report uses: free_iou, wall_rmse_m, ...
 nlohmann::ordered_json to_json(const evaluation::RunScore& score);
 
@@ -30,7 +34,7 @@ nlohmann::ordered_json to_json(const evaluation::RelationError& error);
 /// files::FileError.
 void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& report);
 
-/// Prints the scores in one line each.
+/// Prints the scores in one line each, those of the fitted map in brackets.
 void print_score(const evaluation::RunScore& score);
 
 /// The same for the relation error.

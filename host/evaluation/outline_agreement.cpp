@@ -7,15 +7,35 @@
 
 namespace echomap::evaluation {
 
-geometry::Polygon first_ring(const std::vector<geometry::Segment>& walls) {
+std::vector<geometry::Polygon> closed_rings(const std::vector<geometry::Segment>& walls) {
+  std::vector<geometry::Polygon> rings;
   geometry::Polygon ring;
+  Eigen::Vector2d end_m = Eigen::Vector2d::Zero();
   for (const geometry::Segment& wall : walls) {
+    if (wall.from_m != end_m) {
+      ring.clear();
+    }
     ring.push_back(wall.from_m);
-    if (wall.to_m == ring.front()) {
-      return ring;
+    end_m = wall.to_m;
+    if (end_m == ring.front()) {
+      rings.push_back(ring);
+      ring.clear();
     }
   }
-  return {};
+  return rings;
+}
+
+geometry::Polygon first_ring(const std::vector<geometry::Segment>& walls) {
+  const auto rings = closed_rings(walls);
+  return rings.empty() ? geometry::Polygon() : rings.front();
+}
+
+std::vector<geometry::Polygon> obstacle_rings(const std::vector<geometry::Segment>& walls) {
+  auto rings = closed_rings(walls);
+  if (!rings.empty()) {
+    rings.erase(rings.begin());
+  }
+  return rings;
 }
 
 OutlineAgreement score_outline(const std::optional<mapping::PolygonMap>& outline,

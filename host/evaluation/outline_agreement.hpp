@@ -21,9 +21,16 @@ struct OutlineAgreement {
   std::optional<double> corner_rmse_m;
 };
 
-/// The walls of the first closed round: those of the room, which a truth directory tells before
-/// those of what stands in it. Empty where no round is closed.
+/// The polygons that walls in a row close, each wall beginning where the one before it ends. A
+/// truth directory has the room's first, then those of the obstacles; a wall that closes nothing is
+/// passed over.
+std::vector<geometry::Polygon> closed_rings(const std::vector<geometry::Segment>& walls);
+
+/// The first closed ring, the room's. Empty where no ring is closed.
 geometry::Polygon first_ring(const std::vector<geometry::Segment>& walls);
+
+/// The closed rings behind the first: what they enclose is solid.
+std::vector<geometry::Polygon> obstacle_rings(const std::vector<geometry::Segment>& walls);
 
 /// `T_world_map` places the outline in the world; nothing is fitted.
 OutlineAgreement score_outline(const std::optional<mapping::PolygonMap>& outline,

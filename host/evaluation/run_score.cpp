@@ -8,6 +8,7 @@
 #include "host/exports/pgm_yaml.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/geometry/angle.hpp"
 
 namespace echomap::evaluation {
 
@@ -21,18 +22,29 @@ std::optional<mapping::PolygonMap> outline_of(const std::filesystem::path& run_d
 }  // namespace
 
 RunScore score_run(const std::filesystem::path& run_directory,
-                   const std::filesystem::path& truth_directory) {
+                   const std::filesystem::path& truth_directory,
+                   double robot_radius_m) {
   const auto map = exports::read_pgm_yaml(run_directory / "map.yaml");
+  const auto outline = outline_of(run_directory);
   const auto trajectory = exports::read_trajectory_tum(run_directory / "trajectory.tum");
   const Truth truth = read_truth(truth_directory);
   if (truth.trajectory.empty()) {
     throw files::FileError((truth_directory / "truth.tum").string() + ": holds no pose");
   }
-  try {
-    const geometry::Pose2 T_world_map = start_aligned(trajectory, truth.trajectory);
+  const auto placed = [&](const geometry::Pose2& T_world_map) -> PlacedScore {
     return {score_map(map, T_world_map, truth.map),
+            score_obstacles(map, T_world_map, truth.map),
+            score_paths(map, T_world_map, truth.map, robot_radius_m),
+            score_outline(outline, T_world_map, first_ring(truth.map.walls))};
+  };
+  try {
+    const geometry::Pose2 T_world_start = start_aligned(trajectory, truth.trajectory);
+    const geometry::Pose2 T_world_fitted = fit_aligned(trajectory, truth.trajectory);
+    return {placed(T_world_start),
+            placed(T_world_fitted),
+            geometry::angle_between(T_world_start.heading_rad(), T_world_fitted.heading_rad()),
             score_trajectory(trajectory, truth.trajectory),
-            score_outline(outline_of(run_directory), T_world_map, first_ring(truth.map.walls))};
+            robot_radius_m};
   } catch (const std::invalid_argument& error) {
     throw files::FileError(run_directory.string() + ": " + error.what());
   }

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/segment.hpp"
 
 namespace echomap::evaluation {
 
@@ -15,6 +17,9 @@ namespace {
 
 using geometry::Pose2;
 using pipeline::StampedPose;
+
+/// Mean product of the offsets from the means, below which a robot has not moved: 1 cm each.
+constexpr double kMinSpreadM2 = 1e-4;
 
 /// The true pose at an instant, linear between its neighbours; empty outside of the truth.
 std::optional<Pose2> true_pose_at(const std::vector<TruePose>& truth, time::RobotTime stamp) {
@@ -50,6 +55,35 @@ geometry::Pose2 start_aligned(const std::vector<StampedPose>& estimate,
     }
   }
   throw std::invalid_argument("the estimate and the truth have no instant in common");
+}
+
+geometry::Pose2 fit_aligned(const std::vector<StampedPose>& estimate,
+                            const std::vector<TruePose>& truth) {
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> pairs_m;
+  Eigen::Vector2d mean_map_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d mean_world_m = Eigen::Vector2d::Zero();
+  for (const auto& [stamp, T_map_robot] : estimate) {
+    if (const auto T_world_robot = true_pose_at(truth, stamp)) {
+      pairs_m.emplace_back(T_map_robot.position_m(), T_world_robot->position_m());
+      mean_map_m += pairs_m.back().first;
+      mean_world_m += pairs_m.back().second;
+    }
+  }
+  const double count = std::max(1.0, static_cast<double>(pairs_m.size()));
+  mean_map_m /= count;
+  mean_world_m /= count;
+  double cosine_m2 = 0.0;
+  double sine_m2 = 0.0;
+  for (const auto& [map_m, world_m] : pairs_m) {
+    cosine_m2 += (map_m - mean_map_m).dot(world_m - mean_world_m);
+    sine_m2 += geometry::cross(map_m - mean_map_m, world_m - mean_world_m);
+  }
+  if (std::hypot(cosine_m2, sine_m2) <= kMinSpreadM2 * count) {
+    return start_aligned(estimate, truth);
+  }
+  const Pose2 turn(0.0, 0.0, std::atan2(sine_m2, cosine_m2));
+  const Eigen::Vector2d offset_m = mean_world_m - turn * mean_map_m;
+  return Pose2(offset_m.x(), offset_m.y(), turn.heading_rad());
 }
 
 TrajectoryError score_trajectory(const std::vector<StampedPose>& estimate,

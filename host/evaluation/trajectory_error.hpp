@@ -29,6 +29,13 @@ struct TrajectoryError {
 geometry::Pose2 start_aligned(const std::vector<pipeline::StampedPose>& estimate,
                               const std::vector<TruePose>& truth);
 
+/// The same by rigid least squares (Umeyama 1991, without scale): the placement that brings the
+/// estimated positions nearest to the true ones at the stamps that the truth covers. That of
+/// `start_aligned` where the robot has not moved, since positions then fix no heading. Throws
+/// std::invalid_argument where the truth covers none.
+geometry::Pose2 fit_aligned(const std::vector<pipeline::StampedPose>& estimate,
+                            const std::vector<TruePose>& truth);
+
 /// Compares at the stamps of `estimate` that `truth` covers; the truth is interpolated in time.
 /// Both in the order of their stamps. Throws std::invalid_argument where they have no instant in
 /// common.

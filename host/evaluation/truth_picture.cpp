@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/evaluation/outline_agreement.hpp"
 #include "host/exports/map_view.hpp"
 
 namespace echomap::evaluation {
@@ -24,11 +25,12 @@ struct Shown {
   const char* text;
 };
 
-constexpr std::array<Shown, 5> kShown{{
+constexpr std::array<Shown, 6> kShown{{
     {CellVerdict::kFloorFound, kFound, "floor, and it is"},
     {CellVerdict::kWallFound, exports::kWallColour, "wall, and it is"},
     {CellVerdict::kFloorMissed, exports::kSkyBlue, "floor not found"},
     {CellVerdict::kFloorInvented, exports::kVermilion, "called floor, is not"},
+    {CellVerdict::kSolidCalledFree, exports::kPurple, "called floor, is solid"},
     {CellVerdict::kWallInvented, exports::kOrange, "called wall, is none"},
 }};
 
@@ -55,16 +57,27 @@ bool has_wall_near(const Eigen::Vector2d& point_m,
   });
 }
 
+bool is_inside_any(const std::vector<geometry::Polygon>& obstacles,
+                   const Eigen::Vector2d& point_m) {
+  return std::any_of(obstacles.begin(), obstacles.end(), [&](const geometry::Polygon& obstacle) {
+    return geometry::contains(obstacle, point_m);
+  });
+}
+
 }  // namespace
 
 CellVerdict verdict_on(CellIndex cell,
                        const RasterMap& map,
                        const Pose2& T_world_map,
-                       const MapTruth& truth) {
+                       const MapTruth& truth,
+                       const std::vector<geometry::Polygon>& obstacles) {
   const Eigen::Vector2d place_m = T_world_map * map.center_m(cell);
   const bool is_floor = truth.cells.state(truth.cells.cell_at(place_m)) == CellState::kFree;
   switch (map.state(cell)) {
     case CellState::kFree:
+      if (is_inside_any(obstacles, place_m)) {
+        return CellVerdict::kSolidCalledFree;
+      }
       return is_floor ? CellVerdict::kFloorFound : CellVerdict::kFloorInvented;
     case CellState::kOccupied:
       return has_wall_near(place_m, truth.walls, wall_reach_m(map)) ? CellVerdict::kWallFound
@@ -81,12 +94,13 @@ void write_truth_picture(const std::filesystem::path& path,
                          const MapTruth& truth) {
   const mapping::CellBounds cells = cells_of_both(map, T_world_map, truth.cells);
   const RasterMap canvas = mapping::cut_out(map, cells);
+  const auto obstacles = obstacle_rings(truth.walls);
   const exports::MapView view(canvas, legend());
   exports::Picture picture = view.draw();
   for (int y = 0; y < canvas.rows(); ++y) {
     for (int x = 0; x < canvas.columns(); ++x) {
       const CellVerdict verdict =
-          verdict_on({cells.min.x + x, cells.min.y + y}, map, T_world_map, truth);
+          verdict_on({cells.min.x + x, cells.min.y + y}, map, T_world_map, truth, obstacles);
       if (const auto* shown = shown_as(verdict); shown != kShown.end()) {
         view.fill_cell(picture, {x, y}, shown->colour);
       }

@@ -3,26 +3,31 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "host/evaluation/map_agreement.hpp"
+#include "host/geometry/polygon.hpp"
 
 namespace echomap::evaluation {
 
 /// What a map says of a cell, and whether it is so.
 enum class CellVerdict : std::uint8_t {
-  kNothing,        ///< Unknown, and no floor that could be seen.
-  kFloorFound,     ///< Free, and it is.
-  kWallFound,      ///< Occupied, with a wall within 5 cm, or one cell if that is larger.
-  kFloorMissed,    ///< Unknown or occupied, but floor.
-  kFloorInvented,  ///< Free, but no floor.
-  kWallInvented,   ///< Occupied, and no wall is near.
+  kNothing,          ///< Unknown, and no floor that could be seen.
+  kFloorFound,       ///< Free, and it is.
+  kWallFound,        ///< Occupied, with a wall within 5 cm, or one cell if that is larger.
+  kFloorMissed,      ///< Unknown or occupied, but floor.
+  kFloorInvented,    ///< Free, but no floor; outside of the obstacles.
+  kWallInvented,     ///< Occupied, and no wall is near.
+  kSolidCalledFree,  ///< Free, but inside of an obstacle.
 };
 
-/// Judges a cell of the map. `cell` may lie outside of it.
+/// Judges a cell of the map by its centre. `cell` may lie outside of it; `obstacles` are the
+/// truth's `obstacle_rings`.
 CellVerdict verdict_on(geometry::CellIndex cell,
                        const mapping::RasterMap& map,
                        const geometry::Pose2& T_world_map,
-                       const MapTruth& truth);
+                       const MapTruth& truth,
+                       const std::vector<geometry::Polygon>& obstacles);
 
 /// Draws the map in the colours of its verdicts, with the true walls as lines, a legend and a scale
 /// bar, as PNG. Throws files::FileError, and std::invalid_argument where map and truth lie so far

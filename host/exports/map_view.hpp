@@ -20,6 +20,7 @@ constexpr Colour kSkyBlue{86, 180, 233};
 constexpr Colour kGreen{0, 158, 115};
 constexpr Colour kBlue{0, 114, 178};
 constexpr Colour kVermilion{213, 94, 0};
+constexpr Colour kPurple{204, 121, 167};
 
 /// What a colour in a picture means.
 struct LegendEntry {

@@ -76,7 +76,7 @@ std::optional<SlamRun> explore(const std::string& room,
     const auto truth = evaluation::read_truth(run / "truth").trajectory;
     return SlamRun{score.trajectory,
                    evaluation::score_trajectory(odometry_of(run), truth),
-                   score.map.free_iou};
+                   score.start.map.free_iou};
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}, seed {}, has no score: {}\n", room, seed, error.what());
     return std::nullopt;

@@ -50,5 +50,20 @@ TEST(OutlineAgreement, TakesTheFirstRoundOfWallsForTheRoom) {
   EXPECT_TRUE(first_ring(walls).empty());
 }
 
+TEST(OutlineAgreement, TakesTheRingsBehindTheFirstForObstacles) {
+  const Polygon post{{0.5, 0.5}, {0.5, 0.7}, {0.7, 0.7}};
+  std::vector<geometry::Segment> walls{{{5.0, 5.0}, {6.0, 5.0}}};
+  for (std::size_t i = 0; i < square.size(); ++i) {
+    walls.push_back(geometry::side(square, i));
+  }
+  EXPECT_TRUE(obstacle_rings(walls).empty());
+  walls.push_back({{1.0, 1.0}, {1.5, 1.0}});
+  for (std::size_t i = 0; i < post.size(); ++i) {
+    walls.push_back(geometry::side(post, i));
+  }
+  EXPECT_EQ(first_ring(walls), square);
+  EXPECT_EQ(obstacle_rings(walls), std::vector<Polygon>{post});
+}
+
 }  // namespace
 }  // namespace echomap::evaluation

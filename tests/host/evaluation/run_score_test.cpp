@@ -16,8 +16,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// The run that made that truth, believing to be `scale` times as fast; its map is all of the room.
-pipeline::Snapshot run_of(double scale) {
+/// The run that made that truth, believing to be `scale` times as fast and to start with a heading;
+/// its map is all of the room.
+pipeline::Snapshot run_of(double scale, double start_heading_rad = 0.0) {
   mapping::OccupancyGrid grid({.resolution_m = 0.1});
   for (int y = -5; y < 6; ++y) {
     for (int x = -5; x < 15; ++x) {
@@ -25,7 +26,7 @@ pipeline::Snapshot run_of(double scale) {
     }
   }
   return tests::snapshot_of(grid,
-                            {tests::pose_at(0.0, {}),
+                            {tests::pose_at(0.0, {0.0, 0.0, start_heading_rad}),
                              tests::pose_at(5.0, {0.5 * scale, 0.0, 0.0}),
                              tests::pose_at(10.0, {1.0 * scale, 0.0, 0.0})});
 }
@@ -44,13 +45,22 @@ class RunScoreTest : public ::testing::Test {
 
 TEST_F(RunScoreTest, IsFullForAPerfectRun) {
   const RunScore perfect = score(1.0);
-  EXPECT_EQ(perfect.map.free_iou, 1.0);
+  EXPECT_EQ(perfect.start.map.free_iou, 1.0);
   EXPECT_NEAR(perfect.trajectory.ate_rmse_m, 0.0, 1e-6);
 }
 
 TEST_F(RunScoreTest, SeesThatTheRobotBelievesToBeFaster) {
   const RunScore wrong = score(1.1);
   EXPECT_NEAR(wrong.trajectory.final_error_m, 0.1, 1e-6);
+}
+
+TEST_F(RunScoreTest, FitsWhatTheStartPoseHasTurned) {
+  // The same room driven by a robot that at first believed to look 0.1 rad to the side.
+  exports::write_run_directory(folder / "run", run_of(1.0, 0.1), {});
+  const RunScore score = score_run(folder / "run", folder / "truth");
+  EXPECT_NEAR(score.fit_turn_rad, 0.1, 1e-6);
+  EXPECT_EQ(score.fitted.map.free_iou, 1.0);
+  EXPECT_LT(score.start.map.free_iou, 0.98);
 }
 
 TEST_F(RunScoreTest, NamesWhatIsMissing) {

@@ -87,5 +87,23 @@ TEST(TrajectoryError, NeedsACommonInstant) {
   EXPECT_THROW(score_trajectory({pose_at(5.0, {})}, true_circle(0.1, 1.0)), std::invalid_argument);
 }
 
+TEST(TrajectoryError, FitsByTheWholeWayAndNotByItsStart) {
+  auto estimate = circle(0.1, 10.0);
+  const Pose2 T_world_map(2.0, -1.0, 2.5);
+  const auto truth = true_circle(0.1, 10.0, T_world_map);
+  estimate.front() = pose_at(0.0, {0.0, 0.0, 0.2});
+  const Pose2 fitted = fit_aligned(estimate, truth);
+  EXPECT_NEAR(fitted.heading_rad(), 2.5, 1e-9);
+  EXPECT_NEAR((fitted.position_m() - T_world_map.position_m()).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(start_aligned(estimate, truth).heading_rad(), 2.3, 1e-9);
+}
+
+TEST(TrajectoryError, FitsARobotThatHasNotMovedByItsStart) {
+  const std::vector<TruePose> truth{true_at(0.0, {2.0, 1.0, 0.5}), true_at(9.0, {2.0, 1.0, 0.5})};
+  const Pose2 fitted = fit_aligned({pose_at(0.0, {}), pose_at(1.0, {0.001, 0.0, 0.0})}, truth);
+  EXPECT_NEAR(fitted.heading_rad(), 0.5, 1e-12);
+  EXPECT_THROW(fit_aligned({pose_at(99.0, {})}, truth), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace echomap::evaluation

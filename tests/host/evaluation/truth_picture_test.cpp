@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/evaluation/truth_picture.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ tests::DrawnMap verdicts_on(const mapping::RasterMap& map) {
   for (int row = map.rows() - 1; row >= 0; --row) {
     std::string line;
     for (int column = 0; column < map.columns(); ++column) {
-      const auto verdict = verdict_on({column, row}, map, {}, room());
+      const auto verdict = verdict_on({column, row}, map, {}, room(), {});
       line.push_back(kMarks[static_cast<int>(verdict)]);
     }
     drawing.push_back(line);
@@ -60,8 +61,33 @@ TEST(TruthPicture, JudgesEveryCell) {
 
 TEST(TruthPicture, PlacesTheMapByItsPose) {
   const auto map = tests::map_from({"."}, 0.1);
-  EXPECT_EQ(verdict_on({0, 0}, map, {0.5, 0.3, 1.0}, room()), CellVerdict::kFloorFound);
-  EXPECT_EQ(verdict_on({0, 0}, map, {5.5, 0.3, 1.0}, room()), CellVerdict::kFloorInvented);
+  EXPECT_EQ(verdict_on({0, 0}, map, {0.5, 0.3, 1.0}, room(), {}), CellVerdict::kFloorFound);
+  EXPECT_EQ(verdict_on({0, 0}, map, {5.5, 0.3, 1.0}, room(), {}), CellVerdict::kFloorInvented);
+}
+
+TEST(TruthPicture, TellsFloorInAnObstacleFromOtherInventedFloor) {
+  const auto map = tests::map_from({"..#"}, 0.1);
+  const std::vector<geometry::Polygon> box{{{0.0, 0.0}, {0.0, 0.1}, {0.1, 0.1}, {0.1, 0.0}}};
+  EXPECT_EQ(verdict_on({0, 0}, map, {}, room(), box), CellVerdict::kSolidCalledFree);
+  EXPECT_EQ(verdict_on({1, 0}, map, {}, room(), box), CellVerdict::kFloorFound);
+  EXPECT_EQ(verdict_on({2, 0}, map, {-0.2, 0.0, 0.0}, room(), box), CellVerdict::kWallFound);
+}
+
+TEST(TruthPicture, PaintsFloorInAnObstacle) {
+  const tests::ScratchFolder folder;
+  MapTruth truth = room();
+  const auto pixels_of = [&](const char* name) {
+    write_truth_picture(folder / name, tests::map_from({"..", ".."}, 0.1, {0.3, 0.2}), {}, truth);
+    const tests::PngPicture picture(folder / name);
+    return std::count(picture.pixels.begin(), picture.pixels.end(), 0xCC79A7);
+  };
+  const auto legend_alone = pixels_of("a.png");
+  const geometry::Polygon box{{0.3, 0.2}, {0.3, 0.4}, {0.5, 0.4}, {0.5, 0.2}};
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    truth.walls.push_back(geometry::side(box, i));
+  }
+  EXPECT_GT(legend_alone, 0);
+  EXPECT_GE(pixels_of("b.png"), legend_alone + 3 * 8 * 8) << "four cells less their outline";
 }
 
 TEST(TruthPicture, HasTheColoursOfTheErrorsAndALegend) {
@@ -73,7 +99,7 @@ TEST(TruthPicture, HasTheColoursOfTheErrorsAndALegend) {
   for (const int colour : {0xE69F00, 0x56B4E9, 0x009E73, 0xEBF0EB}) {
     EXPECT_EQ(colours.count(colour), 1U) << std::hex << colour;
   }
-  EXPECT_GE(picture.height, 6 * 8 + 44 + 6 * 24) << "six lines of legend";
+  EXPECT_GE(picture.height, 6 * 8 + 44 + 7 * 24) << "seven lines of legend";
 }
 
 TEST(TruthPicture, RefusesAMapThatLiesElsewhere) {
