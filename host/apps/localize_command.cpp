@@ -121,8 +121,10 @@ pipeline::RobotLocalizer localizer_for(const LocalizeOptions& options) {
 }
 
 nlohmann::ordered_json log_report(const LocalizeOptions& options,
+                                  const std::string& outcome,
                                   const pipeline::RobotLocalizer& localizer) {
-  nlohmann::ordered_json json{{"log", options.log.filename().string()},
+  nlohmann::ordered_json json{{"outcome", outcome},
+                              {"log", options.log.filename().string()},
                               {"scans", localizer.scans()},
                               {"unused_scans", localizer.unused_scans()},
                               {"late_scans", localizer.late_scans()},
@@ -137,10 +139,10 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
   if (const auto start = tracking::start_pose(options.at)) {
     localizer.start_at(start->T_map_robot, start->stddev_m, start->stddev_rad);
   }
-  bool has_ended = false;
+  std::string outcome = "log-damaged";
   std::string damage;
   try {
-    has_ended = play(options, localizer);
+    outcome = play(options, localizer) ? "finished" : "interrupted";
   } catch (const files::FileError& error) {
     damage = error.what();
   }
@@ -153,7 +155,7 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
     spdlog::warn("{}", trouble);
   }
   exports::write_trajectory_tum(out / "trajectory.tum", localizer.trajectory());
-  const auto report = log_report(options, localizer);
+  const auto report = log_report(options, outcome, localizer);
   write_report(out / "summary.json", report);
   write_report(options.run.json, report);
   console::print(
@@ -163,7 +165,7 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
     spdlog::error("{}; the trajectory up to there is saved", damage);
     return ExitCode::kRuntimeError;
   }
-  return has_ended ? ExitCode::kOk : ExitCode::kInterrupted;
+  return outcome == "interrupted" ? ExitCode::kInterrupted : ExitCode::kOk;
 }
 
 }  // namespace

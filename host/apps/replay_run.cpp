@@ -78,7 +78,8 @@ geometry::Polygon outline_of(const fs::path& run, const PlayedSummary& summary) 
 void save_summary(const fs::path& folder,
                   ordered_json run,
                   const exports::RunSummary& map,
-                  const ordered_json& replay) {
+                  const ordered_json& replay,
+                  bool is_damaged) {
   const auto made = ordered_json::parse(exports::to_json_text(map));
   for (const char* key : {"slam",
                           "stops",
@@ -92,6 +93,9 @@ void save_summary(const fs::path& folder,
     run[key] = made.at(key);
   }
   run["replay"] = replay;
+  if (is_damaged) {
+    run["outcome"] = "log-damaged";
+  }
   write_report(folder / "summary.json", run);
 }
 
@@ -99,6 +103,7 @@ struct PlayedMap {
   const pipeline::ObservationLog& record;
   const pipeline::RobotPipeline& pipeline;
   std::string slam;
+  bool is_damaged = false;
 };
 
 void save_played(const PlayedMap& map,
@@ -117,7 +122,29 @@ void save_played(const PlayedMap& map,
                {{"log", run.filename().string()},
                 {"map", "grid"},
                 {"poses", map.slam},
-                {"observations", map.record.observations()}});
+                {"observations", map.record.observations()}},
+               map.is_damaged);
+}
+
+/// Answers what is wrong with those that cannot be saved; empty where all are.
+std::string save_previous_maps(const pipeline::RobotAtlas& atlas,
+                               const std::string& slam,
+                               const session::RobotProfile& profile,
+                               const ReplayOptions& options,
+                               const fs::path& out) {
+  std::string damage;
+  for (std::size_t i = 0; i < atlas.previous_maps().size(); ++i) {
+    const pipeline::PreviousMap& previous = atlas.previous_maps()[i];
+    try {
+      save_played({previous.record, previous.pipeline, slam},
+                  profile,
+                  stored_previous_map(options.log, i + 1),
+                  previous_map_of(out, i + 1));
+    } catch (const files::FileError& error) {
+      damage += (damage.empty() ? "" : "\n") + std::string(error.what());
+    }
+  }
+  return damage;
 }
 
 /// The run's, or the one that is asked for.
@@ -165,18 +192,9 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   if (!fs::equivalent(options.log, out)) {
     move_earlier_run_aside(out);
   }
-  for (std::size_t i = 0; i < atlas.previous_maps().size(); ++i) {
-    const pipeline::PreviousMap& previous = atlas.previous_maps()[i];
-    try {
-      save_played({previous.record, previous.pipeline, slam},
-                  profile,
-                  stored_previous_map(options.log, i + 1),
-                  previous_map_of(out, i + 1));
-    } catch (const files::FileError& error) {
-      damage += (damage.empty() ? "" : "\n") + std::string(error.what());
-    }
-  }
-  save_played({atlas.record(), atlas.pipeline(), slam}, profile, options.log, out);
+  const std::string unsaved = save_previous_maps(atlas, slam, profile, options, out);
+  damage += (damage.empty() || unsaved.empty() ? "" : "\n") + unsaved;
+  save_played({atlas.record(), atlas.pipeline(), slam, !damage.empty()}, profile, options.log, out);
   write_report(options.json, ordered_json::parse(files::read_text_file(out / "summary.json")));
   console::print("map: " + (out / "map.png").string());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

@@ -47,6 +47,7 @@ class LocalizeCommandTest : public ::testing::Test {
 TEST_F(LocalizeCommandTest, FollowsARobotThatBeginsWhereItIsTold) {
   options_.at = {0.0, 0.0, 0.0};
   ASSERT_EQ(run_localize(options_), ExitCode::kOk);
+  EXPECT_EQ(summary()["outcome"], "finished");
   EXPECT_EQ(summary()["status"], "localized");
   EXPECT_LT(summary()["lost_probability"], 0.1);
   const auto found = exports::read_trajectory_tum(options_.run.out / "trajectory.tum").back();
@@ -85,6 +86,7 @@ TEST_F(LocalizeCommandTest, ADamagedLogKeepsItsTrajectoryUpToThere) {
   files::write_text_file(options_.log, whole.substr(0, middle) + "\n");
   options_.at = {0.0, 0.0, 0.0};
   EXPECT_EQ(run_localize(options_), ExitCode::kRuntimeError);
+  EXPECT_EQ(summary()["outcome"], "log-damaged");
   EXPECT_EQ(summary()["status"], "localized");
   EXPECT_GT(exports::read_trajectory_tum(options_.run.out / "trajectory.tum").size(), 5U);
 }

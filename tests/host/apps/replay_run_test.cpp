@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/replay_run.hpp"
 
+#include <csignal>
+#include <cstdlib>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -8,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/saved_map.hpp"
+#include "host/console/exit_code.hpp"
+#include "host/console/interrupt.hpp"
 #include "host/exports/observations_file.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/session/pipeline_setup.hpp"
@@ -133,6 +137,35 @@ TEST_F(ReplayRunTest, KeepsTheMapUpToWhereTheRecordIsDamaged) {
   files::write_text_file(options.log / kRecordName, record + "odometry,1\n");
   EXPECT_EQ(run_replay(options), console::ExitCode::kRuntimeError);
   EXPECT_EQ(text("map.pgm"), live_text("map.pgm"));
+  EXPECT_EQ(nlohmann::json::parse(text("summary.json"))["outcome"], "log-damaged");
+}
+
+TEST_F(ReplayRunTest, KeepsTheOtherMapsWhereThatOfAPreviousOneLacksItsSummary) {
+  for (const std::size_t number : {1U, 2U}) {
+    std::filesystem::create_directories(previous_map_of(options.log, number));
+    save_map(atlas.pipeline(), profile, previous_map_of(options.log, number), summary);
+    std::filesystem::copy_file(options.log / kRecordName,
+                               previous_map_of(options.log, number) / kRecordName);
+  }
+  std::filesystem::remove(previous_map_of(options.log, 1) / "summary.json");
+  EXPECT_EQ(run_replay(options), console::ExitCode::kRuntimeError);
+  EXPECT_FALSE(exists(previous_map_of(options.out, 1) / "map.pgm"));
+  EXPECT_EQ(text("previous_2/map.pgm"), live_text("previous_2/map.pgm"));
+  EXPECT_EQ(text("map.pgm"), live_text("map.pgm"));
+}
+
+TEST_F(ReplayRunTest, WritesNothingAfterCtrlC) {
+  const auto replay_and_interrupt = [&] {
+    console::catch_interrupts();
+    std::raise(SIGINT);
+    try {
+      run_replay(options);
+    } catch (const console::CommandError& error) {
+      std::exit(static_cast<int>(error.code()));
+    }
+  };
+  EXPECT_EXIT(replay_and_interrupt(), ::testing::ExitedWithCode(130), "");
+  EXPECT_FALSE(exists(options.out));
 }
 
 TEST_F(ReplayRunTest, LeavesADamagedRunAsItIs) {
