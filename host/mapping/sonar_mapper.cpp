@@ -125,6 +125,19 @@ OccupancyGrid SonarMapper::grid() const {
   return grid;
 }
 
+SonarFeatures SonarMapper::features() const {
+  SonarFeatures features;
+  for (const MatchedWall& wall : joined_at_corners(matched_.walls, matched_.scans, params_.corners)) {
+    const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
+    const Eigen::Vector2d along = geometry::perpendicular(normal);
+    const Eigen::Vector2d foot_m = wall.offset_m * normal;
+    for (const auto& piece : wall.pieces) {
+      features.walls.push_back({foot_m + piece.from_m * along, foot_m + piece.to_m * along});
+    }
+  }
+  return features;
+}
+
 void SonarMapper::add_floor(const ScanSurfaces& scan,
                             const std::vector<MatchedWall>& walls,
                             const CellSet& solid,

@@ -7,6 +7,7 @@
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/scan_alignment.hpp"
+#include "host/mapping/sonar_features.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
 #include "host/mapping/stop_floor.hpp"
 #include "host/mapping/surface_matching.hpp"
@@ -52,6 +53,8 @@ class SonarMapper {
 
   /// The grid of all scans so far; without any echo, an untouched one.
   OccupancyGrid grid() const;
+  /// What that grid is drawn from.
+  SonarFeatures features() const;
   /// From where each scan was placed to where it is on the map; the robot goes with the last one.
   const std::vector<geometry::Pose2>& T_map_placed() const { return T_map_placed_; }
 

@@ -11,6 +11,7 @@
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/mapping/scan_check.hpp"
+#include "host/mapping/sonar_features.hpp"
 #include "host/pipeline/seen_landmark.hpp"
 #include "host/sensors/observations.hpp"
 #include "host/time/robot_time.hpp"
@@ -34,6 +35,9 @@ struct Snapshot {
   std::vector<std::size_t> carried_to;
   std::shared_ptr<const mapping::PointCloudMap> points;
   std::shared_ptr<const mapping::OccupancyGrid> grid;
+  /// Walls and compact obstacles that stops with a sonar have measured.
+  std::shared_ptr<const mapping::SonarFeatures> features =
+      std::make_shared<const mapping::SonarFeatures>();
   /// What was heard at all stops whose scans are in the grid, where it has them now.
   std::shared_ptr<const std::vector<mapping::Scan>> scans;
   /// Every landmark that was seen, in their order.

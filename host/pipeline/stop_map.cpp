@@ -39,6 +39,7 @@ geometry::Pose2 StopMap::update_sonar_grid() {
   newly_free_m2_ = mapping::newly_free_area_m2(*sonar_grid_, *grid);
   sonar_grid_ = grid;
   grid_ = nullptr;
+  features_ = std::make_shared<const mapping::SonarFeatures>(sonar_.features());
   std::vector<mapping::Scan> scans;
   for (std::size_t i = 0; i < placed_scans_.size(); ++i) {
     scans.push_back(mapping::moved(placed_scans_[i], sonar_.T_map_placed()[i]));
@@ -66,6 +67,7 @@ std::shared_ptr<const mapping::OccupancyGrid> StopMap::grid() const {
 void StopMap::describe(Snapshot& snapshot) const {
   snapshot.points = points_;
   snapshot.grid = grid();
+  snapshot.features = features_;
   snapshot.scans = scans_;
   snapshot.landmarks = std::make_shared<const std::vector<SeenLandmark>>();
   snapshot.last_scan = last_scan_;

@@ -51,6 +51,8 @@ class StopMap {
   mutable std::uint64_t contacts_in_grid_ = 0;
   std::vector<mapping::Scan>
       placed_scans_;  ///< Those in the grid, as odometry or SLAM places them.
+  std::shared_ptr<const mapping::SonarFeatures> features_ =
+      std::make_shared<const mapping::SonarFeatures>();
   std::shared_ptr<const std::vector<mapping::Scan>> scans_;
   std::shared_ptr<const mapping::Scan> last_scan_;
   mapping::ScanFault last_scan_fault_ = mapping::ScanFault::kNone;
