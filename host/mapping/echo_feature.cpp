@@ -32,11 +32,11 @@ FeatureView view_of_wall_from(const Eigen::Vector2d& sensor_m, const WallLine& w
   return view;
 }
 
-FeatureView view_of_point_from(const Eigen::Vector2d& sensor_m, const Eigen::Vector2d& point_m) {
-  const Eigen::Vector2d offset_m = point_m - sensor_m;
+FeatureView view_of_point_from(const Eigen::Vector2d& sensor_m, const EchoFeature& point) {
+  const Eigen::Vector2d offset_m = point.value - sensor_m;
   const double range_m = offset_m.norm();
   FeatureView view;
-  view.range_m = range_m;
+  view.range_m = range_m - point.radius_m;
   view.bearing_rad = std::atan2(offset_m.y(), offset_m.x());
   view.jacobian << offset_m.transpose() / range_m,
       geometry::perpendicular(offset_m).transpose() / (range_m * range_m);
@@ -125,7 +125,7 @@ void add_points(const Echo& first,
 
 FeatureView view_from(const Eigen::Vector2d& sensor_m, const EchoFeature& feature) {
   return feature.kind == LandmarkKind::kWall ? view_of_wall_from(sensor_m, line_of(feature))
-                                             : view_of_point_from(sensor_m, feature.value);
+                                             : view_of_point_from(sensor_m, feature);
 }
 
 std::optional<FeatureEcho> echo_of(const EchoFeature& feature,
@@ -166,10 +166,24 @@ std::vector<EchoFeature> features_through(const RangeCircle& first, const RangeC
       features.push_back({LandmarkKind::kWall, {offset_m, normal_rad}});
     }
   }
-  for (const Eigen::Vector2d& point_m : crossings_m(first, second)) {
-    features.push_back({LandmarkKind::kPoint, point_m});
+  for (const EchoFeature& point : circles_through(first, second, 0.0)) {
+    features.push_back(point);
   }
   return features;
+}
+
+std::vector<EchoFeature> circles_through(const RangeCircle& first,
+                                         const RangeCircle& second,
+                                         double radius_m) {
+  std::vector<EchoFeature> circles;
+  if ((second.center_m - first.center_m).norm() >= kMinBaselineM) {
+    for (const Eigen::Vector2d& middle_m :
+         crossings_m({first.center_m, first.range_m + radius_m},
+                     {second.center_m, second.range_m + radius_m})) {
+      circles.push_back({LandmarkKind::kPoint, middle_m, radius_m});
+    }
+  }
+  return circles;
 }
 
 std::vector<EchoFeature> features_through(const Echo& first,

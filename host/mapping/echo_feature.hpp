@@ -20,6 +20,8 @@ struct EchoFeature {
   LandmarkKind kind = LandmarkKind::kPoint;
   /// By the kind, as a landmark has it: x and y (m), or offset (m) and direction of the normal.
   Eigen::Vector2d value = Eigen::Vector2d::Zero();
+  /// Of a point that is the middle of something round: it answers so far before the point.
+  double radius_m = 0.0;
 };
 
 /// How echoes are taken for those of one thing; ours.
@@ -39,7 +41,7 @@ struct FeatureView {
   Eigen::Matrix2d jacobian = Eigen::Matrix2d::Zero();
 };
 
-/// How a feature looks from a place, whatever way the sensor points.
+/// How a feature looks from a place, whatever way the sensor points. The range is that of its face.
 FeatureView view_from(const Eigen::Vector2d& sensor_m, const EchoFeature& feature);
 
 /// What a cone would measure of a feature; the bearing is that of the feature's nearest point,
@@ -67,6 +69,12 @@ struct RangeCircle {
 /// The features that fit two ranges: up to two walls, tangents of the two circles, and up to two
 /// points, where the circles cross. None where the centres lie too near together.
 std::vector<EchoFeature> features_through(const RangeCircle& first, const RangeCircle& second);
+
+/// The round things of a radius that fit two ranges: up to two. None where the centres lie too near
+/// together.
+std::vector<EchoFeature> circles_through(const RangeCircle& first,
+                                         const RangeCircle& second,
+                                         double radius_m);
 
 /// The features that explain two echoes: walls, of which each has measured the same (tangents of
 /// both arcs, and what meets the edges of the cones), and points where the arcs cross. Of cones

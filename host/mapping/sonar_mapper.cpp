@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "host/geometry/parameter_validator.hpp"
+#include "host/geometry/segment.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
@@ -14,18 +18,80 @@ namespace {
 
 using geometry::CellIndex;
 
-/// The cells that a straight piece runs through.
-std::set<CellIndex> cells_along(const OccupancyGrid& grid,
-                                const Eigen::Vector2d& from_m,
-                                const Eigen::Vector2d& to_m) {
+/// Readings of a scan that tell whether it was bent.
+constexpr std::size_t kProbes = 6;
+
+/// Visits the cells that a straight piece runs through, some of them more than once.
+template <class Visit>
+void visit_along(const CellField& field,
+                 const Eigen::Vector2d& from_m,
+                 const Eigen::Vector2d& to_m,
+                 Visit&& visit) {
   constexpr double kStepsPerCell = 5.0;
   const double length_m = (to_m - from_m).norm();
-  const int steps = 1 + static_cast<int>(kStepsPerCell * length_m / grid.resolution_m());
-  std::set<CellIndex> cells;
+  const int steps = 1 + static_cast<int>(kStepsPerCell * length_m / field.resolution_m());
   for (int i = 0; i <= steps; ++i) {
-    cells.insert(grid.cell_at(from_m + static_cast<double>(i) / steps * (to_m - from_m)));
+    const CellIndex cell = field.cell_at(from_m + static_cast<double>(i) / steps * (to_m - from_m));
+    if (field.holds(cell)) {
+      visit(cell);
+    }
   }
-  return cells;
+}
+
+void mark(CellField& field, CellIndex cell) { field[field.index(cell)] = 1.0F; }
+
+/// Marks where walls and the seen rims of round things are drawn.
+void mark_faces(const SonarFeatures& features, double drawn_behind_m, CellField& faces) {
+  for (const geometry::Segment& wall : features.walls) {
+    const Eigen::Vector2d behind_m = -drawn_behind_m * geometry::left_normal(wall);
+    visit_along(faces, wall.from_m + behind_m, wall.to_m + behind_m, [&](CellIndex cell) {
+      mark(faces, cell);
+    });
+  }
+  for (const FittedCircle& circle : features.circles) {
+    for (std::size_t i = 0; i < FittedCircle::kSectors; ++i) {
+      if (circle.seen[i]) {
+        visit_along(faces, circle.rim_m(i), circle.rim_m(i + 1), [&](CellIndex cell) {
+          mark(faces, cell);
+        });
+      }
+    }
+  }
+}
+
+/// Marks what round things enclose.
+void mark_insides(const SonarFeatures& features, CellField& solid) {
+  for (const FittedCircle& circle : features.circles) {
+    const CellIndex low = solid.cell_at(circle.center_m.array() - circle.radius_m);
+    const CellIndex high = solid.cell_at(circle.center_m.array() + circle.radius_m);
+    for (std::int32_t y = low.y; y <= high.y; ++y) {
+      for (std::int32_t x = low.x; x <= high.x; ++x) {
+        if (solid.holds({x, y}) &&
+            (solid.center_m({x, y}) - circle.center_m).norm() < circle.radius_m) {
+          mark(solid, {x, y});
+        }
+      }
+    }
+  }
+}
+
+/// Visits the cells right behind the face of a surface, each once or more.
+template <class Visit>
+void visit_behind(const SonarSurface& surface,
+                  const Eigen::Vector2d& from_m,
+                  const LoneSurfaceParams& params,
+                  const CellField& field,
+                  Visit&& visit) {
+  const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
+  const double half_m =
+      std::max(surface.half_length_m, surface.range_m * std::tan(params.half_angle_rad));
+  const Eigen::Vector2d half = half_m * geometry::perpendicular(normal);
+  const int rows = 1 + static_cast<int>(2.0 * params.depth_m / field.resolution_m());
+  for (int row = 0; row <= rows; ++row) {
+    const double depth_m = params.depth_m * row / rows;
+    const Eigen::Vector2d middle_m = from_m + (surface.range_m + depth_m) * normal;
+    visit_along(field, middle_m - half, middle_m + half, visit);
+  }
 }
 
 /// An echo from where no floor ends came another way.
@@ -43,13 +109,17 @@ bool borders_floor(const OccupancyGrid& floor, CellIndex cell) {
 /// How a scan has moved as a whole; empty where it was bent by more than a fraction of what a sonar
 /// tells, or is another one.
 std::optional<geometry::Pose2> rigid_motion(const Scan& from, const Scan& to) {
-  constexpr double kBentM = 0.003;
-  constexpr double kBentRad = 0.003;
-  if (from.empty() || from.size() != to.size()) {
+  constexpr double kBentM = 0.005;
+  constexpr double kBentRad = 0.012;
+  if (from.size() != to.size()) {
     return std::nullopt;
   }
+  if (from.empty()) {
+    return geometry::Pose2();
+  }
   const geometry::Pose2 T_to_from = to.front().T_map_sonar * from.front().T_map_sonar.inverse();
-  for (std::size_t i = 0; i < from.size(); ++i) {
+  for (std::size_t probe = 0; probe < kProbes; ++probe) {
+    const std::size_t i = probe * (from.size() - 1) / (kProbes - 1);
     const geometry::Pose2 off = to[i].T_map_sonar.inverse() * T_to_from * from[i].T_map_sonar;
     if (from[i].range_m != to[i].range_m || off.position_m().norm() > kBentM ||
         std::abs(off.heading_rad()) > kBentRad) {
@@ -59,140 +129,191 @@ std::optional<geometry::Pose2> rigid_motion(const Scan& from, const Scan& to) {
   return T_to_from;
 }
 
+bool is_near(const Eigen::Vector2d& one_m, const Eigen::Vector2d& other_m, double within_m) {
+  return (one_m - other_m).norm() <= within_m;
+}
+
+bool is_still(const geometry::Segment& one, const geometry::Segment& other, double within_m) {
+  return is_near(one.from_m, other.from_m, within_m) && is_near(one.to_m, other.to_m, within_m);
+}
+
+bool is_still(const FittedCircle& one, const FittedCircle& other, double within_m) {
+  return is_near(one.center_m, other.center_m, within_m) &&
+         std::abs(one.radius_m - other.radius_m) <= within_m && one.seen == other.seen;
+}
+
+/// Things that have not moved stay where they were.
+template <class Thing>
+void hold_still(const std::vector<Thing>& before, double within_m, std::vector<Thing>& now) {
+  for (Thing& thing : now) {
+    const auto same = std::find_if(before.begin(), before.end(), [&](const Thing& known) {
+      return is_still(known, thing, within_m);
+    });
+    thing = same == before.end() ? thing : *same;
+  }
+}
+
+/// Where something came or went: pieces that are in one of the two lists alone.
+void add_changes(const SonarFeatures& one,
+                 const SonarFeatures& other,
+                 std::vector<geometry::Segment>& changes) {
+  for (const geometry::Segment& wall : one.walls) {
+    if (std::none_of(other.walls.begin(), other.walls.end(), [&](const auto& known) {
+          return is_still(known, wall, 0.0);
+        })) {
+      changes.push_back(wall);
+    }
+  }
+  for (const FittedCircle& circle : one.circles) {
+    if (std::none_of(other.circles.begin(), other.circles.end(), [&](const auto& known) {
+          return is_still(known, circle, 0.0);
+        })) {
+      changes.push_back({circle.center_m, circle.center_m});
+    }
+  }
+}
+
 }  // namespace
 
-SonarMapper::SonarMapper(const SonarMapperParams& params) : params_(params) {
+SonarMapper::SonarMapper(const SonarMapperParams& params)
+    : params_(params),
+      matcher_(params.matching),
+      evidence_(params.evidence, params.grid.resolution_m) {
   const auto& surfaces = params.surfaces;
   geometry::ParameterValidator("sonar mapper")
       .positive("surfaces.beam_half_angle_rad", surfaces.beam_half_angle_rad)
       .at_most("surfaces.beam_half_angle_rad", surfaces.beam_half_angle_rad, kMaxBeamHalfAngleRad)
       .positive("surfaces.depth_tolerance_m", surfaces.depth_tolerance_m)
+      .positive_finite("floor.max_range_m", params.floor.max_range_m)
+      .positive("floor.max_gap_rad", params.floor.max_gap_rad)
+      .at_least("floor.looks_half_angle_rad", params.floor.looks_half_angle_rad, 0.0)
+      .at_least("floor.echo_half_angle_rad", params.floor.echo_half_angle_rad, 0.0)
+      .within("evidence.silent_share", params.evidence.silent_share, 0.0, 1.0)
+      .positive("features.completion.min_angle_rad", params.features.completion.min_angle_rad)
       .at_least("floor.margin_m", params.floor.margin_m, 0.0)
-      .positive("fade_m", params.fade_m)
-      .positive("matching.range_tolerance_m", params.matching.range_tolerance_m)
-      .positive("free_centilogits", params.free_centilogits)
-      .positive("occupied_centilogits", params.occupied_centilogits)
-      .at_least("post_centilogits", params.post_centilogits, 0)
-      .positive("matched_centilogits", params.matched_centilogits);
+      .positive("evidence.fade_m", params.evidence.fade_m)
+      .positive("evidence.free_centilogits", params.evidence.free_centilogits)
+      .at_least("lone.depth_m", params.lone.depth_m, 0.0)
+      .positive("matched_centilogits", params.matched_centilogits)
+      .at_least("still_m", params.still_m, 0.0)
+      .at_least("still_rad", params.still_rad, 0.0);
 }
 
-void SonarMapper::add(const Scan& scan) {
-  scans_.push_back({scan, find_surfaces(scan, params_.surfaces)});
-  std::vector<ScanSurfaces> placed;
-  placed.reserve(scans_.size());
-  for (const KnownScan& known : scans_) {
-    placed.push_back(known.surfaces);
-  }
-  match(placed);
+void SonarMapper::take(const std::vector<Scan>& scans,
+                       const std::vector<Eigen::Vector2d>& track_m) {
+  const std::vector<std::size_t> moved = place(scans);
+  matcher_.update(surfaces_, moved);
+  matched_ = matcher_.matched();
+  SonarFeatures features = sonar_features(matched_, surfaces_, track_m, params_.features);
+  hold_still(features_.walls, params_.still_m, features.walls);
+  hold_still(features_.circles, params_.still_m, features.circles);
+  const SonarFeatures before = std::exchange(features_, std::move(features));
+  update_floor(before, moved);
 }
 
-void SonarMapper::take(const std::vector<Scan>& scans) {
-  scans_.resize(scans.size());
-  std::vector<ScanSurfaces> placed;
-  placed.reserve(scans_.size());
+std::vector<std::size_t> SonarMapper::place(const std::vector<Scan>& scans) {
+  const std::size_t known = std::min(readings_.size(), scans.size());
+  readings_.resize(known);
+  surfaces_.resize(known);
+  floors_.erase(floors_.begin() + static_cast<std::ptrdiff_t>(known), floors_.end());
+  std::vector<std::size_t> moved;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    const auto T_new_old = rigid_motion(scans_[i].readings, scans[i]);
-    if (!T_new_old) {
-      scans_[i] = {scans[i], find_surfaces(scans[i], params_.surfaces)};
+    const bool is_new = i >= known;
+    const auto T_new_old = is_new ? std::nullopt : rigid_motion(readings_[i], scans[i]);
+    if (T_new_old &&
+        is_near(*T_new_old * surfaces_[i].center_m, surfaces_[i].center_m, params_.still_m) &&
+        std::abs(T_new_old->heading_rad()) <= params_.still_rad) {
+      continue;
     }
-    placed.push_back(moved(scans_[i].surfaces, T_new_old.value_or(geometry::Pose2())));
+    moved.push_back(i);
+    ScanSurfaces surfaces = T_new_old ? mapping::moved(surfaces_[i], *T_new_old)
+                                      : find_surfaces(scans[i], params_.surfaces);
+    StopFloor floor(surfaces, params_.surfaces, params_.floor);
+    if (is_new) {
+      readings_.push_back(scans[i]);
+      surfaces_.push_back(std::move(surfaces));
+      floors_.push_back(floor);
+    } else {
+      // The scan that its surfaces were found in, or else small bends would add up.
+      readings_[i] = T_new_old ? mapping::moved(readings_[i], *T_new_old) : scans[i];
+      surfaces_[i] = std::move(surfaces);
+      floors_[i] = floor;
+    }
   }
-  match(placed);
+  return moved;
 }
 
-void SonarMapper::match(const std::vector<ScanSurfaces>& placed) {
-  const AlignedScans aligned = align_scans(placed, params_.matching, params_.alignment);
-  T_map_placed_ = aligned.T_map_placed;
-  matched_ = match_surfaces(aligned.scans, params_.matching);
+void SonarMapper::update_floor(const SonarFeatures& before, const std::vector<std::size_t>& moved) {
+  evidence_.resize(floors_.size());
+  std::vector<geometry::Segment> changes;
+  add_changes(before, features_, changes);
+  add_changes(features_, before, changes);
+  const double reach_m = params_.floor.max_range_m + params_.matching.max_radius_m;
+  for (std::size_t i = 0; i < floors_.size(); ++i) {
+    const bool is_about =
+        std::binary_search(moved.begin(), moved.end(), i) ||
+        std::any_of(changes.begin(), changes.end(), [&](const geometry::Segment& change) {
+          return geometry::distance_m(change, floors_[i].center_m()) <= reach_m;
+        });
+    if (is_about) {
+      evidence_.set(i, floors_[i].center_m(), floors_[i].reach(features_));
+    }
+  }
 }
 
 OccupancyGrid SonarMapper::grid() const {
-  OccupancyGrid floor(params_.grid);
-  const auto walls = joined_at_corners(matched_.walls, matched_.scans, params_.corners);
-  const CellSet solid = solid_cells(floor);
-  for (const auto& scan : matched_.scans) {
-    add_floor(scan, walls, solid, floor);
-  }
+  CellField faces(evidence_.bounds(), params_.grid.resolution_m);
+  mark_faces(features_, params_.drawn_behind_m, faces);
+  CellField solid = faces;
+  mark_insides(features_, solid);
+  const OccupancyGrid floor = floor_grid(solid);
   OccupancyGrid grid = floor;
-  for (const auto& scan : matched_.scans) {
-    add_surfaces(scan, floor, grid);
-  }
-  for (const CellIndex cell : solid) {
-    if (borders_floor(floor, cell)) {
-      grid.add(cell, params_.matched_centilogits);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (faces[i] > 0.0F && borders_floor(floor, faces.cell(i))) {
+      grid.add(faces.cell(i), params_.matched_centilogits);
     }
   }
   return grid;
 }
 
-SonarFeatures SonarMapper::features() const {
-  SonarFeatures features;
-  for (const MatchedWall& wall : joined_at_corners(matched_.walls, matched_.scans, params_.corners)) {
-    const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
-    const Eigen::Vector2d along = geometry::perpendicular(normal);
-    const Eigen::Vector2d foot_m = wall.offset_m * normal;
-    for (const auto& piece : wall.pieces) {
-      features.walls.push_back({foot_m + piece.from_m * along, foot_m + piece.to_m * along});
+OccupancyGrid SonarMapper::floor_grid(const CellField& solid) const {
+  OccupancyGrid floor(params_.grid);
+  const CellField doubt = doubts();
+  for (std::size_t i = 0; i < solid.size(); ++i) {
+    const CellIndex cell = solid.cell(i);
+    const int evidence = evidence_.centilogits(cell) - static_cast<int>(doubt[i]);
+    if (evidence > 0 && solid[i] == 0.0F) {
+      floor.add(cell, -evidence);
     }
   }
-  return features;
+  return floor;
 }
 
-void SonarMapper::add_floor(const ScanSurfaces& scan,
-                            const std::vector<MatchedWall>& walls,
-                            const CellSet& solid,
-                            OccupancyGrid& grid) const {
-  const StopFloor floor(scan, walls, params_.surfaces, params_.floor);
-  const double reach_m = floor.max_m();
-  const CellIndex low = grid.cell_at(scan.center_m.array() - reach_m);
-  const CellIndex high = grid.cell_at(scan.center_m.array() + reach_m);
-  for (std::int32_t y = low.y; y <= high.y; ++y) {
-    for (std::int32_t x = low.x; x <= high.x; ++x) {
-      const Eigen::Vector2d offset_m = grid.center_m({x, y}) - scan.center_m;
-      const double distance_m = offset_m.norm();
-      if (distance_m < floor.reach_m(std::atan2(offset_m.y(), offset_m.x())) &&
-          !solid.contains({x, y})) {
-        grid.add({x, y}, -faded(params_.free_centilogits, distance_m));
+CellField SonarMapper::doubts() const {
+  std::set<std::pair<std::size_t, std::size_t>> explained;  // A post may be the edge of anything.
+  for (const MatchedFeature& feature : matched_.features) {
+    if (feature.feature.kind == LandmarkKind::kWall || feature.feature.radius_m > 0.0) {
+      explained.insert(feature.supporters.begin(), feature.supporters.end());
+    }
+  }
+  CellField doubts(evidence_.bounds(), params_.grid.resolution_m);
+  CellField last(evidence_.bounds(), params_.grid.resolution_m);
+  float surfaces = 0.0F;
+  for (std::size_t scan = 0; scan < surfaces_.size(); ++scan) {
+    for (std::size_t i = 0; i < surfaces_[scan].surfaces.size(); ++i) {
+      if (explained.contains({scan, i})) {
+        continue;
       }
+      const SonarSurface& surface = surfaces_[scan].surfaces[i];
+      const auto doubt = static_cast<float>(evidence_.faded(surface.range_m));
+      surfaces += 1.0F;
+      visit_behind(surface, surfaces_[scan].center_m, params_.lone, doubts, [&](CellIndex cell) {
+        const std::size_t index = doubts.index(cell);
+        doubts[index] += std::exchange(last[index], surfaces) == surfaces ? 0.0F : doubt;
+      });
     }
   }
-}
-
-void SonarMapper::add_surfaces(const ScanSurfaces& scan,
-                               const OccupancyGrid& floor,
-                               OccupancyGrid& grid) const {
-  for (const auto& surface : scan.surfaces) {
-    const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
-    const Eigen::Vector2d half_m = surface.half_length_m * geometry::perpendicular(normal);
-    const Eigen::Vector2d middle_m = scan.center_m + surface.range_m * normal;
-    const int evidence =
-        surface.half_length_m > 0.0 ? params_.occupied_centilogits : params_.post_centilogits;
-    for (const CellIndex cell : cells_along(grid, middle_m - half_m, middle_m + half_m)) {
-      if (borders_floor(floor, cell)) {
-        grid.add(cell, faded(evidence, surface.range_m));
-      }
-    }
-  }
-}
-
-SonarMapper::CellSet SonarMapper::solid_cells(const OccupancyGrid& grid) const {
-  CellSet cells;
-  for (const auto& wall : matched_.walls) {
-    const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
-    const Eigen::Vector2d along = geometry::perpendicular(normal);
-    const Eigen::Vector2d foot_m = (wall.offset_m + params_.drawn_behind_m) * normal;
-    for (const auto& piece : wall.pieces) {
-      cells.merge(cells_along(grid, foot_m + piece.from_m * along, foot_m + piece.to_m * along));
-    }
-  }
-  for (const auto& post_m : matched_.posts_m) {
-    cells.insert(grid.cell_at(post_m));
-  }
-  return cells;
-}
-
-int SonarMapper::faded(int centilogits, double distance_m) const {
-  return static_cast<int>(std::lround(centilogits * std::exp(-distance_m / params_.fade_m)));
+  return doubts;
 }
 
 }  // namespace echomap::mapping

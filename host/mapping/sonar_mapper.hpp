@@ -1,89 +1,86 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <set>
+#include <cstddef>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "host/mapping/cell_field.hpp"
+#include "host/mapping/floor_evidence.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
-#include "host/mapping/scan_alignment.hpp"
 #include "host/mapping/sonar_features.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
 #include "host/mapping/stop_floor.hpp"
 #include "host/mapping/surface_matching.hpp"
-#include "host/mapping/wall_corners.hpp"
 
 namespace echomap::mapping {
+
+/// Where a surface that one stop alone has seen takes back as much evidence for floor as a stop
+/// gives: something is there, and nobody knows yet what.
+struct LoneSurfaceParams {
+  /// Depth of the region behind its face, metres.
+  double depth_m = 0.15;
+  /// Half width of that region as an angle at the stop, radians.
+  double half_angle_rad = 0.07;
+};
 
 /// Evidence is in hundredths of log-odds; the weights are ours, chosen in simulated rooms.
 struct SonarMapperParams {
   OccupancyGridParams grid;
   SonarSurfaceParams surfaces;
   SurfaceMatchingParams matching;
-  ScanAlignmentParams alignment;
-  CornerJoiningParams corners;
+  SonarFeaturesParams features;
   StopFloorParams floor;
-  /// Evidence of one stop for floor or surface at its feet; it falls to 1/e at `fade_m`, because an
-  /// error of bearing counts the more the farther off.
-  int free_centilogits = 220;
-  int occupied_centilogits = 100;
-  /// The same for a post or corner, which may as well be an echo from round a corner: one sighting
-  /// alone does not make a cell occupied.
-  int post_centilogits = 50;
-  double fade_m = 3.0;
-  /// Evidence for a wall or post that several stops agree on.
+  FloorEvidenceParams evidence;
+  LoneSurfaceParams lone;
+  /// Evidence for a wall or round thing that several stops agree on.
   int matched_centilogits = 500;
   /// Such a wall is drawn so far behind its face: floor ends in the middle of a cell, and the half
   /// before the wall is floor.
-  double drawn_behind_m = 0.02;
+  double drawn_behind_m = 0.015;
+  /// A stop that is moved, or a feature that moves, by less than this stays where it is drawn.
+  double still_m = 0.003;
+  double still_rad = 0.002;
 };
 
 /// Makes an occupancy grid of sonar scans. Not reading by reading: the readings of a stop are
-/// resolved into surfaces, the surfaces of all stops are matched, the stops are moved to where
-/// these agree, and only then is evidence put into cells (docs/algorithms/sonar_grid.md).
+/// resolved into surfaces, the surfaces of all stops are matched to walls and round things, and
+/// only then is evidence put into cells (docs/algorithms/sonar_grid.md). A new stop is matched with
+/// those about it, and changes only the cells that it says something else of.
 class SonarMapper {
  public:
   /// Throws std::invalid_argument for invalid parameters.
   explicit SonarMapper(const SonarMapperParams& params = {});
 
-  /// Adds the readings of one stop, placed by odometry alone.
-  void add(const Scan& scan);
-  /// Takes the readings of all stops so far, as SLAM places them now, for those of before.
-  void take(const std::vector<Scan>& scans);
+  /// Takes the readings of all stops so far, as they are placed now, for those of before, and where
+  /// the robot's centre has been so far. In the map frame.
+  void take(const std::vector<Scan>& scans, const std::vector<Eigen::Vector2d>& track_m);
 
   /// The grid of all scans so far; without any echo, an untouched one.
   OccupancyGrid grid() const;
   /// What that grid is drawn from.
-  SonarFeatures features() const;
-  /// From where each scan was placed to where it is on the map; the robot goes with the last one.
-  const std::vector<geometry::Pose2>& T_map_placed() const { return T_map_placed_; }
+  const SonarFeatures& features() const { return features_; }
 
  private:
-  using CellSet = std::set<geometry::CellIndex>;
-
-  /// Readings and what was found in them, both as they were placed then.
-  struct KnownScan {
-    Scan readings;
-    ScanSurfaces surfaces;
-  };
-
-  void match(const std::vector<ScanSurfaces>& placed);
-
-  void add_floor(const ScanSurfaces& scan,
-                 const std::vector<MatchedWall>& walls,
-                 const CellSet& solid,
-                 OccupancyGrid& grid) const;
-  void add_surfaces(const ScanSurfaces& scan,
-                    const OccupancyGrid& floor,
-                    OccupancyGrid& grid) const;
-  /// Where the walls and posts stand that stops agree on.
-  CellSet solid_cells(const OccupancyGrid& grid) const;
-  int faded(int centilogits, double distance_m) const;
+  /// Answers which scans are new or have moved.
+  std::vector<std::size_t> place(const std::vector<Scan>& scans);
+  void update_floor(const SonarFeatures& before, const std::vector<std::size_t>& moved);
+  OccupancyGrid floor_grid(const CellField& solid) const;
+  /// Evidence for floor that surfaces of one stop alone take back, by cell.
+  CellField doubts() const;
 
   SonarMapperParams params_;
-  std::vector<KnownScan> scans_;
-  MatchedSurfaces matched_;  ///< On the map.
-  std::vector<geometry::Pose2> T_map_placed_;
+  /// Of each scan: its readings and its surfaces, as it was placed when it moved last, and what it
+  /// says of the floor.
+  std::vector<Scan> readings_;
+  std::vector<ScanSurfaces> surfaces_;
+  std::vector<StopFloor> floors_;
+  SurfaceMatcher matcher_;
+  MatchedSurfaces matched_;
+  SonarFeatures features_;
+  FloorEvidence evidence_;
 };
 
 }  // namespace echomap::mapping

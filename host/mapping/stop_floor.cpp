@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/segment.hpp"
@@ -16,80 +18,141 @@ namespace echomap::mapping {
 namespace {
 
 constexpr double kNowhereM = std::numeric_limits<double>::infinity();
-/// Half a degree: a third of a cell at 2 m.
-constexpr std::size_t kBearings = 720;
-constexpr double kBearingStepRad = 2.0 * std::numbers::pi / kBearings;
 
-std::vector<geometry::Segment> segments_of(const std::vector<MatchedWall>& walls,
-                                           double beyond_ends_m) {
-  std::vector<geometry::Segment> segments;
-  for (const MatchedWall& wall : walls) {
-    const Eigen::Vector2d normal = geometry::unit_vector(wall.normal_rad);
-    const Eigen::Vector2d along = geometry::perpendicular(normal);
-    const Eigen::Vector2d foot_m = wall.offset_m * normal;
-    for (const auto& piece : wall.pieces) {
-      segments.push_back({foot_m + (piece.from_m - beyond_ends_m) * along,
-                          foot_m + (piece.to_m + beyond_ends_m) * along});
-    }
+/// Calls `visit(index)` for the steps of a profile whose middles lie within `half_rad` of a
+/// bearing.
+template <class Visit>
+void visit_about(double bearing_rad, double half_rad, Visit&& visit) {
+  const double from = (bearing_rad - half_rad + std::numbers::pi) / BearingProfile::kStepRad - 0.5;
+  const double to = (bearing_rad + half_rad + std::numbers::pi) / BearingProfile::kStepRad - 0.5;
+  constexpr auto kAll = static_cast<std::int64_t>(BearingProfile::kBearings);
+  const auto first = static_cast<std::int64_t>(std::ceil(from));
+  const auto last = std::min(static_cast<std::int64_t>(std::floor(to)), first + kAll - 1);
+  for (std::int64_t i = first; i <= last; ++i) {
+    visit(static_cast<std::size_t>(((i % kAll) + kAll) % kAll));
   }
-  return segments;
 }
 
-/// To the nearest wall in a direction.
-double wall_m(const std::vector<geometry::Segment>& walls,
-              const Eigen::Vector2d& from_m,
-              double bearing_rad) {
-  double nearest_m = kNowhereM;
-  for (const auto& wall : walls) {
-    const auto distance =
-        geometry::ray_distance_m(from_m, geometry::unit_vector(bearing_rad), wall);
-    nearest_m = std::min(nearest_m, distance.value_or(kNowhereM));
-  }
-  return nearest_m;
+geometry::Segment prolonged(const geometry::Segment& wall, double beyond_ends_m) {
+  const Eigen::Vector2d beyond_m = beyond_ends_m * (wall.to_m - wall.from_m).normalized();
+  return {wall.from_m - beyond_m, wall.to_m + beyond_m};
 }
 
-/// The nearest that was heard about a direction: infinity for silence, 0 where nobody has listened.
-double heard_m(const std::vector<sensors::Beam>& looks,
-               double bearing_rad,
-               double beam_half_angle_rad) {
-  double nearest_m = kNowhereM;
-  bool listened = false;
+double bearing_to_rad(const Eigen::Vector2d& offset_m) {
+  return std::atan2(offset_m.y(), offset_m.x());
+}
+
+/// The nearest of what stops agree on, by bearing.
+struct Nearest {
+  BearingProfile any_m{kNowhereM};
+  /// Of what turns its face to the stop: nobody sees a wall from behind.
+  BearingProfile facing_m{kNowhereM};
+
+  void take(std::size_t index, double distance_m, bool is_facing) {
+    any_m[index] = std::min(any_m[index], distance_m);
+    facing_m[index] = is_facing ? std::min(facing_m[index], distance_m) : facing_m[index];
+  }
+};
+
+void look_at(const geometry::Segment& wall, const Eigen::Vector2d& from_m, Nearest& nearest) {
+  const bool is_facing = geometry::left_normal(wall).dot(from_m - wall.from_m) > 0.0;
+  const double first_rad = bearing_to_rad(wall.from_m - from_m);
+  const double half_rad =
+      0.5 * geometry::angle_between(first_rad, bearing_to_rad(wall.to_m - from_m));
+  visit_about(first_rad + half_rad, std::abs(half_rad), [&](std::size_t i) {
+    const auto distance_m = geometry::ray_distance_m(
+        from_m, geometry::unit_vector(BearingProfile::bearing_rad(i)), wall);
+    nearest.take(i, distance_m.value_or(kNowhereM), is_facing);
+  });
+}
+
+/// Takes the near side of a circle.
+void look_at(const FittedCircle& circle, const Eigen::Vector2d& from_m, Nearest& nearest) {
+  const Eigen::Vector2d offset_m = circle.center_m - from_m;
+  const double distance_m = offset_m.norm();
+  const double half_rad =
+      distance_m > circle.radius_m ? std::asin(circle.radius_m / distance_m) : std::numbers::pi;
+  visit_about(bearing_to_rad(offset_m), half_rad, [&](std::size_t i) {
+    const Eigen::Vector2d direction = geometry::unit_vector(BearingProfile::bearing_rad(i));
+    const double along_m = direction.dot(offset_m);
+    const double half_chord2_m2 =
+        circle.radius_m * circle.radius_m - (offset_m - along_m * direction).squaredNorm();
+    const double near_m = along_m - std::sqrt(std::max(0.0, half_chord2_m2));
+    nearest.take(i, std::max(0.0, near_m), true);
+  });
+}
+
+/// The nearest that was heard within an angle of each direction.
+BearingProfile heard_within(const std::vector<sensors::Beam>& looks, double half_rad) {
+  BearingProfile heard_m(-1.0);
   for (const sensors::Beam& look : looks) {
-    if (std::abs(geometry::angle_between(bearing_rad, look.bearing_rad)) <= beam_half_angle_rad) {
-      listened = true;
-      nearest_m = std::min(nearest_m, look.range_m.value_or(kNowhereM));
-    }
+    const double range_m = look.range_m.value_or(kNowhereM);
+    visit_about(look.bearing_rad, half_rad, [&](std::size_t i) {
+      heard_m[i] = heard_m[i] < 0.0 ? range_m : std::min(heard_m[i], range_m);
+    });
   }
-  return listened ? nearest_m : 0.0;
+  for (std::size_t i = 0; i < BearingProfile::kBearings; ++i) {
+    heard_m[i] = std::max(0.0, heard_m[i]);
+  }
+  return heard_m;
 }
 
 }  // namespace
 
+std::size_t BearingProfile::index(double bearing_rad) {
+  const double turned_rad = std::max(0.0, bearing_rad + std::numbers::pi);
+  return std::min(static_cast<std::size_t>(turned_rad / kStepRad), kBearings - 1);
+}
+
+double BearingProfile::bearing_rad(std::size_t index) {
+  return -std::numbers::pi + (static_cast<double>(index) + 0.5) * kStepRad;
+}
+
+double BearingProfile::max_m() const {
+  return *std::max_element(distances_m_.begin(), distances_m_.end());
+}
+
 StopFloor::StopFloor(const ScanSurfaces& scan,
-                     const std::vector<MatchedWall>& walls,
                      const SonarSurfaceParams& beam,
                      const StopFloorParams& params)
-    : reaches_m_(kBearings) {
-  const auto segments = segments_of(walls, params.hidden_beyond_ends_m);
+    : params_(params),
+      nearer_by_slant_(std::cos(beam.beam_edge * beam.beam_half_angle_rad)),
+      depth_tolerance_m_(beam.depth_tolerance_m),
+      center_m_(scan.center_m),
+      heard_m_(heard_within(scan.looks, params.looks_half_angle_rad)),
+      alone_m_(heard_within(scan.looks, params.echo_half_angle_rad)) {
   const ScanOutline outline(scan, params.max_gap_rad);
-  const double nearer_by_slant = std::cos(beam.beam_edge * beam.beam_half_angle_rad);
-  for (std::size_t i = 0; i < kBearings; ++i) {
-    const double bearing_rad = -std::numbers::pi + (static_cast<double>(i) + 0.5) * kBearingStepRad;
-    const double to_wall_m = wall_m(segments, scan.center_m, bearing_rad);
-    const double nearer_m = nearer_by_slant * to_wall_m - beam.depth_tolerance_m;
-    const bool up_to_wall =
-        to_wall_m < kNowhereM &&
-        heard_m(scan.looks, bearing_rad, params.looks_half_angle_rad) >= nearer_m;
-    const double outline_m = outline.range_m(bearing_rad) - params.margin_m;
-    reaches_m_[i] = up_to_wall ? to_wall_m : std::max(0.0, std::min(outline_m, to_wall_m));
+  for (std::size_t i = 0; i < BearingProfile::kBearings; ++i) {
+    const double outline_m = outline.range_m(BearingProfile::bearing_rad(i)) - params.margin_m;
+    alone_m_[i] = std::max(0.0, std::min(outline_m, alone_m_[i] - params.echo_margin_m));
   }
 }
 
-double StopFloor::reach_m(double bearing_rad) const {
-  const auto index = static_cast<std::size_t>((bearing_rad + std::numbers::pi) / kBearingStepRad);
-  return reaches_m_[std::min(index, kBearings - 1)];
+FloorReach StopFloor::reach(const SonarFeatures& features) const {
+  Nearest nearest;
+  for (const geometry::Segment& wall : features.walls) {
+    if (geometry::distance_m(wall, center_m_) <= params_.max_range_m) {
+      look_at(prolonged(wall, params_.hidden_beyond_ends_m), center_m_, nearest);
+    }
+  }
+  for (const FittedCircle& circle : features.circles) {
+    const bool is_round = circle.radius_m > 0.0;  // A post may be the edge of anything.
+    if (is_round && (circle.center_m - center_m_).norm() - circle.radius_m <= params_.max_range_m) {
+      look_at(circle, center_m_, nearest);
+    }
+  }
+  FloorReach reach;
+  for (std::size_t i = 0; i < BearingProfile::kBearings; ++i) {
+    const double any_m = nearest.any_m[i];
+    const bool is_faced =
+        any_m < kNowhereM && nearest.facing_m[i] <= any_m + params_.wall_thickness_m;
+    const bool is_clear = is_faced && heard_m_[i] >= nearer_by_slant_ * any_m - depth_tolerance_m_;
+    const bool is_heard = is_clear && heard_m_[i] <= any_m + depth_tolerance_m_;
+    const double max_m = std::min(any_m, params_.max_range_m);
+    reach.heard_m[i] = std::min(is_heard ? any_m : alone_m_[i], max_m);
+    reach.silent_m[i] = std::min(is_clear ? any_m : alone_m_[i], max_m);
+  }
+  return reach;
 }
-
-double StopFloor::max_m() const { return *std::max_element(reaches_m_.begin(), reaches_m_.end()); }
 
 }  // namespace echomap::mapping

@@ -5,34 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "host/mapping/echo_feature.hpp"
+#include "host/mapping/feature_finder.hpp"
+#include "host/mapping/feature_support.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
 
 namespace echomap::mapping {
-
-/// When sightings from several stops are taken for one wall or post.
-struct SurfaceMatchingParams {
-  /// A sighting belongs to a feature when its range is off by at most this: 2 sigma of the mean of
-  /// a few readings plus the odometry's drift from stop to stop.
-  double range_tolerance_m = 0.05;
-  /// ... and its bearing by at most these. The range of a sighting is good to a centimetre or two,
-  /// its bearing only to several degrees, where a region is cut short on one side.
-  double wall_bearing_tolerance_rad = 0.35;
-  double post_bearing_tolerance_rad = 0.26;
-  /// Standard deviations for the fit.
-  double range_stddev_m = 0.025;
-  double bearing_stddev_rad = 0.14;
-  /// A sighting with this many readings, or more, counts fully.
-  double full_readings = 10.0;
-  /// A wall seen as a post, or the other way round, counts this much.
-  double other_kind_weight = 0.6;
-  /// Less support than this makes no feature: one full sighting and another, middling one.
-  double min_support = 1.4;
-  /// A piece of wall shorter than this between two seen pieces is there too: less than a door.
-  double bridged_gap_m = 0.4;
-};
 
 /// A straight wall that several stops agree on: the points p with n . p = offset, n the unit vector
 /// at `normal_rad`, and with n_left . p in one of the pieces.
@@ -56,19 +34,48 @@ struct MatchedFeature {
 
 /// What all stops together have seen, in the map frame.
 struct MatchedSurfaces {
-  /// As given, with bearings and ranges of the matched surfaces made better.
-  std::vector<ScanSurfaces> scans;
   std::vector<MatchedWall> walls;
-  /// Posts and corners.
-  std::vector<Eigen::Vector2d> posts_m;
-  /// Walls and posts in the order in which they were found, the best supported first.
+  /// Walls, posts and round things; the walls in the order of `walls`.
   std::vector<MatchedFeature> features;
 };
 
-/// Finds what several stops have seen: each pair of sightings proposes walls and posts, the one
-/// that most sightings support wins and takes them, and again (in the manner of Tardos et al.
-/// 2002). Ranges from two places fix a surface much better than the bearing from one.
-MatchedSurfaces match_surfaces(std::vector<ScanSurfaces> scans,
+/// Finds what several stops have seen as the stops come: a new one is matched with what is settled,
+/// and, with the stops about it, for what is not. Ranges from two places fix a surface much better
+/// than the bearing from one.
+class SurfaceMatcher {
+ public:
+  /// Throws std::invalid_argument for invalid parameters.
+  explicit SurfaceMatcher(const SurfaceMatchingParams& params = {});
+
+  /// Takes all scans as they are placed now. `changed` are the indices of those that are new or
+  /// were moved since the last time.
+  void update(const std::vector<ScanSurfaces>& scans, const std::vector<std::size_t>& changed);
+
+  MatchedSurfaces matched() const;
+
+ private:
+  std::vector<bool> rematched(const std::vector<ScanSurfaces>& scans,
+                              const std::vector<std::size_t>& changed) const;
+  /// Places the sightings of features anew, and lets go those that no longer fit and the features
+  /// that are not settled.
+  void release(const std::vector<ScanSurfaces>& scans,
+               const std::vector<bool>& is_moved,
+               const std::vector<bool>& is_rematched);
+  /// Hands the surfaces of the scans that no feature has to `features_`, each to the first that it
+  /// fits.
+  void assign(const std::vector<ScanSurfaces>& scans,
+              const std::vector<bool>& among,
+              std::size_t first_feature);
+  std::vector<Sighting> free_sightings(const std::vector<ScanSurfaces>& scans,
+                                       const std::vector<bool>& among) const;
+
+  SurfaceMatchingParams params_;
+  std::vector<SupportedFeature> features_;   ///< The best supported first.
+  std::vector<std::vector<bool>> is_taken_;  ///< By scan and surface.
+};
+
+/// What the scans together have seen, all of them matched at once.
+MatchedSurfaces match_surfaces(const std::vector<ScanSurfaces>& scans,
                                const SurfaceMatchingParams& params);
 
 }  // namespace echomap::mapping

@@ -2,6 +2,7 @@
 #include "host/mapping/sonar_mapper.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -24,31 +25,34 @@ TEST(SonarMapper, DrawsTheFloorAndTheWallsThatSeveralStopsAgreeOn) {
   SonarMapperParams coarse;
   coarse.grid.resolution_m = 0.2;
   SonarMapper mapper(coarse);
-  mapper.add(scan_of(kRoom, {0.0, 0.0}));
-  mapper.add(scan_of(kRoom, {0.5, 0.2}));
-  mapper.add(scan_of(kRoom, {-0.4, 0.3}));
-  mapper.add(scan_of(kRoom, {0.2, -0.2}));
-  // The centres of the lowest and the highest row lie on the walls: these are either.
+  mapper.take({scan_of(kRoom, {0.0, 0.0}),
+               scan_of(kRoom, {0.5, 0.2}),
+               scan_of(kRoom, {-0.4, 0.3}),
+               scan_of(kRoom, {0.2, -0.2})},
+              {});
   EXPECT_EQ(tests::drawing_of(rasterize(mapper.grid())),
             (tests::DrawnMap{"               ",
-                             " #  ######   # ",
-                             "  ...........  ",
+                             " ############# ",
                              " #...........# ",
                              " #...........# ",
                              " #...........# ",
                              " #...........# ",
                              " #...........# ",
                              " #...........# ",
-                             "  .########  # ",
+                             " #...........# ",
+                             " ############# ",
                              "               "}));
 }
 
 TEST(SonarMapper, NeverCallsFloorWhatLiesBehindAWall) {
-  SonarMapper mapper;
+  std::vector<Scan> scans;
   for (const double x_m : {-0.5, 0.0, 0.4, 0.8}) {
-    mapper.add(scan_of(kRoom, {x_m, 0.2 * x_m}));
+    scans.push_back(scan_of(kRoom, {x_m, 0.2 * x_m}));
   }
+  SonarMapper mapper;
+  mapper.take(scans, {});
   const OccupancyGrid grid = mapper.grid();
+  EXPECT_EQ(grid.state(grid.cell_at({0.0, 0.0})), CellState::kFree);
   const auto bounds = grid.bounds();
   for (int y = bounds.min.y; y <= bounds.max.y; ++y) {
     for (int x = bounds.min.x; x <= bounds.max.x; ++x) {
@@ -62,14 +66,13 @@ TEST(SonarMapper, NeverCallsFloorWhatLiesBehindAWall) {
 
 TEST(SonarMapper, LearnsNothingFromSilence) {
   SonarMapper mapper;
-  mapper.add(scan_of({}));
-  mapper.add({});
+  mapper.take({scan_of({}), {}}, {});
   EXPECT_TRUE(mapper.grid().bounds().empty());
 }
 
 TEST(SonarMapper, LearnsLittleFromOneReading) {
   SonarMapper mapper;
-  mapper.add({scan_of(kRoom).front()});
+  mapper.take({{scan_of(kRoom).front()}}, {});
   EXPECT_TRUE(mapper.grid().bounds().empty());
 }
 
@@ -79,10 +82,61 @@ TEST(SonarMapper, TakesARangeThatIsTheSameAllAroundForARound) {
     reading.range_m = 4.0;
   }
   SonarMapper mapper;
-  mapper.add(scan);
+  mapper.take({scan}, {});
   const OccupancyGrid grid = mapper.grid();
   EXPECT_NE(grid.state(grid.cell_at({0.0, 0.0})), CellState::kOccupied);
   EXPECT_FALSE(grid.centilogits(grid.cell_at({4.3, 0.0})).has_value());
+}
+
+/// A room with a round table of 0.3 m, and stops all around it.
+const Eigen::Vector2d kTableM(0.2, 0.1);
+
+std::vector<Scan> scans_around_table() {
+  SmoothRoom room = tests::smooth_rectangle();
+  std::vector<Scan> scans;
+  for (const Eigen::Vector2d& place_m : {Eigen::Vector2d(-0.6, 0.0),
+                                         Eigen::Vector2d(-0.4, -0.4),
+                                         Eigen::Vector2d(0.9, 0.0),
+                                         Eigen::Vector2d(0.9, 0.5),
+                                         Eigen::Vector2d(-0.5, 0.6),
+                                         Eigen::Vector2d(0.8, -0.4)}) {
+    // Its nearest point answers as a post there would.
+    room.corners_m = tests::smooth_rectangle().corners_m;
+    room.corners_m.push_back(kTableM + 0.15 * (place_m - kTableM).normalized());
+    scans.push_back(scan_of(room, place_m));
+  }
+  return scans;
+}
+
+TEST(SonarMapper, KeepsARoundTableThatEachStopHearsAtAnotherPoint) {
+  SonarMapper mapper;
+  mapper.take(scans_around_table(), {});
+  const RasterMap map = rasterize(mapper.grid());
+  EXPECT_NE(map.state(map.cell_at(kTableM)), CellState::kFree);
+  for (const double bearing_deg : {0.0, 90.0, 180.0, 270.0}) {
+    const Eigen::Vector2d inside_m =
+        kTableM + 0.1 * Eigen::Vector2d(std::cos(geometry::radians(bearing_deg)),
+                                        std::sin(geometry::radians(bearing_deg)));
+    EXPECT_NE(map.state(map.cell_at(inside_m)), CellState::kFree) << bearing_deg;
+  }
+  EXPECT_TRUE(std::any_of(mapper.features().circles.begin(),
+                          mapper.features().circles.end(),
+                          [](const FittedCircle& circle) {
+                            return (circle.center_m - kTableM).norm() < 0.03 &&
+                                   std::abs(circle.radius_m - 0.15) < 0.03;
+                          }));
+}
+
+TEST(SonarMapper, DrawsTheSameStopByStopAsAtOnce) {
+  const std::vector<Scan> scans = scans_around_table();
+  SonarMapper growing;
+  for (std::size_t stops = 1; stops <= scans.size(); ++stops) {
+    growing.take({scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(stops)}, {});
+  }
+  SonarMapper at_once;
+  at_once.take(scans, {});
+  EXPECT_EQ(tests::drawing_of(rasterize(growing.grid())),
+            tests::drawing_of(rasterize(at_once.grid())));
 }
 
 TEST(SonarMapper, RefusesParametersWithoutSense) {
@@ -90,7 +144,7 @@ TEST(SonarMapper, RefusesParametersWithoutSense) {
   no_beam.surfaces.beam_half_angle_rad = 0.0;
   EXPECT_THROW(SonarMapper{no_beam}, std::invalid_argument);
   SonarMapperParams no_fade;
-  no_fade.fade_m = 0.0;
+  no_fade.evidence.fade_m = 0.0;
   EXPECT_THROW(SonarMapper{no_fade}, std::invalid_argument);
 }
 
@@ -105,21 +159,15 @@ TEST(SonarMapper, TakesStopsThatWereMovedOrBentAsIfItHadNotKnownThem) {
   const Scan turned = moved(heard[2], {0.0, 0.0, 0.1});
   std::copy(turned.begin() + half, turned.end(), placed[2].begin() + half);
   SonarMapper fresh;
-  fresh.take(placed);
+  fresh.take(placed, {});
   SonarMapper knowing;
-  knowing.take({heard[0], heard[1]});
-  knowing.take(heard);
-  knowing.take(placed);
+  knowing.take({heard[0], heard[1]}, {});
+  knowing.take(heard, {});
+  knowing.take(placed, {});
   EXPECT_EQ(tests::drawing_of(rasterize(knowing.grid())),
             tests::drawing_of(rasterize(fresh.grid())));
-  ASSERT_EQ(knowing.T_map_placed().size(), 4U);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const geometry::Pose2 off = fresh.T_map_placed()[i].inverse() * knowing.T_map_placed()[i];
-    EXPECT_LT(off.position_m().norm(), 1e-6) << i;
-    EXPECT_NEAR(off.heading_rad(), 0.0, 1e-6) << i;
-  }
   SonarMapper unbent;
-  unbent.take({heard[0], placed[1], heard[2], heard[3]});
+  unbent.take({heard[0], placed[1], heard[2], heard[3]}, {});
   EXPECT_NE(tests::drawing_of(rasterize(unbent.grid())), tests::drawing_of(rasterize(fresh.grid())))
       << "a bend shows";
 }

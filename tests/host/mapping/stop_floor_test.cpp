@@ -26,54 +26,101 @@ ScanSurfaces posts_around() {
   return scan;
 }
 
-/// x = 2, from y = -1 to 1.
-const std::vector<MatchedWall> kWall{{0.0, 2.0, {{-1.0, 1.0}}}};
-
-StopFloor floor_of(const ScanSurfaces& scan, const std::vector<MatchedWall>& walls) {
-  return {scan, walls, {}, {}};
+ScanSurfaces heard_everywhere(double range_m) {
+  ScanSurfaces scan = posts_around();
+  for (sensors::Beam& look : scan.looks) {
+    look.range_m = range_m;
+  }
+  return scan;
 }
 
-TEST(StopFloor, EndsShortOfTheOutlineWhereNoWallIsKnown) {
-  const StopFloor floor = floor_of(posts_around(), {});
-  EXPECT_NEAR(floor.reach_m(radians(90.0)), 1.0 - StopFloorParams{}.margin_m, 5e-3);
-  EXPECT_NEAR(floor.max_m(), 1.0 - StopFloorParams{}.margin_m, 5e-3);
+/// x = 2, from y = -1 to 1, seen from the origin.
+const SonarFeatures kWall{{{{2.0, -1.0}, {2.0, 1.0}}}, {}};
+
+FloorReach reach_of(const ScanSurfaces& scan, const SonarFeatures& features) {
+  return StopFloor(scan, {}, {}).reach(features);
 }
 
-TEST(StopFloor, ReachesToAWallBeforeWhichNothingWasHeard) {
-  const StopFloor floor = floor_of(posts_around(), kWall);
-  EXPECT_NEAR(floor.reach_m(0.0), 2.0, 1e-3);
-  EXPECT_NEAR(floor.reach_m(radians(20.0)), 2.0 / std::cos(radians(20.0)), 0.01);
-  EXPECT_LT(floor.reach_m(radians(40.0)), 1.0) << "beside the wall";
+double at(const BearingProfile& profile, double bearing_deg) {
+  return profile[BearingProfile::index(radians(bearing_deg))];
+}
+
+TEST(BearingProfile, NumbersStepsFromMinusPiOn) {
+  EXPECT_EQ(BearingProfile::index(-std::numbers::pi), 0U);
+  EXPECT_EQ(BearingProfile::index(std::numbers::pi), BearingProfile::kBearings - 1);
+  for (const std::size_t index : {std::size_t{0}, std::size_t{360}, std::size_t{719}}) {
+    EXPECT_EQ(BearingProfile::index(BearingProfile::bearing_rad(index)), index);
+  }
+}
+
+TEST(StopFloor, EndsShortOfTheOutlineWhereNothingElseIsKnown) {
+  const FloorReach reach = reach_of(posts_around(), {});
+  EXPECT_NEAR(at(reach.heard_m, 90.0), 1.0 - StopFloorParams{}.margin_m, 5e-3);
+  EXPECT_NEAR(reach.silent_m.max_m(), 1.0 - StopFloorParams{}.margin_m, 5e-3);
+}
+
+TEST(StopFloor, EndsBeforeTheNearestEchoThatNobodyElseExplains) {
+  const FloorReach reach = reach_of(heard_everywhere(0.7), {});
+  EXPECT_NEAR(at(reach.heard_m, 90.0), 0.7 - StopFloorParams{}.echo_margin_m, 1e-9);
+}
+
+TEST(StopFloor, ReachesByAnEchoToTheWallThatItCameFrom) {
+  const FloorReach reach = reach_of(heard_everywhere(1.97), kWall);
+  EXPECT_NEAR(at(reach.heard_m, 0.0), 2.0, 1e-3);
+  EXPECT_NEAR(at(reach.silent_m, 0.0), 2.0, 1e-3);
+}
+
+TEST(StopFloor, ReachesBySilenceAloneToAWallBeforeWhichNothingWasHeard) {
+  const FloorReach reach = reach_of(posts_around(), kWall);
+  EXPECT_NEAR(at(reach.silent_m, 0.0), 2.0, 1e-3);
+  EXPECT_NEAR(at(reach.silent_m, 20.0), 2.0 / std::cos(radians(20.0)), 0.02);
+  EXPECT_LT(at(reach.heard_m, 0.0), 1.0);
+  EXPECT_LT(at(reach.silent_m, 40.0), 1.0) << "beside the wall";
 }
 
 TEST(StopFloor, EndsBeforeTheWallWhereSomethingNearerWasHeard) {
-  ScanSurfaces scan = posts_around();
-  for (sensors::Beam& look : scan.looks) {
-    look.range_m = 1.0;
-  }
-  EXPECT_LT(floor_of(scan, kWall).reach_m(0.0), 1.0);
-  for (sensors::Beam& look : scan.looks) {
-    look.range_m = 1.95;
-  }
-  EXPECT_NEAR(floor_of(scan, kWall).reach_m(0.0), 2.0, 1e-3);
+  EXPECT_LT(at(reach_of(heard_everywhere(1.0), kWall).silent_m, 0.0), 1.0);
 }
 
 TEST(StopFloor, SaysNothingOfAWallTowardsWhichNobodyListened) {
   ScanSurfaces scan = posts_around();
   scan.looks.clear();
-  EXPECT_LT(floor_of(scan, kWall).reach_m(0.0), 1.0);
+  EXPECT_EQ(at(reach_of(scan, kWall).silent_m, 0.0), 0.0);
 }
 
 TEST(StopFloor, EndsAtAWallThatStandsInsideOfTheOutline) {
-  std::vector<MatchedWall> near = kWall;
-  near[0].offset_m = 0.5;
-  EXPECT_LE(floor_of(posts_around(), near).reach_m(0.0), 0.5 + 1e-3);
+  const SonarFeatures near{{{{0.5, -1.0}, {0.5, 1.0}}}, {}};
+  EXPECT_LE(at(reach_of(posts_around(), near).silent_m, 0.0), 0.5 + 1e-3);
 }
 
-TEST(StopFloor, IsNothingWithoutAnySurface) {
-  EXPECT_EQ(floor_of({}, {}).reach_m(0.0), 0.0);
-  EXPECT_EQ(floor_of({}, {}).max_m(), 0.0);
+TEST(StopFloor, DoesNotReachToTheBackOfAWall) {
+  const SonarFeatures turned{{{{2.0, 1.0}, {2.0, -1.0}}}, {}};
+  EXPECT_LT(at(reach_of(posts_around(), turned).silent_m, 0.0), 1.0);
+  SonarFeatures thin = turned;
+  thin.walls.push_back({{2.05, -1.0}, {2.05, 1.0}});
+  EXPECT_NEAR(at(reach_of(posts_around(), thin).silent_m, 0.0), 2.0, 1e-3)
+      << "two faces of a thin wall may seem to be swapped";
 }
+
+TEST(StopFloor, ReachesToTheNearSideOfACircle) {
+  const SonarFeatures round{{}, {{{0.0, 2.0}, 0.3, {}}}};
+  const FloorReach reach = reach_of(posts_around(), round);
+  EXPECT_NEAR(at(reach.silent_m, 90.0), 1.7, 1e-3);
+  EXPECT_LT(at(reach.silent_m, 80.0), 1.0);
+}
+
+TEST(StopFloor, EndsWhereTheSonarHearsNothingAnyMore) {
+  StopFloorParams short_sighted;
+  short_sighted.max_range_m = 2.05;
+  const StopFloor floor(posts_around(), {}, short_sighted);
+  EXPECT_NEAR(at(floor.reach(kWall).silent_m, 20.0), 2.05, 1e-9);
+  short_sighted.max_range_m = 1.5;
+  const StopFloor shorter(posts_around(), {}, short_sighted);
+  EXPECT_LT(at(shorter.reach(kWall).silent_m, 0.0), 1.0)
+      << "it could not hear what is before a wall";
+}
+
+TEST(StopFloor, IsNothingWithoutAnySurface) { EXPECT_EQ(reach_of({}, {}).silent_m.max_m(), 0.0); }
 
 }  // namespace
 }  // namespace echomap::mapping

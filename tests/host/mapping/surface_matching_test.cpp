@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -28,7 +29,7 @@ ScanSurfaces stop_near_post(double x_m, double y_m, double bearing_error_deg) {
   return scan;
 }
 
-TEST(MatchSurfaces, CorrectsTheBearingsOfAWallSeenFromSeveralStops) {
+TEST(MatchSurfaces, FitsAWallToTheRangesOfSeveralStops) {
   const auto matched = match_surfaces({stop_below_wall(0.0, 0.0, 12.0),
                                        stop_below_wall(1.0, 0.5, -9.0),
                                        stop_below_wall(0.3, 1.0, 7.0)},
@@ -36,10 +37,7 @@ TEST(MatchSurfaces, CorrectsTheBearingsOfAWallSeenFromSeveralStops) {
   ASSERT_EQ(matched.walls.size(), 1U);
   EXPECT_NEAR(matched.walls[0].normal_rad, radians(90.0), radians(1.0));
   EXPECT_NEAR(matched.walls[0].offset_m, 2.0, 0.02);
-  for (const auto& scan : matched.scans) {
-    EXPECT_NEAR(scan.surfaces[0].bearing_rad, radians(90.0), radians(1.0));
-    EXPECT_NEAR(scan.center_m.y() + scan.surfaces[0].range_m, 2.0, 0.03);
-  }
+  EXPECT_EQ(matched.features.at(0).supporters.size(), 3U);
 }
 
 TEST(MatchSurfaces, CrossesTheRangesToAPost) {
@@ -48,8 +46,9 @@ TEST(MatchSurfaces, CrossesTheRangesToAPost) {
                                        stop_near_post(1.2, 0.1, 5.0)},
                                       kParams);
   EXPECT_TRUE(matched.walls.empty());
-  ASSERT_EQ(matched.posts_m.size(), 1U);
-  EXPECT_NEAR((matched.posts_m[0] - Eigen::Vector2d(1.0, 1.5)).norm(), 0.0, 0.03);
+  ASSERT_EQ(matched.features.size(), 1U);
+  EXPECT_EQ(matched.features[0].feature.radius_m, 0.0);
+  EXPECT_NEAR((matched.features[0].feature.value - Eigen::Vector2d(1.0, 1.5)).norm(), 0.0, 0.03);
 }
 
 TEST(MatchSurfaces, BridgesAGapThatIsNoDoor) {
@@ -72,8 +71,7 @@ TEST(MatchSurfaces, LeavesAloneWhatOneStopHasSeen) {
   const auto scans = std::vector{stop_below_wall(0.0, 0.0, 4.0), ScanSurfaces{{1.0, 1.0}, {}, {}}};
   const auto matched = match_surfaces(scans, kParams);
   EXPECT_TRUE(matched.walls.empty());
-  EXPECT_TRUE(matched.posts_m.empty());
-  EXPECT_EQ(matched.scans[0].surfaces[0].bearing_rad, scans[0].surfaces[0].bearing_rad);
+  EXPECT_TRUE(matched.features.empty());
 }
 
 TEST(MatchSurfaces, DoesNotJoinWallsThatOnlyLookAlike) {
@@ -87,8 +85,105 @@ TEST(MatchSurfaces, DoesNotJoinWallsThatOnlyLookAlike) {
 
 TEST(MatchSurfaces, OfNothingIsNothing) {
   const auto matched = match_surfaces({}, kParams);
-  EXPECT_TRUE(matched.scans.empty());
+  EXPECT_TRUE(matched.features.empty());
   EXPECT_TRUE(matched.walls.empty());
+}
+
+/// Stops all around a round thing, so many degrees apart.
+std::vector<ScanSurfaces> stops_around(const EchoFeature& round, double apart_deg) {
+  std::vector<ScanSurfaces> scans;
+  for (double bearing_deg = 0.0; bearing_deg < 360.0; bearing_deg += apart_deg) {
+    const double distance_m = 1.0 + 0.002 * bearing_deg;
+    ScanSurfaces scan{
+        round.value + distance_m * geometry::unit_vector(radians(bearing_deg)), {}, {}};
+    scan.surfaces.push_back({radians(bearing_deg - 180.0), distance_m - round.radius_m, 0.0, 10});
+    scans.push_back(scan);
+  }
+  return scans;
+}
+
+TEST(MatchSurfaces, FindsSomethingRoundByRangesFromAllSides) {
+  const EchoFeature table{LandmarkKind::kPoint, {0.4, -0.3}, 0.25};
+  const auto matched = match_surfaces(stops_around(table, 40.0), kParams);
+  ASSERT_EQ(matched.features.size(), 1U);
+  EXPECT_EQ(matched.features[0].supporters.size(), 9U);
+  EXPECT_NEAR((matched.features[0].feature.value - table.value).norm(), 0.0, 0.01);
+  EXPECT_NEAR(matched.features[0].feature.radius_m, table.radius_m, 0.01);
+}
+
+TEST(MatchSurfaces, TakesAShortWallThatWasSeenFromOneSideForAWall) {
+  const auto matched = match_surfaces({stop_below_wall(0.0, 0.9, 0.0),
+                                       stop_below_wall(0.3, 1.1, 0.0),
+                                       stop_below_wall(-0.2, 1.2, 0.0)},
+                                      kParams);
+  ASSERT_EQ(matched.features.size(), 1U);
+  EXPECT_EQ(matched.features[0].feature.kind, LandmarkKind::kWall);
+}
+
+/// As stops come, each placed at once where it belongs.
+MatchedSurfaces matched_one_by_one(const std::vector<ScanSurfaces>& scans,
+                                   const SurfaceMatchingParams& params) {
+  SurfaceMatcher matcher(params);
+  std::vector<ScanSurfaces> so_far;
+  for (const ScanSurfaces& scan : scans) {
+    so_far.push_back(scan);
+    matcher.update(so_far, {so_far.size() - 1});
+  }
+  return matcher.matched();
+}
+
+TEST(SurfaceMatcher, FindsTheSameStopByStopAsAtOnce) {
+  const EchoFeature table{LandmarkKind::kPoint, {0.4, -0.3}, 0.25};
+  const auto scans = stops_around(table, 6.0);
+  ASSERT_GT(scans.size(), 2 * kParams.rematched_stops);
+  const auto matched = matched_one_by_one(scans, kParams);
+  ASSERT_EQ(matched.features.size(), 1U);
+  EXPECT_EQ(matched.features[0].supporters.size(), scans.size());
+  EXPECT_NEAR((matched.features[0].feature.value - table.value).norm(), 0.0, 0.01);
+}
+
+TEST(SurfaceMatcher, KeepsAFeatureThatWasPassedLongAgo) {
+  std::vector<ScanSurfaces> scans;
+  for (int i = 0; i < 40; ++i) {
+    scans.push_back(i < 7 ? stop_near_post(0.3 * i, 0.05 * (i % 3), 0.0)
+                          : ScanSurfaces{{0.3 * i, 0.0}, {}, {}});
+  }
+  SurfaceMatchingParams params;
+  params.rematched_stops = 8;
+  const auto matched = matched_one_by_one(scans, params);
+  ASSERT_EQ(matched.features.size(), 1U);
+  EXPECT_EQ(matched.features[0].supporters.size(), 7U);
+}
+
+TEST(SurfaceMatcher, LetsGoOfStopsThatAreNoMore) {
+  SurfaceMatcher matcher;
+  matcher.update({stop_below_wall(0.0, 0.0, 0.0), stop_below_wall(1.0, 0.5, 0.0)}, {0, 1});
+  matcher.update({stop_below_wall(0.0, 0.0, 0.0)}, {});
+  EXPECT_TRUE(matcher.matched().features.empty());
+}
+
+TEST(SurfaceMatcher, MovesAFeatureWithItsStops) {
+  std::vector<ScanSurfaces> scans{stop_below_wall(0.0, 0.0, 0.0),
+                                  stop_below_wall(1.0, 0.5, 0.0),
+                                  stop_below_wall(0.3, 1.0, 0.0)};
+  SurfaceMatcher matcher;
+  matcher.update(scans, {0, 1, 2});
+  for (ScanSurfaces& scan : scans) {
+    scan.center_m.y() += 0.2;
+  }
+  matcher.update(scans, {0, 1, 2});
+  ASSERT_EQ(matcher.matched().walls.size(), 1U);
+  EXPECT_NEAR(matcher.matched().walls[0].offset_m, 2.2, 0.01);
+}
+
+TEST(SurfaceMatcher, ForgetsWhatAStopThatWasFoundAnewNoLongerHolds) {
+  std::vector<ScanSurfaces> scans{stop_below_wall(0.0, 0.0, 0.0), stop_below_wall(1.0, 0.5, 0.0)};
+  SurfaceMatcher matcher;
+  matcher.update(scans, {0, 1});
+  ASSERT_EQ(matcher.matched().walls.size(), 1U);
+  scans[1].surfaces.clear();
+  matcher.update(scans, {1});
+  EXPECT_TRUE(matcher.matched().features.empty());
 }
 
 }  // namespace

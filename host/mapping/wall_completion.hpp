@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/geometry/segment.hpp"
+#include "host/mapping/sonar_surfaces.hpp"
+#include "host/mapping/surface_matching.hpp"
+
+namespace echomap::mapping {
+
+/// When a wall goes on where no echo came from. A sonar hears a wall only from before it, so that
+/// stretches stay unheard where the robot does not come near. Ours, chosen in simulated rooms.
+struct WallCompletionParams {
+  /// Between two pieces of a wall that are farther apart than this, nothing is known.
+  double bridged_m = 1.2;
+  /// Farther than this a wall is not prolonged to a corner.
+  double reach_m = 0.6;
+  /// To a post this near to its line, the edge of what the wall belongs to, not farther than this.
+  double edge_off_line_m = 0.06;
+  double edge_reach_m = 0.8;
+  /// Walls that meet at less than this are one wall, or none.
+  double min_angle_rad = 0.5;
+  /// What was heard this much behind a wall was heard through a gap in it.
+  double behind_m = 0.12;
+};
+
+/// Closes gaps in walls. A gap through which a surface was heard, or the robot has driven, stays
+/// open. All in the map frame.
+class WallCompletion {
+ public:
+  /// What was heard: the features by those that support them, other surfaces as the scans have
+  /// them. `track_m` is where the robot's centre has been.
+  WallCompletion(const MatchedSurfaces& matched,
+                 const std::vector<ScanSurfaces>& scans,
+                 const std::vector<Eigen::Vector2d>& track_m,
+                 const WallCompletionParams& params);
+
+  /// The walls with the gaps between their pieces bridged, and prolonged to the corner with another
+  /// one where both come near enough to it, or else to a post on their line.
+  std::vector<MatchedWall> completed(const MatchedSurfaces& matched) const;
+
+ private:
+  std::vector<MatchedWall::Piece> bridged(const MatchedWall& wall) const;
+  double prolonged_m(const MatchedSurfaces& matched,
+                     std::size_t wall,
+                     double end_m,
+                     double up) const;
+  std::optional<double> corner_m(const std::vector<MatchedWall>& walls,
+                                 std::size_t wall,
+                                 double end_m,
+                                 double up) const;
+  std::optional<double> edge_m(const MatchedSurfaces& matched,
+                               const MatchedWall& wall,
+                               double end_m,
+                               double up) const;
+  bool is_closed(const geometry::Segment& gap) const;
+
+  WallCompletionParams params_;
+  std::vector<geometry::Segment> sights_;
+  std::vector<geometry::Segment> track_;
+};
+
+}  // namespace echomap::mapping

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/sonar_features.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::mapping {
+namespace {
+
+using geometry::radians;
+
+/// Two stops at y = 0.
+std::vector<ScanSurfaces> two_stops() { return {{{0.0, 0.0}, {}, {}}, {{1.0, 0.0}, {}, {}}}; }
+
+/// The wall y = 2 as they see it, from x = -1 to 2.
+const MatchedWall kWall{radians(90.0), 2.0, {{-2.0, 1.0}}};
+const MatchedFeature kWallFeature{{LandmarkKind::kWall, {2.0, radians(90.0)}}, {{0, 0}, {1, 0}}};
+
+MatchedFeature round_at(double x_m, double y_m, double radius_m) {
+  return {{LandmarkKind::kPoint, {x_m, y_m}, radius_m}, {{0, 1}, {1, 1}}};
+}
+
+SonarFeatures features_of(const MatchedSurfaces& matched,
+                          const std::vector<Eigen::Vector2d>& track_m = {}) {
+  return sonar_features(matched, two_stops(), track_m, {});
+}
+
+TEST(SonarFeatures, HaveTheFloorToTheLeftOfAWall) {
+  const auto features = features_of({{kWall}, {kWallFeature}});
+  ASSERT_EQ(features.walls.size(), 1U);
+  EXPECT_NEAR((features.walls[0].from_m - Eigen::Vector2d(2.0, 2.0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((features.walls[0].to_m - Eigen::Vector2d(-1.0, 2.0)).norm(), 0.0, 1e-9);
+}
+
+TEST(SonarFeatures, KnowTheRimOfACircleWhereStopsHaveLooked) {
+  const auto features = features_of({{}, {round_at(0.5, 1.0, 0.2)}});
+  ASSERT_EQ(features.circles.size(), 1U);
+  const FittedCircle& circle = features.circles[0];
+  EXPECT_EQ(circle.radius_m, 0.2);
+  EXPECT_TRUE(circle.seen[FittedCircle::kSectors / 4]) << "downwards, to the stops";
+  EXPECT_FALSE(circle.seen[3 * FittedCircle::kSectors / 4]);
+}
+
+TEST(SonarFeatures, LeaveOutWhatIsMirroredByAWall) {
+  const auto features = features_of({{kWall}, {kWallFeature, round_at(0.5, 3.0, 0.1)}});
+  EXPECT_EQ(features.walls.size(), 1U);
+  EXPECT_TRUE(features.circles.empty());
+}
+
+TEST(SonarFeatures, LeaveOutWhatTheRobotHasDrivenOver) {
+  const MatchedSurfaces matched{{}, {round_at(0.5, 1.0, 0.2)}};
+  EXPECT_TRUE(features_of(matched, {{0.5, 0.76}}).circles.empty());
+  EXPECT_EQ(features_of(matched, {{0.5, 0.7}}).circles.size(), 1U);
+}
+
+}  // namespace
+}  // namespace echomap::mapping

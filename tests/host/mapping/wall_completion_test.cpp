@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/wall_completion.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace echomap::mapping {
+namespace {
+
+constexpr double kQuarter = 0.5 * std::numbers::pi;
+
+/// The wall x = 2, seen from y = -1 to `to_m`, and the wall y = 1, seen from x = 0 to 1.8; for the
+/// second, points along it count against x.
+std::vector<MatchedWall> corner_with_a_gap(double to_m) {
+  return {{0.0, 2.0, {{-1.0, to_m}}}, {kQuarter, 1.0, {{-1.8, 0.0}}}};
+}
+
+std::vector<MatchedWall> completed(const std::vector<MatchedWall>& walls,
+                                   const std::vector<ScanSurfaces>& scans = {},
+                                   const std::vector<Eigen::Vector2d>& track_m = {}) {
+  const MatchedSurfaces matched{walls, {}};
+  return WallCompletion(matched, scans, track_m, {}).completed(matched);
+}
+
+TEST(WallCompletion, ProlongsBothWallsToWhereTheyMeet) {
+  const auto walls = completed(corner_with_a_gap(0.7));
+  EXPECT_NEAR(walls[0].pieces[0].to_m, 1.0, 1e-9);
+  EXPECT_NEAR(walls[0].pieces[0].from_m, -1.0, 1e-9) << "nothing meets that end";
+  EXPECT_NEAR(walls[1].pieces[0].from_m, -2.0, 1e-9);
+  EXPECT_NEAR(walls[1].pieces[0].to_m, 0.0, 1e-9);
+}
+
+TEST(WallCompletion, LeavesAGapThatIsTooWide) {
+  const auto walls = completed(corner_with_a_gap(0.3));
+  EXPECT_NEAR(walls[0].pieces[0].to_m, 0.3, 1e-9);
+}
+
+TEST(WallCompletion, LeavesAGapThroughWhichSomethingWasHeard) {
+  ScanSurfaces scan;
+  scan.center_m = {1.0, 0.85};
+  scan.surfaces.push_back({0.0, 2.0, 0.0, 10});
+  const auto walls = completed(corner_with_a_gap(0.7), {scan});
+  EXPECT_NEAR(walls[0].pieces[0].to_m, 0.7, 1e-9);
+  EXPECT_NEAR(walls[1].pieces[0].from_m, -2.0, 1e-9) << "the other's gap was not looked through";
+}
+
+TEST(WallCompletion, TakesTheWallItselfForNothingBehindIt) {
+  ScanSurfaces scan;
+  scan.center_m = {1.0, 0.85};
+  scan.surfaces.push_back({0.0, 1.05, 0.0, 10});
+  const auto walls = completed(corner_with_a_gap(0.7), {scan});
+  EXPECT_NEAR(walls[0].pieces[0].to_m, 1.0, 1e-9);
+}
+
+TEST(WallCompletion, JoinsNoWallsThatHardlyTurn) {
+  std::vector<MatchedWall> walls = corner_with_a_gap(0.7);
+  walls[1].normal_rad = 0.3;
+  EXPECT_NEAR(completed(walls)[0].pieces[0].to_m, 0.7, 1e-9);
+}
+
+/// The wall x = 2 in two pieces, a metre apart.
+const std::vector<MatchedWall> kTwoPieces{{0.0, 2.0, {{-1.5, -0.5}, {0.5, 1.5}}}};
+
+TEST(WallCompletion, BridgesAGapThroughWhichNothingWasHeard) {
+  const auto walls = completed(kTwoPieces);
+  ASSERT_EQ(walls[0].pieces.size(), 1U);
+  EXPECT_NEAR(walls[0].pieces[0].from_m, -1.5, 1e-9);
+  EXPECT_NEAR(walls[0].pieces[0].to_m, 1.5, 1e-9);
+}
+
+TEST(WallCompletion, LeavesADoorOpenThatTheRobotHasDrivenThrough) {
+  EXPECT_EQ(completed(kTwoPieces, {}, {{1.9, 0.0}, {2.1, 0.0}})[0].pieces.size(), 2U);
+  EXPECT_EQ(completed(kTwoPieces, {}, {{1.9, 0.0}, {2.9, 0.0}})[0].pieces.size(), 1U)
+      << "it was carried there";
+}
+
+TEST(WallCompletion, ProlongsAWallToAPostOnItsLine) {
+  MatchedSurfaces matched{{{0.0, 2.0, {{-1.0, 0.5}}}}, {}};
+  matched.features.push_back({{LandmarkKind::kPoint, {2.03, 1.1}}, {}});
+  matched.features.push_back({{LandmarkKind::kPoint, {2.2, 1.2}}, {}});
+  const auto walls = WallCompletion(matched, {}, {}, {}).completed(matched);
+  EXPECT_NEAR(walls[0].pieces[0].to_m, 1.1, 1e-9);
+  EXPECT_NEAR(walls[0].pieces[0].from_m, -1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace echomap::mapping
