@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/pipeline/pose_track.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "host/pipeline/detached.hpp"
@@ -59,7 +60,8 @@ std::vector<StampedPose> PoseTrack::corrected_trajectory() const {
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only a SLAM method corrects
   const std::vector<geometry::Pose2> T_slam_robots = slam_->trajectory();
   std::vector<StampedPose> trajectory = *trajectory_;
-  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+  // While a stop is open, its poses are held back.
+  for (std::size_t i = 0; i < std::min(trajectory.size(), T_slam_robots.size()); ++i) {
     trajectory[i].T_map_robot = T_map_mapped_ * T_slam_robots[i];
   }
   return trajectory;
@@ -71,10 +73,20 @@ void PoseTrack::update_last_pose() {
   }
 }
 
+std::vector<Eigen::Vector2d> PoseTrack::positions_m() const {
+  constexpr double kApartM = 0.04;
+  std::vector<Eigen::Vector2d> positions_m;
+  for (const StampedPose& pose : *trajectory_) {
+    const Eigen::Vector2d& position_m = pose.T_map_robot.position_m();
+    if (positions_m.empty() || (position_m - positions_m.back()).norm() >= kApartM) {
+      positions_m.push_back(position_m);
+    }
+  }
+  return positions_m;
+}
+
 geometry::Pose2 PoseTrack::T_map_odom() const {
-  const geometry::Pose2 T_map_placed =
-      T_map_placed_ ? T_map_mapped_ * *T_map_placed_ : T_map_mapped_;
-  return slam_ ? T_map_placed * slam_->T_map_odom() : T_map_placed;
+  return slam_ ? T_map_mapped_ * slam_->T_map_odom() : T_map_mapped_;
 }
 
 void PoseTrack::describe(Snapshot& snapshot) const {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/pipeline/robot_slam.hpp"
@@ -16,9 +18,8 @@
 
 namespace echomap::pipeline {
 
-/// Where a robot is and was. Its wheels' odometry leads to the map by three corrections: SLAM's,
-/// that of the map's stops which agree best, and that of a camera. The stamps of the trajectory
-/// rise.
+/// Where a robot is and was. Its wheels' odometry leads to the map by two corrections: SLAM's and
+/// that of a camera. The stamps of the trajectory rise.
 class PoseTrack {
  public:
   /// `slam` is null for odometry alone.
@@ -31,8 +32,6 @@ class PoseTrack {
   void carry(const sensors::CarriedObservation& observation);
   /// A camera has the robot there.
   void fix(const geometry::Pose2& T_map_robot);
-  /// The last stop of the map agrees best with those before it where it is moved by this.
-  void correct(const geometry::Pose2& T_map_placed) { T_map_placed_ = T_map_placed; }
   /// Moves all poses to where SLAM has them now, and returns these.
   std::vector<geometry::Pose2> apply_corrected_trajectory();
   /// All poses where SLAM has them now.
@@ -51,6 +50,8 @@ class PoseTrack {
     return trajectory_->empty() ? StampedPose{{}, T_map_robot()} : trajectory_->back();
   }
   std::size_t poses() const { return trajectory_->size(); }
+  /// Where the robot's centre has been, some centimetres apart.
+  std::vector<Eigen::Vector2d> positions_m() const;
   /// What odometry has placed, on the map.
   template <class Placed>
   Placed on_map(const Placed& by_odometry) const {
@@ -66,8 +67,7 @@ class PoseTrack {
   sensors::WheelOdometry odometry_;
   geometry::Pose2 T_odom_robot_;
   std::optional<RobotSlam> slam_;
-  std::optional<geometry::Pose2> T_map_placed_;  ///< Empty before the first stop of the map.
-  geometry::Pose2 T_map_mapped_;                 ///< The camera's correction.
+  geometry::Pose2 T_map_mapped_;  ///< The camera's correction.
   std::shared_ptr<std::vector<StampedPose>> trajectory_ =
       std::make_shared<std::vector<StampedPose>>();
   std::vector<std::size_t> carried_to_;  ///< Indices of the trajectory.

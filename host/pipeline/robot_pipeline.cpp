@@ -116,12 +116,12 @@ void RobotPipeline::end_scan() {
   const bool counts = fault == mapping::ScanFault::kNone;
   if (RobotSlam* slam = track_.slam()) {
     slam->end_stop(counts);
-    if (counts) {
-      track_.correct(map_.replace_stops(slam->stops()));
-    }
     map_.replace_points(slam->points(track_.apply_corrected_trajectory()));
+    if (counts) {
+      map_.replace_stops(slam->stops(), track_.positions_m());
+    }
   } else if (counts) {
-    track_.correct(map_.add_stop(scan));
+    map_.add_stop(track_.on_map(scan), track_.positions_m());
   }
   map_.end_stop(track_.on_map(scan), fault);
   track_.update_last_pose();

@@ -3,12 +3,44 @@
 
 #include <utility>
 
+#include "host/geometry/angle.hpp"
+
 namespace echomap::pipeline {
 
+namespace {
+
+using geometry::Pose2;
+
+slam::StopAlignmentParams alignment_for(double beam_width_rad) {
+  slam::StopAlignmentParams params;
+  params.surfaces.beam_half_angle_rad = 0.5 * beam_width_rad;
+  params.heading.beam_half_angle_rad = 0.5 * beam_width_rad;
+  return params;
+}
+
+/// Between two poses that are near each other.
+Pose2 interpolated(const Pose2& from, const Pose2& to, double share) {
+  const Eigen::Vector2d position_m =
+      from.position_m() + share * (to.position_m() - from.position_m());
+  const double turn_rad = geometry::angle_between(from.heading_rad(), to.heading_rad());
+  return {position_m.x(), position_m.y(), from.heading_rad() + share * turn_rad};
+}
+
+}  // namespace
+
 RobotSlam::RobotSlam(std::unique_ptr<slam::SlamMethod> method, double beam_width_rad)
-    : method_(std::move(method)), track_(*method_), beam_width_rad_(beam_width_rad) {}
+    : method_(std::move(method)),
+      track_(*method_),
+      beam_width_rad_(beam_width_rad),
+      alignment_(alignment_for(beam_width_rad)) {}
+
+void RobotSlam::carry(const Pose2& T_odom_robot) {
+  meter_.carry(T_odom_robot);
+  method_->carry(T_odom_robot);
+}
 
 void RobotSlam::follow(const geometry::Pose2& T_odom_robot) {
+  meter_.follow(T_odom_robot);
   if (is_at_stop_) {
     held_T_odom_robots_.push_back(T_odom_robot);
   } else {
@@ -20,7 +52,9 @@ void RobotSlam::add_ping(const geometry::Pose2& T_odom_robot,
                          const geometry::Pose2& T_robot_sonar,
                          const std::optional<double>& range_m) {
   const std::size_t instants = track_.instants() + held_T_odom_robots_.size();
-  pings_.push_back({instants - 1, T_odom_robot, T_robot_sonar, range_m});
+  slam::OdometryMark mark = meter_.mark();
+  mark.T_odom_robot = T_odom_robot;
+  pings_.push_back({instants - 1, T_odom_robot, T_robot_sonar, range_m, mark});
   if (is_at_stop_) {
     ++held_pings_;
   } else {
@@ -41,8 +75,8 @@ void RobotSlam::end_stop(bool pings_count) {
     track_.follow(T_odom_robot);
     count_so_far();
   }
-  if (pings_count) {
-    stops_.push_back({first, pings_.size()});
+  if (pings_count && first < pings_.size()) {
+    align_stops(first);
   }
   is_at_stop_ = false;
 }
@@ -52,25 +86,74 @@ void RobotSlam::count(const Ping& ping) {
              {{}, ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_width_rad_, 0.0});
 }
 
-std::vector<mapping::Scan> RobotSlam::stops() const {
+void RobotSlam::align_stops(std::size_t first_ping) {
+  std::vector<slam::StopReading> readings;
+  for (std::size_t i = first_ping; i < pings_.size(); ++i) {
+    readings.push_back({pings_[i].mark, pings_[i].T_robot_sonar, pings_[i].range_m});
+  }
+  first_pings_.push_back(first_ping);
+  alignment_.add_stop(std::move(readings));
+  std::vector<std::size_t> pings;
+  for (const slam::StopStand& stand : alignment_.stands()) {
+    pings.push_back(first_pings_[stand.stop] + stand.first);
+  }
+  alignment_.align(T_slam_robots(pings));
+  T_map_slam_ = anchors().back().T_map_slam();
+}
+
+std::vector<Pose2> RobotSlam::T_slam_robots(const std::vector<std::size_t>& pings) const {
   std::vector<std::size_t> instants;
-  for (const Stop& stop : stops_) {
-    for (std::size_t i = stop.first; i < stop.last; ++i) {
-      instants.push_back(pings_[i].instant);
+  for (const std::size_t ping : pings) {
+    instants.push_back(pings_[ping].instant);
+  }
+  std::vector<Pose2> poses = track_.T_map_odom_at(instants);
+  for (std::size_t i = 0; i < pings.size(); ++i) {
+    poses[i] = poses[i] * pings_[pings[i]].T_odom_robot;
+  }
+  return poses;
+}
+
+std::vector<RobotSlam::Anchor> RobotSlam::anchors() const {
+  std::vector<Anchor> anchors;
+  std::vector<std::size_t> pings;
+  for (std::size_t i = 0; i < alignment_.stands().size(); ++i) {
+    const slam::StopStand& stand = alignment_.stands()[i];
+    const std::size_t first = first_pings_[stand.stop] + stand.first;
+    for (const std::size_t ping : {first, first + stand.resting - 1}) {
+      const Pose2 T_first_ping = pings_[first].T_odom_robot.inverse() * pings_[ping].T_odom_robot;
+      anchors.push_back({pings_[ping].instant, alignment_.T_map_stands()[i] * T_first_ping, {}});
+      pings.push_back(ping);
     }
   }
-  const std::vector<geometry::Pose2> T_map_odom = track_.T_map_odom_at(instants);
-  auto correction = T_map_odom.begin();
-  std::vector<mapping::Scan> scans;
-  for (const Stop& stop : stops_) {
-    scans.emplace_back();
-    for (std::size_t i = stop.first; i < stop.last; ++i) {
-      const geometry::Pose2 T_map_robot = *correction++ * pings_[i].T_odom_robot;
-      scans.back().push_back(
-          {T_map_robot, T_map_robot * pings_[i].T_robot_sonar, pings_[i].range_m});
-    }
+  const std::vector<Pose2> T_slam_pings = T_slam_robots(pings);
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    anchors[i].T_slam_robot = T_slam_pings[i];
   }
-  return scans;
+  return anchors;
+}
+
+std::vector<Pose2> RobotSlam::trajectory() const {
+  std::vector<Pose2> poses = track_.trajectory();
+  const std::vector<Anchor> anchors = this->anchors();
+  if (anchors.empty()) {
+    return poses;
+  }
+  auto after = anchors.begin();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    while (after != anchors.end() && after->instant < i) {
+      ++after;
+    }
+    if (after == anchors.begin() || after == anchors.end()) {
+      const Anchor& only = after == anchors.end() ? anchors.back() : anchors.front();
+      poses[i] = only.T_map_slam() * poses[i];
+      continue;
+    }
+    const Anchor& before = *(after - 1);
+    const double share = static_cast<double>(i - before.instant) /
+                         static_cast<double>(after->instant - before.instant);
+    poses[i] = interpolated(before.T_map_slam() * poses[i], after->T_map_slam() * poses[i], share);
+  }
+  return poses;
 }
 
 mapping::PointCloudMap RobotSlam::points(const std::vector<geometry::Pose2>& trajectory) const {

@@ -11,11 +11,15 @@
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/pipeline/slam_track.hpp"
 #include "host/sensors/range_scan.hpp"
+#include "host/slam/odometry_meter.hpp"
 #include "host/slam/slam_method.hpp"
+#include "host/slam/stop_alignment.hpp"
 
 namespace echomap::pipeline {
 
-/// SLAM of a robot that drives and pings: every ping is a scan of one beam.
+/// SLAM of a robot that drives and pings: every ping is a scan of one beam. The method estimates
+/// the path, and after each stop all stops are placed where they agree; what lies between two of
+/// them moves with both.
 class RobotSlam {
  public:
   RobotSlam(std::unique_ptr<slam::SlamMethod> method, double beam_width_rad);
@@ -23,7 +27,7 @@ class RobotSlam {
   /// The next instant of the robot's way.
   void follow(const geometry::Pose2& T_odom_robot);
   /// Between two stops: somebody has put the robot there.
-  void carry(const geometry::Pose2& T_odom_robot) { method_->carry(T_odom_robot); }
+  void carry(const geometry::Pose2& T_odom_robot);
   /// A ping of the last instant, of which there is one.
   void add_ping(const geometry::Pose2& T_odom_robot,
                 const geometry::Pose2& T_robot_sonar,
@@ -37,12 +41,13 @@ class RobotSlam {
   /// Pings of a stop that are of another place, or of a sonar that hangs, do not count.
   void end_stop(bool pings_count);
 
-  const geometry::Pose2& T_map_odom() const { return track_.T_map_odom(); }
-  /// What was heard at each stop that counted, where it was heard as is known now: a body that
-  /// turns farther than its wheels tell would bend the scan of a stop that odometry places.
-  std::vector<mapping::Scan> stops() const;
+  /// The correction of odometry, of the last stop and of the method since then.
+  geometry::Pose2 T_map_odom() const { return T_map_slam_ * track_.T_map_odom(); }
+  /// The readings of each stop that counted, as placed after the last one: a body that turns
+  /// farther than its wheels report would bend the scan of a stop that odometry places.
+  std::vector<mapping::Scan> stops() const { return alignment_.scans(); }
   /// At every instant up to the last stop's end, as is known now.
-  std::vector<geometry::Pose2> trajectory() const { return track_.trajectory(); }
+  std::vector<geometry::Pose2> trajectory() const;
   /// All echoes on a trajectory of this.
   mapping::PointCloudMap points(const std::vector<geometry::Pose2>& trajectory) const;
   const slam::SlamMethod& method() const { return *method_; }
@@ -53,15 +58,24 @@ class RobotSlam {
     geometry::Pose2 T_odom_robot;
     geometry::Pose2 T_robot_sonar;
     std::optional<double> range_m;
+    slam::OdometryMark mark;
   };
 
-  /// Its pings, and the one behind.
-  struct Stop {
-    std::size_t first = 0;
-    std::size_t last = 0;
+  /// Where the alignment has the robot at an instant, and the method.
+  struct Anchor {
+    std::size_t instant = 0;
+    geometry::Pose2 T_map_robot;
+    geometry::Pose2 T_slam_robot;
+
+    geometry::Pose2 T_map_slam() const { return T_map_robot * T_slam_robot.inverse(); }
   };
 
   void count(const Ping& ping);
+  void align_stops(std::size_t first_ping);
+  /// Poses of these pings by the method alone.
+  std::vector<geometry::Pose2> T_slam_robots(const std::vector<std::size_t>& pings) const;
+  /// The first and the last reading at rest of each stand, in the order of time.
+  std::vector<Anchor> anchors() const;
 
   std::unique_ptr<slam::SlamMethod> method_;
   SlamTrack track_;
@@ -70,7 +84,10 @@ class RobotSlam {
   bool is_at_stop_ = false;
   std::vector<geometry::Pose2> held_T_odom_robots_;
   std::size_t held_pings_ = 0;  ///< The last ones of all.
-  std::vector<Stop> stops_;
+  slam::OdometryMeter meter_;
+  slam::StopAlignment alignment_;
+  std::vector<std::size_t> first_pings_;  ///< Of each stop of the alignment.
+  geometry::Pose2 T_map_slam_;            ///< At the end of the last stop.
 };
 
 }  // namespace echomap::pipeline

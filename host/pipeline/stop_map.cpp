@@ -22,30 +22,21 @@ void StopMap::replace_points(mapping::PointCloudMap points) {
   points_ = std::make_shared<mapping::PointCloudMap>(std::move(points));
 }
 
-geometry::Pose2 StopMap::add_stop(const mapping::Scan& scan) {
-  placed_scans_.push_back(scan);
-  sonar_.add(scan);
-  return update_sonar_grid();
+void StopMap::add_stop(const mapping::Scan& scan, const std::vector<Eigen::Vector2d>& track_m) {
+  std::vector<mapping::Scan> scans = *scans_;
+  scans.push_back(scan);
+  replace_stops(std::move(scans), track_m);
 }
 
-geometry::Pose2 StopMap::replace_stops(std::vector<mapping::Scan> scans) {
-  placed_scans_ = std::move(scans);
-  sonar_.take(placed_scans_);
-  return update_sonar_grid();
-}
-
-geometry::Pose2 StopMap::update_sonar_grid() {
+void StopMap::replace_stops(std::vector<mapping::Scan> scans,
+                            const std::vector<Eigen::Vector2d>& track_m) {
+  sonar_.take(scans, track_m);
+  scans_ = std::make_shared<const std::vector<mapping::Scan>>(std::move(scans));
   const auto grid = std::make_shared<const mapping::OccupancyGrid>(sonar_.grid());
   newly_free_m2_ = mapping::newly_free_area_m2(*sonar_grid_, *grid);
   sonar_grid_ = grid;
   grid_ = nullptr;
   features_ = std::make_shared<const mapping::SonarFeatures>(sonar_.features());
-  std::vector<mapping::Scan> scans;
-  for (std::size_t i = 0; i < placed_scans_.size(); ++i) {
-    scans.push_back(mapping::moved(placed_scans_[i], sonar_.T_map_placed()[i]));
-  }
-  scans_ = std::make_shared<const std::vector<mapping::Scan>>(std::move(scans));
-  return sonar_.T_map_placed().back();
 }
 
 void StopMap::end_stop(mapping::Scan scan, mapping::ScanFault fault) {

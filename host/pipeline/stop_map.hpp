@@ -6,10 +6,12 @@
 #include <memory>
 #include <vector>
 
-#include "host/geometry/pose2.hpp"
+#include <Eigen/Core>
+
 #include "host/mapping/contact_mapper.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/point_cloud_map.hpp"
+#include "host/mapping/sonar_features.hpp"
 #include "host/mapping/sonar_mapper.hpp"
 #include "host/pipeline/snapshot.hpp"
 
@@ -29,9 +31,10 @@ class StopMap {
   mapping::ScanFault fault_of(const mapping::Scan& scan) const {
     return mapping::fault_of(scan, *sonar_grid_);
   }
-  /// Both as odometry or SLAM places them. Returns where the last one belongs.
-  geometry::Pose2 add_stop(const mapping::Scan& scan);
-  geometry::Pose2 replace_stops(std::vector<mapping::Scan> scans);
+  /// Adds the readings of one more stop, on the map. `track_m` is where the robot has been so far.
+  void add_stop(const mapping::Scan& scan, const std::vector<Eigen::Vector2d>& track_m);
+  /// Replaces the readings of all stops, now that SLAM has them elsewhere.
+  void replace_stops(std::vector<mapping::Scan> scans, const std::vector<Eigen::Vector2d>& track_m);
   /// Counts the scan on the map as a stop; `fault` is why it was not added.
   void end_stop(mapping::Scan scan, mapping::ScanFault fault);
 
@@ -39,7 +42,6 @@ class StopMap {
   void describe(Snapshot& snapshot) const;
 
  private:
-  geometry::Pose2 update_sonar_grid();
   std::shared_ptr<const mapping::OccupancyGrid> grid() const;
 
   mapping::SonarMapper sonar_;
@@ -49,11 +51,9 @@ class StopMap {
   /// Made when a snapshot asks for it after one of the two has changed.
   mutable std::shared_ptr<const mapping::OccupancyGrid> grid_;
   mutable std::uint64_t contacts_in_grid_ = 0;
-  std::vector<mapping::Scan>
-      placed_scans_;  ///< Those in the grid, as odometry or SLAM places them.
   std::shared_ptr<const mapping::SonarFeatures> features_ =
       std::make_shared<const mapping::SonarFeatures>();
-  std::shared_ptr<const std::vector<mapping::Scan>> scans_;
+  std::shared_ptr<const std::vector<mapping::Scan>> scans_;  ///< Those in the grid.
   std::shared_ptr<const mapping::Scan> last_scan_;
   mapping::ScanFault last_scan_fault_ = mapping::ScanFault::kNone;
   std::size_t stops_ = 0;

@@ -27,6 +27,7 @@ pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::str
   mapping::ContactMapperParams near;
   if (profile.has_sonar) {
     params.surfaces.beam_half_angle_rad = profile.beam_half_angle_rad;
+    params.floor.max_range_m = profile.range.max_range_m;
   } else {
     params.grid.resolution_m = kNearResolutionM;
   }

@@ -34,36 +34,6 @@ optimization::BlockEquations equations_over(std::size_t multiscans,
   return equations;
 }
 
-/// What is left of the way between two poses after what odometry says of it, and how that changes
-/// with the pose before, the one after and the calibration.
-struct PieceResidual {
-  Eigen::Vector3d value;
-  Eigen::Matrix3d by_before;
-  Eigen::Matrix3d by_after;
-  Eigen::Matrix3d by_calibration;
-};
-
-PieceResidual piece_residual(const Pose2& T_map_before,
-                             const Pose2& T_map_after,
-                             const OdometryPiece& piece,
-                             const OdometryCalibration& calibration) {
-  const Pose2 driven = calibrated(piece, calibration);
-  const Pose2 T_before_after = T_map_before.inverse() * T_map_after;
-  const Eigen::Matrix2d to_before =
-      Eigen::Rotation2Dd(-T_map_before.heading_rad()).toRotationMatrix();
-  const Eigen::Vector2d& offset_m = T_before_after.position_m();
-  PieceResidual residual;
-  residual.value << offset_m - driven.position_m(),
-      geometry::angle_between(driven.heading_rad(), T_before_after.heading_rad());
-  residual.by_before.setZero();
-  residual.by_before.topLeftCorner<2, 2>() = -to_before;
-  residual.by_before.col(2) << offset_m.y(), -offset_m.x(), -1.0;
-  residual.by_after.setIdentity();
-  residual.by_after.topLeftCorner<2, 2>() = to_before;
-  residual.by_calibration = -calibrated_by_calibration(piece, calibration);
-  return residual;
-}
-
 /// Answers its part of the negative log evidence, doubled, as the next two do.
 double add_piece(const MultiscanGraph& graph,
                  std::size_t before,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "host/geometry/angle.hpp"
 #include "host/geometry/square.hpp"
 
 namespace echomap::slam {
@@ -58,6 +59,27 @@ Eigen::Matrix3d calibrated_by_calibration(const OdometryPiece& piece,
   by.col(1) = piece.path_m * by_drift;
   by.col(2) << drifted_m, 0.0;
   return by;
+}
+
+PieceResidual piece_residual(const geometry::Pose2& T_map_before,
+                             const geometry::Pose2& T_map_after,
+                             const OdometryPiece& piece,
+                             const OdometryCalibration& calibration) {
+  const geometry::Pose2 driven = calibrated(piece, calibration);
+  const geometry::Pose2 T_before_after = T_map_before.inverse() * T_map_after;
+  const Eigen::Matrix2d to_before =
+      Eigen::Rotation2Dd(-T_map_before.heading_rad()).toRotationMatrix();
+  const Eigen::Vector2d& offset_m = T_before_after.position_m();
+  PieceResidual residual;
+  residual.value << offset_m - driven.position_m(),
+      geometry::angle_between(driven.heading_rad(), T_before_after.heading_rad());
+  residual.by_before.setZero();
+  residual.by_before.topLeftCorner<2, 2>() = -to_before;
+  residual.by_before.col(2) << offset_m.y(), -offset_m.x(), -1.0;
+  residual.by_after.setIdentity();
+  residual.by_after.topLeftCorner<2, 2>() = to_before;
+  residual.by_calibration = -calibrated_by_calibration(piece, calibration);
+  return residual;
 }
 
 Eigen::Vector3d variances(const OdometryPiece& piece, const OdometryNoise& noise) {

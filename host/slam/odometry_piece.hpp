@@ -48,6 +48,22 @@ geometry::Pose2 calibrated(const OdometryPiece& piece, const OdometryCalibration
 Eigen::Matrix3d calibrated_by_calibration(const OdometryPiece& piece,
                                           const OdometryCalibration& calibration);
 
+/// What is left of the motion between two poses after what odometry measured of it, in the frame of
+/// the pose before: x, y and heading. With the derivatives by the pose before and the one after, x,
+/// y and heading in the map frame, and by the calibration's values.
+struct PieceResidual {
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d by_before = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d by_after = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d by_calibration = Eigen::Matrix3d::Zero();
+};
+
+/// The residual of a piece between two poses, for an odometry that is off as `calibration` says.
+PieceResidual piece_residual(const geometry::Pose2& T_map_before,
+                             const geometry::Pose2& T_map_after,
+                             const OdometryPiece& piece,
+                             const OdometryCalibration& calibration);
+
 /// Variances along x, y and heading of the piece. A jump may have been anything from no motion at
 /// all to twice what odometry says.
 Eigen::Vector3d variances(const OdometryPiece& piece, const OdometryNoise& noise);

@@ -78,8 +78,7 @@ TEST_F(RobotSlamTest, CountsPingsOfAStopThatAreOfAnOlderInstant) {
 TEST_F(RobotSlamTest, SurvivesAStopOfNothing) {
   slam.begin_stop();
   slam.end_stop(true);
-  ASSERT_EQ(slam.stops().size(), 1U);
-  EXPECT_TRUE(slam.stops().front().empty());
+  EXPECT_TRUE(slam.stops().empty());
 }
 
 }  // namespace

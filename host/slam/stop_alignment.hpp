@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+#include "host/mapping/placed_reading.hpp"
+#include "host/mapping/sonar_surfaces.hpp"
+#include "host/mapping/surface_matching.hpp"
+#include "host/slam/odometry_meter.hpp"
+#include "host/slam/stop_graph.hpp"
+#include "host/slam/stop_heading.hpp"
+
+namespace echomap::slam {
+
+/// How stops are aligned; values are ours, chosen in simulated rooms.
+struct StopAlignmentParams {
+  mapping::SonarSurfaceParams surfaces;
+  /// Bearings of one feature agree better than when a map is drawn: a feature made of two surfaces
+  /// turns the stops that measured it.
+  mapping::SurfaceMatchingParams matching{.wall_bearing_tolerance_rad = 0.18,
+                                          .post_bearing_tolerance_rad = 0.18};
+  /// Tolerances grow by this factor in the first round, when headings are poor.
+  double first_tolerance_factor = 1.4;
+  StopHeadingParams heading;
+  StopGraphParams graph;
+  /// Matching and aligning take turns.
+  int rounds = 2;
+  /// Number of newest stops that each alignment moves. `holders` is the number of others, the
+  /// nearest, that stay and hold them.
+  std::size_t window = 25;
+  std::size_t holders = 15;
+  /// Readings belong to one heading at rest while the body turns or moves by less.
+  double same_rad = 0.1;
+  double same_m = 0.05;
+};
+
+/// A reading of a stop.
+struct StopReading {
+  OdometryMark mark;
+  geometry::Pose2 T_robot_sonar;
+  std::optional<double> range_m;
+};
+
+/// Readings of a stop from the first at one heading to the last before another one. Those in
+/// between, while the body turns, belong to the heading before.
+struct StopStand {
+  std::size_t stop = 0;
+  std::size_t first = 0;    ///< Index of its first reading in the stop.
+  std::size_t resting = 0;  ///< Number of readings, from the first on, that were taken at rest.
+  std::size_t last = 0;     ///< Index behind its last reading.
+};
+
+/// Places the stops of a robot where they agree on walls and posts, with odometry between them
+/// (docs/algorithms/multiscan_slam.md). The first stop stays.
+class StopAlignment {
+ public:
+  /// Throws std::invalid_argument for invalid parameters.
+  explicit StopAlignment(const StopAlignmentParams& params = {});
+
+  /// Takes the readings of the next stop, at least one, in the order of time.
+  void add_stop(std::vector<StopReading> readings);
+  /// Aligns the newest stops. `T_slam_stands` are the poses at the first reading of each stand
+  /// before the alignment.
+  void align(const std::vector<geometry::Pose2>& T_slam_stands);
+
+  const std::vector<StopStand>& stands() const { return stands_; }
+  /// The robot at the first reading of each stand, as aligned last.
+  const std::vector<geometry::Pose2>& T_map_stands() const { return T_map_stands_; }
+  /// The readings of each stop, as aligned last.
+  std::vector<mapping::Scan> scans() const;
+
+ private:
+  /// Surfaces of a stop in the frame of its first stand, and the stands that bend it, in that
+  /// frame.
+  struct FoundSurfaces {
+    std::vector<geometry::Pose2> T_first_stands;
+    mapping::ScanSurfaces surfaces;
+  };
+
+  std::size_t first_stand_of(std::size_t stop) const;
+  void predict(std::size_t first_free, const std::vector<geometry::Pose2>& T_slam_stands);
+  /// The stops of the graph, in order: the free ones, the one before them and the nearest others.
+  std::vector<std::size_t> stops_around(std::size_t first_free) const;
+  mapping::Scan readings_of(std::size_t stop) const;
+  mapping::Scan resting_readings_of(std::size_t stand) const;
+  const mapping::ScanSurfaces& surfaces_of(std::size_t stop);
+  void align_once(const std::vector<std::size_t>& stops, std::size_t first_free, int round);
+  StopGraph graph_over(const std::vector<std::size_t>& stops,
+                       std::size_t first_free,
+                       const mapping::MatchedSurfaces& matched) const;
+
+  StopAlignmentParams params_;
+  std::vector<std::vector<StopReading>> stops_;
+  std::vector<StopStand> stands_;
+  std::vector<geometry::Pose2> T_map_stands_;
+  std::vector<FoundSurfaces> found_;
+  OdometryCalibration calibration_;
+};
+
+}  // namespace echomap::slam

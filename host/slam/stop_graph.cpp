@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/stop_graph.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
+#include "host/geometry/square.hpp"
+#include "host/geometry/unit_vector.hpp"
+#include "host/optimization/block_equations.hpp"
+#include "host/optimization/robust_kernel.hpp"
+
+namespace echomap::slam {
+
+namespace {
+
+using geometry::Pose2;
+using geometry::square;
+using optimization::BlockEquations;
+
+constexpr int kSteps = 3;
+/// Keeps a graph in which all is free from floating, and a feature that is hardly determined near
+/// where it was; metres and radians.
+constexpr double kAnchorStddev = 0.1;
+constexpr double kFeatureStddev = 0.5;
+
+/// The equations of a graph, and minus twice the logarithm of its likelihood so far.
+struct Equations {
+  BlockEquations blocks;
+  double negative_log_likelihood = 0.0;
+};
+
+double robust_cost(double squared_error, double kernel) {
+  return squared_error * optimization::inlier_share(squared_error, kernel);
+}
+
+Equations equations_over(const StopGraph& graph) {
+  Equations equations;
+  for (const GraphStand& stand : graph.stands) {
+    stand.is_free ? equations.blocks.add_block(3) : equations.blocks.add_fixed_block();
+  }
+  equations.blocks.add_block(3);
+  for (std::size_t i = 0; i < graph.features.size(); ++i) {
+    equations.blocks.add_block(2);
+  }
+  return equations;
+}
+
+void add_odometry(const StopGraph& graph, const StopGraphParams& params, Equations& equations) {
+  for (std::size_t i = 1; i < graph.stands.size(); ++i) {
+    const GraphStand& after = graph.stands[i];
+    const GraphStand& before = graph.stands[i - 1];
+    if (!after.piece_before || !(after.is_free || before.is_free)) {
+      continue;
+    }
+    const PieceResidual residual = piece_residual(
+        before.T_map_robot, after.T_map_robot, *after.piece_before, graph.calibration);
+    const Eigen::Vector3d variance =
+        square(graph.odometry_scale) * variances(*after.piece_before, params.odometry);
+    const Eigen::Matrix3d information = variance.cwiseInverse().asDiagonal();
+    equations.blocks.add<3, 3, 3, 3>(residual.value,
+                                     information,
+                                     {i - 1, residual.by_before},
+                                     {i, residual.by_after},
+                                     {graph.stands.size(), residual.by_calibration});
+    equations.negative_log_likelihood +=
+        residual.value.dot(information * residual.value) + variance.array().log().sum();
+  }
+}
+
+void add_calibration(const StopGraph& graph, const StopGraphParams& params, Equations& equations) {
+  const Eigen::Vector3d stddev(
+      params.turn_share_stddev, params.drift_stddev_rad_per_m, params.drive_share_stddev);
+  const Eigen::Vector3d information = stddev.cwiseAbs2().cwiseInverse();
+  equations.blocks.add<3, 3>(graph.calibration.values,
+                             information.asDiagonal(),
+                             {graph.stands.size(), Eigen::Matrix3d::Identity()});
+  equations.negative_log_likelihood +=
+      graph.calibration.values.dot(information.cwiseProduct(graph.calibration.values));
+}
+
+void add_headings(const StopGraph& graph, const StopGraphParams& params, Equations& equations) {
+  for (std::size_t i = 0; i < graph.stands.size(); ++i) {
+    const GraphStand& stand = graph.stands[i];
+    if (!stand.heading) {
+      continue;
+    }
+    const double error_rad =
+        geometry::angle_between(stand.heading->heading_rad, stand.T_map_robot.heading_rad());
+    const double stddev_rad = std::hypot(stand.heading->stddev_rad, params.heading_stddev_rad);
+    const double squared_error = square(error_rad / stddev_rad);
+    const double kernel = params.max_heading_error_rad / stddev_rad;
+    equations.blocks.add<3>(
+        error_rad,
+        optimization::geman_mcclure_weight(squared_error, kernel) / square(stddev_rad),
+        {i, Eigen::RowVector3d(0.0, 0.0, 1.0)});
+    equations.negative_log_likelihood += robust_cost(squared_error, kernel);
+  }
+}
+
+void add_sighting(const StopGraph& graph,
+                  std::size_t feature,
+                  const GraphSighting& sighting,
+                  const StopGraphParams& params,
+                  Equations& equations) {
+  const Pose2& T_map_robot = graph.stands[sighting.stand].T_map_robot;
+  const mapping::EchoFeature& seen = graph.features[feature].feature;
+  const mapping::FeatureView view = view_from(T_map_robot * sighting.T_robot_sonar_m, seen);
+  const Eigen::Vector2d towards = geometry::unit_vector(view.bearing_rad);
+  const std::size_t block = graph.stands.size() + 1 + feature;
+  const double squared_error = square((view.range_m - sighting.range_m) / params.range_stddev_m);
+  const double kernel = params.max_range_error_m / params.range_stddev_m;
+  equations.blocks.add<3, 2>(
+      view.range_m - sighting.range_m,
+      optimization::geman_mcclure_weight(squared_error, kernel) / square(params.range_stddev_m),
+      {sighting.stand, Eigen::RowVector3d(-towards.x(), -towards.y(), 0.0)},
+      {block, view.jacobian.row(0)});
+  equations.blocks.add<3, 2>(
+      geometry::angle_between(T_map_robot.heading_rad() + sighting.robot_bearing_rad,
+                              view.bearing_rad),
+      1.0 / square(params.bearing_stddev_rad),
+      {sighting.stand, Eigen::RowVector3d(0.0, 0.0, -1.0)},
+      {block, view.jacobian.row(1)});
+  equations.negative_log_likelihood += robust_cost(squared_error, kernel);
+}
+
+void add_features(const StopGraph& graph, const StopGraphParams& params, Equations& equations) {
+  for (std::size_t i = 0; i < graph.features.size(); ++i) {
+    equations.blocks.add<2, 2>(Eigen::Vector2d::Zero(),
+                               Eigen::Matrix2d::Identity() / square(kFeatureStddev),
+                               {graph.stands.size() + 1 + i, Eigen::Matrix2d::Identity()});
+    for (const GraphSighting& sighting : graph.features[i].sightings) {
+      add_sighting(graph, i, sighting, params, equations);
+    }
+  }
+}
+
+void apply(const optimization::BlockSolution& solution, StopGraph& graph) {
+  for (std::size_t i = 0; i < graph.stands.size(); ++i) {
+    const Eigen::Vector3d step = solution.step_of<3>(i);
+    Pose2& pose = graph.stands[i].T_map_robot;
+    pose = Pose2(pose.x_m() + step.x(), pose.y_m() + step.y(), pose.heading_rad() + step.z());
+  }
+  graph.calibration.values += solution.step_of<3>(graph.stands.size());
+  for (std::size_t i = 0; i < graph.features.size(); ++i) {
+    graph.features[i].feature.value += solution.step_of<2>(graph.stands.size() + 1 + i);
+  }
+}
+
+/// Makes one step of Gauss and Newton. Returns the negative log evidence before it, doubled, by the
+/// method of Laplace, without what does not depend on the scale of the odometry.
+double step(const StopGraphParams& params, StopGraph& graph) {
+  Equations equations = equations_over(graph);
+  equations.blocks.add<3, 3>(Eigen::Vector3d::Zero(),
+                             Eigen::Matrix3d::Identity() / square(kAnchorStddev),
+                             {0, Eigen::Matrix3d::Identity()});
+  add_odometry(graph, params, equations);
+  add_calibration(graph, params, equations);
+  add_headings(graph, params, equations);
+  add_features(graph, params, equations);
+  const auto solution = equations.blocks.solve();
+  if (!solution) {
+    return std::numeric_limits<double>::infinity();
+  }
+  apply(*solution, graph);
+  return equations.negative_log_likelihood + solution->log_determinant;
+}
+
+}  // namespace
+
+void validate(const StopGraphParams& params) {
+  geometry::ParameterValidator("stop graph")
+      .require(params.odometry.is_sound(), "the deviations of odometry must be above 0 and finite")
+      .require(!params.odometry_scales.empty(), "odometry_scales hold at least one")
+      .positive("turn_share_stddev", params.turn_share_stddev)
+      .positive("drift_stddev_rad_per_m", params.drift_stddev_rad_per_m)
+      .positive("drive_share_stddev", params.drive_share_stddev)
+      .positive("range_stddev_m", params.range_stddev_m)
+      .positive("max_range_error_m", params.max_range_error_m)
+      .positive("bearing_stddev_rad", params.bearing_stddev_rad)
+      .positive("heading_stddev_rad", params.heading_stddev_rad)
+      .positive("max_heading_error_rad", params.max_heading_error_rad);
+}
+
+void align_stops(const StopGraphParams& params, StopGraph& graph) {
+  if (graph.stands.empty()) {
+    return;
+  }
+  const Pose2 T_map_first = graph.stands.front().T_map_robot;
+  double min_negative_log_evidence = std::numeric_limits<double>::infinity();
+  StopGraph best = graph;
+  for (const double scale : params.odometry_scales) {
+    StopGraph tried = graph;
+    tried.odometry_scale = scale;
+    double negative_log_evidence = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+      negative_log_evidence = step(params, tried);
+    }
+    if (negative_log_evidence < min_negative_log_evidence) {
+      min_negative_log_evidence = negative_log_evidence;
+      best = std::move(tried);
+    }
+  }
+  graph = std::move(best);
+  if (!graph.stands.front().is_free) {
+    return;  // What is held keeps the frame.
+  }
+  const Pose2 T_map_moved = T_map_first * graph.stands.front().T_map_robot.inverse();
+  for (GraphStand& stand : graph.stands) {
+    stand.T_map_robot = T_map_moved * stand.T_map_robot;
+  }
+}
+
+}  // namespace echomap::slam

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "host/slam/stop_graph.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "host/geometry/angle.hpp"
+
+namespace echomap::slam {
+namespace {
+
+using geometry::Pose2;
+using geometry::radians;
+
+/// Stands a metre apart, on a straight line by odometry.
+StopGraph straight(std::size_t stands) {
+  StopGraph graph;
+  for (std::size_t i = 0; i < stands; ++i) {
+    GraphStand& stand = graph.stands.emplace_back();
+    stand.T_map_robot = Pose2(static_cast<double>(i), 0.0, 0.0);
+    if (i > 0) {
+      stand.piece_before = OdometryPiece{{1.0, 0.0, 0.0}, 1.0, 0.0, 0.0, 0.0, 0.0};
+    }
+  }
+  return graph;
+}
+
+TEST(StopGraph, StaysWithOdometryAlone) {
+  StopGraph graph = straight(3);
+  align_stops({}, graph);
+  EXPECT_NEAR(graph.stands[2].T_map_robot.x_m(), 2.0, 1e-9);
+  EXPECT_NEAR(graph.stands[2].T_map_robot.y_m(), 0.0, 1e-9);
+}
+
+/// All headings are measured against the same walls: if only that of the first one is off, the
+/// first one was turned, and the others lie elsewhere in its frame.
+TEST(StopGraph, TurnsTheMapWhereTheFirstHeadingWasOff) {
+  StopGraph graph = straight(4);
+  for (GraphStand& stand : graph.stands) {
+    stand.heading = HeadingEstimate{0.0, radians(0.5)};
+  }
+  graph.stands[0].heading->heading_rad = radians(4.0);
+  align_stops({}, graph);
+  EXPECT_EQ(graph.stands[0].T_map_robot.heading_rad(), 0.0);
+  EXPECT_LT(graph.stands[3].T_map_robot.heading_rad(), radians(-1.0));
+}
+
+TEST(StopGraph, LearnsTheShareOfATurnFromHeadings) {
+  StopGraph graph;
+  for (int i = 0; i < 8; ++i) {
+    GraphStand& stand = graph.stands.emplace_back();
+    const double turn_rad = i % 2 == 1 ? 3.0 : -3.0;
+    stand.T_map_robot = Pose2(0.0, 0.0, i % 2 == 1 ? 3.0 : 0.0);
+    stand.heading = HeadingEstimate{i % 2 == 1 ? 3.06 : 0.0, radians(0.7)};
+    if (i > 0) {
+      stand.piece_before = OdometryPiece{{0.0, 0.0, turn_rad}, 0.0, turn_rad, 3.0, 0.0, 0.0};
+    }
+  }
+  align_stops({}, graph);
+  EXPECT_NEAR(graph.calibration.turn_share(), 0.02, 0.005);
+}
+
+TEST(StopGraph, MovesAStandToWhereItsRangesAgreeAndLeavesThoseThatAreHeld) {
+  StopGraph graph = straight(3);
+  graph.stands[0].is_free = false;
+  graph.stands[1].is_free = false;
+  graph.features.push_back({{mapping::LandmarkKind::kWall, {5.0, 0.0}}, {}});
+  graph.features[0].sightings = {
+      {0, {0.0, 0.0}, 5.0, 0.0}, {1, {0.0, 0.0}, 4.0, 0.0}, {2, {0.0, 0.0}, 2.96, 0.0}};
+  align_stops({}, graph);
+  EXPECT_EQ(graph.stands[1].T_map_robot.x_m(), 1.0);
+  EXPECT_GT(graph.stands[2].T_map_robot.x_m(), 2.005);
+}
+
+TEST(StopGraph, RefusesInvalidParameters) {
+  StopGraphParams params;
+  params.odometry_scales.clear();
+  EXPECT_THROW(validate(params), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::slam
