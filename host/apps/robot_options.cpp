@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/map_options.hpp"
 #include "host/flashing/flash_boards.hpp"
 #include "host/session/pipeline_setup.hpp"
 #include "host/slam/slam_methods.hpp"
@@ -16,8 +17,8 @@
 namespace echomap::apps {
 namespace {
 
-/// Where the grid of one stop begins to take a second (docs/algorithms/sonar_grid.md).
-constexpr std::size_t kMaxStops = 100;
+/// As far as the map's cost was measured (docs/algorithms/sonar_grid.md).
+constexpr std::size_t kMaxStops = 1000;
 constexpr std::size_t kMaxScans = 5;
 
 /// In seconds: the robot's stamps of 32 bits tell absences of up to 35.8 minutes apart.
@@ -70,6 +71,10 @@ void add_run_options(CLI::App& command, RunOptions& run) {
       "--waypoints",
       run.strategy.waypoints,
       "Waypoints and known walls of tangent-bug: a bundled name, as playground, or a TOML file");
+  command.add_option("--stop-list",
+                     run.strategy.stop_list,
+                     "Places that stops drives to, in the frame of the start pose: a TOML file "
+                     "(docs/algorithms/stop_tour.md)");
   command
       .add_option(
           "--hand", run.strategy.hand, "Side of coastal's wall sensor: the hand on the wall")
@@ -116,6 +121,7 @@ void add_explore(CLI::App& app, CommandAction& action) {
                       "Pose measurements of an overhead camera at udp:HOST:PORT or tcp:HOST:PORT "
                       "(docs/guides/localize.md)");
   add_run_options(*command, options->run);
+  add_align_option(*command, options->run.align);
   add_slam_option(*command, options->run);
   command
       ->add_option("--resume",
@@ -177,6 +183,7 @@ void add_demo(CLI::App& app, CommandAction& action) {
       options->no_kidnap,
       "Stop after mapping; by default a robot with a sonar is then carried off and relocalizes");
   add_run_options(*command, options->run);
+  add_align_option(*command, options->run.align);
   add_slam_option(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
   command->callback([&action, options, emulator] {

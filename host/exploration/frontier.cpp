@@ -82,13 +82,6 @@ RasterMap planning_map(const pipeline::Snapshot& snapshot,
   return map;
 }
 
-/// Twice what the way takes at the lowest speed, and some turns.
-std::size_t patience_for(double travelled_m, const PathFollowerParams& params) {
-  constexpr double kTurns = 20.0;
-  return static_cast<std::size_t>(kTurns +
-                                  2.0 * travelled_m / (params.min_speed_m_per_s * params.roll_s));
-}
-
 }  // namespace
 
 Frontier::Frontier(const FrontierParams& params) : params_(params), follower_(params.follower) {
@@ -190,7 +183,7 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
   }
   const auto path = planner_.find(*costs_, here, costs_->cell_at(goal_->at_m));
   follower_.follow(path && goal_->cost_m > 0.0 ? path->points_m : std::vector<Eigen::Vector2d>{});
-  patience_ = patience_for(goal_->cost_m, params_.follower);
+  patience_ = max_motions(goal_->cost_m, params_.follower);
   phase_ = Phase::kDriving;
   return drive_on(snapshot);
 }

@@ -23,6 +23,12 @@ double share_nearest(const Eigen::Vector2d& a,
 
 }  // namespace
 
+std::size_t max_motions(double path_m, const PathFollowerParams& params) {
+  constexpr double kTurns = 20.0;
+  return static_cast<std::size_t>(kTurns +
+                                  2.0 * path_m / (params.min_speed_m_per_s * params.roll_s));
+}
+
 PathFollower::PathFollower(const PathFollowerParams& params) : params_(params) {
   geometry::ParameterValidator("path follower")
       .positive("min_speed_m_per_s", params.min_speed_m_per_s)

@@ -31,6 +31,10 @@ struct PathFollowerParams {
   double arrived_m = 0.04;
 };
 
+/// How many motions a way of `path_m` metres may take: twice what it takes at the lowest speed, and
+/// some turns.
+std::size_t max_motions(double path_m, const PathFollowerParams& params);
+
 /// Leads a robot along a way of straight pieces by pure pursuit (Coulter 1992): it rolls on the
 /// circle through the robot and a point of the way ahead of it, the slower the dearer the floor.
 class PathFollower {

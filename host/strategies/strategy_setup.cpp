@@ -11,6 +11,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/strategies/coastal_setup.hpp"
 #include "host/strategies/course_file.hpp"
+#include "host/strategies/stop_list_file.hpp"
 
 namespace echomap::strategies {
 namespace {
@@ -23,6 +24,14 @@ using ExplorerPtr = std::unique_ptr<exploration::Explorer>;
 
 std::string lack_of_sonar(const RobotProfile& profile, const StrategyOptions& /*options*/) {
   return profile.has_sonar ? "" : "a sonar";
+}
+
+/// No slower at an obstacle than the robot drives at all.
+exploration::PathFollowerParams follower_params(const RobotProfile& profile) {
+  exploration::PathFollowerParams params;
+  params.speed_m_per_s = profile.speed_m_per_s;
+  params.min_speed_m_per_s = std::min(params.min_speed_m_per_s, profile.speed_m_per_s);
+  return params;
 }
 
 ExplorerPtr make_nxt_farthest(const RobotProfile& profile,
@@ -49,6 +58,18 @@ ExplorerPtr make_frontier(const RobotProfile& profile,
                           const StrategyOptions& options,
                           std::mt19937& /*random*/) {
   return std::make_unique<exploration::Frontier>(frontier_params(profile, options.stops));
+}
+
+ExplorerPtr make_stop_tour(const RobotProfile& profile,
+                           const StrategyOptions& options,
+                           std::mt19937& /*random*/) {
+  if (options.stop_list.empty()) {
+    throw CommandError(ExitCode::kUsage,
+                       "strategy 'stops' needs a list of places\n"
+                       "  next: --stop-list FILE, a TOML file as in docs/algorithms/stop_tour.md");
+  }
+  return std::make_unique<exploration::StopTour>(stop_tour_params(profile),
+                                                 load_stop_list(options.stop_list));
 }
 
 exploration::DangerCheckerParams danger_params(const RobotProfile& profile) {
@@ -137,6 +158,9 @@ void refuse_strange_options(const StrategyOptions& options) {
   if (!options.waypoints.empty() && options.name != "tangent-bug") {
     refuse("--waypoints", "tangent-bug");
   }
+  if (!options.stop_list.empty() && options.name != "stops") {
+    refuse("--stop-list", "stops");
+  }
 }
 
 }  // namespace
@@ -146,6 +170,7 @@ const std::vector<Strategy>& strategies() {
       {"nxt-farthest", lack_of_sonar, make_nxt_farthest, false, StrategyLimit::kStops, true},
       {"tangent-bug", lack_of_sonar, make_tangent_bug, true},
       {"frontier", lack_of_sonar, make_frontier, false, StrategyLimit::kStops, true},
+      {"stops", lack_of_sonar, make_stop_tour},
       {"coastal", lack_of_wall_sensor, make_coastal},
       {"random-bounce", lack_of_nothing, make_random_bounce, false, StrategyLimit::kSeconds},
       {"epuck", lack_of_infrared_ring, make_epuck},
@@ -211,13 +236,20 @@ exploration::TangentBugParams tangent_bug_params(const RobotProfile& profile) {
 exploration::FrontierParams frontier_params(const RobotProfile& profile, std::size_t max_stops) {
   exploration::FrontierParams params;
   params.costs.robot_radius_m = profile.body_radius_m;
-  params.follower.speed_m_per_s = profile.speed_m_per_s;
-  params.follower.min_speed_m_per_s =
-      std::min(params.follower.min_speed_m_per_s, profile.speed_m_per_s);
+  params.follower = follower_params(profile);
   params.viewpoints.speed_m_per_s = profile.speed_m_per_s;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;
   params.max_stops = max_stops;
+  return params;
+}
+
+exploration::StopTourParams stop_tour_params(const RobotProfile& profile) {
+  exploration::StopTourParams params;
+  params.costs.robot_radius_m = profile.body_radius_m;
+  params.follower = follower_params(profile);
+  params.sweep.pan_limit_rad = profile.pan_limit_rad;
+  params.sweep.settle_s = profile.settle_s;
   return params;
 }
 

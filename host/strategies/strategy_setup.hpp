@@ -12,6 +12,7 @@
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/frontier.hpp"
 #include "host/exploration/nxt_farthest.hpp"
+#include "host/exploration/stop_tour.hpp"
 #include "host/exploration/tangent_bug.hpp"
 #include "host/session/robot_profile.hpp"
 
@@ -23,6 +24,7 @@ struct StrategyOptions {
   std::size_t stops = 20;
   std::size_t scans = 1;  ///< Of the room, by nxt-farthest.
   std::string waypoints;  ///< Course of tangent-bug: a bundled name or a TOML file; empty: none.
+  std::string stop_list;  ///< Places of stops: a TOML file; empty: none.
   std::string hand = "right";  ///< Or "left": which is held to the wall.
   double seconds = 120.0;      ///< How long random-bounce drives.
 };
@@ -75,5 +77,8 @@ exploration::TangentBugParams tangent_bug_params(const session::RobotProfile& pr
 /// What frontier has to know of a robot.
 exploration::FrontierParams frontier_params(const session::RobotProfile& profile,
                                             std::size_t max_stops);
+
+/// What stops has to know of a robot.
+exploration::StopTourParams stop_tour_params(const session::RobotProfile& profile);
 
 }  // namespace echomap::strategies

@@ -65,10 +65,9 @@ std::vector<mapping::Scan> scans_of(std::size_t stops, std::uint32_t seed) {
 
 double seconds_for_grid(const std::vector<mapping::Scan>& scans, std::size_t stops) {
   mapping::SonarMapper mapper;
-  for (std::size_t i = 0; i < stops && i < scans.size(); ++i) {
-    mapper.add(scans[i]);
-  }
+  const auto end = scans.begin() + static_cast<std::ptrdiff_t>(std::min(stops, scans.size()));
   const auto start = std::chrono::steady_clock::now();
+  mapper.take({scans.begin(), end}, {});
   const auto grid = mapper.grid();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   return grid.bounds().empty() ? 0.0 : took.count();

@@ -187,7 +187,13 @@ INSTANTIATE_TEST_SUITE_P(All,
                                          "create_t",
                                          "corridor_rooms",
                                          "round_room",
-                                         "pillar_hall"));
+                                         "pillar_hall",
+                                         "classroom",
+                                         "garage",
+                                         "attic",
+                                         "studio",
+                                         "hall",
+                                         "corridor_t"));
 
 const std::string person_text = R"([[person]]
 path_m = [[-0.5, 0.5], [2.5, 0.5]]

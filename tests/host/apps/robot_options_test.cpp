@@ -18,7 +18,7 @@ TEST(RobotOptions, TheHelpOfTheDemoTellsBodyFromProfile) {
 TEST(RobotOptions, AreCheckedBeforeARobotIsAsked) {
   EXPECT_EQ(run({"explore", "--port", "x", "--baud", "1234"}).code, console::ExitCode::kUsage);
   EXPECT_EQ(run({"demo", "--stops", "0"}).code, console::ExitCode::kUsage);
-  EXPECT_EQ(run({"demo", "--stops", "101"}).code, console::ExitCode::kUsage);
+  EXPECT_EQ(run({"demo", "--stops", "1001"}).code, console::ExitCode::kUsage);
   EXPECT_EQ(run({"demo", "--board", "due"}).code, console::ExitCode::kUsage);
   EXPECT_EQ(run({"demo", "--emulator", "mock", "--board", "uno"}).code, console::ExitCode::kUsage);
 }

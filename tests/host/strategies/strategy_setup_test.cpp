@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "host/console/exit_code.hpp"
+#include "host/files/atomic_file.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
 namespace echomap::strategies {
@@ -21,12 +23,16 @@ TEST(StrategySetup, TakesTheRobotFromItsProfile) {
 
 TEST(StrategySetup, MakesEachStrategyThatTheOptionsMayName) {
   std::mt19937 random(1);
+  const tests::ScratchFolder folder;
+  const auto list = folder.path() / "stops.toml";
+  files::write_text_file(list, "[[place]]\nx_m = 1\ny_m = 0\n");
   for (const Strategy& strategy : strategies()) {
     for (const char* robot : {"uno_2wd", "create", "epuck"}) {
       const session::RobotProfile profile = session::load_robot_profile(robot);
       StrategyOptions options;
       options.name = strategy.name;
       options.waypoints = options.name == "tangent-bug" ? "playground" : "";
+      options.stop_list = options.name == "stops" ? list.string() : "";
       if (strategy.lack(profile, options).empty()) {
         EXPECT_TRUE(explorer_for(profile, options, random)) << strategy.name << " " << robot;
       }
@@ -57,6 +63,15 @@ TEST(StrategySetup, AsksForTheWaypointsOfTangentBug) {
   }
 }
 
+TEST(StrategySetup, AsksForTheListOfStops) {
+  std::mt19937 random(1);
+  StrategyOptions options;
+  options.name = "stops";
+  EXPECT_THAT(tests::thrown_text<console::CommandError>(
+                  [&] { explorer_for(session::load_robot_profile("uno_2wd"), options, random); }),
+              testing::HasSubstr("--stop-list FILE"));
+}
+
 TEST(StrategySetup, RefusesWhatOnlyAnotherStrategyGoesBy) {
   const auto complaint_about = [](const StrategyOptions& options) {
     return tests::thrown_text<console::CommandError>(
@@ -71,6 +86,9 @@ TEST(StrategySetup, RefusesWhatOnlyAnotherStrategyGoesBy) {
   options.waypoints = "playground";
   EXPECT_THAT(complaint_about(options),
               testing::HasSubstr("--waypoints is for strategy 'tangent-bug'"));
+  options.waypoints = "";
+  options.stop_list = "stops.toml";
+  EXPECT_THAT(complaint_about(options), testing::HasSubstr("--stop-list is for strategy 'stops'"));
 }
 
 TEST(StrategySetup, SaysWhatARobotLacks) {
