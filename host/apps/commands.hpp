@@ -29,6 +29,7 @@ struct RunOptions {
   std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
   std::filesystem::path json;  ///< Empty: none; "-": stdout.
   bool headless = false;
+  bool align = true;  ///< Turn the pictures to the room's main direction.
 };
 
 /// `echomap explore`: drives the robot on a port.
@@ -54,6 +55,7 @@ struct EvalOptions {
   std::filesystem::path truth;      ///< Empty: none; there is this or `relations`, or both.
   std::filesystem::path relations;  ///< Empty: none.
   std::filesystem::path picture;    ///< Empty: none; needs `truth`.
+  bool align = true;                ///< Turn the picture to the room's main direction.
   std::filesystem::path json;
 };
 ExitCode run_eval(const EvalOptions& options);
@@ -66,6 +68,7 @@ struct ReplayOptions {
   std::string poses = "odometry";  ///< Or "given".
   std::string slam;                ///< A way of slam::slam_methods(); empty: by `poses`.
   double resolution_m = 0.05;
+  bool align = true;  ///< Turn the pictures to the room's main direction.
   std::filesystem::path out;
   std::filesystem::path json;
   bool headless = false;

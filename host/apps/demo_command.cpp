@@ -74,7 +74,8 @@ DemoDrive drive(RobotContext& robot,
                 const std::filesystem::path& out,
                 exports::RunSummary& summary) {
   DemoDrive drive;
-  drive.code = explore_and_save(robot, {options.run.strategy, out, !options.run.headless}, summary);
+  drive.code = explore_and_save(
+      robot, {options.run.strategy, out, !options.run.headless, options.run.align}, summary);
   if (drive.code != ExitCode::kOk || options.no_kidnap || !robot.profile().has_sonar) {
     return drive;
   }

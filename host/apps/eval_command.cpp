@@ -24,7 +24,8 @@ void draw_on_truth(const EvalOptions& options) {
   evaluation::write_truth_picture(options.picture,
                                   exports::read_pgm_yaml(options.run / "map.yaml"),
                                   truth.trajectory.front().T_world_robot,
-                                  truth.map);
+                                  truth.map,
+                                  {options.run.filename().string(), options.align});
   console::print("  picture              " + options.picture.string());
 }
 

@@ -11,7 +11,7 @@ namespace echomap::apps {
 ExitCode run_explore(const ExploreOptions& options) {
   const RunOptions& run = options.run;
   session::RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
-  ExploreRun explore{run.strategy, run_folder(run.out), !run.headless};
+  ExploreRun explore{run.strategy, run_folder(run.out), !run.headless, run.align};
   exports::RunSummary summary;
   begin_maps(robot, options.fixes, run.slam);
   explore.resumed = resume_run(options.resume, robot.profile(), robot.sessions(), robot.atlas());

@@ -19,6 +19,7 @@ struct ExploreRun {
   const strategies::StrategyOptions& strategy;
   std::filesystem::path out;
   bool shows_progress = true;
+  bool align = true;                    ///< Turn the pictures to the room's main direction.
   std::optional<ResumedRun> resumed{};  ///< What the maps already know.
 };
 

@@ -46,6 +46,14 @@ CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std:
       ->check(CLI::ExistingPath);
 }
 
+void add_align_option(CLI::App& command, bool& align) {
+  command
+      .add_flag("--align,!--no-align",
+                align,
+                "Turn the pictures, never the data, to the room's main direction")
+      ->capture_default_str();
+}
+
 void add_eval(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("eval", "Score a run against the ground truth");
   const auto options = std::make_shared<EvalOptions>();
@@ -67,6 +75,7 @@ void add_eval(CLI::App& app, CommandAction& action) {
                    options->picture,
                    "Draw the map on the truth, its errors coloured, to this PNG file")
       ->needs(truth);
+  add_align_option(*command, options->align);
   command->add_option("--json", options->json, "Write the scores to this file, '-' for stdout");
   command->footer("Example: echomap eval first_map --truth first_map/truth --json -");
   command->callback([&action, options, truth, relations] {
@@ -149,6 +158,7 @@ void add_replay(CLI::App& app, CommandAction& action) {
   command->add_option("--resolution", options->resolution_m, "Edge of a cell in metres")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
+  add_align_option(*command, options->align);
   command->footer("Example: echomap replay aces.log.gz --slam scan --out aces");
   command->callback([&action, options] { action = [options] { return run_replay(*options); }; });
 }

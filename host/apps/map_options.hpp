@@ -20,4 +20,7 @@ void add_replay(CLI::App& app, CommandAction& action);
 /// The file of a log, which is answered, and its format.
 CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std::string& format);
 
+/// Whether the pictures that a command writes are turned to the room's main direction.
+void add_align_option(CLI::App& command, bool& align);
+
 }  // namespace echomap::apps

@@ -236,7 +236,8 @@ ExitCode replay_log(const ReplayOptions& options) {
   refuse_huge_map(*snapshot.grid);
   exports::RunSummary summary = summary_of(played, snapshot, outcome);
   move_earlier_run_aside(out);
-  exports::write_run_directory(out, snapshot, summary);
+  exports::write_run_directory(
+      out, snapshot, summary, {.align = options.align, .name = options.log.stem().string()});
   exports::write_landmarks_csv(out / "landmarks.csv", *snapshot.landmarks);
   if (played.pipeline().slam() != nullptr) {
     write_pose_graph(out / "pose_graph.g2o", played.pipeline().factor_graph());

@@ -50,6 +50,8 @@ std::string reason_against(const ReplayOptions& options) {
 struct PlayedSummary {
   ordered_json json;
   std::string slam;
+  std::string world;
+  std::string robot;
   bool outline_by_strategy = false;
 };
 
@@ -59,6 +61,8 @@ PlayedSummary read_summary(const fs::path& path) {
   try {
     summary.json.at("slam").get_to(summary.slam);
     summary.json.at("outline_by_strategy").get_to(summary.outline_by_strategy);
+    summary.world = summary.json.value("world", "");
+    summary.robot = summary.json.value("robot", "");
   } catch (const nlohmann::json::exception&) {
     throw files::FileError(path.string() +
                            ": not the summary of a run, slam or outline_by_strategy is missing");
@@ -104,6 +108,7 @@ struct PlayedMap {
   const pipeline::RobotPipeline& pipeline;
   std::string slam;
   bool is_damaged = false;
+  bool align = true;
 };
 
 void save_played(const PlayedMap& map,
@@ -113,9 +118,15 @@ void save_played(const PlayedMap& map,
   const PlayedSummary summary = read_summary(run / "summary.json");
   exports::RunSummary made;
   made.slam = map.slam;
+  made.world = summary.world;
+  made.robot = summary.robot;
   fs::create_directories(out);
   exports::ObservationsFile(out / kRecordName).save(map.record, false);
-  save_map(map.pipeline, profile, out, made, outline_of(run, summary));
+  save_map(map.pipeline,
+           profile,
+           out,
+           made,
+           {.outline_m = outline_of(run, summary), .align = map.align});
   save_summary(out,
                summary.json,
                made,
@@ -136,7 +147,7 @@ std::string save_previous_maps(const pipeline::RobotAtlas& atlas,
   for (std::size_t i = 0; i < atlas.previous_maps().size(); ++i) {
     const pipeline::PreviousMap& previous = atlas.previous_maps()[i];
     try {
-      save_played({previous.record, previous.pipeline, slam},
+      save_played({previous.record, previous.pipeline, slam, false, options.align},
                   profile,
                   stored_previous_map(options.log, i + 1),
                   previous_map_of(out, i + 1));
@@ -194,7 +205,10 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   }
   const std::string unsaved = save_previous_maps(atlas, slam, profile, options, out);
   damage += (damage.empty() || unsaved.empty() ? "" : "\n") + unsaved;
-  save_played({atlas.record(), atlas.pipeline(), slam, !damage.empty()}, profile, options.log, out);
+  save_played({atlas.record(), atlas.pipeline(), slam, !damage.empty(), options.align},
+              profile,
+              options.log,
+              out);
   write_report(options.json, ordered_json::parse(files::read_text_file(out / "summary.json")));
   console::print("map: " + (out / "map.png").string());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

@@ -23,6 +23,7 @@ RunWriter::RunWriter(const session::RobotContext& robot,
     : robot_(robot),
       explorer_(explorer),
       out_(run.out),
+      align_(run.align),
       before_s_(sim_seconds_of(run.resumed)),
       summary_(summary),
       record_(out_ / kRecordName) {}
@@ -66,7 +67,11 @@ void RunWriter::save_current_map() {
     summary_.phases = products.phases;
     summary_.phases_reached = products.phases_reached;
   }
-  save_map(robot_.atlas().pipeline(), robot_.profile(), out_, summary_, products.outline_m);
+  save_map(robot_.atlas().pipeline(),
+           robot_.profile(),
+           out_,
+           summary_,
+           {.outline_m = products.outline_m, .align = align_});
   if (products.confidence) {
     exports::write_confidence_grid_csv(out_ / "confidence_grid.csv", *products.confidence);
   }
@@ -83,7 +88,7 @@ void RunWriter::save_previous_maps() {
     summary.outcome = "set-aside";
     fs::create_directories(folder);
     exports::ObservationsFile(folder / kRecordName).save(previous[i].record, false);
-    save_map(previous[i].pipeline, robot_.profile(), folder, summary);
+    save_map(previous[i].pipeline, robot_.profile(), folder, summary, {.align = align_});
   }
   changes_saved_ = robot_.atlas().changes();
   previous_saved_ = std::max(previous_saved_, previous.size());

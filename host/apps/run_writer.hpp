@@ -40,6 +40,7 @@ class RunWriter {
   const session::RobotContext& robot_;
   const exploration::Explorer& explorer_;
   std::filesystem::path out_;
+  bool align_;       ///< The pictures with the room.
   double before_s_;  ///< The robot's time in the run that this one resumes.
   exports::RunSummary& summary_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

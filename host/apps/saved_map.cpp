@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "host/exports/pose_graph_g2o.hpp"
-#include "host/exports/run_directory.hpp"
 #include "host/files/atomic_file.hpp"
 
 namespace echomap::apps {
@@ -89,13 +88,16 @@ void save_map(const pipeline::RobotPipeline& pipeline,
               const session::RobotProfile& profile,
               const fs::path& folder,
               exports::RunSummary& summary,
-              const geometry::Polygon& outline_m) {
+              exports::RunDrawing drawing) {
   const auto snapshot = pipeline.snapshot();
   exports::describe_snapshot(snapshot, summary);
-  summary.outline_by_strategy = !outline_m.empty();
+  summary.outline_by_strategy = !drawing.outline_m.empty();
   save_pose_graph(pipeline, folder, summary);
   files::write_text_file(folder / kProfileName, profile.toml);
-  exports::write_run_directory(folder, snapshot, summary, outline_m);
+  if (profile.body_radius_m > 0.0) {
+    drawing.robot_radius_m = profile.body_radius_m;
+  }
+  exports::write_run_directory(folder, snapshot, summary, drawing);
 }
 
 }  // namespace echomap::apps

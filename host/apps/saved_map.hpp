@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <filesystem>
 
+#include "host/exports/run_directory.hpp"
 #include "host/exports/summary_json.hpp"
-#include "host/geometry/polygon.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 #include "host/session/robot_profile.hpp"
 
@@ -30,12 +30,12 @@ std::filesystem::path stored_previous_map(const std::filesystem::path& run, std:
 void move_earlier_run_aside(const std::filesystem::path& out);
 
 /// Writes the map of a pipeline into its run directory, with the pose graph of its SLAM and the
-/// profile of its robot, and fills in what `summary` says of the map. The outline is `outline_m`,
-/// or that of the grid where it is empty. Throws files::FileError.
+/// profile of its robot, and fills in what `summary` says of the map. The robot's radius in
+/// `drawing` is the profile's. Throws files::FileError.
 void save_map(const pipeline::RobotPipeline& pipeline,
               const session::RobotProfile& profile,
               const std::filesystem::path& folder,
               exports::RunSummary& summary,
-              const geometry::Polygon& outline_m = {});
+              exports::RunDrawing drawing = {});
 
 }  // namespace echomap::apps

@@ -43,10 +43,10 @@ void write_difference_picture(const std::filesystem::path& path,
   const auto canvas =
       mapping::cut_out(before, cells_of_both(before, T_before_after.inverse(), after));
   const exports::MapView view(canvas,
-                              {{kAppeared, "appeared"},
-                               {kVanished, "vanished"},
-                               {exports::kWallColour, "walls before"},
-                               {kWallAfter, "walls after"}});
+                              {.legend = {{kAppeared, "appeared"},
+                                          {kVanished, "vanished"},
+                                          {exports::kWallColour, "walls before"},
+                                          {kWallAfter, "walls after"}}});
   exports::Picture picture = view.draw();
   for (const ChangedRegion& region : difference.regions) {
     for (const Eigen::Vector2d& center_m : region.cells_m) {

@@ -6,6 +6,7 @@
 
 #include "host/evaluation/outline_agreement.hpp"
 #include "host/exports/map_view.hpp"
+#include "host/geometry/main_direction.hpp"
 
 namespace echomap::evaluation {
 namespace {
@@ -64,6 +65,21 @@ bool is_inside_any(const std::vector<geometry::Polygon>& obstacles,
   });
 }
 
+std::vector<geometry::Segment> moved(std::vector<geometry::Segment> walls, const Pose2& T) {
+  for (geometry::Segment& wall : walls) {
+    wall = {T * wall.from_m, T * wall.to_m};
+  }
+  return walls;
+}
+
+std::vector<Eigen::Vector2d> ends_of(const std::vector<geometry::Segment>& walls) {
+  std::vector<Eigen::Vector2d> ends_m;
+  for (const geometry::Segment& wall : walls) {
+    ends_m.insert(ends_m.end(), {wall.from_m, wall.to_m});
+  }
+  return ends_m;
+}
+
 }  // namespace
 
 CellVerdict verdict_on(CellIndex cell,
@@ -91,11 +107,18 @@ CellVerdict verdict_on(CellIndex cell,
 void write_truth_picture(const std::filesystem::path& path,
                          const RasterMap& map,
                          const Pose2& T_world_map,
-                         const MapTruth& truth) {
+                         const MapTruth& truth,
+                         const TruthPictureStyle& style) {
   const mapping::CellBounds cells = cells_of_both(map, T_world_map, truth.cells);
   const RasterMap canvas = mapping::cut_out(map, cells);
   const auto obstacles = obstacle_rings(truth.walls);
-  const exports::MapView view(canvas, legend());
+  const std::vector<geometry::Segment> walls_m = moved(truth.walls, T_world_map.inverse());
+  const exports::MapView view(
+      canvas,
+      {.legend = legend(),
+       .title = style.title,
+       .turn_rad = style.align ? geometry::main_direction_rad(walls_m) : 0.0,
+       .points_m = ends_of(walls_m)});
   exports::Picture picture = view.draw();
   for (int y = 0; y < canvas.rows(); ++y) {
     for (int x = 0; x < canvas.columns(); ++x) {
@@ -106,12 +129,8 @@ void write_truth_picture(const std::filesystem::path& path,
       }
     }
   }
-  const Pose2 T_map_world = T_world_map.inverse();
-  for (const geometry::Segment& wall : truth.walls) {
-    picture.draw_line(view.place(T_map_world * wall.from_m),
-                      view.place(T_map_world * wall.to_m),
-                      2.0,
-                      exports::kGreen);
+  for (const geometry::Segment& wall : walls_m) {
+    picture.draw_line(view.place(wall.from_m), view.place(wall.to_m), 2.0, exports::kGreen);
   }
   picture.write_png(path, view.texts());
 }

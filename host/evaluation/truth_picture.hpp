@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "host/evaluation/map_agreement.hpp"
@@ -29,12 +30,19 @@ CellVerdict verdict_on(geometry::CellIndex cell,
                        const MapTruth& truth,
                        const std::vector<geometry::Polygon>& obstacles);
 
-/// Draws the map in the colours of its verdicts, with the true walls as lines, a legend and a scale
-/// bar, as PNG. Throws files::FileError, and std::invalid_argument where map and truth lie so far
-/// apart that no picture can hold both.
+/// How a picture of a map on its truth is drawn.
+struct TruthPictureStyle {
+  std::string title{};
+  bool align = true;  ///< Turned to the main direction of the true walls.
+};
+
+/// Draws the map in the colours of its verdicts, with the true walls as lines, a title, a legend
+/// and a scale bar, as PNG. Throws files::FileError, and std::invalid_argument where map and truth
+/// lie so far apart that no picture can hold both.
 void write_truth_picture(const std::filesystem::path& path,
                          const mapping::RasterMap& map,
                          const geometry::Pose2& T_world_map,
-                         const MapTruth& truth);
+                         const MapTruth& truth,
+                         const TruthPictureStyle& style = {});
 
 }  // namespace echomap::evaluation

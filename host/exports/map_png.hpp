@@ -3,14 +3,18 @@
 
 #include <filesystem>
 
+#include "host/exports/map_style.hpp"
 #include "host/pipeline/snapshot.hpp"
 
 namespace echomap::exports {
 
-/// map.png, the picture for people: floor white, walls dark, unknown a pale hatch; the robot's
-/// trail from its start (ring) to where it stands (disc with nose), the echoes as dots, and a scale
-/// bar in metres. North of the picture is +y of the map frame. tEXt chunks say where it lies
-/// (MapView::texts). Throws files::FileError.
-void write_map_png(const std::filesystem::path& path, const pipeline::Snapshot& snapshot);
+/// map.png, the picture for people: floor white, occupied cells dark, unknown a pale hatch; fitted
+/// walls and obstacles as lines, the robot's trail from its start (ring) to where it stands (disc
+/// with nose), the echoes as faint dots, with title, legend and a scale bar in metres. It holds all
+/// of the trail. `style.turn_rad` turns the picture in the map frame; not turned, up is +y. tEXt
+/// chunks say where it lies (MapView::texts). Throws files::FileError.
+void write_map_png(const std::filesystem::path& path,
+                   const pipeline::Snapshot& snapshot,
+                   const MapStyle& style = {});
 
 }  // namespace echomap::exports

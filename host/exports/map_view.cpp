@@ -12,15 +12,17 @@ namespace {
 
 using mapping::CellState;
 
-constexpr Colour kUnknown{208, 211, 217};
 constexpr Colour kUnknownHatch{190, 194, 202};
 constexpr int kHatchPeriod = 8;
 
 constexpr int kMinPixelsPerCell = 2;
 constexpr int kMaxPixelsPerCell = 8;
 constexpr int kWantedSide = 900;
+/// A picture that would be larger has less than a pixel for a cell.
+constexpr int kMaxSide = 8000;
 constexpr int kMinWidth = 160;
 constexpr int kFooterHeight = 44;
+constexpr int kHeaderHeight = 30;
 constexpr int kLegendLine = 24;
 constexpr int kTextScale = 2;
 constexpr int kMargin = 14;
@@ -36,49 +38,83 @@ Colour colour_of(CellState state, int x, int y) {
     case CellState::kUnknown:
       break;
   }
-  return (x + y) % kHatchPeriod == 0 ? kUnknownHatch : kUnknown;
+  return (x + y) % kHatchPeriod == 0 ? kUnknownHatch : kUnknownColour;
 }
 
+/// Of the widest entry, with its swatch and the margins.
 int legend_width(const std::vector<LegendEntry>& legend) {
-  int width = kMinWidth;
+  int width = 0;
   for (const LegendEntry& entry : legend) {
     width = std::max(width, 3 * kMargin + kSwatch + Picture::text_width(entry.text, kTextScale));
   }
   return width;
 }
 
+int min_width(const MapViewParams& params) {
+  return std::max({kMinWidth,
+                   legend_width(params.legend),
+                   2 * kMargin + Picture::text_width(params.title, kTextScale)});
+}
+
+double metres_per_pixel(const PictureFrame& frame, double cell_m) {
+  const int cells = static_cast<int>(std::lround(frame.size_m.maxCoeff() / cell_m));
+  const int pixels_per_cell = std::clamp(kWantedSide / cells, kMinPixelsPerCell, kMaxPixelsPerCell);
+  return std::max(cell_m / pixels_per_cell, frame.size_m.maxCoeff() / kMaxSide);
+}
+
 }  // namespace
 
-MapView::MapView(const mapping::RasterMap& map, std::vector<LegendEntry> legend)
+MapView::MapView(const mapping::RasterMap& map, MapViewParams params)
     : map_(map),
-      legend_(std::move(legend)),
-      pixels_per_cell_(std::clamp(
-          kWantedSide / std::max(map.columns(), map.rows()), kMinPixelsPerCell, kMaxPixelsPerCell)),
-      metres_per_pixel_(map.resolution_m() / pixels_per_cell_),
-      width_(map.columns() * pixels_per_cell_),
-      left_(std::max(0, (legend_width(legend_) - width_) / 2)) {
+      params_(std::move(params)),
+      frame_(frame_of(map_, params_.turn_rad, params_.points_m)),
+      metres_per_pixel_(metres_per_pixel(frame_, map_.resolution_m())),
+      width_(static_cast<int>(std::lround(pixels(frame_.size_m.x())))),
+      left_(std::max(0, (min_width(params_) - width_) / 2)),
+      top_(params_.title.empty() ? 0 : kHeaderHeight) {
   width_ += 2 * left_;
 }
 
+int MapView::map_height() const { return static_cast<int>(std::lround(pixels(frame_.size_m.y()))); }
+
+int MapView::legend_columns() const {
+  return params_.legend.empty() ? 1 : std::max(1, width_ / legend_width(params_.legend));
+}
+
 int MapView::height() const {
-  return map_height() + kFooterHeight + kLegendLine * static_cast<int>(legend_.size());
+  const int entries = static_cast<int>(params_.legend.size());
+  const int lines = (entries + legend_columns() - 1) / legend_columns();
+  return map_bottom() + kFooterHeight + kLegendLine * lines;
 }
 
 Eigen::Vector2d MapView::place(const Eigen::Vector2d& point_m) const {
-  const Eigen::Vector2d from_origin_m = point_m - map_.origin_m();
-  return {left_ + pixels(from_origin_m.x()), map_height() - pixels(from_origin_m.y())};
+  const Eigen::Vector2d from_low_m = frame_.in_picture_m(point_m) - frame_.low_m;
+  return {left_ + pixels(from_low_m.x()), map_bottom() - pixels(from_low_m.y())};
+}
+
+geometry::CellIndex MapView::cell_at(int x, int y) const {
+  const Eigen::Vector2d from_low_m =
+      metres_per_pixel_ * Eigen::Vector2d(x + 0.5 - left_, map_bottom() - y - 0.5);
+  return map_.cell_at(frame_.in_map_m(frame_.low_m + from_low_m));
 }
 
 void MapView::fill_cell(Picture& picture, geometry::CellIndex cell, Colour colour) const {
-  picture.fill_rectangle(left_ + cell.x * pixels_per_cell_,
-                         (map_.rows() - 1 - cell.y) * pixels_per_cell_,
-                         pixels_per_cell_,
-                         pixels_per_cell_,
-                         colour);
+  const Eigen::Vector2d middle = place(map_.center_m(cell));
+  const double reach = 0.75 * pixels(map_.resolution_m()) + 1.0;
+  const Eigen::Vector2d low = middle.array() - reach;
+  const Eigen::Vector2d high = middle.array() + reach;
+  for (int y = static_cast<int>(low.y()); y <= high.y(); ++y) {
+    for (int x = static_cast<int>(low.x()); x <= high.x(); ++x) {
+      if (cell_at(x, y) == cell) {
+        picture.set(x, y, colour);
+      }
+    }
+  }
 }
 
 Picture MapView::draw() const {
   Picture picture(width_, height(), kFloorColour);
+  picture.draw_text(kMargin, 8, params_.title, kTextScale, kInkColour);
   draw_cells(picture);
   draw_scale_bar(picture);
   draw_legend(picture);
@@ -86,12 +122,9 @@ Picture MapView::draw() const {
 }
 
 void MapView::draw_cells(Picture& picture) const {
-  for (int y = 0; y < map_height(); ++y) {
+  for (int y = top_; y < map_bottom(); ++y) {
     for (int x = 0; x < width_; ++x) {
-      const int column = (x - left_) / pixels_per_cell_;
-      const int row = map_.rows() - 1 - y / pixels_per_cell_;
-      const CellState state = x < left_ ? CellState::kUnknown : map_.state({column, row});
-      picture.set(x, y, colour_of(state, x, y));
+      picture.set(x, y, colour_of(map_.state(cell_at(x, y)), x, y));
     }
   }
 }
@@ -99,7 +132,7 @@ void MapView::draw_cells(Picture& picture) const {
 void MapView::draw_scale_bar(Picture& picture) const {
   const double length_m = scale_bar_m(width_ * metres_per_pixel_ / 3.0);
   const int length = static_cast<int>(std::lround(pixels(length_m)));
-  const int y = map_height() + kFooterHeight / 2;
+  const int y = map_bottom() + kFooterHeight / 2;
   picture.fill_rectangle(kMargin, y - kBarThickness / 2, length, kBarThickness, kInkColour);
   for (const int x : {kMargin, kMargin + length - 2}) {
     picture.fill_rectangle(x, y - 2 * kBarThickness, 2, 4 * kBarThickness, kInkColour);
@@ -109,21 +142,26 @@ void MapView::draw_scale_bar(Picture& picture) const {
 }
 
 void MapView::draw_legend(Picture& picture) const {
-  int y = map_height() + kFooterHeight;
-  for (const LegendEntry& entry : legend_) {
-    picture.fill_rectangle(kMargin, y, kSwatch, kSwatch, kInkColour);
-    picture.fill_rectangle(kMargin + 1, y + 1, kSwatch - 2, kSwatch - 2, entry.colour);
-    picture.draw_text(2 * kMargin + kSwatch, y, entry.text, kTextScale, kInkColour);
-    y += kLegendLine;
+  const int columns = legend_columns();
+  const int column_width = legend_width(params_.legend);
+  int number = 0;
+  for (const LegendEntry& entry : params_.legend) {
+    const int x = kMargin + number % columns * column_width;
+    const int y = map_bottom() + kFooterHeight + number / columns * kLegendLine;
+    picture.fill_rectangle(x, y, kSwatch, kSwatch, kInkColour);
+    picture.fill_rectangle(x + 1, y + 1, kSwatch - 2, kSwatch - 2, entry.colour);
+    picture.draw_text(x + kSwatch + kMargin, y, entry.text, kTextScale, kInkColour);
+    ++number;
   }
 }
 
 std::vector<PngText> MapView::texts() const {
-  const Eigen::Vector2d corner_m =
-      map_.origin_m() - metres_per_pixel_ * Eigen::Vector2d(left_, height() - map_height());
+  const Eigen::Vector2d corner_m = frame_.in_map_m(
+      frame_.low_m - metres_per_pixel_ * Eigen::Vector2d(left_, height() - map_bottom()));
   return {{"Software", "echomap"},
           {"resolution", fmt::format("{:.9g}", metres_per_pixel_)},
-          {"origin", fmt::format("[{:.9g}, {:.9g}, 0]", corner_m.x(), corner_m.y())}};
+          {"origin",
+           fmt::format("[{:.9g}, {:.9g}, {:.9g}]", corner_m.x(), corner_m.y(), frame_.turn_rad)}};
 }
 
 double scale_bar_m(double longest_m) {

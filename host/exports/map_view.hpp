@@ -7,12 +7,14 @@
 #include <Eigen/Core>
 
 #include "host/exports/picture.hpp"
+#include "host/exports/picture_frame.hpp"
 #include "host/mapping/raster_map.hpp"
 
 namespace echomap::exports {
 
 /// Okabe and Ito's palette on greys, told apart with any colour vision.
 constexpr Colour kFloorColour{255, 255, 255};
+constexpr Colour kUnknownColour{208, 211, 217};
 constexpr Colour kWallColour{40, 40, 40};
 constexpr Colour kInkColour{20, 20, 20};
 constexpr Colour kOrange{230, 159, 0};
@@ -28,10 +30,21 @@ struct LegendEntry {
   std::string text;  ///< In the letters of picture_font.hpp.
 };
 
-/// A picture of a map for people: its cells enlarged, +y up, with a scale bar and a legend below.
+/// What a picture of a map shows beside its cells.
+struct MapViewParams {
+  std::vector<LegendEntry> legend{};
+  std::string title{};  ///< Above the map; empty: none. In the letters of picture_font.hpp.
+  /// How far the picture is turned in the map frame, counter-clockwise.
+  double turn_rad = 0.0;
+  /// Points of the map frame that the picture must hold, the trajectory for one.
+  std::vector<Eigen::Vector2d> points_m{};
+};
+
+/// A picture of a map for people: its cells enlarged, with a title above, a scale bar and a legend
+/// below.
 class MapView {
  public:
-  explicit MapView(const mapping::RasterMap& map, std::vector<LegendEntry> legend = {});
+  explicit MapView(const mapping::RasterMap& map, MapViewParams params = {});
 
   /// The cells, the scale bar and the legend: what all else is drawn onto.
   Picture draw() const;
@@ -39,26 +52,36 @@ class MapView {
   double pixels(double length_m) const { return length_m / metres_per_pixel_; }
   /// Of a point of the map frame.
   Eigen::Vector2d place(const Eigen::Vector2d& point_m) const;
+  /// Whether a place is on the map, and not on the title or the footer.
+  bool is_on_map(const Eigen::Vector2d& place) const {
+    return place.y() >= top_ && place.y() < map_bottom();
+  }
   /// Paints one cell of the map.
   void fill_cell(Picture& picture, geometry::CellIndex cell, Colour colour) const;
 
-  /// tEXt chunks that place the picture: `resolution` in metres per pixel and `origin`, where its
-  /// lower left corner, footer included, lies in the map frame, as map.yaml has them.
+  /// tEXt chunks that place the picture: `resolution` in metres per pixel and `origin`, the pose of
+  /// its lower left corner, footer included, in the map frame: x, y and how far the picture is
+  /// turned, as map.yaml has them.
   std::vector<PngText> texts() const;
 
  private:
-  int map_height() const { return map_.rows() * pixels_per_cell_; }
+  int map_height() const;
+  int map_bottom() const { return top_ + map_height(); }
+  int legend_columns() const;
   int height() const;
+  /// The cell of the map that the middle of a pixel shows.
+  geometry::CellIndex cell_at(int x, int y) const;
   void draw_cells(Picture& picture) const;
   void draw_scale_bar(Picture& picture) const;
   void draw_legend(Picture& picture) const;
 
   mapping::RasterMap map_;
-  std::vector<LegendEntry> legend_;
-  int pixels_per_cell_;
+  MapViewParams params_;
+  PictureFrame frame_;
   double metres_per_pixel_;
   int width_;
   int left_;
+  int top_;
 };
 
 /// The largest round length (1, 2 or 5 times a power of ten, 10 m at most) that is no longer than

@@ -47,6 +47,21 @@ void Picture::set(int x, int y, Colour colour) {
   }
 }
 
+void Picture::blend(int x, int y, Colour colour, double share) {
+  if (x < 0 || x >= width_ || y < 0 || y >= height_) {
+    return;
+  }
+  const auto mixed = [&](std::uint8_t below, std::uint8_t above) {
+    return static_cast<std::uint8_t>(std::lround((1.0 - share) * below + share * above));
+  };
+  const Colour below = at(x, y);
+  set(x,
+      y,
+      {mixed(below.red, colour.red),
+       mixed(below.green, colour.green),
+       mixed(below.blue, colour.blue)});
+}
+
 void Picture::fill_rectangle(int x, int y, int width, int height, Colour colour) {
   for (int row = y; row < y + height; ++row) {
     for (int column = x; column < x + width; ++column) {
@@ -57,6 +72,21 @@ void Picture::fill_rectangle(int x, int y, int width, int height, Colour colour)
 
 void Picture::fill_disc(const Eigen::Vector2d& centre, double radius, Colour colour) {
   draw_line(centre, centre, 2.0 * radius, colour);
+}
+
+void Picture::draw_circle(const Eigen::Vector2d& centre,
+                          double radius,
+                          double width,
+                          Colour colour) {
+  const double reach = radius + 0.5 * width;
+  for (int y = static_cast<int>(std::floor(centre.y() - reach)); y <= centre.y() + reach; ++y) {
+    for (int x = static_cast<int>(std::floor(centre.x() - reach)); x <= centre.x() + reach; ++x) {
+      const double distance = (Eigen::Vector2d(x + 0.5, y + 0.5) - centre).norm();
+      if (std::abs(distance - radius) <= 0.5 * width) {
+        set(x, y, colour);
+      }
+    }
+  }
 }
 
 void Picture::draw_line(const Eigen::Vector2d& from,

@@ -35,6 +35,10 @@ class Picture {
   void set(int x, int y, Colour colour);
   void fill_rectangle(int x, int y, int width, int height, Colour colour);
   void fill_disc(const Eigen::Vector2d& centre, double radius, Colour colour);
+  /// Mixes one pixel's colour with `colour`, of which `share` is taken, 0 to 1.
+  void blend(int x, int y, Colour colour, double share);
+  /// A ring, `width` pixels wide, its middle `radius` from the centre.
+  void draw_circle(const Eigen::Vector2d& centre, double radius, double width, Colour colour);
   /// A line with round ends, `width` pixels wide.
   void draw_line(const Eigen::Vector2d& from,
                  const Eigen::Vector2d& to,

@@ -4,7 +4,7 @@
 namespace echomap::exports {
 namespace {
 
-constexpr std::string_view kNames = "0123456789abcdefghijklmnopqrstuvwxyz.,-:%/";
+constexpr std::string_view kNames = "0123456789abcdefghijklmnopqrstuvwxyz.,-:%/_";
 
 constexpr std::array<Glyph, kNames.size()> kGlyphs{{
     {" ### ", "#   #", "#  ##", "# # #", "##  #", "#   #", " ### "},
@@ -49,6 +49,7 @@ constexpr std::array<Glyph, kNames.size()> kGlyphs{{
     {"     ", " ##  ", " ##  ", "     ", " ##  ", " ##  ", "     "},
     {"##   ", "##  #", "   # ", "  #  ", " #   ", "#  ##", "   ##"},
     {"     ", "    #", "   # ", "  #  ", " #   ", "#    ", "     "},
+    {"     ", "     ", "     ", "     ", "     ", "     ", "#####"},
 }};
 
 }  // namespace

@@ -13,7 +13,7 @@ constexpr int kGlyphHeight = 7;
 /// A letter, row by row from the top: # is ink.
 using Glyph = std::array<std::string_view, kGlyphHeight>;
 
-/// Digits, small letters and the marks . , - : % /; null for anything else, as for a blank.
+/// Digits, small letters and the marks . , - : % / _; null for anything else, as for a blank.
 const Glyph* glyph_of(char letter);
 
 }  // namespace echomap::exports

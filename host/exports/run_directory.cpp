@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "host/exports/geojson.hpp"
 #include "host/exports/grid_csv.hpp"
@@ -15,8 +19,9 @@
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
-#include "host/mapping/polygon_map.hpp"
+#include "host/geometry/main_direction.hpp"
 #include "host/mapping/raster_map.hpp"
+#include "host/mapping/room_outline.hpp"
 
 namespace echomap::exports {
 
@@ -34,6 +39,47 @@ double driven_m(const pipeline::Snapshot& snapshot) {
     }
   }
   return driven_m;
+}
+
+/// Of the fitted walls or, where there are none, of the outline.
+double main_direction_rad(const pipeline::Snapshot& snapshot,
+                          const std::optional<mapping::PolygonMap>& outline) {
+  std::vector<geometry::Segment> walls = snapshot.features->walls;
+  if (walls.empty() && outline) {
+    for (std::size_t i = 0; i < outline->outline_m().size(); ++i) {
+      walls.push_back(geometry::side(outline->outline_m(), i));
+    }
+  }
+  return geometry::main_direction_rad(walls);
+}
+
+/// As "living_room by uno_2wd".
+std::string name_of(const RunSummary& summary) {
+  const std::string room = std::filesystem::path(summary.world).stem().string();
+  if (room.empty() || summary.robot.empty()) {
+    return room + summary.robot;
+  }
+  return room + " by " + summary.robot;
+}
+
+/// As ", 4.0 x 3.5 m, 13.2 m2 of floor": length and width of the outline in the picture's axes.
+std::string size_text(const mapping::PolygonMap& outline, double turn_rad) {
+  const Eigen::Rotation2Dd R_picture_map(-turn_rad);
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& corner_m : outline.outline_m()) {
+    box.extend(R_picture_map * corner_m);
+  }
+  return fmt::format(
+      "{:.1f} x {:.1f} m, {:.1f} m2 of floor", box.sizes().x(), box.sizes().y(), outline.area_m2());
+}
+
+std::string title_of(const RunDrawing& drawing,
+                     const RunSummary& summary,
+                     const std::optional<mapping::PolygonMap>& outline,
+                     double turn_rad) {
+  const std::string name = drawing.name.empty() ? name_of(summary) : drawing.name;
+  const std::string size = outline ? size_text(*outline, turn_rad) : "";
+  return name + (name.empty() || size.empty() ? "" : ": ") + size;
 }
 
 void make_directory(const std::filesystem::path& directory) {
@@ -63,7 +109,7 @@ void describe_uncertainty(const Eigen::Matrix3d& covariance, RunSummary& summary
 void write_run_directory(const std::filesystem::path& directory,
                          const pipeline::Snapshot& snapshot,
                          const RunSummary& summary,
-                         const geometry::Polygon& outline_m) {
+                         const RunDrawing& drawing) {
   make_directory(directory);
   write_points_csv(directory / "points.csv", snapshot.points->points());
   write_poses_csv(directory / "poses.csv", snapshot.points->poses());
@@ -71,11 +117,15 @@ void write_run_directory(const std::filesystem::path& directory,
   write_pgm_yaml(directory / "map.yaml", map);
   write_occupancy_grid_csv(directory / "occupancy_grid.csv", *snapshot.grid);
   write_trajectory_tum(directory / "trajectory.tum", *snapshot.trajectory);
-  write_map_png(directory / "map.png", snapshot);
-  const auto polygon = outline_m.empty() ? mapping::polygon_from_raster(map)
-                                         : std::optional(mapping::PolygonMap(outline_m));
-  write_outline_geojson(directory / "outline.geojson", polygon);
-  write_map_svg(directory / "map.svg", snapshot, polygon);
+  const auto outline = drawing.outline_m.empty()
+                           ? mapping::room_outline(map, *snapshot.features)
+                           : std::optional(mapping::PolygonMap(drawing.outline_m));
+  write_outline_geojson(directory / "outline.geojson", outline);
+  MapStyle style{.turn_rad = drawing.align ? main_direction_rad(snapshot, outline) : 0.0,
+                 .robot_radius_m = drawing.robot_radius_m};
+  style.title = title_of(drawing, summary, outline, style.turn_rad);
+  write_map_png(directory / "map.png", snapshot, style);
+  write_map_svg(directory / "map.svg", snapshot, outline, style);
   write_summary_json(directory / "summary.json", summary);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include <Eigen/Core>
 
@@ -18,13 +19,24 @@ void describe_snapshot(const pipeline::Snapshot& snapshot, RunSummary& summary);
 /// Sets what the covariance of x, y (m) and heading (rad) says of the last pose.
 void describe_uncertainty(const Eigen::Matrix3d& covariance, RunSummary& summary);
 
+/// What a run directory's outline and pictures are made with beside the snapshot.
+struct RunDrawing {
+  /// The outline that the strategy has drawn itself; empty: mapping::room_outline.
+  geometry::Polygon outline_m{};
+  /// Whether map.png and map.svg are turned to the room's main direction.
+  bool align = true;
+  double robot_radius_m = 0.09;
+  /// What the pictures' title begins with; empty: room and robot of the summary.
+  std::string name{};
+};
+
 /// Writes map.yaml, map.pgm, occupancy_grid.csv, map.png, map.svg, outline.geojson, points.csv,
 /// poses.csv, trajectory.tum and summary.json into `directory`, which is made where it is missing.
-/// Each file is whole or absent. The outline is `outline_m`, or that of the grid's free floor where
-/// it is empty. Throws files::FileError, and std::invalid_argument for an outline that is none.
+/// Each file is whole or absent. Throws files::FileError, and std::invalid_argument for an outline
+/// that is none.
 void write_run_directory(const std::filesystem::path& directory,
                          const pipeline::Snapshot& snapshot,
                          const RunSummary& summary,
-                         const geometry::Polygon& outline_m = {});
+                         const RunDrawing& drawing = {});
 
 }  // namespace echomap::exports

@@ -165,7 +165,7 @@ void fill_small_clots(RasterMap& map) {
 }
 
 void draw(const RasterMap& map) {
-  const exports::MapView view(map, {{exports::kVermilion, "true walls"}});
+  const exports::MapView view(map, {.legend = {{exports::kVermilion, "true walls"}}});
   exports::Picture picture = view.draw();
   for (const world::Wall& wall : field().walls()) {
     picture.draw_line(

@@ -183,9 +183,9 @@ TEST(Paper004, MapIsDrawn) {
   before.draw(0, map);
   after.draw(first_column, map);
   const exports::MapView view(map,
-                              {{exports::kGreen, "way"},
-                               {exports::kVermilion, "wall landmarks"},
-                               {exports::kBlue, "point landmarks"}});
+                              {.legend = {{exports::kGreen, "way"},
+                                          {exports::kVermilion, "wall landmarks"},
+                                          {exports::kBlue, "point landmarks"}}});
   exports::Picture picture = view.draw();
   before.draw_path(0, view, picture);
   after.draw_path(first_column, view, picture);

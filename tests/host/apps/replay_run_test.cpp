@@ -97,7 +97,9 @@ TEST_F(ReplayRunTest, MayHaveTheRunsOwnDirectoryOrThatOfAnotherRun) {
 }
 
 TEST_F(ReplayRunTest, KeepsTheOutlineThatTheStrategyDrew) {
-  save_map(atlas.pipeline(), profile, options.log, summary, {{0.1, 0.2}, {1.0, 0.3}, {0.7, 1.0}});
+  exports::RunDrawing drawing;
+  drawing.outline_m = {{0.1, 0.2}, {1.0, 0.3}, {0.7, 1.0}};
+  save_map(atlas.pipeline(), profile, options.log, summary, drawing);
   EXPECT_EQ(run_replay(options), console::ExitCode::kOk);
   EXPECT_EQ(text("outline.geojson"), live_text("outline.geojson"));
   EXPECT_EQ(text("map.svg"), live_text("map.svg"));

@@ -15,7 +15,9 @@ TEST(SavedMap, HoldsTheProfileOfItsRobotAndSaysWhoDrewTheOutline) {
   const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
   const auto pipeline = session::pipeline_for(profile, session::kNoSlam);
   exports::RunSummary summary;
-  save_map(pipeline, profile, out.path(), summary, {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}});
+  exports::RunDrawing drawing;
+  drawing.outline_m = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
+  save_map(pipeline, profile, out.path(), summary, drawing);
   EXPECT_TRUE(summary.outline_by_strategy);
   EXPECT_TRUE(exists(out / "map.pgm"));
   const session::RobotProfile again = session::load_robot_profile((out / kProfileName).string());

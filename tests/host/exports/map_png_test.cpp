@@ -30,8 +30,8 @@ TEST(MapPng, HasTheTopOfTheMapOnTop) {
   const tests::ScratchFolder folder;
   write_map_png(folder / "map.png", tests::snapshot_of(hall()));
   const tests::PngPicture picture(folder / "map.png");
-  // One cell of margin, 8 pixels a cell.
-  EXPECT_EQ(picture.width, 42 * 8);
+  // One cell of margin, 8 pixels a cell, and two more cells for the robot in the corner.
+  EXPECT_EQ(picture.width, 44 * 8);
   EXPECT_EQ(picture.at(160, 12), kWall);
   EXPECT_EQ(picture.at(160, 60), kFloor);
   EXPECT_NE(picture.at(160, 3), kFloor);
@@ -76,9 +76,9 @@ TEST(MapPng, HasAScaleBarOfItsLength) {
   const tests::PngPicture picture(folder / "map.png");
   int dark = 0;
   for (int x = 0; x < 100; ++x) {
-    dark += picture.at(x, picture.height - 22) == 0x141414 ? 1 : 0;
+    dark += picture.at(x, 24 * 8 + 22) == 0x141414 ? 1 : 0;
   }
-  // 2.1 m are 336 pixels: 0.5 m is the longest that takes a third of them.
+  // 2.2 m are 352 pixels: 0.5 m is the longest that takes a third of them.
   EXPECT_EQ(dark, 80);
 }
 
@@ -96,7 +96,7 @@ TEST(MapPng, KeepsALargeMapInBounds) {
   grid.add({0, 0}, 300);
   grid.add({1500, 900}, 300);
   write_map_png(folder / "map.png", tests::snapshot_of(grid));
-  EXPECT_EQ(tests::PngPicture(folder / "map.png").width, 2 * 1503);
+  EXPECT_EQ(tests::PngPicture(folder / "map.png").width, 2 * 1505);
 }
 
 }  // namespace

@@ -62,10 +62,12 @@ TEST_F(MapSvgTest, HoldsEveryCellInMetres) {
 }
 
 TEST_F(MapSvgTest, IsOneMetreAUnitAndOneToTwentyOnPaper) {
-  // With the margin of one cell: x from -1.05 to 1.05, y from 0.45 to 1.6, and 0.4 for the scale.
+  // With the margin of one cell: x from -1.05 to 1.05; y from -0.15, below the robot at (0, 0), to
+  // 1.6. Above it 0.3 for the title, below it 0.4 for the scale and 0.2 for each of the three lines
+  // of the legend: floor and occupied, unknown and robot, outline.
   const std::string svg = written(tests::snapshot_of(hall()));
-  EXPECT_THAT(svg, HasSubstr("viewBox=\"-1.05 -1.6 2.1 1.55\""));
-  EXPECT_THAT(svg, HasSubstr("width=\"105mm\" height=\"77.5mm\""));
+  EXPECT_THAT(svg, HasSubstr("viewBox=\"-1.05 -1.9 2.1 3.05\""));
+  EXPECT_THAT(svg, HasSubstr("width=\"105mm\" height=\"152.5mm\""));
   EXPECT_THAT(svg, HasSubstr(">0.5 m</text>"));
 }
 

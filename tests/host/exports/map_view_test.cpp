@@ -25,16 +25,17 @@ TEST(MapView, PlacesPointsWhereItPaintsTheirCells) {
 }
 
 TEST(MapView, ShowsEachEntryOfTheLegend) {
-  const MapView view(hall(), {{kOrange, "appeared"}, {kBlue, "vanished"}});
+  const MapView view(hall(), {.legend = {{kOrange, "appeared"}, {kBlue, "vanished"}}});
   const Picture picture = view.draw();
-  EXPECT_EQ(picture.height(), 20 * 8 + 44 + 2 * 24);
+  EXPECT_EQ(picture.height(), 20 * 8 + 44 + 24);
   EXPECT_EQ(picture.at(20, 20 * 8 + 44 + 7), kOrange);
-  EXPECT_EQ(picture.at(20, 20 * 8 + 44 + 24 + 7), kBlue);
+  EXPECT_EQ(picture.at(14 + 42 + 14 + Picture::text_width("appeared", 2) + 6, 20 * 8 + 44 + 7),
+            kBlue);
 }
 
 TEST(MapView, IsWideEnoughForItsLegend) {
   const std::string text(60, 'a');
-  const MapView view(tests::map_from({"."}), {{kOrange, text}});
+  const MapView view(tests::map_from({"."}), {.legend = {{kOrange, text}}});
   EXPECT_GT(view.draw().width(), Picture::text_width(text, 2));
 }
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/exports/map_view.hpp"
+#include "host/pipeline/snapshot.hpp"
+
+namespace echomap::exports {
+
+/// The colours of what a map's pictures show beside its cells.
+constexpr Colour kEchoColour = kOrange;
+constexpr Colour kFittedColour = kPurple;
+constexpr Colour kTrailColour = kBlue;
+constexpr Colour kRobotColour = kVermilion;
+
+/// How map.png and map.svg are drawn.
+struct MapStyle {
+  std::string title{};
+  /// How far the picture is turned in the map frame, counter-clockwise.
+  double turn_rad = 0.0;
+  double robot_radius_m = 0.09;
+  /// Whether fitted walls and obstacles are drawn.
+  bool shows_features = true;
+};
+
+/// The legend of a snapshot's pictures: what of all this it has.
+std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot, const MapStyle& style);
+
+/// What a picture has to hold beside the cells: the trail and the robot, all around.
+std::vector<Eigen::Vector2d> trail_bounds_m(const pipeline::Snapshot& snapshot,
+                                            double robot_radius_m);
+
+}  // namespace echomap::exports
