@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "host/slam/slam_methods.hpp"
 #include "tests/support/offline_exploration.hpp"
 
 namespace echomap::bench {
@@ -101,9 +102,11 @@ mapping::RasterMap BoxScene::mapped(const std::vector<std::size_t>& boxes, bool 
     polygons.push_back(box_at(place_m_[box]));
   }
   const auto plan = with_boxes(plan_, polygons, after ? after_start_ : before_start_);
-  return mapping::rasterize(
-      *tests::explore_offline(plan, tests::bundled_robot("uno_2wd"), 10 * seed_ + runs_++)
-           .snapshot.grid);
+  tests::OfflineSettings as_users;
+  as_users.slam = slam::slam_by_name("multiscan").make;
+  const auto run = tests::explore_offline(
+      plan, tests::bundled_robot("uno_2wd"), 10 * seed_ + runs_++, as_users);
+  return mapping::rasterize(*run.snapshot.grid);
 }
 
 double BoxScene::signed_share() {
