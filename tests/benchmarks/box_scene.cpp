@@ -104,8 +104,8 @@ mapping::RasterMap BoxScene::mapped(const std::vector<std::size_t>& boxes, bool 
   const auto plan = with_boxes(plan_, polygons, after ? after_start_ : before_start_);
   tests::OfflineSettings as_users;
   as_users.slam = slam::slam_by_name("multiscan").make;
-  const auto run = tests::explore_offline(
-      plan, tests::bundled_robot("uno_2wd"), 10 * seed_ + runs_++, as_users);
+  const auto run =
+      tests::explore_offline(plan, tests::bundled_robot("uno_2wd"), 10 * seed_ + runs_++, as_users);
   return mapping::rasterize(*run.snapshot.grid);
 }
 

