@@ -32,6 +32,12 @@ TEST(WrapAngle, LeavesAnAngleWithinTheTurnAsItIsToTheLastBit) {
   }
 }
 
+TEST(WrapAngle, IsTheRemainderToTheLastBit) {
+  for (double angle_rad = -25.0; angle_rad < 25.0; angle_rad += 0.0137) {
+    EXPECT_EQ(wrap_angle(angle_rad), std::remainder(angle_rad, 2.0 * kPi)) << angle_rad;
+  }
+}
+
 TEST(AngleBetween, TakesTheShortWayAcrossTheBack) {
   EXPECT_NEAR(angle_between(radians(170.0), radians(-170.0)), radians(20.0), 1e-12);
   EXPECT_NEAR(angle_between(radians(-170.0), radians(170.0)), radians(-20.0), 1e-12);
