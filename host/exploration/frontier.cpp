@@ -28,6 +28,7 @@ constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
 void validate(const FrontierParams& params) {
   geometry::ParameterValidator("frontier")
       .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
+      .at_least("first_sweep_finer", params.first_sweep_finer, 1)
       .positive("viewpoints.min_gain_m2", params.viewpoints.min_gain_m2)
       .at_least("back_off_m", params.back_off_m, 0.0)
       .positive("obstacle_m", params.obstacle_m)
@@ -99,7 +100,7 @@ Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
   }
   switch (phase_) {
     case Phase::kStarting:
-      plan_sweep(snapshot.latest.T_map_robot, {0.0, 0.0, kFullTurnRad});
+      plan_sweep(snapshot, {0.0, 0.0, kFullTurnRad});
       return take_planned();
     case Phase::kDriving:
       return drive_on(snapshot);
@@ -233,16 +234,19 @@ Motion Frontier::drive_on(const pipeline::Snapshot& snapshot) {
     return *motion;
   }
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): it drives to a goal
-  plan_sweep(snapshot.latest.T_map_robot, goal_->view);
+  plan_sweep(snapshot, goal_->view);
   return take_planned();
 }
 
-void Frontier::plan_sweep(const Pose2& T_map_robot, const BestView& view) {
+void Frontier::plan_sweep(const pipeline::Snapshot& snapshot, const BestView& view) {
+  const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   phase_ = Phase::kSensing;
   sweeps_done_ = 0;
   views_.push_back({T_map_robot.position_m(), view.middle_rad, 0.5 * view.width_rad});
   if (is_full_turn(view.width_rad)) {
-    plan_ = round_sweep(params_.sweep, T_map_robot.heading_rad() > 0.0);
+    const bool is_first = snapshot.stops == 0;
+    plan_ = round_sweep(is_first ? finer(params_.sweep, params_.first_sweep_finer) : params_.sweep,
+                        T_map_robot.heading_rad() > 0.0);
   } else {
     plan_sector(T_map_robot.heading_rad(), view);
   }

@@ -32,6 +32,8 @@ struct FrontierParams {
   /// All round once, in steps of 4 degrees: a beam of 26 degrees then hears a wall seven times. A
   /// sweep of a sector is as dense.
   RoundSweepParams sweep{6.283185307179586, 0.06981317007977318, 1.5707963267948966, 0.03};
+  /// The steps of the first one are so many times finer.
+  int first_sweep_finer = 4;
   /// Distance to back off after a bump.
   double back_off_m = 0.1;
   /// Assumed width of an obstacle that stopped the robot.
@@ -66,7 +68,7 @@ class Frontier final : public Explorer {
                                           const pipeline::Snapshot& snapshot);
   bool was_tried(const Eigen::Vector2d& opening_m, const mapping::RasterMap& map) const;
   Motion drive_on(const pipeline::Snapshot& snapshot);
-  void plan_sweep(const geometry::Pose2& T_map_robot, const BestView& view);
+  void plan_sweep(const pipeline::Snapshot& snapshot, const BestView& view);
   void plan_sector(double heading_rad, const BestView& view);
   Motion take_planned();
 

@@ -17,6 +17,12 @@ constexpr double kRoundingRad = 1e-9;
 
 bool is_full_turn(double angle_rad) { return angle_rad >= kFullTurnRad - kRoundingRad; }
 
+RoundSweepParams finer(const RoundSweepParams& params, int factor) {
+  RoundSweepParams finer = params;
+  finer.step_rad /= factor;
+  return finer;
+}
+
 bool is_possible(const RoundSweepParams& params) {
   return is_full_turn(params.scan_rad) && params.step_rad > 0.0 &&
          params.pan_limit_rad >= params.step_rad && params.settle_s >= 0.0;

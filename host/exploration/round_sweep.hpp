@@ -24,6 +24,10 @@ struct RoundSweepParams {
 /// Whether an angle is a whole turn or more, up to what is lost in rounding.
 bool is_full_turn(double angle_rad);
 
+/// That sweep in steps that are so many times finer: the heading of a map's first stop is the map's
+/// own, and where a wall begins to answer is known to half a step.
+RoundSweepParams finer(const RoundSweepParams& params, int factor);
+
 /// Whether a robot can do that.
 bool is_possible(const RoundSweepParams& params);
 

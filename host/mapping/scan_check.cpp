@@ -38,7 +38,7 @@ bool is_stuck(const Scan& scan, const ScanCheckParams& params) {
   return false;
 }
 
-/// What stands on the arc of an echo: occupied before unknown before free.
+/// What stands on the arc of an echo: something wherever anything does.
 CellState state_on_arc(const PlacedReading& reading,
                        const OccupancyGrid& map,
                        const ScanCheckParams& params) {
@@ -47,22 +47,26 @@ CellState state_on_arc(const PlacedReading& reading,
   const double near_m = *reading.range_m - params.tolerance_m;
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only echoes are asked about
   const double far_m = *reading.range_m + params.tolerance_m;
-  CellState found = CellState::kFree;
+  std::size_t places = 0;
+  std::size_t others = 0;
   // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): no step counts, cells are wider
   for (double range_m = std::max(near_m, 0.0); range_m <= far_m; range_m += step_m) {
     const double turn_rad = step_m / std::max(range_m, step_m);
     // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): no step counts, cells are wider
     for (double off_rad = -params.beam_half_angle_rad; off_rad <= params.beam_half_angle_rad;
          off_rad += turn_rad) {
-      const CellState state =
-          map.state(map.cell_at(reading.T_map_sonar * (range_m * geometry::unit_vector(off_rad))));
-      if (state == CellState::kOccupied) {
-        return state;
+      const geometry::CellIndex cell =
+          map.cell_at(reading.T_map_sonar * (range_m * geometry::unit_vector(off_rad)));
+      if (map.state(cell) == CellState::kOccupied) {
+        return CellState::kOccupied;
       }
-      found = state == CellState::kUnknown ? state : found;
+      ++places;
+      others += map.centilogits(cell).value_or(0) > params.firm_floor_centilogits ? 1 : 0;
     }
   }
-  return found;
+  const bool is_floor =
+      static_cast<double>(others) <= params.max_other_share * static_cast<double>(places);
+  return is_floor ? CellState::kFree : CellState::kUnknown;
 }
 
 }  // namespace

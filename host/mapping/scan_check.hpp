@@ -28,18 +28,22 @@ struct ScanCheckParams {
   double same_bearing_rad = 1.57;
   /// Half of the beam, within which an echo may come from anywhere.
   double beam_half_angle_rad = 0.26;
-  /// An echo is where the map has floor if nothing is known that is nearer to its arc than this.
+  /// An echo is where the map has floor if nothing stands nearer to its arc than this, and if no
+  /// more of that than this share is other than firm floor: of more evidence than one stop gives,
+  /// which may have been deceived by a wall that threw its sound aside.
   double tolerance_m = 0.15;
+  double max_other_share = 0.4;
+  int firm_floor_centilogits = -240;
   /// Of so many echoes that the map has something to say of, a scan of the place has at least
   /// `min_share` where walls are.
   std::size_t min_echoes = 12;
-  double min_share = 0.5;
+  double min_share = 0.7;
 };
 
 /// How the echoes of a scan agree with a map.
 struct ScanFit {
   std::size_t on_walls = 0;  ///< Something stands on the echo's arc.
-  std::size_t on_floor = 0;  ///< All of the arc is floor.
+  std::size_t on_floor = 0;  ///< Nothing stands there, and most of the arc is firm floor.
 };
 
 /// Both in the map frame.

@@ -53,9 +53,11 @@ Motion first_move(Frontier& explorer, const pipeline::Snapshot& snapshot) {
   return explorer.next(snapshot, MotionResult::kReached);
 }
 
-TEST(Frontier, LooksAllRoundAtFirst) {
+TEST(Frontier, LooksAllRoundAtFirstInFineSteps) {
   Frontier explorer({});
-  const auto motions = stop_of(explorer, told(OccupancyGrid(), {}));
+  auto snapshot = told(OccupancyGrid(), {});
+  snapshot.stops = 0;
+  const auto motions = stop_of(explorer, snapshot);
   ASSERT_TRUE(std::holds_alternative<BeginScan>(motions.front()));
   double heading_rad = 0.0;
   std::vector<bool> read(90, false);
@@ -68,6 +70,7 @@ TEST(Frontier, LooksAllRoundAtFirst) {
       for (int i = 0; i < readings; ++i) {
         const double pan_rad = sweep->from_rad + i * sweep->step_rad;
         EXPECT_LE(std::abs(pan_rad), FrontierParams{}.sweep.pan_limit_rad + 1e-9);
+        EXPECT_DOUBLE_EQ(std::abs(sweep->step_rad), FrontierParams{}.sweep.step_rad / 4.0);
         const double bearing_rad = geometry::wrap_angle(heading_rad + pan_rad) + std::numbers::pi;
         read[static_cast<std::size_t>(bearing_rad / (2.0 * std::numbers::pi) * 89.999)] = true;
       }

@@ -70,6 +70,22 @@ TEST(StopTour, SweepsAtEachPlaceInOrderAndPassesThroughTheOthers) {
   EXPECT_EQ(tour.products().phases_reached, 3U);
 }
 
+TEST(StopTour, SweepsInFinerStepsAtTheMapsFirstStopAlone) {
+  for (const std::size_t stops : {0U, 1U}) {
+    StopTour tour({}, kTriangle);
+    ObedientRobot robot;
+    robot.snapshot.stops = stops;
+    robot.drive(tour);
+    const auto motion =
+        std::find_if(robot.motions.begin(), robot.motions.end(), [](const Motion& one) {
+          return std::holds_alternative<Sweep>(one);
+        });
+    ASSERT_NE(motion, robot.motions.end());
+    const double step_rad = StopTourParams{}.sweep.step_rad;
+    EXPECT_DOUBLE_EQ(std::get<Sweep>(*motion).step_rad, stops == 0 ? step_rad / 4.0 : step_rad);
+  }
+}
+
 TEST(StopTour, DrivesByWayOfAPlaceThatItOnlyPasses) {
   StopTour tour({}, kTriangle);
   ObedientRobot robot;
