@@ -204,7 +204,7 @@ TEST(RoomOutline, WithoutFeaturesIsThatOfTheGrid) {
 TEST(RoomOutline, NeverThrowsForOddMapsAndWalls) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(-0.5, 2.5);
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < 40; ++trial) {
     RasterMap map(30, 30, 0.05, {0.0, 0.0});
     for (int y = 0; y < 30; ++y) {
       for (int x = 0; x < 30; ++x) {
@@ -223,7 +223,7 @@ TEST(RoomOutline, NeverThrowsForOddMapsAndWalls) {
 
 TEST(RoomOutline, RefusesInvalidParameters) {
   RoomOutlineParams params;
-  params.sides.detail_m = -1.0;
+  params.sides.sequence.corner_cost_m = -1.0;
   EXPECT_THROW(room_outline(map_from({"."}), {}, params), std::invalid_argument);
 }
 
