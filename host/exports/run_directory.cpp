@@ -124,7 +124,7 @@ void write_run_directory(const std::filesystem::path& directory,
   MapStyle style{.turn_rad = drawing.align ? main_direction_rad(snapshot, outline) : 0.0,
                  .robot_radius_m = drawing.robot_radius_m};
   style.title = title_of(drawing, summary, outline, style.turn_rad);
-  write_map_png(directory / "map.png", snapshot, style);
+  write_map_png(directory / "map.png", snapshot, outline, style);
   write_map_svg(directory / "map.svg", snapshot, outline, style);
   write_summary_json(directory / "summary.json", summary);
 }
