@@ -11,6 +11,7 @@
 #include "host/geometry/touching_sides.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/raster_outline.hpp"
+#include "host/mapping/unknown_slivers.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -23,8 +24,10 @@ constexpr double kCircleMarginM = 0.10;
 /// Of the area of a hole by its straight sides, as a factor.
 constexpr double kMaxHoleChange = 1.5;
 
-void validate(const OutlineSideParams& params) {
+void validate(const RoomOutlineParams& room) {
+  const OutlineSideParams& params = room.sides;
   geometry::ParameterValidator("room outline")
+      .nonnegative_finite("sliver_m", room.sliver_m)
       .positive_finite("max_deviation_m", params.lines.max_deviation_m)
       .nonnegative_finite("reach_m", params.lines.reach_m)
       .nonnegative_finite("bridged_m", params.lines.bridged_m)
@@ -152,12 +155,13 @@ class RoomOutline {
 std::optional<PolygonMap> room_outline(const RasterMap& map,
                                        const SonarFeatures& features,
                                        const RoomOutlineParams& params) {
-  validate(params.sides);
-  auto borders_m = free_floor_rings(map);
+  validate(params);
+  const RasterMap filled = without_unknown_slivers(map, params.sliver_m);
+  auto borders_m = free_floor_rings(filled);
   if (borders_m.empty() || (features.walls.empty() && features.circles.empty())) {
     return polygon_from_raster(map, params.border);
   }
-  auto rings = RoomOutline(map, features, params).rings(std::move(borders_m));
+  auto rings = RoomOutline(filled, features, params).rings(std::move(borders_m));
   if (rings.empty()) {
     return polygon_from_raster(map, params.border);
   }

@@ -177,6 +177,22 @@ TEST(RoomOutline, KeepsANicheThatNoFittedWallIsAt) {
   EXPECT_LT(max_corner_error_m(room_m, outline->outline_m()), 0.08);
 }
 
+TEST(RoomOutline, FollowsTheWallBehindAPatchThatTouchesItByItsTip) {
+  RasterMap map = raster_of(kRoomM);
+  for (int y = 0; y < map.rows(); ++y) {
+    for (int x = 0; x < map.columns(); ++x) {
+      const Eigen::Vector2d at_m = map.center_m({x, y});
+      if (std::abs(at_m.x() - 1.0) < 0.5 * at_m.y() && at_m.y() < 0.7) {
+        map.set({x, y}, CellState::kUnknown);
+      }
+    }
+  }
+  const auto outline = room_outline(map, {walls_of(kRoomM), {}});
+  ASSERT_TRUE(outline);
+  EXPECT_EQ(outline->outline_m().size(), 6U);
+  EXPECT_EQ(outline->holes_m().size(), 1U);
+}
+
 TEST(RoomOutline, HasCirclesAsHolesInPlaceOfTheirBorders) {
   RasterMap map = raster_of(kRoomM);
   const FittedCircle post{{0.5, 0.75}, 0.15, {}};
