@@ -147,10 +147,12 @@ nlohmann::ordered_json to_json(const evaluation::RunScore& score) {
   json["outline_corners"] = score.start.outline.corners;
   json["room_corners"] = score.start.outline.room_corners;
   json["corner_rmse_m"] = number_or_null(score.start.outline.corner_rmse_m);
+  json["outline_rmse_m"] = number_or_null(score.start.outline.outline_rmse_m);
   json["robot_radius_m"] = score.robot_radius_m;
   json["fit_turn_deg"] = geometry::degrees(score.fit_turn_rad);
   json["fitted"] = map_json(score.fitted);
   json["fitted"]["corner_rmse_m"] = number_or_null(score.fitted.outline.corner_rmse_m);
+  json["fitted"]["outline_rmse_m"] = number_or_null(score.fitted.outline.outline_rmse_m);
   return json;
 }
 

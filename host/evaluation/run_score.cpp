@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "host/evaluation/floor_outline.hpp"
 #include "host/evaluation/truth_directory.hpp"
 #include "host/exports/geojson.hpp"
 #include "host/exports/pgm_yaml.hpp"
@@ -31,11 +32,12 @@ RunScore score_run(const std::filesystem::path& run_directory,
   if (truth.trajectory.empty()) {
     throw files::FileError((truth_directory / "truth.tum").string() + ": holds no pose");
   }
+  const auto floor_m = floor_outline(closed_rings(truth.map.walls));
   const auto placed = [&](const geometry::Pose2& T_world_map) -> PlacedScore {
     return {score_map(map, T_world_map, truth.map),
             score_obstacles(map, T_world_map, truth.map),
             score_paths(map, T_world_map, truth.map, robot_radius_m),
-            score_outline(outline, T_world_map, first_ring(truth.map.walls))};
+            score_outline(outline, T_world_map, floor_m)};
   };
   try {
     const geometry::Pose2 T_world_start = start_aligned(trajectory, truth.trajectory);

@@ -51,7 +51,7 @@ Json feature(Json properties, const char* type, Json coordinates) {
           {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}}};
 }
 
-Json outline_feature(const mapping::PolygonMap& map) {
+Json outline_feature(const mapping::PolygonMap& map, const std::vector<bool>& is_open) {
   Json corners = Json::array();
   for (std::size_t i = 0; i < map.outline_m().size(); ++i) {
     const auto kind = mapping::corner_kind(map.outline_m(), i);
@@ -61,8 +61,11 @@ Json outline_feature(const mapping::PolygonMap& map) {
   for (const Polygon& hole_m : map.holes_m()) {
     rings.push_back(ring_of(hole_m));
   }
-  return feature(
-      {{"name", "outline"}, {"area_m2", map.area_m2()}, {"corners", corners}}, "Polygon", rings);
+  Json properties{{"name", "outline"}, {"area_m2", map.area_m2()}, {"corners", corners}};
+  for (const bool open : is_open) {
+    properties["sides"].push_back(open ? "open" : "wall");
+  }
+  return feature(std::move(properties), "Polygon", rings);
 }
 
 void write_features(const std::filesystem::path& path, Json features) {
@@ -123,10 +126,11 @@ std::vector<geometry::Segment> all_pieces(const std::vector<Json>& shapes) {
 }  // namespace
 
 void write_outline_geojson(const std::filesystem::path& path,
-                           const std::optional<mapping::PolygonMap>& map) {
+                           const std::optional<mapping::PolygonMap>& map,
+                           const std::vector<bool>& is_open) {
   Json features = Json::array();
   if (map) {
-    features.push_back(outline_feature(*map));
+    features.push_back(outline_feature(*map, is_open));
   }
   write_features(path, std::move(features));
 }

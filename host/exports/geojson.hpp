@@ -12,10 +12,12 @@ namespace echomap::exports {
 
 /// outline.geojson: one Polygon, or no feature where there is no map. Positions are metres of the
 /// map frame and not longitude and latitude as RFC 7946 has it; `crs` in the properties says so.
-/// `corners` there has one word for each corner of the outline: "reflex" or "non-reflex". Throws
+/// `corners` there has one word for each corner of the outline: "reflex" or "non-reflex"; `sides`
+/// one for the side from there to the next corner, "wall" or "open", if `is_open` is known. Throws
 /// files::FileError.
 void write_outline_geojson(const std::filesystem::path& path,
-                           const std::optional<mapping::PolygonMap>& map);
+                           const std::optional<mapping::PolygonMap>& map,
+                           const std::vector<bool>& is_open = {});
 
 /// The first Polygon of a file; empty where there is none. Throws files::FileError that names the
 /// file, also where its rings are no floor.

@@ -3,18 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <utility>
 
 #include "host/exports/map_view.hpp"
+#include "host/geometry/polygon.hpp"
 #include "host/mapping/raster_map.hpp"
 
 namespace echomap::exports {
 
 namespace {
 
-constexpr Colour kStartColour = kGreen;
-constexpr double kFittedWidth = 3.0;
+constexpr double kOutlineWidth = 5.0;
+constexpr double kFittedWidth = 2.0;
 constexpr double kTrailWidth = 2.0;
 constexpr double kMinRobotRadius = 4.0;
 constexpr double kEchoShare = 0.45;
@@ -33,6 +35,21 @@ void draw_echoes(const mapping::PointCloudMap& points, const MapView& view, Pict
   }
   for (const auto& [x, y] : pixels) {
     picture.blend(x, y, kEchoColour, kEchoShare);
+  }
+}
+
+void draw_ring(const geometry::Polygon& ring_m, const MapView& view, Picture& picture) {
+  for (std::size_t i = 0; i < ring_m.size(); ++i) {
+    const geometry::Segment side = geometry::side(ring_m, i);
+    picture.draw_line(
+        view.place(side.from_m), view.place(side.to_m), kOutlineWidth, kOutlineColour);
+  }
+}
+
+void draw_outline(const mapping::PolygonMap& outline, const MapView& view, Picture& picture) {
+  draw_ring(outline.outline_m(), view, picture);
+  for (const geometry::Polygon& hole_m : outline.holes_m()) {
+    draw_ring(hole_m, view, picture);
   }
 }
 
@@ -77,18 +94,18 @@ void draw_robot(const geometry::Pose2& T_map_robot,
 
 void write_map_png(const std::filesystem::path& path,
                    const pipeline::Snapshot& snapshot,
+                   const std::optional<mapping::PolygonMap>& outline,
                    const MapStyle& style) {
-  auto legend = legend_of(snapshot, style);
-  if (!snapshot.trajectory->empty()) {
-    legend.push_back({kStartColour, "start"});
-  }
   const MapView view(mapping::rasterize(*snapshot.grid),
-                     {.legend = std::move(legend),
+                     {.legend = legend_of(snapshot, outline.has_value(), style),
                       .title = style.title,
                       .turn_rad = style.turn_rad,
                       .points_m = trail_bounds_m(snapshot, style.robot_radius_m)});
   Picture picture = view.draw();
   draw_echoes(*snapshot.points, view, picture);
+  if (outline) {
+    draw_outline(*outline, view, picture);
+  }
   if (style.shows_features) {
     draw_features(*snapshot.features, view, picture);
   }

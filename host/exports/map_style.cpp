@@ -3,9 +3,14 @@
 
 namespace echomap::exports {
 
-std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot, const MapStyle& style) {
+std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot,
+                                   bool has_outline,
+                                   const MapStyle& style) {
   std::vector<LegendEntry> legend{
       {kFloorColour, "floor"}, {kWallColour, "occupied"}, {kUnknownColour, "unknown"}};
+  if (has_outline) {
+    legend.push_back({kOutlineColour, "outline"});
+  }
   const auto& [walls, circles] = *snapshot.features;
   if (style.shows_features && !(walls.empty() && circles.empty())) {
     legend.push_back({kFittedColour, "fitted"});
@@ -15,6 +20,7 @@ std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot, const Map
   }
   if (!snapshot.trajectory->empty()) {
     legend.push_back({kTrailColour, "trail"});
+    legend.push_back({kStartColour, "start"});
   }
   legend.push_back({kRobotColour, "robot"});
   return legend;

@@ -16,6 +16,8 @@ constexpr Colour kEchoColour = kOrange;
 constexpr Colour kFittedColour = kPurple;
 constexpr Colour kTrailColour = kBlue;
 constexpr Colour kRobotColour = kVermilion;
+constexpr Colour kOutlineColour = kGreen;
+constexpr Colour kStartColour = kSkyBlue;
 
 /// How map.png and map.svg are drawn.
 struct MapStyle {
@@ -28,7 +30,9 @@ struct MapStyle {
 };
 
 /// The legend of a snapshot's pictures: what of all this it has.
-std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot, const MapStyle& style);
+std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot,
+                                   bool has_outline,
+                                   const MapStyle& style);
 
 /// What a picture has to hold beside the cells: the trail and the robot, all around.
 std::vector<Eigen::Vector2d> trail_bounds_m(const pipeline::Snapshot& snapshot,

@@ -20,6 +20,7 @@
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/geometry/main_direction.hpp"
+#include "host/mapping/open_sides.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "host/mapping/room_outline.hpp"
 
@@ -120,11 +121,14 @@ void write_run_directory(const std::filesystem::path& directory,
   const auto outline = drawing.outline_m.empty()
                            ? mapping::room_outline(map, *snapshot.features)
                            : std::optional(mapping::PolygonMap(drawing.outline_m));
-  write_outline_geojson(directory / "outline.geojson", outline);
+  write_outline_geojson(directory / "outline.geojson",
+                        outline,
+                        outline ? mapping::open_sides(outline->outline_m(), map, *snapshot.features)
+                                : std::vector<bool>{});
   MapStyle style{.turn_rad = drawing.align ? main_direction_rad(snapshot, outline) : 0.0,
                  .robot_radius_m = drawing.robot_radius_m};
   style.title = title_of(drawing, summary, outline, style.turn_rad);
-  write_map_png(directory / "map.png", snapshot, style);
+  write_map_png(directory / "map.png", snapshot, outline, style);
   write_map_svg(directory / "map.svg", snapshot, outline, style);
   write_summary_json(directory / "summary.json", summary);
 }

@@ -11,6 +11,8 @@ namespace echomap::mapping {
 
 /// How a room's outline is made of its map and its fitted walls.
 struct RoomOutlineParams {
+  /// Unknown pieces narrower than this are floor: nobody would stand there. Ours.
+  double sliver_m = 0.15;
   OutlineSideParams sides;
   /// The outline of a map without fitted walls, or where the straight sides would cross.
   PolygonMapParams border;

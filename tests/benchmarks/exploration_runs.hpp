@@ -35,7 +35,7 @@ struct ExplorationRun {
   int bumps = 0;
   int hard_collisions = 0;
   std::size_t corners = 0;       ///< Of the outline.
-  std::size_t room_corners = 0;  ///< Of the room, what stands in it left out.
+  std::size_t room_corners = 0;  ///< Of the room's floor.
   std::optional<double> corner_rmse_m;
   /// Places of a course, and how many of them were reached.
   std::optional<std::size_t> phases;

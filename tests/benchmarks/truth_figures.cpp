@@ -77,6 +77,9 @@ const std::vector<Score>& scores() {
       {"outline_corner_rmse_m",
        "m",
        [](const PlacedScore& score) { return score.outline.corner_rmse_m; }},
+      {"outline_rmse_m",
+       "m",
+       [](const PlacedScore& score) { return score.outline.outline_rmse_m; }},
   };
   return all;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/evaluation/outline_agreement.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
@@ -18,6 +20,7 @@ TEST(OutlineAgreement, IsFullForTheRoomItself) {
   EXPECT_EQ(same.corners, 4U);
   EXPECT_EQ(same.room_corners, 4U);
   EXPECT_EQ(same.corner_rmse_m, 0.0);
+  EXPECT_NEAR(*same.outline_rmse_m, 0.0, 1e-12);
 }
 
 TEST(OutlineAgreement, CountsACornerTooManyAndAsksForEveryOneOfTheRoom) {
@@ -25,6 +28,26 @@ TEST(OutlineAgreement, CountsACornerTooManyAndAsksForEveryOneOfTheRoom) {
   const auto agreement = score_outline(PolygonMap(cut), {}, square);
   EXPECT_EQ(agreement.corners, 5U);
   EXPECT_NEAR(*agreement.corner_rmse_m, 0.5, 1e-12);
+}
+
+TEST(OutlineAgreement, TakesTheDistanceOfBothOutlinesToEachOther) {
+  const Polygon higher{{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.1}, {0.0, 2.1}};
+  const auto agreement = score_outline(PolygonMap(higher), {}, square);
+  // The upper sides are 0.1 m off, but less at both ends of the square's; two sides reach 0.1 m
+  // too far.
+  const double sum_m3 = 2.0 * 2.0 * 0.01 - 2.0 * 0.002 / 3.0 + 2.0 * 0.001 / 3.0;
+  EXPECT_NEAR(*agreement.outline_rmse_m, std::sqrt(sum_m3 / 16.2), 1e-4);
+  const Polygon notched{{0.0, 0.0},
+                        {2.0, 0.0},
+                        {2.0, 2.0},
+                        {1.1, 2.0},
+                        {1.1, 1.0},
+                        {0.9, 1.0},
+                        {0.9, 2.0},
+                        {0.0, 2.0}};
+  EXPECT_NEAR(*score_outline(PolygonMap(notched), {}, square).outline_rmse_m,
+              *score_outline(PolygonMap(square), {}, notched).outline_rmse_m,
+              1e-9);
 }
 
 TEST(OutlineAgreement, PlacesTheOutlineInTheWorld) {
@@ -37,6 +60,7 @@ TEST(OutlineAgreement, HasNoDistanceWithoutAnOutline) {
   const auto none = score_outline(std::nullopt, {}, square);
   EXPECT_EQ(none.corners, 0U);
   EXPECT_FALSE(none.corner_rmse_m);
+  EXPECT_FALSE(none.outline_rmse_m);
 }
 
 TEST(OutlineAgreement, TakesTheFirstRoundOfWallsForTheRoom) {

@@ -52,6 +52,15 @@ TEST_F(GeoJsonTest, ReadsBackTheSameOutline) {
   EXPECT_EQ(read_outline_geojson(folder / "a.geojson")->holes_m(), with_hole.holes_m());
 }
 
+TEST_F(GeoJsonTest, SaysWhichSidesAreOpen) {
+  write_outline_geojson(
+      folder / "a.geojson", mapping::PolygonMap({{0, 0}, {1, 0}, {0, 1}}), {false, true, false});
+  EXPECT_EQ(written()["features"][0]["properties"]["sides"],
+            nlohmann::json({"wall", "open", "wall"}));
+  write_outline_geojson(folder / "a.geojson", mapping::PolygonMap(kL));
+  EXPECT_FALSE(written()["features"][0]["properties"].contains("sides"));
+}
+
 TEST_F(GeoJsonTest, ClosesRingsAndTurnsThemAsTheStandardSays) {
   write_outline_geojson(folder / "a.geojson", mapping::PolygonMap(kL, {kTable}));
   const auto rings = written()["features"][0]["geometry"]["coordinates"];

