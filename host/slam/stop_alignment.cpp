@@ -19,9 +19,6 @@ using mapping::ScanSurfaces;
 /// A stop that is bent by less keeps the surfaces that were found in it.
 constexpr double kBentRad = 0.012;
 constexpr double kBentM = 0.005;
-/// A stop that has moved by less stays where it was matched.
-constexpr double kStillRad = 0.001;
-constexpr double kStillM = 0.002;
 
 bool is_near(const Pose2& one, const Pose2& other, double near_m, double near_rad) {
   const Pose2 T_one_other = one.inverse() * other;
@@ -58,11 +55,17 @@ std::vector<StopStand> stands_in(const std::vector<StopReading>& readings,
   return stands;
 }
 
+mapping::SurfaceMatchingParams widened(mapping::SurfaceMatchingParams params, double factor) {
+  params.wall_bearing_tolerance_rad *= factor;
+  params.post_bearing_tolerance_rad *= factor;
+  return params;
+}
+
 }  // namespace
 
-StopAlignment::StopAlignment(const StopAlignmentParams& params)
-    : params_(params), matcher_(params.matching) {
+StopAlignment::StopAlignment(const StopAlignmentParams& params) : params_(params) {
   geometry::ParameterValidator("stop alignment")
+      .at_least("first_tolerance_factor", params.first_tolerance_factor, 1.0)
       .at_least("rounds", params.rounds, 1)
       .at_least("window", params.window, 2)
       .positive("same_rad", params.same_rad)
@@ -77,7 +80,6 @@ void StopAlignment::add_stop(std::vector<StopReading> readings) {
   T_map_stands_.resize(stands_.size());
   stops_.push_back(std::move(readings));
   found_.emplace_back();
-  placed_.emplace_back();
 }
 
 void StopAlignment::align(const std::vector<Pose2>& T_slam_stands) {
@@ -159,13 +161,13 @@ std::vector<mapping::Scan> StopAlignment::scans() const {
   return scans;
 }
 
-void StopAlignment::find_surfaces_of(std::size_t stop) {
+const ScanSurfaces& StopAlignment::surfaces_of(std::size_t stop) {
   const std::size_t first = first_stand_of(stop);
   std::vector<Pose2> T_first_stands;
   for (std::size_t i = first; i < stands_.size() && stands_[i].stop == stop; ++i) {
     T_first_stands.push_back(T_map_stands_[first].inverse() * T_map_stands_[i]);
   }
-  const FoundSurfaces& found = found_[stop];
+  FoundSurfaces& found = found_[stop];
   const bool is_bent =
       !std::equal(T_first_stands.begin(),
                   T_first_stands.end(),
@@ -174,30 +176,21 @@ void StopAlignment::find_surfaces_of(std::size_t stop) {
                   [](const Pose2& a, const Pose2& b) { return is_near(a, b, kBentM, kBentRad); });
   if (is_bent) {
     const mapping::Scan scan = mapping::moved(readings_of(stop), T_map_stands_[first].inverse());
-    found_[stop] = {T_first_stands, find_surfaces(scan, params_.surfaces), std::nullopt};
+    found = {T_first_stands, find_surfaces(scan, params_.surfaces)};
   }
-}
-
-void StopAlignment::match(const std::vector<std::size_t>& stops) {
-  std::vector<std::size_t> changed;
-  for (const std::size_t stop : stops) {
-    find_surfaces_of(stop);
-    FoundSurfaces& found = found_[stop];
-    const Pose2& T_map_first = T_map_stands_[first_stand_of(stop)];
-    if (!found.T_map_matched || !is_near(*found.T_map_matched, T_map_first, kStillM, kStillRad)) {
-      found.T_map_matched = T_map_first;
-      placed_[stop] = moved(found.surfaces, T_map_first);
-      changed.push_back(stop);
-    }
-  }
-  matcher_.update(placed_, changed);
+  return found.surfaces;
 }
 
 void StopAlignment::align_once(const std::vector<std::size_t>& stops,
                                std::size_t first_free,
                                int round) {
-  match(stops);
-  const MatchedSurfaces matched = matcher_.matched();
+  std::vector<ScanSurfaces> placed;
+  placed.reserve(stops.size());
+  for (const std::size_t stop : stops) {
+    placed.push_back(moved(surfaces_of(stop), T_map_stands_[first_stand_of(stop)]));
+  }
+  const double factor = round == 0 ? params_.first_tolerance_factor : 1.0;
+  const auto matched = match_surfaces(placed, widened(params_.matching, factor));
   StopGraph graph = graph_over(stops, first_free, matched);
   StopGraphParams graph_params = params_.graph;
   if (round + 1 < params_.rounds) {  // What poor matches say of the odometry is no measurement.
@@ -219,10 +212,10 @@ StopGraph StopAlignment::graph_over(const std::vector<std::size_t>& stops,
   const SonarScene scene(matched, params_.heading);
   StopGraph graph;
   graph.calibration = calibration_;
-  std::vector<std::optional<std::size_t>> first_nodes(stops_.size());
+  std::vector<std::size_t> first_nodes;
   std::optional<std::size_t> before;
   for (const std::size_t stop : stops) {
-    first_nodes[stop] = graph.stands.size();
+    first_nodes.push_back(graph.stands.size());
     for (std::size_t i = first_stand_of(stop); i < stands_.size() && stands_[i].stop == stop; ++i) {
       GraphStand& stand = graph.stands.emplace_back();
       stand.T_map_robot = T_map_stands_[i];
@@ -239,18 +232,14 @@ StopGraph StopAlignment::graph_over(const std::vector<std::size_t>& stops,
     }
   }
   for (const mapping::MatchedFeature& feature : matched.features) {
-    GraphFeature added{feature.feature, {}};
-    for (const auto& [stop, index] : feature.supporters) {
-      if (const auto node = first_nodes[stop]) {
-        const ScanSurfaces& found = found_[stop].surfaces;
-        added.sightings.push_back({*node,
-                                   found.center_m,
-                                   found.surfaces[index].range_m,
-                                   found.surfaces[index].bearing_rad});
-      }
-    }
-    if (added.sightings.size() > 1) {
-      graph.features.push_back(std::move(added));
+    GraphFeature& added = graph.features.emplace_back();
+    added.feature = feature.feature;
+    for (const auto& [scan, index] : feature.supporters) {
+      const FoundSurfaces& found = found_[stops[scan]];
+      added.sightings.push_back({first_nodes[scan],
+                                 found.surfaces.center_m,
+                                 found.surfaces.surfaces[index].range_m,
+                                 found.surfaces.surfaces[index].bearing_rad});
     }
   }
   return graph;

@@ -18,9 +18,12 @@ namespace echomap::slam {
 /// How stops are aligned; values are ours, chosen in simulated rooms.
 struct StopAlignmentParams {
   mapping::SonarSurfaceParams surfaces;
-  /// Bearings of one wall agree better than when a map is drawn: a feature made of two surfaces
+  /// Bearings of one feature agree better than when a map is drawn: a feature made of two surfaces
   /// turns the stops that measured it.
-  mapping::SurfaceMatchingParams matching{.wall_bearing_tolerance_rad = 0.26};
+  mapping::SurfaceMatchingParams matching{.wall_bearing_tolerance_rad = 0.18,
+                                          .post_bearing_tolerance_rad = 0.18};
+  /// Tolerances grow by this factor in the first round, when headings are poor.
+  double first_tolerance_factor = 1.4;
   StopHeadingParams heading;
   StopGraphParams graph;
   /// Matching and aligning take turns.
@@ -70,12 +73,11 @@ class StopAlignment {
   std::vector<mapping::Scan> scans() const;
 
  private:
-  /// Surfaces of a stop in the frame of its first stand, the stands that bend it, in that frame,
-  /// and where the first one was when they were matched last.
+  /// Surfaces of a stop in the frame of its first stand, and the stands that bend it, in that
+  /// frame.
   struct FoundSurfaces {
     std::vector<geometry::Pose2> T_first_stands;
     mapping::ScanSurfaces surfaces;
-    std::optional<geometry::Pose2> T_map_matched;
   };
 
   std::size_t first_stand_of(std::size_t stop) const;
@@ -84,10 +86,7 @@ class StopAlignment {
   std::vector<std::size_t> stops_around(std::size_t first_free) const;
   mapping::Scan readings_of(std::size_t stop) const;
   mapping::Scan resting_readings_of(std::size_t stand) const;
-  /// Finds the surfaces of a stop again if it is bent otherwise than before.
-  void find_surfaces_of(std::size_t stop);
-  /// Matches the surfaces of those stops that have moved.
-  void match(const std::vector<std::size_t>& stops);
+  const mapping::ScanSurfaces& surfaces_of(std::size_t stop);
   void align_once(const std::vector<std::size_t>& stops, std::size_t first_free, int round);
   StopGraph graph_over(const std::vector<std::size_t>& stops,
                        std::size_t first_free,
@@ -98,8 +97,6 @@ class StopAlignment {
   std::vector<StopStand> stands_;
   std::vector<geometry::Pose2> T_map_stands_;
   std::vector<FoundSurfaces> found_;
-  std::vector<mapping::ScanSurfaces> placed_;  ///< Surfaces of each stop, as matched last.
-  mapping::SurfaceMatcher matcher_;
   OdometryCalibration calibration_;
 };
 
