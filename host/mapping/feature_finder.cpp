@@ -6,8 +6,13 @@
 
 namespace echomap::mapping {
 
-FeatureFinder::FeatureFinder(std::vector<Sighting> sightings, const SurfaceMatchingParams& params)
-    : sightings_(std::move(sightings)), taken_(sightings_.size(), false), params_(params) {
+FeatureFinder::FeatureFinder(std::vector<Sighting> sightings,
+                             FeatureContradiction contradiction,
+                             const SurfaceMatchingParams& params)
+    : sightings_(std::move(sightings)),
+      taken_(sightings_.size(), false),
+      contradiction_(std::move(contradiction)),
+      params_(params) {
   for (std::size_t i = 0; i < sightings_.size(); ++i) {
     for (std::size_t j = i + 1; j < sightings_.size(); ++j) {
       if (sightings_[i].scan != sightings_[j].scan) {
@@ -43,7 +48,7 @@ void FeatureFinder::add_proposal(const EchoFeature& feature,
   }
 }
 
-/// Support only shrinks as others take sightings, so a proposal that is still ahead of the stale
+/// Support hardly grows as others take sightings, so a proposal that is still ahead of the stale
 /// support of the next is the best.
 std::optional<SupportedFeature> FeatureFinder::take_best() {
   while (!queue_.empty() && queue_.top().first >= params_.min_support) {
@@ -88,15 +93,21 @@ void FeatureFinder::gather(Proposal& proposal) const {
     best_weight = gauge.weight(sightings_[i], *misfit_m);
     proposal.support += best_weight;
   }
-  proposal.support -= penalty(proposal);
+  if (proposal.support >= params_.min_support) {
+    proposal.support -= penalty(proposal);
+  }
 }
 
 double FeatureFinder::penalty(const Proposal& proposal) const {
+  const std::vector<Sighting> sightings = sightings_of(proposal);
+  const auto contradictions =
+      static_cast<double>(contradiction_.count(proposal.feature, sightings));
+  const double contradicted = params_.contradiction_weight * contradictions;
   if (proposal.feature.radius_m == 0.0) {
-    return 0.0;
+    return contradicted;
   }
-  const double seen_rad = seen_over_rad(proposal.feature.value, sightings_of(proposal));
-  return params_.round_penalty +
+  const double seen_rad = seen_over_rad(proposal.feature.value, sightings);
+  return contradicted + params_.round_penalty +
          params_.one_sided_penalty * std::max(0.0, 1.0 - seen_rad / params_.one_sided_rad);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/mapping/echo_feature.hpp"
+#include "host/mapping/feature_contradiction.hpp"
 #include "host/mapping/feature_support.hpp"
 
 namespace echomap::mapping {
@@ -24,7 +25,9 @@ struct SupportedFeature {
 class FeatureFinder {
  public:
   /// `sightings` are in the order of their scans. `params` outlives this.
-  FeatureFinder(std::vector<Sighting> sightings, const SurfaceMatchingParams& params);
+  FeatureFinder(std::vector<Sighting> sightings,
+                FeatureContradiction contradiction,
+                const SurfaceMatchingParams& params);
 
   /// The proposal with the most support, fitted; its supporters support nothing else from then on.
   /// Empty where none has enough.
@@ -47,6 +50,7 @@ class FeatureFinder {
 
   std::vector<Sighting> sightings_;
   std::vector<bool> taken_;
+  FeatureContradiction contradiction_;
   const SurfaceMatchingParams& params_;
   std::vector<Proposal> proposals_;
   std::priority_queue<std::pair<double, std::size_t>> queue_;

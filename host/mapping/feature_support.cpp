@@ -32,6 +32,10 @@ void validate(const SurfaceMatchingParams& params) {
       .positive("bearing_stddev_rad", params.bearing_stddev_rad)
       .positive("full_readings", params.full_readings)
       .positive("one_sided_rad", params.one_sided_rad)
+      .at_least("contradiction_weight", params.contradiction_weight, 0.0)
+      .positive("contradiction_half_angle_rad", params.contradiction_half_angle_rad)
+      .at_least("contradiction_m", params.contradiction_m, 0.0)
+      .positive("contradiction_range_m", params.contradiction_range_m)
       .at_least("max_radius_m", params.max_radius_m, kMinRadiusM)
       .at_least("settled_sightings", params.settled_sightings, 2)
       .require(std::all_of(params.radii_m.begin(),

@@ -43,6 +43,15 @@ struct SurfaceMatchingParams {
   double round_penalty = 0.1;
   double one_sided_penalty = 1.5;
   double one_sided_rad = 3.0;
+  /// Support that a feature loses for each stop that contradicts it. 0 where stops are not where
+  /// they belong yet, so that what they do not hear says nothing.
+  double contradiction_weight = 0.0;
+  /// Such a stop has heard nothing this near to the feature's direction before `contradiction_m`
+  /// behind its face: more than noise and a slanted face. Beyond `contradiction_range_m` silence is
+  /// usual.
+  double contradiction_half_angle_rad = 0.11;
+  double contradiction_m = 0.15;
+  double contradiction_range_m = 3.0;
   /// A feature of so many sightings stays when new stops come; one of fewer is found again with
   /// theirs. `rematched_stops` is how many stops about a new one are matched anew with it.
   std::size_t settled_sightings = 16;

@@ -30,7 +30,7 @@ struct LoneSurfaceParams {
 struct SonarMapperParams {
   OccupancyGridParams grid;
   SonarSurfaceParams surfaces;
-  SurfaceMatchingParams matching;
+  SurfaceMatchingParams matching{.contradiction_weight = 0.3};
   SonarFeaturesParams features;
   StopFloorParams floor;
   FloorEvidenceParams evidence;

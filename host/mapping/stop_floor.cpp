@@ -3,35 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/segment.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/scan_outline.hpp"
-#include "host/sensors/range_scan.hpp"
 
 namespace echomap::mapping {
 namespace {
 
 constexpr double kNowhereM = std::numeric_limits<double>::infinity();
-
-/// Calls `visit(index)` for the steps of a profile whose middles lie within `half_rad` of a
-/// bearing.
-template <class Visit>
-void visit_about(double bearing_rad, double half_rad, Visit&& visit) {
-  const double from = (bearing_rad - half_rad + std::numbers::pi) / BearingProfile::kStepRad - 0.5;
-  const double to = (bearing_rad + half_rad + std::numbers::pi) / BearingProfile::kStepRad - 0.5;
-  constexpr auto kAll = static_cast<std::int64_t>(BearingProfile::kBearings);
-  const auto first = static_cast<std::int64_t>(std::ceil(from));
-  const auto last = std::min(static_cast<std::int64_t>(std::floor(to)), first + kAll - 1);
-  for (std::int64_t i = first; i <= last; ++i) {
-    visit(static_cast<std::size_t>(((i % kAll) + kAll) % kAll));
-  }
-}
 
 geometry::Segment prolonged(const geometry::Segment& wall, double beyond_ends_m) {
   const Eigen::Vector2d beyond_m = beyond_ends_m * (wall.to_m - wall.from_m).normalized();
@@ -59,7 +42,7 @@ void look_at(const geometry::Segment& wall, const Eigen::Vector2d& from_m, Neare
   const double first_rad = bearing_to_rad(wall.from_m - from_m);
   const double half_rad =
       0.5 * geometry::angle_between(first_rad, bearing_to_rad(wall.to_m - from_m));
-  visit_about(first_rad + half_rad, std::abs(half_rad), [&](std::size_t i) {
+  BearingProfile::visit_about(first_rad + half_rad, std::abs(half_rad), [&](std::size_t i) {
     const auto distance_m = geometry::ray_distance_m(
         from_m, geometry::unit_vector(BearingProfile::bearing_rad(i)), wall);
     nearest.take(i, distance_m.value_or(kNowhereM), is_facing);
@@ -72,7 +55,7 @@ void look_at(const FittedCircle& circle, const Eigen::Vector2d& from_m, Nearest&
   const double distance_m = offset_m.norm();
   const double half_rad =
       distance_m > circle.radius_m ? std::asin(circle.radius_m / distance_m) : std::numbers::pi;
-  visit_about(bearing_to_rad(offset_m), half_rad, [&](std::size_t i) {
+  BearingProfile::visit_about(bearing_to_rad(offset_m), half_rad, [&](std::size_t i) {
     const Eigen::Vector2d direction = geometry::unit_vector(BearingProfile::bearing_rad(i));
     const double along_m = direction.dot(offset_m);
     const double half_chord2_m2 =
@@ -82,35 +65,7 @@ void look_at(const FittedCircle& circle, const Eigen::Vector2d& from_m, Nearest&
   });
 }
 
-/// The nearest that was heard within an angle of each direction.
-BearingProfile heard_within(const std::vector<sensors::Beam>& looks, double half_rad) {
-  BearingProfile heard_m(-1.0);
-  for (const sensors::Beam& look : looks) {
-    const double range_m = look.range_m.value_or(kNowhereM);
-    visit_about(look.bearing_rad, half_rad, [&](std::size_t i) {
-      heard_m[i] = heard_m[i] < 0.0 ? range_m : std::min(heard_m[i], range_m);
-    });
-  }
-  for (std::size_t i = 0; i < BearingProfile::kBearings; ++i) {
-    heard_m[i] = std::max(0.0, heard_m[i]);
-  }
-  return heard_m;
-}
-
 }  // namespace
-
-std::size_t BearingProfile::index(double bearing_rad) {
-  const double turned_rad = std::max(0.0, bearing_rad + std::numbers::pi);
-  return std::min(static_cast<std::size_t>(turned_rad / kStepRad), kBearings - 1);
-}
-
-double BearingProfile::bearing_rad(std::size_t index) {
-  return -std::numbers::pi + (static_cast<double>(index) + 0.5) * kStepRad;
-}
-
-double BearingProfile::max_m() const {
-  return *std::max_element(distances_m_.begin(), distances_m_.end());
-}
 
 StopFloor::StopFloor(const ScanSurfaces& scan,
                      const SonarSurfaceParams& beam,

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <numbers>
-
 #include <Eigen/Core>
 
+#include "host/mapping/bearing_profile.hpp"
 #include "host/mapping/sonar_features.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
 
@@ -32,27 +29,6 @@ struct StopFloorParams {
   /// nothing that stops agree on explains it.
   double echo_half_angle_rad = 0.157;
   double echo_margin_m = 0.05;
-};
-
-/// Distances all around a place, by bearing in the map frame.
-class BearingProfile {
- public:
-  /// Half a degree: a third of a cell at 2 m.
-  static constexpr std::size_t kBearings = 720;
-  static constexpr double kStepRad = 2.0 * std::numbers::pi / kBearings;
-
-  explicit BearingProfile(double distance_m) { distances_m_.fill(distance_m); }
-
-  static std::size_t index(double bearing_rad);
-  /// The middle of a step.
-  static double bearing_rad(std::size_t index);
-
-  double& operator[](std::size_t index) { return distances_m_[index]; }
-  double operator[](std::size_t index) const { return distances_m_[index]; }
-  double max_m() const;
-
- private:
-  std::array<double, kBearings> distances_m_;
 };
 
 /// How far the floor reaches, all around.

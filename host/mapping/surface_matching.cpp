@@ -92,7 +92,9 @@ void SurfaceMatcher::update(const std::vector<ScanSurfaces>& scans,
   }
   assign(scans, is_free, 0);
   const std::size_t settled = features_.size();
-  FeatureFinder finder(free_sightings(scans, is_rematched), params_);
+  FeatureFinder finder(free_sightings(scans, is_rematched),
+                       FeatureContradiction(scans, is_rematched, params_),
+                       params_);
   while (auto found = finder.take_best()) {
     for (const Sighting& sighting : found->supporters) {
       is_taken_[sighting.scan][sighting.index] = true;

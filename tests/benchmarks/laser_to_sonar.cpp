@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include <Eigen/Core>
@@ -139,23 +140,34 @@ double answer_m(const std::vector<Hit>& hits,
   return hit.smooth && bounces ? hit.range_m + second_leg_m(hits, hit, params) : kNeverM;
 }
 
+/// An answer, and where it came from.
+struct Answer {
+  double range_m = kNeverM;
+  Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();
+};
+
 /// What one direction hears.
-std::optional<double> heard_m(const std::vector<Hit>& hits,
-                              double axis_rad,
-                              const LaserToSonarParams& params,
-                              std::mt19937& random) {
-  double nearest_m = kNeverM;
+std::optional<Answer> heard(const std::vector<Hit>& hits,
+                            double axis_rad,
+                            const LaserToSonarParams& params,
+                            std::mt19937& random) {
+  Answer nearest;
   for (const Hit& hit : hits) {
     if (std::abs(hit.bearing_rad - axis_rad) <= params.beam_half_angle_rad) {
-      nearest_m = std::min(nearest_m, answer_m(hits, hit, params, random));
+      const double range_m = answer_m(hits, hit, params, random);
+      nearest = range_m < nearest.range_m ? Answer{range_m, hit.point_m} : nearest;
     }
   }
-  if (nearest_m > params.max_range_m) {
+  if (nearest.range_m > params.max_range_m) {
     return std::nullopt;
   }
-  const double sigma_m = params.noise_m + params.noise_share * nearest_m;
-  const double read_m = nearest_m + std::normal_distribution<>(0.0, 1.0)(random) * sigma_m;
-  return read_m > params.max_range_m ? std::nullopt : std::optional(std::max(read_m, kMinRangeM));
+  const double sigma_m = params.noise_m + params.noise_share * nearest.range_m;
+  nearest.range_m += std::normal_distribution<>(0.0, 1.0)(random) * sigma_m;
+  if (nearest.range_m > params.max_range_m) {
+    return std::nullopt;
+  }
+  nearest.range_m = std::max(nearest.range_m, kMinRangeM);
+  return nearest;
 }
 
 void check(const sensors::RangeScan& laser, const LaserToSonarParams& params) {
@@ -173,9 +185,9 @@ void check(const sensors::RangeScan& laser, const LaserToSonarParams& params) {
 
 }  // namespace
 
-sensors::RangeScan laser_to_sonar(const sensors::RangeScan& laser,
-                                  const LaserToSonarParams& params,
-                                  std::mt19937& random) {
+HeardScan heard_scan(const sensors::RangeScan& laser,
+                     const LaserToSonarParams& params,
+                     std::mt19937& random) {
   check(laser, params);
   std::vector<Hit> hits = hits_of(laser);
   for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -183,17 +195,23 @@ sensors::RangeScan laser_to_sonar(const sensors::RangeScan& laser,
       find_normal(hits, i, params.smooth_residual_m);
     }
   }
-  sensors::RangeScan sonar{laser.stamp_s,
-                           laser.T_robot_sensor,
-                           {},
-                           2.0 * params.beam_half_angle_rad,
-                           params.max_range_m};
+  HeardScan sonar{{laser.stamp_s,
+                   laser.T_robot_sensor,
+                   {},
+                   2.0 * params.beam_half_angle_rad,
+                   params.max_range_m},
+                  {}};
   const double first_rad = hits.front().bearing_rad;
   const double field_rad = hits.back().bearing_rad - first_rad;
   const auto directions = static_cast<double>(params.directions);
   for (std::size_t k = 0; k < params.directions; ++k) {
     const double axis_rad = first_rad + (static_cast<double>(k) + 0.5) / directions * field_rad;
-    sonar.beams.push_back({axis_rad, heard_m(hits, axis_rad, params, random)});
+    const auto answer = heard(hits, axis_rad, params, random);
+    sonar.scan.beams.push_back({axis_rad, std::nullopt});
+    if (answer) {
+      sonar.scan.beams.back().range_m = answer->range_m;
+      sonar.origins_m.push_back(answer->origin_m);
+    }
   }
   return sonar;
 }

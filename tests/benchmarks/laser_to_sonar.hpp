@@ -3,6 +3,9 @@
 
 #include <cstddef>
 #include <random>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "host/datasets/log_record.hpp"
 #include "host/sensors/range_scan.hpp"
@@ -36,12 +39,19 @@ struct LaserToSonarParams {
   double second_bounce_chance = 0.025;
 };
 
+/// What a pan sonar has heard, and where its answers came from.
+struct HeardScan {
+  sensors::RangeScan scan;
+  /// The laser's points that answered, in the laser's frame; of a second bounce the first point.
+  std::vector<Eigen::Vector2d> origins_m;
+};
+
 /// What a pan sonar in the laser's place would have read: each direction's nearest answer within
 /// its cone. Edges, where no normal can be told, answer at any incidence. A laser beam without
 /// return is empty space. Throws std::invalid_argument for invalid parameters and for beams that do
 /// not go counter-clockwise.
-sensors::RangeScan laser_to_sonar(const sensors::RangeScan& laser,
-                                  const LaserToSonarParams& params,
-                                  std::mt19937& random);
+HeardScan heard_scan(const sensors::RangeScan& laser,
+                     const LaserToSonarParams& params,
+                     std::mt19937& random);
 
 }  // namespace echomap::bench

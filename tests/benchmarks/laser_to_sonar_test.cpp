@@ -43,7 +43,7 @@ LaserToSonarParams quiet() {
 
 sensors::RangeScan heard(const sensors::RangeScan& laser, const LaserToSonarParams& params) {
   std::mt19937 random(1);
-  return laser_to_sonar(laser, params, random);
+  return heard_scan(laser, params, random).scan;
 }
 
 TEST(LaserToSonar, LooksInto24DirectionsOverTheField) {
@@ -112,6 +112,21 @@ TEST(LaserToSonar, HearsASecondBounceFartherThanTheWallItself) {
     still_silent += beam.range_m ? 0 : 1;
   }
   EXPECT_LT(still_silent, silent);
+}
+
+TEST(LaserToSonar, ReportsWhereEachEchoCameFrom) {
+  std::mt19937 random(1);
+  const auto sonar = heard_scan(laser_seeing(wall_ahead_m), quiet(), random);
+  std::size_t echo = 0;
+  for (const sensors::Beam& beam : sonar.scan.beams) {
+    if (beam.range_m) {
+      ASSERT_LT(echo, sonar.origins_m.size());
+      EXPECT_NEAR(sonar.origins_m[echo].norm(), *beam.range_m, 1e-6);
+      ++echo;
+    }
+  }
+  EXPECT_GT(echo, 0U);
+  EXPECT_EQ(echo, sonar.origins_m.size());
 }
 
 TEST(LaserToSonar, RepeatsItselfWithTheSameSeed) {

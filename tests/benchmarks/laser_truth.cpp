@@ -121,14 +121,18 @@ LaserAgreement LaserTruth::score(const OccupancyGrid& map) const {
     const double distance_m = walls_.nearest(point_m)->distance_m;
     squares_m2 += distance_m * distance_m;
   }
+  return {static_cast<double>(common) / static_cast<double>(either),
+          std::sqrt(squares_m2 / static_cast<double>(occupied_m.size())),
+          wall_recall(occupied_m)};
+}
+
+double LaserTruth::wall_recall(const std::vector<Eigen::Vector2d>& occupied_m) const {
   const tests::NearestPoints found(occupied_m);
   const auto recalled =
       std::count_if(reachable_walls_m_.begin(), reachable_walls_m_.end(), [&](const auto& point_m) {
         return found.nearest(point_m)->distance_m <= kRecallReachM;
       });
-  return {static_cast<double>(common) / static_cast<double>(either),
-          std::sqrt(squares_m2 / static_cast<double>(occupied_m.size())),
-          static_cast<double>(recalled) / static_cast<double>(reachable_walls_m_.size())};
+  return static_cast<double>(recalled) / static_cast<double>(reachable_walls_m_.size());
 }
 
 }  // namespace echomap::bench

@@ -39,6 +39,8 @@ class LaserTruth {
 
   /// Throws std::invalid_argument for a map without an occupied cell.
   LaserAgreement score(const mapping::OccupancyGrid& map) const;
+  /// The wall_recall of a map with these occupied points.
+  double wall_recall(const std::vector<Eigen::Vector2d>& occupied_m) const;
 
  private:
   mapping::OccupancyGrid grid_;

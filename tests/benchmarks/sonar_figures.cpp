@@ -15,26 +15,34 @@ using Column = double LaserAgreement::*;
 constexpr Column kColumns[] = {
     &LaserAgreement::free_iou, &LaserAgreement::wall_rmse_m, &LaserAgreement::wall_recall};
 
-std::vector<mapping::Scan> sonar_sweeps(const std::vector<PosedScan>& scans,
-                                        const LaserToSonarParams& sonar,
-                                        std::uint32_t seed) {
-  std::mt19937 random(seed);
+struct HeardLog {
   std::vector<mapping::Scan> sweeps;
+  std::vector<Eigen::Vector2d> origins_m;  ///< Of the echoes, in the map frame.
+};
+
+HeardLog heard_log(const std::vector<PosedScan>& scans,
+                   const LaserToSonarParams& sonar,
+                   std::uint32_t seed) {
+  std::mt19937 random(seed);
+  HeardLog log;
   for (const PosedScan& posed : scans) {
     mapping::Scan sweep;
-    for (const auto& beam : laser_to_sonar(posed.scan, sonar, random).beams) {
+    const HeardScan heard = heard_scan(posed.scan, sonar, random);
+    for (const auto& beam : heard.scan.beams) {
       sweep.push_back({posed.T_map_laser,
                        posed.T_map_laser * geometry::Pose2(0.0, 0.0, beam.bearing_rad),
                        beam.range_m});
     }
-    sweeps.push_back(std::move(sweep));
+    log.sweeps.push_back(std::move(sweep));
+    for (const Eigen::Vector2d& origin_m : heard.origins_m) {
+      log.origins_m.push_back(posed.T_map_laser * origin_m);
+    }
   }
-  return sweeps;
+  return log;
 }
 
-SonarRun run_once(const std::vector<mapping::Scan>& sweeps,
-                  const LaserToSonarParams& params,
-                  const LaserTruth& truth) {
+SonarRun run_once(const HeardLog& log, const LaserToSonarParams& params, const LaserTruth& truth) {
+  const auto& sweeps = log.sweeps;
   mapping::SonarConeMapper mapper;
   for (const auto& sweep : sweeps) {
     mapper.add(sweep);
@@ -46,7 +54,8 @@ SonarRun run_once(const std::vector<mapping::Scan>& sweeps,
                 {"paper002_single", truth.score(paper002_single_grid(sweeps, sonar))},
                 {"paper003", truth.score(paper003_grid(sweeps))}},
                map.counts,
-               map.wall_pieces};
+               map.wall_pieces,
+               truth.wall_recall(log.origins_m)};
   if (const auto mrpt = mrpt_grid(sweeps, sonar)) {
     run.scores["mrpt"] = truth.score(*mrpt);
   }
@@ -109,7 +118,7 @@ SonarRun run_sonar_log(const std::filesystem::path& log,
   std::vector<SonarRun> runs;
   for (std::size_t seed = 1; seed <= seeds; ++seed) {
     runs.push_back(
-        run_once(sonar_sweeps(scans, sonar, static_cast<std::uint32_t>(seed)), sonar, truth));
+        run_once(heard_log(scans, sonar, static_cast<std::uint32_t>(seed)), sonar, truth));
   }
   SonarRun whole = runs.back();
   for (auto& [model, agreement] : whole.scores) {

@@ -34,6 +34,9 @@ struct SonarRun {
   SonarScores scores;
   mapping::SonarReadingCounts counts;
   std::size_t wall_pieces = 0;
+  /// wall_recall of the points that echoes came from: what a map of the echoes alone would score
+  /// that knew of each where in the cone it came from.
+  double recall_bound = 0.0;
 };
 
 /// Hears a laser log with a pan sonar and maps what it heard, for the seeds 1 to `seeds` of the

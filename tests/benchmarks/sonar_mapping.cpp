@@ -33,6 +33,7 @@ void say_counts(const std::string& name, const SonarRun& run) {
              run.counts.behind_wall,
              run.counts.seen_through,
              run.wall_pieces);
+  fmt::print("{}: wall_recall {:.3f} of the points that answered\n", name, run.recall_bound);
 }
 
 void run(const Options& options) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/feature_finder.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +34,7 @@ TEST(FeatureFinder, TakesTheBestSupportedFirstAndThenWhatIsLeft) {
                         of_wall(1, 0.8, 0.5),
                         of_post(1, 0.8, 0.5),
                         of_wall(2, 1.5, 0.9)},
+                       FeatureContradiction({}, {}, kParams),
                        kParams);
   const auto wall = finder.take_best();
   ASSERT_TRUE(wall);
@@ -45,8 +48,30 @@ TEST(FeatureFinder, TakesTheBestSupportedFirstAndThenWhatIsLeft) {
 }
 
 TEST(FeatureFinder, FindsNothingInWhatOneStopHasSeen) {
-  EXPECT_FALSE(FeatureFinder({of_wall(0, 0.0, 0.0), of_post(0, 0.0, 0.0)}, kParams).take_best());
-  EXPECT_FALSE(FeatureFinder({}, kParams).take_best());
+  const FeatureContradiction nobody({}, {}, kParams);
+  EXPECT_FALSE(
+      FeatureFinder({of_wall(0, 0.0, 0.0), of_post(0, 0.0, 0.0)}, nobody, kParams).take_best());
+  EXPECT_FALSE(FeatureFinder({}, nobody, kParams).take_best());
+}
+
+TEST(FeatureFinder, DropsAPostThatOtherStopsHearPast) {
+  SurfaceMatchingParams params;
+  params.contradiction_weight = 0.5;
+  const std::vector<Sighting> sightings{of_post(0, 0.0, 0.0), of_post(1, 0.8, 0.5)};
+  std::vector<ScanSurfaces> stops(2);
+  for (const double y_m : {-1.0, -0.5}) {
+    const double bearing_rad = std::atan2(-y_m, 1.0);
+    stops.push_back({{0.0, y_m}, {}, {{bearing_rad, 2.5}}});
+  }
+  const auto found_after = [&](std::size_t heard) {
+    std::vector<bool> among(stops.size(), false);
+    std::fill_n(among.begin() + 2, heard, true);
+    return FeatureFinder(sightings, FeatureContradiction(stops, among, params), params)
+        .take_best()
+        .has_value();
+  };
+  EXPECT_TRUE(found_after(0));
+  EXPECT_FALSE(found_after(2));
 }
 
 }  // namespace

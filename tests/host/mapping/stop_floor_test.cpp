@@ -2,7 +2,6 @@
 #include "host/mapping/stop_floor.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -43,14 +42,6 @@ FloorReach reach_of(const ScanSurfaces& scan, const SonarFeatures& features) {
 
 double at(const BearingProfile& profile, double bearing_deg) {
   return profile[BearingProfile::index(radians(bearing_deg))];
-}
-
-TEST(BearingProfile, NumbersStepsFromMinusPiOn) {
-  EXPECT_EQ(BearingProfile::index(-std::numbers::pi), 0U);
-  EXPECT_EQ(BearingProfile::index(std::numbers::pi), BearingProfile::kBearings - 1);
-  for (const std::size_t index : {std::size_t{0}, std::size_t{360}, std::size_t{719}}) {
-    EXPECT_EQ(BearingProfile::index(BearingProfile::bearing_rad(index)), index);
-  }
 }
 
 TEST(StopFloor, EndsShortOfTheOutlineWhereNothingElseIsKnown) {
