@@ -7,7 +7,7 @@ namespace echomap::geometry {
 
 double wrap_angle(double angle_rad) {
   constexpr double kTurnRad = 2.0 * std::numbers::pi;
-  // Most angles lie within one turn more, where a subtraction is exact and ten times as fast.
+  // Most angles lie within one turn more, where a subtraction is exact, and fast.
   double wrapped = angle_rad;
   if (std::abs(angle_rad) >= 1.5 * kTurnRad) {
     wrapped = std::remainder(angle_rad, kTurnRad);

@@ -24,7 +24,11 @@ class LineSequence {
                const std::vector<std::vector<double>>& misfits,
                const RasterMap& map,
                const LineSequenceParams& params)
-      : border_(border), lines_(lines), misfits_(misfits), map_(map), params_(params) {}
+      : border_(border), lines_(lines), misfits_(misfits), map_(map), params_(params) {
+    for (const OutlineLine& line : lines) {
+      max_line_cost_m_ = std::max(max_line_cost_m_, line.cost_m);
+    }
+  }
 
   std::vector<LineRun> runs() {
     const std::size_t count = border_.size();
@@ -70,7 +74,7 @@ class LineSequence {
         next.push_back(state);
       }
     }
-    // What costs more than a step from the best one is never on the best way.
+    // What costs more than a step from the best one to any line is not on the best way.
     const double max_m = next[best(next)].cost_m + 2.0 * params_.corner_cost_m + max_line_cost_m_;
     std::erase_if(next, [&](const State& state) { return state.cost_m > max_m; });
     states_.push_back(std::move(next));

@@ -13,7 +13,7 @@ namespace {
 using geometry::Segment;
 
 constexpr double kWallReachM = 0.05;
-/// To the left and right of a point.
+/// Cells to each side of that of a point, along x and y.
 constexpr int kCellReach = 2;
 
 bool has_occupied_cell(const RasterMap& map, const Eigen::Vector2d& point_m) {

@@ -54,9 +54,12 @@ Polygon without_small_loops(Polygon ring_m, double max_loop_m2) {
   ring_m = geometry::without_straight_corners(std::move(ring_m), kStraightM);
   // A cut takes at least one corner.
   while (ring_m.size() > 3) {
-    const auto crossings = geometry::touching_sides({ring_m});
-    auto rest_m =
-        crossings.empty() ? std::nullopt : without_loop(ring_m, crossings.front(), max_loop_m2);
+    std::optional<Polygon> rest_m;
+    for (const auto& crossing : geometry::touching_sides({ring_m})) {
+      if ((rest_m = without_loop(ring_m, crossing, max_loop_m2))) {
+        break;
+      }
+    }
     if (!rest_m) {
       break;
     }

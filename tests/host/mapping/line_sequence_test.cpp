@@ -99,12 +99,15 @@ TEST(LineSequence, OfNothingOrOneLineHasNoRuns) {
 using Lines = std::vector<std::size_t>;
 
 /// What a ring with these lines by point costs, if every change of line is a step.
-double cost_m(const Lines& line_at, const Misfits& misfits, const LineSequenceParams& params) {
+double cost_m(const Lines& line_at,
+              const Misfits& misfits,
+              const std::vector<OutlineLine>& lines,
+              const LineSequenceParams& params) {
   double sum_m = 0.0;
   for (std::size_t i = 0; i < line_at.size(); ++i) {
     const bool turns = line_at[i] != line_at[(i + line_at.size() - 1) % line_at.size()];
     sum_m += kUnknownMap.resolution_m() * misfits[i][line_at[i]] +
-             (turns ? 2.0 * params.corner_cost_m : 0.0);
+             (turns ? 2.0 * params.corner_cost_m + lines[line_at[i]].cost_m : 0.0);
   }
   return sum_m;
 }
@@ -115,7 +118,9 @@ TEST(LineSequence, CostsNoMoreThanAnyOtherOne) {
   std::uniform_real_distribution<double> share(0.0, 0.99);
   auto border = room_border();
   border.resize(kPoints);
-  const std::vector<OutlineLine> parallel{sides()[0], sides()[2]};
+  std::vector<OutlineLine> parallel{sides()[0], sides()[2]};
+  parallel[0].cost_m = 0.004;
+  parallel[1].cost_m = 0.002;
   LineSequenceParams params;
   params.corner_cost_m = 0.005;
   for (int trial = 0; trial < 100; ++trial) {
@@ -129,7 +134,7 @@ TEST(LineSequence, CostsNoMoreThanAnyOtherOne) {
       for (std::size_t i = 0; i < kPoints; ++i) {
         line_at.push_back(code >> i & 1U);
       }
-      min_m = std::min(min_m, cost_m(line_at, misfits, params));
+      min_m = std::min(min_m, cost_m(line_at, misfits, parallel, params));
     }
     const auto runs = line_sequence(border, parallel, misfits, kUnknownMap, params);
     Lines found(kPoints);
@@ -138,9 +143,9 @@ TEST(LineSequence, CostsNoMoreThanAnyOtherOne) {
         found[i % kPoints] = run.line;
       }
     }
-    double found_m = cost_m(found, misfits, params);
+    double found_m = cost_m(found, misfits, parallel, params);
     if (runs.empty()) {
-      found_m = std::min(found_m, cost_m(Lines(kPoints, 1), misfits, params));
+      found_m = std::min(found_m, cost_m(Lines(kPoints, 1), misfits, parallel, params));
     }
     EXPECT_NEAR(found_m, min_m, 1e-9) << trial;
   }

@@ -26,6 +26,15 @@ TEST(RingLoops, StayWhereTheyAreLarge) {
   EXPECT_EQ(without_small_loops(room_with_loop(1.0), 0.1), room_with_loop(1.0));
 }
 
+TEST(RingLoops, AreCutOffBesideALargeOne) {
+  const Polygon ring_m{
+      {0, 0}, {2, 0}, {3, 1}, {3, 0}, {2, 1}, {1.2, 1}, {1.0, 1.2}, {1.2, 1.2}, {1.0, 1}, {0, 1}};
+  ASSERT_EQ(geometry::touching_sides({ring_m}).size(), 2U);
+  const Polygon rest_m = without_small_loops(ring_m, 0.1);
+  EXPECT_EQ(geometry::touching_sides({rest_m}).size(), 1U) << "the large one";
+  EXPECT_EQ(rest_m[3], Eigen::Vector2d(3, 0));
+}
+
 TEST(RingLoops, LeaveOtherRingsButTheirStraightCorners) {
   EXPECT_EQ(without_small_loops({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}, 0.1),
             (Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}}));
