@@ -38,17 +38,27 @@ bool is_stuck(const Scan& scan, const ScanCheckParams& params) {
   return false;
 }
 
-/// What stands on the arc of an echo: something wherever anything does.
-CellState state_on_arc(const PlacedReading& reading,
-                       const OccupancyGrid& map,
-                       const ScanCheckParams& params) {
+/// What a map has on the arc of an echo, in places.
+struct Arc {
+  std::size_t places = 0;
+  std::size_t occupied = 0;
+  std::size_t unknown = 0;
+  std::size_t firm_floor = 0;
+
+  bool is_floor() const { return occupied == 0 && unknown == 0; }
+  bool is_firm_floor(double max_other_share) const {
+    return occupied == 0 && static_cast<double>(places - firm_floor) <=
+                                max_other_share * static_cast<double>(places);
+  }
+};
+
+Arc arc_of(const PlacedReading& reading, const OccupancyGrid& map, const ScanCheckParams& params) {
   const double step_m = 0.5 * map.resolution_m();
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only echoes are asked about
   const double near_m = *reading.range_m - params.tolerance_m;
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only echoes are asked about
   const double far_m = *reading.range_m + params.tolerance_m;
-  std::size_t places = 0;
-  std::size_t others = 0;
+  Arc arc;
   // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): no step counts, cells are wider
   for (double range_m = std::max(near_m, 0.0); range_m <= far_m; range_m += step_m) {
     const double turn_rad = step_m / std::max(range_m, step_m);
@@ -57,16 +67,30 @@ CellState state_on_arc(const PlacedReading& reading,
          off_rad += turn_rad) {
       const geometry::CellIndex cell =
           map.cell_at(reading.T_map_sonar * (range_m * geometry::unit_vector(off_rad)));
-      if (map.state(cell) == CellState::kOccupied) {
-        return CellState::kOccupied;
-      }
-      ++places;
-      others += map.centilogits(cell).value_or(0) > params.firm_floor_centilogits ? 1 : 0;
+      const CellState state = map.state(cell);
+      ++arc.places;
+      arc.occupied += state == CellState::kOccupied ? 1 : 0;
+      arc.unknown += state == CellState::kUnknown ? 1 : 0;
+      arc.firm_floor += map.centilogits(cell).value_or(0) <= params.firm_floor_centilogits ? 1 : 0;
     }
   }
-  const bool is_floor =
-      static_cast<double>(others) <= params.max_other_share * static_cast<double>(places);
-  return is_floor ? CellState::kFree : CellState::kUnknown;
+  return arc;
+}
+
+/// Whether so many echoes lie on firm floor that the scan is of another place.
+bool is_on_firm_floor(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params) {
+  std::size_t on_walls = 0;
+  std::size_t on_firm_floor = 0;
+  for (const PlacedReading& reading : scan) {
+    if (reading.range_m) {
+      const Arc arc = arc_of(reading, map, params);
+      on_walls += arc.occupied > 0 ? 1 : 0;
+      on_firm_floor += arc.is_firm_floor(params.max_other_share) ? 1 : 0;
+    }
+  }
+  const std::size_t known = on_walls + on_firm_floor;
+  return known >= params.min_echoes &&
+         static_cast<double>(on_firm_floor) > params.max_firm_share * static_cast<double>(known);
 }
 
 }  // namespace
@@ -75,9 +99,9 @@ ScanFit fit_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams
   ScanFit fit;
   for (const PlacedReading& reading : scan) {
     if (reading.range_m) {
-      const CellState state = state_on_arc(reading, map, params);
-      fit.on_walls += state == CellState::kOccupied ? 1 : 0;
-      fit.on_floor += state == CellState::kFree ? 1 : 0;
+      const Arc arc = arc_of(reading, map, params);
+      fit.on_walls += arc.occupied > 0 ? 1 : 0;
+      fit.on_floor += arc.is_floor() ? 1 : 0;
     }
   }
   return fit;
@@ -93,8 +117,9 @@ ScanFault fault_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckPa
   const ScanFit fit = fit_of(scan, map, params);
   const auto known = static_cast<double>(fit.on_walls + fit.on_floor);
   const bool is_of_here = static_cast<double>(fit.on_walls) >= params.min_share * known;
-  return known < static_cast<double>(params.min_echoes) || is_of_here ? ScanFault::kNone
-                                                                      : ScanFault::kElsewhere;
+  const bool is_known = known >= static_cast<double>(params.min_echoes);
+  return (is_known && !is_of_here) || is_on_firm_floor(scan, map, params) ? ScanFault::kElsewhere
+                                                                          : ScanFault::kNone;
 }
 
 }  // namespace echomap::mapping

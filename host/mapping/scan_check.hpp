@@ -28,22 +28,24 @@ struct ScanCheckParams {
   double same_bearing_rad = 1.57;
   /// Half of the beam, within which an echo may come from anywhere.
   double beam_half_angle_rad = 0.26;
-  /// An echo is where the map has floor if nothing stands nearer to its arc than this, and if no
-  /// more of that than this share is other than firm floor: of more evidence than one stop gives,
-  /// which may have been deceived by a wall that threw its sound aside.
+  /// An echo is where the map has floor if nothing is known that is nearer to its arc than this.
   double tolerance_m = 0.15;
-  double max_other_share = 0.4;
-  int firm_floor_centilogits = -240;
   /// Of so many echoes that the map has something to say of, a scan of the place has at least
   /// `min_share` where walls are.
   std::size_t min_echoes = 12;
-  double min_share = 0.7;
+  double min_share = 0.5;
+  /// ... and at most this share where floor is firm: more than one stop has seen it, which alone
+  /// may have been deceived by a wall that threw its sound aside. Of the arc of such an echo, at
+  /// most `max_other_share` is other than floor of that evidence.
+  double max_firm_share = 0.3;
+  double max_other_share = 0.4;
+  int firm_floor_centilogits = -240;
 };
 
 /// How the echoes of a scan agree with a map.
 struct ScanFit {
   std::size_t on_walls = 0;  ///< Something stands on the echo's arc.
-  std::size_t on_floor = 0;  ///< Nothing stands there, and most of the arc is firm floor.
+  std::size_t on_floor = 0;  ///< All of the arc is floor.
 };
 
 /// Both in the map frame.

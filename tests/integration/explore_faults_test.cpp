@@ -207,7 +207,7 @@ TEST_F(ExploreFaults, CarriedOffItMapsOnAndMostlyFindsItsFormerMapAgain) {
 }
 
 TEST_F(ExploreFaults, CarriedOffAfterItsFirstStopItKeepsTwoMapsAndBothAreRight) {
-  const Ended ended = run_carried_off("1", "12,2,2.2,2.4,-90");
+  const Ended ended = run_carried_off("1", "40,2,2.2,2.4,-90");
   EXPECT_EQ(ended.status, 0) << ended.said;
   EXPECT_THAT(
       ended.said,

@@ -133,7 +133,7 @@ TEST_F(LiveIsReplay, UnderAnOverheadCamera) {
 }
 
 TEST_F(LiveIsReplay, WithTheMapsOfARobotThatWasCarriedOff) {
-  drive_carried_off("12,2,2.2,2.4,-90");
+  drive_carried_off("40,2,2.2,2.4,-90");
   EXPECT_EQ(summary(run).at("previous_maps"), 1);
   expect_replayed();
   EXPECT_TRUE(exists(again / "previous_1" / "map.pgm"));

@@ -65,8 +65,23 @@ TEST(ScanCheck, AScanOfThePlaceHasNoFault) {
       << "as far off as odometry is between two stops";
 }
 
-TEST(ScanCheck, FloorThatOneStopHasSeenContradictsNothing) {
-  EXPECT_EQ(fault_where({-0.6, 0.6, 0.0}, {1.3, -0.4, 1.0}, room(-220)), ScanFault::kNone);
+/// Every third column of the room's floor is unknown.
+OccupancyGrid striped(int floor_centilogits) {
+  OccupancyGrid stripes = room(floor_centilogits);
+  for (geometry::CellIndex cell{-21, -20}; cell.x < 40; cell.x += 3) {
+    for (cell.y = -20; cell.y < 20; ++cell.y) {
+      stripes.add(cell, -stripes.centilogits(cell).value_or(0));
+    }
+  }
+  return stripes;
+}
+
+TEST(ScanCheck, FloorWithGapsContradictsWhereMoreThanOneStopHasSeenIt) {
+  const Pose2 truly(-0.6, 0.6, 0.0);
+  const Pose2 believed(1.3, -0.4, 1.0);
+  EXPECT_EQ(fault_where(truly, believed, room(-220)), ScanFault::kElsewhere) << "no gaps";
+  EXPECT_EQ(fault_where(truly, believed, striped(-220)), ScanFault::kNone);
+  EXPECT_EQ(fault_where(truly, believed, striped(-400)), ScanFault::kElsewhere);
 }
 
 TEST(ScanCheck, AScanOfAnotherPlaceIsNotOfHere) {
