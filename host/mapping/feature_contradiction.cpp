@@ -37,6 +37,7 @@ std::size_t FeatureContradiction::count(const EchoFeature& feature,
   const bool is_wall = feature.kind == LandmarkKind::kWall;
   const Eigen::Vector2d along = geometry::perpendicular(geometry::unit_vector(feature.value.y()));
   std::vector<double> feet_m;
+  feet_m.reserve(supporters.size());
   for (const Sighting& sighting : supporters) {
     feet_m.push_back(along.dot(sighting.center_m));
   }

@@ -137,6 +137,7 @@ std::optional<LineCorner> line_corner(const DirectedLine& before,
       std::sin(params.min_turn_rad)) {
     return std::nullopt;
   }
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): they are not parallel
   const Eigen::Vector2d corner_m = *before.crossing(after);
   const bool is_floor = map.state(map.cell_at(corner_m)) == CellState::kFree;
   const double off = (corner_m - border_m).norm() /

@@ -64,6 +64,7 @@ bool is_mostly_occupied(const std::vector<BorderPoint>& side) {
 
 OutlineLine line_of(const std::vector<BorderPoint>& side, double cost_m) {
   std::vector<Eigen::Vector2d> points_m;
+  points_m.reserve(side.size());
   for (const BorderPoint& point : side) {
     points_m.push_back(point.position_m);
   }
@@ -165,6 +166,7 @@ std::vector<OutlineLine> outline_lines(const std::vector<BorderPoint>& border,
                                        const OutlineLineParams& params) {
   std::vector<OutlineLine> lines;
   const auto merged = merged_walls(walls, kSameWallM);
+  lines.reserve(merged.size());
   for (const MergedWall& wall : merged) {
     lines.push_back({wall.line, wall.pieces, true, true, 0.0});
   }

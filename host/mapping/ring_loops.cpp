@@ -56,7 +56,8 @@ Polygon without_small_loops(Polygon ring_m, double max_loop_m2) {
   while (ring_m.size() > 3) {
     std::optional<Polygon> rest_m;
     for (const auto& crossing : geometry::touching_sides({ring_m})) {
-      if ((rest_m = without_loop(ring_m, crossing, max_loop_m2))) {
+      rest_m = without_loop(ring_m, crossing, max_loop_m2);
+      if (rest_m) {
         break;
       }
     }

@@ -30,7 +30,8 @@ class Squares {
       // Counted from the first square, which ends in cell (0, 0).
       const int left = x + width_ - 1 - i % width_;
       const int low = y + width_ - 1 - i / width_;
-      if (!has_floor_[static_cast<std::size_t>(low * columns_ + left)]) {
+      if (!has_floor_[static_cast<std::size_t>(low) * static_cast<std::size_t>(columns_) +
+                      static_cast<std::size_t>(left)]) {
         return true;
       }
     }
