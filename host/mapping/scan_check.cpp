@@ -77,34 +77,39 @@ Arc arc_of(const PlacedReading& reading, const OccupancyGrid& map, const ScanChe
   return arc;
 }
 
-/// Whether so many echoes lie on firm floor that the scan is of another place.
-bool is_on_firm_floor(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params) {
-  std::size_t on_walls = 0;
+/// How the echoes of a scan agree with a map, and how many of them lie on firm floor.
+struct Agreement {
+  ScanFit fit;
   std::size_t on_firm_floor = 0;
+};
+
+Agreement agreement_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params) {
+  Agreement agreement;
   for (const PlacedReading& reading : scan) {
     if (reading.range_m) {
       const Arc arc = arc_of(reading, map, params);
-      on_walls += arc.occupied > 0 ? 1 : 0;
-      on_firm_floor += arc.is_firm_floor(params.max_other_share) ? 1 : 0;
+      agreement.fit.on_walls += arc.occupied > 0 ? 1 : 0;
+      agreement.fit.on_floor += arc.is_floor() ? 1 : 0;
+      agreement.on_firm_floor += arc.is_firm_floor(params.max_other_share) ? 1 : 0;
     }
   }
-  const std::size_t known = on_walls + on_firm_floor;
+  return agreement;
+}
+
+/// Whether of enough known echoes more than this share lie on floor.
+bool is_elsewhere(std::size_t on_walls,
+                  std::size_t on_floor,
+                  double max_share,
+                  const ScanCheckParams& params) {
+  const std::size_t known = on_walls + on_floor;
   return known >= params.min_echoes &&
-         static_cast<double>(on_firm_floor) > params.max_firm_share * static_cast<double>(known);
+         static_cast<double>(on_floor) > max_share * static_cast<double>(known);
 }
 
 }  // namespace
 
 ScanFit fit_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params) {
-  ScanFit fit;
-  for (const PlacedReading& reading : scan) {
-    if (reading.range_m) {
-      const Arc arc = arc_of(reading, map, params);
-      fit.on_walls += arc.occupied > 0 ? 1 : 0;
-      fit.on_floor += arc.is_floor() ? 1 : 0;
-    }
-  }
-  return fit;
+  return agreement_of(scan, map, params).fit;
 }
 
 ScanFault fault_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params) {
@@ -114,12 +119,11 @@ ScanFault fault_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckPa
   if (is_stuck(scan, params)) {
     return ScanFault::kStuck;
   }
-  const ScanFit fit = fit_of(scan, map, params);
-  const auto known = static_cast<double>(fit.on_walls + fit.on_floor);
-  const bool is_of_here = static_cast<double>(fit.on_walls) >= params.min_share * known;
-  const bool is_known = known >= static_cast<double>(params.min_echoes);
-  return (is_known && !is_of_here) || is_on_firm_floor(scan, map, params) ? ScanFault::kElsewhere
-                                                                          : ScanFault::kNone;
+  const auto [fit, on_firm_floor] = agreement_of(scan, map, params);
+  const bool is_of_here =
+      !is_elsewhere(fit.on_walls, fit.on_floor, 1.0 - params.min_share, params) &&
+      !is_elsewhere(fit.on_walls, on_firm_floor, params.max_firm_share, params);
+  return is_of_here ? ScanFault::kNone : ScanFault::kElsewhere;
 }
 
 }  // namespace echomap::mapping
