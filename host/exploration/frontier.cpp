@@ -28,7 +28,6 @@ constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
 void validate(const FrontierParams& params) {
   geometry::ParameterValidator("frontier")
       .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
-      .at_least("first_sweep_finer", params.first_sweep_finer, 1)
       .positive("viewpoints.min_gain_m2", params.viewpoints.min_gain_m2)
       .at_least("back_off_m", params.back_off_m, 0.0)
       .positive("obstacle_m", params.obstacle_m)
@@ -244,9 +243,7 @@ void Frontier::plan_sweep(const pipeline::Snapshot& snapshot, const BestView& vi
   sweeps_done_ = 0;
   views_.push_back({T_map_robot.position_m(), view.middle_rad, 0.5 * view.width_rad});
   if (is_full_turn(view.width_rad)) {
-    const bool is_first = snapshot.stops == 0;
-    plan_ = round_sweep(is_first ? finer(params_.sweep, params_.first_sweep_finer) : params_.sweep,
-                        T_map_robot.heading_rad() > 0.0);
+    plan_ = stop_sweep(params_.sweep, snapshot.stops, T_map_robot.heading_rad() > 0.0);
   } else {
     plan_sector(T_map_robot.heading_rad(), view);
   }

@@ -12,16 +12,12 @@ namespace {
 constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
 /// Angles given in degrees are whole numbers of steps only up to rounding.
 constexpr double kRoundingRad = 1e-9;
+/// Ours, chosen in simulated rooms (docs/algorithms/frontier.md).
+constexpr double kFirstStopDivisor = 4.0;
 
 }  // namespace
 
 bool is_full_turn(double angle_rad) { return angle_rad >= kFullTurnRad - kRoundingRad; }
-
-RoundSweepParams finer(const RoundSweepParams& params, int factor) {
-  RoundSweepParams finer = params;
-  finer.step_rad /= factor;
-  return finer;
-}
 
 bool is_possible(const RoundSweepParams& params) {
   return is_full_turn(params.scan_rad) && params.step_rad > 0.0 &&
@@ -49,6 +45,13 @@ std::deque<Motion> round_sweep(const RoundSweepParams& params, bool turned_left)
   }
   motions.emplace_back(EndScan{});
   return motions;
+}
+
+std::deque<Motion> stop_sweep(RoundSweepParams params, std::size_t stops, bool turned_left) {
+  if (stops == 0) {
+    params.step_rad /= kFirstStopDivisor;
+  }
+  return round_sweep(params, turned_left);
 }
 
 }  // namespace echomap::exploration

@@ -24,10 +24,6 @@ struct RoundSweepParams {
 /// Whether an angle is a whole turn or more, up to what is lost in rounding.
 bool is_full_turn(double angle_rad);
 
-/// That sweep in steps that are so many times finer: the heading of a map's first stop is the map's
-/// own, and where a wall begins to answer is known to half a step.
-RoundSweepParams finer(const RoundSweepParams& params, int factor);
-
 /// Whether a robot can do that.
 bool is_possible(const RoundSweepParams& params);
 
@@ -35,5 +31,9 @@ bool is_possible(const RoundSweepParams& params);
 /// where the pan does not go all the way round, the body turns from sector to sector: clockwise
 /// where `turned_left`.
 std::deque<Motion> round_sweep(const RoundSweepParams& params, bool turned_left);
+
+/// The sweep of a robot whose map has so many stops. At the first one a step is a quarter: that
+/// stop's heading is the map's own, and where a wall begins to answer is known to half a step.
+std::deque<Motion> stop_sweep(RoundSweepParams params, std::size_t stops, bool turned_left);
 
 }  // namespace echomap::exploration

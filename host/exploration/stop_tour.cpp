@@ -14,7 +14,6 @@ StopTour::StopTour(const StopTourParams& params, std::vector<TourPlace> places)
     : params_(params), places_(std::move(places)), follower_(params.follower) {
   geometry::ParameterValidator("stop tour")
       .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
-      .at_least("first_sweep_finer", params.first_sweep_finer, 1)
       .at_least("back_off_m", params.back_off_m, 0.0)
       .require(!places_.empty(), "a tour has one place or more")
       .require(std::all_of(places_.begin(),
@@ -79,10 +78,8 @@ Motion StopTour::drive_on(const pipeline::Snapshot& snapshot) {
     if (!motion && places_[current_].sweeps) {
       phase_ = Phase::kSensing;
       sweeps_done_ = 0;
-      const bool is_first = snapshot.stops == 0;
-      plan_ =
-          round_sweep(is_first ? finer(params_.sweep, params_.first_sweep_finer) : params_.sweep,
-                      snapshot.latest.T_map_robot.heading_rad() > 0.0);
+      plan_ = stop_sweep(
+          params_.sweep, snapshot.stops, snapshot.latest.T_map_robot.heading_rad() > 0.0);
       return take_planned();
     }
     leave_place(!motion);

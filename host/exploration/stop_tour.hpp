@@ -30,8 +30,6 @@ struct StopTourParams {
   PathFollowerParams follower;
   /// All round once, in steps of 4 degrees, as a sweep of `frontier`.
   RoundSweepParams sweep{6.283185307179586, 0.06981317007977318, 1.5707963267948966, 0.03};
-  /// The steps of the first one are so many times finer.
-  int first_sweep_finer = 4;
   /// Distance to back off after a bump.
   double back_off_m = 0.1;
 };

@@ -75,19 +75,18 @@ TEST(RoundSweepParams, MustLeadAllRound) {
   EXPECT_FALSE(is_possible({.settle_s = -1.0}));
 }
 
-TEST(RoundSweep, ReadsAllRoundInFinerStepsAsWell) {
-  const RoundSweepParams params;
-  const RoundSweepParams fine = finer(params, 4);
-  EXPECT_TRUE(is_possible(fine));
-  std::size_t readings = 0;
-  for (const Motion& motion : round_sweep(fine, false)) {
-    if (const auto* sweep = std::get_if<Sweep>(&motion)) {
-      EXPECT_DOUBLE_EQ(std::abs(sweep->step_rad), params.step_rad / 4.0);
-      readings += static_cast<std::size_t>(
-          std::lround((sweep->to_rad - sweep->from_rad) / sweep->step_rad) + 1);
+TEST(StopSweep, ReadsFourTimesAsOftenAtTheFirstStop) {
+  const auto readings = [](std::size_t stops) {
+    long count = 0;
+    for (const Motion& motion : stop_sweep({}, stops, false)) {
+      if (const auto* sweep = std::get_if<Sweep>(&motion)) {
+        count += std::lround((sweep->to_rad - sweep->from_rad) / sweep->step_rad) + 1;
+      }
     }
-  }
-  EXPECT_EQ(readings, 240U) << "four times 60";
+    return count;
+  };
+  EXPECT_EQ(readings(0), 240);
+  EXPECT_EQ(readings(1), 60);
 }
 
 }  // namespace
