@@ -11,20 +11,6 @@
 namespace echomap::mapping {
 namespace {
 
-/// Bounds grow by so many cells at once.
-constexpr std::int32_t kGrowth = 64;
-/// Cells farther off fall into the last one that is counted.
-constexpr double kFar = 1 << 30;
-/// A field of more cells is not made: 200 by 200 m at 5 cm take 64 MB.
-constexpr std::int64_t kMaxCells = std::int64_t{1} << 24;
-
-CellBounds around(const Eigen::Array2d& low_m, const Eigen::Array2d& high_m, double resolution_m) {
-  const auto cell = [&](double at_m) {
-    return static_cast<std::int32_t>(std::clamp(std::floor(at_m / resolution_m), -kFar, kFar));
-  };
-  return {{cell(low_m.x()), cell(low_m.y())}, {cell(high_m.x()), cell(high_m.y())}};
-}
-
 /// Around what differs between two profiles from one step to another.
 CellBounds between(const Eigen::Vector2d& center_m,
                    const FloorReach& one,
@@ -45,7 +31,7 @@ CellBounds between(const Eigen::Vector2d& center_m,
       }
     }
   }
-  return around(low_m - resolution_m, high_m + resolution_m, resolution_m);
+  return cells_around(low_m - resolution_m, high_m + resolution_m, resolution_m);
 }
 
 bool is_other(const FloorReach& one, const FloorReach& other, std::size_t step) {
@@ -68,7 +54,10 @@ void FloorEvidence::set(std::size_t index,
   if (!stop) {
     stop.emplace(Stop{center_m, FloorReach()});
   }
-  change_all(*stop, can_hold(center_m, reach.silent_m.max_m()) ? reach : FloorReach());
+  const double max_m = reach.silent_m.max_m() + 2.0 * resolution_m_;
+  const CellBounds cells =
+      cells_around(center_m.array() - max_m, center_m.array() + max_m, resolution_m_);
+  change_all(*stop, sums_.can_hold(cells) ? reach : FloorReach());
 }
 
 void FloorEvidence::resize(std::size_t stops) {
@@ -97,7 +86,7 @@ void FloorEvidence::change_all(Stop& stop, const FloorReach& reach) {
 
 void FloorEvidence::change(Stop& stop, const FloorReach& reach, std::size_t from, std::size_t to) {
   const CellBounds cells = between(stop.center_m, stop.reach, reach, {from, to}, resolution_m_);
-  hold(cells);
+  sums_.hold(cells);
   for (std::int32_t y = cells.min.y; y <= cells.max.y; ++y) {
     for (std::int32_t x = cells.min.x; x <= cells.max.x; ++x) {
       const Eigen::Vector2d offset_m =
@@ -107,39 +96,9 @@ void FloorEvidence::change(Stop& stop, const FloorReach& reach, std::size_t from
       if (step >= from && step < to) {
         const int change =
             evidence(reach, step, distance_m) - evidence(stop.reach, step, distance_m);
-        values_[position({x, y})] += change;
+        sums_.add({x, y}, change);
       }
     }
-  }
-}
-
-bool FloorEvidence::can_hold(const Eigen::Vector2d& center_m, double reach_m) const {
-  const double max_m = reach_m + 2.0 * resolution_m_;
-  const CellBounds all =
-      united(bounds_, around(center_m.array() - max_m, center_m.array() + max_m, resolution_m_));
-  const std::int64_t columns = std::int64_t{all.max.x} - all.min.x + 1 + 2 * kGrowth;
-  const std::int64_t rows = std::int64_t{all.max.y} - all.min.y + 1 + 2 * kGrowth;
-  return columns <= kMaxCells && rows <= kMaxCells && columns * rows <= kMaxCells;
-}
-
-void FloorEvidence::hold(const CellBounds& bounds) {
-  const CellBounds wanted = united(bounds_, bounds);
-  if (!bounds_.empty() && wanted.columns() == bounds_.columns() &&
-      wanted.rows() == bounds_.rows()) {
-    return;
-  }
-  const CellBounds before = bounds_;
-  const std::vector<std::int32_t> values = std::move(values_);
-  bounds_ = {{wanted.min.x - kGrowth, wanted.min.y - kGrowth},
-             {wanted.max.x + kGrowth, wanted.max.y + kGrowth}};
-  values_.assign(
-      static_cast<std::size_t>(bounds_.columns()) * static_cast<std::size_t>(bounds_.rows()), 0);
-  auto row = values.begin();
-  for (std::int32_t y = before.min.y; y <= before.max.y; ++y) {
-    std::copy(row,
-              row + before.columns(),
-              values_.begin() + static_cast<std::ptrdiff_t>(position({before.min.x, y})));
-    row += before.columns();
   }
 }
 
@@ -151,12 +110,6 @@ int FloorEvidence::evidence(const FloorReach& reach, std::size_t step, double di
   return distance_m < reach.heard_m[step]
              ? full
              : static_cast<int>(std::lround(params_.silent_share * full));
-}
-
-std::size_t FloorEvidence::position(geometry::CellIndex cell) const {
-  return static_cast<std::size_t>(cell.y - bounds_.min.y) *
-             static_cast<std::size_t>(bounds_.columns()) +
-         static_cast<std::size_t>(cell.x - bounds_.min.x);
 }
 
 int FloorEvidence::faded(double distance_m) const {

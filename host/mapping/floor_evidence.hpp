@@ -2,14 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <deque>
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "host/geometry/cell_index.hpp"
-#include "host/mapping/occupancy_grid.hpp"
+#include "host/mapping/cell_sums.hpp"
 #include "host/mapping/stop_floor.hpp"
 
 namespace echomap::mapping {
@@ -40,9 +39,9 @@ class FloorEvidence {
   /// Evidence of one stop at a distance, in hundredths of log-odds.
   int faded(double distance_m) const;
   /// The cells that may hold evidence.
-  const CellBounds& bounds() const { return bounds_; }
-  /// Summed evidence for floor of a cell within `bounds()`, in hundredths of log-odds; not below 0.
-  int centilogits(geometry::CellIndex cell) const { return values_[position(cell)]; }
+  const CellBounds& bounds() const { return sums_.bounds(); }
+  /// Summed evidence for floor, in hundredths of log-odds; not below 0.
+  int centilogits(geometry::CellIndex cell) const { return sums_.at(cell); }
 
  private:
   struct Stop {
@@ -53,17 +52,13 @@ class FloorEvidence {
   /// Replaces the profile of a stop between two steps, the second left out.
   void change(Stop& stop, const FloorReach& reach, std::size_t from, std::size_t to);
   void change_all(Stop& stop, const FloorReach& reach);
-  bool can_hold(const Eigen::Vector2d& center_m, double reach_m) const;
-  void hold(const CellBounds& bounds);
   /// What one stop adds to a cell in the direction of a step, in hundredths of log-odds.
   int evidence(const FloorReach& reach, std::size_t step, double distance_m) const;
-  std::size_t position(geometry::CellIndex cell) const;
 
   FloorEvidenceParams params_;
   double resolution_m_;
-  std::vector<std::optional<Stop>> stops_;
-  CellBounds bounds_;
-  std::vector<std::int32_t> values_;
+  std::deque<std::optional<Stop>> stops_;  ///< Large: growing must not move them.
+  CellSums sums_;
 };
 
 }  // namespace echomap::mapping

@@ -26,6 +26,7 @@ struct CellBounds {
   bool empty() const { return max.x < min.x; }
   std::int32_t columns() const { return max.x - min.x + 1; }
   std::int32_t rows() const { return max.y - min.y + 1; }
+  bool operator==(const CellBounds&) const = default;
 };
 
 /// The smallest rectangle around two.

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/segment.hpp"
-#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/cell_field.hpp"
+#include "host/mapping/cell_insertion.hpp"
+#include "host/mapping/visit_cells.hpp"
 
 namespace echomap::mapping {
 
@@ -21,39 +22,26 @@ using geometry::CellIndex;
 /// Readings of a scan that tell whether it was bent.
 constexpr std::size_t kProbes = 6;
 
-/// Visits the cells that a straight piece runs through, some of them more than once.
-template <class Visit>
-void visit_along(const CellField& field,
-                 const Eigen::Vector2d& from_m,
-                 const Eigen::Vector2d& to_m,
-                 Visit&& visit) {
-  constexpr double kStepsPerCell = 5.0;
-  const double length_m = (to_m - from_m).norm();
-  const int steps = 1 + static_cast<int>(kStepsPerCell * length_m / field.resolution_m());
-  for (int i = 0; i <= steps; ++i) {
-    const CellIndex cell = field.cell_at(from_m + static_cast<double>(i) / steps * (to_m - from_m));
-    if (field.holds(cell)) {
-      visit(cell);
-    }
-  }
-}
-
 void mark(CellField& field, CellIndex cell) { field[field.index(cell)] = 1.0F; }
+
+void mark_along(const geometry::Segment& piece, CellField& field) {
+  visit_along(piece, field.resolution_m(), [&](CellIndex cell) {
+    if (field.holds(cell)) {
+      mark(field, cell);
+    }
+  });
+}
 
 /// Marks where walls and the seen rims of round things are drawn.
 void mark_faces(const SonarFeatures& features, double drawn_behind_m, CellField& faces) {
   for (const geometry::Segment& wall : features.walls) {
     const Eigen::Vector2d behind_m = -drawn_behind_m * geometry::left_normal(wall);
-    visit_along(faces, wall.from_m + behind_m, wall.to_m + behind_m, [&](CellIndex cell) {
-      mark(faces, cell);
-    });
+    mark_along({wall.from_m + behind_m, wall.to_m + behind_m}, faces);
   }
   for (const FittedCircle& circle : features.circles) {
     for (std::size_t i = 0; i < FittedCircle::kSectors; ++i) {
       if (circle.seen[i]) {
-        visit_along(faces, circle.rim_m(i), circle.rim_m(i + 1), [&](CellIndex cell) {
-          mark(faces, cell);
-        });
+        mark_along({circle.rim_m(i), circle.rim_m(i + 1)}, faces);
       }
     }
   }
@@ -72,25 +60,6 @@ void mark_insides(const SonarFeatures& features, CellField& solid) {
         }
       }
     }
-  }
-}
-
-/// Visits the cells right behind the face of a surface, each once or more.
-template <class Visit>
-void visit_behind(const SonarSurface& surface,
-                  const Eigen::Vector2d& from_m,
-                  const LoneSurfaceParams& params,
-                  const CellField& field,
-                  Visit&& visit) {
-  const Eigen::Vector2d normal = geometry::unit_vector(surface.bearing_rad);
-  const double half_m =
-      std::max(surface.half_length_m, surface.range_m * std::tan(params.half_angle_rad));
-  const Eigen::Vector2d half = half_m * geometry::perpendicular(normal);
-  const int rows = 1 + static_cast<int>(2.0 * params.depth_m / field.resolution_m());
-  for (int row = 0; row <= rows; ++row) {
-    const double depth_m = params.depth_m * row / rows;
-    const Eigen::Vector2d middle_m = from_m + (surface.range_m + depth_m) * normal;
-    visit_along(field, middle_m - half, middle_m + half, visit);
   }
 }
 
@@ -178,7 +147,8 @@ void add_changes(const SonarFeatures& one,
 SonarMapper::SonarMapper(const SonarMapperParams& params)
     : params_(params),
       matcher_(params.matching),
-      evidence_(params.evidence, params.grid.resolution_m) {
+      evidence_(params.evidence, params.grid.resolution_m),
+      lone_(params.lone, params.grid.resolution_m) {
   const auto& surfaces = params.surfaces;
   geometry::ParameterValidator("sonar mapper")
       .positive("surfaces.beam_half_angle_rad", surfaces.beam_half_angle_rad)
@@ -209,6 +179,7 @@ void SonarMapper::take(const std::vector<Scan>& scans,
   hold_still(features_.circles, params_.still_m, features.circles);
   const SonarFeatures before = std::exchange(features_, std::move(features));
   update_floor(before, moved);
+  update_lone();
 }
 
 std::vector<std::size_t> SonarMapper::place(const std::vector<Scan>& scans) {
@@ -261,59 +232,53 @@ void SonarMapper::update_floor(const SonarFeatures& before, const std::vector<st
   }
 }
 
+void SonarMapper::update_lone() {
+  std::vector<std::vector<bool>> is_explained;
+  for (const ScanSurfaces& scan : surfaces_) {
+    is_explained.emplace_back(scan.surfaces.size(), false);
+  }
+  for (const MatchedFeature& feature : matched_.features) {
+    const bool is_post =
+        feature.feature.kind == LandmarkKind::kPoint && feature.feature.radius_m <= 0.0;
+    for (const auto& [scan, surface] : feature.supporters) {
+      is_explained[scan][surface] = !is_post;  // A post may be the edge of anything.
+    }
+  }
+  lone_.resize(surfaces_.size());
+  for (std::size_t scan = 0; scan < surfaces_.size(); ++scan) {
+    std::vector<LoneSurface> lone;
+    for (std::size_t i = 0; i < surfaces_[scan].surfaces.size(); ++i) {
+      const SonarSurface& surface = surfaces_[scan].surfaces[i];
+      if (!is_explained[scan][i]) {
+        lone.push_back({surfaces_[scan].center_m, surface, evidence_.faded(surface.range_m)});
+      }
+    }
+    lone_.set(scan, std::move(lone));
+  }
+}
+
 OccupancyGrid SonarMapper::grid() const {
   CellField faces(evidence_.bounds(), params_.grid.resolution_m);
   mark_faces(features_, params_.drawn_behind_m, faces);
   CellField solid = faces;
   mark_insides(features_, solid);
-  const OccupancyGrid floor = floor_grid(solid);
-  OccupancyGrid grid = floor;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (faces[i] > 0.0F && borders_floor(floor, faces.cell(i))) {
-      grid.add(faces.cell(i), params_.matched_centilogits);
-    }
-  }
-  return grid;
-}
-
-OccupancyGrid SonarMapper::floor_grid(const CellField& solid) const {
   OccupancyGrid floor(params_.grid);
-  const CellField doubt = doubts();
-  for (std::size_t i = 0; i < solid.size(); ++i) {
-    const CellIndex cell = solid.cell(i);
-    const int evidence = evidence_.centilogits(cell) - static_cast<int>(doubt[i]);
-    if (evidence > 0 && solid[i] == 0.0F) {
-      floor.add(cell, -evidence);
-    }
-  }
-  return floor;
-}
-
-CellField SonarMapper::doubts() const {
-  std::set<std::pair<std::size_t, std::size_t>> explained;  // A post may be the edge of anything.
-  for (const MatchedFeature& feature : matched_.features) {
-    if (feature.feature.kind == LandmarkKind::kWall || feature.feature.radius_m > 0.0) {
-      explained.insert(feature.supporters.begin(), feature.supporters.end());
-    }
-  }
-  CellField doubts(evidence_.bounds(), params_.grid.resolution_m);
-  CellField last(evidence_.bounds(), params_.grid.resolution_m);
-  float surfaces = 0.0F;
-  for (std::size_t scan = 0; scan < surfaces_.size(); ++scan) {
-    for (std::size_t i = 0; i < surfaces_[scan].surfaces.size(); ++i) {
-      if (explained.contains({scan, i})) {
-        continue;
-      }
-      const SonarSurface& surface = surfaces_[scan].surfaces[i];
-      const auto doubt = static_cast<float>(evidence_.faded(surface.range_m));
-      surfaces += 1.0F;
-      visit_behind(surface, surfaces_[scan].center_m, params_.lone, doubts, [&](CellIndex cell) {
-        const std::size_t index = doubts.index(cell);
-        doubts[index] += std::exchange(last[index], surfaces) == surfaces ? 0.0F : doubt;
-      });
-    }
-  }
-  return doubts;
+  insert_cells(
+      evidence_.bounds(),
+      [&](CellIndex cell) {
+        const int evidence = evidence_.centilogits(cell) - lone_.centilogits(cell);
+        return evidence > 0 && solid[solid.index(cell)] == 0.0F ? -evidence : 0;
+      },
+      floor);
+  OccupancyGrid grid = floor;
+  insert_cells(
+      evidence_.bounds(),
+      [&](CellIndex cell) {
+        const bool is_face = faces[faces.index(cell)] > 0.0F && borders_floor(floor, cell);
+        return is_face ? params_.matched_centilogits : 0;
+      },
+      grid);
+  return grid;
 }
 
 }  // namespace echomap::mapping

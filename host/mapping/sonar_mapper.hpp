@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "host/mapping/cell_field.hpp"
 #include "host/mapping/floor_evidence.hpp"
+#include "host/mapping/lone_surfaces.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/sonar_features.hpp"
@@ -16,15 +17,6 @@
 #include "host/mapping/surface_matching.hpp"
 
 namespace echomap::mapping {
-
-/// Where a surface that one stop alone has seen takes back as much evidence for floor as a stop
-/// gives: something is there, and nobody knows yet what.
-struct LoneSurfaceParams {
-  /// Depth of the region behind its face, metres.
-  double depth_m = 0.15;
-  /// Half width of that region as an angle at the stop, radians.
-  double half_angle_rad = 0.07;
-};
 
 /// Evidence is in hundredths of log-odds; the weights are ours, chosen in simulated rooms.
 struct SonarMapperParams {
@@ -67,20 +59,19 @@ class SonarMapper {
   /// Answers which scans are new or have moved.
   std::vector<std::size_t> place(const std::vector<Scan>& scans);
   void update_floor(const SonarFeatures& before, const std::vector<std::size_t>& moved);
-  OccupancyGrid floor_grid(const CellField& solid) const;
-  /// Evidence for floor that surfaces of one stop alone take back, by cell.
-  CellField doubts() const;
+  void update_lone();
 
   SonarMapperParams params_;
   /// Of each scan: its readings and its surfaces, as it was placed when it moved last, and what it
   /// says of the floor.
   std::vector<Scan> readings_;
   std::vector<ScanSurfaces> surfaces_;
-  std::vector<StopFloor> floors_;
+  std::deque<StopFloor> floors_;
   SurfaceMatcher matcher_;
   MatchedSurfaces matched_;
   SonarFeatures features_;
   FloorEvidence evidence_;
+  LoneSurfaces lone_;
 };
 
 }  // namespace echomap::mapping

@@ -44,6 +44,8 @@ struct SonarSurface {
   double half_length_m = 0.0;
   /// Readings that agree.
   std::size_t readings = 0;
+
+  bool operator==(const SonarSurface&) const = default;
 };
 
 /// The surfaces around one stop.

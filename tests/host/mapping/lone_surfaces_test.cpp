@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "host/mapping/lone_surfaces.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace echomap::mapping {
+namespace {
+
+constexpr double kCellM = 0.05;
+constexpr int kDoubt = 200;
+
+/// A wall of 40 cm, 1 m to the right of the stop.
+const LoneSurface kWall{{0.0, 0.0}, {0.0, 1.0, 0.2, 10}, kDoubt};
+
+int at(const LoneSurfaces& lone, double x_m, double y_m) {
+  return lone.centilogits({static_cast<std::int32_t>(std::floor(x_m / kCellM)),
+                           static_cast<std::int32_t>(std::floor(y_m / kCellM))});
+}
+
+TEST(LoneSurfaces, DoubtsTheFloorRightBehindAFaceOnce) {
+  LoneSurfaces lone({}, kCellM);
+  lone.set(0, {kWall});
+  EXPECT_EQ(at(lone, 1.02, 0.02), kDoubt);
+  EXPECT_EQ(at(lone, 1.12, -0.17), kDoubt);
+  EXPECT_EQ(at(lone, 0.97, 0.02), 0) << "before it";
+  EXPECT_EQ(at(lone, 1.22, 0.02), 0) << "deeper";
+  EXPECT_EQ(at(lone, 1.02, 0.27), 0) << "beyond its end";
+}
+
+TEST(LoneSurfaces, SumsStopsAndTakesBackWhatIsExplained) {
+  LoneSurfaces lone({}, kCellM);
+  lone.set(0, {kWall});
+  lone.set(1, {kWall});
+  EXPECT_EQ(at(lone, 1.02, 0.02), 2 * kDoubt);
+  lone.set(0, {});
+  EXPECT_EQ(at(lone, 1.02, 0.02), kDoubt);
+  lone.resize(1);
+  EXPECT_EQ(at(lone, 1.02, 0.02), 0);
+}
+
+TEST(LoneSurfaces, DoWithoutASurfaceThatNoMemoryWouldReach) {
+  LoneSurfaces lone({}, kCellM);
+  lone.set(0, {kWall});
+  LoneSurface far = kWall;
+  far.center_m = {1e7, 0.0};
+  lone.set(1, {far});
+  lone.set(1, {});
+  EXPECT_EQ(at(lone, 1.02, 0.02), kDoubt);
+}
+
+}  // namespace
+}  // namespace echomap::mapping
