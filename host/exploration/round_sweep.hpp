@@ -33,7 +33,9 @@ bool is_possible(const RoundSweepParams& params);
 std::deque<Motion> round_sweep(const RoundSweepParams& params, bool turned_left);
 
 /// The sweep of a robot whose map has so many stops. At the first one a step is a quarter: that
-/// stop's heading is the map's own, and where a wall begins to answer is known to half a step.
+/// stop's heading is the map's own, and where a wall begins to answer is known to half a step. And
+/// where the body turns, it goes on all round to the first sector, which is swept again: what is
+/// heard there twice tells how far the body turns where odometry says once round.
 std::deque<Motion> stop_sweep(RoundSweepParams params, std::size_t stops, bool turned_left);
 
 }  // namespace echomap::exploration

@@ -40,7 +40,7 @@ void RobotPipeline::on_sonar(const sensors::SonarObservation& observation) {
       T_odom_robot, T_odom_robot * T_robot_sonar, observation.range_m};
   map_.add_echo(track_.on_map(reading));
   if (open_scan_) {
-    open_scan_->push_back(reading);
+    open_scan_->push_back(mapping::moved(reading, T_calibrated_odom()));
   }
 }
 
@@ -98,6 +98,11 @@ void RobotPipeline::add_sighting(const Seen& seen) {
   }
 }
 
+geometry::Pose2 RobotPipeline::T_calibrated_odom() const {
+  const RobotSlam* slam = track_.slam();
+  return slam == nullptr ? geometry::Pose2() : slam->T_calibrated_odom();
+}
+
 void RobotPipeline::begin_scan() {
   end_scan();
   open_scan_.emplace();
@@ -111,7 +116,8 @@ void RobotPipeline::end_scan() {
     return;
   }
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): checked above
-  const mapping::Scan scan = std::move(*std::exchange(open_scan_, std::nullopt));
+  const mapping::Scan calibrated = std::move(*std::exchange(open_scan_, std::nullopt));
+  const mapping::Scan scan = mapping::moved(calibrated, T_calibrated_odom().inverse());
   const mapping::ScanFault fault = map_.fault_of(track_.on_map(scan));
   const bool counts = fault == mapping::ScanFault::kNone;
   if (RobotSlam* slam = track_.slam()) {

@@ -83,6 +83,7 @@ class RobotPipeline final : public ObservationSink {
   /// Where the robot has not told its pose yet, it is at the origin.
   template <class Seen>
   void add_sighting(const Seen& seen);
+  geometry::Pose2 T_calibrated_odom() const;
   void describe_scans(Snapshot& snapshot) const;
 
   sensors::RobotGeometry robot_;
@@ -92,7 +93,7 @@ class RobotPipeline final : public ObservationSink {
   ScanMap scan_map_;
   std::vector<Sighting> sightings_;  ///< With SLAM, in place of `scan_map_`.
   RobotStatus status_;
-  std::optional<mapping::Scan> open_scan_;  ///< As odometry places it.
+  std::optional<mapping::Scan> open_scan_;  ///< As calibrated odometry places it.
 };
 
 }  // namespace echomap::pipeline

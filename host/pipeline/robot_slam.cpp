@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/slam/turn_calibration.hpp"
 
 namespace echomap::pipeline {
 
@@ -35,17 +36,25 @@ RobotSlam::RobotSlam(std::unique_ptr<slam::SlamMethod> method, double beam_width
       alignment_(alignment_for(beam_width_rad)) {}
 
 void RobotSlam::carry(const Pose2& T_odom_robot) {
-  meter_.carry(T_odom_robot);
-  method_->carry(T_odom_robot);
+  const Pose2 T_calibrated_robot = odometry_.carry(T_odom_robot);
+  meter_.carry(T_calibrated_robot);
+  method_->carry(T_calibrated_robot);
 }
 
-void RobotSlam::follow(const geometry::Pose2& T_odom_robot) {
-  meter_.follow(T_odom_robot);
+void RobotSlam::follow(const Pose2& T_odom_robot) {
+  const Pose2 T_calibrated_robot = odometry_.follow(T_odom_robot);
+  meter_.follow(T_calibrated_robot);
   if (is_at_stop_) {
-    held_T_odom_robots_.push_back(T_odom_robot);
+    held_T_odom_robots_.push_back(T_calibrated_robot);
   } else {
-    track_.follow(T_odom_robot);
+    track_.follow(T_calibrated_robot);
   }
+}
+
+void RobotSlam::begin_stop() {
+  is_at_stop_ = true;
+  odometry_before_ = odometry_;
+  meter_before_ = meter_;
 }
 
 void RobotSlam::add_ping(const geometry::Pose2& T_odom_robot,
@@ -53,8 +62,8 @@ void RobotSlam::add_ping(const geometry::Pose2& T_odom_robot,
                          const std::optional<double>& range_m) {
   const std::size_t instants = track_.instants() + held_T_odom_robots_.size();
   slam::OdometryMark mark = meter_.mark();
-  mark.T_odom_robot = T_odom_robot;
-  pings_.push_back({instants - 1, T_odom_robot, T_robot_sonar, range_m, mark});
+  mark.T_odom_robot = odometry_.T_calibrated_odom() * T_odom_robot;
+  pings_.push_back({instants - 1, T_robot_sonar, range_m, mark});
   if (is_at_stop_) {
     ++held_pings_;
   } else {
@@ -64,6 +73,9 @@ void RobotSlam::add_ping(const geometry::Pose2& T_odom_robot,
 
 void RobotSlam::end_stop(bool pings_count) {
   const std::size_t first = pings_.size() - std::exchange(held_pings_, 0);
+  if (pings_count && first_pings_.empty()) {
+    calibrate_by_stop(first);
+  }
   auto ping = pings_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto count_so_far = [&] {
     for (; pings_count && ping != pings_.end() && ping->instant < track_.instants(); ++ping) {
@@ -81,18 +93,45 @@ void RobotSlam::end_stop(bool pings_count) {
   is_at_stop_ = false;
 }
 
-void RobotSlam::count(const Ping& ping) {
-  track_.add(ping.T_odom_robot,
-             {{}, ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_width_rad_, 0.0});
+void RobotSlam::calibrate_by_stop(std::size_t first_ping) {
+  const auto share = slam::turn_share(readings_from(first_ping));
+  if (!share) {
+    return;
+  }
+  odometry_ = odometry_before_;
+  odometry_.calibrate({{*share, 0.0, 0.0}});
+  meter_ = meter_before_;
+  std::size_t instants = track_.instants();
+  std::size_t ping = first_ping;
+  for (Pose2& T_odom_robot : held_T_odom_robots_) {
+    T_odom_robot = odometry_.follow(T_odom_robot);
+    meter_.follow(T_odom_robot);
+    ++instants;
+    for (; ping < pings_.size() && pings_[ping].instant < instants; ++ping) {
+      const Pose2 T_calibrated_robot =
+          odometry_.T_calibrated_odom() * pings_[ping].mark.T_odom_robot;
+      pings_[ping].mark = meter_.mark();
+      pings_[ping].mark.T_odom_robot = T_calibrated_robot;
+    }
+  }
 }
 
-void RobotSlam::align_stops(std::size_t first_ping) {
+std::vector<slam::StopReading> RobotSlam::readings_from(std::size_t first_ping) const {
   std::vector<slam::StopReading> readings;
   for (std::size_t i = first_ping; i < pings_.size(); ++i) {
     readings.push_back({pings_[i].mark, pings_[i].T_robot_sonar, pings_[i].range_m});
   }
+  return readings;
+}
+
+void RobotSlam::count(const Ping& ping) {
+  track_.add(ping.mark.T_odom_robot,
+             {{}, ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_width_rad_, 0.0});
+}
+
+void RobotSlam::align_stops(std::size_t first_ping) {
   first_pings_.push_back(first_ping);
-  alignment_.add_stop(std::move(readings));
+  alignment_.add_stop(readings_from(first_ping));
   std::vector<std::size_t> pings;
   for (const slam::StopStand& stand : alignment_.stands()) {
     pings.push_back(first_pings_[stand.stop] + stand.first);
@@ -108,7 +147,7 @@ std::vector<Pose2> RobotSlam::T_slam_robots(const std::vector<std::size_t>& ping
   }
   std::vector<Pose2> poses = track_.T_map_odom_at(instants);
   for (std::size_t i = 0; i < pings.size(); ++i) {
-    poses[i] = poses[i] * pings_[pings[i]].T_odom_robot;
+    poses[i] = poses[i] * pings_[pings[i]].mark.T_odom_robot;
   }
   return poses;
 }
@@ -120,7 +159,8 @@ std::vector<RobotSlam::Anchor> RobotSlam::anchors() const {
     const slam::StopStand& stand = alignment_.stands()[i];
     const std::size_t first = first_pings_[stand.stop] + stand.first;
     for (const std::size_t ping : {first, first + stand.resting - 1}) {
-      const Pose2 T_first_ping = pings_[first].T_odom_robot.inverse() * pings_[ping].T_odom_robot;
+      const Pose2 T_first_ping =
+          pings_[first].mark.T_odom_robot.inverse() * pings_[ping].mark.T_odom_robot;
       anchors.push_back({pings_[ping].instant, alignment_.T_map_stands()[i] * T_first_ping, {}});
       pings.push_back(ping);
     }

@@ -11,6 +11,7 @@
 #include "host/mapping/point_cloud_map.hpp"
 #include "host/pipeline/slam_track.hpp"
 #include "host/sensors/range_scan.hpp"
+#include "host/slam/calibrated_odometry.hpp"
 #include "host/slam/odometry_meter.hpp"
 #include "host/slam/slam_method.hpp"
 #include "host/slam/stop_alignment.hpp"
@@ -19,7 +20,8 @@ namespace echomap::pipeline {
 
 /// SLAM of a robot that drives and pings: every ping is a scan of one beam. The method estimates
 /// the path, and after each stop all stops are placed where they agree; what lies between two of
-/// them moves with both.
+/// them moves with both. Where the first stop tells by which share of a turn odometry is off, all
+/// odometry is calibrated first, that of the first stop included.
 class RobotSlam {
  public:
   RobotSlam(std::unique_ptr<slam::SlamMethod> method, double beam_width_rad);
@@ -34,15 +36,19 @@ class RobotSlam {
                 const std::optional<double>& range_m);
   /// A scan of the last instant, between two stops. It is not among `points`.
   void add_scan(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) {
-    track_.add(T_odom_robot, scan);
+    track_.add(odometry_.T_calibrated_odom() * T_odom_robot, scan);
   }
   /// What comes now is held back until the stop's end: the robot stays where it was thought to be.
-  void begin_stop() { is_at_stop_ = true; }
+  void begin_stop();
   /// Pings of a stop that are of another place, or of a sonar that hangs, do not count.
   void end_stop(bool pings_count);
 
+  /// From odometry to odometry without what is known of its systematic errors.
+  const geometry::Pose2& T_calibrated_odom() const { return odometry_.T_calibrated_odom(); }
   /// The correction of odometry, of the last stop and of the method since then.
-  geometry::Pose2 T_map_odom() const { return T_map_slam_ * track_.T_map_odom(); }
+  geometry::Pose2 T_map_odom() const {
+    return T_map_slam_ * track_.T_map_odom() * odometry_.T_calibrated_odom();
+  }
   /// The readings of each stop that counted, as placed after the last one: a body that turns
   /// farther than its wheels report would bend the scan of a stop that odometry places.
   std::vector<mapping::Scan> stops() const { return alignment_.scans(); }
@@ -55,10 +61,9 @@ class RobotSlam {
  private:
   struct Ping {
     std::size_t instant = 0;
-    geometry::Pose2 T_odom_robot;
     geometry::Pose2 T_robot_sonar;
     std::optional<double> range_m;
-    slam::OdometryMark mark;
+    slam::OdometryMark mark;  ///< Calibrated.
   };
 
   /// Where the alignment has the robot at an instant, and the method.
@@ -70,6 +75,9 @@ class RobotSlam {
     geometry::Pose2 T_map_slam() const { return T_map_robot * T_slam_robot.inverse(); }
   };
 
+  /// Learns of the first stop by which share of a turn odometry is off, and places it anew.
+  void calibrate_by_stop(std::size_t first_ping);
+  std::vector<slam::StopReading> readings_from(std::size_t first_ping) const;
   void count(const Ping& ping);
   void align_stops(std::size_t first_ping);
   /// Poses of these pings by the method alone.
@@ -82,9 +90,13 @@ class RobotSlam {
   double beam_width_rad_;
   std::vector<Ping> pings_;
   bool is_at_stop_ = false;
-  std::vector<geometry::Pose2> held_T_odom_robots_;
-  std::size_t held_pings_ = 0;  ///< The last ones of all.
-  slam::OdometryMeter meter_;
+  std::vector<geometry::Pose2> held_T_odom_robots_;  ///< Calibrated.
+  std::size_t held_pings_ = 0;                       ///< The last ones of all.
+  slam::CalibratedOdometry odometry_;
+  slam::OdometryMeter meter_;  ///< Of what is calibrated.
+  /// As they were when the stop began.
+  slam::CalibratedOdometry odometry_before_;
+  slam::OdometryMeter meter_before_;
   slam::StopAlignment alignment_;
   std::vector<std::size_t> first_pings_;  ///< Of each stop of the alignment.
   geometry::Pose2 T_map_slam_;            ///< At the end of the last stop.

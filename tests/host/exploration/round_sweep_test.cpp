@@ -75,18 +75,37 @@ TEST(RoundSweepParams, MustLeadAllRound) {
   EXPECT_FALSE(is_possible({.settle_s = -1.0}));
 }
 
-TEST(StopSweep, ReadsFourTimesAsOftenAtTheFirstStop) {
-  const auto readings = [](std::size_t stops) {
-    long count = 0;
-    for (const Motion& motion : stop_sweep({}, stops, false)) {
-      if (const auto* sweep = std::get_if<Sweep>(&motion)) {
-        count += std::lround((sweep->to_rad - sweep->from_rad) / sweep->step_rad) + 1;
-      }
+long readings_of(const std::deque<Motion>& motions) {
+  long count = 0;
+  for (const Motion& motion : motions) {
+    if (const auto* sweep = std::get_if<Sweep>(&motion)) {
+      count += std::lround((sweep->to_rad - sweep->from_rad) / sweep->step_rad) + 1;
     }
-    return count;
-  };
-  EXPECT_EQ(readings(0), 240);
-  EXPECT_EQ(readings(1), 60);
+  }
+  return count;
+}
+
+double turned_rad(const std::deque<Motion>& motions) {
+  double turned_rad = 0.0;
+  for (const Motion& motion : motions) {
+    if (const auto* turn = std::get_if<Turn>(&motion)) {
+      turned_rad += turn->angle_rad;
+    }
+  }
+  return turned_rad;
+}
+
+TEST(StopSweep, ReadsFourTimesAsOftenAtTheFirstStopAndItsFirstSectorTwice) {
+  EXPECT_EQ(readings_of(stop_sweep({}, 0, false)), 360);
+  EXPECT_NEAR(turned_rad(stop_sweep({}, 0, false)), 2.0 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(turned_rad(stop_sweep({}, 0, true)), -2.0 * std::numbers::pi, 1e-9);
+  EXPECT_EQ(readings_of(stop_sweep({}, 1, false)), 60);
+}
+
+TEST(StopSweep, EndsWhereItBeganWithAPanThatGoesAllRound) {
+  const RoundSweepParams all_round{.pan_limit_rad = std::numbers::pi};
+  EXPECT_EQ(readings_of(stop_sweep(all_round, 0, false)), 240);
+  EXPECT_EQ(turned_rad(stop_sweep(all_round, 0, false)), 0.0);
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "host/pipeline/robot_slam.hpp"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
+#include "host/geometry/angle.hpp"
 #include "tests/host/pipeline/moved_aside.hpp"
+#include "tests/support/smooth_room.hpp"
 
 namespace echomap::pipeline {
 namespace {
@@ -79,6 +83,47 @@ TEST_F(RobotSlamTest, SurvivesAStopOfNothing) {
   slam.begin_stop();
   slam.end_stop(true);
   EXPECT_TRUE(slam.stops().empty());
+}
+
+/// A stop all round, of a body that turns by `share` more than its odometry says.
+void look_all_round(double share, RobotSlam& slam) {
+  const tests::SmoothRoom room = tests::smooth_rectangle();
+  slam.begin_stop();
+  for (int sector = 0; sector <= 2; ++sector) {
+    for (int i = 0; i <= 4; ++i) {  // No step of odometry is so large as to be a jump.
+      slam.follow({0.0, 0.0, geometry::radians(180.0 * (sector - 1) + 45.0 * i)});
+    }
+    const geometry::Pose2 T_odom_robot(0.0, 0.0, geometry::radians(180.0 * sector));
+    const geometry::Pose2 T_true_robot(0.0, 0.0, (1.0 + share) * geometry::radians(180.0 * sector));
+    slam.follow(T_odom_robot);
+    for (int degree = -90; degree < 90; degree += 2) {
+      const geometry::Pose2 T_robot_sonar(0.0, 0.0, geometry::radians(degree));
+      slam.add_ping(
+          T_odom_robot, T_robot_sonar, tests::ideal_range_m(T_true_robot * T_robot_sonar, room));
+    }
+  }
+  slam.end_stop(true);
+}
+
+TEST_F(RobotSlamTest, LearnsAtTheFirstStopHowFarTheBodyTurns) {
+  constexpr double kShare = 0.05;
+  method->T_map_odom = {};
+  slam.follow({0.0, 0.0, geometry::radians(-180.0)});
+  look_all_round(kShare, slam);
+  const double half_turn_off_rad = kShare * std::numbers::pi;
+  const mapping::Scan& stop = slam.stops().front();
+  const double start_rad = stop.front().T_map_robot.heading_rad();
+  EXPECT_NEAR(geometry::angle_between(start_rad, stop.back().T_map_robot.heading_rad()),
+              2.0 * half_turn_off_rad,
+              0.02);
+  const auto trajectory = slam.trajectory();
+  slam.follow({0.0, 0.0, geometry::radians(90.0)});
+  const geometry::Pose2 T_map_robot =
+      slam.T_map_odom() * geometry::Pose2(0.0, 0.0, geometry::radians(90.0));
+  EXPECT_NEAR(geometry::angle_between(trajectory.back().heading_rad(), T_map_robot.heading_rad()),
+              geometry::radians(90.0) + 0.5 * half_turn_off_rad,
+              0.02)
+      << "from then on, too";
 }
 
 }  // namespace
