@@ -111,7 +111,7 @@ TEST_F(RobotSlamTest, LearnsAtTheFirstStopHowFarTheBodyTurns) {
   slam.follow({0.0, 0.0, geometry::radians(-180.0)});
   look_all_round(kShare, slam);
   const double half_turn_off_rad = kShare * std::numbers::pi;
-  const mapping::Scan& stop = slam.stops().front();
+  const mapping::Scan stop = slam.stops().front();
   const double start_rad = stop.front().T_map_robot.heading_rad();
   EXPECT_NEAR(geometry::angle_between(start_rad, stop.back().T_map_robot.heading_rad()),
               2.0 * half_turn_off_rad,
