@@ -14,10 +14,11 @@ namespace echomap::exploration {
 /// When a part is taken for broken; ours, chosen in simulated rooms.
 struct FaultWatchParams {
   /// So many scans in a row that are of another place than the robot believes to be at: it is lost.
-  /// One alone may be a door that has been opened.
-  std::size_t scans_elsewhere = 2;
+  /// One may be a door that has been opened, and of two a young map may be wrong; they do not
+  /// count, so that a third costs the map nothing.
+  std::size_t scans_elsewhere = 3;
   /// A scan is in doubt where the map before it knew so many of its echoes at least, and such a
-  /// share of them lies on floor; two in a row are as bad as two of another place.
+  /// share of them lies on floor; in a row they are as bad as those of another place.
   std::size_t doubtful_echoes = 20;
   double doubtful_floor_share = 0.33;
   /// A robot that was carried off in the midst of a scan has heard two places: of those right

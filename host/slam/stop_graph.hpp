@@ -23,7 +23,7 @@ struct StopGraphParams {
   std::vector<double> odometry_scales{0.25, 0.5, 1.0};
   /// Systematic errors of the odometry: share of a turn, drift of the heading, share of a drive.
   double turn_share_stddev = 0.03;
-  double drift_stddev_rad_per_m = 0.05;
+  double drift_stddev_rad_per_m = 0.1;
   double drive_share_stddev = 0.03;
   /// Range of a surface, and from where on one is taken for another's.
   double range_stddev_m = 0.025;

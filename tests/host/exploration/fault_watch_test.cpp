@@ -75,14 +75,16 @@ TEST_F(FaultWatchTest, ATurnAllRoundWithoutAnyEchoIsADeadSonar) {
   EXPECT_EQ(reason(after_scan_of(silent)), FinishReason::kSonarSilent);
 }
 
-TEST_F(FaultWatchTest, TwoScansOfAnotherPlaceInARowMeanThatItIsLost) {
+TEST_F(FaultWatchTest, ThreeScansOfAnotherPlaceInARowMeanThatItIsLost) {
+  EXPECT_TRUE(drives(after_scan(ScanFault::kElsewhere)));
   EXPECT_TRUE(drives(after_scan(ScanFault::kElsewhere)));
   EXPECT_TRUE(drives(after(MotionResult::kReached))) << "the same scan";
   EXPECT_TRUE(drives(after_scan(ScanFault::kNone)));
   EXPECT_TRUE(drives(after_scan(ScanFault::kElsewhere)));
+  EXPECT_TRUE(drives(after_scan(ScanFault::kElsewhere)));
   const Motion motion = after_scan(ScanFault::kElsewhere);
   EXPECT_EQ(reason(motion), FinishReason::kLost);
-  EXPECT_EQ(std::get<Finished>(motion).stops_elsewhere, 2U);
+  EXPECT_EQ(std::get<Finished>(motion).stops_elsewhere, 3U);
 }
 
 /// Readings all round, of which so many end on the floor of `walled_floor` and the rest at its
