@@ -10,32 +10,44 @@
 namespace echomap::mapping {
 
 /// Adds `centilogits_of(cell)`, evidence in hundredths of log-odds, to every cell of a rectangle as
-/// OccupancyGrid::add does to one, tile by tile.
+/// OccupancyGrid::add does to one, row by row of its tiles.
 template <class Evidence>
 void insert_cells(const CellBounds& bounds, Evidence&& centilogits_of, OccupancyGrid& grid) {
   CellBounds touched;
-  grid.begin_insertion();
-  for (std::int32_t tile_y = bounds.min.y >> kTileBits; tile_y <= bounds.max.y >> kTileBits;
-       ++tile_y) {
-    for (std::int32_t tile_x = bounds.min.x >> kTileBits; tile_x <= bounds.max.x >> kTileBits;
-         ++tile_x) {
-      const geometry::CellIndex low{std::max(bounds.min.x, tile_x * kTileSide),
-                                    std::max(bounds.min.y, tile_y * kTileSide)};
-      const geometry::CellIndex high{std::min(bounds.max.x, tile_x * kTileSide + kTileSide - 1),
-                                     std::min(bounds.max.y, tile_y * kTileSide + kTileSide - 1)};
-      GridTile* tile = nullptr;
-      for (std::int32_t y = low.y; y <= high.y; ++y) {
-        for (std::int32_t x = low.x; x <= high.x; ++x) {
-          const StepPair steps = grid.steps(centilogits_of(geometry::CellIndex{x, y}));
+  int last_centilogits = 0;
+  StepPair steps;
+  const EvidenceLimits limits = grid.limits();
+  /// Of a row within one tile, which is made when the first evidence falls on it.
+  const auto insert_row =
+      [&](geometry::CellIndex tile_index, geometry::CellIndex first, int last_x) {
+        std::uint8_t* row = nullptr;
+        std::int32_t touched_to = first.x;
+        for (geometry::CellIndex cell = first; cell.x <= last_x; ++cell.x) {
+          if (const int centilogits = centilogits_of(cell); centilogits != last_centilogits) {
+            last_centilogits = centilogits;
+            steps = grid.steps(centilogits);
+          }
           if (steps.up == steps.down) {
             continue;
           }
-          tile = tile == nullptr ? &grid.writable_tile({tile_x, tile_y}) : tile;
-          std::uint8_t& byte = tile->row(y & (kTileSide - 1))[x & (kTileSide - 1)];
-          byte = after_evidence(byte, steps, grid.limits());
-          touched = united(touched, {{x, y}, {x, y}});
+          if (row == nullptr) {
+            row = grid.writable_tile(tile_index).row(cell.y & (kTileSide - 1));
+            first = cell;
+          }
+          std::uint8_t& byte = row[cell.x & (kTileSide - 1)];
+          byte = after_evidence(byte, steps, limits);
+          touched_to = cell.x;
         }
-      }
+        if (row != nullptr) {
+          touched = united(touched, {first, {touched_to, first.y}});
+        }
+      };
+  grid.begin_insertion();
+  for (std::int32_t y = bounds.min.y; y <= bounds.max.y; ++y) {
+    for (std::int32_t x = bounds.min.x; x <= bounds.max.x;) {
+      const std::int32_t last_x = std::min(bounds.max.x, x | (kTileSide - 1));
+      insert_row({x >> kTileBits, y >> kTileBits}, {x, y}, last_x);
+      x = last_x + 1;
     }
   }
   grid.end_insertion(touched);

@@ -22,26 +22,28 @@ using geometry::CellIndex;
 /// Readings of a scan that tell whether it was bent.
 constexpr std::size_t kProbes = 6;
 
-void mark(CellField& field, CellIndex cell) { field[field.index(cell)] = 1.0F; }
+/// What features make of a cell: nothing (0), the inside of something round, a face.
+constexpr float kInside = 0.5F;
+constexpr float kFace = 1.0F;
 
-void mark_along(const geometry::Segment& piece, CellField& field) {
-  visit_along(piece, field.resolution_m(), [&](CellIndex cell) {
-    if (field.holds(cell)) {
-      mark(field, cell);
+void mark_along(const geometry::Segment& piece, CellField& solid) {
+  visit_along(piece, solid.resolution_m(), [&](CellIndex cell) {
+    if (solid.holds(cell)) {
+      solid[solid.index(cell)] = kFace;
     }
   });
 }
 
 /// Marks where walls and the seen rims of round things are drawn.
-void mark_faces(const SonarFeatures& features, double drawn_behind_m, CellField& faces) {
+void mark_faces(const SonarFeatures& features, double drawn_behind_m, CellField& solid) {
   for (const geometry::Segment& wall : features.walls) {
     const Eigen::Vector2d behind_m = -drawn_behind_m * geometry::left_normal(wall);
-    mark_along({wall.from_m + behind_m, wall.to_m + behind_m}, faces);
+    mark_along({wall.from_m + behind_m, wall.to_m + behind_m}, solid);
   }
   for (const FittedCircle& circle : features.circles) {
     for (std::size_t i = 0; i < FittedCircle::kSectors; ++i) {
       if (circle.seen[i]) {
-        mark_along({circle.rim_m(i), circle.rim_m(i + 1)}, faces);
+        mark_along({circle.rim_m(i), circle.rim_m(i + 1)}, solid);
       }
     }
   }
@@ -56,7 +58,7 @@ void mark_insides(const SonarFeatures& features, CellField& solid) {
       for (std::int32_t x = low.x; x <= high.x; ++x) {
         if (solid.holds({x, y}) &&
             (solid.center_m({x, y}) - circle.center_m).norm() < circle.radius_m) {
-          mark(solid, {x, y});
+          solid[solid.index({x, y})] = kInside;
         }
       }
     }
@@ -258,26 +260,25 @@ void SonarMapper::update_lone() {
 }
 
 OccupancyGrid SonarMapper::grid() const {
-  CellField faces(evidence_.bounds(), params_.grid.resolution_m);
-  mark_faces(features_, params_.drawn_behind_m, faces);
-  CellField solid = faces;
+  CellField solid(evidence_.bounds(), params_.grid.resolution_m);
   mark_insides(features_, solid);
+  mark_faces(features_, params_.drawn_behind_m, solid);
   OccupancyGrid floor(params_.grid);
   insert_cells(
       evidence_.bounds(),
       [&](CellIndex cell) {
         const int evidence = evidence_.centilogits(cell) - lone_.centilogits(cell);
-        return evidence > 0 && solid[solid.index(cell)] == 0.0F ? -evidence : 0;
+        return evidence > 0 && solid[solid.index(cell)] == 0.0F
+                   ? -std::min<int>(evidence, 2 * params_.grid.clamp_centilogits)
+                   : 0;
       },
       floor);
   OccupancyGrid grid = floor;
-  insert_cells(
-      evidence_.bounds(),
-      [&](CellIndex cell) {
-        const bool is_face = faces[faces.index(cell)] > 0.0F && borders_floor(floor, cell);
-        return is_face ? params_.matched_centilogits : 0;
-      },
-      grid);
+  for (std::size_t i = 0; i < solid.size(); ++i) {
+    if (solid[i] == kFace && borders_floor(floor, solid.cell(i))) {
+      grid.add(solid.cell(i), params_.matched_centilogits);
+    }
+  }
   return grid;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/geometry/unit_vector.hpp"
+#include "host/mapping/cell_insertion.hpp"
 #include "host/mapping/contact_mapper.hpp"
 
 namespace echomap::pipeline {
@@ -15,12 +16,10 @@ Eigen::Vector2d end_m(double range_m, double bearing_rad) {
 }
 
 void add_evidence(const mapping::OccupancyGrid& from, mapping::OccupancyGrid& to) {
-  const mapping::CellBounds& bounds = from.bounds();
-  for (std::int32_t y = bounds.min.y; y <= bounds.max.y; ++y) {
-    for (std::int32_t x = bounds.min.x; x <= bounds.max.x; ++x) {
-      to.add({x, y}, from.centilogits({x, y}).value_or(0));
-    }
-  }
+  mapping::insert_cells(
+      from.bounds(),
+      [&](geometry::CellIndex cell) { return from.centilogits(cell).value_or(0); },
+      to);
 }
 
 }  // namespace
