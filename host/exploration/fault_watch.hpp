@@ -14,8 +14,7 @@ namespace echomap::exploration {
 /// When a part is taken for broken; ours, chosen in simulated rooms.
 struct FaultWatchParams {
   /// So many scans in a row that are of another place than the robot believes to be at: it is lost.
-  /// One may be a door that has been opened, and of two a young map may be wrong; they do not
-  /// count, so that a third costs the map nothing.
+  /// One may be a door that has been opened, and of two a young map may be wrong.
   std::size_t scans_elsewhere = 3;
   /// A scan is in doubt where the map before it knew so many of its echoes at least, and such a
   /// share of them lies on floor; in a row they are as bad as those of another place.
@@ -24,9 +23,9 @@ struct FaultWatchParams {
   /// A robot that was carried off in the midst of a scan has heard two places: of those right
   /// before it is lost, scans count as of another place from this share on.
   double mixed_floor_share = 0.1;
-  /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans,
-  /// so few at least and so many at most, it knew something of so many at least, and such a share
-  /// of them lies on its floor.
+  /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans
+  /// in it, so few at least and so many at most, it knew something of so many at least, and such a
+  /// share of them lies on its floor.
   std::size_t min_compared_scans = 3;
   std::size_t compared_scans = 5;
   std::size_t compared_echoes = 100;
@@ -52,12 +51,18 @@ class FaultWatch final : public Explorer {
   StrategyProducts products() const override { return strategy_->products(); }
 
  private:
+  /// How a scan agreed with the map before it, and whether it is in the map now.
+  struct CheckedScan {
+    mapping::ScanFit fit;
+    bool is_in_map = false;
+  };
+
   std::optional<Finished> fault_of_scans(const pipeline::Snapshot& snapshot);
   /// The next try of the wheels; empty where they turn.
   std::optional<Motion> try_wheels(MotionResult last);
 
   bool is_doubtful(const mapping::ScanFit& fit) const;
-  bool contradicts_itself(const mapping::ScanFit& fit);
+  bool contradicts_itself() const;
   /// The last scans, from the first in a row that may be of another place in part on.
   std::size_t scans_since_misfit() const;
 
@@ -66,7 +71,7 @@ class FaultWatch final : public Explorer {
   std::size_t stops_ = 0;
   std::size_t scans_elsewhere_ = 0;                           ///< In a row, or in doubt.
   std::shared_ptr<const mapping::OccupancyGrid> map_before_;  ///< As it was before the last motion.
-  std::deque<mapping::ScanFit> fits_;                         ///< Of the last scans.
+  std::deque<CheckedScan> scans_;                             ///< The last ones.
   std::size_t silent_readings_ = 0;                           ///< In a row, and no echo among them.
   std::size_t turns_ = 0;  ///< That have been tried since the wheels stalled.
   /// How the strategy's own motion ended, while the wheels are tried.

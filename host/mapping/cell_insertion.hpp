@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "host/geometry/cell_index.hpp"
 #include "host/mapping/grid_tile.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 
@@ -19,7 +20,7 @@ void insert_cells(const CellBounds& bounds, Evidence&& centilogits_of, Occupancy
   const EvidenceLimits limits = grid.limits();
   /// Of a row within one tile, which is made when the first evidence falls on it.
   const auto insert_row =
-      [&](geometry::CellIndex tile_index, geometry::CellIndex first, int last_x) {
+      [&](geometry::CellIndex tile_index, geometry::CellIndex first, std::int32_t last_x) {
         std::uint8_t* row = nullptr;
         std::int32_t touched_to = first.x;
         for (geometry::CellIndex cell = first; cell.x <= last_x; ++cell.x) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/floor_evidence.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

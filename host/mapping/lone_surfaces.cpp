@@ -9,28 +9,20 @@
 #include "host/mapping/visit_cells.hpp"
 
 namespace echomap::mapping {
-namespace {
 
 using geometry::CellIndex;
 
-bool is_among(const LoneSurface& lone, const std::vector<LoneSurface>& surfaces) {
-  return std::find(surfaces.begin(), surfaces.end(), lone) != surfaces.end();
-}
-
-}  // namespace
-
 void LoneSurfaces::set(std::size_t index, std::vector<LoneSurface> surfaces) {
   stops_.resize(std::max(stops_.size(), index + 1));
-  const std::vector<LoneSurface> before = std::exchange(stops_[index], std::move(surfaces));
-  for (const LoneSurface& lone : before) {
-    if (!is_among(lone, stops_[index])) {
-      add(lone, -lone.doubt_centilogits);
-    }
+  if (surfaces == stops_[index]) {
+    return;
   }
   for (const LoneSurface& lone : stops_[index]) {
-    if (!is_among(lone, before)) {
-      add(lone, lone.doubt_centilogits);
-    }
+    add(lone, -lone.doubt_centilogits);
+  }
+  stops_[index] = std::move(surfaces);
+  for (const LoneSurface& lone : stops_[index]) {
+    add(lone, lone.doubt_centilogits);
   }
 }
 

@@ -32,8 +32,8 @@ struct LoneSurface {
   bool operator==(const LoneSurface&) const = default;
 };
 
-/// Doubt about the floor behind lone surfaces, summed over them. A stop changes only the cells
-/// behind those of its surfaces that have come, gone or moved.
+/// Doubt about the floor behind lone surfaces, summed over them. Only stops whose lone
+/// surfaces have come, gone or moved change cells.
 class LoneSurfaces {
  public:
   LoneSurfaces(const LoneSurfaceParams& params, double resolution_m)

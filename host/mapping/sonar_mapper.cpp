@@ -243,7 +243,8 @@ void SonarMapper::update_lone() {
     const bool is_post =
         feature.feature.kind == LandmarkKind::kPoint && feature.feature.radius_m <= 0.0;
     for (const auto& [scan, surface] : feature.supporters) {
-      is_explained[scan][surface] = !is_post;  // A post may be the edge of anything.
+      // A post may be the edge of anything.
+      is_explained[scan][surface] = is_explained[scan][surface] || !is_post;
     }
   }
   lone_.resize(surfaces_.size());

@@ -66,7 +66,7 @@ class SonarMapper {
   /// says of the floor.
   std::vector<Scan> readings_;
   std::vector<ScanSurfaces> surfaces_;
-  std::deque<StopFloor> floors_;
+  std::deque<StopFloor> floors_;  ///< Large: growing must not move them.
   SurfaceMatcher matcher_;
   MatchedSurfaces matched_;
   SonarFeatures features_;

@@ -45,7 +45,7 @@ void RobotSlam::follow(const Pose2& T_odom_robot) {
   const Pose2 T_calibrated_robot = odometry_.follow(T_odom_robot);
   meter_.follow(T_calibrated_robot);
   if (is_at_stop_) {
-    held_T_odom_robots_.push_back(T_calibrated_robot);
+    held_T_calibrated_robots_.push_back(T_calibrated_robot);
   } else {
     track_.follow(T_calibrated_robot);
   }
@@ -60,7 +60,7 @@ void RobotSlam::begin_stop() {
 void RobotSlam::add_ping(const geometry::Pose2& T_odom_robot,
                          const geometry::Pose2& T_robot_sonar,
                          const std::optional<double>& range_m) {
-  const std::size_t instants = track_.instants() + held_T_odom_robots_.size();
+  const std::size_t instants = track_.instants() + held_T_calibrated_robots_.size();
   slam::OdometryMark mark = meter_.mark();
   mark.T_odom_robot = odometry_.T_calibrated_odom() * T_odom_robot;
   pings_.push_back({instants - 1, T_robot_sonar, range_m, mark});
@@ -83,8 +83,8 @@ void RobotSlam::end_stop(bool pings_count) {
     }
   };
   count_so_far();  // Those whose stamps have not risen.
-  for (const geometry::Pose2& T_odom_robot : std::exchange(held_T_odom_robots_, {})) {
-    track_.follow(T_odom_robot);
+  for (const Pose2& T_calibrated_robot : std::exchange(held_T_calibrated_robots_, {})) {
+    track_.follow(T_calibrated_robot);
     count_so_far();
   }
   if (pings_count && first < pings_.size()) {
@@ -94,7 +94,7 @@ void RobotSlam::end_stop(bool pings_count) {
 }
 
 void RobotSlam::calibrate_by_stop(std::size_t first_ping) {
-  const auto share = slam::turn_share(readings_from(first_ping));
+  const auto share = slam::turn_share(readings_from(first_ping), {});
   if (!share) {
     return;
   }
@@ -103,16 +103,19 @@ void RobotSlam::calibrate_by_stop(std::size_t first_ping) {
   meter_ = meter_before_;
   std::size_t instants = track_.instants();
   std::size_t ping = first_ping;
-  for (Pose2& T_odom_robot : held_T_odom_robots_) {
-    T_odom_robot = odometry_.follow(T_odom_robot);
-    meter_.follow(T_odom_robot);
-    ++instants;
+  const auto calibrate_so_far = [&] {
     for (; ping < pings_.size() && pings_[ping].instant < instants; ++ping) {
-      const Pose2 T_calibrated_robot =
-          odometry_.T_calibrated_odom() * pings_[ping].mark.T_odom_robot;
+      const Pose2 T_odom_robot = pings_[ping].mark.T_odom_robot;
       pings_[ping].mark = meter_.mark();
-      pings_[ping].mark.T_odom_robot = T_calibrated_robot;
+      pings_[ping].mark.T_odom_robot = odometry_.T_calibrated_odom() * T_odom_robot;
     }
+  };
+  calibrate_so_far();  // Those whose stamps have not risen.
+  for (Pose2& T_held_robot : held_T_calibrated_robots_) {
+    T_held_robot = odometry_.follow(T_held_robot);
+    meter_.follow(T_held_robot);
+    ++instants;
+    calibrate_so_far();
   }
 }
 

@@ -90,8 +90,8 @@ class RobotSlam {
   double beam_width_rad_;
   std::vector<Ping> pings_;
   bool is_at_stop_ = false;
-  std::vector<geometry::Pose2> held_T_odom_robots_;  ///< Calibrated.
-  std::size_t held_pings_ = 0;                       ///< The last ones of all.
+  std::vector<geometry::Pose2> held_T_calibrated_robots_;
+  std::size_t held_pings_ = 0;  ///< The last ones of all.
   slam::CalibratedOdometry odometry_;
   slam::OdometryMeter meter_;  ///< Of what is calibrated.
   /// As they were when the stop began.

@@ -13,6 +13,11 @@ constexpr double kJumpRad = 1.0;
 
 }  // namespace
 
+bool is_jump(const geometry::Pose2& T_before_after) {
+  return T_before_after.position_m().norm() > kJumpM ||
+         std::abs(T_before_after.heading_rad()) > kJumpRad;
+}
+
 OdometryPiece piece_between(const OdometryMark& before, const OdometryMark& after) {
   return {before.T_odom_robot.inverse() * after.T_odom_robot,
           after.path_m - before.path_m,
@@ -35,7 +40,7 @@ void OdometryMeter::step_to(const geometry::Pose2& T_odom_robot, bool is_carried
   }
   const double step_m = T_before_after.position_m().norm();
   const double turn_rad = T_before_after.heading_rad();
-  if (is_carried || step_m > kJumpM || std::abs(turn_rad) > kJumpRad) {
+  if (is_carried || is_jump(T_before_after)) {
     mark_.jumped_m += step_m;
     mark_.jumped_rad += std::abs(turn_rad);
     return;

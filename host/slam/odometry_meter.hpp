@@ -16,6 +16,9 @@ struct OdometryMark {
   double jumped_rad = 0.0;
 };
 
+/// Whether a step from one instant to the next is too large to be driven.
+bool is_jump(const geometry::Pose2& T_before_after);
+
 /// What odometry measured between two marks.
 OdometryPiece piece_between(const OdometryMark& before, const OdometryMark& after);
 

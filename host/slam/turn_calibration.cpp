@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -75,6 +75,19 @@ std::optional<double> log_likelihood_of(double error_rad,
 
 }  // namespace
 
+void validate(const TurnCalibrationParams& params) {
+  geometry::ParameterValidator("turn calibration")
+      .positive("min_turn_rad", params.min_turn_rad)
+      .positive("same_rad", params.same_rad)
+      .positive("step_rad", params.step_rad)
+      .at_least("max_error_rad", params.max_error_rad, params.step_rad)
+      .positive("same_axis_rad", params.same_axis_rad)
+      .positive("range_stddev_m", params.range_stddev_m)
+      .positive("pair_weight", params.pair_weight)
+      .at_least("min_readings", params.min_readings, 1)
+      .positive("max_stddev_rad", params.max_stddev_rad);
+}
+
 std::optional<double> turn_share(const std::vector<StopReading>& readings,
                                  const TurnCalibrationParams& params) {
   if (readings.empty()) {
@@ -102,15 +115,17 @@ std::optional<double> turn_share(const std::vector<StopReading>& readings,
   if (tried.empty()) {
     return std::nullopt;
   }
-  const double most =
-      std::max_element(tried.begin(), tried.end(), [](const auto& a, const auto& b) {
-        return a.log_likelihood < b.log_likelihood;
-      })->log_likelihood;
+  const auto best = std::max_element(tried.begin(), tried.end(), [](const auto& a, const auto& b) {
+    return a.log_likelihood < b.log_likelihood;
+  });
+  if (best == tried.begin() || best == tried.end() - 1) {
+    return std::nullopt;
+  }
   double weights = 0.0;
   double sum_rad = 0.0;
   double squares_rad2 = 0.0;
   for (const Tried& one : tried) {
-    const double weight = std::exp(one.log_likelihood - most);
+    const double weight = std::exp(one.log_likelihood - best->log_likelihood);
     weights += weight;
     sum_rad += weight * one.error_rad;
     squares_rad2 += weight * one.error_rad * one.error_rad;

@@ -16,7 +16,7 @@ struct TurnCalibrationParams {
   /// Readings belong to the first or the last sweep while the body is turned by no more than this.
   double same_rad = 0.1;
   /// Odometry is not off by more than this in the whole turn; what is tried, and how finely.
-  double max_error_rad = 0.7;
+  double max_error_rad = 1.0;
   double step_rad = 0.005;
   /// Readings of the two sweeps are compared where their axes are no farther apart.
   double same_axis_rad = 0.05;
@@ -29,11 +29,14 @@ struct TurnCalibrationParams {
   double max_stddev_rad = 0.02;
 };
 
+/// Throws std::invalid_argument for invalid parameters.
+void validate(const TurnCalibrationParams& params);
+
 /// By which share of a turn odometry is off (OdometryCalibration), from a stop whose last sweep is
 /// of the direction of its first one, a full turn later: what both have heard tells how far the
 /// body has turned indeed, whatever stands there. Empty where the stop has no such sweep, or where
-/// it fits at many angles, as in a round room.
+/// it fits at many angles, as in a round room, or best at the last one that is tried.
 std::optional<double> turn_share(const std::vector<StopReading>& readings,
-                                 const TurnCalibrationParams& params = {});
+                                 const TurnCalibrationParams& params);
 
 }  // namespace echomap::slam

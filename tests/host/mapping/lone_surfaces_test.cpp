@@ -2,6 +2,7 @@
 #include "host/mapping/lone_surfaces.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 

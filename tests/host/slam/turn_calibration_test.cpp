@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -49,22 +50,33 @@ std::vector<StopReading> all_round(const tests::SmoothRoom& room, double turn_ra
 }
 
 TEST(TurnShare, IsWhatTheBodyTurnsMoreOrLessThanOdometrySays) {
-  for (const double share : {-0.09, -0.03, 0.0, 0.004, 0.05, 0.1}) {
+  for (const double share : {-0.14, -0.09, -0.03, 0.0, 0.004, 0.05, 0.1, 0.14}) {
     for (const double turn_rad : {kFullTurn, -kFullTurn}) {
-      const auto found = turn_share(all_round(tests::smooth_rectangle(), turn_rad, share));
+      const auto found = turn_share(all_round(tests::smooth_rectangle(), turn_rad, share), {});
       ASSERT_TRUE(found) << share;
       EXPECT_NEAR(*found, share, 0.003);
     }
   }
 }
 
+TEST(TurnShare, IsUnknownBeyondWhatIsTried) {
+  for (const double share : {-0.17, 0.17}) {
+    EXPECT_FALSE(turn_share(all_round(tests::smooth_rectangle(), kFullTurn, share), {})) << share;
+  }
+}
+
+TEST(TurnShare, RefusesParametersWithoutSense) {
+  EXPECT_THROW(validate(TurnCalibrationParams{.step_rad = 0.0}), std::invalid_argument);
+  EXPECT_THROW(validate(TurnCalibrationParams{.range_stddev_m = 0.0}), std::invalid_argument);
+}
+
 TEST(TurnShare, IsUnknownWhereTheStopIsNotAllRound) {
-  EXPECT_FALSE(turn_share(all_round(tests::smooth_rectangle(), 3.0, 0.05)));
-  EXPECT_FALSE(turn_share({}));
+  EXPECT_FALSE(turn_share(all_round(tests::smooth_rectangle(), 3.0, 0.05), {}));
+  EXPECT_FALSE(turn_share({}, {}));
 }
 
 TEST(TurnShare, IsUnknownWhereNothingAnswers) {
-  EXPECT_FALSE(turn_share(all_round({}, kFullTurn, 0.05)));
+  EXPECT_FALSE(turn_share(all_round({}, kFullTurn, 0.05), {}));
 }
 
 TEST(TurnShare, IsUnknownWhereEveryDirectionSoundsTheSame) {
@@ -73,7 +85,7 @@ TEST(TurnShare, IsUnknownWhereEveryDirectionSoundsTheSame) {
     round.walls.push_back(
         {radians(degree), 1.0 + 0.1 * std::cos(radians(degree)) + 0.2 * std::sin(radians(degree))});
   }
-  EXPECT_FALSE(turn_share(all_round(round, kFullTurn, 0.05)));
+  EXPECT_FALSE(turn_share(all_round(round, kFullTurn, 0.05), {}));
 }
 
 }  // namespace
