@@ -64,21 +64,18 @@ std::optional<Finished> FaultWatch::fault_of_scans(const pipeline::Snapshot& sna
   const bool is_elsewhere =
       snapshot.last_scan_fault == mapping::ScanFault::kElsewhere || is_doubtful(fit);
   scans_elsewhere_ = is_elsewhere ? scans_elsewhere_ + 1 : 0;
-  scans_.push_back({fit, snapshot.last_scan_fault == mapping::ScanFault::kNone});
-  if (scans_.size() > params_.compared_scans) {
-    scans_.pop_front();
-  }
-  const bool is_lost = contradicts_itself() || scans_elsewhere_ >= params_.scans_elsewhere;
+  const bool is_bent = contradicts_itself(fit);
+  const bool is_lost = is_bent || scans_elsewhere_ >= params_.scans_elsewhere;
   return is_lost ? std::optional(Finished{FinishReason::kLost, scans_since_misfit()})
                  : std::nullopt;
 }
 
 std::size_t FaultWatch::scans_since_misfit() const {
-  const auto fits = std::find_if(scans_.rbegin(), scans_.rend(), [&](const CheckedScan& scan) {
-    const auto known = static_cast<double>(scan.fit.on_walls + scan.fit.on_floor);
-    return static_cast<double>(scan.fit.on_floor) <= params_.mixed_floor_share * known;
+  const auto fits = std::find_if(fits_.rbegin(), fits_.rend(), [&](const mapping::ScanFit& fit) {
+    const auto known = static_cast<double>(fit.on_walls + fit.on_floor);
+    return static_cast<double>(fit.on_floor) <= params_.mixed_floor_share * known;
   });
-  return std::max(scans_elsewhere_, static_cast<std::size_t>(fits - scans_.rbegin()));
+  return std::max(scans_elsewhere_, static_cast<std::size_t>(fits - fits_.rbegin()));
 }
 
 bool FaultWatch::is_doubtful(const mapping::ScanFit& fit) const {
@@ -88,18 +85,18 @@ bool FaultWatch::is_doubtful(const mapping::ScanFit& fit) const {
              params_.doubtful_floor_share * static_cast<double>(known);
 }
 
-bool FaultWatch::contradicts_itself() const {
-  std::size_t scans = 0;
+bool FaultWatch::contradicts_itself(const mapping::ScanFit& fit) {
+  fits_.push_back(fit);
+  if (fits_.size() > params_.compared_scans) {
+    fits_.pop_front();
+  }
   std::size_t known = 0;
   std::size_t on_floor = 0;
-  for (const auto& [fit, is_in_map] : scans_) {
-    if (is_in_map) {
-      ++scans;
-      known += fit.on_walls + fit.on_floor;
-      on_floor += fit.on_floor;
-    }
+  for (const mapping::ScanFit& one : fits_) {
+    known += one.on_walls + one.on_floor;
+    on_floor += one.on_floor;
   }
-  return scans >= params_.min_compared_scans && known >= params_.compared_echoes &&
+  return fits_.size() >= params_.min_compared_scans && known >= params_.compared_echoes &&
          static_cast<double>(on_floor) >= params_.max_floor_share * static_cast<double>(known);
 }
 

@@ -23,9 +23,9 @@ struct FaultWatchParams {
   /// A robot that was carried off in the midst of a scan has heard two places: of those right
   /// before it is lost, scans count as of another place from this share on.
   double mixed_floor_share = 0.1;
-  /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans
-  /// in it, so few at least and so many at most, it knew something of so many at least, and such a
-  /// share of them lies on its floor.
+  /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans,
+  /// so few at least and so many at most, it knew something of so many at least, and such a share
+  /// of them lies on its floor.
   std::size_t min_compared_scans = 3;
   std::size_t compared_scans = 5;
   std::size_t compared_echoes = 100;
@@ -51,18 +51,12 @@ class FaultWatch final : public Explorer {
   StrategyProducts products() const override { return strategy_->products(); }
 
  private:
-  /// How a scan agreed with the map before it, and whether it is in the map now.
-  struct CheckedScan {
-    mapping::ScanFit fit;
-    bool is_in_map = false;
-  };
-
   std::optional<Finished> fault_of_scans(const pipeline::Snapshot& snapshot);
   /// The next try of the wheels; empty where they turn.
   std::optional<Motion> try_wheels(MotionResult last);
 
   bool is_doubtful(const mapping::ScanFit& fit) const;
-  bool contradicts_itself() const;
+  bool contradicts_itself(const mapping::ScanFit& fit);
   /// The last scans, from the first in a row that may be of another place in part on.
   std::size_t scans_since_misfit() const;
 
@@ -71,7 +65,7 @@ class FaultWatch final : public Explorer {
   std::size_t stops_ = 0;
   std::size_t scans_elsewhere_ = 0;                           ///< In a row, or in doubt.
   std::shared_ptr<const mapping::OccupancyGrid> map_before_;  ///< As it was before the last motion.
-  std::deque<CheckedScan> scans_;                             ///< The last ones.
+  std::deque<mapping::ScanFit> fits_;                         ///< Of the last scans.
   std::size_t silent_readings_ = 0;                           ///< In a row, and no echo among them.
   std::size_t turns_ = 0;  ///< That have been tried since the wheels stalled.
   /// How the strategy's own motion ended, while the wheels are tried.

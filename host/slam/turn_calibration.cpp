@@ -16,6 +16,9 @@ constexpr double kOneSilent = 0.1;
 constexpr double kBothSilent = 0.7;
 constexpr double kOtherThings = 0.05;
 
+/// A best fit this near to the end of what is tried may have a better one beyond.
+constexpr double kEndRad = 0.1;
+
 /// A reading by the way its axis points, as odometry has it.
 struct Look {
   double bearing_rad = 0.0;
@@ -118,7 +121,7 @@ std::optional<double> turn_share(const std::vector<StopReading>& readings,
   const auto best = std::max_element(tried.begin(), tried.end(), [](const auto& a, const auto& b) {
     return a.log_likelihood < b.log_likelihood;
   });
-  if (best == tried.begin() || best == tried.end() - 1) {
+  if (std::abs(best->error_rad) > params.max_error_rad - kEndRad) {
     return std::nullopt;
   }
   double weights = 0.0;

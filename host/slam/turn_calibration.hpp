@@ -35,7 +35,7 @@ void validate(const TurnCalibrationParams& params);
 /// By which share of a turn odometry is off (OdometryCalibration), from a stop whose last sweep is
 /// of the direction of its first one, a full turn later: what both have heard tells how far the
 /// body has turned indeed, whatever stands there. Empty where the stop has no such sweep, or where
-/// it fits at many angles, as in a round room, or best at the last one that is tried.
+/// it fits at many angles, as in a round room, or best where the search ends.
 std::optional<double> turn_share(const std::vector<StopReading>& readings,
                                  const TurnCalibrationParams& params);
 

@@ -119,18 +119,6 @@ TEST_F(FaultWatchTest, TwoScansWithAThirdOfTheirEchoesOnFloorMeanThatItIsLost) {
   EXPECT_EQ(reason(after_scan_of(with_echoes_on_floor(14))), FinishReason::kLost);
 }
 
-TEST_F(FaultWatchTest, AMapIsNotBentByScansThatAreNotInIt) {
-  snapshot.grid = walled_floor();
-  EXPECT_TRUE(drives(after(MotionResult::kReached)));
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_TRUE(drives(after_scan_of(with_echoes_on_floor(0))));
-  }
-  EXPECT_TRUE(drives(after_scan_of(with_echoes_on_floor(30), ScanFault::kElsewhere)));
-  EXPECT_TRUE(drives(after_scan_of(with_echoes_on_floor(30), ScanFault::kElsewhere)));
-  const Motion motion = after_scan_of(with_echoes_on_floor(30), ScanFault::kElsewhere);
-  EXPECT_EQ(reason(motion), FinishReason::kLost);
-}
-
 TEST_F(FaultWatchTest, AMapThatManyScansContradictIsBent) {
   snapshot.grid = walled_floor();
   EXPECT_TRUE(drives(after(MotionResult::kReached)));

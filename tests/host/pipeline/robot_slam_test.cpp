@@ -117,6 +117,7 @@ TEST_F(RobotSlamTest, LearnsAtTheFirstStopHowFarTheBodyTurns) {
               2.0 * half_turn_off_rad,
               0.02);
   const auto trajectory = slam.trajectory();
+  slam.follow({0.0, 0.0, geometry::radians(45.0)});
   slam.follow({0.0, 0.0, geometry::radians(90.0)});
   const geometry::Pose2 T_map_robot =
       slam.T_map_odom() * geometry::Pose2(0.0, 0.0, geometry::radians(90.0));
