@@ -22,9 +22,8 @@ struct StopGraphParams {
   /// Scales that are tried: from tyres that hardly slip to ones that do.
   std::vector<double> odometry_scales{0.25, 0.5, 1.0};
   /// Systematic errors of the odometry: share of a turn, drift of the heading, share of a drive.
-  /// Wheels that differ by 1 % drift by 0.07 rad/m on a track of 14 cm.
   double turn_share_stddev = 0.03;
-  double drift_stddev_rad_per_m = 0.1;
+  double drift_stddev_rad_per_m = 0.05;
   double drive_share_stddev = 0.03;
   /// Range of a surface, and from where on one is taken for another's.
   double range_stddev_m = 0.025;
