@@ -33,16 +33,9 @@ class CellField {
   Eigen::Vector2d center_m(geometry::CellIndex cell) const {
     return resolution_m_ * Eigen::Vector2d(cell.x + 0.5, cell.y + 0.5);
   }
-  bool holds(geometry::CellIndex cell) const {
-    return cell.x >= bounds_.min.x && cell.x <= bounds_.max.x && cell.y >= bounds_.min.y &&
-           cell.y <= bounds_.max.y;
-  }
+  bool holds(geometry::CellIndex cell) const { return bounds_.holds(cell); }
   /// Where the cell, which the field holds, has its value.
-  std::size_t index(geometry::CellIndex cell) const {
-    return static_cast<std::size_t>(cell.y - bounds_.min.y) *
-               static_cast<std::size_t>(bounds_.columns()) +
-           static_cast<std::size_t>(cell.x - bounds_.min.x);
-  }
+  std::size_t index(geometry::CellIndex cell) const { return bounds_.index(cell); }
   /// The cell whose value has that index.
   geometry::CellIndex cell(std::size_t index) const {
     const auto columns = static_cast<std::size_t>(bounds_.columns());

@@ -58,7 +58,7 @@ void CellSums::hold(const CellBounds& bounds) {
   for (std::int32_t y = before.min.y; y <= before.max.y; ++y) {
     std::copy(row,
               row + before.columns(),
-              values_.begin() + static_cast<std::ptrdiff_t>(index({before.min.x, y})));
+              values_.begin() + static_cast<std::ptrdiff_t>(bounds_.index({before.min.x, y})));
     row += before.columns();
   }
 }

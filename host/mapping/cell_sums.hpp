@@ -24,9 +24,11 @@ class CellSums {
   const CellBounds& bounds() const { return bounds_; }
 
   /// 0 beyond the bounds.
-  int at(geometry::CellIndex cell) const { return holds(cell) ? values_[index(cell)] : 0; }
+  int at(geometry::CellIndex cell) const {
+    return bounds_.holds(cell) ? values_[bounds_.index(cell)] : 0;
+  }
   /// The cell has to be within the bounds.
-  void add(geometry::CellIndex cell, int change) { values_[index(cell)] += change; }
+  void add(geometry::CellIndex cell, int change) { values_[bounds_.index(cell)] += change; }
 
   /// Whether there is memory for the rectangle, too.
   bool can_hold(const CellBounds& bounds) const;
@@ -34,16 +36,6 @@ class CellSums {
   void hold(const CellBounds& bounds);
 
  private:
-  bool holds(geometry::CellIndex cell) const {
-    return cell.x >= bounds_.min.x && cell.x <= bounds_.max.x && cell.y >= bounds_.min.y &&
-           cell.y <= bounds_.max.y;
-  }
-  std::size_t index(geometry::CellIndex cell) const {
-    return static_cast<std::size_t>(cell.y - bounds_.min.y) *
-               static_cast<std::size_t>(bounds_.columns()) +
-           static_cast<std::size_t>(cell.x - bounds_.min.x);
-  }
-
   CellBounds bounds_;
   std::vector<std::int32_t> values_;
 };

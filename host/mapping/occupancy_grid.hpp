@@ -26,6 +26,14 @@ struct CellBounds {
   bool empty() const { return max.x < min.x; }
   std::int32_t columns() const { return max.x - min.x + 1; }
   std::int32_t rows() const { return max.y - min.y + 1; }
+  bool holds(geometry::CellIndex cell) const {
+    return cell.x >= min.x && cell.x <= max.x && cell.y >= min.y && cell.y <= max.y;
+  }
+  /// Of a cell that it holds, counted row by row upwards.
+  std::size_t index(geometry::CellIndex cell) const {
+    return static_cast<std::size_t>(cell.y - min.y) * static_cast<std::size_t>(columns()) +
+           static_cast<std::size_t>(cell.x - min.x);
+  }
   bool operator==(const CellBounds&) const = default;
 };
 

@@ -265,12 +265,14 @@ OccupancyGrid SonarMapper::grid() const {
   mark_insides(features_, solid);
   mark_faces(features_, params_.drawn_behind_m, solid);
   OccupancyGrid floor(params_.grid);
+  // More than the whole range counts as that; equal neighbours are inserted faster.
+  const int range_centilogits = 2 * params_.grid.clamp_centilogits;
   insert_cells(
       evidence_.bounds(),
       [&](CellIndex cell) {
         const int evidence = evidence_.centilogits(cell) - lone_.centilogits(cell);
         return evidence > 0 && solid[solid.index(cell)] == 0.0F
-                   ? -std::min<int>(evidence, 2 * params_.grid.clamp_centilogits)
+                   ? -std::min(evidence, range_centilogits)
                    : 0;
       },
       floor);

@@ -9,6 +9,7 @@
 #include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/square.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/slam/mean_turn.hpp"
 
 namespace echomap::slam {
 
@@ -30,25 +31,6 @@ bool extends_to(const MatchedWall& wall, double along_m, double slack_m) {
   return std::any_of(wall.pieces.begin(), wall.pieces.end(), [&](const MatchedWall::Piece& piece) {
     return along_m > piece.from_m - slack_m && along_m < piece.to_m + slack_m;
   });
-}
-
-/// Where most of the weight of log-likelihoods lies, from the middle one.
-HeadingEstimate mean_turn(const std::vector<double>& log_likelihoods, double step_rad) {
-  const double most = *std::max_element(log_likelihoods.begin(), log_likelihoods.end());
-  const double middle = 0.5 * static_cast<double>(log_likelihoods.size() - 1);
-  double weights = 0.0;
-  double sum_rad = 0.0;
-  double squares_rad2 = 0.0;
-  for (std::size_t i = 0; i < log_likelihoods.size(); ++i) {
-    const double weight = std::exp(log_likelihoods[i] - most);
-    const double turn_rad = (static_cast<double>(i) - middle) * step_rad;
-    weights += weight;
-    sum_rad += weight * turn_rad;
-    squares_rad2 += weight * turn_rad * turn_rad;
-  }
-  const double mean_rad = sum_rad / weights;
-  const double variance_rad2 = squares_rad2 / weights - mean_rad * mean_rad;
-  return {mean_rad, std::max(std::sqrt(std::max(0.0, variance_rad2)), 0.5 * step_rad)};
 }
 
 }  // namespace
@@ -178,9 +160,9 @@ std::optional<HeadingEstimate> SonarScene::heading_of(const mapping::Scan& readi
           facing, reading.T_map_sonar.heading_rad() + step * params_.step_rad, reading.range_m);
     }
   }
-  const HeadingEstimate turn = mean_turn(log_likelihoods, params_.step_rad);
+  const TurnEstimate turn = mean_turn(log_likelihoods, params_.step_rad);
   return HeadingEstimate{
-      geometry::wrap_angle(readings.front().T_map_robot.heading_rad() + turn.heading_rad),
+      geometry::wrap_angle(readings.front().T_map_robot.heading_rad() + turn.turn_rad),
       turn.stddev_rad};
 }
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
+#include "host/slam/mean_turn.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -16,6 +18,7 @@ constexpr double kOneSilent = 0.1;
 constexpr double kBothSilent = 0.7;
 constexpr double kOtherThings = 0.05;
 
+constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 /// A best fit this near to the end of what is tried may have a better one beyond.
 constexpr double kEndRad = 0.1;
 
@@ -50,11 +53,11 @@ double log_likelihood(const std::optional<double>& one_m,
 }
 
 /// Of the last looks turned by an error, given the first ones; an average over the pairs that there
-/// are, times all last looks. Empty where fewer than half of these have a partner.
-std::optional<double> log_likelihood_of(double error_rad,
-                                        const std::vector<Look>& first,
-                                        const std::vector<Look>& last,
-                                        const TurnCalibrationParams& params) {
+/// are, times all last looks. Where fewer than half of these have a partner nothing can be said.
+double log_likelihood_of(double error_rad,
+                         const std::vector<Look>& first,
+                         const std::vector<Look>& last,
+                         const TurnCalibrationParams& params) {
   double sum = 0.0;
   std::size_t pairs = 0;
   for (const Look& look : last) {
@@ -70,10 +73,9 @@ std::optional<double> log_likelihood_of(double error_rad,
       ++pairs;
     }
   }
-  return 2 * pairs < last.size()
-             ? std::nullopt
-             : std::optional(params.pair_weight * sum * static_cast<double>(last.size()) /
-                             static_cast<double>(pairs));
+  return 2 * pairs < last.size() ? kImpossible
+                                 : params.pair_weight * sum * static_cast<double>(last.size()) /
+                                       static_cast<double>(pairs);
 }
 
 }  // namespace
@@ -103,41 +105,20 @@ std::optional<double> turn_share(const std::vector<StopReading>& readings,
       last.size() < params.min_readings) {
     return std::nullopt;
   }
-  struct Tried {
-    double error_rad = 0.0;
-    double log_likelihood = 0.0;
-  };
-  std::vector<Tried> tried;
+  std::vector<double> log_likelihoods;
   const int steps = static_cast<int>(std::lround(params.max_error_rad / params.step_rad));
   for (int step = -steps; step <= steps; ++step) {
-    const double error_rad = step * params.step_rad;
-    if (const auto likelihood = log_likelihood_of(error_rad, first, last, params)) {
-      tried.push_back({error_rad, *likelihood});
-    }
+    log_likelihoods.push_back(log_likelihood_of(step * params.step_rad, first, last, params));
   }
-  if (tried.empty()) {
+  const auto best = std::max_element(log_likelihoods.begin(), log_likelihoods.end());
+  const double best_rad =
+      static_cast<double>(best - log_likelihoods.begin() - steps) * params.step_rad;
+  if (*best == kImpossible || std::abs(best_rad) > params.max_error_rad - kEndRad) {
     return std::nullopt;
   }
-  const auto best = std::max_element(tried.begin(), tried.end(), [](const auto& a, const auto& b) {
-    return a.log_likelihood < b.log_likelihood;
-  });
-  if (std::abs(best->error_rad) > params.max_error_rad - kEndRad) {
-    return std::nullopt;
-  }
-  double weights = 0.0;
-  double sum_rad = 0.0;
-  double squares_rad2 = 0.0;
-  for (const Tried& one : tried) {
-    const double weight = std::exp(one.log_likelihood - best->log_likelihood);
-    weights += weight;
-    sum_rad += weight * one.error_rad;
-    squares_rad2 += weight * one.error_rad * one.error_rad;
-  }
-  const double mean_rad = sum_rad / weights;
-  const double variance_rad2 = squares_rad2 / weights - mean_rad * mean_rad;
-  return variance_rad2 > params.max_stddev_rad * params.max_stddev_rad
-             ? std::nullopt
-             : std::optional(mean_rad / turn_rad);
+  const TurnEstimate error = mean_turn(log_likelihoods, params.step_rad);
+  return error.stddev_rad > params.max_stddev_rad ? std::nullopt
+                                                  : std::optional(error.turn_rad / turn_rad);
 }
 
 }  // namespace echomap::slam
