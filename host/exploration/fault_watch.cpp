@@ -13,6 +13,12 @@ bool has_stalled(MotionResult result) {
   return result == MotionResult::kStalled || result == MotionResult::kTimedOut;
 }
 
+/// Where a strategy ends by what its map shows.
+bool trusts_its_map(FinishReason reason) {
+  return reason == FinishReason::kComplete || reason == FinishReason::kNoNewGround ||
+         reason == FinishReason::kNowhereToGo;
+}
+
 }  // namespace
 
 FaultWatch::FaultWatch(std::unique_ptr<Explorer> strategy, const FaultWatchParams& params)
@@ -42,7 +48,9 @@ Motion FaultWatch::next(const pipeline::Snapshot& snapshot, MotionResult last) {
     }
     last = stalled_;
   }
-  return strategy_->next(snapshot, last);
+  const Motion motion = strategy_->next(snapshot, last);
+  const auto* end = std::get_if<Finished>(&motion);
+  return end && trusts_its_map(end->reason) && nearly_lost() ? lost() : motion;
 }
 
 std::optional<Finished> FaultWatch::fault_of_scans(const pipeline::Snapshot& snapshot) {
@@ -66,8 +74,15 @@ std::optional<Finished> FaultWatch::fault_of_scans(const pipeline::Snapshot& sna
   scans_elsewhere_ = is_elsewhere ? scans_elsewhere_ + 1 : 0;
   const bool is_bent = contradicts_itself(fit);
   const bool is_lost = is_bent || scans_elsewhere_ >= params_.scans_elsewhere;
-  return is_lost ? std::optional(Finished{FinishReason::kLost, scans_since_misfit()})
-                 : std::nullopt;
+  return is_lost ? std::optional(lost()) : std::nullopt;
+}
+
+bool FaultWatch::nearly_lost() const {
+  return scans_elsewhere_ > 0 && scans_elsewhere_ + 1 >= params_.scans_elsewhere;
+}
+
+Finished FaultWatch::lost() const {
+  return {FinishReason::kLost, scans_since_misfit()};
 }
 
 std::size_t FaultWatch::scans_since_misfit() const {

@@ -14,7 +14,8 @@ namespace echomap::exploration {
 /// When a part is taken for broken; ours, chosen in simulated rooms.
 struct FaultWatchParams {
   /// So many scans in a row that are of another place than the robot believes to be at: it is lost.
-  /// One may be a door that has been opened, and of two a young map may be wrong.
+  /// One may be a door that has been opened, and of two a young map may be wrong. A strategy that
+  /// ends by what its map shows leaves no time for the last of them: one fewer is enough.
   std::size_t scans_elsewhere = 3;
   /// A scan is in doubt where the map before it knew so many of its echoes at least, and such a
   /// share of them lies on floor; in a row they are as bad as those of another place.
@@ -57,6 +58,8 @@ class FaultWatch final : public Explorer {
 
   bool is_doubtful(const mapping::ScanFit& fit) const;
   bool contradicts_itself(const mapping::ScanFit& fit);
+  bool nearly_lost() const;
+  Finished lost() const;
   /// The last scans, from the first in a row that may be of another place in part on.
   std::size_t scans_since_misfit() const;
 

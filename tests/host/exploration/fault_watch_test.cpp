@@ -14,17 +14,19 @@ namespace {
 
 using mapping::ScanFault;
 
-/// Drives on and on, and notes what it is told.
+/// Drives on and on, or ends where `end` is set, and notes what it is told.
 class Driver final : public Explorer {
  public:
-  explicit Driver(std::vector<MotionResult>& told) : told_(told) {}
+  Driver(std::vector<MotionResult>& told, const std::optional<FinishReason>& end)
+      : told_(told), end_(end) {}
   Motion next(const pipeline::Snapshot& /*snapshot*/, MotionResult last) override {
     told_.push_back(last);
-    return Drive{0.5};
+    return end_ ? Motion(Finished{*end_}) : Motion(Drive{0.5});
   }
 
  private:
   std::vector<MotionResult>& told_;
+  const std::optional<FinishReason>& end_;
 };
 
 class FaultWatchTest : public ::testing::Test {
@@ -50,8 +52,9 @@ class FaultWatchTest : public ::testing::Test {
   }
 
   std::vector<MotionResult> told;
+  std::optional<FinishReason> end;  ///< Of the strategy.
   pipeline::Snapshot snapshot;
-  FaultWatch watch{std::make_unique<Driver>(told)};
+  FaultWatch watch{std::make_unique<Driver>(told, end)};
 };
 
 TEST_F(FaultWatchTest, LeavesARobotWithoutFaultToItsStrategy) {
@@ -85,6 +88,21 @@ TEST_F(FaultWatchTest, ThreeScansOfAnotherPlaceInARowMeanThatItIsLost) {
   const Motion motion = after_scan(ScanFault::kElsewhere);
   EXPECT_EQ(reason(motion), FinishReason::kLost);
   EXPECT_EQ(std::get<Finished>(motion).stops_elsewhere, 3U);
+}
+
+TEST_F(FaultWatchTest, AMapThatTheLastTwoScansContradictIsNotCalledComplete) {
+  EXPECT_TRUE(drives(after_scan(ScanFault::kElsewhere)));
+  end = FinishReason::kNoNewGround;
+  const Motion motion = after_scan(ScanFault::kElsewhere);
+  EXPECT_EQ(reason(motion), FinishReason::kLost);
+  EXPECT_EQ(std::get<Finished>(motion).stops_elsewhere, 2U);
+}
+
+TEST_F(FaultWatchTest, AStrategyEndsAfterOneScanOfAnotherPlaceOrForAReasonOfItsOwn) {
+  end = FinishReason::kComplete;
+  EXPECT_EQ(reason(after_scan(ScanFault::kElsewhere)), FinishReason::kComplete);
+  end = FinishReason::kStopLimit;
+  EXPECT_EQ(reason(after_scan(ScanFault::kElsewhere)), FinishReason::kStopLimit);
 }
 
 /// Readings all round, of which so many end on the floor of `walled_floor` and the rest at its
@@ -151,7 +169,7 @@ TEST_F(FaultWatchTest, WheelsThatTurnWhenTheyAreTriedGoOnWithTheStrategy) {
 TEST_F(FaultWatchTest, RefusesWhatHasNoSense) {
   FaultWatchParams params;
   params.scans_elsewhere = 0;
-  EXPECT_THROW(FaultWatch(std::make_unique<Driver>(told), params), std::invalid_argument);
+  EXPECT_THROW(FaultWatch(std::make_unique<Driver>(told, end), params), std::invalid_argument);
   EXPECT_THROW(FaultWatch(nullptr), std::invalid_argument);
 }
 
