@@ -81,9 +81,7 @@ bool FaultWatch::nearly_lost() const {
   return scans_elsewhere_ > 0 && scans_elsewhere_ + 1 >= params_.scans_elsewhere;
 }
 
-Finished FaultWatch::lost() const {
-  return {FinishReason::kLost, scans_since_misfit()};
-}
+Finished FaultWatch::lost() const { return {FinishReason::kLost, scans_since_misfit()}; }
 
 std::size_t FaultWatch::scans_since_misfit() const {
   const auto fits = std::find_if(fits_.rbegin(), fits_.rend(), [&](const mapping::ScanFit& fit) {
