@@ -20,7 +20,7 @@ const Pose2 T_map_scanner_start(1.850, 1.897, geometry::radians(213.0));
 constexpr double kReferenceScale = 0.92;
 const Eigen::Vector2d reference_middle_m(1.28, 1.20);
 
-std::vector<Eigen::Vector2d> read_landmarks(const std::filesystem::path& path) {
+std::vector<Eigen::Vector2d> read_cylinders(const std::filesystem::path& path) {
   std::vector<Eigen::Vector2d> landmarks_m;
   datasets::CompanionLines lines(path);
   while (auto fields = lines.next()) {
@@ -36,7 +36,7 @@ std::vector<Eigen::Vector2d> read_landmarks(const std::filesystem::path& path) {
 
 BrennerArena read_brenner(const std::filesystem::path& folder) {
   BrennerArena arena;
-  arena.landmarks_m = read_landmarks(folder / "robot_arena_landmarks.txt");
+  arena.landmarks_m = read_cylinders(folder / "robot_arena_landmarks.txt");
   arena.T_robot_scanner = Pose2(0.030, 0.0, 0.0);
   arena.T_map_start = T_map_scanner_start * arena.T_robot_scanner.inverse();
   arena.start_covariance = Eigen::Vector3d(0.01 * 0.01, 0.01 * 0.01, 0.03 * 0.03).asDiagonal();

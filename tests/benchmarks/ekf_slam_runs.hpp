@@ -13,6 +13,9 @@
 
 namespace echomap::bench {
 
+/// 99.9 % of chi square with two degrees of freedom: barcodes are misread.
+inline constexpr double kGate = 13.82;
+
 /// How well EKF-SLAM found robots and landmarks.
 struct LandmarkSlamScore {
   std::vector<FollowScore> robots;  ///< At every odometry pose; nothing aligned.

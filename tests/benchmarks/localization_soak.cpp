@@ -26,8 +26,6 @@ constexpr double kRadPerS = 1.0;
 constexpr double kSweepS = 2.0;
 constexpr int kDirections = 24;
 constexpr double kMaxGrownMb = 8.0;
-/// Of HC-SR04's data sheet.
-constexpr localization::RangeTableParams kSonar{geometry::radians(15.0), 4.0};
 
 bool is_finite(const PoseBelief& belief) {
   return std::all_of(belief.hypotheses.begin(), belief.hypotheses.end(), [](const auto& one) {

@@ -24,7 +24,7 @@ constexpr double kRangeStddevShare = 0.1;
 /// A picture is stamped when it has been read.
 constexpr double kPictureAgeS = 0.05;
 
-std::map<std::int64_t, Eigen::Vector2d> read_landmarks(const std::filesystem::path& path) {
+std::map<std::int64_t, Eigen::Vector2d> read_barcodes(const std::filesystem::path& path) {
   std::map<std::int64_t, Eigen::Vector2d> landmarks_m;
   datasets::CompanionLines lines(path);
   while (auto fields = lines.next()) {
@@ -67,7 +67,7 @@ void read_robot(const std::filesystem::path& folder, std::int64_t number, Mrclam
 
 MrclamSet read_mrclam(const std::filesystem::path& folder) {
   MrclamSet set;
-  set.landmarks_m = read_landmarks(folder / "Landmark_Groundtruth.dat.gz");
+  set.landmarks_m = read_barcodes(folder / "Landmark_Groundtruth.dat.gz");
   for (std::int64_t number = 1; number <= kMrclamRobots; ++number) {
     read_robot(folder, number, set);
   }

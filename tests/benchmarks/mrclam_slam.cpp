@@ -27,8 +27,6 @@ constexpr double kStartVariance = 1e-4;
 /// that of a barcode seen aslant, goes into the map and is not seen as one.
 constexpr double kRangeStddevFactor = 2.0;
 constexpr double kBearingStddevFactor = 3.0;
-/// 99.9 % of chi square with two degrees of freedom: barcodes are misread.
-constexpr double kGate = 13.82;
 
 /// Some robots of a set in one filter.
 class Team {

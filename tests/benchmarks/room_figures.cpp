@@ -16,8 +16,6 @@ using localization::LocalizationStatus;
 using localization::MonteCarloLocalizer;
 
 constexpr int kStops = 10;
-/// Of HC-SR04's data sheet; that of the simulated robot is 13 degrees.
-constexpr localization::RangeTableParams kSonar{geometry::radians(15.0), 4.0};
 
 /// A robot and what is to find it.
 struct Trial {

@@ -8,11 +8,16 @@
 #include <vector>
 
 #include "hil_mock/world/robot_world.hpp"
+#include "host/geometry/angle.hpp"
 #include "host/geometry/pose2.hpp"
+#include "host/localization/range_table.hpp"
 #include "host/localization/range_update.hpp"
 #include "host/mapping/raster_map.hpp"
 
 namespace echomap::bench {
+
+/// Of HC-SR04's data sheet; that of the simulated robot is 13 degrees.
+inline constexpr localization::RangeTableParams kSonar{geometry::radians(15.0), 4.0};
 
 /// A bundled room as a map of 5 cm cells, right to half a cell.
 mapping::RasterMap map_of_room(const std::string& name);

@@ -13,7 +13,7 @@ namespace echomap::bench {
 namespace {
 
 /// A look at a wall begins so far before it.
-constexpr double kSkinM = 0.01;
+constexpr double kTargetSkinM = 0.01;
 
 /// A piece of floor or of a wall that stops are to show.
 struct Target {
@@ -70,7 +70,8 @@ bool shows(const world::FloorPlan& plan,
   if (is_wall && offset_m.dot(target.normal) < distance_m * std::cos(params.max_incidence_rad)) {
     return false;
   }
-  return distance_m < kSkinM || world::sees(plan, target.at_m + kSkinM * target.normal, stop_m);
+  return distance_m < kTargetSkinM ||
+         world::sees(plan, target.at_m + kTargetSkinM * target.normal, stop_m);
 }
 
 /// What each candidate shows, by the targets' indices.

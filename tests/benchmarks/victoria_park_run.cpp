@@ -18,10 +18,8 @@ namespace {
 using geometry::Pose2;
 
 /// A tree's trunk by a laser of half a degree, up to 20 m away, its middle taken from what is seen.
-constexpr double kRangeStddevM = 0.3;
-constexpr double kBearingStddevRad = 0.02;
-/// 99.9 % of chi square with two degrees of freedom.
-constexpr double kGate = 13.82;
+constexpr double kTrunkStddevM = 0.3;
+constexpr double kTrunkStddevRad = 0.02;
 
 /// Faster than this the truck was not: a fix that says so is a wrong one. Above it by a few metres
 /// of what fixes err.
@@ -64,7 +62,7 @@ class TreeSlam {
     slam::LandmarkSighting sighting;
     sighting.value = {at_m.norm(), std::atan2(at_m.y(), at_m.x())};
     sighting.noise =
-        Eigen::Vector2d(kRangeStddevM * kRangeStddevM, kBearingStddevRad * kBearingStddevRad)
+        Eigen::Vector2d(kTrunkStddevM * kTrunkStddevM, kTrunkStddevRad * kTrunkStddevRad)
             .asDiagonal();
     const auto known = indices_.find(tree);
     if (known == indices_.end()) {

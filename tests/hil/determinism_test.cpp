@@ -9,13 +9,12 @@
 
 #include "tests/hil/on_every_board.hpp"
 #include "tests/hil/turning_wheel.hpp"
+#include "tests/support/simulated_time.hpp"
 
 namespace echomap::tests {
 namespace {
 
 using SentBytes = std::vector<std::pair<std::int64_t, std::uint8_t>>;
-
-constexpr std::int64_t kMs = 1'000'000;
 
 /// The end of a grant cuts the time of a byte that ends in the same cycle of 62.5 ns: up again.
 std::int64_t in_cycles(std::int64_t at_ns) { return (at_ns * 2 + 124) / 125; }

@@ -14,6 +14,7 @@
 #include "host/files/atomic_file.hpp"
 #include "tests/hil/probe/probe_commands.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/simulated_time.hpp"
 #include "tests/support/small_elf.hpp"
 
 namespace echomap::emulator {
@@ -22,6 +23,7 @@ namespace {
 using runner::Wheel;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using tests::kMs;
 
 constexpr std::uint8_t kPorf = 1;
 constexpr std::uint8_t kExtrf = 2;
@@ -29,7 +31,6 @@ constexpr std::uint8_t kWdrf = 8;
 constexpr std::uint8_t kAllTimer0Flags = 7;
 /// (16 + 1) x 8 samples x 10 bits: 115200 baud with U2X0.
 constexpr std::uint64_t kByteCycles = 1360;
-constexpr std::int64_t kMs = 1'000'000;
 
 struct SentByte {
   std::uint8_t value;

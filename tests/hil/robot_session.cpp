@@ -3,11 +3,11 @@
 
 #include "protocol/message_codec.hpp"
 #include "protocol/version.hpp"
+#include "tests/support/simulated_time.hpp"
 
 namespace echomap::tests {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kPollNs = 20'000;
 constexpr std::int64_t kHelloPeriodMs = 50;
 constexpr std::int64_t kBootMs = 20;

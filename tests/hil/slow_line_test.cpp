@@ -8,6 +8,7 @@
 
 #include "tests/hil/measure/line_load.hpp"
 #include "tests/hil/release_images.hpp"
+#include "tests/support/simulated_time.hpp"
 
 namespace echomap::tests {
 namespace {
@@ -38,7 +39,6 @@ TEST(SlowLine, IsAskedForTooMuchAndFallsBackToWhatFits) {
 }
 
 TEST(SlowLine, AnswersAtOnceAndBringsEveryEcho) {
-  constexpr std::int64_t kMs = 1'000'000;
   LineLoad line(release_image("echomap-uno-9600"));
   line.ask_odometry(10);
   line.robot.run_ms(3000);

@@ -21,13 +21,14 @@
 #include "tests/host/transport/pty_pair.hpp"
 #include "tests/integration/programs.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/simulated_time.hpp"
 
 namespace echomap::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kMs = 1'000'000;
+using tests::kMs;
 /// Time to live, braking from the fastest speed, and a control period.
 constexpr std::int64_t kLongestStopNs = (200 + 128 + 4) * kMs;
 /// What the robot's receive credit of 128 bytes takes on the line, and a step of the world.

@@ -35,7 +35,7 @@ using sensors::BeamWidth;
 
 constexpr double kPaperDeg = 32.8;
 constexpr double kPaperBoundDeg = 9.6;
-constexpr std::uint32_t kSeeds = 20;
+constexpr std::uint32_t kSweepSeeds = 20;
 
 bool holds(const BeamWidth& opening, double truth_rad) {
   return opening.low_rad <= truth_rad && truth_rad <= opening.high_rad;
@@ -111,7 +111,7 @@ void count(Rates& rates, const std::optional<BeamWidth>& opening, double truth_d
 
 void print(const std::string& what, const Rates& rates) {
   std::cout << what << ": found " << rates.found << ", within its bounds " << rates.held << " of "
-            << kSeeds << ", mean " << rates.mean_deg << ", worst " << rates.worst_deg
+            << kSweepSeeds << ", mean " << rates.mean_deg << ", worst " << rates.worst_deg
             << " degrees off\n";
 }
 
@@ -120,7 +120,7 @@ std::vector<sensors::Beam> double_sweep(const world::FloorPlan& plan,
                                         const world::SonarParams& sonar,
                                         std::uint32_t seed) {
   auto readings = sweep(plan, sonar, 60.0, 1.0, seed);
-  const auto back = sweep(plan, sonar, 60.0, 1.0, seed + kSeeds);
+  const auto back = sweep(plan, sonar, 60.0, 1.0, seed + kSweepSeeds);
   readings.insert(readings.end(), back.begin(), back.end());
   return readings;
 }
@@ -129,15 +129,15 @@ TEST(ConeAngle, IsFoundBySweepingPastAPost) {
   const world::FloorPlan plan = post_in_a_hall();
   for (const double beam_width_deg : {20.0, kPaperDeg, 42.0}) {
     Rates rates;
-    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    for (std::uint32_t seed = 1; seed <= kSweepSeeds; ++seed) {
       count(rates,
             beam_width_past_post(double_sweep(plan, ev3_sonar(beam_width_deg), seed),
                                  {0.79, 0.05, 0.02}),
             beam_width_deg);
     }
     print("post, " + std::to_string(beam_width_deg), rates);
-    EXPECT_EQ(rates.found, static_cast<int>(kSeeds));
-    EXPECT_GE(rates.held, static_cast<int>(kSeeds * 9 / 10));
+    EXPECT_EQ(rates.found, static_cast<int>(kSweepSeeds));
+    EXPECT_GE(rates.held, static_cast<int>(kSweepSeeds * 9 / 10));
     EXPECT_NEAR(rates.mean_deg, beam_width_deg, 1.5);
   }
 }
@@ -151,7 +151,7 @@ std::vector<sensors::SweptWall> walls_of_room(const world::FloorPlan& plan,
   std::vector<sensors::SweptWall> walls;
   for (std::uint32_t turn = 0; turn < 4; ++turn) {
     const auto found = sensors::swept_walls(
-        sweep(plan, ev3_sonar(beam_width_deg), 180.0, 3.0, seed + turn * kSeeds), params);
+        sweep(plan, ev3_sonar(beam_width_deg), 180.0, 3.0, seed + turn * kSweepSeeds), params);
     walls.insert(walls.end(), found.begin(), found.end());
   }
   return walls;
@@ -162,14 +162,14 @@ TEST(ConeAngle, IsFoundFromTheWallsOfASquareRoom) {
   const world::FloorPlan plan = square_room();
   for (const double beam_width_deg : {20.0, kPaperDeg, 42.0}) {
     Rates rates;
-    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    for (std::uint32_t seed = 1; seed <= kSweepSeeds; ++seed) {
       const auto pooled = sensors::pooled_beam_width(walls_of_room(plan, beam_width_deg, seed));
       count(rates, pooled ? std::optional(pooled->mean) : std::nullopt, beam_width_deg);
     }
     print("walls, " + std::to_string(beam_width_deg), rates);
-    EXPECT_EQ(rates.found, static_cast<int>(kSeeds));
+    EXPECT_EQ(rates.found, static_cast<int>(kSweepSeeds));
     if (beam_width_deg < 40.0) {
-      EXPECT_GE(rates.held, static_cast<int>(kSeeds * 8 / 10));
+      EXPECT_GE(rates.held, static_cast<int>(kSweepSeeds * 8 / 10));
     }
     EXPECT_NEAR(rates.mean_deg, beam_width_deg, 2.5);
     EXPECT_LT(rates.worst_deg, kPaperBoundDeg);

@@ -14,6 +14,7 @@
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/models/occupied_sector.hpp"
 #include "tests/papers/epuck_ring.hpp"
+#include "tests/support/offline_exploration.hpp"
 
 namespace echomap::papers {
 
@@ -128,6 +129,11 @@ void drive_laps(const world::FloorPlan& field,
 }
 
 }  // namespace
+
+const world::FloorPlan& epuck_field() {
+  static const world::FloorPlan plan = tests::bundled_room("epuck_field");
+  return plan;
+}
 
 std::vector<Pose2> epuck_lap(const PathSteps& steps, double phase) {
   return drive_path(lap_points_m, steps, phase);

@@ -26,6 +26,9 @@ struct EpuckGridParams {
   bool silence_is_free = true;
 };
 
+/// hil_mock/worlds/epuck_field.toml.
+const world::FloorPlan& epuck_field();
+
 /// A drive along walls and obstacles of hil_mock/worlds/epuck_field.toml, cut into poses; the first
 /// lies `phase` of a step behind its beginning.
 std::vector<geometry::Pose2> epuck_lap(const PathSteps& steps, double phase);

@@ -126,7 +126,7 @@ class TriBot {
   Pose2 T_odom_robot_;
 };
 
-localization::LocalizerParams params_of(const NxtTrial& trial) {
+localization::LocalizerParams nxt_params_of(const NxtTrial& trial) {
   auto params = localization::localizer_params(localization::LocalizerPreset::kNxt, {});
   params.filter.min_particles = trial.particles;
   params.filter.max_particles = trial.particles;
@@ -183,7 +183,7 @@ NxtOutcome localize_nxt(const world::FloorPlan& room,
   range.sense_stddev_m = trial.sense_stddev_m;
   localization::ViewModel<localization::PointCloudView, models::GaussianRange> model(
       floor_of(room), localization::PointCloudView(cloud_m), models::GaussianRange(range));
-  localization::MonteCarloLocalizer localizer(model, params_of(trial), std::mt19937(seed));
+  localization::MonteCarloLocalizer localizer(model, nxt_params_of(trial), std::mt19937(seed));
   TriBot robot(room, seed);
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<RangeReading> readings = robot.look_around();

@@ -31,7 +31,7 @@ bool is_found(const NxtOutcome& outcome, double within_m, double within_deg) {
          (outcome.twin_error_m < within_m && outcome.twin_heading_error_rad < within_rad);
 }
 
-NxtRates rates_of(const std::string& name, const NxtTrial& trial) {
+NxtRates nxt_rates_of(const std::string& name, const NxtTrial& trial) {
   const world::FloorPlan room = tests::bundled_room("empty_room");
   const auto cloud_m = nxt_cloud(room, 1);
   NxtRates rates;
@@ -56,7 +56,7 @@ NxtRates rates_of(const std::string& name, const NxtTrial& trial) {
 }
 
 const NxtRates& as_told() {
-  static const NxtRates rates = rates_of("250 particles, drawn after eight readings", {});
+  static const NxtRates rates = nxt_rates_of("250 particles, drawn after eight readings", {});
   return rates;
 }
 
@@ -73,19 +73,19 @@ TEST(Paper000Localization, IsSurerThanItIsRight) {
 
 TEST(Paper000Localization, IsWorseAsItsAlgorithmIsPrinted) {
   const NxtRates printed =
-      rates_of("250 particles, drawn after each reading", {.draws_after_each_reading = true});
+      nxt_rates_of("250 particles, drawn after each reading", {.draws_after_each_reading = true});
   EXPECT_LT(printed.about, as_told().about - 10);
 }
 
 TEST(Paper000Localization, FindsTheRobotWhereWhatIsDrawnIsSpread) {
-  const NxtRates spread = rates_of("250 particles, spread by 3 cm and 3 degrees",
-                                   {.spread_m = 0.03, .spread_rad = 0.05});
+  const NxtRates spread = nxt_rates_of("250 particles, spread by 3 cm and 3 degrees",
+                                       {.spread_m = 0.03, .spread_rad = 0.05});
   EXPECT_GE(spread.right, 0.5 * kStarts);
   EXPECT_GT(spread.right, as_told().right + 15);
 }
 
 TEST(Paper000Localization, MoreParticlesAloneHelpLess) {
-  const NxtRates more = rates_of("1,000 particles", {.particles = 1000});
+  const NxtRates more = nxt_rates_of("1,000 particles", {.particles = 1000});
   EXPECT_GT(more.about, as_told().about);
   EXPECT_LT(more.right, 0.5 * kStarts);
 }

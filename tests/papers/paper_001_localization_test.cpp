@@ -24,7 +24,7 @@ namespace {
 using geometry::Pose2;
 
 constexpr int kObservations = 70;
-constexpr int kRuns = 10;
+constexpr int kCreateRuns = 10;
 constexpr int kBumps = 25;
 /// Of a normal number: the mean of its absolute value by its deviation.
 const double kMeanByStddev = std::sqrt(2.0 / std::numbers::pi);
@@ -136,7 +136,7 @@ struct CreateTrial {
   double resampling_share = 1.0;
 };
 
-localization::LocalizerParams params_of(const CreateTrial& trial) {
+localization::LocalizerParams create_params_of(const CreateTrial& trial) {
   auto params = localization::localizer_params(localization::LocalizerPreset::kCreate, {});
   models::LinearOdometryMotionParams alphas;
   for (double* const alpha :
@@ -167,12 +167,12 @@ double outside_share(const localization::Particles& particles) {
   return outside / static_cast<double>(particles.size());
 }
 
-CreateRates rates_of(const std::string& name, const CreateTrial& trial) {
+CreateRates create_rates_of(const std::string& name, const CreateTrial& trial) {
   const mapping::PolygonMap map(room().room_m());
   CreateRates rates;
-  for (std::uint32_t seed = 1; seed <= kRuns; ++seed) {
+  for (std::uint32_t seed = 1; seed <= kCreateRuns; ++seed) {
     localization::ContactModel model(map, create_robot().body.radius_m);
-    localization::MonteCarloLocalizer localizer(model, params_of(trial), std::mt19937(seed));
+    localization::MonteCarloLocalizer localizer(model, create_params_of(trial), std::mt19937(seed));
     BounceRobot robot(room(), seed);
     while (robot.bumps() < kBumps) {
       robot.step(0.15);
@@ -185,23 +185,24 @@ CreateRates rates_of(const std::string& name, const CreateTrial& trial) {
         geometry::angle_between(found.heading_rad(), robot.T_world_robot().heading_rad())));
     rates.right += error_m < 0.15 && off_deg < 10.0 ? 1 : 0;
     rates.about += error_m < 0.5 && off_deg < 30.0 ? 1 : 0;
-    rates.outside_share += outside_share(localizer.particles()) / kRuns;
+    rates.outside_share += outside_share(localizer.particles()) / kCreateRuns;
   }
-  std::cout << name << ": right " << rates.right << ", about " << rates.about << " of " << kRuns
-            << ", outside " << rates.outside_share << "\n";
+  std::cout << name << ": right " << rates.right << ", about " << rates.about << " of "
+            << kCreateRuns << ", outside " << rates.outside_share << "\n";
   return rates;
 }
 
 TEST(Paper001Localization, FindsTheRobotByContactsWhereWhatIsDrawnIsSpread) {
-  const CreateRates told = rates_of("as it is told", {});
-  const CreateRates meant = rates_of("alphas as mean errors", {.alpha_scale = 3.0 / kMeanByStddev});
+  const CreateRates told = create_rates_of("as it is told", {});
+  const CreateRates meant =
+      create_rates_of("alphas as mean errors", {.alpha_scale = 3.0 / kMeanByStddev});
   const CreateRates spread =
-      rates_of("spread, drawn if the effective sample size is low, 2,000 particles",
-               {.particles = 2000,
-                .alpha_scale = 3.0 / kMeanByStddev,
-                .likelihood_exponent = 0.3,
-                .spread = 0.02,
-                .resampling_share = 0.5});
+      create_rates_of("spread, drawn if the effective sample size is low, 2,000 particles",
+                      {.particles = 2000,
+                       .alpha_scale = 3.0 / kMeanByStddev,
+                       .likelihood_exponent = 0.3,
+                       .spread = 0.02,
+                       .resampling_share = 0.5});
   EXPECT_LE(told.right, 3);
   EXPECT_LE(meant.right, 5);
   EXPECT_GE(spread.right, 6);
@@ -211,7 +212,7 @@ TEST(Paper001Localization, FindsTheRobotByContactsWhereWhatIsDrawnIsSpread) {
 TEST(Paper001Localization, AParticleOutsideOfTheOutlineIsNotDrawnAgain) {
   const mapping::PolygonMap map(room().room_m());
   localization::ContactModel model(map, create_robot().body.radius_m);
-  localization::MonteCarloLocalizer localizer(model, params_of({}), std::mt19937(1));
+  localization::MonteCarloLocalizer localizer(model, create_params_of({}), std::mt19937(1));
   localizer.update({}, {});
   localizer.start_at({2.5, 1.2, 0.0}, 0.6, 1.0);
   EXPECT_GT(outside_share(localizer.particles()), 0.3);

@@ -21,7 +21,7 @@ using geometry::Pose2;
 using localization::EkfOutcome;
 using localization::PoseEkf;
 
-constexpr double kPeriodS = 0.1;
+constexpr double kLapPeriodS = 0.1;
 constexpr double kCameraStddevM = 0.002;
 constexpr double kCameraStddevRad = 0.03;
 constexpr int kCameraEvery = 3;
@@ -105,10 +105,10 @@ Follow drive(std::uint32_t seed, int camera_until) {
     const auto at = static_cast<std::size_t>(i);
     T_odom_robot =
         i == 0 ? Pose2() : T_odom_robot * rolled(truth[at - 1].inverse() * truth[at], noise);
-    filter.move(kPeriodS * i, T_odom_robot);
+    filter.move(kLapPeriodS * i, T_odom_robot);
     if (i % kCameraEvery == 0 && i < camera_until && noise.uniform() > kDropOuts) {
       const int delay = static_cast<int>(7.0 * noise.uniform());
-      on_the_way.push_back({i + delay, fix_of(truth[at], kPeriodS * i, noise)});
+      on_the_way.push_back({i + delay, fix_of(truth[at], kLapPeriodS * i, noise)});
     }
     const auto due = std::stable_partition(
         on_the_way.begin(), on_the_way.end(), [&](const Late& late) { return late.told_at > i; });

@@ -11,7 +11,6 @@
 
 #include "host/exports/map_view.hpp"
 #include "tests/papers/epuck_field.hpp"
-#include "tests/support/offline_exploration.hpp"
 
 // The occupancy grid of Mahmood and Ridao 2017, section 4.1: an e-puck with eight infra-red sensors
 // of 6 cm, a field of 0.8 x 0.6 m, cells of a millimetre.
@@ -22,17 +21,12 @@ using geometry::CellIndex;
 using mapping::CellState;
 using mapping::RasterMap;
 
-const std::filesystem::path picture_path = ECHOMAP_BINARY_DIR "/papers/paper_002_grid.png";
+const std::filesystem::path field_picture = ECHOMAP_BINARY_DIR "/papers/paper_002_grid.png";
 
-constexpr std::uint32_t kSeeds = 20;
+constexpr std::uint32_t kFieldSeeds = 20;
 constexpr double kNearM = 0.005;
-constexpr double kFoundM = 0.003;
+constexpr double kFieldFoundM = 0.003;
 constexpr double kRobotAreaM2 = std::numbers::pi * 0.037 * 0.037;
-
-const world::FloorPlan& field() {
-  static const world::FloorPlan plan = tests::bundled_room("epuck_field");
-  return plan;
-}
 
 /// Shares, 0 .. 1, unless a unit says otherwise.
 struct GridFigures {
@@ -58,7 +52,7 @@ bool is_floor(const Eigen::Vector2d& point_m) {
   static const RasterMap floor = [] {
     RasterMap map(800, 600, 0.001, {0.0, 0.0});
     for_cells(map, [&](CellIndex cell, const Eigen::Vector2d& center_m) {
-      if (field().is_free(center_m)) {
+      if (epuck_field().is_free(center_m)) {
         map.set(cell, CellState::kFree);
       }
     });
@@ -84,12 +78,13 @@ bool occupied_within(const RasterMap& map, const Eigen::Vector2d& point_m, doubl
 double walls_found(const RasterMap& map) {
   int points = 0;
   int found = 0;
-  for (const world::Wall& wall : field().walls()) {
+  for (const world::Wall& wall : epuck_field().walls()) {
     const Eigen::Vector2d offset_m = wall.segment.to_m - wall.segment.from_m;
     const int steps = static_cast<int>(std::lround(offset_m.norm() / map.resolution_m()));
     for (int i = 0; i < steps; ++i) {
       ++points;
-      found += occupied_within(map, wall.segment.from_m + (i + 0.5) / steps * offset_m, kFoundM);
+      found +=
+          occupied_within(map, wall.segment.from_m + (i + 0.5) / steps * offset_m, kFieldFoundM);
     }
   }
   return static_cast<double>(found) / points;
@@ -99,7 +94,7 @@ void add_occupied(const RasterMap& map, GridFigures& figures) {
   std::vector<double> distances_m;
   for_cells(map, [&](CellIndex cell, const Eigen::Vector2d& center_m) {
     if (map.state(cell) == CellState::kOccupied) {
-      distances_m.push_back(field().clearance_m(center_m));
+      distances_m.push_back(epuck_field().clearance_m(center_m));
     }
   });
   std::sort(distances_m.begin(), distances_m.end());
@@ -120,7 +115,8 @@ void add_free(const RasterMap& map, GridFigures& figures) {
     called += state == CellState::kFree;
     both += inside && state == CellState::kFree;
     if (!inside && state != CellState::kUnknown) {
-      figures.deepest_mm = std::max(figures.deepest_mm, 1000.0 * field().clearance_m(center_m));
+      figures.deepest_mm =
+          std::max(figures.deepest_mm, 1000.0 * epuck_field().clearance_m(center_m));
     }
   });
   figures.free_found = both / floor;
@@ -167,12 +163,12 @@ void fill_small_clots(RasterMap& map) {
 void draw(const RasterMap& map) {
   const exports::MapView view(map, {.legend = {{exports::kVermilion, "true walls"}}});
   exports::Picture picture = view.draw();
-  for (const world::Wall& wall : field().walls()) {
+  for (const world::Wall& wall : epuck_field().walls()) {
     picture.draw_line(
         view.place(wall.segment.from_m), view.place(wall.segment.to_m), 1.0, exports::kVermilion);
   }
-  std::filesystem::create_directories(picture_path.parent_path());
-  picture.write_png(picture_path, view.texts());
+  std::filesystem::create_directories(field_picture.parent_path());
+  picture.write_png(field_picture, view.texts());
 }
 
 void print(const std::string& what, const GridFigures& figures) {
@@ -186,8 +182,8 @@ void print(const std::string& what, const GridFigures& figures) {
 // said of what no beam reaches, but a moat behind the walls is called free: oblique walls are
 // silent.
 TEST(Paper002Grid, HasItsWallsWhereTheyAreAndItsFloorFree) {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-    const GridFigures figures = figures_of(map_epuck_field(field(), {}, seed));
+  for (std::uint32_t seed = 1; seed <= kFieldSeeds; ++seed) {
+    const GridFigures figures = figures_of(map_epuck_field(epuck_field(), {}, seed));
     print("seed " + std::to_string(seed), figures);
     EXPECT_GT(figures.walls_found, 0.85);
     EXPECT_LT(figures.walls_found, 0.95);
@@ -200,12 +196,12 @@ TEST(Paper002Grid, HasItsWallsWhereTheyAreAndItsFloorFree) {
 }
 
 TEST(Paper002Grid, IsDrawn) {
-  draw(map_epuck_field(field(), {}, 1));
-  EXPECT_TRUE(std::filesystem::exists(picture_path));
+  draw(map_epuck_field(epuck_field(), {}, 1));
+  EXPECT_TRUE(std::filesystem::exists(field_picture));
 }
 
 TEST(Paper002Grid, ItsUnknownClotsOnTheFloorAreSmallerThanTheRobot) {
-  RasterMap map = map_epuck_field(field(), {}, 1);
+  RasterMap map = map_epuck_field(epuck_field(), {}, 1);
   const GridFigures before = figures_of(map);
   fill_small_clots(map);
   const GridFigures after = figures_of(map);
@@ -219,7 +215,7 @@ TEST(Paper002Grid, LosesItsWallsWhereSilenceWeighsAsMuchAsAnEcho) {
   EpuckGridParams params;
   params.occupied_log_odds = 0.85;
   params.free_log_odds = -0.85;
-  const GridFigures figures = figures_of(map_epuck_field(field(), params, 1));
+  const GridFigures figures = figures_of(map_epuck_field(epuck_field(), params, 1));
   print("even odds", figures);
   EXPECT_LT(figures.walls_found, 0.2);
 }
@@ -227,7 +223,7 @@ TEST(Paper002Grid, LosesItsWallsWhereSilenceWeighsAsMuchAsAnEcho) {
 TEST(Paper002Grid, LosesItsFloorWhereSilenceSaysNothing) {
   EpuckGridParams params;
   params.silence_is_free = false;
-  const GridFigures figures = figures_of(map_epuck_field(field(), params, 1));
+  const GridFigures figures = figures_of(map_epuck_field(epuck_field(), params, 1));
   print("silence left out", figures);
   EXPECT_LT(figures.free_found, 0.25);
   EXPECT_GT(figures.walls_found, 0.9);
@@ -238,7 +234,7 @@ double wall_rmse_m(const RasterMap& map) {
   double cells = 0.0;
   for_cells(map, [&](CellIndex cell, const Eigen::Vector2d& center_m) {
     if (map.state(cell) == CellState::kOccupied) {
-      sum += std::pow(field().clearance_m(center_m), 2);
+      sum += std::pow(epuck_field().clearance_m(center_m), 2);
       ++cells;
     }
   });
@@ -247,8 +243,8 @@ double wall_rmse_m(const RasterMap& map) {
 
 // Ours believes no beam that a wall meets at a slant: no arcs stand behind the walls.
 TEST(Paper002Grid, OursHasItsWallsWithinTenMillimetres) {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-    const RasterMap map = feel_epuck_field(field(), seed);
+  for (std::uint32_t seed = 1; seed <= kFieldSeeds; ++seed) {
+    const RasterMap map = feel_epuck_field(epuck_field(), seed);
     const GridFigures figures = figures_of(map);
     std::cout << "seed " << seed << ": RMS " << 1000.0 * wall_rmse_m(map) << " mm, floor found "
               << figures.free_found << ", free that is none " << figures.free_wrong << '\n';

@@ -21,23 +21,17 @@
 #include "host/models/infrared_range.hpp"
 #include "tests/papers/epuck_field.hpp"
 #include "tests/papers/epuck_ring.hpp"
-#include "tests/support/offline_exploration.hpp"
 
 namespace echomap::papers {
 namespace {
 
 using geometry::Pose2;
 
-constexpr int kRuns = 12;
+constexpr int kMclRuns = 12;
 constexpr int kSteps = 400;
 constexpr double kConvergedM = 0.04;
 constexpr double kEveryStep = 1.0;
 constexpr double kNeff = 0.5;
-
-const world::FloorPlan& field() {
-  static const world::FloorPlan plan = tests::bundled_room("epuck_field");
-  return plan;
-}
 
 localization::CorrelationModelParams model_params() {
   localization::CorrelationModelParams params;
@@ -82,13 +76,13 @@ using MakeModel = std::unique_ptr<localization::ObservationModel> (*)();
 
 /// The paper's: correlation with the grid that the e-puck has made.
 std::unique_ptr<localization::ObservationModel> correlation() {
-  static const mapping::RasterMap grid = map_epuck_field(field(), {}, 1);
+  static const mapping::RasterMap grid = map_epuck_field(epuck_field(), {}, 1);
   return std::make_unique<localization::CorrelationModel>(grid, model_params());
 }
 
 /// Ours: the light of each sensor, in the field's true walls.
 std::unique_ptr<localization::ObservationModel> infrared() {
-  const mapping::PolygonMap walls(field().room_m(), field().obstacles_m());
+  const mapping::PolygonMap walls(epuck_field().room_m(), epuck_field().obstacles_m());
   return std::make_unique<
       localization::ViewModel<localization::PolygonView, models::InfraredRange>>(
       localization::rasterize(walls, 0.01),
@@ -110,7 +104,7 @@ std::vector<Moment> follow(std::uint32_t seed, double start, const MclTrial& tri
   params.filter.resampling_share = trial.resampling_share;
   params.filter.likelihood_exponent = trial.likelihood_exponent;
   localization::MonteCarloLocalizer localizer(*model, params, std::mt19937(seed));
-  EpuckRing ring(field(), seed);
+  EpuckRing ring(epuck_field(), seed);
   world::NoiseStream noise(seed, world::NoisePurpose::kBody);
   const std::vector<Pose2> lap = epuck_lap({.length_m = 0.03, .turn_rad = 0.5}, noise.uniform());
   auto at = static_cast<std::size_t>(start * static_cast<double>(lap.size()));
@@ -140,7 +134,7 @@ std::size_t converged_at(const std::vector<Moment>& moments) {
   return since;
 }
 
-/// Of `kRuns`.
+/// Of `kMclRuns`.
 struct MclRates {
   int right = 0;      ///< In the end within 3 cm.
   int converged = 0;  ///< To one cluster, wherever it is.
@@ -160,12 +154,12 @@ void add(const std::vector<Moment>& moments, std::size_t since, MclRates& rates,
   }
 }
 
-MclRates rates_of(const std::string& name, const MclTrial& trial) {
+MclRates mcl_rates_of(const std::string& name, const MclTrial& trial) {
   MclRates rates;
   double judged = 0.0;
-  for (int run = 1; run <= kRuns; ++run) {
+  for (int run = 1; run <= kMclRuns; ++run) {
     const auto moments =
-        follow(static_cast<std::uint32_t>(run), static_cast<double>(run) / (kRuns + 1), trial);
+        follow(static_cast<std::uint32_t>(run), static_cast<double>(run) / (kMclRuns + 1), trial);
     const std::size_t since = converged_at(moments);
     if (since < moments.size()) {
       ++rates.converged;
@@ -180,16 +174,17 @@ MclRates rates_of(const std::string& name, const MclTrial& trial) {
   rates.outside_share /= judged;
   rates.mean_error_m /= judged;
   std::cout << name << ": right " << rates.right << ", converged " << rates.converged << " of "
-            << kRuns << ", at step " << rates.mean_converged_at << ", beyond 3 sigma "
+            << kMclRuns << ", at step " << rates.mean_converged_at << ", beyond 3 sigma "
             << rates.outside_share << ", mean error " << rates.mean_error_m << " m\n";
   return rates;
 }
 
 TEST(Paper002Localization, ErrorsStayWithinThreeSigmaWithAndWithoutNeff) {
-  const MclRates every_step = rates_of("drawn at every step", {});
-  const MclRates neff = rates_of("drawn where fewer than half count", {.resampling_share = kNeff});
+  const MclRates every_step = mcl_rates_of("drawn at every step", {});
+  const MclRates neff =
+      mcl_rates_of("drawn where fewer than half count", {.resampling_share = kNeff});
   for (const MclRates& rates : {every_step, neff}) {
-    EXPECT_GE(rates.right, kRuns / 3);
+    EXPECT_GE(rates.right, kMclRuns / 3);
     EXPECT_LT(rates.outside_share, 0.01);
     EXPECT_LT(rates.mean_error_m, 0.02);
   }
@@ -198,10 +193,10 @@ TEST(Paper002Localization, ErrorsStayWithinThreeSigmaWithAndWithoutNeff) {
 }
 
 TEST(Paper002Localization, AModelOfTheLightIsSureSoonerButNotMoreOftenRight) {
-  const MclRates light =
-      rates_of("a model of the light, tempered by 0.15",
-               {.resampling_share = kNeff, .make_model = infrared, .likelihood_exponent = 0.15});
-  EXPECT_GE(light.right, kRuns / 4);
+  const MclRates light = mcl_rates_of(
+      "a model of the light, tempered by 0.15",
+      {.resampling_share = kNeff, .make_model = infrared, .likelihood_exponent = 0.15});
+  EXPECT_GE(light.right, kMclRuns / 4);
   EXPECT_LT(light.outside_share, 0.03);
   EXPECT_LT(light.mean_converged_at, 140.0);
 }

@@ -16,14 +16,14 @@
 namespace echomap::papers {
 namespace {
 
-const std::filesystem::path picture_path = ECHOMAP_BINARY_DIR "/papers/paper_003_grid.png";
+const std::filesystem::path playground_picture = ECHOMAP_BINARY_DIR "/papers/paper_003_grid.png";
 
-constexpr std::uint32_t kSeeds = 20;
+constexpr std::uint32_t kPlaygroundSeeds = 20;
 /// One echo in the middle of a cell.
 constexpr float kOccupied = 1.0F;
 /// Open floor is farther than this from all that stands: patches of good echoes end before.
 constexpr double kOpenFloorM = 0.2;
-constexpr double kFoundM = 0.05;
+constexpr double kPlaygroundFoundM = 0.05;
 
 const Playground& playground() {
   static const Playground room = make_playground();
@@ -72,7 +72,7 @@ double found_share(const std::vector<Eigen::Vector2d>& points_m,
                    const std::vector<Eigen::Vector2d>& occupied_m) {
   const auto found = std::count_if(points_m.begin(), points_m.end(), [&](const auto& point_m) {
     return std::any_of(occupied_m.begin(), occupied_m.end(), [&](const auto& center_m) {
-      return (center_m - point_m).norm() <= kFoundM;
+      return (center_m - point_m).norm() <= kPlaygroundFoundM;
     });
   });
   return static_cast<double>(found) / static_cast<double>(points_m.size());
@@ -128,7 +128,7 @@ void print(const std::string& what, const PatchFigures& figures) {
 }
 
 TEST(Paper003Grid, HasTheRoomAndItsBoxes) {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint32_t seed = 1; seed <= kPlaygroundSeeds; ++seed) {
     const PatchDrive grid = map_playground(playground(), {}, seed);
     const PatchFigures figures = figures_of(grid);
     print("seed " + std::to_string(seed), figures);
@@ -139,20 +139,22 @@ TEST(Paper003Grid, HasTheRoomAndItsBoxes) {
 }
 
 TEST(Paper003Grid, IsDrawn) {
-  draw_confidence(picture_path, map_playground(playground(), {}, 1).confidence, playground().met);
-  EXPECT_TRUE(std::filesystem::exists(picture_path));
+  draw_confidence(
+      playground_picture, map_playground(playground(), {}, 1).confidence, playground().met);
+  EXPECT_TRUE(std::filesystem::exists(playground_picture));
 }
 
 // What drift moves off its cells, the known walls fill in again.
 TEST(Paper003Grid, FindsMostOfTheWallsWhereTheyAreNotKnown) {
   int all_found = 0;
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint32_t seed = 1; seed <= kPlaygroundSeeds; ++seed) {
     const PatchFigures figures =
         figures_of(map_playground(playground(), {false, true, true}, seed));
     EXPECT_GT(figures.walls_found, 0.85);
     all_found += figures.walls_found > 0.98;
   }
-  std::cout << "all walls found without knowing them: " << all_found << " of " << kSeeds << "\n";
+  std::cout << "all walls found without knowing them: " << all_found << " of " << kPlaygroundSeeds
+            << "\n";
   EXPECT_GE(all_found, 15);
 }
 
@@ -168,13 +170,13 @@ TEST(Paper003Grid, SmearsWallsByItsCone) {
 
 TEST(Paper003Grid, KnowsALowBlockByItsBump) {
   int only_by_bump = 0;
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint32_t seed = 1; seed <= kPlaygroundSeeds; ++seed) {
     const double with = figures_of(map_playground(playground(), {true, true, true}, seed)).block;
     const double without =
         figures_of(map_playground(playground(), {true, false, true}, seed)).block;
     only_by_bump += with - without >= 0.5;
   }
-  std::cout << "low block on its true cell: " << only_by_bump << " of " << kSeeds << "\n";
+  std::cout << "low block on its true cell: " << only_by_bump << " of " << kPlaygroundSeeds << "\n";
   EXPECT_GE(only_by_bump, 15);
   const PatchFigures still = figures_of(map_playground(playground(), {true, true, false}, 1));
   EXPECT_GT(still.block, 1.5);

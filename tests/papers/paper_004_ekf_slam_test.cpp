@@ -23,7 +23,7 @@ namespace {
 
 using geometry::Pose2;
 
-const std::filesystem::path picture_path = ECHOMAP_BINARY_DIR "/papers/paper_004_edmonton.png";
+const std::filesystem::path edmonton_picture = ECHOMAP_BINARY_DIR "/papers/paper_004_edmonton.png";
 constexpr double kPictureCellM = 0.15;
 constexpr double kMaxDrawnM = 20.0;
 constexpr double kGutterM = 3.0;
@@ -190,10 +190,10 @@ TEST(Paper004, MapIsDrawn) {
   before.draw_path(0, view, picture);
   after.draw_path(first_column, view, picture);
   draw_landmarks(slam_of(*log), after, first_column, view, picture);
-  std::filesystem::create_directories(picture_path.parent_path());
-  picture.write_png(picture_path, view.texts());
+  std::filesystem::create_directories(edmonton_picture.parent_path());
+  picture.write_png(edmonton_picture, view.texts());
 
-  EXPECT_GT(std::filesystem::file_size(picture_path), 10000U);
+  EXPECT_GT(std::filesystem::file_size(edmonton_picture), 10000U);
 }
 
 }  // namespace

@@ -6,10 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/messages.hpp"
+#include "protocol/schema_description.hpp"
 #include "protocol/schema_reader.hpp"
 #include "tests/protocol/frames.hpp"
 
 namespace echomap::protocol {
+
+/// What the robot says of its schema.
+inline constexpr auto kDescription = describe_schema<AllMessages>();
+inline const Bytes description(std::begin(kDescription.bytes), std::end(kDescription.bytes));
 
 /// A message as a description tells it.
 struct DescribedMessage {

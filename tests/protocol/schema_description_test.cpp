@@ -13,9 +13,6 @@
 namespace echomap::protocol {
 namespace {
 
-constexpr auto kDescription = describe_schema<AllMessages>();
-const Bytes description(std::begin(kDescription.bytes), std::end(kDescription.bytes));
-
 /// The schema as the compiler knows it.
 struct CollectMessages {
   std::vector<DescribedMessage> messages;

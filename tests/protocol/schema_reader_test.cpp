@@ -12,9 +12,6 @@
 namespace echomap::protocol {
 namespace {
 
-constexpr auto kDescription = describe_schema<AllMessages>();
-const Bytes description(std::begin(kDescription.bytes), std::end(kDescription.bytes));
-
 std::uint8_t last(char character) { return static_cast<std::uint8_t>(character | 0x80); }
 
 /// A message "M" and then these bytes.

@@ -12,6 +12,7 @@
 #include "host/robot_link/robot_link.hpp"
 #include "tests/hil/turning_wheel.hpp"
 #include "tests/support/resident_memory.hpp"
+#include "tests/support/simulated_time.hpp"
 
 namespace echomap::tests {
 namespace {
@@ -19,7 +20,6 @@ namespace {
 using protocol::MotionOutcome;
 using robot_link::CommandOutcome;
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr double kNsPerHour = 3.6e12;
 constexpr std::int64_t kBootMs = 50;
 constexpr std::int64_t kHostStepMs = 1;

@@ -13,6 +13,7 @@
 
 #include "tests/structure/shell.hpp"
 #include "tests/structure/source_tree.hpp"
+#include "tests/structure/tree_root.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 // PlatformIO and the Arduino IDE have lists and flags of their own. Neither program is needed here:
@@ -22,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Paths = std::set<std::string>;
-
-const fs::path tree_root = ECHOMAP_SOURCE_DIR;
 
 /// The .cpp files below `folder`, relative to `root`.
 Paths sources_below(const fs::path& root, const std::string& folder) {

@@ -11,6 +11,7 @@
 
 #include "tests/structure/shell.hpp"
 #include "tests/structure/source_tree.hpp"
+#include "tests/structure/tree_root.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 // A document promises: a ```sh block after the line <!-- test --> runs as it stands, from the root
@@ -21,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const fs::path tree_root = ECHOMAP_SOURCE_DIR;
 const std::string mark = "<!-- test -->";
 
 struct CommandBlock {

@@ -34,9 +34,9 @@ Block block_of(const std::string& head) {
 }
 
 /// Goes through the code of one file, brace by brace.
-class Scanner {
+class FunctionScanner {
  public:
-  explicit Scanner(std::string path) : path_(std::move(path)) {}
+  explicit FunctionScanner(std::string path) : path_(std::move(path)) {}
 
   void read(char character) {
     line_ += character == '\n' ? 1 : 0;
@@ -98,7 +98,7 @@ class Scanner {
 }  // namespace
 
 std::vector<FunctionLength> functions_in(const SourceFile& file) {
-  Scanner scanner(file.path);
+  FunctionScanner scanner(file.path);
   for (const char character : code_of(file)) {
     scanner.read(character);
   }

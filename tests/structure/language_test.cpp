@@ -13,6 +13,7 @@
 
 #include "tests/structure/file_rules.hpp"
 #include "tests/structure/source_tree.hpp"
+#include "tests/structure/tree_root.hpp"
 
 // Names and messages are in the words of the field: what is in the left column of the table below
 // had a term already, which is in the right one. Sources, settings and documents hold none of them.
@@ -25,7 +26,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-const fs::path tree_root = ECHOMAP_SOURCE_DIR;
 const std::string this_file = "tests/structure/language_test.cpp";
 
 /// A word of our own making and what to write instead.

@@ -9,6 +9,7 @@
 
 #include "tests/structure/layer_table.hpp"
 #include "tests/structure/source_tree.hpp"
+#include "tests/structure/tree_root.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::structure {
@@ -17,8 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-const fs::path tree_root = ECHOMAP_SOURCE_DIR;
 
 /// The table of docs/architecture.md. It stands here a second time on purpose: a new arrow between
 /// two folders is a decision and has to be written down twice.

@@ -53,9 +53,9 @@ std::optional<std::string> type_named_by(const std::string& head) {
 }
 
 /// Goes through the code of one file, brace by brace.
-class Scanner {
+class TypeScanner {
  public:
-  explicit Scanner(std::string path) : path_(std::move(path)) {}
+  explicit TypeScanner(std::string path) : path_(std::move(path)) {}
 
   void read(char character) {
     line_ += character == '\n' ? 1 : 0;
@@ -106,7 +106,7 @@ class Scanner {
 }  // namespace
 
 std::vector<TypeDefinition> type_definitions_in(const SourceFile& file) {
-  Scanner scanner(file.path);
+  TypeScanner scanner(file.path);
   for (const char character : code_of(file)) {
     scanner.read(character);
   }

@@ -7,28 +7,6 @@
 #include <nanoflann.hpp>
 
 namespace echomap::tests {
-namespace {
-
-/// The points as nanoflann asks for them.
-struct PointTable {
-  std::vector<Eigen::Vector2d> points_m;
-
-  std::size_t kdtree_get_point_count() const { return points_m.size(); }
-  double kdtree_get_pt(std::size_t index, std::size_t axis) const {
-    return points_m[index][static_cast<Eigen::Index>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box& /*box*/) const {
-    return false;
-  }
-};
-
-using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointTable>,
-                                                   PointTable,
-                                                   2,
-                                                   std::size_t>;
-
-}  // namespace
 
 class NearestPoints::Tree {
  public:
@@ -50,6 +28,26 @@ class NearestPoints::Tree {
   }
 
  private:
+  /// The points as nanoflann asks for them.
+  struct PointTable {
+    std::vector<Eigen::Vector2d> points_m;
+
+    std::size_t kdtree_get_point_count() const { return points_m.size(); }
+    double kdtree_get_pt(std::size_t index, std::size_t axis) const {
+      return points_m[index][static_cast<Eigen::Index>(axis)];
+    }
+    template <class Box>
+    bool kdtree_get_bbox(Box& /*box*/) const {
+      return false;
+    }
+  };
+
+  using KdTree =
+      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointTable>,
+                                          PointTable,
+                                          2,
+                                          std::size_t>;
+
   PointTable table_;
   KdTree tree_;
 };

@@ -5,13 +5,13 @@
 
 #include "hil_mock/emulator/board_wiring.hpp"
 #include "hil_mock/emulator/output_pins.hpp"
+#include "tests/hil/measure/cycles.hpp"
 
 namespace echomap::tests {
 namespace {
 
 /// Instructions of one sampling are no farther apart, whatever interrupts come in between.
 constexpr std::uint64_t kOneSamplingCycles = 400;
-constexpr double kCyclesPerUs = emulator::kClockHz / 1e6;
 
 }  // namespace
 

@@ -5,11 +5,12 @@
 #include <sim_interrupts.h>
 #include <sim_irq.h>
 
+#include "tests/hil/measure/cycles.hpp"
+
 namespace echomap::tests {
 namespace {
 
 constexpr std::int64_t kTickCycles = emulator::kClockHz / 1000;
-constexpr double kCyclesPerUs = emulator::kClockHz / 1e6;
 
 /// simavr's callback for sleep carries nothing of ours.
 std::uint64_t slept_cycles = 0;

@@ -7,11 +7,11 @@
 #include <stdexcept>
 
 #include "protocol/limits.hpp"
+#include "tests/support/simulated_time.hpp"
 
 namespace echomap::tests {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr double kRightFaster = 1.0027;
 constexpr std::uint16_t kEdgesPerS2 = 60'000;
 constexpr std::int64_t kTurnsRoundMs = 6'000;

@@ -13,7 +13,9 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-world::NoiseStream noise(std::uint32_t seed) { return {seed, world::NoisePurpose::kLineFaults}; }
+world::NoiseStream fault_noise(std::uint32_t seed) {
+  return {seed, world::NoisePurpose::kLineFaults};
+}
 
 Bytes counting(std::size_t size) {
   Bytes bytes(size);
@@ -23,7 +25,7 @@ Bytes counting(std::size_t size) {
 
 Bytes after(FaultKind kind, std::size_t at) {
   Bytes bytes = counting(100);
-  auto stream = noise(1);
+  auto stream = fault_noise(1);
   apply_fault(kind, bytes, at, stream);
   return bytes;
 }
@@ -55,7 +57,7 @@ TEST(ApplyFault, OverwritesTwelveBytes) {
 
 TEST(ByteFaults, ComeAsOftenAsTheySay) {
   ByteFaults faults({.flip = 1e-3, .drop = 1e-3, .insert = 2e-3, .burst = 1e-4, .cut = 1e-4},
-                    noise(2));
+                    fault_noise(2));
   const Bytes bytes = counting(1'000'000);
   const Bytes passed = faults.pass(bytes);
   EXPECT_NEAR(static_cast<double>(faults.faults()), 4200.0, 250.0);
@@ -65,8 +67,8 @@ TEST(ByteFaults, ComeAsOftenAsTheySay) {
 
 TEST(ByteFaults, DoNotDependOnThePieces) {
   const FaultRates rates{0.01, 0.01, 0.01, 0.01, 0.01};
-  ByteFaults whole(rates, noise(3));
-  ByteFaults pieces(rates, noise(3));
+  ByteFaults whole(rates, fault_noise(3));
+  ByteFaults pieces(rates, fault_noise(3));
   const Bytes bytes = counting(1000);
   Bytes passed;
   for (const std::uint8_t byte : bytes) {
@@ -77,9 +79,9 @@ TEST(ByteFaults, DoNotDependOnThePieces) {
 }
 
 TEST(ByteFaults, RefuseRatesThatAreNone) {
-  EXPECT_THROW(ByteFaults({.flip = -0.1}, noise(1)), std::invalid_argument);
-  EXPECT_THROW(ByteFaults({.flip = 0.6, .cut = 0.6}, noise(1)), std::invalid_argument);
-  EXPECT_THROW(FrameLoss(1.5, noise(1)), std::invalid_argument);
+  EXPECT_THROW(ByteFaults({.flip = -0.1}, fault_noise(1)), std::invalid_argument);
+  EXPECT_THROW(ByteFaults({.flip = 0.6, .cut = 0.6}, fault_noise(1)), std::invalid_argument);
+  EXPECT_THROW(FrameLoss(1.5, fault_noise(1)), std::invalid_argument);
 }
 
 TEST(FrameLoss, LosesWholeFrames) {
@@ -87,7 +89,7 @@ TEST(FrameLoss, LosesWholeFrames) {
   for (int i = 0; i < 20'000; ++i) {
     stream.insert(stream.end(), {4, 1, 2, 3, 0});
   }
-  FrameLoss loss(0.05, noise(4));
+  FrameLoss loss(0.05, fault_noise(4));
   const Bytes passed = loss.pass(stream);
   EXPECT_NEAR(static_cast<double>(loss.frames_lost()), 1000.0, 100.0);
   EXPECT_EQ(passed.size(), stream.size() - 5 * loss.frames_lost());
@@ -95,7 +97,7 @@ TEST(FrameLoss, LosesWholeFrames) {
 }
 
 TEST(FrameLoss, LeavesDelimitersAlone) {
-  FrameLoss loss(1.0, noise(5));
+  FrameLoss loss(1.0, fault_noise(5));
   EXPECT_EQ(loss.pass(Bytes{0, 2, 1, 0, 0}), (Bytes{0, 0}));
 }
 

@@ -9,11 +9,13 @@
 namespace echomap::line_faults {
 namespace {
 
-world::NoiseStream noise(std::uint32_t seed) { return {seed, world::NoisePurpose::kLineDelays}; }
+world::NoiseStream delay_noise(std::uint32_t seed) {
+  return {seed, world::NoisePurpose::kLineDelays};
+}
 
 /// Sorted delays of frames that are sent 200 ms apart.
 std::vector<std::int64_t> delays_us(const DelayParams& params) {
-  DelayModel model(params, noise(1));
+  DelayModel model(params, delay_noise(1));
   std::vector<std::int64_t> delays_us;
   for (std::int64_t sent_us = 0; sent_us < 2'000'000'000; sent_us += 200'003) {
     delays_us.push_back(model.arrival_us(sent_us) - sent_us);
@@ -28,7 +30,7 @@ std::int64_t quantile(const std::vector<std::int64_t>& sorted, double share) {
 
 TEST(DelayModel, NeverReorders) {
   for (const DelayParams& params : {usb_delays(), ftdi_delays(), bluetooth_delays()}) {
-    DelayModel model(params, noise(2));
+    DelayModel model(params, delay_noise(2));
     std::int64_t last_us = 0;
     for (std::int64_t sent_us = 0; sent_us < 10'000'000; sent_us += 500) {
       const std::int64_t arrival_us = model.arrival_us(sent_us);
@@ -67,8 +69,8 @@ TEST(DelayModel, AHostIsBusyNowAndThen) {
 }
 
 TEST(DelayModel, RepeatsWithItsSeed) {
-  DelayModel first(bluetooth_delays(), noise(5));
-  DelayModel second(bluetooth_delays(), noise(5));
+  DelayModel first(bluetooth_delays(), delay_noise(5));
+  DelayModel second(bluetooth_delays(), delay_noise(5));
   for (std::int64_t sent_us = 0; sent_us < 1'000'000; sent_us += 1000) {
     EXPECT_EQ(first.arrival_us(sent_us), second.arrival_us(sent_us));
   }

@@ -12,11 +12,12 @@
 #include "tests/hil_mock/runner/test_host.hpp"
 #include "tests/hil_mock/world/rooms.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/simulated_time.hpp"
 
 namespace echomap::runner {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
+using tests::kMs;
 
 /// A device in a thread of its own, and the host's ends of both channels.
 class LockstepRunTest : public testing::Test {

@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/simulated_time.hpp"
+
 namespace echomap::runner {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
+using tests::kMs;
 
 /// What a camera sends in so many seconds, of a robot that stands at (1, 2).
 std::vector<nlohmann::json> fixes_of(const CameraParams& params,

@@ -10,11 +10,12 @@
 
 #include "tests/hil_mock/runner/fake_board.hpp"
 #include "tests/hil_mock/world/rooms.hpp"
+#include "tests/support/simulated_time.hpp"
 
 namespace echomap::runner {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
+using tests::kMs;
 
 world::RobotParams quiet_robot() {
   world::RobotParams robot;

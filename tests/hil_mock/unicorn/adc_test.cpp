@@ -8,16 +8,16 @@
 namespace echomap::unicorn {
 namespace {
 
-constexpr std::uint32_t kSr = 0x00;
-constexpr std::uint32_t kCr2 = 0x08;
-constexpr std::uint32_t kSqr3 = 0x34;
-constexpr std::uint32_t kDr = 0x4C;
-constexpr std::uint32_t kDone = 2;
-constexpr std::uint32_t kOn = 1;
-constexpr std::uint32_t kStart = 1U << 22;
-
 class Converter : public ::testing::Test {
  protected:
+  static constexpr std::uint32_t kSr = 0x00;
+  static constexpr std::uint32_t kCr2 = 0x08;
+  static constexpr std::uint32_t kSqr3 = 0x34;
+  static constexpr std::uint32_t kDr = 0x4C;
+  static constexpr std::uint32_t kDone = 2;
+  static constexpr std::uint32_t kOn = 1;
+  static constexpr std::uint32_t kStart = 1U << 22;
+
   Converter() {
     adc.reset();
     adc.set_input(3, 1234);

@@ -8,19 +8,19 @@
 namespace echomap::unicorn {
 namespace {
 
-constexpr std::uint32_t kKeyr = 0x04;
-constexpr std::uint32_t kSr = 0x0C;
-constexpr std::uint32_t kCr = 0x10;
-constexpr std::uint32_t kAr = 0x14;
-constexpr std::uint32_t kProgram = 1;
-constexpr std::uint32_t kErase = 2;
-constexpr std::uint32_t kStart = 1U << 6;
-constexpr std::uint32_t kLock = 1U << 7;
-constexpr std::uint32_t kProgramError = 1U << 2;
-constexpr std::uint32_t kErased = 0xFFFF;
-
 class Flash : public ::testing::Test {
  protected:
+  static constexpr std::uint32_t kKeyr = 0x04;
+  static constexpr std::uint32_t kSr = 0x0C;
+  static constexpr std::uint32_t kCr = 0x10;
+  static constexpr std::uint32_t kAr = 0x14;
+  static constexpr std::uint32_t kProgram = 1;
+  static constexpr std::uint32_t kErase = 2;
+  static constexpr std::uint32_t kStart = 1U << 6;
+  static constexpr std::uint32_t kLock = 1U << 7;
+  static constexpr std::uint32_t kProgramError = 1U << 2;
+  static constexpr std::uint32_t kErased = 0xFFFF;
+
   Flash() { flash.reset(); }
 
   void unlock() {

@@ -9,29 +9,6 @@
 namespace echomap::unicorn {
 namespace {
 
-constexpr std::uint32_t kCr1 = 0x00;
-constexpr std::uint32_t kCr2 = 0x04;
-constexpr std::uint32_t kDr = 0x10;
-constexpr std::uint32_t kSr1 = 0x14;
-constexpr std::uint32_t kSr2 = 0x18;
-constexpr std::uint32_t kCcr = 0x1C;
-
-constexpr std::uint32_t kOn = 1U << 0;
-constexpr std::uint32_t kStart = 1U << 8;
-constexpr std::uint32_t kStop = 1U << 9;
-constexpr std::uint32_t kAcknowledge = 1U << 10;
-constexpr std::uint32_t kSecondByte = 1U << 11;
-constexpr std::uint32_t kStarted = 1U << 0;
-constexpr std::uint32_t kAddressed = 1U << 1;
-constexpr std::uint32_t kByteEnded = 1U << 2;
-constexpr std::uint32_t kNoAnswer = 1U << 10;
-constexpr std::uint32_t kBusy = 1U << 1;
-
-/// 400 kbit/s of 36 MHz.
-constexpr std::uint32_t kFast = (1U << 15) | 30;
-constexpr std::uint64_t kBitCycles = 180;
-constexpr std::uint64_t kByteCycles = 9 * kBitCycles;
-
 class Memory final : public world::TwoWireDevice {
  public:
   std::uint8_t address() const override { return 0x68; }
@@ -45,6 +22,29 @@ class Memory final : public world::TwoWireDevice {
 
 class I2cWithAMemory : public ::testing::Test {
  protected:
+  static constexpr std::uint32_t kCr1 = 0x00;
+  static constexpr std::uint32_t kCr2 = 0x04;
+  static constexpr std::uint32_t kDr = 0x10;
+  static constexpr std::uint32_t kSr1 = 0x14;
+  static constexpr std::uint32_t kSr2 = 0x18;
+  static constexpr std::uint32_t kCcr = 0x1C;
+
+  static constexpr std::uint32_t kOn = 1U << 0;
+  static constexpr std::uint32_t kStart = 1U << 8;
+  static constexpr std::uint32_t kStop = 1U << 9;
+  static constexpr std::uint32_t kAcknowledge = 1U << 10;
+  static constexpr std::uint32_t kSecondByte = 1U << 11;
+  static constexpr std::uint32_t kStarted = 1U << 0;
+  static constexpr std::uint32_t kAddressed = 1U << 1;
+  static constexpr std::uint32_t kByteEnded = 1U << 2;
+  static constexpr std::uint32_t kNoAnswer = 1U << 10;
+  static constexpr std::uint32_t kBusy = 1U << 1;
+
+  /// 400 kbit/s of 36 MHz.
+  static constexpr std::uint32_t kFast = (1U << 15) | 30;
+  static constexpr std::uint64_t kBitCycles = 180;
+  static constexpr std::uint64_t kByteCycles = 9 * kBitCycles;
+
   I2cWithAMemory() {
     i2c.reset();
     i2c.has_pins = [this] { return has_pins; };

@@ -8,16 +8,16 @@
 namespace echomap::unicorn {
 namespace {
 
-constexpr std::uint32_t kKr = 0x0;
-constexpr std::uint32_t kPr = 0x4;
-constexpr std::uint32_t kRlr = 0x8;
-constexpr std::uint32_t kKick = 0xAAAA;
-constexpr std::uint32_t kUnlock = 0x5555;
-constexpr std::uint32_t kStart = 0xCCCC;
-constexpr std::uint64_t kMs = 72'000;
-
 class Watchdog : public ::testing::Test {
  protected:
+  static constexpr std::uint32_t kKr = 0x0;
+  static constexpr std::uint32_t kPr = 0x4;
+  static constexpr std::uint32_t kRlr = 0x8;
+  static constexpr std::uint32_t kKick = 0xAAAA;
+  static constexpr std::uint32_t kUnlock = 0x5555;
+  static constexpr std::uint32_t kStart = 0xCCCC;
+  static constexpr std::uint64_t kMs = 72'000;
+
   Watchdog() {
     iwdg.reset();
     iwdg.on_timeout = [this] { ++timeouts; };

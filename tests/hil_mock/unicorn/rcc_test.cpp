@@ -8,19 +8,19 @@
 namespace echomap::unicorn {
 namespace {
 
-constexpr std::uint32_t kCr = 0x00;
-constexpr std::uint32_t kCfgr = 0x04;
-constexpr std::uint32_t kApb2Enable = 0x18;
-constexpr std::uint32_t kCsr = 0x24;
-constexpr std::uint32_t kPllOn = 1U << 24;
-constexpr std::uint32_t kPllReady = 1U << 25;
-constexpr std::uint32_t kSwitchToPll = 2;
-constexpr std::uint32_t kPinFlag = 1U << 26;
-constexpr std::uint32_t kPowerOnFlag = 1U << 27;
-constexpr std::uint32_t kIwdgFlag = 1U << 29;
-
 class Clocks : public ::testing::Test {
  protected:
+  static constexpr std::uint32_t kCr = 0x00;
+  static constexpr std::uint32_t kCfgr = 0x04;
+  static constexpr std::uint32_t kApb2Enable = 0x18;
+  static constexpr std::uint32_t kCsr = 0x24;
+  static constexpr std::uint32_t kPllOn = 1U << 24;
+  static constexpr std::uint32_t kPllReady = 1U << 25;
+  static constexpr std::uint32_t kSwitchToPll = 2;
+  static constexpr std::uint32_t kPinFlag = 1U << 26;
+  static constexpr std::uint32_t kPowerOnFlag = 1U << 27;
+  static constexpr std::uint32_t kIwdgFlag = 1U << 29;
+
   Clocks() { rcc.reset(); }
 
   EventQueue queue;

@@ -8,22 +8,22 @@
 namespace echomap::unicorn {
 namespace {
 
-constexpr std::uint32_t kCr1 = 0x00;
-constexpr std::uint32_t kDier = 0x0C;
-constexpr std::uint32_t kSr = 0x10;
-constexpr std::uint32_t kEgr = 0x14;
-constexpr std::uint32_t kCcmr1 = 0x18;
-constexpr std::uint32_t kCcer = 0x20;
-constexpr std::uint32_t kCnt = 0x24;
-constexpr std::uint32_t kPsc = 0x28;
-constexpr std::uint32_t kArr = 0x2C;
-constexpr std::uint32_t kCcr1 = 0x34;
-constexpr std::uint32_t kCcr2 = 0x38;
-constexpr std::uint8_t kLine = 30;
-
 /// Counts every tenth cycle from 0 to 99.
 class TenCycleTimer : public ::testing::Test {
  protected:
+  static constexpr std::uint32_t kCr1 = 0x00;
+  static constexpr std::uint32_t kDier = 0x0C;
+  static constexpr std::uint32_t kSr = 0x10;
+  static constexpr std::uint32_t kEgr = 0x14;
+  static constexpr std::uint32_t kCcmr1 = 0x18;
+  static constexpr std::uint32_t kCcer = 0x20;
+  static constexpr std::uint32_t kCnt = 0x24;
+  static constexpr std::uint32_t kPsc = 0x28;
+  static constexpr std::uint32_t kArr = 0x2C;
+  static constexpr std::uint32_t kCcr1 = 0x34;
+  static constexpr std::uint32_t kCcr2 = 0x38;
+  static constexpr std::uint8_t kLine = 30;
+
   TenCycleTimer() {
     timer.reset();
     timer.write(kPsc, 9);

@@ -15,17 +15,17 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::Pair;
 
-constexpr std::uint32_t kSr = 0x00;
-constexpr std::uint32_t kDr = 0x04;
-constexpr std::uint32_t kBrr = 0x08;
-constexpr std::uint32_t kCr1 = 0x0C;
-constexpr std::uint32_t kOverrun = 1U << 3;
-constexpr std::uint32_t kReceived = 1U << 5;
-constexpr std::uint32_t kSendEmpty = 1U << 7;
-constexpr std::uint64_t kByteCycles = 6250;
-
 class UsartAt115200 : public ::testing::Test {
  protected:
+  static constexpr std::uint32_t kSr = 0x00;
+  static constexpr std::uint32_t kDr = 0x04;
+  static constexpr std::uint32_t kBrr = 0x08;
+  static constexpr std::uint32_t kCr1 = 0x0C;
+  static constexpr std::uint32_t kOverrun = 1U << 3;
+  static constexpr std::uint32_t kReceived = 1U << 5;
+  static constexpr std::uint32_t kSendEmpty = 1U << 7;
+  static constexpr std::uint64_t kByteCycles = 6250;
+
   UsartAt115200() {
     usart.reset();
     usart.write(kBrr, 625);

@@ -8,13 +8,13 @@
 namespace echomap::world {
 namespace {
 
-NoiseStream noise() { return {1, NoisePurpose::kBattery}; }
+NoiseStream battery_noise() { return {1, NoisePurpose::kBattery}; }
 
 TEST(Battery, FallsToEmptyInTheTimeOfItsCapacity) {
   BatteryParams params;
   params.idle_a = 1.0;
   params.resistance_ohm = 0.0;
-  Battery battery(params, noise());
+  Battery battery(params, battery_noise());
   for (int i = 0; i < 3600; ++i) {
     battery.step(1.0, {}, {});
   }
@@ -27,7 +27,7 @@ TEST(Battery, FallsToEmptyInTheTimeOfItsCapacity) {
 
 TEST(Battery, ABlockedMotorPullsTheVoltageDown) {
   const BatteryParams params;
-  Battery battery(params, noise());
+  Battery battery(params, battery_noise());
   battery.step(0.001, {}, {});
   const double resting_v = battery.volts();
   battery.step(0.001, {1.0, 0.0}, {1.0, 0.0});
@@ -38,7 +38,7 @@ TEST(Battery, ABlockedMotorPullsTheVoltageDown) {
 }
 
 TEST(Battery, ThePinSeesItsShareWithNoise) {
-  Battery battery({}, noise());
+  Battery battery({}, battery_noise());
   double sum_mv = 0.0;
   double sum_of_squares = 0.0;
   for (int i = 0; i < 10000; ++i) {

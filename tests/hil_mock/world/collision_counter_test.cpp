@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/hil_mock/world/steps.hpp"
+
 namespace echomap::world {
 namespace {
-
-constexpr double kStepS = 0.001;
 
 class CollisionCounterTest : public testing::Test {
  protected:

@@ -39,7 +39,7 @@ std::string edited(std::string from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
 
-std::string error_of(const std::string& text) {
+std::string plan_error_of(const std::string& text) {
   try {
     read_floor_plan(files::TomlReader::parse(text, "small.toml"));
   } catch (const files::ConfigError& error) {
@@ -59,22 +59,24 @@ TEST(FloorPlanFile, ReadsRoomObstaclesMaterialsAndStart) {
 }
 
 TEST(FloorPlanFile, NamesThePlaceOfEveryFault) {
-  EXPECT_EQ(error_of(room_text), "no error");
-  EXPECT_THAT(error_of(edited("[2, 1], [0, 1]", "[0, 1], [2, 1]")),
+  EXPECT_EQ(plan_error_of(room_text), "no error");
+  EXPECT_THAT(plan_error_of(edited("[2, 1], [0, 1]", "[0, 1], [2, 1]")),
               StartsWith("small.toml:7:13: sides 1 and 3 cross"));
-  EXPECT_THAT(error_of(edited("[1.2, 0.5]", "[1.2, 5]")), StartsWith("small.toml:13:13: "));
-  EXPECT_THAT(error_of(edited("[2, 1], [0, 1]", "[2, 1000], [0, 1000]")),
+  EXPECT_THAT(plan_error_of(edited("[1.2, 0.5]", "[1.2, 5]")), StartsWith("small.toml:13:13: "));
+  EXPECT_THAT(plan_error_of(edited("[2, 1], [0, 1]", "[2, 1000], [0, 1000]")),
               StartsWith("small.toml:7:13: a corner is more than 100 m away"));
-  EXPECT_THAT(error_of(edited("x_m = 0.5", "x_m = 2.5")), StartsWith("small.toml:3:7: start: "));
-  EXPECT_THAT(error_of(edited("index = 1", "index = 4")),
+  EXPECT_THAT(plan_error_of(edited("x_m = 0.5", "x_m = 2.5")),
+              StartsWith("small.toml:3:7: start: "));
+  EXPECT_THAT(plan_error_of(edited("index = 1", "index = 4")),
               StartsWith("small.toml:9:9: sides are numbered 0 to 3"));
 }
 
 TEST(FloorPlanFile, SuggestsTheNearestValidKeyAndMaterial) {
-  const std::string unknown = error_of(edited("index = 1", "index = 1\nmateriall = \"rough\""));
+  const std::string unknown =
+      plan_error_of(edited("index = 1", "index = 1\nmateriall = \"rough\""));
   EXPECT_THAT(unknown, StartsWith("small.toml:10:1: "));
   EXPECT_THAT(unknown, HasSubstr("material"));
-  EXPECT_THAT(error_of(edited("\"rough\"", "\"rouhg\"")), HasSubstr("did you mean 'rough'"));
+  EXPECT_THAT(plan_error_of(edited("\"rough\"", "\"rouhg\"")), HasSubstr("did you mean 'rough'"));
 }
 
 const std::string marks_text = R"([[hole]]
@@ -105,20 +107,21 @@ TEST(FloorPlanFile, ReadsHolesVirtualWallsAndReflectance) {
 }
 
 TEST(FloorPlanFile, NamesThePlaceOfABadHoleOrVirtualWall) {
-  EXPECT_EQ(error_of(room_text + marks_text), "no error");
-  EXPECT_THAT(error_of(edited_marks("[2, 1], [1.5, 1]", "[2, 1], [1.5, 2]")),
+  EXPECT_EQ(plan_error_of(room_text + marks_text), "no error");
+  EXPECT_THAT(plan_error_of(edited_marks("[2, 1], [1.5, 1]", "[2, 1], [1.5, 2]")),
               StartsWith("small.toml:16:13: the hole is not inside of the room"));
-  EXPECT_THAT(error_of(edited_marks("[2, 1], [1.5, 1]", "[1.5, 1], [2, 1]")),
+  EXPECT_THAT(plan_error_of(edited_marks("[2, 1], [1.5, 1]", "[1.5, 1], [2, 1]")),
               StartsWith("small.toml:16:13: sides "));
-  EXPECT_THAT(error_of(edited_marks("y_m = 0.8", "y_m = 1.8")), StartsWith("small.toml:18:7: "));
-  EXPECT_THAT(error_of(edited_marks("length_m = 0.7", "length_m = 0")),
+  EXPECT_THAT(plan_error_of(edited_marks("y_m = 0.8", "y_m = 1.8")),
+              StartsWith("small.toml:18:7: "));
+  EXPECT_THAT(plan_error_of(edited_marks("length_m = 0.7", "length_m = 0")),
               StartsWith("small.toml:21:12: it must be positive"));
-  EXPECT_THAT(error_of(edited_marks("beam_half_angle_deg", "beam_half_angel_deg")),
+  EXPECT_THAT(plan_error_of(edited_marks("beam_half_angle_deg", "beam_half_angel_deg")),
               HasSubstr("has 'beam_half_angel_deg'"));
-  EXPECT_THAT(error_of(edited_marks("\"rough\"", "\"rough\"\nreflectance = 1.4")),
+  EXPECT_THAT(plan_error_of(edited_marks("\"rough\"", "\"rough\"\nreflectance = 1.4")),
               StartsWith("small.toml:11:15: it must be between 0 and 1"));
-  EXPECT_THAT(error_of(edited_marks("[1.5, 0], [2, 0], [2, 1], [1.5, 1]",
-                                    "[0.4, 0.4], [0.6, 0.4], [0.6, 0.6], [0.4, 0.6]")),
+  EXPECT_THAT(plan_error_of(edited_marks("[1.5, 0], [2, 0], [2, 1], [1.5, 1]",
+                                         "[0.4, 0.4], [0.6, 0.4], [0.6, 0.6], [0.4, 0.6]")),
               StartsWith("small.toml:3:7: start: "));
 }
 
@@ -219,18 +222,19 @@ TEST(FloorPlanFile, ReadsPeopleAndGlass) {
 }
 
 TEST(FloorPlanFile, NamesThePlaceOfABadPerson) {
-  EXPECT_EQ(error_of(room_text + person_text), "no error");
-  EXPECT_THAT(error_of(edited_person(", [2.5, 0.5]", "")),
+  EXPECT_EQ(plan_error_of(room_text + person_text), "no error");
+  EXPECT_THAT(plan_error_of(edited_person(", [2.5, 0.5]", "")),
               StartsWith("small.toml:15:10: a path takes two points or more"));
-  EXPECT_THAT(error_of(edited_person("[2.5, 0.5]", "[250, 0.5]")),
+  EXPECT_THAT(plan_error_of(edited_person("[2.5, 0.5]", "[250, 0.5]")),
               StartsWith("small.toml:15:10: a point is more than 100 m away"));
-  EXPECT_THAT(error_of(edited_person("0.8", "0")),
+  EXPECT_THAT(plan_error_of(edited_person("0.8", "0")),
               StartsWith("small.toml:16:17: it must be positive"));
-  EXPECT_THAT(error_of(edited_person("radius_m = 0.2", "radius_m = -0.2")),
+  EXPECT_THAT(plan_error_of(edited_person("radius_m = 0.2", "radius_m = -0.2")),
               StartsWith("small.toml:17:12: it must be positive"));
-  EXPECT_THAT(error_of(edited_person("start_s = 12", "start_s = -1")),
+  EXPECT_THAT(plan_error_of(edited_person("start_s = 12", "start_s = -1")),
               StartsWith("small.toml:18:11: it must be between 0 and"));
-  EXPECT_THAT(error_of(edited_person("speed_m_per_s", "sped_m_per_s")), HasSubstr("sped_m_per_s"));
+  EXPECT_THAT(plan_error_of(edited_person("speed_m_per_s", "sped_m_per_s")),
+              HasSubstr("sped_m_per_s"));
 }
 
 }  // namespace

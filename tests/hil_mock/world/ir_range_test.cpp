@@ -14,7 +14,7 @@ namespace {
 
 using geometry::radians;
 
-NoiseStream noise() { return {1, NoisePurpose::kRange0}; }
+NoiseStream range_noise() { return {1, NoisePurpose::kRange0}; }
 
 /// 2 m before the right wall of the box room, plus what is asked for.
 geometry::Pose2 before_wall(double range_m, double heading_rad = 0.0) {
@@ -22,7 +22,7 @@ geometry::Pose2 before_wall(double range_m, double heading_rad = 0.0) {
 }
 
 double mean_mv(const FloorPlan& plan, IrKind kind, const geometry::Pose2& T_world_sensor) {
-  IrRange sensor(plan, {0, kind, {}}, noise());
+  IrRange sensor(plan, {0, kind, {}}, range_noise());
   double sum_mv = 0.0;
   for (int i = 0; i < 2000; ++i) {
     sensor.step(0.05, T_world_sensor);
@@ -59,7 +59,7 @@ TEST(IrRange, ReflectedLightFallsWithRangeColourAndIncidence) {
 
 TEST(IrRange, MeasuresTheRoomFromItsPlaceOnTheRobot) {
   const FloorPlan plan = box_room();
-  IrRange sensor(plan, {0, IrKind::kGp2y0a21, {0.05, 0.0, radians(90.0)}}, noise());
+  IrRange sensor(plan, {0, IrKind::kGp2y0a21, {0.05, 0.0, radians(90.0)}}, range_noise());
   double sum_mv = 0.0;
   for (int i = 0; i < 1000; ++i) {
     sensor.step(0.05, {2.0, 2.5, 0.0});
@@ -80,8 +80,8 @@ TEST(IrRange, SeesADarkWallWorse) {
 
 TEST(IrRange, NoiseIsOfItsSizeAndRepeats) {
   const FloorPlan plan = box_room();
-  IrRange first(plan, {0, IrKind::kEpuck, {}}, noise());
-  IrRange second(plan, {0, IrKind::kEpuck, {}}, noise());
+  IrRange first(plan, {0, IrKind::kEpuck, {}}, range_noise());
+  IrRange second(plan, {0, IrKind::kEpuck, {}}, range_noise());
   double sum_of_squares = 0.0;
   const double mean = mean_mv(plan, IrKind::kEpuck, before_wall(0.03));
   for (int i = 0; i < 4000; ++i) {
@@ -95,7 +95,7 @@ TEST(IrRange, NoiseIsOfItsSizeAndRepeats) {
 
 TEST(IrRange, TheOutputStandsStillBetweenTwoMeasurements) {
   const FloorPlan plan = box_room();
-  IrRange sensor(plan, {0, IrKind::kGp2y0a21, {}}, noise());
+  IrRange sensor(plan, {0, IrKind::kGp2y0a21, {}}, range_noise());
   int changes = 0;
   double last_mv = -1.0;
   for (int i = 0; i < 1000; ++i) {

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string error_of(const std::string& text) {
+std::string faults_error_of(const std::string& text) {
   try {
     parse_part_faults(text);
   } catch (const std::invalid_argument& error) {
@@ -52,18 +52,18 @@ TEST(PartFaults, EveryNameIsReadAgain) {
 }
 
 TEST(PartFaults, SaysWhatIsWrong) {
-  EXPECT_THAT(error_of("sonar-daed@3"), HasSubstr("unknown part 'sonar-daed'"));
-  EXPECT_THAT(error_of("sonar-daed@3"), HasSubstr("sonar-dead"));
-  EXPECT_THAT(error_of("sonar-dead"), HasSubstr("it takes NAME@AT"));
-  EXPECT_THAT(error_of("sonar-dead@"), HasSubstr("it takes NAME@AT"));
-  EXPECT_THAT(error_of("sonar-dead@3:1:2:3"), HasSubstr("it takes NAME@AT"));
-  EXPECT_THAT(error_of("sonar-dead@soon"), HasSubstr("'soon' is no number"));
-  EXPECT_THAT(error_of("sonar-dead@-1"), HasSubstr("'-1' is no number"));
-  EXPECT_THAT(error_of("sonar-dead@nan"), HasSubstr("'nan' is no number"));
-  EXPECT_THAT(error_of("sonar-dead@inf"), HasSubstr("begin at some time"));
-  EXPECT_THAT(error_of("sonar-dead@1:2:3"), HasSubstr("takes no value"));
-  EXPECT_THAT(error_of("slip-left@1:2:1.5"), HasSubstr("a share, 0 to 1"));
-  EXPECT_THAT(error_of("sonar-stuck@1:2:99"), HasSubstr("too large"));
+  EXPECT_THAT(faults_error_of("sonar-daed@3"), HasSubstr("unknown part 'sonar-daed'"));
+  EXPECT_THAT(faults_error_of("sonar-daed@3"), HasSubstr("sonar-dead"));
+  EXPECT_THAT(faults_error_of("sonar-dead"), HasSubstr("it takes NAME@AT"));
+  EXPECT_THAT(faults_error_of("sonar-dead@"), HasSubstr("it takes NAME@AT"));
+  EXPECT_THAT(faults_error_of("sonar-dead@3:1:2:3"), HasSubstr("it takes NAME@AT"));
+  EXPECT_THAT(faults_error_of("sonar-dead@soon"), HasSubstr("'soon' is no number"));
+  EXPECT_THAT(faults_error_of("sonar-dead@-1"), HasSubstr("'-1' is no number"));
+  EXPECT_THAT(faults_error_of("sonar-dead@nan"), HasSubstr("'nan' is no number"));
+  EXPECT_THAT(faults_error_of("sonar-dead@inf"), HasSubstr("begin at some time"));
+  EXPECT_THAT(faults_error_of("sonar-dead@1:2:3"), HasSubstr("takes no value"));
+  EXPECT_THAT(faults_error_of("slip-left@1:2:1.5"), HasSubstr("a share, 0 to 1"));
+  EXPECT_THAT(faults_error_of("sonar-stuck@1:2:99"), HasSubstr("too large"));
 }
 
 TEST(PartFaults, AFaultIsThereFromItsBeginningToItsEnd) {

@@ -50,7 +50,7 @@ pin_8 = "range_3"
 
 PartParams parsed() { return read_parts(files::TomlReader::parse(parts_text, "r.toml")); }
 
-std::string error_after(const std::string& from, const std::string& to) {
+std::string parts_error_after(const std::string& from, const std::string& to) {
   std::string text = parts_text;
   text.replace(text.find(from), from.size(), to);
   try {
@@ -100,39 +100,42 @@ TEST(PartFile, ReadsTheWiresOfEachBoard) {
 }
 
 TEST(PartFile, NamesThePlaceOfABadPart) {
-  EXPECT_EQ(error_after("x_m = 0.03", "x_m = 0.04"), "no error");
-  EXPECT_THAT(error_after("channel = 3", "channel = 8"), StartsWith("r.toml:2:11: "));
-  EXPECT_THAT(error_after("\"epuck\"", "\"epuk\""), HasSubstr("did you mean 'epuck'"));
-  EXPECT_THAT(error_after("x_m = 0.03", "x_m = 30"), StartsWith("r.toml:4:7: "));
-  EXPECT_THAT(error_after("\"front_left\"", "\"fore\""), StartsWith("r.toml:8:9: unknown word"));
-  EXPECT_THAT(error_after("reach_m = 0.1", "reach_m = 0"), StartsWith("r.toml:15:11: "));
-  EXPECT_THAT(error_after("bias_stddev_deg", "bias_stddev_rad"), HasSubstr("unknown key"));
-  EXPECT_THAT(error_after("empty_v = 12.0", "empty_v = 17.0"), StartsWith("r.toml:25:11: "));
-  EXPECT_THAT(error_after("= -4076", "= 0"), StartsWith("r.toml:28:23: "));
+  EXPECT_EQ(parts_error_after("x_m = 0.03", "x_m = 0.04"), "no error");
+  EXPECT_THAT(parts_error_after("channel = 3", "channel = 8"), StartsWith("r.toml:2:11: "));
+  EXPECT_THAT(parts_error_after("\"epuck\"", "\"epuk\""), HasSubstr("did you mean 'epuck'"));
+  EXPECT_THAT(parts_error_after("x_m = 0.03", "x_m = 30"), StartsWith("r.toml:4:7: "));
+  EXPECT_THAT(parts_error_after("\"front_left\"", "\"fore\""),
+              StartsWith("r.toml:8:9: unknown word"));
+  EXPECT_THAT(parts_error_after("reach_m = 0.1", "reach_m = 0"), StartsWith("r.toml:15:11: "));
+  EXPECT_THAT(parts_error_after("bias_stddev_deg", "bias_stddev_rad"), HasSubstr("unknown key"));
+  EXPECT_THAT(parts_error_after("empty_v = 12.0", "empty_v = 17.0"), StartsWith("r.toml:25:11: "));
+  EXPECT_THAT(parts_error_after("= -4076", "= 0"), StartsWith("r.toml:28:23: "));
 }
 
 TEST(PartFile, NamesThePlaceOfABadWire) {
-  EXPECT_THAT(error_after("\"wheel_drop\"", "\"wheel_dorp\""),
+  EXPECT_THAT(parts_error_after("\"wheel_drop\"", "\"wheel_dorp\""),
               HasSubstr("did you mean 'wheel_drop'"));
-  EXPECT_THAT(error_after("\"range_3\"", "\"range_4\""),
+  EXPECT_THAT(parts_error_after("\"range_3\"", "\"range_4\""),
               StartsWith("r.toml:33:9: the robot has no range_4"));
-  EXPECT_THAT(error_after("\"wheel_drop\"", "\"cliff_left\""), HasSubstr("has no cliff_left"));
-  EXPECT_THAT(error_after("pin_8", "pin_16"), HasSubstr("unknown key 'pin_16'"));
-  EXPECT_THAT(error_after("wiring.mega", "wiring.mego"), HasSubstr("did you mean 'mega'"));
-  EXPECT_THAT(error_after("\"range_3\"", "\"range_3 high\""), HasSubstr("yes or no"));
-  EXPECT_THAT(error_after("pin_8 = \"range_3\"", "pin_8 = \"wheel_drop\""),
+  EXPECT_THAT(parts_error_after("\"wheel_drop\"", "\"cliff_left\""),
+              HasSubstr("has no cliff_left"));
+  EXPECT_THAT(parts_error_after("pin_8", "pin_16"), HasSubstr("unknown key 'pin_16'"));
+  EXPECT_THAT(parts_error_after("wiring.mega", "wiring.mego"), HasSubstr("did you mean 'mega'"));
+  EXPECT_THAT(parts_error_after("\"range_3\"", "\"range_3 high\""), HasSubstr("yes or no"));
+  EXPECT_THAT(parts_error_after("pin_8 = \"range_3\"", "pin_8 = \"wheel_drop\""),
               HasSubstr("wired to another pin"));
 }
 
 TEST(PartFile, RefusesTwoOfOnePlaceOrChannel) {
-  EXPECT_THAT(error_after("[wall_sensor]",
-                          "[[cliff]]\nplace = \"front_left\"\nx_m = 0\ny_m = 0\n[wall_sensor]"),
-              HasSubstr("another one at this place"));
   EXPECT_THAT(
-      error_after("[[cliff]]",
+      parts_error_after("[wall_sensor]",
+                        "[[cliff]]\nplace = \"front_left\"\nx_m = 0\ny_m = 0\n[wall_sensor]"),
+      HasSubstr("another one at this place"));
+  EXPECT_THAT(parts_error_after(
+                  "[[cliff]]",
                   "[[range]]\nchannel = 3\nkind = \"epuck\"\nx_m = 0\ny_m = 0\nheading_deg = 0\n"
                   "[[cliff]]"),
-      HasSubstr("each once"));
+              HasSubstr("each once"));
 }
 
 }  // namespace

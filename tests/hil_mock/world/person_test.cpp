@@ -8,16 +8,16 @@
 namespace echomap::world {
 namespace {
 
-constexpr double kStepS = 0.01;
+constexpr double kPersonStepS = 0.01;
 const Disc far_robot{{100.0, 0.0}, 0.1};
 
 PersonParams crossing() { return {{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}}, 1.0, 0.2, 5.0}; }
 
 /// Walks on until this time.
 void walk(Person& person, double& now_s, double until_s, const Disc& robot) {
-  while (now_s < until_s - 0.5 * kStepS) {
-    now_s += kStepS;
-    person.step(kStepS, now_s, robot);
+  while (now_s < until_s - 0.5 * kPersonStepS) {
+    now_s += kPersonStepS;
+    person.step(kPersonStepS, now_s, robot);
   }
 }
 

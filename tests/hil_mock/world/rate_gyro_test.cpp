@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/hil_mock/world/steps.hpp"
+
 namespace echomap::world {
 namespace {
-
-constexpr double kDtS = 0.001;
 
 GyroParams quiet() { return {0.0, 0.0, 0.0, 0.0}; }
 
@@ -22,8 +22,8 @@ double drift_deg(const GyroParams& params, std::uint32_t seed) {
   const double bias_deg_per_s = gyro.bias_deg_per_s();
   double angle_deg = 0.0;
   for (int i = 0; i < 20000; ++i) {
-    gyro.step(kDtS, 0.0, 42.0);
-    angle_deg += (gyro.rate_deg_per_s() - bias_deg_per_s) * kDtS;
+    gyro.step(kStepS, 0.0, 42.0);
+    angle_deg += (gyro.rate_deg_per_s() - bias_deg_per_s) * kStepS;
   }
   return angle_deg;
 }
@@ -40,7 +40,7 @@ double standard_deviation(const GyroParams& params) {
 TEST(RateGyro, WithoutErrorsItGivesTheRate) {
   RateGyro gyro(quiet(), noise(1));
   for (int i = 0; i < 100; ++i) {
-    gyro.step(kDtS, 1.0, 256.0);
+    gyro.step(kStepS, 1.0, 256.0);
   }
   EXPECT_NEAR(gyro.rate_deg_per_s(), 57.29578, 1e-5);
 }
@@ -48,8 +48,8 @@ TEST(RateGyro, WithoutErrorsItGivesTheRate) {
 TEST(RateGyro, TheFilterTakesItsTime) {
   RateGyro gyro(quiet(), noise(1));
   const double time_constant_s = 1.0 / (2.0 * std::numbers::pi * 42.0);
-  for (int i = 0; i < std::lround(time_constant_s / kDtS * 1.0); ++i) {
-    gyro.step(kDtS, 1.0, 42.0);
+  for (int i = 0; i < std::lround(time_constant_s / kStepS * 1.0); ++i) {
+    gyro.step(kStepS, 1.0, 42.0);
   }
   EXPECT_NEAR(gyro.rate_deg_per_s() / 57.29578, 1.0 - std::exp(-1.0), 0.04);
 }

@@ -9,11 +9,10 @@
 
 #include "host/geometry/angle.hpp"
 #include "tests/hil_mock/world/rooms.hpp"
+#include "tests/hil_mock/world/steps.hpp"
 
 namespace echomap::world {
 namespace {
-
-constexpr double kStepS = 0.001;
 
 DriveParams perfect_drive() {
   DriveParams drive;

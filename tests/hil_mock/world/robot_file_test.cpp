@@ -22,7 +22,7 @@ std::string uno_text() {
   return files::read_text_file(files::bundled_file("uno_2wd", "hil_mock/robots", "robot"));
 }
 
-std::string error_after(const std::string& from, const std::string& to) {
+std::string robot_error_after(const std::string& from, const std::string& to) {
   std::string text = uno_text();
   text.replace(text.find(from), from.size(), to);
   try {
@@ -113,18 +113,23 @@ TEST(RobotFile, EveryPartOfABundledRobotIsWiredOnEachOfItsBoards) {
 }
 
 TEST(RobotFile, ARobotHasOnePanDrive) {
-  EXPECT_THAT(error_after("[gyro]",
-                          "[stepper]\nhalf_steps_per_turn = 4076\nmax_half_steps_per_s = 600\n"
-                          "[gyro]"),
-              HasSubstr("one pan drive"));
+  EXPECT_THAT(
+      robot_error_after("[gyro]",
+                        "[stepper]\nhalf_steps_per_turn = 4076\nmax_half_steps_per_s = 600\n"
+                        "[gyro]"),
+      HasSubstr("one pan drive"));
 }
 
 TEST(RobotFile, NamesThePlaceOfEveryFault) {
-  EXPECT_EQ(error_after("track_m", "track_m"), "no error");
-  EXPECT_THAT(error_after("track_m = 0.140", "track_m = -0.140"), HasSubstr("uno.toml:7:11: "));
-  EXPECT_THAT(error_after("track_stddev", "trak_stddev"), HasSubstr("did you mean 'track_stddev'"));
-  EXPECT_THAT(error_after("max_range_m = 4.0", "max_range_m = 0.01"), HasSubstr("min_range_m"));
-  EXPECT_THAT(error_after("edge_strength = 0.4", "edge_strength = 1.4"), HasSubstr("between"));
+  EXPECT_EQ(robot_error_after("track_m", "track_m"), "no error");
+  EXPECT_THAT(robot_error_after("track_m = 0.140", "track_m = -0.140"),
+              HasSubstr("uno.toml:7:11: "));
+  EXPECT_THAT(robot_error_after("track_stddev", "trak_stddev"),
+              HasSubstr("did you mean 'track_stddev'"));
+  EXPECT_THAT(robot_error_after("max_range_m = 4.0", "max_range_m = 0.01"),
+              HasSubstr("min_range_m"));
+  EXPECT_THAT(robot_error_after("edge_strength = 0.4", "edge_strength = 1.4"),
+              HasSubstr("between"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 using geometry::radians;
 
 /// No floor right of x = 3, a virtual wall along y = 2.5.
-FloorPlan room_with_stairs() {
+FloorPlan room_with_stairs_and_beam() {
   return {"stairs",
           {rectangle(0.0, 0.0, 4.0, 3.0), {}},
           {},
@@ -53,7 +53,7 @@ class RobotPartsTest : public testing::Test {
     }
   }
 
-  RobotWorld world{room_with_stairs(), equipped(), 1};
+  RobotWorld world{room_with_stairs_and_beam(), equipped(), 1};
 };
 
 TEST_F(RobotPartsTest, EachCliffSensorAnswersForItself) {
@@ -135,7 +135,7 @@ TEST_F(RobotPartsTest, DrivingDrainsTheBattery) {
 }
 
 TEST(RobotParts, ABareRobotHasNone) {
-  RobotWorld world(room_with_stairs(), {}, 1);
+  RobotWorld world(room_with_stairs_and_beam(), {}, 1);
   world.lift();
   EXPECT_FALSE(world.parts().is_active(PinPart::kCliffLeft));
   EXPECT_EQ(world.parts().millivolts(PinPart::kBattery), 0.0);

@@ -8,10 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/hil_mock/world/steps.hpp"
+
 namespace echomap::world {
 namespace {
 
-constexpr double kDtS = 0.001;
 /// A, AB, B, BC, C, CD, D, DA.
 constexpr std::array<Coils, 8> kHalfSteps = {{{true, false, false, false},
                                               {true, true, false, false},
@@ -27,7 +28,7 @@ void drive(StepperMotor& motor, int count, int period_ms, int from = 0) {
   for (int i = 1; i <= std::abs(count); ++i) {
     const int pattern = (from + (count < 0 ? -i : i)) & 7;
     for (int ms = 0; ms < period_ms; ++ms) {
-      motor.step(kDtS, kHalfSteps.at(static_cast<std::size_t>(pattern)));
+      motor.step(kStepS, kHalfSteps.at(static_cast<std::size_t>(pattern)));
     }
   }
 }
@@ -62,8 +63,8 @@ TEST(StepperMotor, WithoutCurrentItsGearHoldsIt) {
   drive(motor, 100, 2);
   const double pan_rad = motor.pan_rad();
   for (int i = 0; i < 100; ++i) {
-    motor.step(kDtS, {});
-    motor.step(kDtS, {true, false, true, false});
+    motor.step(kStepS, {});
+    motor.step(kStepS, {true, false, true, false});
   }
   EXPECT_EQ(motor.pan_rad(), pan_rad);
 }

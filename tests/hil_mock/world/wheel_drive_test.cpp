@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/hil_mock/world/steps.hpp"
+
 namespace echomap::world {
 namespace {
-
-constexpr double kStepS = 0.001;
 
 /// Decodes A and B as a quadrature counter does; illegal transitions fail the test.
 class Quadrature {

@@ -10,7 +10,7 @@ namespace {
 
 using geometry::Polygon;
 
-const Polygon kRoomM{{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+const Polygon kHallM{{0, 0}, {4, 0}, {4, 3}, {0, 3}};
 
 Polygon box(double left_m, double bottom_m, double right_m, double top_m) {
   return {{left_m, bottom_m}, {right_m, bottom_m}, {right_m, top_m}, {left_m, top_m}};
@@ -23,31 +23,31 @@ bool has(const Polygon& outline_m, const Eigen::Vector2d& corner_m) {
 }
 
 TEST(FloorOutline, OfAnEmptyRoomIsTheRoom) {
-  const Polygon outline_m = floor_outline({kRoomM});
+  const Polygon outline_m = floor_outline({kHallM});
   EXPECT_EQ(outline_m.size(), 4U);
   EXPECT_NEAR(geometry::signed_area_m2(outline_m), 12.0, 1e-9);
   EXPECT_TRUE(floor_outline({}).empty());
 }
 
 TEST(FloorOutline, LeavesOutWhatStandsFreeOfTheWalls) {
-  EXPECT_EQ(floor_outline({kRoomM, box(1, 1, 2, 2)}).size(), 4U);
+  EXPECT_EQ(floor_outline({kHallM, box(1, 1, 2, 2)}).size(), 4U);
 }
 
 TEST(FloorOutline, GoesAroundWhatStandsAtTheWalls) {
-  EXPECT_EQ(floor_outline({kRoomM, box(1, 2, 2, 3)}).size(), 8U) << "at a wall";
-  const Polygon corner_m = floor_outline({kRoomM, box(3, 0, 4, 1)});
+  EXPECT_EQ(floor_outline({kHallM, box(1, 2, 2, 3)}).size(), 8U) << "at a wall";
+  const Polygon corner_m = floor_outline({kHallM, box(3, 0, 4, 1)});
   EXPECT_EQ(corner_m.size(), 6U) << "in a corner";
   EXPECT_TRUE(has(corner_m, {3, 1}));
   EXPECT_FALSE(has(corner_m, {4, 0}));
 }
 
 TEST(FloorOutline, HasNoCornerBetweenTwoThingsInARow) {
-  EXPECT_EQ(floor_outline({kRoomM, box(1, 2, 2, 3), box(2, 2, 3, 3)}).size(), 8U);
-  EXPECT_EQ(floor_outline({kRoomM, box(1, 2, 2, 3), box(2, 1.5, 3, 3)}).size(), 10U);
+  EXPECT_EQ(floor_outline({kHallM, box(1, 2, 2, 3), box(2, 2, 3, 3)}).size(), 8U);
+  EXPECT_EQ(floor_outline({kHallM, box(1, 2, 2, 3), box(2, 1.5, 3, 3)}).size(), 10U);
 }
 
 TEST(FloorOutline, IsThatOfTheLargestPart) {
-  const Polygon outline_m = floor_outline({kRoomM, box(1, 0, 1.2, 3)});
+  const Polygon outline_m = floor_outline({kHallM, box(1, 0, 1.2, 3)});
   EXPECT_NEAR(geometry::signed_area_m2(outline_m), 2.8 * 3.0, 1e-9);
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/host/evaluation/drawn_truth.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::evaluation {
@@ -14,8 +15,6 @@ namespace {
 
 using geometry::Pose2;
 using tests::map_from;
-
-constexpr double kCellM = 0.1;
 
 /// A room of 0.4 m x 0.2 m whose walls stand around free cells.
 const tests::DrawnMap room{"######", "#....#", "#....#", "######"};

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/polygon.hpp"
+#include "tests/host/evaluation/cupboard_room.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::evaluation {
@@ -15,10 +16,6 @@ namespace {
 using geometry::Pose2;
 using mapping::CellState;
 using mapping::RasterMap;
-
-/// A room without symmetry, with a cupboard that stands into it.
-const geometry::Polygon kRoom{
-    {-1.5, -1.0}, {2.5, -1.0}, {2.5, 0.2}, {1.7, 0.2}, {1.7, 1.6}, {-1.1, 1.6}, {-1.5, 0.9}};
 
 /// The room as a robot maps it whose map frame lies at `T_room_map`: cells of 5 cm, a part of the
 /// walls not seen.

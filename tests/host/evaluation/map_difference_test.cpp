@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/polygon.hpp"
+#include "tests/host/evaluation/cupboard_room.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::evaluation {
@@ -16,8 +17,6 @@ using geometry::Pose2;
 using mapping::CellState;
 using mapping::RasterMap;
 
-const Polygon kRoom{
-    {-1.5, -1.0}, {2.5, -1.0}, {2.5, 0.2}, {1.7, 0.2}, {1.7, 1.6}, {-1.1, 1.6}, {-1.5, 0.9}};
 const Polygon kBox{{0.2, 0.1}, {0.6, 0.1}, {0.6, 0.5}, {0.2, 0.5}};
 const Polygon kBoxElsewhere{{1.4, -0.6}, {1.8, -0.6}, {1.8, -0.2}, {1.4, -0.2}};
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/polygon.hpp"
+#include "tests/host/evaluation/drawn_truth.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::evaluation {
@@ -31,12 +32,6 @@ RasterMap map_of_room() {
   fill(map, {{0, 0}, {41, 21}}, CellState::kOccupied);
   fill(map, {{1, 1}, {40, 20}}, CellState::kFree);
   return map;
-}
-
-void add_ring(const geometry::Polygon& ring, MapTruth& truth) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    truth.walls.push_back(geometry::side(ring, i));
-  }
 }
 
 MapTruth empty_room() {

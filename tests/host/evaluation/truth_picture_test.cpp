@@ -14,7 +14,7 @@ namespace echomap::evaluation {
 namespace {
 
 /// A room of 1 x 0.6 m with its lower left corner at (0, 0), in cells of 10 cm.
-MapTruth room() {
+MapTruth plain_room() {
   const tests::DrawnMap floor(6, std::string(10, '.'));
   return {tests::map_from(floor, 0.1),
           {{{0, 0}, {1, 0}}, {{1, 0}, {1, 0.6}}, {{1, 0.6}, {0, 0.6}}, {{0, 0.6}, {0, 0}}}};
@@ -27,7 +27,7 @@ tests::DrawnMap verdicts_on(const mapping::RasterMap& map) {
   for (int row = map.rows() - 1; row >= 0; --row) {
     std::string line;
     for (int column = 0; column < map.columns(); ++column) {
-      const auto verdict = verdict_on({column, row}, map, {}, room(), {});
+      const auto verdict = verdict_on({column, row}, map, {}, plain_room(), {});
       line.push_back(kMarks[static_cast<int>(verdict)]);
     }
     drawing.push_back(line);
@@ -61,21 +61,22 @@ TEST(TruthPicture, JudgesEveryCell) {
 
 TEST(TruthPicture, PlacesTheMapByItsPose) {
   const auto map = tests::map_from({"."}, 0.1);
-  EXPECT_EQ(verdict_on({0, 0}, map, {0.5, 0.3, 1.0}, room(), {}), CellVerdict::kFloorFound);
-  EXPECT_EQ(verdict_on({0, 0}, map, {5.5, 0.3, 1.0}, room(), {}), CellVerdict::kFloorInvented);
+  EXPECT_EQ(verdict_on({0, 0}, map, {0.5, 0.3, 1.0}, plain_room(), {}), CellVerdict::kFloorFound);
+  EXPECT_EQ(verdict_on({0, 0}, map, {5.5, 0.3, 1.0}, plain_room(), {}),
+            CellVerdict::kFloorInvented);
 }
 
 TEST(TruthPicture, TellsFloorInAnObstacleFromOtherInventedFloor) {
   const auto map = tests::map_from({"..#"}, 0.1);
   const std::vector<geometry::Polygon> box{{{0.0, 0.0}, {0.0, 0.1}, {0.1, 0.1}, {0.1, 0.0}}};
-  EXPECT_EQ(verdict_on({0, 0}, map, {}, room(), box), CellVerdict::kSolidCalledFree);
-  EXPECT_EQ(verdict_on({1, 0}, map, {}, room(), box), CellVerdict::kFloorFound);
-  EXPECT_EQ(verdict_on({2, 0}, map, {-0.2, 0.0, 0.0}, room(), box), CellVerdict::kWallFound);
+  EXPECT_EQ(verdict_on({0, 0}, map, {}, plain_room(), box), CellVerdict::kSolidCalledFree);
+  EXPECT_EQ(verdict_on({1, 0}, map, {}, plain_room(), box), CellVerdict::kFloorFound);
+  EXPECT_EQ(verdict_on({2, 0}, map, {-0.2, 0.0, 0.0}, plain_room(), box), CellVerdict::kWallFound);
 }
 
 TEST(TruthPicture, PaintsFloorInAnObstacle) {
   const tests::ScratchFolder folder;
-  MapTruth truth = room();
+  MapTruth truth = plain_room();
   const auto pixels_of = [&](const char* name) {
     write_truth_picture(folder / name, tests::map_from({"..", ".."}, 0.1, {0.3, 0.2}), {}, truth);
     const tests::PngPicture picture(folder / name);
@@ -93,7 +94,7 @@ TEST(TruthPicture, PaintsFloorInAnObstacle) {
 TEST(TruthPicture, HasTheColoursOfTheErrorsAndALegend) {
   const tests::ScratchFolder folder;
   const auto map = tests::map_from({"...", ".#.", "..."}, 0.1, {0.3, 0.2});
-  write_truth_picture(folder / "a.png", map, {}, room());
+  write_truth_picture(folder / "a.png", map, {}, plain_room());
   const tests::PngPicture picture(folder / "a.png");
   const std::set<int> colours(picture.pixels.begin(), picture.pixels.end());
   for (const int colour : {0xE69F00, 0x56B4E9, 0x009E73, 0xEBF0EB}) {
@@ -105,7 +106,7 @@ TEST(TruthPicture, HasTheColoursOfTheErrorsAndALegend) {
 TEST(TruthPicture, RefusesAMapThatLiesElsewhere) {
   const tests::ScratchFolder folder;
   EXPECT_THROW(
-      write_truth_picture(folder / "a.png", tests::map_from({"."}, 0.1), {1e9, 0, 0}, room()),
+      write_truth_picture(folder / "a.png", tests::map_from({"."}, 0.1), {1e9, 0, 0}, plain_room()),
       std::invalid_argument);
 }
 

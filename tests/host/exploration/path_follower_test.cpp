@@ -34,10 +34,10 @@ Pose2 moved(const Pose2& from, const Motion& motion) {
 }
 
 /// 4 m x 3 m of open floor.
-CostGrid open_floor() { return {random_floor(80, 60, 0.0, 1), {0.0, 0.0}, of_a_dot()}; }
+CostGrid costs_of_open_floor() { return {random_floor(80, 60, 0.0, 1), {0.0, 0.0}, of_a_dot()}; }
 
 TEST(PathFollower, StaysNearTheWayAndArrivesAtItsEnd) {
-  const CostGrid grid = open_floor();
+  const CostGrid grid = costs_of_open_floor();
   const std::vector<Eigen::Vector2d> path_m{{0.5, 0.5}, {2.0, 0.6}, {2.2, 2.0}, {1.0, 2.5}};
   PathFollower follower;
   follower.follow(path_m);
@@ -62,7 +62,7 @@ TEST(PathFollower, StaysNearTheWayAndArrivesAtItsEnd) {
 TEST(PathFollower, TurnsOnTheSpotWhereTheWayIsBehindIt) {
   PathFollower follower;
   follower.follow({{1.0, 1.0}, {2.0, 1.0}});
-  const auto motion = follower.next(Pose2(1.0, 1.0, 2.5), open_floor());
+  const auto motion = follower.next(Pose2(1.0, 1.0, 2.5), costs_of_open_floor());
   ASSERT_TRUE(motion);
   EXPECT_NEAR(std::get<Turn>(*motion).angle_rad, -2.5, 1e-9);
 }
@@ -87,11 +87,11 @@ TEST(PathFollower, IsSlowerBesideAWallAndAtTheEnd) {
 
 TEST(PathFollower, HasNothingToDoWithoutAWay) {
   PathFollower follower;
-  EXPECT_FALSE(follower.next({}, open_floor()));
+  EXPECT_FALSE(follower.next({}, costs_of_open_floor()));
   follower.follow({});
-  EXPECT_FALSE(follower.next({}, open_floor()));
+  EXPECT_FALSE(follower.next({}, costs_of_open_floor()));
   follower.follow({{1.0, 1.0}});
-  EXPECT_FALSE(follower.next(Pose2(1.0, 1.0, 0.3), open_floor()));
+  EXPECT_FALSE(follower.next(Pose2(1.0, 1.0, 0.3), costs_of_open_floor()));
 }
 
 TEST(PathFollower, RejectsParametersWithoutSense) {

@@ -17,11 +17,11 @@ using geometry::radians;
 using mapping::CellState;
 using mapping::RasterMap;
 
-constexpr double kCellM = 0.05;
+constexpr double kMapCellM = 0.05;
 
 /// 3 m x 3 m of free floor in the middle of 5 m x 5 m, with a wall to the left of it.
 RasterMap open_to_the_right() {
-  RasterMap map(100, 100, kCellM, {-2.5, -2.5});
+  RasterMap map(100, 100, kMapCellM, {-2.5, -2.5});
   for (int y = 20; y < 80; ++y) {
     for (int x = 20; x < 80; ++x) {
       map.set({x, y}, CellState::kFree);

@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 
 /// Floor of 2 x 1 m with its lower left corner at (-1, 0.5), a wall above.
-mapping::OccupancyGrid hall() {
+mapping::OccupancyGrid hall_ahead() {
   mapping::OccupancyGrid grid;
   for (int y = 10; y < 31; ++y) {
     for (int x = -20; x < 20; ++x) {
@@ -54,7 +54,7 @@ class MapSvgTest : public ::testing::Test {
 };
 
 TEST_F(MapSvgTest, HoldsEveryCellInMetres) {
-  const std::string svg = written(tests::snapshot_of(hall()));
+  const std::string svg = written(tests::snapshot_of(hall_ahead()));
   EXPECT_NEAR(area_m2(path_of(svg, "floor")), 2.0, 1e-9);
   EXPECT_NEAR(area_m2(path_of(svg, "walls")), 0.1, 1e-9);
   EXPECT_THAT(path_of(svg, "floor"), HasSubstr("M-1 0.5h2v0.05h-2z"));
@@ -65,7 +65,7 @@ TEST_F(MapSvgTest, ShowsTrailAndEchoes) {
   mapping::PointCloudMap points;
   points.add({geometry::Pose2(), geometry::Pose2(), 0.75});
   const std::string svg = written(tests::snapshot_of(
-      hall(), {tests::pose_at(0, {}), tests::pose_at(1, {0.5, 0.25, 0})}, points));
+      hall_ahead(), {tests::pose_at(0, {}), tests::pose_at(1, {0.5, 0.25, 0})}, points));
   EXPECT_EQ(path_of(svg, "trail"), "M0 0L0.5 0.25");
   EXPECT_EQ(path_of(svg, "echoes"), "M0.75 0h0");
   EXPECT_THAT(path_of(svg, "start"), HasSubstr("a"));

@@ -9,12 +9,12 @@ namespace echomap::exports {
 namespace {
 
 /// 40 x 20 cells of 5 cm, 8 pixels each, without a border.
-mapping::RasterMap hall() {
+mapping::RasterMap drawn_hall() {
   return tests::map_from(tests::DrawnMap(20, std::string(40, '.')), 0.05, {-1.0, 2.0});
 }
 
 TEST(MapView, PlacesPointsWhereItPaintsTheirCells) {
-  const auto map = hall();
+  const auto map = drawn_hall();
   const MapView view(map);
   Picture picture = view.draw();
   view.fill_cell(picture, {7, 3}, kOrange);
@@ -25,7 +25,7 @@ TEST(MapView, PlacesPointsWhereItPaintsTheirCells) {
 }
 
 TEST(MapView, ShowsEachEntryOfTheLegend) {
-  const MapView view(hall(), {.legend = {{kOrange, "appeared"}, {kBlue, "vanished"}}});
+  const MapView view(drawn_hall(), {.legend = {{kOrange, "appeared"}, {kBlue, "vanished"}}});
   const Picture picture = view.draw();
   EXPECT_EQ(picture.height(), 20 * 8 + 44 + 24);
   EXPECT_EQ(picture.at(20, 20 * 8 + 44 + 7), kOrange);
@@ -40,7 +40,7 @@ TEST(MapView, IsWideEnoughForItsLegend) {
 }
 
 TEST(MapView, SaysWhereItLies) {
-  const auto texts = MapView(hall()).texts();
+  const auto texts = MapView(drawn_hall()).texts();
   ASSERT_EQ(texts.size(), 3U);
   EXPECT_EQ(texts[1], (PngText{"resolution", "0.00625"}));
   // 44 pixels of footer are below the map.

@@ -13,6 +13,7 @@
 #include "host/pipeline/observation_fork.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 #include "host/slam/slam_methods.hpp"
+#include "tests/support/robot_times.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
@@ -20,10 +21,7 @@ namespace echomap::exports {
 namespace {
 
 using ::testing::HasSubstr;
-
-time::RobotTime at_us(std::int64_t stamp_us) {
-  return time::RobotTime(time::RobotClock::duration(stamp_us));
-}
+using tests::at_us;
 
 std::unique_ptr<pipeline::RobotPipeline> new_pipeline() {
   sensors::RobotGeometry robot;

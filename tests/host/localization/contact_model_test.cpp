@@ -12,11 +12,11 @@ namespace echomap::localization {
 namespace {
 
 constexpr double kRadiusM = 0.1;
-const mapping::PolygonMap kRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}});
+const mapping::PolygonMap kBareRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}});
 
 /// The likeliest of poses that look along the x axis, by where they stand on it.
 double likeliest_x_m(const models::ContactReading& reading) {
-  ContactModel model(kRoom, kRadiusM);
+  ContactModel model(kBareRoom, kRadiusM);
   model.add_contact(reading);
   model.observe({});
   EXPECT_EQ(model.count(), 1U);
@@ -40,7 +40,7 @@ TEST(ContactModel, LightIsAWallAhead) {
 }
 
 TEST(ContactModel, RejectsWhatIsOutside) {
-  ContactModel model(kRoom, kRadiusM);
+  ContactModel model(kBareRoom, kRadiusM);
   Particles particles;
   particles.resize(2);
   particles.set_pose(0, {1.0, 0.5, 0.0});
@@ -51,14 +51,14 @@ TEST(ContactModel, RejectsWhatIsOutside) {
 }
 
 TEST(ContactModel, HasAFloorToStartFrom) {
-  const ContactModel model(kRoom, kRadiusM);
+  const ContactModel model(kBareRoom, kRadiusM);
   EXPECT_EQ(model.map().state(model.map().cell_at({1.0, 0.5})), mapping::CellState::kFree);
   EXPECT_NE(model.map().state(model.map().cell_at({1.0, 1.5})), mapping::CellState::kFree);
 }
 
 TEST(ContactModel, RefusesABodyWithoutSizeAndARoomWithoutFloor) {
-  EXPECT_THROW(ContactModel(kRoom, 0.0), std::invalid_argument);
-  EXPECT_THROW(ContactModel(kRoom, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(ContactModel(kBareRoom, 0.0), std::invalid_argument);
+  EXPECT_THROW(ContactModel(kBareRoom, std::nan("")), std::invalid_argument);
   const mapping::PolygonMap crumb({{0.0, 0.0}, {0.01, 0.0}, {0.01, 0.01}, {0.0, 0.01}});
   EXPECT_THROW(ContactModel(crumb, kRadiusM), std::invalid_argument);
 }

@@ -16,9 +16,9 @@ using geometry::Pose2;
 using geometry::radians;
 
 /// A robot whose wheels say that it turns by `wheel_share` of what it does, and whose gyro drifts.
-class Robot {
+class GyroRobot {
  public:
-  explicit Robot(double wheel_share, double bias_rad_per_s)
+  explicit GyroRobot(double wheel_share, double bias_rad_per_s)
       : wheel_share_(wheel_share), bias_rad_per_s_(bias_rad_per_s) {
     odometry_.update(T_odom_robot_, yaw_);
   }
@@ -68,7 +68,7 @@ TEST(GyroOdometry, FollowsTheWheelsWithoutAGyro) {
 }
 
 TEST(GyroOdometry, TurnsAsTheGyroSaysWhereTheWheelsSlip) {
-  Robot robot(0.8, 0.0);
+  GyroRobot robot(0.8, 0.0);
   robot.move(0.0, 0.0, 10.0);
   for (int side = 0; side < 4; ++side) {
     robot.move(0.0, 1.0, 5.0);
@@ -80,7 +80,7 @@ TEST(GyroOdometry, TurnsAsTheGyroSaysWhereTheWheelsSlip) {
 }
 
 TEST(GyroOdometry, LearnsTheGyrosBiasWhileTheRobotStands) {
-  Robot robot(1.0, radians(2.0));
+  GyroRobot robot(1.0, radians(2.0));
   robot.move(0.0, 0.0, 13.0);
   for (int i = 0; i < 10; ++i) {
     robot.move(radians(50.0), 0.0, 2.0);
@@ -92,7 +92,7 @@ TEST(GyroOdometry, LearnsTheGyrosBiasWhileTheRobotStands) {
 
 // Wheels of unlike size, which the wheels themselves do not see, must not pass for the gyro's bias.
 TEST(GyroOdometry, TakesNoVeeringForTheGyrosBias) {
-  Robot robot(1.0, radians(2.0));
+  GyroRobot robot(1.0, radians(2.0));
   robot.move(0.0, 0.0, 13.0);
   for (int i = 0; i < 10; ++i) {
     robot.veer(radians(1.3), 0.6, 4.0);
@@ -103,7 +103,7 @@ TEST(GyroOdometry, TakesNoVeeringForTheGyrosBias) {
 
 TEST(GyroOdometry, TakesATurnRoundForOneEitherWay) {
   for (const double turn_deg : {179.0, -179.0}) {
-    Robot robot(1.02, 0.0);
+    GyroRobot robot(1.02, 0.0);
     robot.move(0.0, 0.0, 13.0);
     robot.move(radians(turn_deg), 0.0, 3.0);
     EXPECT_NEAR(robot.heading_error_deg(), 0.0, 4.0) << turn_deg;

@@ -16,9 +16,9 @@ namespace {
 constexpr double kPeriodS = 0.02;
 
 /// A robot with a gyro that drifts and wheels that slip.
-class Robot {
+class TurningRobot {
  public:
-  explicit Robot(std::uint32_t seed) : random_(seed) {}
+  explicit TurningRobot(std::uint32_t seed) : random_(seed) {}
 
   HeadingStep turn(double rate_rad_per_s) {
     const double turn_rad = rate_rad_per_s * kPeriodS;
@@ -38,7 +38,7 @@ class Robot {
 };
 
 TEST(HeadingFilter, ARobotThatStandsCalibratesItsGyro) {
-  Robot robot(1);
+  TurningRobot robot(1);
   HeadingFilter filter;
   for (int i = 0; i < 250; ++i) {
     EXPECT_EQ(filter.update(robot.turn(0.0)), HeadingOutcome::kApplied);
@@ -50,7 +50,7 @@ TEST(HeadingFilter, ARobotThatStandsCalibratesItsGyro) {
 TEST(HeadingFilter, IsBetterThanGyroOrWheelsAlone) {
   double filter_off = 0.0, gyro_off = 0.0, wheels_off = 0.0;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-    Robot robot(seed);
+    TurningRobot robot(seed);
     HeadingFilter filter;
     double gyro_rad = 0.0, wheels_rad = 0.0;
     for (int i = 0; i < 3000; ++i) {
@@ -87,7 +87,7 @@ TEST(HeadingFilter, BelievesWheelsTheLessTheFartherTheyRolled) {
 TEST(HeadingFilter, ItsErrorIsWithinThreeSigma) {
   int outside = 0;
   for (std::uint32_t seed = 1; seed <= 50; ++seed) {
-    Robot robot(seed);
+    TurningRobot robot(seed);
     HeadingFilter filter;
     for (int i = 0; i < 1000; ++i) {
       filter.update(robot.turn(0.5));
@@ -100,7 +100,7 @@ TEST(HeadingFilter, ItsErrorIsWithinThreeSigma) {
 }
 
 TEST(HeadingFilter, TrustsTheGyroWhereWheelsSlip) {
-  Robot robot(1);
+  TurningRobot robot(1);
   HeadingFilter filter;
   for (int i = 0; i < 500; ++i) {
     filter.update(robot.turn(0.0));

@@ -6,19 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/drawn_map.hpp"
+#include "tests/host/localization/corridor.hpp"
 
 namespace echomap::localization {
 namespace {
 
 using geometry::Pose2;
-
-/// 3.0 x 0.4 m.
-const mapping::RasterMap kCorridor = tests::map_from({"##############################",
-                                                      "#............................#",
-                                                      "#............................#",
-                                                      "##############################"},
-                                                     0.1);
 
 Particles at(std::initializer_list<Pose2> poses) {
   Particles particles;

@@ -14,31 +14,31 @@
 namespace echomap::localization {
 namespace {
 
-const mapping::RasterMap kRoom = tests::map_from({"##############",
-                                                  "#............#",
-                                                  "#....##......#",
-                                                  "#....##......#",
-                                                  "#............#",
-                                                  "##############"},
-                                                 0.1,
-                                                 {-0.3, 0.2});
+const mapping::RasterMap kBlockRoom = tests::map_from({"##############",
+                                                       "#............#",
+                                                       "#....##......#",
+                                                       "#....##......#",
+                                                       "#............#",
+                                                       "##############"},
+                                                      0.1,
+                                                      {-0.3, 0.2});
 
 TEST(LikelihoodField, FallsWithTheDistanceToTheNearestWall) {
-  const LikelihoodField field(kRoom, {.hit_stddev_m = 0.1, .random_share = 0.05});
+  const LikelihoodField field(kBlockRoom, {.hit_stddev_m = 0.1, .random_share = 0.05});
   EXPECT_NEAR(field.log_likelihood({-0.25, 0.45}), 0.0, 1e-6);
   EXPECT_NEAR(field.log_likelihood({-0.15, 0.45}), std::log(0.95 * std::exp(-0.5) + 0.05), 1e-6);
   EXPECT_NEAR(field.log_likelihood({0.75, 0.55}), std::log(0.95 * std::exp(-2.0) + 0.05), 1e-6);
 }
 
 TEST(LikelihoodField, GoesOnBeyondTheMap) {
-  const LikelihoodField field(kRoom, {.hit_stddev_m = 0.1});
+  const LikelihoodField field(kBlockRoom, {.hit_stddev_m = 0.1});
   const double beyond = field.log_likelihood({-50.0, 0.45});
   EXPECT_TRUE(std::isfinite(beyond));
   EXPECT_NEAR(beyond, field.log_likelihood({-0.35, 0.45}), 1e-9);
 }
 
 TEST(LikelihoodField, WeighsEachParticleByTheEndsOfItsBeams) {
-  const LikelihoodField field(kRoom);
+  const LikelihoodField field(kBlockRoom);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(0.0, 1.0);
   Particles particles;
@@ -64,7 +64,7 @@ TEST(LikelihoodField, WeighsEachParticleByTheEndsOfItsBeams) {
 }
 
 TEST(LikelihoodField, PassesOverReadingsThatAreNoNumbers) {
-  const LikelihoodField field(kRoom);
+  const LikelihoodField field(kBlockRoom);
   Particles particles;
   particles.resize(1);
   const std::vector<RangeReading> none{{{}, std::numeric_limits<double>::quiet_NaN()},
@@ -74,9 +74,9 @@ TEST(LikelihoodField, PassesOverReadingsThatAreNoNumbers) {
 }
 
 TEST(LikelihoodField, RefusesSettingsWithoutSense) {
-  EXPECT_THROW(LikelihoodField(kRoom, {.hit_stddev_m = 0.0}), std::invalid_argument);
-  EXPECT_THROW(LikelihoodField(kRoom, {.random_share = 0.0}), std::invalid_argument);
-  EXPECT_THROW(LikelihoodField(kRoom, {.max_distance_m = -1.0}), std::invalid_argument);
+  EXPECT_THROW(LikelihoodField(kBlockRoom, {.hit_stddev_m = 0.0}), std::invalid_argument);
+  EXPECT_THROW(LikelihoodField(kBlockRoom, {.random_share = 0.0}), std::invalid_argument);
+  EXPECT_THROW(LikelihoodField(kBlockRoom, {.max_distance_m = -1.0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -16,20 +16,20 @@ namespace echomap::localization {
 namespace {
 
 /// 2 x 1.2 m, with a pillar that breaks its symmetry.
-const mapping::RasterMap kRoom = tests::map_from({"######################",
-                                                  "#....................#",
-                                                  "#....................#",
-                                                  "#....................#",
-                                                  "#..###...............#",
-                                                  "#..###...............#",
-                                                  "#....................#",
-                                                  "#....................#",
-                                                  "#....................#",
-                                                  "#....................#",
-                                                  "#....................#",
-                                                  "#....................#",
-                                                  "######################"},
-                                                 0.1);
+const mapping::RasterMap kPillarRoom = tests::map_from({"######################",
+                                                        "#....................#",
+                                                        "#....................#",
+                                                        "#....................#",
+                                                        "#..###...............#",
+                                                        "#..###...............#",
+                                                        "#....................#",
+                                                        "#....................#",
+                                                        "#....................#",
+                                                        "#....................#",
+                                                        "#....................#",
+                                                        "#....................#",
+                                                        "######################"},
+                                                       0.1);
 constexpr LocalizedRobot kRobot{0.0, 2.55, false, 0.1};
 const geometry::Pose2 kTruth(1.45, 0.55, 0.4);
 
@@ -40,7 +40,7 @@ std::vector<RangeReading> look_around() {
     const geometry::Pose2 T_robot_sensor(0.0, 0.0, 0.25 * std::numbers::pi * i);
     const geometry::Pose2 T_map_sensor = kTruth * T_robot_sensor;
     double range_m = 0.0;
-    while (kRoom.state(kRoom.cell_at(T_map_sensor * Eigen::Vector2d(range_m, 0.0))) ==
+    while (kPillarRoom.state(kPillarRoom.cell_at(T_map_sensor * Eigen::Vector2d(range_m, 0.0))) ==
            mapping::CellState::kFree) {
       range_m += 0.01;
     }
@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(All,
                                          LocalizerPreset::kEpuck));
 
 TEST_P(RangePresets, FollowARobotThatLooksAround) {
-  const auto model = observation_model(GetParam(), kRoom, kRobot);
+  const auto model = observation_model(GetParam(), kPillarRoom, kRobot);
   MonteCarloLocalizer localizer(*model, localizer_params(GetParam(), kRobot), std::mt19937(1));
   localizer.update({}, {});
   // A quarter of a metre and 0.3 rad off.
@@ -70,7 +70,7 @@ TEST_P(RangePresets, FollowARobotThatLooksAround) {
 
 TEST(LocalizerPreset, PapersKeepTheirNumberOfParticles) {
   const auto particles_after = [](LocalizerPreset preset) {
-    const auto model = observation_model(preset, kRoom, kRobot);
+    const auto model = observation_model(preset, kPillarRoom, kRobot);
     MonteCarloLocalizer localizer(*model, localizer_params(preset, kRobot), std::mt19937(1));
     localizer.update({}, look_around());
     localizer.update({0.01, 0.0, 0.0}, look_around());
@@ -82,7 +82,7 @@ TEST(LocalizerPreset, PapersKeepTheirNumberOfParticles) {
 }
 
 TEST(LocalizerPreset, CreateIsFoundByWhatItFeels) {
-  const auto model = observation_model(LocalizerPreset::kCreate, kRoom, kRobot);
+  const auto model = observation_model(LocalizerPreset::kCreate, kPillarRoom, kRobot);
   MonteCarloLocalizer localizer(
       *model, localizer_params(LocalizerPreset::kCreate, kRobot), std::mt19937(1));
   localizer.update({}, {});

@@ -40,9 +40,9 @@ const mapping::RasterMap kRoom = tests::map_from(
     0.1);
 
 /// A robot with eight sonars whose odometry and ears are a little off.
-class Robot {
+class SonarRobot {
  public:
-  explicit Robot(std::uint32_t seed) : random_(seed) {
+  explicit SonarRobot(std::uint32_t seed) : random_(seed) {
     std::uniform_real_distribution<double> any(0.0, 1.0);
     do {
       T_map_robot_ = {4.0 * any(random_), 2.3 * any(random_), 6.28 * any(random_)};
@@ -121,12 +121,12 @@ struct Filter {
       : model(RangeTable(map, {0.218, 4.0}), models::BeamModel(models::sonar_cone_returns())),
         localizer(model, params, std::mt19937(seed)) {}
 
-  void start_at_truth(const Robot& robot) {
+  void start_at_truth(const SonarRobot& robot) {
     localizer.update(robot.T_odom_robot(), {});
     localizer.start_at(robot.T_map_robot(), 0.05, 0.05);
   }
 
-  const PoseBelief& follow(Robot& robot, int steps) {
+  const PoseBelief& follow(SonarRobot& robot, int steps) {
     for (int i = 0; i < steps; ++i) {
       robot.drive();
       localizer.update(robot.T_odom_robot(), robot.listen());
@@ -145,7 +145,7 @@ bool is_at(const PoseBelief& belief, const Pose2& truth) {
 TEST(MonteCarloLocalizer, FindsARobotThatMayBeAnywhere) {
   int found = 0;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-    Robot robot(seed);
+    SonarRobot robot(seed);
     Filter filter(kRoom, seed);
     const PoseBelief& belief = filter.follow(robot, 15);
     found += is_at(belief, robot.T_map_robot()) ? 1 : 0;
@@ -157,11 +157,11 @@ TEST(MonteCarloLocalizer, NoticesAKidnappingAndFindsTheRobotAgain) {
   int noticed = 0;
   int found = 0;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-    Robot robot(seed);
+    SonarRobot robot(seed);
     Filter filter(kRoom, seed);
     filter.start_at_truth(robot);
     ASSERT_TRUE(is_at(filter.follow(robot, 10), robot.T_map_robot())) << seed;
-    robot.be_carried_to(Robot(seed + 1000).T_map_robot());
+    robot.be_carried_to(SonarRobot(seed + 1000).T_map_robot());
     bool is_noticed = false;
     for (int i = 0; i < 15; ++i) {
       is_noticed |= filter.follow(robot, 1).status != LocalizationStatus::kLocalized;
@@ -176,7 +176,7 @@ TEST(MonteCarloLocalizer, NoticesAKidnappingAndFindsTheRobotAgain) {
 TEST(MonteCarloLocalizer, RepeatsItselfByItsSeed) {
   std::vector<PoseBelief> beliefs;
   for (int i = 0; i < 2; ++i) {
-    Robot robot(5);
+    SonarRobot robot(5);
     Filter filter(kRoom, 9);
     beliefs.push_back(filter.follow(robot, 10));
   }
@@ -188,14 +188,14 @@ TEST(MonteCarloLocalizer, RepeatsItselfByItsSeed) {
 /// All that a filter of so many threads knows, of a robot that is found, carried off and found
 /// again.
 std::vector<double> story(int threads) {
-  Robot robot(5);
+  SonarRobot robot(5);
   LocalizerParams params;
   params.threads = threads;
   Filter filter(kRoom, 9, params);
   std::vector<double> told;
   for (int i = 0; i < 30; ++i) {
     if (i == 15) {
-      robot.be_carried_to(Robot(1005).T_map_robot());
+      robot.be_carried_to(SonarRobot(1005).T_map_robot());
     }
     const PoseBelief& belief = filter.follow(robot, 1);
     told.push_back(belief.lost_probability);
@@ -229,7 +229,7 @@ TEST(MonteCarloLocalizer, IsNowhereWhereThereIsNoFloor) {
       {walls_only(), LocalizerOutcome::kNoFloor}};
   for (const auto& [map, outcome] : maps) {
     Filter filter(map);
-    Robot robot(1);
+    SonarRobot robot(1);
     const PoseBelief& belief = filter.follow(robot, 3);
     EXPECT_EQ(belief.outcome, outcome);
     EXPECT_EQ(filter.localizer.start_at({}, 0.1, 0.1), outcome);
@@ -241,7 +241,7 @@ TEST(MonteCarloLocalizer, IsNowhereWhereThereIsNoFloor) {
 
 TEST(MonteCarloLocalizer, SaysWhatHasBecomeOfAnUpdate) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  Robot robot(3);
+  SonarRobot robot(3);
   Filter filter(kRoom);
   MonteCarloLocalizer& localizer = filter.localizer;
   EXPECT_EQ(localizer.belief().outcome, LocalizerOutcome::kNoParticles);
@@ -290,7 +290,7 @@ TEST(MonteCarloLocalizer, FindsARobotOnAThinFloor) {
 
 TEST(MonteCarloLocalizer, RefusesPosesThatAreNoNumbers) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  Robot robot(3);
+  SonarRobot robot(3);
   Filter filter(kRoom);
   filter.start_at_truth(robot);
   for (const Pose2& pose : {Pose2(kNaN, 0.0, 0.0),
@@ -304,7 +304,7 @@ TEST(MonteCarloLocalizer, RefusesPosesThatAreNoNumbers) {
 }
 
 TEST(MonteCarloLocalizer, LooksEverywhereForARobotThatWasOffTheFloor) {
-  Robot robot(3);
+  SonarRobot robot(3);
   Filter filter(kRoom);
   filter.localizer.update(robot.T_odom_robot(), {});
   EXPECT_EQ(filter.localizer.start_at({90.0, -70.0, 0.0}, 0.1, 0.1),
@@ -320,7 +320,7 @@ TEST(MonteCarloLocalizer, LooksEverywhereForARobotThatWasOffTheFloor) {
 }
 
 TEST(MonteCarloLocalizer, IsNoLongerLostWhereItIsPlacedAnew) {
-  Robot robot(3);
+  SonarRobot robot(3);
   Filter filter(kRoom);
   const auto lose = [&] {
     filter.start_at_truth(robot);
@@ -336,7 +336,7 @@ TEST(MonteCarloLocalizer, IsNoLongerLostWhereItIsPlacedAnew) {
 }
 
 TEST(MonteCarloLocalizer, CarriesItsBeliefAlongBetweenReadings) {
-  Robot robot(3);
+  SonarRobot robot(3);
   Filter filter(kRoom);
   filter.start_at_truth(robot);
   filter.follow(robot, 5);
@@ -351,7 +351,7 @@ TEST(MonteCarloLocalizer, CarriesItsBeliefAlongBetweenReadings) {
 
 /// How far its hypothesis is spread after 1.05 m ahead that the odometry tells in so many parts.
 double std_after_a_drive(int parts) {
-  Robot robot(3);
+  SonarRobot robot(3);
   Filter filter(kRoom);
   filter.localizer.update({}, {});
   filter.localizer.start_at({1.0, 1.0, 0.0}, 0.02, 0.02);
@@ -366,7 +366,7 @@ TEST(MonteCarloLocalizer, IsAsUnsureHoweverOftenTheOdometrySpeaks) {
 }
 
 TEST(MonteCarloLocalizer, KeepsWhatItKnowsWhenReadingsAreNone) {
-  Robot robot(3);
+  SonarRobot robot(3);
   Filter filter(kRoom);
   filter.start_at_truth(robot);
   const std::vector<RangeReading> broken{{{}, std::numeric_limits<double>::quiet_NaN()}};
@@ -379,7 +379,7 @@ TEST(MonteCarloLocalizer, KeepsWhatItKnowsWhenReadingsAreNone) {
 }
 
 TEST(MonteCarloLocalizer, StaysSoberWhenNothingIsHeard) {
-  Robot robot(3);
+  SonarRobot robot(3);
   Filter filter(kRoom);
   const std::vector<RangeReading> silence(8);
   for (int i = 0; i < 30; ++i) {

@@ -9,17 +9,12 @@
 
 #include "host/localization/pose_hypotheses.hpp"
 #include "host/localization/range_table_model.hpp"
+#include "tests/host/localization/corridor.hpp"
 #include "tests/support/drawn_map.hpp"
 #include "tests/support/resident_memory.hpp"
 
 namespace echomap::localization {
 namespace {
-
-const mapping::RasterMap kCorridor = tests::map_from({"##############################",
-                                                      "#............................#",
-                                                      "#............................#",
-                                                      "##############################"},
-                                                     0.1);
 
 double mean_x_m(const Particles& particles) {
   double sum = 0.0;
@@ -29,7 +24,7 @@ double mean_x_m(const Particles& particles) {
   return sum / static_cast<double>(particles.size());
 }
 
-struct Scene {
+struct CorridorScene {
   RangeTableModel model{RangeTable(kCorridor, {0.0, 4.0}),
                         models::BeamModel(models::laser_returns())};
 
@@ -41,7 +36,7 @@ struct Scene {
 };
 
 TEST(ParticleFilter, GoesWhereTheReadingsSay) {
-  Scene scene;
+  CorridorScene scene;
   ParticleFilter filter({}, std::mt19937(1));
   filter.start_at({1.0, 0.2, 0.0}, 0.3, 0.01);
   for (int i = 0; i < 10; ++i) {
@@ -52,7 +47,7 @@ TEST(ParticleFilter, GoesWhereTheReadingsSay) {
 }
 
 TEST(ParticleFilter, SaysHowLikelyTheReadingsWere) {
-  Scene scene;
+  CorridorScene scene;
   ParticleFilter near({}, std::mt19937(1));
   ParticleFilter far({}, std::mt19937(1));
   near.start_at({1.2, 0.2, 0.0}, 0.01, 0.01);
@@ -61,7 +56,7 @@ TEST(ParticleFilter, SaysHowLikelyTheReadingsWere) {
 }
 
 std::size_t size_after_a_sweep(double start_stddev) {
-  Scene scene;
+  CorridorScene scene;
   ParticleFilter filter({.min_particles = 10, .max_particles = 20'000, .resampling_share = 1.0},
                         std::mt19937(1));
   filter.start_at({1.2, 0.2, 0.0}, start_stddev, start_stddev);
@@ -77,7 +72,7 @@ TEST(ParticleFilter, NeedsFewerParticlesTheSurerItIs) {
 
 TEST(ParticleFilter, HoldsAMillionParticles) {
   constexpr std::size_t kMany = 1'000'000;
-  Scene scene;
+  CorridorScene scene;
   const double before_mb = tests::resident_mb();
   ParticleFilter filter({.min_particles = kMany, .max_particles = kMany, .resampling_share = 1.0},
                         std::mt19937(1),
@@ -110,7 +105,7 @@ TEST(ParticleFilter, TakesInAnotherByItsShare) {
 }
 
 TEST(ParticleFilter, IsAnywhereWithoutParticles) {
-  Scene scene;
+  CorridorScene scene;
   ParticleFilter filter({}, std::mt19937(1));
   filter.start_from({}, 0.1, 0.1);
   EXPECT_TRUE(filter.empty());

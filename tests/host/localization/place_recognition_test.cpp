@@ -9,8 +9,8 @@
 namespace echomap::localization {
 namespace {
 
-const RoundScan kCorner{0.3, 0.4, 1.0, std::nullopt, 1.2, 0.9, 0.4, 0.3};
-const RoundScan kCorridor{2.0, 0.5, 0.4, 0.5, 2.0, 0.5, 0.4, 0.5};
+const RoundScan kCornerScan{0.3, 0.4, 1.0, std::nullopt, 1.2, 0.9, 0.4, 0.3};
+const RoundScan kCorridorScan{2.0, 0.5, 0.4, 0.5, 2.0, 0.5, 0.4, 0.5};
 
 RoundScan turned_by(const RoundScan& scan, std::size_t steps) {
   RoundScan turned;
@@ -21,8 +21,8 @@ RoundScan turned_by(const RoundScan& scan, std::size_t steps) {
 }
 
 TEST(PlaceRecognition, KnowsAPlaceHoweverTheRobotStands) {
-  const std::vector<RoundScan> places{kCorridor, kCorner};
-  RoundScan scan = turned_by(kCorner, 3);
+  const std::vector<RoundScan> places{kCorridorScan, kCornerScan};
+  RoundScan scan = turned_by(kCornerScan, 3);
   scan[0] = std::nullopt;
   scan[4] = 0.35;
   const auto place = recognise_place(scan, places);
@@ -41,13 +41,13 @@ TEST(PlaceRecognition, CountsSilenceAgainstARangeInFull) {
   EXPECT_EQ(recognise_place(silent, std::vector<RoundScan>{silent}, 0.25)->difference_m, 0.0);
 }
 
-TEST(PlaceRecognition, KnowsNoPlaceAmongNone) { EXPECT_FALSE(recognise_place(kCorner, {})); }
+TEST(PlaceRecognition, KnowsNoPlaceAmongNone) { EXPECT_FALSE(recognise_place(kCornerScan, {})); }
 
 TEST(PlaceRecognition, RefusesScansThatDoNotFit) {
-  const std::vector<RoundScan> places{kCorner};
+  const std::vector<RoundScan> places{kCornerScan};
   EXPECT_THROW(recognise_place(RoundScan(3), places), std::invalid_argument);
   EXPECT_THROW(recognise_place({}, {}), std::invalid_argument);
-  EXPECT_THROW(recognise_place(kCorner, places, 0.0), std::invalid_argument);
+  EXPECT_THROW(recognise_place(kCornerScan, places, 0.0), std::invalid_argument);
 }
 
 }  // namespace

@@ -13,28 +13,28 @@ namespace echomap::localization {
 namespace {
 
 /// An L of two wings with a block in the lower one.
-const mapping::PolygonMap kRoom(
+const mapping::PolygonMap kTwoWings(
     {{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}},
     {{{2.0, 0.4}, {2.2, 0.4}, {2.2, 0.6}, {2.0, 0.6}}});
 
 TEST(PolygonView, ExpectsTheNearestWall) {
-  const PolygonView view(kRoom, {.max_range_m = 5.0});
+  const PolygonView view(kTwoWings, {.max_range_m = 5.0});
   EXPECT_NEAR(*view.expected({0.5, 0.5, 0.0}).range_m, 1.5, 1e-12);  // The block.
   EXPECT_NEAR(*view.expected({0.5, 0.2, 0.0}).range_m, 2.5, 1e-12);  // Past it.
   EXPECT_NEAR(*view.expected({0.5, 0.5, 1.5707963}).range_m, 1.5, 1e-6);
-  const PolygonView short_sighted(kRoom, {.max_range_m = 1.4});
+  const PolygonView short_sighted(kTwoWings, {.max_range_m = 1.4});
   EXPECT_FALSE(short_sighted.expected({0.5, 0.5, 0.0}).range_m);
 }
 
 TEST(PolygonView, SeesAWallAslantByItsNormal) {
-  const PolygonView view(kRoom, {.max_range_m = 5.0, .oblique_above_rad = 0.4363});
+  const PolygonView view(kTwoWings, {.max_range_m = 5.0, .oblique_above_rad = 0.4363});
   EXPECT_FALSE(view.expected({0.5, 0.2, 0.1}).is_oblique);
   EXPECT_FALSE(view.expected({0.5, 0.5, 3.14159 + 0.43}).is_oblique);
   EXPECT_TRUE(view.expected({0.5, 0.5, 3.14159 + 0.45}).is_oblique);
 }
 
 TEST(PolygonView, FloorIsInsideOfTheOutlineAndOutsideOfHoles) {
-  const PolygonView view(kRoom);
+  const PolygonView view(kTwoWings);
   EXPECT_TRUE(view.is_floor({0.5, 1.5}));
   EXPECT_TRUE(view.is_floor({2.5, 0.5}));
   EXPECT_FALSE(view.is_floor({2.5, 1.5}));
@@ -43,7 +43,7 @@ TEST(PolygonView, FloorIsInsideOfTheOutlineAndOutsideOfHoles) {
 }
 
 TEST(PolygonView, TellsAWallInFrontFromOneBehind) {
-  const PolygonView view(kRoom);
+  const PolygonView view(kTwoWings);
   // The lower wall is abeam: in front of one that looks a little to it, behind the other.
   const models::WallAhead front = view.wall_ahead({0.5, 0.2, -0.1}, 0.1);
   EXPECT_NEAR(front.gap_m, 0.1, 1e-12);
@@ -55,7 +55,7 @@ TEST(PolygonView, TellsAWallInFrontFromOneBehind) {
 }
 
 TEST(PolygonView, RasterHasTheFloorsCells) {
-  const mapping::RasterMap raster = rasterize(kRoom, 0.2);
+  const mapping::RasterMap raster = rasterize(kTwoWings, 0.2);
   EXPECT_EQ(tests::drawing_of(raster),
             (tests::DrawnMap{".....##########",
                              ".....##########",
@@ -70,9 +70,9 @@ TEST(PolygonView, RasterHasTheFloorsCells) {
 }
 
 TEST(PolygonView, RefusesParametersWithoutSense) {
-  EXPECT_THROW(PolygonView(kRoom, {.max_range_m = 0.0}), std::invalid_argument);
-  EXPECT_THROW(rasterize(kRoom, 0.0), std::invalid_argument);
-  EXPECT_THROW(rasterize(kRoom, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(PolygonView(kTwoWings, {.max_range_m = 0.0}), std::invalid_argument);
+  EXPECT_THROW(rasterize(kTwoWings, 0.0), std::invalid_argument);
+  EXPECT_THROW(rasterize(kTwoWings, std::nan("")), std::invalid_argument);
 }
 
 }  // namespace

@@ -6,16 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/drawn_map.hpp"
+#include "tests/host/localization/corridor.hpp"
 
 namespace echomap::localization {
 namespace {
-
-const mapping::RasterMap kCorridor = tests::map_from({"##############################",
-                                                      "#............................#",
-                                                      "#............................#",
-                                                      "##############################"},
-                                                     0.1);
 
 RangeTableModel corridor_model() {
   return {RangeTable(kCorridor, {0.0, 4.0}), models::BeamModel(models::laser_returns())};

@@ -13,15 +13,15 @@
 namespace echomap::localization {
 namespace {
 
-const mapping::RasterMap kRoom = tests::map_from({"##########",
-                                                  "#........#",
-                                                  "#........#",
-                                                  "#........#",
-                                                  "#......#.#",
-                                                  "#........#",
-                                                  "#........#",
-                                                  "##########"},
-                                                 0.1);
+const mapping::RasterMap kSmallRoom = tests::map_from({"##########",
+                                                       "#........#",
+                                                       "#........#",
+                                                       "#........#",
+                                                       "#......#.#",
+                                                       "#........#",
+                                                       "#........#",
+                                                       "##########"},
+                                                      0.1);
 
 /// The table's cell of a cell of the map: there is a ring around it.
 constexpr geometry::CellIndex in_table(std::int32_t x, std::int32_t y) { return {x + 1, y + 1}; }
@@ -35,7 +35,7 @@ double expected_m(RangeTable& table, geometry::CellIndex cell, double heading_ra
 }
 
 TEST(RangeTable, ExpectsTheWallThatAThinBeamMeets) {
-  RangeTable table(kRoom, {0.0, 2.0});
+  RangeTable table(kSmallRoom, {0.0, 2.0});
   const double slack_m = 2.0 / 126.0;
   EXPECT_NEAR(expected_m(table, in_table(2, 1), 0.0), 0.65, slack_m);
   EXPECT_NEAR(expected_m(table, in_table(2, 1), std::numbers::pi), 0.15, slack_m);
@@ -44,20 +44,20 @@ TEST(RangeTable, ExpectsTheWallThatAThinBeamMeets) {
 }
 
 TEST(RangeTable, ExpectsTheNearestThingInACone) {
-  RangeTable thin(kRoom, {0.0, 2.0});
-  RangeTable wide(kRoom, {0.2, 2.0});
+  RangeTable thin(kSmallRoom, {0.0, 2.0});
+  RangeTable wide(kSmallRoom, {0.2, 2.0});
   EXPECT_LT(expected_m(wide, in_table(2, 2), 0.0), expected_m(thin, in_table(2, 2), 0.0) - 0.1);
   EXPECT_NEAR(expected_m(wide, in_table(2, 2), 0.0), std::hypot(0.45, 0.05), 0.03);
 }
 
 TEST(RangeTable, ExpectsNothingBeyondItsRange) {
-  RangeTable table(kRoom, {0.0, 0.3});
+  RangeTable table(kSmallRoom, {0.0, 0.3});
   EXPECT_EQ(expected_m(table, in_table(2, 2), 0.0), -1.0);
   EXPECT_NEAR(expected_m(table, in_table(2, 2), std::numbers::pi), 0.15, 0.01);
 }
 
 TEST(RangeTable, HasNoFloorInWallsAndAroundTheMap) {
-  RangeTable table(kRoom, {0.0, 2.0});
+  RangeTable table(kSmallRoom, {0.0, 2.0});
   for (const auto cell : {geometry::CellIndex{0, 0}, in_table(0, 3), in_table(7, 3)}) {
     table.fill_tile(table.tile_of(cell));
     EXPECT_EQ(table.codes_at(cell)[5], RangeTable::kNoFloor);
@@ -66,7 +66,7 @@ TEST(RangeTable, HasNoFloorInWallsAndAroundTheMap) {
 }
 
 TEST(RangeTable, CodesRangesToHalfAPart) {
-  const RangeTable table(kRoom, {0.0, 4.0});
+  const RangeTable table(kSmallRoom, {0.0, 4.0});
   for (const bool is_oblique : {false, true}) {
     for (double range_m = 0.0; range_m < 4.0; range_m += 0.003) {
       const auto expected = table.expected_of(table.code_of({range_m, is_oblique}));
@@ -80,7 +80,7 @@ TEST(RangeTable, CodesRangesToHalfAPart) {
 }
 
 TEST(RangeTable, KnowsAWallThatIsSeenAslant) {
-  RangeTable table(kRoom, {0.26, 2.0});
+  RangeTable table(kSmallRoom, {0.26, 2.0});
   const auto is_oblique = [&](double heading_rad) {
     const auto heading = static_cast<std::size_t>(
         std::lround(heading_rad / (2.0 * std::numbers::pi) * RangeTable::kHeadings));
@@ -105,10 +105,10 @@ TEST(RangeTable, PaysForTheTilesThatAreAskedForOnly) {
 }
 
 TEST(RangeTable, RefusesSensorsThatAreNone) {
-  EXPECT_THROW(RangeTable(kRoom, {-0.1, 4.0}), std::invalid_argument);
-  EXPECT_THROW(RangeTable(kRoom, {1.6, 4.0}), std::invalid_argument);
-  EXPECT_THROW(RangeTable(kRoom, {0.1, 0.0}), std::invalid_argument);
-  EXPECT_THROW(RangeTable(kRoom, {0.1, std::numeric_limits<double>::quiet_NaN()}),
+  EXPECT_THROW(RangeTable(kSmallRoom, {-0.1, 4.0}), std::invalid_argument);
+  EXPECT_THROW(RangeTable(kSmallRoom, {1.6, 4.0}), std::invalid_argument);
+  EXPECT_THROW(RangeTable(kSmallRoom, {0.1, 0.0}), std::invalid_argument);
+  EXPECT_THROW(RangeTable(kSmallRoom, {0.1, std::numeric_limits<double>::quiet_NaN()}),
                std::invalid_argument);
 }
 

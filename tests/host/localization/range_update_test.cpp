@@ -18,21 +18,21 @@ namespace {
 
 using geometry::Pose2;
 
-const mapping::RasterMap kRoom = tests::map_from({"####################",
-                                                  "#..................#",
-                                                  "#..................#",
-                                                  "#.......####.......#",
-                                                  "#.......#  #.......#",
-                                                  "#.......####.......#",
-                                                  "#..................#",
-                                                  "#..................#",
-                                                  "####################"},
-                                                 0.1,
-                                                 {-1.0, -0.5});
+const mapping::RasterMap kHollowBlockRoom = tests::map_from({"####################",
+                                                             "#..................#",
+                                                             "#..................#",
+                                                             "#.......####.......#",
+                                                             "#.......#  #.......#",
+                                                             "#.......####.......#",
+                                                             "#..................#",
+                                                             "#..................#",
+                                                             "####################"},
+                                                            0.1,
+                                                            {-1.0, -0.5});
 const models::BeamModel kModel(models::sonar_cone_returns());
 
-struct Scene {
-  RangeTable table{kRoom, {0.2, 4.0}};
+struct KernelScene {
+  RangeTable table{kHollowBlockRoom, {0.2, 4.0}};
   LikelihoodCodes likelihoods{table, kModel};
 
   float weight(const Pose2& pose, const std::vector<RangeReading>& readings) {
@@ -63,7 +63,7 @@ struct Scene {
 };
 
 TEST(RangeUpdate, AddsTheLogarithmsOfTheModel) {
-  Scene scene;
+  KernelScene scene;
   std::mt19937 random(2);
   std::uniform_real_distribution<double> any(0.0, 1.0);
   for (int i = 0; i < 500; ++i) {
@@ -84,7 +84,7 @@ TEST(RangeUpdate, AddsTheLogarithmsOfTheModel) {
 }
 
 TEST(RangeUpdate, RulesOutWhereNoRobotStands) {
-  Scene scene;
+  KernelScene scene;
   const std::vector<RangeReading> readings{{{}, 0.5}, {{0.0, 0.0, 1.0}, std::nullopt}};
   for (const Pose2& nowhere :
        {Pose2(0.0, -0.05, 0.0), Pose2(50.0, 0.0, 0.0), Pose2(0.0, -50.0, 1.0)}) {
@@ -94,14 +94,14 @@ TEST(RangeUpdate, RulesOutWhereNoRobotStands) {
 }
 
 TEST(RangeUpdate, PassesOverReadingsThatAreNoNumbers) {
-  Scene scene;
+  KernelScene scene;
   const std::vector<RangeReading> none{{{}, std::numeric_limits<double>::quiet_NaN()},
                                        {{}, std::numeric_limits<double>::infinity()}};
   EXPECT_EQ(scene.weight({-0.5, 0.0, 0.0}, none), 0.0F);
 }
 
 TEST(RangeUpdate, ComesToTheSameBitsHoweverTheParticlesAreSharedOut) {
-  Scene scene;
+  KernelScene scene;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   Particles whole;

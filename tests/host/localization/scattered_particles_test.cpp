@@ -10,15 +10,15 @@
 namespace echomap::localization {
 namespace {
 
-const mapping::RasterMap kRoom =
+const mapping::RasterMap kHalfKnownRooms =
     tests::map_from({"#######", "#..#..#", "#..#  #", "#######"}, 0.5, {-1.0, 2.0});
 
 TEST(ScatteredParticles, StandOnFreeCellsOnly) {
   std::mt19937 random(1);
-  const Particles particles = scattered_particles(kRoom, 2000, random);
+  const Particles particles = scattered_particles(kHalfKnownRooms, 2000, random);
   ASSERT_EQ(particles.size(), 2000U);
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    ASSERT_EQ(kRoom.state(kRoom.cell_at(particles.pose(i).position_m())),
+    ASSERT_EQ(kHalfKnownRooms.state(kHalfKnownRooms.cell_at(particles.pose(i).position_m())),
               mapping::CellState::kFree);
     ASSERT_EQ(particles.log_weight[i], 0.0F);
   }
@@ -27,7 +27,7 @@ TEST(ScatteredParticles, StandOnFreeCellsOnly) {
 TEST(ScatteredParticles, AreAsManyEverywhereAndInEveryHeading) {
   std::mt19937 random(1);
   constexpr std::size_t kCount = 60'000;
-  const Particles particles = scattered_particles(kRoom, kCount, random);
+  const Particles particles = scattered_particles(kHalfKnownRooms, kCount, random);
   std::size_t right = 0;
   std::size_t lower_half = 0;
   std::size_t backwards = 0;

@@ -17,9 +17,9 @@ namespace {
 
 static_assert(RangeView<PointCloudView> && RangeView<PolygonView>);
 
-const mapping::PolygonMap kRoom({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}});
+const mapping::PolygonMap kSquareRoom({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}});
 
-Particles at(const std::vector<geometry::Pose2>& poses) {
+Particles particles_at(const std::vector<geometry::Pose2>& poses) {
   Particles particles;
   particles.resize(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -31,11 +31,11 @@ Particles at(const std::vector<geometry::Pose2>& poses) {
 TEST(ViewModel, IsTheProductOfTheReadings) {
   const models::GaussianRange gaussian;
   ViewModel<PolygonView, models::GaussianRange> model(
-      rasterize(kRoom, 0.1), PolygonView(kRoom, {.max_range_m = 2.0}), gaussian);
+      rasterize(kSquareRoom, 0.1), PolygonView(kSquareRoom, {.max_range_m = 2.0}), gaussian);
   const std::vector<RangeReading> readings{{{}, 0.52}, {{0.0, 0.0, 1.5707963}, 0.49}};
   model.observe(readings);
   ASSERT_EQ(model.count(), 2U);
-  Particles particles = at({{0.5, 0.5, 0.0}});
+  Particles particles = particles_at({{0.5, 0.5, 0.0}});
   model.make_ready(particles, Workers());
   model.update_weights(0.5F, {0, 1}, particles);
   const double one = gaussian.likelihood(0.52, {0.5, false});
@@ -45,11 +45,11 @@ TEST(ViewModel, IsTheProductOfTheReadings) {
 
 TEST(ViewModel, RejectsWhatIsOutsideOfTheOutline) {
   ViewModel<PolygonView, models::InfraredRange> model(
-      rasterize(kRoom, 0.1), PolygonView(kRoom), models::InfraredRange());
+      rasterize(kSquareRoom, 0.1), PolygonView(kSquareRoom), models::InfraredRange());
   const std::vector<RangeReading> silence(3);
   model.observe(silence);
   ASSERT_EQ(model.count(), 3U);
-  Particles particles = at({{0.5, 0.5, 0.0}, {1.1, 0.5, 0.0}});
+  Particles particles = particles_at({{0.5, 0.5, 0.0}, {1.1, 0.5, 0.0}});
   model.update_weights(1.0F, {0, 2}, particles);
   EXPECT_GT(particles.log_weight[0], -1.0F);
   EXPECT_EQ(particles.log_weight[1], kRejectedLog);
@@ -62,11 +62,11 @@ TEST(ViewModel, LooksAtAnyMapAlike) {
   }
   const models::GaussianRange gaussian;
   ViewModel<PointCloudView, models::GaussianRange> cloud(
-      rasterize(kRoom, 0.1), PointCloudView(points_m), gaussian);
+      rasterize(kSquareRoom, 0.1), PointCloudView(points_m), gaussian);
   ViewModel<PolygonView, models::GaussianRange> polygon(
-      rasterize(kRoom, 0.1), PolygonView(kRoom, {.max_range_m = 2.0}), gaussian);
+      rasterize(kSquareRoom, 0.1), PolygonView(kSquareRoom, {.max_range_m = 2.0}), gaussian);
   const std::vector<RangeReading> readings{{{}, 0.55}};
-  Particles one = at({{0.5, 0.5, 0.0}, {0.2, 0.3, 0.0}});
+  Particles one = particles_at({{0.5, 0.5, 0.0}, {0.2, 0.3, 0.0}});
   Particles other = one;
   cloud.observe(readings);
   polygon.observe(readings);
@@ -78,16 +78,18 @@ TEST(ViewModel, LooksAtAnyMapAlike) {
 
 TEST(ViewModel, ImpossibleReadingsStayFinite) {
   ViewModel<PolygonView, models::GaussianRange> model(
-      rasterize(kRoom, 0.1), PolygonView(kRoom, {.max_range_m = 2.0}), models::GaussianRange());
+      rasterize(kSquareRoom, 0.1),
+      PolygonView(kSquareRoom, {.max_range_m = 2.0}),
+      models::GaussianRange());
   model.observe(std::vector<RangeReading>(8, {{}, 2.5}));
-  Particles particles = at({{0.5, 0.5, 0.0}});
+  Particles particles = particles_at({{0.5, 0.5, 0.0}});
   model.update_weights(1.0F, {0, 1}, particles);
   EXPECT_TRUE(std::isfinite(particles.log_weight[0]));
 }
 
 TEST(ViewModel, LeavesOutWhatIsNotFinite) {
   ViewModel<PolygonView, models::GaussianRange> model(
-      rasterize(kRoom, 0.1), PolygonView(kRoom), models::GaussianRange());
+      rasterize(kSquareRoom, 0.1), PolygonView(kSquareRoom), models::GaussianRange());
   const std::vector<RangeReading> broken{{{}, std::numeric_limits<double>::quiet_NaN()}};
   model.observe(broken);
   EXPECT_EQ(model.count(), 0U);

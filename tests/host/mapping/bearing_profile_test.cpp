@@ -7,17 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "tests/host/mapping/profile_at.hpp"
 
 namespace echomap::mapping {
 namespace {
 
 using geometry::radians;
 
-constexpr double kSilence = std::numeric_limits<double>::infinity();
-
-double at(const BearingProfile& profile, double bearing_deg) {
-  return profile[BearingProfile::index(radians(bearing_deg))];
-}
+constexpr double kUnlimitedM = std::numeric_limits<double>::infinity();
 
 TEST(BearingProfile, NumbersStepsFromMinusPiOn) {
   EXPECT_EQ(BearingProfile::index(-std::numbers::pi), 0U);
@@ -40,7 +37,7 @@ TEST(HeardWithin, TakesTheNearestOfTheLooksAbout) {
       heard_within({{0.0, 2.0}, {radians(8.0), 1.0}, {radians(90.0), std::nullopt}}, radians(5.0));
   EXPECT_EQ(at(heard_m, 1.0), 2.0);
   EXPECT_EQ(at(heard_m, 4.0), 1.0);
-  EXPECT_EQ(at(heard_m, 90.0), kSilence);
+  EXPECT_EQ(at(heard_m, 90.0), kUnlimitedM);
   EXPECT_EQ(at(heard_m, 45.0), 0.0);
 }
 

@@ -34,7 +34,7 @@ std::size_t contradictions(const std::vector<ScanSurfaces>& stops,
 
 const EchoFeature kPost{LandmarkKind::kPoint, {2.0, 0.0}};
 /// y = 2, seen from below.
-const EchoFeature kWall{LandmarkKind::kWall, {2.0, radians(90.0)}};
+const EchoFeature kWallAbove{LandmarkKind::kWall, {2.0, radians(90.0)}};
 
 TEST(FeatureContradiction, CountsStopsThatHearPastAPost) {
   EXPECT_EQ(contradictions({stop(0.0, 0.0, 0.0, 2.5)}, kPost, {}), 1U);
@@ -60,13 +60,13 @@ TEST(FeatureContradiction, CountsNoSupporter) {
 
 TEST(FeatureContradiction, AsksOfAWallOnlyStopsWithTheirFootBetweenThoseThatHeardIt) {
   const std::vector<Sighting> feet{supporter(1, 0.0, 0.0), supporter(2, 1.0, 0.0)};
-  EXPECT_EQ(contradictions({stop(0.5, 0.0, 90.0, std::nullopt)}, kWall, feet), 1U);
-  EXPECT_EQ(contradictions({stop(1.5, 0.0, 90.0, std::nullopt)}, kWall, feet), 0U);
+  EXPECT_EQ(contradictions({stop(0.5, 0.0, 90.0, std::nullopt)}, kWallAbove, feet), 1U);
+  EXPECT_EQ(contradictions({stop(1.5, 0.0, 90.0, std::nullopt)}, kWallAbove, feet), 0U);
 }
 
 TEST(FeatureContradiction, LeavesRoomForADoorBetweenTwoFeet) {
   const std::vector<Sighting> feet{supporter(1, 0.0, 0.0), supporter(2, 2.0, 0.0)};
-  EXPECT_EQ(contradictions({stop(1.0, 0.0, 90.0, std::nullopt)}, kWall, feet), 0U);
+  EXPECT_EQ(contradictions({stop(1.0, 0.0, 90.0, std::nullopt)}, kWallAbove, feet), 0U);
 }
 
 TEST(FeatureContradiction, HearsNobodyWithoutWeight) {

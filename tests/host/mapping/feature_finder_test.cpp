@@ -8,13 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "tests/host/mapping/default_params.hpp"
 
 namespace echomap::mapping {
 namespace {
 
 using geometry::radians;
-
-const SurfaceMatchingParams kParams;
 
 /// A wall at y = 2 as one stop sees it.
 Sighting of_wall(std::size_t scan, double x_m, double y_m) {
@@ -34,8 +33,8 @@ TEST(FeatureFinder, TakesTheBestSupportedFirstAndThenWhatIsLeft) {
                         of_wall(1, 0.8, 0.5),
                         of_post(1, 0.8, 0.5),
                         of_wall(2, 1.5, 0.9)},
-                       FeatureContradiction({}, {}, kParams),
-                       kParams);
+                       FeatureContradiction({}, {}, kMatchingParams),
+                       kMatchingParams);
   const auto wall = finder.take_best();
   ASSERT_TRUE(wall);
   EXPECT_EQ(wall->feature.kind, LandmarkKind::kWall);
@@ -48,10 +47,10 @@ TEST(FeatureFinder, TakesTheBestSupportedFirstAndThenWhatIsLeft) {
 }
 
 TEST(FeatureFinder, FindsNothingInWhatOneStopHasSeen) {
-  const FeatureContradiction nobody({}, {}, kParams);
-  EXPECT_FALSE(
-      FeatureFinder({of_wall(0, 0.0, 0.0), of_post(0, 0.0, 0.0)}, nobody, kParams).take_best());
-  EXPECT_FALSE(FeatureFinder({}, nobody, kParams).take_best());
+  const FeatureContradiction nobody({}, {}, kMatchingParams);
+  EXPECT_FALSE(FeatureFinder({of_wall(0, 0.0, 0.0), of_post(0, 0.0, 0.0)}, nobody, kMatchingParams)
+                   .take_best());
+  EXPECT_FALSE(FeatureFinder({}, nobody, kMatchingParams).take_best());
 }
 
 TEST(FeatureFinder, DropsAPostThatOtherStopsHearPast) {

@@ -7,14 +7,14 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "tests/host/mapping/default_params.hpp"
 
 namespace echomap::mapping {
 namespace {
 
 using geometry::radians;
 
-const SurfaceMatchingParams kParams;
-const EchoFeature kWall{LandmarkKind::kWall, {2.0, 0.0}};
+const EchoFeature kWallAhead{LandmarkKind::kWall, {2.0, 0.0}};
 const EchoFeature kRound{LandmarkKind::kPoint, {2.0, 1.0}, 0.3};
 
 Sighting sighting(const Eigen::Vector2d& from_m, double bearing_rad, double range_m) {
@@ -30,9 +30,11 @@ TEST(SightingOf, HasItsEchoOnItsBearing) {
 
 TEST(FeatureGauge, MeasuresHowFarARangeIsOff) {
   EXPECT_NEAR(
-      FeatureGauge(kWall, kParams).misfit_m(sighting({0.5, 3.0}, 0.1, 1.47)).value(), 0.03, 1e-12);
+      FeatureGauge(kWallAhead, kMatchingParams).misfit_m(sighting({0.5, 3.0}, 0.1, 1.47)).value(),
+      0.03,
+      1e-12);
   const double range_m = std::hypot(2.0, 1.0) - 0.3;
-  EXPECT_NEAR(FeatureGauge(kRound, kParams)
+  EXPECT_NEAR(FeatureGauge(kRound, kMatchingParams)
                   .misfit_m(sighting({0.0, 0.0}, std::atan2(1.0, 2.0), range_m + 0.02))
                   .value(),
               0.02,
@@ -40,7 +42,7 @@ TEST(FeatureGauge, MeasuresHowFarARangeIsOff) {
 }
 
 TEST(FeatureGauge, RefusesAnotherRangeAndAnotherDirection) {
-  const FeatureGauge wall(kWall, kParams);
+  const FeatureGauge wall(kWallAhead, kMatchingParams);
   EXPECT_FALSE(wall.misfit_m(sighting({0.5, 3.0}, 0.0, 1.3)));
   EXPECT_FALSE(wall.misfit_m(sighting({0.5, 3.0}, 1.0, 1.5)));
 }
@@ -48,12 +50,12 @@ TEST(FeatureGauge, RefusesAnotherRangeAndAnotherDirection) {
 TEST(FeatureGauge, CountsManyReadingsOfTheRightKindMost) {
   Sighting one = sighting({0.0, 0.0}, 0.0, 2.0);
   one.surface.half_length_m = 0.3;
-  const FeatureGauge wall(kWall, kParams);
+  const FeatureGauge wall(kWallAhead, kMatchingParams);
   EXPECT_EQ(wall.weight(one, 0.0), 1.0);
   one.surface.readings = 5;
   EXPECT_EQ(wall.weight(one, 0.0), 0.5);
   one.surface.half_length_m = 0.0;
-  EXPECT_EQ(wall.weight(one, 0.0), 0.5 * kParams.other_kind_weight);
+  EXPECT_EQ(wall.weight(one, 0.0), 0.5 * kMatchingParams.other_kind_weight);
 }
 
 TEST(SeenOverRad, IsTheAngleBetweenTheOutermostViews) {
@@ -75,7 +77,7 @@ TEST(Fitted, FindsMiddleAndRadiusOfSomethingRound) {
   EchoFeature start = kRound;
   start.value += Eigen::Vector2d(0.04, -0.03);
   start.radius_m = 0.26;
-  const EchoFeature found = fitted(start, sightings, kParams);
+  const EchoFeature found = fitted(start, sightings, kMatchingParams);
   EXPECT_NEAR((found.value - kRound.value).norm(), 0.0, 1e-3);
   EXPECT_NEAR(found.radius_m, kRound.radius_m, 0.005);
 }
@@ -86,7 +88,7 @@ TEST(Fitted, LeavesAPostAPost) {
                                    {sighting({2.0, 0.0}, radians(90.0), 0.9),
                                     sighting({1.0, 1.0}, 0.0, 0.9),
                                     sighting({2.0, 2.0}, radians(-90.0), 0.9)},
-                                   kParams);
+                                   kMatchingParams);
   EXPECT_EQ(found.radius_m, 0.0);
 }
 

@@ -6,16 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "host/mapping/raster_outline.hpp"
+#include "tests/host/mapping/outlines.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::mapping {
 namespace {
 
 using tests::map_from;
-
-std::vector<BorderPoint> border_of(const RasterMap& map) {
-  return border_points(free_floor_rings(map).front(), map);
-}
 
 TEST(FloorBorder, HasAPointForEveryEdgeOfACell) {
   const RasterMap map = map_from({"#####", "#...#", "#...#", "#####"});

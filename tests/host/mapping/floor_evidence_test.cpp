@@ -6,19 +6,19 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/host/mapping/cells.hpp"
+
 namespace echomap::mapping {
 namespace {
 
-constexpr double kCellM = 0.05;
-const FloorEvidenceParams kParams;
+const FloorEvidenceParams kFloorParams;
 
 FloorReach disc(double heard_m, double silent_m) {
   return {BearingProfile(heard_m), BearingProfile(silent_m)};
 }
 
 int at(const FloorEvidence& evidence, double x_m, double y_m) {
-  return evidence.centilogits({static_cast<std::int32_t>(std::floor(x_m / kCellM)),
-                               static_cast<std::int32_t>(std::floor(y_m / kCellM))});
+  return evidence.centilogits(cell_around(x_m, y_m));
 }
 
 void expect_equal(const FloorEvidence& one, const FloorEvidence& other) {
@@ -40,15 +40,15 @@ FloorReach ragged(std::mt19937& random) {
 }
 
 TEST(FloorEvidence, IsFullUpToEchoesAndLessWhereOnlySilenceTells) {
-  FloorEvidence evidence(kParams, kCellM);
+  FloorEvidence evidence(kFloorParams, kCellM);
   evidence.set(0, {0.0, 0.0}, disc(1.0, 2.0));
   EXPECT_EQ(at(evidence, 0.52, 0.02), evidence.faded(std::hypot(0.525, 0.025)));
-  EXPECT_NEAR(at(evidence, 1.52, 0.02), kParams.silent_share * evidence.faded(1.525), 1.0);
+  EXPECT_NEAR(at(evidence, 1.52, 0.02), kFloorParams.silent_share * evidence.faded(1.525), 1.0);
   EXPECT_EQ(at(evidence, 2.12, 0.02), 0);
 }
 
 TEST(FloorEvidence, SumsStopsAndForgetsThoseThatAreGone) {
-  FloorEvidence evidence(kParams, kCellM);
+  FloorEvidence evidence(kFloorParams, kCellM);
   evidence.set(0, {0.0, 0.0}, disc(1.0, 1.0));
   evidence.set(1, {0.0, 0.0}, disc(1.0, 1.0));
   const int of_two = at(evidence, 0.5, 0.0);
@@ -60,13 +60,13 @@ TEST(FloorEvidence, SumsStopsAndForgetsThoseThatAreGone) {
 
 TEST(FloorEvidence, IsTheSameAfterManyChangesAsAtOnce) {
   std::mt19937 random(5);
-  FloorEvidence changed(kParams, kCellM);
+  FloorEvidence changed(kFloorParams, kCellM);
   FloorReach last;
   for (int i = 0; i < 5; ++i) {
     last = ragged(random);
     changed.set(0, {0.1, -0.2}, last);
   }
-  FloorEvidence at_once(kParams, kCellM);
+  FloorEvidence at_once(kFloorParams, kCellM);
   at_once.set(0, {0.1, -0.2}, last);
   expect_equal(changed, at_once);
 }
@@ -74,7 +74,7 @@ TEST(FloorEvidence, IsTheSameAfterManyChangesAsAtOnce) {
 TEST(FloorEvidence, GrowsWithoutLosingWhatItHas) {
   std::mt19937 random(7);
   const FloorReach reach = ragged(random);
-  FloorEvidence grown(kParams, kCellM);
+  FloorEvidence grown(kFloorParams, kCellM);
   grown.set(0, {0.1, -0.2}, reach);
   FloorEvidence at_once = grown;
   grown.set(1, {-10.0, 7.0}, disc(1.0, 1.0));
@@ -83,7 +83,7 @@ TEST(FloorEvidence, GrowsWithoutLosingWhatItHas) {
 }
 
 TEST(FloorEvidence, DoesWithoutAStopThatNoMemoryWouldReach) {
-  FloorEvidence evidence(kParams, kCellM);
+  FloorEvidence evidence(kFloorParams, kCellM);
   evidence.set(0, {0.0, 0.0}, disc(1.0, 1.0));
   for (const double far_m : {1e3, 1e7, 1e12}) {
     evidence.set(1, {far_m, far_m}, disc(1.0, 1.0));
@@ -95,10 +95,10 @@ TEST(FloorEvidence, DoesWithoutAStopThatNoMemoryWouldReach) {
 TEST(FloorEvidence, MovesWithItsStop) {
   std::mt19937 random(6);
   const FloorReach reach = ragged(random);
-  FloorEvidence moved(kParams, kCellM);
+  FloorEvidence moved(kFloorParams, kCellM);
   moved.set(0, {0.4, 0.4}, ragged(random));
   moved.set(0, {0.1, -0.2}, reach);
-  FloorEvidence at_once(kParams, kCellM);
+  FloorEvidence at_once(kFloorParams, kCellM);
   at_once.set(0, {0.1, -0.2}, reach);
   expect_equal(moved, at_once);
 }

@@ -8,15 +8,13 @@
 
 #include "host/geometry/polygon.hpp"
 #include "host/geometry/pose2.hpp"
+#include "tests/host/mapping/outlines.hpp"
 
 namespace echomap::mapping {
 namespace {
 
 using geometry::Polygon;
 using Points = std::vector<Eigen::Vector2d>;
-
-// A robot in the lower left part of an L, with the reflex corner at (2, 1).
-const Polygon kL{{0, 0}, {4, 0}, {4, 1}, {2, 1}, {2, 3}, {0, 3}};
 
 /// What stands along the sides of a room every 5 cm, counter-clockwise, with noise.
 Points along(const Polygon& room, double stddev_m, std::uint32_t seed) {

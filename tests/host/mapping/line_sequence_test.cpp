@@ -13,7 +13,7 @@ namespace {
 
 using Misfits = std::vector<std::vector<double>>;
 
-const LineSequenceParams kParams;
+const LineSequenceParams kSequenceParams;
 const RasterMap kUnknownMap(100, 100, 0.05, {-2.5, -2.5});
 
 /// The four sides of a room of 1 x 1 m, counter-clockwise.
@@ -57,7 +57,7 @@ Misfits by_distance(const std::vector<BorderPoint>& border, const std::vector<Ou
 TEST(LineSequence, FindsTheSidesOfARoomInTheirOrder) {
   const auto border = room_border();
   const auto runs =
-      line_sequence(border, sides(), by_distance(border, sides()), kUnknownMap, kParams);
+      line_sequence(border, sides(), by_distance(border, sides()), kUnknownMap, kSequenceParams);
   ASSERT_EQ(runs.size(), 4U);
   std::size_t covered = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -90,10 +90,11 @@ TEST(LineSequence, HasACornerOnlyWhereItPaysForItself) {
 
 TEST(LineSequence, OfNothingOrOneLineHasNoRuns) {
   const auto border = room_border();
-  EXPECT_TRUE(line_sequence({}, sides(), {}, kUnknownMap, kParams).empty());
-  EXPECT_TRUE(line_sequence(border, {}, Misfits(80), kUnknownMap, kParams).empty());
+  EXPECT_TRUE(line_sequence({}, sides(), {}, kUnknownMap, kSequenceParams).empty());
+  EXPECT_TRUE(line_sequence(border, {}, Misfits(80), kUnknownMap, kSequenceParams).empty());
   const std::vector<OutlineLine> one{sides().front()};
-  EXPECT_TRUE(line_sequence(border, one, by_distance(border, one), kUnknownMap, kParams).empty());
+  EXPECT_TRUE(
+      line_sequence(border, one, by_distance(border, one), kUnknownMap, kSequenceParams).empty());
 }
 
 using Lines = std::vector<std::size_t>;
@@ -154,12 +155,12 @@ TEST(LineSequence, CostsNoMoreThanAnyOtherOne) {
 TEST(LineCorner, IsWhereTheLinesCrossIfThatIsNear) {
   const DirectedLine east{{0, 0}, {1, 0}};
   const DirectedLine north{{1, 0}, {0, 1}};
-  const auto corner = line_corner(east, north, {0.9, 0.0}, kUnknownMap, kParams);
+  const auto corner = line_corner(east, north, {0.9, 0.0}, kUnknownMap, kSequenceParams);
   ASSERT_TRUE(corner);
   EXPECT_LT((corner->position_m - Eigen::Vector2d(1, 0)).norm(), 1e-9);
-  EXPECT_NEAR(corner->cost_m, kParams.corner_cost_m * 1.04, 1e-9);
-  EXPECT_FALSE(line_corner(east, north, {0.4, 0.0}, kUnknownMap, kParams)) << "far";
-  EXPECT_FALSE(line_corner(east, {{0, 0.1}, {1, 0.1}}, {0.0, 0.0}, kUnknownMap, kParams))
+  EXPECT_NEAR(corner->cost_m, kSequenceParams.corner_cost_m * 1.04, 1e-9);
+  EXPECT_FALSE(line_corner(east, north, {0.4, 0.0}, kUnknownMap, kSequenceParams)) << "far";
+  EXPECT_FALSE(line_corner(east, {{0, 0.1}, {1, 0.1}}, {0.0, 0.0}, kUnknownMap, kSequenceParams))
       << "hardly a turn";
 }
 
@@ -168,9 +169,9 @@ TEST(LineCorner, MustBeNearerOnTheFloor) {
   floor.set(floor.cell_at({1, 0}), CellState::kFree);
   const DirectedLine east{{0, 0}, {1, 0}};
   const DirectedLine north{{1, 0}, {0, 1}};
-  EXPECT_TRUE(line_corner(east, north, {0.7, 0.0}, kUnknownMap, kParams));
-  EXPECT_FALSE(line_corner(east, north, {0.7, 0.0}, floor, kParams));
-  EXPECT_TRUE(line_corner(east, north, {0.9, 0.0}, floor, kParams));
+  EXPECT_TRUE(line_corner(east, north, {0.7, 0.0}, kUnknownMap, kSequenceParams));
+  EXPECT_FALSE(line_corner(east, north, {0.7, 0.0}, floor, kSequenceParams));
+  EXPECT_TRUE(line_corner(east, north, {0.9, 0.0}, floor, kSequenceParams));
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ PlaceableMap map_of_room(const Box& room,
   return PlaceableMap(std::move(map));
 }
 
-const Box kRoom{{0.0, 0.0}, {4.0, 3.0}};
+const Box kRoomBox{{0.0, 0.0}, {4.0, 3.0}};
 const Box kAll{{-1.0, -1.0}, {6.0, 6.0}};
 const std::vector<Box> kFurniture{{{2.0, 1.4}, {4.0, 3.0}}, {{0.0, 2.4}, {0.9, 3.0}}};
 
@@ -63,10 +63,10 @@ void expect_near(const Pose2& found, const Pose2& expected) {
 
 TEST(MapPlacement, FindsAMapThatLiesAnywhereAndHoweverTurned) {
   const Pose2 T_world_previous(1.0, 1.0, 0.3);
-  const PlaceableMap previous = map_of_room(kRoom, kFurniture, T_world_previous, kAll);
+  const PlaceableMap previous = map_of_room(kRoomBox, kFurniture, T_world_previous, kAll);
   for (const double heading_rad : {0.0, 1.0, 2.5, -2.0, -0.7}) {
     const Pose2 T_world_later(2.4, 1.7, heading_rad);
-    const PlaceableMap later = map_of_room(kRoom, kFurniture, T_world_later, kAll);
+    const PlaceableMap later = map_of_room(kRoomBox, kFurniture, T_world_later, kAll);
     const auto sure = sure_placement(find_placements(previous, later));
     ASSERT_TRUE(sure) << heading_rad;
     expect_near(sure->T_previous_later, T_world_previous.inverse() * T_world_later);
@@ -76,24 +76,25 @@ TEST(MapPlacement, FindsAMapThatLiesAnywhereAndHoweverTurned) {
 
 TEST(MapPlacement, FindsAPartOfARoomInTheWhole) {
   const Pose2 T_world_later(0.7, 0.7, -1.2);
-  const PlaceableMap previous = map_of_room(kRoom, kFurniture, {}, kAll);
+  const PlaceableMap previous = map_of_room(kRoomBox, kFurniture, {}, kAll);
   const Box west{{-1.0, -1.0}, {3.2, 6.0}};
   const auto sure = sure_placement(
-      find_placements(previous, map_of_room(kRoom, kFurniture, T_world_later, west)));
+      find_placements(previous, map_of_room(kRoomBox, kFurniture, T_world_later, west)));
   ASSERT_TRUE(sure);
   expect_near(sure->T_previous_later, T_world_later);
 }
 
 TEST(MapPlacement, IsNotSureInARoomThatIsTheSameWhenItIsTurned) {
-  const PlaceableMap previous = map_of_room(kRoom, {}, {}, kAll);
-  const auto placements = find_placements(previous, map_of_room(kRoom, {}, {1.0, 1.0, 0.5}, kAll));
+  const PlaceableMap previous = map_of_room(kRoomBox, {}, {}, kAll);
+  const auto placements =
+      find_placements(previous, map_of_room(kRoomBox, {}, {1.0, 1.0, 0.5}, kAll));
   ASSERT_GE(placements.size(), 2U);
   EXPECT_GT(placements[1].weight_m(), 0.8 * placements[0].weight_m());
   EXPECT_FALSE(sure_placement(placements));
 }
 
 TEST(MapPlacement, IsNotSureOfAnotherRoom) {
-  const PlaceableMap previous = map_of_room(kRoom, kFurniture, {}, kAll);
+  const PlaceableMap previous = map_of_room(kRoomBox, kFurniture, {}, kAll);
   const Box hall{{0.0, 0.0}, {5.2, 2.2}};
   const std::vector<Box> shelves{{{2.0, 1.8}, {4.0, 2.2}}};
   EXPECT_FALSE(
@@ -102,7 +103,7 @@ TEST(MapPlacement, IsNotSureOfAnotherRoom) {
 
 TEST(MapPlacement, ThereIsNoneOfAMapWithoutWalls) {
   const PlaceableMap empty(RasterMap(1, 1, kEdgeM, {0.0, 0.0}));
-  const PlaceableMap room = map_of_room(kRoom, kFurniture, {}, kAll);
+  const PlaceableMap room = map_of_room(kRoomBox, kFurniture, {}, kAll);
   EXPECT_TRUE(find_placements(room, empty).empty());
   EXPECT_TRUE(find_placements(empty, room).empty());
   EXPECT_FALSE(sure_placement({}));

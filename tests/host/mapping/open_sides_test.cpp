@@ -6,7 +6,7 @@
 namespace echomap::mapping {
 namespace {
 
-const geometry::Polygon kRoomM{{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+const geometry::Polygon kOblongM{{0, 0}, {2, 0}, {2, 1}, {0, 1}};
 
 /// Occupied cells along the wall below, from x = 0 to `to_m`.
 RasterMap map_with_wall(double to_m) {
@@ -18,15 +18,15 @@ RasterMap map_with_wall(double to_m) {
 }
 
 TEST(OpenSides, AreThoseWithoutAnyWall) {
-  EXPECT_EQ(open_sides(kRoomM, map_with_wall(2.0), {}),
+  EXPECT_EQ(open_sides(kOblongM, map_with_wall(2.0), {}),
             (std::vector<bool>{false, true, true, true}));
-  EXPECT_EQ(open_sides(kRoomM, map_with_wall(0.0), {{{{2, 0.1}, {2, 0.9}}}, {}}),
+  EXPECT_EQ(open_sides(kOblongM, map_with_wall(0.0), {{{{2, 0.1}, {2, 0.9}}}, {}}),
             (std::vector<bool>{true, false, true, true}));
 }
 
 TEST(OpenSides, HaveAWallOnLessThanHalfOfTheirLength) {
-  EXPECT_FALSE(open_sides(kRoomM, map_with_wall(1.2), {})[0]);
-  EXPECT_TRUE(open_sides(kRoomM, map_with_wall(0.7), {})[0]);
+  EXPECT_FALSE(open_sides(kOblongM, map_with_wall(1.2), {})[0]);
+  EXPECT_TRUE(open_sides(kOblongM, map_with_wall(0.7), {})[0]);
 }
 
 TEST(OpenSides, OfNoOutlineAreNone) { EXPECT_TRUE(open_sides({}, map_with_wall(1.0), {}).empty()); }

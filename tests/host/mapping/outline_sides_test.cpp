@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/mapping/raster_outline.hpp"
+#include "tests/host/mapping/outlines.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -45,19 +46,6 @@ Polygon straightened(const RasterMap& map,
                      const std::vector<Segment>& walls,
                      const OutlineSideParams& params = {}) {
   return straight_outline(free_floor_rings(map).front(), map, walls, params);
-}
-
-/// From the corner of `expected_m` that `outline_m` misses most.
-double max_corner_error_m(const Polygon& expected_m, const Polygon& outline_m) {
-  double max_m = 0.0;
-  for (const Eigen::Vector2d& corner_m : expected_m) {
-    double nearest_m = 1e9;
-    for (const Eigen::Vector2d& found_m : outline_m) {
-      nearest_m = std::min(nearest_m, (found_m - corner_m).norm());
-    }
-    max_m = std::max(max_m, nearest_m);
-  }
-  return max_m;
 }
 
 /// Whether two neighbouring corners have that y.

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/host/mapping/outlines.hpp"
 #include "tests/support/drawn_map.hpp"
 #include "tests/support/random_polygon.hpp"
 
@@ -14,9 +15,6 @@ namespace {
 
 using geometry::Polygon;
 using tests::map_from;
-
-// The sample map of the paper's figure 6 in small: an L with one reflex corner, at (2, 1).
-const Polygon kL{{0, 0}, {4, 0}, {4, 1}, {2, 1}, {2, 3}, {0, 3}};
 
 /// The test of Mukherjee et al., section V-C: on the inner side of every side of the polygon of the
 /// non-reflex corners, and in no polygon of a run of reflex corners with its two neighbours.

@@ -7,13 +7,12 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/sensors/range_scan.hpp"
+#include "tests/host/mapping/default_params.hpp"
 
 namespace echomap::mapping {
 namespace {
 
 using geometry::radians;
-
-const SonarSurfaceParams kParams;
 
 /// Looks every 4 degrees; those up to `half_deg` off `at_deg` are answered from a metre.
 std::vector<sensors::Beam> looks_at(double at_deg, double half_deg) {
@@ -23,7 +22,7 @@ std::vector<sensors::Beam> looks_at(double at_deg, double half_deg) {
     const double off_rad =
         std::abs(geometry::angle_between(looks.back().bearing_rad, radians(at_deg)));
     if (off_rad <= radians(half_deg)) {
-      looks.back().range_m = range_off_foot_m(1.0, off_rad, kParams);
+      looks.back().range_m = range_off_foot_m(1.0, off_rad, kSurfaceParams);
     }
   }
   return looks;
@@ -31,13 +30,15 @@ std::vector<sensors::Beam> looks_at(double at_deg, double half_deg) {
 
 double bearing_deg(const std::vector<sensors::Beam>& looks, double near_deg) {
   return geometry::degrees(
-      likely_bearing_rad(looks, radians(near_deg), radians(16.0), 1.0, kParams));
+      likely_bearing_rad(looks, radians(near_deg), radians(16.0), 1.0, kSurfaceParams));
 }
 
 TEST(RangeOffFoot, GrowsOnlyBeyondTheBeam) {
-  EXPECT_DOUBLE_EQ(range_off_foot_m(1.0, 0.5 * kParams.beam_half_angle_rad, kParams), 1.0);
-  EXPECT_DOUBLE_EQ(range_off_foot_m(1.0, kParams.beam_half_angle_rad + radians(60.0), kParams),
-                   1.0 / std::cos(radians(60.0)));
+  EXPECT_DOUBLE_EQ(range_off_foot_m(1.0, 0.5 * kSurfaceParams.beam_half_angle_rad, kSurfaceParams),
+                   1.0);
+  EXPECT_DOUBLE_EQ(
+      range_off_foot_m(1.0, kSurfaceParams.beam_half_angle_rad + radians(60.0), kSurfaceParams),
+      1.0 / std::cos(radians(60.0)));
 }
 
 TEST(LikelyBearing, IsTheMiddleOfWhatWasHeard) {

@@ -8,6 +8,7 @@
 
 #include "host/geometry/pose2.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "tests/host/mapping/outlines.hpp"
 #include "tests/support/drawn_map.hpp"
 
 namespace echomap::mapping {
@@ -57,18 +58,6 @@ RasterMap raster_of(const Polygon& polygon, std::mt19937::result_type noise = 0)
     }
   }
   return map;
-}
-
-double max_corner_error_m(const Polygon& room_m, const Polygon& outline_m) {
-  double max_m = 0.0;
-  for (const Eigen::Vector2d& corner_m : room_m) {
-    double nearest_m = 1e9;
-    for (const Eigen::Vector2d& told_m : outline_m) {
-      nearest_m = std::min(nearest_m, (told_m - corner_m).norm());
-    }
-    max_m = std::max(max_m, nearest_m);
-  }
-  return max_m;
 }
 
 TEST(RoomOutline, HasTheCornersOfTheWallsHoweverTheRoomIsTurned) {

@@ -10,11 +10,11 @@ namespace echomap::mapping {
 namespace {
 
 const models::SonarCone kCone;
-const SonarConeMapperParams kParams;
+const SonarConeMapperParams kMapperParams;
 
 SonarEvidence evidence_of(const std::vector<SonarView>& views,
                           const std::vector<geometry::Segment>& walls) {
-  SonarEvidence evidence(views, walls, kCone, kParams);
+  SonarEvidence evidence(views, walls, kCone, kMapperParams);
   evidence.find();
   return evidence;
 }
@@ -24,7 +24,7 @@ int centilogits_at(const OccupancyGrid& grid, double x_m, double y_m) {
 }
 
 const std::vector<SonarView> kSilence{{{0.0, 0.0}, {{0.0, std::nullopt}}}};
-const geometry::Segment kWall{{1.025, -0.6}, {1.025, 0.6}};
+const geometry::Segment kWallSegment{{1.025, -0.6}, {1.025, 0.6}};
 
 TEST(SonarEvidence, CallsFloorFreeByTheEquationOfTheModel) {
   const auto grid = evidence_of(kSilence, {}).grid();
@@ -32,7 +32,7 @@ TEST(SonarEvidence, CallsFloorFreeByTheEquationOfTheModel) {
 }
 
 TEST(SonarEvidence, StopsSilenceAtAWall) {
-  const auto grid = evidence_of(kSilence, {kWall}).grid();
+  const auto grid = evidence_of(kSilence, {kWallSegment}).grid();
   EXPECT_LT(centilogits_at(grid, 0.8, 0.0), -140);
   EXPECT_GT(centilogits_at(grid, 1.025, 0.0), 0);
   EXPECT_GT(centilogits_at(grid, 2.0, 0.0), -20);
@@ -55,13 +55,13 @@ TEST(SonarEvidence, LeavesTheFloorUnderTheRobotFree) {
 }
 
 TEST(SonarEvidence, CountsAnEchoBehindAWallOnce) {
-  const auto counts = evidence_of({{{0.0, 0.0}, {{0.0, 2.0}}}}, {kWall}).counts();
+  const auto counts = evidence_of({{{0.0, 0.0}, {{0.0, 2.0}}}}, {kWallSegment}).counts();
   EXPECT_EQ(counts, (SonarReadingCounts{1, 0, 1, 0}));
 }
 
 TEST(SonarEvidence, RefusesViewsTooFarApart) {
   const std::vector<SonarView> views{{{0.0, 0.0}, {{0.0, 1.0}}}, {{1e6, 1e6}, {{0.0, 1.0}}}};
-  EXPECT_THROW(SonarEvidence(views, {}, kCone, kParams), std::length_error);
+  EXPECT_THROW(SonarEvidence(views, {}, kCone, kMapperParams), std::length_error);
 }
 
 }  // namespace

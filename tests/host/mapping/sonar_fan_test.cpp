@@ -6,16 +6,17 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/host/mapping/cells.hpp"
+
 namespace echomap::mapping {
 namespace {
 
-constexpr double kCellM = 0.05;
-const models::SonarCone kCone;
-const FanRays kRays(kCone.params().max_range_m, kCellM);
+const models::SonarCone kFanCone;
+const FanRays kRays(kFanCone.params().max_range_m, kCellM);
 const SonarView kAhead{{0.0, 0.0}, {{0.0, 2.0}}};
 
 TEST(SonarFan, HoldsPointsInTheConeOnly) {
-  const SonarFan fan(kAhead, kCone, kRays);
+  const SonarFan fan(kAhead, kFanCone, kRays);
   EXPECT_TRUE(fan.place({1.0, 0.2}));
   EXPECT_TRUE(fan.place({1.0, -0.2}));
   EXPECT_FALSE(fan.place({1.0, 0.4}));
@@ -24,20 +25,20 @@ TEST(SonarFan, HoldsPointsInTheConeOnly) {
 }
 
 TEST(SonarFan, MissesLittleBeforeTheEchoAndAllBehind) {
-  const SonarFan fan(kAhead, kCone, kRays);
-  EXPECT_NEAR(fan.miss_chance(*fan.place({1.0, 0.0})), kCone.params().overheard_chance, 1e-6);
+  const SonarFan fan(kAhead, kFanCone, kRays);
+  EXPECT_NEAR(fan.miss_chance(*fan.place({1.0, 0.0})), kFanCone.params().overheard_chance, 1e-6);
   EXPECT_EQ(fan.miss_chance(*fan.place({2.5, 0.0})), 1.0);
 }
 
 TEST(SonarFan, BelievesTheBeamThatSaysMost) {
   const SonarView two{{0.0, 0.0}, {{0.0, 1.0}, {0.1, 2.0}}};
-  const SonarFan fan(two, kCone, kRays);
+  const SonarFan fan(two, kFanCone, kRays);
   EXPECT_LT(fan.miss_chance(*fan.place({1.5, 0.1})), 0.3);
 }
 
 TEST(SonarFan, VisitsEveryCellOfItsConesOnceAndNoOther) {
   const SonarView two{{0.01, 0.02}, {{3.1, 1.0}, {0.3, std::nullopt}}};
-  const SonarFan fan(two, kCone, kRays);
+  const SonarFan fan(two, kFanCone, kRays);
   const CellField field({{-80, -80}, {80, 80}}, kCellM);
   std::vector<int> visits(field.size());
   fan.for_cells(field, [&](geometry::CellIndex cell, const SonarFan::Place&) {
@@ -51,7 +52,7 @@ TEST(SonarFan, VisitsEveryCellOfItsConesOnceAndNoOther) {
 }
 
 TEST(SonarFan, DoesNotGetThroughAWall) {
-  SonarFan fan(kAhead, kCone, kRays);
+  SonarFan fan(kAhead, kFanCone, kRays);
   fan.look([](const Eigen::Vector2d& point_m) {
     return point_m.x() > 1.0 && point_m.x() < 1.05 ? 0.9 : 0.0;
   });

@@ -14,7 +14,7 @@ using geometry::radians;
 std::vector<ScanSurfaces> two_stops() { return {{{0.0, 0.0}, {}, {}}, {{1.0, 0.0}, {}, {}}}; }
 
 /// The wall y = 2 as they see it, from x = -1 to 2.
-const MatchedWall kWall{radians(90.0), 2.0, {{-2.0, 1.0}}};
+const MatchedWall kMatchedWall{radians(90.0), 2.0, {{-2.0, 1.0}}};
 const MatchedFeature kWallFeature{{LandmarkKind::kWall, {2.0, radians(90.0)}}, {{0, 0}, {1, 0}}};
 
 MatchedFeature round_at(double x_m, double y_m, double radius_m) {
@@ -27,7 +27,7 @@ SonarFeatures features_of(const MatchedSurfaces& matched,
 }
 
 TEST(SonarFeatures, HaveTheFloorToTheLeftOfAWall) {
-  const auto features = features_of({{kWall}, {kWallFeature}});
+  const auto features = features_of({{kMatchedWall}, {kWallFeature}});
   ASSERT_EQ(features.walls.size(), 1U);
   EXPECT_NEAR((features.walls[0].from_m - Eigen::Vector2d(2.0, 2.0)).norm(), 0.0, 1e-9);
   EXPECT_NEAR((features.walls[0].to_m - Eigen::Vector2d(-1.0, 2.0)).norm(), 0.0, 1e-9);
@@ -43,7 +43,7 @@ TEST(SonarFeatures, KnowTheRimOfACircleWhereStopsHaveLooked) {
 }
 
 TEST(SonarFeatures, LeaveOutWhatIsMirroredByAWall) {
-  const auto features = features_of({{kWall}, {kWallFeature, round_at(0.5, 3.0, 0.1)}});
+  const auto features = features_of({{kMatchedWall}, {kWallFeature, round_at(0.5, 3.0, 0.1)}});
   EXPECT_EQ(features.walls.size(), 1U);
   EXPECT_TRUE(features.circles.empty());
 }

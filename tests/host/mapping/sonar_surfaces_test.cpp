@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "tests/host/mapping/default_params.hpp"
 #include "tests/support/smooth_room.hpp"
 
 namespace echomap::mapping {
@@ -14,10 +15,8 @@ namespace {
 using geometry::radians;
 using tests::scan_of;
 
-const SonarSurfaceParams kParams;
-
 TEST(FindSurfaces, PutsAWallAtTheMiddleOfItsRegion) {
-  const auto found = find_surfaces(scan_of({{{radians(45.0), 1.5}}}), kParams);
+  const auto found = find_surfaces(scan_of({{{radians(45.0), 1.5}}}), kSurfaceParams);
   ASSERT_EQ(found.surfaces.size(), 1U);
   EXPECT_NEAR(found.surfaces[0].bearing_rad, radians(45.0), radians(3.0));
   EXPECT_NEAR(found.surfaces[0].range_m, 1.5, 0.02);
@@ -25,7 +24,7 @@ TEST(FindSurfaces, PutsAWallAtTheMiddleOfItsRegion) {
 }
 
 TEST(FindSurfaces, FindsAWallBehindTheCutOfTheCircle) {
-  const auto found = find_surfaces(scan_of({{{radians(178.0), 1.0}}}), kParams);
+  const auto found = find_surfaces(scan_of({{{radians(178.0), 1.0}}}), kSurfaceParams);
   ASSERT_EQ(found.surfaces.size(), 1U);
   EXPECT_NEAR(
       geometry::angle_between(found.surfaces[0].bearing_rad, radians(178.0)), 0.0, radians(3.0));
@@ -36,7 +35,7 @@ TEST(FindSurfaces, TellsTheFourWallsOfARoomApart) {
                                              {radians(90.0), 1.4},
                                              {radians(180.0), 2.0},
                                              {radians(-90.0), 0.6}}}),
-                                   kParams);
+                                   kSurfaceParams);
   ASSERT_EQ(found.surfaces.size(), 4U);
   for (const auto& surface : found.surfaces) {
     const double quarter = std::round(surface.bearing_rad / radians(90.0));
@@ -46,7 +45,7 @@ TEST(FindSurfaces, TellsTheFourWallsOfARoomApart) {
 
 TEST(FindSurfaces, HearsAPostOnlyAsWideAsTheBeam) {
   const Eigen::Vector2d post_m(0.9 * std::cos(radians(30.0)), 0.9 * std::sin(radians(30.0)));
-  const auto found = find_surfaces(scan_of({{}, {post_m}}), kParams);
+  const auto found = find_surfaces(scan_of({{}, {post_m}}), kSurfaceParams);
   ASSERT_EQ(found.surfaces.size(), 1U);
   EXPECT_NEAR(found.surfaces[0].bearing_rad, radians(30.0), radians(3.0));
   EXPECT_EQ(found.surfaces[0].half_length_m, 0.0);
@@ -57,7 +56,7 @@ TEST(FindSurfaces, DropsAGhostThatIsHeardNowAndThen) {
   scan[15].range_m = 3.1;
   scan[16].range_m = 2.2;
   scan[75].range_m = 3.1;
-  EXPECT_EQ(find_surfaces(scan, kParams).surfaces.size(), 1U);
+  EXPECT_EQ(find_surfaces(scan, kSurfaceParams).surfaces.size(), 1U);
 }
 
 TEST(FindSurfaces, BearsTheNoiseOfItsRanges) {
@@ -67,7 +66,7 @@ TEST(FindSurfaces, BearsTheNoiseOfItsRanges) {
       scan[i].range_m = *scan[i].range_m + (static_cast<double>(i * 7 % 11) - 5.0) * 0.01;
     }
   }
-  const auto found = find_surfaces(scan, kParams);
+  const auto found = find_surfaces(scan, kSurfaceParams);
   ASSERT_EQ(found.surfaces.size(), 2U);
   for (const auto& surface : found.surfaces) {
     EXPECT_NEAR(surface.range_m, surface.bearing_rad < 1.0 ? 1.0 : 1.8, 0.04);
@@ -78,15 +77,15 @@ TEST(FindSurfaces, SeesThemFromTheMiddleOfTheScan) {
   Scan scan = scan_of({{{0.0, 2.0}}}, {0.4, 0.0});
   const Scan other = scan_of({{{0.0, 2.0}}}, {0.2, 0.0});
   scan.insert(scan.end(), other.begin(), other.end());
-  const auto found = find_surfaces(scan, kParams);
+  const auto found = find_surfaces(scan, kSurfaceParams);
   EXPECT_NEAR(found.center_m.x(), 0.3, 1e-12);
   ASSERT_EQ(found.surfaces.size(), 1U);
   EXPECT_NEAR(found.surfaces[0].range_m, 1.7, 0.03);
 }
 
 TEST(FindSurfaces, FindsNoneWithoutEcho) {
-  EXPECT_TRUE(find_surfaces(scan_of({}), kParams).surfaces.empty());
-  EXPECT_TRUE(find_surfaces({}, kParams).surfaces.empty());
+  EXPECT_TRUE(find_surfaces(scan_of({}), kSurfaceParams).surfaces.empty());
+  EXPECT_TRUE(find_surfaces({}, kSurfaceParams).surfaces.empty());
 }
 
 }  // namespace

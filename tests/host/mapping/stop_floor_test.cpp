@@ -7,6 +7,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/sensors/range_scan.hpp"
+#include "tests/host/mapping/profile_at.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -34,14 +35,10 @@ ScanSurfaces heard_everywhere(double range_m) {
 }
 
 /// x = 2, from y = -1 to 1, seen from the origin.
-const SonarFeatures kWall{{{{2.0, -1.0}, {2.0, 1.0}}}, {}};
+const SonarFeatures kWallFeatures{{{{2.0, -1.0}, {2.0, 1.0}}}, {}};
 
 FloorReach reach_of(const ScanSurfaces& scan, const SonarFeatures& features) {
   return StopFloor(scan, {}, {}).reach(features);
-}
-
-double at(const BearingProfile& profile, double bearing_deg) {
-  return profile[BearingProfile::index(radians(bearing_deg))];
 }
 
 TEST(StopFloor, EndsShortOfTheOutlineWhereNothingElseIsKnown) {
@@ -56,13 +53,13 @@ TEST(StopFloor, EndsBeforeTheNearestEchoThatNobodyElseExplains) {
 }
 
 TEST(StopFloor, ReachesByAnEchoToTheWallThatItCameFrom) {
-  const FloorReach reach = reach_of(heard_everywhere(1.97), kWall);
+  const FloorReach reach = reach_of(heard_everywhere(1.97), kWallFeatures);
   EXPECT_NEAR(at(reach.heard_m, 0.0), 2.0, 1e-3);
   EXPECT_NEAR(at(reach.silent_m, 0.0), 2.0, 1e-3);
 }
 
 TEST(StopFloor, ReachesBySilenceAloneToAWallBeforeWhichNothingWasHeard) {
-  const FloorReach reach = reach_of(posts_around(), kWall);
+  const FloorReach reach = reach_of(posts_around(), kWallFeatures);
   EXPECT_NEAR(at(reach.silent_m, 0.0), 2.0, 1e-3);
   EXPECT_NEAR(at(reach.silent_m, 20.0), 2.0 / std::cos(radians(20.0)), 0.02);
   EXPECT_LT(at(reach.heard_m, 0.0), 1.0);
@@ -70,13 +67,13 @@ TEST(StopFloor, ReachesBySilenceAloneToAWallBeforeWhichNothingWasHeard) {
 }
 
 TEST(StopFloor, EndsBeforeTheWallWhereSomethingNearerWasHeard) {
-  EXPECT_LT(at(reach_of(heard_everywhere(1.0), kWall).silent_m, 0.0), 1.0);
+  EXPECT_LT(at(reach_of(heard_everywhere(1.0), kWallFeatures).silent_m, 0.0), 1.0);
 }
 
 TEST(StopFloor, SaysNothingOfAWallTowardsWhichNobodyListened) {
   ScanSurfaces scan = posts_around();
   scan.looks.clear();
-  EXPECT_EQ(at(reach_of(scan, kWall).silent_m, 0.0), 0.0);
+  EXPECT_EQ(at(reach_of(scan, kWallFeatures).silent_m, 0.0), 0.0);
 }
 
 TEST(StopFloor, EndsAtAWallThatStandsInsideOfTheOutline) {
@@ -104,10 +101,10 @@ TEST(StopFloor, EndsWhereTheSonarHearsNothingAnyMore) {
   StopFloorParams short_sighted;
   short_sighted.max_range_m = 2.05;
   const StopFloor floor(posts_around(), {}, short_sighted);
-  EXPECT_NEAR(at(floor.reach(kWall).silent_m, 20.0), 2.05, 1e-9);
+  EXPECT_NEAR(at(floor.reach(kWallFeatures).silent_m, 20.0), 2.05, 1e-9);
   short_sighted.max_range_m = 1.5;
   const StopFloor shorter(posts_around(), {}, short_sighted);
-  EXPECT_LT(at(shorter.reach(kWall).silent_m, 0.0), 1.0)
+  EXPECT_LT(at(shorter.reach(kWallFeatures).silent_m, 0.0), 1.0)
       << "it could not hear what is before a wall";
 }
 

@@ -7,13 +7,12 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "tests/host/mapping/default_params.hpp"
 
 namespace echomap::mapping {
 namespace {
 
 using geometry::radians;
-
-const SurfaceMatchingParams kParams;
 
 /// A stop that has seen a wall at y = 2 with its bearing off by so much.
 ScanSurfaces stop_below_wall(double x_m, double y_m, double bearing_error_deg) {
@@ -33,7 +32,7 @@ TEST(MatchSurfaces, FitsAWallToTheRangesOfSeveralStops) {
   const auto matched = match_surfaces({stop_below_wall(0.0, 0.0, 12.0),
                                        stop_below_wall(1.0, 0.5, -9.0),
                                        stop_below_wall(0.3, 1.0, 7.0)},
-                                      kParams);
+                                      kMatchingParams);
   ASSERT_EQ(matched.walls.size(), 1U);
   EXPECT_NEAR(matched.walls[0].normal_rad, radians(90.0), radians(1.0));
   EXPECT_NEAR(matched.walls[0].offset_m, 2.0, 0.02);
@@ -44,7 +43,7 @@ TEST(MatchSurfaces, CrossesTheRangesToAPost) {
   const auto matched = match_surfaces({stop_near_post(0.0, 0.0, 8.0),
                                        stop_near_post(2.0, 0.2, -10.0),
                                        stop_near_post(1.2, 0.1, 5.0)},
-                                      kParams);
+                                      kMatchingParams);
   EXPECT_TRUE(matched.walls.empty());
   ASSERT_EQ(matched.features.size(), 1U);
   EXPECT_EQ(matched.features[0].feature.radius_m, 0.0);
@@ -56,7 +55,7 @@ TEST(MatchSurfaces, BridgesAGapThatIsNoDoor) {
   const auto matched = match_surfaces({stop_below_wall(0.0, 0.0, 0.0),
                                        stop_below_wall(0.7, 0.4, 0.0),
                                        stop_below_wall(2.5, 0.8, 0.0)},
-                                      kParams);
+                                      kMatchingParams);
   ASSERT_EQ(matched.walls.size(), 1U);
   const auto& pieces = matched.walls[0].pieces;
   ASSERT_EQ(pieces.size(), 2U);
@@ -69,7 +68,7 @@ TEST(MatchSurfaces, BridgesAGapThatIsNoDoor) {
 
 TEST(MatchSurfaces, LeavesAloneWhatOneStopHasSeen) {
   const auto scans = std::vector{stop_below_wall(0.0, 0.0, 4.0), ScanSurfaces{{1.0, 1.0}, {}, {}}};
-  const auto matched = match_surfaces(scans, kParams);
+  const auto matched = match_surfaces(scans, kMatchingParams);
   EXPECT_TRUE(matched.walls.empty());
   EXPECT_TRUE(matched.features.empty());
 }
@@ -79,12 +78,12 @@ TEST(MatchSurfaces, DoesNotJoinWallsThatOnlyLookAlike) {
   other.surfaces[0].range_m += 0.3;
   // The ranges of the two stops fit a slanted wall, but no bearing does.
   other.surfaces[0].bearing_rad = radians(20.0);
-  const auto matched = match_surfaces({stop_below_wall(0.0, 0.0, 0.0), other}, kParams);
+  const auto matched = match_surfaces({stop_below_wall(0.0, 0.0, 0.0), other}, kMatchingParams);
   EXPECT_TRUE(matched.walls.empty());
 }
 
 TEST(MatchSurfaces, OfNothingIsNothing) {
-  const auto matched = match_surfaces({}, kParams);
+  const auto matched = match_surfaces({}, kMatchingParams);
   EXPECT_TRUE(matched.features.empty());
   EXPECT_TRUE(matched.walls.empty());
 }
@@ -104,7 +103,7 @@ std::vector<ScanSurfaces> stops_around(const EchoFeature& round, double apart_de
 
 TEST(MatchSurfaces, FindsSomethingRoundByRangesFromAllSides) {
   const EchoFeature table{LandmarkKind::kPoint, {0.4, -0.3}, 0.25};
-  const auto matched = match_surfaces(stops_around(table, 40.0), kParams);
+  const auto matched = match_surfaces(stops_around(table, 40.0), kMatchingParams);
   ASSERT_EQ(matched.features.size(), 1U);
   EXPECT_EQ(matched.features[0].supporters.size(), 9U);
   EXPECT_NEAR((matched.features[0].feature.value - table.value).norm(), 0.0, 0.01);
@@ -115,7 +114,7 @@ TEST(MatchSurfaces, TakesAShortWallThatWasSeenFromOneSideForAWall) {
   const auto matched = match_surfaces({stop_below_wall(0.0, 0.9, 0.0),
                                        stop_below_wall(0.3, 1.1, 0.0),
                                        stop_below_wall(-0.2, 1.2, 0.0)},
-                                      kParams);
+                                      kMatchingParams);
   ASSERT_EQ(matched.features.size(), 1U);
   EXPECT_EQ(matched.features[0].feature.kind, LandmarkKind::kWall);
 }
@@ -135,8 +134,8 @@ MatchedSurfaces matched_one_by_one(const std::vector<ScanSurfaces>& scans,
 TEST(SurfaceMatcher, FindsTheSameStopByStopAsAtOnce) {
   const EchoFeature table{LandmarkKind::kPoint, {0.4, -0.3}, 0.25};
   const auto scans = stops_around(table, 6.0);
-  ASSERT_GT(scans.size(), 2 * kParams.rematched_stops);
-  const auto matched = matched_one_by_one(scans, kParams);
+  ASSERT_GT(scans.size(), 2 * kMatchingParams.rematched_stops);
+  const auto matched = matched_one_by_one(scans, kMatchingParams);
   ASSERT_EQ(matched.features.size(), 1U);
   EXPECT_EQ(matched.features[0].supporters.size(), scans.size());
   EXPECT_NEAR((matched.features[0].feature.value - table.value).norm(), 0.0, 0.01);

@@ -13,22 +13,22 @@ namespace {
 using geometry::radians;
 
 /// A wall at x = 2, seen from the origin.
-const WallLine wall{0.0, 2.0};
+const WallLine kWallAtTwo{0.0, 2.0};
 
 TEST(WallView, IsTheFootOfThePerpendicularAsLongAsThatIsInTheBeam) {
-  const WallView view = view_of_wall({{0.0, 0.0}, radians(10.0), 0.0, radians(15.0)}, wall);
+  const WallView view = view_of_wall({{0.0, 0.0}, radians(10.0), 0.0, radians(15.0)}, kWallAtTwo);
   EXPECT_NEAR(view.range_m, 2.0, 1e-12);
   EXPECT_NEAR(view.contact_rad, 0.0, 1e-12);
 }
 
 TEST(WallView, IsAtTheBeamsEdgeWhereTheFootIsOutside) {
-  const WallView view = view_of_wall({{0.0, 0.0}, radians(40.0), 0.0, radians(10.0)}, wall);
+  const WallView view = view_of_wall({{0.0, 0.0}, radians(40.0), 0.0, radians(10.0)}, kWallAtTwo);
   EXPECT_NEAR(view.contact_rad, radians(30.0), 1e-12);
   EXPECT_NEAR(view.range_m, 2.0 / std::cos(radians(30.0)), 1e-12);
 }
 
 TEST(WallView, OfAThinBeamIsWhereItMeetsTheWall) {
-  const WallView view = view_of_wall({{0.5, 0.3}, radians(-60.0), 0.0, 0.0}, wall);
+  const WallView view = view_of_wall({{0.5, 0.3}, radians(-60.0), 0.0, 0.0}, kWallAtTwo);
   EXPECT_NEAR(view.range_m, 1.5 / std::cos(radians(60.0)), 1e-12);
 }
 

@@ -6,31 +6,32 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/host/models/echo.hpp"
+
 namespace echomap::models {
 namespace {
 
-constexpr SensorReading kEcho{1.0};
-const GaussianPatch kModel;
+const GaussianPatch kPatch;
 
 TEST(GaussianPatch, IsHighestWhereTheEchoWouldLieOnTheAxis) {
-  EXPECT_DOUBLE_EQ(kModel.evidence(kEcho, {1.0, 0.0}), 1.0);
+  EXPECT_DOUBLE_EQ(kPatch.evidence(kEcho, {1.0, 0.0}), 1.0);
 }
 
 TEST(GaussianPatch, FallsOffAlikeAheadAndAside) {
   const double expected = std::exp(-0.5);
-  EXPECT_NEAR(kModel.evidence(kEcho, {1.05, 0.0}), expected, 1e-12);
+  EXPECT_NEAR(kPatch.evidence(kEcho, {1.05, 0.0}), expected, 1e-12);
   EXPECT_NEAR(
-      kModel.evidence(kEcho, {std::hypot(1.0, 0.05), std::atan2(0.05, 1.0)}), expected, 1e-12);
+      kPatch.evidence(kEcho, {std::hypot(1.0, 0.05), std::atan2(0.05, 1.0)}), expected, 1e-12);
 }
 
 TEST(GaussianPatch, EndsAtItsRadius) {
-  EXPECT_GT(kModel.evidence(kEcho, {1.12, 0.0}), 0.0);
-  EXPECT_EQ(kModel.evidence(kEcho, {1.13, 0.0}), 0.0);
+  EXPECT_GT(kPatch.evidence(kEcho, {1.12, 0.0}), 0.0);
+  EXPECT_EQ(kPatch.evidence(kEcho, {1.13, 0.0}), 0.0);
 }
 
 TEST(GaussianPatch, NeverSpeaksOfFreeFloorOrSilence) {
-  EXPECT_EQ(kModel.evidence(kEcho, {0.5, 0.0}), 0.0);
-  EXPECT_EQ(kModel.evidence({}, {0.5, 0.0}), 0.0);
+  EXPECT_EQ(kPatch.evidence(kEcho, {0.5, 0.0}), 0.0);
+  EXPECT_EQ(kPatch.evidence({}, {0.5, 0.0}), 0.0);
 }
 
 TEST(GaussianPatch, DrawsABumpAcrossTheWayForward) {

@@ -6,41 +6,41 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "tests/host/models/echo.hpp"
 
 namespace echomap::models {
 namespace {
 
-constexpr SensorReading kEcho{1.0};
-const OccupiedSector kModel;
+const OccupiedSector kSector;
 
 TEST(OccupiedSector, CallsAllBeforeTheEchoFree) {
-  EXPECT_LT(kModel.evidence(kEcho, {0.3, 0.0}), 0.0);
-  EXPECT_LT(kModel.evidence(kEcho, {0.94, geometry::radians(14.0)}), 0.0);
+  EXPECT_LT(kSector.evidence(kEcho, {0.3, 0.0}), 0.0);
+  EXPECT_LT(kSector.evidence(kEcho, {0.94, geometry::radians(14.0)}), 0.0);
 }
 
 TEST(OccupiedSector, CallsAThicknessAroundTheEchoOccupied) {
-  EXPECT_GT(kModel.evidence(kEcho, {0.96, 0.0}), 0.0);
-  EXPECT_GT(kModel.evidence(kEcho, {1.04, geometry::radians(-14.0)}), 0.0);
-  EXPECT_EQ(kModel.evidence(kEcho, {1.06, 0.0}), 0.0);
+  EXPECT_GT(kSector.evidence(kEcho, {0.96, 0.0}), 0.0);
+  EXPECT_GT(kSector.evidence(kEcho, {1.04, geometry::radians(-14.0)}), 0.0);
+  EXPECT_EQ(kSector.evidence(kEcho, {1.06, 0.0}), 0.0);
 }
 
 // As line 8 is printed in the paper, the obstacle would stand here.
 TEST(OccupiedSector, PutsNoObstacleAtTheEndOfRange) {
-  EXPECT_EQ(kModel.evidence(kEcho, {OccupiedSectorParams().max_range_m, 0.0}), 0.0);
+  EXPECT_EQ(kSector.evidence(kEcho, {OccupiedSectorParams().max_range_m, 0.0}), 0.0);
 }
 
 TEST(OccupiedSector, SaysNothingOutsideOfTheBeam) {
-  EXPECT_EQ(kModel.evidence(kEcho, {0.5, geometry::radians(16.0)}), 0.0);
+  EXPECT_EQ(kSector.evidence(kEcho, {0.5, geometry::radians(16.0)}), 0.0);
 }
 
 TEST(OccupiedSector, CallsTheWholeBeamFreeWhereNothingAnswers) {
-  EXPECT_LT(kModel.evidence({}, {2.9, 0.0}), 0.0);
-  EXPECT_EQ(kModel.evidence({}, {3.1, 0.0}), 0.0);
+  EXPECT_LT(kSector.evidence({}, {2.9, 0.0}), 0.0);
+  EXPECT_EQ(kSector.evidence({}, {3.1, 0.0}), 0.0);
 }
 
 TEST(OccupiedSector, ReachesBeyondTheEchoByHalfTheThickness) {
-  EXPECT_DOUBLE_EQ(kModel.reach_m(kEcho), 1.05);
-  EXPECT_DOUBLE_EQ(kModel.reach_m({}), 3.0);
+  EXPECT_DOUBLE_EQ(kSector.reach_m(kEcho), 1.05);
+  EXPECT_DOUBLE_EQ(kSector.reach_m({}), 3.0);
 }
 
 TEST(OccupiedSector, RefusesParametersWithoutSense) {

@@ -5,44 +5,45 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/host/models/echo.hpp"
+
 namespace echomap::models {
 namespace {
 
-constexpr SensorReading kEcho{1.0};
-const SonarCone kModel;
+const SonarCone kCone;
 const double kEdgeRad = SonarConeParams().beam_half_angle_rad;
 
 TEST(SonarCone, HearsLessAtItsEdgeAndNothingBeyond) {
-  EXPECT_DOUBLE_EQ(kModel.weight(0.0), 1.0);
-  EXPECT_DOUBLE_EQ(kModel.weight(kEdgeRad), SonarConeParams().edge_weight);
-  EXPECT_DOUBLE_EQ(kModel.weight(-kEdgeRad), SonarConeParams().edge_weight);
-  EXPECT_DOUBLE_EQ(kModel.weight(1.01 * kEdgeRad), 0.0);
+  EXPECT_DOUBLE_EQ(kCone.weight(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(kCone.weight(kEdgeRad), SonarConeParams().edge_weight);
+  EXPECT_DOUBLE_EQ(kCone.weight(-kEdgeRad), SonarConeParams().edge_weight);
+  EXPECT_DOUBLE_EQ(kCone.weight(1.01 * kEdgeRad), 0.0);
 }
 
 TEST(SonarCone, CallsFloorFreeBeforeTheEchoTheSurerTheNearerToTheAxis) {
-  EXPECT_LT(kModel.evidence(kEcho, {0.5, 0.0}), kModel.evidence(kEcho, {0.5, kEdgeRad}));
-  EXPECT_LT(kModel.evidence(kEcho, {0.5, kEdgeRad}), 0.0);
+  EXPECT_LT(kCone.evidence(kEcho, {0.5, 0.0}), kCone.evidence(kEcho, {0.5, kEdgeRad}));
+  EXPECT_LT(kCone.evidence(kEcho, {0.5, kEdgeRad}), 0.0);
 }
 
 TEST(SonarCone, TrustsSilenceLessThanAnEcho) {
-  EXPECT_LT(kModel.evidence(kEcho, {0.5, 0.0}), kModel.evidence({}, {0.5, 0.0}));
-  EXPECT_LT(kModel.evidence({}, {0.5, 0.0}), 0.0);
+  EXPECT_LT(kCone.evidence(kEcho, {0.5, 0.0}), kCone.evidence({}, {0.5, 0.0}));
+  EXPECT_LT(kCone.evidence({}, {0.5, 0.0}), 0.0);
 }
 
 TEST(SonarCone, SaysNothingBehindTheEcho) {
-  EXPECT_EQ(kModel.evidence(kEcho, {1.11, 0.0}), 0.0);
-  EXPECT_EQ(kModel.evidence(kEcho, {2.0, 0.0}), 0.0);
+  EXPECT_EQ(kCone.evidence(kEcho, {1.11, 0.0}), 0.0);
+  EXPECT_EQ(kCone.evidence(kEcho, {2.0, 0.0}), 0.0);
 }
 
 TEST(SonarCone, SharesOneEchoOverItsArc) {
-  EXPECT_GT(kModel.evidence(kEcho, {1.0, 0.0}), 0.0);
-  EXPECT_GT(kModel.evidence(kEcho, {1.0, 0.0}), kModel.evidence({2.0}, {2.0, 0.0}));
-  EXPECT_LE(kModel.evidence({0.05}, {0.05, 0.0}), SonarConeParams().cell_evidence);
+  EXPECT_GT(kCone.evidence(kEcho, {1.0, 0.0}), 0.0);
+  EXPECT_GT(kCone.evidence(kEcho, {1.0, 0.0}), kCone.evidence({2.0}, {2.0, 0.0}));
+  EXPECT_LE(kCone.evidence({0.05}, {0.05, 0.0}), SonarConeParams().cell_evidence);
 }
 
 TEST(SonarCone, ReachesToItsArcOrToItsEndOfRange) {
-  EXPECT_DOUBLE_EQ(kModel.reach_m(kEcho), 1.1);
-  EXPECT_DOUBLE_EQ(kModel.reach_m({}), 3.0);
+  EXPECT_DOUBLE_EQ(kCone.reach_m(kEcho), 1.1);
+  EXPECT_DOUBLE_EQ(kCone.reach_m({}), 3.0);
 }
 
 TEST(SonarCone, HearsEchoesFromFartherThanSilenceSpeaksOf) {

@@ -7,14 +7,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/robot_times.hpp"
+
 namespace echomap::pipeline {
 namespace {
 
 using ::testing::ElementsAre;
-
-time::RobotTime at_us(std::int64_t stamp_us) {
-  return time::RobotTime(time::RobotClock::duration(stamp_us));
-}
+using tests::at_us;
 
 /// Notes what it takes.
 class Notes final : public ObservationSink {

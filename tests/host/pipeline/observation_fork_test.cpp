@@ -9,7 +9,7 @@ namespace echomap::pipeline {
 namespace {
 
 /// Writes down what it takes.
-class Notes final : public ObservationSink {
+class CallNotes final : public ObservationSink {
  public:
   void on_odometry(const sensors::OdometryObservation& /*observation*/) override { text += 'o'; }
   void on_sonar(const sensors::SonarObservation& /*observation*/) override { text += 's'; }
@@ -39,8 +39,8 @@ void tell_everything(ObservationSink& sink) {
 }
 
 TEST(ObservationFork, HandsEverythingOnToThoseThatListen) {
-  Notes first;
-  Notes second;
+  CallNotes first;
+  CallNotes second;
   ObservationFork fork;
   fork.add(first);
   fork.add(second);

@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/robot_times.hpp"
+
 namespace echomap::pipeline {
 namespace {
 
-time::RobotTime at_us(std::int64_t stamp_us) {
-  return time::RobotTime(time::RobotClock::duration(stamp_us));
-}
+using tests::at_us;
 
 std::string whole(double value) { return std::to_string(std::lround(value)); }
 

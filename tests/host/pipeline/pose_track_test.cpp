@@ -7,13 +7,12 @@
 
 #include "host/geometry/angle.hpp"
 #include "tests/host/pipeline/moved_aside.hpp"
+#include "tests/support/robot_times.hpp"
 
 namespace echomap::pipeline {
 namespace {
 
-time::RobotTime at_us(std::int64_t stamp_us) {
-  return time::RobotTime(time::RobotClock::duration(stamp_us));
-}
+using tests::at_us;
 
 Snapshot described(const PoseTrack& track) {
   Snapshot snapshot;

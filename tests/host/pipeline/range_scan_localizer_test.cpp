@@ -18,12 +18,12 @@ namespace {
 
 using geometry::Pose2;
 
-const mapping::RasterMap kRoom = tests::furnished_room();
+const mapping::RasterMap kFurnishedRoom = tests::furnished_room();
 
 /// A laser of 36 beams, 0.1 m before the middle of the robot; a wall stands in the middle of its
 /// cells.
 sensors::RangeScan scan_at(const Pose2& T_map_robot, double stamp_s) {
-  const mapping::DistanceField field(kRoom, 10.0);
+  const mapping::DistanceField field(kFurnishedRoom, 10.0);
   const Pose2 T_robot_sensor(0.1, 0.0, 0.0);
   const Pose2 T_map_sensor = T_map_robot * T_robot_sensor;
   sensors::RangeScan scan;
@@ -56,7 +56,7 @@ Pose2 drive(RobotLocalizer& localizer) {
 }
 
 TEST(RangeScanLocalizer, FindsARobotByItsRangeScans) {
-  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  RobotLocalizer localizer(kFurnishedRoom, {}, {}, std::mt19937(1));
   const Pose2 truth = drive(localizer);
   EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), truth, 0.1, 0.1));
   EXPECT_EQ(localizer.scans(), 12U);
@@ -65,7 +65,7 @@ TEST(RangeScanLocalizer, FindsARobotByItsRangeScans) {
 }
 
 TEST(RangeScanLocalizer, BeginsWhereItIsTold) {
-  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  RobotLocalizer localizer(kFurnishedRoom, {}, {}, std::mt19937(1));
   localizer.start_at({0.45, 0.95, 0.1}, 0.05, 0.05);
   localizer.on_range_scan(scan_at({0.45, 0.95, 0.1}, 0.0));
   EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), {0.45, 0.95, 0.1}, 0.05, 0.05));
@@ -73,7 +73,7 @@ TEST(RangeScanLocalizer, BeginsWhereItIsTold) {
 }
 
 TEST(RangeScanLocalizer, WaitsUntilTheRobotHasMoved) {
-  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  RobotLocalizer localizer(kFurnishedRoom, {}, {}, std::mt19937(1));
   for (int i = 0; i < 5; ++i) {
     localizer.on_range_scan(scan_at({0.45, 0.95, 0.1}, 0.1 * i));
   }
@@ -82,7 +82,7 @@ TEST(RangeScanLocalizer, WaitsUntilTheRobotHasMoved) {
 }
 
 TEST(RangeScanLocalizer, CountsScansOfAnotherSensor) {
-  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  RobotLocalizer localizer(kFurnishedRoom, {}, {}, std::mt19937(1));
   localizer.on_range_scan(scan_at({0.45, 0.95, 0.1}, 0.0));
   sensors::RangeScan sonar = scan_at({0.45, 0.95, 0.1}, 0.1);
   sonar.beam_width_rad = 0.5;
@@ -91,14 +91,14 @@ TEST(RangeScanLocalizer, CountsScansOfAnotherSensor) {
 }
 
 TEST(RangeScanLocalizer, KnowsNothingWithoutRanges) {
-  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  RobotLocalizer localizer(kFurnishedRoom, {}, {}, std::mt19937(1));
   localizer.on_odometry_pose({});
   EXPECT_TRUE(localizer.belief().hypotheses.empty());
   EXPECT_TRUE(localizer.trajectory().empty());
 }
 
 TEST(RangeScanLocalizer, TakesWheelsAndContactsBeforeItKnowsItsSensor) {
-  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  RobotLocalizer localizer(kFurnishedRoom, {}, {}, std::mt19937(1));
   localizer.start_at({0.45, 0.95, 0.1}, 0.05, 0.05);
   localizer.on_odometry({time::robot_time(0.1), {0.3, 0.3}});
   sensors::HazardObservation bump;
@@ -110,7 +110,7 @@ TEST(RangeScanLocalizer, TakesWheelsAndContactsBeforeItKnowsItsSensor) {
 }
 
 TEST(RangeScanLocalizer, LeavesOutScansWhenTimeRunsBackwards) {
-  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  RobotLocalizer localizer(kFurnishedRoom, {}, {}, std::mt19937(1));
   const Pose2 truth = drive(localizer);
   const std::size_t updates = localizer.updates();
   localizer.on_odometry_pose({time::robot_time(9.0), {1.0, 1.0, 1.0}});
@@ -124,7 +124,7 @@ TEST(RangeScanLocalizer, LeavesOutScansWhenTimeRunsBackwards) {
 }
 
 TEST(RangeScanLocalizer, SaysThatAStartIsOffTheMap) {
-  RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  RobotLocalizer localizer(kFurnishedRoom, {}, {}, std::mt19937(1));
   localizer.start_at({50.0, 50.0, 0.0}, 0.1, 0.1);
   const Pose2 truth = drive(localizer);
   EXPECT_EQ(localizer.start_outcome(), localization::LocalizerOutcome::kOffTheFloor);
@@ -134,7 +134,7 @@ TEST(RangeScanLocalizer, SaysThatAStartIsOffTheMap) {
 TEST(RangeScanLocalizer, RejectsInvalidParameters) {
   RobotLocalizerParams params;
   params.scan_step_m = 0.0;
-  EXPECT_THROW(RobotLocalizer(kRoom, {}, params, std::mt19937(1)), std::invalid_argument);
+  EXPECT_THROW(RobotLocalizer(kFurnishedRoom, {}, params, std::mt19937(1)), std::invalid_argument);
 }
 
 }  // namespace

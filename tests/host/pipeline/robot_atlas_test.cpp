@@ -5,14 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/host/pipeline/plain_robot.hpp"
+
 namespace echomap::pipeline {
 namespace {
-
-sensors::RobotGeometry plain_robot() {
-  sensors::RobotGeometry robot;
-  robot.track_m = 0.2;
-  return robot;
-}
 
 class RobotAtlasTest : public ::testing::Test {
  protected:
@@ -28,7 +24,7 @@ class RobotAtlasTest : public ::testing::Test {
   void lift(bool lifted) { atlas.on_hazards({.stamp = stamp, .lifted = lifted}); }
   double x_m() const { return atlas.pipeline().snapshot().latest.T_map_robot.x_m(); }
 
-  RobotAtlas atlas{[] { return RobotPipeline(plain_robot()); }};
+  RobotAtlas atlas{[] { return RobotPipeline(wide_robot()); }};
   time::RobotTime stamp;
 };
 
@@ -93,7 +89,7 @@ TEST_F(RobotAtlasTest, ARecordOfEarlierIsAFormerMap) {
 TEST(RobotAtlas, RefusesWhatHasNoSense) {
   RobotAtlasParams params;
   params.agreeing_stops = 0;
-  EXPECT_THROW(RobotAtlas([] { return RobotPipeline(plain_robot()); }, params),
+  EXPECT_THROW(RobotAtlas([] { return RobotPipeline(wide_robot()); }, params),
                std::invalid_argument);
 }
 

@@ -10,6 +10,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/sensors/odometry.hpp"
+#include "tests/host/pipeline/plain_robot.hpp"
 
 namespace echomap::pipeline {
 namespace {
@@ -18,12 +19,6 @@ using geometry::Pose2;
 using localization::EkfOutcome;
 
 constexpr double kPeriodS = 0.02;
-
-sensors::RobotGeometry plain_robot() {
-  sensors::RobotGeometry robot;
-  robot.track_m = 0.2;
-  return robot;
-}
 
 localization::PoseFix fix_at(double stamp_s, const Pose2& T_map_robot) {
   const Eigen::Vector3d variances(1e-4, 1e-4, 1e-4);
@@ -62,7 +57,7 @@ class RobotEkfTest : public ::testing::Test {
   }
 
   Pose2 T_map_robot{1.0, 0.5, 0.3};
-  RobotEkf ekf{plain_robot()};
+  RobotEkf ekf{wide_robot()};
   double left_share = 0.97;
   bool gyro = false;
   double now_s = 0.0;
@@ -106,7 +101,7 @@ TEST_F(RobotEkfTest, TurnsByGyroAndWheelsTogether) {
   double error_rad[2] = {};
   for (const bool has_gyro : {false, true}) {
     SCOPED_TRACE(has_gyro);
-    sensors::RobotGeometry robot = plain_robot();
+    sensors::RobotGeometry robot = wide_robot();
     robot.track_m = 0.22;  // A tenth too wide: turns look too small.
     ekf = RobotEkf(robot);
     T_map_robot = Pose2();
@@ -195,7 +190,7 @@ TEST_F(RobotEkfTest, RefusesWhatIsNoFix) {
   EXPECT_EQ(ekf.refused(), 1U);
   RobotEkfParams params;
   params.max_gated = 0;
-  EXPECT_THROW(RobotEkf(plain_robot(), params), std::invalid_argument);
+  EXPECT_THROW(RobotEkf(wide_robot(), params), std::invalid_argument);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_casting.hpp"
+#include "tests/host/pipeline/plain_robot.hpp"
 #include "tests/support/expect_pose_estimate.hpp"
 #include "tests/support/furnished_room.hpp"
 
@@ -21,13 +22,6 @@ using geometry::Pose2;
 using localization::LocalizationStatus;
 
 const mapping::RasterMap kRoom = tests::furnished_room();
-
-sensors::RobotGeometry plain_robot() {
-  sensors::RobotGeometry robot;
-  robot.track_m = 0.2;
-  robot.sonar_x_m = 0.0;
-  return robot;
-}
 
 RobotLocalizerParams params() {
   RobotLocalizerParams params;

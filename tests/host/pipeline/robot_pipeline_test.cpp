@@ -8,21 +8,14 @@
 #include "host/geometry/angle.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "tests/host/pipeline/moved_aside.hpp"
+#include "tests/host/pipeline/plain_robot.hpp"
 #include "tests/support/drawn_map.hpp"
+#include "tests/support/robot_times.hpp"
 
 namespace echomap::pipeline {
 namespace {
 
-sensors::RobotGeometry plain_robot() {
-  sensors::RobotGeometry robot;
-  robot.track_m = 0.2;
-  robot.sonar_x_m = 0.0;
-  return robot;
-}
-
-time::RobotTime at_us(std::int64_t stamp_us) {
-  return time::RobotTime(time::RobotClock::duration(stamp_us));
-}
+using tests::at_us;
 
 /// Wheel travel after driving `ahead_m` and then turning on the spot.
 sensors::WheelTravel travel(double ahead_m, double turn_rad) {

@@ -10,13 +10,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/host_times.hpp"
+
 namespace echomap::robot_link {
 namespace {
 
 using protocol::BulkContent;
-using std::chrono::milliseconds;
-
-time::HostTime at(int ms) { return time::HostTime(milliseconds(ms)); }
+using tests::at_ms;
 
 std::vector<std::uint8_t> counting(std::size_t count) {
   std::vector<std::uint8_t> bytes(count);
@@ -65,16 +65,16 @@ class BulkReaderTest : public testing::Test {
     std::vector<std::pair<int, protocol::BulkData>> under_way;
     reader.start(BulkContent::kSchema);
     for (int now_ms = 0; now_ms < 100'000; ++now_ms) {
-      for (const auto& read : take_all(reader, at(now_ms))) {
+      for (const auto& read : take_all(reader, at_ms(now_ms))) {
         if (static_cast<double>(random()) >= loss * 4294967296.0) {
           under_way.emplace_back(now_ms + 5, piece_of(content, read));
         }
       }
       while (!under_way.empty() && under_way.front().first <= now_ms) {
-        reader.take_answer(under_way.front().second, at(now_ms));
+        reader.take_answer(under_way.front().second, at_ms(now_ms));
         under_way.erase(under_way.begin());
       }
-      reader.give_up_if_exhausted(at(now_ms));
+      reader.give_up_if_exhausted(at_ms(now_ms));
       if (auto result = reader.take_result()) {
         return *result;
       }
@@ -102,12 +102,12 @@ TEST_F(BulkReaderTest, ReadsThroughALineThatLosesAFifth) {
 
 TEST_F(BulkReaderTest, KeepsFourPiecesOpen) {
   reader.start(BulkContent::kConfiguration);
-  const auto first = take_all(reader, at(0));
+  const auto first = take_all(reader, at_ms(0));
   ASSERT_EQ(first.size(), 4U);
   EXPECT_EQ(first[3].offset, 96);
   EXPECT_EQ(first[3].content, 1);
-  reader.take_answer(piece_of(counting(1000), first[1]), at(5));
-  const auto next = take_all(reader, at(5));
+  reader.take_answer(piece_of(counting(1000), first[1]), at_ms(5));
+  const auto next = take_all(reader, at_ms(5));
   ASSERT_EQ(next.size(), 1U);
   EXPECT_EQ(next[0].offset, 128);
 }
@@ -124,22 +124,22 @@ TEST_F(BulkReaderTest, GivesUpWithoutAnswers) {
 
 TEST_F(BulkReaderTest, RefusesAContentThatChangesItsLengthOrHasTooMuch) {
   reader.start(BulkContent::kSchema);
-  const auto reads = take_all(reader, at(0));
-  reader.take_answer(piece_of(counting(100), reads[0]), at(1));
-  reader.take_answer(piece_of(counting(101), reads[1]), at(1));
+  const auto reads = take_all(reader, at_ms(0));
+  reader.take_answer(piece_of(counting(100), reads[0]), at_ms(1));
+  reader.take_answer(piece_of(counting(101), reads[1]), at_ms(1));
   EXPECT_EQ(reader.take_result()->status, BulkStatus::kInconsistent);
   EXPECT_EQ(read(counting(8193), 0.0).status, BulkStatus::kInconsistent);
 }
 
 TEST_F(BulkReaderTest, IgnoresPiecesThatNobodyAskedFor) {
-  reader.take_answer(piece_of(counting(10), {0, 0}), at(0));
+  reader.take_answer(piece_of(counting(10), {0, 0}), at_ms(0));
   EXPECT_FALSE(reader.take_result());
   reader.start(BulkContent::kSchema);
-  take_all(reader, at(0));
-  reader.take_answer(piece_of(counting(10), {1, 0}), at(0));
-  reader.take_answer(piece_of(counting(10), {0, 7}), at(0));
+  take_all(reader, at_ms(0));
+  reader.take_answer(piece_of(counting(10), {1, 0}), at_ms(0));
+  reader.take_answer(piece_of(counting(10), {0, 7}), at_ms(0));
   EXPECT_FALSE(reader.take_result());
-  reader.take_answer(piece_of(counting(10), {0, 0}), at(0));
+  reader.take_answer(piece_of(counting(10), {0, 0}), at_ms(0));
   EXPECT_EQ(reader.take_result()->bytes, counting(10));
   EXPECT_FALSE(reader.take_result());
 }
@@ -150,7 +150,7 @@ TEST_F(BulkReaderTest, EndsWhatItReadsWhenTheLinkIsLost) {
   reader.start(BulkContent::kSchema);
   reader.abandon();
   EXPECT_EQ(reader.take_result()->status, BulkStatus::kNoAnswer);
-  EXPECT_FALSE(reader.is_due(at(0)));
+  EXPECT_FALSE(reader.is_due(at_ms(0)));
 }
 
 TEST(BulkReader, RefusesAWindowOfNothing) {

@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/host_times.hpp"
+
 namespace echomap::robot_link {
 namespace {
 
-time::HostTime at_ms(int instant_ms) {
-  return time::HostTime(std::chrono::milliseconds(instant_ms));
-}
+using tests::at_ms;
 
 constexpr double kSharpUs = 90.0;
 constexpr double kBlurredUs = 110.0;

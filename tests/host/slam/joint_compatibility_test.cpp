@@ -11,7 +11,7 @@
 namespace echomap::slam {
 namespace {
 
-LandmarkSighting point(const Eigen::Vector2d& at_m) {
+LandmarkSighting point_at(const Eigen::Vector2d& at_m) {
   LandmarkSighting seen;
   seen.value = {at_m.norm(), std::atan2(at_m.y(), at_m.x())};
   seen.noise = Eigen::Vector2d(0.0036, 0.0004).asDiagonal();
@@ -25,7 +25,7 @@ const std::vector<Eigen::Vector2d> row_of_posts_m{
 EkfSlamFilter lost_among_posts() {
   EkfSlamFilter filter;
   for (const Eigen::Vector2d& post_m : row_of_posts_m) {
-    filter.add(point(post_m));
+    filter.add(point_at(post_m));
   }
   filter.move(0, {0.0, 0.0, 0.0}, {}, {0.001, 0.001, 0.001, 0.5});
   return filter;
@@ -35,7 +35,7 @@ EkfSlamFilter lost_among_posts() {
 std::vector<LandmarkSighting> seen_aside() {
   std::vector<LandmarkSighting> seen;
   for (const Eigen::Vector2d& post_m : row_of_posts_m) {
-    seen.push_back(point(post_m - Eigen::Vector2d(0.0, 0.6)));
+    seen.push_back(point_at(post_m - Eigen::Vector2d(0.0, 0.6)));
   }
   return seen;
 }
@@ -59,7 +59,7 @@ TEST(JointCompatibility, FindsWhatNearestNeighboursMistake) {
 TEST(JointCompatibility, LeavesOutWhatDoesNotFitTheRest) {
   const EkfSlamFilter filter = lost_among_posts();
   auto seen = seen_aside();
-  seen[5] = point({4.0, 2.5});
+  seen[5] = point_at({4.0, 2.5});
   const auto pairs = jointly_compatible(filter, find_candidates(filter, seen, 9.21, 1.0), 20000);
 
   EXPECT_EQ(pairs.size(), 5U);
@@ -68,7 +68,7 @@ TEST(JointCompatibility, LeavesOutWhatDoesNotFitTheRest) {
 
 TEST(JointCompatibility, NeverPairsALandmarkTwice) {
   const EkfSlamFilter filter = lost_among_posts();
-  const std::vector<LandmarkSighting> seen{point({4.0, 0.0}), point({4.01, 0.0})};
+  const std::vector<LandmarkSighting> seen{point_at({4.0, 0.0}), point_at({4.01, 0.0})};
   const auto pairs = jointly_compatible(filter, find_candidates(filter, seen, 9.21, 1.0), 20000);
 
   EXPECT_EQ(pairs.size(), 1U);

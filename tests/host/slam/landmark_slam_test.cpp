@@ -60,15 +60,15 @@ Pose2 pose_at(int step) {
   return {2.5 * std::cos(along_rad), 2.0 * std::sin(along_rad), along_rad + std::numbers::pi / 2.0};
 }
 
-struct Drive {
+struct DriveErrors {
   double odometry_off_m = 0.0;
   double off_m = 0.0;
 };
 
 /// Twice around, with odometry that turns too far.
-Drive drive(LandmarkSlam& slam) {
+DriveErrors drive(LandmarkSlam& slam) {
   Pose2 T_odom_robot = pose_at(0);
-  Drive result;
+  DriveErrors result;
   for (int step = 0; step <= kSteps; ++step) {
     if (step > 0) {
       const Pose2 moved = pose_at(step - 1).inverse() * pose_at(step);
@@ -97,7 +97,7 @@ TEST(LandmarkSlam, KnowsWhereItIsInARoomThatItDidNotKnow) {
     LandmarkSlamParams params;
     params.update.method = method;
     LandmarkSlam slam(params);
-    const Drive result = drive(slam);
+    const DriveErrors result = drive(slam);
 
     EXPECT_GT(result.odometry_off_m, 0.4);
     EXPECT_LT(result.off_m, 0.1);

@@ -8,7 +8,7 @@
 namespace echomap::slam {
 namespace {
 
-LandmarkSighting point(double range_m, double bearing_rad) {
+LandmarkSighting sure_point(double range_m, double bearing_rad) {
   LandmarkSighting sighting;
   sighting.value = {range_m, bearing_rad};
   sighting.noise = 1e-4 * Eigen::Matrix2d::Identity();
@@ -18,7 +18,7 @@ LandmarkSighting point(double range_m, double bearing_rad) {
 TEST(LandmarkUpdate, AddsWhatHasBeenSeenOftenEnoughAndThenCountsIt) {
   EkfSlamFilter filter;
   LandmarkUpdate update({.provisional = {.sightings = 2}});
-  const std::vector<LandmarkSighting> seen{point(2.0, 0.3)};
+  const std::vector<LandmarkSighting> seen{sure_point(2.0, 0.3)};
   update.add_sightings(seen, {}, filter);
   EXPECT_TRUE(filter.landmarks().empty());
   update.add_sightings(seen, {}, filter);
@@ -31,9 +31,10 @@ TEST(LandmarkUpdate, AddsWhatHasBeenSeenOftenEnoughAndThenCountsIt) {
 TEST(LandmarkUpdate, IsMoreSurprisedTheFartherALandmarkIsOff) {
   const auto negative_log_evidence_at = [](double range_m) {
     EkfSlamFilter filter;
-    filter.add(point(2.0, 0.3));
+    filter.add(sure_point(2.0, 0.3));
     LandmarkUpdate update;
-    return update.add_sightings(std::vector<LandmarkSighting>{point(range_m, 0.3)}, {}, filter);
+    return update.add_sightings(
+        std::vector<LandmarkSighting>{sure_point(range_m, 0.3)}, {}, filter);
   };
   EXPECT_LT(negative_log_evidence_at(2.0), negative_log_evidence_at(2.02));
   EXPECT_LT(negative_log_evidence_at(2.02), negative_log_evidence_at(3.0))

@@ -16,7 +16,7 @@ using geometry::Pose2;
 LoopClosing loop_closing() { return {{}, {}, {}, {}}; }
 
 /// Key frames that a robot has added, and where it truly was.
-struct Drive {
+struct KeyFrameDrive {
   std::mt19937 random{1};
   KeyFrames frames;
   Pose2 T_world_robot;
@@ -59,7 +59,7 @@ Pose2 drift_on_ring(int step) {
 TEST(LoopClosing, SaysHowFarTheRobotHasDriftedAroundARing) {
   const auto building = tests::LaserBuilding::ring();
   LoopClosing closing = loop_closing();
-  Drive drive;
+  KeyFrameDrive drive;
   std::vector<PoseEdge> edges;
   for (int step = 0; step < 110 && edges.empty(); ++step) {
     drive.T_world_robot = on_ring(step);
@@ -80,7 +80,7 @@ TEST(LoopClosing, SaysHowFarTheRobotHasDriftedAroundARing) {
 std::vector<PoseEdge> proved_after(int first, int second, bool is_put_right) {
   const auto building = tests::LaserBuilding::ring();
   LoopClosing closing = loop_closing();
-  Drive drive;
+  KeyFrameDrive drive;
   Pose2 T_right_map;
   for (int step = 0; step <= second; ++step) {
     drive.T_world_robot = on_ring(step);
@@ -116,7 +116,7 @@ TEST(LoopClosing, LooksAsFarFromThePlaceAsItSearches) {
   LoopClosingParams params;
   params.drift_m = 0.5;
   LoopClosing closing(params, {}, {}, {});
-  Drive drive;
+  KeyFrameDrive drive;
   std::vector<PoseEdge> edges;
   for (int step = 0; step < 16; ++step) {
     drive.T_world_robot = {2.0 + 0.5 * step, 1.2, 0.0};
@@ -135,7 +135,7 @@ TEST(LoopClosing, IsNotTakenInByAnotherPlaceWhereAnOldOneShouldBe) {
   const auto ring = tests::LaserBuilding::ring();
   const auto hall = tests::LaserBuilding::hall();
   LoopClosing closing = loop_closing();
-  Drive drive;
+  KeyFrameDrive drive;
   for (int step = 0; step < 40; ++step) {
     drive.T_world_robot = on_ring(step);
     drive.see(ring, drive.T_world_robot);
@@ -150,7 +150,7 @@ TEST(LoopClosing, IsNotTakenInByAnotherPlaceWhereAnOldOneShouldBe) {
 TEST(LoopClosing, LooksForNothingNearAlongTheWay) {
   const auto building = tests::LaserBuilding::hall();
   LoopClosing closing = loop_closing();
-  Drive drive;
+  KeyFrameDrive drive;
   for (int step = 0; step < 12; ++step) {
     drive.T_world_robot = {3.0 + 0.5 * step, 2.0, 0.0};
     drive.see(building, drive.T_world_robot);

@@ -26,7 +26,7 @@ std::vector<SurfacePatch> wall_seen_from(const Pose2& T_map_begin) {
 }
 
 /// And the wall y = 1.
-std::vector<SurfacePatch> corner_seen_from(const Pose2& T_map_begin) {
+std::vector<SurfacePatch> walls_seen_from(const Pose2& T_map_begin) {
   std::vector<SurfacePatch> patches = wall_seen_from(T_map_begin);
   for (const double along_m : kAlongsM) {
     patches.push_back({T_map_begin.inverse() * Eigen::Vector2d(1.0 + along_m, 1.0),
@@ -84,7 +84,7 @@ double max_moved_m(const std::vector<Pose2>& from, const std::vector<Pose2>& to)
 }
 
 TEST(MultiscanFactors, OfOdometryAreOffByWhatThePosesAreOffIt) {
-  MultiscanGraph graph = driven(corner_seen_from);
+  MultiscanGraph graph = driven(walls_seen_from);
   aligned(graph);
   const FactorGraph factors = factor_graph(graph, {}, 1, params);
   const PoseGraph poses = pose_graph_of(factors);
@@ -104,7 +104,7 @@ TEST(MultiscanFactors, OfOdometryAreOffByWhatThePosesAreOffIt) {
 }
 
 TEST(MultiscanFactors, HoldThePosesWhereAlignmentHasPutThem) {
-  MultiscanGraph graph = driven(corner_seen_from);
+  MultiscanGraph graph = driven(walls_seen_from);
   const std::vector<Pose2> by_odometry = factor_graph(graph, {}, 1, params).T_map_nodes;
   const auto matches = aligned(graph);
   const FactorGraph factors = factor_graph(graph, matches, 1, params);

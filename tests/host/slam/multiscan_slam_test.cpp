@@ -10,6 +10,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/sensors/range_scan.hpp"
+#include "tests/host/slam/drifting_rounds.hpp"
 
 namespace echomap::slam {
 namespace {
@@ -40,33 +41,7 @@ sensors::RangeScan ring_in_room(const Pose2& T_map_robot) {
   return scan;
 }
 
-struct Drive {
-  std::vector<Pose2> T_map_robot;
-  std::vector<Pose2> T_odom_robot;
-};
-
-/// Rounds in the room, with an odometry that turns aside.
-Drive rounds(int count, double drift_rad_per_m = 0.05) {
-  constexpr int kSteps = 100;
-  constexpr double kRadiusM = 0.8;
-  const double turn_rad = radians(360.0) / kSteps;
-  const double travelled_m = kRadiusM * turn_rad;
-  Drive drive{{{kRadiusM, 0.0, radians(90.0)}}, {{kRadiusM, 0.0, radians(90.0)}}};
-  for (int i = 0; i < count * kSteps; ++i) {
-    drive.T_map_robot.push_back(drive.T_map_robot.back() * Pose2(travelled_m, 0.0, turn_rad));
-    drive.T_odom_robot.push_back(drive.T_odom_robot.back() *
-                                 Pose2(travelled_m, 0.0, turn_rad + drift_rad_per_m * travelled_m));
-  }
-  return drive;
-}
-
-double worst_error_m(const std::vector<Pose2>& poses, const Drive& drive) {
-  double worst_m = 0.0;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    worst_m = std::max(worst_m, (poses[i].position_m() - drive.T_map_robot[i].position_m()).norm());
-  }
-  return worst_m;
-}
+constexpr Circle kWideCircle{0.8, 100};
 
 void run(MultiscanSlam& slam, const Drive& drive) {
   for (std::size_t i = 0; i < drive.T_odom_robot.size(); ++i) {
@@ -75,7 +50,7 @@ void run(MultiscanSlam& slam, const Drive& drive) {
 }
 
 TEST(MultiscanSlam, CorrectsOdometryThatTurnsAside) {
-  const Drive drive = rounds(3);
+  const Drive drive = rounds(kWideCircle, 3, 0.05);
   MultiscanSlam slam;
   run(slam, drive);
   const auto poses = slam.trajectory();
@@ -86,15 +61,15 @@ TEST(MultiscanSlam, CorrectsOdometryThatTurnsAside) {
 
 TEST(MultiscanSlam, BelievesGoodOdometryAndNoOther) {
   MultiscanSlam with_good;
-  run(with_good, rounds(1, 0.0));
+  run(with_good, rounds(kWideCircle, 1, 0.0));
   EXPECT_LT(with_good.graph().steady_scale, 1.0);
   MultiscanSlam with_poor;
-  run(with_poor, rounds(2, 0.1));
+  run(with_poor, rounds(kWideCircle, 2, 0.1));
   EXPECT_EQ(with_poor.graph().steady_scale, 1.0);
 }
 
 TEST(MultiscanSlam, SaysHowSureItIs) {
-  const Drive drive = rounds(2);
+  const Drive drive = rounds(kWideCircle, 2, 0.05);
   MultiscanSlam slam;
   run(slam, drive);
   const auto belief = slam.belief();
@@ -106,7 +81,7 @@ TEST(MultiscanSlam, SaysHowSureItIs) {
 }
 
 TEST(MultiscanSlam, IsOdometryWhereNothingAnswers) {
-  const Drive drive = rounds(2);
+  const Drive drive = rounds(kWideCircle, 2, 0.05);
   MultiscanSlam slam;
   for (const Pose2& T_odom_robot : drive.T_odom_robot) {
     slam.add(T_odom_robot, {{}, {}, {{0.0, std::nullopt}}, radians(20.0), 5.0});
@@ -128,7 +103,7 @@ TEST(MultiscanSlam, KeepsTheWayAlongACorridorOfOdometry) {
 }
 
 TEST(MultiscanSlam, StaysSoundWhereOdometryJumps) {
-  Drive drive = rounds(3);
+  Drive drive = rounds(kWideCircle, 3, 0.05);
   const Pose2 jump(0.0, 0.0, 1.2);
   for (std::size_t i = 200; i < drive.T_odom_robot.size(); ++i) {
     drive.T_odom_robot[i] = drive.T_odom_robot[i] * jump;

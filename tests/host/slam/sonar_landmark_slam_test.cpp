@@ -9,6 +9,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/sensors/range_scan.hpp"
+#include "tests/host/slam/drifting_rounds.hpp"
 #include "tests/host/slam/heard_room.hpp"
 
 namespace echomap::slam {
@@ -19,27 +20,7 @@ using mapping::EchoFeature;
 
 using geometry::Pose2;
 
-constexpr double kRadiusM = 0.5;
-
-struct Drive {
-  std::vector<Pose2> T_map_robot;
-  std::vector<Pose2> T_odom_robot;
-};
-
-/// Rounds in the room, with an odometry that turns aside.
-Drive rounds(int count, double drift_rad_per_m) {
-  constexpr int kSteps = 60;
-  const double turn_rad = geometry::radians(360.0) / kSteps;
-  const double travelled_m = kRadiusM * turn_rad;
-  Drive drive{{{kRadiusM, 0.0, geometry::radians(90.0)}},
-              {{kRadiusM, 0.0, geometry::radians(90.0)}}};
-  for (int i = 0; i < count * kSteps; ++i) {
-    drive.T_map_robot.push_back(drive.T_map_robot.back() * Pose2(travelled_m, 0.0, turn_rad));
-    drive.T_odom_robot.push_back(drive.T_odom_robot.back() *
-                                 Pose2(travelled_m, 0.0, turn_rad + drift_rad_per_m * travelled_m));
-  }
-  return drive;
-}
+constexpr Circle kNarrowCircle{0.5, 60};
 
 /// Ten cones all round, as they hear the room.
 sensors::RangeScan ring_from(const Pose2& T_map_robot, std::mt19937& random) {
@@ -65,16 +46,8 @@ void run(SonarLandmarkSlam& slam, const Drive& drive, std::uint32_t seed) {
   }
 }
 
-double worst_error_m(const std::vector<Pose2>& poses, const Drive& drive) {
-  double worst_m = 0.0;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    worst_m = std::max(worst_m, (poses[i].position_m() - drive.T_map_robot[i].position_m()).norm());
-  }
-  return worst_m;
-}
-
 TEST(SonarLandmarkSlam, CorrectsOdometryThatTurnsAside) {
-  const Drive drive = rounds(4, 0.08);
+  const Drive drive = rounds(kNarrowCircle, 4, 0.08);
   constexpr std::uint32_t kSeeds = 10;
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     SonarLandmarkSlam slam;
@@ -84,12 +57,12 @@ TEST(SonarLandmarkSlam, CorrectsOdometryThatTurnsAside) {
     EXPECT_LT(worst_error_m(poses, drive), 0.3 * worst_error_m(drive.T_odom_robot, drive)) << seed;
     // On a circle, a share of the turn and a drift over the way are alike.
     const Eigen::Vector3d& calibration = slam.filter().calibration();
-    EXPECT_NEAR(calibration[0] / kRadiusM + calibration[1], -0.08, 0.02) << seed;
+    EXPECT_NEAR(calibration[0] / kNarrowCircle.radius_m + calibration[1], -0.08, 0.02) << seed;
   }
 }
 
 TEST(SonarLandmarkSlam, LeavesGoodOdometryAlmostAlone) {
-  const Drive drive = rounds(4, 0.0);
+  const Drive drive = rounds(kNarrowCircle, 4, 0.0);
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     SonarLandmarkSlam slam;
     run(slam, drive, seed);
@@ -98,7 +71,7 @@ TEST(SonarLandmarkSlam, LeavesGoodOdometryAlmostAlone) {
 }
 
 TEST(SonarLandmarkSlam, SaysHowSureItIs) {
-  const Drive drive = rounds(3, 0.08);
+  const Drive drive = rounds(kNarrowCircle, 3, 0.08);
   constexpr int kSeeds = 20;
   double nees = 0.0;
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
@@ -115,7 +88,7 @@ TEST(SonarLandmarkSlam, SaysHowSureItIs) {
 
 TEST(SonarLandmarkSlam, MapsTheWalls) {
   SonarLandmarkSlam slam;
-  run(slam, rounds(3, 0.0), 1);
+  run(slam, rounds(kNarrowCircle, 3, 0.0), 1);
   for (const EchoFeature& feature : walls_and_leg()) {
     if (feature.kind == LandmarkKind::kWall) {
       const auto& all = slam.filter().landmarks();
@@ -128,7 +101,7 @@ TEST(SonarLandmarkSlam, MapsTheWalls) {
 }
 
 TEST(SonarLandmarkSlam, IsOdometryWhereNothingAnswers) {
-  const Drive drive = rounds(2, 0.05);
+  const Drive drive = rounds(kNarrowCircle, 2, 0.05);
   SonarLandmarkSlam slam;
   for (const Pose2& T_odom_robot : drive.T_odom_robot) {
     slam.add(T_odom_robot, {{}, {}, {{0.0, std::nullopt}}, 0.4, 4.0});

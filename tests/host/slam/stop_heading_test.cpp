@@ -12,15 +12,15 @@ namespace {
 
 using geometry::radians;
 
-const tests::SmoothRoom kRoom = tests::smooth_rectangle();
+const tests::SmoothRoom kRectangle = tests::smooth_rectangle();
 
 /// The walls of that room, as long as they are, and its corners.
 mapping::MatchedSurfaces features_of_room() {
   mapping::MatchedSurfaces matched;
-  for (const tests::EndlessWall& wall : kRoom.walls) {
+  for (const tests::EndlessWall& wall : kRectangle.walls) {
     matched.walls.push_back({wall.normal_rad, wall.offset_m, {{-1.3, 1.3}}});
   }
-  for (const Eigen::Vector2d& corner_m : kRoom.corners_m) {
+  for (const Eigen::Vector2d& corner_m : kRectangle.corners_m) {
     matched.features.push_back({{mapping::LandmarkKind::kPoint, corner_m}, {}});
   }
   return matched;
@@ -29,7 +29,7 @@ mapping::MatchedSurfaces features_of_room() {
 /// Readings from there, placed with a heading that is `off_rad` too small.
 mapping::Scan placed_off(const Eigen::Vector2d& place_m, double off_rad) {
   const geometry::Pose2 T_map_place(place_m.x(), place_m.y(), 0.0);
-  return mapping::moved(tests::scan_of(kRoom, place_m),
+  return mapping::moved(tests::scan_of(kRectangle, place_m),
                         T_map_place * geometry::Pose2(0.0, 0.0, -off_rad) * T_map_place.inverse());
 }
 

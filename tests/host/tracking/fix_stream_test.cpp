@@ -9,19 +9,19 @@
 
 #include "host/console/exit_code.hpp"
 #include "tests/host/tracking/told_stream.hpp"
+#include "tests/support/host_times.hpp"
 #include "tests/support/thrown_text.hpp"
 
 namespace echomap::tracking {
 namespace {
 
 using ::testing::HasSubstr;
+using tests::at_ms;
 
 std::string line(double stamp_s, double sent_s) {
   return "{\"stamp_s\": " + std::to_string(stamp_s) + ", \"sent_s\": " + std::to_string(sent_s) +
          ", \"x_m\": 1, \"y_m\": 2, \"heading_rad\": 0}\n";
 }
-
-time::HostTime at_ms(int ms) { return time::HostTime(std::chrono::milliseconds(ms)); }
 
 class FixStreamTest : public ::testing::Test {
  protected:

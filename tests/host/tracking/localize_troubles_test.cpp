@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-const mapping::RasterMap kRoom =
+const mapping::RasterMap kSmallRoom =
     tests::map_from({"##########", "#........#", "#........#", "#........#", "##########"}, 0.1);
 
 sensors::RangeScan scan(double stamp_s, double range_m = 0.2) {
@@ -36,24 +36,24 @@ std::string reason(const mapping::RasterMap& map, const std::vector<sensors::Ran
 }
 
 TEST(LocalizeTroubles, SayWhyTheRobotIsNowhere) {
-  EXPECT_EQ(reason(kRoom, {}), "a.log holds no ranges");
+  EXPECT_EQ(reason(kSmallRoom, {}), "a.log holds no ranges");
   EXPECT_EQ(reason(mapping::RasterMap(5, 5, 0.1, {0.0, 0.0}), {scan(0.0)}),
             "a.yaml: no cell of the map is known");
   EXPECT_EQ(reason(tests::map_from({"###", "###"}, 0.1), {scan(0.0)}),
             "a.yaml: no cell of the map is free: there is no floor where a robot could be");
-  EXPECT_EQ(reason(kRoom, {scan(0.0, std::numeric_limits<double>::quiet_NaN())}),
+  EXPECT_EQ(reason(kSmallRoom, {scan(0.0, std::numeric_limits<double>::quiet_NaN())}),
             "a.log: no reading has a finite range and pose");
 }
 
 TEST(LocalizeTroubles, AreNoneWhenAllIsWell) {
-  pipeline::RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  pipeline::RobotLocalizer localizer(kSmallRoom, {}, {}, std::mt19937(1));
   localizer.start_at({0.4, 0.2, 0.0}, 0.1, 0.1);
   localizer.on_range_scan(scan(0.0));
   EXPECT_THAT(troubles_of(localizer), IsEmpty());
 }
 
 TEST(LocalizeTroubles, NameAStartOffTheMapAndTimeThatRunsBackwards) {
-  pipeline::RobotLocalizer localizer(kRoom, {}, {}, std::mt19937(1));
+  pipeline::RobotLocalizer localizer(kSmallRoom, {}, {}, std::mt19937(1));
   localizer.start_at({40.0, 0.2, 0.0}, 0.1, 0.1);
   localizer.on_range_scan(scan(3.0));
   localizer.on_range_scan(scan(2.0));
