@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
+#include "host/slam/leave_one_out.hpp"
 
 namespace echomap::slam {
 
@@ -19,11 +21,23 @@ using mapping::ScanSurfaces;
 /// A stop that is bent by less keeps the surfaces that were found in it.
 constexpr double kBentRad = 0.012;
 constexpr double kBentM = 0.005;
+/// So many bends of a stop are remembered: every start bends it in its own way.
+constexpr std::size_t kKeptBends = 8;
 
 bool is_near(const Pose2& one, const Pose2& other, double near_m, double near_rad) {
   const Pose2 T_one_other = one.inverse() * other;
   return T_one_other.position_m().norm() <= near_m &&
          std::abs(T_one_other.heading_rad()) <= near_rad;
+}
+
+bool are_near(const std::vector<Pose2>& some,
+              const std::vector<Pose2>& others,
+              double near_m,
+              double near_rad) {
+  return std::equal(
+      some.begin(), some.end(), others.begin(), others.end(), [&](const Pose2& a, const Pose2& b) {
+        return is_near(a, b, near_m, near_rad);
+      });
 }
 
 /// Readings from `first` on that were taken where that one was.
@@ -68,6 +82,11 @@ StopAlignment::StopAlignment(const StopAlignmentParams& params) : params_(params
       .at_least("first_tolerance_factor", params.first_tolerance_factor, 1.0)
       .at_least("rounds", params.rounds, 1)
       .at_least("window", params.window, 2)
+      .positive("tried_drift_rad_per_m", params.tried_drift_rad_per_m)
+      .positive("reading_weight", params.reading_weight)
+      .at_least("min_gain", params.min_gain, 0.0)
+      .positive("same_start_rad", params.same_start_rad)
+      .positive("same_start_m", params.same_start_m)
       .positive("same_rad", params.same_rad)
       .positive("same_m", params.same_m);
   validate(params.heading);
@@ -85,11 +104,48 @@ void StopAlignment::add_stop(std::vector<StopReading> readings) {
 void StopAlignment::align(const std::vector<Pose2>& T_slam_stands) {
   const std::size_t first_free =
       stops_.size() > params_.window ? stops_.size() - params_.window : 0;
-  predict(first_free, T_slam_stands);
-  const std::vector<std::size_t> stops = stops_around(first_free);
-  for (int round = 0; round < params_.rounds && stops_.size() > 1; ++round) {
-    align_once(stops, first_free, round);
+  const OdometryCalibration calibration = calibration_;
+  std::optional<Placement> best;
+  for (const std::vector<Pose2>& start : starts(first_free, T_slam_stands)) {
+    Placement placement = aligned_from(start, calibration, first_free);
+    if (!best || placement.log_likelihood > best->log_likelihood + params_.min_gain) {
+      best = std::move(placement);
+    }
   }
+  T_map_stands_ = best->T_map_stands;
+  calibration_ = best->calibration;
+}
+
+StopAlignment::Placement StopAlignment::aligned_from(const std::vector<Pose2>& T_map_stands,
+                                                     const OdometryCalibration& calibration,
+                                                     std::size_t first_free) {
+  T_map_stands_ = T_map_stands;
+  calibration_ = calibration;
+  if (stops_.size() == 1) {
+    return {T_map_stands_, calibration_};
+  }
+  const std::vector<std::size_t> stops = stops_around(first_free);
+  StopGraph graph;
+  for (int round = 0; round < params_.rounds; ++round) {
+    graph = align_once(stops, first_free, round);
+  }
+  return {T_map_stands_,
+          calibration_,
+          params_.reading_weight * log_likelihood_of(stops) - odometry_cost(params_.graph, graph)};
+}
+
+double StopAlignment::log_likelihood_of(const std::vector<std::size_t>& stops) {
+  const MatchedSurfaces matched = match(stops, 1.0);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const SonarScene scene(features_of_others(matched, k), params_.heading);
+    for (std::size_t i = first_stand_of(stops[k]);
+         i < stands_.size() && stands_[i].stop == stops[k];
+         ++i) {
+      sum += scene.log_likelihood_of(resting_readings_of(i));
+    }
+  }
+  return sum;
 }
 
 std::size_t StopAlignment::first_stand_of(std::size_t stop) const {
@@ -100,12 +156,56 @@ std::size_t StopAlignment::first_stand_of(std::size_t stop) const {
   return static_cast<std::size_t>(found - stands_.begin());
 }
 
-void StopAlignment::predict(std::size_t first_free, const std::vector<Pose2>& T_slam_stands) {
-  for (std::size_t i = first_stand_of(first_free); i < stands_.size(); ++i) {
-    T_map_stands_[i] =
-        i == 0 ? T_slam_stands[0]
-               : T_map_stands_[i - 1] * T_slam_stands[i - 1].inverse() * T_slam_stands[i];
+std::vector<std::vector<Pose2>> StopAlignment::starts(
+    std::size_t first_free, const std::vector<Pose2>& T_slam_stands) const {
+  std::vector<std::vector<Pose2>> starts{start_by_slam(first_free, T_slam_stands, 0.0)};
+  const auto add = [&](std::vector<Pose2> start) {
+    if (std::none_of(starts.begin(), starts.end(), [&](const auto& other) {
+          return are_near(start, other, params_.same_start_m, params_.same_start_rad);
+        })) {
+      starts.push_back(std::move(start));
+    }
+  };
+  if (stops_.size() > 2) {  // Two stops share no feature that two others support.
+    add(start_by_last_alignment());
+    if (stops_.size() <= params_.drift_tried_stops) {
+      add(start_by_slam(first_free, T_slam_stands, -params_.tried_drift_rad_per_m));
+      add(start_by_slam(first_free, T_slam_stands, params_.tried_drift_rad_per_m));
+    }
   }
+  return starts;
+}
+
+std::vector<Pose2> StopAlignment::start_by_slam(std::size_t first_free,
+                                                const std::vector<Pose2>& T_slam_stands,
+                                                double drift_rad_per_m) const {
+  const OdometryCalibration drift{{0.0, drift_rad_per_m, 0.0}};
+  std::vector<Pose2> start = T_map_stands_;
+  for (std::size_t i = first_stand_of(first_free); i < stands_.size(); ++i) {
+    if (i == 0) {
+      start[i] = T_slam_stands[0];
+      continue;
+    }
+    OdometryPiece piece = odometry_before(i);
+    piece.T_before_after = T_slam_stands[i - 1].inverse() * T_slam_stands[i];
+    start[i] = start[i - 1] * calibrated(piece, drift);
+  }
+  return start;
+}
+
+std::vector<Pose2> StopAlignment::start_by_last_alignment() const {
+  std::vector<Pose2> start = T_map_stands_;
+  for (std::size_t i = first_stand_of(stops_.size() - 1); i < stands_.size(); ++i) {
+    start[i] = start[i - 1] * calibrated(odometry_before(i), calibration_);
+  }
+  return start;
+}
+
+OdometryPiece StopAlignment::odometry_before(std::size_t stand) const {
+  const auto mark_at = [&](const StopStand& of) -> const OdometryMark& {
+    return stops_[of.stop][of.first].mark;
+  };
+  return piece_between(mark_at(stands_[stand - 1]), mark_at(stands_[stand]));
 }
 
 std::vector<std::size_t> StopAlignment::stops_around(std::size_t first_free) const {
@@ -167,30 +267,36 @@ const ScanSurfaces& StopAlignment::surfaces_of(std::size_t stop) {
   for (std::size_t i = first; i < stands_.size() && stands_[i].stop == stop; ++i) {
     T_first_stands.push_back(T_map_stands_[first].inverse() * T_map_stands_[i]);
   }
-  FoundSurfaces& found = found_[stop];
-  const bool is_bent =
-      !std::equal(T_first_stands.begin(),
-                  T_first_stands.end(),
-                  found.T_first_stands.begin(),
-                  found.T_first_stands.end(),
-                  [](const Pose2& a, const Pose2& b) { return is_near(a, b, kBentM, kBentRad); });
-  if (is_bent) {
+  std::vector<FoundSurfaces>& found = found_[stop];
+  auto same = std::find_if(found.begin(), found.end(), [&](const FoundSurfaces& one) {
+    return are_near(T_first_stands, one.T_first_stands, kBentM, kBentRad);
+  });
+  if (same == found.end()) {
+    if (found.size() < kKeptBends) {
+      found.emplace_back();
+    }
     const mapping::Scan scan = mapping::moved(readings_of(stop), T_map_stands_[first].inverse());
-    found = {T_first_stands, find_surfaces(scan, params_.surfaces)};
+    found.back() = {T_first_stands, find_surfaces(scan, params_.surfaces)};
+    same = std::prev(found.end());
   }
-  return found.surfaces;
+  std::rotate(found.begin(), same, std::next(same));
+  return found.front().surfaces;
 }
 
-void StopAlignment::align_once(const std::vector<std::size_t>& stops,
-                               std::size_t first_free,
-                               int round) {
+MatchedSurfaces StopAlignment::match(const std::vector<std::size_t>& stops,
+                                     double tolerance_factor) {
   std::vector<ScanSurfaces> placed;
   placed.reserve(stops.size());
   for (const std::size_t stop : stops) {
     placed.push_back(moved(surfaces_of(stop), T_map_stands_[first_stand_of(stop)]));
   }
-  const double factor = round == 0 ? params_.first_tolerance_factor : 1.0;
-  const auto matched = match_surfaces(placed, widened(params_.matching, factor));
+  return match_surfaces(placed, widened(params_.matching, tolerance_factor));
+}
+
+StopGraph StopAlignment::align_once(const std::vector<std::size_t>& stops,
+                                    std::size_t first_free,
+                                    int round) {
+  const MatchedSurfaces matched = match(stops, round == 0 ? params_.first_tolerance_factor : 1.0);
   StopGraph graph = graph_over(stops, first_free, matched);
   StopGraphParams graph_params = params_.graph;
   if (round + 1 < params_.rounds) {  // What poor matches say of the odometry is no measurement.
@@ -204,6 +310,7 @@ void StopAlignment::align_once(const std::vector<std::size_t>& stops,
       T_map_stands_[i] = graph.stands[node++].T_map_robot;
     }
   }
+  return graph;
 }
 
 StopGraph StopAlignment::graph_over(const std::vector<std::size_t>& stops,
@@ -221,9 +328,7 @@ StopGraph StopAlignment::graph_over(const std::vector<std::size_t>& stops,
       stand.T_map_robot = T_map_stands_[i];
       stand.is_free = stop >= first_free;
       if (i > 0 && before == i - 1) {
-        const StopStand& last = stands_[i - 1];
-        stand.piece_before =
-            piece_between(stops_[last.stop][last.first].mark, stops_[stop][stands_[i].first].mark);
+        stand.piece_before = odometry_before(i);
       }
       if (stand.is_free) {
         stand.heading = scene.heading_of(resting_readings_of(i));
@@ -235,7 +340,7 @@ StopGraph StopAlignment::graph_over(const std::vector<std::size_t>& stops,
     GraphFeature& added = graph.features.emplace_back();
     added.feature = feature.feature;
     for (const auto& [scan, index] : feature.supporters) {
-      const FoundSurfaces& found = found_[stops[scan]];
+      const FoundSurfaces& found = found_[stops[scan]].front();
       added.sightings.push_back({first_nodes[scan],
                                  found.surfaces.center_m,
                                  found.surfaces.surfaces[index].range_m,

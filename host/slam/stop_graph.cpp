@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
@@ -47,32 +48,45 @@ Equations equations_over(const StopGraph& graph) {
   return equations;
 }
 
+/// Odometry to a stand from the one before it, where one of them can move.
+std::optional<PieceResidual> odometry_residual(const StopGraph& graph, std::size_t stand) {
+  const GraphStand& after = graph.stands[stand];
+  if (stand == 0 || !after.piece_before) {
+    return std::nullopt;
+  }
+  const GraphStand& before = graph.stands[stand - 1];
+  if (!after.is_free && !before.is_free) {
+    return std::nullopt;
+  }
+  return piece_residual(
+      before.T_map_robot, after.T_map_robot, *after.piece_before, graph.calibration);
+}
+
 void add_odometry(const StopGraph& graph, const StopGraphParams& params, Equations& equations) {
   for (std::size_t i = 1; i < graph.stands.size(); ++i) {
-    const GraphStand& after = graph.stands[i];
-    const GraphStand& before = graph.stands[i - 1];
-    if (!after.piece_before || !(after.is_free || before.is_free)) {
+    const auto residual = odometry_residual(graph, i);
+    if (!residual) {
       continue;
     }
-    const PieceResidual residual = piece_residual(
-        before.T_map_robot, after.T_map_robot, *after.piece_before, graph.calibration);
     const Eigen::Vector3d variance =
-        square(graph.odometry_scale) * variances(*after.piece_before, params.odometry);
+        square(graph.odometry_scale) * variances(*graph.stands[i].piece_before, params.odometry);
     const Eigen::Matrix3d information = variance.cwiseInverse().asDiagonal();
-    equations.blocks.add<3, 3, 3, 3>(residual.value,
+    equations.blocks.add<3, 3, 3, 3>(residual->value,
                                      information,
-                                     {i - 1, residual.by_before},
-                                     {i, residual.by_after},
-                                     {graph.stands.size(), residual.by_calibration});
+                                     {i - 1, residual->by_before},
+                                     {i, residual->by_after},
+                                     {graph.stands.size(), residual->by_calibration});
     equations.negative_log_likelihood +=
-        residual.value.dot(information * residual.value) + variance.array().log().sum();
+        residual->value.dot(information * residual->value) + variance.array().log().sum();
   }
 }
 
+Eigen::Vector3d calibration_stddevs(const StopGraphParams& params) {
+  return {params.turn_share_stddev, params.drift_stddev_rad_per_m, params.drive_share_stddev};
+}
+
 void add_calibration(const StopGraph& graph, const StopGraphParams& params, Equations& equations) {
-  const Eigen::Vector3d stddev(
-      params.turn_share_stddev, params.drift_stddev_rad_per_m, params.drive_share_stddev);
-  const Eigen::Vector3d information = stddev.cwiseAbs2().cwiseInverse();
+  const Eigen::Vector3d information = calibration_stddevs(params).cwiseAbs2().cwiseInverse();
   equations.blocks.add<3, 3>(graph.calibration.values,
                              information.asDiagonal(),
                              {graph.stands.size(), Eigen::Matrix3d::Identity()});
@@ -210,6 +224,19 @@ void align_stops(const StopGraphParams& params, StopGraph& graph) {
   for (GraphStand& stand : graph.stands) {
     stand.T_map_robot = T_map_moved * stand.T_map_robot;
   }
+}
+
+double odometry_cost(const StopGraphParams& params, const StopGraph& graph) {
+  const Eigen::Vector3d systematic =
+      graph.calibration.values.cwiseQuotient(calibration_stddevs(params));
+  double squares = systematic.squaredNorm();
+  for (std::size_t i = 1; i < graph.stands.size(); ++i) {
+    if (const auto residual = odometry_residual(graph, i)) {
+      const Eigen::Vector3d variance = variances(*graph.stands[i].piece_before, params.odometry);
+      squares += residual->value.cwiseAbs2().cwiseQuotient(variance).sum();
+    }
+  }
+  return 0.5 * squares;
 }
 
 }  // namespace echomap::slam

@@ -76,4 +76,8 @@ struct StopGraph {
 /// its heading is a variable as all others, and the map is turned back to it.
 void align_stops(const StopGraphParams& params, StopGraph& graph);
 
+/// Minus the logarithm of how likely the ways between the stands and the calibration are, as they
+/// are now, by odometry alone at its scale of 1; without constants.
+double odometry_cost(const StopGraphParams& params, const StopGraph& graph);
+
 }  // namespace echomap::slam

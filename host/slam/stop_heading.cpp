@@ -27,6 +27,14 @@ constexpr double kHidingEndM = 0.03;
 /// Density of echoes from elsewhere, over some metres.
 constexpr double kClutterPerM = 0.5;
 
+Eigen::Vector2d center_m(const mapping::Scan& readings) {
+  Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
+  for (const mapping::PlacedReading& reading : readings) {
+    sum_m += reading.T_map_sonar.position_m();
+  }
+  return sum_m / static_cast<double>(readings.size());
+}
+
 bool extends_to(const MatchedWall& wall, double along_m, double slack_m) {
   return std::any_of(wall.pieces.begin(), wall.pieces.end(), [&](const MatchedWall::Piece& piece) {
     return along_m > piece.from_m - slack_m && along_m < piece.to_m + slack_m;
@@ -139,26 +147,32 @@ double SonarScene::log_likelihood(const std::vector<Facing>& facing,
                   params_.clutter_chance * unexplained);
 }
 
+double SonarScene::log_likelihood(const std::vector<Facing>& facing,
+                                  const mapping::Scan& readings,
+                                  double turn_rad) const {
+  double sum = 0.0;
+  for (const mapping::PlacedReading& reading : readings) {
+    sum += log_likelihood(facing, reading.T_map_sonar.heading_rad() + turn_rad, reading.range_m);
+  }
+  return sum;
+}
+
+double SonarScene::log_likelihood_of(const mapping::Scan& readings) const {
+  return log_likelihood(facing_from(center_m(readings)), readings, 0.0);
+}
+
 std::optional<HeadingEstimate> SonarScene::heading_of(const mapping::Scan& readings) const {
   if (readings.size() < params_.min_readings) {
     return std::nullopt;
   }
-  Eigen::Vector2d sonar_m = Eigen::Vector2d::Zero();
-  for (const mapping::PlacedReading& reading : readings) {
-    sonar_m += reading.T_map_sonar.position_m() / static_cast<double>(readings.size());
-  }
-  const std::vector<Facing> facing = facing_from(sonar_m);
+  const std::vector<Facing> facing = facing_from(center_m(readings));
   if (facing.empty()) {
     return std::nullopt;
   }
   std::vector<double> log_likelihoods;
   const int steps = static_cast<int>(std::lround(params_.max_turn_rad / params_.step_rad));
   for (int step = -steps; step <= steps; ++step) {
-    log_likelihoods.push_back(0.0);
-    for (const mapping::PlacedReading& reading : readings) {
-      log_likelihoods.back() += log_likelihood(
-          facing, reading.T_map_sonar.heading_rad() + step * params_.step_rad, reading.range_m);
-    }
+    log_likelihoods.push_back(log_likelihood(facing, readings, step * params_.step_rad));
   }
   const TurnEstimate turn = mean_turn(log_likelihoods, params_.step_rad);
   return HeadingEstimate{

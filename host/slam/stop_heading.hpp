@@ -57,6 +57,9 @@ class SonarScene {
   /// feature is in sight.
   std::optional<HeadingEstimate> heading_of(const mapping::Scan& readings) const;
 
+  /// Logarithm of how likely readings at rest are as they are placed, at least one.
+  double log_likelihood_of(const mapping::Scan& readings) const;
+
  private:
   /// A wall or post as seen from one place.
   struct Facing {
@@ -74,6 +77,10 @@ class SonarScene {
   double log_likelihood(const std::vector<Facing>& facing,
                         double axis_rad,
                         const std::optional<double>& range_m) const;
+  /// The same of all readings, turned by `turn_rad`.
+  double log_likelihood(const std::vector<Facing>& facing,
+                        const mapping::Scan& readings,
+                        double turn_rad) const;
 
   std::vector<mapping::MatchedWall> walls_;
   std::vector<mapping::EchoFeature> points_;  ///< Posts and round things.

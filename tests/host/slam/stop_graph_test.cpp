@@ -73,6 +73,23 @@ TEST(StopGraph, MovesAStandToWhereItsRangesAgreeAndLeavesThoseThatAreHeld) {
   EXPECT_GT(graph.stands[2].T_map_robot.x_m(), 2.005);
 }
 
+TEST(StopGraph, OdometryCostsNothingAsMeasuredAndTheSquareOfWhatItIsOff) {
+  StopGraph graph = straight(3);
+  EXPECT_EQ(odometry_cost({}, graph), 0.0);
+  graph.stands[2].T_map_robot = Pose2(2.1, 0.0, 0.0);
+  const double cost = odometry_cost({}, graph);
+  EXPECT_GT(cost, 1.0);
+  graph.stands[2].T_map_robot = Pose2(2.2, 0.0, 0.0);
+  EXPECT_NEAR(odometry_cost({}, graph), 4.0 * cost, 1e-9);
+}
+
+TEST(StopGraph, ACalibrationCostsTheSquareOfItsDeviations) {
+  const StopGraphParams params;
+  StopGraph graph = straight(1);
+  graph.calibration.values = {0.0, 2.0 * params.drift_stddev_rad_per_m, 0.0};
+  EXPECT_NEAR(odometry_cost(params, graph), 2.0, 1e-12);
+}
+
 TEST(StopGraph, RefusesInvalidParameters) {
   StopGraphParams params;
   params.odometry_scales.clear();

@@ -55,6 +55,13 @@ TEST(StopHeading, IsNotKnownOfFewReadingsOrWithoutFeatures) {
                    .has_value());
 }
 
+TEST(StopHeading, ReadingsAreLikeliestAsTheyWereTaken) {
+  const SonarScene scene(features_of_room(), {});
+  const double as_taken = scene.log_likelihood_of(placed_off({0.3, 0.1}, 0.0));
+  EXPECT_GT(as_taken, scene.log_likelihood_of(placed_off({0.3, 0.1}, radians(5.0))) + 5.0);
+  EXPECT_GT(as_taken, SonarScene({}, {}).log_likelihood_of(placed_off({0.3, 0.1}, 0.0)) + 5.0);
+}
+
 /// Readings of something else leave the heading open instead of turning it.
 TEST(StopHeading, IsUncertainWhereTheFeaturesExplainNothing) {
   mapping::MatchedSurfaces far_post;
