@@ -2,8 +2,7 @@
 #include "host/slam/stop_alignment.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
@@ -17,57 +16,6 @@ namespace {
 using geometry::Pose2;
 using mapping::MatchedSurfaces;
 using mapping::ScanSurfaces;
-
-/// A stop that is bent by less keeps the surfaces that were found in it.
-constexpr double kBentRad = 0.012;
-constexpr double kBentM = 0.005;
-/// So many bends of a stop are remembered: every start bends it in its own way.
-constexpr std::size_t kKeptBends = 8;
-
-bool is_near(const Pose2& one, const Pose2& other, double near_m, double near_rad) {
-  const Pose2 T_one_other = one.inverse() * other;
-  return T_one_other.position_m().norm() <= near_m &&
-         std::abs(T_one_other.heading_rad()) <= near_rad;
-}
-
-bool are_near(const std::vector<Pose2>& some,
-              const std::vector<Pose2>& others,
-              double near_m,
-              double near_rad) {
-  return std::equal(
-      some.begin(), some.end(), others.begin(), others.end(), [&](const Pose2& a, const Pose2& b) {
-        return is_near(a, b, near_m, near_rad);
-      });
-}
-
-/// Readings from `first` on that were taken where that one was.
-std::size_t resting_from(const std::vector<StopReading>& readings,
-                         std::size_t first,
-                         const StopAlignmentParams& params) {
-  std::size_t count = 1;
-  while (first + count < readings.size() && is_near(readings[first].mark.T_odom_robot,
-                                                    readings[first + count].mark.T_odom_robot,
-                                                    params.same_m,
-                                                    params.same_rad)) {
-    ++count;
-  }
-  return count;
-}
-
-std::vector<StopStand> stands_in(const std::vector<StopReading>& readings,
-                                 std::size_t stop,
-                                 const StopAlignmentParams& params) {
-  std::vector<StopStand> stands;
-  for (std::size_t first = 0; first < readings.size();) {
-    const std::size_t resting = resting_from(readings, first, params);
-    if (stands.empty() || resting >= params.heading.min_readings) {
-      stands.push_back({stop, first, resting, first + resting});
-    }
-    first += resting;
-    stands.back().last = first;
-  }
-  return stands;
-}
 
 mapping::SurfaceMatchingParams widened(mapping::SurfaceMatchingParams params, double factor) {
   params.wall_bearing_tolerance_rad *= factor;
@@ -86,19 +34,18 @@ StopAlignment::StopAlignment(const StopAlignmentParams& params) : params_(params
       .positive("reading_weight", params.reading_weight)
       .at_least("min_gain", params.min_gain, 0.0)
       .positive("same_start_rad", params.same_start_rad)
-      .positive("same_start_m", params.same_start_m)
-      .positive("same_rad", params.same_rad)
-      .positive("same_m", params.same_m);
+      .positive("same_start_m", params.same_start_m);
+  validate(params.stands);
   validate(params.heading);
   validate(params.graph);
 }
 
 void StopAlignment::add_stop(std::vector<StopReading> readings) {
-  const auto stands = stands_in(readings, stops_.size(), params_);
+  const auto stands = stands_in(readings, stops_.size(), params_.stands);
   stands_.insert(stands_.end(), stands.begin(), stands.end());
   T_map_stands_.resize(stands_.size());
   stops_.push_back(std::move(readings));
-  found_.emplace_back();
+  surfaces_.emplace_back();
 }
 
 void StopAlignment::align(const std::vector<Pose2>& T_slam_stands) {
@@ -267,20 +214,9 @@ const ScanSurfaces& StopAlignment::surfaces_of(std::size_t stop) {
   for (std::size_t i = first; i < stands_.size() && stands_[i].stop == stop; ++i) {
     T_first_stands.push_back(T_map_stands_[first].inverse() * T_map_stands_[i]);
   }
-  std::vector<FoundSurfaces>& found = found_[stop];
-  auto same = std::find_if(found.begin(), found.end(), [&](const FoundSurfaces& one) {
-    return are_near(T_first_stands, one.T_first_stands, kBentM, kBentRad);
-  });
-  if (same == found.end()) {
-    if (found.size() < kKeptBends) {
-      found.emplace_back();
-    }
-    const mapping::Scan scan = mapping::moved(readings_of(stop), T_map_stands_[first].inverse());
-    found.back() = {T_first_stands, find_surfaces(scan, params_.surfaces)};
-    same = std::prev(found.end());
-  }
-  std::rotate(found.begin(), same, std::next(same));
-  return found.front().surfaces;
+  return surfaces_[stop].find(T_first_stands,
+                              mapping::moved(readings_of(stop), T_map_stands_[first].inverse()),
+                              params_.surfaces);
 }
 
 MatchedSurfaces StopAlignment::match(const std::vector<std::size_t>& stops,
@@ -340,11 +276,11 @@ StopGraph StopAlignment::graph_over(const std::vector<std::size_t>& stops,
     GraphFeature& added = graph.features.emplace_back();
     added.feature = feature.feature;
     for (const auto& [scan, index] : feature.supporters) {
-      const FoundSurfaces& found = found_[stops[scan]].front();
+      const ScanSurfaces& found = surfaces_[stops[scan]].last();
       added.sightings.push_back({first_nodes[scan],
-                                 found.surfaces.center_m,
-                                 found.surfaces.surfaces[index].range_m,
-                                 found.surfaces.surfaces[index].bearing_rad});
+                                 found.center_m,
+                                 found.surfaces[index].range_m,
+                                 found.surfaces[index].bearing_rad});
     }
   }
   return graph;

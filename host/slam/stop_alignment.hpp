@@ -2,21 +2,22 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
 #include "host/mapping/surface_matching.hpp"
-#include "host/slam/odometry_meter.hpp"
+#include "host/slam/bent_surfaces.hpp"
 #include "host/slam/stop_graph.hpp"
 #include "host/slam/stop_heading.hpp"
+#include "host/slam/stop_stand.hpp"
 
 namespace echomap::slam {
 
 /// How stops are aligned; values are ours, chosen in simulated rooms.
 struct StopAlignmentParams {
+  StopStandParams stands;
   mapping::SonarSurfaceParams surfaces;
   /// Bearings of one feature agree better than when a map is drawn: a feature made of two surfaces
   /// turns the stops that measured it.
@@ -44,25 +45,6 @@ struct StopAlignmentParams {
   /// nearest, that stay and hold them.
   std::size_t window = 25;
   std::size_t holders = 15;
-  /// Readings belong to one heading at rest while the body turns or moves by less.
-  double same_rad = 0.1;
-  double same_m = 0.05;
-};
-
-/// A reading of a stop.
-struct StopReading {
-  OdometryMark mark;
-  geometry::Pose2 T_robot_sonar;
-  std::optional<double> range_m;
-};
-
-/// Readings of a stop from the first at one heading to the last before another one. Those in
-/// between, while the body turns, belong to the heading before.
-struct StopStand {
-  std::size_t stop = 0;
-  std::size_t first = 0;    ///< Index of its first reading in the stop.
-  std::size_t resting = 0;  ///< Number of readings, from the first on, that were taken at rest.
-  std::size_t last = 0;     ///< Index behind its last reading.
 };
 
 /// Places the stops of a robot where they agree on walls and posts, with odometry between them
@@ -86,13 +68,6 @@ class StopAlignment {
   std::vector<mapping::Scan> scans() const;
 
  private:
-  /// Surfaces of a stop in the frame of its first stand, and the stands that bend it, in that
-  /// frame.
-  struct FoundSurfaces {
-    std::vector<geometry::Pose2> T_first_stands;
-    mapping::ScanSurfaces surfaces;
-  };
-
   /// Where the stands are placed, and how likely that is (logarithm, without constants).
   struct Placement {
     std::vector<geometry::Pose2> T_map_stands;
@@ -132,8 +107,7 @@ class StopAlignment {
   std::vector<std::vector<StopReading>> stops_;
   std::vector<StopStand> stands_;
   std::vector<geometry::Pose2> T_map_stands_;
-  /// Of each stop, as it was bent lately; the last bend first.
-  std::vector<std::vector<FoundSurfaces>> found_;
+  std::vector<BentSurfaces> surfaces_;  ///< Of each stop.
   OdometryCalibration calibration_;
 };
 

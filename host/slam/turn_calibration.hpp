@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/slam/stop_alignment.hpp"
+#include "host/slam/stop_stand.hpp"
 
 namespace echomap::slam {
 
