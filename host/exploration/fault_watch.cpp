@@ -13,6 +13,12 @@ bool has_stalled(MotionResult result) {
   return result == MotionResult::kStalled || result == MotionResult::kTimedOut;
 }
 
+/// Nothing fits where there is no map.
+mapping::ScanFit fit_in(const std::shared_ptr<const mapping::OccupancyGrid>& map,
+                        const mapping::Scan& scan) {
+  return map ? mapping::fit_of(scan, *map) : mapping::ScanFit{};
+}
+
 /// Where a strategy ends by what its map shows.
 bool trusts_its_map(FinishReason reason) {
   return reason == FinishReason::kComplete || reason == FinishReason::kNoNewGround ||
@@ -67,13 +73,14 @@ std::optional<Finished> FaultWatch::fault_of_scans(const pipeline::Snapshot& sna
   if (snapshot.last_scan_fault == mapping::ScanFault::kStuck) {
     return Finished{FinishReason::kSonarStuck};
   }
-  const mapping::ScanFit fit =
-      map_before_ ? mapping::fit_of(scan, *map_before_) : mapping::ScanFit{};
-  const bool is_elsewhere =
-      snapshot.last_scan_fault == mapping::ScanFault::kElsewhere || is_doubtful(fit);
+  fits_.push_back({fit_in(map_before_, scan), fit_in(snapshot.grid, scan)});
+  if (fits_.size() > params_.compared_scans) {
+    fits_.pop_front();
+  }
+  const bool is_elsewhere = snapshot.last_scan_fault == mapping::ScanFault::kElsewhere ||
+                            is_doubtful(fits_.back().before);
   scans_elsewhere_ = is_elsewhere ? scans_elsewhere_ + 1 : 0;
-  const bool is_bent = contradicts_itself(fit);
-  const bool is_lost = is_bent || scans_elsewhere_ >= params_.scans_elsewhere;
+  const bool is_lost = map_contradicts_itself() || scans_elsewhere_ >= params_.scans_elsewhere;
   return is_lost ? std::optional(lost()) : std::nullopt;
 }
 
@@ -84,9 +91,9 @@ bool FaultWatch::nearly_lost() const {
 Finished FaultWatch::lost() const { return {FinishReason::kLost, scans_since_misfit()}; }
 
 std::size_t FaultWatch::scans_since_misfit() const {
-  const auto fits = std::find_if(fits_.rbegin(), fits_.rend(), [&](const mapping::ScanFit& fit) {
-    const auto known = static_cast<double>(fit.on_walls + fit.on_floor);
-    return static_cast<double>(fit.on_floor) <= params_.mixed_floor_share * known;
+  const auto fits = std::find_if(fits_.rbegin(), fits_.rend(), [&](const Fits& fit) {
+    const auto known = static_cast<double>(fit.before.on_walls + fit.before.on_floor);
+    return static_cast<double>(fit.before.on_floor) <= params_.mixed_floor_share * known;
   });
   return std::max(scans_elsewhere_, static_cast<std::size_t>(fits - fits_.rbegin()));
 }
@@ -98,16 +105,12 @@ bool FaultWatch::is_doubtful(const mapping::ScanFit& fit) const {
              params_.doubtful_floor_share * static_cast<double>(known);
 }
 
-bool FaultWatch::contradicts_itself(const mapping::ScanFit& fit) {
-  fits_.push_back(fit);
-  if (fits_.size() > params_.compared_scans) {
-    fits_.pop_front();
-  }
+bool FaultWatch::map_contradicts_itself() const {
   std::size_t known = 0;
   std::size_t on_floor = 0;
-  for (const mapping::ScanFit& one : fits_) {
-    known += one.on_walls + one.on_floor;
-    on_floor += one.on_floor;
+  for (const Fits& fit : fits_) {
+    known += fit.after.on_walls + fit.after.on_floor;
+    on_floor += fit.after.on_floor;
   }
   return fits_.size() >= params_.min_compared_scans && known >= params_.compared_echoes &&
          static_cast<double>(on_floor) >= params_.max_floor_share * static_cast<double>(known);

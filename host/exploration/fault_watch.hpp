@@ -25,12 +25,12 @@ struct FaultWatchParams {
   /// before it is lost, scans count as of another place from this share on.
   double mixed_floor_share = 0.1;
   /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans,
-  /// so few at least and so many at most, it knew something of so many at least, and such a share
-  /// of them lies on its floor.
+  /// so few at least and so many at most, it knows something of so many at least, and has such a
+  /// share of them on floor although these scans are in it. Where all is well it is 0.06 at most.
   std::size_t min_compared_scans = 3;
   std::size_t compared_scans = 5;
   std::size_t compared_echoes = 100;
-  double max_floor_share = 0.2;
+  double max_floor_share = 0.12;
   /// So many readings in a row, of whole scans, that nothing has answered are a dead sonar: a turn
   /// all round in the paper's steps of 6 degrees.
   std::size_t silent_readings = 60;
@@ -52,12 +52,19 @@ class FaultWatch final : public Explorer {
   StrategyProducts products() const override { return strategy_->products(); }
 
  private:
+  /// How a scan agrees with the map as it was before it, and with the one that it is in, where the
+  /// alignment may have moved everything.
+  struct Fits {
+    mapping::ScanFit before;
+    mapping::ScanFit after;
+  };
+
   std::optional<Finished> fault_of_scans(const pipeline::Snapshot& snapshot);
   /// The next try of the wheels; empty where they turn.
   std::optional<Motion> try_wheels(MotionResult last);
 
   bool is_doubtful(const mapping::ScanFit& fit) const;
-  bool contradicts_itself(const mapping::ScanFit& fit);
+  bool map_contradicts_itself() const;
   bool nearly_lost() const;
   Finished lost() const;
   /// The last scans, from the first in a row that may be of another place in part on.
@@ -68,7 +75,7 @@ class FaultWatch final : public Explorer {
   std::size_t stops_ = 0;
   std::size_t scans_elsewhere_ = 0;                           ///< In a row, or in doubt.
   std::shared_ptr<const mapping::OccupancyGrid> map_before_;  ///< As it was before the last motion.
-  std::deque<mapping::ScanFit> fits_;                         ///< Of the last scans.
+  std::deque<Fits> fits_;                                     ///< Of the last scans.
   std::size_t silent_readings_ = 0;                           ///< In a row, and no echo among them.
   std::size_t turns_ = 0;  ///< That have been tried since the wheels stalled.
   /// How the strategy's own motion ended, while the wheels are tried.
