@@ -12,6 +12,10 @@ namespace {
 
 using geometry::Pose2;
 
+/// A method whose correction of odometry changes by less has estimated nothing anew.
+constexpr double kSameM = 1e-9;
+constexpr double kSameRad = 1e-9;
+
 slam::StopAlignmentParams alignment_for(double beam_width_rad) {
   slam::StopAlignmentParams params;
   params.surfaces.beam_half_angle_rad = 0.5 * beam_width_rad;
@@ -128,8 +132,12 @@ std::vector<slam::StopReading> RobotSlam::readings_from(std::size_t first_ping) 
 }
 
 void RobotSlam::count(const Ping& ping) {
+  const Pose2 T_slam_odom = track_.T_map_odom();
   track_.add(ping.mark.T_odom_robot,
              {{}, ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_width_rad_, 0.0});
+  if (!first_pings_.empty() && !slam::is_near(track_.T_map_odom(), T_slam_odom, kSameM, kSameRad)) {
+    T_map_slam_ = anchors().back().T_map_slam();
+  }
 }
 
 void RobotSlam::align_stops(std::size_t first_ping) {

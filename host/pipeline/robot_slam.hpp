@@ -99,7 +99,8 @@ class RobotSlam {
   slam::OdometryMeter meter_before_;
   slam::StopAlignment alignment_;
   std::vector<std::size_t> first_pings_;  ///< Of each stop of the alignment.
-  geometry::Pose2 T_map_slam_;            ///< At the end of the last stop.
+  /// At the end of the last stop, of which the method may think anew later on.
+  geometry::Pose2 T_map_slam_;
 };
 
 }  // namespace echomap::pipeline

@@ -85,6 +85,20 @@ TEST_F(RobotSlamTest, SurvivesAStopOfNothing) {
   EXPECT_TRUE(slam.stops().empty());
 }
 
+TEST_F(RobotSlamTest, StaysWhereTheLastStopHasItWhenTheMethodMovesTheWholeWay) {
+  slam.begin_stop();
+  ping_at(1.0);
+  slam.end_stop(true);
+  ping_at(1.5);
+  const geometry::Pose2 T_map_robot = slam.T_map_odom() * geometry::Pose2(2.0, 0.0, 0.0);
+  method->T_map_odom = {0.3, 0.8, 0.2};
+  ping_at(2.0);
+  const geometry::Pose2 T_map_moved = slam.T_map_odom() * geometry::Pose2(2.0, 0.0, 0.0);
+  EXPECT_NEAR(T_map_moved.x_m(), T_map_robot.x_m(), 1e-9);
+  EXPECT_NEAR(T_map_moved.y_m(), T_map_robot.y_m(), 1e-9);
+  EXPECT_NEAR(T_map_moved.heading_rad(), T_map_robot.heading_rad(), 1e-9);
+}
+
 /// A stop all round, of a body that turns by `share` more than its odometry says.
 void look_all_round(double share, RobotSlam& slam) {
   const tests::SmoothRoom room = tests::smooth_rectangle();
