@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/pipeline/robot_slam.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
@@ -136,8 +137,21 @@ void RobotSlam::count(const Ping& ping) {
   track_.add(ping.mark.T_odom_robot,
              {{}, ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_width_rad_, 0.0});
   if (!first_pings_.empty() && !slam::is_near(track_.T_map_odom(), T_slam_odom, kSameM, kSameRad)) {
-    T_map_slam_ = anchors().back().T_map_slam();
+    T_map_slam_ = T_map_slam_near(track_.T_map_odom() * ping.mark.T_odom_robot);
   }
+}
+
+Pose2 RobotSlam::T_map_slam_near(const Pose2& T_slam_robot) const {
+  const std::vector<Anchor> anchors = this->anchors();
+  const auto distance_m = [&](const Anchor& anchor) {
+    return (anchor.T_slam_robot.position_m() - T_slam_robot.position_m()).norm();
+  };
+  return std::min_element(anchors.rbegin(),
+                          anchors.rend(),
+                          [&](const Anchor& one, const Anchor& other) {
+                            return distance_m(one) < distance_m(other);
+                          })
+      ->T_map_slam();
 }
 
 void RobotSlam::align_stops(std::size_t first_ping) {

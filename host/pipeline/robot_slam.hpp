@@ -82,6 +82,9 @@ class RobotSlam {
   void align_stops(std::size_t first_ping);
   /// Poses of these pings by the method alone.
   std::vector<geometry::Pose2> T_slam_robots(const std::vector<std::size_t>& pings) const;
+  /// From the method's map to that of the aligned stops, by the anchor nearest to a pose of the
+  /// method, the last one of several: the two maps are bent differently.
+  geometry::Pose2 T_map_slam_near(const geometry::Pose2& T_slam_robot) const;
   /// The first and the last reading at rest of each stand, in the order of time.
   std::vector<Anchor> anchors() const;
 
@@ -99,8 +102,7 @@ class RobotSlam {
   slam::OdometryMeter meter_before_;
   slam::StopAlignment alignment_;
   std::vector<std::size_t> first_pings_;  ///< Of each stop of the alignment.
-  /// At the end of the last stop, of which the method may think anew later on.
-  geometry::Pose2 T_map_slam_;
+  geometry::Pose2 T_map_slam_;            ///< Where the robot is, as far as stops tell.
 };
 
 }  // namespace echomap::pipeline

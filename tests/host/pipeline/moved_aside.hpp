@@ -10,7 +10,7 @@
 namespace echomap::pipeline {
 
 /// SLAM that has every scan a metre to the left of where the odometry has it, or so far as is told.
-class MovedAside final : public slam::SlamMethod {
+class MovedAside : public slam::SlamMethod {
  public:
   void follow(const geometry::Pose2& /*T_odom_robot*/) override { ++followed; }
   void add(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) override {

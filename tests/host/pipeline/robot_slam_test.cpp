@@ -99,6 +99,38 @@ TEST_F(RobotSlamTest, StaysWhereTheLastStopHasItWhenTheMethodMovesTheWholeWay) {
   EXPECT_NEAR(T_map_moved.heading_rad(), T_map_robot.heading_rad(), 1e-9);
 }
 
+/// Whose map is moved by `T_map_far` beyond 5 m.
+class BentMap final : public MovedAside {
+ public:
+  BentMap() { T_map_odom = {}; }
+  localization::PoseGaussian belief() const override { return {trajectory().back(), {}}; }
+  std::vector<geometry::Pose2> trajectory() const override {
+    std::vector<geometry::Pose2> bent = poses;
+    for (geometry::Pose2& pose : bent) {
+      pose = pose.x_m() > 5.0 ? T_map_far * pose : pose;
+    }
+    return bent;
+  }
+
+  geometry::Pose2 T_map_far;
+};
+
+TEST(RobotSlamOfABentMap, GoesByTheStopThatIsNearestNotByTheLastOne) {
+  auto* method = new BentMap;
+  RobotSlam slam{std::unique_ptr<slam::SlamMethod>(method), 0.4};
+  for (const double x_m : {0.0, 10.0}) {
+    slam.begin_stop();
+    slam.follow({x_m, 0.0, 0.0});
+    slam.add_ping({x_m, 0.0, 0.0}, {}, 0.5);
+    slam.end_stop(true);
+  }
+  method->T_map_far = {0.0, 0.5, 0.0};
+  slam.follow({1.0, 0.0, 0.0});
+  slam.add_ping({8.0, 0.0, 0.0}, {}, 0.5);
+  slam.add_ping({1.0, 0.0, 0.0}, {}, 0.5);
+  EXPECT_NEAR((slam.T_map_odom() * geometry::Pose2(1.0, 0.0, 0.0)).y_m(), 0.0, 1e-9);
+}
+
 /// A stop all round, of a body that turns by `share` more than its odometry says.
 void look_all_round(double share, RobotSlam& slam) {
   const tests::SmoothRoom room = tests::smooth_rectangle();
