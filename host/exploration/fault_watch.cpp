@@ -13,7 +13,7 @@ bool has_stalled(MotionResult result) {
   return result == MotionResult::kStalled || result == MotionResult::kTimedOut;
 }
 
-/// Nothing fits where there is no map.
+/// Without a map no echo is known.
 mapping::ScanFit fit_in(const std::shared_ptr<const mapping::OccupancyGrid>& map,
                         const mapping::Scan& scan) {
   return map ? mapping::fit_of(scan, *map) : mapping::ScanFit{};
@@ -73,7 +73,8 @@ std::optional<Finished> FaultWatch::fault_of_scans(const pipeline::Snapshot& sna
   if (snapshot.last_scan_fault == mapping::ScanFault::kStuck) {
     return Finished{FinishReason::kSonarStuck};
   }
-  fits_.push_back({fit_in(map_before_, scan), fit_in(snapshot.grid, scan)});
+  const bool is_in_map = snapshot.last_scan_fault == mapping::ScanFault::kNone;
+  fits_.push_back({fit_in(map_before_, scan), fit_in(is_in_map ? snapshot.grid : nullptr, scan)});
   if (fits_.size() > params_.compared_scans) {
     fits_.pop_front();
   }

@@ -26,7 +26,8 @@ struct FaultWatchParams {
   double mixed_floor_share = 0.1;
   /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans,
   /// so few at least and so many at most, it knows something of so many at least, and has such a
-  /// share of them on floor although these scans are in it. Where all is well it is 0.06 at most.
+  /// share of them on floor although these scans are in it. In 46 simulated tours that were right
+  /// to 5 cm it was 0.06 at most, in most of those that were bent 0.09 to 0.36.
   std::size_t min_compared_scans = 3;
   std::size_t compared_scans = 5;
   std::size_t compared_echoes = 100;
@@ -52,8 +53,8 @@ class FaultWatch final : public Explorer {
   StrategyProducts products() const override { return strategy_->products(); }
 
  private:
-  /// How a scan agrees with the map as it was before it, and with the one that it is in, where the
-  /// alignment may have moved everything.
+  /// How a scan agrees with the map as it was before it, and with the one that it was put into,
+  /// where the alignment may have moved everything. One that was refused is in none.
   struct Fits {
     mapping::ScanFit before;
     mapping::ScanFit after;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "host/pipeline/robot_slam.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
+#include "host/slam/stop_stand.hpp"
 #include "host/slam/turn_calibration.hpp"
 
 namespace echomap::pipeline {
@@ -13,9 +13,11 @@ namespace {
 
 using geometry::Pose2;
 
-/// A method whose correction of odometry changes by less has estimated nothing anew.
-constexpr double kSameM = 1e-9;
-constexpr double kSameRad = 1e-9;
+/// A method that changes its correction of odometry by less has estimated nothing anew.
+constexpr double kSameM = 1e-3;
+constexpr double kSameRad = 1e-3;
+/// Anchors that are nearer to a pose by less are as near: those of one stop.
+constexpr double kSamePlaceM = 0.05;
 
 slam::StopAlignmentParams alignment_for(double beam_width_rad) {
   slam::StopAlignmentParams params;
@@ -133,25 +135,36 @@ std::vector<slam::StopReading> RobotSlam::readings_from(std::size_t first_ping) 
 }
 
 void RobotSlam::count(const Ping& ping) {
-  const Pose2 T_slam_odom = track_.T_map_odom();
-  track_.add(ping.mark.T_odom_robot,
-             {{}, ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_width_rad_, 0.0});
-  if (!first_pings_.empty() && !slam::is_near(track_.T_map_odom(), T_slam_odom, kSameM, kSameRad)) {
-    T_map_slam_ = T_map_slam_near(track_.T_map_odom() * ping.mark.T_odom_robot);
-  }
+  add(ping.mark.T_odom_robot,
+      {{}, ping.T_robot_sonar, {{0.0, ping.range_m}}, beam_width_rad_, 0.0});
 }
 
-Pose2 RobotSlam::T_map_slam_near(const Pose2& T_slam_robot) const {
+void RobotSlam::add(const Pose2& T_calibrated_robot, const sensors::RangeScan& scan) {
+  track_.add(T_calibrated_robot, scan);
+  if (is_at_stop_ || first_pings_.empty() ||
+      slam::is_near(track_.T_map_odom(), T_slam_odom_, kSameM, kSameRad)) {
+    return;
+  }
+  correct_by(nearest_to(track_.T_map_odom() * T_calibrated_robot));
+}
+
+void RobotSlam::correct_by(const Anchor& anchor) {
+  T_map_slam_ = anchor.T_map_slam();
+  T_slam_odom_ = track_.T_map_odom();
+}
+
+RobotSlam::Anchor RobotSlam::nearest_to(const Pose2& T_slam_robot) const {
   const std::vector<Anchor> anchors = this->anchors();
   const auto distance_m = [&](const Anchor& anchor) {
     return (anchor.T_slam_robot.position_m() - T_slam_robot.position_m()).norm();
   };
-  return std::min_element(anchors.rbegin(),
-                          anchors.rend(),
-                          [&](const Anchor& one, const Anchor& other) {
-                            return distance_m(one) < distance_m(other);
-                          })
-      ->T_map_slam();
+  auto nearest = anchors.rbegin();
+  for (auto anchor = anchors.rbegin(); anchor != anchors.rend(); ++anchor) {
+    if (distance_m(*anchor) < distance_m(*nearest) - kSamePlaceM) {
+      nearest = anchor;
+    }
+  }
+  return *nearest;
 }
 
 void RobotSlam::align_stops(std::size_t first_ping) {
@@ -162,7 +175,7 @@ void RobotSlam::align_stops(std::size_t first_ping) {
     pings.push_back(first_pings_[stand.stop] + stand.first);
   }
   alignment_.align(T_slam_robots(pings));
-  T_map_slam_ = anchors().back().T_map_slam();
+  correct_by(anchors().back());
 }
 
 std::vector<Pose2> RobotSlam::T_slam_robots(const std::vector<std::size_t>& pings) const {
@@ -209,8 +222,7 @@ std::vector<Pose2> RobotSlam::trajectory() const {
       ++after;
     }
     if (after == anchors.begin() || after == anchors.end()) {
-      const Anchor& only = after == anchors.end() ? anchors.back() : anchors.front();
-      poses[i] = only.T_map_slam() * poses[i];
+      poses[i] = (after == anchors.end() ? T_map_slam_ : after->T_map_slam()) * poses[i];
       continue;
     }
     const Anchor& before = *(after - 1);

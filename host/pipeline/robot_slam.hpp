@@ -36,7 +36,7 @@ class RobotSlam {
                 const std::optional<double>& range_m);
   /// A scan of the last instant, between two stops. It is not among `points`.
   void add_scan(const geometry::Pose2& T_odom_robot, const sensors::RangeScan& scan) {
-    track_.add(odometry_.T_calibrated_odom() * T_odom_robot, scan);
+    add(odometry_.T_calibrated_odom() * T_odom_robot, scan);
   }
   /// What comes now is held back until the stop's end: the robot stays where it was thought to be.
   void begin_stop();
@@ -45,7 +45,8 @@ class RobotSlam {
 
   /// From odometry to odometry without what is known of its systematic errors.
   const geometry::Pose2& T_calibrated_odom() const { return odometry_.T_calibrated_odom(); }
-  /// The correction of odometry, of the last stop and of the method since then.
+  /// The correction of odometry: of the method, and of the stop that was nearest when it last
+  /// estimated something anew, or after it the last one.
   geometry::Pose2 T_map_odom() const {
     return T_map_slam_ * track_.T_map_odom() * odometry_.T_calibrated_odom();
   }
@@ -79,12 +80,14 @@ class RobotSlam {
   void calibrate_by_stop(std::size_t first_ping);
   std::vector<slam::StopReading> readings_from(std::size_t first_ping) const;
   void count(const Ping& ping);
+  void add(const geometry::Pose2& T_calibrated_robot, const sensors::RangeScan& scan);
   void align_stops(std::size_t first_ping);
   /// Poses of these pings by the method alone.
   std::vector<geometry::Pose2> T_slam_robots(const std::vector<std::size_t>& pings) const;
-  /// From the method's map to that of the aligned stops, by the anchor nearest to a pose of the
-  /// method, the last one of several: the two maps are bent differently.
-  geometry::Pose2 T_map_slam_near(const geometry::Pose2& T_slam_robot) const;
+  /// The anchor nearest to a pose of the method, the last one of several: the method's map and that
+  /// of the aligned stops are bent differently.
+  Anchor nearest_to(const geometry::Pose2& T_slam_robot) const;
+  void correct_by(const Anchor& anchor);
   /// The first and the last reading at rest of each stand, in the order of time.
   std::vector<Anchor> anchors() const;
 
@@ -102,7 +105,10 @@ class RobotSlam {
   slam::OdometryMeter meter_before_;
   slam::StopAlignment alignment_;
   std::vector<std::size_t> first_pings_;  ///< Of each stop of the alignment.
-  geometry::Pose2 T_map_slam_;            ///< Where the robot is, as far as stops tell.
+  /// From the method's map to that of the aligned stops, where the robot is, and the method's
+  /// correction of odometry at that time.
+  geometry::Pose2 T_map_slam_;
+  geometry::Pose2 T_slam_odom_;
 };
 
 }  // namespace echomap::pipeline
