@@ -26,8 +26,8 @@ struct FaultWatchParams {
   double mixed_floor_share = 0.1;
   /// A map that was bent when a wheel slipped contradicts itself: of the echoes of the last scans,
   /// so few at least and so many at most, it knows something of so many at least, and has such a
-  /// share of them on floor although these scans are in it. In 46 simulated tours that were right
-  /// to 5 cm it was 0.06 at most, in most of those that were bent 0.09 to 0.36.
+  /// share of them on floor although these scans are in it. Of 51 simulated tours 24 were right to
+  /// 5 cm and had no scan refused: 0.06 at most. Of 25 that were not, 8 had 0.09 to 0.33.
   std::size_t min_compared_scans = 3;
   std::size_t compared_scans = 5;
   std::size_t compared_echoes = 100;
