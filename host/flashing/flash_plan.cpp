@@ -175,7 +175,7 @@ FlashPlan avrdude_plan(const FlashTarget& target, const std::string& image) {
 }
 
 FlashPlan st_flash_plan(const FlashTarget& target, const std::string& image) {
-  CommandWords command{"st-flash", "--reset", "--format", "ihex"};
+  console::CommandWords command{"st-flash", "--reset", "--format", "ihex"};
   if (!target.serial.empty()) {
     command.insert(command.end(), {"--serial", target.serial});
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host/console/shell_line.hpp"
 #include "host/flashing/flash_boards.hpp"
 #include "host/transport/port_list.hpp"
 #include "host/transport/usb_devices.hpp"
@@ -22,15 +23,12 @@ struct FlashRequest {
   std::string port{};  ///< A path, or id:TEXT for a part of serial number or description; or empty.
 };
 
-/// A program and its arguments.
-using CommandWords = std::vector<std::string>;
-
 /// What will be run.
 struct FlashPlan {
-  std::string place;                ///< Port and what hangs there, in words.
-  std::vector<CommandWords> tries;  ///< One after the other, until one succeeds.
-  std::string package;              ///< The Debian package that holds the program.
-  std::string advice;               ///< What to look at where all fail.
+  std::string place;                         ///< Port and what hangs there, in words.
+  std::vector<console::CommandWords> tries;  ///< One after the other, until one succeeds.
+  std::string package;                       ///< The Debian package that holds the program.
+  std::string advice;                        ///< What to look at where all fail.
 };
 
 /// A board and the place to write to.

@@ -19,7 +19,7 @@ namespace {
 
 /// Runs a program of PATH in this terminal, its stdout on our stderr: ours is for data. The exit
 /// status, or 128 + the signal that ended it.
-int run_in_terminal(const CommandWords& command, const std::string& package) {
+int run_in_terminal(const console::CommandWords& command, const std::string& package) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
   for (const std::string& word : command) {
@@ -46,33 +46,16 @@ int run_in_terminal(const CommandWords& command, const std::string& package) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-bool is_plain(const std::string& word) {
-  static const std::string odd = " \t\n\"'\\$`;&|<>()*?[]#~!{}";
-  return !word.empty() && word.find_first_of(odd) == std::string::npos;
-}
-
 }  // namespace
-
-std::string shell_line(const CommandWords& command) {
-  std::string line;
-  for (const std::string& word : command) {
-    std::string quoted = word;
-    for (std::size_t at = 0; (at = quoted.find('\'', at)) != std::string::npos; at += 4) {
-      quoted.replace(at, 1, "'\\''");
-    }
-    line += (line.empty() ? "" : " ") + (is_plain(word) ? word : "'" + quoted + "'");
-  }
-  return line;
-}
 
 console::ExitCode carry_out(const FlashPlan& plan, bool dry_run) {
   int status = 0;
-  for (const CommandWords& command : plan.tries) {
+  for (const console::CommandWords& command : plan.tries) {
     if (&command != &plan.tries.front()) {
       console::print(dry_run ? "if that fails:"
                              : "that failed; once more, as an old boot loader wants it:");
     }
-    fmt::print("{}\n", shell_line(command));
+    fmt::print("{}\n", console::shell_line(command));
     std::fflush(stdout);
     if (dry_run) {
       continue;

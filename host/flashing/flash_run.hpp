@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include "host/console/exit_code.hpp"
 #include "host/flashing/flash_plan.hpp"
 
 namespace echomap::flashing {
-
-/// A command as a shell reads it.
-std::string shell_line(const CommandWords& command);
 
 /// Prints each command on stdout before it runs it, with the terminal to itself, until one
 /// succeeds; only prints them all where `dry_run`. Throws CommandError 1 where the program is

@@ -32,9 +32,9 @@ const UsbDevice other_st_link{{0x0483, 0x374f}, "STLINK-V3", "003A00"};
 /// The commands, one a line.
 std::string commands(const FlashRequest& request, const AttachedDevices& attached) {
   std::string lines;
-  for (const CommandWords& words :
+  for (const console::CommandWords& words :
        flash_plan(choose_flash_target(request, attached), "x.hex").tries) {
-    lines += shell_line(words) + "\n";
+    lines += console::shell_line(words) + "\n";
   }
   return lines;
 }

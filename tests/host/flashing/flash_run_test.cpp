@@ -109,10 +109,5 @@ TEST_F(FlashRun, NamesThePackageOfAMissingProgram) {
   }
 }
 
-TEST(ShellLine, QuotesWhatAShellWouldTakeApart) {
-  EXPECT_EQ(shell_line({"a", "flash:w:x.hex:i", "b c", "it's", ""}),
-            "a flash:w:x.hex:i 'b c' 'it'\\''s' ''");
-}
-
 }  // namespace
 }  // namespace echomap::flashing
