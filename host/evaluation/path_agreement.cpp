@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/evaluation/clear_floor.hpp"
 #include "host/geometry/parameter_validator.hpp"
-#include "host/mapping/distance_field.hpp"
 
 namespace echomap::evaluation {
 
@@ -38,41 +38,6 @@ constexpr std::int32_t kDiagonalCost = 1414;
 constexpr CellIndex kNeighbours[] = {
     {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
 
-template <class Visit>
-void visit_cells(const RasterMap& map, const Visit& visit) {
-  for (int y = 0; y < map.rows(); ++y) {
-    for (int x = 0; x < map.columns(); ++x) {
-      visit(CellIndex{x, y});
-    }
-  }
-}
-
-/// The map with a margin of one unknown cell.
-RasterMap padded(const RasterMap& map) {
-  return mapping::cut_out(map, {{-1, -1}, {map.columns(), map.rows()}});
-}
-
-/// Takes from `floor` the free cells nearer than `margin_m` to a cell of `map` that `is_obstacle`
-/// takes; both have the same size.
-template <class Predicate>
-void keep_off(const RasterMap& map,
-              const Predicate& is_obstacle,
-              double margin_m,
-              RasterMap& floor) {
-  RasterMap obstacles(map.columns(), map.rows(), map.resolution_m(), map.origin_m());
-  visit_cells(map, [&](CellIndex cell) {
-    if (is_obstacle(map.state(cell))) {
-      obstacles.set(cell, CellState::kOccupied);
-    }
-  });
-  const mapping::DistanceField distances(obstacles, margin_m + map.resolution_m());
-  visit_cells(map, [&](CellIndex cell) {
-    if (map.resolution_m() * static_cast<double>(distances.distance_cells(cell)) < margin_m) {
-      floor.set(cell, CellState::kUnknown);
-    }
-  });
-}
-
 /// The map's cells that paths may use, as free ones.
 RasterMap open_floor(const RasterMap& map, double robot_radius_m) {
   const RasterMap all = padded(map);
@@ -84,25 +49,6 @@ RasterMap open_floor(const RasterMap& map, double robot_radius_m) {
   return floor;
 }
 
-/// Takes the cells of a 4-connected free region out of `floor`, where `seed` is free.
-std::vector<Eigen::Vector2d> take_region_m(CellIndex seed, RasterMap& floor) {
-  std::vector<Eigen::Vector2d> region_m;
-  std::vector<CellIndex> open{seed};
-  while (!open.empty()) {
-    const CellIndex cell = open.back();
-    open.pop_back();
-    if (floor.state(cell) != CellState::kFree) {
-      continue;
-    }
-    floor.set(cell, CellState::kUnknown);
-    region_m.push_back(floor.center_m(cell));
-    for (int i = 0; i < 4; ++i) {
-      open.push_back({cell.x + kNeighbours[i].x, cell.y + kNeighbours[i].y});
-    }
-  }
-  return region_m;
-}
-
 /// Where pairs are sampled, in the world frame.
 std::vector<Eigen::Vector2d> true_floor_m(const RasterMap& truth, double robot_radius_m) {
   const RasterMap all = padded(truth);
@@ -110,12 +56,14 @@ std::vector<Eigen::Vector2d> true_floor_m(const RasterMap& truth, double robot_r
   const auto is_no_floor = [](CellState state) { return state != CellState::kFree; };
   keep_off(all, is_no_floor, robot_radius_m + kOccupiedMarginM, floor);
   std::vector<Eigen::Vector2d> largest_m;
-  visit_cells(all, [&](CellIndex cell) {
-    auto region_m = take_region_m(cell, floor);
-    if (region_m.size() > largest_m.size()) {
-      largest_m = std::move(region_m);
+  for (int y = 0; y < all.rows(); ++y) {
+    for (int x = 0; x < all.columns(); ++x) {
+      auto region_m = take_region_m({x, y}, floor);
+      if (region_m.size() > largest_m.size()) {
+        largest_m = std::move(region_m);
+      }
     }
-  });
+  }
   return largest_m;
 }
 

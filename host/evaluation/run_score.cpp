@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "host/evaluation/floor_outline.hpp"
+#include "host/evaluation/floor_seen.hpp"
 #include "host/evaluation/truth_directory.hpp"
 #include "host/exports/geojson.hpp"
 #include "host/exports/pgm_yaml.hpp"
@@ -37,7 +38,12 @@ RunScore score_run(const std::filesystem::path& run_directory,
     return {score_map(map, T_world_map, truth.map),
             score_obstacles(map, T_world_map, truth.map),
             score_paths(map, T_world_map, truth.map, robot_radius_m),
-            score_outline(outline, T_world_map, floor_m)};
+            score_outline(outline, T_world_map, floor_m),
+            floor_seen(map,
+                       T_world_map,
+                       truth.map.cells,
+                       truth.trajectory.front().T_world_robot.position_m(),
+                       robot_radius_m)};
   };
   try {
     const geometry::Pose2 T_world_start = start_aligned(trajectory, truth.trajectory);

@@ -17,6 +17,7 @@ struct PlacedScore {
   ObstacleAgreement obstacles;
   PathAgreement paths;
   OutlineAgreement outline;
+  double floor_seen = 0.0;  ///< Of the floor that the robot can reach.
 };
 
 /// How good a run's map, trajectory and outline are.
