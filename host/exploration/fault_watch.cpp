@@ -44,7 +44,7 @@ FaultWatch::FaultWatch(std::unique_ptr<Explorer> strategy, const FaultWatchParam
 
 Motion FaultWatch::next(const pipeline::Snapshot& snapshot, MotionResult last) {
   const auto fault = fault_of_scans(snapshot);
-  map_before_ = snapshot.grid;
+  map_before_ = mapping::compared_map(snapshot.grid, *snapshot.scans);
   if (fault) {
     return *fault;
   }

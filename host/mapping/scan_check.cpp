@@ -108,6 +108,24 @@ bool is_elsewhere(std::size_t on_walls,
 
 }  // namespace
 
+std::shared_ptr<const OccupancyGrid> compared_map(std::shared_ptr<const OccupancyGrid> map,
+                                                  const std::vector<Scan>& scans) {
+  constexpr std::size_t kYoungScans = 3;
+  constexpr int kSurelyOccupied = 1000;
+  if (scans.size() >= kYoungScans) {
+    return map;
+  }
+  auto heard = std::make_shared<OccupancyGrid>(*map);
+  for (const Scan& scan : scans) {
+    for (const PlacedReading& reading : scan) {
+      if (const auto echo_m = echo_point_m(reading)) {
+        heard->add(heard->cell_at(*echo_m), kSurelyOccupied);
+      }
+    }
+  }
+  return heard;
+}
+
 ScanFit fit_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params) {
   return agreement_of(scan, map, params).fit;
 }

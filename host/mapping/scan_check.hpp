@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
@@ -41,6 +43,13 @@ struct ScanCheckParams {
   double max_other_share = 0.4;
   int firm_floor_centilogits = -240;
 };
+
+/// What a scan is compared with: the map that the stops of `scans` have made and, as long as they
+/// are fewer than three, what each of them has heard as well. A wall is drawn where stops agree, so
+/// that a young map has floor and hardly a wall, and some of its floor is that of an echo by way of
+/// a wall.
+std::shared_ptr<const OccupancyGrid> compared_map(std::shared_ptr<const OccupancyGrid> map,
+                                                  const std::vector<Scan>& scans);
 
 /// How the echoes of a scan agree with a map.
 struct ScanFit {

@@ -29,7 +29,7 @@ class StopMap {
   void replace_points(mapping::PointCloudMap points);
   /// Why a scan on the map is worthless.
   mapping::ScanFault fault_of(const mapping::Scan& scan) const {
-    return mapping::fault_of(scan, *sonar_grid_);
+    return mapping::fault_of(scan, *mapping::compared_map(sonar_grid_, *scans_));
   }
   /// Adds the readings of one more stop, on the map. `track_m` is where the robot has been so far.
   void add_stop(const mapping::Scan& scan, const std::vector<Eigen::Vector2d>& track_m);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -63,6 +64,34 @@ TEST(ScanCheck, AScanOfThePlaceHasNoFault) {
   EXPECT_EQ(fault_where({1.2, 0.3, 1.0}, {1.2, 0.3, 1.0}), ScanFault::kNone);
   EXPECT_EQ(fault_where({1.2, 0.3, 1.0}, {1.25, 0.26, 1.05}), ScanFault::kNone)
       << "as far off as odometry is between two stops";
+}
+
+/// Of a map without a wall: what its stops have heard is compared as well, as long as they are few.
+TEST(ScanCheck, AYoungMapHasWhatItsStopsHaveHeard) {
+  const auto floor = std::make_shared<OccupancyGrid>();
+  for (geometry::CellIndex cell{-40, -40}; cell.y <= 40; ++cell.y) {
+    for (cell.x = -40; cell.x <= 60; ++cell.x) {
+      floor->add(cell, -200);
+    }
+  }
+  const auto from = [](const Pose2& place) {
+    return scan_from(
+        place, [&](double bearing_rad) { return to_walls_m(place.position_m(), bearing_rad); });
+  };
+  const Scan first = from({0.2, 0.1, 0.0});
+  const Scan next = from({0.8, -0.3, 1.0});
+  EXPECT_EQ(fault_of(next, *floor), ScanFault::kElsewhere);
+  EXPECT_EQ(fault_of(next, *compared_map(floor, {first})), ScanFault::kNone);
+  Scan of_another_room = next;
+  for (PlacedReading& reading : of_another_room) {
+    reading.range_m = 0.45;
+  }
+  EXPECT_EQ(fault_of(of_another_room, *compared_map(floor, {first})), ScanFault::kStuck);
+  for (std::size_t i = 0; i < of_another_room.size(); ++i) {
+    of_another_room[i].range_m = 0.4 + 0.02 * static_cast<double>(i % 7);
+  }
+  EXPECT_EQ(fault_of(of_another_room, *compared_map(floor, {first})), ScanFault::kElsewhere);
+  EXPECT_EQ(compared_map(floor, {first, first, first}), floor) << "it has walls of its own";
 }
 
 /// Every third column of the room's floor is unknown.
