@@ -76,7 +76,21 @@ CostGrid::CostGrid(const RasterMap& map,
              static_cast<std::size_t>(map.rows() + 2)) {
   validate(params);
   inflate(map, params);
-  open_around(map, here_m, params);
+  open_around(map, cell_at(here_m), params.standing_m, params);
+}
+
+void CostGrid::open_along(const RasterMap& map,
+                          const std::vector<Eigen::Vector2d>& been_m,
+                          double reach_m,
+                          const CostGridParams& params) {
+  CellIndex last{-1, -1};
+  for (const Eigen::Vector2d& place_m : been_m) {
+    const CellIndex cell = cell_at(place_m);
+    if (cell != last) {
+      open_around(map, cell, reach_m, params);
+      last = cell;
+    }
+  }
 }
 
 CellIndex CostGrid::cell_at(const Eigen::Vector2d& point_m) const {
@@ -114,13 +128,13 @@ void CostGrid::inflate(const RasterMap& map, const CostGridParams& params) {
 }
 
 void CostGrid::open_around(const RasterMap& map,
-                           const Eigen::Vector2d& here_m,
+                           CellIndex middle,
+                           double reach_m,
                            const CostGridParams& params) {
-  const CellIndex here = cell_at(here_m);
-  const auto reach = static_cast<std::int32_t>(params.standing_m / resolution_m_);
+  const auto reach = static_cast<std::int32_t>(reach_m / resolution_m_);
   for (std::int32_t dy = -reach; dy <= reach; ++dy) {
     for (std::int32_t dx = -reach; dx <= reach; ++dx) {
-      const CellIndex cell{here.x + dx, here.y + dy};
+      const CellIndex cell{middle.x + dx, middle.y + dy};
       const bool is_near = dx * dx + dy * dy <= reach * reach;
       if (is_near && contains(cell) && costs_[index(cell)] == 0 &&
           map.state(cell) != CellState::kOccupied) {

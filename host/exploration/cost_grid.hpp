@@ -43,6 +43,14 @@ class CostGrid {
            const Eigen::Vector2d& here_m,
            const CostGridParams& params);
 
+  /// Opens, at the highest price, the cells within `reach_m` of where the middle of the robot has
+  /// been, but for occupied ones of `map`: it fits through the door that it came by, however narrow
+  /// the map has it.
+  void open_along(const mapping::RasterMap& map,
+                  const std::vector<Eigen::Vector2d>& been_m,
+                  double reach_m,
+                  const CostGridParams& params);
+
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   double resolution_m() const { return resolution_m_; }
@@ -71,7 +79,8 @@ class CostGrid {
  private:
   void inflate(const mapping::RasterMap& map, const CostGridParams& params);
   void open_around(const mapping::RasterMap& map,
-                   const Eigen::Vector2d& here_m,
+                   geometry::CellIndex middle,
+                   double reach_m,
                    const CostGridParams& params);
 
   int columns_;

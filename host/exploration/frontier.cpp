@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <variant>
 
+#include "host/exploration/coverage.hpp"
 #include "host/exploration/frontier_search.hpp"
+#include "host/exploration/planning_map.hpp"
 #include "host/exploration/unwinding_turn.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
@@ -31,6 +32,8 @@ void validate(const FrontierParams& params) {
       .positive("viewpoints.min_gain_m2", params.viewpoints.min_gain_m2)
       .at_least("back_off_m", params.back_off_m, 0.0)
       .positive("obstacle_m", params.obstacle_m)
+      .positive("fine_gain_m2", params.fine_gain_m2)
+      .at_least("enough_share", params.enough_share, 0.0)
       .at_least("openings_apart_m", params.openings_apart_m, 0.0)
       .positive("openings.step_m", params.openings.step_m)
       .positive("openings.half_width_m", params.openings.half_width_m)
@@ -39,34 +42,11 @@ void validate(const FrontierParams& params) {
       .positive("max_stops", params.max_stops);
 }
 
-/// Makes the cells within `radius_m` of a point so, of those that are in `from`.
-void draw_disc(RasterMap& map,
-               const Eigen::Vector2d& at_m,
-               double radius_m,
-               std::initializer_list<CellState> from,
-               CellState state) {
-  const CellIndex low = map.cell_at(at_m.array() - radius_m);
-  const CellIndex high = map.cell_at(at_m.array() + radius_m);
-  for (std::int32_t y = low.y; y <= high.y; ++y) {
-    for (std::int32_t x = low.x; x <= high.x; ++x) {
-      const bool is_in = (map.center_m({x, y}) - at_m).norm() <= radius_m;
-      const bool is_from = std::find(from.begin(), from.end(), map.state({x, y})) != from.end();
-      if (is_in && is_from && map.contains({x, y})) {
-        map.set({x, y}, state);
-      }
-    }
-  }
-}
-
-/// The map with room around it for what looks may have reached, with what has stopped the robot,
-/// and with floor where it stands.
-RasterMap planning_map(const pipeline::Snapshot& snapshot,
-                       const std::vector<Eigen::Vector2d>& bumps_m,
-                       const FrontierParams& params) {
-  const RasterMap known = mapping::rasterize(*snapshot.grid);
-  const auto margin = 1 + static_cast<std::int32_t>(params.gain.depth_m / known.resolution_m());
-  RasterMap map = mapping::cut_out(
-      known, {{-margin, -margin}, {known.columns() - 1 + margin, known.rows() - 1 + margin}});
+/// The map with what has stopped the robot.
+RasterMap map_with(const std::vector<Eigen::Vector2d>& bumps_m,
+                   const pipeline::Snapshot& snapshot,
+                   const FrontierParams& params) {
+  RasterMap map = planning_map(snapshot, params.gain.depth_m, params.costs.robot_radius_m);
   for (const Eigen::Vector2d& bump_m : bumps_m) {
     draw_disc(map,
               bump_m,
@@ -74,11 +54,6 @@ RasterMap planning_map(const pipeline::Snapshot& snapshot,
               {CellState::kFree, CellState::kUnknown},
               CellState::kOccupied);
   }
-  draw_disc(map,
-            snapshot.latest.T_map_robot.position_m(),
-            params.costs.robot_radius_m,
-            {CellState::kUnknown},
-            CellState::kFree);
   return map;
 }
 
@@ -165,18 +140,16 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
     failures_ = 0;
   }
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
-  const RasterMap map = planning_map(snapshot, bumps_m_, params_);
+  const RasterMap map = map_with(bumps_m_, snapshot, params_);
   const CellIndex here = map.cell_at(T_map_robot.position_m());
-  costs_.emplace(map, T_map_robot.position_m(), params_.costs);
+  costs_ = costs_on(map, snapshot, params_.costs);
   travel_.search(*costs_, here);
-  goal_ = choose_viewpoint(*costs_,
-                           travel_,
-                           find_frontiers(map, here),
-                           ViewGain(map, views_, params_.gain),
-                           T_map_robot,
-                           params_.viewpoints);
+  goal_ = choose_look(map, snapshot, params_.viewpoints.min_gain_m2);
   if (!goal_) {
     goal_ = choose_opening(map, snapshot);
+  }
+  if (!goal_ && !has_seen_enough(snapshot)) {
+    goal_ = choose_look(map, snapshot, params_.fine_gain_m2);
   }
   if (!goal_) {
     return Finished{FinishReason::kComplete};
@@ -186,6 +159,27 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
   patience_ = max_motions(goal_->cost_m, params_.follower);
   phase_ = Phase::kDriving;
   return drive_on(snapshot);
+}
+
+std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
+                                               const pipeline::Snapshot& snapshot,
+                                               double min_gain_m2) {
+  ViewpointParams viewpoints = params_.viewpoints;
+  viewpoints.min_gain_m2 = min_gain_m2;
+  const Pose2& T_map_robot = snapshot.latest.T_map_robot;
+  return choose_viewpoint(*costs_,
+                          travel_,
+                          find_frontiers(map, map.cell_at(T_map_robot.position_m())),
+                          ViewGain(map, views_of(*snapshot.scans), params_.gain),
+                          T_map_robot,
+                          viewpoints);
+}
+
+bool Frontier::has_seen_enough(const pipeline::Snapshot& snapshot) const {
+  CoverageParams coverage;
+  coverage.costs = params_.costs;
+  coverage.gain = params_.gain;
+  return coverage_of(snapshot, coverage).share() >= params_.enough_share;
 }
 
 /// The nearest that was not tried. The floor right behind it is supposed to be there, until
@@ -208,7 +202,7 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   RasterMap stepped = map;
   const double radius_m = params_.openings.step_m + 2.0 * map.resolution_m();
   draw_disc(stepped, nearest->at_m, radius_m, {CellState::kUnknown}, CellState::kFree);
-  costs_.emplace(stepped, snapshot.latest.T_map_robot.position_m(), params_.costs);
+  costs_ = costs_on(stepped, snapshot, params_.costs);
   return nearest;
 }
 
@@ -241,7 +235,6 @@ void Frontier::plan_sweep(const pipeline::Snapshot& snapshot, const BestView& vi
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   phase_ = Phase::kSensing;
   sweeps_done_ = 0;
-  views_.push_back({T_map_robot.position_m(), view.middle_rad, 0.5 * view.width_rad});
   if (is_full_turn(view.width_rad)) {
     plan_ = stop_sweep(params_.sweep, snapshot.stops, T_map_robot.heading_rad() > 0.0);
   } else {

@@ -36,6 +36,10 @@ struct FrontierParams {
   double back_off_m = 0.1;
   /// Assumed width of an obstacle that stopped the robot.
   double obstacle_m = 0.2;
+  /// Where no look promises viewpoints.min_gain_m2 and no opening is left, those that promise so
+  /// much count as long as the map has less than this share of what the robot can reach.
+  double fine_gain_m2 = 0.03;
+  double enough_share = 0.97;
   /// An opening so near to one that was chosen before, or to a bump, is the same one.
   double openings_apart_m = 0.3;
   /// Give up after more motions that failed than this since the last stop, or since an opening was
@@ -62,6 +66,10 @@ class Frontier final : public Explorer {
   void remember_obstacle(const pipeline::Snapshot& snapshot);
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
   Motion decide(const pipeline::Snapshot& snapshot);
+  std::optional<Viewpoint> choose_look(const mapping::RasterMap& map,
+                                       const pipeline::Snapshot& snapshot,
+                                       double min_gain_m2);
+  bool has_seen_enough(const pipeline::Snapshot& snapshot) const;
   std::optional<Viewpoint> choose_opening(const mapping::RasterMap& map,
                                           const pipeline::Snapshot& snapshot);
   bool was_tried(const Eigen::Vector2d& opening_m, const mapping::RasterMap& map) const;
@@ -78,7 +86,6 @@ class Frontier final : public Explorer {
   Phase phase_ = Phase::kStarting;
   std::deque<Motion> plan_;
   std::optional<Viewpoint> goal_;
-  std::vector<PastView> views_;
   std::vector<Eigen::Vector2d> openings_m_;  ///< Those that were chosen, reached or not.
   std::vector<Eigen::Vector2d> bumps_m_;     ///< What has stopped the robot.
   std::size_t patience_ = 0;                 ///< Motions that the way may still take.

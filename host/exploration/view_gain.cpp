@@ -30,7 +30,42 @@ std::int32_t rounded_down(double value) {
   return towards_zero - (value < towards_zero ? 1 : 0);
 }
 
+/// All round but for the widest gap between two bearings, where that is wider than a beam.
+PastView view_of(const mapping::Scan& scan) {
+  constexpr double kBeamRad = 0.45;
+  std::vector<double> bearings_rad;
+  Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
+  for (const mapping::PlacedReading& reading : scan) {
+    bearings_rad.push_back(geometry::wrap_angle(reading.T_map_sonar.heading_rad()));
+    sum_m += reading.T_map_sonar.position_m();
+  }
+  std::sort(bearings_rad.begin(), bearings_rad.end());
+  double first_rad = bearings_rad.front();
+  double gap_rad = kFullTurnRad - (bearings_rad.back() - bearings_rad.front());
+  for (std::size_t i = 1; i < bearings_rad.size(); ++i) {
+    if (bearings_rad[i] - bearings_rad[i - 1] > gap_rad) {
+      first_rad = bearings_rad[i];
+      gap_rad = bearings_rad[i] - bearings_rad[i - 1];
+    }
+  }
+  const double half_width_rad =
+      gap_rad > kBeamRad ? 0.5 * (kFullTurnRad - gap_rad) : std::numbers::pi;
+  return {sum_m / static_cast<double>(scan.size()),
+          geometry::wrap_angle(first_rad + 0.5 * (kFullTurnRad - gap_rad)),
+          half_width_rad};
+}
+
 }  // namespace
+
+std::vector<PastView> views_of(const std::vector<mapping::Scan>& scans) {
+  std::vector<PastView> views;
+  for (const mapping::Scan& scan : scans) {
+    if (!scan.empty()) {
+      views.push_back(view_of(scan));
+    }
+  }
+  return views;
+}
 
 ViewGain::ViewGain(const mapping::RasterMap& map,
                    const std::vector<PastView>& past,

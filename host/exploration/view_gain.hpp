@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "host/mapping/placed_reading.hpp"
 #include "host/mapping/raster_map.hpp"
 
 namespace echomap::exploration {
@@ -35,6 +36,10 @@ struct PastView {
   double half_width_rad = 0.0;  ///< Half of what the sweep covered, at most pi.
 };
 
+/// What has been looked at: a view for each scan of a stop that has a reading, from where the map
+/// has the stop now.
+std::vector<PastView> views_of(const std::vector<mapping::Scan>& scans);
+
 /// Where a sweep would show most.
 struct BestView {
   double gain_m2 = 0.0;
@@ -57,6 +62,8 @@ class ViewGain {
 
   /// Square metres by sector, from -pi on.
   std::vector<double> by_sector_m2(const Eigen::Vector2d& from_m) const;
+  /// How much of an unknown cell of the map counts, from 0 to 1.
+  double worth(geometry::CellIndex cell) const { return static_cast<double>(worth_[index(cell)]); }
 
  private:
   template <typename Visitor>

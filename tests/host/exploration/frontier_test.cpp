@@ -124,7 +124,22 @@ pipeline::Snapshot silent_corridor(int known_cells = 30) {
 FrontierParams no_look_is_worth_it() {
   FrontierParams params;
   params.viewpoints.min_gain_m2 = 100.0;
+  params.fine_gain_m2 = 100.0;
   return params;
+}
+
+TEST(Frontier, LooksOnForLessUntilTheMapHasEnough) {
+  FrontierParams params = no_look_is_worth_it();
+  params.openings.far_m = 0.01;  // None is seen.
+  for (const double fine_m2 : {100.0, 0.03}) {
+    params.fine_gain_m2 = fine_m2;
+    Frontier explorer(params);
+    const auto motion = first_move(explorer, told(open_room(), {}));
+    EXPECT_EQ(std::holds_alternative<Finished>(motion), fine_m2 > 1.0);
+  }
+  params.enough_share = 0.0;
+  Frontier satisfied(params);
+  EXPECT_TRUE(std::holds_alternative<Finished>(first_move(satisfied, told(open_room(), {}))));
 }
 
 TEST(Frontier, StepsOnceIntoAnOpeningWhereNoLookIsWorthIt) {

@@ -47,6 +47,25 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+/// A scan of (1, 2) over the bearings from one to the other, 4 degrees apart.
+mapping::Scan scan_over(int from_deg, int to_deg) {
+  mapping::Scan scan;
+  for (int deg = from_deg; deg <= to_deg; deg += 4) {
+    const geometry::Pose2 at(1.0, 2.0, radians(deg));
+    scan.push_back({at, at, std::nullopt});
+  }
+  return scan;
+}
+
+TEST(ViewsOf, AreWhatEachScanHasLookedAt) {
+  const auto views = views_of({scan_over(-180, 179), {}, scan_over(120, 240)});
+  ASSERT_EQ(views.size(), 2U) << "a scan without a reading is none";
+  EXPECT_NEAR((views[0].from_m - Eigen::Vector2d(1.0, 2.0)).norm(), 0.0, 1e-9);
+  EXPECT_DOUBLE_EQ(views[0].half_width_rad, std::numbers::pi);
+  EXPECT_NEAR(std::abs(views[1].middle_rad), std::numbers::pi, 1e-9);
+  EXPECT_NEAR(views[1].half_width_rad, radians(60.0), 1e-9);
+}
+
 TEST(ViewGain, IsTheAreaOfTheUnknownFloorInSightUpToItsDepth) {
   const RasterMap map = open_to_the_right();
   const auto gain_m2 = ViewGain(map, {}, plain()).by_sector_m2({0.0, 0.0});

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/coverage.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <utility>
+
+#include "host/exploration/planning_map.hpp"
+#include "host/geometry/parameter_validator.hpp"
+#include "host/mapping/distance_field.hpp"
+
+namespace echomap::exploration {
+
+namespace {
+
+using geometry::CellIndex;
+using mapping::CellState;
+using mapping::DistanceField;
+using mapping::RasterMap;
+
+/// A value for each cell of a map.
+template <class T>
+class CellValues {
+ public:
+  CellValues(const RasterMap& map, T value)
+      : columns_(static_cast<std::size_t>(map.columns())),
+        values_(columns_ * static_cast<std::size_t>(map.rows()), value) {}
+  T& operator[](CellIndex cell) {
+    return values_[static_cast<std::size_t>(cell.y) * columns_ + static_cast<std::size_t>(cell.x)];
+  }
+
+ private:
+  std::size_t columns_;
+  std::vector<T> values_;
+};
+
+template <class Visitor>
+void for_each_cell(const RasterMap& map, Visitor&& visit) {
+  for (std::int32_t y = 0; y < map.rows(); ++y) {
+    for (std::int32_t x = 0; x < map.columns(); ++x) {
+      visit(CellIndex{x, y});
+    }
+  }
+}
+
+template <class Visitor>
+void for_each_side(const RasterMap& map, CellIndex cell, Visitor&& visit) {
+  constexpr CellIndex kSides[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  for (const CellIndex side : kSides) {
+    const CellIndex next{cell.x + side.x, cell.y + side.y};
+    if (map.contains(next)) {
+      visit(next);
+    }
+  }
+}
+
+/// The cells that hang together with `seed` by sides and that `belongs` has; each is taken once.
+template <class Belongs>
+std::vector<CellIndex> joined_to(const RasterMap& map,
+                                 CellIndex seed,
+                                 CellValues<char>& is_taken,
+                                 Belongs&& belongs) {
+  std::vector<CellIndex> cells{seed};
+  is_taken[seed] = 1;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for_each_side(map, cells[i], [&](CellIndex next) {
+      if (is_taken[next] == 0 && belongs(next)) {
+        is_taken[next] = 1;
+        cells.push_back(next);
+      }
+    });
+  }
+  return cells;
+}
+
+/// Where the middle of the robot can be: the open cells that hang together with a place where it
+/// has been.
+CellValues<char> reach_of(const RasterMap& map,
+                          const CostGrid& costs,
+                          const pipeline::Snapshot& snapshot) {
+  CellValues<char> is_reached(map, 0);
+  const auto is_open = [&](CellIndex cell) { return costs.is_open(cell); };
+  for (const Eigen::Vector2d& seed_m : places_of(snapshot)) {
+    const CellIndex seed = map.cell_at(seed_m);
+    if (is_open(seed) && is_reached[seed] == 0) {
+      joined_to(map, seed, is_reached, is_open);
+    }
+  }
+  return is_reached;
+}
+
+/// How far each cell is from those that are marked.
+DistanceField distance_to(const RasterMap& map, CellValues<char>& is_marked, double max_m) {
+  RasterMap marked = map;
+  for_each_cell(map, [&](CellIndex cell) {
+    marked.set(cell, is_marked[cell] != 0 ? CellState::kOccupied : CellState::kUnknown);
+  });
+  return {marked, max_m};
+}
+
+/// Marks the unknown cells within so many steps of floor that was seen.
+CellValues<char> unknown_beside(const RasterMap& map, CellValues<char>& is_seen, int steps) {
+  CellValues<char> is_beside(map, 0);
+  std::vector<CellIndex> edge;
+  for_each_cell(map, [&](CellIndex cell) {
+    if (is_seen[cell] != 0) {
+      edge.push_back(cell);
+    }
+  });
+  for (int step = 0; step < steps; ++step) {
+    std::vector<CellIndex> next_edge;
+    for (const CellIndex cell : edge) {
+      for_each_side(map, cell, [&](CellIndex next) {
+        if (is_beside[next] == 0 && map.state(next) == CellState::kUnknown) {
+          is_beside[next] = 1;
+          next_edge.push_back(next);
+        }
+      });
+    }
+    edge = std::move(next_edge);
+  }
+  return is_beside;
+}
+
+/// Expects as much floor of each unknown cell as it counts for.
+double unseen_m2(const RasterMap& map, CellValues<char>& is_beside, const ViewGain& gain) {
+  double area_m2 = 0.0;
+  for_each_cell(map,
+                [&](CellIndex cell) { area_m2 += is_beside[cell] != 0 ? gain.worth(cell) : 0.0; });
+  return area_m2 * map.resolution_m() * map.resolution_m();
+}
+
+/// The pieces of it that count for something.
+std::vector<UnseenPlace> unseen_places(const RasterMap& map,
+                                       CellValues<char>& is_beside,
+                                       const ViewGain& gain,
+                                       const CoverageParams& params) {
+  const double cell_m2 = map.resolution_m() * map.resolution_m();
+  const auto counts = [&](CellIndex cell) {
+    return is_beside[cell] != 0 && gain.worth(cell) >= params.min_worth;
+  };
+  std::vector<UnseenPlace> places;
+  CellValues<char> is_taken(map, 0);
+  for_each_cell(map, [&](CellIndex seed) {
+    if (is_taken[seed] != 0 || !counts(seed)) {
+      return;
+    }
+    UnseenPlace place;
+    for (const CellIndex cell : joined_to(map, seed, is_taken, counts)) {
+      const double area_m2 = cell_m2 * gain.worth(cell);
+      place.at_m += area_m2 * map.center_m(cell);
+      place.area_m2 += area_m2;
+    }
+    place.at_m /= place.area_m2;
+    if (place.area_m2 >= params.min_place_m2) {
+      places.push_back(place);
+    }
+  });
+  return places;
+}
+
+/// The way over free floor, however narrow, that keeps farthest from what is occupied: where it
+/// comes nearest. Searched from `from` to the nearest cell that `is_goal`.
+template <class IsGoal>
+std::optional<NarrowGap> narrowest_on_the_widest_way(const RasterMap& map,
+                                                     const DistanceField& to_occupied,
+                                                     CellIndex from,
+                                                     IsGoal&& is_goal) {
+  struct Step {
+    float clearance_cells;
+    CellIndex cell;
+    CellIndex narrowest;
+    bool operator<(const Step& other) const { return clearance_cells < other.clearance_cells; }
+  };
+  CellValues<char> is_done(map, 0);
+  std::priority_queue<Step> steps;
+  steps.push({to_occupied.distance_cells(from), from, from});
+  while (!steps.empty()) {
+    const Step step = steps.top();
+    steps.pop();
+    if (std::exchange(is_done[step.cell], 1) != 0) {
+      continue;
+    }
+    if (is_goal(step.cell)) {
+      const double clearance_m =
+          (static_cast<double>(step.clearance_cells) - 0.5) * map.resolution_m();
+      return NarrowGap{map.center_m(step.narrowest), 2.0 * std::max(0.0, clearance_m), 0.0};
+    }
+    for_each_side(map, step.cell, [&](CellIndex next) {
+      if (is_done[next] == 0 && map.state(next) == CellState::kFree) {
+        const float clearance_cells = to_occupied.distance_cells(next);
+        const bool is_narrower = clearance_cells < step.clearance_cells;
+        steps.push({std::min(clearance_cells, step.clearance_cells),
+                    next,
+                    is_narrower ? next : step.narrowest});
+      }
+    });
+  }
+  return std::nullopt;
+}
+
+/// Of each piece of free floor that was not seen from the reach of the robot and leads there.
+std::vector<NarrowGap> narrow_gaps(const RasterMap& map,
+                                   CellValues<char>& is_reached,
+                                   CellValues<char>& is_seen,
+                                   const CoverageParams& params) {
+  const double far_m = 2.0 * (params.costs.robot_radius_m + params.costs.clearance_m) + 0.5;
+  const DistanceField to_occupied(map, far_m);
+  const double cell_m2 = map.resolution_m() * map.resolution_m();
+  std::vector<NarrowGap> gaps;
+  CellValues<char> is_taken(map, 0);
+  for_each_cell(map, [&](CellIndex seed) {
+    const auto is_behind = [&](CellIndex cell) {
+      return map.state(cell) == CellState::kFree && is_seen[cell] == 0;
+    };
+    if (is_taken[seed] != 0 || !is_behind(seed)) {
+      return;
+    }
+    const auto piece = joined_to(map, seed, is_taken, is_behind);
+    const double area_m2 = cell_m2 * static_cast<double>(piece.size());
+    if (area_m2 < params.min_place_m2) {
+      return;
+    }
+    const CellIndex widest =
+        *std::max_element(piece.begin(), piece.end(), [&](CellIndex one, CellIndex other) {
+          return to_occupied.distance_cells(one) < to_occupied.distance_cells(other);
+        });
+    auto gap = narrowest_on_the_widest_way(
+        map, to_occupied, widest, [&](CellIndex cell) { return is_reached[cell] != 0; });
+    if (gap) {
+      gap->behind_m2 = area_m2;
+      gaps.push_back(*gap);
+    }
+  });
+  return gaps;
+}
+
+}  // namespace
+
+double Coverage::share() const { return seen_m2 > 0.0 ? seen_m2 / (seen_m2 + unseen_m2) : 0.0; }
+
+Coverage coverage_of(const pipeline::Snapshot& snapshot, const CoverageParams& params) {
+  geometry::ParameterValidator("coverage")
+      .positive("corner_radii", params.corner_radii)
+      .at_least("min_place_m2", params.min_place_m2, 0.0);
+  const RasterMap map = planning_map(snapshot, params.gain.depth_m, params.costs.robot_radius_m);
+  CellValues<char> is_reached = reach_of(map, costs_on(map, snapshot, params.costs), snapshot);
+  const double reach_m = params.corner_radii * params.costs.robot_radius_m;
+  const DistanceField to_reach = distance_to(map, is_reached, reach_m + map.resolution_m());
+  const auto reach_cells = static_cast<float>(reach_m / map.resolution_m());
+  CellValues<char> is_seen(map, 0);
+  Coverage coverage;
+  for_each_cell(map, [&](CellIndex cell) {
+    if (map.state(cell) == CellState::kFree && to_reach.distance_cells(cell) <= reach_cells) {
+      is_seen[cell] = 1;
+      coverage.seen_m2 += map.resolution_m() * map.resolution_m();
+    }
+  });
+
+  const auto steps = static_cast<int>(params.gain.depth_m / map.resolution_m());
+  CellValues<char> is_beside = unknown_beside(map, is_seen, steps);
+  const ViewGain gain(map, views_of(*snapshot.scans), params.gain);
+  coverage.unseen_m2 = unseen_m2(map, is_beside, gain);
+  coverage.places = unseen_places(map, is_beside, gain, params);
+  std::stable_sort(coverage.places.begin(), coverage.places.end(), [](auto& one, auto& other) {
+    return one.area_m2 > other.area_m2;
+  });
+  coverage.gaps = narrow_gaps(map, is_reached, is_seen, params);
+  std::stable_sort(coverage.gaps.begin(), coverage.gaps.end(), [](auto& one, auto& other) {
+    return one.behind_m2 > other.behind_m2;
+  });
+  return coverage;
+}
+
+}  // namespace echomap::exploration
