@@ -26,6 +26,19 @@ namespace {
 using console::CommandError;
 using console::ExitCode;
 
+constexpr const char* kExitCodes =
+    "Exit codes:\n"
+    "  0    what was asked for is there\n"
+    "  1    runtime error\n"
+    "  2    wrong usage\n"
+    "  3    no robot, or more than one\n"
+    "  4    the firmware is of another version\n"
+    "  5    the link to the robot is lost\n"
+    "  6    a configuration is invalid\n"
+    "  7    safety stop: stuck, lifted, battery low, a wheel out of control\n"
+    "  8    ended, but unfinished: what is missing is said\n"
+    "  130  interrupted";
+
 void set_up_logging(bool verbose, bool quiet) {
   auto logger =
       std::make_shared<spdlog::logger>("echomap", std::make_shared<console::LogSink>(stderr));
@@ -87,6 +100,7 @@ ExitCode run_command_line(int argc, char** argv) {
   CLI::App app("echomap: map a room and localize in it with a cheap robot", "echomap");
   app.set_version_flag("--version", "echomap " ECHOMAP_VERSION);
   app.require_subcommand(1);
+  app.footer(kExitCodes);
   bool verbose = false;
   bool quiet = false;
   app.add_flag("-v,--verbose", verbose, "Print debug messages on stderr");

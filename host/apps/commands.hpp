@@ -28,6 +28,7 @@ struct RunOptions {
   std::uint32_t seed = 1;
   std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
   std::filesystem::path json;  ///< Empty: none; "-": stdout.
+  bool force = false;          ///< Overwrite a run that `out` has in it.
   bool headless = false;
   bool align = true;  ///< Turn the pictures to the room's main direction.
 };
@@ -71,6 +72,7 @@ struct ReplayOptions {
   bool align = true;  ///< Turn the pictures to the room's main direction.
   std::filesystem::path out;
   std::filesystem::path json;
+  bool force = false;  ///< Overwrite a run that `out` has in it.
   bool headless = false;
 };
 ExitCode run_replay(const ReplayOptions& options);

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
 #include "host/apps/demo_kidnap.hpp"
 #include "host/apps/explore_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/console/print.hpp"
+#include "host/console/shell_line.hpp"
 #include "host/evaluation/run_score.hpp"
 #include "host/evaluation/truth_directory.hpp"
 #include "host/files/bundled_files.hpp"
@@ -63,9 +63,32 @@ std::string add_scores(RobotContext& robot,
   }
 }
 
+/// What is there to do with a simulated robot's map; the room is the same with the next seed.
+NextCommands next_commands(const DemoOptions& options, const std::filesystem::path& out) {
+  const console::CommandWords score{"echomap",
+                                    "eval",
+                                    out.string(),
+                                    "--truth",
+                                    (out / "truth").string(),
+                                    "--picture",
+                                    (out / "score.png").string()};
+  const RunOptions usual;
+  if (options.run.strategy.stops == usual.strategy.stops &&
+      options.run.strategy.name == usual.strategy.name) {
+    return {console::shell_line(score), console::shell_line(score)};
+  }
+  return {console::shell_line(score),
+          console::shell_line({"echomap",
+                               "demo",
+                               "--world",
+                               options.robot.world,
+                               "--emulator",
+                               options.robot.emulator})};
+}
+
 /// How a drive has ended, and what became of a robot that was carried off behind it.
 struct DemoDrive {
-  ExitCode code = ExitCode::kOk;
+  RunEnding ending;
   std::optional<DemoKidnap> kidnap;
 };
 
@@ -73,38 +96,52 @@ DemoDrive drive(RobotContext& robot,
                 const DemoOptions& options,
                 const std::filesystem::path& out,
                 exports::RunSummary& summary) {
-  DemoDrive drive;
-  drive.code = explore_and_save(
-      robot, {options.run.strategy, out, !options.run.headless, options.run.align}, summary);
-  if (drive.code != ExitCode::kOk || options.no_kidnap || !robot.profile().has_sonar) {
+  const NextCommands next = next_commands(options, out);
+  DemoDrive drive{
+      explore_and_save(robot,
+                       {options.run.strategy, out, !options.run.headless, options.run.align, next},
+                       summary),
+      std::nullopt};
+  if (!drive.ending.finished() || options.no_kidnap || !robot.profile().has_sonar) {
     return drive;
   }
   robot.end_maps();
   drive.kidnap = show_kidnap(robot, options.run.slam);
   if (const auto end = robot.session().end()) {
-    spdlog::error("the map is saved; relocalization stopped early: {}",
-                  robot.session().end_reason());
-    drive.code = exit_code_of(*end);
+    drive.ending =
+        ending_of(*end, "relocalization stopped early: " + robot.session().end_reason(), next);
   }
   return drive;
 }
 
-/// Ends the robot and writes the report; answers why there are no scores, empty where there are.
-std::string report_on(const std::optional<DemoKidnap>& kidnap,
-                      RobotContext& robot,
-                      const std::filesystem::path& truth,
-                      const std::filesystem::path& out,
-                      const std::filesystem::path& json,
-                      const exports::RunSummary& summary) {
-  auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
-  std::string unscored = add_scores(robot, out, truth, report);
-  if (kidnap && unscored.empty()) {
-    report["kidnap"] = kidnap_report(*kidnap, evaluation::read_truth(truth).trajectory);
-    console::print(kidnap_line(report["kidnap"]));
+/// Ends the robot and writes the report; answers how the demo has ended.
+RunEnding report_on(const DemoDrive& drive,
+                    RobotContext& robot,
+                    const std::filesystem::path& truth,
+                    const std::filesystem::path& out,
+                    const std::filesystem::path& json,
+                    exports::RunSummary& summary) {
+  RunEnding ending = drive.ending;
+  auto scores = nlohmann::ordered_json::object();
+  const std::string unscored = add_scores(robot, out, truth, scores);
+  if (drive.kidnap && unscored.empty()) {
+    scores["kidnap"] = kidnap_report(*drive.kidnap, evaluation::read_truth(truth).trajectory);
+    console::print(kidnap_line(scores["kidnap"]));
+    if (ending.finished() && !scores["kidnap"]["found"].get<bool>()) {
+      ending.code = ExitCode::kUnfinished;
+      ending.why += "; carried off, it did not find its place in it again";
+    }
   }
+  if (ending.finished() && !unscored.empty()) {
+    ending.code = ExitCode::kRuntimeError;
+    ending.why = "the map has no score: " + unscored;
+  }
+  describe_ending(ending, summary);
+  auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
+  report.update(scores);
   write_report(out / "summary.json", report);
   write_report(json, report);
-  return unscored;
+  return ending;
 }
 
 }  // namespace
@@ -114,7 +151,7 @@ ExitCode run_demo(const DemoOptions& options) {
   RobotProfile profile = profile_for(run.robot, run.strategy);
   const auto body = body_of(options.robot.body, profile);
   const auto out = run_folder(run.out);
-  prepare_outputs(out, run.json);
+  prepare_outputs(out, run.json, run.force);
   const session::Seed seed(run.seed);
   session::SimulatedRobot simulated(options.robot, seed, body, out);
   RobotContext robot(std::move(profile), seed);
@@ -126,13 +163,9 @@ ExitCode run_demo(const DemoOptions& options) {
   const DemoDrive driven = drive(robot, options, out, summary);
   console::print("map: " + (out / "map.png").string());
   print_what_ran(summary);
-  const std::string unscored =
-      report_on(driven.kidnap, robot, simulated.truth(), out, run.json, summary);
-  if (unscored.empty()) {
-    return driven.code;
-  }
-  spdlog::error("the map has no score: {}", unscored);
-  return driven.code == ExitCode::kOk ? ExitCode::kRuntimeError : driven.code;
+  const RunEnding ending = report_on(driven, robot, simulated.truth(), out, run.json, summary);
+  print_ending(ending);
+  return ending.code;
 }
 
 }  // namespace echomap::apps

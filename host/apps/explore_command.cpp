@@ -1,28 +1,58 @@
 // SPDX-License-Identifier: MIT
+#include <filesystem>
+
 #include <nlohmann/json.hpp>
 
 #include "host/apps/commands.hpp"
 #include "host/apps/explore_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/console/print.hpp"
+#include "host/console/shell_line.hpp"
 
 namespace echomap::apps {
+namespace {
+
+bool is_same_folder(const std::filesystem::path& one, const std::filesystem::path& other) {
+  return exists(one) && exists(other) && equivalent(one, other);
+}
+
+/// With the words that name the robot.
+NextCommands next_commands(const ExploreOptions& options, const std::string& out) {
+  console::CommandWords robot;
+  for (const std::string& port : options.connection.ports) {
+    robot.insert(robot.end(), {"--port", port});
+  }
+  if (options.run.robot != RunOptions().robot) {
+    robot.insert(robot.end(), {"--robot", options.run.robot});
+  }
+  const auto line = [&](const char* command, const console::CommandWords& more) {
+    console::CommandWords words{"echomap", command};
+    words.insert(words.end(), robot.begin(), robot.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return console::shell_line(words);
+  };
+  return {line("localize", {"--map", out}), line("explore", {"--resume", out, "--out", out})};
+}
+
+}  // namespace
 
 ExitCode run_explore(const ExploreOptions& options) {
   const RunOptions& run = options.run;
   session::RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
   ExploreRun explore{run.strategy, run_folder(run.out), !run.headless, run.align};
+  explore.next = next_commands(options, explore.out.string());
   exports::RunSummary summary;
   begin_maps(robot, options.fixes, run.slam);
   explore.resumed = resume_run(options.resume, robot.profile(), robot.sessions(), robot.atlas());
-  prepare_outputs(explore.out, run.json);
+  prepare_outputs(explore.out, run.json, run.force || is_same_folder(options.resume, explore.out));
   open_port(robot, options.connection, run.strategy, summary);
 
-  const ExitCode code = explore_and_save(robot, explore, summary);
+  const RunEnding ending = explore_and_save(robot, explore, summary);
   robot.quit();
   console::print("map: " + (explore.out / "map.png").string());
   write_report(run.json, nlohmann::ordered_json::parse(exports::to_json_text(summary)));
-  return code;
+  print_ending(ending);
+  return ending.code;
 }
 
 }  // namespace echomap::apps

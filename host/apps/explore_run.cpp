@@ -23,7 +23,6 @@
 namespace echomap::apps {
 namespace {
 
-using console::ExitCode;
 using exploration::FinishReason;
 using exploration::MotionResult;
 using session::RobotContext;
@@ -75,7 +74,9 @@ std::string progress_line(const RobotContext& robot,
   progress.elapsed_s = before_s + now_s(robot.session());
   switch (strategies::limit_of(run.strategy)) {
     case strategies::StrategyLimit::kStops:
-      progress.max_stops = stops.before + run.strategy.stops * run.strategy.scans;
+      if (run.strategy.stops) {
+        progress.max_stops = stops.before + *run.strategy.stops * run.strategy.scans;
+      }
       break;
     case strategies::StrategyLimit::kSeconds:
       progress.max_s = before_s + run.strategy.seconds;
@@ -116,8 +117,10 @@ std::unique_ptr<exploration::AtlasExplorer> explorer_of(const RobotContext& robo
                                                         std::mt19937& random) {
   const auto make = [&](std::size_t stops_made) -> std::unique_ptr<exploration::Explorer> {
     StrategyOptions left = strategy;
-    left.stops -= std::min(left.stops, stops_made / left.scans);
-    return left.stops > 0 ? strategies::explorer_for(robot.profile(), left, random) : nullptr;
+    if (left.stops) {
+      *left.stops -= std::min(*left.stops, stops_made / left.scans);
+    }
+    return left.stops != 0U ? strategies::explorer_for(robot.profile(), left, random) : nullptr;
   };
   return std::make_unique<exploration::AtlasExplorer>(
       make,
@@ -159,57 +162,8 @@ std::optional<FinishReason> connect_and_drive(RobotContext& robot,
   return reason;
 }
 
-/// Of an exploration that ends early: what the shell sees, and for people why and what to do.
-struct Trouble {
-  FinishReason reason;
-  ExitCode code;
-  const char* text;
-};
-
-constexpr Trouble kTroubles[] = {
-    {FinishReason::kCannotSense,
-     ExitCode::kRuntimeError,
-     "the sonar completed no sweep\n  next: check the wiring of the pan drive and of the sonar"},
-    {FinishReason::kStuck,
-     ExitCode::kSafetyStop,
-     "the robot is stuck: something holds it, or its wheels slip\n"
-     "  next: free it and start again"},
-    {FinishReason::kLifted,
-     ExitCode::kSafetyStop,
-     "the robot was picked up and its pose is lost\n  next: put it down and start again"},
-    {FinishReason::kBatteryLow,
-     ExitCode::kSafetyStop,
-     "the battery is low\n"
-     "  next: charge it without moving the robot, then: echomap explore --resume RUN"},
-    {FinishReason::kSonarSilent,
-     ExitCode::kRuntimeError,
-     "the sonar received no echo in any direction\n"
-     "  next: check the sonar's wiring, or start where a wall is within its range"},
-    {FinishReason::kSonarStuck,
-     ExitCode::kRuntimeError,
-     "the sonar returns the same range in every direction\n"
-     "  next: check its wiring and remove whatever is right in front of it"},
-    {FinishReason::kWheelFault,
-     ExitCode::kSafetyStop,
-     "a wheel does not turn, or its encoder does not count\n"
-     "  next: free the wheels and compare motors and encoders with docs/guides/wiring.md"},
-    {FinishReason::kLost,
-     ExitCode::kRuntimeError,
-     "sonar readings contradict the map: the robot was carried, or its wheels slipped\n"
-     "  next: echomap localize --map RUN, or start again"},
-};
-
-ExitCode exit_code_of(FinishReason reason) {
-  for (const Trouble& trouble : kTroubles) {
-    if (trouble.reason == reason) {
-      spdlog::error("the map so far is saved: {}", trouble.text);
-      return trouble.code;
-    }
-  }
-  return ExitCode::kOk;
-}
-
 void describe_run(const RobotContext& robot, const ExploreRun& run, exports::RunSummary& summary) {
+  summary.outcome = "exploring";
   summary.echomap_version = ECHOMAP_VERSION;
   summary.robot = robot.profile().name;
   summary.slam = robot.slam();
@@ -230,12 +184,15 @@ void warn_of_previous_maps(const pipeline::RobotAtlas& atlas) {
   }
 }
 
-/// Of a session that has ended before its strategy had.
-ExitCode save_what_is_left(const RobotSession& session, RunWriter& writer) {
-  spdlog::error("the map so far is saved: {}", session.end_reason());
-  const session::SessionEnd end = session.end().value_or(session::SessionEnd::kLinkLost);
-  writer.save(outcome_of(end));
-  return exit_code_of(end);
+RunEnding ending_of(const RobotContext& robot,
+                    const std::optional<FinishReason>& reason,
+                    const std::optional<exploration::Coverage>& coverage,
+                    const NextCommands& next) {
+  const RobotSession& session = robot.session();
+  return reason ? ending_of(*reason, coverage, next)
+                : ending_of(session.end().value_or(session::SessionEnd::kLinkLost),
+                            session.end_reason(),
+                            next);
 }
 
 }  // namespace
@@ -264,9 +221,9 @@ void open_port(RobotContext& robot,
   robot.open(std::move(opened));
 }
 
-ExitCode explore_and_save(RobotContext& robot,
-                          const ExploreRun& run,
-                          exports::RunSummary& summary) {
+RunEnding explore_and_save(RobotContext& robot,
+                           const ExploreRun& run,
+                           exports::RunSummary& summary) {
   RobotSession& session = robot.session();
   describe_run(robot, run, summary);
   std::mt19937 random = robot.seed().generator(session::SeedPurpose::kStrategy);
@@ -289,11 +246,14 @@ ExitCode explore_and_save(RobotContext& robot,
   }
   progress.clear();
   warn_of_previous_maps(robot.atlas());
-  if (reason) {
-    writer.save(exploration::name_of(*reason));
-    return exit_code_of(*reason);
+  const auto coverage = coverage_of(robot.atlas().pipeline().snapshot(), robot.profile());
+  const RunEnding ending = ending_of(robot, reason, coverage, run.next);
+  describe_ending(ending, summary);
+  if (coverage) {
+    summary.coverage = summary_of(*coverage);
   }
-  return save_what_is_left(session, writer);
+  writer.save();
+  return ending;
 }
 
 }  // namespace echomap::apps

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "host/apps/resumed_run.hpp"
-#include "host/console/exit_code.hpp"
+#include "host/apps/run_ending.hpp"
 #include "host/exports/summary_json.hpp"
 #include "host/session/robot_context.hpp"
 #include "host/strategies/strategy_setup.hpp"
@@ -19,7 +19,8 @@ struct ExploreRun {
   const strategies::StrategyOptions& strategy;
   std::filesystem::path out;
   bool shows_progress = true;
-  bool align = true;                    ///< Turn the pictures to the room's main direction.
+  bool align = true;  ///< Turn the pictures to the room's main direction.
+  NextCommands next{};
   std::optional<ResumedRun> resumed{};  ///< What the maps already know.
 };
 
@@ -44,8 +45,8 @@ void open_port(session::RobotContext& robot,
 /// The run directory is brought up to date after every stop, so that whatever happens the map so
 /// far is on disk. Fills in what the exploration knows of `summary`. Throws CommandError where no
 /// robot is found and files::FileError where the map cannot be saved.
-console::ExitCode explore_and_save(session::RobotContext& robot,
-                                   const ExploreRun& run,
-                                   exports::RunSummary& summary);
+RunEnding explore_and_save(session::RobotContext& robot,
+                           const ExploreRun& run,
+                           exports::RunSummary& summary);
 
 }  // namespace echomap::apps

@@ -11,6 +11,7 @@
 #include "host/apps/map_file.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/resumed_run.hpp"
+#include "host/apps/run_ending.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/apps/whole_records.hpp"
 #include "host/console/interrupt.hpp"
@@ -120,16 +121,28 @@ pipeline::RobotLocalizer localizer_for(const LocalizeOptions& options) {
   return {read_map(options.map), {}, params, random};
 }
 
+RunEnding ending_of_log(const LocalizeOptions& options,
+                        const std::string& outcome,
+                        const std::string& damage,
+                        const pipeline::RobotLocalizer& localizer) {
+  return outcome == "finished"
+             ? ending_of_localization(
+                   outcome,
+                   tracking::to_json(localizer.belief()),
+                   {"echomap", "localize", options.log.string(), "--map", options.map.string()})
+             : ending_of_replay(outcome, damage, options.map.string());
+}
+
 nlohmann::ordered_json log_report(const LocalizeOptions& options,
-                                  const std::string& outcome,
+                                  const RunEnding& ending,
                                   const pipeline::RobotLocalizer& localizer) {
-  nlohmann::ordered_json json{{"outcome", outcome},
-                              {"log", options.log.filename().string()},
-                              {"scans", localizer.scans()},
-                              {"unused_scans", localizer.unused_scans()},
-                              {"late_scans", localizer.late_scans()},
-                              {"updates", localizer.updates()},
-                              {"times_lifted", localizer.times_lifted()}};
+  nlohmann::ordered_json json = to_json(ending);
+  json.update({{"log", options.log.filename().string()},
+               {"scans", localizer.scans()},
+               {"unused_scans", localizer.unused_scans()},
+               {"late_scans", localizer.late_scans()},
+               {"updates", localizer.updates()},
+               {"times_lifted", localizer.times_lifted()}});
   json.update(tracking::to_json(localizer.belief()));
   return json;
 }
@@ -155,24 +168,22 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
     spdlog::warn("{}", trouble);
   }
   exports::write_trajectory_tum(out / "trajectory.tum", localizer.trajectory());
-  const auto report = log_report(options, outcome, localizer);
+  const RunEnding ending = ending_of_log(options, outcome, damage, localizer);
+  const auto report = log_report(options, ending, localizer);
   write_report(out / "summary.json", report);
   write_report(options.run.json, report);
   console::print(
       fmt::format("{} scans: {}", localizer.scans(), tracking::text_of(localizer.belief())));
   console::print("trajectory: " + (out / "trajectory.tum").string());
-  if (!damage.empty()) {
-    spdlog::error("{}; the trajectory up to there is saved", damage);
-    return ExitCode::kRuntimeError;
-  }
-  return outcome == "interrupted" ? ExitCode::kInterrupted : ExitCode::kOk;
+  print_ending(ending, "the trajectory up to there");
+  return ending.code;
 }
 
 }  // namespace
 
 ExitCode run_localize(const LocalizeOptions& options) {
   const auto out = run_folder(options.run.out);
-  prepare_outputs(out, options.run.json);
+  prepare_outputs(out, options.run.json, options.run.force);
   return options.log.empty() ? localize_robot(options, out) : localize_log(options, out);
 }
 

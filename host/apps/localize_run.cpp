@@ -2,17 +2,18 @@
 #include "host/apps/localize_run.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 #include "host/apps/explore_run.hpp"
 #include "host/apps/link_report.hpp"
 #include "host/apps/map_file.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/run_ending.hpp"
 #include "host/console/print.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/preset_names.hpp"
@@ -26,6 +27,9 @@ namespace {
 
 using nlohmann::ordered_json;
 using session::RobotProfile;
+
+/// Where no other number is named.
+constexpr std::size_t kUsualStops = 20;
 
 std::unique_ptr<tracking::LiveFilter> filter_for(const LocalizeOptions& options,
                                                  const RobotProfile& profile,
@@ -66,10 +70,8 @@ class Account {
     json_["stops"].push_back(robot.filter.report());
     json_["stops"].back()["sim_seconds"] = now_s(robot.session);
   }
-  void save(const std::string& outcome,
-            const FollowedRobot& robot,
-            const std::filesystem::path& out) {
-    json_["outcome"] = outcome;
+  void save(const RunEnding& ending, const FollowedRobot& robot, const std::filesystem::path& out) {
+    json_.update(to_json(ending));
     json_["sim_seconds"] = now_s(robot.session);
     if (const auto& described = robot.session.link().robot();
         described && !json_.contains("firmware")) {
@@ -86,25 +88,33 @@ class Account {
   ordered_json json_;
 };
 
-ExitCode exit_code_of(const FollowedRobot& robot) {
-  if (const auto end = robot.session.end()) {
-    spdlog::error("{}", robot.session.end_reason());
-    return exit_code_of(*end);
+/// The words that name robot and map; where it starts is another one each time.
+console::CommandWords words_of(const LocalizeOptions& options) {
+  console::CommandWords words{"echomap", "localize"};
+  for (const std::string& port : options.connection.ports) {
+    words.insert(words.end(), {"--port", port});
   }
-  if (robot.driver.finished() == exploration::FinishReason::kCannotSense) {
-    spdlog::error(
-        "the sonar completed no sweep\n  next: check the wiring of the pan drive and of the sonar");
-    return ExitCode::kRuntimeError;
+  if (options.run.robot != RunOptions().robot) {
+    words.insert(words.end(), {"--robot", options.run.robot});
   }
-  return ExitCode::kOk;
+  if (options.filter == "mcl") {
+    words.insert(words.end(), {"--map", options.map.string()});
+  } else {
+    words.insert(words.end(), {"--filter", options.filter, "--fixes", options.fixes});
+  }
+  return words;
 }
 
-std::string outcome_of(const FollowedRobot& robot) {
+RunEnding ending_of_drive(const FollowedRobot& robot, const console::CommandWords& localize) {
   if (const auto end = robot.session.end()) {
-    return outcome_of(*end);
+    const std::string again = console::shell_line(localize);
+    return ending_of(*end, robot.session.end_reason(), {again, again});
   }
-  return exploration::name_of(
-      robot.driver.finished().value_or(exploration::FinishReason::kStopLimit));
+  if (robot.driver.finished() == exploration::FinishReason::kCannotSense) {
+    return ending_of(exploration::FinishReason::kCannotSense, std::nullopt, {});
+  }
+  const auto finished = robot.driver.finished().value_or(exploration::FinishReason::kStopLimit);
+  return ending_of_localization(exploration::name_of(finished), robot.filter.report(), localize);
 }
 
 void drive(const FollowedRobot& robot, std::size_t max_stops, Account& account) {
@@ -143,14 +153,16 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
     account.describe(context.lockstep()->device());
   }
   context.connect();
-  drive(robot, run.strategy.stops, account);
+  drive(robot, run.strategy.stops.value_or(kUsualStops), account);
   context.session().disarm();
-  account.save(outcome_of(robot), robot, out);
+  const RunEnding ending = ending_of_drive(robot, words_of(options));
+  account.save(ending, robot, out);
   write_report(run.json, account.json());
   context.quit();
   console::print(fmt::format("{} stops: {}", account.stops(), filter.line()));
   console::print("trajectory: " + (out / "trajectory.tum").string());
-  return exit_code_of(robot);
+  print_ending(ending, "the trajectory so far");
+  return ending.code;
 }
 
 }  // namespace echomap::apps

@@ -46,6 +46,11 @@ CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std:
       ->check(CLI::ExistingPath);
 }
 
+void add_out_options(CLI::App& command, std::filesystem::path& out, bool& force) {
+  command.add_option("--out", out, "Run directory; a stamped one by default");
+  command.add_flag("--force", force, "Overwrite the run that the run directory has in it");
+}
+
 void add_align_option(CLI::App& command, bool& align) {
   command
       .add_flag("--align,!--no-align",
@@ -130,7 +135,7 @@ void add_replay(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("replay", "Map a recorded log");
   const auto options = std::make_shared<ReplayOptions>();
   add_log_options(*command, options->log, options->format)->required();
-  command->add_option("--out", options->out, "Run directory; a stamped one by default");
+  add_out_options(*command, options->out, options->force);
   command->add_option("--json", options->json, "Write a report to this file, '-' for stdout");
   command->add_flag("--headless", options->headless, "No progress line");
   command

@@ -11,6 +11,7 @@
 #include "host/apps/replay_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/resumed_run.hpp"
+#include "host/apps/run_ending.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/apps/whole_records.hpp"
 #include "host/console/interrupt.hpp"
@@ -121,6 +122,9 @@ class PlayedLog {
 
 std::string PlayedLog::unusable() const {
   const std::string log = options_.log.string();
+  if (counts().records == 0) {
+    return log + " is empty: it has no record\n  next: name another log";
+  }
   if (method_ != nullptr && (counts().scans == 0 || counts().odometry_poses == 0)) {
     return log + " has " + (counts().scans == 0 ? "no scans" : "no odometry") +
            ", but SLAM needs both\n  next: leave out --slam";
@@ -166,12 +170,9 @@ nlohmann::ordered_json replay_json(const ReplayOptions& options,
           {"sightings_without_pose", counts.sightings_without_pose}};
 }
 
-exports::RunSummary summary_of(const PlayedLog& log,
-                               const pipeline::Snapshot& snapshot,
-                               const std::string& outcome) {
+exports::RunSummary summary_of(const PlayedLog& log, const pipeline::Snapshot& snapshot) {
   exports::RunSummary summary;
   summary.echomap_version = ECHOMAP_VERSION;
-  summary.outcome = outcome;
   summary.sim_seconds = log.duration_s();
   exports::describe_snapshot(snapshot, summary);
   if (const slam::SlamMethod* slam = log.pipeline().slam()) {
@@ -223,7 +224,7 @@ ExitCode replay_log(const ReplayOptions& options) {
   const auto log = datasets::open_log(options.log, options.format);
   const auto out = run_folder(options.out);
   refuse_to_overwrite(options.log, out);
-  prepare_outputs(out, options.json);
+  prepare_outputs(out, options.json, options.force);
   PlayedLog played(options);
   console::ProgressBar progress(stderr, !options.headless);
   const auto [outcome, damage] = played.play(*log, progress);
@@ -234,7 +235,9 @@ ExitCode replay_log(const ReplayOptions& options) {
 
   const pipeline::Snapshot snapshot = played.pipeline().snapshot();
   refuse_huge_map(*snapshot.grid);
-  exports::RunSummary summary = summary_of(played, snapshot, outcome);
+  exports::RunSummary summary = summary_of(played, snapshot);
+  const RunEnding ending = ending_of_replay(outcome, damage, out.string());
+  describe_ending(ending, summary);
   move_earlier_run_aside(out);
   exports::write_run_directory(
       out, snapshot, summary, {.align = options.align, .name = options.log.stem().string()});
@@ -248,11 +251,8 @@ ExitCode replay_log(const ReplayOptions& options) {
   write_report(out / "summary.json", report);
   write_report(options.json, report);
   print_what_was_made(summary, played.counts(), out);
-  if (!damage.empty()) {
-    spdlog::error("{}; the map up to there is saved", damage);
-    return ExitCode::kRuntimeError;
-  }
-  return outcome == "interrupted" ? ExitCode::kInterrupted : ExitCode::kOk;
+  print_ending(ending);
+  return ending.code;
 }
 
 }  // namespace

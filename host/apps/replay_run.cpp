@@ -11,6 +11,7 @@
 
 #include "host/apps/report.hpp"
 #include "host/apps/resumed_run.hpp"
+#include "host/apps/run_ending.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/console/print.hpp"
 #include "host/exports/geojson.hpp"
@@ -83,7 +84,7 @@ void save_summary(const fs::path& folder,
                   ordered_json run,
                   const exports::RunSummary& map,
                   const ordered_json& replay,
-                  bool is_damaged) {
+                  const std::string& damage) {
   const auto made = ordered_json::parse(exports::to_json_text(map));
   for (const char* key : {"slam",
                           "stops",
@@ -93,12 +94,15 @@ void save_summary(const fs::path& folder,
                           "pose_stddev_m",
                           "pose_stddev_deg",
                           "travelled_m",
-                          "free_area_m2"}) {
+                          "free_area_m2",
+                          "coverage"}) {
     run[key] = made.at(key);
   }
   run["replay"] = replay;
-  if (is_damaged) {
+  if (!damage.empty()) {
     run["outcome"] = "log-damaged";
+    run["finished"] = false;
+    run["why"] = damage;
   }
   write_report(folder / "summary.json", run);
 }
@@ -107,7 +111,7 @@ struct PlayedMap {
   const pipeline::ObservationLog& record;
   const pipeline::RobotPipeline& pipeline;
   std::string slam;
-  bool is_damaged = false;
+  std::string damage;  ///< Of the record; empty where it is whole.
   bool align = true;
 };
 
@@ -120,6 +124,9 @@ void save_played(const PlayedMap& map,
   made.slam = map.slam;
   made.world = summary.world;
   made.robot = summary.robot;
+  if (const auto coverage = coverage_of(map.pipeline.snapshot(), profile)) {
+    made.coverage = summary_of(*coverage);
+  }
   fs::create_directories(out);
   exports::ObservationsFile(out / kRecordName).save(map.record, false);
   save_map(map.pipeline,
@@ -134,7 +141,7 @@ void save_played(const PlayedMap& map,
                 {"map", "grid"},
                 {"poses", map.slam},
                 {"observations", map.record.observations()}},
-               map.is_damaged);
+               map.damage);
 }
 
 /// Answers what is wrong with those that cannot be saved; empty where all are.
@@ -147,7 +154,7 @@ std::string save_previous_maps(const pipeline::RobotAtlas& atlas,
   for (std::size_t i = 0; i < atlas.previous_maps().size(); ++i) {
     const pipeline::PreviousMap& previous = atlas.previous_maps()[i];
     try {
-      save_played({previous.record, previous.pipeline, slam, false, options.align},
+      save_played({previous.record, previous.pipeline, slam, "", options.align},
                   profile,
                   stored_previous_map(options.log, i + 1),
                   previous_map_of(out, i + 1));
@@ -194,31 +201,34 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   } catch (const files::FileError& error) {
     damage = error.what();
   }
+  if (damage.empty() && atlas.record().observations() == 0) {
+    throw console::CommandError(
+        console::ExitCode::kRuntimeError,
+        (options.log / kRecordName).string() +
+            " is empty: the run has recorded nothing\n  next: name another run");
+  }
   const auto out = run_folder(options.out);
   if (!damage.empty() && fs::exists(out) && fs::equivalent(options.log, out)) {
     spdlog::error("{}; the run is left as it is\n  next: name another folder with --out", damage);
     return console::ExitCode::kRuntimeError;
   }
-  prepare_outputs(out, options.json);
+  prepare_outputs(out, options.json, options.force);
   if (!fs::equivalent(options.log, out)) {
     move_earlier_run_aside(out);
   }
   const std::string unsaved = save_previous_maps(atlas, slam, profile, options, out);
   damage += (damage.empty() || unsaved.empty() ? "" : "\n") + unsaved;
-  save_played({atlas.record(), atlas.pipeline(), slam, !damage.empty(), options.align},
-              profile,
-              options.log,
-              out);
+  save_played(
+      {atlas.record(), atlas.pipeline(), slam, damage, options.align}, profile, options.log, out);
   write_report(options.json, ordered_json::parse(files::read_text_file(out / "summary.json")));
   console::print("map: " + (out / "map.png").string());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   console::print(fmt::format(
       "{} observations played in {:.2f} s", atlas.record().observations(), wall.count()));
-  if (!damage.empty()) {
-    spdlog::error("{}; the map up to there is saved", damage);
-    return console::ExitCode::kRuntimeError;
-  }
-  return console::ExitCode::kOk;
+  const RunEnding ending =
+      ending_of_replay(damage.empty() ? "finished" : "log-damaged", damage, out.string());
+  print_ending(ending);
+  return ending.code;
 }
 
 }  // namespace echomap::apps

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/report.hpp"
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -13,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/saved_map.hpp"
+#include "host/console/exit_code.hpp"
 #include "host/console/print.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
@@ -40,9 +43,10 @@ std::optional<double> share_of(std::size_t part, std::size_t whole) {
 }
 
 nlohmann::ordered_json map_json(const evaluation::PlacedScore& score) {
-  const auto& [map, obstacles, paths, outline] = score;
+  const auto& [map, obstacles, paths, outline, floor_seen] = score;
   nlohmann::ordered_json json;
   json["free_iou"] = map.free_iou;
+  json["floor_seen"] = floor_seen;
   json["wall_rmse_m"] = number_or_null(map.wall_rmse_m);
   json["wall_recall"] = map.wall_recall;
   json["solid_called_free"] = number_or_null(obstacles.solid_called_free);
@@ -113,7 +117,20 @@ std::filesystem::path run_folder(const std::filesystem::path& chosen) {
                      milliseconds);
 }
 
-void prepare_outputs(const std::filesystem::path& out, const std::filesystem::path& json) {
+bool has_run(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "summary.json");
+}
+
+void prepare_outputs(const std::filesystem::path& out,
+                     const std::filesystem::path& json,
+                     bool may_replace) {
+  if (!may_replace && has_run(out)) {
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        out.string() +
+            " has a run in it, which would be overwritten\n  next: name another folder "
+            "with --out, or overwrite it with --force");
+  }
   std::error_code error;
   std::filesystem::create_directories(out, error);
   if (error) {
@@ -167,7 +184,10 @@ nlohmann::ordered_json to_json(const evaluation::RelationError& error) {
 void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& report) {
   const std::string text = report.dump(2) + "\n";
   if (path == "-") {
-    std::fputs(text.c_str(), stdout);
+    if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+      throw files::FileError(std::string("cannot write the report to stdout: ") +
+                             std::strerror(errno));
+    }
   } else if (!path.empty()) {
     files::write_text_file(path, text);
   }
@@ -177,6 +197,8 @@ void print_score(const evaluation::RunScore& score) {
   const auto& map = score.start.map;
   const auto& path = score.trajectory;
   print_shares("free floor agrees", map.free_iou, score.fitted.map.free_iou, "free_iou");
+  print_shares(
+      "floor in reach seen", score.start.floor_seen, score.fitted.floor_seen, "floor_seen");
   if (map.wall_rmse_m) {
     console::print(fmt::format("  walls are off by     {:5.1f} cm [{:5.1f} cm] (wall_rmse_m)",
                                100.0 * *map.wall_rmse_m,

@@ -16,9 +16,15 @@ namespace echomap::apps {
 /// ($XDG_DATA_HOME/echomap, by default ~/.local/share/echomap).
 std::filesystem::path run_folder(const std::filesystem::path& chosen);
 
+/// Whether a folder holds what a run has written.
+bool has_run(const std::filesystem::path& folder);
+
 /// Makes the run folder and makes sure that it and the report's file, where there is one, can be
-/// written: a run is not driven for nothing. Throws files::FileError.
-void prepare_outputs(const std::filesystem::path& out, const std::filesystem::path& json);
+/// written: a run is not driven for nothing. Throws CommandError 2 where the folder has a run that
+/// may not be replaced, and files::FileError.
+void prepare_outputs(const std::filesystem::path& out,
+                     const std::filesystem::path& json,
+                     bool may_replace);
 
 /// The radius of the robot that made a run, from the run's robot.toml; where it has none,
 /// evaluation::kDefaultRobotRadiusM. Throws files::ConfigError.

@@ -58,9 +58,11 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   command.add_option("--strategy", run.strategy.name, "Exploration strategy")
       ->check(CLI::IsMember(strategies::strategy_names()))
       ->capture_default_str();
-  command.add_option("--stops", run.strategy.stops, "Maximum number of stops")
-      ->check(CLI::Range(std::size_t{1}, kMaxStops))
-      ->capture_default_str();
+  command
+      .add_option("--stops",
+                  run.strategy.stops,
+                  "Maximum number of stops; by default as many as it takes, of localize 20")
+      ->check(CLI::Range(std::size_t{1}, kMaxStops));
   command
       .add_option("--scans",
                   run.strategy.scans,
@@ -84,7 +86,7 @@ void add_run_options(CLI::App& command, RunOptions& run) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command.add_option("--seed", run.seed, "Seed of every random generator")->capture_default_str();
-  command.add_option("--out", run.out, "Run directory; a stamped one by default");
+  add_out_options(command, run.out, run.force);
   command.add_option("--json", run.json, "Write a report to this file, '-' for stdout");
   command.add_flag("--headless", run.headless, "No progress line");
 }

@@ -28,9 +28,8 @@ RunWriter::RunWriter(const session::RobotContext& robot,
       summary_(summary),
       record_(out_ / kRecordName) {}
 
-void RunWriter::save(const std::string& outcome) {
+void RunWriter::save() {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
-  summary_.outcome = outcome;
   summary_.sim_seconds = before_s_ + now_s(robot_.session());
   summary_.wall_seconds = wall.count();
   summary_.previous_maps = robot_.atlas().previous_maps().size();
@@ -52,7 +51,7 @@ void RunWriter::save(const std::string& outcome) {
 
 void RunWriter::save_in_passing() {
   try {
-    save("exploring");
+    save();
   } catch (const files::FileError& error) {
     if (!std::exchange(warned_, true)) {
       spdlog::warn("cannot save the map: {}", error.what());

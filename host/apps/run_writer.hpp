@@ -23,8 +23,9 @@ class RunWriter {
             const ExploreRun& run,
             exports::RunSummary& summary);
 
-  /// Throws files::FileError.
-  void save(const std::string& outcome);
+  /// With the summary as it is, but for the time, link and map, which are told in it. Throws
+  /// files::FileError.
+  void save();
   /// A disk that is full now need not be so at the end: warns once and lets the robot go on.
   void save_in_passing();
 

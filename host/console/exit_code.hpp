@@ -16,6 +16,7 @@ enum class ExitCode : int {
   kLinkLost = 5,
   kConfigInvalid = 6,
   kSafetyStop = 7,  ///< The board stopped for good: lifted, a wheel out of control.
+  kUnfinished = 8,  ///< Ended, and not with all that was asked for.
   kInterrupted = 130,
 };
 

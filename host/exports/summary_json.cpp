@@ -36,6 +36,22 @@ nlohmann::ordered_json to_json(const LinkSummary& link) {
   };
 }
 
+nlohmann::ordered_json to_json(const CoverageSummary& coverage) {
+  nlohmann::ordered_json json{{"share", coverage.share},
+                              {"seen_m2", coverage.seen_m2},
+                              {"unseen_m2", coverage.unseen_m2},
+                              {"places", nlohmann::ordered_json::array()},
+                              {"gaps", nlohmann::ordered_json::array()}};
+  for (const auto& [x_m, y_m, area_m2] : coverage.places) {
+    json["places"].push_back({{"x_m", x_m}, {"y_m", y_m}, {"area_m2", area_m2}});
+  }
+  for (const auto& [x_m, y_m, width_m, behind_m2] : coverage.gaps) {
+    json["gaps"].push_back(
+        {{"x_m", x_m}, {"y_m", y_m}, {"width_m", width_m}, {"behind_m2", behind_m2}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string to_json_text(const RunSummary& summary) {
@@ -43,6 +59,10 @@ std::string to_json_text(const RunSummary& summary) {
       {"echomap_version", summary.echomap_version},
       {"strategy", summary.strategy},
       {"outcome", summary.outcome},
+      {"finished", summary.finished},
+      {"why", summary.why},
+      {"next", summary.next},
+      {"coverage", summary.coverage ? to_json(*summary.coverage) : nlohmann::ordered_json()},
       {"robot", summary.robot},
       {"slam", summary.slam},
       {"world", summary.world},

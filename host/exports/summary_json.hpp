@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace echomap::exports {
 
@@ -33,12 +35,30 @@ struct LinkSummary {
   std::uint8_t robot_rate_step = 0;
 };
 
+/// What of the floor in reach a map has, by its own estimate; the fields are the keys of `coverage`
+/// in summary.json.
+struct CoverageSummary {
+  double share = 0.0;  ///< Of 1.
+  double seen_m2 = 0.0;
+  double unseen_m2 = 0.0;
+  /// Places with unknown floor in reach, the largest first: x_m, y_m (map frame), area_m2.
+  std::vector<std::array<double, 3>> places{};
+  /// Gaps too narrow for the robot: x_m, y_m (map frame), width_m, behind_m2.
+  std::vector<std::array<double, 4>> gaps{};
+};
+
 /// What a run was and how it went; the fields are the keys of summary.json.
 struct RunSummary {
   std::string echomap_version;
   std::string strategy;
   /// How it ended: name_of(FinishReason), "interrupted", "link-lost", ...
   std::string outcome;
+  /// Whether what was asked is there; if not, why, and in any case what to do or to type next.
+  bool finished = false;
+  std::string why;
+  std::string next;
+  /// Empty for a robot that hears nothing, and while it drives.
+  std::optional<CoverageSummary> coverage;
   std::string robot;
   /// What placed the robot on its map: slam::NamedSlam::name, or "none" for its odometry.
   std::string slam;

@@ -2,6 +2,7 @@
 #include "host/strategies/strategy_setup.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "host/console/exit_code.hpp"
 #include "host/exploration/danger_checker.hpp"
@@ -19,6 +20,8 @@ namespace {
 using console::CommandError;
 using console::ExitCode;
 using session::RobotProfile;
+
+constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
 using ExplorerPtr = std::unique_ptr<exploration::Explorer>;
 
@@ -214,12 +217,12 @@ void validate_fit(const RobotProfile& profile, const StrategyOptions& options) {
 }
 
 exploration::NxtFarthestParams nxt_farthest_params(const RobotProfile& profile,
-                                                   std::size_t max_stops) {
+                                                   std::optional<std::size_t> max_stops) {
   exploration::NxtFarthestParams params;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;
   params.robot_radius_m = profile.body_radius_m;
-  params.max_stops = max_stops;
+  params.max_stops = max_stops.value_or(kNoLimit);
   return params;
 }
 
@@ -233,14 +236,15 @@ exploration::TangentBugParams tangent_bug_params(const RobotProfile& profile) {
   return params;
 }
 
-exploration::FrontierParams frontier_params(const RobotProfile& profile, std::size_t max_stops) {
+exploration::FrontierParams frontier_params(const RobotProfile& profile,
+                                            std::optional<std::size_t> max_stops) {
   exploration::FrontierParams params;
   params.costs.robot_radius_m = profile.body_radius_m;
   params.follower = follower_params(profile);
   params.viewpoints.speed_m_per_s = profile.speed_m_per_s;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;
-  params.max_stops = max_stops;
+  params.max_stops = max_stops.value_or(kNoLimit);
   return params;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -20,9 +21,9 @@ namespace echomap::strategies {
 
 /// How to explore, as the command line names it.
 struct StrategyOptions {
-  std::string name = "nxt-farthest";
-  std::size_t stops = 20;
-  std::size_t scans = 1;  ///< Of the room, by nxt-farthest.
+  std::string name = "frontier";
+  std::optional<std::size_t> stops;  ///< At most; empty: as many as it takes.
+  std::size_t scans = 1;             ///< Of the room, by nxt-farthest.
   std::string waypoints;  ///< Course of tangent-bug: a bundled name or a TOML file; empty: none.
   std::string stop_list;  ///< Places of stops: a TOML file; empty: none.
   std::string hand = "right";  ///< Or "left": which is held to the wall.
@@ -67,16 +68,16 @@ std::unique_ptr<exploration::Explorer> explorer_for(const session::RobotProfile&
 /// Throws CommandError where the robot lacks what the strategy of the options needs.
 void validate_fit(const session::RobotProfile& profile, const StrategyOptions& options);
 
-/// What nxt-farthest has to know of a robot.
+/// What nxt-farthest has to know of a robot; without `max_stops` it makes as many as it takes.
 exploration::NxtFarthestParams nxt_farthest_params(const session::RobotProfile& profile,
-                                                   std::size_t max_stops);
+                                                   std::optional<std::size_t> max_stops);
 
 /// What tangent-bug has to know of a robot.
 exploration::TangentBugParams tangent_bug_params(const session::RobotProfile& profile);
 
-/// What frontier has to know of a robot.
+/// What frontier has to know of a robot; without `max_stops` it makes as many as it takes.
 exploration::FrontierParams frontier_params(const session::RobotProfile& profile,
-                                            std::size_t max_stops);
+                                            std::optional<std::size_t> max_stops);
 
 /// What stops has to know of a robot.
 exploration::StopTourParams stop_tour_params(const session::RobotProfile& profile);

@@ -2,6 +2,7 @@
 #include "host/tracking/stop_driver.hpp"
 
 #include <limits>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -18,7 +19,7 @@ constexpr int kMaxStopsOnTheSpot = 3;
 /// The strategy, without an end of its own: its ground need not be new.
 exploration::NxtFarthestParams endless(const session::RobotProfile& profile) {
   constexpr auto kNever = std::numeric_limits<std::size_t>::max();
-  auto params = strategies::nxt_farthest_params(profile, kNever);
+  auto params = strategies::nxt_farthest_params(profile, std::nullopt);
   params.stops_without_new_ground = kNever;
   return params;
 }

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/session/child_process.hpp"
 #include "host/session/temporary_folder.hpp"
@@ -52,6 +53,12 @@ constexpr std::array<Column, 7> kColumns{{{"free_iou", "", 0.85},
                                           {"wall_seconds", "s", {}, 60.0},
                                           {"stops", ""}}};
 
+/// Where the map or the robot's place in it is not what was asked for, it has ended, too.
+bool has_ended_by_itself(const std::optional<int>& status) {
+  return status == static_cast<int>(console::ExitCode::kOk) ||
+         status == static_cast<int>(console::ExitCode::kUnfinished);
+}
+
 /// The report of one demo; empty where it did not end by itself or has no score.
 std::optional<nlohmann::json> run_demo(const Options& options,
                                        int seed,
@@ -74,7 +81,7 @@ std::optional<nlohmann::json> run_demo(const Options& options,
     command.push_back("--faults=" + options.faults);
   }
   session::ChildProcess demo(command, log);
-  if (demo.wait_for(kPatience) != 0) {
+  if (!has_ended_by_itself(demo.wait_for(kPatience))) {
     fmt::print(stderr, "seed {} did not end by itself:\n{}\n", seed, files::read_text_file(log));
     return std::nullopt;
   }
@@ -92,18 +99,22 @@ void take(const nlohmann::json& report, Values& values) {
   }
 }
 
-/// What the runs that ended by themselves say, by column; "runs_complete" counts them.
+/// What the runs that ended by themselves say, by column; "runs_complete" counts those whose map
+/// is, "relocalized" those whose robot was found after it was carried off.
 std::vector<Figure> measure(const Options& options) {
   const session::TemporaryFolder folder;
   Values values;
   double complete = 0.0;
+  double relocalized = 0.0;
   for (int seed = 1; seed <= options.seeds; ++seed) {
     if (const auto report = run_demo(options, seed, folder.path())) {
-      ++complete;
+      complete += report->at("outcome") == "complete" ? 1.0 : 0.0;
+      relocalized += report->contains("kidnap") && report->at("kidnap").at("found") ? 1.0 : 0.0;
       take(*report, values);
     }
   }
-  std::vector<Figure> figures{{"runs_complete", complete, "", std::size_t(options.seeds), {}}};
+  std::vector<Figure> figures{{"runs_complete", complete, "", std::size_t(options.seeds), {}},
+                              {"relocalized", relocalized, "", std::size_t(options.seeds), {}}};
   for (const Column& column : kColumns) {
     if (const auto& list = values[column.name]; !list.empty()) {
       figures.push_back({column.name, tests::median(list), column.unit, list.size(), {}});

@@ -123,7 +123,7 @@ TEST_F(BadInput, OfManyPortsTheOneRobotIsChosen) {
   }
   arguments.push_back("--port=" + (scratch / "robot").string());
   const Ended ended = echomap(arguments);
-  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(ended.status, kUnfinished) << ended.said;
   for (const OtherProgram* other : {&modem, &printer, &garbage, &silent}) {
     EXPECT_EQ(other->hellos(), 1) << other->port();
   }

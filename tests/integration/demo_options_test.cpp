@@ -17,6 +17,7 @@ using files::read_text_file;
 using files::write_text_file;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
 /// `text` with the first `from` replaced.
@@ -28,7 +29,8 @@ std::string with(std::string text, const std::string& from, const std::string& t
 class DemoOptions : public ::testing::Test {
  protected:
   std::vector<std::string> demo(const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments{"demo", "--emulator=mock", "--out=" + path("run")};
+    std::vector<std::string> arguments{
+        "demo", "--emulator=mock", "--force", "--out=" + path("run")};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
@@ -48,7 +50,7 @@ class DemoOptions : public ::testing::Test {
 TEST_F(DemoOptions, AProfileOfOnesOwnDrivesTheBodyOfItsName) {
   write_text_file(path("robot.toml"), profile_text);
   const Ended ended = run({"--stops=1", "--robot=" + path("robot.toml")});
-  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(ended.status, kUnfinished) << ended.said;
   EXPECT_EQ(json("run/summary.json").at("robot"), "uno_2wd");
 }
 
@@ -62,7 +64,7 @@ TEST_F(DemoOptions, ABodyOfOnesOwnIsWhatTheHostDoesNotKnowOf) {
               AllOf(HasSubstr("no body (--body) is named 'mine'"), HasSubstr("next: ")));
 
   const Ended ended = run({options[0], options[1], "--body=" + path("body.toml")});
-  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(ended.status, kUnfinished) << ended.said;
   EXPECT_EQ(json("run/summary.json").at("robot"), "mine");
   // A scan turns the body round by half a turn; the wider track makes that an eighth less.
   EXPECT_GT(json("run/summary.json").at("ate_heading_rmse_rad"), 0.1);
@@ -77,14 +79,14 @@ TEST_F(DemoOptions, ABrokenBodyIsPlaced) {
 
 TEST_F(DemoOptions, TheScoresStandInTheRunDirectoryToo) {
   const Ended ended = run({"--stops=1", "--json=" + path("report.json")});
-  ASSERT_EQ(ended.status, 0) << ended.said;
+  ASSERT_EQ(ended.status, kUnfinished) << ended.said;
   EXPECT_GT(json("run/summary.json").at("free_iou"), 0.1);
   EXPECT_EQ(json("run/summary.json"), json("report.json"));
 }
 
 TEST_F(DemoOptions, MapsOverAPoorRadioLine) {
   const Ended ended = run({"--stops=3", "--line=bluetooth", "--faults=loss=0.02"});
-  ASSERT_EQ(ended.status, 0) << ended.said;
+  ASSERT_EQ(ended.status, kUnfinished) << ended.said;
   EXPECT_EQ(json("run/summary.json").at("stops"), 3);
   EXPECT_GT(json("run/summary.json").at("free_iou"), 0.1);
   const Ended wrong = run({"--faults=flop=1"});
@@ -92,9 +94,34 @@ TEST_F(DemoOptions, MapsOverAPoorRadioLine) {
   EXPECT_THAT(wrong.said, HasSubstr("flop"));
 }
 
-TEST_F(DemoOptions, QuietSaysNothing) {
+TEST_F(DemoOptions, QuietSaysNothingButThatItIsUnfinished) {
   EXPECT_THAT(run({"--stops=1"}).said, AllOf(HasSubstr("map: "), HasSubstr("free_iou")));
-  EXPECT_EQ(run({"--stops=1", "-q"}).said, "");
+  EXPECT_THAT(run({"--stops=1", "-q"}).said, StartsWith("echomap: error: not finished"));
+}
+
+TEST_F(DemoOptions, ARunSaysHowItHasEndedAndWhatToTypeNext) {
+  const Ended ended = run({"--stops=1", "--no-kidnap"});
+  EXPECT_EQ(ended.status, kUnfinished);
+  const auto summary = json("run/summary.json");
+  EXPECT_EQ(summary.at("outcome"), "stop-limit");
+  EXPECT_EQ(summary.at("finished"), false);
+  EXPECT_THAT(summary.at("why"), StartsWith("it came to the limit of its stops; the map has "));
+  EXPECT_EQ(summary.at("next"), "echomap demo --world living_room --emulator mock");
+  EXPECT_LT(summary.at("coverage").at("share"), 0.9);
+  EXPECT_THAT(ended.said,
+              HasSubstr(summary.at("why").get<std::string>() +
+                        "\n  next: echomap demo --world living_room --emulator mock\n"));
+}
+
+TEST_F(DemoOptions, ARunIsNotOverwrittenUnlessForced) {
+  const std::vector<std::string> once{
+      "demo", "--emulator=mock", "--stops=1", "--no-kidnap", "--out=" + path("run")};
+  EXPECT_EQ(Program("echomap", once, path("log")).wait().status, kUnfinished);
+  const std::string summary = read_text_file(scratch / "run/summary.json");
+  const Ended again = Program("echomap", once, path("log")).wait();
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.said, AllOf(HasSubstr("has a run in it"), HasSubstr("--force")));
+  EXPECT_EQ(read_text_file(scratch / "run/summary.json"), summary);
 }
 
 TEST_F(DemoOptions, WhatCannotBeWrittenIsSaidBeforeTheRobotMoves) {

@@ -93,7 +93,7 @@ TEST_P(ScoredDemo, EndsByItselfAndScoresItsMap) {
 TEST_P(Demo, IsAFunctionOfItsSeed) {
   for (const char* out : {"first", "second"}) {
     const Ended ended = run(out, {"--seed=5", "--stops=3"});
-    ASSERT_EQ(ended.status, 0) << ended.said;
+    ASSERT_EQ(ended.status, kUnfinished) << ended.said;
   }
   for (const char* file : {"points.csv",
                            "poses.csv",
@@ -114,7 +114,7 @@ TEST_P(Demo, IsAFunctionOfItsSeed) {
 
 TEST_P(Demo, EndsWithTheMapWhereNobodyIsToBeKidnapped) {
   const Ended ended = run("run", {"--seed=5", "--stops=1", "--no-kidnap"});
-  ASSERT_EQ(ended.status, 0) << ended.said;
+  ASSERT_EQ(ended.status, kUnfinished) << ended.said;
   EXPECT_FALSE(
       nlohmann::json::parse(read_text_file(scratch / "run/summary.json")).contains("kidnap"));
 }

@@ -40,8 +40,10 @@ class LiveIsReplay : public ::testing::Test {
     const std::vector<std::string> arguments{"explore",
                                              "--port=" + port.string(),
                                              "--lockstep=" + socket.string(),
+                                             "--strategy=nxt-farthest",
                                              "--out=" + run.string()};
-    EXPECT_EQ(Program("echomap", arguments, scratch / "log").wait().status, 0);
+    EXPECT_THAT(Program("echomap", arguments, scratch / "log").wait().status,
+                ::testing::AnyOf(0, kUnfinished));
     EXPECT_EQ(robot.wait().status, 0);
   }
   Ended replay(const std::vector<std::string>& more = {}) {
@@ -113,7 +115,7 @@ TEST_F(LiveIsReplay, OfEveryFilterRobotAndStrategy) {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--slam=ekf", "--stops=5"},
         {"--slam=none", "--stops=5", "--world=office"},
-        {"--strategy=frontier", "--stops=4", "--world=l_room"},
+        {"--strategy=nxt-farthest", "--stops=4", "--world=l_room"},
         {"--robot=epuck", "--world=epuck_field", "--strategy=random-bounce", "--seconds=30"},
         {"--robot=create", "--world=create_l", "--strategy=coastal"}}) {
     drive(options);

@@ -11,6 +11,9 @@
 
 namespace echomap::test {
 
+/// console::ExitCode::kUnfinished: of a map that is cut short by `--stops`.
+constexpr int kUnfinished = 8;
+
 /// How a program ended and what it said on stdout and stderr.
 struct Ended {
   int status = -1;

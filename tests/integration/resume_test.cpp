@@ -39,6 +39,7 @@ class Resume : public ::testing::Test {
     Program robot("echomap-mock", of_robot, scratch / "robot_log");
     EXPECT_TRUE(eventually([&] { return exists(socket) && exists(port); }));
     std::vector<std::string> of_host{"explore",
+                                     "--strategy=nxt-farthest",
                                      "--stops=" + std::to_string(stops),
                                      "--port=" + port.string(),
                                      "--lockstep=" + socket.string(),
@@ -93,10 +94,10 @@ class Resume : public ::testing::Test {
 };
 
 TEST_F(Resume, ARobotGoesOnWhereItStoodAndItsMapGrows) {
-  ASSERT_EQ(explore("monday", {}).status, 0);
+  ASSERT_EQ(explore("monday", {}).status, kUnfinished);
   const Ended ended =
       explore("tuesday", {where_it_stands("monday"), "--seed=2"}, {resume("monday")}, 5);
-  ASSERT_EQ(ended.status, 0) << ended.said;
+  ASSERT_EQ(ended.status, kUnfinished) << ended.said;
 
   const auto monday = summary("monday");
   const auto tuesday = summary("tuesday");
@@ -123,22 +124,22 @@ TEST_F(Resume, ARobotGoesOnWhereItStoodAndItsMapGrows) {
 }
 
 TEST_F(Resume, TheSameDirectoryHoldsBothRuns) {
-  ASSERT_EQ(explore("run", {}).status, 0);
+  ASSERT_EQ(explore("run", {}).status, kUnfinished);
   const auto stands = where_it_stands("run");
   const std::string record = text_of("run", "observations.csv");
-  ASSERT_EQ(explore("run", {stands}, {resume("run"), "--slam=none"}).status, 0);
+  ASSERT_EQ(explore("run", {stands}, {resume("run"), "--slam=none"}).status, kUnfinished);
   EXPECT_EQ(summary("run").at("stops"), 6);
   EXPECT_EQ(text_of("run", "observations.before.csv"), record);
   EXPECT_FALSE(exists(scratch / "run" / "pose_graph.g2o")) << "that of the run before";
 }
 
 TEST_F(Resume, ARunThatWasKilledWhileItWroteItsRecordGoesOn) {
-  ASSERT_EQ(explore("run", {}).status, 0);
+  ASSERT_EQ(explore("run", {}).status, kUnfinished);
   const auto stands = where_it_stands("run");
   const std::string record = text_of("run", "observations.csv");
   files::write_text_file(scratch / "run" / "observations.csv", record + "odometry,99");
   const Ended ended = explore("on", {stands}, {resume("run")}, 1);
-  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(ended.status, kUnfinished) << ended.said;
   EXPECT_THAT(ended.said,
               HasSubstr("observations.csv is incomplete; everything before it was read"));
   EXPECT_EQ(summary("on").at("resumed_stops"), 3);
@@ -146,16 +147,16 @@ TEST_F(Resume, ARunThatWasKilledWhileItWroteItsRecordGoesOn) {
 }
 
 TEST_F(Resume, ARobotThatWasMovedGoesOnInAnotherMap) {
-  ASSERT_EQ(explore("monday", {}).status, 0);
+  ASSERT_EQ(explore("monday", {}).status, kUnfinished);
   const Ended ended = explore("tuesday", {"--start=2.6,1.2,100"}, {resume("monday")}, 6);
-  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(ended.status, kUnfinished) << ended.said;
   EXPECT_THAT(ended.said, HasSubstr("starting a new map, keeping the old one"));
   const auto tuesday = summary("tuesday");
   EXPECT_EQ(tuesday.at("previous_maps").get<int>() + tuesday.at("maps_joined").get<int>(), 1);
 }
 
 TEST_F(Resume, WhatWasThereStaysWhereNoRobotAnswers) {
-  ASSERT_EQ(explore("run", {}).status, 0);
+  ASSERT_EQ(explore("run", {}).status, kUnfinished);
   const std::string record = text_of("run", "observations.csv");
   const auto before = summary("run");
   const Ended ended = Program("echomap",

@@ -87,9 +87,9 @@ class Desk {
 };
 
 TEST(Documents, EveryMarkedCommandRuns) {
-  const Desk desk;
   std::size_t blocks = 0;
   for (const fs::path& document : documents()) {
+    const Desk desk;
     for (const CommandBlock& block : command_blocks_of(read_lines(tree_root / document))) {
       const ShellResult result = run_shell(block.script, desk.folder());
       EXPECT_EQ(result.exit_code, 0) << document.string() << ":" << block.line << "\n"

@@ -32,6 +32,7 @@ class ReplayCommandTest : public ::testing::Test {
   ReplayCommandTest() {
     options_.log = fs::path(ECHOMAP_SOURCE_DIR) / "tests/data/small_room.clf";
     options_.out = scratch_ / "run";
+    options_.force = true;  // Some tests replay twice.
     options_.headless = true;
   }
   nlohmann::json summary() const {
@@ -285,6 +286,21 @@ TEST_F(ReplayCommandTest, CtrlCLeavesAMapThatCanBeRead) {
   EXPECT_EXIT(replay_and_interrupt(), ::testing::ExitedWithCode(130), "");
   EXPECT_EQ(summary().at("outcome"), "interrupted");
   EXPECT_GT(exports::read_pgm_yaml(options_.out / "map.yaml").columns(), 0);
+}
+
+TEST_F(ReplayCommandTest, AnEmptyLogMakesNoMap) {
+  write_log("empty.clf", "");
+  options_.format = "carmen";
+  EXPECT_THAT(error(), HasSubstr("empty.clf is empty: it has no record\n  next: "));
+  EXPECT_FALSE(exists(options_.out / "map.pgm"));
+}
+
+TEST_F(ReplayCommandTest, SaysHowItHasEnded) {
+  options_.poses = "given";
+  ASSERT_EQ(run_replay(options_), ExitCode::kOk);
+  EXPECT_EQ(summary().at("finished"), true);
+  EXPECT_EQ(summary().at("why"), "the log was played to its end");
+  EXPECT_THAT(summary().at("next").get<std::string>(), HasSubstr("echomap localize --map "));
 }
 
 TEST_F(ReplayCommandTest, WhatTheLogIsMustBeSaidOrPlain) {

@@ -28,6 +28,7 @@ class ReplayRunTest : public ::testing::Test {
   ReplayRunTest() {
     options.log = scratch / "run";
     options.out = scratch / "again";
+    options.force = true;  // Some tests replay twice.
     std::filesystem::create_directories(options.log);
     stop(1.0);
     stop(1.2);
@@ -176,6 +177,13 @@ TEST_F(ReplayRunTest, LeavesADamagedRunAsItIs) {
   options.out = options.log;
   EXPECT_EQ(run_replay(options), console::ExitCode::kRuntimeError);
   EXPECT_EQ(live_text(kRecordName), damaged);
+}
+
+TEST_F(ReplayRunTest, OfAnEmptyRecordIsAnError) {
+  exports::ObservationsFile(options.log / kRecordName).save(pipeline::ObservationLog(), false);
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { run_replay(options); }),
+              HasSubstr("the run has recorded nothing\n  next: "));
+  EXPECT_FALSE(exists(options.out));
 }
 
 TEST_F(ReplayRunTest, NeedsTheSummaryOfARun) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/session/robot_profile.hpp"
@@ -69,18 +70,35 @@ TEST(Report, TakesTheRobotsRadiusFromTheRun) {
 TEST(Report, OutputsArePreparedWithoutATrace) {
   const session::TemporaryFolder folder;
   files::write_text_file(folder / "report.json", "older");
-  prepare_outputs(folder / "a/run", folder / "report.json");
+  prepare_outputs(folder / "a/run", folder / "report.json", false);
   EXPECT_TRUE(std::filesystem::is_empty(folder / "a/run"));
   EXPECT_EQ(files::read_text_file(folder / "report.json"), "older");
-  EXPECT_NO_THROW(prepare_outputs(folder / "a/run", "-"));
+  EXPECT_NO_THROW(prepare_outputs(folder / "a/run", "-", false));
+}
+
+TEST(Report, ARunIsNotOverwrittenUnasked) {
+  const session::TemporaryFolder folder;
+  files::write_text_file(folder / "map.pgm", "no run, only a map");
+  EXPECT_NO_THROW(prepare_outputs(folder.path(), {}, false));
+  files::write_text_file(folder / "summary.json", "{}");
+  try {
+    prepare_outputs(folder.path(), {}, false);
+    FAIL() << "it would overwrite the run";
+  } catch (const console::CommandError& error) {
+    EXPECT_EQ(error.code(), console::ExitCode::kUsage);
+    EXPECT_NE(std::string(error.what()).find("--force"), std::string::npos) << error.what();
+  }
+  EXPECT_NO_THROW(prepare_outputs(folder.path(), {}, true));
+  EXPECT_EQ(files::read_text_file(folder / "summary.json"), "{}");
 }
 
 TEST(Report, OutputsThatCannotBeWrittenAreRefused) {
   const session::TemporaryFolder folder;
   files::write_text_file(folder / "file", "");
-  EXPECT_THROW(prepare_outputs(folder / "file/run", {}), files::FileError);
-  EXPECT_THROW(prepare_outputs(folder / "run", folder / "none/report.json"), files::FileError);
-  EXPECT_THROW(prepare_outputs(folder / "run", folder.path()), files::FileError);
+  EXPECT_THROW(prepare_outputs(folder / "file/run", {}, false), files::FileError);
+  EXPECT_THROW(prepare_outputs(folder / "run", folder / "none/report.json", false),
+               files::FileError);
+  EXPECT_THROW(prepare_outputs(folder / "run", folder.path(), false), files::FileError);
 }
 
 TEST(Report, IsWrittenToItsFile) {

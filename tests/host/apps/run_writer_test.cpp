@@ -49,13 +49,12 @@ class RunWriterTest : public session::SessionOnACable {
 TEST_F(RunWriterTest, AMapThatWasSetAsideHasARunDirectoryOfItsOwn) {
   RunWriter writer(robot, explorer, run, summary);
   stop();
-  writer.save("exploring");
+  writer.save();
   EXPECT_FALSE(exists(out / "previous_1"));
   stop();
   stop();
   atlas.begin_new_map(2);
-  writer.save("complete");
-  EXPECT_EQ(summary.outcome, "complete");
+  writer.save();
   EXPECT_EQ(summary.previous_maps, 1U);
   EXPECT_EQ(summary.stops, 1U);
   EXPECT_EQ(files::read_text_file(out / "previous_1/observations.csv"),
@@ -66,7 +65,7 @@ TEST_F(RunWriterTest, AMapThatWasSetAsideHasARunDirectoryOfItsOwn) {
 TEST_F(RunWriterTest, TheRecordIsThatOfTheMapAfterEveryStop) {
   RunWriter writer(robot, explorer, run, summary);
   const auto expect_saved = [&](const char* when) {
-    writer.save("exploring");
+    writer.save();
     exports::ObservationRecorder recorder;
     atlas.record().replay(recorder);
     recorder.save(out / "expected.csv");
@@ -97,7 +96,7 @@ TEST_F(RunWriterTest, AMapThatCouldNotBeSavedIsSavedTheNextTime) {
   writer.save_in_passing();
   EXPECT_EQ(files::read_text_file(out / "previous_1"), "in the way");
   std::filesystem::remove(out / "previous_1");
-  writer.save("complete");
+  writer.save();
   EXPECT_TRUE(exists(out / "previous_1/observations.csv"));
 }
 
@@ -106,8 +105,8 @@ TEST_F(RunWriterTest, WhatAFormerRunHasLeftStaysBesideIt) {
   std::filesystem::create_directories(out / "previous_1");
   files::write_text_file(out / "previous_1/map.png", "old");
   RunWriter writer(robot, explorer, run, summary);
-  writer.save("exploring");
-  writer.save("complete");
+  writer.save();
+  writer.save();
   EXPECT_EQ(files::read_text_file(out / kPreviousRecordName), "old");
   EXPECT_EQ(files::read_text_file(out / "previous_1.before/map.png"), "old");
   EXPECT_FALSE(exists(out / "previous_1"));

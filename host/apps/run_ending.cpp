@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/run_ending.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include "host/console/print.hpp"
+#include "host/geometry/angle.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using console::ExitCode;
+using exploration::Coverage;
+using exploration::FinishReason;
+
+/// A command that ends a piece of advice.
+using Command = std::string NextCommands::*;
+
+/// Of a strategy that could not go on: what the shell sees, why and what to do.
+struct Trouble {
+  FinishReason reason;
+  ExitCode code;
+  const char* why;
+  const char* next;
+  Command command = nullptr;
+};
+
+constexpr Trouble kTroubles[] = {
+    {FinishReason::kCannotSense,
+     ExitCode::kRuntimeError,
+     "the sonar completed no sweep",
+     "check the wiring of the pan drive and of the sonar"},
+    {FinishReason::kStuck,
+     ExitCode::kSafetyStop,
+     "the robot is stuck: something holds it, or its wheels slip",
+     "free it and start again"},
+    {FinishReason::kLifted,
+     ExitCode::kSafetyStop,
+     "the robot was picked up and its pose is lost",
+     "put it down and start again"},
+    {FinishReason::kBatteryLow,
+     ExitCode::kSafetyStop,
+     "the battery is low",
+     "charge it without moving the robot, then: ",
+     &NextCommands::go_on},
+    {FinishReason::kSonarSilent,
+     ExitCode::kRuntimeError,
+     "the sonar received no echo in any direction",
+     "check the sonar's wiring, or start where a wall is within its range"},
+    {FinishReason::kSonarStuck,
+     ExitCode::kRuntimeError,
+     "the sonar returns the same range in every direction",
+     "check its wiring and remove whatever is right in front of it"},
+    {FinishReason::kWheelFault,
+     ExitCode::kSafetyStop,
+     "a wheel does not turn, or its encoder does not count",
+     "free the wheels and compare motors and encoders with docs/guides/wiring.md"},
+    {FinishReason::kLost,
+     ExitCode::kRuntimeError,
+     "sonar readings contradict the map: the robot was carried, or its wheels slipped",
+     "start again; in this map only with: ",
+     &NextCommands::use},
+};
+
+/// Why a strategy went no further although nothing kept it; empty where it was done.
+std::string_view end_of(FinishReason reason) {
+  switch (reason) {
+    case FinishReason::kStopLimit:
+      return "it came to the limit of its stops";
+    case FinishReason::kNoNewGround:
+      return "its last stops showed no new floor";
+    case FinishReason::kNowhereToGo:
+      return "it found no way on";
+    case FinishReason::kWaypointsMissed:
+      return "it could not reach all of its waypoints";
+    case FinishReason::kNotBack:
+      return "it could not reach its last waypoint";
+    default:
+      return "";
+  }
+}
+
+std::string joined(std::string_view reason, std::string text) {
+  return reason.empty() ? text : fmt::format("{}; {}", reason, text);
+}
+
+std::string text_of(const exploration::NarrowGap& gap) {
+  return fmt::format("a gap of {:.2f} m at ({:.1f}, {:.1f}) was too narrow for it",
+                     gap.width_m,
+                     gap.at_m.x(),
+                     gap.at_m.y());
+}
+
+/// Rounded down: what is not all is not called all.
+int percent(double share) { return static_cast<int>(100.0 * share); }
+
+std::string text_of(const Coverage& coverage) {
+  std::string text =
+      fmt::format("the map has {} % of the floor that the robot can reach, {:.1f} m²",
+                  percent(coverage.share()),
+                  coverage.seen_m2);
+  if (coverage.share() < kFinishedShare && !coverage.places.empty()) {
+    const auto& place = coverage.places.front();
+    text += fmt::format(
+        "; most of what is unseen is near ({:.1f}, {:.1f})", place.at_m.x(), place.at_m.y());
+  }
+  if (!coverage.gaps.empty()) {
+    text += "; " + text_of(coverage.gaps.front());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<Coverage> coverage_of(const pipeline::Snapshot& snapshot,
+                                    const session::RobotProfile& profile) {
+  if (!profile.has_sonar) {
+    return std::nullopt;
+  }
+  exploration::CoverageParams params;
+  params.costs.robot_radius_m = profile.body_radius_m;
+  return exploration::coverage_of(snapshot, params);
+}
+
+RunEnding ending_of(FinishReason reason,
+                    const std::optional<Coverage>& coverage,
+                    const NextCommands& next) {
+  const std::string outcome = name_of(reason);
+  const auto* trouble = std::find_if(std::begin(kTroubles),
+                                     std::end(kTroubles),
+                                     [&](const Trouble& one) { return one.reason == reason; });
+  if (trouble != std::end(kTroubles)) {
+    const std::string command = trouble->command != nullptr ? next.*trouble->command : "";
+    return {outcome, trouble->code, trouble->why, trouble->next + command};
+  }
+  const std::string_view end = end_of(reason);
+  if (!coverage) {
+    return end.empty() ? RunEnding{outcome, ExitCode::kOk, "it did what it set out to do", next.use}
+                       : RunEnding{outcome, ExitCode::kUnfinished, std::string(end), next.go_on};
+  }
+  const std::string why = joined(end, text_of(*coverage));
+  return coverage->share() >= kFinishedShare
+             ? RunEnding{outcome, ExitCode::kOk, why, next.use}
+             : RunEnding{outcome, ExitCode::kUnfinished, why, next.go_on};
+}
+
+RunEnding ending_of(session::SessionEnd end, const std::string& reason, const NextCommands& next) {
+  constexpr std::string_view kNext = "\n  next: ";
+  const auto at = reason.find(kNext);
+  return {session::outcome_of(end),
+          session::exit_code_of(end),
+          reason.substr(0, at),
+          at == std::string::npos ? next.go_on : reason.substr(at + kNext.size())};
+}
+
+RunEnding ending_of_replay(const std::string& outcome,
+                           const std::string& damage,
+                           const std::string& out) {
+  const std::string use = console::shell_line({"echomap", "localize", "--map", out});
+  if (outcome == "finished") {
+    return {outcome, ExitCode::kOk, "the log was played to its end", use};
+  }
+  return outcome == "interrupted"
+             ? RunEnding{outcome, ExitCode::kInterrupted, "interrupted", "replay it again"}
+             : RunEnding{outcome, ExitCode::kRuntimeError, damage, "mend the log, or: " + use};
+}
+
+RunEnding ending_of_localization(const std::string& outcome,
+                                 const nlohmann::ordered_json& report,
+                                 const console::CommandWords& localize) {
+  const std::string again = console::shell_line(localize);
+  if (report.at("status") == "localized") {
+    return {outcome, ExitCode::kOk, "the robot is localized", again};
+  }
+  std::string places;
+  std::size_t count = 0;
+  for (const auto& place : report.value("hypotheses", nlohmann::ordered_json::array())) {
+    constexpr double kMayBe = 0.1;
+    if (const double probability = place.at("probability"); probability >= kMayBe) {
+      places += fmt::format("{}({:.2f}, {:.2f}, {:.0f} degrees) {:.2f}",
+                            count == 0 ? "" : ", ",
+                            place.at("x_m").get<double>(),
+                            place.at("y_m").get<double>(),
+                            geometry::degrees(place.at("heading_rad").get<double>()),
+                            probability);
+      ++count;
+    }
+  }
+  const std::string why = count > 1
+                              ? fmt::format("ambiguous: {} places fit: {}", count, places)
+                              : "the robot is not localized: what it hears does not tell its place";
+  return {outcome,
+          ExitCode::kUnfinished,
+          why,
+          "let it drive on, or say where it starts: " + again + " --at X Y DEGREES"};
+}
+
+nlohmann::ordered_json to_json(const RunEnding& ending) {
+  return {{"outcome", ending.outcome},
+          {"finished", ending.finished()},
+          {"why", ending.why},
+          {"next", ending.next}};
+}
+
+void describe_ending(const RunEnding& ending, exports::RunSummary& summary) {
+  summary.outcome = ending.outcome;
+  summary.finished = ending.finished();
+  summary.why = ending.why;
+  summary.next = ending.next;
+}
+
+exports::CoverageSummary summary_of(const Coverage& coverage) {
+  exports::CoverageSummary summary{coverage.share(), coverage.seen_m2, coverage.unseen_m2};
+  for (const exploration::UnseenPlace& place : coverage.places) {
+    summary.places.push_back({place.at_m.x(), place.at_m.y(), place.area_m2});
+  }
+  for (const exploration::NarrowGap& gap : coverage.gaps) {
+    summary.gaps.push_back({gap.at_m.x(), gap.at_m.y(), gap.width_m, gap.behind_m2});
+  }
+  return summary;
+}
+
+void print_ending(const RunEnding& ending, std::string_view saved) {
+  if (ending.finished()) {
+    console::print(fmt::format("finished: {}\n  next: {}", ending.why, ending.next));
+  } else {
+    spdlog::error("not finished; {} is saved: {}\n  next: {}", saved, ending.why, ending.next);
+  }
+}
+
+}  // namespace echomap::apps
