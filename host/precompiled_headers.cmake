@@ -32,7 +32,7 @@ endfunction()
 function(echomap_source_options)
   cmake_parse_arguments(ARG "" "" "OPTIONS;SOURCES" ${ARGN})
   set_source_files_properties(${ARG_SOURCES} PROPERTIES COMPILE_OPTIONS "${ARG_OPTIONS}"
-                              SKIP_PRECOMPILE_HEADERS ON)
+                              SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 set(standard_headers

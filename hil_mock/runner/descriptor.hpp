@@ -4,7 +4,12 @@
 #include <string>
 #include <utility>
 
+#include <sys/socket.h>
+
 namespace echomap::runner {
+
+/// For the type of a socket whose calls return at once and that no child keeps.
+inline constexpr int kSocketFlags = SOCK_NONBLOCK | SOCK_CLOEXEC;
 
 /// Owns a file descriptor and closes it.
 class Descriptor {

@@ -78,7 +78,7 @@ std::unique_ptr<SimulatedBoard> make_board(const DeviceProgram& program,
   return board;
 }
 
-std::int64_t nanoseconds(double duration_s) {
+std::int64_t nanoseconds_or_endless(double duration_s) {
   constexpr auto kEndless = std::numeric_limits<std::int64_t>::max();
   return duration_s * 1e9 < static_cast<double>(kEndless) ? std::llround(duration_s * 1e9)
                                                           : kEndless;
@@ -129,7 +129,7 @@ class Device {
     runner::run_paced(simulation_,
                       *endpoint_,
                       Pacer(options_.speed, std::chrono::steady_clock::now()),
-                      nanoseconds(options_.duration_s));
+                      nanoseconds_or_endless(options_.duration_s));
     write_truth(std::nullopt);
   }
 

@@ -19,7 +19,7 @@ namespace {
 class UdpFixSender final : public FixSender {
  public:
   explicit UdpFixSender(std::uint16_t port)
-      : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0), "socket") {
+      : socket_(::socket(AF_INET, SOCK_DGRAM | kSocketFlags, 0), "socket") {
     receiver_.sin_family = AF_INET;
     receiver_.sin_port = htons(port);
     receiver_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);

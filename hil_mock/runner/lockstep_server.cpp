@@ -17,8 +17,6 @@
 namespace echomap::runner {
 namespace {
 
-constexpr int kSocketFlags = SOCK_NONBLOCK | SOCK_CLOEXEC;
-
 /// Takes one number and the blank before it from the front of `text`.
 template <class Number>
 bool take_number(std::string_view& text, Number& number) {

@@ -11,11 +11,6 @@
 #include <sys/socket.h>
 
 namespace echomap::runner {
-namespace {
-
-constexpr int kSocketFlags = SOCK_NONBLOCK | SOCK_CLOEXEC;
-
-}  // namespace
 
 TcpEndpoint::TcpEndpoint(std::uint16_t port, WhenUnread when_unread)
     : when_unread_(when_unread),

@@ -14,7 +14,6 @@ namespace echomap::world {
 namespace {
 
 constexpr double kSupplyMv = 5000.0;
-constexpr double kPaperReflectance = 0.9;
 
 /// A point of a sensor's curve.
 struct CurvePoint {

@@ -10,7 +10,6 @@
 namespace echomap::world {
 namespace {
 
-constexpr double kPaperReflectance = 0.9;
 constexpr double kFanStepRad = geometry::radians(1.0);
 
 /// Whether a ray meets a wall that is bright enough within a reach to white paint.

@@ -27,6 +27,9 @@ std::optional<RayHit> cast_ray(const FloorPlan& plan,
 /// goes through is lost.
 double light_back(const Surface& surface, double incidence_rad);
 
+/// Share of light that the white paper throws back which data sheets measure sensors with.
+inline constexpr double kPaperReflectance = 0.9;
+
 /// Whether no wall stands between two points.
 bool sees(const FloorPlan& plan, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
 

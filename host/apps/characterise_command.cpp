@@ -88,7 +88,7 @@ double suggested_half_angle_deg(const SonarCharacter& character) {
   return 0.1 * std::round(5.0 * degrees(character.beam_width.mean.beam_width_rad));
 }
 
-nlohmann::ordered_json to_json(const SonarCharacter& character) {
+nlohmann::ordered_json json_of(const SonarCharacter& character) {
   const sensors::PooledBeamWidth& beam_width = character.beam_width;
   nlohmann::ordered_json json{
       {"sweeps", character.sweeps},
@@ -136,7 +136,7 @@ void print(const SonarCharacter& character) {
 ExitCode run_characterise(const CharacteriseOptions& options) {
   const SonarCharacter character = character_of(options);
   print(character);
-  write_report(options.json, to_json(character));
+  write_report(options.json, json_of(character));
   return ExitCode::kOk;
 }
 

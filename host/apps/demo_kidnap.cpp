@@ -17,7 +17,7 @@
 namespace echomap::apps {
 namespace {
 
-constexpr std::size_t kMaxStops = 10;
+constexpr std::size_t kMaxSearchStops = 10;
 /// So many stops in a row that are sure of the place.
 constexpr int kSureStops = 2;
 constexpr std::chrono::seconds kHeld(2);
@@ -28,7 +28,8 @@ constexpr double kStartStddevRad = 0.1;
 /// Drives on until the place is sure.
 void go_on(const FollowedRobot& followed, tracking::MclFilter& filter, DemoKidnap& kidnap) {
   int sure_stops = 0;
-  while (kidnap.stops < kMaxStops && sure_stops < kSureStops && follow_to_next_stop(followed)) {
+  while (kidnap.stops < kMaxSearchStops && sure_stops < kSureStops &&
+         follow_to_next_stop(followed)) {
     ++kidnap.stops;
     const auto status = filter.localizer().belief().status;
     kidnap.is_noticed = kidnap.is_noticed || status == localization::LocalizationStatus::kLost ||

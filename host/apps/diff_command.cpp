@@ -16,7 +16,7 @@ const char* name_of(evaluation::ChangeKind kind) {
   return kind == evaluation::ChangeKind::kAppeared ? "appeared" : "vanished";
 }
 
-nlohmann::ordered_json to_json(const evaluation::ChangedRegion& region) {
+nlohmann::ordered_json json_of(const evaluation::ChangedRegion& region) {
   return {{"change", name_of(region.kind)},
           {"x_m", region.center_m.x()},
           {"y_m", region.center_m.y()},
@@ -26,14 +26,14 @@ nlohmann::ordered_json to_json(const evaluation::ChangedRegion& region) {
           {"confidence", region.confidence}};
 }
 
-nlohmann::ordered_json to_json(const evaluation::MapDifference& difference) {
+nlohmann::ordered_json json_of(const evaluation::MapDifference& difference) {
   const auto& T_a_b = difference.alignment.T_a_b;
   nlohmann::ordered_json json{
       {"agreement", difference.alignment.agreement},
       {"T_a_b", {{"x_m", T_a_b.x_m()}, {"y_m", T_a_b.y_m()}, {"heading_rad", T_a_b.heading_rad()}}},
       {"regions", nlohmann::ordered_json::array()}};
   for (const auto& region : difference.regions) {
-    json["regions"].push_back(to_json(region));
+    json["regions"].push_back(json_of(region));
   }
   return json;
 }
@@ -76,7 +76,7 @@ ExitCode run_diff(const DiffOptions& options) {
   if (!options.picture.empty()) {
     evaluation::write_difference_picture(options.picture, before, after, *difference);
   }
-  write_report(options.json, to_json(*difference));
+  write_report(options.json, json_of(*difference));
   return ExitCode::kOk;
 }
 

@@ -11,14 +11,14 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kStepM = 0.01;
+constexpr double kPieceM = 0.01;
 
 /// Middles of pieces of equal length, about a centimetre each.
 std::vector<Eigen::Vector2d> points_along_m(const Polygon& ring_m) {
   std::vector<Eigen::Vector2d> points_m;
   for (std::size_t i = 0; i < ring_m.size(); ++i) {
     const geometry::Segment side = geometry::side(ring_m, i);
-    const auto pieces = std::max<long>(1, std::lround(side.length_m() / kStepM));
+    const auto pieces = std::max<long>(1, std::lround(side.length_m() / kPieceM));
     for (long piece = 0; piece < pieces; ++piece) {
       const double share = (static_cast<double>(piece) + 0.5) / static_cast<double>(pieces);
       points_m.emplace_back(side.from_m + share * (side.to_m - side.from_m));

@@ -8,6 +8,7 @@
 
 #include "host/exploration/loop_closure.hpp"
 #include "host/exploration/wall_outline.hpp"
+#include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
@@ -127,7 +128,7 @@ std::optional<FinishReason> Coastal::reason_to_finish(const WallContact& contact
 
 bool Coastal::is_round(const WallStep& step) const {
   if (params_.rule == TraversalRule::kAngleAboutStart) {
-    return traversal_.covered_rad() >= 2.0 * std::numbers::pi;
+    return traversal_.covered_rad() >= geometry::kFullTurnRad;
   }
   if (traversal_.state() != Traversal::kRoundRoom) {
     return false;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <variant>
 
 #include "host/exploration/coverage.hpp"
@@ -23,8 +22,6 @@ using geometry::CellIndex;
 using geometry::Pose2;
 using mapping::CellState;
 using mapping::RasterMap;
-
-constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
 
 void validate(const FrontierParams& params) {
   geometry::ParameterValidator("frontier")
@@ -74,7 +71,7 @@ Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
   }
   switch (phase_) {
     case Phase::kStarting:
-      plan_sweep(snapshot, {0.0, 0.0, kFullTurnRad});
+      plan_sweep(snapshot, {0.0, 0.0, geometry::kFullTurnRad});
       return take_planned();
     case Phase::kDriving:
       return drive_on(snapshot);
@@ -190,7 +187,7 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   for (const Opening& opening : find_openings(map, *snapshot.scans, params_.openings)) {
     const auto cost_m = travel_.cost_m(map.cell_at(opening.edge_m));
     if (cost_m && !was_tried(opening.beyond_m, map) && (!nearest || *cost_m < nearest->cost_m)) {
-      nearest = Viewpoint{opening.beyond_m, {0.0, 0.0, kFullTurnRad}, *cost_m, 0.0};
+      nearest = Viewpoint{opening.beyond_m, {0.0, 0.0, geometry::kFullTurnRad}, *cost_m, 0.0};
     }
   }
   if (!nearest) {

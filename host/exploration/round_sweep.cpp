@@ -5,11 +5,12 @@
 #include <numbers>
 #include <utility>
 
+#include "host/geometry/angle.hpp"
+
 namespace echomap::exploration {
 
 namespace {
 
-constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
 /// Angles given in degrees are whole numbers of steps only up to rounding.
 constexpr double kRoundingRad = 1e-9;
 /// Ours, chosen in simulated rooms (docs/algorithms/frontier.md).
@@ -22,8 +23,8 @@ int sectors_of(const RoundSweepParams& params) {
 
 /// From the sector ahead on, one beside the other; after all round it begins again.
 std::deque<Motion> sweep_of(const RoundSweepParams& params, bool turned_left, int sectors) {
-  const auto rounds = static_cast<int>(std::lround(params.scan_rad / kFullTurnRad));
-  const double sector_rad = kFullTurnRad / sectors_of(params);
+  const auto rounds = static_cast<int>(std::lround(params.scan_rad / geometry::kFullTurnRad));
+  const double sector_rad = geometry::kFullTurnRad / sectors_of(params);
   Sweep sweep{
       -sector_rad / 2.0, sector_rad / 2.0 - params.step_rad, params.step_rad, params.settle_s};
 
@@ -44,7 +45,7 @@ std::deque<Motion> sweep_of(const RoundSweepParams& params, bool turned_left, in
 
 }  // namespace
 
-bool is_full_turn(double angle_rad) { return angle_rad >= kFullTurnRad - kRoundingRad; }
+bool is_full_turn(double angle_rad) { return angle_rad >= geometry::kFullTurnRad - kRoundingRad; }
 
 bool is_possible(const RoundSweepParams& params) {
   return is_full_turn(params.scan_rad) && params.step_rad > 0.0 &&

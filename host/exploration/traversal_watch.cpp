@@ -2,18 +2,11 @@
 #include "host/exploration/traversal_watch.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
-
-namespace {
-
-constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
-
-}  // namespace
 
 TraversalWatch::TraversalWatch(const TraversalParams& params) : params_(params) {
   geometry::ParameterValidator("traversal watch")
@@ -39,7 +32,7 @@ void TraversalWatch::add(const WallStep& step) {
   }
   const double turned_rad = step.turned_rad - *along_turned_rad_;
   const double away_m = (place_m - first_->T_map_robot.position_m()).norm();
-  if (std::abs(turned_rad) >= kFullTurnRad - params_.turn_slack_rad &&
+  if (std::abs(turned_rad) >= geometry::kFullTurnRad - params_.turn_slack_rad &&
       away_m <= params_.reach_m + params_.reach_per_m * step.travelled_m) {
     state_ = turned_rad > 0.0 ? Traversal::kRoundRoom : Traversal::kRoundIsland;
     round_m_ = step.travelled_m;

@@ -17,8 +17,7 @@ namespace {
 using geometry::CellIndex;
 using mapping::CellState;
 
-constexpr double kFullTurnRad = 2.0 * std::numbers::pi;
-constexpr double kSectorRad = kFullTurnRad / ViewGain::kSectors;
+constexpr double kSectorRad = geometry::kFullTurnRad / ViewGain::kSectors;
 
 double bearing_of(std::size_t sector) {
   return -std::numbers::pi + (static_cast<double>(sector) + 0.5) * kSectorRad;

@@ -10,18 +10,18 @@ namespace echomap::exports {
 
 namespace {
 
-constexpr NumberTableFormat kFormat{"x_m,y_m,pose_index", ',', 3};
+constexpr NumberTableFormat kPointsFormat{"x_m,y_m,pose_index", ',', 3};
 
 }  // namespace
 
 void write_points_csv(const std::filesystem::path& path,
                       const std::vector<mapping::MapPoint>& points) {
-  std::string text(kFormat.header);
+  std::string text(kPointsFormat.header);
   text.push_back('\n');
   for (const auto& point : points) {
     const std::array row{
         point.position_m.x(), point.position_m.y(), static_cast<double>(point.pose_index)};
-    append_row(text, row, kFormat.separator);
+    append_row(text, row, kPointsFormat.separator);
   }
   files::write_text_file(path, text);
 }

@@ -10,15 +10,16 @@ namespace echomap::exports {
 
 namespace {
 
-constexpr NumberTableFormat kFormat{"x_m,y_m,heading_rad", ',', 3};
+constexpr NumberTableFormat kPosesFormat{"x_m,y_m,heading_rad", ',', 3};
 
 }  // namespace
 
 void write_poses_csv(const std::filesystem::path& path, const std::vector<geometry::Pose2>& poses) {
-  std::string text(kFormat.header);
+  std::string text(kPosesFormat.header);
   text.push_back('\n');
   for (const auto& pose : poses) {
-    append_row(text, std::array{pose.x_m(), pose.y_m(), pose.heading_rad()}, kFormat.separator);
+    append_row(
+        text, std::array{pose.x_m(), pose.y_m(), pose.heading_rad()}, kPosesFormat.separator);
   }
   files::write_text_file(path, text);
 }

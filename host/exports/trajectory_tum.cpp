@@ -15,7 +15,7 @@ namespace echomap::exports {
 
 namespace {
 
-constexpr NumberTableFormat kFormat{"", ' ', 8};
+constexpr NumberTableFormat kTumFormat{"", ' ', 8};
 
 /// What fits into a stamp, in microseconds, with room to spare.
 constexpr double kLongestS = 1e12;
@@ -40,7 +40,7 @@ void write_trajectory_tum(const std::filesystem::path& path,
 
 std::vector<pipeline::StampedPose> read_trajectory_tum(const std::filesystem::path& path) {
   std::vector<pipeline::StampedPose> trajectory;
-  for (const auto& [row, line] : read_number_table(path, kFormat)) {
+  for (const auto& [row, line] : read_number_table(path, kTumFormat)) {
     if (std::abs(row[0]) > kLongestS) {
       fail_at_line(path, line, "outside the range of seconds");
     }

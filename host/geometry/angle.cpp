@@ -6,13 +6,12 @@
 namespace echomap::geometry {
 
 double wrap_angle(double angle_rad) {
-  constexpr double kTurnRad = 2.0 * std::numbers::pi;
   // Most angles lie within one turn more, where a subtraction is exact, and fast.
   double wrapped = angle_rad;
-  if (std::abs(angle_rad) >= 1.5 * kTurnRad) {
-    wrapped = std::remainder(angle_rad, kTurnRad);
+  if (std::abs(angle_rad) >= 1.5 * kFullTurnRad) {
+    wrapped = std::remainder(angle_rad, kFullTurnRad);
   } else if (std::abs(angle_rad) > std::numbers::pi) {
-    wrapped = angle_rad - std::copysign(kTurnRad, angle_rad);
+    wrapped = angle_rad - std::copysign(kFullTurnRad, angle_rad);
   }
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }

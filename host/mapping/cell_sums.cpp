@@ -12,7 +12,7 @@ namespace {
 /// A side of the bounds that has to move moves so many cells farther.
 constexpr std::int32_t kGrowth = 64;
 /// More cells are not held: 200 by 200 m at 5 cm take 64 MB.
-constexpr std::int64_t kMaxCells = std::int64_t{1} << 24;
+constexpr std::int64_t kMaxHeldCells = std::int64_t{1} << 24;
 
 CellBounds grown(const CellBounds& held, const CellBounds& wanted) {
   if (held.empty()) {
@@ -41,7 +41,7 @@ bool CellSums::can_hold(const CellBounds& bounds) const {
   }
   const std::int64_t columns = std::int64_t{all.max.x} - all.min.x + 1 + 2 * kGrowth;
   const std::int64_t rows = std::int64_t{all.max.y} - all.min.y + 1 + 2 * kGrowth;
-  return columns <= kMaxCells && rows <= kMaxCells && columns * rows <= kMaxCells;
+  return columns <= kMaxHeldCells && rows <= kMaxHeldCells && columns * rows <= kMaxHeldCells;
 }
 
 void CellSums::hold(const CellBounds& bounds) {

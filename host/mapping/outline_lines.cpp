@@ -19,7 +19,7 @@ constexpr double kSameWallM = 0.05;
 /// Both ends of a border's side may be off its line by this much, so that its direction may be a
 /// wall's.
 constexpr double kSideEndM = 0.05;
-constexpr double kSameDirectionRad = 0.05;
+constexpr double kSameWallRad = 0.05;
 /// Around the end of a wall a border's mean direction is anything.
 constexpr double kBehind = 0.3;
 
@@ -102,7 +102,7 @@ std::vector<Eigen::Vector2d> directions_of(const std::vector<MergedWall>& walls)
     const Eigen::Vector2d along = wall.line.direction;
     const bool is_known =
         std::any_of(directions.begin(), directions.end(), [&](const Eigen::Vector2d& known) {
-          return known.dot(along) > std::cos(kSameDirectionRad);
+          return known.dot(along) > std::cos(kSameWallRad);
         });
     if (!is_known) {
       const Eigen::Vector2d across = geometry::perpendicular(along);

@@ -13,7 +13,7 @@ using time::HostTime;
 constexpr milliseconds kStep(5);
 constexpr std::size_t kBufferSize = 4096;
 /// Real time for bytes that the device says it has written.
-constexpr std::chrono::seconds kPatience(10);
+constexpr std::chrono::seconds kBytesPatience(10);
 
 class RealTimePace final : public Pace {
  public:
@@ -56,7 +56,7 @@ class LockstepPace final : public Pace {
   void read_all(transport::ByteStream& stream, std::uint64_t device_bytes, const Receive& receive) {
     std::array<std::uint8_t, kBufferSize> buffer{};
     while (bytes_received_ < device_bytes && stream.status() == transport::StreamStatus::kOpen) {
-      const std::size_t count = stream.read_some(buffer, kPatience);
+      const std::size_t count = stream.read_some(buffer, kBytesPatience);
       if (count == 0) {
         bytes_are_missing_ = stream.status() == transport::StreamStatus::kOpen;
         return;

@@ -18,7 +18,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kPatience{2500};
+constexpr std::chrono::milliseconds kAnswerPatience{2500};
 constexpr std::chrono::milliseconds kTurn{5};
 
 struct Candidate {
@@ -48,7 +48,7 @@ bool may_answer(const Candidate& candidate) {
 
 void listen(std::vector<Candidate>& candidates) {
   std::array<std::uint8_t, 4096> buffer{};
-  const auto until = steady_clock::now() + kPatience;
+  const auto until = steady_clock::now() + kAnswerPatience;
   while (steady_clock::now() < until &&
          std::any_of(candidates.begin(), candidates.end(), may_answer)) {
     for (Candidate& candidate : candidates) {

@@ -7,7 +7,7 @@
 namespace echomap::transport {
 namespace {
 
-constexpr std::string_view kScheme = "bt://";
+constexpr std::string_view kBluetoothScheme = "bt://";
 constexpr std::size_t kAddressLength = 17;
 
 /// All of `text` as a number; empty where it is none or above `most`.
@@ -22,13 +22,13 @@ std::optional<std::uint8_t> number(std::string_view text, int base, unsigned mos
 
 }  // namespace
 
-bool is_bluetooth_address(std::string_view name) { return name.starts_with(kScheme); }
+bool is_bluetooth_address(std::string_view name) { return name.starts_with(kBluetoothScheme); }
 
 std::optional<BluetoothAddress> parse_bluetooth_address(std::string_view address) {
-  if (!is_bluetooth_address(address) || address.size() < kScheme.size() + kAddressLength) {
+  if (!is_bluetooth_address(address) || address.size() < kBluetoothScheme.size() + kAddressLength) {
     return std::nullopt;
   }
-  address.remove_prefix(kScheme.size());
+  address.remove_prefix(kBluetoothScheme.size());
   BluetoothAddress parsed;
   for (std::size_t i = 0; i < parsed.bytes.size(); ++i) {
     const auto byte = number(address.substr(3 * i, 2), 16, 0xFF);

@@ -16,7 +16,7 @@ namespace echomap::transport {
 namespace {
 
 using boost::asio::generic::stream_protocol;
-constexpr std::chrono::seconds kPatience{10};
+constexpr std::chrono::seconds kBluetoothPatience{10};
 
 /// "00:14:03:05:59:02" of "bt://00:14:03:05:59:02/3".
 std::string device_of(const std::string& address) {
@@ -24,7 +24,7 @@ std::string device_of(const std::string& address) {
   return address.substr(begin, address.find('/', begin) - begin);
 }
 
-[[noreturn]] void fail(const std::string& address, const std::string& why) {
+[[noreturn]] void fail_to_reach_module(const std::string& address, const std::string& why) {
   throw TransportError("cannot connect to " + address,
                        why,
                        "pair the module first: bluetoothctl pair " + device_of(address));
@@ -44,18 +44,18 @@ stream_protocol::endpoint endpoint_of(const BluetoothAddress& address) {
 std::unique_ptr<ByteStream> open_bluetooth_stream(const std::string& address) {
   const auto parsed = parse_bluetooth_address(address);
   if (!parsed) {
-    fail(address, "it is not of the form bt://00:11:22:33:44:55");
+    fail_to_reach_module(address, "it is not of the form bt://00:11:22:33:44:55");
   }
   auto stream = std::make_unique<AsioStream<stream_protocol::socket>>(address);
   boost::system::error_code error;
   stream->stream().open(stream_protocol(AF_BLUETOOTH, BTPROTO_RFCOMM), error);
   if (!error) {
-    error = connect_within(*stream, kPatience, [&](auto handler) {
+    error = connect_within(*stream, kBluetoothPatience, [&](auto handler) {
       stream->stream().async_connect(endpoint_of(*parsed), handler);
     });
   }
   if (error) {
-    fail(address, error.message());
+    fail_to_reach_module(address, error.message());
   }
   return stream;
 }

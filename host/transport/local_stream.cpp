@@ -8,12 +8,12 @@
 
 namespace echomap::transport {
 
-using boost::asio::local::stream_protocol;
+using LocalProtocol = boost::asio::local::stream_protocol;
 
 std::unique_ptr<ByteStream> open_local_stream(const std::string& path) {
-  auto stream = std::make_unique<AsioStream<stream_protocol::socket>>(path);
+  auto stream = std::make_unique<AsioStream<LocalProtocol::socket>>(path);
   try {
-    stream->stream().connect(stream_protocol::endpoint(path));
+    stream->stream().connect(LocalProtocol::endpoint(path));
   } catch (const boost::system::system_error& error) {
     throw TransportError("cannot connect to the socket " + path,
                          error.code().message(),

@@ -6,7 +6,7 @@
 namespace echomap::transport {
 namespace {
 
-constexpr std::string_view kScheme = "tcp://";
+constexpr std::string_view kTcpScheme = "tcp://";
 
 bool is_port(std::string_view text) {
   unsigned number = 0;
@@ -16,13 +16,15 @@ bool is_port(std::string_view text) {
 
 }  // namespace
 
-bool is_tcp_address(std::string_view name) { return name.substr(0, kScheme.size()) == kScheme; }
+bool is_tcp_address(std::string_view name) {
+  return name.substr(0, kTcpScheme.size()) == kTcpScheme;
+}
 
 std::optional<TcpAddress> parse_tcp_address(std::string_view address) {
   if (!is_tcp_address(address)) {
     return std::nullopt;
   }
-  address.remove_prefix(kScheme.size());
+  address.remove_prefix(kTcpScheme.size());
   const std::size_t colon = address.rfind(':');
   if (colon == std::string_view::npos || !is_port(address.substr(colon + 1))) {
     return std::nullopt;

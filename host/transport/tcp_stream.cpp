@@ -15,9 +15,9 @@ namespace echomap::transport {
 namespace {
 
 using boost::asio::ip::tcp;
-constexpr std::chrono::seconds kPatience{5};
+constexpr std::chrono::seconds kTcpPatience{5};
 
-[[noreturn]] void fail(const std::string& address, const std::string& why) {
+[[noreturn]] void fail_to_reach_host(const std::string& address, const std::string& why) {
   throw TransportError(
       "cannot connect to " + address,
       why,
@@ -45,9 +45,9 @@ struct Resolved {
   tcp::resolver::results_type endpoints;
 };
 
-/// Within kPatience, though the system's own look-up knows no end.
+/// Within kTcpPatience, though the system's own look-up knows no end.
 Resolved resolve(const TcpAddress& address) {
-  const auto resolved = finish_within(kPatience, [address] {
+  const auto resolved = finish_within(kTcpPatience, [address] {
     boost::asio::io_context io;
     Resolved result;
     result.endpoints = tcp::resolver(io).resolve(address.host, address.port, result.error);
@@ -56,13 +56,13 @@ Resolved resolve(const TcpAddress& address) {
   return resolved.value_or(Resolved{boost::asio::error::timed_out, {}});
 }
 
-/// Connects within kPatience; the error of the last address that was tried.
+/// Connects within kTcpPatience; the error of the last address that was tried.
 boost::system::error_code connect(AsioStream<tcp::socket>& stream, const TcpAddress& address) {
   const auto [error, endpoints] = resolve(address);
   if (error) {
     return error;
   }
-  return connect_within(stream, kPatience, [&stream, &found = endpoints](auto handler) {
+  return connect_within(stream, kTcpPatience, [&stream, &found = endpoints](auto handler) {
     boost::asio::async_connect(stream.stream(), found, handler);
   });
 }
@@ -72,11 +72,11 @@ boost::system::error_code connect(AsioStream<tcp::socket>& stream, const TcpAddr
 std::unique_ptr<ByteStream> open_tcp_stream(const std::string& address) {
   const auto parsed = parse_tcp_address(address);
   if (!parsed) {
-    fail(address, "it is not of the form tcp://host:port");
+    fail_to_reach_host(address, "it is not of the form tcp://host:port");
   }
   auto stream = std::make_unique<AsioStream<tcp::socket>>(address);
   if (const auto error = connect(*stream, *parsed)) {
-    fail(address, error.message());
+    fail_to_reach_host(address, error.message());
   }
   stream->stream().set_option(tcp::no_delay(true));
   notice_half_open(stream->stream());

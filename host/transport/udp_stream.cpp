@@ -20,7 +20,7 @@ using boost::asio::ip::udp;
 /// So many empty datagrams at once: who sends no end of them cannot keep a read from returning.
 constexpr int kMaxPassedOver = 64;
 
-[[noreturn]] void fail(const std::string& address, const std::string& reason) {
+[[noreturn]] void fail_to_listen(const std::string& address, const std::string& reason) {
   throw TransportError("cannot listen on " + address,
                        reason,
                        "name an address of this machine and a free port, as udp:127.0.0.1:7001");
@@ -100,19 +100,19 @@ std::unique_ptr<ByteStream> open_udp_stream(const std::string& address) {
                           ? parse_tcp_address("tcp://" + address.substr(kScheme.size()))
                           : std::nullopt;
   if (!parsed) {
-    fail(address, "it is not of the form udp://host:port");
+    fail_to_listen(address, "it is not of the form udp://host:port");
   }
   boost::system::error_code error;
   const auto number = boost::asio::ip::make_address(
       parsed->host == "localhost" ? "127.0.0.1" : parsed->host, error);
   if (error) {
-    fail(address, "'" + parsed->host + "' is not an address in numbers");
+    fail_to_listen(address, "'" + parsed->host + "' is not an address in numbers");
   }
   const auto port = static_cast<std::uint16_t>(std::atoi(parsed->port.c_str()));
   try {
     return std::make_unique<UdpStream>(address, udp::endpoint(number, port));
   } catch (const boost::system::system_error& taken) {
-    fail(address, taken.code().message());
+    fail_to_listen(address, taken.code().message());
   }
 }
 

@@ -202,8 +202,12 @@ TEST_F(RunTest, BuildsAndRunsWhatItsTierNames) {
   const std::string quick = run_test("--quick").output;
   EXPECT_THAT(quick, HasSubstr("--target quick_tests\n"));
   EXPECT_THAT(quick, HasSubstr(" -L quick\n"));
-  EXPECT_THAT(run_test("").output, HasSubstr(" -LE full\n"));
-  EXPECT_THAT(run_test("--full").output, Not(HasSubstr(" -L")));
+  const std::string standard = run_test("").output;
+  EXPECT_THAT(standard, HasSubstr("--target standard_tests\n"));
+  EXPECT_THAT(standard, HasSubstr(" -LE full\n"));
+  const std::string full = run_test("--full").output;
+  EXPECT_THAT(full, Not(HasSubstr("--target")));
+  EXPECT_THAT(full, Not(HasSubstr(" -L")));
   EXPECT_THAT(run_test("--asan").output, HasSubstr("-LE structure|hil|full\n"));
 }
 
