@@ -184,10 +184,10 @@ void warn_of_previous_maps(const pipeline::RobotAtlas& atlas) {
   }
 }
 
-RunEnding ending_of(const RobotContext& robot,
-                    const std::optional<FinishReason>& reason,
-                    const std::optional<exploration::Coverage>& coverage,
-                    const NextCommands& next) {
+RunEnding ending_of_exploration(const RobotContext& robot,
+                                const std::optional<FinishReason>& reason,
+                                const std::optional<exploration::Coverage>& coverage,
+                                const NextCommands& next) {
   const RobotSession& session = robot.session();
   return reason ? ending_of(*reason, coverage, next)
                 : ending_of(session.end().value_or(session::SessionEnd::kLinkLost),
@@ -247,7 +247,7 @@ RunEnding explore_and_save(RobotContext& robot,
   progress.clear();
   warn_of_previous_maps(robot.atlas());
   const auto coverage = coverage_of(robot.atlas().pipeline().snapshot(), robot.profile());
-  const RunEnding ending = ending_of(robot, reason, coverage, run.next);
+  const RunEnding ending = ending_of_exploration(robot, reason, coverage, run.next);
   describe_ending(ending, summary);
   if (coverage) {
     summary.coverage = summary_of(*coverage);

@@ -170,7 +170,7 @@ nlohmann::ordered_json replay_json(const ReplayOptions& options,
           {"sightings_without_pose", counts.sightings_without_pose}};
 }
 
-exports::RunSummary summary_of(const PlayedLog& log, const pipeline::Snapshot& snapshot) {
+exports::RunSummary summary_of_log(const PlayedLog& log, const pipeline::Snapshot& snapshot) {
   exports::RunSummary summary;
   summary.echomap_version = ECHOMAP_VERSION;
   summary.sim_seconds = log.duration_s();
@@ -235,7 +235,7 @@ ExitCode replay_log(const ReplayOptions& options) {
 
   const pipeline::Snapshot snapshot = played.pipeline().snapshot();
   refuse_huge_map(*snapshot.grid);
-  exports::RunSummary summary = summary_of(played, snapshot);
+  exports::RunSummary summary = summary_of_log(played, snapshot);
   const RunEnding ending = ending_of_replay(outcome, damage, out.string());
   describe_ending(ending, summary);
   move_earlier_run_aside(out);

@@ -40,7 +40,7 @@ PastView view_of(const mapping::Scan& scan) {
   }
   std::sort(bearings_rad.begin(), bearings_rad.end());
   double first_rad = bearings_rad.front();
-  double gap_rad = kFullTurnRad - (bearings_rad.back() - bearings_rad.front());
+  double gap_rad = geometry::kFullTurnRad - (bearings_rad.back() - bearings_rad.front());
   for (std::size_t i = 1; i < bearings_rad.size(); ++i) {
     if (bearings_rad[i] - bearings_rad[i - 1] > gap_rad) {
       first_rad = bearings_rad[i];
@@ -48,9 +48,9 @@ PastView view_of(const mapping::Scan& scan) {
     }
   }
   const double half_width_rad =
-      gap_rad > kBeamRad ? 0.5 * (kFullTurnRad - gap_rad) : std::numbers::pi;
+      gap_rad > kBeamRad ? 0.5 * (geometry::kFullTurnRad - gap_rad) : std::numbers::pi;
   return {sum_m / static_cast<double>(scan.size()),
-          geometry::wrap_angle(first_rad + 0.5 * (kFullTurnRad - gap_rad)),
+          geometry::wrap_angle(first_rad + 0.5 * (geometry::kFullTurnRad - gap_rad)),
           half_width_rad};
 }
 

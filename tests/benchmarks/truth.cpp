@@ -2,11 +2,9 @@
 // Whether a map tells the truth: what is solid, what is floor and where a robot can go, in rooms
 // that are toured by a list of stops, over many seeds, beside the best map of the same stops.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <exception>
 #include <filesystem>
-#include <future>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,9 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "hil_mock/world/floor_plan_file.hpp"
 #include "host/files/atomic_file.hpp"
-#include "host/files/bundled_files.hpp"
 #include "host/session/robot_profile.hpp"
 #include "host/session/temporary_folder.hpp"
 #include "host/strategies/strategy_setup.hpp"
@@ -26,6 +22,7 @@
 #include "tests/benchmarks/markdown_table.hpp"
 #include "tests/benchmarks/stop_time.hpp"
 #include "tests/benchmarks/truth_figures.hpp"
+#include "tests/benchmarks/truth_rooms.hpp"
 #include "tests/benchmarks/truth_runs.hpp"
 
 namespace echomap::bench {
@@ -38,24 +35,8 @@ struct Options {
   int seeds = 20;
   int first_seed = 1;
   int jobs = 2;
-  std::vector<std::string> rooms{"nxt_room",
-                                 "create_l",
-                                 "create_t",
-                                 "epuck_field",
-                                 "playground",
-                                 "living_room",
-                                 "corridor_rooms",
-                                 "office",
-                                 "round_room",
-                                 "pillar_hall",
-                                 "classroom",
-                                 "garage",
-                                 "attic",
-                                 "studio",
-                                 "hall",
-                                 "corridor_t"};
-  std::vector<std::string> simavr_rooms{"living_room", "office", "pillar_hall", "studio"};
-  std::string emulator = "mixed";
+  std::vector<std::string> rooms = truth_room_names();
+  TruthEmulators emulators;
   TruthRobot robot;
   std::string rough_body = "uno_2wd_rough";
   std::size_t timed_stops = 1000;
@@ -83,19 +64,8 @@ std::vector<std::string> required_figures(const Options& options) {
           fmt::format("stop_ms_at_{}", options.timed_stops)};
 }
 
-std::string emulator_of(const Options& options, const std::string& room) {
-  if (options.emulator != "mixed") {
-    return options.emulator;
-  }
-  const auto& real = options.simavr_rooms;
-  return std::find(real.begin(), real.end(), room) != real.end() ? "simavr" : "mock";
-}
-
 TruthRoom room_of(const Options& options, const std::string& world, const fs::path& folder) {
-  const fs::path file = files::bundled_file(world, "hil_mock/worlds", "world (--rooms)");
-  TruthRoom room{
-      file.stem().string(), world, world::read_floor_plan(files::TomlReader::load(file)), {}, {}};
-  room.emulator = emulator_of(options, room.name);
+  TruthRoom room = truth_room(world, options.emulators);
   if (options.robot.strategy == "stops") {
     CoveringTourParams params;
     params.robot_radius_m = options.robot.radius_m;
@@ -159,7 +129,7 @@ std::optional<TruthRun> carry_out(const Options& options,
   TruthRobot robot = options.robot;
   if (task.is_rough) {
     robot.body = options.rough_body;
-    room.emulator = options.emulator == "mixed" ? "mock" : options.emulator;
+    room.emulator = options.emulators.emulator == "mixed" ? "mock" : options.emulators.emulator;
   }
   const fs::path place =
       folder / fmt::format("{}{}_{}", room.name, task.is_rough ? "_rough" : "", task.seed);
@@ -180,18 +150,9 @@ void measure_runs(const Options& options,
                   std::vector<TruthCell>& cells) {
   const std::vector<Task> tasks = tasks_of(options, rooms.size());
   std::vector<std::optional<TruthRun>> runs(tasks.size());
-  std::atomic<std::size_t> next{0};
-  std::vector<std::future<void>> workers;
-  for (int job = 0; job < options.jobs; ++job) {
-    workers.push_back(std::async(std::launch::async, [&] {
-      for (std::size_t i = next++; i < tasks.size(); i = next++) {
-        runs[i] = carry_out(options, rooms[tasks[i].room], tasks[i], folder);
-      }
-    }));
-  }
-  for (auto& worker : workers) {
-    worker.get();
-  }
+  for_each_in_jobs(tasks.size(), options.jobs, [&](std::size_t i) {
+    runs[i] = carry_out(options, rooms[tasks[i].room], tasks[i], folder);
+  });
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (runs[i]) {
       TruthCell& cell = cells[tasks[i].room];
@@ -249,12 +210,14 @@ void add_options(CLI::App& app, Options& options) {
       ->delimiter(',')
       ->capture_default_str();
   app.add_option("--emulator",
-                 options.emulator,
+                 options.emulators.emulator,
                  "mixed: the release image under simavr in --simavr-rooms, the mock elsewhere and "
                  "for rough odometry")
       ->check(CLI::IsMember({"mixed", "simavr", "mock"}))
       ->capture_default_str();
-  app.add_option("--simavr-rooms", options.simavr_rooms)->delimiter(',')->capture_default_str();
+  app.add_option("--simavr-rooms", options.emulators.simavr_rooms)
+      ->delimiter(',')
+      ->capture_default_str();
   app.add_option("--robot", options.robot.profile, "Profile")->capture_default_str();
   app.add_option("--rough-body",
                  options.rough_body,

@@ -66,6 +66,9 @@ TruthRun run_of(const TruthRobot& robot, const fs::path& folder) {
   TruthRun run;
   run.outcome = report.at("outcome").get<std::string>();
   run.complete = run.outcome == "complete";
+  run.finished = report.at("finished").get<bool>();
+  run.coverage = report.at("coverage").at("share").get<double>();
+  run.sim_seconds = report.at("sim_seconds").get<double>();
   run.hard_collisions = truth.at("hard_collisions").get<int>();
   run.bumps = truth.at("bumps").get<int>();
   run.stops = report.at("stops").get<std::size_t>();

@@ -37,7 +37,10 @@ struct TruthRobot {
 /// What a run came to.
 struct TruthRun {
   std::string outcome;
-  bool complete = false;
+  bool complete = false;  ///< By the strategy's word.
+  bool finished = false;  ///< By the map's own estimate of what is unseen.
+  double coverage = 0.0;  ///< That estimate, of 1.
+  double sim_seconds = 0.0;
   int hard_collisions = 0;
   int bumps = 0;
   std::size_t stops = 0;
