@@ -63,27 +63,22 @@ std::string add_scores(RobotContext& robot,
   }
 }
 
-/// What is there to do with a simulated robot's map; the room is the same with the next seed.
+/// What there is to do with the map of a simulated robot: the next one begins in the same room.
 NextCommands next_commands(const DemoOptions& options, const std::filesystem::path& out) {
-  const console::CommandWords score{"echomap",
-                                    "eval",
-                                    out.string(),
-                                    "--truth",
-                                    (out / "truth").string(),
-                                    "--picture",
-                                    (out / "score.png").string()};
   const RunOptions usual;
-  if (options.run.strategy.stops == usual.strategy.stops &&
-      options.run.strategy.name == usual.strategy.name) {
-    return {console::shell_line(score), console::shell_line(score)};
-  }
-  return {console::shell_line(score),
-          console::shell_line({"echomap",
-                               "demo",
-                               "--world",
-                               options.robot.world,
-                               "--emulator",
-                               options.robot.emulator})};
+  const bool is_usual = options.run.strategy.stops == usual.strategy.stops &&
+                        options.run.strategy.name == usual.strategy.name;
+  const std::string score = console::shell_line({"echomap",
+                                                 "eval",
+                                                 out.string(),
+                                                 "--truth",
+                                                 (out / "truth").string(),
+                                                 "--picture",
+                                                 (out / "score.png").string()});
+  const std::string again = console::shell_line(
+      {"echomap", "demo", "--world", options.robot.world, "--emulator", options.robot.emulator});
+  const std::string find = console::shell_line({"echomap", "localize", "--map", out.string()});
+  return {score, is_usual ? score : again, find};
 }
 
 /// How a drive has ended, and what became of a robot that was carried off behind it.

@@ -31,7 +31,8 @@ NextCommands next_commands(const ExploreOptions& options, const std::string& out
     words.insert(words.end(), more.begin(), more.end());
     return console::shell_line(words);
   };
-  return {line("localize", {"--map", out}), line("explore", {"--resume", out, "--out", out})};
+  const std::string localize = line("localize", {"--map", out});
+  return {localize, line("explore", {"--resume", out, "--out", out}), localize};
 }
 
 }  // namespace

@@ -229,7 +229,7 @@ RunEnding explore_and_save(RobotContext& robot,
   std::mt19937 random = robot.seed().generator(session::SeedPurpose::kStrategy);
   const auto explorer = explorer_of(robot, run.strategy, random);
   RunWriter writer(robot, *explorer, run, summary);
-  ProgressReporter progress(stderr, run.shows_progress);
+  ProgressReporter progress(stderr, run.shows_progress && spdlog::should_log(spdlog::level::info));
   const std::size_t stops_before = stops_in(robot.atlas());
   const auto line = [&] {
     return progress_line(robot, run, {stops_before + explorer->stops_made(), stops_before});

@@ -108,7 +108,7 @@ console::CommandWords words_of(const LocalizeOptions& options) {
 RunEnding ending_of_drive(const FollowedRobot& robot, const console::CommandWords& localize) {
   if (const auto end = robot.session.end()) {
     const std::string again = console::shell_line(localize);
-    return ending_of(*end, robot.session.end_reason(), {again, again});
+    return ending_of(*end, robot.session.end_reason(), {again, again, again});
   }
   if (robot.driver.finished() == exploration::FinishReason::kCannotSense) {
     return ending_of(exploration::FinishReason::kCannotSense, std::nullopt, {});

@@ -124,7 +124,8 @@ void save_played(const PlayedMap& map,
   made.slam = map.slam;
   made.world = summary.world;
   made.robot = summary.robot;
-  if (const auto coverage = coverage_of(map.pipeline.snapshot(), profile)) {
+  const auto coverage = coverage_of(map.pipeline.snapshot(), profile);
+  if (coverage && !summary.json.value("coverage", ordered_json()).is_null()) {
     made.coverage = summary_of(*coverage);
   }
   fs::create_directories(out);

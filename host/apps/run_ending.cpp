@@ -64,8 +64,8 @@ constexpr Trouble kTroubles[] = {
     {FinishReason::kLost,
      ExitCode::kRuntimeError,
      "sonar readings contradict the map: the robot was carried, or its wheels slipped",
-     "start again; in this map only with: ",
-     &NextCommands::use},
+     "start again, or find it in its map: ",
+     &NextCommands::find},
 };
 
 /// Why a strategy went no further although nothing kept it; empty where it was done.

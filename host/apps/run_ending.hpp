@@ -33,6 +33,7 @@ struct RunEnding {
 struct NextCommands {
   std::string use;    ///< Of a finished map.
   std::string go_on;  ///< Where the room is unfinished.
+  std::string find;   ///< Where the robot is lost.
 };
 
 /// A map with less of the floor in reach than this is unfinished.
@@ -71,6 +72,7 @@ nlohmann::ordered_json to_json(const RunEnding& ending);
 /// Sets outcome, finished, why and next.
 void describe_ending(const RunEnding& ending, exports::RunSummary& summary);
 
+/// The same as entries of the summary.
 exports::CoverageSummary summary_of(const exploration::Coverage& coverage);
 
 /// The closing paragraph: on stderr, where it is not finished as an error. `saved` is what is there

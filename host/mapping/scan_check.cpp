@@ -130,6 +130,21 @@ ScanFit fit_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams
   return agreement_of(scan, map, params).fit;
 }
 
+OccupancyGrid grid_of(const RasterMap& map) {
+  OccupancyGridParams params;
+  params.resolution_m = map.resolution_m();
+  OccupancyGrid grid(params);
+  for (int y = 0; y < map.rows(); ++y) {
+    for (int x = 0; x < map.columns(); ++x) {
+      if (const CellState state = map.state({x, y}); state != CellState::kUnknown) {
+        grid.add({x, y},
+                 state == CellState::kFree ? -params.clamp_centilogits : params.clamp_centilogits);
+      }
+    }
+  }
+  return grid;
+}
+
 ScanFault fault_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params) {
   if (scan.size() < params.min_readings) {
     return ScanFault::kNone;

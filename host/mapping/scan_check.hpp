@@ -8,6 +8,7 @@
 
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
+#include "host/mapping/raster_map.hpp"
 
 namespace echomap::mapping {
 
@@ -59,6 +60,10 @@ struct ScanFit {
 
 /// Both in the map frame.
 ScanFit fit_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params = {});
+
+/// A map of which only the states of its cells are known, to be compared with scans in its own
+/// frame: the lower left corner of the picture's first cell is the origin.
+OccupancyGrid grid_of(const RasterMap& map);
 
 /// Of a scan before it is put into the map.
 ScanFault fault_of(const Scan& scan, const OccupancyGrid& map, const ScanCheckParams& params = {});

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/geometry/parameter_validator.hpp"
+#include "host/mapping/scan_check.hpp"
 
 namespace echomap::pipeline {
 namespace {
@@ -41,6 +42,7 @@ RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
     : robot_(robot),
       params_(params),
       map_(std::move(map)),
+      compared_map_(mapping::grid_of(map_)),
       random_(random),
       odometry_(robot.track_m) {
   geometry::ParameterValidator("robot localizer")
@@ -48,7 +50,9 @@ RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
       .positive("step_rad", params.step_rad)
       .positive("scan_step_m", params.scan_step_m)
       .positive("scan_step_rad", params.scan_step_rad)
-      .positive("max_readings", params.max_readings);
+      .positive("max_readings", params.max_readings)
+      .positive("contradicting_echoes", params.contradicting_echoes)
+      .within("contradicting_floor_share", params.contradicting_floor_share, 0.0, 1.0);
   if (params.sensor) {
     make_filter(*params.sensor);
   }
@@ -143,11 +147,34 @@ void RobotLocalizer::end_scan() {
   if (!std::exchange(scan_is_open_, false)) {
     return;
   }
-  update(evenly_picked(gathered_, T_odom_robot_, params_.max_readings));
+  const auto readings = evenly_picked(gathered_, T_odom_robot_, params_.max_readings);
+  update(readings);
+  check_claim(readings);
   gathered_.clear();
   ++scans_;
   ++updates_;
   note_pose();
+}
+
+void RobotLocalizer::check_claim(const std::vector<localization::RangeReading>& readings) {
+  if (belief_.status != localization::LocalizationStatus::kLocalized ||
+      belief_.hypotheses.empty()) {
+    return;
+  }
+  const geometry::Pose2 T_grid_robot =
+      geometry::Pose2(-map_.origin_m().x(), -map_.origin_m().y(), 0.0) *
+      belief_.hypotheses.front().T_map_robot;
+  mapping::Scan scan;
+  for (const localization::RangeReading& reading : readings) {
+    scan.push_back({T_grid_robot, T_grid_robot * reading.T_robot_sensor, reading.range_m});
+  }
+  const mapping::ScanFit fit = mapping::fit_of(scan, compared_map_);
+  const std::size_t known = fit.on_walls + fit.on_floor;
+  if (known >= params_.contradicting_echoes &&
+      static_cast<double>(fit.on_floor) >
+          params_.contradicting_floor_share * static_cast<double>(known)) {
+    belief_.status = localization::LocalizationStatus::kRecovering;
+  }
 }
 
 void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {

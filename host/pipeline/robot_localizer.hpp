@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/localization/localizer_preset.hpp"
+#include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "host/pipeline/localizer_feed.hpp"
 #include "host/pipeline/observation_sink.hpp"
@@ -34,6 +35,11 @@ struct RobotLocalizerParams {
   /// A laser's ranges count up to there, metres.
   double max_laser_range_m = 10.0;
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
+  /// A sonar's scan contradicts the place where the robot is believed to be if so many of its
+  /// echoes come from known places of the map, and more than this share of them from its floor:
+  /// what is believed is then no claim, however sure the particles are of each other.
+  std::size_t contradicting_echoes = 8;
+  double contradicting_floor_share = 0.2;
 };
 
 /// Finds and follows a robot that drives in a map that is given: odometry, and a sonar's scans or
@@ -96,10 +102,13 @@ class RobotLocalizer final : public ObservationSink {
   void lose_pose();
   void update(const std::vector<localization::RangeReading>& readings);
   void note_pose();
+  /// Takes back that the robot is localized where its scan says something else.
+  void check_claim(const std::vector<localization::RangeReading>& readings);
 
   sensors::RobotGeometry robot_;
   RobotLocalizerParams params_;
   mapping::RasterMap map_;
+  mapping::OccupancyGrid compared_map_;  ///< In its own frame: mapping::grid_of.
   std::mt19937 random_;
   std::unique_ptr<Filter> filter_;  ///< Once the sensor is known.
   sensors::WheelOdometry odometry_;

@@ -50,7 +50,7 @@ constexpr std::array<Column, 7> kColumns{{{"free_iou", "", 0.85},
                                           {"wall_recall", ""},
                                           {"ate_rmse_m", "m"},
                                           {"sim_seconds", "s"},
-                                          {"wall_seconds", "s", {}, 60.0},
+                                          {"wall_seconds", "s"},
                                           {"stops", ""}}};
 
 /// Where the map or the robot's place in it is not what was asked for, it has ended, too.
@@ -168,7 +168,7 @@ int main(int argc, char** argv) {
   app.add_flag("--check",
                options.check,
                "Exit with 1 unless every run ends by itself and the medians are within the bounds "
-               "of living_room: free_iou >= 0.85, wall_rmse_m <= 0.06, wall_seconds <= 60");
+               "of living_room: free_iou >= 0.85, wall_rmse_m <= 0.06");
   CLI11_PARSE(app, argc, argv);
   const auto figures = measure(options);
   report(figures, options.json);

@@ -57,13 +57,15 @@ TEST_F(DemoOptions, AProfileOfOnesOwnDrivesTheBodyOfItsName) {
 TEST_F(DemoOptions, ABodyOfOnesOwnIsWhatTheHostDoesNotKnowOf) {
   write_text_file(path("robot.toml"), with(profile_text, "\"uno_2wd\"", "\"mine\""));
   write_text_file(path("body.toml"), with(body_text, "track_m = 0.140", "track_m = 0.160"));
-  const std::vector<std::string> options{"--stops=1", "--robot=" + path("robot.toml")};
+  // With a strategy whose first stop does not measure how far the body turns.
+  const std::vector<std::string> options{
+      "--stops=1", "--robot=" + path("robot.toml"), "--strategy=nxt-farthest"};
   const Ended bodyless = run(options);
   EXPECT_EQ(bodyless.status, 6);
   EXPECT_THAT(bodyless.said,
               AllOf(HasSubstr("no body (--body) is named 'mine'"), HasSubstr("next: ")));
 
-  const Ended ended = run({options[0], options[1], "--body=" + path("body.toml")});
+  const Ended ended = run({options[0], options[1], options[2], "--body=" + path("body.toml")});
   EXPECT_EQ(ended.status, kUnfinished) << ended.said;
   EXPECT_EQ(json("run/summary.json").at("robot"), "mine");
   // A scan turns the body round by half a turn; the wider track makes that an eighth less.

@@ -57,6 +57,7 @@ class Localize : public ::testing::Test {
   std::vector<std::string> arguments(const std::vector<std::string>& more) const {
     std::vector<std::string> arguments{"localize",
                                        "--headless",
+                                       "--force",
                                        "--port=" + at("robot"),
                                        "--lockstep=" + at("lockstep"),
                                        "--out=" + at("run")};

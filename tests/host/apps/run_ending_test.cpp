@@ -14,7 +14,8 @@ using exploration::FinishReason;
 using testing::HasSubstr;
 using testing::Not;
 
-const NextCommands kNext{"echomap localize --map kitchen", "echomap explore --resume kitchen"};
+const NextCommands kNext{
+    "echomap eval kitchen", "echomap explore --resume kitchen", "echomap localize --map kitchen"};
 
 Coverage coverage(double seen_m2, double unseen_m2) {
   Coverage coverage;
@@ -80,7 +81,7 @@ TEST(RunEnding, OfATroubleIsThatOfTheTroubleWhateverTheMapHas) {
            Case{FinishReason::kLifted, ExitCode::kSafetyStop, "put it down and start again"},
            Case{FinishReason::kLost,
                 ExitCode::kRuntimeError,
-                "start again; in this map only with: echomap localize --map kitchen"},
+                "start again, or find it in its map: echomap localize --map kitchen"},
            Case{FinishReason::kSonarSilent,
                 ExitCode::kRuntimeError,
                 "check the sonar's wiring, or start where a wall is within its range"},

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/told_snapshot.hpp"
+
 namespace echomap::exploration {
 namespace {
 
@@ -53,7 +55,7 @@ class FaultWatchTest : public ::testing::Test {
 
   std::vector<MotionResult> told;
   std::optional<FinishReason> end;  ///< Of the strategy.
-  pipeline::Snapshot snapshot;
+  pipeline::Snapshot snapshot = tests::snapshot_of(mapping::OccupancyGrid());
   FaultWatch watch{std::make_unique<Driver>(told, end)};
 };
 
