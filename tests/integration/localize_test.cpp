@@ -36,11 +36,15 @@ class Localize : public ::testing::Test {
   std::string at(const std::string& name) const { return (scratch / name).string(); }
 
   void explore() {
-    const Ended ended =
-        Program("echomap",
-                {"demo", "--headless", "--emulator=mock", "--seed=7", "--out=" + at("map")},
-                scratch / "demo.log")
-            .wait();
+    const Ended ended = Program("echomap",
+                                {"demo",
+                                 "--headless",
+                                 "--no-kidnap",
+                                 "--emulator=mock",
+                                 "--seed=7",
+                                 "--out=" + at("map")},
+                                scratch / "demo.log")
+                            .wait();
     ASSERT_EQ(ended.status, 0) << ended.said;
   }
 
