@@ -102,6 +102,22 @@ DistanceField distance_to(const RasterMap& map, CellValues<char>& is_marked, dou
   return {marked, max_m};
 }
 
+/// Marks the unknown cells beside those of an edge that are not marked yet, and answers them.
+std::vector<CellIndex> next_edge(const RasterMap& map,
+                                 const std::vector<CellIndex>& edge,
+                                 CellValues<char>& is_beside) {
+  std::vector<CellIndex> next_cells;
+  for (const CellIndex cell : edge) {
+    for_each_side(map, cell, [&](CellIndex next) {
+      if (is_beside[next] == 0 && map.state(next) == CellState::kUnknown) {
+        is_beside[next] = 1;
+        next_cells.push_back(next);
+      }
+    });
+  }
+  return next_cells;
+}
+
 /// Marks the unknown cells within so many steps of floor that was seen.
 CellValues<char> unknown_beside(const RasterMap& map, CellValues<char>& is_seen, int steps) {
   CellValues<char> is_beside(map, 0);
@@ -112,16 +128,7 @@ CellValues<char> unknown_beside(const RasterMap& map, CellValues<char>& is_seen,
     }
   });
   for (int step = 0; step < steps; ++step) {
-    std::vector<CellIndex> next_edge;
-    for (const CellIndex cell : edge) {
-      for_each_side(map, cell, [&](CellIndex next) {
-        if (is_beside[next] == 0 && map.state(next) == CellState::kUnknown) {
-          is_beside[next] = 1;
-          next_edge.push_back(next);
-        }
-      });
-    }
-    edge = std::move(next_edge);
+    edge = next_edge(map, edge, is_beside);
   }
   return is_beside;
 }
