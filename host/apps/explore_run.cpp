@@ -247,7 +247,7 @@ RunEnding explore_and_save(RobotContext& robot,
   progress.clear();
   warn_of_previous_maps(robot.atlas());
   const auto coverage = coverage_of(robot.atlas().pipeline().snapshot(), robot.profile());
-  const RunEnding ending = ending_of_exploration(robot, reason, coverage, run.next);
+  RunEnding ending = ending_of_exploration(robot, reason, coverage, run.next);
   describe_ending(ending, summary);
   if (coverage) {
     summary.coverage = summary_of(*coverage);

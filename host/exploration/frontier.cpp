@@ -164,6 +164,7 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
   ViewpointParams viewpoints = params_.viewpoints;
   viewpoints.min_gain_m2 = min_gain_m2;
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): decide() has set them
   return choose_viewpoint(*costs_,
                           travel_,
                           find_frontiers(map, map.cell_at(T_map_robot.position_m())),
