@@ -167,7 +167,7 @@ RunEnding ending_of_replay(const std::string& outcome,
     return {outcome, ExitCode::kOk, "the log was played to its end", use};
   }
   return outcome == "interrupted"
-             ? RunEnding{outcome, ExitCode::kInterrupted, "interrupted", "replay it again"}
+             ? RunEnding{outcome, ExitCode::kInterrupted, "interrupted", "run it again"}
              : RunEnding{outcome, ExitCode::kRuntimeError, damage, "mend the log, or: " + use};
 }
 

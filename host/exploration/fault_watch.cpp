@@ -44,7 +44,8 @@ FaultWatch::FaultWatch(std::unique_ptr<Explorer> strategy, const FaultWatchParam
 
 Motion FaultWatch::next(const pipeline::Snapshot& snapshot, MotionResult last) {
   const auto fault = fault_of_scans(snapshot);
-  map_before_ = mapping::compared_map(snapshot.grid, *snapshot.scans);
+  map_before_ = snapshot.grid;
+  scans_before_ = snapshot.scans;
   if (fault) {
     return *fault;
   }
@@ -74,7 +75,9 @@ std::optional<Finished> FaultWatch::fault_of_scans(const pipeline::Snapshot& sna
     return Finished{FinishReason::kSonarStuck};
   }
   const bool is_in_map = snapshot.last_scan_fault == mapping::ScanFault::kNone;
-  fits_.push_back({fit_in(map_before_, scan), fit_in(is_in_map ? snapshot.grid : nullptr, scan)});
+  const auto before =
+      map_before_ ? mapping::compared_map(map_before_, *scans_before_) : map_before_;
+  fits_.push_back({fit_in(before, scan), fit_in(is_in_map ? snapshot.grid : nullptr, scan)});
   if (fits_.size() > params_.compared_scans) {
     fits_.pop_front();
   }

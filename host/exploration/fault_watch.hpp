@@ -5,6 +5,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "host/exploration/explorer.hpp"
 #include "host/mapping/scan_check.hpp"
@@ -76,9 +77,10 @@ class FaultWatch final : public Explorer {
   std::size_t stops_ = 0;
   std::size_t scans_elsewhere_ = 0;                           ///< In a row, or in doubt.
   std::shared_ptr<const mapping::OccupancyGrid> map_before_;  ///< As it was before the last motion.
-  std::deque<Fits> fits_;                                     ///< Of the last scans.
-  std::size_t silent_readings_ = 0;                           ///< In a row, and no echo among them.
-  std::size_t turns_ = 0;  ///< That have been tried since the wheels stalled.
+  std::shared_ptr<const std::vector<mapping::Scan>> scans_before_;  ///< In that map.
+  std::deque<Fits> fits_;                                           ///< Of the last scans.
+  std::size_t silent_readings_ = 0;  ///< In a row, and no echo among them.
+  std::size_t turns_ = 0;            ///< That have been tried since the wheels stalled.
   /// How the strategy's own motion ended, while the wheels are tried.
   MotionResult stalled_ = MotionResult::kStalled;
 };

@@ -171,10 +171,7 @@ int main(int argc, char** argv) {
   using namespace echomap::bench;
   Options options;
   options.robot.strategy = "frontier";
-  CLI::App app(
-      "How explorations end, over many seeds: whether any room is finished, whether a map that "
-      "says "
-      "so has the floor that the robot can reach, and how long it takes");
+  CLI::App app("Whether explorations finish any room, whether a map that is called finished is");
   add_options(app, options);
   CLI11_PARSE(app, argc, argv);
   try {
