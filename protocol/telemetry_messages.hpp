@@ -65,8 +65,13 @@ struct Odometry {
   }
 };
 
-/// `Echo::flight_us` of a ping that nothing answered.
+/// `Echo::flight_us` of a ping without an echo in range: the sonar has listened in vain.
 constexpr uint16_t kNoEcho = 0xFFFF;
+/// `Echo::flight_us` of a ping whose trigger the sonar did not answer, as one that is dead or not
+/// connected.
+constexpr uint16_t kNoSonar = 0xFFFE;
+/// Firmware of an earlier minor version sends kNoEcho for kNoSonar, too.
+constexpr uint8_t kNoSonarSinceMinor = 2;
 
 /// Robot to host: one sonar reading with the wheel counts and pan at the moment of the ping.
 struct Echo {
@@ -75,7 +80,7 @@ struct Echo {
   static constexpr const char* name() { return "Echo"; }
   uint32_t stamp_us;
   int16_t pan_cdeg;
-  uint16_t flight_us;  ///< There and back, or kNoEcho.
+  uint16_t flight_us;  ///< There and back, or kNoEcho or kNoSonar.
   int16_t left_ticks;
   int16_t right_ticks;
 

@@ -24,7 +24,7 @@ int16_t direction(int32_t pan_cdeg) {
 }  // namespace
 
 bool ScanSweep::accepts(const protocol::ConfigureSonar& settings) {
-  return settings.max_echo_us != 0 && settings.max_echo_us < protocol::kNoEcho;
+  return settings.max_echo_us != 0 && settings.max_echo_us < protocol::kNoSonar;
 }
 
 bool ScanSweep::accepts(const protocol::StartSweep& sweep) const {

@@ -16,7 +16,7 @@ namespace control {
 /// Reads the sonar pan by pan: turns it, waits until it has settled, pings, goes on.
 class ScanSweep {
  public:
-  /// Longest wait for an echo pin that is stuck high; then the reading counts as no echo.
+  /// Longest wait for an echo pin that is stuck high; then the sonar counts as dead.
   static constexpr uint8_t kStuckMs = 250;
 
   /// `settings` is where the active ones stand.

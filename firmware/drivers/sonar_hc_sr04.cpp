@@ -27,7 +27,11 @@ bool SonarHcSr04::poll(uint32_t now_us, uint16_t max_echo_us, uint16_t& flight_u
       flight_us = static_cast<uint16_t>(flight);
     }
   } else {
-    const uint32_t pulse_us = state == State::kTriggered ? 0 : max_echo_us;
+    uint32_t pulse_us = max_echo_us;
+    if (state == State::kTriggered) {
+      pulse_us = 0;
+      flight_us = protocol::kNoSonar;
+    }
     if (now_us - pinged_us_ <= kRiseTimeoutUs + pulse_us) {
       return false;
     }

@@ -19,7 +19,8 @@ class SonarHcSr04 {
   /// Pings at `now_us`, whatever became of the last ping; takes 10 us.
   void ping(uint32_t now_us);
   /// True once when the ping is answered or given up; `flight_us` is then there and back, or
-  /// protocol::kNoEcho for an echo later than `max_echo_us` or none.
+  /// protocol::kNoEcho for an echo later than `max_echo_us` or none, protocol::kNoSonar where not
+  /// even the pulse has begun.
   bool poll(uint32_t now_us, uint16_t max_echo_us, uint16_t& flight_us);
 
   /// From the capture interrupt, see hal::on_echo_edge.

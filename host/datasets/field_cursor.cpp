@@ -114,6 +114,16 @@ std::size_t FieldCursor::count(const char* name) {
   return value;
 }
 
+bool FieldCursor::skip_word(std::string_view word) {
+  FieldCursor ahead(*this);
+  if (at_end() || ahead.word("a word") != word) {
+    return false;
+  }
+  rest_ = ahead.rest_;
+  field_is_due_ = ahead.field_is_due_;
+  return true;
+}
+
 void FieldCursor::skip(std::size_t fields) {
   for (std::size_t i = 0; i < fields; ++i) {
     word("a field");

@@ -33,6 +33,8 @@ class FieldCursor {
   /// How many fields follow: as many as the line has room for, or it is an error.
   std::size_t count(const char* name);
   void skip(std::size_t fields);
+  /// Takes the next field if it is this word; whether it was.
+  bool skip_word(std::string_view word);
   /// Throws where anything is left.
   void expect_end() const;
 

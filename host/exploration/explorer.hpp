@@ -66,7 +66,7 @@ enum class FinishReason : std::uint8_t {
   kStuck,            ///< the robot is held, or its wheels turn and it does not move
   kLifted,           ///< somebody has picked it up: the pose is void
   kBatteryLow,       ///< short of power; it has gone back to where it started, if it could
-  kSonarSilent,      ///< nothing answered all round
+  kSonarSilent,      ///< the sonar did not answer its triggers
   kSonarStuck,       ///< the sonar says one range, wherever it looks
   kWheelFault,       ///< a wheel does not turn, or its encoder does not count
   kLost,  ///< what it hears is not what the map has there: carried off, or its wheels slipped

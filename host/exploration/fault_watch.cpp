@@ -65,9 +65,9 @@ std::optional<Finished> FaultWatch::fault_of_scans(const pipeline::Snapshot& sna
     return std::nullopt;
   }
   const mapping::Scan& scan = *snapshot.last_scan;
-  const bool is_heard = std::any_of(
-      scan.begin(), scan.end(), [](const auto& reading) { return reading.range_m.has_value(); });
-  silent_readings_ = is_heard ? 0 : silent_readings_ + scan.size();
+  for (const mapping::PlacedReading& reading : scan) {
+    silent_readings_ = reading.has_answered ? 0 : silent_readings_ + 1;
+  }
   if (silent_readings_ >= params_.silent_readings) {
     return Finished{FinishReason::kSonarSilent};
   }

@@ -33,8 +33,8 @@ struct FaultWatchParams {
   std::size_t compared_scans = 5;
   std::size_t compared_echoes = 100;
   double max_floor_share = 0.12;
-  /// So many readings in a row, of whole scans, that nothing has answered are a dead sonar: a turn
-  /// all round in the paper's steps of 6 degrees.
+  /// So many triggers in a row that the sonar has not answered at the end of a scan are a dead
+  /// sonar: a turn all round in the paper's steps of 6 degrees.
   std::size_t silent_readings = 60;
   /// How far the robot is turned to and fro, to try wheels that have stalled.
   double try_turn_rad = 0.35;
@@ -79,7 +79,7 @@ class FaultWatch final : public Explorer {
   std::shared_ptr<const mapping::OccupancyGrid> map_before_;  ///< As it was before the last motion.
   std::shared_ptr<const std::vector<mapping::Scan>> scans_before_;  ///< In that map.
   std::deque<Fits> fits_;                                           ///< Of the last scans.
-  std::size_t silent_readings_ = 0;  ///< In a row, and no echo among them.
+  std::size_t silent_readings_ = 0;  ///< In a row, none of which it has answered.
   std::size_t turns_ = 0;            ///< That have been tried since the wheels stalled.
   /// How the strategy's own motion ended, while the wheels are tried.
   MotionResult stalled_ = MotionResult::kStalled;

@@ -14,6 +14,8 @@ namespace echomap::exports {
 namespace {
 
 constexpr std::string_view kHeader = "kind,stamp_us,values";
+/// The range of a ping that the sonar did not answer.
+constexpr std::string_view kSilent = "silent";
 
 /// Over three thousand years: no clock counts so many, and sums of them still fit.
 constexpr std::int64_t kLargestStampUs = 100'000'000'000'000'000;
@@ -73,9 +75,10 @@ class Replay {
     const auto stamp = read_stamp(fields);
     const auto travel = read_travel(fields);
     const double pan_rad = fields.number("the pan angle");
-    const auto range_m = read_range_m(fields);
+    const bool has_answered = !fields.skip_word(kSilent);
+    const auto range_m = has_answered ? read_range_m(fields) : std::nullopt;
     fields.expect_end();
-    sink_.on_sonar({stamp, travel, pan_rad, range_m});
+    sink_.on_sonar({stamp, travel, pan_rad, range_m, has_answered});
   }
 
   void infrared(datasets::FieldCursor& fields) {
@@ -204,7 +207,12 @@ void ObservationRecorder::on_odometry(const sensors::OdometryObservation& observ
 void ObservationRecorder::on_sonar(const sensors::SonarObservation& observation) {
   begin_line("sonar", observation.stamp, observation.travel);
   add(observation.pan_rad);
-  add(observation.range_m);
+  if (observation.has_answered) {
+    add(observation.range_m);
+  } else {
+    text_ += ',';
+    text_ += kSilent;
+  }
   text_ += '\n';
 }
 

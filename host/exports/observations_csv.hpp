@@ -15,7 +15,8 @@ namespace echomap::exports {
 /// out: they are of the moment.
 ///
 ///     odometry,STAMP_US,LEFT_M,RIGHT_M                   what the wheels have rolled
-///     sonar,STAMP_US,LEFT_M,RIGHT_M,PAN_RAD,RANGE_M      `none` where nothing has answered
+///     sonar,STAMP_US,LEFT_M,RIGHT_M,PAN_RAD,RANGE_M      `none` without an echo in range,
+///                                                        `silent` where the sonar did not answer
 ///     infrared,STAMP_US,LEFT_M,RIGHT_M,RANGE_M,...       in the order of the profile
 ///     hazards,STAMP_US,BUMP,BUMP,CLIFF,CLIFF,CLIFF,CLIFF,LIFTED,VIRTUAL_WALL,WALL    0 or 1
 ///     carried,STAMP_US,LEFT_M,RIGHT_M,X_M,Y_M,HEADING_RAD    on the map, from there on

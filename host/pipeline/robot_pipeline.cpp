@@ -33,11 +33,12 @@ void RobotPipeline::pass_over_floor() {
 void RobotPipeline::on_sonar(const sensors::SonarObservation& observation) {
   const geometry::Pose2 T_odom_robot = track_.follow(observation.stamp, observation.travel);
   const geometry::Pose2 T_robot_sonar = robot_.T_robot_sonar(observation.pan_rad);
-  if (RobotSlam* slam = track_.slam()) {
+  RobotSlam* slam = track_.slam();
+  if (slam != nullptr && observation.has_answered) {
     slam->add_ping(T_odom_robot, T_robot_sonar, observation.range_m);
   }
   const mapping::PlacedReading reading{
-      T_odom_robot, T_odom_robot * T_robot_sonar, observation.range_m};
+      T_odom_robot, T_odom_robot * T_robot_sonar, observation.range_m, observation.has_answered};
   map_.add_echo(track_.on_map(reading));
   if (open_scan_) {
     open_scan_->push_back(mapping::moved(reading, T_calibrated_odom()));
@@ -118,8 +119,10 @@ void RobotPipeline::end_scan() {
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): checked above
   const mapping::Scan calibrated = std::move(*std::exchange(open_scan_, std::nullopt));
   const mapping::Scan scan = mapping::moved(calibrated, T_calibrated_odom().inverse());
-  const mapping::ScanFault fault = map_.fault_of(track_.on_map(scan));
-  const bool counts = fault == mapping::ScanFault::kNone;
+  const mapping::Scan answered = mapping::answered(scan);
+  const mapping::ScanFault fault = map_.fault_of(track_.on_map(answered));
+  const bool is_dead = answered.empty() && !scan.empty();
+  const bool counts = fault == mapping::ScanFault::kNone && !is_dead;
   if (RobotSlam* slam = track_.slam()) {
     slam->end_stop(counts);
     map_.replace_points(slam->points(track_.apply_corrected_trajectory()));
@@ -127,7 +130,7 @@ void RobotPipeline::end_scan() {
       map_.replace_stops(slam->stops(), track_.positions_m());
     }
   } else if (counts) {
-    map_.add_stop(track_.on_map(scan), track_.positions_m());
+    map_.add_stop(track_.on_map(answered), track_.positions_m());
   }
   map_.end_stop(track_.on_map(scan), fault);
   track_.update_last_pose();

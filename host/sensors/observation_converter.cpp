@@ -9,6 +9,13 @@
 #include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::sensors {
+namespace {
+
+/// A turn all round in the paper's steps of 6 degrees without an echo: of firmware that does not
+/// tell a dead sonar from an open hall it is a dead sonar.
+constexpr int kMaxPingsInVain = 60;
+
+}  // namespace
 
 ObservationConverter::ObservationConverter(const RobotGeometry& geometry,
                                            const SonarRangeParams& sonar,
@@ -37,7 +44,8 @@ SonarObservation ObservationConverter::convert(const protocol::Echo& message) {
   return {time_.unwrap(message.stamp_us),
           travel(message.left_ticks, message.right_ticks),
           geometry::wrap_angle(geometry::radians(message.pan_cdeg / 100.0)),
-          range_m(message.flight_us)};
+          range_m(message.flight_us),
+          has_answered(message.flight_us)};
 }
 
 InfraredObservation ObservationConverter::convert(const protocol::Ranges& message) {
@@ -116,7 +124,7 @@ WheelTravel ObservationConverter::travel(std::int16_t left_ticks, std::int16_t r
 }
 
 std::optional<double> ObservationConverter::range_m(std::uint16_t flight_us) const {
-  if (flight_us == protocol::kNoEcho) {
+  if (flight_us == protocol::kNoEcho || flight_us == protocol::kNoSonar) {
     return std::nullopt;
   }
   const double there_and_back_m = flight_us * 1e-6 * sonar_.speed_of_sound_m_s;
@@ -125,6 +133,12 @@ std::optional<double> ObservationConverter::range_m(std::uint16_t flight_us) con
     return std::nullopt;
   }
   return range_m;
+}
+
+bool ObservationConverter::has_answered(std::uint16_t flight_us) {
+  pings_in_vain_ = flight_us == protocol::kNoEcho ? pings_in_vain_ + 1 : 0;
+  return protocol_minor_ >= protocol::kNoSonarSinceMinor ? flight_us != protocol::kNoSonar
+                                                         : pings_in_vain_ <= kMaxPingsInVain;
 }
 
 }  // namespace echomap::sensors

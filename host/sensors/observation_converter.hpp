@@ -12,6 +12,7 @@
 #include "host/sensors/yaw_integrator.hpp"
 #include "host/time/robot_time.hpp"
 #include "protocol/telemetry_messages.hpp"
+#include "protocol/version.hpp"
 
 namespace echomap::sensors {
 
@@ -48,7 +49,8 @@ class ObservationConverter {
                        const SensorParams& sensors = {});
 
   OdometryObservation convert(const protocol::Odometry& message);
-  /// `range_m` is empty for no echo and for ranges outside of the sonar's.
+  /// `range_m` is empty for no echo and for ranges outside of the sonar's. `has_answered` is false
+  /// for kNoSonar. Firmware that does not send it is taken for dead by many kNoEcho in a row.
   SonarObservation convert(const protocol::Echo& message);
   InfraredObservation convert(const protocol::Ranges& message);
   /// Empty where the robot has no gyro.
@@ -59,6 +61,8 @@ class ObservationConverter {
   /// Empty where no battery is measured.
   std::optional<BatteryObservation> convert(const protocol::Health& message);
 
+  /// Which firmware sends the messages that follow: the minor version of its protocol.
+  void set_protocol_minor(std::uint8_t minor) { protocol_minor_ = minor; }
   /// The robot was reset, and `passed` since its last message: its counters and its clock start at
   /// zero, travel and stamps go on.
   void restart(time::RobotClock::duration passed = time::RobotClock::duration::zero());
@@ -66,10 +70,13 @@ class ObservationConverter {
  private:
   WheelTravel travel(std::int16_t left_ticks, std::int16_t right_ticks);
   std::optional<double> range_m(std::uint16_t flight_us) const;
+  bool has_answered(std::uint16_t flight_us);
 
   RobotGeometry geometry_;
   SonarRangeParams sonar_;
   SensorParams sensors_;
+  std::uint8_t protocol_minor_ = protocol::kProtocolMinor;
+  int pings_in_vain_ = 0;  ///< In a row.
   std::optional<YawIntegrator> yaw_;
   time::RobotTimeUnwrapper time_;
   TickUnwrapper left_;

@@ -32,13 +32,15 @@ struct OdometryPoseObservation {
   geometry::Pose2 T_odom_robot;
 };
 
-/// One sonar reading. `range_m` is empty where nothing answered. `pan_rad` is counter-clockwise
+/// One sonar reading. `range_m` is empty without an echo in range. `pan_rad` is counter-clockwise
 /// from straight ahead, in the robot frame.
 struct SonarObservation {
   time::RobotTime stamp;
   WheelTravel travel;
   double pan_rad = 0.0;
   std::optional<double> range_m;
+  /// False where the sonar did not answer its trigger: it may be dead or not connected.
+  bool has_answered = true;
 };
 
 /// One round of the infra-red sensors, in the order of the profile. A range is empty where nothing

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "host/pipeline/observation_sink.hpp"
 #include "host/sensors/observation_converter.hpp"
 #include "host/sensors/observations.hpp"
@@ -16,6 +18,8 @@ class ObservationFeed {
   ObservationFeed(const RobotProfile& profile, pipeline::ObservationSink& sink)
       : sink_(sink), converter_(profile.geometry, profile.range, profile.sensors) {}
 
+  /// The minor version of the protocol of what follows.
+  void set_protocol_minor(std::uint8_t minor) { converter_.set_protocol_minor(minor); }
   /// The robot's counters and clock begin at zero again, so much later than its last message; the
   /// pose goes on.
   void restart(time::RobotClock::duration passed) { converter_.restart(passed); }

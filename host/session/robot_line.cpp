@@ -229,6 +229,7 @@ void RobotLine::on_status(const protocol::Status& message) {
 
 void RobotLine::on_ready(const protocol::HelloReply& reply) {
   spdlog::debug("robot ready: {}, boot {:04x}", firmware_of(reply), reply.boot_id);
+  observations_.set_protocol_minor(reply.protocol_minor);
   if (const auto& difference = link_.difference()) {
     spdlog::warn("firmware and host differ, but only in messages that are not needed: {}",
                  difference->summary());

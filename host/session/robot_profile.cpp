@@ -93,7 +93,7 @@ void read_sonar(const TomlReader& table, RobotProfile& profile) {
   }
 
   const double microseconds_per_metre = 2.0e6 / profile.range.speed_of_sound_m_s;
-  constexpr Bounds kFlights{1, protocol::kNoEcho - 1};
+  constexpr Bounds kFlights{1, protocol::kNoSonar - 1};
   profile.configuration.sonar.max_echo_us =
       field<std::uint16_t>(table, "max_range_m", microseconds_per_metre, kFlights);
   profile.configuration.sonar.ping_gap_ms = field<std::uint8_t>(table, "ping_gap_ms");

@@ -71,7 +71,7 @@ TEST_P(Sweep, SonarThatNeverAnswersEndsTheSweepToo) {
   const std::vector<protocol::Echo> echoes = robot.all<protocol::Echo>();
   ASSERT_EQ(echoes.size(), 4U);
   for (const protocol::Echo& echo : echoes) {
-    EXPECT_EQ(echo.flight_us, protocol::kNoEcho);
+    EXPECT_EQ(echo.flight_us, protocol::kNoSonar);
   }
 }
 

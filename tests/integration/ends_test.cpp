@@ -46,9 +46,9 @@ std::vector<End> ends() {
        {"--part-faults=sonar-dead@60"},
        1,
        "sonar-silent",
-       "echomap: error: not finished; the map so far is saved: the sonar received no echo in any "
-       "direction\n"
-       "  next: check the sonar's wiring, or start where a wall is within its range\n"},
+       "echomap: error: not finished; the map so far is saved: the sonar does not answer: it is "
+       "not connected, or it is dead\n"
+       "  next: check the sonar's wiring and its supply, then start again\n"},
       {"Cable",
        {"--faults=away=60:1000"},
        5,

@@ -149,7 +149,7 @@ class ExploreFaults : public ::testing::Test {
 
 TEST_F(ExploreFaults, ADeadSonarEndsIt) {
   expect_stopped(
-      run({"--part-faults=sonar-dead@60"}), 1, "sonar-silent", "the sonar received no echo");
+      run({"--part-faults=sonar-dead@60"}), 1, "sonar-silent", "the sonar does not answer");
 }
 
 TEST_F(ExploreFaults, ASonarThatHangsEndsItAndLeavesTheMapAlone) {

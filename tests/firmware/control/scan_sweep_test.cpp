@@ -105,22 +105,28 @@ TEST_F(ScanSweepTest, KeepsTheGapBetweenPings) {
   }
 }
 
-TEST_F(ScanSweepTest, ReadingWithoutEchoDoesNotHoldItUp) {
+TEST_F(ScanSweepTest, ReadingThatTheSonarDoesNotAnswerDoesNotHoldItUp) {
   answers = false;
   sweep.start({5, 0, 300, 100, 0});
   run_ms(3000);
   ASSERT_EQ(echoes.size(), 4U);
-  EXPECT_EQ(echoes[3].flight_us, protocol::kNoEcho);
+  EXPECT_EQ(echoes[3].flight_us, protocol::kNoSonar);
   EXPECT_EQ(sweep.report().outcome, MotionOutcome::kReached);
 }
 
-TEST_F(ScanSweepTest, EchoPinStuckHighCountsAsNoEcho) {
+TEST_F(ScanSweepTest, EchoPinStuckHighCountsAsNoSonar) {
   answers = false;
   board.schedule_echo(1000000, 1000000000000);
   sweep.start({5, 0, 100, 100, 0});
   run_ms(5000);
   ASSERT_EQ(echoes.size(), 2U);
-  EXPECT_EQ(echoes[1].flight_us, protocol::kNoEcho);
+  EXPECT_EQ(echoes[1].flight_us, protocol::kNoSonar);
+}
+
+TEST_F(ScanSweepTest, NoFlightTimeIsTakenForOneOfTheCodes) {
+  EXPECT_TRUE(ScanSweep::accepts(protocol::ConfigureSonar{1, protocol::kNoSonar - 1, 40}));
+  EXPECT_FALSE(ScanSweep::accepts(protocol::ConfigureSonar{1, protocol::kNoSonar, 40}));
+  EXPECT_FALSE(ScanSweep::accepts(protocol::ConfigureSonar{1, protocol::kNoEcho, 40}));
 }
 
 TEST_F(ScanSweepTest, EchoCarriesTheCountsAndTheTimeOfItsPing) {

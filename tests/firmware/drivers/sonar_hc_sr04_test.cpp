@@ -43,14 +43,14 @@ TEST(SonarHcSr04, SubtractsAcrossTheWrapOfTheClock) {
   EXPECT_EQ(flight_us, 16);
 }
 
-TEST(SonarHcSr04, GivesUpWhereNoPulseBegins) {
+TEST(SonarHcSr04, WhereNoPulseBeginsThereIsNoSonar) {
   SonarHcSr04 sonar;
   std::uint16_t flight_us = 0;
   sonar.ping(5000);
   const std::uint32_t after_us = answered_after_us(sonar, 5000, flight_us);
   EXPECT_GT(after_us, SonarHcSr04::kRiseTimeoutUs);
   EXPECT_LE(after_us, SonarHcSr04::kRiseTimeoutUs + 1000U);
-  EXPECT_EQ(flight_us, protocol::kNoEcho);
+  EXPECT_EQ(flight_us, protocol::kNoSonar);
 }
 
 TEST(SonarHcSr04, GivesUpOnAPulseThatDoesNotEnd) {

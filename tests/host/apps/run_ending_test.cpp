@@ -84,7 +84,7 @@ TEST(RunEnding, OfATroubleIsThatOfTheTroubleWhateverTheMapHas) {
                 "start again, or find it in its map: echomap localize --map kitchen"},
            Case{FinishReason::kSonarSilent,
                 ExitCode::kRuntimeError,
-                "check the sonar's wiring, or start where a wall is within its range"},
+                "check the sonar's wiring and its supply, then start again"},
        }) {
     const RunEnding ending = ending_of(one.reason, coverage(10.0, 0.0), kNext);
     EXPECT_EQ(ending.outcome, name_of(one.reason));

@@ -54,6 +54,18 @@ TEST_F(FieldCursorTest, TakesFieldsBetweenCommas) {
   EXPECT_TRUE(fields.at_end());
 }
 
+TEST_F(FieldCursorTest, SkipsAWordOnlyWhereItIsThere) {
+  for (const Separator separator : {Separator::kComma, Separator::kBlanks}) {
+    auto fields = of(separator == Separator::kComma ? "1,silent,2" : "1 silent 2", separator);
+    EXPECT_FALSE(fields.skip_word("silent"));
+    EXPECT_EQ(fields.integer("a"), 1);
+    EXPECT_FALSE(fields.skip_word("sil"));
+    EXPECT_TRUE(fields.skip_word("silent"));
+    EXPECT_EQ(fields.integer("b"), 2);
+    EXPECT_FALSE(fields.skip_word("silent"));
+  }
+}
+
 TEST_F(FieldCursorTest, NothingBetweenCommasIsAMissingField) {
   for (const char* line : {"1,,3", "1,", "1, "}) {
     auto fields = of(line, Separator::kComma);

@@ -72,12 +72,18 @@ TEST_F(FaultWatchTest, ASonarThatHangsEndsIt) {
   EXPECT_TRUE(told.empty());
 }
 
-TEST_F(FaultWatchTest, ATurnAllRoundWithoutAnyEchoIsADeadSonar) {
-  const mapping::Scan silent(30, {{}, {}, std::nullopt});
-  EXPECT_TRUE(drives(after_scan_of(silent))) << "a look into an open hall";
+TEST_F(FaultWatchTest, ATurnAllRoundThatTheSonarDoesNotAnswerIsADeadSonar) {
+  const mapping::Scan silent(30, {{}, {}, std::nullopt, false});
+  EXPECT_TRUE(drives(after_scan_of(silent))) << "a loose contact";
   EXPECT_TRUE(drives(after_scan(ScanFault::kNone)));
   EXPECT_TRUE(drives(after_scan_of(silent)));
   EXPECT_EQ(reason(after_scan_of(silent)), FinishReason::kSonarSilent);
+}
+
+TEST_F(FaultWatchTest, ASonarThatListensInVainIsNotDead) {
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_TRUE(drives(after_scan_of(mapping::Scan(90, {{}, {}, std::nullopt})))) << i;
+  }
 }
 
 TEST_F(FaultWatchTest, ThreeScansOfAnotherPlaceInARowMeanThatItIsLost) {

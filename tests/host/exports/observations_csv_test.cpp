@@ -107,6 +107,7 @@ TEST(ObservationsCsv, IsAsItsDocumentSays) {
   recorder.on_odometry({at_us(5), {0.1, -0.25}});
   recorder.on_sonar({at_us(6), {0.1, 1e-9}, -1.5, std::nullopt});
   recorder.on_sonar({at_us(7), {0.1, 0.2}, 0.0, 2.0});
+  recorder.on_sonar({at_us(7), {0.1, 0.2}, 0.0, std::nullopt, false});
   recorder.on_infrared({at_us(8), {0.1, 0.2}, {0.5, std::nullopt}});
   recorder.on_hazards({.stamp = at_us(9), .bump_right = true, .cliffs = {true}, .lifted = true});
   recorder.on_battery({at_us(10), 7.0});
@@ -120,6 +121,7 @@ TEST(ObservationsCsv, IsAsItsDocumentSays) {
             "odometry,5,0.1,-0.25\n"
             "sonar,6,0.1,1e-09,-1.5,none\n"
             "sonar,7,0.1,0.2,0,2\n"
+            "sonar,7,0.1,0.2,0,silent\n"
             "infrared,8,0.1,0.2,0.5,none\n"
             "hazards,9,0,1,1,0,0,0,1,0,0\n"
             "end-scan\n"

@@ -199,7 +199,7 @@ TEST_F(RobotPipelineTest, LeavesEarlierSnapshotsAsTheyWere) {
 
 TEST_F(RobotPipelineTest, SurvivesAScanWithoutAnyEcho) {
   pipeline.begin_scan();
-  for (int pan_deg = -90; pan_deg <= 90; pan_deg += 6) {
+  for (int pan_deg = -60; pan_deg <= 60; pan_deg += 6) {
     read({}, pan_deg, std::nullopt);
   }
   pipeline.end_scan();
@@ -340,6 +340,28 @@ TEST_F(RobotPipelineTest, KeepsWhatItFeltWhenAScanRemakesTheGrid) {
   feeling.end_scan();
   EXPECT_EQ(state_at(feeling, 0.11, 0.01), mapping::CellState::kOccupied);
   EXPECT_EQ(state_at(feeling, 0.0, 0.4), mapping::CellState::kFree);
+}
+
+/// All round, with an echo or not.
+void scan_without_echo(RobotPipeline& pipeline, bool has_answered) {
+  pipeline.begin_scan();
+  for (int pan_deg = -180; pan_deg < 180; pan_deg += 6) {
+    pipeline.on_sonar(
+        {at_us(50'000 + pan_deg), {}, geometry::radians(pan_deg), std::nullopt, has_answered});
+  }
+  pipeline.end_scan();
+}
+
+TEST(RobotPipeline, MapsTheFloorOfAnOpenHallButNotWhatADeadSonarDoesNotSay) {
+  for (const bool has_answered : {true, false}) {
+    RobotPipeline pipeline(plain_robot());
+    scan_without_echo(pipeline, has_answered);
+    const auto snapshot = pipeline.snapshot();
+    EXPECT_EQ(snapshot.stops, 1U);
+    EXPECT_EQ(snapshot.last_scan->size(), 60U);
+    EXPECT_EQ(snapshot.scans->size(), has_answered ? 1U : 0U);
+    EXPECT_EQ(state_at(pipeline, 0.5, 0.3) == mapping::CellState::kFree, has_answered);
+  }
 }
 
 TEST(RobotPipeline, MapsNothingMoreOfWhatItFeelsOnceItWasLifted) {

@@ -48,9 +48,32 @@ TEST(ObservationConverter, TakesNoEchoAndRangesOutsideOfTheSonarsForNone) {
   EXPECT_FALSE(range_of(23'530));  // 4.0001 m
 }
 
-TEST(ObservationConverter, NeverReadsNoEchoAsARangeHoweverFarTheSonarSees) {
+TEST(ObservationConverter, NeverReadsACodeAsARangeHoweverFarTheSonarSees) {
   EXPECT_FALSE(range_of(protocol::kNoEcho, {.max_range_m = 100.0}));
-  EXPECT_TRUE(range_of(protocol::kNoEcho - 1, {.max_range_m = 100.0}));
+  EXPECT_FALSE(range_of(protocol::kNoSonar, {.max_range_m = 100.0}));
+  EXPECT_TRUE(range_of(protocol::kNoSonar - 1, {.max_range_m = 100.0}));
+}
+
+TEST(ObservationConverter, KnowsASonarThatListensInVainFromOneThatDoesNotAnswer) {
+  ObservationConverter converter(kGeometry, kSonar);
+  EXPECT_TRUE(converter.convert(Echo{0, 0, 10'000, 0, 0}).has_answered);
+  EXPECT_TRUE(converter.convert(Echo{0, 0, protocol::kNoEcho, 0, 0}).has_answered);
+  EXPECT_FALSE(converter.convert(Echo{0, 0, protocol::kNoSonar, 0, 0}).has_answered);
+}
+
+TEST(ObservationConverter, TakesLongSilenceOfOlderFirmwareForADeadSonar) {
+  for (const bool is_older : {true, false}) {
+    ObservationConverter converter(kGeometry, kSonar);
+    if (is_older) {
+      converter.set_protocol_minor(1);
+    }
+    for (int ping = 0; ping < 60; ++ping) {
+      EXPECT_TRUE(converter.convert(Echo{0, 0, protocol::kNoEcho, 0, 0}).has_answered) << ping;
+    }
+    EXPECT_EQ(converter.convert(Echo{0, 0, protocol::kNoEcho, 0, 0}).has_answered, !is_older);
+    EXPECT_TRUE(converter.convert(Echo{0, 0, 10'000, 0, 0}).has_answered);
+    EXPECT_TRUE(converter.convert(Echo{0, 0, protocol::kNoEcho, 0, 0}).has_answered);
+  }
 }
 
 TEST(ObservationConverter, LooksLeftForPositivePan) {

@@ -36,6 +36,17 @@ TEST_F(ObservationFeedTest, KeepsThePoseThroughAReset) {
   EXPECT_EQ(pipeline.snapshot().latest.stamp.time_since_epoch(), std::chrono::milliseconds(2020));
 }
 
+TEST_F(ObservationFeedTest, TakesASonarThatDoesNotAnswerForSilent) {
+  pipeline.begin_scan();
+  feed.take(protocol::Echo{0, 0, protocol::kNoSonar, 0, 0});
+  feed.take(protocol::Echo{50'000, 0, protocol::kNoEcho, 0, 0});
+  pipeline.end_scan();
+  const mapping::Scan scan = *pipeline.snapshot().last_scan;
+  ASSERT_EQ(scan.size(), 2U);
+  EXPECT_FALSE(scan[0].has_answered);
+  EXPECT_TRUE(scan[1].has_answered);
+}
+
 TEST_F(ObservationFeedTest, KeepsTheDangersThatItHandsOn) {
   protocol::Status status{};
   status.hazards = protocol::kHazardWheelDrop;

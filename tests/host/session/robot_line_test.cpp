@@ -107,6 +107,23 @@ TEST_F(RobotLineTest, KeepsTheStampOfOdometryApartFromThatOfOtherTelemetry) {
   EXPECT_GE(*session->odometry_stamp_us() + 35'000, status.stamp_us);
 }
 
+TEST_F(RobotLineTest, TakesLongSilenceForADeadSonarWhereTheFirmwareIsTooOldToTell) {
+  for (const bool is_older : {true, false}) {
+    cable.robot.protocol_minor = is_older ? 1 : protocol::kNoSonarSinceMinor;
+    session = new_session(false);
+    session->connect();
+    pipeline.begin_scan();
+    for (int i = 0; i < 61; ++i) {
+      cable.robot.send(protocol::Echo{cable.robot.stamp_us(), 0, protocol::kNoEcho, 0, 0});
+      session->execute(exploration::Turn{0.01});
+    }
+    pipeline.end_scan();
+    const mapping::Scan scan = *pipeline.snapshot().last_scan;
+    ASSERT_EQ(scan.size(), 61U);
+    EXPECT_EQ(scan.back().has_answered, !is_older);
+  }
+}
+
 TEST_F(RobotLineTest, WaitsForALinkThatIsAway) {
   session->connect();
   cable.robot.motion_ms = 500;
