@@ -65,6 +65,26 @@ void look_at(const FittedCircle& circle, const Eigen::Vector2d& from_m, Nearest&
   });
 }
 
+/// Whether no surface is within `half_rad` of a direction, and there is none in which nobody has
+/// listened: 1, or else 0.
+BearingProfile open_all_about(const ScanSurfaces& scan,
+                              const BearingProfile& heard_m,
+                              double half_rad) {
+  BearingProfile is_open(1.0);
+  const auto close_about = [&](double bearing_rad) {
+    BearingProfile::visit_about(bearing_rad, half_rad, [&](std::size_t i) { is_open[i] = 0.0; });
+  };
+  for (const SonarSurface& surface : scan.surfaces) {
+    close_about(surface.bearing_rad);
+  }
+  for (std::size_t i = 0; i < BearingProfile::kBearings; ++i) {
+    if (heard_m[i] == 0.0) {
+      close_about(BearingProfile::bearing_rad(i));
+    }
+  }
+  return is_open;
+}
+
 }  // namespace
 
 StopFloor::StopFloor(const ScanSurfaces& scan,
@@ -77,9 +97,12 @@ StopFloor::StopFloor(const ScanSurfaces& scan,
       heard_m_(heard_within(scan.looks, params.looks_half_angle_rad)),
       alone_m_(heard_within(scan.looks, params.echo_half_angle_rad)) {
   const ScanOutline outline(scan, params.max_gap_rad);
+  const BearingProfile is_open = open_all_about(scan, heard_m_, params.open_half_angle_rad);
+  const double open_m = params.open_share * params.max_range_m;
   for (std::size_t i = 0; i < BearingProfile::kBearings; ++i) {
     const double outline_m = outline.range_m(BearingProfile::bearing_rad(i)) - params.margin_m;
-    alone_m_[i] = std::max(0.0, std::min(outline_m, alone_m_[i] - params.echo_margin_m));
+    const double end_m = is_open[i] > 0.0 ? open_m : outline_m;
+    alone_m_[i] = std::max(0.0, std::min(end_m, alone_m_[i] - params.echo_margin_m));
   }
 }
 

@@ -29,11 +29,18 @@ struct StopFloorParams {
   /// nothing that stops agree on explains it.
   double echo_half_angle_rad = 0.157;
   double echo_margin_m = 0.05;
+  /// A wall within the sonar's range answers from the foot of the perpendicular, which lies within
+  /// a right angle of any other place on it. Where no surface was heard this near to a direction,
+  /// the floor there is free as far as `open_share` of the range: what is smaller than a wall is
+  /// not heard from so far.
+  double open_half_angle_rad = 1.5707963267948966;
+  double open_share = 0.65;
 };
 
 /// How far the floor reaches, all around.
 struct FloorReach {
-  /// As far as echoes tell: up to the echo, or to a wall that was heard in that direction.
+  /// As far as the stop's own echoes tell: up to the echo, or to a wall that was heard in that
+  /// direction; where half of all around is silent, some way into the open hall.
   BearingProfile heard_m{0.0};
   /// As far as silence tells: up to a known wall, where nothing nearer answered. Not nearer than
   /// what echoes tell.
@@ -43,7 +50,8 @@ struct FloorReach {
 /// How far the floor reaches from one stop, all around. In the direction of something that stops
 /// agree on it reaches there, where no reading in that direction was nearer. Anywhere else it ends
 /// before the nearest echo about, and at the outline of the surfaces that the stop itself has
-/// heard: what one stop alone has heard is there until others say what it is.
+/// heard: what one stop alone has heard is there until others say what it is. Where there are none
+/// on that side, it is a hall whose walls are out of range.
 class StopFloor {
  public:
   StopFloor(const ScanSurfaces& scan,

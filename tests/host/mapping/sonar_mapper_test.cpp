@@ -64,10 +64,16 @@ TEST(SonarMapper, NeverCallsFloorWhatLiesBehindAWall) {
   }
 }
 
-TEST(SonarMapper, LearnsNothingFromSilence) {
+TEST(SonarMapper, LearnsFromSilenceOnlyWhereItIsAllRound) {
   SonarMapper mapper;
-  mapper.take({scan_of({}), {}}, {});
+  const Scan silence = scan_of({});
+  constexpr int kTwoThirdsOfARightAngleEachWay = 20;
+  mapper.take({{silence.begin(), silence.begin() + kTwoThirdsOfARightAngleEachWay}, {}}, {});
   EXPECT_TRUE(mapper.grid().bounds().empty());
+  mapper.take({silence}, {});
+  const OccupancyGrid grid = mapper.grid();
+  EXPECT_EQ(grid.state(grid.cell_at({-1.0, 1.0})), CellState::kFree);
+  EXPECT_EQ(grid.state(grid.cell_at({-3.0, 1.0})), CellState::kUnknown);
 }
 
 TEST(SonarMapper, LearnsLittleFromOneReading) {

@@ -108,6 +108,47 @@ TEST(StopFloor, EndsWhereTheSonarHearsNothingAnyMore) {
       << "it could not hear what is before a wall";
 }
 
+/// Silence from one bearing to another; elsewhere nobody has listened.
+ScanSurfaces silence(int from_deg, int to_deg) {
+  ScanSurfaces scan;
+  for (int bearing_deg = from_deg; bearing_deg < to_deg; bearing_deg += 6) {
+    scan.looks.push_back({radians(bearing_deg), std::nullopt});
+  }
+  return scan;
+}
+
+TEST(StopFloor, ReachesSomeWayIntoAHallWhereNothingIsHeardAllRound) {
+  const FloorReach reach = reach_of(silence(-180, 180), {});
+  const double open_m = StopFloorParams{}.open_share * StopFloorParams{}.max_range_m;
+  for (const double bearing_deg : {-170.0, -90.0, 0.0, 45.0}) {
+    EXPECT_NEAR(at(reach.heard_m, bearing_deg), open_m, 1e-9);
+    EXPECT_NEAR(at(reach.silent_m, bearing_deg), open_m, 1e-9);
+  }
+}
+
+TEST(StopFloor, ReachesIntoAHallARightAngleOffWhatItHears) {
+  ScanSurfaces scan = silence(-180, 180);
+  scan.surfaces.push_back({radians(180.0), 3.0, 0.0, 10});
+  const FloorReach reach = reach_of(scan, {});
+  EXPECT_GT(at(reach.heard_m, 0.0), 1.0);
+  EXPECT_GT(at(reach.heard_m, 85.0), 1.0);
+  EXPECT_EQ(at(reach.heard_m, 95.0), 0.0) << "a wall at a slant is silent, too";
+}
+
+TEST(StopFloor, ReachesIntoAHallOnlyWhereAllOfThatSideWasListenedTo) {
+  const FloorReach reach = reach_of(silence(-95, 96), {});
+  EXPECT_GT(at(reach.heard_m, 0.0), 1.0);
+  EXPECT_EQ(at(reach.heard_m, 30.0), 0.0) << "nobody has listened at 120 degrees";
+}
+
+TEST(StopFloor, EndsInAHallBeforeALoneEcho) {
+  ScanSurfaces scan = silence(-180, 180);
+  scan.looks.push_back({0.0, 1.2});
+  const FloorReach reach = reach_of(scan, {});
+  EXPECT_NEAR(at(reach.heard_m, 0.0), 1.2 - StopFloorParams{}.echo_margin_m, 1e-9);
+  EXPECT_GT(at(reach.heard_m, 20.0), 1.5);
+}
+
 TEST(StopFloor, IsNothingWithoutAnySurface) { EXPECT_EQ(reach_of({}, {}).silent_m.max_m(), 0.0); }
 
 }  // namespace
