@@ -16,6 +16,7 @@
 #include "host/console/print.hpp"
 #include "host/exploration/atlas_explorer.hpp"
 #include "host/exports/run_directory.hpp"
+#include "host/files/atomic_file.hpp"
 #include "host/session/pipeline_setup.hpp"
 #include "host/strategies/strategy_setup.hpp"
 #include "host/tracking/camera_follower.hpp"
@@ -195,6 +196,17 @@ RunEnding ending_of_exploration(const RobotContext& robot,
                             next);
 }
 
+/// A run whose end is not saved has no closing paragraph: what is there is of an earlier stop.
+void save_at_the_end(RunWriter& writer) {
+  try {
+    writer.save();
+  } catch (const files::FileError& error) {
+    throw files::FileError(
+        "the run is not saved, or only up to an earlier stop: " + std::string(error.what()) +
+        "\n  next: make room there, or name another directory with --out; then start again");
+  }
+}
+
 }  // namespace
 
 RobotProfile profile_for(const std::string& robot, const StrategyOptions& strategy) {
@@ -252,7 +264,7 @@ RunEnding explore_and_save(RobotContext& robot,
   if (coverage) {
     summary.coverage = summary_of(*coverage);
   }
-  writer.save();
+  save_at_the_end(writer);
   return ending;
 }
 

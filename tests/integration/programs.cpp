@@ -17,12 +17,27 @@ std::vector<std::string> command_of(const std::string& name, std::vector<std::st
   return arguments;
 }
 
+/// The limit of a file's size is inherited; without its signal a write fails as on a full disk.
+std::vector<std::string> limited(std::vector<std::string> command, int max_file_kb) {
+  constexpr int kBlocksPerKb = 2;
+  const std::string script = "trap '' XFSZ; ulimit -f " +
+                             std::to_string(kBlocksPerKb * max_file_kb) + "; exec \"$0\" \"$@\"";
+  command.insert(command.begin(), {"/bin/sh", "-c", script});
+  return command;
+}
+
 }  // namespace
 
 Program::Program(const std::string& name,
                  std::vector<std::string> arguments,
                  const std::filesystem::path& log)
     : log_(log), process_(command_of(name, std::move(arguments)), log) {}
+
+Program::Program(const std::string& name,
+                 const std::vector<std::string>& arguments,
+                 const std::filesystem::path& log,
+                 int max_file_kb)
+    : log_(log), process_(limited(command_of(name, arguments), max_file_kb), log) {}
 
 Ended Program::wait(std::chrono::seconds limit) {
   const auto status = process_.wait_for(limit);

@@ -26,6 +26,11 @@ class Program {
   Program(const std::string& name,
           std::vector<std::string> arguments,
           const std::filesystem::path& log);
+  /// One that cannot write files of more than `max_file_kb`, as where a disk is full.
+  Program(const std::string& name,
+          const std::vector<std::string>& arguments,
+          const std::filesystem::path& log,
+          int max_file_kb);
 
   void send(int signal) { process_.send(signal); }
   /// Waits for its end; the test fails where it does not come.
