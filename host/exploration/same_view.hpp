@@ -19,8 +19,9 @@ struct SameViewParams {
   double share = 0.85;
 };
 
-/// Whether two scans have heard the same ranges at the same bearings of the map. A robot that has
-/// moved by some tenths of a metre hears others, unless it stands in a passage without ends.
+/// Whether two scans have heard the same ranges at the same bearings of the map, or off the body,
+/// as where wheels slip that should have turned it. A robot that has moved by some tenths of a
+/// metre hears others, unless it stands in a passage without ends.
 bool is_same_view(const mapping::Scan& one,
                   const mapping::Scan& other,
                   const SameViewParams& params = {});

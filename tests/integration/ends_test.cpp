@@ -19,6 +19,19 @@
 namespace echomap::test {
 namespace {
 
+/// A robot without cliff sensors lies on its belly there, and its wheels turn.
+constexpr const char* kHoleInTheFloor = R"(name = "hole_in_the_floor"
+[start]
+x_m = 0.5
+y_m = 0.8
+heading_deg = 0.0
+[room]
+corners_m = [[0.0, 0.0], [2.4, 0.0], [2.4, 1.6], [0.0, 1.6]]
+[[hole]]
+name = "all across"
+corners_m = [[0.9, 0.0], [1.2, 0.0], [1.2, 1.6], [0.9, 1.6]]
+)";
+
 /// A run that ends so, by the demo on the native mock.
 struct End {
   const char* name;
@@ -105,6 +118,14 @@ std::vector<End> ends() {
        "finished: the map has N % of the floor that the robot can reach, N m²\n"
        "  next: echomap eval RUN --truth RUN/truth --picture RUN/score.png\n",
        kNarrowGap},
+      {"Stuck",
+       {},
+       7,
+       "stuck",
+       "echomap: error: not finished; the map so far is saved: the robot is stuck: something holds "
+       "it, or its wheels slip\n"
+       "  next: free it and start again\n",
+       kHoleInTheFloor},
       {"Cable",
        {"--faults=away=60:1000"},
        5,
