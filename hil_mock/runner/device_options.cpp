@@ -56,6 +56,14 @@ std::string check_faults(const std::string& text) {
   }
 }
 
+std::string part_faults_help() {
+  std::string names;
+  for (const std::string& name : world::part_fault_names()) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
 std::string check_part_faults(const std::string& text) {
   try {
     world::parse_part_faults(text);
@@ -170,9 +178,9 @@ void add_options(CLI::App& app,
   add_line_faults(app, raw);
   app.add_option("--part-faults",
                  raw.part_faults,
-                 "Parts that fail, NAME@AT_S[:FOR_S[:VALUE]] with commas between: encoder-left, "
-                 "encoder-right, sonar-dead, sonar-stuck (metres), slip-left, slip-right, "
-                 "battery-low (shares), board-reset")
+                 "Parts that fail or were put together wrongly, NAME@AT_S[:FOR_S[:VALUE]] with "
+                 "commas between: " +
+                     part_faults_help())
       ->check(check_part_faults);
   app.add_option("--truth", options.truth, "Folder for the truth files, written at the end");
   add_place_options(app, options, raw);

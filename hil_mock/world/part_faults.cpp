@@ -14,13 +14,14 @@
 namespace echomap::world {
 namespace {
 
-/// A kind, its value where none is named, the largest one, and how long it is where that is not
-/// named.
+/// A kind, its value where none is named, the least and the largest one, and how long it is where
+/// that is not named.
 struct KindRow {
   PartFaultKind kind;
   std::string_view name;
-  double usual;
-  double most;
+  double usual = 0.0;
+  double least = 0.0;
+  double most = 0.0;
   double usual_for_s = std::numeric_limits<double>::infinity();
 };
 
@@ -28,14 +29,26 @@ struct KindRow {
 constexpr double kBootLoaderS = 1.0;
 
 constexpr std::array kKinds{
-    KindRow{PartFaultKind::kEncoderLeft, "encoder-left", 0.0, 0.0},
-    KindRow{PartFaultKind::kEncoderRight, "encoder-right", 0.0, 0.0},
-    KindRow{PartFaultKind::kSonarDead, "sonar-dead", 0.0, 0.0},
-    KindRow{PartFaultKind::kSonarStuck, "sonar-stuck", 0.5, 10.0},
-    KindRow{PartFaultKind::kSlipLeft, "slip-left", 0.3, 1.0},
-    KindRow{PartFaultKind::kSlipRight, "slip-right", 0.3, 1.0},
-    KindRow{PartFaultKind::kBatteryLow, "battery-low", 0.05, 1.0},
-    KindRow{PartFaultKind::kBoardReset, "board-reset", 0.0, 0.0, kBootLoaderS}};
+    KindRow{PartFaultKind::kEncoderLeft, "encoder-left"},
+    KindRow{PartFaultKind::kEncoderRight, "encoder-right"},
+    KindRow{PartFaultKind::kSonarDead, "sonar-dead"},
+    KindRow{PartFaultKind::kSonarStuck, "sonar-stuck", 0.5, 0.0, 10.0},
+    KindRow{PartFaultKind::kSlipLeft, "slip-left", 0.3, 0.0, 1.0},
+    KindRow{PartFaultKind::kSlipRight, "slip-right", 0.3, 0.0, 1.0},
+    KindRow{PartFaultKind::kBatteryLow, "battery-low", 0.05, 0.0, 1.0},
+    KindRow{PartFaultKind::kBoardReset, "board-reset", 0.0, 0.0, 0.0, kBootLoaderS},
+    KindRow{PartFaultKind::kMotorLeftReversed, "motor-left-reversed"},
+    KindRow{PartFaultKind::kMotorRightReversed, "motor-right-reversed"},
+    KindRow{PartFaultKind::kEncoderLeftReversed, "encoder-left-reversed"},
+    KindRow{PartFaultKind::kEncoderRightReversed, "encoder-right-reversed"},
+    KindRow{PartFaultKind::kMotorsSwapped, "motors-swapped"},
+    KindRow{PartFaultKind::kEncodersSwapped, "encoders-swapped"},
+    KindRow{PartFaultKind::kCounts, "counts", 0.5, 0.25, 4.0},
+    KindRow{PartFaultKind::kWheelLeft, "wheel-left", 1.08, 0.5, 2.0},
+    KindRow{PartFaultKind::kWheelRight, "wheel-right", 1.08, 0.5, 2.0},
+    KindRow{PartFaultKind::kPanReversed, "pan-reversed"},
+    KindRow{PartFaultKind::kPanOff, "pan-off", 7.0, -90.0, 90.0},
+    KindRow{PartFaultKind::kRangeScale, "range-scale", 1.1, 0.5, 2.0}};
 
 [[noreturn]] void refuse(const std::string& fault, const std::string& why) {
   throw std::invalid_argument("part fault '" + fault + "': " + why);
@@ -45,12 +58,7 @@ const KindRow& kind_of(const std::string& fault, const std::string& name) {
   const auto found = std::find_if(
       kKinds.begin(), kKinds.end(), [&](const KindRow& row) { return row.name == name; });
   if (found == kKinds.end()) {
-    std::vector<std::string> names;
-    names.reserve(kKinds.size());
-    for (const KindRow& row : kKinds) {
-      names.emplace_back(row.name);
-    }
-    refuse(fault, "unknown part '" + name + "'" + files::suggestion(name, names));
+    refuse(fault, "unknown part '" + name + "'" + files::suggestion(name, part_fault_names()));
   }
   return *found;
 }
@@ -59,10 +67,31 @@ double number_in(const std::string& fault, const std::string& text) {
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || rest != end || !(number >= 0.0)) {
-    refuse(fault, "'" + text + "' is no number of 0 or more");
+  if (error != std::errc() || rest != end || std::isnan(number)) {
+    refuse(fault, "'" + text + "' is no number");
   }
   return number;
+}
+
+double seconds_in(const std::string& fault, const std::string& text) {
+  const double seconds = number_in(fault, text);
+  if (seconds < 0.0) {
+    refuse(fault, "'" + text + "' is no time: it takes seconds, 0 or more");
+  }
+  return seconds;
+}
+
+double value_in(const std::string& fault, const std::string& text, const KindRow& row) {
+  const double value = number_in(fault, text);
+  if (row.least == row.most) {
+    refuse(fault, "it takes no value");
+  }
+  if (value < row.least || value > row.most) {
+    std::ostringstream bounds;
+    bounds << "its value is from " << row.least << " to " << row.most;
+    refuse(fault, bounds.str());
+  }
+  return value;
 }
 
 std::vector<std::string> split(const std::string& text, char at) {
@@ -84,22 +113,15 @@ PartFault parse_one(const std::string& text) {
   if (numbers.empty() || numbers.size() > 3) {
     refuse(text, "it takes NAME@AT, NAME@AT:FOR or NAME@AT:FOR:VALUE");
   }
-  PartFault fault{row.kind, number_in(text, numbers[0]), row.usual_for_s, row.usual};
+  PartFault fault{row.kind, seconds_in(text, numbers[0]), row.usual_for_s, row.usual};
   if (!std::isfinite(fault.at_s)) {
     refuse(text, "it has to begin at some time");
   }
   if (numbers.size() > 1) {
-    fault.for_s = number_in(text, numbers[1]);
+    fault.for_s = seconds_in(text, numbers[1]);
   }
   if (numbers.size() > 2) {
-    fault.value = number_in(text, numbers[2]);
-    if (row.most == 0.0) {
-      refuse(text, "it takes no value");
-    }
-    if (fault.value > row.most) {
-      refuse(text,
-             "its value is " + std::string(row.most == 1.0 ? "a share, 0 to 1" : "too large"));
-    }
+    fault.value = value_in(text, numbers[2], row);
   }
   return fault;
 }
@@ -118,6 +140,15 @@ std::string_view name_of(PartFaultKind kind) {
   const auto found = std::find_if(
       kKinds.begin(), kKinds.end(), [&](const KindRow& row) { return row.kind == kind; });
   return found->name;
+}
+
+std::vector<std::string> part_fault_names() {
+  std::vector<std::string> names;
+  names.reserve(kKinds.size());
+  for (const KindRow& row : kKinds) {
+    names.emplace_back(row.name);
+  }
+  return names;
 }
 
 std::optional<double> fault_at(const std::vector<PartFault>& faults,

@@ -12,14 +12,26 @@ namespace echomap::world {
 
 /// What may be wrong with a part of a robot.
 enum class PartFaultKind : std::uint8_t {
-  kEncoderLeft,   ///< Its pins stand still, however the wheel turns.
-  kEncoderRight,  ///< The same of the right one.
-  kSonarDead,     ///< It answers no trigger.
-  kSonarStuck,    ///< Every ping is answered from `value` metres.
-  kSlipLeft,      ///< The wheel loses the share `value` of what it rolls, 0 .. 1.
-  kSlipRight,     ///< The same of the right one.
-  kBatteryLow,    ///< It has no more than the share `value` of its charge, 0 .. 1.
-  kBoardReset,    ///< It is reset, and its boot loader hears and says nothing.
+  kEncoderLeft,           ///< Its pins stand still, however the wheel turns.
+  kEncoderRight,          ///< The same of the right one.
+  kSonarDead,             ///< It answers no trigger.
+  kSonarStuck,            ///< Every ping is answered from `value` metres.
+  kSlipLeft,              ///< The wheel loses the share `value` of what it rolls, 0 .. 1.
+  kSlipRight,             ///< The same of the right one.
+  kBatteryLow,            ///< It has no more than the share `value` of its charge, 0 .. 1.
+  kBoardReset,            ///< It is reset, and its boot loader hears and says nothing.
+  kMotorLeftReversed,     ///< It turns the other way than the board drives it.
+  kMotorRightReversed,    ///< The same of the right one.
+  kEncoderLeftReversed,   ///< Its pins are swapped: it counts the other way.
+  kEncoderRightReversed,  ///< The same of the right one.
+  kMotorsSwapped,         ///< Each wheel is driven by the other one's output.
+  kEncodersSwapped,       ///< Each wheel is counted by the other one's input.
+  kCounts,                ///< Both encoders give `value` times the edges of the robot's file.
+  kWheelLeft,             ///< The wheel rolls `value` times as far as that of the robot's file.
+  kWheelRight,            ///< The same of the right one.
+  kPanReversed,           ///< The pan turns the other way than its pulses ask.
+  kPanOff,                ///< Its zero is `value` degrees to the left.
+  kRangeScale,            ///< An echo comes after `value` times the time of its range.
 };
 
 /// One fault, from `at_s` of simulated time on.
@@ -36,9 +48,11 @@ struct PartFault {
 /// wrong.
 std::vector<PartFault> parse_part_faults(const std::string& text);
 
-/// "encoder-left", "encoder-right", "sonar-dead", "sonar-stuck", "slip-left", "slip-right",
-/// "battery-low" or "board-reset".
+/// "encoder-left", "sonar-dead", "board-reset", ...
 std::string_view name_of(PartFaultKind kind);
+
+/// The names of all kinds, in their order.
+std::vector<std::string> part_fault_names();
 
 /// The value of a fault of this kind that there is at this time; empty where there is none.
 std::optional<double> fault_at(const std::vector<PartFault>& faults,

@@ -74,12 +74,17 @@ RobotBody::RobotBody(const FloorPlan& plan,
 void RobotBody::step(double dt_s, const WheelDuty& duty, EncoderChanges& changes) {
   const double left_m = left_.step(dt_s, duty.left, changes.left);
   const double right_m = right_.step(dt_s, duty.right, changes.right);
-  roll((1.0 - slip_.left) * slipped(left_m), (1.0 - slip_.right) * slipped(right_m));
+  roll(rolling_.left * slipped(left_m), rolling_.right * slipped(right_m));
   const geometry::Pose2 T_world_out = pushed_out(plan_, T_world_robot_, body_.radius_m);
   if (!lifted_) {
     collisions_.note((T_world_robot_.inverse() * T_world_out).position_m(), dt_s);
   }
   T_world_robot_ = T_world_out;
+}
+
+void RobotBody::scale_counts(double scale) {
+  left_.scale_counts(scale);
+  right_.scale_counts(scale);
 }
 
 void RobotBody::place(const geometry::Pose2& T_world_robot) {

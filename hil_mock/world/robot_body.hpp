@@ -20,10 +20,11 @@ struct WheelDuty {
   double right = 0.0;
 };
 
-/// Shares of what the wheels roll that are lost to the floor, 0 .. 1: a wet spot, a thread.
-struct WheelSlip {
-  double left = 0.0;
-  double right = 0.0;
+/// How far the wheels move the robot, as a share of what their parameters say: less on a wet spot,
+/// more where a wheel is larger.
+struct WheelRolling {
+  double left = 1.0;
+  double right = 1.0;
 };
 
 /// The encoders' changes during one step, each wheel's in order of time.
@@ -49,8 +50,10 @@ class RobotBody {
   /// Moves for `dt_s` and appends what the encoders do in that time.
   void step(double dt_s, const WheelDuty& duty, EncoderChanges& changes);
 
-  /// The wheels lose so much of what they roll from now on.
-  void slip(const WheelSlip& slip) { slip_ = slip; }
+  /// From now on.
+  void scale_rolling(const WheelRolling& rolling) { rolling_ = rolling; }
+  /// From now on both encoders give so many times the edges of their parameters.
+  void scale_counts(double scale);
 
   /// Takes the robot off the floor: its wheels turn freely until it is placed.
   void lift() { lifted_ = true; }
@@ -85,7 +88,7 @@ class RobotBody {
   double track_m_;
   WheelDrive left_;
   WheelDrive right_;
-  WheelSlip slip_;
+  WheelRolling rolling_;
   NoiseStream noise_;
   geometry::Pose2 T_world_robot_;
   bool lifted_ = false;

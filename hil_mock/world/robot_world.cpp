@@ -8,14 +8,28 @@
 
 #include <Eigen/Geometry>
 
+#include "host/geometry/angle.hpp"
+
 namespace echomap::world {
 
 namespace {
 
+bool is_of_sonar(PartFaultKind kind) {
+  switch (kind) {
+    case PartFaultKind::kSonarDead:
+    case PartFaultKind::kSonarStuck:
+    case PartFaultKind::kPanReversed:
+    case PartFaultKind::kPanOff:
+    case PartFaultKind::kRangeScale:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::vector<PartFault> validated(std::vector<PartFault> faults, const RobotParams& robot) {
   for (const PartFault& fault : faults) {
-    const bool of_sonar =
-        fault.kind == PartFaultKind::kSonarDead || fault.kind == PartFaultKind::kSonarStuck;
+    const bool of_sonar = is_of_sonar(fault.kind);
     const bool of_battery = fault.kind == PartFaultKind::kBatteryLow;
     if ((of_sonar && !robot.has_sonar) || (of_battery && !robot.parts.battery)) {
       throw std::invalid_argument("part fault '" + std::string(name_of(fault.kind)) +
@@ -47,19 +61,48 @@ RobotWorld::RobotWorld(FloorPlan plan,
 void RobotWorld::step(double dt_s, const WheelDuty& duty, EncoderChanges& changes) {
   now_s_ += dt_s;
   move_people(dt_s);
-  body_.slip({fault(PartFaultKind::kSlipLeft).value_or(0.0),
-              fault(PartFaultKind::kSlipRight).value_or(0.0)});
-  body_.step(dt_s, duty, changes);
-  if (fault(PartFaultKind::kEncoderLeft)) {
-    changes.left.clear();
-  }
-  if (fault(PartFaultKind::kEncoderRight)) {
-    changes.right.clear();
-  }
+  apply_body_faults();
+  body_.step(dt_s, wired(duty), changes);
+  wire(changes);
   if (const auto share = fault(PartFaultKind::kBatteryLow)) {
     parts_.drain_battery_to(*share);
   }
   parts_.step(dt_s, duty);
+}
+
+void RobotWorld::apply_body_faults() {
+  const auto rolling = [&](PartFaultKind slip, PartFaultKind wheel) {
+    return (1.0 - fault(slip).value_or(0.0)) * fault(wheel).value_or(1.0);
+  };
+  body_.scale_rolling({rolling(PartFaultKind::kSlipLeft, PartFaultKind::kWheelLeft),
+                       rolling(PartFaultKind::kSlipRight, PartFaultKind::kWheelRight)});
+  body_.scale_counts(fault(PartFaultKind::kCounts).value_or(1.0));
+}
+
+WheelDuty RobotWorld::wired(WheelDuty duty) const {
+  if (has_fault(PartFaultKind::kMotorsSwapped)) {
+    std::swap(duty.left, duty.right);
+  }
+  return {has_fault(PartFaultKind::kMotorLeftReversed) ? -duty.left : duty.left,
+          has_fault(PartFaultKind::kMotorRightReversed) ? -duty.right : duty.right};
+}
+
+void RobotWorld::wire(EncoderChanges& changes) const {
+  const auto wire_one = [&](PartFaultKind dead, PartFaultKind reversed, auto& wheel) {
+    if (has_fault(dead)) {
+      wheel.clear();
+    }
+    if (has_fault(reversed)) {
+      for (LevelChange& change : wheel) {
+        std::swap(change.a, change.b);
+      }
+    }
+  };
+  wire_one(PartFaultKind::kEncoderLeft, PartFaultKind::kEncoderLeftReversed, changes.left);
+  wire_one(PartFaultKind::kEncoderRight, PartFaultKind::kEncoderRightReversed, changes.right);
+  if (has_fault(PartFaultKind::kEncodersSwapped)) {
+    std::swap(changes.left, changes.right);
+  }
 }
 
 void RobotWorld::move_people(double dt_s) {
@@ -116,11 +159,15 @@ std::optional<double> RobotWorld::ping(double pan_rad) {
   if (!range_m || sonar_is_dead()) {
     return std::nullopt;
   }
-  return 2.0 * *range_m / robot_.sonar.speed_of_sound_m_per_s;
+  return fault(PartFaultKind::kRangeScale).value_or(1.0) * 2.0 * *range_m /
+         robot_.sonar.speed_of_sound_m_per_s;
 }
 
 geometry::Pose2 RobotWorld::T_world_sonar(double pan_rad) const {
-  return T_world_robot() * geometry::Pose2(robot_.sonar.mount_x_m, robot_.sonar.mount_y_m, pan_rad);
+  const double turned_rad = has_fault(PartFaultKind::kPanReversed) ? -pan_rad : pan_rad;
+  const double off_rad = geometry::radians(fault(PartFaultKind::kPanOff).value_or(0.0));
+  return T_world_robot() *
+         geometry::Pose2(robot_.sonar.mount_x_m, robot_.sonar.mount_y_m, turned_rad + off_rad);
 }
 
 }  // namespace echomap::world

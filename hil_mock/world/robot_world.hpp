@@ -60,7 +60,13 @@ class RobotWorld {
 
  private:
   std::optional<double> fault(PartFaultKind kind) const { return fault_at(faults_, kind, now_s_); }
+  bool has_fault(PartFaultKind kind) const { return fault(kind).has_value(); }
   void move_people(double dt_s);
+  void apply_body_faults();
+  /// What reaches the motors of what the board puts out.
+  WheelDuty wired(WheelDuty duty) const;
+  /// What reaches the board of what the encoders do.
+  void wire(EncoderChanges& changes) const;
 
   FloorPlan plan_;
   RobotParams robot_;

@@ -26,17 +26,18 @@ double WheelDrive::step(double dt_s, double duty, std::vector<LevelChange>& chan
   const double before_counts_per_s = counts_per_s_;
   counts_per_s_ += follow * (target_counts_per_s(duty) - counts_per_s_);
   const double mean_counts_per_s = 0.5 * (before_counts_per_s + counts_per_s_);
+  const double edges_per_s = counts_scale_ * mean_counts_per_s;
 
   const double from_counts = position_counts_;
-  position_counts_ += mean_counts_per_s * dt_s;
+  position_counts_ += edges_per_s * dt_s;
   const auto until = static_cast<std::int64_t>(std::floor(position_counts_));
   while (counts_ != until) {
     const bool forward = counts_ < until;
     const auto edge = static_cast<double>(forward ? counts_ + 1 : counts_);
     counts_ += forward ? 1 : -1;
-    changes.push_back(level_change((edge - from_counts) / mean_counts_per_s, counts_));
+    changes.push_back(level_change((edge - from_counts) / edges_per_s, counts_));
   }
-  return (position_counts_ - from_counts) * metres_per_count_;
+  return (position_counts_ - from_counts) / counts_scale_ * metres_per_count_;
 }
 
 double WheelDrive::target_counts_per_s(double duty) const {

@@ -26,6 +26,9 @@ class WheelDrive {
   /// returns how far the wheel has rolled, in metres.
   double step(double dt_s, double duty, std::vector<LevelChange>& changes);
 
+  /// From now on the encoder gives so many times the edges of its parameters.
+  void scale_counts(double scale) { counts_scale_ = scale; }
+
   /// Edges that the encoder has given, forward minus backward.
   std::int64_t counts() const { return counts_; }
   /// Speed, as a share of that at full duty.
@@ -38,7 +41,9 @@ class WheelDrive {
   double time_constant_s_;
   double no_load_counts_per_s_;
   double metres_per_count_;
+  /// Before they are scaled.
   double counts_per_s_ = 0.0;
+  double counts_scale_ = 1.0;
   /// The encoder rests in the middle between two edges.
   double position_counts_ = 0.5;
   std::int64_t counts_ = 0;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,15 +38,9 @@ TEST(PartFaults, ReadsKindTimeDurationAndValue) {
 }
 
 TEST(PartFaults, EveryNameIsReadAgain) {
-  for (const char* const name : {"encoder-left",
-                                 "encoder-right",
-                                 "sonar-dead",
-                                 "sonar-stuck",
-                                 "slip-left",
-                                 "slip-right",
-                                 "battery-low",
-                                 "board-reset"}) {
-    const auto faults = parse_part_faults(std::string(name) + "@1");
+  EXPECT_GE(part_fault_names().size(), 20U);
+  for (const std::string& name : part_fault_names()) {
+    const auto faults = parse_part_faults(name + "@1");
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_EQ(name_of(faults[0].kind), name);
   }
@@ -58,12 +53,22 @@ TEST(PartFaults, SaysWhatIsWrong) {
   EXPECT_THAT(faults_error_of("sonar-dead@"), HasSubstr("it takes NAME@AT"));
   EXPECT_THAT(faults_error_of("sonar-dead@3:1:2:3"), HasSubstr("it takes NAME@AT"));
   EXPECT_THAT(faults_error_of("sonar-dead@soon"), HasSubstr("'soon' is no number"));
-  EXPECT_THAT(faults_error_of("sonar-dead@-1"), HasSubstr("'-1' is no number"));
+  EXPECT_THAT(faults_error_of("sonar-dead@-1"),
+              HasSubstr("'-1' is no time: it takes seconds, 0 or more"));
+  EXPECT_THAT(faults_error_of("sonar-dead@1:-2"), HasSubstr("'-2' is no time"));
   EXPECT_THAT(faults_error_of("sonar-dead@nan"), HasSubstr("'nan' is no number"));
   EXPECT_THAT(faults_error_of("sonar-dead@inf"), HasSubstr("begin at some time"));
   EXPECT_THAT(faults_error_of("sonar-dead@1:2:3"), HasSubstr("takes no value"));
-  EXPECT_THAT(faults_error_of("slip-left@1:2:1.5"), HasSubstr("a share, 0 to 1"));
-  EXPECT_THAT(faults_error_of("sonar-stuck@1:2:99"), HasSubstr("too large"));
+  EXPECT_THAT(faults_error_of("slip-left@1:2:1.5"), HasSubstr("its value is from 0 to 1"));
+  EXPECT_THAT(faults_error_of("sonar-stuck@1:2:99"), HasSubstr("its value is from 0 to 10"));
+}
+
+TEST(PartFaults, OnlyAnAngleMayBeNegative) {
+  EXPECT_EQ(parse_part_faults("pan-off@0:inf:-7").front().value, -7.0);
+  EXPECT_THAT(faults_error_of("pan-off@0:inf:-91"), HasSubstr("its value is from -90 to 90"));
+  EXPECT_THAT(faults_error_of("slip-left@0:inf:-0.1"), HasSubstr("its value is from 0 to 1"));
+  EXPECT_THAT(faults_error_of("wheel-left@0:inf:-1"), HasSubstr("its value is from 0.5 to 2"));
+  EXPECT_THAT(faults_error_of("motors-swapped@0:inf:-1"), HasSubstr("takes no value"));
 }
 
 TEST(PartFaults, AFaultIsThereFromItsBeginningToItsEnd) {

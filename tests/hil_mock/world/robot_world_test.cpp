@@ -206,6 +206,131 @@ TEST(RobotWorld, RefusesFaultsOfPartsThatItHasNot) {
                std::invalid_argument);
 }
 
+/// As its file says, without noise, nearer to the wall on its right than to the one on its left.
+RobotWorld exact_world_with(const std::string& faults) {
+  RobotParams robot;
+  robot.drive.wheel_diameter_stddev = 0.0;
+  robot.drive.wheel_mismatch_stddev = 0.0;
+  robot.drive.track_stddev = 0.0;
+  robot.drive.motor_gain_stddev = 0.0;
+  robot.drive.slip_m_per_sqrt_m = 0.0;
+  robot.sonar.range_noise_m = 0.0;
+  return {box_room({}, {2.0, 1.0, 0.0}), robot, 1, parse_part_faults(faults)};
+}
+
+/// Edges forward minus edges backward, as a board decodes the pins.
+class EncoderInput {
+ public:
+  void read(const std::vector<LevelChange>& changes) {
+    for (const LevelChange& change : changes) {
+      const int a = change.a ? 1 : 0;
+      const int phase = change.b ? 3 - a : a;
+      counts_ += (phase - phase_ + 4) % 4 == 1 ? 1 : -1;
+      phase_ = phase;
+    }
+  }
+  int counts() const { return counts_; }
+
+ private:
+  int phase_ = 0;
+  int counts_ = 0;
+};
+
+/// What the board counts, and where the robot comes to.
+struct DrivenWay {
+  int left = 0;
+  int right = 0;
+  geometry::Pose2 T_world_robot;
+};
+
+/// Drives for a second.
+DrivenWay driven_with(const std::string& faults, const WheelDuty& duty = {0.5, 0.5}) {
+  RobotWorld world = exact_world_with(faults);
+  EncoderInput left;
+  EncoderInput right;
+  for (int i = 0; i < 1000; ++i) {
+    EncoderChanges changes;
+    world.step(0.001, duty, changes);
+    left.read(changes.left);
+    right.read(changes.right);
+  }
+  return {left.counts(), right.counts(), world.T_world_robot()};
+}
+
+TEST(RobotWorld, AReversedMotorTurnsItsWheelTheOtherWay) {
+  const DrivenWay whole = driven_with("");
+  const DrivenWay reversed = driven_with("motor-left-reversed@0");
+  EXPECT_GT(whole.left, 1000);
+  EXPECT_NEAR(reversed.left, -whole.left, 1);
+  EXPECT_EQ(reversed.right, whole.right);
+  EXPECT_GT(reversed.T_world_robot.heading_rad(), 1.0) << "on the spot";
+  EXPECT_NEAR(reversed.T_world_robot.x_m(), 2.0, 1e-3);
+}
+
+TEST(RobotWorld, AWheelWithMotorAndEncoderReversedCountsForwardAndGoesBack) {
+  const DrivenWay whole = driven_with("");
+  const DrivenWay reversed = driven_with("motor-left-reversed@0,encoder-left-reversed@0");
+  EXPECT_NEAR(reversed.left, whole.left, 1);
+  EXPECT_EQ(reversed.right, whole.right);
+  EXPECT_GT(reversed.T_world_robot.heading_rad(), 1.0);
+}
+
+TEST(RobotWorld, SwappedMotorsAndSwappedEncodersExchangeTheWheels) {
+  const WheelDuty to_the_right{0.6, 0.3};
+  const DrivenWay whole = driven_with("", to_the_right);
+  EXPECT_GT(whole.left, 2 * whole.right);
+  EXPECT_LT(whole.T_world_robot.heading_rad(), -0.5);
+
+  const DrivenWay motors = driven_with("motors-swapped@0", to_the_right);
+  EXPECT_NEAR(motors.T_world_robot.heading_rad(), -whole.T_world_robot.heading_rad(), 1e-9);
+  EXPECT_EQ(motors.left, whole.right);
+  EXPECT_EQ(motors.right, whole.left);
+
+  const DrivenWay encoders = driven_with("encoders-swapped@0", to_the_right);
+  EXPECT_EQ(encoders.T_world_robot.heading_rad(), whole.T_world_robot.heading_rad());
+  EXPECT_EQ(encoders.left, whole.right);
+  EXPECT_EQ(encoders.right, whole.left);
+}
+
+TEST(RobotWorld, EncodersOfHalfTheEdgesCountHalfOfTheSameWay) {
+  const DrivenWay whole = driven_with("");
+  const DrivenWay half = driven_with("counts@0");
+  EXPECT_NEAR(half.left, 0.5 * whole.left, 1.0);
+  EXPECT_NEAR(half.right, 0.5 * whole.right, 1.0);
+  EXPECT_NEAR(half.T_world_robot.x_m(), whole.T_world_robot.x_m(), 1e-9);
+}
+
+TEST(RobotWorld, ALargerWheelDrivesAnArcWithTheCountsOfAStraightLine) {
+  const DrivenWay larger = driven_with("wheel-left@0:inf:1.08");
+  EXPECT_EQ(larger.left, larger.right);
+  const DriveParams drive;
+  const double rolled_m =
+      larger.left * std::numbers::pi * drive.wheel_diameter_m / drive.counts_per_turn;
+  EXPECT_NEAR(larger.T_world_robot.heading_rad(), -0.08 * rolled_m / drive.track_m, 1e-3);
+  EXPECT_GT(driven_with("wheel-left@0:inf:0.92").T_world_robot.heading_rad(), 0.05);
+  EXPECT_GT(driven_with("wheel-right@0:inf:1.08").T_world_robot.heading_rad(), 0.05);
+}
+
+TEST(RobotWorld, APanMayTurnTheOtherWayOrLookAside) {
+  constexpr double kQuarterTurnRad = 0.5 * std::numbers::pi;
+  const auto range_m = [](const std::string& faults, double pan_rad) {
+    return exact_world_with(faults).ping(pan_rad).value_or(0.0) * 343.2 / 2.0;
+  };
+  EXPECT_NEAR(range_m("", kQuarterTurnRad), 2.0, 1e-9);
+  EXPECT_NEAR(range_m("pan-reversed@0", kQuarterTurnRad), 1.0, 1e-9);
+  EXPECT_NEAR(range_m("pan-off@0:inf:90", 0.0), 2.0, 1e-9);
+  EXPECT_NEAR(range_m("pan-off@0:inf:-90", 0.0), 1.0, 1e-9);
+  EXPECT_NEAR(exact_world_with("pan-off@0").T_world_sonar(0.5).heading_rad(),
+              0.5 + 7.0 / 180.0 * std::numbers::pi,
+              1e-9);
+}
+
+TEST(RobotWorld, ARangeScaleStretchesTheTimesOfEchoes) {
+  EXPECT_NEAR(exact_world_with("range-scale@0:inf:1.1").ping(0.0).value_or(0.0),
+              1.1 * 2.0 * 1.97 / 343.2,
+              1e-9);
+}
+
 /// Somebody crosses before the robot, which stands in the middle of the box room.
 FloorPlan crossed_room() {
   const FloorPlan room = box_room();
