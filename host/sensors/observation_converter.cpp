@@ -119,8 +119,10 @@ void ObservationConverter::restart(time::RobotClock::duration passed) {
 
 WheelTravel ObservationConverter::travel(std::int16_t left_ticks, std::int16_t right_ticks) {
   const double metres_per_tick = geometry_.metres_per_tick();
-  return {static_cast<double>(left_.unwrap(left_ticks)) * metres_per_tick,
-          static_cast<double>(right_.unwrap(right_ticks)) * metres_per_tick};
+  return {
+      static_cast<double>(left_.unwrap(left_ticks)) * metres_per_tick * geometry_.left_wheel_scale,
+      static_cast<double>(right_.unwrap(right_ticks)) * metres_per_tick *
+          geometry_.right_wheel_scale};
 }
 
 std::optional<double> ObservationConverter::range_m(std::uint16_t flight_us) const {

@@ -22,12 +22,15 @@ struct RobotGeometry {
   double wheel_diameter_m = 0.065;  ///< Rolling diameter, tape measure or calibration.
   double track_m = 0.140;           ///< Distance between the wheels' contact points.
   double counts_per_turn = 1440.0;  ///< Encoder counts for one turn of a wheel.
+  double left_wheel_scale = 1.0;    ///< What the wheel rolls, as a multiple of the above.
+  double right_wheel_scale = 1.0;   ///< The same.
   double sonar_x_m = 0.060;         ///< Pan axis of the sonar, in the robot frame.
   double sonar_y_m = 0.0;           ///< Pan axis of the sonar, in the robot frame.
   double sonar_forward_m = 0.0;     ///< From the pan axis to the sonar's face.
 
+  /// Of a wheel of scale 1.
   double metres_per_tick() const;
-  /// Counts nearest to rolling `distance_m`, forward positive.
+  /// Counts nearest to rolling `distance_m` with a wheel of scale 1, forward positive.
   std::int32_t ticks_from_metres(double distance_m) const;
   /// Both wheels the same way.
   WheelTicks straight(double distance_m) const;
@@ -40,6 +43,9 @@ struct RobotGeometry {
 
   /// Throws std::invalid_argument where a length or count is not positive or not finite.
   void validate() const;
+
+ private:
+  WheelTicks ticks(double left_m, double right_m) const;
 };
 
 }  // namespace echomap::sensors

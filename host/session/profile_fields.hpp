@@ -67,4 +67,9 @@ inline double positive(const files::TomlReader& table, std::string_view key) {
   return value;
 }
 
+/// The same; `fallback` where there is no such key.
+inline double positive_or(const files::TomlReader& table, std::string_view key, double fallback) {
+  return table.has(key) ? positive(table, key) : fallback;
+}
+
 }  // namespace echomap::session

@@ -46,6 +46,8 @@ void read_drive(const TomlReader& table, RobotProfile& profile) {
   profile.geometry.wheel_diameter_m = positive(table, "wheel_diameter_m");
   profile.geometry.track_m = positive(table, "track_m");
   profile.geometry.counts_per_turn = positive(table, "counts_per_turn");
+  profile.geometry.left_wheel_scale = positive_or(table, "left_wheel_scale", 1.0);
+  profile.geometry.right_wheel_scale = positive_or(table, "right_wheel_scale", 1.0);
   profile.speed_m_per_s = positive(table, "speed_m_per_s");
 
   const double ticks_per_metre = 1.0 / profile.geometry.metres_per_tick();
@@ -80,6 +82,8 @@ void read_odometry(const TomlReader& table, RobotProfile& profile) {
 void read_sonar(const TomlReader& table, RobotProfile& profile) {
   profile.geometry.sonar_x_m = table.number("x_m");
   profile.geometry.sonar_y_m = table.number("y_m");
+  profile.range_scale = positive_or(table, "range_scale", 1.0);
+  profile.range.speed_of_sound_m_s *= profile.range_scale;
   profile.range.min_range_m = positive(table, "min_range_m");
   profile.range.max_range_m = positive(table, "max_range_m");
   if (profile.range.max_range_m <= profile.range.min_range_m) {

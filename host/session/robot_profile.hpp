@@ -19,6 +19,7 @@ struct RobotProfile {
   std::string toml;  ///< Text of its file.
   sensors::RobotGeometry geometry;
   sensors::SonarRangeParams range;
+  double range_scale = 1.0;  ///< In the speed of sound of `range`.
   double speed_m_per_s = 0.0;
   double body_radius_m = 0.0;
   double beam_half_angle_rad = 0.0;

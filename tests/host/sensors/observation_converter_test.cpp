@@ -34,6 +34,20 @@ TEST(ObservationConverter, GivesMetresAndRobotTime) {
   EXPECT_NEAR(seen.travel.right_m, -0.125, 1e-12);
 }
 
+TEST(ObservationConverter, ScalesTheTravelOfEachWheel) {
+  RobotGeometry uneven = kGeometry;
+  uneven.left_wheel_scale = 1.08;
+  uneven.right_wheel_scale = 0.5;
+  ObservationConverter converter(uneven, kSonar);
+  converter.convert(Odometry{1'000, 0, 0, 0});
+  const auto seen = converter.convert(Odometry{21'000, 250, -125, 0});
+  EXPECT_NEAR(seen.travel.left_m, 0.270, 1e-12);
+  EXPECT_NEAR(seen.travel.right_m, -0.0625, 1e-12);
+  const auto echo = converter.convert(Echo{41'000, 0, 10'000, 500, 250});
+  EXPECT_NEAR(echo.travel.left_m, 0.540, 1e-12);
+  EXPECT_NEAR(echo.travel.right_m, 0.125, 1e-12);
+}
+
 TEST(ObservationConverter, HalvesTheFlightThereAndBack) {
   ASSERT_TRUE(range_of(10'000));
   EXPECT_NEAR(*range_of(10'000), 1.7, 1e-12);
@@ -126,6 +140,7 @@ TEST(ObservationConverter, RefusesParametersThatMakeNoSense) {
   };
   EXPECT_NO_THROW(build(RobotGeometry{}, SonarRangeParams{}));
   EXPECT_THROW(build({.track_m = 0.0}, kSonar), std::invalid_argument);
+  EXPECT_THROW(build({.left_wheel_scale = 0.0}, kSonar), std::invalid_argument);
   EXPECT_THROW(build(kGeometry, {.speed_of_sound_m_s = 0.0}), std::invalid_argument);
   EXPECT_THROW(build(kGeometry, {.min_range_m = 2.0, .max_range_m = 1.0}), std::invalid_argument);
   EXPECT_THROW(build(kGeometry, {.min_range_m = std::nan("")}), std::invalid_argument);

@@ -49,6 +49,17 @@ TEST(RobotGeometry, TurnsOnTheSpotAlongTheCircleOfItsTrack) {
   EXPECT_EQ(kTribot.turn_on_spot(-pi / 2.0), (WheelTicks{180, -180}));
 }
 
+TEST(RobotGeometry, TurnsALargerWheelLessForTheSameWay) {
+  RobotGeometry uneven = kTribot;
+  uneven.left_wheel_scale = 1.25;
+  uneven.right_wheel_scale = 0.5;
+  EXPECT_EQ(uneven.straight(0.055 * pi), (WheelTicks{288, 720}));
+  EXPECT_EQ(uneven.turn_on_spot(2.0 * pi), (WheelTicks{-576, 1440}));
+  EXPECT_EQ(uneven.arc_speeds(0.055 * pi, 0.0), (WheelTicks{288, 720}));
+  // 360 -+ 360 / pi counts a second of wheels of scale 1.
+  EXPECT_EQ(uneven.arc_speeds(0.055 * pi, 1.0), (WheelTicks{196, 949}));
+}
+
 TEST(RobotGeometry, PutsTheSonarOnAnArmThatPansAboutItsAxis) {
   const auto ahead = kTribot.T_robot_sonar(0.0);
   EXPECT_NEAR(ahead.x_m(), 0.07, 1e-12);
@@ -64,7 +75,9 @@ TEST(RobotGeometry, RefusesABodyThatCannotBe) {
   EXPECT_NO_THROW(RobotGeometry{}.validate());
   for (double RobotGeometry::*field : {&RobotGeometry::wheel_diameter_m,
                                        &RobotGeometry::track_m,
-                                       &RobotGeometry::counts_per_turn}) {
+                                       &RobotGeometry::counts_per_turn,
+                                       &RobotGeometry::left_wheel_scale,
+                                       &RobotGeometry::right_wheel_scale}) {
     for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
       RobotGeometry geometry;
       geometry.*field = wrong;

@@ -19,10 +19,10 @@ using ::testing::HasSubstr;
 
 const std::string profiles = ECHOMAP_SOURCE_DIR "/host/profiles/";
 
-/// Loads the bundled profile with `from` replaced by `to` and answers the error.
-std::string error_with(const std::string& from,
-                       const std::string& to,
-                       const std::string& profile = "uno_2wd") {
+/// Loads the bundled profile with `from` replaced by `to`.
+RobotProfile profile_with(const std::string& from,
+                          const std::string& to,
+                          const std::string& profile = "uno_2wd") {
   std::string text = files::read_text_file(profiles + profile + ".toml");
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -30,8 +30,15 @@ std::string error_with(const std::string& from,
   const tests::ScratchFolder folder;
   const auto path = folder / "profile.toml";
   files::write_text_file(path, text);
+  return load_robot_profile(path);
+}
+
+/// Loads it in the same way and answers the error.
+std::string error_with(const std::string& from,
+                       const std::string& to,
+                       const std::string& profile = "uno_2wd") {
   try {
-    load_robot_profile(path);
+    profile_with(from, to, profile);
   } catch (const files::ConfigError& error) {
     return error.what();
   }
@@ -56,6 +63,26 @@ TEST(RobotProfile, TurnsMetresIntoWhatTheBoardCounts) {
   EXPECT_NEAR(nxt.configuration.sonar.max_echo_us, 2.0 * 2.3 / 343.2 * 1e6, 1.0);
   EXPECT_EQ(nxt.configuration.pan.kind, static_cast<std::uint8_t>(protocol::PanKind::kStepper));
   EXPECT_EQ(nxt.configuration.pan.max_cdeg, 72000) << "720 degrees";
+}
+
+TEST(RobotProfile, MayScaleEachWheelAndTheSonarsRanges) {
+  const auto plain = load_robot_profile("uno_2wd");
+  EXPECT_EQ(plain.geometry.left_wheel_scale, 1.0);
+  EXPECT_EQ(plain.geometry.right_wheel_scale, 1.0);
+  EXPECT_EQ(plain.range_scale, 1.0);
+
+  const std::string track = "track_m = 0.140";
+  const auto uneven =
+      profile_with(track, "left_wheel_scale = 1.08\nright_wheel_scale = 0.97\n" + track);
+  EXPECT_EQ(uneven.geometry.left_wheel_scale, 1.08);
+  EXPECT_EQ(uneven.geometry.right_wheel_scale, 0.97);
+
+  const auto shorter = profile_with("x_m = 0.03", "range_scale = 0.9\nx_m = 0.03");
+  EXPECT_EQ(shorter.range_scale, 0.9);
+  EXPECT_NEAR(shorter.range.speed_of_sound_m_s, 0.9 * plain.range.speed_of_sound_m_s, 1e-9);
+  EXPECT_NEAR(
+      shorter.configuration.sonar.max_echo_us, plain.configuration.sonar.max_echo_us / 0.9, 1.5)
+      << "it listens until the same range";
 }
 
 TEST(RobotProfile, GivesEachPaperItsSensors) {
@@ -97,6 +124,12 @@ TEST(RobotProfile, PlacesAnUnknownKey) {
 
 TEST(RobotProfile, RefusesWhatNoRobotHas) {
   EXPECT_THAT(error_with("= 0.065", "= -0.065"), HasSubstr("must be greater than zero"));
+  for (const char* const key : {"left_wheel_scale", "right_wheel_scale"}) {
+    EXPECT_THAT(error_with("track_m = 0.140", std::string(key) + " = 0\ntrack_m = 0.140"),
+                HasSubstr("'" + std::string(key) + "' must be greater than zero"));
+  }
+  EXPECT_THAT(error_with("x_m = 0.03", "range_scale = 0\nx_m = 0.03"),
+              HasSubstr("'range_scale' must be greater than zero"));
   EXPECT_THAT(error_with("feed_forward = 19.5", "feed_forward = 1e9"),
               HasSubstr("'feed_forward' must lie from 0 to 32767"));
   EXPECT_THAT(error_with("settle_ms = 40", "settle_ms = -1"),
