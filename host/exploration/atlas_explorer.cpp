@@ -5,6 +5,13 @@
 #include <variant>
 
 namespace echomap::exploration {
+namespace {
+
+/// A robot that is lost in so many maps in a row, and none of them found again, goes on losing
+/// them.
+constexpr std::size_t kMaxMapsLost = 4;
+
+}  // namespace
 
 AtlasExplorer::AtlasExplorer(MakeExplorer make, std::size_t stops, bool begins_new_map)
     : make_(std::move(make)), begins_new_map_(begins_new_map) {
@@ -16,6 +23,7 @@ Motion AtlasExplorer::next(const pipeline::Snapshot& snapshot, MotionResult last
     if (last != MotionResult::kReached) {
       return *otherwise;
     }
+    maps_lost_ = is_lost_ ? maps_lost_ + 1 : 0;
     begin_strategy(snapshot.stops);
     return next_of_strategy(snapshot, MotionResult::kReached);
   }
@@ -29,7 +37,9 @@ Motion AtlasExplorer::next(const pipeline::Snapshot& snapshot, MotionResult last
   }
   const Motion motion = next_of_strategy(snapshot, last);
   const auto* finished = std::get_if<Finished>(&motion);
-  if (finished != nullptr && finished->reason == FinishReason::kLost) {
+  is_lost_ =
+      finished != nullptr && finished->reason == FinishReason::kLost && maps_lost_ < kMaxMapsLost;
+  if (is_lost_) {
     return ask_for(BeginNewMap{finished->stops_elsewhere}, motion);
   }
   return is_new_stop ? ask_for(JoinMaps{}, motion) : motion;

@@ -44,6 +44,8 @@ class AtlasExplorer final : public Explorer {
   std::size_t stops_before_ = 0;     ///< In the map when the strategy began.
   std::size_t stops_made_ = 0;       ///< Since the first strategy began.
   std::size_t stops_ = 0;            ///< In the map.
+  bool is_lost_ = false;             ///< A new map was asked for because of that.
+  std::size_t maps_lost_ = 0;        ///< In a row, that the robot was lost in.
 };
 
 /// Carries out what an explorer decides about the maps; empty for a motion of the robot.

@@ -2,6 +2,8 @@
 #include "host/exploration/atlas_explorer.hpp"
 
 #include <memory>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -48,6 +50,20 @@ class AtlasExplorerTest : public ::testing::Test {
       motion = explorer.next(atlas.pipeline().snapshot(), *changed);
     }
     return motion;
+  }
+
+  /// What it asks for where the robot is lost.
+  Motion lose(AtlasExplorer& explorer, const pipeline::Snapshot& here) {
+    says = Finished{FinishReason::kLost, 1};
+    return explorer.next(here, MotionResult::kReached);
+  }
+  /// Loses the robot in so many maps, and begins another one behind each.
+  void lose_maps(AtlasExplorer& explorer, const pipeline::Snapshot& here, int maps) {
+    for (int map = 0; map < maps; ++map) {
+      ASSERT_TRUE(std::holds_alternative<BeginNewMap>(lose(explorer, here))) << map;
+      ASSERT_TRUE(std::holds_alternative<Drive>(explorer.next(here, MotionResult::kReached)))
+          << map;
+    }
   }
 
   pipeline::RobotAtlas atlas{[] { return pipeline::RobotPipeline(sensors::RobotGeometry{}); }};
@@ -117,6 +133,27 @@ TEST_F(AtlasExplorerTest, EndsWithAStrategyThatCannotBeginAnew) {
   ASSERT_TRUE(std::holds_alternative<Finished>(motion));
   EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kLost);
   EXPECT_TRUE(atlas.previous_maps().empty());
+}
+
+TEST_F(AtlasExplorerTest, EndsWhereTheRobotIsLostInTheFifthMapInARow) {
+  AtlasExplorer explorer = this->explorer();
+  const pipeline::Snapshot here = atlas.pipeline().snapshot();
+  lose_maps(explorer, here, 4);
+  const Motion motion = lose(explorer, here);
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion)) << "no sixth map";
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kLost);
+  EXPECT_EQ(made_at.size(), 5U);
+}
+
+TEST_F(AtlasExplorerTest, CountsTheMapsItIsLostInAnewBehindAJoin) {
+  AtlasExplorer explorer = this->explorer();
+  pipeline::Snapshot here = atlas.pipeline().snapshot();
+  lose_maps(explorer, here, 4);
+  ++here.stops;
+  ASSERT_TRUE(std::holds_alternative<JoinMaps>(explorer.next(here, MotionResult::kReached)));
+  ASSERT_TRUE(std::holds_alternative<Drive>(explorer.next(here, MotionResult::kReached)));
+  lose_maps(explorer, here, 4);
+  EXPECT_TRUE(std::holds_alternative<Finished>(lose(explorer, here)));
 }
 
 /// In a bundled room, by SLAM.
