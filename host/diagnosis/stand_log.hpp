@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "host/mapping/placed_reading.hpp"
+#include "host/mapping/sonar_surfaces.hpp"
+#include "host/sensors/observations.hpp"
+#include "host/sensors/robot_geometry.hpp"
+
+namespace echomap::diagnosis {
+
+/// What both wheels have rolled, in metres by the profile, forward positive.
+struct WheelStep {
+  double left_m = 0.0;
+  double right_m = 0.0;
+};
+
+/// What a robot heard while it stood, and where its wheels had come to.
+struct Stand {
+  std::size_t steps = 0;  ///< Wheel steps before it.
+  std::size_t piece = 0;  ///< Of the way, on which nothing held the robot.
+  /// Seen from the pan axis; bearings are pan angles by the profile.
+  std::vector<mapping::SonarSurface> surfaces;
+};
+
+/// Wheel steps and stands of a robot's first stops, before anything is made of them. Steps of one
+/// arc are joined.
+class StandLog {
+ public:
+  StandLog(const sensors::RobotGeometry& robot, const mapping::SonarSurfaceParams& surfaces);
+
+  void follow(const sensors::WheelTravel& travel);
+  void begin_stop();
+  void add(const sensors::SonarObservation& observation);
+  void end_stop();
+  /// Something has held the robot: what its wheels turned then is no way.
+  void break_way();
+
+  const sensors::RobotGeometry& robot() const { return robot_; }
+  const std::vector<WheelStep>& steps() const { return steps_; }
+  const std::vector<Stand>& stands() const { return stands_; }
+  std::size_t stops() const { return stops_; }
+  /// How far the robot has driven, turns left out.
+  double travelled_m() const { return travelled_m_; }
+
+ private:
+  void end_stand();
+
+  sensors::RobotGeometry robot_;
+  mapping::SonarSurfaceParams surface_params_;
+  std::optional<sensors::WheelTravel> last_;
+  std::vector<WheelStep> steps_;
+  std::vector<Stand> stands_;
+  mapping::Scan heard_;  ///< At the present stand.
+  bool is_in_stop_ = false;
+  std::size_t piece_ = 0;
+  std::size_t stops_ = 0;
+  double travelled_m_ = 0.0;
+};
+
+}  // namespace echomap::diagnosis
