@@ -37,6 +37,7 @@ constexpr const char* kExitCodes =
     "  6    a configuration is invalid\n"
     "  7    safety stop: stuck, lifted, battery low, a wheel out of control\n"
     "  8    ended, but unfinished: what is missing is said\n"
+    "  9    the robot is not as its profile says: what to change is said\n"
     "  130  interrupted";
 
 void set_up_logging(bool verbose, bool quiet) {

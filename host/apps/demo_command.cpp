@@ -78,7 +78,7 @@ NextCommands next_commands(const DemoOptions& options, const std::filesystem::pa
   const std::string again = console::shell_line(
       {"echomap", "demo", "--world", options.robot.world, "--emulator", options.robot.emulator});
   const std::string find = console::shell_line({"echomap", "localize", "--map", out.string()});
-  return {score, is_usual ? score : again, find};
+  return {score, is_usual ? score : again, find, again};
 }
 
 /// How a drive has ended, and what became of a robot that was carried off behind it.

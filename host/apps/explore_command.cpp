@@ -32,7 +32,8 @@ NextCommands next_commands(const ExploreOptions& options, const std::string& out
     return console::shell_line(words);
   };
   const std::string localize = line("localize", {"--map", out});
-  return {localize, line("explore", {"--resume", out, "--out", out}), localize};
+  return {
+      localize, line("explore", {"--resume", out, "--out", out}), localize, line("explore", {})};
 }
 
 }  // namespace

@@ -129,13 +129,57 @@ std::unique_ptr<exploration::AtlasExplorer> explorer_of(const RobotContext& robo
       !robot.is_followed() && strategies::begins_anywhere(strategy));
 }
 
-/// Motion by motion until the explorer has finished or the session has ended.
+/// The fault that ends an exploration: no map can come of it.
+std::optional<diagnosis::Fault> fatal_fault(const RobotContext& robot,
+                                            const std::optional<FinishReason>& reason) {
+  if (const auto found = robot.diagnosis(); found && forbids_a_map(found->fault.kind)) {
+    return found->fault;
+  }
+  const auto wheel = robot.wheel_that_stood_still();
+  return reason == FinishReason::kWheelFault && wheel ? std::optional(diagnosis::Fault{*wheel, 0.0})
+                                                      : std::nullopt;
+}
+
+/// Of the fault that the ending names.
+std::optional<exports::FaultSummary> fault_summary(const RobotContext& robot,
+                                                   const std::optional<FinishReason>& reason) {
+  const auto found = robot.diagnosis();
+  const auto fatal = fatal_fault(robot, reason);
+  if (fatal && (!found || fatal->kind != found->fault.kind)) {
+    return exports::FaultSummary{name_of(fatal->kind)};
+  }
+  return found ? std::optional(exports::FaultSummary{
+                     name_of(found->fault.kind), found->fault.value, found->log_odds, found->stops})
+               : std::nullopt;
+}
+
+/// Says once what is wrong with a robot that can go on.
+class FaultReporter {
+ public:
+  explicit FaultReporter(const RobotContext& robot) : robot_(robot) {}
+
+  void report() {
+    const auto found = robot_.diagnosis();
+    if (found && !forbids_a_map(found->fault.kind) && !std::exchange(has_told_, true)) {
+      const session::FaultAdvice advice = advice_of(found->fault, robot_.profile());
+      spdlog::warn("{}: {}", advice.what, advice.change);
+    }
+  }
+
+ private:
+  const RobotContext& robot_;
+  bool has_told_ = false;
+};
+
+/// Motion by motion until the explorer has finished, the session has ended or the robot turns out
+/// to be one that no map can come of.
 std::optional<FinishReason> drive(RobotContext& robot,
                                   exploration::Explorer& explorer,
                                   RunWriter& writer) {
   MotionResult last = MotionResult::kReached;
   AtlasReporter maps(robot.atlas());
-  while (!robot.session().end()) {
+  FaultReporter faults(robot);
+  while (!robot.session().end() && !fatal_fault(robot, std::nullopt)) {
     const auto motion = explorer.next(robot.atlas().pipeline().snapshot(), last);
     if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
       return finished->reason;
@@ -144,6 +188,7 @@ std::optional<FinishReason> drive(RobotContext& robot,
     maps.report();
     if (std::holds_alternative<exploration::EndScan>(motion)) {
       writer.save_in_passing();
+      faults.report();
     }
   }
   return std::nullopt;
@@ -190,10 +235,15 @@ RunEnding ending_of_exploration(const RobotContext& robot,
                                 const std::optional<exploration::Coverage>& coverage,
                                 const NextCommands& next) {
   const RobotSession& session = robot.session();
-  return reason ? ending_of(*reason, coverage, next)
-                : ending_of(session.end().value_or(session::SessionEnd::kLinkLost),
-                            session.end_reason(),
-                            next);
+  if (const auto fault = fatal_fault(robot, reason)) {
+    return ending_of_fault(advice_of(*fault, robot.profile()), next.again);
+  }
+  RunEnding ending = reason ? ending_of(*reason, coverage, next)
+                            : ending_of(session.end().value_or(session::SessionEnd::kLinkLost),
+                                        session.end_reason(),
+                                        next);
+  const auto found = robot.diagnosis();
+  return found ? with_fault(std::move(ending), advice_of(found->fault, robot.profile())) : ending;
 }
 
 /// A run whose end is not saved has no closing paragraph: what is there is of an earlier stop.
@@ -264,6 +314,7 @@ RunEnding explore_and_save(RobotContext& robot,
   if (coverage) {
     summary.coverage = summary_of(*coverage);
   }
+  summary.robot_fault = fault_summary(robot, reason);
   save_at_the_end(writer);
   return ending;
 }

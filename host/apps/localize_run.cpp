@@ -105,20 +105,36 @@ console::CommandWords words_of(const LocalizeOptions& options) {
   return words;
 }
 
-RunEnding ending_of_drive(const FollowedRobot& robot, const console::CommandWords& localize) {
+RunEnding ending_of_drive(const session::RobotContext& context,
+                          const FollowedRobot& robot,
+                          const console::CommandWords& localize) {
+  const auto found = context.diagnosis();
+  if (found && forbids_a_map(found->fault.kind)) {
+    return ending_of_fault(advice_of(found->fault, context.profile()),
+                           console::shell_line(localize));
+  }
   if (const auto end = robot.session.end()) {
     const std::string again = console::shell_line(localize);
-    return ending_of(*end, robot.session.end_reason(), {again, again, again});
+    return ending_of(*end, robot.session.end_reason(), {again, again, again, again});
   }
   if (robot.driver.finished() == exploration::FinishReason::kCannotSense) {
     return ending_of(exploration::FinishReason::kCannotSense, std::nullopt, {});
   }
   const auto finished = robot.driver.finished().value_or(exploration::FinishReason::kStopLimit);
-  return ending_of_localization(exploration::name_of(finished), robot.filter.report(), localize);
+  RunEnding ending =
+      ending_of_localization(exploration::name_of(finished), robot.filter.report(), localize);
+  return found ? with_fault(std::move(ending), advice_of(found->fault, context.profile())) : ending;
 }
 
-void drive(const FollowedRobot& robot, std::size_t max_stops, Account& account) {
-  while (account.stops() < max_stops && follow_to_next_stop(robot)) {
+void drive(const session::RobotContext& context,
+           const FollowedRobot& robot,
+           std::size_t max_stops,
+           Account& account) {
+  const auto is_fit = [&] {
+    const auto found = context.diagnosis();
+    return !found || !forbids_a_map(found->fault.kind);
+  };
+  while (account.stops() < max_stops && is_fit() && follow_to_next_stop(robot)) {
     account.add_stop(robot);
   }
 }
@@ -153,9 +169,9 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
     account.describe(context.lockstep()->device());
   }
   context.connect();
-  drive(robot, run.strategy.stops.value_or(kUsualStops), account);
+  drive(context, robot, run.strategy.stops.value_or(kUsualStops), account);
   context.session().disarm();
-  const RunEnding ending = ending_of_drive(robot, words_of(options));
+  const RunEnding ending = ending_of_drive(context, robot, words_of(options));
   account.save(ending, robot, out);
   write_report(run.json, account.json());
   context.quit();

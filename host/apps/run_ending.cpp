@@ -159,6 +159,15 @@ RunEnding ending_of(session::SessionEnd end, const std::string& reason, const Ne
           at == std::string::npos ? next.go_on : reason.substr(at + kNext.size())};
 }
 
+RunEnding ending_of_fault(const session::FaultAdvice& advice, const std::string& again) {
+  return {"robot-fault", ExitCode::kRobotFault, advice.what, advice.change + ", then: " + again};
+}
+
+RunEnding with_fault(RunEnding ending, const session::FaultAdvice& advice) {
+  ending.why += fmt::format("; but {}: {}", advice.what, advice.change);
+  return ending;
+}
+
 RunEnding ending_of_replay(const std::string& outcome,
                            const std::string& damage,
                            const std::string& out) {

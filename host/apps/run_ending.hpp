@@ -13,6 +13,7 @@
 #include "host/exploration/explorer.hpp"
 #include "host/exports/summary_json.hpp"
 #include "host/pipeline/snapshot.hpp"
+#include "host/session/fault_advice.hpp"
 #include "host/session/robot_profile.hpp"
 #include "host/session/session_end.hpp"
 
@@ -34,6 +35,7 @@ struct NextCommands {
   std::string use;    ///< Of a finished map.
   std::string go_on;  ///< Where the room is unfinished.
   std::string find;   ///< Where the robot is lost.
+  std::string again;  ///< Anew, without the map.
 };
 
 /// A map with less of the floor in reach than this is unfinished.
@@ -52,6 +54,12 @@ RunEnding ending_of(exploration::FinishReason reason,
 
 /// Of an exploration whose session has ended before its strategy, for that reason.
 RunEnding ending_of(session::SessionEnd end, const std::string& reason, const NextCommands& next);
+
+/// Of a robot with a fault that forbids a map; `again` is the command to repeat.
+RunEnding ending_of_fault(const session::FaultAdvice& advice, const std::string& again);
+
+/// The same ending of a robot with a fault that does not.
+RunEnding with_fault(RunEnding ending, const session::FaultAdvice& advice);
 
 /// Of a log or record that was played until `outcome` "finished", "interrupted" or "log-damaged",
 /// which `damage` then tells, into the map of the folder `out`.

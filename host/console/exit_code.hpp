@@ -17,6 +17,7 @@ enum class ExitCode : int {
   kConfigInvalid = 6,
   kSafetyStop = 7,  ///< The board stopped for good: lifted, a wheel out of control.
   kUnfinished = 8,  ///< Ended, and not with all that was asked for.
+  kRobotFault = 9,  ///< The robot is not as its profile says, and no map can come of it.
   kInterrupted = 130,
 };
 

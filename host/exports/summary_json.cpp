@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/exports/summary_json.hpp"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "host/files/atomic_file.hpp"
@@ -52,6 +54,15 @@ nlohmann::ordered_json to_json(const CoverageSummary& coverage) {
   return json;
 }
 
+nlohmann::ordered_json to_json(const FaultSummary& fault) {
+  return {{"name", fault.name},
+          {"value", fault.value},
+          {"log_odds",
+           std::isfinite(fault.log_odds) ? nlohmann::ordered_json(fault.log_odds)
+                                         : nlohmann::ordered_json()},
+          {"stops", fault.stops}};
+}
+
 }  // namespace
 
 std::string to_json_text(const RunSummary& summary) {
@@ -63,6 +74,8 @@ std::string to_json_text(const RunSummary& summary) {
       {"why", summary.why},
       {"next", summary.next},
       {"coverage", summary.coverage ? to_json(*summary.coverage) : nlohmann::ordered_json()},
+      {"robot_fault",
+       summary.robot_fault ? to_json(*summary.robot_fault) : nlohmann::ordered_json()},
       {"robot", summary.robot},
       {"slam", summary.slam},
       {"world", summary.world},

@@ -47,6 +47,15 @@ struct CoverageSummary {
   std::vector<std::array<double, 4>> gaps{};
 };
 
+/// What its first stops have shown to be wrong with a robot; the fields are the keys of
+/// `robot_fault` in summary.json.
+struct FaultSummary {
+  std::string name;       ///< name_of(FaultKind)
+  double value = 0.0;     ///< By how much (diagnosis::Fault).
+  double log_odds = 0.0;  ///< Against a sound robot; 0 where it was not compared with one.
+  std::size_t stops = 0;  ///< After which it was found.
+};
+
 /// What a run was and how it went; the fields are the keys of summary.json.
 struct RunSummary {
   std::string echomap_version;
@@ -59,6 +68,7 @@ struct RunSummary {
   std::string next;
   /// Empty for a robot that hears nothing, and while it drives.
   std::optional<CoverageSummary> coverage;
+  std::optional<FaultSummary> robot_fault;
   std::string robot;
   /// What placed the robot on its map: slam::NamedSlam::name, or "none" for its odometry.
   std::string slam;

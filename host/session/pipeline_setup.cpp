@@ -22,11 +22,17 @@ std::vector<std::string> live_slam_names() {
   return names;
 }
 
+mapping::SonarSurfaceParams surface_params(const RobotProfile& profile) {
+  mapping::SonarSurfaceParams params;
+  params.beam_half_angle_rad = profile.beam_half_angle_rad;
+  return params;
+}
+
 pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::string& slam) {
   mapping::SonarMapperParams params;
   mapping::ContactMapperParams near;
   if (profile.has_sonar) {
-    params.surfaces.beam_half_angle_rad = profile.beam_half_angle_rad;
+    params.surfaces = surface_params(profile);
     params.floor.max_range_m = profile.range.max_range_m;
   } else {
     params.grid.resolution_m = kNearResolutionM;

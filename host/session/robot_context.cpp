@@ -19,6 +19,9 @@ void RobotContext::begin_maps(const std::string& slam) {
 void RobotContext::end_maps() {
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): begin_maps() comes before
   fork_.remove(*atlas_);
+  if (self_check_) {
+    fork_.remove(*self_check_);
+  }
   if (follower_) {
     fork_.remove(follower_->sink());
     follower_.reset();
@@ -40,6 +43,10 @@ void RobotContext::follow(std::unique_ptr<Follower> follower) {
 }
 
 void RobotContext::open(OpenedRobot robot) {
+  if (profile_.has_sonar) {
+    self_check_.emplace(profile_.geometry, surface_params(profile_));
+    fork_.add(*self_check_);
+  }
   lockstep_ = std::move(robot.lockstep);
   session_.emplace(std::move(robot.connection), profile_, sessions_);
   session_->on_step = [this] {
@@ -66,8 +73,27 @@ exploration::MotionResult RobotContext::execute(const exploration::Motion& motio
     throw std::logic_error("RobotContext::execute: begin_maps comes first");
   }
   const auto changed = exploration::change_maps(*atlas_, motion);
+  return changed ? *changed : move(motion);
+}
+
+exploration::MotionResult RobotContext::move(const exploration::Motion& motion) {
+  if (self_check_) {
+    self_check_->begin_motion(motion);
+  }
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): open() comes before
-  return changed ? *changed : session_->execute(motion);
+  const exploration::MotionResult result = session_->execute(motion);
+  if (self_check_) {
+    self_check_->end_motion(result);
+  }
+  return result;
+}
+
+std::optional<diagnosis::Diagnosis> RobotContext::diagnosis() const {
+  return self_check_ ? self_check_->diagnosis() : std::nullopt;
+}
+
+std::optional<diagnosis::FaultKind> RobotContext::wheel_that_stood_still() const {
+  return self_check_ ? self_check_->stood_still() : std::nullopt;
 }
 
 double now_s(const RobotSession& session) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "host/diagnosis/self_check.hpp"
 #include "host/pipeline/joined_sessions.hpp"
 #include "host/pipeline/observation_fork.hpp"
 #include "host/pipeline/robot_atlas.hpp"
@@ -41,6 +42,8 @@ class RobotContext {
   /// Carries out one motion of the robot, or one decision about its maps. Throws std::logic_error
   /// before `begin_maps`.
   exploration::MotionResult execute(const exploration::Motion& motion);
+  /// Carries out a motion of the robot, under the eyes of its self-check.
+  exploration::MotionResult move(const exploration::Motion& motion);
   /// Ends a simulated robot; false where it ended without its truth, or is none.
   bool quit() { return lockstep_ && lockstep_->quit(); }
 
@@ -57,6 +60,10 @@ class RobotContext {
   /// Name of the SLAM method that places the robot, or kNoSlam. After `begin_maps`.
   const std::string& slam() const { return slam_; }
   bool is_followed() const { return follower_ != nullptr; }
+  /// What its first stops have shown to be wrong with the robot or its profile.
+  std::optional<diagnosis::Diagnosis> diagnosis() const;
+  /// The wheel that stood still when its last motion stalled.
+  std::optional<diagnosis::FaultKind> wheel_that_stood_still() const;
   /// After `open`.
   RobotSession& session() { return *session_; }
   const RobotSession& session() const { return *session_; }
@@ -74,6 +81,7 @@ class RobotContext {
   pipeline::JoinedSessions sessions_{fork_};
   std::optional<pipeline::RobotAtlas> atlas_;
   std::string slam_;
+  std::optional<diagnosis::SelfCheck> self_check_;  ///< Of a robot with a sonar.
   std::unique_ptr<Follower> follower_;
   std::unique_ptr<transport::LockstepChannel> lockstep_;
   std::optional<RobotSession> session_;

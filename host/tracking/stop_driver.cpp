@@ -60,7 +60,7 @@ bool StopDriver::go_to_next_stop() {
     }
     stops_on_the_spot_ =
         std::holds_alternative<exploration::Drive>(motion) ? 0 : stops_on_the_spot_;
-    last_ = robot_.session().execute(motion);
+    last_ = robot_.move(motion);
     if (std::holds_alternative<exploration::EndScan>(motion)) {
       return !robot_.session().end();
     }

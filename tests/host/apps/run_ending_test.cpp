@@ -14,8 +14,10 @@ using exploration::FinishReason;
 using testing::HasSubstr;
 using testing::Not;
 
-const NextCommands kNext{
-    "echomap eval kitchen", "echomap explore --resume kitchen", "echomap localize --map kitchen"};
+const NextCommands kNext{"echomap eval kitchen",
+                         "echomap explore --resume kitchen",
+                         "echomap localize --map kitchen",
+                         "echomap explore"};
 
 Coverage coverage(double seen_m2, double unseen_m2) {
   Coverage coverage;
@@ -25,6 +27,22 @@ Coverage coverage(double seen_m2, double unseen_m2) {
     coverage.places.push_back({{2.04, -0.41}, unseen_m2});
   }
   return coverage;
+}
+
+TEST(RunEnding, OfARobotThatIsNotAsItsProfileSaysNamesWhatToChange) {
+  const RunEnding ending =
+      ending_of_fault({"the pan turns the other way", "set us_per_90deg = -900"}, kNext.again);
+  EXPECT_EQ(ending.code, ExitCode::kRobotFault);
+  EXPECT_EQ(ending.outcome, "robot-fault");
+  EXPECT_EQ(ending.next, "set us_per_90deg = -900, then: echomap explore");
+}
+
+TEST(RunEnding, KeepsItsCodeWhereTheFaultAllowsAMap) {
+  const RunEnding ending =
+      with_fault({"complete", ExitCode::kOk, "all is seen", "echomap eval kitchen"},
+                 {"the sonar looks left", "set centre_us = 1430"});
+  EXPECT_EQ(ending.code, ExitCode::kOk);
+  EXPECT_EQ(ending.why, "all is seen; but the sonar looks left: set centre_us = 1430");
 }
 
 TEST(RunEnding, OfAMapThatHasWhatTheRobotCanReachIsFinished) {
