@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How runs end: whether any room is finished, whether a map that says so is, and how long it takes,
-// over many seeds, beside another strategy.
+// over many seeds, beside another strategy; and whether robots with a hidden fault are told it.
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -16,6 +16,7 @@
 #include "host/session/temporary_folder.hpp"
 #include "host/strategies/strategy_setup.hpp"
 #include "tests/benchmarks/ends_figures.hpp"
+#include "tests/benchmarks/fault_runs.hpp"
 #include "tests/benchmarks/figures.hpp"
 #include "tests/benchmarks/markdown_table.hpp"
 #include "tests/benchmarks/truth_rooms.hpp"
@@ -27,6 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
+  std::string part = "all";
+  std::size_t robots = 200;
   int seeds = 20;
   int first_seed = 1;
   int jobs = 2;
@@ -119,7 +122,26 @@ std::vector<EndsCell> measure(const Options& options, const fs::path& folder) {
   return cells;
 }
 
+std::vector<FaultFinding> find_faults(const Options& options, const fs::path& folder) {
+  const auto robots = draw_robots(options.rooms, options.robots, options.first_seed);
+  std::vector<FaultFinding> findings(robots.size());
+  for_each_in_jobs(robots.size(), options.jobs, [&](std::size_t i) {
+    const fs::path place = folder / fmt::format("robot_{}", i);
+    findings[i] = find_fault(robots[i], place);
+    if (options.keep.empty()) {
+      fs::remove_all(place);
+    }
+  });
+  return findings;
+}
+
 void add_options(CLI::App& app, Options& options) {
+  app.add_option("--part", options.part, "How explorations end, what robots are told, or both")
+      ->check(CLI::IsMember({"runs", "faults", "all"}))
+      ->capture_default_str();
+  app.add_option("--robots", options.robots, "Robots with a fault, and as many without")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--seeds", options.seeds, "How many")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -154,13 +176,24 @@ int run(Options options) {
   const session::TemporaryFolder temporary;
   const fs::path folder = options.keep.empty() ? temporary.path() : fs::absolute(options.keep);
   fs::create_directories(folder);
-  const std::vector<EndsCell> cells = measure(options, folder);
-  const std::string table = to_markdown(ends_table(cells));
+  std::string table;
+  std::vector<Figure> figures;
+  if (options.part != "faults") {
+    const std::vector<EndsCell> cells = measure(options, folder);
+    table += to_markdown(ends_table(cells));
+    figures = ends_figures(cells);
+  }
+  if (options.part != "runs") {
+    const std::vector<FaultFinding> findings = find_faults(options, folder);
+    table += (table.empty() ? "" : "\n") + to_markdown(fault_table(findings));
+    const std::vector<Figure> of_faults = fault_figures(findings);
+    figures.insert(figures.end(), of_faults.begin(), of_faults.end());
+  }
   fmt::print("{}\n", table);
   if (!options.markdown.empty()) {
     files::write_text_file(options.markdown, table);
   }
-  report(ends_figures(cells), options.json);
+  report(figures, options.json);
   return 0;
 }
 

@@ -120,11 +120,12 @@ std::vector<End> ends() {
        kNarrowGap},
       {"Stuck",
        {},
-       7,
-       "stuck",
-       "echomap: error: not finished; the map so far is saved: the robot is stuck: something holds "
-       "it, or its wheels slip\n"
-       "  next: free it and start again\n",
+       9,
+       "robot-fault",
+       "echomap: error: not finished; the map so far is saved: the wheels turn and the robot stays "
+       "where it is\n"
+       "  next: free it, put it on the floor and see whether its wheels grip, then: echomap demo "
+       "--world WORLD --emulator mock\n",
        kHoleInTheFloor},
       {"Cable",
        {"--faults=away=60:1000"},

@@ -160,19 +160,24 @@ TEST_F(ExploreFaults, ASonarThatHangsEndsItAndLeavesTheMapAlone) {
 }
 
 TEST_F(ExploreFaults, ADeadEncoderEndsIt) {
-  expect_stopped(run({"--part-faults=encoder-left@60"}), 7, "wheel-fault", "a wheel does not turn");
   expect_stopped(
-      run({"--part-faults=encoder-right@60", "--seed=2"}), 7, "wheel-fault", "a wheel does not");
+      run({"--part-faults=encoder-left@60"}), 9, "robot-fault", "the left wheel does not turn");
+  expect_stopped(run({"--part-faults=encoder-right@60", "--seed=2"}),
+                 9,
+                 "robot-fault",
+                 "the right wheel does not turn");
 }
 
 TEST_F(ExploreFaults, ADeadEncoderEndsTheOtherRobotsToo) {
-  for (const auto& [robot, world, strategy] :
-       {std::tuple("--robot=ev3", "--world=playground", "--strategy=nxt-farthest"),
-        std::tuple("--robot=epuck", "--world=epuck_field", "--strategy=random-bounce"),
-        std::tuple("--robot=create", "--world=create_l", "--strategy=coastal")}) {
+  for (const auto& [robot, world, strategy, status, outcome] :
+       {std::tuple(
+            "--robot=ev3", "--world=playground", "--strategy=nxt-farthest", 9, "robot-fault"),
+        std::tuple(
+            "--robot=epuck", "--world=epuck_field", "--strategy=random-bounce", 7, "wheel-fault"),
+        std::tuple("--robot=create", "--world=create_l", "--strategy=coastal", 7, "wheel-fault")}) {
     const Ended ended = run({"--part-faults=encoder-left@25", robot, world, strategy});
-    EXPECT_EQ(ended.status, 7) << robot << ended.said;
-    EXPECT_EQ(summary().at("outcome"), "wheel-fault") << robot;
+    EXPECT_EQ(ended.status, status) << robot << ended.said;
+    EXPECT_EQ(summary().at("outcome"), outcome) << robot;
     EXPECT_LT(summary().at("sim_seconds"), 60.0) << robot;
   }
 }
