@@ -87,6 +87,27 @@ FaultAdvice advice_of_wiring(const std::string& wheel, bool stands) {
                                           wheel)};
 }
 
+/// Of wheels that their commands contradict.
+FaultAdvice advice_of_command(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::kLeftAgainst:
+      return advice_of_wiring("left", false);
+    case FaultKind::kRightAgainst:
+      return advice_of_wiring("right", false);
+    case FaultKind::kLeftStands:
+      return advice_of_wiring("left", true);
+    case FaultKind::kRightStands:
+      return advice_of_wiring("right", true);
+    default:
+      return {
+          "both wheels count against their commands: the motors or the encoders are "
+          "exchanged, or both are reversed",
+          "turn the left wheel by hand: if the right one counts, exchange the plugs of the "
+          "encoders, else those of the motors; if that does not mend it, change "
+          "invert_left_motor and invert_right_motor in [drive] of the profile"};
+  }
+}
+
 FaultAdvice advice_of_wheel(const char* wheel, double scale, double now) {
   return {fmt::format("the {} wheel rolls {} the profile says", wheel, farther(scale)),
           set(fmt::format("{}_wheel_scale", wheel), fmt::format("{:.3f}", scale * now), "drive")};
@@ -142,20 +163,11 @@ FaultAdvice advice_of(const Fault& fault, const RobotProfile& profile) {
                       fault.value < 1.0 ? "long" : "short"),
           set("range_scale", fmt::format("{:.3f}", fault.value * profile.range_scale), "sonar")};
     case FaultKind::kLeftAgainst:
-      return advice_of_wiring("left", false);
     case FaultKind::kRightAgainst:
-      return advice_of_wiring("right", false);
     case FaultKind::kBothAgainst:
-      return {
-          "both wheels count against their commands: the motors or the encoders are "
-          "exchanged, or both are reversed",
-          "turn the left wheel by hand: if the right one counts, exchange the plugs of the "
-          "encoders, else those of the motors; if that does not mend it, change "
-          "invert_left_motor and invert_right_motor in [drive] of the profile"};
     case FaultKind::kLeftStands:
-      return advice_of_wiring("left", true);
     case FaultKind::kRightStands:
-      return advice_of_wiring("right", true);
+      return advice_of_command(fault.kind);
   }
   return {};
 }
