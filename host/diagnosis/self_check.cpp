@@ -27,6 +27,14 @@ double cost_of(FaultKind kind) {
   }
 }
 
+/// A contact stops the wheels within some millimetres; whatever else ends a motion early has let
+/// them turn on.
+bool has_held(exploration::MotionResult result) {
+  return result != exploration::MotionResult::kReached &&
+         result != exploration::MotionResult::kBumped &&
+         result != exploration::MotionResult::kHazard;
+}
+
 bool is_large(const Fault& fault, const SelfCheckParams& params) {
   switch (fault.kind) {
     case FaultKind::kLeftWheelSize:
@@ -95,7 +103,7 @@ void SelfCheck::end_scan() {
 
 void SelfCheck::end_motion(exploration::MotionResult result) {
   wheels_.end(result);
-  if (result != exploration::MotionResult::kReached) {
+  if (has_held(result)) {
     log_.break_way();
   }
   const bool is_worse = !diagnosis_ || !forbids_a_map(diagnosis_->fault.kind);
