@@ -143,7 +143,9 @@ TEST_F(DemoOptions, WhatCannotBeWrittenIsSaidBeforeTheRobotMoves) {
 }
 
 TEST_F(DemoOptions, ARunWithoutItsTruthIsReportedAndFails) {
-  Program program("echomap", demo({"--json=" + path("report.json")}), scratch / "log");
+  Program program("echomap",
+                  demo({"--world=empty_room", "--no-kidnap", "--json=" + path("report.json")}),
+                  scratch / "log");
   ASSERT_TRUE(eventually([&] { return fs::exists(scratch / "run/summary.json"); }));
   fs::remove_all(scratch / "run/truth");
   write_text_file(scratch / "run/truth", "in the way");

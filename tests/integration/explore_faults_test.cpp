@@ -2,7 +2,6 @@
 /// What becomes of an exploration when a part fails, the robot is carried off or the line breaks.
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <regex>
 #include <string>
@@ -17,6 +16,7 @@
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/integration/programs.hpp"
+#include "tests/support/every_seed.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::test {
@@ -25,9 +25,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
-
-/// Whether every seed runs, as in `./run test --full`, or the first half of them.
-bool runs_every_seed() { return std::getenv("ECHOMAP_SOAK") != nullptr; }
+using tests::runs_every_seed;
 
 /// The demo on the native mock, without the kidnapping at its end, by a strategy that ends where
 /// nothing is new: whether the map has all of the room then is told by its exit code.

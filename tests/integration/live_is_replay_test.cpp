@@ -11,6 +11,7 @@
 
 #include "host/files/atomic_file.hpp"
 #include "tests/integration/programs.hpp"
+#include "tests/support/every_seed.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::test {
@@ -105,8 +106,8 @@ class LiveIsReplay : public ::testing::Test {
 };
 
 TEST_F(LiveIsReplay, InTheDemoRoom) {
-  for (const char* seed : {"--seed=1", "--seed=2"}) {
-    drive({seed, "--stops=8"});
+  for (int seed = 1; seed <= (tests::runs_every_seed() ? 2 : 1); ++seed) {
+    drive({"--seed=" + std::to_string(seed), "--stops=8"});
     expect_replayed();
   }
 }
@@ -124,7 +125,7 @@ TEST_F(LiveIsReplay, OfEveryFilterRobotAndStrategy) {
 }
 
 TEST_F(LiveIsReplay, AcrossAResetOfTheBoard) {
-  drive({"--part-faults=board-reset@62:3"});
+  drive({"--part-faults=board-reset@62:3", "--stops=8"});
   EXPECT_EQ(summary(run).at("link").at("resets"), 1);
   expect_replayed();
 }
