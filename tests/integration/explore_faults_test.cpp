@@ -190,7 +190,11 @@ TEST_F(ExploreFaults, AWheelThatSlipsAtRestOfTheRobotDoesNothing) {
 TEST_F(ExploreFaults, AWheelThatSlipsOnItsWaySeldomSpoilsTheMap) {
   int runs = 0;
   int right = 0;
-  for (const char* fault : {"slip-left@60", "slip-right@60", "slip-left@62", "slip-right@62"}) {
+  std::vector<const char*> faults{"slip-left@60", "slip-right@62"};
+  if (runs_every_seed()) {
+    faults.insert(faults.end(), {"slip-right@60", "slip-left@62"});
+  }
+  for (const char* fault : faults) {
     for (int seed = 101; seed <= (runs_every_seed() ? 102 : 101); ++seed) {
       const Ended ended =
           run({"--part-faults", fault + std::string(":2:0.3"), "--seed=" + std::to_string(seed)});
