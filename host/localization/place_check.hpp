@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/geometry/pose2.hpp"
+#include "host/localization/monte_carlo_localizer.hpp"
+#include "host/localization/place_search.hpp"
+
+namespace echomap::localization {
+
+/// When a place is claimed, and when it is given up.
+struct PlaceCheckParams {
+  PlaceSearchParams search;
+  /// A place is claimed from this probability on: of such claims as many have to be right.
+  double claimed_from = 0.95;
+  /// A place that is claimed, or told, is given up below this probability.
+  double lost_below = 0.5;
+  /// Prior probability that a robot is not where it is told to be, or has been carried off since.
+  double elsewhere_chance = 0.01;
+  /// Places that are less probable are not told.
+  double told_from = 0.02;
+};
+
+/// What a check says of a filter's belief.
+struct CheckedBelief {
+  PoseBelief belief;
+  /// Where the filter has to start again, since it follows another place.
+  std::optional<geometry::Pose2> T_map_restart;
+};
+
+/// Checks the place that a filter believes in against all places of the map, by the last scans
+/// together (PlaceSearch). Where the robot may be anywhere, its place is claimed when no other
+/// explains the scans nearly as well; else all that do are told, each with its probability. Where
+/// its place is known, told or claimed before, another place has to be so much better that it
+/// outweighs how seldom robots are carried off.
+class PlaceCheck {
+ public:
+  /// The model outlives this.
+  explicit PlaceCheck(ObservationModel& model, const PlaceCheckParams& params = {});
+
+  /// The robot's place is known from now on, but for that chance.
+  void begin_known(double elsewhere_chance);
+  void begin_known() { begin_known(params_.elsewhere_chance); }
+  /// The robot may be anywhere from now on.
+  void begin_anywhere();
+  /// As that, but the last scan was heard there, too.
+  void doubt();
+  bool is_known() const { return elsewhere_chance_.has_value(); }
+
+  /// After a scan, whose readings are those from where the robot is now.
+  CheckedBelief check(const PoseBelief& believed,
+                      const geometry::Pose2& T_odom_robot,
+                      std::span<const RangeReading> readings);
+
+ private:
+  CheckedBelief check_known(const PoseBelief& believed);
+  CheckedBelief check_anywhere(const PoseBelief& believed);
+  /// Probability of the believed place against the others, by so many of the newest scans.
+  double probability_of(const geometry::Pose2& T_map_believed, std::size_t newest);
+
+  PlaceCheckParams params_;
+  PlaceSearch search_;
+  std::optional<double> elsewhere_chance_;  ///< Empty where the robot may be anywhere.
+};
+
+}  // namespace echomap::localization

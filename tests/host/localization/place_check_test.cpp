@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "host/localization/place_check.hpp"
+
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/host/localization/heard_scan.hpp"
+#include "tests/support/drawn_map.hpp"
+#include "tests/support/furnished_room.hpp"
+
+namespace echomap::localization {
+namespace {
+
+using geometry::Pose2;
+
+PoseBelief belief_at(const Pose2& T_map_robot) {
+  PoseBelief belief;
+  belief.status = LocalizationStatus::kLocalized;
+  belief.lost_probability = 0.0;
+  belief.hypotheses = {{T_map_robot, 0.01 * Eigen::Matrix3d::Identity(), 1.0}};
+  return belief;
+}
+
+/// A robot that truly stands at one place of the room while a filter believes in another.
+struct Checked {
+  explicit Checked(const mapping::RasterMap& map)
+      : room(map), model(tests::sonar_model(map)), check(*model) {}
+
+  CheckedBelief scan(const Pose2& T_map_robot, const Pose2& T_map_believed) {
+    return check.check(
+        belief_at(T_map_believed), T_map_robot, tests::heard_scan(room, T_map_robot));
+  }
+
+  mapping::RasterMap room;
+  std::unique_ptr<ObservationModel> model;
+  PlaceCheck check;
+};
+
+const Pose2 kHere(2.2, 0.95, -0.3);
+const Pose2 kThere(0.5, 0.4, 2.0);
+
+TEST(PlaceCheck, ClaimsThePlaceThatNoOtherComesNear) {
+  Checked robot(tests::furnished_room());
+  CheckedBelief checked = robot.scan({1.5, 0.95, 0.4}, {1.5, 0.95, 0.4});
+  checked = robot.scan({1.9, 1.05, 0.0}, {1.9, 1.05, 0.0});
+  checked = robot.scan(kHere, kHere);
+  EXPECT_TRUE(robot.check.is_known());
+  EXPECT_EQ(checked.belief.status, LocalizationStatus::kLocalized);
+  EXPECT_LE(checked.belief.lost_probability, 0.05);
+  EXPECT_FALSE(checked.T_map_restart) << "the filter is there";
+}
+
+TEST(PlaceCheck, TellsAFilterThatFollowsAnotherPlaceToStartAgain) {
+  Checked robot(tests::furnished_room());
+  const CheckedBelief checked = robot.scan(kHere, kThere);
+  ASSERT_TRUE(checked.T_map_restart);
+  EXPECT_LT((checked.T_map_restart->position_m() - kHere.position_m()).norm(), 0.2);
+}
+
+TEST(PlaceCheck, KeepsAPlaceThatItWasTold) {
+  Checked robot(tests::furnished_room());
+  robot.check.begin_known();
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(robot.scan(kHere, kHere).belief.status, LocalizationStatus::kLocalized) << i;
+  }
+}
+
+TEST(PlaceCheck, GivesUpAPlaceThatAnotherOutweighs) {
+  Checked robot(tests::furnished_room());
+  robot.check.begin_known();
+  bool is_lost = false;
+  for (int i = 0; i < 4 && !is_lost; ++i) {
+    const CheckedBelief checked = robot.scan(kHere, kThere);
+    is_lost =
+        checked.belief.status == LocalizationStatus::kLost ||
+        (checked.belief.status == LocalizationStatus::kLocalized &&
+         (checked.belief.hypotheses.front().T_map_robot.position_m() - kHere.position_m()).norm() <
+             0.2);
+    EXPECT_TRUE(is_lost || checked.belief.lost_probability > 0.05) << i;
+  }
+  EXPECT_TRUE(is_lost);
+}
+
+TEST(PlaceCheck, NeverClaimsAnEndOfARoomThatHasTwoAlike) {
+  tests::DrawnMap drawing(14, "#" + std::string(30, '.') + "#");
+  drawing.front() = drawing.back() = std::string(32, '#');
+  Checked robot(tests::map_from(drawing, 0.1));
+  for (int i = 0; i < 6; ++i) {
+    const Pose2 T_map_robot(0.7 + 0.3 * i, 0.6 + 0.05 * i, 0.2 * i);
+    const CheckedBelief checked = robot.scan(T_map_robot, T_map_robot);
+    EXPECT_NE(checked.belief.status, LocalizationStatus::kLocalized) << i;
+    EXPECT_GE(checked.belief.hypotheses.size(), 2U) << i;
+  }
+}
+
+TEST(PlaceCheck, BeginsAgainWithTheScanAtWhichTheFilterGaveUp) {
+  Checked robot(tests::furnished_room());
+  robot.check.begin_known();
+  PoseBelief lost = belief_at(kHere);
+  lost.status = LocalizationStatus::kLost;
+  const Pose2 T_map_middle(3.3, 0.95, 0.0);
+  const CheckedBelief checked =
+      robot.check.check(lost, T_map_middle, tests::heard_scan(robot.room, T_map_middle));
+  ASSERT_TRUE(checked.T_map_restart) << "it was known, and is not any more";
+  EXPECT_LT((checked.T_map_restart->position_m() - T_map_middle.position_m()).norm(), 0.2);
+}
+
+}  // namespace
+}  // namespace echomap::localization

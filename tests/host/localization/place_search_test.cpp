@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "host/localization/place_search.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/host/localization/heard_scan.hpp"
+#include "tests/support/drawn_map.hpp"
+#include "tests/support/furnished_room.hpp"
+
+namespace echomap::localization {
+namespace {
+
+using geometry::Pose2;
+
+/// 3.0 x 1.2 m, the same after half a turn.
+mapping::RasterMap plain_room() {
+  tests::DrawnMap drawing(14, "#" + std::string(30, '.') + "#");
+  drawing.front() = drawing.back() = std::string(32, '#');
+  return tests::map_from(drawing, 0.1);
+}
+
+struct Walk {
+  explicit Walk(const mapping::RasterMap& map)
+      : room(map), model(tests::sonar_model(map)), search(*model) {}
+
+  void scan_from(const Pose2& T_map_robot) {
+    search.add(T_map_robot, tests::heard_scan(room, T_map_robot));
+  }
+
+  mapping::RasterMap room;
+  std::unique_ptr<ObservationModel> model;
+  PlaceSearch search;
+};
+
+TEST(PlaceSearch, FindsTheOnePlaceThatScansComeFrom) {
+  Walk walk(tests::furnished_room());
+  const Pose2 T_map_robot(2.2, 0.95, -0.3);
+  walk.scan_from({1.5, 0.95, 0.4});
+  walk.scan_from({1.9, 1.05, 0.0});
+  walk.scan_from(T_map_robot);
+  const auto places = walk.search.search(3);
+  ASSERT_FALSE(places.empty());
+  EXPECT_TRUE(walk.search.is_same_place(places.front().T_map_robot, T_map_robot));
+  EXPECT_LT((places.front().T_map_robot.position_m() - T_map_robot.position_m()).norm(), 0.1);
+  EXPECT_EQ(places.front().odds, 1.0);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    EXPECT_LT(places[i].odds, 0.05) << i;
+  }
+}
+
+TEST(PlaceSearch, TellsBothEndsOfARoomThatLooksTheSameFromBoth) {
+  Walk walk(plain_room());
+  const Pose2 T_map_robot(0.7, 0.5, 0.3);
+  walk.scan_from({1.1, 0.7, 0.0});
+  walk.scan_from(T_map_robot);
+  const Pose2 T_map_other(3.2 - 0.7, 1.4 - 0.5, 0.3 - std::numbers::pi);
+  const auto places = walk.search.search(2);
+  ASSERT_GE(places.size(), 2U);
+  const auto is_told = [&](const Pose2& T_map_place) {
+    return std::any_of(places.begin(), places.end(), [&](const FoundPlace& place) {
+      return walk.search.is_same_place(place.T_map_robot, T_map_place) && place.odds > 0.3;
+    });
+  };
+  EXPECT_TRUE(is_told(T_map_robot));
+  EXPECT_TRUE(is_told(T_map_other));
+}
+
+TEST(PlaceSearch, ComparesThePlaceThatIsBelieved) {
+  Walk walk(tests::furnished_room());
+  walk.scan_from({2.2, 0.95, -0.3});
+  const Pose2 T_map_believed(0.5, 0.3, 2.0);
+  const auto places = walk.search.search(1, T_map_believed);
+  EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const FoundPlace& place) {
+    return walk.search.is_same_place(place.T_map_robot, T_map_believed);
+  }));
+}
+
+TEST(PlaceSearch, ForgetsOldScans) {
+  Walk walk(tests::furnished_room());
+  for (int i = 0; i < 20; ++i) {
+    walk.scan_from({2.2, 0.95, 0.1 * i});
+  }
+  EXPECT_EQ(walk.search.scans(), PlaceSearchParams().max_scans);
+  walk.search.keep_newest(1);
+  EXPECT_EQ(walk.search.scans(), 1U);
+}
+
+TEST(PlaceSearch, KnowsNothingWithoutAReading) {
+  Walk walk(tests::furnished_room());
+  EXPECT_TRUE(walk.search.search(1).empty());
+  walk.search.add({}, {});
+  EXPECT_TRUE(walk.search.search(1).empty());
+}
+
+TEST(PlaceSearch, RefusesSettingsThatAreNotPositive) {
+  const auto model = tests::sonar_model(tests::furnished_room());
+  PlaceSearchParams params;
+  params.lattice_m = 0.0;
+  EXPECT_THROW(PlaceSearch(*model, params), std::invalid_argument);
+  params = {};
+  params.sectors = 0;
+  EXPECT_THROW(PlaceSearch(*model, params), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::localization
