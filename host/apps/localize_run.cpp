@@ -142,7 +142,10 @@ void drive(const session::RobotContext& context,
 }  // namespace
 
 bool follow_to_next_stop(const FollowedRobot& robot) {
-  if (!robot.driver.go_to_next_stop()) {
+  const auto telling = [&](const geometry::Pose2& T_robot_goal) {
+    return robot.filter.telling(T_robot_goal);
+  };
+  if (!robot.driver.go_to_next_stop(telling)) {
     return false;
   }
   console::print("  " + robot.filter.line());

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "host/geometry/parameter_validator.hpp"
+#include "host/localization/place_check.hpp"
+#include "host/localization/view_difference.hpp"
 #include "host/mapping/scan_check.hpp"
 
 namespace echomap::pipeline {
@@ -29,10 +31,12 @@ localization::LocalizedRobot robot_of(const sensors::RangeScan& scan) {
 
 }  // namespace
 
-/// The particle filter, and what it knows of the range sensor.
+/// The particle filter, what it knows of the range sensor, and what checks it.
 struct RobotLocalizer::Filter {
   std::unique_ptr<localization::ObservationModel> observation;
   localization::MonteCarloLocalizer localizer;
+  localization::PlaceCheck check;
+  localization::ViewDifference views;
 };
 
 RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
@@ -64,7 +68,11 @@ void RobotLocalizer::make_filter(const localization::LocalizedRobot& robot) {
   auto observation = localization::observation_model(params_.preset, map_, robot);
   localization::MonteCarloLocalizer localizer(
       *observation, localization::localizer_params(params_.preset, robot), random_);
-  filter_ = std::make_unique<Filter>(std::move(observation), std::move(localizer));
+  localization::PlaceCheck check(*observation);
+  filter_ = std::make_unique<Filter>(std::move(observation),
+                                     std::move(localizer),
+                                     std::move(check),
+                                     localization::ViewDifference(map_, robot.max_range_m));
   belief_ = filter_->localizer.belief();
 }
 
@@ -83,6 +91,7 @@ void RobotLocalizer::begin_at_told_start() {
     start_outcome_ =
         filter_->localizer.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
     belief_ = filter_->localizer.belief();
+    filter_->check.begin_known();
     start_.reset();
   }
 }
@@ -90,6 +99,7 @@ void RobotLocalizer::begin_at_told_start() {
 void RobotLocalizer::start_anywhere() {
   if (filter_) {
     filter_->localizer.start_anywhere();
+    filter_->check.begin_anywhere();
     belief_ = filter_->localizer.belief();
   }
 }
@@ -149,17 +159,46 @@ void RobotLocalizer::end_scan() {
   }
   const auto readings = evenly_picked(gathered_, T_odom_robot_, params_.max_readings);
   update(readings);
-  check_claim(readings);
+  check_place(readings);
   gathered_.clear();
   ++scans_;
   ++updates_;
   note_pose();
 }
 
-void RobotLocalizer::check_claim(const std::vector<localization::RangeReading>& readings) {
-  if (belief_.status != localization::LocalizationStatus::kLocalized ||
-      belief_.hypotheses.empty()) {
-    return;
+bool RobotLocalizer::is_checked() const {
+  return filter_ && params_.preset == localization::LocalizerPreset::kDefault;
+}
+
+void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& readings) {
+  if (is_checked()) {
+    contradictions_ = contradicts_belief(readings) ? contradictions_ + 1 : 0;
+    if (contradictions_ >= params_.contradictions_of_lost) {
+      filter_->check.doubt();
+    }
+    constexpr double kFoundStddev = 0.1;  // Metres and radians.
+    const auto checked = filter_->check.check(belief_, T_odom_robot_, readings);
+    belief_ = checked.belief;
+    if (checked.T_map_restart) {
+      filter_->localizer.start_at(*checked.T_map_restart, kFoundStddev, kFoundStddev);
+    }
+  }
+  if (belief_.status == localization::LocalizationStatus::kLocalized &&
+      contradicts_belief(readings)) {
+    belief_.status = localization::LocalizationStatus::kRecovering;
+  }
+}
+
+double RobotLocalizer::telling(const geometry::Pose2& T_robot_goal) const {
+  return filter_ && belief_.status != localization::LocalizationStatus::kLocalized
+             ? filter_->views.telling(belief_.hypotheses, T_robot_goal)
+             : 0.0;
+}
+
+bool RobotLocalizer::contradicts_belief(
+    const std::vector<localization::RangeReading>& readings) const {
+  if (belief_.hypotheses.empty()) {
+    return false;
   }
   const geometry::Pose2 T_grid_robot =
       geometry::Pose2(-map_.origin_m().x(), -map_.origin_m().y(), 0.0) *
@@ -170,11 +209,9 @@ void RobotLocalizer::check_claim(const std::vector<localization::RangeReading>& 
   }
   const mapping::ScanFit fit = mapping::fit_of(scan, compared_map_);
   const std::size_t known = fit.on_walls + fit.on_floor;
-  if (known >= params_.contradicting_echoes &&
-      static_cast<double>(fit.on_floor) >
-          params_.contradicting_floor_share * static_cast<double>(known)) {
-    belief_.status = localization::LocalizationStatus::kRecovering;
-  }
+  return known >= params_.contradicting_echoes &&
+         static_cast<double>(fit.on_floor) >
+             params_.contradicting_floor_share * static_cast<double>(known);
 }
 
 void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
@@ -254,6 +291,10 @@ void RobotLocalizer::update(const std::vector<localization::RangeReading>& readi
   }
   T_odom_updated_ = T_odom_robot_;
   belief_ = filter_->localizer.update(T_odom_robot_, readings);
+  if (scans_ > 0 && is_checked() && !filter_->check.is_known() &&
+      belief_.status == localization::LocalizationStatus::kLocalized) {
+    belief_.status = localization::LocalizationStatus::kRecovering;
+  }
 }
 
 void RobotLocalizer::note_pose() {

@@ -40,6 +40,8 @@ struct RobotLocalizerParams {
   /// what is believed is then no claim, however sure the particles are of each other.
   std::size_t contradicting_echoes = 8;
   double contradicting_floor_share = 0.2;
+  /// After so many such scans in a row the robot may be anywhere.
+  std::size_t contradictions_of_lost = 2;
 };
 
 /// Finds and follows a robot that drives in a map that is given: odometry, and a sonar's scans or
@@ -78,6 +80,9 @@ class RobotLocalizer final : public ObservationSink {
   localization::LocalizerOutcome start_outcome() const { return start_outcome_; }
   /// As of the last update; without any, nothing is known.
   const localization::PoseBelief& belief() const { return belief_; }
+  /// How well a scan from a goal, seen from the robot, would tell apart the places where it may be:
+  /// localization::ViewDifference. 0 where it is localized, or nothing is known.
+  double telling(const geometry::Pose2& T_robot_goal) const;
   /// Where it was believed to be at the end of each scan; of range scans, at each update.
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
   std::size_t scans() const { return scans_; }
@@ -102,8 +107,12 @@ class RobotLocalizer final : public ObservationSink {
   void lose_pose();
   void update(const std::vector<localization::RangeReading>& readings);
   void note_pose();
-  /// Takes back that the robot is localized where its scan says something else.
-  void check_claim(const std::vector<localization::RangeReading>& readings);
+  /// By the default preset, which is ours; the papers' filters are as they are.
+  bool is_checked() const;
+  /// Compares the place with all others of the map by the last scans, and takes back that the robot
+  /// is localized where its scan says something else.
+  void check_place(const std::vector<localization::RangeReading>& readings);
+  bool contradicts_belief(const std::vector<localization::RangeReading>& readings) const;
 
   sensors::RobotGeometry robot_;
   RobotLocalizerParams params_;
@@ -122,6 +131,7 @@ class RobotLocalizer final : public ObservationSink {
   std::optional<double> scan_beam_width_rad_;         ///< Of the first.
   std::vector<localization::RangeReading> gathered_;  ///< From the odometry's frame.
   bool scan_is_open_ = false;
+  std::size_t contradictions_ = 0;  ///< Of the believed place, in a row.
   bool is_lifted_ = false;
   bool touches_ = false;
   std::vector<StampedPose> trajectory_;

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "host/geometry/pose2.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/session/follower.hpp"
 
@@ -17,6 +18,9 @@ class LiveFilter : public session::Follower {
   /// At the end of a stop: the robot was found not to be where it was thought to be, or was lifted,
   /// since the last stop.
   virtual bool has_lost_it() = 0;
+  /// How well a scan from a goal, seen from the robot, would tell apart where it may be: 0 where
+  /// all goals do the same.
+  virtual double telling(const geometry::Pose2& T_robot_goal) const = 0;
   /// Where the robot is, for people.
   virtual std::string line() const = 0;
   /// The same as the entries of a report.

@@ -31,6 +31,9 @@ class MclFilter final : public LiveFilter {
   void poll(const session::RobotSession& session) override;
   void begin(session::RobotSession& session) override;
   bool has_lost_it() override;
+  double telling(const geometry::Pose2& T_robot_goal) const override {
+    return localizer_.telling(T_robot_goal);
+  }
   std::string line() const override;
   nlohmann::ordered_json report() const override;
   const std::vector<pipeline::StampedPose>& trajectory() const override {

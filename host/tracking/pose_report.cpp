@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/tracking/pose_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,6 +12,29 @@
 namespace echomap::tracking {
 
 using localization::LocalizationStatus;
+
+namespace {
+
+/// A place of that probability may be that of the robot.
+constexpr double kMayFit = 0.05;
+
+/// The most probable places of several: "A 1.20, 0.40 m, 90 degrees (0.55); B ..".
+std::string some_of(const localization::PoseBelief& belief) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  const std::size_t count = std::min(kMost, places_that_fit(belief));
+  for (std::size_t i = 0; i < count; ++i) {
+    const localization::PoseHypothesis& place = belief.hypotheses[i];
+    text += fmt::format("{}{} {} ({:.2f})",
+                        i == 0 ? "" : "; ",
+                        static_cast<char>('A' + static_cast<int>(i)),
+                        text_of(place.T_map_robot),
+                        place.probability);
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string name_of(LocalizationStatus status) {
   switch (status) {
@@ -24,6 +48,13 @@ std::string name_of(LocalizationStatus status) {
   return "";
 }
 
+std::size_t places_that_fit(const localization::PoseBelief& belief) {
+  return static_cast<std::size_t>(
+      std::count_if(belief.hypotheses.begin(), belief.hypotheses.end(), [](const auto& place) {
+        return place.probability >= kMayFit;
+      }));
+}
+
 std::string text_of(const geometry::Pose2& T_map_robot) {
   return fmt::format("{:.2f}, {:.2f} m, {:.0f} degrees",
                      T_map_robot.x_m(),
@@ -34,6 +65,10 @@ std::string text_of(const geometry::Pose2& T_map_robot) {
 std::string text_of(const localization::PoseBelief& belief) {
   if (belief.hypotheses.empty()) {
     return name_of(belief.status) + ", it may be anywhere";
+  }
+  const std::size_t places = places_that_fit(belief);
+  if (belief.status != LocalizationStatus::kLocalized && places > 1) {
+    return fmt::format("{}, {} places fit: {}", name_of(belief.status), places, some_of(belief));
   }
   return fmt::format("{}, {} (not there with probability {:.2f})",
                      name_of(belief.status),

@@ -46,8 +46,9 @@ void StopDriver::restart() {
   last_ = exploration::MotionResult::kReached;
 }
 
-bool StopDriver::go_to_next_stop() {
+bool StopDriver::go_to_next_stop(const exploration::NxtFarthest::GoalValue& value) {
   while (!robot_.session().end()) {
+    explorer_->prefer(value);
     const auto motion = explorer_->next(pipeline_->snapshot(), last_);
     if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
       if (finished->reason != FinishReason::kNowhereToGo ||

@@ -26,8 +26,9 @@ class StopDriver {
 
   /// To the end of the next stop's scan; false where the session has ended or the strategy knows
   /// nothing more to do, which `finished` tells. Where there is nowhere to go it listens once more
-  /// from the same place, a few times.
-  bool go_to_next_stop();
+  /// from the same place, a few times. Of the goals that can be reached it takes the one of the
+  /// greatest value.
+  bool go_to_next_stop(const exploration::NxtFarthest::GoalValue& value);
   /// The robot was carried off: the driver's map is of somewhere else.
   void restart();
 

@@ -30,6 +30,18 @@ TEST(PoseReport, SaysWhereTheRobotIsAndHowLikelyNot) {
   EXPECT_EQ(text_of(localization::PoseBelief{}), "recovering, it may be anywhere");
 }
 
+TEST(PoseReport, NamesThePlacesThatFit) {
+  localization::PoseBelief two = belief();
+  two.status = LocalizationStatus::kRecovering;
+  two.hypotheses.front().probability = 0.55;
+  two.hypotheses.push_back({{3.0, 1.0, 3.14159}, Eigen::Matrix3d::Identity(), 0.44});
+  two.hypotheses.push_back({{2.0, 1.0, 0.0}, Eigen::Matrix3d::Identity(), 0.01});
+  EXPECT_EQ(places_that_fit(two), 2U);
+  EXPECT_EQ(text_of(two),
+            "recovering, 2 places fit: A 1.50, -0.25 m, 0 degrees (0.55); B 3.00, 1.00 m, 180 "
+            "degrees (0.44)");
+}
+
 TEST(PoseReport, HoldsEveryHypothesisWithItsDeviations) {
   const auto json = to_json(belief());
   EXPECT_EQ(json.at("status"), "localized");

@@ -52,17 +52,17 @@ class StopDriverTest : public session::SessionOnACable {
 
 TEST_F(StopDriverTest, SweepsTwiceAroundAtAStop) {
   let_it_hear();
-  EXPECT_TRUE(driver->go_to_next_stop());
+  EXPECT_TRUE(driver->go_to_next_stop({}));
   EXPECT_EQ(scans.ended, 1);
   EXPECT_EQ(scans.readings, 4 * 30);
   EXPECT_FALSE(driver->finished());
 }
 
 TEST_F(StopDriverTest, ListensOnWhereNothingAnswersAndThenKnowsNowhereToGo) {
-  EXPECT_TRUE(driver->go_to_next_stop());
-  EXPECT_TRUE(driver->go_to_next_stop());
-  EXPECT_TRUE(driver->go_to_next_stop());
-  EXPECT_FALSE(driver->go_to_next_stop());
+  EXPECT_TRUE(driver->go_to_next_stop({}));
+  EXPECT_TRUE(driver->go_to_next_stop({}));
+  EXPECT_TRUE(driver->go_to_next_stop({}));
+  EXPECT_FALSE(driver->go_to_next_stop({}));
   EXPECT_EQ(driver->finished(), FinishReason::kNowhereToGo);
 }
 
@@ -76,7 +76,7 @@ TEST_F(StopDriverTest, IsPlacedByTheSlamThatIsNamedAlsoWhereItStartsAnew) {
 
 TEST_F(StopDriverTest, EndsWithTheSession) {
   cable.time_passes = false;
-  EXPECT_FALSE(driver->go_to_next_stop());
+  EXPECT_FALSE(driver->go_to_next_stop({}));
   EXPECT_FALSE(driver->finished());
 }
 
