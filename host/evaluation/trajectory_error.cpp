@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -21,7 +20,8 @@ using pipeline::StampedPose;
 /// Mean product of the offsets from the means, below which a robot has not moved: 1 cm each.
 constexpr double kMinSpreadM2 = 1e-4;
 
-/// The true pose at an instant, linear between its neighbours; empty outside of the truth.
+}  // namespace
+
 std::optional<Pose2> true_pose_at(const std::vector<TruePose>& truth, time::RobotTime stamp) {
   const auto is_before = [](const TruePose& pose, time::RobotTime at) { return pose.stamp < at; };
   const auto after = std::lower_bound(truth.begin(), truth.end(), stamp, is_before);
@@ -44,8 +44,6 @@ std::optional<Pose2> true_pose_at(const std::vector<TruePose>& truth, time::Robo
   const double turn_rad = geometry::angle_between(from.heading_rad(), to.heading_rad());
   return Pose2(position_m.x(), position_m.y(), from.heading_rad() + share * turn_rad);
 }
-
-}  // namespace
 
 geometry::Pose2 start_aligned(const std::vector<StampedPose>& estimate,
                               const std::vector<TruePose>& truth) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
@@ -23,6 +24,11 @@ struct TrajectoryError {
   double final_error_m = 0.0;
   double final_heading_error_rad = 0.0;
 };
+
+/// The true pose at an instant, T_world_robot, linear in time between its neighbours; empty outside
+/// of the truth, which is in the order of its stamps.
+std::optional<geometry::Pose2> true_pose_at(const std::vector<TruePose>& truth,
+                                            time::RobotTime stamp);
 
 /// Where the map of the estimate lies in the world, by the first pose that the truth knows:
 /// T_world_map. Throws std::invalid_argument where it knows none.

@@ -62,6 +62,13 @@ TEST(TrajectoryError, InterpolatesHeadingsAcrossTheBack) {
   EXPECT_NEAR(score_trajectory(estimate, truth).ate_heading_rmse_rad, 0.0, 1e-9);
 }
 
+TEST(TruePoseAt, IsEmptyOutsideOfTheTruth) {
+  const auto truth = true_circle(1.0, 2.0);
+  EXPECT_EQ(true_pose_at(truth, true_at(1.0, {}).stamp)->x_m(), truth[1].T_world_robot.x_m());
+  EXPECT_FALSE(true_pose_at(truth, true_at(-0.1, {}).stamp));
+  EXPECT_FALSE(true_pose_at(truth, true_at(2.1, {}).stamp));
+}
+
 TEST(TrajectoryError, FitsNothing) {
   // Heading off by 90 degrees from the second pose on: a fit would share it out, this must not.
   const std::vector<TruePose> truth{
