@@ -11,6 +11,7 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/demo_kidnap.hpp"
 #include "host/apps/explore_run.hpp"
+#include "host/apps/kidnap_report.hpp"
 #include "host/apps/report.hpp"
 #include "host/console/print.hpp"
 #include "host/console/shell_line.hpp"
