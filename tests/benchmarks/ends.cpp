@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How runs end: whether any room is finished, whether a map that says so is, and how long it takes,
-// over many seeds, beside another strategy; and whether robots with a hidden fault are told it.
+// over many seeds, beside another strategy; whether robots with a hidden fault are told it; and
+// whether robots that are carried off in the maps that they have made find themselves in them.
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "host/session/robot_profile.hpp"
 #include "host/session/temporary_folder.hpp"
 #include "host/strategies/strategy_setup.hpp"
+#include "tests/benchmarks/carried_runs.hpp"
 #include "tests/benchmarks/ends_figures.hpp"
 #include "tests/benchmarks/fault_runs.hpp"
 #include "tests/benchmarks/figures.hpp"
@@ -40,6 +42,8 @@ struct Options {
   fs::path keep;
   fs::path json;
   fs::path markdown;
+
+  bool has(const char* name) const { return part == "all" || part == name; }
 };
 
 /// A run that is still to be made.
@@ -135,9 +139,32 @@ std::vector<FaultFinding> find_faults(const Options& options, const fs::path& fo
   return findings;
 }
 
+std::vector<CarriedRun> carry_off_all(const Options& options, const fs::path& folder) {
+  std::vector<TruthRoom> rooms;
+  for (const std::string& world : options.rooms) {
+    rooms.push_back(truth_room(world, options.emulators));
+  }
+  const auto seeds = static_cast<std::size_t>(options.seeds);
+  std::vector<CarriedRun> runs(rooms.size() * seeds);
+  for_each_in_jobs(runs.size(), options.jobs, [&](std::size_t i) {
+    const TruthRoom& room = rooms[i / seeds];
+    const int seed = options.first_seed + static_cast<int>(i % seeds);
+    const fs::path place = folder / fmt::format("{}_carried_{}", room.name, seed);
+    runs[i] = carry_off(room, options.robot, seed, place);
+    if (options.keep.empty()) {
+      fs::remove_all(place);
+    }
+  });
+  return runs;
+}
+
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("--part", options.part, "How explorations end, what robots are told, or both")
-      ->check(CLI::IsMember({"runs", "faults", "all"}))
+  app.add_option(
+         "--part",
+         options.part,
+         "runs: how explorations end; faults: what robots are told; carried: whether they find "
+         "themselves in their own maps")
+      ->check(CLI::IsMember({"runs", "faults", "carried", "all"}))
       ->capture_default_str();
   app.add_option("--robots", options.robots, "Robots with a fault, and as many without")
       ->check(CLI::PositiveNumber)
@@ -178,16 +205,21 @@ int run(Options options) {
   fs::create_directories(folder);
   std::string table;
   std::vector<Figure> figures;
-  if (options.part != "faults") {
+  const auto add = [&](const MarkdownTable& part, const std::vector<Figure>& of_part) {
+    table += (table.empty() ? "" : "\n") + to_markdown(part);
+    figures.insert(figures.end(), of_part.begin(), of_part.end());
+  };
+  if (options.has("runs")) {
     const std::vector<EndsCell> cells = measure(options, folder);
-    table += to_markdown(ends_table(cells));
-    figures = ends_figures(cells);
+    add(ends_table(cells), ends_figures(cells));
   }
-  if (options.part != "runs") {
+  if (options.has("faults")) {
     const std::vector<FaultFinding> findings = find_faults(options, folder);
-    table += (table.empty() ? "" : "\n") + to_markdown(fault_table(findings));
-    const std::vector<Figure> of_faults = fault_figures(findings);
-    figures.insert(figures.end(), of_faults.begin(), of_faults.end());
+    add(fault_table(findings), fault_figures(findings));
+  }
+  if (options.has("carried")) {
+    const std::vector<CarriedRun> runs = carry_off_all(options, folder);
+    add(carried_table(runs), carried_figures(runs));
   }
   fmt::print("{}\n", table);
   if (!options.markdown.empty()) {

@@ -19,30 +19,6 @@ constexpr std::chrono::minutes kPatience(30);
 /// "Rooms up to 4 x 4 m", with walls drawn a little outside of it.
 constexpr double kSmallRoomM = 4.05;
 
-std::vector<std::string> demo_command(const TruthRoom& room,
-                                      const TruthRobot& robot,
-                                      int seed,
-                                      const fs::path& folder) {
-  std::vector<std::string> command{session::program_folder() / "echomap",
-                                   "demo",
-                                   "--headless",
-                                   "--no-kidnap",
-                                   "--strategy=" + robot.strategy,
-                                   "--world=" + room.world,
-                                   "--robot=" + robot.profile,
-                                   "--emulator=" + room.emulator,
-                                   "--seed=" + std::to_string(seed),
-                                   "--out=" + (folder / "run").string(),
-                                   "--json=" + (folder / "report.json").string()};
-  if (!robot.body.empty()) {
-    command.push_back("--body=" + robot.body);
-  }
-  if (!room.stop_list.empty()) {
-    command.push_back("--stop-list=" + room.stop_list.string());
-  }
-  return command;
-}
-
 /// Whether the program ended by itself; what it printed is in `log`.
 bool has_ended(const std::vector<std::string>& command, const fs::path& log) {
   session::ChildProcess program(command, log);
@@ -89,6 +65,33 @@ bool TruthRoom::is_small() const {
   return (high_m - low_m).maxCoeff() <= kSmallRoomM;
 }
 
+std::vector<std::string> demo_command(const TruthRoom& room,
+                                      const TruthRobot& robot,
+                                      int seed,
+                                      bool is_carried_off,
+                                      const fs::path& folder) {
+  std::vector<std::string> command{session::program_folder() / "echomap",
+                                   "demo",
+                                   "--headless",
+                                   "--strategy=" + robot.strategy,
+                                   "--world=" + room.world,
+                                   "--robot=" + robot.profile,
+                                   "--emulator=" + room.emulator,
+                                   "--seed=" + std::to_string(seed),
+                                   "--out=" + (folder / "run").string(),
+                                   "--json=" + (folder / "report.json").string()};
+  if (!is_carried_off) {
+    command.emplace_back("--no-kidnap");
+  }
+  if (!robot.body.empty()) {
+    command.push_back("--body=" + robot.body);
+  }
+  if (!room.stop_list.empty()) {
+    command.push_back("--stop-list=" + room.stop_list.string());
+  }
+  return command;
+}
+
 std::optional<TruthRun> run_truth(const TruthRoom& room,
                                   const TruthRobot& robot,
                                   int seed,
@@ -96,7 +99,7 @@ std::optional<TruthRun> run_truth(const TruthRoom& room,
   fs::create_directories(folder);
   const fs::path log = folder / "demo.log";
   std::string why = "it did not end by itself";
-  if (has_ended(demo_command(room, robot, seed, folder), log)) {
+  if (has_ended(demo_command(room, robot, seed, false, folder), log)) {
     try {
       return run_of(robot, folder);
     } catch (const std::exception& error) {

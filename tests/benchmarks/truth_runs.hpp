@@ -49,6 +49,14 @@ struct TruthRun {
   evaluation::RunScore score;
 };
 
+/// The command that drives one seed, whose run is in folder/run and its report in
+/// folder/report.json; at its end the robot is carried off in its own map or not.
+std::vector<std::string> demo_command(const TruthRoom& room,
+                                      const TruthRobot& robot,
+                                      int seed,
+                                      bool is_carried_off,
+                                      const std::filesystem::path& folder);
+
 /// Drives one seed, replays and scores it. Files are in `folder`, an empty one. Says on stderr why
 /// there is no run where there is none.
 std::optional<TruthRun> run_truth(const TruthRoom& room,
