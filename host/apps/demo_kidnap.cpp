@@ -7,6 +7,7 @@
 #include "host/console/print.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "host/tracking/mcl_filter.hpp"
+#include "host/tracking/pose_report.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -21,10 +22,8 @@ constexpr double kStartStddevRad = 0.1;
 
 KidnapStop told_by(tracking::MclFilter& filter) {
   const localization::PoseBelief& belief = filter.localizer().belief();
-  KidnapStop stop{belief.status, belief.lost_probability, std::nullopt, {}};
-  for (const localization::PoseHypothesis& hypothesis : belief.hypotheses) {
-    stop.probabilities.push_back(hypothesis.probability);
-  }
+  KidnapStop stop{
+      belief.status, belief.lost_probability, std::nullopt, tracking::places_that_fit(belief)};
   if (!belief.hypotheses.empty()) {
     stop.told = filter.trajectory().back();
   }

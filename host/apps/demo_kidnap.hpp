@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ struct KidnapStop {
   double lost_probability = 1.0;
   /// The first hypothesis, in the frame of the robot's own map; empty where there is none.
   std::optional<pipeline::StampedPose> told;
-  /// Of the hypotheses, in their order.
-  std::vector<double> probabilities;
+  /// Where it may be: tracking::places_that_fit.
+  std::size_t places = 0;
 };
 
 /// What became of a robot that was carried off at the end of its exploration.

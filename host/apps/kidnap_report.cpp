@@ -22,14 +22,6 @@ constexpr const char* kAmbiguous = "ambiguous";
 constexpr double kFoundM = 0.15;
 constexpr double kFoundRad = geometry::radians(10.0);
 
-std::size_t places_of(const KidnapStop& stop) {
-  constexpr double kToldFrom = 0.05;
-  return static_cast<std::size_t>(
-      std::count_if(stop.probabilities.begin(), stop.probabilities.end(), [](double probability) {
-        return probability >= kToldFrom;
-      }));
-}
-
 std::string how_it_ended(const DemoKidnap& kidnap) {
   if (kidnap.stops.empty()) {
     return "not localized";
@@ -38,7 +30,7 @@ std::string how_it_ended(const DemoKidnap& kidnap) {
   if (last.status == localization::LocalizationStatus::kLocalized) {
     return kLocalized;
   }
-  return places_of(last) >= 2 ? kAmbiguous : "not localized";
+  return last.places >= 2 ? kAmbiguous : "not localized";
 }
 
 /// The robot is put somewhere else at once: the greatest step of its true way since it explored.
@@ -63,7 +55,7 @@ ordered_json json_of(const KidnapStop& stop, const std::optional<PlaceError>& er
   ordered_json json{{"status", tracking::name_of(stop.status)},
                     {"lost_probability", stop.lost_probability}};
   put_error(error, json);
-  json["places"] = places_of(stop);
+  json["places"] = stop.places;
   return json;
 }
 
