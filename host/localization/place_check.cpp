@@ -130,12 +130,13 @@ CheckedBelief PlaceCheck::check_anywhere(const PoseBelief& believed) {
   const double probability = first.probability;
   checked.belief.hypotheses = std::move(places);
   checked.belief.lost_probability = 1.0 - probability;
-  if (believed.status != LocalizationStatus::kLost) {
-    checked.belief.status = LocalizationStatus::kRecovering;
-  }
-  if (probability >= params_.claimed_from) {
-    checked.belief.status = LocalizationStatus::kLocalized;
+  const bool is_claimed = probability >= params_.claimed_from;
+  if (is_claimed) {
     begin_known(1.0 - probability);
+  }
+  if (believed.status != LocalizationStatus::kLost) {
+    checked.belief.status =
+        is_claimed ? LocalizationStatus::kLocalized : LocalizationStatus::kRecovering;
   }
   return checked;
 }

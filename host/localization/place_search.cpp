@@ -16,7 +16,7 @@ namespace {
 using geometry::Pose2;
 
 /// A sector that nothing explains says no more than that.
-constexpr double kLeastLog = -4.0;
+constexpr double kMinLog = -4.0;
 /// Poses of the lattice that differ by less lead to one refined pose.
 constexpr double kNeighboursM = 0.35;
 constexpr double kNeighboursRad = 0.35;
@@ -31,8 +31,8 @@ double tail(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
 
 /// By how many of its standard deviations the mean of the differences is above 0.
 double vuong(std::span<const double> better, std::span<const double> worse) {
-  // Two places that look the same differ by nothing at all.
-  constexpr double kLeastDeviation = 1e-3;
+  // Two places that look the same differ by next to nothing, but everywhere.
+  constexpr double kMinDeviation = 0.05;
   const auto count = static_cast<double>(better.size());
   const double mean =
       std::inner_product(
@@ -43,14 +43,14 @@ double vuong(std::span<const double> better, std::span<const double> worse) {
     const double off = better[i] - worse[i] - mean;
     squares += off * off;
   }
-  const double deviation = std::sqrt(squares / std::max(1.0, count - 1.0)) + kLeastDeviation;
+  const double deviation = std::sqrt(squares / std::max(1.0, count - 1.0)) + kMinDeviation;
   return mean / (deviation / std::sqrt(count));
 }
 
 /// Poses around one, half a step and a whole one to each side in place and heading.
 Particles around(const Pose2& middle, double step_m, double step_rad) {
   constexpr int kSide = 2;
-  constexpr int kAcross = 2 * kSide + 1;
+  constexpr std::size_t kAcross = 2 * kSide + 1;
   Particles particles;
   particles.resize(kAcross * kAcross * kAcross);
   std::size_t i = 0;
@@ -229,7 +229,7 @@ void PlaceSearch::compare(std::span<const Sector> sectors, std::vector<FoundPlac
     const auto readings = static_cast<double>(std::max<std::size_t>(1, model_.count()));
     for (std::size_t i = 0; i < places.size(); ++i) {
       log_likelihoods[i].push_back(
-          std::max(kLeastLog, static_cast<double>(particles.log_weight[i]) / readings));
+          std::max(kMinLog, static_cast<double>(particles.log_weight[i]) / readings));
     }
   }
   for (std::size_t i = 1; i < places.size() && !sectors.empty(); ++i) {

@@ -12,16 +12,16 @@ namespace echomap::localization {
 namespace {
 
 constexpr std::size_t kRays = 36;
-constexpr float kMostM = 0.5F;
+constexpr float kMaxDifferenceM = 0.5F;
 /// The rest is too improbable to be worth a way.
-constexpr std::size_t kMostPlaces = 8;
+constexpr std::size_t kMaxPlaces = 8;
 
 double difference(const std::vector<float>& one, const std::vector<float>& other) {
   double sum = 0.0;
   for (std::size_t i = 0; i < one.size(); ++i) {
-    sum += static_cast<double>(std::min(std::abs(one[i] - other[i]), kMostM));
+    sum += static_cast<double>(std::min(std::abs(one[i] - other[i]), kMaxDifferenceM));
   }
-  return sum / (static_cast<double>(kMostM) * static_cast<double>(one.size()));
+  return sum / (static_cast<double>(kMaxDifferenceM) * static_cast<double>(one.size()));
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::vector<float> ViewDifference::view_from(const geometry::Pose2& T_map_robot)
 
 double ViewDifference::telling(const std::vector<PoseHypothesis>& hypotheses,
                                const geometry::Pose2& T_robot_goal) const {
-  const std::size_t count = std::min(hypotheses.size(), kMostPlaces);
+  const std::size_t count = std::min(hypotheses.size(), kMaxPlaces);
   std::vector<std::vector<float>> views;
   for (std::size_t i = 0; i < count; ++i) {
     views.push_back(view_from(hypotheses[i].T_map_robot * T_robot_goal));
