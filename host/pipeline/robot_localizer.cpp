@@ -172,6 +172,7 @@ bool RobotLocalizer::is_checked() const {
 
 void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& readings) {
   if (is_checked()) {
+    place_is_checked_ = true;
     contradictions_ = contradicts_belief(readings) ? contradictions_ + 1 : 0;
     if (contradictions_ >= params_.contradictions_of_lost) {
       filter_->check.doubt();
@@ -291,7 +292,7 @@ void RobotLocalizer::update(const std::vector<localization::RangeReading>& readi
   }
   T_odom_updated_ = T_odom_robot_;
   belief_ = filter_->localizer.update(T_odom_robot_, readings);
-  if (scans_ > 0 && is_checked() && !filter_->check.is_known() &&
+  if (place_is_checked_ && !filter_->check.is_known() &&
       belief_.status == localization::LocalizationStatus::kLocalized) {
     belief_.status = localization::LocalizationStatus::kRecovering;
   }

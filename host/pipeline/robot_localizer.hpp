@@ -131,6 +131,7 @@ class RobotLocalizer final : public ObservationSink {
   std::optional<double> scan_beam_width_rad_;         ///< Of the first.
   std::vector<localization::RangeReading> gathered_;  ///< From the odometry's frame.
   bool scan_is_open_ = false;
+  bool place_is_checked_ = false;   ///< By a sonar's scan.
   std::size_t contradictions_ = 0;  ///< Of the believed place, in a row.
   bool is_lifted_ = false;
   bool touches_ = false;
