@@ -2,15 +2,20 @@
 #include "host/localization/place_check.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/square.hpp"
+#include "host/localization/usable_reading.hpp"
 
 namespace echomap::localization {
 namespace {
 
-/// How well a search tells a pose.
-constexpr double kFoundStddevM = 0.1;
-constexpr double kFoundStddevRad = 0.1;
+/// A filter that is this near to a place, and so narrow, follows it.
+constexpr double kFollowedM = 0.2;
+constexpr double kFollowedRad = 0.2;
+constexpr double kFollowedStddevM = 0.25;
 
 /// As hypotheses: probabilities in place of odds.
 std::vector<PoseHypothesis> hypotheses_of(const std::vector<FoundPlace>& places,
@@ -36,34 +41,48 @@ std::vector<PoseHypothesis> hypotheses_of(const std::vector<FoundPlace>& places,
 }  // namespace
 
 PlaceCheck::PlaceCheck(ObservationModel& model, const PlaceCheckParams& params)
-    : params_(params), search_(model, params.search) {}
+    : params_(params), search_(model, params.search) {
+  geometry::ParameterValidator("place check")
+      .within("claimed_from", params.claimed_from, 0.0, 1.0)
+      .within("lost_below", params.lost_below, 0.0, 1.0)
+      .within("elsewhere_chance", params.elsewhere_chance, 0.0, 1.0)
+      .within("told_from", params.told_from, 0.0, 1.0);
+}
 
 void PlaceCheck::begin_known(double elsewhere_chance) {
   search_.keep_newest(0);
   elsewhere_chance_ = std::max(elsewhere_chance, params_.elsewhere_chance);
+  was_known_ = false;
 }
 
 void PlaceCheck::begin_anywhere() {
   search_.keep_newest(0);
   elsewhere_chance_.reset();
+  was_known_ = false;
 }
 
 void PlaceCheck::doubt() {
   if (is_known()) {
     search_.keep_newest(1);
     elsewhere_chance_.reset();
+    was_known_ = true;
   }
 }
 
 CheckedBelief PlaceCheck::check(const PoseBelief& believed,
                                 const geometry::Pose2& T_odom_robot,
-                                std::span<const RangeReading> readings) {
-  if (believed.status == LocalizationStatus::kLost) {
+                                std::span<const RangeReading> readings,
+                                const Contradicts& contradicts) {
+  if (std::none_of(readings.begin(), readings.end(), is_usable)) {
+    return {believed, {}};
+  }
+  if (is_known() && believed.status == LocalizationStatus::kLost) {
     begin_anywhere();
+    was_known_ = true;
   }
   search_.add(T_odom_robot, readings);
-  return is_known() && !believed.hypotheses.empty() ? check_known(believed)
-                                                    : check_anywhere(believed);
+  return is_known() && !believed.hypotheses.empty() ? check_known(believed, contradicts)
+                                                    : check_anywhere(believed, contradicts);
 }
 
 double PlaceCheck::probability_of(const geometry::Pose2& T_map_believed, std::size_t newest) {
@@ -71,9 +90,8 @@ double PlaceCheck::probability_of(const geometry::Pose2& T_map_believed, std::si
   double elsewhere = 0.0;
   std::size_t others = 0;
   for (const FoundPlace& place : search_.search(newest, T_map_believed)) {
-    const bool is_believed = search_.is_same_place(place.T_map_robot, T_map_believed);
-    (is_believed ? believed : elsewhere) += place.odds;
-    others += is_believed ? 0 : 1;
+    (place.is_believed ? believed : elsewhere) += place.odds;
+    others += place.is_believed ? 0 : 1;
   }
   if (others == 0) {
     return 1.0;
@@ -84,7 +102,7 @@ double PlaceCheck::probability_of(const geometry::Pose2& T_map_believed, std::si
   return believed / (believed + elsewhere);
 }
 
-CheckedBelief PlaceCheck::check_known(const PoseBelief& believed) {
+CheckedBelief PlaceCheck::check_known(const PoseBelief& believed, const Contradicts& contradicts) {
   double least = 1.0;
   std::size_t scans_of_least = 0;
   for (std::size_t newest = 1; newest <= search_.scans(); newest *= 2) {
@@ -97,9 +115,8 @@ CheckedBelief PlaceCheck::check_known(const PoseBelief& believed) {
   if (least < params_.lost_below) {
     search_.keep_newest(scans_of_least);
     elsewhere_chance_.reset();
-    CheckedBelief lost = check_anywhere(believed);
-    lost.belief.status = LocalizationStatus::kLost;
-    return lost;
+    was_known_ = true;
+    return check_anywhere(believed, contradicts);
   }
   CheckedBelief checked{believed, {}};
   checked.belief.lost_probability = std::max(believed.lost_probability, 1.0 - least);
@@ -110,7 +127,18 @@ CheckedBelief PlaceCheck::check_known(const PoseBelief& believed) {
   return checked;
 }
 
-CheckedBelief PlaceCheck::check_anywhere(const PoseBelief& believed) {
+bool PlaceCheck::is_followed(const PoseHypothesis& place, const PoseBelief& believed) const {
+  if (believed.hypotheses.empty()) {
+    return false;
+  }
+  const PoseHypothesis& first = believed.hypotheses.front();
+  const geometry::Pose2 off = first.T_map_robot.inverse() * place.T_map_robot;
+  return off.position_m().norm() < kFollowedM && std::abs(off.heading_rad()) < kFollowedRad &&
+         std::sqrt(first.covariance.topLeftCorner<2, 2>().trace()) < kFollowedStddevM;
+}
+
+CheckedBelief PlaceCheck::check_anywhere(const PoseBelief& believed,
+                                         const Contradicts& contradicts) {
   CheckedBelief checked{believed, {}};
   std::vector<PoseHypothesis> places =
       hypotheses_of(search_.search(search_.scans()), params_.told_from);
@@ -118,25 +146,22 @@ CheckedBelief PlaceCheck::check_anywhere(const PoseBelief& believed) {
     return checked;
   }
   PoseHypothesis& first = places.front();
-  const bool is_followed =
-      !believed.hypotheses.empty() &&
-      search_.is_same_place(first.T_map_robot, believed.hypotheses.front().T_map_robot);
-  if (is_followed) {
+  if (is_followed(first, believed)) {
     first.T_map_robot = believed.hypotheses.front().T_map_robot;
     first.covariance = believed.hypotheses.front().covariance;
   } else {
     checked.T_map_restart = first.T_map_robot;
   }
-  const double probability = first.probability;
+  const bool is_lost = std::exchange(was_known_, false) && checked.T_map_restart;
+  const bool is_claimed =
+      first.probability >= params_.claimed_from && !contradicts(first.T_map_robot);
+  checked.belief.lost_probability = 1.0 - first.probability;
   checked.belief.hypotheses = std::move(places);
-  checked.belief.lost_probability = 1.0 - probability;
-  const bool is_claimed = probability >= params_.claimed_from;
+  checked.belief.status = is_lost      ? LocalizationStatus::kLost
+                          : is_claimed ? LocalizationStatus::kLocalized
+                                       : LocalizationStatus::kRecovering;
   if (is_claimed) {
-    begin_known(1.0 - probability);
-  }
-  if (believed.status != LocalizationStatus::kLost) {
-    checked.belief.status =
-        is_claimed ? LocalizationStatus::kLocalized : LocalizationStatus::kRecovering;
+    begin_known(checked.belief.lost_probability);
   }
   return checked;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,6 +25,13 @@ struct PlaceCheckParams {
   double told_from = 0.02;
 };
 
+/// How well a search tells a pose: standard deviations.
+inline constexpr double kFoundStddevM = 0.1;
+inline constexpr double kFoundStddevRad = 0.1;
+
+/// Whether the newest scan alone speaks against a place.
+using Contradicts = std::function<bool(const geometry::Pose2& T_map_robot)>;
+
 /// What a check says of a filter's belief.
 struct CheckedBelief {
   PoseBelief belief;
@@ -46,24 +54,28 @@ class PlaceCheck {
   void begin_known() { begin_known(params_.elsewhere_chance); }
   /// The robot may be anywhere from now on.
   void begin_anywhere();
-  /// As that, but the last scan was heard there, too.
+  /// As that, but the newest scan was heard there, too.
   void doubt();
   bool is_known() const { return elsewhere_chance_.has_value(); }
 
-  /// After a scan, whose readings are those from where the robot is now.
+  /// After a scan, whose readings are those from where the robot is now. Without one that counts
+  /// the belief is as it was. Lost is told once, when a known place is given up.
   CheckedBelief check(const PoseBelief& believed,
                       const geometry::Pose2& T_odom_robot,
-                      std::span<const RangeReading> readings);
+                      std::span<const RangeReading> readings,
+                      const Contradicts& contradicts);
 
  private:
-  CheckedBelief check_known(const PoseBelief& believed);
-  CheckedBelief check_anywhere(const PoseBelief& believed);
+  CheckedBelief check_known(const PoseBelief& believed, const Contradicts& contradicts);
+  CheckedBelief check_anywhere(const PoseBelief& believed, const Contradicts& contradicts);
+  bool is_followed(const PoseHypothesis& place, const PoseBelief& believed) const;
   /// Probability of the believed place against the others, by so many of the newest scans.
   double probability_of(const geometry::Pose2& T_map_believed, std::size_t newest);
 
   PlaceCheckParams params_;
   PlaceSearch search_;
   std::optional<double> elsewhere_chance_;  ///< Empty where the robot may be anywhere.
+  bool was_known_ = false;                  ///< Until the next check tells that it is not any more.
 };
 
 }  // namespace echomap::localization

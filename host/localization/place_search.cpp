@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
@@ -20,6 +23,11 @@ constexpr double kMinLog = -4.0;
 /// Poses of the lattice that differ by less lead to one refined pose.
 constexpr double kNeighboursM = 0.35;
 constexpr double kNeighboursRad = 0.35;
+/// A robot that has moved by less is on the same spot.
+constexpr double kSameSpotM = 0.1;
+/// Of fewer sectors the deviation says nothing.
+constexpr std::size_t kMinSectors = 4;
+constexpr double kMaxDeviations = 8.0;
 
 bool are_near(const Pose2& one, const Pose2& other, double metres, double radians) {
   return (one.position_m() - other.position_m()).norm() <= metres &&
@@ -85,10 +93,15 @@ PlaceSearch::PlaceSearch(ObservationModel& model, const PlaceSearchParams& param
       .positive("same_place_m", params.same_place_m)
       .positive("same_place_rad", params.same_place_rad)
       .at_least("sectors", params.sectors, 1)
-      .within("independent_share", params.independent_share, 0.0, 1.0);
+      .positive("independent_share", params.independent_share)
+      .at_most("independent_share", params.independent_share, 1.0);
 }
 
 void PlaceSearch::add(const Pose2& T_odom_robot, std::span<const RangeReading> readings) {
+  if (!scans_.empty() &&
+      (scans_.back().T_odom_robot.position_m() - T_odom_robot.position_m()).norm() < kSameSpotM) {
+    scans_.pop_back();
+  }
   scans_.push_back({T_odom_robot, {readings.begin(), readings.end()}});
   keep_newest(params_.max_scans);
 }
@@ -115,6 +128,7 @@ std::vector<FoundPlace> PlaceSearch::search(std::size_t newest,
   }
   if (T_map_believed) {
     places.push_back(refined(*T_map_believed));
+    places.back().is_believed = true;
   }
   places = each_once(std::move(places));
   compare(sectors_of(newest), places);
@@ -198,7 +212,7 @@ FoundPlace PlaceSearch::refined(Pose2 T_map_robot) {
     step_m *= 0.5;
     step_rad *= 0.5;
   }
-  return {T_map_robot, log_weight / static_cast<double>(model_.count()), 1.0};
+  return {T_map_robot, log_weight / static_cast<double>(model_.count()), 1.0, false};
 }
 
 std::vector<FoundPlace> PlaceSearch::each_once(std::vector<FoundPlace> places) const {
@@ -207,10 +221,13 @@ std::vector<FoundPlace> PlaceSearch::each_once(std::vector<FoundPlace> places) c
   });
   std::vector<FoundPlace> once;
   for (const FoundPlace& place : places) {
-    if (std::none_of(once.begin(), once.end(), [&](const FoundPlace& other) {
-          return is_same_place(place.T_map_robot, other.T_map_robot);
-        })) {
+    const auto same = std::find_if(once.begin(), once.end(), [&](const FoundPlace& other) {
+      return is_same_place(place.T_map_robot, other.T_map_robot);
+    });
+    if (same == once.end()) {
       once.push_back(place);
+    } else {
+      same->is_believed = same->is_believed || place.is_believed;
     }
   }
   return once;
@@ -232,9 +249,14 @@ void PlaceSearch::compare(std::span<const Sector> sectors, std::vector<FoundPlac
           std::max(kMinLog, static_cast<double>(particles.log_weight[i]) / readings));
     }
   }
-  for (std::size_t i = 1; i < places.size() && !sectors.empty(); ++i) {
-    const double z =
-        std::sqrt(params_.independent_share) * vuong(log_likelihoods[0], log_likelihoods[i]);
+  if (sectors.size() < kMinSectors) {
+    return;
+  }
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double z = std::clamp(
+        std::sqrt(params_.independent_share) * vuong(log_likelihoods[0], log_likelihoods[i]),
+        -kMaxDeviations,
+        kMaxDeviations);
     places[i].odds = tail(z) / tail(-z);
   }
 }

@@ -36,8 +36,10 @@ struct FoundPlace {
   geometry::Pose2 T_map_robot;  ///< At the newest scan.
   /// Mean over the readings, natural logarithm.
   double log_likelihood = 0.0;
-  /// How probable it is against the place with the greatest likelihood, which has 1.
+  /// How probable it is against the place with the greatest likelihood, which has 1. Above 1 where
+  /// it is better in most sectors although not on average.
   double odds = 1.0;
+  bool is_believed = false;  ///< It is the place that the caller believes.
 };
 
 /// Looks for a robot in a whole map by its last scans together, rigidly joined by odometry: what
@@ -53,15 +55,16 @@ class PlaceSearch {
   /// The model outlives this. Throws std::invalid_argument for settings that are not positive.
   explicit PlaceSearch(ObservationModel& model, const PlaceSearchParams& params = {});
 
-  /// The readings of a scan, as from where the robot is now.
+  /// The readings of a scan, as from where the robot is now. One from the same spot as the newest
+  /// takes its place: both err alike.
   void add(const geometry::Pose2& T_odom_robot, std::span<const RangeReading> readings);
   /// Forgets all scans but so many of the newest.
   void keep_newest(std::size_t scans);
   std::size_t scans() const { return scans_.size(); }
 
-  /// The places that so many of the newest scans speak for, the likeliest first, each once;
-  /// `T_map_believed`, at the newest scan, is among them whatever its likelihood is. Empty without
-  /// a reading or a floor.
+  /// The places that so many of the newest scans speak for, the likeliest first, each once; that of
+  /// `T_map_believed`, at the newest scan, is marked among them whatever its likelihood is. Empty
+  /// without a reading or a floor.
   std::vector<FoundPlace> search(std::size_t newest,
                                  const std::optional<geometry::Pose2>& T_map_believed = {});
 

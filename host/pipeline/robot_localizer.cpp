@@ -36,7 +36,7 @@ struct RobotLocalizer::Filter {
   std::unique_ptr<localization::ObservationModel> observation;
   localization::MonteCarloLocalizer localizer;
   localization::PlaceCheck check;
-  localization::ViewDifference views;
+  std::optional<localization::ViewDifference> views;  ///< Once a place was checked.
 };
 
 RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
@@ -56,7 +56,8 @@ RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
       .positive("scan_step_rad", params.scan_step_rad)
       .positive("max_readings", params.max_readings)
       .positive("contradicting_echoes", params.contradicting_echoes)
-      .within("contradicting_floor_share", params.contradicting_floor_share, 0.0, 1.0);
+      .within("contradicting_floor_share", params.contradicting_floor_share, 0.0, 1.0)
+      .positive("contradictions_of_lost", params.contradictions_of_lost);
   if (params.sensor) {
     make_filter(*params.sensor);
   }
@@ -91,7 +92,13 @@ void RobotLocalizer::begin_at_told_start() {
     start_outcome_ =
         filter_->localizer.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
     belief_ = filter_->localizer.belief();
-    filter_->check.begin_known();
+    if (start_outcome_ == localization::LocalizerOutcome::kMoved) {
+      filter_->check.begin_known();
+    } else if (start_outcome_ == localization::LocalizerOutcome::kOffTheFloor) {
+      filter_->check.begin_anywhere();
+    }
+    contradictions_ = 0;
+    checked_lost_probability_ = 0.0;
     start_.reset();
   }
 }
@@ -100,6 +107,8 @@ void RobotLocalizer::start_anywhere() {
   if (filter_) {
     filter_->localizer.start_anywhere();
     filter_->check.begin_anywhere();
+    contradictions_ = 0;
+    checked_lost_probability_ = 0.0;
     belief_ = filter_->localizer.belief();
   }
 }
@@ -171,39 +180,45 @@ bool RobotLocalizer::is_checked() const {
 }
 
 void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& readings) {
+  const auto contradicts = [&](const geometry::Pose2& T_map_robot) {
+    return contradicts_place(T_map_robot, readings);
+  };
+  const bool is_contradicted =
+      !belief_.hypotheses.empty() && contradicts(belief_.hypotheses.front().T_map_robot);
   if (is_checked()) {
-    place_is_checked_ = true;
-    contradictions_ = contradicts_belief(readings) ? contradictions_ + 1 : 0;
+    contradictions_ = is_contradicted ? contradictions_ + 1 : 0;
     if (contradictions_ >= params_.contradictions_of_lost) {
       filter_->check.doubt();
+      contradictions_ = 0;
     }
-    constexpr double kFoundStddev = 0.1;  // Metres and radians.
-    const auto checked = filter_->check.check(belief_, T_odom_robot_, readings);
+    const auto checked = filter_->check.check(belief_, T_odom_robot_, readings, contradicts);
     belief_ = checked.belief;
+    if (!filter_->views) {
+      filter_->views.emplace(map_, params_.sensor ? params_.sensor->max_range_m : 4.0);
+    }
+    checked_lost_probability_ = filter_->check.is_known() ? 0.0 : belief_.lost_probability;
     if (checked.T_map_restart) {
-      filter_->localizer.start_at(*checked.T_map_restart, kFoundStddev, kFoundStddev);
+      contradictions_ = 0;
+      filter_->localizer.start_at(
+          *checked.T_map_restart, localization::kFoundStddevM, localization::kFoundStddevRad);
     }
   }
-  if (belief_.status == localization::LocalizationStatus::kLocalized &&
-      contradicts_belief(readings)) {
+  if (belief_.status == localization::LocalizationStatus::kLocalized && is_contradicted) {
     belief_.status = localization::LocalizationStatus::kRecovering;
   }
 }
 
 double RobotLocalizer::telling(const geometry::Pose2& T_robot_goal) const {
-  return filter_ && belief_.status != localization::LocalizationStatus::kLocalized
-             ? filter_->views.telling(belief_.hypotheses, T_robot_goal)
+  return filter_ && filter_->views && belief_.status != localization::LocalizationStatus::kLocalized
+             ? filter_->views->telling(belief_.hypotheses, T_robot_goal)
              : 0.0;
 }
 
-bool RobotLocalizer::contradicts_belief(
+bool RobotLocalizer::contradicts_place(
+    const geometry::Pose2& T_map_robot,
     const std::vector<localization::RangeReading>& readings) const {
-  if (belief_.hypotheses.empty()) {
-    return false;
-  }
   const geometry::Pose2 T_grid_robot =
-      geometry::Pose2(-map_.origin_m().x(), -map_.origin_m().y(), 0.0) *
-      belief_.hypotheses.front().T_map_robot;
+      geometry::Pose2(-map_.origin_m().x(), -map_.origin_m().y(), 0.0) * T_map_robot;
   mapping::Scan scan;
   for (const localization::RangeReading& reading : readings) {
     scan.push_back({T_grid_robot, T_grid_robot * reading.T_robot_sensor, reading.range_m});
@@ -292,7 +307,8 @@ void RobotLocalizer::update(const std::vector<localization::RangeReading>& readi
   }
   T_odom_updated_ = T_odom_robot_;
   belief_ = filter_->localizer.update(T_odom_robot_, readings);
-  if (place_is_checked_ && !filter_->check.is_known() &&
+  belief_.lost_probability = std::max(belief_.lost_probability, checked_lost_probability_);
+  if (checked_lost_probability_ > 0.0 &&
       belief_.status == localization::LocalizationStatus::kLocalized) {
     belief_.status = localization::LocalizationStatus::kRecovering;
   }

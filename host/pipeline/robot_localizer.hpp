@@ -112,7 +112,8 @@ class RobotLocalizer final : public ObservationSink {
   /// Compares the place with all others of the map by the last scans, and takes back that the robot
   /// is localized where its scan says something else.
   void check_place(const std::vector<localization::RangeReading>& readings);
-  bool contradicts_belief(const std::vector<localization::RangeReading>& readings) const;
+  bool contradicts_place(const geometry::Pose2& T_map_robot,
+                         const std::vector<localization::RangeReading>& readings) const;
 
   sensors::RobotGeometry robot_;
   RobotLocalizerParams params_;
@@ -131,7 +132,8 @@ class RobotLocalizer final : public ObservationSink {
   std::optional<double> scan_beam_width_rad_;         ///< Of the first.
   std::vector<localization::RangeReading> gathered_;  ///< From the odometry's frame.
   bool scan_is_open_ = false;
-  bool place_is_checked_ = false;   ///< By a sonar's scan.
+  /// As the last check told it, of a place that is not known; 0 without a check.
+  double checked_lost_probability_ = 0.0;
   std::size_t contradictions_ = 0;  ///< Of the believed place, in a row.
   bool is_lifted_ = false;
   bool touches_ = false;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
+#include <optional>
 #include <vector>
 
 #include "host/geometry/angle.hpp"

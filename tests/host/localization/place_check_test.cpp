@@ -29,13 +29,17 @@ struct Checked {
       : room(map), model(tests::sonar_model(map)), check(*model) {}
 
   CheckedBelief scan(const Pose2& T_map_robot, const Pose2& T_map_believed) {
-    return check.check(
-        belief_at(T_map_believed), T_map_robot, tests::heard_scan(room, T_map_robot));
+    return check.check(belief_at(T_map_believed),
+                       T_odom_map * T_map_robot,
+                       tests::heard_scan(room, T_map_robot),
+                       [&](const Pose2& /*T_map_robot*/) { return is_contradicted; });
   }
 
   mapping::RasterMap room;
   std::unique_ptr<ObservationModel> model;
   PlaceCheck check;
+  Pose2 T_odom_map{-1.5, 0.7, 1.1};
+  bool is_contradicted = false;
 };
 
 const Pose2 kHere(2.2, 0.95, -0.3);
@@ -63,7 +67,9 @@ TEST(PlaceCheck, KeepsAPlaceThatItWasTold) {
   Checked robot(tests::furnished_room());
   robot.check.begin_known();
   for (int i = 0; i < 4; ++i) {
-    EXPECT_EQ(robot.scan(kHere, kHere).belief.status, LocalizationStatus::kLocalized) << i;
+    const Pose2 T_map_robot(1.4 + 0.2 * i, 1.0, 0.0);
+    EXPECT_EQ(robot.scan(T_map_robot, T_map_robot).belief.status, LocalizationStatus::kLocalized)
+        << i;
   }
 }
 
@@ -72,7 +78,8 @@ TEST(PlaceCheck, GivesUpAPlaceThatAnotherOutweighs) {
   robot.check.begin_known();
   bool is_lost = false;
   for (int i = 0; i < 4 && !is_lost; ++i) {
-    const CheckedBelief checked = robot.scan(kHere, kThere);
+    const CheckedBelief checked =
+        robot.scan({1.4 + 0.15 * i, 1.0, 0.0}, {0.4 + 0.15 * i, 0.45, 0.0});
     is_lost =
         checked.belief.status == LocalizationStatus::kLost ||
         (checked.belief.status == LocalizationStatus::kLocalized &&
@@ -95,6 +102,34 @@ TEST(PlaceCheck, NeverClaimsAnEndOfARoomThatHasTwoAlike) {
   }
 }
 
+TEST(PlaceCheck, TellsThatAPlaceIsLostOnceWhenItIsDoubted) {
+  Checked robot(tests::furnished_room());
+  robot.check.begin_known();
+  robot.scan({1.5, 0.95, 0.4}, {1.5, 0.95, 0.4});
+  robot.check.doubt();
+  EXPECT_FALSE(robot.check.is_known());
+  EXPECT_EQ(robot.scan(kHere, kThere).belief.status, LocalizationStatus::kLost);
+  EXPECT_NE(robot.scan({1.9, 1.05, 0.0}, {1.9, 1.05, 0.0}).belief.status,
+            LocalizationStatus::kLost);
+}
+
+TEST(PlaceCheck, ClaimsNoPlaceThatTheNewestScanContradicts) {
+  Checked robot(tests::furnished_room());
+  robot.is_contradicted = true;
+  for (const Pose2& T_map_robot : {Pose2(1.5, 0.95, 0.4), Pose2(1.9, 1.05, 0.0), kHere}) {
+    EXPECT_NE(robot.scan(T_map_robot, T_map_robot).belief.status, LocalizationStatus::kLocalized);
+  }
+  EXPECT_FALSE(robot.check.is_known());
+}
+
+TEST(PlaceCheck, LeavesABeliefAloneWithoutAReading) {
+  Checked robot(tests::furnished_room());
+  const auto checked = robot.check.check(
+      belief_at(kHere), kHere, {}, [](const Pose2& /*T_map_robot*/) { return false; });
+  EXPECT_EQ(checked.belief.status, LocalizationStatus::kLocalized);
+  EXPECT_FALSE(checked.T_map_restart);
+}
+
 TEST(PlaceCheck, BeginsAgainWithTheScanAtWhichTheFilterGaveUp) {
   Checked robot(tests::furnished_room());
   robot.check.begin_known();
@@ -102,7 +137,10 @@ TEST(PlaceCheck, BeginsAgainWithTheScanAtWhichTheFilterGaveUp) {
   lost.status = LocalizationStatus::kLost;
   const Pose2 T_map_middle(3.3, 0.95, 0.0);
   const CheckedBelief checked =
-      robot.check.check(lost, T_map_middle, tests::heard_scan(robot.room, T_map_middle));
+      robot.check.check(lost,
+                        T_map_middle,
+                        tests::heard_scan(robot.room, T_map_middle),
+                        [](const Pose2& /*T_map_robot*/) { return false; });
   ASSERT_TRUE(checked.T_map_restart) << "it was known, and is not any more";
   EXPECT_LT((checked.T_map_restart->position_m() - T_map_middle.position_m()).norm(), 0.2);
 }

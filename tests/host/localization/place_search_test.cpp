@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "host/localization/place_search.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -29,12 +32,13 @@ struct Walk {
       : room(map), model(tests::sonar_model(map)), search(*model) {}
 
   void scan_from(const Pose2& T_map_robot) {
-    search.add(T_map_robot, tests::heard_scan(room, T_map_robot));
+    search.add(T_odom_map * T_map_robot, tests::heard_scan(room, T_map_robot));
   }
 
   mapping::RasterMap room;
   std::unique_ptr<ObservationModel> model;
   PlaceSearch search;
+  Pose2 T_odom_map{-1.5, 0.7, 1.1};
 };
 
 TEST(PlaceSearch, FindsTheOnePlaceThatScansComeFrom) {
@@ -75,15 +79,34 @@ TEST(PlaceSearch, ComparesThePlaceThatIsBelieved) {
   walk.scan_from({2.2, 0.95, -0.3});
   const Pose2 T_map_believed(0.5, 0.3, 2.0);
   const auto places = walk.search.search(1, T_map_believed);
-  EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const FoundPlace& place) {
-    return walk.search.is_same_place(place.T_map_robot, T_map_believed);
-  }));
+  EXPECT_EQ(
+      std::count_if(
+          places.begin(), places.end(), [](const FoundPlace& place) { return place.is_believed; }),
+      1);
+}
+
+TEST(PlaceSearch, KnowsABelievedPlaceAlsoWhereABetterOneIsNear) {
+  Walk walk(plain_room());
+  walk.scan_from({1.1, 0.7, 0.0});
+  for (const double off_m : {0.3, 0.45, 0.55, 0.6, 0.65}) {
+    const auto places = walk.search.search(1, Pose2(1.1 + off_m, 0.7, 0.0));
+    EXPECT_TRUE(std::any_of(places.begin(), places.end(), [](const FoundPlace& place) {
+      return place.is_believed;
+    })) << off_m;
+  }
+}
+
+TEST(PlaceSearch, TakesTwoScansFromOneSpotForOne) {
+  Walk walk(plain_room());
+  walk.scan_from({1.1, 0.7, 0.0});
+  walk.scan_from({1.1, 0.75, 1.5});
+  EXPECT_EQ(walk.search.scans(), 1U);
 }
 
 TEST(PlaceSearch, ForgetsOldScans) {
   Walk walk(tests::furnished_room());
   for (int i = 0; i < 20; ++i) {
-    walk.scan_from({2.2, 0.95, 0.1 * i});
+    walk.scan_from({0.3 + 0.12 * i, 1.05, 0.0});
   }
   EXPECT_EQ(walk.search.scans(), PlaceSearchParams().max_scans);
   walk.search.keep_newest(1);

@@ -2,7 +2,7 @@
 #include "host/localization/view_difference.hpp"
 
 #include <numbers>
-#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
