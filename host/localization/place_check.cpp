@@ -152,7 +152,8 @@ CheckedBelief PlaceCheck::check_anywhere(const PoseBelief& believed,
   } else {
     checked.T_map_restart = first.T_map_robot;
   }
-  const bool is_lost = std::exchange(was_known_, false) && checked.T_map_restart;
+  const bool gave_up = believed.status == LocalizationStatus::kLost;
+  const bool is_lost = std::exchange(was_known_, false) && (gave_up || checked.T_map_restart);
   const bool is_claimed =
       first.probability >= params_.claimed_from && !contradicts(first.T_map_robot);
   checked.belief.lost_probability = 1.0 - first.probability;

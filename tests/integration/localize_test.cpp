@@ -176,7 +176,7 @@ TEST_F(Localize, GoesOnFromAnywhereWhenTheRobotWasLifted) {
   start_robot("echomap-mock",
               {"--seed=4", "--robot=" + at("body.toml"), "--kidnap=80,5,3.0,1.0,90"});
   const Ended ended =
-      localize({"--map=" + at("map"), "--stops=9", "--robot=" + at("profile.toml")});
+      localize({"--map=" + at("map"), "--stops=14", "--robot=" + at("profile.toml")});
   ASSERT_EQ(ended.status, 0) << ended.said;
   EXPECT_THAT(ended.said, HasSubstr("lifted"));
   EXPECT_EQ(summary().at("times_lifted"), 1);

@@ -141,6 +141,7 @@ TEST(PlaceCheck, BeginsAgainWithTheScanAtWhichTheFilterGaveUp) {
                         T_map_middle,
                         tests::heard_scan(robot.room, T_map_middle),
                         [](const Pose2& /*T_map_robot*/) { return false; });
+  EXPECT_EQ(checked.belief.status, LocalizationStatus::kLost);
   ASSERT_TRUE(checked.T_map_restart) << "it was known, and is not any more";
   EXPECT_LT((checked.T_map_restart->position_m() - T_map_middle.position_m()).norm(), 0.2);
 }
