@@ -209,9 +209,11 @@ void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& 
 }
 
 double RobotLocalizer::telling(const geometry::Pose2& T_robot_goal) const {
-  return filter_ && filter_->views && belief_.status != localization::LocalizationStatus::kLocalized
-             ? filter_->views->telling(belief_.hypotheses, T_robot_goal)
-             : 0.0;
+  if (!filter_ || belief_.status == localization::LocalizationStatus::kLocalized) {
+    return 0.0;
+  }
+  const auto& views = filter_->views;
+  return views ? views->telling(belief_.hypotheses, T_robot_goal) : 0.0;
 }
 
 bool RobotLocalizer::contradicts_place(
