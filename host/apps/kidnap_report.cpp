@@ -86,6 +86,9 @@ ordered_json kidnap_report(const DemoKidnap& kidnap,
 
 std::string kidnap_line(const ordered_json& report) {
   const auto stops = report.at("stops").get<std::size_t>();
+  if (stops == 0) {
+    return "carried off: the run ended before it could look around";
+  }
   const std::string after =
       fmt::format("carried off: after {} {} it ", stops, stops == 1 ? "stop" : "stops");
   if (report.at("ended") == kAmbiguous) {

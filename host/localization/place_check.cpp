@@ -38,6 +38,17 @@ std::vector<PoseHypothesis> hypotheses_of(const std::vector<FoundPlace>& places,
   return hypotheses;
 }
 
+/// Whether a filter with that belief follows the place.
+bool is_followed(const PoseHypothesis& place, const PoseBelief& believed) {
+  if (believed.hypotheses.empty()) {
+    return false;
+  }
+  const PoseHypothesis& first = believed.hypotheses.front();
+  const geometry::Pose2 off = first.T_map_robot.inverse() * place.T_map_robot;
+  return off.position_m().norm() < kFollowedM && std::abs(off.heading_rad()) < kFollowedRad &&
+         std::sqrt(first.covariance.topLeftCorner<2, 2>().trace()) < kFollowedStddevM;
+}
+
 }  // namespace
 
 PlaceCheck::PlaceCheck(ObservationModel& model, const PlaceCheckParams& params)
@@ -125,16 +136,6 @@ CheckedBelief PlaceCheck::check_known(const PoseBelief& believed, const Contradi
     checked.belief.status = LocalizationStatus::kRecovering;
   }
   return checked;
-}
-
-bool PlaceCheck::is_followed(const PoseHypothesis& place, const PoseBelief& believed) const {
-  if (believed.hypotheses.empty()) {
-    return false;
-  }
-  const PoseHypothesis& first = believed.hypotheses.front();
-  const geometry::Pose2 off = first.T_map_robot.inverse() * place.T_map_robot;
-  return off.position_m().norm() < kFollowedM && std::abs(off.heading_rad()) < kFollowedRad &&
-         std::sqrt(first.covariance.topLeftCorner<2, 2>().trace()) < kFollowedStddevM;
 }
 
 CheckedBelief PlaceCheck::check_anywhere(const PoseBelief& believed,

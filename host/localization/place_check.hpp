@@ -68,7 +68,6 @@ class PlaceCheck {
  private:
   CheckedBelief check_known(const PoseBelief& believed, const Contradicts& contradicts);
   CheckedBelief check_anywhere(const PoseBelief& believed, const Contradicts& contradicts);
-  bool is_followed(const PoseHypothesis& place, const PoseBelief& believed) const;
   /// Probability of the believed place against the others, by so many of the newest scans.
   double probability_of(const geometry::Pose2& T_map_believed, std::size_t newest);
 

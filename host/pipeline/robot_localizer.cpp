@@ -36,6 +36,7 @@ struct RobotLocalizer::Filter {
   std::unique_ptr<localization::ObservationModel> observation;
   localization::MonteCarloLocalizer localizer;
   localization::PlaceCheck check;
+  double max_range_m;
   std::optional<localization::ViewDifference> views;  ///< Once a place was checked.
 };
 
@@ -73,7 +74,8 @@ void RobotLocalizer::make_filter(const localization::LocalizedRobot& robot) {
   filter_ = std::make_unique<Filter>(std::move(observation),
                                      std::move(localizer),
                                      std::move(check),
-                                     localization::ViewDifference(map_, robot.max_range_m));
+                                     robot.max_range_m,
+                                     std::nullopt);
   belief_ = filter_->localizer.belief();
 }
 
@@ -194,7 +196,7 @@ void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& 
     const auto checked = filter_->check.check(belief_, T_odom_robot_, readings, contradicts);
     belief_ = checked.belief;
     if (!filter_->views) {
-      filter_->views.emplace(map_, params_.sensor ? params_.sensor->max_range_m : 4.0);
+      filter_->views.emplace(map_, filter_->max_range_m);
     }
     checked_lost_probability_ = filter_->check.is_known() ? 0.0 : belief_.lost_probability;
     if (checked.T_map_restart) {
@@ -203,7 +205,8 @@ void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& 
           *checked.T_map_restart, localization::kFoundStddevM, localization::kFoundStddevRad);
     }
   }
-  if (belief_.status == localization::LocalizationStatus::kLocalized && is_contradicted) {
+  if (belief_.status == localization::LocalizationStatus::kLocalized &&
+      contradicts(belief_.hypotheses.front().T_map_robot)) {
     belief_.status = localization::LocalizationStatus::kRecovering;
   }
 }

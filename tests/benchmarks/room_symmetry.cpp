@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/benchmarks/room_symmetry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
