@@ -28,7 +28,7 @@ struct PlaceSearchParams {
   /// Readings of one scan are compared by sectors of so many to a turn; neighbouring sectors err
   /// together, so that only this share of them counts.
   std::size_t sectors = 6;
-  double independent_share = 0.64;
+  double independent_share = 0.8;
 };
 
 /// A place from which a robot may have heard what it heard.

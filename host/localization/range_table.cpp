@@ -14,7 +14,11 @@ namespace {
 
 using geometry::CellIndex;
 
-constexpr std::int32_t kParts = (RangeTable::kNothing - 1) / 2 - 1;
+/// Facing, oblique, unseen.
+constexpr std::int32_t kKinds = 3;
+constexpr std::int32_t kParts = (RangeTable::kNothing - 1) / kKinds;
+/// Walls have a seam of unknown cells before them that is not wider.
+constexpr float kSeamM = 0.15F;
 /// The nearest thing is seen aslant where it is one of so many rays at the edge of the cone.
 constexpr std::ptrdiff_t kEdgeRays = 2;
 
@@ -55,6 +59,7 @@ RangeTable::RangeTable(const mapping::RasterMap& map, const RangeTableParams& pa
     : params_(validated(params, map)),
       map_(mapping::cut_out(map, {{-1, -1}, {map.columns(), map.rows()}})),
       field_(map_, params.max_range_m),
+      known_floor_(mapping::with_unknown_occupied(map_), params.max_range_m),
       tile_columns_(static_cast<std::int32_t>(tiles_along(map_.columns()))),
       directions_(directions(params.beam_half_angle_rad)),
       rays_aside_(static_cast<std::int32_t>(params.beam_half_angle_rad *
@@ -67,16 +72,17 @@ std::uint8_t RangeTable::code_of(const models::ExpectedRange& expected) const {
     return kNothing;
   }
   const double part = std::max(0.0, *expected.range_m) / params_.max_range_m * kParts;
-  return static_cast<std::uint8_t>(2 + 2 * static_cast<std::int32_t>(part) +
-                                   (expected.is_oblique ? 1 : 0));
+  const std::int32_t kind = expected.is_unseen ? 2 : expected.is_oblique ? 1 : 0;
+  return static_cast<std::uint8_t>(1 + kKinds * static_cast<std::int32_t>(part) + kind);
 }
 
 models::ExpectedRange RangeTable::expected_of(std::uint8_t code) const {
   if (code == kNothing) {
     return {};
   }
-  const int part = code / 2;
-  return {(part - 0.5) * params_.max_range_m / kParts, (code & 1U) != 0};
+  const int part = (code - 1) / kKinds;
+  const int kind = (code - 1) % kKinds;
+  return {(part + 0.5) * params_.max_range_m / kParts, kind == 1, kind == 2};
 }
 
 void RangeTable::fill_tile(std::int32_t number) {
@@ -103,7 +109,7 @@ std::span<const std::uint8_t, RangeTable::kHeadings> RangeTable::codes_at(CellIn
 std::size_t RangeTable::memory_bytes() const {
   const auto cells = static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
   return filled_.size() * sizeof(Tile) + tiles_.capacity() * sizeof(Tile*) +
-         cells * (sizeof(float) + sizeof(mapping::CellState));
+         cells * (2 * sizeof(float) + sizeof(mapping::CellState));
 }
 
 bool RangeTable::has_floor(CellIndex first) const {
@@ -139,6 +145,12 @@ void RangeTable::look_round(CellIndex cell, std::uint8_t* codes) const {
                      std::span(ranges_m).first(rays));
   // Once more round, so that a cone is a stretch of rays.
   std::copy_n(ranges_m.begin(), rays, ranges_m.begin() + static_cast<std::ptrdiff_t>(rays));
+  std::array<float, kMaxRays> known_m{};
+  mapping::cast_rays(known_floor_,
+                     map_.center_m(cell),
+                     directions_,
+                     params_.max_range_m,
+                     std::span(known_m).first(rays));
   const std::size_t stride = rays / kHeadings;
   const std::ptrdiff_t in_cone = 2 * rays_aside_ + 1;
   for (std::size_t heading = 0; heading < kHeadings; ++heading) {
@@ -148,7 +160,10 @@ void RangeTable::look_round(CellIndex cell, std::uint8_t* codes) const {
     const std::ptrdiff_t nearest = std::min_element(first, first + in_cone) - first;
     const bool is_oblique =
         rays_aside_ > 0 && (nearest < kEdgeRays || nearest >= in_cone - kEdgeRays);
-    codes[heading] = code_of({first[nearest], is_oblique});
+    const float known_on_axis_m = known_m[heading * stride];
+    const bool is_unseen = known_on_axis_m + kSeamM < first[nearest];
+    codes[heading] = code_of(is_unseen ? models::ExpectedRange{known_on_axis_m, false, true}
+                                       : models::ExpectedRange{first[nearest], is_oblique});
   }
 }
 

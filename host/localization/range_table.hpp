@@ -26,8 +26,9 @@ struct RangeTableParams {
 };
 
 /// What a range sensor is to expect in each free cell of a map for each of 128 headings, as a byte:
-/// the range of the nearest thing in its cone, seen from the middle of the cell. Thin rays are
-/// cast, and a cone is the least of those within it. A hypothesis then costs a look-up a reading,
+/// the range of the nearest thing in its cone, seen from the middle of the cell, or of where the
+/// known floor ends along its axis, if that is well before. Thin rays are cast, and a cone is the
+/// least of those within it. A hypothesis then costs a look-up a reading,
 /// however many obstacles there are (Fox, Burgard and Thrun 1999).
 ///
 /// Cells lie in tiles of 16 x 16, 32 KB each, which are filled when they are first asked for: a
@@ -57,7 +58,8 @@ class RangeTable {
     return map_.state(cell) == mapping::CellState::kFree;
   }
 
-  /// Ranges up to the greatest in 126 equal parts, by twos; one more for what is seen aslant.
+  /// Ranges up to the greatest in 84 equal parts, by threes: what is faced, what is seen aslant, and
+  /// where the known floor ends.
   std::uint8_t code_of(const models::ExpectedRange& expected) const;
   /// The middle of a code's part; nothing for kNothing. kNoFloor has none.
   models::ExpectedRange expected_of(std::uint8_t code) const;
@@ -85,6 +87,7 @@ class RangeTable {
   RangeTableParams params_;
   mapping::RasterMap map_;
   mapping::DistanceField field_;
+  mapping::DistanceField known_floor_;
   std::int32_t tile_columns_;
   std::vector<Eigen::Vector2f> directions_;  ///< Of the rays that are cast.
   std::int32_t rays_aside_;                  ///< So many lie in the cone on either side.

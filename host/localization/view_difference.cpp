@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/ray_casting.hpp"
@@ -16,35 +17,49 @@ constexpr float kMaxDifferenceM = 0.5F;
 /// The rest is too improbable to be worth a way.
 constexpr std::size_t kMaxPlaces = 8;
 
-double difference(const std::vector<float>& one, const std::vector<float>& other) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    sum += static_cast<double>(std::min(std::abs(one[i] - other[i]), kMaxDifferenceM));
-  }
-  return sum / (static_cast<double>(kMaxDifferenceM) * static_cast<double>(one.size()));
-}
+/// Walls have a seam of unknown cells before them that is not wider.
+constexpr float kSeamM = 0.15F;
 
 }  // namespace
 
 ViewDifference::ViewDifference(const mapping::RasterMap& map, double max_range_m)
-    : field_(map, max_range_m), max_range_m_(max_range_m) {}
+    : surfaces_(map, max_range_m),
+      known_floor_(mapping::with_unknown_occupied(map), max_range_m),
+      max_range_m_(max_range_m) {}
 
-std::vector<float> ViewDifference::view_from(const geometry::Pose2& T_map_robot) const {
+/// By how much the floor that one place is known to have reaches beyond the surface of the other.
+double ViewDifference::difference(const View& one, const View& other) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kRays; ++i) {
+    float apart_m = 0.0F;
+    for (const auto& [seen, beyond] : {std::pair(&one, &other), std::pair(&other, &one)}) {
+      if (seen->surface_m[i] <= seen->floor_m[i] + kSeamM) {
+        apart_m = std::max(apart_m, beyond->floor_m[i] - seen->surface_m[i]);
+      }
+    }
+    sum += static_cast<double>(std::min(apart_m, kMaxDifferenceM));
+  }
+  return sum / (static_cast<double>(kMaxDifferenceM) * static_cast<double>(kRays));
+}
+
+ViewDifference::View ViewDifference::view_from(const geometry::Pose2& T_map_robot) const {
   std::vector<Eigen::Vector2f> directions;
   for (std::size_t i = 0; i < kRays; ++i) {
     const double bearing_rad = 2.0 * std::numbers::pi * static_cast<double>(i) / kRays;
     directions.emplace_back(
         geometry::unit_vector(T_map_robot.heading_rad() + bearing_rad).cast<float>());
   }
-  std::vector<float> ranges_m(kRays);
-  mapping::cast_rays(field_, T_map_robot.position_m(), directions, max_range_m_, ranges_m);
-  return ranges_m;
+  View view{std::vector<float>(kRays), std::vector<float>(kRays)};
+  const Eigen::Vector2d from_m = T_map_robot.position_m();
+  mapping::cast_rays(known_floor_, from_m, directions, max_range_m_, view.floor_m);
+  mapping::cast_rays(surfaces_, from_m, directions, max_range_m_, view.surface_m);
+  return view;
 }
 
 double ViewDifference::telling(const std::vector<PoseHypothesis>& hypotheses,
                                const geometry::Pose2& T_robot_goal) const {
   const std::size_t count = std::min(hypotheses.size(), kMaxPlaces);
-  std::vector<std::vector<float>> views;
+  std::vector<View> views;
   for (std::size_t i = 0; i < count; ++i) {
     views.push_back(view_from(hypotheses[i].T_map_robot * T_robot_goal));
   }

@@ -12,7 +12,8 @@ namespace echomap::localization {
 
 /// How differently a map looks from several places: where a robot that may be at any of them has to
 /// go so that what it hears there tells them apart (active localization, Fox, Burgard and Thrun
-/// 1998, with a difference of views in place of the entropy of a belief).
+/// 1998, with a difference of views in place of the entropy of a belief). Where the map does not know
+/// what a ray meets, a range tells places apart only as far as one of them has floor there.
 class ViewDifference {
  public:
   /// Of a sensor that sees so far, metres.
@@ -25,9 +26,17 @@ class ViewDifference {
                  const geometry::Pose2& T_robot_goal) const;
 
  private:
-  std::vector<float> view_from(const geometry::Pose2& T_map_robot) const;
+  /// Along rays all round: how far floor is known, and where a surface is, which may be behind.
+  struct View {
+    std::vector<float> floor_m;
+    std::vector<float> surface_m;
+  };
 
-  mapping::DistanceField field_;
+  View view_from(const geometry::Pose2& T_map_robot) const;
+  static double difference(const View& one, const View& other);
+
+  mapping::DistanceField surfaces_;
+  mapping::DistanceField known_floor_;
   double max_range_m_;
 };
 

@@ -58,6 +58,17 @@ RasterMap rasterize(const OccupancyGrid& grid) {
   return raster;
 }
 
+RasterMap with_unknown_occupied(RasterMap map) {
+  for (int y = 0; y < map.rows(); ++y) {
+    for (int x = 0; x < map.columns(); ++x) {
+      if (map.state({x, y}) == CellState::kUnknown) {
+        map.set({x, y}, CellState::kOccupied);
+      }
+    }
+  }
+  return map;
+}
+
 std::vector<Eigen::Vector2d> centers_m(const RasterMap& map, CellState state) {
   std::vector<Eigen::Vector2d> centers_m;
   for (int y = 0; y < map.rows(); ++y) {

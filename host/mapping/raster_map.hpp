@@ -49,6 +49,9 @@ class RasterMap {
 /// cell at the origin.
 RasterMap rasterize(const OccupancyGrid& grid);
 
+/// With an obstacle in each unknown cell: rays end where the known floor does.
+RasterMap with_unknown_occupied(RasterMap map);
+
 /// Centres of the cells that are so, row by row.
 std::vector<Eigen::Vector2d> centers_m(const RasterMap& map, CellState state);
 

@@ -15,12 +15,17 @@ BeamModel::BeamModel(const BeamModelParams& params) : params_(params) {
                                  params.silent_chance,
                                  params.random_chance,
                                  params.oblique_missed_chance,
-                                 params.oblique_silent_chance});
+                                 params.oblique_silent_chance,
+                                 params.unseen_silent_chance,
+                                 params.unseen_edge_chance});
   const double always = params.short_chance + params.random_chance;
   const double most =
-      always + std::max(params.missed_chance + params.silent_chance,
-                        params.oblique_missed_chance + params.oblique_silent_chance);
-  const bool noise_ok = params.hit_stddev_m > 0.0 && std::isfinite(params.hit_stddev_m);
+      always + std::max({params.missed_chance + params.silent_chance,
+                         params.oblique_missed_chance + params.oblique_silent_chance,
+                         params.unseen_silent_chance + params.unseen_edge_chance});
+  const double least_noise_m = std::min(params.hit_stddev_m, params.unseen_edge_stddev_m);
+  const double most_noise_m = std::max(params.hit_stddev_m, params.unseen_edge_stddev_m);
+  const bool noise_ok = least_noise_m > 0.0 && std::isfinite(most_noise_m);
   const bool range_ok = params.max_range_m > 0.0 && std::isfinite(params.max_range_m);
   if (!(most < 1.0) || !(least >= 0.0) || !noise_ok || !range_ok) {
     throw std::invalid_argument(
@@ -36,6 +41,9 @@ double BeamModel::likelihood(std::optional<double> range_m, const ExpectedRange&
     const double something = params_.short_chance + params_.random_chance;
     return range_m ? something / max_m : 1.0 - something;
   }
+  if (expected.is_unseen) {
+    return unseen_likelihood(range_m, *expected.range_m);
+  }
   const double missed = expected.is_oblique ? params_.oblique_missed_chance : params_.missed_chance;
   const double silent = expected.is_oblique ? params_.oblique_silent_chance : params_.silent_chance;
   if (!range_m) {
@@ -50,14 +58,32 @@ double BeamModel::likelihood(std::optional<double> range_m, const ExpectedRange&
   return hit + aside + params_.random_chance / max_m;
 }
 
+double BeamModel::unseen_likelihood(std::optional<double> range_m, double edge_m) const {
+  if (!range_m) {
+    return params_.unseen_silent_chance;
+  }
+  const double beyond_chance = 1.0 - params_.short_chance - params_.random_chance -
+                               params_.unseen_silent_chance - params_.unseen_edge_chance;
+  const double before_m = std::max(edge_m, params_.unseen_edge_stddev_m);
+  const double beyond_m = std::max(params_.max_range_m - edge_m, params_.unseen_edge_stddev_m);
+  const double at_edge = params_.unseen_edge_chance *
+                         normal_density(*range_m - edge_m, params_.unseen_edge_stddev_m);
+  const double aside =
+      *range_m < edge_m ? params_.short_chance / before_m : beyond_chance / beyond_m;
+  return at_edge + aside + params_.random_chance / params_.max_range_m;
+}
+
 BeamModelParams sonar_cone_returns() {
   return {.hit_stddev_m = 0.08,
           .short_chance = 0.03,
           .missed_chance = 0.06,
-          .silent_chance = 0.06,
+          .silent_chance = 0.12,
           .random_chance = 0.03,
           .oblique_missed_chance = 0.25,
-          .oblique_silent_chance = 0.25,
+          .oblique_silent_chance = 0.4,
+          .unseen_silent_chance = 0.37,
+          .unseen_edge_chance = 0.35,
+          .unseen_edge_stddev_m = 0.15,
           .max_range_m = 4.0};
 }
 
@@ -69,6 +95,9 @@ BeamModelParams laser_returns() {
           .random_chance = 0.05,
           .oblique_missed_chance = 0.02,
           .oblique_silent_chance = 0.02,
+          .unseen_silent_chance = 0.2,
+          .unseen_edge_chance = 0.35,
+          .unseen_edge_stddev_m = 0.15,
           .max_range_m = 8.0};
 }
 

@@ -13,6 +13,9 @@ struct ExpectedRange {
   /// The nearest surface is seen at oblique incidence, as at the edge of a cone: a smooth one
   /// reflects sound or light away.
   bool is_oblique = false;
+  /// The known floor ends at that range, and not at a surface: what is there, or farther off, has
+  /// not been seen.
+  bool is_unseen = false;
 };
 
 /// How likely a reading is: a density, one over metres, of a range; a probability of no return.
@@ -34,12 +37,18 @@ struct BeamModelParams {
   /// Additional chances at oblique incidence.
   double oblique_missed_chance = 0.05;
   double oblique_silent_chance = 0.05;
+  /// Where the known floor ends: of silence, and of a surface right there, as floor is known up to
+  /// where an echo came from. What is left is spread evenly from there on.
+  double unseen_silent_chance = 0.2;
+  double unseen_edge_chance = 0.35;
+  double unseen_edge_stddev_m = 0.15;
   double max_range_m = 4.0;
 };
 
 /// The beam model of range finders (Thrun, Burgard and Fox 2005, equation 6.12) with a chance more:
 /// that the nearest thing is not seen, as a smooth wall is not by a sonar, so that what answers
-/// stands farther off. Short readings are spread evenly up to the expected range.
+/// stands farther off. Short readings are spread evenly up to the expected range. Where the map does
+/// not know what a ray meets, the model says little of the reading, and not that nothing is there.
 class BeamModel {
  public:
   /// Throws std::invalid_argument for chances that leave nothing for a hit, and for a noise or
@@ -49,13 +58,17 @@ class BeamModel {
   double likelihood(std::optional<double> range_m, const ExpectedRange& expected) const;
 
  private:
+  double unseen_likelihood(std::optional<double> range_m, double edge_m) const;
+
   BeamModelParams params_;
 };
 
 /// A small sonar with a wide cone whose expected range is that of the first obstacle in the cone:
 /// HC-SR04, NXT, EV3. The chances are between what a room of mirrors and one of cloth would have:
 /// in the simulated rooms of smooth walls what is seen aslant is heard by 25 to 35 of 100 pings,
-/// missed by 30 to 36 and silent for 30 to 42; what is not, is heard by 86 to 93.
+/// missed by 30 to 36 and silent for 30 to 42; what is not, is heard by 86 to 93. In the robots' own
+/// maps of these rooms silence is as frequent as 15 of 100 where a wall is faced, 43 where it is seen
+/// aslant and 37 where the known floor ends.
 BeamModelParams sonar_cone_returns();
 /// A laser scanner that sees nearly everything, among people.
 BeamModelParams laser_returns();

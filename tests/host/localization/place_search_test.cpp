@@ -20,11 +20,11 @@ namespace {
 
 using geometry::Pose2;
 
-/// 3.0 x 1.2 m, the same after half a turn.
+/// 3.1 x 1.3 m, the same after half a turn.
 mapping::RasterMap plain_room() {
-  tests::DrawnMap drawing(14, "#" + std::string(30, '.') + "#");
-  drawing.front() = drawing.back() = std::string(32, '#');
-  return tests::map_from(drawing, 0.1);
+  tests::DrawnMap drawing(28, "#" + std::string(62, '.') + "#");
+  drawing.front() = drawing.back() = std::string(64, '#');
+  return tests::map_from(drawing, 0.05);
 }
 
 struct Walk {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ double expected_m(RangeTable& table, geometry::CellIndex cell, double heading_ra
 
 TEST(RangeTable, ExpectsTheWallThatAThinBeamMeets) {
   RangeTable table(kSmallRoom, {0.0, 2.0});
-  const double slack_m = 2.0 / 126.0;
+  const double slack_m = 2.0 / 84.0;
   EXPECT_NEAR(expected_m(table, in_table(2, 1), 0.0), 0.65, slack_m);
   EXPECT_NEAR(expected_m(table, in_table(2, 1), std::numbers::pi), 0.15, slack_m);
   EXPECT_NEAR(expected_m(table, in_table(2, 3), 0.0), 0.45, slack_m);
@@ -67,11 +68,13 @@ TEST(RangeTable, HasNoFloorInWallsAndAroundTheMap) {
 
 TEST(RangeTable, CodesRangesToHalfAPart) {
   const RangeTable table(kSmallRoom, {0.0, 4.0});
-  for (const bool is_oblique : {false, true}) {
+  for (const auto& [is_oblique, is_unseen] :
+       {std::pair(false, false), std::pair(true, false), std::pair(false, true)}) {
     for (double range_m = 0.0; range_m < 4.0; range_m += 0.003) {
-      const auto expected = table.expected_of(table.code_of({range_m, is_oblique}));
-      ASSERT_NEAR(expected.range_m.value(), range_m, 0.5001 * 4.0 / 126.0);
+      const auto expected = table.expected_of(table.code_of({range_m, is_oblique, is_unseen}));
+      ASSERT_NEAR(expected.range_m.value(), range_m, 0.5001 * 4.0 / 84.0);
       ASSERT_EQ(expected.is_oblique, is_oblique);
+      ASSERT_EQ(expected.is_unseen, is_unseen);
     }
   }
   EXPECT_EQ(table.code_of({}), RangeTable::kNothing);
@@ -90,6 +93,29 @@ TEST(RangeTable, KnowsAWallThatIsSeenAslant) {
   EXPECT_FALSE(is_oblique(std::numbers::pi));
   EXPECT_TRUE(is_oblique(std::numbers::pi + 0.5));
   EXPECT_TRUE(is_oblique(std::numbers::pi - 0.5));
+}
+
+/// A room whose right wall nobody has seen but for its lower end, and a thin seam before the left.
+TEST(RangeTable, KnowsWhereTheKnownFloorEnds) {
+  RangeTable table(tests::map_from({"##############    ",
+                                    "# ............    ",
+                                    "# ............    ",
+                                    "# ............    ",
+                                    "# ............   #",
+                                    "# ............   #",
+                                    "##################"},
+                                   0.1),
+                   {0.2, 4.0});
+  const auto from = in_table(7, 3);
+  table.fill_tile(table.tile_of(from));
+  const auto expected = [&](std::size_t heading) {
+    return table.expected_of(table.codes_at(from)[heading]);
+  };
+  EXPECT_TRUE(expected(0).is_unseen);
+  EXPECT_NEAR(expected(0).range_m.value(), 0.65, 0.05);
+  EXPECT_FALSE(expected(RangeTable::kHeadings / 2).is_unseen);
+  EXPECT_NEAR(expected(RangeTable::kHeadings / 2).range_m.value(), 0.65, 0.05);
+  EXPECT_FALSE(expected(RangeTable::kHeadings / 4).is_unseen);
 }
 
 TEST(RangeTable, PaysForTheTilesThatAreAskedForOnly) {

@@ -57,6 +57,11 @@ TEST(RasterMap, TellsTheCentresOfTheCellsOfAState) {
   EXPECT_EQ(centers_m(map, CellState::kUnknown), (std::vector<Eigen::Vector2d>{{1.75, 2.75}}));
 }
 
+TEST(RasterMap, HasObstaclesInPlaceOfUnknownCells) {
+  const RasterMap map = tests::map_from({"# .", ".#."}, 0.5, {1.0, 2.0});
+  EXPECT_EQ(drawing_of(with_unknown_occupied(map)), (DrawnMap{"##.", ".#."}));
+}
+
 TEST(Rasterize, DrawsTheGridWithAMarginOfUnknownCells) {
   OccupancyGrid grid;
   grid.add({-2, 4}, -200);

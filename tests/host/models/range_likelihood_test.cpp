@@ -28,6 +28,7 @@ TEST(BeamModel, IsADensityWhateverIsExpected) {
   for (const double expected_m : {0.5, 1.0, 2.0, 3.5}) {
     EXPECT_NEAR(total(kSonar, {expected_m, false}), 1.0, 0.01) << expected_m;
     EXPECT_NEAR(total(kSonar, {expected_m, true}), 1.0, 0.01) << expected_m;
+    EXPECT_NEAR(total(kSonar, {expected_m, false, true}), 1.0, 0.02) << expected_m;
   }
   EXPECT_NEAR(total(kSonar, {}), 1.0, 0.01);
 }
@@ -50,6 +51,16 @@ TEST(BeamModel, TrustsLessInWhatIsSeenAslant) {
   EXPECT_GT(kSonar.likelihood(2.0, straight), kSonar.likelihood(2.0, aslant));
   EXPECT_LT(kSonar.likelihood(3.0, straight), kSonar.likelihood(3.0, aslant));
   EXPECT_LT(kSonar.likelihood(std::nullopt, straight), kSonar.likelihood(std::nullopt, aslant));
+}
+
+TEST(BeamModel, SaysLittleOfWhatIsBeyondTheKnownFloor) {
+  const ExpectedRange unseen{1.0, false, true};
+  const double silent = kSonar.likelihood(std::nullopt, unseen);
+  EXPECT_GT(silent, 0.2);
+  EXPECT_LT(silent, 0.6);
+  EXPECT_GT(kSonar.likelihood(1.1, unseen), kSonar.likelihood(2.0, unseen));
+  EXPECT_GT(kSonar.likelihood(2.5, unseen), kSonar.likelihood(2.5, {}));
+  EXPECT_LT(kSonar.likelihood(0.5, unseen), 0.5 * kSonar.likelihood(2.0, unseen));
 }
 
 TEST(BeamModel, RefusesChancesThatLeaveNoHit) {
