@@ -233,12 +233,13 @@ void warn_of_previous_maps(const pipeline::RobotAtlas& atlas) {
 RunEnding ending_of_exploration(const RobotContext& robot,
                                 const std::optional<FinishReason>& reason,
                                 const std::optional<exploration::Coverage>& coverage,
+                                const std::optional<mapping::ExpectedWallError>& walls,
                                 const NextCommands& next) {
   const RobotSession& session = robot.session();
   if (const auto fault = fatal_fault(robot, reason)) {
     return ending_of_fault(advice_of(*fault, robot.profile()), next.again);
   }
-  RunEnding ending = reason ? ending_of(*reason, coverage, next)
+  RunEnding ending = reason ? ending_of(*reason, coverage, walls, next)
                             : ending_of(session.end().value_or(session::SessionEnd::kLinkLost),
                                         session.end_reason(),
                                         next);
@@ -309,8 +310,10 @@ RunEnding explore_and_save(RobotContext& robot,
   progress.clear();
   warn_of_previous_maps(robot.atlas());
   const auto coverage = coverage_of(robot.atlas().pipeline().snapshot(), robot.profile());
-  RunEnding ending = ending_of_exploration(robot, reason, coverage, run.next);
+  const auto walls = wall_error_of(robot.atlas().pipeline());
+  RunEnding ending = ending_of_exploration(robot, reason, coverage, walls, run.next);
   describe_ending(ending, summary);
+  describe_walls(walls, summary);
   if (coverage) {
     summary.coverage = summary_of(*coverage);
   }

@@ -118,7 +118,7 @@ RunEnding ending_of_drive(const session::RobotContext& context,
     return ending_of(*end, robot.session.end_reason(), {again, again, again, again});
   }
   if (robot.driver.finished() == exploration::FinishReason::kCannotSense) {
-    return ending_of(exploration::FinishReason::kCannotSense, std::nullopt, {});
+    return ending_of(exploration::FinishReason::kCannotSense, std::nullopt, std::nullopt, {});
   }
   const auto finished = robot.driver.finished().value_or(exploration::FinishReason::kStopLimit);
   RunEnding ending =

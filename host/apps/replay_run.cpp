@@ -95,7 +95,9 @@ void save_summary(const fs::path& folder,
                           "pose_stddev_deg",
                           "travelled_m",
                           "free_area_m2",
-                          "coverage"}) {
+                          "coverage",
+                          "expected_wall_rmse_m",
+                          "wall_rmse_nine_in_ten_m"}) {
     run[key] = made.at(key);
   }
   run["replay"] = replay;
@@ -127,6 +129,7 @@ void save_played(const PlayedMap& map,
   const auto coverage = coverage_of(map.pipeline.snapshot(), profile);
   if (coverage && !summary.json.value("coverage", ordered_json()).is_null()) {
     made.coverage = summary_of(*coverage);
+    describe_walls(wall_error_of(map.pipeline), made);
   }
   fs::create_directories(out);
   exports::ObservationsFile(out / kRecordName).save(map.record, false);

@@ -11,6 +11,8 @@
 
 #include "host/console/print.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/mapping/raster_map.hpp"
+#include "host/slam/multiscan_slam.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -100,11 +102,19 @@ std::string text_of(const exploration::NarrowGap& gap) {
 /// Rounded down: what is not all is not called all.
 int percent(double share) { return static_cast<int>(100.0 * share); }
 
-std::string text_of(const Coverage& coverage) {
+/// Of a map's coverage, and of its walls where it tells of them.
+std::string text_of(const Coverage& coverage,
+                    const std::optional<mapping::ExpectedWallError>& walls) {
   std::string text =
       fmt::format("the map has {} % of the floor that the robot can reach, {:.1f} m²",
                   percent(coverage.share()),
                   coverage.seen_m2);
+  if (walls) {
+    text += fmt::format(
+        ", walls off by about {:.0f} cm (in one of ten such maps by more than {:.0f} cm)",
+        100.0 * walls->median_m,
+        100.0 * walls->nine_in_ten_m);
+  }
   if (coverage.share() < kFinishedShare && !coverage.places.empty()) {
     const auto& place = coverage.places.front();
     text += fmt::format(
@@ -128,8 +138,18 @@ std::optional<Coverage> coverage_of(const pipeline::Snapshot& snapshot,
   return exploration::coverage_of(snapshot, params);
 }
 
+std::optional<mapping::ExpectedWallError> wall_error_of(const pipeline::RobotPipeline& pipeline) {
+  const auto* method = dynamic_cast<const slam::MultiscanSlam*>(pipeline.slam());
+  if (method == nullptr) {
+    return std::nullopt;
+  }
+  const mapping::RasterMap map = mapping::rasterize(*pipeline.snapshot().grid);
+  return mapping::expected_wall_error(map, std::sqrt(method->belief().covariance(2, 2)));
+}
+
 RunEnding ending_of(FinishReason reason,
                     const std::optional<Coverage>& coverage,
+                    const std::optional<mapping::ExpectedWallError>& walls,
                     const NextCommands& next) {
   const std::string outcome = name_of(reason);
   const auto* trouble = std::find_if(std::begin(kTroubles),
@@ -144,7 +164,7 @@ RunEnding ending_of(FinishReason reason,
     return end.empty() ? RunEnding{outcome, ExitCode::kOk, "it did what it set out to do", next.use}
                        : RunEnding{outcome, ExitCode::kUnfinished, std::string(end), next.go_on};
   }
-  const std::string why = joined(end, text_of(*coverage));
+  const std::string why = joined(end, text_of(*coverage, walls));
   return coverage->share() >= kFinishedShare
              ? RunEnding{outcome, ExitCode::kOk, why, next.use}
              : RunEnding{outcome, ExitCode::kUnfinished, why, next.go_on};
@@ -222,6 +242,14 @@ void describe_ending(const RunEnding& ending, exports::RunSummary& summary) {
   summary.finished = ending.finished();
   summary.why = ending.why;
   summary.next = ending.next;
+}
+
+void describe_walls(const std::optional<mapping::ExpectedWallError>& walls,
+                    exports::RunSummary& summary) {
+  if (walls) {
+    summary.expected_wall_rmse_m = walls->median_m;
+    summary.wall_rmse_nine_in_ten_m = walls->nine_in_ten_m;
+  }
 }
 
 exports::CoverageSummary summary_of(const Coverage& coverage) {

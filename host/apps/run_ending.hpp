@@ -12,6 +12,8 @@
 #include "host/exploration/coverage.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exports/summary_json.hpp"
+#include "host/mapping/expected_wall_error.hpp"
+#include "host/pipeline/robot_pipeline.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/session/fault_advice.hpp"
 #include "host/session/robot_profile.hpp"
@@ -45,11 +47,15 @@ constexpr double kFinishedShare = 0.95;
 std::optional<exploration::Coverage> coverage_of(const pipeline::Snapshot& snapshot,
                                                  const session::RobotProfile& profile);
 
+/// What the walls of a map by multiscan SLAM are expected to be off by; empty for other maps.
+std::optional<mapping::ExpectedWallError> wall_error_of(const pipeline::RobotPipeline& pipeline);
+
 /// Of an exploration that its strategy has ended. A strategy that has done what it set out to do
 /// has finished only where the map, too, has what the robot can reach; a robot that hears nothing
 /// has no `coverage`, and its strategy is believed.
 RunEnding ending_of(exploration::FinishReason reason,
                     const std::optional<exploration::Coverage>& coverage,
+                    const std::optional<mapping::ExpectedWallError>& walls,
                     const NextCommands& next);
 
 /// Of an exploration whose session has ended before its strategy, for that reason.
@@ -79,6 +85,10 @@ nlohmann::ordered_json to_json(const RunEnding& ending);
 
 /// Sets outcome, finished, why and next.
 void describe_ending(const RunEnding& ending, exports::RunSummary& summary);
+
+/// Sets what is expected of the walls, where something is.
+void describe_walls(const std::optional<mapping::ExpectedWallError>& walls,
+                    exports::RunSummary& summary);
 
 /// The same as entries of the summary.
 exports::CoverageSummary summary_of(const exploration::Coverage& coverage);

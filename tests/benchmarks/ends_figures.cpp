@@ -36,6 +36,29 @@ std::optional<double> time_of_finished_s(const std::vector<TruthRun>& runs, std:
                                                          : std::nullopt;
 }
 
+/// The share of the runs of all rooms that tell of their walls and are at most so wrong.
+std::optional<Figure> walls_within(const std::vector<EndsCell>& cells,
+                                   const char* name,
+                                   std::optional<double> TruthRun::*told_m) {
+  std::size_t told = 0;
+  std::size_t within = 0;
+  for (const EndsCell& cell : cells) {
+    for (const TruthRun& run : cell.runs) {
+      const auto& wall_rmse_m = run.score.start.map.wall_rmse_m;
+      if (run.*told_m && wall_rmse_m) {
+        ++told;
+        within += *wall_rmse_m <= *(run.*told_m) ? 1 : 0;
+      }
+    }
+  }
+  return told == 0 ? std::nullopt
+                   : std::optional(Figure{name,
+                                          static_cast<double>(within) / static_cast<double>(told),
+                                          "share",
+                                          told,
+                                          {}});
+}
+
 std::optional<double> time_ratio_of(const EndsCell& cell) {
   const auto time_s = time_of_finished_s(cell.runs, cell.seeds);
   const auto peer_s = time_of_finished_s(cell.peer_runs, cell.seeds);
@@ -93,6 +116,13 @@ std::vector<Figure> ends_figures(const std::vector<EndsCell>& cells) {
   if (complete > 0) {
     figures.push_back({"coverage_bias", bias / static_cast<double>(complete), "", complete, {}});
   }
+  for (const auto& share :
+       {walls_within(cells, "walls_within_median", &TruthRun::expected_wall_rmse_m),
+        walls_within(cells, "walls_within_nine_in_ten", &TruthRun::wall_rmse_nine_in_ten_m)}) {
+    if (share) {
+      figures.push_back(*share);
+    }
+  }
   if (!ratios.empty()) {
     figures.push_back({"time_ratio", tests::median(ratios), "", ratios.size(), {}});
   }
@@ -107,6 +137,8 @@ MarkdownTable ends_table(const std::vector<EndsCell>& cells) {
                        "`coverage`",
                        "`floor_seen`",
                        "`free_iou`",
+                       "`wall_rmse_m`",
+                       "expected",
                        "stops",
                        "robot time",
                        "nxt-farthest"},
@@ -121,6 +153,13 @@ MarkdownTable ends_table(const std::vector<EndsCell>& cells) {
              cell.runs, "{:.2f}", [](const TruthRun& run) { return run.score.fitted.floor_seen; }),
          median_text(
              cell.runs, "{:.3f}", [](const TruthRun& run) { return run.score.start.map.free_iou; }),
+         median_text(
+             cell.runs,
+             "{:.3f}",
+             [](const TruthRun& run) { return run.score.start.map.wall_rmse_m.value_or(0.0); }),
+         median_text(cell.runs,
+                     "{:.3f}",
+                     [](const TruthRun& run) { return run.expected_wall_rmse_m.value_or(0.0); }),
          median_text(cell.runs,
                      "{:.0f}",
                      [](const TruthRun& run) { return static_cast<double>(run.stops); }),

@@ -51,12 +51,26 @@ TEST(EndsFigures, CompareTimesWhereBothFinishHalfOfTheirRuns) {
   EXPECT_EQ(value_of(figures, "bad.time_ratio"), std::nullopt);
 }
 
+TEST(EndsFigures, TellHowManyMapsAreAsWrongAsTheySay) {
+  EndsCell cell{"room", 4, {}, {}};
+  for (const double wall_rmse_m : {0.03, 0.045, 0.05, 0.2}) {
+    cell.runs.push_back(ended(true, 1.0, 1.0, 10.0));
+    cell.runs.back().score.start.map.wall_rmse_m = wall_rmse_m;
+    cell.runs.back().expected_wall_rmse_m = 0.04;
+    cell.runs.back().wall_rmse_nine_in_ten_m = 0.08;
+  }
+  const auto figures = ends_figures({cell});
+  EXPECT_EQ(value_of(figures, "walls_within_median"), 0.25);
+  EXPECT_EQ(value_of(figures, "walls_within_nine_in_ten"), 0.75);
+  EXPECT_EQ(value_of(ends_figures(a_good_and_a_bad_room()), "walls_within_median"), std::nullopt);
+}
+
 TEST(EndsFigures, HaveARowForEachRoom) {
   const MarkdownTable table = ends_table(a_good_and_a_bad_room());
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.rows[0][1], "2 of 3");
-  EXPECT_EQ(table.rows[0][7], "110 s");
-  EXPECT_EQ(table.rows[1][7], "-");
+  EXPECT_EQ(table.rows[0][9], "110 s");
+  EXPECT_EQ(table.rows[1][9], "-");
   EXPECT_EQ(table.rows[0].size(), table.header.size());
 }
 

@@ -46,23 +46,31 @@ TEST(RunEnding, KeepsItsCodeWhereTheFaultAllowsAMap) {
 }
 
 TEST(RunEnding, OfAMapThatHasWhatTheRobotCanReachIsFinished) {
-  const RunEnding ending = ending_of(FinishReason::kComplete, coverage(14.2, 0.2), kNext);
+  const RunEnding ending = ending_of(FinishReason::kComplete, coverage(14.2, 0.2), {}, kNext);
   EXPECT_TRUE(ending.finished());
   EXPECT_EQ(ending.outcome, "complete");
   EXPECT_EQ(ending.why, "the map has 98 % of the floor that the robot can reach, 14.2 m²");
   EXPECT_EQ(ending.next, kNext.use);
 }
 
+TEST(RunEnding, TellsWhatIsExpectedOfTheWalls) {
+  const RunEnding ending = ending_of(
+      FinishReason::kComplete, coverage(14.2, 0.2), mapping::ExpectedWallError{0.04, 0.081}, kNext);
+  EXPECT_EQ(ending.why,
+            "the map has 98 % of the floor that the robot can reach, 14.2 m², walls off by about 4 "
+            "cm (in one of ten such maps by more than 8 cm)");
+}
+
 TEST(RunEnding, NamesTheGapThatWasTooNarrow) {
   Coverage seen = coverage(10.0, 0.0);
   seen.gaps.push_back({{3.1, 1.2}, 0.15, 4.0});
-  EXPECT_EQ(ending_of(FinishReason::kComplete, seen, kNext).why,
+  EXPECT_EQ(ending_of(FinishReason::kComplete, seen, {}, kNext).why,
             "the map has 100 % of the floor that the robot can reach, 10.0 m²; a gap of 0.15 m at "
             "(3.1, 1.2) was too narrow for it");
 }
 
 TEST(RunEnding, OfAStrategyThatCallsHalfARoomCompleteIsUnfinished) {
-  const RunEnding ending = ending_of(FinishReason::kComplete, coverage(6.0, 6.0), kNext);
+  const RunEnding ending = ending_of(FinishReason::kComplete, coverage(6.0, 6.0), {}, kNext);
   EXPECT_EQ(ending.code, ExitCode::kUnfinished);
   EXPECT_EQ(ending.why,
             "the map has 50 % of the floor that the robot can reach, 6.0 m²; most of what is "
@@ -71,16 +79,16 @@ TEST(RunEnding, OfAStrategyThatCallsHalfARoomCompleteIsUnfinished) {
 }
 
 TEST(RunEnding, AtALimitSaysSoAndIsJudgedByTheMap) {
-  const RunEnding cut = ending_of(FinishReason::kStopLimit, coverage(6.0, 2.0), kNext);
+  const RunEnding cut = ending_of(FinishReason::kStopLimit, coverage(6.0, 2.0), {}, kNext);
   EXPECT_EQ(cut.code, ExitCode::kUnfinished);
   EXPECT_THAT(cut.why, HasSubstr("it came to the limit of its stops; the map has 75 %"));
-  EXPECT_TRUE(ending_of(FinishReason::kStopLimit, coverage(6.0, 0.1), kNext).finished());
-  EXPECT_TRUE(ending_of(FinishReason::kNoNewGround, coverage(6.0, 0.1), kNext).finished());
+  EXPECT_TRUE(ending_of(FinishReason::kStopLimit, coverage(6.0, 0.1), {}, kNext).finished());
+  EXPECT_TRUE(ending_of(FinishReason::kNoNewGround, coverage(6.0, 0.1), {}, kNext).finished());
 }
 
 TEST(RunEnding, WithoutASonarTheStrategyIsBelieved) {
-  EXPECT_TRUE(ending_of(FinishReason::kComplete, std::nullopt, kNext).finished());
-  const RunEnding ending = ending_of(FinishReason::kNowhereToGo, std::nullopt, kNext);
+  EXPECT_TRUE(ending_of(FinishReason::kComplete, std::nullopt, {}, kNext).finished());
+  const RunEnding ending = ending_of(FinishReason::kNowhereToGo, std::nullopt, {}, kNext);
   EXPECT_EQ(ending.code, ExitCode::kUnfinished);
   EXPECT_EQ(ending.why, "it found no way on");
 }
@@ -104,7 +112,7 @@ TEST(RunEnding, OfATroubleIsThatOfTheTroubleWhateverTheMapHas) {
                 ExitCode::kRuntimeError,
                 "check the sonar's wiring and its supply, then start again"},
        }) {
-    const RunEnding ending = ending_of(one.reason, coverage(10.0, 0.0), kNext);
+    const RunEnding ending = ending_of(one.reason, coverage(10.0, 0.0), {}, kNext);
     EXPECT_EQ(ending.outcome, name_of(one.reason));
     EXPECT_EQ(ending.code, one.code) << ending.outcome;
     EXPECT_EQ(ending.next, one.next);
@@ -156,7 +164,7 @@ TEST(RunEnding, OfALocalizationNamesThePlacesThatFit) {
 
 TEST(RunEnding, IsInTheSummary) {
   exports::RunSummary summary;
-  describe_ending(ending_of(FinishReason::kStopLimit, coverage(6.0, 2.0), kNext), summary);
+  describe_ending(ending_of(FinishReason::kStopLimit, coverage(6.0, 2.0), {}, kNext), summary);
   EXPECT_EQ(summary.outcome, "stop-limit");
   EXPECT_FALSE(summary.finished);
   EXPECT_FALSE(summary.why.empty());
