@@ -58,8 +58,8 @@ class RangeTable {
     return map_.state(cell) == mapping::CellState::kFree;
   }
 
-  /// Ranges up to the greatest in 84 equal parts, by threes: what is faced, what is seen aslant, and
-  /// where the known floor ends.
+  /// Ranges up to the greatest in 84 equal parts, by threes: what is faced, what is seen aslant,
+  /// and where the known floor ends.
   std::uint8_t code_of(const models::ExpectedRange& expected) const;
   /// The middle of a code's part; nothing for kNothing. kNoFloor has none.
   models::ExpectedRange expected_of(std::uint8_t code) const;

@@ -12,8 +12,8 @@ namespace echomap::localization {
 
 /// How differently a map looks from several places: where a robot that may be at any of them has to
 /// go so that what it hears there tells them apart (active localization, Fox, Burgard and Thrun
-/// 1998, with a difference of views in place of the entropy of a belief). Where the map does not know
-/// what a ray meets, a range tells places apart only as far as one of them has floor there.
+/// 1998, with a difference of views in place of the entropy of a belief). Where the map does not
+/// know what a ray meets, a range tells places apart only as far as one of them has floor there.
 class ViewDifference {
  public:
   /// Of a sensor that sees so far, metres.

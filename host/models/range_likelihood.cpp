@@ -66,8 +66,8 @@ double BeamModel::unseen_likelihood(std::optional<double> range_m, double edge_m
                                params_.unseen_silent_chance - params_.unseen_edge_chance;
   const double before_m = std::max(edge_m, params_.unseen_edge_stddev_m);
   const double beyond_m = std::max(params_.max_range_m - edge_m, params_.unseen_edge_stddev_m);
-  const double at_edge = params_.unseen_edge_chance *
-                         normal_density(*range_m - edge_m, params_.unseen_edge_stddev_m);
+  const double at_edge =
+      params_.unseen_edge_chance * normal_density(*range_m - edge_m, params_.unseen_edge_stddev_m);
   const double aside =
       *range_m < edge_m ? params_.short_chance / before_m : beyond_chance / beyond_m;
   return at_edge + aside + params_.random_chance / params_.max_range_m;

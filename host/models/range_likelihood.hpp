@@ -47,8 +47,9 @@ struct BeamModelParams {
 
 /// The beam model of range finders (Thrun, Burgard and Fox 2005, equation 6.12) with a chance more:
 /// that the nearest thing is not seen, as a smooth wall is not by a sonar, so that what answers
-/// stands farther off. Short readings are spread evenly up to the expected range. Where the map does
-/// not know what a ray meets, the model says little of the reading, and not that nothing is there.
+/// stands farther off. Short readings are spread evenly up to the expected range. Where the map
+/// does not know what a ray meets, the model says little of the reading, and not that nothing is
+/// there.
 class BeamModel {
  public:
   /// Throws std::invalid_argument for chances that leave nothing for a hit, and for a noise or
@@ -66,9 +67,9 @@ class BeamModel {
 /// A small sonar with a wide cone whose expected range is that of the first obstacle in the cone:
 /// HC-SR04, NXT, EV3. The chances are between what a room of mirrors and one of cloth would have:
 /// in the simulated rooms of smooth walls what is seen aslant is heard by 25 to 35 of 100 pings,
-/// missed by 30 to 36 and silent for 30 to 42; what is not, is heard by 86 to 93. In the robots' own
-/// maps of these rooms silence is as frequent as 15 of 100 where a wall is faced, 43 where it is seen
-/// aslant and 37 where the known floor ends.
+/// missed by 30 to 36 and silent for 30 to 42; what is not, is heard by 86 to 93. In the robots'
+/// own maps of these rooms silence is as frequent as 15 of 100 where a wall is faced, 43 where it
+/// is seen aslant and 37 where the known floor ends.
 BeamModelParams sonar_cone_returns();
 /// A laser scanner that sees nearly everything, among people.
 BeamModelParams laser_returns();

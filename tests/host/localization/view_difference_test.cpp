@@ -47,8 +47,8 @@ TEST(ViewDifference, IsNothingWhereTheMapKnowsNotWhatIsSeen) {
   const std::string open_row = "#" + std::string(24, '.') + "    ";
   const std::string walls(28, '#');
   const auto telling = [&](const std::string& floor) {
-    const ViewDifference views(
-        tests::map_from({walls, floor, floor, floor, floor, walls}, 0.1), 2.0);
+    const ViewDifference views(tests::map_from({walls, floor, floor, floor, floor, walls}, 0.1),
+                               2.0);
     return views.telling({{{0.6, 0.3, std::numbers::pi}, Eigen::Matrix3d::Identity(), 0.5},
                           {{2.0, 0.3, 0.0}, Eigen::Matrix3d::Identity(), 0.5}},
                          {});
