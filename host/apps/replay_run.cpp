@@ -97,7 +97,7 @@ void save_summary(const fs::path& folder,
                           "free_area_m2",
                           "coverage",
                           "expected_wall_rmse_m",
-                          "wall_rmse_nine_in_ten_m"}) {
+                          "wall_rmse_p90_m"}) {
     run[key] = made.at(key);
   }
   run["replay"] = replay;

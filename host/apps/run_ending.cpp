@@ -102,7 +102,6 @@ std::string text_of(const exploration::NarrowGap& gap) {
 /// Rounded down: what is not all is not called all.
 int percent(double share) { return static_cast<int>(100.0 * share); }
 
-/// Of a map's coverage, and of its walls where it tells of them.
 std::string text_of(const Coverage& coverage,
                     const std::optional<mapping::ExpectedWallError>& walls) {
   std::string text =
@@ -110,10 +109,10 @@ std::string text_of(const Coverage& coverage,
                   percent(coverage.share()),
                   coverage.seen_m2);
   if (walls) {
-    text += fmt::format(
-        ", walls off by about {:.0f} cm (in one of ten such maps by more than {:.0f} cm)",
-        100.0 * walls->median_m,
-        100.0 * walls->nine_in_ten_m);
+    text +=
+        fmt::format(", walls off by about {:.0f} cm (9 in 10 such maps: by less than {:.0f} cm)",
+                    100.0 * walls->median_m,
+                    100.0 * walls->p90_m);
   }
   if (coverage.share() < kFinishedShare && !coverage.places.empty()) {
     const auto& place = coverage.places.front();
@@ -248,7 +247,7 @@ void describe_walls(const std::optional<mapping::ExpectedWallError>& walls,
                     exports::RunSummary& summary) {
   if (walls) {
     summary.expected_wall_rmse_m = walls->median_m;
-    summary.wall_rmse_nine_in_ten_m = walls->nine_in_ten_m;
+    summary.wall_rmse_p90_m = walls->p90_m;
   }
 }
 

@@ -85,6 +85,9 @@ void RunWriter::save_previous_maps() {
     const fs::path folder = previous_map_of(out_, i + 1);
     exports::RunSummary summary = summary_;
     summary.outcome = "set-aside";
+    summary.coverage.reset();
+    summary.expected_wall_rmse_m.reset();
+    summary.wall_rmse_p90_m.reset();
     fs::create_directories(folder);
     exports::ObservationsFile(folder / kRecordName).save(previous[i].record, false);
     save_map(previous[i].pipeline, robot_.profile(), folder, summary, {.align = align_});

@@ -75,7 +75,7 @@ std::string to_json_text(const RunSummary& summary) {
       {"next", summary.next},
       {"coverage", summary.coverage ? to_json(*summary.coverage) : nlohmann::ordered_json()},
       {"expected_wall_rmse_m", or_null(summary.expected_wall_rmse_m)},
-      {"wall_rmse_nine_in_ten_m", or_null(summary.wall_rmse_nine_in_ten_m)},
+      {"wall_rmse_p90_m", or_null(summary.wall_rmse_p90_m)},
       {"robot_fault",
        summary.robot_fault ? to_json(*summary.robot_fault) : nlohmann::ordered_json()},
       {"robot", summary.robot},

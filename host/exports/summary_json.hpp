@@ -71,7 +71,7 @@ struct RunSummary {
   /// What the map's walls are expected to be off by: half of such maps are better, and nine in ten.
   /// Empty while it drives, and without multiscan SLAM.
   std::optional<double> expected_wall_rmse_m;
-  std::optional<double> wall_rmse_nine_in_ten_m;
+  std::optional<double> wall_rmse_p90_m;
   std::optional<FaultSummary> robot_fault;
   std::string robot;
   /// What placed the robot on its map: slam::NamedSlam::name, or "none" for its odometry.

@@ -70,16 +70,24 @@ LocalizerParams epuck_params(const LocalizedRobot& robot) {
   return params;
 }
 
-/// A sonar's reading ends at the first thing in its cone; a laser's is matched at its end.
+/// A sonar's reading ends at the first thing in its cone.
+std::unique_ptr<ObservationModel> cone_model(const mapping::RasterMap& map,
+                                             const LocalizedRobot& robot,
+                                             models::BeamModelParams returns,
+                                             bool ends_with_known_floor) {
+  returns.max_range_m = robot.max_range_m;
+  return std::make_unique<RangeTableModel>(
+      RangeTable(map, {robot.beam_half_angle_rad, robot.max_range_m, ends_with_known_floor}),
+      models::BeamModel(returns));
+}
+
+/// A laser's reading is matched at its end.
 std::unique_ptr<ObservationModel> default_model(const mapping::RasterMap& map,
                                                 const LocalizedRobot& robot) {
   if (robot.is_light) {
     return std::make_unique<LikelihoodFieldModel>(map);
   }
-  models::BeamModelParams returns = models::sonar_cone_returns();
-  returns.max_range_m = robot.max_range_m;
-  return std::make_unique<RangeTableModel>(
-      RangeTable(map, {robot.beam_half_angle_rad, robot.max_range_m}), models::BeamModel(returns));
+  return cone_model(map, robot, models::sonar_cone_returns(), false);
 }
 
 std::unique_ptr<ObservationModel> nxt_model(const mapping::RasterMap& map,
@@ -143,6 +151,12 @@ std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
       break;
   }
   return default_model(map, robot);
+}
+
+std::unique_ptr<ObservationModel> own_map_model(const mapping::RasterMap& map,
+                                                const LocalizedRobot& robot) {
+  return robot.is_light ? default_model(map, robot)
+                        : cone_model(map, robot, models::sonar_cone_returns_in_own_map(), true);
 }
 
 }  // namespace echomap::localization

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
+#include "host/localization/known_floor.hpp"
 #include "host/mapping/ray_casting.hpp"
 
 namespace echomap::localization {
@@ -14,11 +16,6 @@ namespace {
 
 using geometry::CellIndex;
 
-/// Facing, oblique, unseen.
-constexpr std::int32_t kKinds = 3;
-constexpr std::int32_t kParts = (RangeTable::kNothing - 1) / kKinds;
-/// Walls have a seam of unknown cells before them that is not wider.
-constexpr float kSeamM = 0.15F;
 /// The nearest thing is seen aslant where it is one of so many rays at the edge of the cone.
 constexpr std::ptrdiff_t kEdgeRays = 2;
 
@@ -57,9 +54,15 @@ std::size_t codes_begin(CellIndex cell) {
 
 RangeTable::RangeTable(const mapping::RasterMap& map, const RangeTableParams& params)
     : params_(validated(params, map)),
-      map_(mapping::cut_out(map, {{-1, -1}, {map.columns(), map.rows()}})),
+      map_(with_unknown_ring(map)),
       field_(map_, params.max_range_m),
-      known_floor_(mapping::with_unknown_occupied(map_), params.max_range_m),
+      known_floor_(params.ends_with_known_floor
+                       ? std::optional<mapping::DistanceField>(std::in_place,
+                                                               mapping::with_unknown_occupied(map_),
+                                                               params.max_range_m)
+                       : std::nullopt),
+      kinds_(params.ends_with_known_floor ? 3 : 2),
+      parts_((kNothing - 2) / kinds_),
       tile_columns_(static_cast<std::int32_t>(tiles_along(map_.columns()))),
       directions_(directions(params.beam_half_angle_rad)),
       rays_aside_(static_cast<std::int32_t>(params.beam_half_angle_rad *
@@ -71,18 +74,18 @@ std::uint8_t RangeTable::code_of(const models::ExpectedRange& expected) const {
   if (!expected.range_m || *expected.range_m >= params_.max_range_m) {
     return kNothing;
   }
-  const double part = std::max(0.0, *expected.range_m) / params_.max_range_m * kParts;
+  const double part = std::max(0.0, *expected.range_m) / params_.max_range_m * parts_;
   const std::int32_t kind = expected.is_unseen ? 2 : expected.is_oblique ? 1 : 0;
-  return static_cast<std::uint8_t>(1 + kKinds * static_cast<std::int32_t>(part) + kind);
+  return static_cast<std::uint8_t>(1 + kinds_ * static_cast<std::int32_t>(part) + kind);
 }
 
 models::ExpectedRange RangeTable::expected_of(std::uint8_t code) const {
   if (code == kNothing) {
     return {};
   }
-  const int part = (code - 1) / kKinds;
-  const int kind = (code - 1) % kKinds;
-  return {(part + 0.5) * params_.max_range_m / kParts, kind == 1, kind == 2};
+  const int part = (code - 1) / kinds_;
+  const int kind = (code - 1) % kinds_;
+  return {(part + 0.5) * params_.max_range_m / parts_, kind == 1, kind == 2};
 }
 
 void RangeTable::fill_tile(std::int32_t number) {
@@ -109,7 +112,7 @@ std::span<const std::uint8_t, RangeTable::kHeadings> RangeTable::codes_at(CellIn
 std::size_t RangeTable::memory_bytes() const {
   const auto cells = static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
   return filled_.size() * sizeof(Tile) + tiles_.capacity() * sizeof(Tile*) +
-         cells * (2 * sizeof(float) + sizeof(mapping::CellState));
+         cells * ((known_floor_ ? 2 : 1) * sizeof(float) + sizeof(mapping::CellState));
 }
 
 bool RangeTable::has_floor(CellIndex first) const {
@@ -146,11 +149,14 @@ void RangeTable::look_round(CellIndex cell, std::uint8_t* codes) const {
   // Once more round, so that a cone is a stretch of rays.
   std::copy_n(ranges_m.begin(), rays, ranges_m.begin() + static_cast<std::ptrdiff_t>(rays));
   std::array<float, kMaxRays> known_m{};
-  mapping::cast_rays(known_floor_,
-                     map_.center_m(cell),
-                     directions_,
-                     params_.max_range_m,
-                     std::span(known_m).first(rays));
+  known_m.fill(static_cast<float>(params_.max_range_m));
+  if (known_floor_) {
+    mapping::cast_rays(*known_floor_,
+                       map_.center_m(cell),
+                       directions_,
+                       params_.max_range_m,
+                       std::span(known_m).first(rays));
+  }
   const std::size_t stride = rays / kHeadings;
   const std::ptrdiff_t in_cone = 2 * rays_aside_ + 1;
   for (std::size_t heading = 0; heading < kHeadings; ++heading) {
@@ -161,7 +167,7 @@ void RangeTable::look_round(CellIndex cell, std::uint8_t* codes) const {
     const bool is_oblique =
         rays_aside_ > 0 && (nearest < kEdgeRays || nearest >= in_cone - kEdgeRays);
     const float known_on_axis_m = known_m[heading * stride];
-    const bool is_unseen = known_on_axis_m + kSeamM < first[nearest];
+    const bool is_unseen = leaves_known_floor(known_on_axis_m, first[nearest]);
     codes[heading] = code_of(is_unseen ? models::ExpectedRange{known_on_axis_m, false, true}
                                        : models::ExpectedRange{first[nearest], is_oblique});
   }

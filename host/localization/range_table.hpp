@@ -23,13 +23,16 @@ struct RangeTableParams {
   double beam_half_angle_rad = 0.0;
   /// What is farther off returns nothing, metres; at most 2000 cells.
   double max_range_m = 4.0;
+  /// Whether rays end where the known floor does; else they pass through unknown cells, as over a
+  /// hole that nobody can drive through.
+  bool ends_with_known_floor = false;
 };
 
 /// What a range sensor is to expect in each free cell of a map for each of 128 headings, as a byte:
-/// the range of the nearest thing in its cone, seen from the middle of the cell, or of where the
-/// known floor ends along its axis, if that is well before. Thin rays are cast, and a cone is the
-/// least of those within it. A hypothesis then costs a look-up a reading,
-/// however many obstacles there are (Fox, Burgard and Thrun 1999).
+/// the range of the nearest thing in its cone, seen from the middle of the cell, or, if that is
+/// asked for and well before, of where the known floor ends along its axis. Thin rays are cast, and
+/// a cone is the least of those within it. A hypothesis then costs a look-up a reading, however
+/// many obstacles there are (Fox, Burgard and Thrun 1999).
 ///
 /// Cells lie in tiles of 16 x 16, 32 KB each, which are filled when they are first asked for: a
 /// robot that knows where it is pays for its surroundings only. A ring of cells without floor
@@ -58,8 +61,8 @@ class RangeTable {
     return map_.state(cell) == mapping::CellState::kFree;
   }
 
-  /// Ranges up to the greatest in 84 equal parts, by threes: what is faced, what is seen aslant,
-  /// and where the known floor ends.
+  /// Ranges up to the greatest in 126 equal parts for what is faced and what is seen at oblique
+  /// incidence, in 84 where the end of the known floor is a third kind.
   std::uint8_t code_of(const models::ExpectedRange& expected) const;
   /// The middle of a code's part; nothing for kNothing. kNoFloor has none.
   models::ExpectedRange expected_of(std::uint8_t code) const;
@@ -87,7 +90,9 @@ class RangeTable {
   RangeTableParams params_;
   mapping::RasterMap map_;
   mapping::DistanceField field_;
-  mapping::DistanceField known_floor_;
+  std::optional<mapping::DistanceField> known_floor_;
+  std::int32_t kinds_;
+  std::int32_t parts_;
   std::int32_t tile_columns_;
   std::vector<Eigen::Vector2f> directions_;  ///< Of the rays that are cast.
   std::int32_t rays_aside_;                  ///< So many lie in the cone on either side.

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "host/geometry/unit_vector.hpp"
+#include "host/localization/known_floor.hpp"
 #include "host/mapping/ray_casting.hpp"
 
 namespace echomap::localization {
@@ -17,14 +19,12 @@ constexpr float kMaxDifferenceM = 0.5F;
 /// The rest is too improbable to be worth a way.
 constexpr std::size_t kMaxPlaces = 8;
 
-/// Walls have a seam of unknown cells before them that is not wider.
-constexpr float kSeamM = 0.15F;
-
 }  // namespace
 
 ViewDifference::ViewDifference(const mapping::RasterMap& map, double max_range_m)
-    : surfaces_(map, max_range_m),
-      known_floor_(mapping::with_unknown_occupied(map), max_range_m),
+    : map_(with_unknown_ring(map)),
+      surfaces_(map_, max_range_m),
+      known_floor_(mapping::with_unknown_occupied(map_), max_range_m),
       max_range_m_(max_range_m) {}
 
 /// By how much the floor that one place is known to have reaches beyond the surface of the other.
@@ -33,7 +33,7 @@ double ViewDifference::difference(const View& one, const View& other) {
   for (std::size_t i = 0; i < kRays; ++i) {
     float apart_m = 0.0F;
     for (const auto& [seen, beyond] : {std::pair(&one, &other), std::pair(&other, &one)}) {
-      if (seen->surface_m[i] <= seen->floor_m[i] + kSeamM) {
+      if (!leaves_known_floor(seen->floor_m[i], seen->surface_m[i])) {
         apart_m = std::max(apart_m, beyond->floor_m[i] - seen->surface_m[i]);
       }
     }
@@ -49,8 +49,12 @@ ViewDifference::View ViewDifference::view_from(const geometry::Pose2& T_map_robo
     directions.emplace_back(
         geometry::unit_vector(T_map_robot.heading_rad() + bearing_rad).cast<float>());
   }
-  View view{std::vector<float>(kRays), std::vector<float>(kRays)};
+  View view{std::vector<float>(kRays, 0.0F),
+            std::vector<float>(kRays, std::numeric_limits<float>::infinity())};
   const Eigen::Vector2d from_m = T_map_robot.position_m();
+  if (map_.state(map_.cell_at(from_m)) != mapping::CellState::kFree) {
+    return view;
+  }
   mapping::cast_rays(known_floor_, from_m, directions, max_range_m_, view.floor_m);
   mapping::cast_rays(surfaces_, from_m, directions, max_range_m_, view.surface_m);
   return view;

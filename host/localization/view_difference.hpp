@@ -13,7 +13,8 @@ namespace echomap::localization {
 /// How differently a map looks from several places: where a robot that may be at any of them has to
 /// go so that what it hears there tells them apart (active localization, Fox, Burgard and Thrun
 /// 1998, with a difference of views in place of the entropy of a belief). Where the map does not
-/// know what a ray meets, a range tells places apart only as far as one of them has floor there.
+/// know what a ray meets, a range tells places apart only as far as one of them has floor there; a
+/// goal that is not on floor tells nothing.
 class ViewDifference {
  public:
   /// Of a sensor that sees so far, metres.
@@ -35,6 +36,7 @@ class ViewDifference {
   View view_from(const geometry::Pose2& T_map_robot) const;
   static double difference(const View& one, const View& other);
 
+  mapping::RasterMap map_;
   mapping::DistanceField surfaces_;
   mapping::DistanceField known_floor_;
   double max_range_m_;

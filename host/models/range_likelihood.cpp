@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "host/models/normal_density.hpp"
@@ -23,9 +24,9 @@ BeamModel::BeamModel(const BeamModelParams& params) : params_(params) {
       always + std::max({params.missed_chance + params.silent_chance,
                          params.oblique_missed_chance + params.oblique_silent_chance,
                          params.unseen_silent_chance + params.unseen_edge_chance});
-  const double least_noise_m = std::min(params.hit_stddev_m, params.unseen_edge_stddev_m);
-  const double most_noise_m = std::max(params.hit_stddev_m, params.unseen_edge_stddev_m);
-  const bool noise_ok = least_noise_m > 0.0 && std::isfinite(most_noise_m);
+  const double min_noise_m = std::min(params.hit_stddev_m, params.unseen_edge_stddev_m);
+  const double max_noise_m = std::max(params.hit_stddev_m, params.unseen_edge_stddev_m);
+  const bool noise_ok = min_noise_m > 0.0 && std::isfinite(max_noise_m);
   const bool range_ok = params.max_range_m > 0.0 && std::isfinite(params.max_range_m);
   if (!(most < 1.0) || !(least >= 0.0) || !noise_ok || !range_ok) {
     throw std::invalid_argument(
@@ -64,12 +65,13 @@ double BeamModel::unseen_likelihood(std::optional<double> range_m, double edge_m
   }
   const double beyond_chance = 1.0 - params_.short_chance - params_.random_chance -
                                params_.unseen_silent_chance - params_.unseen_edge_chance;
-  const double before_m = std::max(edge_m, params_.unseen_edge_stddev_m);
-  const double beyond_m = std::max(params_.max_range_m - edge_m, params_.unseen_edge_stddev_m);
+  const double stddev_m = params_.unseen_edge_stddev_m;
+  const double beyond_m = params_.max_range_m - edge_m;
+  const double possible = 0.5 * (std::erf(edge_m / stddev_m / std::numbers::sqrt2) +
+                                 std::erf(beyond_m / stddev_m / std::numbers::sqrt2));
   const double at_edge =
-      params_.unseen_edge_chance * normal_density(*range_m - edge_m, params_.unseen_edge_stddev_m);
-  const double aside =
-      *range_m < edge_m ? params_.short_chance / before_m : beyond_chance / beyond_m;
+      params_.unseen_edge_chance * normal_density(*range_m - edge_m, stddev_m) / possible;
+  const double aside = *range_m < edge_m ? params_.short_chance / edge_m : beyond_chance / beyond_m;
   return at_edge + aside + params_.random_chance / params_.max_range_m;
 }
 
@@ -77,14 +79,21 @@ BeamModelParams sonar_cone_returns() {
   return {.hit_stddev_m = 0.08,
           .short_chance = 0.03,
           .missed_chance = 0.06,
-          .silent_chance = 0.12,
+          .silent_chance = 0.06,
           .random_chance = 0.03,
           .oblique_missed_chance = 0.25,
-          .oblique_silent_chance = 0.4,
+          .oblique_silent_chance = 0.25,
           .unseen_silent_chance = 0.37,
           .unseen_edge_chance = 0.35,
           .unseen_edge_stddev_m = 0.15,
           .max_range_m = 4.0};
+}
+
+BeamModelParams sonar_cone_returns_in_own_map() {
+  BeamModelParams params = sonar_cone_returns();
+  params.silent_chance = 0.12;
+  params.oblique_silent_chance = 0.4;
+  return params;
 }
 
 BeamModelParams laser_returns() {

@@ -66,11 +66,13 @@ class BeamModel {
 
 /// A small sonar with a wide cone whose expected range is that of the first obstacle in the cone:
 /// HC-SR04, NXT, EV3. The chances are between what a room of mirrors and one of cloth would have:
-/// in the simulated rooms of smooth walls what is seen aslant is heard by 25 to 35 of 100 pings,
-/// missed by 30 to 36 and silent for 30 to 42; what is not, is heard by 86 to 93. In the robots'
-/// own maps of these rooms silence is as frequent as 15 of 100 where a wall is faced, 43 where it
-/// is seen aslant and 37 where the known floor ends.
+/// in the simulated rooms of smooth walls what is seen at oblique incidence is heard by 25 to 35 of
+/// 100 pings, missed by 30 to 36 and silent for 30 to 42; what is not, is heard by 86 to 93.
 BeamModelParams sonar_cone_returns();
+/// The same in a map that a robot has made of its echoes. There the sonar was silent for 15 of 100
+/// pings where the map has a wall that is faced, for 43 where it is seen at oblique incidence and
+/// for 37 where the known floor ends; the first two are set a little lower, as above.
+BeamModelParams sonar_cone_returns_in_own_map();
 /// A laser scanner that sees nearly everything, among people.
 BeamModelParams laser_returns();
 

@@ -34,6 +34,7 @@ localization::LocalizedRobot robot_of(const sensors::RangeScan& scan) {
 /// The particle filter, what it knows of the range sensor, and what checks it.
 struct RobotLocalizer::Filter {
   std::unique_ptr<localization::ObservationModel> observation;
+  std::unique_ptr<localization::ObservationModel> places;
   localization::MonteCarloLocalizer localizer;
   localization::PlaceCheck check;
   double max_range_m;
@@ -70,8 +71,10 @@ void RobotLocalizer::make_filter(const localization::LocalizedRobot& robot) {
   auto observation = localization::observation_model(params_.preset, map_, robot);
   localization::MonteCarloLocalizer localizer(
       *observation, localization::localizer_params(params_.preset, robot), random_);
-  localization::PlaceCheck check(*observation);
+  auto places = localization::own_map_model(map_, robot);
+  localization::PlaceCheck check(*places);
   filter_ = std::make_unique<Filter>(std::move(observation),
+                                     std::move(places),
                                      std::move(localizer),
                                      std::move(check),
                                      robot.max_range_m,

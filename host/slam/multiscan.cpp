@@ -48,6 +48,7 @@ void MultiscanGathering::step_to(const geometry::Pose2& T_odom_robot, bool is_ca
   if (!T_odom_last_) {
     open_.T_odom_begin = T_odom_robot;
     T_odom_last_ = T_odom_robot;
+    return;
   }
   const geometry::Pose2 T_last_robot = T_odom_last_->inverse() * T_odom_robot;
   const double travelled_m = T_last_robot.position_m().norm();

@@ -65,11 +65,14 @@ std::optional<double> time_ratio_of(const EndsCell& cell) {
   return time_s && peer_s ? std::optional(*time_s / *peer_s) : std::nullopt;
 }
 
+/// Of the runs that have a value.
 template <class Value>
 std::string median_text(const std::vector<TruthRun>& runs, const char* format, Value&& value) {
   std::vector<double> values;
   for (const TruthRun& run : runs) {
-    values.push_back(value(run));
+    if (const std::optional<double> of_run = value(run)) {
+      values.push_back(*of_run);
+    }
   }
   return values.empty() ? "-" : fmt::format(fmt::runtime(format), tests::median(values));
 }
@@ -118,7 +121,7 @@ std::vector<Figure> ends_figures(const std::vector<EndsCell>& cells) {
   }
   for (const auto& share :
        {walls_within(cells, "walls_within_median", &TruthRun::expected_wall_rmse_m),
-        walls_within(cells, "walls_within_nine_in_ten", &TruthRun::wall_rmse_nine_in_ten_m)}) {
+        walls_within(cells, "walls_within_p90", &TruthRun::wall_rmse_p90_m)}) {
     if (share) {
       figures.push_back(*share);
     }
@@ -153,13 +156,11 @@ MarkdownTable ends_table(const std::vector<EndsCell>& cells) {
              cell.runs, "{:.2f}", [](const TruthRun& run) { return run.score.fitted.floor_seen; }),
          median_text(
              cell.runs, "{:.3f}", [](const TruthRun& run) { return run.score.start.map.free_iou; }),
-         median_text(
-             cell.runs,
-             "{:.3f}",
-             [](const TruthRun& run) { return run.score.start.map.wall_rmse_m.value_or(0.0); }),
          median_text(cell.runs,
                      "{:.3f}",
-                     [](const TruthRun& run) { return run.expected_wall_rmse_m.value_or(0.0); }),
+                     [](const TruthRun& run) { return run.score.start.map.wall_rmse_m; }),
+         median_text(
+             cell.runs, "{:.3f}", [](const TruthRun& run) { return run.expected_wall_rmse_m; }),
          median_text(cell.runs,
                      "{:.0f}",
                      [](const TruthRun& run) { return static_cast<double>(run.stops); }),

@@ -25,7 +25,7 @@ constexpr double kTrulyFinishedShare = 0.95;
 /// complete_least is the least share of a room; time_ratio the median over rooms of the robot's
 /// time over that of the peer, medians of finished runs, where both finish in half of their runs or
 /// more; coverage_bias the mean of what finished maps say they have and what they have of the
-/// floor; walls_within_median and walls_within_nine_in_ten the shares of runs whose walls are at
+/// floor; walls_within_median and walls_within_p90 the shares of runs whose walls are at
 /// most as wrong as their maps say that half and nine in ten are. The same of each room as
 /// ROOM.FIGURE.
 std::vector<Figure> ends_figures(const std::vector<EndsCell>& cells);

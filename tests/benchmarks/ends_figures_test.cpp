@@ -57,11 +57,11 @@ TEST(EndsFigures, TellHowManyMapsAreAsWrongAsTheySay) {
     cell.runs.push_back(ended(true, 1.0, 1.0, 10.0));
     cell.runs.back().score.start.map.wall_rmse_m = wall_rmse_m;
     cell.runs.back().expected_wall_rmse_m = 0.04;
-    cell.runs.back().wall_rmse_nine_in_ten_m = 0.08;
+    cell.runs.back().wall_rmse_p90_m = 0.08;
   }
   const auto figures = ends_figures({cell});
   EXPECT_EQ(value_of(figures, "walls_within_median"), 0.25);
-  EXPECT_EQ(value_of(figures, "walls_within_nine_in_ten"), 0.75);
+  EXPECT_EQ(value_of(figures, "walls_within_p90"), 0.75);
   EXPECT_EQ(value_of(ends_figures(a_good_and_a_bad_room()), "walls_within_median"), std::nullopt);
 }
 

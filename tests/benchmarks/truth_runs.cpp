@@ -44,10 +44,10 @@ TruthRun run_of(const TruthRobot& robot, const fs::path& folder) {
   run.complete = run.outcome == "complete";
   run.finished = report.at("finished").get<bool>();
   run.coverage = report.at("coverage").at("share").get<double>();
-  const auto expected = nlohmann::json::parse(files::read_text_file(folder / "run/summary.json"));
-  if (!expected.at("expected_wall_rmse_m").is_null()) {
-    run.expected_wall_rmse_m = expected.at("expected_wall_rmse_m").get<double>();
-    run.wall_rmse_nine_in_ten_m = expected.at("wall_rmse_nine_in_ten_m").get<double>();
+  const auto summary = nlohmann::json::parse(files::read_text_file(folder / "run/summary.json"));
+  if (!summary.at("expected_wall_rmse_m").is_null()) {
+    run.expected_wall_rmse_m = summary.at("expected_wall_rmse_m").get<double>();
+    run.wall_rmse_p90_m = summary.at("wall_rmse_p90_m").get<double>();
   }
   run.sim_seconds = report.at("sim_seconds").get<double>();
   run.hard_collisions = truth.at("hard_collisions").get<int>();

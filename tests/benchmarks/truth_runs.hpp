@@ -37,11 +37,11 @@ struct TruthRobot {
 /// What a run came to.
 struct TruthRun {
   std::string outcome;
-  bool complete = false;                          ///< By the strategy's word.
-  bool finished = false;                          ///< By the map's own estimate of what is unseen.
-  double coverage = 0.0;                          ///< That estimate, of 1.
-  std::optional<double> expected_wall_rmse_m;     ///< By the map's own estimate: the median.
-  std::optional<double> wall_rmse_nine_in_ten_m;  ///< The ninth decile.
+  bool complete = false;                       ///< By the strategy's word.
+  bool finished = false;                       ///< By the map's own estimate of what is unseen.
+  double coverage = 0.0;                       ///< That estimate, of 1.
+  std::optional<double> expected_wall_rmse_m;  ///< By the map's own estimate: the median.
+  std::optional<double> wall_rmse_p90_m;       ///< The ninth decile.
   double sim_seconds = 0.0;
   int hard_collisions = 0;
   int bumps = 0;

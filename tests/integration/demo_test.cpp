@@ -90,6 +90,9 @@ TEST_P(ScoredDemo, EndsByItselfAndScoresItsMap) {
   EXPECT_EQ(report.at("outcome"), "complete");
   EXPECT_GE(report.at("free_iou"), 0.85);
   EXPECT_LE(report.at("wall_rmse_m"), 0.06);
+  const auto summary = nlohmann::json::parse(read_text_file(scratch / "run/summary.json"));
+  EXPECT_GT(summary.at("expected_wall_rmse_m"), 0.0);
+  EXPECT_LT(summary.at("expected_wall_rmse_m"), summary.at("wall_rmse_p90_m"));
   EXPECT_TRUE(report.at("kidnap").at("noticed"));
   EXPECT_TRUE(report.at("kidnap").at("found"));
   EXPECT_LE(report.at("kidnap").at("error_m"), 0.15);

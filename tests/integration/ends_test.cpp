@@ -80,7 +80,7 @@ std::vector<End> ends() {
        "complete",
        "finished: the map has N % of the floor that the robot can reach, N m², walls off by about "
        "N "
-       "cm (in one of ten such maps by more than N cm)\n"
+       "cm (N in N such maps: by less than N cm)\n"
        "  next: echomap eval RUN --truth RUN/truth --picture RUN/score.png\n"},
       {"StopLimit",
        {"--world=nxt_room", "--stops=1"},
@@ -119,7 +119,7 @@ std::vector<End> ends() {
        "complete",
        "finished: the map has N % of the floor that the robot can reach, N m², walls off by about "
        "N "
-       "cm (in one of ten such maps by more than N cm)\n"
+       "cm (N in N such maps: by less than N cm)\n"
        "  next: echomap eval RUN --truth RUN/truth --picture RUN/score.png\n",
        kNarrowGap},
       {"Stuck",

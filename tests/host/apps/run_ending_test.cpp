@@ -58,7 +58,7 @@ TEST(RunEnding, TellsWhatIsExpectedOfTheWalls) {
       FinishReason::kComplete, coverage(14.2, 0.2), mapping::ExpectedWallError{0.04, 0.081}, kNext);
   EXPECT_EQ(ending.why,
             "the map has 98 % of the floor that the robot can reach, 14.2 m², walls off by about 4 "
-            "cm (in one of ten such maps by more than 8 cm)");
+            "cm (9 in 10 such maps: by less than 8 cm)");
 }
 
 TEST(RunEnding, NamesTheGapThatWasTooNarrow) {

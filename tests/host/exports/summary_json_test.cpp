@@ -21,6 +21,7 @@ TEST(SummaryJson, HoldsEveryField) {
   summary.previous_maps = 2;
   summary.maps_joined = 1;
   summary.clock_rate_error_ppm = -412.5;
+  summary.expected_wall_rmse_m = 0.25;
   summary.link.frames_lost = 4;
   summary.link.robot_encoder_errors = 70'000;
   const auto json = nlohmann::json::parse(to_json_text(summary));
@@ -33,6 +34,8 @@ TEST(SummaryJson, HoldsEveryField) {
   EXPECT_EQ(json.at("previous_maps"), 2);
   EXPECT_EQ(json.at("maps_joined"), 1);
   EXPECT_EQ(json.at("clock_rate_error_ppm"), -412.5);
+  EXPECT_EQ(json.at("expected_wall_rmse_m"), 0.25);
+  EXPECT_TRUE(json.at("wall_rmse_p90_m").is_null());
   EXPECT_TRUE(json.at("clock_uncertainty_us").is_null());
   EXPECT_TRUE(json.at("pose_stddev_m").is_null());
   EXPECT_TRUE(json.at("pose_stddev_deg").is_null());

@@ -41,21 +41,29 @@ TEST(ViewDifference, IsGreatestWhereOnlyOneOfTwoPlacesHasTheNiche) {
   EXPECT_GT(at_the_niche, here + 0.05);
 }
 
-/// Two places at the ends of a corridor of which one end is open, and may have a wall as well.
-TEST(ViewDifference, IsNothingWhereTheMapKnowsNotWhatIsSeen) {
-  const std::string row = "#" + std::string(24, '.') + "#";
-  const std::string open_row = "#" + std::string(24, '.') + "    ";
-  const std::string walls(28, '#');
-  const auto telling = [&](const std::string& floor) {
-    const ViewDifference views(tests::map_from({walls, floor, floor, floor, floor, walls}, 0.1),
-                               2.0);
-    return views.telling({{{0.6, 0.3, std::numbers::pi}, Eigen::Matrix3d::Identity(), 0.5},
-                          {{2.0, 0.3, 0.0}, Eigen::Matrix3d::Identity(), 0.5}},
-                         {});
-  };
-  EXPECT_LT(telling(open_row), 0.02);
-  EXPECT_LT(telling(row + "##"), 0.02);
-  EXPECT_GT(telling("#" + std::string(18, '.') + "####    #"), 0.02);
+/// Two places, half a metre before the ends of a corridor: of one end the wall is known, and of the
+/// other what `right_end` draws.
+double telling_of_ends(const std::string& right_end) {
+  const std::string floor = "#" + std::string(20, '.') + right_end;
+  const std::string walls(floor.size(), '#');
+  const ViewDifference views(tests::map_from({walls, floor, floor, floor, floor, walls}, 0.1), 1.5);
+  return views.telling({{{0.6, 0.3, std::numbers::pi}, Eigen::Matrix3d::Identity(), 0.5},
+                        {{1.6, 0.3, 0.0}, Eigen::Matrix3d::Identity(), 0.5}},
+                       {});
+}
+
+TEST(ViewDifference, IsNothingWhereTheMapDoesNotKnowWhatIsThere) {
+  EXPECT_LT(telling_of_ends("####"), 0.02);
+  EXPECT_LT(telling_of_ends("    "), 0.02);
+  EXPECT_LT(telling_of_ends(""), 0.02) << "beyond the map nothing is known, either";
+  EXPECT_GT(telling_of_ends("....    "), telling_of_ends("    ") + 0.02)
+      << "floor that is known is no wall";
+}
+
+TEST(ViewDifference, IsNothingOffTheFloor) {
+  const ViewDifference views(kCorridor, 1.0);
+  const std::vector<PoseHypothesis> places{at(1.5, 0.0, 0.5), at(2.5, 0.0, 0.5)};
+  EXPECT_EQ(views.telling(places, Pose2(0.0, 40.0, 0.0)), 0.0);
 }
 
 TEST(ViewDifference, IsNothingForOnePlaceAloneAndForNone) {

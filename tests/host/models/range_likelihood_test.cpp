@@ -12,7 +12,7 @@ namespace {
 
 static_assert(RangeLikelihood<BeamModel>);
 
-const BeamModel kSonar(sonar_cone_returns());
+const BeamModel kSonar(sonar_cone_returns_in_own_map());
 
 /// The integral over all ranges and the chance of no return.
 double total(const BeamModel& model, const ExpectedRange& expected) {
@@ -28,7 +28,9 @@ TEST(BeamModel, IsADensityWhateverIsExpected) {
   for (const double expected_m : {0.5, 1.0, 2.0, 3.5}) {
     EXPECT_NEAR(total(kSonar, {expected_m, false}), 1.0, 0.01) << expected_m;
     EXPECT_NEAR(total(kSonar, {expected_m, true}), 1.0, 0.01) << expected_m;
-    EXPECT_NEAR(total(kSonar, {expected_m, false, true}), 1.0, 0.02) << expected_m;
+  }
+  for (const double edge_m : {0.05, 0.15, 0.5, 2.0, 3.8}) {
+    EXPECT_NEAR(total(kSonar, {edge_m, false, true}), 1.0, 0.01) << edge_m;
   }
   EXPECT_NEAR(total(kSonar, {}), 1.0, 0.01);
 }
@@ -72,6 +74,9 @@ TEST(BeamModel, RefusesChancesThatLeaveNoHit) {
   refuses([](BeamModelParams& params) { params.short_chance = params.missed_chance = 0.5; });
   refuses([](BeamModelParams& params) { params.oblique_missed_chance = 1.0; });
   refuses([](BeamModelParams& params) { params.silent_chance = -0.1; });
+  refuses([](BeamModelParams& params) { params.unseen_silent_chance = 0.9; });
+  refuses([](BeamModelParams& params) { params.unseen_edge_chance = -0.1; });
+  refuses([](BeamModelParams& params) { params.unseen_edge_stddev_m = 0.0; });
   refuses([](BeamModelParams& params) { params.hit_stddev_m = 0.0; });
   refuses([](BeamModelParams& params) { params.max_range_m = 0.0; });
 }

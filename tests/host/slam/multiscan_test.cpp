@@ -79,6 +79,14 @@ TEST(MultiscanGathering, SaysThatOdometryHasJumped) {
   EXPECT_EQ(piece->path_m, 0.0);
 }
 
+TEST(MultiscanGathering, HasNothingToJumpFromBeforeItBegins) {
+  MultiscanGathering gathering({});
+  gathering.carry({3.0, 0.0, 1.0});
+  EXPECT_FALSE(gathering.add({3.0, 0.0, 1.0}, scan_ahead(2.0)));
+  EXPECT_EQ(gathering.piece().jumped_rad, 0.0);
+  EXPECT_EQ(gathering.open().T_odom_begin.x_m(), 3.0);
+}
+
 TEST(MultiscanGathering, TakesAShortStepForAJumpWhereTheRobotWasCarried) {
   MultiscanGathering gathering({});
   gathering.add({}, scan_ahead(2.0));
