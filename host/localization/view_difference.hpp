@@ -14,7 +14,7 @@ namespace echomap::localization {
 /// go so that what it hears there tells them apart (active localization, Fox, Burgard and Thrun
 /// 1998, with a difference of views in place of the entropy of a belief). Where the map does not
 /// know what a ray meets, a range tells places apart only as far as one of them has floor there; a
-/// goal that is not on floor tells nothing.
+/// goal outside of the map tells nothing, one in a wall much.
 class ViewDifference {
  public:
   /// Of a sensor that sees so far, metres.

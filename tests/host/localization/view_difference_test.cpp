@@ -60,7 +60,7 @@ TEST(ViewDifference, IsNothingWhereTheMapDoesNotKnowWhatIsThere) {
       << "floor that is known is no wall";
 }
 
-TEST(ViewDifference, IsNothingOffTheFloor) {
+TEST(ViewDifference, IsNothingOutsideOfTheMap) {
   const ViewDifference views(kCorridor, 1.0);
   const std::vector<PoseHypothesis> places{at(1.5, 0.0, 0.5), at(2.5, 0.0, 0.5)};
   EXPECT_EQ(views.telling(places, Pose2(0.0, 40.0, 0.0)), 0.0);
