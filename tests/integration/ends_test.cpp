@@ -79,16 +79,15 @@ std::vector<End> ends() {
        0,
        "complete",
        "finished: the map has N % of the floor that the robot can reach, N m², walls off by about "
-       "N "
-       "cm (N in N such maps: by less than N cm)\n"
+       "N cm (N in N such maps: by less than N cm)\n"
        "  next: echomap eval RUN --truth RUN/truth --picture RUN/score.png\n"},
       {"StopLimit",
        {"--world=nxt_room", "--stops=1"},
        kUnfinished,
        "stop-limit",
        "echomap: error: not finished; the map so far is saved: it came to the limit of its stops; "
-       "the map has N % of the floor that the robot can reach, N m², walls off by about N cm (in "
-       "one of ten such maps by more than N cm); most of what is unseen is near "
+       "the map has N % of the floor that the robot can reach, N m², walls off by about N cm (N in "
+       "N such maps: by less than N cm); most of what is unseen is near "
        "(N, N)\n  next: echomap demo --world nxt_room --emulator mock\n"},
       {"SonarDead",
        {"--part-faults=sonar-dead@60"},
@@ -109,8 +108,8 @@ std::vector<End> ends() {
        kUnfinished,
        "stop-limit",
        "echomap: error: not finished; the map so far is saved: it came to the limit of its stops; "
-       "the map has N % of the floor that the robot can reach, N m², walls off by about N cm (in "
-       "one of ten such maps by more than N cm); most of what is unseen is near "
+       "the map has N % of the floor that the robot can reach, N m², walls off by about N cm (N in "
+       "N such maps: by less than N cm); most of what is unseen is near "
        "(N, N)\n  next: echomap demo --world WORLD --emulator mock\n",
        kLargeEmptyHall},
       {"TooNarrow",
@@ -118,8 +117,7 @@ std::vector<End> ends() {
        0,
        "complete",
        "finished: the map has N % of the floor that the robot can reach, N m², walls off by about "
-       "N "
-       "cm (N in N such maps: by less than N cm)\n"
+       "N cm (N in N such maps: by less than N cm)\n"
        "  next: echomap eval RUN --truth RUN/truth --picture RUN/score.png\n",
        kNarrowGap},
       {"Stuck",
