@@ -86,7 +86,8 @@ std::vector<End> ends() {
        kUnfinished,
        "stop-limit",
        "echomap: error: not finished; the map so far is saved: it came to the limit of its stops; "
-       "the map has N % of the floor that the robot can reach, N m²; most of what is unseen is near "
+       "the map has N % of the floor that the robot can reach, N m²; most of what is unseen is "
+       "near "
        "(N, N)\n  next: echomap demo --world nxt_room --emulator mock\n"},
       {"SonarDead",
        {"--part-faults=sonar-dead@60"},
