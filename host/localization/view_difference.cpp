@@ -51,7 +51,7 @@ ViewDifference::View ViewDifference::view_from(const geometry::Pose2& T_map_robo
   }
   View view{std::vector<float>(kRays, 0.0F),
             std::vector<float>(kRays, std::numeric_limits<float>::infinity())};
-  const Eigen::Vector2d from_m = T_map_robot.position_m();
+  const Eigen::Vector2d& from_m = T_map_robot.position_m();
   if (!map_.contains(map_.cell_at(from_m))) {
     return view;
   }
