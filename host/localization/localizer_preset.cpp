@@ -155,8 +155,7 @@ std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
 
 std::unique_ptr<ObservationModel> own_map_model(const mapping::RasterMap& map,
                                                 const LocalizedRobot& robot) {
-  return robot.is_light ? default_model(map, robot)
-                        : cone_model(map, robot, models::sonar_cone_returns_in_own_map(), true);
+  return cone_model(map, robot, models::sonar_cone_returns_in_own_map(), true);
 }
 
 }  // namespace echomap::localization

@@ -39,8 +39,8 @@ std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
                                                     const mapping::RasterMap& map,
                                                     const LocalizedRobot& robot);
 
-/// What compares places of a map that a robot has made itself, for the default preset: where the
-/// known floor ends, a sonar may hear anything.
+/// What compares places of a map that a robot has made itself by sonar, for the default preset:
+/// where the known floor ends, anything may be heard.
 std::unique_ptr<ObservationModel> own_map_model(const mapping::RasterMap& map,
                                                 const LocalizedRobot& robot);
 

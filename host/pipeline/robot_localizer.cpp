@@ -34,7 +34,7 @@ localization::LocalizedRobot robot_of(const sensors::RangeScan& scan) {
 /// The particle filter, what it knows of the range sensor, and what checks it.
 struct RobotLocalizer::Filter {
   std::unique_ptr<localization::ObservationModel> observation;
-  std::unique_ptr<localization::ObservationModel> places;
+  std::unique_ptr<localization::ObservationModel> places;  ///< Null where no place is checked.
   localization::MonteCarloLocalizer localizer;
   localization::PlaceCheck check;
   double max_range_m;
@@ -71,8 +71,9 @@ void RobotLocalizer::make_filter(const localization::LocalizedRobot& robot) {
   auto observation = localization::observation_model(params_.preset, map_, robot);
   localization::MonteCarloLocalizer localizer(
       *observation, localization::localizer_params(params_.preset, robot), random_);
-  auto places = localization::own_map_model(map_, robot);
-  localization::PlaceCheck check(*places);
+  auto places =
+      is_checked() && !robot.is_light ? localization::own_map_model(map_, robot) : nullptr;
+  localization::PlaceCheck check(places ? *places : *observation);
   filter_ = std::make_unique<Filter>(std::move(observation),
                                      std::move(places),
                                      std::move(localizer),
@@ -181,7 +182,7 @@ void RobotLocalizer::end_scan() {
 }
 
 bool RobotLocalizer::is_checked() const {
-  return filter_ && params_.preset == localization::LocalizerPreset::kDefault;
+  return params_.preset == localization::LocalizerPreset::kDefault;
 }
 
 void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& readings) {
@@ -190,7 +191,7 @@ void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& 
   };
   const bool is_contradicted =
       !belief_.hypotheses.empty() && contradicts(belief_.hypotheses.front().T_map_robot);
-  if (is_checked()) {
+  if (filter_ && is_checked()) {
     contradictions_ = is_contradicted ? contradictions_ + 1 : 0;
     if (contradictions_ >= params_.contradictions_of_lost) {
       filter_->check.doubt();

@@ -25,14 +25,16 @@ double total(const BeamModel& model, const ExpectedRange& expected) {
 }
 
 TEST(BeamModel, IsADensityWhateverIsExpected) {
-  for (const double expected_m : {0.5, 1.0, 2.0, 3.5}) {
-    EXPECT_NEAR(total(kSonar, {expected_m, false}), 1.0, 0.01) << expected_m;
-    EXPECT_NEAR(total(kSonar, {expected_m, true}), 1.0, 0.01) << expected_m;
+  for (const BeamModel& model : {BeamModel(sonar_cone_returns()), kSonar}) {
+    for (const double expected_m : {0.5, 1.0, 2.0, 3.5}) {
+      EXPECT_NEAR(total(model, {expected_m, false}), 1.0, 0.01) << expected_m;
+      EXPECT_NEAR(total(model, {expected_m, true}), 1.0, 0.01) << expected_m;
+    }
+    for (const double edge_m : {0.05, 0.15, 0.5, 2.0, 3.8}) {
+      EXPECT_NEAR(total(model, {edge_m, false, true}), 1.0, 0.01) << edge_m;
+    }
+    EXPECT_NEAR(total(model, {}), 1.0, 0.01);
   }
-  for (const double edge_m : {0.05, 0.15, 0.5, 2.0, 3.8}) {
-    EXPECT_NEAR(total(kSonar, {edge_m, false, true}), 1.0, 0.01) << edge_m;
-  }
-  EXPECT_NEAR(total(kSonar, {}), 1.0, 0.01);
 }
 
 TEST(BeamModel, FindsTheExpectedRangeLikeliest) {
