@@ -81,17 +81,16 @@ void PlaceCheck::doubt() {
 }
 
 CheckedBelief PlaceCheck::check(const PoseBelief& believed,
-                                const geometry::Pose2& T_odom_robot,
-                                std::span<const RangeReading> readings,
+                                HeardScan scan,
                                 const Contradicts& contradicts) {
-  if (std::none_of(readings.begin(), readings.end(), is_usable)) {
+  if (std::none_of(scan.readings.begin(), scan.readings.end(), is_usable)) {
     return {believed, {}};
   }
   if (is_known() && believed.status == LocalizationStatus::kLost) {
     begin_anywhere();
     was_known_ = true;
   }
-  search_.add(T_odom_robot, readings);
+  search_.add(std::move(scan));
   return is_known() && !believed.hypotheses.empty() ? check_known(believed, contradicts)
                                                     : check_anywhere(believed, contradicts);
 }

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
@@ -58,12 +57,9 @@ class PlaceCheck {
   void doubt();
   bool is_known() const { return elsewhere_chance_.has_value(); }
 
-  /// After a scan, whose readings are those from where the robot is now. Without one that counts
-  /// the belief is as it was. Lost is told once, when a known place is given up.
-  CheckedBelief check(const PoseBelief& believed,
-                      const geometry::Pose2& T_odom_robot,
-                      std::span<const RangeReading> readings,
-                      const Contradicts& contradicts);
+  /// After a scan from where the robot is now. Without a reading that counts the belief is as it
+  /// was. Lost is told once, when a known place is given up.
+  CheckedBelief check(const PoseBelief& believed, HeardScan scan, const Contradicts& contradicts);
 
  private:
   CheckedBelief check_known(const PoseBelief& believed, const Contradicts& contradicts);

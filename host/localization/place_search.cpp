@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <iterator>
-#include <numbers>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
 #include "host/localization/floor_lattice.hpp"
+#include "host/localization/path_alignment.hpp"
+#include "host/localization/vuong_test.hpp"
+#include "host/localization/weighed_poses.hpp"
 
 namespace echomap::localization {
 namespace {
@@ -27,58 +28,46 @@ constexpr double kNeighboursRad = 0.35;
 constexpr double kSameSpotM = 0.1;
 /// Of fewer sectors the deviation says nothing.
 constexpr std::size_t kMinSectors = 4;
-constexpr double kMaxDeviations = 8.0;
 
 bool are_near(const Pose2& one, const Pose2& other, double metres, double radians) {
   return (one.position_m() - other.position_m()).norm() <= metres &&
          std::abs(geometry::angle_between(one.heading_rad(), other.heading_rad())) <= radians;
 }
 
-/// Of a standard normal variable: the probability that it is above `z`.
-double tail(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
-
-/// By how many of its standard deviations the mean of the differences is above 0.
-double vuong(std::span<const double> better, std::span<const double> worse) {
-  // Two places that look the same differ by next to nothing, but everywhere.
-  constexpr double kMinDeviation = 0.05;
-  const auto count = static_cast<double>(better.size());
-  const double mean =
-      std::inner_product(
-          better.begin(), better.end(), worse.begin(), 0.0, std::plus<>(), std::minus<>()) /
-      count;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < better.size(); ++i) {
-    const double off = better[i] - worse[i] - mean;
-    squares += off * off;
-  }
-  const double deviation = std::sqrt(squares / std::max(1.0, count - 1.0)) + kMinDeviation;
-  return mean / (deviation / std::sqrt(count));
-}
-
-/// Poses around one, half a step and a whole one to each side in place and heading.
-Particles around(const Pose2& middle, double step_m, double step_rad) {
-  constexpr int kSide = 2;
-  constexpr std::size_t kAcross = 2 * kSide + 1;
-  Particles particles;
-  particles.resize(kAcross * kAcross * kAcross);
-  std::size_t i = 0;
-  for (int x = -kSide; x <= kSide; ++x) {
-    for (int y = -kSide; y <= kSide; ++y) {
-      for (int turn = -kSide; turn <= kSide; ++turn) {
-        particles.set_pose(i++,
-                           {middle.x_m() + 0.5 * step_m * x,
-                            middle.y_m() + 0.5 * step_m * y,
-                            geometry::wrap_angle(middle.heading_rad() + 0.5 * step_rad * turn)});
-      }
-    }
-  }
-  return particles;
-}
-
 std::size_t heaviest(const Particles& particles) {
   return static_cast<std::size_t>(
       std::max_element(particles.log_weight.begin(), particles.log_weight.end()) -
       particles.log_weight.begin());
+}
+
+double mean_of(std::span<const double> numbers) {
+  return std::accumulate(numbers.begin(), numbers.end(), 0.0) /
+         static_cast<double>(std::max<std::size_t>(1, numbers.size()));
+}
+
+/// Of each path, sector by sector of each scan: the mean log-likelihood of a reading.
+std::vector<std::vector<double>> sector_log_likelihoods(ObservationModel& model,
+                                                        std::span<const HeardScan> scans,
+                                                        const std::vector<ScanPath>& paths,
+                                                        std::size_t sectors) {
+  std::vector<std::vector<double>> log_likelihoods(paths.size());
+  Particles particles;
+  particles.resize(paths.size());
+  for (std::size_t scan = 0; scan < scans.size(); ++scan) {
+    for (std::size_t path = 0; path < paths.size(); ++path) {
+      particles.set_pose(path, paths[path][scan]);
+    }
+    for (const auto& sector : sectors_of(scans[scan], sectors)) {
+      model.observe(sector);
+      weigh(model, particles);
+      const auto readings = static_cast<double>(std::max<std::size_t>(1, model.count()));
+      for (std::size_t path = 0; path < paths.size(); ++path) {
+        log_likelihoods[path].push_back(
+            std::max(kMinLog, static_cast<double>(particles.log_weight[path]) / readings));
+      }
+    }
+  }
+  return log_likelihoods;
 }
 
 }  // namespace
@@ -97,19 +86,23 @@ PlaceSearch::PlaceSearch(ObservationModel& model, const PlaceSearchParams& param
       .at_most("independent_share", params.independent_share, 1.0);
 }
 
-void PlaceSearch::add(const Pose2& T_odom_robot, std::span<const RangeReading> readings) {
-  if (!scans_.empty() &&
-      (scans_.back().T_odom_robot.position_m() - T_odom_robot.position_m()).norm() < kSameSpotM) {
-    scans_.pop_back();
+void PlaceSearch::add(HeardScan scan) {
+  if (!scans_.empty()) {
+    const Pose2 T_now_then = scan.T_odom_robot.inverse() * scans_.front().T_odom_robot;
+    if (T_now_then.position_m().norm() < kSameSpotM) {
+      for (const RangeReading& reading : scans_.front().on_the_way) {
+        scan.on_the_way.push_back({T_now_then * reading.T_robot_sensor, reading.range_m});
+      }
+      scans_.erase(scans_.begin());
+    }
   }
-  scans_.push_back({T_odom_robot, {readings.begin(), readings.end()}});
+  scans_.insert(scans_.begin(), std::move(scan));
   keep_newest(params_.max_scans);
 }
 
 void PlaceSearch::keep_newest(std::size_t scans) {
-  while (scans_.size() > scans) {
-    scans_.pop_front();
-  }
+  scans_.erase(scans_.begin() + static_cast<std::ptrdiff_t>(std::min(scans, scans_.size())),
+               scans_.end());
 }
 
 bool PlaceSearch::is_same_place(const Pose2& one, const Pose2& other) const {
@@ -118,65 +111,37 @@ bool PlaceSearch::is_same_place(const Pose2& one, const Pose2& other) const {
 
 std::vector<FoundPlace> PlaceSearch::search(std::size_t newest,
                                             const std::optional<Pose2>& T_map_believed) {
-  model_.observe(joined(newest));
+  const std::span<const HeardScan> scans(scans_.data(), std::min(newest, scans_.size()));
+  model_.observe(joined(scans));
   if (model_.count() == 0) {
     return {};
   }
-  std::vector<FoundPlace> places;
-  for (const Pose2& T_map_robot : likeliest_of_lattice()) {
-    places.push_back(refined(T_map_robot));
-  }
+  std::vector<Pose2> starts = likeliest_of_lattice();
   if (T_map_believed) {
-    places.push_back(refined(*T_map_believed));
-    places.back().is_believed = true;
+    starts.push_back(*T_map_believed);
   }
-  places = each_once(std::move(places));
-  compare(sectors_of(newest), places);
-  return places;
-}
-
-std::vector<RangeReading> PlaceSearch::joined(std::size_t newest) const {
-  std::vector<RangeReading> readings;
-  for (auto scan = scans_.rbegin(); scan != scans_.rend() && newest > 0; ++scan, --newest) {
-    const Pose2 T_now_then = scans_.back().T_odom_robot.inverse() * scan->T_odom_robot;
-    for (const RangeReading& reading : scan->readings) {
-      readings.push_back({T_now_then * reading.T_robot_sensor, reading.range_m});
-    }
+  std::vector<ScanPath> paths;
+  for (const Pose2& T_map_robot : starts) {
+    paths.push_back(path_by_odometry(scans, refined(T_map_robot)));
   }
-  return readings;
-}
-
-std::vector<PlaceSearch::Sector> PlaceSearch::sectors_of(std::size_t newest) const {
-  std::vector<Sector> sectors;
-  for (auto scan = scans_.rbegin(); scan != scans_.rend() && newest > 0; ++scan, --newest) {
-    const Pose2 T_now_then = scans_.back().T_odom_robot.inverse() * scan->T_odom_robot;
-    std::vector<Sector> of_scan(params_.sectors);
-    for (const RangeReading& reading : scan->readings) {
-      const Pose2 T_robot_sensor = T_now_then * reading.T_robot_sensor;
-      const double turns =
-          geometry::wrap_angle(T_robot_sensor.heading_rad()) / (2.0 * std::numbers::pi) + 0.5;
-      const auto number =
-          static_cast<std::size_t>(std::max(turns, 0.0) * static_cast<double>(params_.sectors));
-      of_scan[std::min(number, params_.sectors - 1)].push_back({T_robot_sensor, reading.range_m});
-    }
-    std::copy_if(of_scan.begin(), of_scan.end(), std::back_inserter(sectors), [](const auto& some) {
-      return some.size() > 1;
-    });
+  align_paths(scans, model_, paths);
+  const auto log_likelihoods = sector_log_likelihoods(model_, scans, paths, params_.sectors);
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    candidates.push_back({{paths[i].front(),
+                           mean_of(log_likelihoods[i]),
+                           1.0,
+                           T_map_believed && i + 1 == paths.size()},
+                          log_likelihoods[i]});
   }
-  return sectors;
-}
-
-void PlaceSearch::weigh(Particles& particles) {
-  model_.make_ready(particles, Workers());
-  std::fill(particles.log_weight.begin(), particles.log_weight.end(), 0.0F);
-  model_.update_weights(1.0F, {0, particles.size()}, particles);
+  return compared(each_once(std::move(candidates)));
 }
 
 std::vector<Pose2> PlaceSearch::likeliest_of_lattice() {
   if (lattice_.size() == 0) {
     lattice_ = floor_lattice(model_.map(), params_.lattice_m, params_.lattice_rad);
   }
-  weigh(lattice_);
+  weigh(model_, lattice_);
   std::vector<std::size_t> order(lattice_.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
@@ -198,67 +163,51 @@ std::vector<Pose2> PlaceSearch::likeliest_of_lattice() {
   return likeliest;
 }
 
-FoundPlace PlaceSearch::refined(Pose2 T_map_robot) {
+Pose2 PlaceSearch::refined(Pose2 T_map_robot) {
   constexpr int kRounds = 4;
   double step_m = 0.5 * params_.lattice_m;
   double step_rad = 0.5 * params_.lattice_rad;
-  double log_weight = 0.0;
   for (int round = 0; round < kRounds; ++round) {
-    Particles particles = around(T_map_robot, step_m, step_rad);
-    weigh(particles);
-    const std::size_t best = heaviest(particles);
-    T_map_robot = particles.pose(best);
-    log_weight = static_cast<double>(particles.log_weight[best]);
+    Particles particles = poses_around(T_map_robot, step_m, step_rad);
+    weigh(model_, particles);
+    T_map_robot = particles.pose(heaviest(particles));
     step_m *= 0.5;
     step_rad *= 0.5;
   }
-  return {T_map_robot, log_weight / static_cast<double>(model_.count()), 1.0, false};
+  return T_map_robot;
 }
 
-std::vector<FoundPlace> PlaceSearch::each_once(std::vector<FoundPlace> places) const {
-  std::stable_sort(places.begin(), places.end(), [](const auto& one, const auto& other) {
-    return one.log_likelihood > other.log_likelihood;
-  });
-  std::vector<FoundPlace> once;
-  for (const FoundPlace& place : places) {
-    const auto same = std::find_if(once.begin(), once.end(), [&](const FoundPlace& other) {
-      return is_same_place(place.T_map_robot, other.T_map_robot);
+std::vector<PlaceSearch::Candidate> PlaceSearch::each_once(
+    std::vector<Candidate> candidates) const {
+  std::stable_sort(
+      candidates.begin(), candidates.end(), [](const Candidate& one, const Candidate& other) {
+        return one.place.log_likelihood > other.place.log_likelihood;
+      });
+  std::vector<Candidate> once;
+  for (Candidate& candidate : candidates) {
+    const auto same = std::find_if(once.begin(), once.end(), [&](const Candidate& other) {
+      return is_same_place(candidate.place.T_map_robot, other.place.T_map_robot);
     });
     if (same == once.end()) {
-      once.push_back(place);
+      once.push_back(std::move(candidate));
     } else {
-      same->is_believed = same->is_believed || place.is_believed;
+      same->place.is_believed = same->place.is_believed || candidate.place.is_believed;
     }
   }
   return once;
 }
 
-void PlaceSearch::compare(std::span<const Sector> sectors, std::vector<FoundPlace>& places) {
-  Particles particles;
-  particles.resize(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    particles.set_pose(i, places[i].T_map_robot);
-  }
-  std::vector<std::vector<double>> log_likelihoods(places.size());
-  for (const Sector& sector : sectors) {
-    model_.observe(sector);
-    weigh(particles);
-    const auto readings = static_cast<double>(std::max<std::size_t>(1, model_.count()));
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      log_likelihoods[i].push_back(
-          std::max(kMinLog, static_cast<double>(particles.log_weight[i]) / readings));
+std::vector<FoundPlace> PlaceSearch::compared(const std::vector<Candidate>& candidates) const {
+  std::vector<FoundPlace> places;
+  for (const Candidate& candidate : candidates) {
+    const std::vector<double>& best = candidates.front().sectors;
+    places.push_back(candidate.place);
+    if (places.size() > 1 && best.size() >= kMinSectors) {
+      places.back().odds = odds_of_worse(std::sqrt(params_.independent_share) *
+                                         vuong_statistic(best, candidate.sectors));
     }
   }
-  if (sectors.size() < kMinSectors) {
-    return;
-  }
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const double z = std::clamp(
-        std::sqrt(params_.independent_share) * vuong(log_likelihoods[0], log_likelihoods[i]),
-        -kMaxDeviations,
-        kMaxDeviations);
-    places[i].odds = tail(z) / tail(-z);
-  }
+  return places;
 }
 
 }  // namespace echomap::localization

@@ -125,9 +125,10 @@ void RobotLocalizer::on_odometry(const sensors::OdometryObservation& observation
 
 void RobotLocalizer::on_sonar(const sensors::SonarObservation& observation) {
   follow(observation.stamp, observation.travel);
-  if (scan_is_open_ && !is_lifted_) {
-    gathered_.push_back(
-        {T_odom_robot_ * robot_.T_robot_sonar(observation.pan_rad), observation.range_m});
+  if (!is_lifted_) {
+    (scan_is_open_ ? gathered_ : on_the_way_)
+        .push_back(
+            {T_odom_robot_ * robot_.T_robot_sonar(observation.pan_rad), observation.range_m});
   }
 }
 
@@ -147,6 +148,7 @@ void RobotLocalizer::on_carried(const sensors::CarriedObservation& observation) 
 void RobotLocalizer::lose_pose() {
   ++times_lifted_;
   gathered_.clear();
+  on_the_way_.clear();
   start_anywhere();
 }
 
@@ -176,6 +178,7 @@ void RobotLocalizer::end_scan() {
   update(readings);
   check_place(readings);
   gathered_.clear();
+  on_the_way_.clear();
   ++scans_;
   ++updates_;
   note_pose();
@@ -197,7 +200,10 @@ void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& 
       filter_->check.doubt();
       contradictions_ = 0;
     }
-    const auto checked = filter_->check.check(belief_, T_odom_robot_, readings, contradicts);
+    const auto checked = filter_->check.check(
+        belief_,
+        {T_odom_robot_, readings, evenly_picked(on_the_way_, T_odom_robot_, params_.max_readings)},
+        contradicts);
     belief_ = checked.belief;
     if (!filter_->views) {
       filter_->views.emplace(map_, filter_->max_range_m);

@@ -63,7 +63,7 @@ class RobotLocalizer final : public ObservationSink {
   void start_anywhere();
 
   void on_odometry(const sensors::OdometryObservation& observation) override;
-  /// Counts where it belongs to a scan and the robot stands.
+  /// Of a scan it updates the belief; between scans it helps to tell places apart at the next one.
   void on_sonar(const sensors::SonarObservation& observation) override;
   /// A wheel that hangs, or four cliffs at once, mean that the robot was lifted.
   void on_hazards(const sensors::HazardObservation& observation) override;
@@ -128,9 +128,10 @@ class RobotLocalizer final : public ObservationSink {
   localization::LocalizerOutcome start_outcome_ = localization::LocalizerOutcome::kMoved;
   localization::PoseBelief belief_;
   time::RobotTime stamp_;
-  std::optional<double> scan_stamp_s_;                ///< Of the last range scan.
-  std::optional<double> scan_beam_width_rad_;         ///< Of the first.
-  std::vector<localization::RangeReading> gathered_;  ///< From the odometry's frame.
+  std::optional<double> scan_stamp_s_;                  ///< Of the last range scan.
+  std::optional<double> scan_beam_width_rad_;           ///< Of the first.
+  std::vector<localization::RangeReading> gathered_;    ///< From the odometry's frame.
+  std::vector<localization::RangeReading> on_the_way_;  ///< As these, since the last scan.
   bool scan_is_open_ = false;
   /// As the last check told it, of a place that is not known; 0 without a check.
   double checked_lost_probability_ = 0.0;

@@ -33,7 +33,10 @@ StopDriver::StopDriver(session::RobotContext& robot, std::string slam)
   restart();
 }
 
-StopDriver::~StopDriver() { robot_.fork().remove(*pipeline_); }
+StopDriver::~StopDriver() {
+  robot_.session().look_around_on_the_way(false);
+  robot_.fork().remove(*pipeline_);
+}
 
 void StopDriver::restart() {
   if (pipeline_) {
@@ -47,6 +50,7 @@ void StopDriver::restart() {
 }
 
 bool StopDriver::go_to_next_stop(const exploration::NxtFarthest::GoalValue& value) {
+  robot_.session().look_around_on_the_way(true);
   while (!robot_.session().end()) {
     explorer_->prefer(value);
     const auto motion = explorer_->next(pipeline_->snapshot(), last_);

@@ -12,9 +12,9 @@
 
 namespace echomap::tracking {
 
-/// Drives a robot from stop to stop and sweeps its sonar at each, as long as is wanted, for others
-/// that listen at the same fork. Where to go, the strategy of the exploration decides by a map of
-/// its own, which begins where the driver does.
+/// Drives a robot from stop to stop, sweeps its sonar at each and looks around on the way, as long
+/// as is wanted, for others that listen at the same fork. Where to go, the strategy of the
+/// exploration decides by a map of its own, which begins where the driver does.
 class StopDriver {
  public:
   /// `robot`, which is open, outlives this. The SLAM method of that name (session::pipeline_for)

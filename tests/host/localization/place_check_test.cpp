@@ -30,8 +30,7 @@ struct Checked {
 
   CheckedBelief scan(const Pose2& T_map_robot, const Pose2& T_map_believed) {
     return check.check(belief_at(T_map_believed),
-                       T_odom_map * T_map_robot,
-                       tests::heard_scan(room, T_map_robot),
+                       {T_odom_map * T_map_robot, tests::heard_scan(room, T_map_robot), {}},
                        [&](const Pose2& /*T_map_robot*/) { return is_contradicted; });
   }
 
@@ -125,7 +124,7 @@ TEST(PlaceCheck, ClaimsNoPlaceThatTheNewestScanContradicts) {
 TEST(PlaceCheck, LeavesABeliefAloneWithoutAReading) {
   Checked robot(tests::furnished_room());
   const auto checked = robot.check.check(
-      belief_at(kHere), kHere, {}, [](const Pose2& /*T_map_robot*/) { return false; });
+      belief_at(kHere), {kHere, {}, {}}, [](const Pose2& /*T_map_robot*/) { return false; });
   EXPECT_EQ(checked.belief.status, LocalizationStatus::kLocalized);
   EXPECT_FALSE(checked.T_map_restart);
 }
@@ -138,8 +137,7 @@ TEST(PlaceCheck, BeginsAgainWithTheScanAtWhichTheFilterGaveUp) {
   const Pose2 T_map_middle(3.3, 0.95, 0.0);
   const CheckedBelief checked =
       robot.check.check(lost,
-                        T_map_middle,
-                        tests::heard_scan(robot.room, T_map_middle),
+                        {T_map_middle, tests::heard_scan(robot.room, T_map_middle), {}},
                         [](const Pose2& /*T_map_robot*/) { return false; });
   EXPECT_EQ(checked.belief.status, LocalizationStatus::kLost);
   ASSERT_TRUE(checked.T_map_restart) << "it was known, and is not any more";

@@ -32,7 +32,7 @@ struct Walk {
       : room(map), model(tests::sonar_model(map)), search(*model) {}
 
   void scan_from(const Pose2& T_map_robot) {
-    search.add(T_odom_map * T_map_robot, tests::heard_scan(room, T_map_robot));
+    search.add({T_odom_map * T_map_robot, tests::heard_scan(room, T_map_robot), {}});
   }
 
   mapping::RasterMap room;
@@ -116,7 +116,7 @@ TEST(PlaceSearch, ForgetsOldScans) {
 TEST(PlaceSearch, KnowsNothingWithoutAReading) {
   Walk walk(tests::furnished_room());
   EXPECT_TRUE(walk.search.search(1).empty());
-  walk.search.add({}, {});
+  walk.search.add({});
   EXPECT_TRUE(walk.search.search(1).empty());
 }
 

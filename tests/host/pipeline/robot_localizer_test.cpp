@@ -80,7 +80,6 @@ class RobotLocalizerTest : public ::testing::Test {
   double left_m = 0.0;
   double right_m = 0.0;
 
- private:
   /// Hears the nearest thing in the cone.
   void ping(double pan_rad) {
     const Pose2 T_map_sonar = T_map_robot * Pose2(0.0, 0.0, pan_rad);
@@ -100,6 +99,7 @@ class RobotLocalizerTest : public ::testing::Test {
                         is_heard ? std::optional<double>(nearest_m) : std::nullopt});
   }
 
+ private:
   mapping::DistanceField field_{kRoom, 3.0};
   std::int64_t stamp_us_ = 0;
 };
@@ -206,6 +206,33 @@ TEST_F(RobotLocalizerTest, TakesReadingsOfScansOnly) {
   localizer.end_scan();
   EXPECT_EQ(localizer.scans(), 0U);
   EXPECT_TRUE(localizer.belief().hypotheses.empty());
+}
+
+/// Robots that go the same way, and listen on it or not.
+class Wayfarer : public RobotLocalizerTest {
+ public:
+  double lost_probability_after_two_stops(bool listens) {
+    scan();
+    turn(0.3);
+    for (int step = 0; step < 12; ++step) {
+      drive(0.05);
+      for (int pan_deg = -90; listens && pan_deg <= 90; pan_deg += 45) {
+        ping(geometry::radians(pan_deg));
+      }
+    }
+    scan();
+    EXPECT_TRUE(tests::is_estimated_near(localizer.belief(), T_map_robot, 0.15, 0.15));
+    return localizer.belief().lost_probability;
+  }
+
+ private:
+  void TestBody() override {}
+};
+
+TEST(RobotLocalizer, LearnsFromWhatItHearsOnItsWay) {
+  const double deaf = Wayfarer().lost_probability_after_two_stops(false);
+  const double listening = Wayfarer().lost_probability_after_two_stops(true);
+  EXPECT_LT(listening, 0.9 * deaf);
 }
 
 TEST(RobotLocalizer, RejectsInvalidParameters) {

@@ -50,11 +50,11 @@ class StopDriverTest : public session::SessionOnACable {
   std::unique_ptr<StopDriver> driver;
 };
 
-TEST_F(StopDriverTest, SweepsTwiceAroundAtAStop) {
+TEST_F(StopDriverTest, SweepsTwiceAroundAtAStopAndLooksAroundAsItTurns) {
   let_it_hear();
   EXPECT_TRUE(driver->go_to_next_stop({}));
   EXPECT_EQ(scans.ended, 1);
-  EXPECT_EQ(scans.readings, 4 * 30);
+  EXPECT_EQ(scans.readings, (4 + 1) * 30);
   EXPECT_FALSE(driver->finished());
 }
 
