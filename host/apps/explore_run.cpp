@@ -148,9 +148,7 @@ std::optional<exports::FaultSummary> fault_summary(const RobotContext& robot,
   if (fatal && (!found || fatal->kind != found->fault.kind)) {
     return exports::FaultSummary{name_of(fatal->kind)};
   }
-  return found ? std::optional(exports::FaultSummary{
-                     name_of(found->fault.kind), found->fault.value, found->log_odds, found->stops})
-               : std::nullopt;
+  return summary_of(found);
 }
 
 /// Says once what is wrong with a robot that can go on.

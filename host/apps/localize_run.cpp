@@ -70,6 +70,9 @@ class Account {
     json_["stops"].push_back(robot.filter.report());
     json_["stops"].back()["sim_seconds"] = now_s(robot.session);
   }
+  void describe(const std::optional<diagnosis::Diagnosis>& diagnosis) {
+    json_["robot_fault"] = exports::to_json(summary_of(diagnosis));
+  }
   void save(const RunEnding& ending, const FollowedRobot& robot, const std::filesystem::path& out) {
     json_.update(to_json(ending));
     json_["sim_seconds"] = now_s(robot.session);
@@ -174,6 +177,7 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   context.connect();
   drive(context, robot, run.strategy.stops.value_or(kUsualStops), account);
   context.session().disarm();
+  account.describe(context.diagnosis());
   const RunEnding ending = ending_of_drive(context, robot, words_of(options));
   account.save(ending, robot, out);
   write_report(run.json, account.json());

@@ -262,6 +262,15 @@ exports::CoverageSummary summary_of(const Coverage& coverage) {
   return summary;
 }
 
+std::optional<exports::FaultSummary> summary_of(
+    const std::optional<diagnosis::Diagnosis>& diagnosis) {
+  return diagnosis ? std::optional(exports::FaultSummary{name_of(diagnosis->fault.kind),
+                                                         diagnosis->fault.value,
+                                                         diagnosis->log_odds,
+                                                         diagnosis->stops})
+                   : std::nullopt;
+}
+
 void print_ending(const RunEnding& ending, std::string_view saved) {
   if (ending.finished()) {
     console::print(fmt::format("finished: {}\n  next: {}", ending.why, ending.next));

@@ -9,6 +9,7 @@
 
 #include "host/console/exit_code.hpp"
 #include "host/console/shell_line.hpp"
+#include "host/diagnosis/self_check.hpp"
 #include "host/exploration/coverage.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exports/summary_json.hpp"
@@ -92,6 +93,10 @@ void describe_walls(const std::optional<mapping::ExpectedWallError>& walls,
 
 /// The same as entries of the summary.
 exports::CoverageSummary summary_of(const exploration::Coverage& coverage);
+
+/// The self-check's diagnosis as an entry of the summary; empty without one.
+std::optional<exports::FaultSummary> summary_of(
+    const std::optional<diagnosis::Diagnosis>& diagnosis);
 
 /// The closing paragraph: on stderr, where it is not finished as an error. `saved` is what is there
 /// nevertheless.

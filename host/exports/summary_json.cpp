@@ -54,16 +54,19 @@ nlohmann::ordered_json to_json(const CoverageSummary& coverage) {
   return json;
 }
 
-nlohmann::ordered_json to_json(const FaultSummary& fault) {
-  return {{"name", fault.name},
-          {"value", fault.value},
-          {"log_odds",
-           std::isfinite(fault.log_odds) ? nlohmann::ordered_json(fault.log_odds)
-                                         : nlohmann::ordered_json()},
-          {"stops", fault.stops}};
-}
-
 }  // namespace
+
+nlohmann::ordered_json to_json(const std::optional<FaultSummary>& fault) {
+  if (!fault) {
+    return nullptr;
+  }
+  return {{"name", fault->name},
+          {"value", fault->value},
+          {"log_odds",
+           std::isfinite(fault->log_odds) ? nlohmann::ordered_json(fault->log_odds)
+                                          : nlohmann::ordered_json()},
+          {"stops", fault->stops}};
+}
 
 std::string to_json_text(const RunSummary& summary) {
   const nlohmann::ordered_json json{
@@ -76,8 +79,7 @@ std::string to_json_text(const RunSummary& summary) {
       {"coverage", summary.coverage ? to_json(*summary.coverage) : nlohmann::ordered_json()},
       {"expected_wall_rmse_m", or_null(summary.expected_wall_rmse_m)},
       {"wall_rmse_p90_m", or_null(summary.wall_rmse_p90_m)},
-      {"robot_fault",
-       summary.robot_fault ? to_json(*summary.robot_fault) : nlohmann::ordered_json()},
+      {"robot_fault", to_json(summary.robot_fault)},
       {"robot", summary.robot},
       {"slam", summary.slam},
       {"world", summary.world},

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace echomap::exports {
 
 /// What the link to the robot carried and lost; the fields are the keys of `link` in summary.json.
@@ -55,6 +57,9 @@ struct FaultSummary {
   double log_odds = 0.0;  ///< Against a sound robot; 0 where it was not compared with one.
   std::size_t stops = 0;  ///< After which it was found.
 };
+
+/// The value of `robot_fault` in a report; null without a fault.
+nlohmann::ordered_json to_json(const std::optional<FaultSummary>& fault);
 
 /// What a run was and how it went; the fields are the keys of summary.json.
 struct RunSummary {

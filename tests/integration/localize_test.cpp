@@ -142,6 +142,7 @@ TEST_F(Localize, FindsARobotThatMayBeAnywhere) {
   expect_found();
   EXPECT_EQ(summary().at("stops").size(), 8U);
   EXPECT_EQ(summary().at("outcome"), "stop-limit");
+  EXPECT_TRUE(summary().at("robot_fault").is_null());
   EXPECT_EQ(nlohmann::json::parse(read_text_file(scratch / "report.json")), summary());
 }
 
@@ -155,6 +156,16 @@ TEST_F(Localize, FindsARobotThatRunsTheBinaryWhichAUserFlashes) {
   ASSERT_EQ(ended.status, 0) << ended.said;
   expect_found();
   EXPECT_THAT(summary().at("firmware").get<std::string>(), HasSubstr("uno"));
+}
+
+TEST_F(Localize, NamesTheFaultOfARobotThatContradictsItself) {
+  explore();
+  start_robot("echomap-mock", {"--seed=4", "--part-faults=motors-swapped@0"});
+  const Ended ended = localize({"--map=" + at("map"), "--stops=4"});
+  EXPECT_EQ(ended.status, 9) << ended.said;
+  EXPECT_EQ(summary().at("outcome"), "robot-fault");
+  EXPECT_EQ(summary().at("robot_fault").at("name"), "both-wheels-against-command");
+  EXPECT_TRUE(summary().at("robot_fault").at("log_odds").is_null());
 }
 
 TEST_F(Localize, NoticesThatTheRobotWasCarriedOff) {

@@ -175,5 +175,16 @@ TEST(RunEnding, IsInTheSummary) {
   EXPECT_EQ(told.places.front()[2], 2.0);
 }
 
+TEST(RunEnding, HasTheDiagnosisInTheSummary) {
+  EXPECT_FALSE(summary_of(std::optional<diagnosis::Diagnosis>()));
+  const auto told =
+      summary_of(diagnosis::Diagnosis{{diagnosis::FaultKind::kRangeScale, 0.9}, 7.5, 3});
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->name, "range-scale");
+  EXPECT_EQ(told->value, 0.9);
+  EXPECT_EQ(told->log_odds, 7.5);
+  EXPECT_EQ(told->stops, 3U);
+}
+
 }  // namespace
 }  // namespace echomap::apps

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/exports/summary_json.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -73,6 +75,21 @@ TEST(SummaryJson, HoldsEveryField) {
                           "free_area_m2"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
+}
+
+TEST(SummaryJson, HasTheFaultOfTheRobotOrNull) {
+  EXPECT_TRUE(to_json(std::optional<FaultSummary>()).is_null());
+  RunSummary summary;
+  EXPECT_TRUE(nlohmann::json::parse(to_json_text(summary)).at("robot_fault").is_null());
+  summary.robot_fault = {"pan-offset", 0.12, 9.5, 3};
+  const auto fault = nlohmann::json::parse(to_json_text(summary)).at("robot_fault");
+  EXPECT_EQ(fault, to_json(summary.robot_fault));
+  EXPECT_EQ(fault.at("name"), "pan-offset");
+  EXPECT_EQ(fault.at("value"), 0.12);
+  EXPECT_EQ(fault.at("log_odds"), 9.5);
+  EXPECT_EQ(fault.at("stops"), 3);
+  summary.robot_fault->log_odds = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(to_json(summary.robot_fault).at("log_odds").is_null());
 }
 
 TEST(SummaryJson, StandsBytesThatAreNoText) {
