@@ -40,13 +40,18 @@ bool is_large(const Fault& fault, const SelfCheckParams& params) {
     case FaultKind::kLeftWheelSize:
     case FaultKind::kRightWheelSize:
     case FaultKind::kWheelSize:
+      return std::abs(fault.value - 1.0) >= params.min_wheel_error;
     case FaultKind::kRangeScale:
-      return std::abs(fault.value - 1.0) >= params.min_scale_error;
+      return std::abs(fault.value - 1.0) >= params.min_range_error;
     case FaultKind::kPanOffset:
       return std::abs(fault.value) >= params.min_pan_error_rad;
     default:
       return true;
   }
+}
+
+double min_log_odds_of(FaultKind kind, const SelfCheckParams& params) {
+  return kind == FaultKind::kWheelSize ? params.min_wheel_size_log_odds : params.min_log_odds;
 }
 
 }  // namespace
@@ -132,7 +137,8 @@ std::optional<Diagnosis> diagnosis_of(const std::vector<Explanation>& explanatio
       next_score = std::max(next_score, score);
     }
   }
-  const bool is_sure = best != nullptr && best_score - sound >= params.min_log_odds &&
+  const bool is_sure = best != nullptr &&
+                       best_score - sound >= min_log_odds_of(best->fault.kind, params) &&
                        best_score - next_score >= params.min_lead && is_large(best->fault, params);
   return is_sure ? std::optional(Diagnosis{best->fault, best_score - sound, 0}) : std::nullopt;
 }

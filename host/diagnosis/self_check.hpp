@@ -23,10 +23,14 @@ struct SelfCheckParams {
   double min_travelled_m = 0.4;
   /// The robot with this fault explains what was heard better than a sound one, and than one with
   /// any other fault, by so much (log-likelihood).
-  double min_log_odds = 5.5;
-  double min_lead = 2.0;
-  /// A value that is off by less is not a fault: of wheels and ranges, and of the pan's zero.
-  double min_scale_error = 0.05;
+  double min_log_odds = 5.0;
+  double min_lead = 1.5;
+  /// The wheels of a sound robot that was measured by eye are off by nearly as much as those with a
+  /// fault: to call both of another size, it takes more.
+  double min_wheel_size_log_odds = 7.0;
+  /// A value that is off by less is not a fault: of wheels, of ranges and of the pan's zero.
+  double min_wheel_error = 0.05;
+  double min_range_error = 0.07;
   double min_pan_error_rad = 0.07;
 };
 

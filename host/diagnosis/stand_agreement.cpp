@@ -4,32 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
+#include "host/diagnosis/placed_log.hpp"
 #include "host/geometry/square.hpp"
 #include "host/geometry/unit_vector.hpp"
-#include "host/sensors/odometry.hpp"
 
 namespace echomap::diagnosis {
 namespace {
 
 constexpr double kNothingInCommon = std::numeric_limits<double>::infinity();
 
-/// A surface where a robot of some errors has heard it.
-struct PlacedSurface {
-  Eigen::Vector2d foot_m;
-  Eigen::Vector2d direction;  ///< From the sonar to it.
-  bool is_wall = false;
-  double weight = 0.0;
-};
-
-struct PlacedStand {
-  std::vector<PlacedSurface> surfaces;
-  double travelled_m = 0.0;  ///< What the wheels have rolled until then, on average.
-  std::size_t piece = 0;
-};
-
-/// Variances of what two stands have heard.
+/// Variances of what was heard from two places.
 struct Tolerance {
   Tolerance(const StandAgreementParams& params, double travelled_m)
       : bearing(geometry::square(params.bearing_stddev_rad) +
@@ -38,59 +23,17 @@ struct Tolerance {
               geometry::square(params.drift_m_per_m * travelled_m)),
         point(geometry::square(params.point_stddev_m) +
               geometry::square(params.drift_m_per_m * travelled_m)),
-        max_apart(geometry::square(params.max_apart_m)) {}
+        max_apart(geometry::square(params.max_apart_m)),
+        ping(geometry::square(params.ping_stddev_m)),
+        min_ping_cosine(params.min_ping_cosine) {}
 
   double bearing;
   double depth;
   double point;
   double max_apart;
+  double ping;
+  double min_ping_cosine;
 };
-
-geometry::Pose2 moved_by(const WheelStep& step, double track_m, const RobotErrors& errors) {
-  const double left_m = errors.left_scale * step.left_m;
-  const double right_m = errors.right_scale * step.right_m;
-  return sensors::arc_step(0.5 * (left_m + right_m),
-                           (right_m - left_m) / (errors.track_scale * track_m));
-}
-
-std::vector<PlacedSurface> placed(const Stand& stand,
-                                  const geometry::Pose2& T_map_axis,
-                                  const RobotErrors& errors,
-                                  double full_readings) {
-  std::vector<PlacedSurface> surfaces;
-  surfaces.reserve(stand.surfaces.size());
-  for (const mapping::SonarSurface& surface : stand.surfaces) {
-    const Eigen::Vector2d direction = geometry::unit_vector(
-        T_map_axis.heading_rad() + errors.pan_offset_rad + errors.pan_scale * surface.bearing_rad);
-    surfaces.push_back({T_map_axis.position_m() + errors.range_scale * surface.range_m * direction,
-                        direction,
-                        surface.half_length_m > 0.0,
-                        std::min(1.0, static_cast<double>(surface.readings) / full_readings)});
-  }
-  return surfaces;
-}
-
-std::vector<PlacedStand> place_stands(const StandLog& log,
-                                      const RobotErrors& errors,
-                                      double full_readings) {
-  const geometry::Pose2 T_robot_axis(log.robot().sonar_x_m, log.robot().sonar_y_m, 0.0);
-  std::vector<PlacedStand> stands;
-  stands.reserve(log.stands().size());
-  geometry::Pose2 T_map_robot;
-  double travelled_m = 0.0;
-  std::size_t steps = 0;
-  for (const Stand& stand : log.stands()) {
-    for (; steps < stand.steps; ++steps) {
-      const WheelStep& step = log.steps()[steps];
-      T_map_robot = T_map_robot * moved_by(step, log.robot().track_m, errors);
-      travelled_m += 0.5 * (std::abs(step.left_m) + std::abs(step.right_m));
-    }
-    stands.push_back({placed(stand, T_map_robot * T_robot_axis, errors, full_readings),
-                      travelled_m,
-                      stand.piece});
-  }
-  return stands;
-}
 
 /// Squared deviations in terms of their variances.
 double disagreement(const PlacedSurface& one,
@@ -109,6 +52,23 @@ double disagreement(const PlacedSurface& one,
              (geometry::square(apart_m.dot(one.direction)) +
               geometry::square(apart_m.dot(other.direction))) /
              tolerance.depth;
+}
+
+/// The same of a ping: a wide beam hears a wall at its depth, wherever in it the wall's foot lies.
+double disagreement(const PlacedPing& ping,
+                    const PlacedSurface& surface,
+                    const Tolerance& tolerance) {
+  const Eigen::Vector2d offset_m = surface.foot_m - ping.at_m;
+  const double range_m = surface.is_wall ? offset_m.dot(surface.direction) : offset_m.norm();
+  const double cosine = surface.is_wall ? ping.direction.dot(surface.direction)
+                                        : ping.direction.dot(offset_m) / range_m;
+  const bool is_far =
+      surface.is_wall && offset_m.squaredNorm() - geometry::square(range_m) > tolerance.max_apart;
+  if (range_m <= 0.0 || cosine < tolerance.min_ping_cosine || is_far) {
+    return kNothingInCommon;
+  }
+  return geometry::square(ping.range_m - range_m) /
+         (tolerance.ping + (surface.is_wall ? tolerance.depth : tolerance.point));
 }
 
 /// Student's density with four degrees of freedom, but for its constant: what deviates far deviates
@@ -135,18 +95,43 @@ std::vector<double> least_disagreements(const std::vector<PlacedStand>& stands,
   return least;
 }
 
+/// With the best surface of all stands around it on the same piece of the way.
+double least_disagreement(const PlacedPing& ping,
+                          const std::vector<PlacedStand>& stands,
+                          const StandAgreementParams& params) {
+  double least = kNothingInCommon;
+  for (const PlacedStand& stand : stands) {
+    const double travelled_m = std::abs(stand.travelled_m - ping.travelled_m);
+    if (stand.piece != ping.piece || travelled_m > params.max_ping_travel_m) {
+      continue;
+    }
+    const Tolerance tolerance(params, travelled_m);
+    for (const PlacedSurface& surface : stand.surfaces) {
+      least = std::min(least, disagreement(ping, surface, tolerance));
+    }
+  }
+  return least;
+}
+
 }  // namespace
 
 double log_agreement(const StandLog& log,
                      const RobotErrors& errors,
                      const StandAgreementParams& params) {
-  const auto stands = place_stands(log, errors, params.full_readings);
+  const PlacedLog placed = place(log, errors);
+  const auto log_ratio = [&](double squared_deviation) {
+    return std::log1p(params.weight * density(squared_deviation));
+  };
   double sum = 0.0;
-  for (std::size_t stand = 1; stand < stands.size(); ++stand) {
-    const auto least = least_disagreements(stands, stand, params);
+  for (std::size_t stand = 1; stand < placed.stands.size(); ++stand) {
+    const auto least = least_disagreements(placed.stands, stand, params);
     for (std::size_t i = 0; i < least.size(); ++i) {
-      sum += stands[stand].surfaces[i].weight * std::log1p(params.weight * density(least[i]));
+      const auto readings = static_cast<double>(placed.stands[stand].surfaces[i].readings);
+      sum += std::min(1.0, readings / params.full_readings) * log_ratio(least[i]);
     }
+  }
+  for (const PlacedPing& ping : placed.pings) {
+    sum += params.ping_weight * log_ratio(least_disagreement(ping, placed.stands, params));
   }
   return sum;
 }

@@ -36,8 +36,7 @@ void StandLog::follow(const sensors::WheelTravel& travel) {
   end_stand();
   last_ = travel;
   travelled_m_ += 0.5 * std::abs(step.left_m + step.right_m);
-  const bool is_behind_stand = !stands_.empty() && stands_.back().steps == steps_.size();
-  if (!steps_.empty() && !is_behind_stand && is_one_arc(steps_.back(), step)) {
+  if (has_rolled_since_stand() && is_one_arc(steps_.back(), step)) {
     steps_.back().left_m += step.left_m;
     steps_.back().right_m += step.right_m;
   } else {
@@ -45,11 +44,14 @@ void StandLog::follow(const sensors::WheelTravel& travel) {
   }
 }
 
-void StandLog::begin_stop() { is_in_stop_ = true; }
+void StandLog::begin_stop() {
+  end_stand();
+  is_in_stop_ = true;
+}
 
 void StandLog::add(const sensors::SonarObservation& observation) {
   follow(observation.travel);
-  if (is_in_stop_ && observation.has_answered) {
+  if (observation.has_answered) {
     const geometry::Pose2 T_axis_sonar = geometry::Pose2(0.0, 0.0, observation.pan_rad) *
                                          geometry::Pose2(robot_.sonar_forward_m, 0.0, 0.0);
     heard_.push_back({geometry::Pose2(), T_axis_sonar, observation.range_m});
@@ -57,10 +59,8 @@ void StandLog::add(const sensors::SonarObservation& observation) {
 }
 
 void StandLog::end_stop() {
-  if (std::exchange(is_in_stop_, false)) {
-    end_stand();
-    ++stops_;
-  }
+  end_stand();
+  stops_ += std::exchange(is_in_stop_, false) ? 1 : 0;
 }
 
 void StandLog::break_way() {
@@ -68,11 +68,29 @@ void StandLog::break_way() {
   ++piece_;
 }
 
+/// A stand has readings enough for a surface; others were made in passing.
 void StandLog::end_stand() {
   const auto heard = std::exchange(heard_, {});
-  if (!heard.empty()) {
+  if (is_in_stop_ && heard.size() >= surface_params_.min_readings) {
     stands_.push_back(
         {steps_.size(), piece_, mapping::find_surfaces(heard, surface_params_).surfaces});
+  } else {
+    add_rolling_pings(heard);
+  }
+}
+
+void StandLog::add_rolling_pings(const mapping::Scan& heard) {
+  RollingPing ping{steps_.size(), {}, piece_};
+  if (has_rolled_since_stand()) {
+    --ping.steps;
+    ping.rolled = steps_.back();
+  }
+  for (const mapping::PlacedReading& reading : heard) {
+    if (reading.range_m) {
+      ping.bearing_rad = reading.T_map_sonar.heading_rad();
+      ping.range_m = *reading.range_m + robot_.sonar_forward_m;
+      rolling_pings_.push_back(ping);
+    }
   }
 }
 

@@ -26,8 +26,18 @@ struct Stand {
   std::vector<mapping::SonarSurface> surfaces;
 };
 
-/// Wheel steps and stands of a robot's first stops, before anything is made of them. Steps of one
-/// arc are joined.
+/// A range that the robot heard while its wheels rolled.
+struct RollingPing {
+  std::size_t steps = 0;  ///< Whole wheel steps before it.
+  WheelStep rolled;       ///< Since then.
+  std::size_t piece = 0;  ///< Of the way, as of a stand.
+  /// Seen from the pan axis; the bearing is a pan angle by the profile.
+  double bearing_rad = 0.0;
+  double range_m = 0.0;
+};
+
+/// Wheel steps, stands and rolling pings of a robot's first stops, before anything is made of them.
+/// Steps of one arc are joined.
 class StandLog {
  public:
   StandLog(const sensors::RobotGeometry& robot, const mapping::SonarSurfaceParams& surfaces);
@@ -42,19 +52,25 @@ class StandLog {
   const sensors::RobotGeometry& robot() const { return robot_; }
   const std::vector<WheelStep>& steps() const { return steps_; }
   const std::vector<Stand>& stands() const { return stands_; }
+  const std::vector<RollingPing>& rolling_pings() const { return rolling_pings_; }
   std::size_t stops() const { return stops_; }
   /// How far the robot has driven, turns left out.
   double travelled_m() const { return travelled_m_; }
 
  private:
+  bool has_rolled_since_stand() const {
+    return !steps_.empty() && (stands_.empty() || stands_.back().steps != steps_.size());
+  }
   void end_stand();
+  void add_rolling_pings(const mapping::Scan& heard);
 
   sensors::RobotGeometry robot_;
   mapping::SonarSurfaceParams surface_params_;
   std::optional<sensors::WheelTravel> last_;
   std::vector<WheelStep> steps_;
   std::vector<Stand> stands_;
-  mapping::Scan heard_;  ///< At the present stand.
+  std::vector<RollingPing> rolling_pings_;
+  mapping::Scan heard_;  ///< Since the wheels have moved.
   bool is_in_stop_ = false;
   std::size_t piece_ = 0;
   std::size_t stops_ = 0;

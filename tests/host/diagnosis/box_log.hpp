@@ -28,11 +28,14 @@ class BoxLog {
   BoxLog& stand() {
     log_.begin_stop();
     for (int i = -30; i < 30; ++i) {
-      const double pan_rad = 0.05 * i;
-      log_.add(
-          {{}, travel_, pan_rad, range_m(errors_.pan_scale * pan_rad + errors_.pan_offset_rad)});
+      ping(0.05 * i);
     }
     log_.end_stop();
+    return *this;
+  }
+
+  BoxLog& ping(double pan_rad) {
+    log_.add({{}, travel_, pan_rad, range_m(errors_.pan_scale * pan_rad + errors_.pan_offset_rad)});
     return *this;
   }
 

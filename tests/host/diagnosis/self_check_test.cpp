@@ -112,9 +112,23 @@ TEST(SelfCheck, IsNotSureBetweenTwoFaultsThatExplainAlike) {
   EXPECT_EQ(found->log_odds, 20.0);
 }
 
+TEST(SelfCheck, HasToBeSurerOfBothWheelsThanOfOther) {
+  const auto found = [](FaultKind kind, double log_odds) {
+    return diagnosis_of({{{kind, 1.08}, log_odds}, {{FaultKind::kNone, 0.0}, 0.0}}).has_value();
+  };
+  EXPECT_TRUE(found(FaultKind::kRangeScale, 6.0));
+  EXPECT_FALSE(found(FaultKind::kWheelSize, 6.0));
+  EXPECT_TRUE(found(FaultKind::kWheelSize, 8.0));
+}
+
 TEST(SelfCheck, DoesNotCallASmallErrorAFault) {
-  EXPECT_FALSE(
-      diagnosis_of({{{FaultKind::kWheelSize, 1.03}, 30.0}, {{FaultKind::kNone, 0.0}, 10.0}}));
+  const auto found = [](const Fault& fault) {
+    return diagnosis_of({{fault, 30.0}, {{FaultKind::kNone, 0.0}, 10.0}}).has_value();
+  };
+  EXPECT_FALSE(found({FaultKind::kWheelSize, 1.03}));
+  EXPECT_TRUE(found({FaultKind::kWheelSize, 1.06}));
+  EXPECT_FALSE(found({FaultKind::kRangeScale, 0.94}));
+  EXPECT_TRUE(found({FaultKind::kRangeScale, 0.91}));
 }
 
 }  // namespace

@@ -35,5 +35,26 @@ TEST(StandAgreement, DoesNotReachAcrossABrokenWay) {
   EXPECT_EQ(log_agreement(box.log(), {}), 0.0);
 }
 
+TEST(StandAgreement, GrowsByThePingsOfADriveOnlyForTheRobotThatHasDrivenIt) {
+  RobotErrors truth;
+  truth.range_scale = 0.9;
+  BoxLog box(truth);
+  box.stand();
+  for (int i = 0; i < 10; ++i) {
+    box.drive(0.1).ping(0.0);
+  }
+  box.drive(0.1);
+  EXPECT_GT(log_agreement(box.log(), truth), log_agreement(box.log(), {}) + 2.0);
+}
+
+TEST(StandAgreement, OfPingsDoesNotReachAcrossABrokenWay) {
+  BoxLog box({});
+  box.stand();
+  box.log().break_way();
+  box.drive(0.1).ping(0.0).drive(0.1);
+  ASSERT_EQ(box.log().rolling_pings().size(), 1U);
+  EXPECT_EQ(log_agreement(box.log(), {}), 0.0);
+}
+
 }  // namespace
 }  // namespace echomap::diagnosis
