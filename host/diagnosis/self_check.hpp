@@ -23,7 +23,7 @@ struct SelfCheckParams {
   double min_travelled_m = 0.4;
   /// The robot with this fault explains what was heard better than a sound one, and than one with
   /// any other fault, by so much (log-likelihood).
-  double min_log_odds = 5.0;
+  double min_log_odds = 5.5;
   double min_lead = 1.5;
   /// The wheels of a sound robot that was measured by eye are off by nearly as much as those with a
   /// fault: to call both of another size, it takes more.

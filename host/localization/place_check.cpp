@@ -60,22 +60,22 @@ PlaceCheck::PlaceCheck(ObservationModel& model, const PlaceCheckParams& params)
       .within("told_from", params.told_from, 0.0, 1.0);
 }
 
-void PlaceCheck::begin_known(double elsewhere_chance) {
+void PlaceCheck::begin_known() {
   search_.keep_newest(0);
-  elsewhere_chance_ = std::max(elsewhere_chance, params_.elsewhere_chance);
+  is_known_ = true;
   was_known_ = false;
 }
 
 void PlaceCheck::begin_anywhere() {
   search_.keep_newest(0);
-  elsewhere_chance_.reset();
+  is_known_ = false;
   was_known_ = false;
 }
 
 void PlaceCheck::doubt() {
   if (is_known()) {
     search_.keep_newest(1);
-    elsewhere_chance_.reset();
+    is_known_ = false;
     was_known_ = true;
   }
 }
@@ -107,8 +107,7 @@ double PlaceCheck::probability_of(const geometry::Pose2& T_map_believed, std::si
     return 1.0;
   }
   // The chance is spread evenly over the other places.
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): where the place is known
-  elsewhere *= *elsewhere_chance_ / static_cast<double>(others);
+  elsewhere *= params_.elsewhere_chance / static_cast<double>(others);
   return believed / (believed + elsewhere);
 }
 
@@ -124,7 +123,7 @@ CheckedBelief PlaceCheck::check_known(const PoseBelief& believed, const Contradi
   }
   if (least < params_.lost_below) {
     search_.keep_newest(scans_of_least);
-    elsewhere_chance_.reset();
+    is_known_ = false;
     was_known_ = true;
     return check_anywhere(believed, contradicts);
   }
@@ -162,7 +161,7 @@ CheckedBelief PlaceCheck::check_anywhere(const PoseBelief& believed,
                           : is_claimed ? LocalizationStatus::kLocalized
                                        : LocalizationStatus::kRecovering;
   if (is_claimed) {
-    begin_known(checked.belief.lost_probability);
+    begin_known();
   }
   return checked;
 }

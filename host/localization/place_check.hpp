@@ -17,9 +17,9 @@ struct PlaceCheckParams {
   /// A place is claimed from this probability on: of such claims as many have to be right.
   double claimed_from = 0.95;
   /// A place that is claimed, or told, is given up below this probability.
-  double lost_below = 0.5;
+  double lost_below = 0.1;
   /// Prior probability that a robot is not where it is told to be, or has been carried off since.
-  double elsewhere_chance = 0.03;
+  double elsewhere_chance = 0.1;
   /// Places that are less probable are not told.
   double told_from = 0.02;
 };
@@ -48,14 +48,13 @@ class PlaceCheck {
   /// The model outlives this.
   explicit PlaceCheck(ObservationModel& model, const PlaceCheckParams& params = {});
 
-  /// The robot's place is known from now on, but for that chance.
-  void begin_known(double elsewhere_chance);
-  void begin_known() { begin_known(params_.elsewhere_chance); }
+  /// The robot's place is known from now on.
+  void begin_known();
   /// The robot may be anywhere from now on.
   void begin_anywhere();
   /// As that, but the newest scan was heard there, too.
   void doubt();
-  bool is_known() const { return elsewhere_chance_.has_value(); }
+  bool is_known() const { return is_known_; }
 
   /// After a scan from where the robot is now. Without a reading that counts the belief is as it
   /// was. Lost is told once, when a known place is given up.
@@ -69,8 +68,8 @@ class PlaceCheck {
 
   PlaceCheckParams params_;
   PlaceSearch search_;
-  std::optional<double> elsewhere_chance_;  ///< Empty where the robot may be anywhere.
-  bool was_known_ = false;                  ///< Until the next check tells that it is not any more.
+  bool is_known_ = false;   ///< Else the robot may be anywhere.
+  bool was_known_ = false;  ///< Until the next check tells that it is not any more.
 };
 
 }  // namespace echomap::localization
