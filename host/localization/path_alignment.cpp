@@ -8,7 +8,7 @@
 
 #include "host/geometry/angle.hpp"
 #include "host/geometry/square.hpp"
-#include "host/localization/weighed_poses.hpp"
+#include "host/localization/pose_lattice.hpp"
 #include "host/models/odometry_motion.hpp"
 
 namespace echomap::localization {
@@ -54,7 +54,7 @@ class OdometryLink {
 };
 
 /// One from each scan but the newest to the next newer one.
-std::vector<OdometryLink> links_of(std::span<const HeardScan> scans) {
+std::vector<OdometryLink> links_of(std::span<const StopScan> scans) {
   std::vector<OdometryLink> links;
   for (std::size_t i = 1; i < scans.size(); ++i) {
     links.emplace_back(scans[i].T_odom_robot, scans[i - 1].T_odom_robot);
@@ -70,9 +70,9 @@ Pose2 aligned_pose(ObservationModel& model,
                    std::size_t i,
                    double step) {
   Particles particles = poses_around(path[i], step * kFirstStepM, step * kFirstStepRad);
-  weigh(model, particles);
+  set_log_likelihoods(model, particles);
   const double scale =
-      kIndependentReadings / static_cast<double>(std::max<std::size_t>(1, model.count()));
+      kIndependentReadings / std::max(kIndependentReadings, static_cast<double>(model.count()));
   Pose2 best = path[i];
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < particles.size(); ++k) {
@@ -94,15 +94,15 @@ Pose2 aligned_pose(ObservationModel& model,
 
 }  // namespace
 
-ScanPath path_by_odometry(std::span<const HeardScan> scans, const Pose2& T_map_robot) {
+ScanPath path_by_odometry(std::span<const StopScan> scans, const Pose2& T_map_robot) {
   ScanPath path;
-  for (const HeardScan& scan : scans) {
+  for (const StopScan& scan : scans) {
     path.push_back(T_map_robot * (scans.front().T_odom_robot.inverse() * scan.T_odom_robot));
   }
   return path;
 }
 
-void align_paths(std::span<const HeardScan> scans,
+void align_paths(std::span<const StopScan> scans,
                  ObservationModel& model,
                  std::span<ScanPath> paths) {
   const std::vector<OdometryLink> links = links_of(scans);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
-#include "host/localization/heard_scan.hpp"
 #include "host/localization/observation_model.hpp"
+#include "host/localization/stop_scan.hpp"
 
 namespace echomap::localization {
 
@@ -14,14 +14,14 @@ namespace echomap::localization {
 using ScanPath = std::vector<geometry::Pose2>;
 
 /// Path that the odometry of the scans, the newest first, tells of a robot that is at a pose.
-ScanPath path_by_odometry(std::span<const HeardScan> scans, const geometry::Pose2& T_map_robot);
+ScanPath path_by_odometry(std::span<const StopScan> scans, const geometry::Pose2& T_map_robot);
 
 /// Moves each pose of the paths to where its scan fits the map best, as far as odometry may err
 /// from one scan to the next: towards the maximum a posteriori path, one pose after the other, of
 /// which all others are held (iterated conditional modes, Besag 1986). All paths have a pose for
-/// each of the scans, the newest first. A robot that is where a path has it has so no share in the
-/// bends of its odometry, nor in those of its map.
-void align_paths(std::span<const HeardScan> scans,
+/// each of the scans, the newest first. So drift of odometry and distortion of the map hardly count
+/// where places are compared. A pose moves by at most 0.2 m along x and y, and 0.2 rad.
+void align_paths(std::span<const StopScan> scans,
                  ObservationModel& model,
                  std::span<ScanPath> paths);
 

@@ -81,7 +81,7 @@ void PlaceCheck::doubt() {
 }
 
 CheckedBelief PlaceCheck::check(const PoseBelief& believed,
-                                HeardScan scan,
+                                StopScan scan,
                                 const Contradicts& contradicts) {
   if (std::none_of(scan.readings.begin(), scan.readings.end(), is_usable)) {
     return {believed, {}};
@@ -107,6 +107,7 @@ double PlaceCheck::probability_of(const geometry::Pose2& T_map_believed, std::si
     return 1.0;
   }
   // The chance is spread evenly over the other places.
+  believed *= 1.0 - params_.elsewhere_chance;
   elsewhere *= params_.elsewhere_chance / static_cast<double>(others);
   return believed / (believed + elsewhere);
 }

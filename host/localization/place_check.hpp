@@ -58,7 +58,7 @@ class PlaceCheck {
 
   /// After a scan from where the robot is now. Without a reading that counts the belief is as it
   /// was. Lost is told once, when a known place is given up.
-  CheckedBelief check(const PoseBelief& believed, HeardScan scan, const Contradicts& contradicts);
+  CheckedBelief check(const PoseBelief& believed, StopScan scan, const Contradicts& contradicts);
 
  private:
   CheckedBelief check_known(const PoseBelief& believed, const Contradicts& contradicts);

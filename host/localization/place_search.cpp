@@ -11,8 +11,8 @@
 #include "host/geometry/parameter_validator.hpp"
 #include "host/localization/floor_lattice.hpp"
 #include "host/localization/path_alignment.hpp"
+#include "host/localization/pose_lattice.hpp"
 #include "host/localization/vuong_test.hpp"
-#include "host/localization/weighed_poses.hpp"
 
 namespace echomap::localization {
 namespace {
@@ -47,7 +47,7 @@ double mean_of(std::span<const double> numbers) {
 
 /// Of each path, sector by sector of each scan: the mean log-likelihood of a reading.
 std::vector<std::vector<double>> sector_log_likelihoods(ObservationModel& model,
-                                                        std::span<const HeardScan> scans,
+                                                        std::span<const StopScan> scans,
                                                         const std::vector<ScanPath>& paths,
                                                         std::size_t sectors) {
   std::vector<std::vector<double>> log_likelihoods(paths.size());
@@ -59,7 +59,7 @@ std::vector<std::vector<double>> sector_log_likelihoods(ObservationModel& model,
     }
     for (const auto& sector : sectors_of(scans[scan], sectors)) {
       model.observe(sector);
-      weigh(model, particles);
+      set_log_likelihoods(model, particles);
       const auto readings = static_cast<double>(std::max<std::size_t>(1, model.count()));
       for (std::size_t path = 0; path < paths.size(); ++path) {
         log_likelihoods[path].push_back(
@@ -86,23 +86,23 @@ PlaceSearch::PlaceSearch(ObservationModel& model, const PlaceSearchParams& param
       .at_most("independent_share", params.independent_share, 1.0);
 }
 
-void PlaceSearch::add(HeardScan scan) {
-  if (!scans_.empty()) {
-    const Pose2 T_now_then = scan.T_odom_robot.inverse() * scans_.front().T_odom_robot;
-    if (T_now_then.position_m().norm() < kSameSpotM) {
-      for (const RangeReading& reading : scans_.front().on_the_way) {
-        scan.on_the_way.push_back({T_now_then * reading.T_robot_sensor, reading.range_m});
-      }
-      scans_.erase(scans_.begin());
-    }
+void PlaceSearch::add(StopScan scan) {
+  if (!scans_.empty() &&
+      (scans_.front().T_odom_robot.position_m() - scan.T_odom_robot.position_m()).norm() <
+          kSameSpotM) {
+    scans_.erase(scans_.begin());
   }
   scans_.insert(scans_.begin(), std::move(scan));
   keep_newest(params_.max_scans);
 }
 
 void PlaceSearch::keep_newest(std::size_t scans) {
-  scans_.erase(scans_.begin() + static_cast<std::ptrdiff_t>(std::min(scans, scans_.size())),
-               scans_.end());
+  if (scans < scans_.size()) {
+    scans_.resize(scans);
+    if (!scans_.empty()) {
+      scans_.back().on_the_way.clear();
+    }
+  }
 }
 
 bool PlaceSearch::is_same_place(const Pose2& one, const Pose2& other) const {
@@ -111,7 +111,7 @@ bool PlaceSearch::is_same_place(const Pose2& one, const Pose2& other) const {
 
 std::vector<FoundPlace> PlaceSearch::search(std::size_t newest,
                                             const std::optional<Pose2>& T_map_believed) {
-  const std::span<const HeardScan> scans(scans_.data(), std::min(newest, scans_.size()));
+  const std::span<const StopScan> scans(scans_.data(), std::min(newest, scans_.size()));
   model_.observe(joined(scans));
   if (model_.count() == 0) {
     return {};
@@ -141,7 +141,7 @@ std::vector<Pose2> PlaceSearch::likeliest_of_lattice() {
   if (lattice_.size() == 0) {
     lattice_ = floor_lattice(model_.map(), params_.lattice_m, params_.lattice_rad);
   }
-  weigh(model_, lattice_);
+  set_log_likelihoods(model_, lattice_);
   std::vector<std::size_t> order(lattice_.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
@@ -169,7 +169,7 @@ Pose2 PlaceSearch::refined(Pose2 T_map_robot) {
   double step_rad = 0.5 * params_.lattice_rad;
   for (int round = 0; round < kRounds; ++round) {
     Particles particles = poses_around(T_map_robot, step_m, step_rad);
-    weigh(model_, particles);
+    set_log_likelihoods(model_, particles);
     T_map_robot = particles.pose(heaviest(particles));
     step_m *= 0.5;
     step_rad *= 0.5;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
-#include "host/localization/heard_scan.hpp"
 #include "host/localization/observation_model.hpp"
 #include "host/localization/particles.hpp"
+#include "host/localization/stop_scan.hpp"
 
 namespace echomap::localization {
 
@@ -35,8 +35,7 @@ struct FoundPlace {
   geometry::Pose2 T_map_robot;  ///< At the newest scan.
   /// Natural logarithm, the mean over the sectors of a reading's mean in each.
   double log_likelihood = 0.0;
-  /// How probable it is against the place with the greatest likelihood, which has 1. Above 1 where
-  /// it is better in most sectors although not on average.
+  /// How probable it is against the place with the greatest likelihood, which has 1.
   double odds = 1.0;
   bool is_believed = false;  ///< It is the place that the caller believes.
 };
@@ -54,10 +53,10 @@ class PlaceSearch {
   /// The model outlives this. Throws std::invalid_argument for settings that are not positive.
   explicit PlaceSearch(ObservationModel& model, const PlaceSearchParams& params = {});
 
-  /// One from the same spot as the newest takes its place, since both err alike; what was heard on
-  /// the way to both counts.
-  void add(HeardScan scan);
-  /// Forgets all scans but so many of the newest.
+  /// One from the same spot as the newest takes its place, since both err alike.
+  void add(StopScan scan);
+  /// Forgets all scans but so many of the newest, and what was heard on the way to the oldest of
+  /// these.
   void keep_newest(std::size_t scans);
   std::size_t scans() const { return scans_.size(); }
 
@@ -83,8 +82,8 @@ class PlaceSearch {
 
   ObservationModel& model_;
   PlaceSearchParams params_;
-  Particles lattice_;             ///< Made on first use.
-  std::vector<HeardScan> scans_;  ///< The newest first.
+  Particles lattice_;            ///< Made on first use.
+  std::vector<StopScan> scans_;  ///< The newest first.
 };
 
 }  // namespace echomap::localization

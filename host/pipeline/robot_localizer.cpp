@@ -95,6 +95,7 @@ void RobotLocalizer::start_at(const geometry::Pose2& T_map_robot,
 
 void RobotLocalizer::begin_at_told_start() {
   if (start_ && filter_) {
+    on_the_way_.clear();
     start_outcome_ =
         filter_->localizer.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
     belief_ = filter_->localizer.belief();
@@ -110,6 +111,7 @@ void RobotLocalizer::begin_at_told_start() {
 }
 
 void RobotLocalizer::start_anywhere() {
+  on_the_way_.clear();
   if (filter_) {
     filter_->localizer.start_anywhere();
     filter_->check.begin_anywhere();
@@ -125,11 +127,25 @@ void RobotLocalizer::on_odometry(const sensors::OdometryObservation& observation
 
 void RobotLocalizer::on_sonar(const sensors::SonarObservation& observation) {
   follow(observation.stamp, observation.travel);
-  if (!is_lifted_) {
-    (scan_is_open_ ? gathered_ : on_the_way_)
-        .push_back(
-            {T_odom_robot_ * robot_.T_robot_sonar(observation.pan_rad), observation.range_m});
+  const localization::RangeReading reading{
+      T_odom_robot_ * robot_.T_robot_sonar(observation.pan_rad), observation.range_m};
+  if (is_lifted_) {
+    return;
   }
+  if (scan_is_open_) {
+    gathered_.push_back(reading);
+  } else if (is_checked()) {
+    add_on_the_way(reading);
+  }
+}
+
+/// Of a way without an end the newest part counts.
+void RobotLocalizer::add_on_the_way(const localization::RangeReading& reading) {
+  constexpr std::ptrdiff_t kMaxOnTheWay = 1000;
+  if (std::ssize(on_the_way_) == kMaxOnTheWay) {
+    on_the_way_.erase(on_the_way_.begin(), on_the_way_.begin() + kMaxOnTheWay / 2);
+  }
+  on_the_way_.push_back(reading);
 }
 
 void RobotLocalizer::on_hazards(const sensors::HazardObservation& observation) {
@@ -148,7 +164,6 @@ void RobotLocalizer::on_carried(const sensors::CarriedObservation& observation) 
 void RobotLocalizer::lose_pose() {
   ++times_lifted_;
   gathered_.clear();
-  on_the_way_.clear();
   start_anywhere();
 }
 
@@ -208,7 +223,9 @@ void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& 
     if (!filter_->views) {
       filter_->views.emplace(map_, filter_->max_range_m);
     }
-    checked_lost_probability_ = filter_->check.is_known() ? 0.0 : belief_.lost_probability;
+    checked_lost_probability_ = belief_.status == localization::LocalizationStatus::kLocalized
+                                    ? 0.0
+                                    : belief_.lost_probability;
     if (checked.T_map_restart) {
       contradictions_ = 0;
       filter_->localizer.start_at(

@@ -105,6 +105,7 @@ class RobotLocalizer final : public ObservationSink {
   void follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
   void add_contact(const models::ContactReading& contact);
   void lose_pose();
+  void add_on_the_way(const localization::RangeReading& reading);
   void update(const std::vector<localization::RangeReading>& readings);
   void note_pose();
   /// By the default preset, which is ours; the papers' filters are as they are.
@@ -133,7 +134,7 @@ class RobotLocalizer final : public ObservationSink {
   std::vector<localization::RangeReading> gathered_;    ///< From the odometry's frame.
   std::vector<localization::RangeReading> on_the_way_;  ///< As these, since the last scan.
   bool scan_is_open_ = false;
-  /// As the last check told it, of a place that is not known; 0 without a check.
+  /// As the last check told it, of a place that it did not claim; 0 without a check.
   double checked_lost_probability_ = 0.0;
   std::size_t contradictions_ = 0;  ///< Of the believed place, in a row.
   bool is_lifted_ = false;

@@ -30,6 +30,7 @@ StopDriver::StopDriver(session::RobotContext& robot, std::string slam)
     : robot_(robot),
       slam_(std::move(slam)),
       random_(robot.seed().generator(session::SeedPurpose::kStopDriver)) {
+  robot_.session().look_around_on_the_way(true);
   restart();
 }
 
@@ -50,7 +51,6 @@ void StopDriver::restart() {
 }
 
 bool StopDriver::go_to_next_stop(const exploration::NxtFarthest::GoalValue& value) {
-  robot_.session().look_around_on_the_way(true);
   while (!robot_.session().end()) {
     explorer_->prefer(value);
     const auto motion = explorer_->next(pipeline_->snapshot(), last_);

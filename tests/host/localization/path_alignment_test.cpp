@@ -24,10 +24,10 @@ double off_rad(const Pose2& one, const Pose2& other) {
   return std::abs(geometry::angle_between(one.heading_rad(), other.heading_rad()));
 }
 
-/// Three stops along the room; each drive, odometry has turned by 4 degrees that the robot has not.
+/// Three stops along the room; each drive, odometry has turned by 5 degrees that the robot has not.
 struct BentWalk {
   BentWalk() : room(tests::furnished_room()), model(tests::sonar_model(room)) {
-    const std::vector<Pose2> told = {{}, {0.6, 0.0, 0.07}, {1.2, 0.04, 0.14}};
+    const std::vector<Pose2> told = {{}, {0.6, 0.0, 0.09}, {1.2, 0.05, 0.18}};
     for (std::size_t i = 0; i < truth.size(); ++i) {
       scans.insert(scans.begin(), {told[i], tests::heard_scan(room, truth[i]), {}});
     }
@@ -36,11 +36,11 @@ struct BentWalk {
   mapping::RasterMap room;
   std::unique_ptr<ObservationModel> model;
   std::vector<Pose2> truth = {{1.4, 0.95, 0.0}, {2.0, 0.95, 0.0}, {2.6, 0.95, 0.0}};
-  std::vector<HeardScan> scans;  ///< The newest first.
+  std::vector<StopScan> scans;  ///< The newest first.
 };
 
 TEST(PathAlignment, BeginsWithWhatOdometryTells) {
-  const std::vector<HeardScan> scans = {{{2.0, 0.0, 0.0}, {}, {}}, {{1.0, 0.0, 0.0}, {}, {}}};
+  const std::vector<StopScan> scans = {{{2.0, 0.0, 0.0}, {}, {}}, {{1.0, 0.0, 0.0}, {}, {}}};
   const ScanPath path = path_by_odometry(scans, {0.0, 0.0, geometry::radians(90.0)});
   ASSERT_EQ(path.size(), 2U);
   EXPECT_NEAR(path[1].x_m(), 0.0, 1e-12);
@@ -50,7 +50,7 @@ TEST(PathAlignment, BeginsWithWhatOdometryTells) {
 TEST(PathAlignment, TakesTheBendOfOdometryOut) {
   BentWalk walk;
   std::vector<ScanPath> paths = {path_by_odometry(walk.scans, {2.6, 0.95, 0.05})};
-  ASSERT_GT(off_rad(paths[0][2], walk.truth[0]), 0.08) << "odometry is bent";
+  ASSERT_GT(off_rad(paths[0][2], walk.truth[0]), 0.12) << "odometry is bent";
   align_paths(walk.scans, *walk.model, paths);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_LT(off_m(paths[0][i], walk.truth[2 - i]), 0.06) << i;

@@ -113,6 +113,22 @@ TEST(PlaceSearch, ForgetsOldScans) {
   EXPECT_EQ(walk.search.scans(), 1U);
 }
 
+TEST(PlaceSearch, ForgetsTheWayToTheOldestScan) {
+  const Pose2 T_map_robot(2.2, 0.95, -0.3);
+  Walk walk(tests::furnished_room());
+  walk.scan_from({1.5, 0.95, 0.4});
+  const std::vector<RangeReading> of_elsewhere(20, {{0.0, 0.0, 1.0}, 0.05});
+  walk.search.add(
+      {walk.T_odom_map * T_map_robot, tests::heard_scan(walk.room, T_map_robot), of_elsewhere});
+  const double with_way = walk.search.search(1).front().log_likelihood;
+  walk.search.keep_newest(1);
+  const double without_way = walk.search.search(1).front().log_likelihood;
+  EXPECT_LT(with_way, without_way - 0.1);
+  Walk other(tests::furnished_room());
+  other.scan_from(T_map_robot);
+  EXPECT_EQ(without_way, other.search.search(1).front().log_likelihood);
+}
+
 TEST(PlaceSearch, KnowsNothingWithoutAReading) {
   Walk walk(tests::furnished_room());
   EXPECT_TRUE(walk.search.search(1).empty());

@@ -240,6 +240,42 @@ TEST(RobotLocalizer, LearnsFromWhatItHearsOnItsWay) {
   EXPECT_LT(listening, 0.9 * deaf);
 }
 
+/// Robots that are carried off from a known place without noticing it.
+class CarriedOff : public RobotLocalizerTest {
+ public:
+  CarriedOff() {
+    turn(0.0);
+    localizer.start_at(T_map_robot, 0.05, 0.05);
+    scan();
+  }
+  LocalizationStatus status_at(const Pose2& T_map_elsewhere) {
+    T_map_robot = T_map_elsewhere;
+    scan();
+    return localizer.belief().status;
+  }
+  LocalizationStatus status_after_a_drive() {
+    drive(0.3);
+    return localizer.belief().status;
+  }
+
+ private:
+  void TestBody() override {}
+};
+
+TEST(RobotLocalizer, DoesNotClaimADoubtedPlaceAgainBecauseTheWheelsRoll) {
+  int doubted = 0;
+  for (const double x_m : {0.5, 0.7, 0.9, 2.4, 2.7, 3.3, 3.5}) {
+    for (const double heading_rad : {0.1, 0.5, 3.1}) {
+      CarriedOff robot;
+      if (robot.status_at({x_m, 1.05, heading_rad}) == LocalizationStatus::kRecovering) {
+        ++doubted;
+        EXPECT_NE(robot.status_after_a_drive(), LocalizationStatus::kLocalized) << x_m;
+      }
+    }
+  }
+  EXPECT_GT(doubted, 0);
+}
+
 TEST(RobotLocalizer, RejectsInvalidParameters) {
   auto bad = params();
   bad.max_readings = 0;

@@ -12,6 +12,6 @@ Particles poses_around(const geometry::Pose2& T_map_middle, double step_m, doubl
 
 /// Sets the natural logarithms of the likelihood of what the model observes, the sum over its
 /// readings.
-void weigh(ObservationModel& model, Particles& particles);
+void set_log_likelihoods(ObservationModel& model, Particles& particles);
 
 }  // namespace echomap::localization

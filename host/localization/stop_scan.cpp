@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/localization/heard_scan.hpp"
+#include "host/localization/stop_scan.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -8,15 +8,15 @@
 
 namespace echomap::localization {
 
-std::vector<RangeReading> all_readings(const HeardScan& scan) {
+std::vector<RangeReading> all_readings(const StopScan& scan) {
   std::vector<RangeReading> readings = scan.readings;
   readings.insert(readings.end(), scan.on_the_way.begin(), scan.on_the_way.end());
   return readings;
 }
 
-std::vector<RangeReading> joined(std::span<const HeardScan> scans) {
+std::vector<RangeReading> joined(std::span<const StopScan> scans) {
   std::vector<RangeReading> readings;
-  for (const HeardScan& scan : scans) {
+  for (const StopScan& scan : scans) {
     const geometry::Pose2 T_now_then = scans.front().T_odom_robot.inverse() * scan.T_odom_robot;
     for (const RangeReading& reading : all_readings(scan)) {
       readings.push_back({T_now_then * reading.T_robot_sensor, reading.range_m});
@@ -25,7 +25,7 @@ std::vector<RangeReading> joined(std::span<const HeardScan> scans) {
   return readings;
 }
 
-std::vector<std::vector<RangeReading>> sectors_of(const HeardScan& scan, std::size_t sectors) {
+std::vector<std::vector<RangeReading>> sectors_of(const StopScan& scan, std::size_t sectors) {
   std::vector<std::vector<RangeReading>> heard(2 * sectors);
   for (const RangeReading& reading : scan.readings) {
     const double turns =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/localization/heard_scan.hpp"
+#include "host/localization/stop_scan.hpp"
 
 #include <vector>
 
@@ -17,10 +17,10 @@ RangeReading towards(double bearing_deg, double range_m) {
   return {{0.0, 0.0, radians(bearing_deg)}, range_m};
 }
 
-TEST(HeardScan, JoinsScansAtTheNewest) {
-  const HeardScan newest{{1.0, 0.0, radians(90.0)}, {towards(0.0, 1.0)}, {}};
-  const HeardScan before{{0.0, 0.0, 0.0}, {}, {towards(0.0, 2.0)}};
-  const std::vector<HeardScan> scans = {newest, before};
+TEST(StopScan, JoinsScansAtTheNewest) {
+  const StopScan newest{{1.0, 0.0, radians(90.0)}, {towards(0.0, 1.0)}, {}};
+  const StopScan before{{0.0, 0.0, 0.0}, {}, {towards(0.0, 2.0)}};
+  const std::vector<StopScan> scans = {newest, before};
   const auto readings = joined(scans);
   ASSERT_EQ(readings.size(), 2U);
   EXPECT_EQ(readings[0].range_m, 1.0);
@@ -30,8 +30,8 @@ TEST(HeardScan, JoinsScansAtTheNewest) {
   EXPECT_NEAR(readings[1].T_robot_sensor.heading_rad(), radians(-90.0), 1e-12);
 }
 
-TEST(HeardScan, HasSectorsOfTheTurnAndPiecesOfTheWay) {
-  HeardScan scan;
+TEST(StopScan, HasSectorsOfTheTurnAndPiecesOfTheWay) {
+  StopScan scan;
   for (int bearing_deg = -175; bearing_deg < 180; bearing_deg += 10) {
     scan.readings.push_back(towards(bearing_deg, 1.0));
     scan.on_the_way.push_back(towards(0.0, 0.01 * (bearing_deg + 175)));
@@ -46,8 +46,8 @@ TEST(HeardScan, HasSectorsOfTheTurnAndPiecesOfTheWay) {
   }
 }
 
-TEST(HeardScan, LeavesOutWhatIsASingleReading) {
-  const HeardScan scan{
+TEST(StopScan, LeavesOutWhatIsASingleReading) {
+  const StopScan scan{
       {}, {towards(10.0, 1.0), towards(11.0, 1.0), towards(100.0, 1.0)}, {towards(0.0, 1.0)}};
   EXPECT_EQ(sectors_of(scan, 6).size(), 1U);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/localization/weighed_poses.hpp"
+#include "host/localization/pose_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace echomap::localization {
 namespace {
 
-TEST(WeighedPoses, SurroundAPoseByHalfAStepAndAWholeOne) {
+TEST(PoseLattice, SurroundAPoseByHalfAStepAndAWholeOne) {
   const Particles poses = poses_around({1.0, 2.0, 3.1}, 0.2, 0.1);
   ASSERT_EQ(poses.size(), 125U);
   const auto [left, right] = std::minmax_element(poses.x_m.begin(), poses.x_m.end());
@@ -25,20 +25,20 @@ TEST(WeighedPoses, SurroundAPoseByHalfAStepAndAWholeOne) {
   }
 }
 
-TEST(WeighedPoses, WeighMostWhereTheScanWasHeard) {
+TEST(PoseLattice, AreLikeliestWhereTheScanWasMade) {
   const mapping::RasterMap room = tests::furnished_room();
   const auto model = tests::sonar_model(room);
   const geometry::Pose2 T_map_robot(2.2, 0.95, -0.3);
   model->observe(tests::heard_scan(room, T_map_robot));
   Particles poses = poses_around(T_map_robot, 0.3, 0.3);
-  weigh(*model, poses);
+  set_log_likelihoods(*model, poses);
   const auto most = std::max_element(poses.log_weight.begin(), poses.log_weight.end());
   EXPECT_EQ(most - poses.log_weight.begin(), 62) << "the middle";
-  weigh(*model, poses);
+  set_log_likelihoods(*model, poses);
   EXPECT_EQ(
       std::max_element(poses.log_weight.begin(), poses.log_weight.end()) - poses.log_weight.begin(),
       62)
-      << "weights do not add up";
+      << "likelihoods do not add up";
 }
 
 }  // namespace

@@ -12,21 +12,21 @@ namespace echomap::localization {
 
 /// What a robot has heard at a stop, and since the one before on its way there. Readings are
 /// relative to the robot at the stop.
-struct HeardScan {
+struct StopScan {
   geometry::Pose2 T_odom_robot;
   std::vector<RangeReading> readings;
   std::vector<RangeReading> on_the_way;
 };
 
 /// All readings of the scan, those of the way, too.
-std::vector<RangeReading> all_readings(const HeardScan& scan);
+std::vector<RangeReading> all_readings(const StopScan& scan);
 
 /// The readings of all scans, the newest first, rigidly joined by odometry: relative to the robot
 /// at the newest.
-std::vector<RangeReading> joined(std::span<const HeardScan> scans);
+std::vector<RangeReading> joined(std::span<const StopScan> scans);
 
 /// What was heard near each other: by sectors of the scan's turn, so many of them, and by as many
 /// pieces of the way. Those of fewer than two readings are left out.
-std::vector<std::vector<RangeReading>> sectors_of(const HeardScan& scan, std::size_t sectors);
+std::vector<std::vector<RangeReading>> sectors_of(const StopScan& scan, std::size_t sectors);
 
 }  // namespace echomap::localization

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/localization/weighed_poses.hpp"
+#include "host/localization/pose_lattice.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -28,7 +28,7 @@ Particles poses_around(const geometry::Pose2& T_map_middle, double step_m, doubl
   return particles;
 }
 
-void weigh(ObservationModel& model, Particles& particles) {
+void set_log_likelihoods(ObservationModel& model, Particles& particles) {
   model.make_ready(particles, Workers());
   std::fill(particles.log_weight.begin(), particles.log_weight.end(), 0.0F);
   model.update_weights(1.0F, {0, particles.size()}, particles);
