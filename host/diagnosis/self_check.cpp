@@ -51,7 +51,8 @@ bool is_large(const Fault& fault, const SelfCheckParams& params) {
 }
 
 double min_log_odds_of(FaultKind kind, const SelfCheckParams& params) {
-  return kind == FaultKind::kWheelSize ? params.min_wheel_size_log_odds : params.min_log_odds;
+  const bool is_subtle = kind == FaultKind::kWheelSize || kind == FaultKind::kPanOffset;
+  return is_subtle ? params.min_subtle_log_odds : params.min_log_odds;
 }
 
 }  // namespace

@@ -25,9 +25,9 @@ struct SelfCheckParams {
   /// any other fault, by so much (log-likelihood).
   double min_log_odds = 5.5;
   double min_lead = 1.5;
-  /// The wheels of a sound robot that was measured by eye are off by nearly as much as those with a
-  /// fault: to call both of another size, it takes more.
-  double min_wheel_size_log_odds = 7.0;
+  /// A sound robot that was measured by eye is off by nearly as much as one with wheels of another
+  /// size, and curved or few surfaces look like a pan that is askew: to name these, it takes more.
+  double min_subtle_log_odds = 7.0;
   /// A value that is off by less is not a fault: of wheels, of ranges and of the pan's zero.
   double min_wheel_error = 0.05;
   double min_range_error = 0.07;

@@ -19,7 +19,7 @@ struct PlaceCheckParams {
   /// A place that is claimed, or told, is given up below this probability.
   double lost_below = 0.1;
   /// Prior probability that a robot is not where it is told to be, or has been carried off since.
-  double elsewhere_chance = 0.1;
+  double elsewhere_chance = 0.09;
   /// Places that are less probable are not told.
   double told_from = 0.02;
 };
