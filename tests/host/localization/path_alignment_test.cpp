@@ -53,7 +53,7 @@ TEST(PathAlignment, TakesTheBendOfOdometryOut) {
   ASSERT_GT(off_rad(paths[0][2], walk.truth[0]), 0.12) << "odometry is bent";
   align_paths(walk.scans, *walk.model, paths);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_LT(off_m(paths[0][i], walk.truth[2 - i]), 0.06) << i;
+    EXPECT_LT(off_m(paths[0][i], walk.truth[2 - i]), 0.08) << i;
     EXPECT_LT(off_rad(paths[0][i], walk.truth[2 - i]), 0.065) << i;
   }
 }
