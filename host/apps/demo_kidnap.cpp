@@ -68,6 +68,7 @@ DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam) {
     robot.lockstep()->carry_off(kHeld);
     console::print("carried to another place:");
     go_on(followed, filter, kidnap);
+    kidnap.gave_up = driver.finished();
   }
   robot.session().disarm();
   robot.fork().remove(filter.sink());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/exploration/explorer.hpp"
 #include "host/localization/monte_carlo_localizer.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/session/robot_context.hpp"
@@ -30,6 +31,8 @@ struct DemoKidnap {
   std::vector<pipeline::StampedPose> explored;
   /// Since it was put down; none where the session ended before.
   std::vector<KidnapStop> stops;
+  /// Why it drove no further before its place was sure; empty at the limit of stops.
+  std::optional<exploration::FinishReason> gave_up;
 };
 
 /// Lets the localizer follow a simulated robot in the map that it has made, has the robot carried

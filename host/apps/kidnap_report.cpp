@@ -80,6 +80,8 @@ ordered_json kidnap_report(const DemoKidnap& kidnap,
   json["carried_m"] =
       kidnap.stops.empty() ? ordered_json() : ordered_json(carried_m(kidnap, truth));
   json["ended"] = ended;
+  json["gave_up"] =
+      kidnap.gave_up ? ordered_json(exploration::name_of(*kidnap.gave_up)) : ordered_json();
   json["stops_told"] = std::move(told);
   return json;
 }
@@ -89,13 +91,16 @@ std::string kidnap_line(const ordered_json& report) {
   if (stops == 0) {
     return "carried off: the run ended before it could look around";
   }
-  const std::string after =
+  std::string after =
       fmt::format("carried off: after {} {} it ", stops, stops == 1 ? "stop" : "stops");
+  const bool gave_up = !report.at("gave_up").is_null();
+  if (gave_up) {
+    after += fmt::format("drove no further ({}) and ", report.at("gave_up").get<std::string>());
+  }
   if (report.at("ended") == kAmbiguous) {
-    return after + fmt::format(
-                       "cannot tell {} places from each other, which is right in a room where they "
-                       "look alike",
-                       report.at("stops_told").back().at("places").get<std::size_t>());
+    return after + fmt::format("cannot tell {} places from each other{}",
+                               report.at("stops_told").back().at("places").get<std::size_t>(),
+                               gave_up ? "" : ", which is right in a room where they look alike");
   }
   if (report.at("error_m").is_null()) {
     return after + "still does not know where it is";

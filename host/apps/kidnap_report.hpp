@@ -17,8 +17,9 @@ namespace echomap::apps {
 /// noticed; found: its last stop told that it is localized, within 15 cm and 10 degrees; stops: how
 /// many there were; error_m and heading_error_rad of the last stop where that told so; carried_m:
 /// how far it truly was carried; ended: "localized", else "ambiguous" where the last stop told two
-/// places or more, else "not localized"; stops_told: of each stop status, lost_probability, error_m
-/// and heading_error_rad of its first hypothesis, and places, how many hypotheses have a
+/// places or more, else "not localized"; gave_up: why it drove no further before its place was
+/// sure, as FinishReason has it, else null; stops_told: of each stop status, lost_probability,
+/// error_m and heading_error_rad of its first hypothesis, and places, how many hypotheses have a
 /// probability of 0.05 or more.
 nlohmann::ordered_json kidnap_report(const DemoKidnap& kidnap,
                                      const std::vector<evaluation::TruePose>& truth);

@@ -91,6 +91,18 @@ TEST_F(KidnapReport, TellsAmbiguousFromNotLocalized) {
   EXPECT_THAT(kidnap_line(report()), HasSubstr("still does not know where it is"));
 }
 
+TEST_F(KidnapReport, DoesNotCallItRightThatItDroveNoFurther) {
+  tell(LocalizationStatus::kRecovering, 0.5, {1.0, 1.0, 0.0}, 2);
+  EXPECT_TRUE(report().at("gave_up").is_null());
+  EXPECT_THAT(kidnap_line(report()), HasSubstr("which is right"));
+  kidnap.gave_up = exploration::FinishReason::kNowhereToGo;
+  EXPECT_EQ(report().at("gave_up"), "nowhere-to-go");
+  EXPECT_EQ(
+      kidnap_line(report()),
+      "carried off: after 1 stop it drove no further (nowhere-to-go) and cannot tell 2 places "
+      "from each other");
+}
+
 TEST_F(KidnapReport, HasNoErrorWhereNoPlaceWasTold) {
   kidnap.stops.push_back({LocalizationStatus::kLost, 1.0, std::nullopt, {}});
   EXPECT_TRUE(report().at("stops_told").at(0).at("error_m").is_null());
