@@ -120,10 +120,10 @@ RunEnding ending_of_drive(const session::RobotContext& context,
     const std::string again = console::shell_line(localize);
     return ending_of(*end, robot.session.end_reason(), {again, again, again, again});
   }
-  if (robot.driver.finished() == exploration::FinishReason::kCannotSense) {
-    return ending_of(exploration::FinishReason::kCannotSense, std::nullopt, std::nullopt, {});
-  }
   const auto finished = robot.driver.finished().value_or(exploration::FinishReason::kStopLimit);
+  if (is_trouble(finished)) {
+    return ending_of(finished, std::nullopt, std::nullopt, {});
+  }
   RunEnding ending =
       ending_of_localization(exploration::name_of(finished), robot.filter.report(), localize);
   return found ? with_fault(std::move(ending), advice_of(found->fault, context.profile())) : ending;
@@ -153,7 +153,7 @@ bool follow_to_next_stop(const FollowedRobot& robot) {
   }
   console::print("  " + robot.filter.line());
   if (robot.filter.has_lost_it()) {
-    robot.driver.restart();
+    robot.driver.begin_new_map(1);
   }
   return true;
 }

@@ -70,6 +70,13 @@ constexpr Trouble kTroubles[] = {
      &NextCommands::find},
 };
 
+const Trouble* trouble_of(FinishReason reason) {
+  const auto* trouble = std::find_if(std::begin(kTroubles),
+                                     std::end(kTroubles),
+                                     [&](const Trouble& one) { return one.reason == reason; });
+  return trouble == std::end(kTroubles) ? nullptr : trouble;
+}
+
 /// Why a strategy went no further although nothing kept it; empty where it was done.
 std::string_view end_of(FinishReason reason) {
   switch (reason) {
@@ -146,15 +153,14 @@ std::optional<mapping::ExpectedWallError> wall_error_of(const pipeline::RobotPip
   return mapping::expected_wall_error(map, std::sqrt(method->belief().covariance(2, 2)));
 }
 
+bool is_trouble(FinishReason reason) { return trouble_of(reason) != nullptr; }
+
 RunEnding ending_of(FinishReason reason,
                     const std::optional<Coverage>& coverage,
                     const std::optional<mapping::ExpectedWallError>& walls,
                     const NextCommands& next) {
   const std::string outcome = name_of(reason);
-  const auto* trouble = std::find_if(std::begin(kTroubles),
-                                     std::end(kTroubles),
-                                     [&](const Trouble& one) { return one.reason == reason; });
-  if (trouble != std::end(kTroubles)) {
+  if (const Trouble* trouble = trouble_of(reason)) {
     const std::string command = trouble->command != nullptr ? next.*trouble->command : "";
     return {outcome, trouble->code, trouble->why, trouble->next + command};
   }

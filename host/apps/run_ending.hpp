@@ -51,6 +51,9 @@ std::optional<exploration::Coverage> coverage_of(const pipeline::Snapshot& snaps
 /// What the walls of a map by multiscan SLAM are expected to be off by; empty for other maps.
 std::optional<mapping::ExpectedWallError> wall_error_of(const pipeline::RobotPipeline& pipeline);
 
+/// Whether the robot, not the room, ended the strategy: a part is broken, it is held, or the like.
+bool is_trouble(exploration::FinishReason reason);
+
 /// Of an exploration that its strategy has ended. A strategy that has done what it set out to do
 /// has finished only where the map, too, has what the robot can reach; a robot that hears nothing
 /// has no `coverage`, and its strategy is believed.

@@ -11,14 +11,12 @@
 #include "host/exploration/unwinding_turn.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
-#include "host/geometry/unit_vector.hpp"
 #include "host/mapping/raster_map.hpp"
 
 namespace echomap::exploration {
 
 namespace {
 
-using geometry::CellIndex;
 using geometry::Pose2;
 using mapping::CellState;
 using mapping::RasterMap;
@@ -27,8 +25,6 @@ void validate(const FrontierParams& params) {
   geometry::ParameterValidator("frontier")
       .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
       .positive("viewpoints.min_gain_m2", params.viewpoints.min_gain_m2)
-      .at_least("back_off_m", params.back_off_m, 0.0)
-      .positive("obstacle_m", params.obstacle_m)
       .positive("fine_gain_m2", params.fine_gain_m2)
       .at_least("enough_share", params.enough_share, 0.0)
       .at_least("openings_apart_m", params.openings_apart_m, 0.0)
@@ -39,24 +35,9 @@ void validate(const FrontierParams& params) {
       .positive("max_stops", params.max_stops);
 }
 
-/// The map with what has stopped the robot.
-RasterMap map_with(const std::vector<Eigen::Vector2d>& bumps_m,
-                   const pipeline::Snapshot& snapshot,
-                   const FrontierParams& params) {
-  RasterMap map = planning_map(snapshot, params.gain.depth_m, params.costs.robot_radius_m);
-  for (const Eigen::Vector2d& bump_m : bumps_m) {
-    draw_disc(map,
-              bump_m,
-              0.5 * params.obstacle_m,
-              {CellState::kFree, CellState::kUnknown},
-              CellState::kOccupied);
-  }
-  return map;
-}
-
 }  // namespace
 
-Frontier::Frontier(const FrontierParams& params) : params_(params), follower_(params.follower) {
+Frontier::Frontier(const FrontierParams& params) : params_(params), navigator_(params.navigator) {
   validate(params);
 }
 
@@ -85,8 +66,7 @@ Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
 /// What stopped a move stands before the robot: it is kept, and the robot backs off. A lifted robot
 /// starts again where it was put down.
 std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, MotionResult last) {
-  const bool touches = snapshot.hazards.bump_left || snapshot.hazards.bump_right;
-  const bool pushes = phase_ == Phase::kDriving && touches;
+  const bool pushes = phase_ == Phase::kDriving && is_stopped(snapshot, MotionResult::kReached);
   if (last == MotionResult::kReached && !pushes) {
     return std::nullopt;
   }
@@ -98,25 +78,11 @@ std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, Moti
     phase_ = Phase::kStarting;
     return std::nullopt;
   }
-  const bool in_the_way = pushes || last == MotionResult::kBumped ||
-                          last == MotionResult::kHazard || last == MotionResult::kStalled;
-  if (phase_ != Phase::kDriving || !in_the_way) {
+  if (phase_ != Phase::kDriving || !is_stopped(snapshot, last)) {
     return std::nullopt;
   }
-  remember_obstacle(snapshot);
   phase_ = Phase::kBackingOff;
-  return Drive{-params_.back_off_m};
-}
-
-/// Before the hull, or on the side of it where the bumper was pushed.
-void Frontier::remember_obstacle(const pipeline::Snapshot& snapshot) {
-  constexpr double kSideRad = 0.6;
-  const auto& hazards = snapshot.hazards;
-  const double aside_rad =
-      kSideRad * ((hazards.bump_left ? 1.0 : 0.0) - (hazards.bump_right ? 1.0 : 0.0));
-  const double ahead_m = params_.costs.robot_radius_m + 0.5 * params_.obstacle_m;
-  const Eigen::Vector2d from_robot_m = ahead_m * geometry::unit_vector(aside_rad);
-  bumps_m_.emplace_back(snapshot.latest.T_map_robot * from_robot_m);
+  return navigator_.back_off(snapshot);
 }
 
 std::optional<FinishReason> Frontier::reason_to_finish(const pipeline::Snapshot& snapshot) {
@@ -137,10 +103,8 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
     failures_ = 0;
   }
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
-  const RasterMap map = map_with(bumps_m_, snapshot, params_);
-  const CellIndex here = map.cell_at(T_map_robot.position_m());
-  costs_ = costs_on(map, snapshot, params_.costs);
-  travel_.search(*costs_, here);
+  const RasterMap map = navigator_.map_of(snapshot, params_.gain.depth_m);
+  navigator_.survey(map, snapshot);
   goal_ = choose_look(map, snapshot, params_.viewpoints.min_gain_m2);
   if (!goal_) {
     goal_ = choose_opening(map, snapshot);
@@ -151,9 +115,7 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
   if (!goal_) {
     return Finished{FinishReason::kComplete};
   }
-  const auto path = planner_.find(*costs_, here, costs_->cell_at(goal_->at_m));
-  follower_.follow(path && goal_->cost_m > 0.0 ? path->points_m : std::vector<Eigen::Vector2d>{});
-  patience_ = max_motions(goal_->cost_m, params_.follower);
+  navigator_.set_off(T_map_robot, goal_->at_m, goal_->cost_m);
   phase_ = Phase::kDriving;
   return drive_on(snapshot);
 }
@@ -164,9 +126,8 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
   ViewpointParams viewpoints = params_.viewpoints;
   viewpoints.min_gain_m2 = min_gain_m2;
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): decide() has set them
-  return choose_viewpoint(*costs_,
-                          travel_,
+  return choose_viewpoint(navigator_.costs(),
+                          navigator_.travel(),
                           find_frontiers(map, map.cell_at(T_map_robot.position_m())),
                           ViewGain(map, views_of(*snapshot.scans), params_.gain),
                           T_map_robot,
@@ -175,7 +136,7 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
 
 bool Frontier::has_seen_enough(const pipeline::Snapshot& snapshot) const {
   CoverageParams coverage;
-  coverage.costs = params_.costs;
+  coverage.costs = params_.navigator.costs;
   coverage.gain = params_.gain;
   return coverage_of(snapshot, coverage).share() >= params_.enough_share;
 }
@@ -186,7 +147,7 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
                                                   const pipeline::Snapshot& snapshot) {
   std::optional<Viewpoint> nearest;
   for (const Opening& opening : find_openings(map, *snapshot.scans, params_.openings)) {
-    const auto cost_m = travel_.cost_m(map.cell_at(opening.edge_m));
+    const auto cost_m = navigator_.travel().cost_m(map.cell_at(opening.edge_m));
     if (cost_m && !was_tried(opening.beyond_m, map) && (!nearest || *cost_m < nearest->cost_m)) {
       nearest = Viewpoint{opening.beyond_m, {0.0, 0.0, geometry::kFullTurnRad}, *cost_m, 0.0};
     }
@@ -200,7 +161,7 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   RasterMap stepped = map;
   const double radius_m = params_.openings.step_m + 2.0 * map.resolution_m();
   draw_disc(stepped, nearest->at_m, radius_m, {CellState::kUnknown}, CellState::kFree);
-  costs_ = costs_on(stepped, snapshot, params_.costs);
+  navigator_.suppose(stepped, snapshot);
   return nearest;
 }
 
@@ -212,16 +173,14 @@ bool Frontier::was_tried(const Eigen::Vector2d& opening_m, const RasterMap& map)
   const auto is_in_vain = [&](const Eigen::Vector2d& tried_m) {
     return is_near(tried_m) && map.state(map.cell_at(tried_m)) != CellState::kFree;
   };
+  const auto& obstacles_m = navigator_.obstacles_m();
   return std::any_of(openings_m_.begin(), openings_m_.end(), is_in_vain) ||
-         std::any_of(bumps_m_.begin(), bumps_m_.end(), is_near);
+         std::any_of(obstacles_m.begin(), obstacles_m.end(), is_near);
 }
 
 /// On along the way; where it ends, or has taken too long, the sweep.
 Motion Frontier::drive_on(const pipeline::Snapshot& snapshot) {
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a path was planned, and on these costs
-  const auto motion = follower_.next(snapshot.latest.T_map_robot, *costs_);
-  if (motion && patience_ > 0) {
-    --patience_;
+  if (const auto motion = navigator_.next(snapshot.latest.T_map_robot)) {
     return *motion;
   }
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): it drives to a goal

@@ -10,13 +10,10 @@
 
 #include <Eigen/Core>
 
-#include "host/exploration/cost_grid.hpp"
 #include "host/exploration/explorer.hpp"
+#include "host/exploration/navigator.hpp"
 #include "host/exploration/opening_search.hpp"
-#include "host/exploration/path_follower.hpp"
-#include "host/exploration/path_planner.hpp"
 #include "host/exploration/round_sweep.hpp"
-#include "host/exploration/travel_field.hpp"
 #include "host/exploration/view_gain.hpp"
 #include "host/exploration/viewpoint_choice.hpp"
 
@@ -24,18 +21,13 @@ namespace echomap::exploration {
 
 /// Values without another source are ours, chosen in simulation.
 struct FrontierParams {
-  CostGridParams costs;
-  PathFollowerParams follower;
+  NavigatorParams navigator;
   ViewGainParams gain;
   ViewpointParams viewpoints;
   OpeningParams openings;
   /// All round once, in steps of 4 degrees: a beam of 26 degrees then hears a wall seven times. A
   /// sweep of a sector is as dense.
   RoundSweepParams sweep{6.283185307179586, 0.06981317007977318, 1.5707963267948966, 0.03};
-  /// Distance to back off after a bump.
-  double back_off_m = 0.1;
-  /// Assumed width of an obstacle that stopped the robot.
-  double obstacle_m = 0.2;
   /// Where no look promises viewpoints.min_gain_m2 and no opening is left, those that promise so
   /// much count as long as the map has less than this share of what the robot can reach.
   double fine_gain_m2 = 0.03;
@@ -63,7 +55,6 @@ class Frontier final : public Explorer {
   enum class Phase : std::uint8_t { kStarting, kDriving, kSensing, kBackingOff };
 
   std::optional<Motion> recover(const pipeline::Snapshot& snapshot, MotionResult last);
-  void remember_obstacle(const pipeline::Snapshot& snapshot);
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
   Motion decide(const pipeline::Snapshot& snapshot);
   std::optional<Viewpoint> choose_look(const mapping::RasterMap& map,
@@ -79,16 +70,11 @@ class Frontier final : public Explorer {
   Motion take_planned();
 
   FrontierParams params_;
-  PathFollower follower_;
-  PathPlanner planner_;
-  TravelField travel_;
-  std::optional<CostGrid> costs_;
+  Navigator navigator_;
   Phase phase_ = Phase::kStarting;
   std::deque<Motion> plan_;
   std::optional<Viewpoint> goal_;
   std::vector<Eigen::Vector2d> openings_m_;  ///< Those that were chosen, reached or not.
-  std::vector<Eigen::Vector2d> bumps_m_;     ///< What has stopped the robot.
-  std::size_t patience_ = 0;                 ///< Motions that the way may still take.
   std::size_t failures_ = 0;                 ///< Since the last stop or opening.
   bool sweeping_ = false;                    ///< The last motion was a sweep.
   std::size_t sweeps_done_ = 0;              ///< At this stop.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -181,9 +180,6 @@ std::optional<Eigen::Vector2d> NxtFarthest::choose_offset_m(const pipeline::Snap
   for (auto& offset_m : offsets_m) {
     offset_m *= drivable_m(offset_m, snapshot) / offset_m.norm();
   }
-  if (value_) {
-    put_best_first(offsets_m, snapshot);
-  }
   for (const double spacing_m : {params_.stop_spacing_m, 0.0}) {
     for (const auto& offset_m : offsets_m) {
       const Eigen::Vector2d goal_m = snapshot.latest.T_map_robot.position_m() + offset_m;
@@ -194,22 +190,6 @@ std::optional<Eigen::Vector2d> NxtFarthest::choose_offset_m(const pipeline::Snap
     }
   }
   return std::nullopt;
-}
-
-void NxtFarthest::put_best_first(std::vector<Eigen::Vector2d>& offsets_m,
-                                 const pipeline::Snapshot& snapshot) const {
-  std::vector<std::pair<double, Eigen::Vector2d>> valued;
-  for (const Eigen::Vector2d& offset_m : offsets_m) {
-    const Eigen::Vector2d goal_m = snapshot.latest.T_map_robot.position_m() + offset_m;
-    const Pose2 T_map_goal(goal_m.x(), goal_m.y(), std::atan2(offset_m.y(), offset_m.x()));
-    valued.emplace_back(value_(snapshot.latest.T_map_robot.inverse() * T_map_goal), offset_m);
-  }
-  std::stable_sort(valued.begin(), valued.end(), [](const auto& one, const auto& other) {
-    return one.first > other.first;
-  });
-  std::transform(valued.begin(), valued.end(), offsets_m.begin(), [](const auto& goal) {
-    return goal.second;
-  });
 }
 
 std::optional<FinishReason> NxtFarthest::reason_to_finish(const pipeline::Snapshot& snapshot) {

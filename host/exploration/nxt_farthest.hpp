@@ -4,10 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <optional>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -62,11 +60,6 @@ class NxtFarthest final : public Explorer {
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
 
-  /// What a goal is worth, seen from the robot; where goals differ in that, the best is taken in
-  /// place of a random one.
-  using GoalValue = std::function<double(const geometry::Pose2& T_robot_goal)>;
-  void prefer(GoalValue value) { value_ = std::move(value); }
-
  private:
   enum class Phase : std::uint8_t { kSensing, kMoving, kBackingOff };
 
@@ -77,13 +70,10 @@ class NxtFarthest final : public Explorer {
   /// Why the scan of the room that is under way has come to its end; empty where it has not.
   std::optional<FinishReason> end_of_scan(const pipeline::Snapshot& snapshot);
   std::optional<Eigen::Vector2d> choose_offset_m(const pipeline::Snapshot& snapshot);
-  void put_best_first(std::vector<Eigen::Vector2d>& offsets_m,
-                      const pipeline::Snapshot& snapshot) const;
   double drivable_m(const Eigen::Vector2d& offset_m, const pipeline::Snapshot& snapshot) const;
 
   NxtFarthestParams params_;
   std::mt19937& random_;
-  GoalValue value_;
   Phase phase_ = Phase::kMoving;
   std::deque<Motion> plan_;
   std::size_t poor_stops_ = 0;

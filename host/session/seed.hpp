@@ -10,7 +10,6 @@ namespace echomap::session {
 enum class SeedPurpose : std::uint32_t {
   kStrategy = 0,
   kLocalizer = 1,
-  kStopDriver = 2,
 };
 
 /// The seed of a run, from which every random number of it comes.

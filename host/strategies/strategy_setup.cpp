@@ -37,6 +37,13 @@ exploration::PathFollowerParams follower_params(const RobotProfile& profile) {
   return params;
 }
 
+exploration::NavigatorParams navigator_params(const RobotProfile& profile) {
+  exploration::NavigatorParams params;
+  params.costs.robot_radius_m = profile.body_radius_m;
+  params.follower = follower_params(profile);
+  return params;
+}
+
 ExplorerPtr make_nxt_farthest(const RobotProfile& profile,
                               const StrategyOptions& options,
                               std::mt19937& random) {
@@ -239,12 +246,20 @@ exploration::TangentBugParams tangent_bug_params(const RobotProfile& profile) {
 exploration::FrontierParams frontier_params(const RobotProfile& profile,
                                             std::optional<std::size_t> max_stops) {
   exploration::FrontierParams params;
-  params.costs.robot_radius_m = profile.body_radius_m;
-  params.follower = follower_params(profile);
+  params.navigator = navigator_params(profile);
   params.viewpoints.speed_m_per_s = profile.speed_m_per_s;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;
   params.max_stops = max_stops.value_or(kNoLimit);
+  return params;
+}
+
+exploration::ActiveLocalizationParams active_localization_params(const RobotProfile& profile) {
+  exploration::ActiveLocalizationParams params;
+  params.navigator = navigator_params(profile);
+  params.speed_m_per_s = profile.speed_m_per_s;
+  params.sweep.pan_limit_rad = profile.pan_limit_rad;
+  params.sweep.settle_s = profile.settle_s;
   return params;
 }
 

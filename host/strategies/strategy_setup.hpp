@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/exploration/active_localization.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/frontier.hpp"
 #include "host/exploration/nxt_farthest.hpp"
@@ -78,6 +79,10 @@ exploration::TangentBugParams tangent_bug_params(const session::RobotProfile& pr
 /// What frontier has to know of a robot; without `max_stops` it makes as many as it takes.
 exploration::FrontierParams frontier_params(const session::RobotProfile& profile,
                                             std::optional<std::size_t> max_stops);
+
+/// What the search for the robot's place has to know of a robot.
+exploration::ActiveLocalizationParams active_localization_params(
+    const session::RobotProfile& profile);
 
 /// What stops has to know of a robot.
 exploration::StopTourParams stop_tour_params(const session::RobotProfile& profile);

@@ -30,7 +30,7 @@ std::unique_ptr<exploration::Explorer> explorer_for(const world::RobotParams& ro
                                                     std::mt19937& random) {
   if (strategy == OfflineStrategy::kFrontier) {
     exploration::FrontierParams params;
-    params.costs.robot_radius_m = robot.body.radius_m;
+    params.navigator.costs.robot_radius_m = robot.body.radius_m;
     return std::make_unique<exploration::Frontier>(params);
   }
   exploration::NxtFarthestParams params;

@@ -120,6 +120,13 @@ TEST(RunEnding, OfATroubleIsThatOfTheTroubleWhateverTheMapHas) {
   }
 }
 
+TEST(RunEnding, TroubleIsOfTheRobotNotOfTheRoom) {
+  EXPECT_TRUE(is_trouble(FinishReason::kSonarSilent));
+  EXPECT_TRUE(is_trouble(FinishReason::kStuck));
+  EXPECT_FALSE(is_trouble(FinishReason::kNowhereToGo));
+  EXPECT_FALSE(is_trouble(FinishReason::kStopLimit));
+}
+
 TEST(RunEnding, OfASessionHasTheNextStepOfItsReasonOrElseTheOneThatGoesOn) {
   const RunEnding lost =
       ending_of(session::SessionEnd::kLinkLost, "lost robot: unplugged\n  next: plug it in", kNext);

@@ -309,18 +309,6 @@ TEST(NxtFarthest, EndsWhereItIsWalledIn) {
   EXPECT_EQ(finished.reason, FinishReason::kNowhereToGo);
 }
 
-TEST(NxtFarthest, TakesTheGoalOfTheGreatestValue) {
-  const auto snapshot = seen({{0.0, 1.0}, {90.0, 2.0}, {180.0, 1.5}, {-90.0, 1.2}});
-  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
-    std::mt19937 random(seed);
-    NxtFarthest explorer({}, random);
-    explorer.prefer([](const geometry::Pose2& T_robot_goal) { return -T_robot_goal.y_m(); });
-    sensing(explorer, snapshot);
-    const auto turn = std::get<Turn>(explorer.next(snapshot, MotionResult::kReached));
-    EXPECT_NEAR(turn.angle_rad, radians(-90.0), 1e-6) << "seed " << seed;
-  }
-}
-
 TEST(NxtFarthest, RefusesParametersWithoutSense) {
   std::mt19937 random(1);
   const auto refused = [&](auto change) {

@@ -10,51 +10,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_snapshot.hpp"
+#include "tests/host/exploration/obedient_robot.hpp"
 
 namespace echomap::exploration {
 namespace {
-
-using geometry::Pose2;
-
-/// Carries out a tour as it is asked to, on a floor where nothing is in the way.
-struct ObedientRobot {
-  pipeline::Snapshot snapshot = tests::snapshot_of(mapping::OccupancyGrid(), {});
-  std::vector<Eigen::Vector2d> stops_m;
-  std::vector<Motion> motions;
-
-  /// Answers why the tour ended, or nothing after far too many motions. `result_of` says how a
-  /// motion ends.
-  template <class ResultOf>
-  std::optional<FinishReason> drive(StopTour& tour, const ResultOf& result_of) {
-    MotionResult last = MotionResult::kReached;
-    for (int i = 0; i < 5000; ++i) {
-      motions.push_back(tour.next(snapshot, last));
-      const Motion& motion = motions.back();
-      if (const auto* finished = std::get_if<Finished>(&motion)) {
-        return finished->reason;
-      }
-      last = result_of(motion);
-      carry_out(motion);
-    }
-    return std::nullopt;
-  }
-  std::optional<FinishReason> drive(StopTour& tour) {
-    return drive(tour, [](const Motion&) { return MotionResult::kReached; });
-  }
-  void carry_out(const Motion& motion) {
-    Pose2& at = snapshot.latest.T_map_robot;
-    if (const auto* turn = std::get_if<Turn>(&motion)) {
-      at = at * Pose2(0.0, 0.0, turn->angle_rad);
-    } else if (const auto* drive = std::get_if<Drive>(&motion)) {
-      at = at * Pose2(drive->distance_m, 0.0, 0.0);
-    } else if (const auto* roll = std::get_if<Roll>(&motion)) {
-      at = at * Pose2(roll->forward_m_per_s * roll->for_s, 0.0, roll->turn_rad_per_s * roll->for_s);
-    } else if (std::holds_alternative<BeginScan>(motion)) {
-      stops_m.push_back(at.position_m());
-    }
-  }
-};
 
 const std::vector<TourPlace> kTriangle{
     {"start", {0.0, 0.0}}, {"passed", {1.0, 0.0}, false}, {"far", {1.0, 1.0}}};

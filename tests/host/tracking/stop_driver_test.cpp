@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/tracking/stop_driver.hpp"
 
+#include <functional>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -33,14 +34,17 @@ class StopDriverTest : public session::SessionOnACable {
     robot.connect();
     driver = std::make_unique<StopDriver>(robot, "multiscan");
   }
-  void let_it_hear() {
-    cable.robot.on_command = [this](std::string_view name) {
+  /// `flight_us` of a pan angle.
+  void let_it_hear(const std::function<int(int pan_deg)>& flight_us = [](int pan_deg) {
+    return 11'655 + 20 * pan_deg;
+  }) {
+    cable.robot.on_command = [this, flight_us](std::string_view name) {
       for (int pan_deg = -90; name == "StartSweep" && pan_deg < 90; pan_deg += 6) {
         cable.robot.send(protocol::Echo{cable.robot.stamp_us(),
-                                        0,
-                                        0,
                                         static_cast<std::int16_t>(100 * pan_deg),
-                                        static_cast<std::uint16_t>(11'655)});
+                                        static_cast<std::uint16_t>(flight_us(pan_deg)),
+                                        0,
+                                        0});
       }
     };
   }
@@ -58,19 +62,38 @@ TEST_F(StopDriverTest, SweepsTwiceAroundAtAStopAndLooksAroundAsItTurns) {
   EXPECT_FALSE(driver->finished());
 }
 
-TEST_F(StopDriverTest, ListensOnWhereNothingAnswersAndThenKnowsNowhereToGo) {
-  EXPECT_TRUE(driver->go_to_next_stop({}));
-  EXPECT_TRUE(driver->go_to_next_stop({}));
+TEST_F(StopDriverTest, EndsWhereTheSonarDoesNotAnswer) {
+  let_it_hear([](int) { return protocol::kNoSonar; });
   EXPECT_TRUE(driver->go_to_next_stop({}));
   EXPECT_FALSE(driver->go_to_next_stop({}));
-  EXPECT_EQ(driver->finished(), FinishReason::kNowhereToGo);
+  EXPECT_EQ(driver->finished(), FinishReason::kSonarSilent);
+}
+
+TEST_F(StopDriverTest, BeginsANewMapWhereWhatItHearsContradictsItsOwn) {
+  let_it_hear();
+  ASSERT_TRUE(driver->go_to_next_stop({}));
+  ASSERT_TRUE(driver->go_to_next_stop({}));
+  let_it_hear([](int pan_deg) { return 5'000 + 10 * pan_deg; });
+  for (int stop = 0; stop < 4; ++stop) {
+    ASSERT_TRUE(driver->go_to_next_stop({})) << stop;
+  }
+  EXPECT_LE(driver->pipeline().snapshot().stops, 4U);
+}
+
+TEST_F(StopDriverTest, BeginsANewMapWithTheStopsThatAreOfIt) {
+  let_it_hear();
+  ASSERT_TRUE(driver->go_to_next_stop({}));
+  driver->begin_new_map(1);
+  EXPECT_EQ(driver->pipeline().snapshot().stops, 1U);
+  driver->begin_new_map(0);
+  EXPECT_EQ(driver->pipeline().snapshot().stops, 0U);
 }
 
 TEST_F(StopDriverTest, IsPlacedByTheSlamThatIsNamedAlsoWhereItStartsAnew) {
   EXPECT_NE(driver->pipeline().slam(), nullptr);
   driver = std::make_unique<StopDriver>(robot, "none");
   EXPECT_EQ(driver->pipeline().slam(), nullptr);
-  driver->restart();
+  driver->begin_new_map(0);
   EXPECT_EQ(driver->pipeline().slam(), nullptr);
 }
 

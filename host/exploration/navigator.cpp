@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/navigator.hpp"
+
+#include "host/exploration/planning_map.hpp"
+#include "host/geometry/parameter_validator.hpp"
+#include "host/geometry/unit_vector.hpp"
+
+namespace echomap::exploration {
+
+using geometry::Pose2;
+using mapping::CellState;
+using mapping::RasterMap;
+
+bool is_stopped(const pipeline::Snapshot& snapshot, MotionResult last) {
+  return snapshot.hazards.bump_left || snapshot.hazards.bump_right ||
+         last == MotionResult::kBumped || last == MotionResult::kHazard ||
+         last == MotionResult::kStalled;
+}
+
+Navigator::Navigator(const NavigatorParams& params) : params_(params), follower_(params.follower) {
+  geometry::ParameterValidator("navigator")
+      .at_least("back_off_m", params.back_off_m, 0.0)
+      .positive("obstacle_m", params.obstacle_m);
+}
+
+RasterMap Navigator::map_of(const pipeline::Snapshot& snapshot, double margin_m) const {
+  RasterMap map = planning_map(snapshot, margin_m, params_.costs.robot_radius_m);
+  for (const Eigen::Vector2d& obstacle_m : obstacles_m_) {
+    draw_disc(map,
+              obstacle_m,
+              0.5 * params_.obstacle_m,
+              {CellState::kFree, CellState::kUnknown},
+              CellState::kOccupied);
+  }
+  return map;
+}
+
+void Navigator::survey(const RasterMap& map, const pipeline::Snapshot& snapshot) {
+  suppose(map, snapshot);
+  travel_.search(*costs_, costs_->cell_at(snapshot.latest.T_map_robot.position_m()));
+}
+
+void Navigator::suppose(const RasterMap& map, const pipeline::Snapshot& snapshot) {
+  costs_ = costs_on(map, snapshot, params_.costs);
+}
+
+void Navigator::set_off(const Pose2& T_map_robot, const Eigen::Vector2d& goal_m, double cost_m) {
+  const auto path =
+      planner_.find(*costs_, costs_->cell_at(T_map_robot.position_m()), costs_->cell_at(goal_m));
+  follower_.follow(path && cost_m > 0.0 ? path->points_m : std::vector<Eigen::Vector2d>{});
+  motions_left_ = max_motions(cost_m, params_.follower);
+}
+
+std::optional<Motion> Navigator::next(const Pose2& T_map_robot) {
+  const auto motion = follower_.next(T_map_robot, *costs_);
+  if (!motion || motions_left_ == 0) {
+    return std::nullopt;
+  }
+  --motions_left_;
+  return motion;
+}
+
+Drive Navigator::back_off(const pipeline::Snapshot& snapshot) {
+  constexpr double kSideRad = 0.6;
+  const auto& hazards = snapshot.hazards;
+  const double aside_rad =
+      kSideRad * ((hazards.bump_left ? 1.0 : 0.0) - (hazards.bump_right ? 1.0 : 0.0));
+  const double ahead_m = params_.costs.robot_radius_m + 0.5 * params_.obstacle_m;
+  const Eigen::Vector2d from_robot_m = ahead_m * geometry::unit_vector(aside_rad);
+  obstacles_m_.emplace_back(snapshot.latest.T_map_robot * from_robot_m);
+  return Drive{-params_.back_off_m};
+}
+
+}  // namespace echomap::exploration

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/exploration/cost_grid.hpp"
+#include "host/exploration/explorer.hpp"
+#include "host/exploration/path_follower.hpp"
+#include "host/exploration/path_planner.hpp"
+#include "host/exploration/travel_field.hpp"
+#include "host/mapping/raster_map.hpp"
+
+namespace echomap::exploration {
+
+/// Values without another source are ours, chosen in simulation.
+struct NavigatorParams {
+  CostGridParams costs;
+  PathFollowerParams follower;
+  /// Distance to back off after a bump.
+  double back_off_m = 0.1;
+  /// Assumed width of an obstacle that stopped the robot.
+  double obstacle_m = 0.2;
+};
+
+/// Whether something stands in the way of a robot whose motion ended so.
+bool is_stopped(const pipeline::Snapshot& snapshot, MotionResult last);
+
+/// Leads a robot over the floor of its map to places that a strategy chooses, and remembers what
+/// has stopped it on the way.
+class Navigator {
+ public:
+  /// Throws std::invalid_argument for invalid parameters.
+  explicit Navigator(const NavigatorParams& params);
+
+  /// The map of a snapshot with `margin_m` of unknown floor around it, and with what has stopped
+  /// the robot.
+  mapping::RasterMap map_of(const pipeline::Snapshot& snapshot, double margin_m) const;
+  /// Takes that map for the ways that follow, and prices those to all of its places.
+  void survey(const mapping::RasterMap& map, const pipeline::Snapshot& snapshot);
+  /// Takes another map for the next way alone, as one where floor is supposed to be.
+  void suppose(const mapping::RasterMap& map, const pipeline::Snapshot& snapshot);
+  /// As of the last of these two.
+  const CostGrid& costs() const { return *costs_; }
+  /// As of the last survey.
+  const TravelField& travel() const { return travel_; }
+
+  /// Takes the way to `goal_m`, which costs `cost_m`: of a goal without costs the robot is there.
+  void set_off(const geometry::Pose2& T_map_robot, const Eigen::Vector2d& goal_m, double cost_m);
+  /// The next motion on the way; empty where it ends, or has taken too long.
+  std::optional<Motion> next(const geometry::Pose2& T_map_robot);
+
+  /// Remembers what has stopped the robot, right before the hull or on the side where the bumper is
+  /// pushed, and answers how it comes away from there.
+  Drive back_off(const pipeline::Snapshot& snapshot);
+  const std::vector<Eigen::Vector2d>& obstacles_m() const { return obstacles_m_; }
+
+ private:
+  NavigatorParams params_;
+  PathFollower follower_;
+  PathPlanner planner_;
+  TravelField travel_;
+  std::optional<CostGrid> costs_;
+  std::size_t motions_left_ = 0;  ///< That the way may still take.
+  std::vector<Eigen::Vector2d> obstacles_m_;
+};
+
+}  // namespace echomap::exploration

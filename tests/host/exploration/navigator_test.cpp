@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/navigator.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/host/exploration/obedient_robot.hpp"
+
+namespace echomap::exploration {
+namespace {
+
+using geometry::Pose2;
+using mapping::CellState;
+
+/// Floor of 4 m x 2 m, from 1 m behind the start to 3 m before it.
+mapping::OccupancyGrid floor_around() {
+  mapping::OccupancyGrid grid;
+  for (int y = -20; y <= 20; ++y) {
+    for (int x = -20; x <= 60; ++x) {
+      grid.add({x, y}, -300);
+    }
+  }
+  return grid;
+}
+
+class NavigatorTest : public ::testing::Test {
+ protected:
+  NavigatorTest() {
+    robot.snapshot = tests::snapshot_of(floor_around(), {tests::pose_at(1.0, {})});
+    navigator.survey(navigator.map_of(robot.snapshot, 0.0), robot.snapshot);
+  }
+  const Pose2& T_map_robot() const { return robot.snapshot.latest.T_map_robot; }
+
+  ObedientRobot robot;
+  Navigator navigator{{}};
+};
+
+TEST_F(NavigatorTest, LeadsTheRobotToAPlace) {
+  const Eigen::Vector2d goal_m(2.0, 0.5);
+  navigator.set_off(T_map_robot(), goal_m, 2.1);
+  while (const auto motion = navigator.next(T_map_robot())) {
+    robot.carry_out(*motion);
+  }
+  EXPECT_LT((T_map_robot().position_m() - goal_m).norm(), 0.06);
+}
+
+TEST_F(NavigatorTest, GivesAWayUpThatTakesTooLong) {
+  navigator.set_off(T_map_robot(), {2.0, 0.0}, 2.0);
+  int motions = 0;
+  while (navigator.next(T_map_robot()) && motions < 10'000) {
+    ++motions;
+  }
+  EXPECT_LT(motions, 1'000);
+}
+
+TEST_F(NavigatorTest, StaysWhereTheGoalCostsNothing) {
+  navigator.set_off(T_map_robot(), {2.0, 0.0}, 0.0);
+  EXPECT_FALSE(navigator.next(T_map_robot()));
+}
+
+TEST_F(NavigatorTest, RemembersWhatStoppedTheRobotOnTheSideOfTheBumper) {
+  robot.snapshot.hazards.bump_left = true;
+  EXPECT_TRUE(is_stopped(robot.snapshot, MotionResult::kReached));
+  EXPECT_LT(navigator.back_off(robot.snapshot).distance_m, 0.0);
+  ASSERT_EQ(navigator.obstacles_m().size(), 1U);
+  const Eigen::Vector2d obstacle_m = navigator.obstacles_m().front();
+  EXPECT_GT(obstacle_m.x(), 0.1);
+  EXPECT_GT(obstacle_m.y(), 0.05);
+  const auto map = navigator.map_of(robot.snapshot, 0.0);
+  EXPECT_EQ(map.state(map.cell_at(obstacle_m)), CellState::kOccupied);
+}
+
+TEST_F(NavigatorTest, AMotionThatTookTooLongMetNothing) {
+  EXPECT_FALSE(is_stopped(robot.snapshot, MotionResult::kTimedOut));
+  EXPECT_FALSE(is_stopped(robot.snapshot, MotionResult::kReached));
+  EXPECT_TRUE(is_stopped(robot.snapshot, MotionResult::kStalled));
+}
+
+TEST_F(NavigatorTest, SupposesFloorForOneWay) {
+  const Eigen::Vector2d beyond_m(3.3, 0.0);
+  auto map = navigator.map_of(robot.snapshot, 1.0);
+  navigator.survey(map, robot.snapshot);
+  EXPECT_FALSE(navigator.costs().is_open(navigator.costs().cell_at(beyond_m)));
+  for (int x = 0; x < 10; ++x) {
+    for (int y = -5; y <= 5; ++y) {
+      map.set(map.cell_at({3.05 + 0.05 * x, 0.05 * y}), CellState::kFree);
+    }
+  }
+  navigator.suppose(map, robot.snapshot);
+  EXPECT_TRUE(navigator.costs().is_open(navigator.costs().cell_at(beyond_m)));
+  EXPECT_FALSE(navigator.travel().reaches(navigator.costs().cell_at(beyond_m)));
+}
+
+TEST(Navigator, RejectsParametersWithoutSense) {
+  NavigatorParams params;
+  params.obstacle_m = 0.0;
+  EXPECT_THROW(Navigator{params}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::exploration
