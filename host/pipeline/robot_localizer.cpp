@@ -7,9 +7,6 @@
 #include <utility>
 
 #include "host/geometry/parameter_validator.hpp"
-#include "host/localization/place_check.hpp"
-#include "host/localization/view_difference.hpp"
-#include "host/mapping/scan_check.hpp"
 
 namespace echomap::pipeline {
 namespace {
@@ -31,14 +28,13 @@ localization::LocalizedRobot robot_of(const sensors::RangeScan& scan) {
 
 }  // namespace
 
-/// The particle filter, what it knows of the range sensor, and what checks it.
+/// The particle filter, what it knows of the range sensor, and what monitors it.
 struct RobotLocalizer::Filter {
   std::unique_ptr<localization::ObservationModel> observation;
-  std::unique_ptr<localization::ObservationModel> places;  ///< Null where no place is checked.
+  /// Null where no place is checked, or by `observation`.
+  std::unique_ptr<localization::ObservationModel> places;
   localization::MonteCarloLocalizer localizer;
-  localization::PlaceCheck check;
-  double max_range_m;
-  std::optional<localization::ViewDifference> views;  ///< Once a place was checked.
+  LocalizationMonitor monitor;
 };
 
 RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
@@ -48,7 +44,6 @@ RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
     : robot_(robot),
       params_(params),
       map_(std::move(map)),
-      compared_map_(mapping::grid_of(map_)),
       random_(random),
       odometry_(robot.track_m) {
   geometry::ParameterValidator("robot localizer")
@@ -56,10 +51,8 @@ RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
       .positive("step_rad", params.step_rad)
       .positive("scan_step_m", params.scan_step_m)
       .positive("scan_step_rad", params.scan_step_rad)
-      .positive("max_readings", params.max_readings)
-      .positive("contradicting_echoes", params.contradicting_echoes)
-      .within("contradicting_floor_share", params.contradicting_floor_share, 0.0, 1.0)
-      .positive("contradictions_of_lost", params.contradictions_of_lost);
+      .positive("max_readings", params.max_readings);
+  validate(params.monitor);
   if (params.sensor) {
     make_filter(*params.sensor);
   }
@@ -73,13 +66,11 @@ void RobotLocalizer::make_filter(const localization::LocalizedRobot& robot) {
       *observation, localization::localizer_params(params_.preset, robot), random_);
   auto places =
       is_checked() && !robot.is_light ? localization::own_map_model(map_, robot) : nullptr;
-  localization::PlaceCheck check(places ? *places : *observation);
-  filter_ = std::make_unique<Filter>(std::move(observation),
-                                     std::move(places),
-                                     std::move(localizer),
-                                     std::move(check),
-                                     robot.max_range_m,
-                                     std::nullopt);
+  localization::ObservationModel* const compared = places ? places.get() : observation.get();
+  LocalizationMonitor monitor(
+      map_, is_checked() ? compared : nullptr, robot.max_range_m, params_.monitor);
+  filter_ = std::make_unique<Filter>(
+      std::move(observation), std::move(places), std::move(localizer), std::move(monitor));
   belief_ = filter_->localizer.belief();
 }
 
@@ -99,13 +90,7 @@ void RobotLocalizer::begin_at_told_start() {
     start_outcome_ =
         filter_->localizer.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
     belief_ = filter_->localizer.belief();
-    if (start_outcome_ == localization::LocalizerOutcome::kMoved) {
-      filter_->check.begin_known();
-    } else if (start_outcome_ == localization::LocalizerOutcome::kOffTheFloor) {
-      filter_->check.begin_anywhere();
-    }
-    contradictions_ = 0;
-    checked_lost_probability_ = 0.0;
+    filter_->monitor.start_at(start_outcome_);
     start_.reset();
   }
 }
@@ -114,9 +99,7 @@ void RobotLocalizer::start_anywhere() {
   on_the_way_.clear();
   if (filter_) {
     filter_->localizer.start_anywhere();
-    filter_->check.begin_anywhere();
-    contradictions_ = 0;
-    checked_lost_probability_ = 0.0;
+    filter_->monitor.start_anywhere();
     belief_ = filter_->localizer.belief();
   }
 }
@@ -204,37 +187,16 @@ bool RobotLocalizer::is_checked() const {
 }
 
 void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& readings) {
-  const auto contradicts = [&](const geometry::Pose2& T_map_robot) {
-    return contradicts_place(T_map_robot, readings);
-  };
-  const bool is_contradicted =
-      !belief_.hypotheses.empty() && contradicts(belief_.hypotheses.front().T_map_robot);
-  if (filter_ && is_checked()) {
-    contradictions_ = is_contradicted ? contradictions_ + 1 : 0;
-    if (contradictions_ >= params_.contradictions_of_lost) {
-      filter_->check.doubt();
-      contradictions_ = 0;
-    }
-    const auto checked = filter_->check.check(
-        belief_,
-        {T_odom_robot_, readings, evenly_picked(on_the_way_, T_odom_robot_, params_.max_readings)},
-        contradicts);
-    belief_ = checked.belief;
-    if (!filter_->views) {
-      filter_->views.emplace(map_, filter_->max_range_m);
-    }
-    checked_lost_probability_ = belief_.status == localization::LocalizationStatus::kLocalized
-                                    ? 0.0
-                                    : belief_.lost_probability;
-    if (checked.T_map_restart) {
-      contradictions_ = 0;
-      filter_->localizer.start_at(
-          *checked.T_map_restart, localization::kFoundStddevM, localization::kFoundStddevRad);
-    }
+  if (!filter_) {
+    return;
   }
-  if (belief_.status == localization::LocalizationStatus::kLocalized &&
-      contradicts(belief_.hypotheses.front().T_map_robot)) {
-    belief_.status = localization::LocalizationStatus::kRecovering;
+  const auto checked = filter_->monitor.check(
+      belief_,
+      {T_odom_robot_, readings, evenly_picked(on_the_way_, T_odom_robot_, params_.max_readings)});
+  belief_ = checked.belief;
+  if (checked.T_map_restart) {
+    filter_->localizer.start_at(
+        *checked.T_map_restart, localization::kFoundStddevM, localization::kFoundStddevRad);
   }
 }
 
@@ -242,24 +204,7 @@ double RobotLocalizer::telling(const geometry::Pose2& T_robot_goal) const {
   if (!filter_ || belief_.status == localization::LocalizationStatus::kLocalized) {
     return 0.0;
   }
-  const auto& views = filter_->views;
-  return views ? views->telling(belief_.hypotheses, T_robot_goal) : 0.0;
-}
-
-bool RobotLocalizer::contradicts_place(
-    const geometry::Pose2& T_map_robot,
-    const std::vector<localization::RangeReading>& readings) const {
-  const geometry::Pose2 T_grid_robot =
-      geometry::Pose2(-map_.origin_m().x(), -map_.origin_m().y(), 0.0) * T_map_robot;
-  mapping::Scan scan;
-  for (const localization::RangeReading& reading : readings) {
-    scan.push_back({T_grid_robot, T_grid_robot * reading.T_robot_sensor, reading.range_m});
-  }
-  const mapping::ScanFit fit = mapping::fit_of(scan, compared_map_);
-  const std::size_t known = fit.on_walls + fit.on_floor;
-  return known >= params_.contradicting_echoes &&
-         static_cast<double>(fit.on_floor) >
-             params_.contradicting_floor_share * static_cast<double>(known);
+  return filter_->monitor.telling(belief_.hypotheses, T_robot_goal);
 }
 
 void RobotLocalizer::follow(time::RobotTime stamp, const sensors::WheelTravel& travel) {
@@ -339,11 +284,7 @@ void RobotLocalizer::update(const std::vector<localization::RangeReading>& readi
   }
   T_odom_updated_ = T_odom_robot_;
   belief_ = filter_->localizer.update(T_odom_robot_, readings);
-  belief_.lost_probability = std::max(belief_.lost_probability, checked_lost_probability_);
-  if (checked_lost_probability_ > 0.0 &&
-      belief_.status == localization::LocalizationStatus::kLocalized) {
-    belief_.status = localization::LocalizationStatus::kRecovering;
-  }
+  filter_->monitor.limit_confidence(belief_);
 }
 
 void RobotLocalizer::note_pose() {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "host/localization/localizer_preset.hpp"
-#include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/raster_map.hpp"
+#include "host/pipeline/localization_monitor.hpp"
 #include "host/pipeline/localizer_feed.hpp"
 #include "host/pipeline/observation_sink.hpp"
 #include "host/pipeline/snapshot.hpp"
@@ -35,13 +35,8 @@ struct RobotLocalizerParams {
   /// A laser's ranges count up to there, metres.
   double max_laser_range_m = 10.0;
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
-  /// A sonar's scan contradicts the place where the robot is believed to be if so many of its
-  /// echoes come from known places of the map, and more than this share of them from its floor:
-  /// what is believed is then no claim, however sure the particles are of each other.
-  std::size_t contradicting_echoes = 8;
-  double contradicting_floor_share = 0.2;
-  /// After so many such scans in a row the robot may be anywhere.
-  std::size_t contradictions_of_lost = 2;
+  /// When scans contradict the believed place.
+  LocalizationMonitorParams monitor;
 };
 
 /// Finds and follows a robot that drives in a map that is given: odometry, and a sonar's scans or
@@ -110,16 +105,12 @@ class RobotLocalizer final : public ObservationSink {
   void note_pose();
   /// By the default preset, which is ours; the papers' filters are as they are.
   bool is_checked() const;
-  /// Compares the place with all others of the map by the last scans, and takes back that the robot
-  /// is localized where its scan says something else.
+  /// Checks the belief after a scan, and starts the filter again where it follows another place.
   void check_place(const std::vector<localization::RangeReading>& readings);
-  bool contradicts_place(const geometry::Pose2& T_map_robot,
-                         const std::vector<localization::RangeReading>& readings) const;
 
   sensors::RobotGeometry robot_;
   RobotLocalizerParams params_;
   mapping::RasterMap map_;
-  mapping::OccupancyGrid compared_map_;  ///< In its own frame: mapping::grid_of.
   std::mt19937 random_;
   std::unique_ptr<Filter> filter_;  ///< Once the sensor is known.
   sensors::WheelOdometry odometry_;
@@ -134,9 +125,6 @@ class RobotLocalizer final : public ObservationSink {
   std::vector<localization::RangeReading> gathered_;    ///< From the odometry's frame.
   std::vector<localization::RangeReading> on_the_way_;  ///< As these, since the last scan.
   bool scan_is_open_ = false;
-  /// As the last check told it, of a place that it did not claim; 0 without a check.
-  double checked_lost_probability_ = 0.0;
-  std::size_t contradictions_ = 0;  ///< Of the believed place, in a row.
   bool is_lifted_ = false;
   bool touches_ = false;
   std::vector<StampedPose> trajectory_;

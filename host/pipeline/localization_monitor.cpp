@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "host/pipeline/localization_monitor.hpp"
+
+#include <algorithm>
+
+#include "host/geometry/parameter_validator.hpp"
+#include "host/mapping/scan_check.hpp"
+
+namespace echomap::pipeline {
+
+void validate(const LocalizationMonitorParams& params) {
+  geometry::ParameterValidator("localization monitor")
+      .positive("contradicting_echoes", params.contradicting_echoes)
+      .within("contradicting_floor_share", params.contradicting_floor_share, 0.0, 1.0)
+      .positive("contradictions_of_lost", params.contradictions_of_lost);
+}
+
+LocalizationMonitor::LocalizationMonitor(const mapping::RasterMap& map,
+                                         localization::ObservationModel* places,
+                                         double max_range_m,
+                                         const LocalizationMonitorParams& params)
+    : params_(params), map_(map), compared_map_(mapping::grid_of(map)), max_range_m_(max_range_m) {
+  validate(params);
+  if (places != nullptr) {
+    places_.emplace(*places);
+  }
+}
+
+void LocalizationMonitor::start_at(localization::LocalizerOutcome outcome) {
+  if (places_ && outcome == localization::LocalizerOutcome::kMoved) {
+    places_->begin_known();
+  } else if (places_ && outcome == localization::LocalizerOutcome::kOffTheFloor) {
+    places_->begin_anywhere();
+  }
+  contradictions_ = 0;
+  lost_probability_ = 0.0;
+}
+
+void LocalizationMonitor::start_anywhere() {
+  if (places_) {
+    places_->begin_anywhere();
+  }
+  contradictions_ = 0;
+  lost_probability_ = 0.0;
+}
+
+localization::CheckedBelief LocalizationMonitor::check(const localization::PoseBelief& believed,
+                                                       const localization::StopScan& scan) {
+  localization::CheckedBelief checked =
+      places_ ? compare_places(believed, scan) : localization::CheckedBelief{believed, {}};
+  localization::PoseBelief& belief = checked.belief;
+  if (belief.status == localization::LocalizationStatus::kLocalized &&
+      contradicts_place(belief.hypotheses.front().T_map_robot, scan.readings)) {
+    belief.status = localization::LocalizationStatus::kRecovering;
+  }
+  return checked;
+}
+
+localization::CheckedBelief LocalizationMonitor::compare_places(
+    const localization::PoseBelief& believed, const localization::StopScan& scan) {
+  const auto contradicts = [&](const geometry::Pose2& T_map_robot) {
+    return contradicts_place(T_map_robot, scan.readings);
+  };
+  const bool is_contradicted =
+      !believed.hypotheses.empty() && contradicts(believed.hypotheses.front().T_map_robot);
+  contradictions_ = is_contradicted ? contradictions_ + 1 : 0;
+  if (contradictions_ >= params_.contradictions_of_lost) {
+    places_->doubt();
+    contradictions_ = 0;
+  }
+  auto checked = places_->check(believed, scan, contradicts);
+  if (!views_) {
+    views_.emplace(map_, max_range_m_);
+  }
+  lost_probability_ = checked.belief.status == localization::LocalizationStatus::kLocalized
+                          ? 0.0
+                          : checked.belief.lost_probability;
+  if (checked.T_map_restart) {
+    contradictions_ = 0;
+  }
+  return checked;
+}
+
+void LocalizationMonitor::limit_confidence(localization::PoseBelief& belief) const {
+  belief.lost_probability = std::max(belief.lost_probability, lost_probability_);
+  if (lost_probability_ > 0.0 && belief.status == localization::LocalizationStatus::kLocalized) {
+    belief.status = localization::LocalizationStatus::kRecovering;
+  }
+}
+
+double LocalizationMonitor::telling(const std::vector<localization::PoseHypothesis>& hypotheses,
+                                    const geometry::Pose2& T_robot_goal) const {
+  return views_ ? views_->telling(hypotheses, T_robot_goal) : 0.0;
+}
+
+bool LocalizationMonitor::contradicts_place(
+    const geometry::Pose2& T_map_robot,
+    const std::vector<localization::RangeReading>& readings) const {
+  const geometry::Pose2 T_grid_robot =
+      geometry::Pose2(-map_.origin_m().x(), -map_.origin_m().y(), 0.0) * T_map_robot;
+  mapping::Scan scan;
+  for (const localization::RangeReading& reading : readings) {
+    scan.push_back({T_grid_robot, T_grid_robot * reading.T_robot_sensor, reading.range_m});
+  }
+  const mapping::ScanFit fit = mapping::fit_of(scan, compared_map_);
+  const std::size_t known = fit.on_walls + fit.on_floor;
+  return known >= params_.contradicting_echoes &&
+         static_cast<double>(fit.on_floor) >
+             params_.contradicting_floor_share * static_cast<double>(known);
+}
+
+}  // namespace echomap::pipeline
