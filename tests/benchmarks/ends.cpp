@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How runs end: whether any room is finished, whether a map that says so is, and how long it takes,
-// over many seeds, beside another strategy; whether robots with a hidden fault are told it; and
-// whether robots that are carried off in the maps that they have made find themselves in them.
+// over many seeds, beside another strategy; whether robots with a hidden fault are told it; whether
+// robots that are carried off in the maps that they have made find themselves in them; and whether
+// users are told how a run ended and what to do next.
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "tests/benchmarks/fault_runs.hpp"
 #include "tests/benchmarks/figures.hpp"
 #include "tests/benchmarks/markdown_table.hpp"
+#include "tests/benchmarks/told_ends.hpp"
 #include "tests/benchmarks/truth_rooms.hpp"
 #include "tests/benchmarks/truth_runs.hpp"
 
@@ -158,13 +160,27 @@ std::vector<CarriedRun> carry_off_all(const Options& options, const fs::path& fo
   return runs;
 }
 
+std::vector<ToldEnd> tell_ends(const Options& options, const fs::path& folder) {
+  const std::vector<test::StagedEnd>& staged = test::staged_ends();
+  std::vector<ToldEnd> ends(staged.size());
+  for_each_in_jobs(staged.size(), options.jobs, [&](std::size_t i) {
+    const fs::path place = folder / staged[i].name;
+    ends[i] = tell_end(staged[i], place);
+    if (options.keep.empty()) {
+      fs::remove_all(place);
+    }
+  });
+  return ends;
+}
+
 void add_options(CLI::App& app, Options& options) {
   app.add_option(
          "--part",
          options.part,
          "runs: how explorations end; faults: what robots are told; carried: whether they find "
-         "themselves in their own maps")
-      ->check(CLI::IsMember({"runs", "faults", "carried", "all"}))
+         "themselves in their own maps; told: whether twelve staged ends are reported with the "
+         "right exit code, outcome and next step")
+      ->check(CLI::IsMember({"runs", "faults", "carried", "told", "all"}))
       ->capture_default_str();
   app.add_option("--robots", options.robots, "Robots with a fault, and as many without")
       ->check(CLI::PositiveNumber)
@@ -220,6 +236,10 @@ int run(Options options) {
   if (options.has("carried")) {
     const std::vector<CarriedRun> runs = carry_off_all(options, folder);
     add(carried_table(runs), carried_figures(runs));
+  }
+  if (options.has("told")) {
+    const std::vector<ToldEnd> ends = tell_ends(options, folder);
+    add(told_table(ends), told_figures(ends));
   }
   fmt::print("{}\n", table);
   if (!options.markdown.empty()) {
