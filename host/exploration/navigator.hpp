@@ -43,7 +43,8 @@ class Navigator {
   void survey(const mapping::RasterMap& map, const pipeline::Snapshot& snapshot);
   /// Takes another map for the next way alone, as one where floor is supposed to be.
   void suppose(const mapping::RasterMap& map, const pipeline::Snapshot& snapshot);
-  /// As of the last of these two.
+  /// As of the last of these two, which has to be before.
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access)
   const CostGrid& costs() const { return *costs_; }
   /// As of the last survey.
   const TravelField& travel() const { return travel_; }

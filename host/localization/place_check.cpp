@@ -38,6 +38,17 @@ std::vector<PoseHypothesis> hypotheses_of(const std::vector<FoundPlace>& places,
   return hypotheses;
 }
 
+/// Among places of which one is believed.
+double probability_of_believed(const std::vector<FoundPlace>& places) {
+  double all = 0.0;
+  double believed = 0.0;
+  for (const FoundPlace& place : places) {
+    all += place.odds;
+    believed += place.is_believed ? place.odds : 0.0;
+  }
+  return all > 0.0 ? believed / all : 1.0;
+}
+
 /// Whether a filter with that belief follows the place.
 bool is_followed(const PoseHypothesis& place, const PoseBelief& believed) {
   if (believed.hypotheses.empty()) {
@@ -95,31 +106,30 @@ CheckedBelief PlaceCheck::check(const PoseBelief& believed,
                                                     : check_anywhere(believed, contradicts);
 }
 
-double PlaceCheck::probability_of(const geometry::Pose2& T_map_believed, std::size_t newest) {
-  double believed = 0.0;
-  double elsewhere = 0.0;
-  std::size_t others = 0;
-  for (const FoundPlace& place : search_.search(newest, T_map_believed)) {
-    (place.is_believed ? believed : elsewhere) += place.odds;
-    others += place.is_believed ? 0 : 1;
+std::vector<FoundPlace> PlaceCheck::places_by_scans(const geometry::Pose2& T_map_believed,
+                                                    std::size_t newest) {
+  std::vector<FoundPlace> places = search_.search(newest, T_map_believed);
+  const auto others = static_cast<double>(std::count_if(
+      places.begin(), places.end(), [](const FoundPlace& place) { return !place.is_believed; }));
+  for (FoundPlace& place : places) {
+    place.odds *=
+        place.is_believed ? 1.0 - params_.elsewhere_chance : params_.elsewhere_chance / others;
   }
-  if (others == 0) {
-    return 1.0;
-  }
-  // The chance is spread evenly over the other places.
-  believed *= 1.0 - params_.elsewhere_chance;
-  elsewhere *= params_.elsewhere_chance / static_cast<double>(others);
-  return believed / (believed + elsewhere);
+  return places;
 }
 
 CheckedBelief PlaceCheck::check_known(const PoseBelief& believed, const Contradicts& contradicts) {
+  const PoseHypothesis& followed = believed.hypotheses.front();
   double least = 1.0;
   std::size_t scans_of_least = 0;
+  std::vector<FoundPlace> places;
   for (std::size_t newest = 1; newest <= search_.scans(); newest *= 2) {
-    const double probability = probability_of(believed.hypotheses.front().T_map_robot, newest);
+    std::vector<FoundPlace> found = places_by_scans(followed.T_map_robot, newest);
+    const double probability = probability_of_believed(found);
     if (probability < least) {
       least = probability;
       scans_of_least = newest;
+      places = std::move(found);
     }
   }
   if (least < params_.lost_below) {
@@ -129,11 +139,17 @@ CheckedBelief PlaceCheck::check_known(const PoseBelief& believed, const Contradi
     return check_anywhere(believed, contradicts);
   }
   CheckedBelief checked{believed, {}};
-  checked.belief.lost_probability = std::max(believed.lost_probability, 1.0 - least);
-  if (checked.belief.status == LocalizationStatus::kLocalized &&
-      checked.belief.lost_probability > 1.0 - params_.claimed_from) {
-    checked.belief.status = LocalizationStatus::kRecovering;
+  if (least < params_.claimed_from) {
+    for (FoundPlace& place : places) {
+      place.T_map_robot = place.is_believed ? followed.T_map_robot : place.T_map_robot;
+    }
+    checked.belief.hypotheses = hypotheses_of(places, params_.told_from);
+    checked.belief.status = believed.status == LocalizationStatus::kLocalized
+                                ? LocalizationStatus::kRecovering
+                                : believed.status;
   }
+  const double told = std::min(least, checked.belief.hypotheses.front().probability);
+  checked.belief.lost_probability = std::max(believed.lost_probability, 1.0 - told);
   return checked;
 }
 

@@ -63,8 +63,10 @@ class PlaceCheck {
  private:
   CheckedBelief check_known(const PoseBelief& believed, const Contradicts& contradicts);
   CheckedBelief check_anywhere(const PoseBelief& believed, const Contradicts& contradicts);
-  /// Probability of the believed place against the others, by so many of the newest scans.
-  double probability_of(const geometry::Pose2& T_map_believed, std::size_t newest);
+  /// The believed place and the others, by so many of the newest scans and the prior probability
+  /// that the robot is elsewhere, which is spread evenly over the others.
+  std::vector<FoundPlace> places_by_scans(const geometry::Pose2& T_map_believed,
+                                          std::size_t newest);
 
   PlaceCheckParams params_;
   PlaceSearch search_;

@@ -48,7 +48,7 @@ class LocalizationMonitor {
   /// The robot may be anywhere from now on.
   void start_anywhere();
 
-  /// Checks the filter's belief after a scan.
+  /// Checks the filter's own belief after a scan.
   localization::CheckedBelief check(const localization::PoseBelief& believed,
                                     const localization::StopScan& scan);
   /// Keeps a belief between two scans as unsure as the last check has left it.

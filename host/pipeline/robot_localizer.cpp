@@ -191,7 +191,7 @@ void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& 
     return;
   }
   const auto checked = filter_->monitor.check(
-      belief_,
+      filter_->localizer.belief(),
       {T_odom_robot_, readings, evenly_picked(on_the_way_, T_odom_robot_, params_.max_readings)});
   belief_ = checked.belief;
   if (checked.T_map_restart) {

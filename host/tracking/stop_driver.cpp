@@ -11,8 +11,6 @@
 
 namespace echomap::tracking {
 
-using exploration::FinishReason;
-
 StopDriver::StopDriver(session::RobotContext& robot, const std::string& slam)
     : robot_(robot), atlas_(session::atlas_for(robot.profile(), slam)) {
   robot_.session().look_around_on_the_way(true);
@@ -29,7 +27,7 @@ void StopDriver::begin() {
   auto strategy = std::make_unique<exploration::ActiveLocalization>(
       strategies::active_localization_params(robot_.profile()));
   strategy_ = strategy.get();
-  explorer_.emplace(std::move(strategy));
+  explorer_ = std::make_unique<exploration::FaultWatch>(std::move(strategy));
   last_ = exploration::MotionResult::kReached;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -42,7 +43,7 @@ class StopDriver {
   session::RobotContext& robot_;
   pipeline::RobotAtlas atlas_;
   exploration::ActiveLocalization* strategy_ = nullptr;  ///< Of the explorer.
-  std::optional<exploration::FaultWatch> explorer_;
+  std::unique_ptr<exploration::FaultWatch> explorer_;
   exploration::MotionResult last_ = exploration::MotionResult::kReached;
   std::optional<exploration::FinishReason> finished_;
 };

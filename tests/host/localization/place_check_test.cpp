@@ -89,6 +89,22 @@ TEST(PlaceCheck, GivesUpAPlaceThatAnotherOutweighs) {
   EXPECT_TRUE(is_lost);
 }
 
+TEST(PlaceCheck, TellsWhichPlacesFitWhileAKnownOneIsDoubted) {
+  int doubted = 0;
+  for (const double off_m : {0.6, 0.7, 0.8, 0.9, 1.0}) {
+    Checked robot(tests::furnished_room());
+    robot.check.begin_known();
+    const PoseBelief told = robot.scan(kHere, {kHere.x_m() - off_m, 0.95, -0.3}).belief;
+    if (told.status == LocalizationStatus::kRecovering) {
+      ++doubted;
+      ASSERT_GE(told.hypotheses.size(), 2U) << off_m;
+      EXPECT_GE(told.hypotheses[0].probability, told.hypotheses[1].probability);
+      EXPECT_GE(told.lost_probability, 1.0 - told.hypotheses[0].probability - 1e-9);
+    }
+  }
+  EXPECT_GT(doubted, 0);
+}
+
 TEST(PlaceCheck, NeverClaimsAnEndOfARoomThatHasTwoAlike) {
   tests::DrawnMap drawing(14, "#" + std::string(30, '.') + "#");
   drawing.front() = drawing.back() = std::string(32, '#');

@@ -244,10 +244,12 @@ TEST(RobotLocalizer, LearnsFromWhatItHearsOnItsWay) {
 class CarriedOff : public RobotLocalizerTest {
  public:
   CarriedOff() {
+    T_map_start = T_map_robot;
     turn(0.0);
     localizer.start_at(T_map_robot, 0.05, 0.05);
     scan();
   }
+  Pose2 T_map_start;
   LocalizationStatus status_at(const Pose2& T_map_elsewhere) {
     T_map_robot = T_map_elsewhere;
     scan();
@@ -271,6 +273,19 @@ TEST(RobotLocalizer, DoesNotClaimADoubtedPlaceAgainBecauseTheWheelsRoll) {
         ++doubted;
         EXPECT_NE(robot.status_after_a_drive(), LocalizationStatus::kLocalized) << x_m;
       }
+    }
+  }
+  EXPECT_GT(doubted, 0);
+}
+
+TEST(RobotLocalizer, ClaimsADoubtedPlaceAgainWhereItsScansFit) {
+  int doubted = 0;
+  for (const double x_m : {0.5, 0.7, 0.9, 2.4, 2.7, 3.3, 3.5}) {
+    CarriedOff robot;
+    if (robot.status_at({x_m, 1.05, 0.1}) == LocalizationStatus::kRecovering) {
+      ++doubted;
+      EXPECT_EQ(robot.status_at(robot.T_map_start), LocalizationStatus::kLocalized)
+          << "a scan from the same spot replaces that from " << x_m;
     }
   }
   EXPECT_GT(doubted, 0);
