@@ -50,7 +50,7 @@ struct Coverage {
 
 /// What looks from the floor in reach could still show (after Yamauchi 1997: unknown cells beside
 /// free ones), where each counts as ViewGain has it: less beside walls, and less for each look that
-/// left it unknown.
+/// left it unknown. Walls that nobody has heard count as far as ViewGain expects floor behind them.
 Coverage coverage_of(const pipeline::Snapshot& snapshot, const CoverageParams& params = {});
 
 }  // namespace echomap::exploration

@@ -126,12 +126,13 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
   ViewpointParams viewpoints = params_.viewpoints;
   viewpoints.min_gain_m2 = min_gain_m2;
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
-  return choose_viewpoint(navigator_.costs(),
-                          navigator_.travel(),
-                          find_frontiers(map, map.cell_at(T_map_robot.position_m())),
-                          ViewGain(map, views_of(*snapshot.scans), params_.gain),
-                          T_map_robot,
-                          viewpoints);
+  const ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unheard, params_.gain);
+  std::vector<FrontierCells> frontiers = find_frontiers(map, map.cell_at(T_map_robot.position_m()));
+  for (const UnheardWall& unheard : gain.unheard()) {
+    frontiers.push_back({map.cell_at(before_m(unheard))});
+  }
+  return choose_viewpoint(
+      navigator_.costs(), navigator_.travel(), frontiers, gain, T_map_robot, viewpoints);
 }
 
 bool Frontier::has_seen_enough(const pipeline::Snapshot& snapshot) const {

@@ -23,6 +23,11 @@ double bearing_of(std::size_t sector) {
   return -std::numbers::pi + (static_cast<double>(sector) + 0.5) * kSectorRad;
 }
 
+std::size_t sector_of(double bearing_rad) {
+  const auto sector = static_cast<std::size_t>((bearing_rad + std::numbers::pi) / kSectorRad);
+  return std::min(sector, ViewGain::kSectors - 1);
+}
+
 /// std::floor is a call where the processor need not have SSE 4.1.
 std::int32_t rounded_down(double value) {
   const auto towards_zero = static_cast<std::int32_t>(value);
@@ -68,18 +73,23 @@ std::vector<PastView> views_of(const std::vector<mapping::Scan>& scans) {
 
 ViewGain::ViewGain(const mapping::RasterMap& map,
                    const std::vector<PastView>& past,
+                   const std::vector<geometry::Segment>& unheard,
                    const ViewGainParams& params)
     : map_(map),
       params_(params),
       worth_(static_cast<std::size_t>(map.columns()) * static_cast<std::size_t>(map.rows()), 1.0F),
-      seen_(worth_.size()) {
+      seen_(worth_.size()),
+      unheard_(unheard_walls(unheard, params.depth_m, params.unheard)) {
   geometry::ParameterValidator("view gain")
       .positive("reach_m", params.reach_m)
       .positive("fade_m", params.fade_m)
       .positive("look_fade_m", params.look_fade_m)
       .positive("depth_m", params.depth_m)
       .positive("left_by_look", params.left_by_look)
-      .at_most("left_by_look", params.left_by_look, 1.0);
+      .at_most("left_by_look", params.left_by_look, 1.0)
+      .positive("novel_m", params.novel_m)
+      .within("unheard.floor_chance", params.unheard.floor_chance, 0.0, 1.0)
+      .positive("unheard.min_length_m", params.unheard.min_length_m);
   const double step_m = map.resolution_m();
   const auto steps = static_cast<int>(params.reach_m / step_m);
   for (int i = 0; i <= steps; ++i) {
@@ -134,6 +144,14 @@ void ViewGain::weight_by_walls() {
 /// As many rays as hit each cell at the far end.
 void ViewGain::look(const PastView& view) {
   ++views_;
+  looked_from_m_.push_back(view.from_m);
+  for (UnheardWall& unheard : unheard_) {
+    const auto bearing_rad = facing_rad(map_, view.from_m, unheard.wall, params_.unheard);
+    if (bearing_rad &&
+        std::abs(geometry::angle_between(view.middle_rad, *bearing_rad)) <= view.half_width_rad) {
+      unheard.floor_m2 *= params_.left_by_look;
+    }
+  }
   const double step_rad = map_.resolution_m() / params_.reach_m;
   const int rays = 1 + static_cast<int>(2.0 * view.half_width_rad / step_rad);
   for (int i = 0; i < rays; ++i) {
@@ -156,7 +174,25 @@ std::vector<double> ViewGain::by_sector_m2(const Eigen::Vector2d& from_m) const 
       gain_m2 += worth * shown_m2_[step];
     });
   }
+  for (const UnheardWall& unheard : unheard_) {
+    if (const auto bearing_rad = facing_rad(map_, from_m, unheard.wall, params_.unheard)) {
+      gains_m2[sector_of(*bearing_rad)] += unheard.floor_m2;
+    }
+  }
+  const double share = novelty(from_m);
+  for (double& gain_m2 : gains_m2) {
+    gain_m2 *= share;
+  }
   return gains_m2;
+}
+
+/// How much of what a sweep shows none before has.
+double ViewGain::novelty(const Eigen::Vector2d& from_m) const {
+  double nearest_m = params_.novel_m;
+  for (const Eigen::Vector2d& other_m : looked_from_m_) {
+    nearest_m = std::min(nearest_m, (other_m - from_m).norm());
+  }
+  return nearest_m / params_.novel_m;
 }
 
 BestView best_view(const std::vector<double>& by_sector_m2, double width_rad) {

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "host/exploration/unheard_walls.hpp"
+#include "host/geometry/segment.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/raster_map.hpp"
 
@@ -27,6 +29,10 @@ struct ViewGainParams {
   /// What each look that left it unknown leaves of the worth of a cell: behind most of it stands a
   /// wall.
   double left_by_look = 0.05;
+  /// A sweep nearer than this to an earlier one shows the less, the nearer it is: from the same
+  /// place a sonar hears the same again.
+  double novel_m = 0.3;
+  UnheardWallParams unheard;
 };
 
 /// A sweep as it was made: from where, and the bearings that its beams covered.
@@ -49,27 +55,33 @@ struct BestView {
 
 /// How much unknown floor a sweep from a place would show: rays run over free floor and into the
 /// unknown until something occupied stops them, and what earlier sweeps have looked at in vain
-/// counts less each time.
+/// counts less each time. So does the floor expected behind a wall that nobody has heard, which
+/// only a sweep that faces it may show.
 class ViewGain {
  public:
   /// Bearings are told apart in so many sectors of the full turn.
   static constexpr std::size_t kSectors = 72;
 
-  /// `map` outlives this. Throws std::invalid_argument for invalid parameters.
+  /// `map` outlives this; `unheard` are the walls on it that nobody has heard. Throws
+  /// std::invalid_argument for invalid parameters.
   ViewGain(const mapping::RasterMap& map,
            const std::vector<PastView>& past,
+           const std::vector<geometry::Segment>& unheard,
            const ViewGainParams& params);
 
   /// Square metres by sector, from -pi on.
   std::vector<double> by_sector_m2(const Eigen::Vector2d& from_m) const;
   /// How much of an unknown cell of the map counts, from 0 to 1.
   double worth(geometry::CellIndex cell) const { return static_cast<double>(worth_[index(cell)]); }
+  /// Walls that nobody has heard, with what is expected behind them after all looks.
+  const std::vector<UnheardWall>& unheard() const { return unheard_; }
 
  private:
   template <typename Visitor>
   void follow(const Eigen::Vector2d& from_m, double bearing_rad, Visitor&& visit) const;
   void weight_by_walls();
   void look(const PastView& view);
+  double novelty(const Eigen::Vector2d& from_m) const;
   std::size_t index(geometry::CellIndex cell) const {
     return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(map_.columns()) +
            static_cast<std::size_t>(cell.x);
@@ -80,6 +92,8 @@ class ViewGain {
   std::vector<float> worth_;         ///< By cell: 1 far from walls where nobody has looked.
   std::vector<std::uint32_t> seen_;  ///< By cell: the last view that has looked at it.
   std::uint32_t views_ = 0;
+  std::vector<Eigen::Vector2d> looked_from_m_;
+  std::vector<UnheardWall> unheard_;
   std::vector<double> shown_m2_;  ///< By step of a ray: what one unknown cell there adds.
   std::vector<float> left_;       ///< By step of a ray: what a look leaves of a cell's worth.
 };

@@ -11,8 +11,8 @@ std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot,
   if (has_outline) {
     legend.push_back({kOutlineColour, "outline"});
   }
-  const auto& [walls, circles] = *snapshot.features;
-  if (style.shows_features && !(walls.empty() && circles.empty())) {
+  const mapping::SonarFeatures& features = *snapshot.features;
+  if (style.shows_features && !(features.walls.empty() && features.circles.empty())) {
     legend.push_back({kFittedColour, "fitted"});
   }
   if (!snapshot.points->points().empty()) {

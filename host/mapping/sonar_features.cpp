@@ -24,6 +24,26 @@ std::vector<geometry::Segment> segments_of(const std::vector<MatchedWall>& walls
   return segments;
 }
 
+/// What completion has added to a wall.
+MatchedWall unheard_of(const MatchedWall& heard, const MatchedWall& completed) {
+  MatchedWall unheard{heard.normal_rad, heard.offset_m, {}};
+  for (const auto& piece : completed.pieces) {
+    double end_m = piece.from_m;
+    for (const auto& known : heard.pieces) {
+      if (known.from_m >= piece.from_m && known.to_m <= piece.to_m) {
+        if (known.from_m > end_m) {
+          unheard.pieces.push_back({end_m, known.from_m});
+        }
+        end_m = known.to_m;
+      }
+    }
+    if (piece.to_m > end_m) {
+      unheard.pieces.push_back({end_m, piece.to_m});
+    }
+  }
+  return unheard;
+}
+
 /// Whether most of a feature's sightings run through walls.
 bool is_image(const MatchedFeature& feature,
               const std::vector<ScanSurfaces>& scans,
@@ -110,7 +130,12 @@ SonarFeatures sonar_features(const MatchedSurfaces& matched,
   const WallCompletion completion(matched, scans, track_m, params.completion);
   const MatchedSurfaces real = without_images(
       matched, scans, segments_of(completion.completed(matched)), params.image_clearance_m);
-  SonarFeatures features{segments_of(completion.completed(real)), {}};
+  const std::vector<MatchedWall> completed = completion.completed(real);
+  std::vector<MatchedWall> unheard;
+  for (std::size_t i = 0; i < completed.size(); ++i) {
+    unheard.push_back(unheard_of(real.walls[i], completed[i]));
+  }
+  SonarFeatures features{segments_of(completed), {}, segments_of(unheard)};
   double max_radius_m = 0.0;
   for (const MatchedFeature& feature : real.features) {
     max_radius_m = std::max(max_radius_m, feature.feature.radius_m);

@@ -39,6 +39,8 @@ struct SonarFeatures {
   /// Straight pieces of wall, prolonged to their corners. The floor is to the left of each.
   std::vector<geometry::Segment> walls;
   std::vector<FittedCircle> circles;
+  /// Stretches of the walls that nobody has heard: gaps that were closed. The floor is to the left.
+  std::vector<geometry::Segment> unheard = {};
 };
 
 /// What is taken for solid. Ours, chosen in simulated rooms.

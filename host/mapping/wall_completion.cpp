@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "host/geometry/angle.hpp"
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::mapping {
@@ -83,7 +84,7 @@ WallCompletion::WallCompletion(const MatchedSurfaces& matched,
                                const std::vector<ScanSurfaces>& scans,
                                const std::vector<Eigen::Vector2d>& track_m,
                                const WallCompletionParams& params)
-    : params_(params), sights_(sights_of(matched, scans)) {
+    : params_(params), scans_(scans), sights_(sights_of(matched, scans)) {
   for (std::size_t i = 1; i < track_m.size(); ++i) {
     if ((track_m[i] - track_m[i - 1]).norm() <= kMaxTrackStepM) {
       track_.push_back({track_m[i - 1], track_m[i]});
@@ -180,8 +181,34 @@ bool WallCompletion::is_closed(const Segment& gap) const {
     const double behind_m = std::abs(geometry::cross(along_gap, one.to_m - gap.from_m));
     return behind_m > params_.behind_m && geometry::cross_properly(one, gap);
   });
-  return !is_seen_through && std::none_of(track_.begin(), track_.end(), [&](const Segment& step) {
-    return geometry::cross_properly(step, gap);
+  return !is_seen_through && !is_silent(gap) &&
+         std::none_of(track_.begin(), track_.end(), [&](const Segment& step) {
+           return geometry::cross_properly(step, gap);
+         });
+}
+
+/// A wall answers a stop from the foot of the perpendicular.
+bool WallCompletion::is_silent(const Segment& gap) const {
+  const Eigen::Vector2d along_gap = (gap.to_m - gap.from_m).normalized();
+  return std::any_of(scans_.begin(), scans_.end(), [&](const ScanSurfaces& scan) {
+    const double foot_m = along_gap.dot(scan.center_m - gap.from_m);
+    const Eigen::Vector2d to_foot_m = gap.from_m + foot_m * along_gap - scan.center_m;
+    const double distance_m = to_foot_m.norm();
+    if (foot_m < params_.faced_inside_m || foot_m > gap.length_m() - params_.faced_inside_m ||
+        distance_m > params_.faced_range_m) {
+      return false;
+    }
+    const double bearing_rad = std::atan2(to_foot_m.y(), to_foot_m.x());
+    std::size_t looks = 0;
+    bool is_answered = false;
+    for (const sensors::Beam& look : scan.looks) {
+      if (std::abs(geometry::angle_between(bearing_rad, look.bearing_rad)) <=
+          params_.faced_half_angle_rad) {
+        ++looks;
+        is_answered |= look.range_m && *look.range_m <= distance_m + params_.behind_m;
+      }
+    }
+    return looks > 0 && !is_answered;
   });
 }
 

@@ -26,14 +26,20 @@ struct WallCompletionParams {
   double min_angle_rad = 0.5;
   /// What was heard this much behind a wall was heard through a gap in it.
   double behind_m = 0.12;
+  /// Nor does a wall stand where it did not answer: a stop with the foot of its perpendicular so
+  /// far inside of the gap, and not farther off than that, has listened within this of that
+  /// direction and heard nothing, or only something behind.
+  double faced_half_angle_rad = 0.11;
+  double faced_inside_m = 0.1;
+  double faced_range_m = 3.0;
 };
 
-/// Closes gaps in walls. A gap through which a surface was heard, or the robot has driven, stays
-/// open. All in the map frame.
+/// Closes gaps in walls. A gap stays open through which a surface was heard or the robot has
+/// driven, or which did not answer a stop before it. All in the map frame.
 class WallCompletion {
  public:
   /// What was heard: the features by those that support them, other surfaces as the scans have
-  /// them. `track_m` is where the robot's centre has been.
+  /// them; `scans` outlives this. `track_m` is where the robot's centre has been.
   WallCompletion(const MatchedSurfaces& matched,
                  const std::vector<ScanSurfaces>& scans,
                  const std::vector<Eigen::Vector2d>& track_m,
@@ -58,8 +64,10 @@ class WallCompletion {
                                double end_m,
                                double up) const;
   bool is_closed(const geometry::Segment& gap) const;
+  bool is_silent(const geometry::Segment& gap) const;
 
   WallCompletionParams params_;
+  const std::vector<ScanSurfaces>& scans_;
   std::vector<geometry::Segment> sights_;
   std::vector<geometry::Segment> track_;
 };

@@ -73,6 +73,16 @@ TEST(CoverageOf, WhatLooksHaveLeftUnknownCountsLess) {
   EXPECT_LT(coverage_of(snapshot).unseen_m2, 0.35 * before_m2);
 }
 
+TEST(CoverageOf, BehindAWallThatNobodyHasHeardFloorMayBe) {
+  auto snapshot = room(nowhere, nowhere);
+  mapping::SonarFeatures features;
+  features.unheard = {{{3.0, -0.5}, {3.0, 0.5}}, {{6.0, -0.5}, {6.0, 0.5}}};
+  snapshot.features = std::make_shared<const mapping::SonarFeatures>(features);
+  const ViewGainParams gain;
+  EXPECT_NEAR(coverage_of(snapshot).unseen_m2, gain.unheard.floor_chance * gain.depth_m, 1e-9)
+      << "the other one is nowhere near";
+}
+
 TEST(CoverageOf, AGapThatIsTooNarrowIsToldAndWhatLiesBehindIsOutOfReach) {
   const Coverage coverage = coverage_of(room(wall_with_gap(1), nowhere));
   ASSERT_EQ(coverage.gaps.size(), 1U);

@@ -172,6 +172,19 @@ TEST(Frontier, IsCompleteWhereTheRoomIsClosed) {
   EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kComplete);
 }
 
+TEST(Frontier, FacesAWallThatNobodyHasHeardBeforeItIsComplete) {
+  auto snapshot = told(open_room(true), {});
+  mapping::SonarFeatures features;
+  features.unheard = {{{3.0, -0.5}, {3.0, 0.5}}};
+  snapshot.features = std::make_shared<const mapping::SonarFeatures>(features);
+  FrontierParams params;
+  params.enough_share = 1.0;
+  Frontier explorer(params);
+  const Pose2 end = end_of_path(explorer, first_move(explorer, snapshot), snapshot);
+  EXPECT_GT(end.x_m(), 0.5) << "within range of it";
+  EXPECT_LT(std::abs(end.y_m()), 0.4);
+}
+
 TEST(Frontier, BacksOffFromABumpAndGoesAnotherWay) {
   Frontier explorer({});
   auto snapshot = told(open_room(), {});

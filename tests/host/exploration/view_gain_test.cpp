@@ -68,7 +68,7 @@ TEST(ViewsOf, AreWhatEachScanHasLookedAt) {
 
 TEST(ViewGain, IsTheAreaOfTheUnknownFloorInSightUpToItsDepth) {
   const RasterMap map = open_to_the_right();
-  const auto gain_m2 = ViewGain(map, {}, plain()).by_sector_m2({0.0, 0.0});
+  const auto gain_m2 = ViewGain(map, {}, {}, plain()).by_sector_m2({0.0, 0.0});
   for (std::size_t i = 0; i < gain_m2.size(); ++i) {
     const double bearing_rad =
         -std::numbers::pi + (static_cast<double>(i) + 0.5) * 2.0 * std::numbers::pi / 72.0;
@@ -87,23 +87,60 @@ TEST(ViewGain, IsTheAreaOfTheUnknownFloorInSightUpToItsDepth) {
 
 TEST(ViewGain, WhatWasLookedAtInVainCountsLessEachTime) {
   const RasterMap map = open_to_the_right();
-  const auto params = plain();
+  auto params = plain();
+  params.novel_m = 0.01;
+  const Eigen::Vector2d beside_m(params.novel_m, 0.0);
   const PastView rightwards{{0.0, 0.0}, 0.0, radians(45.0)};
-  const double fresh_m2 = sum(ViewGain(map, {}, params).by_sector_m2({0.0, 0.0}));
-  const double once_m2 = sum(ViewGain(map, {rightwards}, params).by_sector_m2({0.0, 0.0}));
+  const double fresh_m2 = sum(ViewGain(map, {}, {}, params).by_sector_m2(beside_m));
+  const double once_m2 = sum(ViewGain(map, {rightwards}, {}, params).by_sector_m2(beside_m));
   const double twice_m2 =
-      sum(ViewGain(map, {rightwards, rightwards}, params).by_sector_m2({0.0, 0.0}));
+      sum(ViewGain(map, {rightwards, rightwards}, {}, params).by_sector_m2(beside_m));
   EXPECT_NEAR(once_m2, fresh_m2 / 3.0 * (2.0 + params.left_by_look), 0.05 * fresh_m2);
   EXPECT_NEAR(twice_m2,
               fresh_m2 / 3.0 * (2.0 + params.left_by_look * params.left_by_look),
               0.05 * fresh_m2);
 }
 
+TEST(ViewGain, FromBesideAnEarlierStopLessIsNew) {
+  const RasterMap map = open_to_the_right();
+  const auto params = plain();
+  const PastView behind{{0.0, 0.0}, std::numbers::pi, radians(10.0)};
+  const ViewGain fresh(map, {}, {}, params);
+  const ViewGain gain(map, {behind}, {}, params);
+  EXPECT_EQ(sum(gain.by_sector_m2({0.0, 0.0})), 0.0);
+  for (const double off_m : {0.1, 0.3, 0.5, 1.0}) {
+    const double fresh_m2 = sum(fresh.by_sector_m2({off_m, 0.0}));
+    EXPECT_NEAR(sum(gain.by_sector_m2({off_m, 0.0})),
+                std::min(1.0, off_m / params.novel_m) * fresh_m2,
+                1e-9)
+        << off_m;
+  }
+}
+
+TEST(ViewGain, BehindAWallThatNobodyHasHeardFloorIsExpectedUntilAStopHasFacedIt) {
+  const RasterMap map = open_to_the_right();
+  const auto params = plain();
+  const std::vector<geometry::Segment> unheard{{{-1.5, 0.5}, {-1.5, -0.5}}};
+  const PastView facing{{-0.5, 0.0}, std::numbers::pi, radians(45.0)};
+  const PastView oblique{{-0.5, 1.2}, std::numbers::pi, radians(90.0)};
+  const Eigen::Vector2d before_m(-0.5, -0.3);
+  const auto expected_m2 = [&](const std::vector<PastView>& past) {
+    auto near = params;
+    near.novel_m = 0.1;
+    return sum(ViewGain(map, past, unheard, near).by_sector_m2(before_m)) -
+           sum(ViewGain(map, past, {}, near).by_sector_m2(before_m));
+  };
+  const double fresh_m2 = params.unheard.floor_chance * params.depth_m * 1.0;
+  EXPECT_NEAR(expected_m2({}), fresh_m2, 1e-9);
+  EXPECT_NEAR(expected_m2({oblique}), fresh_m2, 1e-9);
+  EXPECT_NEAR(expected_m2({facing}), fresh_m2 * params.left_by_look, 1e-9);
+}
+
 TEST(ViewGain, WhatIsFarCountsLess) {
   const RasterMap map = open_to_the_right();
   auto params = plain();
   params.fade_m = 1.0;
-  const ViewGain gain(map, {}, params);
+  const ViewGain gain(map, {}, {}, params);
   EXPECT_LT(sum(gain.by_sector_m2({0.0, 0.0})), sum(gain.by_sector_m2({1.0, 0.0})));
 }
 
@@ -113,27 +150,30 @@ TEST(ViewGain, WhatIsBesideAWallCountsLess) {
   auto wary = params;
   wary.beside_wall_m = 0.4;
   const Eigen::Vector2d at_m(0.0, 0.0);
-  const double far_m2 = sum(ViewGain(map, {}, wary).by_sector_m2(at_m));
-  EXPECT_GT(far_m2, 0.9 * sum(ViewGain(map, {}, params).by_sector_m2(at_m)));
+  const double far_m2 = sum(ViewGain(map, {}, {}, wary).by_sector_m2(at_m));
+  EXPECT_GT(far_m2, 0.9 * sum(ViewGain(map, {}, {}, params).by_sector_m2(at_m)));
   for (int y = 20; y < 80; y += 8) {
     map.set({80, y}, CellState::kOccupied);
   }
-  EXPECT_LT(sum(ViewGain(map, {}, wary).by_sector_m2(at_m)), 0.95 * far_m2);
+  EXPECT_LT(sum(ViewGain(map, {}, {}, wary).by_sector_m2(at_m)), 0.95 * far_m2);
 }
 
 TEST(ViewGain, AViewFromInsideAWallShowsNothing) {
   const RasterMap map = open_to_the_right();
-  EXPECT_EQ(sum(ViewGain(map, {}, plain()).by_sector_m2({-1.53, 0.0})), 0.0);
+  EXPECT_EQ(sum(ViewGain(map, {}, {}, plain()).by_sector_m2({-1.53, 0.0})), 0.0);
 }
 
 TEST(ViewGain, RejectsParametersWithoutSense) {
   const RasterMap map = open_to_the_right();
   auto params = plain();
   params.left_by_look = 0.0;
-  EXPECT_THROW(ViewGain(map, {}, params), std::invalid_argument);
+  EXPECT_THROW(ViewGain(map, {}, {}, params), std::invalid_argument);
+  params = plain();
+  params.novel_m = 0.0;
+  EXPECT_THROW(ViewGain(map, {}, {}, params), std::invalid_argument);
   params = plain();
   params.reach_m = -1.0;
-  EXPECT_THROW(ViewGain(map, {}, params), std::invalid_argument);
+  EXPECT_THROW(ViewGain(map, {}, {}, params), std::invalid_argument);
 }
 
 TEST(BestView, LiesWhereTheGainIsAndTurnsOverTheBack) {

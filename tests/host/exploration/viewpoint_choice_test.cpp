@@ -39,7 +39,7 @@ std::optional<Viewpoint> choice(const RasterMap& map,
   const CostGrid grid(map, T_map_robot.position_m(), {});
   TravelField travel;
   travel.search(grid, grid.cell_at(T_map_robot.position_m()));
-  const ViewGain gain(map, past, {});
+  const ViewGain gain(map, past, {}, {});
   ViewpointParams params;
   params.min_gain_m2 = min_gain_m2;
   params.widths_rad = {radians(180.0), radians(360.0)};

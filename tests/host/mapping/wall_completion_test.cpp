@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/mapping/wall_completion.hpp"
 
+#include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -67,6 +69,28 @@ TEST(WallCompletion, BridgesAGapThroughWhichNothingWasHeard) {
   ASSERT_EQ(walls[0].pieces.size(), 1U);
   EXPECT_NEAR(walls[0].pieces[0].from_m, -1.5, 1e-9);
   EXPECT_NEAR(walls[0].pieces[0].to_m, 1.5, 1e-9);
+}
+
+/// A stop a metre before the middle of the gap that has listened all round and heard this range
+/// where the wall would answer, or nothing.
+ScanSurfaces before_the_gap(std::optional<double> range_m, double at_m = 0.0) {
+  ScanSurfaces scan;
+  scan.center_m = {1.0, at_m};
+  for (int i = 0; i < 90; ++i) {
+    const double bearing_rad = -std::numbers::pi + i * std::numbers::pi / 45.0;
+    scan.looks.push_back({bearing_rad, std::abs(bearing_rad) < 0.2 ? range_m : std::nullopt});
+  }
+  return scan;
+}
+
+TEST(WallCompletion, LeavesAGapOpenThatDidNotAnswerAStopBeforeIt) {
+  EXPECT_EQ(completed(kTwoPieces, {before_the_gap(std::nullopt)})[0].pieces.size(), 2U);
+  EXPECT_EQ(completed(kTwoPieces, {before_the_gap(1.5)})[0].pieces.size(), 2U);
+  EXPECT_EQ(completed(kTwoPieces, {before_the_gap(1.02)})[0].pieces.size(), 1U) << "the wall";
+  EXPECT_EQ(completed(kTwoPieces, {before_the_gap(0.5)})[0].pieces.size(), 1U)
+      << "what is nearer answers first";
+  EXPECT_EQ(completed(kTwoPieces, {before_the_gap(std::nullopt, 1.0)})[0].pieces.size(), 1U)
+      << "it does not face the gap";
 }
 
 TEST(WallCompletion, LeavesADoorOpenThatTheRobotHasDrivenThrough) {

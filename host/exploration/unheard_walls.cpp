@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/unheard_walls.hpp"
+
+#include <cmath>
+
+namespace echomap::exploration {
+
+namespace {
+
+using mapping::CellState;
+using mapping::RasterMap;
+
+/// A wall is drawn in cells up to so many cells before its line.
+constexpr double kDrawnCells = 2.0;
+/// What is drawn of a wall ends before this.
+constexpr double kBeforeM = 0.1;
+
+bool is_hidden(const RasterMap& map,
+               const Eigen::Vector2d& from_m,
+               const Eigen::Vector2d& direction,
+               double distance_m) {
+  const double step_m = map.resolution_m();
+  for (double at_m = 0.0; at_m < distance_m - kDrawnCells * step_m; at_m += step_m) {
+    if (map.state(map.cell_at(from_m + at_m * direction)) == CellState::kOccupied) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Eigen::Vector2d before_m(const UnheardWall& unheard) {
+  return 0.5 * (unheard.wall.from_m + unheard.wall.to_m) +
+         kBeforeM * geometry::left_normal(unheard.wall);
+}
+
+std::vector<UnheardWall> unheard_walls(const std::vector<geometry::Segment>& walls,
+                                       double depth_m,
+                                       const UnheardWallParams& params) {
+  std::vector<UnheardWall> unheard;
+  for (const geometry::Segment& wall : walls) {
+    if (wall.length_m() >= params.min_length_m) {
+      unheard.push_back({wall, params.floor_chance * wall.length_m() * depth_m});
+    }
+  }
+  return unheard;
+}
+
+std::optional<double> facing_rad(const RasterMap& map,
+                                 const Eigen::Vector2d& from_m,
+                                 const geometry::Segment& wall,
+                                 const UnheardWallParams& params) {
+  const Eigen::Vector2d along = (wall.to_m - wall.from_m).normalized();
+  const Eigen::Vector2d to_wall = -geometry::left_normal(wall);
+  const double foot_m = along.dot(from_m - wall.from_m);
+  const double distance_m = to_wall.dot(wall.from_m - from_m);
+  const bool is_on_it = foot_m >= params.inside_m && foot_m <= wall.length_m() - params.inside_m;
+  const bool is_before_it = distance_m > 0.0 && distance_m <= params.max_distance_m;
+  if (!is_on_it || !is_before_it || is_hidden(map, from_m, to_wall, distance_m)) {
+    return std::nullopt;
+  }
+  return std::atan2(to_wall.y(), to_wall.x());
+}
+
+}  // namespace echomap::exploration

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/unheard_walls.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace echomap::exploration {
+namespace {
+
+using mapping::CellState;
+using mapping::RasterMap;
+
+/// The wall x = 2 from y = 0 to 1, its floor at smaller x.
+const geometry::Segment kWall{{2.0, 0.0}, {2.0, 1.0}};
+
+RasterMap all_free() {
+  RasterMap map(100, 100, 0.05, {-1.0, -1.0});
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 100; ++x) {
+      map.set({x, y}, CellState::kFree);
+    }
+  }
+  return map;
+}
+
+TEST(UnheardWalls, AreThoseThatADoorMayBeIn) {
+  const auto unheard = unheard_walls({kWall, {{0.0, 0.0}, {0.3, 0.0}}}, 0.5, {});
+  ASSERT_EQ(unheard.size(), 1U);
+  EXPECT_EQ(unheard[0].wall.to_m, kWall.to_m);
+  EXPECT_NEAR(unheard[0].floor_m2, UnheardWallParams{}.floor_chance * 0.5, 1e-12);
+  EXPECT_NEAR((before_m(unheard[0]) - Eigen::Vector2d(1.9, 0.5)).norm(), 0.0, 1e-12);
+}
+
+TEST(FacingRad, IsTheBearingOfTheFootOfThePerpendicular) {
+  const auto bearing_rad = facing_rad(all_free(), {1.0, 0.7}, kWall, {});
+  ASSERT_TRUE(bearing_rad);
+  EXPECT_NEAR(*bearing_rad, 0.0, 1e-9);
+}
+
+TEST(FacingRad, IsEmptyBesideAndBehindAndFarFromTheWall) {
+  for (const Eigen::Vector2d& from_m : {Eigen::Vector2d(1.0, 1.2),
+                                        Eigen::Vector2d(1.0, 0.95),
+                                        Eigen::Vector2d(1.0, -0.1),
+                                        Eigen::Vector2d(2.5, 0.5),
+                                        Eigen::Vector2d(-0.9, 0.5)}) {
+    EXPECT_FALSE(facing_rad(all_free(), from_m, kWall, {})) << from_m.transpose();
+  }
+}
+
+TEST(FacingRad, IsEmptyWhereSomethingStandsBetween) {
+  RasterMap map = all_free();
+  map.set(map.cell_at({1.5, 0.7}), CellState::kOccupied);
+  EXPECT_FALSE(facing_rad(map, {1.0, 0.71}, kWall, {}));
+  map = all_free();
+  map.set(map.cell_at({1.98, 0.7}), CellState::kOccupied);
+  EXPECT_TRUE(facing_rad(map, {1.0, 0.71}, kWall, {})) << "that is the wall itself";
+}
+
+}  // namespace
+}  // namespace echomap::exploration
