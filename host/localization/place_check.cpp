@@ -12,6 +12,8 @@
 namespace echomap::localization {
 namespace {
 
+using geometry::Pose2;
+
 /// A filter that is this near to a place, and so narrow, follows it.
 constexpr double kFollowedM = 0.2;
 constexpr double kFollowedRad = 0.2;
@@ -38,6 +40,26 @@ std::vector<PoseHypothesis> hypotheses_of(const std::vector<FoundPlace>& places,
   return hypotheses;
 }
 
+/// How far the prior of a known place holds for a filter that has not gone where the wheels went:
+/// it may have taken another place for the known one. In `one`, and a way later in `other`.
+double share_of_departure(const FollowedPose& one, const FollowedPose& other) {
+  constexpr double kStddevM = 0.04;
+  constexpr double kStddevPerM = 0.03;
+  constexpr double kStddevRad = 0.03;
+  constexpr double kStddevPerRad = 0.01;
+  /// The 95th percentile of chi squared with three degrees of freedom.
+  constexpr double kUsual = 7.8;
+  const Pose2 way = one.T_odom_robot.inverse() * other.T_odom_robot;
+  const Pose2 off = (one.T_map_robot * way).inverse() * other.T_map_robot;
+  const double variance_m2 =
+      geometry::square(kStddevM) + geometry::square(kStddevPerM * way.position_m().norm());
+  const double variance_rad2 =
+      geometry::square(kStddevRad) + geometry::square(kStddevPerRad * way.heading_rad());
+  const double departure = off.position_m().squaredNorm() / variance_m2 +
+                           geometry::square(off.heading_rad()) / variance_rad2;
+  return std::exp(-0.5 * std::max(0.0, departure - kUsual));
+}
+
 /// Among places of which one is believed.
 double probability_of_believed(const std::vector<FoundPlace>& places) {
   double all = 0.0;
@@ -55,7 +77,7 @@ bool is_followed(const PoseHypothesis& place, const PoseBelief& believed) {
     return false;
   }
   const PoseHypothesis& first = believed.hypotheses.front();
-  const geometry::Pose2 off = first.T_map_robot.inverse() * place.T_map_robot;
+  const Pose2 off = first.T_map_robot.inverse() * place.T_map_robot;
   return off.position_m().norm() < kFollowedM && std::abs(off.heading_rad()) < kFollowedRad &&
          std::sqrt(first.covariance.topLeftCorner<2, 2>().trace()) < kFollowedStddevM;
 }
@@ -73,6 +95,7 @@ PlaceCheck::PlaceCheck(ObservationModel& model, const PlaceCheckParams& params)
 
 void PlaceCheck::begin_known() {
   search_.keep_newest(0);
+  last_known_.reset();
   is_known_ = true;
   was_known_ = false;
 }
@@ -101,30 +124,34 @@ CheckedBelief PlaceCheck::check(const PoseBelief& believed,
     begin_anywhere();
     was_known_ = true;
   }
+  T_odom_robot_ = scan.T_odom_robot;
   search_.add(std::move(scan));
   return is_known() && !believed.hypotheses.empty() ? check_known(believed, contradicts)
                                                     : check_anywhere(believed, contradicts);
 }
 
-std::vector<FoundPlace> PlaceCheck::places_by_scans(const geometry::Pose2& T_map_believed,
-                                                    std::size_t newest) {
+std::vector<FoundPlace> PlaceCheck::places_by_scans(const Pose2& T_map_believed,
+                                                    std::size_t newest,
+                                                    double prior_share) {
   std::vector<FoundPlace> places = search_.search(newest, T_map_believed);
   const auto others = static_cast<double>(std::count_if(
       places.begin(), places.end(), [](const FoundPlace& place) { return !place.is_believed; }));
   for (FoundPlace& place : places) {
-    place.odds *=
-        place.is_believed ? 1.0 - params_.elsewhere_chance : params_.elsewhere_chance / others;
+    place.odds *= place.is_believed ? prior_share * (1.0 - params_.elsewhere_chance)
+                                    : params_.elsewhere_chance / others;
   }
   return places;
 }
 
 CheckedBelief PlaceCheck::check_known(const PoseBelief& believed, const Contradicts& contradicts) {
   const PoseHypothesis& followed = believed.hypotheses.front();
+  const FollowedPose now{followed.T_map_robot, T_odom_robot_};
+  const double prior_share = last_known_ ? share_of_departure(*last_known_, now) : 1.0;
   double least = 1.0;
   std::size_t scans_of_least = 0;
   std::vector<FoundPlace> places;
   for (std::size_t newest = 1; newest <= search_.scans(); newest *= 2) {
-    std::vector<FoundPlace> found = places_by_scans(followed.T_map_robot, newest);
+    std::vector<FoundPlace> found = places_by_scans(followed.T_map_robot, newest, prior_share);
     const double probability = probability_of_believed(found);
     if (probability < least) {
       least = probability;
@@ -138,6 +165,7 @@ CheckedBelief PlaceCheck::check_known(const PoseBelief& believed, const Contradi
     was_known_ = true;
     return check_anywhere(believed, contradicts);
   }
+  last_known_ = now;
   CheckedBelief checked{believed, {}};
   if (least < params_.claimed_from) {
     for (FoundPlace& place : places) {
@@ -179,6 +207,7 @@ CheckedBelief PlaceCheck::check_anywhere(const PoseBelief& believed,
                                        : LocalizationStatus::kRecovering;
   if (is_claimed) {
     begin_known();
+    last_known_ = {checked.belief.hypotheses.front().T_map_robot, T_odom_robot_};
   }
   return checked;
 }

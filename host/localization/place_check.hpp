@@ -38,11 +38,18 @@ struct CheckedBelief {
   std::optional<geometry::Pose2> T_map_restart;
 };
 
+/// Where a filter had a robot at a scan, and where odometry had it.
+struct FollowedPose {
+  geometry::Pose2 T_map_robot;
+  geometry::Pose2 T_odom_robot;
+};
+
 /// Checks the place that a filter believes in against all places of the map, by the last scans
 /// together (PlaceSearch). Where the robot may be anywhere, its place is claimed when no other
 /// explains the scans nearly as well; else all that do are told, each with its probability. Where
 /// its place is known, told or claimed before, another place has to be so much better that it
-/// outweighs how seldom robots are carried off.
+/// outweighs how seldom robots are carried off; less so where the filter has departed from the way
+/// that the wheels went since the last scan.
 class PlaceCheck {
  public:
   /// The model outlives this.
@@ -64,14 +71,18 @@ class PlaceCheck {
   CheckedBelief check_known(const PoseBelief& believed, const Contradicts& contradicts);
   CheckedBelief check_anywhere(const PoseBelief& believed, const Contradicts& contradicts);
   /// The believed place and the others, by so many of the newest scans and the prior probability
-  /// that the robot is elsewhere, which is spread evenly over the others.
+  /// that the robot is elsewhere, which is spread evenly over the others. Of the prior of the
+  /// believed place only that share holds.
   std::vector<FoundPlace> places_by_scans(const geometry::Pose2& T_map_believed,
-                                          std::size_t newest);
+                                          std::size_t newest,
+                                          double prior_share);
 
   PlaceCheckParams params_;
   PlaceSearch search_;
-  bool is_known_ = false;   ///< Else the robot may be anywhere.
-  bool was_known_ = false;  ///< Until the next check tells that it is not any more.
+  bool is_known_ = false;                   ///< Else the robot may be anywhere.
+  geometry::Pose2 T_odom_robot_;            ///< At the newest scan.
+  std::optional<FollowedPose> last_known_;  ///< At the last scan of a known place.
+  bool was_known_ = false;                  ///< Until the next check tells that it is not any more.
 };
 
 }  // namespace echomap::localization

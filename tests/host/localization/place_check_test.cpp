@@ -89,6 +89,21 @@ TEST(PlaceCheck, GivesUpAPlaceThatAnotherOutweighs) {
   EXPECT_TRUE(is_lost);
 }
 
+TEST(PlaceCheck, TrustsAKnownPlaceLessWhereTheFilterDidNotGoWhereTheWheelsWent) {
+  const auto lost_probability_after = [](double departed_rad) {
+    Checked robot(tests::furnished_room());
+    robot.check.begin_known();
+    const Pose2 T_map_before(1.5, 0.95, 0.0);
+    robot.scan(T_map_before, T_map_before);
+    const Pose2 T_map_robot(2.0, 0.95, 0.0);
+    const PoseBelief belief =
+        robot.scan(T_map_robot, T_map_robot * Pose2(0.0, 0.0, departed_rad)).belief;
+    return belief.lost_probability;
+  };
+  EXPECT_NEAR(lost_probability_after(0.05), lost_probability_after(0.0), 0.01);
+  EXPECT_GT(lost_probability_after(0.25), lost_probability_after(0.0) + 0.1);
+}
+
 TEST(PlaceCheck, TellsWhichPlacesFitWhileAKnownOneIsDoubted) {
   int doubted = 0;
   for (const double off_m : {0.6, 0.7, 0.8, 0.9, 1.0}) {
