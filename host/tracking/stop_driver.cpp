@@ -41,7 +41,9 @@ bool StopDriver::go_to_next_stop(const exploration::ActiveLocalization::Telling&
     strategy_->prefer(telling);
     const auto motion = explorer_->next(pipeline().snapshot(), last_);
     if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
-      if (finished->reason != exploration::FinishReason::kLost) {
+      const bool may_be_the_map = finished->reason == exploration::FinishReason::kNowhereToGo &&
+                                  !std::exchange(began_on_the_spot_, true);
+      if (finished->reason != exploration::FinishReason::kLost && !may_be_the_map) {
         finished_ = finished->reason;
         return false;
       }
@@ -53,6 +55,7 @@ bool StopDriver::go_to_next_stop(const exploration::ActiveLocalization::Telling&
       begin_new_map(0);
     }
     if (std::holds_alternative<exploration::EndScan>(motion)) {
+      began_on_the_spot_ = began_on_the_spot_ && pipeline().snapshot().stops < 2;
       return !robot_.session().end();
     }
   }

@@ -26,8 +26,8 @@ class StopDriver {
   StopDriver& operator=(const StopDriver&) = delete;
 
   /// To the end of the next stop's scan; false where the session has ended, a part of the robot is
-  /// broken or there is nowhere to go, which `finished` tells. Where what it hears contradicts its
-  /// own map it begins a new one.
+  /// broken or there is nowhere to go, which `finished` tells. Its own map may be wrong: where that
+  /// bars the way, or contradicts what it hears, it begins a new one, without a way once on a spot.
   bool go_to_next_stop(const exploration::ActiveLocalization::Telling& telling);
   /// The robot was carried off: the driver's map, but for so many of its last stops, is of
   /// somewhere else.
@@ -44,6 +44,7 @@ class StopDriver {
   pipeline::RobotAtlas atlas_;
   exploration::ActiveLocalization* strategy_ = nullptr;  ///< Of the explorer.
   std::unique_ptr<exploration::FaultWatch> explorer_;
+  bool began_on_the_spot_ = false;  ///< A new map, since the old one had no way.
   exploration::MotionResult last_ = exploration::MotionResult::kReached;
   std::optional<exploration::FinishReason> finished_;
 };

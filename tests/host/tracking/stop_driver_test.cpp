@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <memory>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "host/geometry/angle.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
 
 namespace echomap::tracking {
@@ -28,7 +30,8 @@ class Scans final : public pipeline::ObservationSink {
 /// The fake robot on its cable, which hears nothing unless it is let.
 class StopDriverTest : public session::SessionOnACable {
  protected:
-  StopDriverTest() {
+  explicit StopDriverTest(double pan_limit_rad = 0.5 * std::numbers::pi)
+      : robot(panning(profile, pan_limit_rad), session::Seed(3)) {
     robot.fork().add(scans);
     robot.open({new_connection(), nullptr});
     robot.connect();
@@ -39,7 +42,11 @@ class StopDriverTest : public session::SessionOnACable {
     return 11'655 + 20 * pan_deg;
   }) {
     cable.robot.on_command = [this, flight_us](std::string_view name) {
-      for (int pan_deg = -90; name == "StartSweep" && pan_deg < 90; pan_deg += 6) {
+      cable.robot.answer = refuses_moves && name == "MoveTicks"
+                               ? protocol::CommandStatus::kBlocked
+                               : protocol::CommandStatus::kAccepted;
+      const int limit_deg = static_cast<int>(geometry::degrees(profile.pan_limit_rad));
+      for (int pan_deg = -limit_deg; name == "StartSweep" && pan_deg < limit_deg; pan_deg += 6) {
         cable.robot.send(protocol::Echo{cable.robot.stamp_us(),
                                         static_cast<std::int16_t>(100 * pan_deg),
                                         static_cast<std::uint16_t>(flight_us(pan_deg)),
@@ -49,8 +56,14 @@ class StopDriverTest : public session::SessionOnACable {
     };
   }
 
+  static session::RobotProfile& panning(session::RobotProfile& profile, double limit_rad) {
+    profile.pan_limit_rad = limit_rad;
+    return profile;
+  }
+
+  bool refuses_moves = false;
   Scans scans;
-  session::RobotContext robot{profile, session::Seed(3)};
+  session::RobotContext robot;
   std::unique_ptr<StopDriver> driver;
 };
 
@@ -78,6 +91,22 @@ TEST_F(StopDriverTest, BeginsANewMapWhereWhatItHearsContradictsItsOwn) {
     ASSERT_TRUE(driver->go_to_next_stop({})) << stop;
   }
   EXPECT_LE(driver->pipeline().snapshot().stops, 4U);
+}
+
+/// One whose sonar pans all round.
+class AllRoundStopDriverTest : public StopDriverTest {
+ protected:
+  AllRoundStopDriverTest() : StopDriverTest(std::numbers::pi) {}
+};
+
+TEST_F(AllRoundStopDriverTest, TriesANewMapOnTheSpotBeforeItKnowsNowhereToGo) {
+  let_it_hear();
+  ASSERT_TRUE(driver->go_to_next_stop({}));
+  refuses_moves = true;
+  EXPECT_TRUE(driver->go_to_next_stop({}));
+  EXPECT_EQ(driver->pipeline().snapshot().stops, 1U) << "a new map";
+  EXPECT_FALSE(driver->go_to_next_stop({}));
+  EXPECT_EQ(driver->finished(), FinishReason::kNowhereToGo);
 }
 
 TEST_F(StopDriverTest, BeginsANewMapWithTheStopsThatAreOfIt) {
