@@ -57,7 +57,8 @@ DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam) {
       tracking::StartPose{snapshot.latest.T_map_robot, kStartStddevM, kStartStddevRad},
       robot.seed().generator(session::SeedPurpose::kLocalizer));
   robot.fork().add(filter.sink());
-  tracking::StopDriver driver(robot, slam);
+  tracking::StopDriver driver(
+      robot, slam, [&](const geometry::Pose2& goal) { return filter.telling(goal); });
   const FollowedRobot followed{robot.session(), driver, filter};
   DemoKidnap kidnap;
   kidnap.explored = *snapshot.trajectory;

@@ -116,13 +116,13 @@ RunEnding ending_of_drive(const session::RobotContext& context,
     return ending_of_fault(advice_of(found->fault, context.profile()),
                            console::shell_line(localize));
   }
+  const std::string again = console::shell_line(localize);
   if (const auto end = robot.session.end()) {
-    const std::string again = console::shell_line(localize);
     return ending_of(*end, robot.session.end_reason(), {again, again, again, again});
   }
   const auto finished = robot.driver.finished().value_or(exploration::FinishReason::kStopLimit);
   if (is_trouble(finished)) {
-    return ending_of(finished, std::nullopt, std::nullopt, {});
+    return ending_of(finished, std::nullopt, std::nullopt, {again, again, again, again});
   }
   RunEnding ending =
       ending_of_localization(exploration::name_of(finished), robot.filter.report(), localize);
@@ -145,10 +145,7 @@ void drive(const session::RobotContext& context,
 }  // namespace
 
 bool follow_to_next_stop(const FollowedRobot& robot) {
-  const auto telling = [&](const geometry::Pose2& T_robot_goal) {
-    return robot.filter.telling(T_robot_goal);
-  };
-  if (!robot.driver.go_to_next_stop(telling)) {
+  if (!robot.driver.go_to_next_stop()) {
     return false;
   }
   console::print("  " + robot.filter.line());
@@ -167,7 +164,8 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   session::OpenedRobot opened = session::open_robot(options.connection, context.seed());
   opened.connection.may_be_lifted = true;
   context.open(std::move(opened));
-  tracking::StopDriver driver(context, run.slam);
+  tracking::StopDriver driver(
+      context, run.slam, [&](const geometry::Pose2& goal) { return filter.telling(goal); });
   const FollowedRobot robot{context.session(), driver, filter};
 
   Account account(options, context.profile());

@@ -13,6 +13,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "host/slam/multiscan_slam.hpp"
+#include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -139,8 +140,10 @@ std::optional<Coverage> coverage_of(const pipeline::Snapshot& snapshot,
   if (!profile.has_sonar) {
     return std::nullopt;
   }
+  const auto frontier = strategies::frontier_params(profile, std::nullopt);
   exploration::CoverageParams params;
-  params.costs.robot_radius_m = profile.body_radius_m;
+  params.costs = frontier.navigator.costs;
+  params.gain = frontier.gain;
   return exploration::coverage_of(snapshot, params);
 }
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/exploration/view_gain.hpp"
 #include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::exploration {
@@ -15,46 +16,43 @@ namespace {
 
 using geometry::Pose2;
 
-/// From the nearest stop of the map.
-double apart_m(const Eigen::Vector2d& place_m, const pipeline::Snapshot& snapshot) {
+double distance_to_nearest_stop_m(const Eigen::Vector2d& place_m,
+                                  const pipeline::Snapshot& snapshot) {
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (const mapping::Scan& scan : *snapshot.scans) {
-    const Eigen::Vector2d& stop_m = scan.front().T_map_robot.position_m();
-    nearest_m = std::min(nearest_m, (stop_m - place_m).norm());
+  for (const PastView& view : views_of(*snapshot.scans)) {
+    nearest_m = std::min(nearest_m, (view.from_m - place_m).norm());
   }
   return nearest_m;
 }
 
 }  // namespace
 
-ActiveLocalization::ActiveLocalization(const ActiveLocalizationParams& params)
-    : params_(params), navigator_(params.navigator) {
+ActiveLocalization::ActiveLocalization(const ActiveLocalizationParams& params, GoalUtility utility)
+    : params_(params), navigator_(params.navigator), utility_(std::move(utility)) {
   geometry::ParameterValidator("active localization")
       .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
       .positive("lattice_m", params.lattice_m)
       .positive("max_places", params.max_places)
       .positive("min_drive_m", params.min_drive_m)
       .positive("new_view_m", params.new_view_m)
-      .positive("least_worth", params.least_worth)
+      .positive("min_utility", params.min_utility)
       .positive("stop_s", params.stop_s)
       .positive("speed_m_per_s", params.speed_m_per_s)
       .positive("max_failures", params.max_failures);
 }
 
 Motion ActiveLocalization::next(const pipeline::Snapshot& snapshot, MotionResult last) {
-  sweeps_done_ += sweeping_ && last == MotionResult::kReached ? 1 : 0;
-  sweeping_ = false;
+  plan_.end_motion(last);
   if (auto motion = recover(snapshot, last)) {
     return *motion;
   }
-  if (!plan_.empty()) {
-    return take_planned();
+  if (auto motion = plan_.next()) {
+    return *motion;
   }
   switch (phase_) {
     case Phase::kStarting:
       if (snapshot.stops == 0) {
-        plan_sweep(snapshot);
-        return take_planned();
+        return begin_sweep(snapshot);
       }
       break;
     case Phase::kDriving:
@@ -69,7 +67,7 @@ Motion ActiveLocalization::next(const pipeline::Snapshot& snapshot, MotionResult
 std::optional<Motion> ActiveLocalization::recover(const pipeline::Snapshot& snapshot,
                                                   MotionResult last) {
   const bool pushes = phase_ == Phase::kDriving && is_stopped(snapshot, MotionResult::kReached);
-  if (last == MotionResult::kReached && !pushes) {
+  if (phase_ == Phase::kSensing || (last == MotionResult::kReached && !pushes)) {
     return std::nullopt;
   }
   if (++failures_ > params_.max_failures) {
@@ -84,17 +82,17 @@ std::optional<Motion> ActiveLocalization::recover(const pipeline::Snapshot& snap
 
 Motion ActiveLocalization::decide(const pipeline::Snapshot& snapshot) {
   if (phase_ == Phase::kSensing) {
-    if (sweeps_done_ == 0) {
+    if (!plan_.has_swept()) {
       return Finished{FinishReason::kCannotSense};
     }
     failures_ = 0;
   }
-  navigator_.survey(navigator_.map_of(snapshot, 0.0), snapshot);
+  navigator_.set_map(navigator_.map_of(snapshot, 0.0), snapshot);
   const auto place = choose_place(snapshot);
   if (!place) {
     return Finished{FinishReason::kNowhereToGo};
   }
-  navigator_.set_off(snapshot.latest.T_map_robot, place->at_m, place->cost_m);
+  navigator_.follow_path_to(snapshot.latest.T_map_robot, place->at_m, place->cost_m);
   phase_ = Phase::kDriving;
   return drive_on(snapshot);
 }
@@ -120,7 +118,7 @@ std::optional<ActiveLocalization::Place> ActiveLocalization::choose_place(
   std::optional<Place> best;
   double most_per_s = 0.0;
   for (const Place& place : places) {
-    const double per_s = worth_per_s(place, snapshot);
+    const double per_s = utility_per_s(place, snapshot);
     if (per_s > most_per_s) {
       most_per_s = per_s;
       best = place;
@@ -129,14 +127,15 @@ std::optional<ActiveLocalization::Place> ActiveLocalization::choose_place(
   return best;
 }
 
-double ActiveLocalization::worth_per_s(const Place& place,
-                                       const pipeline::Snapshot& snapshot) const {
+double ActiveLocalization::utility_per_s(const Place& place,
+                                         const pipeline::Snapshot& snapshot) const {
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   const Eigen::Vector2d offset_m = place.at_m - T_map_robot.position_m();
   const Pose2 T_map_goal(place.at_m.x(), place.at_m.y(), std::atan2(offset_m.y(), offset_m.x()));
-  const double told = telling_ ? telling_(T_map_robot.inverse() * T_map_goal) : 0.0;
-  const double is_new = std::min(1.0, apart_m(place.at_m, snapshot) / params_.new_view_m);
-  return (told + params_.least_worth) * is_new /
+  const double utility = utility_(T_map_robot.inverse() * T_map_goal);
+  const double is_new =
+      std::min(1.0, distance_to_nearest_stop_m(place.at_m, snapshot) / params_.new_view_m);
+  return (utility + params_.min_utility) * is_new /
          (params_.stop_s + place.cost_m / params_.speed_m_per_s);
 }
 
@@ -145,21 +144,12 @@ Motion ActiveLocalization::drive_on(const pipeline::Snapshot& snapshot) {
   if (const auto motion = navigator_.next(snapshot.latest.T_map_robot)) {
     return *motion;
   }
-  plan_sweep(snapshot);
-  return take_planned();
+  return begin_sweep(snapshot);
 }
 
-void ActiveLocalization::plan_sweep(const pipeline::Snapshot& snapshot) {
+Motion ActiveLocalization::begin_sweep(const pipeline::Snapshot& snapshot) {
   phase_ = Phase::kSensing;
-  sweeps_done_ = 0;
-  plan_ = round_sweep(params_.sweep, snapshot.latest.T_map_robot.heading_rad() > 0.0);
-}
-
-Motion ActiveLocalization::take_planned() {
-  Motion motion = plan_.front();
-  plan_.pop_front();
-  sweeping_ = std::holds_alternative<Sweep>(motion);
-  return motion;
+  return plan_.begin(round_sweep(params_.sweep, snapshot.latest.T_map_robot.heading_rad() > 0.0));
 }
 
 }  // namespace echomap::exploration

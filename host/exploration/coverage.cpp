@@ -142,11 +142,11 @@ double unseen_m2(const RasterMap& map, CellValues<char>& is_beside, const ViewGa
 }
 
 /// What is expected behind walls that nobody has heard and that floor lies before.
-double behind_unheard_m2(const RasterMap& map, CellValues<char>& is_seen, const ViewGain& gain) {
+double behind_unobserved_m2(const RasterMap& map, CellValues<char>& is_seen, const ViewGain& gain) {
   double area_m2 = 0.0;
-  for (const UnheardWall& unheard : gain.unheard()) {
-    const CellIndex before = map.cell_at(before_m(unheard));
-    area_m2 += map.contains(before) && is_seen[before] != 0 ? unheard.floor_m2 : 0.0;
+  for (const UnobservedWall& unobserved : gain.unobserved()) {
+    const CellIndex before = map.cell_at(before_m(unobserved));
+    area_m2 += map.contains(before) && is_seen[before] != 0 ? unobserved.floor_m2 : 0.0;
   }
   return area_m2;
 }
@@ -280,9 +280,9 @@ Coverage coverage_of(const pipeline::Snapshot& snapshot, const CoverageParams& p
 
   const auto steps = static_cast<int>(params.gain.depth_m / map.resolution_m());
   CellValues<char> is_beside = unknown_beside(map, is_seen, steps);
-  const ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unheard, params.gain);
+  const ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unobserved, params.gain);
   coverage.places = unseen_places(map, is_beside, gain, params);
-  coverage.unseen_m2 = unseen_m2(map, is_beside, gain) + behind_unheard_m2(map, is_seen, gain);
+  coverage.unseen_m2 = unseen_m2(map, is_beside, gain) + behind_unobserved_m2(map, is_seen, gain);
   std::stable_sort(coverage.places.begin(), coverage.places.end(), [](auto& one, auto& other) {
     return one.area_m2 > other.area_m2;
   });

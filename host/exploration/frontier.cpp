@@ -17,6 +17,7 @@ namespace echomap::exploration {
 
 namespace {
 
+using geometry::CellIndex;
 using geometry::Pose2;
 using mapping::CellState;
 using mapping::RasterMap;
@@ -42,18 +43,16 @@ Frontier::Frontier(const FrontierParams& params) : params_(params), navigator_(p
 }
 
 Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
-  sweeps_done_ += sweeping_ && last == MotionResult::kReached ? 1 : 0;
-  sweeping_ = false;
+  plan_.end_motion(last);
   if (auto motion = recover(snapshot, last)) {
     return *motion;
   }
-  if (!plan_.empty()) {
-    return take_planned();
+  if (auto motion = plan_.next()) {
+    return *motion;
   }
   switch (phase_) {
     case Phase::kStarting:
-      plan_sweep(snapshot, {0.0, 0.0, geometry::kFullTurnRad});
-      return take_planned();
+      return begin_sweep(snapshot, {0.0, 0.0, geometry::kFullTurnRad});
     case Phase::kDriving:
       return drive_on(snapshot);
     case Phase::kSensing:
@@ -74,7 +73,7 @@ std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, Moti
     return Finished{FinishReason::kNowhereToGo};
   }
   if (last == MotionResult::kLifted) {
-    plan_.clear();
+    plan_ = {};
     phase_ = Phase::kStarting;
     return std::nullopt;
   }
@@ -86,7 +85,7 @@ std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, Moti
 }
 
 std::optional<FinishReason> Frontier::reason_to_finish(const pipeline::Snapshot& snapshot) {
-  if (phase_ == Phase::kSensing && sweeps_done_ == 0) {
+  if (phase_ == Phase::kSensing && !plan_.has_swept()) {
     return FinishReason::kCannotSense;
   }
   if (snapshot.stops >= params_.max_stops) {
@@ -104,7 +103,7 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
   }
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   const RasterMap map = navigator_.map_of(snapshot, params_.gain.depth_m);
-  navigator_.survey(map, snapshot);
+  navigator_.set_map(map, snapshot);
   goal_ = choose_look(map, snapshot, params_.viewpoints.min_gain_m2);
   if (!goal_) {
     goal_ = choose_opening(map, snapshot);
@@ -115,7 +114,7 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
   if (!goal_) {
     return Finished{FinishReason::kComplete};
   }
-  navigator_.set_off(T_map_robot, goal_->at_m, goal_->cost_m);
+  navigator_.follow_path_to(T_map_robot, goal_->at_m, goal_->cost_m);
   phase_ = Phase::kDriving;
   return drive_on(snapshot);
 }
@@ -126,10 +125,12 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
   ViewpointParams viewpoints = params_.viewpoints;
   viewpoints.min_gain_m2 = min_gain_m2;
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
-  const ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unheard, params_.gain);
+  const ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unobserved, params_.gain);
   std::vector<FrontierCells> frontiers = find_frontiers(map, map.cell_at(T_map_robot.position_m()));
-  for (const UnheardWall& unheard : gain.unheard()) {
-    frontiers.push_back({map.cell_at(before_m(unheard))});
+  for (const UnobservedWall& unobserved : gain.unobserved()) {
+    if (const CellIndex before = map.cell_at(before_m(unobserved)); map.contains(before)) {
+      frontiers.push_back({before});
+    }
   }
   return choose_viewpoint(
       navigator_.costs(), navigator_.travel(), frontiers, gain, T_map_robot, viewpoints);
@@ -162,7 +163,7 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   RasterMap stepped = map;
   const double radius_m = params_.openings.step_m + 2.0 * map.resolution_m();
   draw_disc(stepped, nearest->at_m, radius_m, {CellState::kUnknown}, CellState::kFree);
-  navigator_.suppose(stepped, snapshot);
+  navigator_.set_hypothetical_map(stepped, snapshot);
   return nearest;
 }
 
@@ -185,43 +186,33 @@ Motion Frontier::drive_on(const pipeline::Snapshot& snapshot) {
     return *motion;
   }
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): it drives to a goal
-  plan_sweep(snapshot, goal_->view);
-  return take_planned();
+  return begin_sweep(snapshot, goal_->view);
 }
 
-void Frontier::plan_sweep(const pipeline::Snapshot& snapshot, const BestView& view) {
-  const Pose2& T_map_robot = snapshot.latest.T_map_robot;
+Motion Frontier::begin_sweep(const pipeline::Snapshot& snapshot, const BestView& view) {
+  const double heading_rad = snapshot.latest.T_map_robot.heading_rad();
   phase_ = Phase::kSensing;
-  sweeps_done_ = 0;
-  if (is_full_turn(view.width_rad)) {
-    plan_ = stop_sweep(params_.sweep, snapshot.stops, T_map_robot.heading_rad() > 0.0);
-  } else {
-    plan_sector(T_map_robot.heading_rad(), view);
-  }
+  return plan_.begin(is_full_turn(view.width_rad)
+                         ? stop_sweep(params_.sweep, snapshot.stops, heading_rad > 0.0)
+                         : sector_sweep(heading_rad, view));
 }
 
 /// The body turns only as far as the pan does not reach.
-void Frontier::plan_sector(double heading_rad, const BestView& view) {
+std::deque<Motion> Frontier::sector_sweep(double heading_rad, const BestView& view) const {
   const double half_rad = std::min(0.5 * view.width_rad, params_.sweep.pan_limit_rad);
   const double slack_rad = params_.sweep.pan_limit_rad - half_rad;
   const double off_rad = geometry::angle_between(heading_rad, view.middle_rad);
   const double pan_rad = std::clamp(off_rad, -slack_rad, slack_rad);
   const double steps = std::max(1.0, std::round(2.0 * half_rad / params_.sweep.step_rad));
-  plan_ = {BeginScan{}};
+  std::deque<Motion> motions{BeginScan{}};
   if (std::abs(off_rad) > slack_rad) {
-    plan_.emplace_back(
+    motions.emplace_back(
         Turn{unwinding_turn_rad(heading_rad, geometry::wrap_angle(view.middle_rad - pan_rad))});
   }
-  plan_.emplace_back(Sweep{
+  motions.emplace_back(Sweep{
       pan_rad - half_rad, pan_rad + half_rad, 2.0 * half_rad / steps, params_.sweep.settle_s});
-  plan_.emplace_back(EndScan{});
-}
-
-Motion Frontier::take_planned() {
-  Motion motion = plan_.front();
-  plan_.pop_front();
-  sweeping_ = std::holds_alternative<Sweep>(motion);
-  return motion;
+  motions.emplace_back(EndScan{});
+  return motions;
 }
 
 }  // namespace echomap::exploration

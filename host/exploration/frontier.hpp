@@ -14,6 +14,7 @@
 #include "host/exploration/navigator.hpp"
 #include "host/exploration/opening_search.hpp"
 #include "host/exploration/round_sweep.hpp"
+#include "host/exploration/scan_plan.hpp"
 #include "host/exploration/view_gain.hpp"
 #include "host/exploration/viewpoint_choice.hpp"
 
@@ -65,19 +66,16 @@ class Frontier final : public Explorer {
                                           const pipeline::Snapshot& snapshot);
   bool was_tried(const Eigen::Vector2d& opening_m, const mapping::RasterMap& map) const;
   Motion drive_on(const pipeline::Snapshot& snapshot);
-  void plan_sweep(const pipeline::Snapshot& snapshot, const BestView& view);
-  void plan_sector(double heading_rad, const BestView& view);
-  Motion take_planned();
+  Motion begin_sweep(const pipeline::Snapshot& snapshot, const BestView& view);
+  std::deque<Motion> sector_sweep(double heading_rad, const BestView& view) const;
 
   FrontierParams params_;
   Navigator navigator_;
   Phase phase_ = Phase::kStarting;
-  std::deque<Motion> plan_;
+  ScanPlan plan_;
   std::optional<Viewpoint> goal_;
   std::vector<Eigen::Vector2d> openings_m_;  ///< Those that were chosen, reached or not.
   std::size_t failures_ = 0;                 ///< Since the last stop or opening.
-  bool sweeping_ = false;                    ///< The last motion was a sweep.
-  std::size_t sweeps_done_ = 0;              ///< At this stop.
 };
 
 }  // namespace echomap::exploration

@@ -35,16 +35,18 @@ RasterMap Navigator::map_of(const pipeline::Snapshot& snapshot, double margin_m)
   return map;
 }
 
-void Navigator::survey(const RasterMap& map, const pipeline::Snapshot& snapshot) {
-  suppose(map, snapshot);
+void Navigator::set_map(const RasterMap& map, const pipeline::Snapshot& snapshot) {
+  set_hypothetical_map(map, snapshot);
   travel_.search(*costs_, costs_->cell_at(snapshot.latest.T_map_robot.position_m()));
 }
 
-void Navigator::suppose(const RasterMap& map, const pipeline::Snapshot& snapshot) {
+void Navigator::set_hypothetical_map(const RasterMap& map, const pipeline::Snapshot& snapshot) {
   costs_ = costs_on(map, snapshot, params_.costs);
 }
 
-void Navigator::set_off(const Pose2& T_map_robot, const Eigen::Vector2d& goal_m, double cost_m) {
+void Navigator::follow_path_to(const Pose2& T_map_robot,
+                               const Eigen::Vector2d& goal_m,
+                               double cost_m) {
   const auto path =
       planner_.find(*costs_, costs_->cell_at(T_map_robot.position_m()), costs_->cell_at(goal_m));
   follower_.follow(path && cost_m > 0.0 ? path->points_m : std::vector<Eigen::Vector2d>{});

@@ -39,18 +39,20 @@ class Navigator {
   /// The map of a snapshot with `margin_m` of unknown floor around it, and with what has stopped
   /// the robot.
   mapping::RasterMap map_of(const pipeline::Snapshot& snapshot, double margin_m) const;
-  /// Takes that map for the ways that follow, and prices those to all of its places.
-  void survey(const mapping::RasterMap& map, const pipeline::Snapshot& snapshot);
-  /// Takes another map for the next way alone, as one where floor is supposed to be.
-  void suppose(const mapping::RasterMap& map, const pipeline::Snapshot& snapshot);
+  /// Plans by that map from now on, and prices the ways to all of its places.
+  void set_map(const mapping::RasterMap& map, const pipeline::Snapshot& snapshot);
+  /// Plans by another map until the next `set_map`, as one with floor that is only supposed.
+  void set_hypothetical_map(const mapping::RasterMap& map, const pipeline::Snapshot& snapshot);
   /// As of the last of these two, which has to be before.
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access)
   const CostGrid& costs() const { return *costs_; }
-  /// As of the last survey.
+  /// As of the last `set_map`.
   const TravelField& travel() const { return travel_; }
 
-  /// Takes the way to `goal_m`, which costs `cost_m`: of a goal without costs the robot is there.
-  void set_off(const geometry::Pose2& T_map_robot, const Eigen::Vector2d& goal_m, double cost_m);
+  /// Takes the way to `goal_m`, which costs `cost_m`; none where that is 0.
+  void follow_path_to(const geometry::Pose2& T_map_robot,
+                      const Eigen::Vector2d& goal_m,
+                      double cost_m);
   /// The next motion on the way; empty where it ends, or has taken too long.
   std::optional<Motion> next(const geometry::Pose2& T_map_robot);
 

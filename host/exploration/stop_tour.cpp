@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "host/exploration/navigator.hpp"
 #include "host/geometry/parameter_validator.hpp"
 #include "host/mapping/raster_map.hpp"
 
@@ -30,16 +31,15 @@ StrategyProducts StopTour::products() const {
 }
 
 Motion StopTour::next(const pipeline::Snapshot& snapshot, MotionResult last) {
-  sweeps_done_ += sweeping_ && last == MotionResult::kReached ? 1 : 0;
-  sweeping_ = false;
+  plan_.end_motion(last);
   if (auto motion = recover(snapshot, last)) {
     return *motion;
   }
-  if (!plan_.empty()) {
-    return take_planned();
+  if (auto motion = plan_.next()) {
+    return *motion;
   }
   if (phase_ == Phase::kSensing) {
-    if (sweeps_done_ == 0) {
+    if (!plan_.has_swept()) {
       return Finished{FinishReason::kCannotSense};
     }
     leave_place(true);
@@ -53,10 +53,7 @@ std::optional<Motion> StopTour::recover(const pipeline::Snapshot& snapshot, Moti
   if (last == MotionResult::kLifted) {
     return Finished{FinishReason::kLifted};
   }
-  const bool touches = snapshot.hazards.bump_left || snapshot.hazards.bump_right;
-  const bool is_stopped = touches || last == MotionResult::kBumped ||
-                          last == MotionResult::kHazard || last == MotionResult::kStalled;
-  if (phase_ != Phase::kDriving || !is_stopped) {
+  if (phase_ != Phase::kDriving || !is_stopped(snapshot, last)) {
     return std::nullopt;
   }
   leave_place(false);
@@ -77,10 +74,8 @@ Motion StopTour::drive_on(const pipeline::Snapshot& snapshot) {
     }
     if (!motion && places_[current_].sweeps) {
       phase_ = Phase::kSensing;
-      sweeps_done_ = 0;
-      plan_ = stop_sweep(
-          params_.sweep, snapshot.stops, snapshot.latest.T_map_robot.heading_rad() > 0.0);
-      return take_planned();
+      return plan_.begin(stop_sweep(
+          params_.sweep, snapshot.stops, snapshot.latest.T_map_robot.heading_rad() > 0.0));
     }
     leave_place(!motion);
   }
@@ -101,13 +96,6 @@ void StopTour::leave_place(bool was_reached) {
   reached_ += was_reached ? 1 : 0;
   ++current_;
   phase_ = Phase::kSettingOff;
-}
-
-Motion StopTour::take_planned() {
-  Motion motion = plan_.front();
-  plan_.pop_front();
-  sweeping_ = std::holds_alternative<Sweep>(motion);
-  return motion;
 }
 
 }  // namespace echomap::exploration

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/path_follower.hpp"
 #include "host/exploration/round_sweep.hpp"
+#include "host/exploration/scan_plan.hpp"
 
 namespace echomap::exploration {
 
@@ -54,19 +54,16 @@ class StopTour final : public Explorer {
   Motion drive_on(const pipeline::Snapshot& snapshot);
   void set_off(const pipeline::Snapshot& snapshot);
   void leave_place(bool was_reached);
-  Motion take_planned();
 
   StopTourParams params_;
   std::vector<TourPlace> places_;
   PathFollower follower_;
   std::optional<CostGrid> costs_;
   Phase phase_ = Phase::kSettingOff;
-  std::deque<Motion> plan_;  ///< What is left of a stop.
+  ScanPlan plan_;
   std::size_t current_ = 0;  ///< The place that it is heading for.
   std::size_t reached_ = 0;
   std::size_t motions_left_ = 0;  ///< That the way to the place may still take.
-  bool sweeping_ = false;         ///< The last motion was a sweep.
-  std::size_t sweeps_done_ = 0;   ///< At this stop.
 };
 
 }  // namespace echomap::exploration

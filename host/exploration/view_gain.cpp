@@ -73,13 +73,13 @@ std::vector<PastView> views_of(const std::vector<mapping::Scan>& scans) {
 
 ViewGain::ViewGain(const mapping::RasterMap& map,
                    const std::vector<PastView>& past,
-                   const std::vector<geometry::Segment>& unheard,
+                   const std::vector<geometry::Segment>& unobserved,
                    const ViewGainParams& params)
     : map_(map),
       params_(params),
       worth_(static_cast<std::size_t>(map.columns()) * static_cast<std::size_t>(map.rows()), 1.0F),
       seen_(worth_.size()),
-      unheard_(unheard_walls(unheard, params.depth_m, params.unheard)) {
+      unobserved_(unobserved_walls(unobserved, params.depth_m, params.unobserved)) {
   geometry::ParameterValidator("view gain")
       .positive("reach_m", params.reach_m)
       .positive("fade_m", params.fade_m)
@@ -88,8 +88,10 @@ ViewGain::ViewGain(const mapping::RasterMap& map,
       .positive("left_by_look", params.left_by_look)
       .at_most("left_by_look", params.left_by_look, 1.0)
       .positive("novel_m", params.novel_m)
-      .within("unheard.floor_chance", params.unheard.floor_chance, 0.0, 1.0)
-      .positive("unheard.min_length_m", params.unheard.min_length_m);
+      .within("unobserved.floor_chance", params.unobserved.floor_chance, 0.0, 1.0)
+      .positive("unobserved.min_length_m", params.unobserved.min_length_m)
+      .at_least("unobserved.inside_m", params.unobserved.inside_m, 0.0)
+      .positive("unobserved.max_distance_m", params.unobserved.max_distance_m);
   const double step_m = map.resolution_m();
   const auto steps = static_cast<int>(params.reach_m / step_m);
   for (int i = 0; i <= steps; ++i) {
@@ -145,11 +147,11 @@ void ViewGain::weight_by_walls() {
 void ViewGain::look(const PastView& view) {
   ++views_;
   looked_from_m_.push_back(view.from_m);
-  for (UnheardWall& unheard : unheard_) {
-    const auto bearing_rad = facing_rad(map_, view.from_m, unheard.wall, params_.unheard);
+  for (UnobservedWall& unobserved : unobserved_) {
+    const auto bearing_rad = facing_rad(map_, view.from_m, unobserved.wall, params_.unobserved);
     if (bearing_rad &&
         std::abs(geometry::angle_between(view.middle_rad, *bearing_rad)) <= view.half_width_rad) {
-      unheard.floor_m2 *= params_.left_by_look;
+      unobserved.floor_m2 *= params_.left_by_look;
     }
   }
   const double step_rad = map_.resolution_m() / params_.reach_m;
@@ -174,9 +176,9 @@ std::vector<double> ViewGain::by_sector_m2(const Eigen::Vector2d& from_m) const 
       gain_m2 += worth * shown_m2_[step];
     });
   }
-  for (const UnheardWall& unheard : unheard_) {
-    if (const auto bearing_rad = facing_rad(map_, from_m, unheard.wall, params_.unheard)) {
-      gains_m2[sector_of(*bearing_rad)] += unheard.floor_m2;
+  for (const UnobservedWall& unobserved : unobserved_) {
+    if (const auto bearing_rad = facing_rad(map_, from_m, unobserved.wall, params_.unobserved)) {
+      gains_m2[sector_of(*bearing_rad)] += unobserved.floor_m2;
     }
   }
   const double share = novelty(from_m);

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "host/exploration/unheard_walls.hpp"
+#include "host/exploration/unobserved_walls.hpp"
 #include "host/geometry/segment.hpp"
 #include "host/mapping/placed_reading.hpp"
 #include "host/mapping/raster_map.hpp"
@@ -32,7 +32,7 @@ struct ViewGainParams {
   /// A sweep nearer than this to an earlier one shows the less, the nearer it is: from the same
   /// place a sonar hears the same again.
   double novel_m = 0.3;
-  UnheardWallParams unheard;
+  UnobservedWallParams unobserved;
 };
 
 /// A sweep as it was made: from where, and the bearings that its beams covered.
@@ -62,11 +62,11 @@ class ViewGain {
   /// Bearings are told apart in so many sectors of the full turn.
   static constexpr std::size_t kSectors = 72;
 
-  /// `map` outlives this; `unheard` are the walls on it that nobody has heard. Throws
+  /// `map` outlives this; `unobserved` are the walls on it that nobody has heard. Throws
   /// std::invalid_argument for invalid parameters.
   ViewGain(const mapping::RasterMap& map,
            const std::vector<PastView>& past,
-           const std::vector<geometry::Segment>& unheard,
+           const std::vector<geometry::Segment>& unobserved,
            const ViewGainParams& params);
 
   /// Square metres by sector, from -pi on.
@@ -74,7 +74,7 @@ class ViewGain {
   /// How much of an unknown cell of the map counts, from 0 to 1.
   double worth(geometry::CellIndex cell) const { return static_cast<double>(worth_[index(cell)]); }
   /// Walls that nobody has heard, with what is expected behind them after all looks.
-  const std::vector<UnheardWall>& unheard() const { return unheard_; }
+  const std::vector<UnobservedWall>& unobserved() const { return unobserved_; }
 
  private:
   template <typename Visitor>
@@ -93,7 +93,7 @@ class ViewGain {
   std::vector<std::uint32_t> seen_;  ///< By cell: the last view that has looked at it.
   std::uint32_t views_ = 0;
   std::vector<Eigen::Vector2d> looked_from_m_;
-  std::vector<UnheardWall> unheard_;
+  std::vector<UnobservedWall> unobserved_;
   std::vector<double> shown_m2_;  ///< By step of a ray: what one unknown cell there adds.
   std::vector<float> left_;       ///< By step of a ray: what a look leaves of a cell's worth.
 };

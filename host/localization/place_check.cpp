@@ -40,26 +40,6 @@ std::vector<PoseHypothesis> hypotheses_of(const std::vector<FoundPlace>& places,
   return hypotheses;
 }
 
-/// How far the prior of a known place holds for a filter that has not gone where the wheels went:
-/// it may have taken another place for the known one. In `one`, and a way later in `other`.
-double share_of_departure(const FollowedPose& one, const FollowedPose& other) {
-  constexpr double kStddevM = 0.04;
-  constexpr double kStddevPerM = 0.03;
-  constexpr double kStddevRad = 0.03;
-  constexpr double kStddevPerRad = 0.01;
-  /// The 95th percentile of chi squared with three degrees of freedom.
-  constexpr double kUsual = 7.8;
-  const Pose2 way = one.T_odom_robot.inverse() * other.T_odom_robot;
-  const Pose2 off = (one.T_map_robot * way).inverse() * other.T_map_robot;
-  const double variance_m2 =
-      geometry::square(kStddevM) + geometry::square(kStddevPerM * way.position_m().norm());
-  const double variance_rad2 =
-      geometry::square(kStddevRad) + geometry::square(kStddevPerRad * way.heading_rad());
-  const double departure = off.position_m().squaredNorm() / variance_m2 +
-                           geometry::square(off.heading_rad()) / variance_rad2;
-  return std::exp(-0.5 * std::max(0.0, departure - kUsual));
-}
-
 /// Among places of which one is believed.
 double probability_of_believed(const std::vector<FoundPlace>& places) {
   double all = 0.0;
@@ -90,7 +70,9 @@ PlaceCheck::PlaceCheck(ObservationModel& model, const PlaceCheckParams& params)
       .within("claimed_from", params.claimed_from, 0.0, 1.0)
       .within("lost_below", params.lost_below, 0.0, 1.0)
       .within("elsewhere_chance", params.elsewhere_chance, 0.0, 1.0)
-      .within("told_from", params.told_from, 0.0, 1.0);
+      .within("told_from", params.told_from, 0.0, 1.0)
+      .positive("departure_m", params.departure_m)
+      .positive("departure_rad", params.departure_rad);
 }
 
 void PlaceCheck::begin_known() {
@@ -130,6 +112,22 @@ CheckedBelief PlaceCheck::check(const PoseBelief& believed,
                                                     : check_anywhere(believed, contradicts);
 }
 
+/// A filter that did not go where the wheels went may have taken another place for the known one.
+double PlaceCheck::prior_share(const FollowedPose& now) const {
+  if (!last_known_) {
+    return 1.0;
+  }
+  const Pose2 way = last_known_->T_odom_robot.inverse() * now.T_odom_robot;
+  const Pose2 off = (last_known_->T_map_robot * way).inverse() * now.T_map_robot;
+  const double variance_m2 = geometry::square(params_.departure_m) +
+                             geometry::square(params_.departure_per_m * way.position_m().norm());
+  const double variance_rad2 = geometry::square(params_.departure_rad) +
+                               geometry::square(params_.departure_per_rad * way.heading_rad());
+  const double chi_squared = off.position_m().squaredNorm() / variance_m2 +
+                             geometry::square(off.heading_rad()) / variance_rad2;
+  return std::exp(-0.5 * std::max(0.0, chi_squared - params_.usual_departure));
+}
+
 std::vector<FoundPlace> PlaceCheck::places_by_scans(const Pose2& T_map_believed,
                                                     std::size_t newest,
                                                     double prior_share) {
@@ -146,28 +144,28 @@ std::vector<FoundPlace> PlaceCheck::places_by_scans(const Pose2& T_map_believed,
 CheckedBelief PlaceCheck::check_known(const PoseBelief& believed, const Contradicts& contradicts) {
   const PoseHypothesis& followed = believed.hypotheses.front();
   const FollowedPose now{followed.T_map_robot, T_odom_robot_};
-  const double prior_share = last_known_ ? share_of_departure(*last_known_, now) : 1.0;
-  double least = 1.0;
-  std::size_t scans_of_least = 0;
+  const double share = prior_share(now);
+  double min_probability = 1.0;
+  std::size_t scans_of_min = 0;
   std::vector<FoundPlace> places;
   for (std::size_t newest = 1; newest <= search_.scans(); newest *= 2) {
-    std::vector<FoundPlace> found = places_by_scans(followed.T_map_robot, newest, prior_share);
+    std::vector<FoundPlace> found = places_by_scans(followed.T_map_robot, newest, share);
     const double probability = probability_of_believed(found);
-    if (probability < least) {
-      least = probability;
-      scans_of_least = newest;
+    if (probability < min_probability) {
+      min_probability = probability;
+      scans_of_min = newest;
       places = std::move(found);
     }
   }
-  if (least < params_.lost_below) {
-    search_.keep_newest(scans_of_least);
+  if (min_probability < params_.lost_below) {
+    search_.keep_newest(scans_of_min);
     is_known_ = false;
     was_known_ = true;
     return check_anywhere(believed, contradicts);
   }
   last_known_ = now;
   CheckedBelief checked{believed, {}};
-  if (least < params_.claimed_from) {
+  if (min_probability < params_.claimed_from) {
     for (FoundPlace& place : places) {
       place.T_map_robot = place.is_believed ? followed.T_map_robot : place.T_map_robot;
     }
@@ -176,7 +174,7 @@ CheckedBelief PlaceCheck::check_known(const PoseBelief& believed, const Contradi
                                 ? LocalizationStatus::kRecovering
                                 : believed.status;
   }
-  const double told = std::min(least, checked.belief.hypotheses.front().probability);
+  const double told = std::min(min_probability, checked.belief.hypotheses.front().probability);
   checked.belief.lost_probability = std::max(believed.lost_probability, 1.0 - told);
   return checked;
 }

@@ -25,23 +25,23 @@ std::vector<geometry::Segment> segments_of(const std::vector<MatchedWall>& walls
 }
 
 /// What completion has added to a wall.
-MatchedWall unheard_of(const MatchedWall& heard, const MatchedWall& completed) {
-  MatchedWall unheard{heard.normal_rad, heard.offset_m, {}};
+MatchedWall unobserved_of(const MatchedWall& heard, const MatchedWall& completed) {
+  MatchedWall unobserved{heard.normal_rad, heard.offset_m, {}};
   for (const auto& piece : completed.pieces) {
     double end_m = piece.from_m;
     for (const auto& known : heard.pieces) {
       if (known.from_m >= piece.from_m && known.to_m <= piece.to_m) {
         if (known.from_m > end_m) {
-          unheard.pieces.push_back({end_m, known.from_m});
+          unobserved.pieces.push_back({end_m, known.from_m});
         }
         end_m = known.to_m;
       }
     }
     if (piece.to_m > end_m) {
-      unheard.pieces.push_back({end_m, piece.to_m});
+      unobserved.pieces.push_back({end_m, piece.to_m});
     }
   }
-  return unheard;
+  return unobserved;
 }
 
 /// Whether most of a feature's sightings run through walls.
@@ -131,11 +131,11 @@ SonarFeatures sonar_features(const MatchedSurfaces& matched,
   const MatchedSurfaces real = without_images(
       matched, scans, segments_of(completion.completed(matched)), params.image_clearance_m);
   const std::vector<MatchedWall> completed = completion.completed(real);
-  std::vector<MatchedWall> unheard;
+  std::vector<MatchedWall> unobserved;
   for (std::size_t i = 0; i < completed.size(); ++i) {
-    unheard.push_back(unheard_of(real.walls[i], completed[i]));
+    unobserved.push_back(unobserved_of(real.walls[i], completed[i]));
   }
-  SonarFeatures features{segments_of(completed), {}, segments_of(unheard)};
+  SonarFeatures features{segments_of(completed), {}, segments_of(unobserved)};
   double max_radius_m = 0.0;
   for (const MatchedFeature& feature : real.features) {
     max_radius_m = std::max(max_radius_m, feature.feature.radius_m);

@@ -40,7 +40,7 @@ struct SonarFeatures {
   std::vector<geometry::Segment> walls;
   std::vector<FittedCircle> circles;
   /// Stretches of the walls that nobody has heard: gaps that were closed. The floor is to the left.
-  std::vector<geometry::Segment> unheard = {};
+  std::vector<geometry::Segment> unobserved = {};
 };
 
 /// What is taken for solid. Ours, chosen in simulated rooms.

@@ -164,6 +164,11 @@ SonarMapper::SonarMapper(const SonarMapperParams& params)
       .within("floor.open_share", params.floor.open_share, 0.0, 1.0)
       .within("evidence.silent_share", params.evidence.silent_share, 0.0, 1.0)
       .positive("features.completion.min_angle_rad", params.features.completion.min_angle_rad)
+      .at_least(
+          "features.completion.faced_inside_m", params.features.completion.faced_inside_m, 0.0)
+      .positive("features.completion.faced_range_m", params.features.completion.faced_range_m)
+      .positive("features.completion.faced_half_angle_rad",
+                params.features.completion.faced_half_angle_rad)
       .at_least("floor.margin_m", params.floor.margin_m, 0.0)
       .positive("evidence.fade_m", params.evidence.fade_m)
       .positive("evidence.free_centilogits", params.evidence.free_centilogits)

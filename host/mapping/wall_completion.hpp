@@ -26,12 +26,13 @@ struct WallCompletionParams {
   double min_angle_rad = 0.5;
   /// What was heard this much behind a wall was heard through a gap in it.
   double behind_m = 0.12;
-  /// Nor does a wall stand where it did not answer: a stop with the foot of its perpendicular so
-  /// far inside of the gap, and not farther off than that, has listened within this of that
-  /// direction and heard nothing, or only something behind.
-  double faced_half_angle_rad = 0.11;
+  /// A gap is open where a stop that faces it got no echo from it, or only one from behind. It
+  /// faces it if the foot of the perpendicular is at least so far inside of the gap,
   double faced_inside_m = 0.1;
+  /// if it is not farther off than this, which is within the sonar's range,
   double faced_range_m = 3.0;
+  /// and has looked to within this of the foot.
+  double faced_half_angle_rad = 0.11;
 };
 
 /// Closes gaps in walls. A gap stays open through which a surface was heard or the robot has

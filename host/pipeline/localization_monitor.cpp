@@ -19,10 +19,11 @@ LocalizationMonitor::LocalizationMonitor(const mapping::RasterMap& map,
                                          localization::ObservationModel* places,
                                          double max_range_m,
                                          const LocalizationMonitorParams& params)
-    : params_(params), map_(map), compared_map_(mapping::grid_of(map)), max_range_m_(max_range_m) {
+    : params_(params), map_(map), compared_map_(mapping::grid_of(map)) {
   validate(params);
   if (places != nullptr) {
     places_.emplace(*places);
+    views_.emplace(map, max_range_m);
   }
 }
 
@@ -33,7 +34,7 @@ void LocalizationMonitor::start_at(localization::LocalizerOutcome outcome) {
     places_->begin_anywhere();
   }
   contradictions_ = 0;
-  lost_probability_ = 0.0;
+  doubtful_.reset();
 }
 
 void LocalizationMonitor::start_anywhere() {
@@ -41,7 +42,7 @@ void LocalizationMonitor::start_anywhere() {
     places_->begin_anywhere();
   }
   contradictions_ = 0;
-  lost_probability_ = 0.0;
+  doubtful_.reset();
 }
 
 localization::CheckedBelief LocalizationMonitor::check(const localization::PoseBelief& believed,
@@ -52,6 +53,11 @@ localization::CheckedBelief LocalizationMonitor::check(const localization::PoseB
   if (belief.status == localization::LocalizationStatus::kLocalized &&
       contradicts_place(belief.hypotheses.front().T_map_robot, scan.readings)) {
     belief.status = localization::LocalizationStatus::kRecovering;
+  }
+  doubtful_.reset();
+  if (belief.status != localization::LocalizationStatus::kLocalized) {
+    doubtful_ = belief;
+    T_odom_checked_ = scan.T_odom_robot;
   }
   return checked;
 }
@@ -69,22 +75,27 @@ localization::CheckedBelief LocalizationMonitor::compare_places(
     contradictions_ = 0;
   }
   auto checked = places_->check(believed, scan, contradicts);
-  if (!views_) {
-    views_.emplace(map_, max_range_m_);
-  }
-  lost_probability_ = checked.belief.status == localization::LocalizationStatus::kLocalized
-                          ? 0.0
-                          : checked.belief.lost_probability;
   if (checked.T_map_restart) {
     contradictions_ = 0;
   }
   return checked;
 }
 
-void LocalizationMonitor::limit_confidence(localization::PoseBelief& belief) const {
-  belief.lost_probability = std::max(belief.lost_probability, lost_probability_);
-  if (lost_probability_ > 0.0 && belief.status == localization::LocalizationStatus::kLocalized) {
+void LocalizationMonitor::limit_confidence(localization::PoseBelief& belief,
+                                           const geometry::Pose2& T_odom_robot) const {
+  if (!doubtful_ || belief.status == localization::LocalizationStatus::kLost) {
+    return;
+  }
+  belief.lost_probability = std::max(belief.lost_probability, doubtful_->lost_probability);
+  if (belief.status == localization::LocalizationStatus::kLocalized) {
     belief.status = localization::LocalizationStatus::kRecovering;
+  }
+  if (places_ && !doubtful_->hypotheses.empty()) {
+    const geometry::Pose2 T_checked_robot = T_odom_checked_.inverse() * T_odom_robot;
+    belief.hypotheses = doubtful_->hypotheses;
+    for (localization::PoseHypothesis& place : belief.hypotheses) {
+      place.T_map_robot = place.T_map_robot * T_checked_robot;
+    }
   }
 }
 

@@ -51,10 +51,12 @@ class LocalizationMonitor {
   /// Checks the filter's own belief after a scan.
   localization::CheckedBelief check(const localization::PoseBelief& believed,
                                     const localization::StopScan& scan);
-  /// Keeps a belief between two scans as unsure as the last check has left it.
-  void limit_confidence(localization::PoseBelief& belief) const;
+  /// Where the last check left a place doubtful, a belief between two scans is not surer than that,
+  /// and has the hypotheses of the check, moved on by odometry.
+  void limit_confidence(localization::PoseBelief& belief,
+                        const geometry::Pose2& T_odom_robot) const;
   /// How well a scan from a goal would tell the hypotheses apart: localization::ViewDifference.
-  /// 0 before places were compared.
+  /// 0 where places are not compared.
   double telling(const std::vector<localization::PoseHypothesis>& hypotheses,
                  const geometry::Pose2& T_robot_goal) const;
 
@@ -66,12 +68,12 @@ class LocalizationMonitor {
 
   LocalizationMonitorParams params_;
   const mapping::RasterMap& map_;
-  mapping::OccupancyGrid compared_map_;  ///< In its own frame: mapping::grid_of.
-  double max_range_m_;
+  mapping::OccupancyGrid compared_map_;                ///< In its own frame: mapping::grid_of.
   std::optional<localization::PlaceCheck> places_;     ///< Empty where places are not compared.
-  std::optional<localization::ViewDifference> views_;  ///< Once places were compared.
-  /// As the last check told it, of a place that it did not claim; 0 without a check.
-  double lost_probability_ = 0.0;
+  std::optional<localization::ViewDifference> views_;  ///< As those.
+  /// What the last check said of a place that it did not claim, and where odometry had the robot.
+  std::optional<localization::PoseBelief> doubtful_;
+  geometry::Pose2 T_odom_checked_;
   std::size_t contradictions_ = 0;  ///< Of the believed place, in a row.
 };
 

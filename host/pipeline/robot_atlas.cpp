@@ -39,7 +39,7 @@ void RobotAtlas::begin_new_map(std::size_t stops_elsewhere) {
   if (!is_lifted && stops_elsewhere > 1) {
     later = later.split_off(stops_elsewhere - 1);  // The first may be of both places.
   }
-  if (record_.scans() > 0) {
+  if (record_.scans() > 0 && params_.keeps_previous_maps) {
     set_aside(std::move(record_));
   }
   take(std::move(later));

@@ -19,6 +19,8 @@ struct RobotAtlasParams {
   std::size_t agreeing_stops = 2;
   double same_m = 0.3;
   double same_rad = 0.17;
+  /// False where nobody will join them: maps that are left are let go.
+  bool keeps_previous_maps = true;
 };
 
 /// A map that was set aside when the robot was carried away from it.

@@ -31,7 +31,7 @@ localization::LocalizedRobot robot_of(const sensors::RangeScan& scan) {
 /// The particle filter, what it knows of the range sensor, and what monitors it.
 struct RobotLocalizer::Filter {
   std::unique_ptr<localization::ObservationModel> observation;
-  /// Null where no place is checked, or by `observation`.
+  /// Null where the monitor compares no places, or by `observation`.
   std::unique_ptr<localization::ObservationModel> places;
   localization::MonteCarloLocalizer localizer;
   LocalizationMonitor monitor;
@@ -284,7 +284,7 @@ void RobotLocalizer::update(const std::vector<localization::RangeReading>& readi
   }
   T_odom_updated_ = T_odom_robot_;
   belief_ = filter_->localizer.update(T_odom_robot_, readings);
-  filter_->monitor.limit_confidence(belief_);
+  filter_->monitor.limit_confidence(belief_, T_odom_robot_);
 }
 
 void RobotLocalizer::note_pose() {

@@ -78,7 +78,7 @@ class RobotLocalizer final : public ObservationSink {
   /// How well a scan from a goal, seen from the robot, would tell apart the places where it may be:
   /// localization::ViewDifference. 0 where it is localized, or nothing is known.
   double telling(const geometry::Pose2& T_robot_goal) const;
-  /// Where it was believed to be at the end of each scan; of range scans, at each update.
+  /// The likeliest place at the end of each scan; of range scans, at each update.
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
   std::size_t scans() const { return scans_; }
   /// Updates by scans.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/session/pipeline_setup.hpp"
 
+#include <algorithm>
+
 #include "host/slam/slam_methods.hpp"
 
 namespace echomap::session {
@@ -34,6 +36,8 @@ pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::str
   if (profile.has_sonar) {
     params.surfaces = surface_params(profile);
     params.floor.max_range_m = profile.range.max_range_m;
+    double& faced_m = params.features.completion.faced_range_m;
+    faced_m = std::min(faced_m, sure_range_m(profile));
   } else {
     params.grid.resolution_m = kNearResolutionM;
   }
@@ -49,8 +53,10 @@ pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::str
       profile.geometry, params, near, by_slam ? slam::slam_by_name(slam).make() : nullptr);
 }
 
-pipeline::RobotAtlas atlas_for(const RobotProfile& profile, const std::string& slam) {
-  return pipeline::RobotAtlas([&profile, slam] { return pipeline_for(profile, slam); });
+pipeline::RobotAtlas atlas_for(const RobotProfile& profile,
+                               const std::string& slam,
+                               const pipeline::RobotAtlasParams& params) {
+  return pipeline::RobotAtlas([&profile, slam] { return pipeline_for(profile, slam); }, params);
 }
 
 }  // namespace echomap::session

@@ -25,6 +25,8 @@ mapping::SonarSurfaceParams surface_params(const RobotProfile& profile);
 pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::string& slam);
 
 /// An atlas of such pipelines. The profile outlives it.
-pipeline::RobotAtlas atlas_for(const RobotProfile& profile, const std::string& slam);
+pipeline::RobotAtlas atlas_for(const RobotProfile& profile,
+                               const std::string& slam,
+                               const pipeline::RobotAtlasParams& params = {});
 
 }  // namespace echomap::session

@@ -197,4 +197,9 @@ RobotProfile load_robot_profile(const std::string& name_or_file) {
   return profile;
 }
 
+double sure_range_m(const RobotProfile& profile) {
+  constexpr double kMarginM = 0.2;
+  return profile.range.max_range_m - kMarginM;
+}
+
 }  // namespace echomap::session

@@ -44,4 +44,7 @@ struct RobotProfile {
 /// files::ConfigError.
 RobotProfile load_robot_profile(const std::string& name_or_file);
 
+/// Up to there a wall that the sonar faces answers for sure, whatever the noise, metres.
+double sure_range_m(const RobotProfile& profile);
+
 }  // namespace echomap::session

@@ -247,6 +247,8 @@ exploration::FrontierParams frontier_params(const RobotProfile& profile,
                                             std::optional<std::size_t> max_stops) {
   exploration::FrontierParams params;
   params.navigator = navigator_params(profile);
+  double& faced_m = params.gain.unobserved.max_distance_m;
+  faced_m = std::min(faced_m, session::sure_range_m(profile));
   params.viewpoints.speed_m_per_s = profile.speed_m_per_s;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;

@@ -10,9 +10,22 @@
 #include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::tracking {
+namespace {
 
-StopDriver::StopDriver(session::RobotContext& robot, const std::string& slam)
-    : robot_(robot), atlas_(session::atlas_for(robot.profile(), slam)) {
+pipeline::RobotAtlasParams one_map() {
+  pipeline::RobotAtlasParams params;
+  params.keeps_previous_maps = false;
+  return params;
+}
+
+}  // namespace
+
+StopDriver::StopDriver(session::RobotContext& robot,
+                       const std::string& slam,
+                       exploration::ActiveLocalization::GoalUtility utility)
+    : robot_(robot),
+      atlas_(session::atlas_for(robot.profile(), slam, one_map())),
+      utility_(std::move(utility)) {
   robot_.session().look_around_on_the_way(true);
   robot_.fork().add(atlas_);
   begin();
@@ -24,10 +37,9 @@ StopDriver::~StopDriver() {
 }
 
 void StopDriver::begin() {
-  auto strategy = std::make_unique<exploration::ActiveLocalization>(
-      strategies::active_localization_params(robot_.profile()));
-  strategy_ = strategy.get();
-  explorer_ = std::make_unique<exploration::FaultWatch>(std::move(strategy));
+  explorer_ =
+      std::make_unique<exploration::FaultWatch>(std::make_unique<exploration::ActiveLocalization>(
+          strategies::active_localization_params(robot_.profile()), utility_));
   last_ = exploration::MotionResult::kReached;
 }
 
@@ -36,9 +48,11 @@ void StopDriver::begin_new_map(std::size_t stops_elsewhere) {
   begin();
 }
 
-bool StopDriver::go_to_next_stop(const exploration::ActiveLocalization::Telling& telling) {
+bool StopDriver::go_to_next_stop() {
   while (!robot_.session().end()) {
-    strategy_->prefer(telling);
+    if (pipeline().snapshot().times_lifted > 0) {
+      begin_new_map(0);
+    }
     const auto motion = explorer_->next(pipeline().snapshot(), last_);
     if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
       const bool may_be_the_map = finished->reason == exploration::FinishReason::kNowhereToGo &&
@@ -51,9 +65,6 @@ bool StopDriver::go_to_next_stop(const exploration::ActiveLocalization::Telling&
       continue;
     }
     last_ = robot_.move(motion);
-    if (last_ == exploration::MotionResult::kLifted) {
-      begin_new_map(0);
-    }
     if (std::holds_alternative<exploration::EndScan>(motion)) {
       began_on_the_spot_ = began_on_the_spot_ && pipeline().snapshot().stops < 2;
       return !robot_.session().end();

@@ -20,15 +20,18 @@ class StopDriver {
  public:
   /// `robot`, which is open, outlives this. The SLAM method of that name (session::pipeline_for)
   /// places the robot in the driver's own map.
-  StopDriver(session::RobotContext& robot, const std::string& slam);
+  StopDriver(session::RobotContext& robot,
+             const std::string& slam,
+             exploration::ActiveLocalization::GoalUtility utility);
   ~StopDriver();
   StopDriver(const StopDriver&) = delete;
   StopDriver& operator=(const StopDriver&) = delete;
 
   /// To the end of the next stop's scan; false where the session has ended, a part of the robot is
-  /// broken or there is nowhere to go, which `finished` tells. Its own map may be wrong: where that
-  /// bars the way, or contradicts what it hears, it begins a new one, without a way once on a spot.
-  bool go_to_next_stop(const exploration::ActiveLocalization::Telling& telling);
+  /// broken or there is nowhere to go, which `finished` tells. Its own map may be wrong: where what
+  /// it hears contradicts the map it begins a new one, and so it does, once on a spot, where no way
+  /// leads anywhere.
+  bool go_to_next_stop();
   /// The robot was carried off: the driver's map, but for so many of its last stops, is of
   /// somewhere else.
   void begin_new_map(std::size_t stops_elsewhere);
@@ -42,7 +45,7 @@ class StopDriver {
 
   session::RobotContext& robot_;
   pipeline::RobotAtlas atlas_;
-  exploration::ActiveLocalization* strategy_ = nullptr;  ///< Of the explorer.
+  exploration::ActiveLocalization::GoalUtility utility_;
   std::unique_ptr<exploration::FaultWatch> explorer_;
   bool began_on_the_spot_ = false;  ///< A new map, since the old one had no way.
   exploration::MotionResult last_ = exploration::MotionResult::kReached;

@@ -50,7 +50,8 @@ class ActiveLocalizationTest : public ::testing::Test {
       }
       if (std::holds_alternative<EndScan>(motion)) {
         stops_m.push_back(robot.snapshot.latest.T_map_robot.position_m());
-        scans.push_back({{robot.snapshot.latest.T_map_robot, {}, {}}});
+        const Pose2& T_map_robot = robot.snapshot.latest.T_map_robot;
+        scans.push_back({{T_map_robot, T_map_robot, {}}});
         robot.snapshot.scans = std::make_shared<const std::vector<mapping::Scan>>(scans);
         ++robot.snapshot.stops;
       }
@@ -58,7 +59,13 @@ class ActiveLocalizationTest : public ::testing::Test {
   }
 
   ObedientRobot robot;
-  ActiveLocalization explorer{{}};
+  double utility(const Pose2& T_robot_goal) const {
+    const Eigen::Vector2d goal_m = (robot.snapshot.latest.T_map_robot * T_robot_goal).position_m();
+    return best_m && (goal_m - *best_m).norm() < 0.3 ? 1.0 : 0.0;
+  }
+
+  std::optional<Eigen::Vector2d> best_m;
+  ActiveLocalization explorer{{}, [this](const Pose2& goal) { return utility(goal); }};
   std::vector<mapping::Scan> scans;
   std::function<MotionResult(const Motion&)> result_of = [](const Motion&) {
     return MotionResult::kReached;
@@ -73,18 +80,14 @@ TEST_F(ActiveLocalizationTest, SweepsWhereItStandsFirst) {
   EXPECT_LT(stops_m.front().norm(), 1e-9);
 }
 
-TEST_F(ActiveLocalizationTest, GoesToWhereMostIsTold) {
-  const Eigen::Vector2d told_m(-1.0, 1.2);
-  explorer.prefer([&](const Pose2& T_robot_goal) {
-    const Eigen::Vector2d goal_m = (robot.snapshot.latest.T_map_robot * T_robot_goal).position_m();
-    return (goal_m - told_m).norm() < 0.3 ? 1.0 : 0.0;
-  });
+TEST_F(ActiveLocalizationTest, GoesToThePlaceOfTheGreatestUtility) {
+  best_m = {-1.0, 1.2};
   go(2);
   ASSERT_EQ(stops_m.size(), 2U);
-  EXPECT_LT((stops_m.back() - told_m).norm(), 0.35);
+  EXPECT_LT((stops_m.back() - *best_m).norm(), 0.35);
 }
 
-TEST_F(ActiveLocalizationTest, KeepsApartFromEarlierStopsWhereNothingIsTold) {
+TEST_F(ActiveLocalizationTest, KeepsApartFromEarlierStopsWhereAllGoalsAreAlike) {
   go(8);
   ASSERT_EQ(stops_m.size(), 8U);
   for (std::size_t one = 0; one < stops_m.size(); ++one) {
@@ -104,14 +107,17 @@ TEST_F(ActiveLocalizationTest, BacksOffFromABumpAndGoesSomewhereElse) {
                ? MotionResult::kBumped
                : MotionResult::kReached;
   };
+  best_m = {1.2, 0.0};
   go(2);
   EXPECT_TRUE(has_backed_off);
-  EXPECT_EQ(stops_m.size(), 2U);
+  ASSERT_EQ(stops_m.size(), 2U);
+  EXPECT_GT(stops_m.back().norm(), 0.1);
 }
 
 TEST_F(ActiveLocalizationTest, GoesOnInAMapThatHasAStop) {
   robot.snapshot.stops = 1;
-  EXPECT_FALSE(std::holds_alternative<BeginScan>(explorer.next(robot.snapshot, {})));
+  const Motion motion = explorer.next(robot.snapshot, MotionResult::kReached);
+  EXPECT_TRUE(std::holds_alternative<Turn>(motion) || std::holds_alternative<Roll>(motion));
 }
 
 TEST_F(ActiveLocalizationTest, KnowsNowhereToGoWhereAllIsWall) {
@@ -135,6 +141,14 @@ TEST_F(ActiveLocalizationTest, EndsWhereNoSweepIsCarriedOut) {
   EXPECT_EQ(finished, FinishReason::kCannotSense);
 }
 
+TEST_F(ActiveLocalizationTest, KeepsApartFromStopsThatHeardNothing) {
+  robot.snapshot.stops = 1;
+  robot.snapshot.scans =
+      std::make_shared<const std::vector<mapping::Scan>>(std::vector<mapping::Scan>(1));
+  go(1);
+  EXPECT_EQ(stops_m.size(), 1U);
+}
+
 TEST_F(ActiveLocalizationTest, GivesUpWhereEveryMoveFails) {
   result_of = [](const Motion& motion) {
     return std::holds_alternative<Roll>(motion) || std::holds_alternative<Turn>(motion)
@@ -145,15 +159,15 @@ TEST_F(ActiveLocalizationTest, GivesUpWhereEveryMoveFails) {
   EXPECT_EQ(finished, FinishReason::kNowhereToGo);
 }
 
-TEST(ActiveLocalization, RejectsParametersWithoutSense) {
+TEST(ActiveLocalization, RejectsInvalidParameters) {
   const auto refused = [](auto change) {
     ActiveLocalizationParams params;
     change(params);
-    EXPECT_THROW(ActiveLocalization{params}, std::invalid_argument);
+    EXPECT_THROW(ActiveLocalization(params, {}), std::invalid_argument);
   };
   refused([](auto& params) { params.sweep.step_rad = 0.0; });
   refused([](auto& params) { params.lattice_m = 0.0; });
-  refused([](auto& params) { params.least_worth = 0.0; });
+  refused([](auto& params) { params.min_utility = 0.0; });
 }
 
 }  // namespace

@@ -76,10 +76,10 @@ TEST(CoverageOf, WhatLooksHaveLeftUnknownCountsLess) {
 TEST(CoverageOf, BehindAWallThatNobodyHasHeardFloorMayBe) {
   auto snapshot = room(nowhere, nowhere);
   mapping::SonarFeatures features;
-  features.unheard = {{{3.0, -0.5}, {3.0, 0.5}}, {{6.0, -0.5}, {6.0, 0.5}}};
+  features.unobserved = {{{3.0, -0.5}, {3.0, 0.5}}, {{6.0, -0.5}, {6.0, 0.5}}};
   snapshot.features = std::make_shared<const mapping::SonarFeatures>(features);
   const ViewGainParams gain;
-  EXPECT_NEAR(coverage_of(snapshot).unseen_m2, gain.unheard.floor_chance * gain.depth_m, 1e-9)
+  EXPECT_NEAR(coverage_of(snapshot).unseen_m2, gain.unobserved.floor_chance * gain.depth_m, 1e-9)
       << "the other one is nowhere near";
 }
 

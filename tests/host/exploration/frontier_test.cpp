@@ -175,7 +175,7 @@ TEST(Frontier, IsCompleteWhereTheRoomIsClosed) {
 TEST(Frontier, FacesAWallThatNobodyHasHeardBeforeItIsComplete) {
   auto snapshot = told(open_room(true), {});
   mapping::SonarFeatures features;
-  features.unheard = {{{3.0, -0.5}, {3.0, 0.5}}};
+  features.unobserved = {{{3.0, -0.5}, {3.0, 0.5}}};
   snapshot.features = std::make_shared<const mapping::SonarFeatures>(features);
   FrontierParams params;
   params.enough_share = 1.0;

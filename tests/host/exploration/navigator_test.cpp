@@ -28,7 +28,7 @@ class NavigatorTest : public ::testing::Test {
  protected:
   NavigatorTest() {
     robot.snapshot = tests::snapshot_of(floor_around(), {tests::pose_at(1.0, {})});
-    navigator.survey(navigator.map_of(robot.snapshot, 0.0), robot.snapshot);
+    navigator.set_map(navigator.map_of(robot.snapshot, 0.0), robot.snapshot);
   }
   const Pose2& T_map_robot() const { return robot.snapshot.latest.T_map_robot; }
 
@@ -38,7 +38,7 @@ class NavigatorTest : public ::testing::Test {
 
 TEST_F(NavigatorTest, LeadsTheRobotToAPlace) {
   const Eigen::Vector2d goal_m(2.0, 0.5);
-  navigator.set_off(T_map_robot(), goal_m, 2.1);
+  navigator.follow_path_to(T_map_robot(), goal_m, 2.1);
   while (const auto motion = navigator.next(T_map_robot())) {
     robot.carry_out(*motion);
   }
@@ -46,7 +46,7 @@ TEST_F(NavigatorTest, LeadsTheRobotToAPlace) {
 }
 
 TEST_F(NavigatorTest, GivesAWayUpThatTakesTooLong) {
-  navigator.set_off(T_map_robot(), {2.0, 0.0}, 2.0);
+  navigator.follow_path_to(T_map_robot(), {2.0, 0.0}, 2.0);
   int motions = 0;
   while (navigator.next(T_map_robot()) && motions < 10'000) {
     ++motions;
@@ -55,7 +55,7 @@ TEST_F(NavigatorTest, GivesAWayUpThatTakesTooLong) {
 }
 
 TEST_F(NavigatorTest, StaysWhereTheGoalCostsNothing) {
-  navigator.set_off(T_map_robot(), {2.0, 0.0}, 0.0);
+  navigator.follow_path_to(T_map_robot(), {2.0, 0.0}, 0.0);
   EXPECT_FALSE(navigator.next(T_map_robot()));
 }
 
@@ -80,19 +80,19 @@ TEST_F(NavigatorTest, AMotionThatTookTooLongMetNothing) {
 TEST_F(NavigatorTest, SupposesFloorForOneWay) {
   const Eigen::Vector2d beyond_m(3.3, 0.0);
   auto map = navigator.map_of(robot.snapshot, 1.0);
-  navigator.survey(map, robot.snapshot);
+  navigator.set_map(map, robot.snapshot);
   EXPECT_FALSE(navigator.costs().is_open(navigator.costs().cell_at(beyond_m)));
   for (int x = 0; x < 10; ++x) {
     for (int y = -5; y <= 5; ++y) {
       map.set(map.cell_at({3.05 + 0.05 * x, 0.05 * y}), CellState::kFree);
     }
   }
-  navigator.suppose(map, robot.snapshot);
+  navigator.set_hypothetical_map(map, robot.snapshot);
   EXPECT_TRUE(navigator.costs().is_open(navigator.costs().cell_at(beyond_m)));
   EXPECT_FALSE(navigator.travel().reaches(navigator.costs().cell_at(beyond_m)));
 }
 
-TEST(Navigator, RejectsParametersWithoutSense) {
+TEST(Navigator, RejectsInvalidParameters) {
   NavigatorParams params;
   params.obstacle_m = 0.0;
   EXPECT_THROW(Navigator{params}, std::invalid_argument);

@@ -120,17 +120,17 @@ TEST(ViewGain, FromBesideAnEarlierStopLessIsNew) {
 TEST(ViewGain, BehindAWallThatNobodyHasHeardFloorIsExpectedUntilAStopHasFacedIt) {
   const RasterMap map = open_to_the_right();
   const auto params = plain();
-  const std::vector<geometry::Segment> unheard{{{-1.5, 0.5}, {-1.5, -0.5}}};
+  const std::vector<geometry::Segment> unobserved{{{-1.5, 0.5}, {-1.5, -0.5}}};
   const PastView facing{{-0.5, 0.0}, std::numbers::pi, radians(45.0)};
   const PastView oblique{{-0.5, 1.2}, std::numbers::pi, radians(90.0)};
   const Eigen::Vector2d before_m(-0.5, -0.3);
   const auto expected_m2 = [&](const std::vector<PastView>& past) {
     auto near = params;
     near.novel_m = 0.1;
-    return sum(ViewGain(map, past, unheard, near).by_sector_m2(before_m)) -
+    return sum(ViewGain(map, past, unobserved, near).by_sector_m2(before_m)) -
            sum(ViewGain(map, past, {}, near).by_sector_m2(before_m));
   };
-  const double fresh_m2 = params.unheard.floor_chance * params.depth_m * 1.0;
+  const double fresh_m2 = params.unobserved.floor_chance * params.depth_m * 1.0;
   EXPECT_NEAR(expected_m2({}), fresh_m2, 1e-9);
   EXPECT_NEAR(expected_m2({oblique}), fresh_m2, 1e-9);
   EXPECT_NEAR(expected_m2({facing}), fresh_m2 * params.left_by_look, 1e-9);

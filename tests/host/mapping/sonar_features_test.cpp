@@ -35,13 +35,13 @@ TEST(SonarFeatures, HaveTheFloorToTheLeftOfAWall) {
 
 TEST(SonarFeatures, KnowWhichStretchesOfAWallNobodyHasHeard) {
   MatchedWall wall = kMatchedWall;
-  EXPECT_TRUE(features_of({{wall}, {kWallFeature}}).unheard.empty());
+  EXPECT_TRUE(features_of({{wall}, {kWallFeature}}).unobserved.empty());
   wall.pieces = {{-2.0, -0.8}, {0.1, 1.0}};
   const auto features = features_of({{wall}, {kWallFeature}});
   ASSERT_EQ(features.walls.size(), 1U);
-  ASSERT_EQ(features.unheard.size(), 1U);
-  EXPECT_NEAR((features.unheard[0].from_m - Eigen::Vector2d(0.8, 2.0)).norm(), 0.0, 1e-9);
-  EXPECT_NEAR((features.unheard[0].to_m - Eigen::Vector2d(-0.1, 2.0)).norm(), 0.0, 1e-9);
+  ASSERT_EQ(features.unobserved.size(), 1U);
+  EXPECT_NEAR((features.unobserved[0].from_m - Eigen::Vector2d(0.8, 2.0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((features.unobserved[0].to_m - Eigen::Vector2d(-0.1, 2.0)).norm(), 0.0, 1e-9);
 }
 
 TEST(SonarFeatures, KnowTheRimOfACircleWhereStopsHaveLooked) {

@@ -20,9 +20,10 @@ std::vector<MatchedWall> corner_with_a_gap(double to_m) {
 
 std::vector<MatchedWall> completed(const std::vector<MatchedWall>& walls,
                                    const std::vector<ScanSurfaces>& scans = {},
-                                   const std::vector<Eigen::Vector2d>& track_m = {}) {
+                                   const std::vector<Eigen::Vector2d>& track_m = {},
+                                   const WallCompletionParams& params = {}) {
   const MatchedSurfaces matched{walls, {}};
-  return WallCompletion(matched, scans, track_m, {}).completed(matched);
+  return WallCompletion(matched, scans, track_m, params).completed(matched);
 }
 
 TEST(WallCompletion, ProlongsBothWallsToWhereTheyMeet) {
@@ -91,6 +92,10 @@ TEST(WallCompletion, LeavesAGapOpenThatDidNotAnswerAStopBeforeIt) {
       << "what is nearer answers first";
   EXPECT_EQ(completed(kTwoPieces, {before_the_gap(std::nullopt, 1.0)})[0].pieces.size(), 1U)
       << "it does not face the gap";
+  WallCompletionParams near;
+  near.faced_range_m = 0.9;
+  EXPECT_EQ(completed(kTwoPieces, {before_the_gap(std::nullopt)}, {}, near)[0].pieces.size(), 1U)
+      << "no answer reaches that stop";
 }
 
 TEST(WallCompletion, LeavesADoorOpenThatTheRobotHasDrivenThrough) {

@@ -86,6 +86,20 @@ TEST_F(RobotAtlasTest, ARecordOfEarlierIsAFormerMap) {
   EXPECT_EQ(atlas.previous_maps().front().pipeline.snapshot().latest.T_map_robot.x_m(), 0.5);
 }
 
+TEST(RobotAtlas, LetsMapsGoThatNobodyWillJoin) {
+  RobotAtlasParams params;
+  params.keeps_previous_maps = false;
+  RobotAtlas atlas([] { return RobotPipeline(wide_robot()); }, params);
+  for (int stop = 0; stop < 2; ++stop) {
+    atlas.begin_scan();
+    atlas.on_sonar({{}, {}, 0.0, 1.0});
+    atlas.end_scan();
+  }
+  atlas.begin_new_map(1);
+  EXPECT_TRUE(atlas.previous_maps().empty());
+  EXPECT_EQ(atlas.pipeline().snapshot().stops, 1U);
+}
+
 TEST(RobotAtlas, RefusesWhatHasNoSense) {
   RobotAtlasParams params;
   params.agreeing_stops = 0;

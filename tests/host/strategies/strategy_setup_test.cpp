@@ -21,6 +21,15 @@ TEST(StrategySetup, TakesTheRobotFromItsProfile) {
   EXPECT_EQ(params.sweep.settle_s, profile.settle_s);
 }
 
+TEST(StrategySetup, ExpectsNoAnswerFromWallsThatTheSonarDoesNotReach) {
+  const auto far_m = [](const char* robot) {
+    const auto params = frontier_params(session::load_robot_profile(robot), std::nullopt);
+    return params.gain.unobserved.max_distance_m;
+  };
+  EXPECT_EQ(far_m("uno_2wd"), exploration::UnobservedWallParams().max_distance_m);
+  EXPECT_NEAR(far_m("nxt_tribot"), 2.1, 1e-9) << "of 2.3 m";
+}
+
 TEST(StrategySetup, MakesEachStrategyThatTheOptionsMayName) {
   std::mt19937 random(1);
   const tests::ScratchFolder folder;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host/tracking/stop_driver.hpp"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -32,10 +34,14 @@ class StopDriverTest : public session::SessionOnACable {
  protected:
   explicit StopDriverTest(double pan_limit_rad = 0.5 * std::numbers::pi)
       : robot(panning(profile, pan_limit_rad), session::Seed(3)) {
+    may_be_lifted = true;
     robot.fork().add(scans);
     robot.open({new_connection(), nullptr});
     robot.connect();
-    driver = std::make_unique<StopDriver>(robot, "multiscan");
+    driver = new_driver("multiscan");
+  }
+  std::unique_ptr<StopDriver> new_driver(const std::string& slam) {
+    return std::make_unique<StopDriver>(robot, slam, [](const geometry::Pose2&) { return 0.0; });
   }
   /// `flight_us` of a pan angle.
   void let_it_hear(const std::function<int(int pan_deg)>& flight_us = [](int pan_deg) {
@@ -69,7 +75,7 @@ class StopDriverTest : public session::SessionOnACable {
 
 TEST_F(StopDriverTest, SweepsTwiceAroundAtAStopAndLooksAroundAsItTurns) {
   let_it_hear();
-  EXPECT_TRUE(driver->go_to_next_stop({}));
+  EXPECT_TRUE(driver->go_to_next_stop());
   EXPECT_EQ(scans.ended, 1);
   EXPECT_EQ(scans.readings, (4 + 1) * 30);
   EXPECT_FALSE(driver->finished());
@@ -77,18 +83,18 @@ TEST_F(StopDriverTest, SweepsTwiceAroundAtAStopAndLooksAroundAsItTurns) {
 
 TEST_F(StopDriverTest, EndsWhereTheSonarDoesNotAnswer) {
   let_it_hear([](int) { return protocol::kNoSonar; });
-  EXPECT_TRUE(driver->go_to_next_stop({}));
-  EXPECT_FALSE(driver->go_to_next_stop({}));
+  EXPECT_TRUE(driver->go_to_next_stop());
+  EXPECT_FALSE(driver->go_to_next_stop());
   EXPECT_EQ(driver->finished(), FinishReason::kSonarSilent);
 }
 
 TEST_F(StopDriverTest, BeginsANewMapWhereWhatItHearsContradictsItsOwn) {
   let_it_hear();
-  ASSERT_TRUE(driver->go_to_next_stop({}));
-  ASSERT_TRUE(driver->go_to_next_stop({}));
+  ASSERT_TRUE(driver->go_to_next_stop());
+  ASSERT_TRUE(driver->go_to_next_stop());
   let_it_hear([](int pan_deg) { return 5'000 + 10 * pan_deg; });
   for (int stop = 0; stop < 4; ++stop) {
-    ASSERT_TRUE(driver->go_to_next_stop({})) << stop;
+    ASSERT_TRUE(driver->go_to_next_stop()) << stop;
   }
   EXPECT_LE(driver->pipeline().snapshot().stops, 4U);
 }
@@ -101,26 +107,38 @@ class AllRoundStopDriverTest : public StopDriverTest {
 
 TEST_F(AllRoundStopDriverTest, TriesANewMapOnTheSpotBeforeItKnowsNowhereToGo) {
   let_it_hear();
-  ASSERT_TRUE(driver->go_to_next_stop({}));
+  ASSERT_TRUE(driver->go_to_next_stop());
   refuses_moves = true;
-  EXPECT_TRUE(driver->go_to_next_stop({}));
+  EXPECT_TRUE(driver->go_to_next_stop());
   EXPECT_EQ(driver->pipeline().snapshot().stops, 1U) << "a new map";
-  EXPECT_FALSE(driver->go_to_next_stop({}));
+  EXPECT_FALSE(driver->go_to_next_stop());
   EXPECT_EQ(driver->finished(), FinishReason::kNowhereToGo);
 }
 
 TEST_F(StopDriverTest, BeginsANewMapWithTheStopsThatAreOfIt) {
   let_it_hear();
-  ASSERT_TRUE(driver->go_to_next_stop({}));
+  ASSERT_TRUE(driver->go_to_next_stop());
   driver->begin_new_map(1);
   EXPECT_EQ(driver->pipeline().snapshot().stops, 1U);
   driver->begin_new_map(0);
   EXPECT_EQ(driver->pipeline().snapshot().stops, 0U);
 }
 
+TEST_F(StopDriverTest, BeginsANewMapWhereItIsPutDown) {
+  let_it_hear();
+  ASSERT_TRUE(driver->go_to_next_stop());
+  cable.robot.hazards = protocol::kHazardWheelDrop;
+  robot.session().wait_until([] { return false; }, std::chrono::milliseconds(600));
+  cable.robot.hazards = 0;
+  ASSERT_TRUE(driver->go_to_next_stop());
+  EXPECT_EQ(driver->pipeline().snapshot().stops, 1U);
+  driver->begin_new_map(1);
+  EXPECT_EQ(driver->pipeline().snapshot().stops, 1U) << "heard where it was put down";
+}
+
 TEST_F(StopDriverTest, IsPlacedByTheSlamThatIsNamedAlsoWhereItStartsAnew) {
   EXPECT_NE(driver->pipeline().slam(), nullptr);
-  driver = std::make_unique<StopDriver>(robot, "none");
+  driver = new_driver("none");
   EXPECT_EQ(driver->pipeline().slam(), nullptr);
   driver->begin_new_map(0);
   EXPECT_EQ(driver->pipeline().slam(), nullptr);
@@ -128,7 +146,7 @@ TEST_F(StopDriverTest, IsPlacedByTheSlamThatIsNamedAlsoWhereItStartsAnew) {
 
 TEST_F(StopDriverTest, EndsWithTheSession) {
   cable.time_passes = false;
-  EXPECT_FALSE(driver->go_to_next_stop({}));
+  EXPECT_FALSE(driver->go_to_next_stop());
   EXPECT_FALSE(driver->finished());
 }
 

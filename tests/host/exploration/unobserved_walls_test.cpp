@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/exploration/unheard_walls.hpp"
+#include "host/exploration/unobserved_walls.hpp"
 
 #include <numbers>
 
@@ -24,12 +24,12 @@ RasterMap all_free() {
   return map;
 }
 
-TEST(UnheardWalls, AreThoseThatADoorMayBeIn) {
-  const auto unheard = unheard_walls({kWall, {{0.0, 0.0}, {0.3, 0.0}}}, 0.5, {});
-  ASSERT_EQ(unheard.size(), 1U);
-  EXPECT_EQ(unheard[0].wall.to_m, kWall.to_m);
-  EXPECT_NEAR(unheard[0].floor_m2, UnheardWallParams{}.floor_chance * 0.5, 1e-12);
-  EXPECT_NEAR((before_m(unheard[0]) - Eigen::Vector2d(1.9, 0.5)).norm(), 0.0, 1e-12);
+TEST(UnobservedWalls, AreThoseThatADoorMayBeIn) {
+  const auto unobserved = unobserved_walls({kWall, {{0.0, 0.0}, {0.3, 0.0}}}, 0.5, {});
+  ASSERT_EQ(unobserved.size(), 1U);
+  EXPECT_EQ(unobserved[0].wall.to_m, kWall.to_m);
+  EXPECT_NEAR(unobserved[0].floor_m2, UnobservedWallParams{}.floor_chance * 0.5, 1e-12);
+  EXPECT_NEAR((before_m(unobserved[0]) - Eigen::Vector2d(1.9, 0.5)).norm(), 0.0, 1e-12);
 }
 
 TEST(FacingRad, IsTheBearingOfTheFootOfThePerpendicular) {

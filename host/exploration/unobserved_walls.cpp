@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/exploration/unheard_walls.hpp"
+#include "host/exploration/unobserved_walls.hpp"
 
 #include <cmath>
 
@@ -30,27 +30,27 @@ bool is_hidden(const RasterMap& map,
 
 }  // namespace
 
-Eigen::Vector2d before_m(const UnheardWall& unheard) {
-  return 0.5 * (unheard.wall.from_m + unheard.wall.to_m) +
-         kBeforeM * geometry::left_normal(unheard.wall);
+Eigen::Vector2d before_m(const UnobservedWall& unobserved) {
+  return 0.5 * (unobserved.wall.from_m + unobserved.wall.to_m) +
+         kBeforeM * geometry::left_normal(unobserved.wall);
 }
 
-std::vector<UnheardWall> unheard_walls(const std::vector<geometry::Segment>& walls,
-                                       double depth_m,
-                                       const UnheardWallParams& params) {
-  std::vector<UnheardWall> unheard;
+std::vector<UnobservedWall> unobserved_walls(const std::vector<geometry::Segment>& walls,
+                                             double depth_m,
+                                             const UnobservedWallParams& params) {
+  std::vector<UnobservedWall> unobserved;
   for (const geometry::Segment& wall : walls) {
     if (wall.length_m() >= params.min_length_m) {
-      unheard.push_back({wall, params.floor_chance * wall.length_m() * depth_m});
+      unobserved.push_back({wall, params.floor_chance * wall.length_m() * depth_m});
     }
   }
-  return unheard;
+  return unobserved;
 }
 
 std::optional<double> facing_rad(const RasterMap& map,
                                  const Eigen::Vector2d& from_m,
                                  const geometry::Segment& wall,
-                                 const UnheardWallParams& params) {
+                                 const UnobservedWallParams& params) {
   const Eigen::Vector2d along = (wall.to_m - wall.from_m).normalized();
   const Eigen::Vector2d to_wall = -geometry::left_normal(wall);
   const double foot_m = along.dot(from_m - wall.from_m);

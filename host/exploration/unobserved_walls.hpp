@@ -13,37 +13,37 @@ namespace echomap::exploration {
 
 /// What is expected behind a stretch of wall that nobody has heard. Ours, chosen in simulated
 /// rooms.
-struct UnheardWallParams {
-  /// There is floor in place of it with this chance,
+struct UnobservedWallParams {
+  /// Probability that there is floor in place of it.
   double floor_chance = 0.3;
-  /// if it is as long as this: through less a sonar seldom hears what is behind.
+  /// Shorter ones do not count: through less a sonar seldom hears what is behind.
   double min_length_m = 0.5;
-  /// A stop faces a wall where the foot of its perpendicular is so far from the ends of the
-  /// stretch, and it is not farther off than that.
+  /// A stop faces a wall where the foot of its perpendicular is at least so far from both ends.
   double inside_m = 0.1;
+  /// And where it is not farther off than this, which is within the sonar's range.
   double max_distance_m = 2.5;
 };
 
 /// A stretch of wall that is on the map because wall was heard to both sides of it, or beside a
-/// corner (mapping::SonarFeatures::unheard).
-struct UnheardWall {
+/// corner (mapping::SonarFeatures::unobserved).
+struct UnobservedWall {
   geometry::Segment wall;  ///< The floor is to the left.
   double floor_m2 = 0.0;   ///< Expected behind it.
 };
 
 /// On the floor before the middle of it.
-Eigen::Vector2d before_m(const UnheardWall& unheard);
+Eigen::Vector2d before_m(const UnobservedWall& unobserved);
 
 /// Those that are long enough, as floor of `depth_m` behind each.
-std::vector<UnheardWall> unheard_walls(const std::vector<geometry::Segment>& walls,
-                                       double depth_m,
-                                       const UnheardWallParams& params);
+std::vector<UnobservedWall> unobserved_walls(const std::vector<geometry::Segment>& walls,
+                                             double depth_m,
+                                             const UnobservedWallParams& params);
 
 /// The bearing at which a wall would answer a stop there: that of the foot of the perpendicular.
 /// Empty where the stop does not face it, or something occupied stands between.
 std::optional<double> facing_rad(const mapping::RasterMap& map,
                                  const Eigen::Vector2d& from_m,
                                  const geometry::Segment& wall,
-                                 const UnheardWallParams& params);
+                                 const UnobservedWallParams& params);
 
 }  // namespace echomap::exploration
