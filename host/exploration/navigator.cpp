@@ -37,7 +37,7 @@ RasterMap Navigator::map_of(const pipeline::Snapshot& snapshot, double margin_m)
 
 void Navigator::set_map(const RasterMap& map, const pipeline::Snapshot& snapshot) {
   set_hypothetical_map(map, snapshot);
-  travel_.search(*costs_, costs_->cell_at(snapshot.latest.T_map_robot.position_m()));
+  travel_.search(costs(), costs().cell_at(snapshot.latest.T_map_robot.position_m()));
 }
 
 void Navigator::set_hypothetical_map(const RasterMap& map, const pipeline::Snapshot& snapshot) {
@@ -48,13 +48,13 @@ void Navigator::follow_path_to(const Pose2& T_map_robot,
                                const Eigen::Vector2d& goal_m,
                                double cost_m) {
   const auto path =
-      planner_.find(*costs_, costs_->cell_at(T_map_robot.position_m()), costs_->cell_at(goal_m));
+      planner_.find(costs(), costs().cell_at(T_map_robot.position_m()), costs().cell_at(goal_m));
   follower_.follow(path && cost_m > 0.0 ? path->points_m : std::vector<Eigen::Vector2d>{});
   motions_left_ = max_motions(cost_m, params_.follower);
 }
 
 std::optional<Motion> Navigator::next(const Pose2& T_map_robot) {
-  const auto motion = follower_.next(T_map_robot, *costs_);
+  const auto motion = follower_.next(T_map_robot, costs());
   if (!motion || motions_left_ == 0) {
     return std::nullopt;
   }

@@ -20,8 +20,9 @@ bool is_hidden(const RasterMap& map,
                const Eigen::Vector2d& direction,
                double distance_m) {
   const double step_m = map.resolution_m();
-  for (double at_m = 0.0; at_m < distance_m - kDrawnCells * step_m; at_m += step_m) {
-    if (map.state(map.cell_at(from_m + at_m * direction)) == CellState::kOccupied) {
+  const auto steps = static_cast<int>(std::ceil(distance_m / step_m - kDrawnCells));
+  for (int i = 0; i < steps; ++i) {
+    if (map.state(map.cell_at(from_m + i * step_m * direction)) == CellState::kOccupied) {
       return true;
     }
   }

@@ -47,8 +47,8 @@ void LocalizationMonitor::start_anywhere() {
 
 localization::CheckedBelief LocalizationMonitor::check(const localization::PoseBelief& believed,
                                                        const localization::StopScan& scan) {
-  localization::CheckedBelief checked =
-      places_ ? compare_places(believed, scan) : localization::CheckedBelief{believed, {}};
+  localization::CheckedBelief checked = places_ ? compare_places(*places_, believed, scan)
+                                                : localization::CheckedBelief{believed, {}};
   localization::PoseBelief& belief = checked.belief;
   if (belief.status == localization::LocalizationStatus::kLocalized &&
       contradicts_place(belief.hypotheses.front().T_map_robot, scan.readings)) {
@@ -63,7 +63,9 @@ localization::CheckedBelief LocalizationMonitor::check(const localization::PoseB
 }
 
 localization::CheckedBelief LocalizationMonitor::compare_places(
-    const localization::PoseBelief& believed, const localization::StopScan& scan) {
+    localization::PlaceCheck& places,
+    const localization::PoseBelief& believed,
+    const localization::StopScan& scan) {
   const auto contradicts = [&](const geometry::Pose2& T_map_robot) {
     return contradicts_place(T_map_robot, scan.readings);
   };
@@ -71,10 +73,10 @@ localization::CheckedBelief LocalizationMonitor::compare_places(
       !believed.hypotheses.empty() && contradicts(believed.hypotheses.front().T_map_robot);
   contradictions_ = is_contradicted ? contradictions_ + 1 : 0;
   if (contradictions_ >= params_.contradictions_of_lost) {
-    places_->doubt();
+    places.doubt();
     contradictions_ = 0;
   }
-  auto checked = places_->check(believed, scan, contradicts);
+  auto checked = places.check(believed, scan, contradicts);
   if (checked.T_map_restart) {
     contradictions_ = 0;
   }

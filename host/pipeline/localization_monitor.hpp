@@ -61,7 +61,8 @@ class LocalizationMonitor {
                  const geometry::Pose2& T_robot_goal) const;
 
  private:
-  localization::CheckedBelief compare_places(const localization::PoseBelief& believed,
+  localization::CheckedBelief compare_places(localization::PlaceCheck& places,
+                                             const localization::PoseBelief& believed,
                                              const localization::StopScan& scan);
   bool contradicts_place(const geometry::Pose2& T_map_robot,
                          const std::vector<localization::RangeReading>& readings) const;
