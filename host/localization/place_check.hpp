@@ -23,7 +23,7 @@ struct PlaceCheckParams {
   /// Places that are less probable are not told.
   double told_from = 0.02;
   /// By how much a filter at the right place departs from the way that the wheels went between two
-  /// scans: standard deviations, at rest, and a metre and a radian of the net motion. Of 39 such
+  /// scans: standard deviations, at rest, and a metre and a radian of the net motion. Of 34 such
   /// stops of simulated robots none had a chi squared, of three degrees of freedom, above 5.2;
   /// three stops at wrong places had 11 to 22 (docs/decisions/0020).
   double departure_m = 0.04;
