@@ -37,8 +37,7 @@ ActiveLocalization::ActiveLocalization(const ActiveLocalizationParams& params, G
       .positive("new_view_m", params.new_view_m)
       .positive("min_utility", params.min_utility)
       .positive("stop_s", params.stop_s)
-      .positive("speed_m_per_s", params.speed_m_per_s)
-      .positive("max_failures", params.max_failures);
+      .positive("speed_m_per_s", params.speed_m_per_s);
 }
 
 Motion ActiveLocalization::next(const pipeline::Snapshot& snapshot, MotionResult last) {
@@ -64,20 +63,15 @@ Motion ActiveLocalization::next(const pipeline::Snapshot& snapshot, MotionResult
   return decide(snapshot);
 }
 
+/// A stop whose sweeps fail is no way that fails.
 std::optional<Motion> ActiveLocalization::recover(const pipeline::Snapshot& snapshot,
                                                   MotionResult last) {
-  const bool pushes = phase_ == Phase::kDriving && is_stopped(snapshot, MotionResult::kReached);
-  if (phase_ == Phase::kSensing || (last == MotionResult::kReached && !pushes)) {
+  if (phase_ == Phase::kSensing) {
     return std::nullopt;
   }
-  if (++failures_ > params_.max_failures) {
-    return Finished{FinishReason::kNowhereToGo};
-  }
-  if (phase_ != Phase::kDriving || !is_stopped(snapshot, last)) {
-    return std::nullopt;
-  }
-  phase_ = Phase::kBackingOff;
-  return navigator_.back_off(snapshot);
+  auto motion = navigator_.recover(snapshot, last, phase_ == Phase::kDriving);
+  phase_ = motion ? Phase::kBackingOff : phase_;
+  return motion;
 }
 
 Motion ActiveLocalization::decide(const pipeline::Snapshot& snapshot) {
@@ -85,7 +79,7 @@ Motion ActiveLocalization::decide(const pipeline::Snapshot& snapshot) {
     if (!plan_.has_swept()) {
       return Finished{FinishReason::kCannotSense};
     }
-    failures_ = 0;
+    navigator_.forget_failures();
   }
   navigator_.set_map(navigator_.map_of(snapshot, 0.0), snapshot);
   const auto place = choose_place(snapshot);

@@ -32,8 +32,6 @@ struct ActiveLocalizationParams {
   /// Time of a stop's sweeps, and the speed of the ways there, for their time.
   double stop_s = 15.0;
   double speed_m_per_s = 0.25;
-  /// Give up after more motions that failed than this since the last stop.
-  std::size_t max_failures = 8;
 };
 
 /// Goes from stop to stop to tell the places apart where the robot may be (active localization,
@@ -70,7 +68,6 @@ class ActiveLocalization final : public Explorer {
   GoalUtility utility_;
   Phase phase_ = Phase::kStarting;
   ScanPlan plan_;
-  std::size_t failures_ = 0;  ///< Since the last stop.
 };
 
 }  // namespace echomap::exploration

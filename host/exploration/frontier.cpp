@@ -32,7 +32,6 @@ void validate(const FrontierParams& params) {
       .positive("openings.step_m", params.openings.step_m)
       .positive("openings.half_width_m", params.openings.half_width_m)
       .positive("openings.far_m", params.openings.far_m)
-      .positive("max_failures", params.max_failures)
       .positive("max_stops", params.max_stops);
 }
 
@@ -65,23 +64,13 @@ Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
 /// What stopped a move stands before the robot: it is kept, and the robot backs off. A lifted robot
 /// starts again where it was put down.
 std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, MotionResult last) {
-  const bool pushes = phase_ == Phase::kDriving && is_stopped(snapshot, MotionResult::kReached);
-  if (last == MotionResult::kReached && !pushes) {
-    return std::nullopt;
-  }
-  if (++failures_ > params_.max_failures) {
-    return Finished{FinishReason::kNowhereToGo};
-  }
   if (last == MotionResult::kLifted) {
     plan_ = {};
     phase_ = Phase::kStarting;
-    return std::nullopt;
   }
-  if (phase_ != Phase::kDriving || !is_stopped(snapshot, last)) {
-    return std::nullopt;
-  }
-  phase_ = Phase::kBackingOff;
-  return navigator_.back_off(snapshot);
+  auto motion = navigator_.recover(snapshot, last, phase_ == Phase::kDriving);
+  phase_ = motion ? Phase::kBackingOff : phase_;
+  return motion;
 }
 
 std::optional<FinishReason> Frontier::reason_to_finish(const pipeline::Snapshot& snapshot) {
@@ -99,7 +88,7 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
     return Finished{*reason};
   }
   if (phase_ == Phase::kSensing) {
-    failures_ = 0;
+    navigator_.forget_failures();
   }
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   const RasterMap map = navigator_.map_of(snapshot, params_.gain.depth_m);
@@ -157,7 +146,7 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   if (!nearest) {
     return std::nullopt;
   }
-  failures_ = 0;
+  navigator_.forget_failures();
   openings_m_.push_back(nearest->at_m);
   nearest->cost_m += params_.openings.step_m;
   RasterMap stepped = map;

@@ -35,9 +35,6 @@ struct FrontierParams {
   double enough_share = 0.97;
   /// An opening so near to one that was chosen before, or to a bump, is the same one.
   double openings_apart_m = 0.3;
-  /// Give up after more motions that failed than this since the last stop, or since an opening was
-  /// chosen.
-  std::size_t max_failures = 8;
   /// End after this many stops.
   std::size_t max_stops = 40;
 };
@@ -75,7 +72,6 @@ class Frontier final : public Explorer {
   ScanPlan plan_;
   std::optional<Viewpoint> goal_;
   std::vector<Eigen::Vector2d> openings_m_;  ///< Those that were chosen, reached or not.
-  std::size_t failures_ = 0;                 ///< Since the last stop or opening.
 };
 
 }  // namespace echomap::exploration

@@ -20,7 +20,8 @@ bool is_stopped(const pipeline::Snapshot& snapshot, MotionResult last) {
 Navigator::Navigator(const NavigatorParams& params) : params_(params), follower_(params.follower) {
   geometry::ParameterValidator("navigator")
       .at_least("back_off_m", params.back_off_m, 0.0)
-      .positive("obstacle_m", params.obstacle_m);
+      .positive("obstacle_m", params.obstacle_m)
+      .positive("max_failures", params.max_failures);
 }
 
 RasterMap Navigator::map_of(const pipeline::Snapshot& snapshot, double margin_m) const {
@@ -71,6 +72,19 @@ Drive Navigator::back_off(const pipeline::Snapshot& snapshot) {
   const Eigen::Vector2d from_robot_m = ahead_m * geometry::unit_vector(aside_rad);
   obstacles_m_.emplace_back(snapshot.latest.T_map_robot * from_robot_m);
   return Drive{-params_.back_off_m};
+}
+
+std::optional<Motion> Navigator::recover(const pipeline::Snapshot& snapshot,
+                                         MotionResult last,
+                                         bool is_driving) {
+  const bool is_in_the_way = is_driving && is_stopped(snapshot, last);
+  if (last == MotionResult::kReached && !is_in_the_way) {
+    return std::nullopt;
+  }
+  if (++failures_ > params_.max_failures) {
+    return Finished{FinishReason::kNowhereToGo};
+  }
+  return is_in_the_way ? std::optional<Motion>(back_off(snapshot)) : std::nullopt;
 }
 
 }  // namespace echomap::exploration

@@ -24,6 +24,8 @@ struct NavigatorParams {
   double back_off_m = 0.1;
   /// Assumed width of an obstacle that stopped the robot.
   double obstacle_m = 0.2;
+  /// Give up after more motions that failed than this in a row (Navigator::forget_failures).
+  std::size_t max_failures = 8;
 };
 
 /// Whether something stands in the way of a robot whose motion ended so.
@@ -56,18 +58,27 @@ class Navigator {
   /// The next motion on the way; empty where it ends, or has taken too long.
   std::optional<Motion> next(const geometry::Pose2& T_map_robot);
 
-  /// Remembers what has stopped the robot, right before the hull or on the side where the bumper is
-  /// pushed, and answers how it comes away from there.
-  Drive back_off(const pipeline::Snapshot& snapshot);
+  /// After a motion: the way back from what has stopped a robot that is driving, Finished after too
+  /// many that failed, or nothing where it may go on.
+  std::optional<Motion> recover(const pipeline::Snapshot& snapshot,
+                                MotionResult last,
+                                bool is_driving);
+  /// It has got somewhere, or is about to try something else.
+  void forget_failures() { failures_ = 0; }
   const std::vector<Eigen::Vector2d>& obstacles_m() const { return obstacles_m_; }
 
  private:
+  /// Remembers what has stopped the robot, right before the hull or on the side where the bumper is
+  /// pushed, and answers how it comes away from there.
+  Drive back_off(const pipeline::Snapshot& snapshot);
+
   NavigatorParams params_;
   PathFollower follower_;
   PathPlanner planner_;
   TravelField travel_;
   std::optional<CostGrid> costs_;
   std::size_t motions_left_ = 0;  ///< That the way may still take.
+  std::size_t failures_ = 0;
   std::vector<Eigen::Vector2d> obstacles_m_;
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/exploration/navigator.hpp"
 
+#include <cstddef>
 #include <stdexcept>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -62,7 +64,9 @@ TEST_F(NavigatorTest, StaysWhereTheGoalCostsNothing) {
 TEST_F(NavigatorTest, RemembersWhatStoppedTheRobotOnTheSideOfTheBumper) {
   robot.snapshot.hazards.bump_left = true;
   EXPECT_TRUE(is_stopped(robot.snapshot, MotionResult::kReached));
-  EXPECT_LT(navigator.back_off(robot.snapshot).distance_m, 0.0);
+  const auto motion = navigator.recover(robot.snapshot, MotionResult::kReached, true);
+  ASSERT_TRUE(motion);
+  EXPECT_LT(std::get<Drive>(*motion).distance_m, 0.0);
   ASSERT_EQ(navigator.obstacles_m().size(), 1U);
   const Eigen::Vector2d obstacle_m = navigator.obstacles_m().front();
   EXPECT_GT(obstacle_m.x(), 0.1);
@@ -75,6 +79,21 @@ TEST_F(NavigatorTest, AMotionThatTookTooLongMetNothing) {
   EXPECT_FALSE(is_stopped(robot.snapshot, MotionResult::kTimedOut));
   EXPECT_FALSE(is_stopped(robot.snapshot, MotionResult::kReached));
   EXPECT_TRUE(is_stopped(robot.snapshot, MotionResult::kStalled));
+}
+
+TEST_F(NavigatorTest, GivesUpAfterTooManyMotionsThatFailedInARow) {
+  const std::size_t most = NavigatorParams{}.max_failures;
+  for (std::size_t i = 0; i < most; ++i) {
+    EXPECT_FALSE(navigator.recover(robot.snapshot, MotionResult::kTimedOut, true));
+    EXPECT_FALSE(navigator.recover(robot.snapshot, MotionResult::kReached, true));
+  }
+  navigator.forget_failures();
+  for (std::size_t i = 0; i < most; ++i) {
+    EXPECT_FALSE(navigator.recover(robot.snapshot, MotionResult::kBumped, false));
+  }
+  const auto motion = navigator.recover(robot.snapshot, MotionResult::kBumped, true);
+  ASSERT_TRUE(motion);
+  EXPECT_TRUE(std::holds_alternative<Finished>(*motion));
 }
 
 TEST_F(NavigatorTest, SupposesFloorForOneWay) {
