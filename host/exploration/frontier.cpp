@@ -22,6 +22,8 @@ using geometry::Pose2;
 using mapping::CellState;
 using mapping::RasterMap;
 
+constexpr BestView kAllRound{0.0, 0.0, geometry::kFullTurnRad};
+
 void validate(const FrontierParams& params) {
   geometry::ParameterValidator("frontier")
       .require(is_possible(params.sweep), "the sweep is impossible: check its range and its steps")
@@ -37,7 +39,8 @@ void validate(const FrontierParams& params) {
 
 }  // namespace
 
-Frontier::Frontier(const FrontierParams& params) : params_(params), navigator_(params.navigator) {
+Frontier::Frontier(const FrontierParams& params)
+    : params_(params), navigator_(params.navigator), loops_(params.loops) {
   validate(params);
 }
 
@@ -51,7 +54,7 @@ Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
   }
   switch (phase_) {
     case Phase::kStarting:
-      return begin_sweep(snapshot, {0.0, 0.0, geometry::kFullTurnRad});
+      return begin_sweep(snapshot, kAllRound);
     case Phase::kDriving:
       return drive_on(snapshot);
     case Phase::kSensing:
@@ -88,24 +91,33 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
     return Finished{*reason};
   }
   if (phase_ == Phase::kSensing) {
+    loops_.add_stop(snapshot);
     navigator_.forget_failures();
   }
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   const RasterMap map = navigator_.map_of(snapshot, params_.gain.depth_m);
   navigator_.set_map(map, snapshot);
-  goal_ = choose_look(map, snapshot, params_.viewpoints.min_gain_m2);
-  if (!goal_) {
-    goal_ = choose_opening(map, snapshot);
-  }
-  if (!goal_ && !has_seen_enough(snapshot)) {
-    goal_ = choose_look(map, snapshot, params_.fine_gain_m2);
-  }
+  goal_ = choose_goal(map, snapshot);
   if (!goal_) {
     return Finished{FinishReason::kComplete};
   }
   navigator_.follow_path_to(T_map_robot, goal_->at_m, goal_->cost_m);
   phase_ = Phase::kDriving;
   return drive_on(snapshot);
+}
+
+/// A look, an opening or a finer look; before a goal that is out of sight of known walls, a stop
+/// that makes the position known again.
+std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
+                                               const pipeline::Snapshot& snapshot) {
+  auto goal = choose_look(map, snapshot, params_.viewpoints.min_gain_m2);
+  if (goal) {
+    const auto known = loops_.choose(snapshot, goal->at_m, navigator_.travel(), map);
+    return known ? Viewpoint{known->at_m, kAllRound, known->cost_m, 0.0} : goal;
+  }
+  goal = choose_opening(map, snapshot);
+  return goal || has_seen_enough(snapshot) ? goal
+                                           : choose_look(map, snapshot, params_.fine_gain_m2);
 }
 
 std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
@@ -140,7 +152,7 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   for (const Opening& opening : find_openings(map, *snapshot.scans, params_.openings)) {
     const auto cost_m = navigator_.travel().cost_m(map.cell_at(opening.edge_m));
     if (cost_m && !was_tried(opening.beyond_m, map) && (!nearest || *cost_m < nearest->cost_m)) {
-      nearest = Viewpoint{opening.beyond_m, {0.0, 0.0, geometry::kFullTurnRad}, *cost_m, 0.0};
+      nearest = Viewpoint{opening.beyond_m, kAllRound, *cost_m, 0.0};
     }
   }
   if (!nearest) {

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "host/exploration/active_loop_closing.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/navigator.hpp"
 #include "host/exploration/opening_search.hpp"
@@ -26,6 +27,7 @@ struct FrontierParams {
   ViewGainParams gain;
   ViewpointParams viewpoints;
   OpeningParams openings;
+  ActiveLoopClosingParams loops;
   /// All round once, in steps of 4 degrees: a beam of 26 degrees then hears a wall seven times. A
   /// sweep of a sector is as dense.
   RoundSweepParams sweep{6.283185307179586, 0.06981317007977318, 1.5707963267948966, 0.03};
@@ -54,6 +56,8 @@ class Frontier final : public Explorer {
 
   std::optional<Motion> recover(const pipeline::Snapshot& snapshot, MotionResult last);
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
+  std::optional<Viewpoint> choose_goal(const mapping::RasterMap& map,
+                                       const pipeline::Snapshot& snapshot);
   Motion decide(const pipeline::Snapshot& snapshot);
   std::optional<Viewpoint> choose_look(const mapping::RasterMap& map,
                                        const pipeline::Snapshot& snapshot,
@@ -69,6 +73,7 @@ class Frontier final : public Explorer {
   FrontierParams params_;
   Navigator navigator_;
   Phase phase_ = Phase::kStarting;
+  ActiveLoopClosing loops_;
   ScanPlan plan_;
   std::optional<Viewpoint> goal_;
   std::vector<Eigen::Vector2d> openings_m_;  ///< Those that were chosen, reached or not.

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "host/localization/pose_gaussian.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include "host/geometry/unit_vector.hpp"
 
 namespace echomap::localization {
+
+double position_stddev_m(const PoseGaussian& belief) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+  axes.computeDirect(belief.covariance.topLeftCorner<2, 2>(), Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
+}
 
 bool is_covariance(const Eigen::Matrix3d& matrix) {
   return matrix.allFinite() && matrix.isApprox(matrix.transpose(), 1e-9) &&

@@ -15,6 +15,9 @@ struct PoseGaussian {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
+/// Standard deviation of the position in the direction in which it is the largest, metres.
+double position_stddev_m(const PoseGaussian& belief);
+
 /// Whether it is finite, symmetric and positive definite.
 bool is_covariance(const Eigen::Matrix3d& matrix);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/localization/pose_gaussian.hpp"
 #include "host/pipeline/detached.hpp"
 
 namespace echomap::pipeline {
@@ -92,6 +93,9 @@ geometry::Pose2 PoseTrack::T_map_odom() const {
 void PoseTrack::describe(Snapshot& snapshot) const {
   if (!trajectory_->empty()) {
     snapshot.latest = trajectory_->back();
+  }
+  if (slam_) {
+    snapshot.position_stddev_m = localization::position_stddev_m(slam_->method().belief());
   }
   snapshot.T_odom_robot = T_odom_robot_;
   snapshot.trajectory = trajectory_;

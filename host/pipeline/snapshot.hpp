@@ -28,6 +28,9 @@ struct StampedPose {
 /// shared and never null.
 struct Snapshot {
   StampedPose latest;
+  /// Standard deviation of the latest position in the direction in which it is the largest, as SLAM
+  /// has it; empty without SLAM.
+  std::optional<double> position_stddev_m;
   /// Where the wheels alone place the robot, from where it started.
   geometry::Pose2 T_odom_robot;
   std::shared_ptr<const std::vector<StampedPose>> trajectory;

@@ -185,6 +185,23 @@ TEST(Frontier, FacesAWallThatNobodyHasHeardBeforeItIsComplete) {
   EXPECT_LT(std::abs(end.y_m()), 0.4);
 }
 
+TEST(Frontier, GoesBackToKnownWallsBeforeItLooksFarther) {
+  auto snapshot = told(open_room(), {});
+  const mapping::PlacedReading wall_behind{{-0.8, 0.0, 0.0}, {-0.8, 0.0, 0.0}, 0.2};
+  const auto scans = std::vector<mapping::Scan>{{wall_behind}};
+  snapshot.scans = std::make_shared<const std::vector<mapping::Scan>>(scans);
+  for (const double stddev_m : {0.1, 1.0}) {
+    Frontier explorer({});
+    snapshot.position_stddev_m = 0.0;
+    end_of_path(explorer, first_move(explorer, snapshot), snapshot);
+    stop_of(explorer, snapshot);
+    snapshot.position_stddev_m = stddev_m;
+    const Pose2 end =
+        end_of_path(explorer, explorer.next(snapshot, MotionResult::kReached), snapshot);
+    EXPECT_EQ(end.x_m() < -0.6, stddev_m > 0.5) << end.x_m();
+  }
+}
+
 TEST(Frontier, BacksOffFromABumpAndGoesAnotherWay) {
   Frontier explorer({});
   auto snapshot = told(open_room(), {});

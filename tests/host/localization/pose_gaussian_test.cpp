@@ -30,6 +30,16 @@ Eigen::Vector3d slope(const Pose2& less, const Pose2& more, double step) {
          (2.0 * step);
 }
 
+TEST(PositionStddev, IsThatOfTheLongAxisWhereverItPoints) {
+  EXPECT_DOUBLE_EQ(position_stddev_m({}), 0.0);
+  Eigen::Matrix3d covariance = Eigen::Vector3d(0.09, 0.01, 4.0).asDiagonal();
+  for (const double turn_rad : {0.0, 0.7, 2.0}) {
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(turn_rad).toRotationMatrix();
+    EXPECT_NEAR(position_stddev_m({{}, turn * covariance * turn.transpose()}), 0.3, 1e-12);
+  }
+}
+
 TEST(MotionJacobians, AreTheNumericOnes) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> spread(-1.5, 1.5);
