@@ -17,7 +17,11 @@ class MovedAside : public slam::SlamMethod {
     poses.push_back(T_odom_robot);
     beams += scan.beams.size();
   }
-  localization::PoseGaussian belief() const override { return {T_map_odom * poses.back(), {}}; }
+  localization::PoseGaussian belief() const override {
+    return poses.empty()
+               ? localization::PoseGaussian{}
+               : localization::PoseGaussian{T_map_odom * poses.back(), Eigen::Matrix3d::Zero()};
+  }
   std::vector<geometry::Pose2> trajectory() const override {
     std::vector<geometry::Pose2> moved;
     for (const geometry::Pose2& pose : poses) {
