@@ -16,7 +16,7 @@ namespace echomap::exploration {
 /// Ours, chosen in simulation.
 struct ActiveLoopClosingParams {
   /// A position with a greater standard deviation is too uncertain to go on.
-  double max_position_stddev_m = 0.3;
+  double max_position_stddev_m = 0.5;
   /// The stops to go back to are those with at most this share of it.
   double known_share = 0.5;
   /// A place so near to one of these has the same walls in sight.

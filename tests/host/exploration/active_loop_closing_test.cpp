@@ -67,9 +67,9 @@ TEST(ActiveLoopClosing, GoesBackToTheNearestStopWhosePlaceWasKnown) {
   Hall hall;
   hall.stop(loops, 0.0, 0.0);
   hall.stop(loops, 2.0, 0.1);
-  hall.stop(loops, 5.0, 0.25);
+  hall.stop(loops, 5.0, 0.4);
   EXPECT_EQ(hall.return_x_m(loops, 10.0), std::nullopt) << "it is known well enough";
-  hall.stop(loops, 8.0, 0.4);
+  hall.stop(loops, 8.0, 0.6);
   EXPECT_EQ(hall.return_x_m(loops, 10.0), 2.0);
 }
 
@@ -78,7 +78,7 @@ TEST(ActiveLoopClosing, GoesOnToAGoalBesideSuchAStop) {
   Hall hall;
   hall.stop(loops, 0.0, 0.0);
   hall.stop(loops, 2.0, 0.1);
-  hall.stop(loops, 8.0, 0.4);
+  hall.stop(loops, 8.0, 0.6);
   EXPECT_EQ(hall.return_x_m(loops, 0.5), std::nullopt);
 }
 
@@ -86,7 +86,7 @@ TEST(ActiveLoopClosing, GoesOnWhereNoWayLeadsBack) {
   ActiveLoopClosing loops({});
   Hall hall;
   hall.stop(loops, 0.0, 0.0);
-  hall.stop(loops, 8.0, 0.4);
+  hall.stop(loops, 8.0, 0.6);
   hall.wall_off(4.0);
   EXPECT_EQ(hall.return_x_m(loops, 10.0), std::nullopt);
 }
@@ -95,13 +95,13 @@ TEST(ActiveLoopClosing, DoesNotGoBackAgainAndAgainWhereThatHasNotHelped) {
   ActiveLoopClosing loops({});
   Hall hall;
   hall.stop(loops, 0.0, 0.0);
-  hall.stop(loops, 8.0, 0.4);
+  hall.stop(loops, 8.0, 0.6);
   ASSERT_EQ(hall.return_x_m(loops, 10.0), 0.0);
-  hall.stop(loops, 0.0, 0.4);
+  hall.stop(loops, 0.0, 0.6);
   EXPECT_EQ(hall.return_x_m(loops, 10.0), std::nullopt);
-  hall.stop(loops, 8.0, 0.5);
+  hall.stop(loops, 8.0, 0.8);
   EXPECT_EQ(hall.return_x_m(loops, 10.0), std::nullopt);
-  hall.stop(loops, 8.0, 0.7);
+  hall.stop(loops, 8.0, 1.0);
   EXPECT_EQ(hall.return_x_m(loops, 10.0), 0.0);
 }
 
