@@ -158,9 +158,28 @@ TEST(StopAlignment, MovesTheNewestStopsOnly) {
   EXPECT_NE(before[11].position_m(), robot.alignment.T_map_stands()[11].position_m());
 }
 
+TEST(StopAlignment, MovesAllStopsNowAndThen) {
+  StopAlignmentParams params;
+  params.window = 3;
+  params.whole_every = 7;
+  DriftingRobot robot(kRoom, radians(0.2), params);
+  for (const Eigen::Vector2d& stop_m : kStops) {
+    robot.visit(stop_m);
+  }
+  const auto before = robot.alignment.T_map_stands();
+  robot.visit(kStops[0]);
+  for (std::size_t stop = 1; stop < kStops.size(); ++stop) {
+    EXPECT_NE(before[2 * stop].position_m(), robot.alignment.T_map_stands()[2 * stop].position_m())
+        << stop;
+  }
+}
+
 TEST(StopAlignment, RefusesInvalidParameters) {
   StopAlignmentParams params;
   params.window = 1;
+  EXPECT_THROW(StopAlignment{params}, std::invalid_argument);
+  params = {};
+  params.whole_every = 0;
   EXPECT_THROW(StopAlignment{params}, std::invalid_argument);
 }
 
