@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <queue>
 #include <utility>
 
+#include "host/exploration/cell_values.hpp"
 #include "host/exploration/planning_map.hpp"
 #include "host/geometry/parameter_validator.hpp"
 #include "host/mapping/distance_field.hpp"
@@ -21,61 +21,6 @@ using geometry::CellIndex;
 using mapping::CellState;
 using mapping::DistanceField;
 using mapping::RasterMap;
-
-/// A value for each cell of a map.
-template <class T>
-class CellValues {
- public:
-  CellValues(const RasterMap& map, T value)
-      : columns_(static_cast<std::size_t>(map.columns())),
-        values_(columns_ * static_cast<std::size_t>(map.rows()), value) {}
-  T& operator[](CellIndex cell) {
-    return values_[static_cast<std::size_t>(cell.y) * columns_ + static_cast<std::size_t>(cell.x)];
-  }
-
- private:
-  std::size_t columns_;
-  std::vector<T> values_;
-};
-
-template <class Visitor>
-void for_each_cell(const RasterMap& map, Visitor&& visit) {
-  for (std::int32_t y = 0; y < map.rows(); ++y) {
-    for (std::int32_t x = 0; x < map.columns(); ++x) {
-      visit(CellIndex{x, y});
-    }
-  }
-}
-
-template <class Visitor>
-void for_each_side(const RasterMap& map, CellIndex cell, Visitor&& visit) {
-  constexpr CellIndex kSides[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-  for (const CellIndex side : kSides) {
-    const CellIndex next{cell.x + side.x, cell.y + side.y};
-    if (map.contains(next)) {
-      visit(next);
-    }
-  }
-}
-
-/// The cells that hang together with `seed` by sides and that `belongs` has; each is taken once.
-template <class Belongs>
-std::vector<CellIndex> joined_to(const RasterMap& map,
-                                 CellIndex seed,
-                                 CellValues<char>& is_taken,
-                                 Belongs&& belongs) {
-  std::vector<CellIndex> cells{seed};
-  is_taken[seed] = 1;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    for_each_side(map, cells[i], [&](CellIndex next) {
-      if (is_taken[next] == 0 && belongs(next)) {
-        is_taken[next] = 1;
-        cells.push_back(next);
-      }
-    });
-  }
-  return cells;
-}
 
 /// Where the middle of the robot can be: the open cells that hang together with a place where it
 /// has been.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/exploration/unknown_islands.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/unit_vector.hpp"
@@ -78,6 +79,7 @@ ViewGain::ViewGain(const mapping::RasterMap& map,
     : map_(map),
       params_(params),
       worth_(static_cast<std::size_t>(map.columns()) * static_cast<std::size_t>(map.rows()), 1.0F),
+      looks_(worth_.size()),
       seen_(worth_.size()),
       unobserved_(unobserved_walls(unobserved, params.depth_m, params.unobserved)) {
   geometry::ParameterValidator("view gain")
@@ -87,6 +89,7 @@ ViewGain::ViewGain(const mapping::RasterMap& map,
       .positive("depth_m", params.depth_m)
       .positive("left_by_look", params.left_by_look)
       .at_most("left_by_look", params.left_by_look, 1.0)
+      .within("min_island_look", params.min_island_look, 0.0, 1.0)
       .positive("novel_m", params.novel_m)
       .within("unobserved.floor_chance", params.unobserved.floor_chance, 0.0, 1.0)
       .positive("unobserved.min_length_m", params.unobserved.min_length_m)
@@ -96,14 +99,14 @@ ViewGain::ViewGain(const mapping::RasterMap& map,
   const auto steps = static_cast<int>(params.reach_m / step_m);
   for (int i = 0; i <= steps; ++i) {
     const double range_m = i * step_m;
-    const double looks = std::exp(-range_m / params.look_fade_m);
     shown_m2_.push_back(std::exp(-range_m / params.fade_m) * range_m * kSectorRad * step_m);
-    left_.push_back(static_cast<float>(std::pow(params.left_by_look, looks)));
+    look_.push_back(static_cast<float>(std::exp(-range_m / params.look_fade_m)));
   }
-  weight_by_walls();
   for (const PastView& view : past) {
     look(view);
   }
+  weight_by_walls();
+  weight_by_looks();
 }
 
 /// Calls `visit(cell, step)` for the unknown cells along a ray, in steps of one cell's edge.
@@ -143,6 +146,17 @@ void ViewGain::weight_by_walls() {
   }
 }
 
+void ViewGain::weight_by_looks() {
+  CellValues<float> solid_shares = occupied_rim_shares(map_);
+  const auto least = static_cast<float>(params_.min_island_look);
+  const auto log_left = static_cast<float>(std::log(params_.left_by_look));
+  for_each_cell(map_, [&](CellIndex cell) {
+    if (const float looks = looks_[index(cell)]; looks > 0.0F) {
+      worth_[index(cell)] *= std::exp(log_left * looks * std::max(least, solid_shares[cell]));
+    }
+  });
+}
+
 /// As many rays as hit each cell at the far end.
 void ViewGain::look(const PastView& view) {
   ++views_;
@@ -161,7 +175,7 @@ void ViewGain::look(const PastView& view) {
     follow(view.from_m, bearing_rad, [this](CellIndex cell, std::size_t step) {
       if (map_.contains(cell) && seen_[index(cell)] != views_) {
         seen_[index(cell)] = views_;
-        worth_[index(cell)] *= left_[step];
+        looks_[index(cell)] += look_[step];
       }
     });
   }

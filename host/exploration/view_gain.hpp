@@ -29,6 +29,9 @@ struct ViewGainParams {
   /// What each look that left it unknown leaves of the worth of a cell: behind most of it stands a
   /// wall.
   double left_by_look = 0.05;
+  /// Behind an unknown island stands no wall: there a look counts by the share of the rim that is
+  /// occupied (unknown_islands.hpp), and at least so much.
+  double min_island_look = 0.1;
   /// A sweep nearer than this to an earlier one shows the less, the nearer it is: from the same
   /// place a sonar hears the same again.
   double novel_m = 0.3;
@@ -80,6 +83,7 @@ class ViewGain {
   template <typename Visitor>
   void follow(const Eigen::Vector2d& from_m, double bearing_rad, Visitor&& visit) const;
   void weight_by_walls();
+  void weight_by_looks();
   void look(const PastView& view);
   double novelty(const Eigen::Vector2d& from_m) const;
   std::size_t index(geometry::CellIndex cell) const {
@@ -90,12 +94,13 @@ class ViewGain {
   const mapping::RasterMap& map_;
   ViewGainParams params_;
   std::vector<float> worth_;         ///< By cell: 1 far from walls where nobody has looked.
+  std::vector<float> looks_;         ///< By cell: how often it was looked at from beside.
   std::vector<std::uint32_t> seen_;  ///< By cell: the last view that has looked at it.
   std::uint32_t views_ = 0;
   std::vector<Eigen::Vector2d> looked_from_m_;
   std::vector<UnobservedWall> unobserved_;
   std::vector<double> shown_m2_;  ///< By step of a ray: what one unknown cell there adds.
-  std::vector<float> left_;       ///< By step of a ray: what a look leaves of a cell's worth.
+  std::vector<float> look_;       ///< By step of a ray: how much of a look from beside it is.
 };
 
 /// The part of the gain within `width_rad`, where it is greatest.

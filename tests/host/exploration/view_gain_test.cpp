@@ -101,6 +101,41 @@ TEST(ViewGain, WhatWasLookedAtInVainCountsLessEachTime) {
               0.05 * fresh_m2);
 }
 
+/// An unknown square of 1 m in the middle of the floor, with so many of its four sides occupied.
+RasterMap with_island(int sides) {
+  RasterMap map(100, 100, kMapCellM, {-2.5, -2.5});
+  for (int y = 5; y < 95; ++y) {
+    for (int x = 5; x < 95; ++x) {
+      map.set({x, y},
+              std::max(std::abs(x - 50), std::abs(y - 50)) <= 10 ? CellState::kUnknown
+                                                                 : CellState::kFree);
+    }
+  }
+  for (int i = -10; i <= 10; ++i) {
+    const geometry::CellIndex rim[] = {{39, 50 + i}, {61, 50 + i}, {50 + i, 39}, {50 + i, 61}};
+    for (int side = 0; side < sides; ++side) {
+      map.set(rim[side], CellState::kOccupied);
+    }
+  }
+  return map;
+}
+
+TEST(ViewGain, OfAnIslandALookCountsByItsOccupiedRim) {
+  const PastView once{{2.0, 0.0}, std::numbers::pi, radians(45.0)};
+  const geometry::CellIndex seen{60, 50};
+  const auto left = [&](const RasterMap& map) {
+    return ViewGain(map, {once}, {}, plain()).worth(seen);
+  };
+  const double all = ViewGainParams{}.left_by_look;
+  EXPECT_NEAR(left(with_island(0)), std::pow(all, ViewGainParams{}.min_island_look), 1e-5);
+  RasterMap one_side = with_island(1);
+  EXPECT_NEAR(left(one_side), std::pow(all, 0.25), 1e-5);
+  for (int x = 0; x < 40; ++x) {
+    one_side.set({x, 50}, CellState::kUnknown);
+  }
+  EXPECT_NEAR(left(one_side), all, 1e-5) << "it reaches the edge of the map";
+}
+
 TEST(ViewGain, FromBesideAnEarlierStopLessIsNew) {
   const RasterMap map = open_to_the_right();
   const auto params = plain();
