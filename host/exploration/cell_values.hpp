@@ -17,11 +17,14 @@ class CellValues {
   CellValues(const mapping::RasterMap& map, T value)
       : columns_(static_cast<std::size_t>(map.columns())),
         values_(columns_ * static_cast<std::size_t>(map.rows()), value) {}
-  T& operator[](geometry::CellIndex cell) {
-    return values_[static_cast<std::size_t>(cell.y) * columns_ + static_cast<std::size_t>(cell.x)];
-  }
+  T& operator[](geometry::CellIndex cell) { return values_[index(cell)]; }
+  const T& operator[](geometry::CellIndex cell) const { return values_[index(cell)]; }
 
  private:
+  std::size_t index(geometry::CellIndex cell) const {
+    return static_cast<std::size_t>(cell.y) * columns_ + static_cast<std::size_t>(cell.x);
+  }
+
   std::size_t columns_;
   std::vector<T> values_;
 };

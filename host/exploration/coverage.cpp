@@ -81,8 +81,8 @@ CellValues<char> unknown_beside(const RasterMap& map, CellValues<char>& is_seen,
 /// Expects as much floor of each unknown cell as it counts for.
 double unseen_m2(const RasterMap& map, CellValues<char>& is_beside, const ViewGain& gain) {
   double area_m2 = 0.0;
-  for_each_cell(map,
-                [&](CellIndex cell) { area_m2 += is_beside[cell] != 0 ? gain.worth(cell) : 0.0; });
+  for_each_cell(
+      map, [&](CellIndex cell) { area_m2 += is_beside[cell] != 0 ? gain.floor_share(cell) : 0.0; });
   return area_m2 * map.resolution_m() * map.resolution_m();
 }
 
@@ -103,7 +103,7 @@ std::vector<UnseenPlace> unseen_places(const RasterMap& map,
                                        const CoverageParams& params) {
   const double cell_m2 = map.resolution_m() * map.resolution_m();
   const auto counts = [&](CellIndex cell) {
-    return is_beside[cell] != 0 && gain.worth(cell) >= params.min_worth;
+    return is_beside[cell] != 0 && gain.floor_share(cell) >= params.min_worth;
   };
   std::vector<UnseenPlace> places;
   CellValues<char> is_taken(map, 0);
@@ -113,7 +113,7 @@ std::vector<UnseenPlace> unseen_places(const RasterMap& map,
     }
     UnseenPlace place;
     for (const CellIndex cell : joined_to(map, seed, is_taken, counts)) {
-      const double area_m2 = cell_m2 * gain.worth(cell);
+      const double area_m2 = cell_m2 * gain.floor_share(cell);
       place.at_m += area_m2 * map.center_m(cell);
       place.area_m2 += area_m2;
     }

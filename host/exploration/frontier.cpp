@@ -30,6 +30,7 @@ void validate(const FrontierParams& params) {
       .positive("viewpoints.min_gain_m2", params.viewpoints.min_gain_m2)
       .positive("fine_gain_m2", params.fine_gain_m2)
       .at_least("enough_share", params.enough_share, 0.0)
+      .at_least("fine_gain_part", params.fine_gain_part, 0.0)
       .at_least("openings_apart_m", params.openings_apart_m, 0.0)
       .positive("openings.step_m", params.openings.step_m)
       .positive("openings.half_width_m", params.openings.half_width_m)
@@ -110,14 +111,19 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
 /// that makes the position known again.
 std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
                                                const pipeline::Snapshot& snapshot) {
-  auto goal = choose_look(map, snapshot, params_.viewpoints.min_gain_m2);
-  if (goal) {
-    const auto known = loops_.choose(snapshot, goal->at_m, navigator_.travel(), map);
-    return known ? Viewpoint{known->at_m, kAllRound, known->cost_m, 0.0} : goal;
+  if (const auto look = choose_look(map, snapshot, params_.viewpoints.min_gain_m2)) {
+    const auto known = loops_.choose(snapshot, look->at_m, navigator_.travel(), map);
+    return known ? Viewpoint{known->at_m, kAllRound, known->cost_m, 0.0} : look;
   }
-  goal = choose_opening(map, snapshot);
-  return goal || has_seen_enough(snapshot) ? goal
-                                           : choose_look(map, snapshot, params_.fine_gain_m2);
+  if (const auto opening = choose_opening(map, snapshot)) {
+    return opening;
+  }
+  const double missing_m2 = this->missing_m2(snapshot);
+  if (missing_m2 <= 0.0) {
+    return std::nullopt;
+  }
+  return choose_look(
+      map, snapshot, std::max(params_.fine_gain_m2, params_.fine_gain_part * missing_m2));
 }
 
 std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
@@ -137,11 +143,13 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
       navigator_.costs(), navigator_.travel(), frontiers, gain, T_map_robot, viewpoints);
 }
 
-bool Frontier::has_seen_enough(const pipeline::Snapshot& snapshot) const {
-  CoverageParams coverage;
-  coverage.costs = params_.navigator.costs;
-  coverage.gain = params_.gain;
-  return coverage_of(snapshot, coverage).share() >= params_.enough_share;
+/// Of the share that is enough.
+double Frontier::missing_m2(const pipeline::Snapshot& snapshot) const {
+  CoverageParams params;
+  params.costs = params_.navigator.costs;
+  params.gain = params_.gain;
+  const Coverage coverage = coverage_of(snapshot, params);
+  return params_.enough_share * (coverage.seen_m2 + coverage.unseen_m2) - coverage.seen_m2;
 }
 
 /// The nearest that was not tried. The floor right behind it is supposed to be there, until

@@ -31,10 +31,13 @@ struct FrontierParams {
   /// All round once, in steps of 4 degrees: a beam of 26 degrees then hears a wall seven times. A
   /// sweep of a sector is as dense.
   RoundSweepParams sweep{6.283185307179586, 0.06981317007977318, 1.5707963267948966, 0.03};
-  /// Where no look promises viewpoints.min_gain_m2 and no opening is left, those that promise so
-  /// much count as long as the map has less than this share of what the robot can reach.
-  double fine_gain_m2 = 0.03;
+  /// Where no look promises viewpoints.min_gain_m2 and no opening is left, looks that promise less
+  /// count as long as the map has less than this share of what the robot can reach.
   double enough_share = 0.97;
+  /// They have to promise so much, and such a part of what is missing for that share: the last
+  /// percents of a large room are not worth a hundred stops.
+  double fine_gain_m2 = 0.03;
+  double fine_gain_part = 0.1;
   /// An opening so near to one that was chosen before, or to a bump, is the same one.
   double openings_apart_m = 0.3;
   /// End after this many stops.
@@ -62,7 +65,7 @@ class Frontier final : public Explorer {
   std::optional<Viewpoint> choose_look(const mapping::RasterMap& map,
                                        const pipeline::Snapshot& snapshot,
                                        double min_gain_m2);
-  bool has_seen_enough(const pipeline::Snapshot& snapshot) const;
+  double missing_m2(const pipeline::Snapshot& snapshot) const;
   std::optional<Viewpoint> choose_opening(const mapping::RasterMap& map,
                                           const pipeline::Snapshot& snapshot);
   bool was_tried(const Eigen::Vector2d& opening_m, const mapping::RasterMap& map) const;

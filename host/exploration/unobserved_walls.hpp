@@ -16,8 +16,8 @@ namespace echomap::exploration {
 struct UnobservedWallParams {
   /// Probability that there is floor in place of it.
   double floor_chance = 0.3;
-  /// Shorter ones do not count: through less a sonar seldom hears what is behind.
-  double min_length_m = 0.5;
+  /// Shorter ones do not count: hardly a robot fits through.
+  double min_length_m = 0.3;
   /// A stop faces a wall where the foot of its perpendicular is at least so far from both ends.
   double inside_m = 0.1;
   /// And where it is not farther off than this, which is within the sonar's range.

@@ -79,6 +79,7 @@ ViewGain::ViewGain(const mapping::RasterMap& map,
     : map_(map),
       params_(params),
       worth_(static_cast<std::size_t>(map.columns()) * static_cast<std::size_t>(map.rows()), 1.0F),
+      occupied_rim_(occupied_rim_shares(map)),
       looks_(worth_.size()),
       seen_(worth_.size()),
       unobserved_(unobserved_walls(unobserved, params.depth_m, params.unobserved)) {
@@ -90,6 +91,7 @@ ViewGain::ViewGain(const mapping::RasterMap& map,
       .positive("left_by_look", params.left_by_look)
       .at_most("left_by_look", params.left_by_look, 1.0)
       .within("min_island_look", params.min_island_look, 0.0, 1.0)
+      .within("island_floor", params.island_floor, 0.0, 1.0)
       .positive("novel_m", params.novel_m)
       .within("unobserved.floor_chance", params.unobserved.floor_chance, 0.0, 1.0)
       .positive("unobserved.min_length_m", params.unobserved.min_length_m)
@@ -147,12 +149,11 @@ void ViewGain::weight_by_walls() {
 }
 
 void ViewGain::weight_by_looks() {
-  CellValues<float> solid_shares = occupied_rim_shares(map_);
-  const auto least = static_cast<float>(params_.min_island_look);
+  const auto min_look = static_cast<float>(params_.min_island_look);
   const auto log_left = static_cast<float>(std::log(params_.left_by_look));
   for_each_cell(map_, [&](CellIndex cell) {
     if (const float looks = looks_[index(cell)]; looks > 0.0F) {
-      worth_[index(cell)] *= std::exp(log_left * looks * std::max(least, solid_shares[cell]));
+      worth_[index(cell)] *= std::exp(log_left * looks * std::max(min_look, occupied_rim_[cell]));
     }
   });
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "host/exploration/cell_values.hpp"
 #include "host/exploration/unobserved_walls.hpp"
 #include "host/geometry/segment.hpp"
 #include "host/mapping/placed_reading.hpp"
@@ -32,6 +34,8 @@ struct ViewGainParams {
   /// Behind an unknown island stands no wall: there a look counts by the share of the rim that is
   /// occupied (unknown_islands.hpp), and at least so much.
   double min_island_look = 0.1;
+  /// The share of an island without any occupied rim that is floor.
+  double island_floor = 0.7;
   /// A sweep nearer than this to an earlier one shows the less, the nearer it is: from the same
   /// place a sonar hears the same again.
   double novel_m = 0.3;
@@ -76,6 +80,12 @@ class ViewGain {
   std::vector<double> by_sector_m2(const Eigen::Vector2d& from_m) const;
   /// How much of an unknown cell of the map counts, from 0 to 1.
   double worth(geometry::CellIndex cell) const { return static_cast<double>(worth_[index(cell)]); }
+  /// The share of an unknown cell that is expected to be floor, after all looks: what a look may
+  /// not show may be floor all the same where an island has an open rim.
+  double floor_share(geometry::CellIndex cell) const {
+    return std::max(worth(cell),
+                    params_.island_floor * (1.0 - static_cast<double>(occupied_rim_[cell])));
+  }
   /// Walls that nobody has heard, with what is expected behind them after all looks.
   const std::vector<UnobservedWall>& unobserved() const { return unobserved_; }
 
@@ -94,6 +104,7 @@ class ViewGain {
   const mapping::RasterMap& map_;
   ViewGainParams params_;
   std::vector<float> worth_;         ///< By cell: 1 far from walls where nobody has looked.
+  CellValues<float> occupied_rim_;   ///< By cell: the share of its island's rim.
   std::vector<float> looks_;         ///< By cell: how often it was looked at from beside.
   std::vector<std::uint32_t> seen_;  ///< By cell: the last view that has looked at it.
   std::uint32_t views_ = 0;

@@ -30,7 +30,8 @@ StopAlignment::StopAlignment(const StopAlignmentParams& params) : params_(params
       .at_least("first_tolerance_factor", params.first_tolerance_factor, 1.0)
       .at_least("rounds", params.rounds, 1)
       .at_least("window", params.window, 2)
-      .positive("whole_every", params.whole_every)
+      .positive("wide_every", params.wide_every)
+      .at_least("wide_window", params.wide_window, params.window)
       .positive("tried_drift_rad_per_m", params.tried_drift_rad_per_m)
       .positive("reading_weight", params.reading_weight)
       .at_least("min_gain", params.min_gain, 0.0)
@@ -50,9 +51,9 @@ void StopAlignment::add_stop(std::vector<StopReading> readings) {
 }
 
 void StopAlignment::align(const std::vector<Pose2>& T_slam_stands) {
-  const bool is_whole =
-      stops_.size() <= params_.window || stops_.size() % params_.whole_every == 0;
-  const std::size_t first_free = is_whole ? 0 : stops_.size() - params_.window;
+  const std::size_t window =
+      stops_.size() % params_.wide_every == 0 ? params_.wide_window : params_.window;
+  const std::size_t first_free = stops_.size() > window ? stops_.size() - window : 0;
   const OdometryCalibration calibration = calibration_;
   std::optional<Placement> best;
   for (const std::vector<Pose2>& start : starts(first_free, T_slam_stands)) {

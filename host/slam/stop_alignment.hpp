@@ -45,8 +45,9 @@ struct StopAlignmentParams {
   /// nearest, that stay and hold them.
   std::size_t window = 25;
   std::size_t holders = 15;
-  /// Every so many stops all of them move: what was held before may be bent.
-  std::size_t whole_every = 8;
+  /// Every so many stops a wider window moves: what was held before may be bent.
+  std::size_t wide_every = 8;
+  std::size_t wide_window = 100;
 };
 
 /// Places the stops of a robot where they agree on walls and posts, with odometry between them

@@ -25,7 +25,7 @@ RasterMap all_free() {
 }
 
 TEST(UnobservedWalls, AreThoseThatADoorMayBeIn) {
-  const auto unobserved = unobserved_walls({kWall, {{0.0, 0.0}, {0.3, 0.0}}}, 0.5, {});
+  const auto unobserved = unobserved_walls({kWall, {{0.0, 0.0}, {0.2, 0.0}}}, 0.5, {});
   ASSERT_EQ(unobserved.size(), 1U);
   EXPECT_EQ(unobserved[0].wall.to_m, kWall.to_m);
   EXPECT_NEAR(unobserved[0].floor_m2, UnobservedWallParams{}.floor_chance * 0.5, 1e-12);

@@ -123,17 +123,30 @@ RasterMap with_island(int sides) {
 TEST(ViewGain, OfAnIslandALookCountsByItsOccupiedRim) {
   const PastView once{{2.0, 0.0}, std::numbers::pi, radians(45.0)};
   const geometry::CellIndex seen{60, 50};
-  const auto left = [&](const RasterMap& map) {
-    return ViewGain(map, {once}, {}, plain()).worth(seen);
-  };
-  const double all = ViewGainParams{}.left_by_look;
-  EXPECT_NEAR(left(with_island(0)), std::pow(all, ViewGainParams{}.min_island_look), 1e-5);
+  const auto gain_on = [&](const RasterMap& map) { return ViewGain(map, {once}, {}, plain()); };
+  const auto params = plain();
+  const RasterMap no_side = with_island(0);
+  EXPECT_NEAR(
+      gain_on(no_side).worth(seen), std::pow(params.left_by_look, params.min_island_look), 1e-5);
   RasterMap one_side = with_island(1);
-  EXPECT_NEAR(left(one_side), std::pow(all, 0.25), 1e-5);
+  EXPECT_NEAR(gain_on(one_side).worth(seen), std::pow(params.left_by_look, 0.25), 1e-5);
   for (int x = 0; x < 40; ++x) {
     one_side.set({x, 50}, CellState::kUnknown);
   }
-  EXPECT_NEAR(left(one_side), all, 1e-5) << "it reaches the edge of the map";
+  EXPECT_NEAR(gain_on(one_side).worth(seen), params.left_by_look, 1e-5)
+      << "it reaches the edge of the map";
+}
+
+TEST(ViewGain, AnIslandIsExpectedToBeFloorByItsOpenRimHoweverOftenItWasLookedAt) {
+  const PastView view{{2.0, 0.0}, std::numbers::pi, radians(45.0)};
+  const std::vector<PastView> often(100, view);
+  const geometry::CellIndex seen{60, 50};
+  for (const int sides : {0, 1}) {
+    const RasterMap map = with_island(sides);
+    const ViewGain gain(map, often, {}, plain());
+    EXPECT_LT(gain.worth(seen), 0.01);
+    EXPECT_NEAR(gain.floor_share(seen), (1.0 - 0.25 * sides) * plain().island_floor, 0.01) << sides;
+  }
 }
 
 TEST(ViewGain, FromBesideAnEarlierStopLessIsNew) {

@@ -158,10 +158,10 @@ TEST(StopAlignment, MovesTheNewestStopsOnly) {
   EXPECT_NE(before[11].position_m(), robot.alignment.T_map_stands()[11].position_m());
 }
 
-TEST(StopAlignment, MovesAllStopsNowAndThen) {
+TEST(StopAlignment, MovesMoreStopsNowAndThen) {
   StopAlignmentParams params;
   params.window = 3;
-  params.whole_every = 7;
+  params.wide_every = 7;
   DriftingRobot robot(kRoom, radians(0.2), params);
   for (const Eigen::Vector2d& stop_m : kStops) {
     robot.visit(stop_m);
@@ -179,7 +179,7 @@ TEST(StopAlignment, RefusesInvalidParameters) {
   params.window = 1;
   EXPECT_THROW(StopAlignment{params}, std::invalid_argument);
   params = {};
-  params.whole_every = 0;
+  params.wide_every = 0;
   EXPECT_THROW(StopAlignment{params}, std::invalid_argument);
 }
 
