@@ -115,7 +115,7 @@ std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
     const auto known = loops_.choose(snapshot, look->at_m, navigator_.travel(), map);
     return known ? Viewpoint{known->at_m, kAllRound, known->cost_m, 0.0} : look;
   }
-  if (const auto opening = choose_opening(map, snapshot)) {
+  if (auto opening = choose_opening(map, snapshot)) {
     return opening;
   }
   const double missing_m2 = this->missing_m2(snapshot);

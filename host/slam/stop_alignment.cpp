@@ -173,6 +173,7 @@ std::vector<std::size_t> StopAlignment::stops_around(std::size_t first_free) con
   std::sort(held.begin(), held.end());
   held.resize(std::min(held.size(), params_.holders));
   std::vector<std::size_t> stops;
+  stops.reserve(held.size() + stops_.size() - first_free + 1);
   for (const auto& [nearest_m, stop] : held) {
     stops.push_back(stop);
   }
