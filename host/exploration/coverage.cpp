@@ -86,12 +86,17 @@ double unseen_m2(const RasterMap& map, CellValues<char>& is_beside, const ViewGa
   return area_m2 * map.resolution_m() * map.resolution_m();
 }
 
-/// What is expected behind walls that nobody has heard and that floor lies before.
-double behind_unobserved_m2(const RasterMap& map, CellValues<char>& is_seen, const ViewGain& gain) {
+/// What is expected behind walls that nobody has heard and right before which the robot can stand:
+/// it fits into no door in the tip of a room.
+double behind_unobserved_m2(const RasterMap& map,
+                            const CellValues<char>& is_reached,
+                            const CostGridParams& costs,
+                            const ViewGain& gain) {
+  const double stand_m = costs.robot_radius_m + costs.clearance_m + map.resolution_m();
   double area_m2 = 0.0;
   for (const UnobservedWall& unobserved : gain.unobserved()) {
-    const CellIndex before = map.cell_at(before_m(unobserved));
-    area_m2 += map.contains(before) && is_seen[before] != 0 ? unobserved.floor_m2 : 0.0;
+    const CellIndex before = map.cell_at(before_m(unobserved, stand_m));
+    area_m2 += map.contains(before) && is_reached[before] != 0 ? unobserved.floor_m2 : 0.0;
   }
   return area_m2;
 }
@@ -227,7 +232,8 @@ Coverage coverage_of(const pipeline::Snapshot& snapshot, const CoverageParams& p
   CellValues<char> is_beside = unknown_beside(map, is_seen, steps);
   const ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unobserved, params.gain);
   coverage.places = unseen_places(map, is_beside, gain, params);
-  coverage.unseen_m2 = unseen_m2(map, is_beside, gain) + behind_unobserved_m2(map, is_seen, gain);
+  coverage.unseen_m2 =
+      unseen_m2(map, is_beside, gain) + behind_unobserved_m2(map, is_reached, params.costs, gain);
   std::stable_sort(coverage.places.begin(), coverage.places.end(), [](auto& one, auto& other) {
     return one.area_m2 > other.area_m2;
   });

@@ -134,8 +134,11 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   const ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unobserved, params_.gain);
   std::vector<FrontierCells> frontiers = find_frontiers(map, map.cell_at(T_map_robot.position_m()));
+  const CostGridParams& costs = params_.navigator.costs;
   for (const UnobservedWall& unobserved : gain.unobserved()) {
-    if (const CellIndex before = map.cell_at(before_m(unobserved)); map.contains(before)) {
+    const CellIndex before =
+        map.cell_at(before_m(unobserved, costs.robot_radius_m + costs.clearance_m));
+    if (map.contains(before)) {
       frontiers.push_back({before});
     }
   }

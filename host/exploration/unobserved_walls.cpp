@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/exploration/unobserved_walls.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace echomap::exploration {
@@ -12,8 +13,6 @@ using mapping::RasterMap;
 
 /// A wall is drawn in cells up to so many cells before its line.
 constexpr double kDrawnCells = 2.0;
-/// What is drawn of a wall ends before this.
-constexpr double kBeforeM = 0.1;
 
 bool is_hidden(const RasterMap& map,
                const Eigen::Vector2d& from_m,
@@ -31,9 +30,9 @@ bool is_hidden(const RasterMap& map,
 
 }  // namespace
 
-Eigen::Vector2d before_m(const UnobservedWall& unobserved) {
+Eigen::Vector2d before_m(const UnobservedWall& unobserved, double distance_m) {
   return 0.5 * (unobserved.wall.from_m + unobserved.wall.to_m) +
-         kBeforeM * geometry::left_normal(unobserved.wall);
+         distance_m * geometry::left_normal(unobserved.wall);
 }
 
 std::vector<UnobservedWall> unobserved_walls(const std::vector<geometry::Segment>& walls,
@@ -41,8 +40,11 @@ std::vector<UnobservedWall> unobserved_walls(const std::vector<geometry::Segment
                                              const UnobservedWallParams& params) {
   std::vector<UnobservedWall> unobserved;
   for (const geometry::Segment& wall : walls) {
-    if (wall.length_m() >= params.min_length_m) {
-      unobserved.push_back({wall, params.floor_chance * wall.length_m() * depth_m});
+    const double length_m = wall.length_m();
+    if (length_m >= params.min_length_m) {
+      const double door_share =
+          std::min(1.0, (length_m - params.min_length_m) / (params.door_m - params.min_length_m));
+      unobserved.push_back({wall, door_share * params.floor_chance * length_m * depth_m});
     }
   }
   return unobserved;

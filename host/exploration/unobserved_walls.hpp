@@ -14,10 +14,12 @@ namespace echomap::exploration {
 /// What is expected behind a stretch of wall that nobody has heard. Ours, chosen in simulated
 /// rooms.
 struct UnobservedWallParams {
-  /// Probability that there is floor in place of it.
+  /// Probability that there is floor in place of it, of one as long as a door is wide and longer.
   double floor_chance = 0.3;
-  /// Shorter ones do not count: hardly a robot fits through.
-  double min_length_m = 0.3;
+  double door_m = 0.5;
+  /// Shorter ones do not count: hardly a robot fits through. From here to a door the probability
+  /// rises linearly.
+  double min_length_m = 0.2;
   /// A stop faces a wall where the foot of its perpendicular is at least so far from both ends.
   double inside_m = 0.1;
   /// And where it is not farther off than this, which is within the sonar's range.
@@ -31,8 +33,8 @@ struct UnobservedWall {
   double floor_m2 = 0.0;   ///< Expected behind it.
 };
 
-/// On the floor before the middle of it.
-Eigen::Vector2d before_m(const UnobservedWall& unobserved);
+/// On the floor before the middle of it, so far off.
+Eigen::Vector2d before_m(const UnobservedWall& unobserved, double distance_m);
 
 /// Those that are long enough, as floor of `depth_m` behind each.
 std::vector<UnobservedWall> unobserved_walls(const std::vector<geometry::Segment>& walls,

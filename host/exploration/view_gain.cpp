@@ -95,6 +95,7 @@ ViewGain::ViewGain(const mapping::RasterMap& map,
       .positive("novel_m", params.novel_m)
       .within("unobserved.floor_chance", params.unobserved.floor_chance, 0.0, 1.0)
       .positive("unobserved.min_length_m", params.unobserved.min_length_m)
+      .above("unobserved.door_m", params.unobserved.door_m, params.unobserved.min_length_m)
       .at_least("unobserved.inside_m", params.unobserved.inside_m, 0.0)
       .positive("unobserved.max_distance_m", params.unobserved.max_distance_m);
   const double step_m = map.resolution_m();

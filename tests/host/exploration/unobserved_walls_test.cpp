@@ -25,11 +25,15 @@ RasterMap all_free() {
 }
 
 TEST(UnobservedWalls, AreThoseThatADoorMayBeIn) {
-  const auto unobserved = unobserved_walls({kWall, {{0.0, 0.0}, {0.2, 0.0}}}, 0.5, {});
-  ASSERT_EQ(unobserved.size(), 1U);
+  const UnobservedWallParams params;
+  const double half_m = 0.5 * (params.min_length_m + params.door_m);
+  const auto unobserved = unobserved_walls(
+      {kWall, {{0.0, 0.0}, {half_m, 0.0}}, {{0.0, 0.0}, {0.19, 0.0}}}, 0.5, params);
+  ASSERT_EQ(unobserved.size(), 2U);
+  EXPECT_NEAR(unobserved[1].floor_m2, 0.5 * params.floor_chance * 0.5 * half_m, 1e-12);
   EXPECT_EQ(unobserved[0].wall.to_m, kWall.to_m);
-  EXPECT_NEAR(unobserved[0].floor_m2, UnobservedWallParams{}.floor_chance * 0.5, 1e-12);
-  EXPECT_NEAR((before_m(unobserved[0]) - Eigen::Vector2d(1.9, 0.5)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(unobserved[0].floor_m2, params.floor_chance * 0.5, 1e-12);
+  EXPECT_NEAR((before_m(unobserved[0], 0.1) - Eigen::Vector2d(1.9, 0.5)).norm(), 0.0, 1e-12);
 }
 
 TEST(FacingRad, IsTheBearingOfTheFootOfThePerpendicular) {
