@@ -51,7 +51,8 @@ bool is_large(const Fault& fault, const SelfCheckParams& params) {
 }
 
 double min_log_odds_of(FaultKind kind, const SelfCheckParams& params) {
-  const bool is_subtle = kind == FaultKind::kWheelSize || kind == FaultKind::kPanOffset;
+  const bool is_subtle = kind == FaultKind::kWheelSize || kind == FaultKind::kLeftWheelSize ||
+                         kind == FaultKind::kRightWheelSize || kind == FaultKind::kPanOffset;
   return is_subtle ? params.min_subtle_log_odds : params.min_log_odds;
 }
 
