@@ -11,20 +11,21 @@ ActiveLoopClosing::ActiveLoopClosing(const ActiveLoopClosingParams& params)
     : params_(params), limit_m_(params.max_position_stddev_m) {
   geometry::ParameterValidator("active loop closing")
       .positive("max_position_stddev_m", params.max_position_stddev_m)
-      .positive("known_share", params.known_share)
+      .within("max_known_share", params.max_known_share, 0.0, 1.0)
       .at_least("same_walls_m", params.same_walls_m, 0.0)
-      .at_least("patience", params.patience, 1.0);
+      .at_least("limit_growth", params.limit_growth, 1.0);
 }
 
 void ActiveLoopClosing::add_stop(const pipeline::Snapshot& snapshot) {
   const double stddev_m = snapshot.position_stddev_m.value_or(0.0);
   const std::size_t scans = snapshot.scans->size();
-  if (scans > scans_ && stddev_m <= params_.known_share * params_.max_position_stddev_m) {
+  const bool is_known = stddev_m <= params_.max_known_share * params_.max_position_stddev_m;
+  if (scans > scans_ && is_known) {
     known_scans_.push_back(scans - 1);
   }
   scans_ = scans;
-  if (is_returning_) {
-    limit_m_ = std::max(params_.max_position_stddev_m, params_.patience * stddev_m);
+  if (is_returning_ || is_known) {
+    limit_m_ = std::max(params_.max_position_stddev_m, params_.limit_growth * stddev_m);
     is_returning_ = false;
   }
 }
@@ -44,6 +45,7 @@ std::optional<EarlierStop> ActiveLoopClosing::choose(const pipeline::Snapshot& s
                                                      const Eigen::Vector2d& goal_m,
                                                      const TravelField& travel,
                                                      const mapping::RasterMap& map) {
+  is_returning_ = false;
   if (snapshot.position_stddev_m.value_or(0.0) <= limit_m_) {
     return std::nullopt;
   }

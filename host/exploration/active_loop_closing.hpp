@@ -15,14 +15,14 @@ namespace echomap::exploration {
 
 /// Ours, chosen in simulation.
 struct ActiveLoopClosingParams {
-  /// A position with a greater standard deviation is too uncertain to go on.
+  /// The robot goes back where the standard deviation of its position is greater than this.
   double max_position_stddev_m = 0.5;
-  /// The stops to go back to are those with at most this share of it.
-  double known_share = 0.5;
-  /// A place so near to one of these has the same walls in sight.
+  /// The stops to go back to are those made with at most this share of max_position_stddev_m.
+  double max_known_share = 0.5;
+  /// A goal so near to such a stop has the same walls in sight: no need to go back first.
   double same_walls_m = 1.0;
-  /// Where going back did not help, the limit is so many times what is left.
-  double patience = 1.5;
+  /// Where the deviation is still great after going back, the limit is this factor times it.
+  double limit_growth = 1.5;
 };
 
 /// The place of an earlier stop and the cost of the way there.

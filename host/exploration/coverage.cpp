@@ -78,7 +78,7 @@ CellValues<char> unknown_beside(const RasterMap& map, CellValues<char>& is_seen,
   return is_beside;
 }
 
-/// Expects as much floor of each unknown cell as it counts for.
+/// The floor that is expected in unknown cells beside what was seen.
 double unseen_m2(const RasterMap& map, CellValues<char>& is_beside, const ViewGain& gain) {
   double area_m2 = 0.0;
   for_each_cell(
@@ -108,7 +108,7 @@ std::vector<UnseenPlace> unseen_places(const RasterMap& map,
                                        const CoverageParams& params) {
   const double cell_m2 = map.resolution_m() * map.resolution_m();
   const auto counts = [&](CellIndex cell) {
-    return is_beside[cell] != 0 && gain.floor_share(cell) >= params.min_worth;
+    return is_beside[cell] != 0 && gain.floor_share(cell) >= params.min_floor_share;
   };
   std::vector<UnseenPlace> places;
   CellValues<char> is_taken(map, 0);

@@ -18,8 +18,8 @@ struct CoverageParams {
   /// Free floor farther than so many radii of the robot from where it can stand is out of its
   /// reach: a corner is not.
   double corner_radii = 2.0;
-  /// Unknown cells that count for less belong to no place: they stand behind walls.
-  double min_worth = 0.3;
+  /// Unknown cells of which less is expected to be floor belong to no place: they are behind walls.
+  double min_floor_share = 0.3;
   /// Less unseen or unreachable floor in one piece than this is no place to tell of.
   double min_place_m2 = 0.1;
 };
@@ -49,8 +49,9 @@ struct Coverage {
 };
 
 /// What looks from the floor in reach could still show (after Yamauchi 1997: unknown cells beside
-/// free ones), where each counts as ViewGain has it: less beside walls, and less for each look that
-/// left it unknown. Walls that nobody has heard count as far as ViewGain expects floor behind them.
+/// free ones), where each counts by ViewGain::floor_share: less beside walls, and less for each
+/// look that left it unknown, but in islands. Walls that nobody has heard count by the floor that
+/// ViewGain expects behind them, where the robot can stand before them.
 Coverage coverage_of(const pipeline::Snapshot& snapshot, const CoverageParams& params = {});
 
 }  // namespace echomap::exploration

@@ -107,8 +107,8 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
   return drive_on(snapshot);
 }
 
-/// A look, an opening or a finer look; before a goal that is out of sight of known walls, a stop
-/// that makes the position known again.
+/// A look, and before one that is out of sight of known walls the stop that makes the position
+/// known again; without a look an opening, or a finer look.
 std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
                                                const pipeline::Snapshot& snapshot) {
   if (const auto look = choose_look(map, snapshot, params_.viewpoints.min_gain_m2)) {
@@ -146,7 +146,7 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
       navigator_.costs(), navigator_.travel(), frontiers, gain, T_map_robot, viewpoints);
 }
 
-/// Of the share that is enough.
+/// Floor that is missing to enough_share, square metres.
 double Frontier::missing_m2(const pipeline::Snapshot& snapshot) const {
   CoverageParams params;
   params.costs = params_.navigator.costs;

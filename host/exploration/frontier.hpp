@@ -34,8 +34,8 @@ struct FrontierParams {
   /// Where no look promises viewpoints.min_gain_m2 and no opening is left, looks that promise less
   /// count as long as the map has less than this share of what the robot can reach.
   double enough_share = 0.97;
-  /// They have to promise so much, and such a part of what is missing for that share: the last
-  /// percents of a large room are not worth a hundred stops.
+  /// They have to promise at least so much, and at least such a part of what is missing for that
+  /// share: the last percents of a large room are not worth a hundred stops.
   double fine_gain_m2 = 0.03;
   double fine_gain_part = 0.1;
   /// An opening so near to one that was chosen before, or to a bump, is the same one.

@@ -2,6 +2,7 @@
 #include "host/exploration/unknown_islands.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace echomap::exploration {
 

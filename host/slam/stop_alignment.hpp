@@ -41,7 +41,7 @@ struct StopAlignmentParams {
   /// Starts that are nearer to each other in all stands end in the same alignment.
   double same_start_rad = 0.01;
   double same_start_m = 0.01;
-  /// Number of newest stops that each alignment moves. `holders` is the number of others, the
+  /// Number of newest stops that an alignment moves. `holders` is the number of others, the
   /// nearest, that stay and hold them.
   std::size_t window = 25;
   std::size_t holders = 15;

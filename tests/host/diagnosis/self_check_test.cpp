@@ -112,13 +112,17 @@ TEST(SelfCheck, IsNotSureBetweenTwoFaultsThatExplainAlike) {
   EXPECT_EQ(found->log_odds, 20.0);
 }
 
-TEST(SelfCheck, HasToBeSurerOfBothWheelsThanOfOther) {
+TEST(SelfCheck, HasToBeSurerOfTheSizeOfWheelsThanOfOther) {
   const auto found = [](FaultKind kind, double log_odds) {
     return diagnosis_of({{{kind, 1.08}, log_odds}, {{FaultKind::kNone, 0.0}, 0.0}}).has_value();
   };
   EXPECT_TRUE(found(FaultKind::kRangeScale, 6.0));
   EXPECT_FALSE(found(FaultKind::kWheelSize, 6.0));
   EXPECT_TRUE(found(FaultKind::kWheelSize, 8.0));
+  for (const FaultKind one : {FaultKind::kLeftWheelSize, FaultKind::kRightWheelSize}) {
+    EXPECT_FALSE(found(one, 8.0));
+    EXPECT_TRUE(found(one, 9.0));
+  }
 }
 
 TEST(SelfCheck, DoesNotCallASmallErrorAFault) {

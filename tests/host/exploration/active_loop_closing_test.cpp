@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -105,12 +106,38 @@ TEST(ActiveLoopClosing, DoesNotGoBackAgainAndAgainWhereThatHasNotHelped) {
   EXPECT_EQ(hall.return_x_m(loops, 10.0), 0.0);
 }
 
-TEST(ActiveLoopClosing, RejectsParametersWithoutSense) {
+TEST(ActiveLoopClosing, TakesAnotherGoalThatCameBetweenForNoReturn) {
+  ActiveLoopClosing loops({});
+  Hall hall;
+  hall.stop(loops, 0.0, 0.0);
+  hall.stop(loops, 8.0, 0.6);
+  ASSERT_EQ(hall.return_x_m(loops, 10.0), 0.0);
+  ASSERT_EQ(hall.return_x_m(loops, 0.5), std::nullopt) << "after a bump on the way";
+  hall.stop(loops, 8.0, 0.6);
+  EXPECT_EQ(hall.return_x_m(loops, 10.0), 0.0);
+}
+
+TEST(ActiveLoopClosing, HasItsLimitAgainOnceThePositionIsKnown) {
+  ActiveLoopClosing loops({});
+  Hall hall;
+  hall.stop(loops, 0.0, 0.0);
+  hall.stop(loops, 8.0, 0.6);
+  ASSERT_EQ(hall.return_x_m(loops, 10.0), 0.0);
+  hall.stop(loops, 0.0, 0.6);
+  hall.stop(loops, 4.0, 0.1);
+  hall.stop(loops, 8.0, 0.6);
+  EXPECT_EQ(hall.return_x_m(loops, 10.0), 4.0);
+}
+
+TEST(ActiveLoopClosing, RejectsInvalidParameters) {
   ActiveLoopClosingParams params;
   params.max_position_stddev_m = 0.0;
   EXPECT_THROW(ActiveLoopClosing{params}, std::invalid_argument);
   params = {};
-  params.patience = 0.5;
+  params.max_known_share = 1.5;
+  EXPECT_THROW(ActiveLoopClosing{params}, std::invalid_argument);
+  params = {};
+  params.limit_growth = 0.5;
   EXPECT_THROW(ActiveLoopClosing{params}, std::invalid_argument);
 }
 

@@ -73,6 +73,26 @@ TEST(CoverageOf, WhatLooksHaveLeftUnknownCountsLess) {
   EXPECT_LT(coverage_of(snapshot).unseen_m2, 0.35 * before_m2);
 }
 
+TEST(CoverageOf, AnIslandIsExpectedToBeFloorHoweverOftenItWasLookedAt) {
+  const auto is_island = [](int x, int y) { return x >= 16 && x <= 24 && std::abs(y) <= 4; };
+  auto snapshot = room(nowhere, is_island);
+  mapping::Scan look;
+  for (int deg = 0; deg < 360; deg += 4) {
+    const Pose2 at(0.4, 0.0, geometry::radians(deg));
+    look.push_back({at, at, std::nullopt});
+  }
+  snapshot.scans = std::make_shared<const std::vector<mapping::Scan>>(100, look);
+  EXPECT_NEAR(coverage_of(snapshot).unseen_m2, ViewGainParams{}.island_floor * 0.45 * 0.45, 0.01);
+}
+
+TEST(CoverageOf, BehindAWallInATipWhereTheRobotCannotStandIsNoDoor) {
+  auto snapshot = room(wall_with_gap(1), nowhere);
+  mapping::SonarFeatures features;
+  features.unobserved = {{{3.0, -0.5}, {3.0, 0.5}}};
+  snapshot.features = std::make_shared<const mapping::SonarFeatures>(features);
+  EXPECT_NEAR(coverage_of(snapshot).unseen_m2, 0.0, 1e-9);
+}
+
 TEST(CoverageOf, BehindAWallThatNobodyHasHeardFloorMayBe) {
   auto snapshot = room(nowhere, nowhere);
   mapping::SonarFeatures features;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "host/exploration/view_gain.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -18,9 +18,8 @@ class MovedAside : public slam::SlamMethod {
     beams += scan.beams.size();
   }
   localization::PoseGaussian belief() const override {
-    return poses.empty()
-               ? localization::PoseGaussian{}
-               : localization::PoseGaussian{T_map_odom * poses.back(), Eigen::Matrix3d::Zero()};
+    return poses.empty() ? localization::PoseGaussian{}
+                         : localization::PoseGaussian{T_map_odom * poses.back(), covariance};
   }
   std::vector<geometry::Pose2> trajectory() const override {
     std::vector<geometry::Pose2> moved;
@@ -32,6 +31,7 @@ class MovedAside : public slam::SlamMethod {
   slam::FactorGraph factor_graph() const override { return {trajectory(), {}, {}, {}}; }
 
   geometry::Pose2 T_map_odom{0.0, 1.0, 0.0};
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   std::vector<geometry::Pose2> poses;  ///< By odometry.
   std::size_t beams = 0;
   std::size_t followed = 0;

@@ -60,6 +60,18 @@ TEST(PoseTrack, ASnapshotKeepsTheTrajectoryThatItHas) {
   EXPECT_EQ(described(track).trajectory->size(), 2U);
 }
 
+TEST(PoseTrack, KnowsItsPositionAsWellAsSlamDoes) {
+  EXPECT_EQ(described(PoseTrack(0.2, nullptr, 0.0)).position_stddev_m, std::nullopt);
+  auto slam = std::make_unique<MovedAside>();
+  slam->covariance = Eigen::Vector3d(0.01, 0.09, 4.0).asDiagonal();
+  PoseTrack track(0.2, std::move(slam), 0.1);
+  EXPECT_EQ(described(track).position_stddev_m, 0.0) << "before the first scan";
+  track.slam()->begin_stop();
+  track.slam()->add_ping(track.follow(at_us(1), {1.0, 1.0}), {}, 1.0);
+  track.slam()->end_stop(true);
+  EXPECT_NEAR(described(track).position_stddev_m.value_or(0.0), 0.3, 1e-12);
+}
+
 TEST(PoseTrack, SlamMovesItsWholeTrajectory) {
   PoseTrack track(0.2, std::make_unique<MovedAside>(), 0.1);
   ASSERT_NE(track.slam(), nullptr);
