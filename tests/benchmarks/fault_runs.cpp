@@ -104,7 +104,8 @@ FaultFinding find_fault(const DrawnRobot& robot, const std::filesystem::path& fo
                                    "--body=" + robot.body,
                                    "--seed=" + std::to_string(robot.seed),
                                    "--stops=" + std::to_string(kCheckedStops),
-                                   "--out=" + (folder / "run").string()};
+                                   "--out=" + (folder / "run").string(),
+                                   "--force"};
   if (!robot.fault.part_faults.empty()) {
     command.push_back("--part-faults=" + robot.fault.part_faults);
   }

@@ -29,7 +29,8 @@ bool replays_equal(const fs::path& folder) {
   const bool ended = has_ended({session::program_folder() / "echomap",
                                 "replay",
                                 (folder / "run").string(),
-                                "--out=" + (folder / "replay").string()},
+                                "--out=" + (folder / "replay").string(),
+                                "--force"},
                                folder / "replay.log");
   return ended && fs::exists(folder / "replay/map.pgm") &&
          files::read_text_file(folder / "run/map.pgm") ==
@@ -84,6 +85,7 @@ std::vector<std::string> demo_command(const TruthRoom& room,
                                    "--emulator=" + room.emulator,
                                    "--seed=" + std::to_string(seed),
                                    "--out=" + (folder / "run").string(),
+                                   "--force",
                                    "--json=" + (folder / "report.json").string()};
   if (!is_carried_off) {
     command.emplace_back("--no-kidnap");
