@@ -14,8 +14,9 @@ namespace echomap::exploration {
 /// What is expected behind a stretch of wall that nobody has heard. Ours, chosen in simulated
 /// rooms.
 struct UnobservedWallParams {
-  /// Probability that there is floor in place of it, of one as long as a door is wide and longer.
+  /// Probability that there is floor in place of one that is at least as long as a door is wide.
   double floor_chance = 0.3;
+  /// Width of a narrow door.
   double door_m = 0.5;
   /// Shorter ones do not count: hardly a robot fits through. From here to a door the probability
   /// rises linearly.
