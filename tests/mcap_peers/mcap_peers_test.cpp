@@ -4,17 +4,20 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/mcap/mcap_reader.hpp"
 #include "host/mcap/mcap_writer.hpp"
 #include "host/mcap/record_writer.hpp"
 #include "tests/structure/shell.hpp"
 #include "tests/support/scratch_folder.hpp"
 
-// Readers of MCAP and of ROS 2 messages that others wrote (validate.mjs) read what we write.
+// Readers of MCAP and of ROS 2 messages that others wrote (validate.mjs) read what we write, and we
+// read what a writer by others writes (write.mjs).
 namespace echomap::mcap {
 namespace {
 
@@ -33,13 +36,28 @@ Bytes string_cdr(std::string_view text) {
   return cdr;
 }
 
-class McapPeers : public testing::TestWithParam<Compression> {
+/// A file, and scripts that need the npm packages.
+class McapPeersTest : public testing::Test {
  protected:
   void SetUp() override {
     if (!fs::exists(ECHOMAP_MCAP_PEERS "/installed")) {
       GTEST_SKIP() << "no node 20, no npm, or its packages could not be installed";
     }
   }
+  /// Runs the script on the file.
+  structure::ShellResult run_script(const std::string& name, const std::string& option = "") const {
+    return structure::run_shell("node " + shell_quoted(ECHOMAP_MCAP_PEERS "/" + name) + " " +
+                                    shell_quoted(path()) + " " + option,
+                                path().parent_path());
+  }
+  fs::path path() const { return folder_ / "run.mcap"; }
+
+ private:
+  tests::ScratchFolder folder_;
+};
+
+class McapPeers : public McapPeersTest, public testing::WithParamInterface<Compression> {
+ protected:
   /// Ten messages in several chunks, an attachment and metadata.
   void write_file() const {
     McapWriterParams params;
@@ -62,20 +80,11 @@ class McapPeers : public testing::TestWithParam<Compression> {
     writer.attach({1, 2, "config.toml", "text/plain", {'a', ' ', '=', ' ', '1'}});
     writer.finish();
   }
-  structure::ShellResult validate() const {
-    return structure::run_shell(
-        "node " + shell_quoted(ECHOMAP_MCAP_PEERS "/validate.mjs") + " " + shell_quoted(path()),
-        path().parent_path());
-  }
-  fs::path path() const { return folder_ / "run.mcap"; }
-
- private:
-  tests::ScratchFolder folder_;
 };
 
 TEST_P(McapPeers, ReadWhatWeWrite) {
   write_file();
-  const structure::ShellResult result = validate();
+  const structure::ShellResult result = run_script("validate.mjs");
   ASSERT_EQ(result.exit_code, 0) << result.output;
   const json report = json::parse(result.output);
   EXPECT_EQ(report.at("messages"), 11);
@@ -96,9 +105,42 @@ TEST_P(McapPeers, NoticeAWrongBit) {
   file.seekp(static_cast<std::streamoff>(fs::file_size(path()) / 4));
   file.put('\x55');
   file.close();
-  const structure::ShellResult result = validate();
+  const structure::ShellResult result = run_script("validate.mjs");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output, HasSubstr("run.mcap: "));
+}
+
+/// What a file holds, in one text.
+std::string text_of_file(const fs::path& path) {
+  McapReader reader(path);
+  std::string text = reader.header().library + ":";
+  while (const auto record = reader.next()) {
+    if (const auto* message = std::get_if<Message>(&*record)) {
+      text += " " + message->channel->info.topic + " " + message->channel->schema->name + " " +
+              std::to_string(message->sequence) + " " + std::to_string(message->log_time_ns) + " " +
+              std::string(message->data.begin(), message->data.end());
+    } else if (const auto* attachment = std::get_if<Attachment>(&*record)) {
+      text += " " + attachment->name + " " +
+              std::string(attachment->data.begin(), attachment->data.end());
+    } else {
+      text += " " + std::get<Metadata>(*record).entries.at("seed");
+    }
+  }
+  return text;
+}
+
+TEST_F(McapPeersTest, AreReadByUs) {
+  std::string expected = "a peer: config.toml a = 1 7";
+  for (int i = 0; i < 20; ++i) {
+    const std::string number = std::to_string(i);
+    expected +=
+        " /log std_msgs/msg/String " + number + " " + std::to_string(1000 * i) + " line " + number;
+  }
+  for (const std::string form : {"chunked", "loose"}) {
+    const structure::ShellResult result = run_script("write.mjs", form);
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+    EXPECT_EQ(text_of_file(path()), expected) << form;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Compressions,
