@@ -169,7 +169,8 @@ void McapWriter::close_chunk() {
   chunk_ = ChunkBuilder();
 }
 
-/// A chunk without messages would have no times, of which readers take the file's from.
+/// Outside of a chunk: one without messages has no times, and readers take the times of the file
+/// from those of its chunks.
 void McapWriter::append_unused_definitions() {
   const Bytes& records = chunk_.records();
   output_.pending().insert(output_.pending().end(), records.begin(), records.end());

@@ -15,12 +15,12 @@
 
 namespace echomap::mcap {
 
-/// When a chunk goes out, and how it is compressed.
+/// Settings of a writer: when it writes a chunk, and how it compresses it.
 struct McapWriterParams {
-  /// Uncompressed bytes of a chunk, from which on it goes out; 1 .. 67108864.
+  /// A chunk is written as soon as it has so many uncompressed bytes; 1 .. 67108864.
   std::size_t chunk_bytes = 1U << 20U;
-  /// Log time from the first message of a chunk to the one that begins the next, nanoseconds, at
-  /// least 1: what a program that is killed loses at most.
+  /// A chunk is written when a message comes that is logged so much later than the chunk's first,
+  /// nanoseconds, at least 1. A program that is killed loses at most this much.
   std::uint64_t chunk_duration_ns = 4'000'000'000;
   Compression compression = Compression::kZstd;
   int compression_level = 3;  ///< Of zstd, 1 .. 19; 3 is zstd's own default.
@@ -33,12 +33,13 @@ struct McapWriterParams {
 /// Each flush is with the operating system when it returns: a program that is killed loses nothing
 /// that was flushed (a power cut may), and the file that it leaves is readable from its beginning.
 ///
-/// Functions that write to the disk throw files::FileError with the file and the reason. They have
-/// then accepted what they were given, the file ends at the last whole chunk, and every later flush
-/// tries again to write what is missing.
+/// Functions that write to the disk throw files::FileError with the file and the reason. What they
+/// were given is then not lost: it stays in memory, the file ends at the last whole chunk, and
+/// every later flush tries again to write what is missing.
 class McapWriter {
  public:
-  /// Throws std::invalid_argument where a parameter is outside of its range.
+  /// Throws std::invalid_argument with the field, its value and its range where a parameter is
+  /// invalid.
   explicit McapWriter(const HeaderInfo& header, const McapWriterParams& params = {});
   /// Ends the file, without an exception where that fails.
   ~McapWriter();
@@ -49,8 +50,8 @@ class McapWriter {
   /// created, another path may be opened.
   void open(const std::filesystem::path& path);
 
-  /// Both return the identifier that the file has for it. `add_channel` throws
-  /// std::invalid_argument where the channel's schema is unknown.
+  /// Both define something for the messages that follow, and return its identifier in the file.
+  /// `add_channel` throws std::invalid_argument where the channel's schema is unknown.
   std::uint16_t add_schema(const Schema& schema);
   std::uint16_t add_channel(const ChannelInfo& channel);
   /// Adds a message; its sequence number counts the messages of its channel from 0. Throws
@@ -59,8 +60,8 @@ class McapWriter {
              std::uint64_t log_time_ns,
              std::uint64_t publish_time_ns,
              std::span<const std::uint8_t> data);
-  /// Both are written at once, before the chunk that is being collected. They throw
-  /// std::invalid_argument for more than 255 MiB.
+  /// Both are written at once, so that they come before the messages that are still collected. They
+  /// throw std::invalid_argument for more than 255 MiB.
   void attach(const Attachment& attachment);
   void add_metadata(const Metadata& metadata);
 

@@ -86,6 +86,17 @@ TEST_F(McapWriterTest, WritesTheSameBytesHoweverLateTheFileIsOpened) {
   EXPECT_EQ(writer.bytes_written(), first.size());
 }
 
+TEST_F(McapWriterTest, WritesAllThatCameBeforeTheFileWhenItIsOpened) {
+  McapWriter writer({"ros2", ""});
+  const std::uint16_t channel = writer.add_channel({"/log", 0, "", {}});
+  writer.write(channel, 1, 1, bytes_of("before"));
+  writer.open(path());
+  EXPECT_THAT(read_out(path()).lines, ElementsAre("/log 0 1 1 before"));
+  writer.write(channel, 2, 2, bytes_of("after"));
+  writer.finish();
+  EXPECT_THAT(read_out(path()).lines, ElementsAre("/log 0 1 1 before", "/log 1 2 2 after"));
+}
+
 TEST_F(McapWriterTest, LeavesNoFileWhereNoneWasOpened) {
   {
     McapWriter writer({"ros2", ""});
