@@ -2,7 +2,6 @@
 #include "host/mcap/mcap_writer.hpp"
 
 #include <array>
-#include <csignal>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -10,11 +9,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include "host/files/atomic_file.hpp"
 #include "tests/host/mcap/small_file.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
 
@@ -34,27 +33,6 @@ class McapWriterTest : public testing::Test {
 
  private:
   tests::ScratchFolder folder_;
-};
-
-/// Files of this process cannot become longer than this while it lives: writes then fail as those
-/// to a full disk do, but with "File too large".
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limited{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limited);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
 };
 
 TEST_F(McapWriterTest, WritesWhatAReaderReads) {
@@ -208,7 +186,7 @@ TEST_F(McapWriterTest, LeavesTheFileReadableWhereTheDiskIsFull) {
   const std::uint64_t good_bytes = writer.bytes_written();
   writer.write(channel, 2, 2, bytes_of("while it is full"));
   {
-    const FileSizeLimit limit(good_bytes + 40);
+    const tests::FileSizeLimit limit(good_bytes + 40);
     EXPECT_THAT(tests::thrown_text<files::FileError>([&] { writer.flush(); }),
                 HasSubstr("run.mcap: File too large"));
     EXPECT_EQ(fs::file_size(path()), good_bytes);
@@ -233,7 +211,7 @@ TEST_F(McapWriterTest, AcceptsTheMessageWhoseChunkCannotBeWritten) {
   writer.open(path());
   const std::uint16_t channel = writer.add_channel({"/log", 0, "", {}});
   {
-    const FileSizeLimit limit(writer.bytes_written());
+    const tests::FileSizeLimit limit(writer.bytes_written());
     EXPECT_THROW(writer.write(channel, 1, 1, bytes_of("kept")), files::FileError);
     EXPECT_THROW(writer.attach({0, 0, "a", "", {}}), files::FileError);
     EXPECT_THROW(writer.add_metadata({"m", {}}), files::FileError);
@@ -244,7 +222,7 @@ TEST_F(McapWriterTest, AcceptsTheMessageWhoseChunkCannotBeWritten) {
 }
 
 TEST_F(McapWriterTest, DiesQuietlyWhereTheDiskIsFull) {
-  const FileSizeLimit limit(60);
+  const tests::FileSizeLimit limit(60);
   McapWriter writer({"ros2", ""});
   writer.open(path());
   writer.write(writer.add_channel({"/log", 0, "", {}}), 1, 1, bytes_of("lost"));

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "host/recording/session_reader.hpp"
+#include "host/session/robot_profile.hpp"
+#include "host/session/session_player.hpp"
+
+namespace echomap::apps {
+
+/// The recording of a run: that in its run directory, or the file itself. Empty where the path is
+/// no such directory and no recording of echomap. Throws files::FileError where a file cannot be
+/// read.
+std::optional<std::filesystem::path> recording_of(const std::filesystem::path& path);
+
+/// The profile of the robot that drove, as the recording has it. Throws files::FileError where it
+/// has none, and files::ConfigError.
+session::RobotProfile profile_of(const recording::SessionReader& recording);
+
+/// Which part of a recording is played, and how fast. Seconds count from its first message.
+struct PlayedPart {
+  double from_s = 0.0;
+  double until_s = std::numeric_limits<double>::infinity();
+  /// Seconds of the recording a second; empty: as fast as it goes.
+  std::optional<double> speed{};
+};
+
+/// How a recording was played.
+struct Played {
+  std::size_t observations = 0;
+  double duration_s = 0.0;  ///< From the first message to the last that was played.
+  std::string damage;       ///< What ended it early; empty where nothing did.
+};
+
+/// Plays that part of a recording; calls `on_stop` at the end of every scan. Where the file is
+/// damaged, what comes before is played; where it was cut off, as by a power cut, that is warned of
+/// and no damage. Throws CommandError at an interrupt.
+Played play(
+    recording::SessionReader& recording,
+    const session::RobotProfile& profile,
+    const session::PlayedInto& into,
+    const PlayedPart& part = {},
+    const std::function<void()>& on_stop = [] {});
+
+}  // namespace echomap::apps
