@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/apps/recorded_run.hpp"
 #include "host/console/exit_code.hpp"
 #include "host/localization/localizer_preset.hpp"
 #include "host/session/open_robot.hpp"
@@ -31,6 +32,8 @@ struct RunOptions {
   bool force = false;          ///< Overwrite a run that `out` has in it.
   bool headless = false;
   bool align = true;  ///< Turn the pictures to the room's main direction.
+  /// Megabytes at which the recording goes on in another file; 0: never.
+  std::uint64_t split_mb = 0;
 };
 
 /// `echomap explore`: drives the robot on a port.
@@ -69,6 +72,8 @@ struct ReplayOptions {
   std::string poses = "odometry";  ///< Or "given".
   std::string slam;                ///< A way of slam::slam_methods(); empty: by `poses`.
   double resolution_m = 0.05;
+  PlayedPart part;    ///< Of a recording.
+  bool step = false;  ///< Wait for Enter after each stop of a recording.
   bool align = true;  ///< Turn the pictures to the room's main direction.
   std::filesystem::path out;
   std::filesystem::path json;

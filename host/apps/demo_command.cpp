@@ -13,6 +13,7 @@
 #include "host/apps/explore_run.hpp"
 #include "host/apps/kidnap_report.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/run_recording.hpp"
 #include "host/console/print.hpp"
 #include "host/console/shell_line.hpp"
 #include "host/evaluation/run_score.hpp"
@@ -93,11 +94,15 @@ DemoDrive drive(RobotContext& robot,
                 const std::filesystem::path& out,
                 exports::RunSummary& summary) {
   const NextCommands next = next_commands(options, out);
-  DemoDrive drive{
-      explore_and_save(robot,
-                       {options.run.strategy, out, !options.run.headless, options.run.align, next},
-                       summary),
-      std::nullopt};
+  DemoDrive drive{explore_and_save(robot,
+                                   {options.run.strategy,
+                                    out,
+                                    !options.run.headless,
+                                    options.run.align,
+                                    split_bytes(options.run),
+                                    next},
+                                   summary),
+                  std::nullopt};
   if (!drive.ending.finished() || options.no_kidnap || !robot.profile().has_sonar) {
     return drive;
   }
@@ -136,6 +141,7 @@ RunEnding report_on(const DemoDrive& drive,
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
   report.update(scores);
   write_report(out / "summary.json", report);
+  end_recording(robot, report, out);
   write_report(json, report);
   return ending;
 }

@@ -6,6 +6,7 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/explore_run.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/run_recording.hpp"
 #include "host/console/print.hpp"
 #include "host/console/shell_line.hpp"
 
@@ -41,18 +42,20 @@ NextCommands next_commands(const ExploreOptions& options, const std::string& out
 ExitCode run_explore(const ExploreOptions& options) {
   const RunOptions& run = options.run;
   session::RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
-  ExploreRun explore{run.strategy, run_folder(run.out), !run.headless, run.align};
+  ExploreRun explore{run.strategy, run_folder(run.out), !run.headless, run.align, split_bytes(run)};
   explore.next = next_commands(options, explore.out.string());
   exports::RunSummary summary;
   begin_maps(robot, options.fixes, run.slam);
-  explore.resumed = resume_run(options.resume, robot.profile(), robot.sessions(), robot.atlas());
+  explore.resumed = resume_run(options.resume, robot);
   prepare_outputs(explore.out, run.json, run.force || is_same_folder(options.resume, explore.out));
   open_port(robot, options.connection, run.strategy, summary);
 
   const RunEnding ending = explore_and_save(robot, explore, summary);
   robot.quit();
   console::print("map: " + (explore.out / "map.png").string());
-  write_report(run.json, nlohmann::ordered_json::parse(exports::to_json_text(summary)));
+  const auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
+  end_recording(robot, report, explore.out);
+  write_report(run.json, report);
   print_ending(ending);
   return ending.code;
 }

@@ -199,6 +199,7 @@ std::optional<FinishReason> connect_and_drive(RobotContext& robot,
   RobotSession& session = robot.session();
   session.look_around_on_the_way(robot.atlas().pipeline().slam() != nullptr);
   robot.connect();
+  writer.begin();
   const auto reason = drive(robot, explorer, writer);
   session.end_scan();
   session.look_around_on_the_way(false);
@@ -266,7 +267,7 @@ RobotProfile profile_for(const std::string& robot, const StrategyOptions& strate
 
 void begin_maps(RobotContext& robot, const std::string& fixes, const std::string& slam) {
   robot.begin_maps(fixes.empty() ? slam : session::kNoSlam);
-  robot.follow(tracking::camera_at(fixes, robot.profile(), robot.atlas()));
+  robot.follow(tracking::camera_at(fixes, robot.profile(), robot.atlas(), robot.fork()));
 }
 
 void open_port(RobotContext& robot,

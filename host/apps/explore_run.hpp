@@ -19,7 +19,8 @@ struct ExploreRun {
   const strategies::StrategyOptions& strategy;
   std::filesystem::path out;
   bool shows_progress = true;
-  bool align = true;  ///< Turn the pictures to the room's main direction.
+  bool align = true;              ///< Turn the pictures to the room's main direction.
+  std::uint64_t split_bytes = 0;  ///< At which the recording goes on in another file; 0: never.
   NextCommands next{};
   std::optional<ResumedRun> resumed{};  ///< What the maps already know.
 };

@@ -9,10 +9,9 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/localize_run.hpp"
 #include "host/apps/map_file.hpp"
+#include "host/apps/recorded_run.hpp"
 #include "host/apps/report.hpp"
-#include "host/apps/resumed_run.hpp"
 #include "host/apps/run_ending.hpp"
-#include "host/apps/saved_map.hpp"
 #include "host/apps/whole_records.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
@@ -86,39 +85,34 @@ bool play(datasets::LogReader& log,
   return false;
 }
 
-/// A run is played as its robot reported it, unless the log's format is asked for.
-bool plays_record(const LocalizeOptions& options) {
-  return options.format.empty() && is_recorded_run(options.log);
+/// How a log was played: "finished", "interrupted" or "log-damaged", and by what.
+struct Outcome {
+  std::string name;
+  std::string damage{};
+};
+
+/// Plays what a run has recorded.
+Outcome play(recording::SessionReader& recording,
+             const session::RobotProfile& profile,
+             pipeline::RobotLocalizer& localizer) {
+  ReportingSink sink(localizer);
+  pipeline::JoinedSessions sessions(sink);
+  const Played played = apps::play(recording, profile, {sessions, sink});
+  return {played.damage.empty() ? "finished" : "log-damaged", played.damage};
 }
 
-/// Plays what a run has recorded, or else a log; answers whether it ended. Throws files::FileError
-/// where it is damaged.
-bool play(const LocalizeOptions& options, pipeline::RobotLocalizer& localizer) {
-  if (plays_record(options)) {
-    ReportingSink sink(localizer);
-    play_record(options.log / kRecordName, sink);
-    return true;
-  }
-  const auto log = datasets::open_log(options.log, options.format);
+/// Plays the log of another robot.
+Outcome play(const LocalizeOptions& options, pipeline::RobotLocalizer& localizer) {
   console::ProgressBar progress(stderr, !options.run.headless);
-  const bool has_ended = play(*log, localizer, progress);
-  progress.clear();
-  return has_ended;
-}
-
-pipeline::RobotLocalizer localizer_for(const LocalizeOptions& options) {
-  const auto random = session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer);
-  if (plays_record(options)) {
-    const session::RobotProfile profile =
-        session::load_robot_profile((options.log / kProfileName).string());
-    return {read_map(options.map),
-            profile.geometry,
-            tracking::localizer_params(profile, options.preset),
-            random};
+  try {
+    const auto log = datasets::open_log(options.log, options.format);
+    const bool has_ended = play(*log, localizer, progress);
+    progress.clear();
+    return {has_ended ? "finished" : "interrupted"};
+  } catch (const files::FileError& error) {
+    progress.clear();
+    return {"log-damaged", error.what()};
   }
-  pipeline::RobotLocalizerParams params;
-  params.preset = options.preset;
-  return {read_map(options.map), {}, params, random};
 }
 
 RunEnding ending_of_log(const LocalizeOptions& options,
@@ -147,28 +141,21 @@ nlohmann::ordered_json log_report(const LocalizeOptions& options,
   return json;
 }
 
-ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::path& out) {
-  pipeline::RobotLocalizer localizer = localizer_for(options);
-  if (const auto start = tracking::start_pose(options.at)) {
-    localizer.start_at(start->T_map_robot, start->stddev_m, start->stddev_rad);
-  }
-  std::string outcome = "log-damaged";
-  std::string damage;
-  try {
-    outcome = play(options, localizer) ? "finished" : "interrupted";
-  } catch (const files::FileError& error) {
-    damage = error.what();
-  }
+ExitCode report_on(const LocalizeOptions& options,
+                   const std::filesystem::path& out,
+                   const Outcome& outcome,
+                   const pipeline::RobotLocalizer& localizer) {
   if (localizer.scans() == 0 || localizer.belief().hypotheses.empty()) {
-    throw CommandError(
-        ExitCode::kRuntimeError,
-        damage.empty() ? tracking::why_nowhere(localizer, options.log, options.map) : damage);
+    throw CommandError(ExitCode::kRuntimeError,
+                       outcome.damage.empty()
+                           ? tracking::why_nowhere(localizer, options.log, options.map)
+                           : outcome.damage);
   }
   for (const std::string& trouble : tracking::troubles_of(localizer)) {
     spdlog::warn("{}", trouble);
   }
   exports::write_trajectory_tum(out / "trajectory.tum", localizer.trajectory());
-  const RunEnding ending = ending_of_log(options, outcome, damage, localizer);
+  const RunEnding ending = ending_of_log(options, outcome.name, outcome.damage, localizer);
   const auto report = log_report(options, ending, localizer);
   write_report(out / "summary.json", report);
   write_report(options.run.json, report);
@@ -177,6 +164,44 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
   console::print("trajectory: " + (out / "trajectory.tum").string());
   print_ending(ending, "the trajectory up to there");
   return ending.code;
+}
+
+void start(const LocalizeOptions& options, pipeline::RobotLocalizer& localizer) {
+  if (const auto start = tracking::start_pose(options.at)) {
+    localizer.start_at(start->T_map_robot, start->stddev_m, start->stddev_rad);
+  }
+}
+
+/// A run is played as its robot reported it, unless the log's format is asked for.
+ExitCode localize_recording(const LocalizeOptions& options,
+                            const std::filesystem::path& file,
+                            const std::filesystem::path& out) {
+  recording::SessionReader recording(file);
+  const session::RobotProfile profile = profile_of(recording);
+  pipeline::RobotLocalizer localizer(
+      read_map(options.map),
+      profile.geometry,
+      tracking::localizer_params(profile, options.preset),
+      session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer));
+  start(options, localizer);
+  return report_on(options, out, play(recording, profile, localizer), localizer);
+}
+
+ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::path& out) {
+  const auto recording =
+      options.format.empty() ? recording_of(options.log) : std::optional<std::filesystem::path>();
+  if (recording) {
+    return localize_recording(options, *recording, out);
+  }
+  pipeline::RobotLocalizerParams params;
+  params.preset = options.preset;
+  pipeline::RobotLocalizer localizer(
+      read_map(options.map),
+      {},
+      params,
+      session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer));
+  start(options, localizer);
+  return report_on(options, out, play(options, localizer), localizer);
 }
 
 }  // namespace

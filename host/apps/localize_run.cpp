@@ -14,6 +14,8 @@
 #include "host/apps/map_file.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_ending.hpp"
+#include "host/apps/run_recording.hpp"
+#include "host/apps/saved_map.hpp"
 #include "host/console/print.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/preset_names.hpp"
@@ -173,11 +175,17 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
     account.describe(context.lockstep()->device());
   }
   context.connect();
+  exports::RunSummary facts;
+  facts.slam = run.slam;
+  facts.strategy = "localize";
+  move_earlier_run_aside(out);
+  begin_recording(context, facts, out, split_bytes(run));
   drive(context, robot, run.strategy.stops.value_or(kUsualStops), account);
   context.session().disarm();
   account.describe(context.diagnosis());
   const RunEnding ending = ending_of_drive(context, robot, words_of(options));
   account.save(ending, robot, out);
+  end_recording(context, account.json(), out);
   write_report(run.json, account.json());
   context.quit();
   console::print(fmt::format("{} stops: {}", account.stops(), filter.line()));

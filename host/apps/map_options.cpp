@@ -30,6 +30,23 @@ void add_renamed_option(CLI::App& command, const std::string& old_name, const st
       ->group("");
 }
 
+void add_played_part(CLI::App& command, ReplayOptions& options) {
+  command
+      .add_option("--from",
+                  options.part.from_s,
+                  "Seconds of a recording to leave out: the map begins where the robot is then")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--until", options.part.until_s, "Second of a recording at which to stop")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--speed",
+                  options.part.speed,
+                  "Seconds of a recording a second; by default as fast as possible")
+      ->check(CLI::PositiveNumber);
+  command.add_flag(
+      "--step", options.step, "Wait for Enter after each stop of a recording, and say where it is");
+}
+
 std::vector<std::string> slam_names() {
   std::vector<std::string> names;
   for (const slam::NamedSlam& method : slam::slam_methods()) {
@@ -163,8 +180,11 @@ void add_replay(CLI::App& app, CommandAction& action) {
   command->add_option("--resolution", options->resolution_m, "Edge of a cell in metres")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
+  add_played_part(*command, *options);
   add_align_option(*command, options->align);
-  command->footer("Example: echomap replay aces.log.gz --slam scan --out aces");
+  command->footer(
+      "Example: echomap replay aces.log.gz --slam scan --out aces\n"
+      "         echomap replay first_map/session.mcap --until 60 --out first_minute");
   command->callback([&action, options] { action = [options] { return run_replay(*options); }; });
 }
 

@@ -10,7 +10,6 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/replay_run.hpp"
 #include "host/apps/report.hpp"
-#include "host/apps/resumed_run.hpp"
 #include "host/apps/run_ending.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/apps/whole_records.hpp"
@@ -210,7 +209,7 @@ void print_what_was_made(const exports::RunSummary& summary,
 void refuse_to_overwrite(const std::filesystem::path& log, const std::filesystem::path& out) {
   const auto folder =
       std::filesystem::is_directory(log) ? log : std::filesystem::absolute(log).parent_path();
-  if (is_recorded_run(folder) && std::filesystem::exists(out) &&
+  if (recording_of(folder) && std::filesystem::exists(out) &&
       std::filesystem::equivalent(folder, out)) {
     throw CommandError(ExitCode::kUsage,
                        fmt::format("the map of its echoes would overwrite the run {}\n  next: name "
@@ -258,7 +257,7 @@ ExitCode replay_log(const ReplayOptions& options) {
 }  // namespace
 
 ExitCode run_replay(const ReplayOptions& options) {
-  return plays_observations(options) ? replay_run(options) : replay_log(options);
+  return plays_recording(options) ? replay_run(options) : replay_log(options);
 }
 
 }  // namespace echomap::apps

@@ -2,6 +2,8 @@
 #include "host/apps/replay_run.hpp"
 
 #include <chrono>
+#include <cmath>
+#include <iostream>
 #include <optional>
 #include <string>
 
@@ -9,14 +11,15 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include "host/apps/recorded_run.hpp"
 #include "host/apps/report.hpp"
-#include "host/apps/resumed_run.hpp"
 #include "host/apps/run_ending.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/console/print.hpp"
 #include "host/exports/geojson.hpp"
-#include "host/exports/observations_file.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/geometry/angle.hpp"
+#include "host/recording/session_file.hpp"
 #include "host/session/pipeline_setup.hpp"
 #include "host/slam/slam_methods.hpp"
 
@@ -26,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// Why the observations of a run are not played; empty where they are.
+/// Why a recording is not played; empty where it is.
 std::string reason_against(const ReplayOptions& options) {
   const ReplayOptions usual;
   if (!options.format.empty()) {
@@ -39,16 +42,11 @@ std::string reason_against(const ReplayOptions& options) {
   if (!options.slam.empty() && !slam::slam_by_name(options.slam).takes_cones) {
     return "--slam " + options.slam + " is for lasers";
   }
-  for (const char* needed : {kRecordName, kProfileName}) {
-    if (!exists(options.log / needed)) {
-      return fmt::format("the run has no {}", needed);
-    }
-  }
   return "";
 }
 
-/// The summary of a run, and what of it the replay needs.
-struct PlayedSummary {
+/// The report of a run, and what of it the replay needs.
+struct RunReport {
   ordered_json json;
   std::string slam;
   std::string world;
@@ -56,26 +54,51 @@ struct PlayedSummary {
   bool outline_by_strategy = false;
 };
 
-PlayedSummary read_summary(const fs::path& path) {
-  PlayedSummary summary;
-  summary.json = ordered_json::parse(files::read_text_file(path), nullptr, false);
-  try {
-    summary.json.at("slam").get_to(summary.slam);
-    summary.json.at("outline_by_strategy").get_to(summary.outline_by_strategy);
-    summary.world = summary.json.value("world", "");
-    summary.robot = summary.json.value("robot", "");
-  } catch (const nlohmann::json::exception&) {
-    throw files::FileError(path.string() +
-                           ": not the summary of a run, slam or outline_by_strategy is missing");
+/// Of a run that was killed before its first stop there is only what it had set out to do.
+ordered_json report_of_begin(const recording::SessionReader& recording) {
+  ordered_json json{{"outcome", "exploring"}, {"finished", false}, {"outline_by_strategy", false}};
+  for (const char* key : {"strategy", "robot", "slam", "world", "firmware", "emulator"}) {
+    json[key] = recording.fact("session", key);
   }
-  return summary;
+  return json;
+}
+
+/// A file of the run: the one in its directory or, where only the recording is there, the one
+/// attached to it. Empty where there is neither.
+std::optional<std::string> file_of_run(const fs::path& log,
+                                       const char* name,
+                                       const recording::SessionReader& recording) {
+  const bool is_beside = fs::is_directory(log) && exists(log / name);
+  return is_beside ? std::optional(files::read_text_file(log / name)) : recording.attachment(name);
+}
+
+RunReport read_report(const fs::path& log, const recording::SessionReader& recording) {
+  RunReport report;
+  const auto text = file_of_run(log, "summary.json", recording);
+  report.json = text ? ordered_json::parse(*text, nullptr, false) : report_of_begin(recording);
+  try {
+    report.json.at("slam").get_to(report.slam);
+    report.json.at("outline_by_strategy").get_to(report.outline_by_strategy);
+    report.world = report.json.value("world", "");
+    report.robot = report.json.value("robot", "");
+  } catch (const nlohmann::json::exception&) {
+    throw files::FileError(
+        log.string() +
+        "/summary.json: not the summary of a run, slam or outline_by_strategy is "
+        "missing");
+  }
+  return report;
 }
 
 /// What a strategy has drawn itself is not in the observations.
-geometry::Polygon outline_of(const fs::path& run, const PlayedSummary& summary) {
-  const auto outline = summary.outline_by_strategy
-                           ? exports::read_outline_geojson(run / "outline.geojson")
-                           : std::nullopt;
+geometry::Polygon outline_of(const fs::path& log,
+                             const RunReport& report,
+                             const recording::SessionReader& recording) {
+  const auto text =
+      report.outline_by_strategy ? file_of_run(log, "outline.geojson", recording) : std::nullopt;
+  const auto outline =
+      text ? exports::parse_outline_geojson(*text, log.string() + "/outline.geojson")
+           : std::nullopt;
   return outline ? outline->outline_m() : geometry::Polygon{};
 }
 
@@ -109,69 +132,64 @@ void save_summary(const fs::path& folder,
   write_report(folder / "summary.json", run);
 }
 
+/// A map that was made of a recording, and of what.
 struct PlayedMap {
-  const pipeline::ObservationLog& record;
   const pipeline::RobotPipeline& pipeline;
-  std::string slam;
-  std::string damage;  ///< Of the record; empty where it is whole.
+  const session::RobotProfile& profile;
+  const RunReport& report;
+  ordered_json replay;  ///< The entry of the replay in the report.
+  geometry::Polygon outline_m{};
+  std::string slam{};
+  std::string damage{};  ///< Of the recording; empty where it is whole.
   bool align = true;
 };
 
-void save_played(const PlayedMap& map,
-                 const session::RobotProfile& profile,
-                 const fs::path& run,
-                 const fs::path& out) {
-  const PlayedSummary summary = read_summary(run / "summary.json");
+void save_played(const PlayedMap& map, const fs::path& out) {
   exports::RunSummary made;
   made.slam = map.slam;
-  made.world = summary.world;
-  made.robot = summary.robot;
-  const auto coverage = coverage_of(map.pipeline.snapshot(), profile);
-  if (coverage && !summary.json.value("coverage", ordered_json()).is_null()) {
+  made.world = map.report.world;
+  made.robot = map.report.robot;
+  const auto coverage = coverage_of(map.pipeline.snapshot(), map.profile);
+  if (coverage && !map.report.json.value("coverage", ordered_json()).is_null()) {
     made.coverage = summary_of(*coverage);
     describe_walls(wall_error_of(map.pipeline), made);
   }
   fs::create_directories(out);
-  exports::ObservationsFile(out / kRecordName).save(map.record, false);
-  save_map(map.pipeline,
-           profile,
-           out,
-           made,
-           {.outline_m = outline_of(run, summary), .align = map.align});
-  save_summary(out,
-               summary.json,
-               made,
-               {{"log", run.filename().string()},
-                {"map", "grid"},
-                {"poses", map.slam},
-                {"observations", map.record.observations()}},
-               map.damage);
+  save_map(map.pipeline, map.profile, out, made, {.outline_m = map.outline_m, .align = map.align});
+  save_summary(out, map.report.json, made, map.replay, map.damage);
 }
 
-/// Answers what is wrong with those that cannot be saved; empty where all are.
-std::string save_previous_maps(const pipeline::RobotAtlas& atlas,
-                               const std::string& slam,
-                               const session::RobotProfile& profile,
-                               const ReplayOptions& options,
-                               const fs::path& out) {
-  std::string damage;
+/// Each beside the map, as the run has written them.
+void save_previous_maps(const pipeline::RobotAtlas& atlas, PlayedMap map, const fs::path& out) {
+  RunReport set_aside = map.report;
+  set_aside.json["outcome"] = "set-aside";
+  set_aside.json["coverage"] = nullptr;
   for (std::size_t i = 0; i < atlas.previous_maps().size(); ++i) {
-    const pipeline::PreviousMap& previous = atlas.previous_maps()[i];
-    try {
-      save_played({previous.record, previous.pipeline, slam, "", options.align},
-                  profile,
-                  stored_previous_map(options.log, i + 1),
-                  previous_map_of(out, i + 1));
-    } catch (const files::FileError& error) {
-      damage += (damage.empty() ? "" : "\n") + std::string(error.what());
-    }
+    save_played({atlas.previous_maps()[i].pipeline,
+                 map.profile,
+                 set_aside,
+                 map.replay,
+                 {},
+                 map.slam,
+                 map.damage,
+                 map.align},
+                previous_map_of(out, i + 1));
   }
-  return damage;
+}
+
+/// The run directory holds the recording, too.
+void copy_recording(const fs::path& from, const fs::path& out) {
+  const fs::path to = out / recording::kSessionFileName;
+  for (std::size_t part = 0; exists(recording::part_of(from, part)); ++part) {
+    fs::copy_file(recording::part_of(from, part), recording::part_of(to, part));
+  }
 }
 
 /// The run's, or the one that is asked for.
-std::string slam_of(const ReplayOptions& options, const session::RobotProfile& profile) {
-  std::string slam = read_summary(options.log / "summary.json").slam;
+std::string slam_of(const ReplayOptions& options,
+                    const session::RobotProfile& profile,
+                    const recording::SessionReader& recording) {
+  const std::string slam = recording.fact("session", "slam");
   if (options.slam.empty() || options.slam == slam || !profile.has_sonar) {
     return slam;
   }
@@ -179,10 +197,74 @@ std::string slam_of(const ReplayOptions& options, const session::RobotProfile& p
   return options.slam;
 }
 
+/// Says where the replay is after a stop; with --step, waits for Enter.
+class StopReporter {
+ public:
+  StopReporter(const recording::SessionReader& recording,
+               const pipeline::RobotAtlas& atlas,
+               bool waits)
+      : recording_(recording), atlas_(atlas), waits_(waits) {}
+
+  void report() {
+    if (!waits_) {
+      return;
+    }
+    exports::RunSummary summary;
+    const pipeline::Snapshot snapshot = atlas_.pipeline().snapshot();
+    exports::describe_snapshot(snapshot, summary);
+    const geometry::Pose2& pose = snapshot.latest.T_map_robot;
+    console::print(
+        fmt::format("{:.1f} s: stop {} at x {:.2f} m, y {:.2f} m, {:.0f} degrees; {:.1f} m2 of "
+                    "floor. Enter plays to the next",
+                    recording_.elapsed_s(),
+                    summary.stops,
+                    pose.x_m(),
+                    pose.y_m(),
+                    geometry::degrees(pose.heading_rad()),
+                    summary.free_area_m2));
+    std::string line;
+    waits_ = static_cast<bool>(std::getline(std::cin, line));
+  }
+
+ private:
+  const recording::SessionReader& recording_;
+  const pipeline::RobotAtlas& atlas_;
+  bool waits_;
+};
+
+/// The entry of the report that says what was played.
+ordered_json replay_entry(const ReplayOptions& options,
+                          const std::string& slam,
+                          const Played& played) {
+  ordered_json entry{{"log", options.log.filename().string()},
+                     {"map", "grid"},
+                     {"poses", slam},
+                     {"observations", played.observations}};
+  if (options.part.from_s > 0.0) {
+    entry["from_s"] = options.part.from_s;
+  }
+  if (std::isfinite(options.part.until_s)) {
+    entry["until_s"] = options.part.until_s;
+  }
+  return entry;
+}
+
+/// Where a run is replayed into itself, damage leaves it as it is.
+void throw_if_it_would_overwrite(const Played& played,
+                                 const fs::path& recording,
+                                 const fs::path& out) {
+  const fs::path own = out / recording::kSessionFileName;
+  if (!played.damage.empty() && exists(own) && fs::equivalent(recording, own)) {
+    throw console::CommandError(
+        console::ExitCode::kRuntimeError,
+        played.damage + "; the run is left as it is\n  next: name another folder with --out");
+  }
+}
+
 }  // namespace
 
-bool plays_observations(const ReplayOptions& options) {
-  if (!fs::is_directory(options.log)) {
+bool plays_recording(const ReplayOptions& options) {
+  if (!recording_of(options.log)) {
     return false;
   }
   const std::string reason = reason_against(options);
@@ -195,42 +277,48 @@ bool plays_observations(const ReplayOptions& options) {
 
 console::ExitCode replay_run(const ReplayOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const session::RobotProfile profile =
-      session::load_robot_profile((options.log / kProfileName).string());
-  const std::string slam = slam_of(options, profile);
+  const fs::path file = recording_of(options.log).value_or(options.log);
+  recording::SessionReader recording(file);
+  const session::RobotProfile profile = profile_of(recording);
+  const std::string slam = slam_of(options, profile, recording);
   pipeline::RobotAtlas atlas = session::atlas_for(profile, slam);
-  std::string damage;
-  try {
-    play_run(options.log, atlas, atlas);
-  } catch (const files::FileError& error) {
-    damage = error.what();
-  }
-  if (damage.empty() && atlas.record().observations() == 0) {
+  pipeline::JoinedSessions sessions(atlas);
+  StopReporter stops(recording, atlas, options.step);
+  const Played played =
+      play(recording, profile, {sessions, atlas, &atlas}, options.part, [&] { stops.report(); });
+  if (played.damage.empty() && atlas.record().observations() == 0) {
     throw console::CommandError(
         console::ExitCode::kRuntimeError,
-        (options.log / kRecordName).string() +
-            " is empty: the run has recorded nothing\n  next: name another run");
+        file.string() + " is empty: the run has recorded nothing\n  next: name another run");
   }
+  const RunReport report = read_report(options.log, recording);
   const auto out = run_folder(options.out);
-  if (!damage.empty() && fs::exists(out) && fs::equivalent(options.log, out)) {
-    spdlog::error("{}; the run is left as it is\n  next: name another folder with --out", damage);
-    return console::ExitCode::kRuntimeError;
-  }
+  throw_if_it_would_overwrite(played, file, out);
   prepare_outputs(out, options.json, options.force);
-  if (!fs::equivalent(options.log, out)) {
+  const fs::path own = out / recording::kSessionFileName;
+  if (!exists(own) || !fs::equivalent(file, own)) {
     move_earlier_run_aside(out);
+    copy_recording(file, out);
   }
-  const std::string unsaved = save_previous_maps(atlas, slam, profile, options, out);
-  damage += (damage.empty() || unsaved.empty() ? "" : "\n") + unsaved;
-  save_played(
-      {atlas.record(), atlas.pipeline(), slam, damage, options.align}, profile, options.log, out);
+  const PlayedMap map{atlas.pipeline(),
+                      profile,
+                      report,
+                      replay_entry(options, slam, played),
+                      outline_of(options.log, report, recording),
+                      slam,
+                      played.damage,
+                      options.align};
+  save_previous_maps(atlas, map, out);
+  save_played(map, out);
   write_report(options.json, ordered_json::parse(files::read_text_file(out / "summary.json")));
   console::print("map: " + (out / "map.png").string());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  console::print(fmt::format(
-      "{} observations played in {:.2f} s", atlas.record().observations(), wall.count()));
-  const RunEnding ending =
-      ending_of_replay(damage.empty() ? "finished" : "log-damaged", damage, out.string());
+  console::print(fmt::format("{} observations, {:.0f} s of the robot, played in {:.2f} s",
+                             played.observations,
+                             played.duration_s,
+                             wall.count()));
+  const RunEnding ending = ending_of_replay(
+      played.damage.empty() ? "finished" : "log-damaged", played.damage, out.string());
   print_ending(ending);
   return ending.code;
 }

@@ -89,6 +89,11 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   add_out_options(command, run.out, run.force);
   command.add_option("--json", run.json, "Write a report to this file, '-' for stdout");
   command.add_flag("--headless", run.headless, "No progress line");
+  command
+      .add_option("--split",
+                  run.split_mb,
+                  "Megabytes at which the recording goes on in another file; 0: never")
+      ->capture_default_str();
 }
 
 void add_connection_options(CLI::App& command, session::ConnectionOptions& options) {

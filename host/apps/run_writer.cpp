@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/link_report.hpp"
+#include "host/apps/run_recording.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/exports/grid_csv.hpp"
 #include "host/files/atomic_file.hpp"
@@ -16,7 +17,7 @@ namespace echomap::apps {
 
 namespace fs = std::filesystem;
 
-RunWriter::RunWriter(const session::RobotContext& robot,
+RunWriter::RunWriter(session::RobotContext& robot,
                      const exploration::Explorer& explorer,
                      const ExploreRun& run,
                      exports::RunSummary& summary)
@@ -26,7 +27,12 @@ RunWriter::RunWriter(const session::RobotContext& robot,
       align_(run.align),
       before_s_(sim_seconds_of(run.resumed)),
       summary_(summary),
-      record_(out_ / kRecordName) {}
+      split_bytes_(run.split_bytes) {}
+
+void RunWriter::begin() {
+  move_earlier_run_aside(out_);
+  begin_recording(robot_, summary_, out_, split_bytes_);
+}
 
 void RunWriter::save() {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
@@ -37,10 +43,6 @@ void RunWriter::save() {
   describe_clock();
   describe_link();
   try {
-    if (!previous_is_renamed_) {
-      move_earlier_run_aside(out_);
-      previous_is_renamed_ = true;
-    }
     save_previous_maps();
     save_current_map();
     remove_joined_maps();
@@ -60,7 +62,6 @@ void RunWriter::save_in_passing() {
 }
 
 void RunWriter::save_current_map() {
-  save_record();
   const exploration::StrategyProducts products = explorer_.products();
   if (products.phases > 0) {
     summary_.phases = products.phases;
@@ -89,7 +90,6 @@ void RunWriter::save_previous_maps() {
     summary.expected_wall_rmse_m.reset();
     summary.wall_rmse_p90_m.reset();
     fs::create_directories(folder);
-    exports::ObservationsFile(folder / kRecordName).save(previous[i].record, false);
     save_map(previous[i].pipeline, robot_.profile(), folder, summary, {.align = align_});
   }
   changes_saved_ = robot_.atlas().changes();
@@ -100,12 +100,6 @@ void RunWriter::remove_joined_maps() {
   for (; previous_saved_ > robot_.atlas().previous_maps().size(); --previous_saved_) {
     fs::remove_all(previous_map_of(out_, previous_saved_));
   }
-}
-
-void RunWriter::save_record() {
-  const std::size_t changes = robot_.atlas().changes();
-  record_.save(robot_.atlas().record(), changes == changes_recorded_);
-  changes_recorded_ = changes;
 }
 
 void RunWriter::describe_clock() {

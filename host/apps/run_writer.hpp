@@ -3,12 +3,12 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "host/apps/explore_run.hpp"
 #include "host/exploration/explorer.hpp"
-#include "host/exports/observations_file.hpp"
 #include "host/exports/summary_json.hpp"
 
 namespace echomap::apps {
@@ -18,11 +18,14 @@ namespace echomap::apps {
 class RunWriter {
  public:
   /// All of them outlive this.
-  RunWriter(const session::RobotContext& robot,
+  RunWriter(session::RobotContext& robot,
             const exploration::Explorer& explorer,
             const ExploreRun& run,
             exports::RunSummary& summary);
 
+  /// Moves an earlier run in the directory aside and begins the file of the recording. To be called
+  /// once the robot has answered, before anything is saved. Throws files::FileError.
+  void begin();
   /// With the summary as it is, but for the time, link and map, which are told in it. Throws
   /// files::FileError.
   void save();
@@ -36,9 +39,8 @@ class RunWriter {
   void save_previous_maps();
   /// Their stops are in the map that is saved by then.
   void remove_joined_maps();
-  void save_record();
 
-  const session::RobotContext& robot_;
+  session::RobotContext& robot_;
   const exploration::Explorer& explorer_;
   std::filesystem::path out_;
   bool align_;       ///< The pictures with the room.
@@ -46,11 +48,9 @@ class RunWriter {
   exports::RunSummary& summary_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool warned_ = false;
-  bool previous_is_renamed_ = false;
-  exports::ObservationsFile record_;
-  std::size_t changes_recorded_ = 0;  ///< Of the atlas's maps, when the record was saved.
-  std::size_t changes_saved_ = 0;     ///< When the previous maps were.
-  std::size_t previous_saved_ = 0;    ///< Directories of maps that were set aside.
+  std::uint64_t split_bytes_;
+  std::size_t changes_saved_ = 0;   ///< Of the atlas's maps, when the previous ones were saved.
+  std::size_t previous_saved_ = 0;  ///< Directories of maps that were set aside.
 };
 
 }  // namespace echomap::apps

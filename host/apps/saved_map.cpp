@@ -8,21 +8,16 @@
 
 #include "host/exports/pose_graph_g2o.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/recording/session_file.hpp"
 
 namespace echomap::apps {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// How earlier versions began the name of a previous map's folder: their runs can be resumed.
-constexpr const char* kOldPreviousPrefix = "former_";
 /// What one run writes beside its map and another does not.
 constexpr const char* kOptionalFiles[] = {
     "confidence_grid.csv", "landmarks.csv", "pose_graph.g2o", "robot.toml"};
-
-fs::path old_previous_map_of(const fs::path& run, std::size_t number) {
-  return run / (kOldPreviousPrefix + std::to_string(number));
-}
 
 /// Renames a file or folder, in place of one that has that name.
 void move_aside(const fs::path& from, const fs::path& to) {
@@ -65,19 +60,15 @@ fs::path previous_map_of(const fs::path& run, std::size_t number) {
   return run / fmt::format("previous_{}", number);
 }
 
-fs::path stored_previous_map(const fs::path& run, std::size_t number) {
-  const fs::path of_old_version = old_previous_map_of(run, number);
-  const fs::path folder = previous_map_of(run, number);
-  return !exists(folder) && exists(of_old_version) ? of_old_version : folder;
-}
-
 void move_earlier_run_aside(const fs::path& out) {
-  move_aside(out / kRecordName, out / kPreviousRecordName);
-  for (std::size_t number = 1; exists(stored_previous_map(out, number)); ++number) {
-    for (const fs::path& folder :
-         {previous_map_of(out, number), old_previous_map_of(out, number)}) {
-      move_aside(folder, folder.string() + ".before");
-    }
+  const fs::path recording = out / recording::kSessionFileName;
+  for (std::size_t part = 0; exists(recording::part_of(recording, part)); ++part) {
+    move_aside(recording::part_of(recording, part),
+               recording::part_of(out / kPreviousRecordingName, part));
+  }
+  for (std::size_t number = 1; exists(previous_map_of(out, number)); ++number) {
+    const fs::path folder = previous_map_of(out, number);
+    move_aside(folder, folder.string() + ".before");
   }
   for (const char* name : kOptionalFiles) {
     remove_earlier(out / name);

@@ -11,21 +11,15 @@
 
 namespace echomap::apps {
 
-/// The record of a run, in its directory.
-inline constexpr const char* kRecordName = "observations.csv";
-/// The record of the run that had the directory before.
-inline constexpr const char* kPreviousRecordName = "observations.before.csv";
+/// The recording of the run that had a directory before.
+inline constexpr const char* kPreviousRecordingName = "session.before.mcap";
 /// The profile of the robot that drove, as it was then.
 inline constexpr const char* kProfileName = "robot.toml";
 
 /// The folder that a run writes a map into that was set aside, in its directory: 1 is the earliest.
 std::filesystem::path previous_map_of(const std::filesystem::path& run, std::size_t number);
 
-/// The folder to read that map from: `previous_map_of`, or the one that an older version of echomap
-/// wrote where only that one exists.
-std::filesystem::path stored_previous_map(const std::filesystem::path& run, std::size_t number);
-
-/// Renames the record and the previous maps of an earlier run in the same directory, and removes
+/// Renames the recording and the previous maps of an earlier run in the same directory, and removes
 /// those of its files that the next run might not write. Throws files::FileError.
 void move_earlier_run_aside(const std::filesystem::path& out);
 

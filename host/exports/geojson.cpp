@@ -73,10 +73,9 @@ void write_features(const std::filesystem::path& path, Json features) {
   files::write_text_file(path, collection.dump(2) + "\n");
 }
 
-/// What `read` makes of the geometries of a file.
+/// What `read` makes of the geometries in the text of a file.
 template <class Read>
-auto read_geometries(const std::filesystem::path& path, const Read& read) {
-  const std::string text = files::read_text_file(path);
+auto parse_geometries(const std::string& text, const std::string& file, const Read& read) {
   try {
     const Json collection = Json::parse(text);
     std::vector<Json> shapes;
@@ -85,9 +84,9 @@ auto read_geometries(const std::filesystem::path& path, const Read& read) {
     }
     return read(shapes);
   } catch (const nlohmann::json::exception& error) {
-    throw files::FileError(path.string() + ": " + error.what());
+    throw files::FileError(file + ": " + error.what());
   } catch (const std::invalid_argument& error) {
-    throw files::FileError(path.string() + ": " + error.what());
+    throw files::FileError(file + ": " + error.what());
   }
 }
 
@@ -136,11 +135,16 @@ void write_outline_geojson(const std::filesystem::path& path,
 }
 
 std::optional<mapping::PolygonMap> read_outline_geojson(const std::filesystem::path& path) {
-  return read_geometries(path, first_polygon);
+  return parse_outline_geojson(files::read_text_file(path), path.string());
+}
+
+std::optional<mapping::PolygonMap> parse_outline_geojson(const std::string& text,
+                                                         const std::string& file) {
+  return parse_geometries(text, file, first_polygon);
 }
 
 std::vector<geometry::Segment> read_line_strings(const std::filesystem::path& path) {
-  return read_geometries(path, all_pieces);
+  return parse_geometries(files::read_text_file(path), path.string(), all_pieces);
 }
 
 }  // namespace echomap::exports

@@ -23,6 +23,10 @@ void write_outline_geojson(const std::filesystem::path& path,
 /// file, also where its rings are no floor.
 std::optional<mapping::PolygonMap> read_outline_geojson(const std::filesystem::path& path);
 
+/// The same of the file's text; `file` stands for it in messages.
+std::optional<mapping::PolygonMap> parse_outline_geojson(const std::string& text,
+                                                         const std::string& file);
+
 /// Every piece of every LineString of a file; other geometries are passed over. Throws
 /// files::FileError that names the file.
 std::vector<geometry::Segment> read_line_strings(const std::filesystem::path& path);

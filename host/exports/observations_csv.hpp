@@ -10,9 +10,8 @@
 
 namespace echomap::exports {
 
-/// Writes down what moves a robot's pose and map, an observation a line as `kind,stamp_us,values`,
-/// so that a pipeline that takes it again is the same to the last bit. Battery and yaw are left
-/// out: they are of the moment.
+/// What moves a robot's pose and map as a table for other programs, an observation a line as
+/// `kind,stamp_us,values`. Battery and yaw are left out: they are of the moment.
 ///
 ///     odometry,STAMP_US,LEFT_M,RIGHT_M                   what the wheels have rolled
 ///     sonar,STAMP_US,LEFT_M,RIGHT_M,PAN_RAD,RANGE_M      `none` without an echo in range,
@@ -23,9 +22,9 @@ namespace echomap::exports {
 ///     fix,STAMP_US,X_M,Y_M,HEADING_RAD                   on the map, as a camera knows
 ///     begin-scan
 ///     end-scan
-class ObservationRecorder final : public pipeline::ObservationSink {
+class ObservationsCsv final : public pipeline::ObservationSink {
  public:
-  ObservationRecorder();
+  ObservationsCsv();
 
   void on_odometry(const sensors::OdometryObservation& observation) override;
   void on_sonar(const sensors::SonarObservation& observation) override;
@@ -38,8 +37,6 @@ class ObservationRecorder final : public pipeline::ObservationSink {
 
   /// A file of all so far, 10 MB after an hour of odometry at 50 Hz. Throws files::FileError.
   void save(const std::filesystem::path& path) const { files::write_text_file(path, text_); }
-  /// The lines of that file behind its header.
-  std::string_view lines() const;
 
  private:
   void begin_line(std::string_view kind, time::RobotTime stamp);
@@ -50,11 +47,5 @@ class ObservationRecorder final : public pipeline::ObservationSink {
 
   std::string text_;
 };
-
-/// Hands on what such a file holds, in its order. A last line without end, as whoever wrote it was
-/// killed, is left out, and the answer is whether there was one. Throws files::FileError, whose
-/// text begins `file:line: ` where a line is none of these or the wheels jump; what stands before
-/// is handed on.
-bool replay_observations_csv(const std::filesystem::path& path, pipeline::ObservationSink& sink);
 
 }  // namespace echomap::exports

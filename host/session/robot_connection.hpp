@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "host/recording/session_recorder.hpp"
 #include "host/robot_link/robot_link.hpp"
 #include "host/session/pace.hpp"
 #include "host/transport/byte_stream.hpp"
@@ -25,6 +26,8 @@ struct RobotConnection {
   bool may_be_lifted = false;
   /// By what carries the bytes.
   robot_link::RobotLinkParams link{};
+  /// Sees every frame; null for nobody. It outlives the session.
+  recording::SessionRecorder* recorder = nullptr;
 };
 
 }  // namespace echomap::session

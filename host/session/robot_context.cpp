@@ -4,11 +4,54 @@
 #include <chrono>
 #include <stdexcept>
 #include <utility>
+#include <variant>
+
+#include <spdlog/spdlog.h>
 
 #include "host/exploration/atlas_explorer.hpp"
 #include "host/session/pipeline_setup.hpp"
 
 namespace echomap::session {
+namespace {
+
+using recording::SessionEventKind;
+
+recording::SessionRecorderParams recorder_params(const RobotProfile& profile) {
+  recording::SessionRecorderParams params;
+  params.geometry = profile.geometry;
+  params.sonar = {
+      profile.beam_half_angle_rad, profile.range.min_range_m, profile.range.max_range_m};
+  params.T_robot_infrared.reserve(profile.sensors.infrared.size());
+  for (const sensors::InfraredSensor& sensor : profile.sensors.infrared) {
+    params.T_robot_infrared.push_back(sensor.T_robot_sensor);
+  }
+  return params;
+}
+
+std::uint64_t nanoseconds_since_1970() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::nanoseconds>(since).count());
+}
+
+/// The decision about the maps that a motion is; empty for a motion of the robot.
+std::optional<recording::SessionEvent> event_of(const exploration::Motion& motion) {
+  if (const auto* begin = std::get_if<exploration::BeginNewMap>(&motion)) {
+    return recording::SessionEvent{
+        SessionEventKind::kBeginNewMap, static_cast<std::int64_t>(begin->stops_elsewhere), {}};
+  }
+  return std::holds_alternative<exploration::JoinMaps>(motion)
+             ? std::optional(recording::SessionEvent{SessionEventKind::kJoinMaps, 0, {}})
+             : std::nullopt;
+}
+
+}  // namespace
+
+RobotContext::RobotContext(RobotProfile profile, const Seed& seed)
+    : profile_(std::move(profile)), seed_(seed), recorder_(recorder_params(profile_)) {
+  recorder_.describe("robot.toml", profile_.toml);
+  fork_.add(recorder_);
+}
 
 void RobotContext::begin_maps(const std::string& slam) {
   atlas_.emplace(atlas_for(profile_, slam));
@@ -17,6 +60,7 @@ void RobotContext::begin_maps(const std::string& slam) {
 }
 
 void RobotContext::end_maps() {
+  recorder_.add_event({SessionEventKind::kEndMaps, 0, {}});
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): begin_maps() comes before
   fork_.remove(*atlas_);
   if (self_check_) {
@@ -48,11 +92,14 @@ void RobotContext::open(OpenedRobot robot) {
     fork_.add(*self_check_);
   }
   lockstep_ = std::move(robot.lockstep);
+  recorder_.begin_session(lockstep_ ? 0 : nanoseconds_since_1970());
+  robot.connection.recorder = &recorder_;
   session_.emplace(std::move(robot.connection), profile_, sessions_);
   session_->on_step = [this] {
     if (follower_) {
       follower_->poll(*session_);
     }
+    look_for_trouble();
     if (on_step) {
       on_step();
     }
@@ -72,8 +119,21 @@ exploration::MotionResult RobotContext::execute(const exploration::Motion& motio
   if (!atlas_) {
     throw std::logic_error("RobotContext::execute: begin_maps comes first");
   }
+  if (const auto event = event_of(motion)) {
+    recorder_.add_event(*event);
+  }
   const auto changed = exploration::change_maps(*atlas_, motion);
-  return changed ? *changed : move(motion);
+  const exploration::MotionResult result = changed ? *changed : move(motion);
+  if (changed || std::holds_alternative<exploration::EndScan>(motion)) {
+    recorder_.add_map(atlas_->pipeline().snapshot());
+  }
+  return result;
+}
+
+void RobotContext::look_for_trouble() {
+  if (!recorder_.trouble().empty() && !std::exchange(trouble_is_told_, true)) {
+    spdlog::warn("cannot record: {}; trying again", recorder_.trouble());
+  }
 }
 
 exploration::MotionResult RobotContext::move(const exploration::Motion& motion) {

@@ -23,13 +23,14 @@ namespace echomap::session {
 /// the maps or the follower (or both) that its observations go to, its open port.
 class RobotContext {
  public:
-  RobotContext(RobotProfile profile, const Seed& seed)
-      : profile_(std::move(profile)), seed_(seed) {}
+  RobotContext(RobotProfile profile, const Seed& seed);
   RobotContext(const RobotContext&) = delete;
   RobotContext& operator=(const RobotContext&) = delete;
 
   /// Maps what the robot senses. The SLAM method of that name places it (`pipeline_for`).
   void begin_maps(const std::string& slam);
+  /// What comes from here on is of the next session, behind one that was played.
+  void begin_next_session() { sessions_.begin_next(); }
   /// Leaves the maps as they are from here on, and follows no more.
   void end_maps();
   /// Hands what the robot senses to the follower, before the maps; null is none.
@@ -49,6 +50,8 @@ class RobotContext {
 
   const RobotProfile& profile() const { return profile_; }
   const Seed& seed() const { return seed_; }
+  /// What the session is recorded by, from the beginning.
+  recording::SessionRecorder& recorder() { return recorder_; }
   /// Where others listen to what the robot senses.
   pipeline::ObservationFork& fork() { return fork_; }
   /// Where the record of an earlier session is played, before the port is open.
@@ -75,8 +78,13 @@ class RobotContext {
   std::function<void()> on_step;
 
  private:
+  /// Warns once where the recording cannot be written.
+  void look_for_trouble();
+
   RobotProfile profile_;
   Seed seed_;
+  recording::SessionRecorder recorder_;
+  bool trouble_is_told_ = false;
   pipeline::ObservationFork fork_;
   pipeline::JoinedSessions sessions_{fork_};
   std::optional<pipeline::RobotAtlas> atlas_;

@@ -50,7 +50,8 @@ RobotLine::RobotLine(RobotConnection robot,
           std::chrono::duration_cast<std::chrono::milliseconds>(robot.link.keep_alive_ttl)
               .count())),
       observations_(profile, sink),
-      link_(*this, robot.session_id, robot.link) {}
+      link_(*this, robot.session_id, robot.link),
+      recorder_(robot.recorder) {}
 
 void RobotLine::begin() {
   step();
@@ -121,11 +122,14 @@ void RobotLine::step() {
   const auto outgoing = link_.take_outgoing();
   stream_->write(outgoing);
   bytes_sent_ += outgoing.size();
+  recorder_.sent(outgoing);
   std::vector<std::uint8_t> received;
   now_ = pace_->step(*stream_, bytes_sent_, [&](std::span<const std::uint8_t> bytes) {
     received.insert(received.end(), bytes.begin(), bytes.end());
   });
-  link_.receive(received, now_);
+  recorder_.set_time(now_);
+  recorder_.receive(received,
+                    [this](std::span<const std::uint8_t> frame) { link_.receive(frame, now_); });
   link_.poll(now_);
   if (on_step) {
     on_step();
@@ -215,20 +219,26 @@ void RobotLine::end_for_safety(protocol::MotionOutcome outcome) {
 void RobotLine::on_odometry(const protocol::Odometry& message) {
   odometry_stamp_us_ = message.stamp_us;
   odometry_at_ = now_;
-  observations_.take(message);
+  observe(message);
 }
 
 void RobotLine::on_status(const protocol::Status& message) {
   status_ = message;
-  observations_.take(message);
+  observe(message);
   is_lifted_ = hazards().lifted;
   if (is_lifted_ && is_held_) {
     end_for_safety(protocol::MotionOutcome::kLifted);
   }
 }
 
+void RobotLine::on_health(const protocol::Health& message) {
+  observe(message);
+  recorder_.record(link_.statistics());
+}
+
 void RobotLine::on_ready(const protocol::HelloReply& reply) {
   spdlog::debug("robot ready: {}, boot {:04x}", firmware_of(reply), reply.boot_id);
+  recorder_.record({recording::SessionEventKind::kLinkReady, reply.protocol_minor, {}});
   observations_.set_protocol_minor(reply.protocol_minor);
   if (const auto& difference = link_.difference()) {
     spdlog::warn("firmware and host differ, but only in messages that are not needed: {}",
@@ -251,8 +261,9 @@ void RobotLine::on_reset(std::uint8_t reset_cause) {
   }
   spdlog::warn("the robot was reset ({}); keeping the pose and configuring it again",
                robot_link::reset_cause_text(reset_cause));
-  observations_.restart(
-      std::chrono::duration_cast<time::RobotClock::duration>(now_ - odometry_at_));
+  const auto passed = std::chrono::duration_cast<time::RobotClock::duration>(now_ - odometry_at_);
+  recorder_.record({recording::SessionEventKind::kRobotReset, passed.count(), {}});
+  observations_.restart(passed);
   status_.reset();
   odometry_stamp_us_.reset();
   is_lifted_ = false;

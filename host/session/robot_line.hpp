@@ -10,6 +10,7 @@
 #include "host/pipeline/observation_sink.hpp"
 #include "host/robot_link/robot_link.hpp"
 #include "host/sensors/robot_geometry.hpp"
+#include "host/session/line_recorder.hpp"
 #include "host/session/observation_feed.hpp"
 #include "host/session/robot_connection.hpp"
 #include "host/session/robot_profile.hpp"
@@ -89,11 +90,11 @@ class RobotLine final : private robot_link::RobotLinkListener {
 
  private:
   void on_odometry(const protocol::Odometry& message) override;
-  void on_echo(const protocol::Echo& message) override { observations_.take(message); }
+  void on_echo(const protocol::Echo& message) override { observe(message); }
   void on_status(const protocol::Status& message) override;
-  void on_health(const protocol::Health& message) override { observations_.take(message); }
-  void on_ranges(const protocol::Ranges& message) override { observations_.take(message); }
-  void on_gyro(const protocol::Gyro& message) override { observations_.take(message); }
+  void on_health(const protocol::Health& message) override;
+  void on_ranges(const protocol::Ranges& message) override { observe(message); }
+  void on_gyro(const protocol::Gyro& message) override { observe(message); }
   void on_bulk(const robot_link::BulkResult& result) override { bulk_ = result; }
   void on_ready(const protocol::HelloReply& reply) override;
   void on_reset(std::uint8_t reset_cause) override;
@@ -101,6 +102,11 @@ class RobotLine final : private robot_link::RobotLinkListener {
 
   /// The stream is open and time passes.
   bool goes_on() const;
+  template <class Telemetry>
+  void observe(const Telemetry& message) {
+    recorder_.use(message.stamp_us);
+    observations_.take(message);
+  }
   void step();
   void look_for_end();
   void look_for_absence();
@@ -115,6 +121,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::uint16_t time_to_live_ms_;
   ObservationFeed observations_;
   robot_link::RobotLink link_;
+  LineRecorder recorder_;
 
   time::HostTime now_;
   std::uint64_t bytes_sent_ = 0;

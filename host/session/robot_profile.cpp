@@ -176,9 +176,13 @@ std::uint16_t RobotProfile::ticks_per_s() const { return configuration.drive.max
 
 RobotProfile load_robot_profile(const std::string& name_or_file) {
   const auto path = files::bundled_file(name_or_file, "host/profiles", "robot profile");
+  return parse_robot_profile(text_of(path), path.string());
+}
+
+RobotProfile parse_robot_profile(const std::string& text, const std::string& file) {
   RobotProfile profile;
-  profile.toml = text_of(path);
-  const auto toml = TomlReader::parse(profile.toml, path.string());
+  profile.toml = text;
+  const auto toml = TomlReader::parse(profile.toml, file);
   profile.name = toml.text("name");
   read_drive(toml.table("drive"), profile);
   profile.body_radius_m = positive(toml.table("body"), "radius_m");

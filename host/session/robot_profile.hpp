@@ -43,6 +43,9 @@ struct RobotProfile {
 /// `name_or_file` is the name of a bundled profile ("uno_2wd") or a path that ends in .toml. Throws
 /// files::ConfigError.
 RobotProfile load_robot_profile(const std::string& name_or_file);
+/// The profile that a file's text holds; `file` stands for it in messages. Throws
+/// files::ConfigError.
+RobotProfile parse_robot_profile(const std::string& text, const std::string& file);
 
 /// Up to there a wall that the sonar faces answers for sure, whatever the noise, metres.
 double sure_range_m(const RobotProfile& profile);

@@ -18,8 +18,11 @@ bool is_same(const geometry::Pose2& a, const geometry::Pose2& b) {
 
 CameraFollower::CameraFollower(const sensors::RobotGeometry& robot,
                                FixStream fixes,
-                               pipeline::RobotAtlas& atlas)
-    : filter_(robot, std::move(fixes), geometry::Pose2(), std::nullopt), atlas_(atlas) {}
+                               pipeline::RobotAtlas& atlas,
+                               pipeline::ObservationSink& maps)
+    : filter_(robot, std::move(fixes), geometry::Pose2(), std::nullopt),
+      atlas_(atlas),
+      maps_(maps) {}
 
 void CameraFollower::begin(session::RobotSession& session) {
   filter_.begin(session);
@@ -38,17 +41,18 @@ void CameraFollower::poll(const session::RobotSession& session) {
   if (observations_ != atlas_.record().observations() ||
       !is_same(T_camera_robot_, belief->T_map_robot)) {
     T_camera_robot_ = belief->T_map_robot;
-    atlas_.on_pose_fix({filter_.trajectory().back().stamp, *T_map_camera_ * T_camera_robot_});
+    maps_.on_pose_fix({filter_.trajectory().back().stamp, *T_map_camera_ * T_camera_robot_});
     observations_ = atlas_.record().observations();
   }
 }
 
 std::unique_ptr<CameraFollower> camera_at(const std::string& address,
                                           const session::RobotProfile& profile,
-                                          pipeline::RobotAtlas& atlas) {
+                                          pipeline::RobotAtlas& atlas,
+                                          pipeline::ObservationSink& maps) {
   return address.empty() ? nullptr
                          : std::make_unique<CameraFollower>(
-                               profile.geometry, FixStream(open_fixes(address)), atlas);
+                               profile.geometry, FixStream(open_fixes(address)), atlas, maps);
 }
 
 }  // namespace echomap::tracking

@@ -17,8 +17,11 @@ namespace echomap::tracking {
 /// frame remains the one that the atlas has, wherever the camera's lies.
 class CameraFollower final : public session::Follower {
  public:
-  /// `atlas` outlives this.
-  CameraFollower(const sensors::RobotGeometry& robot, FixStream fixes, pipeline::RobotAtlas& atlas);
+  /// `maps` leads to `atlas`; both outlive this.
+  CameraFollower(const sensors::RobotGeometry& robot,
+                 FixStream fixes,
+                 pipeline::RobotAtlas& atlas,
+                 pipeline::ObservationSink& maps);
 
   /// Takes what the robot senses, before the atlas does.
   pipeline::ObservationSink& sink() override { return filter_.sink(); }
@@ -31,6 +34,7 @@ class CameraFollower final : public session::Follower {
  private:
   EkfFilter filter_;
   pipeline::RobotAtlas& atlas_;
+  pipeline::ObservationSink& maps_;
   std::optional<geometry::Pose2> T_map_camera_;
   geometry::Pose2 T_camera_robot_;  ///< Of the last fix that the atlas was given.
   std::size_t observations_ = 0;    ///< Of the atlas, with that fix.
@@ -40,6 +44,7 @@ class CameraFollower final : public session::Follower {
 /// where it cannot be listened to.
 std::unique_ptr<CameraFollower> camera_at(const std::string& address,
                                           const session::RobotProfile& profile,
-                                          pipeline::RobotAtlas& atlas);
+                                          pipeline::RobotAtlas& atlas,
+                                          pipeline::ObservationSink& maps);
 
 }  // namespace echomap::tracking

@@ -44,6 +44,8 @@ void StopDriver::begin() {
 }
 
 void StopDriver::begin_new_map(std::size_t stops_elsewhere) {
+  robot_.recorder().add_event(
+      {recording::SessionEventKind::kBeginNewMap, static_cast<std::int64_t>(stops_elsewhere), {}});
   atlas_.begin_new_map(stops_elsewhere);
   begin();
 }

@@ -12,7 +12,6 @@
 
 #include "host/evaluation/run_score.hpp"
 #include "host/evaluation/truth_directory.hpp"
-#include "host/exports/observations_csv.hpp"
 #include "host/pipeline/observation_sink.hpp"
 #include "host/sensors/odometry.hpp"
 #include "host/session/child_process.hpp"
@@ -20,6 +19,7 @@
 #include "tests/benchmarks/slam_run_figures.hpp"
 #include "tests/support/offline_exploration.hpp"
 #include "tests/support/offline_robot.hpp"
+#include "tests/support/played_recording.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -50,7 +50,7 @@ class OdometryPath final : public pipeline::ObservationSink {
 
 std::vector<pipeline::StampedPose> odometry_of(const fs::path& run) {
   OdometryPath path(tests::assumed_geometry(tests::bundled_robot(kBody)).track_m);
-  exports::replay_observations_csv(run / "observations.csv", path);
+  tests::play_recording(run / recording::kSessionFileName, path);
   return path.poses();
 }
 

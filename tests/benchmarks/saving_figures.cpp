@@ -11,8 +11,6 @@
 
 #include "hil_mock/world/robot_world.hpp"
 #include "host/exploration/nxt_farthest.hpp"
-#include "host/exports/observations_csv.hpp"
-#include "host/exports/observations_file.hpp"
 #include "host/exports/pose_graph_g2o.hpp"
 #include "host/pipeline/robot_atlas.hpp"
 #include "host/slam/slam_methods.hpp"
@@ -79,26 +77,15 @@ std::vector<Figure> saving_figures(std::size_t repetitions) {
   });
   const Records records = explore(atlas, params);
   const tests::ScratchFolder folder;
-  std::vector<double> whole_ms;
-  std::vector<double> grown_ms;
   std::vector<double> graph_ms;
+  graph_ms.reserve(repetitions);
   for (std::size_t i = 0; i < repetitions; ++i) {
-    exports::ObservationsFile file(folder / "observations.csv");
-    file.save(records.before, false);
-    grown_ms.push_back(milliseconds_of([&] { file.save(records.now, true); }));
-    whole_ms.push_back(milliseconds_of([&] { file.save(records.now, false); }));
     graph_ms.push_back(milliseconds_of([&] {
       exports::write_pose_graph_g2o(folder / "pose_graph.g2o",
                                     atlas.pipeline().slam()->factor_graph());
     }));
   }
   return {{"stops_of_20_minutes", static_cast<double>(records.now.scans()), "stops", 1, {}},
-          size_of("record_of_20_minutes", folder / "observations.csv"),
-          {"save_record_grown_by_a_stop",
-           tests::median(grown_ms),
-           "ms",
-           repetitions,
-           {{"whole", tests::median(whole_ms)}}},
           size_of("pose_graph_of_20_minutes", folder / "pose_graph.g2o"),
           {"save_pose_graph", tests::median(graph_ms), "ms", repetitions, {}}};
 }

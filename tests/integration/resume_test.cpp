@@ -10,10 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "host/evaluation/truth_directory.hpp"
+#include "host/exports/observations_csv.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
 #include "tests/integration/programs.hpp"
+#include "tests/support/played_recording.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::test {
@@ -72,6 +74,14 @@ class Resume : public ::testing::Test {
     return files::read_text_file(scratch / out / name);
   }
 
+  /// What the recording of a run holds, as a table.
+  std::string observations_of(const std::string& out) const {
+    exports::ObservationsCsv table;
+    tests::play_recording(scratch / out / recording::kSessionFileName, table);
+    table.save(scratch / "observations.csv");
+    return files::read_text_file(scratch / "observations.csv");
+  }
+
   nlohmann::json summary(const std::string& out) const {
     return nlohmann::json::parse(text_of(out, "summary.json"));
   }
@@ -108,8 +118,7 @@ TEST_F(Resume, ARobotGoesOnWhereItStoodAndItsMapGrows) {
   for (const char* grows : {"sim_seconds", "travelled_m", "poses", "points", "free_area_m2"}) {
     EXPECT_GT(tuesday.at(grows), monday.at(grows)) << grows;
   }
-  EXPECT_THAT(text_of("tuesday", "observations.csv"),
-              ::testing::StartsWith(text_of("monday", "observations.csv")));
+  EXPECT_THAT(observations_of("tuesday"), ::testing::StartsWith(observations_of("monday")));
 
   const auto before = score("monday", "monday");
   const auto after = score("tuesday", "monday");
@@ -126,24 +135,42 @@ TEST_F(Resume, ARobotGoesOnWhereItStoodAndItsMapGrows) {
 TEST_F(Resume, TheSameDirectoryHoldsBothRuns) {
   ASSERT_EQ(explore("run", {}).status, kUnfinished);
   const auto stands = where_it_stands("run");
-  const std::string record = text_of("run", "observations.csv");
+  const std::string recording = text_of("run", "session.mcap");
   ASSERT_EQ(explore("run", {stands}, {resume("run"), "--slam=none"}).status, kUnfinished);
   EXPECT_EQ(summary("run").at("stops"), 6);
-  EXPECT_EQ(text_of("run", "observations.before.csv"), record);
+  EXPECT_EQ(text_of("run", "session.before.mcap"), recording);
   EXPECT_FALSE(exists(scratch / "run" / "pose_graph.g2o")) << "that of the run before";
 }
 
-TEST_F(Resume, ARunThatWasKilledWhileItWroteItsRecordGoesOn) {
+TEST_F(Resume, ARunThatWasKilledWhileItRecordedGoesOn) {
   ASSERT_EQ(explore("run", {}).status, kUnfinished);
   const auto stands = where_it_stands("run");
-  const std::string record = text_of("run", "observations.csv");
-  files::write_text_file(scratch / "run" / "observations.csv", record + "odometry,99");
+  const std::string recording = text_of("run", "session.mcap");
+  files::write_text_file(scratch / "run" / "session.mcap",
+                         recording.substr(0, recording.size() - 100));
   const Ended ended = explore("on", {stands}, {resume("run")}, 1);
   EXPECT_EQ(ended.status, kUnfinished) << ended.said;
-  EXPECT_THAT(ended.said,
-              HasSubstr("observations.csv is incomplete; everything before it was read"));
+  EXPECT_THAT(ended.said, HasSubstr("the recording ends early, everything before was read"));
   EXPECT_EQ(summary("on").at("resumed_stops"), 3);
-  EXPECT_THAT(text_of("on", "observations.csv"), ::testing::StartsWith(record));
+  EXPECT_THAT(observations_of("on"), ::testing::StartsWith(observations_of("run")));
+}
+
+TEST_F(Resume, AReplayMakesBothRunsAgain) {
+  ASSERT_EQ(explore("monday", {}).status, kUnfinished);
+  ASSERT_EQ(
+      explore("tuesday", {where_it_stands("monday"), "--seed=2"}, {resume("monday")}, 2).status,
+      kUnfinished);
+  const Ended ended = Program("echomap",
+                              {"replay",
+                               (scratch / "tuesday" / "session.mcap").string(),
+                               "--headless",
+                               "--out=" + (scratch / "again").string()},
+                              scratch / "log")
+                          .wait();
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  for (const char* file : {"map.pgm", "points.csv", "trajectory.tum", "pose_graph.g2o"}) {
+    EXPECT_EQ(text_of("again", file), text_of("tuesday", file)) << file;
+  }
 }
 
 TEST_F(Resume, ARobotThatWasMovedGoesOnInAnotherMap) {
@@ -157,7 +184,7 @@ TEST_F(Resume, ARobotThatWasMovedGoesOnInAnotherMap) {
 
 TEST_F(Resume, WhatWasThereStaysWhereNoRobotAnswers) {
   ASSERT_EQ(explore("run", {}).status, kUnfinished);
-  const std::string record = text_of("run", "observations.csv");
+  const std::string recording = text_of("run", "session.mcap");
   const auto before = summary("run");
   const Ended ended = Program("echomap",
                               {"explore",
@@ -168,7 +195,7 @@ TEST_F(Resume, WhatWasThereStaysWhereNoRobotAnswers) {
                           .wait();
   EXPECT_EQ(ended.status, 3);
   EXPECT_THAT(ended.said, HasSubstr("next: "));
-  EXPECT_EQ(text_of("run", "observations.csv"), record);
+  EXPECT_EQ(text_of("run", "session.mcap"), recording);
   EXPECT_EQ(summary("run"), before);
 }
 

@@ -81,7 +81,7 @@ TEST_F(ExploreAndSave, SavesTheMapWhereTheRobotIsLiftedAndNotPutDownAgain) {
   EXPECT_GT(summary.sim_seconds, 300.0);
   EXPECT_LT(summary.sim_seconds, 330.0);
   EXPECT_TRUE(std::filesystem::exists(folder / "map.png"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "observations.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "session.mcap"));
 }
 
 }  // namespace

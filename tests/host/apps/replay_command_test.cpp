@@ -16,10 +16,12 @@
 #include "host/exports/points_csv.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/recording/session_file.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/run_tables.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
+#include "tests/support/written_recording.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -267,9 +269,8 @@ TEST_F(ReplayCommandTest, ARefusedReplayLeavesTheEarlierRunAsItIs) {
 TEST_F(ReplayCommandTest, TheMapOfARunsEchoesDoesNotTakeTheRunsPlace) {
   options_.map = "points";
   ASSERT_EQ(run_replay(options_), ExitCode::kOk);
-  for (const char* of_a_run : {"observations.csv", "robot.toml"}) {
-    files::write_text_file(options_.out / of_a_run, "");
-  }
+  tests::WrittenRecording(session::load_robot_profile("uno_2wd"))
+      .save(options_.out / recording::kSessionFileName);
   const std::string points = files::read_text_file(options_.out / "points.csv");
   options_.log = options_.out;
   EXPECT_THAT(error(),

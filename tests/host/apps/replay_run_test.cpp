@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/replay_run.hpp"
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,11 +14,13 @@
 #include "host/apps/saved_map.hpp"
 #include "host/console/exit_code.hpp"
 #include "host/console/interrupt.hpp"
-#include "host/exports/observations_file.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/recording/session_file.hpp"
 #include "host/session/pipeline_setup.hpp"
+#include "tests/support/played_recording.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
+#include "tests/support/written_recording.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -30,23 +34,26 @@ class ReplayRunTest : public ::testing::Test {
     options.out = scratch / "again";
     options.force = true;  // Some tests replay twice.
     std::filesystem::create_directories(options.log);
-    stop(1.0);
-    stop(1.2);
-    exports::ObservationsFile(options.log / kRecordName).save(atlas.record(), false);
+    record({1.0, 1.2});
     summary.robot = profile.name;
     summary.slam = "multiscan";
     save_map(atlas.pipeline(), profile, options.log, summary);
   }
-  /// All round, in a room whose walls are about so far.
-  void stop(double range_m) {
-    travelled_m += 0.2 / 3.0;
-    const sensors::WheelTravel travel{travelled_m, travelled_m};
-    atlas.on_odometry({stamp += std::chrono::milliseconds(20), travel});
-    atlas.begin_scan();
-    for (int i = 0; i < 31; ++i) {
-      atlas.on_sonar({stamp += std::chrono::milliseconds(50), travel, 0.1 * i - 1.5, range_m});
+  /// The run has made stops whose walls are so far all round.
+  void record(const std::vector<double>& ranges_m) {
+    tests::WrittenRecording recording(profile);
+    for (const double range_m : ranges_m) {
+      recording.add_stop(range_m);
     }
-    atlas.end_scan();
+    recording.save(recorded);
+    tests::play_recording(recorded, atlas, &atlas);
+  }
+  /// Flips a bit in what was recorded of the second stop.
+  void damage() const {
+    std::string bytes = live_text("session.mcap");
+    const std::size_t place = bytes.find("zstd", bytes.find("zstd") + 1) + 200;
+    bytes[place] = static_cast<char>(bytes[place] ^ 1);
+    files::write_text_file(recorded, bytes);
   }
   std::string text(const std::string& file) const {
     return files::read_text_file(options.out / file);
@@ -59,13 +66,12 @@ class ReplayRunTest : public ::testing::Test {
   const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
   pipeline::RobotAtlas atlas = session::atlas_for(profile, "multiscan");
   exports::RunSummary summary;
-  time::RobotTime stamp;
-  double travelled_m = 0.0;
   ReplayOptions options;
+  const std::filesystem::path recorded = scratch / "run" / recording::kSessionFileName;
 };
 
 TEST_F(ReplayRunTest, WritesTheSameFiles) {
-  ASSERT_TRUE(plays_observations(options));
+  ASSERT_TRUE(plays_recording(options));
   EXPECT_EQ(run_replay(options), console::ExitCode::kOk);
   for (const char* file : {"map.pgm",
                            "map.yaml",
@@ -75,7 +81,7 @@ TEST_F(ReplayRunTest, WritesTheSameFiles) {
                            "trajectory.tum",
                            "outline.geojson",
                            "pose_graph.g2o",
-                           "observations.csv",
+                           "session.mcap",
                            "robot.toml"}) {
     EXPECT_EQ(text(file), live_text(file)) << file;
   }
@@ -94,7 +100,7 @@ TEST_F(ReplayRunTest, MayHaveTheRunsOwnDirectoryOrThatOfAnotherRun) {
   options.log = options.out;
   EXPECT_EQ(run_replay(options), ExitCode::kOk);
   EXPECT_EQ(text("map.pgm"), map);
-  EXPECT_FALSE(exists(options.out / kPreviousRecordName));
+  EXPECT_FALSE(exists(options.out / kPreviousRecordingName));
 }
 
 TEST_F(ReplayRunTest, KeepsTheOutlineThatTheStrategyDrew) {
@@ -110,7 +116,7 @@ TEST_F(ReplayRunTest, IsNotForWhatAsksForAnotherMap) {
   const auto with = [&](auto member, const auto& value) {
     ReplayOptions other = options;
     other.*member = value;
-    return plays_observations(other);
+    return plays_recording(other);
   };
   EXPECT_TRUE(with(&ReplayOptions::slam, "ekf"));
   EXPECT_FALSE(with(&ReplayOptions::slam, "scan"));
@@ -118,8 +124,9 @@ TEST_F(ReplayRunTest, IsNotForWhatAsksForAnotherMap) {
   EXPECT_FALSE(with(&ReplayOptions::map, "points"));
   EXPECT_FALSE(with(&ReplayOptions::resolution_m, 0.1));
   EXPECT_FALSE(with(&ReplayOptions::log, options.log / "poses.csv"));
-  std::filesystem::remove(options.log / kProfileName);
-  EXPECT_FALSE(plays_observations(options)) << "as runs of older programs";
+  EXPECT_TRUE(with(&ReplayOptions::log, recorded)) << "the file alone";
+  std::filesystem::remove(recorded);
+  EXPECT_FALSE(plays_recording(options)) << "as runs of older programs";
 }
 
 TEST_F(ReplayRunTest, PlacesTheRobotByAnotherSlamWhereOneIsNamed) {
@@ -129,32 +136,72 @@ TEST_F(ReplayRunTest, PlacesTheRobotByAnotherSlamWhereOneIsNamed) {
   options.slam = "ekf";
   EXPECT_EQ(run_replay(options), ExitCode::kOk);
   EXPECT_NE(text("pose_graph.g2o"), live_text("pose_graph.g2o"));
-  EXPECT_EQ(text("observations.csv"), live_text("observations.csv"));
+  EXPECT_EQ(text("session.mcap"), live_text("session.mcap"));
   const auto report = nlohmann::json::parse(text("summary.json"));
   EXPECT_EQ(report.at("slam"), "ekf");
   EXPECT_EQ(report.at("replay").at("poses"), "ekf");
 }
 
-TEST_F(ReplayRunTest, KeepsTheMapUpToWhereTheRecordIsDamaged) {
-  const std::string record = live_text(kRecordName);
-  files::write_text_file(options.log / kRecordName, record + "odometry,1\n");
-  EXPECT_EQ(run_replay(options), console::ExitCode::kRuntimeError);
-  EXPECT_EQ(text("map.pgm"), live_text("map.pgm"));
-  EXPECT_EQ(nlohmann::json::parse(text("summary.json"))["outcome"], "log-damaged");
+TEST_F(ReplayRunTest, OfTheFileAloneNeedsNothingBesideIt) {
+  options.log = scratch / "lone.mcap";
+  std::filesystem::copy_file(recorded, options.log);
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  for (const char* file : {"map.pgm", "points.csv", "trajectory.tum", "robot.toml"}) {
+    EXPECT_EQ(text(file), files::read_text_file(scratch / "run" / file)) << file;
+  }
+  EXPECT_EQ(nlohmann::json::parse(text("summary.json"))["robot"], "uno_2wd");
 }
 
-TEST_F(ReplayRunTest, KeepsTheOtherMapsWhereThatOfAPreviousOneLacksItsSummary) {
-  for (const std::size_t number : {1U, 2U}) {
-    std::filesystem::create_directories(previous_map_of(options.log, number));
-    save_map(atlas.pipeline(), profile, previous_map_of(options.log, number), summary);
-    std::filesystem::copy_file(options.log / kRecordName,
-                               previous_map_of(options.log, number) / kRecordName);
-  }
-  std::filesystem::remove(previous_map_of(options.log, 1) / "summary.json");
-  EXPECT_EQ(run_replay(options), console::ExitCode::kRuntimeError);
-  EXPECT_FALSE(exists(previous_map_of(options.out, 1) / "map.pgm"));
-  EXPECT_EQ(text("previous_2/map.pgm"), live_text("previous_2/map.pgm"));
+TEST_F(ReplayRunTest, PlaysThePartThatIsAskedFor) {
+  options.part.until_s = 0.05;  // In the midst of the first stop.
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  auto report = nlohmann::json::parse(text("summary.json"));
+  EXPECT_EQ(report.at("stops"), 0);
+  EXPECT_EQ(report.at("replay").at("until_s"), 0.05);
+  options.part = {.from_s = 0.162};
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  report = nlohmann::json::parse(text("summary.json"));
+  EXPECT_EQ(report.at("stops"), 1);
+  EXPECT_EQ(report.at("replay").at("from_s"), 0.162);
+}
+
+TEST_F(ReplayRunTest, WaitsForRealTimeWhereASpeedIsAskedFor) {
+  options.part.speed = 4.0;  // Of 0.32 s of the robot.
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  EXPECT_GT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(70));
   EXPECT_EQ(text("map.pgm"), live_text("map.pgm"));
+}
+
+TEST_F(ReplayRunTest, KeepsTheMapUpToWhereTheRecordingIsDamaged) {
+  damage();
+  EXPECT_EQ(run_replay(options), console::ExitCode::kRuntimeError);
+  const auto report = nlohmann::json::parse(text("summary.json"));
+  EXPECT_EQ(report.at("outcome"), "log-damaged");
+  EXPECT_EQ(report.at("stops"), 1);
+}
+
+TEST_F(ReplayRunTest, OfARecordingWhoseWriterWasKilledHasWhatItWrote) {
+  const std::string bytes = live_text("session.mcap");
+  files::write_text_file(recorded, bytes.substr(0, bytes.size() - 100));
+  EXPECT_EQ(run_replay(options), console::ExitCode::kOk);
+  EXPECT_EQ(text("map.pgm"), live_text("map.pgm"));
+}
+
+TEST_F(ReplayRunTest, MakesTheMapsAgainThatWereSetAside) {
+  tests::WrittenRecording recording(profile);
+  for (const double range_m : {1.0, 1.2, 1.0, 1.1}) {
+    recording.add_stop(range_m);
+  }
+  recording.add(recording::SessionEventKind::kBeginNewMap, 2);
+  recording.add_stop(1.0);
+  recording.save(recorded);
+  EXPECT_EQ(run_replay(options), ExitCode::kOk);
+  EXPECT_TRUE(exists(previous_map_of(options.out, 1) / "map.pgm"));
+  EXPECT_FALSE(exists(previous_map_of(options.out, 2)));
+  const auto previous = nlohmann::json::parse(text("previous_1/summary.json"));
+  EXPECT_EQ(previous.at("outcome"), "set-aside");
+  EXPECT_EQ(previous.at("stops"), 2);
 }
 
 TEST_F(ReplayRunTest, WritesNothingAfterCtrlC) {
@@ -172,15 +219,16 @@ TEST_F(ReplayRunTest, WritesNothingAfterCtrlC) {
 }
 
 TEST_F(ReplayRunTest, LeavesADamagedRunAsItIs) {
-  const std::string damaged = live_text(kRecordName) + "odometry,1\n";
-  files::write_text_file(options.log / kRecordName, damaged);
+  damage();
+  const std::string damaged = live_text("session.mcap");
   options.out = options.log;
-  EXPECT_EQ(run_replay(options), console::ExitCode::kRuntimeError);
-  EXPECT_EQ(live_text(kRecordName), damaged);
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { run_replay(options); }),
+              HasSubstr("the run is left as it is\n  next: "));
+  EXPECT_EQ(live_text("session.mcap"), damaged);
 }
 
-TEST_F(ReplayRunTest, OfAnEmptyRecordIsAnError) {
-  exports::ObservationsFile(options.log / kRecordName).save(pipeline::ObservationLog(), false);
+TEST_F(ReplayRunTest, OfAnEmptyRecordingIsAnError) {
+  tests::WrittenRecording(profile).save(recorded);
   EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { run_replay(options); }),
               HasSubstr("the run has recorded nothing\n  next: "));
   EXPECT_FALSE(exists(options.out));

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "host/apps/saved_map.hpp"
-#include "host/exports/observations_csv.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/recording/session_reader.hpp"
 #include "host/session/pipeline_setup.hpp"
 #include "host/strategies/strategy_setup.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
@@ -57,32 +57,18 @@ TEST_F(RunWriterTest, AMapThatWasSetAsideHasARunDirectoryOfItsOwn) {
   writer.save();
   EXPECT_EQ(summary.previous_maps, 1U);
   EXPECT_EQ(summary.stops, 1U);
-  EXPECT_EQ(files::read_text_file(out / "previous_1/observations.csv"),
-            "kind,stamp_us,values\nodometry,20000,0,0\nbegin-scan\nend-scan\n");
   EXPECT_TRUE(exists(out / "previous_1/map.png"));
 }
 
-TEST_F(RunWriterTest, TheRecordIsThatOfTheMapAfterEveryStop) {
+TEST_F(RunWriterTest, BeginsTheRecordingWithWhatTheRunIs) {
+  summary.world = "attic";
   RunWriter writer(robot, explorer, run, summary);
-  const auto expect_saved = [&](const char* when) {
-    writer.save();
-    exports::ObservationRecorder recorder;
-    atlas.record().replay(recorder);
-    recorder.save(out / "expected.csv");
-    EXPECT_EQ(files::read_text_file(out / kRecordName), files::read_text_file(out / "expected.csv"))
-        << when;
-  };
-  expect_saved("at the start");
-  stop();
-  expect_saved("after a stop");
-  stop();
-  stop();
-  expect_saved("after two more");
-  atlas.begin_new_map(2);
-  stop();
-  expect_saved("in another map");
-  stop();
-  expect_saved("after a stop there");
+  writer.begin();
+  robot.recorder().finish();
+  const recording::SessionReader recording(out / recording::kSessionFileName);
+  EXPECT_EQ(recording.fact("session", "world"), "attic");
+  EXPECT_EQ(recording.fact("session", "robot"), profile.name);
+  EXPECT_EQ(recording.attachment("robot.toml"), profile.toml);
 }
 
 TEST_F(RunWriterTest, AMapThatCouldNotBeSavedIsSavedTheNextTime) {
@@ -97,17 +83,17 @@ TEST_F(RunWriterTest, AMapThatCouldNotBeSavedIsSavedTheNextTime) {
   EXPECT_EQ(files::read_text_file(out / "previous_1"), "in the way");
   std::filesystem::remove(out / "previous_1");
   writer.save();
-  EXPECT_TRUE(exists(out / "previous_1/observations.csv"));
+  EXPECT_TRUE(exists(out / "previous_1/map.pgm"));
 }
 
 TEST_F(RunWriterTest, WhatAFormerRunHasLeftStaysBesideIt) {
-  files::write_text_file(out / kRecordName, "old");
+  files::write_text_file(out / recording::kSessionFileName, "old");
   std::filesystem::create_directories(out / "previous_1");
   files::write_text_file(out / "previous_1/map.png", "old");
   RunWriter writer(robot, explorer, run, summary);
+  writer.begin();
   writer.save();
-  writer.save();
-  EXPECT_EQ(files::read_text_file(out / kPreviousRecordName), "old");
+  EXPECT_EQ(files::read_text_file(out / kPreviousRecordingName), "old");
   EXPECT_EQ(files::read_text_file(out / "previous_1.before/map.png"), "old");
   EXPECT_FALSE(exists(out / "previous_1"));
 }

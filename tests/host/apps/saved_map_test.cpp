@@ -39,36 +39,16 @@ TEST(SavedMap, HasAPoseGraphWhereThereIsSlam) {
 
 TEST(SavedMap, MovesAsideWhatAnEarlierRunHasLeft) {
   const tests::ScratchFolder out;
-  files::write_text_file(out / kRecordName, "old");
+  files::write_text_file(out / "session.mcap", "old");
+  files::write_text_file(out / "session_1.mcap", "its second part");
   std::filesystem::create_directories(previous_map_of(out.path(), 1));
   move_earlier_run_aside(out.path());
-  EXPECT_EQ(files::read_text_file(out / kPreviousRecordName), "old");
-  EXPECT_FALSE(exists(out / kRecordName));
+  EXPECT_EQ(files::read_text_file(out / kPreviousRecordingName), "old");
+  EXPECT_EQ(files::read_text_file(out / "session.before_1.mcap"), "its second part");
+  EXPECT_FALSE(exists(out / "session.mcap"));
+  EXPECT_FALSE(exists(out / "session_1.mcap"));
   EXPECT_TRUE(exists(out / "previous_1.before"));
   EXPECT_FALSE(exists(previous_map_of(out.path(), 1)));
-}
-
-TEST(SavedMap, MovesAsideThePreviousMapsOfBothNames) {
-  const tests::ScratchFolder out;
-  for (const char* name : {"previous_1", "former_1", "former_2"}) {
-    std::filesystem::create_directories(out / name);
-  }
-  move_earlier_run_aside(out.path());
-  EXPECT_FALSE(exists(stored_previous_map(out.path(), 1)));
-  EXPECT_FALSE(exists(stored_previous_map(out.path(), 2)));
-  for (const char* name : {"previous_1.before", "former_1.before", "former_2.before"}) {
-    EXPECT_TRUE(exists(out / name)) << name;
-  }
-}
-
-TEST(SavedMap, ReadsAPreviousMapOfAnOlderVersionAndWritesNoneOfThatName) {
-  const tests::ScratchFolder run;
-  std::filesystem::create_directories(run / "former_1");
-  EXPECT_EQ(stored_previous_map(run.path(), 1), run / "former_1");
-  EXPECT_EQ(previous_map_of(run.path(), 1), run / "previous_1");
-  std::filesystem::create_directories(run / "previous_1");
-  EXPECT_EQ(stored_previous_map(run.path(), 1), run / "previous_1");
-  EXPECT_FALSE(exists(stored_previous_map(run.path(), 2)));
 }
 
 TEST(SavedMap, RemovesWhatTheNextRunMayNotWrite) {

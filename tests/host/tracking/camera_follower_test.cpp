@@ -88,8 +88,8 @@ TEST_F(CameraFollowerTest, EndsWithoutAFix) {
 TEST(CameraAt, IsNoneWithoutAnAddress) {
   const session::RobotProfile profile = session::load_robot_profile("uno_2wd");
   pipeline::RobotAtlas atlas = session::atlas_for(profile, session::kNoSlam);
-  EXPECT_FALSE(camera_at("", profile, atlas));
-  EXPECT_THROW(camera_at("nowhere", profile, atlas), console::CommandError);
+  EXPECT_FALSE(camera_at("", profile, atlas, atlas));
+  EXPECT_THROW(camera_at("nowhere", profile, atlas, atlas), console::CommandError);
 }
 
 }  // namespace
