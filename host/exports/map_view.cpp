@@ -56,10 +56,19 @@ int min_width(const MapViewParams& params) {
                    2 * kMargin + Picture::text_width(params.title, kTextScale)});
 }
 
-double metres_per_pixel(const PictureFrame& frame, double cell_m) {
+/// Whole pixels for a cell, where `max_width_px` leaves at least one.
+double metres_per_pixel(const PictureFrame& frame,
+                        double cell_m,
+                        const std::optional<int>& max_width_px) {
   const int cells = static_cast<int>(std::lround(frame.size_m.maxCoeff() / cell_m));
-  const int pixels_per_cell = std::clamp(kWantedSide / cells, kMinPixelsPerCell, kMaxPixelsPerCell);
-  return std::max(cell_m / pixels_per_cell, frame.size_m.maxCoeff() / kMaxSide);
+  int pixels_per_cell = std::clamp(kWantedSide / cells, kMinPixelsPerCell, kMaxPixelsPerCell);
+  double min_m = frame.size_m.maxCoeff() / kMaxSide;
+  if (max_width_px) {
+    const int columns = static_cast<int>(std::lround(frame.size_m.x() / cell_m));
+    pixels_per_cell = std::clamp(*max_width_px / columns, 1, pixels_per_cell);
+    min_m = std::max(min_m, frame.size_m.x() / *max_width_px);
+  }
+  return std::max(cell_m / pixels_per_cell, min_m);
 }
 
 }  // namespace
@@ -67,8 +76,8 @@ double metres_per_pixel(const PictureFrame& frame, double cell_m) {
 MapView::MapView(const mapping::RasterMap& map, MapViewParams params)
     : map_(map),
       params_(std::move(params)),
-      frame_(frame_of(map_, params_.turn_rad, params_.points_m)),
-      metres_per_pixel_(metres_per_pixel(frame_, map_.resolution_m())),
+      frame_(params_.frame ? *params_.frame : frame_of(map_, params_.turn_rad, params_.points_m)),
+      metres_per_pixel_(metres_per_pixel(frame_, map_.resolution_m(), params_.max_map_width_px)),
       width_(static_cast<int>(std::lround(pixels(frame_.size_m.x())))),
       left_(std::max(0, (min_width(params_) - width_) / 2)),
       top_(params_.title.empty() ? 0 : kHeaderHeight) {
@@ -85,6 +94,10 @@ int MapView::height() const {
   const int entries = static_cast<int>(params_.legend.size());
   const int lines = (entries + legend_columns() - 1) / legend_columns();
   return map_bottom() + kFooterHeight + kLegendLine * lines;
+}
+
+std::size_t MapView::title_letters(int width_px) {
+  return static_cast<std::size_t>((width_px - 2 * kMargin) / Picture::text_width(" ", kTextScale));
 }
 
 Eigen::Vector2d MapView::place(const Eigen::Vector2d& point_m) const {

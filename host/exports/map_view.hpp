@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,12 @@ struct MapViewParams {
   double turn_rad = 0.0;
   /// Points of the map frame that the picture must hold, the trajectory for one.
   std::vector<Eigen::Vector2d> points_m{};
+  /// The part of the map frame that the picture shows, so that pictures of several maps show the
+  /// same; empty: the map and `points_m`, turned by `turn_rad`.
+  std::optional<PictureFrame> frame{};
+  /// The map is drawn no wider than this, in pixels; empty: only the largest size of a picture
+  /// limits it.
+  std::optional<int> max_map_width_px{};
 };
 
 /// A picture of a map for people: its cells enlarged, with a title above, a scale bar and a legend
@@ -58,6 +66,9 @@ class MapView {
   }
   /// Paints one cell of the map.
   void fill_cell(Picture& picture, geometry::CellIndex cell, Colour colour) const;
+
+  /// How many letters of a title a picture of that width has room for.
+  static std::size_t title_letters(int width_px);
 
   /// tEXt chunks that place the picture: `resolution` in metres per pixel and `origin`, the pose of
   /// its lower left corner, footer included, in the map frame: x, y and how far the picture is
