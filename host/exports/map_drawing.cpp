@@ -95,6 +95,7 @@ Picture draw_map(const MapView& view,
                  const std::optional<mapping::PolygonMap>& outline,
                  const MapStyle& style) {
   Picture picture = view.draw();
+  view.limit_to_map(picture);
   draw_echoes(*snapshot.points, view, picture);
   if (outline) {
     draw_outline(*outline, view, picture);

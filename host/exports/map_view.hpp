@@ -64,6 +64,8 @@ class MapView {
   bool is_on_map(const Eigen::Vector2d& place) const {
     return place.y() >= top_ && place.y() < map_bottom();
   }
+  /// Leaves the title and the footer of a picture as they are, whatever is drawn onto it.
+  void limit_to_map(Picture& picture) const { picture.limit_rows(top_, map_bottom()); }
   /// Paints one cell of the map.
   void fill_cell(Picture& picture, geometry::CellIndex cell, Colour colour) const;
 

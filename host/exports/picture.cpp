@@ -33,6 +33,7 @@ void draw_glyph(Picture& picture, int x, int y, const Glyph& glyph, int scale, C
 Picture::Picture(int width, int height, Colour background)
     : width_(width),
       height_(height),
+      end_row_(height),
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), background) {}
 
 Colour Picture::at(int x, int y) const {
@@ -40,8 +41,13 @@ Colour Picture::at(int x, int y) const {
                  static_cast<std::size_t>(x)];
 }
 
+void Picture::limit_rows(int top, int bottom) {
+  first_row_ = std::max(top, 0);
+  end_row_ = std::min(bottom, height_);
+}
+
 void Picture::set(int x, int y, Colour colour) {
-  if (x >= 0 && x < width_ && y >= 0 && y < height_) {
+  if (x >= 0 && x < width_ && y >= first_row_ && y < end_row_) {
     pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
             static_cast<std::size_t>(x)] = colour;
   }

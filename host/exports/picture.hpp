@@ -32,6 +32,8 @@ class Picture {
   /// The place must be inside.
   Colour at(int x, int y) const;
 
+  /// From now on nothing is drawn above row `top` nor from row `bottom` on.
+  void limit_rows(int top, int bottom);
   void set(int x, int y, Colour colour);
   void fill_rectangle(int x, int y, int width, int height, Colour colour);
   void fill_disc(const Eigen::Vector2d& centre, double radius, Colour colour);
@@ -57,6 +59,8 @@ class Picture {
  private:
   int width_;
   int height_;
+  int first_row_ = 0;
+  int end_row_;
   std::vector<Colour> pixels_;
 };
 

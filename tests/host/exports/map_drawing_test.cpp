@@ -56,8 +56,23 @@ TEST(MapDrawing, DrawsTheRobotInItsSize) {
   const MapView view(mapping::rasterize(*snapshot.grid));
   const Picture picture = draw_map(view, snapshot, std::nullopt, {.robot_radius_m = 0.2});
   EXPECT_EQ(colour_at(picture, view, {0.5, 0.68}), kRobotColour);
-  EXPECT_EQ(colour_at(picture, view, {0.5, 0.72}), kFloorColour);
+  EXPECT_EQ(colour_at(picture, view, {0.53, 0.73}), kFloorColour);
   EXPECT_EQ(colour_at(picture, view, {0.6, 0.5}), kInkColour) << "its nose";
+}
+
+TEST(MapDrawing, LeavesTheTitleFreeOfWhatLiesBeyondTheMap) {
+  auto snapshot = room_with_a_fitted_wall();
+  const MapView view(mapping::rasterize(*snapshot.grid), {.title = "hall"});
+  const Picture without = draw_map(view, snapshot, std::nullopt, {.shows_features = false});
+  mapping::SonarFeatures features;
+  features.walls = {{{0.1, -5.0}, {0.1, 5.0}}};
+  snapshot.features = std::make_shared<const mapping::SonarFeatures>(features);
+  const Picture picture = draw_map(view, snapshot, std::nullopt, {});
+  EXPECT_EQ(colour_at(picture, view, {0.1, 0.9}), kFittedColour);
+  const int x = static_cast<int>(view.place({0.1, 0.9}).x());
+  for (const int y : {0, 10, 29, picture.height() - 40, picture.height() - 1}) {
+    EXPECT_EQ(picture.at(x, y), without.at(x, y)) << y;
+  }
 }
 
 TEST(MapDrawing, ShowsAGivenFrameWhateverTheMapHolds) {

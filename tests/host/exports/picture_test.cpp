@@ -93,5 +93,15 @@ TEST(Picture, SaysWhyItCannotBeWritten) {
   EXPECT_THROW(Picture(2, 2, kWhite).write_png("/nowhere/a.png"), files::FileError);
 }
 
+TEST(Picture, DrawsOnlyOnTheRowsItIsLimitedTo) {
+  Picture picture(4, 6, {255, 255, 255});
+  picture.limit_rows(2, 4);
+  picture.fill_rectangle(0, 0, 4, 6, {0, 0, 0});
+  picture.blend(1, 5, {0, 0, 0}, 1.0);
+  for (int y = 0; y < 6; ++y) {
+    EXPECT_EQ(picture.at(1, y).red, y == 2 || y == 3 ? 0 : 255) << y;
+  }
+}
+
 }  // namespace
 }  // namespace echomap::exports
