@@ -118,7 +118,8 @@ void write_truth_picture(const std::filesystem::path& path,
       {.legend = legend(),
        .title = style.title,
        .turn_rad = style.align ? geometry::main_direction_rad(walls_m) : 0.0,
-       .points_m = ends_of(walls_m)});
+       .points_m = ends_of(walls_m),
+       .shows_metre_grid = false});
   exports::Picture picture = view.draw();
   for (int y = 0; y < canvas.rows(); ++y) {
     for (int x = 0; x < canvas.columns(); ++x) {

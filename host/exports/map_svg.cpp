@@ -111,6 +111,7 @@ void write_map_svg(const std::filesystem::path& path,
       legend_of(snapshot, outline.has_value(), style));
   std::string text = sheet.header();
   text += svg_filled("floor", kFloorColour, cells_path(map, CellState::kFree));
+  text += sheet.grid();
   text += svg_filled("walls", kWallColour, cells_path(map, CellState::kOccupied));
   text += svg_stroked("echoes", kEchoColour, sheet.metres(kEchoMm), echoes_path(*snapshot.points));
   if (outline) {

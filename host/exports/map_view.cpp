@@ -29,14 +29,15 @@ constexpr int kMargin = 14;
 constexpr int kBarThickness = 5;
 constexpr int kSwatch = 14;
 
-Colour colour_of(CellState state, int x, int y) {
-  switch (state) {
-    case CellState::kFree:
-      return kFloorColour;
-    case CellState::kOccupied:
-      return kWallColour;
-    case CellState::kUnknown:
-      break;
+Colour colour_of(CellState state, int x, int y, bool is_on_grid) {
+  if (state == CellState::kOccupied) {
+    return kWallColour;
+  }
+  if (is_on_grid) {
+    return kGridColour;
+  }
+  if (state == CellState::kFree) {
+    return kFloorColour;
   }
   return (x + y) % kHatchPeriod == 0 ? kUnknownHatch : kUnknownColour;
 }
@@ -134,10 +135,30 @@ Picture MapView::draw() const {
   return picture;
 }
 
+std::vector<bool> MapView::grid_pixels(double low_m, int count) const {
+  std::vector<bool> is_on_grid(static_cast<std::size_t>(count), false);
+  if (!params_.shows_metre_grid) {
+    return is_on_grid;
+  }
+  const double spacing_m = grid_spacing_m(frame_.size_m);
+  // An edge that is on a line but for rounding begins the pixel of the line.
+  const auto lines_below = [&](int edge) {
+    return std::floor((low_m + edge * metres_per_pixel_) / spacing_m + 1e-6);
+  };
+  for (int i = 0; i < count; ++i) {
+    is_on_grid[static_cast<std::size_t>(i)] = lines_below(i) > lines_below(i - 1);
+  }
+  return is_on_grid;
+}
+
 void MapView::draw_cells(Picture& picture) const {
+  const auto column_is_on_grid = grid_pixels(frame_.low_m.x() - left_ * metres_per_pixel_, width_);
+  const auto row_is_on_grid = grid_pixels(frame_.low_m.y(), map_height());
   for (int y = top_; y < map_bottom(); ++y) {
+    const bool is_on_row = row_is_on_grid[static_cast<std::size_t>(map_bottom() - 1 - y)];
     for (int x = 0; x < width_; ++x) {
-      picture.set(x, y, colour_of(map_.state(cell_at(x, y)), x, y));
+      const bool is_on_grid = is_on_row || column_is_on_grid[static_cast<std::size_t>(x)];
+      picture.set(x, y, colour_of(map_.state(cell_at(x, y)), x, y, is_on_grid));
     }
   }
 }
@@ -150,8 +171,14 @@ void MapView::draw_scale_bar(Picture& picture) const {
   for (const int x : {kMargin, kMargin + length - 2}) {
     picture.fill_rectangle(x, y - 2 * kBarThickness, 2, 4 * kBarThickness, kInkColour);
   }
-  picture.draw_text(
-      kMargin + length + kMargin, y - 7, length_text(length_m), kTextScale, kInkColour);
+  const int text_x = 2 * kMargin + length;
+  const std::string text = scale_text(length_m, grid_spacing_m(frame_.size_m));
+  const bool has_room = text_x + Picture::text_width(text, kTextScale) <= width_;
+  picture.draw_text(text_x,
+                    y - 7,
+                    params_.shows_metre_grid && has_room ? text : length_text(length_m),
+                    kTextScale,
+                    kInkColour);
 }
 
 void MapView::draw_legend(Picture& picture) const {
@@ -185,6 +212,17 @@ double scale_bar_m(double longest_m) {
     }
   }
   return 0.1;
+}
+
+double grid_spacing_m(const Eigen::Vector2d& size_m) {
+  constexpr double kSmallM = 3.0;
+  constexpr double kLargeM = 30.0;
+  const double side_m = size_m.maxCoeff();
+  return side_m < kSmallM ? 0.5 : side_m > kLargeM ? 5.0 : 1.0;
+}
+
+std::string scale_text(double length_m, double spacing_m) {
+  return length_text(length_m) + ", grid " + length_text(spacing_m);
 }
 
 std::string length_text(double length_m) { return fmt::format("{:.9g} m", length_m); }

@@ -18,6 +18,9 @@ namespace echomap::exports {
 constexpr Colour kFloorColour{255, 255, 255};
 constexpr Colour kUnknownColour{208, 211, 217};
 constexpr Colour kWallColour{40, 40, 40};
+/// Of the metre grid: darker than floor and lighter than unknown ground, so that it is read on both
+/// and in front of nothing.
+constexpr Colour kGridColour{226, 229, 236};
 constexpr Colour kInkColour{20, 20, 20};
 constexpr Colour kOrange{230, 159, 0};
 constexpr Colour kSkyBlue{86, 180, 233};
@@ -43,6 +46,9 @@ struct MapViewParams {
   /// The part of the map frame that the picture shows, so that pictures of several maps show the
   /// same; empty: the map and `points_m`, turned by `turn_rad`.
   std::optional<PictureFrame> frame{};
+  /// Whether floor and unknown ground have the lines of the metre grid, and the scale bar its
+  /// spacing. Not where every cell gets a colour of its own.
+  bool shows_metre_grid = true;
   /// The map is drawn no wider than this, in pixels; empty: only the largest size of a picture
   /// limits it.
   std::optional<int> max_map_width_px{};
@@ -84,6 +90,8 @@ class MapView {
   int height() const;
   /// The cell of the map that the middle of a pixel shows.
   geometry::CellIndex cell_at(int x, int y) const;
+  /// Of a row of pixels that begins there in the picture's axes, those on a line of the grid.
+  std::vector<bool> grid_pixels(double low_m, int count) const;
   void draw_cells(Picture& picture) const;
   void draw_scale_bar(Picture& picture) const;
   void draw_legend(Picture& picture) const;
@@ -100,6 +108,14 @@ class MapView {
 /// The largest round length (1, 2 or 5 times a power of ten, 10 m at most) that is no longer than
 /// `longest_m`; 0.1 m where none is.
 double scale_bar_m(double longest_m);
+
+/// The spacing of the metre grid on a map of that size: 1 m, for what is smaller than 3 m 0.5 m and
+/// for what is larger than 30 m 5 m. Its lines are along the picture's axes, through the origin of
+/// the map frame, where the robot has started.
+double grid_spacing_m(const Eigen::Vector2d& size_m);
+
+/// What a scale bar says: its length and the spacing of the grid, as "1 m, grid 0.5 m".
+std::string scale_text(double length_m, double spacing_m);
 
 /// Shortest decimals of a length, as "0.5 m".
 std::string length_text(double length_m);

@@ -23,6 +23,7 @@ constexpr double kFontMm = 3.8;
 /// Of a letter, on average.
 constexpr double kLetterMm = 0.6 * kFontMm;
 constexpr double kBarMm = 0.6;
+constexpr double kGridMm = 0.18;
 
 /// Of maps and plans: 1, 2 or 5 times a power of ten, not larger than 1 : 5.
 double scale_for(const Eigen::Vector2d& size_m) {
@@ -51,7 +52,8 @@ SvgSheet::SvgSheet(const PictureFrame& frame, std::string title, std::vector<Leg
   for (const LegendEntry& entry : legend_) {
     column_mm_ = std::max(column_mm_, 3.0 * kSwatchMm + width_mm(entry.text));
   }
-  const double inner_mm = std::max({map_size_mm_.x(), width_mm(title_), column_mm_});
+  const double inner_mm =
+      std::max({map_size_mm_.x(), width_mm(title_), column_mm_, scale_width_mm()});
   columns_ = legend_.empty() ? 1 : static_cast<std::size_t>(inner_mm / column_mm_);
   const std::size_t lines = (legend_.size() + columns_ - 1) / columns_;
   size_mm_ = {inner_mm + 2.0 * kMarginMm,
@@ -85,8 +87,36 @@ Eigen::Vector2d SvgSheet::legend_place(std::size_t entry) const {
               static_cast<double>(entry / columns_) * kLineMm};
 }
 
+double SvgSheet::bar_m() const { return scale_bar_m(metres(map_size_mm_.x() / 3.0)); }
+
+std::string SvgSheet::bar_text() const {
+  return scale_text(bar_m(), grid_spacing_m(frame_.size_m));
+}
+
+double SvgSheet::scale_width_mm() const {
+  return kBarMm + 1000.0 / scale_ * bar_m() + kSwatchMm + width_mm(bar_text());
+}
+
+std::string SvgSheet::grid() const {
+  const double spacing_m = grid_spacing_m(frame_.size_m);
+  const Eigen::Vector2d high_m = frame_.low_m + frame_.size_m;
+  std::string path;
+  const auto add_line = [&](const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) {
+    path += svg_polyline({frame_.in_map_m(from_m), frame_.in_map_m(to_m)});
+  };
+  const Eigen::Vector2d first = (frame_.low_m / spacing_m).array().ceil();
+  const Eigen::Vector2d end = (high_m / spacing_m).array().ceil();
+  for (int i = static_cast<int>(first.x()); i < end.x(); ++i) {
+    add_line({i * spacing_m, frame_.low_m.y()}, {i * spacing_m, high_m.y()});
+  }
+  for (int i = static_cast<int>(first.y()); i < end.y(); ++i) {
+    add_line({frame_.low_m.x(), i * spacing_m}, {high_m.x(), i * spacing_m});
+  }
+  return svg_stroked("grid", kGridColour, metres(kGridMm), path);
+}
+
 std::string SvgSheet::footer() const {
-  const double length_m = scale_bar_m(metres(map_size_mm_.x() / 3.0));
+  const double length_m = bar_m();
   const double length_mm = 1000.0 / scale_ * length_m;
   const Eigen::Vector2d from_mm(kMarginMm + kBarMm,
                                 map_corner_mm_.y() + map_size_mm_.y() + kFooterMm / 2.0);
@@ -97,9 +127,8 @@ std::string SvgSheet::footer() const {
                                  kBarMm,
                                  "M" + svg_point(from_mm) + "h" + svg_number(length_mm) +
                                      "m0 -1.5v3M" + svg_point(from_mm - tick_mm) + "v3");
-  text += svg_text({from_mm.x() + length_mm + kSwatchMm, from_mm.y() + 0.35 * kFontMm},
-                   kFontMm,
-                   length_text(length_m));
+  text += svg_text(
+      {from_mm.x() + length_mm + kSwatchMm, from_mm.y() + 0.35 * kFontMm}, kFontMm, bar_text());
   for (std::size_t i = 0; i < legend_.size(); ++i) {
     const Eigen::Vector2d place_mm = legend_place(i);
     text += svg_rectangle(place_mm, {kSwatchMm, kSwatchMm}, legend_[i].colour);

@@ -26,10 +26,16 @@ class SvgSheet {
   /// Up to and with the opening of the map's group, which is in metres of the map frame and shows
   /// nothing outside of the map's place on the sheet.
   std::string header() const;
+  /// The path `grid`, the lines of the metre grid: an element of the map's group, to lie on its
+  /// floor and below all else.
+  std::string grid() const;
   /// From the end of that group on.
   std::string footer() const;
 
  private:
+  double bar_m() const;
+  std::string bar_text() const;
+  double scale_width_mm() const;  ///< Of the bar and its text.
   Eigen::Vector2d legend_place(std::size_t entry) const;
 
   PictureFrame frame_;

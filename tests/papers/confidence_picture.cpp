@@ -34,7 +34,7 @@ void draw_confidence(const std::filesystem::path& path,
                                                  confidence.bounds().rows(),
                                                  confidence.resolution_m(),
                                                  {0, 0}),
-                              {.legend = legend});
+                              {.legend = legend, .shows_metre_grid = false});
   exports::Picture picture = view.draw();
   for (std::size_t i = 0; i < confidence.size(); ++i) {
     view.fill_cell(picture,

@@ -72,6 +72,13 @@ TEST_F(MapSvgTest, ShowsTrailAndEchoes) {
   EXPECT_THAT(svg, HasSubstr(">start</text>"));
 }
 
+TEST_F(MapSvgTest, HasItsGridOnTheFloorAndBelowTheWalls) {
+  const std::string svg = written(tests::snapshot_of(hall_ahead()));
+  EXPECT_LT(svg.find("id=\"floor\""), svg.find("id=\"grid\""));
+  EXPECT_LT(svg.find("id=\"grid\""), svg.find("id=\"walls\""));
+  EXPECT_THAT(path_of(svg, "grid"), HasSubstr("M-0.5 -0.15L-0.5 1.6M0 -0.15L0 1.6"));
+}
+
 TEST_F(MapSvgTest, OfNothingIsStillAPicture) {
   const std::string svg = written(tests::snapshot_of(mapping::OccupancyGrid()));
   EXPECT_THAT(svg, HasSubstr("</svg>"));

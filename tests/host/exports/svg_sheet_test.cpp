@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/exports/svg_sheet.hpp"
 
+#include <numbers>
 #include <regex>
 
 #include <gmock/gmock.h>
@@ -52,7 +53,20 @@ TEST(SvgSheet, HasRoomForALongTitleAndTheLegend) {
   ASSERT_TRUE(std::regex_search(header, match, std::regex("width=\"([0-9.]+)mm")));
   EXPECT_GT(std::stod(match[1]), 60 * 2.0);
   EXPECT_THAT(sheet.footer(), HasSubstr(">occupied</text>"));
-  EXPECT_THAT(sheet.footer(), HasSubstr(">0.1 m</text>"));
+  EXPECT_THAT(sheet.footer(), HasSubstr(">0.1 m, grid 0.5 m</text>"));
+}
+
+TEST(SvgSheet, HasAGridAlongItsSidesThroughTheOriginOfTheMap) {
+  // x from -1 to 2.5 m, y from 0.5 to 3.5 m.
+  EXPECT_THAT(sheet_of(3.5, 3.0).grid(),
+              HasSubstr("d=\"M-1 0.5L-1 3.5M0 0.5L0 3.5M1 0.5L1 3.5M2 0.5L2 3.5"
+                        "M-1 1L2.5 1M-1 2L2.5 2M-1 3L2.5 3\""));
+}
+
+TEST(SvgSheet, TurnsTheGridWithThePaperAndNotWithTheMap) {
+  // A quarter turn: the paper's x axis is the map's y axis.
+  EXPECT_THAT(sheet_of(3.5, 3.0, std::numbers::pi / 2.0).grid(),
+              HasSubstr("d=\"M-0.5 -1L-3.5 -1M-0.5 0L-3.5 0"));
 }
 
 }  // namespace
