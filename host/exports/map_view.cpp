@@ -88,7 +88,7 @@ MapView::MapView(const mapping::RasterMap& map, MapViewParams params)
 int MapView::map_height() const { return static_cast<int>(std::lround(pixels(frame_.size_m.y()))); }
 
 int MapView::legend_columns() const {
-  return params_.legend.empty() ? 1 : std::max(1, width_ / legend_width(params_.legend));
+  return std::max(1, width_ / std::max(1, legend_width(params_.legend)));
 }
 
 int MapView::height() const {

@@ -82,9 +82,10 @@ std::string SvgSheet::header() const {
 }
 
 Eigen::Vector2d SvgSheet::legend_place(std::size_t entry) const {
-  return {kMarginMm + static_cast<double>(entry % columns_) * column_mm_,
-          map_corner_mm_.y() + map_size_mm_.y() + kFooterMm +
-              static_cast<double>(entry / columns_) * kLineMm};
+  const std::size_t line = entry / columns_;
+  const std::size_t column = entry % columns_;
+  return {kMarginMm + static_cast<double>(column) * column_mm_,
+          map_corner_mm_.y() + map_size_mm_.y() + kFooterMm + static_cast<double>(line) * kLineMm};
 }
 
 double SvgSheet::bar_m() const { return scale_bar_m(metres(map_size_mm_.x() / 3.0)); }
