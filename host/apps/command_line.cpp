@@ -112,6 +112,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_explore(app, action);
   add_eval(app, action);
   add_replay(app, action);
+  add_export(app, action);
   add_localize(app, action);
   add_diff(app, action);
   add_characterise(app, action);

@@ -82,6 +82,19 @@ struct ReplayOptions {
 };
 ExitCode run_replay(const ReplayOptions& options);
 
+/// `echomap export`: draws one file of a recorded run again.
+struct ExportOptions {
+  std::filesystem::path run;              ///< Run directory or recording.
+  std::string to;                         ///< One of `export_names()`.
+  std::filesystem::path out;              ///< Empty: the run's name with the format's ending, here.
+  double until_s = PlayedPart().until_s;  ///< Second of the recording at which to stop.
+  bool align = true;                      ///< Turn the pictures to the room's main direction.
+  bool force = false;                     ///< Overwrite the file.
+};
+ExitCode run_export(const ExportOptions& options);
+/// The formats of `echomap export`.
+std::vector<std::string> export_names();
+
 /// `echomap localize`: finds and follows a robot in a map.
 struct LocalizeOptions {
   std::filesystem::path log;   ///< Of a robot that drove; empty: one that drives, at a port.

@@ -148,6 +148,30 @@ void add_characterise(CLI::App& app, CommandAction& action) {
       [&action, options] { action = [options] { return run_characterise(*options); }; });
 }
 
+void add_export(CLI::App& app, CommandAction& action) {
+  CLI::App* command =
+      app.add_subcommand("export", "Write a recorded run's map, path or observations as one file");
+  const auto options = std::make_shared<ExportOptions>();
+  command->add_option("run", options->run, "Run directory or session.mcap")
+      ->required()
+      ->check(CLI::ExistingPath);
+  command
+      ->add_option("--to",
+                   options->to,
+                   "Format: pgm, png, svg, gif, geojson or json of the map, tum or csv of the path "
+                   "and what was sensed, g2o of SLAM's graph, carmen for tools of logs")
+      ->required()
+      ->check(CLI::IsMember(export_names()));
+  command->add_option(
+      "--out", options->out, "The file; by default the run's name with the format's ending");
+  command->add_flag("--force", options->force, "Overwrite the file");
+  command->add_option("--until", options->until_s, "Second of the recording at which to stop")
+      ->check(CLI::NonNegativeNumber);
+  add_align_option(*command, options->align);
+  command->footer("Example: echomap export first_map --to gif");
+  command->callback([&action, options] { action = [options] { return run_export(*options); }; });
+}
+
 void add_replay(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("replay", "Map a recorded log");
   const auto options = std::make_shared<ReplayOptions>();

@@ -16,6 +16,7 @@ void add_eval(CLI::App& app, CommandAction& action);
 void add_diff(CLI::App& app, CommandAction& action);
 void add_characterise(CLI::App& app, CommandAction& action);
 void add_replay(CLI::App& app, CommandAction& action);
+void add_export(CLI::App& app, CommandAction& action);
 
 /// The file of a log, which is answered, and its format.
 CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std::string& format);

@@ -8,6 +8,7 @@
 
 #include "host/console/exit_code.hpp"
 #include "host/console/interrupt.hpp"
+#include "host/exports/geojson.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/mcap/mcap_reader.hpp"
 #include "host/recording/session_file.hpp"
@@ -16,6 +17,7 @@ namespace echomap::apps {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 /// Lets real time pass until a recording that is played at that speed is so far.
@@ -44,6 +46,24 @@ void throw_if_interrupted(const recording::SessionReader& recording) {
   }
 }
 
+/// Of a run that was killed before its first stop there is only what it had set out to do.
+ordered_json report_of_begin(const recording::SessionReader& recording) {
+  ordered_json json{{"outcome", "exploring"}, {"finished", false}, {"outline_by_strategy", false}};
+  for (const char* key : {"strategy", "robot", "slam", "world", "firmware", "emulator"}) {
+    json[key] = recording.fact("session", key);
+  }
+  return json;
+}
+
+/// A file of the run: the one in its directory or, where only the recording is there, the one
+/// attached to it. Empty where there is neither.
+std::optional<std::string> file_of_run(const fs::path& log,
+                                       const char* name,
+                                       const recording::SessionReader& recording) {
+  const bool is_beside = fs::is_directory(log) && exists(log / name);
+  return is_beside ? std::optional(files::read_text_file(log / name)) : recording.attachment(name);
+}
+
 }  // namespace
 
 std::optional<fs::path> recording_of(const fs::path& path) {
@@ -59,6 +79,35 @@ session::RobotProfile profile_of(const recording::SessionReader& recording) {
                            ": the robot's profile is missing at its beginning");
   }
   return session::parse_robot_profile(*toml, recording.path().string() + "/robot.toml");
+}
+
+RunReport read_report(const fs::path& log, const recording::SessionReader& recording) {
+  RunReport report;
+  const auto text = file_of_run(log, "summary.json", recording);
+  report.json = text ? ordered_json::parse(*text, nullptr, false) : report_of_begin(recording);
+  try {
+    report.json.at("slam").get_to(report.slam);
+    report.json.at("outline_by_strategy").get_to(report.outline_by_strategy);
+    report.world = report.json.value("world", "");
+    report.robot = report.json.value("robot", "");
+  } catch (const nlohmann::json::exception&) {
+    throw files::FileError(
+        log.string() +
+        "/summary.json: not the summary of a run, slam or outline_by_strategy is "
+        "missing");
+  }
+  return report;
+}
+
+geometry::Polygon outline_of(const fs::path& log,
+                             const RunReport& report,
+                             const recording::SessionReader& recording) {
+  const auto text =
+      report.outline_by_strategy ? file_of_run(log, "outline.geojson", recording) : std::nullopt;
+  const auto outline =
+      text ? exports::parse_outline_geojson(*text, log.string() + "/outline.geojson")
+           : std::nullopt;
+  return outline ? outline->outline_m() : geometry::Polygon{};
 }
 
 Played play(recording::SessionReader& recording,

@@ -7,6 +7,9 @@
 #include <optional>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
+#include "host/geometry/polygon.hpp"
 #include "host/recording/session_reader.hpp"
 #include "host/session/robot_profile.hpp"
 #include "host/session/session_player.hpp"
@@ -21,6 +24,25 @@ std::optional<std::filesystem::path> recording_of(const std::filesystem::path& p
 /// The profile of the robot that drove, as the recording has it. Throws files::FileError where it
 /// has none, and files::ConfigError.
 session::RobotProfile profile_of(const recording::SessionReader& recording);
+
+/// The report of a run, and what of it is needed to draw its map again.
+struct RunReport {
+  nlohmann::ordered_json json;
+  std::string slam;
+  std::string world;
+  std::string robot;
+  bool outline_by_strategy = false;
+};
+
+/// The report in the run directory or, where only the recording is there, the one in it; of a run
+/// that was killed before its first stop, what it had set out to do. `log` is what
+/// `recording_of` was given; the recording has been read to its end. Throws files::FileError.
+RunReport read_report(const std::filesystem::path& log, const recording::SessionReader& recording);
+
+/// The outline that the strategy has drawn itself, from the same place; empty where it drew none.
+geometry::Polygon outline_of(const std::filesystem::path& log,
+                             const RunReport& report,
+                             const recording::SessionReader& recording);
 
 /// Which part of a recording is played, and how fast. Seconds count from its first message.
 struct PlayedPart {

@@ -16,7 +16,6 @@
 #include "host/apps/run_ending.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/console/print.hpp"
-#include "host/exports/geojson.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/recording/session_file.hpp"
@@ -43,63 +42,6 @@ std::string reason_against(const ReplayOptions& options) {
     return "--slam " + options.slam + " is for lasers";
   }
   return "";
-}
-
-/// The report of a run, and what of it the replay needs.
-struct RunReport {
-  ordered_json json;
-  std::string slam;
-  std::string world;
-  std::string robot;
-  bool outline_by_strategy = false;
-};
-
-/// Of a run that was killed before its first stop there is only what it had set out to do.
-ordered_json report_of_begin(const recording::SessionReader& recording) {
-  ordered_json json{{"outcome", "exploring"}, {"finished", false}, {"outline_by_strategy", false}};
-  for (const char* key : {"strategy", "robot", "slam", "world", "firmware", "emulator"}) {
-    json[key] = recording.fact("session", key);
-  }
-  return json;
-}
-
-/// A file of the run: the one in its directory or, where only the recording is there, the one
-/// attached to it. Empty where there is neither.
-std::optional<std::string> file_of_run(const fs::path& log,
-                                       const char* name,
-                                       const recording::SessionReader& recording) {
-  const bool is_beside = fs::is_directory(log) && exists(log / name);
-  return is_beside ? std::optional(files::read_text_file(log / name)) : recording.attachment(name);
-}
-
-RunReport read_report(const fs::path& log, const recording::SessionReader& recording) {
-  RunReport report;
-  const auto text = file_of_run(log, "summary.json", recording);
-  report.json = text ? ordered_json::parse(*text, nullptr, false) : report_of_begin(recording);
-  try {
-    report.json.at("slam").get_to(report.slam);
-    report.json.at("outline_by_strategy").get_to(report.outline_by_strategy);
-    report.world = report.json.value("world", "");
-    report.robot = report.json.value("robot", "");
-  } catch (const nlohmann::json::exception&) {
-    throw files::FileError(
-        log.string() +
-        "/summary.json: not the summary of a run, slam or outline_by_strategy is "
-        "missing");
-  }
-  return report;
-}
-
-/// What a strategy has drawn itself is not in the observations.
-geometry::Polygon outline_of(const fs::path& log,
-                             const RunReport& report,
-                             const recording::SessionReader& recording) {
-  const auto text =
-      report.outline_by_strategy ? file_of_run(log, "outline.geojson", recording) : std::nullopt;
-  const auto outline =
-      text ? exports::parse_outline_geojson(*text, log.string() + "/outline.geojson")
-           : std::nullopt;
-  return outline ? outline->outline_m() : geometry::Polygon{};
 }
 
 /// The run's summary, with what this replay has made of its map.

@@ -107,6 +107,25 @@ void describe_uncertainty(const Eigen::Matrix3d& covariance, RunSummary& summary
   summary.pose_stddev_deg = geometry::degrees(std::sqrt(covariance(2, 2)));
 }
 
+RunPictures pictures_of(const pipeline::Snapshot& snapshot,
+                        const RunSummary& summary,
+                        const RunDrawing& drawing) {
+  RunPictures pictures{mapping::rasterize(*snapshot.grid), {}, {}, {}};
+  if (drawing.outline_m.empty()) {
+    pictures.outline = mapping::room_outline(pictures.map, *snapshot.features);
+  } else {
+    pictures.outline.emplace(drawing.outline_m);
+  }
+  if (pictures.outline) {
+    pictures.is_open =
+        mapping::open_sides(pictures.outline->outline_m(), pictures.map, *snapshot.features);
+  }
+  pictures.style.turn_rad = drawing.align ? main_direction_rad(snapshot, pictures.outline) : 0.0;
+  pictures.style.robot_radius_m = drawing.robot_radius_m;
+  pictures.style.title = title_of(drawing, summary, pictures.outline, pictures.style.turn_rad);
+  return pictures;
+}
+
 void write_run_directory(const std::filesystem::path& directory,
                          const pipeline::Snapshot& snapshot,
                          const RunSummary& summary,
@@ -114,22 +133,13 @@ void write_run_directory(const std::filesystem::path& directory,
   make_directory(directory);
   write_points_csv(directory / "points.csv", snapshot.points->points());
   write_poses_csv(directory / "poses.csv", snapshot.points->poses());
-  const mapping::RasterMap map = mapping::rasterize(*snapshot.grid);
-  write_pgm_yaml(directory / "map.yaml", map);
+  const RunPictures pictures = pictures_of(snapshot, summary, drawing);
+  write_pgm_yaml(directory / "map.yaml", pictures.map);
   write_occupancy_grid_csv(directory / "occupancy_grid.csv", *snapshot.grid);
   write_trajectory_tum(directory / "trajectory.tum", *snapshot.trajectory);
-  const auto outline = drawing.outline_m.empty()
-                           ? mapping::room_outline(map, *snapshot.features)
-                           : std::optional(mapping::PolygonMap(drawing.outline_m));
-  write_outline_geojson(directory / "outline.geojson",
-                        outline,
-                        outline ? mapping::open_sides(outline->outline_m(), map, *snapshot.features)
-                                : std::vector<bool>{});
-  MapStyle style{.turn_rad = drawing.align ? main_direction_rad(snapshot, outline) : 0.0,
-                 .robot_radius_m = drawing.robot_radius_m};
-  style.title = title_of(drawing, summary, outline, style.turn_rad);
-  write_map_png(directory / "map.png", snapshot, outline, style);
-  write_map_svg(directory / "map.svg", snapshot, outline, style);
+  write_outline_geojson(directory / "outline.geojson", pictures.outline, pictures.is_open);
+  write_map_png(directory / "map.png", snapshot, pictures.outline, pictures.style);
+  write_map_svg(directory / "map.svg", snapshot, pictures.outline, pictures.style);
   write_summary_json(directory / "summary.json", summary);
 }
 

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
+#include "host/exports/map_style.hpp"
 #include "host/exports/summary_json.hpp"
 #include "host/geometry/polygon.hpp"
+#include "host/mapping/polygon_map.hpp"
+#include "host/mapping/raster_map.hpp"
 #include "host/pipeline/snapshot.hpp"
 
 namespace echomap::exports {
@@ -29,6 +34,19 @@ struct RunDrawing {
   /// What the pictures' title begins with; empty: room and robot of the summary.
   std::string name{};
 };
+
+/// What the pictures of a run directory are drawn of beside the snapshot.
+struct RunPictures {
+  mapping::RasterMap map;
+  std::optional<mapping::PolygonMap> outline;
+  std::vector<bool> is_open;  ///< Of the outline's sides.
+  MapStyle style;
+};
+
+/// The pictures of a run directory, as `write_run_directory` draws them.
+RunPictures pictures_of(const pipeline::Snapshot& snapshot,
+                        const RunSummary& summary,
+                        const RunDrawing& drawing);
 
 /// Writes map.yaml, map.pgm, occupancy_grid.csv, map.png, map.svg, outline.geojson, points.csv,
 /// poses.csv, trajectory.tum and summary.json into `directory`, which is made where it is missing.

@@ -34,6 +34,9 @@ SessionRecorder::SessionRecorder(const SessionRecorderParams& params)
     : params_(params), odometry_(params.geometry.track_m) {}
 
 void SessionRecorder::attempt(const std::function<void()>& write) {
+  if (is_finished_) {
+    return;
+  }
   try {
     write();
   } catch (const files::FileError& error) {
@@ -237,6 +240,7 @@ void SessionRecorder::describe_ending(const std::map<std::string, std::string>& 
 
 void SessionRecorder::finish() {
   file_.finish();
+  is_finished_ = true;
   trouble_.clear();
 }
 

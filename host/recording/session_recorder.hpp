@@ -71,7 +71,8 @@ class SessionRecorder final : public pipeline::AnyObservationSink {
 
   /// Hands everything so far to the system.
   void flush();
-  /// Adds what came of the session and ends the file. Throws files::FileError.
+  /// Adds what came of the session and ends the file: what comes later is not recorded. Throws
+  /// files::FileError.
   void attach(const std::string& file_name,
               const std::string& media_type,
               const std::string& bytes);
@@ -109,6 +110,7 @@ class SessionRecorder final : public pipeline::AnyObservationSink {
   std::uint64_t epoch_ns_ = 0;
   std::uint64_t time_ns_ = 0;
   std::string trouble_;
+  bool is_finished_ = false;
   bool scan_is_open_ = false;
   sensors::WheelOdometry odometry_;
   geometry::Pose2 T_map_odom_;

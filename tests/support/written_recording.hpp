@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <span>
 #include <string>
 
+#include "host/geometry/angle.hpp"
 #include "host/recording/session_recorder.hpp"
 #include "host/session/robot_profile.hpp"
 #include "protocol/frame_encoder.hpp"
@@ -44,15 +47,17 @@ class WrittenRecording {
     recorder_.add_event({kind, value});
   }
 
-  /// A stop 6.7 cm farther, whose walls are so far all round.
+  /// A stop 6.7 cm farther in a square room whose walls are so far ahead and to the sides.
   void add_stop(double range_m) {
     constexpr double kSpeedOfSound = 343.2;
-    const auto flight_us = static_cast<std::uint16_t>(2e6 * range_m / kSpeedOfSound);
     ticks_ = static_cast<std::int16_t>(ticks_ + 470);
     receive(protocol::Odometry{stamp_us_ += 20'000, ticks_, ticks_, 0});
     add(recording::SessionEventKind::kBeginScan);
     for (int i = 0; i < 31; ++i) {
       const auto pan_cdeg = static_cast<std::int16_t>(573 * i - 8595);
+      const double pan_rad = geometry::radians(0.01 * pan_cdeg);
+      const double wall_m = range_m / std::max(std::cos(pan_rad), std::abs(std::sin(pan_rad)));
+      const auto flight_us = static_cast<std::uint16_t>(2e6 * wall_m / kSpeedOfSound);
       receive(protocol::Echo{stamp_us_ += 50'000, pan_cdeg, flight_us, ticks_, ticks_});
     }
     add(recording::SessionEventKind::kEndScan);

@@ -24,7 +24,7 @@ TEST(CommandLine, HelpAndVersionGoToStdout) {
 
 TEST(CommandLine, TheHelpNamesEveryCommand) {
   const std::string help = run({"--help"}).out;
-  for (const char* command : {"demo", "explore", "eval", "replay", "diff", "flash"}) {
+  for (const char* command : {"demo", "explore", "eval", "replay", "export", "diff", "flash"}) {
     EXPECT_THAT(help, ContainsRegex(std::string("\n  ") + command + "[ ,]")) << command;
     const Said said = run({command, "--help"});
     EXPECT_EQ(said.code, console::ExitCode::kOk) << command;
