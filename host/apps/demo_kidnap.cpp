@@ -59,7 +59,7 @@ DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam) {
   robot.fork().add(filter.sink());
   tracking::StopDriver driver(
       robot, slam, [&](const geometry::Pose2& goal) { return filter.telling(goal); });
-  const FollowedRobot followed{robot.session(), driver, filter};
+  const FollowedRobot followed{robot, driver, filter};
   DemoKidnap kidnap;
   kidnap.explored = *snapshot.trajectory;
 

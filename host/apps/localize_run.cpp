@@ -30,6 +30,8 @@ namespace {
 using nlohmann::ordered_json;
 using session::RobotProfile;
 
+/// Of a filter's particles, so many show how they lie.
+constexpr std::size_t kRecordedPoses = 500;
 /// Where no other number is named.
 constexpr std::size_t kUsualStops = 20;
 
@@ -70,15 +72,15 @@ class Account {
   }
   void add_stop(const FollowedRobot& robot) {
     json_["stops"].push_back(robot.filter.report());
-    json_["stops"].back()["sim_seconds"] = now_s(robot.session);
+    json_["stops"].back()["sim_seconds"] = now_s(robot.context.session());
   }
   void describe(const std::optional<diagnosis::Diagnosis>& diagnosis) {
     json_["robot_fault"] = exports::to_json(summary_of(diagnosis));
   }
   void save(const RunEnding& ending, const FollowedRobot& robot, const std::filesystem::path& out) {
     json_.update(to_json(ending));
-    json_["sim_seconds"] = now_s(robot.session);
-    if (const auto& described = robot.session.link().robot();
+    json_["sim_seconds"] = now_s(robot.context.session());
+    if (const auto& described = robot.context.session().link().robot();
         described && !json_.contains("firmware")) {
       json_["firmware"] = session::firmware_of(*described);
     }
@@ -119,8 +121,8 @@ RunEnding ending_of_drive(const session::RobotContext& context,
                            console::shell_line(localize));
   }
   const std::string again = console::shell_line(localize);
-  if (const auto end = robot.session.end()) {
-    return ending_of(*end, robot.session.end_reason(), {again, again, again, again});
+  if (const auto end = robot.context.session().end()) {
+    return ending_of(*end, robot.context.session().end_reason(), {again, again, again, again});
   }
   const auto finished = robot.driver.finished().value_or(exploration::FinishReason::kStopLimit);
   if (is_trouble(finished)) {
@@ -151,6 +153,10 @@ bool follow_to_next_stop(const FollowedRobot& robot) {
     return false;
   }
   console::print("  " + robot.filter.line());
+  if (!robot.filter.trajectory().empty()) {
+    robot.context.recorder().add_localization(robot.filter.trajectory().back().T_map_robot,
+                                              robot.filter.sampled_poses(kRecordedPoses));
+  }
   if (robot.filter.has_lost_it()) {
     robot.driver.begin_new_map(1);
   }
@@ -168,7 +174,7 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   context.open(std::move(opened));
   tracking::StopDriver driver(
       context, run.slam, [&](const geometry::Pose2& goal) { return filter.telling(goal); });
-  const FollowedRobot robot{context.session(), driver, filter};
+  const FollowedRobot robot{context, driver, filter};
 
   Account account(options, context.profile());
   if (context.lockstep() != nullptr) {

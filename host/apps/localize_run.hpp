@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "host/apps/commands.hpp"
-#include "host/session/robot_session.hpp"
+#include "host/session/robot_context.hpp"
 #include "host/tracking/live_filter.hpp"
 #include "host/tracking/stop_driver.hpp"
 
@@ -14,13 +14,13 @@ namespace echomap::apps {
 
 /// A robot that drives from stop to stop, and the filter that listens.
 struct FollowedRobot {
-  session::RobotSession& session;
+  session::RobotContext& context;
   tracking::StopDriver& driver;
   tracking::LiveFilter& filter;
 };
 
-/// Drives to the next stop and says where the robot is. Once it is not where it was thought to be,
-/// the driver's own map is void, too. False where the drive is over.
+/// Drives to the next stop, records and says where the robot is. Once it is not where it was
+/// thought to be, the driver's own map is void, too. False where the drive is over.
 bool follow_to_next_stop(const FollowedRobot& robot);
 
 /// `echomap localize` of a robot on a port: drives it from stop to stop and writes trajectory.tum

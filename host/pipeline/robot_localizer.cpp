@@ -200,6 +200,20 @@ void RobotLocalizer::check_place(const std::vector<localization::RangeReading>& 
   }
 }
 
+std::vector<geometry::Pose2> RobotLocalizer::sampled_poses(std::size_t count) const {
+  std::vector<geometry::Pose2> poses;
+  if (!filter_ || count == 0) {
+    return poses;
+  }
+  const localization::Particles& particles = filter_->localizer.particles();
+  const std::size_t step = (particles.size() + count - 1) / count;
+  poses.reserve(count);
+  for (std::size_t i = 0; i < particles.size(); i += step) {
+    poses.push_back(particles.pose(i));
+  }
+  return poses;
+}
+
 double RobotLocalizer::telling(const geometry::Pose2& T_robot_goal) const {
   if (!filter_ || belief_.status == localization::LocalizationStatus::kLocalized) {
     return 0.0;

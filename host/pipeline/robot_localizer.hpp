@@ -78,6 +78,9 @@ class RobotLocalizer final : public ObservationSink {
   /// How well a scan from a goal, seen from the robot, would tell apart the places where it may be:
   /// localization::ViewDifference. 0 where it is localized, or nothing is known.
   double telling(const geometry::Pose2& T_robot_goal) const;
+  /// Poses where the robot may be, evenly chosen from the particles of the last update; `count` at
+  /// most.
+  std::vector<geometry::Pose2> sampled_poses(std::size_t count) const;
   /// The likeliest place at the end of each scan; of range scans, at each update.
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
   std::size_t scans() const { return scans_; }

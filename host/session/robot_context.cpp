@@ -124,7 +124,8 @@ exploration::MotionResult RobotContext::execute(const exploration::Motion& motio
   }
   const auto changed = exploration::change_maps(*atlas_, motion);
   const exploration::MotionResult result = changed ? *changed : move(motion);
-  if (changed == exploration::MotionResult::kReached || std::holds_alternative<exploration::EndScan>(motion)) {
+  if (changed == exploration::MotionResult::kReached ||
+      std::holds_alternative<exploration::EndScan>(motion)) {
     recorder_.add_map(atlas_->pipeline().snapshot());
   }
   return result;

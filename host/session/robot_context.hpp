@@ -13,6 +13,7 @@
 #include "host/pipeline/robot_atlas.hpp"
 #include "host/session/follower.hpp"
 #include "host/session/open_robot.hpp"
+#include "host/session/recording_log.hpp"
 #include "host/session/robot_profile.hpp"
 #include "host/session/robot_session.hpp"
 #include "host/session/seed.hpp"
@@ -84,6 +85,7 @@ class RobotContext {
   RobotProfile profile_;
   Seed seed_;
   recording::SessionRecorder recorder_;
+  RecordingLog recording_log_{recorder_};
   bool trouble_is_told_ = false;
   pipeline::ObservationFork fork_;
   pipeline::JoinedSessions sessions_{fork_};

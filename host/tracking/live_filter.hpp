@@ -21,6 +21,8 @@ class LiveFilter : public session::Follower {
   /// How well a scan from a goal, seen from the robot, would tell apart where it may be: 0 where
   /// all goals do the same.
   virtual double telling(const geometry::Pose2& T_robot_goal) const = 0;
+  /// Poses where the robot may be, `count` at most; none where the filter has only one.
+  virtual std::vector<geometry::Pose2> sampled_poses(std::size_t /*count*/) const { return {}; }
   /// Where the robot is, for people.
   virtual std::string line() const = 0;
   /// The same as the entries of a report.

@@ -34,6 +34,9 @@ class MclFilter final : public LiveFilter {
   double telling(const geometry::Pose2& T_robot_goal) const override {
     return localizer_.telling(T_robot_goal);
   }
+  std::vector<geometry::Pose2> sampled_poses(std::size_t count) const override {
+    return localizer_.sampled_poses(count);
+  }
   std::string line() const override;
   nlohmann::ordered_json report() const override;
   const std::vector<pipeline::StampedPose>& trajectory() const override {

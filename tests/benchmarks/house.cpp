@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The house itself: its size, the shape of its code, what no program links, how long a contributor
-// waits, and whether a replay is what the run was.
+// The house itself: its size, the shape of its code, what no program links, and how long a
+// contributor waits.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,6 @@
 #include "host/files/atomic_file.hpp"
 #include "host/session/child_process.hpp"
 #include "tests/benchmarks/figures.hpp"
-#include "tests/benchmarks/replay_identity.hpp"
 #include "tests/structure/function_lengths.hpp"
 #include "tests/structure/linked_sources.hpp"
 #include "tests/structure/source_tree.hpp"
@@ -82,27 +81,7 @@ std::vector<Figure> tier_figures(const std::filesystem::path& folder) {
   return figures;
 }
 
-Figure replay_figure(std::uint32_t seeds, const std::string& emulator) {
-  const std::vector<LiveRun> runs = live_runs(seeds, emulator);
-  std::size_t identical = 0;
-  for (const LiveRun& run : runs) {
-    const std::vector<std::string> differences = differences_of_replay(run);
-    identical += differences.empty() ? 1 : 0;
-    if (!differences.empty()) {
-      fmt::print(stderr,
-                 "{} seed {} {}{}: not the same: {}\n",
-                 run.room,
-                 run.seed,
-                 run.part_faults,
-                 run.kidnap,
-                 fmt::join(differences, ", "));
-    }
-  }
-  const std::string name = fmt::format("replay_identical_of_{}", runs.size());
-  return {name, static_cast<double>(identical), "runs", runs.size(), {}};
-}
-
-std::vector<Figure> figures_of(std::uint32_t seeds, const std::string& emulator) {
+std::vector<Figure> figures_of() {
   const auto product = product_of(structure::read_source_tree(ECHOMAP_SOURCE_DIR));
   std::vector<Figure> figures = size_figures(product);
   const auto append = [&](const std::vector<Figure>& more) {
@@ -110,7 +89,6 @@ std::vector<Figure> figures_of(std::uint32_t seeds, const std::string& emulator)
   };
   append(function_figures(product));
   append(tier_figures(std::filesystem::path(ECHOMAP_BINARY_DIR) / "tiers"));
-  append({replay_figure(seeds, emulator)});
   return figures;
 }
 
@@ -118,15 +96,9 @@ std::vector<Figure> figures_of(std::uint32_t seeds, const std::string& emulator)
 }  // namespace echomap::bench
 
 int main(int argc, char** argv) {
-  std::uint32_t seeds = 20;
-  std::string emulator = "mock";
   std::filesystem::path json;
-  CLI::App app("Size and shape of the code, waiting times of a contributor, live against replay");
-  app.add_option("--seeds", seeds, "Replay the demo room with seeds 1 to this")
-      ->capture_default_str();
-  app.add_option("--emulator", emulator, "Of all runs but the kidnapped one, which the mock makes")
-      ->capture_default_str();
+  CLI::App app("Size and shape of the code, and waiting times of a contributor");
   app.add_option("--json", json, "Write the figures to this file");
   CLI11_PARSE(app, argc, argv);
-  echomap::bench::report(echomap::bench::figures_of(seeds, emulator), json);
+  echomap::bench::report(echomap::bench::figures_of(), json);
 }

@@ -122,6 +122,14 @@ TEST_F(RobotLocalizerTest, FindsARobotThatMayBeAnywhere) {
   EXPECT_EQ(localizer.trajectory().size(), 4U);
 }
 
+TEST_F(RobotLocalizerTest, ShowsWhereItsParticlesLie) {
+  EXPECT_TRUE(localizer.sampled_poses(10).empty());
+  scan();
+  const std::size_t shown = localizer.sampled_poses(10).size();
+  EXPECT_GE(shown, 5U);
+  EXPECT_LE(shown, 10U);
+}
+
 TEST_F(RobotLocalizerTest, FollowsARobotFromWhereItIsTold) {
   turn(0.0);
   localizer.start_at(T_map_robot, 0.05, 0.05);

@@ -20,7 +20,7 @@ class CameraFollowerTest : public session::SessionOnACable {
  protected:
   CameraFollowerTest() {
     follower = std::make_unique<CameraFollower>(
-        profile.geometry, FixStream(std::make_unique<tests::ToldStream>(bytes)), atlas);
+        profile.geometry, FixStream(std::make_unique<tests::ToldStream>(bytes)), atlas, fork);
     fork.add(follower->sink());
     fork.add(atlas);
     session = std::make_unique<session::RobotSession>(new_connection(), profile, fork);
