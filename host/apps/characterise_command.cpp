@@ -10,7 +10,6 @@
 #include "host/apps/report.hpp"
 #include "host/apps/whole_records.hpp"
 #include "host/console/print.hpp"
-#include "host/datasets/open_log.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/pipeline/log_sweeps.hpp"
 #include "host/sensors/incidence_noise.hpp"
@@ -35,7 +34,7 @@ struct SonarCharacter {
 pipeline::LogSweeps read_sweeps(const CharacteriseOptions& options) {
   pipeline::LogSweeps sweeps;
   for (const auto& path : options.logs) {
-    const auto log = datasets::open_log(path, options.format);
+    const auto log = open_reported_log(path, options.format);
     while (const auto record = next_whole_record(*log)) {
       // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       sweeps.add(*record);

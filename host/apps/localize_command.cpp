@@ -16,7 +16,6 @@
 #include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
 #include "host/console/progress_bar.hpp"
-#include "host/datasets/open_log.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/pipeline/log_player.hpp"
@@ -105,7 +104,7 @@ Outcome play(recording::SessionReader& recording,
 Outcome play(const LocalizeOptions& options, pipeline::RobotLocalizer& localizer) {
   console::ProgressBar progress(stderr, !options.run.headless);
   try {
-    const auto log = datasets::open_log(options.log, options.format);
+    const auto log = open_reported_log(options.log, options.format);
     const bool has_ended = play(*log, localizer, progress);
     progress.clear();
     return {has_ended ? "finished" : "interrupted"};

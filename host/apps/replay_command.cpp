@@ -16,7 +16,6 @@
 #include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
 #include "host/console/progress_bar.hpp"
-#include "host/datasets/open_log.hpp"
 #include "host/exports/landmarks_csv.hpp"
 #include "host/exports/pose_graph_g2o.hpp"
 #include "host/exports/run_directory.hpp"
@@ -220,7 +219,7 @@ void refuse_to_overwrite(const std::filesystem::path& log, const std::filesystem
 
 ExitCode replay_log(const ReplayOptions& options) {
   const auto start = Clock::now();
-  const auto log = datasets::open_log(options.log, options.format);
+  const auto log = open_reported_log(options.log, options.format);
   const auto out = run_folder(options.out);
   refuse_to_overwrite(options.log, out);
   prepare_outputs(out, options.json, options.force);

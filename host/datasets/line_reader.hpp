@@ -15,8 +15,8 @@ struct gzFile_s;
 
 namespace echomap::datasets {
 
-/// The last line of a file has no end and is not what its format says: whoever wrote it was cut off
-/// in its midst. All before it is whole.
+/// The last line of a file has no end and is not what its format says, or a binary file ends within
+/// a record: whoever wrote it was cut off in its midst. All before it is whole.
 class CutOffLine : public files::FileError {
  public:
   using FileError::FileError;

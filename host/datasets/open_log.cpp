@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/datasets/bag_files.hpp"
 #include "host/datasets/big_wheel_bot_log.hpp"
 #include "host/datasets/breezyslam_log.hpp"
 #include "host/datasets/brenner_log.hpp"
@@ -15,6 +16,7 @@
 #include "host/datasets/mrclam_log.hpp"
 #include "host/datasets/nxt_scan_log.hpp"
 #include "host/datasets/roomba_ci_log.hpp"
+#include "host/datasets/ros_bag_log.hpp"
 #include "host/datasets/run_directory_log.hpp"
 #include "host/datasets/tum_log.hpp"
 #include "host/datasets/uci_ring_log.hpp"
@@ -40,6 +42,7 @@ constexpr std::array kNameEndings{
     Sign{".tum", "tum"},
     Sign{"poses.csv", "run"},
     Sign{".clf", "carmen"},
+    Sign{".mcap", "ros2-bag"},
 };
 constexpr std::array kFirstLineBeginnings{
     Sign{"FLASER ", "carmen"},
@@ -89,6 +92,7 @@ const std::vector<LogFormat>& log_formats() {
       {"mrclam", "UTIAS MRCLAM: RobotN_Odometry.dat", open_mrclam_log},
       {"nxt", "one round scan of a LEGO NXT sonar", open_nxt_scan_log},
       {"roomba-ci", "RoombaCI: encoders, bumper", open_roomba_ci_log},
+      {"ros2-bag", "a bag of ROS 2: Range, LaserScan, Odometry", open_ros_bag_log},
       {"run", "a run directory of echomap: points and poses", open_run_directory_log},
       {"tum", "a trajectory in the TUM format", open_tum_log},
       {"uci-ring", "UCI wall following: ring of 24 sonars", open_uci_ring_log},
@@ -106,7 +110,10 @@ std::string unknown_format(std::string_view name) {
 
 std::optional<std::string_view> recognised_format(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path)) {
-    return std::filesystem::exists(path / "poses.csv") ? std::optional("run") : std::nullopt;
+    if (std::filesystem::exists(path / "poses.csv")) {
+      return "run";
+    }
+    return is_bag_folder(path) ? std::optional("ros2-bag") : std::nullopt;
   }
   for (const auto& [ending, format] : kNameEndings) {
     if (has_ending(path, ending)) {

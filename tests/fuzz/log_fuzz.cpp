@@ -13,6 +13,7 @@
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/temporary_folder.hpp"
+#include "tests/support/bag_writer.hpp"
 
 namespace {
 
@@ -62,7 +63,11 @@ class LogFolders {
   fs::path log_of(std::string_view format) const {
     return folder_.path() / format / names_of(format).front();
   }
-  void write(std::span<const std::uint8_t> bytes) {
+  void write(std::string_view format, std::span<const std::uint8_t> bytes) {
+    if (names_of(format).size() == 1) {
+      files_.front().write(bytes);
+      return;
+    }
     for (auto& file : files_) {
       const auto end = std::find(bytes.begin(), bytes.end(), kNextFile);
       const auto size = static_cast<std::size_t>(end - bytes.begin());
@@ -110,6 +115,25 @@ std::string repeated(std::string_view text, int times) {
   return all;
 }
 
+/// A bag of everything that is read of bags.
+std::string small_bag() {
+  namespace tests = echomap::tests;
+  const echomap::fuzz::TemporaryFolder folder;
+  const fs::path path = folder.path() / "log";
+  tests::BagWriter bag(path);
+  bag.write("/tf_static", tests::ros_transform(0.0, "base_link", "mast", {0.1, 0.0, 0.5}), 1.0);
+  bag.write("/tf", tests::ros_transform(1.0, "mast", "sonar", {0.0, 0.0, -0.5}), 1.0);
+  bag.write("/odom", tests::ros_odometry(1.0, {0.1, 0.2, 0.3}), 1.0);
+  bag.write("/sonar", tests::ros_range(1.1, "sonar", 2.0), 1.1);
+  echomap::ros_messages::LaserScan sweep;
+  sweep.header = tests::ros_header(1.2, "mast");
+  sweep.range_max = 8.0F;
+  sweep.ranges = {1.0F, 2.0F, 9.0F};
+  bag.write("/scan", sweep, 1.2);
+  bag.finish();
+  return echomap::files::read_text_file(path);
+}
+
 /// A log of a format in a few lines.
 std::string small_log(std::string_view format) {
   const std::string next(1, kNextFile);
@@ -152,6 +176,9 @@ std::string small_log(std::string_view format) {
   if (format == "roomba-ci") {
     return "0.02, 32767, -32768, 62.5, 00000001, 00111111, 1, 2, 3, 4, 5, 6;\n";
   }
+  if (format == "ros2-bag") {
+    return small_bag();
+  }
   if (format == "tum") {
     return "# t\n1 2 3 0 0 0 0.7 0.7\n";
   }
@@ -176,9 +203,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   static LogFolders folders;
-  folders.write({data + 1, size - 1});
   const auto& formats = datasets::log_formats();
   const auto& format = formats[data[0] % formats.size()];
+  folders.write(format.name, {data + 1, size - 1});
   try {
     read(format, folders.log_of(format.name));
   } catch (const echomap::files::FileError& error) {

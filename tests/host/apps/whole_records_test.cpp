@@ -12,6 +12,7 @@
 #include "host/datasets/open_log.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/session/temporary_folder.hpp"
+#include "tests/support/bag_writer.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -50,8 +51,19 @@ TEST_F(WholeRecords, AreAllOfAWholeLog) {
 
 TEST_F(WholeRecords, AreThoseBeforeALastLineThatIsCutOffWhichIsTold) {
   EXPECT_EQ(records_of("0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 2 0 0"), 2U);
-  EXPECT_NE(said_.str().find("the last line is incomplete"), std::string::npos) << said_.str();
+  EXPECT_NE(said_.str().find("the end of the log is incomplete"), std::string::npos) << said_.str();
   EXPECT_NE(said_.str().find("poses.tum:3: "), std::string::npos) << said_.str();
+}
+
+TEST_F(WholeRecords, OfABagAreBesideAWarningOfWhatIsNotUsed) {
+  tests::BagWriter bag(folder_ / "drive.mcap");
+  bag.write("/odom", tests::ros_odometry(1.0, {}), 1.0);
+  bag.write("/fused", tests::ros_odometry(1.0, {}), 1.0);
+  bag.finish();
+  const auto log = open_reported_log(folder_ / "drive.mcap", "");
+  EXPECT_NE(said_.str().find("drive.mcap: /fused is ignored"), std::string::npos) << said_.str();
+  EXPECT_TRUE(next_whole_record(*log));
+  EXPECT_FALSE(next_whole_record(*log));
 }
 
 TEST_F(WholeRecords, AreNotThereOfALogThatIsDamagedBefore) {

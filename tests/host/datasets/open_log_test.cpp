@@ -33,6 +33,7 @@ TEST_F(OpenLogTest, NamesOrFirstLinesSayTheFormatWhereTheySayItPlainly) {
   EXPECT_EQ(recognised("robot4_scan.txt", ""), "brenner");
   EXPECT_EQ(recognised("poses.csv", ""), "run");
   EXPECT_EQ(recognised_format(folder_.path()), "run");
+  EXPECT_EQ(recognised("drive.mcap", ""), "ros2-bag");
   EXPECT_EQ(recognised("c.txt", "1 2 3\n"), std::nullopt);
   EXPECT_EQ(recognised("d.txt", ""), std::nullopt);
 }
@@ -87,7 +88,8 @@ TEST_F(OpenLogTest, EveryFormatRefusesBinary) {
         }
       }
     });
-    EXPECT_THAT(error, HasSubstr(":1: the line contains a zero byte")) << format.name;
+    const char* what = format.name == "ros2-bag" ? "MCAP" : ":1: the line contains a zero byte";
+    EXPECT_THAT(error, HasSubstr(what)) << format.name;
   }
 }
 
