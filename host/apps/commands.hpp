@@ -79,6 +79,9 @@ struct ReplayOptions {
   std::filesystem::path json;
   bool force = false;  ///< Overwrite a run that `out` has in it.
   bool headless = false;
+
+  /// Whether something is asked for that only a recording can do.
+  bool plays_a_part() const { return step || part != PlayedPart(); }
 };
 ExitCode run_replay(const ReplayOptions& options);
 

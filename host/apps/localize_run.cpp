@@ -12,6 +12,7 @@
 #include "host/apps/explore_run.hpp"
 #include "host/apps/link_report.hpp"
 #include "host/apps/map_file.hpp"
+#include "host/apps/recorded_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_ending.hpp"
 #include "host/apps/run_recording.hpp"
@@ -183,9 +184,8 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   context.connect();
   exports::RunSummary facts;
   facts.slam = run.slam;
-  facts.strategy = "localize";
   move_earlier_run_aside(out);
-  begin_recording(context, facts, out, split_bytes(run));
+  begin_recording(context, kLocalizeCommand, facts, out, split_bytes(run));
   drive(context, robot, run.strategy.stops.value_or(kUsualStops), account);
   context.session().disarm();
   account.describe(context.diagnosis());

@@ -83,7 +83,8 @@ session::RobotProfile profile_of(const recording::SessionReader& recording) {
 
 RunReport read_report(const fs::path& log, const recording::SessionReader& recording) {
   RunReport report;
-  const auto text = file_of_run(log, "summary.json", recording);
+  const bool has_map = recording.fact("session", "command") != kLocalizeCommand;
+  const auto text = has_map ? file_of_run(log, "summary.json", recording) : std::nullopt;
   report.json = text ? ordered_json::parse(*text, nullptr, false) : report_of_begin(recording);
   try {
     report.json.at("slam").get_to(report.slam);

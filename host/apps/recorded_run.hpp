@@ -16,6 +16,9 @@
 
 namespace echomap::apps {
 
+/// What the recording of `echomap localize` names as its command: its report is not one of a map.
+inline constexpr const char* kLocalizeCommand = "localize";
+
 /// The recording of a run: that in its run directory, or the file itself. Empty where the path is
 /// no such directory and no recording of echomap. Throws files::FileError where a file cannot be
 /// read.
@@ -35,8 +38,9 @@ struct RunReport {
 };
 
 /// The report in the run directory or, where only the recording is there, the one in it; of a run
-/// that was killed before its first stop, what it had set out to do. `log` is what
-/// `recording_of` was given; the recording has been read to its end. Throws files::FileError.
+/// that was killed before its first stop, or that only localized, what it had set out to do. `log`
+/// is what `recording_of` was given; the recording has been read to its end. Throws
+/// files::FileError.
 RunReport read_report(const std::filesystem::path& log, const recording::SessionReader& recording);
 
 /// The outline that the strategy has drawn itself, from the same place; empty where it drew none.
@@ -50,6 +54,8 @@ struct PlayedPart {
   double until_s = std::numeric_limits<double>::infinity();
   /// Seconds of the recording a second; empty: as fast as it goes.
   std::optional<double> speed{};
+
+  bool operator==(const PlayedPart&) const = default;
 };
 
 /// How a recording was played.

@@ -256,7 +256,15 @@ ExitCode replay_log(const ReplayOptions& options) {
 }  // namespace
 
 ExitCode run_replay(const ReplayOptions& options) {
-  return plays_recording(options) ? replay_run(options) : replay_log(options);
+  if (plays_recording(options)) {
+    return replay_run(options);
+  }
+  if (options.plays_a_part()) {
+    throw CommandError(ExitCode::kUsage,
+                       "--from, --until, --speed and --step are for recordings of echomap\n  next: "
+                       "leave them out");
+  }
+  return replay_log(options);
 }
 
 }  // namespace echomap::apps

@@ -125,6 +125,10 @@ void copy_recording(const fs::path& from, const fs::path& out) {
   for (std::size_t part = 0; exists(recording::part_of(from, part)); ++part) {
     fs::copy_file(recording::part_of(from, part), recording::part_of(to, part));
   }
+  const fs::path metadata = from.parent_path() / recording::kBagMetadataName;
+  if (from.filename() == recording::kSessionFileName && exists(metadata)) {
+    fs::copy_file(metadata, out / recording::kBagMetadataName);
+  }
 }
 
 /// The run's, or the one that is asked for.

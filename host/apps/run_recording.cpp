@@ -28,11 +28,13 @@ constexpr std::pair<const char*, const char*> kAttached[] = {
 };
 
 std::map<std::string, std::string> facts_of(const session::RobotContext& robot,
+                                            const std::string& command,
                                             const exports::RunSummary& summary) {
   const auto& link = robot.session().link();
   const auto& described = link.robot();
   return {
       {"version", ECHOMAP_VERSION},
+      {"command", command},
       {"robot", robot.profile().name},
       {"strategy", summary.strategy},
       {"slam", summary.slam},
@@ -60,10 +62,11 @@ std::map<std::string, std::string> ending_of_report(const nlohmann::ordered_json
 }  // namespace
 
 void begin_recording(session::RobotContext& robot,
+                     const std::string& command,
                      const exports::RunSummary& summary,
                      const fs::path& out,
                      std::uint64_t split_bytes) {
-  robot.recorder().describe("session", facts_of(robot, summary));
+  robot.recorder().describe("session", facts_of(robot, command, summary));
   robot.recorder().open(out / recording::kSessionFileName, split_bytes);
 }
 

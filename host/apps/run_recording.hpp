@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,9 +20,10 @@ inline std::uint64_t split_bytes(const RunOptions& run) {
 }
 
 /// Begins the recording of a robot that has answered in the run directory `out`, and says in it
-/// what the run is. A file of at least `split_bytes` is followed by another one; 0: never. Throws
-/// files::FileError.
+/// what the run is: `command` makes it. A file of at least `split_bytes` is followed by another
+/// one; 0: never. Throws files::FileError.
 void begin_recording(session::RobotContext& robot,
+                     const std::string& command,
                      const exports::RunSummary& summary,
                      const std::filesystem::path& out,
                      std::uint64_t split_bytes);

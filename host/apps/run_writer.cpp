@@ -31,7 +31,7 @@ RunWriter::RunWriter(session::RobotContext& robot,
 
 void RunWriter::begin() {
   move_earlier_run_aside(out_);
-  begin_recording(robot_, summary_, out_, split_bytes_);
+  begin_recording(robot_, "explore", summary_, out_, split_bytes_);
 }
 
 void RunWriter::save() {

@@ -16,8 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What one run writes beside its map and another does not.
-constexpr const char* kOptionalFiles[] = {
-    "confidence_grid.csv", "landmarks.csv", "pose_graph.g2o", "robot.toml"};
+constexpr const char* kOptionalFiles[] = {recording::kBagMetadataName,
+                                          "confidence_grid.csv",
+                                          "landmarks.csv",
+                                          "pose_graph.g2o",
+                                          "robot.toml"};
 
 /// Renames a file or folder, in place of one that has that name.
 void move_aside(const fs::path& from, const fs::path& to) {

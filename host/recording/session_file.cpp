@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "host/files/atomic_file.hpp"
+
 namespace echomap::recording {
 
 std::filesystem::path part_of(const std::filesystem::path& first, std::size_t number) {
@@ -14,7 +16,9 @@ std::filesystem::path part_of(const std::filesystem::path& first, std::size_t nu
 }
 
 SessionFile::SessionFile(const mcap::McapWriterParams& params)
-    : params_(params), writer_(new_writer()) {}
+    : params_(params), writer_(new_writer()) {
+  contents_.begin_part(kSessionFileName);
+}
 
 std::unique_ptr<mcap::McapWriter> SessionFile::new_writer() const {
   return std::make_unique<mcap::McapWriter>(
@@ -71,7 +75,14 @@ void SessionFile::split_if_due() {
   for (const mcap::Attachment& attachment : attachments_) {
     writer_->attach(attachment);
   }
-  writer_->open(part_of(path_, parts_++));
+  const std::filesystem::path part = part_of(path_, parts_++);
+  contents_.begin_part(part.filename().string());
+  writer_->open(part);
+}
+
+void SessionFile::finish() {
+  writer_->finish();
+  files::write_text_file(path_.parent_path() / kBagMetadataName, contents_.yaml());
 }
 
 }  // namespace echomap::recording

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/mcap/mcap_writer.hpp"
+#include "host/recording/bag_metadata.hpp"
 #include "host/ros_messages/message_definition.hpp"
 #include "host/ros_messages/serialization.hpp"
 
@@ -42,6 +43,7 @@ class SessionFile {
     split_if_due();
     ros_messages::serialize(message, buffer_);
     const std::uint16_t channel = channel_of(topic, M::kName, &ros_messages::message_definition<M>);
+    contents_.add(topic, M::kName, time_ns);
     writer_->write(channel, time_ns, time_ns, buffer_);
   }
 
@@ -56,8 +58,8 @@ class SessionFile {
 
   /// Hands everything so far to the system.
   void flush() { writer_->flush(); }
-  /// Ends the file. Nothing may be written after.
-  void finish() { writer_->finish(); }
+  /// Ends the file, and writes metadata.yaml beside it. Nothing may be written after.
+  void finish();
 
  private:
   std::unique_ptr<mcap::McapWriter> new_writer() const;
@@ -76,6 +78,7 @@ class SessionFile {
   std::map<std::string, std::uint16_t, std::less<>> schemas_;
   std::map<std::string, std::uint16_t, std::less<>> channels_;
   std::vector<std::uint8_t> buffer_;
+  BagMetadata contents_;
 };
 
 }  // namespace echomap::recording

@@ -266,6 +266,14 @@ TEST_F(ReplayCommandTest, ARefusedReplayLeavesTheEarlierRunAsItIs) {
   EXPECT_EQ(files::read_text_file(options_.out / "map.pgm"), map);
 }
 
+TEST_F(ReplayCommandTest, OnlyARecordingIsPlayedInParts) {
+  options_.part.until_s = 5.0;
+  EXPECT_THAT(error(), HasSubstr("--until, --speed and --step are for recordings of echomap"));
+  options_.part = {};
+  options_.step = true;
+  EXPECT_THAT(error(), HasSubstr("are for recordings of echomap"));
+}
+
 TEST_F(ReplayCommandTest, TheMapOfARunsEchoesDoesNotTakeTheRunsPlace) {
   options_.map = "points";
   ASSERT_EQ(run_replay(options_), ExitCode::kOk);

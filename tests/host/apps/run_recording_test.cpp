@@ -24,11 +24,12 @@ TEST_F(RunRecordingTest, SaysWhatTheRunIsAndWhatCameOfIt) {
   robot.connect();
   exports::RunSummary summary;
   summary.strategy = "frontier";
-  begin_recording(robot, summary, out.path(), 0);
+  begin_recording(robot, "explore", summary, out.path(), 0);
   files::write_text_file(out / "map.png", "picture");
   end_recording(
       robot, {{"outcome", "complete"}, {"finished", true}, {"wall_seconds", 3.5}}, out.path());
   recording::SessionReader reader(out / recording::kSessionFileName);
+  EXPECT_EQ(reader.fact("session", "command"), "explore");
   EXPECT_EQ(reader.fact("session", "seed"), "7");
   EXPECT_EQ(reader.fact("session", "strategy"), "frontier");
   EXPECT_EQ(reader.fact("session", "firmware"), "echomap 0.1.0");
