@@ -80,8 +80,8 @@ void ObservationsCsv::begin_line(std::string_view kind, time::RobotTime stamp) {
 }
 
 void ObservationsCsv::begin_line(std::string_view kind,
-                                     time::RobotTime stamp,
-                                     const sensors::WheelTravel& travel) {
+                                 time::RobotTime stamp,
+                                 const sensors::WheelTravel& travel) {
   begin_line(kind, stamp);
   add(travel.left_m);
   add(travel.right_m);

@@ -50,11 +50,15 @@ TransformStamped transform_of(std::uint64_t time_ns,
       {{T_parent_child.x_m(), T_parent_child.y_m(), 0.0}, turned_by(T_parent_child.heading_rad())}};
 }
 
-Odometry odometry_message(std::uint64_t time_ns, const geometry::Pose2& T_odom_robot) {
+Odometry odometry_message(std::uint64_t time_ns,
+                          const geometry::Pose2& T_odom_robot,
+                          const Speed& speed) {
   Odometry message;
   message.header = header_of(time_ns, kOdomFrame);
   message.child_frame_id = kRobotFrame;
   message.pose.pose = pose_of(T_odom_robot);
+  message.twist.twist.linear.x = speed.forward_m_per_s;
+  message.twist.twist.angular.z = speed.turn_rad_per_s;
   return message;
 }
 

@@ -38,8 +38,16 @@ ros_messages::TransformStamped transform_of(std::uint64_t time_ns,
                                             const std::string& child,
                                             const geometry::Pose2& T_parent_child);
 
-/// Where the wheels have the robot, in the frame `odom`.
-ros_messages::Odometry odometry_message(std::uint64_t time_ns, const geometry::Pose2& T_odom_robot);
+/// How fast a robot drives and turns, in its own frame.
+struct Speed {
+  double forward_m_per_s = 0.0;
+  double turn_rad_per_s = 0.0;
+};
+
+/// Where the wheels have the robot, in the frame `odom`, and how fast they move it.
+ros_messages::Odometry odometry_message(std::uint64_t time_ns,
+                                        const geometry::Pose2& T_odom_robot,
+                                        const Speed& speed);
 /// One ping; infinity without an echo, as REP 117 has it.
 ros_messages::Range sonar_message(std::uint64_t time_ns,
                                   const sensors::SonarObservation& ping,

@@ -87,7 +87,7 @@ void SessionReader::read_ending() {
 }
 
 std::optional<SessionEntry> SessionReader::entry_of(const mcap::Message& message) {
-  time_ns_ = message.log_time_ns;
+  const std::uint64_t last_ns = std::exchange(time_ns_, message.log_time_ns);
   begin_ns_ = begin_ns_.value_or(time_ns_);
   const std::string& topic = message.channel->info.topic;
   try {
@@ -99,6 +99,9 @@ std::optional<SessionEntry> SessionReader::entry_of(const mcap::Message& message
     }
     const auto event = ros_messages::deserialize<SessionEventMessage>(message.data);
     if (const auto kind = event_kind(event.kind)) {
+      if (kind == SessionEventKind::kBeginSession && last_ns != 0) {
+        pauses_ns_ += time_ns_ - std::min(time_ns_, last_ns);
+      }
       return SessionEvent{*kind, event.value, {event.pose.x, event.pose.y, event.pose.theta}};
     }
     throw files::FileError("'" + event.kind + "' is no event of a session");
@@ -109,7 +112,8 @@ std::optional<SessionEntry> SessionReader::entry_of(const mcap::Message& message
 }
 
 double SessionReader::elapsed_s() const {
-  return 1e-9 * static_cast<double>(time_ns_ - std::min(time_ns_, begin_ns()));
+  const std::uint64_t begin_ns = begin_ns_.value_or(0) + pauses_ns_;
+  return 1e-9 * static_cast<double>(time_ns_ - std::min(time_ns_, begin_ns));
 }
 
 std::string SessionReader::fact(const std::string& metadata, const std::string& key) const {

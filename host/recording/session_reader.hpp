@@ -42,10 +42,9 @@ class SessionReader {
   /// Reads on to the end for what stands there, whatever comes before it. Does not throw.
   void read_ending();
 
-  /// Log time of the last entry, and of the first message, nanoseconds.
+  /// Log time of the last entry, nanoseconds.
   std::uint64_t time_ns() const { return time_ns_; }
-  std::uint64_t begin_ns() const { return begin_ns_.value_or(0); }
-  /// Seconds of the recording at the last entry.
+  /// Seconds of the recording at the last entry, without the pauses between its sessions.
   double elapsed_s() const;
   /// The share that has been read, 0 .. 1.
   double progress() const { return reader_->progress(); }
@@ -69,6 +68,7 @@ class SessionReader {
   std::optional<mcap::Record> first_;  ///< Read with the head.
   std::uint64_t time_ns_ = 0;
   std::optional<std::uint64_t> begin_ns_;
+  std::uint64_t pauses_ns_ = 0;  ///< Between the sessions so far.
   std::map<std::string, std::map<std::string, std::string>> metadata_;
   std::map<std::string, std::string> attachments_;
 };

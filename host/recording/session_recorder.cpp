@@ -94,8 +94,18 @@ void SessionRecorder::on(const sensors::Observation& observation) {
 }
 
 void SessionRecorder::add(const sensors::OdometryObservation& odometry) {
-  const geometry::Pose2 T_odom_robot = odometry_.update(odometry.travel);
-  write("/odom", odometry_message(time_ns_, T_odom_robot));
+  const geometry::Pose2 T_odom_last = T_odom_told_;
+  T_odom_told_ = odometry_.update(odometry.travel);
+  const geometry::Pose2& T_odom_robot = T_odom_told_;
+  const geometry::Pose2 T_last_now = T_odom_last.inverse() * T_odom_robot;
+  const auto last_stamp = std::exchange(told_stamp_, odometry.stamp);
+  const double passed_s = std::chrono::duration<double>(told_stamp_ - last_stamp).count();
+  write("/odom",
+        odometry_message(
+            time_ns_,
+            T_odom_robot,
+            passed_s > 0.0 ? Speed{T_last_now.x_m() / passed_s, T_last_now.heading_rad() / passed_s}
+                           : Speed{}));
   add_transforms({transform_of(time_ns_, kMapFrame, kOdomFrame, T_map_odom_),
                   transform_of(time_ns_, kOdomFrame, kRobotFrame, T_odom_robot)});
 }

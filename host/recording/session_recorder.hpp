@@ -113,6 +113,8 @@ class SessionRecorder final : public pipeline::AnyObservationSink {
   bool is_finished_ = false;
   bool scan_is_open_ = false;
   sensors::WheelOdometry odometry_;
+  geometry::Pose2 T_odom_told_;  ///< Of the last odometry, and its stamp.
+  time::RobotTime told_stamp_;
   geometry::Pose2 T_map_odom_;
   sensors::HazardObservation hazards_;
 };

@@ -72,12 +72,12 @@ void SessionPlayer::observe(const recording::LineFrame& frame) {
     status = decoder.take(byte);
   }
   if (status != protocol::DecodeStatus::kFrame || !feed_) {
-    throw files::FileError(
-        fmt::format("{}: the robot's frame at {:.3f} s {}",
-                    recording_.path().string(),
-                    recording_.elapsed_s(),
-                    feed_ ? "cannot be read: it is damaged, or of another version of the protocol"
-                          : "comes before a session has begun"));
+    throw files::FileError(fmt::format(
+        "{}: the robot's frame at {:.3f} s {}",
+        recording_.path().string(),
+        recording_.elapsed_s(),
+        feed_ ? "cannot be read: it is damaged, or of another version of the protocol"
+              : "comes before a session has begun\n  next: name the first file of the recording"));
   }
   FrameHandler handler(*feed_);
   protocol::Dispatcher<protocol::MessagesToHost>::dispatch(

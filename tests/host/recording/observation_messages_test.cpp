@@ -22,9 +22,11 @@ TEST(ObservationMessages, StampsAreSecondsAndNanoseconds) {
 }
 
 TEST(ObservationMessages, OdometryIsTheRobotInItsFrame) {
-  const auto message = odometry_message(kNow, {1.0, 2.0, std::numbers::pi / 2.0});
+  const auto message = odometry_message(kNow, {1.0, 2.0, std::numbers::pi / 2.0}, {0.5, -1.0});
   EXPECT_EQ(message.header.frame_id, "odom");
   EXPECT_EQ(message.child_frame_id, "base_link");
+  EXPECT_EQ(message.twist.twist.linear.x, 0.5);
+  EXPECT_EQ(message.twist.twist.angular.z, -1.0);
   EXPECT_EQ(message.pose.pose.position.y, 2.0);
   EXPECT_NEAR(message.pose.pose.orientation.z, std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(message.pose.pose.orientation.w, std::sqrt(0.5), 1e-12);

@@ -62,6 +62,20 @@ TEST_F(SessionReaderTest, GivesFramesAndEventsInTheirOrder) {
   EXPECT_EQ(reader.fact("session", "none"), "");
 }
 
+TEST_F(SessionReaderTest, LeavesPausesBetweenSessionsOutOfItsSeconds) {
+  recorder.set_time(time::HostTime(std::chrono::seconds(10)));
+  recorder.add_sent(std::vector<std::uint8_t>{1, 0});
+  recorder.begin_session(86'400'000'000'000);
+  recorder.set_time(time::HostTime(std::chrono::seconds(5)));
+  recorder.add_sent(std::vector<std::uint8_t>{1, 0});
+  save();
+  SessionReader reader(path);
+  while (reader.next()) {
+  }
+  EXPECT_EQ(reader.time_ns(), 86'405'000'000'000U);
+  EXPECT_DOUBLE_EQ(reader.elapsed_s(), 15.0);
+}
+
 TEST_F(SessionReaderTest, ReadsAllParts) {
   for (int i = 0; i < 30000; ++i) {
     recorder.set_time(time::HostTime(std::chrono::milliseconds(10 * i)));

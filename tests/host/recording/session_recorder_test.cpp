@@ -72,6 +72,19 @@ TEST_F(SessionRecorderTest, ShowsOthersWhatTheRobotSenses) {
   EXPECT_EQ(all.at("/battery").size(), 1U);
 }
 
+TEST_F(SessionRecorderTest, OdometryTellsTheSpeed) {
+  recorder.on_odometry({at_us(0), {0.0, 0.0}});
+  recorder.on_odometry({at_us(100'000), {0.02, 0.02}});
+  recorder.on_odometry({at_us(100'000), {0.03, 0.03}});
+  auto all = messages();
+  const auto speed_m_per_s = [&](std::size_t i) {
+    return read<ros_messages::Odometry>(all.at("/odom").at(i)).twist.twist.linear.x;
+  };
+  EXPECT_EQ(speed_m_per_s(0), 0.0);
+  EXPECT_NEAR(speed_m_per_s(1), 0.2, 1e-9);
+  EXPECT_EQ(speed_m_per_s(2), 0.0) << "no time has passed";
+}
+
 TEST_F(SessionRecorderTest, ReportsContactsWhereTheyChange) {
   recorder.on_hazards({.stamp = at_us(1)});
   recorder.on_hazards({.stamp = at_us(2), .bump_left = true});
