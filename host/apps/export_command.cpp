@@ -23,6 +23,7 @@
 #include "host/files/atomic_file.hpp"
 #include "host/mapping/room_outline.hpp"
 #include "host/pipeline/observation_fork.hpp"
+#include "host/recording/session_file.hpp"
 #include "host/session/pipeline_setup.hpp"
 
 namespace echomap::apps {
@@ -39,12 +40,15 @@ class PlayedRun {
         recording_(file),
         profile_(profile_of(recording_)),
         atlas_(session::atlas_for(profile_, recording_.fact("session", "slam"))) {
+    throw_if_without_map(recording_);
     fork_.add(table_);
     fork_.add(atlas_);
-    played_ = play(
-        recording_, profile_, {sessions_, fork_, &atlas_}, {.until_s = options.until_s}, [this] {
-          keep_frame();
-        });
+    const PlayedPart part{.until_s = options.until_s};
+    played_ =
+        play(recording_, profile_, {sessions_, fork_, &atlas_}, part, [this] { keep_frame(); });
+    if (played_.damage.empty()) {
+      throw_if_empty(atlas_.record(), part, recording_);
+    }
     report_ = read_report(options.run, recording_);
   }
 
@@ -167,7 +171,34 @@ fs::path output_of(const ExportOptions& options, const Export& format) {
   }
   const fs::path run = fs::absolute(options.run).lexically_normal();
   const fs::path name = run.filename().empty() ? run.parent_path().filename() : run.filename();
-  return fs::path(name).replace_extension(format.ending);
+  const fs::path stem = name.extension() == ".mcap" ? name.stem() : name;
+  return fs::path(stem.string() + "." + std::string(format.ending));
+}
+
+/// Throws CommandError where a file is in the way, or would be the recording itself.
+void validate_output(const ExportOptions& options, const fs::path& out, const fs::path& recording) {
+  const bool is_pgm = options.to == "pgm";
+  if (is_pgm && out.extension() != ".pgm") {
+    throw CommandError(ExitCode::kUsage,
+                       out.string() +
+                           " does not end with .pgm, as map.yaml beside it wants\n  next: "
+                           "--out " +
+                           fs::path(out).replace_extension(".pgm").string());
+  }
+  for (std::size_t part = 0; exists(recording::part_of(recording, part)); ++part) {
+    if (exists(out) && fs::equivalent(out, recording::part_of(recording, part))) {
+      throw CommandError(
+          ExitCode::kUsage,
+          out.string() + " is the recording itself\n  next: name another file with --out");
+    }
+  }
+  for (const fs::path& file : {out, is_pgm ? fs::path(out).replace_extension(".yaml") : out}) {
+    if (exists(file) && !options.force) {
+      throw CommandError(
+          ExitCode::kUsage,
+          file.string() + " exists\n  next: name another file with --out, or add --force");
+    }
+  }
 }
 
 }  // namespace
@@ -192,11 +223,7 @@ ExitCode run_export(const ExportOptions& options) {
                            "explore, or its session.mcap");
   }
   const fs::path out = output_of(options, format);
-  if (exists(out) && !options.force) {
-    throw CommandError(
-        ExitCode::kUsage,
-        out.string() + " exists\n  next: name another file with --out, or add --force");
-  }
+  validate_output(options, out, *file);
   const PlayedRun run(options, *file);
   format.write(run, out);
   console::print(fmt::format("{}: {:.0f} s of the robot, {} stops",

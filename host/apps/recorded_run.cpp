@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "host/console/exit_code.hpp"
@@ -20,15 +21,23 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-/// Lets real time pass until a recording that is played at that speed is so far.
+/// Lets real time pass until a recording that is played at that speed is so far, or the user has
+/// had enough.
 class Pacer {
  public:
   Pacer(std::optional<double> speed, double begin_s) : speed_(speed), begin_s_(begin_s) {}
 
   void wait_for(double elapsed_s) const {
-    if (speed_) {
-      const std::chrono::duration<double> due((elapsed_s - begin_s_) / *speed_);
-      std::this_thread::sleep_until(start_ + std::chrono::duration_cast<Clock::duration>(due));
+    constexpr std::chrono::milliseconds kNap(50);
+    const auto is_due = [&] {
+      const std::chrono::duration<double> passed = Clock::now() - start_;
+      return passed.count() * *speed_ >= elapsed_s - begin_s_;
+    };
+    while (speed_ && !is_due() && !console::interrupted()) {
+      const std::chrono::duration<double> passed = Clock::now() - start_;
+      const double left_s = (elapsed_s - begin_s_) / *speed_ - passed.count();
+      std::this_thread::sleep_for(left_s < 0.05 ? std::chrono::duration<double>(left_s)
+                                                : std::chrono::duration<double>(kNap));
     }
   }
 
@@ -76,15 +85,15 @@ session::RobotProfile profile_of(const recording::SessionReader& recording) {
   const auto toml = recording.attachment("robot.toml");
   if (!toml) {
     throw files::FileError(recording.path().string() +
-                           ": the robot's profile is missing at its beginning");
+                           ": the robot's profile is missing at its beginning" +
+                           (recording.head_damage().empty() ? "" : ": ") + recording.head_damage());
   }
   return session::parse_robot_profile(*toml, recording.path().string() + "/robot.toml");
 }
 
 RunReport read_report(const fs::path& log, const recording::SessionReader& recording) {
   RunReport report;
-  const bool has_map = recording.fact("session", "command") != kLocalizeCommand;
-  const auto text = has_map ? file_of_run(log, "summary.json", recording) : std::nullopt;
+  const auto text = file_of_run(log, "summary.json", recording);
   report.json = text ? ordered_json::parse(*text, nullptr, false) : report_of_begin(recording);
   try {
     report.json.at("slam").get_to(report.slam);
@@ -111,31 +120,84 @@ geometry::Polygon outline_of(const fs::path& log,
   return outline ? outline->outline_m() : geometry::Polygon{};
 }
 
+void validate(const PlayedPart& part) {
+  constexpr double kMinSpeed = 1e-3;
+  constexpr double kMaxSpeed = 1e6;
+  if (!(part.from_s < part.until_s)) {
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        fmt::format("--from {} is not before --until {}", part.from_s, part.until_s));
+  }
+  if (part.speed && !(*part.speed >= kMinSpeed && *part.speed <= kMaxSpeed)) {
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        fmt::format("--speed {} is outside {} .. {}", *part.speed, kMinSpeed, kMaxSpeed));
+  }
+}
+
+void throw_if_empty(const pipeline::ObservationLog& played,
+                    const PlayedPart& part,
+                    const recording::SessionReader& recording) {
+  if (played.observations() > 0) {
+    return;
+  }
+  const bool is_whole = part == PlayedPart{.speed = part.speed};
+  throw console::CommandError(
+      console::ExitCode::kRuntimeError,
+      is_whole
+          ? recording.path().string() +
+                " is empty: the run has recorded nothing\n  next: name another run"
+          : fmt::format("nothing was recorded from {} s to {} s; the recording is read to {:.1f} s"
+                        "\n  next: choose another --from and --until",
+                        part.from_s,
+                        part.until_s,
+                        recording.elapsed_s()));
+}
+
+void throw_if_without_map(const recording::SessionReader& recording) {
+  if (recording.fact("session", "command") == kLocalizeCommand) {
+    throw console::CommandError(
+        console::ExitCode::kRuntimeError,
+        recording.path().string() +
+            " is of a run that localized, and has no map\n  next: echomap localize " +
+            recording.path().string() + " --map RUN");
+  }
+}
+
 Played play(recording::SessionReader& recording,
             const session::RobotProfile& profile,
             const session::PlayedInto& into,
             const PlayedPart& part,
             const std::function<void()>& on_stop) {
+  validate(part);
   session::SessionPlayer player(recording, profile, into);
-  player.begin_at(part.from_s);
+  player.play_between(part.from_s, part.until_s);
   const Pacer pacer(part.speed, part.from_s);
   Played played;
   try {
-    while (recording.elapsed_s() <= part.until_s && player.play_next()) {
-      throw_if_interrupted(recording);
+    while (player.play_next()) {
       pacer.wait_for(recording.elapsed_s());
+      throw_if_interrupted(recording);
       if (player.has_ended_scan()) {
         on_stop();
       }
     }
+    played.duration_s = recording.elapsed_s();
     recording.read_ending();
+    if (recording.fact("ending", "outcome").empty()) {
+      spdlog::warn(
+          "{} has no ending: its program was killed, or a later file of it is missing; everything "
+          "that is there was read",
+          recording.path().string());
+    }
   } catch (const mcap::CutOffFile& half) {
-    spdlog::warn("the recording ends early, everything before was read: {}", half.what());
+    played.duration_s = recording.elapsed_s();
+    spdlog::warn("the recording ends early; everything before was read: {}", half.what());
   } catch (const files::FileError& error) {
+    played.duration_s = recording.elapsed_s();
     played.damage = error.what();
   }
   played.observations = player.observations();
-  played.duration_s = recording.elapsed_s();
   return played;
 }
 

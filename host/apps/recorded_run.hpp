@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/geometry/polygon.hpp"
+#include "host/pipeline/observation_log.hpp"
 #include "host/recording/session_reader.hpp"
 #include "host/session/robot_profile.hpp"
 #include "host/session/session_player.hpp"
@@ -38,7 +39,7 @@ struct RunReport {
 };
 
 /// The report in the run directory or, where only the recording is there, the one in it; of a run
-/// that was killed before its first stop, or that only localized, what it had set out to do. `log`
+/// that was killed before its first stop, what it had set out to do. `log`
 /// is what `recording_of` was given; the recording has been read to its end. Throws
 /// files::FileError.
 RunReport read_report(const std::filesystem::path& log, const recording::SessionReader& recording);
@@ -64,6 +65,18 @@ struct Played {
   double duration_s = 0.0;  ///< From the first message to the last that was played.
   std::string damage;       ///< What ended it early; empty where nothing did.
 };
+
+/// Throws CommandError where a part has no length, or the speed is none.
+void validate(const PlayedPart& part);
+
+/// Throws CommandError where nothing was played, and says whether the part or the recording was
+/// empty.
+void throw_if_empty(const pipeline::ObservationLog& played,
+                    const PlayedPart& part,
+                    const recording::SessionReader& recording);
+
+/// Throws CommandError where the run has only localized: it has no map.
+void throw_if_without_map(const recording::SessionReader& recording);
 
 /// Plays that part of a recording; calls `on_stop` at the end of every scan. Where the file is
 /// damaged, what comes before is played; where it was cut off, as by a power cut, that is warned of

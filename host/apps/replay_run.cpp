@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <iostream>
 #include <optional>
 #include <string>
 
@@ -16,6 +15,7 @@
 #include "host/apps/run_ending.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/console/print.hpp"
+#include "host/console/wait_for_enter.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/recording/session_file.hpp"
@@ -101,15 +101,38 @@ void save_played(const PlayedMap& map, const fs::path& out) {
   save_summary(out, map.report.json, made, map.replay, map.damage);
 }
 
-/// Each beside the map, as the run has written them.
-void save_previous_maps(const pipeline::RobotAtlas& atlas, PlayedMap map, const fs::path& out) {
-  RunReport set_aside = map.report;
-  set_aside.json["outcome"] = "set-aside";
-  set_aside.json["coverage"] = nullptr;
+ordered_json read_json(const fs::path& file) {
+  auto json = ordered_json::parse(files::read_text_file(file), nullptr, false);
+  if (!json.is_object()) {
+    throw files::FileError(file.string() + ": not the summary of a run");
+  }
+  return json;
+}
+
+/// The report of a map that was set aside: the run's own or, where only the recording is there, one
+/// like that of the whole run.
+RunReport report_of_previous(const fs::path& log, std::size_t number, const RunReport& whole) {
+  RunReport report = whole;
+  const fs::path file = previous_map_of(log, number) / "summary.json";
+  if (exists(file)) {
+    report.json = read_json(file);
+  } else {
+    report.json["outcome"] = "set-aside";
+    report.json["coverage"] = nullptr;
+  }
+  return report;
+}
+
+/// Each in a folder of its own beside the map, as the run has written them.
+void save_previous_maps(const pipeline::RobotAtlas& atlas,
+                        const PlayedMap& map,
+                        const fs::path& log,
+                        const fs::path& out) {
   for (std::size_t i = 0; i < atlas.previous_maps().size(); ++i) {
+    const RunReport report = report_of_previous(log, i + 1, map.report);
     save_played({atlas.previous_maps()[i].pipeline,
                  map.profile,
-                 set_aside,
+                 report,
                  map.replay,
                  {},
                  map.slam,
@@ -168,8 +191,7 @@ class StopReporter {
                     pose.y_m(),
                     geometry::degrees(pose.heading_rad()),
                     summary.free_area_m2));
-    std::string line;
-    waits_ = static_cast<bool>(std::getline(std::cin, line));
+    waits_ = console::wait_for_enter();
   }
 
  private:
@@ -195,12 +217,26 @@ ordered_json replay_entry(const ReplayOptions& options,
   return entry;
 }
 
+bool is_same_file(const fs::path& one, const fs::path& other) {
+  return exists(one) && exists(other) && fs::equivalent(one, other);
+}
+
+/// Throws CommandError where the recording lies in the folder that is written, and is not the run's
+/// own: an earlier one or a later part of it, which would be moved away.
+void throw_if_in_the_way(const fs::path& recording, const fs::path& out) {
+  if (is_same_file(fs::absolute(recording).parent_path(), out) &&
+      !is_same_file(recording, out / recording::kSessionFileName)) {
+    throw console::CommandError(console::ExitCode::kUsage,
+                                recording.string() + " would be moved away by the run " +
+                                    out.string() + "\n  next: name another folder with --out");
+  }
+}
+
 /// Where a run is replayed into itself, damage leaves it as it is.
-void throw_if_it_would_overwrite(const Played& played,
-                                 const fs::path& recording,
-                                 const fs::path& out) {
-  const fs::path own = out / recording::kSessionFileName;
-  if (!played.damage.empty() && exists(own) && fs::equivalent(recording, own)) {
+void throw_if_damaged_and_own(const Played& played,
+                              const fs::path& recording,
+                              const fs::path& out) {
+  if (!played.damage.empty() && is_same_file(recording, out / recording::kSessionFileName)) {
     throw console::CommandError(
         console::ExitCode::kRuntimeError,
         played.damage + "; the run is left as it is\n  next: name another folder with --out");
@@ -224,7 +260,11 @@ bool plays_recording(const ReplayOptions& options) {
 console::ExitCode replay_run(const ReplayOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const fs::path file = recording_of(options.log).value_or(options.log);
+  const auto out = run_folder(options.out);
+  throw_if_in_the_way(file, out);
+  refuse_to_replace_run(out, options.force);
   recording::SessionReader recording(file);
+  throw_if_without_map(recording);
   const session::RobotProfile profile = profile_of(recording);
   const std::string slam = slam_of(options, profile, recording);
   pipeline::RobotAtlas atlas = session::atlas_for(profile, slam);
@@ -232,17 +272,15 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   StopReporter stops(recording, atlas, options.step);
   const Played played =
       play(recording, profile, {sessions, atlas, &atlas}, options.part, [&] { stops.report(); });
-  if (played.damage.empty() && atlas.record().observations() == 0) {
-    throw console::CommandError(
-        console::ExitCode::kRuntimeError,
-        file.string() + " is empty: the run has recorded nothing\n  next: name another run");
+  throw_if_damaged_and_own(played, file, out);
+  if (played.damage.empty()) {
+    throw_if_empty(atlas.record(), options.part, recording);
+  } else if (atlas.record().observations() == 0) {
+    throw files::FileError(played.damage);
   }
   const RunReport report = read_report(options.log, recording);
-  const auto out = run_folder(options.out);
-  throw_if_it_would_overwrite(played, file, out);
   prepare_outputs(out, options.json, options.force);
-  const fs::path own = out / recording::kSessionFileName;
-  if (!exists(own) || !fs::equivalent(file, own)) {
+  if (!is_same_file(file, out / recording::kSessionFileName)) {
     move_earlier_run_aside(out);
     copy_recording(file, out);
   }
@@ -254,7 +292,7 @@ console::ExitCode replay_run(const ReplayOptions& options) {
                       slam,
                       played.damage,
                       options.align};
-  save_previous_maps(atlas, map, out);
+  save_previous_maps(atlas, map, options.log, out);
   save_played(map, out);
   write_report(options.json, ordered_json::parse(files::read_text_file(out / "summary.json")));
   console::print("map: " + (out / "map.png").string());

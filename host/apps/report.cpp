@@ -121,9 +121,7 @@ bool has_run(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / "summary.json");
 }
 
-void prepare_outputs(const std::filesystem::path& out,
-                     const std::filesystem::path& json,
-                     bool may_replace) {
+void refuse_to_replace_run(const std::filesystem::path& out, bool may_replace) {
   if (!may_replace && has_run(out)) {
     throw console::CommandError(
         console::ExitCode::kUsage,
@@ -131,6 +129,12 @@ void prepare_outputs(const std::filesystem::path& out,
             " has a run in it, which would be overwritten\n  next: name another folder "
             "with --out, or overwrite it with --force");
   }
+}
+
+void prepare_outputs(const std::filesystem::path& out,
+                     const std::filesystem::path& json,
+                     bool may_replace) {
+  refuse_to_replace_run(out, may_replace);
   std::error_code error;
   std::filesystem::create_directories(out, error);
   if (error) {

@@ -19,6 +19,9 @@ std::filesystem::path run_folder(const std::filesystem::path& chosen);
 /// Whether a folder holds what a run has written.
 bool has_run(const std::filesystem::path& folder);
 
+/// Throws CommandError 2 where the folder has a run that may not be replaced.
+void refuse_to_replace_run(const std::filesystem::path& out, bool may_replace);
+
 /// Makes the run folder and makes sure that it and the report's file, where there is one, can be
 /// written: a run is not driven for nothing. Throws CommandError 2 where the folder has a run that
 /// may not be replaced, and files::FileError.

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "host/apps/recorded_run.hpp"
 #include "host/apps/report.hpp"
@@ -23,22 +22,6 @@ using console::ExitCode;
 using session::RobotProfile;
 
 namespace fs = std::filesystem;
-
-/// Of the summary of a run.
-struct RunFacts {
-  std::string robot;
-  double sim_seconds = 0.0;
-};
-
-RunFacts read_facts(const fs::path& summary) {
-  const auto json = nlohmann::json::parse(files::read_text_file(summary), nullptr, false);
-  try {
-    return {json.at("robot").get<std::string>(), json.at("sim_seconds").get<double>()};
-  } catch (const nlohmann::json::exception&) {
-    throw files::FileError(summary.string() +
-                           ": not the summary of a run: robot or sim_seconds is missing");
-  }
-}
 
 fs::path recording_in(const fs::path& run) {
   const auto recording = recording_of(run);
@@ -70,8 +53,7 @@ std::optional<ResumedRun> resume_run(const fs::path& run, session::RobotContext&
     return std::nullopt;
   }
   recording::SessionReader recording(recording_in(run));
-  const RunFacts facts = read_facts(run / "summary.json");
-  validate_same_robot(run, facts.robot, robot.profile());
+  validate_same_robot(run, profile_of(recording).name, robot.profile());
   const Played played = play(recording,
                              robot.profile(),
                              {robot.sessions(), robot.fork(), &robot.atlas(), &robot.recorder()});
@@ -99,7 +81,7 @@ std::optional<ResumedRun> resume_run(const fs::path& run, session::RobotContext&
                              summary.stops,
                              summary.stops == 1 ? "" : "s",
                              summary.free_area_m2));
-  return ResumedRun{summary.stops, facts.sim_seconds};
+  return ResumedRun{summary.stops, played.duration_s};
 }
 
 }  // namespace echomap::apps

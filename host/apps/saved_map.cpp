@@ -65,6 +65,12 @@ fs::path previous_map_of(const fs::path& run, std::size_t number) {
 
 void move_earlier_run_aside(const fs::path& out) {
   const fs::path recording = out / recording::kSessionFileName;
+  if (exists(recording)) {
+    for (std::size_t part = 0; exists(recording::part_of(out / kPreviousRecordingName, part));
+         ++part) {
+      remove_earlier(recording::part_of(out / kPreviousRecordingName, part));
+    }
+  }
   for (std::size_t part = 0; exists(recording::part_of(recording, part)); ++part) {
     move_aside(recording::part_of(recording, part),
                recording::part_of(out / kPreviousRecordingName, part));

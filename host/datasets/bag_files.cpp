@@ -2,6 +2,7 @@
 #include "host/datasets/bag_files.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <tuple>
@@ -15,8 +16,33 @@
 namespace echomap::datasets {
 namespace {
 
-/// The MCAP files of a folder; bag_2 comes before bag_10.
+/// The files that the folder's metadata.yaml lists: lines "- NAME" behind `relative_file_paths:`.
+/// Empty where it lists none, or one that is not there.
+std::vector<std::filesystem::path> listed_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> paths;
+  std::ifstream metadata(folder / "metadata.yaml");
+  bool is_listing = false;
+  for (std::string line; std::getline(metadata, line);) {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    const std::string text = begin == std::string::npos ? "" : line.substr(begin);
+    if (text.starts_with("relative_file_paths:")) {
+      is_listing = true;
+    } else if (is_listing && text.starts_with("- ")) {
+      paths.push_back(folder / text.substr(2));
+    } else {
+      is_listing = false;
+    }
+  }
+  const auto is_there = [](const auto& path) { return std::filesystem::is_regular_file(path); };
+  return std::all_of(paths.begin(), paths.end(), is_there) ? paths
+                                                           : std::vector<std::filesystem::path>();
+}
+
+/// The MCAP files of a folder that are listed or, where none are, all; bag_2 comes before bag_10.
 std::vector<std::filesystem::path> mcap_files_in(const std::filesystem::path& folder) {
+  if (auto listed = listed_files(folder); !listed.empty()) {
+    return listed;
+  }
   std::vector<std::filesystem::path> paths;
   std::error_code unreadable;
   for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {

@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "host/recording/session_file.hpp"
 
+#include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "host/files/atomic_file.hpp"
+#include "host/mcap/crc32.hpp"
 
 namespace echomap::recording {
+namespace {
+
+std::uint32_t crc_of_text(const std::string& text, std::uint32_t crc_before) {
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  return mcap::crc32_of(bytes, crc_before);
+}
+
+}  // namespace
 
 std::filesystem::path part_of(const std::filesystem::path& first, std::size_t number) {
   if (number == 0) {
@@ -15,73 +27,116 @@ std::filesystem::path part_of(const std::filesystem::path& first, std::size_t nu
   return first.parent_path() / (name + first.extension().string());
 }
 
-SessionFile::SessionFile(const mcap::McapWriterParams& params)
-    : params_(params), writer_(new_writer()) {
-  contents_.begin_part(kSessionFileName);
-}
-
-std::unique_ptr<mcap::McapWriter> SessionFile::new_writer() const {
-  return std::make_unique<mcap::McapWriter>(
-      mcap::HeaderInfo{"ros2", std::string(kWriterName) + " " ECHOMAP_VERSION}, params_);
-}
-
 void SessionFile::open(const std::filesystem::path& path, std::uint64_t split_bytes) {
   path_ = path;
   split_bytes_ = split_bytes;
-  writer_->open(path);
+  session_id_ = session_id();
+  try {
+    begin_part();
+  } catch (const files::FileError&) {
+    path_.clear();
+    throw;
+  }
+  write_waiting();
 }
 
-std::uint16_t SessionFile::channel_of(std::string_view topic,
-                                      std::string_view type,
-                                      std::string (*definition)()) {
-  const auto known = channels_.find(topic);
+/// Other facts, or another instant, are another session.
+std::string SessionFile::session_id() const {
+  std::uint32_t crc = 0;
+  for (const auto& [name, facts] : facts_) {
+    for (const auto& [key, value] : facts) {
+      crc = crc_of_text(name + key + value, crc);
+    }
+  }
+  const std::uint64_t begin_ns = waiting_.empty() ? 0 : waiting_.front().time_ns;
+  return fmt::format("{:08x}-{:x}", crc, begin_ns);
+}
+
+void SessionFile::begin_part() {
+  const std::filesystem::path part = part_of(path_, parts_);
+  auto writer = std::make_unique<mcap::McapWriter>(
+      mcap::HeaderInfo{"ros2", std::string(kWriterName) + " " ECHOMAP_VERSION}, params_);
+  for (const auto& [name, facts] : facts_) {
+    writer->add_metadata({name, facts});
+  }
+  writer->add_metadata(
+      {kPartMetadata, {{"session", session_id_}, {"number", std::to_string(parts_)}}});
+  for (const mcap::Attachment& attachment : attachments_) {
+    writer->attach(attachment);
+  }
+  writer->open(part);
+  writer_ = std::move(writer);
+  ++parts_;
+  schemas_.clear();
+  channels_.clear();
+  contents_.begin_part(part.filename().string());
+}
+
+void SessionFile::end_part_if_due() {
+  if (writer_ && split_bytes_ > 0 && writer_->bytes_written() >= split_bytes_) {
+    writer_->finish();
+    writer_.reset();
+  }
+}
+
+void SessionFile::write_waiting() {
+  while (!path_.empty() && !waiting_.empty()) {
+    end_part_if_due();
+    if (!writer_) {
+      begin_part();
+    }
+    const std::uint16_t channel = channel_of(waiting_.front());
+    // The writer keeps what it is given, also where it throws.
+    const Waiting message = std::move(waiting_.front());
+    waiting_.pop_front();
+    contents_.add(message.topic, message.type, message.time_ns);
+    writer_->write(channel, message.time_ns, message.time_ns, message.data);
+  }
+}
+
+std::uint16_t SessionFile::channel_of(const Waiting& message) {
+  const auto known = channels_.find(message.topic);
   if (known != channels_.end()) {
     return known->second;
   }
-  auto schema = schemas_.find(type);
+  auto schema = schemas_.find(message.type);
   if (schema == schemas_.end()) {
-    const std::uint16_t id = writer_->add_schema({std::string(type), "ros2msg", definition()});
-    schema = schemas_.emplace(std::string(type), id).first;
+    const std::uint16_t id =
+        writer_->add_schema({std::string(message.type), "ros2msg", message.definition()});
+    schema = schemas_.emplace(std::string(message.type), id).first;
   }
   // ROS 2 asks for the key; empty means its defaults.
-  const std::uint16_t channel = writer_->add_channel(
-      {std::string(topic), schema->second, "cdr", {{"offered_qos_profiles", ""}}});
-  channels_.emplace(std::string(topic), channel);
+  const std::uint16_t channel =
+      writer_->add_channel({message.topic, schema->second, "cdr", {{"offered_qos_profiles", ""}}});
+  channels_.emplace(message.topic, channel);
   return channel;
 }
 
-void SessionFile::describe(const std::string& name,
-                           const std::map<std::string, std::string>& facts) {
-  facts_[name] = facts;
-  writer_->add_metadata({name, facts});
+void SessionFile::flush() {
+  write_waiting();
+  if (writer_) {
+    writer_->flush();
+  }
 }
 
-void SessionFile::describe(const mcap::Attachment& attachment) {
-  attachments_.push_back(attachment);
+void SessionFile::attach(const mcap::Attachment& attachment) {
+  flush();
   writer_->attach(attachment);
 }
 
-void SessionFile::split_if_due() {
-  if (split_bytes_ == 0 || path_.empty() || writer_->bytes_written() < split_bytes_) {
-    return;
-  }
-  writer_->finish();
-  writer_ = new_writer();
-  schemas_.clear();
-  channels_.clear();
-  for (const auto& [name, facts] : facts_) {
-    writer_->add_metadata({name, facts});
-  }
-  for (const mcap::Attachment& attachment : attachments_) {
-    writer_->attach(attachment);
-  }
-  const std::filesystem::path part = part_of(path_, parts_++);
-  contents_.begin_part(part.filename().string());
-  writer_->open(part);
+void SessionFile::add_metadata(const std::string& name, const mcap::TextMap& facts) {
+  flush();
+  writer_->add_metadata({name, facts});
 }
 
 void SessionFile::finish() {
-  writer_->finish();
+  if (path_.empty()) {
+    throw std::logic_error("SessionFile::finish: it was never opened");
+  }
+  write_waiting();
+  if (writer_) {
+    writer_->finish();
+  }
   files::write_text_file(path_.parent_path() / kBagMetadataName, contents_.yaml());
 }
 

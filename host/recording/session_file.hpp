@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -20,18 +22,25 @@ namespace echomap::recording {
 inline constexpr const char* kSessionFileName = "session.mcap";
 /// What the header of a session's file names as its writer, the version behind it.
 inline constexpr std::string_view kWriterName = "echomap";
+/// The metadata by which the files of one session know each other: `session`, the same in all, and
+/// `number`, from 0 on.
+inline constexpr const char* kPartMetadata = "part";
 
 /// The file of that number of a session whose first one is `first`: session.mcap, session_1.mcap,
 /// session_2.mcap, ...
 std::filesystem::path part_of(const std::filesystem::path& first, std::size_t number);
 
 /// An MCAP file of ROS 2 messages, or several where it is split: each is whole and says what the
-/// session is. Until `open` everything is in memory.
+/// session is. Until `open`, and while the disk is full, messages wait in memory.
 class SessionFile {
  public:
-  explicit SessionFile(const mcap::McapWriterParams& params = {});
+  explicit SessionFile(const mcap::McapWriterParams& params = {}) : params_(params) {}
   SessionFile(const SessionFile&) = delete;
   SessionFile& operator=(const SessionFile&) = delete;
+
+  /// Says what the session is, at the head of each file. Before `open`.
+  void describe(const std::string& name, const mcap::TextMap& facts) { facts_[name] = facts; }
+  void describe(const mcap::Attachment& attachment) { attachments_.push_back(attachment); }
 
   /// Names the first file, which is made. A file of at least `split_bytes` is ended and another one
   /// begun; 0: never. Throws files::FileError.
@@ -40,44 +49,50 @@ class SessionFile {
   /// Throws files::FileError where what is due cannot be written; it is tried again with the next.
   template <class M>
   void write(std::string_view topic, std::uint64_t time_ns, const M& message) {
-    split_if_due();
-    ros_messages::serialize(message, buffer_);
-    const std::uint16_t channel = channel_of(topic, M::kName, &ros_messages::message_definition<M>);
-    contents_.add(topic, M::kName, time_ns);
-    writer_->write(channel, time_ns, time_ns, buffer_);
+    waiting_.push_back({std::string(topic),
+                        M::kName,
+                        &ros_messages::message_definition<M>,
+                        time_ns,
+                        ros_messages::serialize(message)});
+    write_waiting();
   }
 
-  /// Says what the session is, at the head of each file.
-  void describe(const std::string& name, const std::map<std::string, std::string>& facts);
-  void describe(const mcap::Attachment& attachment);
-  /// Adds something to the current file.
-  void attach(const mcap::Attachment& attachment) { writer_->attach(attachment); }
-  void add_metadata(const std::string& name, const std::map<std::string, std::string>& facts) {
-    writer_->add_metadata({name, facts});
-  }
-
-  /// Hands everything so far to the system.
-  void flush() { writer_->flush(); }
-  /// Ends the file, and writes metadata.yaml beside it. Nothing may be written after.
+  /// Hands everything so far to the system. Throws files::FileError.
+  void flush();
+  /// Both add to the current file, behind all messages so far. They throw files::FileError.
+  void attach(const mcap::Attachment& attachment);
+  void add_metadata(const std::string& name, const mcap::TextMap& facts);
+  /// Ends the file, and writes metadata.yaml beside it. Nothing may be written after. Throws
+  /// files::FileError; it may then be called again.
   void finish();
 
  private:
-  std::unique_ptr<mcap::McapWriter> new_writer() const;
-  std::uint16_t channel_of(std::string_view topic,
-                           std::string_view type,
-                           std::string (*definition)());
-  void split_if_due();
+  struct Waiting {
+    std::string topic;
+    std::string_view type;
+    std::string (*definition)();
+    std::uint64_t time_ns = 0;
+    std::vector<std::uint8_t> data;
+  };
+
+  void write_waiting();
+  /// Makes the next file and writes its head.
+  void begin_part();
+  void end_part_if_due();
+  std::uint16_t channel_of(const Waiting& message);
+  std::string session_id() const;
 
   mcap::McapWriterParams params_;
-  std::uint64_t split_bytes_ = 0;
-  std::unique_ptr<mcap::McapWriter> writer_;
   std::filesystem::path path_;
-  std::size_t parts_ = 1;
-  std::map<std::string, std::map<std::string, std::string>> facts_;
+  std::uint64_t split_bytes_ = 0;
+  std::map<std::string, mcap::TextMap> facts_;
   std::vector<mcap::Attachment> attachments_;  ///< At the head of each file.
+  std::deque<Waiting> waiting_;
+  std::unique_ptr<mcap::McapWriter> writer_;  ///< Of the current file; null between two.
+  std::size_t parts_ = 0;
+  std::string session_id_;
   std::map<std::string, std::uint16_t, std::less<>> schemas_;
   std::map<std::string, std::uint16_t, std::less<>> channels_;
-  std::vector<std::uint8_t> buffer_;
   BagMetadata contents_;
 };
 

@@ -38,9 +38,31 @@ void SessionReader::read_head() {
       record = next_record();
     }
     first_ = std::move(record);
-  } catch (const files::FileError&) {
-    return;  // The reader throws it again at the next record.
+  } catch (const files::FileError& error) {
+    head_damage_ = error.what();  // The reader throws it again at the next record.
   }
+}
+
+bool SessionReader::open_next_part() {
+  const std::filesystem::path next = part_of(path_, part_ + 1);
+  const std::string session = fact(kPartMetadata, "session");
+  if (session.empty() || !std::filesystem::exists(next)) {
+    return false;
+  }
+  auto reader = std::make_unique<mcap::McapReader>(next);
+  while (const auto record = reader->next()) {
+    const auto* metadata = std::get_if<mcap::Metadata>(&*record);
+    if (metadata != nullptr && metadata->name == kPartMetadata) {
+      const mcap::TextMap expected{{"session", session}, {"number", std::to_string(part_ + 1)}};
+      if (metadata->entries != expected) {
+        return false;
+      }
+      reader_ = std::move(reader);
+      ++part_;
+      return true;
+    }
+  }
+  return false;
 }
 
 std::optional<mcap::Record> SessionReader::next_record() {
@@ -48,8 +70,7 @@ std::optional<mcap::Record> SessionReader::next_record() {
     return std::exchange(first_, std::nullopt);
   }
   auto record = reader_->next();
-  while (!record && std::filesystem::exists(part_of(path_, part_ + 1))) {
-    reader_ = std::make_unique<mcap::McapReader>(part_of(path_, ++part_));
+  while (!record && open_next_part()) {
     record = reader_->next();
   }
   return record;

@@ -49,6 +49,8 @@ class SessionReader {
   /// The share that has been read, 0 .. 1.
   double progress() const { return reader_->progress(); }
 
+  /// What is wrong with the head of the file; empty where nothing is.
+  const std::string& head_damage() const { return head_damage_; }
   /// A fact of the metadata of that name that was read so far; empty where there is none.
   std::string fact(const std::string& metadata, const std::string& key) const;
   /// The attachment of that name that was read so far.
@@ -58,6 +60,8 @@ class SessionReader {
  private:
   /// Reads the head: what stands before the first message.
   void read_head();
+  /// Goes on with the next file, if there is one and it is of the same session.
+  bool open_next_part();
   std::optional<mcap::Record> next_record();
   std::optional<SessionEntry> entry_of(const mcap::Message& message);
   void keep(const mcap::Record& record);
@@ -66,6 +70,7 @@ class SessionReader {
   std::size_t part_ = 0;
   std::unique_ptr<mcap::McapReader> reader_;
   std::optional<mcap::Record> first_;  ///< Read with the head.
+  std::string head_damage_;
   std::uint64_t time_ns_ = 0;
   std::optional<std::uint64_t> begin_ns_;
   std::uint64_t pauses_ns_ = 0;  ///< Between the sessions so far.

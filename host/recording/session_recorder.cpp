@@ -46,16 +46,16 @@ void SessionRecorder::attempt(const std::function<void()>& write) {
 
 void SessionRecorder::describe(const std::string& name,
                                const std::map<std::string, std::string>& facts) {
-  attempt([&] { file_.describe(name, facts); });
+  file_.describe(name, facts);
 }
 
 void SessionRecorder::describe(const std::string& file_name, const std::string& text) {
-  attempt([&] { file_.describe(attachment_of(time_ns_, file_name, "text/plain", text)); });
+  file_.describe(attachment_of(time_ns_, file_name, "text/plain", text));
 }
 
 void SessionRecorder::open(const std::filesystem::path& path, std::uint64_t split_bytes) {
-  path_ = path;
   file_.open(path, split_bytes);
+  path_ = path;
 }
 
 void SessionRecorder::begin_session(std::uint64_t epoch_ns) {

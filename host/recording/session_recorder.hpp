@@ -38,7 +38,7 @@ class SessionRecorder final : public pipeline::AnyObservationSink {
  public:
   explicit SessionRecorder(const SessionRecorderParams& params);
 
-  /// Says what the session is.
+  /// Says what the session is, before `open`.
   void describe(const std::string& name, const std::map<std::string, std::string>& facts);
   void describe(const std::string& file_name, const std::string& text);
   /// Begins the file; what was recorded until then is in it. Throws files::FileError.

@@ -38,7 +38,8 @@ SessionPlayer::SessionPlayer(recording::SessionReader& recording,
 
 bool SessionPlayer::play_next() {
   const auto entry = has_ended_ ? std::nullopt : recording_.next();
-  if (!entry) {
+  if (!entry || recording_.elapsed_s() > end_s_) {
+    has_ended_ = true;
     return false;
   }
   has_ended_scan_ = false;
@@ -102,7 +103,7 @@ void SessionPlayer::play(const recording::SessionEvent& event) {
       if (into_.recorder != nullptr) {
         into_.recorder->add_event(event);
       }
-      play_between(event);
+      play_of_session(event);
   }
 }
 
@@ -118,7 +119,7 @@ void SessionPlayer::play_into_maps(const recording::SessionEvent& event) {
   }
 }
 
-void SessionPlayer::play_between(const recording::SessionEvent& event) {
+void SessionPlayer::play_of_session(const recording::SessionEvent& event) {
   if (event.kind == SessionEventKind::kBeginSession) {
     begin_session();
   } else if (event.kind == SessionEventKind::kLinkReady && feed_) {

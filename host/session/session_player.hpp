@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "host/pipeline/joined_sessions.hpp"
@@ -34,8 +35,11 @@ class SessionPlayer {
                 const RobotProfile& profile,
                 const PlayedInto& into);
 
-  /// Leaves out observations and events before this second of the recording.
-  void begin_at(double elapsed_s) { begin_s_ = elapsed_s; }
+  /// Leaves out observations and events before one second of the recording, and ends at another.
+  void play_between(double begin_s, double end_s) {
+    begin_s_ = begin_s;
+    end_s_ = end_s;
+  }
 
   /// Plays the next entry; false behind the last one that concerns the maps. Throws
   /// files::FileError as recording::SessionReader::next does.
@@ -51,7 +55,7 @@ class SessionPlayer {
   void observe(const recording::LineFrame& frame);
   void play(const recording::SessionEvent& event);
   void play_into_maps(const recording::SessionEvent& event);
-  void play_between(const recording::SessionEvent& event);
+  void play_of_session(const recording::SessionEvent& event);
   void begin_session();
   bool can_change_maps() const { return into_.atlas != nullptr && !is_left_out(); }
   bool is_left_out() const { return recording_.elapsed_s() < begin_s_; }
@@ -61,6 +65,7 @@ class SessionPlayer {
   PlayedInto into_;
   std::optional<ObservationFeed> feed_;
   double begin_s_ = 0.0;
+  double end_s_ = std::numeric_limits<double>::infinity();
   std::size_t observations_ = 0;
   bool has_ended_scan_ = false;
   bool has_ended_ = false;

@@ -243,7 +243,7 @@ TEST_F(ExploreFaults, CarriedOffAfterItsFirstStopItKeepsTwoMapsAndBothAreRight) 
   EXPECT_LT(scores.at("ate_rmse_m"), 0.15) << "from where the map begins";
   EXPECT_LT(scores.at("wall_rmse_m"), 0.12);
   EXPECT_GT(scores.at("free_iou"), 0.75);
-  for (const char* const file : {"map.png", "map.yaml", "trajectory.tum", "session.mcap"}) {
+  for (const char* const file : {"map.png", "map.yaml", "trajectory.tum", "points.csv"}) {
     EXPECT_TRUE(exists(scratch / "run/previous_1" / file)) << file;
   }
   const auto previous =

@@ -64,8 +64,12 @@ class WrittenRecording {
     recorder_.flush();
   }
 
+  /// Stops from here on are in chunks of their own.
+  void begin(const std::filesystem::path& file) { recorder_.open(file); }
   void save(const std::filesystem::path& file) {
-    recorder_.open(file);
+    if (recorder_.path().empty()) {
+      begin(file);
+    }
     recorder_.finish();
   }
 

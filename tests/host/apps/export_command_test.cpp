@@ -30,6 +30,7 @@ class ExportCommandTest : public ::testing::Test {
     options.run = scratch / "kitchen";
     fs::create_directories(options.run);
     tests::WrittenRecording recording(profile);
+    recording.begin(recorded);
     recording.add_stop(1.0);
     recording.add_stop(1.2);
     recording.save(recorded);
@@ -93,6 +94,31 @@ TEST_F(ExportCommandTest, OverwritesNothingUnasked) {
               AllOf(HasSubstr("out.json exists"), HasSubstr("--force")));
   options.force = true;
   EXPECT_EQ(run_export(options), ExitCode::kOk);
+}
+
+TEST_F(ExportCommandTest, OverwritesNoFileBesideAPgmAndNotTheRecording) {
+  options.to = "pgm";
+  options.out = scratch / "map.txt";
+  EXPECT_THAT(tests::thrown_text<CommandError>([&] { run_export(options); }),
+              HasSubstr("does not end with .pgm"));
+  options.out = scratch / "map.pgm";
+  files::write_text_file(scratch / "map.yaml", "mine");
+  EXPECT_THAT(tests::thrown_text<CommandError>([&] { run_export(options); }),
+              HasSubstr("map.yaml exists"));
+  options.to = "csv";
+  options.out = recorded;
+  options.force = true;
+  EXPECT_THAT(tests::thrown_text<CommandError>([&] { run_export(options); }),
+              HasSubstr("is the recording itself"));
+}
+
+TEST_F(ExportCommandTest, OfNothingIsAnError) {
+  options.to = "png";
+  options.out = scratch / "empty.png";
+  options.until_s = 1e-6;
+  EXPECT_THAT(tests::thrown_text<CommandError>([&] { run_export(options); }),
+              HasSubstr("nothing was recorded from 0 s"));
+  EXPECT_FALSE(exists(options.out));
 }
 
 TEST_F(ExportCommandTest, SaysWhatIsMissing) {

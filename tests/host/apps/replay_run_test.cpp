@@ -2,6 +2,7 @@
 #include "host/apps/replay_run.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <string>
@@ -42,6 +43,7 @@ class ReplayRunTest : public ::testing::Test {
   /// The run has made stops whose walls are so far all round.
   void record(const std::vector<double>& ranges_m) {
     tests::WrittenRecording recording(profile);
+    recording.begin(recorded);
     for (const double range_m : ranges_m) {
       recording.add_stop(range_m);
     }
@@ -225,6 +227,41 @@ TEST_F(ReplayRunTest, LeavesADamagedRunAsItIs) {
   EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { run_replay(options); }),
               HasSubstr("the run is left as it is\n  next: "));
   EXPECT_EQ(live_text("session.mcap"), damaged);
+}
+
+TEST_F(ReplayRunTest, DestroysNoRecordingThatLiesInItsWay) {
+  for (const char* name : {kPreviousRecordingName, "session_1.mcap"}) {
+    std::filesystem::copy_file(recorded, options.log / name);
+    ReplayOptions own = options;
+    own.log = options.log / name;
+    own.out = options.log;
+    EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { run_replay(own); }),
+                HasSubstr("would be moved away by the run"))
+        << name;
+    EXPECT_EQ(live_text(name), live_text("session.mcap")) << name;
+    std::filesystem::remove(options.log / name);
+  }
+}
+
+TEST_F(ReplayRunTest, OfARunThatOnlyLocalizedIsAnError) {
+  tests::WrittenRecording recording(profile);
+  recording.recorder().describe("session", {{"command", kLocalizeCommand}});
+  recording.add_stop(1.0);
+  recording.save(recorded);
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { run_replay(options); }),
+              HasSubstr("is of a run that localized, and has no map\n  next: "));
+}
+
+TEST_F(ReplayRunTest, OfNoTimeIsAnError) {
+  options.part = {.from_s = 30.0, .until_s = 20.0};
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { run_replay(options); }),
+              HasSubstr("--from 30 is not before --until 20"));
+  options.part = {.from_s = 1000.0};
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { run_replay(options); }),
+              HasSubstr("nothing was recorded from 1000 s"));
+  options.part = {.speed = std::nan("")};
+  EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { run_replay(options); }),
+              HasSubstr("--speed nan is outside"));
 }
 
 TEST_F(ReplayRunTest, OfAnEmptyRecordingIsAnError) {

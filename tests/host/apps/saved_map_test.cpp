@@ -41,12 +41,16 @@ TEST(SavedMap, MovesAsideWhatAnEarlierRunHasLeft) {
   const tests::ScratchFolder out;
   files::write_text_file(out / "session.mcap", "old");
   files::write_text_file(out / "session_1.mcap", "its second part");
+  files::write_text_file(out / "session.before.mcap", "older");
+  files::write_text_file(out / "session.before_1.mcap", "older");
+  files::write_text_file(out / "session.before_2.mcap", "older");
   std::filesystem::create_directories(previous_map_of(out.path(), 1));
   move_earlier_run_aside(out.path());
   EXPECT_EQ(files::read_text_file(out / kPreviousRecordingName), "old");
   EXPECT_EQ(files::read_text_file(out / "session.before_1.mcap"), "its second part");
   EXPECT_FALSE(exists(out / "session.mcap"));
   EXPECT_FALSE(exists(out / "session_1.mcap"));
+  EXPECT_FALSE(exists(out / "session.before_2.mcap")) << "it would be read as its third part";
   EXPECT_TRUE(exists(out / "previous_1.before"));
   EXPECT_FALSE(exists(previous_map_of(out.path(), 1)));
 }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "host/recording/session_file.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "host/files/atomic_file.hpp"
 #include "host/mcap/mcap_reader.hpp"
 #include "host/ros_messages/std_msgs.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::recording {
@@ -34,6 +40,19 @@ class SessionFileTest : public ::testing::Test {
     return read;
   }
 
+  /// The texts of all parts.
+  std::vector<std::string> all_texts() {
+    std::vector<std::string> texts;
+    for (std::size_t part = 0; exists(part_of(path, part)); ++part) {
+      const auto some = read(part_of(path, part));
+      std::copy_if(
+          some.begin(), some.end(), std::back_inserter(texts), [](const std::string& text) {
+            return !text.starts_with("metadata") && !text.starts_with("attachment");
+          });
+    }
+    return texts;
+  }
+
   const tests::ScratchFolder scratch;
   const std::filesystem::path path = scratch / "session.mcap";
 };
@@ -45,7 +64,8 @@ TEST_F(SessionFileTest, HasWhatWasWrittenBeforeItWasOpened) {
   file.open(path);
   write(file, 1);
   file.finish();
-  EXPECT_EQ(read(path), (std::vector<std::string>{"metadata session", "0", "1", "0"}));
+  EXPECT_EQ(read(path),
+            (std::vector<std::string>{"metadata session", "metadata part", "0", "1", "0"}));
   EXPECT_EQ(mcap::McapReader(path).header().profile, "ros2");
 }
 
@@ -60,15 +80,72 @@ TEST_F(SessionFileTest, EachPartSaysWhatTheSessionIs) {
   std::size_t parts = 0;
   for (; exists(part_of(path, parts)); ++parts) {
     auto part = read(part_of(path, parts));
-    ASSERT_GT(part.size(), 2U);
+    ASSERT_GT(part.size(), 3U);
     EXPECT_EQ(part[0], "metadata session");
-    EXPECT_EQ(part[1], "attachment robot.toml");
-    texts.insert(texts.end(), part.begin() + 2, part.end());
+    EXPECT_EQ(part[1], "metadata part");
+    EXPECT_EQ(part[2], "attachment robot.toml");
+    texts.insert(texts.end(), part.begin() + 3, part.end());
   }
   EXPECT_GT(parts, 2U);
   ASSERT_EQ(texts.size(), 400U);
   EXPECT_EQ(texts.back(), "399");
   EXPECT_EQ(part_of(path, 2), scratch / "session_2.mcap");
+}
+
+TEST_F(SessionFileTest, SaysWhatTheSessionIsBeforeWhateverWasWrittenFirst) {
+  SessionFile file;
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    file.write("/text", 1'000'000'000 * i, ros_messages::String{"early"});
+    file.flush();
+  }
+  file.describe("session", {});
+  file.open(path);
+  file.finish();
+  const auto texts = read(path);
+  EXPECT_EQ(texts.front(), "metadata session");
+  EXPECT_EQ(texts.size(), 62U);
+}
+
+/// Writes numbered texts; answers how often that failed.
+int write_texts(SessionFile& file, int from, int to) {
+  int failed = 0;
+  for (int i = from; i < to; ++i) {
+    try {
+      file.write("/text", static_cast<std::uint64_t>(i), ros_messages::String{std::to_string(i)});
+    } catch (const files::FileError&) {
+      ++failed;
+    }
+  }
+  return failed;
+}
+
+TEST_F(SessionFileTest, APartThatCannotBeMadeIsTriedAgain) {
+  std::filesystem::create_directories(part_of(path, 1));
+  SessionFile file({.chunk_bytes = 1000});
+  file.open(path, 2000);
+  EXPECT_GT(write_texts(file, 0, 300), 0);
+  std::filesystem::remove(part_of(path, 1));
+  EXPECT_EQ(write_texts(file, 300, 400), 0);
+  file.finish();
+  const auto texts = all_texts();
+  ASSERT_EQ(texts.size(), 400U);
+  EXPECT_EQ(texts.back(), "399");
+}
+
+TEST_F(SessionFileTest, AFullDiskAtASplitLosesNothing) {
+  SessionFile file({.chunk_bytes = 1000});
+  file.open(path, 2000);
+  EXPECT_EQ(write_texts(file, 0, 20), 0);
+  {
+    const tests::FileSizeLimit limit(100);
+    EXPECT_GT(write_texts(file, 20, 300), 0);
+    EXPECT_THROW(file.attach({}), files::FileError);
+  }
+  EXPECT_EQ(write_texts(file, 300, 400), 0);
+  file.finish();
+  const auto texts = all_texts();
+  ASSERT_EQ(texts.size(), 400U);
+  EXPECT_EQ(texts.back(), "399");
 }
 
 TEST_F(SessionFileTest, ThrowsWhereItCannotBeMade) {

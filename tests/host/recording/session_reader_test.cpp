@@ -87,11 +87,39 @@ TEST_F(SessionReaderTest, ReadsAllParts) {
   recorder.finish();
   ASSERT_TRUE(exists(part_of(path, 1)));
   SessionReader reader(path);
+  EXPECT_EQ(std::get<SessionEvent>(reader.next().value()).kind, SessionEventKind::kBeginSession);
+  for (int i = 0; i < 30000; ++i) {
+    ASSERT_EQ(std::get<SessionEvent>(reader.next().value()).value, i * 7919 % 10007);
+  }
+  EXPECT_FALSE(reader.next());
+}
+
+TEST_F(SessionReaderTest, TakesNoFileOfAnotherSessionForItsNextPart) {
+  recorder.add_event({SessionEventKind::kLinkReady});
+  save();
+  SessionRecorder other({});
+  other.describe("session", {{"slam", "multiscan"}});
+  other.begin_session(0);
+  other.open(part_of(path, 1));
+  other.finish();
+  SessionReader reader(path);
   int entries = 0;
   while (reader.next()) {
     ++entries;
   }
-  EXPECT_EQ(entries, 30001);
+  EXPECT_EQ(entries, 2);
+}
+
+TEST_F(SessionReaderTest, KeepsWhatIsWrongWithItsHead) {
+  save();
+  std::string bytes = files::read_text_file(path);
+  const std::size_t place = bytes.find("name = 'x'");
+  ASSERT_NE(place, std::string::npos);
+  bytes[place] = 'm';
+  files::write_text_file(path, bytes);
+  SessionReader reader(path);
+  EXPECT_THAT(reader.head_damage(), HasSubstr("byte "));
+  EXPECT_THROW(reader.next(), files::FileError);
 }
 
 TEST_F(SessionReaderTest, ReadsTheEndingBehindADamageToo) {

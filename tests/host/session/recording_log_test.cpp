@@ -29,8 +29,9 @@ TEST(RecordingLogTest, RecordsLinesWhileItExists) {
   std::vector<ros_messages::Log> lines;
   mcap::McapReader reader(scratch / "session.mcap");
   while (const auto record = reader.next()) {
-    lines.push_back(
-        ros_messages::deserialize<ros_messages::Log>(std::get<mcap::Message>(*record).data));
+    if (const auto* message = std::get_if<mcap::Message>(&*record)) {
+      lines.push_back(ros_messages::deserialize<ros_messages::Log>(message->data));
+    }
   }
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0].msg, "a wheel slips");

@@ -38,12 +38,12 @@ class Notes final : public pipeline::AnyObservationSink {
 
 class SessionPlayerTest : public ::testing::Test {
  protected:
-  void play(double from_s = 0.0) {
+  void play(double from_s = 0.0, double until_s = 1000.0) {
     recording.save(scratch / "session.mcap");
     recording::SessionReader reader(scratch / "session.mcap");
     pipeline::JoinedSessions sessions(notes);
     SessionPlayer player(reader, profile, {sessions, notes});
-    player.begin_at(from_s);
+    player.play_between(from_s, until_s);
     while (player.play_next()) {
     }
     observations = player.observations();
@@ -120,6 +120,9 @@ TEST_F(SessionPlayerTest, LeavesOutWhatComesBeforeItsBegin) {
   odometry(3000, 0);
   play(0.009);
   EXPECT_EQ(notes.stamps_us, (std::vector<std::int64_t>{2000, 3000}));
+  notes.stamps_us.clear();
+  play(0.0, 0.011);
+  EXPECT_EQ(notes.stamps_us, (std::vector<std::int64_t>{1000, 2000}));
 }
 
 TEST_F(SessionPlayerTest, NamesAFrameThatItCannotRead) {
