@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -63,7 +64,17 @@ std::vector<sensors::Beam> looks_from(const Eigen::Vector2d& center_m, const Sca
 class RegionFinder {
  public:
   RegionFinder(std::vector<sensors::Beam> looks, const SonarSurfaceParams& params)
-      : looks_(std::move(looks)), params_(params) {}
+      : looks_(std::move(looks)), params_(params), leftwards_(looks_.size()) {
+    std::iota(leftwards_.begin(), leftwards_.end(), std::size_t{0});
+    rightwards_ = leftwards_;
+    const auto bearing = [this](std::size_t i) { return looks_[i].bearing_rad; };
+    std::stable_sort(leftwards_.begin(), leftwards_.end(), [&](std::size_t a, std::size_t b) {
+      return bearing(a) < bearing(b);
+    });
+    std::stable_sort(rightwards_.begin(), rightwards_.end(), [&](std::size_t a, std::size_t b) {
+      return bearing(a) > bearing(b);
+    });
+  }
 
   /// The region with the highest score among the looks that are left; empty where none is one.
   std::optional<Region> take_best() {
@@ -115,30 +126,35 @@ class RegionFinder {
     return depth_m;
   }
 
-  /// The looks to one side of a bearing, outwards, with how far off they are.
-  std::vector<std::pair<double, std::size_t>> side_of(double bearing_rad, bool left) const {
-    std::vector<std::pair<double, std::size_t>> side;
-    for (std::size_t i = 0; i < looks_.size(); ++i) {
-      const double off_rad = geometry::angle_between(bearing_rad, looks_[i].bearing_rad);
-      if ((off_rad >= 0.0) == left && std::abs(off_rad) < 0.5 * std::numbers::pi) {
-        side.emplace_back(std::abs(off_rad), i);
-      }
-    }
-    std::sort(side.begin(), side.end());
-    return side;
+  /// Where among the looks, in their order to that side, those begin that lie there.
+  std::size_t begin_of_side(double bearing_rad, bool left) const {
+    const auto& side = left ? leftwards_ : rightwards_;
+    const auto first = std::partition_point(side.begin(), side.end(), [&](std::size_t i) {
+      return left ? looks_[i].bearing_rad < bearing_rad : looks_[i].bearing_rad >= bearing_rad;
+    });
+    return static_cast<std::size_t>(first - side.begin());
   }
 
-  /// Follows one side until the readings stop agreeing.
+  /// Follows one side until the readings stop agreeing, a quarter of a turn at most.
   void grow(Region& region, bool left) const {
+    const auto& side = left ? leftwards_ : rightwards_;
+    const double bearing_rad = geometry::wrap_angle(region.bearing_rad);
+    const std::size_t begin = begin_of_side(bearing_rad, left);
     int strangers = 0;
-    for (const auto& [off_rad, index] : side_of(region.bearing_rad, left)) {
+    for (std::size_t i = 0; i < side.size() && strangers < kStrangersThatEnd; ++i) {
+      const std::size_t index = side[(begin + i) % side.size()];
+      const double signed_off_rad = geometry::angle_between(bearing_rad, looks_[index].bearing_rad);
+      const double off_rad = std::abs(signed_off_rad);
+      if ((signed_off_rad >= 0.0) != left || off_rad >= 0.5 * std::numbers::pi) {
+        break;
+      }
       if (agrees(looks_[index], region.range_m, off_rad)) {
         region.members.push_back(index);
         region.strangers += static_cast<std::size_t>(std::exchange(strangers, 0));
-        region.leftmost_rad = std::max(region.leftmost_rad, left ? off_rad : -off_rad);
-        region.rightmost_rad = std::min(region.rightmost_rad, left ? off_rad : -off_rad);
-      } else if (++strangers >= kStrangersThatEnd) {
-        break;
+        region.leftmost_rad = std::max(region.leftmost_rad, signed_off_rad);
+        region.rightmost_rad = std::min(region.rightmost_rad, signed_off_rad);
+      } else {
+        ++strangers;
       }
     }
   }
@@ -172,6 +188,9 @@ class RegionFinder {
 
   std::vector<sensors::Beam> looks_;  ///< Without the range once a region has claimed the reading.
   const SonarSurfaceParams& params_;
+  /// Indices of the looks by their bearing, rising and falling.
+  std::vector<std::size_t> leftwards_;
+  std::vector<std::size_t> rightwards_;
 };
 
 SonarSurface surface_of(const Region& region,
