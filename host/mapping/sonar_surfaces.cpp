@@ -60,6 +60,28 @@ std::vector<sensors::Beam> looks_from(const Eigen::Vector2d& center_m, const Sca
   return looks;
 }
 
+/// The first of the ranges that have the most others within the tolerance; empty where there is
+/// none.
+std::optional<double> most_shared_m(const std::vector<double>& ranges_m, double tolerance_m) {
+  std::vector<double> sorted_m = ranges_m;
+  std::sort(sorted_m.begin(), sorted_m.end());
+  std::optional<double> most_shared_m;
+  std::ptrdiff_t most = 0;
+  for (const double candidate_m : ranges_m) {
+    const auto first = std::partition_point(sorted_m.begin(), sorted_m.end(), [&](double range_m) {
+      return candidate_m - range_m > tolerance_m;
+    });
+    const auto last = std::partition_point(first, sorted_m.end(), [&](double range_m) {
+      return range_m - candidate_m <= tolerance_m;
+    });
+    if (last - first > most) {
+      most = last - first;
+      most_shared_m = candidate_m;
+    }
+  }
+  return most_shared_m;
+}
+
 /// Takes regions out of the looks of one scan, one after the other.
 class RegionFinder {
  public:
@@ -101,29 +123,34 @@ class RegionFinder {
 
   /// The depth that most readings within half a beam of the bearing share.
   std::optional<double> common_depth_m(double bearing_rad) const {
-    std::vector<double> ranges_m;
-    for (const sensors::Beam& look : looks_) {
-      const double off_rad = std::abs(geometry::angle_between(bearing_rad, look.bearing_rad));
-      if (look.range_m && off_rad <= params_.beam_half_angle_rad) {
-        ranges_m.push_back(*look.range_m);
-      }
+    std::vector<std::size_t> near;
+    for (const bool left : {true, false}) {
+      walk(bearing_rad, left, params_.beam_half_angle_rad, [&](std::size_t index, double) {
+        if (looks_[index].range_m) {
+          near.push_back(index);
+        }
+        return true;
+      });
     }
-    std::optional<double> depth_m;
-    std::size_t most = 0;
-    for (const double candidate_m : ranges_m) {
-      double sum_m = 0.0;
-      std::size_t count = 0;
-      for (const double range_m : ranges_m) {
-        const bool near = std::abs(range_m - candidate_m) <= params_.depth_tolerance_m;
-        sum_m += near ? range_m : 0.0;
-        count += near ? 1 : 0;
-      }
-      if (count > most) {
-        most = count;
-        depth_m = sum_m / static_cast<double>(count);
-      }
+    std::sort(near.begin(), near.end());
+    std::vector<double> ranges_m(near.size());
+    std::transform(near.begin(), near.end(), ranges_m.begin(), [this](std::size_t index) {
+      return looks_[index].range_m.value_or(0.0);
+    });
+    const auto most_shared = most_shared_m(ranges_m, params_.depth_tolerance_m);
+    return most_shared ? std::optional(mean_near_m(ranges_m, *most_shared)) : std::nullopt;
+  }
+
+  /// Mean of the ranges that are as far as this one.
+  double mean_near_m(const std::vector<double>& ranges_m, double range_m) const {
+    double sum_m = 0.0;
+    std::size_t count = 0;
+    for (const double other_m : ranges_m) {
+      const bool near = std::abs(other_m - range_m) <= params_.depth_tolerance_m;
+      sum_m += near ? other_m : 0.0;
+      count += near ? 1 : 0;
     }
-    return depth_m;
+    return sum_m / static_cast<double>(count);
   }
 
   /// Where among the looks, in their order to that side, those begin that lie there.
@@ -135,28 +162,35 @@ class RegionFinder {
     return static_cast<std::size_t>(first - side.begin());
   }
 
-  /// Follows one side until the readings stop agreeing, a quarter of a turn at most.
-  void grow(Region& region, bool left) const {
+  /// Hands the looks to one side of a bearing to `take`, outwards, with how far to the left they
+  /// are, up to `reach_rad` and until it answers false.
+  template <class Take>
+  void walk(double bearing_rad, bool left, double reach_rad, const Take& take) const {
     const auto& side = left ? leftwards_ : rightwards_;
-    const double bearing_rad = geometry::wrap_angle(region.bearing_rad);
-    const std::size_t begin = begin_of_side(bearing_rad, left);
-    int strangers = 0;
-    for (std::size_t i = 0; i < side.size() && strangers < kStrangersThatEnd; ++i) {
+    const double from_rad = geometry::wrap_angle(bearing_rad);
+    const std::size_t begin = begin_of_side(from_rad, left);
+    for (std::size_t i = 0; i < side.size(); ++i) {
       const std::size_t index = side[(begin + i) % side.size()];
-      const double signed_off_rad = geometry::angle_between(bearing_rad, looks_[index].bearing_rad);
-      const double off_rad = std::abs(signed_off_rad);
-      if ((signed_off_rad >= 0.0) != left || off_rad >= 0.5 * std::numbers::pi) {
-        break;
-      }
-      if (agrees(looks_[index], region.range_m, off_rad)) {
-        region.members.push_back(index);
-        region.strangers += static_cast<std::size_t>(std::exchange(strangers, 0));
-        region.leftmost_rad = std::max(region.leftmost_rad, signed_off_rad);
-        region.rightmost_rad = std::min(region.rightmost_rad, signed_off_rad);
-      } else {
-        ++strangers;
+      const double off_rad = geometry::angle_between(from_rad, looks_[index].bearing_rad);
+      if ((off_rad >= 0.0) != left || std::abs(off_rad) > reach_rad || !take(index, off_rad)) {
+        return;
       }
     }
+  }
+
+  /// Follows one side until the readings stop agreeing, a quarter of a turn at most.
+  void grow(Region& region, bool left) const {
+    int strangers = 0;
+    walk(region.bearing_rad, left, 0.5 * std::numbers::pi, [&](std::size_t index, double off_rad) {
+      if (agrees(looks_[index], region.range_m, std::abs(off_rad))) {
+        region.members.push_back(index);
+        region.strangers += static_cast<std::size_t>(std::exchange(strangers, 0));
+        region.leftmost_rad = std::max(region.leftmost_rad, off_rad);
+        region.rightmost_rad = std::min(region.rightmost_rad, off_rad);
+        return true;
+      }
+      return ++strangers < kStrangersThatEnd;
+    });
   }
 
   std::optional<Region> region_at(double bearing_rad) const {
