@@ -57,7 +57,7 @@ TEST(SessionPeers, DecodeEveryChannelOfARecordedRun) {
       structure::run_shell("node " + shell_quoted(ECHOMAP_MCAP_PEERS "/validate.mjs") + " " +
                                shell_quoted(run / "session.mcap"),
                            scratch.path());
-  ASSERT_EQ(validated.status, 0) << validated.output;
+  ASSERT_EQ(validated.exit_code, 0) << validated.output;
   const json found = json::parse(validated.output);
   EXPECT_TRUE(found.at("indexed_equals_streamed"));
   for (const auto& [topic, type] : kTopics) {
