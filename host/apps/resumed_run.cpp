@@ -30,7 +30,7 @@ fs::path recording_in(const fs::path& run) {
     throw CommandError(ExitCode::kUsage,
                        "cannot resume " + run.string() + ": it has no " +
                            recording::kSessionFileName +
-                           (is_old ? ", a version of echomap before 0.2 made it" : "") +
+                           (is_old ? ", an earlier version of echomap made it" : "") +
                            "\n  next: name the run directory of echomap explore with --resume");
   }
   return *recording;

@@ -102,7 +102,7 @@ TEST_F(ResumedRunTest, NeedsARecordingWithARobotsPath) {
               AllOf(HasSubstr("it has no session.mcap"), HasSubstr("next: ")));
   files::write_text_file(run / "observations.csv", "");
   EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { resume(); }),
-              HasSubstr("a version of echomap before 0.2 made it"));
+              HasSubstr("an earlier version of echomap made it"));
   save();
   EXPECT_THAT(tests::thrown_text<console::CommandError>([&] { resume(); }),
               AllOf(HasSubstr("its recording is empty"), HasSubstr("next: ")));
