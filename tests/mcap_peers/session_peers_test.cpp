@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/files/atomic_file.hpp"
 #include "tests/integration/programs.hpp"
 #include "tests/structure/shell.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -36,11 +37,24 @@ const std::map<std::string, std::string> kTopics{
     {"/session/events", "echomap_msgs/msg/SessionEvent"},
 };
 
-TEST(SessionPeers, DecodeEveryChannelOfARecordedRun) {
-  if (!std::filesystem::exists(ECHOMAP_MCAP_PEERS "/installed")) {
-    GTEST_SKIP() << "no node 20, no npm, or its packages could not be installed";
+class SessionPeers : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(ECHOMAP_MCAP_PEERS "/installed")) {
+      GTEST_SKIP() << "no node 20, no npm, or its packages could not be installed";
+    }
   }
+  structure::ShellResult run_script(const std::string& name,
+                                    const std::filesystem::path& file) const {
+    return structure::run_shell(
+        "node " + shell_quoted(ECHOMAP_MCAP_PEERS "/" + name) + " " + shell_quoted(file),
+        scratch.path());
+  }
+
   const tests::ScratchFolder scratch;
+};
+
+TEST_F(SessionPeers, DecodeEveryChannelOfARecordedRun) {
   const auto run = scratch / "run";
   EXPECT_EQ(Program("echomap",
                     {"demo",
@@ -53,10 +67,7 @@ TEST(SessionPeers, DecodeEveryChannelOfARecordedRun) {
                 .wait()
                 .status,
             kUnfinished);
-  const auto validated =
-      structure::run_shell("node " + shell_quoted(ECHOMAP_MCAP_PEERS "/validate.mjs") + " " +
-                               shell_quoted(run / "session.mcap"),
-                           scratch.path());
+  const auto validated = run_script("validate.mjs", run / "session.mcap");
   ASSERT_EQ(validated.exit_code, 0) << validated.output;
   const json found = json::parse(validated.output);
   EXPECT_TRUE(found.at("indexed_equals_streamed"));
@@ -70,6 +81,22 @@ TEST(SessionPeers, DecodeEveryChannelOfARecordedRun) {
   EXPECT_THAT(found.at("attachments"),
               IsSupersetOf({"robot.toml", "summary.json", "map.pgm", "map.yaml", "map.png"}));
   EXPECT_THAT(found.at("metadata"), IsSupersetOf({"session", "ending"}));
+}
+
+TEST_F(SessionPeers, WriteABagThatIsMapped) {
+  const auto written = run_script("write_bag.mjs", scratch / "room.mcap");
+  ASSERT_EQ(written.exit_code, 0) << written.output;
+  const Ended ended = Program("echomap",
+                              {"replay",
+                               (scratch / "room.mcap").string(),
+                               "--headless",
+                               "--out=" + (scratch / "room").string()},
+                              scratch / "log")
+                          .wait();
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  const json summary = json::parse(files::read_text_file(scratch / "room" / "summary.json"));
+  EXPECT_NEAR(summary.at("free_area_m2"), 6.0, 0.8) << "of a room of 3 x 2 m";
+  EXPECT_EQ(summary.at("replay").at("scans"), 63 * 5);
 }
 
 }  // namespace
