@@ -2,6 +2,7 @@
 #include "host/apps/recorded_run.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include <fmt/format.h>
@@ -128,10 +129,11 @@ void validate(const PlayedPart& part) {
         console::ExitCode::kUsage,
         fmt::format("--from {} is not before --until {}", part.from_s, part.until_s));
   }
-  if (part.speed && !(*part.speed >= kMinSpeed && *part.speed <= kMaxSpeed)) {
+  const double speed = part.speed.value_or(1.0);
+  if (std::isnan(speed) || speed < kMinSpeed || speed > kMaxSpeed) {
     throw console::CommandError(
         console::ExitCode::kUsage,
-        fmt::format("--speed {} is outside {} .. {}", *part.speed, kMinSpeed, kMaxSpeed));
+        fmt::format("--speed {} is outside {} .. {}", speed, kMinSpeed, kMaxSpeed));
   }
 }
 

@@ -32,12 +32,12 @@ SessionReader::SessionReader(const std::filesystem::path& path)
 
 void SessionReader::read_head() {
   try {
-    auto record = next_record();
-    while (record && !std::holds_alternative<mcap::Message>(*record)) {
+    const mcap::Record* record = next_record();
+    while (record != nullptr && !std::holds_alternative<mcap::Message>(*record)) {
       keep(*record);
       record = next_record();
     }
-    first_ = std::move(record);
+    is_read_ahead_ = record != nullptr;
   } catch (const files::FileError& error) {
     head_damage_ = error.what();  // The reader throws it again at the next record.
   }
@@ -50,10 +50,10 @@ bool SessionReader::open_next_part() {
     return false;
   }
   auto reader = std::make_unique<mcap::McapReader>(next);
-  while (const auto record = reader->next()) {
+  const mcap::TextMap expected{{"session", session}, {"number", std::to_string(part_ + 1)}};
+  for (auto record = reader->next(); record; record = reader->next()) {
     const auto* metadata = std::get_if<mcap::Metadata>(&*record);
     if (metadata != nullptr && metadata->name == kPartMetadata) {
-      const mcap::TextMap expected{{"session", session}, {"number", std::to_string(part_ + 1)}};
       if (metadata->entries != expected) {
         return false;
       }
@@ -65,15 +65,14 @@ bool SessionReader::open_next_part() {
   return false;
 }
 
-std::optional<mcap::Record> SessionReader::next_record() {
-  if (first_) {
-    return std::exchange(first_, std::nullopt);
+const mcap::Record* SessionReader::next_record() {
+  if (!std::exchange(is_read_ahead_, false)) {
+    record_ = reader_->next();
+    while (!record_ && open_next_part()) {
+      record_ = reader_->next();
+    }
   }
-  auto record = reader_->next();
-  while (!record && open_next_part()) {
-    record = reader_->next();
-  }
-  return record;
+  return record_ ? &*record_ : nullptr;
 }
 
 void SessionReader::keep(const mcap::Record& record) {
@@ -85,8 +84,8 @@ void SessionReader::keep(const mcap::Record& record) {
 }
 
 std::optional<SessionEntry> SessionReader::next() {
-  while (const auto record = next_record()) {
-    if (const auto* message = std::get_if<mcap::Message>(&*record)) {
+  while (const mcap::Record* const record = next_record()) {
+    if (const auto* message = std::get_if<mcap::Message>(record)) {
       if (auto entry = entry_of(*message)) {
         return entry;
       }
@@ -99,7 +98,7 @@ std::optional<SessionEntry> SessionReader::next() {
 
 void SessionReader::read_ending() {
   try {
-    while (const auto record = next_record()) {
+    while (const mcap::Record* const record = next_record()) {
       keep(*record);
     }
   } catch (const files::FileError&) {

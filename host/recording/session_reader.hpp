@@ -62,14 +62,16 @@ class SessionReader {
   void read_head();
   /// Goes on with the next file, if there is one and it is of the same session.
   bool open_next_part();
-  std::optional<mcap::Record> next_record();
+  /// The next record, valid until the next call; null at the end.
+  const mcap::Record* next_record();
   std::optional<SessionEntry> entry_of(const mcap::Message& message);
   void keep(const mcap::Record& record);
 
   std::filesystem::path path_;
   std::size_t part_ = 0;
   std::unique_ptr<mcap::McapReader> reader_;
-  std::optional<mcap::Record> first_;  ///< Read with the head.
+  std::optional<mcap::Record> record_;  ///< The last.
+  bool is_read_ahead_ = false;          ///< With the head.
   std::string head_damage_;
   std::uint64_t time_ns_ = 0;
   std::optional<std::uint64_t> begin_ns_;

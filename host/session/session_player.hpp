@@ -50,7 +50,7 @@ class SessionPlayer {
   std::size_t observations() const { return observations_; }
 
  private:
-  void play(const recording::RecordedFrame& frame);
+  void play(const recording::RecordedFrame& recorded);
   /// Hands on what the frame says.
   void observe(const recording::LineFrame& frame);
   void play(const recording::SessionEvent& event);

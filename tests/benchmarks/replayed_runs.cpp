@@ -105,7 +105,7 @@ std::uint64_t last_time_ns(const fs::path& file) {
   std::uint64_t last_ns = 0;
   mcap::McapReader reader(file);
   try {
-    while (const auto record = reader.next()) {
+    for (auto record = reader.next(); record; record = reader.next()) {
       if (const auto* message = std::get_if<mcap::Message>(&*record)) {
         last_ns = message->log_time_ns;
       }

@@ -12,6 +12,7 @@
 #include "host/mcap/mcap_reader.hpp"
 #include "host/ros_messages/std_msgs.hpp"
 #include "tests/support/file_size_limit.hpp"
+#include "tests/support/mcap_records.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::recording {
@@ -27,14 +28,13 @@ class SessionFileTest : public ::testing::Test {
   /// The texts of a file, and what stands beside them.
   std::vector<std::string> read(const std::filesystem::path& path) {
     std::vector<std::string> read;
-    mcap::McapReader reader(path);
-    while (const auto record = reader.next()) {
-      if (const auto* message = std::get_if<mcap::Message>(&*record)) {
+    for (const mcap::Record& record : tests::all_records(path)) {
+      if (const auto* message = std::get_if<mcap::Message>(&record)) {
         read.push_back(ros_messages::deserialize<ros_messages::String>(message->data).data);
-      } else if (const auto* metadata = std::get_if<mcap::Metadata>(&*record)) {
+      } else if (const auto* metadata = std::get_if<mcap::Metadata>(&record)) {
         read.push_back("metadata " + metadata->name);
       } else {
-        read.push_back("attachment " + std::get<mcap::Attachment>(*record).name);
+        read.push_back("attachment " + std::get<mcap::Attachment>(record).name);
       }
     }
     return read;

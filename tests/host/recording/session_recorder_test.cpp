@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 
 #include "host/files/atomic_file.hpp"
-#include "host/mcap/mcap_reader.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 #include "host/recording/session_messages.hpp"
 #include "host/ros_messages/rcl_interfaces.hpp"
 #include "tests/support/file_size_limit.hpp"
+#include "tests/support/mcap_records.hpp"
 #include "tests/support/robot_times.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -30,11 +30,8 @@ class SessionRecorderTest : public ::testing::Test {
     recorder.open(scratch / "session.mcap");
     recorder.finish();
     std::map<std::string, std::vector<mcap::Message>> messages;
-    mcap::McapReader reader(scratch / "session.mcap");
-    while (const auto record = reader.next()) {
-      if (const auto* message = std::get_if<mcap::Message>(&*record)) {
-        messages[message->channel->info.topic].push_back(*message);
-      }
+    for (const mcap::Message& message : tests::all_messages(scratch / "session.mcap")) {
+      messages[message.channel->info.topic].push_back(message);
     }
     return messages;
   }
@@ -176,12 +173,8 @@ TEST_F(SessionRecorderTest, GoesOnWhereTheDiskIsFullAndSaysWhy) {
   }
   log_for(100, 200);
   recorder.finish();
-  int lines = 0;
-  mcap::McapReader reader(scratch / "session.mcap");
-  while (const auto record = reader.next()) {
-    lines += std::holds_alternative<mcap::Message>(*record) ? 1 : 0;
-  }
-  EXPECT_EQ(lines, 200) << "nothing is lost where there is room again";
+  EXPECT_EQ(tests::all_messages(scratch / "session.mcap").size(), 200U)
+      << "nothing is lost where there is room again";
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class LineRecorderTest : public ::testing::Test {
     session.finish();
     std::vector<recording::RecordedFrame> frames;
     recording::SessionReader reader(scratch / "session.mcap");
-    while (const auto entry = reader.next()) {
+    for (auto entry = reader.next(); entry; entry = reader.next()) {
       frames.push_back(std::get<recording::RecordedFrame>(*entry));
     }
     return frames;

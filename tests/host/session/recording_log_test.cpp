@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
-#include "host/mcap/mcap_reader.hpp"
 #include "host/ros_messages/rcl_interfaces.hpp"
 #include "host/ros_messages/serialization.hpp"
+#include "tests/support/mcap_records.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::session {
@@ -27,11 +27,8 @@ TEST(RecordingLogTest, RecordsLinesWhileItExists) {
   recorder.open(scratch / "session.mcap");
   recorder.finish();
   std::vector<ros_messages::Log> lines;
-  mcap::McapReader reader(scratch / "session.mcap");
-  while (const auto record = reader.next()) {
-    if (const auto* message = std::get_if<mcap::Message>(&*record)) {
-      lines.push_back(ros_messages::deserialize<ros_messages::Log>(message->data));
-    }
+  for (const mcap::Message& message : tests::all_messages(scratch / "session.mcap")) {
+    lines.push_back(ros_messages::deserialize<ros_messages::Log>(message.data));
   }
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0].msg, "a wheel slips");
