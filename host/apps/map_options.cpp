@@ -59,7 +59,8 @@ std::vector<std::string> slam_names() {
 
 CLI::Option* add_log_options(CLI::App& command, std::filesystem::path& log, std::string& format) {
   add_format_option(command, format);
-  return command.add_option("log", log, "File of the log, plain or gz, a run directory or a recording")
+  return command
+      .add_option("log", log, "File of the log, plain or gz, a run directory or a recording")
       ->check(CLI::ExistingPath);
 }
 

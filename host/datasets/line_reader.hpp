@@ -43,8 +43,6 @@ class LineReader {
   const std::filesystem::path& path() const { return path_; }
   /// Number of the line that `next` gave last, from 1; 0 before.
   std::size_t line_number() const { return line_number_; }
-  /// Whether the line that `next` gave last is the file's last and has no end.
-  bool lacks_end() const { return lacks_end_; }
   /// The share of the file's bytes that have been read, 0 .. 1.
   double progress() const;
   /// Throws files::FileError with the text `file:line: message` for the line given last; CutOffLine

@@ -82,20 +82,6 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
   file.commit();
 }
 
-void append_text(const std::filesystem::path& path, std::string_view text) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  if (descriptor < 0) {
-    fail("write", path);
-  }
-  const bool is_written = write_all(descriptor, text) && flush(descriptor);
-  const int reason = errno;
-  ::close(descriptor);
-  if (!is_written) {
-    errno = reason;
-    fail("write", path);
-  }
-}
-
 std::string read_text_file(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;

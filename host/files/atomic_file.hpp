@@ -38,10 +38,6 @@ class AtomicFile {
 /// Writes a whole text file at once.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
-/// Adds text to the end of a file that exists and flushes it to the disk. A program that is killed
-/// in the midst of it leaves the first part of the text there, and so may an error: FileError.
-void append_text(const std::filesystem::path& path, std::string_view text);
-
 /// Reads a whole file.
 std::string read_text_file(const std::filesystem::path& path);
 

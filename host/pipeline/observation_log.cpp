@@ -29,16 +29,13 @@ void ObservationLog::on(const sensors::Observation& observation) {
   stretches_.back().events.push_back(observation);
 }
 
-void ObservationLog::replay(ObservationSink& sink, std::size_t skipped) const {
+void ObservationLog::replay(ObservationSink& sink) const {
   for (const Stretch& stretch : stretches_) {
-    if (stretch.carried && skipped == 0) {
+    if (stretch.carried) {
       sink.on_carried(*stretch.carried);
     }
-    skipped -= stretch.carried && skipped > 0 ? 1 : 0;
-    const std::size_t first = std::min(skipped, stretch.events.size());
-    skipped -= first;
-    for (std::size_t i = first; i < stretch.events.size(); ++i) {
-      hand_on(stretch.events[i], sink);
+    for (const Event& event : stretch.events) {
+      hand_on(event, sink);
     }
   }
 }

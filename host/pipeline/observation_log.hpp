@@ -17,8 +17,8 @@ class ObservationLog final : public AnyObservationSink {
  public:
   void on(const sensors::Observation& observation) override;
 
-  /// Hands it on in its order, without the first `skipped` of its observations.
-  void replay(ObservationSink& sink, std::size_t skipped = 0) const;
+  /// Hands it on in its order.
+  void replay(ObservationSink& sink) const;
 
   /// How many it holds; where a scan begins, where it ends and where the robot was carried count.
   std::size_t observations() const;

@@ -43,7 +43,7 @@ struct StagedEnd {
   const char* name = "";
   Stage stage;
   int status = 0;
-  const char* outcome = "";            ///< Of summary.json; empty where nothing is saved.
+  const char* outcome = "";            ///< Of summary.json; empty where there is none.
   const char* closing_paragraph = "";  ///< As StagedRun has it.
   /// The map of what was explored before is saved, and has more floor than this.
   std::optional<double> mapped_m2 = std::nullopt;

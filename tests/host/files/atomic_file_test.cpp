@@ -66,24 +66,5 @@ TEST_F(AtomicFileTest, ReadingAMissingFileNamesIt) {
   EXPECT_THROW(read_text_file(folder.path()), FileError);
 }
 
-TEST(AppendText, AddsToTheEndOfAFile) {
-  const tests::ScratchFolder folder;
-  write_text_file(folder / "file", "one\n");
-  append_text(folder / "file", "two\n");
-  append_text(folder / "file", "");
-  append_text(folder / "file", "three\n");
-  EXPECT_EQ(read_text_file(folder / "file"), "one\ntwo\nthree\n");
-}
-
-TEST(AppendText, MakesNoFile) {
-  const tests::ScratchFolder folder;
-  EXPECT_THROW(append_text(folder / "file", "one\n"), FileError);
-  EXPECT_FALSE(exists(folder / "file"));
-}
-
-TEST(AppendText, SaysThatADiskIsFull) {
-  EXPECT_THROW(append_text("/dev/full", "one\n"), FileError);
-}
-
 }  // namespace
 }  // namespace echomap::files

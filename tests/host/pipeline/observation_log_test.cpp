@@ -57,26 +57,6 @@ class ObservationLogTest : public ::testing::Test {
   std::int64_t stamp_us = 0;
 };
 
-TEST_F(ObservationLogTest, HandsOnWhatComesBehindTheFirstOnes) {
-  drive_to(1);
-  stop();
-  log.on_carried({at_us(++stamp_us), {1.0, 1.0}, {5.0, 6.0, 0.0}});
-  drive_to(2);
-  log.on_carried({at_us(++stamp_us), {2.0, 2.0}, {7.0, 8.0, 0.0}});
-  const std::vector<std::string> words{"o1 ", "( ", "s ", ") ", "c1@5,6 ", "o2 ", "c2@7,8 "};
-  ASSERT_EQ(log.observations(), words.size());
-  std::string expected;
-  for (std::size_t skipped = words.size() + 1; skipped-- > 0;) {
-    expected = (skipped < words.size() ? words[skipped] : "") + expected;
-    Story story;
-    log.replay(story, skipped);
-    EXPECT_EQ(story.text, expected) << skipped;
-  }
-  Story none;
-  log.replay(none, 100);
-  EXPECT_EQ(none.text, "");
-}
-
 TEST_F(ObservationLogTest, HandsOnWhatItHasTakenInItsOrder) {
   drive_to(1);
   log.on_infrared({});
