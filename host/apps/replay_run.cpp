@@ -158,7 +158,7 @@ void copy_recording(const fs::path& from, const fs::path& out) {
 std::string slam_of(const ReplayOptions& options,
                     const session::RobotProfile& profile,
                     const recording::SessionReader& recording) {
-  const std::string slam = recording.fact("session", "slam");
+  std::string slam = recording.fact("session", "slam");
   if (options.slam.empty() || options.slam == slam || !profile.has_sonar) {
     return slam;
   }

@@ -45,7 +45,9 @@ std::string SessionFile::session_id() const {
   std::uint32_t crc = 0;
   for (const auto& [name, facts] : facts_) {
     for (const auto& [key, value] : facts) {
-      crc = crc_of_text(name + key + value, crc);
+      for (const std::string& text : {name, key, value}) {
+        crc = crc_of_text(text, crc);
+      }
     }
   }
   const std::uint64_t begin_ns = waiting_.empty() ? 0 : waiting_.front().time_ns;

@@ -52,6 +52,7 @@ bool SessionReader::open_next_part() {
   auto reader = std::make_unique<mcap::McapReader>(next);
   const mcap::TextMap expected{{"session", session}, {"number", std::to_string(part_ + 1)}};
   for (auto record = reader->next(); record; record = reader->next()) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     const auto* metadata = std::get_if<mcap::Metadata>(&*record);
     if (metadata != nullptr && metadata->name == kPartMetadata) {
       if (metadata->entries != expected) {

@@ -26,9 +26,9 @@ class SessionFileTest : public ::testing::Test {
     }
   }
   /// The texts of a file, and what stands beside them.
-  std::vector<std::string> read(const std::filesystem::path& path) {
+  std::vector<std::string> read(const std::filesystem::path& file) {
     std::vector<std::string> read;
-    for (const mcap::Record& record : tests::all_records(path)) {
+    for (const mcap::Record& record : tests::all_records(file)) {
       if (const auto* message = std::get_if<mcap::Message>(&record)) {
         read.push_back(ros_messages::deserialize<ros_messages::String>(message->data).data);
       } else if (const auto* metadata = std::get_if<mcap::Metadata>(&record)) {
