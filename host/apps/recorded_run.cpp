@@ -186,18 +186,21 @@ Played play(recording::SessionReader& recording,
     }
     played.duration_s = recording.elapsed_s();
     recording.read_ending();
-    if (recording.fact("ending", "outcome").empty()) {
+    played.is_whole = !recording.fact("ending", "outcome").empty();
+    if (!played.is_whole) {
       spdlog::warn(
           "{} has no ending: its program was killed, or a later file of it is missing; everything "
           "that is there was read",
           recording.path().string());
     }
   } catch (const mcap::CutOffFile& half) {
+    played.is_whole = false;
     played.duration_s = recording.elapsed_s();
     spdlog::warn("the recording ends early; everything before was read: {}", half.what());
   } catch (const files::FileError& error) {
     played.duration_s = recording.elapsed_s();
     played.damage = error.what();
+    played.is_whole = false;
   }
   played.observations = player.observations();
   return played;

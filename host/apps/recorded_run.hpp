@@ -64,6 +64,7 @@ struct Played {
   std::size_t observations = 0;
   double duration_s = 0.0;  ///< From the first message to the last that was played.
   std::string damage;       ///< What ended it early; empty where nothing did.
+  bool is_whole = true;     ///< False where the recording was cut off, or has no ending.
 };
 
 /// Throws CommandError where a part has no length, or the speed is none.

@@ -207,7 +207,8 @@ ordered_json replay_entry(const ReplayOptions& options,
   ordered_json entry{{"log", options.log.filename().string()},
                      {"map", "grid"},
                      {"poses", slam},
-                     {"observations", played.observations}};
+                     {"observations", played.observations},
+                     {"whole_recording", played.is_whole}};
   if (options.part.from_s > 0.0) {
     entry["from_s"] = options.part.from_s;
   }

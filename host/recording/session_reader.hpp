@@ -46,8 +46,6 @@ class SessionReader {
   std::uint64_t time_ns() const { return time_ns_; }
   /// Seconds of the recording at the last entry, without the pauses between its sessions.
   double elapsed_s() const;
-  /// The share that has been read, 0 .. 1.
-  double progress() const { return reader_->progress(); }
 
   /// What is wrong with the head of the file; empty where nothing is.
   const std::string& head_damage() const { return head_damage_; }

@@ -9,6 +9,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "host/geometry/angle.hpp"
 #include "host/recording/session_recorder.hpp"
@@ -70,7 +71,10 @@ class WrittenRecording {
     if (recorder_.path().empty()) {
       begin(file);
     }
-    recorder_.finish();
+    if (!std::exchange(is_saved_, true)) {
+      recorder_.describe_ending({{"outcome", "complete"}});
+      recorder_.finish();
+    }
   }
 
  private:
@@ -80,6 +84,7 @@ class WrittenRecording {
   std::uint8_t seq_ = 0;
   std::uint32_t stamp_us_ = 0;
   std::int16_t ticks_ = 0;
+  bool is_saved_ = false;
 };
 
 }  // namespace echomap::tests

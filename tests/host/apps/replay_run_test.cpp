@@ -90,6 +90,7 @@ TEST_F(ReplayRunTest, WritesTheSameFiles) {
   const auto report = nlohmann::json::parse(text("summary.json"));
   EXPECT_EQ(report.at("robot"), "uno_2wd");
   EXPECT_EQ(report.at("replay").at("poses"), "multiscan");
+  EXPECT_EQ(report.at("replay").at("whole_recording"), true);
   EXPECT_EQ(report.at("pose_stddev_m"),
             nlohmann::json::parse(live_text("summary.json"))["pose_stddev_m"]);
 }
@@ -185,9 +186,10 @@ TEST_F(ReplayRunTest, KeepsTheMapUpToWhereTheRecordingIsDamaged) {
 
 TEST_F(ReplayRunTest, OfARecordingWhoseWriterWasKilledHasWhatItWrote) {
   const std::string bytes = live_text("session.mcap");
-  files::write_text_file(recorded, bytes.substr(0, bytes.size() - 100));
+  files::write_text_file(recorded, bytes.substr(0, bytes.find("ending")));
   EXPECT_EQ(run_replay(options), console::ExitCode::kOk);
   EXPECT_EQ(text("map.pgm"), live_text("map.pgm"));
+  EXPECT_EQ(nlohmann::json::parse(text("summary.json")).at("replay").at("whole_recording"), false);
 }
 
 TEST_F(ReplayRunTest, MakesTheMapsAgainThatWereSetAside) {
