@@ -75,6 +75,8 @@ const LayerRules rules{
     {"host/strategies", {"host/session"}},
     {"host/tracking", {"host/strategies"}},
     {"host/flashing", {"host/session"}},
+    {"host/terminal_view", {"host/geometry", "host/mapping", "host/console"}},
+    {"host/live_page", {"host/session"}},
     {"host/apps", {"host"}},
     {"hil_mock/world", {"host/geometry", "host/files"}},
     {"hil_mock/line_faults", {"hil_mock/world"}},
