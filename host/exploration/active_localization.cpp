@@ -42,6 +42,9 @@ ActiveLocalization::ActiveLocalization(const ActiveLocalizationParams& params, G
 
 Motion ActiveLocalization::next(const pipeline::Snapshot& snapshot, MotionResult last) {
   plan_.end_motion(last);
+  if (last == MotionResult::kTakenOver) {
+    return begin_sweep(snapshot);
+  }
   if (auto motion = recover(snapshot, last)) {
     return *motion;
   }
@@ -87,8 +90,14 @@ Motion ActiveLocalization::decide(const pipeline::Snapshot& snapshot) {
     return Finished{FinishReason::kNowhereToGo};
   }
   navigator_.follow_path_to(snapshot.latest.T_map_robot, place->at_m, place->cost_m);
+  goal_ = {place->at_m, 0.0, place->cost_m};
   phase_ = Phase::kDriving;
   return drive_on(snapshot);
+}
+
+Intent ActiveLocalization::intent() const {
+  return phase_ == Phase::kDriving ? Intent{IntentKind::kTellApart, goal_, {}}
+                                   : Intent{IntentKind::kSweep, std::nullopt, {}};
 }
 
 std::optional<ActiveLocalization::Place> ActiveLocalization::choose_place(

@@ -48,6 +48,7 @@ class ActiveLocalization final : public Explorer {
   ActiveLocalization(const ActiveLocalizationParams& params, GoalUtility utility);
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
+  Intent intent() const override;
 
  private:
   enum class Phase : std::uint8_t { kStarting, kDriving, kSensing, kBackingOff };
@@ -68,6 +69,7 @@ class ActiveLocalization final : public Explorer {
   GoalUtility utility_;
   Phase phase_ = Phase::kStarting;
   ScanPlan plan_;
+  WeighedPlace goal_;  ///< While it drives.
 };
 
 }  // namespace echomap::exploration

@@ -32,7 +32,7 @@ Motion AtlasExplorer::next(const pipeline::Snapshot& snapshot, MotionResult last
   if (!begins_new_map_) {
     return next_of_strategy(snapshot, last);
   }
-  if (snapshot.times_lifted > 0) {
+  if (snapshot.times_lifted > 0 || std::exchange(was_moved_, false)) {
     return ask_for(BeginNewMap{}, Finished{FinishReason::kLifted});
   }
   const Motion motion = next_of_strategy(snapshot, last);
@@ -48,6 +48,8 @@ Motion AtlasExplorer::next(const pipeline::Snapshot& snapshot, MotionResult last
 StrategyProducts AtlasExplorer::products() const {
   return strategy_ ? strategy_->products() : StrategyProducts{};
 }
+
+Intent AtlasExplorer::intent() const { return strategy_ ? strategy_->intent() : Intent{}; }
 
 void AtlasExplorer::begin_strategy(std::size_t stops) {
   strategy_ = make_(stops_made_);

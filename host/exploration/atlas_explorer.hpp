@@ -27,6 +27,9 @@ class AtlasExplorer final : public Explorer {
   /// A strategy is told of the stops since it began.
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
   StrategyProducts products() const override;
+  Intent intent() const override;
+  /// Somebody says that the robot was moved: it is not where its map has it.
+  void report_moved() { was_moved_ = true; }
 
   /// Since it began, in whichever map.
   std::size_t stops_made() const { return stops_made_; }
@@ -44,6 +47,7 @@ class AtlasExplorer final : public Explorer {
   std::size_t stops_before_ = 0;     ///< In the map when the strategy began.
   std::size_t stops_made_ = 0;       ///< Since the first strategy began.
   std::size_t stops_ = 0;            ///< In the map.
+  bool was_moved_ = false;           ///< Somebody says so.
   bool is_lost_ = false;             ///< A new map was asked for because of that.
   std::size_t maps_lost_ = 0;        ///< In a row, that the robot was lost in.
 };

@@ -51,6 +51,7 @@ class DangerChecker final : public Explorer {
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
   StrategyProducts products() const override { return strategy_->products(); }
+  Intent intent() const override { return strategy_->intent(); }
 
  private:
   void note(const pipeline::Snapshot& snapshot, MotionResult last);

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "host/exploration/intent.hpp"
 #include "host/mapping/cell_field.hpp"
 #include "host/pipeline/snapshot.hpp"
 
@@ -38,6 +39,11 @@ struct Sweep {
   double to_rad = 0.0;
   double step_rad = 0.0;
   double settle_s = 0.0;
+};
+
+/// Stand still for so long.
+struct Stand {
+  double for_s = 0.0;
 };
 
 /// The readings between these two are one scan (RobotPipeline::begin_scan, end_scan).
@@ -80,8 +86,8 @@ struct Finished {
 };
 
 /// What an explorer asks for next: a motion of the robot, or a decision about its maps.
-using Motion =
-    std::variant<Turn, Drive, Roll, Sweep, BeginScan, EndScan, BeginNewMap, JoinMaps, Finished>;
+using Motion = std::
+    variant<Turn, Drive, Roll, Sweep, Stand, BeginScan, EndScan, BeginNewMap, JoinMaps, Finished>;
 
 /// Result of the last motion.
 enum class MotionResult : std::uint8_t {
@@ -93,6 +99,7 @@ enum class MotionResult : std::uint8_t {
   kTimedOut,     ///< it took too long and was stopped
   kRefused,      ///< the robot would not begin it
   kInterrupted,  ///< line or board failed under it; the pose says how far it came
+  kTakenOver,    ///< a person has had the robot meanwhile, which may stand anywhere
 };
 
 /// What a strategy has made of its own, beside the map that the pipeline makes.
@@ -115,6 +122,8 @@ class Explorer {
   virtual Motion next(const pipeline::Snapshot& snapshot, MotionResult last) = 0;
   /// What it has made so far.
   virtual StrategyProducts products() const { return {}; }
+  /// What it is about.
+  virtual Intent intent() const { return {}; }
 };
 
 /// As summary.json says it: "complete", "stop-limit", ...

@@ -52,6 +52,7 @@ class FaultWatch final : public Explorer {
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
   StrategyProducts products() const override { return strategy_->products(); }
+  Intent intent() const override { return strategy_->intent(); }
 
  private:
   /// How a scan agrees with the map as it was before it, and with the one that it was put into,

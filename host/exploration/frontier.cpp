@@ -23,6 +23,26 @@ using mapping::CellState;
 using mapping::RasterMap;
 
 constexpr BestView kAllRound{0.0, 0.0, geometry::kFullTurnRad};
+/// Of the places that were weighed, so many are told, and so far apart.
+constexpr std::size_t kToldPlaces = 8;
+constexpr double kToldApartM = 0.6;
+
+WeighedPlace weighed_place(const Viewpoint& viewpoint) {
+  return {viewpoint.at_m, viewpoint.view.gain_m2, viewpoint.cost_m};
+}
+
+std::vector<WeighedPlace> told_places(const std::vector<Viewpoint>& viewpoints) {
+  std::vector<WeighedPlace> told;
+  for (const Viewpoint& viewpoint : viewpoints) {
+    const bool is_apart = std::none_of(told.begin(), told.end(), [&](const WeighedPlace& place) {
+      return (place.at_m - viewpoint.at_m).norm() < kToldApartM;
+    });
+    if (is_apart && told.size() < kToldPlaces) {
+      told.push_back(weighed_place(viewpoint));
+    }
+  }
+  return told;
+}
 
 void validate(const FrontierParams& params) {
   geometry::ParameterValidator("frontier")
@@ -68,13 +88,21 @@ Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
 /// What stopped a move stands before the robot: it is kept, and the robot backs off. A lifted robot
 /// starts again where it was put down.
 std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, MotionResult last) {
-  if (last == MotionResult::kLifted) {
+  if (last == MotionResult::kLifted || last == MotionResult::kTakenOver) {
     plan_ = {};
     phase_ = Phase::kStarting;
   }
   auto motion = navigator_.recover(snapshot, last, phase_ == Phase::kDriving);
   phase_ = motion ? Phase::kBackingOff : phase_;
   return motion;
+}
+
+Intent Frontier::intent() const {
+  const bool is_on_the_way = phase_ == Phase::kDriving || phase_ == Phase::kBackingOff;
+  if (!goal_ || !is_on_the_way) {
+    return {IntentKind::kSweep, std::nullopt, weighed_};
+  }
+  return {goal_kind_, weighed_place(*goal_), weighed_};
 }
 
 std::optional<FinishReason> Frontier::reason_to_finish(const pipeline::Snapshot& snapshot) {
@@ -113,11 +141,14 @@ std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
                                                const pipeline::Snapshot& snapshot) {
   if (const auto look = choose_look(map, snapshot, params_.viewpoints.min_gain_m2)) {
     const auto known = loops_.choose(snapshot, look->at_m, navigator_.travel(), map);
+    goal_kind_ = known ? IntentKind::kKnownWalls : IntentKind::kFrontier;
     return known ? Viewpoint{known->at_m, kAllRound, known->cost_m, 0.0} : look;
   }
   if (auto opening = choose_opening(map, snapshot)) {
+    goal_kind_ = IntentKind::kOpening;
     return opening;
   }
+  goal_kind_ = IntentKind::kFrontier;
   const double missing_m2 = this->missing_m2(snapshot);
   if (missing_m2 <= 0.0) {
     return std::nullopt;
@@ -142,8 +173,10 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
       frontiers.push_back({before});
     }
   }
-  return choose_viewpoint(
+  const std::vector<Viewpoint> weighed = weigh_viewpoints(
       navigator_.costs(), navigator_.travel(), frontiers, gain, T_map_robot, viewpoints);
+  weighed_ = told_places(weighed);
+  return weighed.empty() ? std::nullopt : std::optional(weighed.front());
 }
 
 /// Floor that is missing to enough_share, square metres.

@@ -53,6 +53,7 @@ class Frontier final : public Explorer {
   explicit Frontier(const FrontierParams& params);
 
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
+  Intent intent() const override;
 
  private:
   enum class Phase : std::uint8_t { kStarting, kDriving, kSensing, kBackingOff };
@@ -79,6 +80,8 @@ class Frontier final : public Explorer {
   ActiveLoopClosing loops_;
   ScanPlan plan_;
   std::optional<Viewpoint> goal_;
+  IntentKind goal_kind_ = IntentKind::kSweep;
+  std::vector<WeighedPlace> weighed_;        ///< With the goal.
   std::vector<Eigen::Vector2d> openings_m_;  ///< Those that were chosen, reached or not.
 };
 

@@ -136,7 +136,7 @@ void NxtFarthest::note(MotionResult last) {
     return;
   }
   plan_.clear();
-  if (last != MotionResult::kInterrupted) {
+  if (last != MotionResult::kInterrupted && last != MotionResult::kTakenOver) {
     phase_ = Phase::kBackingOff;
     plan_ = {Drive{-params_.back_off_m}};
   }

@@ -50,7 +50,7 @@ Motion StopTour::next(const pipeline::Snapshot& snapshot, MotionResult last) {
 /// What stops the robot on its way stands between it and the place, which is given up. A motion
 /// that fails for another reason is repeated, as long as the way may take.
 std::optional<Motion> StopTour::recover(const pipeline::Snapshot& snapshot, MotionResult last) {
-  if (last == MotionResult::kLifted) {
+  if (last == MotionResult::kLifted || last == MotionResult::kTakenOver) {
     return Finished{FinishReason::kLifted};
   }
   if (phase_ != Phase::kDriving || !is_stopped(snapshot, last)) {

@@ -117,7 +117,7 @@ void TangentBug::note(MotionResult last) {
     const auto line = models::bumper_line(params_.robot_radius_m, 2.0 * params_.robot_radius_m);
     grid_.add_bump({T_course_robot_ * line.from_m, T_course_robot_ * line.to_m});
   }
-  if (last != MotionResult::kInterrupted) {
+  if (last != MotionResult::kInterrupted && last != MotionResult::kTakenOver) {
     activity_ = Activity::kBackingOff;
     plan_ = {Drive{-params_.back_off_m}};
   }

@@ -89,15 +89,15 @@ double time_s(const Place& place,
 
 }  // namespace
 
-std::optional<Viewpoint> choose_viewpoint(const CostGrid& grid,
-                                          const TravelField& travel,
-                                          const std::vector<FrontierCells>& frontiers,
-                                          const ViewGain& gain,
-                                          const geometry::Pose2& T_map_robot,
-                                          const ViewpointParams& params) {
+std::vector<Viewpoint> weigh_viewpoints(const CostGrid& grid,
+                                        const TravelField& travel,
+                                        const std::vector<FrontierCells>& frontiers,
+                                        const ViewGain& gain,
+                                        const geometry::Pose2& T_map_robot,
+                                        const ViewpointParams& params) {
   std::vector<Place> places = places_to_try(grid, travel, frontiers, params);
   places.push_back({grid.cell_at(T_map_robot.position_m()), 0.0});
-  std::optional<Viewpoint> best;
+  std::vector<Viewpoint> viewpoints;
   for (const Place& place : places) {
     const Eigen::Vector2d at_m =
         place.cost_m > 0.0 ? grid.center_m(place.cell) : T_map_robot.position_m();
@@ -105,12 +105,15 @@ std::optional<Viewpoint> choose_viewpoint(const CostGrid& grid,
     for (const double width_rad : params.widths_rad) {
       const BestView view = best_view(by_sector_m2, width_rad);
       const double gain_per_s = view.gain_m2 / time_s(place, at_m, view, T_map_robot, params);
-      if (view.gain_m2 >= params.min_gain_m2 && (!best || gain_per_s > best->gain_per_s)) {
-        best = Viewpoint{at_m, view, place.cost_m, gain_per_s};
+      if (view.gain_m2 >= params.min_gain_m2) {
+        viewpoints.push_back({at_m, view, place.cost_m, gain_per_s});
       }
     }
   }
-  return best;
+  std::stable_sort(viewpoints.begin(), viewpoints.end(), [](const auto& a, const auto& b) {
+    return a.gain_per_s > b.gain_per_s;
+  });
+  return viewpoints;
 }
 
 }  // namespace echomap::exploration

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -45,14 +44,14 @@ struct Viewpoint {
   double gain_per_s = 0.0;  ///< Square metres a second, of way and sweep.
 };
 
-/// Of the places that the robot can reach from `T_map_robot` and from which frontiers are near, the
-/// one with the most gain for its time (in the manner of Gonzalez-Banos and Latombe 2002). Views
-/// that gain less than `params.min_gain_m2` do not count; empty where there is no other.
-std::optional<Viewpoint> choose_viewpoint(const CostGrid& grid,
-                                          const TravelField& travel,
-                                          const std::vector<FrontierCells>& frontiers,
-                                          const ViewGain& gain,
-                                          const geometry::Pose2& T_map_robot,
-                                          const ViewpointParams& params);
+/// The places that the robot can reach from `T_map_robot` and from which frontiers are near, the
+/// one with the most gain for its time first (in the manner of Gonzalez-Banos and Latombe 2002).
+/// Views that gain less than `params.min_gain_m2` do not count.
+std::vector<Viewpoint> weigh_viewpoints(const CostGrid& grid,
+                                        const TravelField& travel,
+                                        const std::vector<FrontierCells>& frontiers,
+                                        const ViewGain& gain,
+                                        const geometry::Pose2& T_map_robot,
+                                        const ViewpointParams& params);
 
 }  // namespace echomap::exploration

@@ -64,7 +64,7 @@ MotionResult MotionExecution::move(const sensors::WheelTicks& ticks) {
       2.0 * profile_.ticks_per_s() / profile_.configuration.drive.max_ticks_per_s2;
   const double expected_s = static_cast<double>(longest) / profile_.ticks_per_s() + ramp_s;
 
-  if (may_still_move_ && !stop()) {
+  if ((may_still_move_ && !stop()) || is_halted_) {
     return MotionResult::kInterrupted;
   }
   look_around();
@@ -78,8 +78,16 @@ MotionResult MotionExecution::move(const sensors::WheelTicks& ticks) {
   return result;
 }
 
+MotionResult MotionExecution::stand(const exploration::Stand& stand) {
+  if (may_still_move_ && !stop()) {
+    return MotionResult::kInterrupted;
+  }
+  line_.wait_until([&] { return is_halted_; }, seconds_of(stand.for_s));
+  return is_halted_ ? MotionResult::kInterrupted : MotionResult::kReached;
+}
+
 MotionResult MotionExecution::sweep(const exploration::Sweep& sweep) {
-  if ((may_still_move_ || may_still_look_) && !stop()) {
+  if (((may_still_move_ || may_still_look_) && !stop()) || is_halted_) {
     return MotionResult::kInterrupted;
   }
   return finish(command_of(sweep), seconds_of(duration_s(sweep)));
@@ -123,13 +131,19 @@ MotionResult MotionExecution::roll(const exploration::Roll& roll) {
   const auto heard = [&] {
     return !line_.was_reset() && line_.link().state() == robot_link::LinkState::kReady;
   };
+  if (is_halted_) {
+    return stop_halted();
+  }
   may_still_move_ = true;
   line_.drive(profile_.geometry.arc_speeds(roll.forward_m_per_s, roll.turn_rad_per_s));
   line_.keep_alive(true);
   look_around();
-  line_.wait_until([&] { return met() || endangered() || !heard() || has_stalled(); },
+  line_.wait_until([&] { return met() || endangered() || !heard() || has_stalled() || is_halted_; },
                    seconds_of(roll.for_s));
   line_.keep_alive(false);
+  if (is_halted_) {
+    return stop_halted();
+  }
   if (line_.hazards().lifted) {
     return MotionResult::kLifted;
   }
@@ -179,12 +193,15 @@ MotionResult MotionExecution::finish(const robot_link::Command& command, Duratio
                 : protocol::MotionOutcome::kRunning;
   };
   const auto ended = [&] {
-    return line_.was_reset() || outcome() != protocol::MotionOutcome::kRunning;
+    return line_.was_reset() || is_halted_ || outcome() != protocol::MotionOutcome::kRunning;
   };
   if (!line_.wait_until(ended, 2 * expected + seconds(3))) {
     const bool was_heard = line_.link().state() == robot_link::LinkState::kReady;
     may_still_move_ = true;
     return was_heard && stop() ? MotionResult::kTimedOut : MotionResult::kInterrupted;
+  }
+  if (is_halted_) {
+    return stop_halted();
   }
   return line_.was_reset() ? MotionResult::kInterrupted : result_of(outcome());
 }
@@ -194,6 +211,11 @@ bool MotionExecution::stop() {
   may_still_move_ = !result || result->outcome != CommandOutcome::kAccepted;
   may_still_look_ = may_still_look_ && may_still_move_;
   return !may_still_move_;
+}
+
+MotionResult MotionExecution::stop_halted() {
+  stop();
+  return MotionResult::kInterrupted;
 }
 
 int MotionExecution::stopping_hazards() const {

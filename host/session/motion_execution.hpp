@@ -22,6 +22,13 @@ class MotionExecution {
   /// Ends before its time where something new is touched or stops the wheels; they roll on
   /// behind it until the next motion, and for the line's time to live at most.
   exploration::MotionResult roll(const exploration::Roll& roll);
+  /// Waits, for so long or until it is halted.
+  exploration::MotionResult stand(const exploration::Stand& stand);
+  /// Ends the motion under way at once: the wheels stop and the motion is kInterrupted, as is each
+  /// one that begins before `let_go`.
+  void halt() { is_halted_ = true; }
+  void let_go() { is_halted_ = false; }
+  bool is_halted() const { return is_halted_; }
   /// Whether the sonar looks from one side to the other while the wheels turn, until the next
   /// sweep.
   void look_around_on_the_way(bool on) { looks_on_the_way_ = on; }
@@ -35,6 +42,7 @@ class MotionExecution {
   bool has_stalled() const;
   /// False where the robot does not say that it stopped.
   bool stop();
+  exploration::MotionResult stop_halted();
   double duration_s(const exploration::Sweep& sweep) const;
   int stopping_hazards() const;
   exploration::MotionResult result_of(protocol::MotionOutcome outcome);
@@ -50,6 +58,7 @@ class MotionExecution {
   std::uint8_t look_id_ = 0;     ///< The last look's, as in Status::sweep_id.
   time::HostTime looks_until_;   ///< At the latest, by what the profile says of the pan.
   bool looks_from_left_ = true;  ///< The next one.
+  bool is_halted_ = false;
 };
 
 }  // namespace echomap::session

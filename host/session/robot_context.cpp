@@ -94,16 +94,34 @@ void RobotContext::open(OpenedRobot robot) {
   lockstep_ = std::move(robot.lockstep);
   recorder_.begin_session(lockstep_ ? 0 : nanoseconds_since_1970());
   robot.connection.recorder = &recorder_;
+  if (lockstep_) {
+    robot.connection.pace = scaled_pace(std::move(robot.connection.pace), time_scale_);
+  }
   session_.emplace(std::move(robot.connection), profile_, sessions_);
-  session_->on_step = [this] {
-    if (follower_) {
-      follower_->poll(*session_);
+  session_->on_step = [this] { step(); };
+}
+
+void RobotContext::obey(OperatorQueue& queue,
+                        const OperatorParams& params,
+                        const OperatorHooks& hooks) {
+  person_.emplace(queue, params, hooks);
+}
+
+void RobotContext::step() {
+  if (person_) {
+    if (person_->poll(std::chrono::steady_clock::now())) {
+      session_->halt();
     }
-    look_for_trouble();
-    if (on_step) {
-      on_step();
-    }
-  };
+    const OperatorMode mode = person_->mode();
+    time_scale_.keep_real_time(mode == OperatorMode::kDriving || mode == OperatorMode::kStopped);
+  }
+  if (follower_) {
+    follower_->poll(*session_);
+  }
+  look_for_trouble();
+  if (on_step) {
+    on_step();
+  }
 }
 
 void RobotContext::connect() {
@@ -138,6 +156,9 @@ void RobotContext::look_for_trouble() {
 }
 
 exploration::MotionResult RobotContext::move(const exploration::Motion& motion) {
+  if (person_ && person_->has_robot()) {
+    return hand_over();
+  }
   if (self_check_) {
     self_check_->begin_motion(motion);
   }
@@ -146,7 +167,17 @@ exploration::MotionResult RobotContext::move(const exploration::Motion& motion) 
   if (self_check_) {
     self_check_->end_motion(result);
   }
-  return result;
+  return person_ && person_->has_robot() ? hand_over() : result;
+}
+
+exploration::MotionResult RobotContext::hand_over() {
+  session_->end_scan();
+  exploration::MotionResult last = exploration::MotionResult::kTakenOver;
+  while (person_->has_robot() && !session_->end()) {
+    const auto snapshot = atlas_ ? atlas_->pipeline().snapshot() : pipeline::Snapshot();
+    last = session_->execute(person_->next(snapshot, last));
+  }
+  return exploration::MotionResult::kTakenOver;
 }
 
 std::optional<diagnosis::Diagnosis> RobotContext::diagnosis() const {

@@ -13,10 +13,12 @@
 #include "host/pipeline/robot_atlas.hpp"
 #include "host/session/follower.hpp"
 #include "host/session/open_robot.hpp"
+#include "host/session/operator_control.hpp"
 #include "host/session/recording_log.hpp"
 #include "host/session/robot_profile.hpp"
 #include "host/session/robot_session.hpp"
 #include "host/session/seed.hpp"
+#include "host/session/time_scale.hpp"
 
 namespace echomap::session {
 
@@ -36,6 +38,9 @@ class RobotContext {
   void end_maps();
   /// Hands what the robot senses to the follower, before the maps; null is none.
   void follow(std::unique_ptr<Follower> follower);
+  /// A person may take the robot over, before or in the midst of any motion, which then ends with
+  /// kTakenOver once the person gives it back. The queue outlives this.
+  void obey(OperatorQueue& queue, const OperatorParams& params, const OperatorHooks& hooks);
   /// The way to the robot, which is not yet spoken to.
   void open(OpenedRobot robot);
   /// Connects the session and lets the follower begin. Throws as RobotSession::connect and
@@ -64,6 +69,10 @@ class RobotContext {
   /// Name of the SLAM method that places the robot, or kNoSlam. After `begin_maps`.
   const std::string& slam() const { return slam_; }
   bool is_followed() const { return follower_ != nullptr; }
+  /// Null where no person is obeyed.
+  const OperatorControl* person() const { return person_ ? &*person_ : nullptr; }
+  /// How fast a simulated robot's time passes.
+  TimeScale& time_scale() { return time_scale_; }
   /// What its first stops have shown to be wrong with the robot or its profile.
   std::optional<diagnosis::Diagnosis> diagnosis() const;
   /// The wheel that stood still when its last motion stalled.
@@ -79,8 +88,11 @@ class RobotContext {
   std::function<void()> on_step;
 
  private:
+  void step();
   /// Warns once where the recording cannot be written.
   void look_for_trouble();
+  /// Carries out what the person wants for as long as the person has the robot.
+  exploration::MotionResult hand_over();
 
   RobotProfile profile_;
   Seed seed_;
@@ -93,6 +105,8 @@ class RobotContext {
   std::string slam_;
   std::optional<diagnosis::SelfCheck> self_check_;  ///< Of a robot with a sonar.
   std::unique_ptr<Follower> follower_;
+  std::optional<OperatorControl> person_;
+  TimeScale time_scale_;
   std::unique_ptr<transport::LockstepChannel> lockstep_;
   std::optional<RobotSession> session_;
 };

@@ -77,6 +77,7 @@ bool RobotSession::be_ready() {
 }
 
 MotionResult RobotSession::execute(const exploration::Motion& motion) {
+  motions_.let_go();
   if (!be_ready()) {
     return MotionResult::kInterrupted;
   }
@@ -92,6 +93,9 @@ MotionResult RobotSession::execute(const exploration::Motion& motion) {
   if (const auto* pan = std::get_if<exploration::Sweep>(&motion)) {
     return sweep(*pan);
   }
+  if (const auto* pause = std::get_if<exploration::Stand>(&motion)) {
+    return motions_.stand(*pause);
+  }
   if (std::holds_alternative<exploration::BeginScan>(motion)) {
     sink_.begin_scan();
   } else if (std::holds_alternative<exploration::EndScan>(motion)) {
@@ -102,7 +106,9 @@ MotionResult RobotSession::execute(const exploration::Motion& motion) {
 
 MotionResult RobotSession::sweep(const exploration::Sweep& sweep) {
   MotionResult result = MotionResult::kInterrupted;
-  for (int i = 0; i < kSweepTries && result == MotionResult::kInterrupted && be_ready(); ++i) {
+  for (int i = 0; i < kSweepTries && result == MotionResult::kInterrupted &&
+                  !motions_.is_halted() && be_ready();
+       ++i) {
     result = motions_.sweep(sweep);
   }
   return result;

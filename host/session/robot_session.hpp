@@ -39,6 +39,9 @@ class RobotSession {
   /// Waits for a link that is away first. After `end()` is set the answer means nothing.
   exploration::MotionResult execute(const exploration::Motion& motion);
 
+  /// Ends the motion under way at once; to be called while it lets time pass.
+  void halt() { motions_.halt(); }
+
   /// Whether the sonar looks around whenever a motion turns the wheels. What it hears comes to the
   /// pipeline like the readings of a sweep.
   void look_around_on_the_way(bool on) { motions_.look_around_on_the_way(on); }

@@ -43,12 +43,13 @@ std::optional<Viewpoint> choice(const RasterMap& map,
   ViewpointParams params;
   params.min_gain_m2 = min_gain_m2;
   params.widths_rad = {radians(180.0), radians(360.0)};
-  return choose_viewpoint(grid,
-                          travel,
-                          find_frontiers(map, grid.cell_at(T_map_robot.position_m())),
-                          gain,
-                          T_map_robot,
-                          params);
+  const auto weighed = weigh_viewpoints(grid,
+                                        travel,
+                                        find_frontiers(map, grid.cell_at(T_map_robot.position_m())),
+                                        gain,
+                                        T_map_robot,
+                                        params);
+  return weighed.empty() ? std::nullopt : std::optional(weighed.front());
 }
 
 TEST(ViewpointChoice, GoesToTheOpenEndAndLooksOutOfIt) {

@@ -96,6 +96,36 @@ TEST_F(RobotContextTest, CarriesOutWhatIsDecidedAboutTheMaps) {
   EXPECT_EQ(stops(), 1U) << "the last is of the new map";
 }
 
+TEST_F(RobotContextTest, AMotionEndsAtOnceWherePersonTakesTheRobotAndReturnsWithIt) {
+  OperatorQueue queue;
+  OperatorParams params;
+  params.forward_m_per_s = 0.2;
+  context.obey(queue, params, {});
+  open_and_connect();
+  cable.robot.motion_ms = 60'000;
+  std::vector<std::string> commands;
+  cable.robot.on_command = [&](std::string_view name) { commands.emplace_back(name); };
+  const double begin_s = now_s(context.session());
+  double stopped_after_s = 0.0;
+  context.on_step = [&, steps = 0]() mutable {
+    ++steps;
+    if (steps == 20) {
+      queue.push(StopRobot{});
+    }
+    if (commands.size() == 2 && stopped_after_s == 0.0) {
+      stopped_after_s = now_s(context.session()) - begin_s;
+    }
+    if (steps == 200) {
+      queue.push(ResumeStrategy{});
+    }
+  };
+  EXPECT_EQ(context.execute(exploration::Drive{5.0}), exploration::MotionResult::kTakenOver);
+  EXPECT_EQ(commands, (std::vector<std::string>{"MoveTicks", "Stop"}));
+  EXPECT_LT(stopped_after_s, 0.15) << "STOP comes after 0.1 s";
+  EXPECT_GE(now_s(context.session()) - begin_s, 1.0) << "it stands until it is given back";
+  cable.robot.on_command = nullptr;
+}
+
 TEST_F(RobotContextTest, ExecutesNothingBeforeItsMapsHaveBegun) {
   RobotContext without_maps(profile, Seed(1));
   without_maps.open({new_connection(), nullptr});
