@@ -101,6 +101,7 @@ class Device {
   }
 
   void run() {
+    write_truth_so_far();
     if (options_.lockstep.empty()) {
       run_paced();
     } else {
@@ -139,6 +140,7 @@ class Device {
                                           {"emulator", board_->emulator_name()}};
     LockstepServer server(options_.lockstep, hello.dump());
     LockstepRun run(simulation_, *endpoint_, server);
+    run.on_box = [this](const PutBox& box, bool stands) { note_box(box, stands); };
     const LockstepEnd end = run.run();
     std::optional<StopReport> stop;
     if (end == LockstepEnd::kHostGone) {
@@ -148,6 +150,20 @@ class Device {
     write_truth(stop);
     if (end == LockstepEnd::kQuit) {
       server.send_bye();
+    }
+  }
+
+  void note_box(const PutBox& box, bool stands) const {
+    std::cerr << name_ << ": " << (stands ? "a box" : "there is no place for a box") << " of "
+              << box.side_mm << " mm at " << box.x_mm << ", " << box.y_mm << " mm\n";
+    if (stands) {
+      write_truth_so_far();
+    }
+  }
+
+  void write_truth_so_far() const {
+    if (!options_.truth.empty()) {
+      runner::write_truth_so_far(options_.truth, simulation_);
     }
   }
 

@@ -182,7 +182,9 @@ void add_options(CLI::App& app,
                  "commas between: " +
                      part_faults_help())
       ->check(check_part_faults);
-  app.add_option("--truth", options.truth, "Folder for the truth files, written at the end");
+  app.add_option("--truth",
+                 options.truth,
+                 "Folder for the truth files: of the room at the start, of all at the end");
   add_place_options(app, options, raw);
   app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
       ->check(CLI::PositiveNumber)

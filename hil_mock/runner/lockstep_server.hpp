@@ -25,6 +25,14 @@ struct CarryOff {
   bool operator==(const CarryOff&) const = default;
 };
 
+/// The host wants somebody to put a square box down, in the frame of the robot's start pose.
+struct PutBox {
+  std::int64_t x_mm = 0;  ///< Of its middle.
+  std::int64_t y_mm = 0;
+  std::int64_t side_mm = 0;
+  bool operator==(const PutBox&) const = default;
+};
+
 /// The host wants the truth files and the end.
 struct Quit {
   bool operator==(const Quit&) const = default;
@@ -42,7 +50,7 @@ struct BadRequest {
 };
 
 /// All that a host can ask, well or badly.
-using LockstepRequest = std::variant<Grant, CarryOff, Quit, HostGone, BadRequest>;
+using LockstepRequest = std::variant<Grant, CarryOff, PutBox, Quit, HostGone, BadRequest>;
 
 /// What a line of the host says (docs/guides/lockstep.md); without its line end.
 LockstepRequest parse_request(std::string_view line);

@@ -2,6 +2,7 @@
 #include "host/transport/lockstep_channel.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "host/transport/local_stream.hpp"
 #include "host/transport/transport_error.hpp"
@@ -40,6 +41,11 @@ std::optional<Reached> LockstepChannel::grant(std::int64_t until_us, std::uint64
 
 void LockstepChannel::carry_off(std::chrono::microseconds held) {
   send_line("carry-off " + std::to_string(held.count()));
+}
+
+void LockstepChannel::put_box(double x_m, double y_m, double side_m) {
+  const auto mm = [](double metres) { return ' ' + std::to_string(std::llround(1e3 * metres)); };
+  send_line("box" + mm(x_m) + mm(y_m) + mm(side_m));
 }
 
 bool LockstepChannel::quit() {

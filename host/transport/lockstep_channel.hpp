@@ -31,6 +31,10 @@ class LockstepChannel {
   /// Somebody takes the robot up now, holds it for so long and puts it down somewhere else.
   void carry_off(std::chrono::microseconds held);
 
+  /// Somebody puts a square box down now, with its middle there in the frame of the robot's start
+  /// pose, parallel to its axes; nobody does where the robot is in the way.
+  void put_box(double x_m, double y_m, double side_m);
+
   /// Ends the device; true when it confirms that its truth files are on disk.
   bool quit();
 

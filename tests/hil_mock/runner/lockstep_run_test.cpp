@@ -4,6 +4,7 @@
 #include <future>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,18 @@ TEST_F(LockstepRunTest, TheRobotIsCarriedOffWhenTheHostWantsIt) {
   EXPECT_FALSE(robot_world.body().is_lifted());
   EXPECT_NE(robot_world.T_world_robot().position_m(),
             robot_world.plan().T_world_start().position_m());
+}
+
+TEST_F(LockstepRunTest, ABoxIsPutWhenTheHostWantsIt) {
+  std::vector<bool> stand;
+  run.on_box = [&stand](const PutBox&, bool stands) { stand.push_back(stands); };
+  auto end = start();
+  channel.write("box 1000 0 300\nbox 0 0 300\ngrant 10000 0\nquit\n");
+  EXPECT_EQ(channel.read_line(), "reached 10000 0") << "it has no answer of its own";
+  end.get();
+  EXPECT_EQ(stand, (std::vector{true, false}));
+  ASSERT_EQ(robot_world.plan().boxes_m().size(), 1U);
+  EXPECT_TRUE(geometry::contains(robot_world.plan().boxes_m()[0], Eigen::Vector2d(3.0, 1.5)));
 }
 
 TEST_F(LockstepRunTest, AGrantWaitsForTheBytesThatItCounts) {

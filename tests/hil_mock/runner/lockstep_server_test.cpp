@@ -29,6 +29,7 @@ TEST(LockstepRequests, AreReadStrictly) {
   EXPECT_EQ(parse_request("grant 20000 17"), LockstepRequest(Grant{20000, 17}));
   EXPECT_EQ(parse_request("quit"), LockstepRequest(Quit{}));
   EXPECT_EQ(parse_request("carry-off 2000000"), LockstepRequest(CarryOff{2'000'000}));
+  EXPECT_EQ(parse_request("box 1500 -200 300"), LockstepRequest(PutBox{1500, -200, 300}));
   for (const std::string line : {"",
                                  "grant",
                                  "grant 1",
@@ -41,6 +42,15 @@ TEST(LockstepRequests, AreReadStrictly) {
                                  "carry-off 0",
                                  "carry-off 1 2",
                                  "carry-off 4000000000",
+                                 "box",
+                                 "box 1 2",
+                                 "box 1 2 0",
+                                 "box 1 2 3 4",
+                                 "box 1.5 2 3",
+                                 "box 2000000 2 3",
+                                 "box -9223372036854775808 2 3",
+                                 "box 1 2 10001",
+                                 "quit ",
                                  "quit!"}) {
     EXPECT_EQ(parse_request(line), LockstepRequest(BadRequest{line})) << line;
   }

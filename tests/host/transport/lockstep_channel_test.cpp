@@ -84,7 +84,7 @@ std::string obedient(const std::string& line) {
   if (line == "quit") {
     return "bye\n";
   }
-  if (line.starts_with("carry-off")) {
+  if (!line.starts_with("grant")) {
     return kNoAnswer;
   }
   return "reached " + line.substr(6, line.rfind(' ') - 6) + " 4711\n";
@@ -112,6 +112,16 @@ TEST(LockstepChannel, GrantsTimeAndEndsTheDevice) {
   }
   EXPECT_THAT(device.lines(),
               ElementsAre("grant 5000 17", "carry-off 2000000", "grant 7000000000000 18", "quit"));
+}
+
+TEST(LockstepChannel, PutsABoxDownInWholeMillimetres) {
+  ScriptedDevice device(kHello, obedient);
+  {
+    LockstepChannel channel(device.path());
+    channel.put_box(1.5004, -0.25, 0.3);
+    EXPECT_TRUE(channel.quit());
+  }
+  EXPECT_THAT(device.lines(), ElementsAre("box 1500 -250 300", "quit"));
 }
 
 TEST(LockstepChannel, KnowsADeviceThatDiesInAGrant) {
