@@ -68,6 +68,13 @@ std::optional<LockstepEnd> LockstepRun::serve(const PutBox& box) {
   return std::nullopt;
 }
 
+std::optional<LockstepEnd> LockstepRun::serve(const CutCable& cut) {
+  if (on_cut_cable) {
+    on_cut_cable(cut.for_us * 1000);
+  }
+  return std::nullopt;
+}
+
 std::optional<LockstepEnd> LockstepRun::serve(const BadRequest& bad) {
   throw std::runtime_error("unexpected lockstep request: " + bad.line);
 }

@@ -38,6 +38,9 @@ class LockstepRun {
   /// Called when somebody has put a box down, or could not: it `stands` there or it does not.
   std::function<void(const PutBox& box, bool stands)> on_box;
 
+  /// Called when the cable is pulled: for so long of simulated time nothing is to pass.
+  std::function<void(std::int64_t for_ns)> on_cut_cable;
+
   /// Lets time pass for two more simulated seconds without a host and watches the wheels.
   StopReport run_without_host();
 
@@ -46,6 +49,7 @@ class LockstepRun {
   std::optional<LockstepEnd> serve(const Grant& grant);
   std::optional<LockstepEnd> serve(const CarryOff& carry);
   std::optional<LockstepEnd> serve(const PutBox& box);
+  std::optional<LockstepEnd> serve(const CutCable& cut);
   static std::optional<LockstepEnd> serve(const Quit&) { return LockstepEnd::kQuit; }
   static std::optional<LockstepEnd> serve(const HostGone&) { return LockstepEnd::kHostGone; }
   static std::optional<LockstepEnd> serve(const BadRequest& bad);

@@ -37,11 +37,13 @@ bool take_all(std::string_view text, Number&... numbers) {
 
 /// Simulated time is counted in nanoseconds.
 constexpr std::int64_t kLastMicrosecond = std::numeric_limits<std::int64_t>::max() / 1000;
-/// Nobody holds a robot for longer than an hour.
+/// Nobody holds a robot, or a cable that is pulled, for longer than an hour.
 constexpr std::int64_t kLongestHoldUs = 3'600'000'000;
 /// No room is a kilometre across, and nobody carries a larger box.
 constexpr std::int64_t kFarthestMm = 1'000'000;
 constexpr std::int64_t kLargestBoxMm = 10'000;
+
+bool is_held(std::int64_t for_us) { return for_us > 0 && for_us <= kLongestHoldUs; }
 
 bool is_sound(const PutBox& box) {
   const auto is_near = [](std::int64_t mm) { return mm >= -kFarthestMm && mm <= kFarthestMm; };
@@ -56,9 +58,12 @@ std::optional<LockstepRequest> read_request(std::string_view verb, std::string_v
     return grant;
   }
   CarryOff carry;
-  if (verb == "carry-off" && take_all(numbers, carry.held_us) && carry.held_us > 0 &&
-      carry.held_us <= kLongestHoldUs) {
+  if (verb == "carry-off" && take_all(numbers, carry.held_us) && is_held(carry.held_us)) {
     return carry;
+  }
+  CutCable cut;
+  if (verb == "cut-cable" && take_all(numbers, cut.for_us) && is_held(cut.for_us)) {
+    return cut;
   }
   PutBox box;
   if (verb == "box" && take_all(numbers, box.x_mm, box.y_mm, box.side_mm) && is_sound(box)) {

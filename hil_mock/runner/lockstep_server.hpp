@@ -33,6 +33,12 @@ struct PutBox {
   bool operator==(const PutBox&) const = default;
 };
 
+/// The host wants no byte to pass for so long.
+struct CutCable {
+  std::int64_t for_us = 0;
+  bool operator==(const CutCable&) const = default;
+};
+
 /// The host wants the truth files and the end.
 struct Quit {
   bool operator==(const Quit&) const = default;
@@ -50,7 +56,7 @@ struct BadRequest {
 };
 
 /// All that a host can ask, well or badly.
-using LockstepRequest = std::variant<Grant, CarryOff, PutBox, Quit, HostGone, BadRequest>;
+using LockstepRequest = std::variant<Grant, CarryOff, PutBox, CutCable, Quit, HostGone, BadRequest>;
 
 /// What a line of the host says (docs/guides/lockstep.md); without its line end.
 LockstepRequest parse_request(std::string_view line);

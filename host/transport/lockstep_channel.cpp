@@ -43,6 +43,10 @@ void LockstepChannel::carry_off(std::chrono::microseconds held) {
   send_line("carry-off " + std::to_string(held.count()));
 }
 
+void LockstepChannel::cut_cable(std::chrono::microseconds away) {
+  send_line("cut-cable " + std::to_string(away.count()));
+}
+
 void LockstepChannel::put_box(double x_m, double y_m, double side_m) {
   const auto mm = [](double metres) { return ' ' + std::to_string(std::llround(1e3 * metres)); };
   send_line("box" + mm(x_m) + mm(y_m) + mm(side_m));

@@ -35,6 +35,9 @@ class LockstepChannel {
   /// pose, parallel to its axes; nobody does where the robot is in the way.
   void put_box(double x_m, double y_m, double side_m);
 
+  /// No byte of the byte stream reaches the other end for so long of simulated time, from now on.
+  void cut_cable(std::chrono::microseconds away);
+
   /// Ends the device; true when it confirms that its truth files are on disk.
   bool quit();
 

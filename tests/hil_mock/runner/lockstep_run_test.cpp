@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hil_mock/runner/faulty_board.hpp"
 #include "hil_mock/runner/pty_endpoint.hpp"
 #include "tests/hil_mock/runner/fake_board.hpp"
 #include "tests/hil_mock/runner/test_host.hpp"
@@ -96,6 +97,31 @@ TEST_F(LockstepRunTest, BytesBeyondTheGrantAreForTheNext) {
   EXPECT_EQ(channel.read_line(), "reached 10000 3");
   EXPECT_EQ(channel.read_line(), "reached 20000 6");
   EXPECT_EQ(bytes.read(6), "onetwo");
+  channel.write("quit\n");
+  end.get();
+}
+
+/// The host goes on counting what it writes, and is told of no byte that does not come.
+TEST(LockstepRun, NothingPassesWhileTheCableIsCut) {
+  const tests::ScratchFolder folder;
+  FaultyBoard board(std::make_unique<FakeBoard>(), {});
+  world::RobotWorld robot_world(world::box_room(), {}, 1);
+  RobotSimulation simulation(board, robot_world);
+  PtyEndpoint endpoint(folder / "robot", WhenUnread::kKeep);
+  LockstepServer server(folder / "lockstep", "hello");
+  LockstepRun run(simulation, endpoint, server);
+  run.on_cut_cable = [&board](std::int64_t for_ns) { board.cut_cable(for_ns); };
+  auto end = std::async(std::launch::async, [&run] { return run.run(); });
+  TestHost bytes = TestHost::open_terminal(endpoint.address());
+  TestHost channel = TestHost::connect_local(folder / "lockstep");
+  EXPECT_EQ(channel.read_line(), "hello");
+  bytes.write("abcdef");
+  channel.write("grant 10000 2\ncut-cable 20000\ngrant 20000 3\ngrant 30000 4\ngrant 40000 6\n");
+  EXPECT_EQ(channel.read_line(), "reached 10000 2");
+  EXPECT_EQ(channel.read_line(), "reached 20000 2");
+  EXPECT_EQ(channel.read_line(), "reached 30000 2");
+  EXPECT_EQ(channel.read_line(), "reached 40000 4");
+  EXPECT_EQ(bytes.read(4), "abef");
   channel.write("quit\n");
   end.get();
 }

@@ -29,6 +29,7 @@ TEST(LockstepRequests, AreReadStrictly) {
   EXPECT_EQ(parse_request("grant 20000 17"), LockstepRequest(Grant{20000, 17}));
   EXPECT_EQ(parse_request("quit"), LockstepRequest(Quit{}));
   EXPECT_EQ(parse_request("carry-off 2000000"), LockstepRequest(CarryOff{2'000'000}));
+  EXPECT_EQ(parse_request("cut-cable 3000000"), LockstepRequest(CutCable{3'000'000}));
   EXPECT_EQ(parse_request("box 1500 -200 300"), LockstepRequest(PutBox{1500, -200, 300}));
   for (const std::string line : {"",
                                  "grant",
@@ -42,6 +43,9 @@ TEST(LockstepRequests, AreReadStrictly) {
                                  "carry-off 0",
                                  "carry-off 1 2",
                                  "carry-off 4000000000",
+                                 "cut-cable",
+                                 "cut-cable -1",
+                                 "cut-cable 4000000000",
                                  "box",
                                  "box 1 2",
                                  "box 1 2 0",

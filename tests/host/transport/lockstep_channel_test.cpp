@@ -114,6 +114,16 @@ TEST(LockstepChannel, GrantsTimeAndEndsTheDevice) {
               ElementsAre("grant 5000 17", "carry-off 2000000", "grant 7000000000000 18", "quit"));
 }
 
+TEST(LockstepChannel, CutsTheCable) {
+  ScriptedDevice device(kHello, obedient);
+  {
+    LockstepChannel channel(device.path());
+    channel.cut_cable(std::chrono::seconds(3));
+    EXPECT_TRUE(channel.quit());
+  }
+  EXPECT_THAT(device.lines(), ElementsAre("cut-cable 3000000", "quit"));
+}
+
 TEST(LockstepChannel, PutsABoxDownInWholeMillimetres) {
   ScriptedDevice device(kHello, obedient);
   {
