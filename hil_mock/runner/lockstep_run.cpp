@@ -75,6 +75,11 @@ std::optional<LockstepEnd> LockstepRun::serve(const CutCable& cut) {
   return std::nullopt;
 }
 
+std::optional<LockstepEnd> LockstepRun::serve(const TellTruth&) {
+  tells_truth_ = true;
+  return std::nullopt;
+}
+
 std::optional<LockstepEnd> LockstepRun::serve(const BadRequest& bad) {
   throw std::runtime_error("unexpected lockstep request: " + bad.line);
 }
@@ -128,7 +133,10 @@ void LockstepRun::fulfil(const Grant& grant) {
   const std::vector<std::uint8_t> sent = simulation_.take_sent();
   device_bytes_ += sent.size();
   endpoint_.send(sent);
-  server_.send_reached(grant.until_us, device_bytes_);
+  server_.send_reached(
+      grant.until_us,
+      device_bytes_,
+      tells_truth_ ? std::optional(simulation_.world().T_start_robot()) : std::nullopt);
 }
 
 }  // namespace echomap::runner

@@ -50,6 +50,7 @@ class LockstepRun {
   std::optional<LockstepEnd> serve(const CarryOff& carry);
   std::optional<LockstepEnd> serve(const PutBox& box);
   std::optional<LockstepEnd> serve(const CutCable& cut);
+  std::optional<LockstepEnd> serve(const TellTruth&);
   static std::optional<LockstepEnd> serve(const Quit&) { return LockstepEnd::kQuit; }
   static std::optional<LockstepEnd> serve(const HostGone&) { return LockstepEnd::kHostGone; }
   static std::optional<LockstepEnd> serve(const BadRequest& bad);
@@ -65,6 +66,7 @@ class LockstepRun {
   std::deque<std::uint8_t> waiting_;
   std::uint64_t handed_bytes_ = 0;
   std::uint64_t device_bytes_ = 0;
+  bool tells_truth_ = false;
 };
 
 }  // namespace echomap::runner

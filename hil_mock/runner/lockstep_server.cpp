@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -14,6 +15,8 @@
 
 #include <sys/socket.h>
 #include <sys/un.h>
+
+#include "host/geometry/angle.hpp"
 
 namespace echomap::runner {
 namespace {
@@ -50,6 +53,8 @@ bool is_sound(const PutBox& box) {
   return is_near(box.x_mm) && is_near(box.y_mm) && box.side_mm > 0 && box.side_mm <= kLargestBoxMm;
 }
 
+std::string in_millionths(double value) { return std::to_string(std::llround(1e6 * value)); }
+
 /// Empty where there is no such request.
 std::optional<LockstepRequest> read_request(std::string_view verb, std::string_view numbers) {
   Grant grant;
@@ -68,6 +73,9 @@ std::optional<LockstepRequest> read_request(std::string_view verb, std::string_v
   PutBox box;
   if (verb == "box" && take_all(numbers, box.x_mm, box.y_mm, box.side_mm) && is_sound(box)) {
     return box;
+  }
+  if (verb == "tell-truth" && numbers.empty()) {
+    return TellTruth{};
   }
   if (verb == "quit" && numbers.empty()) {
     return Quit{};
@@ -142,8 +150,15 @@ std::optional<LockstepRequest> LockstepServer::take_request() {
   return std::nullopt;
 }
 
-void LockstepServer::send_reached(std::int64_t until_us, std::uint64_t device_bytes) {
-  send_line("reached " + std::to_string(until_us) + " " + std::to_string(device_bytes));
+void LockstepServer::send_reached(std::int64_t until_us,
+                                  std::uint64_t device_bytes,
+                                  const std::optional<geometry::Pose2>& T_start_robot) {
+  std::string line = "reached " + std::to_string(until_us) + " " + std::to_string(device_bytes);
+  if (T_start_robot) {
+    line += " " + in_millionths(T_start_robot->x_m()) + " " + in_millionths(T_start_robot->y_m()) +
+            " " + in_millionths(geometry::degrees(T_start_robot->heading_rad()));
+  }
+  send_line(line);
 }
 
 void LockstepServer::send_bye() { send_line("bye"); }

@@ -36,6 +36,7 @@ std::optional<Reached> LockstepChannel::grant(std::int64_t until_us, std::uint64
     close_reason_ = "it answered a grant with: " + *line;
     return std::nullopt;
   }
+  true_pose_ = reached->true_pose;
   return reached;
 }
 
@@ -46,6 +47,8 @@ void LockstepChannel::carry_off(std::chrono::microseconds held) {
 void LockstepChannel::cut_cable(std::chrono::microseconds away) {
   send_line("cut-cable " + std::to_string(away.count()));
 }
+
+void LockstepChannel::tell_truth() { send_line("tell-truth"); }
 
 void LockstepChannel::put_box(double x_m, double y_m, double side_m) {
   const auto mm = [](double metres) { return ' ' + std::to_string(std::llround(1e3 * metres)); };

@@ -38,6 +38,12 @@ class LockstepChannel {
   /// No byte of the byte stream reaches the other end for so long of simulated time, from now on.
   void cut_cable(std::chrono::microseconds away);
 
+  /// From the next grant on the device tells where the robot truly is: for show, not for a host
+  /// that estimates it.
+  void tell_truth();
+  /// Where it was at the end of the last grant; empty where the device was not asked.
+  const std::optional<TruePose>& true_pose() const { return true_pose_; }
+
   /// Ends the device; true when it confirms that its truth files are on disk.
   bool quit();
 
@@ -54,6 +60,7 @@ class LockstepChannel {
   std::string received_;
   std::string close_reason_;
   DeviceInfo device_;
+  std::optional<TruePose> true_pose_;
 };
 
 }  // namespace echomap::transport

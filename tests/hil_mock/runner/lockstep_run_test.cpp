@@ -2,6 +2,7 @@
 #include "hil_mock/runner/lockstep_run.hpp"
 
 #include <future>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -77,6 +78,18 @@ TEST_F(LockstepRunTest, ABoxIsPutWhenTheHostWantsIt) {
   EXPECT_EQ(stand, (std::vector{true, false}));
   ASSERT_EQ(robot_world.plan().boxes_m().size(), 1U);
   EXPECT_TRUE(geometry::contains(robot_world.plan().boxes_m()[0], Eigen::Vector2d(3.0, 1.5)));
+}
+
+TEST_F(LockstepRunTest, TheTruthIsToldInTheFrameOfTheStartOnceTheHostWantsIt) {
+  auto end = start();
+  channel.write("grant 10000 0\ntell-truth\ngrant 20000 0\n");
+  EXPECT_EQ(channel.read_line(), "reached 10000 0");
+  EXPECT_EQ(channel.read_line(), "reached 20000 0 0 0 0");
+  robot_world.place({1.0, 1.75, std::numbers::pi});
+  channel.write("grant 30000 0\n");
+  EXPECT_EQ(channel.read_line(), "reached 30000 0 -1000000 250000 180000000");
+  channel.write("quit\n");
+  end.get();
 }
 
 TEST_F(LockstepRunTest, AGrantWaitsForTheBytesThatItCounts) {

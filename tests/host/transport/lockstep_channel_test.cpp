@@ -114,6 +114,22 @@ TEST(LockstepChannel, GrantsTimeAndEndsTheDevice) {
               ElementsAre("grant 5000 17", "carry-off 2000000", "grant 7000000000000 18", "quit"));
 }
 
+TEST(LockstepChannel, KnowsTheTruthOnlyWhereItAsks) {
+  bool tells = false;
+  ScriptedDevice device(kHello, [&tells](const std::string& line) {
+    tells = tells || line == "tell-truth";
+    return tells && line.starts_with("grant") ? "reached 2000 0 1000000 0 0\n" : obedient(line);
+  });
+  LockstepChannel channel(device.path());
+  EXPECT_TRUE(channel.grant(1'000, 0));
+  EXPECT_FALSE(channel.true_pose());
+  channel.tell_truth();
+  EXPECT_FALSE(channel.true_pose()) << "it comes with the next grant";
+  ASSERT_TRUE(channel.grant(2'000, 0));
+  ASSERT_TRUE(channel.true_pose());
+  EXPECT_EQ(channel.true_pose()->x_m, 1.0);
+}
+
 TEST(LockstepChannel, CutsTheCable) {
   ScriptedDevice device(kHello, obedient);
   {
