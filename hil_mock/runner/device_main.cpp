@@ -69,15 +69,6 @@ std::unique_ptr<ByteEndpoint> open_endpoint(const DeviceOptions& options) {
   return std::make_unique<PtyEndpoint>(options.link, when_unread);
 }
 
-std::unique_ptr<SimulatedBoard> make_board(const DeviceProgram& program,
-                                           const DeviceOptions& options) {
-  auto board = program.make_board(options.board);
-  if (options.line) {
-    return std::make_unique<FaultyBoard>(std::move(board), *options.line);
-  }
-  return board;
-}
-
 std::int64_t nanoseconds_or_endless(double duration_s) {
   constexpr auto kEndless = std::numeric_limits<std::int64_t>::max();
   return duration_s * 1e9 < static_cast<double>(kEndless) ? std::llround(duration_s * 1e9)
@@ -91,8 +82,8 @@ class Device {
       : name_(program.name),
         options_(options),
         world_(load_world(options)),
-        board_(make_board(program, options)),
-        simulation_(*board_, *world_),
+        board_(program.make_board(options.board), options.line),
+        simulation_(board_, *world_),
         endpoint_(open_endpoint(options)) {
     schedule_kidnaps(options, simulation_);
     if (!options.camera.empty()) {
@@ -101,6 +92,7 @@ class Device {
   }
 
   void run() {
+    write_truth_so_far();
     if (options_.lockstep.empty()) {
       run_paced();
     } else {
@@ -135,10 +127,12 @@ class Device {
 
   void run_in_lockstep() {
     const nlohmann::ordered_json hello = {{"lockstep", 1},
-                                          {"firmware", board_->firmware_name()},
-                                          {"emulator", board_->emulator_name()}};
+                                          {"firmware", board_.firmware_name()},
+                                          {"emulator", board_.emulator_name()}};
     LockstepServer server(options_.lockstep, hello.dump());
     LockstepRun run(simulation_, *endpoint_, server);
+    run.on_box = [this](const PutBox& box, bool stands) { note_box(box, stands); };
+    run.on_cut_cable = [this](std::int64_t for_ns) { board_.cut_cable(for_ns); };
     const LockstepEnd end = run.run();
     std::optional<StopReport> stop;
     if (end == LockstepEnd::kHostGone) {
@@ -148,6 +142,20 @@ class Device {
     write_truth(stop);
     if (end == LockstepEnd::kQuit) {
       server.send_bye();
+    }
+  }
+
+  void note_box(const PutBox& box, bool stands) const {
+    std::cerr << name_ << ": " << (stands ? "a box" : "there is no place for a box") << " of "
+              << box.side_mm << " mm at " << box.x_mm << ", " << box.y_mm << " mm\n";
+    if (stands) {
+      write_truth_so_far();
+    }
+  }
+
+  void write_truth_so_far() const {
+    if (!options_.truth.empty()) {
+      runner::write_truth_so_far(options_.truth, simulation_);
     }
   }
 
@@ -161,7 +169,7 @@ class Device {
   std::string name_;
   DeviceOptions options_;
   std::unique_ptr<world::RobotWorld> world_;
-  std::unique_ptr<SimulatedBoard> board_;
+  FaultyBoard board_;
   RobotSimulation simulation_;
   std::unique_ptr<ByteEndpoint> endpoint_;
   std::optional<OverheadCamera> camera_;

@@ -182,7 +182,9 @@ void add_options(CLI::App& app,
                  "commas between: " +
                      part_faults_help())
       ->check(check_part_faults);
-  app.add_option("--truth", options.truth, "Folder for the truth files, written at the end");
+  app.add_option("--truth",
+                 options.truth,
+                 "Folder for the truth files: of the room at the start, of all at the end");
   add_place_options(app, options, raw);
   app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
       ->check(CLI::PositiveNumber)
@@ -191,15 +193,12 @@ void add_options(CLI::App& app,
 
 void understand(const RawOptions& raw, DeviceOptions& options) {
   options.speed = raw.speed == "max" ? kEndlessS : std::stod(raw.speed);
-  if (!raw.faults.empty() || raw.line != "direct") {
-    LineModel line{.faults = line_faults::parse_line_faults(raw.faults)};
-    if (raw.faults.find("seed=") == std::string::npos) {
-      line.faults.seed = options.seed;
-    }
-    if (raw.line != "direct") {
-      line.delays = line_faults::line_delays(raw.line);
-    }
-    options.line = line;
+  options.line.faults = line_faults::parse_line_faults(raw.faults);
+  if (raw.faults.find("seed=") == std::string::npos) {
+    options.line.faults.seed = options.seed;
+  }
+  if (raw.line != "direct") {
+    options.line.delays = line_faults::line_delays(raw.line);
   }
   if (!raw.start.empty()) {
     options.T_world_start =

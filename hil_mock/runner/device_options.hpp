@@ -30,8 +30,8 @@ struct DeviceOptions {
   /// Simulated seconds in a second; infinite for "max".
   double speed = 1.0;
   std::uint32_t seed = 1;
-  /// What the line between board and host does; empty for a good one without delays.
-  std::optional<LineModel> line;
+  /// What the line between board and host does; by default it is a good one without delays.
+  LineModel line;
   std::vector<world::PartFault> part_faults;
   /// Folder of the truth files; empty for none.
   std::filesystem::path truth;

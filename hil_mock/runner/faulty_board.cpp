@@ -28,6 +28,10 @@ FaultyBoard::FaultyBoard(std::unique_ptr<SimulatedBoard> board, const LineModel&
   };
 }
 
+void FaultyBoard::cut_cable(std::int64_t for_ns) {
+  cut_until_ns_ = std::max(cut_until_ns_, board_->now_ns() + for_ns);
+}
+
 /// In pieces that end where bytes arrive at the board.
 void FaultyBoard::run_until(std::int64_t until_ns) {
   if (!delay_to_robot_ || !delay_to_host_) {
@@ -43,14 +47,17 @@ void FaultyBoard::run_until(std::int64_t until_ns) {
     }
     // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
     board_->run_until(std::max(*arrival_ns, board_->now_ns()));
-    board_->receive(to_robot.take_arrived(board_->now_ns()));
+    const std::vector<std::uint8_t> arrived = to_robot.take_arrived(board_->now_ns());
+    if (!is_cut()) {
+      board_->receive(arrived);
+    }
   }
   board_->run_until(until_ns);
   give_to_host(to_host.take_arrived(until_ns));
 }
 
 bool FaultyBoard::is_away() const {
-  return line_faults::is_away(faults_, 1e-9 * static_cast<double>(board_->now_ns()));
+  return is_cut() || line_faults::is_away(faults_, 1e-9 * static_cast<double>(board_->now_ns()));
 }
 
 void FaultyBoard::receive(std::span<const std::uint8_t> bytes) {
@@ -82,6 +89,9 @@ void FaultyBoard::take_from_board(std::uint8_t byte) {
 }
 
 void FaultyBoard::give_to_host(std::span<const std::uint8_t> bytes) {
+  if (is_cut()) {
+    return;
+  }
   for (const std::uint8_t byte : bytes) {
     if (on_sent) {
       on_sent(byte);

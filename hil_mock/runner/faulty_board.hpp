@@ -25,6 +25,9 @@ class FaultyBoard final : public SimulatedBoard {
   /// Takes the hooks of `board`.
   FaultyBoard(std::unique_ptr<SimulatedBoard> board, const LineModel& line);
 
+  /// From now on nothing passes for so long, not even what is on its way.
+  void cut_cable(std::int64_t for_ns);
+
   std::int64_t now_ns() const override { return board_->now_ns(); }
   void run_until(std::int64_t until_ns) override;
   void reset() override { board_->reset(); }
@@ -49,6 +52,7 @@ class FaultyBoard final : public SimulatedBoard {
   std::string emulator_name() const override { return board_->emulator_name(); }
 
  private:
+  bool is_cut() const { return board_->now_ns() < cut_until_ns_; }
   bool is_away() const;
   void take_from_board(std::uint8_t byte);
   void give_to_host(std::span<const std::uint8_t> bytes);
@@ -59,6 +63,7 @@ class FaultyBoard final : public SimulatedBoard {
   line_faults::FaultyLine to_host_;
   std::optional<line_faults::DelayedLine> delay_to_robot_;
   std::optional<line_faults::DelayedLine> delay_to_host_;
+  std::int64_t cut_until_ns_ = 0;
 };
 
 }  // namespace echomap::runner

@@ -38,23 +38,50 @@ LockstepEnd LockstepRun::run() {
       collect_bytes();
       continue;
     }
-    if (const auto* bad = std::get_if<BadRequest>(&*request)) {
-      throw std::runtime_error("unexpected lockstep request: " + bad->line);
+    if (const auto end = std::visit([this](const auto& what) { return serve(what); }, *request)) {
+      return *end;
     }
-    if (std::holds_alternative<Quit>(*request)) {
-      return LockstepEnd::kQuit;
-    }
-    if (const auto* carry = std::get_if<CarryOff>(&*request)) {
-      simulation_.carry_off(carry->held_us * 1000);
-      continue;
-    }
-    const auto* grant = std::get_if<Grant>(&*request);
-    if (grant == nullptr || !wait_for_bytes(grant->host_bytes)) {
-      break;
-    }
-    fulfil(*grant);
   }
-  return stop_requested() ? LockstepEnd::kStopSignal : LockstepEnd::kHostGone;
+  return LockstepEnd::kStopSignal;
+}
+
+std::optional<LockstepEnd> LockstepRun::serve(const Grant& grant) {
+  if (!wait_for_bytes(grant.host_bytes)) {
+    return stop_requested() ? LockstepEnd::kStopSignal : LockstepEnd::kHostGone;
+  }
+  fulfil(grant);
+  return std::nullopt;
+}
+
+std::optional<LockstepEnd> LockstepRun::serve(const CarryOff& carry) {
+  simulation_.carry_off(carry.held_us * 1000);
+  return std::nullopt;
+}
+
+std::optional<LockstepEnd> LockstepRun::serve(const PutBox& box) {
+  const auto metres = [](std::int64_t mm) { return 1e-3 * static_cast<double>(mm); };
+  const bool stands =
+      simulation_.put_box({metres(box.x_mm), metres(box.y_mm)}, metres(box.side_mm));
+  if (on_box) {
+    on_box(box, stands);
+  }
+  return std::nullopt;
+}
+
+std::optional<LockstepEnd> LockstepRun::serve(const CutCable& cut) {
+  if (on_cut_cable) {
+    on_cut_cable(cut.for_us * 1000);
+  }
+  return std::nullopt;
+}
+
+std::optional<LockstepEnd> LockstepRun::serve(const TellTruth&) {
+  tells_truth_ = true;
+  return std::nullopt;
+}
+
+std::optional<LockstepEnd> LockstepRun::serve(const BadRequest& bad) {
+  throw std::runtime_error("unexpected lockstep request: " + bad.line);
 }
 
 StopReport LockstepRun::run_without_host() {
@@ -106,7 +133,10 @@ void LockstepRun::fulfil(const Grant& grant) {
   const std::vector<std::uint8_t> sent = simulation_.take_sent();
   device_bytes_ += sent.size();
   endpoint_.send(sent);
-  server_.send_reached(grant.until_us, device_bytes_);
+  server_.send_reached(
+      grant.until_us,
+      device_bytes_,
+      tells_truth_ ? std::optional(simulation_.world().T_start_robot()) : std::nullopt);
 }
 
 }  // namespace echomap::runner

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,10 +35,26 @@ class LockstepRun {
   /// that is none of the protocol's.
   LockstepEnd run();
 
+  /// Called when somebody has put a box down, or could not: it `stands` there or it does not.
+  std::function<void(const PutBox& box, bool stands)> on_box;
+
+  /// Called when the cable is pulled: for so long of simulated time nothing is to pass.
+  std::function<void(std::int64_t for_ns)> on_cut_cable;
+
   /// Lets time pass for two more simulated seconds without a host and watches the wheels.
   StopReport run_without_host();
 
  private:
+  /// What a request leads to; the end of the run, or empty where it goes on.
+  std::optional<LockstepEnd> serve(const Grant& grant);
+  std::optional<LockstepEnd> serve(const CarryOff& carry);
+  std::optional<LockstepEnd> serve(const PutBox& box);
+  std::optional<LockstepEnd> serve(const CutCable& cut);
+  std::optional<LockstepEnd> serve(const TellTruth&);
+  static std::optional<LockstepEnd> serve(const Quit&) { return LockstepEnd::kQuit; }
+  static std::optional<LockstepEnd> serve(const HostGone&) { return LockstepEnd::kHostGone; }
+  static std::optional<LockstepEnd> serve(const BadRequest& bad);
+
   void collect_bytes();
   bool wait_for_bytes(std::uint64_t host_bytes);
   void fulfil(const Grant& grant);
@@ -49,6 +66,7 @@ class LockstepRun {
   std::deque<std::uint8_t> waiting_;
   std::uint64_t handed_bytes_ = 0;
   std::uint64_t device_bytes_ = 0;
+  bool tells_truth_ = false;
 };
 
 }  // namespace echomap::runner

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/runner/lockstep_server.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -13,6 +15,8 @@
 
 #include <sys/socket.h>
 #include <sys/un.h>
+
+#include "host/geometry/angle.hpp"
 
 namespace echomap::runner {
 namespace {
@@ -28,6 +32,57 @@ bool take_number(std::string_view& text, Number& number) {
   return error == std::errc{};
 }
 
+/// Whether `text` is these numbers and no more.
+template <class... Number>
+bool take_all(std::string_view text, Number&... numbers) {
+  return (take_number(text, numbers) && ...) && text.empty();
+}
+
+/// Simulated time is counted in nanoseconds.
+constexpr std::int64_t kLastMicrosecond = std::numeric_limits<std::int64_t>::max() / 1000;
+/// Nobody holds a robot, or a cable that is pulled, for longer than an hour.
+constexpr std::int64_t kLongestHoldUs = 3'600'000'000;
+/// No room is a kilometre across, and nobody carries a larger box.
+constexpr std::int64_t kFarthestMm = 1'000'000;
+constexpr std::int64_t kLargestBoxMm = 10'000;
+
+bool is_held(std::int64_t for_us) { return for_us > 0 && for_us <= kLongestHoldUs; }
+
+bool is_sound(const PutBox& box) {
+  const auto is_near = [](std::int64_t mm) { return mm >= -kFarthestMm && mm <= kFarthestMm; };
+  return is_near(box.x_mm) && is_near(box.y_mm) && box.side_mm > 0 && box.side_mm <= kLargestBoxMm;
+}
+
+std::string in_millionths(double value) { return std::to_string(std::llround(1e6 * value)); }
+
+/// Empty where there is no such request.
+std::optional<LockstepRequest> read_request(std::string_view verb, std::string_view numbers) {
+  Grant grant;
+  if (verb == "grant" && take_all(numbers, grant.until_us, grant.host_bytes) &&
+      grant.until_us <= kLastMicrosecond) {
+    return grant;
+  }
+  CarryOff carry;
+  if (verb == "carry-off" && take_all(numbers, carry.held_us) && is_held(carry.held_us)) {
+    return carry;
+  }
+  CutCable cut;
+  if (verb == "cut-cable" && take_all(numbers, cut.for_us) && is_held(cut.for_us)) {
+    return cut;
+  }
+  PutBox box;
+  if (verb == "box" && take_all(numbers, box.x_mm, box.y_mm, box.side_mm) && is_sound(box)) {
+    return box;
+  }
+  if (verb == "tell-truth" && numbers.empty()) {
+    return TellTruth{};
+  }
+  if (verb == "quit" && numbers.empty()) {
+    return Quit{};
+  }
+  return std::nullopt;
+}
+
 sockaddr_un local_address(const std::filesystem::path& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -41,35 +96,10 @@ sockaddr_un local_address(const std::filesystem::path& path) {
 
 }  // namespace
 
-/// Simulated time is counted in nanoseconds.
-constexpr std::int64_t kLastMicrosecond = std::numeric_limits<std::int64_t>::max() / 1000;
-/// Nobody holds a robot for longer than an hour.
-constexpr std::int64_t kLongestHoldUs = 3'600'000'000;
-
 LockstepRequest parse_request(std::string_view line) {
-  constexpr std::string_view kGrant = "grant";
-  constexpr std::string_view kCarryOff = "carry-off";
-  if (line == "quit") {
-    return Quit{};
-  }
-  std::string_view rest = line;
-  if (rest.starts_with(kCarryOff)) {
-    rest.remove_prefix(kCarryOff.size());
-    CarryOff carry;
-    if (take_number(rest, carry.held_us) && rest.empty() && carry.held_us > 0 &&
-        carry.held_us <= kLongestHoldUs) {
-      return carry;
-    }
-  }
-  Grant grant;
-  if (rest.starts_with(kGrant)) {
-    rest.remove_prefix(kGrant.size());
-    if (take_number(rest, grant.until_us) && take_number(rest, grant.host_bytes) && rest.empty() &&
-        grant.until_us <= kLastMicrosecond) {
-      return grant;
-    }
-  }
-  return BadRequest{std::string(line)};
+  const std::size_t verb_end = std::min(line.find(' '), line.size());
+  const auto request = read_request(line.substr(0, verb_end), line.substr(verb_end));
+  return request ? *request : BadRequest{std::string(line)};
 }
 
 LockstepServer::LockstepServer(std::filesystem::path socket, std::string hello)
@@ -120,8 +150,15 @@ std::optional<LockstepRequest> LockstepServer::take_request() {
   return std::nullopt;
 }
 
-void LockstepServer::send_reached(std::int64_t until_us, std::uint64_t device_bytes) {
-  send_line("reached " + std::to_string(until_us) + " " + std::to_string(device_bytes));
+void LockstepServer::send_reached(std::int64_t until_us,
+                                  std::uint64_t device_bytes,
+                                  const std::optional<geometry::Pose2>& T_start_robot) {
+  std::string line = "reached " + std::to_string(until_us) + " " + std::to_string(device_bytes);
+  if (T_start_robot) {
+    line += " " + in_millionths(T_start_robot->x_m()) + " " + in_millionths(T_start_robot->y_m()) +
+            " " + in_millionths(geometry::degrees(T_start_robot->heading_rad()));
+  }
+  send_line(line);
 }
 
 void LockstepServer::send_bye() { send_line("bye"); }

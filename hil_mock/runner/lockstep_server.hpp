@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "hil_mock/runner/descriptor.hpp"
+#include "host/geometry/pose2.hpp"
 
 namespace echomap::runner {
 
@@ -23,6 +24,25 @@ struct Grant {
 struct CarryOff {
   std::int64_t held_us = 0;
   bool operator==(const CarryOff&) const = default;
+};
+
+/// The host wants somebody to put a square box down, in the frame of the robot's start pose.
+struct PutBox {
+  std::int64_t x_mm = 0;  ///< Of its middle.
+  std::int64_t y_mm = 0;
+  std::int64_t side_mm = 0;
+  bool operator==(const PutBox&) const = default;
+};
+
+/// The host wants no byte to pass for so long.
+struct CutCable {
+  std::int64_t for_us = 0;
+  bool operator==(const CutCable&) const = default;
+};
+
+/// The host wants to be told where the robot truly is, whenever a grant is reached.
+struct TellTruth {
+  bool operator==(const TellTruth&) const = default;
 };
 
 /// The host wants the truth files and the end.
@@ -42,7 +62,8 @@ struct BadRequest {
 };
 
 /// All that a host can ask, well or badly.
-using LockstepRequest = std::variant<Grant, CarryOff, Quit, HostGone, BadRequest>;
+using LockstepRequest =
+    std::variant<Grant, CarryOff, PutBox, CutCable, TellTruth, Quit, HostGone, BadRequest>;
 
 /// What a line of the host says (docs/guides/lockstep.md); without its line end.
 LockstepRequest parse_request(std::string_view line);
@@ -59,7 +80,10 @@ class LockstepServer {
 
   /// The host's next request, if one has come.
   std::optional<LockstepRequest> take_request();
-  void send_reached(std::int64_t until_us, std::uint64_t device_bytes);
+  /// `T_start_robot` only for a host that wants it.
+  void send_reached(std::int64_t until_us,
+                    std::uint64_t device_bytes,
+                    const std::optional<geometry::Pose2>& T_start_robot = std::nullopt);
   void send_bye();
 
   /// Readable when `take_request` has something to do.

@@ -16,6 +16,16 @@ constexpr std::int64_t kEchoDelayNs = 460'000;
 /// HC-SR04: without an answer it lets the echo pin go after this.
 constexpr std::int64_t kNoEchoNs = 38'000'000;
 
+world::Polygon square(const geometry::Pose2& T_world_middle, double side_m) {
+  const Eigen::Vector2d x_m(0.5 * side_m, 0.0);
+  const Eigen::Vector2d y_m(0.0, 0.5 * side_m);
+  world::Polygon corners_m{-x_m - y_m, x_m - y_m, x_m + y_m, -x_m + y_m};
+  for (Eigen::Vector2d& corner_m : corners_m) {
+    corner_m = T_world_middle * corner_m;
+  }
+  return corners_m;
+}
+
 }  // namespace
 
 RobotSimulation::RobotSimulation(SimulatedBoard& board, world::RobotWorld& world)
@@ -87,6 +97,24 @@ void RobotSimulation::kidnap() {
     world_.place(kidnaps_.front().T_world_robot);
     kidnaps_.pop_front();
   }
+}
+
+bool RobotSimulation::put_box(const Eigen::Vector2d& middle_m, double side_m) {
+  const geometry::Pose2 T_world_middle =
+      world_.plan().T_world_start() * geometry::Pose2(middle_m.x(), middle_m.y(), 0.0);
+  const world::Polygon box_m = square(T_world_middle, side_m);
+  const auto is_clear = [&](const geometry::Pose2& T_world_robot) {
+    return world_.is_clear_of(box_m, T_world_robot.position_m());
+  };
+  const bool has_place = geometry::contains(world_.plan().room_m(), T_world_middle.position_m()) &&
+                         is_clear(world_.T_world_robot()) &&
+                         std::all_of(kidnaps_.begin(), kidnaps_.end(), [&](const Kidnap& kidnap) {
+                           return is_clear(kidnap.T_world_robot);
+                         });
+  if (has_place) {
+    world_.put_box(box_m);
+  }
+  return has_place;
 }
 
 void RobotSimulation::turn_pan() {

@@ -51,6 +51,11 @@ class RobotSimulation {
     schedule({now_ns_, now_ns_ + held_ns, world_.somewhere_else()});
   }
 
+  /// Somebody puts a square box down, parallel to the axes of the robot's start pose and with its
+  /// middle at a point in that frame. False, and none stands there, where that point is not in the
+  /// room or the box would be in the way of the robot or of a hand that puts it down.
+  bool put_box(const Eigen::Vector2d& middle_m, double side_m);
+
   /// Called after every millisecond of the world.
   std::function<void()> on_step;
 

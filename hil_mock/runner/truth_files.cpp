@@ -117,9 +117,7 @@ std::string summary_text(const RobotSimulation& simulation, const TruthSummary& 
 
 }  // namespace
 
-void write_truth_files(const std::filesystem::path& directory,
-                       const RobotSimulation& simulation,
-                       const TruthSummary& summary) {
+void write_truth_so_far(const std::filesystem::path& directory, const RobotSimulation& simulation) {
   std::filesystem::create_directories(directory);
   const world::FloorPlan& plan = simulation.world().plan();
   const TruthMap map = draw_truth_map(plan, kTruthCellM);
@@ -127,6 +125,12 @@ void write_truth_files(const std::filesystem::path& directory,
   files::write_text_file(directory / "truth_map.pgm", pgm_bytes(map));
   files::write_text_file(directory / "truth_map.yaml", yaml_text(map));
   files::write_text_file(directory / "truth_walls.geojson", geojson_text(plan));
+}
+
+void write_truth_files(const std::filesystem::path& directory,
+                       const RobotSimulation& simulation,
+                       const TruthSummary& summary) {
+  write_truth_so_far(directory, simulation);
   files::write_text_file(directory / "truth.json", summary_text(simulation, summary));
 }
 

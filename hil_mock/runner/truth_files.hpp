@@ -20,10 +20,13 @@ struct TruthSummary {
   std::optional<StopReport> stop;
 };
 
-/// Writes into `directory`, each file whole or not at all, in the world frame:
+/// Writes into `directory` what is true so far, each file whole or not at all, in the world frame:
 /// truth.tum (`t x y z qx qy qz qw` in simulated seconds and metres, 50 Hz), truth_map.pgm and
-/// truth_map.yaml (ROS map_server, cells of 1 cm), truth_walls.geojson (a LineString for each wall,
-/// metres) and truth.json (what ran). Throws files::FileError.
+/// truth_map.yaml (ROS map_server, cells of 1 cm) and truth_walls.geojson (a LineString for each
+/// wall, metres). Throws files::FileError.
+void write_truth_so_far(const std::filesystem::path& directory, const RobotSimulation& simulation);
+
+/// The same at the end, and truth.json: what ran.
 void write_truth_files(const std::filesystem::path& directory,
                        const RobotSimulation& simulation,
                        const TruthSummary& summary);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace echomap::runner {
 namespace {
 
@@ -41,15 +43,57 @@ TruthMap empty_map_around(const world::Polygon& room_m, double resolution_m) {
   return map;
 }
 
-/// Occupies every cell that a wall passes at half a cell's distance from its centre or nearer.
-void draw_walls(const world::FloorPlan& plan, TruthMap& map) {
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      const double clearance_m = plan.clearance_m(centre_m(map, column, row));
-      if (clearance_m <= 0.5 * map.resolution_m + 1e-9) {
-        map.cells[index(map, column, row)] = TruthCell::kOccupied;
-      }
+/// Calls `visit` with each cell, and its centre, that has a point of a box in or beside it.
+template <class Visit>
+void visit_cells(TruthMap& map, const Eigen::AlignedBox2d& box, Visit visit) {
+  const auto cell_of = [&](double from_origin_m, int size) {
+    return std::clamp(static_cast<int>(std::floor(from_origin_m / map.resolution_m)), 0, size - 1);
+  };
+  const int first_row = cell_of(box.min().y() - map.origin_y_m - map.resolution_m, map.height);
+  const int last_row = cell_of(box.max().y() - map.origin_y_m + map.resolution_m, map.height);
+  const int first_column = cell_of(box.min().x() - map.origin_x_m - map.resolution_m, map.width);
+  const int last_column = cell_of(box.max().x() - map.origin_x_m + map.resolution_m, map.width);
+  for (int row = first_row; row <= last_row; ++row) {
+    for (int column = first_column; column <= last_column; ++column) {
+      visit(map.cells[index(map, column, row)], centre_m(map, column, row));
     }
+  }
+}
+
+/// Whether what is so far from the middle of a cell is drawn there.
+bool is_drawn_at(const TruthMap& map, double distance_m) {
+  return distance_m <= 0.5 * map.resolution_m + 1e-9;
+}
+
+void draw_walls(const world::FloorPlan& plan, TruthMap& map) {
+  for (const world::Wall& wall : plan.first_walls()) {
+    Eigen::AlignedBox2d around(wall.segment.from_m);
+    around.extend(wall.segment.to_m);
+    visit_cells(map, around, [&](TruthCell& cell, const Eigen::Vector2d& middle_m) {
+      if (is_drawn_at(map, (nearest_point(wall.segment, middle_m) - middle_m).norm())) {
+        cell = TruthCell::kOccupied;
+      }
+    });
+  }
+}
+
+/// Boxes stand on what was free.
+void draw_boxes(const world::FloorPlan& plan, TruthMap& map) {
+  for (const world::Polygon& box_m : plan.boxes_m()) {
+    Eigen::AlignedBox2d around;
+    for (const Eigen::Vector2d& corner_m : box_m) {
+      around.extend(corner_m);
+    }
+    visit_cells(map, around, [&](TruthCell& cell, const Eigen::Vector2d& middle_m) {
+      if (cell != TruthCell::kFree) {
+        return;
+      }
+      if (is_drawn_at(map, geometry::distance_to_sides_m(box_m, middle_m))) {
+        cell = TruthCell::kOccupied;
+      } else if (geometry::contains(box_m, middle_m)) {
+        cell = TruthCell::kUnknown;
+      }
+    });
   }
 }
 
@@ -80,6 +124,7 @@ TruthMap draw_truth_map(const world::FloorPlan& plan, double resolution_m) {
   TruthMap map = empty_map_around(plan.room_m(), resolution_m);
   draw_walls(plan, map);
   flood_from_start(plan, map);
+  draw_boxes(plan, map);
   return map;
 }
 

@@ -11,8 +11,8 @@ namespace echomap::runner {
 /// What a cell of the true map holds, as the pixel value of a ROS map.
 enum class TruthCell : std::uint8_t { kOccupied = 0, kUnknown = 205, kFree = 254 };
 
-/// The room as a grid: walls are occupied, what can be reached from the start is free, the
-/// rest and the holes unknown.
+/// The room as a grid: walls are occupied, what could be reached from the start before anybody put
+/// a box down is free, the rest, the holes and the insides of boxes unknown.
 struct TruthMap {
   int width = 0;
   int height = 0;

@@ -70,7 +70,8 @@ FloorPlan::FloorPlan(std::string name,
     obstacles_m_.push_back(obstacle.corners_m);
     add_walls(std::move(obstacle), false);
   }
-  still_walls_ = walls_.size();
+  still_walls_ = first_walls_ = walls_.size();
+  furniture_ = obstacles_m_.size();
   check_holes();
   if (!is_free(T_world_start.position_m())) {
     throw std::invalid_argument("start: it is not in the free space of the room");
@@ -123,6 +124,17 @@ double FloorPlan::clearance_m(const Eigen::Vector2d& point_m) const {
     min_m = std::min(min_m, (nearest_point(wall.segment, point_m) - point_m).norm());
   }
   return min_m;
+}
+
+void FloorPlan::put_box(Outline box) {
+  check_outline(box, "box");
+  const auto first_person = walls_.begin() + static_cast<std::ptrdiff_t>(still_walls_);
+  const std::vector<Wall> people(first_person, walls_.end());
+  walls_.erase(first_person, walls_.end());
+  obstacles_m_.push_back(box.corners_m);
+  add_walls(std::move(box), false);
+  still_walls_ = walls_.size();
+  walls_.insert(walls_.end(), people.begin(), people.end());
 }
 
 void FloorPlan::put_people(std::span<const Disc> people) {

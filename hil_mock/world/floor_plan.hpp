@@ -105,6 +105,13 @@ class FloorPlan {
   /// The same room with another start; throws std::invalid_argument where it is not free.
   FloorPlan starting_at(const geometry::Pose2& T_world_start) const;
 
+  /// From now on a box stands there, upright; what of it is in a wall or an obstacle does not show.
+  void put_box(Outline box);
+  /// Those, oldest first.
+  std::span<const Polygon> boxes_m() const { return std::span(obstacles_m_).subspan(furniture_); }
+  /// What has stood from the beginning.
+  std::span<const Wall> first_walls() const { return std::span(walls_).first(first_walls_); }
+
   /// Puts people where they are now, in place of those before.
   void put_people(std::span<const Disc> people);
 
@@ -114,10 +121,12 @@ class FloorPlan {
 
   std::string name_;
   Polygon room_m_;
-  std::vector<Polygon> obstacles_m_;
+  std::vector<Polygon> obstacles_m_;  ///< The first `furniture_` are no boxes.
+  std::size_t furniture_ = 0;
   FloorMarks marks_;
   std::vector<Wall> walls_;  ///< The first `still_walls_` stand always.
   std::size_t still_walls_ = 0;
+  std::size_t first_walls_ = 0;
   std::vector<Corner> corners_;
   geometry::Pose2 T_world_start_;
 };

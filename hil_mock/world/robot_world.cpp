@@ -128,6 +128,12 @@ bool RobotWorld::fits(const Eigen::Vector2d& place_m, double clearance_m) const 
   return plan_.is_free(place_m) && plan_.clearance_m(place_m) >= robot_.body.radius_m + clearance_m;
 }
 
+bool RobotWorld::is_clear_of(const Polygon& box_m, const Eigen::Vector2d& place_m) const {
+  constexpr double kHandM = 0.08;
+  return !geometry::contains(box_m, place_m) &&
+         geometry::distance_to_sides_m(box_m, place_m) >= robot_.body.radius_m + kHandM;
+}
+
 geometry::Pose2 RobotWorld::somewhere_else() {
   constexpr int kTries = 1000;
   constexpr double kClearanceM = 0.05;

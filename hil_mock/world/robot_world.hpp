@@ -50,7 +50,17 @@ class RobotWorld {
   /// who carries it off may put it down. In a room without one, the farthest of a thousand others.
   geometry::Pose2 somewhere_else();
 
+  /// Whether the robot, standing at a place, would have a hand's breadth between its hull and that
+  /// box.
+  bool is_clear_of(const Polygon& box_m, const Eigen::Vector2d& place_m) const;
+  /// From now on a box stands there: walls see to it that the robot does not pass.
+  void put_box(const Polygon& box_m) { plan_.put_box({box_m, {}}); }
+
   const geometry::Pose2& T_world_robot() const { return body_.T_world_robot(); }
+  /// Where the robot is, seen from where it started: as a map of its host has it.
+  geometry::Pose2 T_start_robot() const {
+    return plan_.T_world_start().inverse() * T_world_robot();
+  }
   geometry::Pose2 T_world_sonar(double pan_rad) const;
   Contacts contacts() const { return body_.contacts(); }
   const RobotBody& body() const { return body_; }

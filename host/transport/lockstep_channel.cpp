@@ -2,6 +2,7 @@
 #include "host/transport/lockstep_channel.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "host/transport/local_stream.hpp"
 #include "host/transport/transport_error.hpp"
@@ -35,11 +36,23 @@ std::optional<Reached> LockstepChannel::grant(std::int64_t until_us, std::uint64
     close_reason_ = "it answered a grant with: " + *line;
     return std::nullopt;
   }
+  true_pose_ = reached->true_pose;
   return reached;
 }
 
 void LockstepChannel::carry_off(std::chrono::microseconds held) {
   send_line("carry-off " + std::to_string(held.count()));
+}
+
+void LockstepChannel::cut_cable(std::chrono::microseconds away) {
+  send_line("cut-cable " + std::to_string(away.count()));
+}
+
+void LockstepChannel::tell_truth() { send_line("tell-truth"); }
+
+void LockstepChannel::put_box(double x_m, double y_m, double side_m) {
+  const auto mm = [](double metres) { return ' ' + std::to_string(std::llround(1e3 * metres)); };
+  send_line("box" + mm(x_m) + mm(y_m) + mm(side_m));
 }
 
 bool LockstepChannel::quit() {

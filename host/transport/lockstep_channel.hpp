@@ -31,6 +31,19 @@ class LockstepChannel {
   /// Somebody takes the robot up now, holds it for so long and puts it down somewhere else.
   void carry_off(std::chrono::microseconds held);
 
+  /// Somebody puts a square box down now, with its middle there in the frame of the robot's start
+  /// pose, parallel to its axes; nobody does where the robot is in the way.
+  void put_box(double x_m, double y_m, double side_m);
+
+  /// No byte of the byte stream reaches the other end for so long of simulated time, from now on.
+  void cut_cable(std::chrono::microseconds away);
+
+  /// From the next grant on the device tells where the robot truly is: for show, not for a host
+  /// that estimates it.
+  void tell_truth();
+  /// Where it was at the end of the last grant; empty where the device was not asked.
+  const std::optional<TruePose>& true_pose() const { return true_pose_; }
+
   /// Ends the device; true when it confirms that its truth files are on disk.
   bool quit();
 
@@ -47,6 +60,7 @@ class LockstepChannel {
   std::string received_;
   std::string close_reason_;
   DeviceInfo device_;
+  std::optional<TruePose> true_pose_;
 };
 
 }  // namespace echomap::transport

@@ -2,6 +2,7 @@
 #include "host/transport/lockstep_lines.hpp"
 
 #include <charconv>
+#include <numbers>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
@@ -18,6 +19,19 @@ bool take_number(std::string_view& text, Number& number) {
   const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return error == std::errc();
+}
+
+/// X_UM Y_UM HEADING_UDEG, a blank before each.
+std::optional<TruePose> parse_true_pose(std::string_view text) {
+  std::int64_t x_um = 0;
+  std::int64_t y_um = 0;
+  std::int64_t heading_udeg = 0;
+  if (!take_number(text, x_um) || !take_number(text, y_um) || !take_number(text, heading_udeg) ||
+      !text.empty()) {
+    return std::nullopt;
+  }
+  const auto whole = [](std::int64_t millionths) { return 1e-6 * static_cast<double>(millionths); };
+  return TruePose{whole(x_um), whole(y_um), whole(heading_udeg) * std::numbers::pi / 180.0};
 }
 
 }  // namespace
@@ -39,9 +53,13 @@ std::optional<Reached> parse_reached(std::string_view line) {
     return std::nullopt;
   }
   line.remove_prefix(kVerb.size());
-  const bool is_whole = take_number(line, reached.until_us) &&
-                        take_number(line, reached.device_bytes) && line.empty();
-  return is_whole ? std::optional(reached) : std::nullopt;
+  if (!take_number(line, reached.until_us) || !take_number(line, reached.device_bytes)) {
+    return std::nullopt;
+  }
+  if (!line.empty()) {
+    reached.true_pose = parse_true_pose(line);
+  }
+  return line.empty() || reached.true_pose ? std::optional(reached) : std::nullopt;
 }
 
 }  // namespace echomap::transport

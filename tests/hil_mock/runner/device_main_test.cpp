@@ -73,6 +73,30 @@ TEST(DeviceMain, SaysByeInLockstepWhenTheTruthIsOnDisk) {
   EXPECT_EQ(exit_code.get(), 0);
 }
 
+TEST(DeviceMain, TheTruthOfTheRoomIsThereFromTheStartAndAfterABox) {
+  const tests::ScratchFolder folder;
+  Arguments arguments{"--link=" + (folder / "robot").string(),
+                      "--lockstep=" + (folder / "lockstep").string(),
+                      "--truth=" + (folder / "truth").string()};
+  testing::internal::CaptureStderr();
+  auto exit_code = std::async(std::launch::async, [&] {
+    return run_device(arguments.argc(), arguments.argv(), fake_program);
+  });
+  ASSERT_TRUE(tests::eventually([&] { return std::filesystem::exists(folder / "lockstep"); }));
+  const std::string map = files::read_text_file(folder / "truth/truth_map.pgm");
+  EXPECT_FALSE(std::filesystem::exists(folder / "truth/truth.json"));
+  TestHost channel = TestHost::connect_local(folder / "lockstep");
+  channel.read_line();
+  channel.write("box 500 500 200\nbox 0 0 200\ngrant 30000 0\n");
+  EXPECT_EQ(channel.read_line(), "reached 30000 0");
+  EXPECT_NE(files::read_text_file(folder / "truth/truth_map.pgm"), map);
+  channel.write("quit\n");
+  EXPECT_EQ(exit_code.get(), 0);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "echomap-fake: a box of 200 mm at 500, 500 mm\n"
+            "echomap-fake: there is no place for a box of 200 mm at 0, 0 mm\n");
+}
+
 TEST(DeviceMain, ABrokenWorldIsNamedWithItsPlaceAndCodeSix) {
   const tests::ScratchFolder folder;
   const std::string world = folder / "broken.toml";

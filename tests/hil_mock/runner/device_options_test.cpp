@@ -45,10 +45,10 @@ TEST(DeviceOptions, UnderstandsEveryOption) {
   EXPECT_EQ(options.tcp_port, 4000);
   EXPECT_TRUE(std::isinf(options.speed));
   EXPECT_EQ(options.seed, 9U);
-  EXPECT_EQ(options.line->faults.rates.flip, 1e-4);
-  EXPECT_EQ(options.line->faults.loss, 0.01);
-  EXPECT_EQ(options.line->faults.seed, 3U);
-  EXPECT_EQ(options.line->delays->to_host.poll_us, 16'000);
+  EXPECT_EQ(options.line.faults.rates.flip, 1e-4);
+  EXPECT_EQ(options.line.faults.loss, 0.01);
+  EXPECT_EQ(options.line.faults.seed, 3U);
+  EXPECT_EQ(options.line.delays->to_host.poll_us, 16'000);
   EXPECT_EQ(options.truth, "out");
   EXPECT_EQ(options.T_world_start->y_m(), -2.0);
   EXPECT_NEAR(options.T_world_start->heading_rad(), geometry::radians(90.0), 1e-12);
@@ -79,9 +79,9 @@ TEST(DeviceOptions, ACameraHasAnAddressAndParameters) {
 
 TEST(DeviceOptions, TheLineIsSeededLikeTheRest) {
   const auto options = std::get<DeviceOptions>(read({"--seed=9", "--faults=loss=0.01"}));
-  EXPECT_EQ(options.line->faults.seed, 9U);
-  EXPECT_FALSE(options.line->delays);
-  EXPECT_FALSE(std::get<DeviceOptions>(read({"--seed=9"})).line);
+  EXPECT_EQ(options.line.faults.seed, 9U);
+  EXPECT_FALSE(options.line.delays);
+  EXPECT_EQ(std::get<DeviceOptions>(read({"--seed=9"})).line.faults.seed, 9U);
 }
 
 TEST(DeviceOptions, PartsMayFail) {

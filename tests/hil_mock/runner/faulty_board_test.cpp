@@ -78,6 +78,47 @@ TEST(FaultyBoard, PassesNothingEitherWayWhileTheLineIsAway) {
   EXPECT_EQ(sent, frames(1));
 }
 
+TEST(FaultyBoard, PassesNothingEitherWayWhileTheCableIsCut) {
+  auto inner = std::make_unique<FakeBoard>();
+  FakeBoard& fake = *inner;
+  FaultyBoard board(std::move(inner), {});
+  Bytes sent;
+  board.on_sent = [&sent](std::uint8_t byte) { sent.push_back(byte); };
+  board.receive(frames(1));
+  board.cut_cable(1'000'000);
+  board.run_until(500'000);
+  EXPECT_TRUE(sent.empty());
+  board.receive(frames(1));
+  EXPECT_TRUE(fake.received.empty());
+  board.cut_cable(100'000);
+  board.run_until(999'999);
+  board.receive(frames(1));
+  EXPECT_TRUE(fake.received.empty()) << "a shorter cut does not mend it";
+  board.run_until(1'000'000);
+  board.receive(frames(1));
+  board.run_until(1'000'001);
+  EXPECT_EQ(sent, frames(1));
+}
+
+TEST(FaultyBoard, ACutTakesWhatIsOnItsWay) {
+  auto inner = std::make_unique<FakeBoard>();
+  FakeBoard& fake = *inner;
+  line_faults::DelayParams delay;
+  delay.shortest_us = 8'000;
+  FaultyBoard board(std::move(inner), {.delays = {{delay, delay}}});
+  Bytes sent;
+  board.on_sent = [&sent](std::uint8_t byte) { sent.push_back(byte); };
+  board.receive(frames(1));
+  fake.on_sent(7);
+  board.run_until(1'000'000);
+  board.cut_cable(20'000'000);
+  for (std::int64_t at_ns = 2'000'000; at_ns <= 30'000'000; at_ns += 1'000'000) {
+    board.run_until(at_ns);
+  }
+  EXPECT_EQ(fake.received_at_ns, -1);
+  EXPECT_TRUE(sent.empty());
+}
+
 TEST(FaultyBoard, HandsOnPinsAndHooks) {
   auto inner = std::make_unique<FakeBoard>();
   FakeBoard& fake = *inner;

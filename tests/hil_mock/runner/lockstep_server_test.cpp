@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <optional>
 #include <poll.h>
 #include <string>
@@ -29,6 +30,9 @@ TEST(LockstepRequests, AreReadStrictly) {
   EXPECT_EQ(parse_request("grant 20000 17"), LockstepRequest(Grant{20000, 17}));
   EXPECT_EQ(parse_request("quit"), LockstepRequest(Quit{}));
   EXPECT_EQ(parse_request("carry-off 2000000"), LockstepRequest(CarryOff{2'000'000}));
+  EXPECT_EQ(parse_request("tell-truth"), LockstepRequest(TellTruth{}));
+  EXPECT_EQ(parse_request("cut-cable 3000000"), LockstepRequest(CutCable{3'000'000}));
+  EXPECT_EQ(parse_request("box 1500 -200 300"), LockstepRequest(PutBox{1500, -200, 300}));
   for (const std::string line : {"",
                                  "grant",
                                  "grant 1",
@@ -41,6 +45,19 @@ TEST(LockstepRequests, AreReadStrictly) {
                                  "carry-off 0",
                                  "carry-off 1 2",
                                  "carry-off 4000000000",
+                                 "tell-truth 1",
+                                 "cut-cable",
+                                 "cut-cable -1",
+                                 "cut-cable 4000000000",
+                                 "box",
+                                 "box 1 2",
+                                 "box 1 2 0",
+                                 "box 1 2 3 4",
+                                 "box 1.5 2 3",
+                                 "box 2000000 2 3",
+                                 "box -9223372036854775808 2 3",
+                                 "box 1 2 10001",
+                                 "quit ",
                                  "quit!"}) {
     EXPECT_EQ(parse_request(line), LockstepRequest(BadRequest{line})) << line;
   }
@@ -55,6 +72,8 @@ TEST(LockstepServer, GreetsTakesGrantsAndAnswers) {
   EXPECT_EQ(host.read_line(), R"({"lockstep":1})");
   server.send_reached(1000, 42);
   EXPECT_EQ(host.read_line(), "reached 1000 42");
+  server.send_reached(1000, 42, geometry::Pose2(1.5, -0.0000014, -0.5 * std::numbers::pi));
+  EXPECT_EQ(host.read_line(), "reached 1000 42 1500000 -1 -90000000");
   EXPECT_EQ(wait_for_request(server), LockstepRequest(Grant{2000, 5}));
   EXPECT_EQ(server.take_request(), std::nullopt) << "half a line is none";
   host.write("it\n");

@@ -157,6 +157,29 @@ TEST_F(RobotSimulationTest, AKidnapLiftsHoldsAndPlacesTheRobot) {
   EXPECT_GT(robot_world.T_world_robot().x_m(), 1.01) << "it drives on";
 }
 
+TEST(RobotSimulation, ABoxIsPutInTheFrameOfTheStart) {
+  FakeBoard board;
+  world::RobotWorld world(
+      world::box_room({}, {2.0, 1.5, 0.5 * std::numbers::pi}), quiet_robot(), 1);
+  RobotSimulation simulation(board, world);
+  EXPECT_TRUE(simulation.put_box({0.5, 1.0}, 0.2));
+  ASSERT_EQ(world.plan().boxes_m().size(), 1U);
+  EXPECT_TRUE(geometry::contains(world.plan().boxes_m()[0], Eigen::Vector2d(1.0, 2.0)));
+  EXPECT_NEAR(world.plan().clearance_m({1.0, 2.0}), 0.1, 1e-12);
+}
+
+TEST_F(RobotSimulationTest, NoBoxIsPutWhereTheRobotIsOrWillBePutDown) {
+  simulation.schedule({100 * kMs, 300 * kMs, {1.0, 1.0, 0.5}});
+  EXPECT_FALSE(simulation.put_box({0.2, 0.0}, 0.2)) << "at the robot";
+  EXPECT_FALSE(simulation.put_box({-1.0, -0.5}, 0.4)) << "where it will stand";
+  EXPECT_FALSE(simulation.put_box({0.0, 0.0}, 1.0)) << "around the robot";
+  EXPECT_FALSE(simulation.put_box({2.1, 0.0}, 0.4)) << "outside of the room";
+  EXPECT_TRUE(robot_world.plan().boxes_m().empty());
+  EXPECT_TRUE(simulation.put_box({0.0, 1.4}, 0.4)) << "half of it in the wall";
+  simulation.advance_to(400 * kMs);
+  EXPECT_TRUE(simulation.put_box({0.0, 0.0}, 0.4)) << "where the robot was";
+}
+
 TEST(RobotSimulation, AStepperTurnsTheSonarMoreThanOnce) {
   FakeBoard board;
   board.board = "mega";

@@ -2,6 +2,7 @@
 #include "hil_mock/runner/truth_files.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <string>
 
@@ -88,6 +89,21 @@ TEST_F(TruthFiles, WallsAreLineStrings) {
   const json& first = walls["features"][0]["geometry"];
   EXPECT_EQ(first["type"], "LineString");
   EXPECT_EQ(first["coordinates"], json::parse("[[0.0, 0.0], [4.0, 0.0]]"));
+}
+
+TEST_F(TruthFiles, AllButTheSummaryAreThereBeforeTheEnd) {
+  write_truth_so_far(folder / "early", simulation);
+  for (const char* name : {"truth.tum", "truth_map.pgm", "truth_map.yaml", "truth_walls.geojson"}) {
+    EXPECT_EQ(files::read_text_file(folder / "early" / name), written(name)) << name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "early" / "truth.json"));
+}
+
+TEST_F(TruthFiles, ABoxIsInThem) {
+  const std::string before = written("truth_map.pgm");
+  ASSERT_TRUE(simulation.put_box({1.0, 1.0}, 0.3));
+  EXPECT_NE(written("truth_map.pgm"), before);
+  EXPECT_EQ(json::parse(written("truth_walls.geojson"))["features"].size(), 12U);
 }
 
 TEST_F(TruthFiles, SummarySaysWhatRan) {

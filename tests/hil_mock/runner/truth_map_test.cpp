@@ -64,6 +64,23 @@ TEST(TruthMap, AHoleIsNotFree) {
   EXPECT_EQ(drawn(draw_truth_map(plan, 0.2)), expected);
 }
 
+// What is behind a box was floor before it came, and so is what it does not cover. The start may be
+// below it by now.
+TEST(TruthMap, ABoxCoversFloor) {
+  world::FloorPlan plan("drawn", {world::rectangle(0.0, 0.0, 2.0, 1.2), {}}, {}, {1.1, 0.5, 0.0});
+  plan.put_box({world::rectangle(0.8, -0.2, 1.4, 0.8), {}});
+  const std::vector<std::string> expected = {
+      "###########",
+      "#.........#",
+      "#...####..#",
+      "#...#  #..#",
+      "#...#  #..#",
+      "#...#  #..#",
+      "###########",
+  };
+  EXPECT_EQ(drawn(draw_truth_map(plan, 0.2)), expected);
+}
+
 TEST(TruthMap, FreeAreaIsThatOfTheRoom) {
   const world::FloorPlan plan = world::box_room({{world::rectangle(1.0, 1.0, 1.5, 2.0), {}}});
   const TruthMap map = draw_truth_map(plan, 0.01);

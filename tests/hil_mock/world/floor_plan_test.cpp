@@ -111,5 +111,24 @@ TEST(FloorPlan, PeopleStandInTheRoomAndNotInItsTruth) {
   EXPECT_EQ(plan.walls().size(), 4U);
 }
 
+TEST(FloorPlan, ABoxStandsFromNowOnBeforeThePeople) {
+  FloorPlan plan = box_room({pillar});
+  const std::vector<Disc> people{{{3.0, 1.0}, 0.2}};
+  plan.put_people(people);
+  const std::size_t corners = plan.corners().size();
+  plan.put_box({rectangle(3.0, 2.0, 3.4, 2.4), {}});
+  EXPECT_EQ(plan.still_walls().size(), 12U);
+  EXPECT_EQ(plan.first_walls().size(), 8U);
+  EXPECT_EQ(plan.walls().size(), 24U) << "the person is still there";
+  EXPECT_EQ(plan.walls()[12].surface.material, Material::kRough);
+  EXPECT_EQ(plan.corners().size(), corners + 4);
+  ASSERT_EQ(plan.boxes_m().size(), 1U);
+  EXPECT_EQ(plan.boxes_m()[0], rectangle(3.0, 2.0, 3.4, 2.4));
+  EXPECT_FALSE(plan.is_free({3.2, 2.2}));
+  EXPECT_NEAR(plan.clearance_m({2.5, 2.2}), 0.5, 1e-12);
+  plan.put_people({});
+  EXPECT_EQ(plan.walls().size(), 12U);
+}
+
 }  // namespace
 }  // namespace echomap::world

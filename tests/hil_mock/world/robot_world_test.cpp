@@ -71,6 +71,38 @@ TEST(RobotWorld, FlightTimeIsThereAndBackFromTheMount) {
   EXPECT_NEAR(world.ping(0.5 * std::numbers::pi).value(), 2.0 * 1.5 / 343.2, 1e-9);
 }
 
+TEST(RobotWorld, HearsABoxFromWhenItStandsThereAndBumpsIntoIt) {
+  RobotParams robot;
+  robot.sonar.range_noise_m = 0.0;
+  RobotWorld world(box_room(), robot, 1);
+  world.put_box(rectangle(2.5, 1.3, 2.9, 1.7));
+  EXPECT_NEAR(world.ping(0.0).value(), 2.0 * 0.47 / 343.2, 1e-9);
+  EncoderChanges changes;
+  const auto touches = [&] { return world.contacts().left || world.contacts().right; };
+  for (int i = 0; i < 4000 && !touches(); ++i) {
+    world.step(0.001, {0.5, 0.5}, changes);
+  }
+  EXPECT_TRUE(touches());
+  EXPECT_NEAR(world.T_world_robot().x_m(), 2.5 - robot.body.radius_m, 0.01);
+}
+
+TEST(RobotWorld, IsClearOfABoxAHandAwayFromItsHull) {
+  const RobotWorld world(box_room(), RobotParams{}, 1);
+  const Polygon box_m = rectangle(2.0, 1.0, 3.0, 2.0);
+  const double radius_m = world.robot().body.radius_m;
+  EXPECT_FALSE(world.is_clear_of(box_m, {2.5, 1.5})) << "in its middle";
+  EXPECT_FALSE(world.is_clear_of(box_m, {2.0 - radius_m - 0.07, 1.5}));
+  EXPECT_TRUE(world.is_clear_of(box_m, {2.0 - radius_m - 0.09, 1.5}));
+}
+
+TEST(RobotWorld, KnowsWhereTheRobotIsSeenFromItsStart) {
+  RobotWorld world(box_room({}, {2.0, 1.5, 0.5 * std::numbers::pi}), RobotParams{}, 1);
+  world.place({2.0, 2.0, std::numbers::pi});
+  EXPECT_NEAR(world.T_start_robot().x_m(), 0.5, 1e-12);
+  EXPECT_NEAR(world.T_start_robot().y_m(), 0.0, 1e-12);
+  EXPECT_NEAR(world.T_start_robot().heading_rad(), 0.5 * std::numbers::pi, 1e-12);
+}
+
 TEST(RobotWorld, CanBePutElsewhere) {
   RobotParams robot;
   robot.sonar.range_noise_m = 0.0;

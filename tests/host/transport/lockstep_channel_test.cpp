@@ -84,7 +84,7 @@ std::string obedient(const std::string& line) {
   if (line == "quit") {
     return "bye\n";
   }
-  if (line.starts_with("carry-off")) {
+  if (!line.starts_with("grant")) {
     return kNoAnswer;
   }
   return "reached " + line.substr(6, line.rfind(' ') - 6) + " 4711\n";
@@ -112,6 +112,42 @@ TEST(LockstepChannel, GrantsTimeAndEndsTheDevice) {
   }
   EXPECT_THAT(device.lines(),
               ElementsAre("grant 5000 17", "carry-off 2000000", "grant 7000000000000 18", "quit"));
+}
+
+TEST(LockstepChannel, KnowsTheTruthOnlyWhereItAsks) {
+  bool tells = false;
+  ScriptedDevice device(kHello, [&tells](const std::string& line) {
+    tells = tells || line == "tell-truth";
+    return tells && line.starts_with("grant") ? "reached 2000 0 1000000 0 0\n" : obedient(line);
+  });
+  LockstepChannel channel(device.path());
+  EXPECT_TRUE(channel.grant(1'000, 0));
+  EXPECT_FALSE(channel.true_pose());
+  channel.tell_truth();
+  EXPECT_FALSE(channel.true_pose()) << "it comes with the next grant";
+  ASSERT_TRUE(channel.grant(2'000, 0));
+  ASSERT_TRUE(channel.true_pose());
+  EXPECT_EQ(channel.true_pose()->x_m, 1.0);
+}
+
+TEST(LockstepChannel, CutsTheCable) {
+  ScriptedDevice device(kHello, obedient);
+  {
+    LockstepChannel channel(device.path());
+    channel.cut_cable(std::chrono::seconds(3));
+    EXPECT_TRUE(channel.quit());
+  }
+  EXPECT_THAT(device.lines(), ElementsAre("cut-cable 3000000", "quit"));
+}
+
+TEST(LockstepChannel, PutsABoxDownInWholeMillimetres) {
+  ScriptedDevice device(kHello, obedient);
+  {
+    LockstepChannel channel(device.path());
+    channel.put_box(1.5004, -0.25, 0.3);
+    EXPECT_TRUE(channel.quit());
+  }
+  EXPECT_THAT(device.lines(), ElementsAre("box 1500 -250 300", "quit"));
 }
 
 TEST(LockstepChannel, KnowsADeviceThatDiesInAGrant) {
