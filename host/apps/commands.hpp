@@ -36,9 +36,17 @@ struct RunOptions {
   std::uint64_t split_mb = 0;
 };
 
+/// Whether and how a run is shown in a browser.
+struct LiveOptions {
+  bool serves = false;
+  std::string listen = "127.0.0.1";  ///< ADDRESS or ADDRESS:PORT.
+  bool opens_browser = true;         ///< Where there is a desktop.
+};
+
 /// `echomap explore`: drives the robot on a port.
 struct ExploreOptions {
   RunOptions run;
+  LiveOptions live;
   std::string fixes;  ///< udp:HOST:PORT or tcp:HOST:PORT of an overhead camera; empty: none.
   std::filesystem::path resume;  ///< Run directory of the run to go on with; empty: none.
   session::ConnectionOptions connection;
@@ -48,6 +56,9 @@ ExitCode run_explore(const ExploreOptions& options);
 /// `echomap demo`: an emulated robot in a bundled room explores it and is scored.
 struct DemoOptions {
   RunOptions run;
+  LiveOptions live;
+  /// Times real time, 0: as fast as it can; empty: by whether somebody may watch.
+  std::optional<double> speed;
   session::SimulatedRobotOptions robot;
   bool no_kidnap = false;  ///< End with the map.
 };
@@ -79,11 +90,19 @@ struct ReplayOptions {
   std::filesystem::path json;
   bool force = false;  ///< Overwrite a run that `out` has in it.
   bool headless = false;
+  LiveOptions live;
 
   /// Whether something is asked for that only a recording can do.
   bool plays_a_part() const { return step || part != PlayedPart(); }
 };
 ExitCode run_replay(const ReplayOptions& options);
+
+/// `echomap serve`: shows finished runs in a browser.
+struct ServeOptions {
+  std::vector<std::filesystem::path> runs;  ///< Run directories or recordings.
+  LiveOptions live;
+};
+ExitCode run_serve(const ServeOptions& options);
 
 /// `echomap export`: draws one file of a recorded run again.
 struct ExportOptions {
@@ -111,6 +130,7 @@ struct LocalizeOptions {
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
   session::ConnectionOptions connection;
   RunOptions run;
+  LiveOptions live;
 };
 ExitCode run_localize(const LocalizeOptions& options);
 

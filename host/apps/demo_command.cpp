@@ -12,6 +12,7 @@
 #include "host/apps/demo_kidnap.hpp"
 #include "host/apps/explore_run.hpp"
 #include "host/apps/kidnap_report.hpp"
+#include "host/apps/live_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_recording.hpp"
 #include "host/console/print.hpp"
@@ -26,6 +27,9 @@ namespace {
 
 using session::RobotContext;
 using session::RobotProfile;
+
+/// Times real time: fast enough not to bore, slow enough to follow.
+constexpr double kWatchedSpeed = 8.0;
 
 /// The TOML file of what is true of the robot: the one named, or else the bundled one of the robot
 /// that the profile describes.
@@ -90,12 +94,14 @@ struct DemoDrive {
 };
 
 DemoDrive drive(RobotContext& robot,
+                LiveRun& live,
                 const DemoOptions& options,
                 const std::filesystem::path& out,
                 exports::RunSummary& summary) {
   const NextCommands next = next_commands(options, out);
   DemoDrive drive{explore_and_save(robot,
                                    {options.run.strategy,
+                                    live,
                                     out,
                                     !options.run.headless,
                                     options.run.align,
@@ -107,7 +113,7 @@ DemoDrive drive(RobotContext& robot,
     return drive;
   }
   robot.end_maps();
-  drive.kidnap = show_kidnap(robot, options.run.slam);
+  drive.kidnap = show_kidnap(robot, live, options.run.slam);
   if (const auto end = robot.session().end()) {
     drive.ending =
         ending_of(*end, "relocalization stopped early: " + robot.session().end_reason(), next);
@@ -159,14 +165,24 @@ ExitCode run_demo(const DemoOptions& options) {
   RobotContext robot(std::move(profile), seed);
   exports::RunSummary summary;
   summary.world = options.robot.world;
+  LiveRun live(
+      options.live, robot, {.command = "demo", .out = out, .is_simulated = true, .can_go = true});
   begin_maps(robot, options.robot.fixes, run.slam);
   open_port(robot, simulated.connection(), run.strategy, summary);
+  if (live.serves()) {
+    robot.time_scale().set_factor(
+        options.speed.value_or(live.may_be_watched() ? kWatchedSpeed : 0.0));
+    robot.lockstep()->tell_truth();
+  } else {
+    robot.time_scale().set_factor(options.speed.value_or(0.0));
+  }
 
-  const DemoDrive driven = drive(robot, options, out, summary);
+  const DemoDrive driven = drive(robot, live, options, out, summary);
   console::print("map: " + (out / "map.png").string());
   print_what_ran(summary);
   const RunEnding ending = report_on(driven, robot, simulated.truth(), out, run.json, summary);
   print_ending(ending);
+  live.end(ending);
   return ending.code;
 }
 

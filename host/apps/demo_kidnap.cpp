@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "host/apps/live_run.hpp"
 #include "host/apps/localize_run.hpp"
 #include "host/console/print.hpp"
 #include "host/mapping/raster_map.hpp"
@@ -47,7 +48,7 @@ void go_on(const FollowedRobot& followed, tracking::MclFilter& filter, DemoKidna
 
 }  // namespace
 
-DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam) {
+DemoKidnap show_kidnap(session::RobotContext& robot, LiveRun& live, const std::string& slam) {
   const auto snapshot = robot.atlas().pipeline().snapshot();
   const session::RobotProfile& profile = robot.profile();
   tracking::MclFilter filter(
@@ -63,14 +64,24 @@ DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam) {
   DemoKidnap kidnap;
   kidnap.explored = *snapshot.trajectory;
 
+  if (live.serves()) {
+    live.show(
+        std::make_unique<FilterSource>(filter, std::nullopt),
+        [&filter] { filter.report_moved(); },
+        [&filter](const geometry::Pose2& T_map_robot) { filter.place(T_map_robot); });
+  }
   console::print("localizing in its own map:");
   filter.begin(robot.session());
   if (follow_to_next_stop(followed)) {
     robot.lockstep()->carry_off(kHeld);
+    live.tell({"carried-off",
+               live_page::RunEvent::Level::kInfo,
+               "somebody carries the robot off: it has to find its place in the map again"});
     console::print("carried to another place:");
     go_on(followed, filter, kidnap);
     kidnap.gave_up = driver.finished();
   }
+  live.show_nothing();
   robot.session().disarm();
   robot.fork().remove(filter.sink());
   return kidnap;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/apps/live_run.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/localization/monte_carlo_localizer.hpp"
 #include "host/pipeline/snapshot.hpp"
@@ -38,6 +39,6 @@ struct DemoKidnap {
 /// Lets the localizer follow a simulated robot in the map that it has made, has the robot carried
 /// off by its world and drives on until the localizer is sure again, for a few stops at most,
 /// placed by the SLAM method of that name. Ends early where the session does.
-DemoKidnap show_kidnap(session::RobotContext& robot, const std::string& slam);
+DemoKidnap show_kidnap(session::RobotContext& robot, LiveRun& live, const std::string& slam);
 
 }  // namespace echomap::apps

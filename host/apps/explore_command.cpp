@@ -5,6 +5,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/explore_run.hpp"
+#include "host/apps/live_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_recording.hpp"
 #include "host/console/print.hpp"
@@ -42,21 +43,24 @@ NextCommands next_commands(const ExploreOptions& options, const std::string& out
 ExitCode run_explore(const ExploreOptions& options) {
   const RunOptions& run = options.run;
   session::RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
-  ExploreRun explore{run.strategy, run_folder(run.out), !run.headless, run.align, split_bytes(run)};
-  explore.next = next_commands(options, explore.out.string());
+  const auto out = run_folder(run.out);
+  LiveRun live(options.live, robot, {.command = "explore", .out = out, .can_go = true});
+  ExploreRun explore{run.strategy, live, out, !run.headless, run.align, split_bytes(run)};
+  explore.next = next_commands(options, out.string());
   exports::RunSummary summary;
   begin_maps(robot, options.fixes, run.slam);
   explore.resumed = resume_run(options.resume, robot);
-  prepare_outputs(explore.out, run.json, run.force || is_same_folder(options.resume, explore.out));
+  prepare_outputs(out, run.json, run.force || is_same_folder(options.resume, out));
   open_port(robot, options.connection, run.strategy, summary);
 
   const RunEnding ending = explore_and_save(robot, explore, summary);
   robot.quit();
-  console::print("map: " + (explore.out / "map.png").string());
+  console::print("map: " + (out / "map.png").string());
   const auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
-  end_recording(robot, report, explore.out);
+  end_recording(robot, report, out);
   write_report(run.json, report);
   print_ending(ending);
+  live.end(ending);
   return ending.code;
 }
 

@@ -2,7 +2,6 @@
 #include "host/apps/explore_run.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <random>
 #include <string>
 #include <utility>
@@ -46,24 +45,9 @@ struct StopCount {
   std::size_t before = 0;
 };
 
-/// Calls a function after every step of a robot's session, for as long as it exists.
-class StepListener {
- public:
-  StepListener(RobotContext& robot, std::function<void()> on_step) : robot_(robot) {
-    robot_.on_step = std::move(on_step);
-  }
-  ~StepListener() { robot_.on_step = nullptr; }
-  StepListener(const StepListener&) = delete;
-  StepListener& operator=(const StepListener&) = delete;
-
- private:
-  RobotContext& robot_;
-};
-
-/// Of the whole map, as the summary is.
-std::string progress_line(const RobotContext& robot,
-                          const ExploreRun& run,
-                          const StopCount& stops) {
+ExploreProgress progress_of(const RobotContext& robot,
+                            const ExploreRun& run,
+                            const StopCount& stops) {
   exports::RunSummary summary;
   exports::describe_snapshot(robot.atlas().pipeline().snapshot(), summary);
   const double before_s = sim_seconds_of(run.resumed);
@@ -85,7 +69,7 @@ std::string progress_line(const RobotContext& robot,
     case strategies::StrategyLimit::kNone:
       break;
   }
-  return line_of(progress);
+  return progress;
 }
 
 /// Reports what becomes of the maps of a robot that is lost.
@@ -293,12 +277,20 @@ RunEnding explore_and_save(RobotContext& robot,
   RunWriter writer(robot, *explorer, run, summary);
   ProgressReporter progress(stderr, run.shows_progress && spdlog::should_log(spdlog::level::info));
   const std::size_t stops_before = stops_in(robot.atlas());
-  const auto line = [&] {
-    return progress_line(robot, run, {stops_before + explorer->stops_made(), stops_before});
+  const auto made = [&] {
+    return progress_of(robot, run, {stops_before + explorer->stops_made(), stops_before});
   };
+  const auto line = [&] { return line_of(made()); };
+  if (run.live.serves()) {
+    run.live.show(std::make_unique<AtlasSource>(robot.atlas(),
+                                                robot.profile(),
+                                                explorer.get(),
+                                                [made] { return longest_left_s(made()); }),
+                  [&explorer] { explorer->report_moved(); });
+  }
   std::optional<FinishReason> reason;
   {
-    const StepListener listener(robot, [&, steps = 0]() mutable {
+    const RobotContext::StepListener listener(robot, [&, steps = 0]() mutable {
       constexpr int kStepsPerDrawing = 64;
       if (++steps % kStepsPerDrawing == 0) {
         progress.report(sim_seconds_of(run.resumed) + now_s(session), line);
@@ -307,6 +299,7 @@ RunEnding explore_and_save(RobotContext& robot,
     reason = connect_and_drive(robot, *explorer, writer);
   }
   progress.clear();
+  run.live.show_nothing();
   warn_of_previous_maps(robot.atlas());
   const auto coverage = coverage_of(robot.atlas().pipeline().snapshot(), robot.profile());
   const auto walls = wall_error_of(robot.atlas().pipeline());

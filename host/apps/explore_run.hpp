@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "host/apps/live_run.hpp"
 #include "host/apps/resumed_run.hpp"
 #include "host/apps/run_ending.hpp"
 #include "host/exports/summary_json.hpp"
@@ -17,6 +18,7 @@ namespace echomap::apps {
 /// How a robot explores, and where its run is written.
 struct ExploreRun {
   const strategies::StrategyOptions& strategy;
+  LiveRun& live;
   std::filesystem::path out;
   bool shows_progress = true;
   bool align = true;              ///< Turn the pictures to the room's main direction.

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/live_options.hpp"
 #include "host/apps/map_options.hpp"
 #include "host/apps/robot_options.hpp"
 #include "host/pipeline/preset_names.hpp"
@@ -97,8 +98,15 @@ void add_localize(CLI::App& app, CommandAction& action) {
   add_filter_options(*command, *options);
   add_connection_options(*command, options->connection);
   add_run_options(*command, options->run);
-  for (const char* of_a_robot :
-       {"--port", "--baud", "--reconnect", "--no-reset", "--lockstep", "--robot", "--stops"}) {
+  add_live_options(*command, options->live, true);
+  for (const char* of_a_robot : {"--port",
+                                 "--baud",
+                                 "--reconnect",
+                                 "--no-reset",
+                                 "--lockstep",
+                                 "--robot",
+                                 "--stops",
+                                 "--live"}) {
     command->get_option(of_a_robot)->excludes(log);
   }
   command->footer(

@@ -11,6 +11,7 @@
 
 #include "host/apps/explore_run.hpp"
 #include "host/apps/link_report.hpp"
+#include "host/apps/live_run.hpp"
 #include "host/apps/map_file.hpp"
 #include "host/apps/recorded_run.hpp"
 #include "host/apps/report.hpp"
@@ -134,6 +135,25 @@ RunEnding ending_of_drive(const session::RobotContext& context,
   return found ? with_fault(std::move(ending), advice_of(found->fault, context.profile())) : ending;
 }
 
+/// The map that the robot is looked for in, and where the filter has it.
+void show(LiveRun& live, const LocalizeOptions& options, tracking::LiveFilter& filter) {
+  if (!live.serves()) {
+    return;
+  }
+  const bool has_map = !options.map.empty();
+  auto source = std::make_unique<FilterSource>(
+      filter, has_map ? std::optional(as_grid(read_map(options.map))) : std::nullopt);
+  auto* mcl = dynamic_cast<tracking::MclFilter*>(&filter);
+  if (mcl == nullptr) {
+    live.show(std::move(source), nullptr);
+    return;
+  }
+  live.show(
+      std::move(source),
+      [mcl] { mcl->report_moved(); },
+      [mcl](const geometry::Pose2& T_map_robot) { mcl->place(T_map_robot); });
+}
+
 void drive(const session::RobotContext& context,
            const FollowedRobot& robot,
            std::size_t max_stops,
@@ -169,6 +189,9 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   session::RobotContext context(profile_for(run.robot, run.strategy), session::Seed(run.seed));
   auto made = filter_for(options, context.profile(), context.seed());
   tracking::LiveFilter& filter = *made;
+  const bool is_mcl = options.filter == "mcl";
+  LiveRun live(
+      options.live, context, {.command = kLocalizeCommand, .out = out, .can_place = is_mcl});
   context.follow(std::move(made));
   session::OpenedRobot opened = session::open_robot(options.connection, context.seed());
   opened.connection.may_be_lifted = true;
@@ -186,7 +209,9 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   facts.slam = run.slam;
   move_earlier_run_aside(out);
   begin_recording(context, kLocalizeCommand, facts, out, split_bytes(run));
+  show(live, options, filter);
   drive(context, robot, run.strategy.stops.value_or(kUsualStops), account);
+  live.show_nothing();
   context.session().disarm();
   account.describe(context.diagnosis());
   const RunEnding ending = ending_of_drive(context, robot, words_of(options));
@@ -197,6 +222,7 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   console::print(fmt::format("{} stops: {}", account.stops(), filter.line()));
   console::print("trajectory: " + (out / "trajectory.tum").string());
   print_ending(ending, "the trajectory so far");
+  live.end(ending);
   return ending.code;
 }
 

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/live_options.hpp"
 #include "host/apps/map_options.hpp"
 #include "host/flashing/flash_boards.hpp"
 #include "host/session/pipeline_setup.hpp"
@@ -88,7 +89,7 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   command.add_option("--seed", run.seed, "Seed of every random generator")->capture_default_str();
   add_out_options(command, run.out, run.force);
   command.add_option("--json", run.json, "Write a report to this file, '-' for stdout");
-  command.add_flag("--headless", run.headless, "No progress line");
+  command.add_flag("--headless", run.headless, "No progress line and no live page");
   command
       .add_option("--split",
                   run.split_mb,
@@ -136,6 +137,7 @@ void add_explore(CLI::App& app, CommandAction& action) {
                    "Resume the map of this run directory; the robot stands where that run ended")
       ->check(CLI::ExistingDirectory)
       ->excludes("--fixes");
+  add_live_options(*command, options->live, true);
   command->alias("slam");
   command->footer("Example: echomap explore --port /dev/ttyACM0 --robot uno_2wd --out kitchen");
   command->callback([&action, options] { action = [options] { return run_explore(*options); }; });
@@ -189,12 +191,19 @@ void add_demo(CLI::App& app, CommandAction& action) {
       "--no-kidnap",
       options->no_kidnap,
       "Stop after mapping; by default a robot with a sonar is then carried off and relocalizes");
+  const auto speed = std::make_shared<double>(0.0);
+  const CLI::Option* speed_is_named = add_speed_option(*command, *speed);
+  add_live_options(*command, options->live, false);
   add_run_options(*command, options->run);
   add_align_option(*command, options->run.align);
   add_slam_option(*command, options->run);
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
-  command->callback([&action, options, emulator] {
+  command->callback([&action, options, emulator, speed, speed_is_named] {
     choose_emulator(options->robot, emulator->count() > 0);
+    options->live.serves = !options->run.headless;
+    if (speed_is_named->count() > 0) {
+      options->speed = *speed;
+    }
     action = [options] { return run_demo(*options); };
   });
 }

@@ -16,6 +16,7 @@ enum class IntentKind : std::uint8_t {
   kFrontier,    ///< To look from where most unknown floor would be seen for the time.
   kKnownWalls,  ///< Back to walls that it knows, before its position gets unsure.
   kOpening,     ///< To step into an opening that no look from afar has shown.
+  kPerson,      ///< To where a person has sent it.
   kTellApart,   ///< To where a look tells apart the places where it may be.
 };
 

@@ -49,4 +49,6 @@ fs::path bundled_file(const std::string& name_or_path,
   return path;
 }
 
+fs::path bundled_folder(const fs::path& folder) { return share_folder() / folder; }
+
 }  // namespace echomap::files

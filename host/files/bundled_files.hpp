@@ -14,4 +14,7 @@ std::filesystem::path bundled_file(const std::string& name_or_path,
                                    const std::filesystem::path& folder,
                                    const std::string& kind);
 
+/// A folder of the files that come with echomap.
+std::filesystem::path bundled_folder(const std::filesystem::path& folder);
+
 }  // namespace echomap::files

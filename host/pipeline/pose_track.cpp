@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "host/localization/pose_gaussian.hpp"
 #include "host/pipeline/detached.hpp"
 
@@ -88,6 +90,17 @@ std::vector<Eigen::Vector2d> PoseTrack::positions_m() const {
 
 geometry::Pose2 PoseTrack::T_map_odom() const {
   return slam_ ? T_map_mapped_ * slam_->T_map_odom() : T_map_mapped_;
+}
+
+PoseEstimate PoseTrack::estimate() const {
+  PoseEstimate estimate{T_map_robot(), T_odom_robot_, std::nullopt};
+  if (slam_) {
+    Eigen::Matrix3d to_map = Eigen::Matrix3d::Identity();
+    to_map.topLeftCorner<2, 2>() =
+        Eigen::Rotation2Dd(T_map_mapped_.heading_rad()).toRotationMatrix();
+    estimate.covariance = to_map * slam_->method().belief().covariance * to_map.transpose();
+  }
+  return estimate;
 }
 
 void PoseTrack::describe(Snapshot& snapshot) const {

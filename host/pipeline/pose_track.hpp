@@ -42,6 +42,7 @@ class PoseTrack {
   /// From odometry to the map.
   geometry::Pose2 T_map_odom() const;
   geometry::Pose2 T_map_robot() const { return T_map_odom() * T_odom_robot_; }
+  PoseEstimate estimate() const;
   const geometry::Pose2& T_odom_robot() const { return T_odom_robot_; }
   /// From SLAM's map to the camera's.
   const geometry::Pose2& T_map_slam() const { return T_map_mapped_; }

@@ -65,6 +65,8 @@ class RobotPipeline final : public ObservationSink {
   void end_scan() override;
 
   Snapshot snapshot() const;
+  /// A small part of it, at once.
+  PoseEstimate pose_estimate() const { return track_.estimate(); }
   /// Null without SLAM.
   const slam::SlamMethod* slam() const {
     return track_.slam() != nullptr ? &track_.slam()->method() : nullptr;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
@@ -22,6 +24,16 @@ namespace echomap::pipeline {
 struct StampedPose {
   time::RobotTime stamp;
   geometry::Pose2 T_map_robot;
+};
+
+/// Where the robot is now, without its map.
+struct PoseEstimate {
+  geometry::Pose2 T_map_robot;
+  /// Where the wheels alone place the robot, from where it started.
+  geometry::Pose2 T_odom_robot;
+  /// Of x, y (m) and heading (rad) in the map frame, as SLAM had it at its last scan; empty without
+  /// SLAM.
+  std::optional<Eigen::Matrix3d> covariance;
 };
 
 /// Everything the pipeline knows at one instant. Immutable and cheap to copy: the large parts are

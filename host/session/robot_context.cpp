@@ -119,7 +119,7 @@ void RobotContext::step() {
     follower_->poll(*session_);
   }
   look_for_trouble();
-  if (on_step) {
+  for (const auto& on_step : listeners_) {
     on_step();
   }
 }

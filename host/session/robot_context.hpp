@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -84,8 +85,21 @@ class RobotContext {
   /// The clock of a simulated robot; null for one on a desk.
   transport::LockstepChannel* lockstep() { return lockstep_.get(); }
 
-  /// Called after every step of the session's time.
-  std::function<void()> on_step;
+  /// Calls a function after every step of the session's time, for as long as it exists.
+  class StepListener {
+   public:
+    /// `robot` outlives this.
+    StepListener(RobotContext& robot, std::function<void()> on_step)
+        : listeners_(robot.listeners_),
+          place_(listeners_.insert(listeners_.end(), std::move(on_step))) {}
+    ~StepListener() { listeners_.erase(place_); }
+    StepListener(const StepListener&) = delete;
+    StepListener& operator=(const StepListener&) = delete;
+
+   private:
+    std::list<std::function<void()>>& listeners_;
+    std::list<std::function<void()>>::iterator place_;
+  };
 
  private:
   void step();
@@ -106,6 +120,7 @@ class RobotContext {
   std::optional<diagnosis::SelfCheck> self_check_;  ///< Of a robot with a sonar.
   std::unique_ptr<Follower> follower_;
   std::optional<OperatorControl> person_;
+  std::list<std::function<void()>> listeners_;
   TimeScale time_scale_;
   std::unique_ptr<transport::LockstepChannel> lockstep_;
   std::optional<RobotSession> session_;

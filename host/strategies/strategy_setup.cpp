@@ -37,13 +37,6 @@ exploration::PathFollowerParams follower_params(const RobotProfile& profile) {
   return params;
 }
 
-exploration::NavigatorParams navigator_params(const RobotProfile& profile) {
-  exploration::NavigatorParams params;
-  params.costs.robot_radius_m = profile.body_radius_m;
-  params.follower = follower_params(profile);
-  return params;
-}
-
 ExplorerPtr make_nxt_farthest(const RobotProfile& profile,
                               const StrategyOptions& options,
                               std::mt19937& random) {
@@ -240,6 +233,13 @@ exploration::TangentBugParams tangent_bug_params(const RobotProfile& profile) {
   params.max_m = profile.range.max_range_m;
   params.robot_radius_m = profile.body_radius_m;
   params.beam_half_angle_rad = profile.beam_half_angle_rad;
+  return params;
+}
+
+exploration::NavigatorParams navigator_params(const RobotProfile& profile) {
+  exploration::NavigatorParams params;
+  params.costs.robot_radius_m = profile.body_radius_m;
+  params.follower = follower_params(profile);
   return params;
 }
 

@@ -13,6 +13,7 @@
 #include "host/exploration/active_localization.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/frontier.hpp"
+#include "host/exploration/navigator.hpp"
 #include "host/exploration/nxt_farthest.hpp"
 #include "host/exploration/stop_tour.hpp"
 #include "host/exploration/tangent_bug.hpp"
@@ -68,6 +69,9 @@ std::unique_ptr<exploration::Explorer> explorer_for(const session::RobotProfile&
                                                     std::mt19937& random);
 /// Throws CommandError where the robot lacks what the strategy of the options needs.
 void validate_fit(const session::RobotProfile& profile, const StrategyOptions& options);
+
+/// What leads a robot over its map has to know of it.
+exploration::NavigatorParams navigator_params(const session::RobotProfile& profile);
 
 /// What nxt-farthest has to know of a robot; without `max_stops` it makes as many as it takes.
 exploration::NxtFarthestParams nxt_farthest_params(const session::RobotProfile& profile,

@@ -28,6 +28,7 @@ class EkfFilter final : public LiveFilter {
   bool has_lost_it() override;
   /// Empty before a start.
   std::optional<localization::PoseGaussian> belief() const { return ekf_.belief(); }
+  std::optional<localization::PoseGaussian> estimate() const override { return belief(); }
   /// A camera tells everywhere.
   double telling(const geometry::Pose2& /*T_robot_goal*/) const override { return 0.0; }
   std::string line() const override;

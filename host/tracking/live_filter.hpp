@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "host/geometry/pose2.hpp"
+#include "host/localization/monte_carlo_localizer.hpp"
+#include "host/localization/pose_gaussian.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/session/follower.hpp"
 
@@ -21,6 +24,10 @@ class LiveFilter : public session::Follower {
   /// How well a scan from a goal, seen from the robot, would tell apart where it may be: 0 where
   /// all goals do the same.
   virtual double telling(const geometry::Pose2& T_robot_goal) const = 0;
+  /// Where the robot most likely is; empty where nothing says so.
+  virtual std::optional<localization::PoseGaussian> estimate() const = 0;
+  /// Places where the robot may be; null of a filter that has only one.
+  virtual const localization::PoseBelief* hypotheses() const { return nullptr; }
   /// Poses where the robot may be, `count` at most; none where the filter has only one.
   virtual std::vector<geometry::Pose2> sampled_poses(std::size_t /*count*/) const { return {}; }
   /// Where the robot is, for people.

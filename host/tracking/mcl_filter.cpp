@@ -14,6 +14,14 @@ namespace echomap::tracking {
 
 using localization::LocalizationStatus;
 
+namespace {
+
+/// Of a place that a person points at.
+constexpr double kToldStddevM = 0.2;
+constexpr double kToldStddevRad = 0.3;
+
+}  // namespace
+
 pipeline::RobotLocalizerParams localizer_params(const session::RobotProfile& profile,
                                                 localization::LocalizerPreset preset) {
   pipeline::RobotLocalizerParams params;
@@ -48,6 +56,22 @@ void MclFilter::begin(session::RobotSession& /*session*/) {
   if (start_) {
     localizer_.start_at(start_->T_map_robot, start_->stddev_m, start_->stddev_rad);
   }
+}
+
+std::optional<localization::PoseGaussian> MclFilter::estimate() const {
+  const auto& hypotheses = localizer_.belief().hypotheses;
+  return hypotheses.empty() ? std::nullopt
+                            : std::optional(localization::PoseGaussian{
+                                  hypotheses.front().T_map_robot, hypotheses.front().covariance});
+}
+
+void MclFilter::report_moved() {
+  localizer_.start_anywhere();
+  was_lifted_ = true;
+}
+
+void MclFilter::place(const geometry::Pose2& T_map_robot) {
+  localizer_.start_at(T_map_robot, kToldStddevM, kToldStddevRad);
 }
 
 bool MclFilter::has_lost_it() {

@@ -34,6 +34,11 @@ class MclFilter final : public LiveFilter {
   double telling(const geometry::Pose2& T_robot_goal) const override {
     return localizer_.telling(T_robot_goal);
   }
+  std::optional<localization::PoseGaussian> estimate() const override;
+  const localization::PoseBelief* hypotheses() const override { return &localizer_.belief(); }
+  /// Somebody says that it was moved, or where it is.
+  void report_moved();
+  void place(const geometry::Pose2& T_map_robot);
   std::vector<geometry::Pose2> sampled_poses(std::size_t count) const override {
     return localizer_.sampled_poses(count);
   }

@@ -76,7 +76,7 @@ const LayerRules rules{
     {"host/tracking", {"host/strategies"}},
     {"host/flashing", {"host/session"}},
     {"host/terminal_view", {"host/geometry", "host/mapping", "host/console"}},
-    {"host/live_page", {"host/session"}},
+    {"host/live_page", {"host/tracking"}},
     {"host/apps", {"host"}},
     {"hil_mock/world", {"host/geometry", "host/files"}},
     {"hil_mock/line_faults", {"hil_mock/world"}},

@@ -65,7 +65,7 @@ TEST_F(RobotContextTest, AFollowerSensesBeforeTheMapsAndIsPolledAtEveryStep) {
   context.follow(std::make_unique<Witness>(seen, context));
   EXPECT_TRUE(context.is_followed());
   int steps = 0;
-  context.on_step = [&] { ++steps; };
+  const RobotContext::StepListener listener(context, [&] { ++steps; });
   open_and_connect();
   stop();
   EXPECT_GT(steps, 0);
@@ -107,7 +107,7 @@ TEST_F(RobotContextTest, AMotionEndsAtOnceWherePersonTakesTheRobotAndReturnsWith
   cable.robot.on_command = [&](std::string_view name) { commands.emplace_back(name); };
   const double begin_s = now_s(context.session());
   double stopped_after_s = 0.0;
-  context.on_step = [&, steps = 0]() mutable {
+  const RobotContext::StepListener listener(context, [&, steps = 0]() mutable {
     ++steps;
     if (steps == 20) {
       queue.push(StopRobot{});
@@ -118,7 +118,7 @@ TEST_F(RobotContextTest, AMotionEndsAtOnceWherePersonTakesTheRobotAndReturnsWith
     if (steps == 200) {
       queue.push(ResumeStrategy{});
     }
-  };
+  });
   EXPECT_EQ(context.execute(exploration::Drive{5.0}), exploration::MotionResult::kTakenOver);
   EXPECT_EQ(commands, (std::vector<std::string>{"MoveTicks", "Stop"}));
   EXPECT_LT(stopped_after_s, 0.15) << "STOP comes after 0.1 s";

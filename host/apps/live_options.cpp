@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/live_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace echomap::apps {
+
+void add_live_options(CLI::App& command, LiveOptions& options, bool is_asked_for) {
+  if (is_asked_for) {
+    command.add_flag("--live", options.serves, "Show the run in a browser (docs/guides/live.md)");
+  }
+  command
+      .add_option("--listen",
+                  options.listen,
+                  "Address, or ADDRESS:PORT, of the live page. Others than this machine get in by "
+                  "the token of the printed URL")
+      ->capture_default_str();
+  command.add_flag("!--no-browser", options.opens_browser, "Print the page's URL, open nothing");
+}
+
+CLI::Option* add_speed_option(CLI::App& command, double& factor) {
+  return command
+      .add_option("--speed",
+                  factor,
+                  "Simulated time, times real time, or max; by default 8 where somebody may watch")
+      ->transform(CLI::Validator(
+          [](std::string& text) {
+            if (text == "max") {
+              text = "0";
+            }
+            return std::string();
+          },
+          "NUMBER|max"))
+      ->check(CLI::Range(0.0, 1000.0));
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/live_run.hpp"
+
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include "host/apps/served_page.hpp"
+#include "host/console/browser.hpp"
+#include "host/strategies/strategy_setup.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using live_page::RunState;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+/// The robot's motion is shown 25 times a second, and 10 times a second of its own time.
+constexpr milliseconds kMotionPeriod(40);
+constexpr double kMotionPeriodS = 0.1;
+/// All else.
+constexpr milliseconds kLookPeriod(200);
+/// Of a simulated robot that a person carries off, and the box that is put down.
+constexpr std::chrono::seconds kHeld(2);
+constexpr double kBoxSideM = 0.3;
+
+live_page::RunState::Phase phase_of(const session::RobotSession& session, bool has_ended) {
+  if (has_ended) {
+    return RunState::Phase::kEnded;
+  }
+  switch (session.link().state()) {
+    case robot_link::LinkState::kReady:
+      return RunState::Phase::kRunning;
+    case robot_link::LinkState::kLost:
+      return RunState::Phase::kLostLink;
+    default:
+      return session.odometry_stamp_us() ? RunState::Phase::kLostLink
+                                         : RunState::Phase::kConnecting;
+  }
+}
+
+session::OperatorParams operator_params(const session::RobotProfile& profile) {
+  session::OperatorParams params;
+  params.navigator = strategies::navigator_params(profile);
+  params.forward_m_per_s = profile.speed_m_per_s;
+  params.turn_rad_per_s = 2.0 * profile.speed_m_per_s / profile.geometry.track_m;
+  return params;
+}
+
+std::vector<std::string> commands_of(const LiveRunFacts& facts) {
+  std::vector<std::string> can{"stop", "drive", "explore", "moved"};
+  if (facts.can_go) {
+    can.emplace_back("go");
+  }
+  if (facts.can_place) {
+    can.emplace_back("pose");
+  }
+  if (facts.is_simulated) {
+    can.insert(can.end(), {"speed", "carry-off", "box", "cut-cable"});
+  }
+  return can;
+}
+
+}  // namespace
+
+LiveRun::LiveRun(const LiveOptions& options,
+                 session::RobotContext& robot,
+                 const LiveRunFacts& facts)
+    : robot_(robot) {
+  if (options.serves) {
+    serve(options, facts);
+    obey(facts);
+    listener_.emplace(robot_, [this] { step(); });
+  }
+}
+
+LiveRun::~LiveRun() {
+  server_.reset();
+  if (publisher_) {
+    robot_.fork().remove(*publisher_);
+  }
+}
+
+void LiveRun::serve(const LiveOptions& options, const LiveRunFacts& facts) {
+  const auto history = std::make_shared<live_page::History>();
+  live_page::RunFacts run;
+  run.name = facts.out.filename().string();
+  run.version = ECHOMAP_VERSION;
+  run.command = facts.command;
+  run.live = true;
+  run.has_truth = facts.is_simulated;
+  run.can = commands_of(facts);
+  publisher_ = std::make_shared<live_page::RunPublisher>(history, run, robot_.profile());
+  robot_.fork().add(*publisher_);
+  server_ = serve_page(options,
+                       {{run.name, facts.out, history, true}},
+                       run.can,
+                       [this](const session::OperatorCommand& command) { queue_.push(command); });
+}
+
+void LiveRun::obey(const LiveRunFacts& facts) {
+  session::OperatorHooks hooks;
+  hooks.on_moved = [this] {
+    if (moved_) {
+      moved_();
+    }
+  };
+  hooks.on_placed = [this](const geometry::Pose2& T_map_robot) {
+    if (placed_) {
+      placed_(T_map_robot);
+    }
+  };
+  hooks.on_speed = [this](double factor) { robot_.time_scale().set_factor(factor); };
+  if (facts.is_simulated) {
+    hooks.on_carry_off = [this] {
+      robot_.lockstep()->carry_off(kHeld);
+      tell({"carried-off", live_page::RunEvent::Level::kInfo, "somebody carries the robot off"});
+    };
+    hooks.on_box = [this](const Eigen::Vector2d& at_m) {
+      robot_.lockstep()->put_box(at_m.x(), at_m.y(), kBoxSideM);
+      tell({"box", live_page::RunEvent::Level::kInfo, "somebody puts a box down"});
+    };
+    hooks.on_cut_cable = [this](double for_s) {
+      robot_.lockstep()->cut_cable(std::chrono::duration_cast<std::chrono::microseconds>(
+          std::chrono::duration<double>(for_s)));
+      tell({"cable-cut", live_page::RunEvent::Level::kInfo, "somebody pulls the cable out"});
+    };
+  }
+  robot_.obey(queue_, operator_params(robot_.profile()), hooks);
+}
+
+void LiveRun::show(std::unique_ptr<LiveSource> source,
+                   std::function<void()> moved,
+                   std::function<void(const geometry::Pose2&)> placed) {
+  source_ = std::move(source);
+  moved_ = std::move(moved);
+  placed_ = std::move(placed);
+}
+
+bool LiveRun::may_be_watched() const {
+  return serves() && (console::has_desktop() || ::isatty(STDERR_FILENO) == 1);
+}
+
+double LiveRun::time_s() const { return now_s(robot_.session()); }
+
+void LiveRun::step() {
+  const WallTime now = steady_clock::now();
+  if (now >= next_motion_ || time_s() >= next_motion_s_) {
+    next_motion_ = now + kMotionPeriod;
+    next_motion_s_ = time_s() + kMotionPeriodS;
+    const auto pose = source_ ? source_->pose() : std::nullopt;
+    if (pose) {
+      publisher_->add_motion(time_s(), *pose, true_pose());
+    }
+  }
+  if (now >= next_look_) {
+    next_look_ = now + kLookPeriod;
+    look_around(now);
+  }
+}
+
+/// The map frame of a simulated robot's first map is its start pose, as that of its truth is.
+std::optional<geometry::Pose2> LiveRun::true_pose() const {
+  const auto* lockstep = robot_.lockstep();
+  if (lockstep == nullptr || !lockstep->true_pose() || has_other_map_) {
+    return std::nullopt;
+  }
+  const transport::TruePose& pose = *lockstep->true_pose();
+  return geometry::Pose2(pose.x_m, pose.y_m, pose.heading_rad);
+}
+
+void LiveRun::look_around(WallTime now) {
+  const std::uint64_t frames = robot_.session().link().statistics().frames_received;
+  const std::chrono::duration<double> passed = now - looked_at_;
+  frames_per_s_ = static_cast<double>(frames - std::exchange(frames_, frames)) / passed.count();
+  looked_at_ = now;
+  if (source_) {
+    source_->publish(time_s(), *publisher_);
+  }
+  tell_events();
+  publisher_->add_state(time_s(), state());
+}
+
+void LiveRun::tell_events() {
+  live_page::EventFacts facts;
+  facts.link = robot_.session().link().state();
+  facts.resets = robot_.session().link().statistics().resets_seen;
+  facts.is_touching = publisher_->hazards().is_touching();
+  facts.is_lifted = publisher_->hazards().is_in_the_air();
+  facts.stands = robot_.person()->reason();
+  if (source_) {
+    source_->describe(facts);
+  }
+  has_other_map_ = has_other_map_ || facts.maps_changed > 0;
+  for (const live_page::RunEvent& event : events_.look_at(facts)) {
+    tell(event);
+  }
+}
+
+RunState LiveRun::state() const {
+  RunState state;
+  state.phase = phase_of(robot_.session(), result_.has_value());
+  state.person = robot_.person()->mode();
+  state.stands = robot_.person()->reason();
+  const live_page::PageAudience audience = server_->audience();
+  state.clients = audience.clients;
+  state.driver = audience.driver;
+  state.driver_name = audience.driver_name;
+  state.speed = robot_.lockstep() != nullptr ? robot_.time_scale().factor() : 1.0;
+  state.link = link_health();
+  state.score = score_;
+  state.result = result_;
+  if (source_) {
+    source_->describe(state);
+  }
+  if (const auto goal_m = robot_.person()->goal_m()) {
+    state.intent = {
+        exploration::IntentKind::kPerson, exploration::WeighedPlace{*goal_m, 0.0, 0.0}, {}};
+  }
+  return state;
+}
+
+live_page::LinkHealth LiveRun::link_health() const {
+  const robot_link::RobotLink& link = robot_.session().link();
+  return {link.state(), link.statistics(), frames_per_s_, publisher_->battery_v()};
+}
+
+void LiveRun::tell(const live_page::RunEvent& event) {
+  if (server_) {
+    publisher_->add_event(time_s(), event);
+  }
+}
+
+void LiveRun::end(const RunEnding& ending) {
+  if (!server_) {
+    return;
+  }
+  result_ = live_page::RunResult{ending.finished(), ending.outcome, ending.why, ending.next};
+  publisher_->add_state(time_s(), state());
+  wait_while_watched(*server_);
+}
+
+}  // namespace echomap::apps

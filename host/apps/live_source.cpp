@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/live_source.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "host/exports/run_directory.hpp"
+#include "host/localization/pose_gaussian.hpp"
+
+namespace echomap::apps {
+namespace {
+
+/// Particles that are shown.
+constexpr std::size_t kShownParticles = 1000;
+
+/// A guess: the rest of the floor takes as long as what is there has taken, square metre by square
+/// metre.
+std::optional<double> left_at_this_pace_s(double elapsed_s, const exploration::Coverage& coverage) {
+  return coverage.seen_m2 > 0.0 ? std::optional(elapsed_s * coverage.unseen_m2 / coverage.seen_m2)
+                                : std::nullopt;
+}
+
+}  // namespace
+
+AtlasSource::AtlasSource(const pipeline::RobotAtlas& atlas,
+                         const session::RobotProfile& profile,
+                         const exploration::Explorer* explorer,
+                         std::function<std::optional<double>()> left_s)
+    : atlas_(atlas),
+      profile_(profile),
+      explorer_(explorer),
+      left_s_(std::move(left_s)),
+      maps_changed_(atlas.changes()) {}
+
+std::optional<pipeline::PoseEstimate> AtlasSource::pose() const {
+  return atlas_.pipeline().pose_estimate();
+}
+
+void AtlasSource::publish(double time_s, live_page::RunPublisher& publisher) {
+  if (std::exchange(maps_changed_, atlas_.changes()) != atlas_.changes()) {
+    publisher.map().begin_new_map(time_s);
+  }
+  const pipeline::Snapshot snapshot = atlas_.pipeline().snapshot();
+  publisher.map().look_at(time_s, snapshot);
+  if (std::exchange(map_changes_, publisher.map().changes()) == publisher.map().changes()) {
+    return;
+  }
+  exports::RunSummary summary;
+  exports::describe_snapshot(snapshot, summary);
+  floor_m2_ = summary.free_area_m2;
+  travelled_m_ = summary.travelled_m;
+  stops_ = summary.stops;
+  if (std::exchange(covered_stops_, snapshot.stops) != snapshot.stops) {
+    coverage_ = coverage_of(snapshot, profile_);
+    elapsed_s_ = time_s;
+  }
+}
+
+void AtlasSource::describe(live_page::RunState& state) const {
+  if (explorer_ != nullptr) {
+    state.intent = explorer_->intent();
+  }
+  state.stops = stops_;
+  state.floor_m2 = floor_m2_;
+  state.travelled_m = travelled_m_;
+  state.left_s = left_s_ ? left_s_() : std::nullopt;
+  if (coverage_) {
+    state.coverage = coverage_->share();
+    state.unseen_m2 = coverage_->unseen_m2;
+    state.left_s = state.left_s ? state.left_s : left_at_this_pace_s(elapsed_s_, *coverage_);
+  }
+}
+
+void AtlasSource::describe(live_page::EventFacts& facts) const {
+  facts.maps_changed = atlas_.changes();
+  facts.maps_joined = atlas_.joins();
+}
+
+FilterSource::FilterSource(const tracking::LiveFilter& filter,
+                           std::optional<mapping::OccupancyGrid> map)
+    : filter_(filter), map_(std::move(map)) {}
+
+std::optional<pipeline::PoseEstimate> FilterSource::pose() const {
+  const auto estimate = filter_.estimate();
+  if (!estimate) {
+    return std::nullopt;
+  }
+  return pipeline::PoseEstimate{estimate->T_map_robot, estimate->T_map_robot, estimate->covariance};
+}
+
+void FilterSource::publish(double time_s, live_page::RunPublisher& publisher) {
+  if (map_) {
+    publisher.map().look_at(time_s, *std::exchange(map_, std::nullopt));
+  }
+  std::vector<live_page::WeightedPose> particles;
+  const std::vector<geometry::Pose2> poses = filter_.sampled_poses(kShownParticles);
+  particles.reserve(poses.size());
+  for (const geometry::Pose2& T_map_robot : poses) {
+    particles.push_back({T_map_robot, 1.0 / static_cast<double>(poses.size())});
+  }
+  publisher.add_particles(time_s, particles);
+}
+
+void FilterSource::describe(live_page::RunState& state) const {
+  if (const localization::PoseBelief* belief = filter_.hypotheses()) {
+    state.belief = *belief;
+  }
+  state.stops = filter_.trajectory().size();
+}
+
+mapping::OccupancyGrid as_grid(const mapping::RasterMap& map) {
+  constexpr int kSure = 500;
+  mapping::OccupancyGrid grid;
+  const Eigen::Vector2d size_m(map.columns() * map.resolution_m(), map.rows() * map.resolution_m());
+  const geometry::CellIndex first = grid.cell_at(map.origin_m());
+  const geometry::CellIndex last = grid.cell_at(map.origin_m() + size_m);
+  for (std::int32_t y = first.y; y <= last.y; ++y) {
+    for (std::int32_t x = first.x; x <= last.x; ++x) {
+      const auto state = map.state(map.cell_at(grid.center_m({x, y})));
+      if (state != mapping::CellState::kUnknown) {
+        grid.add({x, y}, state == mapping::CellState::kOccupied ? kSure : -kSure);
+      }
+    }
+  }
+  return grid;
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "host/apps/run_ending.hpp"
+#include "host/exploration/explorer.hpp"
+#include "host/live_page/event_watch.hpp"
+#include "host/live_page/run_publisher.hpp"
+#include "host/live_page/run_state.hpp"
+#include "host/mapping/occupancy_grid.hpp"
+#include "host/mapping/raster_map.hpp"
+#include "host/pipeline/robot_atlas.hpp"
+#include "host/session/robot_profile.hpp"
+#include "host/tracking/live_filter.hpp"
+
+namespace echomap::apps {
+
+/// Where the live page has from what it shows.
+class LiveSource {
+ public:
+  virtual ~LiveSource() = default;
+  /// Where the robot is; empty where nothing says so.
+  virtual std::optional<pipeline::PoseEstimate> pose() const = 0;
+  /// Publishes what has changed of the map and of what is believed.
+  virtual void publish(double time_s, live_page::RunPublisher& publisher) = 0;
+  virtual void describe(live_page::RunState& state) const = 0;
+  virtual void describe(live_page::EventFacts& /*facts*/) const {}
+};
+
+/// The maps of a robot that explores, or that a recording is played into.
+class AtlasSource final : public LiveSource {
+ public:
+  /// `explorer` is null where none drives; all outlive this.
+  AtlasSource(const pipeline::RobotAtlas& atlas,
+              const session::RobotProfile& profile,
+              const exploration::Explorer* explorer = nullptr,
+              std::function<std::optional<double>()> left_s = nullptr);
+
+  std::optional<pipeline::PoseEstimate> pose() const override;
+  void publish(double time_s, live_page::RunPublisher& publisher) override;
+  void describe(live_page::RunState& state) const override;
+  void describe(live_page::EventFacts& facts) const override;
+
+ private:
+  const pipeline::RobotAtlas& atlas_;
+  const session::RobotProfile& profile_;
+  const exploration::Explorer* explorer_;
+  std::function<std::optional<double>()> left_s_;
+  std::size_t maps_changed_ = 0;
+  std::uint64_t map_changes_ = 0;
+  std::optional<exploration::Coverage> coverage_;  ///< Of the last stop.
+  std::size_t covered_stops_ = 0;
+  double elapsed_s_ = 0.0;  ///< At that stop.
+  double floor_m2_ = 0.0;
+  double travelled_m_ = 0.0;
+  std::size_t stops_ = 0;
+};
+
+/// What follows a robot in a map that is given.
+class FilterSource final : public LiveSource {
+ public:
+  /// The filter outlives this. `map` is where the robot is looked for; empty where there is none.
+  FilterSource(const tracking::LiveFilter& filter, std::optional<mapping::OccupancyGrid> map);
+
+  std::optional<pipeline::PoseEstimate> pose() const override;
+  void publish(double time_s, live_page::RunPublisher& publisher) override;
+  void describe(live_page::RunState& state) const override;
+
+ private:
+  const tracking::LiveFilter& filter_;
+  std::optional<mapping::OccupancyGrid> map_;  ///< Until it is published.
+};
+
+/// A map of states as a grid of the pipeline's resolution, without doubt.
+mapping::OccupancyGrid as_grid(const mapping::RasterMap& map);
+
+}  // namespace echomap::apps

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/apps/commands.hpp"
+#include "host/live_page/page_server.hpp"
+
+namespace echomap::apps {
+
+/// Serves the page where the options say, prints its URL and opens it where there is a desktop.
+/// Where the usual port is taken it takes another one; an address that others reach gets a token.
+/// Throws CommandError.
+std::unique_ptr<live_page::PageServer> serve_page(const LiveOptions& options,
+                                                  std::vector<live_page::ServedRun> runs,
+                                                  const std::vector<std::string>& can,
+                                                  live_page::PageServer::TakeCommand take_command);
+
+/// Until nobody watches any more, or until Ctrl-C. Returns at once where nobody does.
+void wait_while_watched(const live_page::PageServer& server);
+
+/// Until Ctrl-C.
+void wait_for_interrupt();
+
+}  // namespace echomap::apps

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "host/live_page/run_publisher.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "host/live_page/server_clock.hpp"
+
+namespace echomap::live_page {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kLogitsPerStep = 0.01 * mapping::kStepCentilogits;
+
+ordered_json sonar_of(const session::RobotProfile& profile) {
+  if (!profile.has_sonar) {
+    return nullptr;
+  }
+  return {{"x_m", profile.geometry.sonar_x_m},
+          {"y_m", profile.geometry.sonar_y_m},
+          {"half_angle_rad", profile.beam_half_angle_rad},
+          {"max_range_m", profile.range.max_range_m}};
+}
+
+ordered_json hello_of(const RunFacts& facts, const session::RobotProfile& profile) {
+  const mapping::OccupancyGridParams grid;
+  return {{"version", facts.version},
+          {"run", facts.id},
+          {"name", facts.name},
+          {"command", facts.command},
+          {"live", facts.live},
+          {"robot", profile.name},
+          {"radius_m", profile.body_radius_m},
+          {"resolution_m", grid.resolution_m},
+          {"step_logits", kLogitsPerStep},
+          {"free_below", grid.free_threshold},
+          {"occupied_above", grid.occupied_threshold},
+          {"sonar", sonar_of(profile)},
+          {"can", facts.can},
+          {"has_truth", facts.has_truth}};
+}
+
+PingResult result_of(const sensors::SonarObservation& ping) {
+  if (!ping.has_answered) {
+    return PingResult::kNoAnswer;
+  }
+  return ping.range_m ? PingResult::kEcho : PingResult::kSilence;
+}
+
+const char* name_of(RunEvent::Level level) {
+  switch (level) {
+    case RunEvent::Level::kWarning:
+      return "warning";
+    case RunEvent::Level::kError:
+      return "error";
+    case RunEvent::Level::kInfo:
+      break;
+  }
+  return "info";
+}
+
+}  // namespace
+
+RunPublisher::RunPublisher(std::shared_ptr<History> history,
+                           const RunFacts& facts,
+                           const session::RobotProfile& profile)
+    : history_(std::move(history)), map_(history_) {
+  history_->add(json_message(MessageKind::kHello, 0.0, hello_of(facts, profile)));
+}
+
+void RunPublisher::on(const sensors::Observation& observation) {
+  if (const auto* ping = std::get_if<sensors::SonarObservation>(&observation)) {
+    ping_ = {ping->pan_rad, ping->range_m, ping_.number + 1, result_of(*ping)};
+  } else if (const auto* battery = std::get_if<sensors::BatteryObservation>(&observation)) {
+    battery_v_ = battery->voltage_v;
+  } else if (const auto* hazards = std::get_if<sensors::HazardObservation>(&observation)) {
+    hazards_ = *hazards;
+  }
+}
+
+void RunPublisher::add_motion(double time_s,
+                              const pipeline::PoseEstimate& pose,
+                              const std::optional<geometry::Pose2>& T_map_true_robot) {
+  history_->add(motion_message(time_s,
+                               {server_clock_ms(),
+                                pose.T_map_robot,
+                                pose.covariance,
+                                pose.T_odom_robot,
+                                T_map_true_robot,
+                                ping_}));
+}
+
+void RunPublisher::add_particles(double time_s, const std::vector<WeightedPose>& particles) {
+  history_->add(particles_message(time_s, particles));
+}
+
+void RunPublisher::add_state(double time_s, const RunState& state) {
+  auto json = to_json(state);
+  if (json != state_) {
+    history_->add(json_message(MessageKind::kState, time_s, json));
+    state_ = std::move(json);
+  }
+}
+
+void RunPublisher::add_event(double time_s, const RunEvent& event) {
+  history_->add(json_message(MessageKind::kEvent,
+                             time_s,
+                             {{"code", event.code},
+                              {"level", name_of(event.level)},
+                              {"text", event.text},
+                              {"cause", event.cause},
+                              {"remedy", event.remedy}}));
+}
+
+}  // namespace echomap::live_page
