@@ -9,18 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "host/live_page/history.hpp"
+#include "host/live_page/served_run.hpp"
+#include "host/live_page/socket_protocol.hpp"
 #include "host/session/operator_command.hpp"
 
 namespace echomap::live_page {
-
-/// A run that the page shows.
-struct ServedRun {
-  std::string name;              ///< For people.
-  std::filesystem::path folder;  ///< Whose files can be downloaded; empty: none.
-  std::shared_ptr<History> history;
-  bool live = false;  ///< One run at most: it takes commands.
-};
 
 /// Where and to whom the page is served.
 struct PageServerParams {
@@ -28,15 +21,19 @@ struct PageServerParams {
   std::uint16_t port = 0;  ///< 0: any that is free.
   /// Demanded of every request where it is not empty.
   std::string token;
-  /// The three files of the page.
+  /// The files of the page: index.html, app.js, app.css, favicon.svg.
   std::filesystem::path page_folder;
+  /// The description of the REST interface.
+  std::filesystem::path openapi_file;
   /// Commands that the live run takes: names of docs/live_protocol.md.
   std::vector<std::string> can;
+  /// What /ws speaks beside echomap.v1.
+  std::vector<NamedProtocol> protocols;
 };
 
 /// Who is connected, for the run's state.
 struct PageAudience {
-  std::size_t clients = 0;
+  std::size_t clients = 0;              ///< WebSockets, of every sub-protocol.
   std::optional<std::uint64_t> driver;  ///< Number of the client that holds the driver lock.
   std::string driver_name;
 };

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
-
 namespace echomap::live_page {
 
-/// The clock that motions tell and commands that steer give back, milliseconds.
-inline double server_clock_ms() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double, std::milli>(now).count();
-}
+/// The server's clock, milliseconds: steady, the same in the whole program. Motions carry it, and
+/// commands that steer give it back.
+double server_clock_ms();
 
 }  // namespace echomap::live_page
