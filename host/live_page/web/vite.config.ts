@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+import { defineConfig } from 'vitest/config';
+
+const mock = process.env.ECHOMAP_SERVER ?? 'http://127.0.0.1:8091';
+
+export default defineConfig({
+  base: './',
+  build: {
+    outDir: '../built_page',
+    emptyOutDir: true,
+    target: 'es2022',
+    modulePreload: false,
+    assetsInlineLimit: 0,
+    cssCodeSplit: false,
+    reportCompressedSize: false,
+    rolldownOptions: {
+      output: {
+        codeSplitting: false,
+        entryFileNames: 'app.js',
+        assetFileNames: 'app[extname]',
+      },
+    },
+  },
+  server: {
+    proxy: {
+      '/api': mock,
+      '/ws': { target: mock, ws: true },
+    },
+  },
+  test: { include: ['test/**/*.test.ts'] },
+});
