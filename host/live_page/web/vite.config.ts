@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 import { defineConfig } from 'vitest/config';
+import { slimUplot } from './dev/slim_uplot';
 
 const mock = process.env.ECHOMAP_SERVER ?? 'http://127.0.0.1:8091';
 
 export default defineConfig({
   base: './',
+  plugins: [slimUplot()],
   build: {
     outDir: '../built_page',
     emptyOutDir: true,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-import 'uplot/dist/uPlot.min.css';
 import './page.css';
 import { render } from 'preact';
 import { startControls } from './drive/controls';

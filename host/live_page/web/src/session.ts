@@ -8,7 +8,7 @@ import type { Tool, ToolMarks } from './map/tools';
 import type { Ack, Command } from './protocol/commands';
 import { Connection } from './protocol/connection';
 import { decode } from './protocol/decode';
-import type { Message, Point } from './protocol/messages';
+import type { Message, Point, RunState } from './protocol/messages';
 import { fetchHistory, fetchRuns, type RunEntry } from './protocol/runs';
 import { Player } from './run/player';
 import { type Cursor, type Encoded, joinHistory, splitHistory, Timeline } from './run/timeline';
@@ -153,8 +153,7 @@ export class Session {
 
   /** From everybody, at any time, by every way there is. */
   stop(): void {
-    this.sampler.drop();
-    this.drives.value = false;
+    this.dropDriving();
     this.player.pause();
     if (this.runs.value.length > 0 && !this.liveRun) return;
     this.stopStatus.value = 'sent';
@@ -188,6 +187,7 @@ export class Session {
 
   hold(...held: Parameters<DriveSampler['hold']>): void {
     if (held[1] && !this.can.value.has('drive')) return;
+    if (held[1] && !this.player.live.value) this.toLive();
     this.sampler.hold(...held);
     this.drives.value = this.sampler.isDriving;
   }
@@ -306,12 +306,13 @@ export class Session {
       this.connection.clock.see(message.motion.clockMs);
       this.stats.addMotion();
     }
-    if (message?.kind === 'state') this.noticeMode(message.state.mode);
+    if (message?.kind === 'state') this.noticeMode(message.state);
     this.changed();
   }
 
   /** What STOP has brought about is over once the robot does something else. */
-  private noticeMode(mode: string | null): void {
+  private noticeMode({ mode, stopped }: RunState): void {
+    if (this.stopStatus.value === 'unconfirmed' && stopped?.code === 'stop') this.stopStatus.value = 'confirmed';
     if (this.stopStatus.value === 'confirmed' && mode !== 'stopped' && mode !== 'ended') {
       if (++this.movingStates > 1) this.stopStatus.value = 'idle';
     } else {
@@ -324,7 +325,15 @@ export class Session {
       this.stopStatus.value = 'idle';
       return;
     }
-    if (ack.code !== 'no-answer') this.tellRefusal(ack);
+    if (ack.code === 'no-answer') return;
+    this.tellRefusal(ack);
+    if (ack.code !== 'stale') this.dropDriving();
+  }
+
+  /** Who was refused must press anew: the robot does not start when somebody else lets go. */
+  private dropDriving(): void {
+    this.sampler.drop();
+    this.drives.value = false;
   }
 
   private tellRefusal(ack: Ack): void {
@@ -334,8 +343,7 @@ export class Session {
   }
 
   private loseConnection(): void {
-    this.sampler.drop();
-    this.drives.value = false;
+    this.dropDriving();
     this.ownClient.value = null;
     this.linkStatus.value = 'lost';
     this.changed();

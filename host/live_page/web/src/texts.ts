@@ -8,12 +8,12 @@ export const texts = {
   'app.subtitle': { en: 'live map', de: 'Karte, live' },
   'app.skip': { en: 'Skip to the map', de: 'Zur Karte springen' },
   'app.language': { en: 'Deutsch', de: 'English' },
+  'app.languageShort': { en: 'DE', de: 'EN' },
   'app.theme': { en: 'Light or dark', de: 'Hell oder dunkel' },
   'app.run': { en: 'Run', de: 'Fahrt' },
   'app.live': { en: 'live', de: 'live' },
   'app.recorded': { en: 'recorded', de: 'Aufzeichnung' },
   'app.waiting': { en: 'Waiting for the robot …', de: 'Warte auf den Roboter …' },
-  'app.noRuns': { en: 'No run is served yet.', de: 'Noch keine Fahrt vorhanden.' },
 
   'stop.label': { en: 'STOP', de: 'STOPP' },
   'stop.help': {
@@ -59,7 +59,6 @@ export const texts = {
   'why.strategy': { en: 'Follows its strategy', de: 'Folgt seiner Strategie' },
   'why.gain': { en: 'about {area} to gain', de: 'etwa {area} zu gewinnen' },
 
-  'stopped.title': { en: 'Why it stopped', de: 'Warum er hält' },
   'stopped.stop': { en: 'STOP was pressed', de: 'STOPP wurde gedrückt' },
   'stopped.stop.remedy': { en: 'Press Explore, or drive on.', de: 'Drücke Erkunden oder fahre weiter.' },
   'stopped.driver-gone': { en: 'The driver’s page was closed', de: 'Die Seite des Fahrers wurde geschlossen' },
@@ -104,6 +103,9 @@ export const texts = {
   'link.bad': { en: 'Bad checksum', de: 'Falsche Prüfsumme' },
   'link.bad.help': { en: 'Frames that arrived damaged (CRC)', de: 'Beschädigt angekommene Rahmen (CRC)' },
   'link.resets': { en: 'Robot restarts', de: 'Neustarts' },
+  'link.lostShort': { en: '{count} lost', de: '{count} verloren' },
+  'link.badShort': { en: '{count} bad', de: '{count} defekt' },
+  'link.resetsShort': { en: '{count} restarts', de: '{count} Neustarts' },
   'link.outages': { en: 'Outages', de: 'Ausfälle' },
   'link.rate': { en: 'Frames per second', de: 'Rahmen je Sekunde' },
   'link.battery': { en: 'Battery', de: 'Akku' },
@@ -146,7 +148,7 @@ export const texts = {
   'localization.localized': { en: 'knows where it is', de: 'weiß, wo er ist' },
   'localization.ambiguous': { en: 'several places are possible', de: 'mehrere Orte möglich' },
   'localization.lost': { en: 'does not know where it is', de: 'weiß nicht, wo er ist' },
-  'localization.searching': { en: 'is looking for itself', de: 'sucht sich' },
+  'localization.recovering': { en: 'not yet sure where it is', de: 'noch nicht sicher, wo er ist' },
 
   'score.free_iou': { en: 'Free floor', de: 'Freier Boden' },
   'score.free_iou.help': {
@@ -171,7 +173,6 @@ export const texts = {
   'drive.you': { en: 'You are driving', de: 'Du fährst' },
   'drive.other': { en: '{name} is driving', de: '{name} fährt' },
   'drive.nobody': { en: 'Nobody drives by hand', de: 'Niemand fährt von Hand' },
-  'drive.release': { en: 'Let go', de: 'Abgeben' },
   'drive.explore': { en: 'Explore', de: 'Erkunden' },
   'drive.explore.help': { en: 'The robot chooses its way itself', de: 'Der Roboter wählt seinen Weg selbst' },
   'drive.moved': { en: 'I moved the robot', de: 'Ich habe ihn bewegt' },
@@ -182,7 +183,6 @@ export const texts = {
   'device.tablet': { en: 'tablet', de: 'Tablet' },
   'device.laptop': { en: 'laptop', de: 'Laptop' },
 
-  'tool.title': { en: 'On the map', de: 'Auf der Karte' },
   'tool.go': { en: 'Go there', de: 'Dorthin fahren' },
   'tool.go.hint': { en: 'Tap the place it shall go to.', de: 'Tippe auf den Ort, zu dem er fahren soll.' },
   'tool.pose': { en: 'It is here', de: 'Er ist hier' },

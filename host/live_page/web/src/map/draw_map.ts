@@ -4,7 +4,7 @@ import type { View } from '../run/view';
 import type { Camera } from './camera';
 import { drawParticles } from './draw_particles';
 import { drawEllipse, drawRobot, drawSonar, drawTruth } from './draw_robot';
-import { type Context, drawArrow, drawLabel, tracePath, traceTrail } from './draw_shapes';
+import { type Context, drawArrow, drawLabel, strokeWithHalo, tracePath, traceTrail } from './draw_shapes';
 import { ellipse95 } from './ellipse';
 import type { Layers } from './layers';
 import { type Palette, palettes, type Theme } from './palette';
@@ -113,14 +113,9 @@ function drawWalls(context: Context, camera: Camera, view: View, palette: Palett
   context.strokeStyle = palette.wall;
   context.lineJoin = context.lineCap = 'round';
   if (room.outline?.length) {
-    context.lineWidth = 2;
+    context.lineWidth = 1.5;
     tracePath(context, camera, room.outline, true);
-    context.globalAlpha = 0.07;
-    context.fillStyle = palette.wall;
-    context.fill();
-    context.globalAlpha = 0.6;
     context.stroke();
-    context.globalAlpha = 1;
   }
   context.lineWidth = 3.5;
   for (const wall of room.walls ?? []) {
@@ -179,13 +174,14 @@ function drawChoices(context: Context, camera: Camera, scene: MapScene, palette:
     const [x, y] = camera.toScreen(choice.at[0], choice.at[1]);
     const radius = Math.min(40, 8 + 9 * Math.sqrt(Math.max(0, choice.gain_m2)));
     context.strokeStyle = context.fillStyle = choice.chosen ? palette.chosen : palette.choice;
+    context.lineCap = 'round';
     context.lineWidth = choice.chosen ? 3.5 : 1.5;
     context.beginPath();
     context.arc(x, y, radius, 0, 2 * Math.PI);
     context.globalAlpha = choice.chosen ? 0.3 : 0.14;
     context.fill();
     context.globalAlpha = 1;
-    context.stroke();
+    strokeWithHalo(context, palette.halo);
     drawLabel(context, `${choice.chosen ? '➜ ' : ''}${scene.formatArea(choice.gain_m2)}`, x, y + radius + 12, palette);
   }
   if (why?.goal) {
@@ -194,20 +190,18 @@ function drawChoices(context: Context, camera: Camera, scene: MapScene, palette:
     context.lineWidth = 2.5;
     if (scene.pose) {
       context.setLineDash([3, 6]);
-      context.globalAlpha = 0.8;
       context.beginPath();
       context.moveTo(...camera.toScreen(scene.pose.x, scene.pose.y));
       context.lineTo(x, y);
-      context.stroke();
+      strokeWithHalo(context, palette.halo);
       context.setLineDash([]);
-      context.globalAlpha = 1;
     }
     context.beginPath();
     context.moveTo(x - 7, y);
     context.lineTo(x + 7, y);
     context.moveTo(x, y - 7);
     context.lineTo(x, y + 7);
-    context.stroke();
+    strokeWithHalo(context, palette.halo);
   }
 }
 
@@ -222,9 +216,9 @@ function drawHypotheses(context: Context, camera: Camera, view: View, palette: P
       const major = Math.max(4, ellipse.majorM * camera.scale);
       const minor = Math.max(4, ellipse.minorM * camera.scale);
       context.ellipse(x, y, major, minor, -ellipse.angle, 0, 2 * Math.PI);
-      context.stroke();
+      strokeWithHalo(context, palette.halo);
     }
-    drawArrow(context, x, y, -hypothesis.heading, 22);
+    drawArrow(context, x, y, -hypothesis.heading, 22, palette.halo);
     drawLabel(context, `${Math.round(hypothesis.probability * 100)} %`, x, y - 20, palette);
   }
 }
@@ -251,6 +245,6 @@ function drawMarks(context: Context, camera: Camera, scene: MapScene, palette: P
     context.strokeStyle = palette.chosen;
     context.lineWidth = 4;
     const [x, y] = camera.toScreen(pose.x, pose.y);
-    drawArrow(context, x, y, -pose.heading, 44);
+    drawArrow(context, x, y, -pose.heading, 44, palette.halo);
   }
 }

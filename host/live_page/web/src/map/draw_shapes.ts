@@ -44,7 +44,25 @@ export function drawLabel(
   context.fillText(text, x, y + 0.5);
 }
 
-export function drawArrow(context: Context, x: number, y: number, screenAngle: number, length: number): void {
+/** Stands out from any background: the halo's colour shows on both sides of the line. */
+export function strokeWithHalo(context: Context, halo: string): void {
+  const { strokeStyle, lineWidth } = context;
+  context.strokeStyle = halo;
+  context.lineWidth = lineWidth + 2.5;
+  context.stroke();
+  context.strokeStyle = strokeStyle;
+  context.lineWidth = lineWidth;
+  context.stroke();
+}
+
+export function drawArrow(
+  context: Context,
+  x: number,
+  y: number,
+  screenAngle: number,
+  length: number,
+  halo: string,
+): void {
   const tipX = x + Math.cos(screenAngle) * length;
   const tipY = y + Math.sin(screenAngle) * length;
   context.beginPath();
@@ -55,5 +73,5 @@ export function drawArrow(context: Context, x: number, y: number, screenAngle: n
     const barb = screenAngle + Math.PI + side * 0.5;
     context.lineTo(tipX + Math.cos(barb) * 9, tipY + Math.sin(barb) * 9);
   }
-  context.stroke();
+  strokeWithHalo(context, halo);
 }

@@ -13,6 +13,8 @@ export interface Palette {
   grid: string;
   ink: string;
   paper: string;
+  /** Around lines that must stand out from floor and hatching alike. */
+  halo: string;
   estimate: string;
   odometry: string;
   truth: string;
@@ -40,6 +42,7 @@ export const palettes: Record<Theme, Palette> = {
     grid: 'rgba(40, 60, 90, 0.16)',
     ink: '#16202c',
     paper: 'rgba(255, 255, 255, 0.88)',
+    halo: '#ffffff',
     estimate: '#0072b2',
     odometry: '#6b7480',
     truth: '#a8487f',
@@ -64,18 +67,19 @@ export const palettes: Record<Theme, Palette> = {
     grid: 'rgba(16, 24, 36, 0.18)',
     ink: '#eef2f7',
     paper: 'rgba(18, 23, 30, 0.86)',
+    halo: '#10161d',
     estimate: '#00568a',
     odometry: '#4a525d',
     truth: '#8c2f66',
     robot: '#c24e00',
     robotEdge: '#ffffff',
-    wall: '#007a58',
+    wall: '#1fb98d',
     sonar: '#8a5d00',
-    silence: '#1c628f',
+    silence: '#1a5a85',
     noAnswer: '#b23c00',
-    choice: '#00568a',
-    chosen: '#c24e00',
-    hypothesis: '#8c2f66',
+    choice: '#8ecff5',
+    chosen: '#ffab3d',
+    hypothesis: '#f0a9d4',
     measure: '#0b0f14',
     particles: ['#7fb3d3', '#5a9dc6', '#3a86b5', '#1f6f9f', '#005a8c', '#003f66'],
   },

@@ -20,14 +20,15 @@ export function tileColours(scale: OccupancyScale, palette: Palette): Uint32Arra
   for (let cell = 0; cell < 256; ++cell) {
     if (cell === noEvidence) continue;
     const probability = occupancyProbability(cell, scale.step_logits);
-    const colour =
-      probability < scale.free_below
-        ? palette.free
-        : probability > scale.occupied_above
-          ? palette.occupied
-          : palette.undecided;
-    rgba.set(colour, cell * 4);
+    rgba.set(colourOf(probability, scale, palette), cell * 4);
     rgba[cell * 4 + 3] = 255;
   }
   return new Uint32Array(rgba.buffer);
+}
+
+function colourOf(probability: number, scale: OccupancyScale, palette: Palette): readonly number[] {
+  if (probability < scale.free_below) return palette.free;
+  if (probability > scale.occupied_above) return palette.occupied;
+  const share = Math.min(1, (probability - scale.free_below) / (0.5 - scale.free_below));
+  return palette.free.map((free, channel) => free + (palette.undecided[channel]! - free) * share);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { useSignal } from '@preact/signals';
 import type { JSX } from 'preact';
 import { number } from '../format';
 import { text } from '../language';
@@ -11,7 +12,8 @@ const cutForS = 4;
 /** What one can do to a simulated robot. */
 export function DemoPanel({ session }: { session: Session }): JSX.Element | null {
   const can = session.can.value;
-  const speed = session.shown.value.view.state?.speed ?? 1;
+  const dragged = useSignal<number | null>(null);
+  const speed = dragged.value ?? session.shown.value.view.state?.speed ?? 1;
   if (!can.has('speed') && !can.has('carry-off') && !can.has('cut-cable')) return null;
   return (
     <section>
@@ -27,7 +29,11 @@ export function DemoPanel({ session }: { session: Session }): JSX.Element | null
             min={1}
             max={maxFactor}
             value={speed === asFastAsItCan ? maxFactor : speed}
-            onChange={(event) => void session.command({ do: 'speed', factor: Number(event.currentTarget.value) })}
+            onInput={(event) => (dragged.value = Number(event.currentTarget.value))}
+            onChange={(event) => {
+              dragged.value = null;
+              void session.command({ do: 'speed', factor: Number(event.currentTarget.value) });
+            }}
           />
           <button
             type="button"

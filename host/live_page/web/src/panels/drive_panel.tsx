@@ -10,7 +10,8 @@ import { DemoPanel } from './demo_panel';
 
 function driverWords(session: Session): string {
   const driver = session.shown.value.view.state?.driver;
-  if (session.drives.value || (driver && driver.client === session.ownClient.value)) return text('drive.you');
+  const isOwn = driver ? driver.client === session.ownClient.value : session.drives.value;
+  if (isOwn) return text('drive.you');
   return driver ? text('drive.other', { name: driver.name }) : text('drive.nobody');
 }
 
@@ -61,7 +62,7 @@ export function DrivePanel({ session }: { session: Session }): JSX.Element {
             <input
               type="text"
               maxLength={24}
-              value={deviceName.value}
+              defaultValue={deviceName.value}
               onChange={(event) => {
                 setDeviceName(event.currentTarget.value);
                 void session.sendName();

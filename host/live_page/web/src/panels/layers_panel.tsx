@@ -49,6 +49,15 @@ export function LayersPanel({ session }: { session: Session }): JSX.Element {
           </button>
         ))}
       </div>
+      <div class="actions">
+        <button
+          type="button"
+          aria-pressed={session.tool.value === 'measure'}
+          onClick={() => session.chooseTool('measure')}
+        >
+          {text('tool.measure')}
+        </button>
+      </div>
       <ul class="legend">
         {swatch(palette.free, text('legend.free'))}
         {swatch(palette.undecided, text('legend.undecided'))}

@@ -4,6 +4,7 @@ import { area, degrees, duration, metres, milliseconds, number, percent, shortDi
 import { codeText, text } from '../language';
 import { ellipse95 } from '../map/ellipse';
 import type { Motion, Score } from '../protocol/messages';
+import { wrapAngle } from '../run/view';
 import type { Session } from '../session';
 import { type Fact, Facts } from './facts';
 import { modeWords, whyWords } from '../shell/mission_strip';
@@ -28,7 +29,7 @@ export function StatusPanel({ session }: { session: Session }): JSX.Element {
   const score = state?.score;
   const position: Fact[] = [
     { name: text('status.position'), value: positionWords(motion), help: text('status.sure.help') },
-    { name: text('status.heading'), value: degrees(motion?.pose.heading) },
+    { name: text('status.heading'), value: degrees(motion && wrapAngle(motion.pose.heading)) },
   ];
   if (localization?.status) {
     const { status } = localization;

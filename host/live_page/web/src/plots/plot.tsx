@@ -19,6 +19,8 @@ export interface PlotProps {
   xLabel: string;
   x: number[];
   curves: Curve[];
+  /** Changes with the values. */
+  version: unknown;
   /** What somebody who does not see the curve is told. */
   summary: string;
 }
@@ -90,7 +92,7 @@ export function Plot(props: PlotProps): JSX.Element {
       plot.current = null;
     };
   }, [shownTheme, labels]);
-  useEffect(() => plot.current?.setData(data));
+  useEffect(() => plot.current?.setData(data), [props.version]);
   const isEmpty = props.x.length === 0;
   return (
     <section>

@@ -29,6 +29,7 @@ export function PlotsPanel({ session }: { session: Session }): JSX.Element {
         help={text('plot.sweep.help')}
         xLabel={`${text('plot.bearing')} (°)`}
         x={bearings}
+        version={room}
         curves={[{ label: text('plot.range'), unit: 'm', values: ranges, dots: true }]}
         summary={`${ranges.filter((range) => range !== null).length} / ${ranges.length}`}
       />
@@ -37,6 +38,7 @@ export function PlotsPanel({ session }: { session: Session }): JSX.Element {
         help={text('plot.odometry.help')}
         xLabel={time}
         x={series.time}
+        version={series.time.length}
         curves={[
           { label: text('plot.distance'), unit: 'm', values: series.distanceM },
           { label: text('plot.heading'), unit: '°', values: series.headingRad.map((angle) => angle * degreesPerRadian) },
@@ -47,6 +49,7 @@ export function PlotsPanel({ session }: { session: Session }): JSX.Element {
         title={text('plot.roundTrip')}
         xLabel={time}
         x={series.time}
+        version={series.time.length}
         curves={[{ label: text('link.roundTrip'), unit: 'ms', values: series.roundTripMs }]}
         summary={milliseconds(series.roundTripMs.at(-1))}
       />

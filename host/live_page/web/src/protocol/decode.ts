@@ -102,7 +102,8 @@ function decodeFloats(body: Uint8Array, perItem: number): Float32Array | null {
   if (body.length < 8) return null;
   const count = viewOf(body).getUint32(0, littleEndian) * perItem;
   if (body.length - 8 < count * 4) return null;
-  return new Float32Array(body.slice(8, 8 + count * 4).buffer);
+  const start = body.byteOffset + 8;
+  return new Float32Array(body.buffer.slice(start, start + count * 4));
 }
 
 function decodeMotion(view: DataView): Motion {

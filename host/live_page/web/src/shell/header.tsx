@@ -38,10 +38,12 @@ export function Header({ session }: { session: Session }): JSX.Element {
         <button
           type="button"
           class="quiet"
+          title={text('app.language')}
           lang={language.value === 'en' ? 'de' : 'en'}
           onClick={() => setLanguage(language.value === 'en' ? 'de' : 'en')}
         >
-          {text('app.language')}
+          <span class="visually-hidden">{text('app.language')}</span>
+          <span aria-hidden="true">{text('app.languageShort')}</span>
         </button>
         <button type="button" class="quiet square" title={text('app.theme')} aria-label={text('app.theme')} onClick={toggleTheme}>
           <Icon name="theme" />

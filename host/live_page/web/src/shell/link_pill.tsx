@@ -35,11 +35,14 @@ export function LinkPill({ session }: { session: Session }): JSX.Element {
       <Icon name={health} />
       <span>{text(`link.${health}`)}</span>
       {link && <span class="pill-number">{milliseconds(link.round_trip_ms)}</span>}
-      {link && link.battery_v !== null && <span class="pill-number pill-wide">{volts(link.battery_v)}</span>}
-      {link && Boolean(link.frames_lost || link.frames_bad) && (
-        <span class="pill-number pill-wide">
-          {number((link.frames_lost ?? 0) + (link.frames_bad ?? 0))} ✕
-        </span>
+      {link && (
+        <>
+          <span class="pill-number pill-wide">{number(link.frames_per_s)}/s</span>
+          <span class="pill-number pill-wide">{text('link.lostShort', { count: number(link.frames_lost) })}</span>
+          <span class="pill-number pill-wide">{text('link.badShort', { count: number(link.frames_bad) })}</span>
+          <span class="pill-number pill-wide">{text('link.resetsShort', { count: number(link.resets) })}</span>
+          {link.battery_v !== null && <span class="pill-number">{volts(link.battery_v)}</span>}
+        </>
       )}
     </div>
   );

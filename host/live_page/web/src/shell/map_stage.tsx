@@ -4,6 +4,7 @@ import type { JSX } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { text } from '../language';
 import { MapView } from '../map/map_view';
+import { positionWords } from '../panels/status_panel';
 import type { Session } from '../session';
 import { theme } from '../theme';
 import { Banners } from './banners';
@@ -21,7 +22,7 @@ export function MapStage({ session }: { session: Session }): JSX.Element {
   const tool = session.tool.value;
   const follows = session.follows.value;
   const button = (icon: IconName, label: string, act: () => void, pressed?: boolean): JSX.Element => (
-    <button type="button" class="map-button" title={label} aria-label={label} aria-pressed={pressed} onClick={act}>
+    <button type="button" class={`map-button map-button-${icon}`} title={label} aria-label={label} aria-pressed={pressed} onClick={act}>
       <Icon name={icon} />
     </button>
   );
@@ -36,6 +37,9 @@ export function MapStage({ session }: { session: Session }): JSX.Element {
         tabIndex={0}
       />
       <Banners session={session} />
+      <div class="position" title={text('status.sure.help')}>
+        {positionWords(session.shown.value.view.motion)}
+      </div>
       <div class="scale" style={{ width: `${scale.value.pixels}px` }} title={text('map.scale')}>
         {scale.value.length}
       </div>
@@ -48,7 +52,6 @@ export function MapStage({ session }: { session: Session }): JSX.Element {
         </div>
       )}
       <div class="map-buttons">
-        {button('measure', text('tool.measure'), () => session.chooseTool('measure'), tool === 'measure')}
         {button(
           'follow',
           text('map.follow'),

@@ -4,6 +4,7 @@ import { area, duration, percent } from '../format';
 import { codeText, text } from '../language';
 import type { RunState } from '../protocol/messages';
 import type { Session } from '../session';
+import { Icon } from './icons';
 
 export function modeWords(state: RunState | null): string {
   return state?.mode ? codeText('mode', state.mode, state.mode) : text('app.waiting');
@@ -33,7 +34,8 @@ export function MissionStrip({ session }: { session: Session }): JSX.Element {
       )}
       {state && state.left_s !== null && (
         <span class="left" title={text('status.left')}>
-          ⏱ {duration(state.left_s)}
+          <Icon name="clock" />
+          {duration(state.left_s)}
         </span>
       )}
     </div>
