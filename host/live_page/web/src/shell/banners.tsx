@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+import { useSignal } from '@preact/signals';
+import type { ComponentChildren, JSX } from 'preact';
+import { duration } from '../format';
+import { codeText, text } from '../language';
+import type { Session } from '../session';
+import { type IconName, Icon } from './icons';
+
+function Banner(props: { kind: string; icon: IconName; children: ComponentChildren }): JSX.Element {
+  return (
+    <div class={`banner banner-${props.kind}`}>
+      <Icon name={props.icon} />
+      <div>{props.children}</div>
+    </div>
+  );
+}
+
+/** What somebody has to know now, above the map. */
+export function Banners({ session }: { session: Session }): JSX.Element {
+  const { state } = session.shown.value.view;
+  const isNow = session.player.live.value && session.isLiveRun.value;
+  const stopped = state?.stopped;
+  return (
+    <div class="banners">
+      {session.linkStatus.value === 'lost' && (
+        <Banner kind="error" icon="down">
+          <strong>{text('connection.lost')}</strong> {text('connection.lostMeaning')}
+        </Banner>
+      )}
+      {session.stopStatus.value === 'unconfirmed' && (
+        <Banner kind="error" icon="weak">
+          <strong>{text('stop.unconfirmedLong')}</strong>
+        </Banner>
+      )}
+      {session.notice.value && (
+        <Banner kind={session.notice.value.isError ? 'warning' : 'info'} icon="info">
+          {session.notice.value.words}
+        </Banner>
+      )}
+      {session.isLiveRun.value && !isNow && (
+        <Banner kind="info" icon="info">
+          {text('timeline.past', { time: duration(session.player.time.value) })}{' '}
+          <button type="button" class="small" onClick={() => session.toLive()}>
+            {text('timeline.toLive')}
+          </button>
+        </Banner>
+      )}
+      {stopped && (
+        <Banner kind="warning" icon="weak">
+          <strong>{codeText('stopped', stopped.code, stopped.text)}.</strong>{' '}
+          {codeText('stopped', `${stopped.code}.remedy`, '')}
+        </Banner>
+      )}
+      <ResultBanner session={session} />
+    </div>
+  );
+}
+
+function ResultBanner({ session }: { session: Session }): JSX.Element | null {
+  const closed = useSignal(false);
+  const copied = useSignal(false);
+  const result = session.shown.value.view.state?.result;
+  if (!result || closed.value) return null;
+  const { next } = result;
+  return (
+    <Banner kind={result.finished ? 'good' : 'warning'} icon={result.finished ? 'good' : 'weak'}>
+      <strong>{text(result.finished ? 'result.finished' : 'result.unfinished')}.</strong> {result.why}
+      {next && (
+        <div class="next">
+          {text('result.next')}: <code>{next}</code>{' '}
+          <button
+            type="button"
+            class="small"
+            onClick={() => {
+              void navigator.clipboard?.writeText(next).then(() => (copied.value = true));
+            }}
+          >
+            {text(copied.value ? 'result.copied' : 'result.copy')}
+          </button>
+        </div>
+      )}
+      <button type="button" class="small" onClick={() => (closed.value = true)}>
+        {text('result.close')}
+      </button>
+    </Banner>
+  );
+}
+
+/** The same for those who do not see it. */
+export function LiveRegion({ session }: { session: Session }): JSX.Element {
+  const { state } = session.shown.value.view;
+  const status = session.stopStatus.value;
+  return (
+    <>
+      <div class="visually-hidden" role="status">
+        {state?.mode ? codeText('mode', state.mode, state.mode) : ''} {session.notice.value?.words}
+      </div>
+      <div class="visually-hidden" role="alert">
+        {status === 'confirmed' ? text('stop.confirmedLong') : ''}
+        {status === 'unconfirmed' ? text('stop.unconfirmedLong') : ''}
+        {session.linkStatus.value === 'lost' ? text('connection.lost') : ''}
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+import { useSignal } from '@preact/signals';
+import type { JSX } from 'preact';
+import { text } from '../language';
+import { DrivePanel } from '../panels/drive_panel';
+import { LayersPanel } from '../panels/layers_panel';
+import { LogPanel } from '../panels/log_panel';
+import { StatusPanel } from '../panels/status_panel';
+import { PlotsPanel } from '../plots/plots_panel';
+import type { Session } from '../session';
+import { Icon } from './icons';
+
+const panels = {
+  drive: DrivePanel,
+  status: StatusPanel,
+  layers: LayersPanel,
+  plots: PlotsPanel,
+  log: LogPanel,
+};
+type PanelName = keyof typeof panels;
+const names = Object.keys(panels) as PanelName[];
+
+/** Beside the map, or below it on a phone, where a second tap on its tab closes it. */
+export function SidePanel({ session }: { session: Session }): JSX.Element {
+  const chosen = useSignal<PanelName>('drive');
+  const closed = useSignal(false);
+  const Panel = panels[chosen.value];
+  const choose = (name: PanelName): void => {
+    closed.value = name === chosen.value && !closed.value;
+    chosen.value = name;
+  };
+  return (
+    <aside class={closed.value ? 'side side-closed' : 'side'} aria-label={text('tab.all')}>
+      <div
+        class="tabs"
+        role="tablist"
+        aria-label={text('tab.all')}
+        onKeyDown={(event) => {
+          const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+          if (step === undefined) return;
+          event.preventDefault();
+          const next = names[(names.indexOf(chosen.value) + step + names.length) % names.length]!;
+          chosen.value = next;
+          document.getElementById(`tab-${next}`)?.focus();
+        }}
+      >
+        {names.map((name) => (
+          <button
+            key={name}
+            type="button"
+            role="tab"
+            id={`tab-${name}`}
+            aria-selected={name === chosen.value}
+            aria-controls="panel"
+            tabIndex={name === chosen.value ? 0 : -1}
+            onClick={() => choose(name)}
+          >
+            <Icon name={name} />
+            <span>{text(`tab.${name}`)}</span>
+          </button>
+        ))}
+      </div>
+      <div id="panel" class="panel" role="tabpanel" aria-labelledby={`tab-${chosen.value}`} tabIndex={0}>
+        <Panel session={session} />
+      </div>
+    </aside>
+  );
+}
