@@ -42,7 +42,8 @@ NextCommands next_commands(const ExploreOptions& options, const std::string& out
 ExitCode run_explore(const ExploreOptions& options) {
   const RunOptions& run = options.run;
   session::RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
-  ExploreRun explore{run.strategy, run_folder(run.out), !run.headless, run.align, split_bytes(run)};
+  ExploreRun explore{
+      run.strategy, run_folder(run.out), progress_display(run), run.align, split_bytes(run)};
   explore.next = next_commands(options, explore.out.string());
   exports::RunSummary summary;
   begin_maps(robot, options.fixes, run.slam);

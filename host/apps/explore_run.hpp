@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "host/apps/explore_progress.hpp"
 #include "host/apps/resumed_run.hpp"
 #include "host/apps/run_ending.hpp"
 #include "host/exports/summary_json.hpp"
@@ -18,7 +19,7 @@ namespace echomap::apps {
 struct ExploreRun {
   const strategies::StrategyOptions& strategy;
   std::filesystem::path out;
-  bool shows_progress = true;
+  ProgressDisplay display = ProgressDisplay::kLine;
   bool align = true;              ///< Turn the pictures to the room's main direction.
   std::uint64_t split_bytes = 0;  ///< At which the recording goes on in another file; 0: never.
   NextCommands next{};
