@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
 
+#include "host/apps/live_options.hpp"
 #include "host/apps/localize_options.hpp"
 #include "host/apps/map_options.hpp"
 #include "host/apps/robot_options.hpp"
@@ -113,6 +114,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_eval(app, action);
   add_replay(app, action);
   add_export(app, action);
+  add_serve(app, action);
   add_localize(app, action);
   add_diff(app, action);
   add_characterise(app, action);

@@ -31,7 +31,8 @@ struct RunOptions {
   std::filesystem::path json;  ///< Empty: none; "-": stdout.
   bool force = false;          ///< Overwrite a run that `out` has in it.
   bool headless = false;
-  bool align = true;  ///< Turn the pictures to the room's main direction.
+  std::string view = "line";  ///< What is shown while it runs: or "map" or "none".
+  bool align = true;          ///< Turn the pictures to the room's main direction.
   /// Megabytes at which the recording goes on in another file; 0: never.
   std::uint64_t split_mb = 0;
 };

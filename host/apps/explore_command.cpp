@@ -45,7 +45,7 @@ ExitCode run_explore(const ExploreOptions& options) {
   session::RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
   const auto out = run_folder(run.out);
   LiveRun live(options.live, robot, {.command = "explore", .out = out, .can_go = true});
-  ExploreRun explore{run.strategy, live, out, !run.headless, run.align, split_bytes(run)};
+  ExploreRun explore{run.strategy, live, out, progress_display(run), run.align, split_bytes(run)};
   explore.next = next_commands(options, out.string());
   exports::RunSummary summary;
   begin_maps(robot, options.fixes, run.slam);

@@ -2,20 +2,17 @@
 #include "host/apps/explore_progress.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 namespace echomap::apps {
+
+using terminal_view::minutes_text;
+
 namespace {
 
 constexpr double kLinePeriodS = 30.0;
-
-/// Minutes and seconds, "1:05".
-std::string minutes_of(double duration_s) {
-  const auto seconds = std::lround(duration_s);
-  return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
-}
 
 }  // namespace
 
@@ -38,26 +35,50 @@ std::string line_of(const ExploreProgress& progress) {
                                  progress.stops == 1 ? "" : "s",
                                  progress.floor_m2,
                                  progress.travelled_m,
-                                 minutes_of(progress.elapsed_s));
+                                 minutes_text(progress.elapsed_s));
   if (const auto left_s = longest_left_s(progress)) {
-    line += fmt::format(", {} left at most", minutes_of(*left_s));
+    line += fmt::format(", {} left at most", minutes_text(*left_s));
   }
   return line;
 }
 
-ProgressReporter::ProgressReporter(std::FILE* out, bool enabled)
-    : out_(out), enabled_(enabled), bar_(out, enabled), next_line_s_(kLinePeriodS) {}
-
-void ProgressReporter::report(double elapsed_s, const MakeLine& make_line) {
-  if (bar_.is_active()) {
-    if (bar_.is_due()) {
-      bar_.show(make_line());
-    }
-  } else if (enabled_ && elapsed_s >= next_line_s_) {
-    next_line_s_ = elapsed_s + kLinePeriodS;
-    fmt::print(out_, "{}\n", make_line());
-    std::fflush(out_);
+ProgressDisplay progress_display(const RunOptions& run) {
+  if (run.headless || run.view == "none" || !spdlog::should_log(spdlog::level::info)) {
+    return ProgressDisplay::kNone;
   }
+  return run.view == "map" ? ProgressDisplay::kMap : ProgressDisplay::kLine;
+}
+
+ProgressReporter::ProgressReporter(std::FILE* out, ProgressDisplay display)
+    : out_(out),
+      display_(display),
+      bar_(out, display == ProgressDisplay::kLine),
+      screen_(out, display == ProgressDisplay::kMap),
+      next_line_s_(kLinePeriodS) {}
+
+void ProgressReporter::report(ProgressSource& source) {
+  if (screen_.is_active()) {
+    if (screen_.is_due()) {
+      screen_.show(lines_of(source.view(), screen_.room(), screen_.glyphs()));
+    }
+  } else if (bar_.is_active()) {
+    if (bar_.is_due()) {
+      bar_.show(source.line());
+    }
+  } else if (display_ != ProgressDisplay::kNone && source.elapsed_s() >= next_line_s_) {
+    next_line_s_ = source.elapsed_s() + kLinePeriodS;
+    if (const std::string line = source.line(); !line.empty()) {
+      fmt::print(out_, "{}\n", line);
+      std::fflush(out_);
+    }
+  }
+}
+
+void ProgressReporter::finish(ProgressSource& source) {
+  if (screen_.is_active()) {
+    screen_.finish(lines_of(source.view(), screen_.room(), screen_.glyphs()));
+  }
+  bar_.clear();
 }
 
 }  // namespace echomap::apps

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "host/apps/commands.hpp"
 #include "host/console/progress_bar.hpp"
+#include "host/terminal_view/run_view.hpp"
+#include "host/terminal_view/terminal_screen.hpp"
 
 namespace echomap::apps {
 
@@ -31,23 +34,39 @@ std::optional<double> longest_left_s(const ExploreProgress& progress);
 /// "4 stops, 5.3 m2 of floor, 6.1 m driven in 1:34, 6:16 left at most".
 std::string line_of(const ExploreProgress& progress);
 
-/// Reports how an exploration gets on: on a terminal a line that is drawn again in place,
-/// elsewhere a line for every half minute of the robot's time.
+/// What is shown of a run while it goes on.
+enum class ProgressDisplay : std::uint8_t { kNone, kLine, kMap };
+
+/// What `--view` and `--headless` ask for; nothing where the log has errors only.
+ProgressDisplay progress_display(const RunOptions& run);
+
+/// What there is to show of a run now.
+class ProgressSource {
+ public:
+  virtual ~ProgressSource() = default;
+  /// Empty for none.
+  virtual std::string line() = 0;
+  virtual terminal_view::RunView view() = 0;
+  /// Robot's time since the run began.
+  virtual double elapsed_s() const = 0;
+};
+
+/// Shows how a run gets on: on a terminal a line or a map that is drawn again in place, elsewhere a
+/// line for every half minute of the robot's time.
 class ProgressReporter {
  public:
-  using MakeLine = std::function<std::string()>;
+  ProgressReporter(std::FILE* out, ProgressDisplay display);
 
-  explicit ProgressReporter(std::FILE* out, bool enabled);
-
-  /// `make_line` is called where a line is due.
-  void report(double elapsed_s, const MakeLine& make_line);
-  /// Wipes the line of a terminal, for other output.
-  void clear() { bar_.clear(); }
+  /// `source` is asked where something is due.
+  void report(ProgressSource& source);
+  /// Wipes the line of a terminal, for other output; leaves the map there as it is at last.
+  void finish(ProgressSource& source);
 
  private:
   std::FILE* out_;
-  bool enabled_;
+  ProgressDisplay display_;
   console::ProgressBar bar_;
+  terminal_view::TerminalScreen screen_;
   double next_line_s_;
 };
 

@@ -9,9 +9,10 @@
 
 #include <spdlog/spdlog.h>
 
-#include "host/apps/explore_progress.hpp"
+#include "host/apps/explore_view.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_writer.hpp"
+#include "host/apps/session_progress.hpp"
 #include "host/console/print.hpp"
 #include "host/exploration/atlas_explorer.hpp"
 #include "host/exports/run_directory.hpp"
@@ -29,48 +30,6 @@ using session::RobotContext;
 using session::RobotProfile;
 using session::RobotSession;
 using strategies::StrategyOptions;
-
-/// Of all maps.
-std::size_t stops_in(const pipeline::RobotAtlas& atlas) {
-  std::size_t stops = atlas.pipeline().snapshot().stops;
-  for (const pipeline::PreviousMap& previous : atlas.previous_maps()) {
-    stops += previous.pipeline.snapshot().stops;
-  }
-  return stops;
-}
-
-/// How many stops the robot has made, and how many it had when this run began.
-struct StopCount {
-  std::size_t made = 0;
-  std::size_t before = 0;
-};
-
-ExploreProgress progress_of(const RobotContext& robot,
-                            const ExploreRun& run,
-                            const StopCount& stops) {
-  exports::RunSummary summary;
-  exports::describe_snapshot(robot.atlas().pipeline().snapshot(), summary);
-  const double before_s = sim_seconds_of(run.resumed);
-  ExploreProgress progress;
-  progress.stops = summary.stops;
-  progress.stops_elsewhere = stops.made - std::min(stops.made, summary.stops);
-  progress.floor_m2 = summary.free_area_m2;
-  progress.travelled_m = summary.travelled_m;
-  progress.elapsed_s = before_s + now_s(robot.session());
-  switch (strategies::limit_of(run.strategy)) {
-    case strategies::StrategyLimit::kStops:
-      if (run.strategy.stops) {
-        progress.max_stops = stops.before + *run.strategy.stops * run.strategy.scans;
-      }
-      break;
-    case strategies::StrategyLimit::kSeconds:
-      progress.max_s = before_s + run.strategy.seconds;
-      break;
-    case strategies::StrategyLimit::kNone:
-      break;
-  }
-  return progress;
-}
 
 /// Reports what becomes of the maps of a robot that is lost.
 class AtlasReporter {
@@ -270,35 +229,19 @@ void open_port(RobotContext& robot,
 RunEnding explore_and_save(RobotContext& robot,
                            const ExploreRun& run,
                            exports::RunSummary& summary) {
-  RobotSession& session = robot.session();
   describe_run(robot, run, summary);
   std::mt19937 random = robot.seed().generator(session::SeedPurpose::kStrategy);
   const auto explorer = explorer_of(robot, run.strategy, random);
   RunWriter writer(robot, *explorer, run, summary);
-  ProgressReporter progress(stderr, run.shows_progress && spdlog::should_log(spdlog::level::info));
-  const std::size_t stops_before = stops_in(robot.atlas());
-  const auto made = [&] {
-    return progress_of(robot, run, {stops_before + explorer->stops_made(), stops_before});
-  };
-  const auto line = [&] { return line_of(made()); };
+  ExploreView view(robot, run, *explorer);
   if (run.live.serves()) {
-    run.live.show(std::make_unique<AtlasSource>(robot.atlas(),
-                                                robot.profile(),
-                                                explorer.get(),
-                                                [made] { return longest_left_s(made()); }),
+    run.live.show(std::make_unique<AtlasSource>(
+                      robot.atlas(), &view, [&view] { return view.live_progress(); }),
                   [&explorer] { explorer->report_moved(); });
   }
-  std::optional<FinishReason> reason;
-  {
-    const RobotContext::StepListener listener(robot, [&, steps = 0]() mutable {
-      constexpr int kStepsPerDrawing = 64;
-      if (++steps % kStepsPerDrawing == 0) {
-        progress.report(sim_seconds_of(run.resumed) + now_s(session), line);
-      }
-    });
-    reason = connect_and_drive(robot, *explorer, writer);
-  }
-  progress.clear();
+  SessionProgress progress(robot, view, run.display);
+  const auto reason = connect_and_drive(robot, view, writer);
+  progress.finish();
   run.live.show_nothing();
   warn_of_previous_maps(robot.atlas());
   const auto coverage = coverage_of(robot.atlas().pipeline().snapshot(), robot.profile());

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "host/apps/explore_progress.hpp"
 #include "host/apps/live_run.hpp"
 #include "host/apps/resumed_run.hpp"
 #include "host/apps/run_ending.hpp"
@@ -20,7 +21,7 @@ struct ExploreRun {
   const strategies::StrategyOptions& strategy;
   LiveRun& live;
   std::filesystem::path out;
-  bool shows_progress = true;
+  ProgressDisplay display = ProgressDisplay::kLine;
   bool align = true;              ///< Turn the pictures to the room's main direction.
   std::uint64_t split_bytes = 0;  ///< At which the recording goes on in another file; 0: never.
   NextCommands next{};

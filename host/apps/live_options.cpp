@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/live_options.hpp"
 
+#include <memory>
+#include <string>
+
 #include <CLI/CLI.hpp>
 
 namespace echomap::apps {
@@ -32,6 +35,17 @@ CLI::Option* add_speed_option(CLI::App& command, double& factor) {
           },
           "NUMBER|max"))
       ->check(CLI::Range(0.0, 1000.0));
+}
+
+void add_serve(CLI::App& app, CommandAction& action) {
+  CLI::App* command = app.add_subcommand("serve", "Show finished runs in a browser");
+  const auto options = std::make_shared<ServeOptions>();
+  command->add_option("runs", options->runs, "Run directories or recordings (session.mcap)")
+      ->required()
+      ->check(CLI::ExistingPath);
+  add_live_options(*command, options->live, false);
+  command->footer("Example: echomap serve first_map kitchen");
+  command->callback([&action, options] { action = [options] { return run_serve(*options); }; });
 }
 
 }  // namespace echomap::apps

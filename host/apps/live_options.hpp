@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 
+#include "host/apps/command_action.hpp"
 #include "host/apps/commands.hpp"
 
 namespace echomap::apps {
@@ -13,5 +14,7 @@ void add_live_options(CLI::App& command, LiveOptions& options, bool is_asked_for
 
 /// `--speed`: times real time; "max" is 0, as fast as it can.
 CLI::Option* add_speed_option(CLI::App& command, double& factor);
+
+void add_serve(CLI::App& app, CommandAction& action);
 
 }  // namespace echomap::apps

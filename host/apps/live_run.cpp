@@ -21,6 +21,8 @@ constexpr milliseconds kMotionPeriod(40);
 constexpr double kMotionPeriodS = 0.1;
 /// All else.
 constexpr milliseconds kLookPeriod(200);
+/// Frames are counted for so long.
+constexpr std::chrono::seconds kCountPeriod(1);
 /// Of a simulated robot that a person carries off, and the box that is put down.
 constexpr std::chrono::seconds kHeld(2);
 constexpr double kBoxSideM = 0.3;
@@ -160,6 +162,12 @@ void LiveRun::step() {
   }
 }
 
+void LiveRun::look() {
+  if (server_) {
+    look_around(steady_clock::now());
+  }
+}
+
 /// The map frame of a simulated robot's first map is its start pose, as that of its truth is.
 std::optional<geometry::Pose2> LiveRun::true_pose() const {
   const auto* lockstep = robot_.lockstep();
@@ -172,9 +180,10 @@ std::optional<geometry::Pose2> LiveRun::true_pose() const {
 
 void LiveRun::look_around(WallTime now) {
   const std::uint64_t frames = robot_.session().link().statistics().frames_received;
-  const std::chrono::duration<double> passed = now - looked_at_;
-  frames_per_s_ = static_cast<double>(frames - std::exchange(frames_, frames)) / passed.count();
-  looked_at_ = now;
+  if (const std::chrono::duration<double> passed = now - counted_at_; passed >= kCountPeriod) {
+    frames_per_s_ = static_cast<double>(frames - std::exchange(frames_, frames)) / passed.count();
+    counted_at_ = now;
+  }
   if (source_) {
     source_->publish(time_s(), *publisher_);
   }

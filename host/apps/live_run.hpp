@@ -47,6 +47,10 @@ class LiveRun {
             std::function<void(const geometry::Pose2&)> placed = nullptr);
   /// What `show` was given is gone.
   void show_nothing() { source_.reset(); }
+  /// Publishes what has changed, at once: after a stop, while the robot stands.
+  void look();
+  /// Empty where nothing is served.
+  std::string url() const { return server_ ? server_->url() : ""; }
   /// Something that only the command knows.
   void tell(const live_page::RunEvent& event);
   void set_score(nlohmann::ordered_json score) { score_ = std::move(score); }
@@ -81,9 +85,9 @@ class LiveRun {
   WallTime next_motion_;
   double next_motion_s_ = 0.0;  ///< Of the run.
   WallTime next_look_;
-  std::uint64_t frames_ = 0;  ///< At the last look, for their rate.
+  std::uint64_t frames_ = 0;  ///< When they were last counted.
   std::optional<double> frames_per_s_;
-  WallTime looked_at_;
+  WallTime counted_at_;
   bool has_other_map_ = false;  ///< Than the one that began where the robot started.
 };
 

@@ -24,13 +24,11 @@ std::optional<double> left_at_this_pace_s(double elapsed_s, const exploration::C
 }  // namespace
 
 AtlasSource::AtlasSource(const pipeline::RobotAtlas& atlas,
-                         const session::RobotProfile& profile,
                          const exploration::Explorer* explorer,
-                         std::function<std::optional<double>()> left_s)
+                         std::function<LiveProgress()> progress)
     : atlas_(atlas),
-      profile_(profile),
       explorer_(explorer),
-      left_s_(std::move(left_s)),
+      progress_(std::move(progress)),
       maps_changed_(atlas.changes()) {}
 
 std::optional<pipeline::PoseEstimate> AtlasSource::pose() const {
@@ -41,34 +39,23 @@ void AtlasSource::publish(double time_s, live_page::RunPublisher& publisher) {
   if (std::exchange(maps_changed_, atlas_.changes()) != atlas_.changes()) {
     publisher.map().begin_new_map(time_s);
   }
-  const pipeline::Snapshot snapshot = atlas_.pipeline().snapshot();
-  publisher.map().look_at(time_s, snapshot);
-  if (std::exchange(map_changes_, publisher.map().changes()) == publisher.map().changes()) {
-    return;
-  }
-  exports::RunSummary summary;
-  exports::describe_snapshot(snapshot, summary);
-  floor_m2_ = summary.free_area_m2;
-  travelled_m_ = summary.travelled_m;
-  stops_ = summary.stops;
-  if (std::exchange(covered_stops_, snapshot.stops) != snapshot.stops) {
-    coverage_ = coverage_of(snapshot, profile_);
-    elapsed_s_ = time_s;
-  }
+  publisher.map().look_at(time_s, atlas_.pipeline().snapshot());
 }
 
 void AtlasSource::describe(live_page::RunState& state) const {
   if (explorer_ != nullptr) {
     state.intent = explorer_->intent();
   }
-  state.stops = stops_;
-  state.floor_m2 = floor_m2_;
-  state.travelled_m = travelled_m_;
-  state.left_s = left_s_ ? left_s_() : std::nullopt;
-  if (coverage_) {
-    state.coverage = coverage_->share();
-    state.unseen_m2 = coverage_->unseen_m2;
-    state.left_s = state.left_s ? state.left_s : left_at_this_pace_s(elapsed_s_, *coverage_);
+  const LiveProgress progress = progress_();
+  state.stops = progress.stops;
+  state.floor_m2 = progress.floor_m2;
+  state.travelled_m = progress.travelled_m;
+  state.left_s = progress.longest_left_s;
+  if (progress.coverage) {
+    state.coverage = progress.coverage->share();
+    state.unseen_m2 = progress.coverage->unseen_m2;
+    state.left_s =
+        state.left_s ? state.left_s : left_at_this_pace_s(progress.elapsed_s, *progress.coverage);
   }
 }
 

@@ -30,14 +30,23 @@ class LiveSource {
   virtual void describe(live_page::EventFacts& /*facts*/) const {}
 };
 
+/// How far a run has come.
+struct LiveProgress {
+  std::size_t stops = 0;
+  double floor_m2 = 0.0;
+  double travelled_m = 0.0;
+  double elapsed_s = 0.0;
+  std::optional<double> longest_left_s{};  ///< Where something limits it.
+  std::optional<exploration::Coverage> coverage{};
+};
+
 /// The maps of a robot that explores, or that a recording is played into.
 class AtlasSource final : public LiveSource {
  public:
-  /// `explorer` is null where none drives; all outlive this.
+  /// `explorer` is null where none drives; both outlive this.
   AtlasSource(const pipeline::RobotAtlas& atlas,
-              const session::RobotProfile& profile,
-              const exploration::Explorer* explorer = nullptr,
-              std::function<std::optional<double>()> left_s = nullptr);
+              const exploration::Explorer* explorer,
+              std::function<LiveProgress()> progress);
 
   std::optional<pipeline::PoseEstimate> pose() const override;
   void publish(double time_s, live_page::RunPublisher& publisher) override;
@@ -46,17 +55,9 @@ class AtlasSource final : public LiveSource {
 
  private:
   const pipeline::RobotAtlas& atlas_;
-  const session::RobotProfile& profile_;
   const exploration::Explorer* explorer_;
-  std::function<std::optional<double>()> left_s_;
+  std::function<LiveProgress()> progress_;
   std::size_t maps_changed_ = 0;
-  std::uint64_t map_changes_ = 0;
-  std::optional<exploration::Coverage> coverage_;  ///< Of the last stop.
-  std::size_t covered_stops_ = 0;
-  double elapsed_s_ = 0.0;  ///< At that stop.
-  double floor_m2_ = 0.0;
-  double travelled_m_ = 0.0;
-  std::size_t stops_ = 0;
 };
 
 /// What follows a robot in a map that is given.

@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/explore_progress.hpp"
 #include "host/apps/localize_run.hpp"
 #include "host/apps/map_file.hpp"
 #include "host/apps/recorded_run.hpp"
@@ -102,7 +103,7 @@ Outcome play(recording::SessionReader& recording,
 
 /// Plays the log of another robot.
 Outcome play(const LocalizeOptions& options, pipeline::RobotLocalizer& localizer) {
-  console::ProgressBar progress(stderr, !options.run.headless);
+  console::ProgressBar progress(stderr, progress_display(options.run) != ProgressDisplay::kNone);
   try {
     const auto log = open_reported_log(options.log, options.format);
     const bool has_ended = play(*log, localizer, progress);

@@ -12,12 +12,14 @@
 #include "host/apps/explore_run.hpp"
 #include "host/apps/link_report.hpp"
 #include "host/apps/live_run.hpp"
+#include "host/apps/localize_view.hpp"
 #include "host/apps/map_file.hpp"
 #include "host/apps/recorded_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_ending.hpp"
 #include "host/apps/run_recording.hpp"
 #include "host/apps/saved_map.hpp"
+#include "host/apps/session_progress.hpp"
 #include "host/console/print.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/preset_names.hpp"
@@ -39,15 +41,16 @@ constexpr std::size_t kUsualStops = 20;
 
 std::unique_ptr<tracking::LiveFilter> filter_for(const LocalizeOptions& options,
                                                  const RobotProfile& profile,
+                                                 const std::optional<mapping::RasterMap>& map,
                                                  const session::Seed& seed) {
-  if (options.filter == "ekf") {
+  if (!map) {
     return std::make_unique<tracking::EkfFilter>(
         profile.geometry,
         tracking::FixStream(tracking::open_fixes(options.fixes)),
         tracking::pose_option(options.camera_at).value_or(geometry::Pose2()),
         tracking::start_pose(options.at));
   }
-  return std::make_unique<tracking::MclFilter>(read_map(options.map),
+  return std::make_unique<tracking::MclFilter>(*map,
                                                profile.geometry,
                                                tracking::localizer_params(profile, options.preset),
                                                tracking::start_pose(options.at),
@@ -136,13 +139,14 @@ RunEnding ending_of_drive(const session::RobotContext& context,
 }
 
 /// The map that the robot is looked for in, and where the filter has it.
-void show(LiveRun& live, const LocalizeOptions& options, tracking::LiveFilter& filter) {
+void show(LiveRun& live,
+          const std::optional<mapping::RasterMap>& map,
+          tracking::LiveFilter& filter) {
   if (!live.serves()) {
     return;
   }
-  const bool has_map = !options.map.empty();
-  auto source = std::make_unique<FilterSource>(
-      filter, has_map ? std::optional(as_grid(read_map(options.map))) : std::nullopt);
+  auto source =
+      std::make_unique<FilterSource>(filter, map ? std::optional(as_grid(*map)) : std::nullopt);
   auto* mcl = dynamic_cast<tracking::MclFilter*>(&filter);
   if (mcl == nullptr) {
     live.show(std::move(source), nullptr);
@@ -154,16 +158,28 @@ void show(LiveRun& live, const LocalizeOptions& options, tracking::LiveFilter& f
       [mcl](const geometry::Pose2& T_map_robot) { mcl->place(T_map_robot); });
 }
 
-void drive(const session::RobotContext& context,
+/// With the map on the terminal where that is asked for.
+void drive(session::RobotContext& context,
            const FollowedRobot& robot,
-           std::size_t max_stops,
+           const std::optional<mapping::RasterMap>& map,
+           const RunOptions& run,
            Account& account) {
   const auto is_fit = [&] {
     const auto found = context.diagnosis();
     return !found || !forbids_a_map(found->fault.kind);
   };
+  std::optional<LocalizeView> view;
+  std::optional<SessionProgress> progress;
+  if (map && progress_display(run) == ProgressDisplay::kMap) {
+    view.emplace(context, robot.filter, *map);
+    progress.emplace(context, *view, ProgressDisplay::kMap);
+  }
+  const std::size_t max_stops = run.strategy.stops.value_or(kUsualStops);
   while (account.stops() < max_stops && is_fit() && follow_to_next_stop(robot)) {
     account.add_stop(robot);
+  }
+  if (progress) {
+    progress->finish();
   }
 }
 
@@ -187,7 +203,8 @@ bool follow_to_next_stop(const FollowedRobot& robot) {
 ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::path& out) {
   const RunOptions& run = options.run;
   session::RobotContext context(profile_for(run.robot, run.strategy), session::Seed(run.seed));
-  auto made = filter_for(options, context.profile(), context.seed());
+  const auto map = options.filter == "mcl" ? std::optional(read_map(options.map)) : std::nullopt;
+  auto made = filter_for(options, context.profile(), map, context.seed());
   tracking::LiveFilter& filter = *made;
   const bool is_mcl = options.filter == "mcl";
   LiveRun live(
@@ -209,8 +226,8 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   facts.slam = run.slam;
   move_earlier_run_aside(out);
   begin_recording(context, kLocalizeCommand, facts, out, split_bytes(run));
-  show(live, options, filter);
-  drive(context, robot, run.strategy.stops.value_or(kUsualStops), account);
+  show(live, map, filter);
+  drive(context, robot, map, run, account);
   live.show_nothing();
   context.session().disarm();
   account.describe(context.diagnosis());

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/live_options.hpp"
 #include "host/datasets/open_log.hpp"
 #include "host/slam/slam_methods.hpp"
 
@@ -45,6 +46,7 @@ void add_played_part(CLI::App& command, ReplayOptions& options) {
       ->check(CLI::PositiveNumber);
   command.add_flag(
       "--step", options.step, "Wait for Enter after each stop of a recording, and say where it is");
+  add_live_options(command, options.live, true);
 }
 
 std::vector<std::string> slam_names() {

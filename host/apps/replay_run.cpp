@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include "host/apps/live_replay.hpp"
 #include "host/apps/recorded_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_ending.hpp"
@@ -18,6 +20,7 @@
 #include "host/console/wait_for_enter.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/pipeline/observation_fork.hpp"
 #include "host/recording/session_file.hpp"
 #include "host/session/pipeline_setup.hpp"
 #include "host/slam/slam_methods.hpp"
@@ -200,6 +203,16 @@ class StopReporter {
   bool waits_;
 };
 
+/// A recording that is watched is played so that it can be followed.
+PlayedPart part_of(const ReplayOptions& options) {
+  constexpr double kWatchedSpeed = 8.0;
+  PlayedPart part = options.part;
+  if (options.live.serves && !part.speed) {
+    part.speed = kWatchedSpeed;
+  }
+  return part;
+}
+
 /// The entry of the report that says what was played.
 ordered_json replay_entry(const ReplayOptions& options,
                           const std::string& slam,
@@ -269,10 +282,22 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   const session::RobotProfile profile = profile_of(recording);
   const std::string slam = slam_of(options, profile, recording);
   pipeline::RobotAtlas atlas = session::atlas_for(profile, slam);
-  pipeline::JoinedSessions sessions(atlas);
+  pipeline::ObservationFork fork;
+  fork.add(atlas);
+  const auto live = options.live.serves
+                        ? std::make_unique<LiveReplay>(options.live, out, recording, profile, atlas)
+                        : nullptr;
+  if (live) {
+    fork.add(live->sink());
+  }
+  pipeline::JoinedSessions sessions(fork);
   StopReporter stops(recording, atlas, options.step);
-  const Played played =
-      play(recording, profile, {sessions, atlas, &atlas}, options.part, [&] { stops.report(); });
+  const Played played = play(recording, profile, {sessions, atlas, &atlas}, part_of(options), [&] {
+    stops.report();
+    if (live) {
+      live->add_stop();
+    }
+  });
   throw_if_damaged_and_own(played, file, out);
   if (played.damage.empty()) {
     throw_if_empty(atlas.record(), options.part, recording);
@@ -305,6 +330,9 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   const RunEnding ending = ending_of_replay(
       played.damage.empty() ? "finished" : "log-damaged", played.damage, out.string());
   print_ending(ending);
+  if (live) {
+    live->end(ending);
+  }
   return ending.code;
 }
 

@@ -89,7 +89,18 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   command.add_option("--seed", run.seed, "Seed of every random generator")->capture_default_str();
   add_out_options(command, run.out, run.force);
   command.add_option("--json", run.json, "Write a report to this file, '-' for stdout");
-  command.add_flag("--headless", run.headless, "No progress line and no live page");
+  CLI::Option* view =
+      command
+          .add_option("--view",
+                      run.view,
+                      "What a terminal shows during the run: map (the map and the robot, drawn in "
+                      "place), line (a progress line) or none")
+          ->check(CLI::IsMember({"map", "line", "none"}))
+          ->capture_default_str();
+  command
+      .add_flag(
+          "--headless", run.headless, "Nothing on the terminal during the run, and no live page")
+      ->excludes(view);
   command
       .add_option("--split",
                   run.split_mb,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/console/log_sink.hpp"
 
-#include "host/console/progress_bar.hpp"
+#include "host/console/drawn_in_place.hpp"
 
 namespace echomap::console {
 

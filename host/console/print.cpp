@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "host/console/progress_bar.hpp"
+#include "host/console/drawn_in_place.hpp"
 
 namespace echomap::console {
 

@@ -9,12 +9,6 @@
 #include <sys/ioctl.h>
 
 namespace echomap::console {
-namespace {
-
-/// The bar that stands on a terminal: there is one terminal, and one bar at a time.
-ProgressBar* standing_bar = nullptr;
-
-}  // namespace
 
 ProgressBar::ProgressBar(std::FILE* out, bool enabled)
     : out_(out), active_(enabled && ::isatty(::fileno(out)) == 1) {}
@@ -41,7 +35,7 @@ bool ProgressBar::is_due() const {
 void ProgressBar::draw(const std::string& line) {
   last_ = std::chrono::steady_clock::now();
   drawn_ = true;
-  standing_bar = this;
+  note_drawn();
   winsize size{};
   const bool is_known = ::ioctl(::fileno(out_), TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
   const std::size_t width = is_known ? size.ws_col - 1U : 0U;
@@ -54,13 +48,7 @@ void ProgressBar::clear() {
     std::fputs("\r\033[K", out_);
     std::fflush(out_);
     drawn_ = false;
-    standing_bar = nullptr;
-  }
-}
-
-void make_way_for_a_line() {
-  if (standing_bar != nullptr) {
-    standing_bar->clear();
+    note_gone();
   }
 }
 

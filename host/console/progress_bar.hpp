@@ -5,16 +5,16 @@
 #include <cstdio>
 #include <string>
 
+#include "host/console/drawn_in_place.hpp"
+
 namespace echomap::console {
 
 /// One line on a terminal that is drawn again in place, no longer than it is wide; says nothing
 /// where `out` is no terminal.
-class ProgressBar {
+class ProgressBar final : public DrawnInPlace {
  public:
   explicit ProgressBar(std::FILE* out, bool enabled = true);
-  ~ProgressBar();
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
+  ~ProgressBar() override;
 
   /// Whether anything is ever drawn.
   bool is_active() const { return active_; }
@@ -25,7 +25,7 @@ class ProgressBar {
   /// Whether a drawing now would be seen.
   bool is_due() const;
   /// Wipes the line, for other output.
-  void clear();
+  void clear() override;
 
  private:
   void draw(const std::string& line);
@@ -35,10 +35,6 @@ class ProgressBar {
   bool drawn_ = false;
   std::chrono::steady_clock::time_point last_{};
 };
-
-/// Wipes the line of the bar that stands on a terminal now, if one does, so that another line can
-/// be printed there; the bar comes back when it is next shown.
-void make_way_for_a_line();
 
 /// The first `width` characters of a line, which a terminal would wrap else; all of it for 0.
 std::string clipped(const std::string& line, std::size_t width);

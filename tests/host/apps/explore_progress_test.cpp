@@ -3,7 +3,10 @@
 
 #include <array>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/host/console/terminal.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -49,24 +52,70 @@ TEST(ExploreProgress, InventsNoTime) {
   EXPECT_FALSE(longest_left_s(first)) << "no stop has told its pace yet";
 }
 
-TEST(ProgressReporter, SaysALineForEveryHalfMinuteWhereNoTerminalIs) {
-  std::FILE* file = std::tmpfile();
-  ProgressReporter teller(file, true);
-  int made = 0;
-  for (int i = 0; i < 700; ++i) {
-    teller.report(0.1 * i, [&] { return "line " + std::to_string(++made); });
+class CountedLines final : public ProgressSource {
+ public:
+  std::string line() override { return silent ? "" : "line " + std::to_string(++made); }
+  terminal_view::RunView view() override {
+    terminal_view::RunView view{mapping::RasterMap(1, 1, 0.1, {0.0, 0.0}), {}, {}};
+    view.status.mode = "exploring";
+    return view;
   }
-  EXPECT_EQ(text_of(file), "line 1\nline 2\n");
+  double elapsed_s() const override { return now_s; }
+
+  double now_s = 0.0;
+  bool silent = false;
+  int made = 0;
+};
+
+std::string reported_to_a_file(ProgressDisplay display, bool silent = false) {
+  std::FILE* file = std::tmpfile();
+  ProgressReporter reporter(file, display);
+  CountedLines source;
+  source.silent = silent;
+  for (; source.now_s < 70.0; source.now_s += 0.1) {
+    reporter.report(source);
+  }
+  reporter.finish(source);
+  const std::string text = text_of(file);
   std::fclose(file);
+  return text;
+}
+
+TEST(ProgressReporter, SaysALineForEveryHalfMinuteWhereNoTerminalIs) {
+  EXPECT_EQ(reported_to_a_file(ProgressDisplay::kLine), "line 1\nline 2\n");
+  EXPECT_EQ(reported_to_a_file(ProgressDisplay::kMap), "line 1\nline 2\n");
+  EXPECT_EQ(reported_to_a_file(ProgressDisplay::kMap, true), "") << "there is no line to say";
 }
 
 TEST(ProgressReporter, SaysNothingWhereItMustNot) {
-  std::FILE* file = std::tmpfile();
-  ProgressReporter teller(file, false);
-  teller.report(100.0, [] { return "line"; });
-  teller.clear();
-  EXPECT_EQ(text_of(file), "");
-  std::fclose(file);
+  EXPECT_EQ(reported_to_a_file(ProgressDisplay::kNone), "");
+}
+
+TEST(ProgressReporter, WipesALineAndLeavesAMapOnATerminal) {
+  CountedLines source;
+  const console::Terminal terminal;
+  ProgressReporter line(terminal.file(), ProgressDisplay::kLine);
+  line.report(source);
+  line.finish(source);
+  EXPECT_EQ(terminal.shown(), "\r\033[Kline 1\r\033[K");
+  ProgressReporter map(terminal.file(), ProgressDisplay::kMap);
+  map.report(source);
+  map.finish(source);
+  const std::string shown = terminal.shown();
+  EXPECT_THAT(shown, testing::HasSubstr("exploring"));
+  EXPECT_EQ(shown.back(), '\n');
+}
+
+TEST(ProgressDisplay, IsWhatTheOptionsSay) {
+  RunOptions run;
+  EXPECT_EQ(progress_display(run), ProgressDisplay::kLine);
+  run.view = "map";
+  EXPECT_EQ(progress_display(run), ProgressDisplay::kMap);
+  run.headless = true;
+  EXPECT_EQ(progress_display(run), ProgressDisplay::kNone);
+  run.headless = false;
+  run.view = "none";
+  EXPECT_EQ(progress_display(run), ProgressDisplay::kNone);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class ExploreAndSave : public session::SessionOnACable {
   ExitCode explore() {
     begin_maps(robot, "", "none");
     robot.open({new_connection(), nullptr});
-    return explore_and_save(robot, {strategy, folder.path(), false}, summary).code;
+    return explore_and_save(robot, {strategy, folder.path(), ProgressDisplay::kNone}, summary).code;
   }
 
   const session::TemporaryFolder folder;

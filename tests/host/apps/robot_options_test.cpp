@@ -23,6 +23,12 @@ TEST(RobotOptions, AreCheckedBeforeARobotIsAsked) {
   EXPECT_EQ(run({"demo", "--emulator", "mock", "--board", "uno"}).code, console::ExitCode::kUsage);
 }
 
+TEST(RobotOptions, AViewIsAMapALineOrNone) {
+  EXPECT_THAT(run({"explore", "--help"}).out, HasSubstr("--view"));
+  EXPECT_EQ(run({"demo", "--view", "picture"}).code, console::ExitCode::kUsage);
+  EXPECT_EQ(run({"localize", "--view", "map", "--headless"}).code, console::ExitCode::kUsage);
+}
+
 TEST(RobotOptions, SlamIsAnotherNameOfExplore) {
   EXPECT_THAT(run({"slam", "--help"}).out, HasSubstr("echomap explore"));
   const auto refused = run({"slam", "--slam", "scan"});

@@ -42,7 +42,7 @@ class RunWriterTest : public session::SessionOnACable {
   Idler explorer;
   const tests::ScratchFolder out;
   const strategies::StrategyOptions strategy;
-  const ExploreRun run{strategy, out.path(), false};
+  const ExploreRun run{strategy, out.path(), ProgressDisplay::kNone};
   exports::RunSummary summary;
 };
 
