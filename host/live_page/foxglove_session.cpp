@@ -28,9 +28,9 @@ using nlohmann::json;
 constexpr std::uint8_t kMessageDataOpcode = 1;
 constexpr std::uint8_t kTimeOpcode = 2;
 constexpr int kErrorLevel = 2;
-/// Channels count from 1 on, so that these are no message's keys.
+/// The keys of messages are their channels, from 1 on.
 constexpr std::uint64_t kTimeKey = 0;
-constexpr std::uint64_t kStatusKey = 1;
+constexpr std::uint64_t kStatusKey = std::uint64_t{1} << 32;
 constexpr std::uint64_t kTimePeriodNs = 10'000'000;
 /// A clock that goes back makes clients forget; only a new run's does.
 constexpr std::uint64_t kNewRunNs = 1'000'000'000;
@@ -51,16 +51,20 @@ void append_little_endian(std::string& bytes, T value) {
   }
 }
 
-FoxgloveFrame text_frame(const json& message, std::optional<std::uint64_t> key = {}) {
-  return {true, message.dump(-1, ' ', false, json::error_handler_t::replace), key};
+FoxgloveFrame json_frame(const json& message) {
+  return {true, message.dump(-1, ' ', false, json::error_handler_t::replace)};
 }
 
+/// A client that sends nothing but nonsense leaves one status waiting.
 FoxgloveFrame status_frame(std::string text, std::size_t others) {
   if (others > 0) {
     text += " (and " + std::to_string(others) + " more)";
   }
-  return text_frame({{"op", "status"}, {"level", kErrorLevel}, {"message", std::move(text)}},
-                    kStatusKey);
+  FoxgloveFrame frame =
+      json_frame({{"op", "status"}, {"level", kErrorLevel}, {"message", std::move(text)}});
+  frame.delivery = FoxgloveDelivery::kNewest;
+  frame.key = kStatusKey;
+  return frame;
 }
 
 json advertisement(const FoxgloveChannel& channel) {
@@ -98,7 +102,7 @@ FoxgloveSession::Frames FoxgloveSession::begin() {
   now_ns_ = last.log_time_ns;
   generation_ = last.generation;
   // Supported encodings are those of a client's messages, and none is taken.
-  Frames frames{text_frame({{"op", "serverInfo"},
+  Frames frames{json_frame({{"op", "serverInfo"},
                             {"name", "echomap"},
                             {"capabilities", json::array({"time"})},
                             {"sessionId", topics_.session_id()}})};
@@ -107,7 +111,7 @@ FoxgloveSession::Frames FoxgloveSession::begin() {
     channels.push_back(advertisement(*channel));
     channels_[channel->id] = channel;
   }
-  frames.push_back(text_frame({{"op", "advertise"}, {"channels", std::move(channels)}}));
+  frames.push_back(json_frame({{"op", "advertise"}, {"channels", std::move(channels)}}));
   return frames;
 }
 
@@ -129,10 +133,10 @@ void FoxgloveSession::update_channels(Frames& frames) {
   }
   channels_ = std::move(now);
   if (!gone.empty()) {
-    frames.push_back(text_frame({{"op", "unadvertise"}, {"channelIds", std::move(gone)}}));
+    frames.push_back(json_frame({{"op", "unadvertise"}, {"channelIds", std::move(gone)}}));
   }
   if (!added.empty()) {
-    frames.push_back(text_frame({{"op", "advertise"}, {"channels", std::move(added)}}));
+    frames.push_back(json_frame({{"op", "advertise"}, {"channels", std::move(added)}}));
   }
 }
 
@@ -196,7 +200,7 @@ void FoxgloveSession::subscribe_one(const json& wish, Complaints& complaints, Fr
   }
   const bool is_picture =
       std::ranges::find(kPictures, known->second->schema_name) != std::ranges::end(kPictures);
-  subscriptions_[*channel] = {*id, is_picture, 0, 0};
+  subscriptions_[*channel] = {*id, is_picture, 0};
   if (const SharedFoxgloveMessage newest = topics_.newest(*channel)) {
     add_time(frames);
     add_message(*newest, frames);
@@ -242,7 +246,7 @@ void FoxgloveSession::add_time(Frames& frames) {
     return;
   }
   told_ns_ = now_ns_;
-  FoxgloveFrame frame{false, {}, kTimeKey};
+  FoxgloveFrame frame{false, {}, FoxgloveDelivery::kNewest, kTimeKey};
   append_little_endian(frame.bytes, kTimeOpcode);
   append_little_endian(frame.bytes, now_ns_);
   frames.push_back(std::move(frame));
@@ -255,9 +259,11 @@ void FoxgloveSession::add_message(const FoxgloveMessage& message, Frames& frames
   }
   Subscription& subscription = found->second;
   subscription.last_sent = message.number;
-  const std::uint64_t slot = subscription.is_picture ? 0 : subscription.sent % kMaxWaitingMessages;
-  ++subscription.sent;
-  FoxgloveFrame frame{false, {}, std::uint64_t{message.channel} * kMaxWaitingMessages + slot};
+  FoxgloveFrame frame{
+      false,
+      {},
+      subscription.is_picture ? FoxgloveDelivery::kNewest : FoxgloveDelivery::kLossy,
+      message.channel};
   frame.bytes.reserve(kMessageHeadBytes + message.data.size());
   append_little_endian(frame.bytes, kMessageDataOpcode);
   append_little_endian(frame.bytes, subscription.id);

@@ -16,19 +16,25 @@
 
 namespace echomap::live_page {
 
+/// What becomes of a frame whose client does not keep up.
+enum class FoxgloveDelivery : std::uint8_t {
+  kAlways,
+  kNewest,  ///< A later frame with its key may take its place.
+  kLossy,   ///< It may be left out.
+};
+
 /// A WebSocket frame to a client of the Foxglove protocol.
 struct FoxgloveFrame {
   bool is_text = false;
   std::string bytes;
-  /// A later frame with this key replaces the one that still waits, and is sent in its own turn. A
-  /// frame without a key must be sent.
-  std::optional<std::uint64_t> key;
+  FoxgloveDelivery delivery = FoxgloveDelivery::kAlways;
+  std::uint64_t key = 0;
 };
 
 /// One client of the Foxglove WebSocket protocol, version 1: what it is sent, and what its frames
 /// mean. Its two names on the line, `foxglove.websocket.v1` and `foxglove.sdk.v1`, differ in
 /// nothing that this server sends or takes. Nothing throws; what is kept is bounded by the number
-/// of channels, and so is the number of keys that wait.
+/// of channels, and so is the number of keys.
 class FoxgloveSession {
  public:
   using Frames = std::vector<FoxgloveFrame>;
@@ -49,15 +55,12 @@ class FoxgloveSession {
   Frames news();
 
   static constexpr std::size_t kMaxTextBytes = std::size_t{64} << 10;
-  /// So many messages of a topic wait for a slow client; of a map, path or other whole picture one.
-  static constexpr std::uint64_t kMaxWaitingMessages = 64;
 
  private:
   struct Subscription {
     std::uint32_t id = 0;
     bool is_picture = false;  ///< Each message makes the ones before it void.
     std::uint64_t last_sent = 0;
-    std::uint64_t sent = 0;
   };
   struct Complaints;
 

@@ -76,15 +76,21 @@ void FoxgloveTopics::clear() {
   wake_up();
 }
 
-void FoxgloveTopics::listen(WakeUp wake_up) {
+std::uint64_t FoxgloveTopics::listen(WakeUp wake_up) {
   const std::lock_guard lock(wake_up_mutex_);
-  wake_up_ = std::move(wake_up);
+  wake_ups_[++last_wake_up_] = std::move(wake_up);
+  return last_wake_up_;
+}
+
+void FoxgloveTopics::unlisten(std::uint64_t number) {
+  const std::lock_guard lock(wake_up_mutex_);
+  wake_ups_.erase(number);
 }
 
 void FoxgloveTopics::wake_up() const {
   const std::lock_guard lock(wake_up_mutex_);
-  if (wake_up_) {
-    wake_up_();
+  for (const auto& [number, wake_up] : wake_ups_) {
+    wake_up();
   }
 }
 

@@ -61,8 +61,9 @@ class FoxgloveTopics final : public recording::TopicListener {
                   std::span<const std::uint8_t> bytes) override;
   /// Forgets everything: another run begins.
   void clear();
-  /// Null for nobody. When it returns, the one before is not called any more.
-  void listen(WakeUp wake_up);
+  /// By the number that it gives the call is ended: when `unlisten` returns, it is over.
+  std::uint64_t listen(WakeUp wake_up);
+  void unlisten(std::uint64_t number);
 
   const std::string& session_id() const { return session_id_; }
   std::vector<SharedFoxgloveChannel> channels() const;
@@ -82,7 +83,8 @@ class FoxgloveTopics final : public recording::TopicListener {
   std::string session_id_;
   mutable std::mutex mutex_;
   mutable std::mutex wake_up_mutex_;
-  WakeUp wake_up_;
+  std::map<std::uint64_t, WakeUp> wake_ups_;
+  std::uint64_t last_wake_up_ = 0;
   std::uint32_t last_channel_ = 0;
   std::uint64_t last_number_ = 0;
   std::uint64_t log_time_ns_ = 0;

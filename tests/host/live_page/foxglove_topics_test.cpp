@@ -117,17 +117,20 @@ TEST_F(FoxgloveTopicsTest, TakesOnlySoManyChannels) {
   EXPECT_EQ(topics.since(0).last_number, FoxgloveTopics::kMaxChannels);
 }
 
-TEST_F(FoxgloveTopicsTest, WakesTheListenerWithEachNewsUntilItIsTakenAway) {
+TEST_F(FoxgloveTopicsTest, WakesEachListenerWithEachNewsUntilItIsTakenAway) {
   int calls = 0;
-  topics.listen([&] { ++calls; });
+  int other_calls = 0;
+  const auto number = topics.listen([&] { ++calls; });
+  topics.listen([&] { ++other_calls; });
   topics.on_topic({1, "/map", "", ""});
   add(1);
   add(2);
   topics.clear();
-  EXPECT_EQ(calls, 3);
-  topics.listen(nullptr);
+  EXPECT_EQ(calls, 3) << "topic 2 has no channel";
+  topics.unlisten(number);
   topics.on_topic({1, "/map", "", ""});
   EXPECT_EQ(calls, 3);
+  EXPECT_EQ(other_calls, 4);
 }
 
 TEST_F(FoxgloveTopicsTest, IsReadWhileAnotherThreadAdds) {
