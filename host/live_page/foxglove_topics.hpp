@@ -32,6 +32,7 @@ struct FoxgloveMessage {
   std::vector<std::uint8_t> data;
 };
 
+/// Made once, read by every client.
 using SharedFoxgloveChannel = std::shared_ptr<const FoxgloveChannel>;
 using SharedFoxgloveMessage = std::shared_ptr<const FoxgloveMessage>;
 
