@@ -81,6 +81,28 @@ void SessionFile::end_part_if_due() {
   }
 }
 
+void SessionFile::listen(TopicListener* listener) {
+  listener_ = listener;
+  told_topics_.clear();
+}
+
+void SessionFile::add(Waiting message) {
+  if (listener_ != nullptr) {
+    tell(message);
+  }
+  waiting_.push_back(std::move(message));
+  write_waiting();
+}
+
+void SessionFile::tell(const Waiting& message) {
+  const auto id = static_cast<std::uint32_t>(told_topics_.size() + 1);
+  const auto [topic, is_new] = told_topics_.try_emplace(message.topic, id);
+  if (is_new) {
+    listener_->on_topic({id, message.topic, std::string(message.type), message.definition()});
+  }
+  listener_->on_message(topic->second, message.time_ns, message.data);
+}
+
 void SessionFile::write_waiting() {
   while (!path_.empty() && !waiting_.empty()) {
     end_part_if_due();

@@ -13,6 +13,7 @@
 
 #include "host/mcap/mcap_writer.hpp"
 #include "host/recording/bag_metadata.hpp"
+#include "host/recording/topic_listener.hpp"
 #include "host/ros_messages/message_definition.hpp"
 #include "host/ros_messages/serialization.hpp"
 
@@ -46,15 +47,18 @@ class SessionFile {
   /// begun; 0: never. Throws files::FileError.
   void open(const std::filesystem::path& path, std::uint64_t split_bytes = 0);
 
+  /// The listener hears of all messages from now on, before they are in a file. Null for nobody;
+  /// else it outlives this.
+  void listen(TopicListener* listener);
+
   /// Throws files::FileError where what is due cannot be written; it is tried again with the next.
   template <class M>
   void write(std::string_view topic, std::uint64_t time_ns, const M& message) {
-    waiting_.push_back({std::string(topic),
-                        M::kName,
-                        &ros_messages::message_definition<M>,
-                        time_ns,
-                        ros_messages::serialize(message)});
-    write_waiting();
+    add({std::string(topic),
+         M::kName,
+         &ros_messages::message_definition<M>,
+         time_ns,
+         ros_messages::serialize(message)});
   }
 
   /// Hands everything so far to the system. Throws files::FileError.
@@ -75,6 +79,8 @@ class SessionFile {
     std::vector<std::uint8_t> data;
   };
 
+  void add(Waiting message);
+  void tell(const Waiting& message);
   void write_waiting();
   /// Makes the next file and writes its head.
   void begin_part();
@@ -88,6 +94,8 @@ class SessionFile {
   std::map<std::string, mcap::TextMap> facts_;
   std::vector<mcap::Attachment> attachments_;  ///< At the head of each file.
   std::deque<Waiting> waiting_;
+  TopicListener* listener_ = nullptr;
+  std::map<std::string, std::uint32_t, std::less<>> told_topics_;
   std::unique_ptr<mcap::McapWriter> writer_;  ///< Of the current file; null between two.
   std::size_t parts_ = 0;
   std::string session_id_;

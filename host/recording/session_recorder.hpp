@@ -41,6 +41,9 @@ class SessionRecorder final : public pipeline::AnyObservationSink {
   /// Says what the session is, before `open`.
   void describe(const std::string& name, const std::map<std::string, std::string>& facts);
   void describe(const std::string& file_name, const std::string& text);
+  /// The listener hears of all that is recorded from now on, whether or not there is a file. Null
+  /// for nobody; else it outlives this.
+  void listen(TopicListener* listener) { file_.listen(listener); }
   /// Begins the file; what was recorded until then is in it. Throws files::FileError.
   void open(const std::filesystem::path& path, std::uint64_t split_bytes = 0);
 

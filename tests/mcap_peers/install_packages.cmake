@@ -8,5 +8,5 @@ execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglev
 if(result EQUAL 0)
   file(TOUCH ${STAMP})
 else()
-  message(WARNING "npm ci failed, so that no MCAP reader by others checks our files:\n${reason}")
+  message(WARNING "npm ci failed, so that programs by others do not check ours:\n${reason}")
 endif()

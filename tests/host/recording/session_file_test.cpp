@@ -57,6 +57,44 @@ class SessionFileTest : public ::testing::Test {
   const std::filesystem::path path = scratch / "session.mcap";
 };
 
+/// What it hears, in words.
+class HeardTopics final : public TopicListener {
+ public:
+  void on_topic(const RecordedTopic& topic) override {
+    heard.push_back(std::to_string(topic.id) + " is " + topic.name + ", " + topic.schema_name +
+                    ", " + topic.schema_text);
+  }
+  void on_message(std::uint32_t topic,
+                  std::uint64_t log_time_ns,
+                  std::span<const std::uint8_t> bytes) override {
+    heard.push_back(std::to_string(topic) + " at " + std::to_string(log_time_ns) + ": " +
+                    ros_messages::deserialize<ros_messages::String>(bytes).data);
+  }
+
+  std::vector<std::string> heard;
+};
+
+TEST_F(SessionFileTest, TellsAListenerTheTopicAndEachMessageWithAndWithoutAFile) {
+  HeardTopics listener;
+  SessionFile file;
+  write(file, 1);
+  file.listen(&listener);
+  file.write("/text", 5, ros_messages::String{"before"});
+  file.open(path, 1);
+  file.write("/text", 6, ros_messages::String{"in the first file"});
+  file.write("/other", 7, ros_messages::String{"in another file"});
+  file.listen(nullptr);
+  file.write("/text", 8, ros_messages::String{"unheard"});
+  file.finish();
+  EXPECT_EQ(listener.heard,
+            (std::vector<std::string>{"1 is /text, std_msgs/msg/String, string data\n",
+                                      "1 at 5: before",
+                                      "1 at 6: in the first file",
+                                      "2 is /other, std_msgs/msg/String, string data\n",
+                                      "2 at 7: in another file"}));
+  EXPECT_EQ(all_texts().size(), 5U) << "of all parts";
+}
+
 TEST_F(SessionFileTest, HasWhatWasWrittenBeforeItWasOpened) {
   SessionFile file;
   file.describe("session", {{"robot", "uno"}});

@@ -156,6 +156,43 @@ TEST_F(SessionRecorderTest, IsOfTheSameBytesForTheSameSession) {
   EXPECT_EQ(record("one"), record("other"));
 }
 
+/// Counts the messages of each topic.
+class CountedTopics final : public TopicListener {
+ public:
+  void on_topic(const RecordedTopic& topic) override { names[topic.id] = topic.name; }
+  void on_message(std::uint32_t topic,
+                  std::uint64_t log_time_ns,
+                  std::span<const std::uint8_t> bytes) override {
+    messages[names.at(topic)].push_back({log_time_ns, {bytes.begin(), bytes.end()}});
+  }
+
+  std::map<std::uint32_t, std::string> names;
+  std::map<std::string, std::vector<std::pair<std::uint64_t, std::vector<std::uint8_t>>>> messages;
+};
+
+TEST_F(SessionRecorderTest, AListenerHearsWhatIsRecordedAndChangesNothing) {
+  const auto record = [&](const char* name, TopicListener* listener) {
+    SessionRecorder one({});
+    one.listen(listener);
+    one.begin_session(1000);
+    for (int i = 0; i < 10; ++i) {
+      one.set_time(time::HostTime(std::chrono::milliseconds(20 * i)));
+      one.on_odometry({at_us(i), {0.001 * i, 0.002 * i}});
+      one.on_sonar({at_us(i), {0.001 * i, 0.002 * i}, 0.5, 1.0});
+    }
+    one.open(scratch / name);
+    one.finish();
+    return files::read_text_file(scratch / name);
+  };
+  CountedTopics listener;
+  EXPECT_EQ(record("heard", &listener), record("unheard", nullptr));
+  std::map<std::string, std::vector<std::pair<std::uint64_t, std::vector<std::uint8_t>>>> recorded;
+  for (const mcap::Message& message : tests::all_messages(scratch / "heard")) {
+    recorded[message.channel->info.topic].push_back({message.log_time_ns, message.data});
+  }
+  EXPECT_EQ(listener.messages, recorded);
+}
+
 TEST_F(SessionRecorderTest, GoesOnWhereTheDiskIsFullAndSaysWhy) {
   recorder.open(scratch / "session.mcap");
   const auto log_for = [&](int from_s, int to_s) {
