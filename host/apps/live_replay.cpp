@@ -26,8 +26,7 @@ LiveReplay::LiveReplay(const LiveOptions& options,
                        const pipeline::RobotAtlas& atlas)
     : publisher_(replay_publisher(out, profile)),
       published_(recording, profile, atlas, publisher_),
-      server_(serve_page(
-          options, {{out.filename().string(), out, publisher_->history(), true}}, {}, nullptr)) {}
+      server_(serve_page(options, {{out.filename().string(), out, publisher_->history(), true}})) {}
 
 void LiveReplay::end(const RunEnding& ending) {
   published_.end({ending.finished(), ending.outcome, ending.why, ending.next});

@@ -7,6 +7,7 @@
 
 #include "host/apps/served_page.hpp"
 #include "host/console/browser.hpp"
+#include "host/live_page/foxglove_protocol.hpp"
 #include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {
@@ -64,6 +65,12 @@ std::vector<std::string> commands_of(const LiveRunFacts& facts) {
   return can;
 }
 
+/// Another one for every run of the program, so that a client that connects again forgets the old.
+std::string session_name() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::to_string(std::chrono::duration_cast<milliseconds>(now).count());
+}
+
 }  // namespace
 
 LiveRun::LiveRun(const LiveOptions& options,
@@ -80,6 +87,7 @@ LiveRun::LiveRun(const LiveOptions& options,
 LiveRun::~LiveRun() {
   server_.reset();
   if (publisher_) {
+    robot_.recorder().listen(nullptr);
     robot_.fork().remove(*publisher_);
   }
 }
@@ -95,10 +103,14 @@ void LiveRun::serve(const LiveOptions& options, const LiveRunFacts& facts) {
   run.can = commands_of(facts);
   publisher_ = std::make_shared<live_page::RunPublisher>(history, run, robot_.profile());
   robot_.fork().add(*publisher_);
-  server_ = serve_page(options,
-                       {{run.name, facts.out, history, true}},
-                       run.can,
-                       [this](const session::OperatorCommand& command) { queue_.push(command); });
+  topics_.emplace(session_name());
+  robot_.recorder().listen(&*topics_);
+  server_ = serve_page(
+      options,
+      {{run.name, facts.out, history, true}},
+      run.can,
+      [this](const session::OperatorCommand& command) { queue_.push(command); },
+      live_page::foxglove_protocols(*topics_));
 }
 
 void LiveRun::obey(const LiveRunFacts& facts) {

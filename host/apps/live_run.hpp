@@ -12,6 +12,7 @@
 #include "host/apps/commands.hpp"
 #include "host/apps/live_source.hpp"
 #include "host/apps/run_ending.hpp"
+#include "host/live_page/foxglove_topics.hpp"
 #include "host/live_page/page_server.hpp"
 #include "host/session/operator_queue.hpp"
 #include "host/session/robot_context.hpp"
@@ -74,6 +75,7 @@ class LiveRun {
   session::RobotContext& robot_;
   session::OperatorQueue queue_;
   std::shared_ptr<live_page::RunPublisher> publisher_;
+  std::optional<live_page::FoxgloveTopics> topics_;
   std::optional<session::RobotContext::StepListener> listener_;
   std::unique_ptr<live_page::PageServer> server_;
   std::unique_ptr<LiveSource> source_;

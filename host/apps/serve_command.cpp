@@ -19,7 +19,7 @@ ExitCode run_serve(const ServeOptions& options) {
     runs.push_back(played_run(run, std::to_string(runs.size())));
     console::print(runs.back().name + ": read");
   }
-  const auto server = serve_page(options.live, std::move(runs), {}, nullptr);
+  const auto server = serve_page(options.live, std::move(runs));
   console::print("Ctrl-C ends it");
   wait_for_interrupt();
   return ExitCode::kOk;

@@ -73,14 +73,17 @@ std::string new_token() {
 std::unique_ptr<live_page::PageServer> serve_page(const LiveOptions& options,
                                                   std::vector<live_page::ServedRun> runs,
                                                   const std::vector<std::string>& can,
-                                                  live_page::PageServer::TakeCommand take_command) {
+                                                  live_page::PageServer::TakeCommand take_command,
+                                                  std::vector<live_page::NamedProtocol> protocols) {
   const ListenAddress listen = parse_listen(options.listen);
   live_page::PageServerParams params;
   params.address = listen.address;
   params.port = listen.port.value_or(kUsualPort);
   params.token = is_loopback(listen.address) ? "" : new_token();
   params.page_folder = files::bundled_folder("host/live_page/built_page");
+  params.openapi_file = files::bundled_folder("host/live_page") / "openapi.json";
   params.can = can;
+  params.protocols = std::move(protocols);
   std::unique_ptr<live_page::PageServer> server;
   try {
     server = std::make_unique<live_page::PageServer>(params, runs, take_command);

@@ -11,12 +11,14 @@
 namespace echomap::apps {
 
 /// Serves the page where the options say, prints its URL and opens it where there is a desktop.
-/// Where the usual port is taken it takes another one; an address that others reach gets a token.
-/// Throws CommandError.
-std::unique_ptr<live_page::PageServer> serve_page(const LiveOptions& options,
-                                                  std::vector<live_page::ServedRun> runs,
-                                                  const std::vector<std::string>& can,
-                                                  live_page::PageServer::TakeCommand take_command);
+/// `protocols` are what it speaks beside echomap.v1. Where the usual port is taken it takes another
+/// one; an address that others reach gets a token. Throws CommandError.
+std::unique_ptr<live_page::PageServer> serve_page(
+    const LiveOptions& options,
+    std::vector<live_page::ServedRun> runs,
+    const std::vector<std::string>& can = {},
+    live_page::PageServer::TakeCommand take_command = nullptr,
+    std::vector<live_page::NamedProtocol> protocols = {});
 
 /// Until nobody watches any more, or until Ctrl-C. Returns at once where nobody does.
 void wait_while_watched(const live_page::PageServer& server);

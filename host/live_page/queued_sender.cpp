@@ -19,6 +19,9 @@ void QueuedSender::send(Frame frame) {
 
 void QueuedSender::close() {
   const std::lock_guard lock(mutex_);
+  if (closed_) {
+    return;
+  }
   closed_ = true;
   wake_writer();
 }
@@ -42,7 +45,8 @@ void QueuedSender::detach() {
 }
 
 void QueuedSender::wake_writer() {
-  if (wake_ && !is_awake_) {
+  // A writer that is busy does not look before it is done, which an end must not wait for.
+  if (wake_ && (!is_awake_ || closed_)) {
     is_awake_ = true;
     wake_();
   }
