@@ -77,6 +77,8 @@ export class Session {
   });
   /** Called when something on the map has changed. */
   onChange: () => void = () => {};
+  /** Called when another run is shown. */
+  onOtherRun: () => void = () => {};
 
   private liveView = emptyView();
   private liveSince: Encoded[] = [];
@@ -110,6 +112,9 @@ export class Session {
 
   async showRun(id: string): Promise<void> {
     this.shownRun.value = id;
+    this.tool.value = 'pan';
+    this.marks.value = { measure: [], pose: null };
+    this.onOtherRun();
     this.cursor = undefined;
     this.shownTimeline = null;
     if (this.liveRun) this.connection.start();

@@ -36,6 +36,7 @@ export class MapView {
   ) {
     this.context = canvas.getContext('2d', { alpha: false })!;
     session.onChange = () => this.invalidate();
+    session.onOtherRun = () => this.fit();
     watchGestures(canvas, this.camera, {
       aims: () => session.tool.value === 'pose',
       onMove: () => this.moved(),
