@@ -90,6 +90,7 @@ export class Session {
   private noticeTimer = 0;
   private stopNumber = 0;
   private movingStates = 0;
+  private steeredMs = -Infinity;
 
   get view(): View {
     if (this.isLiveRun.peek() && (this.player.live.peek() || !this.shownTimeline)) return this.liveView;
@@ -269,6 +270,7 @@ export class Session {
     this.liveTimeline = null;
     this.liveView = emptyView();
     void this.sendName();
+    if (this.stopStatus.value === 'unconfirmed' || this.stopStatus.value === 'sent') this.stop();
     setTimeout(() => void this.loadLiveHistory(connect), historyAfterMs);
   }
 
@@ -311,7 +313,10 @@ export class Session {
       this.connection.clock.see(message.motion.clockMs);
       this.stats.addMotion();
     }
-    if (message?.kind === 'state') this.noticeMode(message.state);
+    if (message?.kind === 'state') {
+      this.noticeMode(message.state);
+      this.noticeDriver(message.state);
+    }
     this.changed();
   }
 
@@ -325,9 +330,18 @@ export class Session {
     }
   }
 
+  /** Of a server that does not tell this client's number: the driver with this name, while it drives. */
+  private noticeDriver({ driver }: RunState): void {
+    const drives = this.drives.value && performance.now() - this.steeredMs < 200;
+    if (this.ownClient.value === null && drives && driver?.name === deviceName.value) {
+      this.ownClient.value = driver.client;
+    }
+  }
+
   private takeDriveAck(ack: Ack): void {
     if (ack.ok) {
-      this.stopStatus.value = 'idle';
+      this.steeredMs = performance.now();
+      if (this.drives.value) this.stopStatus.value = 'idle';
       return;
     }
     if (ack.code === 'no-answer') return;
