@@ -35,6 +35,10 @@ export const texts = {
     en: 'Trying again by itself. What you see is old. The robot stops by itself within half a second when nobody drives it; this page is not what keeps it safe.',
     de: 'Neuer Versuch läuft. Was du siehst, ist alt. Der Roboter hält von selbst binnen einer halben Sekunde, wenn ihn niemand fährt; seine Sicherheit hängt nicht an dieser Seite.',
   },
+  'connection.ended': {
+    en: 'The run has ended and its server has closed: this is the last that it said.',
+    de: 'Die Fahrt ist zu Ende und ihr Server geschlossen: Das ist das Letzte, was er sagte.',
+  },
 
   'mode.connecting': { en: 'Connecting', de: 'Verbindet' },
   'mode.explore': { en: 'Exploring', de: 'Erkundet' },
@@ -115,7 +119,7 @@ export const texts = {
   'tab.status': { en: 'Status', de: 'Status' },
   'tab.layers': { en: 'Layers', de: 'Ebenen' },
   'tab.plots': { en: 'Plots', de: 'Kurven' },
-  'tab.log': { en: 'Log', de: 'Protokoll' },
+  'tab.log': { en: 'Log', de: 'Log' },
   'tab.all': { en: 'Panels', de: 'Bereiche' },
 
   'status.coverage': { en: 'Floor seen', de: 'Boden gesehen' },

@@ -20,9 +20,16 @@ export function Banners({ session }: { session: Session }): JSX.Element {
   const { state } = session.shown.value.view;
   const isNow = session.player.live.value && session.isLiveRun.value;
   const stopped = state?.stopped;
+  const isLost = session.linkStatus.value === 'lost';
+  const hasEnded = state?.mode === 'ended';
   return (
     <div class="banners">
-      {session.linkStatus.value === 'lost' && (
+      {isLost && hasEnded && (
+        <Banner kind="info" icon="info">
+          {text('connection.ended')}
+        </Banner>
+      )}
+      {isLost && !hasEnded && (
         <Banner kind="error" icon="down">
           <strong>{text('connection.lost')}</strong> {text('connection.lostMeaning')}
         </Banner>
