@@ -80,6 +80,7 @@ export class Session {
   /** Called when another run is shown. */
   onOtherRun: () => void = () => {};
 
+  private readonly nothing = emptyView();
   private liveView = emptyView();
   private liveSince: Encoded[] = [];
   private liveTimeline: Timeline | null = null;
@@ -93,8 +94,8 @@ export class Session {
   private steeredMs = -Infinity;
 
   get view(): View {
-    if (this.isLiveRun.peek() && (this.player.live.peek() || !this.shownTimeline)) return this.liveView;
-    return this.cursor?.view ?? this.liveView;
+    const followsLive = this.isLiveRun.peek() && (this.player.live.peek() || !this.shownTimeline);
+    return followsLive ? this.liveView : (this.cursor?.view ?? this.nothing);
   }
 
   start(): void {
@@ -181,8 +182,8 @@ export class Session {
   }
 
   async command(command: Command): Promise<void> {
-    const ack = await this.connection.send(command);
-    if (!ack.ok) this.tellRefusal(ack);
+    const ack = await this.connection.sendNow(command);
+    if (!ack?.ok) this.tellRefusal(ack);
     else if (command.do === 'explore' || command.do === 'go') this.stopStatus.value = 'idle';
   }
 
@@ -355,10 +356,10 @@ export class Session {
     this.drives.value = false;
   }
 
-  private tellRefusal(ack: Ack): void {
+  private tellRefusal(ack: Ack | null): void {
     const driver = this.liveView.state?.driver;
-    if (ack.code === 'not-driver' && driver) this.tell(text('drive.other', { name: driver.name }), true);
-    else this.tell(codeText('refused', ack.code, ack.why ?? text('refused.no-answer')), true);
+    if (ack?.code === 'not-driver' && driver) this.tell(text('drive.other', { name: driver.name }), true);
+    else this.tell(codeText('refused', ack?.code, ack?.why ?? text('refused.no-answer')), true);
   }
 
   private loseConnection(): void {

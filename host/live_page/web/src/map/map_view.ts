@@ -40,6 +40,7 @@ export class MapView {
     watchGestures(canvas, this.camera, {
       aims: () => session.tool.value === 'pose',
       onMove: () => this.moved(),
+      onZoom: () => this.zoomed(),
       onTap: (at) => session.useTool(at),
       onAim: (from, to, done) => session.aimPose(from, to, done),
     });
@@ -60,6 +61,11 @@ export class MapView {
 
   zoom(factor: number): void {
     this.camera.zoomAt(this.camera.width / 2, this.camera.height / 2, factor);
+    this.zoomed();
+  }
+
+  /** Goes on following the robot. */
+  private zoomed(): void {
     this.fits = false;
     this.invalidate();
   }
