@@ -143,7 +143,7 @@ class PageServer::Impl {
       names.push_back(protocol.name);
     }
     const std::uint16_t port = acceptor_.local_endpoint().port();
-    return {RequestGuard(*IpLiteral::parse(address_.number), port, params.token),
+    return {RequestGuard(address_.literal, port, params.token),
             read_assets(params.page_folder),
             read_openapi(params.openapi_file),
             std::move(runs),
