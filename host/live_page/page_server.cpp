@@ -139,6 +139,7 @@ class PageServer::Impl {
  private:
   PageContent content(const PageServerParams& params, std::vector<ServedRun> runs) {
     std::vector<std::string> names;
+    names.reserve(parts_.protocols.size());
     for (const NamedProtocol& protocol : parts_.protocols) {
       names.push_back(protocol.name);
     }
@@ -164,6 +165,7 @@ class PageServer::Impl {
 
   void send_waiting() {
     while (const auto frame = inbox_->take()) {
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       clients_.send(*frame);
     }
   }
