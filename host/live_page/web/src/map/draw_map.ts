@@ -2,7 +2,8 @@
 import type { Pose } from '../protocol/messages';
 import type { View } from '../run/view';
 import type { Camera } from './camera';
-import { drawEllipse, drawRobot, drawSonar, drawTruth } from './draw_robot';
+import { drawChoiceLabels, drawChoices } from './draw_choices';
+import { drawEchoes, drawEllipse, drawRobot, drawSonar, drawTruth } from './draw_robot';
 import { type Context, drawArrow, drawLabel, strokeWithHalo, tracePath, traceTrail } from './draw_shapes';
 import { ellipse95 } from './ellipse';
 import type { Layers } from './layers';
@@ -47,7 +48,8 @@ export class MapPainter {
     }
     if (layers.walls) drawWalls(context, camera, view, palette);
     drawTrails(context, camera, view, pose, layers, palette);
-    if (layers.choices) drawChoices(context, camera, scene, palette);
+    if (layers.sonar) drawEchoes(context, camera, view.echoes, palette);
+    if (layers.choices) drawChoices(context, camera, view, pose, palette);
     if (layers.hypotheses) drawHypotheses(context, camera, view, palette);
     const { motion } = view;
     if (motion && pose) {
@@ -56,6 +58,7 @@ export class MapPainter {
       drawRobot(context, camera, pose, hello.radius_m, palette);
       if (layers.truth && motion.truth) drawTruth(context, camera, motion.truth, hello.radius_m, palette);
     }
+    if (layers.choices) drawChoiceLabels(context, camera, view, pose, scene.formatArea, palette);
     drawMarks(context, camera, scene, palette);
   }
 
@@ -168,43 +171,6 @@ function drawTrails(
     traceTrail(context, camera, view.trailSince, Boolean(view.trail?.length));
     if (pose && view.trailSince.length) context.lineTo(...camera.toScreen(pose.x, pose.y));
     context.stroke();
-  }
-}
-
-function drawChoices(context: Context, camera: Camera, scene: MapScene, palette: Palette): void {
-  const why = scene.view.state?.why;
-  for (const choice of why?.choices ?? []) {
-    const [x, y] = camera.toScreen(choice.at[0], choice.at[1]);
-    const radius = Math.min(40, 8 + 9 * Math.sqrt(Math.max(0, choice.gain_m2)));
-    context.strokeStyle = context.fillStyle = choice.chosen ? palette.chosen : palette.choice;
-    context.lineCap = 'round';
-    context.lineWidth = choice.chosen ? 3.5 : 1.5;
-    context.beginPath();
-    context.arc(x, y, radius, 0, 2 * Math.PI);
-    context.globalAlpha = choice.chosen ? 0.3 : 0.14;
-    context.fill();
-    context.globalAlpha = 1;
-    strokeWithHalo(context, palette.halo);
-    drawLabel(context, `${choice.chosen ? '➜ ' : ''}${scene.formatArea(choice.gain_m2)}`, x, y + radius + 12, palette);
-  }
-  if (why?.goal) {
-    const [x, y] = camera.toScreen(why.goal[0], why.goal[1]);
-    context.strokeStyle = palette.chosen;
-    context.lineWidth = 2.5;
-    if (scene.pose) {
-      context.setLineDash([3, 6]);
-      context.beginPath();
-      context.moveTo(...camera.toScreen(scene.pose.x, scene.pose.y));
-      context.lineTo(x, y);
-      strokeWithHalo(context, palette.halo);
-      context.setLineDash([]);
-    }
-    context.beginPath();
-    context.moveTo(x - 7, y);
-    context.lineTo(x + 7, y);
-    context.moveTo(x, y - 7);
-    context.lineTo(x, y + 7);
-    strokeWithHalo(context, palette.halo);
   }
 }
 

@@ -13,7 +13,7 @@ const maxPixelRatio = 2;
 const maxCanvasEdge = 4096;
 const keyPanPixels = 60;
 const keyZoom = 1.3;
-const scaleBarPixels = 44;
+const scaleBarPixels = 56;
 
 /** The map on its canvas: draws a frame whenever something has changed, and none otherwise. */
 export class MapView {
