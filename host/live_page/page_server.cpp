@@ -143,11 +143,12 @@ class PageServer::Impl {
  private:
   PageContent content(const PageServerParams& params, std::vector<ServedRun> runs) {
     std::vector<std::string> names;
+    names.reserve(parts_.protocols.size());
     for (const NamedProtocol& protocol : parts_.protocols) {
       names.push_back(protocol.name);
     }
     const std::uint16_t port = acceptor_.local_endpoint().port();
-    return {RequestGuard(*IpLiteral::parse(address_.number), port, params.token),
+    return {RequestGuard(address_.literal, port, params.token),
             read_assets(params.page_folder),
             read_openapi(params.openapi_file),
             std::move(runs),
@@ -168,6 +169,7 @@ class PageServer::Impl {
 
   void send_waiting() {
     while (const auto frame = inbox_->take()) {
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       clients_.send(*frame);
     }
   }
