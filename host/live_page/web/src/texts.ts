@@ -145,9 +145,9 @@ export const texts = {
   'status.robot': { en: 'Robot', de: 'Roboter' },
   'status.progress': { en: 'Progress', de: 'Fortschritt' },
 
-  'localization.localized': { en: 'knows where it is', de: 'weiß, wo er ist' },
-  'localization.lost': { en: 'does not know where it is', de: 'weiß nicht, wo er ist' },
-  'localization.recovering': { en: 'not yet sure where it is', de: 'noch nicht sicher, wo er ist' },
+  'localization.localized': { en: 'Knows where it is', de: 'Weiß, wo er ist' },
+  'localization.lost': { en: 'Does not know where it is', de: 'Weiß nicht, wo er ist' },
+  'localization.recovering': { en: 'Not yet sure where it is', de: 'Noch nicht sicher, wo er ist' },
 
   'score.free_iou': { en: 'Free floor', de: 'Freier Boden' },
   'score.free_iou.help': {

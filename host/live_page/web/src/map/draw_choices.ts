@@ -3,11 +3,11 @@ import type { Choice, Pose } from '../protocol/messages';
 import { planOf } from '../run/plan';
 import type { View } from '../run/view';
 import type { Camera } from './camera';
-import { type Box, type Context, drawLabel, labelBox, overlap, strokeWithHalo } from './draw_shapes';
+import { type Context, strokeWithHalo } from './draw_shapes';
+import type { LabelSpace } from './label_space';
 import type { Palette } from './palette';
 
 const labelGap = 12;
-const nearRobot = 16;
 
 /** Of the floor that a choice promises. */
 function radiusOf(choice: Choice): number {
@@ -49,30 +49,19 @@ export function drawChoices(context: Context, camera: Camera, view: View, pose: 
   strokeWithHalo(context, palette.halo);
 }
 
-/** The chosen one first; of the others those that hide neither a label nor the robot, the largest first. */
-export function drawChoiceLabels(
-  context: Context,
+/** The chosen one first, then the largest. */
+export function labelChoices(
+  space: LabelSpace,
   camera: Camera,
   view: View,
-  pose: Pose | null,
   formatArea: (squareMetres: number) => string,
-  palette: Palette,
 ): void {
-  const taken: Box[] = [];
-  if (pose) {
-    const [x, y] = camera.toScreen(pose.x, pose.y);
-    taken.push({ left: x - nearRobot, top: y - nearRobot, right: x + nearRobot, bottom: y + nearRobot });
-  }
   const choices = [...(planOf(view.state)?.choices ?? [])];
   choices.sort((a, b) => Number(b.chosen) - Number(a.chosen) || b.gain_m2 - a.gain_m2);
   for (const choice of choices) {
-    const text = `${choice.chosen ? '➜ ' : ''}${formatArea(choice.gain_m2)}`;
     const [x, y] = camera.toScreen(...choice.at);
     const apart = radiusOf(choice) + labelGap;
-    const isFree = (at: number): boolean => !taken.some((box) => overlap(box, labelBox(context, text, x, at)));
-    const at = [y + apart, y - apart].find(isFree) ?? (choice.chosen ? y + apart : null);
-    if (at === null) continue;
-    taken.push(labelBox(context, text, x, at));
-    drawLabel(context, text, x, at, palette);
+    const text = `${choice.chosen ? '➜ ' : ''}${formatArea(choice.gain_m2)}`;
+    space.place(text, x, [y + apart, y - apart], choice.chosen);
   }
 }

@@ -2,10 +2,11 @@
 import type { Pose } from '../protocol/messages';
 import type { View } from '../run/view';
 import type { Camera } from './camera';
-import { drawChoiceLabels, drawChoices } from './draw_choices';
+import { drawChoices, labelChoices } from './draw_choices';
 import { drawEchoes, drawEllipse, drawRobot, drawSonar, drawTruth } from './draw_robot';
 import { type Context, drawArrow, drawLabel, strokeWithHalo, tracePath, traceTrail } from './draw_shapes';
 import { ellipse95 } from './ellipse';
+import { LabelSpace } from './label_space';
 import type { Layers } from './layers';
 import { type Palette, palettes, type Theme } from './palette';
 import { ParticleLayer } from './particle_layer';
@@ -22,6 +23,7 @@ export interface MapScene {
   theme: Theme;
   formatMetres: (metres: number) => string;
   formatArea: (squareMetres: number) => string;
+  formatPercent: (share: number) => string;
 }
 
 /** Draws the map and all that lies on it. */
@@ -58,7 +60,9 @@ export class MapPainter {
       drawRobot(context, camera, pose, hello.radius_m, palette);
       if (layers.truth && motion.truth) drawTruth(context, camera, motion.truth, hello.radius_m, palette);
     }
-    if (layers.choices) drawChoiceLabels(context, camera, view, pose, scene.formatArea, palette);
+    const space = new LabelSpace(context, camera, pose, palette);
+    if (layers.choices) labelChoices(space, camera, view, scene.formatArea);
+    if (layers.hypotheses) labelHypotheses(space, camera, view, scene.formatPercent);
     drawMarks(context, camera, scene, palette);
   }
 
@@ -188,7 +192,23 @@ function drawHypotheses(context: Context, camera: Camera, view: View, palette: P
       strokeWithHalo(context, palette.halo);
     }
     drawArrow(context, x, y, -hypothesis.heading, 22, palette.halo);
-    drawLabel(context, `${Math.round(hypothesis.probability * 100)} %`, x, y - 20, palette);
+  }
+}
+
+/** The likeliest first; the only one needs none. */
+function labelHypotheses(
+  space: LabelSpace,
+  camera: Camera,
+  view: View,
+  formatPercent: (share: number) => string,
+): void {
+  const hypotheses = [...(view.state?.localization?.hypotheses ?? [])];
+  if (hypotheses.length < 2) return;
+  hypotheses.sort((a, b) => b.probability - a.probability);
+  for (const hypothesis of hypotheses) {
+    const [x, y] = camera.toScreen(hypothesis.x, hypothesis.y);
+    const apart = Math.max(20, (ellipse95(hypothesis)?.minorM ?? 0) * camera.scale + 10);
+    space.place(formatPercent(hypothesis.probability), x, [y - apart, y + apart]);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { area, metres } from '../format';
+import { area, metres, percent } from '../format';
 import type { Motion } from '../protocol/messages';
 import type { Session } from '../session';
 import { theme } from '../theme';
@@ -130,6 +130,7 @@ export class MapView {
       theme: theme.value,
       formatMetres: metres,
       formatArea: area,
+      formatPercent: percent,
     });
     this.measure(startMs, performance.now(), view.motion, view.tiles.size > 0);
     this.showScale();

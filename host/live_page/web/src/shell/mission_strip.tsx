@@ -14,7 +14,9 @@ export function modeWords(state: RunState | null): string {
 export function whyWords(state: RunState | null): string {
   const why = planOf(state);
   if (!why?.code) return '';
-  const reason = codeText('why', why.code, why.code);
+  // Of a robot that looks for its place, that says more.
+  const status = why.code === 'strategy' ? state?.localization?.status : null;
+  const reason = status ? codeText('localization', status, status) : codeText('why', why.code, why.code);
   return why.gain_m2 ? `${reason}: ${text('why.gain', { area: area(why.gain_m2) })}` : reason;
 }
 
