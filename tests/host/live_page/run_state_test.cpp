@@ -168,6 +168,23 @@ TEST(RunState, TellsHowTheLinkIs) {
     "outages": 4, "frames_per_s": 48.0, "battery_v": 7.5})"));
 }
 
+TEST(RunState, NamesEveryStateOfTheLink) {
+  const std::vector<std::pair<LinkState, std::string>> names{{LinkState::kConnecting, "connecting"},
+                                                             {LinkState::kReady, "ready"},
+                                                             {LinkState::kDescribing, "describing"},
+                                                             {LinkState::kSilent, "silent"},
+                                                             {LinkState::kGarbage, "garbage"},
+                                                             {LinkState::kUnheard, "unheard"},
+                                                             {LinkState::kMismatch, "mismatch"},
+                                                             {LinkState::kLost, "lost"}};
+  for (const auto& [link, name] : names) {
+    RunState state = running_state();
+    state.link.emplace();
+    state.link->state = link;
+    EXPECT_EQ(to_json(state).at("link").at("state"), name);
+  }
+}
+
 TEST(RunState, TellsWhereTheRobotMayBe) {
   RunState state = running_state();
   state.belief.emplace();
