@@ -94,6 +94,7 @@ LiveRun::~LiveRun() {
   if (publisher_) {
     robot_.recorder().listen(nullptr);
     robot_.fork().remove(*publisher_);
+    robot_.obey_nobody();
   }
 }
 
@@ -107,15 +108,15 @@ void LiveRun::serve(const LiveOptions& options, const LiveRunFacts& facts) {
   run.has_truth = facts.is_simulated;
   run.can = commands_of({}, false, is_simulated_);
   publisher_ = std::make_shared<live_page::RunPublisher>(history, run, robot_.profile());
-  robot_.fork().add(*publisher_);
   topics_.emplace(session_name());
-  robot_.recorder().listen(&*topics_);
   server_ = serve_page(
       options,
       {{run.name, facts.out, history, true}},
       run.can,
       [this](const session::OperatorCommand& command) { queue_.push(command); },
       live_page::foxglove_protocols(*topics_));
+  robot_.fork().add(*publisher_);
+  robot_.recorder().listen(&*topics_);
 }
 
 void LiveRun::obey(const LiveRunFacts& facts) {
@@ -198,8 +199,11 @@ void LiveRun::score_against(const std::filesystem::path& truth) {
 }
 
 void LiveRun::score_map() {
+  if (!score_ || has_other_map_) {
+    return;
+  }
   const pipeline::Snapshot snapshot = robot_.atlas().pipeline().snapshot();
-  if (score_ && !has_other_map_ && std::exchange(scored_stops_, snapshot.stops) != snapshot.stops) {
+  if (std::exchange(scored_stops_, snapshot.stops) != snapshot.stops) {
     score_->look_at(*snapshot.grid);
   }
 }
