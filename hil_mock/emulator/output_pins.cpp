@@ -28,6 +28,11 @@ std::uint16_t PwmOutput::compare() const {
   return static_cast<std::uint16_t>(high << 8 | avr_.data[compare_low_]);
 }
 
+std::array<std::uint16_t, 4> PwmOutput::addresses() const {
+  const auto [port, direction] = port_.addresses();
+  return {compare_low_, static_cast<std::uint16_t>(connection_.reg), port, direction};
+}
+
 double PwmOutput::mean_level() const {
   if (makes_pulses() && is_clocked()) {
     return (compare() + 1) / 256.0;
@@ -39,6 +44,12 @@ bool PwmOutput::is_clocked() const {
   return std::any_of(std::begin(clock_select_), std::end(clock_select_), [this](avr_regbit_t bit) {
     return bits(bit) != 0;
   });
+}
+
+std::array<std::uint16_t, 6> MotorOutput::addresses() const {
+  const auto [compare, connection, pwm_port, pwm_direction] = pwm_.addresses();
+  const auto [forward_port, forward_direction] = forward_.addresses();
+  return {compare, connection, pwm_port, pwm_direction, forward_port, forward_direction};
 }
 
 }  // namespace echomap::emulator

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <sim_avr.h>
 
@@ -14,6 +15,9 @@ class PortOutput {
  public:
   /// `avr` outlives the output.
   PortOutput(const avr_t& avr, Pin pin);
+
+  /// PORTx and DDRx.
+  std::array<std::uint16_t, 2> addresses() const { return {port_, direction_}; }
 
   bool is_driven() const { return bit_of(direction_); }
   bool level() const { return is_driven() && bit_of(port_); }
@@ -40,6 +44,8 @@ class PwmOutput {
   std::uint16_t compare() const;
   /// OCRnx, or its low byte where it has two.
   std::uint16_t compare_address() const { return compare_low_; }
+  /// OCRnx, the register that connects the unit, PORTx and DDRx.
+  std::array<std::uint16_t, 4> addresses() const;
   /// Mean level, with a timer that counts to 255: high for OCRnx + 1 of 256 counts.
   double mean_level() const;
 
@@ -67,6 +73,9 @@ class MotorOutput {
       : pwm_(avr, wiring.pwm), forward_(avr, wiring.forward) {}
 
   /// Mean level of the PWM pin, negative for backwards.
+  /// Registers whose writes change it.
+  std::array<std::uint16_t, 6> addresses() const;
+
   double duty() const { return forward_.level() ? pwm_.mean_level() : -pwm_.mean_level(); }
 
  private:

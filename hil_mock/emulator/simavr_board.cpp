@@ -2,6 +2,7 @@
 #include "hil_mock/emulator/simavr_board.hpp"
 
 #include <algorithm>
+#include <set>
 #include <sim_core_config.h>
 #include <stdexcept>
 
@@ -49,6 +50,7 @@ SimavrBoard::SimavrBoard(const std::filesystem::path& elf)
   drive_resting_levels();
   watch_trigger();
   watch_servo();
+  watch_motors();
 }
 
 std::int64_t SimavrBoard::now_ns() const {
@@ -157,6 +159,21 @@ void SimavrBoard::on_trigger_level(bool high) {
 void SimavrBoard::watch_servo() {
   machine_.hooks().after_write(servo_.compare_address(),
                                [this] { servo_compare_ = servo_.compare(); });
+}
+
+void SimavrBoard::watch_motors() {
+  std::set<std::uint16_t> registers;
+  for (const MotorOutput& motor : {left_motor_, right_motor_}) {
+    const auto addresses = motor.addresses();
+    registers.insert(addresses.begin(), addresses.end());
+  }
+  for (const std::uint16_t address : registers) {
+    machine_.hooks().after_write(address, [this] {
+      if (on_duty) {
+        on_duty();
+      }
+    });
+  }
 }
 
 void SimavrBoard::schedule_level(std::int64_t at_ns, Pin pin, bool level) {

@@ -56,6 +56,7 @@ class SimavrBoard final : public runner::SimulatedBoard {
   void watch_trigger();
   void on_trigger_level(bool high);
   void watch_servo();
+  void watch_motors();
   void schedule_level(std::int64_t at_ns, Pin pin, bool level);
 
   std::string program_;

@@ -22,6 +22,11 @@ MockBoard::MockBoard() : board_(native::NativeBoard::instance()) {
       on_sent(byte);
     }
   };
+  board_.on_motor = [this] {
+    if (on_duty) {
+      on_duty();
+    }
+  };
   board_.on_trigger = [this](std::int64_t at_ns) {
     if (on_trigger) {
       on_trigger(at_ns);
@@ -34,6 +39,7 @@ MockBoard::MockBoard() : board_(native::NativeBoard::instance()) {
 MockBoard::~MockBoard() {
   board_.on_sent = nullptr;
   board_.on_trigger = nullptr;
+  board_.on_motor = nullptr;
   board_.two_wire.on_read = nullptr;
   board_.two_wire.on_write = nullptr;
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hil_mock/runner/device_options.hpp"
+#include "hil_mock/runner/duty_log.hpp"
 #include "hil_mock/runner/faulty_board.hpp"
 #include "hil_mock/runner/fix_sender.hpp"
 #include "hil_mock/runner/lockstep_run.hpp"
@@ -88,6 +89,12 @@ class Device {
     schedule_kidnaps(options, simulation_);
     if (!options.camera.empty()) {
       put_up_camera();
+    }
+    if (!options.duty_log.empty()) {
+      duty_log_.emplace(options.duty_log);
+      simulation_.on_duty = [this](std::int64_t now_ns, const MotorDuty& duty) {
+        duty_log_->note(now_ns, duty);
+      };
     }
   }
 
@@ -174,6 +181,7 @@ class Device {
   std::unique_ptr<ByteEndpoint> endpoint_;
   std::optional<OverheadCamera> camera_;
   std::unique_ptr<FixSender> fixes_;
+  std::optional<DutyLog> duty_log_;
 };
 
 }  // namespace

@@ -185,6 +185,10 @@ void add_options(CLI::App& app,
   app.add_option("--truth",
                  options.truth,
                  "Folder for the truth files: of the room at the start, of all at the end");
+  app.add_option("--duty-log",
+                 options.duty_log,
+                 "CSV file for when a wheel is driven and when no more: simulated time, "
+                 "CLOCK_MONOTONIC, duties");
   add_place_options(app, options, raw);
   app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
       ->check(CLI::PositiveNumber)

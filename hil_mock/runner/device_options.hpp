@@ -35,6 +35,8 @@ struct DeviceOptions {
   std::vector<world::PartFault> part_faults;
   /// Folder of the truth files; empty for none.
   std::filesystem::path truth;
+  /// Where a DutyLog goes; empty for none.
+  std::filesystem::path duty_log;
   std::optional<geometry::Pose2> T_world_start;
   /// Where the overhead camera's fixes go (FixSender); empty for no camera.
   std::string camera;

@@ -21,6 +21,11 @@ FaultyBoard::FaultyBoard(std::unique_ptr<SimulatedBoard> board, const LineModel&
     delay_to_host_.emplace(line.delays->to_host, noise(1));
   }
   board_->on_sent = [this](std::uint8_t byte) { take_from_board(byte); };
+  board_->on_duty = [this] {
+    if (on_duty) {
+      on_duty();
+    }
+  };
   board_->on_trigger = [this](std::int64_t at_ns) {
     if (on_trigger) {
       on_trigger(at_ns);

@@ -39,6 +39,7 @@ RobotSimulation::RobotSimulation(SimulatedBoard& board, world::RobotWorld& world
     }
   };
   board_.on_trigger = [this](std::int64_t at_ns) { on_trigger(at_ns); };
+  board_.on_duty = [this] { tell_duty(); };
   record_truth();
 }
 
@@ -71,6 +72,7 @@ void RobotSimulation::step_world() {
   if (duty.left != 0.0 || duty.right != 0.0) {
     last_driven_ns_ = now_ns_;
   }
+  tell_duty();
   changes_.clear();
   world_.step(kStepS, {duty.left, duty.right}, changes_);
   turn_pan();
@@ -85,6 +87,12 @@ void RobotSimulation::step_world() {
   }
   if (on_step) {
     on_step();
+  }
+}
+
+void RobotSimulation::tell_duty() {
+  if (on_duty) {
+    on_duty(board_.now_ns(), board_.motor_duty());
   }
 }
 

@@ -58,6 +58,9 @@ class RobotSimulation {
 
   /// Called after every millisecond of the world.
   std::function<void()> on_step;
+  /// Called with the board's time and what its motors get: every millisecond, and between at the
+  /// instants at which the program may have changed it.
+  std::function<void(std::int64_t now_ns, const MotorDuty& duty)> on_duty;
 
   /// Bytes for the board's receive line.
   void receive(std::span<const std::uint8_t> bytes);
@@ -78,6 +81,7 @@ class RobotSimulation {
   double pan_rad() const { return stepper_ ? stepper_->pan_rad() : pan_.pan_rad(); }
 
  private:
+  void tell_duty();
   void step_world();
   void kidnap();
   void turn_pan();

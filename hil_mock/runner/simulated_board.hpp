@@ -37,6 +37,8 @@ class SimulatedBoard {
   std::function<void(std::uint8_t)> on_sent;
 
   virtual MotorDuty motor_duty() const = 0;
+  /// Called at the instant at which the program may have changed that.
+  std::function<void()> on_duty;
   /// Length of the servo pulse now produced; 0 before the first.
   virtual double pan_pulse_us() const = 0;
   /// The quadrature pins of a wheel change to these levels at `at_ns`.

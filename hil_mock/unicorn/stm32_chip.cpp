@@ -185,6 +185,9 @@ void Stm32Chip::write(std::uint32_t address, std::uint32_t value) {
   if (Peripheral* const peripheral = answering(address)) {
     peripheral->write(address % kBlockBytes, value);
     set_pace();
+    if (on_write) {
+      on_write();
+    }
   }
 }
 

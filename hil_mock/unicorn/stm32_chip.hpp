@@ -69,6 +69,8 @@ class Stm32Chip {
   const Timer& tim3() const { return tim3_; }
   /// Called when the level of a pin has changed, by the outside or by the program.
   std::function<void(PortName port, std::uint8_t pin, bool high)> on_level;
+  /// Called when the program has written to a peripheral.
+  std::function<void()> on_write;
   /// How often the chip has been reset since switch-on, by whatever cause.
   std::uint32_t resets() const { return resets_; }
 

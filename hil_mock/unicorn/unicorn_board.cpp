@@ -70,6 +70,11 @@ UnicornBoard::UnicornBoard(const std::filesystem::path& elf)
       on_sent(byte);
     }
   };
+  chip_.on_write = [this] {
+    if (on_duty) {
+      on_duty();
+    }
+  };
   chip_.on_level = [this](Stm32Chip::PortName port, std::uint8_t pin, bool high) {
     if (is_same(blue_pill_pins::kSonarTrigger, port, pin)) {
       on_trigger_level(high);

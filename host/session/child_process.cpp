@@ -1,17 +1,59 @@
 // SPDX-License-Identifier: MIT
 #include "host/session/child_process.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <fcntl.h>
-#include <spawn.h>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 
 namespace echomap::session {
+namespace {
+
+constexpr int kNotStarted = 127;
+
+/// Opens a file as one of the standard streams; false and errno where that fails.
+bool open_as(int stream, const char* path, int flags) {
+  const int file = ::open(path, flags, 0644);
+  if (file == stream) {
+    return true;
+  }
+  return file >= 0 && ::dup2(file, stream) == stream && ::close(file) == 0;
+}
+
+/// Goes on as the child of a fork and becomes the program, or writes an errno to `report`. Other
+/// threads may have held locks when it was forked: only calls that are safe in a signal handler.
+[[noreturn]] void become(char* const* command, const char* log, pid_t parent, int report) {
+  // A group of its own: the terminal's Ctrl-C reaches only the host, which then ends it in order.
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  const bool is_orphan = ::getppid() != parent;
+  if (!is_orphan && open_as(STDIN_FILENO, "/dev/null", O_RDONLY) &&
+      open_as(STDOUT_FILENO, log, O_WRONLY | O_CREAT | O_TRUNC) &&
+      ::dup2(STDOUT_FILENO, STDERR_FILENO) == STDERR_FILENO) {
+    ::execv(command[0], command);
+  }
+  const int error = errno;
+  [[maybe_unused]] const ssize_t written = ::write(report, &error, sizeof error);
+  ::_exit(kNotStarted);
+}
+
+/// Waits until the child has become its program; the errno where it has not, or 0.
+int start_error(int report) {
+  int error = 0;
+  ssize_t count = 0;
+  do {
+    count = ::read(report, &error, sizeof error);
+  } while (count < 0 && errno == EINTR);
+  return count == sizeof error ? error : 0;
+}
+
+}  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command,
                            const std::filesystem::path& log) {
@@ -22,21 +64,23 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command,
   }
   arguments.push_back(nullptr);
 
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(
-      &actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  // A group of its own: the terminal's Ctrl-C reaches only the host, which then ends it in order.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  const int error =
-      ::posix_spawn(&pid_, arguments[0], &actions, &attributes, arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
+  int report[2] = {-1, -1};
+  const pid_t parent = ::getpid();
+  int error = ::pipe2(report, O_CLOEXEC) == 0 ? 0 : errno;
+  if (error == 0) {
+    pid_ = ::fork();
+    error = pid_ < 0 ? errno : 0;
+    if (pid_ == 0) {
+      become(arguments.data(), log.c_str(), parent, report[1]);
+    }
+    ::close(report[1]);
+    error = error != 0 ? error : start_error(report[0]);
+    ::close(report[0]);
+  }
   if (error != 0) {
+    if (pid_ > 0) {
+      wait_for(std::chrono::seconds(2));
+    }
     throw std::runtime_error("cannot start " + command.front() + ": " +
                              std::generic_category().message(error));
   }

@@ -11,7 +11,8 @@
 
 namespace echomap::session {
 
-/// A program started by this one. Its output goes to a log file; it is ended with its owner.
+/// A program started by this one. Its output goes to a log file; it is ended with its owner, and
+/// where that is killed, with the thread that has made it.
 class ChildProcess {
  public:
   /// `command[0]` is the program's path. Throws std::runtime_error where it cannot be started.

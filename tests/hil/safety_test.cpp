@@ -45,6 +45,19 @@ TEST_P(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
   EXPECT_EQ(outcome_of_move(robot), MotionOutcome::kExpired);
 }
 
+TEST_P(MovingRobot, TellsOfItsDutiesWhenItsProgramSetsThem) {
+  drive();
+  renewing = false;
+  std::int64_t off_since_ns = 0;
+  robot.board().on_duty = [&] {
+    const std::int64_t now_ns = robot.board().now_ns();
+    off_since_ns = !off() ? 0 : off_since_ns == 0 ? now_ns : off_since_ns;
+  };
+  const std::int64_t start_ns = robot.board().now_ns();
+  const double ms = ms_until_off(1500);
+  EXPECT_NEAR(1e-6 * double(off_since_ns - start_ns), ms, 0.021) << "it looks every 20 us";
+}
+
 TEST_P(MovingRobot, MoveExpiresToo) {
   connect_and_arm();
   ASSERT_EQ(robot.command(protocol::MoveTicks{0, 20000, 20000, 1500, kTimeToLiveMs}),

@@ -133,6 +133,9 @@ bool NativeBoard::conversion_done(std::uint16_t& value) const {
 void NativeBoard::set_motor(hal::Motor motor, bool forward, std::uint8_t duty) {
   std::int16_t& signed_duty = motor == hal::Motor::kLeft ? left_duty_ : right_duty_;
   signed_duty = static_cast<std::int16_t>(forward ? duty : -duty);
+  if (on_motor) {
+    on_motor();
+  }
 }
 
 void NativeBoard::trigger_sonar() {

@@ -60,6 +60,8 @@ class NativeBoard {
   /// Duty of the motors, -255 .. 255, forward positive.
   std::int16_t left_duty() const { return left_duty_; }
   std::int16_t right_duty() const { return right_duty_; }
+  /// Called when the program has set one of them.
+  std::function<void()> on_motor;
   /// Length of the servo's pulses; 0 before the first.
   double pan_pulse_us() const { return pan_pulse_us_; }
 

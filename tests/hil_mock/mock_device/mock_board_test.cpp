@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,25 @@ TEST(MockBoard, AMoveEndsAtItsCountsAndNoneIsLostOnTheWay) {
   EXPECT_EQ(session.heard().status.move_outcome,
             static_cast<std::uint8_t>(protocol::MotionOutcome::kReached));
   EXPECT_NEAR(session.world().T_world_robot().x_m(), 2.0 + 2000.0 / 1496.0 * 0.2042, 0.01);
+}
+
+TEST(MockBoard, TellsWhenItsProgramSetsADuty) {
+  Session session;
+  std::vector<std::int64_t> changed_ns;
+  bool was_driven = false;
+  session.simulation().on_duty = [&](std::int64_t now_ns, const runner::MotorDuty& duty) {
+    const bool is_driven = duty.left != 0.0;
+    if (is_driven != was_driven) {
+      changed_ns.push_back(now_ns);
+    }
+    was_driven = is_driven;
+  };
+  session.configure_and_arm();
+  session.send(protocol::MoveTicks{4, 500, 500, 1500, 200});
+  session.keep_alive_ms(2000);
+  ASSERT_GE(changed_ns.size(), 2U) << "it begins and it ends";
+  EXPECT_FALSE(was_driven);
+  EXPECT_GT(changed_ns.back() - changed_ns.front(), 300'000'000);
 }
 
 TEST(MockBoard, ASweepMeasuresTheWallsOfTheRoom) {

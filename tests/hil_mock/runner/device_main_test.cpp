@@ -54,6 +54,25 @@ TEST(DeviceMain, RunsPacedSaysWhereItListensAndLeavesTheTruth) {
   EXPECT_DOUBLE_EQ(truth["sim_seconds"].get<double>(), 0.5);
 }
 
+TEST(DeviceMain, LogsDutiesInPacedTime) {
+  const tests::ScratchFolder folder;
+  const DeviceProgram driven{"echomap-fake", {}, [](const BoardOptions&) {
+                               auto board = std::make_unique<FakeBoard>();
+                               board->duty = {0.5, 0.5};
+                               board->stop_at_ns = 100'000'000;
+                               return board;
+                             }};
+  const Outcome outcome = run({"--link=" + (folder / "robot").string(),
+                               "--speed=max",
+                               "--duration=0.2",
+                               "--duty-log=" + (folder / "duty.csv").string()},
+                              driven);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  const std::string log = files::read_text_file(folder / "duty.csv");
+  EXPECT_EQ(log.rfind("sim_us,monotonic_us,left_duty,right_duty\n1000,", 0), 0U) << log;
+  EXPECT_THAT(log, HasSubstr("\n100000,"));
+}
+
 TEST(DeviceMain, SaysByeInLockstepWhenTheTruthIsOnDisk) {
   const tests::ScratchFolder folder;
   Arguments arguments{"--link=" + (folder / "robot").string(),

@@ -38,6 +38,7 @@ TEST(DeviceOptions, UnderstandsEveryOption) {
                                                      "--faults=flip=1e-4,loss=0.01,seed=3",
                                                      "--line=ftdi",
                                                      "--truth=out",
+                                                     "--duty-log=duty.csv",
                                                      "--start=1.5,-2,90",
                                                      "--duration=2.5"}));
   EXPECT_EQ(options.world, "l_room");
@@ -50,6 +51,7 @@ TEST(DeviceOptions, UnderstandsEveryOption) {
   EXPECT_EQ(options.line.faults.seed, 3U);
   EXPECT_EQ(options.line.delays->to_host.poll_us, 16'000);
   EXPECT_EQ(options.truth, "out");
+  EXPECT_EQ(options.duty_log, "duty.csv");
   EXPECT_EQ(options.T_world_start->y_m(), -2.0);
   EXPECT_NEAR(options.T_world_start->heading_rad(), geometry::radians(90.0), 1e-12);
   EXPECT_EQ(options.duration_s, 2.5);

@@ -126,6 +126,10 @@ TEST(FaultyBoard, HandsOnPinsAndHooks) {
   std::int64_t triggered_ns = 0;
   board.on_trigger = [&triggered_ns](std::int64_t at_ns) { triggered_ns = at_ns; };
   fake.on_trigger(7);
+  int duties_told = 0;
+  board.on_duty = [&duties_told] { ++duties_told; };
+  fake.on_duty();
+  EXPECT_EQ(duties_told, 1);
   board.schedule_encoder_edge(Wheel::kRight, 5, true, false);
   board.schedule_echo(10, 20);
   board.set_bump(Wheel::kLeft, true);

@@ -130,6 +130,18 @@ TEST(RobotSimulation, DoesTheSameInManySmallStepsAsInOneLarge) {
   EXPECT_EQ(end_pose(1000 * kMs), end_pose(40'000));
 }
 
+TEST_F(RobotSimulationTest, DutiesAreToldEveryMillisecondAndWhenTheProgramSetsThem) {
+  std::vector<std::int64_t> told_ns;
+  simulation.on_duty = [&told_ns](std::int64_t now_ns, const MotorDuty&) {
+    told_ns.push_back(now_ns);
+  };
+  simulation.advance_to(kMs);
+  board.time_ns = 1'234'567;
+  board.on_duty();
+  simulation.advance_to(2 * kMs);
+  EXPECT_EQ(told_ns, (std::vector<std::int64_t>{kMs, 1'234'567, 2 * kMs}));
+}
+
 TEST_F(RobotSimulationTest, HandsOnBytesBothWays) {
   const std::vector<std::uint8_t> bytes{1, 0, 255};
   simulation.receive(bytes);

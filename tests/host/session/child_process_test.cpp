@@ -3,9 +3,14 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <stdexcept>
+#include <string>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 
 #include "host/files/atomic_file.hpp"
 #include "tests/support/eventually.hpp"
@@ -42,8 +47,39 @@ TEST(ChildProcess, EndsWithItsOwner) {
   EXPECT_EQ(::kill(pid, 0), -1);
 }
 
+/// A process that has a child, and never comes to its own end.
+[[noreturn]] void own_a_child_and_wait(const std::filesystem::path& log) {
+  const ChildProcess child({"/bin/sh", "-c", "echo $$; exec sleep 100"}, log);
+  while (true) {
+    ::pause();
+  }
+}
+
+TEST(ChildProcess, EndsWithAnOwnerThatIsKilled) {
+  const tests::ScratchFolder folder;
+  const auto log = folder / "pid.log";
+  ASSERT_EQ(::prctl(PR_SET_CHILD_SUBREAPER, 1), 0) << "so that this process is told of orphans";
+  const pid_t owner = ::fork();
+  if (owner == 0) {
+    own_a_child_and_wait(log);
+  }
+  const auto written = [&] {
+    return std::filesystem::exists(log) && files::read_text_file(log).ends_with('\n');
+  };
+  EXPECT_TRUE(tests::eventually(written));
+  ::kill(owner, SIGKILL);
+  ASSERT_EQ(::waitpid(owner, nullptr, 0), owner);
+  const int child = std::stoi(files::read_text_file(log));
+  int status = 0;
+  EXPECT_TRUE(tests::eventually([&] { return ::waitpid(child, &status, WNOHANG) == child; }));
+  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGTERM);
+  ::prctl(PR_SET_CHILD_SUBREAPER, 0);
+}
+
 TEST(ChildProcess, CannotStartWhatIsNotThere) {
   EXPECT_THROW(ChildProcess({"/nowhere/program"}, "/dev/null"), std::runtime_error);
+  EXPECT_THROW(ChildProcess({"/bin/true"}, "/nowhere/log"), std::runtime_error);
 }
 
 }  // namespace
