@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// A person who drives the robot by the page, and what stops it. Each of these drives first, and returns
+// how long the wheels then went on.
+import { open_page, shows_map, start_browser, view } from "./browser.mjs";
+import { stop_after, wheels_are_driven } from "./duty_log.mjs";
+import { now_us, sleep, until } from "./processes.mjs";
+import { start_paced_robot } from "./robots.mjs";
+import { SlowCable } from "./slow_cable.mjs";
+import { VisibleTab } from "./visible_tab.mjs";
+
+// It turns on the spot: nothing is in its way.
+const KEY = "KeyA";
+// Steering is under way, not just begun.
+const DRIVES_MS = 400;
+// Until an emulated robot has said that it stands, and whoever drove it is forgotten.
+const RESTS_MS = 300;
+
+/** A paced robot, a browser, and the cable between them. */
+export class DrivenRobot {
+  static async start() {
+    const driven = new DrivenRobot();
+    driven.robot = await start_paced_robot(["--listen", "127.0.0.2:0"]);
+    driven.port = Number(new URL(driven.robot.url).port);
+    driven.cable = new SlowCable(driven.port, "127.0.0.2");
+    await driven.cable.listen(driven.port);
+    driven.url = `http://127.0.0.1:${driven.port}/`;
+    driven.browser = await start_browser();
+    return driven;
+  }
+  get duty_log() {
+    return this.robot.duty_log;
+  }
+  async end() {
+    await this.browser.close();
+    this.cable.close();
+    await this.robot.end();
+  }
+  async open() {
+    const opened = await open_page(this.browser, this.url);
+    await shows_map(opened.page);
+    return opened;
+  }
+  /** Until the wheels are driven by a key that stays pressed. */
+  async drive(keyboard) {
+    await until("the robot stands", () => !wheels_are_driven(this.duty_log));
+    await keyboard.down(KEY);
+    await until("the wheels are driven", () => wheels_are_driven(this.duty_log));
+    await sleep(DRIVES_MS);
+  }
+  async let_go(keyboard) {
+    await keyboard.up(KEY);
+    await sleep(RESTS_MS);
+  }
+
+  async stop_by_click(page) {
+    await this.drive(page.keyboard);
+    const { x, y, width, height } = await page.locator("#stop").boundingBox();
+    await page.mouse.move(x + width / 2, y + height / 2);
+    const event_us = now_us();
+    await page.mouse.down();
+    const took = await stop_after(this.duty_log, event_us);
+    await page.mouse.up();
+    await this.let_go(page.keyboard);
+    return took;
+  }
+  async stop_by_letting_go(page) {
+    await this.drive(page.keyboard);
+    const event_us = now_us();
+    await page.keyboard.up(KEY);
+    return stop_after(this.duty_log, event_us);
+  }
+  async stop_by_hiding(tab) {
+    await this.drive({ down: (key) => tab.press(key) });
+    const event_us = now_us();
+    await tab.cover();
+    const took = await stop_after(this.duty_log, event_us);
+    const visibility = await tab.value_of("document.visibilityState");
+    await tab.show();
+    await this.let_go({ up: (key) => tab.let_go(key) });
+    return { ...took, visibility };
+  }
+  async stop_by_closing() {
+    const { page, close } = await this.open();
+    await this.drive(page.keyboard);
+    const event_us = now_us();
+    const closed = page.close();
+    const took = await stop_after(this.duty_log, event_us);
+    await closed;
+    await close();
+    return took;
+  }
+  /** The firmware alone is left. */
+  async stop_by_freezing(page) {
+    await this.drive(page.keyboard);
+    const event_us = now_us();
+    this.robot.echomap.signal("SIGSTOP");
+    try {
+      return await stop_after(this.duty_log, event_us);
+    } finally {
+      await this.let_go(page.keyboard);
+      this.robot.echomap.signal("SIGCONT");
+    }
+  }
+  async stop_by_cutting_the_network() {
+    const { page, close } = await this.open();
+    await this.drive(page.keyboard);
+    const event_us = now_us();
+    this.cable.cut();
+    try {
+      return await stop_after(this.duty_log, event_us);
+    } finally {
+      await close();
+      this.cable.mend();
+    }
+  }
+  async open_visible_tab() {
+    const tab = await VisibleTab.open(this.url);
+    await until("the tab takes keys", async () => (await tab.value_of("globalThis.__echomap?.view.client")) ?? null);
+    return tab;
+  }
+}
+
+/** What the page says of the run, as soon as that holds. */
+export const until_view = (page, what, holds) =>
+  until(what, async () => {
+    const seen = await view(page);
+    return seen && holds(seen) && seen;
+  });
