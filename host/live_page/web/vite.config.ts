@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { defineConfig } from 'vitest/config';
+import { licenseComment } from './dev/licenses';
 import { slimUplot } from './dev/slim_uplot';
 
 const mock = process.env.ECHOMAP_SERVER ?? 'http://127.0.0.1:8091';
@@ -20,6 +21,7 @@ export default defineConfig({
         codeSplitting: false,
         entryFileNames: 'app.js',
         assetFileNames: 'app[extname]',
+        postBanner: (chunk) => (chunk.isEntry ? licenseComment() : ''),
       },
     },
   },

@@ -109,13 +109,17 @@ TEST(WebSocketConnection, ClosesAClientThatSendsTooMuchAtOnce) {
 
 TEST(WebSocketConnection, ClosesAClientThatBreaksTheRules) {
   ServedPage page;
-  WebSocketClient client(page.port(), "echomap.v1");
-  client.read();
-  client.send(std::string("\xff\xff\xff\xff\xff\xff", 6));
-  EXPECT_TRUE(eventually([&] { return page.server().audience().clients == 0; }));
-  WebSocketClient broken(page.port(), "echomap.v1");
-  broken.read();
-  broken.send_text("\xff\xff");
+  const std::string reserved_bits(20, '\xff');
+  const std::string not_masked("\x81\x01x", 3);
+  const std::string text_that_is_none("\x81\x82\0\0\0\0\xff\xff", 8);
+  for (const std::string& bytes : {reserved_bits, not_masked, text_that_is_none}) {
+    WebSocketClient client(page.port(), "echomap.v1");
+    client.read();
+    client.send(bytes);
+    const auto frame = client.read();
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->opcode, 8U);
+  }
   EXPECT_TRUE(eventually([&] { return page.server().audience().clients == 0; }));
 }
 

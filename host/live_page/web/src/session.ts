@@ -77,7 +77,10 @@ export class Session {
   });
   /** Called when something on the map has changed. */
   onChange: () => void = () => {};
+  /** Called when another run is shown. */
+  onOtherRun: () => void = () => {};
 
+  private readonly nothing = emptyView();
   private liveView = emptyView();
   private liveSince: Encoded[] = [];
   private liveTimeline: Timeline | null = null;
@@ -88,10 +91,11 @@ export class Session {
   private noticeTimer = 0;
   private stopNumber = 0;
   private movingStates = 0;
+  private steeredMs = -Infinity;
 
   get view(): View {
-    if (this.isLiveRun.peek() && (this.player.live.peek() || !this.shownTimeline)) return this.liveView;
-    return this.cursor?.view ?? this.liveView;
+    const followsLive = this.isLiveRun.peek() && (this.player.live.peek() || !this.shownTimeline);
+    return followsLive ? this.liveView : (this.cursor?.view ?? this.nothing);
   }
 
   start(): void {
@@ -110,6 +114,9 @@ export class Session {
 
   async showRun(id: string): Promise<void> {
     this.shownRun.value = id;
+    this.tool.value = 'pan';
+    this.marks.value = { measure: [], pose: null };
+    this.onOtherRun();
     this.cursor = undefined;
     this.shownTimeline = null;
     if (this.liveRun) this.connection.start();
@@ -175,8 +182,8 @@ export class Session {
   }
 
   async command(command: Command): Promise<void> {
-    const ack = await this.connection.send(command);
-    if (!ack.ok) this.tellRefusal(ack);
+    const ack = await this.connection.sendNow(command);
+    if (!ack?.ok) this.tellRefusal(ack);
     else if (command.do === 'explore' || command.do === 'go') this.stopStatus.value = 'idle';
   }
 
@@ -264,6 +271,7 @@ export class Session {
     this.liveTimeline = null;
     this.liveView = emptyView();
     void this.sendName();
+    if (this.stopStatus.value === 'unconfirmed' || this.stopStatus.value === 'sent') this.stop();
     setTimeout(() => void this.loadLiveHistory(connect), historyAfterMs);
   }
 
@@ -306,7 +314,10 @@ export class Session {
       this.connection.clock.see(message.motion.clockMs);
       this.stats.addMotion();
     }
-    if (message?.kind === 'state') this.noticeMode(message.state);
+    if (message?.kind === 'state') {
+      this.noticeMode(message.state);
+      this.noticeDriver(message.state);
+    }
     this.changed();
   }
 
@@ -320,9 +331,18 @@ export class Session {
     }
   }
 
+  /** Of a server that does not tell this client's number: the driver with this name, while it drives. */
+  private noticeDriver({ driver }: RunState): void {
+    const drives = this.drives.value && performance.now() - this.steeredMs < 200;
+    if (this.ownClient.value === null && drives && driver?.name === deviceName.value) {
+      this.ownClient.value = driver.client;
+    }
+  }
+
   private takeDriveAck(ack: Ack): void {
     if (ack.ok) {
-      this.stopStatus.value = 'idle';
+      this.steeredMs = performance.now();
+      if (this.drives.value) this.stopStatus.value = 'idle';
       return;
     }
     if (ack.code === 'no-answer') return;
@@ -336,10 +356,10 @@ export class Session {
     this.drives.value = false;
   }
 
-  private tellRefusal(ack: Ack): void {
+  private tellRefusal(ack: Ack | null): void {
     const driver = this.liveView.state?.driver;
-    if (ack.code === 'not-driver' && driver) this.tell(text('drive.other', { name: driver.name }), true);
-    else this.tell(codeText('refused', ack.code, ack.why ?? text('refused.no-answer')), true);
+    if (ack?.code === 'not-driver' && driver) this.tell(text('drive.other', { name: driver.name }), true);
+    else this.tell(codeText('refused', ack?.code, ack?.why ?? text('refused.no-answer')), true);
   }
 
   private loseConnection(): void {

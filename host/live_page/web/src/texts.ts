@@ -35,6 +35,10 @@ export const texts = {
     en: 'Trying again by itself. What you see is old. The robot stops by itself within half a second when nobody drives it; this page is not what keeps it safe.',
     de: 'Neuer Versuch läuft. Was du siehst, ist alt. Der Roboter hält von selbst binnen einer halben Sekunde, wenn ihn niemand fährt; seine Sicherheit hängt nicht an dieser Seite.',
   },
+  'connection.ended': {
+    en: 'The run has ended and its server has closed: this is the last that it said.',
+    de: 'Die Fahrt ist zu Ende und ihr Server geschlossen: Das ist das Letzte, was er sagte.',
+  },
 
   'mode.connecting': { en: 'Connecting', de: 'Verbindet' },
   'mode.explore': { en: 'Exploring', de: 'Erkundet' },
@@ -86,14 +90,14 @@ export const texts = {
     de: 'Zu spät: Was du sahst, war über 400 ms alt. Prüfe das Netz.',
   },
   'refused.not-driver': { en: 'Somebody else is driving.', de: 'Jemand anderes fährt gerade.' },
-  'refused.busy': { en: 'The robot is busy. Try again in a moment.', de: 'Der Roboter ist beschäftigt. Gleich noch einmal.' },
+  'refused.busy': { en: 'The robot was stopped or is busy: let go, then try again.', de: 'Der Roboter wurde angehalten oder ist beschäftigt: Loslassen, dann noch einmal.' },
   'refused.no-answer': { en: 'The server did not answer.', de: 'Der Server hat nicht geantwortet.' },
 
   'link.title': { en: 'Link to the robot', de: 'Verbindung zum Roboter' },
-  'link.good': { en: 'Link good', de: 'Verbindung gut' },
-  'link.weak': { en: 'Link weak', de: 'Verbindung schwach' },
-  'link.down': { en: 'Link down', de: 'Verbindung weg' },
-  'link.unknown': { en: 'Link unknown', de: 'Verbindung unbekannt' },
+  'link.good': { en: 'Link good', de: 'Link gut' },
+  'link.weak': { en: 'Link weak', de: 'Link schwach' },
+  'link.down': { en: 'Link down', de: 'Link weg' },
+  'link.unknown': { en: 'Link unknown', de: 'Link unbekannt' },
   'link.roundTrip': { en: 'Round trip', de: 'Hin und zurück' },
   'link.roundTrip.help': {
     en: 'How long a message to the robot and its answer take',
@@ -115,7 +119,7 @@ export const texts = {
   'tab.status': { en: 'Status', de: 'Status' },
   'tab.layers': { en: 'Layers', de: 'Ebenen' },
   'tab.plots': { en: 'Plots', de: 'Kurven' },
-  'tab.log': { en: 'Log', de: 'Protokoll' },
+  'tab.log': { en: 'Log', de: 'Log' },
   'tab.all': { en: 'Panels', de: 'Bereiche' },
 
   'status.coverage': { en: 'Floor seen', de: 'Boden gesehen' },
@@ -138,7 +142,7 @@ export const texts = {
   'status.unsure': { en: 'position unsure', de: 'Position unsicher' },
   'status.heading': { en: 'Heading', de: 'Richtung' },
   'status.localization': { en: 'Localization', de: 'Lokalisierung' },
-  'status.lostProbability': { en: 'Lost with', de: 'Verirrt mit' },
+  'status.lostProbability': { en: 'Chance it is lost', de: 'Chance, verirrt zu sein' },
   'status.clients': { en: 'Pages open', de: 'Offene Seiten' },
   'status.score': { en: 'Score against the true room', de: 'Vergleich mit dem wahren Raum' },
   'status.time': { en: 'Time', de: 'Zeit' },

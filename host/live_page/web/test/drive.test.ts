@@ -116,6 +116,18 @@ describe('DriveSampler', () => {
     expect(line.released).toBe(0);
   });
 
+  it('steers again only after letting go, and says so by a zero first', async () => {
+    sampler.hold('joystick', ahead);
+    sampler.drop();
+    sampler.hold('joystick', left);
+    await vi.advanceTimersByTimeAsync(500);
+    expect(line.sent).toEqual([ahead]);
+    sampler.hold('joystick', null);
+    expect(line.sent).toEqual([ahead]);
+    sampler.hold('joystick', left);
+    expect(line.sent).toEqual([ahead, { forward: 0, turn: 0 }, left]);
+  });
+
   it('sends nothing more once STOP was pressed', async () => {
     sampler.hold('keyboard', ahead);
     await vi.advanceTimersByTimeAsync(100);

@@ -23,6 +23,7 @@ export function startControls(session: Session): void {
       if (!session.can.value.has('drive') || ownsKeys(event.target, event.code)) return;
       event.preventDefault();
       if (event.repeat) return;
+      if (held.size === 0) session.hold('keyboard', null);
       held.add(event.code);
       session.hold('keyboard', steeringOfKeys(held));
     },
@@ -32,7 +33,9 @@ export function startControls(session: Session): void {
     'keyup',
     (event) => {
       if (isStopKey(event)) event.preventDefault();
-      if (held.delete(event.code)) session.hold('keyboard', steeringOfKeys(held));
+      if (!isDriveKey(event.code)) return;
+      held.delete(event.code);
+      session.hold('keyboard', steeringOfKeys(held));
     },
     true,
   );

@@ -23,6 +23,10 @@ const standing: Steering = { forward: 0, turn: 0 };
 /** Steers while something is held: at most one command is under way, and only the newest follows. */
 export class DriveSampler {
   private readonly held = new Map<DriveSource, Steering>();
+  /** Held when the robot was stopped: they have to let go before they steer again. */
+  private readonly blocked = new Set<DriveSource>();
+  /** A server whose robot was stopped wants to see the stick at rest before it steers again. */
+  private owesZero = false;
   private timer: ReturnType<typeof setInterval> | null = null;
   private answerDue = 0;
   private flight = 0;
@@ -45,13 +49,17 @@ export class DriveSampler {
   /** Null lets go. */
   hold(source: DriveSource, steering: Steering | null): void {
     if (!steering) {
+      this.blocked.delete(source);
       this.held.delete(source);
       if (this.held.size === 0 && this.isDriving) this.finish();
       return;
     }
+    if (this.blocked.has(source)) return;
     this.held.delete(source);
     this.held.set(source, steering);
     if (this.timer === null) {
+      if (this.owesZero) void this.line.drive(standing);
+      this.owesZero = false;
       this.timer = setInterval(() => this.sample(), sampleEveryMs);
       this.sample();
     }
@@ -60,12 +68,19 @@ export class DriveSampler {
   /** Lets go of everything at once: the page is hidden, or something else takes over. */
   abandon(): void {
     if (!this.isDriving) return;
-    this.end();
+    this.block();
     this.line.release();
   }
 
-  /** Forgets what is held and sends nothing: STOP has said it all. */
+  /** Sends nothing more of what is held: the robot is stopped, or steering was refused. */
   drop(): void {
+    if (!this.isDriving) return;
+    this.block();
+    this.owesZero = true;
+  }
+
+  private block(): void {
+    for (const source of this.held.keys()) this.blocked.add(source);
     this.end();
   }
 

@@ -2,12 +2,12 @@
 import type { Pose } from '../protocol/messages';
 import type { View } from '../run/view';
 import type { Camera } from './camera';
-import { drawParticles } from './draw_particles';
 import { drawEllipse, drawRobot, drawSonar, drawTruth } from './draw_robot';
 import { type Context, drawArrow, drawLabel, strokeWithHalo, tracePath, traceTrail } from './draw_shapes';
 import { ellipse95 } from './ellipse';
 import type { Layers } from './layers';
 import { type Palette, palettes, type Theme } from './palette';
+import { ParticleLayer } from './particle_layer';
 import { tileColours } from './tile_colours';
 import { TileImages } from './tile_images';
 import type { ToolMarks } from './tools';
@@ -26,6 +26,7 @@ export interface MapScene {
 /** Draws the map and all that lies on it. */
 export class MapPainter {
   private readonly tiles = new TileImages();
+  private readonly particles = new ParticleLayer();
   private colours: { key: string; table: Uint32Array } | null = null;
   private hatch: { theme: Theme; pattern: CanvasPattern } | null = null;
 
@@ -41,7 +42,9 @@ export class MapPainter {
     this.tiles.update(view, this.colours.table);
     this.tiles.draw(context, camera, hello.resolution_m, pixelRatio);
     if (layers.grid) drawGrid(context, camera, palette);
-    if (layers.particles && view.particles) drawParticles(context, camera, view.particles, palette.particles);
+    if (layers.particles && view.particles) {
+      this.particles.draw(context, camera, pixelRatio, view.particles, palette.particles);
+    }
     if (layers.walls) drawWalls(context, camera, view, palette);
     drawTrails(context, camera, view, pose, layers, palette);
     if (layers.choices) drawChoices(context, camera, scene, palette);

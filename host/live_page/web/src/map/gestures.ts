@@ -6,6 +6,7 @@ export interface GestureListener {
   /** Whether a press belongs to a tool and does not move the map. */
   aims(): boolean;
   onMove(): void;
+  onZoom(): void;
   onTap(at: Point): void;
   onAim(from: Point, to: Point, done: boolean): void;
 }
@@ -60,7 +61,7 @@ export function watchGestures(canvas: HTMLCanvasElement, camera: Camera, listene
     if (pinch && pressed.size === 2) {
       const { x, y, apart } = fingers();
       camera.place(pinch.middle, x, y, (pinch.scale * apart) / pinch.apart);
-      listener.onMove();
+      listener.onZoom();
       return;
     }
     if (start && Math.hypot(at.x - start.x, at.y - start.y) > tapPixels) moved = true;
@@ -94,7 +95,7 @@ export function watchGestures(canvas: HTMLCanvasElement, camera: Camera, listene
       const { x, y } = placeOf(event);
       const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
       camera.zoomAt(x, y, Math.exp(-event.deltaY * lines * (event.ctrlKey ? 0.01 : 0.0015)));
-      listener.onMove();
+      listener.onZoom();
     },
     { passive: false },
   );

@@ -36,9 +36,11 @@ export class MapView {
   ) {
     this.context = canvas.getContext('2d', { alpha: false })!;
     session.onChange = () => this.invalidate();
+    session.onOtherRun = () => this.fit();
     watchGestures(canvas, this.camera, {
       aims: () => session.tool.value === 'pose',
       onMove: () => this.moved(),
+      onZoom: () => this.zoomed(),
       onTap: (at) => session.useTool(at),
       onAim: (from, to, done) => session.aimPose(from, to, done),
     });
@@ -59,6 +61,11 @@ export class MapView {
 
   zoom(factor: number): void {
     this.camera.zoomAt(this.camera.width / 2, this.camera.height / 2, factor);
+    this.zoomed();
+  }
+
+  /** Goes on following the robot. */
+  private zoomed(): void {
     this.fits = false;
     this.invalidate();
   }

@@ -80,7 +80,7 @@ function Downloads({ session }: { session: Session }): JSX.Element {
       <ul class="files">
         {files.value.map((file) => (
           <li key={file.name}>
-            <a href={fileUrl(run ?? '', file.name)} download={file.name.split('/').at(-1)}>
+            <a href={fileUrl(run ?? '', file.name)} download={file.name}>
               {file.name}
             </a>{' '}
             <span class="help">{bytes(file.bytes)}</span>

@@ -30,6 +30,9 @@ const axisColours = { light: '#47525f', dark: '#b9c3cf' };
 const gridColours = { light: 'rgba(40,60,90,.14)', dark: 'rgba(200,215,235,.14)' };
 const curveColours = { light: ['#0072b2', '#b34e00'], dark: ['#56b4e9', '#f5a623'] };
 
+/** No curve of the page falls below zero. */
+const fromZero = (_: uPlot, __: number | null, max: number | null): [number, number] => [0, (max || 1) * 1.1];
+
 export function Plot(props: PlotProps): JSX.Element {
   const frame = useRef<HTMLDivElement>(null);
   const plot = useRef<uPlot | null>(null);
@@ -56,7 +59,10 @@ export function Plot(props: PlotProps): JSX.Element {
         height,
         legend: { show: false },
         cursor: { show: false },
-        scales: { x: { time: false } },
+        scales: {
+          x: { time: false },
+          ...Object.fromEntries(props.curves.map(({ unit }) => [unit, { range: fromZero }])),
+        },
         axes: [
           axis(props.xLabel, 'x', { size: 28 }),
           ...props.curves.map((curve, index) =>

@@ -51,7 +51,7 @@ export class Connection {
     this.open();
   }
 
-  /** Rejects no promise: without an answer it says so. */
+  /** By the socket, or by a POST where that is closed. Never rejects: without an answer it says so. */
   send(command: Command): Promise<Ack> {
     const sequence = ++this.sequence;
     const { socket } = this;
@@ -66,7 +66,7 @@ export class Connection {
     });
   }
 
-  /** By the socket alone: steering must not take another way. Null where it is closed. */
+  /** By the socket alone: who does not see the robot must not set it off. Null where it is closed. */
   sendNow(command: Command): Promise<Ack> | null {
     return this.isOpen ? this.send(command) : null;
   }

@@ -28,7 +28,7 @@ export async function fetchFiles(run: string): Promise<RunFile[]> {
 }
 
 export function fileUrl(run: string, name: string): string {
-  return `api/v1/runs/${encodeURIComponent(run)}/files/${name.split('/').map(encodeURIComponent).join('/')}`;
+  return `api/v1/runs/${encodeURIComponent(run)}/files/${encodeURIComponent(name)}`;
 }
 
 export async function fetchHistory(run: string): Promise<ArrayBuffer> {

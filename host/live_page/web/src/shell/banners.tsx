@@ -20,9 +20,16 @@ export function Banners({ session }: { session: Session }): JSX.Element {
   const { state } = session.shown.value.view;
   const isNow = session.player.live.value && session.isLiveRun.value;
   const stopped = state?.stopped;
+  const isLost = session.linkStatus.value === 'lost';
+  const hasEnded = state?.mode === 'ended';
   return (
     <div class="banners">
-      {session.linkStatus.value === 'lost' && (
+      {isLost && hasEnded && (
+        <Banner kind="info" icon="info">
+          {text('connection.ended')}
+        </Banner>
+      )}
+      {isLost && !hasEnded && (
         <Banner kind="error" icon="down">
           <strong>{text('connection.lost')}</strong> {text('connection.lostMeaning')}
         </Banner>
@@ -57,17 +64,21 @@ export function Banners({ session }: { session: Session }): JSX.Element {
 }
 
 function ResultBanner({ session }: { session: Session }): JSX.Element | null {
-  const closed = useSignal(false);
+  const closed = useSignal<string | null>(null);
   const copied = useSignal(false);
   const result = session.shown.value.view.state?.result;
-  if (!result || closed.value) return null;
+  if (!result || closed.value === session.shownRun.value) return null;
   const { next } = result;
   return (
     <Banner kind={result.finished ? 'good' : 'warning'} icon={result.finished ? 'good' : 'weak'}>
       <strong>{text(result.finished ? 'result.finished' : 'result.unfinished')}.</strong> {result.why}
       {next && (
-        <div class="next">
-          {text('result.next')}: <code>{next}</code>{' '}
+        <p>
+          {text('result.next')}: <code>{next}</code>
+        </p>
+      )}
+      <div class="banner-buttons">
+        {next && (
           <button
             type="button"
             class="small"
@@ -77,11 +88,11 @@ function ResultBanner({ session }: { session: Session }): JSX.Element | null {
           >
             {text(copied.value ? 'result.copied' : 'result.copy')}
           </button>
-        </div>
-      )}
-      <button type="button" class="small" onClick={() => (closed.value = true)}>
-        {text('result.close')}
-      </button>
+        )}
+        <button type="button" class="small" onClick={() => (closed.value = session.shownRun.value)}>
+          {text('result.close')}
+        </button>
+      </div>
     </Banner>
   );
 }

@@ -33,7 +33,7 @@ export function LinkPill({ session }: { session: Session }): JSX.Element {
   return (
     <div class={`pill pill-${health}`} title={details.map((detail) => detail.join(': ')).join('\n')}>
       <Icon name={health} />
-      <span>{text(`link.${health}`)}</span>
+      <span class="pill-word">{text(`link.${health}`)}</span>
       {link && <span class="pill-number">{milliseconds(link.round_trip_ms)}</span>}
       {link && (
         <>
@@ -41,7 +41,7 @@ export function LinkPill({ session }: { session: Session }): JSX.Element {
           <span class="pill-number pill-wide">{text('link.lostShort', { count: number(link.frames_lost) })}</span>
           <span class="pill-number pill-wide">{text('link.badShort', { count: number(link.frames_bad) })}</span>
           <span class="pill-number pill-wide">{text('link.resetsShort', { count: number(link.resets) })}</span>
-          {link.battery_v !== null && <span class="pill-number">{volts(link.battery_v)}</span>}
+          {link.battery_v !== null && <span class="pill-number pill-battery">{volts(link.battery_v)}</span>}
         </>
       )}
     </div>

@@ -18,15 +18,18 @@ const panels = {
   log: LogPanel,
 };
 type PanelName = keyof typeof panels;
-const names = Object.keys(panels) as PanelName[];
+const allNames = Object.keys(panels) as PanelName[];
 
 /** Beside the map, or below it on a phone, where a second tap on its tab closes it. */
 export function SidePanel({ session }: { session: Session }): JSX.Element {
   const chosen = useSignal<PanelName>('drive');
   const closed = useSignal(false);
-  const Panel = panels[chosen.value];
+  const isRecorded = session.shownRun.value !== null && !session.isLiveRun.value;
+  const names = allNames.filter((name) => name !== 'drive' || !isRecorded);
+  const shown = names.includes(chosen.value) ? chosen.value : 'status';
+  const Panel = panels[shown];
   const choose = (name: PanelName): void => {
-    closed.value = name === chosen.value && !closed.value;
+    closed.value = name === shown && !closed.value;
     chosen.value = name;
   };
   return (
@@ -39,7 +42,7 @@ export function SidePanel({ session }: { session: Session }): JSX.Element {
           const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
           if (step === undefined) return;
           event.preventDefault();
-          const next = names[(names.indexOf(chosen.value) + step + names.length) % names.length]!;
+          const next = names[(names.indexOf(shown) + step + names.length) % names.length]!;
           chosen.value = next;
           document.getElementById(`tab-${next}`)?.focus();
         }}
@@ -50,9 +53,9 @@ export function SidePanel({ session }: { session: Session }): JSX.Element {
             type="button"
             role="tab"
             id={`tab-${name}`}
-            aria-selected={name === chosen.value}
+            aria-selected={name === shown}
             aria-controls="panel"
-            tabIndex={name === chosen.value ? 0 : -1}
+            tabIndex={name === shown ? 0 : -1}
             onClick={() => choose(name)}
           >
             <Icon name={name} />
@@ -60,7 +63,7 @@ export function SidePanel({ session }: { session: Session }): JSX.Element {
           </button>
         ))}
       </div>
-      <div id="panel" class="panel" role="tabpanel" aria-labelledby={`tab-${chosen.value}`} tabIndex={0}>
+      <div id="panel" class="panel" role="tabpanel" aria-labelledby={`tab-${shown}`} tabIndex={0}>
         <Panel session={session} />
       </div>
     </aside>
