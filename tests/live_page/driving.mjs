@@ -2,14 +2,19 @@
 // A person who drives the robot by the page, and what stops it. Each of these drives first, and returns
 // how long the wheels then went on.
 import { open_page, shows_map, start_browser, view } from "./browser.mjs";
-import { stop_after, wheels_are_driven } from "./duty_log.mjs";
+import { NotDriven, stop_after, wheels_are_driven } from "./duty_log.mjs";
 import { now_us, sleep, until } from "./processes.mjs";
+import { require } from "./report.mjs";
 import { start_paced_robot } from "./robots.mjs";
 import { SlowCable } from "./slow_cable.mjs";
 import { VisibleTab } from "./visible_tab.mjs";
 
 // It turns on the spot: nothing is in its way.
 const KEY = "KeyA";
+// The lock of a page that is gone is free after 2 s; who was refused until then has to press anew.
+const REFUSED_MS = 2500;
+const MAX_PRESSES = 8;
+const MAX_TRIALS = 3;
 // Steering is under way, not just begun.
 const DRIVES_MS = 400;
 // Until an emulated robot has said that it stands, and whoever drove it is forgotten.
@@ -43,8 +48,12 @@ export class DrivenRobot {
   /** Until the wheels are driven by a key that stays pressed. */
   async drive(keyboard) {
     await until("the robot stands", () => !wheels_are_driven(this.duty_log));
-    await keyboard.down(KEY);
-    await until("the wheels are driven", () => wheels_are_driven(this.duty_log));
+    for (let presses = 0; !wheels_are_driven(this.duty_log); ++presses) {
+      require(presses < MAX_PRESSES, "the wheels do not turn while a key is held");
+      await keyboard.up(KEY);
+      await keyboard.down(KEY);
+      await until("the wheels are driven", () => wheels_are_driven(this.duty_log), REFUSED_MS).catch(() => {});
+    }
     await sleep(DRIVES_MS);
   }
   async let_go(keyboard) {
@@ -70,13 +79,13 @@ export class DrivenRobot {
     return stop_after(this.duty_log, event_us);
   }
   async stop_by_hiding(tab) {
-    await this.drive({ down: (key) => tab.press(key) });
+    await this.drive(tab.keyboard);
     const event_us = now_us();
     await tab.cover();
     const took = await stop_after(this.duty_log, event_us);
     const visibility = await tab.value_of("document.visibilityState");
     await tab.show();
-    await this.let_go({ up: (key) => tab.let_go(key) });
+    await this.let_go(tab.keyboard);
     return { ...took, visibility };
   }
   async stop_by_closing() {
@@ -115,9 +124,24 @@ export class DrivenRobot {
   }
   async open_visible_tab() {
     const tab = await VisibleTab.open(this.url);
-    await until("the tab takes keys", async () => (await tab.value_of("globalThis.__echomap?.view.client")) ?? null);
+    await until("the tab shows a map", () => tab.value_of("globalThis.__echomap?.stats().firstMapMs > 0"));
     return tab;
   }
+}
+
+/** So many results of a trial, without those in which the robot had stopped before. */
+export async function repeated(times, trial) {
+  const results = [];
+  for (let trials = 0; results.length < times; ++trials) {
+    try {
+      results.push(await trial());
+    } catch (error) {
+      if (!(error instanceof NotDriven) || trials >= MAX_TRIALS * times) {
+        throw error;
+      }
+    }
+  }
+  return results;
 }
 
 /** What the page says of the run, as soon as that holds. */

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Programs that a test starts: none of them outlives it.
 import { spawn } from "node:child_process";
-import { createWriteStream } from "node:fs";
-import { mkdtempSync, rmSync } from "node:fs";
+import { createWriteStream, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 
 const POLL_MS = 5;
-const QUIT_WITHIN_MS = 5000;
+// The first ends a run, the next one the page that is still watched.
+const QUIT_SIGNALS = 3;
+const QUIT_WITHIN_MS = 2000;
 
 export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
@@ -81,9 +82,12 @@ export class Program {
     if (this.#ended) {
       return;
     }
-    this.#child.kill(signal);
     this.#child.kill("SIGCONT");
-    await until("the program ends", () => this.#ended, QUIT_WITHIN_MS).catch(() => this.#child.kill("SIGKILL"));
+    for (let told = 0; told < QUIT_SIGNALS && !this.#ended; ++told) {
+      this.#child.kill(signal);
+      await until("the program ends", () => this.#ended, QUIT_WITHIN_MS).catch(() => {});
+    }
+    this.#child.kill("SIGKILL");
   }
 }
 

@@ -6,12 +6,14 @@ export class Report {
 
   /** `act` returns what it saw, and throws where something is wrong. */
   async check(name, act) {
+    const begin_ms = performance.now();
     try {
       this.#checks[name] = { holds: true, seen: (await act()) ?? "" };
     } catch (error) {
       this.#checks[name] = { holds: false, seen: error.message };
     }
-    console.error(`${name}: ${JSON.stringify(this.#checks[name])}`);
+    const took_s = (performance.now() - begin_ms) / 1000;
+    console.error(`${took_s.toFixed(1)} s ${name}: ${JSON.stringify(this.#checks[name])}`);
   }
   print() {
     console.log(JSON.stringify(this.#checks));

@@ -24,13 +24,13 @@ export class VisibleTab {
   /** Of an expression in the page. */
   async value_of(expression) {
     const { result } = await this.#send("Runtime.evaluate", { expression, returnByValue: true }, this.#session);
-    return result.value;
+    return result?.value;
   }
-  async press(code) {
-    await this.#send("Input.dispatchKeyEvent", { type: "keyDown", code, key: code.at(-1).toLowerCase() }, this.#session);
-  }
-  async let_go(code) {
-    await this.#send("Input.dispatchKeyEvent", { type: "keyUp", code, key: code.at(-1).toLowerCase() }, this.#session);
+  /** As Playwright's. */
+  get keyboard() {
+    const send = (type, code) =>
+      this.#send("Input.dispatchKeyEvent", { type, code, key: code.at(-1).toLowerCase() }, this.#session);
+    return { down: (code) => send("keyDown", code), up: (code) => send("keyUp", code) };
   }
   /** Another tab of its window. */
   cover() {
