@@ -173,6 +173,7 @@ ExitCode run_demo(const DemoOptions& options) {
     robot.time_scale().set_factor(
         options.speed.value_or(live.may_be_watched() ? kWatchedSpeed : 0.0));
     robot.lockstep()->tell_truth();
+    live.score_against(simulated.truth());
   } else {
     robot.time_scale().set_factor(options.speed.value_or(0.0));
   }

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <spdlog/spdlog.h>
+
 #include "host/apps/served_page.hpp"
 #include "host/console/browser.hpp"
 #include "host/live_page/foxglove_protocol.hpp"
@@ -176,8 +178,29 @@ void LiveRun::step() {
 
 void LiveRun::look() {
   if (server_) {
+    score_map();
     look_around(steady_clock::now());
   }
+}
+
+void LiveRun::score_against(const std::filesystem::path& truth) {
+  if (server_) {
+    score_.emplace(truth);
+  }
+}
+
+void LiveRun::score_map() {
+  const pipeline::Snapshot snapshot = robot_.atlas().pipeline().snapshot();
+  if (score_ && !has_other_map_ && std::exchange(scored_stops_, snapshot.stops) != snapshot.stops) {
+    score_->look_at(*snapshot.grid);
+  }
+}
+
+/// Once there is another map, nothing says where that lies in the room.
+nlohmann::ordered_json LiveRun::score() const {
+  const auto pose = source_ ? source_->pose() : std::nullopt;
+  return score_ && pose && !has_other_map_ ? score_->json(pose->T_map_robot, true_pose())
+                                           : nlohmann::ordered_json();
 }
 
 /// The map frame of a simulated robot's first map is its start pose, as that of its truth is.
@@ -200,6 +223,9 @@ void LiveRun::look_around(WallTime now) {
     source_->publish(time_s(), *publisher_);
   }
   tell_events();
+  if (const std::string trouble = server_->take_trouble(); !trouble.empty()) {
+    spdlog::warn("the live page could not answer a client: {}", trouble);
+  }
   publisher_->add_state(time_s(), state());
 }
 
@@ -230,14 +256,16 @@ RunState LiveRun::state() const {
   state.driver_name = audience.driver_name;
   state.speed = robot_.lockstep() != nullptr ? robot_.time_scale().factor() : 1.0;
   state.link = link_health();
-  state.score = score_;
+  state.score = score();
   state.result = result_;
   if (source_) {
     source_->describe(state);
   }
+  if (robot_.person()->has_robot()) {
+    state.intent = {exploration::IntentKind::kPerson, std::nullopt, {}};
+  }
   if (const auto goal_m = robot_.person()->goal_m()) {
-    state.intent = {
-        exploration::IntentKind::kPerson, exploration::WeighedPlace{*goal_m, 0.0, 0.0}, {}};
+    state.intent.goal = exploration::WeighedPlace{*goal_m, 0.0, 0.0};
   }
   return state;
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/live_score.hpp"
 #include "host/apps/live_source.hpp"
 #include "host/apps/run_ending.hpp"
 #include "host/live_page/foxglove_topics.hpp"
@@ -54,7 +55,9 @@ class LiveRun {
   std::string url() const { return server_ ? server_->url() : ""; }
   /// Something that only the command knows.
   void tell(const live_page::RunEvent& event);
-  void set_score(nlohmann::ordered_json score) { score_ = std::move(score); }
+  /// Scores the first map as it grows, against the truth directory of a simulated robot. Throws
+  /// files::FileError.
+  void score_against(const std::filesystem::path& truth);
   /// Says how the run has ended, and serves on as long as somebody watches, until Ctrl-C.
   void end(const RunEnding& ending);
 
@@ -69,6 +72,8 @@ class LiveRun {
   void tell_events();
   live_page::RunState state() const;
   live_page::LinkHealth link_health() const;
+  void score_map();
+  nlohmann::ordered_json score() const;
   double time_s() const;
   std::optional<geometry::Pose2> true_pose() const;
 
@@ -82,7 +87,8 @@ class LiveRun {
   std::function<void()> moved_;
   std::function<void(const geometry::Pose2&)> placed_;
   live_page::EventWatch events_;
-  nlohmann::ordered_json score_;
+  std::optional<LiveScore> score_;
+  std::size_t scored_stops_ = 0;
   std::optional<live_page::RunResult> result_;
   WallTime next_motion_;
   double next_motion_s_ = 0.0;  ///< Of the run.

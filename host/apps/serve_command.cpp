@@ -16,8 +16,8 @@ namespace echomap::apps {
 ExitCode run_serve(const ServeOptions& options) {
   std::vector<live_page::ServedRun> runs;
   for (const std::filesystem::path& run : options.runs) {
+    console::print("reading " + run.string());
     runs.push_back(played_run(run, std::to_string(runs.size())));
-    console::print(runs.back().name + ": read");
   }
   const auto server = serve_page(options.live, std::move(runs));
   console::print("Ctrl-C ends it");

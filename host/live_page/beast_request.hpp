@@ -11,6 +11,7 @@
 /// What the sources share that include Boost.Beast; no other source includes this header.
 namespace echomap::live_page {
 
+/// A request with its whole body.
 using BeastRequest = boost::beast::http::request<boost::beast::http::string_body>;
 using BeastRequestParser = boost::beast::http::request_parser<boost::beast::http::string_body>;
 

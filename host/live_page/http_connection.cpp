@@ -47,7 +47,7 @@ class HttpConnection final : public Connection,
 
  private:
   void read() {
-    parser_.emplace();
+    parser_ = std::make_unique<BeastRequestParser>();
     set_limits(*parser_);
     stream_.expires_after(kRequestPatience);
     http::async_read(
@@ -146,7 +146,7 @@ class HttpConnection final : public Connection,
   beast::tcp_stream stream_;
   ServerParts& parts_;
   beast::flat_buffer buffer_;
-  std::optional<BeastRequestParser> parser_;
+  std::unique_ptr<BeastRequestParser> parser_;
   ConnectionList::Place place_;
   WebResponse response_;
   std::string head_;

@@ -26,7 +26,10 @@ std::optional<IpLiteral> IpLiteral::parse(std::string_view text) {
   return std::nullopt;
 }
 
-bool IpLiteral::is_loopback() const { return is_v6_ ? *this == *parse("::1") : bytes_[0] == 127; }
+bool IpLiteral::is_loopback() const {
+  constexpr std::array<unsigned char, 16> kV6{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+  return is_v6_ ? bytes_ == kV6 : bytes_[0] == 127;
+}
 
 bool IpLiteral::is_any() const {
   return std::all_of(bytes_.begin(), bytes_.end(), [](unsigned char byte) { return byte == 0; });

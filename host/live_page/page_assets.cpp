@@ -74,11 +74,11 @@ WebResponse PageAssets::response(std::string_view path, const WebRequest& reques
 }
 
 std::string gzipped(std::string_view text) {
-  constexpr int gzip_format = 15 + 16;
-  constexpr int memory_level = 8;
+  constexpr int kGzipFormat = 15 + 16;
+  constexpr int kMemoryLevel = 8;
   z_stream stream{};
   if (::deflateInit2(
-          &stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_format, memory_level, Z_DEFAULT_STRATEGY) !=
+          &stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzipFormat, kMemoryLevel, Z_DEFAULT_STRATEGY) !=
       Z_OK) {
     throw std::runtime_error("zlib cannot begin");
   }

@@ -93,7 +93,7 @@ bool is_finished(const ServedRun& run) {
 
 /// For a header: what is not plain ASCII is written twice, by RFC 6266.
 std::string disposition_of(const std::string& name) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string plain;
   std::string encoded;
   for (const char letter : name) {
@@ -103,7 +103,7 @@ std::string disposition_of(const std::string& name) {
                          letter == '_';
     plain += is_word ? letter : '_';
     encoded += is_word ? std::string(1, letter)
-                       : std::string{'%', digits[byte >> 4U], digits[byte & 0xFU]};
+                       : std::string{'%', kDigits[byte >> 4U], kDigits[byte & 0xFU]};
   }
   return "attachment; filename=\"" + plain + "\"; filename*=UTF-8''" + encoded;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -12,7 +13,6 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <spdlog/spdlog.h>
 
 #include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
@@ -126,6 +126,10 @@ class PageServer::Impl {
   Impl& operator=(const Impl&) = delete;
 
   const std::string& url() const { return url_; }
+  std::string take_trouble() {
+    const std::lock_guard lock(trouble_mutex_);
+    return std::exchange(trouble_, {});
+  }
   PageAudience audience() const {
     PageAudience audience;
     audience.clients = parts_.sockets;
@@ -139,11 +143,12 @@ class PageServer::Impl {
  private:
   PageContent content(const PageServerParams& params, std::vector<ServedRun> runs) {
     std::vector<std::string> names;
+    names.reserve(parts_.protocols.size());
     for (const NamedProtocol& protocol : parts_.protocols) {
       names.push_back(protocol.name);
     }
     const std::uint16_t port = acceptor_.local_endpoint().port();
-    return {RequestGuard(*IpLiteral::parse(address_.number), port, params.token),
+    return {RequestGuard(address_.literal, port, params.token),
             read_assets(params.page_folder),
             read_openapi(params.openapi_file),
             std::move(runs),
@@ -164,6 +169,7 @@ class PageServer::Impl {
 
   void send_waiting() {
     while (const auto frame = inbox_->take()) {
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       clients_.send(*frame);
     }
   }
@@ -214,7 +220,8 @@ class PageServer::Impl {
       try {
         io_.run();
       } catch (const std::exception& error) {
-        spdlog::warn("the live page could not answer a client: {}", error.what());
+        const std::lock_guard lock(trouble_mutex_);
+        trouble_ = error.what();
       }
     }
   }
@@ -230,6 +237,8 @@ class PageServer::Impl {
   std::string url_;
   asio::steady_timer pause_{io_};
   asio::steady_timer watch_{io_};
+  std::mutex trouble_mutex_;
+  std::string trouble_;
   std::thread thread_;
 };
 
@@ -241,6 +250,8 @@ PageServer::PageServer(const PageServerParams& params,
 PageServer::~PageServer() = default;
 
 const std::string& PageServer::url() const { return impl_->url(); }
+
+std::string PageServer::take_trouble() { return impl_->take_trouble(); }
 
 PageAudience PageServer::audience() const { return impl_->audience(); }
 

@@ -53,6 +53,9 @@ class PageServer {
   /// What to open in a browser, with the token where one is demanded.
   const std::string& url() const;
   PageAudience audience() const;
+  /// What went wrong in the server's thread since the last call, which must not log: a session
+  /// records its log. Empty where nothing did.
+  std::string take_trouble();
 
  private:
   class Impl;

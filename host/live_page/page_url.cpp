@@ -10,7 +10,6 @@
 #include <netinet/in.h>
 
 #include "host/console/exit_code.hpp"
-#include "host/live_page/ip_literal.hpp"
 
 namespace echomap::live_page {
 namespace {
@@ -71,12 +70,11 @@ ListenAddress listen_address(const std::string& address, const std::string& toke
   if (!is_word(token)) {
     refuse("a token has other characters than letters, digits, - and _", "make another one");
   }
-  return {number};
+  return {number, *literal};
 }
 
 std::string page_url(const ListenAddress& address, std::uint16_t port, const std::string& token) {
-  const IpLiteral literal = *IpLiteral::parse(address.number);
-  std::string host = literal.is_any() ? number_for_others() : address.number;
+  std::string host = address.literal.is_any() ? number_for_others() : address.number;
   if (host.find(':') != std::string::npos) {
     host = "[" + host + "]";
   }

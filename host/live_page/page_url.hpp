@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <string>
 
+#include "host/live_page/ip_literal.hpp"
+
 namespace echomap::live_page {
 
 /// An address that a server may listen on, by its number.
 struct ListenAddress {
   std::string number;
+  IpLiteral literal;
 };
 
 /// The address by that text. Throws console::CommandError where it is none, where others reach it

@@ -38,9 +38,7 @@ bool RequestGuard::is_own_host(const WebRequest& request) const {
   if (!literal) {
     return host->host == "localhost";
   }
-  const bool is_local =
-      *literal == *IpLiteral::parse("127.0.0.1") || *literal == *IpLiteral::parse("::1");
-  return is_local || *literal == address_ || address_.is_any();
+  return literal->is_loopback() || *literal == address_ || address_.is_any();
 }
 
 bool RequestGuard::is_own_origin(const WebRequest& request) const {
@@ -51,11 +49,11 @@ bool RequestGuard::is_own_origin(const WebRequest& request) const {
   const auto host_text = request.value_of("Host");
   const auto host = host_text ? HostAndPort::parse(*host_text) : std::nullopt;
   std::string_view origin = origins.front();
-  constexpr std::string_view scheme = "http://";
-  if (origins.size() > 1 || !host || !origin.starts_with(scheme)) {
+  constexpr std::string_view kScheme = "http://";
+  if (origins.size() > 1 || !host || !origin.starts_with(kScheme)) {
     return false;
   }
-  origin.remove_prefix(scheme.size());
+  origin.remove_prefix(kScheme.size());
   return HostAndPort::parse(origin) == host;
 }
 

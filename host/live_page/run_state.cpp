@@ -188,7 +188,7 @@ ordered_json to_json(const RunState& state) {
                     {"driver", driver_of(state)},
                     {"clients", state.clients},
                     {"speed", state.speed},
-                    {"why", why_of(state.intent)},
+                    {"why", nullptr},
                     {"stops", state.stops},
                     {"floor_m2", state.floor_m2},
                     {"coverage", or_null(state.coverage)},
@@ -200,6 +200,9 @@ ordered_json to_json(const RunState& state) {
                     {"stopped", stopped_of(state.stands)},
                     {"score", state.score},
                     {"result", nullptr}};
+  if (state.phase != RunState::Phase::kRecording) {
+    json["why"] = why_of(state.intent);
+  }
   if (state.link) {
     json["link"] = json_of(*state.link);
   }

@@ -72,7 +72,7 @@ std::string head_of(const WebResponse& response, bool keep_alive) {
   head += reason_of(response.status);
   head += "\r\n";
   for (const auto& [name, value] : response.headers) {
-    head += name + ": " + value + "\r\n";
+    head.append(name).append(": ").append(value).append("\r\n");
   }
   head += kSafetyHeaders;
   if (response.status != 304) {

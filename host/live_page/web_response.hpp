@@ -33,6 +33,7 @@ struct WebResponse {
 /// Words for people.
 WebResponse text_response(unsigned status, std::string text);
 
+/// An answer to a program.
 WebResponse json_response(unsigned status, std::string json);
 
 /// The response up to its body, with what every response says for the browser's safety.

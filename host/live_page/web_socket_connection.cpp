@@ -8,6 +8,7 @@
 
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/src.hpp>
 #include <boost/beast/websocket.hpp>
 
 #include "host/live_page/queued_sender.hpp"

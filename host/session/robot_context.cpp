@@ -113,7 +113,9 @@ void RobotContext::step() {
       session_->halt();
     }
     const OperatorMode mode = person_->mode();
-    time_scale_.keep_real_time(mode == OperatorMode::kDriving || mode == OperatorMode::kStopped);
+    const bool is_lost = session_->link().state() == robot_link::LinkState::kLost;
+    time_scale_.keep_real_time(mode == OperatorMode::kDriving || mode == OperatorMode::kStopped ||
+                               is_lost);
   }
   if (follower_) {
     follower_->poll(*session_);
