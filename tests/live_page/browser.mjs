@@ -66,8 +66,18 @@ export function shows_map(page, within_ms = 60_000) {
   }, within_ms);
 }
 
-/** What axe-core finds, one line for each element. */
-export async function axe_findings(page) {
+/** What axe-core finds in each panel of a page that looks so, one line for each element. */
+export async function axe_findings_of_panels(page, look) {
+  const findings = [];
+  for (const panel of PANELS) {
+    await choose_panel(page, panel);
+    const where = `${look.viewport.width} px, ${look.colorScheme}, ${look.locale}, ${panel}`;
+    findings.push(...(await axe_findings(page)).map((line) => `${where}: ${line}`));
+  }
+  return findings;
+}
+
+async function axe_findings(page) {
   await page.evaluate(AXE);
   const { violations } = await page.evaluate(() => globalThis.axe.run());
   return violations.flatMap(({ id, nodes }) =>

@@ -2,7 +2,7 @@
 // A person who drives the robot by the page, and what stops it. Each of these drives first, and returns
 // how long the wheels then went on.
 import { open_page, shows_map, start_browser, view } from "./browser.mjs";
-import { NotDriven, stop_after, wheels_are_driven } from "./duty_log.mjs";
+import { NotDriven, read_duties, stop_after, wheels_are_driven } from "./duty_log.mjs";
 import { now_us, sleep, until } from "./processes.mjs";
 import { require } from "./report.mjs";
 import { start_paced_robot } from "./robots.mjs";
@@ -10,7 +10,7 @@ import { SlowCable } from "./slow_cable.mjs";
 import { VisibleTab } from "./visible_tab.mjs";
 
 // It turns on the spot: nothing is in its way.
-const KEY = "KeyA";
+export const KEY = "KeyA";
 // The lock of a page that is gone is free after 2 s; who was refused until then has to press anew.
 const REFUSED_MS = 2500;
 const MAX_PRESSES = 8;
@@ -19,6 +19,7 @@ const MAX_TRIALS = 3;
 const DRIVES_MS = 400;
 // Until an emulated robot has said that it stands, and whoever drove it is forgotten.
 const RESTS_MS = 300;
+const STANDS_WITHIN_MS = 1000;
 
 /** A paced robot, a browser, and the cable between them. */
 export class DrivenRobot {
@@ -120,6 +121,26 @@ export class DrivenRobot {
     } finally {
       await close();
       this.cable.mend();
+    }
+  }
+  /**
+   * Somebody drives, the network gets slow in that direction, he steers on for a second and lets go.
+   * How often the wheels began to turn once they had come to a stop.
+   */
+  async late_motions(direction, lag_ms) {
+    const { page, close } = await this.open();
+    try {
+      await this.drive(page.keyboard);
+      this.cable[direction] = lag_ms;
+      await sleep(1000);
+      await until("the wheels stand", () => !wheels_are_driven(this.duty_log), STANDS_WITHIN_MS);
+      const stood_us = now_us();
+      await page.keyboard.up(KEY);
+      await sleep(lag_ms + 1000);
+      return read_duties(this.duty_log).filter(({ monotonic_us, drives }) => drives && monotonic_us > stood_us).length;
+    } finally {
+      this.cable[direction] = 0;
+      await close();
     }
   }
   async open_visible_tab() {

@@ -26,8 +26,8 @@ const json& report_of(const std::string& script) {
     const auto result =
         structure::run_shell("ECHOMAP_PROGRAMS=" + shell_quoted(ECHOMAP_PROGRAMS) +
                                  " ECHOMAP_SOURCE=" + shell_quoted(ECHOMAP_SOURCE_DIR) +
-                                 " ECHOMAP_CHROMIUM=" + shell_quoted(ECHOMAP_CHROMIUM) +
-                                 " node " + shell_quoted(script) + " 2>" + script + ".log",
+                                 " ECHOMAP_CHROMIUM=" + shell_quoted(ECHOMAP_CHROMIUM) + " node " +
+                                 shell_quoted(script) + " 2>" + script + ".log",
                              kPackages);
     entry->second = json::parse(result.output, nullptr, false);
     if (!entry->second.is_object()) {

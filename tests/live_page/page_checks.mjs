@@ -5,8 +5,8 @@
 // usage: node page_checks.mjs
 import path from "node:path";
 
-import { choose_panel, DESKTOP, open_page, PANELS, PHONE, shows_map, SMALL_PHONE } from "./browser.mjs";
-import { axe_findings, start_browser, stats, view } from "./browser.mjs";
+import { axe_findings_of_panels, choose_panel, DESKTOP, open_page, PHONE, shows_map, SMALL_PHONE } from "./browser.mjs";
+import { start_browser, stats, view } from "./browser.mjs";
 import { page_gzip_bytes } from "./page_size.mjs";
 import { until } from "./processes.mjs";
 import { quantile, Report, require } from "./report.mjs";
@@ -134,11 +134,7 @@ await report.check("axe", async () => {
   for (const look of LOOKS) {
     const { page: looked, close } = await open(`http://127.0.0.1:${port}/`, look);
     await shows_map(looked);
-    for (const panel of PANELS) {
-      await choose_panel(looked, panel);
-      const { width } = look.viewport;
-      findings.push(...(await axe_findings(looked)).map((line) => `${width} px, ${look.locale}, ${panel}: ${line}`));
-    }
+    findings.push(...(await axe_findings_of_panels(looked, look)));
     await close();
   }
   require(findings.length === 0, findings.join("\n"));

@@ -37,6 +37,14 @@ export async function start_serve(runs, args = []) {
   return { url, echomap: serve, end: () => serve.end() };
 }
 
+/** A large map and many particles that no robot has made. */
+export async function start_synthetic_run() {
+  const folder = scratch_folder();
+  const run = program("synthetic_run", [], path.join(folder, "synthetic.log"));
+  const [, url] = await run.said(LISTENS);
+  return { url, echomap: run, end: () => run.end() };
+}
+
 /**
  * The Uno's firmware in cycles of the AVR, at the pace of the wall clock, and `echomap explore` that
  * drives it as it drives a robot at a cable.

@@ -4,15 +4,14 @@
 // simulated time; the figures of the wall clock are those of ./run bench live_page.
 //
 // usage: node stop_checks.mjs
-import { DrivenRobot, repeated, until_view } from "./driving.mjs";
-import { read_duties, stop_after, wheels_are_driven } from "./duty_log.mjs";
-import { now_us, sleep } from "./processes.mjs";
+import { DrivenRobot, KEY, repeated, until_view } from "./driving.mjs";
+import { stop_after } from "./duty_log.mjs";
+import { now_us } from "./processes.mjs";
 import { Report, median, require } from "./report.mjs";
 
 const WITHIN_MS = 500;
 const TRIALS = 3;
 const LAG_MS = 3000;
-const KEY = "KeyA";
 
 const report = new Report();
 const driven = await DrivenRobot.start();
@@ -26,14 +25,15 @@ async function check_stops(name, trial) {
   });
 }
 
-/** Which entries of the duty log after that instant say that wheels were driven. */
-const driven_after = (event_us) =>
-  read_duties(driven.duty_log).filter(({ monotonic_us, drives }) => drives && monotonic_us > event_us);
-
-/** Somebody drives, the network gets slow, he lets go: nothing of it may move the robot later. */
 async function check_lag(name, direction) {
   await report.check(name, async () => {
-    const { page, close } = await driven.open();
+    const motions = await driven.late_motions(direction, LAG_MS);
+    require(motions === 0, `the robot moved ${motions} times after it had stopped`);
+    return "nothing that came late moved the robot";
+  });
+}
+
+const { page, close } = await driven.open();
     try {
       await driven.drive(page.keyboard);
       driven.cable[direction] = LAG_MS;
