@@ -61,15 +61,13 @@ DemoKidnap show_kidnap(session::RobotContext& robot, LiveRun& live, const std::s
   tracking::StopDriver driver(
       robot, slam, [&](const geometry::Pose2& goal) { return filter.telling(goal); });
   const FollowedRobot followed{robot, driver, filter};
+  live.show(
+      std::make_unique<FilterSource>(filter, std::nullopt, [&driver] { return driver.intent(); }),
+      {.moved = [&filter] { filter.report_moved(); },
+       .placed = [&filter](const geometry::Pose2& T_map_robot) { filter.place(T_map_robot); }});
   DemoKidnap kidnap;
   kidnap.explored = *snapshot.trajectory;
 
-  if (live.serves()) {
-    live.show(
-        std::make_unique<FilterSource>(filter, std::nullopt),
-        {.moved = [&filter] { filter.report_moved(); },
-         .placed = [&filter](const geometry::Pose2& T_map_robot) { filter.place(T_map_robot); }});
-  }
   console::print("localizing in its own map:");
   filter.begin(robot.session());
   if (follow_to_next_stop(followed)) {

@@ -233,6 +233,7 @@ void LiveRun::look_around(WallTime now) {
   }
   if (source_) {
     source_->publish(time_s(), *publisher_);
+    source_->describe(progress_);
   }
   tell_events();
   if (const std::string trouble = server_->take_trouble(); !trouble.empty()) {
@@ -258,7 +259,7 @@ void LiveRun::tell_events() {
 }
 
 RunState LiveRun::state() const {
-  RunState state;
+  RunState state = progress_;
   state.phase = phase_of(robot_.session(), result_.has_value());
   state.person = robot_.person()->mode();
   state.stands = robot_.person()->reason();
@@ -270,9 +271,6 @@ RunState LiveRun::state() const {
   state.link = link_health();
   state.score = score();
   state.result = result_;
-  if (source_) {
-    source_->describe(state);
-  }
   if (robot_.person()->has_robot()) {
     state.intent = {exploration::IntentKind::kPerson, std::nullopt, {}};
   }
@@ -297,6 +295,8 @@ void LiveRun::end(const RunEnding& ending) {
   if (!server_) {
     return;
   }
+  progress_.intent = {};
+  progress_.left_s.reset();
   result_ = live_page::RunResult{ending.finished(), ending.outcome, ending.why, ending.next};
   publisher_->add_state(time_s(), state());
   wait_while_watched(*server_);

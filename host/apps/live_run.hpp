@@ -92,6 +92,7 @@ class LiveRun {
   live_page::EventWatch events_;
   std::optional<LiveScore> score_;
   std::size_t scored_stops_ = 0;
+  live_page::RunState progress_;  ///< As the source that is or was shown last has it.
   std::optional<live_page::RunResult> result_;
   WallTime next_motion_;
   double next_motion_s_ = 0.0;  ///< Of the run.

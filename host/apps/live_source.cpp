@@ -67,8 +67,9 @@ void AtlasSource::describe(live_page::EventFacts& facts) const {
 }
 
 FilterSource::FilterSource(const tracking::LiveFilter& filter,
-                           std::optional<mapping::OccupancyGrid> map)
-    : filter_(filter), map_(std::move(map)) {}
+                           std::optional<mapping::OccupancyGrid> map,
+                           std::function<exploration::Intent()> intent)
+    : filter_(filter), map_(std::move(map)), intent_(std::move(intent)) {}
 
 std::optional<pipeline::PoseEstimate> FilterSource::pose() const {
   const auto estimate = filter_.estimate();
@@ -94,6 +95,9 @@ void FilterSource::publish(double time_s, live_page::RunPublisher& publisher) {
 void FilterSource::describe(live_page::RunState& state) const {
   if (const localization::PoseBelief* belief = filter_.hypotheses()) {
     state.belief = *belief;
+  }
+  if (intent_) {
+    state.intent = intent_();
   }
   state.stops = filter_.trajectory().size();
 }

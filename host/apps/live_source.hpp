@@ -65,8 +65,11 @@ class AtlasSource final : public LiveSource {
 /// What follows a robot in a map that is given.
 class FilterSource final : public LiveSource {
  public:
-  /// The filter outlives this. `map` is where the robot is looked for; empty where there is none.
-  FilterSource(const tracking::LiveFilter& filter, std::optional<mapping::OccupancyGrid> map);
+  /// The filter outlives this. `map` is where the robot is looked for; empty where it is shown
+  /// already, or there is none. `intent` tells what who drives is about; null where it cannot.
+  FilterSource(const tracking::LiveFilter& filter,
+               std::optional<mapping::OccupancyGrid> map,
+               std::function<exploration::Intent()> intent = nullptr);
 
   std::optional<pipeline::PoseEstimate> pose() const override;
   void publish(double time_s, live_page::RunPublisher& publisher) override;
@@ -75,6 +78,7 @@ class FilterSource final : public LiveSource {
  private:
   const tracking::LiveFilter& filter_;
   std::optional<mapping::OccupancyGrid> map_;  ///< Until it is published.
+  std::function<exploration::Intent()> intent_;
 };
 
 /// A map of states as a grid of the pipeline's resolution, without doubt. No occupied cell is lost,

@@ -139,22 +139,17 @@ RunEnding ending_of_drive(const session::RobotContext& context,
 }
 
 /// The map that the robot is looked for in, and where the filter has it.
-void show(LiveRun& live,
-          const std::optional<mapping::RasterMap>& map,
-          tracking::LiveFilter& filter) {
-  if (!live.serves()) {
-    return;
+void show(LiveRun& live, const std::optional<mapping::RasterMap>& map, const FollowedRobot& robot) {
+  auto source = std::make_unique<FilterSource>(
+      robot.filter, map ? std::optional(as_grid(*map)) : std::nullopt, [&driver = robot.driver] {
+        return driver.intent();
+      });
+  PersonsWord word;
+  if (auto* mcl = dynamic_cast<tracking::MclFilter*>(&robot.filter)) {
+    word = {.moved = [mcl] { mcl->report_moved(); },
+            .placed = [mcl](const geometry::Pose2& T_map_robot) { mcl->place(T_map_robot); }};
   }
-  auto source =
-      std::make_unique<FilterSource>(filter, map ? std::optional(as_grid(*map)) : std::nullopt);
-  auto* mcl = dynamic_cast<tracking::MclFilter*>(&filter);
-  if (mcl == nullptr) {
-    live.show(std::move(source), {});
-    return;
-  }
-  live.show(std::move(source),
-            {.moved = [mcl] { mcl->report_moved(); },
-             .placed = [mcl](const geometry::Pose2& T_map_robot) { mcl->place(T_map_robot); }});
+  live.show(std::move(source), word);
 }
 
 /// With the map on the terminal where that is asked for.
@@ -223,7 +218,7 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   facts.slam = run.slam;
   move_earlier_run_aside(out);
   begin_recording(context, kLocalizeCommand, facts, out, split_bytes(run));
-  show(live, map, filter);
+  show(live, map, robot);
   drive(context, robot, map, run, account);
   live.show_nothing();
   context.session().disarm();

@@ -109,7 +109,9 @@ ordered_json why_of(const exploration::Intent& intent) {
   const auto& goal = intent.goal;
   if (goal) {
     why["goal"] = {goal->at_m.x(), goal->at_m.y()};
-    why["gain_m2"] = goal->gain_m2;
+    if (intent.kind == IntentKind::kFrontier) {
+      why["gain_m2"] = goal->gain_m2;
+    }
   }
   why["choices"] = ordered_json::array();
   for (const exploration::WeighedPlace& place : intent.weighed) {

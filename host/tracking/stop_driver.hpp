@@ -39,6 +39,7 @@ class StopDriver {
   /// Of the driver's own map.
   const pipeline::RobotPipeline& pipeline() const { return atlas_.pipeline(); }
   std::optional<exploration::FinishReason> finished() const { return finished_; }
+  exploration::Intent intent() const { return explorer_->intent(); }
 
  private:
   void begin();
