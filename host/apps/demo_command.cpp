@@ -165,8 +165,7 @@ ExitCode run_demo(const DemoOptions& options) {
   RobotContext robot(std::move(profile), seed);
   exports::RunSummary summary;
   summary.world = options.robot.world;
-  LiveRun live(
-      options.live, robot, {.command = "demo", .out = out, .is_simulated = true, .can_go = true});
+  LiveRun live(options.live, robot, {.command = "demo", .out = out, .is_simulated = true});
   begin_maps(robot, options.robot.fixes, run.slam);
   open_port(robot, simulated.connection(), run.strategy, summary);
   if (live.serves()) {

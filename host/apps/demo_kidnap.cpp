@@ -67,8 +67,8 @@ DemoKidnap show_kidnap(session::RobotContext& robot, LiveRun& live, const std::s
   if (live.serves()) {
     live.show(
         std::make_unique<FilterSource>(filter, std::nullopt),
-        [&filter] { filter.report_moved(); },
-        [&filter](const geometry::Pose2& T_map_robot) { filter.place(T_map_robot); });
+        {.moved = [&filter] { filter.report_moved(); },
+         .placed = [&filter](const geometry::Pose2& T_map_robot) { filter.place(T_map_robot); }});
   }
   console::print("localizing in its own map:");
   filter.begin(robot.session());

@@ -44,7 +44,7 @@ ExitCode run_explore(const ExploreOptions& options) {
   const RunOptions& run = options.run;
   session::RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
   const auto out = run_folder(run.out);
-  LiveRun live(options.live, robot, {.command = "explore", .out = out, .can_go = true});
+  LiveRun live(options.live, robot, {.command = "explore", .out = out});
   ExploreRun explore{run.strategy, live, out, progress_display(run), run.align, split_bytes(run)};
   explore.next = next_commands(options, out.string());
   exports::RunSummary summary;

@@ -162,6 +162,24 @@ void describe_run(const RobotContext& robot, const ExploreRun& run, exports::Run
   }
 }
 
+/// On the live page; a robot that begins anywhere takes a person's word for having been moved.
+void show(const RobotContext& robot,
+          const ExploreRun& run,
+          exploration::AtlasExplorer& explorer,
+          const ExploreView& view) {
+  if (!run.live.serves()) {
+    return;
+  }
+  PersonsWord word;
+  if (!robot.is_followed() && strategies::begins_anywhere(run.strategy)) {
+    word.moved = [&explorer] { explorer.report_moved(); };
+  }
+  run.live.show(
+      std::make_unique<AtlasSource>(robot.atlas(), &view, [&view] { return view.live_progress(); }),
+      word,
+      true);
+}
+
 void warn_of_previous_maps(const pipeline::RobotAtlas& atlas) {
   if (const std::size_t previous = atlas.previous_maps().size(); previous > 0) {
     spdlog::warn(
@@ -234,11 +252,7 @@ RunEnding explore_and_save(RobotContext& robot,
   const auto explorer = explorer_of(robot, run.strategy, random);
   RunWriter writer(robot, *explorer, run, summary);
   ExploreView view(robot, run, *explorer);
-  if (run.live.serves()) {
-    run.live.show(std::make_unique<AtlasSource>(
-                      robot.atlas(), &view, [&view] { return view.live_progress(); }),
-                  [&explorer] { explorer->report_moved(); });
-  }
+  show(robot, run, *explorer, view);
   SessionProgress progress(robot, view, run.display);
   const auto reason = connect_and_drive(robot, view, writer);
   progress.finish();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/live_options.hpp"
 
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <string>
 
@@ -34,7 +36,11 @@ CLI::Option* add_speed_option(CLI::App& command, double& factor) {
             return std::string();
           },
           "NUMBER|max"))
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(CLI::Range(0.0, 1000.0))
+      ->check([](const std::string& text) {
+        return std::isnan(std::strtod(text.c_str(), nullptr)) ? "'" + text + "' is no number"
+                                                              : std::string();
+      });
 }
 
 void add_serve(CLI::App& app, CommandAction& action) {

@@ -15,6 +15,7 @@ void add_live_options(CLI::App& command, LiveOptions& options, bool is_asked_for
 /// `--speed`: times real time; "max" is 0, as fast as it can.
 CLI::Option* add_speed_option(CLI::App& command, double& factor);
 
+/// The sub-command `serve`.
 void add_serve(CLI::App& app, CommandAction& action);
 
 }  // namespace echomap::apps

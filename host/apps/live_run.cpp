@@ -53,15 +53,18 @@ session::OperatorParams operator_params(const session::RobotProfile& profile) {
   return params;
 }
 
-std::vector<std::string> commands_of(const LiveRunFacts& facts) {
-  std::vector<std::string> can{"stop", "drive", "explore", "moved"};
-  if (facts.can_go) {
+std::vector<std::string> commands_of(const PersonsWord& word, bool can_go, bool is_simulated) {
+  std::vector<std::string> can{"stop", "drive", "explore"};
+  if (can_go) {
     can.emplace_back("go");
   }
-  if (facts.can_place) {
+  if (word.moved) {
+    can.emplace_back("moved");
+  }
+  if (word.placed) {
     can.emplace_back("pose");
   }
-  if (facts.is_simulated) {
+  if (is_simulated) {
     can.insert(can.end(), {"speed", "carry-off", "box", "cut-cable"});
   }
   return can;
@@ -78,7 +81,7 @@ std::string session_name() {
 LiveRun::LiveRun(const LiveOptions& options,
                  session::RobotContext& robot,
                  const LiveRunFacts& facts)
-    : robot_(robot) {
+    : robot_(robot), is_simulated_(facts.is_simulated) {
   if (options.serves) {
     serve(options, facts);
     obey(facts);
@@ -91,6 +94,7 @@ LiveRun::~LiveRun() {
   if (publisher_) {
     robot_.recorder().listen(nullptr);
     robot_.fork().remove(*publisher_);
+    robot_.obey_nobody();
   }
 }
 
@@ -102,29 +106,29 @@ void LiveRun::serve(const LiveOptions& options, const LiveRunFacts& facts) {
   run.command = facts.command;
   run.live = true;
   run.has_truth = facts.is_simulated;
-  run.can = commands_of(facts);
+  run.can = commands_of({}, false, is_simulated_);
   publisher_ = std::make_shared<live_page::RunPublisher>(history, run, robot_.profile());
-  robot_.fork().add(*publisher_);
   topics_.emplace(session_name());
-  robot_.recorder().listen(&*topics_);
   server_ = serve_page(
       options,
       {{run.name, facts.out, history, true}},
       run.can,
       [this](const session::OperatorCommand& command) { queue_.push(command); },
       live_page::foxglove_protocols(*topics_));
+  robot_.fork().add(*publisher_);
+  robot_.recorder().listen(&*topics_);
 }
 
 void LiveRun::obey(const LiveRunFacts& facts) {
   session::OperatorHooks hooks;
   hooks.on_moved = [this] {
-    if (moved_) {
-      moved_();
+    if (word_.moved) {
+      word_.moved();
     }
   };
   hooks.on_placed = [this](const geometry::Pose2& T_map_robot) {
-    if (placed_) {
-      placed_(T_map_robot);
+    if (word_.placed) {
+      word_.placed(T_map_robot);
     }
   };
   hooks.on_speed = [this](double factor) { robot_.time_scale().set_factor(factor); };
@@ -146,13 +150,18 @@ void LiveRun::obey(const LiveRunFacts& facts) {
   robot_.obey(queue_, operator_params(robot_.profile()), hooks);
 }
 
-void LiveRun::show(std::unique_ptr<LiveSource> source,
-                   std::function<void()> moved,
-                   std::function<void(const geometry::Pose2&)> placed) {
+void LiveRun::show(std::unique_ptr<LiveSource> source, const PersonsWord& word, bool can_go) {
+  if (!server_) {
+    return;
+  }
   source_ = std::move(source);
-  moved_ = std::move(moved);
-  placed_ = std::move(placed);
+  word_ = word;
+  const std::vector<std::string> can = commands_of(word_, can_go, is_simulated_);
+  server_->set_can(can);
+  publisher_->set_can(time_s(), can);
 }
+
+void LiveRun::show_nothing() { show(nullptr, {}); }
 
 bool LiveRun::may_be_watched() const {
   return serves() && (console::has_desktop() || ::isatty(STDERR_FILENO) == 1);
@@ -190,8 +199,11 @@ void LiveRun::score_against(const std::filesystem::path& truth) {
 }
 
 void LiveRun::score_map() {
+  if (!score_ || has_other_map_) {
+    return;
+  }
   const pipeline::Snapshot snapshot = robot_.atlas().pipeline().snapshot();
-  if (score_ && !has_other_map_ && std::exchange(scored_stops_, snapshot.stops) != snapshot.stops) {
+  if (std::exchange(scored_stops_, snapshot.stops) != snapshot.stops) {
     score_->look_at(*snapshot.grid);
   }
 }

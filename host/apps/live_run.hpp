@@ -25,8 +25,12 @@ struct LiveRunFacts {
   std::string command;
   std::filesystem::path out;  ///< The run directory.
   bool is_simulated = false;
-  bool can_go = false;     ///< There is a map that it makes itself.
-  bool can_place = false;  ///< There is a filter that can be told a pose.
+};
+
+/// What a person may tell of where the robot is, while it is shown; null where it cannot be told.
+struct PersonsWord {
+  std::function<void()> moved = nullptr;                                     ///< Anywhere else.
+  std::function<void(const geometry::Pose2& T_map_robot)> placed = nullptr;  ///< About there.
 };
 
 /// The live page of a robot that is driven: serves it, shows what the session makes of the robot
@@ -43,12 +47,11 @@ class LiveRun {
   bool serves() const { return server_ != nullptr; }
   /// Whether somebody may watch: there is a desktop, or a terminal that the URL is printed on.
   bool may_be_watched() const;
-  /// Shows that from now on; `moved` and `placed` are called where a person says so.
-  void show(std::unique_ptr<LiveSource> source,
-            std::function<void()> moved,
-            std::function<void(const geometry::Pose2&)> placed = nullptr);
+  /// Shows that from now on. A person may send the robot where it `can_go` by the map that it
+  /// makes.
+  void show(std::unique_ptr<LiveSource> source, const PersonsWord& word, bool can_go = false);
   /// What `show` was given is gone.
-  void show_nothing() { source_.reset(); }
+  void show_nothing();
   /// Publishes what has changed, at once: after a stop, while the robot stands.
   void look();
   /// Empty where nothing is served.
@@ -84,8 +87,8 @@ class LiveRun {
   std::optional<session::RobotContext::StepListener> listener_;
   std::unique_ptr<live_page::PageServer> server_;
   std::unique_ptr<LiveSource> source_;
-  std::function<void()> moved_;
-  std::function<void(const geometry::Pose2&)> placed_;
+  PersonsWord word_;
+  bool is_simulated_;
   live_page::EventWatch events_;
   std::optional<LiveScore> score_;
   std::size_t scored_stops_ = 0;

@@ -29,6 +29,8 @@ AtlasSource::AtlasSource(const pipeline::RobotAtlas& atlas,
     : atlas_(atlas),
       explorer_(explorer),
       progress_(std::move(progress)),
+      maps_changed_before_(atlas.changes()),
+      maps_joined_before_(atlas.joins()),
       maps_changed_(atlas.changes()) {}
 
 std::optional<pipeline::PoseEstimate> AtlasSource::pose() const {
@@ -60,8 +62,8 @@ void AtlasSource::describe(live_page::RunState& state) const {
 }
 
 void AtlasSource::describe(live_page::EventFacts& facts) const {
-  facts.maps_changed = atlas_.changes();
-  facts.maps_joined = atlas_.joins();
+  facts.maps_changed = atlas_.changes() - maps_changed_before_;
+  facts.maps_joined = atlas_.joins() - maps_joined_before_;
 }
 
 FilterSource::FilterSource(const tracking::LiveFilter& filter,
@@ -109,6 +111,9 @@ mapping::OccupancyGrid as_grid(const mapping::RasterMap& map) {
         grid.add({x, y}, state == mapping::CellState::kOccupied ? kSure : -kSure);
       }
     }
+  }
+  for (const Eigen::Vector2d& center_m : mapping::centers_m(map, mapping::CellState::kOccupied)) {
+    grid.add(grid.cell_at(center_m), 2 * kSure);
   }
   return grid;
 }

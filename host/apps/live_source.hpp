@@ -57,7 +57,9 @@ class AtlasSource final : public LiveSource {
   const pipeline::RobotAtlas& atlas_;
   const exploration::Explorer* explorer_;
   std::function<LiveProgress()> progress_;
-  std::size_t maps_changed_ = 0;
+  std::size_t maps_changed_before_;  ///< This, as in a run that is resumed.
+  std::size_t maps_joined_before_;
+  std::size_t maps_changed_;
 };
 
 /// What follows a robot in a map that is given.
@@ -75,7 +77,8 @@ class FilterSource final : public LiveSource {
   std::optional<mapping::OccupancyGrid> map_;  ///< Until it is published.
 };
 
-/// A map of states as a grid of the pipeline's resolution, without doubt.
+/// A map of states as a grid of the pipeline's resolution, without doubt. No occupied cell is lost,
+/// however small.
 mapping::OccupancyGrid as_grid(const mapping::RasterMap& map);
 
 }  // namespace echomap::apps

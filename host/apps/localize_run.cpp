@@ -149,13 +149,12 @@ void show(LiveRun& live,
       std::make_unique<FilterSource>(filter, map ? std::optional(as_grid(*map)) : std::nullopt);
   auto* mcl = dynamic_cast<tracking::MclFilter*>(&filter);
   if (mcl == nullptr) {
-    live.show(std::move(source), nullptr);
+    live.show(std::move(source), {});
     return;
   }
-  live.show(
-      std::move(source),
-      [mcl] { mcl->report_moved(); },
-      [mcl](const geometry::Pose2& T_map_robot) { mcl->place(T_map_robot); });
+  live.show(std::move(source),
+            {.moved = [mcl] { mcl->report_moved(); },
+             .placed = [mcl](const geometry::Pose2& T_map_robot) { mcl->place(T_map_robot); }});
 }
 
 /// With the map on the terminal where that is asked for.
@@ -206,9 +205,7 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   const auto map = options.filter == "mcl" ? std::optional(read_map(options.map)) : std::nullopt;
   auto made = filter_for(options, context.profile(), map, context.seed());
   tracking::LiveFilter& filter = *made;
-  const bool is_mcl = options.filter == "mcl";
-  LiveRun live(
-      options.live, context, {.command = kLocalizeCommand, .out = out, .can_place = is_mcl});
+  LiveRun live(options.live, context, {.command = kLocalizeCommand, .out = out});
   context.follow(std::move(made));
   session::OpenedRobot opened = session::open_robot(options.connection, context.seed());
   opened.connection.may_be_lifted = true;

@@ -42,7 +42,7 @@ void add_played_part(CLI::App& command, ReplayOptions& options) {
   command
       .add_option("--speed",
                   options.part.speed,
-                  "Seconds of a recording a second; by default as fast as possible")
+                  "Seconds of a recording a second; by default as fast as possible, with --live 8")
       ->check(CLI::PositiveNumber);
   command.add_flag(
       "--step", options.step, "Wait for Enter after each stop of a recording, and say where it is");

@@ -264,6 +264,11 @@ ExitCode run_replay(const ReplayOptions& options) {
                        "--from, --until, --speed and --step are for recordings of echomap\n  next: "
                        "leave them out");
   }
+  if (options.live.serves) {
+    throw CommandError(ExitCode::kUsage,
+                       "--live is for recordings of echomap\n  next: leave it out, and look at the "
+                       "map.png of the run");
+  }
   return replay_log(options);
 }
 

@@ -97,9 +97,7 @@ void add_run_options(CLI::App& command, RunOptions& run) {
                       "place), line (a progress line) or none")
           ->check(CLI::IsMember({"map", "line", "none"}))
           ->capture_default_str();
-  command
-      .add_flag(
-          "--headless", run.headless, "Nothing on the terminal during the run, and no live page")
+  command.add_flag("--headless", run.headless, "As --view none; of demo no live page, too")
       ->excludes(view);
   command
       .add_option("--split",

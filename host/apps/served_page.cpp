@@ -2,7 +2,6 @@
 #include "host/apps/served_page.hpp"
 
 #include <charconv>
-#include <chrono>
 #include <random>
 #include <thread>
 #include <utility>
@@ -21,8 +20,6 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr std::uint16_t kUsualPort = 8360;
-/// A page that is loaded anew is away for a moment.
-constexpr std::chrono::seconds kAway(3);
 constexpr std::chrono::milliseconds kLook(50);
 
 struct ListenAddress {
@@ -101,13 +98,13 @@ std::unique_ptr<live_page::PageServer> serve_page(const LiveOptions& options,
   return server;
 }
 
-void wait_while_watched(const live_page::PageServer& server) {
+void wait_while_watched(const live_page::PageServer& server, std::chrono::milliseconds away) {
   if (server.audience().clients == 0) {
     return;
   }
   console::print("the page stays at " + server.url() + " until it is closed; Ctrl-C ends it, too");
   auto seen = steady_clock::now();
-  while (!console::interrupted() && steady_clock::now() - seen < kAway) {
+  while (!console::interrupted() && steady_clock::now() - seen < away) {
     std::this_thread::sleep_for(kLook);
     if (server.audience().clients > 0) {
       seen = steady_clock::now();

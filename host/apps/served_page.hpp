@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,8 +21,10 @@ std::unique_ptr<live_page::PageServer> serve_page(
     live_page::PageServer::TakeCommand take_command = nullptr,
     std::vector<live_page::NamedProtocol> protocols = {});
 
-/// Until nobody watches any more, or until Ctrl-C. Returns at once where nobody does.
-void wait_while_watched(const live_page::PageServer& server);
+/// Until nobody watches any more, or until Ctrl-C. Returns at once where nobody does. A page that
+/// is loaded anew may be `away` for a moment.
+void wait_while_watched(const live_page::PageServer& server,
+                        std::chrono::milliseconds away = std::chrono::seconds(3));
 
 /// Until Ctrl-C.
 void wait_for_interrupt();

@@ -129,14 +129,19 @@ Motion NxtFarthest::next(const pipeline::Snapshot& snapshot, MotionResult last) 
 }
 
 /// A move that failed is not finished: the robot backs off from what stopped it, and where nothing
-/// did, reads anew from where it stands.
+/// did, or where a person had it, reads anew from where it stands.
 void NxtFarthest::note(MotionResult last) {
+  if (last == MotionResult::kTakenOver) {
+    plan_.clear();
+    phase_ = Phase::kMoving;
+    return;
+  }
   sweeps_done_ += sweeping_ && last == MotionResult::kReached ? 1 : 0;
   if (phase_ != Phase::kMoving || last == MotionResult::kReached) {
     return;
   }
   plan_.clear();
-  if (last != MotionResult::kInterrupted && last != MotionResult::kTakenOver) {
+  if (last != MotionResult::kInterrupted) {
     phase_ = Phase::kBackingOff;
     plan_ = {Drive{-params_.back_off_m}};
   }

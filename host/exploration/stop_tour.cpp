@@ -50,8 +50,13 @@ Motion StopTour::next(const pipeline::Snapshot& snapshot, MotionResult last) {
 /// What stops the robot on its way stands between it and the place, which is given up. A motion
 /// that fails for another reason is repeated, as long as the way may take.
 std::optional<Motion> StopTour::recover(const pipeline::Snapshot& snapshot, MotionResult last) {
-  if (last == MotionResult::kLifted || last == MotionResult::kTakenOver) {
+  if (last == MotionResult::kLifted) {
     return Finished{FinishReason::kLifted};
+  }
+  if (last == MotionResult::kTakenOver) {
+    plan_ = {};
+    phase_ = Phase::kSettingOff;
+    return std::nullopt;
   }
   if (phase_ != Phase::kDriving || !is_stopped(snapshot, last)) {
     return std::nullopt;

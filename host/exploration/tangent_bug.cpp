@@ -106,8 +106,13 @@ StrategyProducts TangentBug::products() const {
 }
 
 /// "When the bump sensor is initiated, a virtual obstacle is mapped" (section II.B). Then, and
-/// where the wheels stuck, the robot backs off and looks again.
+/// where the wheels stuck, the robot backs off and looks again. So it does where a person had it.
 void TangentBug::note(MotionResult last) {
+  if (last == MotionResult::kTakenOver) {
+    plan_.clear();
+    activity_ = Activity::kMoving;
+    return;
+  }
   sweeps_done_ += sweeping_ && last == MotionResult::kReached ? 1 : 0;
   if (activity_ != Activity::kMoving || last == MotionResult::kReached) {
     return;
@@ -117,7 +122,7 @@ void TangentBug::note(MotionResult last) {
     const auto line = models::bumper_line(params_.robot_radius_m, 2.0 * params_.robot_radius_m);
     grid_.add_bump({T_course_robot_ * line.from_m, T_course_robot_ * line.to_m});
   }
-  if (last != MotionResult::kInterrupted && last != MotionResult::kTakenOver) {
+  if (last != MotionResult::kInterrupted) {
     activity_ = Activity::kBackingOff;
     plan_ = {Drive{-params_.back_off_m}};
   }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/live_page/client_command.hpp"
@@ -37,6 +38,8 @@ class CommandHandler {
   /// `can` names the commands that the run takes; nothing: there is no live run.
   CommandHandler(std::optional<std::vector<std::string>> can, std::function<double()> clock_ms);
 
+  /// From now on the run takes these.
+  void set_can(std::vector<std::string> can) { can_ = std::move(can); }
   Answer answer(std::uint64_t client, std::string_view text);
   /// The client is gone: a robot that it drove has to stop.
   std::optional<session::OperatorCommand> close(std::uint64_t client);

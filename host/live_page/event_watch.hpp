@@ -17,8 +17,8 @@ struct EventFacts {
   std::uint64_t resets = 0;
   bool is_touching = false;
   bool is_lifted = false;
-  std::size_t maps_changed = 0;  ///< RobotAtlas::changes.
-  std::size_t maps_joined = 0;   ///< RobotAtlas::joins.
+  std::size_t maps_changed = 0;  ///< RobotAtlas::changes, since the run began.
+  std::size_t maps_joined = 0;   ///< RobotAtlas::joins, since the run began.
   session::StandReason stands = session::StandReason::kNone;
 };
 

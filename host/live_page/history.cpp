@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "host/live_page/history.hpp"
 
-#include <bit>
-#include <cstdint>
-#include <cstring>
-
 namespace echomap::live_page {
 namespace {
 
@@ -20,16 +16,9 @@ constexpr MessageKind kOrder[] = {MessageKind::kHello,
                                   MessageKind::kState,
                                   MessageKind::kMotion};
 
-void append_u32(std::string& bytes, std::uint32_t value) {
-  static_assert(std::endian::native == std::endian::little);
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  bytes.append(raw, sizeof value);
-}
-
 }  // namespace
 
-void History::add(SharedMessage message) {
+void History::add(const SharedMessage& message) {
   Listener listener;
   {
     const std::lock_guard lock(mutex_);
@@ -70,16 +59,6 @@ std::vector<SharedMessage> History::newest() const {
     }
   }
   return messages;
-}
-
-std::string History::encoded() const {
-  const std::vector<SharedMessage> messages = since(0);
-  std::string bytes;
-  for (const SharedMessage& message : messages) {
-    append_u32(bytes, static_cast<std::uint32_t>(message->bytes.size()));
-    bytes += message->bytes;
-  }
-  return bytes;
 }
 
 std::vector<SharedMessage> History::since(std::size_t first) const {

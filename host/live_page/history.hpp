@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,13 +21,11 @@ class History {
 
   /// Passes the message to the listener, and keeps it: motions and particles thinned, up to
   /// `kMaxBytes` in all; from then on motions and particles are not kept any more.
-  void add(SharedMessage message);
+  void add(const SharedMessage& message);
   void listen(Listener listener);
 
   /// What a client that connects has to know: hello, tiles, trail, room, particles, state, motion.
   std::vector<SharedMessage> newest() const;
-  /// All that was kept, each behind its length as u32 (docs/live_protocol.md).
-  std::string encoded() const;
   /// All that was kept, from that one on.
   std::vector<SharedMessage> since(std::size_t first) const;
 

@@ -81,6 +81,11 @@ std::optional<CommandHandler::Driver> LiveClients::driver() const {
   return handler_.driver();
 }
 
+void LiveClients::set_can(std::vector<std::string> can) {
+  const std::lock_guard lock(handler_mutex_);
+  handler_.set_can(std::move(can));
+}
+
 Frame LiveClients::frame_of(const SharedMessage& message) {
   Frame frame{{message, &message->bytes}, false, {}};
   if (message->is_state()) {

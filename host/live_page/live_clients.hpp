@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/live_page/command_handler.hpp"
 #include "host/live_page/history.hpp"
@@ -17,7 +18,7 @@
 namespace echomap::live_page {
 
 /// Those that see a run by echomap.v1 and tell it what to do. All calls come from one thread, but
-/// for `driver`.
+/// for `driver` and `set_can`.
 class LiveClients {
  public:
   using TakeCommand = std::function<void(const session::OperatorCommand&)>;
@@ -37,8 +38,10 @@ class LiveClients {
   /// From now on nobody's command is passed on.
   void stop_listening();
 
-  /// Safe from every thread.
+  /// Safe from every thread, as is the next one.
   std::optional<CommandHandler::Driver> driver() const;
+  /// From now on the run takes these commands.
+  void set_can(std::vector<std::string> can);
 
   /// A message on its way to a client.
   static Frame frame_of(const SharedMessage& message);

@@ -22,12 +22,12 @@ constexpr double kPointsApartM = 0.03;
 
 std::int32_t tile_of(std::int32_t cell) { return cell >> mapping::kTileBits; }
 
-ordered_json json_of(const Eigen::Vector2d& point_m) { return {point_m.x(), point_m.y()}; }
+ordered_json pair_of(const Eigen::Vector2d& point_m) { return {point_m.x(), point_m.y()}; }
 
 ordered_json walls_of(const mapping::SonarFeatures& features) {
   auto walls = ordered_json::array();
   for (const geometry::Segment& wall : features.walls) {
-    walls.push_back({json_of(wall.from_m), json_of(wall.to_m)});
+    walls.push_back({pair_of(wall.from_m), pair_of(wall.to_m)});
   }
   return walls;
 }
@@ -35,7 +35,7 @@ ordered_json walls_of(const mapping::SonarFeatures& features) {
 ordered_json cylinders_of(const mapping::SonarFeatures& features) {
   auto cylinders = ordered_json::array();
   for (const mapping::FittedCircle& circle : features.circles) {
-    cylinders.push_back({{"at", json_of(circle.center_m)}, {"radius_m", circle.radius_m}});
+    cylinders.push_back({{"at", pair_of(circle.center_m)}, {"radius_m", circle.radius_m}});
   }
   return cylinders;
 }
@@ -46,7 +46,7 @@ ordered_json outline_of(const pipeline::Snapshot& snapshot) {
       mapping::room_outline(mapping::rasterize(*snapshot.grid), *snapshot.features);
   if (outline) {
     for (const Eigen::Vector2d& vertex_m : outline->outline_m()) {
-      points.push_back(json_of(vertex_m));
+      points.push_back(pair_of(vertex_m));
     }
   }
   return points;

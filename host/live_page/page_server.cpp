@@ -126,6 +126,7 @@ class PageServer::Impl {
   Impl& operator=(const Impl&) = delete;
 
   const std::string& url() const { return url_; }
+  void set_can(std::vector<std::string> can) { clients_.set_can(std::move(can)); }
   std::string take_trouble() {
     const std::lock_guard lock(trouble_mutex_);
     return std::exchange(trouble_, {});
@@ -250,6 +251,8 @@ PageServer::PageServer(const PageServerParams& params,
 PageServer::~PageServer() = default;
 
 const std::string& PageServer::url() const { return impl_->url(); }
+
+void PageServer::set_can(std::vector<std::string> can) { impl_->set_can(std::move(can)); }
 
 std::string PageServer::take_trouble() { return impl_->take_trouble(); }
 

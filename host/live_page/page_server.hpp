@@ -53,6 +53,8 @@ class PageServer {
   /// What to open in a browser, with the token where one is demanded.
   const std::string& url() const;
   PageAudience audience() const;
+  /// From now on the live run takes these commands: names of docs/live_protocol.md.
+  void set_can(std::vector<std::string> can);
   /// What went wrong in the server's thread since the last call, which must not log: a session
   /// records its log. Empty where nothing did.
   std::string take_trouble();

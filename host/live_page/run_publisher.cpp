@@ -65,8 +65,13 @@ const char* name_of(RunEvent::Level level) {
 RunPublisher::RunPublisher(std::shared_ptr<History> history,
                            const RunFacts& facts,
                            const session::RobotProfile& profile)
-    : history_(std::move(history)), map_(history_) {
-  history_->add(json_message(MessageKind::kHello, 0.0, hello_of(facts, profile)));
+    : history_(std::move(history)), map_(history_), hello_(hello_of(facts, profile)) {
+  history_->add(json_message(MessageKind::kHello, 0.0, hello_));
+}
+
+void RunPublisher::set_can(double time_s, std::vector<std::string> can) {
+  hello_["can"] = std::move(can);
+  history_->add(json_message(MessageKind::kHello, time_s, hello_));
 }
 
 void RunPublisher::on(const sensors::Observation& observation) {

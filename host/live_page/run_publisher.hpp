@@ -44,6 +44,8 @@ class RunPublisher final : public pipeline::AnyObservationSink {
                const RunFacts& facts,
                const session::RobotProfile& profile);
 
+  /// From now on the run takes these commands.
+  void set_can(double time_s, std::vector<std::string> can);
   /// Remembers the last ping, battery and hazards.
   void on(const sensors::Observation& observation) override;
 
@@ -63,6 +65,7 @@ class RunPublisher final : public pipeline::AnyObservationSink {
  private:
   std::shared_ptr<History> history_;
   MapPublisher map_;
+  nlohmann::ordered_json hello_;
   LastPing ping_;
   std::optional<double> battery_v_;
   sensors::HazardObservation hazards_;

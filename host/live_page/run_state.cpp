@@ -122,13 +122,22 @@ const char* name_of(LinkState state) {
   switch (state) {
     case LinkState::kReady:
       return "ready";
-    case LinkState::kMismatch:
-      return "mismatch";
+    case LinkState::kDescribing:
+      return "describing";
+    case LinkState::kSilent:
+      return "silent";
     case LinkState::kGarbage:
       return "garbage";
-    default:
-      return "connecting";
+    case LinkState::kUnheard:
+      return "unheard";
+    case LinkState::kMismatch:
+      return "mismatch";
+    case LinkState::kLost:
+      return "lost";
+    case LinkState::kConnecting:
+      break;
   }
+  return "connecting";
 }
 
 ordered_json json_of(const LinkHealth& link) {

@@ -56,6 +56,7 @@ struct RunState {
   std::optional<RunResult> result;
 };
 
+/// The body of a message of kind state; what is not known is null.
 nlohmann::ordered_json to_json(const RunState& state);
 
 }  // namespace echomap::live_page

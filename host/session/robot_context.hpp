@@ -42,6 +42,8 @@ class RobotContext {
   /// A person may take the robot over, before or in the midst of any motion, which then ends with
   /// kTakenOver once the person gives it back. The queue outlives this.
   void obey(OperatorQueue& queue, const OperatorParams& params, const OperatorHooks& hooks);
+  /// No person has the robot any more, nor may take it over.
+  void obey_nobody() { person_.reset(); }
   /// The way to the robot, which is not yet spoken to.
   void open(OpenedRobot robot);
   /// Connects the session and lets the follower begin. Throws as RobotSession::connect and

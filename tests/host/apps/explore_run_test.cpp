@@ -37,12 +37,14 @@ class ExploreAndSave : public session::SessionOnACable {
   ExitCode explore() {
     begin_maps(robot, "", "none");
     robot.open({new_connection(), nullptr});
-    return explore_and_save(robot, {strategy, folder.path(), ProgressDisplay::kNone}, summary).code;
+    return explore_and_save(robot, {strategy, live, folder.path(), ProgressDisplay::kNone}, summary)
+        .code;
   }
 
   const session::TemporaryFolder folder;
   const strategies::StrategyOptions strategy = one_stop();
   session::RobotContext robot{profile, session::Seed(1)};
+  LiveRun live{LiveOptions(), robot, {}};
   exports::RunSummary summary;
 };
 
@@ -50,7 +52,6 @@ TEST_F(ExploreAndSave, ThrowsWhereTheBoardDoesNotTakeTheProfileAndLeavesItDisarm
   cable.robot.answer = protocol::CommandStatus::kOutOfRange;
   EXPECT_THROW(explore(), console::CommandError);
   EXPECT_FALSE(cable.robot.armed);
-  EXPECT_FALSE(robot.on_step) << "it would draw the progress of an exploration that is over";
 }
 
 TEST_F(ExploreAndSave, SavesTheMapWhereTheBoardTakesItsProfileNoMore) {

@@ -55,12 +55,13 @@ class ExploreViewOnACable : public session::SessionOnACable {
   const std::filesystem::path out;
   strategies::StrategyOptions strategy;
   session::RobotContext robot{profile, session::Seed(1)};
+  LiveRun live{LiveOptions(), robot, {}};
   exploration::AtlasExplorer explorer{
       [](std::size_t /*stops*/) { return std::make_unique<DrivingExplorer>(); }, 0};
 };
 
 TEST_F(ExploreViewOnACable, ShowsWhatTheExplorerAsksForAndPassesItOn) {
-  const ExploreRun run{strategy, out, ProgressDisplay::kMap};
+  const ExploreRun run{strategy, live, out, ProgressDisplay::kMap};
   ExploreView shown(robot, run, explorer);
   EXPECT_EQ(shown.view().status.doing, "connects");
   const auto motion = shown.next(robot.atlas().pipeline().snapshot(), MotionResult::kReached);
@@ -73,7 +74,7 @@ TEST_F(ExploreViewOnACable, ShowsWhatTheExplorerAsksForAndPassesItOn) {
 }
 
 TEST_F(ExploreViewOnACable, ItsLineCountsFromTheRunThatItResumes) {
-  ExploreRun run{strategy, out};
+  ExploreRun run{strategy, live, out};
   run.resumed = ResumedRun{0, 60.0};
   ExploreView shown(robot, run, explorer);
   EXPECT_DOUBLE_EQ(shown.elapsed_s(), 60.0);

@@ -50,6 +50,7 @@ class SpreadFilter final : public tracking::LiveFilter {
   void begin(session::RobotSession& /*session*/) override {}
   bool has_lost_it() override { return false; }
   double telling(const geometry::Pose2& /*goal*/) const override { return 0.0; }
+  std::optional<localization::PoseGaussian> estimate() const override { return std::nullopt; }
   std::vector<geometry::Pose2> sampled_poses(std::size_t /*count*/) const override {
     return spread_poses(stddev_m);
   }

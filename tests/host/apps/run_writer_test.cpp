@@ -37,12 +37,13 @@ class RunWriterTest : public session::SessionOnACable {
   }
 
   session::RobotContext robot{profile, session::Seed(1)};
+  LiveRun live{LiveOptions(), robot, {}};
   pipeline::RobotAtlas& atlas = begin_maps();
   time::RobotTime stamp;
   Idler explorer;
   const tests::ScratchFolder out;
   const strategies::StrategyOptions strategy;
-  const ExploreRun run{strategy, out.path(), ProgressDisplay::kNone};
+  const ExploreRun run{strategy, live, out.path(), ProgressDisplay::kNone};
   exports::RunSummary summary;
 };
 

@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 /// Keeps what is sent until it is taken.
-class KeptFrames final : public FrameSender {
+class HeldFrames final : public FrameSender {
  public:
   void send(Frame frame) override { frames.push_back(std::move(frame)); }
   void close() override {}
@@ -41,7 +41,7 @@ class FoxgloveProtocolTest : public testing::Test {
   }
 
   FoxgloveTopics topics{"run"};
-  std::shared_ptr<KeptFrames> sender = std::make_shared<KeptFrames>();
+  std::shared_ptr<HeldFrames> sender = std::make_shared<HeldFrames>();
   std::unique_ptr<SocketProtocol> client;
 };
 
@@ -92,7 +92,7 @@ TEST_F(FoxgloveProtocolTest, ClientsComeAndGoWhileTheRunGoesOn) {
     }
   });
   for (int i = 0; i < 200; ++i) {
-    sender = std::make_shared<KeptFrames>();
+    sender = std::make_shared<HeldFrames>();
     connect();
     client->on_text(R"({"op": "unsubscribe", "subscriptionIds": [1]})");
     client.reset();

@@ -58,12 +58,5 @@ TEST(History, KeepsMotionsTenTimesASecondAndPassesAllOn) {
   EXPECT_EQ(history.since(0).size(), 25U);
 }
 
-TEST(History, EncodesEachMessageBehindItsLength) {
-  History history;
-  history.add(message(MessageKind::kEvent, 0.0, 0, "ab"));
-  history.add(message(MessageKind::kEvent, 0.0, 0, "c"));
-  EXPECT_EQ(history.encoded(), std::string("\2\0\0\0ab\1\0\0\0c", 11));
-}
-
 }  // namespace
 }  // namespace echomap::live_page

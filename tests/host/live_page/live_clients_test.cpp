@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// Keeps what a client would get.
-class KeptFrames final : public FrameSender {
+class KeptTexts final : public FrameSender {
  public:
   void send(Frame frame) override { texts.push_back(*frame.bytes); }
   void close() override {}
@@ -37,8 +37,8 @@ class LiveClientsTest : public testing::Test {
 
 TEST_F(LiveClientsTest, TellEachItsNumberAndWhatThereIs) {
   history_->add(made_message(MessageKind::kHello, 0, "hello"));
-  const auto first = std::make_shared<KeptFrames>();
-  const auto second = std::make_shared<KeptFrames>();
+  const auto first = std::make_shared<KeptTexts>();
+  const auto second = std::make_shared<KeptTexts>();
   EXPECT_EQ(clients_.join(first), 1U);
   EXPECT_EQ(clients_.join(second), 2U);
   clients_.send(LiveClients::frame_of(made_message(MessageKind::kEvent, 0, "event")));
@@ -47,7 +47,7 @@ TEST_F(LiveClientsTest, TellEachItsNumberAndWhatThereIs) {
 }
 
 TEST_F(LiveClientsTest, SendNothingToThoseWhoHaveLeft) {
-  const auto sender = std::make_shared<KeptFrames>();
+  const auto sender = std::make_shared<KeptTexts>();
   const auto number = clients_.join(sender);
   clients_.leave(number);
   clients_.send(text_frame("late"));
@@ -58,7 +58,7 @@ TEST_F(LiveClientsTest, SendNothingToThoseWhoHaveLeft) {
 TEST_F(LiveClientsTest, SpeakEchomapV1) {
   const NamedProtocol protocol = echomap_protocol(clients_);
   EXPECT_EQ(protocol.name, "echomap.v1");
-  const auto sender = std::make_shared<KeptFrames>();
+  const auto sender = std::make_shared<KeptTexts>();
   {
     const auto client = protocol.connect(sender);
     client->on_text(R"({"do": "drive", "seq": 1, "forward": 1, "turn": 0, "seen": 1000})");

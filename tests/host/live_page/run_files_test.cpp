@@ -104,14 +104,19 @@ TEST(MediaType, FollowsFromTheName) {
   EXPECT_EQ(media_type_of("whatever"), "application/octet-stream");
 }
 
-TEST(HistoryBody, IsTheEncodedHistory) {
+TEST(HistoryBody, IsEachMessageBehindItsLength) {
   History history;
+  std::string expected;
   for (int i = 0; i < 100; ++i) {
-    history.add(
-        made_message(MessageKind::kEvent, 0, std::string(static_cast<std::size_t>(i) * 50, 'e')));
+    const std::string text(static_cast<std::size_t>(i) * 50, 'e');
+    history.add(made_message(MessageKind::kEvent, 0, text));
+    const auto length = static_cast<std::uint32_t>(text.size());
+    for (unsigned byte = 0; byte < sizeof length; ++byte) {
+      expected.push_back(static_cast<char>(length >> (8 * byte) & 0xFFU));
+    }
+    expected += text;
   }
   const auto body = history_body(history);
-  const std::string expected = history.encoded();
   EXPECT_EQ(body->size(), expected.size());
   EXPECT_EQ(whole(*body), expected);
 }

@@ -56,7 +56,7 @@ export class MockRun {
     this.send(1, '', encode.hello(this.time, this.hello(live)));
     for (const tile of this.room.dirty) this.send(2, `${tile.x},${tile.y}`, encode.tile(this.time, tile.x, tile.y, tile.cells));
     this.room.dirty.clear();
-    this.tell('started', 'info', 'the run has started');
+    this.tell('link-ready', 'info', 'the robot answers');
   }
 
   tell(code, level, text, cause = null, remedy = null) {
@@ -79,7 +79,7 @@ export class MockRun {
     if (this.ticks % 4 === 0) this.send(4, '', encode.particles(this.time, this.particles()));
     if (this.ticks % 100 === 0) this.send(5, '', encode.trail(this.time, this.trail));
     if (this.ticks % 60 === 1) this.send(6, '', encode.room(this.time, this.roomState()));
-    if (this.ticks % 600 === 0) this.tell('loop-closed', 'info', 'loop closed: the map was corrected by 4 cm');
+    if (this.ticks % 600 === 0) this.tell('bumped', 'info', 'it touched something, which is now in the map', 'too low, too thin or too soft for the sonar');
     if (this.ticks % 5 === 0) this.sendState(isCut);
     this.sendMotion();
   }
@@ -106,6 +106,7 @@ export class MockRun {
       const toGoal = this.goal && Math.atan2(this.goal[1] - this.pose[1], this.goal[0] - this.pose[0]) - this.pose[2];
       if (this.mode === 'go' && Math.hypot(this.goal[0] - this.pose[0], this.goal[1] - this.pose[1]) < 0.1) {
         this.mode = 'stopped';
+        this.stopped = { code: 'arrived', text: 'it is where it was sent' };
         this.goal = null;
       } else if (this.mode === 'go') {
         turn = Math.max(-1, Math.min(1, 2 * Math.atan2(Math.sin(toGoal), Math.cos(toGoal))));
@@ -204,7 +205,7 @@ export class MockRun {
       travelled_m: this.trail.length * 0.0125, left_s: Math.max(0, 120 - this.time),
       link: { state: isCut ? 'lost' : 'ready', round_trip_ms: 3 + 2 * Math.sin(this.time), frames_lost: 2, frames_bad: 1, resets: 0, outages: 0, frames_per_s: 48, battery_v: 7.4 },
       localization: { status: isLost ? 'lost' : 'localized', lost_probability: isLost ? 0.8 : 0.02, hypotheses },
-      stopped: isCut ? { code: 'link-lost', text: 'no byte from the robot' } : this.stopped,
+      stopped: this.stopped,
       score: { free_iou: 0.5 + coverage * 0.45, wall_rmse_m: 0.02, solid_called_free: 0.01, objects_found: 0.9, pose_error_m: 0.036 },
       result: this.result ?? null,
     }));
@@ -248,7 +249,7 @@ export class MockRun {
       case 'moved':
       case 'carry-off':
         this.uncertainty = 1.2;
-        this.tell('kidnapped', 'warning', 'carried off', 'somebody lifted the robot', 'wait until it has found itself');
+        this.tell('carried-off', 'info', 'somebody carries the robot off');
         return null;
       case 'pose':
         this.pose = [command.x, command.y, command.heading];

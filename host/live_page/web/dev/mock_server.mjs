@@ -89,7 +89,7 @@ function take(command, client) {
   if (command.do === 'ping') return { ack: seq, ok: true, clock: performance.now() };
   if (command.do === 'name') {
     client.name = command.name;
-    return { ack: seq, ok: true, client: client.number };
+    return { ack: seq, ok: true };
   }
   const refusal = live ? live.take(command, client) : { code: 'not-possible', why: 'no run is live' };
   return refusal ? { ack: seq, ok: false, ...refusal } : { ack: seq, ok: true };
@@ -104,6 +104,7 @@ server.on('upgrade', (request, socket, head) => {
     const client = { number: ++clientNumber, name: 'somebody', line };
     clients.add(client);
     live.clients = clients.size;
+    line.send(JSON.stringify({ client: client.number }));
     for (const bytes of live.snapshot()) line.send(bytes);
     line.on('message', (text) => line.send(JSON.stringify(take(JSON.parse(text.toString()), client))));
     line.on('close', () => {

@@ -18,6 +18,24 @@ const shortcuts: [string, string][] = [
   ['timeAxisVal(_tzDate, av)', 'av'],
   ['uPlot.fmtDate = fmtDate;', ''],
   ['uPlot.tzDate  = tzDate;', ''],
+  // Legend, cursor, and what the mouse does to them.
+  ['const showLegend = legend.show;', 'const showLegend = false;'],
+  ['const showCursor =                cursor.show;', 'const showCursor = false;'],
+  ['events.mousedown = mouseDown;', ''],
+  ['events.mousemove = mouseMove;', ''],
+  ['events.mouseup = mouseUp;', ''],
+  ['events.dblclick = dblClick;', ''],
+  ['function updateCursor(src, _fire, _pub) {', 'function updateCursor() { return;'],
+  ['function initLegendRow(s, i) {', 'function initLegendRow() { return;'],
+  ['function setLegendValues(sidx, idx) {', 'function setLegendValues() { return;'],
+  // Logarithmic scales.
+  ['sc.distr == 3 ? logAxisSplits : sc.distr == 4 ? asinhAxisSplits : numAxisSplits', 'numAxisSplits'],
+  ['(          sc.distr >= 3 && sc.log == 10 ? log10AxisValsFilt : sc.distr == 3 && sc.log == 2 ? log2AxisValsFilt : retArg1)', 'retArg1'],
+  ['function rangeLog(min, max, base, fullMags) {', 'function rangeLog(min, max) { return [min, max];'],
+  ['function rangeAsinh(min, max, base, fullMags) {', 'function rangeAsinh(min, max) { return [min, max];'],
+  // Bands between two curves.
+  ['function bandFillClipDirs(self, seriesIdx) {', 'function bandFillClipDirs() { return [0, 0];'],
+  ['function clipBandLine(self, seriesIdx, idx0, idx1, strokePath, clipDir) {', 'function clipBandLine() { return null;'],
   // Helpers for its users.
   ['uPlot.join = join;', ''],
   ['uPlot.rangeLog = rangeLog;', ''],

@@ -21,6 +21,10 @@ export function shortDistance(value: number | null | undefined): string {
   if (value === null || value === undefined || value >= 1) return metres(value);
   return withUnit(value * 100, value < 0.0995 ? 1 : 0, 'cm');
 }
+/** Of a spread: what is nearly nothing is not called nothing. */
+export function plusMinus(value: number): string {
+  return value < 0.01 ? '< 1\u00a0cm' : `± ${shortDistance(value)}`;
+}
 export function area(value: number | null | undefined): string {
   return withUnit(value, 1, 'm²');
 }

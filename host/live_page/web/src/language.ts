@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { signal } from '@preact/signals';
+import { serverTexts } from './server_texts';
 import { type Language, languages, type TextKey, texts } from './texts';
 
 const storageKey = 'echomap.language';
@@ -21,8 +22,8 @@ export function text(key: TextKey, values: Record<string, string> = {}): string 
   return texts[key][language.value].replace(/\{(\w+)\}/g, (placeholder, name: string) => values[name] ?? placeholder);
 }
 
-/** Of a code of the protocol; what the server says where the code is unknown. */
-export function codeText(group: string, code: string | null | undefined, otherwise: string): string {
+/** Of a code of the protocol; what the server says where the page has no words of its own. */
+export function codeText(group: string, code: string | null | undefined, otherwise: string | null | undefined): string {
   const key = `${group}.${code}`;
-  return key in texts ? text(key as TextKey) : otherwise;
+  return key in texts ? text(key as TextKey) : (serverTexts[language.value]?.[key] ?? otherwise ?? '');
 }

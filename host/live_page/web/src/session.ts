@@ -12,7 +12,7 @@ import type { Message, Point, RunState } from './protocol/messages';
 import { fetchHistory, fetchRuns, type RunEntry } from './protocol/runs';
 import { Player } from './run/player';
 import { type Cursor, type Encoded, joinHistory, splitHistory, Timeline } from './run/timeline';
-import { apply, emptyView, type View } from './run/view';
+import { apply, emptyView, type TimedEvent, type View } from './run/view';
 import { Stats } from './stats';
 
 export type LinkStatus = 'connecting' | 'open' | 'lost' | 'recorded';
@@ -47,17 +47,19 @@ export class Session {
   readonly drives = signal(false);
   readonly ownClient = signal<number | null>(null);
   /** Of the shown run; changes as it grows. */
-  readonly span = signal({ start: 0, end: 0, events: [] as { time: number; level: string; code: string }[] });
+  readonly span = signal({ start: 0, end: 0, events: [] as TimedEvent[] });
   /** For panels: the shown view, a few times a second. */
   readonly shown = signal<{ view: View }>({ view: emptyView() });
   readonly can = computed(() => {
     const { view } = this.shown.value;
-    return new Set(this.isLiveRun.value ? (view.hello?.can ?? []) : []);
+    const obeys = this.isLiveRun.value && view.state?.mode !== 'ended';
+    return new Set(obeys ? (view.hello?.can ?? []) : []);
   });
   readonly isLiveRun = computed(() => this.runs.value.find(({ id }) => id === this.shownRun.value)?.live ?? false);
 
   readonly connection = new Connection({
     onOpen: () => this.beginLive(),
+    onNumber: (client) => (this.ownClient.value = client),
     onMessage: (bytes) => this.takeMessage(bytes),
     onLost: () => this.loseConnection(),
     isLive: async () => {
@@ -91,7 +93,6 @@ export class Session {
   private noticeTimer = 0;
   private stopNumber = 0;
   private movingStates = 0;
-  private steeredMs = -Infinity;
 
   get view(): View {
     const followsLive = this.isLiveRun.peek() && (this.player.live.peek() || !this.shownTimeline);
@@ -187,9 +188,8 @@ export class Session {
     else if (command.do === 'explore' || command.do === 'go') this.stopStatus.value = 'idle';
   }
 
-  async sendName(): Promise<void> {
-    const ack = await this.connection.sendNow({ do: 'name', name: deviceName.value });
-    if (ack?.client !== undefined) this.ownClient.value = ack.client;
+  sendName(): void {
+    void this.connection.sendNow({ do: 'name', name: deviceName.value });
   }
 
   hold(...held: Parameters<DriveSampler['hold']>): void {
@@ -270,7 +270,7 @@ export class Session {
     this.liveSince = [];
     this.liveTimeline = null;
     this.liveView = emptyView();
-    void this.sendName();
+    this.sendName();
     if (this.stopStatus.value === 'unconfirmed' || this.stopStatus.value === 'sent') this.stop();
     setTimeout(() => void this.loadLiveHistory(connect), historyAfterMs);
   }
@@ -314,10 +314,7 @@ export class Session {
       this.connection.clock.see(message.motion.clockMs);
       this.stats.addMotion();
     }
-    if (message?.kind === 'state') {
-      this.noticeMode(message.state);
-      this.noticeDriver(message.state);
-    }
+    if (message?.kind === 'state') this.noticeMode(message.state);
     this.changed();
   }
 
@@ -331,17 +328,8 @@ export class Session {
     }
   }
 
-  /** Of a server that does not tell this client's number: the driver with this name, while it drives. */
-  private noticeDriver({ driver }: RunState): void {
-    const drives = this.drives.value && performance.now() - this.steeredMs < 200;
-    if (this.ownClient.value === null && drives && driver?.name === deviceName.value) {
-      this.ownClient.value = driver.client;
-    }
-  }
-
   private takeDriveAck(ack: Ack): void {
     if (ack.ok) {
-      this.steeredMs = performance.now();
       if (this.drives.value) this.stopStatus.value = 'idle';
       return;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from 'vitest';
-import { decodeAck } from '../src/protocol/commands';
+import { decodeText } from '../src/protocol/commands';
 import { ServerClock } from '../src/protocol/server_clock';
 
 describe('ServerClock', () => {
@@ -23,11 +23,15 @@ describe('ServerClock', () => {
   });
 });
 
-describe('decodeAck', () => {
+describe('decodeText', () => {
+  it('reads the number by which the server names this client', () => {
+    expect(decodeText('{"client": 3}')).toEqual({ client: 3 });
+  });
+
   it('reads an answer, and ignores anything else', () => {
-    expect(decodeAck('{"ack": 3, "ok": false, "code": "stale"}')).toEqual({ ack: 3, ok: false, code: 'stale' });
+    expect(decodeText('{"ack": 3, "ok": false, "code": "stale"}')).toEqual({ ack: 3, ok: false, code: 'stale' });
     for (const text of ['', '3', 'null', '{"ok": true}', '{"ack": "3", "ok": true}', '{"ack": 3']) {
-      expect(decodeAck(text)).toBeNull();
+      expect(decodeText(text)).toBeNull();
     }
   });
 });

@@ -94,6 +94,15 @@ describe('mapBounds', () => {
     expect(bounds.maxY).toBeCloseTo(0.6);
   });
 
+  it('spans the echoes while there is no map', () => {
+    const view = emptyView();
+    const hello = encode.hello(0, { sonar: { x_m: 0, y_m: 0, half_angle_rad: 0.2, max_range_m: 4 } });
+    const ping = motion(0, { pose: [0, 0, 0], ping: { bearing: 0, range: 3, number: 1, outcome: 1 } });
+    for (const bytes of [hello, ping]) apply(view, decode(bytes)!);
+    expect(mapBounds(view)!.maxX).toBeCloseTo(3);
+    expect(mapBounds(view)!.minX).toBeCloseTo(-1.5);
+  });
+
   it('is none before anything was seen', () => {
     expect(mapBounds(emptyView())).toBeNull();
   });

@@ -36,6 +36,23 @@ describe('apply', () => {
     expect(view.events).toHaveLength(1);
   });
 
+  it('puts each ping with an echo where its beam points, and keeps the newest', () => {
+    const hello = encode.hello(0, { sonar: { x_m: 0.1, y_m: 0, half_angle_rad: 0.2, max_range_m: 4 } });
+    const ping = (number: number, changes: object = {}) =>
+      motion(number, {
+        pose: [1, 2, Math.PI / 2],
+        ping: { bearing: -Math.PI / 2, range: 1.5, number, outcome: 1, ...changes },
+      });
+    const view = viewAfter(hello, ping(1), ping(1), ping(2, { range: NaN, outcome: 2 }), ping(3, { outcome: 3 }));
+    expect(view.echoes).toHaveLength(2);
+    expect(view.echoes[0]).toBeCloseTo(2.5);
+    expect(view.echoes[1]).toBeCloseTo(2.1);
+    for (let number = 4; number < 600; ++number) apply(view, decode(ping(number))!);
+    expect(view.echoes).toHaveLength(800);
+    apply(view, decode(motion(600, { pose: [5, 5, 0], ping: { bearing: 0, range: 1, number: 600, outcome: 1 } }))!);
+    expect(view.echoes).toHaveLength(2);
+  });
+
   it('compares odometry and estimate once a second', () => {
     const view = viewAfter(...Array.from({ length: 31 }, (_, step) => motion(step / 10)));
     expect(view.series.time).toEqual([0, 1, 2, 3]);

@@ -2,9 +2,11 @@
 import type { Pose } from '../protocol/messages';
 import type { View } from '../run/view';
 import type { Camera } from './camera';
-import { drawEllipse, drawRobot, drawSonar, drawTruth } from './draw_robot';
+import { drawChoices, labelChoices } from './draw_choices';
+import { drawEchoes, drawEllipse, drawRobot, drawSonar, drawTruth } from './draw_robot';
 import { type Context, drawArrow, drawLabel, strokeWithHalo, tracePath, traceTrail } from './draw_shapes';
 import { ellipse95 } from './ellipse';
+import { LabelSpace } from './label_space';
 import type { Layers } from './layers';
 import { type Palette, palettes, type Theme } from './palette';
 import { ParticleLayer } from './particle_layer';
@@ -21,6 +23,7 @@ export interface MapScene {
   theme: Theme;
   formatMetres: (metres: number) => string;
   formatArea: (squareMetres: number) => string;
+  formatPercent: (share: number) => string;
 }
 
 /** Draws the map and all that lies on it. */
@@ -47,7 +50,8 @@ export class MapPainter {
     }
     if (layers.walls) drawWalls(context, camera, view, palette);
     drawTrails(context, camera, view, pose, layers, palette);
-    if (layers.choices) drawChoices(context, camera, scene, palette);
+    if (layers.sonar) drawEchoes(context, camera, view.echoes, palette);
+    if (layers.choices) drawChoices(context, camera, view, pose, palette);
     if (layers.hypotheses) drawHypotheses(context, camera, view, palette);
     const { motion } = view;
     if (motion && pose) {
@@ -56,6 +60,9 @@ export class MapPainter {
       drawRobot(context, camera, pose, hello.radius_m, palette);
       if (layers.truth && motion.truth) drawTruth(context, camera, motion.truth, hello.radius_m, palette);
     }
+    const space = new LabelSpace(context, camera, pose, palette);
+    if (layers.choices) labelChoices(space, camera, view, scene.formatArea);
+    if (layers.hypotheses) labelHypotheses(space, camera, view, scene.formatPercent);
     drawMarks(context, camera, scene, palette);
   }
 
@@ -171,43 +178,6 @@ function drawTrails(
   }
 }
 
-function drawChoices(context: Context, camera: Camera, scene: MapScene, palette: Palette): void {
-  const why = scene.view.state?.why;
-  for (const choice of why?.choices ?? []) {
-    const [x, y] = camera.toScreen(choice.at[0], choice.at[1]);
-    const radius = Math.min(40, 8 + 9 * Math.sqrt(Math.max(0, choice.gain_m2)));
-    context.strokeStyle = context.fillStyle = choice.chosen ? palette.chosen : palette.choice;
-    context.lineCap = 'round';
-    context.lineWidth = choice.chosen ? 3.5 : 1.5;
-    context.beginPath();
-    context.arc(x, y, radius, 0, 2 * Math.PI);
-    context.globalAlpha = choice.chosen ? 0.3 : 0.14;
-    context.fill();
-    context.globalAlpha = 1;
-    strokeWithHalo(context, palette.halo);
-    drawLabel(context, `${choice.chosen ? '➜ ' : ''}${scene.formatArea(choice.gain_m2)}`, x, y + radius + 12, palette);
-  }
-  if (why?.goal) {
-    const [x, y] = camera.toScreen(why.goal[0], why.goal[1]);
-    context.strokeStyle = palette.chosen;
-    context.lineWidth = 2.5;
-    if (scene.pose) {
-      context.setLineDash([3, 6]);
-      context.beginPath();
-      context.moveTo(...camera.toScreen(scene.pose.x, scene.pose.y));
-      context.lineTo(x, y);
-      strokeWithHalo(context, palette.halo);
-      context.setLineDash([]);
-    }
-    context.beginPath();
-    context.moveTo(x - 7, y);
-    context.lineTo(x + 7, y);
-    context.moveTo(x, y - 7);
-    context.lineTo(x, y + 7);
-    strokeWithHalo(context, palette.halo);
-  }
-}
-
 function drawHypotheses(context: Context, camera: Camera, view: View, palette: Palette): void {
   for (const hypothesis of view.state?.localization?.hypotheses ?? []) {
     const [x, y] = camera.toScreen(hypothesis.x, hypothesis.y);
@@ -222,7 +192,23 @@ function drawHypotheses(context: Context, camera: Camera, view: View, palette: P
       strokeWithHalo(context, palette.halo);
     }
     drawArrow(context, x, y, -hypothesis.heading, 22, palette.halo);
-    drawLabel(context, `${Math.round(hypothesis.probability * 100)} %`, x, y - 20, palette);
+  }
+}
+
+/** The likeliest first; the only one needs none. */
+function labelHypotheses(
+  space: LabelSpace,
+  camera: Camera,
+  view: View,
+  formatPercent: (share: number) => string,
+): void {
+  const hypotheses = [...(view.state?.localization?.hypotheses ?? [])];
+  if (hypotheses.length < 2) return;
+  hypotheses.sort((a, b) => b.probability - a.probability);
+  for (const hypothesis of hypotheses) {
+    const [x, y] = camera.toScreen(hypothesis.x, hypothesis.y);
+    const apart = Math.max(20, (ellipse95(hypothesis)?.minorM ?? 0) * camera.scale + 10);
+    space.place(formatPercent(hypothesis.probability), x, [y - apart, y + apart]);
   }
 }
 

@@ -60,6 +60,17 @@ export function drawEllipse(
   context.stroke();
 }
 
+/** Older ones are fainter. */
+export function drawEchoes(context: Context, camera: Camera, echoes: readonly number[], palette: Palette): void {
+  context.fillStyle = palette.echo;
+  for (let index = 0; index < echoes.length; index += 2) {
+    const [x, y] = camera.toScreen(echoes[index]!, echoes[index + 1]!);
+    context.globalAlpha = 0.15 + (0.75 * index) / echoes.length;
+    context.fillRect(x - 2, y - 2, 4, 4);
+  }
+  context.globalAlpha = 1;
+}
+
 /** An echo is an arc at its range, silence a dashed cone without an end, no answer a crossed-out short one. */
 export function drawSonar(
   context: Context,

@@ -25,6 +25,27 @@ export function traceTrail(context: Context, camera: Camera, trail: ArrayLike<nu
   }
 }
 
+/** On the screen, pixels. */
+export interface Box {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+const labelHeight = 18;
+
+/** Of a label around that point. */
+export function labelBox(context: Context, text: string, x: number, y: number): Box {
+  context.font = '600 12px system-ui, sans-serif';
+  const half = context.measureText(text).width / 2 + 5;
+  return { left: x - half, top: y - labelHeight / 2, right: x + half, bottom: y + labelHeight / 2 };
+}
+
+export function overlap(a: Box, b: Box): boolean {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
 export function drawLabel(
   context: Context,
   text: string,
@@ -32,13 +53,12 @@ export function drawLabel(
   y: number,
   colours: { ink: string; paper: string },
 ): void {
-  context.font = '600 12px system-ui, sans-serif';
+  const { left, top, right } = labelBox(context, text, x, y);
   context.textAlign = 'center';
   context.textBaseline = 'middle';
-  const width = context.measureText(text).width + 10;
   context.fillStyle = colours.paper;
   context.beginPath();
-  context.roundRect(x - width / 2, y - 9, width, 18, 5);
+  context.roundRect(left, top, right - left, labelHeight, 5);
   context.fill();
   context.fillStyle = colours.ink;
   context.fillText(text, x, y + 0.5);

@@ -3,6 +3,8 @@ import { tileCells, type Tile } from '../protocol/messages';
 import type { View } from '../run/view';
 import type { Bounds } from './camera';
 
+/** Around a robot that knows no more than where it stands. */
+const blankRadiusM = 1.5;
 const seenOfTile = new WeakMap<Tile, Bounds | 'nothing'>();
 
 /** In cells of the map; where the tile holds no evidence: 'nothing'. */
@@ -47,10 +49,17 @@ export function mapBounds(view: View): Bounds | null {
     if (seen === 'nothing') continue;
     add(seen.minX * resolution, seen.minY * resolution, seen.maxX * resolution, seen.maxY * resolution);
   }
+  const isBlank = !(bounds.maxX - bounds.minX > blankRadiusM);
   const pose = view.motion?.pose;
   if (pose && Number.isFinite(pose.x + pose.y)) {
-    const radius = view.hello?.radius_m ?? 0;
+    const radius = isBlank ? blankRadiusM : (view.hello?.radius_m ?? 0);
     add(pose.x - radius, pose.y - radius, pose.x + radius, pose.y + radius);
+  }
+  // Once there is a map they stray too far from it to count.
+  for (let index = 0; isBlank && index < view.echoes.length; index += 2) {
+    const x = view.echoes[index]!;
+    const y = view.echoes[index + 1]!;
+    add(x, y, x, y);
   }
   for (const [x, y] of view.room?.outline ?? []) add(x, y, x, y);
   return bounds.minX < bounds.maxX ? bounds : null;

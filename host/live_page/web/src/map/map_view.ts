@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { area, metres } from '../format';
+import { area, metres, percent } from '../format';
 import type { Motion } from '../protocol/messages';
 import type { Session } from '../session';
 import { theme } from '../theme';
@@ -13,7 +13,7 @@ const maxPixelRatio = 2;
 const maxCanvasEdge = 4096;
 const keyPanPixels = 60;
 const keyZoom = 1.3;
-const scaleBarPixels = 44;
+const scaleBarPixels = 56;
 
 /** The map on its canvas: draws a frame whenever something has changed, and none otherwise. */
 export class MapView {
@@ -130,6 +130,7 @@ export class MapView {
       theme: theme.value,
       formatMetres: metres,
       formatArea: area,
+      formatPercent: percent,
     });
     this.measure(startMs, performance.now(), view.motion, view.tiles.size > 0);
     this.showScale();

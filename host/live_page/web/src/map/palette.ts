@@ -22,6 +22,7 @@ export interface Palette {
   robotEdge: string;
   wall: string;
   sonar: string;
+  echo: string;
   silence: string;
   noAnswer: string;
   choice: string;
@@ -50,6 +51,7 @@ export const palettes: Record<Theme, Palette> = {
     robotEdge: '#ffffff',
     wall: '#009e73',
     sonar: '#b87d00',
+    echo: '#b87d00',
     silence: '#2f86bd',
     noAnswer: '#d55e00',
     choice: '#0072b2',
@@ -59,11 +61,11 @@ export const palettes: Record<Theme, Palette> = {
     particles: ['#9ccbe8', '#74b6de', '#4a9fd0', '#2788bf', '#0072b2', '#00588a'],
   },
   dark: {
-    free: [182, 190, 200],
-    undecided: [124, 133, 145],
-    occupied: [12, 15, 20],
-    unknown: '#343c47',
-    hatch: '#424c59',
+    free: [201, 208, 216],
+    undecided: [140, 149, 161],
+    occupied: [4, 6, 9],
+    unknown: '#4b5563',
+    hatch: '#5b6675',
     grid: 'rgba(16, 24, 36, 0.18)',
     ink: '#eef2f7',
     paper: 'rgba(18, 23, 30, 0.86)',
@@ -75,6 +77,7 @@ export const palettes: Record<Theme, Palette> = {
     robotEdge: '#ffffff',
     wall: '#1fb98d',
     sonar: '#8a5d00',
+    echo: '#e08a00',
     silence: '#1a5a85',
     noAnswer: '#b23c00',
     choice: '#8ecff5',

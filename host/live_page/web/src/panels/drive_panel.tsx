@@ -9,10 +9,12 @@ import type { Session } from '../session';
 import { DemoPanel } from './demo_panel';
 
 function driverWords(session: Session): string {
-  const driver = session.shown.value.view.state?.driver;
+  const { state } = session.shown.value.view;
+  const driver = state?.driver;
   const isOwn = driver ? driver.client === session.ownClient.value : session.drives.value;
-  if (isOwn) return text('drive.you');
-  return driver ? text('drive.other', { name: driver.name }) : text('drive.nobody');
+  // Who has stopped holds the lock for a moment.
+  if (isOwn && (session.drives.value || state?.mode !== 'stopped')) return text('drive.you');
+  return driver && !isOwn ? text('drive.other', { name: driver.name }) : text('drive.nobody');
 }
 
 export function DrivePanel({ session }: { session: Session }): JSX.Element {
@@ -65,7 +67,7 @@ export function DrivePanel({ session }: { session: Session }): JSX.Element {
               defaultValue={deviceName.value}
               onChange={(event) => {
                 setDeviceName(event.currentTarget.value);
-                void session.sendName();
+                session.sendName();
               }}
             />
           </label>

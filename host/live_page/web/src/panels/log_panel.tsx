@@ -14,8 +14,8 @@ const icons: Record<string, IconName> = { info: 'info', warning: 'weak', error: 
 
 function EventItem({ event, onSeek }: { event: TimedEvent; onSeek: () => void }): JSX.Element {
   const { code, level } = event;
-  const cause = codeText('event', `${code}.cause`, event.cause ?? '');
-  const remedy = codeText('event', `${code}.remedy`, event.remedy ?? '');
+  const cause = codeText('event', `${code}.cause`, event.cause);
+  const remedy = codeText('event', `${code}.remedy`, event.remedy);
   return (
     <li class={`event event-${level}`}>
       <Icon name={icons[level] ?? 'info'} />

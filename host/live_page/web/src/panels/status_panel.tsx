@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { JSX } from 'preact';
-import { area, degrees, duration, metres, milliseconds, number, percent, shortDistance, volts } from '../format';
+import { area, degrees, duration, metres, milliseconds, number, percent, plusMinus, shortDistance, volts } from '../format';
 import { codeText, text } from '../language';
 import { ellipse95 } from '../map/ellipse';
 import type { Motion, Score } from '../protocol/messages';
@@ -11,7 +11,7 @@ import { modeWords, whyWords } from '../shell/mission_strip';
 
 export function positionWords(motion: Motion | null): string {
   const ellipse = ellipse95(motion?.covariance ?? null);
-  return ellipse ? text('status.sure', { distance: shortDistance(ellipse.majorM) }) : text('status.unsure');
+  return ellipse ? plusMinus(ellipse.majorM) : text('status.unsure');
 }
 
 const scoreFormats: [keyof Score, (value: number | null) => string][] = [

@@ -2,7 +2,7 @@
 import type { JSX } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import uPlot from 'uplot';
-import { text } from '../language';
+import { language, text } from '../language';
 import { theme } from '../theme';
 
 export interface Curve {
@@ -30,8 +30,14 @@ const axisColours = { light: '#47525f', dark: '#b9c3cf' };
 const gridColours = { light: 'rgba(40,60,90,.14)', dark: 'rgba(200,215,235,.14)' };
 const curveColours = { light: ['#0072b2', '#b34e00'], dark: ['#56b4e9', '#f5a623'] };
 
-/** No curve of the page falls below zero. */
-const fromZero = (_: uPlot, __: number | null, max: number | null): [number, number] => [0, (max || 1) * 1.1];
+/** No curve of the page falls below zero; what is next to nothing, in each unit, is not blown up. */
+const leastTop = 0.05;
+const fromZero = (_: uPlot, __: number | null, max: number | null): [number, number] => [
+  0,
+  Math.max(leastTop, max ?? 1) * 1.1,
+];
+const tickWords = (_: uPlot, ticks: (number | null)[]): string[] =>
+  ticks.map((tick) => tick?.toLocaleString(language.value) ?? '');
 
 export function Plot(props: PlotProps): JSX.Element {
   const frame = useRef<HTMLDivElement>(null);
@@ -51,6 +57,7 @@ export function Plot(props: PlotProps): JSX.Element {
       stroke: axisColours[shownTheme],
       grid: { stroke: gridColours[shownTheme], width: 1 },
       ticks: { show: false },
+      values: tickWords,
       ...extra,
     });
     const created = new uPlot(

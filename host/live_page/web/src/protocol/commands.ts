@@ -16,16 +16,20 @@ export interface Ack {
   code?: string;
   /** Of a ping: the server's clock, milliseconds. */
   clock?: number;
-  /** Of a name: this client's number. */
-  client?: number;
 }
 
-export function decodeAck(text: string): Ack | null {
+/** The server's first words. */
+export interface Welcome {
+  /** The number by which it names this client. */
+  client: number;
+}
+
+/** Null for what is neither. */
+export function decodeText(text: string): Ack | Welcome | null {
   try {
-    const value: unknown = JSON.parse(text);
-    if (typeof value !== 'object' || value === null) return null;
-    const { ack, ok } = value as Partial<Ack>;
-    return typeof ack === 'number' && typeof ok === 'boolean' ? (value as Ack) : null;
+    const value = JSON.parse(text) as Partial<Ack & Welcome> | null;
+    const isAck = typeof value?.ack === 'number' && typeof value.ok === 'boolean';
+    return isAck || typeof value?.client === 'number' ? (value as Ack | Welcome) : null;
   } catch {
     return null;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { type Ack, type Command, decodeAck } from './commands';
+import { type Ack, type Command, decodeText } from './commands';
 import { ServerClock } from './server_clock';
 
 const pingEveryMs = 500;
@@ -10,6 +10,8 @@ const maxRetryMs = 3000;
 
 export interface ConnectionListener {
   onOpen(): void;
+  /** The number by which the server names this client. */
+  onNumber(client: number): void;
   onMessage(bytes: Uint8Array): void;
   onLost(): void;
   /** Whether a run is live; rejects where nobody answers. */
@@ -78,7 +80,10 @@ export class Connection {
       body: JSON.stringify({ ...command, seq: sequence }),
       keepalive: true,
     })
-      .then(async (response) => decodeAck(await response.text()) ?? unanswered(sequence))
+      .then(async (response) => {
+        const words = decodeText(await response.text());
+        return words && 'ack' in words ? words : unanswered(sequence);
+      })
       .catch(() => unanswered(sequence));
   }
 
@@ -102,8 +107,10 @@ export class Connection {
         this.listener.onMessage(new Uint8Array(data));
         return;
       }
-      const ack = decodeAck(data);
-      if (ack) this.settle(ack);
+      const words = decodeText(data);
+      if (!words) return;
+      if ('ack' in words) this.settle(words);
+      else this.listener.onNumber(words.client);
     };
     socket.onclose = () => this.lose(socket);
   }

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
-import type {
-  Hello,
-  Message,
-  Motion,
-  Particles,
-  Pose,
-  Room,
-  RunEvent,
-  RunState,
-  Tile,
-  Trail,
+import {
+  type Hello,
+  type Message,
+  type Motion,
+  type Particles,
+  PingOutcome,
+  type Pose,
+  type Room,
+  type RunEvent,
+  type RunState,
+  type Tile,
+  type Trail,
 } from '../protocol/messages';
 
 const trailStepM = 0.02;
 const seriesStepS = 1;
+const maxEchoes = 400;
+const jumpM = 0.4;
 
 /** A path that grows: x, y for each point. */
 export type GrowingTrail = number[];
@@ -45,6 +48,8 @@ export interface View {
   trailSince: GrowingTrail;
   odometryTrail: GrowingTrail;
   truthTrail: GrowingTrail;
+  /** Of the newest echoes x, y, on the axis of their beams. */
+  echoes: number[];
   room: Room | null;
   state: RunState | null;
   events: TimedEvent[];
@@ -65,6 +70,7 @@ export function emptyView(): View {
     trailSince: [],
     odometryTrail: [],
     truthTrail: [],
+    echoes: [],
     room: null,
     state: null,
     events: [],
@@ -80,6 +86,7 @@ export function cloneView(view: View): View {
     trailSince: view.trailSince.slice(),
     odometryTrail: view.odometryTrail.slice(),
     truthTrail: view.truthTrail.slice(),
+    echoes: view.echoes.slice(),
     events: view.events.slice(),
     series: {
       time: view.series.time.slice(),
@@ -128,12 +135,17 @@ export function apply(view: View, message: Message): void {
       view.trailSince = [];
       view.odometryTrail = [];
       view.truthTrail = [];
+      view.echoes = [];
       view.room = null;
       break;
   }
 }
 
 function applyMotion(view: View, motion: Motion, time: number): void {
+  const before = view.motion?.pose;
+  // It has found itself elsewhere: what it heard was not there.
+  if (before && Math.hypot(motion.pose.x - before.x, motion.pose.y - before.y) > jumpM) view.echoes = [];
+  if (motion.ping.number !== view.motion?.ping.number) addEcho(view, motion);
   view.motion = motion;
   extend(view.trailSince, motion.pose);
   extend(view.odometryTrail, motion.odometry);
@@ -146,6 +158,19 @@ function applyMotion(view: View, motion: Motion, time: number): void {
     series.headingRad.push(Math.abs(wrapAngle(motion.odometry.heading - motion.pose.heading)));
     series.roundTripMs.push(view.state?.link?.round_trip_ms ?? null);
   }
+}
+
+function addEcho({ hello, echoes }: View, { pose, ping }: Motion): void {
+  const sonar = hello?.sonar;
+  if (!sonar || ping.range === null || ping.outcome !== PingOutcome.echo || !Number.isFinite(pose.x)) return;
+  const cos = Math.cos(pose.heading);
+  const sin = Math.sin(pose.heading);
+  const beam = pose.heading + ping.bearing;
+  echoes.push(
+    pose.x + cos * sonar.x_m - sin * sonar.y_m + ping.range * Math.cos(beam),
+    pose.y + sin * sonar.x_m + cos * sonar.y_m + ping.range * Math.sin(beam),
+  );
+  if (echoes.length > 2 * maxEchoes) echoes.splice(0, 2);
 }
 
 function extend(trail: GrowingTrail, pose: Pose): void {

@@ -15,6 +15,9 @@ function Banner(props: { kind: string; icon: IconName; children: ComponentChildr
   );
 }
 
+const trouble = { kind: 'warning', icon: 'weak' } as const;
+const arrival = { kind: 'good', icon: 'good' } as const;
+
 /** What somebody has to know now, above the map. */
 export function Banners({ session }: { session: Session }): JSX.Element {
   const { state } = session.shown.value.view;
@@ -53,9 +56,14 @@ export function Banners({ session }: { session: Session }): JSX.Element {
         </Banner>
       )}
       {stopped && (
-        <Banner kind="warning" icon="weak">
-          <strong>{codeText('stopped', stopped.code, stopped.text)}.</strong>{' '}
+        <Banner {...(stopped.code === 'arrived' ? arrival : trouble)}>
+          <strong class="sentence">{codeText('stopped', stopped.code, stopped.text)}.</strong>{' '}
           {codeText('stopped', `${stopped.code}.remedy`, '')}
+        </Banner>
+      )}
+      {state?.mode === 'lost-link' && (
+        <Banner kind="error" icon="down">
+          <strong>{text('link.lostLong')}.</strong> {text('link.lostLong.remedy')}
         </Banner>
       )}
       <ResultBanner session={session} />
@@ -73,7 +81,7 @@ function ResultBanner({ session }: { session: Session }): JSX.Element | null {
     <Banner kind={result.finished ? 'good' : 'warning'} icon={result.finished ? 'good' : 'weak'}>
       <strong>{text(result.finished ? 'result.finished' : 'result.unfinished')}.</strong> {result.why}
       {next && (
-        <p>
+        <p class="next">
           {text('result.next')}: <code>{next}</code>
         </p>
       )}
@@ -81,7 +89,7 @@ function ResultBanner({ session }: { session: Session }): JSX.Element | null {
         {next && (
           <button
             type="button"
-            class="small"
+            class="small next"
             onClick={() => {
               void navigator.clipboard?.writeText(next).then(() => (copied.value = true));
             }}

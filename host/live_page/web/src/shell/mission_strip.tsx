@@ -3,6 +3,7 @@ import type { JSX } from 'preact';
 import { area, duration, percent } from '../format';
 import { codeText, text } from '../language';
 import type { RunState } from '../protocol/messages';
+import { planOf } from '../run/plan';
 import type { Session } from '../session';
 import { Icon } from './icons';
 
@@ -11,12 +12,12 @@ export function modeWords(state: RunState | null): string {
 }
 
 export function whyWords(state: RunState | null): string {
-  const why = state?.why;
+  const why = planOf(state);
   if (!why?.code) return '';
-  const reason = codeText('why', why.code, why.code);
-  return why.gain_m2 === null || why.gain_m2 === undefined
-    ? reason
-    : `${reason}: ${text('why.gain', { area: area(why.gain_m2) })}`;
+  // Of a robot that looks for its place, that says more.
+  const status = why.code === 'strategy' ? state?.localization?.status : null;
+  const reason = status ? codeText('localization', status, status) : codeText('why', why.code, why.code);
+  return why.gain_m2 ? `${reason}: ${text('why.gain', { area: area(why.gain_m2) })}` : reason;
 }
 
 /** What the robot does and why, in a line. */
@@ -26,7 +27,7 @@ export function MissionStrip({ session }: { session: Session }): JSX.Element {
   return (
     <div class="mission">
       <span class={`mode mode-${state?.mode ?? 'none'}`}>{modeWords(state)}</span>
-      <span class="why">{state?.mode === 'stopped' || state?.mode === 'ended' ? '' : whyWords(state)}</span>
+      <span class="why">{whyWords(state)}</span>
       {coverage !== null && coverage !== undefined && (
         <span class="coverage" title={text('status.coverage.help')}>
           {percent(coverage)} <progress max={1} value={coverage} aria-label={text('status.coverage')} />

@@ -24,8 +24,10 @@ const allNames = Object.keys(panels) as PanelName[];
 export function SidePanel({ session }: { session: Session }): JSX.Element {
   const chosen = useSignal<PanelName>('drive');
   const closed = useSignal(false);
-  const isRecorded = session.shownRun.value !== null && !session.isLiveRun.value;
-  const names = allNames.filter((name) => name !== 'drive' || !isRecorded);
+  const isOver =
+    (session.shownRun.value !== null && !session.isLiveRun.value) ||
+    session.shown.value.view.state?.mode === 'ended';
+  const names = allNames.filter((name) => name !== 'drive' || !isOver);
   const shown = names.includes(chosen.value) ? chosen.value : 'status';
   const Panel = panels[shown];
   const choose = (name: PanelName): void => {

@@ -3,10 +3,25 @@ import type { JSX } from 'preact';
 import { duration, number } from '../format';
 import { codeText, text } from '../language';
 import { playbackSpeeds } from '../run/player';
+import type { TimedEvent } from '../run/view';
 import type { Session } from '../session';
 import { Icon } from './icons';
 
 const maxMarks = 60;
+const keySteps: Record<string, number> = {
+  ArrowLeft: -1,
+  ArrowRight: 1,
+  ArrowDown: -1,
+  ArrowUp: 1,
+  PageDown: -10,
+  PageUp: 10,
+};
+/** An event is told where the instant is no further away, seconds. */
+const nearS = 0.5;
+
+function wordsAt(event: TimedEvent): string {
+  return `${duration(event.time)}: ${codeText('event', event.code, event.text)}`;
+}
 
 /** Which instant is shown, of a run that is live or recorded. */
 export function TimelineBar({ session }: { session: Session }): JSX.Element {
@@ -16,6 +31,8 @@ export function TimelineBar({ session }: { session: Session }): JSX.Element {
   const follows = isLive && player.live.value;
   const time = follows ? end : player.time.value;
   const length = Math.max(0.001, end - start);
+  const marks = events.slice(-maxMarks);
+  const here = marks.find((event) => Math.abs(event.time - time) <= nearS);
   return (
     <div class="timeline">
       <button
@@ -33,11 +50,12 @@ export function TimelineBar({ session }: { session: Session }): JSX.Element {
       </button>
       <div class="track">
         <div class="event-marks" aria-hidden="true">
-          {events.slice(-maxMarks).map((event, index) => (
+          {marks.map((event, index) => (
             <i
               key={index}
               class={`mark mark-${event.level}`}
-              title={codeText('event', event.code, event.code)}
+              title={wordsAt(event)}
+              onClick={() => session.seek(event.time)}
               style={{ left: `${((event.time - start) / length) * 100}%` }}
             />
           ))}
@@ -50,7 +68,13 @@ export function TimelineBar({ session }: { session: Session }): JSX.Element {
           step={0.1}
           value={time}
           aria-label={text('timeline.label')}
-          aria-valuetext={duration(time)}
+          aria-valuetext={here ? wordsAt(here) : duration(time)}
+          onKeyDown={(event) => {
+            const step = keySteps[event.key];
+            if (step === undefined) return;
+            event.preventDefault();
+            session.seek(time + step);
+          }}
           onInput={(event) => session.seek(Number(event.currentTarget.value))}
         />
       </div>

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+
+/** Every code that the server sends, by what it is of; the page has words for each. */
+export const codes = {
+  mode: ['connecting', 'explore', 'drive', 'go', 'stopped', 'lost-link', 'ended', 'recording'],
+  why: ['frontier', 'known-walls', 'tell-apart', 'opening', 'sweep', 'operator', 'strategy'],
+  stopped: [
+    'stop',
+    'driver-gone',
+    'driver-silent',
+    'bumped',
+    'hazard',
+    'stalled',
+    'lifted',
+    'no-way',
+    'arrived',
+  ],
+  refused: ['unknown', 'malformed', 'not-possible', 'stale', 'not-driver', 'busy'],
+  event: [
+    'reset',
+    'link-ready',
+    'link-lost',
+    'lifted',
+    'bumped',
+    'maps-joined',
+    'new-map',
+    'stop',
+    'driver-gone',
+    'no-way',
+    'stalled',
+    'carried-off',
+    'box',
+    'cable-cut',
+  ],
+  localization: ['lost', 'recovering', 'localized'],
+  level: ['info', 'warning', 'error'],
+} as const;
+
+export type EventCode = (typeof codes.event)[number];
+export type StoppedCode = (typeof codes.stopped)[number];
