@@ -35,7 +35,7 @@ const DARK_PHONE = { ...PHONE, colorScheme: "dark" };
 async function first_minute() {
   const begin_us = now_us();
   const since_s = () => ((now_us() - begin_us) / 1e6).toFixed(1);
-  const demo = await start_demo();
+  const demo = await start_demo(["--speed", "8"]);
   console.log(`the page is served after ${since_s()} s`);
   const { page, close } = await open_page(browser, demo.url, LIGHT);
   await shows_map(page);
