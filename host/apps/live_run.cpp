@@ -155,12 +155,6 @@ void LiveRun::show(std::unique_ptr<LiveSource> source,
   placed_ = std::move(placed);
 }
 
-void LiveRun::show_nothing() {
-  source_.reset();
-  moved_ = nullptr;
-  placed_ = nullptr;
-}
-
 bool LiveRun::may_be_watched() const {
   return serves() && (console::has_desktop() || ::isatty(STDERR_FILENO) == 1);
 }

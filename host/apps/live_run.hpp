@@ -48,7 +48,7 @@ class LiveRun {
             std::function<void()> moved,
             std::function<void(const geometry::Pose2&)> placed = nullptr);
   /// What `show` was given is gone.
-  void show_nothing();
+  void show_nothing() { show(nullptr, nullptr); }
   /// Publishes what has changed, at once: after a stop, while the robot stands.
   void look();
   /// Empty where nothing is served.

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/live_run.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "tests/host/apps/live_page_visit.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
 
