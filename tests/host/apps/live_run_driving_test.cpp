@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,10 +61,10 @@ TEST_F(LiveRunDriving, WhoDrivesTurnsTheWheelsUntilTheLockIsReleased) {
     if (step >= 20 && !has_setpoints()) {
       EXPECT_EQ(page.steer(1.0, 0.0).at("ok"), true);
     } else if (has_setpoints() && released == 0) {
-      EXPECT_EQ(state().at("mode"), "drive");
-      EXPECT_EQ(state().at("driver").at("client"), page.number());
-      EXPECT_EQ(state().at("driver").at("name"), "phone");
-      EXPECT_EQ(state().at("why").at("code"), "operator");
+      const nlohmann::json told = state();
+      EXPECT_EQ(told.at("mode"), "drive");
+      EXPECT_EQ(told.at("driver"), (nlohmann::json{{"client", page.number()}, {"name", "phone"}}));
+      EXPECT_EQ(told.at("why").at("code"), "operator");
       EXPECT_EQ(page.ask({{"do", "release"}}).at("ok"), true);
       released = step;
     } else if (released > 0 && step == released + 100) {
@@ -112,8 +115,7 @@ TEST_F(LiveRunDriving, StopsWhereThePageThatDrivesIsClosed) {
     }
   });
   EXPECT_EQ(commands.back(), "Stop");
-  live->look();
-  EXPECT_THAT(state().at("stopped"), nlohmann::json()) << "it explores";
+  EXPECT_TRUE(state().at("stopped").is_null()) << "it explores again";
 }
 
 TEST_F(LiveRunDriving, TellsWhoSaysThatItWasMovedOrWhereItIs) {
@@ -122,7 +124,8 @@ TEST_F(LiveRunDriving, TellsWhoSaysThatItWasMovedOrWhereItIs) {
   int moved = 0;
   geometry::Pose2 placed;
   live->show(
-      nullptr, [&] { ++moved; }, [&](const geometry::Pose2& pose) { placed = pose; });
+      nullptr,
+      {.moved = [&] { ++moved; }, .placed = [&](const geometry::Pose2& pose) { placed = pose; }});
   drive([&](int step) {
     if (step == 10) {
       command(R"({"do": "moved"})");

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/live_run.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "tests/host/apps/live_page_visit.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
 
@@ -23,7 +24,6 @@ inline LiveRunFacts exploring() {
   LiveRunFacts facts;
   facts.command = "explore";
   facts.out = "somewhere/first_map";
-  facts.can_go = true;
   return facts;
 }
 
@@ -31,7 +31,6 @@ inline LiveRunFacts exploring() {
 inline LiveRunFacts localizing() {
   LiveRunFacts facts;
   facts.command = "localize";
-  facts.can_place = true;
   return facts;
 }
 

@@ -38,7 +38,8 @@ class LiveRunTest : public LiveRunOnACable {
                                                    robot.atlas().pipeline().snapshot().stops;
                                                return progress;
                                              }),
-               nullptr);
+               {},
+               true);
   }
   std::vector<std::string> can() const {
     return json_in(messages(MessageKind::kHello).front()).at("can");
@@ -71,13 +72,17 @@ TEST_F(LiveRunTest, SaysWhatTheRunIsBeforeItIsConnected) {
 
 TEST_F(LiveRunTest, SaysWhichCommandsItTakes) {
   serve();
+  EXPECT_THAT(can(), UnorderedElementsAre("stop", "drive", "explore"));
+  live->show(nullptr, {.moved = [] {}}, true);
   EXPECT_THAT(can(), UnorderedElementsAre("stop", "drive", "explore", "moved", "go"));
-  serve(localizing());
+  live->show(nullptr, {.moved = [] {}, .placed = [](const geometry::Pose2& /*pose*/) {}});
   EXPECT_THAT(can(), UnorderedElementsAre("stop", "drive", "explore", "moved", "pose"));
+  live->show_nothing();
+  EXPECT_THAT(can(), UnorderedElementsAre("stop", "drive", "explore"));
   serve(simulated());
-  EXPECT_THAT(can(),
-              UnorderedElementsAre(
-                  "stop", "drive", "explore", "moved", "speed", "carry-off", "box", "cut-cable"));
+  EXPECT_THAT(
+      can(),
+      UnorderedElementsAre("stop", "drive", "explore", "speed", "carry-off", "box", "cut-cable"));
 }
 
 TEST_F(LiveRunTest, ShowsTheStateOfTheLink) {

@@ -65,7 +65,8 @@ TEST(ServedPage, IsAtTheAddressAndPortThatAreNamed) {
 
 TEST(ServedPage, TakesAnAddressOfIpv6WithItsBrackets) {
   try {
-    EXPECT_THAT(url_at("[::1]:0"), MatchesRegex("http://\\[::1\\]:[0-9]+/"));
+    const auto server = serve_page(page_at("[::1]:0"), one_run());
+    EXPECT_THAT(server->url(), MatchesRegex("http://\\[::1\\]:[0-9]+/"));
   } catch (const console::CommandError& error) {
     EXPECT_EQ(error.code(), ExitCode::kRuntimeError) << "a host without IPv6: " << error.what();
   }

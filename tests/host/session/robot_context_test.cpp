@@ -126,6 +126,17 @@ TEST_F(RobotContextTest, AMotionEndsAtOnceWherePersonTakesTheRobotAndReturnsWith
   cable.robot.on_command = nullptr;
 }
 
+TEST_F(RobotContextTest, ObeysNobodyAnyMore) {
+  auto queue = std::make_unique<OperatorQueue>();
+  context.obey(*queue, {}, {});
+  open_and_connect();
+  queue->push(StopRobot{});
+  context.obey_nobody();
+  queue.reset();
+  EXPECT_EQ(context.person(), nullptr);
+  EXPECT_EQ(context.execute(exploration::Drive{0.1}), exploration::MotionResult::kReached);
+}
+
 TEST_F(RobotContextTest, ExecutesNothingBeforeItsMapsHaveBegun) {
   RobotContext without_maps(profile, Seed(1));
   without_maps.open({new_connection(), nullptr});
