@@ -161,8 +161,6 @@ void LiveRun::show(std::unique_ptr<LiveSource> source, const PersonsWord& word, 
   publisher_->set_can(time_s(), can);
 }
 
-void LiveRun::show_nothing() { show(nullptr, {}); }
-
 bool LiveRun::may_be_watched() const {
   return serves() && (console::has_desktop() || ::isatty(STDERR_FILENO) == 1);
 }

@@ -51,7 +51,7 @@ class LiveRun {
   /// makes.
   void show(std::unique_ptr<LiveSource> source, const PersonsWord& word, bool can_go = false);
   /// What `show` was given is gone.
-  void show_nothing() { show(nullptr, nullptr); }
+  void show_nothing() { show(nullptr, {}); }
   /// Publishes what has changed, at once: after a stop, while the robot stands.
   void look();
   /// Empty where nothing is served.

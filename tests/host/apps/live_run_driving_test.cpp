@@ -132,8 +132,8 @@ TEST_F(LiveRunDriving, TellsWhoSaysThatItWasMovedOrWhereItIs) {
       command(R"({"do": "pose", "x": 1, "y": 2, "heading": 0.5})");
     } else if (step == 20) {
       live->show_nothing();
-      command(R"({"do": "moved"})");
-      command(R"({"do": "pose", "x": 3, "y": 4, "heading": 0.5})");
+      refuse(R"({"do": "moved"})");
+      refuse(R"({"do": "pose", "x": 3, "y": 4, "heading": 0.5})");
     }
   });
   EXPECT_EQ(moved, 1) << "who was told first is gone";

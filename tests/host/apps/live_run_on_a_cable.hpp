@@ -83,6 +83,8 @@ class LiveRunOnACable : public session::SessionOnACable {
   live_page::HttpReply post(const std::string& command) const {
     return live_page::WebClient(port()).ask(live_page::post(port(), command));
   }
+  /// The same, for what is not to be taken.
+  void refuse(const std::string& text) const { EXPECT_EQ(post(text).status, 409) << text; }
   /// The same, for what is to be taken.
   void command(const std::string& text) const {
     const live_page::HttpReply reply = post(text);

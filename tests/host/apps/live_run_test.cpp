@@ -42,7 +42,7 @@ class LiveRunTest : public LiveRunOnACable {
                true);
   }
   std::vector<std::string> can() const {
-    return json_in(messages(MessageKind::kHello).front()).at("can");
+    return json_in(messages(MessageKind::kHello).back()).at("can");
   }
 };
 
