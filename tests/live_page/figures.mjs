@@ -125,8 +125,9 @@ async function stop_figures(trials) {
     return took;
   });
   await tab.close();
-  const late = (await driven.late_motions("to_server_ms", LAG_MS)) + (await driven.late_motions("to_browser_ms", LAG_MS));
-  add("late_motions", late, "", 2);
+  const late_commands = await driven.late_motions("to_server_ms", LAG_MS);
+  const late_pictures = await driven.late_motions("to_browser_ms", LAG_MS);
+  add("late_motions", late_commands + late_pictures, "", 2);
   await driven.end();
 }
 

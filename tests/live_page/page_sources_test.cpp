@@ -14,11 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const fs::path kHost = fs::path(ECHOMAP_SOURCE_DIR) / "host";
+const fs::path kSources = kHost / "live_page/web";
+const fs::path kCheckedIn = kHost / "live_page/built_page";
 /// A copy of the sources beside the packages that they need, and where they are built to.
-const fs::path kCopy = fs::path(ECHOMAP_LIVE_PAGE_WEB) / "web";
-const fs::path kBuilt = fs::path(ECHOMAP_LIVE_PAGE_WEB) / "built_page";
-const fs::path kSources = fs::path(ECHOMAP_SOURCE_DIR) / "host/live_page/web";
-const fs::path kCheckedIn = fs::path(ECHOMAP_SOURCE_DIR) / "host/live_page/built_page";
+const fs::path kHostCopy = fs::path(ECHOMAP_LIVE_PAGE_WEB) / "host";
+const fs::path kCopy = kHostCopy / "live_page/web";
+const fs::path kBuilt = kHostCopy / "live_page/built_page";
 
 std::set<std::string> names_in(const fs::path& folder) {
   std::set<std::string> names;
@@ -26,6 +28,15 @@ std::set<std::string> names_in(const fs::path& folder) {
     names.insert(entry.path().filename().string());
   }
   return names;
+}
+
+void link_all_but(const std::string& except, const fs::path& from, const fs::path& to) {
+  for (const std::string& name : names_in(from)) {
+    if (name != except) {
+      fs::remove_all(to / name);
+      fs::create_symlink(from / name, to / name);
+    }
+  }
 }
 
 class LivePageSources : public testing::Test {
@@ -40,11 +51,14 @@ class LivePageSources : public testing::Test {
         fs::copy(kSources / name, kCopy / name, fs::copy_options::recursive);
       }
     }
+    // Its tests look into the server's sources.
+    link_all_but("live_page", kHost, kHostCopy);
+    link_all_but("web", kHost / "live_page", kHostCopy / "live_page");
+    fs::remove_all(kBuilt);
   }
 };
 
 TEST_F(LivePageSources, MakeThePageThatIsCheckedIn) {
-  fs::remove_all(kBuilt);
   const auto result = structure::run_shell("npm run build", kCopy);
   ASSERT_EQ(result.exit_code, 0) << result.output;
   ASSERT_EQ(names_in(kBuilt), names_in(kCheckedIn));

@@ -59,7 +59,8 @@ export class VisibleTab {
       return targetInfos.find((target) => target.type === "page");
     });
     this.#target = page.targetId;
-    ({ sessionId: this.#session } = await this.#send("Target.attachToTarget", { targetId: this.#target, flatten: true }));
+    const attached = await this.#send("Target.attachToTarget", { targetId: this.#target, flatten: true });
+    this.#session = attached.sessionId;
   }
   #send(method, params = {}, sessionId = undefined) {
     const id = ++this.#number;
