@@ -23,6 +23,7 @@
 #include "hil_mock/runner/truth_files.hpp"
 #include "hil_mock/world/floor_plan_file.hpp"
 #include "hil_mock/world/robot_file.hpp"
+#include "host/files/atomic_file.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/files/toml_reader.hpp"
 
@@ -160,9 +161,15 @@ class Device {
     }
   }
 
+  /// For who watches; what cannot be written now may be at the end.
   void write_truth_so_far() const {
-    if (!options_.truth.empty()) {
+    if (options_.truth.empty()) {
+      return;
+    }
+    try {
       runner::write_truth_so_far(options_.truth, simulation_);
+    } catch (const files::FileError& error) {
+      std::cerr << name_ << ": " << error.what() << '\n';
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <spdlog/spdlog.h>
@@ -70,6 +71,14 @@ std::vector<std::string> commands_of(const PersonsWord& word, bool can_go, bool 
   return can;
 }
 
+/// With the time at which it comes, where that counts.
+session::OperatorCommand stamped(session::OperatorCommand command) {
+  if (auto* steer = std::get_if<session::SteerRobot>(&command)) {
+    steer->at = steady_clock::now();
+  }
+  return command;
+}
+
 /// Another one for every run of the program, so that a client that connects again forgets the old.
 std::string session_name() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -113,7 +122,7 @@ void LiveRun::serve(const LiveOptions& options, const LiveRunFacts& facts) {
       options,
       {{run.name, facts.out, history, true}},
       run.can,
-      [this](const session::OperatorCommand& command) { queue_.push(command); },
+      [this](const session::OperatorCommand& command) { queue_.push(stamped(command)); },
       live_page::foxglove_protocols(*topics_));
   robot_.fork().add(*publisher_);
   robot_.recorder().listen(&*topics_);
@@ -172,7 +181,8 @@ void LiveRun::step() {
   if (now >= next_motion_ || time_s() >= next_motion_s_) {
     next_motion_ = now + kMotionPeriod;
     next_motion_s_ = time_s() + kMotionPeriodS;
-    const auto pose = source_ ? source_->pose() : std::nullopt;
+    const bool is_heard = robot_.session().link().state() == robot_link::LinkState::kReady;
+    const auto pose = source_ && is_heard ? source_->pose() : std::nullopt;
     if (pose) {
       publisher_->add_motion(time_s(), *pose, true_pose());
     }
@@ -191,8 +201,13 @@ void LiveRun::look() {
 }
 
 void LiveRun::score_against(const std::filesystem::path& truth) {
-  if (server_) {
+  if (!server_) {
+    return;
+  }
+  try {
     score_.emplace(truth);
+  } catch (const files::FileError& error) {
+    spdlog::warn("the live page shows no score: {}", error.what());
   }
 }
 
@@ -266,7 +281,9 @@ RunState LiveRun::state() const {
   state.driver = audience.driver;
   state.driver_name = audience.driver_name;
   state.speed = robot_.lockstep() != nullptr ? robot_.time_scale().factor() : 1.0;
-  state.link = link_health();
+  if (!result_) {
+    state.link = link_health();
+  }
   state.score = score();
   state.result = result_;
   if (robot_.person()->has_robot()) {
@@ -293,6 +310,9 @@ void LiveRun::end(const RunEnding& ending) {
   if (!server_) {
     return;
   }
+  show_nothing();
+  server_->set_can({});
+  publisher_->set_can(time_s(), {});
   progress_.intent = {};
   progress_.left_s.reset();
   result_ = live_page::RunResult{ending.finished(), ending.outcome, ending.why, ending.next};

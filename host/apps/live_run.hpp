@@ -58,8 +58,8 @@ class LiveRun {
   std::string url() const { return server_ ? server_->url() : ""; }
   /// Something that only the command knows.
   void tell(const live_page::RunEvent& event);
-  /// Scores the first map as it grows, against the truth directory of a simulated robot. Throws
-  /// files::FileError.
+  /// Scores the first map as it grows, against the truth directory of a simulated robot; where that
+  /// cannot be read, it says so and does not score.
   void score_against(const std::filesystem::path& truth);
   /// Says how the run has ended, and serves on as long as somebody watches, until Ctrl-C.
   void end(const RunEnding& ending);

@@ -76,7 +76,12 @@ std::optional<pipeline::PoseEstimate> FilterSource::pose() const {
   if (!estimate) {
     return std::nullopt;
   }
-  return pipeline::PoseEstimate{estimate->T_map_robot, estimate->T_map_robot, estimate->covariance};
+  const localization::PoseBelief* belief = filter_.hypotheses();
+  const bool is_sure =
+      belief == nullptr || belief->status == localization::LocalizationStatus::kLocalized;
+  return pipeline::PoseEstimate{estimate->T_map_robot,
+                                estimate->T_map_robot,
+                                is_sure ? std::optional(estimate->covariance) : std::nullopt};
 }
 
 void FilterSource::publish(double time_s, live_page::RunPublisher& publisher) {

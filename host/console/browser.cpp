@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <fcntl.h>
 #include <spawn.h>
 #include <unistd.h>
 

@@ -92,6 +92,10 @@ std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, Moti
     plan_ = {};
     phase_ = Phase::kStarting;
   }
+  if (last == MotionResult::kTakenOver) {
+    navigator_.forget_failures();
+    return std::nullopt;
+  }
   auto motion = navigator_.recover(snapshot, last, phase_ == Phase::kDriving);
   phase_ = motion ? Phase::kBackingOff : phase_;
   return motion;

@@ -25,7 +25,7 @@ void tell_link(const EventFacts& before, const EventFacts& now, std::vector<RunE
   if (was_ready && !is_ready) {
     events.push_back({"link-lost",
                       Level::kError,
-                      "the link to the robot is lost; its wheels stop by themselves within 0.4 s",
+                      "the link to the robot is lost; its wheels stop by themselves",
                       "the cable or the radio, or the board has no power",
                       "plug it in again: the run goes on by itself"});
   } else if (!was_ready && is_ready) {
@@ -69,7 +69,7 @@ void tell_person(const EventFacts& before, const EventFacts& now, std::vector<Ru
   }
   switch (now.stands) {
     case StandReason::kStopPressed:
-      events.push_back({"stop", Level::kInfo, "STOP was pressed; the wheels stand"});
+      events.push_back({"stop", Level::kInfo, "STOP was pressed"});
       break;
     case StandReason::kDriverGone:
     case StandReason::kDriverSilent:

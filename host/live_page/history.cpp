@@ -70,12 +70,12 @@ std::vector<SharedMessage> History::since(std::size_t first) const {
 }
 
 bool History::is_kept(const Message& message) {
+  if (message.is_state() && kept_bytes_ > kMaxBytes) {
+    return false;
+  }
   const bool is_motion = message.kind == MessageKind::kMotion;
   if (!is_motion && message.kind != MessageKind::kParticles) {
     return true;
-  }
-  if (kept_bytes_ > kMaxBytes) {
-    return false;
   }
   double& next_s = is_motion ? next_motion_s_ : next_particles_s_;
   if (message.time_s < next_s) {

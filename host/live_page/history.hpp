@@ -20,7 +20,7 @@ class History {
   using Listener = std::function<void(const SharedMessage&)>;
 
   /// Passes the message to the listener, and keeps it: motions and particles thinned, up to
-  /// `kMaxBytes` in all; from then on motions and particles are not kept any more.
+  /// `kMaxBytes` in all; from then on only events and new maps are kept.
   void add(const SharedMessage& message);
   void listen(Listener listener);
 

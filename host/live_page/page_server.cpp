@@ -55,11 +55,16 @@ std::shared_ptr<History> history_of(const std::vector<ServedRun>& runs) {
   return run == nullptr ? nullptr : run->history;
 }
 
+/// A browser that is started must not hold the port when this program has ended.
+void keep_from_children(int descriptor) { ::fcntl(descriptor, F_SETFD, FD_CLOEXEC); }
+
 tcp::acceptor open_acceptor(asio::io_context& io,
                             const ListenAddress& address,
                             std::uint16_t port) {
   try {
-    return {io, tcp::endpoint(asio::ip::make_address(address.number), port)};
+    tcp::acceptor acceptor(io, tcp::endpoint(asio::ip::make_address(address.number), port));
+    keep_from_children(acceptor.native_handle());
+    return acceptor;
   } catch (const boost::system::system_error& error) {
     throw console::CommandError(console::ExitCode::kRuntimeError,
                                 "cannot serve the live page on " + address.number + ":" +
@@ -201,6 +206,7 @@ class PageServer::Impl {
   void serve(tcp::socket socket) {
     boost::system::error_code ignored;
     socket.set_option(tcp::no_delay(true), ignored);
+    keep_from_children(socket.native_handle());
     if (!parts_.connections.is_full()) {
       serve_http(std::move(socket), parts_);
     }

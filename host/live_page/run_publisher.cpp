@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/live_page/run_publisher.hpp"
 
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -11,6 +12,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// A state that differs in what changes all the time is told so often.
+constexpr double kStatePeriodS = 1.0;
 constexpr double kLogitsPerStep = 0.01 * mapping::kStepCentilogits;
 
 ordered_json sonar_of(const session::RobotProfile& profile) {
@@ -101,10 +104,17 @@ void RunPublisher::add_particles(double time_s, const std::vector<WeightedPose>&
 }
 
 void RunPublisher::add_state(double time_s, const RunState& state) {
-  auto json = to_json(state);
-  if (json != state_) {
+  const auto json = to_json(state);
+  auto lasting = json;
+  for (const char* unsteady : {"link", "left_s", "score"}) {
+    lasting[unsteady] = json.at(unsteady).is_null();
+  }
+  const bool is_due = json != state_ && std::abs(time_s - state_s_) >= kStatePeriodS;
+  if (lasting != lasting_state_ || is_due) {
     history_->add(json_message(MessageKind::kState, time_s, json));
-    state_ = std::move(json);
+    state_ = json;
+    lasting_state_ = lasting;
+    state_s_ = time_s;
   }
 }
 

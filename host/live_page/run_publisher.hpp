@@ -53,7 +53,7 @@ class RunPublisher final : public pipeline::AnyObservationSink {
                   const pipeline::PoseEstimate& pose,
                   const std::optional<geometry::Pose2>& T_map_true_robot = std::nullopt);
   void add_particles(double time_s, const std::vector<WeightedPose>& particles);
-  /// Where it is another one than before.
+  /// Where it is another one than before; link, score and time left are told once a second.
   void add_state(double time_s, const RunState& state);
   void add_event(double time_s, const RunEvent& event);
 
@@ -70,6 +70,8 @@ class RunPublisher final : public pipeline::AnyObservationSink {
   std::optional<double> battery_v_;
   sensors::HazardObservation hazards_;
   nlohmann::ordered_json state_;
+  nlohmann::ordered_json lasting_state_;  ///< Without what changes all the time.
+  double state_s_ = 0.0;
 };
 
 }  // namespace echomap::live_page

@@ -68,6 +68,9 @@ MotionResult MotionExecution::move(const sensors::WheelTicks& ticks) {
     return MotionResult::kInterrupted;
   }
   look_around();
+  if (is_halted_) {
+    return stop_halted();
+  }
   line_.keep_alive(true);
   const MotionResult result = finish(
       protocol::MoveTicks{
@@ -84,6 +87,13 @@ MotionResult MotionExecution::stand(const exploration::Stand& stand) {
   }
   line_.wait_until([&] { return is_halted_; }, seconds_of(stand.for_s));
   return is_halted_ ? MotionResult::kInterrupted : MotionResult::kReached;
+}
+
+/// At once, and not behind the answer to a command that is under way.
+void MotionExecution::halt() {
+  is_halted_ = true;
+  line_.keep_alive(false);
+  line_.drive({0, 0});
 }
 
 MotionResult MotionExecution::sweep(const exploration::Sweep& sweep) {

@@ -26,7 +26,7 @@ class MotionExecution {
   exploration::MotionResult stand(const exploration::Stand& stand);
   /// Ends the motion under way at once: the wheels stop and the motion is kInterrupted, as is each
   /// one that begins before `let_go`.
-  void halt() { is_halted_ = true; }
+  void halt();
   void let_go() { is_halted_ = false; }
   bool is_halted() const { return is_halted_; }
   /// Whether the sonar looks from one side to the other while the wheels turn, until the next

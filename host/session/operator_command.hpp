@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <variant>
 
 #include <Eigen/Core>
@@ -18,6 +19,10 @@ struct StopRobot {
 struct SteerRobot {
   double forward = 0.0;
   double turn = 0.0;
+  /// When it came.
+  std::chrono::steady_clock::time_point at{};
+
+  bool moves() const { return forward != 0.0 || turn != 0.0; }
 };
 /// The strategy drives on.
 struct ResumeStrategy {};

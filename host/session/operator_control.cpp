@@ -46,8 +46,9 @@ bool OperatorControl::poll(WallTime now) {
   for (const OperatorCommand& command : queue_.take()) {
     std::visit([this](const auto& kind) { obey(kind); }, command);
   }
-  if (mode_ == OperatorMode::kDriving && is_steered() && now_ - steered_at_ > params_.silence) {
+  if (mode_ == OperatorMode::kDriving && steer_.moves() && now_ - steer_.at > params_.silence) {
     stand(StandReason::kDriverSilent);
+    is_blocked_ = true;
   }
   return std::exchange(ends_motion_, false);
 }
@@ -81,14 +82,14 @@ void OperatorControl::obey(const StopRobot& command) {
 }
 
 void OperatorControl::obey(const SteerRobot& command) {
-  ends_motion_ = ends_motion_ || mode_ != OperatorMode::kDriving;
-  mode_ = OperatorMode::kDriving;
-  steer_ = command;
-  steered_at_ = now_;
-  is_blocked_ = is_blocked_ && command.forward > 0.0;
-  if (!is_blocked_) {
-    reason_ = StandReason::kNone;
+  is_blocked_ = is_blocked_ && command.moves();
+  if (is_blocked_ || now_ - command.at > params_.silence) {
+    return;
   }
+  ends_motion_ = ends_motion_ || mode_ != OperatorMode::kDriving;
+  take(OperatorMode::kDriving);
+  steer_ = command;
+  reason_ = StandReason::kNone;
 }
 
 void OperatorControl::obey(const ResumeStrategy& /*command*/) {
@@ -99,7 +100,7 @@ void OperatorControl::obey(const ResumeStrategy& /*command*/) {
 
 void OperatorControl::obey(const GoTo& command) {
   ends_motion_ = true;
-  mode_ = OperatorMode::kGoing;
+  take(OperatorMode::kGoing);
   reason_ = StandReason::kNone;
   goal_m_ = command.at_m;
   is_planned_ = false;
@@ -141,9 +142,14 @@ void OperatorControl::obey(const CutCable& command) {
   }
 }
 
+void OperatorControl::take(OperatorMode mode) {
+  times_taken_ += mode_ == OperatorMode::kStrategy ? 1 : 0;
+  mode_ = mode;
+}
+
 void OperatorControl::stand(StandReason reason) {
   ends_motion_ = true;
-  mode_ = OperatorMode::kStopped;
+  take(OperatorMode::kStopped);
   reason_ = reason;
   steer_ = {};
 }
@@ -152,9 +158,10 @@ void OperatorControl::stand(StandReason reason) {
 Motion OperatorControl::drive(MotionResult last) {
   if (const StandReason reason = stand_reason(last); reason != StandReason::kNone) {
     reason_ = reason;
+    steer_ = {};
     is_blocked_ = true;
   }
-  if (!is_steered() || is_blocked_) {
+  if (!steer_.moves()) {
     return exploration::Stand{kSteerS};
   }
   return exploration::Roll{

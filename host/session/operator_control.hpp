@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -69,6 +70,8 @@ class OperatorControl {
   /// to end at once.
   bool poll(WallTime now);
   bool has_robot() const { return mode_ != OperatorMode::kStrategy; }
+  /// How often a person has taken the robot from the strategy.
+  std::size_t times_taken() const { return times_taken_; }
   /// The next motion of a robot that the person has; `last` is how the one before ended, kTakenOver
   /// after one of the strategy's.
   exploration::Motion next(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
@@ -90,7 +93,7 @@ class OperatorControl {
   void obey(const PutBox& command);
   void obey(const CutCable& command);
 
-  bool is_steered() const { return steer_.forward != 0.0 || steer_.turn != 0.0; }
+  void take(OperatorMode mode);
   void stand(StandReason reason);
   exploration::Motion drive(exploration::MotionResult last);
   exploration::Motion go(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
@@ -101,11 +104,11 @@ class OperatorControl {
   OperatorHooks hooks_;
   OperatorMode mode_ = OperatorMode::kStrategy;
   StandReason reason_ = StandReason::kNone;
+  std::size_t times_taken_ = 0;
   bool ends_motion_ = false;  ///< What was taken since the last look ends the motion under way.
   WallTime now_;
   SteerRobot steer_;
-  WallTime steered_at_;
-  bool is_blocked_ = false;  ///< Something stopped it: forwards only after the stick was let go.
+  bool is_blocked_ = false;  ///< It was stopped: nothing moves before the stick was let go.
   Eigen::Vector2d goal_m_ = Eigen::Vector2d::Zero();
   bool is_planned_ = false;  ///< The way to the goal.
   std::optional<exploration::Navigator> navigator_;

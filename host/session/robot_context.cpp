@@ -161,6 +161,7 @@ exploration::MotionResult RobotContext::move(const exploration::Motion& motion) 
   if (person_ && person_->has_robot()) {
     return hand_over();
   }
+  const std::size_t times_taken = person_ ? person_->times_taken() : 0;
   if (self_check_) {
     self_check_->begin_motion(motion);
   }
@@ -169,7 +170,7 @@ exploration::MotionResult RobotContext::move(const exploration::Motion& motion) 
   if (self_check_) {
     self_check_->end_motion(result);
   }
-  return person_ && person_->has_robot() ? hand_over() : result;
+  return person_ && person_->times_taken() != times_taken ? hand_over() : result;
 }
 
 exploration::MotionResult RobotContext::hand_over() {

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -28,7 +29,14 @@ using testing::HasSubstr;
 
 class LiveRunDriving : public LiveRunOnACable {
  protected:
-  bool has_setpoints() const { return !cable.robot.setpoints.empty(); }
+  /// A motion that is ended at once ends by set-points of zero.
+  std::optional<protocol::DriveSetpoint> first_that_moves() const {
+    const auto& setpoints = cable.robot.setpoints;
+    const auto first = std::find_if(setpoints.begin(), setpoints.end(), [](const auto& setpoint) {
+      return setpoint.left_ticks_per_s != 0 || setpoint.right_ticks_per_s != 0;
+    });
+    return first == setpoints.end() ? std::nullopt : std::optional(*first);
+  }
   bool stands() const { return robot.person()->mode() == OperatorMode::kStopped; }
 };
 
@@ -58,9 +66,9 @@ TEST_F(LiveRunDriving, WhoDrivesTurnsTheWheelsUntilTheLockIsReleased) {
   page.ask({{"do", "name"}, {"name", "phone"}});
   int released = 0;
   const MotionResult result = drive([&](int step) {
-    if (step >= 20 && !has_setpoints()) {
+    if (step >= 20 && !first_that_moves()) {
       EXPECT_EQ(page.steer(1.0, 0.0).at("ok"), true);
-    } else if (has_setpoints() && released == 0) {
+    } else if (first_that_moves() && released == 0) {
       const nlohmann::json told = state();
       EXPECT_EQ(told.at("mode"), "drive");
       EXPECT_EQ(told.at("driver"), (nlohmann::json{{"client", page.number()}, {"name", "phone"}}));
@@ -74,7 +82,8 @@ TEST_F(LiveRunDriving, WhoDrivesTurnsTheWheelsUntilTheLockIsReleased) {
     }
   });
   EXPECT_EQ(result, MotionResult::kTakenOver);
-  const protocol::DriveSetpoint& first = cable.robot.setpoints.front();
+  ASSERT_TRUE(first_that_moves());
+  const protocol::DriveSetpoint first = *first_that_moves();
   EXPECT_GT(first.left_ticks_per_s, 0);
   EXPECT_EQ(first.left_ticks_per_s, first.right_ticks_per_s);
   EXPECT_EQ(commands.back(), "Stop") << "when it was released";
@@ -85,15 +94,15 @@ TEST_F(LiveRunDriving, TurnsCounterClockwiseByAPositiveTurn) {
   connect();
   PageClient page(port());
   drive([&](int step) {
-    if (step >= 20 && !has_setpoints()) {
+    if (step >= 20 && !first_that_moves()) {
       page.steer(0.0, 1.0);
-    } else if (has_setpoints()) {
+    } else if (first_that_moves()) {
       page.ask({{"do", "explore"}});
     }
   });
-  ASSERT_TRUE(has_setpoints());
-  EXPECT_LT(cable.robot.setpoints.front().left_ticks_per_s, 0);
-  EXPECT_GT(cable.robot.setpoints.front().right_ticks_per_s, 0);
+  ASSERT_TRUE(first_that_moves());
+  EXPECT_LT(first_that_moves()->left_ticks_per_s, 0);
+  EXPECT_GT(first_that_moves()->right_ticks_per_s, 0);
 }
 
 TEST_F(LiveRunDriving, StopsWhereThePageThatDrivesIsClosed) {
@@ -102,9 +111,9 @@ TEST_F(LiveRunDriving, StopsWhereThePageThatDrivesIsClosed) {
   PageClient page(port());
   bool is_closed = false;
   drive([&](int step) {
-    if (step >= 20 && !has_setpoints()) {
+    if (step >= 20 && !first_that_moves()) {
       page.steer(1.0, 0.0);
-    } else if (has_setpoints() && !std::exchange(is_closed, true)) {
+    } else if (first_that_moves() && !std::exchange(is_closed, true)) {
       page.close();
     } else if (is_closed && stands()) {
       EXPECT_THAT(robot.person()->reason(),

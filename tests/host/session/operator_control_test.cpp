@@ -64,39 +64,58 @@ TEST_F(OperatorControlTest, LeavesTheRobotToTheStrategyUntilSomebodyTakesIt) {
 }
 
 TEST_F(OperatorControlTest, SteersAsLongAsItIsTold) {
-  queue.push(SteerRobot{0.5, -1.0});
+  queue.push(SteerRobot{0.5, -1.0, now});
   EXPECT_TRUE(poll_after(milliseconds(5))) << "the strategy's motion ends";
   const auto motion = next();
   const auto* roll = std::get_if<exploration::Roll>(&motion);
   ASSERT_NE(roll, nullptr);
   EXPECT_DOUBLE_EQ(roll->forward_m_per_s, 0.1);
   EXPECT_DOUBLE_EQ(roll->turn_rad_per_s, -2.0);
-  queue.push(SteerRobot{1.0, 0.0});
+  queue.push(SteerRobot{1.0, 0.0, now});
   EXPECT_FALSE(poll_after(milliseconds(100))) << "the wheels roll on";
-  EXPECT_FALSE(poll_after(milliseconds(250)));
+  EXPECT_FALSE(poll_after(milliseconds(150))) << "0.25 s after it was said";
   EXPECT_TRUE(poll_after(milliseconds(1)));
   EXPECT_EQ(control.reason(), StandReason::kDriverSilent);
   EXPECT_TRUE(std::holds_alternative<exploration::Stand>(next()));
+  queue.push(SteerRobot{1.0, 0.0, now});
+  poll_after(milliseconds(5));
+  EXPECT_EQ(control.mode(), OperatorMode::kStopped) << "the stick is still held";
+}
+
+TEST_F(OperatorControlTest, DoesNotObeyWhatWaitedTooLong) {
+  queue.push(SteerRobot{1.0, 0.0, now});
+  EXPECT_FALSE(poll_after(milliseconds(3000)));
+  EXPECT_FALSE(control.has_robot());
+}
+
+TEST_F(OperatorControlTest, CountsHowOftenItTookTheRobotHoweverShort) {
+  queue.push(StopRobot{});
+  poll_after(milliseconds(5));
+  queue.push(ResumeStrategy{});
+  poll_after(milliseconds(5));
+  EXPECT_EQ(control.times_taken(), 1U);
 }
 
 TEST_F(OperatorControlTest, AStickInTheMiddleMayBeSilent) {
-  queue.push(SteerRobot{});
+  queue.push(SteerRobot{0.0, 0.0, now});
   poll_after(milliseconds(5));
   EXPECT_TRUE(std::holds_alternative<exploration::Stand>(next()));
   EXPECT_FALSE(poll_after(std::chrono::minutes(1)));
   EXPECT_EQ(control.mode(), OperatorMode::kDriving);
 }
 
-TEST_F(OperatorControlTest, GoesOnForwardsOnlyAfterTheStickWasLetGoOf) {
-  queue.push(SteerRobot{1.0, 0.0});
+TEST_F(OperatorControlTest, GoesOnOnlyAfterTheStickWasLetGoOf) {
+  queue.push(SteerRobot{1.0, 0.0, now});
   poll_after(milliseconds(5));
   next();
   EXPECT_TRUE(std::holds_alternative<exploration::Stand>(next(MotionResult::kBumped)));
   EXPECT_EQ(control.reason(), StandReason::kBumped);
-  queue.push(SteerRobot{1.0, 0.0});
+  queue.push(SteerRobot{1.0, 0.0, now});
   poll_after(milliseconds(50));
   EXPECT_TRUE(std::holds_alternative<exploration::Stand>(next()));
-  queue.push(SteerRobot{-1.0, 0.0});
+  queue.push(SteerRobot{0.0, 0.0, now});
+  poll_after(milliseconds(50));
+  queue.push(SteerRobot{-1.0, 0.0, now});
   poll_after(milliseconds(50));
   EXPECT_TRUE(std::holds_alternative<exploration::Roll>(next()));
   EXPECT_EQ(control.reason(), StandReason::kNone);

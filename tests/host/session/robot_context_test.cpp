@@ -137,6 +137,33 @@ TEST_F(RobotContextTest, ObeysNobodyAnyMore) {
   EXPECT_EQ(context.execute(exploration::Drive{0.1}), exploration::MotionResult::kReached);
 }
 
+TEST_F(RobotContextTest, AStopDoesNotWaitForTheAnswerToTheMotion) {
+  OperatorQueue queue;
+  context.obey(queue, OperatorParams{}, {});
+  open_and_connect();
+  cable.robot.acknowledges = false;
+  std::size_t zeros = 0;
+  std::size_t alive_at_stop = 0;
+  const RobotContext::StepListener listener(context, [&, steps = 0]() mutable {
+    ++steps;
+    if (steps == 4) {
+      queue.push(StopRobot{});
+      alive_at_stop = cable.robot.keep_alives.size();
+    } else if (steps == 8) {
+      for (const protocol::DriveSetpoint& setpoint : cable.robot.setpoints) {
+        zeros += setpoint.left_ticks_per_s == 0 && setpoint.right_ticks_per_s == 0 ? 1 : 0;
+      }
+    } else if (steps == 40) {
+      EXPECT_LE(cable.robot.keep_alives.size(), alive_at_stop + 1);
+      cable.robot.acknowledges = true;
+    } else if (steps == 100) {
+      queue.push(ResumeStrategy{});
+    }
+  });
+  EXPECT_EQ(context.execute(exploration::Drive{5.0}), exploration::MotionResult::kTakenOver);
+  EXPECT_GE(zeros, 1U) << "within 20 ms";
+}
+
 TEST_F(RobotContextTest, ExecutesNothingBeforeItsMapsHaveBegun) {
   RobotContext without_maps(profile, Seed(1));
   without_maps.open({new_connection(), nullptr});

@@ -28,7 +28,7 @@ export const texts = {
     en: 'The server has not confirmed STOP. Use the switch on the robot.',
     de: 'Der Server hat STOPP nicht bestätigt. Benutze den Schalter am Roboter.',
   },
-  'stop.confirmedLong': { en: 'STOP confirmed: the wheels stand still.', de: 'STOPP bestätigt: Die Räder stehen.' },
+  'stop.confirmedLong': { en: 'STOP confirmed: the program has taken it.', de: 'STOPP bestätigt: Das Programm hat ihn übernommen.' },
 
   'connection.lost': { en: 'Connection to the server lost', de: 'Verbindung zum Server verloren' },
   'connection.lostMeaning': {
