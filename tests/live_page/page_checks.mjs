@@ -154,7 +154,9 @@ await report.check("recording", async () => {
   const serve = await start_serve([path.join(demo.folder, "run")]);
   const { page: recorded, errors: found, close } = await open(serve.url);
   await until("the recording is shown", async () => (await view(recorded))?.tiles > 0);
-  const end = Number(await recorded.locator("#timeline").getAttribute("max"));
+  const length = async () => Number(await recorded.locator("#timeline").getAttribute("max"));
+  await until("the timeline is there", async () => (await length()) > 0);
+  const end = await length();
   await recorded.locator("#timeline").fill(String(end / 2));
   const half = await view(recorded);
   require(Math.abs(half.time - end / 2) < 0.3 * end, `in the middle of ${end} s it shows ${half.time} s`);
