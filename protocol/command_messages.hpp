@@ -269,6 +269,40 @@ struct ConfigureSafety {
   }
 };
 
+/// What stands between the board and the motors, in ConfigureWiring::bridge: what its inputs mean.
+enum class MotorBridgeKind : uint8_t {
+  kPhaseEnable = 0,  ///< A direction and a PWM: DRV8835 in its mode PHASE/ENABLE.
+  kIn1In2Pwm = 1,    ///< Two directions and a PWM: TB6612FNG, L298N, L293D.
+  kTwoPwm = 2,       ///< Two inputs, one of which gets the PWM: DRV8833, MX1508.
+  kServo = 3,        ///< Pulses for servos that turn on and on.
+};
+
+/// Bits of `ConfigureWiring::bridge_options`.
+enum BridgeOptions : uint8_t {
+  kBrakeAtZero = 1U << 0,  ///< A wheel at duty 0 is braked instead of left to coast.
+  kSlowPwm = 1U << 1,      ///< About 1 kHz instead of 8 kHz, for bridges of bipolar transistors.
+};
+
+/// How motors and bump contacts are connected. A robot of before version 1.3 has phase/enable
+/// bridges and contacts that close, and no such message.
+struct ConfigureWiring {
+  enum : uint8_t { kId = 0x1A };
+  static constexpr MessageClass message_class() { return MessageClass::kCommand; }
+  static constexpr const char* name() { return "ConfigureWiring"; }
+  uint8_t command_id;
+  uint8_t bridge;                    ///< A MotorBridgeKind.
+  uint8_t bridge_options;            ///< BridgeOptions.
+  uint8_t contacts_normally_closed;  ///< Those that open when they are pressed: 1 left, 2 right.
+
+  template <class M, class V>
+  static constexpr void each(M& m, V& v) {
+    v("command_id", m.command_id);
+    v("bridge", m.bridge);
+    v("bridge_options", m.bridge_options);
+    v("contacts_normally_closed", m.contacts_normally_closed);
+  }
+};
+
 /// Wheel speeds, until the next one or until the time to live is over.
 struct DriveSetpoint {
   enum : uint8_t { kId = 0x20 };

@@ -17,6 +17,7 @@ struct Configuration {
   ConfigurePins pins;
   ConfigureSensors sensors;
   ConfigureSafety safety;
+  ConfigureWiring wiring;
 
   /// Calls `visitor(message)` for each, in this order.
   template <class C, class V>
@@ -27,6 +28,7 @@ struct Configuration {
     visitor(configuration.pins);
     visitor(configuration.sensors);
     visitor(configuration.safety);
+    visitor(configuration.wiring);
   }
 };
 
@@ -36,7 +38,8 @@ struct ConfigurationBytes {
   static constexpr uint8_t kSize =
       payload_size_of<ConfigureDrive>() + payload_size_of<ConfigureSonar>() +
       payload_size_of<ConfigurePan>() + payload_size_of<ConfigurePins>() +
-      payload_size_of<ConfigureSensors>() + payload_size_of<ConfigureSafety>();
+      payload_size_of<ConfigureSensors>() + payload_size_of<ConfigureSafety>() +
+      payload_size_of<ConfigureWiring>();
   uint8_t bytes[kSize];
 };
 

@@ -36,7 +36,8 @@ enum class CommandStatus : uint8_t {
   kBlocked = 4,  ///< A pressed contact or a hazard forbids to go forward, a hanging wheel to arm.
 };
 
-/// Host to robot, every 50 ms until answered. A new `session` forgets earlier command ids.
+/// Host to robot, every 50 ms until answered. A new `session` forgets earlier command ids. While
+/// another session holds the robot, HelloReply names that one, and nothing else happens.
 struct Hello {
   enum : uint8_t { kId = 0x01 };
   static constexpr MessageClass message_class() { return MessageClass::kHandshake; }
@@ -85,6 +86,19 @@ struct HelloReply {
     v("receive_credit_bytes", m.receive_credit_bytes);
     v("capabilities", m.capabilities);
     v("config_digest", m.config_digest);
+  }
+};
+
+/// Host to robot: a Hello for a robot that another session holds, which ends that one.
+struct TakeOver {
+  enum : uint8_t { kId = 0x06 };
+  static constexpr MessageClass message_class() { return MessageClass::kHandshake; }
+  static constexpr const char* name() { return "TakeOver"; }
+  uint16_t session;
+
+  template <class M, class V>
+  static constexpr void each(M& m, V& v) {
+    v("session", m.session);
   }
 };
 

@@ -18,6 +18,7 @@ namespace protocol {
 /// Who receives which message; every message is in one of the two and in AllMessages.
 using MessagesToRobot = MessageList<Hello,
                                     Ping,
+                                    TakeOver,
                                     Arm,
                                     Stop,
                                     ConfigureDrive,
@@ -28,16 +29,27 @@ using MessagesToRobot = MessageList<Hello,
                                     ConfigurePins,
                                     ConfigureSensors,
                                     ConfigureSafety,
+                                    ConfigureWiring,
                                     DriveSetpoint,
                                     KeepAlive,
                                     BulkRead>;
-using MessagesToHost =
-    MessageList<HelloReply, Ack, Pong, BulkData, Odometry, Echo, Status, Health, Ranges, Gyro>;
+using MessagesToHost = MessageList<HelloReply,
+                                   Ack,
+                                   Pong,
+                                   BulkData,
+                                   Odometry,
+                                   Echo,
+                                   Status,
+                                   Health,
+                                   Ranges,
+                                   Gyro,
+                                   EncoderErrors>;
 using AllMessages = MessageList<Hello,
                                 HelloReply,
                                 Ack,
                                 Ping,
                                 Pong,
+                                TakeOver,
                                 Arm,
                                 Stop,
                                 ConfigureDrive,
@@ -48,6 +60,7 @@ using AllMessages = MessageList<Hello,
                                 ConfigurePins,
                                 ConfigureSensors,
                                 ConfigureSafety,
+                                ConfigureWiring,
                                 DriveSetpoint,
                                 KeepAlive,
                                 BulkRead,
@@ -57,7 +70,8 @@ using AllMessages = MessageList<Hello,
                                 Status,
                                 Health,
                                 Ranges,
-                                Gyro>;
+                                Gyro,
+                                EncoderErrors>;
 
 /// Digest of the whole schema, the same on both sides when they were built from the same messages.
 template <class List>

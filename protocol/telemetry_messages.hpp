@@ -130,7 +130,7 @@ struct Health {
   uint16_t frames_lost;
   uint16_t receive_overruns;
   uint16_t telemetry_dropped;
-  uint16_t encoder_errors;
+  uint16_t encoder_errors;    ///< Of both wheels: see EncoderErrors.
   uint16_t stack_free_bytes;  ///< Least free stack so far, by paint; 0: not known yet.
   uint16_t battery_raw;       ///< Converter counts, 0 .. 1023; 0 where no pin measures it.
   uint8_t rate_step;  ///< Telemetry periods are stretched by 2 to this power: the line is slow.
@@ -146,6 +146,24 @@ struct Health {
     v("stack_free_bytes", m.stack_free_bytes);
     v("battery_raw", m.battery_raw);
     v("rate_step", m.rate_step);
+  }
+};
+
+/// Robot to host, with every Health: edges at which both pins of a wheel had changed at once, so
+/// that counts are lost; since the reset, modulo 2^16.
+struct EncoderErrors {
+  enum : uint8_t { kId = 0x46 };
+  static constexpr MessageClass message_class() { return MessageClass::kTelemetry; }
+  static constexpr const char* name() { return "EncoderErrors"; }
+  uint32_t stamp_us;
+  uint16_t left;
+  uint16_t right;
+
+  template <class M, class V>
+  static constexpr void each(M& m, V& v) {
+    v("stamp_us", m.stamp_us);
+    v("left", m.left);
+    v("right", m.right);
   }
 };
 

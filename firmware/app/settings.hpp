@@ -55,6 +55,7 @@ constexpr protocol::Configuration kDefaultConfiguration{
     protocol::ConfigurePins{},
     protocol::ConfigureSensors{},
     kDefaultSafety,
+    protocol::ConfigureWiring{},
 };
 
 }  // namespace app

@@ -69,13 +69,17 @@ bool Command::is_new(uint8_t command_id) {
   return may_be_done;
 }
 
-void Command::operator()(const protocol::Hello& hello) {
-  if (filter_.begin_session(hello.session)) {
+void Command::operator()(const protocol::Hello& hello) { begin_session(hello.session); }
+
+void Command::operator()(const protocol::TakeOver& take_over) { begin_session(take_over.session); }
+
+void Command::begin_session(uint16_t session) {
+  if (filter_.begin_session(session)) {
     targets_.received.restart();
     disarm();
   }
   greeted_ = true;
-  reply(hello.session);
+  reply(session);
   targets_.telemetry.begin();
 }
 
@@ -172,6 +176,12 @@ CommandStatus Command::execute(const protocol::ConfigureSensors& command) {
 
 CommandStatus Command::execute(const protocol::ConfigureSafety& command) {
   return configure(targets_.safety, command, targets_.motion.moving());
+}
+
+CommandStatus Command::execute(const protocol::ConfigureWiring& command) {
+  const bool usual =
+      (command.bridge | command.bridge_options | command.contacts_normally_closed) == 0;
+  return usual ? CommandStatus::kAccepted : CommandStatus::kOutOfRange;
 }
 
 ECHOMAP_ONE_PIECE CommandStatus Command::execute(const protocol::MoveTicks& command) {

@@ -45,6 +45,7 @@ class Command {
 
   /// One for each message of protocol::MessagesToRobot, called by the dispatcher.
   void operator()(const protocol::Hello& hello);
+  void operator()(const protocol::TakeOver& take_over);
   void operator()(const protocol::Ping& ping);
   void operator()(const protocol::DriveSetpoint& setpoint);
   void operator()(const protocol::KeepAlive& keep_alive);
@@ -60,6 +61,7 @@ class Command {
   /// Commands have the ids 0x10 .. 0x1F, and their command_id in front.
   static constexpr bool is_command(uint8_t id) { return (id & 0xF0) == 0x10; }
   void end_frame(protocol::DecodeStatus status);
+  void begin_session(uint16_t session);
   void reply(uint16_t session);
   /// Nothing moves any more, nor the sonar.
   void disarm();
@@ -77,6 +79,7 @@ class Command {
   protocol::CommandStatus execute(const protocol::ConfigurePins& command);
   protocol::CommandStatus execute(const protocol::ConfigureSensors& command);
   protocol::CommandStatus execute(const protocol::ConfigureSafety& command);
+  protocol::CommandStatus execute(const protocol::ConfigureWiring& command);
   protocol::CommandStatus execute(const protocol::MoveTicks& command);
   protocol::CommandStatus execute(const protocol::StartSweep& command);
 

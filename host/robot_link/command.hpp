@@ -18,6 +18,7 @@ using Command = std::variant<protocol::Arm,
                              protocol::ConfigurePins,
                              protocol::ConfigureSensors,
                              protocol::ConfigureSafety,
+                             protocol::ConfigureWiring,
                              protocol::MoveTicks,
                              protocol::StartSweep>;
 

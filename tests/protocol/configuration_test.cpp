@@ -60,7 +60,8 @@ TEST(Configuration, IsEveryConfigureMessageInTheOrderOfIds) {
                               ConfigurePan::kId,
                               ConfigurePins::kId,
                               ConfigureSensors::kId,
-                              ConfigureSafety::kId}));
+                              ConfigureSafety::kId,
+                              ConfigureWiring::kId}));
 }
 
 TEST(Configuration, WritesTheIdInThePlaceOfTheCommandId) {
@@ -90,7 +91,7 @@ TEST(Configuration, IsNotReadWhereAnIdIsWrong) {
   wrong.bytes[0] = ConfigureSonar::kId;
   EXPECT_FALSE(read_configuration(wrong, configuration));
   wrong = right;
-  wrong.bytes[ConfigurationBytes::kSize - payload_size_of<ConfigureSafety>()] ^= 1;
+  wrong.bytes[ConfigurationBytes::kSize - payload_size_of<ConfigureWiring>()] ^= 1;
   EXPECT_FALSE(read_configuration(wrong, configuration));
 }
 

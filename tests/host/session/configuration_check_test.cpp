@@ -66,7 +66,8 @@ TEST(ConfigurationCheck, SendsWhatDiffersAndAllToAnUnknownBoard) {
                           "ConfigurePan",
                           "ConfigurePins",
                           "ConfigureSensors",
-                          "ConfigureSafety"));
+                          "ConfigureSafety",
+                          "ConfigureWiring"));
 }
 
 TEST(ConfigurationCheck, NamesTheFirstFieldThatDiffers) {
