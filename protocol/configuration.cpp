@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/configuration.hpp"
 
-#include <string.h>
-
 namespace echomap {
 namespace protocol {
 namespace {
-
-/// True where the messages stand in memory as in their bytes; see is_packed.
-constexpr bool kPacked = sizeof(Configuration) == ConfigurationBytes::kSize;
 
 struct WriteMessages {
   uint8_t* out;
@@ -45,12 +40,8 @@ struct ReadMessages {
 
 ConfigurationBytes configuration_bytes(const Configuration& configuration) {
   ConfigurationBytes bytes;
-  if (kPacked) {
-    memcpy(bytes.bytes, &configuration, sizeof(configuration));
-  } else {
-    WriteMessages write{bytes.bytes};
-    Configuration::each(configuration, write);
-  }
+  WriteMessages write{bytes.bytes};
+  Configuration::each(configuration, write);
   WriteIds write_ids{bytes.bytes};
   Configuration::each(configuration, write_ids);
   return bytes;

@@ -48,15 +48,8 @@ void put_payload(const M& message, uint8_t* out) {
   M::each(message, visitor);
 }
 
-/// True where M stands in memory as it does on the wire, without a gap: on chips of 8 bits, whose
-/// flash has no room for a copy that is not needed.
+/// The payload of `message` as bytes.
 template <class M>
-constexpr bool is_packed() {
-  return sizeof(M) == MessageFacts<M>::kSize;
-}
-
-/// The payload of `message` as bytes, which may be those of the message itself: it must live on.
-template <class M, bool kPacked = is_packed<M>()>
 class Payload {
  public:
   explicit Payload(const M& message) { put_payload(message, bytes_); }
@@ -64,16 +57,6 @@ class Payload {
 
  private:
   uint8_t bytes_[MessageFacts<M>::kSize];
-};
-
-template <class M>
-class Payload<M, true> {
- public:
-  explicit Payload(const M& message) : message_(message) {}
-  const uint8_t* bytes() const { return reinterpret_cast<const uint8_t*>(&message_); }
-
- private:
-  const M& message_;
 };
 
 /// Reads a message out of a payload of exactly MessageFacts<M>::kSize bytes.
@@ -84,28 +67,6 @@ M get_payload(const uint8_t* payload) {
   M::each(message, visitor);
   return message;
 }
-
-/// The message of a payload, which may be the payload itself: it must live on.
-template <class M, bool kPacked = is_packed<M>()>
-class Received {
- public:
-  explicit Received(const uint8_t* payload) : message_(get_payload<M>(payload)) {}
-  const M& message() const { return message_; }
-
- private:
-  M message_;
-};
-
-/// Nobody writes to the payload but as bytes, which may alias whatever stands there.
-template <class M>
-class Received<M, true> {
- public:
-  explicit Received(const uint8_t* payload) : payload_(payload) {}
-  const M& message() const { return *reinterpret_cast<const M*>(payload_); }
-
- private:
-  const uint8_t* payload_;
-};
 
 /// Calls `handler(const M&)` for the message of list `List` that has this id; false where none has.
 /// `payload` has the length that the list's schema says, as FrameDecoder grants.
@@ -126,8 +87,7 @@ struct Dispatcher<MessageList<Messages...>> {
   template <class M, class Handler>
   static bool try_message(uint8_t id, const uint8_t* payload, Handler& handler, bool& found) {
     if (id == M::kId) {
-      const Received<M> received(payload);
-      handler(received.message());
+      handler(get_payload<M>(payload));
       found = true;
     }
     return found;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # echomap_avr_board(NAME MCU chip BAUDS n ..): the images of an AVR board, with a toolchain of its
 # own: echomap-NAME for the first baud rate, echomap-NAME-BAUD for the others, and with
-# ECHOMAP_TESTS the image that the golden vectors run through. Sources are the caller's folder and
+# ECHOMAP_TESTS the images that the golden vectors and the differential test run through. Sources are the caller's folder and
 # avr_common. ECHOMAP_FLASH_LIMIT and ECHOMAP_RAM_LIMIT are the caller's.
 option(ECHOMAP_WERROR "Treat compiler warnings as errors" OFF)
 option(ECHOMAP_TESTS "Build the firmware's test images" OFF)
@@ -29,5 +29,12 @@ function(echomap_avr_board board)
                               ${root}/firmware/drivers/serial_port.cpp
                               ${root}/firmware/drivers/wheel_encoders.cpp
                               ${root}/tests/firmware/vector_echo_main.cpp)
+    # The robot without its board, in a random world: it needs room for that world.
+    set(ECHOMAP_FLASH_LIMIT 32768)
+    set(ECHOMAP_RAM_LIMIT 1536)
+    file(GLOB world_sources CONFIGURE_DEPENDS ${root}/tests/firmware/differential/*.cpp)
+    list(FILTER world_sources EXCLUDE REGEX main_hosted)
+    echomap_avr_image(echomap-${board}-differential MCU ${ARG_MCU} BAUD ${usual_baud}
+                      SOURCES ${robot_sources} ${wire_sources} ${world_sources})
   endif()
 endfunction()

@@ -7,12 +7,10 @@ function(echomap_avr_image name)
   set_target_properties(${name} PROPERTIES SUFFIX .elf CXX_STANDARD 14 CXX_STANDARD_REQUIRED ON)
   target_include_directories(${name} PRIVATE ${root})
   target_compile_definitions(${name} PRIVATE F_CPU=16000000UL ECHOMAP_BAUD=${ARG_BAUD}UL)
-  # The last two lines only save flash: 8 % with avr-gcc 5.4.
   set(code -gdwarf-2 -mmcu=${ARG_MCU} -Os -flto -ffunction-sections -fdata-sections -fno-exceptions
-      -fno-rtti -fno-threadsafe-statics
-      -mrelax -mcall-prologues -fno-inline-small-functions -fno-split-wide-types
-      -fno-tree-dominator-opts -fno-tree-ter -fno-ipa-cp -mstrict-X -fno-move-loop-invariants)
+      -fno-rtti -fno-threadsafe-statics)
   target_compile_options(${name} PRIVATE ${code} -Wall -Wextra -Wpedantic -Wshadow
+                         -Wcast-align
                          $<$<BOOL:${ECHOMAP_WERROR}>:-Werror>)
   target_link_options(${name} PRIVATE ${code} -Wl,--gc-sections,--relax
                       $<$<BOOL:${ECHOMAP_WERROR}>:-Wl,--fatal-warnings>)

@@ -13,6 +13,7 @@ function(echomap_stm32_image name)
       -fno-rtti -fno-threadsafe-statics -fno-unwind-tables -fno-asynchronous-unwind-tables)
   # Without the C++ library, as on the AVR: the sources are the same.
   target_compile_options(${name} PRIVATE ${code} -nostdinc++ -Wall -Wextra -Wpedantic -Wshadow
+                         -Wcast-align=strict
                          $<$<BOOL:${ECHOMAP_WERROR}>:-Werror>)
   target_link_options(${name} PRIVATE ${code} -nostartfiles -nodefaultlibs -T${script}
                       -Wl,--gc-sections $<$<BOOL:${ECHOMAP_WERROR}>:-Wl,--fatal-warnings>)

@@ -2,7 +2,6 @@
 #include "firmware/control/scan_sweep.hpp"
 
 #include "firmware/hal/clock.hpp"
-#include "firmware/hal/code_size.hpp"
 #include "protocol/limits.hpp"
 
 namespace echomap {
@@ -43,7 +42,7 @@ void ScanSweep::start(const protocol::StartSweep& sweep) {
   turn_to(sweep.from_cdeg);
 }
 
-ECHOMAP_ONE_PIECE void ScanSweep::stop(MotionOutcome reason) {
+void ScanSweep::stop(MotionOutcome reason) {
   pan_.rest();
   state_ = State::kIdle;
   if (report_.outcome == MotionOutcome::kRunning) {
@@ -98,7 +97,7 @@ void ScanSweep::ping() {
   state_ = State::kListening;
 }
 
-ECHOMAP_ONE_PIECE void ScanSweep::go_on() {
+void ScanSweep::go_on() {
   const int32_t step_cdeg = sweep_.step_cdeg;
   const int32_t left_cdeg = sweep_.to_cdeg - pan_cdeg_;
   const bool over = step_cdeg > 0 ? left_cdeg < step_cdeg : left_cdeg > step_cdeg;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/control/speed_ramp.hpp"
 
-#include "firmware/hal/code_size.hpp"
-
 namespace echomap {
 namespace control {
 
@@ -17,7 +15,7 @@ void SpeedRamp::brake(int32_t change) {
   change_ = change;
 }
 
-ECHOMAP_ONE_PIECE int32_t SpeedRamp::advance() {
+int32_t SpeedRamp::advance() {
   const int32_t missing = target_ - speed_;
   if (missing > change_) {
     speed_ += change_;

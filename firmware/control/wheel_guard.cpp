@@ -9,13 +9,23 @@ namespace control {
 using protocol::MotionOutcome;
 namespace {
 
-uint16_t magnitude(int16_t value) { return static_cast<uint16_t>(value < 0 ? -value : value); }
+/// In 16 bits, where -(-32768) has no place in an int of the AVR.
+uint16_t magnitude(int16_t value) {
+  const uint16_t bits = static_cast<uint16_t>(value);
+  return value < 0 ? static_cast<uint16_t>(~bits + 1U) : bits;
+}
 
 /// An encoder that stands on an edge goes to and fro by a tick.
 constexpr uint16_t kChatterTicks = 1;
 
 /// A limit of 0 is none.
 bool reached(uint16_t value, uint16_t limit) { return limit != 0 && value >= limit; }
+
+/// 4 periods are 16 ms: a tick in them is 62.5 ticks/s. From 525 ticks on that takes more than 16
+/// bits, which an int has on the AVR.
+bool too_fast(uint16_t turned_of_4, uint16_t limit_ticks_per_s) {
+  return limit_ticks_per_s != 0 && turned_of_4 * uint32_t{125} >= limit_ticks_per_s * uint32_t{2};
+}
 
 }  // namespace
 
@@ -34,9 +44,7 @@ MotionOutcome WheelGuard::classify(const protocol::ConfigureSafety& limits,
   if (reached(against_ticks_, limits.runaway_ticks)) {
     return MotionOutcome::kRunaway;
   }
-  // 4 periods are 16 ms; a tick in them is 62.5 ticks/s.
-  const uint16_t half_speed = static_cast<uint16_t>(turned_of_4 * 125U / 4);
-  if (reached(half_speed, limits.over_speed_ticks_per_s / 2)) {
+  if (too_fast(turned_of_4, limits.over_speed_ticks_per_s)) {
     return MotionOutcome::kOverSpeed;
   }
   return reached(silent_ms_, limits.stall_ms) ? MotionOutcome::kStalled : MotionOutcome::kNone;

@@ -2,7 +2,6 @@
 #include "firmware/control/wheel_motion.hpp"
 
 #include "firmware/control/fixed_point.hpp"
-#include "firmware/hal/code_size.hpp"
 #include "protocol/limits.hpp"
 
 namespace echomap {
@@ -15,7 +14,7 @@ using protocol::MotionOutcome;
 /// whatever acceleration is set; at 0.45 m/s that is 3.5 m/s2, which a tyre still holds.
 constexpr int32_t kBrakingPeriods = 32;
 
-ECHOMAP_ONE_PIECE int32_t magnitude(int32_t value) { return value < 0 ? -value : value; }
+int32_t magnitude(int32_t value) { return value < 0 ? -value : value; }
 
 bool in_range(int32_t ticks) {
   constexpr uint32_t kMax = protocol::kMaxMoveTicks;
@@ -28,7 +27,7 @@ bool has(uint8_t inversions, protocol::DriveInversions bit) { return (inversions
 
 }  // namespace
 
-ECHOMAP_ONE_PIECE bool WheelMotion::accepts(const protocol::ConfigureDrive& settings) {
+bool WheelMotion::accepts(const protocol::ConfigureDrive& settings) {
   using protocol::kMaxGain;
   return settings.max_ticks_per_s != 0 && settings.max_ticks_per_s <= protocol::kMaxTicksPerS &&
          settings.max_ticks_per_s2 != 0 && settings.feed_forward <= kMaxGain &&
@@ -118,7 +117,7 @@ void WheelMotion::expire() {
   }
 }
 
-ECHOMAP_ONE_PIECE bool WheelMotion::step() {
+bool WheelMotion::step() {
   if (!moving()) {
     return true;
   }
@@ -138,7 +137,7 @@ ECHOMAP_ONE_PIECE bool WheelMotion::step() {
   return fault < MotionOutcome::kRunaway;
 }
 
-ECHOMAP_ONE_PIECE bool WheelMotion::setpoint_stalled() const {
+bool WheelMotion::setpoint_stalled() const {
   return report_.id == 0 && report_.outcome == MotionOutcome::kStalled;
 }
 
@@ -184,7 +183,7 @@ WheelMotion::Steps WheelMotion::next_steps() {
                with_sign_of(move_ticks_.right, left_is_longer ? shorter : longer)};
 }
 
-ECHOMAP_ONE_PIECE int32_t WheelMotion::clipped_target(int16_t ticks_per_s) const {
+int32_t WheelMotion::clipped_target(int16_t ticks_per_s) const {
   const int16_t limit = static_cast<int16_t>(settings_.max_ticks_per_s);
   const int16_t upper = ticks_per_s > limit ? limit : ticks_per_s;
   return per_period(upper < -limit ? static_cast<int16_t>(-limit) : upper);

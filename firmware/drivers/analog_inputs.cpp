@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/drivers/analog_inputs.hpp"
 
-#include <stddef.h>
-#include <string.h>
-
 #include "firmware/hal/adc.hpp"
 
 namespace echomap {
 namespace drivers {
 
 void AnalogInputs::reset() {
-  memset(&ranges_, 0xFF, sizeof(ranges_));
-  static_assert(protocol::kNoRange == 0xFFFF, "bytes of 0xFF");
+  for (uint16_t& range : ranges_) {
+    range = protocol::kNoRange;
+  }
   battery_ = 0;
   pin_ = 0;
   converting_ = false;
@@ -42,10 +40,7 @@ void AnalogInputs::store(uint8_t function, uint16_t value) {
     battery_ = value;
     return;
   }
-  const uint8_t channel = function - protocol::kPinRange0;
-  uint8_t* const channels =
-      reinterpret_cast<uint8_t*>(&ranges_) + offsetof(protocol::Ranges, channel_0);
-  memcpy(channels + channel * sizeof(value), &value, sizeof(value));
+  ranges_[function - protocol::kPinRange0] = value;
 }
 
 }  // namespace drivers

@@ -13,21 +13,22 @@ namespace drivers {
 /// each is at most as many milliseconds old as there are of them.
 class AnalogInputs {
  public:
+  static constexpr uint8_t kChannels = 8;
+
   /// Forgets all readings: the pins have other functions.
   void reset();
   /// Stores one conversion and starts the next; once a millisecond.
   void tick(const SparePins& pins);
 
-  /// All channels, protocol::kNoRange for those without a pin; stamp and counts are left to who
-  /// tells them.
-  protocol::Ranges& ranges() { return ranges_; }
+  /// Infra-red channel 0 .. 7; protocol::kNoRange for one without a pin.
+  uint16_t range(uint8_t channel) const { return ranges_[channel]; }
   /// 0 .. 1023; 0 where no pin measures it.
   uint16_t battery() const { return battery_; }
 
  private:
   void store(uint8_t function, uint16_t value);
 
-  protocol::Ranges ranges_ = {};
+  uint16_t ranges_[kChannels] = {};
   uint16_t battery_ = 0;
   uint8_t pin_ = 0;
   bool converting_ = false;

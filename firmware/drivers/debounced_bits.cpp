@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/drivers/debounced_bits.hpp"
 
-#include "firmware/hal/code_size.hpp"
-
 namespace echomap {
 namespace drivers {
 
-ECHOMAP_ONE_PIECE void DebouncedBits::update(uint8_t shown) {
+void DebouncedBits::update(uint8_t shown) {
   fresh_ = shown & static_cast<uint8_t>(~active_);
   if (++window_ms_ == kReleaseMs) {
     window_ms_ = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/drivers/gyro_mpu6050.hpp"
 
-#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/twi.hpp"
 
 namespace echomap {
@@ -36,7 +35,7 @@ void GyroMpu6050::tick(const protocol::ConfigureSensors& settings) {
   }
 }
 
-ECHOMAP_ONE_PIECE void GyroMpu6050::sample(uint8_t range) {
+void GyroMpu6050::sample(uint8_t range) {
   int16_t rate = 0;
   const bool done = hal::twi_state(rate) == hal::TwiState::kDone;
   if (done && step_ == kReading) {

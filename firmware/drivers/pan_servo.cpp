@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/drivers/pan_servo.hpp"
 
-#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/servo.hpp"
 #include "protocol/limits.hpp"
 
@@ -9,7 +8,7 @@ namespace echomap {
 namespace drivers {
 namespace {
 
-ECHOMAP_ONE_PIECE int32_t pulse_us(const protocol::ConfigurePan& settings, int32_t pan_cdeg) {
+int32_t pulse_us(const protocol::ConfigurePan& settings, int32_t pan_cdeg) {
   return settings.centre_us + settings.us_per_90deg * pan_cdeg / 9000;
 }
 

@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/flash_table.hpp"
 #include "protocol/messages.hpp"
 #include "protocol/schema_description.hpp"
@@ -60,7 +59,7 @@ void Bulk::tick() {
   }
 }
 
-ECHOMAP_ONE_PIECE void Bulk::answer_oldest() {
+void Bulk::answer_oldest() {
   const protocol::BulkRead read = asked_[0];
   --waiting_;
   memmove(asked_, asked_ + 1, sizeof(asked_) - sizeof(asked_[0]));
@@ -72,7 +71,7 @@ ECHOMAP_ONE_PIECE void Bulk::answer_oldest() {
     const protocol::ConfigurationBytes bytes = protocol::configuration_bytes(configuration_);
     answer.fill(sizeof(bytes.bytes), [&bytes](uint16_t at) { return bytes.bytes[at]; });
   }
-  sender_.answer(protocol::Received<BulkData>(answer.payload()).message());
+  sender_.answer(protocol::get_payload<BulkData>(answer.payload()));
 }
 
 }  // namespace tasks

@@ -3,7 +3,6 @@
 
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
-#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/twi.hpp"
 #include "protocol/config_digest.hpp"
 #include "protocol/version.hpp"
@@ -43,7 +42,7 @@ bool Command::poll() {
   return taken != 0;
 }
 
-ECHOMAP_ONE_PIECE void Command::end_frame(protocol::DecodeStatus status) {
+void Command::end_frame(protocol::DecodeStatus status) {
   const protocol::Frame frame = decoder_.frame();
   const bool whole = status == protocol::DecodeStatus::kFrame;
   if (whole) {
@@ -122,7 +121,7 @@ void Command::reply(uint16_t session) {
   targets_.sender.answer(reply);
 }
 
-ECHOMAP_ONE_PIECE void Command::disarm() {
+void Command::disarm() {
   targets_.safety.disarm();
   targets_.sweep.stop(MotionOutcome::kStopped);
 }
@@ -184,7 +183,7 @@ CommandStatus Command::execute(const protocol::ConfigureWiring& command) {
   return usual ? CommandStatus::kAccepted : CommandStatus::kOutOfRange;
 }
 
-ECHOMAP_ONE_PIECE CommandStatus Command::execute(const protocol::MoveTicks& command) {
+CommandStatus Command::execute(const protocol::MoveTicks& command) {
   if (!targets_.safety.armed()) {
     return CommandStatus::kDisarmed;
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/tasks/line_budget.hpp"
 
-#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/uart.hpp"
 
 namespace echomap {
@@ -26,7 +25,7 @@ void LineBudget::tick() {
   }
 }
 
-ECHOMAP_ONE_PIECE bool LineBudget::take(uint8_t bytes) {
+bool LineBudget::take(uint8_t bytes) {
   const uint16_t cost = static_cast<uint16_t>(bytes * 256U);
   if (credit_ < cost) {
     return false;

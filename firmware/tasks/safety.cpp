@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/tasks/safety.hpp"
 
-#include "firmware/hal/code_size.hpp"
-
 namespace echomap {
 namespace tasks {
 
@@ -51,7 +49,7 @@ void Safety::control() {
   }
 }
 
-ECHOMAP_ONE_PIECE uint8_t Safety::stopping_hazards() const {
+uint8_t Safety::stopping_hazards() const {
   return sensors_.hazards().active() & (settings_.hazard_stops | protocol::kHazardWheelDrop);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/tasks/sensors.hpp"
 
-#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/twi.hpp"
 
 namespace echomap {
@@ -12,7 +11,7 @@ bool Sensors::accepts(const protocol::ConfigureSensors& settings) const {
          (settings.gyro_period_ms == 0 || (hal::has_twi() && !pins_.use_twi_pins()));
 }
 
-ECHOMAP_ONE_PIECE void Sensors::configure(const protocol::ConfigurePins& settings) {
+void Sensors::configure(const protocol::ConfigurePins& settings) {
   gyro_.restart();  // The bus's pins are given back before they are given away.
   pins_.configure(settings);
   analog_.reset();

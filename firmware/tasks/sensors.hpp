@@ -32,7 +32,7 @@ class Sensors {
   constexpr const drivers::SparePins& pins() const { return pins_; }
   /// Bits of protocol::Hazard.
   const drivers::DebouncedBits& hazards() const { return hazards_; }
-  drivers::AnalogInputs& analog() { return analog_; }
+  const drivers::AnalogInputs& analog() const { return analog_; }
   const drivers::GyroMpu6050& gyro() const { return gyro_; }
 
  private:

@@ -2,7 +2,6 @@
 #include "firmware/tasks/telemetry.hpp"
 
 #include "firmware/hal/clock.hpp"
-#include "firmware/hal/code_size.hpp"
 #include "firmware/hal/stack.hpp"
 
 namespace echomap {
@@ -33,7 +32,7 @@ void Telemetry::add(const protocol::Echo& echo) {
   ++waiting_echoes_;
 }
 
-ECHOMAP_ONE_PIECE void Telemetry::tick() {
+void Telemetry::tick() {
   stack_free_bytes_ = hal::min_free_stack_bytes();
   if (!on_) {
     return;
@@ -56,7 +55,7 @@ uint16_t Telemetry::stretched(uint8_t period_ms) const {
   return static_cast<uint16_t>(period_ms << sender_.budget().rate_step());
 }
 
-ECHOMAP_ONE_PIECE void Telemetry::drop() {
+void Telemetry::drop() {
   ++dropped_;
   sender_.budget().overloaded();
 }
@@ -181,13 +180,20 @@ protocol::Health Telemetry::health() const {
   return health;
 }
 
-const protocol::Ranges& Telemetry::ranges() const {
+protocol::Ranges Telemetry::ranges() const {
   const drivers::WheelCounts counts = sources_.encoders.counts();
-  protocol::Ranges& ranges = sources_.sensors.analog().ranges();
-  ranges.stamp_us = hal::now_us();
-  ranges.left_ticks = counts.left;
-  ranges.right_ticks = counts.right;
-  return ranges;
+  const drivers::AnalogInputs& analog = sources_.sensors.analog();
+  return protocol::Ranges{hal::now_us(),
+                          counts.left,
+                          counts.right,
+                          analog.range(0),
+                          analog.range(1),
+                          analog.range(2),
+                          analog.range(3),
+                          analog.range(4),
+                          analog.range(5),
+                          analog.range(6),
+                          analog.range(7)};
 }
 
 protocol::Gyro Telemetry::gyro() const {

@@ -19,7 +19,7 @@ struct TelemetrySources {
   const drivers::SerialPort& port;
   const control::WheelMotion& motion;
   const control::ScanSweep& sweep;
-  Sensors& sensors;
+  const Sensors& sensors;
   const Safety& safety;
   const protocol::ReceiveCounters& received;
   const protocol::Configuration& configuration;
@@ -61,7 +61,7 @@ class Telemetry {
   void send_health();
   protocol::Status status() const;
   protocol::Health health() const;
-  const protocol::Ranges& ranges() const;
+  protocol::Ranges ranges() const;
   protocol::Gyro gyro() const;
   uint8_t flags() const;
 

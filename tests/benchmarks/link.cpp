@@ -15,6 +15,7 @@
 #include "protocol/frame_encoder.hpp"
 #include "protocol/messages.hpp"
 #include "tests/benchmarks/figures.hpp"
+#include "tests/hil/measure/differential.hpp"
 #include "tests/hil/measure/image_size.hpp"
 #include "tests/hil/measure/line_load.hpp"
 #include "tests/hil/measure/loaded_robot.hpp"
@@ -139,6 +140,11 @@ double clock_p99_ms(line_faults::LineDelays line, bool has_transfers) {
   return std::max(at_random_us, clock_p99_us(line, {0.0, 20.0, 50.0, 5000.0})) * 1e-3;
 }
 
+void measure_differences(Report& report) {
+  const auto result = tests::compare_targets(1'000'000, 1);
+  report.add("differential_mismatches", double(result.mismatches), "", result.steps);
+}
+
 void measure_clocks(Report& report) {
   report.add("clock_p99_usb_ms", clock_p99_ms(line_faults::usb_line(), true), "ms", 48);
   report.add("clock_p99_ftdi_ms", clock_p99_ms(line_faults::ftdi_line(), true), "ms", 48);
@@ -169,5 +175,6 @@ int main(int argc, char** argv) {
   measure_reconnects(figures, elf);
   measure_commands(figures, elf);
   measure_clocks(figures);
+  measure_differences(figures);
   report(figures.figures(), json);
 }

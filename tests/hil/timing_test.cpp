@@ -79,6 +79,10 @@ TEST_P(Interrupts, CostWhatTheirTableSays) {
   EXPECT_EQ(figures.interrupts.size(), documented.size());
 }
 
+/// An echo and an edge of each wheel, one right after the other, take 229 cycles; whether all three
+/// come just before a tick is chance.
+constexpr double kMaxTickJitterUs = 16.0;
+
 class Timing : public ::testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Boards, Timing, every_board(), image_label);
@@ -88,7 +92,7 @@ TEST_P(Timing, UsualLoadLeavesTwoThirdsOfTheChip) {
   print(figures);
   EXPECT_LE(100.0 * figures.busy_share(), 35.0);
   EXPECT_GT(100.0 * figures.busy_share(), 10.0) << "the meter does not measure";
-  EXPECT_LE(figures.tick_jitter_us, 10.0);
+  EXPECT_LE(figures.tick_jitter_us, kMaxTickJitterUs);
 }
 
 /// A hundred Gyro messages a second, and on the Mega fourteen pins.
@@ -98,7 +102,7 @@ TEST_P(Timing, EverySensorLeavesHalfOfTheChip) {
   const TimingFigures figures = measure_timing(release_image(GetParam()), load, 10.0);
   print(figures);
   EXPECT_LE(100.0 * figures.busy_share(), 45.0);
-  EXPECT_LE(figures.tick_jitter_us, 10.0);
+  EXPECT_LE(figures.tick_jitter_us, kMaxTickJitterUs);
 }
 
 TEST_P(Timing, TickHoldsOnAFullLine) {
@@ -106,8 +110,7 @@ TEST_P(Timing, TickHoldsOnAFullLine) {
     const TimingFigures figures =
         measure_timing(release_image(GetParam()), {.edges_per_s = edges_per_s}, 20.0);
     print(figures);
-    // An echo and an edge of each wheel, one right after the other, take 229 cycles.
-    EXPECT_LE(figures.tick_jitter_us, 16.0);
+    EXPECT_LE(figures.tick_jitter_us, kMaxTickJitterUs);
     EXPECT_LE(100.0 * figures.busy_share(), 80.0);
   }
 }

@@ -75,6 +75,21 @@ TEST(WheelGuard, TooFastIsTooFastBothWays) {
   }
 }
 
+/// All limits, all speeds up to what the encoders can count: 127 edges a millisecond.
+TEST(WheelGuard, EveryLimitTripsAtItsSpeed) {
+  constexpr int kMaxTicks = 16 * 127;
+  for (int limit = 1; limit <= 65'535; limit += limit < 200 || limit > 65'000 ? 1 : 13) {
+    const protocol::ConfigureSafety limits{0, 0, 0, 0, static_cast<std::uint16_t>(limit)};
+    const int first_ticks = (2 * limit + 124) / 125;
+    for (const int ticks : {first_ticks - 1, first_ticks, first_ticks + 525, kMaxTicks}) {
+      WheelGuard guard;
+      const auto outcome = guard.classify(limits, {0, 0, 0, static_cast<std::int16_t>(ticks)});
+      EXPECT_EQ(outcome == MotionOutcome::kOverSpeed, ticks * 62.5 >= limit)
+          << limit << " ticks/s, " << ticks << " ticks in 16 ms";
+    }
+  }
+}
+
 TEST(WheelGuard, ZeroSwitchesEachLimitOff) {
   WheelGuard guard;
   for (int period = 0; period < 10000; ++period) {

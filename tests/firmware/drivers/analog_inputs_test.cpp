@@ -26,18 +26,7 @@ class AnalogInputsTest : public testing::Test {
     }
   }
 
-  std::uint16_t range(unsigned channel) {
-    const protocol::Ranges& all = inputs.ranges();
-    const std::uint16_t channels[] = {all.channel_0,
-                                      all.channel_1,
-                                      all.channel_2,
-                                      all.channel_3,
-                                      all.channel_4,
-                                      all.channel_5,
-                                      all.channel_6,
-                                      all.channel_7};
-    return channels[channel];
-  }
+  std::uint16_t range(std::uint8_t channel) const { return inputs.range(channel); }
 
   native::NativeBoard& board = native::NativeBoard::instance();
   protocol::ConfigurePins active{};
