@@ -53,11 +53,17 @@ void FakeRobot::take(const protocol::Frame& frame) {
 
 void FakeRobot::handle(const protocol::Hello& hello) {
   ++hellos;
-  if (filter_.begin_session(hello.session)) {
+  begin_session(hello.session);
+}
+
+void FakeRobot::handle(const protocol::TakeOver& take_over) { begin_session(take_over.session); }
+
+void FakeRobot::begin_session(std::uint16_t session) {
+  if (filter_.begin_session(session)) {
     counters_.restart();
   }
   greeted_ = true;
-  reply(hello.session);
+  reply(session);
 }
 
 void FakeRobot::reply(std::uint16_t session) {

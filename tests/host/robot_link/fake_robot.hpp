@@ -85,6 +85,8 @@ class FakeRobot {
  private:
   void take(const protocol::Frame& frame);
   void handle(const protocol::Hello& hello);
+  void handle(const protocol::TakeOver& take_over);
+  void begin_session(std::uint16_t session);
   void reply(std::uint16_t session);
   void handle(const protocol::KeepAlive& message) { keep_alives.push_back(message); }
   void handle(const protocol::DriveSetpoint& message) { setpoints.push_back(message); }
@@ -116,6 +118,9 @@ class FakeRobot {
   }
   protocol::CommandStatus carry_out(const protocol::ConfigureSafety& settings) {
     return take_settings(configuration.safety, settings);
+  }
+  protocol::CommandStatus carry_out(const protocol::ConfigureWiring& settings) {
+    return take_settings(configuration.wiring, settings);
   }
   void end_motions(protocol::MotionOutcome end);
   template <class Command>
