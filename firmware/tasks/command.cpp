@@ -46,7 +46,12 @@ bool Command::poll() {
 ECHOMAP_ONE_PIECE void Command::end_frame(protocol::DecodeStatus status) {
   const protocol::Frame frame = decoder_.frame();
   const bool whole = status == protocol::DecodeStatus::kFrame;
+  if (whole && is_foreign_hello(frame)) {
+    reply(filter_.session());
+    return;
+  }
   if (whole) {
+    filter_.hear();
     targets_.sweep.listened();
   }
   if (whole && (!is_command(frame.id) || is_new(frame.payload[0]))) {
@@ -54,6 +59,11 @@ ECHOMAP_ONE_PIECE void Command::end_frame(protocol::DecodeStatus status) {
   }
   // After the message: a Hello of a new session begins the counting anew.
   targets_.received.take(status, frame.seq);
+}
+
+bool Command::is_foreign_hello(const protocol::Frame& frame) const {
+  return frame.id == protocol::Hello::kId &&
+         filter_.refuses(protocol::get_payload<protocol::Hello>(frame.payload).session);
 }
 
 bool Command::is_new(uint8_t command_id) {
@@ -128,6 +138,7 @@ ECHOMAP_ONE_PIECE void Command::disarm() {
 }
 
 CommandStatus Command::execute(const protocol::Arm& command) {
+  filter_.hold(command.armed != 0);
   if (command.armed == 0) {
     disarm();
     return CommandStatus::kAccepted;
