@@ -72,7 +72,7 @@ ECHOMAP_ONE_PIECE void Bulk::answer_oldest() {
     const protocol::ConfigurationBytes bytes = protocol::configuration_bytes(configuration_);
     answer.fill(sizeof(bytes.bytes), [&bytes](uint16_t at) { return bytes.bytes[at]; });
   }
-  sender_.answer(protocol::Received<BulkData>(answer.payload()).message());
+  sender_.fill_in(protocol::Received<BulkData>(answer.payload()).message());
 }
 
 }  // namespace tasks
