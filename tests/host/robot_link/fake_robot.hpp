@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "protocol/configuration.hpp"
@@ -41,6 +42,16 @@ class FakeRobot {
   void send_bytes(const Bytes& bytes) {
     outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
   }
+
+  /// What another host does.
+  template <class Message>
+  void hear_of_another(const Message& message) {
+    if (!std::is_same_v<Message, protocol::Hello>) {
+      filter_.hear();
+    }
+    handle(message);
+  }
+  std::uint16_t session() const { return filter_.session(); }
 
   static Bytes described_messages();
 
