@@ -214,6 +214,21 @@ TEST(Command, ASessionThatDisarmsGivesTheRobotUp) {
   EXPECT_EQ(reply_to(robot, 1), 2) << "who arms it again keeps it";
 }
 
+TEST(Command, AFloodOfPingsLeavesOdometryItsPlace) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  const std::int64_t from_ns = robot.board.now_ns();
+  for (int ms = 0; ms < 2000; ++ms) {
+    for (int byte = 0; byte < 1'000'000 / native::NativeBoard::kByteNs; byte += 10) {
+      robot.send(protocol::Ping{1});
+    }
+    robot.run_ms(1);
+  }
+  const int due = 2000 / app::kDefaultDrive.odometry_period_ms;
+  EXPECT_GE(robot.all<protocol::Odometry>(from_ns).size(), static_cast<std::size_t>(due * 9 / 10));
+  EXPECT_GE(robot.all<protocol::Pong>(from_ns).size(), 3000U) << "the rest is theirs";
+}
+
 TEST(Command, RefusesWhatIsBusyOrOutOfRange) {
   NativeRobot robot;
   ASSERT_TRUE(robot.arm());
