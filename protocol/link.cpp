@@ -20,6 +20,7 @@ void ReceiveCounters::take(DecodeStatus status, uint8_t seq) {
 }
 
 bool CommandFilter::begin_session(uint16_t session) {
+  hold(true);
   if (has_session_ && session == session_) {
     return false;
   }

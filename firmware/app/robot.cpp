@@ -30,6 +30,7 @@ bool Robot::run_once() {
 }
 
 void Robot::run_tick() {
+  command_.tick();
   sensors_.tick();
   safety_.tick();
   heartbeat_.ran(tasks::Part::kTick);

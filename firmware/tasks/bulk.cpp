@@ -71,7 +71,7 @@ void Bulk::answer_oldest() {
     const protocol::ConfigurationBytes bytes = protocol::configuration_bytes(configuration_);
     answer.fill(sizeof(bytes.bytes), [&bytes](uint16_t at) { return bytes.bytes[at]; });
   }
-  sender_.answer(protocol::get_payload<BulkData>(answer.payload()));
+  sender_.fill_in(protocol::get_payload<BulkData>(answer.payload()));
 }
 
 }  // namespace tasks

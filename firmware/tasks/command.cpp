@@ -45,7 +45,12 @@ bool Command::poll() {
 void Command::end_frame(protocol::DecodeStatus status) {
   const protocol::Frame frame = decoder_.frame();
   const bool whole = status == protocol::DecodeStatus::kFrame;
+  if (whole && is_foreign_hello(frame)) {
+    reply(filter_.session());
+    return;
+  }
   if (whole) {
+    filter_.hear();
     targets_.sweep.listened();
   }
   if (whole && (!is_command(frame.id) || is_new(frame.payload[0]))) {
@@ -53,6 +58,11 @@ void Command::end_frame(protocol::DecodeStatus status) {
   }
   // After the message: a Hello of a new session begins the counting anew.
   targets_.received.take(status, frame.seq);
+}
+
+bool Command::is_foreign_hello(const protocol::Frame& frame) const {
+  return frame.id == protocol::Hello::kId &&
+         filter_.refuses(protocol::get_payload<protocol::Hello>(frame.payload).session);
 }
 
 bool Command::is_new(uint8_t command_id) {
@@ -127,6 +137,7 @@ void Command::disarm() {
 }
 
 CommandStatus Command::execute(const protocol::Arm& command) {
+  filter_.hold(command.armed != 0);
   if (command.armed == 0) {
     disarm();
     return CommandStatus::kAccepted;

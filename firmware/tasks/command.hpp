@@ -42,6 +42,8 @@ class Command {
   void announce();
   /// Works on received bytes; false when there were none.
   bool poll();
+  /// Once a millisecond: a session that falls silent loses the robot in the end.
+  void tick() { filter_.tick(); }
 
   /// One for each message of protocol::MessagesToRobot, called by the dispatcher.
   void operator()(const protocol::Hello& hello);
@@ -62,6 +64,8 @@ class Command {
   static constexpr bool is_command(uint8_t id) { return (id & 0xF0) == 0x10; }
   void end_frame(protocol::DecodeStatus status);
   void begin_session(uint16_t session);
+  /// A Hello while another session holds the robot, which must not notice it.
+  bool is_foreign_hello(const protocol::Frame& frame) const;
   void reply(uint16_t session);
   /// Nothing moves any more, nor the sonar.
   void disarm();

@@ -7,18 +7,21 @@ namespace echomap {
 namespace tasks {
 namespace {
 
-constexpr uint8_t kSharePercent = 70;
+constexpr uint8_t kTelemetryPercent = 70;
+constexpr uint8_t kAnswerPercent = 25;
 constexpr uint16_t kMaxCredit = LineBudget::kMaxCreditBytes * 256U;
 
 /// 1/256 bytes in a millisecond, which is also bytes in a window.
-uint16_t share() {
-  return static_cast<uint16_t>(hal::line_bytes_per_s() * (256UL * kSharePercent) / (100 * 1000UL));
+uint16_t share(uint8_t percent) {
+  return static_cast<uint16_t>(hal::line_bytes_per_s() * (256UL * percent) / (100 * 1000UL));
 }
 
 }  // namespace
 
 void LineBudget::tick() {
-  const uint16_t earned = share();
+  const uint16_t paid = share(kAnswerPercent);
+  answered_ = answered_ > paid ? static_cast<uint16_t>(answered_ - paid) : uint16_t{0};
+  const uint16_t earned = share(kTelemetryPercent);
   credit_ = credit_ < kMaxCredit - earned ? static_cast<uint16_t>(credit_ + earned) : kMaxCredit;
   if (++window_ms_ == 0) {
     end_window(earned);
@@ -32,6 +35,15 @@ bool LineBudget::take(uint8_t bytes) {
   }
   credit_ = static_cast<uint16_t>(credit_ - cost);
   used_bytes_ = static_cast<uint16_t>(used_bytes_ + bytes);
+  return true;
+}
+
+bool LineBudget::take_answer(uint8_t bytes) {
+  const uint16_t cost = static_cast<uint16_t>(bytes * 256U);
+  if (answered_ > kMaxCredit - cost) {
+    return false;
+  }
+  answered_ = static_cast<uint16_t>(answered_ + cost);
   return true;
 }
 

@@ -6,8 +6,9 @@
 namespace echomap {
 namespace tasks {
 
-/// Holds telemetry to 70 % of the line, so that answers and bulk data always find room, and says by
-/// how much its periods have to be stretched to fit in.
+/// Holds telemetry to 70 % of the line and answers that take telemetry's room to 25 %, so that
+/// neither starves the other, and says by how much telemetry's periods have to be stretched to fit
+/// in.
 class LineBudget {
  public:
   /// Periods are never stretched by more than 2 to this power.
@@ -21,6 +22,9 @@ class LineBudget {
   void tick();
   /// Takes a telemetry frame's bytes; false when it has to wait.
   bool take(uint8_t bytes);
+  /// Takes the bytes of an answer for which telemetry has to wait; false when there have been too
+  /// many of them.
+  bool take_answer(uint8_t bytes);
   /// Telemetry was lost because it had to wait too long: the next window begins with a step more.
   void overloaded() { overloaded_ = true; }
 
@@ -30,7 +34,8 @@ class LineBudget {
  private:
   void end_window(uint16_t share_bytes);
 
-  uint16_t credit_ = 0;  ///< 1/256 bytes.
+  uint16_t credit_ = 0;    ///< 1/256 bytes.
+  uint16_t answered_ = 0;  ///< 1/256 bytes of answers, less those that their share has paid for.
   uint16_t used_bytes_ = 0;
   uint8_t window_ms_ = 0;
   uint8_t quiet_windows_ = 0;

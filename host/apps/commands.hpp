@@ -158,6 +158,7 @@ ExitCode run_characterise(const CharacteriseOptions& options);
 struct FlashOptions {
   std::string board;            ///< Empty: what the USB id of the port says.
   std::string port;             ///< Empty: the one board here that its USB id gives away.
+  int baud = 250000;            ///< Of the board's image of this build.
   std::filesystem::path image;  ///< Empty: the board's image of this build.
   bool dry_run = false;
 };

@@ -5,14 +5,22 @@
 #include "host/flashing/flash_plan.hpp"
 #include "host/flashing/flash_run.hpp"
 #include "host/session/child_process.hpp"
+#include "host/session/speed_search.hpp"
 
 namespace echomap::apps {
 namespace {
 
-/// The image that was named, or the board's of the build that this program is of.
+/// The board's image for this speed in the build that this program is of. That of the usual speed
+/// bears no number.
+std::filesystem::path built_image(const flashing::FlashBoard& board, int baud) {
+  const auto usual = session::program_folder().parent_path() / board.image;
+  const std::string number = baud == session::kRobotBauds.front() ? "" : "-" + std::to_string(baud);
+  return usual.parent_path() / (usual.stem().string() + number + usual.extension().string());
+}
+
 std::string image_for(const FlashOptions& options, const flashing::FlashBoard& board) {
   const std::filesystem::path image =
-      options.image.empty() ? session::program_folder().parent_path() / board.image : options.image;
+      options.image.empty() ? built_image(board, options.baud) : options.image;
   if (!std::filesystem::is_regular_file(image)) {
     throw CommandError(ExitCode::kRuntimeError,
                        "there is no image " + image.string() + "\n  next: ./run build " +

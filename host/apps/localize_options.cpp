@@ -103,6 +103,7 @@ void add_localize(CLI::App& app, CommandAction& action) {
                                  "--baud",
                                  "--reconnect",
                                  "--no-reset",
+                                 "--take-over",
                                  "--lockstep",
                                  "--robot",
                                  "--stops",

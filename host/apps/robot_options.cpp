@@ -111,9 +111,12 @@ void add_connection_options(CLI::App& command, session::ConnectionOptions& optio
                      options.ports,
                      "Serial device, pty, tcp://HOST:PORT, bt://ADDRESS or id:TEXT of a USB port. "
                      "Of several, or of all ports where none is named, the one robot that answers");
-  command.add_option("--baud", options.baud, "Speed of a serial device")
-      ->check(CLI::IsMember({9600, 57600, 115200, 250000, 500000}))
-      ->capture_default_str();
+  command
+      .add_option("--baud",
+                  options.baud,
+                  "Speed of a serial device; by default that of 250000, 115200 and 500000 at which "
+                  "the robot answers")
+      ->check(CLI::IsMember({9600, 57600, 115200, 250000, 500000}));
   command
       .add_option("--reconnect",
                   options.reconnect_s,
@@ -125,6 +128,10 @@ void add_connection_options(CLI::App& command, session::ConnectionOptions& optio
                    "Join a running robot, and stop if opening its port has reset it: the kernel "
                    "raises DTR when a port is first opened after plugging in, which resets most "
                    "Arduinos; it stays up from then on");
+  command.add_flag("--take-over",
+                   options.take_over,
+                   "Take the robot from another program that holds it; without it that program is "
+                   "left alone, and this one ends");
   command.add_option("--lockstep", options.lockstep, "Socket of a simulated robot's clock");
   options.session_number = std::random_device{}();
 }
@@ -230,6 +237,13 @@ void add_flash(CLI::App& app, CommandAction& action) {
       ->envname("ECHOMAP_PORT");
   command->add_option(
       "--image", options->image, "Intel hex file; by default the one of this build");
+  command
+      ->add_option("--baud",
+                   options->baud,
+                   "Speed of that image: 115200 for an HC-05 or a bridge that is set to it")
+      ->check(CLI::IsMember({9600, 115200, 250000, 500000}))
+      ->excludes("--image")
+      ->capture_default_str();
   command->add_flag("--dry-run", options->dry_run, "Only print the commands");
   command->footer("Example: echomap flash --board nano --port /dev/ttyUSB0");
   command->callback([&action, options] { action = [options] { return run_flash(*options); }; });

@@ -132,6 +132,8 @@ const char* name_of(LinkState state) {
       return "garbage";
     case LinkState::kUnheard:
       return "unheard";
+    case LinkState::kBusy:
+      return "busy";
     case LinkState::kMismatch:
       return "mismatch";
     case LinkState::kLost:

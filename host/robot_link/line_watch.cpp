@@ -12,6 +12,8 @@ LinkState LineWatch::next_state(LinkState state, time::HostTime now) {
     case LinkState::kGarbage:
     case LinkState::kUnheard:
       return diagnose(now);
+    case LinkState::kBusy:
+      return is_within(diagnose_after_, last_frame_at_, now) ? state : diagnose(now);
     case LinkState::kDescribing:
     case LinkState::kMismatch:
     case LinkState::kLost:

@@ -14,6 +14,7 @@ enum class LinkState : std::uint8_t {
   kSilent,      ///< Not one byte came for two seconds: no power, wrong port, no firmware.
   kGarbage,     ///< Bytes came but no frame for two seconds: wrong baud rate or another sketch.
   kUnheard,     ///< Frames come but Hello goes unanswered: the robot does not hear us.
+  kBusy,        ///< Another session holds the robot, which says so.
   kMismatch,    ///< Firmware and host differ in messages that are needed.
   kLost,        ///< Was ready; then no frame for a second, or a command found no answer.
 };

@@ -63,13 +63,28 @@ void RobotLink::handle(const protocol::HelloReply& reply) {
     notice_reset(reply);
   }
   if (reply.session != session_) {
+    notice_holder(reply);
     return;
   }
+  params_.takes_over = false;
   outbox_.confirm(reply);
   identification_.note(reply);
   if (state_ != LinkState::kReady && state_ != LinkState::kDescribing) {
     act_on(identification_.identify(reply), reply);
   }
+}
+
+void RobotLink::notice_holder(const protocol::HelloReply& reply) {
+  // Before minor 3 a robot obeyed whoever said Hello last; 0 is one that has just started.
+  constexpr std::uint8_t kFirstMinor = 3;
+  const bool is_held = reply.session != 0 && reply.protocol_major == protocol::kProtocolMajor &&
+                       reply.protocol_minor >= kFirstMinor;
+  if (!is_held) {
+    return;
+  }
+  search_again();
+  state_ = LinkState::kBusy;
+  holder_ = reply.session;
 }
 
 void RobotLink::act_on(RobotIdentity identity, const protocol::HelloReply& robot) {
@@ -205,6 +220,10 @@ void RobotLink::send_hello() {
   watch_.note_hello(now_);
   // Ends whatever a reset or an earlier host left unfinished in the robot's decoder.
   outbox_.put_delimiters(1, now_);
+  if (state_ == LinkState::kBusy && params_.takes_over) {
+    outbox_.put(protocol::TakeOver{session_}, now_);
+    return;
+  }
   outbox_.put(
       protocol::Hello{
           protocol::kProtocolMajor, protocol::kProtocolMinor, protocol::kSchemaDigest, session_},

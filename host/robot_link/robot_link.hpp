@@ -77,6 +77,8 @@ class RobotLink {
   /// In what the messages of a robot differ that is spoken to all the same; empty where they do
   /// not.
   const std::optional<SchemaDifference>& difference() const { return identification_.difference(); }
+  /// The session that holds the robot, in state kBusy.
+  std::uint16_t holder() const { return holder_; }
   /// Both versions, in state kMismatch.
   const std::optional<ProtocolMismatch>& mismatch() const { return identification_.mismatch(); }
   /// What came instead of frames, in state kGarbage.
@@ -92,6 +94,8 @@ class RobotLink {
   template <class Telemetry>
   void handle(const Telemetry& message);
 
+  /// The robot has answered another session's Hello, or ours with the name of another.
+  void notice_holder(const protocol::HelloReply& reply);
   void notice_reset(const protocol::HelloReply& reply);
   void act_on(RobotIdentity identity, const protocol::HelloReply& robot);
   void take_description(const BulkResult& result);
@@ -111,6 +115,7 @@ class RobotLink {
   RobotLinkParams params_;
 
   LinkState state_ = LinkState::kConnecting;
+  std::uint16_t holder_ = 0;
   RobotIdentification identification_;
   LineWatch watch_;
   TelemetryFeed telemetry_;

@@ -31,6 +31,8 @@ struct RobotLinkParams {
   RetransmissionParams retransmission{};
   CreditParams credit{};
   BulkParams bulk{};
+  /// A robot that another session holds is taken over, once, instead of waited for.
+  bool takes_over = false;
   /// A robot built from other messages is still spoken to as long as these are the same.
   std::vector<std::uint8_t> needed_messages = messages_for_mapping();
   /// At 5 % frame loss each way a try fails at 9.75 %: five in a row once in 110,000 commands,

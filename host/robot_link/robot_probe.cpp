@@ -33,6 +33,7 @@ void RobotProbe::receive(std::span<const std::uint8_t> bytes) {
       continue;
     }
     preview_.clear();
+    hears_frames_ = true;
     const protocol::Frame frame = decoder_.frame();
     if (frame.id == protocol::HelloReply::kId) {
       robot_ = protocol::get_payload<protocol::HelloReply>(frame.payload);

@@ -26,6 +26,11 @@ class RobotProbe {
 
   /// The robot's word, to this Hello or of its own after a reset; empty while none came.
   const std::optional<protocol::HelloReply>& robot() const { return robot_; }
+  /// Whether a whole frame has come, of whatever kind: it is a robot that speaks at this speed.
+  bool hears_frames() const { return hears_frames_; }
+  /// Whether a robot's reply with this session says that another program holds it. One that has
+  /// just started says 0.
+  bool is_foreign(std::uint16_t session) const { return session != 0 && session != session_; }
   /// What came that was no frame.
   const BytePreview& preview() const { return preview_; }
 
@@ -34,6 +39,7 @@ class RobotProbe {
   protocol::FrameDecoder decoder_;
   BytePreview preview_;
   std::optional<protocol::HelloReply> robot_;
+  bool hears_frames_ = false;
 };
 
 }  // namespace echomap::robot_link

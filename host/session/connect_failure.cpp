@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/session/connect_failure.hpp"
 
+#include <fmt/format.h>
+
 namespace echomap::session {
 
 using robot_link::LinkState;
@@ -19,10 +21,16 @@ std::string reason_of_connect_failure(const robot_link::RobotLink& link, const s
              ", but no echomap frame is among them: the board runs another program, or the baud "
              "rate is wrong\n  the first bytes were:\n" +
              link.preview().text() + "  next: ./run flash --port " + port +
-             ", or try --baud 250000";
+             ", or name the speed that it was built for: --baud 9600";
     case LinkState::kUnheard:
       return "a robot sends on " + port +
              " but does not receive our frames\n  next: check the wire to the board's RX pin";
+    case LinkState::kBusy:
+      return fmt::format(
+          "another program holds the robot on {} (session {:04x})\n  next: end that program, or "
+          "take the robot from it: repeat the command with --take-over",
+          port,
+          link.holder());
     case LinkState::kDescribing:
       return "the robot on " + port +
              " was built with other messages and does not describe them\n  next: ./run flash "
@@ -40,6 +48,14 @@ std::string reason_of_connect_failure(const robot_link::RobotLink& link, const s
       return "nothing answers on " + port +
              "\n  next: is the robot switched on and flashed? ./run flash --port " + port;
   }
+}
+
+std::string reason_of_take_over(const robot_link::RobotLink& link, const std::string& port) {
+  return fmt::format(
+      "another program has taken the robot on {} over (session {:04x})\n  next: end that program, "
+      "then start again",
+      port,
+      link.holder());
 }
 
 std::optional<time::HostTime> start_of_robot(const robot_link::RobotLink& link) {

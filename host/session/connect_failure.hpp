@@ -14,6 +14,9 @@ namespace echomap::session {
 console::ExitCode connect_failure(const robot_link::RobotLink& link);
 std::string reason_of_connect_failure(const robot_link::RobotLink& link, const std::string& port);
 
+/// Of a robot that another session has taken from this one, in state kBusy.
+std::string reason_of_take_over(const robot_link::RobotLink& link, const std::string& port);
+
 /// When the robot started, or a multiple of 71.6 minutes later, where its stamps have wrapped; as
 /// exact as its clock's rate is known. Empty where the link has no clock or no telemetry yet.
 std::optional<time::HostTime> start_of_robot(const robot_link::RobotLink& link);

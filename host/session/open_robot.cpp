@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/session/port_choice.hpp"
+#include "host/session/speed_search.hpp"
 #include "host/transport/open_stream.hpp"
 #include "host/transport/port_identity.hpp"
 #include "host/transport/reconnecting_stream.hpp"
@@ -13,9 +14,11 @@
 namespace echomap::session {
 namespace {
 
-OpenPort opener(const ConnectionOptions& options) {
-  return
-      [baud = options.baud](const std::string& port) { return transport::open_stream(port, baud); };
+/// `baud` 0 opens at the usual speed.
+OpenPort opener(int baud) {
+  return [baud = baud != 0 ? baud : kRobotBauds.front()](const std::string& port) {
+    return transport::open_stream(port, baud);
+  };
 }
 
 /// A robot that may be unplugged and reset, and is waited for.
@@ -24,14 +27,23 @@ RobotConnection connection_on_a_desk(const ConnectionOptions& options) {
   robot.no_reset = options.no_reset;
   robot.pace = real_time_pace();
   robot.session_id = session_id_from(options.session_number);
-  const OpenPort open = opener(options);
-  robot.stream = choose_port(candidate_ports(options.ports), open, robot.session_id);
-  robot.link = transport::is_radio(robot.stream->name()) ? robot_link::radio_link()
-                                                         : robot_link::wired_link(options.baud);
+  robot.stream =
+      choose_port(candidate_ports(options.ports), opener(options.baud), robot.session_id);
+  const bool is_radio = transport::is_radio(robot.stream->name());
+  const int baud = options.baud == 0 && !is_radio
+                       ? find_speed(*robot.stream, robot.session_id).value_or(0)
+                       : options.baud;
+  if (is_radio) {
+    robot.link = robot_link::radio_link();
+  } else if (baud != 0) {
+    robot.link = robot_link::wired_link(baud);
+  }
+  robot.link.takes_over = options.take_over;
   if (options.reconnect_s > 0.0) {
     const transport::PortIdentity identity(robot.stream->name());
     robot.stream = std::make_unique<transport::ReconnectingStream>(
-        std::move(robot.stream), [open, identity] { return open(identity.name_now()); });
+        std::move(robot.stream),
+        [open = opener(baud), identity] { return open(identity.name_now()); });
     robot.patience = std::chrono::milliseconds(std::llround(1e3 * options.reconnect_s));
   }
   return robot;
@@ -49,13 +61,14 @@ OpenedRobot open_robot(const ConnectionOptions& options, const Seed& seed) {
   }
   OpenedRobot robot;
   robot.connection.session_id = session_id_from(seed.number());
-  robot.connection.stream =
-      choose_port(candidate_ports(options.ports), opener(options), robot.connection.session_id);
+  robot.connection.stream = choose_port(
+      candidate_ports(options.ports), opener(options.baud), robot.connection.session_id);
   robot.lockstep = std::make_unique<transport::LockstepChannel>(options.lockstep);
   robot.connection.pace = lockstep_pace(*robot.lockstep);
   if (options.is_radio) {
     robot.connection.link = robot_link::radio_link();
   }
+  robot.connection.link.takes_over = options.take_over;
   return robot;
 }
 

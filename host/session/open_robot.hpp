@@ -15,7 +15,8 @@ namespace echomap::session {
 /// Where a robot is and how to speak to it.
 struct ConnectionOptions {
   std::vector<std::string> ports;  ///< Empty: every USB and Bluetooth serial port.
-  int baud = 115200;
+  int baud = 0;  ///< Of a serial device, bits per second; 0: whichever the robot answers at.
+  bool take_over = false;     ///< Takes the robot from a program that holds it.
   bool no_reset = false;      ///< End where opening the port has reset the robot.
   double reconnect_s = 10.0;  ///< How long to wait for a robot that is away; 0: not at all.
   std::string lockstep;       ///< Socket of a simulated robot's clock; empty for a real one.

@@ -41,6 +41,12 @@ Candidate ask(const std::string& port, const OpenPort& open, std::uint16_t sessi
 
 bool is_robot(const Candidate& candidate) { return candidate.probe.robot().has_value(); }
 
+/// Another program's robot: it answers a Hello with that one's session.
+bool is_busy(const Candidate& candidate) {
+  const auto& robot = candidate.probe.robot();
+  return robot && candidate.probe.is_foreign(robot->session);
+}
+
 bool may_answer(const Candidate& candidate) {
   return candidate.stream && candidate.stream->status() == transport::StreamStatus::kOpen &&
          !is_robot(candidate);
@@ -65,7 +71,8 @@ std::string said_by(const Candidate& candidate) {
     return candidate.failure;
   }
   if (const auto& robot = candidate.probe.robot()) {
-    return fmt::format("a robot, boot {:04x}", robot->boot_id);
+    return fmt::format("a robot, boot {:04x}", robot->boot_id) +
+           (is_busy(candidate) ? ", busy: another program holds it" : "");
   }
   const std::string preview = candidate.probe.preview().text();
   return preview.empty() ? "silent" : "no robot; what came from it:\n" + preview;
@@ -126,11 +133,14 @@ std::unique_ptr<transport::ByteStream> choose_port(const CandidatePorts& candida
     asked.push_back(ask(port, open, session));
   }
   listen(asked);
-  const auto robots = std::count_if(asked.begin(), asked.end(), is_robot);
+  const auto is_free = [](const Candidate& one) { return is_robot(one) && !is_busy(one); };
+  const bool any_free = std::any_of(asked.begin(), asked.end(), is_free);
+  const auto fits = [&](const Candidate& one) { return any_free ? is_free(one) : is_robot(one); };
+  const auto robots = std::count_if(asked.begin(), asked.end(), fits);
   if (robots != 1) {
     refuse(asked, robots == 0 ? "no robot answers" : "more than one robot answers");
   }
-  return std::move(std::find_if(asked.begin(), asked.end(), is_robot)->stream);
+  return std::move(std::find_if(asked.begin(), asked.end(), fits)->stream);
 }
 
 }  // namespace echomap::session

@@ -11,6 +11,7 @@
 
 #include "host/console/interrupt.hpp"
 #include "host/robot_link/reset_cause.hpp"
+#include "host/session/connect_failure.hpp"
 #include "host/session/firmware_name.hpp"
 
 namespace echomap::session {
@@ -151,6 +152,10 @@ void RobotLine::look_for_end() {
   if (is_held_ && link_.state() == LinkState::kMismatch) {
     // NOLINTNEXTLINE(bugprone-unchecked-optional-access): in this state it has one
     end(SessionEnd::kFirmwareMismatch, link_.mismatch()->message());
+    return;
+  }
+  if (is_held_ && link_.state() == LinkState::kBusy) {
+    end(SessionEnd::kTakenOver, reason_of_take_over(link_, name()));
     return;
   }
   look_for_absence();

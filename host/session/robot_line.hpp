@@ -49,7 +49,8 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::uint16_t time_to_live_ms() const { return time_to_live_ms_; }
 
   /// From now on a link that is away for longer than the connection's patience ends the session, as
-  /// do other firmware and a robot that is lifted where it may not be.
+  /// do other firmware, another program that has the robot, and a robot that is lifted where it may
+  /// not be.
   void hold_on() { is_held_ = true; }
   /// Stops and disarms, where a robot that was held still hears it, even after the end; the second
   /// time does nothing. To go on it has to be set up again.

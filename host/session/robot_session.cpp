@@ -15,6 +15,8 @@ using robot_link::LinkState;
 
 /// A board that was reset by opening its port needs 2.5 s to come up.
 constexpr std::chrono::seconds kConnectLimit(5);
+/// A predecessor that did not take its leave holds the robot for 2.5 s.
+constexpr std::chrono::seconds kBusyLimit(4);
 /// A sweep that a reset broke off is done again.
 constexpr int kSweepTries = 3;
 
@@ -42,9 +44,12 @@ RobotSession::~RobotSession() {
 }
 
 void RobotSession::connect() {
+  std::optional<time::HostTime> busy_since;
   const auto settled = [&] {
     const LinkState state = link().state();
-    return state == LinkState::kReady || state == LinkState::kMismatch;
+    busy_since = state == LinkState::kBusy ? busy_since.value_or(now()) : busy_since;
+    return state == LinkState::kReady || state == LinkState::kMismatch ||
+           (busy_since && now() - *busy_since > kBusyLimit);
   };
   line_.begin();
   line_.wait_until(settled, kConnectLimit);

@@ -31,8 +31,8 @@ class RobotSession {
   RobotSession& operator=(const RobotSession&) = delete;
 
   /// Says Hello, sends the profile, arms. Throws CommandError: 3 where no robot answers (with what
-  /// came instead) or where it was reset and must not have been, 4 where its firmware is another,
-  /// 5, 6 or 130.
+  /// came instead), where another program holds it, or where it was reset and must not have been, 4
+  /// where its firmware is another, 5, 6 or 130.
   void connect();
 
   /// Carries out one motion and waits for its end; BeginScan and EndScan only tell the pipeline.

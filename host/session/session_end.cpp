@@ -22,6 +22,8 @@ EndName name_of(SessionEnd end) {
       return {ExitCode::kFirmwareMismatch, "firmware-mismatch"};
     case SessionEnd::kConfigInvalid:
       return {ExitCode::kConfigInvalid, "configuration-invalid"};
+    case SessionEnd::kTakenOver:
+      return {ExitCode::kNoRobot, "taken-over"};
     case SessionEnd::kLinkLost:
       break;
   }

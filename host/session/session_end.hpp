@@ -17,6 +17,7 @@ enum class SessionEnd : std::uint8_t {
   kSafetyStop,        ///< The board has stopped and disarmed by itself.
   kFirmwareMismatch,  ///< The board came back with firmware that cannot be spoken to.
   kConfigInvalid,     ///< The board does not take the profile.
+  kTakenOver,         ///< Another program has the robot now.
 };
 
 /// What the shell sees of it.

@@ -18,7 +18,7 @@ namespace echomap::transport {
 /// io_context of its own. One read is always under way; its handler only runs inside of the calls
 /// below, so there is no thread and no lock.
 template <class Stream>
-class AsioStream final : public ByteStream {
+class AsioStream : public ByteStream {
  public:
   explicit AsioStream(std::string name) : name_(std::move(name)), stream_(io_) {}
 

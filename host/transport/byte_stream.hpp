@@ -34,6 +34,9 @@ class ByteStream {
   virtual std::string close_reason() const = 0;
   /// What the user called it: a device path or a tcp:// address.
   virtual std::string name() const = 0;
+  /// Changes the speed of the open line, bits per second, and nothing else of it; false where it
+  /// has none (a pty, TCP, Bluetooth) or does not take this one.
+  virtual bool set_baud(int /*baud*/) { return false; }
   /// How often it was away and came back.
   virtual std::uint64_t reconnects() const { return 0; }
 };

@@ -12,4 +12,7 @@ namespace echomap::transport {
 /// VMIN at 0 an empty read looks like the end of the stream.
 std::unique_ptr<ByteStream> descriptor_stream(int fd, const std::string& name);
 
+/// The same for a serial device, whose speed can be changed.
+std::unique_ptr<ByteStream> serial_stream(int fd, const std::string& name);
+
 }  // namespace echomap::transport

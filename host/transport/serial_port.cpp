@@ -120,7 +120,7 @@ std::unique_ptr<ByteStream> open_serial_port(const std::string& path, int baud) 
   if (baud <= 0) {
     throw TransportError("cannot open the serial port " + path,
                          std::to_string(baud) + " is no baud rate",
-                         "--baud 115200, or what the firmware was built for");
+                         "leave --baud out, or name what the firmware was built for");
   }
   SteadyDevice device(path);
   const Port port = open_port(path);
@@ -128,7 +128,7 @@ std::unique_ptr<ByteStream> open_serial_port(const std::string& path, int baud) 
   if (!device.correct_settings()) {
     fail(path, errno);
   }
-  return descriptor_stream(device.release(), path);
+  return serial_stream(device.release(), path);
 }
 
 }  // namespace echomap::transport

@@ -25,6 +25,7 @@
 #include "tests/hil_mock/line_faults/clock_errors.hpp"
 #include "tests/hil_mock/line_faults/fault_stretches.hpp"
 #include "tests/hil_mock/mock_device/lossy_commands.hpp"
+#include "tests/sessions/hijacks.hpp"
 #include "tests/sessions/recoveries.hpp"
 
 namespace echomap::bench {
@@ -113,6 +114,11 @@ void measure_reconnects(Report& report, const Path& elf) {
   report.add("reconnects_of_100", fewest, "", 4UL * kBreaks);
 }
 
+void measure_hijacks(Report& report, const Path& elf) {
+  constexpr int kTries = 100;
+  report.add("hijacks_refused_of_100", tests::measure_hijacks(elf, kTries).refused, "", kTries);
+}
+
 void measure_commands(Report& report, const Path& elf) {
   constexpr int kCommands = 10'000;
   auto board = std::make_unique<emulator::SimavrBoard>(elf);
@@ -173,6 +179,7 @@ int main(int argc, char** argv) {
   measure_load(figures, elf);
   measure_safety(figures, elf);
   measure_reconnects(figures, elf);
+  measure_hijacks(figures, elf);
   measure_commands(figures, elf);
   measure_clocks(figures);
   measure_differences(figures);

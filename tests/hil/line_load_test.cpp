@@ -16,7 +16,7 @@ INSTANTIATE_TEST_SUITE_P(Boards, UsualLineLoad, every_board(), image_label);
 
 TEST_P(UsualLineLoad, BringsEverythingInLessThanAFifthOfTheLine) {
   const UsualLine line = measure_usual_line(release_image(GetParam()));
-  std::printf("115200 baud: %.2f %%; %.1f odometry/s, %.1f echoes/s, %.1f Status/s\n",
+  std::printf("%.2f %% of 115200 baud; %.1f odometry/s, %.1f echoes/s, %.1f Status/s\n",
               100.0 * line.share,
               line.odometry_per_s,
               line.echoes_per_s,

@@ -24,7 +24,7 @@ inline auto every_board() { return ::testing::ValuesIn(flashed_images()); }
 /// The same with every baud rate that there is an image for.
 inline auto every_image() { return ::testing::ValuesIn(images_of_every_baud()); }
 
-/// "echomap-uno-250000" as the end of a test's name: "uno_250000".
+/// "echomap-uno-115200" as the end of a test's name: "uno_115200".
 inline std::string label_of(const std::string& image) {
   std::string label = image.substr(std::string("echomap-").size());
   std::replace(label.begin(), label.end(), '-', '_');

@@ -36,7 +36,7 @@ TEST_P(MovingRobot, StopsWithinTimeToLiveAndRampOnceTheHostIsSilent) {
   drive();
   renewing = false;
   robot.send(protocol::KeepAlive{kTimeToLiveMs});
-  robot.run_ms(1);  // the frame's eight bytes at 115200 baud
+  robot.run_ms(1);  // the frame's eight bytes at 115200 baud and faster
   const double ms = ms_until_off(1500);
   RecordProperty("off_after_keep_alive_ms", std::to_string(ms));
   std::printf("time to live %d ms: PWM off %.2f ms after the last KeepAlive\n", kTimeToLiveMs, ms);

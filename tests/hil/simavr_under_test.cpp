@@ -53,10 +53,10 @@ std::vector<const char*> flashed_images() { return {"echomap-uno", "echomap-mega
 
 std::vector<const char*> images_of_every_baud() {
   return {"echomap-uno",
-          "echomap-uno-250000",
+          "echomap-uno-115200",
           "echomap-uno-500000",
           "echomap-mega",
-          "echomap-mega-250000",
+          "echomap-mega-115200",
           "echomap-mega-500000"};
 }
 

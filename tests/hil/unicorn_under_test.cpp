@@ -45,7 +45,7 @@ std::unique_ptr<EmulatedBoard> make_emulated_board(const std::filesystem::path& 
 std::vector<const char*> flashed_images() { return {"echomap-stm32f103"}; }
 
 std::vector<const char*> images_of_every_baud() {
-  return {"echomap-stm32f103", "echomap-stm32f103-250000", "echomap-stm32f103-500000"};
+  return {"echomap-stm32f103", "echomap-stm32f103-115200", "echomap-stm32f103-500000"};
 }
 
 std::vector<const char*> vector_images() { return {"echomap-stm32f103-vectors"}; }

@@ -86,6 +86,37 @@ TEST(CommandFilter, ForgetsTheLastCommandInANewSessionOnly) {
   EXPECT_FALSE(filter.is_repeat(1));
 }
 
+TEST(CommandFilter, HoldsForItsTimeAfterTheLastWord) {
+  CommandFilter filter;
+  EXPECT_FALSE(filter.refuses(7));
+  filter.begin_session(7);
+  EXPECT_EQ(filter.session(), 7);
+  EXPECT_FALSE(filter.refuses(7));
+  for (int ms = 0; ms < CommandFilter::kHoldMs; ++ms) {
+    ASSERT_TRUE(filter.refuses(8)) << ms;
+    filter.tick();
+  }
+  EXPECT_FALSE(filter.refuses(8));
+  filter.tick();
+  EXPECT_FALSE(filter.refuses(8));
+  filter.hear();
+  EXPECT_TRUE(filter.refuses(8));
+}
+
+TEST(CommandFilter, HoldsNothingOnceItIsReleased) {
+  CommandFilter filter;
+  filter.hear();
+  EXPECT_FALSE(filter.refuses(8));
+  filter.begin_session(7);
+  filter.hold(false);
+  filter.hear();
+  EXPECT_FALSE(filter.refuses(8));
+  filter.hold(true);
+  EXPECT_TRUE(filter.refuses(8));
+  EXPECT_TRUE(filter.begin_session(8));
+  EXPECT_TRUE(filter.refuses(7));
+}
+
 TEST(NextCommandId, GoesRoundWithoutZero) {
   std::set<int> ids;
   std::uint8_t id = 1;

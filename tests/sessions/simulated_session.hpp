@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ class SimulatedSession {
   const session::RobotSession& session() const { return *session_; }
   const runner::RobotSimulation& simulation() const { return simulation_; }
   Cable& cable() { return cable_; }
+  /// Another program writes to the same board.
+  void intrude(std::span<const std::uint8_t> bytes) { simulation_.receive(bytes); }
   double now_s() const { return double(simulation_.now_ns()) * 1e-9; }
   /// Before every step of 5 ms.
   std::function<void()> each_step;

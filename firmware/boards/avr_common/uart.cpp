@@ -17,7 +17,7 @@
 #endif
 
 #ifndef ECHOMAP_BAUD  // The Arduino IDE defines nothing of ours.
-#define ECHOMAP_BAUD 115200UL
+#define ECHOMAP_BAUD 250000UL
 #endif
 
 namespace echomap {

@@ -39,11 +39,11 @@ TEST(Command, RepliesWithTheDigestOfTheConfigurationThatHolds) {
   expected.pan.deg_per_s = 250;
   ASSERT_EQ(robot.command(expected.sonar), CommandStatus::kAccepted);
   ASSERT_EQ(robot.command(expected.pan), CommandStatus::kAccepted);
-  EXPECT_EQ(robot.connect(2)->config_digest, protocol::config_digest(expected));
+  EXPECT_EQ(robot.connect(1)->config_digest, protocol::config_digest(expected));
   protocol::ConfigureSonar refused = expected.sonar;
   refused.max_echo_us = 0;
   ASSERT_EQ(robot.command(refused), CommandStatus::kOutOfRange);
-  EXPECT_EQ(robot.connect(3)->config_digest, protocol::config_digest(expected));
+  EXPECT_EQ(robot.connect(1)->config_digest, protocol::config_digest(expected));
   robot.power_on();
   EXPECT_EQ(robot.connect(1)->config_digest, protocol::config_digest(app::kDefaultConfiguration));
 }
@@ -109,12 +109,14 @@ TEST(Command, DoesACommandOnceHoweverOftenItComes) {
   EXPECT_NEAR(robot.left_wheel.ticks(), 100, 3);
 }
 
-TEST(Command, NewSessionForgetsIdsAndStopsAndDisarms) {
+TEST(Command, TakeOverForgetsIdsAndStopsAndDisarms) {
   NativeRobot robot;
   ASSERT_TRUE(robot.arm());
   ASSERT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
   const std::uint8_t id = robot.last_command_id();
-  ASSERT_TRUE(robot.connect(2).has_value());
+  robot.send(protocol::TakeOver{2});
+  robot.run_ms(20);
+  EXPECT_EQ(robot.all<protocol::HelloReply>().back().session, 2);
   EXPECT_EQ(robot.board.left_duty(), 0);
   const std::int64_t from_ns = robot.board.now_ns();
   robot.send(protocol::MoveTicks{id, 100, 100, 1000, 500});
@@ -131,6 +133,100 @@ TEST(Command, RepeatedHelloChangesNothing) {
   ASSERT_TRUE(robot.connect(1).has_value());
   robot.run_ms(100);
   EXPECT_GT(robot.board.left_duty(), 0);
+}
+
+/// What a robot replies to the Hello of this session.
+std::uint16_t reply_to(NativeRobot& robot, std::uint16_t session) {
+  const std::int64_t from_ns = robot.board.now_ns();
+  robot.connect(session);
+  const auto replies = robot.all<protocol::HelloReply>(from_ns);
+  return replies.size() == 1 ? replies[0].session : std::uint16_t{0};
+}
+
+TEST(Command, NamesTheSessionThatHoldsTheRobotAHundredTimes) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(protocol::MoveTicks{0, 30000, 30000, 1000, 500}),
+            CommandStatus::kAccepted);
+  const auto repeat = robot.last_command_id();
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_EQ(reply_to(robot, static_cast<std::uint16_t>(1000 + i)), 1);
+    robot.send(protocol::KeepAlive{200});
+    robot.run_ms(20);
+    ASSERT_GT(robot.board.left_duty(), 0);
+  }
+  const std::int64_t from_ns = robot.board.now_ns();
+  robot.send(protocol::MoveTicks{repeat, 30000, 30000, 1000, 500});
+  robot.run_ms(1200);
+  EXPECT_EQ(robot.all<protocol::Ack>(from_ns).back().status,
+            static_cast<std::uint8_t>(CommandStatus::kAccepted))
+      << "the last command is remembered";
+  EXPECT_NE(robot.all<protocol::Status>(from_ns).back().flags & protocol::kFlagArmed, 0);
+}
+
+TEST(Command, ARefusedHelloCountsForNothing) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  protocol::FrameEncoder encoder;
+  for (int i = 0; i < 24; ++i) {
+    const protocol::ByteSpan hello = encoder.encode(protocol::Hello{1, 3, 0, 2}, 77);
+    robot.board.receive(hello.data, hello.size);
+    robot.send(protocol::KeepAlive{200});
+    robot.run_ms(50);
+  }
+  EXPECT_EQ(robot.all<protocol::HelloReply>().back().session, 1);
+  EXPECT_EQ(robot.all<protocol::Health>().back().frames_lost, 0);
+}
+
+TEST(Command, ASessionThatIsSilentForTwoAndAHalfSecondsHoldsNoRobot) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  robot.run_ms(1950);
+  EXPECT_EQ(reply_to(robot, 2), 1) << "it needs a ping a second, of which one may be lost";
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_EQ(reply_to(robot, 2), 1) << "asking does not keep it alive";
+    robot.run_ms(20);
+  }
+  robot.run_ms(300);
+  EXPECT_EQ(reply_to(robot, 2), 2);
+  EXPECT_EQ(robot.command(kLongMove), CommandStatus::kDisarmed);
+  EXPECT_EQ(reply_to(robot, 1), 2) << "the new one holds it";
+}
+
+TEST(Command, ASessionThatIsHeardAgainHoldsTheRobotAgain) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  robot.run_ms(4000);
+  robot.send(protocol::Ping{1});
+  robot.run_ms(20);
+  EXPECT_EQ(reply_to(robot, 2), 1);
+}
+
+TEST(Command, ASessionThatDisarmsGivesTheRobotUp) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(protocol::Arm{0, 0}), CommandStatus::kAccepted);
+  robot.send(protocol::Ping{1});
+  robot.run_ms(20);
+  EXPECT_EQ(reply_to(robot, 2), 2);
+  ASSERT_EQ(robot.command(protocol::Arm{0, 0}), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+  EXPECT_EQ(reply_to(robot, 1), 2) << "who arms it again keeps it";
+}
+
+TEST(Command, AFloodOfPingsLeavesOdometryItsPlace) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  const std::int64_t from_ns = robot.board.now_ns();
+  for (int ms = 0; ms < 2000; ++ms) {
+    for (int byte = 0; byte < 1'000'000 / native::NativeBoard::kByteNs; byte += 10) {
+      robot.send(protocol::Ping{1});
+    }
+    robot.run_ms(1);
+  }
+  const int due = 2000 / app::kDefaultDrive.odometry_period_ms;
+  EXPECT_GE(robot.all<protocol::Odometry>(from_ns).size(), static_cast<std::size_t>(due * 9 / 10));
+  EXPECT_GE(robot.all<protocol::Pong>(from_ns).size(), 3000U) << "the rest is theirs";
 }
 
 TEST(Command, RefusesWhatIsBusyOrOutOfRange) {

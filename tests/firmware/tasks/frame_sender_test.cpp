@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/hal/uart.hpp"
 #include "protocol/frame_decoder.hpp"
 
 namespace echomap::tasks {
@@ -34,6 +35,27 @@ TEST(FrameSender, NumbersEveryFrameThatWasQueued) {
   EXPECT_EQ(sequence_of(port).size(), static_cast<std::size_t>(sent));
   EXPECT_TRUE(sender.answer(protocol::Ack{2, 0}));
   EXPECT_EQ(sequence_of(port), (std::vector<int>{sent}));
+}
+
+TEST(FrameSender, AnswersBeyondTheirShareLeaveTelemetryItsRoom) {
+  drivers::SerialPort port;
+  FrameSender sender(port);
+  int answered = 0;
+  int told = 0;
+  for (int ms = 0; ms < 10'000; ++ms) {
+    sender.budget().tick();
+    while (sender.answer(protocol::Pong{})) {
+      ++answered;
+    }
+    told += ms % 10 == 0 && sender.tell(protocol::Odometry{}) ? 1 : 0;
+    std::uint8_t byte = 0;
+    for (int i = 0; i < hal::line_bytes_per_s() / 1000; ++i) {
+      port.on_send_ready(byte);
+    }
+  }
+  EXPECT_GE(told, 990);
+  EXPECT_GT(answered * 14, 10 * hal::line_bytes_per_s() / 2)
+      << "and the rest of the line is theirs";
 }
 
 TEST(FrameSender, TelemetryLeavesRoomForTheAnswers) {

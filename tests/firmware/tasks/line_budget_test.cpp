@@ -35,6 +35,23 @@ class LineBudgetTest : public testing::Test {
   LineBudget budget;
 };
 
+TEST_F(LineBudgetTest, LetsAnswersHaveAQuarterOfTheLineAndABurst) {
+  const auto take_all = [&] {
+    int taken = 0;
+    while (budget.take_answer(kFrame)) {
+      taken += kFrame;
+    }
+    return taken;
+  };
+  EXPECT_EQ(take_all(), LineBudget::kMaxCreditBytes / kFrame * kFrame);
+  int taken = 0;
+  for (int ms = 0; ms < 10'000; ++ms) {
+    budget.tick();
+    taken += take_all();
+  }
+  EXPECT_NEAR(taken, 10 * hal::line_bytes_per_s() / 4, 10 * hal::line_bytes_per_s() / 100);
+}
+
 TEST_F(LineBudgetTest, LetsSeventyPercentOfTheLineThroughAndNoMore) {
   int taken = 0;
   for (int window = 0; window < 10; ++window) {

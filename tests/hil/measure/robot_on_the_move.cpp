@@ -89,7 +89,7 @@ double measure_link_loss_ms(const std::filesystem::path& elf) {
   moving.drive();
   moving.renewing = false;
   moving.robot.send(protocol::KeepAlive{RobotOnTheMove::kTimeToLiveMs});
-  moving.robot.run_ms(1);  // the frame's eight bytes at 115200 baud
+  moving.robot.run_ms(1);  // the frame's eight bytes at 115200 baud and faster
   return moving.ms_until_off(1500);
 }
 

@@ -48,6 +48,7 @@ TEST(LocalizeOptions, RefuseWhatWouldDoNothing) {
       {"localize", "--map", ".", "--port", "x", "--format", "carmen"},
       {"localize", kLog, "--map", ".", "--lockstep", "x"},
       {"localize", kLog, "--map", ".", "--baud", "9600"},
+      {"localize", kLog, "--map", ".", "--take-over"},
       {"localize", kLog, "--map", ".", "--stops", "3"}};
   for (const auto& arguments : useless) {
     const Said said = run(arguments);

@@ -175,6 +175,7 @@ TEST(RunState, NamesEveryStateOfTheLink) {
                                                              {LinkState::kSilent, "silent"},
                                                              {LinkState::kGarbage, "garbage"},
                                                              {LinkState::kUnheard, "unheard"},
+                                                             {LinkState::kBusy, "busy"},
                                                              {LinkState::kMismatch, "mismatch"},
                                                              {LinkState::kLost, "lost"}};
   for (const auto& [link, name] : names) {

@@ -41,6 +41,9 @@ void FakeRobot::receive(std::span<const std::uint8_t> bytes) {
     if (is_frame) {
       take(decoder_.frame());
     }
+    if (is_frame && decoder_.frame().id != protocol::Hello::kId) {
+      filter_.hear();
+    }
     // As the firmware does it: a Hello of a new session begins the counting anew.
     counters_.take(status, seq);
   }
@@ -53,11 +56,22 @@ void FakeRobot::take(const protocol::Frame& frame) {
 
 void FakeRobot::handle(const protocol::Hello& hello) {
   ++hellos;
-  if (filter_.begin_session(hello.session)) {
+  if (protocol_minor >= 3 && filter_.refuses(hello.session)) {
+    reply(filter_.session());
+    return;
+  }
+  begin_session(hello.session);
+}
+
+void FakeRobot::handle(const protocol::TakeOver& take_over) { begin_session(take_over.session); }
+
+void FakeRobot::begin_session(std::uint16_t session) {
+  if (filter_.begin_session(session)) {
     counters_.restart();
+    armed = false;
   }
   greeted_ = true;
-  reply(hello.session);
+  reply(session);
 }
 
 void FakeRobot::reply(std::uint16_t session) {
@@ -125,6 +139,7 @@ protocol::CommandStatus FakeRobot::carry_out(const protocol::Stop& /*stop*/) {
 
 protocol::CommandStatus FakeRobot::carry_out(const protocol::Arm& arm) {
   armed = arm.armed != 0;
+  filter_.hold(armed);
   return answer;
 }
 
@@ -189,6 +204,7 @@ void FakeRobot::end_motions(protocol::MotionOutcome end) {
 
 void FakeRobot::advance_1ms() {
   stamp_us_ += 1000;
+  filter_.tick();
   if (!greeted_ && !streams_before_hello) {
     return;
   }

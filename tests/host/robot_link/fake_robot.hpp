@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "protocol/configuration.hpp"
@@ -41,6 +42,16 @@ class FakeRobot {
   void send_bytes(const Bytes& bytes) {
     outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
   }
+
+  /// What another host does.
+  template <class Message>
+  void hear_of_another(const Message& message) {
+    if (!std::is_same_v<Message, protocol::Hello>) {
+      filter_.hear();
+    }
+    handle(message);
+  }
+  std::uint16_t session() const { return filter_.session(); }
 
   static Bytes described_messages();
 
@@ -85,6 +96,8 @@ class FakeRobot {
  private:
   void take(const protocol::Frame& frame);
   void handle(const protocol::Hello& hello);
+  void handle(const protocol::TakeOver& take_over);
+  void begin_session(std::uint16_t session);
   void reply(std::uint16_t session);
   void handle(const protocol::KeepAlive& message) { keep_alives.push_back(message); }
   void handle(const protocol::DriveSetpoint& message) { setpoints.push_back(message); }
@@ -116,6 +129,9 @@ class FakeRobot {
   }
   protocol::CommandStatus carry_out(const protocol::ConfigureSafety& settings) {
     return take_settings(configuration.safety, settings);
+  }
+  protocol::CommandStatus carry_out(const protocol::ConfigureWiring& settings) {
+    return take_settings(configuration.wiring, settings);
   }
   void end_motions(protocol::MotionOutcome end);
   template <class Command>

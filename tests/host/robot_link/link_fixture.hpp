@@ -41,6 +41,8 @@ struct RecordingListener : RobotLinkListener {
 /// A host and a robot on a cable of two milliseconds, in simulated time.
 class LinkFixture : public testing::Test {
  protected:
+  explicit LinkFixture(const RobotLinkParams& params = {}) : link(listener, 0x5E55, params) {}
+
   void run_for(int duration_ms) {
     for (int end_ms = now_ms + duration_ms; now_ms < end_ms; ++now_ms) {
       if (robot_has_power) {
@@ -65,7 +67,7 @@ class LinkFixture : public testing::Test {
   SimulatedLine to_host{2, random};
   FakeRobot robot;
   RecordingListener listener;
-  RobotLink link{listener, 0x5E55};
+  RobotLink link;
 };
 
 }  // namespace echomap::robot_link

@@ -240,5 +240,74 @@ INSTANTIATE_TEST_SUITE_P(Firmware,
                                          BootHabit{"Chatty", false, true}),
                          [](const auto& chosen) { return std::string(chosen.param.name); });
 
+// --- another host
+
+TEST_F(LinkRecoveryTest, WaitsForARobotThatAnotherHostHoldsAndSaysNothingButHello) {
+  robot.hear_of_another(protocol::Hello{1, 3, 0, 99});
+  run_for(1000);
+  EXPECT_EQ(link.state(), LinkState::kBusy);
+  EXPECT_EQ(link.holder(), 99);
+  EXPECT_EQ(robot.pings, 0);
+  EXPECT_EQ(robot.bulk_reads, 0);
+  EXPECT_GE(robot.hellos, 15);
+  EXPECT_EQ(robot.session(), 99);
+  run_for(1800);
+  EXPECT_EQ(link.state(), LinkState::kReady) << "the other one has fallen silent";
+}
+
+RobotLinkParams that_take_over() {
+  RobotLinkParams params;
+  params.takes_over = true;
+  return params;
+}
+
+struct LinkThatTakesOver : LinkFixture {
+  LinkThatTakesOver() : LinkFixture(that_take_over()) {}
+};
+
+TEST_F(LinkThatTakesOver, TakesARobotOverOnce) {
+  robot.hear_of_another(protocol::Hello{1, 3, 0, 99});
+  run_for(200);
+  EXPECT_EQ(link.state(), LinkState::kReady);
+  EXPECT_EQ(robot.session(), 0x5E55);
+  robot.hear_of_another(protocol::TakeOver{99});
+  run_for(1000);
+  EXPECT_EQ(link.state(), LinkState::kBusy) << "it does not fight";
+  EXPECT_EQ(robot.session(), 99);
+}
+
+TEST_F(LinkRecoveryTest, NoticesThatItsRobotWasTakenOver) {
+  run_for(100);
+  ASSERT_EQ(link.state(), LinkState::kReady);
+  const auto ticket = link.submit(protocol::MoveTicks{0, 5, 5, 100, 200});
+  robot.acknowledges = false;
+  robot.hear_of_another(protocol::TakeOver{99});
+  run_for(50);
+  EXPECT_EQ(link.state(), LinkState::kBusy);
+  ASSERT_EQ(listener.results.size(), 1U);
+  EXPECT_EQ(listener.results[0].ticket, ticket);
+  EXPECT_EQ(listener.results[0].outcome, CommandOutcome::kLinkLost);
+}
+
+TEST_F(LinkRecoveryTest, IsNotDisturbedByAHelloThatTheRobotRefuses) {
+  run_for(100);
+  for (int i = 0; i < 100; ++i) {
+    robot.hear_of_another(protocol::Hello{1, 3, 0, 99});
+    run_for(20);
+    ASSERT_EQ(link.state(), LinkState::kReady);
+  }
+  EXPECT_EQ(robot.session(), 0x5E55);
+  EXPECT_EQ(link.statistics().outages, 0U);
+}
+
+TEST_F(LinkRecoveryTest, LeavesOutWhatOlderFirmwareRepliesToOthers) {
+  robot.protocol_minor = 2;
+  run_for(100);
+  ASSERT_EQ(link.state(), LinkState::kReady);
+  robot.hear_of_another(protocol::Hello{1, 2, 0, 99});
+  run_for(50);
+  EXPECT_EQ(link.state(), LinkState::kReady);
+}
+
 }  // namespace
 }  // namespace echomap::robot_link

@@ -103,6 +103,15 @@ TEST_F(PortChoice, NeverGuessesBetweenTwoRobots) {
               AllOf(HasSubstr("more than one robot"), HasSubstr("twin: a robot, boot")));
 }
 
+TEST_F(PortChoice, LeavesTheRobotOfAnotherProgramAloneWhereOneIsFree) {
+  devices.at("twin").robot.hear_of_another(protocol::Hello{1, 3, 0, 99});
+  EXPECT_EQ(choose({"robot", "twin"})->name(), "robot");
+  EXPECT_EQ(devices.at("twin").robot.session(), 99);
+  devices.at("robot").robot.hear_of_another(protocol::TakeOver{98});
+  EXPECT_THAT(refusal({"robot", "twin"}),
+              AllOf(HasSubstr("more than one robot"), HasSubstr("busy: another program holds it")));
+}
+
 TEST_F(PortChoice, TellsWhatEachPortSaidWhereNoneIsARobot) {
   EXPECT_THAT(refusal({"modem", "silent", "gone"}),
               AllOf(HasSubstr("ERROR"),

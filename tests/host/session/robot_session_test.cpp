@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/console/exit_code.hpp"
@@ -132,6 +133,45 @@ TEST_F(RobotSessionTest, SetsARobotUpAgainThatIsFoundDisarmed) {
   EXPECT_EQ(session->execute(exploration::Drive{0.1}), MotionResult::kInterrupted);
   EXPECT_EQ(session->execute(exploration::Drive{0.1}), MotionResult::kReached);
   EXPECT_TRUE(cable.robot.armed);
+}
+
+TEST_F(RobotSessionTest, WaitsForThePredecessorThatWasKilledToBeForgotten) {
+  cable.robot.hear_of_another(protocol::Hello{1, 3, 0, 99});
+  session->connect();
+  EXPECT_TRUE(cable.robot.armed);
+  EXPECT_LT(session->now(), time::HostTime(std::chrono::milliseconds(3500)));
+}
+
+TEST_F(RobotSessionTest, LeavesARobotToTheProgramThatHoldsIt) {
+  session->on_step = [this] { cable.robot.hear_of_another(protocol::KeepAlive{200}); };
+  cable.robot.hear_of_another(protocol::Hello{1, 3, 0, 0x99});
+  try {
+    session->connect();
+    FAIL() << "another program holds it";
+  } catch (const console::CommandError& error) {
+    EXPECT_EQ(error.code(), console::ExitCode::kNoRobot);
+    EXPECT_THAT(error.what(), testing::HasSubstr("holds the robot on cable (session 0099)"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("--take-over"));
+  }
+  EXPECT_LT(session->now(), time::HostTime(std::chrono::milliseconds(4500)));
+  EXPECT_EQ(cable.robot.session(), 0x99);
+}
+
+TEST_F(RobotSessionTest, EndsWithoutAWordToARobotThatWasTakenOver) {
+  session->connect();
+  cable.robot.motion_ms = 3000;
+  after_ms(300, [this] { cable.robot.hear_of_another(protocol::TakeOver{0x99}); });
+  session->execute(exploration::Drive{0.2});
+  EXPECT_EQ(session->end(), SessionEnd::kTakenOver);
+  EXPECT_EQ(exit_code_of(*session->end()), console::ExitCode::kNoRobot);
+  EXPECT_THAT(session->end_reason(), testing::HasSubstr("has taken the robot on cable over"));
+  const int hellos = cable.robot.hellos;
+  const auto commands = cable.robot.command_ids_received.size();
+  cable.robot.hear_of_another(protocol::Arm{1, 1});
+  session.reset();
+  EXPECT_TRUE(cable.robot.armed);
+  EXPECT_EQ(cable.robot.hellos, hellos);
+  EXPECT_EQ(cable.robot.command_ids_received.size(), commands + 1);
 }
 
 TEST_F(RobotSessionTest, DoesASweepAgainThatAResetBrokeOff) {
