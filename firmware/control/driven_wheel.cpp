@@ -26,7 +26,5 @@ protocol::MotionOutcome DrivenWheel::classify(const protocol::ConfigureDrive& se
   return guard_.classify(limits, now);
 }
 
-void DrivenWheel::release() { motor_.set(0); }
-
 }  // namespace control
 }  // namespace echomap

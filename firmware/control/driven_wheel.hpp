@@ -16,6 +16,7 @@ class DrivenWheel {
   constexpr explicit DrivenWheel(hal::Motor side) : motor_(side) {}
 
   void invert_motor(bool inverted) { motor_.invert(inverted); }
+  void brake_at_zero(bool brakes) { motor_.brake_at_zero(brakes); }
   /// Is now where it should be, at `count`.
   void begin(int16_t count);
   /// First half of a control period: the reference goes on by `step` (1/4000 tick).
@@ -25,8 +26,10 @@ class DrivenWheel {
   }
   /// Second half: follows the reference from `count`.
   void follow(int16_t count);
-  /// Switches the motor off.
-  void release();
+  /// Leaves the motor at duty 0, braked where that is configured.
+  void rest() { motor_.set(0); }
+  /// Switches the motor off: no current, no brake.
+  void release() { motor_.release(); }
 
   bool arrived() const { return controller_.arrived(); }
   /// What is wrong after a control period: kNone, kStalled, kRunaway or kOverSpeed.

@@ -43,6 +43,17 @@ void WheelMotion::configure(const protocol::ConfigureDrive& settings) {
                    has(settings.inversions, protocol::kInvertRightEncoder));
 }
 
+bool WheelMotion::accepts(const protocol::ConfigureWiring& wiring) {
+  return drivers::can_drive(wiring);
+}
+
+void WheelMotion::configure(const protocol::ConfigureWiring& wiring) {
+  const bool brakes = (wiring.bridge_options & protocol::kBrakeAtZero) != 0;
+  left_.brake_at_zero(brakes);
+  right_.brake_at_zero(brakes);
+  drivers::use_bridges(wiring);
+}
+
 bool WheelMotion::accepts(const protocol::MoveTicks& move) const {
   return in_range(move.left_ticks) && in_range(move.right_ticks) && move.ticks_per_s != 0 &&
          move.ticks_per_s <= settings_.max_ticks_per_s;
@@ -97,6 +108,7 @@ void WheelMotion::stop(MotionOutcome reason) {
   if (mode_ == Mode::kDrive || setpoint_stalled()) {
     report_ = MotionReport{0, reason};
   }
+  release();
   end(reason);
   if (reason == MotionOutcome::kLifted) {
     report_.outcome = reason;
@@ -107,10 +119,12 @@ void WheelMotion::expire() {
   static_assert(per_period(2) == kBrakingPeriods, "the division becomes a shift");
   const int32_t change = int32_t{1} + settings_.max_ticks_per_s / 2;
   expired_ = moving();
-  if (mode_ == Mode::kMove) {
+  if (!expired_) {
+    release();
+  } else if (mode_ == Mode::kMove) {
     way_.brake(change);
     report_.outcome = MotionOutcome::kExpired;
-  } else if (mode_ == Mode::kDrive) {
+  } else {
     report_ = MotionReport{0, MotionOutcome::kExpired};
     left_ramp_.brake(change);
     right_ramp_.brake(change);
@@ -131,7 +145,12 @@ bool WheelMotion::step() {
   const MotionOutcome fault = left_fault > right_fault ? left_fault : right_fault;
   if (fault != MotionOutcome::kNone) {
     stop(fault);
-  } else if (reference_stands() && (expired_ || (left_.arrived() && right_.arrived()))) {
+  } else if (reference_stands() && expired_) {
+    release();
+    end(MotionOutcome::kReached);
+  } else if (reference_stands() && left_.arrived() && right_.arrived()) {
+    left_.rest();
+    right_.rest();
     end(MotionOutcome::kReached);
   }
   return fault < MotionOutcome::kRunaway;
@@ -163,9 +182,13 @@ void WheelMotion::begin(Mode mode) {
   mode_ = mode;
 }
 
-void WheelMotion::end(MotionOutcome outcome) {
+void WheelMotion::release() {
   left_.release();
   right_.release();
+}
+
+/// Of what moves, as far as reports go.
+void WheelMotion::end(MotionOutcome outcome) {
   mode_ = Mode::kIdle;
   if (report_.outcome == MotionOutcome::kRunning) {
     report_.outcome = outcome;

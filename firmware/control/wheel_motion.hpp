@@ -14,7 +14,9 @@
 namespace echomap {
 namespace control {
 
-/// Both wheels: moves by counts, and speeds. When a motion ends the motors are released.
+/// Both wheels: moves by counts, and speeds. Where a motion ends as told the motors are left at
+/// duty 0, which may brake; where it is cut short, and when the time to live is over, they are
+/// released.
 class WheelMotion {
  public:
   /// `settings` and `limits` are where the active ones stand.
@@ -27,6 +29,9 @@ class WheelMotion {
   static bool accepts(const protocol::ConfigureDrive& settings);
   /// Takes settings that `accepts` has granted; only while not moving.
   void configure(const protocol::ConfigureDrive& settings);
+  /// The same for what the motors are connected to; both are released.
+  static bool accepts(const protocol::ConfigureWiring& wiring);
+  void configure(const protocol::ConfigureWiring& wiring);
 
   /// True when the settings allow the way and the speed of `move`.
   bool accepts(const protocol::MoveTicks& move) const;
@@ -40,7 +45,8 @@ class WheelMotion {
   /// Motors off at once, for this reason. That of a motion which is over is not told any more, but
   /// kLifted is, of a standing robot too.
   void stop(protocol::MotionOutcome reason);
-  /// The time to live is over: brakes hard and lets go there, arrived or not.
+  /// The time to live is over: brakes hard and lets go there, arrived or not; a robot that rests
+  /// lets go at once.
   void expire();
   /// One control period. False when a wheel is out of control, kRunaway or kOverSpeed: both were
   /// stopped, and had better not start again before somebody has looked.
@@ -65,6 +71,7 @@ class WheelMotion {
   void begin(Mode mode);
   void take_over();
   bool setpoint_stalled() const;
+  void release();
   void end(protocol::MotionOutcome outcome);
   Steps next_steps();
   int32_t clipped_target(int16_t ticks_per_s) const;

@@ -44,11 +44,11 @@ PinUse use_of(uint8_t function) {
 
 }  // namespace
 
-bool SparePins::accepts(const ConfigurePins& settings) {
+bool SparePins::accepts(const ConfigurePins& settings) const {
   for (uint8_t pin = 0; pin < kPins; ++pin) {
     const uint8_t function = functions(settings)[pin];
     const PinUse use = use_of(function);
-    const bool possible = use != PinUse::kUnused && hal::aux_pin_can(pin, use);
+    const bool possible = use != PinUse::kUnused && !is_taken(pin) && hal::aux_pin_can(pin, use);
     if (function != protocol::kPinUnused && !possible) {
       return false;
     }
@@ -62,10 +62,31 @@ void SparePins::configure(const ConfigurePins& settings) {
   use_twi_pins_ = false;
   for (uint8_t pin = 0; pin < hal::aux_pin_count(); ++pin) {
     const PinUse use = use_of(function(pin));
-    hal::use_aux_pin(pin, use);
+    if (!is_taken(pin)) {
+      hal::use_aux_pin(pin, use);
+    }
     if (use != PinUse::kUnused) {
       used_ = static_cast<uint8_t>(pin + 1);
       use_twi_pins_ |= hal::aux_pin_is_twi(pin);
+    }
+  }
+}
+
+bool SparePins::can_take(uint16_t pins) const {
+  for (uint8_t pin = 0; pin < used_; ++pin) {
+    if ((pins >> pin & 1) != 0 && function(pin) != protocol::kPinUnused) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SparePins::take(uint16_t pins) {
+  const uint16_t back = taken_ & static_cast<uint16_t>(~pins);
+  taken_ = pins;
+  for (uint8_t pin = 0; pin < kPins; ++pin) {
+    if ((back >> pin & 1) != 0) {
+      hal::use_aux_pin(pin, PinUse::kUnused);
     }
   }
 }

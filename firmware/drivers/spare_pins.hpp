@@ -14,10 +14,16 @@ class SparePins {
   /// `settings` is where the active ones stand.
   constexpr explicit SparePins(protocol::ConfigurePins& settings) : settings_(settings) {}
 
-  /// True when every pin of the board can do what it shall, and there is none beyond its last.
-  static bool accepts(const protocol::ConfigurePins& settings);
+  /// True when every pin of the board can do what it shall, none of them is taken, and there is
+  /// none beyond its last.
+  bool accepts(const protocol::ConfigurePins& settings) const;
   /// Takes settings that `accepts` has granted.
   void configure(const protocol::ConfigurePins& settings);
+
+  /// True when none of these, a bit each, has a function.
+  bool can_take(uint16_t pins) const;
+  /// Leaves these to a motor bridge, which drives them already, and has those back that it had.
+  void take(uint16_t pins);
 
   /// True for a range channel or the battery.
   static bool is_analog(uint8_t function) {
@@ -40,7 +46,10 @@ class SparePins {
   void set_stepper_phases(uint8_t levels) const;
 
  private:
+  bool is_taken(uint8_t pin) const { return (taken_ >> pin & 1) != 0; }
+
   protocol::ConfigurePins& settings_;
+  uint16_t taken_ = 0;
   uint8_t used_ = 0;
   bool use_twi_pins_ = false;
 };

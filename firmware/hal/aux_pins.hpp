@@ -9,7 +9,7 @@ namespace hal {
 /// Spare pins that protocol::ConfigurePins gives a function; a board has at most 16 and numbers
 /// them in the order of its page in docs/hardware.
 enum class PinUse : uint8_t {
-  kUnused,   ///< Input with pull-up, never read.
+  kUnused,   ///< Input with pull-up, never read; one that a motor bridge may have does not pull up.
   kDigital,  ///< Input with pull-up.
   kAnalog,   ///< Input of the converter, see adc.hpp.
   kOutput,

@@ -189,9 +189,19 @@ CommandStatus Command::execute(const protocol::ConfigureSafety& command) {
 }
 
 CommandStatus Command::execute(const protocol::ConfigureWiring& command) {
-  const bool usual =
-      (command.bridge | command.bridge_options | command.contacts_normally_closed) == 0;
-  return usual ? CommandStatus::kAccepted : CommandStatus::kOutOfRange;
+  if (targets_.motion.moving()) {
+    return CommandStatus::kBusy;
+  }
+  constexpr uint8_t kContacts = 0x3;
+  drivers::SparePins& pins = targets_.sensors.pins();
+  if (!targets_.motion.accepts(command) || command.contacts_normally_closed > kContacts ||
+      !pins.can_take(drivers::pins_of_bridges(command))) {
+    return CommandStatus::kOutOfRange;
+  }
+  targets_.motion.configure(command);
+  pins.take(drivers::pins_of_bridges(command));
+  targets_.configuration.wiring = command;
+  return CommandStatus::kAccepted;
 }
 
 CommandStatus Command::execute(const protocol::MoveTicks& command) {

@@ -17,9 +17,7 @@ class Sensors {
       : pins_(pins), settings_(settings) {}
 
   /// True when the board can do it; a gyro not while spare pins in use are those of its bus.
-  static bool accepts(const protocol::ConfigurePins& settings) {
-    return drivers::SparePins::accepts(settings);
-  }
+  bool accepts(const protocol::ConfigurePins& settings) const { return pins_.accepts(settings); }
   bool accepts(const protocol::ConfigureSensors& settings) const;
   /// Takes settings that `accepts` has granted. Pins of the bus switch the gyro off: a host that
   /// changes its profile sends the pins first.
@@ -30,6 +28,7 @@ class Sensors {
   void tick();
 
   constexpr const drivers::SparePins& pins() const { return pins_; }
+  constexpr drivers::SparePins& pins() { return pins_; }
   /// Bits of protocol::Hazard.
   const drivers::DebouncedBits& hazards() const { return hazards_; }
   const drivers::AnalogInputs& analog() const { return analog_; }

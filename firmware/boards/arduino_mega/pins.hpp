@@ -19,11 +19,18 @@ constexpr uint8_t kServoPin = _BV(PL4);  // OC5B
 constexpr uint8_t kContactLeftPin = _BV(PE4);
 constexpr uint8_t kContactRightPin = _BV(PE5);
 
-/// Ports E, G and H: motors (high is forward).
-constexpr uint8_t kRightPwmPin = _BV(PE3);  // OC3A
-constexpr uint8_t kLeftForwardPin = _BV(PG5);
-constexpr uint8_t kLeftPwmPin = _BV(PH3);  // OC4A
-constexpr uint8_t kRightForwardPin = _BV(PH4);
+/// Ports E, G and H: motors. The forward pins are PH, high is forward; or IN1; or IN2 of bridges
+/// with two inputs, whose IN1 is the PWM pin. The reverse pins are IN2 of bridges with three.
+constexpr uint8_t kRightPwmPin = _BV(PE3);      // OC3A
+constexpr uint8_t kLeftForwardPin = _BV(PG5);   // OC0B
+constexpr uint8_t kLeftPwmPin = _BV(PH3);       // OC4A
+constexpr uint8_t kRightForwardPin = _BV(PH4);  // OC4B
+constexpr uint8_t kLeftReversePin = _BV(PH5);
+constexpr uint8_t kRightReversePin = _BV(PH6);
+
+/// Port B: servos in place of motors.
+constexpr uint8_t kLeftServoPin = _BV(PB5);   // OC1A
+constexpr uint8_t kRightServoPin = _BV(PB6);  // OC1B
 
 /// Port D: the two-wire bus, D20 and D21.
 constexpr uint8_t kSdaPin = _BV(PD1);

@@ -13,6 +13,8 @@ namespace {
 constexpr uint8_t kPins = 7;
 constexpr uint8_t kFirstOfPortC = 3;
 constexpr uint8_t kFirstAnalogOnly = 5;
+/// D11 and D12 may go to a motor bridge that is not configured yet: a pull-up would be a level.
+constexpr uint8_t kFirstPulledUp = 2;
 
 uint8_t bit_of(uint8_t pin) {
   return static_cast<uint8_t>(1U << (pin < kFirstOfPortC ? pin + PB3 : pin - kFirstOfPortC + PC4));
@@ -53,7 +55,8 @@ bool aux_pin_is_twi(uint8_t pin) {
 void use_aux_pin(uint8_t pin, PinUse use) {
   set_aux_output(pin, false);  // Before the direction: an output starts low.
   boards::write(DDRB, DDRC, pin, use == PinUse::kOutput);
-  set_aux_output(pin, use == PinUse::kUnused || use == PinUse::kDigital);
+  const bool pull_up_unused = use == PinUse::kUnused && pin >= boards::kFirstPulledUp;
+  set_aux_output(pin, pull_up_unused || use == PinUse::kDigital);
 }
 
 uint16_t aux_levels() {

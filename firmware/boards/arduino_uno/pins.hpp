@@ -15,7 +15,12 @@ constexpr uint8_t kEchoPin = _BV(PB0);  // ICP1
 constexpr uint8_t kTriggerPin = _BV(PB1);
 constexpr uint8_t kServoPin = _BV(PB2);  // OC1B
 
-/// Port D: contacts (to ground, with pull-up) and motors (high is forward).
+/// Port B: IN2 of bridges with IN1, IN2 and PWM; spare pins with any other.
+constexpr uint8_t kLeftReversePin = _BV(PB3);
+constexpr uint8_t kRightReversePin = _BV(PB4);
+
+/// Port D: contacts (to ground, with pull-up) and motors. The forward pins are PH, high is forward;
+/// or IN1; or IN2 of bridges with two inputs, whose IN1 has the PWM.
 constexpr uint8_t kContactLeftPin = _BV(PD2);
 constexpr uint8_t kContactRightPin = _BV(PD3);
 constexpr uint8_t kLeftForwardPin = _BV(PD4);

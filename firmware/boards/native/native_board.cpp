@@ -45,6 +45,10 @@ void NativeBoard::start_program() {
   echo_high_ = false;
   left_duty_ = 0;
   right_duty_ = 0;
+  left_brakes_ = false;
+  right_brakes_ = false;
+  bridge_kind_ = hal::BridgeKind::kPhaseEnable;
+  has_slow_pwm_ = false;
   pan_pulse_us_ = 0.0;
   aux_uses_.fill(hal::PinUse::kUnused);
   aux_outputs_.fill(false);
@@ -130,9 +134,17 @@ bool NativeBoard::conversion_done(std::uint16_t& value) const {
   return now_ns_ >= conversion_end_ns_;
 }
 
-void NativeBoard::set_motor(hal::Motor motor, bool forward, std::uint8_t duty) {
-  std::int16_t& signed_duty = motor == hal::Motor::kLeft ? left_duty_ : right_duty_;
-  signed_duty = static_cast<std::int16_t>(forward ? duty : -duty);
+void NativeBoard::use_bridge(hal::BridgeKind kind, bool slow_pwm) {
+  bridge_kind_ = kind;
+  has_slow_pwm_ = slow_pwm;
+  set_motor(hal::Motor::kLeft, 0, false);
+  set_motor(hal::Motor::kRight, 0, false);
+}
+
+void NativeBoard::set_motor(hal::Motor motor, std::int16_t duty, bool brakes) {
+  const bool left = motor == hal::Motor::kLeft;
+  (left ? left_duty_ : right_duty_) = duty;
+  (left ? left_brakes_ : right_brakes_) = brakes;
   if (on_motor) {
     on_motor();
   }

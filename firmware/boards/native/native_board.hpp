@@ -60,6 +60,12 @@ class NativeBoard {
   /// Duty of the motors, -255 .. 255, forward positive.
   std::int16_t left_duty() const { return left_duty_; }
   std::int16_t right_duty() const { return right_duty_; }
+  /// What the motors are connected to, and whether their PWM is the slow one.
+  hal::BridgeKind bridge_kind() const { return bridge_kind_; }
+  bool has_slow_pwm() const { return has_slow_pwm_; }
+  /// True for a motor at rest that is braked.
+  bool left_brakes() const { return left_brakes_; }
+  bool right_brakes() const { return right_brakes_; }
   /// Called when the program has set one of them.
   std::function<void()> on_motor;
   /// Length of the servo's pulses; 0 before the first.
@@ -90,7 +96,8 @@ class NativeBoard {
   std::uint32_t watchdog_kicks() const { return watchdog_kicks_; }
 
   /// What the functions of firmware/hal do on this board.
-  void set_motor(hal::Motor motor, bool forward, std::uint8_t duty);
+  void use_bridge(hal::BridgeKind kind, bool slow_pwm);
+  void set_motor(hal::Motor motor, std::int16_t duty, bool brakes);
   void set_pan_pulse_us(std::uint16_t pulse_us) { pan_pulse_us_ = pulse_us; }
   void trigger_sonar();
   bool echo_is_high() const { return echo_high_; }
@@ -127,6 +134,10 @@ class NativeBoard {
   std::uint8_t pressed_contacts_ = 0;
   std::int16_t left_duty_ = 0;
   std::int16_t right_duty_ = 0;
+  bool left_brakes_ = false;
+  bool right_brakes_ = false;
+  hal::BridgeKind bridge_kind_ = hal::BridgeKind::kPhaseEnable;
+  bool has_slow_pwm_ = false;
   double pan_pulse_us_ = 0.0;
   std::array<hal::PinUse, kAuxPins> aux_uses_ = {};
   std::array<bool, kAuxPins> aux_outputs_ = {};

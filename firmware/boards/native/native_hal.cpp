@@ -30,7 +30,13 @@ uint32_t now_us() { return static_cast<uint32_t>(board().program_ns() / 1000); }
 uint8_t lock_interrupts() { return 0; }
 void restore_interrupts(uint8_t /*state*/) {}
 
-void set_motor(Motor motor, bool forward, uint8_t duty) { board().set_motor(motor, forward, duty); }
+bool can_bridge(BridgeKind kind) { return kind <= BridgeKind::kServo; }
+uint16_t bridge_aux_pins(BridgeKind kind) { return kind == BridgeKind::kIn1In2Pwm ? 0x3 : 0; }
+void use_bridge(BridgeKind kind, bool slow_pwm) { board().use_bridge(kind, slow_pwm); }
+void set_motor(Motor motor, bool forward, uint8_t duty) {
+  board().set_motor(motor, static_cast<int16_t>(forward ? duty : -duty), false);
+}
+void stop_motor(Motor motor, bool brake) { board().set_motor(motor, 0, brake); }
 
 void set_servo_pulse_us(uint16_t pulse_us) { board().set_pan_pulse_us(pulse_us); }
 

@@ -29,12 +29,19 @@ constexpr uint8_t kAnalogPinsOfPortA = 6;
 /// B10 and B11.
 constexpr uint8_t kClockPinOfTwi = 9;
 constexpr uint8_t kDataPinOfTwi = 10;
+/// A8 and A11 may go to a motor bridge that is not configured yet.
+constexpr uint8_t kLeftReverse = 11;
+constexpr uint8_t kRightReverse = 12;
+
+bool may_be_of_bridge(uint8_t aux_pin) {
+  return aux_pin == kLeftReverse || aux_pin == kRightReverse;
+}
 
 }  // namespace
 
 void start_aux_pins() {
-  for (const Pin pin : kAuxPins) {
-    pull_up(pin);
+  for (uint8_t pin = 0; pin < kAuxPinCount; ++pin) {
+    hal::use_aux_pin(pin, hal::PinUse::kUnused);
   }
 }
 
@@ -63,6 +70,8 @@ void use_aux_pin(uint8_t pin, PinUse use) {
   } else if (use == PinUse::kOutput) {
     boards::set_level(chosen, false);
     boards::set_mode(chosen, boards::PinMode::kOutput);
+  } else if (use == PinUse::kUnused && boards::may_be_of_bridge(pin)) {
+    boards::pull_down(chosen);
   } else {
     boards::pull_up(chosen);
   }

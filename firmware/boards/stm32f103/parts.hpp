@@ -14,7 +14,7 @@ uint32_t clock_hz();
 /// What a timer's prescaler is loaded with to make it count half microseconds.
 uint32_t half_us_prescaler();
 
-/// TIM3: motor PWM, off.
+/// TIM3: motor PWM or servo pulses, off.
 void start_motors();
 /// Both motors off at once, whatever else goes on.
 void cut_motors();
@@ -31,7 +31,7 @@ void start_servo();
 /// Interrupts of the encoder pins.
 void start_encoders();
 void start_contacts();
-/// Spare pins: all inputs with pull-up.
+/// Spare pins: all unused.
 void start_aux_pins();
 /// Channel of the converter that reads a spare pin which is used as hal::PinUse::kAnalog.
 uint8_t converter_channel(uint8_t aux_pin);

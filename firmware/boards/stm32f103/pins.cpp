@@ -17,5 +17,10 @@ void pull_up(Pin pin) {
   set_mode(pin, PinMode::kInputPulled);
 }
 
+void pull_down(Pin pin) {
+  set_level(pin, false);
+  set_mode(pin, PinMode::kInputPulled);
+}
+
 }  // namespace boards
 }  // namespace echomap

@@ -45,6 +45,8 @@ inline bool level_of(Pin pin) { return (port_of(pin).idr & bit(pin.number)) != 0
 void set_mode(Pin pin, PinMode mode);
 /// An input with its pull-up.
 void pull_up(Pin pin);
+/// An input with its pull-down.
+void pull_down(Pin pin);
 
 /// Quadrature inputs with pull-up: left A, left B, right A, right B are B12 .. B15.
 constexpr uint8_t kFirstEncoderPin = 12;
@@ -59,11 +61,15 @@ constexpr Pin kServoPin{Port::kA, 15};  // TIM2_CH1, remapped
 constexpr Pin kContactLeftPin{Port::kB, 8};
 constexpr Pin kContactRightPin{Port::kB, 9};
 
-/// Motors; high is forward.
+/// Motors. The forward pins are PH, high is forward, or IN1. The reverse pins are IN2, of bridges
+/// with two inputs too, whose IN1 is the PWM pin: a pull-up at reset, as B4 has, would be full
+/// reverse there. Servos are on the PWM pins.
 constexpr Pin kLeftPwmPin{Port::kA, 6};   // TIM3_CH1
 constexpr Pin kRightPwmPin{Port::kA, 7};  // TIM3_CH2
 constexpr Pin kLeftForwardPin{Port::kB, 4};
 constexpr Pin kRightForwardPin{Port::kB, 5};
+constexpr Pin kLeftReversePin{Port::kA, 8};  // Spare pins where the bridge does not need them.
+constexpr Pin kRightReversePin{Port::kA, 11};
 
 /// I2C2; spare pins while no transfer was started.
 constexpr Pin kTwiClockPin{Port::kB, 10};

@@ -109,11 +109,14 @@ constexpr uint32_t kTimCompare2 = bit(2);
 constexpr uint32_t kTimCcmr1Pwm1 = 6U << 4;
 constexpr uint32_t kTimCcmr1Pwm2 = 6U << 12;
 constexpr uint32_t kTimCcmr1Preload1 = bit(3);
+constexpr uint32_t kTimCcmr1Preload2 = bit(11);
 constexpr uint32_t kTimCcmr1Capture1FromTi1 = 1U << 0;
 constexpr uint32_t kTimCcmr1Capture2FromTi1 = 2U << 8;
 constexpr uint32_t kTimCcerEnable1 = bit(0);
 constexpr uint32_t kTimCcerEnable2 = bit(4);
-constexpr uint32_t kTimCcerFalling2 = bit(5);
+constexpr uint32_t kTimCcerFalling2 = bit(5);   ///< Of a capture.
+constexpr uint32_t kTimCcerInverted1 = bit(1);  ///< Of an output.
+constexpr uint32_t kTimCcerInverted2 = bit(5);
 
 /// USART, chapter 27.
 struct UsartRegisters {

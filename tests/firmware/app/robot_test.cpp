@@ -87,6 +87,58 @@ TEST(Robot, BumpCutsTheMotorsWithinTwoMilliseconds) {
   EXPECT_EQ(status.flags, protocol::kFlagArmed | protocol::kFlagBumpLeft);
 }
 
+/// A robot whose bridges brake at duty 0, armed.
+struct BrakingRobot : NativeRobot {
+  BrakingRobot() {
+    EXPECT_TRUE(arm());
+    EXPECT_EQ(command(protocol::ConfigureWiring{0, 1, protocol::kBrakeAtZero, 0}),
+              CommandStatus::kAccepted);
+    EXPECT_FALSE(brakes()) << "before the first motion";
+  }
+  bool brakes() const { return board.left_brakes() || board.right_brakes(); }
+  void begin_long_move() {
+    ASSERT_EQ(command(protocol::MoveTicks{0, 9000, 9000, 1500, 500}), CommandStatus::kAccepted);
+    run_ms(200);
+    ASSERT_GT(board.left_duty(), 0);
+  }
+  bool is_off() const { return board.left_duty() == 0 && board.right_duty() == 0 && !brakes(); }
+};
+
+TEST(Robot, BrakesAfterAMotionUntilTheTimeToLiveIsOver) {
+  BrakingRobot robot;
+  ASSERT_EQ(robot.command(protocol::MoveTicks{0, 100, 100, 500, 500}), CommandStatus::kAccepted);
+  robot.run_ms(300);
+  robot.send(protocol::KeepAlive{500});
+  robot.run_ms(300);
+  ASSERT_EQ(robot.all<protocol::Status>().back().move_outcome, number(MotionOutcome::kReached));
+  EXPECT_TRUE(robot.board.left_brakes());
+  EXPECT_TRUE(robot.board.right_brakes());
+  robot.run_ms(250);
+  EXPECT_TRUE(robot.is_off()) << "nobody is there";
+}
+
+TEST(Robot, EveryCutLeavesTheMotorsWithoutBrake) {
+  BrakingRobot robot;
+  robot.begin_long_move();
+  robot.board.set_bump(true, true);
+  robot.run_ms(2);
+  EXPECT_TRUE(robot.is_off()) << "bump";
+  robot.board.set_bump(true, false);
+  robot.run_ms(100);
+
+  robot.begin_long_move();
+  ASSERT_EQ(robot.command(protocol::Stop{0}), CommandStatus::kAccepted);
+  EXPECT_TRUE(robot.is_off()) << "Stop";
+
+  robot.begin_long_move();
+  robot.run_ms(800);
+  EXPECT_TRUE(robot.is_off()) << "silence";
+
+  robot.begin_long_move();
+  ASSERT_EQ(robot.command(protocol::Arm{0, 0}), CommandStatus::kAccepted);
+  EXPECT_TRUE(robot.is_off()) << "disarmed";
+}
+
 TEST(Robot, SweepsOverTheWireWithoutBeingArmed) {
   NativeRobot robot;
   robot.board.on_trigger = [&](std::int64_t at_ns) {

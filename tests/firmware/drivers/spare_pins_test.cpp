@@ -34,7 +34,7 @@ TEST_F(SparePinsTest, EachFunctionHasItsUse) {
   wanted.pin_4 = protocol::kPinRange0;
   wanted.pin_5 = protocol::kPinRange0 + 7;
   wanted.pin_15 = protocol::kPinStepperPhaseA + 3;
-  ASSERT_TRUE(SparePins::accepts(wanted));
+  ASSERT_TRUE(pins.accepts(wanted));
   pins.configure(wanted);
   const PinUse expected[] = {PinUse::kUnused,
                              PinUse::kDigital,
@@ -59,7 +59,7 @@ TEST_F(SparePinsTest, AcceptsEveryFunctionThatThereIsAndNoOther) {
     const bool exists = (plain >= 1 && plain <= 7) || function == 0 || function == 8 ||
                         (function >= 16 && function <= 23) || (function >= 32 && function <= 35);
     wanted.pin_9 = static_cast<std::uint8_t>(function);
-    EXPECT_EQ(SparePins::accepts(wanted), exists) << function;
+    EXPECT_EQ(pins.accepts(wanted), exists) << function;
   }
 }
 
@@ -83,6 +83,27 @@ TEST_F(SparePinsTest, EveryDigitalFunctionIsItsBit) {
     board.set_aux_level(2, true);
     EXPECT_EQ(pins.active_hazards(), 0U) << int{function};
   }
+}
+
+TEST_F(SparePinsTest, ABridgeTakesPinsThatNobodyUsesAndGivesThemBack) {
+  wanted.pin_1 = protocol::kPinCliffLeft;
+  wanted.pin_2 = protocol::kPinWall;
+  pins.configure(wanted);
+  EXPECT_FALSE(pins.can_take(0b011));
+  EXPECT_TRUE(pins.can_take(0b1001));
+  wanted.pin_1 = protocol::kPinUnused;
+  pins.configure(wanted);
+  ASSERT_TRUE(pins.can_take(0b011));
+  pins.take(0b011);
+  hal::use_aux_pin(0, PinUse::kOutput);  // As a board's bridge.
+  EXPECT_TRUE(pins.accepts(wanted));
+  pins.configure(wanted);
+  EXPECT_EQ(board.aux_use(0), PinUse::kOutput) << "the bridge's";
+  wanted.pin_0 = protocol::kPinCliffLeft;
+  EXPECT_FALSE(pins.accepts(wanted));
+  pins.take(0);
+  EXPECT_EQ(board.aux_use(0), PinUse::kUnused);
+  EXPECT_TRUE(pins.accepts(wanted));
 }
 
 TEST_F(SparePinsTest, StepperNeedsAllFourPhases) {

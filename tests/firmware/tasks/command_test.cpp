@@ -326,6 +326,61 @@ TEST(Command, PressedContactBlocksForwardAndLetsBack) {
   EXPECT_LT(robot.left_wheel.ticks(), -20);
 }
 
+protocol::ConfigureWiring wiring_of(protocol::MotorBridgeKind kind, unsigned options = 0) {
+  return {0, static_cast<std::uint8_t>(kind), static_cast<std::uint8_t>(options), 0};
+}
+
+TEST(Command, TakesTheWiringOfEveryKindAndHoldsIt) {
+  NativeRobot robot;
+  protocol::Configuration expected = app::kDefaultConfiguration;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  for (const auto kind : {protocol::MotorBridgeKind::kTwoPwm,
+                          protocol::MotorBridgeKind::kIn1In2Pwm,
+                          protocol::MotorBridgeKind::kServo,
+                          protocol::MotorBridgeKind::kPhaseEnable}) {
+    expected.wiring = wiring_of(kind);
+    expected.wiring.contacts_normally_closed = 3;
+    ASSERT_EQ(robot.command(expected.wiring), CommandStatus::kAccepted);
+    EXPECT_EQ(static_cast<int>(robot.board.bridge_kind()), static_cast<int>(kind));
+    EXPECT_EQ(robot.connect(1)->config_digest, protocol::config_digest(expected));
+  }
+}
+
+TEST(Command, RefusesWiringThatThereIsNot) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  for (const protocol::ConfigureWiring& wiring : {protocol::ConfigureWiring{0, 4, 0, 0},
+                                                  protocol::ConfigureWiring{0, 1, 4, 0},
+                                                  protocol::ConfigureWiring{0, 1, 0, 4},
+                                                  protocol::ConfigureWiring{0, 0, 1, 0}}) {
+    EXPECT_EQ(robot.command(wiring), CommandStatus::kOutOfRange);
+  }
+  EXPECT_EQ(robot.board.bridge_kind(), hal::BridgeKind::kPhaseEnable);
+}
+
+TEST(Command, ABridgesPinsAreNoSparePinsAndTheOtherWayRound) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  const auto three_wires = wiring_of(protocol::MotorBridgeKind::kIn1In2Pwm);
+  protocol::ConfigurePins pins{};
+  pins.pin_1 = protocol::kPinWall;
+  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(three_wires), CommandStatus::kOutOfRange);
+  ASSERT_EQ(robot.command(protocol::ConfigurePins{}), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(three_wires), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(pins), CommandStatus::kOutOfRange);
+  ASSERT_EQ(robot.command(wiring_of(protocol::MotorBridgeKind::kTwoPwm)), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(pins), CommandStatus::kAccepted);
+}
+
+TEST(Command, TakesNoWiringWhileTheWheelsTurn) {
+  NativeRobot robot;
+  ASSERT_TRUE(robot.arm());
+  ASSERT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(wiring_of(protocol::MotorBridgeKind::kTwoPwm)), CommandStatus::kBusy);
+  EXPECT_GT(robot.board.left_duty(), 0);
+}
+
 TEST(Command, CountsDamagedAndMissingFrames) {
   NativeRobot robot;
   ASSERT_TRUE(robot.connect(1).has_value());

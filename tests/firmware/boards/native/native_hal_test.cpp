@@ -34,6 +34,31 @@ TEST_F(NativeHalTest, MotorsHaveASignByTheirDirectionPin) {
   EXPECT_EQ(board.right_duty(), -200);
 }
 
+TEST_F(NativeHalTest, MotorsAtRestBrakeOrCoastAndANewBridgeSwitchesThemOff) {
+  stop_motor(Motor::kLeft, true);
+  set_motor(Motor::kRight, true, 50);
+  EXPECT_TRUE(board.left_brakes());
+  EXPECT_EQ(board.left_duty(), 0);
+  use_bridge(BridgeKind::kTwoPwm, true);
+  EXPECT_EQ(board.bridge_kind(), BridgeKind::kTwoPwm);
+  EXPECT_TRUE(board.has_slow_pwm());
+  EXPECT_FALSE(board.left_brakes());
+  EXPECT_EQ(board.right_duty(), 0);
+  board.power_on();
+  EXPECT_EQ(board.bridge_kind(), BridgeKind::kPhaseEnable);
+  EXPECT_FALSE(board.has_slow_pwm());
+}
+
+TEST_F(NativeHalTest, WheelPulsesGoFrom1000To2000Us) {
+  for (int duty = 0; duty <= 255; ++duty) {
+    const auto byte = static_cast<std::uint8_t>(duty);
+    EXPECT_NEAR(wheel_pulse_half_us(true, byte), 3000.0 + 1000.0 * duty / 255.0, 1.0);
+    EXPECT_NEAR(wheel_pulse_half_us(false, byte), 3000.0 - 1000.0 * duty / 255.0, 1.0);
+  }
+  EXPECT_EQ(wheel_pulse_half_us(true, 255), 4000);
+  EXPECT_EQ(wheel_pulse_half_us(false, 255), 2000);
+}
+
 TEST_F(NativeHalTest, ServoPulseAppears) {
   set_servo_pulse_us(1234);
   EXPECT_EQ(board.pan_pulse_us(), 1234.0);
