@@ -4,6 +4,7 @@
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/code_size.hpp"
+#include "firmware/hal/contacts.hpp"
 #include "firmware/hal/twi.hpp"
 #include "protocol/config_digest.hpp"
 #include "protocol/version.hpp"
@@ -179,9 +180,18 @@ CommandStatus Command::execute(const protocol::ConfigureSafety& command) {
 }
 
 CommandStatus Command::execute(const protocol::ConfigureWiring& command) {
-  const bool usual =
-      (command.bridge | command.bridge_options | command.contacts_normally_closed) == 0;
-  return usual ? CommandStatus::kAccepted : CommandStatus::kOutOfRange;
+  constexpr uint8_t kContacts = uint8_t{hal::kContactLeft} | uint8_t{hal::kContactRight};
+  if (targets_.motion.moving()) {
+    return CommandStatus::kBusy;
+  }
+  const bool known = (command.bridge | command.bridge_options |
+                      (command.contacts_normally_closed & ~kContacts)) == 0;
+  if (!known) {
+    return CommandStatus::kOutOfRange;
+  }
+  targets_.configuration.wiring = command;
+  targets_.safety.restart_contacts();
+  return CommandStatus::kAccepted;
 }
 
 ECHOMAP_ONE_PIECE CommandStatus Command::execute(const protocol::MoveTicks& command) {

@@ -85,6 +85,7 @@ class FakeRobot {
  private:
   void take(const protocol::Frame& frame);
   void handle(const protocol::Hello& hello);
+  void handle(const protocol::TakeOver& take_over);
   void reply(std::uint16_t session);
   void handle(const protocol::KeepAlive& message) { keep_alives.push_back(message); }
   void handle(const protocol::DriveSetpoint& message) { setpoints.push_back(message); }
