@@ -149,8 +149,8 @@ struct Health {
   }
 };
 
-/// Robot to host, with every Health: edges at which both pins of a wheel had changed at once, so
-/// that counts are lost; since the reset, modulo 2^16.
+/// Robot to host, with every Health once one is not 0: edges at which both pins of a wheel had
+/// changed at once, so that counts are lost; since the reset, modulo 2^16.
 struct EncoderErrors {
   enum : uint8_t { kId = 0x46 };
   static constexpr MessageClass message_class() { return MessageClass::kTelemetry; }

@@ -42,7 +42,7 @@ class Robot {
   tasks::Sensors sensors_{configuration_.pins, configuration_.sensors};
   drivers::PanDrive pan_{configuration_.pan, sensors_.pins()};
   control::ScanSweep sweep_{devices_.encoders, devices_.sonar, pan_, configuration_.sonar};
-  tasks::Safety safety_{motion_, sensors_, configuration_.safety};
+  tasks::Safety safety_{motion_, sensors_, configuration_.safety, configuration_.wiring};
   tasks::FrameSender sender_{devices_.port};
   protocol::ReceiveCounters received_;
   tasks::Telemetry telemetry_{{devices_.encoders,

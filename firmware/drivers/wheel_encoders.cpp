@@ -31,7 +31,7 @@ int16_t folded(int16_t count, int8_t edges, bool inverted) {
 }  // namespace
 
 void WheelEncoders::start(uint8_t levels) {
-  hal::encoder_edges = hal::EncoderEdges{static_cast<uint8_t>(levels << 4), 0, 0, 0};
+  hal::encoder_edges = hal::EncoderEdges{static_cast<uint8_t>(levels << 4), 0, 0, 0, 0};
 }
 
 void WheelEncoders::invert(bool left, bool right) {
@@ -47,9 +47,11 @@ WheelCounts WheelEncoders::counts() const {
                      folded(counts_.right, hal::encoder_edges.right, right_inverted_)};
 }
 
-uint16_t WheelEncoders::errors() const {
+WheelErrors WheelEncoders::errors() const {
   const hal::InterruptLock lock;
-  return static_cast<uint16_t>(errors_ + hal::encoder_edges.lost);
+  const hal::EncoderEdges& edges = hal::encoder_edges;
+  return WheelErrors{static_cast<uint16_t>(errors_.left + edges.left_lost),
+                     static_cast<uint16_t>(errors_.right + edges.right_lost)};
 }
 
 void WheelEncoders::on_pins(uint8_t levels) {
@@ -59,18 +61,24 @@ void WheelEncoders::on_pins(uint8_t levels) {
   const uint8_t found = hal::read_flash(&hal::kQuadratureTable.edges[index]);
   add(edges.left, found & hal::kLeftForward, found & hal::kLeftBackward);
   add(edges.right, found & hal::kRightForward, found & hal::kRightBackward);
-  edges.lost = static_cast<uint8_t>(edges.lost + ((found & hal::kLeftLost) != 0 ? 1 : 0) +
-                                    ((found & hal::kRightLost) != 0 ? 1 : 0));
+  if ((found & hal::kLeftLost) != 0) {
+    ++edges.left_lost;
+  }
+  if ((found & hal::kRightLost) != 0) {
+    ++edges.right_lost;
+  }
 }
 
 void WheelEncoders::fold() {
   hal::EncoderEdges& edges = hal::encoder_edges;
   counts_.left = folded(counts_.left, edges.left, left_inverted_);
   counts_.right = folded(counts_.right, edges.right, right_inverted_);
-  errors_ = static_cast<uint16_t>(errors_ + edges.lost);
+  errors_.left = static_cast<uint16_t>(errors_.left + edges.left_lost);
+  errors_.right = static_cast<uint16_t>(errors_.right + edges.right_lost);
   edges.left = 0;
   edges.right = 0;
-  edges.lost = 0;
+  edges.left_lost = 0;
+  edges.right_lost = 0;
 }
 
 }  // namespace drivers

@@ -12,6 +12,12 @@ struct WheelCounts {
   int16_t right;
 };
 
+/// Edges at which both pins of a wheel had changed, modulo 2^16.
+struct WheelErrors {
+  uint16_t left;
+  uint16_t right;
+};
+
 /// Counts every edge of two quadrature encoders (x4): takes hal::encoder_edges, which have room for
 /// 127 edges a millisecond and wheel, each tick.
 class WheelEncoders {
@@ -22,8 +28,7 @@ class WheelEncoders {
   void invert(bool left, bool right);
 
   WheelCounts counts() const;
-  /// Edges at which both pins of a wheel had changed.
-  uint16_t errors() const;
+  WheelErrors errors() const;
 
   /// From the pins' interrupt; levels as in hal::on_encoder_pins.
   static void on_pins(uint8_t levels);
@@ -34,7 +39,7 @@ class WheelEncoders {
  private:
   bool left_inverted_ = false;
   bool right_inverted_ = false;
-  uint16_t errors_ = 0;
+  WheelErrors errors_ = {0, 0};
   WheelCounts counts_ = {0, 0};
 };
 

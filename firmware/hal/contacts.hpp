@@ -6,14 +6,14 @@
 namespace echomap {
 namespace hal {
 
-/// Bits of `pressed_contacts`.
+/// Bits of `closed_contacts`.
 enum Contact : uint8_t {
   kContactLeft = 1U << 0,
   kContactRight = 1U << 1,
 };
 
 /// The bump contacts that are closed now, not debounced.
-uint8_t pressed_contacts();
+uint8_t closed_contacts();
 
 }  // namespace hal
 }  // namespace echomap

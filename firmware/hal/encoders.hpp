@@ -16,7 +16,8 @@ struct EncoderEdges {
   uint8_t before;  ///< Levels at the last edge, << 4.
   int8_t left;
   int8_t right;
-  uint8_t lost;
+  uint8_t left_lost;
+  uint8_t right_lost;
 };
 extern EncoderEdges encoder_edges;
 

@@ -3,6 +3,7 @@
 
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
+#include "firmware/hal/contacts.hpp"
 #include "firmware/hal/twi.hpp"
 #include "protocol/config_digest.hpp"
 #include "protocol/version.hpp"
@@ -192,7 +193,7 @@ CommandStatus Command::execute(const protocol::ConfigureWiring& command) {
   if (targets_.motion.moving()) {
     return CommandStatus::kBusy;
   }
-  constexpr uint8_t kContacts = 0x3;
+  constexpr uint8_t kContacts = uint8_t{hal::kContactLeft} | uint8_t{hal::kContactRight};
   drivers::SparePins& pins = targets_.sensors.pins();
   if (!targets_.motion.accepts(command) || command.contacts_normally_closed > kContacts ||
       !pins.can_take(drivers::pins_of_bridges(command))) {
@@ -201,6 +202,7 @@ CommandStatus Command::execute(const protocol::ConfigureWiring& command) {
   targets_.motion.configure(command);
   pins.take(drivers::pins_of_bridges(command));
   targets_.configuration.wiring = command;
+  targets_.safety.restart_contacts();
   return CommandStatus::kAccepted;
 }
 

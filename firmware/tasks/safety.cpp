@@ -29,7 +29,7 @@ void Safety::renew(uint16_t time_to_live_ms) {
 }
 
 void Safety::tick() {
-  contacts_.poll();
+  contacts_.poll(wiring_.contacts_normally_closed);
   const uint8_t hazards = stopping_hazards();
   if (armed_ && lifted()) {
     disarm(MotionOutcome::kLifted);

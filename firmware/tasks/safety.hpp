@@ -6,26 +6,31 @@
 #include "firmware/control/wheel_motion.hpp"
 #include "firmware/drivers/contacts.hpp"
 #include "firmware/tasks/sensors.hpp"
+#include "protocol/configuration.hpp"
 #include "protocol/limits.hpp"
 
 namespace echomap {
 namespace tasks {
 
 /// What may move, and for how long. Disarmed at the start; a motion ends when its time to live is
-/// over, when a contact closes or a hazard comes up. A wheel-drop disarms too: somebody has the
+/// over, when a contact is pressed or a hazard comes up. A wheel-drop disarms too: somebody has the
 /// robot in hand, or it hangs over an edge.
 class Safety {
  public:
-  /// `settings` is where the active ones stand.
+  /// `settings` and `wiring` are where the active ones stand.
   constexpr Safety(control::WheelMotion& motion,
                    const Sensors& sensors,
-                   protocol::ConfigureSafety& settings)
-      : motion_(motion), sensors_(sensors), settings_(settings) {}
+                   protocol::ConfigureSafety& settings,
+                   const protocol::ConfigureWiring& wiring)
+      : motion_(motion), sensors_(sensors), settings_(settings), wiring_(wiring) {}
 
   /// True when every field is in range.
   static bool accepts(const protocol::ConfigureSafety& settings);
   /// Takes settings that `accepts` has granted; only while not moving.
   void configure(const protocol::ConfigureSafety& settings) { settings_ = settings; }
+
+  /// The contacts are wired otherwise from now on: what was read of them means nothing more.
+  void restart_contacts() { contacts_.restart(); }
 
   bool armed() const { return armed_; }
   /// False, and remains disarmed, while a wheel hangs. Set-points count again after a stall.
@@ -60,6 +65,7 @@ class Safety {
   control::WheelMotion& motion_;
   const Sensors& sensors_;
   protocol::ConfigureSafety& settings_;
+  const protocol::ConfigureWiring& wiring_;
   drivers::Contacts contacts_;
   uint16_t left_to_live_ms_ = 0;
   bool armed_ = false;

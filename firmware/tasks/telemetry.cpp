@@ -125,6 +125,9 @@ void Telemetry::send_what_waits() {
   if (statuses_since_health_ == kStatusPerHealth) {
     send_health();
   }
+  if (encoder_errors_wait_ && sender_.tell(encoder_errors())) {
+    encoder_errors_wait_ = false;
+  }
 }
 
 bool Telemetry::send_status() {
@@ -142,6 +145,8 @@ bool Telemetry::send_status() {
 void Telemetry::send_health() {
   if (sender_.tell(health())) {
     statuses_since_health_ = 0;
+    const drivers::WheelErrors errors = sources_.encoders.errors();
+    encoder_errors_wait_ = (errors.left | errors.right) != 0;
   }
 }
 
@@ -173,11 +178,17 @@ protocol::Health Telemetry::health() const {
   health.frames_lost = sources_.received.frames_lost();
   health.receive_overruns = sources_.port.overruns();
   health.telemetry_dropped = dropped_;
-  health.encoder_errors = sources_.encoders.errors();
+  const drivers::WheelErrors errors = sources_.encoders.errors();
+  health.encoder_errors = static_cast<uint16_t>(errors.left + errors.right);
   health.stack_free_bytes = stack_free_bytes_;
   health.rate_step = sender_.budget().rate_step();
   health.battery_raw = sources_.sensors.analog().battery();
   return health;
+}
+
+protocol::EncoderErrors Telemetry::encoder_errors() const {
+  const drivers::WheelErrors errors = sources_.encoders.errors();
+  return protocol::EncoderErrors{hal::now_us(), errors.left, errors.right};
 }
 
 protocol::Ranges Telemetry::ranges() const {

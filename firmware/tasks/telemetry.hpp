@@ -26,8 +26,8 @@ struct TelemetrySources {
 };
 
 /// Samples on time and sends when the line has room: echoes and changes first, then odometry,
-/// gyro and ranges, then Status and Health. What waits too long is replaced by what is newer, and
-/// counted; all periods are then stretched. Silent until a host has said Hello.
+/// gyro and ranges, then Status, Health and EncoderErrors. What waits too long is replaced by what
+/// is newer, and counted; all periods are then stretched. Silent until a host has said Hello.
 class Telemetry {
  public:
   static constexpr uint8_t kStatusPeriodMs = 200;
@@ -61,6 +61,7 @@ class Telemetry {
   void send_health();
   protocol::Status status() const;
   protocol::Health health() const;
+  protocol::EncoderErrors encoder_errors() const;
   protocol::Ranges ranges() const;
   protocol::Gyro gyro() const;
   uint8_t flags() const;
@@ -82,6 +83,7 @@ class Telemetry {
   bool status_is_urgent_ = false;
   bool ranges_wait_ = false;
   bool gyro_waits_ = false;
+  bool encoder_errors_wait_ = false;
   uint16_t ranges_age_ms_ = 0;
   uint8_t told_hazards_ = 0;
   bool on_ = false;

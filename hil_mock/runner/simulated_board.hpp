@@ -46,7 +46,8 @@ class SimulatedBoard {
   /// Called when the board has triggered the sonar; answer with `schedule_echo` or not at all.
   std::function<void(std::int64_t at_ns)> on_trigger;
   virtual void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) = 0;
-  virtual void set_bump(Wheel side, bool pressed) = 0;
+  /// The contact of that side is closed or open from now on.
+  virtual void set_bump(Wheel side, bool closed) = 0;
 
   /// Puts a level on a spare pin, numbered as in protocol::ConfigurePins, until it is changed;
   /// before that an input is high by its pull-up.

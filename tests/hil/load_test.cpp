@@ -80,10 +80,14 @@ TEST_P(IllegalSteps, AreCountedAndToldAndAddNoWay) {
       robot.run_ms(2);
     }
   }
+  robot.board().schedule_encoder_edge(runner::Wheel::kRight, robot.board().now_ns(), true, true);
   robot.forget_heard();
   robot.run_ms(1100);  // Health comes once a second
   ASSERT_TRUE(robot.last<protocol::Health>());
-  EXPECT_EQ(robot.last<protocol::Health>()->encoder_errors, 2 * kJumps);
+  EXPECT_EQ(robot.last<protocol::Health>()->encoder_errors, 2 * kJumps + 1);
+  ASSERT_TRUE(robot.last<protocol::EncoderErrors>());
+  EXPECT_EQ(robot.last<protocol::EncoderErrors>()->left, kJumps);
+  EXPECT_EQ(robot.last<protocol::EncoderErrors>()->right, kJumps + 1);
   EXPECT_EQ(robot.last<protocol::Odometry>()->left_ticks, 0);
   EXPECT_EQ(robot.last<protocol::Odometry>()->right_ticks, 0);
 }

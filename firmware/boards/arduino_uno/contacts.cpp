@@ -15,16 +15,16 @@ void start_contacts() { PORTD |= kContactLeftPin | kContactRightPin; }
 
 namespace hal {
 
-uint8_t pressed_contacts() {
+uint8_t closed_contacts() {
   const uint8_t open = PIND;
-  uint8_t pressed = 0;
+  uint8_t closed = 0;
   if ((open & boards::kContactLeftPin) == 0) {
-    pressed |= kContactLeft;
+    closed |= kContactLeft;
   }
   if ((open & boards::kContactRightPin) == 0) {
-    pressed |= kContactRight;
+    closed |= kContactRight;
   }
-  return pressed;
+  return closed;
 }
 
 }  // namespace hal

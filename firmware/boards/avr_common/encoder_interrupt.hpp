@@ -59,12 +59,14 @@ __attribute__((always_inline)) inline void count_encoder_edges() {
       "out __SREG__, r24\n"
       "pop r24\n"
       "reti\n"
-      "2: lds r30, %[lost]\n"
+      "2: lds r30, %[left_lost]\n"
       "sbrc r24, 2\n"
       "inc r30\n"
+      "sts %[left_lost], r30\n"
+      "lds r30, %[right_lost]\n"
       "sbrc r24, 5\n"
       "inc r30\n"
-      "sts %[lost], r30\n"
+      "sts %[right_lost], r30\n"
       "rjmp 1b\n" ::[pins] "I"(kPinAddress),
       [mask] "M"(kFourPins),
       [table] "i"(&hal::kQuadratureTable),
@@ -72,7 +74,8 @@ __attribute__((always_inline)) inline void count_encoder_edges() {
       [before] "I"(_SFR_IO_ADDR(GPIOR0)),
       [left] "i"(&hal::encoder_edges.left),
       [right] "i"(&hal::encoder_edges.right),
-      [lost] "i"(&hal::encoder_edges.lost));
+      [left_lost] "i"(&hal::encoder_edges.left_lost),
+      [right_lost] "i"(&hal::encoder_edges.right_lost));
 }
 
 }  // namespace boards

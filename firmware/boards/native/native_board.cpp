@@ -87,10 +87,10 @@ void NativeBoard::schedule_encoder_edge(bool right, std::int64_t at_ns, bool a, 
   at(at_ns, [this, right, a, b] { set_encoder(right, a, b); });
 }
 
-void NativeBoard::set_bump(bool right, bool pressed) {
+void NativeBoard::set_bump(bool right, bool closed) {
   const unsigned bit = right ? hal::kContactRight : hal::kContactLeft;
-  const unsigned others = pressed_contacts_ & ~bit;
-  pressed_contacts_ = static_cast<std::uint8_t>(pressed ? others | bit : others);
+  const unsigned others = closed_contacts_ & ~bit;
+  closed_contacts_ = static_cast<std::uint8_t>(closed ? others | bit : others);
 }
 
 void NativeBoard::set_aux_level(std::uint8_t pin, bool high) {

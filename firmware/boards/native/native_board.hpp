@@ -74,8 +74,8 @@ class NativeBoard {
   /// A wheel's encoder pins will have these levels from this time on, which is not in the past. A
   /// leads B forwards.
   void schedule_encoder_edge(bool right, std::int64_t at_ns, bool a, bool b);
-  /// Presses or releases a bump contact now.
-  void set_bump(bool right, bool pressed);
+  /// Closes or opens a bump contact now.
+  void set_bump(bool right, bool closed);
 
   /// Level on a spare pin from now on; high, by its pull-up, before the first call.
   void set_aux_level(std::uint8_t pin, bool high);
@@ -102,7 +102,7 @@ class NativeBoard {
   void trigger_sonar();
   bool echo_is_high() const { return echo_high_; }
   std::uint8_t encoder_levels() const { return encoder_levels_; }
-  std::uint8_t pressed_contacts() const { return pressed_contacts_; }
+  std::uint8_t closed_contacts() const { return closed_contacts_; }
   void use_aux_pin(std::uint8_t pin, hal::PinUse use);
   std::uint16_t aux_levels() const;
   void set_aux_output(std::uint8_t pin, bool high);
@@ -131,7 +131,7 @@ class NativeBoard {
   bool sending_ = false;
   bool echo_high_ = false;
   std::uint8_t encoder_levels_ = 0;
-  std::uint8_t pressed_contacts_ = 0;
+  std::uint8_t closed_contacts_ = 0;
   std::int16_t left_duty_ = 0;
   std::int16_t right_duty_ = 0;
   bool left_brakes_ = false;

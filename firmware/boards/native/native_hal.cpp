@@ -45,7 +45,7 @@ bool echo_is_high() { return board().echo_is_high(); }
 
 uint8_t encoder_levels() { return board().encoder_levels(); }
 
-uint8_t pressed_contacts() { return board().pressed_contacts(); }
+uint8_t closed_contacts() { return board().closed_contacts(); }
 
 uint8_t aux_pin_count() { return native::NativeBoard::kAuxPins; }
 bool aux_pin_can(uint8_t pin, PinUse /*use*/) { return pin < native::NativeBoard::kAuxPins; }

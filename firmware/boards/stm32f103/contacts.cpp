@@ -16,15 +16,15 @@ void start_contacts() {
 
 namespace hal {
 
-uint8_t pressed_contacts() {
-  uint8_t pressed = 0;
+uint8_t closed_contacts() {
+  uint8_t closed = 0;
   if (!boards::level_of(boards::kContactLeftPin)) {
-    pressed |= kContactLeft;
+    closed |= kContactLeft;
   }
   if (!boards::level_of(boards::kContactRightPin)) {
-    pressed |= kContactRight;
+    closed |= kContactRight;
   }
-  return pressed;
+  return closed;
 }
 
 }  // namespace hal

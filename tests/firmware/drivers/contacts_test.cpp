@@ -16,7 +16,7 @@ class ContactsTest : public testing::Test {
   }
   void press(bool right, bool pressed) {
     native::NativeBoard::instance().set_bump(right, pressed);
-    contacts.poll();
+    contacts.poll(0);
   }
   Contacts contacts;
 };
@@ -25,7 +25,7 @@ TEST_F(ContactsTest, PressCountsAtTheFirstPoll) {
   press(false, true);
   EXPECT_EQ(contacts.pressed(), hal::kContactLeft);
   EXPECT_EQ(contacts.just_pressed(), hal::kContactLeft);
-  contacts.poll();
+  contacts.poll(0);
   EXPECT_EQ(contacts.pressed(), hal::kContactLeft);
   EXPECT_EQ(contacts.just_pressed(), 0);
 }
@@ -35,7 +35,7 @@ TEST_F(ContactsTest, ReleaseCountsWhenItHasLasted) {
   press(true, false);
   EXPECT_EQ(contacts.pressed(), hal::kContactRight);
   for (int ms = 1; ms < Contacts::kMaxReleaseMs; ++ms) {
-    contacts.poll();
+    contacts.poll(0);
   }
   EXPECT_EQ(contacts.pressed(), 0);
 }
@@ -53,6 +53,24 @@ TEST_F(ContactsTest, SecondContactIsAPressOfItsOwn) {
   press(false, true);
   press(true, true);
   EXPECT_EQ(contacts.just_pressed(), hal::kContactRight);
+}
+
+TEST_F(ContactsTest, OneThatIsNormallyClosedIsPressedWhereItOpensOrItsWireBreaks) {
+  press(false, true);
+  contacts.restart();
+  contacts.poll(hal::kContactLeft);
+  EXPECT_EQ(contacts.pressed(), 0);
+  native::NativeBoard::instance().set_bump(false, false);
+  contacts.poll(hal::kContactLeft);
+  EXPECT_EQ(contacts.just_pressed(), hal::kContactLeft);
+}
+
+TEST_F(ContactsTest, ForgetsAtARestartWhatWasReadOtherwise) {
+  press(false, true);
+  contacts.restart();
+  EXPECT_EQ(contacts.pressed(), 0);
+  contacts.poll(0);
+  EXPECT_EQ(contacts.just_pressed(), hal::kContactLeft) << "it is still pressed";
 }
 
 }  // namespace

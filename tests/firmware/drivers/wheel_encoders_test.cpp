@@ -50,7 +50,8 @@ TEST(WheelEncoders, CountsARandomWalkOfBothWheels) {
   }
   EXPECT_EQ(encoders.counts().left, static_cast<std::int16_t>(left));
   EXPECT_EQ(encoders.counts().right, static_cast<std::int16_t>(right));
-  EXPECT_EQ(encoders.errors(), 0);
+  EXPECT_EQ(encoders.errors().left, 0);
+  EXPECT_EQ(encoders.errors().right, 0);
 }
 
 TEST(WheelEncoders, CountsJumpsOfBothPinsAsErrorsAndNotAsWay) {
@@ -59,7 +60,13 @@ TEST(WheelEncoders, CountsJumpsOfBothPinsAsErrorsAndNotAsWay) {
   encoders.on_pins(0b0011);
   encoders.on_pins(0b1111);
   encoders.on_pins(0b1100);
-  EXPECT_EQ(encoders.errors(), 3);
+  encoders.on_pins(0b0000);
+  EXPECT_EQ(encoders.errors().left, 2);
+  EXPECT_EQ(encoders.errors().right, 2);
+  encoders.fold();
+  encoders.on_pins(0b0011);
+  EXPECT_EQ(encoders.errors().left, 3);
+  EXPECT_EQ(encoders.errors().right, 2);
   EXPECT_EQ(encoders.counts().left, 0);
   EXPECT_EQ(encoders.counts().right, 0);
 }
@@ -69,7 +76,8 @@ TEST(WheelEncoders, StartTakesTheLevelsThatItFinds) {
   encoders.start(0b1111);
   encoders.on_pins(0b1111);
   encoders.on_pins(0b1110);
-  EXPECT_EQ(encoders.errors(), 0);
+  EXPECT_EQ(encoders.errors().left, 0);
+  EXPECT_EQ(encoders.errors().right, 0);
   EXPECT_EQ(encoders.counts().left, 1);
 }
 

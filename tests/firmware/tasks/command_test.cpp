@@ -381,6 +381,31 @@ TEST(Command, TakesNoWiringWhileTheWheelsTurn) {
   EXPECT_GT(robot.board.left_duty(), 0);
 }
 
+/// Until the robot knows of its wiring it takes a contact at rest for a press; then for none at
+/// once.
+TEST(Command, ContactsMayBeNormallyClosed) {
+  NativeRobot robot;
+  robot.board.set_bump(false, true);
+  robot.board.set_bump(true, true);
+  ASSERT_TRUE(robot.arm());
+  EXPECT_EQ(robot.command(kLongMove), CommandStatus::kBlocked);
+  protocol::ConfigureWiring wiring{};
+  wiring.contacts_normally_closed = hal::kContactLeft | hal::kContactRight;
+  ASSERT_EQ(robot.command(wiring), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(kLongMove), CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(wiring), CommandStatus::kBusy);
+  robot.run_ms(100);
+  ASSERT_GT(robot.left_wheel.ticks(), 0);
+  robot.board.set_bump(true, false);
+  robot.run_ms(2);
+  EXPECT_EQ(robot.board.left_duty(), 0) << "a broken wire is a bump";
+  EXPECT_EQ(robot.command(kLongMove), CommandStatus::kBlocked);
+  robot.board.set_bump(true, true);
+  robot.run_ms(100);
+  wiring.contacts_normally_closed = 4;
+  EXPECT_EQ(robot.command(wiring), CommandStatus::kOutOfRange);
+}
+
 TEST(Command, CountsDamagedAndMissingFrames) {
   NativeRobot robot;
   ASSERT_TRUE(robot.connect(1).has_value());

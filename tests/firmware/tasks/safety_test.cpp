@@ -53,7 +53,7 @@ class SafetyTest : public testing::Test {
   protocol::Configuration configuration = app::kDefaultConfiguration;
   control::WheelMotion motion{encoders, configuration.drive, configuration.safety};
   Sensors sensors{configuration.pins, configuration.sensors};
-  Safety safety{motion, sensors, configuration.safety};
+  Safety safety{motion, sensors, configuration.safety, configuration.wiring};
 };
 
 TEST_F(SafetyTest, StartsDisarmed) { EXPECT_FALSE(safety.armed()); }

@@ -19,6 +19,7 @@ struct Collected {
   std::vector<protocol::Health> health;
   std::vector<protocol::Ranges> ranges;
   std::vector<protocol::Gyro> gyro;
+  std::vector<protocol::EncoderErrors> encoder_errors;
 
   void operator()(const protocol::Echo& message) { echoes.push_back(message); }
   void operator()(const protocol::Odometry& message) { odometry.push_back(message); }
@@ -26,6 +27,7 @@ struct Collected {
   void operator()(const protocol::Health& message) { health.push_back(message); }
   void operator()(const protocol::Ranges& message) { ranges.push_back(message); }
   void operator()(const protocol::Gyro& message) { gyro.push_back(message); }
+  void operator()(const protocol::EncoderErrors& message) { encoder_errors.push_back(message); }
   template <class Other>
   void operator()(const Other& /*message*/) {}
 };
@@ -91,7 +93,7 @@ class TelemetryTest : public testing::Test {
   Sensors sensors{configuration.pins, configuration.sensors};
   drivers::PanDrive pan_drive{configuration.pan, sensors.pins()};
   control::ScanSweep sweep{encoders, sonar, pan_drive, configuration.sonar};
-  Safety safety{motion, sensors, configuration.safety};
+  Safety safety{motion, sensors, configuration.safety, configuration.wiring};
   FrameSender sender{port};
   protocol::ReceiveCounters received;
   Telemetry telemetry{{encoders, port, motion, sweep, sensors, safety, received, configuration},
@@ -311,6 +313,31 @@ TEST_F(TelemetryTest, CarriesCountsAndErrors) {
   EXPECT_EQ(now.odometry[0].left_ticks, 1);
   EXPECT_EQ(now.odometry[0].right_ticks, 1);
   EXPECT_EQ(next_health().encoder_errors, 2);
+}
+
+TEST_F(TelemetryTest, TellsTheErrorsOfEachWheelWithEveryHealthOnceThereAreAny) {
+  telemetry.begin();
+  for (int ms = 0; ms < 1200; ++ms) {
+    tick(1);
+    EXPECT_TRUE(collect().encoder_errors.empty()) << "a clean encoder costs the line nothing";
+  }
+  encoders.start(0);
+  encoders.on_pins(0b0011);
+  encoders.on_pins(0b1111);
+  encoders.on_pins(0b1100);
+  std::size_t health = 0;
+  std::vector<protocol::EncoderErrors> errors;
+  for (int ms = 0; ms < 3000; ++ms) {
+    tick(1);
+    const Collected now = collect();
+    health += now.health.size();
+    errors.insert(errors.end(), now.encoder_errors.begin(), now.encoder_errors.end());
+    EXPECT_LE(errors.size(), health) << ms;
+  }
+  EXPECT_EQ(health, 3U);
+  ASSERT_EQ(errors.size(), health);
+  EXPECT_EQ(errors[0].left, 2);
+  EXPECT_EQ(errors[0].right, 1);
 }
 
 }  // namespace

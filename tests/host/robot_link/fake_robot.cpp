@@ -74,6 +74,10 @@ void FakeRobot::begin_session(std::uint16_t session) {
   reply(session);
 }
 
+void FakeRobot::handle(const protocol::TakeOver& take_over) {
+  handle(protocol::Hello{protocol_major, protocol_minor, schema_digest, take_over.session});
+}
+
 void FakeRobot::reply(std::uint16_t session) {
   outgoing_.push_back(0);
   send(protocol::HelloReply{protocol_major,

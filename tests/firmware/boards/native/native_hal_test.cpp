@@ -82,9 +82,9 @@ TEST_F(NativeHalTest, TriggerIsToldWithItsTimeAndTheEchoPinFollows) {
 
 TEST_F(NativeHalTest, ContactsAndEncoderLevelsHaveTheirBits) {
   board.set_bump(true, true);
-  EXPECT_EQ(pressed_contacts(), kContactRight);
+  EXPECT_EQ(closed_contacts(), kContactRight);
   board.set_bump(true, false);
-  EXPECT_EQ(pressed_contacts(), 0);
+  EXPECT_EQ(closed_contacts(), 0);
   board.schedule_encoder_edge(true, 1000, false, true);
   board.run_until_ns(1000);
   EXPECT_EQ(encoder_levels(), 0b1000);
