@@ -2,12 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "host/transport/usb_id.hpp"
 
 namespace echomap::flashing {
 
@@ -37,26 +34,5 @@ std::vector<std::string> flash_board_names();
 
 /// The board of this name; throws CommandError 2 where there is none.
 const FlashBoard& flash_board(std::string_view name);
-
-/// What hangs on the USB, by its id.
-enum class UsbRole : std::uint8_t {
-  kBoard,       ///< One kind of board and nothing else.
-  kSerialChip,  ///< A serial chip of boards, and of printers, modems and meters too.
-  kProgrammer,  ///< An ST-Link.
-};
-
-/// A USB id that may be flashed at all.
-struct KnownUsbId {
-  transport::UsbId id;
-  UsbRole role = UsbRole::kSerialChip;
-  std::string_view what;
-  std::string_view board;  ///< Name of the only board with this id; empty for the other roles.
-};
-
-/// Every id that may be flashed.
-std::span<const KnownUsbId> known_usb_ids();
-
-/// What is known of an id; null for what is no board's.
-const KnownUsbId* known_usb_id(transport::UsbId id);
 
 }  // namespace echomap::flashing

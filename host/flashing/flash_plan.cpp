@@ -8,12 +8,15 @@
 #include <fmt/format.h>
 
 #include "host/console/exit_code.hpp"
+#include "host/transport/usb_table.hpp"
 
 namespace echomap::flashing {
 namespace {
 
+using transport::KnownUsbId;
 using transport::PortInfo;
 using transport::UsbDevice;
+using transport::UsbRole;
 
 std::string in_words(const std::optional<transport::UsbId>& id, const std::string& description) {
   if (!id) {
@@ -78,13 +81,18 @@ PortInfo named_port(const std::string& name, const AttachedDevices& attached) {
   return {name, "", ""};
 }
 
+/// A chip with a USB of its own has no boot loader at its serial port.
+bool is_flashed_by_port(const KnownUsbId& known) {
+  return known.role == UsbRole::kBoard || known.role == UsbRole::kSerialChip;
+}
+
 /// The board at `port`, from what was said and from the port's id.
 const FlashBoard& board_at(const PortInfo& port,
                            const FlashBoard* said,
                            const AttachedDevices& attached) {
   const std::string will_not = "will not flash " + in_words(port) + ": ";
   const KnownUsbId* known = port.usb_id ? known_usb_id(*port.usb_id) : nullptr;
-  if (known == nullptr || known->role == UsbRole::kProgrammer) {
+  if (known == nullptr || !is_flashed_by_port(*known)) {
     refuse(will_not + "no board that echomap knows has that",
            "name the port of a board with --port; docs/guides/flashing.md lists their ids",
            attached);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ namespace echomap::session {
 
 /// Where a robot is and how to speak to it.
 struct ConnectionOptions {
-  std::vector<std::string> ports;  ///< Empty: every USB and Bluetooth serial port.
+  std::vector<std::string> ports;  ///< Empty: the one that can be a robot.
   int baud = 0;  ///< Of a serial device, bits per second; 0: whichever the robot answers at.
   bool take_over = false;     ///< Takes the robot from a program that holds it.
   bool no_reset = false;      ///< End where opening the port has reset the robot.
@@ -33,6 +34,8 @@ struct OpenedRobot {
   RobotConnection connection;
   /// That of a simulated robot, which outlives the connection; null for one on a desk.
   std::unique_ptr<transport::LockstepChannel> lockstep;
+  /// Done once the robot has answered: keeps in mind that its port has a robot.
+  std::function<void()> remember_port = {};
 };
 
 /// Opens the one port where the robot is. In lockstep a session is a function of `seed`. Throws

@@ -3,20 +3,28 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "host/console/exit_code.hpp"
+#include "host/console/question.hpp"
 #include "host/robot_link/robot_probe.hpp"
-#include "host/transport/port_list.hpp"
+#include "host/session/known_ports.hpp"
+#include "host/transport/port_holder.hpp"
 #include "host/transport/transport_error.hpp"
+#include "host/transport/usb_devices.hpp"
+#include "host/transport/usb_table.hpp"
 
 namespace echomap::session {
 namespace {
 
 using std::chrono::steady_clock;
+using transport::PortInfo;
 
 constexpr std::chrono::milliseconds kAnswerPatience{2500};
 constexpr std::chrono::milliseconds kTurn{5};
@@ -86,8 +94,7 @@ std::string said_by(const Candidate& candidate) {
   throw console::CommandError(console::ExitCode::kNoRobot, text + "  next: name one with --port");
 }
 
-std::string port_with_id(std::string_view id) {
-  const auto ports = transport::list_ports();
+std::string port_with_id(std::string_view id, const std::vector<PortInfo>& ports) {
   const auto fitting = transport::ports_with_id(ports, id);
   if (fitting.size() != 1) {
     throw console::CommandError(
@@ -100,36 +107,139 @@ std::string port_with_id(std::string_view id) {
   return fitting.front().name;
 }
 
-}  // namespace
-
-CandidatePorts candidate_ports(const std::vector<std::string>& named) {
-  CandidatePorts candidates{{}, !named.empty()};
-  for (const std::string& name : named) {
-    const auto id = transport::port_id_text(name);
-    candidates.ports.push_back(id ? port_with_id(*id) : name);
+/// "/dev/ttyUSB0: CH340 (1a86:7523), a robot answered here before, in use by another program".
+std::string line_of(const PortInfo& port, const PortSurroundings& here) {
+  const auto* known = port.usb_id ? transport::known_usb_id(*port.usb_id) : nullptr;
+  std::string line = port.name + ": " + (known ? std::string(known->what) : port.description);
+  if (port.usb_id) {
+    line += " (" + to_string(*port.usb_id) + ")";
   }
-  if (named.empty()) {
-    for (const auto& port : transport::list_ports()) {
-      candidates.ports.push_back(port.name);
-    }
-  }
-  return candidates;
+  line += here.is_known(port) ? ", a robot answered here before" : "";
+  return line + (here.is_held(port) ? ", in use by another program" : "");
 }
 
-std::unique_ptr<transport::ByteStream> choose_port(const CandidatePorts& candidates,
+[[noreturn]] void end_without_choice(const std::string& text) {
+  throw console::CommandError(console::ExitCode::kNoRobot, text);
+}
+
+std::string confirmed(const PortInfo& port, const PortSurroundings& here) {
+  const std::string what =
+      line_of(port, here) + "\nNo robot has answered there yet: many devices have such a chip.";
+  const auto answer = here.ask(what + "\nIs it the robot? (yes or no)");
+  if (answer != "yes" && answer != "y") {
+    end_without_choice((answer ? "no port was chosen" : what) +
+                       "\n  next: name the robot's port, once: --port " + port.name);
+  }
+  return port.name;
+}
+
+std::string chosen_from(const std::vector<PortInfo>& ports, const PortSurroundings& here) {
+  std::string list = "the robot may be at any of these ports:\n";
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    list += fmt::format("  {}  {}\n", i + 1, line_of(ports[i], here));
+  }
+  auto answer = here.ask(fmt::format("{}Which one? (1 to {})", list, ports.size()));
+  while (answer && !answer->empty()) {
+    std::size_t number = 0;
+    std::from_chars(answer->data(), answer->data() + answer->size(), number);
+    if (number >= 1 && number <= ports.size()) {
+      return ports[number - 1].name;
+    }
+    answer = here.ask(fmt::format("A number from 1 to {}, or Enter for none:", ports.size()));
+  }
+  end_without_choice(list + "  next: name one, as in --port " + ports.front().name);
+}
+
+/// brltty takes a CH340 or CP2102 so early that no /dev/ttyUSB is there.
+std::string why_no_port(const std::vector<PortInfo>& ports) {
+  for (const auto& device : transport::list_usb_devices()) {
+    const bool has_port =
+        std::ranges::find(ports, std::optional(device.id), &PortInfo::usb_id) != ports.end();
+    const auto* known = transport::known_usb_id(device.id);
+    if (has_port || known == nullptr || known->role == transport::UsbRole::kProgrammer) {
+      continue;
+    }
+    const std::string what = fmt::format("{} ({})", known->what, to_string(device.id));
+    if (known->role == transport::UsbRole::kBootDrive) {
+      return what +
+             " is a drive that waits for its program, not a port\n  next: copy a program "
+             "to it, or replug it without holding BOOTSEL";
+    }
+    if (const auto brltty = transport::process_named("brltty")) {
+      return what + " has no port: " + in_words(*brltty) +
+             " has probably taken it\n  next: " + remedy_against(*brltty, "");
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+PortSurroundings surroundings_here() {
+  const auto known = std::make_shared<KnownPorts>();
+  if (!known->trouble().empty()) {
+    spdlog::warn("{}", known->trouble());
+  }
+  auto ports = transport::list_ports();
+  std::string why_none = why_no_port(ports);
+  return {std::move(ports),
+          [known](const PortInfo& port) { return known->has(port); },
+          [](const PortInfo& port) { return !transport::port_holders(port.name).empty(); },
+          console::ask,
+          std::move(why_none)};
+}
+
+std::vector<PortInfo> possible_robots(const PortSurroundings& here) {
+  std::vector<PortInfo> possible;
+  std::ranges::copy_if(here.ports, std::back_inserter(possible), [&](const PortInfo& port) {
+    return (port.usb_id && transport::may_be_robot(*port.usb_id)) || here.is_known(port);
+  });
+  return possible;
+}
+
+std::string choose_possible_robot(const PortSurroundings& here) {
+  const auto possible = possible_robots(here);
+  if (possible.empty()) {
+    end_without_choice("no serial port here can be a robot; " +
+                       transport::describe_ports(here.ports) + "\n  " +
+                       (here.why_none.empty() ? "next: plug the robot in, name its port with "
+                                                "--port, or try without one: echomap demo"
+                                              : here.why_none));
+  }
+  std::vector<PortInfo> known;
+  std::ranges::copy_if(possible, std::back_inserter(known), here.is_known);
+  if (known.size() > 1) {
+    std::erase_if(known, here.is_held);
+  }
+  if (known.size() == 1 && (possible.size() == 1 || !here.is_held(known.front()))) {
+    spdlog::info("using {}", line_of(known.front(), here));
+    return known.front().name;
+  }
+  return possible.size() == 1 ? confirmed(possible.front(), here) : chosen_from(possible, here);
+}
+
+std::vector<std::string> candidate_ports(const std::vector<std::string>& named,
+                                         const PortSurroundings& here) {
+  if (named.empty()) {
+    return {choose_possible_robot(here)};
+  }
+  std::vector<std::string> ports;
+  for (const std::string& name : named) {
+    const auto id = transport::port_id_text(name);
+    ports.push_back(id ? port_with_id(*id, here.ports) : name);
+  }
+  return ports;
+}
+
+std::unique_ptr<transport::ByteStream> choose_port(const std::vector<std::string>& ports,
                                                    const OpenPort& open,
                                                    std::uint16_t session) {
-  if (candidates.ports.empty()) {
-    throw console::CommandError(console::ExitCode::kNoRobot,
-                                "no USB or Bluetooth serial port is here\n  next: plug the robot "
-                                "in, or try without one: echomap demo");
-  }
-  if (candidates.are_named && candidates.ports.size() == 1) {
-    return open(candidates.ports.front());
+  if (ports.size() == 1) {
+    return open(ports.front());
   }
   std::vector<Candidate> asked;
-  asked.reserve(candidates.ports.size());
-  for (const std::string& port : candidates.ports) {
+  asked.reserve(ports.size());
+  for (const std::string& port : ports) {
     asked.push_back(ask(port, open, session));
   }
   listen(asked);

@@ -92,6 +92,7 @@ void RobotContext::open(OpenedRobot robot) {
     fork_.add(*self_check_);
   }
   lockstep_ = std::move(robot.lockstep);
+  remember_port_ = std::move(robot.remember_port);
   recorder_.begin_session(lockstep_ ? 0 : nanoseconds_since_1970());
   robot.connection.recorder = &recorder_;
   if (lockstep_) {
@@ -129,6 +130,9 @@ void RobotContext::step() {
 void RobotContext::connect() {
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): open() comes before
   session_->connect();
+  if (remember_port_) {
+    remember_port_();
+  }
   if (follower_) {
     // NOLINTNEXTLINE(bugprone-unchecked-optional-access): open() comes before
     follower_->begin(*session_);

@@ -125,6 +125,7 @@ class RobotContext {
   std::list<std::function<void()>> listeners_;
   TimeScale time_scale_;
   std::unique_ptr<transport::LockstepChannel> lockstep_;
+  std::function<void()> remember_port_;  ///< Of OpenedRobot.
   std::optional<RobotSession> session_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -21,10 +22,13 @@ template <class Stream>
 class AsioStream : public ByteStream {
  public:
   explicit AsioStream(std::string name) : name_(std::move(name)), stream_(io_) {}
+  ~AsioStream() override { close("closed"); }
 
   /// For the opener, which connects or assigns the stream before it hands this object out.
   Stream& stream() { return stream_; }
   boost::asio::io_context& io_context() { return io_; }
+  /// Done while the stream is open for the last time.
+  void before_close(std::function<void()> action) { before_close_ = std::move(action); }
 
   std::size_t read_some(std::span<std::uint8_t> into, std::chrono::microseconds wait) override {
     if (begin_ == end_ && status_ == StreamStatus::kOpen) {
@@ -107,6 +111,9 @@ class AsioStream : public ByteStream {
     if (status_ == StreamStatus::kOpen) {
       status_ = StreamStatus::kClosed;
       close_reason_ = reason;
+      if (before_close_) {
+        before_close_();
+      }
       boost::system::error_code ignored;
       stream_.close(ignored);
     }
@@ -129,6 +136,7 @@ class AsioStream : public ByteStream {
   bool is_reading_ = false;
   StreamStatus status_ = StreamStatus::kOpen;
   std::string close_reason_;
+  std::function<void()> before_close_;
 };
 
 /// Runs the connection that `start(handler)` begins on a stream nobody reads yet, for at most

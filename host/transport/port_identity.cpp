@@ -23,10 +23,6 @@ std::string stamp_of_link(const std::string& port) {
          std::to_string(status.st_mtim.tv_nsec);
 }
 
-bool is_same_device(const PortInfo& one, const PortInfo& other) {
-  return one.serial_number == other.serial_number && one.description == other.description;
-}
-
 }  // namespace
 
 PortIdentity::PortIdentity(const std::string& port, ListPorts list)
@@ -34,7 +30,7 @@ PortIdentity::PortIdentity(const std::string& port, ListPorts list)
   if (port_kind(port) == PortKind::kPty) {
     link_ = stamp_of_link(port);
   } else if (port_kind(port) == PortKind::kSerial) {
-    device_ = device_at(port);
+    device_ = device_here();
   }
 }
 
@@ -52,26 +48,28 @@ std::string PortIdentity::name_now() const {
 }
 
 std::string PortIdentity::device_name_now() const {
-  const auto at_its_name = device_at(port_);
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): name_now() has checked it
-  if (at_its_name && is_same_device(*at_its_name, *device_)) {
-    return port_;
-  }
   std::vector<PortInfo> same = list_();
+  const bool name_is_given = std::ranges::find(same, device_name(), &PortInfo::name) != same.end();
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): name_now() has checked it
   std::erase_if(same, [&](const PortInfo& port) { return !is_same_device(port, *device_); });
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): name_now() has checked it
-  if (!device_->serial_number.empty() && same.size() == 1) {
-    return same.front().name;
+  if (same.size() == 1) {
+    // What the user called it, a link perhaps, as long as it leads there.
+    return same.front().name == device_name() ? port_ : same.front().name;
   }
-  refuse(at_its_name ? "another device has its name now" : "it is not plugged in");
+  if (same.size() > 1) {
+    refuse("several devices have its serial number now");
+  }
+  refuse(name_is_given ? "another device has its name now" : "it is not plugged in");
 }
 
-std::optional<PortInfo> PortIdentity::device_at(const std::string& port) const {
+std::string PortIdentity::device_name() const {
   std::error_code ignored;
-  const std::string device = std::filesystem::weakly_canonical(port, ignored).string();
+  return std::filesystem::weakly_canonical(port_, ignored).string();
+}
+
+std::optional<PortInfo> PortIdentity::device_here() const {
   const auto ports = list_();
-  const auto found = std::ranges::find(ports, device, &PortInfo::name);
+  const auto found = std::ranges::find(ports, device_name(), &PortInfo::name);
   return found == ports.end() ? std::nullopt : std::optional(*found);
 }
 

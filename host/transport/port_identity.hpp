@@ -17,17 +17,20 @@ class PortIdentity {
   using ListPorts = std::function<std::vector<PortInfo>()>;
 
   /// Of the port that has this name now; `list` tells which are here.
-  explicit PortIdentity(const std::string& port, ListPorts list = list_ports);
+  explicit PortIdentity(
+      const std::string& port, ListPorts list = [] { return list_ports(); });
 
-  /// The name of the same port now. A USB device is known by its description and serial number:
-  /// with a number it may come back under any name, without one only under its own. A pty is the
+  /// The name of the same port now. A USB device may come back under any name: it is known by its
+  /// serial number, or by the socket it is in where it has none (`is_same_device`). A pty is the
   /// same where its emulator has published a new link, a network address always. Throws
   /// TransportError where the port is not here, or not known to be the same.
   std::string name_now() const;
 
  private:
   /// Empty where it is no USB device.
-  std::optional<PortInfo> device_at(const std::string& port) const;
+  std::optional<PortInfo> device_here() const;
+  /// Where `port_` leads to now.
+  std::string device_name() const;
   std::string device_name_now() const;
   [[noreturn]] void refuse(const std::string& why) const;
 

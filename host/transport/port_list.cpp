@@ -3,44 +3,72 @@
 
 #include <algorithm>
 #include <iterator>
-#include <libserialport.h>
-#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "host/transport/usb_devices.hpp"
 
 namespace echomap::transport {
 namespace {
 
-std::optional<UsbId> usb_id_of(const sp_port* port) {
-  int vendor = 0;
-  int product = 0;
-  if (sp_get_port_usb_vid_pid(port, &vendor, &product) != SP_OK) {
-    return std::nullopt;
-  }
-  return UsbId{static_cast<std::uint16_t>(vendor), static_cast<std::uint16_t>(product)};
+namespace fs = std::filesystem;
+
+/// The factory's serial number of every CP2102: none of its own.
+constexpr std::string_view kNumberOfAll = "0001";
+
+bool has_own_number(const PortInfo& port) {
+  return !port.serial_number.empty() && port.serial_number != kNumberOfAll;
 }
 
-PortInfo info_of(const sp_port* port) {
-  const auto text = [](const char* words) { return std::string(words == nullptr ? "" : words); };
-  return {sp_get_port_name(port),
-          text(sp_get_port_description(port)),
-          text(sp_get_port_usb_serial(port)),
-          usb_id_of(port)};
+std::string interface_of(const PortInfo& port) {
+  const std::size_t colon = port.usb_path.find(':');
+  return colon == std::string::npos ? "" : port.usb_path.substr(colon);
+}
+
+/// The port of the tty in this folder of /sys/class/tty; empty where it is neither on the USB nor
+/// on Bluetooth.
+std::optional<PortInfo> port_of_tty(const fs::path& tty) {
+  const std::string name = "/dev/" + tty.filename().string();
+  if (tty.filename().string().starts_with("rfcomm")) {
+    return PortInfo{name, "Bluetooth", ""};
+  }
+  std::error_code none;
+  for (fs::path place = fs::canonical(tty / "device", none); place.has_relative_path();
+       place = place.parent_path()) {
+    const std::string interface = place.filename().string();
+    if (interface.find(':') == std::string::npos) {
+      continue;
+    }
+    if (const auto device = usb_device_at(place.parent_path())) {
+      return PortInfo{name, device->description, device->serial_number, device->id, interface};
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::vector<PortInfo> list_ports() {
-  sp_port** found = nullptr;
-  if (sp_list_ports(&found) != SP_OK) {
-    return {};
-  }
-  const std::unique_ptr<sp_port*, decltype(&sp_free_port_list)> owner(found, sp_free_port_list);
+std::vector<PortInfo> list_ports(const fs::path& sysfs) {
   std::vector<PortInfo> ports;
-  for (sp_port** port = found; *port != nullptr; ++port) {
-    if (sp_get_port_transport(*port) != SP_TRANSPORT_NATIVE) {
-      ports.push_back(info_of(*port));
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(sysfs / "class" / "tty", none)) {
+    if (auto port = port_of_tty(entry.path())) {
+      ports.push_back(std::move(*port));
     }
   }
+  std::ranges::sort(ports, {}, &PortInfo::name);
   return ports;
+}
+
+bool is_same_device(const PortInfo& one, const PortInfo& other) {
+  if (one.usb_id != other.usb_id || one.description != other.description ||
+      one.serial_number != other.serial_number) {
+    return false;
+  }
+  if (has_own_number(one)) {
+    return interface_of(one) == interface_of(other);
+  }
+  return one.usb_path.empty() ? one.name == other.name : one.usb_path == other.usb_path;
 }
 
 std::optional<std::string_view> port_id_text(std::string_view name) {

@@ -2,12 +2,12 @@
 #include "host/transport/pty_port.hpp"
 
 #include <cerrno>
-#include <fcntl.h>
 #include <system_error>
 #include <termios.h>
 
 #include "host/transport/descriptor_stream.hpp"
 #include "host/transport/file_descriptor.hpp"
+#include "host/transport/port_lock.hpp"
 #include "host/transport/transport_error.hpp"
 
 namespace echomap::transport {
@@ -35,7 +35,7 @@ void make_raw(int fd, const std::string& path) {
 }  // namespace
 
 std::unique_ptr<ByteStream> open_pty_port(const std::string& path) {
-  FileDescriptor fd(::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK));
+  FileDescriptor fd(open_port_alone(path));
   if (fd.get() < 0) {
     fail(path);
   }

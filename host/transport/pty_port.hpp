@@ -8,7 +8,8 @@
 
 namespace echomap::transport {
 
-/// Opens the slave side of a pseudo terminal, raw, and drops what was sent before. A pty has no
+/// Opens the slave side of a pseudo terminal, raw, for this process alone (`open_port_alone`), and
+/// drops what was sent before. A pty has no
 /// baud rate and no modem lines, which is why libserialport refuses it. Throws TransportError.
 std::unique_ptr<ByteStream> open_pty_port(const std::string& path);
 

@@ -3,14 +3,15 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <fcntl.h>
 #include <libserialport.h>
 #include <system_error>
 #include <termios.h>
 
 #include "host/transport/descriptor_stream.hpp"
 #include "host/transport/file_descriptor.hpp"
+#include "host/transport/low_latency.hpp"
 #include "host/transport/port_list.hpp"
+#include "host/transport/port_lock.hpp"
 #include "host/transport/transport_error.hpp"
 
 namespace echomap::transport {
@@ -24,13 +25,11 @@ struct ClosePort {
 };
 using Port = std::unique_ptr<sp_port, ClosePort>;
 
-std::string next_step(int error_number, const std::string& path) {
+std::string next_step(int error_number) {
   switch (error_number) {
     case EACCES:
     case EPERM:
       return "sudo usermod -aG dialout $USER, then log in again";
-    case EBUSY:
-      return "fuser -v " + path + " shows the program that holds it";
     default: {
       const auto ports = list_ports();
       return ports.empty() ? "plug the robot in, or try without one: echomap demo"
@@ -45,7 +44,7 @@ std::string next_step(int error_number, const std::string& path) {
   if (is_missing) {
     why += "; " + describe_ports(list_ports());
   }
-  throw TransportError("cannot open the serial port " + path, why, next_step(error_number, path));
+  throw TransportError("cannot open the serial port " + path, why, next_step(error_number));
 }
 
 /// The device behind links like /dev/serial/by-id/..: libserialport takes no link.
@@ -69,8 +68,7 @@ void check(sp_return result, const std::string& path, int fallback_error) {
 /// long as this is open no other closing is the last one; its own is without HUPCL.
 class SteadyDevice {
  public:
-  explicit SteadyDevice(const std::string& path)
-      : fd_(::open(resolved(path).c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
+  explicit SteadyDevice(const std::string& path) : fd_(open_port_alone(path)) {
     if (fd_.get() < 0) {
       fail(path, errno);
     }
@@ -79,6 +77,7 @@ class SteadyDevice {
   SteadyDevice(const SteadyDevice&) = delete;
   SteadyDevice& operator=(const SteadyDevice&) = delete;
 
+  int get() const { return fd_.get(); }
   int release() { return fd_.release(); }
 
   /// HUPCL off, and VMIN at 1: Asio takes a read at VMIN 0 for the end of the stream.
@@ -128,7 +127,15 @@ std::unique_ptr<ByteStream> open_serial_port(const std::string& path, int baud) 
   if (!device.correct_settings()) {
     fail(path, errno);
   }
-  return serial_stream(device.release(), path);
+  // Not before libserialport, whose own opening it would keep out.
+  exclude_others(device.get());
+  const bool is_faster = lower_latency(device.get());
+  return serial_stream(device.release(), path, [is_faster](int fd) {
+    admit_others(fd);
+    if (is_faster) {
+      restore_latency(fd);
+    }
+  });
 }
 
 }  // namespace echomap::transport

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cstdint>
 #include <fstream>
-#include <optional>
 #include <system_error>
+#include <utility>
 
 namespace echomap::transport {
 namespace {
@@ -30,6 +30,15 @@ std::optional<std::uint16_t> hexadecimal(const std::string& text) {
 
 }  // namespace
 
+std::optional<UsbDevice> usb_device_at(const fs::path& folder) {
+  const auto vendor = hexadecimal(attribute(folder, "idVendor"));
+  const auto product = hexadecimal(attribute(folder, "idProduct"));
+  if (!vendor || !product) {
+    return std::nullopt;
+  }
+  return UsbDevice{{*vendor, *product}, attribute(folder, "product"), attribute(folder, "serial")};
+}
+
 std::vector<UsbDevice> list_usb_devices(const fs::path& folder) {
   std::vector<fs::path> entries;
   std::error_code none;
@@ -39,11 +48,8 @@ std::vector<UsbDevice> list_usb_devices(const fs::path& folder) {
   std::sort(entries.begin(), entries.end());
   std::vector<UsbDevice> devices;
   for (const fs::path& entry : entries) {
-    const auto vendor = hexadecimal(attribute(entry, "idVendor"));
-    const auto product = hexadecimal(attribute(entry, "idProduct"));
-    if (vendor && product) {
-      devices.push_back(
-          {{*vendor, *product}, attribute(entry, "product"), attribute(entry, "serial")});
+    if (auto device = usb_device_at(entry)) {
+      devices.push_back(std::move(*device));
     }
   }
   return devices;

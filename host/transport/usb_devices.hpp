@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct UsbDevice {
   std::string description;    ///< As the device tells it; may be empty.
   std::string serial_number;  ///< May be empty.
 };
+
+/// The USB device in this folder of sysfs; empty where it is none.
+std::optional<UsbDevice> usb_device_at(const std::filesystem::path& folder);
 
 /// The USB devices of this machine in the order of their names, as Linux shows them below `folder`
 /// (Documentation/ABI/stable/sysfs-bus-usb); none where there is no such folder.

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "host/flashing/flash_boards.hpp"
 
-#include <set>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/transport/usb_table.hpp"
 
 namespace echomap::flashing {
 namespace {
@@ -30,30 +29,17 @@ TEST(FlashBoards, OfAnotherNameAreAUsageError) {
   }
 }
 
-TEST(KnownUsbIds, StandOnceEachAndNameABoardThatThereIs) {
-  std::set<transport::UsbId> seen;
-  for (const KnownUsbId& known : known_usb_ids()) {
-    EXPECT_TRUE(seen.insert(known.id).second) << to_string(known.id);
-    EXPECT_EQ(known.role == UsbRole::kBoard, !known.board.empty()) << to_string(known.id);
+TEST(KnownUsbIds, NameBoardsThatThereAre) {
+  for (const transport::KnownUsbId& known : transport::known_usb_ids()) {
     if (!known.board.empty()) {
       EXPECT_EQ(flash_board(known.board).name, known.board);
     }
   }
 }
 
-TEST(KnownUsbIds, SayWhatIsABoardAndWhatOnlyItsSerialChip) {
-  EXPECT_EQ(known_usb_id({0x2341, 0x0043})->board, "uno");
-  EXPECT_EQ(known_usb_id({0x2a03, 0x0042})->board, "mega");
-  EXPECT_EQ(known_usb_id({0x1a86, 0x7523})->role, UsbRole::kSerialChip);
-  EXPECT_EQ(known_usb_id({0x0483, 0x3748})->role, UsbRole::kProgrammer);
-  // A modem, and an ST-Link soldered to another board.
-  EXPECT_EQ(known_usb_id({0x12d1, 0x1506}), nullptr);
-  EXPECT_EQ(known_usb_id({0x0483, 0x374b}), nullptr);
-}
-
 TEST(KnownUsbIds, StandInTheGuide) {
   const std::string guide = files::read_text_file(ECHOMAP_SOURCE_DIR "/docs/guides/flashing.md");
-  for (const KnownUsbId& known : known_usb_ids()) {
+  for (const transport::KnownUsbId& known : transport::known_usb_ids()) {
     EXPECT_THAT(guide, testing::HasSubstr(to_string(known.id)));
   }
 }

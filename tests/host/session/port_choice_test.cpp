@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/session/port_choice.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -50,8 +51,7 @@ class DeviceStream final : public transport::ByteStream {
 
 class PortChoice : public testing::Test {
  protected:
-  std::unique_ptr<transport::ByteStream> choose(const std::vector<std::string>& ports,
-                                                bool are_named = true) {
+  std::unique_ptr<transport::ByteStream> choose(const std::vector<std::string>& ports) {
     const OpenPort open =
         [this](const std::string& port) -> std::unique_ptr<transport::ByteStream> {
       const auto device = devices.find(port);
@@ -61,11 +61,11 @@ class PortChoice : public testing::Test {
       }
       return std::make_unique<DeviceStream>(port, device->second);
     };
-    return choose_port({ports, are_named}, open, 7);
+    return choose_port(ports, open, 7);
   }
-  std::string refusal(const std::vector<std::string>& ports, bool are_named = true) {
+  std::string refusal(const std::vector<std::string>& ports) {
     try {
-      choose(ports, are_named);
+      choose(ports);
     } catch (const console::CommandError& error) {
       EXPECT_EQ(error.code(), console::ExitCode::kNoRobot);
       return error.what();
@@ -86,14 +86,7 @@ TEST_F(PortChoice, TakesTheOneThatAnswersAndSaysHelloOnceToEach) {
   }
 }
 
-TEST_F(PortChoice, AsksASinglePortThatNobodyNamed) {
-  EXPECT_EQ(choose({"robot"}, false)->name(), "robot");
-  EXPECT_EQ(devices.at("robot").robot.hellos, 1);
-  EXPECT_THAT(refusal({"modem"}, false), AllOf(HasSubstr("no robot answers"), HasSubstr("ERROR")));
-  EXPECT_EQ(devices.at("modem").robot.hellos, 1);
-}
-
-TEST_F(PortChoice, TakesASingleNamedPortAsItIs) {
+TEST_F(PortChoice, TakesASinglePortAsItIs) {
   EXPECT_EQ(choose({"silent"})->name(), "silent");
   EXPECT_EQ(devices.at("silent").robot.hellos, 0);
 }
@@ -125,16 +118,101 @@ TEST_F(PortChoice, ListensToNoPortThatIsClosed) {
   EXPECT_EQ(devices.at("silent").reads, 0);
 }
 
-TEST_F(PortChoice, WithoutAPortThereIsNoRobot) {
-  EXPECT_THAT(refusal({}), HasSubstr("no USB or Bluetooth serial port"));
+/// A desk that nobody names a port of, and somebody who answers questions.
+class PossibleRobots : public testing::Test {
+ protected:
+  /// The chosen port, or why there is none.
+  std::string choose(const std::vector<transport::PortInfo>& ports) {
+    const auto is_in = [](const std::vector<std::string>& names) {
+      return [names](const transport::PortInfo& port) {
+        return std::ranges::find(names, port.name) != names.end();
+      };
+    };
+    const auto ask = [this](const std::string& question) -> std::optional<std::string> {
+      questions.push_back(question);
+      if (answers.empty()) {
+        return std::nullopt;
+      }
+      const std::string answer = answers.front();
+      answers.erase(answers.begin());
+      return answer;
+    };
+    try {
+      return choose_possible_robot({ports, is_in(known), is_in(held), ask, why_none});
+    } catch (const console::CommandError& error) {
+      EXPECT_EQ(error.code(), console::ExitCode::kNoRobot);
+      return error.what();
+    }
+  }
+
+  std::vector<std::string> known;
+  std::vector<std::string> held;
+  std::vector<std::string> answers;
+  std::vector<std::string> questions;
+  std::string why_none;
+  const transport::PortInfo uno{"/dev/ttyACM0", "Uno", "754", transport::UsbId{0x2341, 0x0043}};
+  const transport::PortInfo nano{"/dev/ttyUSB0", "USB", "", transport::UsbId{0x1a86, 0x7523}};
+  const transport::PortInfo modem{"/dev/ttyUSB1", "HUAWEI", "", transport::UsbId{0x12d1, 0x1506}};
+  const transport::PortInfo radio{"/dev/rfcomm0", "Bluetooth", ""};
+};
+
+TEST_F(PossibleRobots, AreNotThereWhereNoIdIsOfABoard) {
+  EXPECT_THAT(choose({}), HasSubstr("next: plug the robot in"));
+  EXPECT_THAT(choose({modem, radio}), AllOf(HasSubstr("HUAWEI"), HasSubstr("--port")));
+  why_none = "brltty has taken it\n  next: mask it";
+  EXPECT_THAT(choose({}), HasSubstr("brltty has taken it\n  next: mask it"));
+  EXPECT_TRUE(questions.empty());
+}
+
+TEST_F(PossibleRobots, AreTakenUnaskedWhereOneHasAnsweredBefore) {
+  known = {nano.name};
+  EXPECT_EQ(choose({modem, nano}), nano.name);
+  EXPECT_EQ(choose({uno, nano}), nano.name);
+  known = {radio.name};
+  EXPECT_EQ(choose({radio}), radio.name) << "the user named it once";
+  EXPECT_TRUE(questions.empty());
+}
+
+TEST_F(PossibleRobots, AreAskedForOnceWhereNoneHasAnswered) {
+  answers = {"yes"};
+  EXPECT_EQ(choose({modem, nano}), nano.name);
+  EXPECT_THAT(questions.at(0), HasSubstr("CH340 (1a86:7523)"));
+  answers = {"no"};
+  EXPECT_THAT(choose({nano}), HasSubstr("no port was chosen\n  next: "));
+}
+
+TEST_F(PossibleRobots, AreNamedWhereNobodyCanBeAsked) {
+  EXPECT_THAT(choose({nano}), AllOf(HasSubstr("CH340"), HasSubstr("--port /dev/ttyUSB0")));
+  EXPECT_THAT(choose({uno, nano}),
+              AllOf(HasSubstr("1  /dev/ttyACM0: Arduino Uno R3 (2341:0043)"),
+                    HasSubstr("2  /dev/ttyUSB0"),
+                    HasSubstr("next: name one, as in --port /dev/ttyACM0")));
+}
+
+TEST_F(PossibleRobots, AreChosenByNumberFromAList) {
+  answers = {"3", "uno", "2"};
+  EXPECT_EQ(choose({uno, nano}), nano.name);
+  EXPECT_EQ(questions.size(), 3U);
+  answers = {""};
+  EXPECT_THAT(choose({uno, nano}), HasSubstr("next: name one"));
+}
+
+TEST_F(PossibleRobots, AreTheFreeOneWhereAnotherRuns) {
+  known = {uno.name, nano.name};
+  held = {uno.name};
+  EXPECT_EQ(choose({uno, nano}), nano.name);
+  held = {};
+  EXPECT_THAT(choose({uno, nano}), HasSubstr("a robot answered here before"));
+  known = {uno.name};
+  held = {uno.name};
+  EXPECT_THAT(choose({uno, nano}), HasSubstr("in use by another program"));
 }
 
 TEST(CandidatePorts, AreWhatIsNamedAndAnIdHasToFit) {
-  const CandidatePorts candidates = candidate_ports({"/dev/ttyACM0", "tcp://a:1"});
-  EXPECT_EQ(candidates.ports, (std::vector<std::string>{"/dev/ttyACM0", "tcp://a:1"}));
-  EXPECT_TRUE(candidates.are_named);
-  EXPECT_FALSE(candidate_ports({}).are_named);
-  EXPECT_THROW(candidate_ports({"id:no such device"}), console::CommandError);
+  const PortSurroundings here{{{"/dev/ttyACM1", "Uno", "754"}}, {}, {}, {}};
+  EXPECT_EQ(candidate_ports({"/dev/ttyACM0", "tcp://a:1", "id:754"}, here),
+            (std::vector<std::string>{"/dev/ttyACM0", "tcp://a:1", "/dev/ttyACM1"}));
+  EXPECT_THROW(candidate_ports({"id:no such device"}, here), console::CommandError);
 }
 
 }  // namespace

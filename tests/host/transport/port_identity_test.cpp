@@ -78,6 +78,35 @@ TEST_F(UsbPortIdentity, TakesNoOtherDeviceForIt) {
   EXPECT_EQ(whereabouts(identity), "it is not plugged in");
 }
 
+/// A CH340 has no number: its socket tells it from its twins.
+TEST_F(UsbPortIdentity, FindsADeviceWithoutASerialNumberByItsSocket) {
+  const UsbId ch340{0x1a86, 0x7523};
+  const auto identity = identity_of({kFirst, "USB Serial", "", ch340, "1-1.2:1.0"});
+  EXPECT_EQ(whereabouts(identity), kFirst);
+  here = {{kSecond, "USB Serial", "", ch340, "1-1.2:1.0"}};
+  EXPECT_EQ(whereabouts(identity), kSecond);
+  here = {{kFirst, "USB Serial", "", ch340, "1-1.3:1.0"}};
+  EXPECT_EQ(whereabouts(identity), "another device has its name now") << "a twin beside it";
+  here.push_back({kSecond, "USB Serial", "", ch340, "1-1.2:1.0"});
+  EXPECT_EQ(whereabouts(identity), kSecond);
+  here = {{kFirst, "USB Serial", "", UsbId{0x0403, 0x6001}, "1-1.2:1.0"}};
+  EXPECT_EQ(whereabouts(identity), "another device has its name now") << "in its socket";
+}
+
+TEST_F(UsbPortIdentity, TakesTheNumberOfEveryCp2102ForNone) {
+  const UsbId cp2102{0x10c4, 0xea60};
+  const auto identity = identity_of({kFirst, "CP2102", "0001", cp2102, "1-1.2:1.0"});
+  here = {{kSecond, "CP2102", "0001", cp2102, "1-1.3:1.0"}};
+  EXPECT_EQ(whereabouts(identity), "it is not plugged in");
+}
+
+TEST_F(UsbPortIdentity, TakesNoOtherPortOfTheSameDevice) {
+  const auto identity = identity_of({kFirst, "Dual", "77", UsbId{0x2e8a, 0xa}, "1-1:1.0"});
+  here = {{kFirst, "Dual", "77", UsbId{0x2e8a, 0xa}, "1-1:1.2"},
+          {kSecond, "Dual", "77", UsbId{0x2e8a, 0xa}, "1-1:1.0"}};
+  EXPECT_EQ(whereabouts(identity), kSecond);
+}
+
 TEST_F(UsbPortIdentity, GuessesNothingOfADeviceWithoutASerialNumber) {
   const auto identity = identity_of({kFirst, "USB Serial", ""});
   EXPECT_EQ(whereabouts(identity), kFirst);

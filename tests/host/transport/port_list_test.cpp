@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/sysfs_tree.hpp"
+
 namespace echomap::transport {
 namespace {
 
@@ -12,6 +15,27 @@ TEST(PortList, LeavesOutThePortsThatEveryPcHas) {
     EXPECT_THAT(port.name, testing::StartsWith("/dev/"));
     EXPECT_THAT(port.name, testing::Not(testing::StartsWith("/dev/ttyS")));
   }
+}
+
+TEST(PortList, TellsWhatIsPluggedInAndWhere) {
+  const tests::ScratchFolder folder;
+  tests::SysfsTree sysfs(folder.path());
+  sysfs.plug("ttyUSB3", {"1-1.2", {0x1a86, 0x7523}, "USB Serial"});
+  sysfs.plug("ttyACM0", {"1-4", {0x2341, 0x0043}, "Arduino Uno", "7583"});
+  std::filesystem::create_directories(folder / "class/tty/ttyS0/device");
+  std::filesystem::create_directories(folder / "class/tty/rfcomm0");
+  const auto ports = list_ports(sysfs.root());
+  ASSERT_EQ(ports.size(), 3U);
+  EXPECT_EQ(ports[0].name, "/dev/rfcomm0");
+  EXPECT_EQ(ports[0].usb_id, std::nullopt);
+  EXPECT_EQ(ports[1].name, "/dev/ttyACM0");
+  EXPECT_EQ(ports[1].serial_number, "7583");
+  EXPECT_EQ(ports[1].description, "Arduino Uno");
+  EXPECT_EQ(ports[2].usb_id, (UsbId{0x1a86, 0x7523}));
+  EXPECT_EQ(ports[2].usb_path, "1-1.2:1.0");
+  sysfs.unplug("ttyUSB3");
+  EXPECT_EQ(list_ports(sysfs.root()).size(), 2U);
+  EXPECT_TRUE(list_ports(folder / "nothing").empty());
 }
 
 TEST(PortList, IsDescribedInOneLine) {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <unistd.h>
 
+#include <linux/serial.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -65,8 +66,23 @@ int answer_modem_lines(unsigned long request, int* argument) {
       set_lines(modem.up & ~*argument);
       return 0;
     default:
+      errno = ENOTTY;
       return -1;
   }
+}
+
+int answer_driver_flags(unsigned long request, serial_struct& settings) {
+  int& flags = modem_lines().driver_flags;
+  if (flags < 0) {
+    errno = ENOTTY;
+    return -1;
+  }
+  if (request == TIOCGSERIAL) {
+    settings.flags = flags;
+  } else {
+    flags = settings.flags;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -79,6 +95,9 @@ int ioctl(int fd, unsigned long request, ...) noexcept {
   void* argument = va_arg(arguments, void*);
   va_end(arguments);
   const auto result = static_cast<int>(::syscall(SYS_ioctl, fd, request, argument));
+  if (result == -1 && (request == TIOCGSERIAL || request == TIOCSSERIAL)) {
+    return answer_driver_flags(request, *static_cast<serial_struct*>(argument));
+  }
   if (result == -1 && errno == ENOTTY) {
     return answer_modem_lines(request, static_cast<int*>(argument));
   }
