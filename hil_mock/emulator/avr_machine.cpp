@@ -112,6 +112,9 @@ void AvrMachine::after_reset() {
   pins_.redrive();
   usart_.reset();
   two_wire_.reset();
+  if (on_reset) {
+    on_reset();
+  }
 }
 
 void AvrMachine::check_alive() const {

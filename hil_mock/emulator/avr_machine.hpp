@@ -46,6 +46,8 @@ class AvrMachine {
   /// takes ten times as long.
   std::function<void(std::uint32_t)> on_instruction;
   void reset(ResetSource source);
+  /// Called after every reset, whatever its cause, before the first instruction.
+  std::function<void()> on_reset;
 
   std::uint8_t data_at(std::uint16_t address) const { return avr_->data[address]; }
   avr_t& core() { return *avr_; }

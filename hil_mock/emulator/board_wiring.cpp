@@ -19,6 +19,36 @@ constexpr SparePin spare(char port, std::uint8_t bit, int channel = SparePin::kN
 /// A spare pin that only reads voltages.
 constexpr SparePin voltage(int channel) { return {{SparePin::kNoPort, 0}, channel}; }
 
+/// A pin that a program can only set.
+constexpr DriverPin port_pin(char port, std::uint8_t bit) { return {{port, bit}}; }
+
+constexpr DriverPin pwm_pin(char timer, std::uint8_t unit, char port, std::uint8_t bit) {
+  return {{port, bit}, timer, unit};
+}
+
+constexpr DriverPin kNoPin{};
+
+namespace uno {
+constexpr DriverPin kD4 = port_pin('D', 4);
+constexpr DriverPin kD5 = pwm_pin('0', kB, 'D', 5);
+constexpr DriverPin kD6 = pwm_pin('0', kA, 'D', 6);
+constexpr DriverPin kD7 = port_pin('D', 7);
+constexpr DriverPin kD11 = port_pin('B', 3);
+constexpr DriverPin kD12 = port_pin('B', 4);
+}  // namespace uno
+
+namespace mega {
+constexpr DriverPin kD4 = pwm_pin('0', kB, 'G', 5);
+constexpr DriverPin kD5 = pwm_pin('3', kA, 'E', 3);
+constexpr DriverPin kD6 = pwm_pin('4', kA, 'H', 3);
+constexpr DriverPin kD7 = pwm_pin('4', kB, 'H', 4);
+constexpr DriverPin kD8 = port_pin('H', 5);
+constexpr DriverPin kD9 = port_pin('H', 6);
+constexpr DriverPin kD11 = pwm_pin('1', kA, 'B', 5);
+constexpr DriverPin kD12 = pwm_pin('1', kB, 'B', 6);
+}  // namespace mega
+
+/// Has no timer left for servos.
 constexpr BoardWiring kUno{
     .board = "uno",
     .chip = "atmega328p",
@@ -29,8 +59,14 @@ constexpr BoardWiring kUno{
     .sonar_echo = {'B', 0},  // ICP1
     .sonar_trigger = {'B', 1},
     .pan_servo = {'1', kB, {'B', 2}},
-    .left_motor = {{'0', kA, {'D', 6}}, {'D', 4}},
-    .right_motor = {{'0', kB, {'D', 5}}, {'D', 7}},
+    .left_motor = {{{uno::kD6, uno::kD4, kNoPin},
+                    {uno::kD6, uno::kD4, uno::kD11},
+                    {kNoPin, uno::kD6, uno::kD4},
+                    {}}},
+    .right_motor = {{{uno::kD5, uno::kD7, kNoPin},
+                     {uno::kD5, uno::kD7, uno::kD12},
+                     {kNoPin, uno::kD5, uno::kD7},
+                     {}}},
     .left_bump = {'D', 2},
     .right_bump = {'D', 3},
     .two_wire = {{'C', 4}, {'C', 5}},
@@ -56,8 +92,14 @@ constexpr BoardWiring kMega{
     .sonar_echo = {'L', 1},  // ICP5
     .sonar_trigger = {'L', 3},
     .pan_servo = {'5', kB, {'L', 4}},
-    .left_motor = {{'4', kA, {'H', 3}}, {'G', 5}},
-    .right_motor = {{'3', kA, {'E', 3}}, {'H', 4}},
+    .left_motor = {{{mega::kD6, mega::kD4, kNoPin},
+                    {mega::kD6, mega::kD4, mega::kD8},
+                    {kNoPin, mega::kD6, mega::kD4},
+                    {mega::kD11, kNoPin, kNoPin}}},
+    .right_motor = {{{mega::kD5, mega::kD7, kNoPin},
+                     {mega::kD5, mega::kD7, mega::kD9},
+                     {kNoPin, mega::kD5, mega::kD7},
+                     {mega::kD12, kNoPin, kNoPin}}},
     .left_bump = {'E', 4},
     .right_bump = {'E', 5},
     .two_wire = {{'D', 1}, {'D', 0}},

@@ -20,11 +20,25 @@ struct CompareUnit {
   Pin pin;
 };
 
-/// The two wires to a motor bridge.
-struct MotorWiring {
-  CompareUnit pwm;
-  Pin forward;  ///< High is forward.
+/// A pin that goes to a motor driver. It has a level, or a compare unit's pulses.
+struct DriverPin {
+  static constexpr char kNoPort = 0;
+  static constexpr char kNoTimer = 0;
+
+  Pin pin{kNoPort, 0};
+  char timer = kNoTimer;
+  std::uint8_t unit = 0;
 };
+
+/// The wires to one half of a driver, as in world::DriverInputs.
+struct DriverWires {
+  DriverPin pwm;
+  DriverPin in1;
+  DriverPin in2;
+};
+
+/// Those of one motor to each kind of driver, in the order of world::DriverInterface.
+using MotorWiring = std::array<DriverWires, 4>;
 
 /// Where the chip has its two-wire interface.
 struct TwoWireWiring {

@@ -13,7 +13,6 @@
 namespace echomap::emulator {
 namespace {
 
-using runner::MotorDuty;
 using runner::Wheel;
 
 /// A cycle lasts 125/2 ns.
@@ -62,7 +61,10 @@ void SimavrBoard::run_until(std::int64_t until_ns) {
   machine_.run_to(cycle_at_ns(until_ns_));
 }
 
-MotorDuty SimavrBoard::motor_duty() const { return {left_motor_.duty(), right_motor_.duty()}; }
+world::DriverInputs SimavrBoard::driver_inputs(Wheel wheel,
+                                               world::DriverInterface interface) const {
+  return (wheel == Wheel::kLeft ? left_motor_ : right_motor_).inputs(interface);
+}
 
 double SimavrBoard::pan_pulse_us() const {
   return servo_.makes_pulses() && servo_compare_ != 0 ? (servo_compare_ + 1) * kServoCountUs : 0.0;
@@ -163,16 +165,18 @@ void SimavrBoard::watch_servo() {
 
 void SimavrBoard::watch_motors() {
   std::set<std::uint16_t> registers;
-  for (const MotorOutput& motor : {left_motor_, right_motor_}) {
-    const auto addresses = motor.addresses();
-    registers.insert(addresses.begin(), addresses.end());
+  for (const MotorOutput* motor : {&left_motor_, &right_motor_}) {
+    registers.merge(motor->addresses());
   }
   for (const std::uint16_t address : registers) {
-    machine_.hooks().after_write(address, [this] {
-      if (on_duty) {
-        on_duty();
-      }
-    });
+    machine_.hooks().after_write(address, [this] { tell_duty(); });
+  }
+  machine_.on_reset = [this] { tell_duty(); };
+}
+
+void SimavrBoard::tell_duty() const {
+  if (on_duty) {
+    on_duty();
   }
 }
 

@@ -27,7 +27,8 @@ class SimavrBoard final : public runner::SimulatedBoard {
 
   void receive(std::span<const std::uint8_t> bytes) override { machine_.usart().receive(bytes); }
 
-  runner::MotorDuty motor_duty() const override;
+  world::DriverInputs driver_inputs(runner::Wheel wheel,
+                                    world::DriverInterface interface) const override;
   double pan_pulse_us() const override;
   void schedule_encoder_edge(runner::Wheel wheel, std::int64_t at_ns, bool a, bool b) override;
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
@@ -57,6 +58,7 @@ class SimavrBoard final : public runner::SimulatedBoard {
   void on_trigger_level(bool high);
   void watch_servo();
   void watch_motors();
+  void tell_duty() const;
   void schedule_level(std::int64_t at_ns, Pin pin, bool level);
 
   std::string program_;

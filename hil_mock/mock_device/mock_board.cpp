@@ -10,6 +10,8 @@ namespace echomap::mock_device {
 namespace {
 
 constexpr double kFullDuty = 255.0;
+/// As the Uno's.
+constexpr double kPwmPeriodUs = 128.0;
 /// The converter's reference is a supply of 5 V.
 constexpr double kCountsPerMillivolt = 1024.0 / 5000.0;
 constexpr double kMaxCounts = 1023.0;
@@ -48,8 +50,11 @@ void MockBoard::receive(std::span<const std::uint8_t> bytes) {
   board_.receive(bytes.data(), bytes.size());
 }
 
-runner::MotorDuty MockBoard::motor_duty() const {
-  return {board_.left_duty() / kFullDuty, board_.right_duty() / kFullDuty};
+/// The native program has no pins: whatever the driver, its wires get what it asks for.
+world::DriverInputs MockBoard::driver_inputs(runner::Wheel wheel,
+                                             world::DriverInterface interface) const {
+  const double duty = wheel == runner::Wheel::kLeft ? board_.left_duty() : board_.right_duty();
+  return world::inputs_for(interface, duty / kFullDuty, false, kPwmPeriodUs);
 }
 
 void MockBoard::schedule_encoder_edge(runner::Wheel wheel, std::int64_t at_ns, bool a, bool b) {

@@ -24,7 +24,8 @@ class MockBoard final : public runner::SimulatedBoard {
   void run_until(std::int64_t until_ns) override { board_.run_until_ns(until_ns); }
   void reset() override { board_.reset(); }
   void receive(std::span<const std::uint8_t> bytes) override;
-  runner::MotorDuty motor_duty() const override;
+  world::DriverInputs driver_inputs(runner::Wheel wheel,
+                                    world::DriverInterface interface) const override;
   double pan_pulse_us() const override { return board_.pan_pulse_us(); }
   void schedule_encoder_edge(runner::Wheel wheel, std::int64_t at_ns, bool a, bool b) override;
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;

@@ -16,6 +16,7 @@
 #include "hil_mock/runner/fix_sender.hpp"
 #include "hil_mock/runner/lockstep_run.hpp"
 #include "hil_mock/runner/paced_run.hpp"
+#include "hil_mock/runner/pin_log.hpp"
 #include "hil_mock/runner/pty_endpoint.hpp"
 #include "hil_mock/runner/robot_simulation.hpp"
 #include "hil_mock/runner/stop_signal.hpp"
@@ -38,10 +39,21 @@ world::FloorPlan load_plan(const DeviceOptions& options) {
   return options.T_world_start ? plan.starting_at(*options.T_world_start) : plan;
 }
 
+/// Puts another driver between board and motors.
+void fit_driver(world::DriverChip driver, world::DriveParams& drive) {
+  drive.driver = driver;
+  if (driver == world::DriverChip::kServo) {
+    drive.dead_zone_duty = 0.0;
+  }
+}
+
 /// Whatever does not fit, robot or start, is a fault of the configuration.
 std::unique_ptr<world::RobotWorld> load_world(const DeviceOptions& options) {
   const auto path = files::bundled_file(options.robot, "hil_mock/robots", "robot");
-  const world::RobotParams robot = world::read_robot(files::TomlReader::load(path));
+  world::RobotParams robot = world::read_robot(files::TomlReader::load(path));
+  if (!options.driver.empty()) {
+    fit_driver(world::driver_named(options.driver), robot.drive);
+  }
   try {
     return std::make_unique<world::RobotWorld>(
         load_plan(options), robot, options.seed, options.part_faults);
@@ -95,6 +107,14 @@ class Device {
       duty_log_.emplace(options.duty_log);
       simulation_.on_duty = [this](std::int64_t now_ns, const MotorDuty& duty) {
         duty_log_->note(now_ns, duty);
+      };
+    }
+    if (!options.pin_log.empty()) {
+      pin_log_.emplace(options.pin_log);
+      simulation_.on_driver_inputs = [this](std::int64_t now_ns,
+                                            const world::DriverInputs& left,
+                                            const world::DriverInputs& right) {
+        pin_log_->note(now_ns, left, right);
       };
     }
   }
@@ -189,6 +209,7 @@ class Device {
   std::optional<OverheadCamera> camera_;
   std::unique_ptr<FixSender> fixes_;
   std::optional<DutyLog> duty_log_;
+  std::optional<PinLog> pin_log_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "hil_mock/world/motor_driver.hpp"
 #include "host/geometry/angle.hpp"
 
 namespace echomap::runner {
@@ -163,6 +164,10 @@ void add_options(CLI::App& app,
       ->capture_default_str();
   app.add_option("--robot", options.robot, "Robot: a bundled name or a TOML file")
       ->capture_default_str();
+  app.add_option("--driver",
+                 options.driver,
+                 "Motor driver between board and motors, instead of the robot file's")
+      ->check(CLI::IsMember(world::driver_names()));
   add_board_options(app, options, program);
   auto* link =
       app.add_option("--link", options.link, "Symbolic link to the pty")->capture_default_str();
@@ -189,6 +194,9 @@ void add_options(CLI::App& app,
                  options.duty_log,
                  "CSV file for when a wheel is driven and when no more: simulated time, "
                  "CLOCK_MONOTONIC, duties");
+  app.add_option("--pin-log",
+                 options.pin_log,
+                 "CSV file for every change of a wire to a motor driver, with its simulated time");
   add_place_options(app, options, raw);
   app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
       ->check(CLI::PositiveNumber)

@@ -21,6 +21,8 @@ namespace echomap::runner {
 struct DeviceOptions {
   std::string world = "living_room";
   std::string robot = "uno_2wd";
+  /// Instead of the robot file's motor driver; empty for that one.
+  std::string driver;
   BoardOptions board;
   /// Symbolic link to the pty; unused with `tcp_port`.
   std::filesystem::path link;
@@ -37,6 +39,8 @@ struct DeviceOptions {
   std::filesystem::path truth;
   /// Where a DutyLog goes; empty for none.
   std::filesystem::path duty_log;
+  /// Where a PinLog goes; empty for none.
+  std::filesystem::path pin_log;
   std::optional<geometry::Pose2> T_world_start;
   /// Where the overhead camera's fixes go (FixSender); empty for no camera.
   std::string camera;

@@ -32,7 +32,9 @@ class FaultyBoard final : public SimulatedBoard {
   void run_until(std::int64_t until_ns) override;
   void reset() override { board_->reset(); }
   void receive(std::span<const std::uint8_t> bytes) override;
-  MotorDuty motor_duty() const override { return board_->motor_duty(); }
+  world::DriverInputs driver_inputs(Wheel wheel, world::DriverInterface interface) const override {
+    return board_->driver_inputs(wheel, interface);
+  }
   double pan_pulse_us() const override { return board_->pan_pulse_us(); }
   void schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) override {
     board_->schedule_encoder_edge(wheel, at_ns, a, b);

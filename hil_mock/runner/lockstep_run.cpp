@@ -18,8 +18,8 @@ constexpr std::chrono::seconds kBytesPatience{5};
 constexpr std::int64_t kWithoutHostNs = 2'000'000'000;
 constexpr std::int64_t kWatchStepNs = 10'000;
 
-bool is_driving(const SimulatedBoard& board) {
-  const MotorDuty duty = board.motor_duty();
+bool is_driving(const RobotSimulation& simulation) {
+  const MotorDuty duty = simulation.motor_duty();
   return duty.left != 0.0 || duty.right != 0.0;
 }
 
@@ -88,12 +88,12 @@ StopReport LockstepRun::run_without_host() {
   StopReport report{simulation_.now_ns(), std::nullopt};
   std::int64_t driving_until_ns = 0;
   for (std::int64_t passed_ns = 0; passed_ns < kWithoutHostNs; passed_ns += kWatchStepNs) {
-    if (is_driving(simulation_.board())) {
+    if (is_driving(simulation_)) {
       driving_until_ns = passed_ns + kWatchStepNs;
     }
     simulation_.advance_to(report.last_grant_ns + passed_ns + kWatchStepNs);
   }
-  if (!is_driving(simulation_.board())) {
+  if (!is_driving(simulation_)) {
     report.stopped_after_ns = driving_until_ns;
   }
   return report;

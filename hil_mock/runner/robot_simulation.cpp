@@ -29,7 +29,11 @@ world::Polygon square(const geometry::Pose2& T_world_middle, double side_m) {
 }  // namespace
 
 RobotSimulation::RobotSimulation(SimulatedBoard& board, world::RobotWorld& world)
-    : board_(board), world_(world), wiring_(board, world), pan_(world.robot().pan) {
+    : board_(board),
+      world_(world),
+      driver_(world.robot().drive.driver, world.robot().drive.pull_downs),
+      wiring_(board, world),
+      pan_(world.robot().pan) {
   if (const auto& stepper = world.robot().parts.stepper) {
     stepper_.emplace(*stepper);
   }
@@ -68,13 +72,13 @@ void RobotSimulation::step_world() {
   if (world_.board_is_reset()) {
     board_.reset();
   }
-  const MotorDuty duty = board_.motor_duty();
+  const MotorDuty duty = motor_duty();
   if (duty.left != 0.0 || duty.right != 0.0) {
     last_driven_ns_ = now_ns_;
   }
   tell_duty();
   changes_.clear();
-  world_.step(kStepS, {duty.left, duty.right}, changes_);
+  world_.step(kStepS, duty, changes_);
   turn_pan();
   schedule_edges(Wheel::kLeft, changes_.left);
   schedule_edges(Wheel::kRight, changes_.right);
@@ -92,7 +96,13 @@ void RobotSimulation::step_world() {
 
 void RobotSimulation::tell_duty() {
   if (on_duty) {
-    on_duty(board_.now_ns(), board_.motor_duty());
+    on_duty(board_.now_ns(), motor_duty());
+  }
+  if (on_driver_inputs) {
+    const world::DriverInterface interface = driver_.interface();
+    on_driver_inputs(board_.now_ns(),
+                     board_.driver_inputs(Wheel::kLeft, interface),
+                     board_.driver_inputs(Wheel::kRight, interface));
   }
 }
 

@@ -61,6 +61,10 @@ class RobotSimulation {
   /// Called with the board's time and what its motors get: every millisecond, and between at the
   /// instants at which the program may have changed it.
   std::function<void(std::int64_t now_ns, const MotorDuty& duty)> on_duty;
+  /// At the same instants, what both drivers' inputs get.
+  std::function<void(
+      std::int64_t now_ns, const world::DriverInputs& left, const world::DriverInputs& right)>
+      on_driver_inputs;
 
   /// Bytes for the board's receive line.
   void receive(std::span<const std::uint8_t> bytes);
@@ -68,6 +72,8 @@ class RobotSimulation {
   std::vector<std::uint8_t> take_sent();
 
   std::int64_t now_ns() const { return now_ns_; }
+  /// What the robot's drivers give its motors now.
+  MotorDuty motor_duty() const { return board_.motor_duty(driver_); }
   /// When bytes last came for the board, and the end of the last step in which it drove a motor; 0
   /// for never.
   std::int64_t last_heard_ns() const { return last_heard_ns_; }
@@ -91,6 +97,7 @@ class RobotSimulation {
 
   SimulatedBoard& board_;
   world::RobotWorld& world_;
+  world::MotorDriver driver_;
   AuxWiring wiring_;
   world::PanServo pan_;
   std::optional<world::StepperMotor> stepper_;

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "hil_mock/world/motor_driver.hpp"
 #include "hil_mock/world/two_wire_device.hpp"
 
 namespace echomap::runner {
@@ -13,11 +14,8 @@ namespace echomap::runner {
 /// The two wheels, as seen from behind the robot.
 enum class Wheel : std::uint8_t { kLeft, kRight };
 
-/// What the board does to its motors, -1 .. 1 of full duty, forward positive.
-struct MotorDuty {
-  double left = 0.0;
-  double right = 0.0;
-};
+/// What the motors get from their drivers.
+using MotorDuty = world::WheelDuty;
 
 /// A robot's board in simulated time, seen from its pins: the emulated AVR or the native firmware.
 /// Times are nanoseconds since power-on. Events may only be scheduled at or after `now_ns()`.
@@ -36,8 +34,13 @@ class SimulatedBoard {
   /// Called with each byte that the board has sent, when its stop bit is over.
   std::function<void(std::uint8_t)> on_sent;
 
-  virtual MotorDuty motor_duty() const = 0;
-  /// Called at the instant at which the program may have changed that.
+  /// What the board puts on the wires to a motor's driver, which are those that the firmware has
+  /// for this interface. Pins that the board has none of float.
+  virtual world::DriverInputs driver_inputs(Wheel wheel,
+                                            world::DriverInterface interface) const = 0;
+  /// What drivers of this kind make of that.
+  MotorDuty motor_duty(const world::MotorDriver& driver = world::MotorDriver()) const;
+  /// Called at the instant at which the program or a reset may have changed them.
   std::function<void()> on_duty;
   /// Length of the servo pulse now produced; 0 before the first.
   virtual double pan_pulse_us() const = 0;

@@ -30,6 +30,8 @@ constexpr Pin kLeftMotorPwm{Stm32Chip::kPortA, 6};      ///< TIM3_CH1
 constexpr Pin kRightMotorPwm{Stm32Chip::kPortA, 7};     ///< TIM3_CH2
 constexpr Pin kLeftMotorForward{Stm32Chip::kPortB, 4};  ///< High is forward.
 constexpr Pin kRightMotorForward{Stm32Chip::kPortB, 5};
+constexpr Pin kLeftMotorSecond{Stm32Chip::kPortA, 8};  ///< IN2 of drivers that have one.
+constexpr Pin kRightMotorSecond{Stm32Chip::kPortA, 11};
 constexpr Pin kLeftBump{Stm32Chip::kPortB, 8};  ///< Low is pressed.
 constexpr Pin kRightBump{Stm32Chip::kPortB, 9};
 

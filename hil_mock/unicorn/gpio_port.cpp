@@ -28,6 +28,14 @@ void GpioPort::take_away(std::uint32_t pins) {
   report_changes();
 }
 
+world::PinSignal GpioPort::signal(std::uint8_t pin) const {
+  if (drives(pin)) {
+    return world::level(is_driven_high(pin));
+  }
+  const bool by_program = mode(pin) == kPulled && (output_ & bit(pin)) != 0;
+  return is_taken(pin) || by_program ? world::pulled_up() : world::floating();
+}
+
 std::uint32_t GpioPort::read(std::uint32_t offset) {
   switch (offset) {
     case kCrl:

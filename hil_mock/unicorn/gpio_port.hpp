@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "hil_mock/unicorn/peripheral.hpp"
+#include "hil_mock/world/pin_signal.hpp"
 
 namespace echomap::unicorn {
 
@@ -24,6 +25,9 @@ class GpioPort final : public Peripheral {
   bool level(std::uint8_t pin) const { return (levels() & bit(pin)) != 0; }
   /// Whether a timer or the USART has the pin.
   bool is_alternate(std::uint8_t pin) const { return drives(pin) && (mode(pin) & 8U) != 0; }
+  /// What the program itself puts on the pin: of one that JTAG has, the debug port's pull-up, of
+  /// one that a timer has, low.
+  world::PinSignal signal(std::uint8_t pin) const;
   /// Whether the program itself drives the pin high: no pull-up does.
   bool is_driven_high(std::uint8_t pin) const {
     return drives(pin) && !is_alternate(pin) && level(pin);

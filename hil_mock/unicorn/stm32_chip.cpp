@@ -131,6 +131,9 @@ void Stm32Chip::reset(ResetSource source) {
   set_pace();
   core_.reset();
   ++resets_;
+  if (on_reset) {
+    on_reset();
+  }
 }
 
 void Stm32Chip::set_cycles_per_half_word(unsigned cycles) {

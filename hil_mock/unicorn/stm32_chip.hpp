@@ -71,6 +71,8 @@ class Stm32Chip {
   std::function<void(PortName port, std::uint8_t pin, bool high)> on_level;
   /// Called when the program has written to a peripheral.
   std::function<void()> on_write;
+  /// Called after every reset, whatever its cause, before the first instruction.
+  std::function<void()> on_reset;
   /// How often the chip has been reset since switch-on, by whatever cause.
   std::uint32_t resets() const { return resets_; }
 

@@ -20,7 +20,10 @@ constexpr std::uint32_t kCcr2 = 0x38;
 
 constexpr std::uint32_t kUpdate = bit(0);
 constexpr std::uint32_t kHalfWord = 0xFFFF;
+constexpr unsigned kForcedActive = 5;
 constexpr unsigned kPwmMode1 = 6;
+constexpr unsigned kPwmMode2 = 7;
+constexpr double kCyclesPerUs = 72.0;
 constexpr unsigned kSelectTi1[] = {1, 2};
 
 /// Bits of one channel in CCMR1 and CCER; channels count from 1.
@@ -46,12 +49,21 @@ void Timer::set_input1(bool high) {
   }
 }
 
-double Timer::pwm_level(unsigned channel) const {
-  if (!makes_pwm(channel)) {
-    return 0.0;
+/// Mode 2 is the complement of mode 1, and so is the other polarity (CCxP).
+world::PinSignal Timer::output(unsigned channel) const {
+  if (!is_output(channel)) {
+    return world::level(false);
+  }
+  const unsigned mode = mode_bits(value(kCcmr1), channel) >> 4 & 7U;
+  const bool inverted = (enable_bits(value(kCcer), channel) & 2U) != 0;
+  if (mode != kPwmMode1 && mode != kPwmMode2) {
+    return world::level((mode == kForcedActive) != inverted);
   }
   const double compare = value(channel == 1 ? kCcr1 : kCcr2);
-  return std::min(1.0, compare / (value(kArr) + 1.0));
+  const double before_match = std::min(1.0, compare / (value(kArr) + 1.0));
+  const double period_us = static_cast<double>(period_cycles()) / kCyclesPerUs;
+  return inverted == (mode == kPwmMode1) ? world::inverted_pulses(before_match, period_us)
+                                         : world::pulses(before_match, period_us);
 }
 
 std::uint64_t Timer::pulse_cycles() const {
@@ -110,10 +122,13 @@ void Timer::reset() {
 
 bool Timer::runs() const { return (value(kCr1) & 1U) != 0; }
 
-bool Timer::makes_pwm(unsigned channel) const {
-  const unsigned mode = mode_bits(value(kCcmr1), channel);
-  return runs() && (mode & 3U) == 0 && (mode >> 4 & 7U) == kPwmMode1 &&
+bool Timer::is_output(unsigned channel) const {
+  return runs() && (mode_bits(value(kCcmr1), channel) & 3U) == 0 &&
          (enable_bits(value(kCcer), channel) & 1U) != 0;
+}
+
+bool Timer::makes_pwm(unsigned channel) const {
+  return is_output(channel) && (mode_bits(value(kCcmr1), channel) >> 4 & 7U) == kPwmMode1;
 }
 
 bool Timer::captures(unsigned channel, bool rising) const {

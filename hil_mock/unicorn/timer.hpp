@@ -7,6 +7,7 @@
 #include "hil_mock/unicorn/event_queue.hpp"
 #include "hil_mock/unicorn/nvic.hpp"
 #include "hil_mock/unicorn/peripheral.hpp"
+#include "hil_mock/world/pin_signal.hpp"
 
 namespace echomap::unicorn {
 
@@ -21,8 +22,8 @@ class Timer final : public Peripheral {
   /// Level of the timer's first input, for the channels that capture it.
   void set_input1(bool high);
 
-  /// Share of the time that the PWM output of channel 1 or 2 is high; 0 where it makes none.
-  double pwm_level(unsigned channel) const;
+  /// Output of channel 1 or 2, on a pin that the timer has; low where it makes no PWM.
+  world::PinSignal output(unsigned channel) const;
   /// Length of the pulses of channel 1, in cycles.
   std::uint64_t pulse_cycles() const;
 
@@ -32,6 +33,7 @@ class Timer final : public Peripheral {
 
  private:
   bool runs() const;
+  bool is_output(unsigned channel) const;
   bool makes_pwm(unsigned channel) const;
   bool captures(unsigned channel, bool rising) const;
   std::uint32_t& value(std::uint32_t offset) { return registers_[offset / 4]; }

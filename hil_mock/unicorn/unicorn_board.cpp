@@ -11,7 +11,6 @@
 namespace echomap::unicorn {
 namespace {
 
-using runner::MotorDuty;
 using runner::Wheel;
 
 /// Nine cycles last 125 ns.
@@ -31,19 +30,23 @@ std::uint64_t cycle_at_ns(std::int64_t ns) {
 struct MotorPins {
   unsigned channel;  ///< Of timer 3.
   Pin pwm;
-  Pin forward;
+  Pin direction;
+  Pin second;
 };
 
-constexpr MotorPins kLeftMotor{1, blue_pill_pins::kLeftMotorPwm, blue_pill_pins::kLeftMotorForward};
-constexpr MotorPins kRightMotor{
-    2, blue_pill_pins::kRightMotorPwm, blue_pill_pins::kRightMotorForward};
+constexpr MotorPins kLeftMotor{1,
+                               blue_pill_pins::kLeftMotorPwm,
+                               blue_pill_pins::kLeftMotorForward,
+                               blue_pill_pins::kLeftMotorSecond};
+constexpr MotorPins kRightMotor{2,
+                                blue_pill_pins::kRightMotorPwm,
+                                blue_pill_pins::kRightMotorForward,
+                                blue_pill_pins::kRightMotorSecond};
 
-double duty_of(const Stm32Chip& chip, const MotorPins& motor) {
+world::PinSignal pwm_of(const Stm32Chip& chip, const MotorPins& motor) {
   const GpioPort& port = chip.port(motor.pwm.port);
-  const double level = port.is_alternate(motor.pwm.number)
-                           ? chip.tim3().pwm_level(motor.channel)
-                           : (port.is_driven_high(motor.pwm.number) ? 1.0 : 0.0);
-  return chip.port(motor.forward.port).is_driven_high(motor.forward.number) ? level : -level;
+  return port.is_alternate(motor.pwm.number) ? chip.tim3().output(motor.channel)
+                                             : port.signal(motor.pwm.number);
 }
 
 /// Of 12 bits; the supply of 3.3 V is the reference.
@@ -70,7 +73,7 @@ UnicornBoard::UnicornBoard(const std::filesystem::path& elf)
       on_sent(byte);
     }
   };
-  chip_.on_write = [this] {
+  chip_.on_write = chip_.on_reset = [this] {
     if (on_duty) {
       on_duty();
     }
@@ -92,8 +95,22 @@ void UnicornBoard::run_until(std::int64_t until_ns) {
   chip_.run_to(cycle_at_ns(until_ns_));
 }
 
-MotorDuty UnicornBoard::motor_duty() const {
-  return {duty_of(chip_, kLeftMotor), duty_of(chip_, kRightMotor)};
+world::DriverInputs UnicornBoard::driver_inputs(Wheel wheel,
+                                                world::DriverInterface interface) const {
+  const MotorPins& motor = wheel == Wheel::kLeft ? kLeftMotor : kRightMotor;
+  const auto signal = [this](Pin pin) { return chip_.port(pin.port).signal(pin.number); };
+  const world::PinSignal pwm = pwm_of(chip_, motor);
+  switch (interface) {
+    case world::DriverInterface::kPhaseEnable:
+      return {pwm, signal(motor.direction), world::floating()};
+    case world::DriverInterface::kIn1In2Pwm:
+      return {pwm, signal(motor.direction), signal(motor.second)};
+    case world::DriverInterface::kTwoPwm:
+      return {world::floating(), pwm, signal(motor.second)};
+    case world::DriverInterface::kServo:
+      break;
+  }
+  return {pwm, world::floating(), world::floating()};
 }
 
 double UnicornBoard::pan_pulse_us() const {

@@ -25,7 +25,8 @@ class UnicornBoard final : public runner::SimulatedBoard {
 
   void receive(std::span<const std::uint8_t> bytes) override { chip_.usart().receive(bytes); }
 
-  runner::MotorDuty motor_duty() const override;
+  world::DriverInputs driver_inputs(runner::Wheel wheel,
+                                    world::DriverInterface interface) const override;
   double pan_pulse_us() const override;
   void schedule_encoder_edge(runner::Wheel wheel, std::int64_t at_ns, bool a, bool b) override;
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;

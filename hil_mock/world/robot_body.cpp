@@ -57,6 +57,7 @@ RobotBody::RobotBody(const FloorPlan& plan,
                           drive.counts_per_turn,
                           drive.no_load_speed_m_per_s,
                           drive.time_constant_s,
+                          drive.coast_time_constant_s,
                           body.radius_m};
   for (const double size : sizes) {
     if (!(size > 0.0)) {
@@ -72,8 +73,8 @@ RobotBody::RobotBody(const FloorPlan& plan,
 }
 
 void RobotBody::step(double dt_s, const WheelDuty& duty, EncoderChanges& changes) {
-  const double left_m = left_.step(dt_s, duty.left, changes.left);
-  const double right_m = right_.step(dt_s, duty.right, changes.right);
+  const double left_m = left_.step(dt_s, {duty.left, duty.left_coasting}, changes.left);
+  const double right_m = right_.step(dt_s, {duty.right, duty.right_coasting}, changes.right);
   roll(rolling_.left * slipped(left_m), rolling_.right * slipped(right_m));
   const geometry::Pose2 T_world_out = pushed_out(plan_, T_world_robot_, body_.radius_m);
   if (!lifted_) {

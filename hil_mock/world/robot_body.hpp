@@ -7,18 +7,13 @@
 #include "hil_mock/world/contact_physics.hpp"
 #include "hil_mock/world/floor_contact.hpp"
 #include "hil_mock/world/floor_plan.hpp"
+#include "hil_mock/world/motor_driver.hpp"
 #include "hil_mock/world/noise.hpp"
 #include "hil_mock/world/robot_params.hpp"
 #include "hil_mock/world/wheel_drive.hpp"
 #include "host/geometry/pose2.hpp"
 
 namespace echomap::world {
-
-/// Duty of both motors, -1 .. 1 of full, forward positive.
-struct WheelDuty {
-  double left = 0.0;
-  double right = 0.0;
-};
 
 /// How far the wheels move the robot, as a share of what their parameters say: less on a wet spot,
 /// more where a wheel is larger.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/robot_file.hpp"
 
+#include <stdexcept>
+
 #include "hil_mock/world/part_file.hpp"
 #include "hil_mock/world/toml_values.hpp"
 #include "host/geometry/angle.hpp"
@@ -8,14 +10,34 @@
 namespace echomap::world {
 namespace {
 
+/// Friction in a gear stops it some times slower than its own voltage in closed windings does.
+constexpr double kUsualCoastFactor = 3.0;
+
+DriverChip read_driver(const files::TomlReader& table) {
+  if (!table.has("driver")) {
+    return DriverChip::kPhaseEnable;
+  }
+  try {
+    return driver_named(table.text("driver"));
+  } catch (const std::invalid_argument& unknown) {
+    table.fail("driver", unknown.what());
+  }
+}
+
 DriveParams read_drive(const files::TomlReader& table) {
   DriveParams drive;
+  drive.driver = read_driver(table);
+  drive.pull_downs = table.boolean_or("pull_downs", drive.pull_downs);
   drive.wheel_diameter_m = positive(table, "wheel_diameter_m");
   drive.track_m = positive(table, "track_m");
   drive.counts_per_turn = positive(table, "counts_per_turn");
   drive.no_load_speed_m_per_s = positive(table, "no_load_speed_m_per_s");
   drive.time_constant_s = positive(table, "time_constant_s");
-  drive.dead_zone_duty = within(table, "dead_zone_duty", drive.dead_zone_duty, 0.9);
+  drive.coast_time_constant_s = table.has("coast_time_constant_s")
+                                    ? positive(table, "coast_time_constant_s")
+                                    : kUsualCoastFactor * drive.time_constant_s;
+  const double usual_dead_zone = drive.driver == DriverChip::kServo ? 0.0 : drive.dead_zone_duty;
+  drive.dead_zone_duty = within(table, "dead_zone_duty", usual_dead_zone, 0.9);
   drive.wheel_diameter_stddev =
       within(table, "wheel_diameter_stddev", drive.wheel_diameter_stddev, 0.1);
   drive.wheel_mismatch_stddev =

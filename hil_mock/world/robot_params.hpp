@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "hil_mock/world/motor_driver.hpp"
 #include "hil_mock/world/part_params.hpp"
 #include "hil_mock/world/wiring.hpp"
 
@@ -11,6 +12,9 @@ namespace echomap::world {
 /// Wheels, motors and encoders of a simulated robot. The defaults are those of
 /// hil_mock/robots/uno_2wd.toml, which names the source of each.
 struct DriveParams {
+  DriverChip driver = DriverChip::kPhaseEnable;
+  /// Resistors of 10 kOhm to ground at the enables of a driver whose inputs float high.
+  bool pull_downs = true;
   double wheel_diameter_m = 0.065;
   /// Between the wheels' points of contact.
   double track_m = 0.140;
@@ -20,7 +24,9 @@ struct DriveParams {
   double no_load_speed_m_per_s = 0.45;
   /// Of the first-order answer of a wheel's speed to its duty.
   double time_constant_s = 0.08;
-  /// Duty, 0 .. 1, below which a motor stands still.
+  /// Of a wheel whose driver has let go of the motor.
+  double coast_time_constant_s = 0.24;
+  /// Duty, 0 .. 1, below which a motor stands still; 0 of a servo, which has its own.
   double dead_zone_duty = 0.12;
   /// Standard deviations over runs, relative: both wheels' diameter in common, one wheel against
   /// the other, the track, one motor's speed at a given duty.

@@ -82,9 +82,12 @@ void RobotWorld::apply_body_faults() {
 WheelDuty RobotWorld::wired(WheelDuty duty) const {
   if (has_fault(PartFaultKind::kMotorsSwapped)) {
     std::swap(duty.left, duty.right);
+    std::swap(duty.left_coasting, duty.right_coasting);
   }
   return {has_fault(PartFaultKind::kMotorLeftReversed) ? -duty.left : duty.left,
-          has_fault(PartFaultKind::kMotorRightReversed) ? -duty.right : duty.right};
+          has_fault(PartFaultKind::kMotorRightReversed) ? -duty.right : duty.right,
+          duty.left_coasting,
+          duty.right_coasting};
 }
 
 void RobotWorld::wire(EncoderChanges& changes) const {

@@ -17,14 +17,19 @@ LevelChange level_change(double at_s, std::int64_t counts) {
 WheelDrive::WheelDrive(const DriveParams& params, double diameter_m, double gain)
     : dead_zone_duty_(params.dead_zone_duty),
       time_constant_s_(params.time_constant_s),
+      coast_share_(params.time_constant_s / params.coast_time_constant_s),
       no_load_counts_per_s_(gain * params.no_load_speed_m_per_s * params.counts_per_turn /
                             (std::numbers::pi * params.wheel_diameter_m)),
       metres_per_count_(std::numbers::pi * diameter_m / params.counts_per_turn) {}
 
-double WheelDrive::step(double dt_s, double duty, std::vector<LevelChange>& changes) {
-  const double follow = 1.0 - std::exp(-dt_s / time_constant_s_);
+/// While the windings are closed, by the battery or by a brake, the motor's own voltage holds it
+/// back; for the share of the time that they are open only friction does, so that it is slower to
+/// stop, and faster at the same duty.
+double WheelDrive::step(double dt_s, const MotorDrive& drive, std::vector<LevelChange>& changes) {
+  const double held_back = 1.0 - drive.coasting + drive.coasting * coast_share_;
+  const double follow = 1.0 - std::exp(-dt_s * held_back / time_constant_s_);
   const double before_counts_per_s = counts_per_s_;
-  counts_per_s_ += follow * (target_counts_per_s(duty) - counts_per_s_);
+  counts_per_s_ += follow * (target_counts_per_s(drive.duty) / held_back - counts_per_s_);
   const double mean_counts_per_s = 0.5 * (before_counts_per_s + counts_per_s_);
   const double edges_per_s = counts_scale_ * mean_counts_per_s;
 

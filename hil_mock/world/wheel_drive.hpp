@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hil_mock/world/motor_driver.hpp"
 #include "hil_mock/world/robot_params.hpp"
 
 namespace echomap::world {
@@ -22,9 +23,9 @@ class WheelDrive {
   /// `diameter_m` and `gain` (speed at a given duty, 1 as specified) are the true ones.
   WheelDrive(const DriveParams& params, double diameter_m, double gain);
 
-  /// Applies `duty`, -1 .. 1, for `dt_s`, appends the encoder's changes in order of time and
-  /// returns how far the wheel has rolled, in metres.
-  double step(double dt_s, double duty, std::vector<LevelChange>& changes);
+  /// Applies `drive` for `dt_s`, appends the encoder's changes in order of time and returns how far
+  /// the wheel has rolled, in metres.
+  double step(double dt_s, const MotorDrive& drive, std::vector<LevelChange>& changes);
 
   /// From now on the encoder gives so many times the edges of its parameters.
   void scale_counts(double scale) { counts_scale_ = scale; }
@@ -39,6 +40,7 @@ class WheelDrive {
 
   double dead_zone_duty_;
   double time_constant_s_;
+  double coast_share_;  ///< Of the braking of a motor with closed windings, when they are open.
   double no_load_counts_per_s_;
   double metres_per_count_;
   /// Before they are scaled.

@@ -47,15 +47,17 @@ class TurningWheel {
 /// gear holds it once it is slow, so that no edge comes out of an endless coasting.
 class DrivenWheel {
  public:
-  DrivenWheel(runner::SimulatedBoard& board, runner::Wheel wheel)
-      : board_(board), wheel_(wheel), turning_(board, wheel) {}
+  DrivenWheel(runner::SimulatedBoard& board,
+              runner::Wheel wheel,
+              world::MotorDriver driver = world::MotorDriver())
+      : board_(board), wheel_(wheel), driver_(driver), turning_(board, wheel) {}
 
   /// One millisecond of motion from the duty that the board now gives.
   void step_ms() {
     constexpr double kNoLoadTicksPerS = 3300.0;
     constexpr double kTimeConstantMs = 80.0;
     constexpr double kHeldTicksPerS = 1.0;
-    const runner::MotorDuty duty = board_.motor_duty();
+    const runner::MotorDuty duty = board_.motor_duty(driver_);
     const double wanted =
         kNoLoadTicksPerS * (wheel_ == runner::Wheel::kLeft ? duty.left : duty.right);
     ticks_per_s_ += (wanted - ticks_per_s_) / kTimeConstantMs;
@@ -71,6 +73,7 @@ class DrivenWheel {
  private:
   runner::SimulatedBoard& board_;
   runner::Wheel wheel_;
+  world::MotorDriver driver_;
   TurningWheel turning_;
   double ticks_per_s_ = 0.0;
 };

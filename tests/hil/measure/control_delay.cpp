@@ -20,7 +20,9 @@ ControlDelay::ControlDelay(emulator::SimavrBoard& board, const std::filesystem::
   machine_.on_instruction = [this](std::uint32_t address) { note_instruction(address); };
   const avr_t& core = machine_.core();
   const emulator::BoardWiring& wiring = board.wiring();
-  for (const emulator::CompareUnit& unit : {wiring.left_motor.pwm, wiring.right_motor.pwm}) {
+  for (const emulator::MotorWiring& motor : {wiring.left_motor, wiring.right_motor}) {
+    const emulator::DriverPin& pwm = motor.front().pwm;
+    const emulator::CompareUnit unit{pwm.timer, pwm.unit, pwm.pin};
     machine_.hooks().after_write(emulator::PwmOutput(core, unit).compare_address(),
                                  [this] { note_duty(); });
   }

@@ -19,7 +19,8 @@ void require(bool done, const char* what) {
 
 }  // namespace
 
-RobotOnTheMove::RobotOnTheMove(const std::filesystem::path& elf) : robot(elf) {
+RobotOnTheMove::RobotOnTheMove(const std::filesystem::path& elf, world::MotorDriver with_driver)
+    : robot(elf), driver(with_driver) {
   robot.each_ms = [this] {
     left.step_ms();
     right.step_ms();
@@ -29,8 +30,21 @@ RobotOnTheMove::RobotOnTheMove(const std::filesystem::path& elf) : robot(elf) {
   };
 }
 
+protocol::ConfigureWiring RobotOnTheMove::wiring() const {
+  protocol::ConfigureWiring wiring{};
+  wiring.bridge = static_cast<std::uint8_t>(driver.interface());
+  const bool is_slow =
+      driver.chip() == world::DriverChip::kL293d || driver.chip() == world::DriverChip::kMx1508;
+  wiring.bridge_options = is_slow ? protocol::kSlowPwm : 0;
+  return wiring;
+}
+
 void RobotOnTheMove::connect_and_arm() {
   require(robot.connect().has_value(), "the robot does not answer");
+  if (driver.interface() != world::DriverInterface::kPhaseEnable) {
+    require(robot.command(wiring()) == protocol::CommandStatus::kAccepted,
+            "the robot does not take its driver");
+  }
   require(robot.command(protocol::Arm{0, 1}) == protocol::CommandStatus::kAccepted,
           "the robot does not arm");
 }
@@ -47,7 +61,7 @@ void RobotOnTheMove::drive() {
 }
 
 bool RobotOnTheMove::off() {
-  const runner::MotorDuty duty = robot.board().motor_duty();
+  const runner::MotorDuty duty = robot.board().motor_duty(driver);
   return duty.left == 0.0 && duty.right == 0.0;
 }
 

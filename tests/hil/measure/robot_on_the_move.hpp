@@ -24,12 +24,17 @@ class RobotOnTheMove {
   static constexpr std::uint16_t kTimeToLiveMs = 200;
   static constexpr std::int16_t kTicksPerS = 1500;
 
-  explicit RobotOnTheMove(const std::filesystem::path& elf);
+  explicit RobotOnTheMove(const std::filesystem::path& elf,
+                          world::MotorDriver driver = world::MotorDriver());
+
+  /// How the robot's driver is wired, for its firmware.
+  protocol::ConfigureWiring wiring() const;
 
   /// Throw std::runtime_error where the robot does not do it.
   void connect_and_arm();
   void drive();
 
+  /// Whether its driver drives no motor.
   bool off();
   double now_ms() { return double(robot.board().now_ns()) * 1e-6; }
   /// Simulated milliseconds from now until both PWM outputs are off for good, which they
@@ -42,8 +47,9 @@ class RobotOnTheMove {
   HangOutcome outcome_of_hang();
 
   RobotSession robot;
-  DrivenWheel left{robot.board(), runner::Wheel::kLeft};
-  DrivenWheel right{robot.board(), runner::Wheel::kRight};
+  const world::MotorDriver driver;
+  DrivenWheel left{robot.board(), runner::Wheel::kLeft, driver};
+  DrivenWheel right{robot.board(), runner::Wheel::kRight, driver};
   /// The host keeps motion alive.
   bool renewing = false;
 };

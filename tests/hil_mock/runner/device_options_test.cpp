@@ -86,6 +86,12 @@ TEST(DeviceOptions, TheLineIsSeededLikeTheRest) {
   EXPECT_EQ(std::get<DeviceOptions>(read({"--seed=9"})).line.faults.seed, 9U);
 }
 
+TEST(DeviceOptions, TheMotorDriverMayBeAnotherThanTheRobotFiles) {
+  EXPECT_EQ(std::get<DeviceOptions>(read({"--driver=l298n"})).driver, "l298n");
+  EXPECT_TRUE(std::get<DeviceOptions>(read({})).driver.empty());
+  EXPECT_EQ(std::get<int>(read({"--driver=l298"})), 2);
+}
+
 TEST(DeviceOptions, PartsMayFail) {
   const auto options =
       std::get<DeviceOptions>(read({"--part-faults=sonar-dead@30,slip-left@20:2:0.3"}));

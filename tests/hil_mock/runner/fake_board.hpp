@@ -16,6 +16,8 @@ namespace echomap::runner {
 /// every byte that it receives, and stops its motors at `stop_at_ns`.
 class FakeBoard : public SimulatedBoard {
  public:
+  static constexpr double kPwmPeriodUs = 128.0;
+
   struct Edge {
     std::int64_t at_ns;
     bool a;
@@ -42,7 +44,10 @@ class FakeBoard : public SimulatedBoard {
     received.insert(received.end(), bytes.begin(), bytes.end());
     received_at_ns = time_ns;
   }
-  MotorDuty motor_duty() const override { return duty; }
+  world::DriverInputs driver_inputs(Wheel wheel, world::DriverInterface interface) const override {
+    return world::inputs_for(
+        interface, wheel == Wheel::kLeft ? duty.left : duty.right, false, kPwmPeriodUs);
+  }
   double pan_pulse_us() const override { return pulse_us; }
   void schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) override {
     (wheel == Wheel::kLeft ? left_edges : right_edges).push_back({at_ns, a, b});

@@ -142,6 +142,42 @@ TEST_F(RobotSimulationTest, DutiesAreToldEveryMillisecondAndWhenTheProgramSetsTh
   EXPECT_EQ(told_ns, (std::vector<std::int64_t>{kMs, 1'234'567, 2 * kMs}));
 }
 
+TEST_F(RobotSimulationTest, TheDriversInputsAreToldAsOftenAsTheDuties) {
+  std::vector<std::int64_t> told_ns;
+  world::DriverInputs last_right;
+  simulation.on_driver_inputs =
+      [&](std::int64_t now_ns, const world::DriverInputs&, const world::DriverInputs& right) {
+        told_ns.push_back(now_ns);
+        last_right = right;
+      };
+  board.duty = {0.0, 0.25};
+  simulation.advance_to(kMs);
+  board.time_ns = 1'234'567;
+  board.on_duty();
+  EXPECT_EQ(told_ns, (std::vector<std::int64_t>{kMs, 1'234'567}));
+  EXPECT_EQ(last_right.pwm, world::pulses(0.25, FakeBoard::kPwmPeriodUs));
+}
+
+/// Metres that a robot with this driver rolls after its motors have been switched off.
+double stopping_distance_m(world::DriverChip driver) {
+  world::RobotParams robot = quiet_robot();
+  robot.drive.driver = driver;
+  FakeBoard board;
+  world::RobotWorld world(world::box_room(), robot, 1);
+  RobotSimulation simulation(board, world);
+  board.duty = {1.0, 1.0};
+  simulation.advance_to(1000 * kMs);
+  board.duty = {};
+  const Eigen::Vector2d from_m = world.T_world_robot().position_m();
+  simulation.advance_to(3000 * kMs);
+  return (world.T_world_robot().position_m() - from_m).norm();
+}
+
+TEST(RobotSimulation, ARobotRollsOnWhereItsDriverLetsGoOfTheMotors) {
+  EXPECT_NEAR(stopping_distance_m(world::DriverChip::kPhaseEnable), 0.45 * 0.08, 0.003);
+  EXPECT_NEAR(stopping_distance_m(world::DriverChip::kL298n), 0.45 * 0.24, 0.009);
+}
+
 TEST_F(RobotSimulationTest, HandsOnBytesBothWays) {
   const std::vector<std::uint8_t> bytes{1, 0, 255};
   simulation.receive(bytes);

@@ -82,6 +82,21 @@ TEST_F(Port, APinThatIsTakenAwayIsNobodysHere) {
   EXPECT_TRUE(port.is_driven_high(4));
 }
 
+TEST_F(Port, ASignalIsDrivenPulledUpOrFloating) {
+  port.reset();
+  EXPECT_EQ(port.signal(4), world::floating());
+  port.take_away(1U << 4);
+  EXPECT_EQ(port.signal(4), world::pulled_up()) << "JTAG's reset";
+  port.take_away(0);
+  set_mode(kPulled);
+  port.write(kOdr, 1U << 4);
+  EXPECT_EQ(port.signal(4), world::pulled_up());
+  EXPECT_EQ(port.signal(3), world::floating()) << "pulled down";
+  set_mode(kOutput);
+  EXPECT_EQ(port.signal(4), world::level(true));
+  EXPECT_EQ(port.signal(3), world::level(false));
+}
+
 TEST_F(Port, TellsEachChangeOnce) {
   std::vector<std::pair<int, bool>> changes;
   port.on_change = [&](std::uint8_t pin, bool high) { changes.emplace_back(pin, high); };

@@ -91,11 +91,29 @@ TEST_F(TenCycleTimer, PwmIsTheShareOfCountsBelowTheCompareValue) {
   timer.write(kCcer, 0x11);
   timer.write(kCcr1, 25);
   timer.write(kCcr2, 255);
-  EXPECT_DOUBLE_EQ(timer.pwm_level(1), 0.25);
-  EXPECT_DOUBLE_EQ(timer.pwm_level(2), 1.0);
+  EXPECT_DOUBLE_EQ(timer.output(1).high_share(), 0.25);
+  EXPECT_DOUBLE_EQ(timer.output(2).high_share(), 1.0);
   EXPECT_EQ(timer.pulse_cycles(), 250U);
   timer.write(kCcer, 0);
-  EXPECT_DOUBLE_EQ(timer.pwm_level(2), 0.0);
+  EXPECT_DOUBLE_EQ(timer.output(2).high_share(), 0.0);
+}
+
+TEST_F(TenCycleTimer, PwmIsInvertedByPolarityOrByItsSecondMode) {
+  constexpr double kPeriodUs = 1000.0 / 72.0;
+  timer.write(kCcr1, 25);
+  timer.write(kCcmr1, 0x60);
+  timer.write(kCcer, 0x1);
+  EXPECT_EQ(timer.output(1), world::pulses(0.25, kPeriodUs));
+  timer.write(kCcer, 0x3);
+  EXPECT_EQ(timer.output(1), world::inverted_pulses(0.25, kPeriodUs));
+  timer.write(kCcmr1, 0x70);
+  EXPECT_EQ(timer.output(1), world::pulses(0.25, kPeriodUs));
+  timer.write(kCcer, 0x1);
+  EXPECT_EQ(timer.output(1), world::inverted_pulses(0.25, kPeriodUs));
+  timer.write(kCcmr1, 0x50);
+  EXPECT_EQ(timer.output(1), world::level(true)) << "forced active";
+  timer.write(kCcmr1, 0x40);
+  EXPECT_EQ(timer.output(1), world::level(false)) << "forced inactive";
 }
 
 }  // namespace

@@ -112,6 +112,28 @@ TEST(RobotFile, EveryPartOfABundledRobotIsWiredOnEachOfItsBoards) {
   }
 }
 
+RobotParams uno_with(const std::string& line) {
+  std::string text = uno_text();
+  const std::string drive = "[drive]\n";
+  text.insert(text.find(drive) + drive.size(), line + "\n");
+  return read_robot(files::TomlReader::parse(text, "uno.toml"));
+}
+
+TEST(RobotFile, NamesTheMotorDriver) {
+  EXPECT_EQ(bundled("uno_2wd").drive.driver, DriverChip::kPhaseEnable);
+  const RobotParams robot = uno_with("driver = \"l298n\"\npull_downs = false");
+  EXPECT_EQ(robot.drive.driver, DriverChip::kL298n);
+  EXPECT_FALSE(robot.drive.pull_downs);
+  EXPECT_TRUE(uno_with("driver = \"servo\"").drive.pull_downs);
+  EXPECT_THAT(robot_error_after("[drive]", "[drive]\ndriver = \"l298\""),
+              HasSubstr("uno.toml:6:10: unknown motor driver 'l298'; did you mean"));
+}
+
+TEST(RobotFile, CoastsThreeTimesAsLongAsItBrakesUnlessItIsToldOtherwise) {
+  EXPECT_DOUBLE_EQ(uno_with("").drive.coast_time_constant_s, 0.24);
+  EXPECT_DOUBLE_EQ(uno_with("coast_time_constant_s = 0.5").drive.coast_time_constant_s, 0.5);
+}
+
 TEST(RobotFile, ARobotHasOnePanDrive) {
   EXPECT_THAT(
       robot_error_after("[gyro]",

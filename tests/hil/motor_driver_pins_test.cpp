@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+/// For each motor driver on each board: the pins drive no motor from power-up until the host
+/// drives, nor behind any cut. Every write of the program counts.
+#include <cstdint>
+#include <string>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "tests/hil/measure/drive_trace.hpp"
+#include "tests/hil/measure/robot_on_the_move.hpp"
+#include "tests/hil/on_every_board.hpp"
+
+namespace echomap::tests {
+namespace {
+
+using protocol::CommandStatus;
+using runner::Wheel;
+using world::DriverChip;
+
+using BoardAndDriver = std::tuple<const char*, DriverChip>;
+
+class DrivenBoard : protected RobotOnTheMove, public ::testing::TestWithParam<BoardAndDriver> {
+ protected:
+  DrivenBoard()
+      : RobotOnTheMove(release_image(std::get<0>(GetParam())),
+                       world::MotorDriver(std::get<1>(GetParam()))),
+        trace(robot.board(), driver) {}
+
+  /// From here on no motor is driven for so long.
+  void expect_off_for(std::int64_t ms) {
+    trace.take_longest_ns();
+    robot.run_ms(ms);
+    EXPECT_LE(trace.take_longest_ns(), DriveTrace::kGlitchNs);
+  }
+
+  /// Drives, does something that takes the PWM off within `ms`, and waits for that.
+  template <class Cut>
+  void cut_while_driving(Cut cut, std::int64_t ms) {
+    drive();
+    EXPECT_FALSE(off());
+    renewing = false;
+    cut();
+    EXPECT_LE(ms_until_off(ms + 50), static_cast<double>(ms));
+  }
+
+  DriveTrace trace;
+};
+
+std::string driver_label(const ::testing::TestParamInfo<BoardAndDriver>& info) {
+  std::string driver(world::name_of(std::get<1>(info.param)));
+  std::erase(driver, '-');
+  return label_of(std::get<0>(info.param)) + "_" + driver;
+}
+
+INSTANTIATE_TEST_SUITE_P(Drivers,
+                         DrivenBoard,
+                         ::testing::Combine(every_board(),
+                                            ::testing::Values(DriverChip::kPhaseEnable)),
+                         driver_label);
+
+/// The drawings have a resistor to ground at each enable of an L298N, so that this is no test of
+/// the firmware alone.
+TEST_P(DrivenBoard, StandsFromPowerUpUntilItIsDriven) {
+  expect_off_for(30);
+  ASSERT_TRUE(robot.connect());
+  EXPECT_EQ(robot.command(wiring()), CommandStatus::kAccepted);
+  expect_off_for(50);
+  robot.send(protocol::DriveSetpoint{kTicksPerS, -kTicksPerS, kTimeToLiveMs});
+  expect_off_for(50);
+  EXPECT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+  expect_off_for(50);
+}
+
+TEST_P(DrivenBoard, TurnsBothWheelsBothWays) {
+  connect_and_arm();
+  renewing = true;
+  for (const std::int16_t left_ticks_per_s : {kTicksPerS, static_cast<std::int16_t>(-kTicksPerS)}) {
+    const auto right_ticks_per_s = static_cast<std::int16_t>(-left_ticks_per_s);
+    robot.send(protocol::DriveSetpoint{left_ticks_per_s, right_ticks_per_s, kTimeToLiveMs});
+    robot.run_ms(1200);
+    EXPECT_NEAR(left.ticks_per_s(), left_ticks_per_s, 60.0);
+    EXPECT_NEAR(right.ticks_per_s(), right_ticks_per_s, 60.0);
+  }
+}
+
+TEST_P(DrivenBoard, StandsOnceTheHostIsSilent) {
+  cut_while_driving([] {}, kTimeToLiveMs + 100);
+  expect_off_for(300);
+}
+
+TEST_P(DrivenBoard, StandsBehindAStop) {
+  cut_while_driving([&] { robot.command(protocol::Stop{}); }, 100);
+  expect_off_for(100);
+}
+
+TEST_P(DrivenBoard, StandsOnceItIsDisarmed) {
+  cut_while_driving([&] { robot.command(protocol::Arm{0, 0}); }, 100);
+  expect_off_for(100);
+}
+
+TEST_P(DrivenBoard, StandsBehindABump) {
+  cut_while_driving([&] { robot.board().set_bump(Wheel::kLeft, true); }, 3);
+  expect_off_for(100);
+}
+
+TEST_P(DrivenBoard, StandsBehindAWheelDrop) {
+  connect_and_arm();
+  protocol::ConfigurePins pins{};
+  pins.pin_3 = protocol::kPinWheelDrop;
+  EXPECT_EQ(robot.command(pins), CommandStatus::kAccepted);
+  cut_while_driving([&] { robot.board().set_aux_level(3, false); }, 3);
+  expect_off_for(100);
+}
+
+TEST_P(DrivenBoard, StandsBehindAHangAndTheWatchdogsReset) {
+  cut_while_driving(
+      [&] {
+        robot.forget_heard();
+        robot.chip().hang();
+      },
+      150);
+  expect_off_for(400);
+  EXPECT_TRUE(robot.last<protocol::HelloReply>()) << "it has not started again";
+}
+
+TEST_P(DrivenBoard, StandsBehindTheResetPin) {
+  drive();
+  robot.chip().pull_reset_pin();
+  expect_off_for(100);
+}
+
+TEST_P(DrivenBoard, StandsBehindAPowerCut) {
+  drive();
+  robot.chip().cut_power();
+  expect_off_for(100);
+}
+
+/// Also to a driver that the robot does not have: both wires of two-PWM are low meanwhile.
+TEST_P(DrivenBoard, StandsWhileAnotherDriverIsConfigured) {
+  cut_while_driving([&] { robot.command(protocol::Stop{}); }, 100);
+  trace.take_longest_ns();
+  for (std::uint8_t bridge = 0;
+       bridge <= static_cast<std::uint8_t>(protocol::MotorBridgeKind::kServo);
+       ++bridge) {
+    robot.command(protocol::ConfigureWiring{0, bridge, 0, 0});
+    robot.command(wiring());
+  }
+  EXPECT_LE(trace.take_longest_ns(), DriveTrace::kGlitchNs);
+  expect_off_for(100);
+}
+
+}  // namespace
+}  // namespace echomap::tests
