@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # echomap_avr_board(NAME MCU chip BAUDS n ..): the images of an AVR board, with a toolchain of its
 # own: echomap-NAME for the first baud rate, echomap-NAME-BAUD for the others, and with
-# ECHOMAP_TESTS the images that the golden vectors and the differential test run through. Sources are the caller's folder and
-# avr_common. ECHOMAP_FLASH_LIMIT and ECHOMAP_RAM_LIMIT are the caller's.
+# ECHOMAP_TESTS the images that the golden vectors and the differential test run through. Sources are
+# the caller's folder and avr_common. ECHOMAP_FLASH_LIMIT and ECHOMAP_RAM_LIMIT are the caller's.
 option(ECHOMAP_WERROR "Treat compiler warnings as errors" OFF)
 option(ECHOMAP_TESTS "Build the firmware's test images" OFF)
 

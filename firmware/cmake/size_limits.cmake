@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Prints the flash and static RAM of ELF, read by the program SIZE; fails and removes it beyond
-# FLASH_LIMIT or RAM_LIMIT.
+# Prints the flash and static RAM of ELF, read by the program SIZE, and their growth since what
+# firmware/sizes.txt says; fails and removes it beyond FLASH_LIMIT or RAM_LIMIT.
 execute_process(COMMAND ${SIZE} -A ${ELF} OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
 set(text 0)
 set(data 0)
@@ -15,6 +15,17 @@ math(EXPR flash "${text} + ${data}")
 math(EXPR ram "${data} + ${bss} + ${noinit}")
 get_filename_component(name ${ELF} NAME)
 set(report "${name}: ${flash} of ${FLASH_LIMIT} B flash, ${ram} of ${RAM_LIMIT} B static RAM")
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/../sizes.txt known REGEX "^${name} ")
+if(known MATCHES " ([0-9]+) ([0-9]+)")
+  math(EXPR flash_growth "${flash} - ${CMAKE_MATCH_1}")
+  math(EXPR ram_growth "${ram} - ${CMAKE_MATCH_2}")
+  foreach(growth flash_growth ram_growth)
+    if(${growth} GREATER_EQUAL 0)
+      string(PREPEND ${growth} +)
+    endif()
+  endforeach()
+  string(APPEND report "; since the last commit ${flash_growth} and ${ram_growth} B")
+endif()
 if(flash GREATER FLASH_LIMIT OR ram GREATER RAM_LIMIT)
   file(REMOVE ${ELF})
   message(FATAL_ERROR "${report}: too large")

@@ -14,12 +14,18 @@ namespace echomap::unicorn {
 /// Source: ST PM0075, and the data sheet's table 32 for the times.
 class FlashWriter final : public Peripheral {
  public:
-  static constexpr std::uint32_t kDataAddress = 0x0800F000;
+  static constexpr std::uint32_t kFlashAddress = 0x08000000;
   static constexpr std::uint32_t kDataBytes = 0x1000;
 
-  explicit FlashWriter(EventQueue& queue) : queue_(queue) { data_.fill(kErased); }
+  /// Of a chip with so much flash, a multiple of 4 kB.
+  FlashWriter(EventQueue& queue, std::uint32_t flash_kb)
+      : queue_(queue), data_address_(kFlashAddress + flash_kb * 1024 - kDataBytes) {
+    data_.fill(kErased);
+  }
 
-  /// The memory itself, at an offset from kDataAddress.
+  /// Where its memory begins.
+  std::uint32_t data_address() const { return data_address_; }
+  /// The memory itself, at an offset from data_address().
   std::uint32_t read_data(std::uint32_t offset, unsigned size) const;
   void write_data(std::uint32_t offset, unsigned size, std::uint32_t value);
 
@@ -34,6 +40,7 @@ class FlashWriter final : public Peripheral {
   void erase_page();
 
   EventQueue& queue_;
+  std::uint32_t data_address_;
   std::array<std::uint16_t, kDataBytes / 2> data_{};
   std::uint32_t acr_ = 0;
   std::uint32_t sr_ = 0;

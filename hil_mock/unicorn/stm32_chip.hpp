@@ -34,15 +34,16 @@ constexpr unsigned kMinCyclesPerHalfWord = 1;
 /// PM0075, section 3.1): what branches and loads take beyond a cycle is less than that on average.
 constexpr unsigned kPessimisticCyclesPerHalfWord = 3;
 
-/// An STM32F103C8 at 72 MHz: those of its parts that the firmware uses, as ST's manual describes
-/// them. It runs as fast as it can and never looks at a clock.
+/// An STM32F103C8 or C6 at 72 MHz: those of its parts that the firmware uses, as ST's manual
+/// describes them. It runs as fast as it can and never looks at a clock.
 class Stm32Chip {
  public:
   enum PortName : std::uint8_t { kPortA, kPortB };
 
   /// Loads `elf` and switches on at cycle 0. Throws std::runtime_error where the file cannot be
   /// read or holds no program for this chip.
-  explicit Stm32Chip(const std::filesystem::path& elf);
+  /// Its flash size register says `flash_kb`, 32 or 64.
+  explicit Stm32Chip(const std::filesystem::path& elf, std::uint16_t flash_kb = 64);
   Stm32Chip(const Stm32Chip&) = delete;
   Stm32Chip& operator=(const Stm32Chip&) = delete;
 
@@ -63,6 +64,7 @@ class Stm32Chip {
   /// A device on I2C2's pins was cut off and holds SDA low for so many more clocks.
   void hold_two_wire_bus(unsigned clocks);
   I2c& i2c2() { return i2c2_; }
+  const FlashWriter& flash() const { return flash_; }
   const Afio& afio() const { return afio_; }
   SysTick& sys_tick() { return sys_tick_; }
   const Timer& tim2() const { return tim2_; }
@@ -112,7 +114,7 @@ class Stm32Chip {
   Adc adc_{queue_};
   I2c i2c2_{queue_, nvic_};
   Iwdg iwdg_{queue_};
-  FlashWriter flash_{queue_};
+  FlashWriter flash_;
   SysTick sys_tick_{queue_, nvic_};
   std::vector<Block> blocks_;
   CortexCore::Device peripherals_;

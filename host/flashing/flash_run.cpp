@@ -46,6 +46,13 @@ int run_in_terminal(const console::CommandWords& command, const std::string& pac
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+/// What the second try has shown of the board.
+constexpr auto kOldBootLoader =
+    "this board has the old boot loader, which does not switch the watchdog off: after a hang the\n"
+    "firmware starts again by itself, but one that locks interrupts stops the board until its\n"
+    "supply is cut\n"
+    "  next: nothing, or write the new boot loader with a programmer: docs/guides/flashing.md";
+
 }  // namespace
 
 console::ExitCode carry_out(const FlashPlan& plan, bool dry_run) {
@@ -66,6 +73,9 @@ console::ExitCode carry_out(const FlashPlan& plan, bool dry_run) {
     }
     if (status == 0) {
       console::print("flashed " + plan.place);
+      if (&command != &plan.tries.front()) {
+        console::print(kOldBootLoader);
+      }
       return console::ExitCode::kOk;
     }
   }

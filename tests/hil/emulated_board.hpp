@@ -24,6 +24,8 @@ class EmulatedBoard {
   virtual void pull_reset_pin() = 0;
   /// How often the chip has been reset since switch-on, by whatever cause.
   virtual std::uint32_t resets() const = 0;
+  /// Level and direction registers of all ports; none where the emulator does not tell.
+  virtual std::vector<std::uint8_t> port_registers() { return {}; }
   /// The tick's interrupt never comes again, until a reset.
   virtual void stop_ticks() = 0;
   /// The program hangs in an endless loop with interrupts unlocked.

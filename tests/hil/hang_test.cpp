@@ -40,6 +40,25 @@ TEST_P(PlantedHang, WithInterruptsLockedIsReset) {
             protocol::CommandStatus::kDisarmed);
 }
 
+/// The old Nano's bootloader would not come back from a reset by the watchdog.
+TEST_P(PlantedHang, StartsAgainWithoutAReset) {
+  RobotOnTheMove moving{release_image(GetParam())};
+  const auto at_power_up = moving.robot.chip().port_registers();
+  for (std::uint16_t start = 1; start <= 5; ++start) {
+    moving.drive();
+    moving.robot.chip().hang();
+    const HangOutcome outcome = moving.outcome_of_hang();
+    expect_off("an endless loop", outcome);
+    EXPECT_EQ(outcome.reset_cause, protocol::kResetWatchdog);
+    EXPECT_EQ(moving.robot.chip().resets(), 0U);
+    EXPECT_EQ(moving.robot.chip().port_registers(), at_power_up) << "start " << start;
+    ASSERT_TRUE(moving.robot.connect(static_cast<std::uint16_t>(4712 + start)));
+    moving.robot.forget_heard();
+    moving.robot.run_ms(200);
+    EXPECT_GE(moving.robot.all<protocol::Odometry>().size(), 9U) << "start " << start;
+  }
+}
+
 TEST_P(PlantedHang, SwitchesOffWhereverTheProgramHangs) {
   std::set<HangPlace> hung;
   plant_hangs(release_image(GetParam()), [&](const HangPlace& place, const HangOutcome& outcome) {

@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <fstream>
+#include <optional>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -18,6 +21,20 @@ ImageSize budget_of(const std::string& image) {
     return {28'672, 2'048};
   }
   return image.starts_with("echomap-stm32") ? ImageSize{16'384, 2'048} : ImageSize{24'576, 1'200};
+}
+
+/// Of an image, as the page of sizes has it; of images without a row there, nothing.
+std::optional<ImageSize> known_size(const std::string& image) {
+  std::ifstream page(std::string(ECHOMAP_SOURCE_DIR) + "/firmware/sizes.txt");
+  for (std::string line; std::getline(page, line);) {
+    std::istringstream words(line);
+    std::string name;
+    ImageSize size;
+    if (words >> name >> size.flash_bytes >> size.ram_bytes && name == image + ".elf") {
+      return size;
+    }
+  }
+  return std::nullopt;
 }
 
 class ImageSizes : public ::testing::TestWithParam<const char*> {};
@@ -37,6 +54,12 @@ TEST_P(ImageSizes, FitIntoTheBudget) {
   EXPECT_LE(size.flash_bytes, budget.flash_bytes);
   EXPECT_GT(size.ram_bytes, 200U);
   EXPECT_LE(size.ram_bytes, budget.ram_bytes);
+  if (const auto known = known_size(GetParam())) {
+    EXPECT_NEAR(double(size.flash_bytes), double(known->flash_bytes), 256.0)
+        << "write what the build prints into firmware/sizes.txt";
+    EXPECT_NEAR(double(size.ram_bytes), double(known->ram_bytes), 32.0)
+        << "write what the build prints into firmware/sizes.txt";
+  }
 }
 
 }  // namespace

@@ -17,6 +17,17 @@ class SimavrUnderTest final : public EmulatedBoard {
   void pull_reset_pin() override { board_.machine().reset(ResetSource::kExternal); }
   std::uint32_t resets() const override { return board_.machine().resets(); }
 
+  std::vector<std::uint8_t> port_registers() override {
+    const avr_t& core = board_.machine().core();
+    std::vector<std::uint8_t> registers;
+    for (const char port : {'B', 'C', 'D'}) {
+      const avr_ioport_t& found = emulator::find_port(core, port);
+      registers.push_back(core.data[found.r_port]);
+      registers.push_back(core.data[found.r_ddr]);
+    }
+    return registers;
+  }
+
   void stop_ticks() override {
     avr_t& core = board_.machine().core();
     core.data[emulator::find_timer(core, '2').overflow.enable.reg] = 0;  // TIMSK2

@@ -174,34 +174,6 @@ TEST(PlatformIo, CompilesWhatCmakeCompiles) {
   EXPECT_EQ(filtered(ini, "env:nano_old"), sources_of("uno"));
 }
 
-/// What avr_image.cmake gives avr-g++ to save flash: the end of its list, from -mrelax on.
-std::vector<std::string> flags_that_save_flash() {
-  std::string text;
-  for (const std::string& line : read_lines(tree_root / "firmware/cmake/avr_image.cmake")) {
-    text += line + "\n";
-  }
-  std::smatch list;
-  if (!std::regex_search(text, list, std::regex(R"((-mrelax[^)]*)\))"))) {
-    throw std::runtime_error("firmware/cmake/avr_image.cmake has no -mrelax");
-  }
-  std::vector<std::string> flags;
-  std::istringstream words(list[1]);
-  for (std::string word; words >> word;) {
-    flags.push_back(word);
-  }
-  return flags;
-}
-
-TEST(PlatformIo, HasTheFlagsOfCmake) {
-  const Ini ini(tree_root / "firmware/platformio.ini");
-  for (const std::string& board : arduino_boards()) {
-    const std::string flags = " " + ini.value("env:" + board, "build_flags") + " ";
-    for (const std::string& flag : flags_that_save_flash()) {
-      EXPECT_NE(flags.find(" " + flag + " "), std::string::npos) << board << ": " << flag;
-    }
-  }
-}
-
 TEST(PlatformIo, HasFlagsThatCompile) {
   if (!has_program("avr-g++")) {
     GTEST_SKIP() << "avr-g++ is not installed";

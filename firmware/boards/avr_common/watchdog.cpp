@@ -21,11 +21,16 @@ void start_watchdog() {
 
 void kick_watchdog() { wdt_reset(); }
 
+/// Starts again without the reset of the second timeout: behind it the watchdog runs on at its
+/// fastest, and the old Nano's bootloader, which does not switch it off, would never get to the
+/// program (arduino/Arduino, issue 4492). A hang with interrupts locked never comes here, and is
+/// reset. Registers keep their values, so the start writes whole ones; interrupts stay locked.
 ISR(WDT_vect) {
   boards::cut_motors();
   boards::remember_hang();
-  for (;;) {  // Nothing else may switch them on again; the second timeout resets.
-  }
+  wdt_disable();
+  asm volatile("jmp 0");
+  __builtin_unreachable();
 }
 
 }  // namespace hal

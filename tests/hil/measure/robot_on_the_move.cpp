@@ -89,7 +89,10 @@ HangOutcome RobotOnTheMove::outcome_of_hang() {
   HangOutcome outcome;
   outcome.off_ms = robot.run_until([this] { return off(); }, 400) ? ms_since_hang() : kNever;
   outcome.off_before_reset = off() && robot.chip().resets() == 0;
-  const auto on_or_reset = [this] { return !off() || robot.chip().resets() != 0; };
+  // The program starts again by a reset, or by itself.
+  const auto on_or_reset = [this] {
+    return !off() || robot.chip().resets() != 0 || robot.last<protocol::HelloReply>().has_value();
+  };
   outcome.reset_ms = robot.run_until(on_or_reset, 400) ? ms_since_hang() : kNever;
   outcome.stayed_off = off() && stays_off_for(50);
   if (const auto hello = robot.last<protocol::HelloReply>()) {

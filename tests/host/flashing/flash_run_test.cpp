@@ -67,7 +67,11 @@ TEST_F(FlashRun, RunsTheCommandThatItPrints) {
 
 TEST_F(FlashRun, TriesTheOldBootLoaderWhenTheNewOneIsSilent) {
   avrdude("case $* in *115200*) exit 1 ;; esac");
+  testing::internal::CaptureStderr();
   EXPECT_EQ(carry_out_for_nano(), console::ExitCode::kOk);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              AllOf(HasSubstr("old boot loader, which does not switch the watchdog off"),
+                    HasSubstr("next: nothing, or write the new boot loader")));
   EXPECT_EQ(ran(), first + second);
   EXPECT_EQ(printed, first + second);
 }
