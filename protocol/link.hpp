@@ -55,8 +55,10 @@ class CommandFilter {
     holds_ = on;
     hear();
   }
-  /// Once a millisecond.
-  void tick() { held_ms_ = static_cast<uint16_t>(held_ms_ - (held_ms_ != 0 ? 1 : 0)); }
+  /// So much time has passed.
+  void pass(uint8_t ms) {
+    held_ms_ = held_ms_ > ms ? static_cast<uint16_t>(held_ms_ - ms) : uint16_t{0};
+  }
 
   /// True when `command_id` was already answered: send `answer()` again and do nothing else.
   bool is_repeat(uint8_t command_id) const { return command_id == last_id_ && last_id_ != 0; }

@@ -30,12 +30,12 @@ bool Robot::run_once() {
 }
 
 void Robot::run_tick() {
-  command_.tick();
   sensors_.tick();
   safety_.tick();
   heartbeat_.ran(tasks::Part::kTick);
   if (devices_.scheduler.control_is_due()) {
     safety_.control();
+    command_.control();
     heartbeat_.ran(tasks::Part::kControl);
   }
   protocol::Echo echo{};

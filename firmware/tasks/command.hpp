@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "firmware/control/fixed_point.hpp"
 #include "firmware/control/scan_sweep.hpp"
 #include "firmware/control/wheel_motion.hpp"
 #include "firmware/tasks/bulk.hpp"
@@ -42,8 +43,8 @@ class Command {
   void announce();
   /// Works on received bytes; false when there were none.
   bool poll();
-  /// Once a millisecond: a session that falls silent loses the robot in the end.
-  void tick() { filter_.tick(); }
+  /// Once in a control period: a session that falls silent loses the robot in the end.
+  void control() { filter_.pass(control::kControlPeriodMs); }
 
   /// One for each message of protocol::MessagesToRobot, called by the dispatcher.
   void operator()(const protocol::Hello& hello);

@@ -19,8 +19,6 @@ uint16_t share(uint8_t percent) {
 }  // namespace
 
 void LineBudget::tick() {
-  const uint16_t paid = share(kAnswerPercent);
-  answered_ = answered_ > paid ? static_cast<uint16_t>(answered_ - paid) : uint16_t{0};
   const uint16_t earned = share(kTelemetryPercent);
   credit_ = credit_ < kMaxCredit - earned ? static_cast<uint16_t>(credit_ + earned) : kMaxCredit;
   if (++window_ms_ == 0) {
@@ -39,6 +37,8 @@ bool LineBudget::take(uint8_t bytes) {
 }
 
 bool LineBudget::take_answer(uint8_t bytes) {
+  pay_answers(static_cast<uint8_t>(window_ms_ - paid_ms_));
+  paid_ms_ = window_ms_;
   const uint16_t cost = static_cast<uint16_t>(bytes * 256U);
   if (answered_ > kMaxCredit - cost) {
     return false;
@@ -47,7 +47,14 @@ bool LineBudget::take_answer(uint8_t bytes) {
   return true;
 }
 
+void LineBudget::pay_answers(uint16_t ms) {
+  const uint32_t paid = uint32_t{share(kAnswerPercent)} * ms;
+  answered_ = answered_ > paid ? static_cast<uint16_t>(answered_ - paid) : uint16_t{0};
+}
+
 void LineBudget::end_window(uint16_t share_bytes) {
+  pay_answers(static_cast<uint16_t>(256U - paid_ms_));
+  paid_ms_ = 0;
   if (overloaded_ || used_bytes_ > share_bytes / 2) {
     quiet_windows_ = 0;
   } else if (++quiet_windows_ == kQuietWindows) {

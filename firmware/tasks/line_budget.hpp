@@ -33,11 +33,14 @@ class LineBudget {
 
  private:
   void end_window(uint16_t share_bytes);
+  /// The answers' share of this time, which is no longer than a window, pays for answers.
+  void pay_answers(uint16_t ms);
 
   uint16_t credit_ = 0;    ///< 1/256 bytes.
   uint16_t answered_ = 0;  ///< 1/256 bytes of answers, less those that their share has paid for.
   uint16_t used_bytes_ = 0;
   uint8_t window_ms_ = 0;
+  uint8_t paid_ms_ = 0;  ///< Of the window, for answers.
   uint8_t quiet_windows_ = 0;
   uint8_t rate_step_ = 0;
   bool overloaded_ = false;

@@ -70,7 +70,7 @@ TEST_P(BulkReads, BringTheConfigurationOfTheDigest) {
 
   configuration.sonar.ping_gap_ms = 77;
   ASSERT_EQ(robot.command(configuration.sonar), protocol::CommandStatus::kAccepted);
-  EXPECT_EQ(robot.connect(4712)->config_digest, protocol::config_digest(configuration));
+  EXPECT_EQ(robot.connect()->config_digest, protocol::config_digest(configuration));
 }
 
 }  // namespace

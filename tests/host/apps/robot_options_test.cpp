@@ -23,6 +23,16 @@ TEST(RobotOptions, AreCheckedBeforeARobotIsAsked) {
   EXPECT_EQ(run({"demo", "--emulator", "mock", "--board", "uno"}).code, console::ExitCode::kUsage);
 }
 
+TEST(RobotOptions, ARobotIsTakenOverByAnyCommandWithAPort) {
+  EXPECT_THAT(run({"explore", "--help"}).out, HasSubstr("--take-over"));
+  EXPECT_THAT(run({"localize", "--help"}).out, HasSubstr("--take-over"));
+}
+
+TEST(RobotOptions, AnImageIsNamedOrOfASpeed) {
+  EXPECT_EQ(run({"flash", "--baud", "1234"}).code, console::ExitCode::kUsage);
+  EXPECT_EQ(run({"flash", "--baud", "115200", "--image", "x.hex"}).code, console::ExitCode::kUsage);
+}
+
 TEST(RobotOptions, AViewIsAMapALineOrNone) {
   EXPECT_THAT(run({"explore", "--help"}).out, HasSubstr("--view"));
   EXPECT_EQ(run({"demo", "--view", "picture"}).code, console::ExitCode::kUsage);

@@ -208,7 +208,7 @@ void FakeRobot::end_motions(protocol::MotionOutcome end) {
 
 void FakeRobot::advance_1ms() {
   stamp_us_ += 1000;
-  filter_.tick();
+  filter_.pass(1);
   if (!greeted_ && !streams_before_hello) {
     return;
   }

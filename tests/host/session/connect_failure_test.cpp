@@ -37,6 +37,16 @@ TEST_F(ConnectFailure, NamesTheWireOfARobotThatDoesNotHear) {
   EXPECT_THAT(reason_of_connect_failure(link, "p"), HasSubstr("RX pin"));
 }
 
+TEST_F(ConnectFailure, NamesTheSessionThatHoldsTheRobotAndHowToTakeItOver) {
+  robot.hear_of_another(protocol::Hello{1, 3, 0, 0xBEE});
+  run_for(500);
+  EXPECT_EQ(connect_failure(link), console::ExitCode::kNoRobot);
+  EXPECT_THAT(reason_of_connect_failure(link, "/dev/x"),
+              testing::AllOf(HasSubstr("another program holds the robot on /dev/x (session 0bee)"),
+                             HasSubstr("--take-over")));
+  EXPECT_THAT(reason_of_take_over(link, "/dev/x"), HasSubstr("(session 0bee)\n  next: "));
+}
+
 TEST_F(ConnectFailure, NamesBothVersionsOfAMismatch) {
   robot.schema_digest = 0xBEEF;
   robot.schema = {};

@@ -16,12 +16,14 @@ TEST(SessionEnd, HasAnExitCodeOfItsOwn) {
   EXPECT_EQ(exit_code_of(SessionEnd::kSafetyStop), console::ExitCode::kSafetyStop);
   EXPECT_EQ(exit_code_of(SessionEnd::kFirmwareMismatch), console::ExitCode::kFirmwareMismatch);
   EXPECT_EQ(exit_code_of(SessionEnd::kConfigInvalid), console::ExitCode::kConfigInvalid);
+  EXPECT_EQ(exit_code_of(SessionEnd::kTakenOver), console::ExitCode::kNoRobot);
 }
 
 TEST(SessionEnd, HasANameOfItsOwn) {
   EXPECT_EQ(outcome_of(SessionEnd::kInterrupted), "interrupted");
   EXPECT_EQ(outcome_of(SessionEnd::kLinkLost), "link-lost");
   EXPECT_EQ(outcome_of(SessionEnd::kSafetyStop), "safety-stop");
+  EXPECT_EQ(outcome_of(SessionEnd::kTakenOver), "taken-over");
 }
 
 TEST(SessionEnd, ComesOfWhatDisarmsTheBoardAndOfNothingElse) {
