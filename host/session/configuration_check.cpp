@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <span>
+#include <variant>
 
 #include <fmt/format.h>
+
+#include "protocol/message_schema.hpp"
 
 namespace echomap::session {
 namespace {
@@ -53,13 +58,60 @@ bool is_same(const std::vector<Field>& one, const std::vector<Field>& other) {
   return std::ranges::equal(one, other, {}, &Field::value, &Field::value);
 }
 
+constexpr std::size_t kWiringBytes = protocol::payload_size_of<protocol::ConfigureWiring>();
+
+/// Bytes of a configuration; the wiring is the last of its messages.
+constexpr std::size_t bytes_of(ConfigurationExtent extent) {
+  return protocol::ConfigurationBytes::kSize -
+         (extent == ConfigurationExtent::kWhole ? 0 : kWiringBytes);
+}
+
+template <class M>
+auto find_command(std::vector<robot_link::Command>& commands) {
+  return std::ranges::find_if(commands, [](const robot_link::Command& command) {
+    return std::holds_alternative<M>(command);
+  });
+}
+
+/// A pin must be without a function before a bridge may have it, and out of the bridge's hands
+/// before it may have another: all pins are freed, then bridges connected, then pins used.
+void order_wiring_and_pins(std::vector<robot_link::Command>& commands) {
+  const auto wiring = find_command<protocol::ConfigureWiring>(commands);
+  const auto pins = find_command<protocol::ConfigurePins>(commands);
+  if (wiring == commands.end() || pins == commands.end()) {
+    return;
+  }
+  std::rotate(pins, wiring, std::next(wiring));
+  commands.insert(find_command<protocol::ConfigureWiring>(commands), protocol::ConfigurePins{});
+}
+
 }  // namespace
 
-std::optional<protocol::Configuration> configuration_in(const robot_link::BulkResult& result) {
-  protocol::ConfigurationBytes bytes{};
+ConfigurationExtent extent_of(const std::optional<robot_link::SchemaDifference>& difference) {
+  return !difference || difference->agrees(protocol::ConfigureWiring::kId)
+             ? ConfigurationExtent::kWhole
+             : ConfigurationExtent::kWithoutWiring;
+}
+
+bool is_usual(const protocol::ConfigureWiring& wiring) {
+  return wiring.bridge == 0 && wiring.bridge_options == 0 && wiring.contacts_normally_closed == 0;
+}
+
+std::uint32_t digest_of(const protocol::Configuration& configuration, ConfigurationExtent extent) {
+  const protocol::ConfigurationBytes bytes = protocol::configuration_bytes(configuration);
+  protocol::SchemaHash hash;
+  for (const std::uint8_t byte : std::span(bytes.bytes).first(bytes_of(extent))) {
+    hash.add(static_cast<char>(byte));
+  }
+  return hash.value();
+}
+
+std::optional<protocol::Configuration> configuration_in(const robot_link::BulkResult& result,
+                                                        ConfigurationExtent extent) {
+  // What the robot does not hold stays as in an empty configuration: the usual wiring.
   protocol::Configuration configuration{};
-  if (result.status != robot_link::BulkStatus::kWhole ||
-      result.bytes.size() != protocol::ConfigurationBytes::kSize) {
+  protocol::ConfigurationBytes bytes = protocol::configuration_bytes(configuration);
+  if (result.status != robot_link::BulkStatus::kWhole || result.bytes.size() != bytes_of(extent)) {
     return std::nullopt;
   }
   std::memcpy(bytes.bytes, result.bytes.data(), result.bytes.size());
@@ -68,7 +120,9 @@ std::optional<protocol::Configuration> configuration_in(const robot_link::BulkRe
 }
 
 std::vector<robot_link::Command> commands_between(
-    const std::optional<protocol::Configuration>& held, const protocol::Configuration& wanted) {
+    const std::optional<protocol::Configuration>& held,
+    const protocol::Configuration& wanted,
+    ConfigurationExtent extent) {
   const std::vector<Part> wanted_parts = parts_of(wanted);
   const std::vector<Part> held_parts = held ? parts_of(*held) : std::vector<Part>();
   std::vector<robot_link::Command> commands;
@@ -77,6 +131,12 @@ std::vector<robot_link::Command> commands_between(
       commands.push_back(wanted_parts[i].command);
     }
   }
+  if (extent == ConfigurationExtent::kWithoutWiring) {
+    std::erase_if(commands, [](const robot_link::Command& command) {
+      return std::holds_alternative<protocol::ConfigureWiring>(command);
+    });
+  }
+  order_wiring_and_pins(commands);
   return commands;
 }
 

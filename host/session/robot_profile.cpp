@@ -13,6 +13,7 @@
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
+#include "host/session/motor_driver_profile.hpp"
 #include "host/session/profile_fields.hpp"
 #include "host/session/sensor_profile.hpp"
 #include "protocol/limits.hpp"
@@ -63,6 +64,7 @@ void read_drive(const TomlReader& table, RobotProfile& profile) {
   drive.proportional = field<std::uint16_t>(table, "proportional", 1.0, kGains);
   drive.integral = field<std::uint16_t>(table, "integral", 1.0, kGains);
   drive.odometry_period_ms = field<std::uint8_t>(table, "odometry_period_ms", 1.0, {1, UINT8_MAX});
+  read_motor_driver(table, profile.configuration.wiring);
 }
 
 void read_odometry(const TomlReader& table, RobotProfile& profile) {

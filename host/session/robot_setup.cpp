@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "host/session/configuration_check.hpp"
-#include "protocol/config_digest.hpp"
+#include "host/session/motor_driver_profile.hpp"
 
 namespace echomap::session {
 namespace {
@@ -74,19 +73,23 @@ bool RobotSetup::try_to_set_up() {
 
 bool RobotSetup::configure() {
   const protocol::Configuration& wanted = profile_.configuration;
+  const ConfigurationExtent extent = extent_of(line_.link().difference());
+  if (!is_wired_as_wanted(extent)) {
+    return false;
+  }
   const auto& robot = line_.link().robot();
-  if (robot && robot->config_digest == protocol::config_digest(wanted)) {
+  if (robot && robot->config_digest == digest_of(wanted, extent)) {
     spdlog::debug("the board already has the configuration of profile '{}'", profile_.name);
     return true;
   }
-  auto held = read_configuration();
+  auto held = read_configuration(extent);
   for (int i = 0; i < kRounds; ++i) {
-    for (const robot_link::Command& command : commands_between(held, wanted)) {
+    for (const robot_link::Command& command : commands_between(held, wanted, extent)) {
       if (!send(command)) {
         return false;
       }
     }
-    held = read_configuration();
+    held = read_configuration(extent);
     if (!held) {
       return false;
     }
@@ -102,6 +105,19 @@ bool RobotSetup::configure() {
   return false;
 }
 
+bool RobotSetup::is_wired_as_wanted(ConfigurationExtent extent) {
+  if (extent == ConfigurationExtent::kWhole || is_usual(profile_.configuration.wiring)) {
+    return true;
+  }
+  line_.end(
+      SessionEnd::kFirmwareMismatch,
+      "the firmware of the robot on " + line_.name() +
+          " is older than protocol 1.3: it knows phase/enable motor drivers and contacts that "
+          "close, and profile '" +
+          profile_.name + "' has others\n  next: ./run flash --port " + line_.name());
+  return false;
+}
+
 bool RobotSetup::arm() {
   const auto armed = line_.perform(protocol::Arm{0, 1});
   if (armed && armed->outcome == CommandOutcome::kBlocked) {
@@ -114,7 +130,12 @@ bool RobotSetup::arm() {
 
 bool RobotSetup::send(const robot_link::Command& command) {
   const auto result = line_.perform(command);
-  if (result && result->outcome == CommandOutcome::kOutOfRange) {
+  const auto* const wiring = std::get_if<protocol::ConfigureWiring>(&command);
+  if (result && result->outcome == CommandOutcome::kOutOfRange && wiring != nullptr) {
+    line_.end(SessionEnd::kConfigInvalid,
+              "the board refuses the motor driver of profile '" + profile_.name +
+                  "': " + advice_on_refused_bridge(*wiring));
+  } else if (result && result->outcome == CommandOutcome::kOutOfRange) {
     line_.end(SessionEnd::kConfigInvalid,
               "the board refuses " + name_of(command) + " of profile '" + profile_.name +
                   "': it has no such pins or sensors, or a value is out of range\n"
@@ -135,9 +156,9 @@ bool RobotSetup::is_accepted(const robot_link::Command& command,
   return false;
 }
 
-std::optional<protocol::Configuration> RobotSetup::read_configuration() {
+std::optional<protocol::Configuration> RobotSetup::read_configuration(ConfigurationExtent extent) {
   const auto bulk = line_.read(protocol::BulkContent::kConfiguration);
-  const auto configuration = bulk ? configuration_in(*bulk) : std::nullopt;
+  const auto configuration = bulk ? configuration_in(*bulk, extent) : std::nullopt;
   if (!configuration) {
     failure_ = fmt::format("reading its configuration: {}",
                            words_of(bulk ? bulk->status : BulkStatus::kNoAnswer));

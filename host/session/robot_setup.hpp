@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/robot_link/command.hpp"
+#include "host/session/configuration_check.hpp"
 #include "host/session/robot_line.hpp"
 #include "host/session/robot_profile.hpp"
 #include "protocol/configuration.hpp"
@@ -27,12 +28,14 @@ class RobotSetup {
   bool try_to_set_up();
   /// Reads the configuration back; false where the board was reset, or the link lost, in between.
   bool configure();
+  /// False, with the session's end, for a robot that would drive other bridges than the profile's.
+  bool is_wired_as_wanted(ConfigurationExtent extent);
   bool arm();
   bool send(const robot_link::Command& command);
   /// Notes what the board did instead.
   bool is_accepted(const robot_link::Command& command,
                    const std::optional<robot_link::CommandResult>& result);
-  std::optional<protocol::Configuration> read_configuration();
+  std::optional<protocol::Configuration> read_configuration(ConfigurationExtent extent);
   std::string reason_of_failure(std::uint64_t resets) const;
 
   RobotLine& line_;

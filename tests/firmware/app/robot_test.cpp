@@ -107,7 +107,7 @@ struct BrakingRobot : NativeRobot {
 TEST(Robot, BrakesAfterAMotionUntilTheTimeToLiveIsOver) {
   BrakingRobot robot;
   ASSERT_EQ(robot.command(protocol::MoveTicks{0, 100, 100, 500, 500}), CommandStatus::kAccepted);
-  robot.run_ms(300);
+  robot.run_ms(400);
   robot.send(protocol::KeepAlive{500});
   robot.run_ms(300);
   ASSERT_EQ(robot.all<protocol::Status>().back().move_outcome, number(MotionOutcome::kReached));

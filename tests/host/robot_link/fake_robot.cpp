@@ -8,7 +8,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "protocol/config_digest.hpp"
 #include "protocol/schema_description.hpp"
 #include "protocol/version.hpp"
 
@@ -63,8 +62,6 @@ void FakeRobot::handle(const protocol::Hello& hello) {
   begin_session(hello.session);
 }
 
-void FakeRobot::handle(const protocol::TakeOver& take_over) { begin_session(take_over.session); }
-
 void FakeRobot::begin_session(std::uint16_t session) {
   if (filter_.begin_session(session)) {
     counters_.restart();
@@ -74,11 +71,20 @@ void FakeRobot::begin_session(std::uint16_t session) {
   reply(session);
 }
 
-void FakeRobot::handle(const protocol::TakeOver& take_over) {
-  handle(protocol::Hello{protocol_major, protocol_minor, schema_digest, take_over.session});
+FakeRobot::Bytes FakeRobot::configuration_bytes() const {
+  const protocol::ConfigurationBytes all = protocol::configuration_bytes(configuration);
+  Bytes held(std::begin(all.bytes), std::end(all.bytes));
+  if (!holds_wiring) {
+    held.resize(held.size() - protocol::payload_size_of<protocol::ConfigureWiring>());
+  }
+  return held;
 }
 
 void FakeRobot::reply(std::uint16_t session) {
+  protocol::SchemaHash config_digest;
+  for (const std::uint8_t byte : configuration_bytes()) {
+    config_digest.add(static_cast<char>(byte));
+  }
   outgoing_.push_back(0);
   send(protocol::HelloReply{protocol_major,
                             protocol_minor,
@@ -90,7 +96,7 @@ void FakeRobot::reply(std::uint16_t session) {
                             1000,
                             receive_credit_bytes,
                             0,
-                            protocol::config_digest(configuration)});
+                            config_digest.value()});
 }
 
 void FakeRobot::handle(const protocol::Ping& ping) {
@@ -102,6 +108,9 @@ void FakeRobot::handle(const protocol::Ping& ping) {
 
 template <class Command>
 void FakeRobot::handle(const Command& command) {
+  if (std::is_same_v<Command, protocol::ConfigureWiring> && !holds_wiring) {
+    return;
+  }
   command_ids_received.push_back(command.command_id);
   if (!filter_.is_repeat(command.command_id)) {
     if (on_command) {
@@ -164,12 +173,11 @@ FakeRobot::Bytes FakeRobot::described_messages() {
 }
 
 FakeRobot::Bytes FakeRobot::bulk_content(std::uint8_t content) const {
-  const protocol::ConfigurationBytes held = protocol::configuration_bytes(configuration);
   switch (static_cast<protocol::BulkContent>(content)) {
     case protocol::BulkContent::kSchema:
       return schema;
     case protocol::BulkContent::kConfiguration:
-      return {std::begin(held.bytes), std::end(held.bytes)};
+      return configuration_bytes();
   }
   return {};
 }

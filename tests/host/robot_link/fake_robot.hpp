@@ -70,6 +70,8 @@ class FakeRobot {
   /// The description of its messages; by default those of this build.
   Bytes schema = described_messages();
   bool answers_bulk_reads = true;
+  /// Firmware of before protocol 1.3 does not hold ConfigureWiring, nor hear it.
+  bool holds_wiring = true;
   /// Added to what it was told of the pan's far end: a robot that does not do what it accepts.
   int pan_error_cdeg = 0;
   std::uint8_t hazards = 0;
@@ -96,8 +98,10 @@ class FakeRobot {
  private:
   void take(const protocol::Frame& frame);
   void handle(const protocol::Hello& hello);
-  void handle(const protocol::TakeOver& take_over);
+  void handle(const protocol::TakeOver& take_over) { begin_session(take_over.session); }
   void begin_session(std::uint16_t session);
+  /// Of the messages that it holds.
+  Bytes configuration_bytes() const;
   void reply(std::uint16_t session);
   void handle(const protocol::KeepAlive& message) { keep_alives.push_back(message); }
   void handle(const protocol::DriveSetpoint& message) { setpoints.push_back(message); }

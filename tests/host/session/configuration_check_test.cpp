@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "protocol/config_digest.hpp"
+
 namespace echomap::session {
 namespace {
 
@@ -65,9 +67,53 @@ TEST(ConfigurationCheck, SendsWhatDiffersAndAllToAnUnknownBoard) {
                           "ConfigureSonar",
                           "ConfigurePan",
                           "ConfigurePins",
+                          "ConfigureWiring",
+                          "ConfigurePins",
                           "ConfigureSensors",
-                          "ConfigureSafety",
-                          "ConfigureWiring"));
+                          "ConfigureSafety"));
+}
+
+TEST(ConfigurationCheck, FreesThePinsBeforeBridgesTakeThemAndUsesThemAfterwards) {
+  const auto held = some_configuration();
+  auto wanted = held;
+  wanted.pins.pin_15 = 1;
+  wanted.wiring.bridge = 1;
+  const auto commands = commands_between(held, wanted);
+  ASSERT_THAT(names_of(commands), ElementsAre("ConfigurePins", "ConfigureWiring", "ConfigurePins"));
+  EXPECT_EQ(std::get<protocol::ConfigurePins>(commands[0]).pin_15, protocol::kPinUnused);
+  EXPECT_EQ(std::get<protocol::ConfigurePins>(commands[2]).pin_15, 1);
+  wanted.pins = held.pins;
+  EXPECT_THAT(names_of(commands_between(held, wanted)), ElementsAre("ConfigureWiring"));
+}
+
+TEST(ConfigurationCheck, ReadsOlderRobotsAsOnesWithTheUsualWiring) {
+  constexpr auto kOlder = ConfigurationExtent::kWithoutWiring;
+  auto bulk = bulk_of(some_configuration());
+  EXPECT_FALSE(configuration_in(bulk, kOlder));
+  bulk.bytes.resize(bulk.bytes.size() - protocol::payload_size_of<protocol::ConfigureWiring>());
+  const auto held = configuration_in(bulk, kOlder);
+  ASSERT_TRUE(held);
+  EXPECT_TRUE(is_usual(held->wiring));
+  EXPECT_THAT(commands_between(held, some_configuration(), kOlder), IsEmpty());
+  EXPECT_FALSE(configuration_in(bulk));
+  EXPECT_THAT(names_of(commands_between({}, some_configuration(), kOlder)),
+              ElementsAre("ConfigureDrive",
+                          "ConfigureSonar",
+                          "ConfigurePan",
+                          "ConfigurePins",
+                          "ConfigureSensors",
+                          "ConfigureSafety"));
+}
+
+TEST(ConfigurationCheck, DigestsAsMuchAsTheRobotHolds) {
+  auto configuration = some_configuration();
+  EXPECT_EQ(digest_of(configuration, ConfigurationExtent::kWhole),
+            protocol::config_digest(configuration));
+  const auto older = digest_of(configuration, ConfigurationExtent::kWithoutWiring);
+  configuration.wiring.bridge = 2;
+  EXPECT_EQ(digest_of(configuration, ConfigurationExtent::kWithoutWiring), older);
+  configuration.safety.stall_ms = 77;
+  EXPECT_NE(digest_of(configuration, ConfigurationExtent::kWithoutWiring), older);
 }
 
 TEST(ConfigurationCheck, NamesTheFirstFieldThatDiffers) {

@@ -85,6 +85,17 @@ TEST(RobotProfile, MayScaleEachWheelAndTheSonarsRanges) {
       << "it listens until the same range";
 }
 
+TEST(RobotProfile, NamesTheMotorDriverInItsDriveTable) {
+  EXPECT_EQ(load_robot_profile("uno_2wd").configuration.wiring.bridge, 0);
+  const std::string track = "track_m = 0.140";
+  const auto kit = profile_with(track, "driver = \"l293d\"\nstop = \"brake\"\n" + track);
+  EXPECT_EQ(kit.configuration.wiring.bridge,
+            static_cast<int>(protocol::MotorBridgeKind::kIn1In2Pwm));
+  EXPECT_EQ(kit.configuration.wiring.bridge_options, protocol::kSlowPwm | protocol::kBrakeAtZero);
+  EXPECT_THAT(error_with(track, "drivr = \"l293d\"\n" + track),
+              HasSubstr("did you mean 'driver'?"));
+}
+
 TEST(RobotProfile, GivesEachPaperItsSensors) {
   const auto create = load_robot_profile("create");
   EXPECT_FALSE(create.has_sonar);

@@ -7,6 +7,7 @@
 
 #include "host/console/exit_code.hpp"
 #include "protocol/config_digest.hpp"
+#include "tests/host/robot_link/other_messages.hpp"
 #include "tests/host/session/session_on_a_cable.hpp"
 
 namespace echomap::session {
@@ -144,6 +145,79 @@ TEST_F(RobotSetupTest, NamesTheFieldThatTheBoardDoesNotTake) {
         << error.what();
   }
   EXPECT_FALSE(cable.robot.armed);
+}
+
+/// A session that does not come about: its error, which has this code.
+class RefusedSetup : public RobotSetupTest {
+ protected:
+  std::string error_with(console::ExitCode code) {
+    session = new_session(false);
+    try {
+      session->connect();
+    } catch (const console::CommandError& error) {
+      EXPECT_EQ(error.code(), code);
+      return error.what();
+    }
+    return "connected";
+  }
+  void let_refuse(std::string_view command) {
+    cable.robot.on_command = [this, command](std::string_view name) {
+      cable.robot.answer = name == command ? protocol::CommandStatus::kOutOfRange
+                                           : protocol::CommandStatus::kAccepted;
+    };
+  }
+};
+
+TEST_F(RefusedSetup, SaysWhichBoardsHaveATimerForServos) {
+  profile.configuration.wiring.bridge =
+      static_cast<std::uint8_t>(protocol::MotorBridgeKind::kServo);
+  let_refuse("ConfigureWiring");
+  const std::string error = error_with(console::ExitCode::kConfigInvalid);
+  EXPECT_NE(error.find("an Arduino Mega or an STM32F103"), std::string::npos) << error;
+}
+
+TEST_F(RefusedSetup, SaysWhichPinsADriverNeeds) {
+  profile.configuration.wiring.bridge =
+      static_cast<std::uint8_t>(protocol::MotorBridgeKind::kIn1In2Pwm);
+  let_refuse("ConfigureWiring");
+  const std::string error = error_with(console::ExitCode::kConfigInvalid);
+  EXPECT_NE(error.find("free pin_0 and pin_1"), std::string::npos) << error;
+}
+
+/// A robot whose firmware is older than the wiring of motors.
+class OlderRobot : public RefusedSetup {
+ protected:
+  OlderRobot() {
+    cable.robot.holds_wiring = false;
+    cable.robot.protocol_minor = 2;
+    cable.robot.schema = robot_link::description_of<robot_link::other_messages::BeforeWiring>();
+    cable.robot.schema_digest =
+        protocol::DigestOf<robot_link::other_messages::BeforeWiring>::kValue;
+  }
+};
+
+TEST_F(OlderRobot, IsSetUpWithTheUsualWiring) {
+  session->connect();
+  EXPECT_TRUE(cable.robot.armed);
+  EXPECT_EQ(cable.robot.configuration.drive.max_ticks_per_s, profile.ticks_per_s());
+  EXPECT_GT(cable.robot.configurations, 0);
+
+  cable.robot.configurations = 0;
+  cable.robot.power_on(2);
+  cable.robot.configuration = profile.configuration;
+  session = new_session(false);
+  session->connect();
+  EXPECT_EQ(cable.robot.configurations, 0) << "its digest is that of what it holds";
+}
+
+TEST_F(OlderRobot, IsRefusedWhereTheProfileWantsOtherBridges) {
+  profile.configuration.wiring.bridge =
+      static_cast<std::uint8_t>(protocol::MotorBridgeKind::kTwoPwm);
+  const std::string error = error_with(console::ExitCode::kFirmwareMismatch);
+  EXPECT_NE(error.find("older than protocol 1.3"), std::string::npos) << error;
+  EXPECT_NE(error.find("next: ./run flash"), std::string::npos) << error;
+  EXPECT_FALSE(cable.robot.armed);
+  EXPECT_EQ(cable.robot.configurations, 0);
 }
 
 TEST_F(RobotSetupTest, TakesARefusedProfileForInvalid) {
