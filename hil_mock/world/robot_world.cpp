@@ -21,19 +21,34 @@ bool is_of_sonar(PartFaultKind kind) {
     case PartFaultKind::kPanReversed:
     case PartFaultKind::kPanOff:
     case PartFaultKind::kRangeScale:
+    case PartFaultKind::kSonarHigh:
+    case PartFaultKind::kSonarSlow:
       return true;
     default:
       return false;
   }
 }
 
+bool is_of_contacts(PartFaultKind kind) {
+  return kind == PartFaultKind::kContactLeftBroken || kind == PartFaultKind::kContactRightBroken;
+}
+
+/// Empty where the robot has what the fault is of.
+std::string missing_part(PartFaultKind kind, const RobotParams& robot) {
+  if (is_of_sonar(kind) && !robot.has_sonar) {
+    return "sonar";
+  }
+  if (is_of_contacts(kind) && !robot.body.has_bumpers) {
+    return "bumpers";
+  }
+  return kind == PartFaultKind::kBatteryLow && !robot.parts.battery ? "battery" : "";
+}
+
 std::vector<PartFault> validated(std::vector<PartFault> faults, const RobotParams& robot) {
   for (const PartFault& fault : faults) {
-    const bool of_sonar = is_of_sonar(fault.kind);
-    const bool of_battery = fault.kind == PartFaultKind::kBatteryLow;
-    if ((of_sonar && !robot.has_sonar) || (of_battery && !robot.parts.battery)) {
+    if (const std::string part = missing_part(fault.kind, robot); !part.empty()) {
       throw std::invalid_argument("part fault '" + std::string(name_of(fault.kind)) +
-                                  "': the robot has no " + (of_sonar ? "sonar" : "battery"));
+                                  "': the robot has no " + part);
     }
   }
   return faults;
@@ -51,6 +66,7 @@ RobotWorld::RobotWorld(FloorPlan plan,
       sonar_(plan_, robot.sonar),
       sonar_noise_(seed, NoisePurpose::kSonar),
       places_(seed, NoisePurpose::kPlaces),
+      dirt_(seed, NoisePurpose::kEncoderDirt),
       parts_(plan_, body_, robot.parts, seed),
       faults_(validated(std::move(faults), robot)) {
   for (const PersonParams& person : plan_.people()) {
@@ -87,7 +103,24 @@ WheelDuty RobotWorld::wired(WheelDuty duty) const {
           has_fault(PartFaultKind::kMotorRightReversed) ? -duty.right : duty.right};
 }
 
-void RobotWorld::wire(EncoderChanges& changes) const {
+void RobotWorld::drop_edges(double share, std::vector<LevelChange>& wheel) {
+  std::erase_if(wheel, [&](const LevelChange&) { return dirt_.uniform() < share; });
+}
+
+Contacts RobotWorld::closed_contacts() const {
+  const Contacts pressed = contacts();
+  const bool at_rest = robot_.body.has_bumpers && robot_.body.contacts_normally_closed;
+  return {pressed.left != at_rest && !has_fault(PartFaultKind::kContactLeftBroken),
+          pressed.right != at_rest && !has_fault(PartFaultKind::kContactRightBroken)};
+}
+
+void RobotWorld::wire(EncoderChanges& changes) {
+  if (const auto share = fault(PartFaultKind::kEncoderLeftDirty)) {
+    drop_edges(*share, changes.left);
+  }
+  if (const auto share = fault(PartFaultKind::kEncoderRightDirty)) {
+    drop_edges(*share, changes.right);
+  }
   const auto wire_one = [&](PartFaultKind dead, PartFaultKind reversed, auto& wheel) {
     if (has_fault(dead)) {
       wheel.clear();
@@ -155,6 +188,16 @@ geometry::Pose2 RobotWorld::somewhere_else() {
     }
   }
   return farthest;
+}
+
+double RobotWorld::echo_pulse_s(std::optional<double> flight_s) const {
+  // HC-SR04: without an answer it lets the echo pin go after this.
+  constexpr double kNoEchoS = 0.038;
+  constexpr double kForeverS = 1e5;
+  if (has_fault(PartFaultKind::kSonarHigh)) {
+    return kForeverS;
+  }
+  return flight_s ? *flight_s : fault(PartFaultKind::kSonarSlow).value_or(kNoEchoS);
 }
 
 std::optional<double> RobotWorld::ping(double pan_rad) {
