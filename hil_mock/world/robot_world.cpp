@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/robot_world.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -78,7 +80,11 @@ void RobotWorld::step(double dt_s, const WheelDuty& duty, EncoderChanges& change
   now_s_ += dt_s;
   move_people(dt_s);
   apply_body_faults();
+  const std::size_t left_before = changes.left.size();
+  const std::size_t right_before = changes.right.size();
   body_.step(dt_s, wired(duty), changes);
+  soil(PartFaultKind::kEncoderLeftDirty, left_before, changes.left);
+  soil(PartFaultKind::kEncoderRightDirty, right_before, changes.right);
   wire(changes);
   if (const auto share = fault(PartFaultKind::kBatteryLow)) {
     parts_.drain_battery_to(*share);
@@ -103,8 +109,12 @@ WheelDuty RobotWorld::wired(WheelDuty duty) const {
           has_fault(PartFaultKind::kMotorRightReversed) ? -duty.right : duty.right};
 }
 
-void RobotWorld::drop_edges(double share, std::vector<LevelChange>& wheel) {
-  std::erase_if(wheel, [&](const LevelChange&) { return dirt_.uniform() < share; });
+void RobotWorld::soil(PartFaultKind dirt, std::size_t first, std::vector<LevelChange>& wheel) {
+  if (const auto share = fault(dirt)) {
+    const auto is_late = [&](const LevelChange&) { return dirt_.uniform() < *share; };
+    const auto begin = wheel.begin() + static_cast<std::ptrdiff_t>(first);
+    wheel.erase(std::remove_if(begin, wheel.end(), is_late), wheel.end());
+  }
 }
 
 Contacts RobotWorld::closed_contacts() const {
@@ -114,13 +124,7 @@ Contacts RobotWorld::closed_contacts() const {
           pressed.right != at_rest && !has_fault(PartFaultKind::kContactRightBroken)};
 }
 
-void RobotWorld::wire(EncoderChanges& changes) {
-  if (const auto share = fault(PartFaultKind::kEncoderLeftDirty)) {
-    drop_edges(*share, changes.left);
-  }
-  if (const auto share = fault(PartFaultKind::kEncoderRightDirty)) {
-    drop_edges(*share, changes.right);
-  }
+void RobotWorld::wire(EncoderChanges& changes) const {
   const auto wire_one = [&](PartFaultKind dead, PartFaultKind reversed, auto& wheel) {
     if (has_fault(dead)) {
       wheel.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -81,9 +82,10 @@ class RobotWorld {
   /// What reaches the motors of what the board puts out.
   WheelDuty wired(WheelDuty duty) const;
   /// What reaches the board of what the encoders do.
-  void wire(EncoderChanges& changes);
-  /// Without its share of the edges, each of which then comes with the next one.
-  void drop_edges(double share, std::vector<LevelChange>& wheel);
+  void wire(EncoderChanges& changes) const;
+  /// Takes the dirty encoder's share of the edges from the first one on out: each comes with the
+  /// next.
+  void soil(PartFaultKind dirt, std::size_t first, std::vector<LevelChange>& wheel);
 
   FloorPlan plan_;
   RobotParams robot_;

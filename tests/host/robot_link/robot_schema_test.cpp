@@ -63,14 +63,19 @@ TEST(SchemaDifference, IsNoneBetweenTheSameMessages) {
 TEST(SchemaDifference, NamesWhatAnOlderFirmwareLacks) {
   const auto older = difference_to(description_of<other_messages::Older>());
   EXPECT_THAT(older.different(), ElementsAre("Health"));
-  EXPECT_THAT(older.missing_on_robot(), ElementsAre("DriveSetpoint", "Ranges", "Gyro"));
+  EXPECT_THAT(
+      older.missing_on_robot(),
+      ElementsAre(
+          "TakeOver", "ConfigureWiring", "DriveSetpoint", "Ranges", "Gyro", "EncoderErrors"));
   EXPECT_THAT(older.unknown_to_host(), IsEmpty());
   EXPECT_FALSE(older.agrees(protocol::Health::kId));
   EXPECT_FALSE(older.agrees(protocol::Gyro::kId));
   EXPECT_TRUE(older.agrees(protocol::Odometry::kId));
   EXPECT_EQ(older.foreign(protocol::Health::kId)->payload_size, 6);
   EXPECT_FALSE(older.foreign(protocol::Gyro::kId));
-  EXPECT_EQ(older.summary(), "other fields in Health; the robot lacks DriveSetpoint, Ranges, Gyro");
+  EXPECT_EQ(older.summary(),
+            "other fields in Health; the robot lacks TakeOver, ConfigureWiring, DriveSetpoint, "
+            "Ranges, Gyro, EncoderErrors");
 }
 
 TEST(SchemaDifference, NamesWhatANewerFirmwareHasBesides) {
