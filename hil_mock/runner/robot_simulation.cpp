@@ -13,8 +13,6 @@ constexpr double kStepS = 1e-3;
 constexpr std::int64_t kTruthPeriodNs = 20 * kStepNs;
 /// HC-SR04: the burst of eight cycles and the chip's delay come between trigger and echo pin.
 constexpr std::int64_t kEchoDelayNs = 460'000;
-/// HC-SR04: without an answer it lets the echo pin go after this.
-constexpr std::int64_t kNoEchoNs = 38'000'000;
 
 world::Polygon square(const geometry::Pose2& T_world_middle, double side_m) {
   const Eigen::Vector2d x_m(0.5 * side_m, 0.0);
@@ -82,7 +80,7 @@ void RobotSimulation::step_world() {
   turn_pan();
   schedule_edges(Wheel::kLeft, changes_.left);
   schedule_edges(Wheel::kRight, changes_.right);
-  const world::Contacts contacts = world_.contacts();
+  const world::Contacts contacts = world_.closed_contacts();
   board_.set_bump(Wheel::kLeft, contacts.left);
   board_.set_bump(Wheel::kRight, contacts.right);
   wiring_.drive_inputs();
@@ -157,7 +155,7 @@ void RobotSimulation::on_trigger(std::int64_t at_ns) {
   }
   const auto flight_s = world_.ping(pan_rad());
   const std::int64_t rise_ns = at_ns + kEchoDelayNs;
-  sonar_busy_until_ns_ = rise_ns + (flight_s ? std::llround(*flight_s * 1e9) : kNoEchoNs);
+  sonar_busy_until_ns_ = rise_ns + std::llround(world_.echo_pulse_s(flight_s) * 1e9);
   board_.schedule_echo(rise_ns, sonar_busy_until_ns_);
 }
 

@@ -17,6 +17,7 @@ enum class NoisePurpose : std::uint32_t {
   kBattery = 6,
   kPlaces = 7,
   kCamera = 8,
+  kEncoderDirt = 9,
   kRange0 = 16,  ///< .. 23, one for each infra-red channel.
 };
 

@@ -48,6 +48,12 @@ constexpr std::array kKinds{
     KindRow{PartFaultKind::kWheelRight, "wheel-right", 1.08, 0.5, 2.0},
     KindRow{PartFaultKind::kPanReversed, "pan-reversed"},
     KindRow{PartFaultKind::kPanOff, "pan-off", 7.0, -90.0, 90.0},
+    KindRow{PartFaultKind::kEncoderLeftDirty, "encoder-left-dirty", 0.01, 0.0, 1.0},
+    KindRow{PartFaultKind::kEncoderRightDirty, "encoder-right-dirty", 0.01, 0.0, 1.0},
+    KindRow{PartFaultKind::kSonarHigh, "sonar-high"},
+    KindRow{PartFaultKind::kSonarSlow, "sonar-slow", 0.2, 0.038, 1.0},
+    KindRow{PartFaultKind::kContactLeftBroken, "contact-left-broken"},
+    KindRow{PartFaultKind::kContactRightBroken, "contact-right-broken"},
     KindRow{PartFaultKind::kRangeScale, "range-scale", 1.1, 0.5, 2.0}};
 
 [[noreturn]] void refuse(const std::string& fault, const std::string& why) {

@@ -31,6 +31,12 @@ enum class PartFaultKind : std::uint8_t {
   kWheelRight,            ///< The same of the right one.
   kPanReversed,           ///< The pan turns the other way than its pulses ask.
   kPanOff,                ///< Its zero is `value` degrees to the left.
+  kEncoderLeftDirty,      ///< The share `value` of its edges comes only with the next one.
+  kEncoderRightDirty,     ///< The same of the right one.
+  kSonarHigh,             ///< Its echo line rises with the next ping and does not fall.
+  kSonarSlow,             ///< A ping that nothing answers holds its echo line for `value` seconds.
+  kContactLeftBroken,     ///< The wire of the left bump contact: the board finds it open.
+  kContactRightBroken,    ///< The same of the right one.
   kRangeScale,            ///< An echo comes after `value` times the time of its range.
 };
 

@@ -52,6 +52,7 @@ BodyParams read_body(const files::TomlReader& table) {
   BodyParams body;
   body.radius_m = positive(table, "radius_m");
   body.has_bumpers = table.boolean_or("bumpers", true);
+  body.contacts_normally_closed = table.boolean_or("contacts_normally_closed", false);
   body.bumper_travel_m = within(table, "bumper_travel_m", body.bumper_travel_m, 0.05);
   body.bumper_overlap_rad = angle(table, "bumper_overlap_deg", body.bumper_overlap_rad);
   body.bumper_end_rad = angle(table, "bumper_end_deg", body.bumper_end_rad);

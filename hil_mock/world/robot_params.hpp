@@ -42,6 +42,7 @@ struct DriveParams {
 struct BodyParams {
   double radius_m = 0.09;
   bool has_bumpers = true;
+  bool contacts_normally_closed = false;  ///< Its contacts open where they touch something.
   /// A bumper is pressed when a wall comes nearer to the disc than this.
   double bumper_travel_m = 0.002;
   /// Each bumper reaches from `bumper_overlap_rad` beyond straight ahead to `bumper_end_rad` on

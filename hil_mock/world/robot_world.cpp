@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/robot_world.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -21,19 +23,34 @@ bool is_of_sonar(PartFaultKind kind) {
     case PartFaultKind::kPanReversed:
     case PartFaultKind::kPanOff:
     case PartFaultKind::kRangeScale:
+    case PartFaultKind::kSonarHigh:
+    case PartFaultKind::kSonarSlow:
       return true;
     default:
       return false;
   }
 }
 
+bool is_of_contacts(PartFaultKind kind) {
+  return kind == PartFaultKind::kContactLeftBroken || kind == PartFaultKind::kContactRightBroken;
+}
+
+/// Empty where the robot has what the fault is of.
+std::string missing_part(PartFaultKind kind, const RobotParams& robot) {
+  if (is_of_sonar(kind) && !robot.has_sonar) {
+    return "sonar";
+  }
+  if (is_of_contacts(kind) && !robot.body.has_bumpers) {
+    return "bumpers";
+  }
+  return kind == PartFaultKind::kBatteryLow && !robot.parts.battery ? "battery" : "";
+}
+
 std::vector<PartFault> validated(std::vector<PartFault> faults, const RobotParams& robot) {
   for (const PartFault& fault : faults) {
-    const bool of_sonar = is_of_sonar(fault.kind);
-    const bool of_battery = fault.kind == PartFaultKind::kBatteryLow;
-    if ((of_sonar && !robot.has_sonar) || (of_battery && !robot.parts.battery)) {
+    if (const std::string part = missing_part(fault.kind, robot); !part.empty()) {
       throw std::invalid_argument("part fault '" + std::string(name_of(fault.kind)) +
-                                  "': the robot has no " + (of_sonar ? "sonar" : "battery"));
+                                  "': the robot has no " + part);
     }
   }
   return faults;
@@ -51,6 +68,7 @@ RobotWorld::RobotWorld(FloorPlan plan,
       sonar_(plan_, robot.sonar),
       sonar_noise_(seed, NoisePurpose::kSonar),
       places_(seed, NoisePurpose::kPlaces),
+      dirt_(seed, NoisePurpose::kEncoderDirt),
       parts_(plan_, body_, robot.parts, seed),
       faults_(validated(std::move(faults), robot)) {
   for (const PersonParams& person : plan_.people()) {
@@ -62,7 +80,11 @@ void RobotWorld::step(double dt_s, const WheelDuty& duty, EncoderChanges& change
   now_s_ += dt_s;
   move_people(dt_s);
   apply_body_faults();
+  const std::size_t left_before = changes.left.size();
+  const std::size_t right_before = changes.right.size();
   body_.step(dt_s, wired(duty), changes);
+  soil(PartFaultKind::kEncoderLeftDirty, left_before, changes.left);
+  soil(PartFaultKind::kEncoderRightDirty, right_before, changes.right);
   wire(changes);
   if (const auto share = fault(PartFaultKind::kBatteryLow)) {
     parts_.drain_battery_to(*share);
@@ -88,6 +110,21 @@ WheelDuty RobotWorld::wired(WheelDuty duty) const {
           has_fault(PartFaultKind::kMotorRightReversed) ? -duty.right : duty.right,
           duty.left_coasting,
           duty.right_coasting};
+}
+
+void RobotWorld::soil(PartFaultKind dirt, std::size_t first, std::vector<LevelChange>& wheel) {
+  if (const auto share = fault(dirt)) {
+    const auto is_late = [&](const LevelChange&) { return dirt_.uniform() < *share; };
+    const auto begin = wheel.begin() + static_cast<std::ptrdiff_t>(first);
+    wheel.erase(std::remove_if(begin, wheel.end(), is_late), wheel.end());
+  }
+}
+
+Contacts RobotWorld::closed_contacts() const {
+  const Contacts pressed = contacts();
+  const bool at_rest = robot_.body.has_bumpers && robot_.body.contacts_normally_closed;
+  return {pressed.left != at_rest && !has_fault(PartFaultKind::kContactLeftBroken),
+          pressed.right != at_rest && !has_fault(PartFaultKind::kContactRightBroken)};
 }
 
 void RobotWorld::wire(EncoderChanges& changes) const {
@@ -158,6 +195,16 @@ geometry::Pose2 RobotWorld::somewhere_else() {
     }
   }
   return farthest;
+}
+
+double RobotWorld::echo_pulse_s(std::optional<double> flight_s) const {
+  // HC-SR04: without an answer it lets the echo pin go after this.
+  constexpr double kNoEchoS = 0.038;
+  constexpr double kForeverS = 1e5;
+  if (has_fault(PartFaultKind::kSonarHigh)) {
+    return kForeverS;
+  }
+  return flight_s ? *flight_s : fault(PartFaultKind::kSonarSlow).value_or(kNoEchoS);
 }
 
 std::optional<double> RobotWorld::ping(double pan_rad) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -37,6 +38,8 @@ class RobotWorld {
   std::optional<double> ping(double pan_rad);
   /// Whether the sonar does not even say that nothing has answered.
   bool sonar_is_dead() const { return fault(PartFaultKind::kSonarDead).has_value(); }
+  /// How long the echo pin is high for a flight that `ping` has told.
+  double echo_pulse_s(std::optional<double> flight_s) const;
   /// Whether the board is held in its boot loader.
   bool board_is_reset() const { return fault(PartFaultKind::kBoardReset).has_value(); }
 
@@ -62,7 +65,10 @@ class RobotWorld {
     return plan_.T_world_start().inverse() * T_world_robot();
   }
   geometry::Pose2 T_world_sonar(double pan_rad) const;
+  /// Those that touch something.
   Contacts contacts() const { return body_.contacts(); }
+  /// Those that are closed, as the board finds them.
+  Contacts closed_contacts() const;
   const RobotBody& body() const { return body_; }
   RobotParts& parts() { return parts_; }
   const FloorPlan& plan() const { return plan_; }
@@ -77,6 +83,9 @@ class RobotWorld {
   WheelDuty wired(WheelDuty duty) const;
   /// What reaches the board of what the encoders do.
   void wire(EncoderChanges& changes) const;
+  /// Takes the dirty encoder's share of the edges from the first one on out: each comes with the
+  /// next.
+  void soil(PartFaultKind dirt, std::size_t first, std::vector<LevelChange>& wheel);
 
   FloorPlan plan_;
   RobotParams robot_;
@@ -84,6 +93,7 @@ class RobotWorld {
   SonarPhysics sonar_;
   NoiseStream sonar_noise_;
   NoiseStream places_;
+  NoiseStream dirt_;
   RobotParts parts_;
   std::vector<PartFault> faults_;
   std::vector<Person> people_;

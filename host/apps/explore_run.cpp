@@ -101,7 +101,8 @@ class FaultReporter {
 
   void report() {
     const auto found = robot_.diagnosis();
-    if (found && !forbids_a_map(found->fault.kind) && !std::exchange(has_told_, true)) {
+    const bool is_told = robot_.dirty_encoder().has_value();
+    if (found && !is_told && !forbids_a_map(found->fault.kind) && !std::exchange(has_told_, true)) {
       const session::FaultAdvice advice = advice_of(found->fault, robot_.profile());
       spdlog::warn("{}: {}", advice.what, advice.change);
     }

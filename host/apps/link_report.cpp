@@ -7,6 +7,20 @@
 
 namespace echomap::apps {
 
+namespace {
+
+/// Empty where the robot does not tell which wheel's they are.
+std::string of_wheels(std::uint64_t left, std::uint64_t right) {
+  if (left == 0 && right == 0) {
+    return "";
+  }
+  const char* const wheels = right == 0 ? "the left wheel" : "the right wheel";
+  return left != 0 && right != 0 ? fmt::format(" ({} left, {} right)", left, right)
+                                 : fmt::format(" of {}", wheels);
+}
+
+}  // namespace
+
 exports::LinkSummary summary_of(const robot_link::LinkStatistics& link, std::uint64_t reconnects) {
   exports::LinkSummary summary;
   summary.frames_received = link.frames_received;
@@ -27,6 +41,8 @@ exports::LinkSummary summary_of(const robot_link::LinkStatistics& link, std::uin
   summary.robot_receive_overruns = link.robot_receive_overruns;
   summary.robot_telemetry_dropped = link.robot_telemetry_dropped;
   summary.robot_encoder_errors = link.robot_encoder_errors;
+  summary.robot_left_encoder_errors = link.robot_left_encoder_errors;
+  summary.robot_right_encoder_errors = link.robot_right_encoder_errors;
   summary.robot_stack_free_bytes = link.robot_stack_free_bytes;
   summary.robot_rate_step = link.robot_rate_step;
   return summary;
@@ -35,8 +51,8 @@ exports::LinkSummary summary_of(const robot_link::LinkStatistics& link, std::uin
 std::string line_of(const exports::LinkSummary& link) {
   return fmt::format(
       "link: {} frames received, {} bad, {} lost; {} sent, {} bad and {} lost there; {} commands "
-      "again, {} resets, {} outages of {:.1f} s, {} reconnects; robot: {} encoder errors, {} "
-      "overruns, {} dropped, {} bytes of stack free, rate step {}",
+      "again, {} resets, {} outages of {:.1f} s, {} reconnects; robot: {} encoder errors ({} "
+      "left, {} right), {} overruns, {} dropped, {} bytes of stack free, rate step {}",
       link.frames_received,
       link.frames_bad,
       link.frames_lost,
@@ -49,6 +65,8 @@ std::string line_of(const exports::LinkSummary& link) {
       link.outage_seconds,
       link.reconnects,
       link.robot_encoder_errors,
+      link.robot_left_encoder_errors,
+      link.robot_right_encoder_errors,
       link.robot_receive_overruns,
       link.robot_telemetry_dropped,
       link.robot_stack_free_bytes ? std::to_string(*link.robot_stack_free_bytes) : "unknown",
@@ -57,14 +75,17 @@ std::string line_of(const exports::LinkSummary& link) {
 
 std::string losses_between(const exports::LinkSummary& before, const exports::LinkSummary& now) {
   std::string text;
-  const auto add = [&text](std::uint64_t from, std::uint64_t to, std::string_view what) {
+  const auto add = [&text](std::uint64_t from, std::uint64_t to, const std::string& what) {
     if (to > from) {
       text += fmt::format("{}{} {}", text.empty() ? "" : "; ", to - from, what);
     }
   };
   add(before.robot_encoder_errors,
       now.robot_encoder_errors,
-      "illegal encoder transitions, so odometry is wrong: check the encoders' wires and supply");
+      "illegal encoder transitions" +
+          of_wheels(now.robot_left_encoder_errors - before.robot_left_encoder_errors,
+                    now.robot_right_encoder_errors - before.robot_right_encoder_errors) +
+          ", so odometry is wrong: check the encoders' wires and supply");
   add(before.robot_receive_overruns,
       now.robot_receive_overruns,
       "receiver overruns, which lose bytes that we send");

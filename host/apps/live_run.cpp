@@ -261,6 +261,11 @@ void LiveRun::tell_events() {
   facts.resets = robot_.session().link().statistics().resets_seen;
   facts.is_touching = publisher_->hazards().is_touching();
   facts.is_lifted = publisher_->hazards().is_in_the_air();
+  facts.sonar_is_dead = robot_.sonar_is_dead();
+  if (const auto& dirt = robot_.dirty_encoder()) {
+    facts.left_encoder_is_dirty = dirt->kind == diagnosis::FaultKind::kLeftDirty;
+    facts.right_encoder_is_dirty = dirt->kind == diagnosis::FaultKind::kRightDirty;
+  }
   facts.stands = robot_.person()->reason();
   if (source_) {
     source_->describe(facts);

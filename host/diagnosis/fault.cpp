@@ -9,6 +9,8 @@ bool forbids_a_map(FaultKind kind) {
     case FaultKind::kWheelSize:
     case FaultKind::kPanOffset:
     case FaultKind::kRangeScale:
+    case FaultKind::kLeftDirty:
+    case FaultKind::kRightDirty:
       return false;
     default:
       return true;
@@ -55,6 +57,10 @@ const char* name_of(FaultKind kind) {
       return "left-wheel-stands";
     case FaultKind::kRightStands:
       return "right-wheel-stands";
+    case FaultKind::kLeftDirty:
+      return "left-encoder-dirty";
+    case FaultKind::kRightDirty:
+      return "right-encoder-dirty";
   }
   return "none";
 }

@@ -26,6 +26,8 @@ enum class FaultKind : std::uint8_t {
   kBothAgainst,     ///< The same of both; or the two motors, or the encoders, are exchanged.
   kLeftStands,      ///< The wheel is blocked, or its motor or its encoder is dead.
   kRightStands,     ///< The same.
+  kLeftDirty,       ///< The encoder misses edges; `value`: the share of its counts that is lost.
+  kRightDirty,      ///< The same.
 };
 
 /// A fault, and by how much.

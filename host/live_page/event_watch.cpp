@@ -49,6 +49,32 @@ void tell_robot(const EventFacts& before, const EventFacts& now, std::vector<Run
   }
 }
 
+void tell_parts(const EventFacts& before, const EventFacts& now, std::vector<RunEvent>& events) {
+  if (now.sonar_is_dead && !before.sonar_is_dead) {
+    events.push_back({"sonar-dead",
+                      Level::kError,
+                      "the sonar does not answer",
+                      "it is not connected, it has no supply, or it is dead",
+                      "check its four wires and its 5 V"});
+  } else if (!now.sonar_is_dead && before.sonar_is_dead) {
+    events.push_back({"sonar-answers", Level::kInfo, "the sonar answers again"});
+  }
+  if (now.left_encoder_is_dirty && !before.left_encoder_is_dirty) {
+    events.push_back({"encoder-left-dirty",
+                      Level::kWarning,
+                      "the left encoder loses counts, so odometry is wrong",
+                      "dirt on its disc, a disc that is not true, a loose wire",
+                      "clean it, set its distance, check its wires and its supply"});
+  }
+  if (now.right_encoder_is_dirty && !before.right_encoder_is_dirty) {
+    events.push_back({"encoder-right-dirty",
+                      Level::kWarning,
+                      "the right encoder loses counts, so odometry is wrong",
+                      "dirt on its disc, a disc that is not true, a loose wire",
+                      "clean it, set its distance, check its wires and its supply"});
+  }
+}
+
 void tell_maps(const EventFacts& before, const EventFacts& now, std::vector<RunEvent>& events) {
   if (now.maps_joined > before.maps_joined) {
     events.push_back({"maps-joined",
@@ -105,6 +131,7 @@ std::vector<RunEvent> EventWatch::look_at(const EventFacts& facts) {
   std::vector<RunEvent> events;
   tell_link(before_, facts, events);
   tell_robot(before_, facts, events);
+  tell_parts(before_, facts, events);
   tell_maps(before_, facts, events);
   tell_person(before_, facts, events);
   before_ = facts;

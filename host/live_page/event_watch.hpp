@@ -17,6 +17,9 @@ struct EventFacts {
   std::uint64_t resets = 0;
   bool is_touching = false;
   bool is_lifted = false;
+  bool sonar_is_dead = false;          ///< RobotContext::sonar_is_dead
+  bool left_encoder_is_dirty = false;  ///< RobotContext::dirty_encoder
+  bool right_encoder_is_dirty = false;
   std::size_t maps_changed = 0;  ///< RobotAtlas::changes, since the run began.
   std::size_t maps_joined = 0;   ///< RobotAtlas::joins, since the run began.
   session::StandReason stands = session::StandReason::kNone;

@@ -16,6 +16,7 @@ void ObservationLog::on(const sensors::Observation& observation) {
     return;
   }
   if (is<sensors::YawObservation>(observation) || is<sensors::BatteryObservation>(observation) ||
+      is<sensors::EncoderErrorObservation>(observation) ||
       (is<EndScan>(observation) && !scan_is_open_)) {
     return;
   }

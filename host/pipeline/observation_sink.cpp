@@ -16,6 +16,9 @@ struct HandOn {
   void operator()(const sensors::PoseFixObservation& one) const { sink.on_pose_fix(one); }
   void operator()(const sensors::YawObservation& one) const { sink.on_yaw(one); }
   void operator()(const sensors::BatteryObservation& one) const { sink.on_battery(one); }
+  void operator()(const sensors::EncoderErrorObservation& one) const {
+    sink.on_encoder_errors(one);
+  }
   void operator()(const sensors::BeginScan& /*one*/) const { sink.begin_scan(); }
   void operator()(const sensors::EndScan& /*one*/) const { sink.end_scan(); }
 

@@ -19,6 +19,7 @@ class ObservationSink {
   virtual void on_pose_fix(const sensors::PoseFixObservation& /*observation*/) {}
   virtual void on_yaw(const sensors::YawObservation& /*observation*/) {}
   virtual void on_battery(const sensors::BatteryObservation& /*observation*/) {}
+  virtual void on_encoder_errors(const sensors::EncoderErrorObservation& /*observation*/) {}
 
   /// What only other robots sense, in place of wheels and pings (LogPlayer).
   virtual void on_odometry_pose(const sensors::OdometryPoseObservation& /*observation*/) {}
@@ -48,6 +49,9 @@ class AnyObservationSink : public ObservationSink {
   void on_pose_fix(const sensors::PoseFixObservation& observation) final { on(observation); }
   void on_yaw(const sensors::YawObservation& observation) final { on(observation); }
   void on_battery(const sensors::BatteryObservation& observation) final { on(observation); }
+  void on_encoder_errors(const sensors::EncoderErrorObservation& observation) final {
+    on(observation);
+  }
   void begin_scan() final { on(sensors::BeginScan{}); }
   void end_scan() final { on(sensors::EndScan{}); }
 };

@@ -102,6 +102,7 @@ class SessionRecorder final : public pipeline::AnyObservationSink {
   void add(const sensors::BatteryObservation& battery);
   void add(const sensors::PoseFixObservation& fix);
   void add(const sensors::CarriedObservation& /*is_of_the_maps*/) {}
+  void add(const sensors::EncoderErrorObservation& /*is_in_the_diagnostics*/) {}
   void add(const sensors::BeginScan& scan);
   void add(const sensors::EndScan& scan);
   void add_transforms(const std::vector<ros_messages::TransformStamped>& transforms);

@@ -25,12 +25,20 @@ void RobotCounters::take(const protocol::Health& health) {
   last_ = health;
 }
 
+void RobotCounters::take(const protocol::EncoderErrors& errors) {
+  left_encoder_errors_ += increase(last_errors_.left, errors.left);
+  right_encoder_errors_ += increase(last_errors_.right, errors.right);
+  last_errors_ = errors;
+}
+
 void RobotCounters::add_to(LinkStatistics& statistics) const {
   statistics.robot_frames_bad = frames_bad_;
   statistics.robot_frames_lost = frames_lost_;
   statistics.robot_receive_overruns = receive_overruns_;
   statistics.robot_telemetry_dropped = telemetry_dropped_;
   statistics.robot_encoder_errors = encoder_errors_;
+  statistics.robot_left_encoder_errors = left_encoder_errors_;
+  statistics.robot_right_encoder_errors = right_encoder_errors_;
   statistics.robot_stack_free_bytes = min_stack_free_bytes_;
   statistics.robot_rate_step = last_.rate_step;
 }

@@ -14,19 +14,26 @@ namespace echomap::robot_link {
 class RobotCounters {
  public:
   void take(const protocol::Health& health);
+  void take(const protocol::EncoderErrors& errors);
   /// The robot was reset: its counters start at zero, ours go on.
-  void restart() { last_ = {}; }
+  void restart() {
+    last_ = {};
+    last_errors_ = {};
+  }
 
   /// Fills in what the robot has told.
   void add_to(LinkStatistics& statistics) const;
 
  private:
   protocol::Health last_{};
+  protocol::EncoderErrors last_errors_{};
   std::uint64_t frames_bad_ = 0;
   std::uint64_t frames_lost_ = 0;
   std::uint64_t receive_overruns_ = 0;
   std::uint64_t telemetry_dropped_ = 0;
   std::uint64_t encoder_errors_ = 0;
+  std::uint64_t left_encoder_errors_ = 0;
+  std::uint64_t right_encoder_errors_ = 0;
   std::optional<std::uint16_t> min_stack_free_bytes_;
 };
 

@@ -22,4 +22,9 @@ void TelemetryFeed::deliver(const protocol::Health& message) {
   listener_.on_health(message);
 }
 
+void TelemetryFeed::deliver(const protocol::EncoderErrors& message) {
+  counters_.take(message);
+  listener_.on_encoder_errors(message);
+}
+
 }  // namespace echomap::robot_link

@@ -34,8 +34,8 @@ class TelemetryFeed {
   void deliver(const protocol::Status& message) { listener_.on_status(message); }
   void deliver(const protocol::Ranges& message) { listener_.on_ranges(message); }
   void deliver(const protocol::Gyro& message) { listener_.on_gyro(message); }
-  void deliver(const protocol::EncoderErrors& message) { listener_.on_encoder_errors(message); }
   void deliver(const protocol::Health& message);
+  void deliver(const protocol::EncoderErrors& message);
 
   /// Fills in what the robot said in Health of its own counters.
   void add_to(LinkStatistics& statistics) const { counters_.add_to(statistics); }

@@ -11,6 +11,17 @@
 namespace echomap::sensors {
 namespace {
 
+struct Bumps {
+  bool left;
+  bool right;
+};
+
+Bumps bumps_of(std::uint8_t flags) {
+  const bool knows_its_wiring = (flags & protocol::kFlagArmed) != 0;
+  return {knows_its_wiring && (flags & protocol::kFlagBumpLeft) != 0,
+          knows_its_wiring && (flags & protocol::kFlagBumpRight) != 0};
+}
+
 /// A turn all round in the paper's steps of 6 degrees without an echo: of firmware that does not
 /// tell a dead sonar from an open hall it is a dead sonar.
 constexpr int kMaxPingsInVain = 60;
@@ -76,11 +87,11 @@ std::optional<YawObservation> ObservationConverter::convert(const protocol::Gyro
 }
 
 HazardObservation ObservationConverter::convert(const protocol::Status& message) {
-  const auto flag = [&](protocol::RobotFlags bit) { return (message.flags & bit) != 0; };
+  const auto [bump_left, bump_right] = bumps_of(message.flags);
   const auto hazard = [&](protocol::Hazard bit) { return (message.hazards & bit) != 0; };
   return {time_.unwrap(message.stamp_us),
-          flag(protocol::kFlagBumpLeft),
-          flag(protocol::kFlagBumpRight),
+          bump_left,
+          bump_right,
           {hazard(protocol::kHazardCliffLeft),
            hazard(protocol::kHazardCliffFrontLeft),
            hazard(protocol::kHazardCliffFrontRight),
@@ -93,8 +104,9 @@ HazardObservation ObservationConverter::convert(const protocol::Status& message)
 HazardObservation ObservationConverter::with_bumps_of(const protocol::Odometry& message,
                                                       HazardObservation known) {
   known.stamp = time_.unwrap(message.stamp_us);
-  known.bump_left = (message.flags & protocol::kFlagBumpLeft) != 0;
-  known.bump_right = (message.flags & protocol::kFlagBumpRight) != 0;
+  const auto [bump_left, bump_right] = bumps_of(message.flags);
+  known.bump_left = bump_left;
+  known.bump_right = bump_right;
   return known;
 }
 
@@ -108,6 +120,12 @@ std::optional<BatteryObservation> ObservationConverter::convert(const protocol::
       message.battery_raw / kFullScaleCounts * *sensors_.battery_full_scale_v};
 }
 
+EncoderErrorObservation ObservationConverter::convert(const protocol::EncoderErrors& message) {
+  return {time_.unwrap(message.stamp_us),
+          left_errors_.unwrap(static_cast<std::int16_t>(message.left)),
+          right_errors_.unwrap(static_cast<std::int16_t>(message.right))};
+}
+
 void ObservationConverter::restart(time::RobotClock::duration passed) {
   if (yaw_) {
     yaw_->restart();
@@ -115,6 +133,8 @@ void ObservationConverter::restart(time::RobotClock::duration passed) {
   time_.restart(passed);
   left_.restart();
   right_.restart();
+  left_errors_.restart();
+  right_errors_.restart();
 }
 
 WheelTravel ObservationConverter::travel(std::int16_t left_ticks, std::int16_t right_ticks) {

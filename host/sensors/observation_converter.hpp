@@ -55,11 +55,15 @@ class ObservationConverter {
   InfraredObservation convert(const protocol::Ranges& message);
   /// Empty where the robot has no gyro.
   std::optional<YawObservation> convert(const protocol::Gyro& message);
+  /// A robot that is not armed may not know yet how its contacts are wired: its bumpers do not
+  /// count.
   HazardObservation convert(const protocol::Status& message);
   /// `known`, with the bumpers and the stamp of `message`, which was converted before.
   HazardObservation with_bumps_of(const protocol::Odometry& message, HazardObservation known);
   /// Empty where no battery is measured.
   std::optional<BatteryObservation> convert(const protocol::Health& message);
+
+  EncoderErrorObservation convert(const protocol::EncoderErrors& message);
 
   /// Which firmware sends the messages that follow: the minor version of its protocol.
   void set_protocol_minor(std::uint8_t minor) { protocol_minor_ = minor; }
@@ -81,6 +85,8 @@ class ObservationConverter {
   time::RobotTimeUnwrapper time_;
   TickUnwrapper left_;
   TickUnwrapper right_;
+  TickUnwrapper left_errors_;
+  TickUnwrapper right_errors_;
 };
 
 }  // namespace echomap::sensors

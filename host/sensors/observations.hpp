@@ -104,6 +104,14 @@ struct BatteryObservation {
   double voltage_v = 0.0;
 };
 
+/// What each encoder has missed since the session began: edges at which both its pins had changed,
+/// each of which is two counts that are lost.
+struct EncoderErrorObservation {
+  time::RobotTime stamp;
+  std::int64_t left = 0;
+  std::int64_t right = 0;
+};
+
 /// Readings from here to `EndScan` are one scan, whatever turns of the body lie between them.
 struct BeginScan {};
 struct EndScan {};
@@ -117,6 +125,7 @@ using Observation = std::variant<OdometryObservation,
                                  PoseFixObservation,
                                  YawObservation,
                                  BatteryObservation,
+                                 EncoderErrorObservation,
                                  BeginScan,
                                  EndScan>;
 

@@ -118,6 +118,16 @@ FaultAdvice advice_of_counts(const char* wheel, double counts, double now) {
           set(fmt::format("{}_wheel_scale", wheel), fmt::format("{:.3f}", now / counts), "drive")};
 }
 
+FaultAdvice advice_of_dirt(const char* wheel, double lost_share) {
+  return {fmt::format("the {} encoder loses {:.1f} % of its counts: edges come too fast after each "
+                      "other, or are missed",
+                      wheel,
+                      100.0 * lost_share),
+          fmt::format("clean the {0} encoder's disc and sensors, set their distance, and check the "
+                      "wires and the supply of the {0} encoder (docs/guides/wiring.md)",
+                      wheel)};
+}
+
 }  // namespace
 
 FaultAdvice advice_of(const Fault& fault, const RobotProfile& profile) {
@@ -168,6 +178,10 @@ FaultAdvice advice_of(const Fault& fault, const RobotProfile& profile) {
     case FaultKind::kLeftStands:
     case FaultKind::kRightStands:
       return advice_of_command(fault.kind);
+    case FaultKind::kLeftDirty:
+      return advice_of_dirt("left", fault.value);
+    case FaultKind::kRightDirty:
+      return advice_of_dirt("right", fault.value);
   }
   return {};
 }

@@ -40,6 +40,8 @@ ros_messages::DiagnosticStatus diagnostics_of(const robot_link::LinkStatistics& 
   add("robot receive overruns", link.robot_receive_overruns);
   add("robot telemetry dropped", link.robot_telemetry_dropped);
   add("robot encoder errors", link.robot_encoder_errors);
+  add("robot left encoder errors", link.robot_left_encoder_errors);
+  add("robot right encoder errors", link.robot_right_encoder_errors);
   add("robot stack free bytes", link.robot_stack_free_bytes.value_or(0));
   return status;
 }

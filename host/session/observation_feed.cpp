@@ -32,6 +32,10 @@ void ObservationFeed::take(const protocol::Gyro& message) {
   }
 }
 
+void ObservationFeed::take(const protocol::EncoderErrors& message) {
+  sink_.on_encoder_errors(converter_.convert(message));
+}
+
 void ObservationFeed::take(const protocol::Status& message) {
   hazards_ = converter_.convert(message);
   sink_.on_hazards(hazards_);

@@ -31,6 +31,7 @@ class ObservationFeed {
   void take(const protocol::Ranges& message);
   void take(const protocol::Gyro& message);
   void take(const protocol::Status& message);
+  void take(const protocol::EncoderErrors& message);
 
   /// The last that was told.
   const sensors::HazardObservation& hazards() const { return hazards_; }

@@ -2,6 +2,7 @@
 #include "host/session/robot_context.hpp"
 
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -9,6 +10,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/exploration/atlas_explorer.hpp"
+#include "host/session/fault_advice.hpp"
 #include "host/session/pipeline_setup.hpp"
 
 namespace echomap::session {
@@ -48,7 +50,10 @@ std::optional<recording::SessionEvent> event_of(const exploration::Motion& motio
 }  // namespace
 
 RobotContext::RobotContext(RobotProfile profile, const Seed& seed)
-    : profile_(std::move(profile)), seed_(seed), recorder_(recorder_params(profile_)) {
+    : profile_(std::move(profile)),
+      seed_(seed),
+      recorder_(recorder_params(profile_)),
+      encoder_check_(profile_.geometry) {
   recorder_.describe("robot.toml", profile_.toml);
   fork_.add(recorder_);
 }
@@ -88,9 +93,11 @@ void RobotContext::follow(std::unique_ptr<Follower> follower) {
 
 void RobotContext::open(OpenedRobot robot) {
   if (profile_.has_sonar) {
+    fork_.add(sonar_check_);
     self_check_.emplace(profile_.geometry, surface_params(profile_));
     fork_.add(*self_check_);
   }
+  fork_.add(encoder_check_);
   lockstep_ = std::move(robot.lockstep);
   remember_port_ = std::move(robot.remember_port);
   recorder_.begin_session(lockstep_ ? 0 : nanoseconds_since_1970());
@@ -159,6 +166,15 @@ void RobotContext::look_for_trouble() {
   if (!recorder_.trouble().empty() && !std::exchange(trouble_is_told_, true)) {
     spdlog::warn("cannot record: {}; trying again", recorder_.trouble());
   }
+  if (sonar_is_dead() != std::exchange(dead_sonar_is_told_, sonar_is_dead())) {
+    spdlog::warn(sonar_is_dead() ? "the sonar does not answer: it is not connected, or it is dead; "
+                                   "check its wiring and its supply (docs/guides/wiring.md)"
+                                 : "the sonar answers again");
+  }
+  if (dirty_encoder() && !std::exchange(dirt_is_told_, true)) {
+    const FaultAdvice advice = advice_of(*dirty_encoder(), profile_);
+    spdlog::warn("{}: {}", advice.what, advice.change);
+  }
 }
 
 exploration::MotionResult RobotContext::move(const exploration::Motion& motion) {
@@ -188,7 +204,12 @@ exploration::MotionResult RobotContext::hand_over() {
 }
 
 std::optional<diagnosis::Diagnosis> RobotContext::diagnosis() const {
-  return self_check_ ? self_check_->diagnosis() : std::nullopt;
+  const auto found = self_check_ ? self_check_->diagnosis() : std::nullopt;
+  const auto& dirt = dirty_encoder();
+  if (dirt && explains(*dirt, found ? found->fault.kind : diagnosis::FaultKind::kNone)) {
+    return diagnosis::Diagnosis{*dirt, std::numeric_limits<double>::infinity(), 0};
+  }
+  return found;
 }
 
 std::optional<diagnosis::FaultKind> RobotContext::wheel_that_stood_still() const {

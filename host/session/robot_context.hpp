@@ -8,7 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "host/diagnosis/encoder_check.hpp"
 #include "host/diagnosis/self_check.hpp"
+#include "host/diagnosis/sonar_check.hpp"
 #include "host/pipeline/joined_sessions.hpp"
 #include "host/pipeline/observation_fork.hpp"
 #include "host/pipeline/robot_atlas.hpp"
@@ -76,10 +78,15 @@ class RobotContext {
   const OperatorControl* person() const { return person_ ? &*person_ : nullptr; }
   /// How fast a simulated robot's time passes.
   TimeScale& time_scale() { return time_scale_; }
-  /// What its first stops have shown to be wrong with the robot or its profile.
+  /// What its first stops have shown to be wrong with the robot or its profile, or its encoders'
+  /// errors, where these explain it.
   std::optional<diagnosis::Diagnosis> diagnosis() const;
   /// The wheel that stood still when its last motion stalled.
   std::optional<diagnosis::FaultKind> wheel_that_stood_still() const;
+  /// An encoder that loses counts.
+  const std::optional<diagnosis::Fault>& dirty_encoder() const { return encoder_check_.fault(); }
+  /// The sonar has not answered its last triggers.
+  bool sonar_is_dead() const { return sonar_check_.is_dead(); }
   /// After `open`.
   RobotSession& session() { return *session_; }
   const RobotSession& session() const { return *session_; }
@@ -105,7 +112,8 @@ class RobotContext {
 
  private:
   void step();
-  /// Warns once where the recording cannot be written.
+  /// Warns once where the recording cannot be written, where the sonar does not answer and of an
+  /// encoder that loses counts.
   void look_for_trouble();
   /// Carries out what the person wants for as long as the person has the robot.
   exploration::MotionResult hand_over();
@@ -115,10 +123,14 @@ class RobotContext {
   recording::SessionRecorder recorder_;
   RecordingLog recording_log_{recorder_};
   bool trouble_is_told_ = false;
+  bool dead_sonar_is_told_ = false;
+  bool dirt_is_told_ = false;
   pipeline::ObservationFork fork_;
   pipeline::JoinedSessions sessions_{fork_};
   std::optional<pipeline::RobotAtlas> atlas_;
   std::string slam_;
+  diagnosis::SonarCheck sonar_check_;
+  diagnosis::EncoderCheck encoder_check_;
   std::optional<diagnosis::SelfCheck> self_check_;  ///< Of a robot with a sonar.
   std::unique_ptr<Follower> follower_;
   std::optional<OperatorControl> person_;

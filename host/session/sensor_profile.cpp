@@ -177,6 +177,19 @@ void read_safety(const TomlReader& table, RobotProfile& profile) {
       field_or_zero<std::uint16_t>(table, "over_speed_m_per_s", ticks_per_metre, {0, UINT16_MAX});
 }
 
+/// Contacts that open when they are pressed: their broken wire is a bump.
+void read_contacts(const TomlReader& table, protocol::ConfigureWiring& wiring) {
+  constexpr unsigned kLeft = 1;
+  constexpr unsigned kRight = 2;
+  const bool both = table.boolean_or("contacts_normally_closed", false);
+  const auto bit_if_closed = [&](std::string_view key, unsigned bit) {
+    return table.boolean_or(key, both) ? bit : 0U;
+  };
+  wiring.contacts_normally_closed =
+      static_cast<std::uint8_t>(bit_if_closed("left_contact_normally_closed", kLeft) |
+                                bit_if_closed("right_contact_normally_closed", kRight));
+}
+
 std::uint8_t standard_stops(const Pins& pins) {
   constexpr auto kCliffs = protocol::kHazardCliffLeft | protocol::kHazardCliffFrontLeft |
                            protocol::kHazardCliffFrontRight | protocol::kHazardCliffRight;
@@ -222,6 +235,7 @@ void read_sensors(const TomlReader& profile_file, RobotProfile& profile) {
   }
   if (profile_file.has("safety")) {
     read_safety(profile_file.table("safety"), profile);
+    read_contacts(profile_file.table("safety"), profile.configuration.wiring);
   }
 }
 

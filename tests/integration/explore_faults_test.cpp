@@ -15,6 +15,7 @@
 
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
+#include "host/files/bundled_files.hpp"
 #include "tests/integration/programs.hpp"
 #include "tests/support/every_seed.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -69,6 +70,47 @@ class ExploreFaults : public ::testing::Test {
                             .wait();
     EXPECT_EQ(robot.wait().status, 0);
     return ended;
+  }
+  /// What a robot maps in four stops, whose contacts are normally closed or open in its file and
+  /// in its profile alike.
+  std::string map_at_a_port(bool normally_closed, const std::string& faults) {
+    const auto file = [&](const char* folder, const std::string& table) {
+      std::string text = files::read_text_file(files::bundled_file("uno_2wd", folder, "a robot"));
+      const std::string value = normally_closed ? "true" : "false";
+      const std::size_t at = text.find(table) + table.size();
+      text.insert(at, "\ncontacts_normally_closed = " + value);
+      const auto path = scratch / (table.substr(1, table.size() - 2) + ".toml");
+      files::write_text_file(path, text);
+      return "--robot=" + path.string();
+    };
+    const auto socket = scratch / "lockstep";
+    const auto port = scratch / "robot";
+    std::filesystem::remove(socket);
+    std::vector<std::string> options{"--seed=3",
+                                     "--world=nxt_room",
+                                     file("hil_mock/robots", "[body]"),
+                                     "--link=" + port.string(),
+                                     "--lockstep=" + socket.string()};
+    if (!faults.empty()) {
+      options.push_back("--part-faults=" + faults);
+    }
+    Program robot("echomap-mock", options, scratch / "robot_log");
+    EXPECT_TRUE(eventually([&] { return exists(socket) && exists(port); }));
+    const Ended ended = Program("echomap",
+                                {"explore",
+                                 "--stops=4",
+                                 "--force",
+                                 "--headless",
+                                 "--seed=3",
+                                 file("host/profiles", "[safety]"),
+                                 "--port=" + port.string(),
+                                 "--lockstep=" + socket.string(),
+                                 "--out=" + (scratch / "run").string()},
+                                scratch / "log")
+                            .wait();
+    EXPECT_THAT(ended.status, AnyOf(0, kUnfinished)) << ended.said;
+    EXPECT_EQ(robot.wait().status, 0);
+    return files::read_text_file(scratch / "run/occupancy_grid.csv");
   }
   /// Of the run directory against that mock's truth.
   nlohmann::json score() {
@@ -148,6 +190,64 @@ class ExploreFaults : public ::testing::Test {
 TEST_F(ExploreFaults, ADeadSonarEndsIt) {
   expect_stopped(
       run({"--part-faults=sonar-dead@60"}), 1, "sonar-silent", "the sonar does not answer");
+}
+
+/// Within three pings, and long before it ends for that.
+TEST_F(ExploreFaults, ASonarThatIsUnpluggedOrWhoseLineHangsIsNamedAtOnce) {
+  for (const std::string fault : {"sonar-dead@0", "sonar-dead@20", "sonar-high@20"}) {
+    const Ended ended = run({"--part-faults=" + fault, "--world=nxt_room"});
+    EXPECT_EQ(summary().at("outcome"), "sonar-silent") << fault;
+    const std::size_t named = ended.said.find("warning: the sonar does not answer");
+    const std::size_t end = ended.said.find("not finished");
+    EXPECT_LT(named, end) << fault << ended.said;
+    EXPECT_EQ(ended.said.find("the sonar answers again"), std::string::npos) << fault;
+  }
+}
+
+/// Every ping of it is heard by nobody, and each holds the echo line for 200 ms.
+TEST_F(ExploreFaults, ALargeHallAndASlowSonarAreNoDeadOne) {
+  const auto hall = scratch / "hall.toml";
+  files::write_text_file(hall, R"(name = "hall"
+[start]
+x_m = 15.0
+y_m = 15.0
+heading_deg = 20.0
+[room]
+corners_m = [[0.0, 0.0], [30.0, 0.0], [30.0, 30.0], [0.0, 30.0]]
+)");
+  for (const std::string fault : {"", "sonar-slow@0"}) {
+    std::vector<std::string> options{"--world=" + hall.string(), "--stops=3"};
+    if (!fault.empty()) {
+      options.push_back("--part-faults=" + fault);
+    }
+    const Ended ended = run(options);
+    EXPECT_EQ(ended.said.find("sonar does not answer"), std::string::npos) << ended.said;
+    EXPECT_NE(summary().at("outcome"), "sonar-silent") << fault;
+    EXPECT_GT(summary().at("sim_seconds"), fault.empty() ? 5.0 : 12.0) << "it waits for the line";
+  }
+}
+
+TEST_F(ExploreFaults, ADirtyEncoderIsNamedWithItsWheel) {
+  const Ended ended =
+      run({"--part-faults=encoder-right-dirty@0:inf:0.02", "--world=nxt_room", "--stops=6"});
+  EXPECT_THAT(ended.said, HasSubstr("warning: the right encoder loses"));
+  EXPECT_THAT(ended.said, HasSubstr("clean the right encoder's disc"));
+  EXPECT_EQ(summary().at("robot_fault").at("name"), "right-encoder-dirty");
+  EXPECT_EQ(summary().at("link").at("robot_left_encoder_errors"), 0);
+  EXPECT_GT(summary().at("link").at("robot_right_encoder_errors"), 10);
+}
+
+TEST_F(ExploreFaults, NormallyClosedContactsAreNoBumpUntilTheirWireBreaks) {
+  const std::string map = map_at_a_port(false, "");
+  EXPECT_EQ(summary().at("outcome"), "stop-limit");
+  const double mapped_m2 = summary().at("free_area_m2");
+  EXPECT_EQ(map_at_a_port(false, "contact-left-broken@10"), map) << "nobody notices";
+  map_at_a_port(true, "");
+  EXPECT_EQ(summary().at("outcome"), "stop-limit");
+  EXPECT_NEAR(summary().at("free_area_m2"), mapped_m2, 0.5);
+  map_at_a_port(true, "contact-left-broken@10");
+  EXPECT_NE(summary().at("outcome"), "stop-limit") << "it drives backwards only";
+  EXPECT_LT(summary().at("free_area_m2"), mapped_m2 - 0.5);
 }
 
 TEST_F(ExploreFaults, ASonarThatHangsEndsItAndLeavesTheMapAlone) {

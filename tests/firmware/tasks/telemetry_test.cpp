@@ -316,12 +316,12 @@ TEST_F(TelemetryTest, CarriesCountsAndErrors) {
 }
 
 TEST_F(TelemetryTest, TellsTheErrorsOfEachWheelWithEveryHealthOnceThereAreAny) {
+  encoders.start(0);
   telemetry.begin();
   for (int ms = 0; ms < 1200; ++ms) {
     tick(1);
     EXPECT_TRUE(collect().encoder_errors.empty()) << "a clean encoder costs the line nothing";
   }
-  encoders.start(0);
   encoders.on_pins(0b0011);
   encoders.on_pins(0b1111);
   encoders.on_pins(0b1100);

@@ -216,6 +216,53 @@ TEST(RobotWorld, ASonarMayDieOrSayOneThing) {
   }
 }
 
+/// An edge that comes late comes with the next one: both pins change at once, and two counts are
+/// lost.
+TEST(RobotWorld, ADirtyEncoderChangesBothPinsAtOnceNowAndThen) {
+  const auto illegal_steps = [](const std::vector<LevelChange>& changes) {
+    std::size_t steps = 0;
+    for (std::size_t i = 1; i < changes.size(); ++i) {
+      steps += changes[i].a != changes[i - 1].a && changes[i].b != changes[i - 1].b ? 1U : 0U;
+    }
+    return steps;
+  };
+  RobotWorld clean = world_with("");
+  RobotWorld dirty = world_with("encoder-left-dirty@0:inf:0.1");
+  const EncoderChanges all = drive_for(clean, 1.0);
+  const EncoderChanges seen = drive_for(dirty, 1.0);
+  EXPECT_EQ(illegal_steps(all.left), 0U);
+  EXPECT_EQ(seen.right.size(), all.right.size());
+  const auto dropped = static_cast<double>(all.left.size() - seen.left.size());
+  EXPECT_NEAR(dropped / static_cast<double>(all.left.size()), 0.1, 0.05);
+  EXPECT_NEAR(static_cast<double>(illegal_steps(seen.left)), 0.9 * dropped, 0.15 * dropped);
+}
+
+TEST(RobotWorld, ASonarMayHoldItsEchoLine) {
+  RobotWorld slow = world_with("sonar-slow@0");
+  drive_for(slow, 0.01);
+  EXPECT_EQ(slow.echo_pulse_s(0.004), 0.004);
+  EXPECT_EQ(slow.echo_pulse_s(std::nullopt), 0.2);
+  EXPECT_EQ(world_with("").echo_pulse_s(std::nullopt), 0.038);
+  RobotWorld high = world_with("sonar-high@0");
+  drive_for(high, 0.01);
+  EXPECT_GT(high.echo_pulse_s(0.004), 3600.0);
+}
+
+TEST(RobotWorld, ContactsMayBeNormallyClosedAndTheirWiresMayBreak) {
+  const auto closed = [](bool normally_closed, const std::string& faults) {
+    RobotParams robot;
+    robot.body.contacts_normally_closed = normally_closed;
+    RobotWorld world(box_room(), robot, 1, parse_part_faults(faults));
+    drive_for(world, 0.01);
+    const Contacts contacts = world.closed_contacts();
+    return std::pair(contacts.left, contacts.right);
+  };
+  EXPECT_EQ(closed(false, ""), std::pair(false, false));
+  EXPECT_EQ(closed(true, ""), std::pair(true, true));
+  EXPECT_EQ(closed(true, "contact-left-broken@0"), std::pair(false, true));
+  EXPECT_EQ(closed(false, "contact-right-broken@0"), std::pair(false, false)) << "nobody notices";
+}
+
 TEST(RobotWorld, ABatteryMayBeNearlyEmpty) {
   RobotParams robot;
   robot.parts.battery.emplace();
@@ -234,6 +281,11 @@ TEST(RobotWorld, RefusesFaultsOfPartsThatItHasNot) {
   blind.has_sonar = false;
   EXPECT_THROW(RobotWorld(box_room(), blind, 1, parse_part_faults("sonar-dead@1")),
                std::invalid_argument);
+  RobotParams without_bumpers;
+  without_bumpers.body.has_bumpers = false;
+  EXPECT_THROW(
+      RobotWorld(box_room(), without_bumpers, 1, parse_part_faults("contact-left-broken@1")),
+      std::invalid_argument);
   EXPECT_THROW(RobotWorld(box_room(), RobotParams{}, 1, parse_part_faults("battery-low@1")),
                std::invalid_argument);
 }

@@ -41,6 +41,10 @@ TEST(LinkReport, TellsALossOnceAndOnlyWhereItRises) {
   now.robot_encoder_errors = 13;
   EXPECT_THAT(losses_between(before, now),
               AllOf(HasSubstr("3 illegal encoder transitions"), Not(HasSubstr("overruns"))));
+  now.robot_left_encoder_errors = 3;
+  EXPECT_THAT(losses_between(before, now), HasSubstr("transitions of the left wheel, so"));
+  now.robot_right_encoder_errors = 1;
+  EXPECT_THAT(losses_between(before, now), HasSubstr("transitions (3 left, 1 right), so"));
   now.robot_receive_overruns = 1;
   now.robot_telemetry_dropped = 2;
   EXPECT_THAT(losses_between(before, now),

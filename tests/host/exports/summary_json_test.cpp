@@ -26,6 +26,7 @@ TEST(SummaryJson, HoldsEveryField) {
   summary.expected_wall_rmse_m = 0.25;
   summary.link.frames_lost = 4;
   summary.link.robot_encoder_errors = 70'000;
+  summary.link.robot_left_encoder_errors = 69'999;
   const auto json = nlohmann::json::parse(to_json_text(summary));
   EXPECT_EQ(json.at("strategy"), "nxt-farthest");
   EXPECT_EQ(json.at("outcome"), "no-new-ground");
@@ -43,6 +44,8 @@ TEST(SummaryJson, HoldsEveryField) {
   EXPECT_TRUE(json.at("pose_stddev_deg").is_null());
   EXPECT_EQ(json.at("link").at("frames_lost"), 4);
   EXPECT_EQ(json.at("link").at("robot_encoder_errors"), 70'000);
+  EXPECT_EQ(json.at("link").at("robot_left_encoder_errors"), 69'999);
+  EXPECT_EQ(json.at("link").at("robot_right_encoder_errors"), 0);
   EXPECT_TRUE(json.at("link").at("round_trip_us").is_null());
   EXPECT_TRUE(json.at("link").at("robot_stack_free_bytes").is_null());
   for (const char* key : {"frames_received",

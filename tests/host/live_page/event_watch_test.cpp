@@ -49,6 +49,22 @@ TEST_F(EventWatchTest, TellsEachTurnOfTheLinkOnce) {
   EXPECT_THAT(look(), ElementsAre("link-ready"));
 }
 
+TEST_F(EventWatchTest, TellsADeadSonarAndThatItAnswersAgain) {
+  facts.sonar_is_dead = true;
+  EXPECT_THAT(look(), ElementsAre("sonar-dead"));
+  EXPECT_THAT(look(), IsEmpty());
+  facts.sonar_is_dead = false;
+  EXPECT_THAT(look(), ElementsAre("sonar-answers"));
+}
+
+TEST_F(EventWatchTest, TellsADirtyEncoderByItsWheel) {
+  facts.left_encoder_is_dirty = true;
+  EXPECT_THAT(look(), ElementsAre("encoder-left-dirty"));
+  facts.right_encoder_is_dirty = true;
+  EXPECT_THAT(look(), ElementsAre("encoder-right-dirty"));
+  EXPECT_THAT(look(), IsEmpty());
+}
+
 TEST_F(EventWatchTest, TellsEveryResetOfTheRobot) {
   facts.link = LinkState::kReady;
   look();

@@ -49,6 +49,16 @@ TEST(RobotCounters, GoOnBeyondSixteenBitsAndBeyondResets) {
   EXPECT_EQ(told_by(counters).robot_encoder_errors, 66'543U);
 }
 
+TEST(RobotCounters, HoldTheErrorsOfEachEncoderBeyondResets) {
+  RobotCounters counters;
+  counters.take(protocol::EncoderErrors{0, 65'000, 3});
+  counters.take(protocol::EncoderErrors{0, 1000, 3});
+  counters.restart();
+  counters.take(protocol::EncoderErrors{0, 7, 2});
+  EXPECT_EQ(told_by(counters).robot_left_encoder_errors, 66'543U);
+  EXPECT_EQ(told_by(counters).robot_right_encoder_errors, 5U);
+}
+
 TEST(RobotCounters, KeepTheLeastStackThatIsKnown) {
   RobotCounters counters;
   EXPECT_FALSE(told_by(counters).robot_stack_free_bytes);

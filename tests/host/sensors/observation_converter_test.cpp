@@ -215,6 +215,28 @@ TEST(ObservationConverter, NamesWhatTouchesOrThreatens) {
   EXPECT_TRUE(converter.convert(message).virtual_wall);
 }
 
+/// One whose contacts are normally closed reports both as pressed until it knows of them.
+TEST(ObservationConverter, TakesNoBumpFromARobotThatIsNotArmed) {
+  ObservationConverter converter(kGeometry, kSonar);
+  protocol::Status message{};
+  message.flags = protocol::kFlagBumpLeft | protocol::kFlagBumpRight;
+  EXPECT_FALSE(converter.convert(message).is_touching());
+  protocol::Odometry odometry{0, 0, 0, protocol::kFlagBumpLeft};
+  EXPECT_FALSE(converter.with_bumps_of(odometry, {}).is_touching());
+  odometry.flags |= protocol::kFlagArmed;
+  EXPECT_TRUE(converter.with_bumps_of(odometry, {}).bump_left);
+}
+
+TEST(ObservationConverter, CountsTheErrorsOfTheEncodersThroughWrapsAndResets) {
+  ObservationConverter converter(kGeometry, kSonar);
+  converter.convert(protocol::EncoderErrors{0, 65'000, 4});
+  converter.convert(protocol::EncoderErrors{1000, 100, 4});
+  converter.restart();
+  const EncoderErrorObservation seen = converter.convert(protocol::EncoderErrors{0, 5, 0});
+  EXPECT_EQ(seen.left, 636 + 5) << "since the first message";
+  EXPECT_EQ(seen.right, 0);
+}
+
 TEST(ObservationConverter, RefusesInfraredSensorsWithoutACurve) {
   SensorParams sensors = all_sensors();
   sensors.infrared_curve.reset();

@@ -96,7 +96,13 @@ TEST(FaultAdvice, MendsTheWiresOfTheWheels) {
                   "check the wires of the left motor and encoder"},
                  {{FaultKind::kRightStands, 0.0},
                   "the right wheel does not turn",
-                  "check the wires of the right motor and encoder"}});
+                  "check the wires of the right motor and encoder"},
+                 {{FaultKind::kLeftDirty, 0.021},
+                  "the left encoder loses 2.1 % of its counts",
+                  "clean the left encoder's disc"},
+                 {{FaultKind::kRightDirty, 0.021},
+                  "the right encoder loses 2.1 %",
+                  "the supply of the right encoder"}});
 }
 
 TEST(FaultAdvice, GoesByWhatTheProfileHoldsNow) {
@@ -116,7 +122,7 @@ TEST(FaultAdvice, GoesByWhatTheProfileHoldsNow) {
 TEST(FaultAdvice, HasWordsForEveryFaultAndNoneForNone) {
   const RobotProfile profile = load_robot_profile("uno_2wd");
   EXPECT_EQ(advice_of({}, profile).what, "");
-  constexpr auto kLast = static_cast<int>(FaultKind::kRightStands);
+  constexpr auto kLast = static_cast<int>(FaultKind::kRightDirty);
   for (int kind = static_cast<int>(FaultKind::kNone) + 1; kind <= kLast; ++kind) {
     const FaultAdvice advice = advice_of({static_cast<FaultKind>(kind), 1.08}, profile);
     EXPECT_NE(advice.what, "") << kind;

@@ -107,7 +107,8 @@ TEST_F(MotionExecutionTest, DrivesOnWhereItCannotLook) {
 TEST_F(MotionExecutionTest, EndsARollByWhatItMeetsAndNotByWhatItHasTouchedBefore) {
   session->connect();
   after_ms(50, [this] {
-    cable.robot.send(protocol::Odometry{cable.robot.stamp_us(), 0, 0, protocol::kFlagBumpLeft});
+    cable.robot.send(protocol::Odometry{
+        cable.robot.stamp_us(), 0, 0, protocol::kFlagArmed | protocol::kFlagBumpLeft});
   });
   const auto start = session->now();
   EXPECT_EQ(session->execute(exploration::Roll{0.1, 0.0, 1.0}), MotionResult::kBumped);

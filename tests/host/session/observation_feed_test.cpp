@@ -59,7 +59,7 @@ TEST_F(ObservationFeedTest, TellsABumpWithTheOdometryAndForgetsNoDanger) {
   protocol::Status status{};
   status.hazards = protocol::kHazardWall;
   feed.take(status);
-  feed.take(protocol::Odometry{20'000, 0, 0, protocol::kFlagBumpRight});
+  feed.take(protocol::Odometry{20'000, 0, 0, protocol::kFlagArmed | protocol::kFlagBumpRight});
   const auto hazards = pipeline.snapshot().hazards;
   EXPECT_TRUE(hazards.bump_right);
   EXPECT_FALSE(hazards.bump_left);

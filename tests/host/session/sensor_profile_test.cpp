@@ -48,5 +48,16 @@ TEST(SensorProfile, WatchesWhatItIsToldToOrSaysThatItCannot) {
   EXPECT_THROW(profile_of("[safety]\nrunaway_m = 0.0004\n"), files::ConfigError);
 }
 
+TEST(SensorProfile, SaysWhichContactsAreNormallyClosed) {
+  const auto closed = [](const std::string& lines) {
+    return +profile_of("[safety]\n" + lines).configuration.wiring.contacts_normally_closed;
+  };
+  EXPECT_EQ(closed(""), 0);
+  EXPECT_EQ(closed("contacts_normally_closed = true\n"), 3);
+  EXPECT_EQ(closed("left_contact_normally_closed = true\n"), 1);
+  EXPECT_EQ(closed("contacts_normally_closed = true\nleft_contact_normally_closed = false\n"), 2);
+  EXPECT_THROW(closed("contacts_normally_closed = 1\n"), files::ConfigError);
+}
+
 }  // namespace
 }  // namespace echomap::session
