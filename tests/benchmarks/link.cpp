@@ -24,6 +24,9 @@
 #include "tests/hil_mock/line_faults/clock_errors.hpp"
 #include "tests/hil_mock/line_faults/fault_stretches.hpp"
 #include "tests/hil_mock/mock_device/lossy_commands.hpp"
+#include "tests/ports/hijacks.hpp"
+#include "tests/ports/replugs.hpp"
+#include "tests/ports/staged_desk.hpp"
 #include "tests/sessions/recoveries.hpp"
 
 namespace echomap::bench {
@@ -146,6 +149,13 @@ void measure_clocks(Report& report) {
       "clock_p99_bluetooth_ms", clock_p99_ms(line_faults::bluetooth_line(), false), "ms", 24);
 }
 
+void measure_ports(Report& report) {
+  constexpr int kTries = 100;
+  report.add("strangers_bytes", double(tests::measure_strangers_bytes()), "B", 7);
+  report.add("hijacks_refused_of_100", tests::measure_refused_hijacks(kTries), "", kTries);
+  report.add("replug_of_100", tests::measure_survived_replugs(kTries), "", kTries);
+}
+
 }  // namespace
 }  // namespace echomap::bench
 
@@ -169,5 +179,6 @@ int main(int argc, char** argv) {
   measure_reconnects(figures, elf);
   measure_commands(figures, elf);
   measure_clocks(figures);
+  measure_ports(figures);
   report(figures.figures(), json);
 }
