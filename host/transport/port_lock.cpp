@@ -53,7 +53,7 @@ bool is_serial_device(const std::string& device) {
                       "sudo fuser -v " + path + " shows which");
 }
 
-std::string device_of(const std::string& path) {
+std::string real_device(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::weakly_canonical(path, ignored).string();
 }
@@ -66,7 +66,7 @@ bool is_exclusive(int fd) {
 }  // namespace
 
 void refuse_if_held(const std::string& path) {
-  const std::string device = device_of(path);
+  const std::string device = real_device(path);
   if (const auto holder = lock_file_holder(device)) {
     refuse_held(path, *holder);
   }
@@ -76,7 +76,7 @@ void refuse_if_held(const std::string& path) {
 }
 
 int open_port_alone(const std::string& path) {
-  const std::string device = device_of(path);
+  const std::string device = real_device(path);
   if (is_serial_device(device)) {
     refuse_if_held(path);
   }

@@ -4,8 +4,6 @@
 #include <string>
 #include <termios.h>
 
-#include <sys/ioctl.h>
-
 #include "host/transport/open_stream.hpp"
 #include "host/transport/port_lock.hpp"
 #include "tests/host/transport/pty_pair.hpp"
@@ -18,12 +16,6 @@ std::string line_of(const transport::PtyPair& robot) {
   termios settings{};
   ::tcgetattr(robot.fd(), &settings);
   return {reinterpret_cast<const char*>(&settings), sizeof settings};
-}
-
-int bytes_written_to(const transport::PtyPair& robot) {
-  int count = 0;
-  ::ioctl(robot.fd(), FIONREAD, &count);
-  return count;
 }
 
 bool is_refused(const std::string& port, int pid) {
@@ -40,7 +32,7 @@ bool resists(PortKeeping keeping) {
   const PortKeeper owner(robot.name(), keeping);
   const std::string line = line_of(robot);
   return is_refused(robot.name(), owner.pid()) && line_of(robot) == line &&
-         bytes_written_to(robot) == 0;
+         robot.unread_bytes() == 0;
 }
 
 }  // namespace

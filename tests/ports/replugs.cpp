@@ -8,8 +8,6 @@
 #include <string>
 #include <utility>
 
-#include <sys/ioctl.h>
-
 #include "host/transport/port_identity.hpp"
 #include "host/transport/port_list.hpp"
 #include "host/transport/pty_port.hpp"
@@ -53,7 +51,7 @@ class ReplugBench {
     }
     plug(robot_, name_before == "ttyUSB0" ? "ttyUSB1" : "ttyUSB0");
     const bool is_back = reopens() && passes_bytes();
-    const bool twin_is_left_alone = !twin_takes_name || unread_by(*twin_.pty) == 0;
+    const bool twin_is_left_alone = !twin_takes_name || twin_.pty->unread_bytes() == 0;
     if (twin_takes_name) {
       unplug(twin_);
     }
@@ -80,11 +78,6 @@ class ReplugBench {
   void unplug(SocketedDevice& device) {
     sysfs_.unplug(device.tty);
     device.pty.reset();
-  }
-  static int unread_by(const PtyPair& device) {
-    int count = 0;
-    ::ioctl(device.fd(), FIONREAD, &count);
-    return count;
   }
   bool reopens() {
     const auto until = std::chrono::steady_clock::now() + kReplugPatience;

@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <termios.h>
 
-#include <sys/ioctl.h>
-
 #include "host/console/exit_code.hpp"
 #include "host/robot_link/robot_probe.hpp"
 #include "host/transport/port_holder.hpp"
@@ -88,16 +86,10 @@ std::string StagedDesk::connect(const std::vector<std::string>& named) {
   }
 }
 
-std::size_t StagedDesk::unread_bytes(const std::string& port) {
-  int count = 0;
-  ::ioctl(devices_.at(port).fd(), FIONREAD, &count);
-  return static_cast<std::size_t>(count);
-}
-
-std::size_t StagedDesk::strangers_bytes() {
+std::size_t StagedDesk::strangers_bytes() const {
   std::size_t bytes = 0;
   for (const auto& [port, device] : devices_) {
-    bytes += port == kRobot ? 0 : unread_bytes(port);
+    bytes += port == kRobot ? 0 : device.unread_bytes();
   }
   return bytes;
 }

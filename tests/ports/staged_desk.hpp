@@ -40,8 +40,8 @@ class StagedDesk {
   std::string connect(const std::vector<std::string>& named = {});
 
   /// What was written so far to all but the robot.
-  std::size_t strangers_bytes();
-  std::size_t robot_bytes() { return unread_bytes(kRobot); }
+  std::size_t strangers_bytes() const;
+  std::size_t robot_bytes() const { return devices_.at(kRobot).unread_bytes(); }
   /// How often another port than the robot's was opened, or was tried to be.
   int strangers_openings() const { return strangers_openings_; }
   /// Whether the settings of all strangers' lines are what they were.
@@ -51,7 +51,6 @@ class StagedDesk {
   void add(const std::string& tty, const SysfsTree::Device& device, const std::string& greeting);
   session::PortSurroundings surroundings();
   std::unique_ptr<transport::ByteStream> open(const std::string& port);
-  std::size_t unread_bytes(const std::string& port);
 
   ScratchFolder folder_;
   SysfsTree sysfs_{folder_.path()};
