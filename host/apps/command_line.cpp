@@ -14,6 +14,7 @@
 #include "host/apps/live_options.hpp"
 #include "host/apps/localize_options.hpp"
 #include "host/apps/map_options.hpp"
+#include "host/apps/port_options.hpp"
 #include "host/apps/robot_options.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/console/log_sink.hpp"
@@ -119,6 +120,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_diff(app, action);
   add_characterise(app, action);
   add_flash(app, action);
+  add_ports(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -164,4 +164,16 @@ struct FlashOptions {
 };
 ExitCode run_flash(const FlashOptions& options);
 
+/// `echomap ports`: lists serial ports, and who may be there.
+struct PortsOptions {
+  std::filesystem::path json;  ///< Empty: none; "-": stdout.
+  std::string forget;          ///< Name of a port; empty: none.
+  bool forget_all = false;
+  bool print_rules = false;
+  bool install_rules = false;
+  std::filesystem::path rules_folder = "/etc/udev/rules.d";
+  std::filesystem::path sysfs = "/sys";  ///< Where Linux shows its devices.
+};
+ExitCode run_ports(const PortsOptions& options);
+
 }  // namespace echomap::apps

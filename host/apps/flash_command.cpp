@@ -6,6 +6,7 @@
 #include "host/flashing/flash_run.hpp"
 #include "host/session/child_process.hpp"
 #include "host/session/speed_search.hpp"
+#include "host/transport/port_lock.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -34,6 +35,9 @@ std::string image_for(const FlashOptions& options, const flashing::FlashBoard& b
 ExitCode run_flash(const FlashOptions& options) {
   const flashing::FlashTarget target = flashing::choose_flash_target(
       {options.board, options.port}, {transport::list_ports(), transport::list_usb_devices()});
+  if (!target.port.empty()) {
+    transport::refuse_if_held(target.port);  // avrdude asks nobody.
+  }
   return carry_out(flash_plan(target, image_for(options, *target.board)), options.dry_run);
 }
 

@@ -107,10 +107,12 @@ void add_run_options(CLI::App& command, RunOptions& run) {
 }
 
 void add_connection_options(CLI::App& command, session::ConnectionOptions& options) {
-  command.add_option("--port",
-                     options.ports,
-                     "Serial device, pty, tcp://HOST:PORT, bt://ADDRESS or id:TEXT of a USB port. "
-                     "Of several, or of all ports where none is named, the one robot that answers");
+  command.add_option(
+      "--port",
+      options.ports,
+      "Serial device, pty, tcp://HOST:PORT, bt://ADDRESS or id:TEXT of a USB port; of "
+      "several the one robot that answers. By default the one port where a robot "
+      "has answered before; `echomap ports` lists them");
   command
       .add_option("--baud",
                   options.baud,

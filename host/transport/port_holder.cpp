@@ -2,13 +2,19 @@
 #include "host/transport/port_holder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <system_error>
 #include <unistd.h>
+
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 
 namespace echomap::transport {
 namespace {
@@ -98,6 +104,33 @@ std::optional<PortHolder> lock_file_holder(const std::string& device,
     return std::nullopt;
   }
   return process(*pid, proc);
+}
+
+/// A line is "1: FLOCK  ADVISORY  WRITE 1234 00:18:5 0 EOF": major and minor number, in
+/// hexadecimal, and inode of the file (proc_locks(5)).
+std::optional<PortHolder> flock_holder(const std::string& device, const fs::path& proc) {
+  struct stat status {};
+  if (::stat(device.c_str(), &status) != 0) {
+    return std::nullopt;
+  }
+  std::array<char, 64> file{};
+  std::snprintf(file.data(),
+                file.size(),
+                "%02x:%02x:%llu",
+                major(status.st_dev),
+                minor(status.st_dev),
+                static_cast<unsigned long long>(status.st_ino));
+  std::ifstream locks(proc / "locks");
+  for (std::string line; std::getline(locks, line);) {
+    std::istringstream words(line);
+    std::string number, kind, mode, access, inode;
+    int pid = 0;
+    if (words >> number >> kind >> mode >> access >> pid >> inode && kind == "FLOCK" && pid > 0 &&
+        inode == file.data()) {
+      return process(pid, proc);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<PortHolder> process_named(const std::string& name, const fs::path& proc) {

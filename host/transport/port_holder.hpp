@@ -26,6 +26,10 @@ std::optional<PortHolder> lock_file_holder(const std::string& device,
                                            const std::filesystem::path& folder = "/var/lock",
                                            const std::filesystem::path& proc = "/proc");
 
+/// The process that has locked `device` by flock(2), by /proc/locks; empty where there is none.
+std::optional<PortHolder> flock_holder(const std::string& device,
+                                       const std::filesystem::path& proc = "/proc");
+
 /// The running process of this name; empty where there is none.
 std::optional<PortHolder> process_named(const std::string& name,
                                         const std::filesystem::path& proc = "/proc");

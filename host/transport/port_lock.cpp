@@ -22,18 +22,41 @@ namespace {
       "cannot open " + path, in_words(holder) + " holds it", remedy_against(holder, path));
 }
 
-/// Where the holder is another user's, or this program itself.
-[[noreturn]] void refuse_held(const std::string& path, const std::string& device) {
-  const auto holders = port_holders(device);
-  if (!holders.empty()) {
-    refuse_held(path, holders.front());
+/// By its name: half of all programs have /dev/null open.
+bool is_serial_device(const std::string& device) {
+  return device.starts_with("/dev/tty") || device.starts_with("/dev/rfcomm");
+}
+
+/// Where the device is locked, by whom is to be found out.
+[[noreturn]] void refuse_locked(const std::string& path, const std::string& device) {
+  if (const auto locker = flock_holder(device)) {
+    if (locker->pid != ::getpid()) {
+      refuse_held(path, *locker);
+    }
+    throw PortHeldError("cannot open " + path,
+                        "this program has it open already",
+                        "name each port once, under one name");
+  }
+  if (const auto holders = port_holders(device); !holders.empty()) {
+    refuse_held(path, holders.back());  // An emulator at its own pty is older.
+  }
+  for (const char* usual : {"ModemManager", "brltty"}) {
+    const auto process = is_serial_device(device) ? process_named(usual) : std::nullopt;
+    if (process) {
+      throw PortHeldError("cannot open " + path,
+                          "a program holds it, probably " + in_words(*process),
+                          remedy_against(*process, path));
+    }
   }
   throw PortHeldError("cannot open " + path,
-                      "a program whose descriptors you may not read, or this one, holds it",
+                      "a program whose descriptors you may not read holds it",
                       "sudo fuser -v " + path + " shows which");
 }
 
-bool is_pty_device(const std::string& device) { return device.starts_with("/dev/pts/"); }
+std::string real_device(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(path, ignored).string();
+}
 
 bool is_exclusive(int fd) {
   int exclusive = 0;
@@ -42,26 +65,30 @@ bool is_exclusive(int fd) {
 
 }  // namespace
 
-int open_port_alone(const std::string& path) {
-  std::error_code ignored;
-  const std::string device = std::filesystem::weakly_canonical(path, ignored).string();
+void refuse_if_held(const std::string& path) {
+  const std::string device = real_device(path);
   if (const auto holder = lock_file_holder(device)) {
     refuse_held(path, *holder);
   }
-  if (!is_pty_device(device)) {
-    if (const auto holders = port_holders(device); !holders.empty()) {
-      refuse_held(path, holders.front());
-    }
+  if (const auto holders = port_holders(device); !holders.empty()) {
+    refuse_held(path, holders.front());
+  }
+}
+
+int open_port_alone(const std::string& path) {
+  const std::string device = real_device(path);
+  if (is_serial_device(device)) {
+    refuse_if_held(path);
   }
   FileDescriptor fd(::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   if (fd.get() < 0) {
     if (errno == EBUSY) {
-      refuse_held(path, device);
+      refuse_locked(path, device);
     }
     return -1;
   }
   if (is_exclusive(fd.get()) || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) {
-    refuse_held(path, device);
+    refuse_locked(path, device);
   }
   return fd.release();
 }

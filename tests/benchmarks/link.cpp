@@ -25,6 +25,9 @@
 #include "tests/hil_mock/line_faults/clock_errors.hpp"
 #include "tests/hil_mock/line_faults/fault_stretches.hpp"
 #include "tests/hil_mock/mock_device/lossy_commands.hpp"
+#include "tests/ports/hijacks.hpp"
+#include "tests/ports/replugs.hpp"
+#include "tests/ports/staged_desk.hpp"
 #include "tests/sessions/hijacks.hpp"
 #include "tests/sessions/recoveries.hpp"
 
@@ -114,9 +117,10 @@ void measure_reconnects(Report& report, const Path& elf) {
   report.add("reconnects_of_100", fewest, "", 4UL * kBreaks);
 }
 
-void measure_hijacks(Report& report, const Path& elf) {
+void measure_second_sessions(Report& report, const Path& elf) {
   constexpr int kTries = 100;
-  report.add("hijacks_refused_of_100", tests::measure_hijacks(elf, kTries).refused, "", kTries);
+  report.add(
+      "second_sessions_refused_of_100", tests::measure_hijacks(elf, kTries).refused, "", kTries);
 }
 
 void measure_commands(Report& report, const Path& elf) {
@@ -158,6 +162,13 @@ void measure_clocks(Report& report) {
       "clock_p99_bluetooth_ms", clock_p99_ms(line_faults::bluetooth_line(), false), "ms", 24);
 }
 
+void measure_ports(Report& report) {
+  constexpr int kTries = 100;
+  report.add("strangers_bytes", double(tests::measure_strangers_bytes()), "B", 7);
+  report.add("hijacks_refused_of_100", tests::measure_refused_hijacks(kTries), "", kTries);
+  report.add("replug_of_100", tests::measure_survived_replugs(kTries), "", kTries);
+}
+
 }  // namespace
 }  // namespace echomap::bench
 
@@ -179,9 +190,10 @@ int main(int argc, char** argv) {
   measure_load(figures, elf);
   measure_safety(figures, elf);
   measure_reconnects(figures, elf);
-  measure_hijacks(figures, elf);
+  measure_second_sessions(figures, elf);
   measure_commands(figures, elf);
   measure_clocks(figures);
+  measure_ports(figures);
   measure_differences(figures);
   report(figures.figures(), json);
 }

@@ -50,6 +50,9 @@ class PortKeeper {
  private:
   /// Of the child, which has this program's memory and must not end as it does.
   [[noreturn]] static void keep(const std::string& port, PortKeeping keeping, int ready) {
+    // Not what the child was given of this program: other ports, which would count as kept, too.
+    ::close_range(3, static_cast<unsigned>(ready) - 1, 0);
+    ::close_range(static_cast<unsigned>(ready) + 1, ~0U, 0);
     const int fd = ::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
     const bool has_it = fd >= 0 &&
                         (keeping != PortKeeping::kFlock || ::flock(fd, LOCK_EX | LOCK_NB) == 0) &&

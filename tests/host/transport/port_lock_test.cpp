@@ -42,6 +42,16 @@ TEST(PortLock, NamesTheProcessThatHasAPty) {
   }
 }
 
+/// Not the emulator, which has its own pty open.
+TEST(PortLock, NamesTheProcessThatHasLockedAPtyAmongThoseThatHaveItOpen) {
+  const PtyPair device;
+  const PortKeeper early(device.name(), PortKeeping::kNotAtAll);
+  const PortKeeper keeper(device.name(), PortKeeping::kFlock);
+  const PortKeeper late(device.name(), PortKeeping::kNotAtAll);
+  EXPECT_THAT(refusal_of(device.name()),
+              HasSubstr("process " + std::to_string(keeper.pid()) + " ("));
+}
+
 TEST(PortLock, LeavesThePortOfAnotherAsItIs) {
   PtyPair device;
   modem_lines() = {};
@@ -65,11 +75,18 @@ TEST(PortLock, TakesAPtyThatAnotherOnlyHasOpen) {
   EXPECT_EQ(refusal_of(device.name()), "it opened");
 }
 
+TEST(PortLock, IsNotOpenedToAskWhoHasIt) {
+  const PtyPair device;
+  EXPECT_NO_THROW(refuse_if_held(device.name()));
+  const PortKeeper keeper(device.name(), PortKeeping::kNotAtAll);
+  EXPECT_THROW(refuse_if_held(device.name()), PortHeldError);
+}
+
 TEST(PortLock, IsThisProcesssOwnAsLongAsItIsOpen) {
   const PtyPair device;
   {
     const auto port = open_pty_port(device.name());
-    EXPECT_THAT(refusal_of(device.name()), HasSubstr("or this one"));
+    EXPECT_THAT(refusal_of(device.name()), HasSubstr("this program has it open already"));
     EXPECT_THROW(PortKeeper(device.name(), PortKeeping::kFlock), std::runtime_error);
   }
   EXPECT_EQ(refusal_of(device.name()), "it opened");
@@ -79,7 +96,7 @@ TEST(PortLock, OfASerialPortEndsWithIt) {
   const PtyPair device;
   {
     const auto port = open_serial_port(device.name(), 115200);
-    EXPECT_THAT(refusal_of(device.name()), HasSubstr("holds it"));
+    EXPECT_THAT(refusal_of(device.name()), HasSubstr("this program has it open already"));
   }
   EXPECT_EQ(refusal_of(device.name()), "it opened");
 }

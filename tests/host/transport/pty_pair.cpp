@@ -10,6 +10,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <sys/ioctl.h>
+
 namespace echomap::transport {
 namespace {
 
@@ -50,6 +52,15 @@ std::vector<std::uint8_t> PtyPair::read(std::size_t count) {
     bytes.insert(bytes.end(), piece.begin(), piece.begin() + got);
   }
   return bytes;
+}
+
+std::size_t PtyPair::unread_bytes() const {
+  constexpr int kDeliveryMs = 20;  // The kernel hands bytes on by a thread of its own.
+  pollfd readable{fd(), POLLIN, 0};
+  int count = 0;
+  return ::poll(&readable, 1, kDeliveryMs) > 0 && ::ioctl(fd(), FIONREAD, &count) == 0
+             ? static_cast<std::size_t>(count)
+             : 0;
 }
 
 void PtyPair::unplug() {

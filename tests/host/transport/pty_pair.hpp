@@ -24,6 +24,8 @@ class PtyPair {
   void write(std::span<const std::uint8_t> bytes);
   /// Waits for `count` bytes; fewer after five seconds.
   std::vector<std::uint8_t> read(std::size_t count);
+  /// How many bytes of a host nobody has read yet; waits some 20 ms for the first of them.
+  std::size_t unread_bytes() const;
   /// The device dies.
   void unplug();
 
