@@ -27,8 +27,11 @@ struct PinSignal {
   friend bool operator==(const PinSignal&, const PinSignal&) = default;
 };
 
+/// A pin that nobody drives.
 constexpr PinSignal floating() { return {}; }
+/// An input with the chip's pull-up.
 constexpr PinSignal pulled_up() { return {PinSignal::Source::kPulledUp, 0.0, 0.0, 0.0}; }
+/// An output that does not change.
 constexpr PinSignal level(bool high) {
   return {PinSignal::Source::kDriven, 0.0, high ? 1.0 : 0.0, 0.0};
 }

@@ -10,7 +10,7 @@
 namespace echomap::world {
 namespace {
 
-/// Friction in a gear stops it some times slower than its own voltage in closed windings does.
+/// Assumed: nobody has measured how a gear motor rolls out.
 constexpr double kUsualCoastFactor = 3.0;
 
 DriverChip read_driver(const files::TomlReader& table) {

@@ -24,7 +24,7 @@ struct DriveParams {
   double no_load_speed_m_per_s = 0.45;
   /// Of the first-order answer of a wheel's speed to its duty.
   double time_constant_s = 0.08;
-  /// Of a wheel whose driver has let go of the motor.
+  /// Of a wheel whose driver has let go of the motor, beside the dry friction of its dead zone.
   double coast_time_constant_s = 0.24;
   /// Duty, 0 .. 1, below which a motor stands still; 0 of a servo, which has its own.
   double dead_zone_duty = 0.12;

@@ -36,12 +36,14 @@ class WheelDrive {
   double speed_share() const { return counts_per_s_ / no_load_counts_per_s_; }
 
  private:
-  double target_counts_per_s(double duty) const;
+  double target_counts_per_s_of(double duty) const;
+  void rub(double target_counts_per_s, double max_change_counts_per_s);
 
   double dead_zone_duty_;
   double time_constant_s_;
   double coast_share_;  ///< Of the braking of a motor with closed windings, when they are open.
   double no_load_counts_per_s_;
+  double rubbing_counts_per_s2_;
   double metres_per_count_;
   /// Before they are scaled.
   double counts_per_s_ = 0.0;

@@ -20,6 +20,7 @@
 #include "host/evaluation/run_score.hpp"
 #include "host/evaluation/truth_directory.hpp"
 #include "host/files/bundled_files.hpp"
+#include "host/session/profile_driver.hpp"
 #include "host/session/simulated_robot.hpp"
 
 namespace echomap::apps {
@@ -36,6 +37,22 @@ constexpr double kWatchedSpeed = 8.0;
 std::filesystem::path body_of(const std::string& named, const RobotProfile& profile) {
   return files::bundled_file(
       named.empty() ? profile.name : named, "hil_mock/robots", "body (--body)");
+}
+
+/// The profile that is asked for, with another motor driver where one is named.
+RobotProfile profile_of(const DemoOptions& options) {
+  RobotProfile profile = profile_for(options.run.robot, options.run.strategy);
+  const std::string& driver = options.robot.driver;
+  return driver.empty() ? profile
+                        : session::parse_robot_profile(session::with_driver(profile.toml, driver),
+                                                       options.run.robot + " with --driver");
+}
+
+/// The simulated robot has the driver that its profile names.
+session::SimulatedRobotOptions with_driver_of(const RobotProfile& profile,
+                                              session::SimulatedRobotOptions robot) {
+  robot.driver = session::driver_of(profile.toml);
+  return robot;
 }
 
 void print_what_ran(const exports::RunSummary& summary) {
@@ -156,12 +173,12 @@ RunEnding report_on(const DemoDrive& drive,
 
 ExitCode run_demo(const DemoOptions& options) {
   const RunOptions& run = options.run;
-  RobotProfile profile = profile_for(run.robot, run.strategy);
+  RobotProfile profile = profile_of(options);
   const auto body = body_of(options.robot.body, profile);
   const auto out = run_folder(run.out);
   prepare_outputs(out, run.json, run.force);
   const session::Seed seed(run.seed);
-  session::SimulatedRobot simulated(options.robot, seed, body, out);
+  session::SimulatedRobot simulated(with_driver_of(profile, options.robot), seed, body, out);
   RobotContext robot(std::move(profile), seed);
   exports::RunSummary summary;
   summary.world = options.robot.world;

@@ -180,6 +180,10 @@ void add_demo(CLI::App& app, CommandAction& action) {
                    options->robot.board,
                    "The board that is emulated: uno or mega by simavr, stm32f103 by unicorn")
       ->check(CLI::IsMember({"uno", "mega", "stm32f103"}));
+  command->add_option("--driver",
+                      options->robot.driver,
+                      "Motor driver of profile and simulated robot: tb6612fng, l298n, drv8833, .. "
+                      "(docs/guides/simulated_world.md); by default the profile's");
   command
       ->add_option("--line",
                    options->robot.line,

@@ -58,6 +58,9 @@ SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
   if (!options.board.empty()) {
     command.push_back("--board=" + options.board);
   }
+  if (!options.driver.empty()) {
+    command.push_back("--driver=" + options.driver);
+  }
   process_ = std::make_unique<ChildProcess>(command, log_);
   wait_until_it_listens();
 }

@@ -16,6 +16,7 @@ struct SimulatedRobotOptions {
   std::string world = "living_room";
   std::string emulator = "simavr";  ///< Or "unicorn" or "mock".
   std::string board;                ///< One of that emulator; empty: its usual one.
+  std::string driver;               ///< Of its motors; empty: that of its body's file.
   std::string line = "direct";      ///< What carries the bytes: direct, usb, ftdi or bluetooth.
   std::string faults;       ///< Of the line, as the robot's program takes them; empty: none.
   std::string part_faults;  ///< As the robot's program takes them; empty: none.

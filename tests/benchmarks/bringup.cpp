@@ -1,159 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The demo over many seeds: medians of its scores, and how many of the runs ended by themselves.
-#include <array>
-#include <chrono>
 #include <filesystem>
-#include <limits>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "host/console/exit_code.hpp"
-#include "host/files/atomic_file.hpp"
-#include "host/session/child_process.hpp"
-#include "host/session/temporary_folder.hpp"
+#include "tests/benchmarks/demo_runs.hpp"
 #include "tests/benchmarks/figures.hpp"
-#include "tests/support/median.hpp"
-
-namespace echomap::bench {
-namespace {
-
-struct Options {
-  int seeds = 20;
-  std::string world = "living_room";
-  std::string robot = "uno_2wd";
-  std::string emulator = "simavr";
-  std::string board;
-  std::string line = "direct";
-  std::string faults;
-  std::filesystem::path json;
-  bool check = false;
-};
-
-constexpr std::chrono::minutes kPatience(5);
-
-/// A figure of the demo's report, and what `--check` demands of its median.
-struct Column {
-  const char* name;
-  const char* unit;
-  std::optional<double> least{};
-  std::optional<double> most{};
-};
-
-constexpr std::array<Column, 7> kColumns{{{"free_iou", "", 0.85},
-                                          {"wall_rmse_m", "m", {}, 0.06},
-                                          {"wall_recall", ""},
-                                          {"ate_rmse_m", "m"},
-                                          {"sim_seconds", "s"},
-                                          {"wall_seconds", "s"},
-                                          {"stops", ""}}};
-
-/// Where the map or the robot's place in it is not what was asked for, it has ended, too.
-bool has_ended_by_itself(const std::optional<int>& status) {
-  return status == static_cast<int>(console::ExitCode::kOk) ||
-         status == static_cast<int>(console::ExitCode::kUnfinished);
-}
-
-/// The report of one demo; empty where it did not end by itself or has no score.
-std::optional<nlohmann::json> run_demo(const Options& options,
-                                       int seed,
-                                       const std::filesystem::path& folder) {
-  const auto run = folder / std::to_string(seed);
-  const auto report = run.string() + ".json";
-  const auto log = run.string() + ".log";
-  std::vector<std::string> command{
-      session::program_folder() / "echomap",
-      "demo",
-      "--headless",
-      "--world=" + options.world,
-      "--robot=" + options.robot,
-      options.board.empty() ? "--emulator=" + options.emulator : "--board=" + options.board,
-      "--line=" + options.line,
-      "--seed=" + std::to_string(seed),
-      "--out=" + run.string(),
-      "--json=" + report};
-  if (!options.faults.empty()) {
-    command.push_back("--faults=" + options.faults);
-  }
-  session::ChildProcess demo(command, log);
-  if (!has_ended_by_itself(demo.wait_for(kPatience))) {
-    fmt::print(stderr, "seed {} did not end by itself:\n{}\n", seed, files::read_text_file(log));
-    return std::nullopt;
-  }
-  return nlohmann::json::parse(files::read_text_file(report));
-}
-
-using Values = std::map<std::string, std::vector<double>>;
-
-/// Adds what the report of a run says of each column.
-void take(const nlohmann::json& report, Values& values) {
-  for (const Column& column : kColumns) {
-    if (const auto& value = report.at(column.name); value.is_number()) {
-      values[column.name].push_back(value.get<double>());
-    }
-  }
-}
-
-/// What the runs that ended by themselves say, by column; "runs_complete" counts those whose map
-/// is, "relocalized" those whose robot was found after it was carried off.
-std::vector<Figure> measure(const Options& options) {
-  const session::TemporaryFolder folder;
-  Values values;
-  double complete = 0.0;
-  double relocalized = 0.0;
-  for (int seed = 1; seed <= options.seeds; ++seed) {
-    if (const auto report = run_demo(options, seed, folder.path())) {
-      complete += report->at("outcome") == "complete" ? 1.0 : 0.0;
-      relocalized += report->contains("kidnap") && report->at("kidnap").at("found") ? 1.0 : 0.0;
-      take(*report, values);
-    }
-  }
-  std::vector<Figure> figures{{"runs_complete", complete, "", std::size_t(options.seeds), {}},
-                              {"relocalized", relocalized, "", std::size_t(options.seeds), {}}};
-  for (const Column& column : kColumns) {
-    if (const auto& list = values[column.name]; !list.empty()) {
-      figures.push_back({column.name, tests::median(list), column.unit, list.size(), {}});
-    }
-  }
-  return figures;
-}
-
-/// Whether every run ended and had every bounded figure, with the medians within their bounds; says
-/// on stderr what is not so.
-bool passes(const std::vector<Figure>& figures, double seeds) {
-  bool passed = true;
-  const auto check = [&](const char* name, double runs, double least, double most) {
-    for (const Figure& figure : figures) {
-      if (figure.name == name && figure.value >= least && figure.value <= most &&
-          static_cast<double>(figure.runs) == runs) {
-        return;
-      }
-    }
-    fmt::print(stderr, "{} is not within {} .. {} over {} runs\n", name, least, most, runs);
-    passed = false;
-  };
-  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-  check("runs_complete", seeds, seeds, seeds);
-  for (const Column& column : kColumns) {
-    if (column.least || column.most) {
-      check(
-          column.name, seeds, column.least.value_or(-kUnbounded), column.most.value_or(kUnbounded));
-    }
-  }
-  return passed;
-}
-
-}  // namespace
-}  // namespace echomap::bench
 
 int main(int argc, char** argv) {
   using namespace echomap::bench;
-  Options options;
+  DemoRuns options;
+  std::filesystem::path json;
+  bool check = false;
   CLI::App app("Medians of the demo's scores over many seeds");
   app.add_option("--seeds", options.seeds, "Run seeds 1 to this")
       ->check(CLI::PositiveNumber)
@@ -162,15 +20,16 @@ int main(int argc, char** argv) {
   app.add_option("--robot", options.robot)->capture_default_str();
   auto* emulator = app.add_option("--emulator", options.emulator)->capture_default_str();
   app.add_option("--board", options.board, "Instead of --emulator")->excludes(emulator);
+  app.add_option("--driver", options.driver, "As the demo takes it");
   app.add_option("--line", options.line, "As the demo takes it")->capture_default_str();
   app.add_option("--faults", options.faults, "As the demo takes it");
-  app.add_option("--json", options.json, "Write the figures to this file");
+  app.add_option("--json", json, "Write the figures to this file");
   app.add_flag("--check",
-               options.check,
+               check,
                "Exit with 1 unless every run ends by itself and the medians are within the bounds "
                "of living_room: free_iou >= 0.85, wall_rmse_m <= 0.06");
   CLI11_PARSE(app, argc, argv);
-  const auto figures = measure(options);
-  report(figures, options.json);
-  return !options.check || passes(figures, options.seeds) ? 0 : 1;
+  const auto figures = measure_demos(options);
+  report(figures, json);
+  return !check || demos_pass(figures, options.seeds) ? 0 : 1;
 }

@@ -64,7 +64,8 @@ void World::step() {
     const uint8_t both = static_cast<uint8_t>(drawn >> 16) & 7U;
     contacts_ = both & (hal::kContactLeft | hal::kContactRight);
     aux_levels_ = (drawn >> 31) != 0 ? random_.bits16() : uint16_t{0xFFFF};
-    hal::encoder_edges.lost = static_cast<uint8_t>(both >> 2);
+    hal::encoder_edges.left_lost = static_cast<uint8_t>(both >> 2);
+    hal::encoder_edges.right_lost = static_cast<uint8_t>(drawn >> 19) & 1U;
   }
   step_echo();
 }

@@ -175,7 +175,7 @@ double stopping_distance_m(world::DriverChip driver) {
 
 TEST(RobotSimulation, ARobotRollsOnWhereItsDriverLetsGoOfTheMotors) {
   EXPECT_NEAR(stopping_distance_m(world::DriverChip::kPhaseEnable), 0.45 * 0.08, 0.003);
-  EXPECT_NEAR(stopping_distance_m(world::DriverChip::kL298n), 0.45 * 0.24, 0.009);
+  EXPECT_NEAR(stopping_distance_m(world::DriverChip::kL298n), 0.056, 0.003);
 }
 
 TEST_F(RobotSimulationTest, HandsOnBytesBothWays) {

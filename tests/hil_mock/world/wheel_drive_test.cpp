@@ -104,7 +104,11 @@ int ms_to_slow_down(const MotorDrive& drive) {
 TEST(WheelDrive, StopsFasterWhenItBrakesThanWhenItCoasts) {
   const DriveParams params;
   EXPECT_NEAR(ms_to_slow_down({0.0, 0.0}), 1000 * params.time_constant_s, 1.1);
-  EXPECT_NEAR(ms_to_slow_down({0.0, 1.0}), 1000 * params.coast_time_constant_s, 1.1);
+  // dv/dt = -v / coast_time_constant_s - dead_zone_duty / time_constant_s
+  const double rubs = params.dead_zone_duty * params.coast_time_constant_s / params.time_constant_s;
+  const double coasts_s =
+      params.coast_time_constant_s * std::log((1.0 + rubs) / (std::exp(-1.0) + rubs));
+  EXPECT_NEAR(ms_to_slow_down({0.0, 1.0}), 1000 * coasts_s, 1.6);
 }
 
 double speed_at(const MotorDrive& drive) {

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/benchmarks/figures.hpp"
+
+namespace echomap::bench {
+
+/// The demos that are run: what their command line says.
+struct DemoRuns {
+  int seeds = 20;
+  std::string world = "living_room";
+  std::string robot = "uno_2wd";
+  std::string emulator = "simavr";
+  std::string board;   ///< Instead of `emulator`; empty: none.
+  std::string driver;  ///< Of the motors; empty: the profile's.
+  std::string line = "direct";
+  std::string faults;
+};
+
+/// What the runs that ended by themselves say, as medians by column of the demo's report;
+/// "runs_complete" counts those whose map is, "relocalized" those whose robot was found after it
+/// was carried off.
+std::vector<Figure> measure_demos(const DemoRuns& options);
+
+/// Whether every run ended and had every bounded figure, with the medians within the bounds of
+/// living_room; says on stderr what is not so.
+bool demos_pass(const std::vector<Figure>& figures, double seeds);
+
+}  // namespace echomap::bench
