@@ -43,6 +43,7 @@ TEST_P(PlantedHang, WithInterruptsLockedIsReset) {
 /// The old Nano's bootloader would not come back from a reset by the watchdog.
 TEST_P(PlantedHang, StartsAgainWithoutAReset) {
   RobotOnTheMove moving{release_image(GetParam())};
+  moving.robot.run_ms(50);
   const auto at_power_up = moving.robot.chip().port_registers();
   for (std::uint16_t start = 1; start <= 5; ++start) {
     moving.drive();
