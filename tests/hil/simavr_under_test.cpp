@@ -41,6 +41,7 @@ class SimavrUnderTest final : public EmulatedBoard {
     core.flash[trap + 1] = kJumpToItself[1];
     core.pc = trap;
     core.state = cpu_Running;
+    core.sreg[S_I] = 1;  // It may have been in an interrupt or a lock.
   }
 
   void hide_reset_cause() override {

@@ -104,7 +104,7 @@ TEST(Stm32Flash, PowerUpsAreCountedInTheLastPageThatThePartHas) {
               0x08000000U + flash_kb * 1024U);
     for (std::uint32_t start = 0; start < 3; ++start) {
       chip.run_to(chip.cycle() + kStartCycles);
-      EXPECT_EQ(chip.flash().read_data(kLastPage + 2 * start, 2), start) << flash_kb << " kB";
+      EXPECT_EQ(chip.flash().read_data(kLastPage + 2 * start, 2), start + 1) << flash_kb << " kB";
       EXPECT_EQ(chip.flash().read_data(kLastPage + 2 * start + 2, 2), 0xFFFFU) << flash_kb << " kB";
       chip.reset(unicorn::ResetSource::kPowerOn);
     }

@@ -15,7 +15,7 @@ class RandomHost {
  public:
   constexpr explicit RandomHost(Random& random) : random_(random) {}
 
-  /// Sends at most one frame. True when it begins anew, with another configuration.
+  /// Sends at most one frame. True when it starts again, with another configuration.
   bool step();
 
  private:
