@@ -17,7 +17,7 @@ ImageSize budget_of(const std::string& image) {
   if (image.starts_with("echomap-mega")) {
     return {20'480, 2'048};
   }
-  return image.starts_with("echomap-stm32") ? ImageSize{16'384, 2'048} : ImageSize{16'384, 1'200};
+  return image.starts_with("echomap-stm32") ? ImageSize{16'384, 2'048} : ImageSize{24'576, 1'200};
 }
 
 class ImageSizes : public ::testing::TestWithParam<const char*> {};
