@@ -27,8 +27,8 @@ uint16_t bridge_aux_pins(BridgeKind kind);
 /// transistors. A board starts with kPhaseEnable.
 void use_bridge(BridgeKind kind, bool slow_pwm);
 
-/// Turns a motor with a duty of 1 .. 255. The caller lets one PWM period at rest pass before it
-/// turns the direction round: 128 us, 1.03 ms of the slow PWM.
+/// Turns a motor with a duty of 1 .. 255. The direction of one that turns must not change: the
+/// caller stops it and lets one PWM period pass, 128 us, or 1.03 ms of the slow PWM.
 void set_motor(Motor motor, bool forward, uint8_t duty);
 /// No current without `brake`: all pins of the motor are low. With it the motor is shorted, or its
 /// servo told to stand; that needs a kind other than kPhaseEnable.

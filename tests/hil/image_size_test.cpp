@@ -20,7 +20,7 @@ ImageSize budget_of(const std::string& image) {
   if (image.starts_with("echomap-mega")) {
     return {28'672, 2'048};
   }
-  return image.starts_with("echomap-stm32") ? ImageSize{16'384, 2'048} : ImageSize{24'576, 1'200};
+  return image.starts_with("echomap-stm32") ? ImageSize{24'576, 2'048} : ImageSize{24'576, 1'200};
 }
 
 /// Of an image, as the page of sizes has it; of images without a row there, nothing.

@@ -90,9 +90,11 @@ void let_pulses_end() {
 /// Off the timers the ports have the pins: fast PWM has no duty 0, only a spike per period.
 void disconnect(Motor motor) {
   if (motor == Motor::kLeft) {
+    OCR4A = 0;
     TCCR4A &= static_cast<uint8_t>(~kPwmOn);
     TCCR0A = kTimer0Mode;
   } else {
+    OCR3A = 0;
     TCCR3A = kFastPwm8Mode;
     TCCR4A &= static_cast<uint8_t>(~kRightSecondOn);
   }
@@ -202,6 +204,15 @@ void use_bridge(BridgeKind kind, bool slow_pwm) {
 
 void set_motor(Motor motor, bool forward, uint8_t duty) {
   using namespace boards;
+  // One that turns does so in the same direction.
+  if (motor == Motor::kLeft && (TCCR4A & kPwmOn) != 0) {
+    OCR4A = duty;
+    return;
+  }
+  if (motor == Motor::kRight && (TCCR3A & kPwmOn) != 0) {
+    OCR3A = duty;
+    return;
+  }
   if (active == BridgeKind::kServo) {
     set_pulse(motor, wheel_pulse_half_us(forward, duty));
     return;

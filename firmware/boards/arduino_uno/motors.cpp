@@ -108,6 +108,9 @@ void set_motor(Motor motor, bool forward, uint8_t duty) {
   const MotorPins pins = pins_of(motor);
   const bool two_pwm = active == BridgeKind::kTwoPwm;
   set_duty(motor, duty);
+  if ((TCCR0A & pins.pwm_on) != 0) {
+    return;  // It turns, in the same direction.
+  }
   if (active == BridgeKind::kIn1In2Pwm) {
     set_pins(PORTB, pins.reverse, !forward);
   }
@@ -122,6 +125,7 @@ void stop_motor(Motor motor, bool brake) {
   using namespace boards;
   const MotorPins pins = pins_of(motor);
   const uint8_t of_port_d = pins.pwm | pins.forward;
+  set_duty(motor, 0);
   if (brake) {
     set_pins(PORTD, of_port_d, true);
     disconnect(pins);

@@ -107,13 +107,14 @@ struct BrakingRobot : NativeRobot {
 TEST(Robot, BrakesAfterAMotionUntilTheTimeToLiveIsOver) {
   BrakingRobot robot;
   ASSERT_EQ(robot.command(protocol::MoveTicks{0, 100, 100, 500, 500}), CommandStatus::kAccepted);
-  robot.run_ms(400);
-  robot.send(protocol::KeepAlive{500});
-  robot.run_ms(300);
+  for (int i = 0; i < 20; ++i) {
+    robot.send(protocol::KeepAlive{500});
+    robot.run_ms(100);
+  }
   ASSERT_EQ(robot.all<protocol::Status>().back().move_outcome, number(MotionOutcome::kReached));
   EXPECT_TRUE(robot.board.left_brakes());
   EXPECT_TRUE(robot.board.right_brakes());
-  robot.run_ms(250);
+  robot.run_ms(450);
   EXPECT_TRUE(robot.is_off()) << "nobody is there";
 }
 
