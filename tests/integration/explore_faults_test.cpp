@@ -71,9 +71,9 @@ class ExploreFaults : public ::testing::Test {
     EXPECT_EQ(robot.wait().status, 0);
     return ended;
   }
-  /// What a robot maps in four stops, whose contacts are normally closed or open in its file and
+  /// Maps in four stops, by a robot whose contacts are normally closed or open in its file and
   /// in its profile alike.
-  std::string map_at_a_port(bool normally_closed, const std::string& faults) {
+  void map_at_a_port(bool normally_closed, const std::string& faults) {
     const auto file = [&](const char* folder, const std::string& table) {
       std::string text = files::read_text_file(files::bundled_file("uno_2wd", folder, "a robot"));
       const std::string value = normally_closed ? "true" : "false";
@@ -110,7 +110,6 @@ class ExploreFaults : public ::testing::Test {
                             .wait();
     EXPECT_THAT(ended.status, AnyOf(0, kUnfinished)) << ended.said;
     EXPECT_EQ(robot.wait().status, 0);
-    return files::read_text_file(scratch / "run/occupancy_grid.csv");
   }
   /// Of the run directory against that mock's truth.
   nlohmann::json score() {
@@ -205,7 +204,7 @@ TEST_F(ExploreFaults, ASonarThatIsUnpluggedOrWhoseLineHangsIsNamedAtOnce) {
 }
 
 /// Every ping of it is heard by nobody, and each holds the echo line for 200 ms.
-TEST_F(ExploreFaults, ALargeHallAndASlowSonarAreNoDeadOne) {
+TEST_F(ExploreFaults, ASlowSonarInALargeHallIsNoDeadOne) {
   const auto hall = scratch / "hall.toml";
   files::write_text_file(hall, R"(name = "hall"
 [start]
@@ -215,16 +214,10 @@ heading_deg = 20.0
 [room]
 corners_m = [[0.0, 0.0], [30.0, 0.0], [30.0, 30.0], [0.0, 30.0]]
 )");
-  for (const std::string fault : {"", "sonar-slow@0"}) {
-    std::vector<std::string> options{"--world=" + hall.string(), "--stops=3"};
-    if (!fault.empty()) {
-      options.push_back("--part-faults=" + fault);
-    }
-    const Ended ended = run(options);
-    EXPECT_EQ(ended.said.find("sonar does not answer"), std::string::npos) << ended.said;
-    EXPECT_NE(summary().at("outcome"), "sonar-silent") << fault;
-    EXPECT_GT(summary().at("sim_seconds"), fault.empty() ? 5.0 : 12.0) << "it waits for the line";
-  }
+  const Ended ended = run({"--part-faults=sonar-slow@0", "--world=" + hall.string(), "--stops=1"});
+  EXPECT_EQ(ended.said.find("sonar does not answer"), std::string::npos) << ended.said;
+  EXPECT_EQ(summary().at("outcome"), "stop-limit") << ended.said;
+  EXPECT_GT(summary().at("sim_seconds"), 12.0) << "60 pings of 200 ms";
 }
 
 TEST_F(ExploreFaults, ADirtyEncoderIsNamedWithItsWheel) {
@@ -238,10 +231,9 @@ TEST_F(ExploreFaults, ADirtyEncoderIsNamedWithItsWheel) {
 }
 
 TEST_F(ExploreFaults, NormallyClosedContactsAreNoBumpUntilTheirWireBreaks) {
-  const std::string map = map_at_a_port(false, "");
+  map_at_a_port(false, "");
   EXPECT_EQ(summary().at("outcome"), "stop-limit");
   const double mapped_m2 = summary().at("free_area_m2");
-  EXPECT_EQ(map_at_a_port(false, "contact-left-broken@10"), map) << "nobody notices";
   map_at_a_port(true, "");
   EXPECT_EQ(summary().at("outcome"), "stop-limit");
   EXPECT_NEAR(summary().at("free_area_m2"), mapped_m2, 0.5);
