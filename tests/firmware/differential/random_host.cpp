@@ -65,7 +65,11 @@ void RandomHost::begin() {
       send_pan_settings();
       break;
     case 6:
-      send(protocol::ConfigureSonar{next_id(), random_.wide(), random_.bits8()});
+      if (random_.once_in(1)) {
+        send_wiring();
+      } else {
+        send(protocol::ConfigureSonar{next_id(), random_.wide(), random_.bits8()});
+      }
       break;
     default:
       send(protocol::Arm{next_id(), 1});
@@ -152,6 +156,15 @@ void RandomHost::send_safety_settings() {
   settings.runaway_ticks = random_.once_in(1) ? uint16_t{0} : random_.below(32001);
   settings.over_speed_ticks_per_s = random_.once_in(1) ? uint16_t{0} : random_.wide();
   send(settings);
+}
+
+/// Now and then one that is refused.
+void RandomHost::send_wiring() {
+  const uint8_t drawn = random_.bits8();
+  send(protocol::ConfigureWiring{next_id(),
+                                 static_cast<uint8_t>((drawn & 7U) % 5U),
+                                 static_cast<uint8_t>((drawn >> 3) & 3U),
+                                 static_cast<uint8_t>((drawn >> 5) & 3U)});
 }
 
 void RandomHost::send_pan_settings() {

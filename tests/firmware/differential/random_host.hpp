@@ -25,6 +25,7 @@ class RandomHost {
   void send_anything();
   void send_motion();
   void send_drive_settings();
+  void send_wiring();
   void send_pan_settings();
   void send_pin_settings();
   void send_safety_settings();

@@ -10,6 +10,8 @@ namespace differential {
 enum class Output : uint8_t {
   kByteSent,
   kMotor,
+  kMotorStop,
+  kBridge,
   kServo,
   kTrigger,
   kPinUse,

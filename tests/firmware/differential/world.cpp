@@ -107,6 +107,12 @@ void World::set_motor(hal::Motor motor, bool forward, uint8_t duty) {
   (motor == hal::Motor::kLeft ? left_ : right_).set(forward, duty);
 }
 
+void World::stop_motor(hal::Motor motor, bool brake) {
+  const uint16_t side = static_cast<uint16_t>(motor);
+  output(Output::kMotorStop, static_cast<uint16_t>((side << 1) | (brake ? 1U : 0U)));
+  (motor == hal::Motor::kLeft ? left_ : right_).set(true, 0);
+}
+
 void World::trigger_sonar() {
   output(Output::kTrigger, 0);
   const uint8_t drawn = random_.bits8();

@@ -60,6 +60,7 @@ class World {
   uint16_t line_bytes_per_s() const { return line_bytes_per_s_; }
   void output(Output kind, uint16_t value) { trace_.add(kind, value); }
   void set_motor(hal::Motor motor, bool forward, uint8_t duty);
+  void stop_motor(hal::Motor motor, bool brake);
   void trigger_sonar();
   uint16_t conversion() { return random_.bits16() & 1023U; }
   void start_two_wire();

@@ -7,6 +7,7 @@
 #include "firmware/hal/contacts.hpp"
 #include "firmware/hal/encoders.hpp"
 #include "firmware/hal/interrupts.hpp"
+#include "firmware/hal/motors.hpp"
 #include "firmware/hal/servo.hpp"
 #include "firmware/hal/sonar.hpp"
 #include "firmware/hal/stack.hpp"
@@ -33,8 +34,15 @@ uint16_t boot_id() { return 4711; }
 uint16_t min_free_stack_bytes() { return 800; }
 
 uint8_t encoder_levels() { return 0; }
-uint8_t pressed_contacts() { return world.contacts(); }
+uint8_t closed_contacts() { return world.contacts(); }
 
+bool can_bridge(BridgeKind kind) { return kind <= BridgeKind::kServo; }
+uint16_t bridge_aux_pins(BridgeKind kind) { return kind == BridgeKind::kIn1In2Pwm ? 0x3 : 0; }
+void use_bridge(BridgeKind kind, bool slow_pwm) {
+  world.output(Output::kBridge,
+               static_cast<uint16_t>((static_cast<uint16_t>(kind) << 1) | (slow_pwm ? 1U : 0U)));
+}
+void stop_motor(Motor motor, bool brake) { world.stop_motor(motor, brake); }
 void set_motor(Motor motor, bool forward, uint8_t duty) { world.set_motor(motor, forward, duty); }
 void set_servo_pulse_us(uint16_t pulse_us) { world.output(Output::kServo, pulse_us); }
 void trigger_sonar() { world.trigger_sonar(); }
