@@ -350,6 +350,7 @@ TEST_F(ExploreFaults, AStrategyThatGoesByMoreThanItsMapEndsWhereTheRobotIsLost) 
                            "--world=playground",
                            "--strategy=tangent-bug",
                            "--waypoints=playground",
+                           "--seed=2",
                            "--part-faults=slip-left@60:8:0.6"});
   EXPECT_EQ(ended.status, 1) << ended.said;
   EXPECT_THAT(ended.said, HasSubstr("the map so far is saved: sonar readings contradict the map"));

@@ -244,6 +244,7 @@ std::vector<StagedEnd> make_ends() {
                    "--world=playground",
                    "--strategy=tangent-bug",
                    "--waypoints=playground",
+                   "--seed=2",
                    "--part-faults=slip-left@60:8:0.6"}),
        1,
        "lost",

@@ -27,6 +27,7 @@ TEST(ObservationSink, EveryKindReachesTheFunctionForIt) {
                                               sensors::PoseFixObservation{},
                                               sensors::YawObservation{},
                                               sensors::BatteryObservation{},
+                                              sensors::EncoderErrorObservation{},
                                               sensors::BeginScan{},
                                               sensors::EndScan{}};
   ASSERT_EQ(all.size(), std::variant_size_v<sensors::Observation>);
