@@ -126,7 +126,7 @@ void MotionExecution::look_around() {
 }
 
 bool MotionExecution::is_looking() const {
-  const auto& status = line_.status();
+  const auto status = line_.status_since_answer();
   const bool is_over = status && status->sweep_id == look_id_ &&
                        static_cast<protocol::MotionOutcome>(status->sweep_outcome) !=
                            protocol::MotionOutcome::kRunning;
@@ -195,7 +195,7 @@ MotionResult MotionExecution::finish(const robot_link::Command& command, Duratio
   }
   const bool is_sweep = std::holds_alternative<protocol::StartSweep>(command);
   const auto outcome = [&] {
-    const auto& status = line_.status();
+    const auto status = line_.status_since_answer();
     const bool ours =
         status && (is_sweep ? status->sweep_id : status->move_id) == result->command_id;
     return ours ? static_cast<protocol::MotionOutcome>(is_sweep ? status->sweep_outcome

@@ -251,8 +251,13 @@ void RobotLine::on_ready(const protocol::HelloReply& reply) {
   }
 }
 
+std::optional<protocol::Status> RobotLine::status_since_answer() const {
+  return status_ && status_->stamp_us != status_at_answer_us_ ? status_ : std::nullopt;
+}
+
 void RobotLine::on_command_done(const robot_link::CommandResult& result) {
   result_ = result;
+  status_at_answer_us_ = status_ ? std::optional(status_->stamp_us) : std::nullopt;
   was_reset_ = was_reset_ || result.outcome == robot_link::CommandOutcome::kDisarmed;
 }
 

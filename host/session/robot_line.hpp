@@ -74,6 +74,9 @@ class RobotLine final : private robot_link::RobotLinkListener {
   }
   /// The last since the robot's start; empty before the first.
   const std::optional<protocol::Status>& status() const { return status_; }
+  /// The last that came behind the answer to the last command; empty before. An earlier one may
+  /// tell of a motion of another session, whose command had the same id.
+  std::optional<protocol::Status> status_since_answer() const;
   /// What touches or threatens the robot, as it was told last.
   const sensors::HazardObservation& hazards() const { return observations_.hazards(); }
 
@@ -136,6 +139,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   std::string end_reason_;
 
   std::optional<protocol::Status> status_;
+  std::optional<std::uint32_t> status_at_answer_us_;  ///< Stamp of the last before an answer.
   std::optional<std::uint32_t> odometry_stamp_us_;
   time::HostTime odometry_at_;  ///< When the last odometry came.
   std::optional<robot_link::CommandResult> result_;

@@ -50,6 +50,20 @@ TEST_F(MotionExecutionTest, GivesASlowPanItsTime) {
   EXPECT_EQ(session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0}), MotionResult::kReached);
 }
 
+/// Commands are numbered anew in each session; the robot's last Status may be of an earlier one.
+TEST_F(MotionExecutionTest, TakesNoEarlierSessionsSweepForItsOwn) {
+  cable.robot.motion_ms = 500;
+  session->connect();  // Sends the configuration, which those behind it need not.
+  for (int i = 0; i < 3; ++i) {
+    session = new_session(false);
+    session->connect();
+    session->execute(exploration::Stand{0.5});  // Hears how the last sweep ended.
+    const auto start = session->now();
+    EXPECT_EQ(session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0}), MotionResult::kReached);
+    EXPECT_GE(session->now() - start, std::chrono::milliseconds(500)) << "session " << i;
+  }
+}
+
 TEST_F(MotionExecutionTest, RollsBySetpointsAndStopsBeforeAnyOtherMotion) {
   session->connect();
   std::vector<std::string> commands;
