@@ -55,6 +55,19 @@ TEST(TcpEndpoint, ServesTheNextHostAfterOneHasGone) {
   }
 }
 
+TEST(TcpEndpoint, HearsEveryHostAndIsHeardByEach) {
+  TcpEndpoint endpoint(0, WhenUnread::kDrop);
+  TestHost first = connect_to(endpoint);
+  first.write("one");
+  EXPECT_EQ(receive_all(endpoint, 3), "one");
+  TestHost second = connect_to(endpoint);
+  second.write("two");
+  EXPECT_EQ(receive_all(endpoint, 3), "two");
+  send_text(endpoint, "to both");
+  EXPECT_EQ(first.read(7), "to both");
+  EXPECT_EQ(second.read(7), "to both");
+}
+
 TEST(TcpEndpoint, WithoutAHostBytesAreDroppedOrKept) {
   TcpEndpoint dropping(0, WhenUnread::kDrop);
   send_text(dropping, "lost");
