@@ -73,10 +73,13 @@ void WheelEncoders::fold() {
   hal::EncoderEdges& edges = hal::encoder_edges;
   counts_.left = folded(counts_.left, edges.left, left_inverted_);
   counts_.right = folded(counts_.right, edges.right, right_inverted_);
-  errors_.left = static_cast<uint16_t>(errors_.left + edges.left_lost);
-  errors_.right = static_cast<uint16_t>(errors_.right + edges.right_lost);
   edges.left = 0;
   edges.right = 0;
+  if ((edges.left_lost | edges.right_lost) == 0) {
+    return;
+  }
+  errors_.left = static_cast<uint16_t>(errors_.left + edges.left_lost);
+  errors_.right = static_cast<uint16_t>(errors_.right + edges.right_lost);
   edges.left_lost = 0;
   edges.right_lost = 0;
 }

@@ -91,7 +91,7 @@ void FlashWriter::take_key(std::uint32_t key) {
 
 void FlashWriter::erase_page() {
   cr_ &= ~kStart;
-  const std::uint32_t page = (ar_ - data_address_) / kPageBytes;
+  const std::uint32_t page = (ar_ - kDataAddress) / kPageBytes;
   if (page < kDataBytes / kPageBytes) {
     std::fill_n(data_.begin() + page * kPageBytes / 2, kPageBytes / 2, kErased);
   }

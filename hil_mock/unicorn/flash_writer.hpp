@@ -9,23 +9,19 @@
 
 namespace echomap::unicorn {
 
-/// The flash interface and the last 4 kB of the flash, which the program may write by half-words
+/// The flash interface and the last 4 of 32 kB of flash, which the program may write by half-words
 /// and erase by pages of 1 kB; what stands there outlives every reset. The core waits meanwhile.
 /// Source: ST PM0075, and the data sheet's table 32 for the times.
 class FlashWriter final : public Peripheral {
  public:
   static constexpr std::uint32_t kFlashAddress = 0x08000000;
   static constexpr std::uint32_t kDataBytes = 0x1000;
+  /// Where the memory that it writes begins.
+  static constexpr std::uint32_t kDataAddress = kFlashAddress + 0x8000 - kDataBytes;
 
-  /// Of a chip with so much flash, a multiple of 4 kB.
-  FlashWriter(EventQueue& queue, std::uint32_t flash_kb)
-      : queue_(queue), data_address_(kFlashAddress + flash_kb * 1024 - kDataBytes) {
-    data_.fill(kErased);
-  }
+  explicit FlashWriter(EventQueue& queue) : queue_(queue) { data_.fill(kErased); }
 
-  /// Where its memory begins.
-  std::uint32_t data_address() const { return data_address_; }
-  /// The memory itself, at an offset from data_address().
+  /// The memory itself, at an offset from kDataAddress.
   std::uint32_t read_data(std::uint32_t offset, unsigned size) const;
   void write_data(std::uint32_t offset, unsigned size, std::uint32_t value);
 
@@ -40,7 +36,6 @@ class FlashWriter final : public Peripheral {
   void erase_page();
 
   EventQueue& queue_;
-  std::uint32_t data_address_;
   std::array<std::uint16_t, kDataBytes / 2> data_{};
   std::uint32_t acr_ = 0;
   std::uint32_t sr_ = 0;

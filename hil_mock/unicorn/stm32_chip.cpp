@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "hil_mock/unicorn/stm32_chip.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -9,10 +8,6 @@ namespace echomap::unicorn {
 namespace {
 
 constexpr std::uint32_t kFlashAddress = FlashWriter::kFlashAddress;
-/// System memory, of which the program reads the flash size register (RM0008, section 45.1).
-constexpr std::uint32_t kSystemMemory = 0x1FFFF000;
-constexpr std::uint32_t kSystemMemoryBytes = 0x1000;
-constexpr std::uint32_t kFlashSize = 0x1FFFF7E0;
 constexpr std::uint32_t kRamAddress = 0x20000000;
 constexpr std::uint32_t kRamBytes = 0x5000;
 constexpr std::uint32_t kPeripherals = 0x40000000;
@@ -39,12 +34,12 @@ constexpr std::uint8_t kPowerOnRam = 0xA5;
 
 }  // namespace
 
-Stm32Chip::Stm32Chip(const std::filesystem::path& elf, std::uint16_t flash_kb)
+Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
     : tim1_(queue_, nvic_, kTim1UpdateLine),
       tim2_(queue_, nvic_, kTim2Line),
       tim3_(queue_, nvic_, kTim3Line),
       tim4_(queue_, nvic_, kTim4Line),
-      flash_(queue_, flash_kb) {
+      flash_(queue_) {
   using Bus = Rcc::Bus;
   blocks_ = {{0x40000000, &tim2_, Bus::kApb1, 0},
              {0x40000400, &tim3_, Bus::kApb1, 1},
@@ -74,9 +69,6 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf, std::uint16_t flash_kb)
   port_a_.on_change = [this](std::uint8_t pin, bool high) { on_pin(kPortA, pin, high); };
   port_b_.on_change = [this](std::uint8_t pin, bool high) { on_pin(kPortB, pin, high); };
   map();
-  core_.write_memory(kFlashSize,
-                     std::array{static_cast<std::uint8_t>(flash_kb & 0xFFU),
-                                static_cast<std::uint8_t>(flash_kb >> 8)});
   load(elf);
   reset(ResetSource::kPowerOn);
   resets_ = 0;
@@ -85,7 +77,7 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf, std::uint16_t flash_kb)
 void Stm32Chip::load(const std::filesystem::path& elf) {
   for (const ProgramSegment& segment : read_elf_program(elf)) {
     const std::uint64_t end = std::uint64_t{segment.address} + segment.bytes.size();
-    if (segment.address < kFlashAddress || end > flash_.data_address()) {
+    if (segment.address < kFlashAddress || end > FlashWriter::kDataAddress) {
       throw std::runtime_error(elf.string() + ": holds no program that fits into the flash");
     }
     core_.write_memory(segment.address, segment.bytes);
@@ -93,8 +85,7 @@ void Stm32Chip::load(const std::filesystem::path& elf) {
 }
 
 void Stm32Chip::map() {
-  core_.map_rom(kFlashAddress, flash_.data_address() - kFlashAddress);
-  core_.map_rom(kSystemMemory, kSystemMemoryBytes);
+  core_.map_rom(kFlashAddress, FlashWriter::kDataAddress - kFlashAddress);
   core_.map_ram(kRamAddress, kRamBytes);
   peripherals_.read = [this](std::uint32_t address, unsigned) { return read(address); };
   peripherals_.write = [this](std::uint32_t address, unsigned, std::uint32_t value) {
@@ -107,12 +98,12 @@ void Stm32Chip::map() {
   };
   core_.map_device(kCoreRegisters, kCoreRegisterBytes, core_registers_);
   flash_data_.read = [this](std::uint32_t address, unsigned size) {
-    return flash_.read_data(address - flash_.data_address(), size);
+    return flash_.read_data(address - FlashWriter::kDataAddress, size);
   };
   flash_data_.write = [this](std::uint32_t address, unsigned size, std::uint32_t value) {
-    flash_.write_data(address - flash_.data_address(), size, value);
+    flash_.write_data(address - FlashWriter::kDataAddress, size, value);
   };
-  core_.map_device(flash_.data_address(), FlashWriter::kDataBytes, flash_data_);
+  core_.map_device(FlashWriter::kDataAddress, FlashWriter::kDataBytes, flash_data_);
 }
 
 void Stm32Chip::run_to(std::uint64_t cycle) {

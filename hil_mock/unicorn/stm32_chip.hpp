@@ -34,16 +34,16 @@ constexpr unsigned kMinCyclesPerHalfWord = 1;
 /// PM0075, section 3.1): what branches and loads take beyond a cycle is less than that on average.
 constexpr unsigned kPessimisticCyclesPerHalfWord = 3;
 
-/// An STM32F103C8 or C6 at 72 MHz: those of its parts that the firmware uses, as ST's manual
-/// describes them. It runs as fast as it can and never looks at a clock.
+/// An STM32F103 at 72 MHz: those of its parts that the firmware uses, as ST's manual describes
+/// them, and the 32 kB of flash of the C6: a program that looks at more of a C8 crashes. It runs as
+/// fast as it can and never looks at a clock.
 class Stm32Chip {
  public:
   enum PortName : std::uint8_t { kPortA, kPortB };
 
   /// Loads `elf` and switches on at cycle 0. Throws std::runtime_error where the file cannot be
   /// read or holds no program for this chip.
-  /// Its flash size register says `flash_kb`, 32 or 64.
-  explicit Stm32Chip(const std::filesystem::path& elf, std::uint16_t flash_kb = 64);
+  explicit Stm32Chip(const std::filesystem::path& elf);
   Stm32Chip(const Stm32Chip&) = delete;
   Stm32Chip& operator=(const Stm32Chip&) = delete;
 

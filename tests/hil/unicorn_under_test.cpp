@@ -24,7 +24,7 @@ class UnicornUnderTest final : public EmulatedBoard {
   }
 
   void hang() override {
-    constexpr std::uint32_t kTrap = 0x0800E000;                           // Behind the program.
+    constexpr std::uint32_t kTrap = 0x08006000;                           // Behind the program.
     constexpr std::array<std::uint8_t, 4> kHang{0x62, 0xB6, 0xFE, 0xE7};  // cpsie i; b .
     board_.chip().core().write_memory(kTrap, kHang);
     board_.chip().core().jump_to(kTrap);

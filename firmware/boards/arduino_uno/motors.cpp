@@ -57,6 +57,25 @@ void set_duty(hal::Motor motor, uint8_t duty) {
   }
 }
 
+bool turns(hal::Motor motor) {
+  return (TCCR0A & (motor == hal::Motor::kLeft ? _BV(COM0A1) : _BV(COM0B1))) != 0;
+}
+
+/// Gives the duty to the motor's pins. Not inline: what it saves on the stack would make each new
+/// duty of a motor that turns 10 us later.
+__attribute__((noinline)) void start_motor(hal::Motor motor, bool forward) {
+  const MotorPins pins = pins_of(motor);
+  const bool two_pwm = active == BridgeKind::kTwoPwm;
+  if (active == BridgeKind::kIn1In2Pwm) {
+    set_pins(PORTB, pins.reverse, !forward);
+  }
+  // Of two inputs the one on port D is low forwards, and high while the other chops backwards.
+  set_pins(PORTD, pins.forward, forward != two_pwm);
+  const uint8_t others = TCCR0A & static_cast<uint8_t>(~(pins.pwm_on | pins.inverted));
+  const uint8_t connected = two_pwm && !forward ? pins.pwm_on | pins.inverted : pins.pwm_on;
+  TCCR0A = others | connected;
+}
+
 /// Inputs without a pull-up, which a bridge would take for a level.
 void let_go_of_reverse_pins() {
   DDRB &= static_cast<uint8_t>(~kReversePins);
@@ -104,21 +123,10 @@ void use_bridge(BridgeKind kind, bool slow_pwm) {
 }
 
 void set_motor(Motor motor, bool forward, uint8_t duty) {
-  using namespace boards;
-  const MotorPins pins = pins_of(motor);
-  const bool two_pwm = active == BridgeKind::kTwoPwm;
-  set_duty(motor, duty);
-  if ((TCCR0A & pins.pwm_on) != 0) {
-    return;  // It turns, in the same direction.
+  boards::set_duty(motor, duty);
+  if (!boards::turns(motor)) {
+    boards::start_motor(motor, forward);
   }
-  if (active == BridgeKind::kIn1In2Pwm) {
-    set_pins(PORTB, pins.reverse, !forward);
-  }
-  // Of two inputs the one on port D is low forwards, and high while the other chops backwards.
-  set_pins(PORTD, pins.forward, forward != two_pwm);
-  const uint8_t others = TCCR0A & static_cast<uint8_t>(~(pins.pwm_on | pins.inverted));
-  const uint8_t connected = two_pwm && !forward ? pins.pwm_on | pins.inverted : pins.pwm_on;
-  TCCR0A = others | connected;
 }
 
 void stop_motor(Motor motor, bool brake) {

@@ -2,32 +2,20 @@
 #include "firmware/boards/stm32f103/parts.hpp"
 #include "firmware/boards/stm32f103/registers.hpp"
 
-/// What a power cut forgets the last page of the flash keeps. Each power-up writes the next of its
+/// What a power cut forgets a page of the flash keeps. Each power-up writes the next of its
 /// half-words; the page is erased once in 512 power-ups, which it endures 10,000 times.
 namespace echomap {
 namespace boards {
 namespace {
 
-constexpr uint32_t kFlashAddress = 0x08000000;
-constexpr uint32_t kPageBytes = 1024;
-/// The chip's flash in kB (RM0008, section 45.1). The family has parts of 16 kB on; the C8's is 64.
-constexpr uint32_t kSizeRegister = 0x1FFFF7E0;
-constexpr uint16_t kMinFlashKb = 16;
-constexpr uint16_t kMaxFlashKb = 128;
-constexpr uint16_t kUsualFlashKb = 64;
+/// The last page of 32 kB, which the smallest part that the image fits into (F103x6) has, too.
+constexpr uint32_t kPageAddress = 0x08007C00;
 constexpr uint16_t kEntries = 512;
 constexpr uint16_t kErased = 0xFFFF;
 
 using HalfWord = volatile uint16_t;
 
-uint32_t page_address() {
-  const uint16_t told_kb = *reinterpret_cast<const HalfWord*>(kSizeRegister);
-  const bool plausible = told_kb >= kMinFlashKb && told_kb <= kMaxFlashKb;
-  const uint32_t flash_kb = plausible ? told_kb : kUsualFlashKb;
-  return kFlashAddress + flash_kb * 1024U - kPageBytes;
-}
-
-HalfWord* entries() { return reinterpret_cast<HalfWord*>(page_address()); }
+HalfWord* entries() { return reinterpret_cast<HalfWord*>(kPageAddress); }
 
 /// The core stands still meanwhile, so the bound is never met; QEMU has no busy bit.
 void wait_while_busy() {
@@ -42,7 +30,7 @@ void unlock() {
 
 void erase_page() {
   flash().cr = kFlashCrPageErase;
-  flash().ar = page_address();
+  flash().ar = kPageAddress;
   flash().cr = kFlashCrPageErase | kFlashCrStart;
   wait_while_busy();
 }

@@ -31,7 +31,7 @@ class Flash : public ::testing::Test {
   bool complains() { return (flash.read(kSr) & kProgramError) != 0; }
 
   EventQueue queue;
-  FlashWriter flash{queue, 64};
+  FlashWriter flash{queue};
 };
 
 TEST_F(Flash, StaysLockedWithoutBothKeysInOrder) {
@@ -77,7 +77,7 @@ TEST_F(Flash, ErasesOnePageIn20Milliseconds) {
   flash.write_data(0x800, 2, 4);
   const std::uint64_t before = queue.now();
   flash.write(kCr, kErase);
-  flash.write(kAr, flash.data_address() + 0x400);
+  flash.write(kAr, FlashWriter::kDataAddress + 0x400);
   flash.write(kCr, kErase | kStart);
   EXPECT_EQ(queue.now() - before, 20U * 72'000);
   EXPECT_EQ(flash.read_data(0x3FE, 2), 1U);
