@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/mock_device/mock_board.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -210,6 +211,30 @@ TEST(MockBoard, DrivesTheDriverThatItIsConfiguredForAndNoOther) {
     session.pass_ms(150);
     EXPECT_LT(left_drive(session, chip).duty, -0.1) << world::name_of(chip);
     EXPECT_EQ(left_drive(session, other).duty, 0.0) << world::name_of(chip);
+  }
+}
+
+/// Also with those that let go of the motor in the pauses of their PWM, which makes it faster at
+/// the same duty.
+TEST(MockBoard, ItsWheelsKeepTheirSpeedWithEveryKindOfDriver) {
+  for (const auto chip : {world::DriverChip::kPhaseEnable,
+                          world::DriverChip::kTb6612fng,
+                          world::DriverChip::kL298n,
+                          world::DriverChip::kDrv8833,
+                          world::DriverChip::kServo}) {
+    for (const int ticks_per_s : {300, -300, 1800, -1800}) {
+      Session session(chip);
+      session.send(wiring_of(world::MotorDriver(chip).interface()));
+      session.configure_and_arm();
+      const auto speed = static_cast<std::int16_t>(ticks_per_s);
+      session.send(protocol::DriveSetpoint{speed, static_cast<std::int16_t>(-speed), 200});
+      session.keep_alive_ms(700);
+      const auto before = session.world().body().left_wheel().counts();
+      session.keep_alive_ms(1000);
+      const auto counts = session.world().body().left_wheel().counts() - before;
+      EXPECT_NEAR(static_cast<double>(counts), ticks_per_s, 0.02 * std::abs(ticks_per_s))
+          << world::name_of(chip);
+    }
   }
 }
 
