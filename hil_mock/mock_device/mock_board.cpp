@@ -10,8 +10,9 @@ namespace echomap::mock_device {
 namespace {
 
 constexpr double kFullDuty = 255.0;
-/// As the Uno's.
+/// As the Uno's, of both frequencies.
 constexpr double kPwmPeriodUs = 128.0;
+constexpr double kSlowPwmPeriodUs = 1024.0;
 /// The converter's reference is a supply of 5 V.
 constexpr double kCountsPerMillivolt = 1024.0 / 5000.0;
 constexpr double kMaxCounts = 1023.0;
@@ -50,11 +51,18 @@ void MockBoard::receive(std::span<const std::uint8_t> bytes) {
   board_.receive(bytes.data(), bytes.size());
 }
 
-/// The native program has no pins: whatever the driver, its wires get what it asks for.
+/// The native program has no pins: of the driver that it was configured for the wires get what it
+/// asks for, and those of another one are low.
 world::DriverInputs MockBoard::driver_inputs(runner::Wheel wheel,
                                              world::DriverInterface interface) const {
-  const double duty = wheel == runner::Wheel::kLeft ? board_.left_duty() : board_.right_duty();
-  return world::inputs_for(interface, duty / kFullDuty, false, kPwmPeriodUs);
+  const double period_us = board_.has_slow_pwm() ? kSlowPwmPeriodUs : kPwmPeriodUs;
+  if (static_cast<std::uint8_t>(board_.bridge_kind()) != static_cast<std::uint8_t>(interface)) {
+    return world::inputs_for(interface, 0.0, false, period_us);
+  }
+  const bool left = wheel == runner::Wheel::kLeft;
+  const double duty = left ? board_.left_duty() : board_.right_duty();
+  const bool brakes = left ? board_.left_brakes() : board_.right_brakes();
+  return world::inputs_for(interface, duty / kFullDuty, brakes, period_us);
 }
 
 void MockBoard::schedule_encoder_edge(runner::Wheel wheel, std::int64_t at_ns, bool a, bool b) {

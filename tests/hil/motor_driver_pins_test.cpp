@@ -3,7 +3,10 @@
 /// drives, nor behind any cut. Every write of the program counts.
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +23,8 @@ using world::DriverChip;
 
 using BoardAndDriver = std::tuple<const char*, DriverChip>;
 
+bool has_servo_timer(std::string_view image) { return image != "echomap-uno"; }
+
 class DrivenBoard : protected RobotOnTheMove, public ::testing::TestWithParam<BoardAndDriver> {
  protected:
   DrivenBoard()
@@ -34,14 +39,54 @@ class DrivenBoard : protected RobotOnTheMove, public ::testing::TestWithParam<Bo
     EXPECT_LE(trace.take_longest_ns(), DriveTrace::kGlitchNs);
   }
 
+  /// On a bend so narrow that one wheel goes back, for which half of the pins are: bumpers do not
+  /// stop a turn on the spot. Of each kind of wires one chip has it left and another right.
+  void drive_both_ways() {
+    const bool left_goes_back =
+        driver.chip() == DriverChip::kTb6612fng || driver.chip() == DriverChip::kDrv8833;
+    const std::int16_t back_ticks_per_s = -kTicksPerS / 2;
+    protocol::DriveSetpoint bend{kTicksPerS, back_ticks_per_s, kTimeToLiveMs};
+    if (left_goes_back) {
+      std::swap(bend.left_ticks_per_s, bend.right_ticks_per_s);
+    }
+    connect_and_arm();
+    renewing = true;
+    robot.send(bend);
+    robot.run_ms(700);
+    EXPECT_NEAR(left.ticks_per_s(), bend.left_ticks_per_s, 60.0);
+    EXPECT_NEAR(right.ticks_per_s(), bend.right_ticks_per_s, 60.0);
+  }
+
   /// Drives, does something that takes the PWM off within `ms`, and waits for that.
   template <class Cut>
   void cut_while_driving(Cut cut, std::int64_t ms) {
-    drive();
+    drive_both_ways();
     EXPECT_FALSE(off());
     renewing = false;
     cut();
     EXPECT_LE(ms_until_off(ms + 50), static_cast<double>(ms));
+  }
+
+  /// Rests at speed 0, of which the host goes on to say that it is alive.
+  void rest_with(const protocol::ConfigureWiring& asked) {
+    ASSERT_EQ(robot.command(protocol::Arm{0, 0}), CommandStatus::kAccepted);
+    ASSERT_EQ(robot.command(asked), CommandStatus::kAccepted);
+    ASSERT_EQ(robot.command(protocol::Arm{0, 1}), CommandStatus::kAccepted);
+    robot.send(protocol::DriveSetpoint{kTicksPerS, -kTicksPerS, kTimeToLiveMs});
+    robot.run_ms(500);
+    EXPECT_FALSE(off());
+    robot.send(protocol::DriveSetpoint{0, 0, kTimeToLiveMs});
+    EXPECT_LE(ms_until_off(800), 700.0);
+  }
+
+  /// Whether neither motor is driven, braked or told to stand.
+  bool lets_go() {
+    const auto is_free = [&](Wheel wheel) {
+      const world::DriverInputs inputs = robot.board().driver_inputs(wheel, driver.interface());
+      return driver.chip() == DriverChip::kServo ? inputs.pwm.high_share() == 0.0
+                                                 : driver.drive(inputs).coasting == 1.0;
+    };
+    return is_free(Wheel::kLeft) && is_free(Wheel::kRight);
   }
 
   DriveTrace trace;
@@ -53,10 +98,29 @@ std::string driver_label(const ::testing::TestParamInfo<BoardAndDriver>& info) {
   return label_of(std::get<0>(info.param)) + "_" + driver;
 }
 
+/// Of each kind of wires the chips whose tables, pull-ups or PWM differ; an Uno has no timer left
+/// for servos.
+std::vector<BoardAndDriver> drivers_of_every_board() {
+  std::vector<BoardAndDriver> all;
+  for (const char* image : flashed_images()) {
+    for (const DriverChip chip : {DriverChip::kPhaseEnable,
+                                  DriverChip::kTb6612fng,
+                                  DriverChip::kL298n,
+                                  DriverChip::kL293d,
+                                  DriverChip::kDrv8833,
+                                  DriverChip::kMx1508,
+                                  DriverChip::kServo}) {
+      if (chip != DriverChip::kServo || has_servo_timer(image)) {
+        all.emplace_back(image, chip);
+      }
+    }
+  }
+  return all;
+}
+
 INSTANTIATE_TEST_SUITE_P(Drivers,
                          DrivenBoard,
-                         ::testing::Combine(every_board(),
-                                            ::testing::Values(DriverChip::kPhaseEnable)),
+                         ::testing::ValuesIn(drivers_of_every_board()),
                          driver_label);
 
 /// The drawings have a resistor to ground at each enable of an L298N, so that this is no test of
@@ -125,15 +189,35 @@ TEST_P(DrivenBoard, StandsBehindAHangAndTheWatchdogsReset) {
 }
 
 TEST_P(DrivenBoard, StandsBehindTheResetPin) {
-  drive();
+  drive_both_ways();
   robot.chip().pull_reset_pin();
   expect_off_for(100);
 }
 
 TEST_P(DrivenBoard, StandsBehindAPowerCut) {
-  drive();
+  drive_both_ways();
   robot.chip().cut_power();
   expect_off_for(100);
+}
+
+TEST_P(DrivenBoard, BrakesAtZeroWhereItIsAskedTo) {
+  connect_and_arm();
+  renewing = true;
+  const bool chip_decides = driver.interface() == world::DriverInterface::kPhaseEnable;
+  protocol::ConfigureWiring braking = wiring();
+  braking.bridge_options |= protocol::kBrakeAtZero;
+  if (chip_decides) {
+    EXPECT_EQ(robot.command(protocol::Arm{0, 0}), CommandStatus::kAccepted);
+    EXPECT_EQ(robot.command(braking), CommandStatus::kOutOfRange);
+    return;
+  }
+  rest_with(wiring());
+  EXPECT_TRUE(lets_go());
+  rest_with(braking);
+  EXPECT_TRUE(off());
+  EXPECT_FALSE(lets_go());
+  robot.command(protocol::Arm{0, 0});
+  EXPECT_TRUE(lets_go()) << "disarmed";
 }
 
 /// Also to a driver that the robot does not have: both wires of two-PWM are low meanwhile.
@@ -148,6 +232,17 @@ TEST_P(DrivenBoard, StandsWhileAnotherDriverIsConfigured) {
   }
   EXPECT_LE(trace.take_longest_ns(), DriveTrace::kGlitchNs);
   expect_off_for(100);
+}
+
+class ServosAsWheels : public OnEveryBoard {};
+
+INSTANTIATE_TEST_SUITE_P(Boards, ServosAsWheels, every_board(), image_label);
+
+TEST_P(ServosAsWheels, AreRefusedByABoardWithoutATimerForThem) {
+  ASSERT_TRUE(robot.connect());
+  const auto servo = static_cast<std::uint8_t>(protocol::MotorBridgeKind::kServo);
+  EXPECT_EQ(robot.command(protocol::ConfigureWiring{0, servo, 0, 0}),
+            has_servo_timer(GetParam()) ? CommandStatus::kAccepted : CommandStatus::kOutOfRange);
 }
 
 }  // namespace

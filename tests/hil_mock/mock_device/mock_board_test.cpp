@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/mock_device/mock_board.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -14,10 +15,17 @@
 namespace echomap::mock_device {
 namespace {
 
-/// The robot of the defaults in a box.
+world::RobotParams robot_with(world::DriverChip driver) {
+  world::RobotParams robot;
+  robot.drive.driver = driver;
+  return robot;
+}
+
+/// The robot of the defaults in a box, also with another motor driver.
 class Session : public NativeSession {
  public:
-  Session() : NativeSession(world::box_room(), {}, 3) {}
+  explicit Session(world::DriverChip driver = world::DriverChip::kPhaseEnable)
+      : NativeSession(world::box_room(), robot_with(driver), 3) {}
 };
 
 TEST(MockBoard, SaysHelloWithTheSchemaOfTheHost) {
@@ -179,6 +187,78 @@ TEST(MockBoard, ShowsWhatTheProgramGivesAnOutput) {
   EXPECT_FALSE(board.aux_output(2));
   native.set_aux_output(2, true);
   EXPECT_TRUE(board.aux_output(2));
+}
+
+protocol::ConfigureWiring wiring_of(world::DriverInterface interface, std::uint8_t options = 0) {
+  return {8, static_cast<std::uint8_t>(interface), options, 0};
+}
+
+/// What its left motor gets from this driver.
+world::MotorDrive left_drive(const Session& session, world::DriverChip chip) {
+  const world::MotorDriver driver(chip);
+  return driver.drive(session.board().driver_inputs(runner::Wheel::kLeft, driver.interface()));
+}
+
+TEST(MockBoard, DrivesTheDriverThatItIsConfiguredForAndNoOther) {
+  for (const auto& [chip, other] :
+       {std::pair(world::DriverChip::kTb6612fng, world::DriverChip::kDrv8833),
+        std::pair(world::DriverChip::kDrv8833, world::DriverChip::kPhaseEnable),
+        std::pair(world::DriverChip::kServo, world::DriverChip::kL298n)}) {
+    Session session(chip);
+    session.send(wiring_of(world::MotorDriver(chip).interface()));
+    session.configure_and_arm();
+    session.send(protocol::DriveSetpoint{-1500, 1500, 200});
+    session.pass_ms(150);
+    EXPECT_LT(left_drive(session, chip).duty, -0.1) << world::name_of(chip);
+    EXPECT_EQ(left_drive(session, other).duty, 0.0) << world::name_of(chip);
+  }
+}
+
+/// Also with those that let go of the motor in the pauses of their PWM, which makes it faster at
+/// the same duty.
+TEST(MockBoard, ItsWheelsKeepTheirSpeedWithEveryKindOfDriver) {
+  for (const auto chip : {world::DriverChip::kPhaseEnable,
+                          world::DriverChip::kTb6612fng,
+                          world::DriverChip::kL298n,
+                          world::DriverChip::kDrv8833,
+                          world::DriverChip::kServo}) {
+    for (const int ticks_per_s : {300, -300, 1800, -1800}) {
+      Session session(chip);
+      session.send(wiring_of(world::MotorDriver(chip).interface()));
+      session.configure_and_arm();
+      const auto speed = static_cast<std::int16_t>(ticks_per_s);
+      session.send(protocol::DriveSetpoint{speed, static_cast<std::int16_t>(-speed), 200});
+      session.keep_alive_ms(700);
+      const auto before = session.world().body().left_wheel().counts();
+      session.keep_alive_ms(1000);
+      const auto counts = session.world().body().left_wheel().counts() - before;
+      EXPECT_NEAR(static_cast<double>(counts), ticks_per_s, 0.02 * std::abs(ticks_per_s))
+          << world::name_of(chip);
+    }
+  }
+}
+
+TEST(MockBoard, ItsPwmIsSlowWhereTheDriverNeedsIt) {
+  for (const bool is_slow : {false, true}) {
+    Session session(world::DriverChip::kL293d);
+    session.send(wiring_of(world::DriverInterface::kIn1In2Pwm, is_slow ? protocol::kSlowPwm : 0));
+    session.configure_and_arm();
+    session.send(protocol::DriveSetpoint{1500, 1500, 200});
+    session.pass_ms(150);
+    EXPECT_EQ(left_drive(session, world::DriverChip::kL293d).duty > 0.0, is_slow);
+  }
+}
+
+TEST(MockBoard, AMotorAtRestIsBrakedWhereTheWiringSaysSo) {
+  for (const bool brakes : {false, true}) {
+    Session session(world::DriverChip::kTb6612fng);
+    const std::uint8_t options = brakes ? protocol::kBrakeAtZero : 0;
+    session.send(wiring_of(world::DriverInterface::kIn1In2Pwm, options));
+    session.configure_and_arm();
+    session.send(protocol::MoveTicks{4, 500, 500, 1500, 200});
+    session.keep_alive_ms(2000);
+    EXPECT_EQ(left_drive(session, world::DriverChip::kTb6612fng).coasting, brakes ? 0.0 : 1.0);
+  }
 }
 
 }  // namespace

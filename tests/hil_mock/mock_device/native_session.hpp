@@ -81,6 +81,7 @@ class NativeSession {
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   const world::RobotWorld& world() const { return world_; }
   runner::RobotSimulation& simulation() { return simulation_; }
+  const runner::SimulatedBoard& board() const { return board_; }
 
  private:
   MockBoard board_;
