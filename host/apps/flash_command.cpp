@@ -35,7 +35,7 @@ std::string image_for(const FlashOptions& options, const flashing::FlashBoard& b
 ExitCode run_flash(const FlashOptions& options) {
   const flashing::FlashTarget target = flashing::choose_flash_target(
       {options.board, options.port}, {transport::list_ports(), transport::list_usb_devices()});
-  if (!target.port.empty()) {
+  if (!options.dry_run && !target.port.empty()) {
     transport::refuse_if_held(target.port);  // avrdude asks nobody.
   }
   return carry_out(flash_plan(target, image_for(options, *target.board)), options.dry_run);

@@ -7,20 +7,6 @@
 
 namespace echomap::apps {
 
-namespace {
-
-/// Empty where the robot does not tell which wheel's they are.
-std::string of_wheels(std::uint64_t left, std::uint64_t right) {
-  if (left == 0 && right == 0) {
-    return "";
-  }
-  const char* const wheels = right == 0 ? "the left wheel" : "the right wheel";
-  return left != 0 && right != 0 ? fmt::format(" ({} left, {} right)", left, right)
-                                 : fmt::format(" of {}", wheels);
-}
-
-}  // namespace
-
 exports::LinkSummary summary_of(const robot_link::LinkStatistics& link, std::uint64_t reconnects) {
   exports::LinkSummary summary;
   summary.frames_received = link.frames_received;
@@ -80,12 +66,6 @@ std::string losses_between(const exports::LinkSummary& before, const exports::Li
       text += fmt::format("{}{} {}", text.empty() ? "" : "; ", to - from, what);
     }
   };
-  add(before.robot_encoder_errors,
-      now.robot_encoder_errors,
-      "illegal encoder transitions" +
-          of_wheels(now.robot_left_encoder_errors - before.robot_left_encoder_errors,
-                    now.robot_right_encoder_errors - before.robot_right_encoder_errors) +
-          ", so odometry is wrong: check the encoders' wires and supply");
   add(before.robot_receive_overruns,
       now.robot_receive_overruns,
       "receiver overruns, which lose bytes that we send");

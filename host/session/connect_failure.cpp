@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "host/transport/open_stream.hpp"
+
 namespace echomap::session {
 
 using robot_link::LinkState;
@@ -14,6 +16,14 @@ console::ExitCode connect_failure(const robot_link::RobotLink& link) {
 std::string reason_of_connect_failure(const robot_link::RobotLink& link, const std::string& port) {
   if (const auto& mismatch = link.mismatch()) {
     return mismatch->message();
+  }
+  const bool is_not_understood =
+      link.state() == LinkState::kGarbage || link.state() == LinkState::kSilent;
+  if (is_not_understood && transport::is_radio(port)) {
+    return "no echomap frame comes from " + port +
+           ": the robot is off, or its radio module is set to another speed than its firmware\n"
+           "  next: flash the image for the module's speed, by the USB cable: ./run flash --baud "
+           "115200";
   }
   switch (link.state()) {
     case LinkState::kGarbage:

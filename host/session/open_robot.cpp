@@ -49,7 +49,8 @@ std::function<void()> rememberer_of(const std::string& port) {
 std::unique_ptr<transport::ByteStream> open_chosen_port(const ConnectionOptions& options,
                                                         std::uint16_t session) {
   const auto here = options.lockstep.empty() ? surroundings_here() : PortSurroundings();
-  return choose_port(candidate_ports(options.ports, here), opener(options.baud), session);
+  return choose_port(
+      candidate_ports(options.ports, here), opener(options.baud), session, options.baud == 0);
 }
 
 /// A robot that may be unplugged and reset, and is waited for.

@@ -15,6 +15,7 @@
 #include "host/console/question.hpp"
 #include "host/robot_link/robot_probe.hpp"
 #include "host/session/known_ports.hpp"
+#include "host/session/speed_search.hpp"
 #include "host/transport/port_holder.hpp"
 #include "host/transport/transport_error.hpp"
 #include "host/transport/usb_devices.hpp"
@@ -27,6 +28,7 @@ using std::chrono::steady_clock;
 using transport::PortInfo;
 
 constexpr std::chrono::milliseconds kAnswerPatience{2500};
+constexpr std::chrono::milliseconds kReplyPatience{200};
 constexpr std::chrono::milliseconds kTurn{5};
 
 struct Candidate {
@@ -60,9 +62,9 @@ bool may_answer(const Candidate& candidate) {
          !is_robot(candidate);
 }
 
-void listen(std::vector<Candidate>& candidates) {
+void listen(std::vector<Candidate>& candidates, std::chrono::milliseconds patience) {
   std::array<std::uint8_t, 4096> buffer{};
-  const auto until = steady_clock::now() + kAnswerPatience;
+  const auto until = steady_clock::now() + patience;
   while (steady_clock::now() < until &&
          std::any_of(candidates.begin(), candidates.end(), may_answer)) {
     for (Candidate& candidate : candidates) {
@@ -70,6 +72,23 @@ void listen(std::vector<Candidate>& candidates) {
         const std::size_t count = candidate.stream->read_some(buffer, kTurn);
         candidate.probe.receive(std::span(buffer).first(count));
       }
+    }
+  }
+}
+
+/// Where nobody gave a speed, those that are silent may be of an older image.
+void ask_at_other_speeds(std::vector<Candidate>& candidates) {
+  for (const int baud : kRobotBauds) {
+    bool is_changed = false;
+    for (Candidate& candidate : candidates) {
+      if (may_answer(candidate) && baud != kRobotBauds.front() &&
+          candidate.stream->set_baud(baud)) {
+        candidate.stream->write(candidate.probe.hello());
+        is_changed = true;
+      }
+    }
+    if (is_changed) {
+      listen(candidates, kReplyPatience);
     }
   }
 }
@@ -126,7 +145,7 @@ std::string confirmed(const PortInfo& port, const PortSurroundings& here) {
   const std::string what =
       line_of(port, here) + "\nNo robot has answered there yet: many devices have such a chip.";
   const auto answer = here.ask(what + "\nIs it the robot? (yes or no)");
-  if (answer != "yes" && answer != "y") {
+  if (!answer || (*answer != "yes" && *answer != "y" && *answer != "Yes" && *answer != "Y")) {
     end_without_choice((answer ? "no port was chosen" : what) +
                        "\n  next: name the robot's port, once: --port " + port.name);
   }
@@ -233,7 +252,8 @@ std::vector<std::string> candidate_ports(const std::vector<std::string>& named,
 
 std::unique_ptr<transport::ByteStream> choose_port(const std::vector<std::string>& ports,
                                                    const OpenPort& open,
-                                                   std::uint16_t session) {
+                                                   std::uint16_t session,
+                                                   bool at_any_speed) {
   if (ports.size() == 1) {
     return open(ports.front());
   }
@@ -242,7 +262,10 @@ std::unique_ptr<transport::ByteStream> choose_port(const std::vector<std::string
   for (const std::string& port : ports) {
     asked.push_back(ask(port, open, session));
   }
-  listen(asked);
+  listen(asked, kAnswerPatience);
+  if (at_any_speed && std::none_of(asked.begin(), asked.end(), is_robot)) {
+    ask_at_other_speeds(asked);
+  }
   const auto is_free = [](const Candidate& one) { return is_robot(one) && !is_busy(one); };
   const bool any_free = std::any_of(asked.begin(), asked.end(), is_free);
   const auto fits = [&](const Candidate& one) { return any_free ? is_free(one) : is_robot(one); };

@@ -49,11 +49,13 @@ using OpenPort = std::function<std::unique_ptr<transport::ByteStream>(const std:
 
 /// The one port at which a robot answers. A single one is opened and taken as it is. Of several,
 /// all of which the user has named, each hears one Hello of `session`, and the one that answers
-/// within 2.5 s, which a board needs that its opening has reset, is chosen. Throws CommandError 3,
+/// within 2.5 s, which a board needs that its opening has reset, is chosen; with `at_any_speed`
+/// those that are silent then hear one at each other speed of kRobotBauds. Throws CommandError 3,
 /// with what each of them said, where none answers or more than one, and TransportError where a
 /// single one cannot be opened.
 std::unique_ptr<transport::ByteStream> choose_port(const std::vector<std::string>& ports,
                                                    const OpenPort& open,
-                                                   std::uint16_t session);
+                                                   std::uint16_t session,
+                                                   bool at_any_speed = false);
 
 }  // namespace echomap::session

@@ -4,6 +4,7 @@
 #include <regex>
 #include <sstream>
 
+#include "host/console/exit_code.hpp"
 #include "host/files/toml_reader.hpp"
 
 namespace echomap::session {
@@ -24,6 +25,12 @@ std::string with_driver(const std::string& toml, const std::string& driver) {
       in_drive = std::regex_match(line, drive_table);
       edited += in_drive ? "driver = \"" + driver + "\"\n" : "";
     }
+  }
+  if (driver_of(edited) != driver) {
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        "--driver needs a profile with a line [drive]\n  next: write driver = \"" + driver +
+            "\" into the profile");
   }
   return edited;
 }

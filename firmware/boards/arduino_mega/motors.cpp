@@ -92,10 +92,12 @@ void disconnect(Motor motor) {
   if (motor == Motor::kLeft) {
     OCR4A = 0;
     TCCR4A &= static_cast<uint8_t>(~kPwmOn);
+    OCR0B = 0;
     TCCR0A = kTimer0Mode;
   } else {
     OCR3A = 0;
     TCCR3A = kFastPwm8Mode;
+    OCR4B = 0;
     TCCR4A &= static_cast<uint8_t>(~kRightSecondOn);
   }
 }

@@ -147,6 +147,9 @@ std::optional<std::uint32_t> first_difference(const DifferentialTarget& left,
 
 DifferentialResult compare_targets(std::uint64_t steps, std::uint32_t first_seed) {
   const auto targets = DifferentialTarget::all();
+  if (targets.size() < 2) {
+    throw std::runtime_error("there is nothing to compare with: no AVR or ARM compiler is here");
+  }
   DifferentialResult result;
   for (DifferentialRequest request{.seed = first_seed}; result.steps < steps; ++request.seed) {
     request.steps =

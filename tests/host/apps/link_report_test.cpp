@@ -35,20 +35,15 @@ TEST(LinkReport, TakesWhatTheLinkHasCounted) {
 
 TEST(LinkReport, TellsALossOnceAndOnlyWhereItRises) {
   exports::LinkSummary before;
-  before.robot_encoder_errors = 10;
+  before.robot_receive_overruns = 10;
   exports::LinkSummary now = before;
   EXPECT_EQ(losses_between(before, now), "");
-  now.robot_encoder_errors = 13;
+  now.robot_receive_overruns = 13;
   EXPECT_THAT(losses_between(before, now),
-              AllOf(HasSubstr("3 illegal encoder transitions"), Not(HasSubstr("overruns"))));
-  now.robot_left_encoder_errors = 3;
-  EXPECT_THAT(losses_between(before, now), HasSubstr("transitions of the left wheel, so"));
-  now.robot_right_encoder_errors = 1;
-  EXPECT_THAT(losses_between(before, now), HasSubstr("transitions (3 left, 1 right), so"));
-  now.robot_receive_overruns = 1;
+              AllOf(HasSubstr("3 receiver overruns"), Not(HasSubstr("dropped"))));
   now.robot_telemetry_dropped = 2;
   EXPECT_THAT(losses_between(before, now),
-              AllOf(HasSubstr("1 receiver overruns"), HasSubstr("2 telemetry")));
+              AllOf(HasSubstr("3 receiver overruns"), HasSubstr("2 telemetry")));
   EXPECT_EQ(losses_between(now, now), "");
 }
 

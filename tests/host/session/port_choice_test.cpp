@@ -26,6 +26,8 @@ struct Device {
   FakeRobot robot;
   transport::StreamStatus status = transport::StreamStatus::kOpen;
   int reads = 0;
+  int baud = 250'000;          ///< Of its image,
+  int baud_of_line = 250'000;  ///< and of the port.
 };
 
 class DeviceStream final : public transport::ByteStream {
@@ -34,12 +36,23 @@ class DeviceStream final : public transport::ByteStream {
 
   std::size_t read_some(std::span<std::uint8_t> into, std::chrono::microseconds /*wait*/) override {
     ++device_.reads;
+    if (device_.baud != device_.baud_of_line) {
+      return 0;
+    }
     auto bytes = device_.is_robot ? device_.robot.take_outgoing()
                                   : FakeRobot::Bytes(device_.line.begin(), device_.line.end());
     std::copy(bytes.begin(), bytes.end(), into.begin());
     return bytes.size();
   }
-  void write(std::span<const std::uint8_t> bytes) override { device_.robot.receive(bytes); }
+  void write(std::span<const std::uint8_t> bytes) override {
+    if (device_.baud == device_.baud_of_line) {
+      device_.robot.receive(bytes);
+    }
+  }
+  bool set_baud(int baud) override {
+    device_.baud_of_line = baud;
+    return true;
+  }
   transport::StreamStatus status() const override { return device_.status; }
   std::string close_reason() const override { return ""; }
   std::string name() const override { return name_; }
@@ -61,7 +74,7 @@ class PortChoice : public testing::Test {
       }
       return std::make_unique<DeviceStream>(port, device->second);
     };
-    return choose_port(ports, open, 7);
+    return choose_port(ports, open, 7, true);
   }
   std::string refusal(const std::vector<std::string>& ports) {
     try {
@@ -89,6 +102,12 @@ TEST_F(PortChoice, TakesTheOneThatAnswersAndSaysHelloOnceToEach) {
 TEST_F(PortChoice, TakesASinglePortAsItIs) {
   EXPECT_EQ(choose({"silent"})->name(), "silent");
   EXPECT_EQ(devices.at("silent").robot.hellos, 0);
+}
+
+TEST_F(PortChoice, FindsARobotOfAnOlderImageAmongSeveral) {
+  devices.at("robot").baud = 115'200;
+  EXPECT_EQ(choose({"silent", "robot"})->name(), "robot");
+  EXPECT_EQ(devices.at("robot").robot.hellos, 1);
 }
 
 TEST_F(PortChoice, NeverGuessesBetweenTwoRobots) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "host/console/exit_code.hpp"
+
 namespace echomap::session {
 namespace {
 
@@ -18,9 +20,14 @@ TEST(ProfileDriver, IsWrittenIntoTheTableOfTheDrive) {
 TEST(ProfileDriver, TakesThePlaceOfAnotherOne) {
   EXPECT_EQ(with_driver("[drive]\ntrack_m = 0.1\n  driver = \"drv8833\"\n", "tb6612fng"),
             "[drive]\ndriver = \"tb6612fng\"\ntrack_m = 0.1\n");
-  EXPECT_EQ(with_driver("[odometry]\ndriver = \"drv8833\"\n", "tb6612fng"),
-            "[odometry]\ndriver = \"drv8833\"\n")
+  EXPECT_EQ(with_driver("[odometry]\ndriver = \"drv8833\"\n[drive]\n", "tb6612fng"),
+            "[odometry]\ndriver = \"drv8833\"\n[drive]\ndriver = \"tb6612fng\"\n")
       << "a key of another table";
+}
+
+TEST(ProfileDriver, IsNotLeftOutWithoutAWord) {
+  EXPECT_THROW(with_driver("drive.track_m = 0.1\n", "l298n"), console::CommandError);
+  EXPECT_THROW(with_driver("[odometry]\n", "l298n"), console::CommandError);
 }
 
 TEST(ProfileDriver, IsReadBack) {
