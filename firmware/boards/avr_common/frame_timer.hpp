@@ -26,7 +26,7 @@ class FrameTimer {
  public:
   static void start() {
     Timer::direction() |= Timer::kTriggerPin | Timer::kServoPin;
-    Timer::top() = kFrameCounts - 1;  // Still in normal mode, where it holds at once.
+    Timer::top() = kFrameCounts - 1;  // At once in normal mode; after a hang it is still the same.
     Timer::mode() = kMode15;
     Timer::control() = _BV(ICNC1) | _BV(ICES1) | _BV(WGM13) | _BV(WGM12) | _BV(CS11);
     Timer::enables() = _BV(ICIE1) | _BV(TOIE1);
