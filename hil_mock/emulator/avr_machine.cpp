@@ -24,7 +24,13 @@ constexpr std::uint8_t kPowerOnSram = 0xA5;
 
 void ignore_log(avr_t* /*avr*/, int /*level*/, const char* /*format*/, std::va_list /*values*/) {}
 
-void sleep_no_wall_time(avr_t* /*avr*/, avr_cycle_count_t /*cycles*/) {}
+/// Waits for nothing, and wakes in the cycle of the next event: simavr adds one to `cycles`, and
+/// that made a wake-up late, but for one that another event came right before.
+void sleep_exactly(avr_t* avr, avr_cycle_count_t cycles) {
+  if (cycles != 0) {
+    --avr->cycle;
+  }
+}
 
 void fill_sram(avr_t& avr) {
   std::fill(avr.data + avr.ioend + 1, avr.data + avr.ramend + 1, kPowerOnSram);
@@ -48,7 +54,7 @@ std::unique_ptr<avr_t, AvrMachine::Terminate> AvrMachine::load(const std::filesy
   load_elf_program(elf, *avr);
   avr->frequency = kClockHz;
   avr->vcc = avr->avcc = avr->aref = kSupplyMillivolts;
-  avr->sleep = &sleep_no_wall_time;
+  avr->sleep = &sleep_exactly;
   return avr;
 }
 
