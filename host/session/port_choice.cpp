@@ -157,14 +157,17 @@ std::string chosen_from(const std::vector<PortInfo>& ports, const PortSurroundin
   for (std::size_t i = 0; i < ports.size(); ++i) {
     list += fmt::format("  {}  {}\n", i + 1, line_of(ports[i], here));
   }
-  auto answer = here.ask(fmt::format("{}Which one? (1 to {})", list, ports.size()));
-  while (answer && !answer->empty()) {
+  const auto answer_to = [&here](const std::string& question) {
+    return here.ask(question).value_or("");
+  };
+  auto answer = answer_to(fmt::format("{}Which one? (1 to {})", list, ports.size()));
+  while (!answer.empty()) {
     std::size_t number = 0;
-    std::from_chars(answer->data(), answer->data() + answer->size(), number);
+    std::from_chars(answer.data(), answer.data() + answer.size(), number);
     if (number >= 1 && number <= ports.size()) {
       return ports[number - 1].name;
     }
-    answer = here.ask(fmt::format("A number from 1 to {}, or Enter for none:", ports.size()));
+    answer = answer_to(fmt::format("A number from 1 to {}, or Enter for none:", ports.size()));
   }
   end_without_choice(list + "  next: name one, as in --port " + ports.front().name);
 }

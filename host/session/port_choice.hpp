@@ -23,7 +23,7 @@ struct PortSurroundings {
   /// Asks the person at the terminal; empty where there is none.
   std::function<std::optional<std::string>(const std::string& question)> ask;
   /// Why a robot that is plugged in may have no port here, with the remedy; may be empty.
-  std::string why_none = "";
+  std::string why_none = {};
 };
 
 /// Those of this machine.

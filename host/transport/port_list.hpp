@@ -18,7 +18,7 @@ struct PortInfo {
   std::string serial_number;                   ///< Of the USB device; may be empty.
   std::optional<UsbId> usb_id = std::nullopt;  ///< Absent where it is not on the USB.
   /// Socket and interface, as sysfs names them: "1-1.2:1.0"; empty where it is not on the USB.
-  std::string usb_path = "";
+  std::string usb_path = {};
 };
 
 /// USB and Bluetooth serial ports in the order of their names, as Linux shows them below `sysfs`
