@@ -2,6 +2,7 @@
 #include "hil_mock/ev3/ev3_board.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -32,8 +33,6 @@ constexpr long kNothingCm = 255;
 /// As a real one's pulse width modulation, about: it only has to be faster than the motor.
 constexpr double kPwmPeriodUs = 100.0;
 constexpr double kCentreUs = 1500.0;
-/// A program that is still busy then hangs.
-constexpr std::chrono::seconds kBusyLimit{5};
 constexpr std::chrono::seconds kStartLimit{20};
 
 /// Of an MPU-6050.
@@ -66,6 +65,10 @@ LegoSensorKind kind_of(RangeSensor sensor) {
 
 }  // namespace
 
+std::vector<std::string> under_qemu(const std::filesystem::path& elf) {
+  return {"qemu-arm", "-cpu", "arm926", elf.string()};
+}
+
 OwnFolder::OwnFolder() {
   const std::filesystem::path memory = "/dev/shm";
   const auto parent =
@@ -83,9 +86,8 @@ OwnFolder::~OwnFolder() {
 }
 
 // Numbers out of order: on a brick they only say what was found first.
-Ev3Board::Ev3Board(const std::filesystem::path& elf, RangeSensor range_sensor)
-    : elf_(elf),
-      range_sensor_(range_sensor),
+Ev3Board::Ev3Board(Ev3Options options)
+    : options_(std::move(options)),
       clock_(folder_.path() / "clock"),
       pan_motor_(motor_folder(folder_, 3), "ev3-ports:outA", medium_motor()),
       left_motor_(motor_folder(folder_, 5), "ev3-ports:outB", large_motor()),
@@ -93,8 +95,8 @@ Ev3Board::Ev3Board(const std::filesystem::path& elf, RangeSensor range_sensor)
       left_touch_(sensor_folder(folder_, 4), "ev3-ports:in1", {"lego-ev3-touch", "TOUCH", 0}),
       right_touch_(sensor_folder(folder_, 1), "ev3-ports:in2", {"lego-ev3-touch", "TOUCH", 0}),
       gyro_(sensor_folder(folder_, 7), "ev3-ports:in3", {"lego-ev3-gyro", "GYRO-ANG", 0}),
-      range_(sensor_folder(folder_, 2), "ev3-ports:in4", kind_of(range_sensor)) {
-  range_.show(range_sensor == RangeSensor::kUltrasonic ? kNothingMm : kNothingCm);
+      range_(sensor_folder(folder_, 2), "ev3-ports:in4", kind_of(options_.range_sensor)) {
+  range_.show(options_.range_sensor == RangeSensor::kUltrasonic ? kNothingMm : kNothingCm);
   start_program();
 }
 
@@ -102,25 +104,22 @@ Ev3Board::~Ev3Board() = default;
 
 void Ev3Board::start_program() {
   connections_before_ = clock_.connections();
-  program_ = std::make_unique<FirmwareProcess>(
-      std::vector<std::string>{"qemu-arm",
-                               "-cpu",
-                               "arm926",
-                               elf_.string(),
-                               "--sysfs",
-                               sysfs().string(),
-                               "--clock",
-                               "unix:" + (folder_.path() / "clock").string(),
-                               "--line",
-                               "stdio"});
+  std::vector<std::string> command = options_.command;
+  command.insert(command.end(),
+                 {"--sysfs",
+                  sysfs().string(),
+                  "--clock",
+                  "unix:" + (folder_.path() / "clock").string(),
+                  "--line",
+                  "stdio"});
+  program_ = std::make_unique<FirmwareProcess>(command);
   const auto end = std::chrono::steady_clock::now() + kStartLimit;
   while (clock_.connections() == connections_before_) {
     if (const auto status = program_->exit_status()) {
-      throw std::runtime_error("qemu-arm " + elf_.string() + " has ended with " +
-                               std::to_string(*status));
+      throw std::runtime_error(program_name() + " has ended with " + std::to_string(*status));
     }
     if (std::chrono::steady_clock::now() > end) {
-      throw std::runtime_error(elf_.string() + " does not ask for the time");
+      throw std::runtime_error(program_name() + " does not ask for the time");
     }
     clock_.wait_for_connection(static_cast<std::uint64_t>(now_ns_ / kUsNs));
   }
@@ -180,9 +179,9 @@ void Ev3Board::step_to(std::int64_t to_ns) {
 }
 
 void Ev3Board::let_program_run() {
-  clock_.wait_until_all_sleep(static_cast<std::uint64_t>(now_ns_ / kUsNs), kBusyLimit, [this] {
-    program_->read(from_program_);
-  });
+  clock_.wait_until_all_sleep(static_cast<std::uint64_t>(now_ns_ / kUsNs),
+                              options_.busy_limit,
+                              [this] { program_->read(from_program_); });
   program_->read(from_program_);
   obey_files();
 }
@@ -222,7 +221,7 @@ void Ev3Board::show_positions() {
 }
 
 void Ev3Board::show_range() {
-  const bool is_ultrasonic = range_sensor_ == RangeSensor::kUltrasonic;
+  const bool is_ultrasonic = options_.range_sensor == RangeSensor::kUltrasonic;
   if (echo_ && echo_->at_ns <= now_ns_) {
     const bool is_heard = echo_->range_m <= kMaxRangeM;
     if (is_ultrasonic) {
@@ -308,7 +307,11 @@ void Ev3Board::connect(world::TwoWireDevice& device) {
 }
 
 std::string Ev3Board::firmware_name() const {
-  return elf_.stem().string() + ' ' + protocol::VersionText(protocol::kFirmwareVersion).text();
+  return program_name() + ' ' + protocol::VersionText(protocol::kFirmwareVersion).text();
+}
+
+std::string Ev3Board::program_name() const {
+  return std::filesystem::path(options_.command.back()).stem().string();
 }
 
 std::string Ev3Board::emulator_name() const { return "qemu-arm"; }

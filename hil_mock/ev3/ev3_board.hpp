@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -25,6 +25,18 @@ enum class RangeSensor : std::uint8_t {
   kNxtSonar,    ///< LEGO 9846: whole centimetres, asked every 100 ms.
 };
 
+/// What the brick runs, and what is plugged into it.
+struct Ev3Options {
+  /// The program with the words before it, as `under_qemu` gives them.
+  std::vector<std::string> command;
+  RangeSensor range_sensor = RangeSensor::kUltrasonic;
+  /// Of real time: a program that is still busy then hangs, and simulated time goes on without it.
+  std::chrono::milliseconds busy_limit{5000};
+};
+
+/// The command that runs an ELF of the EV3's processor.
+std::vector<std::string> under_qemu(const std::filesystem::path& elf);
+
 /// A folder that lasts as long as its owner.
 class OwnFolder {
  public:
@@ -45,9 +57,8 @@ class OwnFolder {
 /// positions, echoes become ranges.
 class Ev3Board final : public runner::SimulatedBoard {
  public:
-  /// Starts `elf` at time 0. Throws std::runtime_error where it does not come up.
-  explicit Ev3Board(const std::filesystem::path& elf,
-                    RangeSensor range_sensor = RangeSensor::kUltrasonic);
+  /// Starts the program at time 0. Throws std::runtime_error where it does not come up.
+  explicit Ev3Board(Ev3Options options);
   ~Ev3Board() override;
 
   std::int64_t now_ns() const override { return now_ns_; }
@@ -96,6 +107,7 @@ class Ev3Board final : public runner::SimulatedBoard {
     double range_m;
   };
 
+  std::string program_name() const;
   void start_program();
   void step_to(std::int64_t to_ns);
   std::int64_t next_event_ns() const;
@@ -108,8 +120,7 @@ class Ev3Board final : public runner::SimulatedBoard {
   Wheel& wheel_of(runner::Wheel wheel);
 
   OwnFolder folder_;
-  std::filesystem::path elf_;
-  RangeSensor range_sensor_;
+  Ev3Options options_;
   ClockServer clock_;
   TachoMotor pan_motor_;
   TachoMotor left_motor_;

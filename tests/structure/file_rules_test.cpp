@@ -32,6 +32,7 @@ const std::vector<std::string> without_own_test{
     "hil_mock/unicorn/unicorn_board.cpp",
     // Mains and commands: tests/integration starts the programs as a user does.
     "firmware/app/main.cpp",
+    "hil_mock/ev3/main.cpp",
     "hil_mock/mock_device/main.cpp",
     "hil_mock/unicorn/main.cpp",
     "host/apps/characterise_command.cpp",
