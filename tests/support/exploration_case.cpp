@@ -62,7 +62,7 @@ ExplorationCase create_in(const std::string& arena) {
 ExplorationCase epuck_on_its_field() { return {"epuck_field", "epuck", "epuck", {}, true, "mega"}; }
 
 ExplorationCase ev3_at_its_door() {
-  ExplorationCase what{"playground_door", "tangent-bug", "ev3", "playground", false, "mega"};
+  ExplorationCase what{"playground_door", "tangent-bug", "ev3_mega", "playground", false, "mega"};
   what.slam = "none";
   return what;
 }
