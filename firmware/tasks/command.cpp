@@ -4,7 +4,6 @@
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/contacts.hpp"
-#include "firmware/hal/twi.hpp"
 #include "protocol/config_digest.hpp"
 #include "protocol/version.hpp"
 
@@ -20,7 +19,7 @@ uint32_t capabilities() {
   uint32_t bits = protocol::kCapabilityWheels | protocol::kCapabilityPanSonar |
                   protocol::kCapabilityContacts | protocol::kCapabilityPins |
                   protocol::kCapabilityRanges | protocol::kCapabilityStepper;
-  if (hal::has_twi()) {
+  if (drivers::Gyro::can_be()) {
     bits |= protocol::kCapabilityGyro;
   }
   return bits;
