@@ -56,6 +56,7 @@ constexpr uint32_t kMeanAgeUs = 1000;
 constexpr uint32_t kSameReadingUs = 500;
 
 hal::EncoderReading last_reading = {};
+uint32_t last_read_us = 0;
 
 int16_t count_of(const TachoMotor& motor, int16_t last) {
   int32_t position = 0;
@@ -142,16 +143,19 @@ void set_servo_pulse_us(uint16_t pulse_us) {
 EncoderReading read_encoders() {
   using namespace boards;
   static bool has_read = false;
-  const uint32_t at_us = now_us() - kMeanAgeUs;
-  if (!has_read || at_us - last_reading.at_us >= kSameReadingUs) {
+  const uint32_t at_us = now_us();
+  if (!has_read || at_us - last_read_us >= kSameReadingUs) {
     has_read = true;
-    last_reading.at_us = at_us;
+    last_read_us = at_us;
     last_reading.left = count_of(motors[kLeft], last_reading.left);
     last_reading.right = count_of(motors[kRight], last_reading.right);
   }
   return last_reading;
 }
 
+uint32_t encoders_read_at_us() { return boards::last_read_us - boards::kMeanAgeUs; }
+
+LostSteps lost_encoder_steps() { return LostSteps{0, 0}; }
 bool encoders_tell_lost_steps() { return false; }
 
 }  // namespace hal
