@@ -67,6 +67,20 @@ ExplorationCase ev3_at_its_door() {
   return what;
 }
 
+ExplorationCase brick_at_its_door() {
+  ExplorationCase what = ev3_at_its_door();
+  what.robot = "ev3";
+  what.board = "ev3";
+  return what;
+}
+
+ExplorationCase brick_in_the_nxts_room() {
+  ExplorationCase what = nxt_in_its_room();
+  what.robot = "ev3";
+  what.board = "ev3";
+  return what;
+}
+
 ExplorationCase stretched_create_in(const std::string& arena, const fs::path& folder) {
   std::string body = read_source("hil_mock/robots/create.toml");
   replace(body, "wheel_diameter_m = 0.065", "wheel_diameter_m = 0.0676");
