@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "host/boards/boards.hpp"
 #include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
 
@@ -16,13 +17,25 @@ using console::ExitCode;
 
 namespace fs = std::filesystem;
 
-std::string program_of(const std::string& emulator) {
-  const fs::path program = program_folder() / ("echomap-" + emulator);
+/// What builds an emulator and the firmware that it runs.
+std::string way_to_build(const SimulatedRobotOptions& options) {
+  const boards::Board* board = boards::usual_board_of(options.emulator);
+  if (board == nullptr) {
+    return "./run build echomap-" + options.emulator;
+  }
+  const std::string target(options.board.empty() ? board->target
+                                                 : boards::board_named(options.board).target);
+  return "./run setup --all && ./run build echomap-" + options.emulator + " " + target +
+         ", or --emulator mock";
+}
+
+std::string program_of(const SimulatedRobotOptions& options) {
+  const fs::path program = program_folder() / ("echomap-" + options.emulator);
   if (!fs::exists(program)) {
     throw CommandError(ExitCode::kRuntimeError,
                        program.string() +
-                           " was not built: a dependency is missing on this machine\n"
-                           "  next: ./run setup && ./run build, or --emulator mock");
+                           " was not built: a dependency is missing on this machine\n  next: " +
+                           way_to_build(options));
   }
   return program;
 }
@@ -35,7 +48,7 @@ SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
                                const fs::path& out)
     : is_radio_(options.line == "bluetooth"), truth_(out / "truth"), log_(out / "robot.log") {
   fs::create_directories(truth_);
-  std::vector<std::string> command{program_of(options.emulator),
+  std::vector<std::string> command{program_of(options),
                                    "--world=" + options.world,
                                    "--robot=" + body.string(),
                                    "--seed=" + std::to_string(seed.number()),
