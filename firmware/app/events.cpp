@@ -7,12 +7,9 @@ namespace echomap {
 namespace hal {
 
 void on_tick() {
-  app::devices.encoders.fold();
   app::devices.scheduler.on_tick();
   app::devices.work_waits = true;
 }
-
-void on_encoder_pins(uint8_t levels) { app::devices.encoders.on_pins(levels); }
 
 void on_echo_edge(bool high, uint32_t stamp_half_us) {
   app::devices.sonar.on_echo_edge(high, stamp_half_us);

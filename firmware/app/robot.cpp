@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/app/robot.hpp"
 
-#include "firmware/hal/encoders.hpp"
 #include "firmware/hal/watchdog.hpp"
 
 namespace echomap {
@@ -11,7 +10,6 @@ Devices devices;
 Robot robot(devices);
 
 void Robot::start() {
-  devices_.encoders.start(hal::encoder_levels());
   motion_.stop(protocol::MotionOutcome::kNone);
   sensors_.configure(configuration_.pins);
   hal::start_watchdog();

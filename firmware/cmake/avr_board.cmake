@@ -13,7 +13,8 @@ include(${root}/firmware/cmake/avr_image.cmake)
 function(echomap_avr_board board)
   cmake_parse_arguments(ARG "" "MCU" "BAUDS" ${ARGN})
   file(GLOB board_sources CONFIGURE_DEPENDS
-       ${root}/firmware/boards/avr_common/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+       ${root}/firmware/boards/avr_common/*.cpp
+       ${root}/firmware/boards/edge_counter/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(TRANSFORM ECHOMAP_FIRMWARE_SOURCES PREPEND ${root}/firmware/ OUTPUT_VARIABLE robot_sources)
   list(TRANSFORM ECHOMAP_PROTOCOL_SOURCES PREPEND ${root}/protocol/ OUTPUT_VARIABLE wire_sources)
   set(program ${robot_sources} ${root}/firmware/app/main.cpp ${wire_sources} ${board_sources})
@@ -27,7 +28,6 @@ function(echomap_avr_board board)
     echomap_avr_image(echomap-${board}-vectors MCU ${ARG_MCU} BAUD ${usual_baud}
                       SOURCES ${board_sources} ${wire_sources}
                               ${root}/firmware/drivers/serial_port.cpp
-                              ${root}/firmware/drivers/wheel_encoders.cpp
                               ${root}/tests/firmware/vector_echo_main.cpp)
     # The robot without its board, in a random world: it needs room for that world.
     set(ECHOMAP_FLASH_LIMIT 32768)

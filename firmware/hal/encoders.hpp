@@ -6,20 +6,21 @@
 namespace echomap {
 namespace hal {
 
-/// Levels of the encoder pins now, bits as in `on_encoder_pins`.
-uint8_t encoder_levels();
-
-/// What the encoders have done since the tick last took it: edges of each wheel, forward positive,
-/// and how often both pins of a wheel had changed at once. `on_encoder_pins` counts here; a board
-/// whose interrupt has no time for it counts here by itself.
-struct EncoderEdges {
-  uint8_t before;  ///< Levels at the last edge, << 4.
-  int8_t left;
-  int8_t right;
-  uint8_t left_lost;
-  uint8_t right_lost;
+/// What the encoders of both wheels have counted since the start, by whatever counts them: a pin
+/// interrupt, a timer, a state machine or an operating system.
+struct EncoderReading {
+  uint32_t at_us;      ///< When the counts were so, on the clock of `now_us`.
+  int16_t left;        ///< Counts, four a period of the pins and modulo 2^16; a wheel turns
+  int16_t right;       ///< forward when A leads B.
+  uint16_t left_lost;  ///< How often both pins of a wheel had changed at once, modulo 2^16; 0 where
+  uint16_t right_lost;  ///< not `encoders_tell_lost_steps`.
 };
-extern EncoderEdges encoder_edges;
+
+/// The counts now. Callable with interrupts locked.
+EncoderReading read_encoders();
+
+/// False for a counter that cannot see that it has lost a count.
+bool encoders_tell_lost_steps();
 
 }  // namespace hal
 }  // namespace echomap

@@ -12,10 +12,6 @@ namespace hal {
 /// One period of kTickHz is over.
 void on_tick();
 
-/// An encoder pin changed. Bits of `levels`: 0 left A, 1 left B, 2 right A, 3 right B; a wheel
-/// turns forward when A leads B.
-void on_encoder_pins(uint8_t levels);
-
 /// The echo pin went high or low at `stamp_half_us`, half microseconds on the clock of `now_us`.
 void on_echo_edge(bool high, uint32_t stamp_half_us);
 

@@ -80,7 +80,7 @@ void Telemetry::sample_odometry() {
     drop();
   }
   const drivers::WheelCounts counts = sources_.encoders.counts();
-  odometry_ = protocol::Odometry{hal::now_us(), counts.left, counts.right, flags()};
+  odometry_ = protocol::Odometry{counts.at_us, counts.left, counts.right, flags()};
   odometry_waits_ = true;
   gyro_waits_ = sources_.configuration.sensors.gyro_period_ms != 0;
 }
@@ -194,7 +194,7 @@ protocol::EncoderErrors Telemetry::encoder_errors() const {
 protocol::Ranges Telemetry::ranges() const {
   const drivers::WheelCounts counts = sources_.encoders.counts();
   const drivers::AnalogInputs& analog = sources_.sensors.analog();
-  return protocol::Ranges{hal::now_us(),
+  return protocol::Ranges{counts.at_us,
                           counts.left,
                           counts.right,
                           analog.range(0),

@@ -17,7 +17,6 @@ protocol::FrameEncoder encoder;
 namespace hal {
 
 void on_tick() {}
-void on_encoder_pins(uint8_t /*levels*/) {}
 void on_echo_edge(bool /*high*/, uint32_t /*stamp_half_us*/) {}
 void on_byte_received(uint8_t byte) { port.on_received(byte); }
 void on_receive_overrun() { port.on_overrun(); }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/hal/encoders.hpp"
-
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
@@ -23,8 +21,6 @@ void start_encoders() {
 }  // namespace boards
 
 namespace hal {
-
-uint8_t encoder_levels() { return PINC & boards::kEncoderPins; }
 
 ISR(PCINT1_vect, ISR_NAKED) { boards::count_encoder_edges<_SFR_IO_ADDR(PINC)>(); }
 

@@ -3,6 +3,7 @@
 #include <avr/io.h>
 
 #include "firmware/boards/avr_common/parts.hpp"
+#include "firmware/boards/edge_counter/edge_counter.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/events.hpp"
 
@@ -20,7 +21,10 @@ void start_tick() {
 
 namespace hal {
 
-ISR(TIMER2_COMPA_vect) { on_tick(); }
+ISR(TIMER2_COMPA_vect) {
+  boards::fold_edges();
+  on_tick();
+}
 
 }  // namespace hal
 }  // namespace echomap

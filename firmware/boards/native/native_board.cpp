@@ -5,6 +5,7 @@
 #include <new>
 
 #include "firmware/app/robot.hpp"
+#include "firmware/boards/edge_counter/edge_counter.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/events.hpp"
 
@@ -54,6 +55,7 @@ void NativeBoard::start_program() {
   aux_outputs_.fill(false);
   conversion_end_ns_ = 0;
   two_wire.stop();
+  boards::start_edge_count(encoder_levels_);
   new (&app::devices) app::Devices();
   new (&app::robot) app::Robot(app::devices);
   app::robot.start();
@@ -166,6 +168,7 @@ void NativeBoard::request_send() {
 
 void NativeBoard::tick() {
   at(now_ns_ + kTickNs, [this] { tick(); });
+  boards::fold_edges();
   hal::on_tick();
 }
 
@@ -196,7 +199,7 @@ void NativeBoard::set_encoder(bool right, bool a, bool b) {
   const unsigned levels = (a ? 1U : 0U) | (b ? 2U : 0U);
   const unsigned others = encoder_levels_ & ~(3U << shift);
   encoder_levels_ = static_cast<std::uint8_t>(others | (levels << shift));
-  hal::on_encoder_pins(encoder_levels_);
+  boards::count_edges(encoder_levels_);
 }
 
 }  // namespace native

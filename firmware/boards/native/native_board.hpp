@@ -101,7 +101,6 @@ class NativeBoard {
   void set_pan_pulse_us(std::uint16_t pulse_us) { pan_pulse_us_ = pulse_us; }
   void trigger_sonar();
   bool echo_is_high() const { return echo_high_; }
-  std::uint8_t encoder_levels() const { return encoder_levels_; }
   std::uint8_t closed_contacts() const { return closed_contacts_; }
   void use_aux_pin(std::uint8_t pin, hal::PinUse use);
   std::uint16_t aux_levels() const;

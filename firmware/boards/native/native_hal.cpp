@@ -5,7 +5,6 @@
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/contacts.hpp"
-#include "firmware/hal/encoders.hpp"
 #include "firmware/hal/interrupts.hpp"
 #include "firmware/hal/motors.hpp"
 #include "firmware/hal/servo.hpp"
@@ -42,8 +41,6 @@ void set_servo_pulse_us(uint16_t pulse_us) { board().set_pan_pulse_us(pulse_us);
 
 void trigger_sonar() { board().trigger_sonar(); }
 bool echo_is_high() { return board().echo_is_high(); }
-
-uint8_t encoder_levels() { return board().encoder_levels(); }
 
 uint8_t closed_contacts() { return board().closed_contacts(); }
 

@@ -34,8 +34,6 @@ void start_echo();
 void start_servo();
 /// TIM2 and TIM4: counts of the wheels.
 void start_encoders();
-/// Adds what they have counted to hal::encoder_edges.
-void take_encoder_edges();
 void start_contacts();
 /// Spare pins: all unused.
 void start_aux_pins();

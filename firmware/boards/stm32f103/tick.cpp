@@ -59,6 +59,5 @@ uint32_t now_us() {
 
 extern "C" void on_sys_tick() {
   echomap::boards::ticks = echomap::boards::ticks + 1;
-  echomap::boards::take_encoder_edges();
   echomap::hal::on_tick();
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/app/settings.hpp"
+#include "firmware/boards/edge_counter/edge_counter.hpp"
 #include "firmware/boards/native/native_board.hpp"
 
 namespace echomap::control {
@@ -131,9 +132,9 @@ TEST_F(ScanSweepTest, NoFlightTimeIsTakenForOneOfTheCodes) {
 
 TEST_F(ScanSweepTest, EchoCarriesTheCountsAndTheTimeOfItsPing) {
   for (const int levels : {0b0001, 0b0011, 0b0111}) {
-    encoders.on_pins(static_cast<std::uint8_t>(levels));
+    boards::count_edges(static_cast<std::uint8_t>(levels));
   }
-  encoders.fold();
+  boards::fold_edges();
   sweep.start({5, 0, 0, 0, 0});
   run_ms(2000);
   ASSERT_EQ(echoes.size(), 1U);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/app/settings.hpp"
+#include "firmware/boards/edge_counter/edge_counter.hpp"
 #include "firmware/boards/native/native_board.hpp"
 #include "firmware/control/fixed_point.hpp"
 #include "firmware/control/wheel_motion.hpp"
@@ -146,14 +147,14 @@ class EverydayWheel {
 /// Two such wheels under the control of the firmware.
 class EverydayRobot {
  public:
-  explicit EverydayRobot(std::uint32_t seed) : generator_(seed) {}
+  explicit EverydayRobot(std::uint32_t seed) : generator_(seed) { boards::start_edge_count(0); }
   ~EverydayRobot() { motion.stop(MotionOutcome::kStopped); }
 
   void run_ms(int ms) {
     for (int i = 0; i < ms; ++i, ++now_ms_) {
       turn(left, left_ticks_, native::NativeBoard::instance().left_duty(), 0);
       turn(right, right_ticks_, native::NativeBoard::instance().right_duty(), 2);
-      encoders.fold();
+      boards::fold_edges();
       if (now_ms_ % kControlPeriodMs == 0) {
         motion.step();
       }
@@ -211,7 +212,7 @@ class EverydayRobot {
       ticks += ticks < target ? 1 : -1;
       levels_ =
           (levels_ & ~(3U << shift)) | (static_cast<unsigned>(quadrature_levels(ticks)) << shift);
-      encoders.on_pins(static_cast<std::uint8_t>(levels_));
+      boards::count_edges(static_cast<std::uint8_t>(levels_));
     }
   }
   void push_while_idle() {

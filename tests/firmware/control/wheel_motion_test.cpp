@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/app/settings.hpp"
+#include "firmware/boards/edge_counter/edge_counter.hpp"
 #include "firmware/boards/native/native_board.hpp"
 #include "firmware/control/fixed_point.hpp"
 #include "tests/firmware/simulated_wheel.hpp"
@@ -22,6 +23,7 @@ constexpr int kBrakingMs = 128 + kControlPeriodMs;
 
 class WheelMotionTest : public testing::Test {
  protected:
+  WheelMotionTest() { boards::start_edge_count(0); }
   ~WheelMotionTest() override { motion.stop(MotionOutcome::kStopped); }
 
   void run_ms(int ms) {
@@ -66,10 +68,10 @@ class WheelMotionTest : public testing::Test {
     while (left_ticks != left_wheel.ticks() || right_ticks != right_wheel.ticks()) {
       left_ticks = one_nearer(left_ticks, left_wheel.ticks());
       right_ticks = one_nearer(right_ticks, right_wheel.ticks());
-      encoders.on_pins(static_cast<std::uint8_t>(quadrature_levels(left_ticks) |
-                                                 (quadrature_levels(right_ticks) << 2)));
+      boards::count_edges(static_cast<std::uint8_t>(quadrature_levels(left_ticks) |
+                                                    (quadrature_levels(right_ticks) << 2)));
     }
-    encoders.fold();
+    boards::fold_edges();
   }
 
   int now_ms_ = 0;

@@ -57,15 +57,17 @@ int8_t Wheel::step(Random& random) {
 
 void World::step() {
   now_us_ += 1000;
-  hal::encoder_edges.left = left_.step(random_);
-  hal::encoder_edges.right = right_.step(random_);
+  encoders_.at_us = now_us_;
+  encoders_.left = static_cast<int16_t>(encoders_.left + left_.step(random_));
+  encoders_.right = static_cast<int16_t>(encoders_.right + right_.step(random_));
   const uint32_t drawn = random_.next();
   if ((drawn & ((uint32_t{1} << calm_) - 1)) == 0) {
     const uint8_t both = static_cast<uint8_t>(drawn >> 16) & 7U;
     contacts_ = both & (hal::kContactLeft | hal::kContactRight);
     aux_levels_ = (drawn >> 31) != 0 ? random_.bits16() : uint16_t{0xFFFF};
-    hal::encoder_edges.left_lost = static_cast<uint8_t>(both >> 2);
-    hal::encoder_edges.right_lost = static_cast<uint8_t>(drawn >> 19) & 1U;
+    encoders_.left_lost = static_cast<uint16_t>(encoders_.left_lost + (both >> 2));
+    encoders_.right_lost =
+        static_cast<uint16_t>(encoders_.right_lost + (static_cast<uint8_t>(drawn >> 19) & 1U));
   }
   step_echo();
 }

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "firmware/hal/encoders.hpp"
 #include "firmware/hal/motors.hpp"
 #include "firmware/hal/twi.hpp"
 #include "tests/firmware/differential/random.hpp"
@@ -54,6 +55,7 @@ class World {
 
   // The hardware layer.
   uint32_t now_us() const { return now_us_; }
+  const hal::EncoderReading& encoders() const { return encoders_; }
   uint8_t contacts() const { return contacts_; }
   uint16_t aux_levels() const { return aux_levels_; }
   bool echo_is_high() const { return echo_ == Echo::kHigh; }
@@ -77,6 +79,7 @@ class World {
   uint32_t now_us_ = 0xFFF00000UL;  // Over the end of its 32 bits in a second.
   uint16_t line_bytes_per_s_ = 11520;
   uint16_t aux_levels_ = 0xFFFF;
+  hal::EncoderReading encoders_ = {0xFFF00000UL, 0, 0, 0, 0};
   uint8_t contacts_ = 0;
   uint8_t calm_ = 8;  ///< Contacts and pins change once in 2 to this power.
   Echo echo_ = Echo::kLow;

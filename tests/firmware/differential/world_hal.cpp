@@ -33,7 +33,8 @@ uint8_t reset_cause() { return 1; }
 uint16_t boot_id() { return 4711; }
 uint16_t min_free_stack_bytes() { return 800; }
 
-uint8_t encoder_levels() { return 0; }
+EncoderReading read_encoders() { return world.encoders(); }
+bool encoders_tell_lost_steps() { return true; }
 uint8_t closed_contacts() { return world.contacts(); }
 
 bool can_bridge(BridgeKind kind) { return kind <= BridgeKind::kServo; }

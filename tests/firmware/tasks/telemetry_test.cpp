@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/app/settings.hpp"
+#include "firmware/boards/edge_counter/edge_counter.hpp"
 #include "firmware/boards/native/native_board.hpp"
 #include "protocol/frame_decoder.hpp"
 
@@ -39,6 +40,7 @@ class TelemetryTest : public testing::Test {
 
   /// The line has been idle for a while.
   TelemetryTest() {
+    boards::start_edge_count(0);
     for (int ms = 0; ms < kWindowMs; ++ms) {
       sender.budget().tick();
     }
@@ -135,10 +137,10 @@ TEST_F(TelemetryTest, KeepsItsPeriods) {
 
 TEST_F(TelemetryTest, ReplacesOdometryThatWaitsTooLongAndCountsIt) {
   telemetry.begin();
-  encoders.on_pins(0b0001);
+  boards::count_edges(0b0001);
   tick(12 * 20);
   const Collected stale = collect();
-  encoders.on_pins(0b0011);
+  boards::count_edges(0b0011);
   ASSERT_FALSE(stale.odometry.empty());
   tick(1);
   const Collected fresh = collect();
@@ -304,9 +306,9 @@ TEST_F(TelemetryTest, TellsStatusOnlyWhenOdometryDoesNotWait) {
 
 TEST_F(TelemetryTest, CarriesCountsAndErrors) {
   telemetry.begin();
-  encoders.on_pins(0b0001);
-  encoders.on_pins(0b0101);
-  encoders.on_pins(0b1010);
+  boards::count_edges(0b0001);
+  boards::count_edges(0b0101);
+  boards::count_edges(0b1010);
   tick(20);
   const Collected now = collect();
   ASSERT_EQ(now.odometry.size(), 1U);
@@ -316,15 +318,15 @@ TEST_F(TelemetryTest, CarriesCountsAndErrors) {
 }
 
 TEST_F(TelemetryTest, TellsTheErrorsOfEachWheelWithEveryHealthOnceThereAreAny) {
-  encoders.start(0);
+  boards::start_edge_count(0);
   telemetry.begin();
   for (int ms = 0; ms < 1200; ++ms) {
     tick(1);
     EXPECT_TRUE(collect().encoder_errors.empty()) << "a clean encoder costs the line nothing";
   }
-  encoders.on_pins(0b0011);
-  encoders.on_pins(0b1111);
-  encoders.on_pins(0b1100);
+  boards::count_edges(0b0011);
+  boards::count_edges(0b1111);
+  boards::count_edges(0b1100);
   std::size_t health = 0;
   std::vector<protocol::EncoderErrors> errors;
   for (int ms = 0; ms < 3000; ++ms) {

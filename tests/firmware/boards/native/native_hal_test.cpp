@@ -80,14 +80,16 @@ TEST_F(NativeHalTest, TriggerIsToldWithItsTimeAndTheEchoPinFollows) {
   EXPECT_FALSE(echo_is_high());
 }
 
-TEST_F(NativeHalTest, ContactsAndEncoderLevelsHaveTheirBits) {
+TEST_F(NativeHalTest, ContactsHaveTheirBitsAndEncodersCount) {
   board.set_bump(true, true);
   EXPECT_EQ(closed_contacts(), kContactRight);
   board.set_bump(true, false);
   EXPECT_EQ(closed_contacts(), 0);
   board.schedule_encoder_edge(true, 1000, false, true);
   board.run_until_ns(1000);
-  EXPECT_EQ(encoder_levels(), 0b1000);
+  EXPECT_EQ(read_encoders().right, -1);
+  EXPECT_EQ(read_encoders().left, 0);
+  EXPECT_EQ(read_encoders().at_us, now_us());
 }
 
 TEST_F(NativeHalTest, SparePinsReadWhatIsPutOnThem) {

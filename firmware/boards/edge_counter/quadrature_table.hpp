@@ -6,7 +6,7 @@
 #include "firmware/hal/flash_table.hpp"
 
 namespace echomap {
-namespace hal {
+namespace boards {
 
 /// Both bits of a wheel changed at once: an edge was lost.
 constexpr int8_t kIllegalStep = -2;
@@ -63,5 +63,5 @@ struct QuadratureTable {
 /// The one table, in the program's memory.
 constexpr QuadratureTable kQuadratureTable ECHOMAP_FLASH{};
 
-}  // namespace hal
+}  // namespace boards
 }  // namespace echomap
