@@ -69,6 +69,8 @@ class Stm32Chip {
   const FlashWriter& flash() const { return flash_; }
   const Afio& afio() const { return afio_; }
   SysTick& sys_tick() { return sys_tick_; }
+  Timer& tim2() { return tim2_; }
+  Timer& tim4() { return tim4_; }
   const Timer& tim1() const { return tim1_; }
   const Timer& tim3() const { return tim3_; }
   /// Called when the level of a pin has changed, by the outside or by the program.
