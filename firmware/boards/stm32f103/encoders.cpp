@@ -4,7 +4,6 @@
 #include "firmware/boards/stm32f103/parts.hpp"
 #include "firmware/boards/stm32f103/pins.hpp"
 #include "firmware/hal/clock.hpp"
-#include "firmware/hal/interrupts.hpp"
 
 /// Timers 2 and 4 count every edge of a wheel by themselves (RM0008, section 15.3.12): up where A
 /// leads B.
@@ -37,15 +36,14 @@ void start_encoders() {
 
 namespace hal {
 
-/// The three readings are within a microsecond.
 EncoderReading read_encoders() {
-  const InterruptLock lock;
-  return EncoderReading{now_us(),
-                        static_cast<int16_t>(boards::tim2().cnt),
-                        static_cast<int16_t>(boards::tim4().cnt),
-                        0,
-                        0};
+  return EncoderReading{static_cast<int16_t>(boards::tim2().cnt),
+                        static_cast<int16_t>(boards::tim4().cnt)};
 }
+
+uint32_t encoders_read_at_us() { return now_us(); }
+
+LostSteps lost_encoder_steps() { return LostSteps{0, 0}; }
 
 bool encoders_tell_lost_steps() { return false; }
 
