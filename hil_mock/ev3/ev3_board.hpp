@@ -91,6 +91,8 @@ class Ev3Board final : public runner::SimulatedBoard {
   std::filesystem::path sysfs() const { return folder_.path() / "sys"; }
   /// The program's process, the guard's; empty while the brick is off.
   std::optional<pid_t> pid() const;
+  /// How many processes have asked for the time since the brick was switched on.
+  std::size_t processes_seen() const { return clock_.connections() - connections_before_; }
 
  private:
   struct Edge {
