@@ -85,9 +85,7 @@ uint8_t reset_cause() {
   return boards::starts_before() == 0 ? protocol::kResetPowerOn : protocol::kResetWatchdog;
 }
 
-uint16_t boot_id() {
-  return static_cast<uint16_t>(boards::guard_id() + boards::starts_before());
-}
+uint16_t boot_id() { return static_cast<uint16_t>(boards::guard_id() + boards::starts_before()); }
 
 /// Linux gives a stack of megabytes.
 uint16_t min_free_stack_bytes() { return UINT16_MAX; }

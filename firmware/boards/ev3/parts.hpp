@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <poll.h>
 #include <stddef.h>
 #include <stdint.h>
-
-#include <poll.h>
 
 namespace echomap {
 namespace boards {

@@ -49,7 +49,8 @@ void set_mode(const DeviceFolder& folder, const char* wanted) {
   Attribute mode;
   char name[kNameBytes];
   if (mode.open(folder, "mode") && mode.read_word(name, sizeof name) && strcmp(name, wanted) != 0) {
-    mode.write(wanted);
+    snprintf(name, sizeof name, "%s\n", wanted);
+    mode.write(name);
   }
 }
 
@@ -95,6 +96,7 @@ bool is_closed(const Attribute& touch) {
 }  // namespace
 
 void open_sensors(const char* sysfs) {
+  left_touch = right_touch = yaw = range = Attribute();
   open_touch(sysfs, "in1", left_touch);
   open_touch(sysfs, "in2", right_touch);
   open_gyro(sysfs);
