@@ -158,6 +158,15 @@ const Board* usual_board_of(std::string_view emulator) {
   return found == boards.end() ? nullptr : &*found;
 }
 
+std::string way_to_build(std::string_view emulator, std::string_view board) {
+  const Board* row = board.empty() ? usual_board_of(emulator) : &board_named(board);
+  if (row == nullptr) {
+    return "./run build echomap-" + std::string(emulator);
+  }
+  return "./run setup --all && ./run build echomap-" + std::string(emulator) + " " +
+         std::string(row->target);
+}
+
 std::string_view words_of(MotorBridgeKind kind) {
   switch (kind) {
     case MotorBridgeKind::kPhaseEnable:
