@@ -96,7 +96,7 @@ std::string advice_on_refused_bridge(const protocol::ConfigureWiring& wiring) {
            ", or a motor driver, and name it in the profile: driver = \"tb6612fng\" in [drive]";
   }
   return "the driver's second inputs need pins that [wiring] gives away, or the board lacks them\n"
-         "  next: free pin_0 and pin_1 (D11, D12) of an Uno or Nano, pin_11 and pin_12 (A8, A11) "
+         "  next: free pin_0 and pin_1 (D11, D12) of an Uno or Nano, pin_11 and pin_12 (B12, B13) "
          "of an STM32F103, pin_9 and pin_10 (GP11, GP13) of a Pico; an EV3 has no driver but its "
          "own: leave 'driver' out";
 }

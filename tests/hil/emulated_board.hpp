@@ -44,6 +44,8 @@ std::unique_ptr<EmulatedBoard> make_emulated_board(const std::filesystem::path& 
 std::vector<const char*> flashed_images();
 /// The same with every baud rate that there is an image for.
 std::vector<const char*> images_of_every_baud();
+/// Those of them whose board can tell that both pins of an encoder have changed at once.
+std::vector<const char*> images_that_tell_lost_steps();
 /// Those that send every whole frame back.
 std::vector<const char*> vector_images();
 
