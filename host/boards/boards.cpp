@@ -69,7 +69,8 @@ Board stm32f103() {
           .bridges = kEveryBridge};
 }
 
-/// Its own driver is what the firmware takes for phase/enable, the kind of profiles that name none.
+/// Its own driver is what the firmware takes for phase/enable, the kind of profiles that name none,
+/// and for the next kind, which can brake.
 Board lego_ev3() {
   return {.name = "ev3",
           .what = "LEGO EV3 with ev3dev",
@@ -79,7 +80,7 @@ Board lego_ev3() {
           .target = "firmware_ev3",
           .method = FlashMethod::kSsh,
           .has_image_per_baud = false,
-          .bridges = {MotorBridgeKind::kPhaseEnable},
+          .bridges = {MotorBridgeKind::kPhaseEnable, MotorBridgeKind::kIn1In2Pwm},
           .has_own_driver = true};
 }
 

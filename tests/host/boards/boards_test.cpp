@@ -66,7 +66,7 @@ TEST(Boards, SayWhichMotorDriversTheyCarry) {
   EXPECT_FALSE(carries(board_named("uno"), MotorBridgeKind::kServo)) << "no timer is left";
   EXPECT_TRUE(carries(board_named("mega"), MotorBridgeKind::kServo));
   EXPECT_TRUE(carries(board_named("pico"), MotorBridgeKind::kTwoPwm));
-  EXPECT_FALSE(carries(board_named("ev3"), MotorBridgeKind::kIn1In2Pwm));
+  EXPECT_FALSE(carries(board_named("ev3"), MotorBridgeKind::kTwoPwm));
   EXPECT_EQ(boards_that_carry(MotorBridgeKind::kServo),
             "Arduino Mega 2560, STM32F103 board or Raspberry Pi Pico");
   EXPECT_EQ(bridges_of(board_named("uno")),
