@@ -84,6 +84,7 @@ const LayerRules rules{
     {"hil_mock/mock_device", {"hil_mock/runner", "firmware", "protocol"}},
     {"hil_mock/emulator", {"hil_mock/runner", "protocol"}},
     {"hil_mock/unicorn", {"hil_mock/runner", "protocol"}},
+    {"hil_mock/rp2040", {"hil_mock/runner", "protocol"}},
 };
 
 TEST(Layering, EveryIncludeOfTheTreeIsPermitted) {
