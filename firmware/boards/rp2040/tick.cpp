@@ -44,7 +44,8 @@ uint32_t now_us() { return boards::timer().timerawl; }
 extern "C" void on_timer0() {
   using namespace echomap;
   boards::timer().intr = boards::bit(0);
-  if (static_cast<int32_t>(boards::timer().timerawl - boards::next_us) < 0) {
+  const uint32_t until_next_us = boards::next_us - boards::timer().timerawl;
+  if (static_cast<int32_t>(until_next_us) > static_cast<int32_t>(boards::kPeriodUs / 2)) {
     return;  // Pended by hand, and the alarm came as well.
   }
   boards::set_next_alarm();

@@ -18,6 +18,8 @@ constexpr uint32_t kControlReceived = bit(1);
 constexpr uint32_t kDataSent = bit(2 * usb::kDataEndpoint);
 constexpr uint32_t kDataReceived = bit(2 * usb::kDataEndpoint + 1);
 constexpr uint32_t kStallBothWays = 3;
+constexpr uint32_t kAlwaysOn =
+    kUsbInterruptBuffers | kUsbInterruptBusReset | kUsbInterruptSetup | kUsbInterruptResume;
 
 usb::ControlTransfers transfers;
 uint32_t control_data_bit = kBufferData1;
@@ -126,20 +128,27 @@ void take_buffers() {
   }
 }
 
+/// A bus without frames: the host sleeps, or the cable is out. The state lasts, so that it
+/// interrupts once only.
+void take_suspend() {
+  usb_controller().inte = kAlwaysOn;
+  suspended = true;
+  update_line();
+}
+
+void take_resume() {
+  usb_controller().sie_status = kUsbStatusResume | kUsbStatusSuspended;
+  usb_controller().inte = kAlwaysOn | kUsbInterruptSuspend;
+  suspended = false;
+  update_line();
+}
+
 void take_bus_reset() {
   usb_controller().sie_status = kUsbStatusBusReset;
   usb_controller().addr_endp[0] = 0;
   transfers.on_bus_reset();
   stop_usb_endpoints();
-  suspended = false;
-  update_line();
-}
-
-/// A bus without frames: the host sleeps, or the cable is out.
-void take_suspend(bool begins) {
-  usb_controller().sie_status = begins ? kUsbStatusSuspended : kUsbStatusResume;
-  suspended = begins;
-  update_line();
+  take_resume();
 }
 
 }  // namespace
@@ -152,8 +161,7 @@ void start_usb() {
   usb_controller().pwr = kUsbPowerDetected | kUsbPowerOverride;
   usb_controller().main_ctrl = kUsbMainEnable;
   usb_controller().sie_ctrl = kUsbSieControlInterrupt;
-  usb_controller().inte = kUsbInterruptBuffers | kUsbInterruptBusReset | kUsbInterruptSetup |
-                          kUsbInterruptSuspend | kUsbInterruptResume;
+  usb_controller().inte = kAlwaysOn;
   enable_line(InterruptLine::kUsb);
   usb_controller().sie_ctrl = kUsbSieControlInterrupt | kUsbSiePullUp;
 }
@@ -176,9 +184,9 @@ extern "C" void on_usb() {
     take_setup();
   }
   if ((causes & kUsbInterruptResume) != 0) {
-    take_suspend(false);
+    take_resume();
   }
   if ((causes & kUsbInterruptSuspend) != 0) {
-    take_suspend(true);
+    take_suspend();
   }
 }
