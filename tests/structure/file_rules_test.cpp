@@ -24,6 +24,7 @@ const std::vector<std::string> without_own_test{
     "firmware/boards/arduino_mega",
     "firmware/boards/arduino_uno",
     "firmware/boards/avr_common",
+    "firmware/boards/rp2040",
     "firmware/boards/stm32f103",
     // Parts of one chip: tests/hil/emulated_chip_test.cpp and its neighbours run programs on it.
     "hil_mock/emulator",
