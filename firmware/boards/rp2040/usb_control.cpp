@@ -37,6 +37,7 @@ uint8_t* ControlTransfers::halt_of(uint16_t endpoint) {
 Step ControlTransfers::on_setup(const uint8_t (&setup)[8]) {
   const Request request{setup[0], setup[1], word(setup + 2), word(setup + 4), word(setup + 6)};
   stage_ = Stage::kIdle;
+  next_address_ = address_;
   const uint8_t type = request.type & kTypeMask;
   if (type == kStandard) {
     return standard(request);
