@@ -138,9 +138,8 @@ bool WheelMotion::step() {
   last_steps_ = next_steps();
   left_.prepare(settings_, last_steps_.left);
   right_.prepare(settings_, last_steps_.right);
-  const drivers::WheelCounts counts = encoders_.counts();
-  left_.follow(counts.left);
-  right_.follow(counts.right);
+  left_.follow(encoders_.counts().left);  // A reading each: its duty comes right after it.
+  right_.follow(encoders_.counts().right);
   const MotionOutcome left_fault = left_.classify(settings_, limits_);
   const MotionOutcome right_fault = right_.classify(settings_, limits_);
   const MotionOutcome fault = left_fault > right_fault ? left_fault : right_fault;

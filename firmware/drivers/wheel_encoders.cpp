@@ -24,12 +24,7 @@ void WheelEncoders::invert(bool left, bool right) {
 
 WheelCounts WheelEncoders::counts() const {
   const hal::EncoderReading reading = hal::read_encoders();
-  return WheelCounts{reading.at_us, left_.count(reading.left), right_.count(reading.right)};
-}
-
-WheelErrors WheelEncoders::errors() {
-  const hal::EncoderReading reading = hal::read_encoders();
-  return WheelErrors{reading.left_lost, reading.right_lost};
+  return WheelCounts{left_.count(reading.left), right_.count(reading.right)};
 }
 
 }  // namespace drivers

@@ -6,18 +6,10 @@
 namespace echomap {
 namespace drivers {
 
-/// Encoder counts of both wheels, modulo 2^16, forward positive, and when they were so on the clock
-/// of hal::now_us.
+/// Encoder counts of both wheels, modulo 2^16, forward positive.
 struct WheelCounts {
-  uint32_t at_us;
   int16_t left;
   int16_t right;
-};
-
-/// Steps at which both pins of a wheel had changed, modulo 2^16.
-struct WheelErrors {
-  uint16_t left;
-  uint16_t right;
 };
 
 /// The board's counts of two wheels, of which each may be wired the other way round.
@@ -27,7 +19,6 @@ class WheelEncoders {
   void invert(bool left, bool right);
 
   WheelCounts counts() const;
-  static WheelErrors errors();
 
  private:
   /// Counts are an offset and the board's own, or without them.
@@ -35,7 +26,7 @@ class WheelEncoders {
     int16_t offset;
     bool is_inverted;
 
-    __attribute__((noinline)) int16_t count(int16_t read) const;
+    int16_t count(int16_t read) const;
     __attribute__((noinline)) void invert(bool inverted, int16_t read);
   };
 

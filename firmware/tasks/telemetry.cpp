@@ -2,6 +2,7 @@
 #include "firmware/tasks/telemetry.hpp"
 
 #include "firmware/hal/clock.hpp"
+#include "firmware/hal/encoders.hpp"
 #include "firmware/hal/stack.hpp"
 
 namespace echomap {
@@ -80,7 +81,7 @@ void Telemetry::sample_odometry() {
     drop();
   }
   const drivers::WheelCounts counts = sources_.encoders.counts();
-  odometry_ = protocol::Odometry{counts.at_us, counts.left, counts.right, flags()};
+  odometry_ = protocol::Odometry{hal::encoders_read_at_us(), counts.left, counts.right, flags()};
   odometry_waits_ = true;
   gyro_waits_ = sources_.configuration.sensors.gyro_period_ms != 0;
 }
@@ -145,7 +146,7 @@ bool Telemetry::send_status() {
 void Telemetry::send_health() {
   if (sender_.tell(health())) {
     statuses_since_health_ = 0;
-    const drivers::WheelErrors errors = sources_.encoders.errors();
+    const hal::LostSteps errors = hal::lost_encoder_steps();
     encoder_errors_wait_ = (errors.left | errors.right) != 0;
   }
 }
@@ -178,7 +179,7 @@ protocol::Health Telemetry::health() const {
   health.frames_lost = sources_.received.frames_lost();
   health.receive_overruns = sources_.port.overruns();
   health.telemetry_dropped = dropped_;
-  const drivers::WheelErrors errors = sources_.encoders.errors();
+  const hal::LostSteps errors = hal::lost_encoder_steps();
   health.encoder_errors = static_cast<uint16_t>(errors.left + errors.right);
   health.stack_free_bytes = stack_free_bytes_;
   health.rate_step = sender_.budget().rate_step();
@@ -187,14 +188,14 @@ protocol::Health Telemetry::health() const {
 }
 
 protocol::EncoderErrors Telemetry::encoder_errors() const {
-  const drivers::WheelErrors errors = sources_.encoders.errors();
+  const hal::LostSteps errors = hal::lost_encoder_steps();
   return protocol::EncoderErrors{hal::now_us(), errors.left, errors.right};
 }
 
 protocol::Ranges Telemetry::ranges() const {
   const drivers::WheelCounts counts = sources_.encoders.counts();
   const drivers::AnalogInputs& analog = sources_.sensors.analog();
-  return protocol::Ranges{counts.at_us,
+  return protocol::Ranges{hal::encoders_read_at_us(),
                           counts.left,
                           counts.right,
                           analog.range(0),

@@ -36,7 +36,7 @@ std::set<std::string> folders_in(const std::string& cell, const std::string& fol
 
 LayerRules read_layer_rules(const std::vector<std::string>& markdown) {
   static const std::regex row_pattern(R"(\| `([a-z_/]+)` \|.*\| ([^|(]*)(?:\(([^)]*)\))? *\|)");
-  static const std::regex also_pattern(R"(([a-z_]+): also ([a-z_, ]+))");
+  static const std::regex also_pattern(R"(([a-z_]+): also ([a-z_/, ]+))");
   LayerRules rules;
   for (const std::string& line : markdown) {
     std::smatch row;

@@ -12,6 +12,7 @@ namespace boards {
 
 void start_tick() {
   OCR2A = F_CPU / 64 / hal::kTickHz - 1;
+  TCNT2 = OCR2A / 2;  // Ticks between the overflows of the frame timer, which would delay them.
   TCCR2A = _BV(WGM21);
   TCCR2B = _BV(CS22);  // CTC, 16 MHz / 64.
   TIMSK2 = _BV(OCIE2A);

@@ -78,13 +78,18 @@ namespace hal {
 
 EncoderReading read_encoders() {
   using namespace boards;
-  const uint32_t at_us = now_us();
   const InterruptLock lock;
-  return EncoderReading{at_us,
-                        sum(folded.left, encoder_edges.left),
-                        sum(folded.right, encoder_edges.right),
-                        sum(folded.left_lost, encoder_edges.left_lost),
-                        sum(folded.right_lost, encoder_edges.right_lost)};
+  return EncoderReading{sum(folded.left, encoder_edges.left),
+                        sum(folded.right, encoder_edges.right)};
+}
+
+uint32_t encoders_read_at_us() { return now_us(); }
+
+LostSteps lost_encoder_steps() {
+  using namespace boards;
+  const InterruptLock lock;
+  return LostSteps{sum(folded.left_lost, encoder_edges.left_lost),
+                   sum(folded.right_lost, encoder_edges.right_lost)};
 }
 
 bool encoders_tell_lost_steps() { return true; }

@@ -57,7 +57,6 @@ int8_t Wheel::step(Random& random) {
 
 void World::step() {
   now_us_ += 1000;
-  encoders_.at_us = now_us_;
   encoders_.left = static_cast<int16_t>(encoders_.left + left_.step(random_));
   encoders_.right = static_cast<int16_t>(encoders_.right + right_.step(random_));
   const uint32_t drawn = random_.next();
@@ -65,9 +64,9 @@ void World::step() {
     const uint8_t both = static_cast<uint8_t>(drawn >> 16) & 7U;
     contacts_ = both & (hal::kContactLeft | hal::kContactRight);
     aux_levels_ = (drawn >> 31) != 0 ? random_.bits16() : uint16_t{0xFFFF};
-    encoders_.left_lost = static_cast<uint16_t>(encoders_.left_lost + (both >> 2));
-    encoders_.right_lost =
-        static_cast<uint16_t>(encoders_.right_lost + (static_cast<uint8_t>(drawn >> 19) & 1U));
+    lost_steps_.left = static_cast<uint16_t>(lost_steps_.left + (both >> 2));
+    lost_steps_.right =
+        static_cast<uint16_t>(lost_steps_.right + (static_cast<uint8_t>(drawn >> 19) & 1U));
   }
   step_echo();
 }

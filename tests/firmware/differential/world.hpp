@@ -56,6 +56,7 @@ class World {
   // The hardware layer.
   uint32_t now_us() const { return now_us_; }
   const hal::EncoderReading& encoders() const { return encoders_; }
+  const hal::LostSteps& lost_steps() const { return lost_steps_; }
   uint8_t contacts() const { return contacts_; }
   uint16_t aux_levels() const { return aux_levels_; }
   bool echo_is_high() const { return echo_ == Echo::kHigh; }
@@ -79,7 +80,8 @@ class World {
   uint32_t now_us_ = 0xFFF00000UL;  // Over the end of its 32 bits in a second.
   uint16_t line_bytes_per_s_ = 11520;
   uint16_t aux_levels_ = 0xFFFF;
-  hal::EncoderReading encoders_ = {0xFFF00000UL, 0, 0, 0, 0};
+  hal::EncoderReading encoders_ = {0, 0};
+  hal::LostSteps lost_steps_ = {0, 0};
   uint8_t contacts_ = 0;
   uint8_t calm_ = 8;  ///< Contacts and pins change once in 2 to this power.
   Echo echo_ = Echo::kLow;

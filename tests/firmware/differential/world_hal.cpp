@@ -34,6 +34,8 @@ uint16_t boot_id() { return 4711; }
 uint16_t min_free_stack_bytes() { return 800; }
 
 EncoderReading read_encoders() { return world.encoders(); }
+uint32_t encoders_read_at_us() { return world.now_us(); }
+LostSteps lost_encoder_steps() { return world.lost_steps(); }
 bool encoders_tell_lost_steps() { return true; }
 uint8_t closed_contacts() { return world.contacts(); }
 

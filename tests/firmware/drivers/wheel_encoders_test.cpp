@@ -42,12 +42,5 @@ TEST(WheelEncoders, CountsGoOnBeyondSixteenBits) {
   EXPECT_EQ(encoders.counts().right, static_cast<std::int16_t>(-40000));
 }
 
-TEST(WheelEncoders, TellsWhatTheBoardHasLost) {
-  boards::start_edge_count(0);
-  boards::count_edges(0b0011);
-  EXPECT_EQ(WheelEncoders::errors().left, 1);
-  EXPECT_EQ(WheelEncoders::errors().right, 0);
-}
-
 }  // namespace
 }  // namespace echomap::drivers

@@ -32,7 +32,7 @@ void ControlDelay::stop() { machine_.on_instruction = nullptr; }
 
 void ControlDelay::note_instruction(std::uint32_t address) {
   const bool in_interrupt = machine_.core().interrupts.running_ptr != 0;
-  if (in_interrupt || lines_.file_at(address) != "firmware/drivers/wheel_encoders.cpp") {
+  if (in_interrupt || lines_.file_at(address) != "firmware/boards/edge_counter/edge_counter.cpp") {
     return;
   }
   if (!sampled_ || machine_.cycle() - newest_sampling_cycle_ > kOneSamplingCycles) {

@@ -51,8 +51,8 @@ TEST(EdgeCounter, CountsARandomWalkOfBothWheels) {
   const hal::EncoderReading reading = hal::read_encoders();
   EXPECT_EQ(reading.left, static_cast<std::int16_t>(left));
   EXPECT_EQ(reading.right, static_cast<std::int16_t>(right));
-  EXPECT_EQ(reading.left_lost, 0);
-  EXPECT_EQ(reading.right_lost, 0);
+  EXPECT_EQ(hal::lost_encoder_steps().left, 0);
+  EXPECT_EQ(hal::lost_encoder_steps().right, 0);
 }
 
 TEST(EdgeCounter, CountsJumpsOfBothPinsAsLostAndNotAsWay) {
@@ -61,12 +61,12 @@ TEST(EdgeCounter, CountsJumpsOfBothPinsAsLostAndNotAsWay) {
   count_edges(0b1111);
   count_edges(0b1100);
   count_edges(0b0000);
-  EXPECT_EQ(hal::read_encoders().left_lost, 2);
-  EXPECT_EQ(hal::read_encoders().right_lost, 2);
+  EXPECT_EQ(hal::lost_encoder_steps().left, 2);
+  EXPECT_EQ(hal::lost_encoder_steps().right, 2);
   fold_edges();
   count_edges(0b0011);
-  EXPECT_EQ(hal::read_encoders().left_lost, 3);
-  EXPECT_EQ(hal::read_encoders().right_lost, 2);
+  EXPECT_EQ(hal::lost_encoder_steps().left, 3);
+  EXPECT_EQ(hal::lost_encoder_steps().right, 2);
   EXPECT_EQ(hal::read_encoders().left, 0);
   EXPECT_EQ(hal::read_encoders().right, 0);
 }
@@ -79,8 +79,8 @@ TEST(EdgeCounter, StartTakesTheLevelsThatItFindsAndForgetsWhatWasCounted) {
   EXPECT_EQ(hal::read_encoders().left, 0);
   count_edges(0b1111);
   count_edges(0b1110);
-  EXPECT_EQ(hal::read_encoders().left_lost, 0);
-  EXPECT_EQ(hal::read_encoders().right_lost, 0);
+  EXPECT_EQ(hal::lost_encoder_steps().left, 0);
+  EXPECT_EQ(hal::lost_encoder_steps().right, 0);
   EXPECT_EQ(hal::read_encoders().left, 1);
 }
 

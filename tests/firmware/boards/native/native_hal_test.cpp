@@ -89,7 +89,7 @@ TEST_F(NativeHalTest, ContactsHaveTheirBitsAndEncodersCount) {
   board.run_until_ns(1000);
   EXPECT_EQ(read_encoders().right, -1);
   EXPECT_EQ(read_encoders().left, 0);
-  EXPECT_EQ(read_encoders().at_us, now_us());
+  EXPECT_EQ(encoders_read_at_us(), now_us());
 }
 
 TEST_F(NativeHalTest, SparePinsReadWhatIsPutOnThem) {
