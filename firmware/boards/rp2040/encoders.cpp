@@ -6,6 +6,7 @@
 #include "firmware/boards/rp2040/pins.hpp"
 #include "firmware/boards/rp2040/quadrature_program.hpp"
 #include "firmware/boards/rp2040/vectors.hpp"
+#include "firmware/hal/interrupts.hpp"
 
 /// Two state machines of PIO0 run the quadrature program, left and right.
 namespace echomap {
@@ -17,6 +18,7 @@ constexpr uint8_t kLeft = 0;
 constexpr uint8_t kRight = 1;
 constexpr uint32_t kFlags = bit(kLeft) | bit(kRight);
 
+uint32_t read_at_us = 0;
 volatile uint16_t left_lost = 0;
 volatile uint16_t right_lost = 0;
 
@@ -70,7 +72,15 @@ EncoderReading read_encoders() {
   using namespace boards;
   const int16_t left = count_of(kLeft);
   const int16_t right = count_of(kRight);
-  return {timer().timerawl, left, right, left_lost, right_lost};
+  read_at_us = timer().timerawl;
+  return {left, right};
+}
+
+uint32_t encoders_read_at_us() { return boards::read_at_us; }
+
+LostSteps lost_encoder_steps() {
+  const InterruptLock lock;
+  return {boards::left_lost, boards::right_lost};
 }
 
 bool encoders_tell_lost_steps() { return true; }

@@ -239,6 +239,7 @@ TEST_F(UsbControl, ASetupEndsTheTransferBeforeIt) {
   EXPECT_THAT(host.descriptor(3, 0, 255).value(), ElementsAre(4, 3, 9, 4));
   EXPECT_EQ(host.setup(0x00, 5, 42, 0, 0).next, Next::kSend);
   EXPECT_TRUE(host.descriptor(1, 0, 64).has_value());
+  configure();
   EXPECT_EQ(device.address(), 0) << "a host that gave up has given no address";
 }
 
