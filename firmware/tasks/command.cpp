@@ -4,6 +4,7 @@
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/contacts.hpp"
+#include "firmware/hal/encoders.hpp"
 #include "protocol/config_digest.hpp"
 #include "protocol/version.hpp"
 
@@ -21,6 +22,9 @@ uint32_t capabilities() {
                   protocol::kCapabilityRanges | protocol::kCapabilityStepper;
   if (drivers::Gyro::can_be()) {
     bits |= protocol::kCapabilityGyro;
+  }
+  if (!hal::encoders_tell_lost_steps()) {
+    bits |= protocol::kCapabilityBlindEncoders;
   }
   return bits;
 }

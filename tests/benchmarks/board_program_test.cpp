@@ -25,7 +25,7 @@ class BoardProgram : public ::testing::Test {
 
   const session::TemporaryFolder folder;
   const BuildFolders folders{folder.path(), folder.path()};
-  const MeasuredBoard& uno = measured_board("uno");
+  const MeasuredBoard uno = measured_board("uno");
 };
 
 TEST_F(BoardProgram, GivesItsFigures) {

@@ -13,6 +13,8 @@ namespace echomap::bench {
 namespace {
 
 constexpr const char* kNoFigure = "-";
+/// Counts and lost steps are modulo 2^16: what is near that says only that many were missed.
+constexpr double kMaxToldMiscounts = 10'000.0;
 
 const Figure* find_in(const BoardColumn& column, const std::string& name) {
   const auto found = std::find_if(column.figures.begin(),
@@ -29,8 +31,8 @@ std::string cell_of(const BoardColumn& column, const std::string& name, int deci
   return std::isfinite(figure->value) ? fmt::format("{:.{}f}", figure->value, decimals) : "never";
 }
 
-/// "0", "17, 12 of them reported", "no report" where the robot did not say a count in time, and
-/// "resets" where its chip was reset.
+/// "0", "17, 12 steps reported lost", "over 10000", "no report" where the robot did not say a count
+/// in time, and "resets" where its chip was reset.
 std::string miscounts_of(const BoardColumn& column, const std::string& suffix) {
   const Figure* lost = find_in(column, "lost_steps_" + suffix);
   if (lost == nullptr) {
@@ -42,6 +44,9 @@ std::string miscounts_of(const BoardColumn& column, const std::string& suffix) {
   const Figure* miscounts = find_in(column, "miscounts_" + suffix);
   if (miscounts == nullptr) {
     return "no report";
+  }
+  if (miscounts->value > kMaxToldMiscounts) {
+    return fmt::format("over {:.0f}", kMaxToldMiscounts);
   }
   return lost->value > 0.0
              ? fmt::format("{:.0f}, {:.0f} steps reported lost", miscounts->value, lost->value)

@@ -46,6 +46,7 @@ TEST(BoardTable, SaysWhatBecameOfTheCounts) {
   const MarkdownTable table = board_table({uno_with({{40, 0, 10, 0, 0, 0},
                                                      {80, 0, 10, 17, 12, 0},
                                                      {80, 20, 0, 0, 0, 0},
+                                                     {200, 0, 10, 32386, 21932, 0},
                                                      {200, 40, 10, 900, 0, 1}}),
                                            ev3()});
   EXPECT_THAT(row_named(table, "miscounts at 40k edges/s, 0 % jitter"),
@@ -53,6 +54,7 @@ TEST(BoardTable, SaysWhatBecameOfTheCounts) {
   EXPECT_EQ(row_named(table, "miscounts at 80k edges/s, 0 % jitter").front(),
             "17, 12 steps reported lost");
   EXPECT_EQ(row_named(table, "miscounts at 80k edges/s, 20 % jitter").front(), "no report");
+  EXPECT_EQ(row_named(table, "miscounts at 200k edges/s, 0 % jitter").front(), "over 10000");
   EXPECT_EQ(row_named(table, "miscounts at 200k edges/s, 40 % jitter").front(), "resets");
 }
 

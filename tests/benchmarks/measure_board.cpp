@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   spdlog::set_level(spdlog::level::err);  // a session tells of every reset it has seen
   try {
-    const MeasuredBoard& board = measured_board(name);
+    const MeasuredBoard board = measured_board(name);
     const BoardUnderMeasure measured{name, image_of(board, build_folders()), board.counts_edges};
     report(part == "link" ? measure_board_link(measured) : measure_board_table(measured),
            json,

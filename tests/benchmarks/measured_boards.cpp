@@ -1,32 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "tests/benchmarks/measured_boards.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
+#include "host/boards/boards.hpp"
 #include "host/session/child_process.hpp"
 
 namespace echomap::bench {
 
-const std::vector<MeasuredBoard>& measured_boards() {
-  static const std::vector<MeasuredBoard> boards{
-      {"uno", "uno_2wd", "echomap-uno", "echomap-simavr", "measure_on_simavr"},
-      {"mega", "uno_2wd", "echomap-mega", "echomap-simavr", "measure_on_simavr"},
-      {"stm32f103", "uno_2wd", "echomap-stm32f103", "echomap-unicorn", "measure_on_unicorn"},
-      {"pico", "pico_2wd", "echomap-pico", "echomap-rp2040", "measure_on_rp2040"},
-      {"ev3", "ev3", "echomap-ev3", "echomap-ev3", "measure_on_ev3", false}};
-  return boards;
+std::vector<MeasuredBoard> measured_boards() {
+  std::vector<MeasuredBoard> measured;
+  for (const boards::Board& board : boards::all_boards()) {
+    if (!board.emulator.empty()) {
+      const std::string name(board.name);
+      const std::string emulator(board.emulator);
+      measured.push_back({name,
+                          std::string(board.robot),
+                          "echomap-" + name,
+                          "echomap-" + emulator,
+                          "measure_on_" + emulator,
+                          name != "ev3"});
+    }
+  }
+  return measured;
 }
 
-const MeasuredBoard& measured_board(const std::string& name) {
-  const auto& boards = measured_boards();
-  const auto found = std::find_if(
-      boards.begin(), boards.end(), [&](const auto& board) { return board.name == name; });
-  if (found == boards.end()) {
-    throw std::invalid_argument("no board '" + name +
-                                "'; there are uno, mega, stm32f103, pico, ev3 and all");
+MeasuredBoard measured_board(const std::string& name) {
+  std::string names;
+  for (const MeasuredBoard& board : measured_boards()) {
+    if (board.name == name) {
+      return board;
+    }
+    names += board.name + ", ";
   }
-  return *found;
+  throw std::invalid_argument("no emulated board '" + name + "'; there are " + names + "and all");
 }
 
 std::vector<MeasuredBoard> boards_named(const std::vector<std::string>& names) {

@@ -18,11 +18,11 @@ struct MeasuredBoard {
   bool counts_edges = true;
 };
 
-/// All boards, in the order of the tables.
-const std::vector<MeasuredBoard>& measured_boards();
+/// All boards that have an emulator, in the order of the host's table.
+std::vector<MeasuredBoard> measured_boards();
 
 /// The board of that name. Throws std::invalid_argument, naming those there are.
-const MeasuredBoard& measured_board(const std::string& name);
+MeasuredBoard measured_board(const std::string& name);
 
 /// These boards, or all for {"all"}. Throws as measured_board.
 std::vector<MeasuredBoard> boards_named(const std::vector<std::string>& names);

@@ -26,7 +26,7 @@ TEST(MeasuredBoards, RefusesANameThatNoneHas) {
 TEST(MeasuredBoards, NamesTheImageThatIsNotBuiltThenTheProgram) {
   const session::TemporaryFolder folder;
   const BuildFolders build{folder.path(), folder.path()};
-  const MeasuredBoard& pico = measured_board("pico");
+  const MeasuredBoard pico = measured_board("pico");
   EXPECT_EQ(missing_of(pico, pico.program, build), "echomap-pico.elf");
   std::ofstream(folder / "echomap-pico.elf") << "";
   EXPECT_EQ(missing_of(pico, pico.program, build), "echomap-rp2040");

@@ -88,6 +88,7 @@ const LayerRules rules{
     {"hil_mock/emulator", {"hil_mock/runner", "protocol"}},
     {"hil_mock/ev3", {"hil_mock/runner", "protocol"}},
     {"hil_mock/unicorn", {"hil_mock/runner", "protocol"}},
+    {"hil_mock/rp2040", {"hil_mock/runner", "protocol"}},
 };
 
 TEST(Layering, EveryIncludeOfTheTreeIsPermitted) {

@@ -8,8 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/boards/boards.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/files/toml_reader.hpp"
+#include "protocol/config_digest.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::session {
@@ -53,6 +55,21 @@ TEST(RobotProfile, EveryBundledOneLoads) {
     ++count;
   }
   EXPECT_GE(count, 5);
+}
+
+TEST(RobotProfile, OfABoardNamesAMotorDriverThatTheBoardCarries) {
+  for (const boards::Board& board : boards::all_boards()) {
+    const auto profile = load_robot_profile(std::string(board.robot));
+    EXPECT_TRUE(boards::carries(
+        board, static_cast<protocol::MotorBridgeKind>(profile.configuration.wiring.bridge)))
+        << profile.name << " on " << board.name;
+  }
+}
+
+/// So that runs on different boards can be compared.
+TEST(RobotProfile, OfAPicoTellsTheBoardWhatThatOfAnUnoTells) {
+  EXPECT_EQ(protocol::config_digest(load_robot_profile("pico_2wd").configuration),
+            protocol::config_digest(load_robot_profile("uno_2wd").configuration));
 }
 
 TEST(RobotProfile, TurnsMetresIntoWhatTheBoardCounts) {
