@@ -180,7 +180,7 @@ bool receive_from_line() {
   return count > 0;
 }
 
-nfds_t waits_of_line(pollfd (&waits)[kMostWaits]) {
+nfds_t waits_of_line(pollfd (&waits)[kMaxWaits]) {
   nfds_t count = 0;
   if (listener >= 0) {
     waits[count++] = pollfd{listener, POLLIN, 0};

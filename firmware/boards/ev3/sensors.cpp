@@ -44,7 +44,7 @@ bool has_driver(const DeviceFolder& folder, const char* wanted) {
          strcmp(name, wanted) == 0;
 }
 
-/// Written only where it is another: some sensors begin anew with each mode.
+/// Written only where it is another: some sensors start again with each mode.
 void set_mode(const DeviceFolder& folder, const char* wanted) {
   Attribute mode;
   char name[kNameBytes];

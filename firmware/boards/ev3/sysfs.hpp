@@ -7,6 +7,7 @@
 namespace echomap {
 namespace boards {
 
+/// Of the longest path, its end included.
 constexpr size_t kPathBytes = 256;
 
 /// A folder of sysfs, such as /sys/class/tacho-motor/motor0.
