@@ -11,8 +11,8 @@
 namespace echomap {
 namespace drivers {
 
-/// What measures turns, an MPU-6050 on the two-wire bus or a gyro of the board's own, by board; both
-/// in the MPU-6050's numbers.
+/// What measures turns, an MPU-6050 on the two-wire bus or a gyro of the board's own, by board;
+/// both in the MPU-6050's numbers.
 class Gyro {
  public:
   /// True on a board that can have one.

@@ -14,7 +14,7 @@ class GyroAngle {
  public:
   /// Once a millisecond; does nothing while gyro_period_ms is 0.
   void tick(const protocol::ConfigureSensors& settings);
-  /// Begins anew where the gyro stands at the next sample.
+  /// Starts again where the gyro stands at the next sample.
   void restart() { is_known_ = false; }
 
   /// As GyroMpu6050 has them; an error is a period in which the gyro said nothing.

@@ -12,8 +12,8 @@ constexpr uint16_t kRangeSoundDmPerS = 3432;
 /// What a sensor says that measures ranges by itself, when it likes.
 struct RangeReading {
   enum class State : uint8_t { kAbsent, kNothing, kRange };
-  State state;               ///< kNothing: it measures, and has nothing within its reach.
-  uint16_t range_mm;         ///< With kRange; at most 5,600, which no 16-bit flight time outgrows.
+  State state;              ///< kNothing: it measures, and has nothing within its reach.
+  uint16_t range_mm;        ///< With kRange; at most 5,600, which no 16-bit flight time outgrows.
   uint8_t greatest_age_ms;  ///< No reading is older: what it saw so long ago is over.
 };
 

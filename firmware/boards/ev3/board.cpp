@@ -20,7 +20,7 @@ namespace {
 
 constexpr uint64_t kTickUs = 1000000 / hal::kTickHz;
 /// What Linux may take away without a word. Ticks beyond it are left out, not served in a heap.
-constexpr uint64_t kMostTicksLate = 5;
+constexpr uint64_t kMaxTicksLate = 5;
 /// The kernel obeys at once, a simulated world when the program sleeps.
 constexpr uint64_t kResetUs = 2000;
 
@@ -31,7 +31,7 @@ void tick() {
   if (now_us < next_tick_us) {
     return;
   }
-  if (now_us - next_tick_us > kMostTicksLate * kTickUs) {
+  if (now_us - next_tick_us > kMaxTicksLate * kTickUs) {
     next_tick_us = now_us;
   }
   next_tick_us += kTickUs;
@@ -69,7 +69,7 @@ void sleep_until_interrupt() {
   using namespace boards;
   send_to_line();
   if (!receive_from_line()) {
-    pollfd waits[kMostWaits];
+    pollfd waits[kMaxWaits];
     const nfds_t count = waits_of_line(waits);
     sleep_until(next_tick_us, waits, count);
     receive_from_line();
@@ -85,9 +85,7 @@ uint8_t reset_cause() {
   return boards::starts_before() == 0 ? protocol::kResetPowerOn : protocol::kResetWatchdog;
 }
 
-uint16_t boot_id() {
-  return static_cast<uint16_t>(boards::guard_id() + boards::starts_before());
-}
+uint16_t boot_id() { return static_cast<uint16_t>(boards::guard_id() + boards::starts_before()); }
 
 /// Linux gives a stack of megabytes.
 uint16_t min_free_stack_bytes() { return UINT16_MAX; }

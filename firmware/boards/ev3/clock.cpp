@@ -28,7 +28,8 @@ uint64_t told_us = 0;
 uint64_t kernel_us() {
   timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<uint64_t>(now.tv_sec) * kUsPerS + static_cast<uint64_t>(now.tv_nsec / kNsPerUs);
+  return static_cast<uint64_t>(now.tv_sec) * kUsPerS +
+         static_cast<uint64_t>(now.tv_nsec / kNsPerUs);
 }
 
 /// False when a signal came first. A world that has gone leaves nothing to do.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stdint.h>
-
 #include <poll.h>
+#include <stdint.h>
 
 namespace echomap {
 namespace boards {

@@ -5,6 +5,8 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 #include <sys/prctl.h>
@@ -73,8 +75,8 @@ bool take_beats(int beats, uint64_t& last_us) {
   return count < 0 && (errno == EAGAIN || errno == EINTR);
 }
 
-/// In simulated time the guard may not sleep before the robot has asked for the time, too: the world
-/// would go on without it.
+/// In simulated time the guard may not sleep before the robot has asked for the time, too: the
+/// world would go on without it.
 void wait_for_first_beat(int beats) {
   pollfd wait = {beats, POLLIN, 0};
   while (poll(&wait, 1, kStartLimitMs) < 0 && errno == EINTR && !has_to_end) {
@@ -111,6 +113,10 @@ void bury(pid_t robot) {
   if (WIFEXITED(status)) {
     _exit(WEXITSTATUS(status));
   }
+  const bool was_killed = WTERMSIG(status) == SIGKILL;
+  fprintf(stderr,
+          "echomap-ev3: the robot %s, motors are off, it starts again\n",
+          was_killed ? "hung or was killed" : strsignal(WTERMSIG(status)));
 }
 
 void become_robot(pid_t guard) {

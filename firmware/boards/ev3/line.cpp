@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <errno.h>
 #include <fcntl.h>
-#include <netinet/in.h>
 #include <stdlib.h>
 #include <string.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include <netinet/in.h>
 #include <sys/socket.h>
 
 #include "firmware/boards/ev3/clock.hpp"
@@ -101,7 +101,8 @@ void drop_host() {
 
 /// A host that comes back may have gone without a word: the last one is it.
 void take_host() {
-  const int host = listener < 0 ? -1 : accept4(listener, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+  const int host =
+      listener < 0 ? -1 : accept4(listener, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
   if (host >= 0) {
     drop_host();
     input = host;
@@ -152,8 +153,8 @@ void start_line(const char* line) {
 
 void send_to_line() {
   for (fill_unsent(); unsent_bytes != 0; fill_unsent()) {
-    const ssize_t count = output < 0 ? static_cast<ssize_t>(unsent_bytes)
-                                     : write(output, unsent, unsent_bytes);
+    const ssize_t count =
+        output < 0 ? static_cast<ssize_t>(unsent_bytes) : write(output, unsent, unsent_bytes);
     if (count <= 0) {
       if (count < 0 && errno != EAGAIN && errno != EINTR) {
         lose_host();
@@ -179,7 +180,7 @@ bool receive_from_line() {
   return count > 0;
 }
 
-nfds_t waits_of_line(pollfd (&waits)[kMostWaits]) {
+nfds_t waits_of_line(pollfd (&waits)[kMaxWaits]) {
   nfds_t count = 0;
   if (listener >= 0) {
     waits[count++] = pollfd{listener, POLLIN, 0};

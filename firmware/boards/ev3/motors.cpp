@@ -50,7 +50,8 @@ void open_motor(const char* sysfs, TachoMotor& motor) {
   motor.stop_action.open(folder, "stop_action");
 }
 
-/// The kernel reads encoders every 2 ms and does not say when: a reading is 1 ms old, give or take 1.
+/// The kernel reads encoders every 2 ms and does not say when: a reading is 1 ms old, give or
+/// take 1.
 constexpr uint32_t kMeanAgeUs = 1000;
 /// Readings within it are one, so that the two wheels of a control cycle fit together.
 constexpr uint32_t kSameReadingUs = 500;

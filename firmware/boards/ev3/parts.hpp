@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <poll.h>
 #include <stddef.h>
 #include <stdint.h>
-
-#include <poll.h>
 
 namespace echomap {
 namespace boards {
@@ -28,8 +27,8 @@ void send_to_line();
 /// Tells the program a few bytes that have come; false when there were none.
 bool receive_from_line();
 /// Fills in what to wait for, and answers how many they are.
-constexpr nfds_t kMostWaits = 2;
-nfds_t waits_of_line(pollfd (&waits)[kMostWaits]);
+constexpr nfds_t kMaxWaits = 2;
+nfds_t waits_of_line(pollfd (&waits)[kMaxWaits]);
 
 }  // namespace boards
 }  // namespace echomap

@@ -44,12 +44,13 @@ bool has_driver(const DeviceFolder& folder, const char* wanted) {
          strcmp(name, wanted) == 0;
 }
 
-/// Written only where it is another: some sensors begin anew with each mode.
+/// Written only where it is another: some sensors start again with each mode.
 void set_mode(const DeviceFolder& folder, const char* wanted) {
   Attribute mode;
   char name[kNameBytes];
   if (mode.open(folder, "mode") && mode.read_word(name, sizeof name) && strcmp(name, wanted) != 0) {
-    mode.write(wanted);
+    snprintf(name, sizeof name, "%s\n", wanted);
+    mode.write(name);
   }
 }
 
@@ -95,6 +96,7 @@ bool is_closed(const Attribute& touch) {
 }  // namespace
 
 void open_sensors(const char* sysfs) {
+  left_touch = right_touch = yaw = range = Attribute();
   open_touch(sysfs, "in1", left_touch);
   open_touch(sysfs, "in2", right_touch);
   open_gyro(sysfs);

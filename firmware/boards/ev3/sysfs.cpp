@@ -47,7 +47,10 @@ bool is_plugged_into(const DeviceFolder& folder, const char* port) {
 
 }  // namespace
 
-bool find_device(const char* sysfs, const char* class_name, const char* port, DeviceFolder& folder) {
+bool find_device(const char* sysfs,
+                 const char* class_name,
+                 const char* port,
+                 DeviceFolder& folder) {
   char path[kPathBytes];
   const int length = snprintf(path, sizeof path, "%s/class/%s", sysfs, class_name);
   if (length < 0 || static_cast<size_t>(length) >= sizeof path) {

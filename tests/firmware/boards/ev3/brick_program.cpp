@@ -110,9 +110,11 @@ std::optional<protocol::HelloReply> BrickProgram::connect(std::uint16_t session)
 }
 
 bool BrickProgram::drive(std::uint16_t session) {
+  // In one session: another would have to wait until this one has been silent for long.
   const auto end = Clock::now() + kPatience;
-  while (Clock::now() < end && connect(session)) {
-    send(protocol::Arm{1, 1});
+  std::uint8_t command_id = 0;
+  for (bool is_there = connect(session).has_value(); is_there && Clock::now() < end;) {
+    send(protocol::Arm{++command_id, 1});
     send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
     const auto give_up = Clock::now() + milliseconds(150);
     while (Clock::now() < give_up) {
@@ -121,7 +123,6 @@ bool BrickProgram::drive(std::uint16_t session) {
       }
       listen(kLook);
     }
-    ++session;
   }
   return false;
 }
