@@ -69,7 +69,8 @@ Board stm32f103() {
           .bridges = kEveryBridge};
 }
 
-/// Its own driver is what the firmware takes for phase/enable, the kind of profiles that name none.
+/// Its own driver is what the firmware takes for phase/enable, the kind of profiles that name none,
+/// and for the next kind, which can brake.
 Board lego_ev3() {
   return {.name = "ev3",
           .what = "LEGO EV3 with ev3dev",
@@ -79,7 +80,7 @@ Board lego_ev3() {
           .target = "firmware_ev3",
           .method = FlashMethod::kSsh,
           .has_image_per_baud = false,
-          .bridges = {MotorBridgeKind::kPhaseEnable},
+          .bridges = {MotorBridgeKind::kPhaseEnable, MotorBridgeKind::kIn1In2Pwm},
           .has_own_driver = true};
 }
 
@@ -156,6 +157,15 @@ const Board* usual_board_of(std::string_view emulator) {
   const auto found =
       emulator.empty() ? boards.end() : std::ranges::find(boards, emulator, &Board::emulator);
   return found == boards.end() ? nullptr : &*found;
+}
+
+std::string way_to_build(std::string_view emulator, std::string_view board) {
+  const Board* row = board.empty() ? usual_board_of(emulator) : &board_named(board);
+  if (row == nullptr) {
+    return "./run build echomap-" + std::string(emulator);
+  }
+  return "./run setup --all && ./run build echomap-" + std::string(emulator) + " " +
+         std::string(row->target);
 }
 
 std::string_view words_of(MotorBridgeKind kind) {

@@ -53,6 +53,10 @@ const Board& board_named(std::string_view name);
 /// The board that an emulator runs where none is named; null for what is no board's emulator.
 const Board* usual_board_of(std::string_view emulator);
 
+/// The command that builds an emulator, and the firmware of `board` for it; where `board` is empty,
+/// that of its usual board.
+std::string way_to_build(std::string_view emulator, std::string_view board);
+
 /// A kind of motor driver in words, with an example.
 std::string_view words_of(protocol::MotorBridgeKind kind);
 

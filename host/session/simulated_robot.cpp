@@ -17,25 +17,14 @@ using console::ExitCode;
 
 namespace fs = std::filesystem;
 
-/// What builds an emulator and the firmware that it runs.
-std::string way_to_build(const SimulatedRobotOptions& options) {
-  const boards::Board* board = boards::usual_board_of(options.emulator);
-  if (board == nullptr) {
-    return "./run build echomap-" + options.emulator;
-  }
-  const std::string target(options.board.empty() ? board->target
-                                                 : boards::board_named(options.board).target);
-  return "./run setup --all && ./run build echomap-" + options.emulator + " " + target +
-         ", or --emulator mock";
-}
-
 std::string program_of(const SimulatedRobotOptions& options) {
   const fs::path program = program_folder() / ("echomap-" + options.emulator);
   if (!fs::exists(program)) {
     throw CommandError(ExitCode::kRuntimeError,
                        program.string() +
                            " was not built: a dependency is missing on this machine\n  next: " +
-                           way_to_build(options));
+                           boards::way_to_build(options.emulator, options.board) +
+                           (options.emulator == "mock" ? "" : ", or --emulator mock"));
   }
   return program;
 }

@@ -77,7 +77,9 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(IllegalSteps);
 
 TEST_P(IllegalSteps, AreCountedAndToldAndAddNoWay) {
   constexpr int kJumps = 10;
-  ASSERT_TRUE(robot.connect());
+  const auto reply = robot.connect();
+  ASSERT_TRUE(reply);
+  EXPECT_FALSE((reply->capabilities & protocol::kCapabilityBlindEncoders) != 0);
   for (int i = 0; i < kJumps; ++i) {
     const bool high = i % 2 == 0;
     for (const auto wheel : {runner::Wheel::kLeft, runner::Wheel::kRight}) {

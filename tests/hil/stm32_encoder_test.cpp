@@ -80,9 +80,11 @@ TEST_P(Stm32Encoders, CountEveryEdgeOfBothWheels) {
   EXPECT_GT(left.count(), edges_per_s / 2);
 }
 
-TEST(Stm32EncoderJumps, AreNotToldAsLostForATimerCannotSeeThem) {
+TEST(Stm32EncoderJumps, AreNotToldAsLostForATimerCannotSeeThemAndTheGreetingSaysSo) {
   RobotSession robot{release_image("echomap-stm32f103")};
-  ASSERT_TRUE(robot.connect());
+  const auto reply = robot.connect();
+  ASSERT_TRUE(reply);
+  EXPECT_TRUE((reply->capabilities & protocol::kCapabilityBlindEncoders) != 0);
   for (int i = 0; i < 10; ++i) {
     const bool high = i % 2 == 0;
     robot.board().schedule_encoder_edge(runner::Wheel::kLeft, robot.board().now_ns(), high, high);

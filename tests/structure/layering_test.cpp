@@ -86,7 +86,9 @@ const LayerRules rules{
     {"hil_mock/runner", {"hil_mock/world", "hil_mock/line_faults"}},
     {"hil_mock/mock_device", {"hil_mock/runner", "firmware", "protocol"}},
     {"hil_mock/emulator", {"hil_mock/runner", "protocol"}},
+    {"hil_mock/ev3", {"hil_mock/runner", "protocol"}},
     {"hil_mock/unicorn", {"hil_mock/runner", "protocol"}},
+    {"hil_mock/rp2040", {"hil_mock/runner", "protocol"}},
 };
 
 TEST(Layering, EveryIncludeOfTheTreeIsPermitted) {

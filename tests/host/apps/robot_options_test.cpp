@@ -37,12 +37,23 @@ TEST(RobotOptions, ABoardNamesItsEmulatorAndIsOneOfThoseThatHaveOne) {
 TEST(RobotOptions, ABoardThatCannotCarryTheMotorDriverIsRefusedBeforeTheStart) {
   const tests::ScratchFolder folder;
   const std::string out = "--out=" + (folder / "run").string();
-  const auto refused = run({"demo", "--board", "ev3", "--driver", "l298n", "--headless", out});
+  const auto refused = run({"demo", "--board", "ev3", "--driver", "drv8833", "--headless", out});
   EXPECT_EQ(refused.code, console::ExitCode::kConfigInvalid);
   EXPECT_THAT(refused.err,
               AllOf(HasSubstr("LEGO EV3 with ev3dev cannot carry the motor driver"),
                     HasSubstr("no driver but its own"),
                     HasSubstr("next: another driver, or another board: Arduino Uno")));
+  EXPECT_THAT(refused.err, HasSubstr("profile 'ev3'")) << "the board's robot";
+  const auto named = run({"demo",
+                          "--emulator",
+                          "ev3",
+                          "--robot",
+                          "uno_2wd",
+                          "--driver",
+                          "drv8833",
+                          "--headless",
+                          out});
+  EXPECT_THAT(named.err, AllOf(HasSubstr("LEGO EV3"), HasSubstr("profile 'uno_2wd'")));
   const auto servos = run({"demo", "--board", "uno", "--driver", "servo", "--headless", out});
   EXPECT_EQ(servos.code, console::ExitCode::kConfigInvalid);
   EXPECT_THAT(servos.err, HasSubstr("STM32F103 board or Raspberry Pi Pico"));

@@ -44,6 +44,15 @@ TEST(Boards, HaveAnEmulatorEachSaveTheNanoThatIsAnUno) {
   EXPECT_EQ(usual_board_of(""), nullptr) << "the Nano has no emulator, but is not that of none";
 }
 
+TEST(Boards, SayHowTheirEmulatorIsBuilt) {
+  EXPECT_EQ(way_to_build("rp2040", "pico"),
+            "./run setup --all && ./run build echomap-rp2040 firmware_pico");
+  EXPECT_EQ(way_to_build("ev3", ""), "./run setup --all && ./run build echomap-ev3 firmware_ev3");
+  EXPECT_EQ(way_to_build("simavr", "mega"),
+            "./run setup --all && ./run build echomap-simavr firmware_mega");
+  EXPECT_EQ(way_to_build("mock", ""), "./run build echomap-mock");
+}
+
 TEST(Boards, NameABundledProfileAndABodyForTheDemo) {
   for (const Board& board : all_boards()) {
     for (const char* folder : {"/host/profiles/", "/hil_mock/robots/"}) {
@@ -57,7 +66,7 @@ TEST(Boards, SayWhichMotorDriversTheyCarry) {
   EXPECT_FALSE(carries(board_named("uno"), MotorBridgeKind::kServo)) << "no timer is left";
   EXPECT_TRUE(carries(board_named("mega"), MotorBridgeKind::kServo));
   EXPECT_TRUE(carries(board_named("pico"), MotorBridgeKind::kTwoPwm));
-  EXPECT_FALSE(carries(board_named("ev3"), MotorBridgeKind::kIn1In2Pwm));
+  EXPECT_FALSE(carries(board_named("ev3"), MotorBridgeKind::kTwoPwm));
   EXPECT_EQ(boards_that_carry(MotorBridgeKind::kServo),
             "Arduino Mega 2560, STM32F103 board or Raspberry Pi Pico");
   EXPECT_EQ(bridges_of(board_named("uno")),
