@@ -5,7 +5,6 @@
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/contacts.hpp"
 #include "firmware/hal/encoders.hpp"
-#include "firmware/hal/twi.hpp"
 #include "protocol/config_digest.hpp"
 #include "protocol/version.hpp"
 
@@ -21,7 +20,7 @@ uint32_t capabilities() {
   uint32_t bits = protocol::kCapabilityWheels | protocol::kCapabilityPanSonar |
                   protocol::kCapabilityContacts | protocol::kCapabilityPins |
                   protocol::kCapabilityRanges | protocol::kCapabilityStepper;
-  if (hal::has_twi()) {
+  if (drivers::Gyro::can_be()) {
     bits |= protocol::kCapabilityGyro;
   }
   if (!hal::encoders_tell_lost_steps()) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double kMaxMountM = 1.0;
 
 /// Boards that a robot may carry, by the names of their firmware's images.
-constexpr std::array kBoards = {"native", "uno", "mega", "stm32f103"};
+constexpr std::array kBoards = {"native", "uno", "mega", "stm32f103", "pico"};
 
 constexpr std::array<std::pair<const char*, IrKind>, 3> kIrKinds = {
     {{"gp2y0a21", IrKind::kGp2y0a21},

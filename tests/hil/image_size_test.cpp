@@ -20,6 +20,9 @@ ImageSize budget_of(const std::string& image) {
   if (image.starts_with("echomap-mega")) {
     return {28'672, 2'048};
   }
+  if (image.starts_with("echomap-pico")) {
+    return {26'624, 1'536};
+  }
   return image.starts_with("echomap-stm32") ? ImageSize{24'576, 2'048} : ImageSize{24'576, 1'200};
 }
 

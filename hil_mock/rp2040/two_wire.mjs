@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The devices on I2C0, at the pace of its clock. `ask` reads and writes their registers.
+
+const kBitsOfByte = 9;
+const kSda = 20;
+
+export class TwoWire {
+  constructor(i2c, clock, nsOfCycle, ask) {
+    this.i2c = i2c;
+    this.clock = clock;
+    this.nsOfCycle = nsOfCycle;
+    this.ask = ask;
+    this.device = -1;
+    this.register = -1;
+    this.then = () => {};
+    this.alarm = clock.createAlarm(() => this.then());
+    this.heldBits = 0;
+    i2c.onStart = () => this.after(1, () => i2c.completeStart());
+    i2c.onConnect = (address) => this.after(kBitsOfByte, () => this.connect(address));
+    i2c.onWriteByte = (value) => this.after(kBitsOfByte, () => this.write(value));
+    i2c.onReadByte = () =>
+      this.after(kBitsOfByte, () => i2c.completeRead(this.ask.read(this.device, this.register++)));
+    i2c.onStop = () => this.after(1, () => i2c.completeStop());
+  }
+
+  /** A device sends: data stays low for so many clocks. */
+  hold(bits, pins) {
+    this.heldBits = bits;
+    pins.drive(kSda, false);
+  }
+
+  /** The clock line has risen by the program's hand. */
+  clockRose(pins) {
+    if (this.heldBits > 0 && --this.heldBits === 0) {
+      pins.release(kSda);
+    }
+  }
+
+  after(bits, then) {
+    if (this.heldBits > 0) {
+      return;
+    }
+    const { i2c } = this;
+    this.then = then;
+    this.alarm.schedule(bits * (i2c.sclLowPeriod + i2c.sclHighPeriod) * this.nsOfCycle());
+  }
+
+  connect(address) {
+    this.device = address;
+    const answers = this.ask.has(address);
+    if (this.i2c.txFIFO.itemCount > 0 && !(this.i2c.txFIFO.peek() & 0x100)) {
+      this.register = -1;
+    }
+    this.i2c.completeConnect(answers);
+  }
+
+  write(value) {
+    if (this.register < 0) {
+      this.register = value;
+    } else {
+      this.ask.write(this.device, this.register++, value);
+    }
+    this.i2c.completeWrite(true);
+  }
+}
