@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "hil_mock/unicorn/adc.hpp"
+#include "hil_mock/unicorn/afio.hpp"
 #include "hil_mock/unicorn/cortex_core.hpp"
 #include "hil_mock/unicorn/elf_program.hpp"
 #include "hil_mock/unicorn/event_queue.hpp"
-#include "hil_mock/unicorn/exti.hpp"
 #include "hil_mock/unicorn/flash_writer.hpp"
 #include "hil_mock/unicorn/gpio_port.hpp"
 #include "hil_mock/unicorn/i2c.hpp"
@@ -110,7 +110,6 @@ class Stm32Chip {
   GpioPort port_a_;
   GpioPort port_b_;
   Afio afio_;
-  Exti exti_{afio_, nvic_};
   Timer tim1_;
   Timer tim2_;
   Timer tim3_;
