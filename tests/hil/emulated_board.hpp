@@ -30,6 +30,8 @@ class EmulatedBoard {
   virtual void stop_ticks() = 0;
   /// The program hangs in an endless loop with interrupts unlocked.
   virtual void hang() = 0;
+  /// Whether the watchdog's warning ends in the reset itself, behind the motors' cut.
+  virtual bool resets_in_the_warning() const { return false; }
   /// A bootloader clears the cause of every reset before the program sees it; only on boards whose
   /// bootloader does.
   virtual void hide_reset_cause() {}

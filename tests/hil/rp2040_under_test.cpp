@@ -29,6 +29,7 @@ class Rp2040UnderTest final : public EmulatedBoard {
     board_.jump(kTrap);
   }
 
+  bool resets_in_the_warning() const override { return true; }
   void hold_two_wire_bus(unsigned bits) override { board_.hold_two_wire_bus(bits); }
 
  private:
