@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The portable sources, compiled for every board and natively; relative to firmware/ and protocol/.
 set(ECHOMAP_FIRMWARE_SOURCES
-  drivers/analog_inputs.cpp drivers/debounced_bits.cpp drivers/gyro_mpu6050.cpp
-  drivers/motor_bridge.cpp drivers/pan_drive.cpp drivers/pan_servo.cpp drivers/pan_stepper.cpp
+  drivers/analog_inputs.cpp drivers/debounced_bits.cpp drivers/gyro_angle.cpp drivers/gyro_mpu6050.cpp
+  drivers/motor_bridge.cpp drivers/pan_drive.cpp drivers/pan_servo.cpp drivers/pan_stepper.cpp drivers/range_sonar.cpp
   drivers/serial_port.cpp drivers/sonar_hc_sr04.cpp drivers/spare_pins.cpp
   drivers/wheel_encoders.cpp
   control/distance_ramp.cpp control/driven_wheel.cpp control/proportion.cpp control/scan_sweep.cpp

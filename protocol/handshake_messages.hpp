@@ -18,13 +18,14 @@ enum ResetCause : uint8_t {
 
 /// What the board has; bits of HelloReply::capabilities.
 enum Capability : uint32_t {
-  kCapabilityWheels = 1UL << 0,    ///< Two wheels with encoders: MoveTicks, DriveSetpoint.
-  kCapabilityPanSonar = 1UL << 1,  ///< A sonar on a pan drive: StartSweep.
-  kCapabilityContacts = 1UL << 2,  ///< Bump contacts.
-  kCapabilityPins = 1UL << 3,      ///< Spare pins: ConfigurePins, hazards.
-  kCapabilityRanges = 1UL << 4,    ///< Analogue range channels.
-  kCapabilityGyro = 1UL << 5,      ///< An MPU-6050 may be connected.
-  kCapabilityStepper = 1UL << 6,   ///< The pan may be a stepper.
+  kCapabilityWheels = 1UL << 0,         ///< Two wheels with encoders: MoveTicks, DriveSetpoint.
+  kCapabilityPanSonar = 1UL << 1,       ///< A sonar on a pan drive: StartSweep.
+  kCapabilityContacts = 1UL << 2,       ///< Bump contacts.
+  kCapabilityPins = 1UL << 3,           ///< Spare pins: ConfigurePins, hazards.
+  kCapabilityRanges = 1UL << 4,         ///< Analogue range channels.
+  kCapabilityGyro = 1UL << 5,           ///< An MPU-6050 may be connected.
+  kCapabilityStepper = 1UL << 6,        ///< The pan may be a stepper.
+  kCapabilityBlindEncoders = 1UL << 7,  ///< They cannot tell a lost count: no EncoderErrors.
 };
 
 /// Answer to a command, in Ack::status.

@@ -14,7 +14,7 @@ namespace app {
 /// would stand in the program a second time.
 struct Devices {
   drivers::WheelEncoders encoders;
-  drivers::SonarHcSr04 sonar;
+  drivers::Sonar sonar;
   drivers::SerialPort port;
   tasks::Scheduler scheduler;
   /// An interrupt has left work for the main loop; edges of the encoders leave none.

@@ -84,7 +84,7 @@ bool ScanSweep::may_ping() {
   if (since_ping_ms_ < settings_.ping_gap_ms) {
     return false;
   }
-  return drivers::SonarHcSr04::ready() || ++stuck_ms_ == kStuckMs;
+  return drivers::Sonar::ready() || ++stuck_ms_ == kStuckMs;
 }
 
 void ScanSweep::ping() {

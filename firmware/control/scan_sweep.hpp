@@ -5,7 +5,7 @@
 
 #include "firmware/control/motion_report.hpp"
 #include "firmware/drivers/pan_drive.hpp"
-#include "firmware/drivers/sonar_hc_sr04.hpp"
+#include "firmware/drivers/sonar.hpp"
 #include "firmware/drivers/wheel_encoders.hpp"
 #include "protocol/command_messages.hpp"
 #include "protocol/telemetry_messages.hpp"
@@ -21,7 +21,7 @@ class ScanSweep {
 
   /// `settings` is where the active ones stand.
   constexpr ScanSweep(drivers::WheelEncoders& encoders,
-                      drivers::SonarHcSr04& sonar,
+                      drivers::Sonar& sonar,
                       drivers::PanDrive& pan,
                       protocol::ConfigureSonar& settings)
       : encoders_(encoders), sonar_(sonar), pan_(pan), settings_(settings) {}
@@ -59,7 +59,7 @@ class ScanSweep {
   void go_on();
 
   drivers::WheelEncoders& encoders_;
-  drivers::SonarHcSr04& sonar_;
+  drivers::Sonar& sonar_;
   drivers::PanDrive& pan_;
   protocol::ConfigureSonar& settings_;
   protocol::StartSweep sweep_ = {};

@@ -4,7 +4,7 @@
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/contacts.hpp"
-#include "firmware/hal/twi.hpp"
+#include "firmware/hal/encoders.hpp"
 #include "protocol/config_digest.hpp"
 #include "protocol/version.hpp"
 
@@ -20,8 +20,11 @@ uint32_t capabilities() {
   uint32_t bits = protocol::kCapabilityWheels | protocol::kCapabilityPanSonar |
                   protocol::kCapabilityContacts | protocol::kCapabilityPins |
                   protocol::kCapabilityRanges | protocol::kCapabilityStepper;
-  if (hal::has_twi()) {
+  if (drivers::Gyro::can_be()) {
     bits |= protocol::kCapabilityGyro;
+  }
+  if (!hal::encoders_tell_lost_steps()) {
+    bits |= protocol::kCapabilityBlindEncoders;
   }
   return bits;
 }

@@ -3,7 +3,7 @@
 
 #include "firmware/drivers/analog_inputs.hpp"
 #include "firmware/drivers/debounced_bits.hpp"
-#include "firmware/drivers/gyro_mpu6050.hpp"
+#include "firmware/drivers/gyro.hpp"
 #include "firmware/drivers/spare_pins.hpp"
 
 namespace echomap {
@@ -32,14 +32,17 @@ class Sensors {
   /// Bits of protocol::Hazard.
   const drivers::DebouncedBits& hazards() const { return hazards_; }
   const drivers::AnalogInputs& analog() const { return analog_; }
-  const drivers::GyroMpu6050& gyro() const { return gyro_; }
+  const drivers::Gyro& gyro() const { return gyro_; }
 
  private:
+  /// True when spare pins in use are those of its bus.
+  bool takes_bus_of_gyro() const;
+
   drivers::SparePins pins_;
   protocol::ConfigureSensors& settings_;
   drivers::DebouncedBits hazards_;
   drivers::AnalogInputs analog_;
-  drivers::GyroMpu6050 gyro_;
+  drivers::Gyro gyro_;
 };
 
 }  // namespace tasks

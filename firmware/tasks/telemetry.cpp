@@ -209,7 +209,7 @@ protocol::Ranges Telemetry::ranges() const {
 }
 
 protocol::Gyro Telemetry::gyro() const {
-  const drivers::GyroMpu6050& gyro = sources_.sensors.gyro();
+  const drivers::Gyro& gyro = sources_.sensors.gyro();
   return protocol::Gyro{hal::now_us(), gyro.yaw_sum(), gyro.samples(), gyro.errors()};
 }
 

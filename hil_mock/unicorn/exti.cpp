@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::uint32_t kMapr = 0x04;
 constexpr std::uint32_t kExticr1 = 0x08;
-constexpr std::uint32_t kTim2ChannelOneOnA15 = bit(8);
+constexpr std::uint32_t kTim2OnA15AndB3 = bit(8);
 /// SWJ_CFG: a program writes it and reads nonsense.
 constexpr unsigned kDebugPortShift = 24;
 constexpr std::uint32_t kDebugPortBits = 7U << kDebugPortShift;
@@ -22,7 +22,7 @@ constexpr std::uint8_t kLine = 40;
 
 }  // namespace
 
-bool Afio::tim2_is_on_a15() const { return (mapr_ & kTim2ChannelOneOnA15) != 0; }
+bool Afio::tim2_is_on_a15_and_b3() const { return (mapr_ & kTim2OnA15AndB3) != 0; }
 
 std::uint32_t Afio::jtag_pins_of_a() const {
   return debug_port() <= kJtagWithoutReset ? bit(15) : 0;

@@ -10,15 +10,15 @@
 
 namespace echomap::unicorn {
 
-/// AFIO: which port each EXTI line looks at, which pins the debug port has, and where channel 1 of
-/// TIM2 comes out. Source: ST RM0008, sections 9.3 and 9.4.
+/// AFIO: which port each EXTI line looks at, which pins the debug port has, and where
+/// channels 1 and 2 of TIM2 are. Source: ST RM0008, sections 9.3 and 9.4.
 class Afio final : public Peripheral {
  public:
   bool listens_to(std::uint8_t port, std::uint8_t pin) const {
     return (exticr_[pin / 4] >> (pin % 4 * 4) & 0xFU) == port;
   }
-  /// On A15 instead of A0.
-  bool tim2_is_on_a15() const;
+  /// Channels 1 and 2, instead of on A0 and A1.
+  bool tim2_is_on_a15_and_b3() const;
   /// Which pins are JTAG's and no program's: bits of port A (A15) and of port B (B3, B4). All are
   /// from a reset on.
   std::uint32_t jtag_pins_of_a() const;

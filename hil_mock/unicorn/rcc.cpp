@@ -23,6 +23,7 @@ constexpr std::uint32_t kAllFlags = 0xFC000000;
 constexpr std::uint32_t kPinFlag = bit(26);
 constexpr std::uint32_t kPowerOnFlag = bit(27);
 constexpr std::uint32_t kIwdgFlag = bit(29);
+constexpr std::uint32_t kWwdgFlag = bit(30);
 
 /// Start-up of the crystal in 2 ms and lock of the PLL in 0.2 ms: data sheet of the STM32F103x8,
 /// tables 22 and 28.
@@ -48,7 +49,8 @@ void Rcc::note_reset(ResetSource source) {
   if (source == ResetSource::kPowerOn) {
     csr_ = kPowerOnFlag;
   }
-  csr_ |= kPinFlag | (source == ResetSource::kWatchdog ? kIwdgFlag : 0);
+  csr_ |= kPinFlag | (source == ResetSource::kWatchdog ? kIwdgFlag : 0) |
+          (source == ResetSource::kWindowWatchdog ? kWwdgFlag : 0);
 }
 
 std::uint32_t Rcc::read(std::uint32_t offset) {

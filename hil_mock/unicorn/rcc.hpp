@@ -13,6 +13,7 @@ enum class ResetSource : std::uint8_t {
   kPowerOn,   ///< Supply off and on: RAM is lost.
   kExternal,  ///< The reset pin: RAM stays.
   kWatchdog,
+  kWindowWatchdog,
 };
 
 /// Clocks: what is switched on becomes ready after its time, and a peripheral without its clock

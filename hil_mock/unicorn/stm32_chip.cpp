@@ -21,10 +21,10 @@ constexpr std::uint32_t kIcsr = 0xE000ED04;
 constexpr std::uint32_t kIcsrTickPending = bit(26);
 
 constexpr std::uint8_t kTim1UpdateLine = 25;
+constexpr std::uint8_t kTim1CaptureLine = 27;
 constexpr std::uint8_t kTim2Line = 28;
 constexpr std::uint8_t kTim3Line = 29;
 constexpr std::uint8_t kTim4Line = 30;
-constexpr std::uint8_t kTim4Input1Pin = 6;  ///< Of port B: RM0008, table 43.
 /// Of port B: RM0008, table 55.
 constexpr std::uint8_t kI2c2ClockPin = 10;
 constexpr std::uint8_t kI2c2DataPin = 11;
@@ -35,15 +35,16 @@ constexpr std::uint8_t kPowerOnRam = 0xA5;
 }  // namespace
 
 Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
-    : tim1_(queue_, nvic_, kTim1UpdateLine),
-      tim2_(queue_, nvic_, kTim2Line),
-      tim3_(queue_, nvic_, kTim3Line),
-      tim4_(queue_, nvic_, kTim4Line),
+    : tim1_(queue_, nvic_, {kTim1UpdateLine, kTim1CaptureLine, true}),
+      tim2_(queue_, nvic_, {kTim2Line, kTim2Line}),
+      tim3_(queue_, nvic_, {kTim3Line, kTim3Line}),
+      tim4_(queue_, nvic_, {kTim4Line, kTim4Line}),
       flash_(queue_) {
   using Bus = Rcc::Bus;
   blocks_ = {{0x40000000, &tim2_, Bus::kApb1, 0},
              {0x40000400, &tim3_, Bus::kApb1, 1},
              {0x40000800, &tim4_, Bus::kApb1, 2},
+             {0x40002C00, &wwdg_, Bus::kApb1, 11},
              {0x40003000, &iwdg_},
              {0x40005800, &i2c2_, Bus::kApb1, 22},
              {0x40010000, &afio_, Bus::kApb2, 0},
@@ -56,7 +57,11 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
              {0x40021000, &rcc_},
              {0x40022000, &flash_}};
   iwdg_.on_timeout = [this] {
-    watchdog_bites_ = true;
+    watchdog_bites_ = ResetSource::kWatchdog;
+    core_.interrupt();
+  };
+  wwdg_.on_timeout = [this] {
+    watchdog_bites_ = ResetSource::kWindowWatchdog;
     core_.interrupt();
   };
   i2c2_.has_pins = [this] {
@@ -65,6 +70,7 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
   afio_.on_remap = [this] {
     port_a_.take_away(afio_.jtag_pins_of_a());
     port_b_.take_away(afio_.jtag_pins_of_b());
+    feed_timers();
   };
   port_a_.on_change = [this](std::uint8_t pin, bool high) { on_pin(kPortA, pin, high); };
   port_b_.on_change = [this](std::uint8_t pin, bool high) { on_pin(kPortB, pin, high); };
@@ -112,8 +118,8 @@ void Stm32Chip::run_to(std::uint64_t cycle) {
     if (!refused_.empty()) {
       throw std::runtime_error(refused_);
     }
-    if (std::exchange(watchdog_bites_, false)) {
-      reset(ResetSource::kWatchdog);
+    if (const auto watchdog = std::exchange(watchdog_bites_, std::nullopt)) {
+      reset(*watchdog);
     }
   }
 }
@@ -143,15 +149,23 @@ void Stm32Chip::set_cycles_per_half_word(unsigned cycles) {
 
 void Stm32Chip::on_pin(PortName port, std::uint8_t pin, bool high) {
   exti_.on_pin(port, pin, high);
-  if (port == kPortB && pin == kTim4Input1Pin) {
-    tim4_.set_input1(high);
-  }
+  feed_timers();
   if (port == kPortB && pin == kI2c2ClockPin && high && held_clocks_ != 0) {
     clock_held_device();
   }
   if (on_level) {
     on_level(port, pin, high);
   }
+}
+
+/// Inputs of the timers: RM0008, tables 43 to 46.
+void Stm32Chip::feed_timers() {
+  const bool remapped = afio_.tim2_is_on_a15_and_b3();
+  tim1_.set_input(1, port_a_.level(8));
+  tim2_.set_input(1, port_a_.level(remapped ? 15 : 0));
+  tim2_.set_input(2, remapped ? port_b_.level(3) : port_a_.level(1));
+  tim4_.set_input(1, port_b_.level(6));
+  tim4_.set_input(2, port_b_.level(7));
 }
 
 void Stm32Chip::hold_two_wire_bus(unsigned clocks) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@
 #include "hil_mock/unicorn/sys_tick.hpp"
 #include "hil_mock/unicorn/timer.hpp"
 #include "hil_mock/unicorn/usart.hpp"
+#include "hil_mock/unicorn/wwdg.hpp"
 
 namespace echomap::unicorn {
 
@@ -67,7 +69,9 @@ class Stm32Chip {
   const FlashWriter& flash() const { return flash_; }
   const Afio& afio() const { return afio_; }
   SysTick& sys_tick() { return sys_tick_; }
-  const Timer& tim2() const { return tim2_; }
+  Timer& tim2() { return tim2_; }
+  Timer& tim4() { return tim4_; }
+  const Timer& tim1() const { return tim1_; }
   const Timer& tim3() const { return tim3_; }
   /// Called when the level of a pin has changed, by the outside or by the program.
   std::function<void(PortName port, std::uint8_t pin, bool high)> on_level;
@@ -90,6 +94,7 @@ class Stm32Chip {
   void load(const std::filesystem::path& elf);
   void map();
   void on_pin(PortName port, std::uint8_t pin, bool high);
+  void feed_timers();
   void clock_held_device();
   Peripheral* answering(std::uint32_t address);
   std::uint32_t read(std::uint32_t address);
@@ -114,6 +119,7 @@ class Stm32Chip {
   Adc adc_{queue_};
   I2c i2c2_{queue_, nvic_};
   Iwdg iwdg_{queue_};
+  Wwdg wwdg_{queue_, nvic_};
   FlashWriter flash_;
   SysTick sys_tick_{queue_, nvic_};
   std::vector<Block> blocks_;
@@ -123,7 +129,7 @@ class Stm32Chip {
   CortexCore core_{queue_, nvic_};
   unsigned cycles_per_half_word_ = kMinCyclesPerHalfWord;
   unsigned held_clocks_ = 0;
-  bool watchdog_bites_ = false;
+  std::optional<ResetSource> watchdog_bites_;
   std::string refused_;
   std::uint32_t resets_ = 0;
 };

@@ -11,6 +11,7 @@ constexpr std::uint32_t kDier = 0x0C;
 constexpr std::uint32_t kSr = 0x10;
 constexpr std::uint32_t kEgr = 0x14;
 constexpr std::uint32_t kCcmr1 = 0x18;
+constexpr std::uint32_t kCcmr2 = 0x1C;
 constexpr std::uint32_t kCcer = 0x20;
 constexpr std::uint32_t kCnt = 0x24;
 constexpr std::uint32_t kPsc = 0x28;
@@ -26,21 +27,50 @@ constexpr unsigned kPwmMode2 = 7;
 constexpr double kCyclesPerUs = 72.0;
 constexpr unsigned kSelectTi1[] = {1, 2};
 
-/// Bits of one channel in CCMR1 and CCER; channels count from 1.
-unsigned mode_bits(std::uint32_t ccmr1, unsigned channel) {
-  return ccmr1 >> (8 * (channel - 1)) & 0xFFU;
-}
-unsigned enable_bits(std::uint32_t ccer, unsigned channel) {
-  return ccer >> (4 * (channel - 1)) & 0xFU;
-}
+constexpr std::uint32_t kSmcr = 0x08;
+constexpr std::uint32_t kBdtr = 0x44;
+constexpr std::uint32_t kMainOutputEnable = bit(15);
+constexpr std::uint32_t kSlaveMode = 7;
+constexpr std::uint32_t kEncoderOfBothInputs = 3;
+
+/// Channels count from 1.
+std::uint32_t compare_offset(unsigned channel) { return kCcr1 + 4 * (channel - 1); }
 
 }  // namespace
 
-void Timer::set_input1(bool high) {
-  if (high == input1_) {
+/// Bits of one channel in CCMR1 or CCMR2, and in CCER.
+unsigned Timer::mode_bits(unsigned channel) const {
+  return value(channel <= 2 ? kCcmr1 : kCcmr2) >> (8 * ((channel - 1) % 2)) & 0xFFU;
+}
+
+unsigned Timer::enable_bits(unsigned channel) const {
+  return value(kCcer) >> (4 * (channel - 1)) & 0xFU;
+}
+
+void Timer::set_input(unsigned input, bool high) {
+  bool& level = inputs_.at(input - 1);
+  if (high == level) {
     return;
   }
-  input1_ = high;
+  level = high;
+  if (runs() && is_encoder()) {
+    count_edge(input);
+  }
+  if (input == 1) {
+    capture(high);
+  }
+}
+
+/// RM0008, table 81: after an edge of the first input it leads where the two differ, after one of
+/// the second where they are the same.
+void Timer::count_edge(unsigned input) {
+  const bool differ = inputs_[0] != inputs_[1];
+  const std::uint32_t rounds_at = value(kArr) + 1;
+  const std::uint32_t step = differ == (input == 1) ? 1 : rounds_at - 1;
+  stopped_count_ = (stopped_count_ + step) % rounds_at;
+}
+
+void Timer::capture(bool high) {
   for (const unsigned channel : {1U, 2U}) {
     if (captures(channel, high)) {
       value(channel == 1 ? kCcr1 : kCcr2) = count();
@@ -54,20 +84,20 @@ world::PinSignal Timer::output(unsigned channel) const {
   if (!is_output(channel)) {
     return world::level(false);
   }
-  const unsigned mode = mode_bits(value(kCcmr1), channel) >> 4 & 7U;
-  const bool inverted = (enable_bits(value(kCcer), channel) & 2U) != 0;
+  const unsigned mode = mode_bits(channel) >> 4 & 7U;
+  const bool inverted = (enable_bits(channel) & 2U) != 0;
   if (mode != kPwmMode1 && mode != kPwmMode2) {
     return world::level((mode == kForcedActive) != inverted);
   }
-  const double compare = value(channel == 1 ? kCcr1 : kCcr2);
+  const double compare = value(compare_offset(channel));
   const double before_match = std::min(1.0, compare / (value(kArr) + 1.0));
   const double period_us = static_cast<double>(period_cycles()) / kCyclesPerUs;
   return inverted == (mode == kPwmMode1) ? world::inverted_pulses(before_match, period_us)
                                          : world::pulses(before_match, period_us);
 }
 
-std::uint64_t Timer::pulse_cycles() const {
-  return makes_pwm(1) ? std::uint64_t{value(kCcr1)} * (prescaler_ + 1) : 0;
+std::uint64_t Timer::pulse_cycles(unsigned channel) const {
+  return makes_pwm(channel) ? std::uint64_t{value(compare_offset(channel))} * (prescaler_ + 1) : 0;
 }
 
 std::uint32_t Timer::read(std::uint32_t offset) {
@@ -79,7 +109,7 @@ std::uint32_t Timer::read(std::uint32_t offset) {
   }
   if (offset == kCcr1 || offset == kCcr2) {
     const unsigned channel = offset == kCcr1 ? 1 : 2;
-    if ((mode_bits(value(kCcmr1), channel) & 3U) != 0) {
+    if ((mode_bits(channel) & 3U) != 0) {
       value(kSr) &= ~bit(channel);
       set_flags(0);
     }
@@ -92,7 +122,7 @@ void Timer::write(std::uint32_t offset, std::uint32_t value_written) {
     return;
   }
   const std::uint32_t before = count();
-  const bool ran = runs();
+  const bool ran = counts_clock();
   if (offset == kSr) {
     value(kSr) &= value_written;
   } else if (offset == kEgr && (value_written & kUpdate) != 0) {
@@ -104,7 +134,7 @@ void Timer::write(std::uint32_t offset, std::uint32_t value_written) {
   set_flags(0);
   if (offset == kCnt || offset == kEgr) {
     restart(offset == kCnt ? value_written & kHalfWord : 0);
-  } else if (ran != runs() || offset == kArr) {
+  } else if (ran != counts_clock() || offset == kArr) {
     restart(before);
   } else if (offset == kDier) {
     schedule_update();
@@ -122,20 +152,26 @@ void Timer::reset() {
 
 bool Timer::runs() const { return (value(kCr1) & 1U) != 0; }
 
+/// Its inputs are those that the first two channels look at.
+bool Timer::is_encoder() const {
+  return (value(kSmcr) & kSlaveMode) == kEncoderOfBothInputs && (mode_bits(1) & 3U) == 1 &&
+         (mode_bits(2) & 3U) == 1;
+}
+
 bool Timer::is_output(unsigned channel) const {
-  return runs() && (mode_bits(value(kCcmr1), channel) & 3U) == 0 &&
-         (enable_bits(value(kCcer), channel) & 1U) != 0;
+  const bool enabled = !kind_.has_main_output_enable || (value(kBdtr) & kMainOutputEnable) != 0;
+  return runs() && enabled && (mode_bits(channel) & 3U) == 0 && (enable_bits(channel) & 1U) != 0;
 }
 
 bool Timer::makes_pwm(unsigned channel) const {
-  return is_output(channel) && (mode_bits(value(kCcmr1), channel) >> 4 & 7U) == kPwmMode1;
+  return is_output(channel) && (mode_bits(channel) >> 4 & 7U) == kPwmMode1;
 }
 
 bool Timer::captures(unsigned channel, bool rising) const {
-  const unsigned enable = enable_bits(value(kCcer), channel);
+  const unsigned enable = enable_bits(channel);
   const bool falling_wanted = (enable & 2U) != 0;
-  return runs() && (mode_bits(value(kCcmr1), channel) & 3U) == kSelectTi1[channel - 1] &&
-         (enable & 1U) != 0 && falling_wanted != rising;
+  return runs() && (mode_bits(channel) & 3U) == kSelectTi1[channel - 1] && (enable & 1U) != 0 &&
+         falling_wanted != rising;
 }
 
 std::uint64_t Timer::period_cycles() const {
@@ -143,7 +179,7 @@ std::uint64_t Timer::period_cycles() const {
 }
 
 std::uint32_t Timer::count() const {
-  if (!runs()) {
+  if (!counts_clock()) {
     return stopped_count_;
   }
   const std::uint64_t counts = (queue_.now() - zero_cycle_) / (prescaler_ + 1);
@@ -158,7 +194,7 @@ void Timer::restart(std::uint32_t count) {
 
 void Timer::schedule_update() {
   ++schedules_;
-  if (!runs() || (value(kDier) & kUpdate) == 0) {
+  if (!counts_clock() || (value(kDier) & kUpdate) == 0) {
     return;
   }
   const std::uint64_t rounds = (queue_.now() - zero_cycle_) / period_cycles();
@@ -172,7 +208,13 @@ void Timer::schedule_update() {
 
 void Timer::set_flags(std::uint32_t flags) {
   value(kSr) |= flags;
-  nvic_.set_line(line_, (value(kSr) & value(kDier) & kHalfWord) != 0);
+  const std::uint32_t asks = value(kSr) & value(kDier) & kHalfWord;
+  if (kind_.update_line == kind_.capture_line) {
+    nvic_.set_line(kind_.update_line, asks != 0);
+  } else {
+    nvic_.set_line(kind_.update_line, (asks & kUpdate) != 0);
+    nvic_.set_line(kind_.capture_line, (asks & ~kUpdate) != 0);
+  }
 }
 
 }  // namespace echomap::unicorn

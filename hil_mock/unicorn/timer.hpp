@@ -11,21 +11,28 @@
 
 namespace echomap::unicorn {
 
-/// A timer of the family TIM1 .. TIM4: counts up, makes PWM on two channels, captures its first
-/// input, and interrupts. Source: ST RM0008, chapters 14 and 15. Preloads of compare and reload are
-/// not modelled, a new value holds at once; nor is the update flag while its interrupt is off.
+/// What one timer of the family has of its own.
+struct TimerKind {
+  std::uint8_t update_line;
+  std::uint8_t capture_line;
+  bool has_main_output_enable = false;  ///< BDTR.MOE, of TIM1.
+};
+
+/// A timer of the family TIM1 .. TIM4: counts up, makes PWM, captures its first input with channels
+/// 1 and 2, or counts the edges of its first two inputs as an encoder's, and interrupts. Source: ST
+/// RM0008, chapters 14 and 15. Preloads of compare and reload are not modelled, a new value holds
+/// at once; nor are filters of inputs, and the update flag while its interrupt is off.
 class Timer final : public Peripheral {
  public:
-  Timer(EventQueue& queue, Nvic& nvic, std::uint8_t line)
-      : queue_(queue), nvic_(nvic), line_(line) {}
+  Timer(EventQueue& queue, Nvic& nvic, TimerKind kind) : queue_(queue), nvic_(nvic), kind_(kind) {}
 
-  /// Level of the timer's first input, for the channels that capture it.
-  void set_input1(bool high);
+  /// Level of the timer's input 1 or 2.
+  void set_input(unsigned input, bool high);
 
-  /// Output of channel 1 or 2, on a pin that the timer has; low where it makes no PWM.
+  /// Output of channel 1 to 4, on a pin that the timer has; low where it makes no PWM.
   world::PinSignal output(unsigned channel) const;
-  /// Length of the pulses of channel 1, in cycles.
-  std::uint64_t pulse_cycles() const;
+  /// Length of the channel's pulses, in cycles.
+  std::uint64_t pulse_cycles(unsigned channel) const;
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
@@ -33,6 +40,12 @@ class Timer final : public Peripheral {
 
  private:
   bool runs() const;
+  bool is_encoder() const;
+  bool counts_clock() const { return runs() && !is_encoder(); }
+  void count_edge(unsigned input);
+  void capture(bool high);
+  unsigned mode_bits(unsigned channel) const;
+  unsigned enable_bits(unsigned channel) const;
   bool is_output(unsigned channel) const;
   bool makes_pwm(unsigned channel) const;
   bool captures(unsigned channel, bool rising) const;
@@ -46,13 +59,13 @@ class Timer final : public Peripheral {
 
   EventQueue& queue_;
   Nvic& nvic_;
-  std::uint8_t line_;
+  TimerKind kind_;
   std::array<std::uint32_t, 20> registers_{};
   std::uint32_t prescaler_ = 0;   ///< The one in force: PSC as of the last update.
   std::uint64_t zero_cycle_ = 0;  ///< When the count was 0.
   std::uint32_t stopped_count_ = 0;
   std::uint32_t schedules_ = 0;
-  bool input1_ = false;
+  std::array<bool, 2> inputs_{};
 };
 
 }  // namespace echomap::unicorn

@@ -115,8 +115,9 @@ world::DriverInputs UnicornBoard::driver_inputs(Wheel wheel,
 
 double UnicornBoard::pan_pulse_us() const {
   constexpr Pin kPin = blue_pill_pins::kPanServo;
-  return chip_.afio().tim2_is_on_a15() && chip_.port(kPin.port).is_alternate(kPin.number)
-             ? static_cast<double>(chip_.tim2().pulse_cycles()) / kCyclesPerUs
+  constexpr unsigned kChannel = 4;
+  return chip_.port(kPin.port).is_alternate(kPin.number)
+             ? static_cast<double>(chip_.tim1().pulse_cycles(kChannel)) / kCyclesPerUs
              : 0.0;
 }
 

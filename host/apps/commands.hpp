@@ -156,10 +156,13 @@ ExitCode run_characterise(const CharacteriseOptions& options);
 
 /// `echomap flash`: writes the firmware to a board.
 struct FlashOptions {
-  std::string board;            ///< Empty: what the USB id of the port says.
-  std::string port;             ///< Empty: the one board here that its USB id gives away.
-  int baud = 250000;            ///< Of the board's image of this build.
-  std::filesystem::path image;  ///< Empty: the board's image of this build.
+  std::string board;             ///< Empty: what the USB id of the port says.
+  std::string port;              ///< Empty: the one board here that its USB id gives away.
+  int baud = 250000;             ///< Of the board's image of this build.
+  std::filesystem::path image;   ///< Empty: the board's image of this build.
+  std::string host;              ///< Of an EV3, USER@NAME; empty: that of ev3dev.
+  std::filesystem::path volume;  ///< Of a Pico's boot loader; empty: the one that is mounted.
+  std::filesystem::path uf2;     ///< Only write the Pico's image to this file; empty: flash.
   bool dry_run = false;
 };
 ExitCode run_flash(const FlashOptions& options);

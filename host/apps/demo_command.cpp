@@ -15,6 +15,7 @@
 #include "host/apps/live_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_recording.hpp"
+#include "host/boards/boards.hpp"
 #include "host/console/print.hpp"
 #include "host/console/shell_line.hpp"
 #include "host/evaluation/run_score.hpp"
@@ -46,6 +47,27 @@ RobotProfile profile_of(const DemoOptions& options) {
   return driver.empty() ? profile
                         : session::parse_robot_profile(session::with_driver(profile.toml, driver),
                                                        options.run.robot + " with --driver");
+}
+
+/// Ends the command where the board cannot carry the profile's motor driver, before anything
+/// starts.
+void refuse_unfit_driver(const std::string& name, const RobotProfile& profile) {
+  if (name.empty()) {
+    return;
+  }
+  const boards::Board& board = boards::board_named(name);
+  const auto kind = static_cast<protocol::MotorBridgeKind>(profile.configuration.wiring.bridge);
+  if (!boards::carries(board, kind)) {
+    throw CommandError(
+        ExitCode::kConfigInvalid,
+        fmt::format("the {} cannot carry the motor driver of profile '{}', {}: it carries {}\n"
+                    "  next: another driver, or another board: {}",
+                    board.what,
+                    profile.name,
+                    boards::words_of(kind),
+                    boards::bridges_of(board),
+                    boards::boards_that_carry(kind)));
+  }
 }
 
 /// The simulated robot has the driver that its profile names.
@@ -98,8 +120,14 @@ NextCommands next_commands(const DemoOptions& options, const std::filesystem::pa
                                                  (out / "truth").string(),
                                                  "--picture",
                                                  (out / "score.png").string()});
-  const std::string again = console::shell_line(
-      {"echomap", "demo", "--world", options.robot.world, "--emulator", options.robot.emulator});
+  const bool has_board = !options.robot.board.empty();
+  const std::string again =
+      console::shell_line({"echomap",
+                           "demo",
+                           "--world",
+                           options.robot.world,
+                           has_board ? "--board" : "--emulator",
+                           has_board ? options.robot.board : options.robot.emulator});
   const std::string find = console::shell_line({"echomap", "localize", "--map", out.string()});
   return {score, is_usual ? score : again, find, again};
 }
@@ -174,6 +202,7 @@ RunEnding report_on(const DemoDrive& drive,
 ExitCode run_demo(const DemoOptions& options) {
   const RunOptions& run = options.run;
   RobotProfile profile = profile_of(options);
+  refuse_unfit_driver(options.robot.board, profile);
   const auto body = body_of(options.robot.body, profile);
   const auto out = run_folder(run.out);
   prepare_outputs(out, run.json, run.force);

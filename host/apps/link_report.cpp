@@ -6,6 +6,19 @@
 #include <fmt/format.h>
 
 namespace echomap::apps {
+namespace {
+
+std::string encoder_errors_text(const exports::LinkSummary& link) {
+  if (!link.robot_encoder_errors) {
+    return "encoder errors unknown, for the board cannot see them";
+  }
+  return fmt::format("{} encoder errors ({} left, {} right)",
+                     *link.robot_encoder_errors,
+                     link.robot_left_encoder_errors.value_or(0),
+                     link.robot_right_encoder_errors.value_or(0));
+}
+
+}  // namespace
 
 exports::LinkSummary summary_of(const robot_link::LinkStatistics& link, std::uint64_t reconnects) {
   exports::LinkSummary summary;
@@ -37,8 +50,8 @@ exports::LinkSummary summary_of(const robot_link::LinkStatistics& link, std::uin
 std::string line_of(const exports::LinkSummary& link) {
   return fmt::format(
       "link: {} frames received, {} bad, {} lost; {} sent, {} bad and {} lost there; {} commands "
-      "again, {} resets, {} outages of {:.1f} s, {} reconnects; robot: {} encoder errors ({} "
-      "left, {} right), {} overruns, {} dropped, {} bytes of stack free, rate step {}",
+      "again, {} resets, {} outages of {:.1f} s, {} reconnects; robot: {}, {} "
+      "overruns, {} dropped, {} bytes of stack free, rate step {}",
       link.frames_received,
       link.frames_bad,
       link.frames_lost,
@@ -50,9 +63,7 @@ std::string line_of(const exports::LinkSummary& link) {
       link.outages,
       link.outage_seconds,
       link.reconnects,
-      link.robot_encoder_errors,
-      link.robot_left_encoder_errors,
-      link.robot_right_encoder_errors,
+      encoder_errors_text(link),
       link.robot_receive_overruns,
       link.robot_telemetry_dropped,
       link.robot_stack_free_bytes ? std::to_string(*link.robot_stack_free_bytes) : "unknown",

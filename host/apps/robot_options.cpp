@@ -4,13 +4,14 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "host/apps/commands.hpp"
 #include "host/apps/live_options.hpp"
 #include "host/apps/map_options.hpp"
-#include "host/flashing/flash_boards.hpp"
+#include "host/boards/boards.hpp"
 #include "host/session/pipeline_setup.hpp"
 #include "host/slam/slam_methods.hpp"
 #include "host/strategies/strategy_setup.hpp"
@@ -25,17 +26,46 @@ constexpr std::size_t kMaxScans = 5;
 /// In seconds: the robot's stamps of 32 bits tell absences of up to 35.8 minutes apart.
 constexpr double kLongestAbsenceS = 1800.0;
 
-/// A board names its emulator; where both are named they have to fit.
-void choose_emulator(session::SimulatedRobotOptions& options, bool emulator_is_named) {
-  if (options.board.empty()) {
+/// A board names its emulator and its robot; an emulator of one board alone names that. Where board
+/// and emulator are both named they have to fit.
+void choose_board(DemoOptions& options, bool emulator_is_named, bool robot_is_named) {
+  session::SimulatedRobotOptions& robot = options.robot;
+  const boards::Board* board = robot.board.empty() ? boards::usual_board_of(robot.emulator)
+                                                   : &boards::board_named(robot.board);
+  if (board == nullptr) {
     return;
   }
-  const std::string fitting = options.board == "stm32f103" ? "unicorn" : "simavr";
-  if (emulator_is_named && options.emulator != fitting) {
-    throw CLI::ValidationError(
-        "--board", options.board + " is emulated by " + fitting + ", not by " + options.emulator);
+  if (!robot.board.empty() && emulator_is_named && robot.emulator != board->emulator) {
+    throw CLI::ValidationError("--board",
+                               robot.board + " is emulated by " + std::string(board->emulator) +
+                                   ", not by " + robot.emulator);
   }
-  options.emulator = fitting;
+  robot.board = board->name;
+  robot.emulator = board->emulator;
+  if (!robot_is_named) {
+    options.run.robot = board->robot;
+  }
+}
+
+/// Each emulator with the boards that it emulates: "uno or mega by simavr, ..".
+std::string boards_by_emulator() {
+  std::string words;
+  for (const std::string& emulator : boards::emulator_names()) {
+    std::string names;
+    for (const boards::Board& board : boards::all_boards()) {
+      if (board.emulator == emulator) {
+        names += (names.empty() ? "" : " or ") + std::string(board.name);
+      }
+    }
+    words += (words.empty() ? "" : ", ") + names + " by " + emulator;
+  }
+  return words;
+}
+
+std::vector<std::string> emulators_and_mock() {
+  std::vector<std::string> names = boards::emulator_names();
+  names.emplace_back("mock");
+  return names;
 }
 
 /// A camera knows better, so that one of both has the robot's pose.
@@ -171,15 +201,13 @@ void add_demo(CLI::App& app, CommandAction& action) {
       command
           ->add_option("--emulator",
                        options->robot.emulator,
-                       "simavr and unicorn run the binary that a user flashes, of an AVR board and "
-                       "of an STM32, mock the same code natively")
-          ->check(CLI::IsMember({"simavr", "unicorn", "mock"}))
+                       "mock runs the firmware natively, all others the binary that a user flashes")
+          ->check(CLI::IsMember(emulators_and_mock()))
           ->capture_default_str();
   command
-      ->add_option("--board",
-                   options->robot.board,
-                   "The board that is emulated: uno or mega by simavr, stm32f103 by unicorn")
-      ->check(CLI::IsMember({"uno", "mega", "stm32f103"}));
+      ->add_option(
+          "--board", options->robot.board, "The board that is emulated: " + boards_by_emulator())
+      ->check(CLI::IsMember(boards::emulated_board_names()));
   command->add_option("--driver",
                       options->robot.driver,
                       "Motor driver of profile and simulated robot: tb6612fng, l298n, drv8833, .. "
@@ -219,9 +247,10 @@ void add_demo(CLI::App& app, CommandAction& action) {
   add_run_options(*command, options->run);
   add_align_option(*command, options->run.align);
   add_slam_option(*command, options->run);
+  const CLI::Option* robot = command->get_option("--robot");
   command->footer("Example: echomap demo --world living_room --seed 7 --out first_map");
-  command->callback([&action, options, emulator, speed, speed_is_named] {
-    choose_emulator(options->robot, emulator->count() > 0);
+  command->callback([&action, options, emulator, robot, speed, speed_is_named] {
+    choose_board(*options, emulator->count() > 0, robot->count() > 0);
     options->live.serves = !options->run.headless;
     if (speed_is_named->count() > 0) {
       options->speed = *speed;
@@ -234,15 +263,17 @@ void add_flash(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("flash", "Write the firmware to a board");
   const auto options = std::make_shared<FlashOptions>();
   command->add_option("--board", options->board, "Which board; by default what its USB id says")
-      ->check(CLI::IsMember(flashing::flash_board_names()));
+      ->check(CLI::IsMember(boards::board_names()));
   command
       ->add_option("--port",
                    options->port,
                    "Serial device, or id:TEXT of a USB port or ST-Link; by default the one board "
                    "here that its USB id gives away")
       ->envname("ECHOMAP_PORT");
-  command->add_option(
-      "--image", options->image, "Intel hex file; by default the one of this build");
+  command->add_option("--image",
+                      options->image,
+                      "Intel hex file, of an EV3 the program, of a Pico .bin or .uf2; by default "
+                      "the one of this build");
   command
       ->add_option("--baud",
                    options->baud,
@@ -250,6 +281,15 @@ void add_flash(CLI::App& app, CommandAction& action) {
       ->check(CLI::IsMember({9600, 115200, 250000, 500000}))
       ->excludes("--image")
       ->capture_default_str();
+  command->add_option(
+      "--host", options->host, "Of an EV3: USER@NAME for ssh; by default robot@ev3dev.local");
+  command->add_option(
+      "--volume",
+      options->volume,
+      "Of a Pico: where the drive RPI-RP2 of its boot loader is mounted; by default "
+      "the one that is");
+  command->add_option(
+      "--uf2", options->uf2, "Of a Pico: write the image as this UF2 file instead of flashing it");
   command->add_flag("--dry-run", options->dry_run, "Only print the commands");
   command->footer("Example: echomap flash --board nano --port /dev/ttyUSB0");
   command->callback([&action, options] { action = [options] { return run_flash(*options); }; });

@@ -32,9 +32,9 @@ nlohmann::ordered_json to_json(const LinkSummary& link) {
       {"robot_frames_lost", link.robot_frames_lost},
       {"robot_receive_overruns", link.robot_receive_overruns},
       {"robot_telemetry_dropped", link.robot_telemetry_dropped},
-      {"robot_encoder_errors", link.robot_encoder_errors},
-      {"robot_left_encoder_errors", link.robot_left_encoder_errors},
-      {"robot_right_encoder_errors", link.robot_right_encoder_errors},
+      {"robot_encoder_errors", or_null(link.robot_encoder_errors)},
+      {"robot_left_encoder_errors", or_null(link.robot_left_encoder_errors)},
+      {"robot_right_encoder_errors", or_null(link.robot_right_encoder_errors)},
       {"robot_stack_free_bytes", or_null(link.robot_stack_free_bytes)},
       {"robot_rate_step", link.robot_rate_step},
   };

@@ -32,9 +32,10 @@ struct LinkSummary {
   std::uint64_t robot_frames_lost = 0;
   std::uint64_t robot_receive_overruns = 0;
   std::uint64_t robot_telemetry_dropped = 0;
-  std::uint64_t robot_encoder_errors = 0;
-  std::uint64_t robot_left_encoder_errors = 0;
-  std::uint64_t robot_right_encoder_errors = 0;
+  /// Empty where the board cannot see them.
+  std::optional<std::uint64_t> robot_encoder_errors = 0;
+  std::optional<std::uint64_t> robot_left_encoder_errors = 0;
+  std::optional<std::uint64_t> robot_right_encoder_errors = 0;
   std::optional<std::uint16_t> robot_stack_free_bytes;  ///< The least; empty where not told.
   std::uint8_t robot_rate_step = 0;
 };

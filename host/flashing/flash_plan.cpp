@@ -87,9 +87,9 @@ bool is_flashed_by_port(const KnownUsbId& known) {
 }
 
 /// The board at `port`, from what was said and from the port's id.
-const FlashBoard& board_at(const PortInfo& port,
-                           const FlashBoard* said,
-                           const AttachedDevices& attached) {
+const boards::Board& board_at(const PortInfo& port,
+                              const boards::Board* said,
+                              const AttachedDevices& attached) {
   const std::string will_not = "will not flash " + in_words(port) + ": ";
   const KnownUsbId* known = port.usb_id ? known_usb_id(*port.usb_id) : nullptr;
   if (known == nullptr || !is_flashed_by_port(*known)) {
@@ -103,7 +103,7 @@ const FlashBoard& board_at(const PortInfo& port,
              fmt::format("--board {}, or the port of another board", known->board),
              attached);
     }
-    return flash_board(known->board);
+    return boards::board_named(known->board);
   }
   if (said == nullptr) {
     refuse(will_not + "many things have this serial chip, and boards of every kind",
@@ -113,18 +113,18 @@ const FlashBoard& board_at(const PortInfo& port,
   return *said;
 }
 
-FlashTarget target_at(const PortInfo& port, const FlashBoard& board) {
+FlashTarget target_at(const PortInfo& port, const boards::Board& board) {
   return {&board, port.name, "", in_words(port)};
 }
 
 /// The one board here that its USB id gives away.
-FlashTarget only_board(const FlashBoard* said, const AttachedDevices& attached) {
+FlashTarget only_board(const boards::Board* said, const AttachedDevices& attached) {
   std::vector<FlashTarget> found;
   for (const PortInfo& port : attached.ports) {
     const KnownUsbId* known = port.usb_id ? known_usb_id(*port.usb_id) : nullptr;
     if (known != nullptr && known->role == UsbRole::kBoard &&
         (said == nullptr || said->name == known->board)) {
-      found.push_back(target_at(port, flash_board(known->board)));
+      found.push_back(target_at(port, boards::board_named(known->board)));
     }
   }
   if (found.size() == 1) {
@@ -140,7 +140,7 @@ FlashTarget only_board(const FlashBoard* said, const AttachedDevices& attached) 
 }
 
 /// The ST-Link; `id` is a part of its serial number, or empty.
-FlashTarget programmer_target(const FlashBoard& board,
+FlashTarget programmer_target(const boards::Board& board,
                               const std::string& id,
                               const AttachedDevices& attached) {
   const auto here = programmers(attached);
@@ -205,9 +205,10 @@ FlashPlan stm32flash_plan(const FlashTarget& target, const std::string& image) {
 }  // namespace
 
 FlashTarget choose_flash_target(const FlashRequest& request, const AttachedDevices& attached) {
-  const FlashBoard* said = request.board.empty() ? nullptr : &flash_board(request.board);
+  const boards::Board* said = request.board.empty() ? nullptr : &boards::board_named(request.board);
   const auto id = transport::port_id_text(request.port);
-  if (said != nullptr && said->tool == FlashTool::kStm32 && (request.port.empty() || id)) {
+  if (said != nullptr && said->method == boards::FlashMethod::kStm32 &&
+      (request.port.empty() || id)) {
     return programmer_target(*said, std::string(id.value_or("")), attached);
   }
   if (request.port.empty()) {
@@ -218,7 +219,7 @@ FlashTarget choose_flash_target(const FlashRequest& request, const AttachedDevic
 }
 
 FlashPlan flash_plan(const FlashTarget& target, const std::string& image) {
-  if (target.board->tool == FlashTool::kAvrdude) {
+  if (target.board->method == boards::FlashMethod::kAvrdude) {
     return avrdude_plan(target, image);
   }
   return target.port.empty() ? st_flash_plan(target, image) : stm32flash_plan(target, image);

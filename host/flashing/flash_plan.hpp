@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "host/boards/boards.hpp"
 #include "host/console/shell_line.hpp"
-#include "host/flashing/flash_boards.hpp"
 #include "host/transport/port_list.hpp"
 #include "host/transport/usb_devices.hpp"
 
@@ -33,7 +33,7 @@ struct FlashPlan {
 
 /// A board and the place to write to.
 struct FlashTarget {
-  const FlashBoard* board = nullptr;
+  const boards::Board* board = nullptr;
   std::string port;    ///< Path; empty for an ST-Link.
   std::string serial;  ///< Of the ST-Link, where there are several.
   std::string what;    ///< In words, with the USB id.

@@ -13,6 +13,7 @@
 
 #include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
+#include "host/flashing/boot_drive.hpp"
 
 namespace echomap::flashing {
 namespace {
@@ -46,6 +47,37 @@ int run_in_terminal(const console::CommandWords& command, const std::string& pac
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+void print_command(const console::CommandWords& command) {
+  fmt::print("{}\n", console::shell_line(command));
+  std::fflush(stdout);
+}
+
+/// Throws what a step of a brick says by its exit code.
+[[noreturn]] void refuse_step(const BrickPlan& plan, const FlashStep& step, int status) {
+  constexpr int kSshItself = 255;
+  if (status == step.refusal) {
+    throw console::CommandError(console::ExitCode::kNoRobot, step.refused);
+  }
+  if (status == kSshItself) {
+    throw console::CommandError(
+        console::ExitCode::kNoRobot,
+        fmt::format("{0} cannot reach {1} (above), to {2}\n  next: is the brick on, with ev3dev, "
+                    "and connected? try: ssh {1}; name it with --host USER@ADDRESS",
+                    step.command.front(),
+                    plan.host,
+                    step.what));
+  }
+  throw console::CommandError(
+      console::ExitCode::kRuntimeError,
+      fmt::format("{} could not {} on {} (exit code {})\n  next: see what it says above; is there "
+                  "space on the brick's card? ssh {} df -h",
+                  step.command.front(),
+                  step.what,
+                  plan.host,
+                  status,
+                  plan.host));
+}
+
 /// What the second try has shown of the board.
 constexpr auto kOldBootLoader =
     "this board has the old boot loader, which does not switch the watchdog off: after a hang the\n"
@@ -62,8 +94,7 @@ console::ExitCode carry_out(const FlashPlan& plan, bool dry_run) {
       console::print(dry_run ? "if that fails:"
                              : "that failed; once more, as an old boot loader wants it:");
     }
-    fmt::print("{}\n", console::shell_line(command));
-    std::fflush(stdout);
+    print_command(command);
     if (dry_run) {
       continue;
     }
@@ -88,6 +119,49 @@ console::ExitCode carry_out(const FlashPlan& plan, bool dry_run) {
                                           plan.place,
                                           status,
                                           plan.advice));
+}
+
+console::ExitCode carry_out(const BrickPlan& plan, bool dry_run) {
+  for (const FlashStep& step : plan.steps) {
+    print_command(step.command);
+    if (dry_run) {
+      continue;
+    }
+    const int status = run_in_terminal(step.command, "openssh-client");
+    if (console::interrupted() || status == 128 + SIGINT) {
+      return console::ExitCode::kInterrupted;
+    }
+    if (status != 0) {
+      refuse_step(plan, step, status);
+    }
+  }
+  if (!dry_run) {
+    console::print("flashed " + plan.host + "\n  next: echomap explore --robot ev3 --port " +
+                   plan.address);
+  }
+  return console::ExitCode::kOk;
+}
+
+console::ExitCode carry_out(const DrivePlan& plan, bool dry_run) {
+  auto file = plan.image;
+  file.replace_extension(".uf2");
+  if (file != plan.image) {
+    print_command({"echomap",
+                   "flash",
+                   "--board",
+                   "pico",
+                   "--image",
+                   plan.image.string(),
+                   "--uf2",
+                   file.string()});
+  }
+  print_command({"cp", file.string(), plan.drive.string()});
+  if (!dry_run) {
+    copy_to_boot_drive(plan.uf2, plan.drive, file.filename().string(), ::fsync);
+    console::print("flashed the Pico at " + plan.drive.string() +
+                   ": it starts its program and shows a serial port");
+  }
+  return console::ExitCode::kOk;
 }
 
 }  // namespace echomap::flashing

@@ -34,10 +34,11 @@ struct LinkStatistics {
   std::uint64_t robot_frames_lost = 0;
   std::uint64_t robot_receive_overruns = 0;
   std::uint64_t robot_telemetry_dropped = 0;
-  std::uint64_t robot_encoder_errors = 0;  ///< Illegal transitions of the encoders.
+  /// Illegal transitions of the encoders; empty where the board cannot see them.
+  std::optional<std::uint64_t> robot_encoder_errors = 0;
   /// Those of each wheel; 0 where the robot does not tell, as before protocol 1.3.
-  std::uint64_t robot_left_encoder_errors = 0;
-  std::uint64_t robot_right_encoder_errors = 0;
+  std::optional<std::uint64_t> robot_left_encoder_errors = 0;
+  std::optional<std::uint64_t> robot_right_encoder_errors = 0;
   /// The least it told; empty where it told none.
   std::optional<std::uint16_t> robot_stack_free_bytes;
   std::uint8_t robot_rate_step = 0;  ///< The last: telemetry periods are stretched by 2 to it.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "protocol/handshake_messages.hpp"
+
 namespace echomap::robot_link {
 namespace {
 
@@ -31,14 +33,21 @@ void RobotCounters::take(const protocol::EncoderErrors& errors) {
   last_errors_ = errors;
 }
 
+void RobotCounters::take_capabilities(std::uint32_t capabilities) {
+  sees_encoder_errors_ = (capabilities & protocol::kCapabilityBlindEncoders) == 0;
+}
+
 void RobotCounters::add_to(LinkStatistics& statistics) const {
   statistics.robot_frames_bad = frames_bad_;
   statistics.robot_frames_lost = frames_lost_;
   statistics.robot_receive_overruns = receive_overruns_;
   statistics.robot_telemetry_dropped = telemetry_dropped_;
-  statistics.robot_encoder_errors = encoder_errors_;
-  statistics.robot_left_encoder_errors = left_encoder_errors_;
-  statistics.robot_right_encoder_errors = right_encoder_errors_;
+  const auto if_seen = [this](std::uint64_t errors) {
+    return sees_encoder_errors_ ? std::optional(errors) : std::nullopt;
+  };
+  statistics.robot_encoder_errors = if_seen(encoder_errors_);
+  statistics.robot_left_encoder_errors = if_seen(left_encoder_errors_);
+  statistics.robot_right_encoder_errors = if_seen(right_encoder_errors_);
   statistics.robot_stack_free_bytes = min_stack_free_bytes_;
   statistics.robot_rate_step = last_.rate_step;
 }

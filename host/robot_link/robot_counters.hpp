@@ -15,6 +15,8 @@ class RobotCounters {
  public:
   void take(const protocol::Health& health);
   void take(const protocol::EncoderErrors& errors);
+  /// What the board can count at all: bits of protocol::Capability.
+  void take_capabilities(std::uint32_t capabilities);
   /// The robot was reset: its counters start at zero, ours go on.
   void restart() {
     last_ = {};
@@ -34,6 +36,7 @@ class RobotCounters {
   std::uint64_t encoder_errors_ = 0;
   std::uint64_t left_encoder_errors_ = 0;
   std::uint64_t right_encoder_errors_ = 0;
+  bool sees_encoder_errors_ = true;
   std::optional<std::uint16_t> min_stack_free_bytes_;
 };
 

@@ -92,6 +92,7 @@ void RobotLink::act_on(RobotIdentity identity, const protocol::HelloReply& robot
     case RobotIdentity::kUnderstood:
       state_ = LinkState::kReady;
       telemetry_.restart();
+      telemetry_.take_capabilities(robot.capabilities);
       pings_.restart(now_);
       if (outages_.last() > params_.clock.window) {
         clock_.restart();  // Nothing that it knows counts any more, and stamps may have wrapped.

@@ -22,6 +22,8 @@ class TelemetryFeed {
 
   /// The next stamp may be any.
   void restart() { newest_stamp_us_.reset(); }
+  /// What the board can count, as HelloReply tells it.
+  void take_capabilities(std::uint32_t capabilities) { counters_.take_capabilities(capabilities); }
   /// The robot was reset, and its counters start at zero.
   void restart_counters() { counters_.restart(); }
   /// Since then; empty before the first.

@@ -39,9 +39,11 @@ ros_messages::DiagnosticStatus diagnostics_of(const robot_link::LinkStatistics& 
   add("robot frames lost", link.robot_frames_lost);
   add("robot receive overruns", link.robot_receive_overruns);
   add("robot telemetry dropped", link.robot_telemetry_dropped);
-  add("robot encoder errors", link.robot_encoder_errors);
-  add("robot left encoder errors", link.robot_left_encoder_errors);
-  add("robot right encoder errors", link.robot_right_encoder_errors);
+  if (link.robot_encoder_errors) {
+    add("robot encoder errors", *link.robot_encoder_errors);
+    add("robot left encoder errors", link.robot_left_encoder_errors.value_or(0));
+    add("robot right encoder errors", link.robot_right_encoder_errors.value_or(0));
+  }
   add("robot stack free bytes", link.robot_stack_free_bytes.value_or(0));
   return status;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/boards/boards.hpp"
 #include "host/files/nearest_word.hpp"
 
 namespace echomap::session {
@@ -87,15 +88,17 @@ void read_motor_driver(const files::TomlReader& drive, protocol::ConfigureWiring
 }
 
 std::string advice_on_refused_bridge(const protocol::ConfigureWiring& wiring) {
-  if (wiring.bridge == static_cast<std::uint8_t>(MotorBridgeKind::kServo)) {
+  const auto kind = static_cast<MotorBridgeKind>(wiring.bridge);
+  if (kind == MotorBridgeKind::kServo) {
     return "it has no timer left for servos as wheels\n"
-           "  next: use an Arduino Mega or an STM32F103, which have one, or a motor driver, and "
-           "name it in the profile: driver = \"tb6612fng\" in [drive]";
+           "  next: use another board, " +
+           boards::boards_that_carry(kind) +
+           ", or a motor driver, and name it in the profile: driver = \"tb6612fng\" in [drive]";
   }
   return "the driver's second inputs need pins that [wiring] gives away, or the board lacks them\n"
-         "  next: free pin_0 and pin_1 (D11, D12) of an Uno or Nano, pin_11 and pin_12 (A8, A11) "
-         "of "
-         "an STM32F103";
+         "  next: free pin_0 and pin_1 (D11, D12) of an Uno or Nano, pin_11 and pin_12 (B12, B13) "
+         "of an STM32F103, pin_9 and pin_10 (GP11, GP13) of a Pico; an EV3 has no driver but its "
+         "own: leave 'driver' out";
 }
 
 }  // namespace echomap::session

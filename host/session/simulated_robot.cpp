@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "host/boards/boards.hpp"
 #include "host/console/exit_code.hpp"
 #include "host/files/atomic_file.hpp"
 
@@ -16,13 +17,14 @@ using console::ExitCode;
 
 namespace fs = std::filesystem;
 
-std::string program_of(const std::string& emulator) {
-  const fs::path program = program_folder() / ("echomap-" + emulator);
+std::string program_of(const SimulatedRobotOptions& options) {
+  const fs::path program = program_folder() / ("echomap-" + options.emulator);
   if (!fs::exists(program)) {
     throw CommandError(ExitCode::kRuntimeError,
                        program.string() +
-                           " was not built: a dependency is missing on this machine\n"
-                           "  next: ./run setup && ./run build, or --emulator mock");
+                           " was not built: a dependency is missing on this machine\n  next: " +
+                           boards::way_to_build(options.emulator, options.board) +
+                           (options.emulator == "mock" ? "" : ", or --emulator mock"));
   }
   return program;
 }
@@ -35,7 +37,7 @@ SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
                                const fs::path& out)
     : is_radio_(options.line == "bluetooth"), truth_(out / "truth"), log_(out / "robot.log") {
   fs::create_directories(truth_);
-  std::vector<std::string> command{program_of(options.emulator),
+  std::vector<std::string> command{program_of(options),
                                    "--world=" + options.world,
                                    "--robot=" + body.string(),
                                    "--seed=" + std::to_string(seed.number()),

@@ -14,7 +14,7 @@ namespace echomap::session {
 /// Which simulated robot is started, and in which room.
 struct SimulatedRobotOptions {
   std::string world = "living_room";
-  std::string emulator = "simavr";  ///< Or "unicorn" or "mock".
+  std::string emulator = "simavr";  ///< One of boards::emulator_names(), or "mock".
   std::string board;                ///< One of that emulator; empty: its usual one.
   std::string driver;               ///< Of its motors; empty: that of its body's file.
   std::string line = "direct";      ///< What carries the bytes: direct, usb, ftdi or bluetooth.

@@ -11,7 +11,8 @@ namespace {
 /// drivers ch341, ftdi_sio and cp210x of Linux. ST-Links that stand alone: the udev rules of
 /// stlink-tools; those soldered to a Nucleo or Discovery board are left out, for that is another
 /// board. STM32 and RP2040: what ST's USB library and the pico-sdk give to any program, and the
-/// RP2040's boot loader in its ROM.
+/// RP2040's boot loader in its ROM. EV3: what Linux's g_serial gives to any machine whose USB
+/// serial gadget it is (drivers/usb/gadget/legacy/serial.c), and LEGO's id of the brick.
 constexpr std::array kKnownUsbIds{
     KnownUsbId{{0x2341, 0x0043}, UsbRole::kBoard, "Arduino Uno R3", "uno"},
     KnownUsbId{{0x2341, 0x0001}, UsbRole::kBoard, "Arduino Uno", "uno"},
@@ -37,6 +38,8 @@ constexpr std::array kKnownUsbIds{
     KnownUsbId{{0x0483, 0x3753}, UsbRole::kProgrammer, "ST-Link V3", ""},
     KnownUsbId{{0x0483, 0x5740}, UsbRole::kOwnUsb, "STM32", ""},
     KnownUsbId{{0x2e8a, 0x000a}, UsbRole::kOwnUsb, "RP2040", ""},
+    KnownUsbId{{0x0525, 0xa4a7}, UsbRole::kOwnUsb, "Linux serial gadget, as of an EV3", ""},
+    KnownUsbId{{0x0694, 0x0005}, UsbRole::kOwnUsb, "LEGO EV3", ""},
     KnownUsbId{{0x2e8a, 0x0003}, UsbRole::kBootDrive, "RP2040 in its boot loader", ""},
 };
 

@@ -2,11 +2,13 @@
 #include "tests/benchmarks/demo_runs.hpp"
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
+#include <thread>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,7 +22,8 @@
 namespace echomap::bench {
 namespace {
 
-constexpr std::chrono::minutes kPatience(5);
+/// Beside others, on an emulator that is slower than the robot.
+constexpr std::chrono::minutes kPatience(15);
 
 /// A figure of the demo's report, and what `--check` demands of its median.
 struct Column {
@@ -87,28 +90,51 @@ void take(const nlohmann::json& report, Values& values) {
   }
 }
 
+/// The reports of all seeds, in their order.
+std::vector<std::optional<nlohmann::json>> run_demos(const DemoRuns& options) {
+  const session::TemporaryFolder folder;
+  std::vector<std::optional<nlohmann::json>> reports(static_cast<std::size_t>(options.seeds));
+  std::atomic<int> next_seed = 1;
+  const auto work = [&] {
+    for (int seed = next_seed++; seed <= options.seeds; seed = next_seed++) {
+      reports[static_cast<std::size_t>(seed - 1)] = run_demo(options, seed, folder.path());
+    }
+  };
+  std::vector<std::jthread> workers;
+  for (int i = 0; i < options.jobs; ++i) {
+    workers.emplace_back(work);
+  }
+  workers.clear();
+  return reports;
+}
+
 }  // namespace
 
-std::vector<Figure> measure_demos(const DemoRuns& options) {
-  const session::TemporaryFolder folder;
+DemoFigures measure_demos(const DemoRuns& options) {
+  DemoFigures demos;
   Values values;
+  double ended = 0.0;
   double complete = 0.0;
   double relocalized = 0.0;
-  for (int seed = 1; seed <= options.seeds; ++seed) {
-    if (const auto report = run_demo(options, seed, folder.path())) {
+  for (const auto& report : run_demos(options)) {
+    if (report) {
+      ended += 1.0;
       complete += report->at("outcome") == "complete" ? 1.0 : 0.0;
       relocalized += report->contains("kidnap") && report->at("kidnap").at("found") ? 1.0 : 0.0;
+      demos.emulator = report->at("emulator").get<std::string>();
       take(*report, values);
     }
   }
-  std::vector<Figure> figures{{"runs_complete", complete, "", std::size_t(options.seeds), {}},
-                              {"relocalized", relocalized, "", std::size_t(options.seeds), {}}};
+  const auto runs = static_cast<std::size_t>(options.seeds);
+  demos.figures = {{"runs_ended", ended, "", runs, {}},
+                   {"runs_complete", complete, "", runs, {}},
+                   {"relocalized", relocalized, "", runs, {}}};
   for (const Column& column : kColumns) {
     if (const auto& list = values[column.name]; !list.empty()) {
-      figures.push_back({column.name, tests::median(list), column.unit, list.size(), {}});
+      demos.figures.push_back({column.name, tests::median(list), column.unit, list.size(), {}});
     }
   }
-  return figures;
+  return demos;
 }
 
 bool demos_pass(const std::vector<Figure>& figures, double seeds) {

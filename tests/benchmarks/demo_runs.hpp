@@ -18,12 +18,19 @@ struct DemoRuns {
   std::string driver;  ///< Of the motors; empty: the profile's.
   std::string line = "direct";
   std::string faults;
+  int jobs = 1;  ///< Demos that run at a time.
+};
+
+/// What came of the demos.
+struct DemoFigures {
+  std::vector<Figure> figures;
+  std::string emulator;  ///< Its name and version, as the runs report it; empty where none ended.
 };
 
 /// What the runs that ended by themselves say, as medians by column of the demo's report;
-/// "runs_complete" counts those whose map is, "relocalized" those whose robot was found after it
-/// was carried off.
-std::vector<Figure> measure_demos(const DemoRuns& options);
+/// "runs_ended" counts these, "runs_complete" those whose map is, "relocalized" those whose robot
+/// was found after it was carried off.
+DemoFigures measure_demos(const DemoRuns& options);
 
 /// Whether every run ended and had every bounded figure, with the medians within the bounds of
 /// living_room; says on stderr what is not so.

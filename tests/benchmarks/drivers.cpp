@@ -53,7 +53,7 @@ std::vector<Figure> measure_drivers(DemoRuns options, const std::vector<std::str
     fmt::print(stderr, "{} on {}\n", driver.name, driver.board);
     options.driver = driver.name;
     options.board = driver.board;
-    const std::vector<Figure> figures = measure_demos(options);
+    const std::vector<Figure> figures = measure_demos(options).figures;
     kinds.insert(driver.kind);
     if (!demos_pass(figures, options.seeds)) {
       failed.insert(driver.kind);

@@ -147,8 +147,13 @@ void add_options(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--papers", options.papers, "As paper_001,paper_003; all where none is named")
       ->delimiter(',')
-      ->check(CLI::IsMember(
-          {"paper_000", "paper_001", "paper_001_measured", "paper_002", "paper_003"}));
+      ->check(CLI::IsMember({"paper_000",
+                             "paper_001",
+                             "paper_001_measured",
+                             "paper_002",
+                             "paper_003",
+                             "paper_000_brick",
+                             "paper_003_brick"}));
   auto* emulator = app.add_option(
       "--emulator", options.emulator, "Instead of the mock for rooms and simavr for papers");
   app.add_option("--board", options.board, "Instead of --emulator")->excludes(emulator);

@@ -106,6 +106,8 @@ std::vector<PaperExperiment> paper_experiments(const std::filesystem::path& fold
   all.push_back({"paper_001_measured", tests::measured_create_in("create_l", folder)});
   all.push_back({"paper_002", tests::epuck_on_its_field()});
   all.push_back({"paper_003", tests::ev3_at_its_door()});
+  all.push_back({"paper_003_brick", tests::brick_at_its_door()});
+  all.push_back({"paper_000_brick", tests::brick_in_the_nxts_room()});
   return all;
 }
 

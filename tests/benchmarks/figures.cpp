@@ -40,9 +40,14 @@ constexpr const char* isa_name() {
 
 }  // namespace
 
-void report(const std::vector<Figure>& figures, const std::filesystem::path& json) {
+void report(const std::vector<Figure>& figures,
+            const std::filesystem::path& json,
+            const Notes& notes) {
   const std::string cpu = cpu_name();
   fmt::print("on {}, compiled for {}\n", cpu, isa_name());
+  for (const auto& [name, text] : notes) {
+    fmt::print("{}: {}\n", name, text);
+  }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::size_t width = 28;
   for (const Figure& figure : figures) {
@@ -70,10 +75,11 @@ void report(const std::vector<Figure>& figures, const std::filesystem::path& jso
                     {"peers", figure.peers}});
   }
   if (!json.empty()) {
-    files::write_text_file(
-        json,
-        nlohmann::ordered_json{{"cpu", cpu}, {"isa", isa_name()}, {"figures", list}}.dump(2) +
-            "\n");
+    nlohmann::ordered_json all{{"cpu", cpu}, {"isa", isa_name()}, {"figures", list}};
+    if (!notes.empty()) {
+      all["notes"] = notes;
+    }
+    files::write_text_file(json, all.dump(2) + "\n");
   }
 }
 

@@ -17,9 +17,14 @@ struct Figure {
   std::map<std::string, double> peers;
 };
 
+/// What is said of the figures in words, by name: the emulator of each board.
+using Notes = std::map<std::string, std::string>;
+
 /// Prints a table on stdout, below the processor and the instruction set that this was compiled
-/// for, and writes {"cpu": .., "isa": .., "figures": [..]} to `json` unless it is empty. Throws
-/// files::FileError.
-void report(const std::vector<Figure>& figures, const std::filesystem::path& json);
+/// for, and writes {"cpu": .., "isa": .., "figures": [..], "notes": {..}} to `json` unless it is
+/// empty; without notes there are none in either. Throws files::FileError.
+void report(const std::vector<Figure>& figures,
+            const std::filesystem::path& json,
+            const Notes& notes = {});
 
 }  // namespace echomap::bench

@@ -72,6 +72,8 @@ std::vector<const char*> images_of_every_baud() {
           "echomap-mega-500000"};
 }
 
+std::vector<const char*> images_that_tell_lost_steps() { return flashed_images(); }
+
 std::vector<const char*> vector_images() { return {"echomap-uno-vectors", "echomap-mega-vectors"}; }
 
 }  // namespace echomap::tests

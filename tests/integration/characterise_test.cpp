@@ -35,7 +35,7 @@ class Characterise : public ::testing::Test {
 TEST_F(Characterise, FindsTheConeAndTheNoiseOfASonarInASquareRoom) {
   const Ended run = echomap({"demo",
                              "--emulator=mock",
-                             "--robot=ev3",
+                             "--robot=ev3_mega",
                              "--world=square_room",
                              "--stops=6",
                              "--seed=2",
@@ -48,7 +48,7 @@ TEST_F(Characterise, FindsTheConeAndTheNoiseOfASonarInASquareRoom) {
   EXPECT_THAT(ended.said, HasSubstr("beam_half_angle_deg = "));
   const auto found = report();
   EXPECT_GE(found.at("walls"), 5);
-  // hil_mock/robots/ev3.toml: 32.8 degrees, 1 cm.
+  // hil_mock/robots/ev3_mega.toml: 32.8 degrees, 1 cm.
   EXPECT_NEAR(found.at("beam_width_deg").get<double>(), 32.8, 4.0);
   EXPECT_NEAR(found.at("suggested_beam_half_angle_deg").get<double>(), 16.4, 2.0);
   EXPECT_LE(found.at("beam_width_low_deg"), found.at("beam_width_deg"));

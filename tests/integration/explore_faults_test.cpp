@@ -261,7 +261,7 @@ TEST_F(ExploreFaults, ADeadEncoderEndsIt) {
 TEST_F(ExploreFaults, ADeadEncoderEndsTheOtherRobotsToo) {
   for (const auto& [robot, world, strategy, status, outcome] :
        {std::tuple(
-            "--robot=ev3", "--world=playground", "--strategy=nxt-farthest", 9, "robot-fault"),
+            "--robot=ev3_mega", "--world=playground", "--strategy=nxt-farthest", 9, "robot-fault"),
         std::tuple(
             "--robot=epuck", "--world=epuck_field", "--strategy=random-bounce", 7, "wheel-fault"),
         std::tuple("--robot=create", "--world=create_l", "--strategy=coastal", 7, "wheel-fault")}) {
@@ -346,7 +346,7 @@ TEST_F(ExploreFaults, CarriedOffAfterItsFirstStopItKeepsTwoMapsAndBothAreRight) 
 
 /// Its waypoints lie in the map that it began.
 TEST_F(ExploreFaults, AStrategyThatGoesByMoreThanItsMapEndsWhereTheRobotIsLost) {
-  const Ended ended = run({"--robot=ev3",
+  const Ended ended = run({"--robot=ev3_mega",
                            "--world=playground",
                            "--strategy=tangent-bug",
                            "--waypoints=playground",

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/files/atomic_file.hpp"
+#include "tests/host/flashing/brick_program.hpp"
 #include "tests/integration/programs.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -57,6 +59,63 @@ TEST_F(Flash, RefusesABoardThatItDoesNotKnow) {
   const Ended ended = flash({"--board=due"});
   EXPECT_EQ(ended.status, 2);
   EXPECT_THAT(ended.said, HasSubstr("uno,nano,mega"));
+}
+
+/// The image of an RP2040 that this test makes: a boot stage with its checksum, and vectors.
+std::string pico_image() {
+  std::string image(3000, '\0');
+  const std::string checksum = "\x9a\x39\x65\x70";
+  image.replace(252, 4, checksum);
+  image.replace(256, 8, std::string("\x00\x00\x04\x20\x01\x02\x00\x10", 8));
+  return image;
+}
+
+TEST_F(Flash, CopiesAPicosImageToTheDriveThatIsNamed) {
+  files::write_text_file(scratch / "pico.bin", pico_image());
+  fs::create_directory(scratch / "drive");
+  const std::vector<std::string> words{"--board=pico",
+                                       "--image=" + (scratch / "pico.bin").string(),
+                                       "--volume=" + (scratch / "drive").string()};
+  const Ended refused = flash(words);
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_THAT(refused.said, HasSubstr("is no drive of a Pico"));
+
+  files::write_text_file(scratch / "drive" / "INFO_UF2.TXT", "Board-ID: RPI-RP2\n");
+  const Ended ended = flash(words);
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(fs::file_size(scratch / "drive" / "pico.uf2"), 16 * 512U);
+}
+
+TEST_F(Flash, WritesAPicosImageAsAFileToDrag) {
+  files::write_text_file(scratch / "pico.bin", pico_image());
+  const std::string uf2 = (scratch / "to_drag.uf2").string();
+  const Ended ended =
+      flash({"--board=pico", "--image=" + (scratch / "pico.bin").string(), "--uf2=" + uf2});
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(files::read_text_file(uf2).substr(0, 4), "UF2\n");
+  files::write_text_file(scratch / "uno.hex", ":100000000C9434000C943E000C943E000C943E0082\n");
+  const Ended refused = flash({"--board=pico", "--image=" + (scratch / "uno.hex").string()});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.said, HasSubstr("too few for a boot stage"));
+}
+
+/// ssh and scp before the real ones in PATH: no host is ever asked.
+TEST_F(Flash, CopiesAnEv3sProgramByScpAndStartsIt) {
+  for (const char* name : {"ssh", "scp"}) {
+    std::ofstream(scratch / name) << "#!/bin/sh\necho \"ran: " << name << " $*\"\n";
+    fs::permissions(scratch / name, fs::perms::owner_all);
+  }
+  files::write_text_file(scratch / "ev3.elf", flashing::brick_program());
+  const std::string image = "--image=" + (scratch / "ev3.elf").string();
+  const Ended dry = flash({"--board=ev3", image, "--host=robot@10.0.0.7", "--dry-run"});
+  EXPECT_EQ(dry.status, 0);
+  EXPECT_THAT(dry.said, AllOf(HasSubstr("scp -o ConnectTimeout=10"), Not(HasSubstr("ran: "))));
+  const Ended ended = flash({"--board=ev3", image, "--host=robot@10.0.0.7"});
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_THAT(ended.said,
+              HasSubstr("ran: scp -o ConnectTimeout=10 " + (scratch / "ev3.elf").string() +
+                        " robot@10.0.0.7:"));
+  EXPECT_THAT(ended.said, HasSubstr("--port tcp://10.0.0.7:8375"));
 }
 
 TEST_F(Flash, TakesThePortFromTheEnvironment) {

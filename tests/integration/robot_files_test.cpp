@@ -93,10 +93,11 @@ TEST_P(BundledRobot, BelievesItsInfraredSensorsWhereTheySit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All,
-                         BundledRobot,
-                         testing::Values("uno_2wd", "nxt_tribot", "create", "epuck", "ev3"),
-                         [](const auto& robot) { return std::string(robot.param); });
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    BundledRobot,
+    testing::Values("uno_2wd", "nxt_tribot", "create", "epuck", "ev3", "ev3_mega"),
+    [](const auto& robot) { return std::string(robot.param); });
 
 }  // namespace
 }  // namespace echomap::session

@@ -240,7 +240,7 @@ std::vector<StagedEnd> make_ends() {
        "  next: charge it without moving the robot, then: echomap demo --world create_l --emulator "
        "mock\n"},
       {"Lost",
-       demo_stage({"--robot=ev3",
+       demo_stage({"--robot=ev3_mega",
                    "--world=playground",
                    "--strategy=tangent-bug",
                    "--waypoints=playground",

@@ -3,15 +3,15 @@
 
 #include <random>
 
-#include "hil_mock/emulator/simavr_board.hpp"
 #include "host/robot_link/robot_probe.hpp"
+#include "tests/hil/emulated_board.hpp"
 #include "tests/sessions/simulated_session.hpp"
 
 namespace echomap::tests {
 
 Hijacks measure_hijacks(const std::filesystem::path& elf, int tries, std::uint32_t seed) {
-  emulator::SimavrBoard board(elf);
-  SimulatedSession sim(board, "empty_room", seed);
+  const auto chip = make_emulated_board(elf);
+  SimulatedSession sim(chip->pins(), "empty_room", seed);
   std::mt19937 random(seed);
   double at_s = 0.0;
   bool is_said = true;

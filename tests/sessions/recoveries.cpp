@@ -2,9 +2,10 @@
 #include "tests/sessions/recoveries.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <random>
 
-#include "hil_mock/emulator/simavr_board.hpp"
+#include "tests/hil/emulated_board.hpp"
 #include "tests/sessions/simulated_session.hpp"
 
 namespace echomap::tests {
@@ -19,7 +20,10 @@ constexpr int kTries = 3;
 class BreakingLink {
  public:
   BreakingLink(const std::filesystem::path& elf, Break kind, std::uint32_t seed)
-      : board_(elf), sim_(board_, "empty_room", seed), kind_(kind), random_(seed) {
+      : chip_(make_emulated_board(elf)),
+        sim_(chip_->pins(), "empty_room", seed),
+        kind_(kind),
+        random_(seed) {
     sim_.each_step = [this] { step(); };
     sim_.session().connect();
   }
@@ -65,7 +69,7 @@ class BreakingLink {
       phase_ = Phase::kOut;
       sim_.cable().plugged = kind_ != Break::kUnplugged && kind_ != Break::kReplugged;
       if (kind_ == Break::kWatchdogReset) {
-        hang();
+        chip_->hang();
       }
     }
     if (phase_ == Phase::kOut && now_s >= plug_at_s_) {
@@ -73,7 +77,7 @@ class BreakingLink {
       sim_.cable() = Cable{.plugged = true, .boot_loader = now_s < back_at_s_};
     }
     if (phase_ == Phase::kBootLoader && sim_.cable().boot_loader) {
-      board_.machine().reset(emulator::ResetSource::kExternal);  // and again: it stays there
+      chip_->pull_reset_pin();  // and again: it stays there
     }
     if (phase_ == Phase::kBootLoader && now_s >= back_at_s_) {
       phase_ = Phase::kBack;
@@ -92,16 +96,7 @@ class BreakingLink {
     return seen && link.state() == robot_link::LinkState::kReady;
   }
 
-  /// Lets the program go on at a jump to itself.
-  void hang() {
-    avr_t& core = board_.machine().core();
-    constexpr std::uint8_t kJump[] = {0xFF, 0xCF};  // rjmp .
-    std::copy(std::begin(kJump), std::end(kJump), core.flash + core.flashend - 1);
-    core.pc = core.flashend - 1;
-    core.state = cpu_Running;
-  }
-
-  emulator::SimavrBoard board_;
+  std::unique_ptr<EmulatedBoard> chip_;
   SimulatedSession sim_;
   Break kind_;
   std::mt19937 random_;

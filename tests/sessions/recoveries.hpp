@@ -22,8 +22,8 @@ struct Recoveries {
   double worst_position_m = 0.0;  ///< What a break has added to the error of the pose.
 };
 
-/// Breaks the link of the host's session to the release image `elf` of an AVR board, again and
-/// again, in the middle of drives to and fro: each time at another moment and for another while.
+/// Breaks the link of the host's session to the release image `elf`, again and again, in the middle
+/// of drives to and fro: each time at another moment and for another while.
 Recoveries measure_recoveries(const std::filesystem::path& elf,
                               Break kind,
                               int breaks,

@@ -20,7 +20,7 @@ std::string qualified(const std::string& name, const std::string& folder) {
 }
 
 std::set<std::string> folders_in(const std::string& cell, const std::string& folder) {
-  static const std::regex name_pattern(R"(\s*([a-z_/ ]*[a-z_/])\s*)");
+  static const std::regex name_pattern(R"(\s*([a-z0-9_/ ]*[a-z0-9_/])\s*)");
   std::set<std::string> folders;
   std::istringstream names(cell);
   for (std::string name; std::getline(names, name, ',');) {
@@ -35,8 +35,8 @@ std::set<std::string> folders_in(const std::string& cell, const std::string& fol
 }  // namespace
 
 LayerRules read_layer_rules(const std::vector<std::string>& markdown) {
-  static const std::regex row_pattern(R"(\| `([a-z_/]+)` \|.*\| ([^|(]*)(?:\(([^)]*)\))? *\|)");
-  static const std::regex also_pattern(R"(([a-z_]+): also ([a-z_/, ]+))");
+  static const std::regex row_pattern(R"(\| `([a-z0-9_/]+)` \|.*\| ([^|(]*)(?:\(([^)]*)\))? *\|)");
+  static const std::regex also_pattern(R"(([a-z0-9_]+): also ([a-z0-9_/, ]+))");
   LayerRules rules;
   for (const std::string& line : markdown) {
     std::smatch row;

@@ -64,8 +64,10 @@ const LayerRules rules{
     {"host/evaluation",
      {"host/geometry", "host/sensors", "host/mapping", "host/pipeline", "host/exports"}},
     {"host/console", {}},
+    {"host/boards", {"protocol", "host/files", "host/console"}},
     {"host/session",
      {"host/files",
+      "host/boards",
       "host/transport",
       "host/console",
       "host/robot_link",
@@ -84,6 +86,7 @@ const LayerRules rules{
     {"hil_mock/runner", {"hil_mock/world", "hil_mock/line_faults"}},
     {"hil_mock/mock_device", {"hil_mock/runner", "firmware", "protocol"}},
     {"hil_mock/emulator", {"hil_mock/runner", "protocol"}},
+    {"hil_mock/ev3", {"hil_mock/runner", "protocol"}},
     {"hil_mock/unicorn", {"hil_mock/runner", "protocol"}},
     {"hil_mock/rp2040", {"hil_mock/runner", "protocol"}},
 };

@@ -159,6 +159,7 @@ class RunDemo : public RunFlash {
     RunFlash::SetUp();
     stand_in("cmake",
              "case $* in *help) for t in echomap echomap-mock echomap-simavr echomap-unicorn "
+             "echomap-ev3 echomap-rp2040 firmware_ev3-usual firmware_pico-usual "
              "firmware_uno-usual firmware_mega-usual firmware_stm32f103-usual; do echo \"$t: "
              "phony\"; done ;; *) echo \"built:${*##*--target}\" ;; esac");
   }
@@ -177,6 +178,9 @@ TEST_F(RunDemo, BuildsOnlyWhatItsArgumentsNeed) {
   EXPECT_EQ(built_for("--seed 3 --board=mega"), "echomap echomap-simavr firmware_mega-usual");
   EXPECT_EQ(built_for("--board stm32f103"), "echomap echomap-unicorn firmware_stm32f103-usual");
   EXPECT_EQ(built_for("--emulator=unicorn"), "echomap echomap-unicorn firmware_stm32f103-usual");
+  EXPECT_EQ(built_for("--board ev3"), "echomap echomap-ev3 firmware_ev3-usual");
+  EXPECT_EQ(built_for("--board=pico --seed 3"), "echomap echomap-rp2040 firmware_pico-usual");
+  EXPECT_EQ(built_for("--emulator rp2040"), "echomap echomap-rp2040 firmware_pico-usual");
 }
 
 /// ./run test, with a ctest that leaves a log of two tests.

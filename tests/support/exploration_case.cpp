@@ -62,8 +62,22 @@ ExplorationCase create_in(const std::string& arena) {
 ExplorationCase epuck_on_its_field() { return {"epuck_field", "epuck", "epuck", {}, true, "mega"}; }
 
 ExplorationCase ev3_at_its_door() {
-  ExplorationCase what{"playground_door", "tangent-bug", "ev3", "playground", false, "mega"};
+  ExplorationCase what{"playground_door", "tangent-bug", "ev3_mega", "playground", false, "mega"};
   what.slam = "none";
+  return what;
+}
+
+ExplorationCase brick_at_its_door() {
+  ExplorationCase what = ev3_at_its_door();
+  what.robot = "ev3";
+  what.board = "ev3";
+  return what;
+}
+
+ExplorationCase brick_in_the_nxts_room() {
+  ExplorationCase what = nxt_in_its_room();
+  what.robot = "ev3";
+  what.board = "ev3";
   return what;
 }
 

@@ -34,6 +34,10 @@ ExplorationCase create_in(const std::string& arena);
 ExplorationCase epuck_on_its_field();
 /// An EV3 before the door of its playground.
 ExplorationCase ev3_at_its_door();
+/// The same with the EV3's own brick, which turns its sonar by a motor.
+ExplorationCase brick_at_its_door();
+/// The exploration of paper 000 by an EV3, whose sonar turns on a motor as that of its NXT.
+ExplorationCase brick_in_the_nxts_room();
 
 /// A Create of which every way is 4 % longer than its encoders say, while turns are as they have
 /// them. Writes what is true of it to `folder`; its profile is the plain one.

@@ -7,11 +7,13 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "firmware/boards/native/native_two_wire.hpp"
 #include "firmware/hal/aux_pins.hpp"
 #include "firmware/hal/contacts.hpp"
 #include "firmware/hal/motors.hpp"
+#include "firmware/hal/range_sensor.hpp"
 
 namespace echomap {
 namespace native {
@@ -91,6 +93,12 @@ class NativeBoard {
   /// The two-wire bus and its devices; a bit for each spare pin that it takes, none at first.
   NativeTwoWire two_wire;
   std::uint16_t twi_aux_pins = 0;
+
+  /// A sonar that measures by itself, and what it says; without one there is the HC-SR04.
+  std::optional<hal::RangeReading> range_sensor;
+  /// A gyro that sums up by itself, and what it says, if anything.
+  bool has_yaw_gyro = false;
+  std::optional<std::int16_t> yaw_deg;
 
   /// How often the program has kicked the watchdog.
   std::uint32_t watchdog_kicks() const { return watchdog_kicks_; }

@@ -7,12 +7,14 @@
 #include "firmware/hal/contacts.hpp"
 #include "firmware/hal/interrupts.hpp"
 #include "firmware/hal/motors.hpp"
+#include "firmware/hal/range_sensor.hpp"
 #include "firmware/hal/servo.hpp"
 #include "firmware/hal/sonar.hpp"
 #include "firmware/hal/stack.hpp"
 #include "firmware/hal/twi.hpp"
 #include "firmware/hal/uart.hpp"
 #include "firmware/hal/watchdog.hpp"
+#include "firmware/hal/yaw_gyro.hpp"
 #include "protocol/handshake_messages.hpp"
 
 /// firmware/hal on the native board: events come one after the other, so nothing needs a lock.
@@ -41,6 +43,15 @@ void set_servo_pulse_us(uint16_t pulse_us) { board().set_pan_pulse_us(pulse_us);
 
 void trigger_sonar() { board().trigger_sonar(); }
 bool echo_is_high() { return board().echo_is_high(); }
+
+bool has_range_sensor() { return board().range_sensor.has_value(); }
+RangeReading read_range() { return board().range_sensor.value_or(RangeReading{}); }
+
+bool has_yaw_gyro() { return board().has_yaw_gyro; }
+bool read_yaw_deg(int16_t& degrees) {
+  degrees = board().yaw_deg.value_or(0);
+  return board().yaw_deg.has_value();
+}
 
 uint8_t closed_contacts() { return board().closed_contacts(); }
 

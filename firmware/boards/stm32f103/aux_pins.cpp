@@ -16,11 +16,11 @@ constexpr Pin kAuxPins[] = {{Port::kA, 0},
                             {Port::kA, 5},
                             {Port::kB, 0},
                             {Port::kB, 1},
-                            {Port::kB, 3},
+                            {Port::kB, 15},
                             {Port::kB, 10},
                             {Port::kB, 11},
-                            {Port::kA, 8},
-                            {Port::kA, 11},
+                            {Port::kB, 12},
+                            {Port::kB, 13},
                             {Port::kA, 12}};
 constexpr uint8_t kAuxPinCount = sizeof(kAuxPins) / sizeof(kAuxPins[0]);
 /// A0 .. A5 are channels 0 .. 5 of the converter, B0 and B1 channels 8 and 9.
@@ -29,7 +29,7 @@ constexpr uint8_t kAnalogPinsOfPortA = 6;
 /// B10 and B11.
 constexpr uint8_t kClockPinOfTwi = 9;
 constexpr uint8_t kDataPinOfTwi = 10;
-/// A8 and A11 may go to a motor bridge that is not configured yet.
+/// B12 and B13 may go to a motor bridge that is not configured yet.
 constexpr uint8_t kLeftReverse = 11;
 constexpr uint8_t kRightReverse = 12;
 

@@ -22,7 +22,7 @@ uint8_t cause_of(uint32_t flags) {
   if ((flags & kRccCsrPowerOn) != 0) {
     return protocol::kResetPowerOn;
   }
-  if ((flags & (kRccCsrIwdg | kRccCsrSoftware)) != 0) {
+  if ((flags & (kRccCsrIwdg | kRccCsrWwdg | kRccCsrSoftware)) != 0) {
     return protocol::kResetWatchdog;
   }
   if ((flags & kRccCsrPin) != 0) {

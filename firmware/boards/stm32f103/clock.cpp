@@ -44,11 +44,13 @@ void start_clock() {
   running_hz = start_crystal() ? kCrystalHz : kInternalHz;
   rcc().apb2enr =
       kRccApb2Afio | kRccApb2PortA | kRccApb2PortB | kRccApb2Adc1 | kRccApb2Tim1 | kRccApb2Usart1;
-  rcc().apb1enr = kRccApb1Tim2 | kRccApb1Tim3 | kRccApb1Tim4 | kRccApb1I2c2;
-  afio().mapr = kAfioMaprSwdOnly | kAfioMaprTim2OnPa15;
+  rcc().apb1enr = kRccApb1Tim2 | kRccApb1Tim3 | kRccApb1Tim4 | kRccApb1Wwdg | kRccApb1I2c2;
+  afio().mapr = kAfioMaprSwdOnly | kAfioMaprTim2OnPa15Pb3;
 }
 
 uint32_t clock_hz() { return running_hz; }
+
+bool runs_by_crystal() { return running_hz == kCrystalHz; }
 
 uint32_t half_us_prescaler() { return running_hz / 2000000 - 1; }
 

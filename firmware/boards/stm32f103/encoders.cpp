@@ -1,44 +1,51 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/boards/edge_counter/edge_counter.hpp"
-#include "firmware/boards/stm32f103/interrupt_lines.hpp"
+#include "firmware/hal/encoders.hpp"
+
 #include "firmware/boards/stm32f103/parts.hpp"
 #include "firmware/boards/stm32f103/pins.hpp"
-#include "firmware/boards/stm32f103/vectors.hpp"
+#include "firmware/hal/clock.hpp"
 
+/// Timers 2 and 4 count every edge of a wheel by themselves (RM0008, section 15.3.12): up where A
+/// leads B.
 namespace echomap {
 namespace boards {
-
-static_assert(kEncoderPins == 0xFU << kFirstEncoderPin, "four pins in the order of the levels");
-
 namespace {
 
-uint8_t levels() {
-  constexpr Pin kFirst{Port::kB, kFirstEncoderPin};
-  return static_cast<uint8_t>(port_of(kFirst).idr >> kFirstEncoderPin & 0xF);
+/// An edge counts when 8 samples of a clock of 9 MHz agree: shorter than 0.9 us is noise.
+constexpr uint32_t kFilter = kTimCcmr1Filter8Of8 * (1U << 4 | 1U << 12);
+constexpr uint32_t kInputs = kTimCcmr1Capture1FromTi1 | kTimCcmr1Capture2FromTi2;
+
+void start_counter(TimerRegisters& timer) {
+  timer.arr = UINT16_MAX;
+  timer.ccmr1 = kInputs | kFilter;
+  timer.smcr = kTimSmcrEncoderBothInputs;
+  timer.cr1 = kTimCr1Enable;
 }
 
 }  // namespace
 
 void start_encoders() {
-  constexpr uint32_t kAllOfPortB = 0x1111;
-  for (uint8_t pin = kFirstEncoderPin; pin < kFirstEncoderPin + 4; ++pin) {
-    pull_up({Port::kB, pin});
+  for (const Pin pin : kEncoderPins) {
+    pull_up(pin);
   }
-  start_edge_count(levels());
-  afio().exticr[3] = kAllOfPortB;
-  exti().rtsr = kEncoderPins;
-  exti().ftsr = kEncoderPins;
-  exti().imr = kEncoderPins;
-  enable_line(InterruptLine::kExti15To10, kEventPriority);
+  start_counter(tim2());
+  start_counter(tim4());
 }
 
 }  // namespace boards
 
-}  // namespace echomap
+namespace hal {
 
-extern "C" void on_exti15_10() {
-  using namespace echomap;
-  boards::exti().pr =
-      boards::kEncoderPins;  // Before the levels are read: a later edge comes again.
-  boards::count_edges(boards::levels());
+EncoderReading read_encoders() {
+  return EncoderReading{static_cast<int16_t>(boards::tim2().cnt),
+                        static_cast<int16_t>(boards::tim4().cnt)};
 }
+
+uint32_t encoders_read_at_us() { return now_us(); }
+
+LostSteps lost_encoder_steps() { return LostSteps{0, 0}; }
+
+bool encoders_tell_lost_steps() { return false; }
+
+}  // namespace hal
+}  // namespace echomap

@@ -10,12 +10,11 @@ namespace boards {
 
 /// Positions in the vector table behind the 16 of the core: RM0008, table 63.
 enum class InterruptLine : uint8_t {
-  kTim1Update = 25,
-  kTim4 = 30,
+  kWwdg = 0,
+  kTim1Capture = 27,
   kI2c2Event = 33,
   kI2c2Error = 34,
   kUsart1 = 37,
-  kExti15To10 = 40,
 };
 
 /// All events of the program share one priority, so that none interrupts another and one lock

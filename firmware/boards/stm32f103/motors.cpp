@@ -99,8 +99,8 @@ namespace hal {
 bool can_bridge(BridgeKind kind) { return kind <= BridgeKind::kServo; }
 
 uint16_t bridge_aux_pins(BridgeKind kind) {
-  constexpr uint16_t kA8AndA11 = 1U << 11 | 1U << 12;
-  return boards::has_reverse_pins(kind) ? kA8AndA11 : 0;
+  constexpr uint16_t kB12AndB13 = 1U << 11 | 1U << 12;
+  return boards::has_reverse_pins(kind) ? kB12AndB13 : 0;
 }
 
 void use_bridge(BridgeKind kind, bool slow_pwm) {

@@ -11,6 +11,10 @@ namespace boards {
 void start_clock();
 /// Frequency of core and timers.
 uint32_t clock_hz();
+/// Whether that is 72 MHz, and 36 MHz of the slower bus.
+bool runs_by_crystal();
+/// A round of timer 1: 20 ms.
+constexpr uint32_t kFrameHalfUs = 40000;
 /// What a timer's prescaler is loaded with to make it count half microseconds.
 uint32_t half_us_prescaler();
 
@@ -24,11 +28,11 @@ void number_this_boot();
 void start_tick();
 /// Half microseconds on the clock of hal::now_us, modulo 2^32.
 uint32_t now_half_us();
-/// TIM4: echo capture. After start_tick.
+/// TIM1: echo capture, and the rounds of a servo frame. After start_tick.
 void start_echo();
-/// TIM2: servo pulses, none yet.
+/// TIM1, too: servo pulses, none yet. After start_echo.
 void start_servo();
-/// Interrupts of the encoder pins.
+/// TIM2 and TIM4: counts of the wheels.
 void start_encoders();
 void start_contacts();
 /// Spare pins: all unused.

@@ -48,14 +48,14 @@ void pull_up(Pin pin);
 /// An input with its pull-down.
 void pull_down(Pin pin);
 
-/// Quadrature inputs with pull-up: left A, left B, right A, right B are B12 .. B15.
-constexpr uint8_t kFirstEncoderPin = 12;
-constexpr uint32_t kEncoderPins = 0xF000;
+/// Quadrature inputs with pull-up: left A, left B (TIM2_CH1, CH2, remapped), right A, right B
+/// (TIM4_CH1, CH2).
+constexpr Pin kEncoderPins[] = {{Port::kA, 15}, {Port::kB, 3}, {Port::kB, 6}, {Port::kB, 7}};
 
 /// Sonar and servo.
-constexpr Pin kEchoPin{Port::kB, 6};  // TIM4_CH1
-constexpr Pin kTriggerPin{Port::kB, 7};
-constexpr Pin kServoPin{Port::kA, 15};  // TIM2_CH1, remapped
+constexpr Pin kEchoPin{Port::kA, 8};  // TIM1_CH1
+constexpr Pin kTriggerPin{Port::kB, 14};
+constexpr Pin kServoPin{Port::kA, 11};  // TIM1_CH4
 
 /// Contacts, to ground.
 constexpr Pin kContactLeftPin{Port::kB, 8};
@@ -68,8 +68,8 @@ constexpr Pin kLeftPwmPin{Port::kA, 6};   // TIM3_CH1
 constexpr Pin kRightPwmPin{Port::kA, 7};  // TIM3_CH2
 constexpr Pin kLeftForwardPin{Port::kB, 4};
 constexpr Pin kRightForwardPin{Port::kB, 5};
-constexpr Pin kLeftReversePin{Port::kA, 8};  // Spare pins where the bridge does not need them.
-constexpr Pin kRightReversePin{Port::kA, 11};
+constexpr Pin kLeftReversePin{Port::kB, 12};  // Spare pins where the bridge does not need them.
+constexpr Pin kRightReversePin{Port::kB, 13};
 
 /// I2C2; spare pins while no transfer was started.
 constexpr Pin kTwiClockPin{Port::kB, 10};

@@ -46,12 +46,14 @@ constexpr uint32_t kRccApb2Usart1 = bit(14);
 constexpr uint32_t kRccApb1Tim2 = bit(0);
 constexpr uint32_t kRccApb1Tim3 = bit(1);
 constexpr uint32_t kRccApb1Tim4 = bit(2);
+constexpr uint32_t kRccApb1Wwdg = bit(11);
 constexpr uint32_t kRccApb1I2c2 = bit(22);
 constexpr uint32_t kRccCsrRemoveFlags = bit(24);
 constexpr uint32_t kRccCsrPin = bit(26);
 constexpr uint32_t kRccCsrPowerOn = bit(27);
 constexpr uint32_t kRccCsrSoftware = bit(28);
 constexpr uint32_t kRccCsrIwdg = bit(29);
+constexpr uint32_t kRccCsrWwdg = bit(30);
 
 /// FLASH, ST PM0075: wait states, and writing the flash by half-words.
 struct FlashRegisters {
@@ -75,21 +77,15 @@ struct GpioRegisters {
   Register crl, crh, idr, odr, bsrr, brr, lckr;
 };
 
-/// AFIO, chapter 9.4: which pins the timers and EXTI lines have.
+/// AFIO, chapter 9.4: which pins the timers have.
 struct AfioRegisters {
-  Register evcr, mapr, exticr[4];
+  Register evcr, mapr;
 };
 inline AfioRegisters& afio() { return block_at<AfioRegisters>(0x40010000); }
 
-/// Bits of AFIO: TIM2_CH1 on A15, and JTAG off, so that A15 and B4 are free.
-constexpr uint32_t kAfioMaprTim2OnPa15 = 1U << 8;
+/// Bits of AFIO: TIM2_CH1 and CH2 on A15 and B3, and JTAG off, so that these and B4 are free.
+constexpr uint32_t kAfioMaprTim2OnPa15Pb3 = 1U << 8;
 constexpr uint32_t kAfioMaprSwdOnly = 2U << 24;
-
-/// EXTI, chapter 10: interrupts of pins.
-struct ExtiRegisters {
-  Register imr, emr, rtsr, ftsr, swier, pr;
-};
-inline ExtiRegisters& exti() { return block_at<ExtiRegisters>(0x40010400); }
 
 /// TIM1 (chapter 14) and TIM2 .. TIM4 (chapter 15).
 struct TimerRegisters {
@@ -112,8 +108,15 @@ constexpr uint32_t kTimCcmr1Preload1 = bit(3);
 constexpr uint32_t kTimCcmr1Preload2 = bit(11);
 constexpr uint32_t kTimCcmr1Capture1FromTi1 = 1U << 0;
 constexpr uint32_t kTimCcmr1Capture2FromTi1 = 2U << 8;
+constexpr uint32_t kTimCcmr1Capture2FromTi2 = 1U << 8;
+constexpr uint32_t kTimCcmr1Filter8Of8 = 9;  ///< ICxF: a clock of 72 MHz / 8, 8 samples.
+constexpr uint32_t kTimCcmr2Pwm4 = 6U << 12;
+constexpr uint32_t kTimCcmr2Preload4 = bit(11);
+constexpr uint32_t kTimSmcrEncoderBothInputs = 3;
+constexpr uint32_t kTimBdtrOutputsOn = bit(15);  ///< MOE, of TIM1 only.
 constexpr uint32_t kTimCcerEnable1 = bit(0);
 constexpr uint32_t kTimCcerEnable2 = bit(4);
+constexpr uint32_t kTimCcerEnable4 = bit(12);
 constexpr uint32_t kTimCcerFalling2 = bit(5);   ///< Of a capture.
 constexpr uint32_t kTimCcerInverted1 = bit(1);  ///< Of an output.
 constexpr uint32_t kTimCcerInverted2 = bit(5);
@@ -178,6 +181,20 @@ inline IwdgRegisters& iwdg() { return block_at<IwdgRegisters>(0x40003000); }
 constexpr uint32_t kIwdgKick = 0xAAAA;
 constexpr uint32_t kIwdgUnlock = 0x5555;
 constexpr uint32_t kIwdgStart = 0xCCCC;
+
+/// WWDG, chapter 20.
+struct WwdgRegisters {
+  Register cr, cfr, sr;
+};
+inline WwdgRegisters& wwdg() { return block_at<WwdgRegisters>(0x40002C00); }
+
+/// Bits of the window watchdog: a step of its count of 64 takes 4096 cycles of the slower bus, or
+/// as many more as WDGTB says.
+constexpr uint32_t kWwdgCrOn = bit(7);
+constexpr uint32_t kWwdgCfrWarning = bit(9);
+constexpr uint32_t kWwdgCfrNoWindow = 0x7F;
+constexpr uint32_t kWwdgCfrSteps8192 = 1U << 7;
+constexpr uint32_t kWwdgCfrSteps32768 = 3U << 7;
 
 /// SysTick, PM0056 section 4.5.
 struct SysTickRegisters {

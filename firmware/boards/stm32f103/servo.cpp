@@ -6,20 +6,14 @@
 
 namespace echomap {
 namespace boards {
-namespace {
 
-constexpr uint32_t kFrameHalfUs = hal::kServoFrameMs * 2000UL;
-
-}  // namespace
+static_assert(kFrameHalfUs == hal::kServoFrameMs * 2000UL, "a servo frame is a round of timer 1");
 
 void start_servo() {
-  TimerRegisters& timer = tim2();
-  timer.psc = half_us_prescaler();
-  timer.arr = kFrameHalfUs - 1;
-  timer.ccmr1 = kTimCcmr1Pwm1 | kTimCcmr1Preload1;
-  timer.ccer = kTimCcerEnable1;
-  timer.egr = kTimUpdate;
-  timer.cr1 = kTimCr1Enable;
+  TimerRegisters& timer = tim1();
+  timer.ccmr2 = kTimCcmr2Pwm4 | kTimCcmr2Preload4;
+  timer.ccer = timer.ccer | kTimCcerEnable4;
+  timer.bdtr = kTimBdtrOutputsOn;
   set_level(kServoPin, false);
   set_mode(kServoPin, PinMode::kOutput);
 }
@@ -29,7 +23,7 @@ void start_servo() {
 namespace hal {
 
 void set_servo_pulse_us(uint16_t pulse_us) {
-  boards::tim2().ccr1 = uint32_t{pulse_us} * 2;
+  boards::tim1().ccr4 = uint32_t{pulse_us} * 2;
   boards::set_mode(boards::kServoPin, boards::PinMode::kAlternate);
 }
 

@@ -75,12 +75,11 @@ constexpr VectorTable make_table() {
   }
   table.set(kResetVector, on_reset);
   table.set(kTickVector, on_sys_tick);
-  table.set(InterruptLine::kTim1Update, on_tim1_update);
-  table.set(InterruptLine::kTim4, on_tim4);
+  table.set(InterruptLine::kWwdg, on_wwdg);
+  table.set(InterruptLine::kTim1Capture, on_tim1_capture);
   table.set(InterruptLine::kI2c2Event, on_i2c2_event);
   table.set(InterruptLine::kI2c2Error, on_i2c2_error);
   table.set(InterruptLine::kUsart1, on_usart1);
-  table.set(InterruptLine::kExti15To10, on_exti15_10);
   return table;
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/boards/edge_counter/edge_counter.hpp"
 #include "firmware/boards/stm32f103/interrupt_lines.hpp"
 #include "firmware/boards/stm32f103/parts.hpp"
 #include "firmware/boards/stm32f103/vectors.hpp"
@@ -60,6 +59,5 @@ uint32_t now_us() {
 
 extern "C" void on_sys_tick() {
   echomap::boards::ticks = echomap::boards::ticks + 1;
-  echomap::boards::fold_edges();
   echomap::hal::on_tick();
 }

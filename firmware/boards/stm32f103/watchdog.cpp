@@ -5,25 +5,27 @@
 #include "firmware/boards/stm32f103/parts.hpp"
 #include "firmware/boards/stm32f103/vectors.hpp"
 
-/// Two counters that a kick sets back. Timer 1 warns after 125 ms: its interrupt is above all
-/// others and above the lock, so that it switches the motors off whatever hangs. The independent
-/// watchdog has no warning and resets after 250 ms, by an oscillator of its own of 30 to 60 kHz
-/// (data sheet), which makes that 167 to 333 ms.
+/// Two watchdogs that a kick sets back. The window watchdog warns 57 ms after the last kick: its
+/// early wake-up interrupt is above all others and above the lock, so that it switches the motors
+/// off whatever hangs; one step of its counter later, after 0.9 ms, it resets. The independent
+/// watchdog resets after 250 ms, by an oscillator of its own of 30 to 60 kHz (data sheet), which
+/// makes that 167 to 333 ms, and needs no clock of the rest of the chip.
 namespace echomap {
 namespace hal {
+namespace {
+
+constexpr uint32_t kFullCount = boards::kWwdgCrOn | 0x7F;
+
+}  // namespace
 
 void start_watchdog() {
   using namespace boards;
-  constexpr uint32_t kWarningMs = 125;
   constexpr uint32_t kResetMs = 250;
-  TimerRegisters& timer = tim1();
-  timer.psc = clock_hz() / 2000 - 1;
-  timer.arr = kWarningMs * 2 - 1;
-  timer.egr = kTimUpdate;
-  timer.sr = 0;
-  timer.dier = kTimUpdate;
-  timer.cr1 = kTimCr1Enable;
-  enable_line(InterruptLine::kTim1Update, kWarningPriority);
+  kick_watchdog();
+  wwdg().cfr = kWwdgCfrWarning | kWwdgCfrNoWindow |
+               (runs_by_crystal() ? kWwdgCfrSteps32768 : kWwdgCfrSteps8192);
+  wwdg().sr = 0;
+  enable_line(InterruptLine::kWwdg, kWarningPriority);
   iwdg().kr = kIwdgStart;
   iwdg().kr = kIwdgUnlock;
   iwdg().pr = 0;  // 40 kHz / 4.
@@ -32,14 +34,14 @@ void start_watchdog() {
 }
 
 void kick_watchdog() {
-  boards::tim1().cnt = 0;
+  boards::wwdg().cr = kFullCount;
   boards::iwdg().kr = boards::kIwdgKick;
 }
 
 }  // namespace hal
 }  // namespace echomap
 
-extern "C" void on_tim1_update() {
+extern "C" void on_wwdg() {
   echomap::boards::cut_motors();
   for (;;) {  // Nothing else may switch them on again; the watchdog resets.
     asm volatile("");

@@ -48,7 +48,7 @@ class ScanSweepTest : public testing::Test {
 
   native::NativeBoard& board = native::NativeBoard::instance();
   drivers::WheelEncoders encoders;
-  drivers::SonarHcSr04 sonar;
+  drivers::Sonar sonar;
   protocol::Configuration configuration = app::kDefaultConfiguration;
   drivers::SparePins pins{configuration.pins};
   drivers::PanDrive pan{configuration.pan, pins};

@@ -8,11 +8,13 @@
 #include "firmware/hal/encoders.hpp"
 #include "firmware/hal/interrupts.hpp"
 #include "firmware/hal/motors.hpp"
+#include "firmware/hal/range_sensor.hpp"
 #include "firmware/hal/servo.hpp"
 #include "firmware/hal/sonar.hpp"
 #include "firmware/hal/stack.hpp"
 #include "firmware/hal/uart.hpp"
 #include "firmware/hal/watchdog.hpp"
+#include "firmware/hal/yaw_gyro.hpp"
 #include "tests/firmware/differential/world.hpp"
 
 namespace echomap {
@@ -50,6 +52,11 @@ void set_motor(Motor motor, bool forward, uint8_t duty) { world.set_motor(motor,
 void set_servo_pulse_us(uint16_t pulse_us) { world.output(Output::kServo, pulse_us); }
 void trigger_sonar() { world.trigger_sonar(); }
 bool echo_is_high() { return world.echo_is_high(); }
+
+bool has_range_sensor() { return false; }
+RangeReading read_range() { return RangeReading{RangeReading::State::kAbsent, 0, 0}; }
+bool has_yaw_gyro() { return false; }
+bool read_yaw_deg(int16_t& /*degrees*/) { return false; }
 
 void request_send() {}
 uint16_t line_bytes_per_s() { return world.line_bytes_per_s(); }

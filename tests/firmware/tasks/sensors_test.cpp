@@ -65,6 +65,7 @@ TEST_F(SensorsTest, GreetingSaysWhatTheBoardCanDo) {
                                          protocol::kCapabilityStepper}) {
     EXPECT_TRUE((reply->capabilities & one) != 0) << one;
   }
+  EXPECT_FALSE((reply->capabilities & protocol::kCapabilityBlindEncoders) != 0);
 }
 
 TEST_F(SensorsTest, RefusesWhatNoBoardCanDo) {

@@ -14,7 +14,7 @@ constexpr std::uint8_t kGyroPeriodMs = 10;
 constexpr std::uint8_t kRangesPeriodMs = 50;
 
 /// Functions of the spare pins, in their order. The inputs' pull-ups say that all is well.
-std::vector<std::uint8_t> functions_of(const std::string& board) {
+const std::map<std::string, std::vector<std::uint8_t>>& functions_by_board() {
   using namespace protocol;
   static const std::map<std::string, std::vector<std::uint8_t>> by_board{
       // 3 and 4 are the bus of the gyro.
@@ -43,7 +43,7 @@ std::vector<std::uint8_t> functions_of(const std::string& board) {
         kPinRange0 + 5,
         kPinRange0 + 6,
         kPinBattery}}};
-  return by_board.at(board);
+  return by_board;
 }
 
 /// Fills the fields pin_0 .. pin_15 from a list.
@@ -60,6 +60,8 @@ struct PinWriter {
 
 }  // namespace
 
+bool EverySensor::knows(const std::string& board) { return functions_by_board().contains(board); }
+
 EverySensor::EverySensor(runner::SimulatedBoard& board)
     : gyro_(world::RateGyro({0.0, 0.0, 0.0, 0.0},
                             world::NoiseStream(1, world::NoisePurpose::kGyro))) {
@@ -67,7 +69,7 @@ EverySensor::EverySensor(runner::SimulatedBoard& board)
 }
 
 bool EverySensor::switch_on(RobotSession& robot) {
-  const std::vector<std::uint8_t> functions = functions_of(robot.board().board_name());
+  const std::vector<std::uint8_t>& functions = functions_by_board().at(robot.board().board_name());
   protocol::ConfigurePins pins{};
   PinWriter writer{functions};
   protocol::ConfigurePins::each(pins, writer);

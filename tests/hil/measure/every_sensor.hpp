@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "hil_mock/world/mpu6050.hpp"
 #include "tests/hil/robot_session.hpp"
 
@@ -11,6 +13,9 @@ namespace echomap::tests {
 /// is near, and no wheel hangs.
 class EverySensor {
  public:
+  /// Whether this says what goes on which pin of a board of that name.
+  static bool knows(const std::string& board);
+
   /// Puts the gyro on the board's bus; this outlives the board.
   explicit EverySensor(runner::SimulatedBoard& board);
   EverySensor(const EverySensor&) = delete;

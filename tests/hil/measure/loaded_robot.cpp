@@ -27,7 +27,7 @@ constexpr std::int64_t kMinDelayUs = 2'000;
 LoadedRobot::LoadedRobot(const std::filesystem::path& elf, const Load& load)
     : load_(load), robot_(elf) {
   robot_.board().on_trigger = [this](std::int64_t at_ns) { answer_ping(at_ns); };
-  if (load.every_sensor) {
+  if (load.every_sensor && EverySensor::knows(robot_.board().board_name())) {
     sensors_.emplace(robot_.board());
   }
 }
@@ -47,6 +47,7 @@ void LoadedRobot::connect() {
   }
   robot_.forget_heard();
   bytes_before_ = robot_.bytes().size();
+  resets_before_ = robot_.chip().resets();
 }
 
 void LoadedRobot::run_s(double seconds) {
@@ -67,6 +68,7 @@ LoadResult LoadedRobot::finish() {
   const auto host = robot_.counters();
   result_.frames_bad = static_cast<std::uint16_t>(result_.frames_bad + host.frames_bad());
   result_.frames_lost = static_cast<std::uint16_t>(result_.frames_lost + host.frames_lost());
+  result_.resets = robot_.chip().resets() - resets_before_;
   return result_;
 }
 

@@ -18,6 +18,8 @@ struct Load {
   /// Encoder edges of each wheel; the right one's are 0.27 % more frequent, so that edges of both
   /// fall together, right behind each other and apart.
   double edges_per_s = 20'000;
+  /// Part of its period by which each edge comes early or late at most.
+  double edge_jitter = 0.0;
   /// Shortest and longest echo pulse.
   double min_echo_us = 150.0;
   double max_echo_us = 23'500.0;
@@ -27,7 +29,7 @@ struct Load {
   bool full_line = true;
   /// The sonar sweeps all the time; else a sweep of eleven echoes every 2.5 s.
   bool sweeps_on = false;
-  /// AVR boards: all that EverySensor switches on.
+  /// All that EverySensor switches on, on boards that it knows.
   bool every_sensor = false;
 };
 
@@ -47,6 +49,7 @@ struct LoadResult {
   std::uint16_t frames_lost = 0;
   std::uint16_t receive_overruns = 0;
   std::uint16_t min_stack_bytes = UINT16_MAX;
+  std::uint32_t resets = 0;  ///< Of the chip, since it was ready.
 };
 
 /// The release firmware with all that it can be asked for at once: both wheels turn under speed
@@ -83,8 +86,8 @@ class LoadedRobot {
   Load load_;
   RobotSession robot_;
   std::optional<EverySensor> sensors_;
-  TurningWheel left_{robot_.board(), runner::Wheel::kLeft};
-  TurningWheel right_{robot_.board(), runner::Wheel::kRight};
+  TurningWheel left_{robot_.board(), runner::Wheel::kLeft, {load_.edge_jitter, 1}};
+  TurningWheel right_{robot_.board(), runner::Wheel::kRight, {load_.edge_jitter, 2}};
   std::mt19937 generator_{4711};
   std::deque<double> widths_us_;
   std::int64_t ms_ = 0;
@@ -96,6 +99,7 @@ class LoadedRobot {
   bool sweeping_ = false;
   std::uint64_t host_bytes_ = 0;
   std::size_t bytes_before_ = 0;
+  std::uint32_t resets_before_ = 0;
   LoadResult result_;
 };
 

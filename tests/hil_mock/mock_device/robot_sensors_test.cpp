@@ -216,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, UnoWithGyro, testing::Values(1U, 2U, 3U, 4U, 5U)
 
 /// Whole turns and readings as in Singh and Bedi 2013, section 3.1: 120 of them, 6 degrees apart.
 TEST(Ev3InABox, ItsStepperPansTwiceRoundAndUnwinds) {
-  NativeSession session(world::box_room(), bundled_robot("ev3"), 1);
+  NativeSession session(world::box_room(), bundled_robot("ev3_mega"), 1);
   protocol::ConfigurePins pins{};
   pins.command_id = 10;
   pins.pin_0 = protocol::kPinStepperPhaseA;

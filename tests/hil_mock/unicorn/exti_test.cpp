@@ -90,12 +90,12 @@ TEST(Afio, MovesTim2AndTellsEachChange) {
   Afio afio;
   int calls = 0;
   afio.on_remap = [&] { ++calls; };
-  EXPECT_FALSE(afio.tim2_is_on_a15());
+  EXPECT_FALSE(afio.tim2_is_on_a15_and_b3());
   afio.write(kMapr, 1U << 8 | 2U << 24);
-  EXPECT_TRUE(afio.tim2_is_on_a15());
+  EXPECT_TRUE(afio.tim2_is_on_a15_and_b3());
   EXPECT_EQ(afio.read(kMapr), 1U << 8) << "nobody can read SWJ_CFG";
   afio.reset();
-  EXPECT_FALSE(afio.tim2_is_on_a15());
+  EXPECT_FALSE(afio.tim2_is_on_a15_and_b3());
   EXPECT_NE(afio.jtag_pins_of_a(), 0U);
   EXPECT_EQ(calls, 2);
 }

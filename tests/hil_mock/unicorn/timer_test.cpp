@@ -38,7 +38,7 @@ class TenCycleTimer : public ::testing::Test {
 
   EventQueue queue;
   Nvic nvic;
-  Timer timer{queue, nvic, kLine};
+  Timer timer{queue, nvic, {kLine, kLine}};
 };
 
 TEST_F(TenCycleTimer, CountsWithItsPrescalerAndBeginsAgain) {
@@ -77,8 +77,8 @@ TEST_F(TenCycleTimer, AnInterruptThatIsEnabledLaterDoesNotShiftTheCount) {
 TEST_F(TenCycleTimer, CapturesBothEdgesOfOneInputAtTheirCycle) {
   timer.write(kCcmr1, 0x0201);  // Channel 1 and 2 from input 1.
   timer.write(kCcer, 0x31);     // Channel 2 on the falling edge.
-  queue.at(123, [this] { timer.set_input1(true); });
-  queue.at(777, [this] { timer.set_input1(false); });
+  queue.at(123, [this] { timer.set_input(1, true); });
+  queue.at(777, [this] { timer.set_input(1, false); });
   queue.skip_to(900);
   EXPECT_EQ(timer.read(kSr), 6U);
   EXPECT_EQ(timer.read(kCcr1), 12U);
@@ -93,7 +93,7 @@ TEST_F(TenCycleTimer, PwmIsTheShareOfCountsBelowTheCompareValue) {
   timer.write(kCcr2, 255);
   EXPECT_DOUBLE_EQ(timer.output(1).high_share(), 0.25);
   EXPECT_DOUBLE_EQ(timer.output(2).high_share(), 1.0);
-  EXPECT_EQ(timer.pulse_cycles(), 250U);
+  EXPECT_EQ(timer.pulse_cycles(1), 250U);
   timer.write(kCcer, 0);
   EXPECT_DOUBLE_EQ(timer.output(2).high_share(), 0.0);
 }
@@ -114,6 +114,79 @@ TEST_F(TenCycleTimer, PwmIsInvertedByPolarityOrByItsSecondMode) {
   EXPECT_EQ(timer.output(1), world::level(true)) << "forced active";
   timer.write(kCcmr1, 0x40);
   EXPECT_EQ(timer.output(1), world::level(false)) << "forced inactive";
+}
+
+constexpr std::uint32_t kSmcr = 0x08;
+constexpr std::uint32_t kBdtr = 0x44;
+
+/// As an encoder of both inputs.
+class EncoderTimer : public TenCycleTimer {
+ protected:
+  EncoderTimer() {
+    timer.write(kArr, 0xFFFF);
+    timer.write(kCcmr1, 0x0101);
+    timer.write(kSmcr, 3);
+  }
+
+  /// A full period of the pins is four edges.
+  void turn_forward() {
+    for (const bool high : {true, false}) {
+      timer.set_input(1, high);
+      timer.set_input(2, high);
+    }
+  }
+  void turn_back() {
+    for (const bool high : {true, false}) {
+      timer.set_input(2, high);
+      timer.set_input(1, high);
+    }
+  }
+};
+
+TEST_F(EncoderTimer, CountsEveryEdgeUpWhereTheFirstInputLeadsAndNotTheClock) {
+  turn_forward();
+  turn_forward();
+  queue.skip_to(1000);
+  EXPECT_EQ(timer.read(kCnt), 8U);
+  turn_back();
+  EXPECT_EQ(timer.read(kCnt), 4U);
+}
+
+TEST_F(EncoderTimer, CountsBackFromZeroToItsReload) {
+  turn_back();
+  EXPECT_EQ(timer.read(kCnt), 0xFFFCU);
+  turn_forward();
+  EXPECT_EQ(timer.read(kCnt), 0U);
+}
+
+TEST_F(EncoderTimer, DoesNotCountWhileItIsStopped) {
+  timer.write(kCr1, 0);
+  turn_forward();
+  EXPECT_EQ(timer.read(kCnt), 0U);
+}
+
+/// TIM1: BDTR.MOE, and a line of its own for captures.
+TEST(MainTimer, HasNoOutputsBeforeItsMainEnableAndALineForCaptures) {
+  constexpr std::uint8_t kUpdateLine = 25;
+  constexpr std::uint8_t kCaptureLine = 27;
+  EventQueue queue;
+  Nvic nvic;
+  Timer timer(queue, nvic, {kUpdateLine, kCaptureLine, true});
+  timer.reset();
+  timer.write(0x1C, 0x6000);  // Channel 4: PWM.
+  timer.write(0x18, 0x01);    // Channel 1 from input 1.
+  timer.write(0x20, 0x1001);
+  timer.write(0x40, 0x8000);
+  timer.write(0x00, 1);
+  EXPECT_DOUBLE_EQ(timer.output(4).high_share(), 0.0);
+  timer.write(kBdtr, 1U << 15);
+  EXPECT_DOUBLE_EQ(timer.output(4).high_share(), 0.5);
+  nvic.write(0xE000E100, 1U << kUpdateLine);
+  timer.write(0x0C, 2);
+  timer.set_input(1, true);
+  EXPECT_FALSE(nvic.next({}).has_value()) << "a capture is no update";
+  nvic.write(0xE000E100, 1U << kCaptureLine);
+  EXPECT_TRUE(nvic.next({}).has_value());
 }
 
 }  // namespace

@@ -90,14 +90,14 @@ TEST(RobotFile, TheEpuckHasARingOfEight) {
   EXPECT_FALSE(robot.has_sonar || robot.body.has_bumpers);
 }
 
-TEST(RobotFile, TheEv3TurnsItsSonarAllTheWayRoundAndHasAGyro) {
-  const RobotParams robot = bundled("ev3");
+TEST(RobotFile, TheEv3TurnsItsSonarAllTheWayRoundByAStepperOnTheMega) {
+  const RobotParams robot = bundled("ev3_mega");
   EXPECT_TRUE(robot.parts.stepper && robot.parts.gyro);
   EXPECT_NEAR(2.0 * robot.sonar.beam_half_angle_rad, geometry::radians(32.8), 1e-9);
 }
 
 TEST(RobotFile, EveryPartOfABundledRobotIsWiredOnEachOfItsBoards) {
-  for (const std::string name : {"nxt_tribot", "create", "epuck", "ev3"}) {
+  for (const std::string name : {"nxt_tribot", "create", "epuck", "ev3_mega"}) {
     const RobotParams robot = bundled(name);
     const PartParams& parts = robot.parts;
     const std::size_t expected = parts.ranges.size() + parts.cliffs.size() + (parts.wall ? 1 : 0) +

@@ -33,6 +33,14 @@ TEST(LinkReport, TakesWhatTheLinkHasCounted) {
                     HasSubstr("612 bytes of stack")));
 }
 
+TEST(LinkReport, CallsNoEncoderCleanThatTheBoardCannotSee) {
+  robot_link::LinkStatistics statistics;
+  EXPECT_THAT(line_of(summary_of(statistics, 0)), HasSubstr("0 encoder errors (0 left, 0 right)"));
+  statistics.robot_encoder_errors = std::nullopt;
+  EXPECT_THAT(line_of(summary_of(statistics, 0)),
+              AllOf(HasSubstr("encoder errors unknown"), Not(HasSubstr("0 encoder errors"))));
+}
+
 TEST(LinkReport, TellsALossOnceAndOnlyWhereItRises) {
   exports::LinkSummary before;
   before.robot_receive_overruns = 10;

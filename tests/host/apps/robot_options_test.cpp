@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/host/apps/said_by_command_line.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::apps {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 TEST(RobotOptions, TheHelpOfTheDemoTellsBodyFromProfile) {
@@ -21,6 +23,57 @@ TEST(RobotOptions, AreCheckedBeforeARobotIsAsked) {
   EXPECT_EQ(run({"demo", "--stops", "1001"}).code, console::ExitCode::kUsage);
   EXPECT_EQ(run({"demo", "--board", "due"}).code, console::ExitCode::kUsage);
   EXPECT_EQ(run({"demo", "--emulator", "mock", "--board", "uno"}).code, console::ExitCode::kUsage);
+}
+
+TEST(RobotOptions, ABoardNamesItsEmulatorAndIsOneOfThoseThatHaveOne) {
+  EXPECT_THAT(run({"demo", "--help"}).out,
+              HasSubstr("uno or mega by simavr, stm32f103 by unicorn, ev3 by ev3, pico by rp2040"));
+  EXPECT_EQ(run({"demo", "--board", "nano"}).code, console::ExitCode::kUsage) << "use the Uno's";
+  const auto refused = run({"demo", "--board", "pico", "--emulator", "simavr"});
+  EXPECT_EQ(refused.code, console::ExitCode::kUsage);
+  EXPECT_THAT(refused.err, HasSubstr("pico is emulated by rp2040, not by simavr"));
+}
+
+TEST(RobotOptions, ABoardThatCannotCarryTheMotorDriverIsRefusedBeforeTheStart) {
+  const tests::ScratchFolder folder;
+  const std::string out = "--out=" + (folder / "run").string();
+  const auto refused = run({"demo", "--board", "ev3", "--driver", "drv8833", "--headless", out});
+  EXPECT_EQ(refused.code, console::ExitCode::kConfigInvalid);
+  EXPECT_THAT(refused.err,
+              AllOf(HasSubstr("LEGO EV3 with ev3dev cannot carry the motor driver"),
+                    HasSubstr("no driver but its own"),
+                    HasSubstr("next: another driver, or another board: Arduino Uno")));
+  EXPECT_THAT(refused.err, HasSubstr("profile 'ev3'")) << "the board's robot";
+  const auto named = run({"demo",
+                          "--emulator",
+                          "ev3",
+                          "--robot",
+                          "uno_2wd",
+                          "--driver",
+                          "drv8833",
+                          "--headless",
+                          out});
+  EXPECT_THAT(named.err, AllOf(HasSubstr("LEGO EV3"), HasSubstr("profile 'uno_2wd'")));
+  const auto servos = run({"demo", "--board", "uno", "--driver", "servo", "--headless", out});
+  EXPECT_EQ(servos.code, console::ExitCode::kConfigInvalid);
+  EXPECT_THAT(servos.err, HasSubstr("STM32F103 board or Raspberry Pi Pico"));
+}
+
+TEST(RobotOptions, FlashHasOptionsOfOneBoardAlone) {
+  const auto error = [](std::vector<std::string> words) {
+    words.insert(words.begin(), "flash");
+    const auto said = run(words);
+    EXPECT_EQ(said.code, console::ExitCode::kUsage) << said.err;
+    return said.err;
+  };
+  EXPECT_THAT(error({"--board", "uno", "--host", "a@b"}), HasSubstr("--host is only for --board"));
+  EXPECT_THAT(error({"--volume", "/mnt"}), HasSubstr("--volume is only for --board pico"));
+  EXPECT_THAT(error({"--board", "ev3", "--uf2", "x"}), HasSubstr("--uf2 is only for --board pico"));
+  EXPECT_THAT(error({"--board", "ev3", "--port", "x"}), HasSubstr("by ssh, not at --port"));
+  EXPECT_THAT(error({"--board", "ev3", "--host", "-oProxyCommand=x"}), HasSubstr("is no host"));
+  EXPECT_THAT(error({"--board", "pico", "--port", "x"}), HasSubstr("hold BOOTSEL"));
+  EXPECT_THAT(error({"--board", "pico", "--baud", "115200"}), HasSubstr("one image"));
+  EXPECT_THAT(error({"--board", "ev3", "--baud", "115200"}), HasSubstr("leave --baud out"));
 }
 
 TEST(RobotOptions, ARobotIsTakenOverByAnyCommandWithAPort) {

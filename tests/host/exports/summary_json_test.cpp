@@ -12,6 +12,17 @@
 namespace echomap::exports {
 namespace {
 
+TEST(SummaryJson, HasNoNumberForEncoderErrorsThatTheBoardCannotSee) {
+  RunSummary summary;
+  EXPECT_EQ(nlohmann::json::parse(to_json_text(summary)).at("link").at("robot_encoder_errors"), 0);
+  summary.link.robot_encoder_errors = std::nullopt;
+  summary.link.robot_right_encoder_errors = std::nullopt;
+  const auto link = nlohmann::json::parse(to_json_text(summary)).at("link");
+  EXPECT_TRUE(link.at("robot_encoder_errors").is_null());
+  EXPECT_EQ(link.at("robot_left_encoder_errors"), 0);
+  EXPECT_TRUE(link.at("robot_right_encoder_errors").is_null());
+}
+
 TEST(SummaryJson, HoldsEveryField) {
   RunSummary summary;
   summary.strategy = "nxt-farthest";

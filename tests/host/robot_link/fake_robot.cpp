@@ -95,7 +95,7 @@ void FakeRobot::reply(std::uint16_t session) {
                             session,
                             1000,
                             receive_credit_bytes,
-                            0,
+                            capabilities,
                             config_digest.value()});
 }
 

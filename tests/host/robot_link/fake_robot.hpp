@@ -67,6 +67,7 @@ class FakeRobot {
   std::uint8_t protocol_minor = protocol::kProtocolMinor;
   std::uint32_t schema_digest = protocol::kSchemaDigest;
   std::uint16_t receive_credit_bytes = 128;
+  std::uint32_t capabilities = 0;
   /// The description of its messages; by default those of this build.
   Bytes schema = described_messages();
   bool answers_bulk_reads = true;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/handshake_messages.hpp"
+
 namespace echomap::robot_link {
 namespace {
 
@@ -57,6 +59,17 @@ TEST(RobotCounters, HoldTheErrorsOfEachEncoderBeyondResets) {
   counters.take(protocol::EncoderErrors{0, 7, 2});
   EXPECT_EQ(told_by(counters).robot_left_encoder_errors, 66'543U);
   EXPECT_EQ(told_by(counters).robot_right_encoder_errors, 5U);
+}
+
+TEST(RobotCounters, HoldNoEncoderErrorsOfABoardThatCannotSeeThem) {
+  RobotCounters counters;
+  counters.take_capabilities(protocol::kCapabilityWheels | protocol::kCapabilityBlindEncoders);
+  counters.take(protocol::Health{});
+  EXPECT_FALSE(told_by(counters).robot_encoder_errors);
+  EXPECT_FALSE(told_by(counters).robot_left_encoder_errors);
+  EXPECT_FALSE(told_by(counters).robot_right_encoder_errors);
+  counters.take_capabilities(protocol::kCapabilityWheels);
+  EXPECT_EQ(told_by(counters).robot_encoder_errors, 0U);
 }
 
 TEST(RobotCounters, KeepTheLeastStackThatIsKnown) {

@@ -33,6 +33,15 @@ TEST_F(RobotLinkTest, DeliversTelemetryInOrder) {
   EXPECT_EQ(listener.echoes[0].flight_us, 1234);
 }
 
+TEST_F(RobotLinkTest, TakesFromTheGreetingWhetherTheBoardSeesEncoderErrors) {
+  run_for(100);
+  EXPECT_EQ(link.statistics().robot_encoder_errors, 0U);
+  robot.capabilities = protocol::kCapabilityBlindEncoders;
+  robot.power_on(2);
+  run_for(500);
+  EXPECT_EQ(link.statistics().robot_encoder_errors, std::nullopt);
+}
+
 TEST_F(RobotLinkTest, HearsTheSameHoweverTheBytesAreCut) {
   run_for(100);
   std::vector<std::uint8_t> bytes;

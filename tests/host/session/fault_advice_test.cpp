@@ -65,7 +65,7 @@ TEST(FaultAdvice, MendsThePan) {
                  {{FaultKind::kPanOffset, -kSevenDegreesRad},
                   "looks 7 degrees to the right",
                   "centre_us = 1570"}});
-  const RobotProfile stepper = load_robot_profile("ev3");
+  const RobotProfile stepper = load_robot_profile("ev3_mega");
   EXPECT_THAT(advice_of({FaultKind::kPanReversed, 0.0}, stepper).change,
               HasSubstr("half_steps_per_turn = -4076"));
   EXPECT_THAT(advice_of({FaultKind::kPanOffset, kSevenDegreesRad}, stepper).change,

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "host/session/line_recorder.hpp"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "host/recording/session_reader.hpp"
+#include "tests/support/mcap_records.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::session {
@@ -49,6 +52,29 @@ TEST_F(LineRecorderTest, RecordsFramesWhole) {
   ASSERT_EQ(frames.size(), 2U);
   EXPECT_EQ(frames[0].frame.data, (Bytes{1, 2, 9, 0}));
   EXPECT_EQ(frames[1].frame.data, (Bytes{3, 0}));
+}
+
+TEST_F(LineRecorderTest, RecordsEncoderErrorsOnlyOfABoardThatSeesThem) {
+  robot_link::LinkStatistics link;
+  link.robot_encoder_errors = std::nullopt;
+  line.record(link);
+  link.robot_encoder_errors = 5;
+  line.record(link);
+  session.open(scratch / "session.mcap");
+  session.finish();
+  std::vector<std::string> told;
+  for (const mcap::Message& message : tests::all_messages(scratch / "session.mcap")) {
+    if (message.channel->info.topic != "/diagnostics") {
+      continue;
+    }
+    const auto all = ros_messages::deserialize<ros_messages::DiagnosticArray>(message.data);
+    std::string errors = "unknown";
+    for (const auto& one : all.status.at(0).values) {
+      errors = one.key == "robot encoder errors" ? one.value : errors;
+    }
+    told.push_back(errors);
+  }
+  EXPECT_EQ(told, (std::vector<std::string>{"unknown", "5"}));
 }
 
 TEST_F(LineRecorderTest, KnowsWhichFrameWasAnObservation) {

@@ -80,7 +80,10 @@ TEST(MotorDriverProfile, LeavesItToAPhaseEnableChipHowItStops) {
 
 TEST(MotorDriverProfile, TellsWhatToDoAboutARefusal) {
   EXPECT_THAT(advice_on_refused_bridge(wiring_in("driver = 'servo'")), HasSubstr("Mega"));
+  EXPECT_THAT(advice_on_refused_bridge(wiring_in("driver = 'servo'")), HasSubstr("Pico"));
   EXPECT_THAT(advice_on_refused_bridge(wiring_in("driver = 'l298n'")), HasSubstr("D11, D12"));
+  EXPECT_THAT(advice_on_refused_bridge(wiring_in("driver = 'l298n'")),
+              HasSubstr("an EV3 has no driver but its own"));
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/boards/boards.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/files/toml_reader.hpp"
+#include "protocol/config_digest.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::session {
@@ -53,6 +55,21 @@ TEST(RobotProfile, EveryBundledOneLoads) {
     ++count;
   }
   EXPECT_GE(count, 5);
+}
+
+TEST(RobotProfile, OfABoardNamesAMotorDriverThatTheBoardCarries) {
+  for (const boards::Board& board : boards::all_boards()) {
+    const auto profile = load_robot_profile(std::string(board.robot));
+    EXPECT_TRUE(boards::carries(
+        board, static_cast<protocol::MotorBridgeKind>(profile.configuration.wiring.bridge)))
+        << profile.name << " on " << board.name;
+  }
+}
+
+/// So that runs on different boards can be compared.
+TEST(RobotProfile, OfAPicoTellsTheBoardWhatThatOfAnUnoTells) {
+  EXPECT_EQ(protocol::config_digest(load_robot_profile("pico_2wd").configuration),
+            protocol::config_digest(load_robot_profile("uno_2wd").configuration));
 }
 
 TEST(RobotProfile, TurnsMetresIntoWhatTheBoardCounts) {
@@ -110,7 +127,7 @@ TEST(RobotProfile, GivesEachPaperItsSensors) {
   EXPECT_NEAR(epuck.sensors.infrared_curve->max_m(), 0.06, 1e-12);
   EXPECT_EQ(epuck.configuration.safety.hazard_stops, 0);
 
-  const auto ev3 = load_robot_profile("ev3");
+  const auto ev3 = load_robot_profile("ev3_mega");
   EXPECT_EQ(ev3.configuration.pan.kind, static_cast<int>(protocol::PanKind::kStepper));
   EXPECT_NEAR(ev3.pan_limit_rad, 2.0 * std::numbers::pi, 1e-12);
   EXPECT_EQ(ev3.configuration.sensors.gyro_range, 0);
@@ -170,18 +187,18 @@ TEST(RobotProfile, PlacesWhatIsWrongWithWires) {
   EXPECT_THAT(error_with("channel = 7", "channel = 8", "epuck"), HasSubstr("from 0 to 7"));
   EXPECT_THAT(error_with("pin_15 = \"range_7\"", "", "epuck"),
               HasSubstr("no pin of [wiring] is 'range_7'"));
-  EXPECT_THAT(error_with("pin_3 = \"stepper_d\"", "", "ev3"), HasSubstr("'stepper_d'"));
+  EXPECT_THAT(error_with("pin_3 = \"stepper_d\"", "", "ev3_mega"), HasSubstr("'stepper_d'"));
 }
 
 TEST(RobotProfile, PlacesWhatIsWrongWithSensors) {
   EXPECT_THAT(error_with("[512, 0.020]", "[512, 0.009]", "create"), HasSubstr("'curve' must hold"));
-  EXPECT_THAT(error_with("full_scale_deg_per_s = 250", "full_scale_deg_per_s = 300", "ev3"),
+  EXPECT_THAT(error_with("full_scale_deg_per_s = 250", "full_scale_deg_per_s = 300", "ev3_mega"),
               HasSubstr("250, 500, 1000 and 2000"));
-  EXPECT_THAT(error_with("half_steps_per_turn = 4076", "half_steps_per_turn = 0", "ev3"),
+  EXPECT_THAT(error_with("half_steps_per_turn = 4076", "half_steps_per_turn = 0", "ev3_mega"),
               HasSubstr("must not be 0"));
-  EXPECT_THAT(error_with("max_deg = 360.0", "max_deg = 721.0", "ev3"),
+  EXPECT_THAT(error_with("max_deg = 360.0", "max_deg = 721.0", "ev3_mega"),
               HasSubstr("from -720 to 720"));
-  EXPECT_THAT(error_with("kind = \"stepper\"", "kind = \"motor\"", "ev3"),
+  EXPECT_THAT(error_with("kind = \"stepper\"", "kind = \"motor\"", "ev3_mega"),
               HasSubstr("'kind' must"));
   EXPECT_THAT(error_with("stall_ms = 500", "stall_ms = 1001", "create"), HasSubstr("'stall_ms'"));
   EXPECT_THAT(error_with("period_ms = 50", "period_ms = 0", "epuck"), HasSubstr("from 1 to 255"));

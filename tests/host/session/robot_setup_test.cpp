@@ -173,7 +173,9 @@ TEST_F(RefusedSetup, SaysWhichBoardsHaveATimerForServos) {
       static_cast<std::uint8_t>(protocol::MotorBridgeKind::kServo);
   let_refuse("ConfigureWiring");
   const std::string error = error_with(console::ExitCode::kConfigInvalid);
-  EXPECT_NE(error.find("an Arduino Mega or an STM32F103"), std::string::npos) << error;
+  EXPECT_NE(error.find("Arduino Mega 2560, STM32F103 board or Raspberry Pi Pico"),
+            std::string::npos)
+      << error;
 }
 
 TEST_F(RefusedSetup, SaysWhichPinsADriverNeeds) {

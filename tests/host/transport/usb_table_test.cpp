@@ -30,6 +30,8 @@ TEST(UsbTable, TakesNoModemProgrammerOrDriveForARobot) {
   EXPECT_TRUE(may_be_robot({0x2341, 0x0043}));
   EXPECT_TRUE(may_be_robot({0x1a86, 0x55d4}));
   EXPECT_TRUE(may_be_robot({0x2e8a, 0x000a}));
+  EXPECT_TRUE(may_be_robot({0x0525, 0xa4a7})) << "an EV3's serial gadget";
+  EXPECT_TRUE(may_be_robot({0x0694, 0x0005})) << "an EV3";
   EXPECT_FALSE(may_be_robot({0x2e8a, 0x0003})) << "a boot drive";
   EXPECT_FALSE(may_be_robot({0x0483, 0x3748})) << "an ST-Link";
   EXPECT_FALSE(may_be_robot({0x12d1, 0x1506})) << "a modem";

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace echomap {
+namespace boards {
+
+constexpr size_t kPathBytes = 256;
+
+/// A folder of sysfs, such as /sys/class/tacho-motor/motor0.
+struct DeviceFolder {
+  char path[kPathBytes];
+};
+
+/// Finds the device of a class ("tacho-motor") that is plugged into a port ("outA") by its address,
+/// because its number says nothing; false where nothing is.
+bool find_device(const char* sysfs, const char* class_name, const char* port, DeviceFolder& folder);
+
+/// One file of a device, kept open: reading or writing it anew costs half of what opening does. It is
+/// not closed, for it is needed as long as the program is.
+class Attribute {
+ public:
+  /// False where there is none.
+  bool open(const DeviceFolder& folder, const char* name);
+  bool is_open() const { return file_ >= 0; }
+
+  /// The first word; false when the device has gone.
+  bool read_word(char* word, size_t size) const;
+  bool read(int32_t& number) const;
+  /// False when the kernel refuses it. Both may be called by a signal's handler.
+  bool write(const char* text) const;
+  bool write(int32_t number) const;
+
+ private:
+  int file_ = -1;
+};
+
+}  // namespace boards
+}  // namespace echomap

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "host/flashing/brick_plan.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "host/files/atomic_file.hpp"
+
+namespace echomap::flashing {
+namespace {
+
+constexpr int kOtherMachine = 64;
+
+/// ssh's own option, so that a brick that is off is found out soon.
+constexpr auto kConnectTimeout = "ConnectTimeout=10";
+
+std::string check_of_machine() {
+  return fmt::format("case $(uname -m) in armv5*) ;; *) uname -m; exit {};; esac", kOtherMachine);
+}
+
+/// Lines of a unit of systemd's user manager. The program restarts as a board does after its
+/// watchdog; its own parent process has stopped the motors by then.
+std::vector<std::string> unit_lines() {
+  return {"[Unit]",
+          "Description=echomap",
+          "[Service]",
+          fmt::format("ExecStart=%h/echomap-ev3.elf --line tcp:{}", kBrickTcpPort),
+          "Restart=always",
+          "RestartSec=1",
+          "[Install]",
+          "WantedBy=default.target"};
+}
+
+std::string start_script() {
+  std::string script =
+      "chmod +x echomap-ev3.new && mv -f echomap-ev3.new echomap-ev3.elf && "
+      "mkdir -p .config/systemd/user && printf '%s\\n'";
+  for (const std::string& line : unit_lines()) {
+    script += " " + console::shell_line({line});
+  }
+  return script +
+         " > .config/systemd/user/echomap.service && systemctl --user daemon-reload && "
+         "systemctl --user enable echomap && systemctl --user restart echomap";
+}
+
+std::uint32_t number_at(const std::string& bytes, std::size_t at, std::size_t length) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < length; ++i) {
+    number |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + i])} << (8 * i);
+  }
+  return number;
+}
+
+/// Whether a 32-bit ELF names a loader of shared libraries (a program header PT_INTERP).
+bool names_a_loader(const std::string& elf) {
+  constexpr std::uint32_t kInterpreter = 3;
+  const std::size_t table = number_at(elf, 28, 4);
+  const std::size_t entry_bytes = number_at(elf, 42, 2);
+  const std::size_t count = number_at(elf, 44, 2);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = table + i * entry_bytes;
+    if (at + 4 <= elf.size() && number_at(elf, at, 4) == kInterpreter) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string fault_of_host(const std::string& host) {
+  const auto is_fit = [](unsigned char letter) {
+    return std::isalnum(letter) != 0 ||
+           std::string_view("._-@").find(static_cast<char>(letter)) != std::string_view::npos;
+  };
+  const bool is_whole = !host.empty() && host.front() != '-' && host.front() != '@' &&
+                        host.back() != '@' && std::ranges::count(host, '@') <= 1;
+  return is_whole && std::ranges::all_of(host, is_fit)
+             ? ""
+             : "'" + host + "' is no host: write USER@NAME, as robot@ev3dev.local";
+}
+
+std::string fault_of_brick_program(const std::filesystem::path& program) {
+  constexpr std::size_t kHeaderBytes = 52;
+  constexpr std::uint32_t kArm = 40;
+  const std::string elf = files::read_text_file(program);
+  // \x01\x01: of 32 bits, little-endian.
+  if (elf.size() < kHeaderBytes ||
+      !elf.starts_with("\x7f"
+                       "ELF\x01\x01") ||
+      number_at(elf, 18, 2) != kArm) {
+    return "it is no program for the EV3's processor, a 32-bit ARM";
+  }
+  return names_a_loader(elf) ? "it needs shared libraries, which the brick may not have" : "";
+}
+
+BrickPlan brick_plan(const std::string& host, const std::string& program) {
+  const std::string name = host.substr(host.find('@') + 1);
+  BrickPlan plan{host, {}, fmt::format("tcp://{}:{}", name, kBrickTcpPort)};
+  plan.steps.push_back({{"ssh", "-o", kConnectTimeout, host, check_of_machine()},
+                        "ask what machine it is",
+                        kOtherMachine,
+                        host + " is no EV3: its processor is another one (above)\n"
+                               "  next: name the brick with --host USER@NAME"});
+  plan.steps.push_back(
+      {{"scp", "-o", kConnectTimeout, program, host + ":echomap-ev3.new"}, "copy the program"});
+  plan.steps.push_back({{"ssh", "-o", kConnectTimeout, host, start_script()},
+                        "start the program, now and at every login"});
+  return plan;
+}
+
+}  // namespace echomap::flashing

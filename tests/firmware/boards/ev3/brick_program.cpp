@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "tests/firmware/boards/ev3/brick_program.hpp"
+
+#include <array>
+#include <csignal>
+#include <fcntl.h>
+#include <fstream>
+#include <poll.h>
+#include <stdexcept>
+#include <thread>
+#include <unistd.h>
+
+#include <sys/wait.h>
+
+#include "protocol/message_codec.hpp"
+#include "protocol/version.hpp"
+
+namespace echomap::tests {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+constexpr milliseconds kPatience{10000};
+constexpr milliseconds kLook{1};
+constexpr std::uint8_t kTimeToLiveMs = 200;
+constexpr std::int16_t kTicksPerS = 300;
+
+/// The parent of a process; 0 of none.
+pid_t parent_of(const std::filesystem::path& process) {
+  std::ifstream status(process / "status");
+  std::string word;
+  while (status >> word) {
+    if (word == "PPid:") {
+      pid_t parent = 0;
+      status >> parent;
+      return parent;
+    }
+  }
+  return 0;
+}
+
+[[noreturn]] void become_program(const std::string& sysfs, int input, int output) {
+  ::dup2(input, STDIN_FILENO);
+  ::dup2(output, STDOUT_FILENO);
+  ::execlp("qemu-arm",
+           "qemu-arm",
+           "-cpu",
+           "arm926",
+           ECHOMAP_BINARY_DIR "/firmware/echomap-ev3.elf",
+           "--sysfs",
+           sysfs.c_str(),
+           "--line",
+           "stdio",
+           nullptr);
+  ::_exit(127);
+}
+
+}  // namespace
+
+BrickProgram::BrickProgram() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::array<int, 2> to_program{};
+  std::array<int, 2> from_program{};
+  if (::pipe2(to_program.data(), O_CLOEXEC) != 0 || ::pipe2(from_program.data(), O_CLOEXEC) != 0) {
+    throw std::runtime_error("no pipe");
+  }
+  guard_ = ::fork();
+  if (guard_ == 0) {
+    become_program(brick_.sysfs().string(), to_program[0], from_program[1]);
+  }
+  ::close(to_program[0]);
+  ::close(from_program[1]);
+  input_ = to_program[1];
+  output_ = from_program[0];
+}
+
+BrickProgram::~BrickProgram() {
+  const pid_t robot_left = robot();
+  if (robot_left > 0) {
+    ::kill(robot_left, SIGKILL);
+  }
+  if (!status_) {
+    ::kill(guard_, SIGKILL);
+    ::waitpid(guard_, nullptr, 0);
+  }
+  hang_up();
+  ::close(output_);
+}
+
+void BrickProgram::hang_up() {
+  if (input_ >= 0) {
+    ::close(input_);
+    input_ = -1;
+  }
+}
+
+std::optional<protocol::HelloReply> BrickProgram::connect(std::uint16_t session) {
+  const auto end = Clock::now() + kPatience;
+  while (Clock::now() < end) {
+    write({0});
+    send(protocol::Hello{
+        protocol::kProtocolMajor, protocol::kProtocolMinor, protocol::kSchemaDigest, session});
+    listen(milliseconds(50));
+    if (reply_ && reply_->session == session) {
+      return reply_;
+    }
+  }
+  return std::nullopt;
+}
+
+bool BrickProgram::drive(std::uint16_t session) {
+  const auto end = Clock::now() + kPatience;
+  while (Clock::now() < end && connect(session)) {
+    send(protocol::Arm{1, 1});
+    send(protocol::DriveSetpoint{kTicksPerS, kTicksPerS, kTimeToLiveMs});
+    const auto give_up = Clock::now() + milliseconds(150);
+    while (Clock::now() < give_up) {
+      if (says(left_, "run-direct") && says(right_, "run-direct")) {
+        return true;
+      }
+      listen(kLook);
+    }
+    ++session;
+  }
+  return false;
+}
+
+pid_t BrickProgram::robot() const {
+  for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = process.path().filename();
+    if (name.find_first_not_of("0123456789") == std::string::npos &&
+        parent_of(process.path()) == guard_) {
+      return std::stoi(name);
+    }
+  }
+  return 0;
+}
+
+std::optional<int> BrickProgram::end() {
+  const auto end = Clock::now() + kPatience;
+  int status = 0;
+  while (!status_ && Clock::now() < end) {
+    if (::waitpid(guard_, &status, WNOHANG) == guard_) {
+      status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  return status_;
+}
+
+std::optional<double> BrickProgram::ms_until_stopped(const std::function<void()>& harm) {
+  const auto start = Clock::now();
+  harm();
+  while (Clock::now() < start + std::chrono::minutes(1)) {
+    if (says(left_, "stop") && says(right_, "stop")) {
+      return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  return std::nullopt;
+}
+
+void BrickProgram::write(const std::vector<std::uint8_t>& bytes) const {
+  static_cast<void>(!::write(input_, bytes.data(), bytes.size()));
+}
+
+void BrickProgram::listen(milliseconds most) {
+  const auto end = Clock::now() + most;
+  std::array<std::uint8_t, 1024> bytes{};
+  while (Clock::now() < end) {
+    pollfd wait{output_, POLLIN, 0};
+    if (::poll(&wait, 1, 1) <= 0) {
+      continue;
+    }
+    const auto count = ::read(output_, bytes.data(), bytes.size());
+    for (ssize_t i = 0; i < count; ++i) {
+      if (decoder_.take(bytes.at(static_cast<std::size_t>(i))) == protocol::DecodeStatus::kFrame) {
+        const protocol::Frame frame = decoder_.frame();
+        protocol::Dispatcher<protocol::MessagesToHost>::dispatch(frame.id, frame.payload, *this);
+      }
+    }
+  }
+}
+
+bool BrickProgram::says(const std::filesystem::path& motor, const std::string& command) {
+  return BrickFolder::read(motor / "command") == command;
+}
+
+}  // namespace echomap::tests
