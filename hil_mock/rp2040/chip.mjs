@@ -16,6 +16,7 @@ const kBoot2Bytes = 256;
 const kStackTop = 0x20042000;
 const kTick = 0x2c;
 const kTickOn = 1 << 9;
+const kTickRuns = 1 << 10;
 const kCrystalMhz = 12;
 const kChipReset = 8;
 const kHadPowerOn = 1 << 8;
@@ -166,9 +167,14 @@ export class Chip {
       alarm.clockAlarm = ticked.createAlarm(() => timer.fireAlarm(index));
     });
     watchdog.tickEnable = false;
+    const read = watchdog.readUint32.bind(watchdog);
     const write = watchdog.writeUint32.bind(watchdog);
+    let tick = 0;
+    watchdog.readUint32 = (offset) =>
+      offset === kTick ? tick | (ticked.scale > 0 ? kTickRuns : 0) : read(offset);
     watchdog.writeUint32 = (offset, value) => {
       if (offset === kTick) {
+        tick = value & (kTickOn | 0x1ff);
         const cycles = value & 0x1ff;
         ticked.set(value & kTickOn && cycles > 0 ? kCrystalMhz / cycles : 0);
         write(offset, cycles > 0 ? value : 0);

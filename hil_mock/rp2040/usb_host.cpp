@@ -88,6 +88,11 @@ void UsbHost::plug(bool plugged, std::int64_t now_ns) {
   cable_.plug(plugged);
 }
 
+void UsbHost::reset(std::int64_t now_ns) {
+  attempts_ = 0;
+  begin_enumeration(now_ns);
+}
+
 void UsbHost::send(std::span<const std::uint8_t> bytes) {
   outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
 }

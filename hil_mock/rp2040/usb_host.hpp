@@ -39,6 +39,8 @@ class UsbHost {
   std::int64_t service(std::int64_t now_ns);
 
   void plug(bool plugged, std::int64_t now_ns);
+  /// Resets the bus and enumerates the device again.
+  void reset(std::int64_t now_ns);
   /// Bytes for the device; kept until the port is open and the device takes them.
   void send(std::span<const std::uint8_t> bytes);
   std::size_t waiting_bytes() const { return outgoing_.size(); }
