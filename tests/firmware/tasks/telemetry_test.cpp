@@ -88,7 +88,7 @@ class TelemetryTest : public testing::Test {
   }
 
   drivers::WheelEncoders encoders;
-  drivers::SonarHcSr04 sonar;
+  drivers::Sonar sonar;
   drivers::SerialPort port;
   protocol::Configuration configuration = app::kDefaultConfiguration;
   control::WheelMotion motion{encoders, configuration.drive, configuration.safety};
