@@ -3,6 +3,8 @@
 
 const kBitsOfByte = 9;
 const kSda = 20;
+/** IC_INTR_MASK, which rp2040js has for reading only. */
+const kInterruptMask = 0x30;
 
 export class TwoWire {
   constructor(i2c, clock, nsOfCycle, ask) {
@@ -15,6 +17,15 @@ export class TwoWire {
     this.then = () => {};
     this.alarm = clock.createAlarm(() => this.then());
     this.heldBits = 0;
+    const write = i2c.writeUint32.bind(i2c);
+    i2c.writeUint32 = (offset, value) => {
+      if (offset === kInterruptMask) {
+        i2c.intEnable = value;
+        i2c.checkInterrupts();
+      } else {
+        write(offset, value);
+      }
+    };
     i2c.onStart = () => this.after(1, () => i2c.completeStart());
     i2c.onConnect = (address) => this.after(kBitsOfByte, () => this.connect(address));
     i2c.onWriteByte = (value) => this.after(kBitsOfByte, () => this.write(value));
