@@ -5,6 +5,8 @@ const kBitsOfByte = 9;
 const kSda = 20;
 /** IC_INTR_MASK, which rp2040js has for reading only. */
 const kInterruptMask = 0x30;
+/** IC_ENABLE: 0 ends what is under way, which rp2040js keeps. */
+const kEnable = 0x6c;
 
 export class TwoWire {
   constructor(i2c, clock, nsOfCycle, ask) {
@@ -23,6 +25,10 @@ export class TwoWire {
         i2c.intEnable = value;
         i2c.checkInterrupts();
       } else {
+        if (offset === kEnable && !(value & 1)) {
+          this.alarm.cancel();
+          Object.assign(i2c, { state: 0, busy: false, stop: false, pendingRestart: false });
+        }
         write(offset, value);
       }
     };
