@@ -3,6 +3,10 @@
 
 const kBitsOfByte = 9;
 const kSda = 20;
+/** IC_INTR_MASK, which rp2040js has for reading only. */
+const kInterruptMask = 0x30;
+/** IC_ENABLE: 0 ends what is under way, which rp2040js keeps. */
+const kEnable = 0x6c;
 
 export class TwoWire {
   constructor(i2c, clock, nsOfCycle, ask) {
@@ -15,6 +19,19 @@ export class TwoWire {
     this.then = () => {};
     this.alarm = clock.createAlarm(() => this.then());
     this.heldBits = 0;
+    const write = i2c.writeUint32.bind(i2c);
+    i2c.writeUint32 = (offset, value) => {
+      if (offset === kInterruptMask) {
+        i2c.intEnable = value;
+        i2c.checkInterrupts();
+      } else {
+        if (offset === kEnable && !(value & 1)) {
+          this.alarm.cancel();
+          Object.assign(i2c, { state: 0, busy: false, stop: false, pendingRestart: false });
+        }
+        write(offset, value);
+      }
+    };
     i2c.onStart = () => this.after(1, () => i2c.completeStart());
     i2c.onConnect = (address) => this.after(kBitsOfByte, () => this.connect(address));
     i2c.onWriteByte = (value) => this.after(kBitsOfByte, () => this.write(value));

@@ -30,13 +30,10 @@ class EmulatedBoard {
   virtual void stop_ticks() = 0;
   /// The program hangs in an endless loop with interrupts unlocked.
   virtual void hang() = 0;
-<<<<<<< HEAD
   /// Whether the watchdog's warning ends in the reset itself, behind the motors' cut.
   virtual bool resets_in_the_warning() const { return false; }
-=======
   /// The program ends at once, on boards whose system can kill it.
   virtual void crash() {}
->>>>>>> 3afef72fb7df06e15c93cb4a7d8b9c744d16f32a
   /// A bootloader clears the cause of every reset before the program sees it; only on boards whose
   /// bootloader does.
   virtual void hide_reset_cause() {}
