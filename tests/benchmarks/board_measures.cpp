@@ -76,8 +76,8 @@ void measure_load(FigureList& list, const BoardUnderMeasure& board) {
   const tests::LoadResult loaded = robot.finish();
   if (board.counts_edges) {
     list.add("miscounts_40k", double(loaded.miscounts), "ticks", std::size_t(loaded.comparisons));
+    list.add("echo_error_us", loaded.worst_echo_error_us, "us", std::size_t(loaded.echoes));
   }
-  list.add("echo_error_us", loaded.worst_echo_error_us, "us", std::size_t(loaded.echoes));
   if (loaded.min_stack_bytes != UINT16_MAX) {
     list.add("stack_margin_bytes", double(loaded.min_stack_bytes), "B");
   }

@@ -14,7 +14,8 @@ struct MeasuredBoard {
   std::string image;     ///< "echomap-uno": the name of its ELF file.
   std::string program;   ///< The device program that emulates it: "echomap-simavr".
   std::string measures;  ///< The program that measures over the same emulator.
-  /// The firmware sees the edges of the encoders; else the motors have counters of their own.
+  /// The firmware sees the edges of encoders and echoes; else motors and sonar measure for
+  /// themselves.
   bool counts_edges = true;
 };
 
