@@ -19,8 +19,8 @@ struct DeviceFolder {
 /// because its number says nothing; false where nothing is.
 bool find_device(const char* sysfs, const char* class_name, const char* port, DeviceFolder& folder);
 
-/// One file of a device, kept open: reading or writing it anew costs half of what opening does. It
-/// is not closed, for it is needed as long as the program is.
+/// One file of a device. It is kept open, to be read and written with one call each, and never
+/// closed: it is needed as long as the program is.
 class Attribute {
  public:
   /// False where there is none.
