@@ -44,6 +44,8 @@ std::unique_ptr<EmulatedBoard> make_emulated_board(const std::filesystem::path& 
 
 std::vector<const char*> flashed_images() { return {"echomap-pico"}; }
 
+std::vector<const char*> images_that_tell_lost_steps() { return flashed_images(); }
+
 std::vector<const char*> images_of_every_baud() { return {"echomap-pico"}; }
 
 std::vector<const char*> vector_images() { return {"echomap-pico-vectors"}; }
