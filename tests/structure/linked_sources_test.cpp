@@ -23,6 +23,8 @@ const std::vector<std::string> without_program{
     "host/localization/peer_sighting.cpp",
     "host/localization/place_recognition.cpp",
     "host/models/infrared_range.cpp",
+    // Put first into the flash by the linker script, for the ROM.
+    "firmware/boards/rp2040/boot2.cpp",
     // Read by the sanitizers' runtime, called by nobody.
     "hil_mock/emulator/leak_suppressions.cpp",
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/boards/rp2040/echo_length.hpp"
 #include "firmware/boards/rp2040/interrupt_lines.hpp"
 #include "firmware/boards/rp2040/parts.hpp"
 #include "firmware/boards/rp2040/pins.hpp"
+#include "firmware/boards/rp2040/pulse_length.hpp"
 #include "firmware/boards/rp2040/vectors.hpp"
 #include "firmware/hal/events.hpp"
 #include "firmware/hal/sonar.hpp"

@@ -7,6 +7,7 @@
 
 namespace echomap {
 namespace boards {
+inline namespace rp2040 {
 
 /// Positions in the vector table behind the 16 of the core: RP2040 data sheet, 2.3.2.
 enum class InterruptLine : uint8_t {
@@ -40,5 +41,6 @@ inline void enable_line(InterruptLine line) {
 /// Makes the line's interrupt happen as if its part had asked for it.
 inline void pend_line(InterruptLine line) { nvic().ispr[0] = bit(static_cast<uint8_t>(line)); }
 
+}  // namespace rp2040
 }  // namespace boards
 }  // namespace echomap

@@ -22,6 +22,7 @@ enum class PinFunction : uint8_t {
   kNone = 31,
 };
 
+/// Gives the pin to a part of the chip.
 inline void set_function(Pin pin, PinFunction function) {
   pins().pin[pin].ctrl = static_cast<uint32_t>(function);
 }

@@ -21,6 +21,7 @@ constexpr uint16_t out_isr(uint8_t count) { return static_cast<uint16_t>(0x60C0 
 /// ISR goes to the program, or is lost where the FIFO is full.
 constexpr uint16_t kPush = 0x8000;
 
+/// Moves: X from the status, Y from its own inverse, the program counter from ISR, ..
 constexpr uint16_t kMovXStatus = 0xA025;
 constexpr uint16_t kMovYNotY = 0xA04A;
 constexpr uint16_t kMovPcIsr = 0xA0A6;

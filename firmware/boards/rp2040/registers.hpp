@@ -10,6 +10,7 @@
 /// the core.
 namespace echomap {
 namespace boards {
+inline namespace rp2040 {
 
 /// Clocks, 2.15: each has a choice of source, a divider and a read-back of the choice.
 struct ClockRegisters {
@@ -213,5 +214,6 @@ struct ScbRegisters {
 };
 inline ScbRegisters& scb() { return block_at<ScbRegisters>(0xE000ED00); }
 
+}  // namespace rp2040
 }  // namespace boards
 }  // namespace echomap

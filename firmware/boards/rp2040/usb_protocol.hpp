@@ -50,6 +50,7 @@ enum DescriptorType : uint8_t {
   kClassInterface = 0x24,
 };
 
+/// ENDPOINT_HALT, the feature of an endpoint.
 constexpr uint16_t kHaltFeature = 0;
 constexpr uint16_t kDataTerminalReady = 1;  ///< Bit of SET_CONTROL_LINE_STATE.
 constexpr uint8_t kLineCodingBytes = 7;

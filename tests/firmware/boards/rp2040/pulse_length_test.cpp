@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/boards/rp2040/echo_length.hpp"
+#include "firmware/boards/rp2040/pulse_length.hpp"
 
 #include <gtest/gtest.h>
 
