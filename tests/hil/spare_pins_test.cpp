@@ -29,7 +29,7 @@ struct VoltagePin {
   double supply_mv;
 };
 const std::map<std::string, VoltagePin> voltage_pins = {
-    {"uno", {5, 5000.0}}, {"mega", {8, 5000.0}}, {"stm32f103", {6, 3300.0}}};
+    {"uno", {5, 5000.0}}, {"mega", {8, 5000.0}}, {"stm32f103", {6, 3300.0}}, {"pico", {6, 3300.0}}};
 
 /// The configuration that fits `wires`, for the functions that are tested here.
 protocol::ConfigurePins pins_with(std::size_t battery_pin) {
