@@ -7,6 +7,7 @@
 
 namespace echomap {
 namespace boards {
+/// Apart from those of other chips, which have the same names.
 inline namespace rp2040 {
 
 /// Positions in the vector table behind the 16 of the core: RP2040 data sheet, 2.3.2.

@@ -10,6 +10,7 @@
 /// the core.
 namespace echomap {
 namespace boards {
+/// Apart from those of other chips, which have the same names.
 inline namespace rp2040 {
 
 /// Clocks, 2.15: each has a choice of source, a divider and a read-back of the choice.
