@@ -75,7 +75,7 @@ export class Pins {
 
   pulses(channel, isB) {
     const counts = channel.timer.topValue + 1;
-    const compare = isB ? channel.alarmB.target : channel.alarmA.target;
+    const compare = this.compareOfNextPulse(channel, isB);
     const share = channel.csr & kPwmEnabled ? Math.min(compare / counts, 1) : 0;
     const inverted = (channel.csr & (isB ? kInvertA << 1 : kInvertA)) !== 0;
     const periodUs = share > 0 && share < 1 ? (channel.timer.toNanos(counts)) / 1000 : 0;
@@ -86,6 +86,13 @@ export class Pins {
       until: inverted ? (share < 1 ? 1 : 0) : share,
       periodUs,
     };
+  }
+
+  /** What was written waits for the counter's wrap; a 0 lets the pulse under way end, and none follows. */
+  compareOfNextPulse(channel, isB) {
+    const latched = isB ? channel.alarmB.target : channel.alarmA.target;
+    const written = isB ? channel.cc >>> 16 : channel.cc & 0xffff;
+    return channel.ccUpdated && written === 0 ? 0 : latched;
   }
 
   /** rp2040js toggles the pins at each edge of the pulses; here only their shape is looked at. */
