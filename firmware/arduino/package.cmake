@@ -9,7 +9,8 @@ file(REMOVE_RECURSE ${library})
 
 list(TRANSFORM ECHOMAP_FIRMWARE_SOURCES PREPEND firmware/)
 list(TRANSFORM ECHOMAP_PROTOCOL_SOURCES PREPEND protocol/)
-set(boards firmware/boards/avr_common firmware/boards/edge_counter firmware/boards/arduino_${BOARD})
+set(boards firmware/boards/avr_common firmware/boards/edge_counter firmware/boards/no_own_sensors
+           firmware/boards/arduino_${BOARD})
 set(files ${ECHOMAP_FIRMWARE_SOURCES} ${ECHOMAP_PROTOCOL_SOURCES} firmware/app/main.cpp)
 foreach(folder protocol firmware/hal firmware/drivers firmware/control firmware/tasks firmware/app)
   file(GLOB headers RELATIVE ${root} ${root}/${folder}/*.hpp)

@@ -2,7 +2,8 @@
 # echomap_avr_board(NAME MCU chip BAUDS n ..): the images of an AVR board, with a toolchain of its
 # own: echomap-NAME for the first baud rate, echomap-NAME-BAUD for the others, and with
 # ECHOMAP_TESTS the images that the golden vectors and the differential test run through. Sources are
-# the caller's folder and avr_common. ECHOMAP_FLASH_LIMIT and ECHOMAP_RAM_LIMIT are the caller's.
+# the caller's folder, avr_common, edge_counter and no_own_sensors. ECHOMAP_FLASH_LIMIT and
+# ECHOMAP_RAM_LIMIT are the caller's.
 option(ECHOMAP_WERROR "Treat compiler warnings as errors" OFF)
 option(ECHOMAP_TESTS "Build the firmware's test images" OFF)
 
@@ -14,7 +15,8 @@ function(echomap_avr_board board)
   cmake_parse_arguments(ARG "" "MCU" "BAUDS" ${ARGN})
   file(GLOB board_sources CONFIGURE_DEPENDS
        ${root}/firmware/boards/avr_common/*.cpp
-       ${root}/firmware/boards/edge_counter/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+       ${root}/firmware/boards/edge_counter/*.cpp
+       ${root}/firmware/boards/no_own_sensors/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(TRANSFORM ECHOMAP_FIRMWARE_SOURCES PREPEND ${root}/firmware/ OUTPUT_VARIABLE robot_sources)
   list(TRANSFORM ECHOMAP_PROTOCOL_SOURCES PREPEND ${root}/protocol/ OUTPUT_VARIABLE wire_sources)
   set(program ${robot_sources} ${root}/firmware/app/main.cpp ${wire_sources} ${board_sources})

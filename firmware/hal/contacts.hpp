@@ -12,6 +12,12 @@ enum Contact : uint8_t {
   kContactRight = 1U << 1,
 };
 
+/// Bits of the contacts that are closed.
+constexpr uint8_t contact_bits(bool left_is_closed, bool right_is_closed) {
+  return static_cast<uint8_t>((left_is_closed ? kContactLeft : 0) |
+                              (right_is_closed ? kContactRight : 0));
+}
+
 /// The bump contacts that are closed now, not debounced.
 uint8_t closed_contacts();
 

@@ -2,11 +2,8 @@
 #include "hil_mock/ev3/ev3_board.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
-#include <system_error>
 
 #include "protocol/version.hpp"
 
@@ -18,18 +15,11 @@ constexpr std::int64_t kUsNs = 1'000;
 constexpr double kMsS = 1e-3;
 /// lego-linux-drivers reads the encoders 500 times a second.
 constexpr std::int64_t kPositionPeriodNs = 2 * kMsNs;
-/// Assumed: nobody tells how often LEGO 45504 measures.
-constexpr std::int64_t kUltrasonicPeriodNs = 50 * kMsNs;
-/// lego-linux-drivers' poll_ms of lego-nxt-us.
-constexpr std::int64_t kNxtSonarPeriodNs = 100 * kMsNs;
 /// Assumed: the messages of LEGO 45505 come about so fast.
 constexpr std::int64_t kGyroPeriodNs = 5 * kMsNs;
 constexpr double kMaxGyroDegPerS = 440.0;
 constexpr std::int64_t kBootNs = 300 * kMsNs;
 constexpr double kSpeedOfSoundMPerS = 343.2;
-constexpr double kMaxRangeM = 2.5;
-constexpr long kNothingMm = 2550;
-constexpr long kNothingCm = 255;
 /// As a real one's pulse width modulation, about: it only has to be faster than the motor.
 constexpr double kPwmPeriodUs = 100.0;
 constexpr double kCentreUs = 1500.0;
@@ -58,31 +48,10 @@ std::filesystem::path sensor_folder(const OwnFolder& folder, int number) {
   return folder.path() / "sys/class/lego-sensor" / ("sensor" + std::to_string(number));
 }
 
-LegoSensorKind kind_of(RangeSensor sensor) {
-  return sensor == RangeSensor::kUltrasonic ? LegoSensorKind{"lego-ev3-us", "US-DIST-CM", 1}
-                                            : LegoSensorKind{"lego-nxt-us", "US-DIST-CM", 0};
-}
-
 }  // namespace
 
 std::vector<std::string> under_qemu(const std::filesystem::path& elf) {
   return {"qemu-arm", "-cpu", "arm926", elf.string()};
-}
-
-OwnFolder::OwnFolder() {
-  const std::filesystem::path memory = "/dev/shm";
-  const auto parent =
-      std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-  std::string name = (parent / "echomap-ev3-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::system_error(errno, std::generic_category(), name);
-  }
-  path_ = name;
-}
-
-OwnFolder::~OwnFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 // Numbers out of order: on a brick they only say what was found first.
@@ -95,8 +64,9 @@ Ev3Board::Ev3Board(Ev3Options options)
       left_touch_(sensor_folder(folder_, 4), "ev3-ports:in1", {"lego-ev3-touch", "TOUCH", 0}),
       right_touch_(sensor_folder(folder_, 1), "ev3-ports:in2", {"lego-ev3-touch", "TOUCH", 0}),
       gyro_(sensor_folder(folder_, 7), "ev3-ports:in3", {"lego-ev3-gyro", "GYRO-ANG", 0}),
-      range_(sensor_folder(folder_, 2), "ev3-ports:in4", kind_of(options_.range_sensor)) {
-  range_.show(options_.range_sensor == RangeSensor::kUltrasonic ? kNothingMm : kNothingCm);
+      range_facts_(facts_of(options_.range_sensor)),
+      range_(sensor_folder(folder_, 2), "ev3-ports:in4", range_facts_.kind) {
+  range_.show(range_facts_.nothing);
   start_program();
 }
 
@@ -221,18 +191,11 @@ void Ev3Board::show_positions() {
 }
 
 void Ev3Board::show_range() {
-  const bool is_ultrasonic = options_.range_sensor == RangeSensor::kUltrasonic;
   if (echo_ && echo_->at_ns <= now_ns_) {
-    const bool is_heard = echo_->range_m <= kMaxRangeM;
-    if (is_ultrasonic) {
-      range_.show(is_heard ? std::lround(echo_->range_m * 1000.0) : kNothingMm);
-    } else {
-      range_.show(is_heard ? std::lround(echo_->range_m * 100.0) : kNothingCm);
-    }
+    range_.show(range_facts_.told(echo_->range_m));
     echo_.reset();
   }
-  const std::int64_t period_ns = is_ultrasonic ? kUltrasonicPeriodNs : kNxtSonarPeriodNs;
-  if (now_ns_ % period_ns == 0 && on_trigger) {
+  if (now_ns_ % range_facts_.period_ns == 0 && on_trigger) {
     on_trigger(now_ns_);
   }
 }

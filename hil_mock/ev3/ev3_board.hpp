@@ -14,16 +14,12 @@
 #include "hil_mock/ev3/clock_server.hpp"
 #include "hil_mock/ev3/firmware_process.hpp"
 #include "hil_mock/ev3/lego_sensor.hpp"
+#include "hil_mock/ev3/own_folder.hpp"
+#include "hil_mock/ev3/range_sensor.hpp"
 #include "hil_mock/ev3/tacho_motor.hpp"
 #include "hil_mock/runner/simulated_board.hpp"
 
 namespace echomap::ev3 {
-
-/// What looks for walls at in4.
-enum class RangeSensor : std::uint8_t {
-  kUltrasonic,  ///< LEGO 45504: millimetres, measures every 50 ms.
-  kNxtSonar,    ///< LEGO 9846: whole centimetres, asked every 100 ms.
-};
 
 /// What the brick runs, and what is plugged into it.
 struct Ev3Options {
@@ -36,21 +32,6 @@ struct Ev3Options {
 
 /// The command that runs an ELF of the EV3's processor.
 std::vector<std::string> under_qemu(const std::filesystem::path& elf);
-
-/// A folder that lasts as long as its owner.
-class OwnFolder {
- public:
-  /// In memory where the machine has such a place. Throws std::system_error where it cannot.
-  OwnFolder();
-  ~OwnFolder();
-  OwnFolder(const OwnFolder&) = delete;
-  OwnFolder& operator=(const OwnFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The robot's EV3 brick: the release ELF under qemu-arm, with files in place of ev3dev's sysfs and
 /// simulated time in place of its clock. Its pins are those of its ports: encoder edges become
@@ -130,6 +111,7 @@ class Ev3Board final : public runner::SimulatedBoard {
   LegoSensor left_touch_;
   LegoSensor right_touch_;
   LegoSensor gyro_;
+  RangeSensorFacts range_facts_;
   LegoSensor range_;
   std::unique_ptr<FirmwareProcess> program_;
   std::size_t connections_before_ = 0;

@@ -3,6 +3,7 @@
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { hasValidBoot2 } from './image.mjs';
+import { LoadMeter } from './load_meter.mjs';
 import { PioStepper } from './pio_stepper.mjs';
 import { Pins } from './pins.mjs';
 import { TwoWire } from './two_wire.mjs';
@@ -67,6 +68,7 @@ export class Chip {
     this.inputs = [];
     this.nextInput = 0;
     this.plugged = false;
+    this.load = new LoadMeter(0);
     this.boot(kReset.powerOn);
   }
 
@@ -156,6 +158,16 @@ export class Chip {
         }
       }
     };
+    const enter = core.exceptionEntry.bind(core);
+    core.exceptionEntry = (exception) => {
+      this.load.enter(exception, this.now);
+      enter(exception);
+    };
+  }
+
+  /** Measures `load` anew. */
+  meterLoad() {
+    this.load = new LoadMeter(this.now);
   }
 
   repairTick(cause, old) {
@@ -260,7 +272,9 @@ export class Chip {
       }
       if (core.waiting) {
         const alarm = clock.nextAlarm;
-        clock.tick(Math.max(Math.min(alarm ? alarm.nanos : limitNs, limitNs) - clock.nanosCounter, 0));
+        const ns = Math.max(Math.min(alarm ? alarm.nanos : limitNs, limitNs) - clock.nanosCounter, 0);
+        this.load.sleep(ns);
+        clock.tick(ns);
       } else {
         clock.nanosCounter += core.executeInstruction() * this.cycleNs;
         if (clock.nextAlarm && clock.nextAlarm.nanos <= clock.nanosCounter) {

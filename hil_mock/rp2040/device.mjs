@@ -195,6 +195,14 @@ class Device {
         chip.rp2040.core.PC = message.readUInt32LE(at + 1);
         chip.rp2040.core.waiting = false;
         return at + 5;
+      case 'M':
+        chip.meterLoad();
+        return at + 1;
+      case 'm':
+        this.event('m');
+        this.answer.number(chip.load.busyShare(chip.now));
+        this.answer.number(chip.load.tickJitterNs);
+        return at + 1;
       case 'H':
         chip.twoWire.hold(message.readUInt8(at + 1), chip.pins);
         return at + 2;

@@ -181,6 +181,17 @@ void Rp2040Board::jump(std::uint32_t address) {
   exchange();
 }
 
+void Rp2040Board::meter_load() {
+  orders_.byte('M');
+  exchange();
+}
+
+Rp2040Board::Load Rp2040Board::load() {
+  orders_.byte('m');
+  exchange();
+  return load_;
+}
+
 void Rp2040Board::hold_two_wire_bus(unsigned bits) {
   orders_.byte('H').byte(static_cast<std::uint8_t>(bits));
   exchange();
@@ -261,6 +272,10 @@ bool Rp2040Board::replay(Message& events) {
       return false;
     case 'k':
       peeked_ = events.take_word();
+      return false;
+    case 'm':
+      load_.busy_share = events.take_number();
+      load_.tick_jitter_us = events.take_number() * 1e-3;
       return false;
     default:
       resets_ = events.take_word();

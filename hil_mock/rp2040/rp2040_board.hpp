@@ -61,6 +61,14 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   void poke(std::uint32_t address, std::uint32_t value);
   /// The program goes on there.
   void jump(std::uint32_t address);
+  /// What the program takes of its chip, and how late or early its tick is at most.
+  struct Load {
+    double busy_share;
+    double tick_jitter_us;
+  };
+  /// load() is of the time from now on.
+  void meter_load();
+  Load load();
   /// A device on the two-wire bus has so many bits left to send.
   void hold_two_wire_bus(unsigned bits);
 
@@ -96,6 +104,7 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   std::vector<world::TwoWireDevice*> devices_;
   UsbData usb_data_;
   std::uint32_t peeked_ = 0;
+  Load load_{};
   std::uint32_t resets_ = 0;
   bool attached_ = false;
   std::int64_t chip_ns_ = 0;

@@ -60,6 +60,7 @@ Paths sources_of(const std::string& board) {
   paths.merge(listed_in_cmake("ECHOMAP_PROTOCOL_SOURCES", "protocol/"));
   paths.merge(sources_below(tree_root, "firmware/boards/avr_common"));
   paths.merge(sources_below(tree_root, "firmware/boards/edge_counter"));
+  paths.merge(sources_below(tree_root, "firmware/boards/no_own_sensors"));
   paths.merge(sources_below(tree_root, "firmware/boards/arduino_" + board));
   return paths;
 }

@@ -24,12 +24,14 @@ const std::vector<std::string> without_own_test{
     "firmware/boards/arduino_mega",
     "firmware/boards/arduino_uno",
     "firmware/boards/avr_common",
+    "firmware/boards/cortex_common",
     // The same of a whole program: guard_test.cpp there starts it, hil_mock/ev3 drives it.
     "firmware/boards/ev3/absent_parts.cpp",
     "firmware/boards/ev3/board.cpp",
     "firmware/boards/ev3/clock.cpp",
     "firmware/boards/ev3/line.cpp",
     "firmware/boards/ev3/options.cpp",
+    "firmware/boards/no_own_sensors",
     "firmware/boards/rp2040",
     "firmware/boards/stm32f103",
     // Parts of one chip: tests/hil/emulated_chip_test.cpp and its neighbours run programs on it.

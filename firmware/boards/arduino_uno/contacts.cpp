@@ -17,14 +17,8 @@ namespace hal {
 
 uint8_t closed_contacts() {
   const uint8_t open = PIND;
-  uint8_t closed = 0;
-  if ((open & boards::kContactLeftPin) == 0) {
-    closed |= kContactLeft;
-  }
-  if ((open & boards::kContactRightPin) == 0) {
-    closed |= kContactRight;
-  }
-  return closed;
+  return contact_bits((open & boards::kContactLeftPin) == 0,
+                      (open & boards::kContactRightPin) == 0);
 }
 
 }  // namespace hal

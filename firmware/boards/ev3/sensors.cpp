@@ -112,7 +112,7 @@ uint8_t closed_contacts() {
   using namespace boards;
   const bool left = is_closed(left_touch.is_open() ? left_touch : right_touch);
   const bool right = is_closed(right_touch.is_open() ? right_touch : left_touch);
-  return static_cast<uint8_t>((left ? kContactLeft : 0) | (right ? kContactRight : 0));
+  return contact_bits(left, right);
 }
 
 bool has_range_sensor() { return true; }

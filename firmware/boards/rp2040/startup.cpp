@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <stdint.h>
 
+#include "firmware/boards/cortex_common/stack_paint.hpp"
+#include "firmware/boards/cortex_common/vector_table.hpp"
 #include "firmware/boards/rp2040/interrupt_lines.hpp"
 #include "firmware/boards/rp2040/parts.hpp"
-#include "firmware/boards/rp2040/stack_paint.hpp"
 #include "firmware/boards/rp2040/vectors.hpp"
 #include "firmware/hal/interrupts.hpp"
 
@@ -55,36 +56,18 @@ namespace echomap {
 namespace boards {
 namespace {
 
-using Handler = void (*)();
-
-constexpr uint8_t kCoreVectors = 16;
 constexpr uint8_t kLines = 32;
 
-/// ARMv6-M, B1.5.3: where the stack begins, then a handler for each exception.
-template <uint8_t kHandlers>
-struct VectorTable {
-  const uint32_t* stack_top;
-  Handler handlers[kHandlers];
-
-  constexpr void set(InterruptLine line, Handler handler) {
-    handlers[kCoreVectors + static_cast<uint8_t>(line) - 1] = handler;
-  }
-};
-
-constexpr VectorTable<kCoreVectors + kLines - 1> make_table() {
-  VectorTable<kCoreVectors + kLines - 1> table{};
-  table.stack_top = &_stack_top;
-  for (Handler& handler : table.handlers) {
-    handler = on_fault;
-  }
-  table.set(InterruptLine::kTimer0, on_timer0);
-  table.set(InterruptLine::kTimer1, on_timer1);
-  table.set(InterruptLine::kUsb, on_usb);
-  table.set(InterruptLine::kPio0, on_pio0);
-  table.set(InterruptLine::kPins, on_pins);
-  table.set(InterruptLine::kUart0, on_uart0);
-  table.set(InterruptLine::kI2c0, on_i2c0);
-  table.set(InterruptLine::kSend, on_send);
+constexpr auto make_table() {
+  auto table = table_of_faults<kLines>(&_stack_top, on_fault);
+  table.set_line(InterruptLine::kTimer0, on_timer0);
+  table.set_line(InterruptLine::kTimer1, on_timer1);
+  table.set_line(InterruptLine::kUsb, on_usb);
+  table.set_line(InterruptLine::kPio0, on_pio0);
+  table.set_line(InterruptLine::kPins, on_pins);
+  table.set_line(InterruptLine::kUart0, on_uart0);
+  table.set_line(InterruptLine::kI2c0, on_i2c0);
+  table.set_line(InterruptLine::kSend, on_send);
   return table;
 }
 

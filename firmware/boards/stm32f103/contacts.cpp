@@ -17,14 +17,8 @@ void start_contacts() {
 namespace hal {
 
 uint8_t closed_contacts() {
-  uint8_t closed = 0;
-  if (!boards::level_of(boards::kContactLeftPin)) {
-    closed |= kContactLeft;
-  }
-  if (!boards::level_of(boards::kContactRightPin)) {
-    closed |= kContactRight;
-  }
-  return closed;
+  using namespace boards;
+  return contact_bits(!level_of(kContactLeftPin), !level_of(kContactRightPin));
 }
 
 }  // namespace hal

@@ -3,22 +3,12 @@
 
 #include <stdint.h>
 
+#include "firmware/boards/cortex_common/register.hpp"
+
 /// The registers of the STM32F103 that the firmware uses. Sources: ST RM0008 (reference manual),
 /// the chapter named at each block, and ST PM0056 (Cortex-M3 programming manual) for the core.
 namespace echomap {
 namespace boards {
-
-/// A register: every access is one of 32 bits, in the order written.
-using Register = volatile uint32_t;
-
-/// The block of registers at a fixed address.
-template <class Block>
-inline Block& block_at(uint32_t address) {
-  return *reinterpret_cast<Block*>(address);
-}
-
-/// The word with this one bit set.
-constexpr uint32_t bit(uint8_t number) { return uint32_t{1} << number; }
 
 /// RCC, chapter 7: clocks and the cause of the reset.
 struct RccRegisters {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <stdint.h>
 
+#include "firmware/boards/cortex_common/stack_paint.hpp"
+#include "firmware/boards/cortex_common/vector_table.hpp"
 #include "firmware/boards/stm32f103/interrupt_lines.hpp"
 #include "firmware/boards/stm32f103/parts.hpp"
-#include "firmware/boards/stm32f103/stack_paint.hpp"
 #include "firmware/boards/stm32f103/vectors.hpp"
 #include "firmware/hal/interrupts.hpp"
 
@@ -49,41 +50,22 @@ namespace echomap {
 namespace boards {
 namespace {
 
-using Handler = void (*)();
-
-constexpr uint8_t kCoreVectors = 16;
 constexpr uint8_t kLines = 43;
-constexpr uint8_t kResetVector = 1;
-constexpr uint8_t kTickVector = 15;
 
-/// PM0056, figure 12: where the stack begins, then a handler for each exception.
-struct VectorTable {
-  const uint32_t* stack_top;
-  Handler handlers[kCoreVectors + kLines - 1];
-
-  constexpr void set(uint8_t vector, Handler handler) { handlers[vector - 1] = handler; }
-  constexpr void set(InterruptLine line, Handler handler) {
-    set(static_cast<uint8_t>(kCoreVectors + static_cast<uint8_t>(line)), handler);
-  }
-};
-
-constexpr VectorTable make_table() {
-  VectorTable table{};
-  table.stack_top = &_stack_top;
-  for (uint8_t vector = 1; vector < kCoreVectors + kLines; ++vector) {
-    table.set(vector, on_fault);
-  }
+/// PM0056, figure 12.
+constexpr auto make_table() {
+  auto table = table_of_faults<kLines>(&_stack_top, on_fault);
   table.set(kResetVector, on_reset);
   table.set(kTickVector, on_sys_tick);
-  table.set(InterruptLine::kWwdg, on_wwdg);
-  table.set(InterruptLine::kTim1Capture, on_tim1_capture);
-  table.set(InterruptLine::kI2c2Event, on_i2c2_event);
-  table.set(InterruptLine::kI2c2Error, on_i2c2_error);
-  table.set(InterruptLine::kUsart1, on_usart1);
+  table.set_line(InterruptLine::kWwdg, on_wwdg);
+  table.set_line(InterruptLine::kTim1Capture, on_tim1_capture);
+  table.set_line(InterruptLine::kI2c2Event, on_i2c2_event);
+  table.set_line(InterruptLine::kI2c2Error, on_i2c2_error);
+  table.set_line(InterruptLine::kUsart1, on_usart1);
   return table;
 }
 
-__attribute__((section(".vectors"), used)) constexpr VectorTable vector_table = make_table();
+__attribute__((section(".vectors"), used)) constexpr auto vector_table = make_table();
 
 }  // namespace
 }  // namespace boards

@@ -10,8 +10,8 @@
 namespace echomap::tests {
 
 /// What can be measured only with a hold on the chip itself. Each program has one of the files
-/// chip_figures_simavr.cpp, chip_figures_unicorn.cpp, chip_figures_ev3.cpp or, for emulators that
-/// do not tell, chip_figures_untold.cpp.
+/// chip_figures_simavr.cpp, chip_figures_unicorn.cpp, chip_figures_ev3.cpp or
+/// chip_figures_rp2040.cpp.
 
 /// What a program takes of its chip.
 struct ChipLoad {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/hal/stack.hpp"
 
-#include "firmware/boards/stm32f103/stack_paint.hpp"
+#include "firmware/boards/cortex_common/stack_paint.hpp"
 
 /// End of the static data, by the linker: the stack grows down towards it.
 extern "C" const uint32_t _end;
