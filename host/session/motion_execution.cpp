@@ -24,6 +24,8 @@ constexpr milliseconds kRest(150);
 constexpr double kMaxLookRad = std::numbers::pi / 2.0;
 constexpr double kLookStepRad = std::numbers::pi / 12.0;
 constexpr double kLookSettleS = 0.03;
+/// The NXT's sonar measures by itself: its driver asks it every 100 ms.
+constexpr double kSlowestAnswerS = 0.15;
 
 Duration seconds_of(double value_s) { return Duration(std::llround(value_s * 1e6)); }
 
@@ -182,7 +184,8 @@ double MotionExecution::duration_s(const exploration::Sweep& sweep) const {
   const double swept_rad = std::abs(sweep.to_rad - sweep.from_rad);
   const double pings = swept_rad / std::abs(sweep.step_rad) + 1.0;
   const double way_deg = 0.01 * (pan.max_cdeg - pan.min_cdeg) + geometry::degrees(swept_rad);
-  const double ping_s = 1e-6 * sonar.max_echo_us + 1e-3 * sonar.ping_gap_ms;
+  const double answer_s = std::max(1e-6 * sonar.max_echo_us, kSlowestAnswerS);
+  const double ping_s = answer_s + 1e-3 * sonar.ping_gap_ms;
   return way_deg / pan.deg_per_s + pings * (sweep.settle_s + ping_s);
 }
 

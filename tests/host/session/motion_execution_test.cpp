@@ -50,6 +50,14 @@ TEST_F(MotionExecutionTest, GivesASlowPanItsTime) {
   EXPECT_EQ(session->execute(exploration::Sweep{-1.0, 1.0, 0.1, 0.0}), MotionResult::kReached);
 }
 
+/// As the NXT's sonar on an EV3, with the way of the pan between two of 73 pings.
+TEST_F(MotionExecutionTest, GivesASensorThatMeasuresByItselfItsTime) {
+  session->connect();
+  cable.robot.motion_ms = 73 * 300;
+  EXPECT_EQ(session->execute(exploration::Sweep{-1.57, 1.57, 3.14 / 72.0, 0.02}),
+            MotionResult::kReached);
+}
+
 /// Commands are numbered anew in each session; the robot's last Status may be of an earlier one.
 TEST_F(MotionExecutionTest, TakesNoEarlierSessionsSweepForItsOwn) {
   cable.robot.motion_ms = 500;
