@@ -70,6 +70,34 @@ TEST_F(PicoBoot, TimerIsSetToMicrosecondsOfTheCrystal) {
   EXPECT_NEAR(double(board.peek(kTimerRawLow) - before), 10'000.0, 1.0);
 }
 
+/// What a program hangs in: with interrupts open its warning resets the chip, else the watchdog.
+enum Hang : std::uint32_t {
+  kInterruptsOpen = 0xE7FE'B662,    // cpsie i; b .
+  kInterruptsLocked = 0xE7FE'B672,  // cpsid i; b .
+};
+
+class PicoWatchdog : public ::testing::TestWithParam<Hang> {};
+
+INSTANTIATE_TEST_SUITE_P(Hangs,
+                         PicoWatchdog,
+                         ::testing::Values(kInterruptsOpen, kInterruptsLocked));
+
+TEST_P(PicoWatchdog, ResetsAHangingProgramOnceAndLetsItGoOn) {
+  constexpr std::uint32_t kTrap = 0x2003'0000;  // Behind program and stack.
+  RobotSession robot{release_image(kImage)};
+  ASSERT_TRUE(robot.connect());
+  auto& board = dynamic_cast<Rp2040Board&>(robot.board());
+  board.poke(kTrap, GetParam());
+  board.jump(kTrap);
+  robot.run_ms(300);
+  EXPECT_EQ(board.resets(), 1U);
+  robot.run_ms(4'000);
+  EXPECT_EQ(board.resets(), 1U);
+  const auto hello = robot.connect(4712);
+  ASSERT_TRUE(hello);
+  EXPECT_EQ(hello->reset_cause, protocol::kResetWatchdog);
+}
+
 class PicoEncoders : public ::testing::TestWithParam<int> {};
 
 INSTANTIATE_TEST_SUITE_P(JitterPercent, PicoEncoders, ::testing::Values(0, 20, 40));
