@@ -82,6 +82,9 @@ std::int64_t UsbHost::service(std::int64_t now_ns) {
 
 void UsbHost::plug(bool plugged, std::int64_t now_ns) {
   plugged_ = plugged;
+  if (!plugged) {
+    outgoing_.clear();
+  }
   seen_ = false;
   give_up();
   wait_until_ns_ = now_ns;
@@ -94,7 +97,9 @@ void UsbHost::reset(std::int64_t now_ns) {
 }
 
 void UsbHost::send(std::span<const std::uint8_t> bytes) {
-  outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
+  if (plugged_) {
+    outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
+  }
 }
 
 void UsbHost::request(const UsbRequest& request,

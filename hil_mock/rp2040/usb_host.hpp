@@ -41,7 +41,8 @@ class UsbHost {
   void plug(bool plugged, std::int64_t now_ns);
   /// Resets the bus and enumerates the device again.
   void reset(std::int64_t now_ns);
-  /// Bytes for the device; kept until the port is open and the device takes them.
+  /// Bytes for the device; kept until the port is open and the device takes them; lost where the
+  /// cable is out.
   void send(std::span<const std::uint8_t> bytes);
   std::size_t waiting_bytes() const { return outgoing_.size(); }
   /// Called with each byte that the device has sent.

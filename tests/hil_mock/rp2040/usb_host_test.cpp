@@ -111,5 +111,21 @@ TEST(UsbHost, EnumeratesAgainAfterReplug) {
   EXPECT_EQ(device.resets_, 2U);
 }
 
+TEST(UsbHost, ForgetsWhatWasNotSentBeforeItsCableWasPulled) {
+  FakeDevice device;
+  UsbHost host(device);
+  std::int64_t now_ns = 0;
+  host.plug(true, 0);
+  run_until_s(host, now_ns, 1.0);
+  host.send(std::vector<std::uint8_t>{1});
+  host.plug(false, now_ns);
+  host.send(std::vector<std::uint8_t>{2});
+  run_until_s(host, now_ns, 1.1);
+  host.plug(true, now_ns);
+  host.send(std::vector<std::uint8_t>{3});
+  run_until_s(host, now_ns, 2.0);
+  EXPECT_EQ(device.received_, std::vector<std::uint8_t>{3});
+}
+
 }  // namespace
 }  // namespace echomap::rp2040
