@@ -57,11 +57,14 @@ void Rp2040Board::run_until(std::int64_t until_ns) {
   until_ns_ = std::max(until_ns_, until_ns);
   while (chip_ns_ < until_ns_) {
     const bool has_host = line_ == PicoLine::kUsb;
-    const std::int64_t stop_ns = has_host ? std::min(until_ns_, host_due_ns_) : until_ns_;
+    const bool polls = has_host && host_.only_polls() && host_due_ns_ > chip_ns_;
+    const std::int64_t stop_ns = has_host && !polls ? std::min(until_ns_, host_due_ns_) : until_ns_;
     if (stop_ns > chip_ns_) {
       orders_.byte('G').number(static_cast<double>(stop_ns));
       orders_.byte(has_host && host_.is_open() ? 1 : 0);
+      orders_.number(polls ? static_cast<double>(host_due_ns_) : 0.0);
       exchange();
+      host_due_ns_ = polls ? poll_ns_ : host_due_ns_;
     }
     if (has_host && (chip_ns_ >= host_due_ns_ || chip_ns_ < stop_ns)) {
       host_due_ns_ = host_.service(chip_ns_);
@@ -221,6 +224,8 @@ bool Rp2040Board::replay(Message& events) {
     default:
       resets_ = events.take_word();
       attached_ = events.take_byte() != 0;
+      has_bulk_in_ = events.take_byte() != 0;
+      poll_ns_ = std::llround(events.take_number());
       return true;
   }
 }

@@ -70,6 +70,7 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
  private:
   void plug(bool plugged) override;
   bool is_attached() const override { return attached_; }
+  bool has_bulk_in() const override { return has_bulk_in_; }
   void reset_bus() override;
   UsbAnswer setup(std::uint8_t address, std::span<const std::uint8_t> packet) override;
   UsbData in(std::uint8_t address, std::uint8_t endpoint) override;
@@ -101,6 +102,8 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   std::uint32_t peeked_ = 0;
   std::uint32_t resets_ = 0;
   bool attached_ = false;
+  bool has_bulk_in_ = false;
+  std::int64_t poll_ns_ = 0;
   std::int64_t chip_ns_ = 0;
   std::int64_t until_ns_ = 0;
   std::int64_t host_due_ns_ = 0;

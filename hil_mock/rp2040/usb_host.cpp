@@ -189,6 +189,9 @@ bool UsbHost::step_bulk() {
 }
 
 bool UsbHost::reads_bulk() {
+  if (!cable_.has_bulk_in()) {
+    return false;
+  }
   const UsbData data = cable_.in(control_.address(), kBulkEndpoint);
   if (data.answer != UsbAnswer::kAck || data.data1 != in_data1_) {
     return false;

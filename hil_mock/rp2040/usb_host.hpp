@@ -39,6 +39,11 @@ class UsbHost {
 
   /// Whether the serial port is open: configured, DTR set.
   bool is_open() const { return open_; }
+  /// Whether nothing goes over the cable but INs that the device does not answer, one a frame.
+  bool only_polls() const {
+    return open_ && control_.is_idle() && outgoing_.empty() && cable_.is_attached() &&
+           !cable_.has_bulk_in();
+  }
   /// What was read in the enumeration.
   const std::vector<std::uint8_t>& device_descriptor() const { return device_; }
   const std::vector<std::uint8_t>& configuration() const { return configuration_; }

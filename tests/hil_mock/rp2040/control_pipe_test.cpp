@@ -21,6 +21,7 @@ class ScriptedDevice final : public UsbCable {
  public:
   void plug(bool) override {}
   bool is_attached() const override { return true; }
+  bool has_bulk_in() const override { return false; }
   void reset_bus() override {}
   UsbAnswer setup(std::uint8_t address, std::span<const std::uint8_t> packet) override {
     last_address = address;

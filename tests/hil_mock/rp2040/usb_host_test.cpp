@@ -13,6 +13,7 @@ class FakeDevice final : public UsbCable {
  public:
   void plug(bool plugged) override { plugged_ = plugged; }
   bool is_attached() const override { return plugged_; }
+  bool has_bulk_in() const override { return false; }
   void reset_bus() override {
     ++resets_;
     address_ = 0;
