@@ -17,6 +17,7 @@ class DrivenWheel {
 
   void invert_motor(bool inverted) { motor_.invert(inverted); }
   void brake_at_zero(bool brakes) { motor_.brake_at_zero(brakes); }
+  void arrive_within(uint8_t ticks) { controller_.arrive_within(ticks); }
   /// Is now where it should be, at `count`.
   void begin(int16_t count);
   /// First half of a control period: the reference goes on by `step` (1/4000 tick).

@@ -51,6 +51,11 @@ void WheelMotion::configure(const protocol::ConfigureWiring& wiring) {
   const bool brakes = (wiring.bridge_options & protocol::kBrakeAtZero) != 0;
   left_.brake_at_zero(brakes);
   right_.brake_at_zero(brakes);
+  const uint8_t arrived_ticks = drivers::has_servos(wiring)
+                                    ? WheelSpeedController::kServoArrivedTicks
+                                    : WheelSpeedController::kArrivedTicks;
+  left_.arrive_within(arrived_ticks);
+  right_.arrive_within(arrived_ticks);
   drivers::use_bridges(wiring);
 }
 

@@ -12,7 +12,6 @@ namespace {
 constexpr int32_t kFullDrive = int32_t{drivers::kFullDuty} * 256;
 /// Growth of the push against static friction, per period: full duty in a second.
 constexpr int32_t kPushStep = 256;
-constexpr int32_t kArrived = int32_t{WheelSpeedController::kArrivedTicks} * kOneTick;
 
 int32_t clamped(int32_t value, int32_t limit) {
   if (value > limit) {
@@ -42,7 +41,13 @@ int32_t magnitude(int32_t value) { return value < 0 ? -value : value; }
 
 }  // namespace
 
-void WheelSpeedController::reset() { *this = WheelSpeedController(); }
+void WheelSpeedController::arrive_within(uint8_t ticks) { arrived_ = int32_t{ticks} * kOneTick; }
+
+void WheelSpeedController::reset() {
+  const int32_t arrived = arrived_;
+  *this = WheelSpeedController();
+  arrived_ = arrived;
+}
 
 void WheelSpeedController::prepare(const protocol::ConfigureDrive& gains, int32_t reference_step) {
   measure();
@@ -74,7 +79,7 @@ int16_t WheelSpeedController::update(int16_t turned) {
 
 bool WheelSpeedController::arrived() const { return still_periods_ == kStillPeriods && near(); }
 
-bool WheelSpeedController::near() const { return magnitude(lag_) <= kArrived; }
+bool WheelSpeedController::near() const { return magnitude(lag_) <= arrived_; }
 
 bool WheelSpeedController::stalled(const protocol::ConfigureDrive& limits) const {
   constexpr int32_t kMinBoundTicks = 64;

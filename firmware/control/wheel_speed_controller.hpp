@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "firmware/control/fixed_point.hpp"
 #include "protocol/command_messages.hpp"
 
 namespace echomap {
@@ -15,12 +16,18 @@ class WheelSpeedController {
  public:
   /// A wheel this near to a standing reference has arrived.
   static constexpr uint8_t kArrivedTicks = 2;
+  /// The same of a servo: it takes a duty for a frame of 20 ms, in which the least that turns it
+  /// carries it over more than that.
+  static constexpr uint8_t kServoArrivedTicks = 4;
 
   /// For how many periods without a tick it must have stood there: it coasts less than a tick then.
   static constexpr uint8_t kStillPeriods = 12;
 
   /// Speed is taken over 2 to the power of this many periods: one tick in one would be 250 ticks/s.
   static constexpr uint8_t kSpeedPeriodsLog2 = 2;
+
+  /// From how near to a standing reference on the wheel has arrived.
+  void arrive_within(uint8_t ticks);
 
   /// Forgets the lag: the wheel is where it should be.
   void reset();
@@ -35,7 +42,7 @@ class WheelSpeedController {
   /// Ticks of the last period, and of the 4 before it.
   int16_t turned() const { return newest_turned_; }
   int16_t turned_sum() const { return turned_sum_; }
-  /// The wheel stands within kArrivedTicks of its reference.
+  /// The wheel stands as near to its reference as it has to.
   bool arrived() const;
   /// The wheel is farther behind than a turning wheel can be, or does not break away.
   bool stalled(const protocol::ConfigureDrive& limits) const;
@@ -47,6 +54,8 @@ class WheelSpeedController {
   void push_off();
   bool near() const;
 
+  /// Kept by a reset; 1/4000 tick.
+  int32_t arrived_ = int32_t{kArrivedTicks} * kOneTick;
   int32_t lag_ = 0;             ///< 1/4000 tick.
   int32_t push_ = 0;            ///< Duty x 256 against static friction.
   int32_t prepared_drive_ = 0;  ///< Duty x 256 for a wheel that turns as expected.

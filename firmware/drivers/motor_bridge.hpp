@@ -14,6 +14,10 @@ constexpr int16_t kFullDuty = 255;
 
 /// True when this board can drive bridges of this wiring, and they have these options.
 bool can_drive(const protocol::ConfigureWiring& wiring);
+/// True where the wheels turn on servos.
+inline bool has_servos(const protocol::ConfigureWiring& wiring) {
+  return wiring.bridge == static_cast<uint8_t>(protocol::MotorBridgeKind::kServo);
+}
 /// The spare pins, a bit each, that these bridges take; of wiring that `can_drive` has granted.
 uint16_t pins_of_bridges(const protocol::ConfigureWiring& wiring);
 /// Switches both motors off, and drives such bridges from here on.

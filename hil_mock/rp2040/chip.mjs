@@ -194,7 +194,11 @@ export class Chip {
         write(offset, value);
       }
     };
-    watchdog.onWatchdogTrigger = () => (this.bites = true);
+    watchdog.onWatchdogTrigger = () => {
+      watchdog.alarm.enable = false; // Else it comes again at once, and time stands still.
+      watchdog.timer.enable = false;
+      this.bites = true;
+    };
     if (old && cause !== kReset.powerOn) {
       const last = old.peripherals[kPeripheral.watchdog];
       if (cause === kReset.watchdog) {

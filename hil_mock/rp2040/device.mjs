@@ -6,6 +6,7 @@ import { Chip } from './chip.mjs';
 import { readImage } from './image.mjs';
 
 const kTriggerPin = 6;
+const kFrameNs = 1e6;
 const kReported = [6, 8, 9, 10, 11, 12, 13, 14, 15, 18, 19, 20, 21, 22, 26, 27, 28];
 
 for (const name of ['log', 'info', 'debug', 'warn']) {
@@ -79,6 +80,7 @@ class Device {
     this.addresses = new Set();
     this.trigger = false;
     this.wakesForUsb = false;
+    this.pollNs = 0;
     this.chip = new Chip(readImage(image), {
       onByte: (byte) => {
         this.event('S');
@@ -142,6 +144,8 @@ class Device {
     this.event('E');
     this.answer.word(this.chip.resets);
     this.answer.byte(this.chip.usb.isAttached() ? 1 : 0);
+    this.answer.byte(this.chip.usb.hasBulkIn() ? 1 : 0);
+    this.answer.number(this.pollNs);
     this.answer.send();
   }
 
@@ -168,11 +172,33 @@ class Device {
         return at + 2;
       case 'G':
         this.wakesForUsb = message.readUInt8(at + 9) !== 0;
-        chip.run(message.readDoubleLE(at + 1));
-        return at + 10;
+        this.run(message.readDoubleLE(at + 1), message.readDoubleLE(at + 10));
+        return at + 18;
       default:
         return this.obeyTester(message, at);
     }
+  }
+
+  /** Until then; `pollNs` is when a host that has nothing to send polls next, 0 for none that does. */
+  run(untilNs, pollNs) {
+    const { chip } = this;
+    this.pollNs = pollNs;
+    if (pollNs === 0) {
+      chip.run(untilNs);
+      return;
+    }
+    do {
+      chip.run(Math.min(untilNs, this.pollNs));
+      const now = Math.round(chip.now);
+      if (now >= this.pollNs) {
+        if (!chip.usb.isAttached() || chip.usb.hasBulkIn()) {
+          return;
+        }
+        if (!chip.stop) {
+          this.pollNs = now + kFrameNs;
+        }
+      }
+    } while (!chip.stop && chip.now < untilNs);
   }
 
   obeyTester(message, at) {

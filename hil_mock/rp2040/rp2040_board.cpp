@@ -26,21 +26,6 @@ std::uint8_t spare_pin(unsigned pin) {
   return pico_pins::kSpare.at(pin);
 }
 
-world::PinSignal take_signal(Message& events) {
-  const std::uint8_t source = events.take_byte();
-  const double from = events.take_number();
-  const double until = events.take_number();
-  const double period_us = events.take_number();
-  switch (source) {
-    case 0:
-      return world::floating();
-    case 1:
-      return world::pulled_up();
-    default:
-      return {world::PinSignal::Source::kDriven, from, until, period_us};
-  }
-}
-
 }  // namespace
 
 Rp2040Board::Rp2040Board(const std::filesystem::path& elf, PicoLine line)
@@ -72,11 +57,14 @@ void Rp2040Board::run_until(std::int64_t until_ns) {
   until_ns_ = std::max(until_ns_, until_ns);
   while (chip_ns_ < until_ns_) {
     const bool has_host = line_ == PicoLine::kUsb;
-    const std::int64_t stop_ns = has_host ? std::min(until_ns_, host_due_ns_) : until_ns_;
+    const bool polls = has_host && host_.only_polls() && host_due_ns_ > chip_ns_;
+    const std::int64_t stop_ns = has_host && !polls ? std::min(until_ns_, host_due_ns_) : until_ns_;
     if (stop_ns > chip_ns_) {
       orders_.byte('G').number(static_cast<double>(stop_ns));
       orders_.byte(has_host && host_.is_open() ? 1 : 0);
+      orders_.number(polls ? static_cast<double>(host_due_ns_) : 0.0);
       exchange();
+      host_due_ns_ = polls ? poll_ns_ : host_due_ns_;
     }
     if (has_host && (chip_ns_ >= host_due_ns_ || chip_ns_ < stop_ns)) {
       host_due_ns_ = host_.service(chip_ns_);
@@ -96,32 +84,6 @@ void Rp2040Board::receive(std::span<const std::uint8_t> bytes) {
   } else {
     orders_.byte('B').block(bytes);
   }
-}
-
-world::DriverInputs Rp2040Board::driver_inputs(Wheel wheel,
-                                               world::DriverInterface interface) const {
-  const bool left = wheel == Wheel::kLeft;
-  const auto& pwm = signals_.at(left ? pico_pins::kLeftMotorPwm : pico_pins::kRightMotorPwm);
-  const auto& forward =
-      signals_.at(left ? pico_pins::kLeftMotorForward : pico_pins::kRightMotorForward);
-  const auto& second =
-      signals_.at(left ? pico_pins::kLeftMotorSecond : pico_pins::kRightMotorSecond);
-  switch (interface) {
-    case world::DriverInterface::kPhaseEnable:
-      return {pwm, forward, world::floating()};
-    case world::DriverInterface::kIn1In2Pwm:
-      return {pwm, forward, second};
-    case world::DriverInterface::kTwoPwm:
-      return {world::floating(), pwm, second};
-    case world::DriverInterface::kServo:
-      break;
-  }
-  return {pwm, world::floating(), world::floating()};
-}
-
-double Rp2040Board::pan_pulse_us() const {
-  const world::PinSignal& servo = signals_.at(pico_pins::kPanServo);
-  return servo.makes_pulses() ? servo.high_share() * servo.period_us : 0.0;
 }
 
 void Rp2040Board::schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) {
@@ -151,10 +113,7 @@ void Rp2040Board::set_aux_millivolts(unsigned pin, double millivolts) {
   orders_.half_word(static_cast<std::uint16_t>(counts));
 }
 
-bool Rp2040Board::aux_output(unsigned pin) const {
-  const world::PinSignal& signal = signals_.at(spare_pin(pin));
-  return signal.source == world::PinSignal::Source::kDriven && signal.high_share() >= 1.0;
-}
+bool Rp2040Board::aux_output(unsigned pin) const { return signals_.drives_high(spare_pin(pin)); }
 
 void Rp2040Board::connect(world::TwoWireDevice& device) {
   devices_.push_back(&device);
@@ -280,18 +239,16 @@ bool Rp2040Board::replay(Message& events) {
     default:
       resets_ = events.take_word();
       attached_ = events.take_byte() != 0;
+      has_bulk_in_ = events.take_byte() != 0;
+      poll_ns_ = std::llround(events.take_number());
       return true;
   }
 }
 
 void Rp2040Board::replay_pins(Message& events) {
-  const world::PinSignal before = signals_.at(pico_pins::kSonarTrigger);
-  for (std::uint8_t left = events.take_byte(); left > 0; --left) {
-    const std::uint8_t pin = events.take_byte();
-    signals_.at(pin) = take_signal(events);
-  }
-  const bool was_high = before.high_share() > 0.0;
-  const bool is_high = signals_.at(pico_pins::kSonarTrigger).high_share() > 0.0;
+  const bool was_high = signals_.trigger_is_high();
+  signals_.take(events);
+  const bool is_high = signals_.trigger_is_high();
   if (is_high && !was_high) {
     trigger_rise_ns_ = chip_ns_;
   } else if (was_high && !is_high && chip_ns_ - trigger_rise_ns_ >= kMinTriggerNs && on_trigger) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hil_mock/rp2040/chip_link.hpp"
+#include "hil_mock/rp2040/pin_signals.hpp"
 #include "hil_mock/rp2040/usb_cable.hpp"
 #include "hil_mock/rp2040/usb_host.hpp"
 #include "hil_mock/runner/simulated_board.hpp"
@@ -36,8 +37,10 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   void receive(std::span<const std::uint8_t> bytes) override;
 
   world::DriverInputs driver_inputs(runner::Wheel wheel,
-                                    world::DriverInterface interface) const override;
-  double pan_pulse_us() const override;
+                                    world::DriverInterface interface) const override {
+    return signals_.driver_inputs(wheel, interface);
+  }
+  double pan_pulse_us() const override { return signals_.pan_pulse_us(); }
   void schedule_encoder_edge(runner::Wheel wheel, std::int64_t at_ns, bool a, bool b) override;
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
   void set_bump(runner::Wheel side, bool pressed) override;
@@ -75,6 +78,7 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
  private:
   void plug(bool plugged) override;
   bool is_attached() const override { return attached_; }
+  bool has_bulk_in() const override { return has_bulk_in_; }
   void reset_bus() override;
   UsbAnswer setup(std::uint8_t address, std::span<const std::uint8_t> packet) override;
   UsbData in(std::uint8_t address, std::uint8_t endpoint) override;
@@ -99,7 +103,7 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   PicoLine line_;
   UsbHost host_;
   Message orders_;
-  std::array<world::PinSignal, 32> signals_{};
+  PinSignals signals_;
   std::array<std::int8_t, 32> driven_levels_{};
   std::vector<world::TwoWireDevice*> devices_;
   UsbData usb_data_;
@@ -107,6 +111,8 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   Load load_{};
   std::uint32_t resets_ = 0;
   bool attached_ = false;
+  bool has_bulk_in_ = false;
+  std::int64_t poll_ns_ = 0;
   std::int64_t chip_ns_ = 0;
   std::int64_t until_ns_ = 0;
   std::int64_t host_due_ns_ = 0;

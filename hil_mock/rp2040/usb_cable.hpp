@@ -26,6 +26,8 @@ class UsbCable {
   virtual void plug(bool plugged) = 0;
   /// Whether the device shows its pull-up.
   virtual bool is_attached() const = 0;
+  /// Whether an IN to the bulk endpoint would get anything but a NAK.
+  virtual bool has_bulk_in() const = 0;
   virtual void reset_bus() = 0;
   /// A SETUP transaction of eight bytes to endpoint 0.
   virtual UsbAnswer setup(std::uint8_t address, std::span<const std::uint8_t> packet) = 0;

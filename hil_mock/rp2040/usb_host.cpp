@@ -13,8 +13,6 @@ constexpr std::int64_t kResetNs = 50'000'000;
 constexpr std::int64_t kSetAddressNs = 10'000'000;
 constexpr std::int64_t kTransactionNs = 50'000;
 constexpr std::int64_t kFrameNs = 1'000'000;
-/// Linux gives a control transfer up after five seconds, a device's first after less.
-constexpr std::int64_t kPatienceNs = 500'000'000;
 constexpr std::int64_t kRetryNs = 200'000'000;
 constexpr unsigned kAttempts = 4;
 constexpr std::size_t kMaxBulk = 64;
@@ -29,19 +27,6 @@ constexpr UsbRequest descriptor(std::uint8_t kind,
   return {0x80, 6, static_cast<std::uint16_t>(kind << 8 | index), language, length};
 }
 
-std::vector<std::uint8_t> packet_of(const UsbRequest& request) {
-  const auto low = [](std::uint16_t word) { return static_cast<std::uint8_t>(word & 0xFF); };
-  const auto high = [](std::uint16_t word) { return static_cast<std::uint8_t>(word >> 8); };
-  return {request.type,
-          request.request,
-          low(request.value),
-          high(request.value),
-          low(request.index),
-          high(request.index),
-          low(request.length),
-          high(request.length)};
-}
-
 /// The letters of a string descriptor that fit into one byte.
 std::string text_of(const std::vector<std::uint8_t>& string) {
   std::string text;
@@ -50,8 +35,6 @@ std::string text_of(const std::vector<std::uint8_t>& string) {
   }
   return text;
 }
-
-bool reads(const UsbRequest& request) { return (request.type & 0x80) != 0 && request.length > 0; }
 
 }  // namespace
 
@@ -73,7 +56,7 @@ std::int64_t UsbHost::service(std::int64_t now_ns) {
   if (now_ns < wait_until_ns_) {
     return wait_until_ns_;
   }
-  if (!controls_.empty()) {
+  if (!control_.is_idle()) {
     step_control(now_ns);
     return std::max(now_ns + kTransactionNs, wait_until_ns_);
   }
@@ -82,6 +65,9 @@ std::int64_t UsbHost::service(std::int64_t now_ns) {
 
 void UsbHost::plug(bool plugged, std::int64_t now_ns) {
   plugged_ = plugged;
+  if (!plugged) {
+    outgoing_.clear();
+  }
   seen_ = false;
   give_up();
   wait_until_ns_ = now_ns;
@@ -94,39 +80,38 @@ void UsbHost::reset(std::int64_t now_ns) {
 }
 
 void UsbHost::send(std::span<const std::uint8_t> bytes) {
-  outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
+  if (plugged_) {
+    outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
+  }
 }
 
 void UsbHost::request(const UsbRequest& request,
                       std::vector<std::uint8_t> data,
                       std::function<void(const UsbTransfer&)> on_end) {
-  controls_.push_back({.request = request, .data = std::move(data), .on_end = std::move(on_end)});
+  control_.request(request, std::move(data), std::move(on_end));
 }
 
 void UsbHost::give_up() {
   open_ = false;
   configured_ = false;
-  address_ = 0;
-  controls_.clear();
-  received_.clear();
+  control_.clear();
 }
 
 void UsbHost::begin_enumeration(std::int64_t now_ns) {
   give_up();
   ++enumerations_;
   ++attempts_;
-  max_packet0_ = 8;
   cable_.reset_bus();
   wait_until_ns_ = std::max(wait_until_ns_, now_ns) + kResetNs;
   ask(descriptor(1, 0, 0, 8), [this](const UsbTransfer& first) {
     if (first.bytes.size() < 8) {
       return;
     }
-    max_packet0_ = first.bytes[7];
+    control_.set_max_packet(first.bytes[7]);
     const std::uint8_t address = next_address_;
     next_address_ = static_cast<std::uint8_t>(next_address_ % 127 + 1);
     ask({0x00, 5, address, 0, 0}, [this, address](const UsbTransfer&) {
-      address_ = address;
+      control_.set_address(address);
       ask(descriptor(1, 0, 0, 18), [this](const UsbTransfer& whole) {
         device_ = whole.bytes;
         read_configuration();
@@ -184,85 +169,14 @@ void UsbHost::set_up_line() {
 }
 
 void UsbHost::step_control(std::int64_t now_ns) {
-  Control& control = controls_.front();
-  if (control.until_ns == 0) {
-    control.until_ns = now_ns + kPatienceNs;
+  if (control_.is_setting_address()) {
+    wait_until_ns_ = now_ns + kSetAddressNs;
   }
-  if (now_ns > control.until_ns) {
-    end_control(UsbTransfer::End::kTimeout);
-    if (!configured_ && attempts_ < kAttempts) {
-      wait_until_ns_ = now_ns + kRetryNs;
-      begin_enumeration(now_ns);
-    }
-    return;
+  const bool given_up = !control_.step(now_ns);
+  if (given_up && !configured_ && attempts_ < kAttempts) {
+    wait_until_ns_ = now_ns + kRetryNs;
+    begin_enumeration(now_ns);
   }
-  switch (control.stage) {
-    case Stage::kSetup:
-      received_.clear();
-      if (cable_.setup(address_, packet_of(control.request)) == UsbAnswer::kAck) {
-        control.stage = control.request.length > 0 ? Stage::kData : Stage::kStatus;
-      }
-      break;
-    case Stage::kData:
-      step_data();
-      break;
-    case Stage::kStatus:
-      if (control.request.type == 0 && control.request.request == 5) {
-        wait_until_ns_ = now_ns + kSetAddressNs;
-      }
-      step_status();
-      break;
-  }
-}
-
-void UsbHost::step_data() {
-  Control& control = controls_.front();
-  if (!reads(control.request)) {
-    const std::size_t length =
-        std::min<std::size_t>(control.data.size() - control.sent, max_packet0_);
-    const std::span<const std::uint8_t> bytes =
-        std::span(control.data).subspan(control.sent, length);
-    const UsbAnswer answer = cable_.out(address_, 0, control.data1, bytes);
-    if (answer == UsbAnswer::kStall) {
-      end_control(UsbTransfer::End::kStalled);
-    } else if (answer == UsbAnswer::kAck) {
-      control.data1 = !control.data1;
-      control.sent += length;
-      control.stage = control.sent == control.data.size() ? Stage::kStatus : Stage::kData;
-    }
-    return;
-  }
-  const UsbData data = cable_.in(address_, 0);
-  if (data.answer == UsbAnswer::kStall) {
-    end_control(UsbTransfer::End::kStalled);
-  } else if (data.answer == UsbAnswer::kAck && data.data1 == control.data1) {
-    control.data1 = !control.data1;
-    received_.insert(received_.end(), data.bytes.begin(), data.bytes.end());
-    if (data.bytes.size() < max_packet0_ || received_.size() >= control.request.length) {
-      control.stage = Stage::kStatus;
-    }
-  }
-}
-
-void UsbHost::step_status() {
-  UsbAnswer answer = UsbAnswer::kNone;
-  if (reads(controls_.front().request)) {
-    answer = cable_.out(address_, 0, true, {});
-  } else {
-    const UsbData data = cable_.in(address_, 0);
-    answer = data.answer == UsbAnswer::kAck && !data.data1 ? UsbAnswer::kNak : data.answer;
-  }
-  if (answer == UsbAnswer::kAck) {
-    end_control(UsbTransfer::End::kDone);
-  } else if (answer == UsbAnswer::kStall) {
-    end_control(UsbTransfer::End::kStalled);
-  }
-}
-
-void UsbHost::end_control(UsbTransfer::End end) {
-  const Control control = std::move(controls_.front());
-  controls_.pop_front();
-  control.on_end({end, std::exchange(received_, {})});
 }
 
 /// Whether bytes have gone over the cable.
@@ -275,7 +189,10 @@ bool UsbHost::step_bulk() {
 }
 
 bool UsbHost::reads_bulk() {
-  const UsbData data = cable_.in(address_, kBulkEndpoint);
+  if (!cable_.has_bulk_in()) {
+    return false;
+  }
+  const UsbData data = cable_.in(control_.address(), kBulkEndpoint);
   if (data.answer != UsbAnswer::kAck || data.data1 != in_data1_) {
     return false;
   }
@@ -295,7 +212,7 @@ bool UsbHost::writes_bulk() {
   }
   const std::vector<std::uint8_t> bytes(outgoing_.begin(),
                                         outgoing_.begin() + static_cast<std::ptrdiff_t>(length));
-  if (cable_.out(address_, kBulkEndpoint, out_data1_, bytes) != UsbAnswer::kAck) {
+  if (cable_.out(control_.address(), kBulkEndpoint, out_data1_, bytes) != UsbAnswer::kAck) {
     return false;
   }
   out_data1_ = !out_data1_;

@@ -4,36 +4,20 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "hil_mock/rp2040/control_pipe.hpp"
 #include "hil_mock/rp2040/usb_cable.hpp"
 
 namespace echomap::rp2040 {
-
-/// The first eight bytes of a control transfer.
-struct UsbRequest {
-  std::uint8_t type;
-  std::uint8_t request;
-  std::uint16_t value;
-  std::uint16_t index;
-  std::uint16_t length;
-};
-
-/// How a control transfer has ended.
-struct UsbTransfer {
-  enum class End : std::uint8_t { kDone, kStalled, kNoAnswer, kTimeout };
-  End end = End::kNoAnswer;
-  std::vector<std::uint8_t> bytes;
-};
 
 /// A host like Linux with its cdc_acm: enumerates what is plugged in, opens the serial port, and
 /// carries its bytes. It is driven by `service`, one transaction a time.
 class UsbHost {
  public:
-  explicit UsbHost(UsbCable& cable) : cable_(cable) {}
+  explicit UsbHost(UsbCable& cable) : cable_(cable), control_(cable) {}
 
   /// Does what is due at `now_ns` and returns when it wants to be called next.
   std::int64_t service(std::int64_t now_ns);
@@ -41,7 +25,8 @@ class UsbHost {
   void plug(bool plugged, std::int64_t now_ns);
   /// Resets the bus and enumerates the device again.
   void reset(std::int64_t now_ns);
-  /// Bytes for the device; kept until the port is open and the device takes them.
+  /// Bytes for the device; kept until the port is open and the device takes them; lost where the
+  /// cable is out.
   void send(std::span<const std::uint8_t> bytes);
   std::size_t waiting_bytes() const { return outgoing_.size(); }
   /// Called with each byte that the device has sent.
@@ -54,6 +39,11 @@ class UsbHost {
 
   /// Whether the serial port is open: configured, DTR set.
   bool is_open() const { return open_; }
+  /// Whether nothing goes over the cable but INs that the device does not answer, one a frame.
+  bool only_polls() const {
+    return open_ && control_.is_idle() && outgoing_.empty() && cable_.is_attached() &&
+           !cable_.has_bulk_in();
+  }
   /// What was read in the enumeration.
   const std::vector<std::uint8_t>& device_descriptor() const { return device_; }
   const std::vector<std::uint8_t>& configuration() const { return configuration_; }
@@ -62,18 +52,6 @@ class UsbHost {
   unsigned enumerations() const { return enumerations_; }
 
  private:
-  enum class Stage : std::uint8_t { kSetup, kData, kStatus };
-
-  struct Control {
-    UsbRequest request;
-    std::vector<std::uint8_t> data;
-    std::function<void(const UsbTransfer&)> on_end;
-    Stage stage = Stage::kSetup;
-    bool data1 = true;
-    std::size_t sent = 0;
-    std::int64_t until_ns = 0;
-  };
-
   void begin_enumeration(std::int64_t now_ns);
   void ask(const UsbRequest& request, std::function<void(const UsbTransfer&)> on_end);
   void read_configuration();
@@ -81,32 +59,26 @@ class UsbHost {
   void set_up_line();
   void give_up();
   void step_control(std::int64_t now_ns);
-  void step_data();
-  void step_status();
-  void end_control(UsbTransfer::End end);
   bool step_bulk();
   bool reads_bulk();
   bool writes_bulk();
 
   UsbCable& cable_;
+  ControlPipe control_;
   bool plugged_ = false;
   bool seen_ = false;
   bool open_ = false;
   bool configured_ = false;
-  std::uint8_t address_ = 0;
   std::uint8_t next_address_ = 1;
   unsigned enumerations_ = 0;
   unsigned attempts_ = 0;
   std::int64_t wait_until_ns_ = 0;
-  std::deque<Control> controls_;
-  std::vector<std::uint8_t> received_;
   std::vector<std::uint8_t> device_;
   std::vector<std::uint8_t> configuration_;
   std::vector<std::string> strings_;
   std::deque<std::uint8_t> outgoing_;
   bool in_data1_ = false;
   bool out_data1_ = false;
-  std::uint8_t max_packet0_ = 8;
 };
 
 }  // namespace echomap::rp2040

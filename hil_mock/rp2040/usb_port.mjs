@@ -21,6 +21,7 @@ const kSuspended = 1 << 4;
 const kVbus = 1 << 0;
 const kSequenceError = 0x80000000;
 const kEp0Data = 0x100;
+const kBulkEndpoint = 2;
 
 export class UsbPort {
   /** `onReady()` is called when the program has given a buffer to the controller. */
@@ -81,6 +82,12 @@ export class UsbPort {
     const bytes = this.usb.rp2040.usbDPRAM.slice(pipe.data, pipe.data + length);
     this.finish(pipe, pipe.control & ~(kAvailable | kFull), endpoint, false);
     return { answer: kAnswer.ack, data1: (pipe.control & kData1) !== 0, bytes };
+  }
+
+  /** Whether an IN token to the bulk endpoint gets anything but a NAK. */
+  hasBulkIn() {
+    const pipe = this.pipe(this.usb.addrEndp & 0x7f, kBulkEndpoint, false);
+    return pipe.answer === kAnswer.ack ? (pipe.control & kFull) !== 0 : pipe.answer === kAnswer.stall;
   }
 
   /** Answers an OUT token with its data. */

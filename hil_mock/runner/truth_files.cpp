@@ -37,10 +37,15 @@ std::string tum_line(const TruthSample& sample) {
   return line.data();
 }
 
-std::string tum_text(const std::vector<TruthSample>& trajectory) {
+/// Up to this instant, which an estimate may be of: samples are 20 ms apart.
+std::string tum_text(const RobotSimulation& simulation) {
   std::string text;
-  for (const TruthSample& sample : trajectory) {
+  for (const TruthSample& sample : simulation.trajectory()) {
     text += tum_line(sample);
+  }
+  const std::int64_t now_ns = simulation.now_ns();
+  if (simulation.trajectory().back().at_ns < now_ns) {
+    text += tum_line({now_ns, simulation.world().T_world_robot()});
   }
   return text;
 }
@@ -121,7 +126,7 @@ void write_truth_so_far(const std::filesystem::path& directory, const RobotSimul
   std::filesystem::create_directories(directory);
   const world::FloorPlan& plan = simulation.world().plan();
   const TruthMap map = draw_truth_map(plan, kTruthCellM);
-  files::write_text_file(directory / "truth.tum", tum_text(simulation.trajectory()));
+  files::write_text_file(directory / "truth.tum", tum_text(simulation));
   files::write_text_file(directory / "truth_map.pgm", pgm_bytes(map));
   files::write_text_file(directory / "truth_map.yaml", yaml_text(map));
   files::write_text_file(directory / "truth_walls.geojson", geojson_text(plan));

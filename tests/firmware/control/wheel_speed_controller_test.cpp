@@ -18,6 +18,8 @@ class ControlledWheel {
  public:
   WheelSpeedController controller;
   tests::SimulatedWheel wheel;
+  /// The motor takes a duty once in so many control periods.
+  int periods_of_frame = 1;
 
   void run_periods(int periods, std::int16_t ticks_per_s) {
     for (int i = 0; i < periods; ++i) {
@@ -27,8 +29,11 @@ class ControlledWheel {
       controller.prepare(app::kDefaultDrive, step);
       const int duty = controller.update(turned);
       ASSERT_LE(std::abs(duty), 255);
+      if (++period_ % periods_of_frame == 0) {
+        held_duty_ = duty;
+      }
       for (int ms = 0; ms < kControlPeriodMs; ++ms) {
-        wheel.step(0.001, duty);
+        wheel.step(0.001, held_duty_);
       }
       reference_ += static_cast<double>(step) / kOneTick;
     }
@@ -37,8 +42,36 @@ class ControlledWheel {
 
  private:
   std::int32_t last_ticks_ = 0;
+  int period_ = 0;
+  int held_duty_ = 0;
   double reference_ = 0.0;
 };
+
+/// Periods from a reference that stops to the wheel's arrival.
+int periods_until_arrived(ControlledWheel& wheel) {
+  int periods = 0;
+  while (periods < 1000 && !wheel.controller.arrived()) {
+    wheel.run_periods(1, 0);
+    ++periods;
+  }
+  return periods;
+}
+
+/// The longest of these times over the phases of the frame of a servo and over several speeds.
+int longest_rest_on_a_servo(std::uint8_t arrived_ticks) {
+  constexpr int kPeriodsOfFrame = 5;
+  int longest = 0;
+  for (int phase = 0; phase < kPeriodsOfFrame; ++phase) {
+    for (std::int16_t speed = 300; speed <= 2500; speed = static_cast<std::int16_t>(speed + 100)) {
+      ControlledWheel wheel;
+      wheel.periods_of_frame = kPeriodsOfFrame;
+      wheel.controller.arrive_within(arrived_ticks);
+      wheel.run_periods(200 + phase, speed);
+      longest = std::max(longest, periods_until_arrived(wheel));
+    }
+  }
+  return longest;
+}
 
 TEST(WheelSpeedController, ConvergesToTheSpeedAskedFor) {
   for (const int speed : {-2500, -300, 100, 800, 2500}) {
@@ -58,6 +91,13 @@ TEST(WheelSpeedController, NoTickIsLostWhenTheReferenceStopsAgain) {
   wheel.run_periods(300, 0);
   EXPECT_TRUE(wheel.controller.arrived());
   EXPECT_LE(std::abs(wheel.lag_ticks()), 3.0);
+}
+
+TEST(WheelSpeedController, ServoNeedsMoreRoomNotToHuntRoundItsReference) {
+  constexpr int kLongest = 300;
+  EXPECT_LE(longest_rest_on_a_servo(WheelSpeedController::kServoArrivedTicks), kLongest);
+  EXPECT_GT(longest_rest_on_a_servo(WheelSpeedController::kArrivedTicks), kLongest)
+      << "what a servo needs more of is not needed any more";
 }
 
 TEST(WheelSpeedController, BlockedWheelStalls) {

@@ -13,6 +13,7 @@ class FakeDevice final : public UsbCable {
  public:
   void plug(bool plugged) override { plugged_ = plugged; }
   bool is_attached() const override { return plugged_; }
+  bool has_bulk_in() const override { return has_bulk_in_; }
   void reset_bus() override {
     ++resets_;
     address_ = 0;
@@ -57,6 +58,7 @@ class FakeDevice final : public UsbCable {
   }
 
   bool plugged_ = false;
+  bool has_bulk_in_ = false;
   bool stalls_strings_ = false;
   bool data1_ = false;
   unsigned resets_ = 0;
@@ -109,6 +111,41 @@ TEST(UsbHost, EnumeratesAgainAfterReplug) {
   EXPECT_TRUE(host.is_open());
   EXPECT_EQ(host.enumerations(), 2U);
   EXPECT_EQ(device.resets_, 2U);
+}
+
+TEST(UsbHost, OnlyPollsWhileNeitherSideHasBytes) {
+  FakeDevice device;
+  UsbHost host(device);
+  std::int64_t now_ns = 0;
+  host.plug(true, 0);
+  EXPECT_FALSE(host.only_polls()) << "it enumerates";
+  run_until_s(host, now_ns, 1.0);
+  EXPECT_TRUE(host.only_polls());
+  device.has_bulk_in_ = true;
+  EXPECT_FALSE(host.only_polls()) << "the device has a packet";
+  device.has_bulk_in_ = false;
+  host.send(std::vector<std::uint8_t>{1});
+  EXPECT_FALSE(host.only_polls()) << "the host has";
+  run_until_s(host, now_ns, 1.1);
+  EXPECT_TRUE(host.only_polls());
+  device.plugged_ = false;
+  EXPECT_FALSE(host.only_polls()) << "the device is gone";
+}
+
+TEST(UsbHost, ForgetsWhatWasNotSentBeforeItsCableWasPulled) {
+  FakeDevice device;
+  UsbHost host(device);
+  std::int64_t now_ns = 0;
+  host.plug(true, 0);
+  run_until_s(host, now_ns, 1.0);
+  host.send(std::vector<std::uint8_t>{1});
+  host.plug(false, now_ns);
+  host.send(std::vector<std::uint8_t>{2});
+  run_until_s(host, now_ns, 1.1);
+  host.plug(true, now_ns);
+  host.send(std::vector<std::uint8_t>{3});
+  run_until_s(host, now_ns, 2.0);
+  EXPECT_EQ(device.received_, std::vector<std::uint8_t>{3});
 }
 
 }  // namespace

@@ -62,6 +62,14 @@ TEST_F(TruthFiles, TrajectoryHasEightColumnsAndUnitQuaternions) {
   EXPECT_EQ(lines, 51);
 }
 
+TEST_F(TruthFiles, TrajectoryEndsWithTheRunBetweenTwoSamples) {
+  constexpr std::int64_t kEndNs = 1'011'000'000;
+  simulation.advance_to(kEndNs);
+  const std::string text = written("truth.tum");
+  const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
+  EXPECT_THAT(last, testing::StartsWith("1.011000 "));
+}
+
 TEST_F(TruthFiles, MapIsAPgmOfItsSizeByTheRulesOfRos) {
   const std::string pgm = written("truth_map.pgm");
   const std::string header = "P5\n420 320\n255\n";
