@@ -90,11 +90,12 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   app.add_option("--json", options.json, "Write the figures to this file");
-  app.add_flag("--check",
-               options.check,
-               "Exit with 1 unless every run ends by itself and the medians are within the bounds "
-               "of living_room: free_iou >= 0.85, wall_rmse_m <= 0.06; of several boards, unless "
-               "those of free_iou are within 0.01 of each other, too");
+  app.add_flag(
+      "--check",
+      options.check,
+      "Exit with 1 unless every run finishes by itself and the medians are within the bounds "
+      "of living_room: free_iou >= 0.85, wall_rmse_m <= 0.06; of several boards, unless "
+      "those of free_iou are within 0.01 of each other, too");
   CLI11_PARSE(app, argc, argv);
   options.robot_is_named = robot->count() > 0;
   try {

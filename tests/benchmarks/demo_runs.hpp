@@ -28,11 +28,12 @@ struct DemoFigures {
 };
 
 /// What the runs that ended by themselves say, as medians by column of the demo's report;
-/// "runs_ended" counts these, "runs_complete" those whose map is, "relocalized" those whose robot
-/// was found after it was carried off.
+/// "runs_ended" counts these, "runs_finished" those that got what they were asked for (exit code
+/// 0), "runs_complete" those of them that ended because nothing was left to look at, "relocalized"
+/// those whose robot was found after it was carried off.
 DemoFigures measure_demos(const DemoRuns& options);
 
-/// Whether every run ended and had every bounded figure, with the medians within the bounds of
+/// Whether every run finished and had every bounded figure, with the medians within the bounds of
 /// living_room; says on stderr what is not so.
 bool demos_pass(const std::vector<Figure>& figures, double seeds);
 
