@@ -27,5 +27,5 @@ int main(int argc, char** argv) {
         ev3::Ev3Options{ev3::under_qemu(elf), range_sensor_of(options.board)});
   };
   return runner::run_device(
-      argc, argv, {"echomap-ev3", {"ev3", "ev3-nxt", "ev3-infrared"}, make_board});
+      argc, argv, {"echomap-ev3", {"ev3", "ev3-nxt", "ev3-infrared"}, make_board, "ev3"});
 }

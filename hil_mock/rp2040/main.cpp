@@ -13,5 +13,6 @@ int main(int argc, char** argv) {
         options.firmware.empty() ? built : options.firmware,
         options.board == "pico-uart" ? rp2040::PicoLine::kUart : rp2040::PicoLine::kUsb);
   };
-  return runner::run_device(argc, argv, {"echomap-rp2040", {"pico", "pico-uart"}, make_board});
+  return runner::run_device(
+      argc, argv, {"echomap-rp2040", {"pico", "pico-uart"}, make_board, "pico_2wd"});
 }

@@ -28,6 +28,8 @@ struct DeviceProgram {
   std::vector<std::string> boards;
   /// Makes a board that is switched on at its time 0; may throw std::exception (exit code 1).
   std::function<std::unique_ptr<SimulatedBoard>(const BoardOptions&)> make_board;
+  /// What `--robot` is by default: the robot of the usual board.
+  std::string robot = "uno_2wd";
 };
 
 /// The whole program: reads the command line, couples board and world, serves the byte stream and

@@ -229,6 +229,7 @@ std::variant<DeviceOptions, int> read_device_options(int argc,
   DeviceOptions options;
   options.link = "/tmp/echomap-" + std::to_string(::getuid());
   options.duration_s = kEndlessS;
+  options.robot = program.robot;
   RawOptions raw;
   CLI::App app("A simulated robot in a simulated room, behind a serial port.", program.name);
   app.set_version_flag("--version", program.name + " " ECHOMAP_VERSION);

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -121,13 +123,21 @@ NextCommands next_commands(const DemoOptions& options, const std::filesystem::pa
                                                  "--picture",
                                                  (out / "score.png").string()});
   const bool has_board = !options.robot.board.empty();
-  const std::string again =
-      console::shell_line({"echomap",
-                           "demo",
-                           "--world",
-                           options.robot.world,
-                           has_board ? "--board" : "--emulator",
-                           has_board ? options.robot.board : options.robot.emulator});
+  std::vector<std::string> demo{"echomap",
+                                "demo",
+                                "--world",
+                                options.robot.world,
+                                has_board ? "--board" : "--emulator",
+                                has_board ? options.robot.board : options.robot.emulator};
+  const std::string_view usual_robot =
+      has_board ? boards::board_named(options.robot.board).robot : std::string_view(usual.robot);
+  if (options.run.robot != usual_robot) {
+    demo.insert(demo.end(), {"--robot", options.run.robot});
+  }
+  if (!options.robot.driver.empty()) {
+    demo.insert(demo.end(), {"--driver", options.robot.driver});
+  }
+  const std::string again = console::shell_line(demo);
   const std::string find = console::shell_line({"echomap", "localize", "--map", out.string()});
   return {score, is_usual ? score : again, find, again};
 }

@@ -28,7 +28,7 @@ std::filesystem::path built_image(const boards::Board& board, int baud) {
   if (!is_usual && !board.has_image_per_baud) {
     throw CommandError(ExitCode::kUsage,
                        "--baud is not for the " + std::string(board.what) +
-                           ": it has one image for every line\n  next: leave --baud out");
+                           ": it has one image\n  next: leave --baud out");
   }
   const std::string number = is_usual ? "" : "-" + std::to_string(baud);
   return usual.parent_path() / (usual.stem().string() + number + usual.extension().string());

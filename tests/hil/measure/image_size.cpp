@@ -5,10 +5,14 @@
 #include <gelf.h>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 
 namespace echomap::tests {
 namespace {
+
+/// Of an AVR: neither flash nor RAM.
+constexpr std::string_view kEeprom = ".eeprom";
 
 void add(const GElf_Shdr& section, ImageSize& size) {
   if ((section.sh_flags & SHF_ALLOC) == 0) {
@@ -31,11 +35,15 @@ ImageSize size_of_image(const std::filesystem::path& elf_path) {
   if (elf == nullptr) {
     throw std::runtime_error(elf_path.string() + ": " + elf_errmsg(-1));
   }
+  std::size_t names = 0;
+  elf_getshdrstrndx(elf, &names);
   ImageSize size;
   for (Elf_Scn* at = nullptr; (at = elf_nextscn(elf, at)) != nullptr;) {
     GElf_Shdr section{};
     gelf_getshdr(at, &section);
-    add(section, size);
+    if (std::string_view(elf_strptr(elf, names, section.sh_name)) != kEeprom) {
+      add(section, size);
+    }
   }
   elf_end(elf);
   ::close(file);

@@ -54,6 +54,17 @@ TEST(DeviceMain, RunsPacedSaysWhereItListensAndLeavesTheTruth) {
   EXPECT_DOUBLE_EQ(truth["sim_seconds"].get<double>(), 0.5);
 }
 
+TEST(DeviceMain, UsualRobotIsTheOneOfItsBoards) {
+  const tests::ScratchFolder folder;
+  const DeviceProgram brick{"echomap-fake",
+                            {"ev3"},
+                            [](const BoardOptions&) { return std::make_unique<FakeBoard>(); },
+                            "ev3"};
+  const std::string link = folder / "robot";
+  const Outcome outcome = run({"--link=" + link, "--speed=max", "--duration=0.1"}, brick);
+  EXPECT_EQ(outcome.out, "echomap-fake: ev3 in living_room listens on " + link + "\n");
+}
+
 TEST(DeviceMain, LogsDutiesInPacedTime) {
   const tests::ScratchFolder folder;
   const DeviceProgram driven{"echomap-fake", {}, [](const BoardOptions&) {
