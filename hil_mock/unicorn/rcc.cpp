@@ -22,6 +22,7 @@ constexpr std::uint32_t kRemoveFlags = bit(24);
 constexpr std::uint32_t kAllFlags = 0xFC000000;
 constexpr std::uint32_t kPinFlag = bit(26);
 constexpr std::uint32_t kPowerOnFlag = bit(27);
+constexpr std::uint32_t kSoftwareFlag = bit(28);
 constexpr std::uint32_t kIwdgFlag = bit(29);
 constexpr std::uint32_t kWwdgFlag = bit(30);
 
@@ -50,7 +51,8 @@ void Rcc::note_reset(ResetSource source) {
     csr_ = kPowerOnFlag;
   }
   csr_ |= kPinFlag | (source == ResetSource::kWatchdog ? kIwdgFlag : 0) |
-          (source == ResetSource::kWindowWatchdog ? kWwdgFlag : 0);
+          (source == ResetSource::kWindowWatchdog ? kWwdgFlag : 0) |
+          (source == ResetSource::kSoftware ? kSoftwareFlag : 0);
 }
 
 std::uint32_t Rcc::read(std::uint32_t offset) {

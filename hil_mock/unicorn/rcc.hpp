@@ -8,12 +8,13 @@
 
 namespace echomap::unicorn {
 
-/// What pulled the chip's reset; a watchdog reset comes from the program itself.
+/// What pulled the chip's reset; the last three come from the program itself.
 enum class ResetSource : std::uint8_t {
   kPowerOn,   ///< Supply off and on: RAM is lost.
   kExternal,  ///< The reset pin: RAM stays.
   kWatchdog,
   kWindowWatchdog,
+  kSoftware,  ///< SYSRESETREQ of the core.
 };
 
 /// Clocks: what is switched on becomes ready after its time, and a peripheral without its clock

@@ -19,6 +19,8 @@ constexpr std::uint32_t kSysTick = 0xE000E010;
 constexpr std::uint32_t kSysTickEnd = 0xE000E020;
 constexpr std::uint32_t kIcsr = 0xE000ED04;
 constexpr std::uint32_t kIcsrTickPending = bit(26);
+constexpr std::uint32_t kAircr = 0xE000ED0C;
+constexpr std::uint32_t kAircrResetRequest = 0x05FA0000 | bit(2);
 
 constexpr std::uint8_t kTim1UpdateLine = 25;
 constexpr std::uint8_t kTim1CaptureLine = 27;
@@ -56,11 +58,11 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
              {0x40021000, &rcc_},
              {0x40022000, &flash_}};
   iwdg_.on_timeout = [this] {
-    watchdog_bites_ = ResetSource::kWatchdog;
+    program_resets_ = ResetSource::kWatchdog;
     core_.interrupt();
   };
   wwdg_.on_timeout = [this] {
-    watchdog_bites_ = ResetSource::kWindowWatchdog;
+    program_resets_ = ResetSource::kWindowWatchdog;
     core_.interrupt();
   };
   i2c2_.has_pins = [this] {
@@ -117,8 +119,8 @@ void Stm32Chip::run_to(std::uint64_t cycle) {
     if (!refused_.empty()) {
       throw std::runtime_error(refused_);
     }
-    if (const auto watchdog = std::exchange(watchdog_bites_, std::nullopt)) {
-      reset(*watchdog);
+    if (const auto source = std::exchange(program_resets_, std::nullopt)) {
+      reset(*source);
     }
   }
 }
@@ -221,6 +223,11 @@ void Stm32Chip::write_core(std::uint32_t address, unsigned size, std::uint32_t v
   queue_.call_due();
   if (address >= kSysTick && address < kSysTickEnd) {
     sys_tick_.write(address - kSysTick, value);
+  } else if (address == kAircr) {
+    if (value == kAircrResetRequest) {
+      program_resets_ = ResetSource::kSoftware;
+      core_.interrupt();
+    }
   } else if (size == 1) {  // a priority
     const std::uint32_t word = address & ~3U;
     const std::uint32_t shift = 8 * (address % 4);

@@ -128,7 +128,7 @@ class Stm32Chip {
   CortexCore core_{queue_, nvic_};
   unsigned cycles_per_half_word_ = kMinCyclesPerHalfWord;
   unsigned held_clocks_ = 0;
-  std::optional<ResetSource> watchdog_bites_;
+  std::optional<ResetSource> program_resets_;
   std::string refused_;
   std::uint32_t resets_ = 0;
 };

@@ -32,7 +32,7 @@ class EmulatedBoard {
   virtual void hang() = 0;
   /// Whether the watchdog's warning ends in the reset itself, behind the motors' cut.
   virtual bool resets_in_the_warning() const { return false; }
-  /// The program ends at once, on boards whose system can kill it.
+  /// The program ends at once: a system kills it, or the core takes a fault. No AVR has either.
   virtual void crash() {}
   /// A bootloader clears the cause of every reset before the program sees it; only on boards whose
   /// bootloader does.

@@ -29,6 +29,13 @@ class Rp2040UnderTest final : public EmulatedBoard {
     board_.jump(kTrap);
   }
 
+  /// Where the core goes with a fault.
+  void crash() override {
+    constexpr std::uint32_t kVectorTableOffset = 0xE000'ED08;
+    constexpr std::uint32_t kHardFault = 3 * 4;
+    board_.jump(board_.peek(board_.peek(kVectorTableOffset) + kHardFault) & ~std::uint32_t{1});
+  }
+
   bool resets_in_the_warning() const override { return true; }
   void hold_two_wire_bus(unsigned bits) override { board_.hold_two_wire_bus(bits); }
 

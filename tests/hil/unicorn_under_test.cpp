@@ -30,6 +30,25 @@ class UnicornUnderTest final : public EmulatedBoard {
     board_.chip().core().jump_to(kTrap);
   }
 
+  /// Where the core goes with a fault.
+  void crash() override {
+    constexpr std::uint32_t kTrap = 0x08006000;
+    constexpr std::array<std::uint8_t, 12> kFault{0x01,
+                                                  0x48,  // ldr r0, [pc, #4]
+                                                  0x00,
+                                                  0x68,  // ldr r0, [r0]
+                                                  0x00,
+                                                  0x47,  // bx r0
+                                                  0x00,
+                                                  0xBF,  // nop
+                                                  0x0C,
+                                                  0x00,
+                                                  0x00,
+                                                  0x08};
+    board_.chip().core().write_memory(kTrap, kFault);
+    board_.chip().core().jump_to(kTrap);
+  }
+
   void hold_two_wire_bus(unsigned bits) override { board_.chip().hold_two_wire_bus(bits); }
 
  private:

@@ -10,4 +10,8 @@ namespace echomap::tests {
 /// infinite where the motors stay on.
 double measure_board_hangs_ms(const std::filesystem::path& elf);
 
+/// The longest from a crash of a driving robot's program to PWM off, over ten moments of the
+/// control period. Milliseconds.
+double measure_board_crash_ms(const std::filesystem::path& elf);
+
 }  // namespace echomap::tests

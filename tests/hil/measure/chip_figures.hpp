@@ -39,8 +39,8 @@ std::optional<double> measure_sample_to_pwm_us(const std::filesystem::path& elf)
 /// The longest from a hang to PWM off, over the hangs that the emulator can plant. Milliseconds.
 double measure_worst_hang_ms(const std::filesystem::path& elf);
 
-/// The longest from a crash of the program to PWM off, on a board whose program an operating system
-/// runs; empty on others. Milliseconds.
+/// The longest from a crash of the program to PWM off; empty on boards whose program cannot crash,
+/// for neither a system nor the core notices. Milliseconds.
 std::optional<double> measure_crash_off_ms(const std::filesystem::path& elf);
 
 }  // namespace echomap::tests

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cstdint>
-
 #include "tests/hil/measure/board_hangs.hpp"
 #include "tests/hil/measure/chip_figures.hpp"
-#include "tests/hil/measure/robot_on_the_move.hpp"
 
 namespace echomap::tests {
 
@@ -22,15 +18,7 @@ double measure_worst_hang_ms(const std::filesystem::path& elf) {
 }
 
 std::optional<double> measure_crash_off_ms(const std::filesystem::path& elf) {
-  double longest_ms = 0.0;
-  for (std::int64_t moment_us = 0; moment_us < 4000; moment_us += 400) {
-    RobotOnTheMove moving(elf);
-    moving.drive();
-    moving.robot.board().run_until(moving.robot.board().now_ns() + moment_us * 1000);
-    moving.robot.chip().crash();
-    longest_ms = std::max(longest_ms, moving.outcome_of_hang().off_ms);
-  }
-  return longest_ms;
+  return measure_board_crash_ms(elf);
 }
 
 }  // namespace echomap::tests

@@ -67,6 +67,8 @@ double measure_worst_hang_ms(const std::filesystem::path& elf) {
   return measure_board_hangs_ms(elf);
 }
 
-std::optional<double> measure_crash_off_ms(const std::filesystem::path& /*elf*/) { return {}; }
+std::optional<double> measure_crash_off_ms(const std::filesystem::path& elf) {
+  return measure_board_crash_ms(elf);
+}
 
 }  // namespace echomap::tests

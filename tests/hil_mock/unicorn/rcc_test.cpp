@@ -55,6 +55,8 @@ TEST_F(Clocks, KeepsTheCausesOfResetsUntilTheProgramRemovesThem) {
   EXPECT_EQ(rcc.read(kCsr), kPowerOnFlag | kPinFlag | kIwdgFlag);
   rcc.write(kCsr, 1U << 24);
   EXPECT_EQ(rcc.read(kCsr), 0U);
+  rcc.note_reset(ResetSource::kSoftware);
+  EXPECT_EQ(rcc.read(kCsr), kPinFlag | 1U << 28);
 }
 
 }  // namespace
