@@ -86,6 +86,12 @@ void Rp2040Board::receive(std::span<const std::uint8_t> bytes) {
   }
 }
 
+void Rp2040Board::plug_line(bool in) {
+  if (line_ == PicoLine::kUsb) {
+    host_.plug(in, chip_ns_);
+  }
+}
+
 void Rp2040Board::schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) {
   const bool left = wheel == Wheel::kLeft;
   drive(at_ns, left ? pico_pins::kLeftEncoderA : pico_pins::kRightEncoderA, a);

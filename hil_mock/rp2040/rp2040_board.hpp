@@ -35,6 +35,7 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   void reset(ResetCause cause);
 
   void receive(std::span<const std::uint8_t> bytes) override;
+  void plug_line(bool in) override;
 
   world::DriverInputs driver_inputs(runner::Wheel wheel,
                                     world::DriverInterface interface) const override {

@@ -152,14 +152,16 @@ TEST_F(PicoOnUsb, IsEnumeratedAgainAfterABusReset) {
 TEST_F(PicoOnUsb, GoesOnAfterAReplugWithoutAReset) {
   run_ms(kPlugInMs);
   ASSERT_TRUE(answers_hello(4711));
-  board.usb_host().plug(false, board.now_ns());
+  board.plug_line(false);
+  EXPECT_FALSE(board.usb_host().is_open());
   run_ms(300);
   bytes.clear();
   run_ms(100);
   EXPECT_TRUE(bytes.empty());
-  board.usb_host().plug(true, board.now_ns());
+  board.plug_line(true);
   run_ms(kPlugInMs);
   EXPECT_TRUE(board.usb_host().is_open());
+  EXPECT_EQ(board.usb_host().enumerations(), 2U);
   EXPECT_TRUE(answers_hello(4711));
   EXPECT_EQ(board.resets(), 0U);
 }
