@@ -166,6 +166,12 @@ void Rp2040Board::plug(bool plugged) { orders_.byte('V').byte(plugged ? 1 : 0); 
 
 void Rp2040Board::reset_bus() { transact('R', 0, 0, false, {}); }
 
+void Rp2040Board::suspend_bus() { transact('P', 0, 0, false, {}); }
+
+void Rp2040Board::resume_bus(UsbResume resume) {
+  transact('W', 0, 0, resume == UsbResume::kNoticed, {});
+}
+
 UsbAnswer Rp2040Board::setup(std::uint8_t address, std::span<const std::uint8_t> packet) {
   return transact('S', address, 0, false, packet).answer;
 }
