@@ -19,8 +19,9 @@ namespace boards {
 namespace {
 
 constexpr uint64_t kTickUs = 1000000 / hal::kTickHz;
-/// What Linux may take away without a word. Ticks beyond it are left out, not served in a heap.
-constexpr uint64_t kMaxTicksLate = 5;
+/// Silence is counted in ticks, so each that Linux delays is served late, one a pass of the main
+/// loop. A robot that is later than this is stopped by its guard.
+constexpr uint64_t kMaxTicksLate = kGuardMs;
 /// The kernel obeys at once, a simulated world when the program sleeps.
 constexpr uint64_t kResetUs = 2000;
 

@@ -138,6 +138,16 @@ pid_t BrickProgram::robot() const {
   return 0;
 }
 
+pid_t BrickProgram::living_robot() const {
+  for (const auto end = Clock::now() + kPatience; Clock::now() < end;) {
+    if (const pid_t found = robot(); found > 0) {
+      return found;
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  throw std::runtime_error("the guard has no robot");
+}
+
 std::optional<int> BrickProgram::end() {
   const auto end = Clock::now() + kPatience;
   int status = 0;

@@ -41,6 +41,9 @@ class BrickProgram {
   /// The process that was started, and the one that it has started.
   pid_t guard() const { return guard_; }
   pid_t robot() const;
+  /// The same once it lives, which takes a start that long; throws where it does not within ten
+  /// seconds. A signal to process 0 would be one to this test.
+  pid_t living_robot() const;
   /// Its exit status within ten seconds.
   std::optional<int> end();
 
