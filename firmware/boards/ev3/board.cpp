@@ -79,7 +79,12 @@ void sleep_until_interrupt() {
 }
 
 void start_watchdog() { kick_watchdog(); }
-void kick_watchdog() { boards::tell_guard(); }
+
+/// Comes with each control cycle.
+void kick_watchdog() {
+  boards::tell_guard();
+  boards::repeat_refused_stops();
+}
 
 /// The guard starts again only what has crashed or hung.
 uint8_t reset_cause() {
