@@ -54,10 +54,10 @@ void start_board() {
   using namespace boards;
   const Options options = read_options();
   start_guard(options.sysfs, options.clock);
-  tell_guard();
   reset_motors(starts_before() != 0);
   open_sensors(options.sysfs);
   start_line(options.line);
+  tell_guard();
   sleep_fully_until(clock_us() + kResetUs);
   next_tick_us = clock_us() + kTickUs;
 }
