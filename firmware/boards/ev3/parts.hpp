@@ -8,12 +8,16 @@
 namespace echomap {
 namespace boards {
 
-/// Finds the motors at outA, outB and outC; absent ones are told of and do nothing.
+/// Finds the motors at outA, outB and outC; absent ones, and those that this user may not drive,
+/// are told of and do nothing.
 void open_motors(const char* sysfs);
 /// Takes back whatever the motors were set to. One that turns the sonar keeps its place where the
 /// program starts `again`: it stands anywhere then, and its cable knows where.
 void reset_motors(bool again);
-/// No current, no brake; may be called by a signal's handler, and by the guard.
+/// Writes again each stop that the kernel has refused; once a control cycle.
+void repeat_refused_stops();
+/// No current, no brake, tried twice where the kernel refuses it; may be called by a signal's
+/// handler, and by the guard.
 void stop_all_motors();
 
 /// Finds the sensors at in1 .. in4; absent ones are told of.

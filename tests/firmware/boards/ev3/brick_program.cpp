@@ -26,21 +26,28 @@ constexpr milliseconds kLook{1};
 constexpr std::uint8_t kTimeToLiveMs = 200;
 constexpr std::int16_t kTicksPerS = 300;
 
-/// The parent of a process; 0 of none.
-pid_t parent_of(const std::filesystem::path& process) {
+/// What the kernel says of a process; empty of none.
+std::string status_of(const std::filesystem::path& process, const std::string& key) {
   std::ifstream status(process / "status");
   std::string word;
   while (status >> word) {
-    if (word == "PPid:") {
-      pid_t parent = 0;
-      status >> parent;
-      return parent;
+    if (word == key) {
+      status >> word;
+      return word;
     }
   }
-  return 0;
+  return "";
 }
 
-[[noreturn]] void become_program(const std::string& sysfs, int input, int output) {
+std::filesystem::path folder_of(pid_t process) {
+  return std::filesystem::path("/proc") / std::to_string(process);
+}
+
+[[noreturn]] void become_program(const BrickStart& start,
+                                 const std::string& sysfs,
+                                 int input,
+                                 int output) {
+  std::signal(SIGCHLD, start.children_are_ignored ? SIG_IGN : SIG_DFL);
   ::dup2(input, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
   ::execlp("qemu-arm",
@@ -51,14 +58,17 @@ pid_t parent_of(const std::filesystem::path& process) {
            "--sysfs",
            sysfs.c_str(),
            "--line",
-           "stdio",
+           start.line.c_str(),
            nullptr);
   ::_exit(127);
 }
 
 }  // namespace
 
-BrickProgram::BrickProgram() {
+BrickProgram::BrickProgram(const BrickStart& start) {
+  if (start.prepare) {
+    start.prepare(brick_);
+  }
   std::signal(SIGPIPE, SIG_IGN);
   std::array<int, 2> to_program{};
   std::array<int, 2> from_program{};
@@ -67,7 +77,7 @@ BrickProgram::BrickProgram() {
   }
   guard_ = ::fork();
   if (guard_ == 0) {
-    become_program(brick_.sysfs().string(), to_program[0], from_program[1]);
+    become_program(start, brick_.sysfs().string(), to_program[0], from_program[1]);
   }
   ::close(to_program[0]);
   ::close(from_program[1]);
@@ -131,12 +141,29 @@ pid_t BrickProgram::robot() const {
   for (const auto& process : std::filesystem::directory_iterator("/proc")) {
     const std::string name = process.path().filename();
     if (name.find_first_not_of("0123456789") == std::string::npos &&
-        parent_of(process.path()) == guard_) {
+        status_of(process.path(), "PPid:") == std::to_string(guard_)) {
       return std::stoi(name);
     }
   }
   return 0;
 }
+
+pid_t BrickProgram::living_robot() const {
+  for (const auto end = Clock::now() + kPatience; Clock::now() < end;) {
+    if (const pid_t found = robot(); found > 0) {
+      return found;
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  throw std::runtime_error("the guard has no robot");
+}
+
+bool BrickProgram::lives(pid_t process) {
+  const std::string state = status_of(folder_of(process), "State:");
+  return !state.empty() && state != "Z" && state != "X";
+}
+
+std::string BrickProgram::name_of(pid_t process) { return status_of(folder_of(process), "Name:"); }
 
 std::optional<int> BrickProgram::end() {
   const auto end = Clock::now() + kPatience;

@@ -17,11 +17,18 @@
 
 namespace echomap::tests {
 
+/// How a program is started.
+struct BrickStart {
+  std::string line = "stdio";
+  bool children_are_ignored = false;  ///< As by who starts it with SIGCHLD ignored.
+  std::function<void(BrickFolder&)> prepare = nullptr;  ///< What else is plugged in.
+};
+
 /// The EV3's program under qemu-arm in real time, with files in the place of sysfs, and the host at
 /// its standard input and output.
 class BrickProgram {
  public:
-  BrickProgram();
+  explicit BrickProgram(const BrickStart& start = {});
   ~BrickProgram();
   BrickProgram(const BrickProgram&) = delete;
   BrickProgram& operator=(const BrickProgram&) = delete;
@@ -41,6 +48,13 @@ class BrickProgram {
   /// The process that was started, and the one that it has started.
   pid_t guard() const { return guard_; }
   pid_t robot() const;
+  /// The same once it lives, which takes a start that long; throws where it does not within ten
+  /// seconds. A signal to process 0 would be one to this test.
+  pid_t living_robot() const;
+  /// False of one that is dead, whether or not its parent has taken note.
+  static bool lives(pid_t process);
+  /// By which `killall` finds it.
+  static std::string name_of(pid_t process);
   /// Its exit status within ten seconds.
   std::optional<int> end();
 
