@@ -47,13 +47,13 @@ struct BusPins {
 /// Those that the bus takes; none on a board whose bus has pins of its own.
 std::optional<BusPins> bus_pins_of(const std::string& board) {
   using protocol::ConfigurePins;
-  static const std::map<std::string, BusPins> kPins{
+  static const std::map<std::string, BusPins> boards{
       {"uno", {3, {&ConfigurePins::pin_3, &ConfigurePins::pin_4}}},
       {"stm32f103", {9, {&ConfigurePins::pin_9, &ConfigurePins::pin_10}}},
       {"pico", {7, {&ConfigurePins::pin_7, &ConfigurePins::pin_8}}},
   };
-  const auto found = kPins.find(board);
-  return found == kPins.end() ? std::nullopt : std::optional(found->second);
+  const auto found = boards.find(board);
+  return found == boards.end() ? std::nullopt : std::optional(found->second);
 }
 
 class GyroOnTheBus : public OnEveryBoard {
