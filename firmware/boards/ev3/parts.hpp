@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "firmware/boards/ev3/options.hpp"
+
 namespace echomap {
 namespace boards {
 
@@ -23,9 +25,8 @@ void stop_all_motors();
 /// Finds the sensors at in1 .. in4; absent ones are told of.
 void open_sensors(const char* sysfs);
 
-/// Opens the line to the host: "stdio", "tcp:PORT" and "rfcomm:CHANNEL", where the last host to
-/// connect is listened to, or "serial:DEVICE", which is opened again when it has gone.
-void start_line(const char* line);
+/// Opens the line to the host, or begins to wait for it.
+void start_line(const Line& line);
 /// Hands what the program wants to send to the kernel, as far as that takes it.
 void send_to_line();
 /// Tells the program a few bytes that have come; false when there were none.

@@ -43,24 +43,30 @@ std::filesystem::path folder_of(pid_t process) {
   return std::filesystem::path("/proc") / std::to_string(process);
 }
 
-[[noreturn]] void become_program(const BrickStart& start,
-                                 const std::string& sysfs,
-                                 int input,
-                                 int output) {
-  std::signal(SIGCHLD, start.children_are_ignored ? SIG_IGN : SIG_DFL);
-  ::dup2(input, STDIN_FILENO);
-  ::dup2(output, STDOUT_FILENO);
-  ::execlp("qemu-arm",
-           "qemu-arm",
-           "-cpu",
-           "arm926",
-           ECHOMAP_BINARY_DIR "/firmware/echomap-ev3.elf",
-           "--sysfs",
-           sysfs.c_str(),
-           "--line",
-           start.line.c_str(),
-           nullptr);
+constexpr int kOwnerWrites = 0600;
+
+[[noreturn]] void become_program(std::vector<std::string>& words,
+                                 bool children_are_ignored,
+                                 const std::array<int, 3>& files) {
+  std::signal(SIGCHLD, children_are_ignored ? SIG_IGN : SIG_DFL);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    ::dup2(files.at(i), static_cast<int>(i));
+  }
+  std::array<char*, 16> arguments{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    arguments.at(i) = words[i].data();
+  }
+  ::execvp(arguments.front(), arguments.data());
   ::_exit(127);
+}
+
+std::string content_of(int file) {
+  std::string content;
+  std::array<char, 1024> bytes{};
+  for (ssize_t count = 0; (count = ::read(file, bytes.data(), bytes.size())) > 0;) {
+    content.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+  return content;
 }
 
 }  // namespace
@@ -75,12 +81,24 @@ BrickProgram::BrickProgram(const BrickStart& start) {
   if (::pipe2(to_program.data(), O_CLOEXEC) != 0 || ::pipe2(from_program.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error("no pipe");
   }
+  std::vector<std::string> words{"qemu-arm",
+                                 "-cpu",
+                                 "arm926",
+                                 ECHOMAP_BINARY_DIR "/firmware/echomap-ev3.elf",
+                                 "--sysfs",
+                                 brick_.sysfs().string(),
+                                 "--line",
+                                 start.line};
+  words.insert(words.end(), start.more.begin(), start.more.end());
+  const int errors =
+      ::open(file("stderr").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kOwnerWrites);
   guard_ = ::fork();
   if (guard_ == 0) {
-    become_program(start, brick_.sysfs().string(), to_program[0], from_program[1]);
+    become_program(words, start.children_are_ignored, {to_program[0], from_program[1], errors});
   }
   ::close(to_program[0]);
   ::close(from_program[1]);
+  ::close(errors);
   input_ = to_program[1];
   output_ = from_program[0];
 }
@@ -98,12 +116,30 @@ BrickProgram::~BrickProgram() {
   ::close(output_);
 }
 
+void BrickProgram::attach(int descriptor) {
+  hang_up();
+  ::close(output_);
+  input_ = descriptor;
+  output_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  decoder_ = protocol::FrameDecoder(protocol::MessagesToHost::find_schema);
+  reply_.reset();
+}
+
 void BrickProgram::hang_up() {
   if (input_ >= 0) {
     ::close(input_);
     input_ = -1;
   }
 }
+
+std::string BrickProgram::errors() const {
+  const int file_of_errors = ::open(file("stderr").c_str(), O_RDONLY | O_CLOEXEC);
+  std::string said = content_of(file_of_errors);
+  ::close(file_of_errors);
+  return said;
+}
+
+std::string BrickProgram::output() const { return content_of(output_); }
 
 std::optional<protocol::HelloReply> BrickProgram::connect(std::uint16_t session) {
   const auto end = Clock::now() + kPatience;
@@ -202,6 +238,9 @@ void BrickProgram::listen(milliseconds most) {
       continue;
     }
     const auto count = ::read(output_, bytes.data(), bytes.size());
+    if (count <= 0) {
+      std::this_thread::sleep_for(kLook);  // Hung up: the program may come back.
+    }
     for (ssize_t i = 0; i < count; ++i) {
       if (decoder_.take(bytes.at(static_cast<std::size_t>(i))) == protocol::DecodeStatus::kFrame) {
         const protocol::Frame frame = decoder_.frame();
