@@ -21,6 +21,11 @@ std::string check_of_machine() {
   return fmt::format("case $(uname -m) in armv5*) ;; *) uname -m; exit {};; esac", kOtherMachine);
 }
 
+/// A user's units end with the last session otherwise, this ssh's, and start with the first. It
+/// asks for a password the first time only.
+constexpr auto kLetItRunWithoutALogin =
+    "test -e /var/lib/systemd/linger/$USER || sudo loginctl enable-linger $USER";
+
 /// For the death of both of the program's processes, which leaves the motors on.
 constexpr auto kStopMotors =
     "echo coast | tee /sys/class/tacho-motor/*/stop_action; "
@@ -176,8 +181,12 @@ BrickPlan brick_plan(const std::string& host, const std::string& program) {
   plan.steps.push_back({{"scp", "-o", kConnectTimeout, program, host + ":echomap-ev3.new"},
                         "copy the program",
                         "is there space on the brick's card? ssh " + host + " df -h"});
+  plan.steps.push_back({{"ssh", "-t", "-o", kConnectTimeout, host, kLetItRunWithoutALogin},
+                        "let the program run without anybody logged in",
+                        "sudo asks for the password of the brick's user: ssh -t " + host +
+                            " sudo loginctl enable-linger"});
   plan.steps.push_back({{"ssh", "-o", kConnectTimeout, host, start_script()},
-                        "start the program, now and at every login",
+                        "start the program, now and from power-up on",
                         "what does systemd say? ssh " + host + " systemctl --user status echomap"});
   return plan;
 }

@@ -38,7 +38,7 @@ std::string fault_of_host(const std::string& host);
 std::string fault_of_brick_program(const std::filesystem::path& program);
 
 /// The commands that copy `program` to the brick with scp and have systemd start it by ssh, now and
-/// whenever its user logs in. It listens on `kBrickTcpPort`.
+/// from power-up on. It listens on `kBrickTcpPort`.
 BrickPlan brick_plan(const std::string& host, const std::string& program);
 
 }  // namespace echomap::flashing

@@ -20,15 +20,19 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(BrickPlan, AsksTheMachineCopiesAndStartsByThreeCommands) {
+TEST(BrickPlan, AsksTheMachineCopiesAndStartsByFourCommands) {
   const BrickPlan plan = brick_plan("robot@ev3dev.local", "echomap-ev3.elf");
-  ASSERT_EQ(plan.steps.size(), 3U);
+  ASSERT_EQ(plan.steps.size(), 4U);
   EXPECT_EQ(console::shell_line(plan.steps[0].command),
             "ssh -o ConnectTimeout=10 robot@ev3dev.local "
             "'case $(uname -m) in armv5*) ;; *) uname -m; exit 64;; esac'");
   EXPECT_EQ(console::shell_line(plan.steps[1].command),
             "scp -o ConnectTimeout=10 echomap-ev3.elf robot@ev3dev.local:echomap-ev3.new");
-  EXPECT_THAT(plan.steps[2].command.back(),
+  EXPECT_EQ(
+      console::shell_line(plan.steps[2].command),
+      "ssh -t -o ConnectTimeout=10 robot@ev3dev.local 'test -e /var/lib/systemd/linger/$USER || "
+      "sudo loginctl enable-linger $USER'");
+  EXPECT_THAT(plan.steps[3].command.back(),
               AllOf(HasSubstr("chmod +x echomap-ev3.new && mv -f echomap-ev3.new echomap-ev3.elf"),
                     HasSubstr("'ExecStart=%h/echomap-ev3.elf --line tcp:8375'"),
                     HasSubstr("systemctl --user enable echomap"),
@@ -133,7 +137,7 @@ TEST(BrickPlan, TellsForEachStepWhatToLookAtWhereItFails) {
   const BrickPlan plan = brick_plan("robot@brick", "x.elf");
   EXPECT_THAT(plan.steps[0].advice, HasSubstr("ssh robot@brick uname -a"));
   EXPECT_THAT(plan.steps[1].advice, HasSubstr("ssh robot@brick df -h"));
-  EXPECT_THAT(plan.steps[2].advice, HasSubstr("ssh robot@brick systemctl --user status echomap"));
+  EXPECT_THAT(plan.steps[3].advice, HasSubstr("ssh robot@brick systemctl --user status echomap"));
 }
 
 }  // namespace

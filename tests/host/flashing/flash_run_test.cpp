@@ -158,9 +158,9 @@ class FlashBrick : public testing::Test {
   const std::string saved_path_ = std::getenv("PATH");
 };
 
-TEST_F(FlashBrick, RunsItsThreeCommandsInTurnAndSaysHowToGoOn) {
+TEST_F(FlashBrick, RunsItsFourCommandsInTurnAndSaysHowToGoOn) {
   EXPECT_EQ(flash(), console::ExitCode::kOk);
-  EXPECT_EQ(ran(), "ssh\nscp\nssh\n");
+  EXPECT_EQ(ran(), "ssh\nscp\nssh\nssh\n");
   EXPECT_THAT(printed, AllOf(HasSubstr("uname -m"), HasSubstr("scp "), HasSubstr("systemctl")));
   EXPECT_THAT(said, HasSubstr("next: echomap explore --robot ev3 --port tcp://brick:8375"));
 }
@@ -170,7 +170,7 @@ TEST_F(FlashBrick, PrintsInADryRunAllThatItWouldRun) {
   const std::string of_the_run = printed;
   EXPECT_EQ(flash(true), console::ExitCode::kOk);
   EXPECT_EQ(printed, of_the_run);
-  EXPECT_EQ(ran(), "ssh\nscp\nssh\n") << "the dry run ran something";
+  EXPECT_EQ(ran(), "ssh\nscp\nssh\nssh\n") << "the dry run ran something";
   EXPECT_EQ(said, "");
 }
 
@@ -207,7 +207,7 @@ TEST_F(FlashBrick, SaysWhichStepFailedWithWhat) {
 TEST_F(FlashBrick, AdvisesOfTheStepThatFailed) {
   program("ssh", "case $* in *systemctl*) echo 'Failed to connect to bus' >&2; exit 1 ;; esac");
   EXPECT_EQ(flash(), console::ExitCode::kRuntimeError);
-  EXPECT_EQ(ran(), "ssh\nscp\nssh\n");
+  EXPECT_EQ(ran(), "ssh\nscp\nssh\nssh\n");
   EXPECT_THAT(said,
               AllOf(HasSubstr("ssh could not start the program"),
                     HasSubstr("next: see what it says above; what does systemd say?"),
@@ -231,8 +231,9 @@ TEST_F(FlashBrick, LeavesAProgramAndAUnitThatStartsIt) {
   const tests::ScratchFolder home;
   program("scp", "cp /bin/true '" + (home / "echomap-ev3.new").string() + "'");
   program("systemctl", "echo \"$*\" >> '" + (home / "systemctl").string() + "'");
+  program("sudo", "echo \"sudo $*\" >> '" + (home / "systemctl").string() + "'");
   program("ssh",
-          "while [ $# -gt 1 ]; do shift; done; uname() { echo armv5tejl; }; cd '" +
+          "while [ $# -gt 1 ]; do shift; done; uname() { echo armv5tejl; }; USER=robot; cd '" +
               home.path().string() + "' && eval \"$1\"");
   EXPECT_EQ(flash(), console::ExitCode::kOk) << said;
   EXPECT_NE(std::filesystem::status(home / "echomap-ev3.elf").permissions() &
@@ -242,7 +243,8 @@ TEST_F(FlashBrick, LeavesAProgramAndAUnitThatStartsIt) {
   EXPECT_THAT(files::read_text_file(home / ".config/systemd/user/echomap.service"),
               HasSubstr("[Service]\nExecStart=%h/echomap-ev3.elf --line tcp:8375\n"));
   EXPECT_EQ(files::read_text_file(home / "systemctl"),
-            "--user daemon-reload\n--user enable echomap\n--user restart echomap\n");
+            "sudo loginctl enable-linger robot\n--user daemon-reload\n--user enable "
+            "echomap\n--user restart echomap\n");
 }
 
 TEST(FlashPico, CopiesTheImageToTheDriveUnlessDry) {
