@@ -31,7 +31,8 @@ void GyroAngle::sample(const protocol::ConfigureSensors& settings) {
   if (is_known_) {
     const int32_t turned_deg = static_cast<int16_t>(now_deg - yaw_deg_);
     const int32_t divisor = (kFullDegPerS << settings.gyro_range) * settings.gyro_period_ms;
-    const int64_t counts = int64_t{turned_deg} * kFullCounts * kMsPerS;
+    const int64_t counts = int64_t{turned_deg} * kFullCounts * kMsPerS + rest_;
+    rest_ = static_cast<int32_t>(counts % divisor);
     yaw_sum_ = static_cast<int32_t>(static_cast<uint32_t>(yaw_sum_) +
                                     static_cast<uint32_t>(counts / divisor));
   }

@@ -15,7 +15,10 @@ class GyroAngle {
   /// Once a millisecond; does nothing while gyro_period_ms is 0.
   void tick(const protocol::ConfigureSensors& settings);
   /// Starts again where the gyro stands at the next sample.
-  void restart() { is_known_ = false; }
+  void restart() {
+    is_known_ = false;
+    rest_ = 0;
+  }
 
   /// As GyroMpu6050 has them; an error is a period in which the gyro said nothing.
   int32_t yaw_sum() const { return yaw_sum_; }
@@ -26,6 +29,7 @@ class GyroAngle {
   void sample(const protocol::ConfigureSensors& settings);
 
   int32_t yaw_sum_ = 0;
+  int32_t rest_ = 0;  ///< Of the divisions so far.
   uint16_t samples_ = 0;
   uint16_t errors_ = 0;
   int16_t yaw_deg_ = 0;

@@ -21,13 +21,21 @@ std::string check_of_machine() {
   return fmt::format("case $(uname -m) in armv5*) ;; *) uname -m; exit {};; esac", kOtherMachine);
 }
 
+/// For the death of both of the program's processes, which leaves the motors on.
+constexpr auto kStopMotors =
+    "echo coast | tee /sys/class/tacho-motor/*/stop_action; "
+    "echo stop | tee /sys/class/tacho-motor/*/command";
+
 /// Lines of a unit of systemd's user manager. The program restarts as a board does after its
-/// watchdog; its own parent process has stopped the motors by then.
+/// watchdog, however often, with the motors stopped. What is left of it has little time to end.
 std::vector<std::string> unit_lines() {
   return {"[Unit]",
           "Description=echomap",
+          "StartLimitIntervalSec=0",
           "[Service]",
           fmt::format("ExecStart=%h/echomap-ev3.elf --line tcp:{}", kBrickTcpPort),
+          fmt::format("ExecStopPost=-/bin/sh -c \"{}\"", kStopMotors),
+          "TimeoutStopSec=5",
           "Restart=always",
           "RestartSec=1",
           "[Install]",

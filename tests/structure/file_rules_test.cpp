@@ -29,8 +29,6 @@ const std::vector<std::string> without_own_test{
     "firmware/boards/ev3/absent_parts.cpp",
     "firmware/boards/ev3/board.cpp",
     "firmware/boards/ev3/clock.cpp",
-    "firmware/boards/ev3/line.cpp",
-    "firmware/boards/ev3/options.cpp",
     "firmware/boards/no_own_sensors",
     "firmware/boards/rp2040",
     "firmware/boards/stm32f103",

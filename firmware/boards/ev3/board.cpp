@@ -19,8 +19,9 @@ namespace boards {
 namespace {
 
 constexpr uint64_t kTickUs = 1000000 / hal::kTickHz;
-/// What Linux may take away without a word. Ticks beyond it are left out, not served in a heap.
-constexpr uint64_t kMaxTicksLate = 5;
+/// Silence is counted in ticks, so each that Linux delays is served late, one a pass of the main
+/// loop. A robot that is later than this is stopped by its guard.
+constexpr uint64_t kMaxTicksLate = kGuardMs;
 /// The kernel obeys at once, a simulated world when the program sleeps.
 constexpr uint64_t kResetUs = 2000;
 
@@ -53,10 +54,10 @@ void start_board() {
   using namespace boards;
   const Options options = read_options();
   start_guard(options.sysfs, options.clock);
-  tell_guard();
   reset_motors(starts_before() != 0);
   open_sensors(options.sysfs);
   start_line(options.line);
+  tell_guard();
   sleep_fully_until(clock_us() + kResetUs);
   next_tick_us = clock_us() + kTickUs;
 }
@@ -78,7 +79,12 @@ void sleep_until_interrupt() {
 }
 
 void start_watchdog() { kick_watchdog(); }
-void kick_watchdog() { boards::tell_guard(); }
+
+/// Comes with each control cycle.
+void kick_watchdog() {
+  boards::tell_guard();
+  boards::repeat_refused_stops();
+}
 
 /// The guard starts again only what has crashed or hung.
 uint8_t reset_cause() {

@@ -27,6 +27,11 @@ constexpr uint64_t kPauseUs = 100 * kUsPerMs;
 /// A robot that starts has no motor on, and a busy brick reads it from its card.
 constexpr int kStartLimitMs = 10000;
 
+/// Another than the program's, so that `killall -9` does not kill the guard with its robot.
+constexpr const char* kGuardName = "echomap-guard";
+/// Of the longest name of a process, its end included.
+constexpr size_t kNameBytes = 16;
+
 int beats_to_guard = -1;
 uint16_t starts = 0;
 uint16_t id = 0;
@@ -99,27 +104,31 @@ void watch(int beats) {
   }
 }
 
-/// Ends both unless the robot has died of something else than its own will.
+/// Ends both unless the robot has died of something else than its own will. One of whose end
+/// nothing is known has crashed.
 void bury(pid_t robot) {
   kill(robot, SIGKILL);
   stop_all_motors();  // It may take the kernel a while.
   int status = 0;
-  while (waitpid(robot, &status, 0) < 0 && errno == EINTR) {
-  }
+  pid_t buried = 0;
+  do {
+    buried = waitpid(robot, &status, 0);
+  } while (buried < 0 && errno == EINTR);
   stop_all_motors();
   if (has_to_end) {
     _exit(0);
   }
-  if (WIFEXITED(status)) {
+  if (buried == robot && WIFEXITED(status)) {
     _exit(WEXITSTATUS(status));
   }
-  const bool was_killed = WTERMSIG(status) == SIGKILL;
+  const bool was_killed = buried != robot || WTERMSIG(status) == SIGKILL;
   fprintf(stderr,
-          "echomap-ev3: the robot %s, motors are off, it starts again\n",
-          was_killed ? "hung or was killed" : strsignal(WTERMSIG(status)));
+          "echomap-ev3: the robot died (%s), motors are off, it starts again\n",
+          was_killed ? "hung or killed" : strsignal(WTERMSIG(status)));
 }
 
-void become_robot(pid_t guard) {
+void become_robot(pid_t guard, const char* name) {
+  prctl(PR_SET_NAME, name);
   handle_ends(stop_and_end);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != guard) {
@@ -131,7 +140,11 @@ void become_robot(pid_t guard) {
 
 void start_guard(const char* sysfs, const char* clock) {
   signal(SIGPIPE, SIG_IGN);
+  signal(SIGCHLD, SIG_DFL);  // Who ignores it does not hear how a child has died.
   handle_ends(note_end);
+  char name[kNameBytes];
+  prctl(PR_GET_NAME, name);
+  prctl(PR_SET_NAME, kGuardName);
   start_clock(clock);
   choose_id();
   open_motors(sysfs);
@@ -147,7 +160,7 @@ void start_guard(const char* sysfs, const char* clock) {
     if (robot == 0) {
       close(ends[0]);
       beats_to_guard = ends[1];
-      become_robot(guard);
+      become_robot(guard, name);
       start_clock(clock);
       return;
     }

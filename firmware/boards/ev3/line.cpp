@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <errno.h>
 #include <fcntl.h>
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 
 #include "firmware/boards/ev3/clock.hpp"
@@ -35,9 +36,10 @@ struct RfcommAddress {
   uint8_t channel;
 };
 
+Line line;
 int listener = -1;
-const char* device = nullptr;  ///< Of "serial:".
 uint64_t opened_us = 0;
+bool waits_for_device = false;
 int input = -1;
 int output = -1;
 uint16_t bytes_per_s = UINT16_MAX;
@@ -45,48 +47,51 @@ bool wants_to_send = false;
 uint8_t unsent[kSendBytes];
 size_t unsent_bytes = 0;
 
-const char* after(const char* line, const char* kind) {
-  const size_t length = strlen(kind);
-  return strncmp(line, kind, length) == 0 ? line + length : nullptr;
-}
-
 void set_non_blocking(int file) { fcntl(file, F_SETFL, fcntl(file, F_GETFL) | O_NONBLOCK); }
 
 void listen_at(int family, int protocol, const void* address, socklen_t size) {
   const int on = 1;
   listener = socket(family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, protocol);
-  setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  if (listener < 0 || bind(listener, static_cast<const sockaddr*>(address), size) != 0 ||
+  if (listener < 0 || setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0 ||
+      bind(listener, static_cast<const sockaddr*>(address), size) != 0 ||
       listen(listener, 1) != 0) {
-    fail("cannot listen", "--line");
+    fail("cannot listen", line.text);
   }
 }
 
-void listen_on_port(const char* port) {
+void listen_on_port() {
   sockaddr_in address = {};
   address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<uint16_t>(atoi(port)));
+  address.sin_port = htons(line.number);
   address.sin_addr.s_addr = htonl(INADDR_ANY);
   listen_at(AF_INET, 0, &address, sizeof address);
 }
 
-void listen_on_channel(const char* channel) {
+void listen_on_channel() {
   RfcommAddress address = {};
   address.family = kBluetoothFamily;
-  address.channel = static_cast<uint8_t>(atoi(channel));
+  address.channel = static_cast<uint8_t>(line.number);
   bytes_per_s = kRfcommBytesPerS;
   listen_at(kBluetoothFamily, kRfcommProtocol, &address, sizeof address);
 }
 
+/// A gadget's device comes and goes with its cable.
 void open_device() {
   opened_us = clock_us();
-  input = open(device, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  input = open(line.device, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   output = input;
   termios settings;
   if (input >= 0 && tcgetattr(input, &settings) == 0) {
     cfmakeraw(&settings);
     tcsetattr(input, TCSANOW, &settings);
   }
+  if (input < 0 && !waits_for_device) {
+    fprintf(stderr,
+            "echomap-ev3: %s: cannot be opened yet, it is tried again: %s\n",
+            line.device,
+            strerror(errno));
+  }
+  waits_for_device = input < 0;
 }
 
 /// What was meant for one host is not for the next.
@@ -104,18 +109,21 @@ void take_host() {
   const int host =
       listener < 0 ? -1 : accept4(listener, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
   if (host >= 0) {
+    // Each frame waits for the next one else; Bluetooth sends at once and refuses this.
+    const int on = 1;
+    setsockopt(host, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     drop_host();
     input = host;
     output = host;
   }
-  if (device != nullptr && input < 0 && clock_us() - opened_us >= kOpenAgainUs) {
+  if (line.kind == Line::Kind::kSerial && input < 0 && clock_us() - opened_us >= kOpenAgainUs) {
     open_device();
   }
 }
 
 /// Who started the program on its standard input and has gone needs no robot any more.
 void lose_host() {
-  if (listener < 0 && device == nullptr) {
+  if (line.kind == Line::Kind::kStdio) {
     stop_all_motors();
     _exit(0);
   }
@@ -131,23 +139,24 @@ void fill_unsent() {
 
 }  // namespace
 
-void start_line(const char* line) {
-  const char* rest = nullptr;
-  if (strcmp(line, "stdio") == 0) {
-    input = STDIN_FILENO;
-    output = STDOUT_FILENO;
-    set_non_blocking(input);
-    set_non_blocking(output);
-  } else if ((rest = after(line, "tcp:")) != nullptr) {
-    listen_on_port(rest);
-  } else if ((rest = after(line, "rfcomm:")) != nullptr) {
-    listen_on_channel(rest);
-  } else if ((rest = after(line, "serial:")) != nullptr) {
-    device = rest;
-    open_device();
-  } else {
-    errno = EINVAL;
-    fail("no such line", line);
+void start_line(const Line& wanted) {
+  line = wanted;
+  switch (line.kind) {
+    case Line::Kind::kStdio:
+      input = STDIN_FILENO;
+      output = STDOUT_FILENO;
+      set_non_blocking(input);
+      set_non_blocking(output);
+      break;
+    case Line::Kind::kTcp:
+      listen_on_port();
+      break;
+    case Line::Kind::kRfcomm:
+      listen_on_channel();
+      break;
+    case Line::Kind::kSerial:
+      open_device();
+      break;
   }
 }
 

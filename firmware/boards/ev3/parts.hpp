@@ -5,23 +5,28 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "firmware/boards/ev3/options.hpp"
+
 namespace echomap {
 namespace boards {
 
-/// Finds the motors at outA, outB and outC; absent ones are told of and do nothing.
+/// Finds the motors at outA, outB and outC; absent ones, and those that this user may not drive,
+/// are told of and do nothing.
 void open_motors(const char* sysfs);
 /// Takes back whatever the motors were set to. One that turns the sonar keeps its place where the
 /// program starts `again`: it stands anywhere then, and its cable knows where.
 void reset_motors(bool again);
-/// No current, no brake; may be called by a signal's handler, and by the guard.
+/// Writes again each stop that the kernel has refused; once a control cycle.
+void repeat_refused_stops();
+/// No current, no brake, tried twice where the kernel refuses it; may be called by a signal's
+/// handler, and by the guard.
 void stop_all_motors();
 
 /// Finds the sensors at in1 .. in4; absent ones are told of.
 void open_sensors(const char* sysfs);
 
-/// Opens the line to the host: "stdio", "tcp:PORT" and "rfcomm:CHANNEL", where the last host to
-/// connect is listened to, or "serial:DEVICE", which is opened again when it has gone.
-void start_line(const char* line);
+/// Opens the line to the host, or begins to wait for it.
+void start_line(const Line& line);
 /// Hands what the program wants to send to the kernel, as far as that takes it.
 void send_to_line();
 /// Tells the program a few bytes that have come; false when there were none.

@@ -40,17 +40,24 @@ const RangeKind* range_kind = nullptr;
 bool has_driver(const DeviceFolder& folder, const char* wanted) {
   Attribute driver_name;
   char name[kNameBytes];
-  return driver_name.open(folder, "driver_name") && driver_name.read_word(name, sizeof name) &&
-         strcmp(name, wanted) == 0;
+  return driver_name.open(folder, "driver_name", Access::kRead) &&
+         driver_name.read_word(name, sizeof name) && strcmp(name, wanted) == 0;
 }
 
 /// Written only where it is another: some sensors start again with each mode.
-void set_mode(const DeviceFolder& folder, const char* wanted) {
+void set_mode(const DeviceFolder& folder, const char* port, const char* wanted) {
   Attribute mode;
   char name[kNameBytes];
-  if (mode.open(folder, "mode") && mode.read_word(name, sizeof name) && strcmp(name, wanted) != 0) {
-    snprintf(name, sizeof name, "%s\n", wanted);
-    mode.write(name);
+  if (mode.open(folder, "mode", Access::kRead) && mode.read_word(name, sizeof name) &&
+      strcmp(name, wanted) == 0) {
+    return;
+  }
+  snprintf(name, sizeof name, "%s\n", wanted);
+  if (!mode.open(folder, "mode", Access::kWrite) || !mode.write(name)) {
+    fprintf(stderr,
+            "echomap-ev3: the sensor at %s cannot be set to %s: is the user in the group ev3dev?\n",
+            port,
+            wanted);
   }
 }
 
@@ -58,7 +65,7 @@ void open_touch(const char* sysfs, const char* port, Attribute& touch) {
   DeviceFolder folder;
   const bool found = find_device(sysfs, "lego-sensor", port, folder) &&
                      (has_driver(folder, "lego-ev3-touch") || has_driver(folder, "lego-nxt-touch"));
-  if (!found || !touch.open(folder, "value0")) {
+  if (!found || !touch.open(folder, "value0", Access::kRead)) {
     fprintf(stderr, "echomap-ev3: no touch sensor at %s\n", port);
   }
 }
@@ -69,8 +76,8 @@ void open_gyro(const char* sysfs) {
     fprintf(stderr, "echomap-ev3: no gyro at in3\n");
     return;
   }
-  set_mode(folder, "GYRO-ANG");
-  yaw.open(folder, "value0");
+  set_mode(folder, "in3", "GYRO-ANG");
+  yaw.open(folder, "value0", Access::kRead);
 }
 
 void open_range(const char* sysfs) {
@@ -78,8 +85,8 @@ void open_range(const char* sysfs) {
   if (find_device(sysfs, "lego-sensor", "in4", folder)) {
     for (const RangeKind& kind : kRangeKinds) {
       if (has_driver(folder, kind.driver_name)) {
-        set_mode(folder, kind.mode);
-        range.open(folder, "value0");
+        set_mode(folder, "in4", kind.mode);
+        range.open(folder, "value0", Access::kRead);
         range_kind = &kind;
         return;
       }

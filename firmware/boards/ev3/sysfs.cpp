@@ -28,6 +28,13 @@ bool join(char* path, const char* folder, const char* name) {
   return length > 0 && static_cast<size_t>(length) < kPathBytes;
 }
 
+int flag_of(Access access) {
+  if (access == Access::kReadAndWrite) {
+    return O_RDWR;
+  }
+  return access == Access::kRead ? O_RDONLY : O_WRONLY;
+}
+
 bool is_plugged_into(const DeviceFolder& folder, const char* port) {
   char path[kPathBytes];
   char address[kWordBytes];
@@ -69,18 +76,9 @@ bool find_device(const char* sysfs,
   return found;
 }
 
-bool Attribute::open(const DeviceFolder& folder, const char* name) {
+bool Attribute::open(const DeviceFolder& folder, const char* name, Access access) {
   char path[kPathBytes];
-  file_ = -1;
-  if (join(path, folder.path, name)) {
-    file_ = ::open(path, O_RDWR | O_CLOEXEC);
-    if (file_ < 0) {
-      file_ = ::open(path, O_RDONLY | O_CLOEXEC);
-    }
-    if (file_ < 0) {
-      file_ = ::open(path, O_WRONLY | O_CLOEXEC);
-    }
-  }
+  file_ = join(path, folder.path, name) ? ::open(path, flag_of(access) | O_CLOEXEC) : -1;
   return is_open();
 }
 

@@ -19,12 +19,15 @@ struct DeviceFolder {
 /// because its number says nothing; false where nothing is.
 bool find_device(const char* sysfs, const char* class_name, const char* port, DeviceFolder& folder);
 
+/// What a file is opened for. Sysfs has files that may only be read, and some only be written.
+enum class Access : uint8_t { kRead, kWrite, kReadAndWrite };
+
 /// One file of a device. It is kept open, to be read and written with one call each, and never
 /// closed: it is needed as long as the program is.
 class Attribute {
  public:
-  /// False where there is none.
-  bool open(const DeviceFolder& folder, const char* name);
+  /// False where there is none, or where this user has not the right.
+  bool open(const DeviceFolder& folder, const char* name, Access access);
   bool is_open() const { return file_ >= 0; }
 
   /// The first word; false when the device has gone.

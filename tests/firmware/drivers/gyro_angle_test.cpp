@@ -43,6 +43,19 @@ TEST_F(GyroAngleTest, SumOfSamplesIsTheTurnSinceTheFirst) {
   EXPECT_EQ(gyro.errors(), 0);
 }
 
+TEST_F(GyroAngleTest, DegreesThatAreNoWholeCountsAddUp) {
+  settings.gyro_range = 3;  // A degree is 1638.4 counts.
+  board.yaw_deg = 0;
+  run_ms(10);
+  for (const int direction : {1, -1}) {
+    for (int deg = 1; deg <= 360; ++deg) {
+      board.yaw_deg = static_cast<std::int16_t>(direction > 0 ? deg : 360 - deg);
+      run_ms(10);
+    }
+    EXPECT_EQ(gyro.yaw_sum(), direction > 0 ? 589824 : 0);
+  }
+}
+
 TEST_F(GyroAngleTest, GoesOnAcrossTheEndOfSixteenBits) {
   board.yaw_deg = INT16_MAX;
   run_ms(10);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/flashing/brick_plan.hpp"
 
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -14,7 +16,9 @@ namespace echomap::flashing {
 namespace {
 
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(BrickPlan, AsksTheMachineCopiesAndStartsByThreeCommands) {
   const BrickPlan plan = brick_plan("robot@ev3dev.local", "echomap-ev3.elf");
@@ -31,6 +35,48 @@ TEST(BrickPlan, AsksTheMachineCopiesAndStartsByThreeCommands) {
                     HasSubstr("systemctl --user restart echomap")));
   EXPECT_EQ(plan.address, "tcp://ev3dev.local:8375");
   EXPECT_EQ(brick_plan("10.0.0.7", "x").address, "tcp://10.0.0.7:8375");
+}
+
+/// The unit that the last step writes on a brick whose home is that folder.
+std::string written_unit(const tests::ScratchFolder& home) {
+  files::write_text_file(home / "echomap-ev3.new", "");
+  const std::string script = "cd " + home.path().string() + "; systemctl() { true; }; " +
+                             brick_plan("x", "y").steps.back().command.back();
+  EXPECT_EQ(std::system(console::shell_line({"sh", "-c", script}).c_str()), 0);
+  return files::read_text_file(home / ".config/systemd/user/echomap.service");
+}
+
+TEST(BrickPlan, ProgramStartsAgainHoweverOftenItEnds) {
+  const tests::ScratchFolder home;
+  EXPECT_THAT(written_unit(home),
+              AllOf(HasSubstr("[Unit]\nDescription=echomap\nStartLimitIntervalSec=0\n[Service]\n"),
+                    HasSubstr("\nRestart=always\n"),
+                    HasSubstr("\nTimeoutStopSec=5\n")));
+}
+
+TEST(BrickPlan, EveryMotorIsStoppedAfterTheProgram) {
+  const tests::ScratchFolder home;
+  const std::string unit = written_unit(home);
+  const std::string key = "\nExecStopPost=-/bin/sh -c \"";
+  ASSERT_THAT(unit, HasSubstr(key));
+  const std::size_t start = unit.find(key) + key.size();
+  std::string script = unit.substr(start, unit.find("\"\n", start) - start);
+  EXPECT_THAT(script, Not(AnyOf(HasSubstr("$"), HasSubstr("%")))) << "systemd would replace it";
+  for (std::size_t at = 0; (at = script.find("/sys/", at)) != std::string::npos;) {
+    script.replace(at, 1, home.path().string() + "/");
+    at += home.path().string().size() + 1;
+  }
+  const auto motors = home / "sys/class/tacho-motor";
+  for (const char* motor : {"motor0", "motor7"}) {
+    std::filesystem::create_directories(motors / motor);
+    files::write_text_file(motors / motor / "command", "");
+    files::write_text_file(motors / motor / "stop_action", "hold");
+  }
+  EXPECT_EQ(std::system((console::shell_line({"sh", "-c", script}) + " > /dev/null").c_str()), 0);
+  for (const char* motor : {"motor0", "motor7"}) {
+    EXPECT_EQ(files::read_text_file(motors / motor / "command"), "stop\n");
+    EXPECT_EQ(files::read_text_file(motors / motor / "stop_action"), "coast\n");
+  }
 }
 
 TEST(BrickPlan, TakesHostsButNoOptionsOfSsh) {

@@ -240,8 +240,7 @@ TEST_F(FlashBrick, LeavesAProgramAndAUnitThatStartsIt) {
             std::filesystem::perms::none);
   EXPECT_FALSE(std::filesystem::exists(home / "echomap-ev3.new"));
   EXPECT_THAT(files::read_text_file(home / ".config/systemd/user/echomap.service"),
-              HasSubstr("[Service]\nExecStart=%h/echomap-ev3.elf --line tcp:8375\n"
-                        "Restart=always\n"));
+              HasSubstr("[Service]\nExecStart=%h/echomap-ev3.elf --line tcp:8375\n"));
   EXPECT_EQ(files::read_text_file(home / "systemctl"),
             "--user daemon-reload\n--user enable echomap\n--user restart echomap\n");
 }

@@ -26,51 +26,79 @@ constexpr milliseconds kLook{1};
 constexpr std::uint8_t kTimeToLiveMs = 200;
 constexpr std::int16_t kTicksPerS = 300;
 
-/// The parent of a process; 0 of none.
-pid_t parent_of(const std::filesystem::path& process) {
+/// What the kernel says of a process; empty of none.
+std::string status_of(const std::filesystem::path& process, const std::string& key) {
   std::ifstream status(process / "status");
   std::string word;
   while (status >> word) {
-    if (word == "PPid:") {
-      pid_t parent = 0;
-      status >> parent;
-      return parent;
+    if (word == key) {
+      status >> word;
+      return word;
     }
   }
-  return 0;
+  return "";
 }
 
-[[noreturn]] void become_program(const std::string& sysfs, int input, int output) {
-  ::dup2(input, STDIN_FILENO);
-  ::dup2(output, STDOUT_FILENO);
-  ::execlp("qemu-arm",
-           "qemu-arm",
-           "-cpu",
-           "arm926",
-           ECHOMAP_BINARY_DIR "/firmware/echomap-ev3.elf",
-           "--sysfs",
-           sysfs.c_str(),
-           "--line",
-           "stdio",
-           nullptr);
+std::filesystem::path folder_of(pid_t process) {
+  return std::filesystem::path("/proc") / std::to_string(process);
+}
+
+constexpr int kOwnerWrites = 0600;
+
+[[noreturn]] void become_program(std::vector<std::string>& words,
+                                 bool children_are_ignored,
+                                 const std::array<int, 3>& files) {
+  std::signal(SIGCHLD, children_are_ignored ? SIG_IGN : SIG_DFL);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    ::dup2(files.at(i), static_cast<int>(i));
+  }
+  std::array<char*, 16> arguments{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    arguments.at(i) = words[i].data();
+  }
+  ::execvp(arguments.front(), arguments.data());
   ::_exit(127);
+}
+
+std::string content_of(int file) {
+  std::string content;
+  std::array<char, 1024> bytes{};
+  for (ssize_t count = 0; (count = ::read(file, bytes.data(), bytes.size())) > 0;) {
+    content.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+  return content;
 }
 
 }  // namespace
 
-BrickProgram::BrickProgram() {
+BrickProgram::BrickProgram(const BrickStart& start) {
+  if (start.prepare) {
+    start.prepare(brick_);
+  }
   std::signal(SIGPIPE, SIG_IGN);
   std::array<int, 2> to_program{};
   std::array<int, 2> from_program{};
   if (::pipe2(to_program.data(), O_CLOEXEC) != 0 || ::pipe2(from_program.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error("no pipe");
   }
+  std::vector<std::string> words{"qemu-arm",
+                                 "-cpu",
+                                 "arm926",
+                                 ECHOMAP_BINARY_DIR "/firmware/echomap-ev3.elf",
+                                 "--sysfs",
+                                 brick_.sysfs().string(),
+                                 "--line",
+                                 start.line};
+  words.insert(words.end(), start.more.begin(), start.more.end());
+  const int errors =
+      ::open(file("stderr").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kOwnerWrites);
   guard_ = ::fork();
   if (guard_ == 0) {
-    become_program(brick_.sysfs().string(), to_program[0], from_program[1]);
+    become_program(words, start.children_are_ignored, {to_program[0], from_program[1], errors});
   }
   ::close(to_program[0]);
   ::close(from_program[1]);
+  ::close(errors);
   input_ = to_program[1];
   output_ = from_program[0];
 }
@@ -88,12 +116,30 @@ BrickProgram::~BrickProgram() {
   ::close(output_);
 }
 
+void BrickProgram::attach(int descriptor) {
+  hang_up();
+  ::close(output_);
+  input_ = descriptor;
+  output_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  decoder_ = protocol::FrameDecoder(protocol::MessagesToHost::find_schema);
+  reply_.reset();
+}
+
 void BrickProgram::hang_up() {
   if (input_ >= 0) {
     ::close(input_);
     input_ = -1;
   }
 }
+
+std::string BrickProgram::errors() const {
+  const int file_of_errors = ::open(file("stderr").c_str(), O_RDONLY | O_CLOEXEC);
+  std::string said = content_of(file_of_errors);
+  ::close(file_of_errors);
+  return said;
+}
+
+std::string BrickProgram::output() const { return content_of(output_); }
 
 std::optional<protocol::HelloReply> BrickProgram::connect(std::uint16_t session) {
   const auto end = Clock::now() + kPatience;
@@ -131,12 +177,29 @@ pid_t BrickProgram::robot() const {
   for (const auto& process : std::filesystem::directory_iterator("/proc")) {
     const std::string name = process.path().filename();
     if (name.find_first_not_of("0123456789") == std::string::npos &&
-        parent_of(process.path()) == guard_) {
+        status_of(process.path(), "PPid:") == std::to_string(guard_)) {
       return std::stoi(name);
     }
   }
   return 0;
 }
+
+pid_t BrickProgram::living_robot() const {
+  for (const auto end = Clock::now() + kPatience; Clock::now() < end;) {
+    if (const pid_t found = robot(); found > 0) {
+      return found;
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  throw std::runtime_error("the guard has no robot");
+}
+
+bool BrickProgram::lives(pid_t process) {
+  const std::string state = status_of(folder_of(process), "State:");
+  return !state.empty() && state != "Z" && state != "X";
+}
+
+std::string BrickProgram::name_of(pid_t process) { return status_of(folder_of(process), "Name:"); }
 
 std::optional<int> BrickProgram::end() {
   const auto end = Clock::now() + kPatience;
@@ -175,6 +238,9 @@ void BrickProgram::listen(milliseconds most) {
       continue;
     }
     const auto count = ::read(output_, bytes.data(), bytes.size());
+    if (count <= 0) {
+      std::this_thread::sleep_for(kLook);  // Hung up: the program may come back.
+    }
     for (ssize_t i = 0; i < count; ++i) {
       if (decoder_.take(bytes.at(static_cast<std::size_t>(i))) == protocol::DecodeStatus::kFrame) {
         const protocol::Frame frame = decoder_.frame();

@@ -17,11 +17,19 @@
 
 namespace echomap::tests {
 
+/// How a program is started.
+struct BrickStart {
+  std::string line = "stdio";
+  std::vector<std::string> more = {};  ///< Further arguments.
+  bool children_are_ignored = false;   ///< As by who starts it with SIGCHLD ignored.
+  std::function<void(BrickFolder&)> prepare = nullptr;  ///< What else is plugged in.
+};
+
 /// The EV3's program under qemu-arm in real time, with files in the place of sysfs, and the host at
-/// its standard input and output.
+/// its standard input and output, unless it is attached to something else.
 class BrickProgram {
  public:
-  BrickProgram();
+  explicit BrickProgram(const BrickStart& start = {});
   ~BrickProgram();
   BrickProgram(const BrickProgram&) = delete;
   BrickProgram& operator=(const BrickProgram&) = delete;
@@ -35,14 +43,29 @@ class BrickProgram {
     const protocol::ByteSpan frame = encoder_.encode(message, next_seq_++);
     write({frame.data, frame.data + frame.size});
   }
+  /// The host's end of another line, which it owns from now on; what was said before is forgotten.
+  void attach(int descriptor);
   /// Hangs up, and takes what it has said for the last time.
   void hang_up();
 
   /// The process that was started, and the one that it has started.
   pid_t guard() const { return guard_; }
   pid_t robot() const;
+  /// The same once it lives, which takes a start that long; throws where it does not within ten
+  /// seconds. A signal to process 0 would be one to this test.
+  pid_t living_robot() const;
+  /// False of one that is dead, whether or not its parent has taken note.
+  static bool lives(pid_t process);
+  /// By which `killall` finds it.
+  static std::string name_of(pid_t process);
   /// Its exit status within ten seconds.
   std::optional<int> end();
+
+  /// What it has said on stderr, and what it has put out and nobody has taken.
+  std::string errors() const;
+  std::string output() const;
+  /// A file next to those of its sysfs.
+  std::filesystem::path file(const std::string& name) const { return brick_.sysfs() / name; }
 
   /// Does it, and waits until both wheels are told to stop: how long that took; nothing in a
   /// minute.

@@ -37,7 +37,7 @@ TEST_F(Ev3SysfsTest, NumbersComeBackAsTheyWereWritten) {
   const auto motor = brick.add_motor(0, "outA");
   ASSERT_TRUE(finds("outA"));
   Attribute position;
-  ASSERT_TRUE(position.open(found, "position"));
+  ASSERT_TRUE(position.open(found, "position", Access::kReadAndWrite));
   for (const std::int32_t number : {0, 7, -7, 100, -32768, INT32_MAX, INT32_MIN}) {
     ASSERT_TRUE(position.write(number));
     std::int32_t read = 1;
@@ -52,7 +52,7 @@ TEST_F(Ev3SysfsTest, TextThatIsNoNumberIsNotRead) {
   ASSERT_TRUE(finds("outA"));
   Attribute state;
   tests::BrickFolder::write(motor / "state", "running overloaded");
-  ASSERT_TRUE(state.open(found, "state"));
+  ASSERT_TRUE(state.open(found, "state", Access::kRead));
   std::int32_t number = 0;
   EXPECT_FALSE(state.read(number));
   char word[16];
@@ -65,9 +65,21 @@ TEST_F(Ev3SysfsTest, FileThatIsNotThereIsNeitherReadNorWritten) {
   ASSERT_TRUE(finds("outA"));
   Attribute missing;
   std::int32_t number = 0;
-  EXPECT_FALSE(missing.open(found, "no_such_file"));
+  EXPECT_FALSE(missing.open(found, "no_such_file", Access::kReadAndWrite));
   EXPECT_FALSE(missing.read(number));
   EXPECT_FALSE(missing.write("1\n"));
+}
+
+TEST_F(Ev3SysfsTest, FileThatMayOnlyBeReadIsNotOpenedToBeWritten) {
+  const auto motor = brick.add_motor(0, "outA");
+  ASSERT_TRUE(finds("outA"));
+  // Root may write into every file, but not into a folder.
+  std::filesystem::create_directory(motor / "folder");
+  Attribute attribute;
+  EXPECT_TRUE(attribute.open(found, "folder", Access::kRead));
+  EXPECT_FALSE(attribute.open(found, "folder", Access::kWrite));
+  EXPECT_FALSE(attribute.is_open());
+  EXPECT_FALSE(attribute.open(found, "folder", Access::kReadAndWrite));
 }
 
 }  // namespace
