@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -55,7 +56,7 @@ std::optional<nlohmann::json> run_demo(const DemoRuns& options,
   const auto report = run.string() + ".json";
   const auto log = run.string() + ".log";
   std::vector<std::string> command{
-      session::program_folder() / "echomap",
+      options.program.empty() ? session::program_folder() / "echomap" : options.program,
       "demo",
       "--headless",
       "--world=" + options.world,
@@ -79,6 +80,19 @@ std::optional<nlohmann::json> run_demo(const DemoRuns& options,
   return nlohmann::json::parse(files::read_text_file(report));
 }
 
+/// The same where something keeps it from running or its report from being read, whose words go to
+/// stderr: an exception that leaves a thread would end all runs.
+std::optional<nlohmann::json> try_demo(const DemoRuns& options,
+                                       int seed,
+                                       const std::filesystem::path& folder) {
+  try {
+    return run_demo(options, seed, folder);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "seed {} did not end by itself: {}\n", seed, error.what());
+    return std::nullopt;
+  }
+}
+
 using Values = std::map<std::string, std::vector<double>>;
 
 /// Adds what the report of a run says of each column.
@@ -97,7 +111,7 @@ std::vector<std::optional<nlohmann::json>> run_demos(const DemoRuns& options) {
   std::atomic<int> next_seed = 1;
   const auto work = [&] {
     for (int seed = next_seed++; seed <= options.seeds; seed = next_seed++) {
-      reports[static_cast<std::size_t>(seed - 1)] = run_demo(options, seed, folder.path());
+      reports[static_cast<std::size_t>(seed - 1)] = try_demo(options, seed, folder.path());
     }
   };
   std::vector<std::jthread> workers;

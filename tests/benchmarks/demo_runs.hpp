@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct DemoRuns {
   std::string driver;  ///< Of the motors; empty: the profile's.
   std::string line = "direct";
   std::string faults;
-  int jobs = 1;  ///< Demos that run at a time.
+  int jobs = 1;                     ///< Demos that run at a time.
+  std::filesystem::path program{};  ///< Empty: the echomap beside this program.
 };
 
 /// What came of the demos.
