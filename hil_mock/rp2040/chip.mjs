@@ -23,7 +23,8 @@ const kChipReset = 8;
 const kHadPowerOn = 1 << 8;
 const kHadRun = 1 << 16;
 const kRandomBit = 0x1c;
-const kPeripheral = { timer: 0x40054, watchdog: 0x40058, rosc: 0x40060, vreg: 0x40064 };
+const kI2c0 = 1 << 3;
+const kPeripheral = { resets: 0x4000c, timer: 0x40054, watchdog: 0x40058, rosc: 0x40060, vreg: 0x40064 };
 
 export const kReset = { powerOn: 0, pin: 1, watchdog: 2 };
 
@@ -108,6 +109,7 @@ export class Chip {
     this.twoWire = new TwoWire(rp2040.i2c[0], rp2040.clock, nsOfCycle, this.hooks.registers);
     this.repairCore();
     this.repairTick(cause, old);
+    this.repairResets();
     this.repairResetCause(cause);
     if (old && cause !== kReset.powerOn) {
       rp2040.sram.set(old.sram);
@@ -206,6 +208,18 @@ export class Chip {
         watchdog.reason = last.reason;
       }
     }
+  }
+
+  /** RESETS resets nothing in rp2040js. */
+  repairResets() {
+    const resets = this.rp2040.peripherals[kPeripheral.resets];
+    const write = resets.writeUint32.bind(resets);
+    resets.writeUint32 = (offset, value) => {
+      write(offset, value);
+      if (resets.reset & kI2c0) {
+        this.twoWire.reset();
+      }
+    };
   }
 
   /** Why the chip was reset, and the ring oscillator's noise, which are stubs in rp2040js. */

@@ -237,7 +237,7 @@ class Device {
     }
   }
 
-  /** A transaction on the USB cable: U kind address endpoint data1 bytes. */
+  /** A transaction or a state of the USB cable: U kind address endpoint data1 bytes. */
   transact(message, at) {
     const { usb } = this.chip;
     const kind = String.fromCharCode(message.readUInt8(at + 1));
@@ -247,6 +247,8 @@ class Device {
     let result = { answer: 1 };
     switch (kind) {
       case 'R': usb.resetBus(); break;
+      case 'P': usb.suspend(); break;
+      case 'W': usb.resume(data1 !== 0); break;
       case 'S': result = { answer: usb.setup(address, bytes) }; break;
       case 'O': result = { answer: usb.out(address, endpoint, data1 !== 0, bytes) }; break;
       default: result = usb.in(address, endpoint);

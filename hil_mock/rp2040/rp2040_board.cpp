@@ -86,6 +86,12 @@ void Rp2040Board::receive(std::span<const std::uint8_t> bytes) {
   }
 }
 
+void Rp2040Board::plug_line(bool in) {
+  if (line_ == PicoLine::kUsb) {
+    host_.plug(in, chip_ns_);
+  }
+}
+
 void Rp2040Board::schedule_encoder_edge(Wheel wheel, std::int64_t at_ns, bool a, bool b) {
   const bool left = wheel == Wheel::kLeft;
   drive(at_ns, left ? pico_pins::kLeftEncoderA : pico_pins::kRightEncoderA, a);
@@ -159,6 +165,12 @@ void Rp2040Board::hold_two_wire_bus(unsigned bits) {
 void Rp2040Board::plug(bool plugged) { orders_.byte('V').byte(plugged ? 1 : 0); }
 
 void Rp2040Board::reset_bus() { transact('R', 0, 0, false, {}); }
+
+void Rp2040Board::suspend_bus() { transact('P', 0, 0, false, {}); }
+
+void Rp2040Board::resume_bus(UsbResume resume) {
+  transact('W', 0, 0, resume == UsbResume::kNoticed, {});
+}
 
 UsbAnswer Rp2040Board::setup(std::uint8_t address, std::span<const std::uint8_t> packet) {
   return transact('S', address, 0, false, packet).answer;

@@ -35,6 +35,7 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   void reset(ResetCause cause);
 
   void receive(std::span<const std::uint8_t> bytes) override;
+  void plug_line(bool in) override;
 
   world::DriverInputs driver_inputs(runner::Wheel wheel,
                                     world::DriverInterface interface) const override {
@@ -80,6 +81,8 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   bool is_attached() const override { return attached_; }
   bool has_bulk_in() const override { return has_bulk_in_; }
   void reset_bus() override;
+  void suspend_bus() override;
+  void resume_bus(UsbResume resume) override;
   UsbAnswer setup(std::uint8_t address, std::span<const std::uint8_t> packet) override;
   UsbData in(std::uint8_t address, std::uint8_t endpoint) override;
   UsbAnswer out(std::uint8_t address,

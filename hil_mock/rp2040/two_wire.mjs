@@ -5,7 +5,7 @@ const kBitsOfByte = 9;
 const kSda = 20;
 /** IC_INTR_MASK, which rp2040js has for reading only. */
 const kInterruptMask = 0x30;
-/** IC_ENABLE: 0 ends what is under way, which rp2040js keeps. */
+/** IC_ENABLE: 0 in the middle of a transfer leaves the block active, until it is reset. */
 const kEnable = 0x6c;
 
 export class TwoWire {
@@ -19,15 +19,16 @@ export class TwoWire {
     this.then = () => {};
     this.alarm = clock.createAlarm(() => this.then());
     this.heldBits = 0;
+    this.isStuck = false;
     const write = i2c.writeUint32.bind(i2c);
     i2c.writeUint32 = (offset, value) => {
       if (offset === kInterruptMask) {
         i2c.intEnable = value;
         i2c.checkInterrupts();
-      } else {
+      } else if (!this.isStuck) {
         if (offset === kEnable && !(value & 1)) {
+          this.isStuck = i2c.busy;
           this.alarm.cancel();
-          Object.assign(i2c, { state: 0, busy: false, stop: false, pendingRestart: false });
         }
         write(offset, value);
       }
@@ -38,6 +39,18 @@ export class TwoWire {
     i2c.onReadByte = () =>
       this.after(kBitsOfByte, () => i2c.completeRead(this.ask.read(this.device, this.register++)));
     i2c.onStop = () => this.after(1, () => i2c.completeStop());
+  }
+
+  /** By the RESETS block. */
+  reset() {
+    const { i2c } = this;
+    this.alarm.cancel();
+    this.isStuck = false;
+    Object.assign(i2c, { state: 0, busy: false, stop: false, pendingRestart: false, enable: 0 });
+    Object.assign(i2c, { intRaw: 0, intEnable: 0, abortSource: 0 });
+    i2c.txFIFO.reset();
+    i2c.rxFIFO.reset();
+    i2c.checkInterrupts();
   }
 
   /** A device sends: data stays low for so many clocks. */

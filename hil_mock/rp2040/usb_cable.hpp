@@ -17,6 +17,9 @@ struct UsbData {
   std::vector<std::uint8_t> bytes;
 };
 
+/// Whether a device's controller has noticed that its host has resumed the bus.
+enum class UsbResume : std::uint8_t { kNoticed, kMissed };
+
 /// The wires to a full-speed USB device, as its host's controller sees them.
 class UsbCable {
  public:
@@ -29,6 +32,9 @@ class UsbCable {
   /// Whether an IN to the bulk endpoint would get anything but a NAK.
   virtual bool has_bulk_in() const = 0;
   virtual void reset_bus() = 0;
+  /// No frames, as of a host that sleeps, and frames again.
+  virtual void suspend_bus() = 0;
+  virtual void resume_bus(UsbResume resume) = 0;
   /// A SETUP transaction of eight bytes to endpoint 0.
   virtual UsbAnswer setup(std::uint8_t address, std::span<const std::uint8_t> packet) = 0;
   virtual UsbData in(std::uint8_t address, std::uint8_t endpoint) = 0;

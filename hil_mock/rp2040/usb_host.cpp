@@ -39,7 +39,7 @@ std::string text_of(const std::vector<std::uint8_t>& string) {
 }  // namespace
 
 std::int64_t UsbHost::service(std::int64_t now_ns) {
-  if (!plugged_) {
+  if (!plugged_ || suspended_) {
     return now_ns + kFrameNs;
   }
   if (!cable_.is_attached()) {
@@ -79,6 +79,16 @@ void UsbHost::reset(std::int64_t now_ns) {
   begin_enumeration(now_ns);
 }
 
+void UsbHost::suspend() {
+  suspended_ = true;
+  cable_.suspend_bus();
+}
+
+void UsbHost::resume(UsbResume resume) {
+  suspended_ = false;
+  cable_.resume_bus(resume);
+}
+
 void UsbHost::send(std::span<const std::uint8_t> bytes) {
   if (plugged_) {
     outgoing_.insert(outgoing_.end(), bytes.begin(), bytes.end());
@@ -93,6 +103,7 @@ void UsbHost::request(const UsbRequest& request,
 
 void UsbHost::give_up() {
   open_ = false;
+  suspended_ = false;
   configured_ = false;
   control_.clear();
 }

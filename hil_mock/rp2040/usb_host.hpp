@@ -25,6 +25,9 @@ class UsbHost {
   void plug(bool plugged, std::int64_t now_ns);
   /// Resets the bus and enumerates the device again.
   void reset(std::int64_t now_ns);
+  /// Falls asleep with the port open, until it wakes, is plugged or resets the bus.
+  void suspend();
+  void resume(UsbResume resume);
   /// Bytes for the device; kept until the port is open and the device takes them; lost where the
   /// cable is out.
   void send(std::span<const std::uint8_t> bytes);
@@ -41,8 +44,8 @@ class UsbHost {
   bool is_open() const { return open_; }
   /// Whether nothing goes over the cable but INs that the device does not answer, one a frame.
   bool only_polls() const {
-    return open_ && control_.is_idle() && outgoing_.empty() && cable_.is_attached() &&
-           !cable_.has_bulk_in();
+    return open_ && !suspended_ && control_.is_idle() && outgoing_.empty() &&
+           cable_.is_attached() && !cable_.has_bulk_in();
   }
   /// What was read in the enumeration.
   const std::vector<std::uint8_t>& device_descriptor() const { return device_; }
@@ -68,6 +71,7 @@ class UsbHost {
   bool plugged_ = false;
   bool seen_ = false;
   bool open_ = false;
+  bool suspended_ = false;
   bool configured_ = false;
   std::uint8_t next_address_ = 1;
   unsigned enumerations_ = 0;

@@ -18,6 +18,7 @@ const kEp0EachBuffer = 1 << 29;
 const kBusReset = 1 << 19;
 const kSetup = 1 << 17;
 const kSuspended = 1 << 4;
+const kResume = 1 << 11;
 const kVbus = 1 << 0;
 const kSequenceError = 0x80000000;
 const kEp0Data = 0x100;
@@ -54,6 +55,17 @@ export class UsbPort {
 
   resetBus() {
     this.usb.sieStatus = (this.usb.sieStatus | kBusReset) & ~kSuspended;
+    this.usb.sieStatusUpdated();
+  }
+
+  suspend() {
+    this.usb.sieStatus |= kSuspended;
+    this.usb.sieStatusUpdated();
+  }
+
+  /** Frames again; the controller tells the program so only where it has `noticed` the resume itself. */
+  resume(noticed) {
+    this.usb.sieStatus = (this.usb.sieStatus | (noticed ? kResume : 0)) & ~kSuspended;
     this.usb.sieStatusUpdated();
   }
 

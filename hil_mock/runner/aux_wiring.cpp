@@ -23,7 +23,9 @@ world::PinWires wires_for(const std::string& board, const world::RobotParams& ro
     others += (others.empty() ? "" : ", ") + name;
   }
   throw files::ConfigError("the robot " + robot.name + " is not wired for the board " + board +
-                           "; its file has [wiring] for: " + others);
+                           "; its file has [wiring] for: " + others +
+                           "\n  next: run it on one of these, or add [wiring." + board +
+                           "] to its file");
 }
 
 bool is_voltage(PinPart part) { return part >= PinPart::kBattery && part <= PinPart::kRange7; }

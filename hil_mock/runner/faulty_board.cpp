@@ -39,6 +39,7 @@ void FaultyBoard::cut_cable(std::int64_t for_ns) {
 
 /// In pieces that end where bytes arrive at the board.
 void FaultyBoard::run_until(std::int64_t until_ns) {
+  move_plug();
   if (!delay_to_robot_ || !delay_to_host_) {
     board_->run_until(until_ns);
     return;
@@ -63,6 +64,13 @@ void FaultyBoard::run_until(std::int64_t until_ns) {
 
 bool FaultyBoard::is_away() const {
   return is_cut() || line_faults::is_away(faults_, 1e-9 * static_cast<double>(board_->now_ns()));
+}
+
+void FaultyBoard::move_plug() {
+  if (is_plugged_ == is_away()) {
+    is_plugged_ = !is_plugged_;
+    board_->plug_line(is_plugged_);
+  }
 }
 
 void FaultyBoard::receive(std::span<const std::uint8_t> bytes) {

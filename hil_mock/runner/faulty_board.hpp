@@ -18,8 +18,9 @@ struct LineModel {
   std::optional<line_faults::LineDelays> delays{};
 };
 
-/// A board behind a line: what it receives and sends suffers there, all else passes. A function of
-/// the bytes, their times and the seed alone, in lockstep as in paced time.
+/// A board behind a line: what it receives and sends suffers there, all else passes. Its plug is
+/// out while nothing passes. A function of the bytes, their times and the seed alone, in lockstep
+/// as in paced time.
 class FaultyBoard final : public SimulatedBoard {
  public:
   /// Takes the hooks of `board`.
@@ -56,6 +57,7 @@ class FaultyBoard final : public SimulatedBoard {
  private:
   bool is_cut() const { return board_->now_ns() < cut_until_ns_; }
   bool is_away() const;
+  void move_plug();
   void take_from_board(std::uint8_t byte);
   void give_to_host(std::span<const std::uint8_t> bytes);
 
@@ -66,6 +68,7 @@ class FaultyBoard final : public SimulatedBoard {
   std::optional<line_faults::DelayedLine> delay_to_robot_;
   std::optional<line_faults::DelayedLine> delay_to_host_;
   std::int64_t cut_until_ns_ = 0;
+  bool is_plugged_ = true;
 };
 
 }  // namespace echomap::runner

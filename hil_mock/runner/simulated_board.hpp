@@ -31,6 +31,8 @@ class SimulatedBoard {
 
   /// Bytes on the board's receive line, paced by its baud rate.
   virtual void receive(std::span<const std::uint8_t> bytes) = 0;
+  /// The line's cable is put in again or pulled out; a board without a plug does not notice.
+  virtual void plug_line(bool /*in*/) {}
   /// Called with each byte that the board has sent, when its stop bit is over.
   std::function<void(std::uint8_t)> on_sent;
 

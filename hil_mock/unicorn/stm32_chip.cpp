@@ -57,6 +57,11 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
              {0x40013800, &usart_, Bus::kApb2, 14},
              {0x40021000, &rcc_},
              {0x40022000, &flash_}};
+  tim1_.on_preload_taken = tim3_.on_preload_taken = [this] {
+    if (on_write) {
+      on_write();
+    }
+  };
   iwdg_.on_timeout = [this] {
     program_resets_ = ResetSource::kWatchdog;
     core_.interrupt();

@@ -75,7 +75,8 @@ class Stm32Chip {
   const Timer& tim3() const { return tim3_; }
   /// Called when the level of a pin has changed, by the outside or by the program.
   std::function<void(PortName port, std::uint8_t pin, bool high)> on_level;
-  /// Called when the program has written to a peripheral.
+  /// Called when the program has written to a peripheral, and when a timer takes over what it
+  /// wrote.
   std::function<void()> on_write;
   /// Called after every reset, whatever its cause, before the first instruction.
   std::function<void()> on_reset;

@@ -18,9 +18,11 @@ constexpr std::uint32_t kPsc = 0x28;
 constexpr std::uint32_t kArr = 0x2C;
 constexpr std::uint32_t kCcr1 = 0x34;
 constexpr std::uint32_t kCcr2 = 0x38;
+constexpr std::uint32_t kCcr4 = 0x40;
 
 constexpr std::uint32_t kUpdate = bit(0);
 constexpr std::uint32_t kHalfWord = 0xFFFF;
+constexpr std::uint32_t kPreload = bit(3);
 constexpr unsigned kForcedActive = 5;
 constexpr unsigned kPwmMode1 = 6;
 constexpr unsigned kPwmMode2 = 7;
@@ -35,6 +37,8 @@ constexpr std::uint32_t kEncoderOfBothInputs = 3;
 
 /// Channels count from 1.
 std::uint32_t compare_offset(unsigned channel) { return kCcr1 + 4 * (channel - 1); }
+
+bool is_compare(std::uint32_t offset) { return offset >= kCcr1 && offset <= kCcr4; }
 
 }  // namespace
 
@@ -89,7 +93,7 @@ world::PinSignal Timer::output(unsigned channel) const {
   if (mode != kPwmMode1 && mode != kPwmMode2) {
     return world::level((mode == kForcedActive) != inverted);
   }
-  const double compare = value(compare_offset(channel));
+  const double compare = compare_in_force(channel);
   const double before_match = std::min(1.0, compare / (value(kArr) + 1.0));
   const double period_us = static_cast<double>(period_cycles()) / kCyclesPerUs;
   return inverted == (mode == kPwmMode1) ? world::inverted_pulses(before_match, period_us)
@@ -97,7 +101,7 @@ world::PinSignal Timer::output(unsigned channel) const {
 }
 
 std::uint64_t Timer::pulse_cycles(unsigned channel) const {
-  return makes_pwm(channel) ? std::uint64_t{value(compare_offset(channel))} * (prescaler_ + 1) : 0;
+  return makes_pwm(channel) ? std::uint64_t{compare_in_force(channel)} * (prescaler_ + 1) : 0;
 }
 
 std::uint32_t Timer::read(std::uint32_t offset) {
@@ -123,20 +127,22 @@ void Timer::write(std::uint32_t offset, std::uint32_t value_written) {
   }
   const std::uint32_t before = count();
   const bool ran = counts_clock();
+  const bool updates = offset == kEgr && (value_written & kUpdate) != 0;
   if (offset == kSr) {
     value(kSr) &= value_written;
-  } else if (offset == kEgr && (value_written & kUpdate) != 0) {
+  } else if (updates) {
     prescaler_ = value(kPsc);
     set_flags(kUpdate);
   } else if (offset != kEgr) {
     value(offset) = value_written & kHalfWord;
   }
+  take_compares(updates);
   set_flags(0);
   if (offset == kCnt || offset == kEgr) {
     restart(offset == kCnt ? value_written & kHalfWord : 0);
   } else if (ran != counts_clock() || offset == kArr) {
     restart(before);
-  } else if (offset == kDier) {
+  } else if (offset == kDier || is_compare(offset)) {
     schedule_update();
   }
 }
@@ -144,6 +150,7 @@ void Timer::write(std::uint32_t offset, std::uint32_t value_written) {
 void Timer::reset() {
   registers_ = {};
   value(kArr) = kHalfWord;
+  compares_ = {};
   prescaler_ = 0;
   stopped_count_ = 0;
   ++schedules_;
@@ -161,6 +168,10 @@ bool Timer::is_encoder() const {
 bool Timer::is_output(unsigned channel) const {
   const bool enabled = !kind_.has_main_output_enable || (value(kBdtr) & kMainOutputEnable) != 0;
   return runs() && enabled && (mode_bits(channel) & 3U) == 0 && (enable_bits(channel) & 1U) != 0;
+}
+
+bool Timer::is_preloaded(unsigned channel) const {
+  return (mode_bits(channel) & 3U) == 0 && (mode_bits(channel) & kPreload) != 0;
 }
 
 bool Timer::makes_pwm(unsigned channel) const {
@@ -192,18 +203,56 @@ void Timer::restart(std::uint32_t count) {
   schedule_update();
 }
 
+/// With a preloaded 0 the pulse under way is the last one: behind it the pin stays as it is.
+std::uint32_t Timer::compare_in_force(unsigned channel) const {
+  const std::uint32_t compare = compares_.at(channel - 1);
+  const bool was_the_last = value(compare_offset(channel)) == 0 && count() >= compare;
+  return was_the_last ? 0 : compare;
+}
+
+/// A channel without preload takes a new compare at once, as does one that loses its preload.
+void Timer::take_compares(bool at_update) {
+  for (unsigned channel = 1; channel <= compares_.size(); ++channel) {
+    if (at_update || !is_preloaded(channel)) {
+      compares_.at(channel - 1) = value(compare_offset(channel));
+    }
+  }
+}
+
+bool Timer::has_preloads() const {
+  for (unsigned channel = 1; channel <= compares_.size(); ++channel) {
+    if (is_preloaded(channel) && compares_.at(channel - 1) != value(compare_offset(channel))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void Timer::schedule_update() {
   ++schedules_;
-  if (!counts_clock() || (value(kDier) & kUpdate) == 0) {
+  const bool interrupts = (value(kDier) & kUpdate) != 0;
+  if (!counts_clock() || (!interrupts && !has_preloads())) {
     return;
   }
   const std::uint64_t rounds = (queue_.now() - zero_cycle_) / period_cycles();
   queue_.at(zero_cycle_ + (rounds + 1) * period_cycles(), [this, schedule = schedules_] {
     if (schedule == schedules_) {
-      set_flags(kUpdate);
-      schedule_update();
+      update();
     }
   });
+}
+
+void Timer::update() {
+  if ((value(kDier) & kUpdate) != 0) {
+    set_flags(kUpdate);
+  }
+  if (has_preloads()) {
+    take_compares(true);
+    if (on_preload_taken) {
+      on_preload_taken();
+    }
+  }
+  schedule_update();
 }
 
 void Timer::set_flags(std::uint32_t flags) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "hil_mock/unicorn/event_queue.hpp"
 #include "hil_mock/unicorn/nvic.hpp"
@@ -20,8 +21,8 @@ struct TimerKind {
 
 /// A timer of the family TIM1 .. TIM4: counts up, makes PWM, captures its first input with channels
 /// 1 and 2, or counts the edges of its first two inputs as an encoder's, and interrupts. Source: ST
-/// RM0008, chapters 14 and 15. Preloads of compare and reload are not modelled, a new value holds
-/// at once; nor are filters of inputs, and the update flag while its interrupt is off.
+/// RM0008, chapters 14 and 15. The preload of the reload is not modelled, a new one holds at once;
+/// nor are filters of inputs, and the update flag while its interrupt is off.
 class Timer final : public Peripheral {
  public:
   Timer(EventQueue& queue, Nvic& nvic, TimerKind kind) : queue_(queue), nvic_(nvic), kind_(kind) {}
@@ -33,6 +34,8 @@ class Timer final : public Peripheral {
   world::PinSignal output(unsigned channel) const;
   /// Length of the channel's pulses, in cycles.
   std::uint64_t pulse_cycles(unsigned channel) const;
+  /// Called when an update has taken over compares that were preloaded.
+  std::function<void()> on_preload_taken;
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
@@ -47,6 +50,7 @@ class Timer final : public Peripheral {
   unsigned mode_bits(unsigned channel) const;
   unsigned enable_bits(unsigned channel) const;
   bool is_output(unsigned channel) const;
+  bool is_preloaded(unsigned channel) const;
   bool makes_pwm(unsigned channel) const;
   bool captures(unsigned channel, bool rising) const;
   std::uint32_t& value(std::uint32_t offset) { return registers_[offset / 4]; }
@@ -54,15 +58,20 @@ class Timer final : public Peripheral {
   std::uint64_t period_cycles() const;
   std::uint32_t count() const;
   void restart(std::uint32_t count);
+  std::uint32_t compare_in_force(unsigned channel) const;
+  void take_compares(bool at_update);
+  bool has_preloads() const;
   void schedule_update();
+  void update();
   void set_flags(std::uint32_t flags);
 
   EventQueue& queue_;
   Nvic& nvic_;
   TimerKind kind_;
   std::array<std::uint32_t, 20> registers_{};
-  std::uint32_t prescaler_ = 0;   ///< The one in force: PSC as of the last update.
-  std::uint64_t zero_cycle_ = 0;  ///< When the count was 0.
+  std::array<std::uint32_t, 4> compares_{};  ///< As of the last update, where preloaded.
+  std::uint32_t prescaler_ = 0;              ///< The one in force: PSC as of the last update.
+  std::uint64_t zero_cycle_ = 0;             ///< When the count was 0.
   std::uint32_t stopped_count_ = 0;
   std::uint32_t schedules_ = 0;
   std::array<bool, 2> inputs_{};

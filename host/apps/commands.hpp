@@ -158,7 +158,7 @@ ExitCode run_characterise(const CharacteriseOptions& options);
 struct FlashOptions {
   std::string board;             ///< Empty: what the USB id of the port says.
   std::string port;              ///< Empty: the one board here that its USB id gives away.
-  int baud = 250000;             ///< Of the board's image of this build.
+  std::optional<int> baud;       ///< Of the board's image of this build; none: the usual one.
   std::filesystem::path image;   ///< Empty: the board's image of this build.
   std::string host;              ///< Of an EV3, USER@NAME; empty: that of ev3dev.
   std::filesystem::path volume;  ///< Of a Pico's boot loader; empty: the one that is mounted.

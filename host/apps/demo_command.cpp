@@ -23,6 +23,7 @@
 #include "host/evaluation/run_score.hpp"
 #include "host/evaluation/truth_directory.hpp"
 #include "host/files/bundled_files.hpp"
+#include "host/files/toml_reader.hpp"
 #include "host/session/profile_driver.hpp"
 #include "host/session/simulated_robot.hpp"
 
@@ -63,13 +64,61 @@ void refuse_unfit_driver(const std::string& name, const RobotProfile& profile) {
     throw CommandError(
         ExitCode::kConfigInvalid,
         fmt::format("the {} cannot carry the motor driver of profile '{}', {}: it carries {}\n"
-                    "  next: another driver, or another board: {}",
+                    "  next: another driver, or another --board: {}",
                     board.what,
                     profile.name,
                     boards::words_of(kind),
                     boards::bridges_of(board),
-                    boards::boards_that_carry(kind)));
+                    fmt::join(boards::emulated_boards_that_carry(kind), ", ")));
   }
+}
+
+/// The demo that is asked for, on another board where one is named, as a command: what decides
+/// which robot drives where, and what differs from the board's own.
+console::CommandWords demo_words(const DemoOptions& options, const std::string& board) {
+  const session::SimulatedRobotOptions& robot = options.robot;
+  console::CommandWords words{"echomap", "demo", "--world", robot.world};
+  const auto say = [&words](const char* option, const std::string& value) {
+    words.insert(words.end(), {option, value});
+  };
+  say(board.empty() ? "--emulator" : "--board", board.empty() ? robot.emulator : board);
+  const std::string usual =
+      board.empty() ? RunOptions().robot : std::string(boards::board_named(board).robot);
+  if (options.run.robot != usual) {
+    say("--robot", options.run.robot);
+  }
+  if (!robot.body.empty()) {
+    say("--body", robot.body);
+  }
+  if (!robot.driver.empty()) {
+    say("--driver", robot.driver);
+  }
+  return words;
+}
+
+/// Ends the command where the body is wired for other boards, before anything starts. One without
+/// [wiring] is for every board.
+void refuse_unwired_body(const DemoOptions& options,
+                         const RobotProfile& profile,
+                         const std::filesystem::path& body) {
+  const std::string& board = options.robot.board;
+  const auto file = files::TomlReader::load(body);
+  if (board.empty() || !file.has("wiring") || file.table("wiring").has(board)) {
+    return;
+  }
+  const auto kind = static_cast<protocol::MotorBridgeKind>(profile.configuration.wiring.bridge);
+  std::vector<std::string> others = boards::emulated_boards_that_carry(kind);
+  std::erase_if(others, [&](const std::string& other) { return !file.table("wiring").has(other); });
+  const std::string what =
+      fmt::format("the robot '{}' is not wired for --board {}", profile.name, board);
+  throw CommandError(
+      ExitCode::kConfigInvalid,
+      others.empty()
+          ? fmt::format("{}\n  next: wire it in {}: [wiring.{}]", what, body.string(), board)
+          : fmt::format("{}, but for {}\n  next: {}",
+                        what,
+                        fmt::join(others, ", "),
+                        console::shell_line(demo_words(options, others.front()))));
 }
 
 /// The simulated robot has the driver that its profile names.
@@ -122,22 +171,7 @@ NextCommands next_commands(const DemoOptions& options, const std::filesystem::pa
                                                  (out / "truth").string(),
                                                  "--picture",
                                                  (out / "score.png").string()});
-  const bool has_board = !options.robot.board.empty();
-  std::vector<std::string> demo{"echomap",
-                                "demo",
-                                "--world",
-                                options.robot.world,
-                                has_board ? "--board" : "--emulator",
-                                has_board ? options.robot.board : options.robot.emulator};
-  const std::string_view usual_robot =
-      has_board ? boards::board_named(options.robot.board).robot : std::string_view(usual.robot);
-  if (options.run.robot != usual_robot) {
-    demo.insert(demo.end(), {"--robot", options.run.robot});
-  }
-  if (!options.robot.driver.empty()) {
-    demo.insert(demo.end(), {"--driver", options.robot.driver});
-  }
-  const std::string again = console::shell_line(demo);
+  const std::string again = console::shell_line(demo_words(options, options.robot.board));
   const std::string find = console::shell_line({"echomap", "localize", "--map", out.string()});
   return {score, is_usual ? score : again, find, again};
 }
@@ -214,6 +248,7 @@ ExitCode run_demo(const DemoOptions& options) {
   RobotProfile profile = profile_of(options);
   refuse_unfit_driver(options.robot.board, profile);
   const auto body = body_of(options.robot.body, profile);
+  refuse_unwired_body(options, profile, body);
   const auto out = run_folder(run.out);
   prepare_outputs(out, run.json, run.force);
   const session::Seed seed(run.seed);

@@ -2,8 +2,11 @@
 #include <filesystem>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "host/apps/commands.hpp"
 #include "host/console/print.hpp"
+#include "host/console/shell_line.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/flashing/boot_drive.hpp"
 #include "host/flashing/flash_plan.hpp"
@@ -22,15 +25,15 @@ constexpr auto kUsualBrick = "robot@ev3dev.local";
 
 /// The board's image for this speed in the build that this program is of. That of the usual speed
 /// bears no number.
-std::filesystem::path built_image(const boards::Board& board, int baud) {
+std::filesystem::path built_image(const boards::Board& board, std::optional<int> baud) {
   const auto usual = session::program_folder().parent_path() / board.image;
-  const bool is_usual = baud == session::kRobotBauds.front();
-  if (!is_usual && !board.has_image_per_baud) {
+  if (baud && !board.has_image_per_baud) {
     throw CommandError(ExitCode::kUsage,
                        "--baud is not for the " + std::string(board.what) +
                            ": it has one image\n  next: leave --baud out");
   }
-  const std::string number = is_usual ? "" : "-" + std::to_string(baud);
+  const bool is_usual = baud.value_or(session::kRobotBauds.front()) == session::kRobotBauds.front();
+  const std::string number = is_usual ? "" : "-" + std::to_string(*baud);
   return usual.parent_path() / (usual.stem().string() + number + usual.extension().string());
 }
 
@@ -68,18 +71,35 @@ ExitCode flash_brick(const FlashOptions& options, const boards::Board& board) {
   return carry_out(flashing::brick_plan(host, program), options.dry_run);
 }
 
+/// Writes the image as a file to drag; in a dry run prints how to.
+ExitCode write_uf2(const flashing::DrivePlan& plan,
+                   const std::filesystem::path& path,
+                   bool dry_run) {
+  if (dry_run) {
+    fmt::print("{}\n", console::shell_line(flashing::uf2_command(plan.image, path)));
+    return ExitCode::kOk;
+  }
+  try {
+    files::AtomicFile file(path);
+    file.write(plan.uf2);
+    file.commit();
+  } catch (const files::FileError& error) {
+    throw CommandError(ExitCode::kRuntimeError,
+                       std::string(error.what()) +
+                           "\n  next: name with --uf2 a file in a folder that you may write to");
+  }
+  console::print("wrote " + path.string() +
+                 "\n  next: hold the button BOOTSEL of a Pico while plugging it in, and drag the "
+                 "file to its drive RPI-RP2");
+  return ExitCode::kOk;
+}
+
 ExitCode flash_pico(const FlashOptions& options, const boards::Board& board) {
   flashing::DrivePlan plan;
   plan.image = image_for(options, board);
   plan.uf2 = flashing::uf2_of(flashing::read_rp2040_image(plan.image));
   if (!options.uf2.empty()) {
-    files::AtomicFile file(options.uf2);
-    file.write(plan.uf2);
-    file.commit();
-    console::print(
-        "wrote " + options.uf2.string() +
-        ": drag it to the drive RPI-RP2 of a Pico that was plugged in with BOOTSEL held");
-    return ExitCode::kOk;
+    return write_uf2(plan, options.uf2, options.dry_run);
   }
   plan.drive = flashing::choose_boot_drive(
       options.volume, flashing::mounted_boot_drives(), transport::list_usb_devices());
@@ -93,7 +113,10 @@ void refuse_options_of_others(const FlashOptions& options) {
   const auto refuse = [](std::string_view option, std::string_view board, bool is_given) {
     if (is_given) {
       throw CommandError(ExitCode::kUsage,
-                         std::string(option) + " is only for --board " + std::string(board));
+                         fmt::format("{0} is only for --board {1}\n  next: leave {0} out, or say "
+                                     "--board {1}",
+                                     option,
+                                     board));
     }
   };
   if (method != FlashMethod::kSsh) {

@@ -62,6 +62,12 @@ std::string boards_by_emulator() {
   return words;
 }
 
+/// One of these boards; for another word, the one that may be meant.
+CLI::Validator board_among(const std::vector<std::string>& names) {
+  return {[names](const std::string& name) { return boards::fault_of_board(name, names); },
+          CLI::detail::generate_set(names)};
+}
+
 std::vector<std::string> emulators_and_mock() {
   std::vector<std::string> names = boards::emulator_names();
   names.emplace_back("mock");
@@ -207,7 +213,7 @@ void add_demo(CLI::App& app, CommandAction& action) {
   command
       ->add_option(
           "--board", options->robot.board, "The board that is emulated: " + boards_by_emulator())
-      ->check(CLI::IsMember(boards::emulated_board_names()));
+      ->check(board_among(boards::emulated_board_names()));
   command->add_option("--driver",
                       options->robot.driver,
                       "Motor driver of profile and simulated robot: tb6612fng, l298n, drv8833, .. "
@@ -263,7 +269,7 @@ void add_flash(CLI::App& app, CommandAction& action) {
   CLI::App* command = app.add_subcommand("flash", "Write the firmware to a board");
   const auto options = std::make_shared<FlashOptions>();
   command->add_option("--board", options->board, "Which board; by default what its USB id says")
-      ->check(CLI::IsMember(boards::board_names()));
+      ->check(board_among(boards::board_names()));
   command
       ->add_option("--port",
                    options->port,
@@ -275,21 +281,25 @@ void add_flash(CLI::App& app, CommandAction& action) {
                       "Intel hex file, of an EV3 the program, of a Pico .bin or .uf2; by default "
                       "the one of this build");
   command
-      ->add_option("--baud",
-                   options->baud,
-                   "Speed of that image: 115200 for an HC-05 or a bridge that is set to it")
+      ->add_option(
+          "--baud",
+          options->baud,
+          "Speed of that image, by default 250000: 115200 for an HC-05 or a bridge that is "
+          "set to it")
       ->check(CLI::IsMember({9600, 115200, 250000, 500000}))
-      ->excludes("--image")
-      ->capture_default_str();
+      ->excludes("--image");
   command->add_option(
       "--host", options->host, "Of an EV3: USER@NAME for ssh; by default robot@ev3dev.local");
-  command->add_option(
+  CLI::Option* volume = command->add_option(
       "--volume",
       options->volume,
       "Of a Pico: where the drive RPI-RP2 of its boot loader is mounted; by default "
       "the one that is");
-  command->add_option(
-      "--uf2", options->uf2, "Of a Pico: write the image as this UF2 file instead of flashing it");
+  command
+      ->add_option("--uf2",
+                   options->uf2,
+                   "Of a Pico: write the image as this UF2 file instead of flashing it")
+      ->excludes(volume);
   command->add_flag("--dry-run", options->dry_run, "Only print the commands");
   command->footer("Example: echomap flash --board nano --port /dev/ttyUSB0");
   command->callback([&action, options] { action = [options] { return run_flash(*options); }; });

@@ -141,13 +141,17 @@ std::vector<std::string> emulator_names() {
   return names;
 }
 
+std::string fault_of_board(std::string_view name, const std::vector<std::string>& valid) {
+  return std::ranges::find(valid, name) != valid.end()
+             ? ""
+             : "unknown board '" + std::string(name) + "'" + files::suggestion(name, valid);
+}
+
 const Board& board_named(std::string_view name) {
   const auto& boards = all_boards();
   const auto found = std::ranges::find(boards, name, &Board::name);
   if (found == boards.end()) {
-    throw console::CommandError(
-        console::ExitCode::kUsage,
-        "unknown board '" + std::string(name) + "'" + files::suggestion(name, board_names()));
+    throw console::CommandError(console::ExitCode::kUsage, fault_of_board(name, board_names()));
   }
   return *found;
 }
@@ -206,6 +210,16 @@ std::string boards_that_carry(MotorBridgeKind kind) {
     }
   }
   return in_a_row(found, " or ");
+}
+
+std::vector<std::string> emulated_boards_that_carry(MotorBridgeKind kind) {
+  std::vector<std::string> names;
+  for (const Board& board : all_boards()) {
+    if (!board.emulator.empty() && carries(board, kind)) {
+      names.emplace_back(board.name);
+    }
+  }
+  return names;
 }
 
 }  // namespace echomap::boards

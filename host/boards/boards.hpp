@@ -47,6 +47,10 @@ std::vector<std::string> emulated_board_names();
 /// The emulators of all boards, each once.
 std::vector<std::string> emulator_names();
 
+/// What is wrong with a name that should be one of `valid`, with the one that may be meant; empty
+/// where it is one.
+std::string fault_of_board(std::string_view name, const std::vector<std::string>& valid);
+
 /// The board of this name; throws CommandError 2 where there is none.
 const Board& board_named(std::string_view name);
 
@@ -68,5 +72,8 @@ std::string bridges_of(const Board& board);
 
 /// The boards that can carry motor drivers of this kind, in words: "A, B or C".
 std::string boards_that_carry(protocol::MotorBridgeKind kind);
+
+/// The names of the boards that have an emulator and can carry motor drivers of this kind.
+std::vector<std::string> emulated_boards_that_carry(protocol::MotorBridgeKind kind);
 
 }  // namespace echomap::boards

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -110,6 +113,23 @@ class DriveFile {
                                                     : kHoldBootsel));
 }
 
+/// How long a kernel still shows the files of a drive that is gone, at most.
+constexpr std::chrono::milliseconds kTeardown(2000);
+
+bool is_of_a_lost_device(int error) { return error == EIO || error == ENODEV || error == ENXIO; }
+
+/// Whether the drive is gone, now or within `limit`.
+bool goes_away(const fs::path& drive, std::chrono::milliseconds limit) {
+  const auto end = std::chrono::steady_clock::now() + limit;
+  while (is_boot_drive(drive)) {
+    if (std::chrono::steady_clock::now() >= end) {
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return true;
+}
+
 }  // namespace
 
 bool is_boot_drive(const fs::path& folder) {
@@ -126,13 +146,15 @@ bool is_boot_drive(const fs::path& folder) {
 std::vector<fs::path> mounted_boot_drives(const fs::path& mounts) {
   std::ifstream file(mounts);
   std::vector<fs::path> drives;
+  std::set<std::string> devices;  // One may be mounted at several folders.
   std::string line;
   while (std::getline(file, line)) {
     std::istringstream words(line);
     std::string device;
     std::string folder;
     std::string kind;
-    if (words >> device >> folder >> kind && kind == "vfat" && is_boot_drive(unescaped(folder))) {
+    if (words >> device >> folder >> kind && kind == "vfat" && is_boot_drive(unescaped(folder)) &&
+        devices.insert(device).second) {
       drives.push_back(unescaped(folder));
     }
   }
@@ -176,7 +198,7 @@ void copy_to_boot_drive(std::span<const std::uint8_t> uf2,
   }
   if (sync(file.descriptor()) != 0) {
     const int error = errno;
-    if (is_boot_drive(drive)) {
+    if (!goes_away(drive, is_of_a_lost_device(error) ? kTeardown : std::chrono::milliseconds(0))) {
       refuse_to_write(path, error);
     }
   }

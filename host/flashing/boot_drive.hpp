@@ -15,7 +15,8 @@ namespace echomap::flashing {
 /// Whether a folder is the drive that an RP2040 in its boot loader shows: its INFO_UF2.TXT says so.
 bool is_boot_drive(const std::filesystem::path& folder);
 
-/// The folders where such drives are mounted; `mounts` is in the form of /proc/mounts.
+/// The folders where such drives are mounted, one for each drive; `mounts` is in the form of
+/// /proc/mounts.
 std::vector<std::filesystem::path> mounted_boot_drives(
     const std::filesystem::path& mounts = "/proc/mounts");
 
@@ -30,7 +31,8 @@ std::filesystem::path choose_boot_drive(const std::filesystem::path& named,
 using SyncFile = std::function<int(int descriptor)>;
 
 /// Writes `uf2` as `name` on the drive and waits until it is there. A drive that goes away once all
-/// is written has started the program. Throws CommandError 1 where it cannot be written.
+/// is written, within 2 s of an error of its device, has started the program. Throws CommandError 1
+/// where it cannot be written.
 void copy_to_boot_drive(std::span<const std::uint8_t> uf2,
                         const std::filesystem::path& drive,
                         const std::string& name,

@@ -13,6 +13,7 @@ namespace echomap::flashing {
 struct FlashStep {
   console::CommandWords command;
   std::string what;       ///< What it does, in words: "copy the program to the brick".
+  std::string advice;     ///< What to look at where it fails.
   int refusal = -1;       ///< The exit code by which it says that `refused` is so; -1: none.
   std::string refused{};  ///< What is wrong then, with the next step.
 };
@@ -31,8 +32,9 @@ constexpr int kBrickTcpPort = 8375;
 /// that begins with a dash would be an option of ssh.
 std::string fault_of_host(const std::string& host);
 
-/// What is wrong with a program for the EV3: it has to be an ELF of a 32-bit ARM without shared
-/// libraries. Empty where nothing is.
+/// What is wrong with a program for the EV3: it has to be an ELF for Linux on a 32-bit ARM, without
+/// shared libraries and without instructions of a floating-point unit, which the brick lacks. Empty
+/// where nothing is.
 std::string fault_of_brick_program(const std::filesystem::path& program);
 
 /// The commands that copy `program` to the brick with scp and have systemd start it by ssh, now and

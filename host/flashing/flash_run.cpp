@@ -69,13 +69,12 @@ void print_command(const console::CommandWords& command) {
   }
   throw console::CommandError(
       console::ExitCode::kRuntimeError,
-      fmt::format("{} could not {} on {} (exit code {})\n  next: see what it says above; is there "
-                  "space on the brick's card? ssh {} df -h",
+      fmt::format("{} could not {} on {} (exit code {})\n  next: see what it says above; {}",
                   step.command.front(),
                   step.what,
                   plan.host,
                   status,
-                  plan.host));
+                  step.advice));
 }
 
 /// What the second try has shown of the board.
@@ -142,24 +141,23 @@ console::ExitCode carry_out(const BrickPlan& plan, bool dry_run) {
   return console::ExitCode::kOk;
 }
 
+console::CommandWords uf2_command(const std::filesystem::path& image,
+                                  const std::filesystem::path& uf2) {
+  return {"echomap", "flash", "--board", "pico", "--image", image.string(), "--uf2", uf2.string()};
+}
+
 console::ExitCode carry_out(const DrivePlan& plan, bool dry_run) {
   auto file = plan.image;
   file.replace_extension(".uf2");
   if (file != plan.image) {
-    print_command({"echomap",
-                   "flash",
-                   "--board",
-                   "pico",
-                   "--image",
-                   plan.image.string(),
-                   "--uf2",
-                   file.string()});
+    print_command(uf2_command(plan.image, file));
   }
   print_command({"cp", file.string(), plan.drive.string()});
   if (!dry_run) {
     copy_to_boot_drive(plan.uf2, plan.drive, file.filename().string(), ::fsync);
     console::print("flashed the Pico at " + plan.drive.string() +
-                   ": it starts its program and shows a serial port");
+                   ": it starts its program and shows a serial port\n  next: echomap explore "
+                   "--robot pico_2wd --port /dev/ttyACM0");
   }
   return console::ExitCode::kOk;
 }

@@ -26,6 +26,10 @@ struct DrivePlan {
   std::filesystem::path drive;  ///< Where it is mounted.
 };
 
+/// The command that writes an image as a UF2 file.
+console::CommandWords uf2_command(const std::filesystem::path& image,
+                                  const std::filesystem::path& uf2);
+
 /// Prints the commands that copy the image to the drive, and does the same by itself unless
 /// `dry_run`. Throws CommandError 1 where the drive does not take it.
 console::ExitCode carry_out(const DrivePlan& plan, bool dry_run);

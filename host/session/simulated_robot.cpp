@@ -29,6 +29,16 @@ std::string program_of(const SimulatedRobotOptions& options) {
   return program;
 }
 
+/// What a program that has ended says of itself, without its name before and blank lines behind.
+std::string said_in(const fs::path& log) {
+  const std::string text = files::read_text_file(log);
+  const std::size_t end = text.find_last_not_of('\n');
+  const std::string said = end == std::string::npos ? "" : text.substr(0, end + 1);
+  const std::size_t colon = said.find(": ");
+  const bool is_named = said.starts_with("echomap-") && said.find(' ') == colon + 1;
+  return is_named ? said.substr(colon + 2) : said;
+}
+
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
@@ -81,7 +91,7 @@ void SimulatedRobot::wait_until_it_listens() {
     if (const auto status = process_->exit_status()) {
       const auto code = static_cast<ExitCode>(*status);
       const bool users_fault = code == ExitCode::kConfigInvalid || code == ExitCode::kUsage;
-      throw CommandError(users_fault ? code : ExitCode::kRuntimeError, files::read_text_file(log_));
+      throw CommandError(users_fault ? code : ExitCode::kRuntimeError, said_in(log_));
     }
     if (std::chrono::steady_clock::now() > end) {
       throw CommandError(ExitCode::kRuntimeError,

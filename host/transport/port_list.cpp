@@ -16,8 +16,13 @@ namespace fs = std::filesystem;
 /// The factory's serial number of every CP2102: none of its own.
 constexpr std::string_view kNumberOfAll = "0001";
 
+/// A Pico that runs the firmware of echomap, and the serial number that it has for every one.
+constexpr UsbId kPico{0x2e8a, 0x000a};
+constexpr std::string_view kNumberOfPicos = "1";
+
 bool has_own_number(const PortInfo& port) {
-  return !port.serial_number.empty() && port.serial_number != kNumberOfAll;
+  const bool is_that_of_picos = port.usb_id == kPico && port.serial_number == kNumberOfPicos;
+  return !port.serial_number.empty() && port.serial_number != kNumberOfAll && !is_that_of_picos;
 }
 
 std::string interface_of(const PortInfo& port) {

@@ -3,6 +3,9 @@
 /// has it by the data sheet.
 #include <cstdint>
 #include <cstdio>
+#include <map>
+#include <optional>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -31,6 +34,26 @@ world::Mpu6050 ideal_gyro() {
 double turned_deg(const protocol::Gyro& message) {
   constexpr double kPerDegPerS = 65.5;
   return message.yaw_sum / kPerDegPerS * kPeriodMs * 1e-3;
+}
+
+using PinSetting = std::uint8_t protocol::ConfigurePins::*;
+
+/// Two spare pins: the number of the first, and both settings.
+struct BusPins {
+  unsigned first;
+  PinSetting settings[2];
+};
+
+/// Those that the bus takes; none on a board whose bus has pins of its own.
+std::optional<BusPins> bus_pins_of(const std::string& board) {
+  using protocol::ConfigurePins;
+  static const std::map<std::string, BusPins> boards{
+      {"uno", {3, {&ConfigurePins::pin_3, &ConfigurePins::pin_4}}},
+      {"stm32f103", {9, {&ConfigurePins::pin_9, &ConfigurePins::pin_10}}},
+      {"pico", {7, {&ConfigurePins::pin_7, &ConfigurePins::pin_8}}},
+  };
+  const auto found = boards.find(board);
+  return found == boards.end() ? std::nullopt : std::optional(found->second);
 }
 
 class GyroOnTheBus : public OnEveryBoard {
@@ -115,10 +138,11 @@ TEST_P(GyroOnTheBus, TheBusIsLeftAloneWhileTheGyroIsOff) {
 }
 
 TEST_P(GyroOnTheBus, ItsPinsAreSparePinsAgainWhenItIsOff) {
-  if (robot.board().board_name() == "mega") {
-    return;  // Its bus has pins of its own.
+  const auto bus = bus_pins_of(robot.board().board_name());
+  if (!bus) {
+    EXPECT_EQ(robot.board().board_name(), "mega");
+    return;
   }
-  const bool is_stm32 = robot.board().board_name() == "stm32f103";
   robot.board().connect(gyro);
   ASSERT_TRUE(robot.connect());
   ASSERT_EQ(robot.command(kGyroOn), CommandStatus::kAccepted);
@@ -127,25 +151,25 @@ TEST_P(GyroOnTheBus, ItsPinsAreSparePinsAgainWhenItIsOff) {
   pins.pin_0 = protocol::kPinStepperPhaseA;
   pins.pin_1 = protocol::kPinStepperPhaseA + 1;
   pins.pin_2 = protocol::kPinStepperPhaseA + 2;
-  (is_stm32 ? pins.pin_9 : pins.pin_3) = protocol::kPinStepperPhaseA + 3;
+  pins.*bus->settings[0] = protocol::kPinStepperPhaseA + 3;
   ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
   ASSERT_EQ(robot.command(protocol::ConfigureSensors{0, 0, 0, 1}), CommandStatus::kAccepted);
   ASSERT_EQ(robot.command(protocol::ConfigurePan{0, 1, 0, 0, 4076, -72000, 72000, 50}),
             CommandStatus::kAccepted);
   ASSERT_EQ(robot.command(protocol::StartSweep{0, 0, 9000, 9000, 20}), CommandStatus::kAccepted);
-  const unsigned bus_pin = is_stm32 ? 9 : 3;
-  EXPECT_TRUE(robot.run_until([&] { return robot.board().aux_output(bus_pin); }, 1000));
+  EXPECT_TRUE(robot.run_until([&] { return robot.board().aux_output(bus->first); }, 1000));
 }
 
 TEST_P(GyroOnTheBus, SparePinsThatAreTheBusRefuseTheGyro) {
+  constexpr BusPins kNoBus{3, {&protocol::ConfigurePins::pin_3, &protocol::ConfigurePins::pin_4}};
   ASSERT_TRUE(robot.connect());
-  protocol::ConfigurePins pins{};
-  const bool is_stm32 = robot.board().board_name() == "stm32f103";
-  (is_stm32 ? pins.pin_10 : pins.pin_3) = protocol::kPinWheelDrop | protocol::kPinActiveHigh;
-  ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
-  const bool bus_is_spare = is_stm32 || robot.board().board_name() == "uno";
-  EXPECT_EQ(robot.command(kGyroOn),
-            bus_is_spare ? CommandStatus::kOutOfRange : CommandStatus::kAccepted);
+  const auto bus = bus_pins_of(robot.board().board_name());
+  for (const PinSetting setting : bus.value_or(kNoBus).settings) {
+    protocol::ConfigurePins pins{};
+    pins.*setting = protocol::kPinWheelDrop | protocol::kPinActiveHigh;
+    ASSERT_EQ(robot.command(pins), CommandStatus::kAccepted);
+    EXPECT_EQ(robot.command(kGyroOn), bus ? CommandStatus::kOutOfRange : CommandStatus::kAccepted);
+  }
 }
 
 class GyroUnderLoad : public ::testing::TestWithParam<const char*> {};

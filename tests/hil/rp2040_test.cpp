@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
@@ -16,6 +15,7 @@
 #include "hil_mock/rp2040/rp2040_board.hpp"
 #include "tests/hil/release_images.hpp"
 #include "tests/hil/robot_session.hpp"
+#include "tests/hil/turning_wheel.hpp"
 #include "tests/support/simulated_time.hpp"
 
 namespace echomap::tests {
@@ -93,48 +93,19 @@ class PicoEncoders : public ::testing::TestWithParam<int> {};
 
 INSTANTIATE_TEST_SUITE_P(JitterPercent, PicoEncoders, ::testing::Values(0, 20, 40));
 
-/// One wheel's edges at a rate, each off its time by up to so much of the period.
-class JitteryWheel {
- public:
-  JitteryWheel(runner::SimulatedBoard& board, Wheel wheel, double jitter, std::uint32_t seed)
-      : board_(board), wheel_(wheel), jitter_(-jitter, jitter), random_(seed) {}
-
-  void turn(std::int64_t period_ns, int edges) {
-    const std::int64_t start_ns = board_.now_ns() + period_ns;
-    for (int i = 0; i < std::abs(edges); ++i) {
-      count_ += edges > 0 ? 1 : -1;
-      const auto phase = static_cast<unsigned>(count_) & 3U;
-      const double off_ns = jitter_(random_) * double(period_ns);
-      board_.schedule_encoder_edge(wheel_,
-                                   start_ns + i * period_ns + std::int64_t(off_ns),
-                                   phase == 1 || phase == 2,
-                                   phase >= 2);
-    }
-  }
-
-  std::int16_t count() const { return static_cast<std::int16_t>(count_); }
-
- private:
-  runner::SimulatedBoard& board_;
-  Wheel wheel_;
-  std::uniform_real_distribution<double> jitter_;
-  std::mt19937 random_;
-  int count_ = 0;
-};
-
 TEST_P(PicoEncoders, CountEveryOfTwoHundredThousandEdgesASecondOfBothWheels) {
-  constexpr std::int64_t kPeriodNs = 5'000;
-  constexpr int kEdgesOfStep = 1'000;
+  constexpr double kEdgesPerS = 200'000.0;
+  constexpr std::int64_t kStepMs = 5;
   constexpr int kSteps = 20;
   RobotSession robot{release_image(kImage)};
   ASSERT_TRUE(robot.connect());
   const double jitter = GetParam() * 1e-2;
-  JitteryWheel left(robot.board(), Wheel::kLeft, jitter, 1);
-  JitteryWheel right(robot.board(), Wheel::kRight, jitter, 2);
+  TurningWheel left(robot.board(), Wheel::kLeft, {jitter, 1});
+  TurningWheel right(robot.board(), Wheel::kRight, {jitter, 2});
   for (int step = 0; step < kSteps; ++step) {
-    left.turn(kPeriodNs, step % 4 == 3 ? -kEdgesOfStep : kEdgesOfStep);
-    right.turn(kPeriodNs, step % 3 == 0 ? kEdgesOfStep : -kEdgesOfStep);
-    robot.run_ms((kEdgesOfStep + 2) * kPeriodNs / kMs + 1);
+    left.turn(step % 4 == 3 ? -kEdgesPerS : kEdgesPerS, kStepMs * kMs);
+    right.turn(step % 3 == 0 ? kEdgesPerS : -kEdgesPerS, kStepMs * kMs);
+    robot.run_ms(kStepMs + 1);
   }
   robot.run_ms(50);
   const auto odometry = robot.last<protocol::Odometry>();

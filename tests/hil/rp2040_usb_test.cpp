@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The Pico on its USB cable, with a host like Linux at the other end.
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ namespace {
 
 using rp2040::PicoLine;
 using rp2040::Rp2040Board;
+using rp2040::UsbResume;
 using rp2040::UsbTransfer;
 using runner::Wheel;
 
@@ -152,16 +154,55 @@ TEST_F(PicoOnUsb, IsEnumeratedAgainAfterABusReset) {
 TEST_F(PicoOnUsb, GoesOnAfterAReplugWithoutAReset) {
   run_ms(kPlugInMs);
   ASSERT_TRUE(answers_hello(4711));
-  board.usb_host().plug(false, board.now_ns());
+  board.plug_line(false);
+  EXPECT_FALSE(board.usb_host().is_open());
   run_ms(300);
   bytes.clear();
   run_ms(100);
   EXPECT_TRUE(bytes.empty());
-  board.usb_host().plug(true, board.now_ns());
+  board.plug_line(true);
   run_ms(kPlugInMs);
   EXPECT_TRUE(board.usb_host().is_open());
+  EXPECT_EQ(board.usb_host().enumerations(), 2U);
   EXPECT_TRUE(answers_hello(4711));
   EXPECT_EQ(board.resets(), 0U);
+}
+
+class PicoOfASleepingHost : protected UsbRobot, public ::testing::TestWithParam<UsbResume> {};
+
+INSTANTIATE_TEST_SUITE_P(Resumes,
+                         PicoOfASleepingHost,
+                         ::testing::Values(UsbResume::kNoticed, UsbResume::kMissed),
+                         [](const auto& test) {
+                           return test.param == UsbResume::kNoticed ? "Noticed" : "Missed";
+                         });
+
+TEST_P(PicoOfASleepingHost, IsSilentMeanwhileAndThenAnswersAsBefore) {
+  run_ms(kPlugInMs);
+  ASSERT_TRUE(answers_hello(4711));
+  board.usb_host().suspend();
+  run_ms(300);
+  const std::size_t told = bytes.size();
+  board.usb_host().resume(GetParam());
+  EXPECT_EQ(bytes.size(), told);
+  EXPECT_TRUE(answers_hello(4711));
+  odometries = 0;
+  run_ms(1'000);
+  EXPECT_NEAR(odometries, 50, 1);
+  EXPECT_EQ(board.usb_host().enumerations(), 1U);
+  EXPECT_EQ(board.resets(), 0U);
+}
+
+TEST_P(PicoOfASleepingHost, TelemetersAfterwardsToOneThatOnlyAsksForItsConfiguration) {
+  run_ms(kPlugInMs);
+  ASSERT_TRUE(answers_hello(4711));
+  board.usb_host().suspend();
+  run_ms(300);
+  board.usb_host().resume(GetParam());
+  EXPECT_EQ(control({0x80, 8, 0, 0, 1}).bytes, std::vector<std::uint8_t>{1});
+  odometries = 0;
+  run_ms(1'000);
+  EXPECT_NEAR(odometries, 50, 1);
 }
 
 /// A robot on the cable whose motors turn its wheels, and a host that keeps it going.
@@ -190,6 +231,24 @@ class DrivenPicoOnUsb : public PicoOnUsb {
     EXPECT_NEAR(right.ticks_per_s(), 1500.0, 60.0);
   }
 
+  /// Driven, it stands once the host is `gone`, and when it is `back`, until it is driven again.
+  void expect_it_stands(const std::function<void()>& gone, const std::function<void()>& back) {
+    run_ms(kPlugInMs);
+    drive(1);
+    const std::int64_t gone_ms = board.now_ns() / kMs;
+    gone();
+    run_driven_ms(1'000);
+    EXPECT_GT(last_driven_ms, gone_ms) << "it brakes, with the motors";
+    EXPECT_LE(last_driven_ms - gone_ms, kTimeToLiveMs + 100);
+    const std::int64_t stood_ms = last_driven_ms;
+    back();
+    run_driven_ms(kPlugInMs + 500);
+    EXPECT_TRUE(board.usb_host().is_open());
+    EXPECT_EQ(last_driven_ms, stood_ms) << "keeping it alive does not start it";
+    EXPECT_EQ(board.resets(), 0U);
+    drive(2);
+  }
+
   bool is_off() const {
     const runner::MotorDuty duty = board.motor_duty(driver);
     return duty.left == 0.0 && duty.right == 0.0;
@@ -202,20 +261,13 @@ class DrivenPicoOnUsb : public PicoOnUsb {
 };
 
 TEST_F(DrivenPicoOnUsb, StandsOnceItsCableIsOutAndUntilItIsDrivenAgain) {
-  run_ms(kPlugInMs);
-  drive(1);
-  const std::int64_t unplugged_ms = board.now_ns() / kMs;
-  board.usb_host().plug(false, board.now_ns());
-  run_driven_ms(1'000);
-  EXPECT_GT(last_driven_ms, unplugged_ms) << "it brakes, with the motors";
-  EXPECT_LE(last_driven_ms - unplugged_ms, kTimeToLiveMs + 100);
-  const std::int64_t stood_ms = last_driven_ms;
-  board.usb_host().plug(true, board.now_ns());
-  run_driven_ms(kPlugInMs + 500);
-  EXPECT_TRUE(board.usb_host().is_open());
-  EXPECT_EQ(last_driven_ms, stood_ms) << "keeping it alive does not start it";
-  EXPECT_EQ(board.resets(), 0U);
-  drive(2);
+  expect_it_stands([this] { board.usb_host().plug(false, board.now_ns()); },
+                   [this] { board.usb_host().plug(true, board.now_ns()); });
+}
+
+TEST_F(DrivenPicoOnUsb, StandsOnceItsHostSleepsAndUntilItIsDrivenAgain) {
+  expect_it_stands([this] { board.usb_host().suspend(); },
+                   [this] { board.usb_host().resume(UsbResume::kNoticed); });
 }
 
 TEST_F(PicoOnUsb, SendsTheSameBytesAtTheSameTimesInEveryRun) {

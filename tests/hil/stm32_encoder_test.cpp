@@ -2,7 +2,6 @@
 /// The STM32F103's timers count wheels far above what the AVR boards can, evenly or not.
 #include <cstdint>
 #include <cstdio>
-#include <random>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -10,41 +9,11 @@
 #include "hil_mock/unicorn/unicorn_board.hpp"
 #include "tests/hil/release_images.hpp"
 #include "tests/hil/robot_session.hpp"
+#include "tests/hil/turning_wheel.hpp"
+#include "tests/support/simulated_time.hpp"
 
 namespace echomap::tests {
 namespace {
-
-/// A wheel whose every edge comes early or late by up to a share of the time between two.
-class UnevenWheel {
- public:
-  UnevenWheel(RobotSession& robot, runner::Wheel wheel, double edges_per_s, double jitter)
-      : robot_(robot), wheel_(wheel), edge_ns_(1e9 / edges_per_s), shift_(-jitter, jitter) {}
-
-  /// Schedules the edges of the next millisecond.
-  void turn_one_ms(int direction) {
-    constexpr double kMsNs = 1e6;
-    const double start_ns = double(robot_.board().now_ns());
-    for (; next_ns_ < kMsNs; next_ns_ += edge_ns_) {
-      count_ += direction;
-      const auto phase = static_cast<unsigned>(count_) & 3U;
-      const double at_ns = start_ns + next_ns_ + edge_ns_ * (1.0 + shift_(generator_));
-      robot_.board().schedule_encoder_edge(
-          wheel_, std::int64_t(at_ns), phase == 1 || phase == 2, phase >= 2);
-    }
-    next_ns_ -= kMsNs;
-  }
-
-  std::int64_t count() const { return count_; }
-
- private:
-  RobotSession& robot_;
-  runner::Wheel wheel_;
-  double edge_ns_;
-  std::uniform_real_distribution<double> shift_;
-  std::mt19937 generator_{4711};
-  double next_ns_ = 0.0;
-  std::int64_t count_ = 0;
-};
 
 class Stm32Encoders : public ::testing::TestWithParam<std::tuple<int, int>> {};
 
@@ -62,11 +31,12 @@ TEST_P(Stm32Encoders, CountEveryEdgeOfBothWheels) {
   RobotSession robot{release_image("echomap-stm32f103")};
   ASSERT_TRUE(robot.connect());
   const double jitter = jitter_percent / 100.0;
-  UnevenWheel left(robot, runner::Wheel::kLeft, edges_per_s, jitter);
-  UnevenWheel right(robot, runner::Wheel::kRight, 1.0027 * edges_per_s, jitter);
+  TurningWheel left(robot.board(), runner::Wheel::kLeft, {jitter, 1});
+  TurningWheel right(robot.board(), runner::Wheel::kRight, {jitter, 2});
   for (int ms = 0; ms < 2000; ++ms) {
-    left.turn_one_ms(ms < 1500 ? 1 : -1);
-    right.turn_one_ms(ms < 1500 ? -1 : 1);
+    const double rate = ms < 1500 ? edges_per_s : -edges_per_s;
+    left.turn(rate, kMs);
+    right.turn(-1.0027 * rate, kMs);
     robot.run_ms(1);
   }
   robot.run_ms(200);

@@ -17,6 +17,7 @@ using files::read_text_file;
 using files::write_text_file;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
@@ -76,7 +77,8 @@ TEST_F(DemoOptions, ABrokenBodyIsPlaced) {
   write_text_file(path("body.toml"), with(body_text, "track_m", "trakc_m"));
   const Ended ended = run({"--body=" + path("body.toml")});
   EXPECT_EQ(ended.status, 6);
-  EXPECT_THAT(ended.said, HasSubstr(path("body.toml") + ":"));
+  EXPECT_THAT(ended.said, StartsWith("echomap: error: " + path("body.toml") + ":"));
+  EXPECT_THAT(ended.said, Not(HasSubstr("\n\n")));
 }
 
 TEST_F(DemoOptions, TheScoresStandInTheRunDirectoryToo) {
@@ -113,6 +115,18 @@ TEST_F(DemoOptions, ARunSaysHowItHasEndedAndWhatToTypeNext) {
   EXPECT_THAT(ended.said,
               HasSubstr(summary.at("why").get<std::string>() +
                         "\n  next: echomap demo --world living_room --emulator mock\n"));
+}
+
+TEST_F(DemoOptions, TheNextCommandIsOfTheSameRobotBodyAndDriver) {
+  const std::string robot = "--robot=" + path("robot.toml");
+  write_text_file(path("robot.toml"), with(profile_text, "\"uno_2wd\"", "\"mine\""));
+  write_text_file(path("body.toml"), body_text);
+  const Ended ended =
+      run({"--stops=1", "--no-kidnap", robot, "--body=" + path("body.toml"), "--driver=tb6612fng"});
+  EXPECT_EQ(ended.status, kUnfinished) << ended.said;
+  EXPECT_EQ(json("run/summary.json").at("next"),
+            "echomap demo --world living_room --emulator mock --robot " + path("robot.toml") +
+                " --body " + path("body.toml") + " --driver tb6612fng");
 }
 
 TEST_F(DemoOptions, ARunIsNotOverwrittenUnlessForced) {

@@ -58,7 +58,7 @@ TEST_F(Flash, LeavesThePtyOfAnEmulatedRobotAlone) {
 TEST_F(Flash, RefusesABoardThatItDoesNotKnow) {
   const Ended ended = flash({"--board=due"});
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.said, HasSubstr("uno,nano,mega"));
+  EXPECT_THAT(ended.said, HasSubstr("valid here: uno, nano, mega"));
 }
 
 /// The image of an RP2040 that this test makes: a boot stage with its checksum, and vectors.
@@ -93,10 +93,25 @@ TEST_F(Flash, WritesAPicosImageAsAFileToDrag) {
       flash({"--board=pico", "--image=" + (scratch / "pico.bin").string(), "--uf2=" + uf2});
   EXPECT_EQ(ended.status, 0) << ended.said;
   EXPECT_EQ(files::read_text_file(uf2).substr(0, 4), "UF2\n");
+  EXPECT_THAT(ended.said, HasSubstr("next: hold the button BOOTSEL"));
   files::write_text_file(scratch / "uno.hex", ":100000000C9434000C943E000C943E000C943E0082\n");
   const Ended refused = flash({"--board=pico", "--image=" + (scratch / "uno.hex").string()});
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.said, HasSubstr("too few for a boot stage"));
+}
+
+TEST_F(Flash, WritesNoFileToDragInADryRunNorWhereItMayNot) {
+  files::write_text_file(scratch / "pico.bin", pico_image());
+  const std::string image = (scratch / "pico.bin").string();
+  const std::string uf2 = (scratch / "to_drag.uf2").string();
+  const Ended dry = flash({"--board=pico", "--image=" + image, "--uf2=" + uf2, "--dry-run"});
+  EXPECT_EQ(dry.status, 0);
+  EXPECT_EQ(dry.said, "echomap flash --board pico --image " + image + " --uf2 " + uf2 + "\n");
+  EXPECT_FALSE(fs::exists(uf2));
+  const std::string nowhere = (scratch / "no_folder" / "x.uf2").string();
+  const Ended refused = flash({"--board=pico", "--image=" + image, "--uf2=" + nowhere});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.said, AllOf(HasSubstr("cannot create " + nowhere), HasSubstr("\n  next: ")));
 }
 
 /// ssh and scp before the real ones in PATH: no host is ever asked.

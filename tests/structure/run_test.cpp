@@ -124,7 +124,7 @@ class RunFlash : public RunWithStandIns {
   void SetUp() override {
     RunWithStandIns::SetUp();
     stand_in("dpkg-query", "printf installed");
-    stand_in("cmake", "echo \"called: cmake $*\"; echo firmware_uno: phony");
+    stand_in("cmake", "echo \"called: cmake $*\"; echo echomap: phony; echo firmware_uno: phony");
     fs::create_directories(build_ / "bin");
     for (const std::string name : {"run", "packages.txt"}) {
       fs::copy_file(fs::path(ECHOMAP_SOURCE_DIR) / name, folder() / "tree" / name);
@@ -138,10 +138,10 @@ class RunFlash : public RunWithStandIns {
   const fs::path build_ = folder() / "tree" / "build" / "release";
 };
 
-TEST_F(RunFlash, BuildsTheBoardsThatThisMachineCanAndLeavesTheRestToTheProgram) {
+TEST_F(RunFlash, BuildsTheBoardThatIsAskedForAndLeavesTheRestToTheProgram) {
   const ShellResult result = run_flash("--board nano --port /dev/ttyUSB0");
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.output, HasSubstr("--target firmware_uno\n"));
+  EXPECT_THAT(result.output, HasSubstr("--target echomap firmware_uno\n"));
   EXPECT_THAT(result.output, HasSubstr("called: echomap flash --board nano --port /dev/ttyUSB0\n"));
 }
 
@@ -150,6 +150,26 @@ TEST_F(RunFlash, ConfiguresAnewAfterAConfigurationThatFailed) {
   EXPECT_THAT(run_flash("").output, HasSubstr("--preset release"));
   std::ofstream(build_ / "build.ninja") << "\n";
   EXPECT_THAT(run_flash("").output, Not(HasSubstr("--preset")));
+}
+
+/// As after ./run setup --all in a tree that ./run demo has configured.
+TEST_F(RunFlash, ConfiguresAnewForABoardWhoseCompilerHasComeSince) {
+  std::ofstream(build_ / "build.ninja") << "\n";
+  stand_in("cmake",
+           "case $* in *--preset*) echo >" + shell_quoted((build_ / "anew").string()) +
+               ";; *help) echo echomap: phony; [ ! -e " + shell_quoted((build_ / "anew").string()) +
+               " ] || echo firmware_ev3: phony ;; *) echo \"built:${*##*--target}\" ;; esac");
+  const ShellResult result = run_flash("--board ev3");
+  EXPECT_EQ(result.exit_code, 3) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("built: echomap firmware_ev3\n"));
+}
+
+TEST_F(RunFlash, SaysHowToGetTheCompilerOfABoardThatItCannotBuild) {
+  std::ofstream(build_ / "build.ninja") << "\n";
+  const ShellResult result = run_flash("--board pico");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, HasSubstr("next: ./run setup --all"));
+  EXPECT_THAT(result.output, Not(HasSubstr("called: echomap")));
 }
 
 /// ./run demo, with a cmake that knows every target.

@@ -17,12 +17,6 @@ void wait_for(const Register& status, uint32_t bits) {
   }
 }
 
-void release(uint32_t parts) {
-  set_bits(resets().reset, parts);
-  clear_bits(resets().reset, parts);
-  wait_for(resets().done, parts);
-}
-
 void start_crystal() {
   constexpr uint32_t kStartOf1Ms = 47;  // Times 256 periods.
   crystal().startup = kStartOf1Ms;
@@ -48,11 +42,17 @@ void choose(ClockRegisters& clock, uint32_t source) {
 
 }  // namespace
 
+void reset_parts(uint32_t parts) {
+  set_bits(resets().reset, parts);
+  clear_bits(resets().reset, parts);
+  wait_for(resets().done, parts);
+}
+
 void start_clock() {
   start_crystal();
   choose(clocks().sys, kClockSysFromRef);
   choose(clocks().ref, kClockRefFromCrystal);
-  release(kResetPllSys | kResetPllUsb);
+  reset_parts(kResetPllSys | kResetPllUsb);
   start_pll(pll_sys(), 125, 6, 2);
   start_pll(pll_usb(), 100, 5, 5);
   choose(clocks().sys, kClockSysFromPll);
@@ -60,7 +60,7 @@ void start_clock() {
   clocks().usb.ctrl = kClockEnable;
   clocks().adc.ctrl = kClockEnable;
   watchdog().tick = kWatchdogTickEnable | kCrystalMhz;
-  release(kPartsOfOurs);
+  reset_parts(kPartsOfOurs);
 }
 
 }  // namespace boards

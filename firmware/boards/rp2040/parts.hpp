@@ -10,6 +10,8 @@ namespace boards {
 /// 125 MHz for the core, its peripherals and the serial port, 48 MHz for USB and the converter,
 /// microseconds for timer and watchdog; all other parts out of their reset. First of all.
 void start_clock();
+/// Makes parts of the chip, by their bits in RESETS, as they are after power-on.
+void reset_parts(uint32_t parts);
 
 /// PWM slices 5 and 6: motor PWM or servo pulses, off.
 void start_motors();

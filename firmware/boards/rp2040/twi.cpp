@@ -45,11 +45,13 @@ void free_bus() {
   }
 }
 
+/// Switched off in the middle of a transfer, the unit may stay active: only a reset ends that.
+///
 /// 4.3.14: 400 kbit/s are 312 cycles of 8 ns, low for 1.5 us of 2.5; SDA holds for 300 ns, and
 /// spikes of up to 88 ns are none.
 void take_bus() {
   free_bus();
-  i2c0().enable = 0;
+  reset_parts(kResetI2c0);
   i2c0().con = kI2cConMaster | kI2cConFast | kI2cConRestart | kI2cConNoSlave;
   i2c0().fs_scl_lcnt = 187;
   i2c0().fs_scl_hcnt = 125;

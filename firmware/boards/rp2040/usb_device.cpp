@@ -20,6 +20,7 @@ constexpr uint32_t kDataReceived = bit(2 * usb::kDataEndpoint + 1);
 constexpr uint32_t kStallBothWays = 3;
 constexpr uint32_t kAlwaysOn =
     kUsbInterruptBuffers | kUsbInterruptBusReset | kUsbInterruptSetup | kUsbInterruptResume;
+constexpr uint32_t kTransactions = kUsbInterruptBuffers | kUsbInterruptSetup;
 
 usb::ControlTransfers transfers;
 uint32_t control_data_bit = kBufferData1;
@@ -136,6 +137,7 @@ void take_suspend() {
   update_line();
 }
 
+/// Begins with the controller's notice, or without it with the first transaction.
 void take_resume() {
   usb_controller().sie_status = kUsbStatusResume | kUsbStatusSuspended;
   usb_controller().inte = kAlwaysOn | kUsbInterruptSuspend;
@@ -176,6 +178,9 @@ extern "C" void on_usb() {
   const uint32_t causes = usb_controller().ints;
   if ((causes & kUsbInterruptBusReset) != 0) {
     take_bus_reset();
+  }
+  if (suspended && (causes & kTransactions) != 0) {
+    take_resume();
   }
   if ((causes & kUsbInterruptBuffers) != 0) {
     take_buffers();

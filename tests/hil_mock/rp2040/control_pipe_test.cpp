@@ -23,6 +23,8 @@ class ScriptedDevice final : public UsbCable {
   bool is_attached() const override { return true; }
   bool has_bulk_in() const override { return false; }
   void reset_bus() override {}
+  void suspend_bus() override {}
+  void resume_bus(UsbResume) override {}
   UsbAnswer setup(std::uint8_t address, std::span<const std::uint8_t> packet) override {
     last_address = address;
     setup_packet.assign(packet.begin(), packet.end());

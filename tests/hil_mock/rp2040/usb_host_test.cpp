@@ -18,6 +18,8 @@ class FakeDevice final : public UsbCable {
     ++resets_;
     address_ = 0;
   }
+  void suspend_bus() override { suspended_ = true; }
+  void resume_bus(UsbResume) override { suspended_ = false; }
   UsbAnswer setup(std::uint8_t address, std::span<const std::uint8_t> packet) override {
     if (address != address_) {
       return UsbAnswer::kNone;
@@ -51,6 +53,7 @@ class FakeDevice final : public UsbCable {
                 std::uint8_t endpoint,
                 bool,
                 std::span<const std::uint8_t> bytes) override {
+    EXPECT_FALSE(suspended_);
     if (endpoint == 2) {
       received_.insert(received_.end(), bytes.begin(), bytes.end());
     }
@@ -58,6 +61,7 @@ class FakeDevice final : public UsbCable {
   }
 
   bool plugged_ = false;
+  bool suspended_ = false;
   bool has_bulk_in_ = false;
   bool stalls_strings_ = false;
   bool data1_ = false;
@@ -130,6 +134,39 @@ TEST(UsbHost, OnlyPollsWhileNeitherSideHasBytes) {
   EXPECT_TRUE(host.only_polls());
   device.plugged_ = false;
   EXPECT_FALSE(host.only_polls()) << "the device is gone";
+}
+
+TEST(UsbHost, SendsNothingWhileItSleepsAndThenTheRestWithoutEnumeratingAgain) {
+  FakeDevice device;
+  UsbHost host(device);
+  std::int64_t now_ns = 0;
+  host.plug(true, 0);
+  run_until_s(host, now_ns, 1.0);
+  host.suspend();
+  EXPECT_TRUE(device.suspended_);
+  EXPECT_FALSE(host.only_polls());
+  host.send(std::vector<std::uint8_t>{1});
+  run_until_s(host, now_ns, 1.5);
+  EXPECT_TRUE(device.received_.empty());
+  host.resume(UsbResume::kNoticed);
+  run_until_s(host, now_ns, 1.6);
+  EXPECT_EQ(device.received_, std::vector<std::uint8_t>{1});
+  EXPECT_EQ(host.enumerations(), 1U);
+}
+
+TEST(UsbHost, IsAwakeAfterAReplug) {
+  FakeDevice device;
+  UsbHost host(device);
+  std::int64_t now_ns = 0;
+  host.plug(true, 0);
+  run_until_s(host, now_ns, 1.0);
+  host.suspend();
+  host.plug(false, now_ns);
+  run_until_s(host, now_ns, 1.1);
+  device.suspended_ = false;
+  host.plug(true, now_ns);
+  run_until_s(host, now_ns, 2.0);
+  EXPECT_TRUE(host.is_open());
 }
 
 TEST(UsbHost, ForgetsWhatWasNotSentBeforeItsCableWasPulled) {

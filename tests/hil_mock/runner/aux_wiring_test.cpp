@@ -83,9 +83,10 @@ TEST(AuxWiring, ARobotThatIsWiredForOtherBoardsIsRefused) {
     AuxWiring(board, robot_world);
     FAIL() << "no error";
   } catch (const files::ConfigError& error) {
-    EXPECT_THAT(error.what(),
-                testing::HasSubstr(
-                    "wired is not wired for the board uno; its file has [wiring] for: fake"));
+    EXPECT_THAT(
+        error.what(),
+        testing::HasSubstr("wired is not wired for the board uno; its file has [wiring] for: fake\n"
+                           "  next: run it on one of these, or add [wiring.uno] to its file"));
   }
 }
 

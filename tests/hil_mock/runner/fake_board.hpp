@@ -44,6 +44,7 @@ class FakeBoard : public SimulatedBoard {
     received.insert(received.end(), bytes.begin(), bytes.end());
     received_at_ns = time_ns;
   }
+  void plug_line(bool in) override { plugged.push_back(in); }
   world::DriverInputs driver_inputs(Wheel wheel, world::DriverInterface interface) const override {
     return world::inputs_for(
         interface, wheel == Wheel::kLeft ? duty.left : duty.right, false, kPwmPeriodUs);
@@ -71,6 +72,7 @@ class FakeBoard : public SimulatedBoard {
 
   std::int64_t time_ns = 0;
   int resets = 0;
+  std::vector<bool> plugged;  ///< What plug_line has told, in turn.
   std::int64_t stop_at_ns = INT64_MAX;
   std::int64_t received_at_ns = -1;
   MotorDuty duty;

@@ -100,6 +100,26 @@ TEST(FaultyBoard, PassesNothingEitherWayWhileTheCableIsCut) {
   EXPECT_EQ(sent, frames(1));
 }
 
+TEST(FaultyBoard, PullsThePlugOnceForTheTimeThatNothingPasses) {
+  auto inner = std::make_unique<FakeBoard>();
+  FakeBoard& fake = *inner;
+  FaultyBoard board(std::move(inner), {.faults = line_faults::parse_line_faults("away=1:5")});
+  const auto run_to_ms = [&board](std::int64_t ms) {
+    while (board.now_ns() < ms * 1'000'000) {
+      board.run_until(board.now_ns() + 1'000'000);
+    }
+  };
+  run_to_ms(1'000);
+  EXPECT_EQ(fake.plugged, std::vector<bool>());
+  run_to_ms(6'000);
+  EXPECT_EQ(fake.plugged, std::vector<bool>{false});
+  run_to_ms(7'000);
+  EXPECT_EQ(fake.plugged, (std::vector<bool>{false, true}));
+  board.cut_cable(1'000'000);
+  run_to_ms(8'000);
+  EXPECT_EQ(fake.plugged, (std::vector<bool>{false, true, false, true}));
+}
+
 TEST(FaultyBoard, ACutTakesWhatIsOnItsWay) {
   auto inner = std::make_unique<FakeBoard>();
   FakeBoard& fake = *inner;

@@ -2,6 +2,7 @@
 #include "hil_mock/unicorn/timer.hpp"
 
 #include <cstdint>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -114,6 +115,105 @@ TEST_F(TenCycleTimer, PwmIsInvertedByPolarityOrByItsSecondMode) {
   EXPECT_EQ(timer.output(1), world::level(true)) << "forced active";
   timer.write(kCcmr1, 0x40);
   EXPECT_EQ(timer.output(1), world::level(false)) << "forced inactive";
+}
+
+/// With PWM on channel 1 whose compares are preloaded, and no interrupt.
+class PreloadedTimer : public TenCycleTimer {
+ protected:
+  static constexpr std::uint32_t kPwm = 0x60;
+  static constexpr std::uint32_t kPreloadedPwm = 0x68;
+
+  PreloadedTimer() {
+    timer.write(kCcmr1, kPwm);
+    timer.write(kCcer, 0x1);
+    timer.write(kCcr1, 25);
+    timer.write(kCcmr1, kPreloadedPwm);
+    timer.on_preload_taken = [this] { taken_at.push_back(queue.now()); };
+  }
+
+  std::vector<std::uint64_t> taken_at;
+};
+
+TEST_F(PreloadedTimer, TakesACompareAtTheUpdateOnlyAndTellsIt) {
+  queue.skip_to(500);
+  timer.write(kCcr1, 50);
+  EXPECT_EQ(timer.read(kCcr1), 50U) << "reads back what comes next";
+  queue.skip_to(999);
+  EXPECT_EQ(timer.pulse_cycles(1), 250U);
+  EXPECT_DOUBLE_EQ(timer.output(1).high_share(), 0.25);
+  queue.skip_to(1000);
+  EXPECT_EQ(timer.pulse_cycles(1), 500U);
+  EXPECT_DOUBLE_EQ(timer.output(1).high_share(), 0.5);
+  queue.skip_to(5000);
+  EXPECT_EQ(taken_at, std::vector<std::uint64_t>{1000});
+  EXPECT_EQ(timer.read(kSr), 0U) << "the flag comes with its interrupt only";
+}
+
+TEST_F(PreloadedTimer, TakesTheLastOfTheComparesOfARound) {
+  timer.write(kCcr1, 90);
+  timer.write(kCcr1, 10);
+  queue.skip_to(1000);
+  EXPECT_EQ(timer.pulse_cycles(1), 100U);
+}
+
+TEST_F(PreloadedTimer, TakesACompareAtAnUpdateByTheProgram) {
+  timer.write(kCcr1, 50);
+  timer.write(kEgr, 1);
+  EXPECT_EQ(timer.pulse_cycles(1), 500U);
+}
+
+TEST_F(PreloadedTimer, TakesACompareWithAnInterruptAsWithoutOne) {
+  timer.write(kDier, 1);
+  timer.write(kCcr1, 50);
+  queue.skip_to(999);
+  EXPECT_EQ(timer.pulse_cycles(1), 250U);
+  EXPECT_FALSE(interrupts());
+  queue.skip_to(1000);
+  EXPECT_EQ(timer.pulse_cycles(1), 500U);
+  EXPECT_TRUE(interrupts());
+}
+
+TEST_F(PreloadedTimer, KeepsACompareWhileItIsStopped) {
+  queue.skip_to(500);
+  timer.write(kCcr1, 50);
+  timer.write(kCr1, 0);
+  queue.skip_to(5000);
+  EXPECT_TRUE(taken_at.empty());
+  timer.write(kCr1, 1);
+  EXPECT_EQ(timer.pulse_cycles(1), 250U);
+  queue.skip_to(5500);
+  EXPECT_EQ(timer.pulse_cycles(1), 500U);
+}
+
+TEST_F(PreloadedTimer, TakesACompareAtOnceWithoutItsPreload) {
+  timer.write(kCcr1, 50);
+  timer.write(kCcmr1, kPwm);
+  EXPECT_EQ(timer.pulse_cycles(1), 500U);
+  timer.write(kCcr1, 75);
+  EXPECT_EQ(timer.pulse_cycles(1), 750U);
+  EXPECT_TRUE(taken_at.empty());
+}
+
+TEST_F(PreloadedTimer, EndsItsPulsesBehindTheOneUnderWayWithAZero) {
+  queue.skip_to(100);
+  timer.write(kCcr1, 0);
+  queue.skip_to(249);
+  EXPECT_EQ(timer.pulse_cycles(1), 250U);
+  queue.skip_to(250);
+  EXPECT_EQ(timer.pulse_cycles(1), 0U);
+  EXPECT_DOUBLE_EQ(timer.output(1).high_share(), 0.0);
+  timer.write(kCcr1, 50);
+  queue.skip_to(1000);
+  EXPECT_EQ(timer.pulse_cycles(1), 500U);
+}
+
+TEST_F(PreloadedTimer, TellsNothingOfWhatAnotherChannelCaptures) {
+  timer.write(kCcmr1, 0x0200 | kPreloadedPwm);  // Channel 2 from input 1.
+  timer.write(kCcer, 0x11);
+  timer.set_input(1, true);
+  timer.write(kCcr1, 25);
+  queue.skip_to(5000);
+  EXPECT_TRUE(taken_at.empty());
 }
 
 constexpr std::uint32_t kSmcr = 0x08;

@@ -69,6 +69,11 @@ TEST(Boards, SayWhichMotorDriversTheyCarry) {
   EXPECT_FALSE(carries(board_named("ev3"), MotorBridgeKind::kTwoPwm));
   EXPECT_EQ(boards_that_carry(MotorBridgeKind::kServo),
             "Arduino Mega 2560, STM32F103 board or Raspberry Pi Pico");
+  EXPECT_THAT(emulated_boards_that_carry(MotorBridgeKind::kServo),
+              ElementsAre("mega", "stm32f103", "pico"));
+  EXPECT_THAT(emulated_boards_that_carry(MotorBridgeKind::kTwoPwm),
+              ElementsAre("uno", "mega", "stm32f103", "pico"))
+      << "a Nano could, but has no emulator";
   EXPECT_EQ(bridges_of(board_named("uno")),
             "phase/enable (DRV8835), PWM and two direction inputs (TB6612FNG, L298N) and two PWM "
             "inputs (DRV8833, MX1508)");

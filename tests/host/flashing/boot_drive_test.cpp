@@ -2,7 +2,9 @@
 #include "host/flashing/boot_drive.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <string>
+#include <thread>
 #include <unistd.h>
 
 #include <gmock/gmock.h>
@@ -85,6 +87,16 @@ TEST_F(BootDrive, IsFoundBelowAFolderWithABlankInItsName) {
               ElementsAre(folder_ / "my drives"));
 }
 
+TEST_F(BootDrive, IsOneDriveWhereverElseItIsMounted) {
+  drive("pico");
+  drive("again");
+  drive("another");
+  EXPECT_THAT(found_in("/dev/sdb1 DIR/pico vfat rw 0 0\n"
+                       "/dev/sdb1 DIR/again vfat rw 0 0\n"
+                       "/dev/sdc1 DIR/another vfat rw 0 0\n"),
+              ElementsAre(folder_ / "pico", folder_ / "another"));
+}
+
 TEST_F(BootDrive, IsTheOnlyOneOrTheOneThatIsNamed) {
   const fs::path one = drive("one");
   const fs::path two = drive("two");
@@ -148,6 +160,23 @@ TEST_F(BootDrive, MayGoAwayOnceAllIsWritten) {
     return fail(descriptor);
   };
   EXPECT_EQ(failure_of_copy(to, fail_and_go), "") << "the program runs";
+}
+
+TEST_F(BootDrive, IsGivenTimeToGoAwayAfterAnErrorOfItsDevice) {
+  const fs::path to = drive("pico");
+  for (const int error : {EIO, ENODEV, ENXIO}) {
+    drive("pico");
+    std::jthread kernel;
+    const auto fail_and_go_later = [&](int) {
+      kernel = std::jthread([&to] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        fs::remove(to / "INFO_UF2.TXT");
+      });
+      errno = error;
+      return -1;
+    };
+    EXPECT_EQ(failure_of_copy(to, fail_and_go_later), "") << "its files were still shown";
+  }
 }
 
 }  // namespace

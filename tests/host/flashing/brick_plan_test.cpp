@@ -85,7 +85,8 @@ TEST(BrickPlan, TakesHostsButNoOptionsOfSsh) {
   }
   for (const char* host :
        {"", "-oProxyCommand=touch", "robot@", "@ev3dev", "a@b@c", "ev3 dev", "x;reboot", "$(id)"}) {
-    EXPECT_THAT(fault_of_host(host), HasSubstr("is no host")) << host;
+    EXPECT_THAT(fault_of_host(host), AllOf(HasSubstr("is no host"), HasSubstr("\n  next: ")))
+        << host;
   }
 }
 
@@ -105,8 +106,34 @@ TEST(BrickPlan, TakesStaticProgramsOfA32BitArmOnly) {
   of_another[18] = 3;
   EXPECT_THAT(fault_of(of_another), HasSubstr("a 32-bit ARM"));
   std::string shared = brick_program();
-  shared[52] = 3;
+  shared[kFirstSegment] = 3;
   EXPECT_THAT(fault_of(shared), HasSubstr("shared libraries"));
+}
+
+TEST(BrickPlan, TakesProgramsForLinuxWithoutAFloatingPointUnitOnly) {
+  const tests::ScratchFolder folder;
+  const auto fault_with = [&](std::size_t at, char value) {
+    std::string program = brick_program();
+    program[at] = value;
+    files::write_text_file(folder / "x.elf", program);
+    return fault_of_brick_program(folder / "x.elf");
+  };
+  const auto no_linux = HasSubstr("no program for Linux");
+  EXPECT_EQ(fault_with(kFirstSegment, 1), "") << "that is what it has anyway";
+  EXPECT_THAT(fault_with(kFirstSegment + 32, 1), no_linux) << "the firmware of a board";
+  EXPECT_THAT(fault_with(kLinuxNote + 8, 3), no_linux) << "a note about something else";
+  EXPECT_THAT(fault_with(kLinuxNote + 12, 'X'), no_linux) << "a note of somebody else";
+  EXPECT_THAT(fault_with(kLinuxNote + 16, 3), no_linux) << "FreeBSD";
+  EXPECT_THAT(fault_with(kFirstSegment + 37, 127), no_linux) << "its notes are cut off";
+  EXPECT_THAT(fault_with(kFirstSegment + 48, 16), no_linux) << "only the first note";
+  EXPECT_THAT(fault_with(37, 4), HasSubstr("needs a floating-point unit"));
+}
+
+TEST(BrickPlan, TellsForEachStepWhatToLookAtWhereItFails) {
+  const BrickPlan plan = brick_plan("robot@brick", "x.elf");
+  EXPECT_THAT(plan.steps[0].advice, HasSubstr("ssh robot@brick uname -a"));
+  EXPECT_THAT(plan.steps[1].advice, HasSubstr("ssh robot@brick df -h"));
+  EXPECT_THAT(plan.steps[2].advice, HasSubstr("ssh robot@brick systemctl --user status echomap"));
 }
 
 }  // namespace

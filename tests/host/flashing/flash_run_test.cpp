@@ -18,6 +18,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A stand-in for avrdude goes before the real one in PATH. It writes its arguments to a file.
 class FlashRun : public testing::Test {
@@ -199,7 +200,18 @@ TEST_F(FlashBrick, SaysWhichStepFailedWithWhat) {
   EXPECT_THAT(said,
               AllOf(HasSubstr("No space left"),
                     HasSubstr("scp could not copy the program on robot@brick (exit code 1)"),
-                    HasSubstr("next: ")));
+                    HasSubstr("next: see what it says above; is there space"),
+                    HasSubstr("ssh robot@brick df -h")));
+}
+
+TEST_F(FlashBrick, AdvisesOfTheStepThatFailed) {
+  program("ssh", "case $* in *systemctl*) echo 'Failed to connect to bus' >&2; exit 1 ;; esac");
+  EXPECT_EQ(flash(), console::ExitCode::kRuntimeError);
+  EXPECT_EQ(ran(), "ssh\nscp\nssh\n");
+  EXPECT_THAT(said,
+              AllOf(HasSubstr("ssh could not start the program"),
+                    HasSubstr("next: see what it says above; what does systemd say?"),
+                    Not(HasSubstr("df -h"))));
 }
 
 TEST_F(FlashBrick, StopsAtCtrlC) {
@@ -240,7 +252,10 @@ TEST(FlashPico, CopiesTheImageToTheDriveUnlessDry) {
   testing::internal::CaptureStdout();
   EXPECT_EQ(carry_out(plan, true), console::ExitCode::kOk);
   EXPECT_FALSE(std::filesystem::exists(drive / "echomap-pico.uf2"));
+  testing::internal::CaptureStderr();
   EXPECT_EQ(carry_out(plan, false), console::ExitCode::kOk);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              HasSubstr("next: echomap explore --robot pico_2wd --port /dev/ttyACM0"));
   const std::string once =
       "echomap flash --board pico --image images/echomap-pico.bin --uf2 images/echomap-pico.uf2\n"
       "cp images/echomap-pico.uf2 " +

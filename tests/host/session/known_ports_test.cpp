@@ -34,6 +34,19 @@ TEST_F(KnownPortsFile, KnowsADeviceUnderAnotherNameAndNoOther) {
   EXPECT_FALSE(known.has({"/dev/ttyUSB0", "USB", "", UsbId{0x1a86, 0x7523}, "1-1.3:1.0"}));
 }
 
+TEST_F(KnownPortsFile, KnowsAPicoByItsSocket) {
+  const PortInfo pico{"/dev/ttyACM0", "echomap Pico", "1", UsbId{0x2e8a, 0x000a}, "1-1.1:1.0"};
+  PortInfo other = pico;
+  other.usb_path = "1-1.2:1.0";
+  PortInfo renamed = pico;
+  renamed.name = "/dev/ttyACM1";
+  KnownPorts(file).remember(pico);
+  EXPECT_TRUE(KnownPorts(file).has(renamed));
+  EXPECT_FALSE(KnownPorts(file).has(other)) << "every Pico has the same serial number";
+  KnownPorts(file).remember(other);
+  EXPECT_EQ(KnownPorts(file).ports().size(), 2U);
+}
+
 TEST_F(KnownPortsFile, HasADeviceOnceAndForgetsIt) {
   KnownPorts(file).remember(uno);
   PortInfo moved = uno;

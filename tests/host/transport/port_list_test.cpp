@@ -38,6 +38,24 @@ TEST(PortList, TellsWhatIsPluggedInAndWhere) {
   EXPECT_TRUE(list_ports(folder / "nothing").empty());
 }
 
+TEST(PortList, KnowsADeviceByItsNumberWhereThatIsItsOwnAndElseByItsSocket) {
+  const auto is_known_in_another_socket = [](UsbId id, const std::string& number) {
+    const PortInfo here{"/dev/ttyACM0", "board", number, id, "1-1.1:1.0"};
+    const PortInfo renamed{"/dev/ttyACM3", "board", number, id, "1-1.1:1.0"};
+    EXPECT_TRUE(is_same_device(here, renamed)) << to_string(id) << " number '" << number << "'";
+    return is_same_device(here, {"/dev/ttyACM0", "board", number, id, "1-1.2:1.0"});
+  };
+  constexpr UsbId kUno{0x2341, 0x0043};
+  constexpr UsbId kCp2102{0x10c4, 0xea60};
+  constexpr UsbId kPico{0x2e8a, 0x000a};
+  EXPECT_TRUE(is_known_in_another_socket(kUno, "7583"));
+  EXPECT_TRUE(is_known_in_another_socket(kUno, "1")) << "only every Pico has that";
+  EXPECT_TRUE(is_known_in_another_socket(kPico, "E6614103E7")) << "with another program";
+  EXPECT_FALSE(is_known_in_another_socket(kUno, ""));
+  EXPECT_FALSE(is_known_in_another_socket(kCp2102, "0001"));
+  EXPECT_FALSE(is_known_in_another_socket(kPico, "1")) << "two Picos were one robot";
+}
+
 TEST(PortList, IsDescribedInOneLine) {
   EXPECT_EQ(describe_ports({}), "no USB or Bluetooth serial port is here");
   EXPECT_EQ(describe_ports({{"/dev/ttyACM0", "Arduino Uno", "75833"}, {"/dev/ttyUSB1", "", ""}}),
