@@ -36,7 +36,7 @@ struct RfcommAddress {
   uint8_t channel;
 };
 
-Line line;
+Line host_line;
 int listener = -1;
 uint64_t opened_us = 0;
 bool waits_for_device = false;
@@ -55,14 +55,14 @@ void listen_at(int family, int protocol, const void* address, socklen_t size) {
   if (listener < 0 || setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0 ||
       bind(listener, static_cast<const sockaddr*>(address), size) != 0 ||
       listen(listener, 1) != 0) {
-    fail("cannot listen", line.text);
+    fail("cannot listen", host_line.text);
   }
 }
 
 void listen_on_port() {
   sockaddr_in address = {};
   address.sin_family = AF_INET;
-  address.sin_port = htons(line.number);
+  address.sin_port = htons(host_line.number);
   address.sin_addr.s_addr = htonl(INADDR_ANY);
   listen_at(AF_INET, 0, &address, sizeof address);
 }
@@ -70,7 +70,7 @@ void listen_on_port() {
 void listen_on_channel() {
   RfcommAddress address = {};
   address.family = kBluetoothFamily;
-  address.channel = static_cast<uint8_t>(line.number);
+  address.channel = static_cast<uint8_t>(host_line.number);
   bytes_per_s = kRfcommBytesPerS;
   listen_at(kBluetoothFamily, kRfcommProtocol, &address, sizeof address);
 }
@@ -78,7 +78,7 @@ void listen_on_channel() {
 /// A gadget's device comes and goes with its cable.
 void open_device() {
   opened_us = clock_us();
-  input = open(line.device, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  input = open(host_line.device, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   output = input;
   termios settings;
   if (input >= 0 && tcgetattr(input, &settings) == 0) {
@@ -88,7 +88,7 @@ void open_device() {
   if (input < 0 && !waits_for_device) {
     fprintf(stderr,
             "echomap-ev3: %s: cannot be opened yet, it is tried again: %s\n",
-            line.device,
+            host_line.device,
             strerror(errno));
   }
   waits_for_device = input < 0;
@@ -109,21 +109,23 @@ void take_host() {
   const int host =
       listener < 0 ? -1 : accept4(listener, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
   if (host >= 0) {
-    // Each frame waits for the next one else; Bluetooth sends at once and refuses this.
+    // Else a frame waits until the one before is acknowledged. Bluetooth's lines have no such
+    // option.
     const int on = 1;
     setsockopt(host, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     drop_host();
     input = host;
     output = host;
   }
-  if (line.kind == Line::Kind::kSerial && input < 0 && clock_us() - opened_us >= kOpenAgainUs) {
+  if (host_line.kind == Line::Kind::kSerial && input < 0 &&
+      clock_us() - opened_us >= kOpenAgainUs) {
     open_device();
   }
 }
 
 /// Who started the program on its standard input and has gone needs no robot any more.
 void lose_host() {
-  if (line.kind == Line::Kind::kStdio) {
+  if (host_line.kind == Line::Kind::kStdio) {
     stop_all_motors();
     _exit(0);
   }
@@ -139,9 +141,9 @@ void fill_unsent() {
 
 }  // namespace
 
-void start_line(const Line& wanted) {
-  line = wanted;
-  switch (line.kind) {
+void start_line(const Line& line) {
+  host_line = line;
+  switch (host_line.kind) {
     case Line::Kind::kStdio:
       input = STDIN_FILENO;
       output = STDOUT_FILENO;

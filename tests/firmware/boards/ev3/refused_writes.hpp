@@ -11,35 +11,35 @@ namespace echomap::tests {
 class RefusedWrites {
  public:
   explicit RefusedWrites(int count) {
-    left_ = count;
-    ::getrlimit(RLIMIT_FSIZE, &usual_);
+    remaining = count;
+    ::getrlimit(RLIMIT_FSIZE, &usual);
     former_ = std::signal(SIGXFSZ, &RefusedWrites::on_refusal);
     set_limit(0);
   }
   ~RefusedWrites() {
-    set_limit(usual_.rlim_cur);
+    set_limit(usual.rlim_cur);
     std::signal(SIGXFSZ, former_);
   }
   RefusedWrites(const RefusedWrites&) = delete;
   RefusedWrites& operator=(const RefusedWrites&) = delete;
 
   /// How many have not come yet.
-  static int left() { return left_; }
+  static int left() { return remaining; }
 
  private:
   static void on_refusal(int /*signal*/) {
-    left_ = left_ - 1;
-    if (left_ == 0) {
-      set_limit(usual_.rlim_cur);
+    remaining = remaining - 1;
+    if (remaining == 0) {
+      set_limit(usual.rlim_cur);
     }
   }
   static void set_limit(rlim_t bytes) {
-    const rlimit limit{bytes, usual_.rlim_max};
+    const rlimit limit{bytes, usual.rlim_max};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
 
-  inline static volatile std::sig_atomic_t left_ = 0;
-  inline static rlimit usual_{};
+  inline static volatile std::sig_atomic_t remaining = 0;
+  inline static rlimit usual{};
   void (*former_)(int) = nullptr;
 };
 
