@@ -27,6 +27,8 @@ namespace {
 
 constexpr int kDeaths = 5;
 constexpr double kLimitMs = 150.0;
+/// Of most of them: hil_ev3_test holds each to kLimitMs, in simulated time.
+constexpr double kLimitOnABusyComputerMs = 300.0;
 
 using Act = std::function<void(BrickProgram&)>;
 
@@ -50,7 +52,7 @@ std::vector<double> times_until_off_ms(
     expect(program, robot);
     off_ms.push_back(*ms);
   }
-  std::printf("ev3_crash_off_ms %s: median %.1f, least %.1f\n",
+  std::printf("off in real time, ms, %s: median %.1f, least %.1f\n",
               name,
               median(off_ms),
               *std::min_element(off_ms.begin(), off_ms.end()));
@@ -60,6 +62,7 @@ std::vector<double> times_until_off_ms(
 void expect_in_time(const char* name, const std::vector<double>& off_ms) {
   ASSERT_FALSE(off_ms.empty());
   EXPECT_LE(*std::min_element(off_ms.begin(), off_ms.end()), kLimitMs) << name;
+  EXPECT_LE(median(off_ms), kLimitOnABusyComputerMs) << name;
 }
 
 /// What harms the program by signals to one of its two processes.
