@@ -238,7 +238,7 @@ std::vector<StagedEnd> make_ends() {
        "battery-low",
        "echomap: error: not finished; the map so far is saved: the battery is low\n"
        "  next: charge it without moving the robot, then: echomap demo --world create_l --emulator "
-       "mock\n"},
+       "mock --robot create\n"},
       {"Lost",
        demo_stage({"--robot=ev3_mega",
                    "--world=playground",
