@@ -61,17 +61,23 @@ std::vector<fs::path> documents() {
   return paths;
 }
 
-/// A folder that looks like the root of the tree after `./run build`, for commands to leave their
-/// files in. Its `run demo` skips the building, which the test's own build has done.
+/// A folder that looks like the root of a clean tree after `./run build`, whatever runs its user
+/// has left there, for commands to leave their files in. Its `run demo` skips the building, which
+/// the test's own build has done.
 class Desk {
  public:
   Desk() {
     fs::create_directories(folder_ / "build");
-    for (const auto& entry : fs::directory_iterator(tree_root)) {
-      const fs::path name = entry.path().filename();
-      if (name != "build" && name != "run" && name != ".git") {
-        fs::create_symlink(entry.path(), folder_ / name);
-      }
+    for (const std::string name : {"CMakeLists.txt",
+                                   "CMakePresets.json",
+                                   "docs",
+                                   "firmware",
+                                   "hil_mock",
+                                   "host",
+                                   "packages.txt",
+                                   "protocol",
+                                   "tests"}) {
+      fs::create_symlink(tree_root / name, folder_ / name);
     }
     fs::create_directory_symlink(ECHOMAP_BINARY_DIR, folder_ / "build" / "release");
     std::ofstream(folder_ / "run")
