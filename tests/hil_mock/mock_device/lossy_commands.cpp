@@ -24,9 +24,11 @@ std::int16_t angle_deg(int number) {
 /// As the firmware has it by default.
 double pulse_us(int number) { return 1500.0 + 10.0 * angle_deg(number); }
 
+/// The ping comes behind the servo's frame: a board may send a new pulse with its next one only.
 protocol::StartSweep single_ping(int number) {
+  constexpr std::uint16_t kMoreThanAFrameMs = 21;
   const auto angle_cdeg = static_cast<std::int16_t>(100 * angle_deg(number));
-  return {0, angle_cdeg, angle_cdeg, 100, 0};
+  return {0, angle_cdeg, angle_cdeg, 100, kMoreThanAFrameMs};
 }
 
 class LossySession : private robot_link::RobotLinkListener {
