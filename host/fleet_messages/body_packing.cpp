@@ -7,8 +7,9 @@
 namespace echomap::fleet_messages {
 namespace {
 
-/// The smallest that zstd makes. docs/fleet_protocol.md has sizes and times of other levels.
-constexpr int kZstdLevel = 19;
+/// A stop takes 445 bytes and 0.08 ms; at level 19 it is 436 bytes and 1.6 ms
+/// (docs/fleet_protocol.md).
+constexpr int kZstdLevel = 9;
 
 }  // namespace
 

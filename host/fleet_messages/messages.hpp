@@ -35,6 +35,7 @@ struct PresenceMessage {
   std::uint16_t beam_half_angle = 0;
   std::uint32_t own_objects = 0;    ///< How many it has made,
   ContentHash own_set;              ///< and the hash of their set.
+  ContentHash latest_set;  ///< The same of the payloads of its graphs, claims and alignment.
   std::uint32_t known_objects = 0;  ///< The same of all that it has, of whomever.
   ContentHash known_set;
   bool operator==(const PresenceMessage&) const = default;
@@ -47,6 +48,7 @@ struct PresenceMessage {
     visit("beam_half_angle", self.beam_half_angle);
     visit("own_objects", self.own_objects);
     visit("own_set", self.own_set);
+    visit("latest_set", self.latest_set);
     visit("known_objects", self.known_objects);
     visit("known_set", self.known_set);
   }
@@ -200,7 +202,7 @@ struct AlignmentMessage {
 struct AskMessage {
   static constexpr TopicKind kKind = TopicKind::kAsk;
   std::string robot;
-  std::uint8_t everything_else = 0;  ///< 1: its manifest and graphs, too.
+  std::uint8_t everything_else = 0;  ///< 1: its manifest, graphs, claims and alignment, too.
   std::vector<ContentHash> objects;
   bool operator==(const AskMessage&) const = default;
 

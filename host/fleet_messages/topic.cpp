@@ -30,7 +30,7 @@ constexpr std::array<TopicRow, std::size(kTopicKinds)> kTopicRows{{
     {"manifest", IdType::kNumber, true},
     {"claim", IdType::kNone, true},
     {"source", IdType::kHash, true},
-    {"clock", IdType::kNone, false},
+    {"clock", IdType::kNone, true},
     {"alignment", IdType::kNone, true},
     {"ask", IdType::kNone, false},
     {"relay", IdType::kHash, true},
