@@ -18,6 +18,7 @@ enum class NoisePurpose : std::uint32_t {
   kPlaces = 7,
   kCamera = 8,
   kEncoderDirt = 9,
+  kStarts = 10,
   kRange0 = 16,  ///< .. 23, one for each infra-red channel.
 };
 
@@ -35,5 +36,8 @@ class NoiseStream {
  private:
   std::mt19937 generator_;
 };
+
+/// A seed for one of several that share one, numbered from 0, whose own it is.
+std::uint32_t seed_of(std::uint32_t shared, std::uint32_t number);
 
 }  // namespace echomap::world
