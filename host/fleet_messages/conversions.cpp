@@ -170,6 +170,9 @@ std::optional<ClaimMessage> to_message(const std::vector<team_exploration::Claim
          quantiser.thousandths<std::int32_t>(claim.at_m.y()),
          quantiser.saturated<std::uint32_t>(kSquareMillimetres * claim.utility),
          quantiser.thousandths<std::uint16_t>(claim.reach_m)});
+    if (!claim.waits_for.empty()) {
+      message.waits_for = {{claim.waits_for}};
+    }
   }
   return message_if(quantiser.fits(), std::move(message));
 }
@@ -177,11 +180,13 @@ std::optional<ClaimMessage> to_message(const std::vector<team_exploration::Claim
 std::vector<team_exploration::Claim> to_claims(const ClaimMessage& message,
                                                const std::string& robot) {
   std::vector<team_exploration::Claim> claims;
+  const std::string waits_for = message.waits_for.empty() ? "" : message.waits_for.front().robot;
   for (const ClaimRow& row : message.claims) {
     claims.push_back({robot,
                       {row.x_mm / 1000.0, row.y_mm / 1000.0},
                       row.utility_mm2_per_s / kSquareMillimetres,
-                      row.reach_mm / 1000.0});
+                      row.reach_mm / 1000.0,
+                      waits_for});
   }
   return claims;
 }

@@ -33,9 +33,9 @@ struct PresenceMessage {
   std::uint16_t map_number = 0;  ///< Of the map that it is making now.
   std::uint16_t body_radius_mm = 0;
   std::uint16_t beam_half_angle = 0;
-  std::uint32_t own_objects = 0;    ///< How many it has made,
-  ContentHash own_set;              ///< and the hash of their set.
-  ContentHash latest_set;  ///< The same of the payloads of its graphs, claims and alignment.
+  std::uint32_t own_objects = 0;  ///< How many it has made,
+  ContentHash own_set;            ///< and the hash of their set.
+  ContentHash latest_set;         ///< The same of the payloads of its graphs, claims and alignment.
   std::uint32_t known_objects = 0;  ///< The same of all that it has, of whomever.
   ContentHash known_set;
   bool operator==(const PresenceMessage&) const = default;
@@ -133,17 +133,33 @@ struct ManifestMessage {
   }
 };
 
+/// Another robot.
+struct RobotNamePart {
+  static constexpr bool kIsPart = true;
+  std::string robot;
+  bool operator==(const RobotNamePart&) const = default;
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("robot", self.robot);
+  }
+};
+
 /// Where a robot wants to look from; none where it gives its claims back.
 struct ClaimMessage {
   static constexpr TopicKind kKind = TopicKind::kClaim;
   std::uint16_t map_number = 0;
   std::vector<ClaimRow> claims;
+  std::vector<RobotNamePart> waits_for;  ///< The robot that stands in its way; one at most.
   bool operator==(const ClaimMessage&) const = default;
+
+  bool is_consistent() const { return waits_for.size() <= 1; }
 
   template <class M, class V>
   static void fields(M& self, V& visit) {
     visit("map_number", self.map_number);
     visit("claims", self.claims);
+    visit("waits_for", self.waits_for);
   }
 };
 

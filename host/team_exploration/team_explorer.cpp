@@ -23,21 +23,6 @@ double seconds_of(const Snapshot& snapshot) {
   return std::chrono::duration<double>(snapshot.latest.stamp.time_since_epoch()).count();
 }
 
-exploration::Company company_of(const TeamView& view) {
-  exploration::Company company{view.grid, view.scans, view.features, {}, {}, {}};
-  if (view.been_m) {
-    company.been_m = *view.been_m;
-  }
-  for (const Peer& peer : view.peers) {
-    company.standing.push_back(
-        {peer.T_map_robot.position_m(), peer.radius_m + peer.position_stddev_m});
-  }
-  for (const Claim& claim : view.claims) {
-    company.promised.push_back({claim.at_m, claim.reach_m, claim.utility});
-  }
-  return company;
-}
-
 /// What a goal is worth now that a part of its time has passed: no less than at first.
 double utility_of(const exploration::Viewpoint& goal, double passed_s) {
   if (goal.gain_per_s <= 0.0) {
@@ -58,6 +43,21 @@ bool differs(const std::optional<Claim>& one, const std::optional<Claim>& other,
 }
 
 }  // namespace
+
+exploration::Company company_of(const TeamView& view) {
+  exploration::Company company{view.grid, view.scans, view.features, {}, {}, {}};
+  if (view.been_m) {
+    company.been_m = *view.been_m;
+  }
+  for (const Peer& peer : view.peers) {
+    company.standing.push_back(
+        {peer.T_map_robot.position_m(), peer.radius_m + peer.position_stddev_m});
+  }
+  for (const Claim& claim : view.claims) {
+    company.promised.push_back({claim.at_m, claim.reach_m, claim.utility});
+  }
+  return company;
+}
 
 TeamExplorer::TeamExplorer(TeamBoard& board, const TeamExplorerParams& params)
     : params_(params), frontier_(params.frontier), avoidance_(params.avoidance), board_(board) {

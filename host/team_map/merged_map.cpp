@@ -111,6 +111,8 @@ MergedMap MergedMapper::merge(const std::vector<MapShare>& shares) {
     }
   }
   merged.scans = std::make_shared<const std::vector<mapping::Scan>>(std::move(scans));
+  merged.features = std::make_shared<const mapping::SonarFeatures>(mapper_->features());
+  merged.been_m = std::make_shared<const std::vector<Eigen::Vector2d>>(std::move(track_m));
   return merged;
 }
 

@@ -13,6 +13,7 @@
 #include "host/mapping/contact_mapper.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
+#include "host/mapping/sonar_features.hpp"
 #include "host/mapping/sonar_mapper.hpp"
 #include "host/team_map/placed_submaps.hpp"
 
@@ -42,6 +43,10 @@ struct MergedMap {
   std::shared_ptr<const mapping::OccupancyGrid> grid;
   /// What the sonars of all of them heard, robot by robot.
   std::shared_ptr<const std::vector<mapping::Scan>> scans;
+  /// What the grid is drawn from.
+  std::shared_ptr<const mapping::SonarFeatures> features;
+  /// Where the robots' centres have been.
+  std::shared_ptr<const std::vector<Eigen::Vector2d>> been_m;
   Provenance provenance;
 };
 

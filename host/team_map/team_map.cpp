@@ -34,6 +34,12 @@ bool is_like(const TeamComponent& one, const TeamComponent& other) {
                     });
 }
 
+std::size_t index_of(const TeamComponent& component, const std::string& robot) {
+  return static_cast<std::size_t>(
+      std::lower_bound(component.robots.begin(), component.robots.end(), robot) -
+      component.robots.begin());
+}
+
 }  // namespace
 
 TeamMap::TeamMap(const TeamMapParams& params) : params_(params) {
@@ -197,13 +203,8 @@ std::optional<RelativePose> TeamMap::relative_pose(const std::string& own,
   if (component == nullptr || component != component_of(peer)) {
     return std::nullopt;
   }
-  const auto index = [&](const std::string& robot) {
-    return static_cast<std::size_t>(
-        std::lower_bound(component->robots.begin(), component->robots.end(), robot) -
-        component->robots.begin());
-  };
-  const std::size_t i = index(own);
-  const std::size_t k = index(peer);
+  const std::size_t i = index_of(*component, own);
+  const std::size_t k = index_of(*component, peer);
   if (i == k) {
     return RelativePose{};
   }
@@ -218,20 +219,23 @@ const MergedMap& TeamMap::merged(const std::string& robot) {
   if (component == nullptr) {
     throw std::out_of_range("nothing is known of robot '" + robot + "'");
   }
-  const std::string& first = component->robots.front();
-  if (const auto made = merged_.find(first); made != merged_.end()) {
+  if (const auto made = merged_.find(robot); made != merged_.end()) {
     return made->second;
   }
+  const Pose2 T_map_team = component->T_team_maps[index_of(*component, robot)].inverse();
   std::vector<MapShare> shares;
   for (std::size_t i = 0; i < component->robots.size(); ++i) {
     const RobotMap& map = robots_.at(component->robots[i]);
-    shares.push_back(
-        {map.robot(), map.body_radius_m(), placed(map.submaps(), component->T_team_submaps[i])});
+    std::vector<Pose2> T_map_submaps;
+    for (const Pose2& T_team_submap : component->T_team_submaps[i]) {
+      T_map_submaps.push_back(T_map_team * T_team_submap);
+    }
+    shares.push_back({map.robot(), map.body_radius_m(), placed(map.submaps(), T_map_submaps)});
   }
   mapping::SonarMapperParams params = params_.mapper;
-  params.surfaces.beam_half_angle_rad = robots_.at(first).beam_half_angle_rad();
-  MergedMapper& mapper = mappers_.try_emplace(first, params).first->second;
-  return merged_.emplace(first, mapper.merge(shares)).first->second;
+  params.surfaces.beam_half_angle_rad = robots_.at(robot).beam_half_angle_rad();
+  MergedMapper& mapper = mappers_.try_emplace(robot, params).first->second;
+  return merged_.emplace(robot, mapper.merge(shares)).first->second;
 }
 
 }  // namespace echomap::team_map

@@ -84,8 +84,8 @@ class TeamMap {
   /// From the map of `peer` to that of `own`, where both stood last; empty while they are not
   /// joined.
   std::optional<RelativePose> relative_pose(const std::string& own, const std::string& peer) const;
-  /// The map of a robot's component, in the component's frame; made when it is asked for. Throws
-  /// std::out_of_range for a robot of which nothing is known.
+  /// The map of a robot's component, in the frame of that robot's map where it stood last; made
+  /// when it is asked for. Throws std::out_of_range for a robot of which nothing is known.
   const MergedMap& merged(const std::string& robot);
 
   const JoinCounts& counts() const { return counts_; }
@@ -105,7 +105,7 @@ class TeamMap {
   std::map<Pair, RelativePose> told_;
   std::vector<std::string> changed_;
   std::vector<TeamComponent> components_;
-  std::map<std::string, MergedMapper> mappers_;  ///< By the first robot.
+  std::map<std::string, MergedMapper> mappers_;  ///< By the robot whose frame it is.
   std::map<std::string, MergedMap> merged_;
   JoinCounts counts_;
 };

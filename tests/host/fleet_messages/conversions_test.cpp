@@ -175,8 +175,8 @@ TEST(FleetConversions, OfALargeCovarianceSaturate) {
 }
 
 TEST(FleetConversions, KeepClaims) {
-  const std::vector<team_exploration::Claim> claims{{"r1", {1.2, -0.3}, 0.045, 2.1},
-                                                    {"r1", {5.0, 4.0}, 1e9, 0.0}};
+  const std::vector<team_exploration::Claim> claims{{"r1", {1.2, -0.3}, 0.045, 2.1, "r2"},
+                                                    {"r1", {5.0, 4.0}, 1e9, 0.0, "r2"}};
   const auto message = to_message(claims, 1);
   ASSERT_TRUE(message);
   const auto back = to_claims(*message, "r1");
@@ -186,8 +186,9 @@ TEST(FleetConversions, KeepClaims) {
   EXPECT_DOUBLE_EQ(back[0].at_m.y(), -0.3);
   EXPECT_DOUBLE_EQ(back[0].utility, 0.045);
   EXPECT_DOUBLE_EQ(back[0].reach_m, 2.1);
+  EXPECT_EQ(back[0].waits_for, "r2");
   EXPECT_NEAR(back[1].utility, 4294.967295, 1e-9) << "saturated";
-  EXPECT_FALSE(to_message(std::vector<team_exploration::Claim>{{"r1", {0, 0}, -1.0, 0.0}}, 1));
+  EXPECT_FALSE(to_message(std::vector<team_exploration::Claim>{{"r1", {0, 0}, -1.0, 0.0, ""}}, 1));
 }
 
 TEST(FleetConversions, KeepSourceReadings) {

@@ -31,7 +31,9 @@ std::string with_check(const std::string& bytes) {
   return bytes + std::string(hash.bytes.begin(), hash.bytes.begin() + 4);
 }
 
-FleetMessage a_claim() { return {{"r1", 7, 42}, ClaimMessage{3, {{1200, -300, 45000, 2100}}}}; }
+FleetMessage a_claim() {
+  return {{"r1", 7, 42}, ClaimMessage{3, {{1200, -300, 45000, 2100}}, {{"r2"}}}};
+}
 
 TEST(FleetPayload, OfEveryKindIsReadBack) {
   std::mt19937 random(1);
@@ -58,8 +60,10 @@ TEST(FleetPayload, IsWrittenAsTheDocumentSays) {
       "\xE0\x12"          // x 1200 mm
       "\xD7\x04"          // y -300 mm
       "\x90\xBF\x05"      // 45000 mm2/s
-      "\xE8\x20",         // reach 2100 mm
-      27);
+      "\xE8\x20"          // reach 2100 mm
+      "\x01\x00"          // it waits for one robot
+      "\x02r2",
+      32);
   EXPECT_EQ(encode(a_claim()), with_check(expected));
 }
 
