@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -14,11 +15,9 @@
 namespace echomap::broker {
 namespace {
 
-using mqtt::Connection;
 using mqtt::Delivery;
 using mqtt::Message;
-using tests::connected;
-using tests::is_acknowledged;
+using tests::Client;
 
 class BridgeTest : public testing::Test {
  protected:
@@ -41,27 +40,27 @@ class BridgeTest : public testing::Test {
     return "echomap/1/region/site7/robot1/" + rest;
   }
 
-  static void publish_all(Connection& robot) {
+  static void publish_all(Client& robot) {
     for (const std::string kind : {"pose", "claim", "clock", "source/1", "ask"}) {
-      robot.publish(site_topic(kind), kind, Delivery::kAtLeastOnce, false);
+      robot->publish(site_topic(kind), kind, Delivery::kAtLeastOnce, false);
     }
     for (const std::string kind : {"presence", "graph", "submap/1", "submap/2", "manifest"}) {
-      robot.publish(site_topic(kind), kind, Delivery::kAtLeastOnce, true);
+      robot->publish(site_topic(kind), kind, Delivery::kAtLeastOnce, true);
     }
-    EXPECT_TRUE(is_acknowledged(robot));
+    EXPECT_TRUE(robot.is_acknowledged());
   }
 
   /// Topics that the region hears until it has the manifest.
-  static std::set<std::string> topics_until_manifest(Connection& hub) {
-    std::vector<Message> heard;
+  static std::set<std::string> topics_until_manifest(Client hub) {
     const auto has_all = [&] {
-      return heard.size() >= 5 && std::ranges::any_of(heard, [](const Message& message) {
+      return hub.heard().size() >= 5 &&
+             std::ranges::any_of(hub.heard(), [](const Message& message) {
                return message.topic == region_topic("manifest");
              });
     };
-    EXPECT_TRUE(tests::serve_until(hub, heard, has_all));
+    EXPECT_TRUE(hub.serve_until(has_all));
     std::set<std::string> topics;
-    for (const Message& message : heard) {
+    for (const Message& message : hub.heard()) {
       topics.insert(message.topic);
     }
     return topics;
@@ -77,19 +76,19 @@ class BridgeTest : public testing::Test {
 };
 
 TEST_F(BridgeTest, TakesUpWhatIsClosedAndNoPoses) {
-  const auto hub = connected(region_.params("hub"), "echomap/#");
-  const auto robot = connected(site_.params("robot1"));
-  publish_all(*robot);
-  EXPECT_EQ(topics_until_manifest(*hub), closed_);
+  Client hub(region_.params("hub"), "echomap/#");
+  Client robot(site_.params("robot1"));
+  publish_all(robot);
+  EXPECT_EQ(topics_until_manifest(std::move(hub)), closed_);
 }
 
 TEST_F(BridgeTest, BringsEverythingAgainWhenTheRegionWasKilled) {
-  const auto robot = connected(site_.params("robot1"));
-  publish_all(*robot);
-  ASSERT_EQ(topics_until_manifest(*connected(region_.params("hub"), "echomap/#")), closed_);
+  Client robot(site_.params("robot1"));
+  publish_all(robot);
+  ASSERT_EQ(topics_until_manifest(Client(region_.params("hub"), "echomap/#")), closed_);
   region_->kill();
   region_->start();
-  EXPECT_EQ(topics_until_manifest(*connected(region_.params("hub"), "echomap/#")), closed_);
+  EXPECT_EQ(topics_until_manifest(Client(region_.params("hub"), "echomap/#")), closed_);
 }
 
 }  // namespace

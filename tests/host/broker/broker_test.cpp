@@ -21,25 +21,23 @@ namespace fs = std::filesystem;
 using mqtt::Delivery;
 using testing::HasSubstr;
 using testing::Not;
-using tests::connected;
-using tests::is_acknowledged;
+using tests::Client;
 
 constexpr auto kTopic = "echomap/1/lab/robot1/manifest";
 
 /// Publishes a retained message of robot1.
 void retain(tests::RunningBroker& broker, const std::string& payload) {
-  const auto robot = connected(broker.params("robot1"));
+  Client robot(broker.params("robot1"));
   robot->publish(kTopic, payload, Delivery::kAtLeastOnce, true);
-  ASSERT_TRUE(is_acknowledged(*robot));
+  ASSERT_TRUE(robot.is_acknowledged());
 }
 
 /// What the broker retains of robot1; empty where it has nothing.
 std::string retained_in(tests::RunningBroker& broker) {
-  const auto hub = connected(broker.params("hub"), kTopic);
+  Client hub(broker.params("hub"), kTopic);
   hub->publish("echomap/1/lab/hub/end", "end", Delivery::kAtLeastOnce, true);
-  EXPECT_TRUE(is_acknowledged(*hub));
   hub->subscribe("echomap/1/lab/hub/end");
-  const auto heard = tests::heard_until(*hub, "end");
+  const auto heard = hub.heard_until("end");
   return heard.size() == 2 ? heard.front().payload : "";
 }
 
@@ -55,7 +53,7 @@ TEST_F(BrokerTest, ItsFolderIsTheUsersAloneAndNamesThePort) {
   const Credentials read = read_credentials(broker_->credentials_file("robot1"));
   EXPECT_EQ(read.port, broker_->port());
   EXPECT_EQ(read.password, broker_->credentials("robot1").password);
-  EXPECT_NO_THROW(connected(connection_params(read)));
+  EXPECT_NO_THROW(Client(connection_params(read)));
 }
 
 TEST_F(BrokerTest, NoFileOfItsHasAPasswordButTheMembers) {
@@ -98,15 +96,15 @@ TEST_F(BrokerTest, NoticesThatItHasEnded) {
 }
 
 TEST_F(BrokerTest, TakesOtherAccountsWhileItRuns) {
-  const auto hub = connected(broker_.params("hub"), "#");
+  Client hub(broker_.params("hub"), "#");
   BrokerSettings settings = tests::broker_settings({"robot1", "late"});
   settings.users.push_back({"hub", broker_->credentials("hub").password});
   broker_->set_users(settings.users);
 
-  const auto late = connected(broker_.params("late"));
+  Client late(broker_.params("late"));
   late->publish("echomap/1/lab/late/pose", "here", Delivery::kAtLeastOnce, false);
-  EXPECT_TRUE(is_acknowledged(*late));
-  EXPECT_FALSE(tests::heard_until(*hub, "here").empty());
+  EXPECT_TRUE(late.is_acknowledged());
+  EXPECT_FALSE(hub.heard_until("here").empty());
   EXPECT_EQ(hub->connections(), 1U) << "those who stay are not disturbed";
 }
 
@@ -137,7 +135,7 @@ TEST(BrokerStart, ItsCertificateIsForTheAddressWhereItListens) {
   settings.tls = true;
   tests::RunningBroker broker(settings);
   EXPECT_EQ(broker->credentials("robot1").host, "127.0.0.2");
-  EXPECT_NO_THROW(connected(broker.params("robot1")));
+  EXPECT_NO_THROW(Client(broker.params("robot1")));
 }
 
 TEST(BrokerStart, AFolderCanBeUsedAgain) {
@@ -146,7 +144,7 @@ TEST(BrokerStart, AFolderCanBeUsedAgain) {
   const auto port = Broker(settings, folder / "b").port();
   EXPECT_NE(port, 0);
   Broker again(settings, folder / "b");
-  EXPECT_NO_THROW(connected(connection_params(again.credentials("robot1"))));
+  EXPECT_NO_THROW(Client(connection_params(again.credentials("robot1"))));
 }
 
 }  // namespace

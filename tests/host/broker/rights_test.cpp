@@ -24,8 +24,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
-using tests::connected;
-using tests::is_acknowledged;
+using tests::Client;
 
 /// One topic of each kind below a robot's name.
 const std::vector<std::string> topic_kinds{"presence",
@@ -54,10 +53,10 @@ class RightsTest : public testing::Test {
   }
 
   /// Payloads by topic that come until `end` does.
-  static std::map<std::string, std::multiset<std::string>> heard_by(Connection& client,
+  static std::map<std::string, std::multiset<std::string>> heard_by(Client& client,
                                                                     const std::string& end) {
     std::map<std::string, std::multiset<std::string>> heard;
-    for (const Message& message : tests::heard_until(client, end)) {
+    for (const Message& message : client.heard_until(end)) {
       heard[message.topic].insert(message.payload);
     }
     EXPECT_FALSE(heard.empty());
@@ -65,33 +64,33 @@ class RightsTest : public testing::Test {
   }
 
   /// The last message of a role, which it may write.
-  static void publish_end(Connection& role, const std::string& name) {
-    role.publish(topic(name + "/clock"), "end of " + name, Delivery::kAtLeastOnce, false);
-    EXPECT_TRUE(is_acknowledged(role));
+  static void publish_end(Client& role, const std::string& name) {
+    role->publish(topic(name + "/clock"), "end of " + name, Delivery::kAtLeastOnce, false);
+    EXPECT_TRUE(role.is_acknowledged());
   }
 
-  std::unique_ptr<Connection> member(const std::string& name, const std::string& filter = "") {
-    return connected(broker_.params(name), filter);
+  Client member(const std::string& name, const std::string& filter = "") const {
+    return Client(broker_.params(name), filter);
   }
 
   tests::RunningBroker broker_{tests::broker_settings({"robot1", "robot2", "watcher", "hub"})};
 };
 
 TEST_F(RightsTest, OfEveryKindOnlyTheOwnersIsDelivered) {
-  const auto watcher = member("watcher", topic("#"));
+  Client watcher = member("watcher", topic("#"));
   for (const std::string name : {"robot2", "hub"}) {
-    const auto role = member(name);
+    Client role = member(name);
     publish_every_kind(*role, name);
-    publish_end(*role, name);
+    publish_end(role, name);
     EXPECT_EQ(role->statistics().refused, topic_kinds.size()) << name;
     EXPECT_EQ(role->last_refused()->reason, mqtt::Reason::kNotAuthorized);
   }
-  const auto owner = member("robot1");
+  Client owner = member("robot1");
   publish_every_kind(*owner, "robot1");
-  publish_end(*owner, "robot1");
+  publish_end(owner, "robot1");
   EXPECT_EQ(owner->statistics().refused, 0U);
 
-  const auto heard = heard_by(*watcher, "end of robot1");
+  const auto heard = heard_by(watcher, "end of robot1");
   for (const std::string& kind : topic_kinds) {
     auto payloads = heard.at(topic("robot1/" + kind));
     payloads.erase("end of robot1");
@@ -100,7 +99,7 @@ TEST_F(RightsTest, OfEveryKindOnlyTheOwnersIsDelivered) {
 }
 
 TEST_F(RightsTest, OfStrangersNothingIsDelivered) {
-  const auto watcher = member("watcher", topic("#"));
+  Client watcher = member("watcher", topic("#"));
   ConnectionParams nobody = broker_.params("robot1");
   nobody.user.clear();
   ConnectionParams guesser = broker_.params("robot1");
@@ -118,26 +117,27 @@ TEST_F(RightsTest, OfStrangersNothingIsDelivered) {
     EXPECT_EQ(stranger.statistics().published, 0U);
     EXPECT_THAT(heard, IsEmpty());
   }
-  publish_end(*member("robot1"), "robot1");
-  EXPECT_EQ(heard_by(*watcher, "end of robot1").size(), 1U);
+  Client owner = member("robot1");
+  publish_end(owner, "robot1");
+  EXPECT_EQ(heard_by(watcher, "end of robot1").size(), 1U);
 }
 
 TEST_F(RightsTest, EveryMemberReadsTheFleet) {
-  std::map<std::string, std::unique_ptr<Connection>> readers;
+  std::map<std::string, Client> readers;
   for (const std::string name : {"robot1", "robot2", "hub"}) {
-    readers[name] = member(name, "#");
+    readers.emplace(name, member(name, "#"));
   }
-  publish_every_kind(*readers["robot1"], "robot1");
-  publish_end(*readers["robot1"], "robot1");
-  for (const auto& [name, reader] : readers) {
-    const auto heard = heard_by(*reader, "end of robot1");
+  publish_every_kind(*readers.at("robot1"), "robot1");
+  publish_end(readers.at("robot1"), "robot1");
+  for (auto& [name, reader] : readers) {
+    const auto heard = heard_by(reader, "end of robot1");
     EXPECT_EQ(heard.size(), topic_kinds.size()) << name;
   }
 }
 
 TEST_F(RightsTest, OutsideOfItsOwnNameARobotWritesNothing) {
-  const auto hub = member("hub", "#");
-  const auto robot = member("robot1");
+  Client hub = member("hub", "#");
+  Client robot = member("robot1");
   const std::vector<std::string> denied{"pose",
                                         "echomap/1/other/robot1/pose",
                                         "echomap/2/lab/robot1/pose",
@@ -151,59 +151,58 @@ TEST_F(RightsTest, OutsideOfItsOwnNameARobotWritesNothing) {
   for (const std::string& each : denied) {
     robot->publish(each, "forged", Delivery::kAtLeastOnce, true);
   }
-  publish_end(*robot, "robot1");
+  publish_end(robot, "robot1");
   EXPECT_EQ(robot->statistics().refused, denied.size());
-  EXPECT_EQ(heard_by(*hub, "end of robot1").size(), 1U);
+  EXPECT_EQ(heard_by(hub, "end of robot1").size(), 1U);
 }
 
 TEST_F(RightsTest, TheHubWritesBelowItsOwnNameAndReadsTheBrokersState) {
-  const auto watcher = member("watcher", topic("#"));
-  const auto hub = member("hub", "$SYS/broker/version");
-  publish_end(*hub, "hub");
-  EXPECT_EQ(heard_by(*watcher, "end of hub").size(), 1U);
-  std::vector<Message> heard;
-  EXPECT_TRUE(tests::serve_until(*hub, heard, [&] { return !heard.empty(); }));
+  Client watcher = member("watcher", topic("#"));
+  Client hub = member("hub", "$SYS/broker/version");
+  publish_end(hub, "hub");
+  EXPECT_EQ(heard_by(watcher, "end of hub").size(), 1U);
+  EXPECT_TRUE(hub.serve_until([&] { return !hub.heard().empty(); }));
 
-  const auto robot = member("robot1", "$SYS/#");
+  Client robot = member("robot1", "$SYS/#");
   robot->subscribe(topic("robot1/#"));
-  publish_end(*robot, "robot1");
-  EXPECT_EQ(heard_by(*robot, "end of robot1").size(), 1U);
+  publish_end(robot, "robot1");
+  EXPECT_EQ(heard_by(robot, "end of robot1").size(), 1U);
 }
 
 TEST_F(RightsTest, AForeignWillIsNotDelivered) {
-  const auto watcher = member("watcher", topic("#"));
+  Client watcher = member("watcher", topic("#"));
   ConnectionParams params = broker_.params("robot2");
   params.will = mqtt::LastWill{topic("robot1/presence"), "gone", true};
-  connected(params).reset();
+  { const Client leaving(params); }
   params.will = mqtt::LastWill{topic("robot2/presence"), "robot2 gone", true};
-  connected(params).reset();
-  const auto heard = heard_by(*watcher, "robot2 gone");
+  { const Client leaving(params); }
+  const auto heard = heard_by(watcher, "robot2 gone");
   EXPECT_THAT(heard, Not(Contains(testing::Key(topic("robot1/presence")))));
 }
 
 TEST_F(RightsTest, AForeignEmptyPayloadClearsNothing) {
-  const auto owner = member("robot1");
+  Client owner = member("robot1");
   owner->publish(topic("robot1/manifest"), "all I have", Delivery::kAtLeastOnce, true);
-  ASSERT_TRUE(is_acknowledged(*owner));
+  ASSERT_TRUE(owner.is_acknowledged());
   for (const std::string name : {"robot2", "hub"}) {
-    const auto other = member(name);
+    Client other = member(name);
     other->publish(topic("robot1/manifest"), "", Delivery::kAtLeastOnce, true);
     other->publish(topic("robot1/manifest"), "", Delivery::kAtMostOnce, true);
-    publish_end(*other, name);
+    publish_end(other, name);
   }
-  const auto late = member("watcher", topic("#"));
-  EXPECT_FALSE(heard_by(*late, "all I have").empty());
+  Client late = member("watcher", topic("#"));
+  EXPECT_FALSE(heard_by(late, "all I have").empty());
 }
 
 // By client id the rights of another could be had: `%c` is what a client says of itself.
 TEST_F(RightsTest, AForgedClientIdGivesNoRights) {
-  const auto watcher = member("watcher", topic("#"));
+  Client watcher = member("watcher", topic("#"));
   ConnectionParams params = broker_.params("robot2");
   params.client_id = "robot1";
-  const auto thief = connected(params);
+  Client thief(params);
   publish_every_kind(*thief, "thief");
-  publish_end(*thief, "robot2");
-  EXPECT_EQ(heard_by(*watcher, "end of robot2").size(), 1U);
+  publish_end(thief, "robot2");
+  EXPECT_EQ(heard_by(watcher, "end of robot2").size(), 1U);
 }
 
 }  // namespace
