@@ -127,6 +127,7 @@ struct Connection::Callbacks {
                            const int* /*granted*/,
                            const mosquitto_property* /*list*/) {
     ++of(self).events_;
+    ++of(self).statistics_.subscribed;
   }
 };
 

@@ -54,6 +54,7 @@ struct ConnectionStatistics {
   std::size_t dropped = 0;    ///< Not sent: at most once without a line, or too much waits.
   std::size_t reconnects = 0;
   std::size_t failed_attempts = 0;
+  std::size_t subscribed = 0;  ///< Answers to subscriptions, those after a reconnection, too.
   std::size_t received = 0;
   std::size_t published_bytes = 0;  ///< Topics and payloads.
   std::size_t received_bytes = 0;

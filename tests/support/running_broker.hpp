@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -61,32 +62,49 @@ inline bool serve_until(mqtt::MessageBus& bus,
   });
 }
 
-/// What comes until a payload is among it; nothing where it does not within a minute.
-inline std::vector<mqtt::Message> heard_until(mqtt::MessageBus& bus, const std::string& payload) {
-  std::vector<mqtt::Message> heard;
-  const bool has_come =
-      serve_until(bus, heard, [&] { return !heard.empty() && heard.back().payload == payload; });
-  return has_come ? heard : std::vector<mqtt::Message>();
-}
-
-/// A connection that is there when this returns. Throws where it is not within a minute.
-inline std::unique_ptr<mqtt::Connection> connected(const mqtt::ConnectionParams& params,
-                                                   const std::string& filter = "") {
-  auto connection = std::make_unique<mqtt::Connection>(params);
-  if (!filter.empty()) {
-    connection->subscribe(filter);
-  }
-  std::vector<mqtt::Message> heard;
-  if (!serve_until(*connection, heard, [&] { return connection->is_connected(); })) {
-    throw std::runtime_error("no connection: " + std::string(text_of(connection->reason())));
-  }
-  return connection;
-}
-
 /// True when the broker has answered all that was published at least once.
 inline bool is_acknowledged(mqtt::Connection& connection) {
   std::vector<mqtt::Message> heard;
   return serve_until(connection, heard, [&] { return connection.unacknowledged() == 0; });
 }
+
+/// A connection that is there and has subscribed when this is made, and all that it has heard.
+class Client {
+ public:
+  /// Throws where there is no connection within a minute.
+  explicit Client(const mqtt::ConnectionParams& params, const std::string& filter = "")
+      : connection_(std::make_unique<mqtt::Connection>(params)) {
+    if (!filter.empty()) {
+      connection_->subscribe(filter);
+    }
+    const std::size_t filters = filter.empty() ? 0 : 1;
+    if (!serve_until([&] {
+          return connection_->is_connected() && connection_->statistics().subscribed == filters;
+        })) {
+      throw std::runtime_error("no connection: " + std::string(text_of(connection_->reason())));
+    }
+  }
+
+  mqtt::Connection* operator->() { return connection_.get(); }
+  mqtt::Connection& operator*() { return *connection_; }
+  const std::vector<mqtt::Message>& heard() const { return heard_; }
+  bool serve_until(const std::function<bool()>& condition) {
+    return tests::serve_until(*connection_, heard_, condition);
+  }
+  bool is_acknowledged() {
+    return serve_until([&] { return connection_->unacknowledged() == 0; });
+  }
+  /// All that it has heard, once this payload is among it; nothing where it is not within a minute.
+  std::vector<mqtt::Message> heard_until(const std::string& payload) {
+    const auto is_it = [&](const mqtt::Message& each) { return each.payload == payload; };
+    const bool has_come =
+        serve_until([&] { return std::any_of(heard_.begin(), heard_.end(), is_it); });
+    return has_come ? heard_ : std::vector<mqtt::Message>();
+  }
+
+ private:
+  std::unique_ptr<mqtt::Connection> connection_;
+  std::vector<mqtt::Message> heard_;
+};
 
 }  // namespace echomap::tests

@@ -24,10 +24,8 @@ namespace {
 using boost::asio::ip::tcp;
 using testing::ElementsAre;
 using testing::IsEmpty;
-using tests::connected;
+using tests::Client;
 using tests::eventually;
-using tests::heard_until;
-using tests::is_acknowledged;
 
 /// A broker with two robots and a hub, which hears everything.
 class ConnectionTest : public testing::Test {
@@ -43,8 +41,8 @@ class ConnectionTest : public testing::Test {
     return texts;
   }
 
-  std::unique_ptr<Connection> robot1() { return connected(broker_.params("robot1")); }
-  std::unique_ptr<Connection> hub() { return connected(broker_.params("hub"), "#"); }
+  Client robot1() const { return Client(broker_.params("robot1")); }
+  Client hub() const { return Client(broker_.params("hub"), "#"); }
 
   /// The reason why there is no connection, once there is one.
   static Reason reason_for(const ConnectionParams& params) {
@@ -60,15 +58,15 @@ class ConnectionTest : public testing::Test {
 };
 
 TEST_F(ConnectionTest, CarriesAnyBytesOfBothKindsInTheirOrder) {
-  const auto hub = this->hub();
-  const auto robot = robot1();
+  Client hub = this->hub();
+  Client robot = robot1();
   const std::string bytes("a\0b\xff", 4);
   EXPECT_TRUE(robot->publish(topic("robot1/pose"), bytes, Delivery::kAtMostOnce, false));
   EXPECT_TRUE(robot->publish(topic("robot1/claim"), "", Delivery::kAtLeastOnce, false));
   EXPECT_TRUE(robot->publish(topic("robot1/clock"), "last", Delivery::kAtLeastOnce, false));
-  EXPECT_TRUE(is_acknowledged(*robot));
+  EXPECT_TRUE(robot.is_acknowledged());
 
-  const auto heard = heard_until(*hub, "last");
+  const auto heard = hub.heard_until("last");
   EXPECT_THAT(payloads(heard), ElementsAre(bytes, "", "last"));
   EXPECT_EQ(heard.front().topic, topic("robot1/pose"));
   EXPECT_EQ(robot->statistics().published, 3U);
@@ -78,21 +76,21 @@ TEST_F(ConnectionTest, CarriesAnyBytesOfBothKindsInTheirOrder) {
 }
 
 TEST_F(ConnectionTest, WhatIsRetainedComesToThoseWhoSubscribeLate) {
-  const auto robot = robot1();
+  Client robot = robot1();
   robot->publish(topic("robot1/manifest"), "old", Delivery::kAtLeastOnce, true);
   robot->publish(topic("robot1/manifest"), "new", Delivery::kAtLeastOnce, true);
-  ASSERT_TRUE(is_acknowledged(*robot));
-  EXPECT_THAT(payloads(heard_until(*hub(), "new")), ElementsAre("new retained"));
+  ASSERT_TRUE(robot.is_acknowledged());
+  EXPECT_THAT(payloads(hub().heard_until("new")), ElementsAre("new retained"));
 }
 
 TEST_F(ConnectionTest, WaitsWithWhatIsPublishedBeforeThereIsALine) {
-  const auto hub = this->hub();
+  Client hub = this->hub();
   Connection robot(broker_.params("robot1"));
   robot.publish(topic("robot1/pose"), "stale", Delivery::kAtMostOnce, false);
   robot.publish(topic("robot1/claim"), "kept", Delivery::kAtLeastOnce, false);
   EXPECT_EQ(robot.unacknowledged(), 1U);
-  EXPECT_TRUE(is_acknowledged(robot));
-  EXPECT_THAT(payloads(heard_until(*hub, "kept")), ElementsAre("kept"));
+  EXPECT_TRUE(tests::is_acknowledged(robot));
+  EXPECT_THAT(payloads(hub.heard_until("kept")), ElementsAre("kept"));
   EXPECT_EQ(robot.statistics().dropped, 1U);
 }
 
@@ -106,10 +104,10 @@ TEST_F(ConnectionTest, ReportsAWrongPassword) {
 }
 
 TEST_F(ConnectionTest, ReportsWhatTheBrokerRefusesAndKeepsTheLine) {
-  const auto robot = robot1();
+  Client robot = robot1();
   robot->publish(topic("robot2/pose"), "forged", Delivery::kAtLeastOnce, false);
   robot->publish(topic("robot1/+"), "no topic", Delivery::kAtLeastOnce, false);
-  ASSERT_TRUE(is_acknowledged(*robot));
+  ASSERT_TRUE(robot.is_acknowledged());
   EXPECT_EQ(robot->statistics().refused, 2U);
   ASSERT_TRUE(robot->last_refused());
   EXPECT_EQ(robot->last_refused()->topic, topic("robot2/pose"));
@@ -118,8 +116,8 @@ TEST_F(ConnectionTest, ReportsWhatTheBrokerRefusesAndKeepsTheLine) {
 }
 
 TEST_F(ConnectionTest, SendsWhatFitsToTheByteAndNothingLarger) {
-  const auto hub = this->hub();
-  const auto robot = robot1();
+  Client hub = this->hub();
+  Client robot = robot1();
   const std::string name = topic("robot1/submap/1");
   ASSERT_TRUE(robot->max_packet_bytes());
   const std::size_t overhead = publish_packet_bytes(name.size(), 100'000) - 100'000;
@@ -128,13 +126,13 @@ TEST_F(ConnectionTest, SendsWhatFitsToTheByteAndNothingLarger) {
   EXPECT_EQ(robot->statistics().too_large, 1U);
   // The payload alone is over its own limit: the broker answers, and the line stays.
   EXPECT_TRUE(robot->publish(name, fits, Delivery::kAtLeastOnce, false));
-  ASSERT_TRUE(is_acknowledged(*robot));
+  ASSERT_TRUE(robot.is_acknowledged());
   EXPECT_EQ(robot->last_refused()->reason, Reason::kTooLarge);
   EXPECT_EQ(robot->connections(), 1U);
   const std::string largest(broker::BrokerSettings{}.max_payload_bytes, 'y');
   EXPECT_TRUE(robot->publish(name, largest, Delivery::kAtLeastOnce, false));
-  EXPECT_TRUE(is_acknowledged(*robot));
-  EXPECT_FALSE(heard_until(*hub, largest).empty());
+  EXPECT_TRUE(robot.is_acknowledged());
+  EXPECT_FALSE(hub.heard_until(largest).empty());
   EXPECT_EQ(robot->connections(), 1U);
 }
 
@@ -142,14 +140,14 @@ TEST_F(ConnectionTest, DropsWhatTurnsOutToBeTooLargeWhenItIsConnected) {
   Connection robot(broker_.params("robot1"));
   const std::string large(2'000'000, 'x');
   EXPECT_TRUE(robot.publish(topic("robot1/graph"), large, Delivery::kAtLeastOnce, true));
-  EXPECT_TRUE(is_acknowledged(robot));
+  EXPECT_TRUE(tests::is_acknowledged(robot));
   EXPECT_EQ(robot.statistics().too_large, 1U);
   EXPECT_EQ(robot.connections(), 1U);
 }
 
 TEST_F(ConnectionTest, ComesBackWhenTheBrokerWasKilled) {
-  const auto hub = this->hub();
-  const auto robot = robot1();
+  Client hub = this->hub();
+  Client robot = robot1();
   broker_->kill();
   ASSERT_TRUE(eventually([&] {
     robot->take();
@@ -163,10 +161,9 @@ TEST_F(ConnectionTest, ComesBackWhenTheBrokerWasKilled) {
     return robot->reason() == Reason::kUnreachable;
   }));
   broker_->start();
-  std::vector<Message> heard;
-  ASSERT_TRUE(tests::serve_until(*hub, heard, [&] { return hub->connections() == 2; }));
-  EXPECT_TRUE(is_acknowledged(*robot));
-  EXPECT_THAT(payloads(heard_until(*hub, "meanwhile")), ElementsAre("meanwhile"));
+  ASSERT_TRUE(hub.serve_until([&] { return hub->connections() == 2; }));
+  EXPECT_TRUE(robot.is_acknowledged());
+  EXPECT_THAT(payloads(hub.heard_until("meanwhile")), ElementsAre("meanwhile"));
   EXPECT_EQ(robot->statistics().reconnects, 1U);
   EXPECT_GT(robot->statistics().failed_attempts, 0U);
   EXPECT_EQ(robot->reason(), Reason::kNone);
@@ -176,8 +173,8 @@ TEST_F(ConnectionTest, WhatWasNotAcknowledgedIsSentAgainAfterACut) {
   tests::TcpProxy proxy(broker_->port());
   ConnectionParams params = broker_.params("robot1");
   params.port = proxy.port();
-  const auto hub = this->hub();
-  const auto robot = connected(params);
+  Client hub = this->hub();
+  Client robot(params);
   proxy.stall();
   for (int i = 0; i < 300; ++i) {
     robot->publish(topic("robot1/submap/") + std::to_string(i), "s", Delivery::kAtLeastOnce, true);
@@ -190,17 +187,17 @@ TEST_F(ConnectionTest, WhatWasNotAcknowledgedIsSentAgainAfterACut) {
     return !robot->is_connected();
   }));
   proxy.resume();
-  EXPECT_TRUE(is_acknowledged(*robot));
+  EXPECT_TRUE(robot.is_acknowledged());
   robot->publish(topic("robot1/claim"), "end", Delivery::kAtLeastOnce, false);
   robot->take();
-  EXPECT_EQ(heard_until(*hub, "end").size(), 301U);
+  EXPECT_EQ(hub.heard_until("end").size(), 301U);
 }
 
 TEST_F(ConnectionTest, OneWhoAsksForNothingTooOftenIsDroppedNotKept) {
   tests::TcpProxy proxy(broker_->port());
   ConnectionParams params = broker_.params("robot1");
   params.port = proxy.port();
-  const auto robot = connected(params);
+  Client robot(params);
   proxy.stall();
   const std::string pose(10'000, 'p');
   for (int i = 0; i < 5000; ++i) {
@@ -210,40 +207,40 @@ TEST_F(ConnectionTest, OneWhoAsksForNothingTooOftenIsDroppedNotKept) {
 }
 
 TEST_F(ConnectionTest, TheWillComesUnlessTheEndIsInOrder) {
-  const auto hub = this->hub();
+  Client hub = this->hub();
   ConnectionParams params = broker_.params("robot1");
   params.will = LastWill{topic("robot1/presence"), "gone", true};
-  connected(params).reset();
-  EXPECT_THAT(payloads(heard_until(*hub, "gone")), ElementsAre("gone"));
+  { const Client client(params); }
+  EXPECT_THAT(payloads(hub.heard_until("gone")), ElementsAre("gone"));
 
-  const auto robot = connected(params);
+  Client robot(params);
   robot->disconnect();
   EXPECT_FALSE(robot->is_connected());
   robot->take();
   EXPECT_FALSE(robot->is_connected());
-  const auto other = connected(broker_.params("robot2"));
+  Client other(broker_.params("robot2"));
   other->publish(topic("robot2/claim"), "end", Delivery::kAtLeastOnce, false);
-  EXPECT_THAT(payloads(heard_until(*hub, "end")), ElementsAre("end"));
+  EXPECT_THAT(payloads(hub.heard_until("end")), ElementsAre("gone", "end")) << "of before";
 }
 
 TEST_F(ConnectionTest, TheWillOfOneThatIsCutOffComesToo) {
   tests::TcpProxy proxy(broker_->port());
-  const auto hub = this->hub();
+  Client hub = this->hub();
   ConnectionParams params = broker_.params("robot1");
   params.port = proxy.port();
   params.will = LastWill{topic("robot1/presence"), "gone", true};
-  const auto robot = connected(params);
+  Client robot(params);
   proxy.cut();
-  EXPECT_THAT(payloads(heard_until(*hub, "gone")), ElementsAre("gone"));
+  EXPECT_THAT(payloads(hub.heard_until("gone")), ElementsAre("gone"));
 }
 
 TEST_F(ConnectionTest, AStolenClientIdThrowsNobodyOut) {
-  const auto robot = robot1();
+  Client robot = robot1();
   ConnectionParams params = broker_.params("robot2");
   params.client_id = "robot1";
-  const auto thief = connected(params);
+  Client thief(params);
   robot->publish(topic("robot1/claim"), "mine", Delivery::kAtLeastOnce, false);
-  EXPECT_TRUE(is_acknowledged(*robot));
+  EXPECT_TRUE(robot.is_acknowledged());
   EXPECT_EQ(robot->connections(), 1U);
   EXPECT_EQ(robot->statistics().refused, 0U);
 }
@@ -253,8 +250,8 @@ TEST_F(ConnectionTest, OfTwoOfOneUserTheSecondHolds) {
   ConnectionParams params = broker_.params("robot1");
   params.backoff.first_s = 3600.0;
   params.backoff.max_s = 3600.0;
-  const auto first = connected(params);
-  const auto second = connected(params);
+  Client first(params);
+  Client second(params);
   ASSERT_TRUE(eventually([&] {
     first->take();
     return !first->is_connected();
@@ -267,13 +264,13 @@ TEST_F(ConnectionTest, OfTwoOfOneUserTheSecondHolds) {
 }
 
 TEST_F(ConnectionTest, SubscribesWhileItIsConnected) {
-  const auto robot = robot1();
+  Client robot = robot1();
   robot->subscribe(topic("robot2/#"));
-  const auto other = connected(broker_.params("robot2"));
+  Client other(broker_.params("robot2"));
   // The subscription is on its way; whoever is late gets what is retained.
   other->publish(topic("robot2/graph"), "g", Delivery::kAtLeastOnce, true);
-  ASSERT_TRUE(is_acknowledged(*other));
-  EXPECT_FALSE(heard_until(*robot, "g").empty());
+  ASSERT_TRUE(other.is_acknowledged());
+  EXPECT_FALSE(robot.heard_until("g").empty());
   EXPECT_THROW(robot->subscribe("a/#/b"), std::invalid_argument);
 }
 
@@ -322,10 +319,10 @@ class TlsConnectionTest : public ConnectionTest {
 TEST_F(TlsConnectionTest, IsMadeToABrokerOfItsCaOnly) {
   const ConnectionParams params = safe_.params("robot1");
   EXPECT_FALSE(params.ca_file.empty());
-  const auto robot = connected(params, "#");
+  Client robot(params, "#");
   const std::string large(300'000, 'x');
   robot->publish(topic("robot1/graph"), large, Delivery::kAtLeastOnce, false);
-  EXPECT_TRUE(is_acknowledged(*robot));
+  EXPECT_TRUE(robot.is_acknowledged());
 
   const tests::RunningBroker foreign(tls_settings());
   ConnectionParams wrong = params;
@@ -350,27 +347,26 @@ TEST_F(TlsConnectionTest, WorksOverALineWithDelay) {
   proxy.set_delay(std::chrono::milliseconds(50));
   ConnectionParams params = safe_.params("robot1");
   params.port = proxy.port();
-  const auto robot = connected(params);
+  Client robot(params);
   robot->publish(topic("robot1/graph"), "g", Delivery::kAtLeastOnce, false);
-  EXPECT_TRUE(is_acknowledged(*robot));
+  EXPECT_TRUE(robot.is_acknowledged());
 }
 
 TEST_F(ConnectionTest, OneWhoJoinsLateGetsTenThousandObjects) {
   constexpr int kObjects = 10'000;
   const std::string payload(500, 's');
-  const auto robot = robot1();
+  Client robot = robot1();
   for (int i = 0; i < kObjects; ++i) {
     robot->publish(
         topic("robot1/submap/") + std::to_string(i), payload, Delivery::kAtLeastOnce, true);
   }
-  EXPECT_TRUE(is_acknowledged(*robot));
+  EXPECT_TRUE(robot.is_acknowledged());
   EXPECT_EQ(robot->statistics().dropped, 0U);
 
-  const auto late = connected(broker_.params("robot2"), topic("#"));
-  std::vector<Message> heard;
-  EXPECT_TRUE(tests::serve_until(*late, heard, [&] { return heard.size() == kObjects; }));
+  Client late(broker_.params("robot2"), topic("#"));
+  EXPECT_TRUE(late.serve_until([&] { return late.heard().size() == kObjects; }));
   std::set<std::string> topics;
-  for (const Message& message : heard) {
+  for (const Message& message : late.heard()) {
     topics.insert(message.topic);
     EXPECT_TRUE(message.is_retained);
   }
