@@ -71,7 +71,7 @@ TeamExplorer::TeamExplorer(TeamBoard& board, const TeamExplorerParams& params)
 Motion TeamExplorer::next(const Snapshot& snapshot, MotionResult last) {
   view_ = without_silent(board_.view(), params_.max_silent_s);
   const Motion motion = decide(snapshot, last);
-  bid(seconds_of(snapshot));
+  bid(seconds_of(snapshot), std::holds_alternative<Finished>(motion));
   return motion;
 }
 
@@ -128,9 +128,9 @@ Motion TeamExplorer::explore(const Snapshot& known, const Snapshot& own, MotionR
 }
 
 /// For the goal it is on the way to; what it has claimed holds while it looks from there. A robot
-/// that waits for others to finish claims nothing.
-void TeamExplorer::bid(double now_s) {
-  std::optional<Claim> claim = decide_again_s_ ? std::nullopt : claim_;
+/// that has finished or waits for others to finish claims nothing.
+void TeamExplorer::bid(double now_s, bool has_finished) {
+  std::optional<Claim> claim = has_finished || decide_again_s_ ? std::nullopt : claim_;
   if (const auto goal = frontier_.goal()) {
     if (!goal_ || goal_->at_m != goal->at_m) {
       goal_ = goal;

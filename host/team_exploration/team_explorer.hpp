@@ -52,7 +52,7 @@ class TeamExplorer final : public exploration::Explorer {
   exploration::Motion explore(const pipeline::Snapshot& known,
                               const pipeline::Snapshot& own,
                               exploration::MotionResult last);
-  void bid(double now_s);
+  void bid(double now_s, bool has_finished);
 
   TeamExplorerParams params_;
   exploration::Frontier frontier_;

@@ -126,6 +126,7 @@ TEST_F(TeamExplorerTest, DecidesAgainWhenOthersHaveShownItsGoal) {
   board.shown.grid = std::make_shared<const mapping::OccupancyGrid>(tests::open_hall(true));
   EXPECT_TRUE(std::holds_alternative<Finished>(
       explorer.next(snapshot({2.0, 0.0, 0.0}, 8.0), MotionResult::kReached)));
+  EXPECT_FALSE(board.claims.back()) << "a robot that has finished claims nothing";
 }
 
 TEST_F(TeamExplorerTest, SaysForWhomItWaits) {
