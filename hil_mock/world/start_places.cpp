@@ -23,7 +23,7 @@ namespace {
 constexpr double kLatticeM = 0.05;
 constexpr double kUnreachedM = std::numeric_limits<double>::infinity();
 /// Sets of places that are begun before there is none.
-constexpr int kAttempts = 300;
+constexpr int kAttempts = 100;
 
 /// The floor as points 5 cm apart, and how long the ways between them are.
 class FloorLattice {

@@ -11,7 +11,7 @@
 #include "host/console/exit_code.hpp"
 #include "host/localization/localizer_preset.hpp"
 #include "host/session/open_robot.hpp"
-#include "host/session/simulated_robot.hpp"
+#include "host/session/simulated_robots.hpp"
 #include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/session/simulated_robot.hpp"
+#include "host/session/simulated_robots.hpp"
 
 #include <chrono>
 #include <thread>
@@ -39,55 +39,81 @@ std::string said_in(const fs::path& log) {
   return is_named ? said.substr(colon + 2) : said;
 }
 
+/// What only some of the options need.
+std::vector<std::string> optional_arguments(const SimulatedRobotOptions& options) {
+  std::vector<std::string> arguments;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    if (!value.empty()) {
+      arguments.push_back(name + value);
+    }
+  };
+  add("--faults=", options.faults);
+  add("--part-faults=", options.part_faults);
+  add("--camera=udp:",
+      options.fixes.empty() ? "" : options.fixes.substr(options.fixes.rfind(':') + 1));
+  add("--camera-params=", options.camera_params);
+  add("--board=", options.board);
+  add("--driver=", options.driver);
+  add("--robots=", options.robots == 1 ? "" : std::to_string(options.robots));
+  add("--starts=", options.starts);
+  add("--apart=", options.apart_m ? std::to_string(*options.apart_m) : "");
+  return arguments;
+}
+
 }  // namespace
 
-SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
-                               const Seed& seed,
-                               const fs::path& body,
-                               const fs::path& out)
-    : is_radio_(options.line == "bluetooth"), truth_(out / "truth"), log_(out / "robot.log") {
+SimulatedRobots::SimulatedRobots(const SimulatedRobotOptions& options,
+                                 const Seed& seed,
+                                 const fs::path& body,
+                                 const fs::path& out)
+    : robots_(options.robots),
+      is_radio_(options.line == "bluetooth"),
+      truth_(out / "truth"),
+      log_(out / "robot.log") {
   fs::create_directories(truth_);
   std::vector<std::string> command{program_of(options),
                                    "--world=" + options.world,
                                    "--robot=" + body.string(),
                                    "--seed=" + std::to_string(seed.number()),
-                                   "--link=" + port(),
-                                   "--lockstep=" + socket(),
-                                   "--truth=" + truth_.string()};
-  command.push_back("--line=" + options.line);
-  if (!options.faults.empty()) {
-    command.push_back("--faults=" + options.faults);
-  }
-  if (!options.part_faults.empty()) {
-    command.push_back("--part-faults=" + options.part_faults);
-  }
-  if (!options.fixes.empty()) {
-    command.push_back("--camera=udp:" + options.fixes.substr(options.fixes.rfind(':') + 1));
-  }
-  if (!options.camera_params.empty()) {
-    command.push_back("--camera-params=" + options.camera_params);
-  }
-  if (!options.board.empty()) {
-    command.push_back("--board=" + options.board);
-  }
-  if (!options.driver.empty()) {
-    command.push_back("--driver=" + options.driver);
-  }
+                                   "--link=" + (folder_ / "robot").string(),
+                                   "--lockstep=" + (folder_ / "lockstep").string(),
+                                   "--truth=" + truth_.string(),
+                                   "--line=" + options.line};
+  const std::vector<std::string> more = optional_arguments(options);
+  command.insert(command.end(), more.begin(), more.end());
   process_ = std::make_unique<ChildProcess>(command, log_);
-  wait_until_it_listens();
+  wait_until_they_listen();
 }
 
-ConnectionOptions SimulatedRobot::connection() const {
+ConnectionOptions SimulatedRobots::connection(std::size_t robot) const {
   ConnectionOptions options;
-  options.ports = {port()};
-  options.lockstep = socket();
+  options.ports = {port(robot)};
+  options.lockstep = socket(robot);
   options.is_radio = is_radio_;
   return options;
 }
 
-void SimulatedRobot::wait_until_it_listens() {
+fs::path SimulatedRobots::truth(std::size_t robot) const {
+  return robots_ == 1 ? truth_ : truth_ / ("robot" + std::to_string(robot));
+}
+
+/// One alone has names without a number.
+std::string SimulatedRobots::end_of(std::size_t robot) const {
+  return robots_ == 1 ? "" : "." + std::to_string(robot);
+}
+
+bool SimulatedRobots::listens() const {
+  for (std::size_t robot = 0; robot < robots_; ++robot) {
+    if (!fs::exists(socket(robot)) || !fs::exists(port(robot))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SimulatedRobots::wait_until_they_listen() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (!fs::exists(socket()) || !fs::exists(port())) {
+  while (!listens()) {
     if (const auto status = process_->exit_status()) {
       const auto code = static_cast<ExitCode>(*status);
       const bool users_fault = code == ExitCode::kConfigInvalid || code == ExitCode::kUsage;
