@@ -9,16 +9,11 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
+#include "host/sensors/wheel_travel.hpp"
 #include "host/sensors/yaw_integrator.hpp"
 #include "host/time/robot_time.hpp"
 
 namespace echomap::sensors {
-
-/// Distance that each wheel has rolled since the session began, forward positive.
-struct WheelTravel {
-  double left_m = 0.0;
-  double right_m = 0.0;
-};
 
 /// One odometry report in SI units.
 struct OdometryObservation {

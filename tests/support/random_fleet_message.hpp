@@ -70,6 +70,9 @@ fleet_messages::MessageBody random_fleet_body(std::mt19937& random, std::size_t 
     if constexpr (requires { message.end_ms; }) {
       message.end_ms = std::max(message.begin_ms, message.end_ms);
     }
+    if constexpr (requires { message.waits_for; }) {
+      message.waits_for.resize(random() % 2);
+    }
     return message;
   } else {
     return {};
