@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -102,6 +103,11 @@ bool play(const datasets::TeamLog& team, TeamComparison& comparison, bool is_hea
   return true;
 }
 
+std::string gain_in_words(double gain_percent) {
+  return fmt::format(
+      "{:.0f} % {}", std::abs(gain_percent), gain_percent < 0.0 ? "worse" : "better");
+}
+
 void print(const TeamScore& score, const pipeline::TeamReplay& joint) {
   for (const RobotComparison& robot : score.robots) {
     const auto counts = joint.counts(robot.robot);
@@ -111,12 +117,11 @@ void print(const TeamScore& score, const pipeline::TeamReplay& joint) {
                                    counts.peers,
                                    counts.gated);
     if (const auto gain = robot.gain_percent()) {
-      line += fmt::format(
-          "; RMSE {:.3f} m by odometry, {:.3f} m alone, {:.3f} m jointly: {:.0f} % less",
-          robot.odometry.rmse_m,
-          robot.alone.rmse_m,
-          robot.joint.rmse_m,
-          *gain);
+      line += fmt::format("; RMSE {:.3f} m by odometry, {:.3f} m alone, {:.3f} m jointly: {}",
+                          robot.odometry.rmse_m,
+                          robot.alone.rmse_m,
+                          robot.joint.rmse_m,
+                          gain_in_words(*gain));
     }
     console::print(line);
   }
@@ -158,12 +163,10 @@ RunEnding ending_of_team(bool has_ended,
   }
   std::string why = fmt::format("{} robots were localized jointly", score.robots.size());
   if (score.gain_percent) {
-    why += fmt::format(
-        ": RMSE {:.3f} m, {:.0f} % less than alone ({:.0f} % for the robot that "
-        "gains least)",
-        *score.joint_rmse_m,
-        *score.gain_percent,
-        *score.min_gain_percent);
+    why += fmt::format(": RMSE {:.3f} m, {} than alone; the robot that gains least is {}",
+                       *score.joint_rmse_m,
+                       gain_in_words(*score.gain_percent),
+                       gain_in_words(*score.min_gain_percent));
   }
   if (options.blind.empty()) {
     again.insert(again.end(), {"--blind", std::to_string(score.robots.back().robot)});

@@ -37,8 +37,8 @@ TEST(TeamReplay, ARobotThatSeesNothingIsCorrectedByTheOneThatSeesIt) {
   TeamReplayParams params;
   params.with_peers = false;
   const TeamReplay alone = played_team(team, params);
-  EXPECT_NEAR(last_x_m(joint, 1), 6.0, 0.05);
-  EXPECT_NEAR(last_x_m(joint, 2), 8.3, 0.1);
+  EXPECT_NEAR(last_x_m(joint, 1), 6.0, 0.15);
+  EXPECT_NEAR(last_x_m(joint, 2), 8.3, 0.15);
   EXPECT_NEAR(last_x_m(alone, 2), 8.0, 0.05);
   EXPECT_GE(joint.track(1).size(), 600U);
   EXPECT_GT(joint.counts(1).landmarks, 590U);
