@@ -179,4 +179,15 @@ struct PortsOptions {
 };
 ExitCode run_ports(const PortsOptions& options);
 
+/// `echomap fleet replay`: localizes the robots of recorded logs jointly.
+struct FleetReplayOptions {
+  std::filesystem::path folder;
+  std::vector<std::int64_t> blind;  ///< Robots whose sightings of landmarks are left out.
+  std::filesystem::path out;        ///< Empty: a stamped folder below the user's data folder.
+  std::filesystem::path json;       ///< Empty: none; "-": stdout.
+  bool force = false;               ///< Overwrite a run that `out` has in it.
+  bool headless = false;
+};
+ExitCode run_fleet_replay(const FleetReplayOptions& options);
+
 }  // namespace echomap::apps
