@@ -42,8 +42,8 @@ struct PublicationStatistics {
 
 /// What a robot is the source of, and what of it waits to be sent. The broker's acknowledgement is
 /// no promise: a message that is retained counts as published when the robot has heard it back on
-/// this connection, and is sent again where it has not. What waits shares the budget by worth, as in
-/// start-time fair queueing (Goyal, Vin and Cheng 1996): a pose overtakes a hundred objects, and
+/// this connection, and is sent again where it has not. What waits shares the budget by worth, as
+/// in start-time fair queueing (Goyal, Vin and Cheng 1996): a pose overtakes a hundred objects, and
 /// objects get their share of a flood of claims. Of one worth the first one goes first.
 class Publications {
  public:

@@ -91,7 +91,7 @@ class FleetOfRobots {
   }
   /// Runs until all robots have the same objects, all that were made, and nothing waits; false
   /// where they have not within that time.
-  bool run_until_same(double seconds, std::size_t objects) {
+  bool run_until_same(double seconds, std::optional<std::size_t> objects = std::nullopt) {
     for (double passed_s = 0.0; passed_s < seconds; passed_s += 1.0) {
       run(1.0);
       if (is_same(objects)) {
@@ -101,11 +101,11 @@ class FleetOfRobots {
     return false;
   }
   /// Whether all have that many objects, the same ones, and the same graphs.
-  bool is_same(std::size_t objects) const {
+  bool is_same(std::optional<std::size_t> objects = std::nullopt) const {
     std::optional<FleetState> first;
     for (const auto& [name, robot] : robots_) {
       FleetState state = robot.exchange->state();
-      if (state.objects != objects || (first && !have_same_records(*first, state))) {
+      if ((objects && state.objects != *objects) || (first && !have_same_records(*first, state))) {
         return false;
       }
       first = std::move(state);
