@@ -21,11 +21,6 @@ using fleet_messages::TopicKind;
 
 namespace {
 
-// Until when a message waits at most for those that are more urgent, seconds.
-constexpr double kUrgentS = 0.0;
-constexpr double kGraphPatienceS = 4.0;
-constexpr double kObjectPatienceS = 6.0;
-constexpr double kManifestPatienceS = 8.0;
 /// Between two comparisons of what should be there and what is.
 constexpr double kLookPeriodS = 1.0;
 
@@ -117,17 +112,17 @@ bool FleetExchange::set_graph(const std::vector<geometry::Pose2>& T_map_submaps,
                               const Eigen::Matrix3d& latest_covariance) {
   const auto message =
       fleet_messages::to_graph_message(T_map_submaps, latest_covariance, map_number_);
-  return message && publish(*message, kGraphPatienceS);
+  return message && publish(*message, Worth::kGraph);
 }
 
 bool FleetExchange::set_claims(const std::vector<team_exploration::Claim>& claims) {
   const auto message = fleet_messages::to_message(claims, map_number_);
-  return message && publish(*message, kUrgentS);
+  return message && publish(*message, Worth::kUrgent);
 }
 
 bool FleetExchange::set_alignment(const std::vector<fleet_messages::AlignedMap>& maps) {
   const auto message = fleet_messages::to_message(maps);
-  return message && publish(*message, kGraphPatienceS);
+  return message && publish(*message, Worth::kGraph);
 }
 
 bool FleetExchange::set_pose(const fleet_messages::PoseEstimate& pose, double stamp_s) {
@@ -209,13 +204,15 @@ bool FleetExchange::adopt(const FleetTopic& topic,
                           const std::string& payload) {
   const ContentHash hash = fleet_messages::content_hash(payload);
   const bool is_object = fleet_messages::is_object(topic.kind);
-  if (publications_.has(fleet_messages::format_topic(topic)) || !is_passed_on(topic.kind)) {
+  if (publications_.has(fleet_messages::format_topic(topic))) {
     return false;
   }
   knowledge_.take_own(message.body, hash, now_s_);
-  publications_.restore(topic, payload);
   if (is_object) {
+    publications_.restore(topic, payload, payload, Worth::kObject);
     list_object(hash);
+  } else {
+    publications_.restore(topic, message.body, payload, Worth::kGraph);
   }
   const auto number = map_number_of(message.body);
   if (number && *number >= map_number_ && !has_own_submap_) {
@@ -246,14 +243,14 @@ void FleetExchange::look_around() {
   publications_.compare(now_s_);
   relays_.update(knowledge_, publications_, now_s_);
   if (const auto ask = missing_.next(knowledge_, now_s_)) {
-    publish(*ask, kUrgentS);
+    publish(*ask, Worth::kUrgent);
     ++asks_;
   }
 }
 
 void FleetExchange::send_presence(PresenceState state) {
   presence_sent_s_ = now_s_;
-  publish(presence_like(params_, state), kUrgentS);
+  publish(presence_like(params_, state), Worth::kUrgent);
 }
 
 void FleetExchange::send_pose() {
@@ -273,18 +270,17 @@ void FleetExchange::send_pose() {
     }
   }
   sent_pose_ = SentPose{T_map_robot, now_s_};
-  publish(*pose_, kUrgentS);
+  publish(*pose_, Worth::kUrgent);
 }
 
-bool FleetExchange::publish(const MessageBody& body, double patience_s) {
+bool FleetExchange::publish(const MessageBody& body, Worth worth) {
   const FleetMessage message = message_of(params_, 0, body);
   const auto payload = fleet_messages::encode(message);
   if (!payload) {
     return false;
   }
   knowledge_.take_own(body, {}, now_s_);
-  publications_.put(
-      fleet_messages::topic_of(params_.fleet, message, *payload), body, patience_s, now_s_);
+  publications_.put(fleet_messages::topic_of(params_.fleet, message, *payload), body, worth);
   return true;
 }
 
@@ -300,10 +296,8 @@ bool FleetExchange::add_object(const MessageBody& body) {
   }
   save(body, *payload);
   knowledge_.take_own(body, hash, now_s_);
-  publications_.put(fleet_messages::topic_of(params_.fleet, message, *payload),
-                    *payload,
-                    kObjectPatienceS,
-                    now_s_);
+  publications_.put(
+      fleet_messages::topic_of(params_.fleet, message, *payload), *payload, Worth::kObject);
   list_object(hash);
   return true;
 }
@@ -315,7 +309,7 @@ void FleetExchange::list_object(const ContentHash& hash) {
   const auto first = own_objects_.begin() + static_cast<std::ptrdiff_t>(page * kPerPage);
   publish(fleet_messages::ManifestMessage{static_cast<std::uint16_t>(page),
                                           {first, own_objects_.end()}},
-          kManifestPatienceS);
+          Worth::kObject);
 }
 
 void FleetExchange::save(const MessageBody& body, const std::string& payload) {
@@ -329,12 +323,16 @@ std::optional<std::string> FleetExchange::encode(const MessageBody& body) {
   FleetMessage message = message_of(params_, ++counter_, body);
   if (auto* presence = std::get_if<PresenceMessage>(&message.body)) {
     presence->map_number = map_number_;
-    presence->own_objects = static_cast<std::uint32_t>(own_objects_.size());
-    presence->own_set = fleet_messages::set_hash(own_objects_);
+    presence->own_objects = listed_objects_;
     presence->latest_set = fleet_messages::set_hash(publications_.sent_hashes(is_in_latest_set));
     presence->known_objects = static_cast<std::uint32_t>(knowledge_.object_count());
     presence->known_set = knowledge_.object_set();
     knowledge_.take_own(*presence, {}, now_s_);
+  }
+  if (const auto* page = std::get_if<fleet_messages::ManifestMessage>(&body)) {
+    const std::size_t before = page->page * fleet_messages::ManifestMessage::kObjectsPerPage;
+    listed_objects_ =
+        std::max(listed_objects_, static_cast<std::uint32_t>(before + page->objects.size()));
   }
   auto payload = fleet_messages::encode(message);
   if (payload && std::holds_alternative<fleet_messages::GraphMessage>(body)) {

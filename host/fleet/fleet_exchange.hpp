@@ -90,7 +90,7 @@ class FleetExchange {
   void look_around();
   void send_presence(fleet_messages::PresenceState state);
   void send_pose();
-  bool publish(const fleet_messages::MessageBody& body, double patience_s);
+  bool publish(const fleet_messages::MessageBody& body, Worth worth);
   bool add_object(const fleet_messages::MessageBody& body);
   /// Writes an object on the last page of the manifest.
   void list_object(const fleet_messages::ContentHash& hash);
@@ -105,6 +105,7 @@ class FleetExchange {
   Relays relays_;
   MissingWatch missing_;
   std::vector<fleet_messages::ContentHash> own_objects_;  ///< In the manifest's order.
+  std::uint32_t listed_objects_ = 0;                      ///< On the pages that were sent.
   std::uint16_t map_number_ = 0;
   bool has_own_submap_ = false;  ///< Of this map.
   std::uint32_t counter_ = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace echomap::fleet {
@@ -10,8 +11,8 @@ namespace {
 
 /// Of a PUBLISH packet (MQTT 5, 3.3): type, remaining length, topic length, packet id, properties.
 constexpr std::size_t kPacketBytes = 1 + 2 + 2 + 2 + 1;
-/// Behind all that is new.
-constexpr double kRestoredPatienceS = 12.0;
+/// Shares of the budget where messages of every worth wait.
+constexpr std::array<double, kWorths> kWeights{8.0, 4.0, 2.0, 1.0};
 
 }  // namespace
 
@@ -23,29 +24,33 @@ Publications::Publications(const FleetExchangeParams& params)
 
 void Publications::put(const fleet_messages::FleetTopic& topic,
                        PublicationContent content,
-                       double patience_s,
-                       double now_s) {
-  Entry& entry = entries_[fleet_messages::format_topic(topic)];
+                       Worth worth) {
+  const std::string text = fleet_messages::format_topic(topic);
+  Entry& entry = entries_[text];
+  stop_waiting(entry);
   entry.content = std::move(content);
+  entry.kind = topic.kind;
   entry.delivery = topic.kind == fleet_messages::TopicKind::kPose ? mqtt::Delivery::kAtMostOnce
                                                                   : mqtt::Delivery::kAtLeastOnce;
-  entry.kind = topic.kind;
+  entry.worth = worth;
   entry.is_retained = fleet_messages::is_retained(topic.kind);
   entry.is_changed = true;
   entry.is_confirmed = false;
   entry.is_withdrawn = false;
-  entry.patience_s = patience_s;
-  let_wait(entry, now_s);
+  let_wait(text, entry);
 }
 
-void Publications::restore(const fleet_messages::FleetTopic& topic, std::string payload) {
+void Publications::restore(const fleet_messages::FleetTopic& topic,
+                           PublicationContent content,
+                           std::string payload,
+                           Worth worth) {
   Entry& entry = entries_[fleet_messages::format_topic(topic)];
   entry.kind = topic.kind;
-  entry.content = payload;
+  entry.content = std::move(content);
   entry.payload = std::move(payload);
+  entry.worth = worth;
   entry.is_retained = true;
   entry.is_restored = true;
-  entry.patience_s = kRestoredPatienceS;
   entry.sent_s = std::numeric_limits<double>::lowest();
 }
 
@@ -56,7 +61,7 @@ bool Publications::repeat(const std::string& topic, double now_s) {
   }
   Entry& entry = found->second;
   if (!entry.sent_s || now_s >= *entry.sent_s + answer_period_s_) {
-    let_wait(entry, now_s);
+    let_wait(topic, entry);
   }
   return true;
 }
@@ -69,11 +74,11 @@ void Publications::repeat_all(bool (*is_wanted)(fleet_messages::TopicKind), doub
   }
 }
 
-void Publications::withdraw(const std::string& topic, double now_s) {
+void Publications::withdraw(const std::string& topic) {
   const auto found = entries_.find(topic);
   if (found != entries_.end() && !found->second.is_withdrawn) {
     found->second.is_withdrawn = true;
-    let_wait(found->second, now_s);
+    let_wait(topic, found->second);
   }
 }
 
@@ -84,7 +89,7 @@ void Publications::confirm(const std::string& topic, std::string_view payload) {
   }
   found->second.is_confirmed = true;
   if (!found->second.is_changed) {
-    found->second.is_waiting = false;
+    stop_waiting(found->second);
   }
 }
 
@@ -97,13 +102,13 @@ void Publications::on_connected(double now_s) {
 
 void Publications::compare(double now_s) {
   for (auto& [topic, entry] : entries_) {
-    if (!entry.is_retained || entry.is_waiting || entry.is_confirmed || !entry.sent_s) {
+    if (!entry.is_retained || entry.place != 0 || entry.is_confirmed || !entry.sent_s) {
       continue;
     }
     const double expected_s = *entry.sent_s < connected_s_ ? connected_s_ + compare_after_s_
                                                            : *entry.sent_s + confirm_within_s_;
     if (now_s >= expected_s) {
-      let_wait(entry, now_s);
+      let_wait(topic, entry);
       ++statistics_.published_again;
     }
   }
@@ -112,32 +117,41 @@ void Publications::compare(double now_s) {
 void Publications::send(mqtt::MessageBus& bus, const Encode& encode, double now_s) {
   budget_.advance_to(now_s);
   while (budget_.has_some()) {
-    const auto next = most_urgent();
-    if (next == entries_.end()) {
+    Queue* queue = next_queue();
+    if (queue == nullptr) {
       return;
     }
-    auto& [topic, entry] = *next;
-    entry.is_waiting = false;
+    const std::string topic = queue->topics.begin()->second;
+    Entry& entry = entries_.at(topic);
+    stop_waiting(entry);
     if (!prepare(entry, encode) ||
         !bus.publish(topic, entry.payload, entry.delivery, entry.is_retained)) {
       ++statistics_.too_large;
-      entries_.erase(next);
+      entries_.erase(topic);
       continue;
     }
-    const std::size_t bytes = kPacketBytes + topic.size() + entry.payload.size();
-    budget_.spend(bytes);
-    statistics_.bytes += bytes;
-    ++statistics_.messages;
     entry.sent_s = now_s;
+    note_sent(*queue, topic, entry);
     if (!entry.is_retained || entry.is_withdrawn) {
-      entries_.erase(next);
+      entries_.erase(topic);
     }
   }
 }
 
+void Publications::note_sent(Queue& queue, const std::string& topic, const Entry& entry) {
+  const std::size_t bytes = kPacketBytes + topic.size() + entry.payload.size();
+  queue.virtual_bytes +=
+      static_cast<double>(bytes) / kWeights[static_cast<std::size_t>(entry.worth)];
+  budget_.spend(bytes);
+  statistics_.bytes += bytes;
+  ++statistics_.messages;
+}
+
 std::size_t Publications::waiting() const {
-  return static_cast<std::size_t>(std::count_if(
-      entries_.begin(), entries_.end(), [](const auto& entry) { return entry.second.is_waiting; }));
+  return std::accumulate(
+      queues_.begin(), queues_.end(), std::size_t{0}, [](std::size_t sum, const Queue& queue) {
+        return sum + queue.topics.size();
+      });
 }
 
 std::size_t Publications::unconfirmed() const {
@@ -158,21 +172,34 @@ std::vector<fleet_messages::ContentHash> Publications::sent_hashes(
   return hashes;
 }
 
-void Publications::let_wait(Entry& entry, double now_s) {
-  const double due_s = now_s + entry.patience_s;
-  entry.due_s = entry.is_waiting ? std::min(entry.due_s, due_s) : due_s;
-  entry.is_waiting = true;
+void Publications::let_wait(const std::string& topic, Entry& entry) {
+  if (entry.place != 0) {
+    return;
+  }
+  Queue& queue = queues_[static_cast<std::size_t>(entry.worth)];
+  if (queue.topics.empty()) {
+    // What it has not used while nothing waited is not saved up.
+    const Queue* busiest = next_queue();
+    queue.virtual_bytes =
+        std::max(queue.virtual_bytes, busiest == nullptr ? 0.0 : busiest->virtual_bytes);
+  }
+  entry.place = ++last_place_;
+  queue.topics.emplace(entry.place, topic);
 }
 
-Publications::Entries::iterator Publications::most_urgent() {
-  auto best = entries_.end();
-  for (auto at = entries_.begin(); at != entries_.end(); ++at) {
-    if (at->second.is_waiting &&
-        (best == entries_.end() || at->second.due_s < best->second.due_s)) {
-      best = at;
+void Publications::stop_waiting(Entry& entry) {
+  queues_[static_cast<std::size_t>(entry.worth)].topics.erase(entry.place);
+  entry.place = 0;
+}
+
+Publications::Queue* Publications::next_queue() {
+  Queue* next = nullptr;
+  for (Queue& queue : queues_) {
+    if (!queue.topics.empty() && (next == nullptr || queue.virtual_bytes < next->virtual_bytes)) {
+      next = &queue;
     }
   }
-  return best;
+  return next;
 }
 
 bool Publications::prepare(Entry& entry, const Encode& encode) {
@@ -180,10 +207,12 @@ bool Publications::prepare(Entry& entry, const Encode& encode) {
     entry.payload.clear();
     return true;
   }
-  if (!entry.is_changed) {
+  const auto* body = std::get_if<fleet_messages::MessageBody>(&entry.content);
+  // An old boot id would be refused.
+  const bool is_outdated = entry.is_restored && body != nullptr;
+  if (!entry.is_changed && !is_outdated) {
     return true;
   }
-  const auto* body = std::get_if<fleet_messages::MessageBody>(&entry.content);
   auto payload =
       body == nullptr ? std::optional(std::get<std::string>(entry.content)) : encode(*body);
   if (payload) {

@@ -9,9 +9,6 @@ using fleet_messages::TopicKind;
 
 namespace {
 
-/// Behind all that is this robot's own.
-constexpr double kRelayPatienceS = 15.0;
-
 bool is_asked_for(const fleet_messages::AskMessage& ask, const fleet_messages::FleetTopic& topic) {
   const auto* hash = std::get_if<fleet_messages::ContentHash>(&topic.id);
   return hash == nullptr
@@ -61,7 +58,7 @@ void Relays::update(const FleetKnowledge& knowledge, Publications& publications,
   std::erase_if(authors_, [&](const auto& relay) {
     const bool is_back = knowledge.is_alive(relay.second, now_s);
     if (is_back) {
-      publications.withdraw(relay.first, now_s);
+      publications.withdraw(relay.first);
     }
     return is_back;
   });
@@ -83,7 +80,7 @@ void Relays::pass_on(const std::string& author,
       fleet_, robot_, TopicKind::kRelay, fleet_messages::content_hash(stored.payload)};
   const std::string text = fleet_messages::format_topic(topic);
   if (!publications.repeat(text, now_s)) {
-    publications.put(topic, stored.payload, kRelayPatienceS, now_s);
+    publications.put(topic, stored.payload, Worth::kRelay);
     ++count_;
   }
   authors_[text] = author;

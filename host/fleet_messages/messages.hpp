@@ -33,11 +33,10 @@ struct PresenceMessage {
   std::uint16_t map_number = 0;  ///< Of the map that it is making now.
   std::uint16_t body_radius_mm = 0;
   std::uint16_t beam_half_angle = 0;
-  std::uint32_t own_objects = 0;  ///< How many it has made,
-  ContentHash own_set;            ///< and the hash of their set.
-  ContentHash latest_set;         ///< The same of the payloads of its graphs, claims and alignment.
-  std::uint32_t known_objects = 0;  ///< The same of all that it has, of whomever.
-  ContentHash known_set;
+  std::uint32_t own_objects = 0;    ///< How many its manifest has.
+  ContentHash latest_set;           ///< Of the payloads of its latest graphs, claims and alignment.
+  std::uint32_t known_objects = 0;  ///< How many it has, of whomever,
+  ContentHash known_set;            ///< and the hash of their set.
   bool operator==(const PresenceMessage&) const = default;
 
   template <class M, class V>
@@ -47,7 +46,6 @@ struct PresenceMessage {
     visit("body_radius_mm", self.body_radius_mm);
     visit("beam_half_angle", self.beam_half_angle);
     visit("own_objects", self.own_objects);
-    visit("own_set", self.own_set);
     visit("latest_set", self.latest_set);
     visit("known_objects", self.known_objects);
     visit("known_set", self.known_set);
