@@ -15,8 +15,8 @@
 namespace echomap::mqtt {
 namespace {
 
-/// Packets of one take(), so that it ends where they come faster than they are read.
-constexpr int kMaxPasses = 5000;
+/// Packets of one take(), some 25 ms, so that it ends where they come faster than they are read.
+constexpr int kMaxPasses = 500;
 constexpr int kAtLeastOnce = 1;
 
 /// libmosquitto is set up once and stays so: others of this process may use it, too.

@@ -352,6 +352,20 @@ TEST_F(TlsConnectionTest, WorksOverALineWithDelay) {
   EXPECT_TRUE(robot.is_acknowledged());
 }
 
+TEST_F(ConnectionTest, ALineThatIsSilentIsGivenUp) {
+  tests::TcpProxy proxy(broker_->port());
+  ConnectionParams params = broker_.params("robot1");
+  params.port = proxy.port();
+  params.keep_alive_s = 5;
+  params.answer_s = 1.0;
+  Client robot(params);
+  proxy.stall();
+  ASSERT_TRUE(robot.serve_until([&] { return !robot->is_connected(); }));
+  EXPECT_EQ(robot->reason(), Reason::kSilent);
+  proxy.resume();
+  EXPECT_TRUE(robot.serve_until([&] { return robot->connections() == 2; }));
+}
+
 TEST_F(ConnectionTest, OneWhoJoinsLateGetsTenThousandObjects) {
   constexpr int kObjects = 10'000;
   const std::string payload(500, 's');
