@@ -190,4 +190,56 @@ struct FleetReplayOptions {
 };
 ExitCode run_fleet_replay(const FleetReplayOptions& options);
 
+/// `echomap fleet join`: drives the robot on a port as a member of a fleet.
+struct FleetJoinOptions {
+  RunOptions run;
+  session::ConnectionOptions connection;
+  std::filesystem::path as;  ///< Credentials of the member.
+  /// All robots of a simulated fleet that works in rounds; empty: in real time.
+  std::vector<std::string> rounds_with;
+  /// Where others started, as this one's map has it: NAME,X,Y,DEGREES each.
+  std::vector<std::string> knows;
+};
+ExitCode run_fleet_join(const FleetJoinOptions& options);
+
+/// `echomap fleet start`: a broker and simulated robots of one world that explore it together.
+struct FleetStartOptions {
+  RunOptions run;
+  LiveOptions live;
+  std::optional<double> speed;  ///< Times real time, 0: as fast as it can.
+  session::SimulatedRobotOptions robot;
+  std::string address = "127.0.0.1";  ///< Where the broker listens.
+  bool tls = false;
+  bool known_starts = false;  ///< The robots are told where the others started.
+};
+ExitCode run_fleet_start(const FleetStartOptions& options);
+
+/// `echomap fleet status`: who is in a fleet and how far it has come.
+struct FleetStatusOptions {
+  std::filesystem::path as;    ///< Credentials of any member.
+  double listen_s = 3.0;       ///< How long it listens.
+  std::filesystem::path json;  ///< Empty: none; "-": stdout.
+};
+ExitCode run_fleet_status(const FleetStatusOptions& options);
+
+/// `echomap fleet map`: the map that a fleet has made so far.
+struct FleetMapOptions {
+  std::filesystem::path as;    ///< Credentials of any member.
+  double listen_s = 5.0;       ///< How long it listens.
+  std::string robot;           ///< In whose frame; empty: that of the largest map.
+  std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
+  std::filesystem::path json;  ///< Empty: none; "-": stdout.
+  bool force = false;
+};
+ExitCode run_fleet_map(const FleetMapOptions& options);
+
+/// `echomap fleet record`: all that a fleet says, as one MCAP file.
+struct FleetRecordOptions {
+  std::filesystem::path as;   ///< Credentials of any member.
+  std::filesystem::path out;  ///< The file.
+  double for_s = 0.0;         ///< How long; 0: until Ctrl-C.
+  bool force = false;
+};
+ExitCode run_fleet_record(const FleetRecordOptions& options);
+
 }  // namespace echomap::apps

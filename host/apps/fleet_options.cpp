@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/live_options.hpp"
 #include "host/apps/map_options.hpp"
+#include "host/apps/robot_options.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -38,11 +40,124 @@ void add_fleet_replay(CLI::App& fleet, CommandAction& action) {
       [&action, options] { action = [options] { return run_fleet_replay(*options); }; });
 }
 
+CLI::Option* add_as(CLI::App& command, std::filesystem::path& as) {
+  return command
+      .add_option("--as",
+                  as,
+                  "Credentials of a member, as `echomap fleet start` writes them: "
+                  "broker/members/NAME.toml")
+      ->required()
+      ->check(CLI::ExistingFile);
+}
+
+void add_fleet_start(CLI::App& fleet, CommandAction& action) {
+  CLI::App* command = fleet.add_subcommand(
+      "start", "Start a broker and simulated robots that explore one room together");
+  const auto options = std::make_shared<FleetStartOptions>();
+  options->robot.robots = 2;
+  command->add_option("--robots", options->robot.robots, "How many robots")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{16}))
+      ->capture_default_str();
+  command->add_option("--world", options->robot.world, "A bundled world or a TOML file")
+      ->capture_default_str();
+  command
+      ->add_option("--starts",
+                   options->robot.starts,
+                   "Where they start, x,y,degrees;x,y,degrees;.. or drawn; by default the first "
+                   "where the world has it, the others drawn by the seed")
+      ->capture_default_str();
+  command->add_option("--emulator", options->robot.emulator, "What runs the firmware")
+      ->check(CLI::IsMember({"simavr", "mock"}))
+      ->capture_default_str();
+  command->add_option(
+      "--broker-address", options->address, "Where the broker listens, for robots elsewhere");
+  command->add_flag("--tls", options->tls, "The broker speaks TLS, by a certificate made for it");
+  command->add_option("--robot", options->run.robot, "Profile of the robots")
+      ->capture_default_str();
+  command->add_option("--seed", options->run.seed, "Seed of every random generator")
+      ->capture_default_str();
+  add_out_options(*command, options->run.out, options->run.force);
+  command->add_option("--json", options->run.json, "Write a report to this file, '-' for stdout");
+  command->add_flag("--headless", options->run.headless, "No live page");
+  add_live_options(*command, options->live, false);
+  command->footer("Example: echomap fleet start --robots 2 --world corridor_rooms");
+  command->callback([&action, options] {
+    options->live.serves = !options->run.headless;
+    action = [options] { return run_fleet_start(*options); };
+  });
+}
+
+void add_fleet_join(CLI::App& fleet, CommandAction& action) {
+  CLI::App* command = fleet.add_subcommand("join", "Drive a robot as a member of a fleet");
+  const auto options = std::make_shared<FleetJoinOptions>();
+  add_as(*command, options->as);
+  add_connection_options(*command, options->connection);
+  command
+      ->add_option("--knows",
+                   options->knows,
+                   "Where another robot started, in this one's map: NAME,X,Y,DEGREES; may be "
+                   "repeated. Without it the maps are joined by what the sonars hear")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--round-with",
+                   options->rounds_with,
+                   "Of a simulated fleet: a robot of it, this one included; may be repeated")
+      ->allow_extra_args(false);
+  add_run_options(*command, options->run);
+  command->footer("Example: echomap fleet join --as broker/members/robot0.toml");
+  command->callback(
+      [&action, options] { action = [options] { return run_fleet_join(*options); }; });
+}
+
+void add_fleet_status(CLI::App& fleet, CommandAction& action) {
+  CLI::App* command = fleet.add_subcommand("status", "Who is in a fleet, and how far it has come");
+  const auto options = std::make_shared<FleetStatusOptions>();
+  add_as(*command, options->as);
+  command->add_option("--listen-s", options->listen_s, "How long it listens, seconds")
+      ->check(CLI::Range(0.1, 600.0))
+      ->capture_default_str();
+  command->add_option("--json", options->json, "Write a report to this file, '-' for stdout");
+  command->callback(
+      [&action, options] { action = [options] { return run_fleet_status(*options); }; });
+}
+
+void add_fleet_map(CLI::App& fleet, CommandAction& action) {
+  CLI::App* command = fleet.add_subcommand("map", "Write the map that a fleet has made so far");
+  const auto options = std::make_shared<FleetMapOptions>();
+  add_as(*command, options->as);
+  command->add_option(
+      "--of", options->robot, "Robot in whose frame it is; by default of the largest map");
+  command->add_option("--listen-s", options->listen_s, "How long it listens, seconds")
+      ->check(CLI::Range(0.1, 600.0))
+      ->capture_default_str();
+  add_out_options(*command, options->out, options->force);
+  command->add_option("--json", options->json, "Write a report to this file, '-' for stdout");
+  command->callback([&action, options] { action = [options] { return run_fleet_map(*options); }; });
+}
+
+void add_fleet_record(CLI::App& fleet, CommandAction& action) {
+  CLI::App* command = fleet.add_subcommand("record", "Write all that a fleet says to an MCAP file");
+  const auto options = std::make_shared<FleetRecordOptions>();
+  add_as(*command, options->as);
+  command->add_option("--out", options->out, "The file")->required();
+  command->add_option("--for-s", options->for_s, "How long, seconds; 0: until Ctrl-C")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command->add_flag("--force", options->force, "Replace the file");
+  command->callback(
+      [&action, options] { action = [options] { return run_fleet_record(*options); }; });
+}
+
 }  // namespace
 
 void add_fleet(CLI::App& app, CommandAction& action) {
   CLI::App* fleet = app.add_subcommand("fleet", "Work with several robots at once");
   fleet->require_subcommand(1);
+  add_fleet_start(*fleet, action);
+  add_fleet_join(*fleet, action);
+  add_fleet_status(*fleet, action);
+  add_fleet_map(*fleet, action);
+  add_fleet_record(*fleet, action);
   add_fleet_replay(*fleet, action);
 }
 

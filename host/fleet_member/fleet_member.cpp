@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/fleet_member/fleet_member.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "host/exploration/company.hpp"
@@ -8,6 +9,13 @@
 #include "host/team_exploration/team_explorer.hpp"
 
 namespace echomap::fleet_member {
+
+namespace {
+
+/// Session's times are whole microseconds.
+constexpr double kSameTime = 1e-7;
+
+}  // namespace
 
 using pipeline::Snapshot;
 using team_exploration::Claim;
@@ -50,20 +58,21 @@ void FleetMember::begin_map() {
 
 void FleetMember::step() {
   const double now_s = session::now_s(robot_.session());
-  if (!exchanged_s_ || now_s >= *exchanged_s_ + params_.exchange_period_s) {
+  if (now_s >= next_exchange_s_) {
     exchange(now_s);
+    const double periods = std::floor(now_s / params_.exchange_period_s + kSameTime);
+    next_exchange_s_ = (periods + 1.0) * params_.exchange_period_s - kSameTime;
   }
 }
 
 void FleetMember::exchange(double now_s) {
   tell_stops();
   tell_pose(now_s);
-  if (before_exchange) {
-    before_exchange(now_s);
-  }
   exchange_.update(now_s);
-  exchanged_s_ = now_s;
   state_ = exchange_.state();
+  if (after_exchange) {
+    after_exchange();
+  }
 }
 
 /// A stop whose scan the map does not have is not told either.
@@ -130,6 +139,12 @@ void FleetMember::claim(const std::optional<Claim>& claim) {
 Snapshot FleetMember::known() {
   return exploration::with_company(robot_.atlas().pipeline().snapshot(),
                                    team_exploration::company_of(view()));
+}
+
+const team_map::MergedMap* FleetMember::merged() {
+  look();
+  const std::string map = map_name(params_.exchange.robot, exchange_.map_number());
+  return picture_.team().component_of(map) != nullptr ? &picture_.team().merged(map) : nullptr;
 }
 
 void FleetMember::leave() { exchange_.leave(); }

@@ -24,7 +24,7 @@ struct FleetMemberParams {
   fleet::FleetExchangeParams exchange;
   team_map::TeamMapParams team;
   team_exploration::PeerEchoParams echoes;
-  /// How often messages are exchanged, seconds of the session's time.
+  /// Messages are exchanged at whole multiples of this, seconds of the session's time.
   double exchange_period_s = 0.1;
   /// A peer that drives may be so much farther from where it told to be, for each second since.
   double peer_drift_m_per_s = 0.1;
@@ -42,9 +42,9 @@ class FleetMember final : public team_exploration::TeamBoard {
   FleetMember(const FleetMember&) = delete;
   FleetMember& operator=(const FleetMember&) = delete;
 
-  /// Calls that before each exchange, with the session's time: where a simulated fleet works in
-  /// rounds, it waits there for the others.
-  std::function<void(double now_s)> before_exchange;
+  /// Called after each exchange: where a simulated fleet works in rounds, it waits there for the
+  /// others.
+  std::function<void()> after_exchange;
 
   team_exploration::TeamView view() override;
   void claim(const std::optional<team_exploration::Claim>& claim) override;
@@ -61,6 +61,8 @@ class FleetMember final : public team_exploration::TeamBoard {
   /// Exchanges messages at this time of the session, which has ended, too.
   void exchange(double now_s);
 
+  /// The map of all joined robots in its frame; null before its first stop.
+  const team_map::MergedMap* merged();
   const fleet::FleetExchange& fleet() const { return exchange_; }
   const TeamPicture& picture() const { return picture_; }
   const team_exploration::PeerEchoFilter& echoes() const { return filter_; }
@@ -87,7 +89,7 @@ class FleetMember final : public team_exploration::TeamBoard {
   std::vector<team_exploration::Peer> peers_;
   std::size_t told_stops_ = 0;   ///< Of the pipeline.
   std::size_t map_changes_ = 0;  ///< Of the atlas.
-  std::optional<double> exchanged_s_;
+  double next_exchange_s_ = 0.0;
 };
 
 }  // namespace echomap::fleet_member

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/fleet_connection.hpp"
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "host/apps/commands.hpp"
+#include "host/console/interrupt.hpp"
+
+namespace echomap::apps {
+namespace {
+
+/// A broker on the same network answers within milliseconds.
+constexpr std::chrono::seconds kBrokerPatience{10};
+
+}  // namespace
+
+FleetConnection connect_to_fleet(const std::filesystem::path& credentials,
+                                 const std::optional<mqtt::LastWill>& will) {
+  FleetConnection fleet{broker::read_credentials(credentials), nullptr};
+  mqtt::ConnectionParams params = broker::connection_params(fleet.credentials);
+  params.will = will;
+  fleet.bus = std::make_unique<mqtt::Connection>(params);
+  const auto end = std::chrono::steady_clock::now() + kBrokerPatience;
+  while (true) {
+    fleet.bus->take();
+    if (fleet.bus->is_connected()) {
+      return fleet;
+    }
+    const bool is_refused = fleet.bus->reason() == mqtt::Reason::kWrongPassword;
+    if (is_refused || std::chrono::steady_clock::now() > end) {
+      throw CommandError(
+          ExitCode::kRuntimeError,
+          fmt::format("the broker at {}:{} {}: {}\n  next: {}",
+                      params.host,
+                      params.port,
+                      is_refused ? "does not accept " + params.user : "does not answer",
+                      mqtt::text_of(fleet.bus->reason()),
+                      is_refused ? "use the credentials that `echomap fleet start` wrote, "
+                                   "broker/members/NAME.toml"
+                                 : "start it with `echomap fleet start`, or see its log, "
+                                   "broker/mosquitto.log"));
+    }
+    if (console::interrupted()) {
+      throw CommandError(ExitCode::kInterrupted, "interrupted");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "host/broker/credentials.hpp"
+#include "host/mqtt/connection.hpp"
+
+namespace echomap::apps {
+
+/// A member's connection to its fleet's broker, and as whom it is made.
+struct FleetConnection {
+  broker::Credentials credentials;
+  std::unique_ptr<mqtt::Connection> bus;
+};
+
+/// Connects as the member whose credentials are in that file, and waits until the broker has
+/// accepted. Throws files::ConfigError for the file, and CommandError 1 where the broker does not
+/// answer or refuses.
+FleetConnection connect_to_fleet(const std::filesystem::path& credentials,
+                                 const std::optional<mqtt::LastWill>& will = std::nullopt);
+
+}  // namespace echomap::apps

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/explore_run.hpp"
+#include "host/apps/fleet_connection.hpp"
+#include "host/apps/fleet_map_files.hpp"
+#include "host/apps/live_run.hpp"
+#include "host/apps/report.hpp"
+#include "host/apps/run_recording.hpp"
+#include "host/console/interrupt.hpp"
+#include "host/console/print.hpp"
+#include "host/console/shell_line.hpp"
+#include "host/fleet/fleet_rounds.hpp"
+#include "host/fleet_member/fleet_member.hpp"
+#include "host/geometry/angle.hpp"
+#include "host/team_exploration/team_explorer.hpp"
+
+namespace echomap::apps {
+namespace {
+
+using fleet_member::FleetMember;
+using fleet_member::FleetMemberParams;
+using session::RobotContext;
+
+/// Simulated seconds of a round.
+constexpr double kRoundS = 0.5;
+/// Of a simulated fleet, whose broker is new for each run.
+constexpr std::uint32_t kSimulatedBoot = 1;
+/// What has been made is out long before.
+constexpr std::chrono::seconds kFarewell{20};
+
+double wall_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::uint32_t seconds_since_1970() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint32_t>(
+      std::chrono::duration_cast<std::chrono::seconds>(since).count());
+}
+
+FleetMemberParams member_params(const broker::Credentials& credentials,
+                                const session::RobotProfile& profile,
+                                bool in_rounds) {
+  FleetMemberParams params;
+  params.exchange.fleet = credentials.fleet;
+  params.exchange.robot = credentials.user;
+  params.exchange.boot_id = in_rounds ? kSimulatedBoot : seconds_since_1970();
+  params.exchange.traits = {profile.body_radius_m, profile.beam_half_angle_rad};
+  params.echoes.beam_half_angle_rad = profile.beam_half_angle_rad;
+  params.echoes.robot_radius_m = profile.body_radius_m;
+  if (in_rounds) {
+    params.exchange_period_s = kRoundS;
+  }
+  return params;
+}
+
+/// Waits for the end of a round; throws where somebody has had enough.
+void wait_for_round(fleet::FleetRounds& rounds) {
+  while (!rounds.poll(wall_s())) {
+    if (console::interrupted()) {
+      throw CommandError(ExitCode::kInterrupted, "interrupted while it waited for the fleet");
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(300));
+  }
+}
+
+/// What drives a member: `frontier` among others.
+std::unique_ptr<exploration::Explorer> team_explorer(FleetMember& member,
+                                                     const session::RobotProfile& profile,
+                                                     const std::string& name,
+                                                     const strategies::StrategyOptions& left) {
+  team_exploration::TeamExplorerParams params;
+  params.frontier = strategies::frontier_params(profile, left.stops);
+  params.avoidance.robot = name;
+  params.avoidance.navigator = params.frontier.navigator;
+  params.avoidance.guard.robot_radius_m = profile.body_radius_m;
+  params.avoidance.aside.costs = params.frontier.navigator.costs;
+  return strategies::under_watch(
+      std::make_unique<team_exploration::TeamExplorer>(member, params), profile, true);
+}
+
+/// "NAME,X,Y,DEGREES": where the map of another robot lies in this one's.
+void tell_start(FleetMember& member, const std::string& own, const std::string& words) {
+  const std::size_t comma = words.find(',');
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double heading_deg = 0.0;
+  char end = 0;
+  if (comma == std::string::npos || comma == 0 ||
+      std::sscanf(words.c_str() + comma, ",%lf,%lf,%lf%c", &x_m, &y_m, &heading_deg, &end) != 3 ||
+      !std::isfinite(x_m + y_m + heading_deg)) {
+    throw CommandError(
+        ExitCode::kUsage,
+        "--knows is NAME,X,Y,DEGREES, not '" + words + "'\n  next: echomap fleet join --help");
+  }
+  member.tell(own,
+              words.substr(0, comma),
+              {geometry::Pose2(x_m, y_m, geometry::radians(heading_deg)), 0.02, 0.02});
+}
+
+/// Says good-bye, and stays until all that it has made is out.
+void part(FleetMember& member, fleet::FleetRounds* rounds, mqtt::Connection& bus, double now_s) {
+  member.leave();
+  member.after_exchange = nullptr;
+  member.exchange(now_s);
+  if (rounds != nullptr) {
+    rounds->end_round(true);
+  }
+  const double end_s = wall_s() + static_cast<double>(kFarewell.count());
+  while (wall_s() < end_s && !console::interrupted() &&
+         (member.fleet().unconfirmed() > 0 || bus.unacknowledged() > 0)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (rounds != nullptr) {
+      rounds->poll(wall_s());
+    }
+    bus.take();
+    if (rounds != nullptr && bus.unacknowledged() == 0) {
+      break;
+    }
+    member.exchange(now_s);
+  }
+  if (member.fleet().unconfirmed() > 0 && rounds == nullptr) {
+    spdlog::warn("the broker has not taken all of {} messages", member.fleet().unconfirmed());
+  }
+  bus.disconnect();
+}
+
+NextCommands next_of(const FleetJoinOptions& options, const std::filesystem::path& out) {
+  const auto line = [](const console::CommandWords& words) { return console::shell_line(words); };
+  const std::string map = line({"echomap", "fleet", "map", "--as", options.as.string()});
+  const std::string localize = line({"echomap", "localize", "--map", (out / "team").string()});
+  const std::string again = line({"echomap", "fleet", "join", "--as", options.as.string()});
+  return {map, again, localize, again};
+}
+
+}  // namespace
+
+ExitCode run_fleet_join(const FleetJoinOptions& options) {
+  const RunOptions& run = options.run;
+  if (run.strategy.name != "frontier") {
+    throw CommandError(ExitCode::kUsage,
+                       "a member of a fleet explores by --strategy frontier, not by " +
+                           run.strategy.name + "\n  next: leave --strategy out");
+  }
+  const bool in_rounds = !options.rounds_with.empty();
+  RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
+  const auto out = run_folder(run.out);
+  LiveRun live({}, robot, {.command = "fleet join", .out = out});
+  begin_maps(robot, "", run.slam);
+  prepare_outputs(out, run.json, run.force);
+  exports::RunSummary summary;
+
+  const broker::Credentials credentials = broker::read_credentials(options.as);
+  const FleetMemberParams params = member_params(credentials, robot.profile(), in_rounds);
+  const FleetConnection connection =
+      connect_to_fleet(options.as, fleet::last_will(params.exchange));
+  std::optional<fleet::FleetRounds> rounds;
+  if (in_rounds) {
+    rounds.emplace(*connection.bus,
+                   fleet::FleetRoundsParams{
+                       credentials.fleet, credentials.user, kSimulatedBoot, options.rounds_with});
+  }
+  mqtt::MessageBus& bus = rounds ? static_cast<mqtt::MessageBus&>(*rounds) : *connection.bus;
+  FleetMember member(robot, bus, params);
+  for (const std::string& known : options.knows) {
+    tell_start(member, credentials.user, known);
+  }
+  if (rounds) {
+    member.after_exchange = [&] {
+      rounds->end_round();
+      wait_for_round(*rounds);
+    };
+    rounds->end_round();
+    wait_for_round(*rounds);
+  }
+  open_port(robot, options.connection, run.strategy, summary);
+  ExploreRun explore{run.strategy, live, out, progress_display(run), run.align, split_bytes(run)};
+  explore.next = next_of(options, out);
+  explore.make_explorer = [&](const strategies::StrategyOptions& left) {
+    return team_explorer(member, robot.profile(), credentials.user, left);
+  };
+  explore.known = [&] { return member.known(); };
+  const RunEnding ending = explore_and_save(robot, explore, summary);
+  const double end_s = session::now_s(robot.session());
+  part(member, rounds ? &*rounds : nullptr, *connection.bus, end_s);
+  save_team_map(member, robot.profile(), out / "team", summary);
+  robot.quit();
+  const auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
+  end_recording(robot, report, out);
+  write_report(run.json, report);
+  print_ending(ending);
+  return ending.code;
+}
+
+}  // namespace echomap::apps

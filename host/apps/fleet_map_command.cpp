@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/fleet_map_files.hpp"
+#include "host/apps/fleet_watch.hpp"
+#include "host/apps/report.hpp"
+#include "host/apps/run_ending.hpp"
+#include "host/console/shell_line.hpp"
+
+namespace echomap::apps {
+namespace {
+
+/// The map that is asked for; throws where the fleet has none.
+std::string chosen_map(const FleetMapOptions& options,
+                       const fleet::FleetState& state,
+                       const fleet_member::TeamPicture& picture) {
+  const std::string status = "\n  next: echomap fleet status --as " + options.as.string();
+  if (options.robot.empty()) {
+    const std::string largest = largest_map(picture);
+    if (largest.empty()) {
+      throw CommandError(ExitCode::kUnfinished, "the fleet has no map yet" + status);
+    }
+    return largest;
+  }
+  for (const fleet::FleetRobot& robot : state.robots) {
+    const std::string name = fleet_member::map_name(robot.name, robot.map_number);
+    if (robot.name == options.robot && picture.team().component_of(name) != nullptr) {
+      return name;
+    }
+  }
+  throw CommandError(ExitCode::kUnfinished,
+                     "nothing is known of a map of '" + options.robot + "'" + status);
+}
+
+}  // namespace
+
+ExitCode run_fleet_map(const FleetMapOptions& options) {
+  const auto out = run_folder(options.out);
+  prepare_outputs(out, options.json, options.force);
+  FleetWatch watch(options.as);
+  watch.listen_for(options.listen_s);
+  const fleet::FleetState state = watch.state();
+  fleet_member::TeamPicture picture;
+  picture.take(state);
+  const std::string name = chosen_map(options, state, picture);
+  const auto snapshot = team_snapshot(picture, name);
+  exports::RunSummary summary;
+  summary.echomap_version = ECHOMAP_VERSION;
+  const std::size_t joined = picture.team().component_of(name)->robots.size();
+  std::size_t maps = 0;
+  for (const auto& component : picture.team().components()) {
+    maps += component.robots.size();
+  }
+  RunEnding ending;
+  ending.outcome = joined == maps ? "joined" : "not-joined";
+  ending.code = joined == maps ? ExitCode::kOk : ExitCode::kUnfinished;
+  ending.why =
+      fmt::format("{} of {} maps of the fleet are in it, in the frame of {}", joined, maps, name);
+  ending.next =
+      joined == maps
+          ? console::shell_line({"echomap", "localize", "--map", out.string()})
+          : console::shell_line({"echomap", "fleet", "status", "--as", options.as.string()});
+  describe_ending(ending, summary);
+  save_team_map(*snapshot, session::load_robot_profile(RunOptions().robot), out, summary);
+  save_provenance(picture.team().merged(name), out / "provenance.csv");
+  write_report(options.json, nlohmann::ordered_json::parse(exports::to_json_text(summary)));
+  print_ending(ending);
+  return ending.code;
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "host/apps/fleet_page.hpp"
+
+#include <utility>
+
+#include "host/apps/fleet_watch.hpp"
+#include "host/apps/served_page.hpp"
+
+namespace echomap::apps {
+namespace {
+
+constexpr double kTrailStepM = 0.1;
+
+live_page::Presence presence_of(fleet::Attendance attendance) {
+  switch (attendance) {
+    case fleet::Attendance::kLeft:
+      return live_page::Presence::kLeft;
+    case fleet::Attendance::kGone:
+      return live_page::Presence::kGone;
+    case fleet::Attendance::kAlive:
+      break;
+  }
+  return live_page::Presence::kAlive;
+}
+
+live_page::RunFacts facts_of(const std::filesystem::path& out) {
+  live_page::RunFacts facts;
+  facts.name = out.filename().string();
+  facts.version = ECHOMAP_VERSION;
+  facts.command = "fleet start";
+  facts.live = true;
+  return facts;
+}
+
+}  // namespace
+
+FleetPage::FleetPage(const LiveOptions& options,
+                     const session::RobotProfile& profile,
+                     const std::filesystem::path& out) {
+  if (!options.serves) {
+    return;
+  }
+  publisher_ = std::make_shared<live_page::RunPublisher>(
+      std::make_shared<live_page::History>(), facts_of(out), profile);
+  server_ = serve_page(options, {{out.filename().string(), out, publisher_->history(), true}});
+}
+
+live_page::TeamRobot FleetPage::shown(const fleet::FleetRobot& robot,
+                                      const fleet_member::TeamPicture& picture,
+                                      const std::string& map_name) {
+  live_page::TeamRobot shown;
+  shown.name = robot.name;
+  shown.presence = presence_of(robot.attendance);
+  shown.radius_m = robot.traits.body_radius_m;
+  for (const fleet::FleetMap& map : robot.maps) {
+    shown.stops += map.record->submaps.size();
+  }
+  const auto relative = picture.relative_pose(map_name, robot);
+  if (!robot.pose || robot.pose->map_number != robot.map_number) {
+    return shown;
+  }
+  auto& trail_m = trails_m_[fleet_member::map_name(robot.name, robot.map_number)];
+  const geometry::Pose2& T_own_robot = robot.pose->estimate.T_map_robot;
+  if (trail_m.empty() || (trail_m.back() - T_own_robot.position_m()).norm() >= kTrailStepM) {
+    trail_m.push_back(T_own_robot.position_m());
+  }
+  if (relative) {
+    shown.T_map_robot = relative->T_own_peer * T_own_robot;
+    for (const Eigen::Vector2d& at_m : trail_m) {
+      shown.trail_m.push_back(relative->T_own_peer * at_m);
+    }
+    if (!robot.claims.empty() && robot.claims_map_number == robot.map_number) {
+      shown.claim_m = relative->T_own_peer * robot.claims.front().at_m;
+    }
+  }
+  return shown;
+}
+
+void FleetPage::show(double time_s,
+                     const fleet::FleetState& state,
+                     fleet_member::TeamPicture& picture,
+                     const std::string& map_name) {
+  if (!server_) {
+    return;
+  }
+  if (picture.team().component_of(map_name) != nullptr) {
+    const auto& grid = picture.team().merged(map_name).grid;
+    if (grid.get() != grid_) {
+      publisher_->map().look_at(time_s, *grid);
+      grid_ = grid.get();
+    }
+  }
+  live_page::TeamState team;
+  for (const fleet::FleetRobot& robot : state.robots) {
+    team.robots.push_back(shown(robot, picture, map_name));
+  }
+  publisher_->add_team(time_s, team);
+  live_page::RunState run;
+  run.phase = live_page::RunState::Phase::kRunning;
+  run.clients = server_->audience().clients;
+  for (const live_page::TeamRobot& robot : team.robots) {
+    run.stops += robot.stops;
+  }
+  publisher_->add_state(time_s, run);
+}
+
+void FleetPage::end(double time_s, const RunEnding& ending) {
+  if (!server_) {
+    return;
+  }
+  live_page::RunState run;
+  run.phase = live_page::RunState::Phase::kEnded;
+  run.result = live_page::RunResult{ending.finished(), ending.outcome, ending.why, ending.next};
+  publisher_->add_state(time_s, run);
+  wait_while_watched(*server_);
+}
+
+}  // namespace echomap::apps

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "host/apps/commands.hpp"
+#include "host/apps/explore_run.hpp"
+#include "host/apps/fleet_map_files.hpp"
+#include "host/apps/fleet_page.hpp"
+#include "host/apps/fleet_score.hpp"
+#include "host/apps/fleet_watch.hpp"
+#include "host/apps/report.hpp"
+#include "host/broker/broker.hpp"
+#include "host/console/interrupt.hpp"
+#include "host/console/print.hpp"
+#include "host/console/shell_line.hpp"
+#include "host/files/bundled_files.hpp"
+#include "host/session/profile_driver.hpp"
+#include "host/session/simulated_robots.hpp"
+
+namespace echomap::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using session::RobotProfile;
+
+constexpr const char* kFleet = "demo";
+constexpr const char* kHub = "hub";
+/// For the last files of a member behind its end.
+constexpr std::chrono::seconds kEndPatience{30};
+
+std::string robot_name(std::size_t robot) { return fmt::format("robot{}", robot); }
+
+std::vector<std::string> robot_names(std::size_t robots) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < robots; ++i) {
+    names.push_back(robot_name(i));
+  }
+  return names;
+}
+
+broker::BrokerSettings broker_settings(const FleetStartOptions& options) {
+  broker::BrokerSettings settings;
+  settings.fleet = kFleet;
+  settings.address = options.address;
+  settings.tls = options.tls;
+  settings.hub = kHub;
+  for (const std::string& name : robot_names(options.robot.robots)) {
+    settings.users.push_back({name, broker::random_password()});
+  }
+  settings.users.push_back({kHub, broker::random_password()});
+  return settings;
+}
+
+/// `echomap fleet join` of each simulated robot, as a process of its own: one that dies takes no
+/// other with it.
+class Members {
+ public:
+  Members(const FleetStartOptions& options,
+          const broker::Broker& broker,
+          const session::SimulatedRobots& robots,
+          const fs::path& out)
+      : names_(robot_names(robots.size())) {
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      const fs::path folder = out / names_[i];
+      fs::create_directories(folder);
+      processes_.push_back(std::make_unique<session::ChildProcess>(
+          command_of(options, broker, robots.connection(i), i, folder), folder / "join.log"));
+    }
+    statuses_.resize(processes_.size());
+  }
+
+  /// Whether any of them goes on.
+  bool go_on() {
+    bool any = false;
+    for (std::size_t i = 0; i < processes_.size(); ++i) {
+      statuses_[i] = processes_[i]->exit_status();
+      any = any || !statuses_[i];
+    }
+    return any;
+  }
+  void interrupt() {
+    for (const auto& process : processes_) {
+      process->send(SIGTERM);
+    }
+  }
+  void wait_for_all() {
+    const auto end = std::chrono::steady_clock::now() + kEndPatience;
+    while (go_on() && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<std::optional<int>>& statuses() const { return statuses_; }
+
+ private:
+  std::vector<std::string> command_of(const FleetStartOptions& options,
+                                      const broker::Broker& broker,
+                                      const session::ConnectionOptions& connection,
+                                      std::size_t robot,
+                                      const fs::path& folder) const {
+    std::vector<std::string> command{session::program_folder() / "echomap",
+                                     "fleet",
+                                     "join",
+                                     "--as",
+                                     broker.credentials_file(names_[robot]),
+                                     "--port",
+                                     connection.ports.front(),
+                                     "--lockstep",
+                                     connection.lockstep,
+                                     "--robot",
+                                     options.run.robot,
+                                     "--slam",
+                                     options.run.slam,
+                                     "--seed",
+                                     std::to_string(options.run.seed),
+                                     "--out",
+                                     folder,
+                                     "--force",
+                                     "--headless"};
+    for (const std::string& name : names_) {
+      command.insert(command.end(), {"--round-with", name});
+    }
+    return command;
+  }
+
+  std::vector<std::string> names_;
+  std::vector<std::unique_ptr<session::ChildProcess>> processes_;
+  std::vector<std::optional<int>> statuses_;
+};
+
+/// Shows the fleet while its members go on.
+void look_on(const FleetStartOptions& /*options*/,
+             Members& members,
+             FleetWatch& watch,
+             fleet_member::TeamPicture& picture,
+             FleetPage& page) {
+  const std::string map = fleet_member::map_name(members.names().front(), 0);
+  double next_look_s = 0.0;
+  bool is_interrupted = false;
+  while (members.go_on()) {
+    watch.listen();
+    if (console::interrupted() && !is_interrupted) {
+      is_interrupted = true;
+      members.interrupt();
+    }
+    if (watch.now_s() >= next_look_s) {
+      const fleet::FleetState state = watch.state();
+      picture.take(state);
+      page.show(watch.now_s(), state, picture, map);
+      next_look_s = watch.now_s() + 0.5;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+/// How the fleet has ended: as the worst of its members.
+RunEnding ending_of(const FleetStartOptions& options,
+                    const Members& members,
+                    const fleet_member::TeamPicture& picture,
+                    const fs::path& out) {
+  const auto* component =
+      picture.team().component_of(fleet_member::map_name(members.names().front(), 0));
+  const std::size_t joined = component == nullptr ? 0 : component->robots.size();
+  std::vector<std::string> unfinished;
+  bool is_interrupted = console::interrupted();
+  for (std::size_t i = 0; i < members.names().size(); ++i) {
+    const int status = members.statuses()[i].value_or(1);
+    if (status != 0) {
+      unfinished.push_back(fmt::format("{} (exit {})", members.names()[i], status));
+    }
+  }
+  RunEnding ending;
+  ending.next = console::shell_line({"echomap",
+                                     "eval",
+                                     (out / "team").string(),
+                                     "--truth",
+                                     (out / "truth" / members.names().front()).string()});
+  if (is_interrupted) {
+    ending.outcome = "interrupted";
+    ending.code = ExitCode::kInterrupted;
+    ending.why = "interrupted";
+  } else if (joined < members.names().size()) {
+    ending.outcome = "not-joined";
+    ending.code = ExitCode::kUnfinished;
+    ending.why = fmt::format("{} of {} maps are one; how the others lie to it was never sure",
+                             joined,
+                             members.names().size());
+  } else if (!unfinished.empty()) {
+    ending.outcome = "unfinished";
+    ending.code = ExitCode::kUnfinished;
+    ending.why =
+        fmt::format("the maps are one, but not all robots got what they were asked for: {}",
+                    fmt::join(unfinished, ", "));
+  } else {
+    ending.outcome = "complete";
+    ending.why = fmt::format("{} robots have one map of {}", joined, options.robot.world);
+  }
+  if (!unfinished.empty()) {
+    ending.next =
+        "see " +
+        (out / unfinished.front().substr(0, unfinished.front().find(' ')) / "join.log").string();
+  }
+  return ending;
+}
+
+}  // namespace
+
+ExitCode run_fleet_start(const FleetStartOptions& options) {
+  const RunOptions& run = options.run;
+  RobotProfile profile = profile_for(run.robot, run.strategy);
+  const fs::path body = files::bundled_file(
+      options.robot.body.empty() ? profile.name : options.robot.body, "hil_mock/robots", "body");
+  const fs::path out = fs::absolute(run_folder(run.out));
+  prepare_outputs(out, run.json, run.force);
+  broker::Broker broker(broker_settings(options), out / "broker");
+  console::print(fmt::format("broker of the fleet '{}' at {}:{}; others join as {}",
+                             kFleet,
+                             options.address,
+                             broker.port(),
+                             (broker.folder() / "members").string()));
+  session::SimulatedRobotOptions simulated = options.robot;
+  simulated.driver = session::driver_of(profile.toml);
+  const session::Seed seed(run.seed);
+  session::SimulatedRobots robots(simulated, seed, body, out);
+  FleetWatch watch(broker.credentials_file(kHub));
+  FleetPage page(options.live, profile, out);
+  fleet_member::TeamPicture picture;
+  Members members(options, broker, robots, out);
+  look_on(options, members, watch, picture, page);
+  members.wait_for_all();
+  watch.listen_for(0.5);
+  picture.take(watch.state());
+
+  exports::RunSummary summary;
+  summary.echomap_version = ECHOMAP_VERSION;
+  summary.robot = profile.name;
+  summary.world = options.robot.world;
+  summary.seed = run.seed;
+  const RunEnding ending = ending_of(options, members, picture, out);
+  describe_ending(ending, summary);
+  const std::string map = fleet_member::map_name(members.names().front(), 0);
+  auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
+  if (const auto snapshot = team_snapshot(picture, map)) {
+    save_fleet_map(*snapshot, picture.team().merged(map), profile, out, summary);
+    report["fleet"] = fleet_report(members.names(), watch, picture, out);
+  }
+  write_report(out / "summary.json", report);
+  write_report(run.json, report);
+  print_ending(ending);
+  page.end(watch.now_s(), ending);
+  return ending.code;
+}
+
+}  // namespace echomap::apps
