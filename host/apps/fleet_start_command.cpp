@@ -118,8 +118,6 @@ class Members {
                                      connection.lockstep,
                                      "--robot",
                                      options.run.robot,
-                                     "--slam",
-                                     options.run.slam,
                                      "--seed",
                                      std::to_string(options.run.seed),
                                      "--out",
