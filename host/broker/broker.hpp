@@ -27,7 +27,7 @@ class Broker {
  public:
   /// Writes the folder, starts the broker and waits until it listens. Throws console::CommandError:
   /// kConfigInvalid for settings, kRuntimeError where mosquitto or openssl is missing or fails.
-  Broker(const BrokerSettings& settings, std::filesystem::path folder);
+  Broker(const BrokerSettings& settings, const std::filesystem::path& folder);
   /// Ends the broker in order.
   ~Broker();
   Broker(const Broker&) = delete;
