@@ -59,6 +59,7 @@ class RoundsFleet {
         return true;
       }
     }
+    for (auto& [name, robot] : robots_) { std::cout << name << " round " << robot.rounds->round() << " waits"; for (auto& w : robot.rounds->waits_for()) std::cout << " " << w; std::cout << " connected " << robot.bus->is_connected() << robot.has_ended << "\n"; }
     return false;
   }
 
