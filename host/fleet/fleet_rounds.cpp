@@ -63,9 +63,6 @@ void FleetRounds::end_round(bool leaves) {
 
 bool FleetRounds::poll(double wall_s) {
   serve();
-  if (!has_ended_) {
-    return true;
-  }
   if (!repeated_s_) {
     repeated_s_ = wall_s;
   }
@@ -73,6 +70,9 @@ bool FleetRounds::poll(double wall_s) {
     connections_ = bus_.connections();
     repeated_s_ = wall_s;
     say_again();
+  }
+  if (!has_ended_) {
+    return true;
   }
   if (!is_over()) {
     return false;
