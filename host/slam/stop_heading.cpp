@@ -161,6 +161,17 @@ double SonarScene::log_likelihood_of(const mapping::Scan& readings) const {
   return log_likelihood(facing_from(center_m(readings)), readings, 0.0);
 }
 
+std::vector<double> SonarScene::log_likelihoods_of(const mapping::Scan& readings) const {
+  const std::vector<Facing> facing = facing_from(center_m(readings));
+  std::vector<double> log_likelihoods;
+  log_likelihoods.reserve(readings.size());
+  for (const mapping::PlacedReading& reading : readings) {
+    log_likelihoods.push_back(
+        log_likelihood(facing, reading.T_map_sonar.heading_rad(), reading.range_m));
+  }
+  return log_likelihoods;
+}
+
 std::optional<HeadingEstimate> SonarScene::heading_of(const mapping::Scan& readings) const {
   if (readings.size() < params_.min_readings) {
     return std::nullopt;

@@ -59,6 +59,8 @@ class SonarScene {
 
   /// Logarithm of how likely readings at rest are as they are placed, at least one.
   double log_likelihood_of(const mapping::Scan& readings) const;
+  /// The same of each reading for itself.
+  std::vector<double> log_likelihoods_of(const mapping::Scan& readings) const;
 
  private:
   /// A wall or post as seen from one place.

@@ -2,65 +2,92 @@
 #include "host/team_map/map_join.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "host/geometry/parameter_validator.hpp"
 #include "host/slam/stop_stand.hpp"
 
 namespace echomap::team_map {
 
-using mapping::MapPlacement;
-
 void validate(const MapJoinParams& params) {
   geometry::ParameterValidator("map join")
-      .positive("agreeing_stops", params.agreeing_stops)
+      .positive("judged", params.judged)
+      .positive("max_loss", params.max_loss)
+      .positive("min_gain", params.min_gain)
+      .within("min_matched_share", params.min_matched_share, 0.0, 1.0)
+      .positive("max_range_rms_m", params.max_range_rms_m)
+      .within("max_rival_share", params.max_rival_share, 0.0, 1.0)
+      .positive("agreeing_looks", params.agreeing_looks)
       .positive("same_m", params.same_m)
       .positive("same_rad", params.same_rad)
-      .within("min_kept_share", params.min_kept_share, 0.0, 1.0)
-      .positive("undoing_lead_m", params.undoing_lead_m);
-}
-
-bool MapJoin::is_same(const geometry::Pose2& one, const geometry::Pose2& other) const {
-  return slam::is_near(one, other, params_.same_m, params_.same_rad);
+      .at_least("undone_loss", params.undone_loss, params.max_loss)
+      .positive("undoing_looks", params.undoing_looks);
 }
 
 void MapJoin::update(const RobotMap& first, const RobotMap& second) {
-  const auto placements = mapping::find_placements(first.map(), second.map(), params_.placement);
-  joined_ ? check(placements) : look(placements);
+  joined_ ? check(first, second) : look(first, second);
 }
 
-void MapJoin::look(const std::vector<MapPlacement>& placements) {
-  const auto sure = mapping::sure_placement(placements, params_.placement);
-  if (!sure) {
-    agreeing_stops_ = 0;
+void MapJoin::look(const RobotMap& first, const RobotMap& second) {
+  judged_.clear();
+  for (const mapping::MapPlacement& placement :
+       mapping::find_placements(first.map(), second.map(), params_.placement)) {
+    if (judged_.size() == params_.judged) {
+      break;
+    }
+    const geometry::Pose2 refined = refined_placement(first, second, placement.T_previous_later);
+    if (std::none_of(judged_.begin(), judged_.end(), [&](const JudgedPlacement& other) {
+          return slam::is_near(refined, other.T_first_second, params_.same_m, params_.same_rad);
+        })) {
+      judged_.push_back({refined, evidence_for(first, second, refined)});
+    }
+  }
+  std::stable_sort(judged_.begin(), judged_.end(), [](const auto& one, const auto& other) {
+    return one.evidence.weight() > other.evidence.weight();
+  });
+  if (!is_sure()) {
+    agreeing_ = 0;
     return;
   }
-  const bool agrees = agreeing_stops_ > 0 && is_same(*candidate_, sure->T_previous_later);
-  agreeing_stops_ = agrees ? agreeing_stops_ + 1 : 1;
-  candidate_ = sure->T_previous_later;
-  if (agreeing_stops_ >= params_.agreeing_stops) {
-    joined_ = candidate_;
-    common_m_ = sure->common_m;
+  const geometry::Pose2& best = judged_.front().T_first_second;
+  const bool agrees =
+      agreeing_ > 0 && slam::is_near(*candidate_, best, params_.same_m, params_.same_rad);
+  agreeing_ = agrees ? agreeing_ + 1 : 1;
+  candidate_ = best;
+  if (agreeing_ >= params_.agreeing_looks) {
+    joined_ = best;
+    contradicting_ = 0;
     ++joins_;
   }
 }
 
-void MapJoin::check(const std::vector<MapPlacement>& placements) {
-  const auto same =
-      std::find_if(placements.begin(), placements.end(), [&](const MapPlacement& placement) {
-        return is_same(*joined_, placement.T_previous_later);
-      });
-  const bool holds = same != placements.end() &&
-                     same->weight_m() >= params_.min_kept_share * same->known_m &&
-                     placements.front().weight_m() - same->weight_m() < params_.undoing_lead_m;
-  if (holds) {
-    joined_ = same->T_previous_later;
-    common_m_ = same->common_m;
-    return;
+bool MapJoin::is_sure() const {
+  if (judged_.empty()) {
+    return false;
   }
-  joined_.reset();
-  agreeing_stops_ = 0;
-  ++undone_;
+  const MapEvidence& best = judged_.front().evidence;
+  const double rival = judged_.size() > 1 ? judged_[1].evidence.weight() : 0.0;
+  return best.readings >= params_.min_readings && best.gain >= params_.min_gain &&
+         best.loss_per_reading() <= params_.max_loss && best.matched >= params_.min_matched &&
+         best.matched_share() >= params_.min_matched_share &&
+         best.range_rms_m <= params_.max_range_rms_m &&
+         rival <= params_.max_rival_share * best.weight();
+}
+
+void MapJoin::check(const RobotMap& first, const RobotMap& second) {
+  const geometry::Pose2 refined = refined_placement(first, second, *joined_);
+  const MapEvidence evidence = evidence_for(first, second, refined);
+  judged_ = {{refined, evidence}};
+  const bool holds = slam::is_near(*joined_, refined, params_.same_m, params_.same_rad) &&
+                     evidence.readings >= params_.min_readings / 2 &&
+                     evidence.loss_per_reading() <= params_.undone_loss;
+  contradicting_ = holds ? 0 : contradicting_ + 1;
+  if (holds) {
+    joined_ = refined;
+  } else if (contradicting_ >= params_.undoing_looks) {
+    joined_.reset();
+    agreeing_ = 0;
+    ++undone_;
+  }
 }
 
 }  // namespace echomap::team_map

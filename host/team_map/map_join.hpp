@@ -3,29 +3,51 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/map_placement.hpp"
+#include "host/team_map/map_evidence.hpp"
 #include "host/team_map/robot_map.hpp"
 
 namespace echomap::team_map {
 
 /// When the maps of two robots are joined, and when they are taken apart again; ours, chosen in
-/// simulated rooms.
+/// simulated rooms (docs/algorithms/team_map.md).
 struct MapJoinParams {
   mapping::MapPlacementParams placement;
-  /// So many stops of the two in a row agree on the placement, within same_m and same_rad.
-  std::size_t agreeing_stops = 2;
+  /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
+  std::size_t judged = 4;
+  /// A placement is sure that explains the readings about as well as each map its own: so much is
+  /// lost at most of the log-likelihood of a reading,
+  double max_loss = 0.32;
+  /// over so many readings at least, which it explains by so much better than no map,
+  std::size_t min_readings = 500;
+  double min_gain = 800.0;
+  /// with so many surfaces that both have seen, as such a share of those that they should have,
+  std::size_t min_matched = 24;
+  double min_matched_share = 0.5;
+  /// of which the ranges agree to this,
+  double max_range_rms_m = 0.03;
+  /// and such a share of its weight at most speaks for any other place.
+  double max_rival_share = 0.6;
+  /// So many looks in a row agree on it, within same_m and same_rad.
+  std::size_t agreeing_looks = 2;
   double same_m = 0.3;
   double same_rad = 0.17;
-  /// A join is undone where less than this share of the walls that both know supports it,
-  double min_kept_share = 0.3;
-  /// or where another placement has this much more support than it.
-  double undoing_lead_m = 3.0;
+  /// A join is undone that loses more than this of a reading, so many looks in a row.
+  double undone_loss = 0.8;
+  std::size_t undoing_looks = 2;
 };
 
 /// Throws std::invalid_argument for invalid parameters.
 void validate(const MapJoinParams& params);
+
+/// A place of the second map in the first one, and what speaks for it.
+struct JudgedPlacement {
+  geometry::Pose2 T_first_second;
+  MapEvidence evidence;
+};
 
 /// How the maps of two robots lie to each other, as far as is known. Looked for after every stop of
 /// either; what was found stays revocable.
@@ -38,22 +60,23 @@ class MapJoin {
 
   /// From the second robot's map to the first one's; empty while it is not known.
   const std::optional<geometry::Pose2>& T_first_second() const { return joined_; }
-  /// Wall that the two maps have in common there, metres of both maps together.
-  double common_m() const { return common_m_; }
+  /// What was judged last, the best first; of a join, that alone.
+  const std::vector<JudgedPlacement>& judged() const { return judged_; }
   std::size_t joins() const { return joins_; }
   /// How often a join was contradicted later.
   std::size_t undone() const { return undone_; }
 
  private:
-  void look(const std::vector<mapping::MapPlacement>& placements);
-  void check(const std::vector<mapping::MapPlacement>& placements);
-  bool is_same(const geometry::Pose2& one, const geometry::Pose2& other) const;
+  void look(const RobotMap& first, const RobotMap& second);
+  void check(const RobotMap& first, const RobotMap& second);
+  bool is_sure() const;
 
   MapJoinParams params_;
+  std::vector<JudgedPlacement> judged_;
   std::optional<geometry::Pose2> candidate_;
-  std::size_t agreeing_stops_ = 0;
+  std::size_t agreeing_ = 0;
   std::optional<geometry::Pose2> joined_;
-  double common_m_ = 0.0;
+  std::size_t contradicting_ = 0;
   std::size_t joins_ = 0;
   std::size_t undone_ = 0;
 };

@@ -9,6 +9,9 @@
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/placeable_map.hpp"
 #include "host/mapping/sonar_mapper.hpp"
+#include "host/mapping/sonar_surfaces.hpp"
+#include "host/mapping/surface_matching.hpp"
+#include "host/slam/stop_heading.hpp"
 #include "host/team_map/placed_submaps.hpp"
 #include "host/team_map/submap.hpp"
 
@@ -30,17 +33,36 @@ class RobotMap {
   double beam_half_angle_rad() const { return record_.beam_half_angle_rad; }
   double body_radius_m() const { return record_.body_radius_m; }
   const PlacedSubmaps& placed() const { return placed_; }
-  /// There must be a submap.
+  /// There must be a submap; so for all below.
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): take() has set it
   const mapping::PlaceableMap& map() const { return *map_; }
+  /// What each submap has seen, in the frame of its first reading: as long as the robot tells it.
+  const std::vector<mapping::ScanSurfaces>& surfaces() const { return surfaces_; }
+  /// The same on the map.
+  const std::vector<mapping::ScanSurfaces>& placed_surfaces() const { return placed_surfaces_; }
+  /// What all submaps together have seen.
+  const mapping::MatchedSurfaces& features() const { return features_; }
+  /// What a sonar hears of those features.
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): take() has set it
+  const slam::SonarScene& scene() const { return *scene_; }
+  /// Of each reading of each submap, how likely it is by what the robot's other submaps have seen
+  /// (logarithm): as well as this map explains anything.
+  const std::vector<std::vector<double>>& own_log_likelihoods() const { return own_; }
 
  private:
+  void find_features();
+
   mapping::SonarMapperParams params_;
   RobotRecord record_;
   std::vector<Submap> calibrated_;
   PlacedSubmaps placed_;
   std::optional<mapping::SonarMapper> mapper_;
   std::optional<mapping::PlaceableMap> map_;
+  std::vector<mapping::ScanSurfaces> surfaces_;
+  std::vector<mapping::ScanSurfaces> placed_surfaces_;
+  mapping::MatchedSurfaces features_;
+  std::optional<slam::SonarScene> scene_;
+  std::vector<std::vector<double>> own_;
 };
 
 }  // namespace echomap::team_map

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "host/team_map/map_evidence.hpp"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "host/geometry/angle.hpp"
+#include "host/geometry/square.hpp"
+#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/echo_feature.hpp"
+#include "host/optimization/robust_kernel.hpp"
+
+namespace echomap::team_map {
+
+namespace {
+
+using geometry::Pose2;
+using mapping::CellState;
+
+/// Of a surface that is matched with a feature: how far its range may be off in each step.
+constexpr double kGatesM[] = {0.2, 0.14, 0.1, 0.1, 0.1};
+constexpr double kGateM = 0.1;
+constexpr double kGateRad = 0.26;
+/// Farther surfaces are seen too rarely.
+constexpr double kMaxRangeM = 3.0;
+/// Standard deviations of a range and a bearing, as in slam::StopGraphParams.
+constexpr double kRangeStddevM = 0.025;
+constexpr double kMaxRangeErrorM = 0.08;
+constexpr double kBearingStddevRad = 0.2;
+/// A wall is known so far about.
+constexpr double kKnownM = 0.2;
+constexpr double kKnown = 0.1;
+/// Where nothing is known, six readings of ten have an echo, from anywhere within so far.
+constexpr double kEchoShare = 0.6;
+constexpr double kEchoesWithinM = 2.5;
+/// A silence tells of the floor up to here; of the way of a reading so much must be known.
+constexpr double kHeardSilenceM = 2.0;
+constexpr double kKnownShare = 0.9;
+constexpr double kBeforeEchoM = 0.1;
+constexpr double kStepM = 0.05;
+
+/// A surface that one robot has seen and the feature of the other's map that it may be.
+struct SurfaceMatch {
+  Eigen::Vector2d from_m;  ///< In the frame of the features.
+  double range_m = 0.0;
+  double bearing_rad = 0.0;
+  mapping::FeatureView view;
+};
+
+/// Looks at what `seer` has seen in the map of `of`.
+template <class Take>
+void match_surfaces_in(const RobotMap& of,
+                       const RobotMap& seer,
+                       const Pose2& T_of_seer,
+                       double gate_m,
+                       const Take& take) {
+  for (const mapping::ScanSurfaces& scan : seer.placed_surfaces()) {
+    const Eigen::Vector2d from_m = T_of_seer * scan.center_m;
+    for (const mapping::SonarSurface& surface : scan.surfaces) {
+      if (surface.range_m > kMaxRangeM) {
+        continue;
+      }
+      const double bearing_rad =
+          geometry::wrap_angle(surface.bearing_rad + T_of_seer.heading_rad());
+      SurfaceMatch match{from_m, surface.range_m, bearing_rad, {}};
+      double least_m = gate_m;
+      for (const mapping::MatchedFeature& feature : of.features().features) {
+        const mapping::FeatureView view = mapping::view_from(from_m, feature.feature);
+        const double off_m = std::abs(view.range_m - surface.range_m);
+        if (view.range_m > 0.0 && off_m < least_m &&
+            std::abs(geometry::angle_between(view.bearing_rad, bearing_rad)) < kGateRad) {
+          least_m = off_m;
+          match.view = view;
+        }
+      }
+      take(match, least_m < gate_m);
+    }
+  }
+}
+
+/// Normal equations of x, y and heading.
+class PlacementEquations {
+ public:
+  void add(const SurfaceMatch& match, const Eigen::Vector3d& by_x, const Eigen::Vector3d& by_y) {
+    const Eigen::Vector2d towards = geometry::unit_vector(match.view.bearing_rad);
+    const double off_m = match.view.range_m - match.range_m;
+    const double squared_error = geometry::square(off_m / kRangeStddevM);
+    const double weight =
+        optimization::geman_mcclure_weight(squared_error, kMaxRangeErrorM / kRangeStddevM) /
+        geometry::square(kRangeStddevM);
+    const Eigen::Vector3d by = -(towards.x() * by_x + towards.y() * by_y);
+    information_ += weight * by * by.transpose();
+    gradient_ += weight * off_m * by;
+  }
+  void add_bearing(const SurfaceMatch& match, double sign) {
+    const double off_rad = geometry::angle_between(match.bearing_rad, match.view.bearing_rad);
+    const double weight = 1.0 / geometry::square(kBearingStddevRad);
+    information_(2, 2) += weight;
+    gradient_[2] -= sign * weight * off_rad;
+  }
+  Eigen::Vector3d step() const { return -information_.ldlt().solve(gradient_); }
+
+ private:
+  Eigen::Matrix3d information_ = 1e-3 * Eigen::Matrix3d::Identity();
+  Eigen::Vector3d gradient_ = Eigen::Vector3d::Zero();
+};
+
+Pose2 one_step(const RobotMap& first, const RobotMap& second, const Pose2& T, double gate_m) {
+  PlacementEquations equations;
+  const Eigen::Rotation2Dd turn(T.heading_rad());
+  match_surfaces_in(first, second, T, gate_m, [&](const SurfaceMatch& match, bool is_matched) {
+    if (is_matched) {
+      const Eigen::Vector2d arm_m = match.from_m - T.position_m();
+      equations.add(match, {1.0, 0.0, -arm_m.y()}, {0.0, 1.0, arm_m.x()});
+      equations.add_bearing(match, 1.0);
+    }
+  });
+  match_surfaces_in(
+      second, first, T.inverse(), gate_m, [&](const SurfaceMatch& match, bool is_matched) {
+        if (is_matched) {
+          const Eigen::Matrix2d back = -turn.inverse().toRotationMatrix();
+          equations.add(match,
+                        {back(0, 0), back(0, 1), match.from_m.y()},
+                        {back(1, 0), back(1, 1), -match.from_m.x()});
+          equations.add_bearing(match, -1.0);
+        }
+      });
+  const Eigen::Vector3d step = equations.step();
+  return {T.x_m() + step.x(), T.y_m() + step.y(), T.heading_rad() + step.z()};
+}
+
+/// Whether the floor before what was heard, or not, is known.
+bool is_on_known_floor(const mapping::PlacedReading& reading, const mapping::RasterMap& map) {
+  const double reach_m = reading.range_m.value_or(kHeardSilenceM) - kBeforeEchoM;
+  int known = 0;
+  int all = 0;
+  const auto steps = static_cast<int>(reach_m / kStepM);
+  for (int step = 1; step <= steps; ++step) {
+    const CellState state =
+        map.state(map.cell_at(reading.T_map_sonar * Eigen::Vector2d(step * kStepM, 0.0)));
+    if (state == CellState::kOccupied) {
+      break;
+    }
+    ++all;
+    known += state == CellState::kFree ? 1 : 0;
+  }
+  return known >= kKnownShare * all;
+}
+
+void add_readings(const RobotMap& of,
+                  const RobotMap& seer,
+                  const Pose2& T_of_seer,
+                  MapEvidence& evidence) {
+  const mapping::RasterMap& map = of.map().map();
+  const double echo = std::log(kEchoShare / kEchoesWithinM);
+  const double silence = std::log(1.0 - kEchoShare);
+  for (std::size_t i = 0; i < seer.placed().scans.size(); ++i) {
+    const Eigen::Vector2d from_m =
+        T_of_seer * seer.placed().scans[i].front().T_map_sonar.position_m();
+    if (map.state(map.cell_at(from_m)) != CellState::kFree) {
+      continue;
+    }
+    const mapping::Scan scan = mapping::moved(seer.placed().scans[i], T_of_seer);
+    const std::vector<double> log_likelihoods = of.scene().log_likelihoods_of(scan);
+    for (std::size_t k = 0; k < scan.size(); ++k) {
+      if (is_on_known_floor(scan[k], map)) {
+        evidence.gain += log_likelihoods[k] - (scan[k].range_m ? echo : silence);
+        evidence.loss += seer.own_log_likelihoods()[i][k] - log_likelihoods[k];
+        ++evidence.readings;
+      }
+    }
+  }
+}
+
+void add_surfaces(const RobotMap& of,
+                  const RobotMap& seer,
+                  const Pose2& T_of_seer,
+                  double& squares_m2,
+                  MapEvidence& evidence) {
+  match_surfaces_in(of, seer, T_of_seer, kGateM, [&](const SurfaceMatch& match, bool is_matched) {
+    const Eigen::Vector2d echo_m =
+        match.from_m + match.range_m * geometry::unit_vector(match.bearing_rad);
+    if (of.map().knows(echo_m) || of.map().wall_at(echo_m, kKnownM) > kKnown) {
+      ++evidence.surfaces;
+      evidence.matched += is_matched ? 1 : 0;
+      squares_m2 += is_matched ? geometry::square(match.view.range_m - match.range_m) : 0.0;
+    }
+  });
+}
+
+}  // namespace
+
+Pose2 refined_placement(const RobotMap& first,
+                        const RobotMap& second,
+                        const Pose2& T_first_second) {
+  Pose2 placement = T_first_second;
+  for (const double gate_m : kGatesM) {
+    placement = one_step(first, second, placement, gate_m);
+  }
+  return placement;
+}
+
+MapEvidence evidence_for(const RobotMap& first,
+                         const RobotMap& second,
+                         const Pose2& T_first_second) {
+  MapEvidence evidence;
+  add_readings(first, second, T_first_second, evidence);
+  add_readings(second, first, T_first_second.inverse(), evidence);
+  double squares_m2 = 0.0;
+  add_surfaces(first, second, T_first_second, squares_m2, evidence);
+  add_surfaces(second, first, T_first_second.inverse(), squares_m2, evidence);
+  if (evidence.matched > 0) {
+    evidence.range_rms_m = std::sqrt(squares_m2 / static_cast<double>(evidence.matched));
+  }
+  return evidence;
+}
+
+}  // namespace echomap::team_map
