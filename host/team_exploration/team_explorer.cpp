@@ -23,21 +23,6 @@ double seconds_of(const Snapshot& snapshot) {
   return std::chrono::duration<double>(snapshot.latest.stamp.time_since_epoch()).count();
 }
 
-exploration::Company company_of(const TeamView& view) {
-  exploration::Company company{view.grid, view.scans, view.features, {}, {}, {}};
-  if (view.been_m) {
-    company.been_m = *view.been_m;
-  }
-  for (const Peer& peer : view.peers) {
-    company.standing.push_back(
-        {peer.T_map_robot.position_m(), peer.radius_m + peer.position_stddev_m});
-  }
-  for (const Claim& claim : view.claims) {
-    company.promised.push_back({claim.at_m, claim.reach_m, claim.utility});
-  }
-  return company;
-}
-
 /// What a goal is worth now that a part of its time has passed: no less than at first.
 double utility_of(const exploration::Viewpoint& goal, double passed_s) {
   if (goal.gain_per_s <= 0.0) {
@@ -80,15 +65,14 @@ Motion TeamExplorer::decide(const Snapshot& snapshot, MotionResult last) {
   if (is_driving && avoidance_.has_run_into_peer(snapshot, view_, last)) {
     return avoidance_.back_off();
   }
-  const Snapshot known = exploration::with_company(snapshot, company_of(view_));
-  if (auto motion = avoidance_.next(known, view_, last)) {
+  if (auto motion = avoidance_.next(snapshot, view_, last)) {
     return *motion;
   }
   const bool has_new_map = view_.grid != decided_by_;
   if (avoidance_.wants_another_goal() || has_lost_goal() || has_new_map) {
     frontier_.reconsider();
   }
-  return avoidance_.checked(known, view_, explore(known, snapshot, last));
+  return avoidance_.checked(snapshot, view_, explore(snapshot, last));
 }
 
 /// Another robot's claim of the same floor is better, and this robot has not decided by it yet.
@@ -109,14 +93,14 @@ bool TeamExplorer::has_lost_goal() {
   return false;
 }
 
-Motion TeamExplorer::explore(const Snapshot& known, const Snapshot& own, MotionResult last) {
-  const double now_s = seconds_of(own);
+Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
+  const double now_s = seconds_of(snapshot);
   if (decide_again_s_ && now_s < *decide_again_s_ && view_.grid == decided_by_) {
-    avoidance_.make_way(known, view_);
+    avoidance_.make_way(snapshot, view_);
     return Stand{params_.avoidance.look_again_s};
   }
   frontier_.set_company(company_of(view_));
-  const Motion motion = frontier_.next(own, last);
+  const Motion motion = frontier_.next(snapshot, last);
   decided_by_ = view_.grid;
   const auto* finished = std::get_if<Finished>(&motion);
   if (finished == nullptr || finished->reason != FinishReason::kComplete || view_.claims.empty()) {
