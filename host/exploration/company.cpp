@@ -8,10 +8,10 @@ pipeline::Snapshot with_company(const pipeline::Snapshot& snapshot, const Compan
   known.grid = company.grid ? company.grid : known.grid;
   known.scans = company.scans ? company.scans : known.scans;
   known.features = company.features ? company.features : known.features;
-  if (!company.been_m.empty()) {
+  if (company.been_m) {
     auto trajectory = std::make_shared<std::vector<pipeline::StampedPose>>();
-    trajectory->reserve(company.been_m.size() + snapshot.trajectory->size());
-    for (const Eigen::Vector2d& been_m : company.been_m) {
+    trajectory->reserve(company.been_m->size() + snapshot.trajectory->size());
+    for (const Eigen::Vector2d& been_m : *company.been_m) {
       trajectory->push_back({{}, {been_m.x(), been_m.y(), 0.0}});
     }
     trajectory->insert(trajectory->end(), snapshot.trajectory->begin(), snapshot.trajectory->end());

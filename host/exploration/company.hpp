@@ -34,7 +34,8 @@ struct Company {
   std::shared_ptr<const mapping::OccupancyGrid> grid;
   std::shared_ptr<const std::vector<mapping::Scan>> scans;
   std::shared_ptr<const mapping::SonarFeatures> features;
-  std::vector<Eigen::Vector2d> been_m;  ///< Where the others have been.
+  /// Where the others have been; null for nowhere.
+  std::shared_ptr<const std::vector<Eigen::Vector2d>> been_m;
   std::vector<OccupiedFloor> standing;  ///< The others.
   std::vector<PromisedLook> promised;   ///< By the others.
 };

@@ -120,7 +120,8 @@ bool Avoidance::begin_aside(const Snapshot& snapshot,
   if (peer == nullptr) {
     return false;
   }
-  const auto map = exploration::planning_map(snapshot, 0.0, params_.navigator.costs.robot_radius_m);
+  const Snapshot known = exploration::with_company(snapshot, company_of(view));
+  const auto map = exploration::planning_map(known, 0.0, params_.navigator.costs.robot_radius_m);
   const ClearWay way{expected_way(map, *peer, claim_of(view, whom), params_.aside),
                      guard_.keep_off_m(*peer) + map.resolution_m()};
   const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
@@ -130,7 +131,7 @@ bool Avoidance::begin_aside(const Snapshot& snapshot,
     return false;
   }
   ++encounters_.made_way;
-  navigator_.set_hypothetical_map(map, snapshot);
+  navigator_.set_hypothetical_map(map, known);
   navigator_.follow_path_to(snapshot.latest.T_map_robot, place->at_m, place->cost_m);
   aside_ = Aside{whom, time_s(snapshot), false};
   return true;

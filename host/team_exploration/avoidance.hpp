@@ -51,8 +51,7 @@ class Avoidance {
   /// Throws std::invalid_argument for invalid parameters.
   explicit Avoidance(const AvoidanceParams& params);
 
-  /// Goes on with what it is at, letting others pass or waiting; empty where it is at nothing. The
-  /// snapshot has the map of all.
+  /// Goes on with what it is at, letting others pass or waiting; empty where it is at nothing.
   std::optional<exploration::Motion> next(const pipeline::Snapshot& snapshot,
                                           const TeamView& view,
                                           exploration::MotionResult last);

@@ -80,15 +80,14 @@ Motion TeamExplorer::decide(const Snapshot& snapshot, MotionResult last) {
   if (is_driving && avoidance_.has_run_into_peer(snapshot, view_, last)) {
     return avoidance_.back_off();
   }
-  const Snapshot known = exploration::with_company(snapshot, company_of(view_));
-  if (auto motion = avoidance_.next(known, view_, last)) {
+  if (auto motion = avoidance_.next(snapshot, view_, last)) {
     return *motion;
   }
   const bool has_new_map = view_.grid != decided_by_;
   if (avoidance_.wants_another_goal() || has_lost_goal() || has_new_map) {
     frontier_.reconsider();
   }
-  return avoidance_.checked(known, view_, explore(known, snapshot, last));
+  return avoidance_.checked(snapshot, view_, explore(snapshot, last));
 }
 
 /// Another robot's claim of the same floor is better, and this robot has not decided by it yet.
@@ -109,14 +108,14 @@ bool TeamExplorer::has_lost_goal() {
   return false;
 }
 
-Motion TeamExplorer::explore(const Snapshot& known, const Snapshot& own, MotionResult last) {
-  const double now_s = seconds_of(own);
+Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
+  const double now_s = seconds_of(snapshot);
   if (decide_again_s_ && now_s < *decide_again_s_ && view_.grid == decided_by_) {
-    avoidance_.make_way(known, view_);
+    avoidance_.make_way(snapshot, view_);
     return Stand{params_.avoidance.look_again_s};
   }
   frontier_.set_company(company_of(view_));
-  const Motion motion = frontier_.next(own, last);
+  const Motion motion = frontier_.next(snapshot, last);
   decided_by_ = view_.grid;
   const auto* finished = std::get_if<Finished>(&motion);
   if (finished == nullptr || finished->reason != FinishReason::kComplete || view_.claims.empty()) {

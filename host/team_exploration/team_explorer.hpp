@@ -49,9 +49,7 @@ class TeamExplorer final : public exploration::Explorer {
  private:
   exploration::Motion decide(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
   bool has_lost_goal();
-  exploration::Motion explore(const pipeline::Snapshot& known,
-                              const pipeline::Snapshot& own,
-                              exploration::MotionResult last);
+  exploration::Motion explore(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
   void bid(double now_s, bool has_finished);
 
   TeamExplorerParams params_;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "host/exploration/company.hpp"
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/mapping/placed_reading.hpp"
@@ -45,5 +46,8 @@ struct TeamView {
   std::vector<Peer> peers;
   std::vector<Claim> claims;  ///< Of others.
 };
+
+/// What of it matters to a robot that decides where to go.
+exploration::Company company_of(const TeamView& view);
 
 }  // namespace echomap::team_exploration

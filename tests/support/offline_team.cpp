@@ -141,7 +141,8 @@ pipeline::RobotPipeline pipeline_of(const world::RobotParams& robot) {
 }
 
 team_exploration::TeamExplorerParams explorer_params(const world::RobotParams& robot,
-                                                     const std::string& name) {
+                                                     const std::string& name,
+                                                     const OfflineTeamSettings& settings) {
   team_exploration::TeamExplorerParams params;
   const double radius_m = robot.body.radius_m;
   params.frontier.navigator.costs.robot_radius_m = radius_m;
@@ -150,6 +151,9 @@ team_exploration::TeamExplorerParams explorer_params(const world::RobotParams& r
   params.avoidance.navigator = params.frontier.navigator;
   params.avoidance.guard.robot_radius_m = radius_m;
   params.avoidance.aside.costs.robot_radius_m = radius_m;
+  if (settings.tune) {
+    settings.tune(params);
+  }
   return params;
 }
 
@@ -172,7 +176,7 @@ Member::Member(Team& all, std::size_t i, const world::FloorPlan& room, std::uint
       echo);
   robot.emplace(world, geometry, *filter);
   robot->look_around_on_the_way();
-  explorer.emplace(*this, explorer_params(all.robot, name));
+  explorer.emplace(*this, explorer_params(all.robot, name, all.settings));
   poses.tell(0.0, {});
   scans.tell(0.0, 0);
 }

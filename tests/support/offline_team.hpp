@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -10,7 +11,7 @@
 #include "hil_mock/world/robot_params.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/geometry/pose2.hpp"
-#include "host/team_exploration/avoidance.hpp"
+#include "host/team_exploration/team_explorer.hpp"
 
 namespace echomap::tests {
 
@@ -25,6 +26,8 @@ struct OfflineTeamSettings {
   /// The run ends where a map has this share of the floor, when all have finished, or then.
   double enough_share = 0.9;
   double max_s = 7200.0;
+  /// Changes what the robots go by; empty for nothing.
+  std::function<void(team_exploration::TeamExplorerParams&)> tune;
 };
 
 /// What became of one of them.

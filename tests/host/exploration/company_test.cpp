@@ -41,7 +41,8 @@ TEST(Company, PutsTheMapOfAllInPlaceOfTheRobotsOwn) {
 
 TEST(Company, HasBeenWhereFloorIsAndTheRobotStandsAtTheEndOfItsOwnWay) {
   Company company;
-  company.been_m = {{2.0, 2.0}};
+  company.been_m = std::make_shared<const std::vector<Eigen::Vector2d>>(
+      std::vector<Eigen::Vector2d>{{2.0, 2.0}});
   const auto known = with_company(own_snapshot(), company);
   const auto places_m = places_of(known);
   ASSERT_EQ(places_m.size(), 3U);
