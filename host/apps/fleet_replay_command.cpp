@@ -25,6 +25,7 @@ namespace echomap::apps {
 namespace {
 
 using evaluation::BeliefError;
+using evaluation::PooledComparison;
 using evaluation::RobotComparison;
 using evaluation::TeamComparison;
 using evaluation::TeamScore;
@@ -40,6 +41,17 @@ ordered_json json_of(const std::optional<double>& figure) {
 
 std::optional<double> figure_of(const BeliefError& error, double BeliefError::*figure) {
   return error.poses > 0 ? std::optional(error.*figure) : std::nullopt;
+}
+
+ordered_json json_of(const std::optional<PooledComparison>& pooled) {
+  const auto entry = [&](double PooledComparison::*figure) {
+    return pooled ? ordered_json((*pooled).*figure) : ordered_json(nullptr);
+  };
+  return {{"rmse_odometry_m", entry(&PooledComparison::odometry_rmse_m)},
+          {"rmse_alone_m", entry(&PooledComparison::alone_rmse_m)},
+          {"rmse_joint_m", entry(&PooledComparison::joint_rmse_m)},
+          {"gain_percent", entry(&PooledComparison::gain_percent)},
+          {"min_gain_percent", entry(&PooledComparison::min_gain_percent)}};
 }
 
 ordered_json json_of(const RobotComparison& robot, const pipeline::TeamReplay& joint) {
@@ -71,14 +83,9 @@ ordered_json report_of(const FleetReplayOptions& options,
                        const TeamScore& score,
                        const pipeline::TeamReplay& joint) {
   ordered_json json = to_json(ending);
-  json.update({{"log", options.folder.string()},
-               {"blind", options.blind},
-               {"rmse_odometry_m", json_of(score.odometry_rmse_m)},
-               {"rmse_alone_m", json_of(score.alone_rmse_m)},
-               {"rmse_joint_m", json_of(score.joint_rmse_m)},
-               {"gain_percent", json_of(score.gain_percent)},
-               {"min_gain_percent", json_of(score.min_gain_percent)},
-               {"robots", ordered_json::array()}});
+  json.update({{"log", options.folder.string()}, {"blind", options.blind}});
+  json.update(json_of(score.pooled));
+  json["robots"] = ordered_json::array();
   for (const RobotComparison& robot : score.robots) {
     json["robots"].push_back(json_of(robot, joint));
   }
@@ -162,11 +169,11 @@ RunEnding ending_of_team(bool has_ended,
     return {"interrupted", ExitCode::kInterrupted, "interrupted", console::shell_line(again)};
   }
   std::string why = fmt::format("{} robots were localized jointly", score.robots.size());
-  if (score.gain_percent) {
+  if (score.pooled) {
     why += fmt::format(": RMSE {:.3f} m, {} than alone; the robot that gains least is {}",
-                       *score.joint_rmse_m,
-                       gain_in_words(*score.gain_percent),
-                       gain_in_words(*score.min_gain_percent));
+                       score.pooled->joint_rmse_m,
+                       gain_in_words(score.pooled->gain_percent),
+                       gain_in_words(score.pooled->min_gain_percent));
   }
   if (options.blind.empty()) {
     again.insert(again.end(), {"--blind", std::to_string(score.robots.back().robot)});

@@ -120,6 +120,7 @@ void read_robot(std::int64_t robot,
   const auto log = open_mrclam_log(path);
   try {
     while (const auto record = log->next()) {
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       records.take(*record);
     }
   } catch (const CutOffLine& half) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include "host/geometry/square.hpp"
@@ -30,6 +31,25 @@ double pooled_rmse_m(const std::vector<RobotComparison>& robots,
   return std::sqrt(squares_m2 / static_cast<double>(robots.size()));
 }
 
+std::optional<PooledComparison> pooled(const std::vector<RobotComparison>& robots) {
+  if (robots.empty()) {
+    return std::nullopt;
+  }
+  PooledComparison together{pooled_rmse_m(robots, &RobotComparison::odometry),
+                            pooled_rmse_m(robots, &RobotComparison::alone),
+                            pooled_rmse_m(robots, &RobotComparison::joint)};
+  together.gain_percent = gain(together.alone_rmse_m, together.joint_rmse_m);
+  together.min_gain_percent = std::numeric_limits<double>::infinity();
+  for (const RobotComparison& robot : robots) {
+    const auto gained = robot.gain_percent();
+    if (!gained) {
+      return std::nullopt;
+    }
+    together.min_gain_percent = std::min(together.min_gain_percent, *gained);
+  }
+  return together;
+}
+
 }  // namespace
 
 std::optional<double> RobotComparison::gain_percent() const {
@@ -53,31 +73,20 @@ void TeamComparison::play(const datasets::TeamRecord& record) {
 }
 
 TeamScore TeamComparison::score(const std::vector<std::int64_t>& robots) const {
+  const std::vector<TruePose> unknown;
   TeamScore score;
-  bool has_truth = true;
   for (const std::int64_t robot : robots) {
     if (joint_.track(robot).empty()) {
       continue;
     }
-    const auto truth = truths_.find(robot);
-    const std::vector<TruePose> none;
-    const auto& poses = truth == truths_.end() ? none : truth->second;
+    const auto known = truths_.find(robot);
+    const auto& truth = known == truths_.end() ? unknown : known->second;
     score.robots.push_back({robot,
-                            score_beliefs(odometry_.track(robot), poses),
-                            score_beliefs(alone_.track(robot), poses),
-                            score_beliefs(joint_.track(robot), poses)});
-    const auto gained = score.robots.back().gain_percent();
-    has_truth = has_truth && gained.has_value();
-    if (gained) {
-      score.min_gain_percent = std::min(*gained, score.min_gain_percent.value_or(*gained));
-    }
+                            score_beliefs(odometry_.track(robot), truth),
+                            score_beliefs(alone_.track(robot), truth),
+                            score_beliefs(joint_.track(robot), truth)});
   }
-  if (has_truth && !score.robots.empty()) {
-    score.odometry_rmse_m = pooled_rmse_m(score.robots, &RobotComparison::odometry);
-    score.alone_rmse_m = pooled_rmse_m(score.robots, &RobotComparison::alone);
-    score.joint_rmse_m = pooled_rmse_m(score.robots, &RobotComparison::joint);
-    score.gain_percent = gain(*score.alone_rmse_m, *score.joint_rmse_m);
-  }
+  score.pooled = pooled(score.robots);
   return score;
 }
 

@@ -23,15 +23,19 @@ struct RobotComparison {
   std::optional<double> gain_percent() const;
 };
 
-/// The robots of a team, and the RMSE of all their poses, each robot counting the same.
+/// The RMSE of all robots' positions, each robot counting the same.
+struct PooledComparison {
+  double odometry_rmse_m = 0.0;
+  double alone_rmse_m = 0.0;
+  double joint_rmse_m = 0.0;
+  double gain_percent = 0.0;
+  double min_gain_percent = 0.0;  ///< That of the robot that gains least.
+};
+
+/// The robots of a team, each and together.
 struct TeamScore {
   std::vector<RobotComparison> robots;
-  std::optional<double> odometry_rmse_m;
-  std::optional<double> alone_rmse_m;
-  std::optional<double> joint_rmse_m;
-  std::optional<double> gain_percent;
-  /// That of the robot that gains least.
-  std::optional<double> min_gain_percent;
+  std::optional<PooledComparison> pooled;  ///< Empty where the truth of a robot is not known.
 };
 
 /// Plays the logs of a team three times at once, with the same settings: by odometry, each robot
@@ -39,8 +43,8 @@ struct TeamScore {
 class TeamComparison {
  public:
   /// Throws std::invalid_argument for invalid parameters.
-  TeamComparison(const std::map<std::int64_t, Eigen::Vector2d>& landmarks_m,
-                 const pipeline::TeamReplayParams& params = {});
+  explicit TeamComparison(const std::map<std::int64_t, Eigen::Vector2d>& landmarks_m,
+                          const pipeline::TeamReplayParams& params = {});
 
   /// Records are to come in the order of their stamps.
   void play(const datasets::TeamRecord& record);

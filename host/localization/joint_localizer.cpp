@@ -20,7 +20,6 @@ using geometry::square;
 /// Numbers of one robot in the state: pose, then what it errs by slowly.
 constexpr Eigen::Index kPoseSize = 3;
 constexpr Eigen::Index kDriveScale = 3;
-constexpr Eigen::Index kTurnScale = 4;
 constexpr Eigen::Index kRangeScale = 5;
 constexpr Eigen::Index kBearing = 6;
 constexpr Eigen::Index kMovingSize = 5;
@@ -45,6 +44,23 @@ void validate(const JointLocalizerParams& params) {
       .nonnegative_finite("lost_stddev_rad", params.lost_stddev_rad);
 }
 
+Eigen::Vector3d vector_of(const geometry::Pose2& pose) {
+  return {pose.x_m(), pose.y_m(), pose.heading_rad()};
+}
+
+geometry::Pose2 scaled(const geometry::Pose2& motion, const Eigen::Vector2d& scales) {
+  return {scales.x() * motion.x_m(), scales.x() * motion.y_m(), scales.y() * motion.heading_rad()};
+}
+
+/// How the pose after a motion changes with the scales of drive and turn.
+Eigen::Matrix<double, kPoseSize, 2> by_scales(const geometry::Pose2& T_map_before,
+                                              const geometry::Pose2& T_before_after) {
+  Eigen::Matrix<double, kPoseSize, 2> by;
+  by.col(0) << T_map_before * T_before_after.position_m() - T_map_before.position_m(), 0.0;
+  by.col(1) << 0.0, 0.0, T_before_after.heading_rad();
+  return by;
+}
+
 }  // namespace
 
 JointLocalizer::JointLocalizer(const JointLocalizerParams& params)
@@ -66,8 +82,7 @@ std::size_t JointLocalizer::add_robot(double stamp_s, const PoseGaussian& start)
   append(square(params_.turn_scale_stddev));
   append(square(params_.range_scale.stddev));
   append(square(params_.bearing_rad.stddev));
-  const geometry::Pose2& T_map_robot = start.T_map_robot;
-  mean_.segment<kPoseSize>(at) << T_map_robot.x_m(), T_map_robot.y_m(), T_map_robot.heading_rad();
+  mean_.segment<kPoseSize>(at) = vector_of(start.T_map_robot);
   covariance_.block<kPoseSize, kPoseSize>(at, at) = start.covariance;
   robots_.push_back({at, stamp_s, stamp_s});
   return robots_.size() - 1;
@@ -85,29 +100,23 @@ EkfOutcome JointLocalizer::move(std::size_t robot,
   }
   member.moved_s = stamp_s;
   now_s_ = std::max(now_s_, stamp_s);
-  const Eigen::Vector2d scales = odometry_scales(robot);
-  const geometry::Pose2 T_scaled(scales.x() * T_before_after.x_m(),
-                                 scales.x() * T_before_after.y_m(),
-                                 scales.y() * T_before_after.heading_rad());
+  const geometry::Pose2 T_scaled = scaled(T_before_after, odometry_scales(robot));
   const geometry::Pose2 T_map_before = belief(robot).T_map_robot;
   const models::OdometryStep step = models::odometry_step({}, T_scaled);
+  Eigen::Matrix<double, kPoseSize, kMovingSize> by_before;
+  by_before << motion_jacobians(T_map_before, T_scaled, step).jacobian_pose,
+      by_scales(T_map_before, T_before_after);
+  const Eigen::Index at = member.at;
+  const Eigen::MatrixXd rows = by_before * covariance_.middleRows<kMovingSize>(at);
   const PoseGaussian after = moved({T_map_before, Eigen::Matrix3d::Zero()},
                                    T_scaled,
                                    step,
                                    models::cut_step_spread(motion_, step, params_.whole_step));
-  Eigen::Matrix<double, kPoseSize, kMovingSize> by_before;
-  by_before << motion_jacobians(T_map_before, T_scaled, step).jacobian_pose,
-      Eigen::Vector3d::Zero(), Eigen::Vector3d(0.0, 0.0, T_before_after.heading_rad());
-  by_before.block<2, 1>(0, kDriveScale) =
-      T_map_before * T_before_after.position_m() - T_map_before.position_m();
-  const Eigen::Index at = member.at;
-  const Eigen::MatrixXd rows = by_before * covariance_.middleRows<kMovingSize>(at);
   covariance_.middleRows<kPoseSize>(at) = rows;
   covariance_.middleCols<kPoseSize>(at) = rows.transpose();
   covariance_.block<kPoseSize, kPoseSize>(at, at) =
       rows.middleCols<kMovingSize>(at) * by_before.transpose() + after.covariance;
-  mean_.segment<kPoseSize>(at) << after.T_map_robot.x_m(), after.T_map_robot.y_m(),
-      after.T_map_robot.heading_rad();
+  mean_.segment<kPoseSize>(at) = vector_of(after.T_map_robot);
   return counted(EkfOutcome::kApplied);
 }
 
@@ -168,12 +177,11 @@ EkfOutcome JointLocalizer::see(const Pair& pair,
     return EkfOutcome::kAtLandmark;
   }
   now_s_ = seen.stamp_s;
-  const double passed_s = seen.stamp_s - robot.sighted_s;
-  decay(robot.at + kRangeScale, params_.range_scale, passed_s);
-  decay(robot.at + kBearing, params_.bearing_rad, passed_s);
-  robot.sighted_s = seen.stamp_s;
+  carry_on(robot, seen.stamp_s);
   const Eigen::Index target_at = target_error(pair, seen.stamp_s);
   const double expected_m = seen.range_m - linear->innovation(0);
+  const Eigen::Vector2d shared_error(
+      expected_m * (mean_(robot.at + kRangeScale) + mean_(target_at)), mean_(robot.at + kBearing));
   Eigen::Matrix<double, 2, Eigen::Dynamic> jacobian =
       Eigen::Matrix<double, 2, Eigen::Dynamic>::Zero(2, mean_.size());
   jacobian.middleCols<kPoseSize>(robot.at) = linear->jacobian_pose;
@@ -183,10 +191,7 @@ EkfOutcome JointLocalizer::see(const Pair& pair,
   if (peer != nullptr) {
     jacobian.middleCols<2>(peer->at) = -linear->jacobian_pose.leftCols(2);
   }
-  Eigen::Vector2d innovation = linear->innovation;
-  innovation.x() -= expected_m * (mean_(robot.at + kRangeScale) + mean_(target_at));
-  innovation.y() -= mean_(robot.at + kBearing);
-  return correct(jacobian, innovation, linear->noise);
+  return correct(jacobian, linear->innovation - shared_error, linear->noise);
 }
 
 EkfOutcome JointLocalizer::correct(const Eigen::Matrix<double, 2, Eigen::Dynamic>& jacobian,
@@ -223,6 +228,14 @@ void JointLocalizer::decay(Eigen::Index at, const SlowError& error, double durat
   covariance_.row(at) *= left;
   covariance_.col(at) *= left;
   covariance_(at, at) += square(error.stddev) * (1.0 - square(left));
+}
+
+/// Carries on what the robot's sightings have in common.
+void JointLocalizer::carry_on(Robot& robot, double stamp_s) {
+  const double passed_s = stamp_s - robot.sighted_s;
+  decay(robot.at + kRangeScale, params_.range_scale, passed_s);
+  decay(robot.at + kBearing, params_.bearing_rad, passed_s);
+  robot.sighted_s = stamp_s;
 }
 
 /// Where the error of this pair's ranges stands in the state, carried on until now.

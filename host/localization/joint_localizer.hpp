@@ -106,6 +106,7 @@ class JointLocalizer {
                      const Eigen::Matrix2d& noise);
   Eigen::Index append(double variance);
   void decay(Eigen::Index at, const SlowError& error, double duration_s);
+  void carry_on(Robot& robot, double stamp_s);
   Eigen::Index target_error(const Pair& pair, double stamp_s);
   void note_landmark(Robot& robot, EkfOutcome outcome);
 

@@ -26,6 +26,22 @@ void validate(const TeamReplayParams& params) {
       .nonnegative_finite("max_start_age_s", params.max_start_age_s);
 }
 
+localization::LandmarkObservation as_landmark(const Eigen::Vector2d& landmark_m,
+                                              const localization::PeerSighting& seen) {
+  return {seen.stamp_s,
+          landmark_m,
+          {},
+          seen.range_m,
+          seen.bearing_rad,
+          seen.range_stddev_m,
+          seen.bearing_stddev_rad};
+}
+
+void count(EkfOutcome outcome, std::size_t& applied, std::size_t& gated) {
+  applied += outcome == EkfOutcome::kApplied ? 1 : 0;
+  gated += outcome == EkfOutcome::kGated ? 1 : 0;
+}
+
 }  // namespace
 
 TeamReplay::TeamReplay(std::map<std::int64_t, Eigen::Vector2d> landmarks_m,
@@ -46,9 +62,9 @@ void TeamReplay::play(const datasets::TeamRecord& record) {
 }
 
 const std::vector<StampedBelief>& TeamReplay::track(std::int64_t robot) const {
-  static const std::vector<StampedBelief> kNone;
+  static const std::vector<StampedBelief> none;
   const auto member = members_.find(robot);
-  return member == members_.end() ? kNone : member->second.track;
+  return member == members_.end() ? none : member->second.track;
 }
 
 SightingCounts TeamReplay::counts(std::int64_t robot) const {
@@ -58,8 +74,8 @@ SightingCounts TeamReplay::counts(std::int64_t robot) const {
 
 std::size_t TeamReplay::times_lost(std::int64_t robot) const {
   const auto member = members_.find(robot);
-  const bool has_started = member != members_.end() && member->second.index;
-  return has_started ? localizer_.times_lost(*member->second.index) : 0;
+  const auto index = member == members_.end() ? std::nullopt : member->second.index;
+  return index ? localizer_.times_lost(*index) : 0;
 }
 
 void TeamReplay::move(Member& member, double stamp_s, const geometry::Pose2& T_last_now) {
@@ -92,41 +108,31 @@ void TeamReplay::see(Member& member,
   if (!member.index) {
     return;
   }
-  const double range_stddev_m =
-      std::hypot(params_.range_stddev_m, params_.range_stddev_share * seen.range_m);
-  const double bearing_stddev_rad =
-      std::hypot(params_.bearing_stddev_rad, params_.offset_stddev_m / seen.range_m);
+  const localization::PeerSighting sighting{
+      stamp_s,
+      seen.range_m,
+      seen.bearing_rad,
+      std::hypot(params_.range_stddev_m, params_.range_stddev_share * seen.range_m),
+      std::hypot(params_.bearing_stddev_rad, params_.offset_stddev_m / seen.range_m)};
   if (const auto landmark = landmarks_m_.find(seen.id); landmark != landmarks_m_.end()) {
-    if (params_.blind.contains(robot)) {
-      return;
+    if (!params_.blind.contains(robot)) {
+      count(
+          localizer_.see_landmark(*member.index, seen.id, as_landmark(landmark->second, sighting)),
+          member.counts.landmarks,
+          member.counts.gated);
     }
-    const auto outcome = localizer_.see_landmark(*member.index,
-                                                 seen.id,
-                                                 {stamp_s,
-                                                  landmark->second,
-                                                  {},
-                                                  seen.range_m,
-                                                  seen.bearing_rad,
-                                                  range_stddev_m,
-                                                  bearing_stddev_rad});
-    member.counts.landmarks += outcome == EkfOutcome::kApplied ? 1 : 0;
-    member.counts.gated += outcome == EkfOutcome::kGated ? 1 : 0;
     return;
   }
   const auto peer = members_.find(seen.id);
-  if (peer == members_.end() || !peer->second.index || seen.id == robot) {
+  const auto seen_index =
+      peer == members_.end() || seen.id == robot ? std::nullopt : peer->second.index;
+  if (!seen_index) {
     ++member.counts.unknown;
-    return;
+  } else if (params_.with_peers) {
+    count(localizer_.see_peer(*member.index, *seen_index, sighting),
+          member.counts.peers,
+          member.counts.gated);
   }
-  if (!params_.with_peers) {
-    return;
-  }
-  const auto outcome = localizer_.see_peer(
-      *member.index,
-      *peer->second.index,
-      {stamp_s, seen.range_m, seen.bearing_rad, range_stddev_m, bearing_stddev_rad});
-  member.counts.peers += outcome == EkfOutcome::kApplied ? 1 : 0;
-  member.counts.gated += outcome == EkfOutcome::kGated ? 1 : 0;
 }
 
 }  // namespace echomap::pipeline

@@ -61,20 +61,24 @@ std::vector<Figure> mrclam6_joint_figures(bool verbose) {
   }
   const auto score = localize_mrclam(set_6());
   const auto robots = score.robots.size();
+  const auto pooled = score.pooled.value_or(evaluation::PooledComparison());
   if (verbose) {
     print_score("with all landmarks", score);
     print_score("robots 3, 4 and 5 blind to landmarks", localize_mrclam(set_6(), {3, 4, 5}));
   }
-  return {{"mrclam6_joint_gain_percent", score.min_gain_percent.value_or(0.0), "%", robots, {}},
-          {"mrclam6_joint_pooled_gain_percent", score.gain_percent.value_or(0.0), "%", robots, {}},
-          {"mrclam6_joint_m", score.joint_rmse_m.value_or(0.0), "m", robots, {}},
-          {"mrclam6_alone_m", score.alone_rmse_m.value_or(0.0), "m", robots, {}},
+  return {{"mrclam6_joint_gain_percent", pooled.min_gain_percent, "%", robots, {}},
+          {"mrclam6_joint_pooled_gain_percent", pooled.gain_percent, "%", robots, {}},
+          {"mrclam6_joint_m", pooled.joint_rmse_m, "m", robots, {}},
+          {"mrclam6_alone_m", pooled.alone_rmse_m, "m", robots, {}},
           {"mrclam6_joint_nees", mean_nees(score), "", robots, {}}};
 }
 
 std::optional<double> mrclam6_joint_gain_percent() {
-  return std::filesystem::exists(set_6()) ? localize_mrclam(set_6()).min_gain_percent
-                                          : std::nullopt;
+  if (!std::filesystem::exists(set_6())) {
+    return std::nullopt;
+  }
+  const auto pooled = localize_mrclam(set_6()).pooled;
+  return pooled ? std::optional(pooled->min_gain_percent) : std::nullopt;
 }
 
 }  // namespace echomap::bench

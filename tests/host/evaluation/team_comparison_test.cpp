@@ -40,13 +40,15 @@ TEST(TeamComparison, SaysHowMuchARobotGains) {
 
 TEST(TeamComparison, PoolsAllRobots) {
   const TeamScore score = score_of(written_team());
+  ASSERT_TRUE(score.pooled);
   const double first_m = score.robots[0].alone.rmse_m;
   const double second_m = score.robots[1].alone.rmse_m;
-  EXPECT_NEAR(
-      *score.alone_rmse_m, std::sqrt(0.5 * (first_m * first_m + second_m * second_m)), 1e-12);
-  EXPECT_GT(*score.gain_percent, 30.0);
-  EXPECT_LE(*score.min_gain_percent, *score.robots[0].gain_percent());
-  EXPECT_LE(*score.min_gain_percent, *score.robots[1].gain_percent());
+  EXPECT_NEAR(score.pooled->alone_rmse_m,
+              std::sqrt(0.5 * (first_m * first_m + second_m * second_m)),
+              1e-12);
+  EXPECT_GT(score.pooled->gain_percent, 30.0);
+  EXPECT_LE(score.pooled->min_gain_percent, *score.robots[0].gain_percent());
+  EXPECT_LE(score.pooled->min_gain_percent, *score.robots[1].gain_percent());
 }
 
 TEST(TeamComparison, HasNoFigureWithoutTruth) {
@@ -57,8 +59,8 @@ TEST(TeamComparison, HasNoFigureWithoutTruth) {
   });
   const TeamScore score = score_of(team);
   ASSERT_EQ(score.robots.size(), 2U);
-  EXPECT_FALSE(score.joint_rmse_m);
-  EXPECT_FALSE(score.gain_percent);
+  EXPECT_FALSE(score.pooled);
+  EXPECT_FALSE(score.robots[0].gain_percent());
 }
 
 }  // namespace
