@@ -6,7 +6,7 @@
 
 #include "host/exploration/company.hpp"
 #include "host/geometry/parameter_validator.hpp"
-#include "host/team_exploration/team_explorer.hpp"
+#include "host/team_exploration/team_view.hpp"
 
 namespace echomap::fleet_member {
 

@@ -44,21 +44,6 @@ bool differs(const std::optional<Claim>& one, const std::optional<Claim>& other,
 
 }  // namespace
 
-exploration::Company company_of(const TeamView& view) {
-  exploration::Company company{view.grid, view.scans, view.features, {}, {}, {}};
-  if (view.been_m) {
-    company.been_m = *view.been_m;
-  }
-  for (const Peer& peer : view.peers) {
-    company.standing.push_back(
-        {peer.T_map_robot.position_m(), peer.radius_m + peer.position_stddev_m});
-  }
-  for (const Claim& claim : view.claims) {
-    company.promised.push_back({claim.at_m, claim.reach_m, claim.utility});
-  }
-  return company;
-}
-
 TeamExplorer::TeamExplorer(TeamBoard& board, const TeamExplorerParams& params)
     : params_(params), frontier_(params.frontier), avoidance_(params.avoidance), board_(board) {
   geometry::ParameterValidator("team explorer")

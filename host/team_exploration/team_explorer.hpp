@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include "host/exploration/company.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/frontier.hpp"
 #include "host/team_exploration/avoidance.hpp"
@@ -26,9 +25,6 @@ struct TeamExplorerParams {
   /// A robot that waits for others to finish decides again so often.
   double decide_again_s = 5.0;
 };
-
-/// What that view is to a robot that decides where to go.
-exploration::Company company_of(const TeamView& view);
 
 /// Explores as one of a team, by `frontier`: decides by the map of all, leaves to others what they
 /// claim (after Burgard et al. 2005, with an auction that has no auctioneer), keeps off them and
