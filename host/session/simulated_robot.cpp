@@ -61,6 +61,9 @@ SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options,
   if (!options.part_faults.empty()) {
     command.push_back("--part-faults=" + options.part_faults);
   }
+  for (const std::string& source : options.sources) {
+    command.push_back("--source=" + source);
+  }
   if (!options.fixes.empty()) {
     command.push_back("--camera=udp:" + options.fixes.substr(options.fixes.rfind(':') + 1));
   }
