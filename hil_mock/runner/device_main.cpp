@@ -35,7 +35,10 @@ enum ExitCode { kOk = 0, kRuntimeError = 1, kConfigInvalid = 6 };
 
 world::FloorPlan load_plan(const DeviceOptions& options) {
   const auto path = files::bundled_file(options.world, "hil_mock/worlds", "world");
-  const world::FloorPlan plan = world::read_floor_plan(files::TomlReader::load(path));
+  world::FloorPlan plan = world::read_floor_plan(files::TomlReader::load(path));
+  if (options.sources) {
+    plan = plan.with_radiation(*options.sources);
+  }
   return options.T_world_start ? plan.starting_at(*options.T_world_start) : plan;
 }
 

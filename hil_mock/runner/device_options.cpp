@@ -29,6 +29,7 @@ struct RawOptions {
   std::string speed = "1";
   std::vector<double> start;
   std::vector<double> kidnaps;
+  std::vector<std::string> sources;
   std::string faults;
   std::string part_faults;
   std::string camera_params;
@@ -80,6 +81,24 @@ std::string check_camera(const std::string& text) {
     return "";
   } catch (const std::invalid_argument& error) {
     return error.what();
+  }
+}
+
+std::string check_source(const std::string& text) {
+  try {
+    world::parse_sources({text});
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+/// Throws CLI::ValidationError for "none" beside a source.
+std::optional<std::vector<world::Source>> read_sources(const std::vector<std::string>& texts) {
+  try {
+    return texts.empty() ? std::nullopt : std::optional(world::parse_sources(texts));
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--source", error.what());
   }
 }
 
@@ -144,6 +163,12 @@ void add_place_options(CLI::App& app, DeviceOptions& options, RawOptions& raw) {
       ->delimiter(',')
       ->expected(kKidnapNumbers, 100 * kKidnapNumbers)
       ->check(check_finite);
+  app.add_option(
+         "--source",
+         raw.sources,
+         "Source of radiation in place of the world's, X,Y,STRENGTH: metres, and pulses per "
+         "second at 1 m; may be repeated; none for no source")
+      ->check(check_source);
   auto* camera = app.add_option("--camera",
                                 options.camera,
                                 "Send an overhead camera's pose measurements to udp:PORT of this "
@@ -216,6 +241,7 @@ void understand(const RawOptions& raw, DeviceOptions& options) {
     options.T_world_start =
         geometry::Pose2(raw.start[0], raw.start[1], geometry::radians(raw.start[2]));
   }
+  options.sources = read_sources(raw.sources);
   options.part_faults = world::parse_part_faults(raw.part_faults);
   options.kidnaps = read_kidnaps(raw.kidnaps);
   options.camera_params = parse_camera(raw.camera_params);

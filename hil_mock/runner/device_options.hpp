@@ -13,6 +13,7 @@
 #include "hil_mock/runner/overhead_camera.hpp"
 #include "hil_mock/runner/robot_simulation.hpp"
 #include "hil_mock/world/part_faults.hpp"
+#include "hil_mock/world/source_field.hpp"
 #include "host/geometry/pose2.hpp"
 
 namespace echomap::runner {
@@ -42,6 +43,8 @@ struct DeviceOptions {
   /// Where a PinLog goes; empty for none.
   std::filesystem::path pin_log;
   std::optional<geometry::Pose2> T_world_start;
+  /// Sources of radiation in place of the world's.
+  std::optional<std::vector<world::Source>> sources;
   /// Where the overhead camera's fixes go (FixSender); empty for no camera.
   std::string camera;
   CameraParams camera_params;

@@ -18,6 +18,7 @@ enum class NoisePurpose : std::uint32_t {
   kPlaces = 7,
   kCamera = 8,
   kEncoderDirt = 9,
+  kScalarSensor = 10,
   kRange0 = 16,  ///< .. 23, one for each infra-red channel.
 };
 
