@@ -19,7 +19,7 @@ constexpr double kMaxCounts = 1023.0;
 
 }  // namespace
 
-MockBoard::MockBoard() : board_(native::NativeBoard::instance()) {
+MockBoard::MockBoard() {
   board_.on_sent = [this](std::uint8_t byte) {
     if (on_sent) {
       on_sent(byte);
@@ -35,16 +35,7 @@ MockBoard::MockBoard() : board_(native::NativeBoard::instance()) {
       on_trigger(at_ns);
     }
   };
-  release_inputs();
   board_.power_on();
-}
-
-MockBoard::~MockBoard() {
-  board_.on_sent = nullptr;
-  board_.on_trigger = nullptr;
-  board_.on_motor = nullptr;
-  board_.two_wire.on_read = nullptr;
-  board_.two_wire.on_write = nullptr;
 }
 
 void MockBoard::receive(std::span<const std::uint8_t> bytes) {
@@ -111,16 +102,6 @@ void MockBoard::connect(world::TwoWireDevice& device) {
     }
     return answers;
   };
-}
-
-/// As if nothing were wired: whoever had the board before has left its levels behind.
-void MockBoard::release_inputs() {
-  board_.set_bump(false, false);
-  board_.set_bump(true, false);
-  for (std::uint8_t pin = 0; pin < native::NativeBoard::kAuxPins; ++pin) {
-    board_.set_aux_level(pin, true);
-    board_.set_aux_analog(pin, 0);
-  }
 }
 
 std::string MockBoard::firmware_name() const {

@@ -10,13 +10,12 @@
 
 namespace echomap::mock_device {
 
-/// The native firmware as a simulated board. There is one firmware in the process: a second board
-/// takes it over and starts it anew.
+/// The native firmware as a simulated board. Several take turns in the one memory that the process
+/// has for the program: no two may run at once, in threads.
 class MockBoard final : public runner::SimulatedBoard {
  public:
   /// Switches on at time 0.
   MockBoard();
-  ~MockBoard() override;
   MockBoard(const MockBoard&) = delete;
   MockBoard& operator=(const MockBoard&) = delete;
 
@@ -40,9 +39,7 @@ class MockBoard final : public runner::SimulatedBoard {
   std::string emulator_name() const override;
 
  private:
-  void release_inputs();
-
-  native::NativeBoard& board_;
+  native::NativeBoard board_;
 };
 
 }  // namespace echomap::mock_device

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/runner/device_options.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "hil_mock/world/motor_driver.hpp"
+#include "hil_mock/world/noise.hpp"
 #include "host/geometry/angle.hpp"
 
 namespace echomap::runner {
@@ -24,10 +26,16 @@ constexpr double kFastest = 1e6;
 constexpr double kLongestS = 1e9;
 constexpr std::size_t kKidnapNumbers = 5;
 
+constexpr std::size_t kMostRobots = 16;
+/// What `--starts` is for the seed to choose.
+constexpr const char* kDrawn = "drawn";
+constexpr unsigned kLastPort = 65535;
+
 /// Texts and numbers as they stand on the command line, before they are understood.
 struct RawOptions {
   std::string speed = "1";
   std::vector<double> start;
+  std::string starts;
   std::vector<double> kidnaps;
   std::vector<std::string> sources;
   std::string faults;
@@ -150,6 +158,55 @@ void add_line_faults(CLI::App& app, RawOptions& raw) {
       ->capture_default_str();
 }
 
+/// "x,y,deg;x,y,deg" in metres and degrees. Throws std::invalid_argument.
+std::vector<geometry::Pose2> parse_starts(const std::string& text) {
+  std::vector<geometry::Pose2> starts;
+  for (const std::string& one : CLI::detail::split(text, ';')) {
+    std::array<double, 3> numbers{};
+    const std::vector<std::string> words = CLI::detail::split(one, ',');
+    for (std::size_t i = 0; i < words.size() && i < numbers.size(); ++i) {
+      if (!CLI::detail::lexical_cast(words[i], numbers[i]) || !std::isfinite(numbers[i])) {
+        throw std::invalid_argument("'" + words[i] + "' is no number");
+      }
+    }
+    if (words.size() != numbers.size()) {
+      throw std::invalid_argument("it takes X_M,Y_M,HEADING_DEG for each robot, with ; between");
+    }
+    starts.emplace_back(numbers[0], numbers[1], geometry::radians(numbers[2]));
+  }
+  return starts;
+}
+
+std::string check_starts(const std::string& text) {
+  try {
+    if (text != kDrawn) {
+      parse_starts(text);
+    }
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+void add_team_options(CLI::App& app, DeviceOptions& options, RawOptions& raw) {
+  app.add_option("--robots",
+                 options.robots,
+                 "Robots in this world. Of several each has its own port, channel, seed and files: "
+                 "LINK.0, TCP port + 0, SOCKET.0, TRUTH/robot0, ..")
+      ->check(CLI::Range(std::size_t{1}, kMostRobots))
+      ->capture_default_str();
+  app.add_option(
+         "--starts",
+         raw.starts,
+         "Starts of all robots, x,y,heading in metres and degrees with ; between, or drawn: "
+         "all by the seed. By default the first is the room's and the others are drawn")
+      ->check(check_starts)
+      ->excludes("--start");
+  app.add_option("--apart", options.apart_m, "Metres of way between two starts that are drawn")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
 /// Where the robot stands, where it is carried, and who looks on.
 void add_place_options(CLI::App& app, DeviceOptions& options, RawOptions& raw) {
   app.add_option("--start", raw.start, "Start x,y,heading in metres and degrees")
@@ -223,6 +280,7 @@ void add_options(CLI::App& app,
                  options.pin_log,
                  "CSV file for every change of a wire to a motor driver, with its simulated time");
   add_place_options(app, options, raw);
+  add_team_options(app, options, raw);
   app.add_option("--duration", options.duration_s, "Simulated seconds after which to end")
       ->check(CLI::PositiveNumber)
       ->excludes(lockstep);
@@ -242,12 +300,56 @@ void understand(const RawOptions& raw, DeviceOptions& options) {
         geometry::Pose2(raw.start[0], raw.start[1], geometry::radians(raw.start[2]));
   }
   options.sources = read_sources(raw.sources);
+  options.draws_starts = raw.starts == kDrawn;
+  if (!raw.starts.empty() && !options.draws_starts) {
+    options.starts = parse_starts(raw.starts);
+  }
   options.part_faults = world::parse_part_faults(raw.part_faults);
   options.kidnaps = read_kidnaps(raw.kidnaps);
   options.camera_params = parse_camera(raw.camera_params);
 }
 
+/// Throws CLI::ValidationError for what several robots cannot have.
+void check_team(const DeviceOptions& options) {
+  if (!options.starts.empty() && options.starts.size() != options.robots) {
+    throw CLI::ValidationError("--starts", "it takes one start for each of --robots");
+  }
+  if (options.robots == 1) {
+    return;
+  }
+  if (!options.kidnaps.empty() || !options.camera.empty() || !options.duty_log.empty() ||
+      !options.pin_log.empty()) {
+    throw CLI::ValidationError(
+        "--robots", "--kidnap, --camera, --duty-log and --pin-log are of one robot alone");
+  }
+  if (options.tcp_port.value_or(0) + options.robots - 1 > kLastPort) {
+    throw CLI::ValidationError("--tcp", "there are not so many ports behind it");
+  }
+}
+
 }  // namespace
+
+DeviceOptions options_of_robot(const DeviceOptions& options, std::size_t robot) {
+  DeviceOptions own = options;
+  if (options.robots == 1) {
+    return own;
+  }
+  const auto number = static_cast<std::uint32_t>(robot);
+  const std::string end = "." + std::to_string(robot);
+  own.seed = world::seed_of(options.seed, number);
+  own.line.faults.seed = world::seed_of(options.line.faults.seed, number);
+  own.link += end;
+  if (options.tcp_port.value_or(0) != 0) {
+    own.tcp_port = static_cast<std::uint16_t>(*options.tcp_port + robot);
+  }
+  if (!options.lockstep.empty()) {
+    own.lockstep += end;
+  }
+  if (!options.truth.empty()) {
+    own.truth /= "robot" + std::to_string(robot);
+  }
+  return own;
+}
 
 std::variant<DeviceOptions, int> read_device_options(int argc,
                                                      char** argv,
@@ -263,6 +365,7 @@ std::variant<DeviceOptions, int> read_device_options(int argc,
   try {
     app.parse(argc, argv);
     understand(raw, options);
+    check_team(options);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }

@@ -42,9 +42,18 @@ struct DeviceOptions {
   std::filesystem::path duty_log;
   /// Where a PinLog goes; empty for none.
   std::filesystem::path pin_log;
+  /// Boards in one world.
+  std::size_t robots = 1;
+  /// The first robot's start; empty for the room's.
   std::optional<geometry::Pose2> T_world_start;
   /// Sources of radiation in place of the world's.
   std::optional<std::vector<world::Source>> sources;
+  /// One for each robot; empty where those of all but the first, or with `draws_starts` of all, are
+  /// drawn.
+  std::vector<geometry::Pose2> starts;
+  bool draws_starts = false;
+  /// Shortest way over the floor between two starts that are drawn.
+  double apart_m = 2.0;
   /// Where the overhead camera's fixes go (FixSender); empty for no camera.
   std::string camera;
   CameraParams camera_params;
@@ -53,6 +62,10 @@ struct DeviceOptions {
   /// Simulated seconds; infinite without an end.
   double duration_s = 0.0;
 };
+
+/// What the command line of several robots asks for one of them: its own seed, and ports and files
+/// that end in its number. Its start is not in it. One robot alone has what stands there.
+DeviceOptions options_of_robot(const DeviceOptions& options, std::size_t robot);
 
 /// Reads the command line. An int is the exit code of a program that has nothing more to do: 0
 /// after help or version on stdout, 2 after a usage error on stderr.

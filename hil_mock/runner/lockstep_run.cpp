@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/runner/lockstep_run.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 #include <variant>
 
@@ -13,8 +15,6 @@ namespace {
 
 /// Longest wait before the next look at the stop signal.
 constexpr std::chrono::milliseconds kPatience{100};
-/// The host's bytes have been written before its grant; if they do not come, they are lost.
-constexpr std::chrono::seconds kBytesPatience{5};
 constexpr std::int64_t kWithoutHostNs = 2'000'000'000;
 constexpr std::int64_t kWatchStepNs = 10'000;
 
@@ -25,118 +25,179 @@ bool is_driving(const RobotSimulation& simulation) {
 
 }  // namespace
 
-LockstepRun::LockstepRun(RobotSimulation& simulation,
-                         ByteEndpoint& endpoint,
-                         LockstepServer& server)
-    : simulation_(simulation), endpoint_(endpoint), server_(server) {}
+LockstepRun::LockstepRun(RobotTeam& team, std::vector<LockstepSeat>& seats) : team_(team) {
+  for (LockstepSeat& seat : seats) {
+    served_.push_back({&seat, served_.size()});
+  }
+}
 
-LockstepEnd LockstepRun::run() {
-  while (!stop_requested()) {
-    const auto request = server_.take_request();
-    if (!request) {
-      wait_readable(endpoint_, server_.descriptor(), kPatience);
-      collect_bytes();
+void LockstepRun::run() {
+  while (!stop_requested() && !is_over()) {
+    if (hear_hosts()) {
       continue;
     }
-    if (const auto end = std::visit([this](const auto& what) { return serve(what); }, *request)) {
-      return *end;
+    if (is_granted()) {
+      advance_to(granted_by_all_ns());
+    } else {
+      wait_for_hosts();
     }
   }
-  return LockstepEnd::kStopSignal;
-}
-
-std::optional<LockstepEnd> LockstepRun::serve(const Grant& grant) {
-  if (!wait_for_bytes(grant.host_bytes)) {
-    return stop_requested() ? LockstepEnd::kStopSignal : LockstepEnd::kHostGone;
+  for (Served& served : served_) {
+    if (served.has_host) {
+      end(served, LockstepEnd::kStopSignal, std::nullopt);
+    }
+    end_watch(served);
   }
-  fulfil(grant);
-  return std::nullopt;
 }
 
-std::optional<LockstepEnd> LockstepRun::serve(const CarryOff& carry) {
-  simulation_.carry_off(carry.held_us * 1000);
-  return std::nullopt;
+bool LockstepRun::is_over() const {
+  return std::ranges::none_of(served_,
+                              [](const Served& served) { return served.has_host || served.watch; });
 }
 
-std::optional<LockstepEnd> LockstepRun::serve(const PutBox& box) {
+/// Serves what those who have granted no time want. False where nobody has said anything.
+bool LockstepRun::hear_hosts() {
+  bool heard = false;
+  for (Served& served : served_) {
+    if (!served.has_host || served.seat->granted_ns()) {
+      continue;
+    }
+    if (const auto request = served.seat->take_request()) {
+      std::visit([&](const auto& what) { serve(served, what); }, *request);
+      heard = true;
+    }
+  }
+  return heard;
+}
+
+bool LockstepRun::is_granted() const {
+  return std::ranges::none_of(
+      served_, [](const Served& served) { return served.has_host && !served.seat->granted_ns(); });
+}
+
+void LockstepRun::wait_for_hosts() const {
+  std::vector<Awaited> awaited;
+  for (const Served& served : served_) {
+    if (served.has_host && !served.seat->granted_ns()) {
+      awaited.push_back({&served.seat->endpoint(), served.seat->descriptor()});
+    }
+  }
+  wait_readable(awaited, kPatience);
+  for (const Served& served : served_) {
+    if (served.has_host && !served.seat->granted_ns()) {
+      served.seat->collect_bytes();
+    }
+  }
+}
+
+/// Where no host is left, the end of the last watch.
+std::int64_t LockstepRun::granted_by_all_ns() const {
+  std::int64_t granted_ns = std::numeric_limits<std::int64_t>::max();
+  std::int64_t watched_ns = 0;
+  for (const Served& served : served_) {
+    if (served.has_host) {
+      granted_ns = std::min(granted_ns, served.seat->granted_ns().value_or(granted_ns));
+    } else if (served.watch) {
+      watched_ns = std::max(watched_ns, served.watch->last_grant_ns + kWithoutHostNs);
+    }
+  }
+  const bool has_host = std::ranges::any_of(served_, &Served::has_host);
+  return has_host ? granted_ns : watched_ns;
+}
+
+/// And answers those whose grants are reached.
+void LockstepRun::advance_to(std::int64_t until_ns) {
+  while (team_.now_ns() < until_ns) {
+    const bool watches =
+        std::ranges::any_of(served_, [](const Served& served) { return served.watch.has_value(); });
+    const std::int64_t next_ns =
+        watches ? std::min(until_ns, team_.now_ns() + kWatchStepNs) : until_ns;
+    watch_wheels(next_ns);
+    team_.advance_to(next_ns);
+    for (Served& served : served_) {
+      if (served.watch && next_ns >= served.watch->last_grant_ns + kWithoutHostNs) {
+        end_watch(served);
+      }
+    }
+  }
+  for (const Served& served : served_) {
+    if (!served.has_host) {
+      served.seat->discard_sent();
+    } else if (served.seat->granted_ns() <= until_ns) {
+      served.seat->answer();
+    }
+  }
+}
+
+void LockstepRun::watch_wheels(std::int64_t until_ns) {
+  for (Served& served : served_) {
+    if (served.watch && is_driving(served.seat->simulation())) {
+      served.watch->driving_until_ns = until_ns;
+    }
+  }
+}
+
+void LockstepRun::end_watch(Served& served) {
+  if (!served.watch) {
+    return;
+  }
+  StopReport report{served.watch->last_grant_ns, std::nullopt};
+  if (!is_driving(served.seat->simulation())) {
+    report.stopped_after_ns =
+        std::max<std::int64_t>(0, served.watch->driving_until_ns - report.last_grant_ns);
+  }
+  served.watch.reset();
+  end(served, LockstepEnd::kHostGone, report);
+}
+
+void LockstepRun::end(Served& served,
+                      LockstepEnd why,
+                      const std::optional<StopReport>& stop) const {
+  served.has_host = false;
+  if (on_end) {
+    on_end(served.robot, why, stop);
+  }
+}
+
+void LockstepRun::serve(Served& served, const Grant& grant) {
+  if (!served.seat->accept(grant)) {
+    if (!stop_requested()) {
+      serve(served, HostGone{});
+    }
+    return;
+  }
+  if (served.seat->granted_ns() <= team_.now_ns()) {
+    served.seat->answer();
+  }
+}
+
+void LockstepRun::serve(Served& served, const CarryOff& carry) {
+  served.seat->simulation().carry_off(carry.held_us * 1000);
+}
+
+void LockstepRun::serve(Served& served, const PutBox& box) {
   const auto metres = [](std::int64_t mm) { return 1e-3 * static_cast<double>(mm); };
   const bool stands =
-      simulation_.put_box({metres(box.x_mm), metres(box.y_mm)}, metres(box.side_mm));
+      team_.put_box(served.robot, {metres(box.x_mm), metres(box.y_mm)}, metres(box.side_mm));
   if (on_box) {
-    on_box(box, stands);
+    on_box(served.robot, box, stands);
   }
-  return std::nullopt;
 }
 
-std::optional<LockstepEnd> LockstepRun::serve(const CutCable& cut) {
+void LockstepRun::serve(Served& served, const CutCable& cut) {
   if (on_cut_cable) {
-    on_cut_cable(cut.for_us * 1000);
+    on_cut_cable(served.robot, cut.for_us * 1000);
   }
-  return std::nullopt;
 }
 
-std::optional<LockstepEnd> LockstepRun::serve(const TellTruth&) {
-  tells_truth_ = true;
-  return std::nullopt;
+/// Its wheels are watched from now on.
+void LockstepRun::serve(Served& served, const HostGone&) {
+  served.has_host = false;
+  served.watch = WheelWatch{team_.now_ns(), 0};
 }
 
-std::optional<LockstepEnd> LockstepRun::serve(const BadRequest& bad) {
+void LockstepRun::serve(Served& /*served*/, const BadRequest& bad) {
   throw std::runtime_error("unexpected lockstep request: " + bad.line);
-}
-
-StopReport LockstepRun::run_without_host() {
-  StopReport report{simulation_.now_ns(), std::nullopt};
-  std::int64_t driving_until_ns = 0;
-  for (std::int64_t passed_ns = 0; passed_ns < kWithoutHostNs; passed_ns += kWatchStepNs) {
-    if (is_driving(simulation_)) {
-      driving_until_ns = passed_ns + kWatchStepNs;
-    }
-    simulation_.advance_to(report.last_grant_ns + passed_ns + kWatchStepNs);
-  }
-  if (!is_driving(simulation_)) {
-    report.stopped_after_ns = driving_until_ns;
-  }
-  return report;
-}
-
-/// Takes in what the host has sent and pushes on what is on its way to it.
-void LockstepRun::collect_bytes() {
-  const std::vector<std::uint8_t> bytes = endpoint_.receive();
-  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
-  endpoint_.send({});
-}
-
-/// Whether they have come; false where the stream has swallowed them.
-bool LockstepRun::wait_for_bytes(std::uint64_t host_bytes) {
-  const auto end = std::chrono::steady_clock::now() + kBytesPatience;
-  collect_bytes();
-  while (handed_bytes_ + waiting_.size() < host_bytes) {
-    if (stop_requested() || std::chrono::steady_clock::now() > end) {
-      return false;
-    }
-    wait_readable(endpoint_, -1, kPatience);
-    collect_bytes();
-  }
-  return true;
-}
-
-void LockstepRun::fulfil(const Grant& grant) {
-  std::vector<std::uint8_t> bytes;
-  for (; handed_bytes_ < grant.host_bytes; ++handed_bytes_) {
-    bytes.push_back(waiting_.front());
-    waiting_.pop_front();
-  }
-  if (!bytes.empty()) {
-    simulation_.receive(bytes);
-  }
-  simulation_.advance_to(grant.until_us * 1000);
-  const std::vector<std::uint8_t> sent = simulation_.take_sent();
-  device_bytes_ += sent.size();
-  endpoint_.send(sent);
-  server_.send_reached(
-      grant.until_us,
-      device_bytes_,
-      tells_truth_ ? std::optional(simulation_.world().T_start_robot()) : std::nullopt);
 }
 
 }  // namespace echomap::runner

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "hil_mock/runner/byte_endpoint.hpp"
-#include "hil_mock/runner/lockstep_server.hpp"
-#include "hil_mock/runner/robot_simulation.hpp"
+#include "hil_mock/runner/lockstep_seat.hpp"
+#include "hil_mock/runner/robot_team.hpp"
 
 namespace echomap::runner {
 
@@ -24,49 +23,63 @@ struct StopReport {
 /// Why a run in lockstep has ended.
 enum class LockstepEnd : std::uint8_t { kQuit, kHostGone, kStopSignal };
 
-/// Serves one host in lockstep: simulated time passes only as granted, and only after every byte
-/// of the host has come.
+/// Serves the host of each robot of a team in lockstep: simulated time passes only as far as all of
+/// them have granted, and only after every byte of theirs has come. A host that has not connected
+/// yet holds it at the start; one that has quit or vanished holds it no longer.
 class LockstepRun {
  public:
-  /// All must outlive this.
-  LockstepRun(RobotSimulation& simulation, ByteEndpoint& endpoint, LockstepServer& server);
+  /// `seats` are of all robots of the team, in its order. Both must outlive this.
+  LockstepRun(RobotTeam& team, std::vector<LockstepSeat>& seats);
 
-  /// Until the host quits or vanishes or a stop signal comes. Throws std::runtime_error for a line
-  /// that is none of the protocol's.
-  LockstepEnd run();
+  /// Until every host has quit or vanished, those that have vanished two simulated seconds ago, or
+  /// a stop signal comes. Throws std::runtime_error for a line that is none of the protocol's.
+  void run();
 
   /// Called when somebody has put a box down, or could not: it `stands` there or it does not.
-  std::function<void(const PutBox& box, bool stands)> on_box;
+  std::function<void(std::size_t robot, const PutBox& box, bool stands)> on_box;
 
-  /// Called when the cable is pulled: for so long of simulated time nothing is to pass.
-  std::function<void(std::int64_t for_ns)> on_cut_cable;
+  /// Called when a cable is pulled: for so long of simulated time nothing is to pass.
+  std::function<void(std::size_t robot, std::int64_t for_ns)> on_cut_cable;
 
-  /// Lets time pass for two more simulated seconds without a host and watches the wheels.
-  StopReport run_without_host();
+  /// Called once for each robot, when its host is served no more; with a report where the host has
+  /// vanished, two simulated seconds later.
+  std::function<void(std::size_t robot, LockstepEnd end, const std::optional<StopReport>& stop)>
+      on_end;
 
  private:
-  /// What a request leads to; the end of the run, or empty where it goes on.
-  std::optional<LockstepEnd> serve(const Grant& grant);
-  std::optional<LockstepEnd> serve(const CarryOff& carry);
-  std::optional<LockstepEnd> serve(const PutBox& box);
-  std::optional<LockstepEnd> serve(const CutCable& cut);
-  std::optional<LockstepEnd> serve(const TellTruth&);
-  static std::optional<LockstepEnd> serve(const Quit&) { return LockstepEnd::kQuit; }
-  static std::optional<LockstepEnd> serve(const HostGone&) { return LockstepEnd::kHostGone; }
-  static std::optional<LockstepEnd> serve(const BadRequest& bad);
+  /// Of a robot whose host has vanished.
+  struct WheelWatch {
+    std::int64_t last_grant_ns = 0;
+    std::int64_t driving_until_ns = 0;
+  };
+  struct Served {
+    LockstepSeat* seat = nullptr;
+    std::size_t robot = 0;
+    bool has_host = true;
+    std::optional<WheelWatch> watch = std::nullopt;
+  };
 
-  void collect_bytes();
-  bool wait_for_bytes(std::uint64_t host_bytes);
-  void fulfil(const Grant& grant);
+  bool is_over() const;
+  bool hear_hosts();
+  bool is_granted() const;
+  void wait_for_hosts() const;
+  std::int64_t granted_by_all_ns() const;
+  void advance_to(std::int64_t until_ns);
+  void watch_wheels(std::int64_t until_ns);
+  void end_watch(Served& served);
+  void end(Served& served, LockstepEnd why, const std::optional<StopReport>& stop) const;
 
-  RobotSimulation& simulation_;
-  ByteEndpoint& endpoint_;
-  LockstepServer& server_;
-  /// Received from the host, not yet handed to the board.
-  std::deque<std::uint8_t> waiting_;
-  std::uint64_t handed_bytes_ = 0;
-  std::uint64_t device_bytes_ = 0;
-  bool tells_truth_ = false;
+  void serve(Served& served, const Grant& grant);
+  static void serve(Served& served, const CarryOff& carry);
+  void serve(Served& served, const PutBox& box);
+  void serve(Served& served, const CutCable& cut);
+  static void serve(Served& served, const TellTruth&) { served.seat->tell_truth(); }
+  void serve(Served& served, const Quit&) { end(served, LockstepEnd::kQuit, std::nullopt); }
+  void serve(Served& served, const HostGone&);
+  static void serve(Served& served, const BadRequest& bad);
+
+  RobotTeam& team_;
+  std::vector<Served> served_;
 };
 
 }  // namespace echomap::runner

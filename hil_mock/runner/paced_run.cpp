@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <vector>
 
 #include "hil_mock/runner/stop_signal.hpp"
 #include "hil_mock/runner/wait_readable.hpp"
@@ -16,21 +17,29 @@ constexpr std::chrono::microseconds kRest{1000};
 
 }  // namespace
 
-void run_paced(RobotSimulation& simulation,
-               ByteEndpoint& endpoint,
+void run_paced(RobotTeam& team,
+               std::span<const ServedRobot> robots,
                Pacer pacer,
                std::int64_t end_ns) {
-  while (!stop_requested() && simulation.now_ns() < end_ns) {
-    if (const auto bytes = endpoint.receive(); !bytes.empty()) {
-      simulation.receive(bytes);
+  std::vector<Awaited> hosts;
+  for (const ServedRobot& robot : robots) {
+    hosts.push_back({robot.endpoint});
+  }
+  while (!stop_requested() && team.now_ns() < end_ns) {
+    for (const ServedRobot& robot : robots) {
+      if (const auto bytes = robot.endpoint->receive(); !bytes.empty()) {
+        robot.simulation->receive(bytes);
+      }
     }
-    const std::int64_t now_ns = simulation.now_ns();
+    const std::int64_t now_ns = team.now_ns();
     const std::int64_t due_ns =
         std::min(end_ns, pacer.due_ns(std::chrono::steady_clock::now(), now_ns));
-    simulation.advance_to(std::min(due_ns, now_ns + kSliceNs));
-    endpoint.send(simulation.take_sent());
-    if (due_ns <= simulation.now_ns()) {
-      wait_readable(endpoint, -1, kRest);
+    team.advance_to(std::min(due_ns, now_ns + kSliceNs));
+    for (const ServedRobot& robot : robots) {
+      robot.endpoint->send(robot.simulation->take_sent());
+    }
+    if (due_ns <= team.now_ns()) {
+      wait_readable(hosts, kRest);
     }
   }
 }

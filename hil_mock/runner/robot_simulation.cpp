@@ -76,6 +76,9 @@ void RobotSimulation::step_world() {
   }
   tell_duty();
   changes_.clear();
+  if (before_step) {
+    before_step();
+  }
   world_.step(kStepS, duty, changes_);
   turn_pan();
   schedule_edges(Wheel::kLeft, changes_.left);
@@ -115,22 +118,20 @@ void RobotSimulation::kidnap() {
   }
 }
 
-bool RobotSimulation::put_box(const Eigen::Vector2d& middle_m, double side_m) {
-  const geometry::Pose2 T_world_middle =
-      world_.plan().T_world_start() * geometry::Pose2(middle_m.x(), middle_m.y(), 0.0);
-  const world::Polygon box_m = square(T_world_middle, side_m);
+world::Polygon RobotSimulation::box_at(const Eigen::Vector2d& middle_m, double side_m) const {
+  return square(world_.plan().T_world_start() * geometry::Pose2(middle_m.x(), middle_m.y(), 0.0),
+                side_m);
+}
+
+bool RobotSimulation::has_place_for(const world::Polygon& box_m) const {
   const auto is_clear = [&](const geometry::Pose2& T_world_robot) {
     return world_.is_clear_of(box_m, T_world_robot.position_m());
   };
-  const bool has_place = geometry::contains(world_.plan().room_m(), T_world_middle.position_m()) &&
-                         is_clear(world_.T_world_robot()) &&
-                         std::all_of(kidnaps_.begin(), kidnaps_.end(), [&](const Kidnap& kidnap) {
-                           return is_clear(kidnap.T_world_robot);
-                         });
-  if (has_place) {
-    world_.put_box(box_m);
-  }
-  return has_place;
+  const Eigen::Vector2d middle_m = 0.5 * (box_m.front() + box_m[box_m.size() / 2]);
+  return geometry::contains(world_.plan().room_m(), middle_m) && is_clear(world_.T_world_robot()) &&
+         std::all_of(kidnaps_.begin(), kidnaps_.end(), [&](const Kidnap& kidnap) {
+           return is_clear(kidnap.T_world_robot);
+         });
 }
 
 void RobotSimulation::turn_pan() {

@@ -51,11 +51,20 @@ class RobotSimulation {
     schedule({now_ns_, now_ns_ + held_ns, world_.somewhere_else()});
   }
 
-  /// Somebody puts a square box down, parallel to the axes of the robot's start pose and with its
-  /// middle at a point in that frame. False, and none stands there, where that point is not in the
-  /// room or the box would be in the way of the robot or of a hand that puts it down.
-  bool put_box(const Eigen::Vector2d& middle_m, double side_m);
+  /// A square box, in the world: parallel to the axes of the robot's start pose and with its middle
+  /// at a point in that frame.
+  world::Polygon box_at(const Eigen::Vector2d& middle_m, double side_m) const;
+  /// False where its middle is not in the room or it would be in the way of the robot or of a hand
+  /// that puts the robot down.
+  bool has_place_for(const world::Polygon& box_m) const;
+  /// From now on that box stands there.
+  void put_box(const world::Polygon& box_m) { world_.put_box(box_m); }
 
+  /// Where the other robots are from now on.
+  void set_peers(std::span<const world::Disc> peers) { world_.set_peers(peers); }
+
+  /// Called before every millisecond of the world.
+  std::function<void()> before_step;
   /// Called after every millisecond of the world.
   std::function<void()> on_step;
   /// Called with the board's time and what its motors get: every millisecond, and between at the

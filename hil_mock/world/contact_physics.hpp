@@ -13,12 +13,13 @@ struct Contacts {
   bool right = false;
 };
 
-/// The pose after walls have pushed the body's disc out of themselves; the heading stays.
+/// The pose after walls and other robots have pushed the body's disc out of themselves; the heading
+/// stays.
 geometry::Pose2 pushed_out(const FloorPlan& plan,
                            const geometry::Pose2& T_world_robot,
                            double radius_m);
 
-/// Which bumpers touch a wall.
+/// Which bumpers touch a wall or another robot.
 Contacts contacts_at(const FloorPlan& plan,
                      const geometry::Pose2& T_world_robot,
                      const BodyParams& params);

@@ -2,6 +2,7 @@
 #include "hil_mock/world/floor_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -34,8 +35,23 @@ double turn_at(const Segment& before, const Segment& after) {
 
 /// Trousers scatter sound and are dark.
 constexpr Surface kClothes{Material::kRough, 0.4};
-/// Sides of the polygon that stands for a person.
-constexpr int kPersonSides = 12;
+/// Boards, wires and wheels scatter sound; how bright they are is assumed.
+constexpr Surface kHull{Material::kRough, 0.5};
+/// Sides of the polygon that stands for a person or a robot.
+constexpr std::size_t kDiscSides = 12;
+
+/// From the middle to the corners of a disc of 1 m, the first again at the end.
+const std::array<Eigen::Vector2d, kDiscSides + 1>& disc_corners() {
+  static const auto corners = [] {
+    std::array<Eigen::Vector2d, kDiscSides + 1> made;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      made.at(i) = geometry::unit_vector(-2.0 * std::numbers::pi * static_cast<double>(i) /
+                                         static_cast<double>(kDiscSides));
+    }
+    return made;
+  }();
+  return corners;
+}
 
 }  // namespace
 
@@ -139,27 +155,44 @@ double FloorPlan::clearance_m(const Eigen::Vector2d& point_m) const {
 
 void FloorPlan::put_box(Outline box) {
   check_outline(box, "box");
-  const auto first_person = walls_.begin() + static_cast<std::ptrdiff_t>(still_walls_);
-  const std::vector<Wall> people(first_person, walls_.end());
-  walls_.erase(first_person, walls_.end());
+  walls_.resize(still_walls_);
   obstacles_m_.push_back(box.corners_m);
   attenuations_per_m_.push_back(box.attenuation_per_m);
   add_walls(std::move(box), false);
   still_walls_ = walls_.size();
-  walls_.insert(walls_.end(), people.begin(), people.end());
+  draw_movers();
 }
 
 void FloorPlan::put_people(std::span<const Disc> people) {
+  people_.assign(people.begin(), people.end());
+  draw_movers();
+}
+
+void FloorPlan::put_robots(std::span<const Disc> robots) {
+  robots_.assign(robots.begin(), robots.end());
+  draw_movers();
+}
+
+std::span<const Wall> FloorPlan::walls_besides_robots() const {
+  return std::span(walls_).first(walls_.size() - kDiscSides * robots_.size());
+}
+
+void FloorPlan::draw_movers() {
   walls_.resize(still_walls_);
-  for (const Disc& person : people) {
-    const auto corner_m = [&](int i) {
-      const double bearing_rad = -2.0 * std::numbers::pi * i / kPersonSides;
-      return Eigen::Vector2d(person.middle_m +
-                             person.radius_m * geometry::unit_vector(bearing_rad));
-    };
-    for (int i = 0; i < kPersonSides; ++i) {
-      walls_.push_back({{corner_m(i), corner_m(i + 1)}, kClothes});
-    }
+  for (const Disc& person : people_) {
+    add_sides(person, kClothes);
+  }
+  for (const Disc& robot : robots_) {
+    add_sides(robot, kHull);
+  }
+}
+
+void FloorPlan::add_sides(const Disc& disc, const Surface& surface) {
+  const auto corner_m = [&](std::size_t i) {
+    return Eigen::Vector2d(disc.middle_m + disc.radius_m * disc_corners().at(i));
+  };
+  for (std::size_t i = 0; i < kDiscSides; ++i) {
+    walls_.push_back({{corner_m(i), corner_m(i + 1)}, surface});
   }
 }
 

@@ -92,7 +92,8 @@ class FloorPlan {
   const std::string& name() const { return name_; }
   const Polygon& room_m() const { return room_m_; }
   const std::vector<Polygon>& obstacles_m() const { return obstacles_m_; }
-  /// All that stands at this moment: what stands always, and behind it the sides of people.
+  /// All that stands at this moment: what stands always, and behind it the sides of people and of
+  /// other robots.
   const std::vector<Wall>& walls() const { return walls_; }
   /// What stands always.
   std::span<const Wall> still_walls() const { return std::span(walls_).first(still_walls_); }
@@ -128,11 +129,18 @@ class FloorPlan {
 
   /// Puts people where they are now, in place of those before.
   void put_people(std::span<const Disc> people);
+  /// The same for robots: round hulls that scatter sound.
+  void put_robots(std::span<const Disc> robots);
+  const std::vector<Disc>& robots() const { return robots_; }
+  /// What `walls` has but for the sides of robots, whose hulls are as round as `robots` says.
+  std::span<const Wall> walls_besides_robots() const;
 
  private:
   void add_walls(Outline outline, bool counter_clockwise);
   void check_holes() const;
   void check_sources() const;
+  void add_sides(const Disc& disc, const Surface& surface);
+  void draw_movers();
 
   std::string name_;
   Polygon room_m_;
@@ -145,6 +153,8 @@ class FloorPlan {
   std::size_t still_walls_ = 0;
   std::size_t first_walls_ = 0;
   std::vector<Corner> corners_;
+  std::vector<Disc> people_;
+  std::vector<Disc> robots_;
   geometry::Pose2 T_world_start_;
 };
 

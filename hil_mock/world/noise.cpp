@@ -19,6 +19,11 @@ std::uint32_t mix(std::uint32_t value) {
 NoiseStream::NoiseStream(std::uint32_t seed, NoisePurpose purpose)
     : generator_(mix(mix(seed) + static_cast<std::uint32_t>(purpose))) {}
 
+std::uint32_t seed_of(std::uint32_t shared, std::uint32_t number) {
+  constexpr std::uint32_t kStride = 0x9E3779B9U;
+  return number == 0 ? shared : mix(mix(shared) + kStride * number);
+}
+
 double NoiseStream::uniform() { return static_cast<double>(generator_()) / 4294967296.0; }
 
 double NoiseStream::normal() {

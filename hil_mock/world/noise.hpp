@@ -18,7 +18,8 @@ enum class NoisePurpose : std::uint32_t {
   kPlaces = 7,
   kCamera = 8,
   kEncoderDirt = 9,
-  kScalarSensor = 10,
+  kStarts = 10,
+  kScalarSensor = 11,
   kRange0 = 16,  ///< .. 23, one for each infra-red channel.
 };
 
@@ -36,5 +37,8 @@ class NoiseStream {
  private:
   std::mt19937 generator_;
 };
+
+/// A seed for one of several that share one, numbered from 0, whose own it is.
+std::uint32_t seed_of(std::uint32_t shared, std::uint32_t number);
 
 }  // namespace echomap::world

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/person.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -19,7 +20,7 @@ Person::Person(PersonParams params) : params_(std::move(params)) {
   at_m_ = params_.path_m.front();
 }
 
-void Person::step(double dt_s, double now_s, const Disc& robot) {
+void Person::step(double dt_s, double now_s, std::span<const Disc> robots) {
   if (now_s < params_.start_s || next_ == params_.path_m.size()) {
     return;
   }
@@ -28,9 +29,7 @@ void Person::step(double dt_s, double now_s, const Disc& robot) {
   const bool arrives = offset_m.norm() <= step_m;
   const Eigen::Vector2d there_m =
       arrives ? params_.path_m[next_] : Eigen::Vector2d(at_m_ + step_m * offset_m.normalized());
-  const double apart_m = (there_m - robot.middle_m).norm();
-  const bool comes_nearer = !place_ || apart_m < (at_m_ - robot.middle_m).norm();
-  if (comes_nearer && apart_m < params_.radius_m + robot.radius_m + kCareM) {
+  if (is_blocked(there_m, robots)) {
     return;
   }
   at_m_ = there_m;
@@ -39,6 +38,15 @@ void Person::step(double dt_s, double now_s, const Disc& robot) {
   if (next_ == params_.path_m.size()) {
     place_.reset();
   }
+}
+
+/// Whether a step there would come too near to a robot; away from one it may always go.
+bool Person::is_blocked(const Eigen::Vector2d& there_m, std::span<const Disc> robots) const {
+  return std::ranges::any_of(robots, [&](const Disc& robot) {
+    const double apart_m = (there_m - robot.middle_m).norm();
+    const bool comes_nearer = !place_ || apart_m < (at_m_ - robot.middle_m).norm();
+    return comes_nearer && apart_m < params_.radius_m + robot.radius_m + kCareM;
+  });
 }
 
 }  // namespace echomap::world

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -30,13 +31,15 @@ class Person {
   /// Throws std::invalid_argument for fewer than two points, or a speed or radius that is none.
   explicit Person(PersonParams params);
 
-  /// Goes on for `dt_s`, at the time `now_s`.
-  void step(double dt_s, double now_s, const Disc& robot);
+  /// Goes on for `dt_s`, at the time `now_s`, among these robots.
+  void step(double dt_s, double now_s, std::span<const Disc> robots);
 
   /// Empty before it has come and after it has gone.
   const std::optional<Disc>& place() const { return place_; }
 
  private:
+  bool is_blocked(const Eigen::Vector2d& there_m, std::span<const Disc> robots) const;
+
   PersonParams params_;
   std::size_t next_ = 1;  ///< The point of the path that it goes to.
   Eigen::Vector2d at_m_;

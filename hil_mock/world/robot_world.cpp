@@ -149,9 +149,11 @@ void RobotWorld::move_people(double dt_s) {
   if (people_.empty()) {
     return;
   }
+  std::vector<Disc> robots{{T_world_robot().position_m(), robot_.body.radius_m}};
+  robots.insert(robots.end(), plan_.robots().begin(), plan_.robots().end());
   std::vector<Disc> places;
   for (Person& person : people_) {
-    person.step(dt_s, now_s_, {T_world_robot().position_m(), robot_.body.radius_m});
+    person.step(dt_s, now_s_, robots);
     if (const auto place = person.place()) {
       places.push_back(*place);
     }
@@ -165,7 +167,19 @@ void RobotWorld::place(const geometry::Pose2& T_world_robot) {
 }
 
 bool RobotWorld::fits(const Eigen::Vector2d& place_m, double clearance_m) const {
-  return plan_.is_free(place_m) && plan_.clearance_m(place_m) >= robot_.body.radius_m + clearance_m;
+  const double room_m = robot_.body.radius_m + clearance_m;
+  const auto is_clear = [&](const Disc& peer) {
+    return (place_m - peer.middle_m).norm() >= peer.radius_m + room_m;
+  };
+  return plan_.is_free(place_m) && plan_.clearance_m(place_m) >= room_m &&
+         std::ranges::all_of(plan_.robots(), is_clear);
+}
+
+std::optional<Disc> RobotWorld::hull() const {
+  if (body_.is_lifted()) {
+    return std::nullopt;
+  }
+  return Disc{T_world_robot().position_m(), robot_.body.radius_m};
 }
 
 bool RobotWorld::is_clear_of(const Polygon& box_m, const Eigen::Vector2d& place_m) const {

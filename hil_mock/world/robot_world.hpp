@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "hil_mock/world/floor_plan.hpp"
@@ -33,6 +34,13 @@ class RobotWorld {
   /// Moves for `dt_s` (a millisecond is fine enough) and appends what the encoders do.
   void step(double dt_s, const WheelDuty& duty, EncoderChanges& changes);
 
+  /// Where the hulls of the other robots in the room are from now on: they send sound and light
+  /// back, stop the body and press its bumpers. To be told before every step in which one has
+  /// moved; robots that step in turn, each told of the others' newest places, never overlap.
+  void set_peers(std::span<const Disc> peers) { plan_.put_robots(peers); }
+  /// This robot, as the others meet it; empty while somebody holds it.
+  std::optional<Disc> hull() const;
+
   /// One ping at the present pose: the echo's time of flight, there and back, in seconds; empty
   /// where nothing answered.
   std::optional<double> ping(double pan_rad);
@@ -47,7 +55,7 @@ class RobotWorld {
   void lift() { body_.lift(); }
   /// Puts the robot down elsewhere.
   void place(const geometry::Pose2& T_world_robot);
-  /// Whether the robot has room there, with so much between its hull and the walls.
+  /// Whether the robot has room there, with so much between its hull and walls and other robots.
   bool fits(const Eigen::Vector2d& place_m, double clearance_m) const;
   /// A place with room for the robot, a metre and more from here, looking anywhere: where somebody
   /// who carries it off may put it down. In a room without one, the farthest of a thousand others.

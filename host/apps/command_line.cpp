@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
 
+#include "host/apps/fleet_options.hpp"
 #include "host/apps/live_options.hpp"
 #include "host/apps/localize_options.hpp"
 #include "host/apps/map_options.hpp"
@@ -51,31 +52,49 @@ void set_up_logging(bool verbose, bool quiet) {
   spdlog::set_default_logger(std::move(logger));
 }
 
-/// The sub-command that the arguments name, right or wrong; empty where there is none.
-std::string named_command(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  const auto word = std::find_if(
-      words.begin(), words.end(), [](const std::string& text) { return !text.starts_with('-'); });
-  return word == words.end() ? std::string() : *word;
+/// How far the arguments name sub-commands.
+struct NamedCommand {
+  const CLI::App* app = nullptr;
+  std::string words;    ///< "echomap", or with the sub-commands behind it.
+  std::string unknown;  ///< The word where a sub-command is due and none has that name.
+};
+
+NamedCommand named_command(const CLI::App& app, int argc, char** argv) {
+  NamedCommand named{&app, app.get_name(), ""};
+  for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
+    if (word.starts_with('-')) {
+      continue;
+    }
+    const auto commands = named.app->get_subcommands({});
+    const auto command =
+        std::ranges::find_if(commands, [&](const CLI::App* one) { return one->check_name(word); });
+    if (command == commands.end()) {
+      named.unknown = commands.empty() ? "" : word;
+      break;
+    }
+    named.app = *command;
+    named.words += " " + word;
+  }
+  return named;
 }
 
 /// CLI11 says only that some sub-command is needed; say which one was meant.
-ExitCode report_usage(const CLI::App& app, const CLI::ParseError& error, const std::string& name) {
+ExitCode report_usage(const CLI::App& app,
+                      const CLI::ParseError& error,
+                      const NamedCommand& named) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
     app.exit(error);
     return ExitCode::kOk;
   }
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) {
+  for (const CLI::App* command : named.app->get_subcommands({})) {
     names.push_back(command->get_name());
     names.insert(names.end(), command->get_aliases().begin(), command->get_aliases().end());
   }
-  const bool known = std::find(names.begin(), names.end(), name) != names.end();
-  const std::string what = known || name.empty()
-                               ? error.what()
-                               : "unknown command '" + name + "'" + files::suggestion(name, names);
-  const std::string help = known ? "echomap " + name + " --help" : "echomap --help";
-  std::fputs(("echomap: " + what + "\n  next: " + help + "\n").c_str(), stderr);
+  const std::string what = named.unknown.empty() ? error.what()
+                                                 : "unknown command '" + named.unknown + "'" +
+                                                       files::suggestion(named.unknown, names);
+  std::fputs(("echomap: " + what + "\n  next: " + named.words + " --help\n").c_str(), stderr);
   return ExitCode::kUsage;
 }
 
@@ -121,10 +140,11 @@ ExitCode run_command_line(int argc, char** argv) {
   add_characterise(app, action);
   add_flash(app, action);
   add_ports(app, action);
+  add_fleet(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return report_usage(app, error, named_command(argc, argv));
+    return report_usage(app, error, named_command(app, argc, argv));
   }
   set_up_logging(verbose, quiet);
   console::catch_interrupts();

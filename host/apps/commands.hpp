@@ -11,7 +11,7 @@
 #include "host/console/exit_code.hpp"
 #include "host/localization/localizer_preset.hpp"
 #include "host/session/open_robot.hpp"
-#include "host/session/simulated_robot.hpp"
+#include "host/session/simulated_robots.hpp"
 #include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::apps {
@@ -178,5 +178,16 @@ struct PortsOptions {
   std::filesystem::path sysfs = "/sys";  ///< Where Linux shows its devices.
 };
 ExitCode run_ports(const PortsOptions& options);
+
+/// `echomap fleet replay`: localizes the robots of recorded logs jointly.
+struct FleetReplayOptions {
+  std::filesystem::path folder;
+  std::vector<std::int64_t> blind;  ///< Robots whose sightings of landmarks are left out.
+  std::filesystem::path out;        ///< Empty: a stamped folder below the user's data folder.
+  std::filesystem::path json;       ///< Empty: none; "-": stdout.
+  bool force = false;               ///< Overwrite a run that `out` has in it.
+  bool headless = false;
+};
+ExitCode run_fleet_replay(const FleetReplayOptions& options);
 
 }  // namespace echomap::apps

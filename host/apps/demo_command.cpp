@@ -25,7 +25,7 @@
 #include "host/files/bundled_files.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/session/profile_driver.hpp"
-#include "host/session/simulated_robot.hpp"
+#include "host/session/simulated_robots.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -252,7 +252,7 @@ ExitCode run_demo(const DemoOptions& options) {
   const auto out = run_folder(run.out);
   prepare_outputs(out, run.json, run.force);
   const session::Seed seed(run.seed);
-  session::SimulatedRobot simulated(with_driver_of(profile, options.robot), seed, body, out);
+  session::SimulatedRobots simulated(with_driver_of(profile, options.robot), seed, body, out);
   RobotContext robot(std::move(profile), seed);
   exports::RunSummary summary;
   summary.world = options.robot.world;

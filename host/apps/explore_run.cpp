@@ -57,14 +57,19 @@ class AtlasReporter {
 /// Where the robot may be in another map, as that of a strategy which goes anywhere, under the eyes
 /// of one that sets maps aside.
 std::unique_ptr<exploration::AtlasExplorer> explorer_of(const RobotContext& robot,
-                                                        const StrategyOptions& strategy,
+                                                        const ExploreRun& run,
                                                         std::mt19937& random) {
+  const StrategyOptions& strategy = run.strategy;
   const auto make = [&](std::size_t stops_made) -> std::unique_ptr<exploration::Explorer> {
     StrategyOptions left = strategy;
     if (left.stops) {
       *left.stops -= std::min(*left.stops, stops_made / left.scans);
     }
-    return left.stops != 0U ? strategies::explorer_for(robot.profile(), left, random) : nullptr;
+    if (left.stops == 0U) {
+      return nullptr;
+    }
+    return run.make_explorer ? run.make_explorer(left)
+                             : strategies::explorer_for(robot.profile(), left, random);
   };
   return std::make_unique<exploration::AtlasExplorer>(
       make,
@@ -250,7 +255,7 @@ RunEnding explore_and_save(RobotContext& robot,
                            exports::RunSummary& summary) {
   describe_run(robot, run, summary);
   std::mt19937 random = robot.seed().generator(session::SeedPurpose::kStrategy);
-  const auto explorer = explorer_of(robot, run.strategy, random);
+  const auto explorer = explorer_of(robot, run, random);
   RunWriter writer(robot, *explorer, run, summary);
   ExploreView view(robot, run, *explorer);
   show(robot, run, *explorer, view);
@@ -259,7 +264,8 @@ RunEnding explore_and_save(RobotContext& robot,
   progress.finish();
   run.live.show_nothing();
   warn_of_previous_maps(robot.atlas());
-  const auto coverage = coverage_of(robot.atlas().pipeline().snapshot(), robot.profile());
+  const auto coverage =
+      coverage_of(run.known ? run.known() : robot.atlas().pipeline().snapshot(), robot.profile());
   const auto walls = wall_error_of(robot.atlas().pipeline());
   RunEnding ending = ending_of_exploration(robot, reason, coverage, walls, run.next);
   describe_ending(ending, summary);

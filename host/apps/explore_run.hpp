@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +27,11 @@ struct ExploreRun {
   std::uint64_t split_bytes = 0;  ///< At which the recording goes on in another file; 0: never.
   NextCommands next{};
   std::optional<ResumedRun> resumed{};  ///< What the maps already know.
+  /// Makes what drives the robot, for so much of the strategy as is left; null: the strategy alone.
+  std::function<std::unique_ptr<exploration::Explorer>(const strategies::StrategyOptions& left)>
+      make_explorer = nullptr;
+  /// What is known of the room in all, where that is more than the robot's map; null: its map.
+  std::function<pipeline::Snapshot()> known = nullptr;
 };
 
 /// The profile of the robot that is named. Throws files::ConfigError, and CommandError where the

@@ -22,7 +22,9 @@ constexpr double kMinSpreadM2 = 1e-4;
 
 }  // namespace
 
-std::optional<Pose2> true_pose_at(const std::vector<TruePose>& truth, time::RobotTime stamp) {
+std::optional<Pose2> true_pose_at(const std::vector<TruePose>& truth,
+                                  time::RobotTime stamp,
+                                  std::optional<time::RobotClock::duration> max_gap) {
   const auto is_before = [](const TruePose& pose, time::RobotTime at) { return pose.stamp < at; };
   const auto after = std::lower_bound(truth.begin(), truth.end(), stamp, is_before);
   if (after == truth.end()) {
@@ -35,6 +37,9 @@ std::optional<Pose2> true_pose_at(const std::vector<TruePose>& truth, time::Robo
     return std::nullopt;
   }
   const TruePose& before = *(after - 1);
+  if (max_gap && after->stamp - before.stamp > *max_gap) {
+    return std::nullopt;
+  }
   const double share = std::chrono::duration<double>(stamp - before.stamp) /
                        std::chrono::duration<double>(after->stamp - before.stamp);
   const Pose2& from = before.T_world_robot;

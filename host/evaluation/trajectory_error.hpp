@@ -26,9 +26,12 @@ struct TrajectoryError {
 };
 
 /// The true pose at an instant, T_world_robot, linear in time between its neighbours; empty outside
-/// of the truth, which is in the order of its stamps.
-std::optional<geometry::Pose2> true_pose_at(const std::vector<TruePose>& truth,
-                                            time::RobotTime stamp);
+/// of the truth, which is in the order of its stamps, and between neighbours that are farther apart
+/// than `max_gap`, where there is one.
+std::optional<geometry::Pose2> true_pose_at(
+    const std::vector<TruePose>& truth,
+    time::RobotTime stamp,
+    std::optional<time::RobotClock::duration> max_gap = std::nullopt);
 
 /// Where the map of the estimate lies in the world, by the first pose that the truth knows:
 /// T_world_map. Throws std::invalid_argument where it knows none.

@@ -93,6 +93,20 @@ void CostGrid::open_along(const RasterMap& map,
   }
 }
 
+void CostGrid::raise_around(const Eigen::Vector2d& at_m, double radius_m, double factor) {
+  const CellIndex low = cell_at(at_m.array() - radius_m);
+  const CellIndex high = cell_at(at_m.array() + radius_m);
+  const auto least = static_cast<std::uint8_t>(kPlain * factor);
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      if (is_open({x, y}) && (center_m({x, y}) - at_m).norm() <= radius_m) {
+        std::uint8_t& cost = costs_[index({x, y})];
+        cost = std::max(cost, least);
+      }
+    }
+  }
+}
+
 CellIndex CostGrid::cell_at(const Eigen::Vector2d& point_m) const {
   const Eigen::Vector2d cells = (point_m - origin_m_) / resolution_m_;
   constexpr double kFar = 1 << 30;

@@ -51,6 +51,10 @@ class CostGrid {
                   double reach_m,
                   const CostGridParams& params);
 
+  /// Makes the open cells within `radius_m` of a point cost at least so many times open floor, up
+  /// to 30: somebody stands there who may have left when the robot comes.
+  void raise_around(const Eigen::Vector2d& at_m, double radius_m, double factor);
+
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   double resolution_m() const { return resolution_m_; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "host/exploration/coverage.hpp"
@@ -55,7 +56,9 @@ void validate(const FrontierParams& params) {
       .positive("openings.step_m", params.openings.step_m)
       .positive("openings.half_width_m", params.openings.half_width_m)
       .positive("openings.far_m", params.openings.far_m)
-      .positive("max_stops", params.max_stops);
+      .positive("max_stops", params.max_stops)
+      .at_least("contest_m", params.contest_m, 0.0)
+      .at_least("outbid", params.outbid, 1.0);
 }
 
 }  // namespace
@@ -109,6 +112,21 @@ Intent Frontier::intent() const {
   return {goal_kind_, weighed_place(*goal_), weighed_};
 }
 
+void Frontier::set_company(Company company) {
+  navigator_.set_standing(company.standing);
+  company_ = std::move(company);
+}
+
+std::optional<Viewpoint> Frontier::goal() const {
+  return phase_ == Phase::kDriving ? goal_ : std::nullopt;
+}
+
+void Frontier::reconsider() {
+  if (phase_ == Phase::kDriving || !goal_) {
+    phase_ = Phase::kBackingOff;
+  }
+}
+
 std::optional<FinishReason> Frontier::reason_to_finish(const pipeline::Snapshot& snapshot) {
   if (phase_ == Phase::kSensing && !plan_.has_swept()) {
     return FinishReason::kCannotSense;
@@ -128,9 +146,10 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
     navigator_.forget_failures();
   }
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
-  const RasterMap map = navigator_.map_of(snapshot, params_.gain.depth_m);
-  navigator_.set_map(map, snapshot);
-  goal_ = choose_goal(map, snapshot);
+  const pipeline::Snapshot known = with_company(snapshot, company_);
+  const RasterMap map = navigator_.map_of(known, params_.gain.depth_m);
+  navigator_.set_map(map, known);
+  goal_ = choose_goal(map, known, snapshot);
   if (!goal_) {
     return Finished{FinishReason::kComplete};
   }
@@ -140,34 +159,57 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
 }
 
 /// A look, and before one that is out of sight of known walls the stop that makes the position
-/// known again; without a look an opening, or a finer look.
+/// known again; without a look an opening, or a finer look. The robot's own stops are in `own`.
 std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
-                                               const pipeline::Snapshot& snapshot) {
-  if (const auto look = choose_look(map, snapshot, params_.viewpoints.min_gain_m2)) {
-    const auto known = loops_.choose(snapshot, look->at_m, navigator_.travel(), map);
-    goal_kind_ = known ? IntentKind::kKnownWalls : IntentKind::kFrontier;
-    return known ? Viewpoint{known->at_m, kAllRound, known->cost_m, 0.0} : look;
+                                               const pipeline::Snapshot& known,
+                                               const pipeline::Snapshot& own) {
+  if (const auto look = choose_look(map, known, params_.viewpoints.min_gain_m2)) {
+    const auto stop = loops_.choose(own, look->at_m, navigator_.travel(), map);
+    goal_kind_ = stop ? IntentKind::kKnownWalls : IntentKind::kFrontier;
+    return stop ? Viewpoint{stop->at_m, kAllRound, stop->cost_m, 0.0} : look;
   }
-  if (auto opening = choose_opening(map, snapshot)) {
+  if (auto opening = choose_opening(map, known)) {
     goal_kind_ = IntentKind::kOpening;
     return opening;
   }
   goal_kind_ = IntentKind::kFrontier;
-  const double missing_m2 = this->missing_m2(snapshot);
+  const double missing_m2 = this->missing_m2(known);
   if (missing_m2 <= 0.0) {
     return std::nullopt;
   }
   return choose_look(
-      map, snapshot, std::max(params_.fine_gain_m2, params_.fine_gain_part * missing_m2));
+      map, known, std::max(params_.fine_gain_m2, params_.fine_gain_part * missing_m2));
 }
 
+/// Of those that others have promised, the ones that this robot does not outbid are left to them.
 std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
                                                const pipeline::Snapshot& snapshot,
                                                double min_gain_m2) {
+  ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unobserved, params_.gain);
+  std::vector<Viewpoint> weighed = weigh(map, snapshot, gain, min_gain_m2);
+  if (!company_.promised.empty()) {
+    for (const PromisedLook& promised : company_.promised) {
+      const auto outbids = [&](const Viewpoint& mine) {
+        return (mine.at_m - promised.at_m).norm() < params_.contest_m &&
+               mine.gain_per_s > params_.outbid * promised.utility;
+      };
+      if (std::none_of(weighed.begin(), weighed.end(), outbids)) {
+        gain.leave_to(promised);
+      }
+    }
+    weighed = weigh(map, snapshot, gain, min_gain_m2);
+  }
+  weighed_ = told_places(weighed);
+  return weighed.empty() ? std::nullopt : std::optional(weighed.front());
+}
+
+std::vector<Viewpoint> Frontier::weigh(const RasterMap& map,
+                                       const pipeline::Snapshot& snapshot,
+                                       const ViewGain& gain,
+                                       double min_gain_m2) const {
   ViewpointParams viewpoints = params_.viewpoints;
   viewpoints.min_gain_m2 = min_gain_m2;
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
-  const ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unobserved, params_.gain);
   std::vector<FrontierCells> frontiers = find_frontiers(map, map.cell_at(T_map_robot.position_m()));
   const CostGridParams& costs = params_.navigator.costs;
   for (const UnobservedWall& unobserved : gain.unobserved()) {
@@ -177,10 +219,8 @@ std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
       frontiers.push_back({before});
     }
   }
-  const std::vector<Viewpoint> weighed = weigh_viewpoints(
+  return weigh_viewpoints(
       navigator_.costs(), navigator_.travel(), frontiers, gain, T_map_robot, viewpoints);
-  weighed_ = told_places(weighed);
-  return weighed.empty() ? std::nullopt : std::optional(weighed.front());
 }
 
 /// Floor that is missing to enough_share, square metres.
@@ -199,7 +239,8 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   std::optional<Viewpoint> nearest;
   for (const Opening& opening : find_openings(map, *snapshot.scans, params_.openings)) {
     const auto cost_m = navigator_.travel().cost_m(map.cell_at(opening.edge_m));
-    if (cost_m && !was_tried(opening.beyond_m, map) && (!nearest || *cost_m < nearest->cost_m)) {
+    const bool is_free = !was_tried(opening.beyond_m, map) && !is_left_to_others(opening.beyond_m);
+    if (cost_m && is_free && (!nearest || *cost_m < nearest->cost_m)) {
       nearest = Viewpoint{opening.beyond_m, kAllRound, *cost_m, 0.0};
     }
   }
@@ -214,6 +255,13 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   draw_disc(stepped, nearest->at_m, radius_m, {CellState::kUnknown}, CellState::kFree);
   navigator_.set_hypothetical_map(stepped, snapshot);
   return nearest;
+}
+
+bool Frontier::is_left_to_others(const Eigen::Vector2d& opening_m) const {
+  const auto& promised = company_.promised;
+  return std::any_of(promised.begin(), promised.end(), [&](const PromisedLook& look) {
+    return (look.at_m - opening_m).norm() < params_.contest_m;
+  });
 }
 
 /// In vain: where one that was chosen has become floor, the way goes on.

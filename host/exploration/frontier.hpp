@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "host/exploration/active_loop_closing.hpp"
+#include "host/exploration/company.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/navigator.hpp"
 #include "host/exploration/opening_search.hpp"
@@ -42,6 +43,10 @@ struct FrontierParams {
   double openings_apart_m = 0.3;
   /// End after this many stops.
   std::size_t max_stops = 40;
+  /// A look that somebody else has promised is left to them, unless this robot has one within
+  /// `contest_m` of it that promises so many times as much for its time.
+  double contest_m = 0.8;
+  double outbid = 1.2;
 };
 
 /// Strategy `frontier`, ours: goes to where a sweep shows most unknown floor for the time that it
@@ -55,17 +60,31 @@ class Frontier final : public Explorer {
   Motion next(const pipeline::Snapshot& snapshot, MotionResult last) override;
   Intent intent() const override;
 
+  /// What others know and do from now on: it decides by what all have seen, leaves to others what
+  /// they have promised to look at, and goes round them.
+  void set_company(Company company);
+  /// Where it is about to look; empty while it is not on the way.
+  std::optional<Viewpoint> goal() const;
+  /// Decides again at the next call, where it is on the way to a goal or has finished.
+  void reconsider();
+
  private:
   enum class Phase : std::uint8_t { kStarting, kDriving, kSensing, kBackingOff };
 
   std::optional<Motion> recover(const pipeline::Snapshot& snapshot, MotionResult last);
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
   std::optional<Viewpoint> choose_goal(const mapping::RasterMap& map,
-                                       const pipeline::Snapshot& snapshot);
+                                       const pipeline::Snapshot& known,
+                                       const pipeline::Snapshot& own);
   Motion decide(const pipeline::Snapshot& snapshot);
   std::optional<Viewpoint> choose_look(const mapping::RasterMap& map,
                                        const pipeline::Snapshot& snapshot,
                                        double min_gain_m2);
+  std::vector<Viewpoint> weigh(const mapping::RasterMap& map,
+                               const pipeline::Snapshot& snapshot,
+                               const ViewGain& gain,
+                               double min_gain_m2) const;
+  bool is_left_to_others(const Eigen::Vector2d& opening_m) const;
   double missing_m2(const pipeline::Snapshot& snapshot) const;
   std::optional<Viewpoint> choose_opening(const mapping::RasterMap& map,
                                           const pipeline::Snapshot& snapshot);
@@ -75,6 +94,7 @@ class Frontier final : public Explorer {
   std::deque<Motion> sector_sweep(double heading_rad, const BestView& view) const;
 
   FrontierParams params_;
+  Company company_;
   Navigator navigator_;
   Phase phase_ = Phase::kStarting;
   ActiveLoopClosing loops_;

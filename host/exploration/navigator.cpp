@@ -21,7 +21,8 @@ Navigator::Navigator(const NavigatorParams& params) : params_(params), follower_
   geometry::ParameterValidator("navigator")
       .at_least("back_off_m", params.back_off_m, 0.0)
       .positive("obstacle_m", params.obstacle_m)
-      .positive("max_failures", params.max_failures);
+      .positive("max_failures", params.max_failures)
+      .within("standing_cost", params.standing_cost, 1.0, 30.0);
 }
 
 RasterMap Navigator::map_of(const pipeline::Snapshot& snapshot, double margin_m) const {
@@ -43,6 +44,10 @@ void Navigator::set_map(const RasterMap& map, const pipeline::Snapshot& snapshot
 
 void Navigator::set_hypothetical_map(const RasterMap& map, const pipeline::Snapshot& snapshot) {
   costs_ = costs_on(map, snapshot, params_.costs);
+  for (const OccupiedFloor& other : standing_) {
+    costs_->raise_around(
+        other.at_m, other.radius_m + params_.costs.robot_radius_m, params_.standing_cost);
+  }
 }
 
 void Navigator::follow_path_to(const Pose2& T_map_robot,

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "host/exploration/company.hpp"
 #include "host/exploration/cost_grid.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/path_follower.hpp"
@@ -26,6 +28,9 @@ struct NavigatorParams {
   double obstacle_m = 0.2;
   /// Give up after more motions that failed than this in a row (Navigator::forget_failures).
   std::size_t max_failures = 8;
+  /// A metre through where somebody else stands costs so many metres of open floor: as long as one
+  /// stop takes, the way round is the dearer one.
+  double standing_cost = 10.0;
 };
 
 /// Whether something stands in the way of a robot whose motion ended so.
@@ -41,6 +46,8 @@ class Navigator {
   /// The map of a snapshot with `margin_m` of unknown floor around it, and with what has stopped
   /// the robot.
   mapping::RasterMap map_of(const pipeline::Snapshot& snapshot, double margin_m) const;
+  /// Those who stand about from now on. Ways lead round them where that is not too far.
+  void set_standing(std::vector<OccupiedFloor> standing) { standing_ = std::move(standing); }
   /// Plans by that map from now on, and prices the ways to all of its places.
   void set_map(const mapping::RasterMap& map, const pipeline::Snapshot& snapshot);
   /// Plans by another map until the next `set_map`, as one with floor that is only supposed.
@@ -80,6 +87,7 @@ class Navigator {
   std::size_t motions_left_ = 0;  ///< That the way may still take.
   std::size_t failures_ = 0;
   std::vector<Eigen::Vector2d> obstacles_m_;
+  std::vector<OccupiedFloor> standing_;
 };
 
 }  // namespace echomap::exploration

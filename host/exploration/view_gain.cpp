@@ -159,6 +159,34 @@ void ViewGain::weight_by_looks() {
   });
 }
 
+/// Its rays run on through unknown floor: it shows what lies behind the first half metre as well.
+void ViewGain::leave_to(const PromisedLook& promised) {
+  const double step_m = map_.resolution_m();
+  const auto steps = static_cast<int>(promised.reach_m / step_m);
+  const auto rays = static_cast<int>(geometry::kFullTurnRad * promised.reach_m / step_m) + 1;
+  ++views_;
+  for (int ray = 0; ray < rays; ++ray) {
+    const double bearing_rad = ray * geometry::kFullTurnRad / rays;
+    const Eigen::Vector2d step_cells = geometry::unit_vector(bearing_rad);
+    Eigen::Vector2d at_cells = (promised.at_m - map_.origin_m()) / step_m;
+    for (int step = 0; step < steps; ++step, at_cells += step_cells) {
+      const CellIndex cell{rounded_down(at_cells.x()), rounded_down(at_cells.y())};
+      if (!map_.contains(cell) || map_.state(cell) == CellState::kOccupied) {
+        break;
+      }
+      if (seen_[index(cell)] != views_) {
+        seen_[index(cell)] = views_;
+        worth_[index(cell)] *= static_cast<float>(step) / static_cast<float>(steps);
+      }
+    }
+  }
+  for (UnobservedWall& unobserved : unobserved_) {
+    if (facing_rad(map_, promised.at_m, unobserved.wall, params_.unobserved)) {
+      unobserved.floor_m2 *= params_.left_by_look;
+    }
+  }
+}
+
 /// As many rays as hit each cell at the far end.
 void ViewGain::look(const PastView& view) {
   ++views_;

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "host/exploration/cell_values.hpp"
+#include "host/exploration/company.hpp"
 #include "host/exploration/unobserved_walls.hpp"
 #include "host/geometry/segment.hpp"
 #include "host/mapping/placed_reading.hpp"
@@ -76,6 +77,10 @@ class ViewGain {
            const std::vector<PastView>& past,
            const std::vector<geometry::Segment>& unobserved,
            const ViewGainParams& params);
+
+  /// Counts less what a look that somebody else makes is expected to show: a cell beside it not at
+  /// all, and one at its reach in full (Burgard et al. 2005, with P(d) = 1 - d / reach).
+  void leave_to(const PromisedLook& promised);
 
   /// Square metres by sector, from -pi on.
   std::vector<double> by_sector_m2(const Eigen::Vector2d& from_m) const;

@@ -39,11 +39,16 @@ bool flush(int descriptor) { return ::fsync(descriptor) == 0 || errno == EINVAL;
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path path)
+AtomicFile::AtomicFile(std::filesystem::path path, Readers readers)
     : path_(std::move(path)), temporary_path_(path_.string() + ".part") {
+  const mode_t others = readers == Readers::kAll ? S_IRGRP | S_IROTH : 0;
+  if (readers == Readers::kOwner) {
+    // What an earlier program has left may be readable by others.
+    ::unlink(temporary_path_.c_str());
+  }
   descriptor_ = ::open(temporary_path_.c_str(),
                        O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC,
-                       S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
+                       S_IRUSR | S_IWUSR | others);
   if (descriptor_ < 0) {
     fail("create", path_);
   }
@@ -76,8 +81,8 @@ void AtomicFile::commit() {
   ::close(std::exchange(descriptor_, -1));
 }
 
-void write_text_file(const std::filesystem::path& path, std::string_view text) {
-  AtomicFile file(path);
+void write_text_file(const std::filesystem::path& path, std::string_view text, Readers readers) {
+  AtomicFile file(path, readers);
   file.write(text);
   file.commit();
 }

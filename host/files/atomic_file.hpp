@@ -14,12 +14,15 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Who may read a file that is written.
+enum class Readers { kAll, kOwner };
+
 /// Writes a file that is either whole or not there: bytes go to a temporary name beside it, and
 /// `commit` renames. Without `commit`, or after an error, the temporary file is removed and an
 /// older file of that name stays as it was. Every failure, a full disk included, throws FileError.
 class AtomicFile {
  public:
-  explicit AtomicFile(std::filesystem::path path);
+  explicit AtomicFile(std::filesystem::path path, Readers readers = Readers::kAll);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -36,7 +39,9 @@ class AtomicFile {
 };
 
 /// Writes a whole text file at once.
-void write_text_file(const std::filesystem::path& path, std::string_view text);
+void write_text_file(const std::filesystem::path& path,
+                     std::string_view text,
+                     Readers readers = Readers::kAll);
 
 /// Reads a whole file.
 std::string read_text_file(const std::filesystem::path& path);

@@ -14,6 +14,7 @@ constexpr MessageKind kOrder[] = {MessageKind::kHello,
                                   MessageKind::kRoom,
                                   MessageKind::kParticles,
                                   MessageKind::kState,
+                                  MessageKind::kTeam,
                                   MessageKind::kMotion};
 
 }  // namespace

@@ -18,6 +18,7 @@ enum class MessageKind : std::uint8_t {
   kState = 7,
   kEvent = 8,
   kNewMap = 9,
+  kTeam = 10,
 };
 
 /// One message as it goes over the line.

@@ -128,4 +128,11 @@ void RunPublisher::add_event(double time_s, const RunEvent& event) {
                               {"remedy", event.remedy}}));
 }
 
+void RunPublisher::add_team(double time_s, const TeamState& team) {
+  if (auto json = to_json(team); json != team_) {
+    history_->add(json_message(MessageKind::kTeam, time_s, json));
+    team_ = std::move(json);
+  }
+}
+
 }  // namespace echomap::live_page

@@ -10,6 +10,7 @@
 #include "host/live_page/map_publisher.hpp"
 #include "host/live_page/message_encoding.hpp"
 #include "host/live_page/run_state.hpp"
+#include "host/live_page/team_state.hpp"
 #include "host/pipeline/observation_sink.hpp"
 #include "host/pipeline/snapshot.hpp"
 #include "host/session/robot_profile.hpp"
@@ -56,6 +57,8 @@ class RunPublisher final : public pipeline::AnyObservationSink {
   /// Where it is another one than before; link, score and time left are told once a second.
   void add_state(double time_s, const RunState& state);
   void add_event(double time_s, const RunEvent& event);
+  /// Where it is another one than before.
+  void add_team(double time_s, const TeamState& team);
 
   MapPublisher& map() { return map_; }
   const std::shared_ptr<History>& history() const { return history_; }
@@ -72,6 +75,7 @@ class RunPublisher final : public pipeline::AnyObservationSink {
   nlohmann::ordered_json state_;
   nlohmann::ordered_json lasting_state_;  ///< Without what changes all the time.
   double state_s_ = 0.0;
+  nlohmann::ordered_json team_;
 };
 
 }  // namespace echomap::live_page

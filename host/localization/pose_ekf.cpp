@@ -16,18 +16,6 @@ double stamp_of(const PoseMeasurement& measurement) {
   return std::visit([](const auto& kind) { return kind.stamp_s; }, measurement);
 }
 
-EkfOutcome outcome_of(MeasurementFault fault) {
-  switch (fault) {
-    case MeasurementFault::kBadRange:
-      return EkfOutcome::kBadRange;
-    case MeasurementFault::kBadCovariance:
-      return EkfOutcome::kBadCovariance;
-    case MeasurementFault::kNotFinite:
-      break;
-  }
-  return EkfOutcome::kNotFinite;
-}
-
 /// Between two poses of the odometry, on the straight line.
 geometry::Pose2 between(const geometry::Pose2& T_odom_a,
                         const geometry::Pose2& T_odom_b,

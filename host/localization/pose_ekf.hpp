@@ -3,11 +3,11 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
 
+#include "host/localization/ekf_outcome.hpp"
 #include "host/localization/pose_gaussian.hpp"
 #include "host/localization/pose_measurement.hpp"
 #include "host/models/cut_step_spread.hpp"
@@ -27,21 +27,6 @@ struct PoseEkfParams {
   /// As many measurements wait for odometry of their time.
   std::size_t max_held = 64;
 };
-
-/// What has become of an odometry pose or a measurement.
-enum class EkfOutcome : std::uint8_t {
-  kApplied,
-  kHeld,           ///< Ahead of the odometry: it is judged when the odometry gets there.
-  kGated,          ///< Farther off than the gate.
-  kTooOld,         ///< Older than the history.
-  kTimeRanBack,    ///< Odometry not after the last; the next one says what it would have.
-  kNotFinite,      ///< A number is none.
-  kBadRange,       ///< A range that is not above 0.
-  kBadCovariance,  ///< Not positive definite.
-  kAtLandmark,     ///< The robot believes to stand on the landmark, which has no bearing there.
-  kTooManyHeld,
-};
-inline constexpr std::size_t kEkfOutcomes = 10;
 
 /// Follows a robot whose pose is about known: extended Kalman filter (Mahmood and Ridao 2017,
 /// Algorithm 1; Thrun, Burgard and Fox 2005, table 7.2) of odometry, pose fixes and landmarks.

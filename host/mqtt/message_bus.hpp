@@ -24,13 +24,15 @@ class MessageBus {
  public:
   virtual ~MessageBus() = default;
 
-  /// Hands a message over, or keeps it until there is a connection. False where it is larger than
-  /// the broker takes, which would end the connection: then nothing is sent.
+  /// Hands a message over. Without a connection, one at least once is kept until there is one, and
+  /// one at most once is dropped. False where it is larger than the broker takes, which would end
+  /// the connection: then nothing is sent.
   virtual bool publish(const std::string& topic,
                        std::string_view payload,
                        Delivery delivery,
                        bool retain) = 0;
-  /// Hears what matches the filter from now on, and after every reconnection again.
+  /// Hears what matches the filter from now on, and after every reconnection again: first what is
+  /// retained, and what this client publishes, too.
   virtual void subscribe(const std::string& filter) = 0;
   /// Serves the connection, and answers what has come since the last call, in its order.
   virtual std::vector<Message> take() = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "host/pipeline/observation_sink.hpp"
@@ -13,6 +14,10 @@ class ObservationFork final : public AnyObservationSink {
   /// `sink` outlives this, or is removed before.
   void add(ObservationSink& sink) { sinks_.push_back(&sink); }
   void remove(ObservationSink& sink) { std::erase(sinks_, &sink); }
+  /// `other` takes the place of `sink`; does nothing without that.
+  void replace(ObservationSink& sink, ObservationSink& other) {
+    std::replace(sinks_.begin(), sinks_.end(), &sink, &other);
+  }
 
   void on(const sensors::Observation& observation) override {
     for (ObservationSink* sink : sinks_) {

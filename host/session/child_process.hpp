@@ -21,6 +21,8 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
+  /// Its number, which another process may have once it has ended.
+  pid_t pid() const { return pid_; }
   /// The exit status once it has ended (128 + signal where a signal ended it), without waiting.
   std::optional<int> exit_status();
   /// Sends a signal, unless it has ended.

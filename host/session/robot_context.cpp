@@ -64,13 +64,18 @@ RobotContext::RobotContext(RobotProfile profile, const Seed& seed)
 void RobotContext::begin_maps(const std::string& slam) {
   atlas_.emplace(atlas_for(profile_, slam));
   slam_ = atlas_->pipeline().slam() != nullptr ? slam : kNoSlam;
-  fork_.add(*atlas_);
+  maps_ = &*atlas_;
+  fork_.add(*maps_);
+}
+
+void RobotContext::put_before_maps(pipeline::ObservationSink& sink) {
+  fork_.replace(*maps_, sink);
+  maps_ = &sink;
 }
 
 void RobotContext::end_maps() {
   recorder_.add_event({SessionEventKind::kEndMaps, 0, {}});
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): begin_maps() comes before
-  fork_.remove(*atlas_);
+  fork_.remove(*maps_);
   if (self_check_) {
     fork_.remove(*self_check_);
   }
@@ -85,12 +90,12 @@ void RobotContext::follow(std::unique_ptr<Follower> follower) {
   if (!follower_) {
     return;
   }
-  if (atlas_) {
-    fork_.remove(*atlas_);
+  if (maps_ != nullptr) {
+    fork_.remove(*maps_);
   }
   fork_.add(follower_->sink());
-  if (atlas_) {
-    fork_.add(*atlas_);
+  if (maps_ != nullptr) {
+    fork_.add(*maps_);
   }
 }
 

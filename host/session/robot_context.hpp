@@ -35,6 +35,10 @@ class RobotContext {
 
   /// Maps what the robot senses. The SLAM method of that name places it (`pipeline_for`).
   void begin_maps(const std::string& slam);
+  /// From now on that takes what the robot senses in place of the maps, and hands on to them what
+  /// is of the room; the atlas itself, to end that. It is removed before it is gone. After
+  /// `begin_maps`.
+  void put_before_maps(pipeline::ObservationSink& sink);
   /// What comes from here on is of the next session, behind one that was played.
   void begin_next_session() { sessions_.begin_next(); }
   /// Leaves the maps as they are from here on, and follows no more.
@@ -128,6 +132,7 @@ class RobotContext {
   pipeline::ObservationFork fork_;
   pipeline::JoinedSessions sessions_{fork_};
   std::optional<pipeline::RobotAtlas> atlas_;
+  pipeline::ObservationSink* maps_ = nullptr;  ///< The atlas, or what is before it.
   std::string slam_;
   diagnosis::SonarCheck sonar_check_;
   diagnosis::EncoderCheck encoder_check_;

@@ -243,7 +243,7 @@ StopGraph StopAlignment::align_once(const std::vector<std::size_t>& stops,
     graph_params.odometry_scales = {graph_params.odometry_scales.back()};
   }
   align_stops(graph_params, graph);
-  calibration_ = graph.calibration;
+  calibration_ = graph.calibrations.front();
   std::size_t node = 0;
   for (const std::size_t stop : stops) {
     for (std::size_t i = first_stand_of(stop); i < stands_.size() && stands_[i].stop == stop; ++i) {
@@ -258,7 +258,7 @@ StopGraph StopAlignment::graph_over(const std::vector<std::size_t>& stops,
                                     const MatchedSurfaces& matched) const {
   const SonarScene scene(matched, params_.heading);
   StopGraph graph;
-  graph.calibration = calibration_;
+  graph.calibrations = {calibration_};
   std::vector<std::size_t> first_nodes;
   std::optional<std::size_t> before;
   for (const std::size_t stop : stops) {

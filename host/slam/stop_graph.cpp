@@ -41,7 +41,9 @@ Equations equations_over(const StopGraph& graph) {
   for (const GraphStand& stand : graph.stands) {
     stand.is_free ? equations.blocks.add_block(3) : equations.blocks.add_fixed_block();
   }
-  equations.blocks.add_block(3);
+  for (std::size_t i = 0; i < graph.calibrations.size(); ++i) {
+    equations.blocks.add_block(3);
+  }
   for (std::size_t i = 0; i < graph.features.size(); ++i) {
     equations.blocks.add_block(2);
   }
@@ -59,7 +61,15 @@ std::optional<PieceResidual> odometry_residual(const StopGraph& graph, std::size
     return std::nullopt;
   }
   return piece_residual(
-      before.T_map_robot, after.T_map_robot, *after.piece_before, graph.calibration);
+      before.T_map_robot, after.T_map_robot, *after.piece_before, graph.calibrations[after.robot]);
+}
+
+std::size_t block_of_calibration(const StopGraph& graph, std::size_t robot) {
+  return graph.stands.size() + robot;
+}
+
+std::size_t block_of_feature(const StopGraph& graph, std::size_t feature) {
+  return graph.stands.size() + graph.calibrations.size() + feature;
 }
 
 void add_odometry(const StopGraph& graph, const StopGraphParams& params, Equations& equations) {
@@ -71,11 +81,12 @@ void add_odometry(const StopGraph& graph, const StopGraphParams& params, Equatio
     const Eigen::Vector3d variance =
         square(graph.odometry_scale) * variances(*graph.stands[i].piece_before, params.odometry);
     const Eigen::Matrix3d information = variance.cwiseInverse().asDiagonal();
-    equations.blocks.add<3, 3, 3, 3>(residual->value,
-                                     information,
-                                     {i - 1, residual->by_before},
-                                     {i, residual->by_after},
-                                     {graph.stands.size(), residual->by_calibration});
+    equations.blocks.add<3, 3, 3, 3>(
+        residual->value,
+        information,
+        {i - 1, residual->by_before},
+        {i, residual->by_after},
+        {block_of_calibration(graph, graph.stands[i].robot), residual->by_calibration});
     equations.negative_log_likelihood +=
         residual->value.dot(information * residual->value) + variance.array().log().sum();
   }
@@ -87,11 +98,13 @@ Eigen::Vector3d calibration_stddevs(const StopGraphParams& params) {
 
 void add_calibration(const StopGraph& graph, const StopGraphParams& params, Equations& equations) {
   const Eigen::Vector3d information = calibration_stddevs(params).cwiseAbs2().cwiseInverse();
-  equations.blocks.add<3, 3>(graph.calibration.values,
-                             information.asDiagonal(),
-                             {graph.stands.size(), Eigen::Matrix3d::Identity()});
-  equations.negative_log_likelihood +=
-      graph.calibration.values.dot(information.cwiseProduct(graph.calibration.values));
+  for (std::size_t robot = 0; robot < graph.calibrations.size(); ++robot) {
+    const Eigen::Vector3d& values = graph.calibrations[robot].values;
+    equations.blocks.add<3, 3>(values,
+                               information.asDiagonal(),
+                               {block_of_calibration(graph, robot), Eigen::Matrix3d::Identity()});
+    equations.negative_log_likelihood += values.dot(information.cwiseProduct(values));
+  }
 }
 
 void add_headings(const StopGraph& graph, const StopGraphParams& params, Equations& equations) {
@@ -122,7 +135,7 @@ void add_sighting(const StopGraph& graph,
   const mapping::EchoFeature& seen = graph.features[feature].feature;
   const mapping::FeatureView view = view_from(T_map_robot * sighting.T_robot_sonar_m, seen);
   const Eigen::Vector2d towards = geometry::unit_vector(view.bearing_rad);
-  const std::size_t block = graph.stands.size() + 1 + feature;
+  const std::size_t block = block_of_feature(graph, feature);
   const double squared_error = square((view.range_m - sighting.range_m) / params.range_stddev_m);
   const double kernel = params.max_range_error_m / params.range_stddev_m;
   equations.blocks.add<3, 2>(
@@ -143,10 +156,28 @@ void add_features(const StopGraph& graph, const StopGraphParams& params, Equatio
   for (std::size_t i = 0; i < graph.features.size(); ++i) {
     equations.blocks.add<2, 2>(Eigen::Vector2d::Zero(),
                                Eigen::Matrix2d::Identity() / square(kFeatureStddev),
-                               {graph.stands.size() + 1 + i, Eigen::Matrix2d::Identity()});
+                               {block_of_feature(graph, i), Eigen::Matrix2d::Identity()});
     for (const GraphSighting& sighting : graph.features[i].sightings) {
       add_sighting(graph, i, sighting, params, equations);
     }
+  }
+}
+
+void add_relations(const StopGraph& graph, Equations& equations) {
+  for (const GraphRelation& relation : graph.relations) {
+    const OdometryPiece measured{relation.T_from_to};
+    const PieceResidual residual = piece_residual(graph.stands[relation.from].T_map_robot,
+                                                  graph.stands[relation.to].T_map_robot,
+                                                  measured,
+                                                  {});
+    const double per_m2 = 1.0 / square(relation.position_stddev_m);
+    const Eigen::Vector3d information(per_m2, per_m2, 1.0 / square(relation.heading_stddev_rad));
+    equations.blocks.add<3, 3, 3>(residual.value,
+                                  information.asDiagonal(),
+                                  {relation.from, residual.by_before},
+                                  {relation.to, residual.by_after});
+    equations.negative_log_likelihood +=
+        residual.value.dot(information.cwiseProduct(residual.value));
   }
 }
 
@@ -156,9 +187,11 @@ void apply(const optimization::BlockSolution& solution, StopGraph& graph) {
     Pose2& pose = graph.stands[i].T_map_robot;
     pose = Pose2(pose.x_m() + step.x(), pose.y_m() + step.y(), pose.heading_rad() + step.z());
   }
-  graph.calibration.values += solution.step_of<3>(graph.stands.size());
+  for (std::size_t robot = 0; robot < graph.calibrations.size(); ++robot) {
+    graph.calibrations[robot].values += solution.step_of<3>(block_of_calibration(graph, robot));
+  }
   for (std::size_t i = 0; i < graph.features.size(); ++i) {
-    graph.features[i].feature.value += solution.step_of<2>(graph.stands.size() + 1 + i);
+    graph.features[i].feature.value += solution.step_of<2>(block_of_feature(graph, i));
   }
 }
 
@@ -173,6 +206,7 @@ double step(const StopGraphParams& params, StopGraph& graph) {
   add_calibration(graph, params, equations);
   add_headings(graph, params, equations);
   add_features(graph, params, equations);
+  add_relations(graph, equations);
   const auto solution = equations.blocks.solve();
   if (!solution) {
     return std::numeric_limits<double>::infinity();
@@ -227,9 +261,10 @@ void align_stops(const StopGraphParams& params, StopGraph& graph) {
 }
 
 double odometry_cost(const StopGraphParams& params, const StopGraph& graph) {
-  const Eigen::Vector3d systematic =
-      graph.calibration.values.cwiseQuotient(calibration_stddevs(params));
-  double squares = systematic.squaredNorm();
+  double squares = 0.0;
+  for (const OdometryCalibration& calibration : graph.calibrations) {
+    squares += calibration.values.cwiseQuotient(calibration_stddevs(params)).squaredNorm();
+  }
   for (std::size_t i = 1; i < graph.stands.size(); ++i) {
     if (const auto residual = odometry_residual(graph, i)) {
       const Eigen::Vector3d variance = variances(*graph.stands[i].piece_before, params.odometry);

@@ -43,6 +43,7 @@ void validate(const StopGraphParams& params);
 struct GraphStand {
   geometry::Pose2 T_map_robot;
   bool is_free = true;
+  std::size_t robot = 0;  ///< Whose odometry it is: index of its calibration.
   /// From the stand before it in the graph; empty where others lie between.
   std::optional<OdometryPiece> piece_before;
   /// The heading in the map that its readings are most likely from.
@@ -63,11 +64,22 @@ struct GraphFeature {
   std::vector<GraphSighting> sightings;
 };
 
-/// Stops, the walls and posts that they share, and the errors of the odometry between them.
+/// How two stands lie to each other as something else than walls and odometry tells.
+struct GraphRelation {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  geometry::Pose2 T_from_to;
+  double position_stddev_m = 0.0;
+  double heading_stddev_rad = 0.0;  ///< Infinite where only the place is known.
+};
+
+/// Stops of one robot or several, the walls and posts that they share, and the errors of the
+/// odometry between them.
 struct StopGraph {
   std::vector<GraphStand> stands;
   std::vector<GraphFeature> features;
-  OdometryCalibration calibration;
+  std::vector<GraphRelation> relations = {};
+  std::vector<OdometryCalibration> calibrations{1};  ///< One of each robot.
   double odometry_scale = 1.0;
 };
 

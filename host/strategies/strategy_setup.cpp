@@ -200,10 +200,14 @@ ExplorerPtr explorer_for(const RobotProfile& profile,
                          std::mt19937& random) {
   validate_fit(profile, options);
   const Strategy& strategy = strategy_of(options);
+  return under_watch(strategy.make(profile, options, random), profile, strategy.checks_its_ways);
+}
+
+ExplorerPtr under_watch(ExplorerPtr explorer, const RobotProfile& profile, bool checks_its_ways) {
   exploration::DangerCheckerParams danger = danger_params(profile);
-  danger.shortens_drives = !strategy.checks_its_ways;
-  return std::make_unique<exploration::FaultWatch>(std::make_unique<exploration::DangerChecker>(
-      strategy.make(profile, options, random), danger));
+  danger.shortens_drives = !checks_its_ways;
+  return std::make_unique<exploration::FaultWatch>(
+      std::make_unique<exploration::DangerChecker>(std::move(explorer), danger));
 }
 
 void validate_fit(const RobotProfile& profile, const StrategyOptions& options) {

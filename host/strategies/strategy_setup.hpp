@@ -67,6 +67,11 @@ bool begins_anywhere(const StrategyOptions& options);
 std::unique_ptr<exploration::Explorer> explorer_for(const session::RobotProfile& profile,
                                                     const StrategyOptions& options,
                                                     std::mt19937& random);
+/// A strategy under the eyes of a danger checker and a fault watch; `checks_its_ways` as of a
+/// Strategy.
+std::unique_ptr<exploration::Explorer> under_watch(std::unique_ptr<exploration::Explorer> explorer,
+                                                   const session::RobotProfile& profile,
+                                                   bool checks_its_ways);
 /// Throws CommandError where the robot lacks what the strategy of the options needs.
 void validate_fit(const session::RobotProfile& profile, const StrategyOptions& options);
 

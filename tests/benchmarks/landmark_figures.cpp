@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tests/benchmarks/landmark_figures.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "tests/benchmarks/landmark_runs.hpp"
+#include "tests/benchmarks/mrclam6_joint.hpp"
 #include "tests/benchmarks/nxt_places.hpp"
 #include "tests/support/real_data.hpp"
 
@@ -26,30 +26,6 @@ void print(const std::string& who, const FollowScore& score) {
       score.nees,
       score.poses,
       score.gated);
-}
-
-/// Root of the mean of the robots' mean squares.
-double pooled_rmse_m(const std::string& who, const std::vector<FollowScore>& scores, bool verbose) {
-  double squares_m2 = 0.0;
-  for (std::size_t i = 0; i < scores.size(); ++i) {
-    squares_m2 += scores[i].rmse_m * scores[i].rmse_m / static_cast<double>(scores.size());
-    if (verbose) {
-      print(fmt::format("mrclam6 {} robot {}", who, i + 1), scores[i]);
-    }
-  }
-  return std::sqrt(squares_m2);
-}
-
-void add_mrclam(bool verbose, std::vector<Figure>& figures) {
-  const auto folder = tests::real_data("utias_mrclam/MRCLAM_Dataset6");
-  if (!std::filesystem::exists(folder)) {
-    fmt::print("mrclam6: not there, skipped\n");
-    return;
-  }
-  const double alone_m = pooled_rmse_m("alone", follow_mrclam(folder, false), verbose);
-  const double team_m = pooled_rmse_m("team", follow_mrclam(folder, true), verbose);
-  figures.push_back({"mrclam6_ekf_m", team_m, "m", 5, {}});
-  figures.push_back({"mrclam6_ekf_alone_m", alone_m, "m", 5, {}});
 }
 
 void add_nxt_places(std::vector<Figure>& figures) {
@@ -81,8 +57,7 @@ void add_brenner(bool verbose, std::vector<Figure>& figures) {
 }  // namespace
 
 std::vector<Figure> landmark_figures(bool verbose) {
-  std::vector<Figure> figures;
-  add_mrclam(verbose, figures);
+  std::vector<Figure> figures = mrclam6_joint_figures(verbose);
   add_brenner(verbose, figures);
   add_nxt_places(figures);
   return figures;

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <vector>
 
 namespace echomap::bench {
 
@@ -18,10 +17,6 @@ struct FollowScore {
   std::size_t poses = 0;
   std::size_t gated = 0;
 };
-
-/// Robots 1 to 5 of a folder of UTIAS MRCLAM, by odometry and sightings of the landmarks, from
-/// their true poses on; as a team also by sightings of each other. Throws files::FileError.
-std::vector<FollowScore> follow_mrclam(const std::filesystem::path& folder, bool as_team);
 
 /// Brenner's LEGO robot among its known cylinders, from its known start on, at its scanner, which
 /// is what the camera overhead followed. With `scaled` the reference is made smaller around its

@@ -56,7 +56,7 @@ const std::vector<std::string> without_own_test{
     "host/apps/flash_command.cpp",
     "host/apps/localize_run.cpp",
     "host/console/interrupt.cpp",
-    "host/session/simulated_robot.cpp",
+    "host/session/simulated_robots.cpp",
 };
 
 const std::vector<SourceFile>& tree() {

@@ -20,7 +20,6 @@ using testing::IsEmpty;
 const std::vector<std::string> without_program{
     // The papers' experiments, which get a command of their own.
     "host/localization/landmark_matching.cpp",
-    "host/localization/peer_sighting.cpp",
     "host/localization/place_recognition.cpp",
     "host/models/infrared_range.cpp",
     // Put first into the flash by the linker script, for the ROM.

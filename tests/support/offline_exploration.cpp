@@ -38,12 +38,6 @@ std::unique_ptr<exploration::Explorer> explorer_for(const world::RobotParams& ro
   return std::make_unique<exploration::NxtFarthest>(params, random);
 }
 
-mapping::SonarMapperParams mapper_for(const world::RobotParams& robot) {
-  mapping::SonarMapperParams params;
-  params.surfaces.beam_half_angle_rad = robot.sonar.beam_half_angle_rad;
-  return params;
-}
-
 exploration::FinishReason explore(exploration::Explorer& explorer,
                                   OfflineRobot& robot,
                                   pipeline::RobotAtlas& atlas,
@@ -76,7 +70,8 @@ std::unique_ptr<exploration::Explorer> watched(const world::RobotParams& robot,
   return std::make_unique<exploration::AtlasExplorer>(make, 0);
 }
 
-/// The truth as the mock writes it, and as its reader understands it.
+}  // namespace
+
 evaluation::MapTruth truth_of(const world::FloorPlan& plan) {
   const auto drawn = runner::draw_truth_map(plan, kTruthResolutionM);
   mapping::RasterMap cells(
@@ -95,7 +90,11 @@ evaluation::MapTruth truth_of(const world::FloorPlan& plan) {
   return truth;
 }
 
-}  // namespace
+mapping::SonarMapperParams mapper_for(const world::RobotParams& robot) {
+  mapping::SonarMapperParams params;
+  params.surfaces.beam_half_angle_rad = robot.sonar.beam_half_angle_rad;
+  return params;
+}
 
 world::FloorPlan bundled_room(const std::string& room) {
   return world::read_floor_plan(files::TomlReader::load(bundled("worlds", room)));

@@ -47,6 +47,12 @@ OfflineRun explore_offline(const world::FloorPlan& room,
                            std::uint32_t seed,
                            const OfflineSettings& settings = {});
 
+/// The truth as the mock writes it, and as its reader understands it.
+evaluation::MapTruth truth_of(const world::FloorPlan& plan);
+
+/// How a robot's sonar maps.
+mapping::SonarMapperParams mapper_for(const world::RobotParams& robot);
+
 /// A room and a robot that come with the programs.
 world::FloorPlan bundled_room(const std::string& room);
 world::RobotParams bundled_robot(const std::string& robot);

@@ -70,6 +70,9 @@ MotionResult OfflineRobot::execute(const exploration::Motion& motion) {
   if (const auto* sweep_motion = std::get_if<exploration::Sweep>(&motion)) {
     return sweep(*sweep_motion);
   }
+  if (const auto* rest = std::get_if<exploration::Stand>(&motion)) {
+    return stand(*rest);
+  }
   if (std::holds_alternative<exploration::BeginScan>(motion)) {
     sink_.begin_scan();
   } else if (std::holds_alternative<exploration::EndScan>(motion)) {
@@ -117,6 +120,13 @@ MotionResult OfflineRobot::roll(const exploration::Roll& roll) {
     if (is_touching() && !was_touching) {
       return MotionResult::kBumped;
     }
+  }
+  return MotionResult::kReached;
+}
+
+MotionResult OfflineRobot::stand(const exploration::Stand& stand) {
+  for (const std::int64_t end_us = now_us_ + std::llround(stand.for_s * 1e6); now_us_ < end_us;) {
+    step({});
   }
   return MotionResult::kReached;
 }

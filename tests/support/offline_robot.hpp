@@ -46,6 +46,7 @@ class OfflineRobot {
  private:
   exploration::MotionResult move(const sensors::WheelTicks& ticks);
   exploration::MotionResult roll(const exploration::Roll& roll);
+  exploration::MotionResult stand(const exploration::Stand& stand);
   bool is_touching() const;
   exploration::MotionResult sweep(const exploration::Sweep& sweep);
   sensors::WheelTravel travel() const;

@@ -72,6 +72,15 @@ void fold_edges() {
   edges.right_lost = 0;
 }
 
+EdgeCount edge_count() {
+  return EdgeCount{encoder_edges, folded.left, folded.right, folded.left_lost, folded.right_lost};
+}
+
+void resume_edge_count(const EdgeCount& count) {
+  encoder_edges = count.edges;
+  folded = Folded{count.left, count.right, count.left_lost, count.right_lost};
+}
+
 }  // namespace boards
 
 namespace hal {

@@ -27,5 +27,17 @@ void count_edges(uint8_t levels);
 /// From the tick's interrupt.
 void fold_edges();
 
+/// All that has been counted, for a computer on which several programs take turns.
+struct EdgeCount {
+  EncoderEdges edges;
+  int16_t left;
+  int16_t right;
+  uint16_t left_lost;
+  uint16_t right_lost;
+};
+EdgeCount edge_count();
+/// Goes on counting from there.
+void resume_edge_count(const EdgeCount& count);
+
 }  // namespace boards
 }  // namespace echomap

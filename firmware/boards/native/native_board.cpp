@@ -17,6 +17,9 @@ constexpr std::int64_t kTickNs = 1000000000 / hal::kTickHz;
 /// 13 cycles of 125 kHz, the ATmega's.
 constexpr std::int64_t kConversionNs = 104000;
 
+/// Whose program is in the memory, where that is known.
+NativeBoard* in_memory = nullptr;
+
 void run_program() {
   while (app::robot.run_once()) {
   }
@@ -25,8 +28,27 @@ void run_program() {
 }  // namespace
 
 NativeBoard& NativeBoard::instance() {
-  static NativeBoard board;
-  return board;
+  static NativeBoard first;
+  return in_memory == nullptr ? first : *in_memory;
+}
+
+NativeBoard::~NativeBoard() {
+  if (in_memory == this) {
+    in_memory = nullptr;
+  }
+}
+
+void NativeBoard::take_memory() {
+  if (in_memory == this) {
+    return;
+  }
+  if (in_memory != nullptr) {
+    in_memory->memory_ = ProgramMemory::copy();
+  }
+  if (memory_) {
+    memory_->restore();
+  }
+  in_memory = this;
 }
 
 void NativeBoard::power_on() {
@@ -38,6 +60,7 @@ void NativeBoard::power_on() {
 }
 
 void NativeBoard::start_program() {
+  take_memory();
   events_.clear();
   line_.clear();
   started_ns_ = now_ns_;
@@ -64,6 +87,7 @@ void NativeBoard::start_program() {
 }
 
 void NativeBoard::run_until_ns(std::int64_t until_ns) {
+  take_memory();
   while (!events_.empty() && events_.begin()->first <= until_ns) {
     const auto node = events_.extract(events_.begin());
     now_ns_ = std::max(now_ns_, node.key());

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "firmware/boards/native/native_two_wire.hpp"
+#include "firmware/boards/native/program_memory.hpp"
 #include "firmware/hal/aux_pins.hpp"
 #include "firmware/hal/contacts.hpp"
 #include "firmware/hal/motors.hpp"
@@ -20,8 +21,9 @@ namespace native {
 
 /// The Uno's firmware on this computer, in simulated time: the same portable program behind the
 /// pins of a board that goes from event to event (tick, byte, edge) and lets the program work until
-/// it has nothing to do. The program takes no time. There is one, as there is one program in the
-/// process; `power_on` starts it over, with the same behaviour every time.
+/// it has nothing to do. The program takes no time. There is one program's memory in the process;
+/// boards take turns in it, each with its own memory kept while another one runs. `power_on` starts
+/// the program over, with the same behaviour every time.
 class NativeBoard {
  public:
   /// One byte at 250000 baud, which the Uno's divider makes exactly.
@@ -29,6 +31,10 @@ class NativeBoard {
   /// Spare pins; each can be anything.
   static constexpr std::uint8_t kAuxPins = 16;
 
+  NativeBoard() = default;
+  ~NativeBoard();
+  /// The board whose program is in the memory: the one that ran last, and before any other a board
+  /// that is there from the beginning.
   static NativeBoard& instance();
   NativeBoard(const NativeBoard&) = delete;
   NativeBoard& operator=(const NativeBoard&) = delete;
@@ -125,7 +131,7 @@ class NativeBoard {
  private:
   using Event = std::function<void()>;
 
-  NativeBoard() = default;
+  void take_memory();
   void start_program();
   void at(std::int64_t at_ns, Event event) { events_.emplace(at_ns, std::move(event)); }
   void tick();
@@ -134,6 +140,7 @@ class NativeBoard {
   void set_echo(bool high);
   void set_encoder(bool right, bool a, bool b);
 
+  std::optional<ProgramMemory> memory_;  ///< Of the program while another one is in the memory.
   std::multimap<std::int64_t, Event> events_;  ///< Equal times in the order of scheduling.
   std::deque<std::uint8_t> line_;
   std::int64_t now_ns_ = 0;

@@ -122,6 +122,43 @@ TEST(MockBoard, ASessionGivesTheSameBytesEveryTime) {
   EXPECT_EQ(first, session_bytes());
 }
 
+/// Begins with a move of so many counts, then does the same for all.
+class MovingSession : public Session {
+ public:
+  explicit MovingSession(std::int16_t counts) {
+    configure_and_arm();
+    send(protocol::MoveTicks{4, counts, static_cast<std::int16_t>(-counts), 1500, 200});
+  }
+
+  void go_on(int step) {
+    if (step == 30) {
+      send(protocol::StartSweep{5, -3000, 3000, 1000, 30});
+    }
+    keep_alive_ms(50);
+  }
+};
+
+std::vector<std::uint8_t> bytes_of_move(std::int16_t counts) {
+  MovingSession session(counts);
+  for (int step = 0; step < 60; ++step) {
+    session.go_on(step);
+  }
+  return session.bytes();
+}
+
+TEST(MockBoard, TwoTakeTurnsAndNeitherNoticesTheOther) {
+  MovingSession first(500);
+  MovingSession second(-900);
+  for (int step = 0; step < 60; ++step) {
+    first.go_on(step);
+    second.go_on(step);
+  }
+  EXPECT_GT(first.bytes().size(), 1000U);
+  EXPECT_EQ(first.bytes(), bytes_of_move(500));
+  EXPECT_EQ(second.bytes(), bytes_of_move(-900));
+  EXPECT_NE(first.bytes(), second.bytes());
+}
+
 TEST(MockBoard, NamesWhatItIs) {
   const MockBoard board;
   EXPECT_EQ(board.firmware_name().rfind("echomap-native ", 0), 0U);
@@ -169,12 +206,12 @@ TEST(MockBoard, ItsConverterCountsTheVoltageOfAPin) {
 }
 
 TEST(MockBoard, ANewBoardHasForgottenWhatTheLastOneWasWiredTo) {
-  native::NativeBoard& native = native::NativeBoard::instance();
   {
     MockBoard board;
     board.set_aux_level(3, false);
   }
   const MockBoard board;
+  native::NativeBoard& native = native::NativeBoard::instance();
   native.use_aux_pin(3, hal::PinUse::kDigital);
   EXPECT_EQ(native.aux_levels(), 1U << 3U);
   EXPECT_FALSE(native.two_wire.on_read);

@@ -205,12 +205,22 @@ TEST_F(RobotSimulationTest, AKidnapLiftsHoldsAndPlacesTheRobot) {
   EXPECT_GT(robot_world.T_world_robot().x_m(), 1.01) << "it drives on";
 }
 
+/// Where it has place for it.
+bool put_box(RobotSimulation& simulation, const Eigen::Vector2d& middle_m, double side_m) {
+  const world::Polygon box_m = simulation.box_at(middle_m, side_m);
+  const bool has_place = simulation.has_place_for(box_m);
+  if (has_place) {
+    simulation.put_box(box_m);
+  }
+  return has_place;
+}
+
 TEST(RobotSimulation, ABoxIsPutInTheFrameOfTheStart) {
   FakeBoard board;
   world::RobotWorld world(
       world::box_room({}, {2.0, 1.5, 0.5 * std::numbers::pi}), quiet_robot(), 1);
   RobotSimulation simulation(board, world);
-  EXPECT_TRUE(simulation.put_box({0.5, 1.0}, 0.2));
+  EXPECT_TRUE(put_box(simulation, {0.5, 1.0}, 0.2));
   ASSERT_EQ(world.plan().boxes_m().size(), 1U);
   EXPECT_TRUE(geometry::contains(world.plan().boxes_m()[0], Eigen::Vector2d(1.0, 2.0)));
   EXPECT_NEAR(world.plan().clearance_m({1.0, 2.0}), 0.1, 1e-12);
@@ -218,14 +228,14 @@ TEST(RobotSimulation, ABoxIsPutInTheFrameOfTheStart) {
 
 TEST_F(RobotSimulationTest, NoBoxIsPutWhereTheRobotIsOrWillBePutDown) {
   simulation.schedule({100 * kMs, 300 * kMs, {1.0, 1.0, 0.5}});
-  EXPECT_FALSE(simulation.put_box({0.2, 0.0}, 0.2)) << "at the robot";
-  EXPECT_FALSE(simulation.put_box({-1.0, -0.5}, 0.4)) << "where it will stand";
-  EXPECT_FALSE(simulation.put_box({0.0, 0.0}, 1.0)) << "around the robot";
-  EXPECT_FALSE(simulation.put_box({2.1, 0.0}, 0.4)) << "outside of the room";
+  EXPECT_FALSE(put_box(simulation, {0.2, 0.0}, 0.2)) << "at the robot";
+  EXPECT_FALSE(put_box(simulation, {-1.0, -0.5}, 0.4)) << "where it will stand";
+  EXPECT_FALSE(put_box(simulation, {0.0, 0.0}, 1.0)) << "around the robot";
+  EXPECT_FALSE(put_box(simulation, {2.1, 0.0}, 0.4)) << "outside of the room";
   EXPECT_TRUE(robot_world.plan().boxes_m().empty());
-  EXPECT_TRUE(simulation.put_box({0.0, 1.4}, 0.4)) << "half of it in the wall";
+  EXPECT_TRUE(put_box(simulation, {0.0, 1.4}, 0.4)) << "half of it in the wall";
   simulation.advance_to(400 * kMs);
-  EXPECT_TRUE(simulation.put_box({0.0, 0.0}, 0.4)) << "where the robot was";
+  EXPECT_TRUE(put_box(simulation, {0.0, 0.0}, 0.4)) << "where the robot was";
 }
 
 TEST(RobotSimulation, AStepperTurnsTheSonarMoreThanOnce) {

@@ -109,7 +109,7 @@ TEST_F(TruthFiles, AllButTheSummaryAreThereBeforeTheEnd) {
 
 TEST_F(TruthFiles, ABoxIsInThem) {
   const std::string before = written("truth_map.pgm");
-  ASSERT_TRUE(simulation.put_box({1.0, 1.0}, 0.3));
+  simulation.put_box(simulation.box_at({1.0, 1.0}, 0.3));
   EXPECT_NE(written("truth_map.pgm"), before);
   EXPECT_EQ(json::parse(written("truth_walls.geojson"))["features"].size(), 12U);
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/contact_physics.hpp"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
 #include "tests/hil_mock/world/rooms.hpp"
 
 namespace echomap::world {
@@ -58,6 +61,34 @@ INSTANTIATE_TEST_SUITE_P(Headings,
                                          BumpCase{40.0, false, true},
                                          BumpCase{-90.0, false, false},
                                          BumpCase{180.0, false, false}));
+
+TEST(ContactPhysics, PushesABodyOutOfAnotherRobotAlongTheLineOfTheirMiddles) {
+  FloorPlan plan = box_room();
+  plan.put_robots(std::vector<Disc>{{{2.0, 1.0}, 0.15}});
+  for (const double bearing_deg : {0.0, 7.0, 100.0, -163.0}) {
+    const Eigen::Vector2d toward = geometry::unit_vector(radians(bearing_deg));
+    for (const double apart_m : {0.01, 0.1, 0.24}) {
+      const Eigen::Vector2d inside_m = Eigen::Vector2d(2.0, 1.0) + apart_m * toward;
+      const Pose2 out = pushed_out(plan, {inside_m.x(), inside_m.y(), 0.0}, kRadiusM);
+      EXPECT_NEAR((out.position_m() - Eigen::Vector2d(2.0, 1.0) - 0.25 * toward).norm(), 0.0, 1e-9)
+          << bearing_deg << " " << apart_m;
+    }
+  }
+}
+
+TEST(ContactPhysics, AnotherRobotPressesTheBumpersThatFaceIt) {
+  FloorPlan plan = box_room();
+  plan.put_robots(std::vector<Disc>{{{3.1, 1.5}, 0.2}});
+  const BodyParams body{.radius_m = kRadiusM};
+  const auto at = [&](double heading_deg) {
+    return contacts_at(plan, {2.8, 1.5, radians(heading_deg)}, body);
+  };
+  EXPECT_TRUE(at(0.0).left && at(0.0).right);
+  EXPECT_TRUE(at(-40.0).left && !at(-40.0).right);
+  EXPECT_TRUE(!at(40.0).left && at(40.0).right);
+  EXPECT_FALSE(at(180.0).left || at(180.0).right);
+  EXPECT_FALSE(contacts_at(plan, {2.7975, 1.5, 0.0}, body).left) << "beyond its travel";
+}
 
 TEST(ContactPhysics, NoBumperIsPressedBeyondItsTravel) {
   const BodyParams body{.radius_m = kRadiusM};

@@ -196,7 +196,8 @@ INSTANTIATE_TEST_SUITE_P(All,
                                          "attic",
                                          "studio",
                                          "hall",
-                                         "corridor_t"));
+                                         "corridor_t",
+                                         "ward"));
 
 const std::string person_text = R"([[person]]
 path_m = [[-0.5, 0.5], [2.5, 0.5]]

@@ -111,6 +111,26 @@ TEST(FloorPlan, PeopleStandInTheRoomAndNotInItsTruth) {
   EXPECT_EQ(plan.walls().size(), 4U);
 }
 
+TEST(FloorPlan, RobotsStandBehindPeopleAndMoveAlone) {
+  FloorPlan plan = box_room();
+  const std::vector<Disc> people{{{3.0, 1.0}, 0.2}};
+  const std::vector<Disc> robots{{{1.0, 1.0}, 0.1}, {{1.0, 2.0}, 0.1}};
+  plan.put_robots(robots);
+  plan.put_people(people);
+  ASSERT_EQ(plan.walls().size(), 4U + 12U + 24U);
+  EXPECT_EQ(plan.walls_besides_robots().size(), 16U);
+  EXPECT_NEAR((plan.walls()[4].segment.from_m - people[0].middle_m).norm(), 0.2, 1e-9);
+  EXPECT_NEAR((plan.walls()[16].segment.from_m - robots[0].middle_m).norm(), 0.1, 1e-9);
+  EXPECT_EQ(plan.walls()[16].surface.material, Material::kRough);
+  EXPECT_EQ(plan.clearance_m({1.0, 1.5}), 1.0);
+  ASSERT_EQ(plan.robots().size(), 2U);
+  plan.put_box({rectangle(3.0, 2.0, 3.4, 2.4), {}});
+  EXPECT_EQ(plan.walls_besides_robots().size(), 20U);
+  plan.put_robots({});
+  EXPECT_EQ(plan.walls().size(), 20U);
+  EXPECT_EQ(plan.walls_besides_robots().size(), 20U);
+}
+
 TEST(FloorPlan, ABoxStandsFromNowOnBeforeThePeople) {
   FloorPlan plan = box_room({pillar});
   const std::vector<Disc> people{{{3.0, 1.0}, 0.2}};

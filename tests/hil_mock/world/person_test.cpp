@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/person.hpp"
 
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +19,7 @@ PersonParams crossing() { return {{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}}, 1.0, 0.2
 void walk(Person& person, double& now_s, double until_s, const Disc& robot) {
   while (now_s < until_s - 0.5 * kPersonStepS) {
     now_s += kPersonStepS;
-    person.step(kPersonStepS, now_s, robot);
+    person.step(kPersonStepS, now_s, std::span(&robot, 1));
   }
 }
 
@@ -61,6 +63,16 @@ TEST(Person, StepsAwayFromARobotThatHasDrivenInto) {
   walk(person, now_s, 6.0, far_robot);
   walk(person, now_s, 7.0, {{0.75, 0.0}, 0.1});
   EXPECT_GT(person.place()->middle_m.x(), 1.9);
+}
+
+TEST(Person, WaitsForAnyOfTheRobots) {
+  Person person(crossing());
+  const std::vector<Disc> robots{far_robot, {{1.0, 0.0}, 0.1}};
+  for (double now_s = 0.0; now_s < 20.0; now_s += kPersonStepS) {
+    person.step(kPersonStepS, now_s, robots);
+  }
+  ASSERT_TRUE(person.place());
+  EXPECT_LT(person.place()->middle_m.x(), 0.7);
 }
 
 TEST(Person, NeedsAPathASpeedAndASize) {

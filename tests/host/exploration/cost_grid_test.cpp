@@ -51,6 +51,21 @@ CostGridParams without_standing() {
   return params;
 }
 
+TEST(CostGrid, IsDearAndNotClosedWhereSomebodyStands) {
+  CostGrid grid(furnished_floor(), {0.0, 0.0}, without_standing());
+  const CostGrid before = grid;
+  grid.raise_around({0.0, 0.0}, 0.2, 10.0);
+  EXPECT_EQ(grid.costs()[grid.index(grid.cell_at({0.0, 0.0}))], 10 * CostGrid::kPlain);
+  for (int y = 0; y < grid.rows(); ++y) {
+    for (int x = 0; x < grid.columns(); ++x) {
+      EXPECT_EQ(grid.is_open({x, y}), before.is_open({x, y}));
+      if (grid.center_m({x, y}).norm() > 0.2) {
+        EXPECT_EQ(grid.costs()[grid.index({x, y})], before.costs()[before.index({x, y})]);
+      }
+    }
+  }
+}
+
 TEST(CostGrid, ClosesWhatTheHullWouldReachAndNothingElse) {
   const RasterMap map = furnished_floor();
   const CostGridParams params = without_standing();

@@ -128,6 +128,62 @@ FrontierParams no_look_is_worth_it() {
   return params;
 }
 
+/// The open room, of which somebody else is about to see what this robot would go for.
+Company promising(double utility) {
+  Company company;
+  company.promised.push_back({{2.6, 0.0}, 2.5, utility});
+  return company;
+}
+
+TEST(Frontier, LeavesToOthersWhatTheyHavePromisedToLookAt) {
+  Frontier alone({});
+  Frontier accompanied({});
+  accompanied.set_company(promising(100.0));
+  const auto snapshot = told(open_room(), {});
+  first_move(alone, snapshot);
+  first_move(accompanied, snapshot);
+  ASSERT_TRUE(alone.goal());
+  const auto goal = accompanied.goal();
+  EXPECT_TRUE(!goal || goal->view.gain_m2 < 0.7 * alone.goal()->view.gain_m2);
+}
+
+TEST(Frontier, OutbidsOneWhoPromisesLess) {
+  Frontier alone({});
+  Frontier accompanied({});
+  accompanied.set_company(promising(0.001));
+  const auto snapshot = told(open_room(), {});
+  first_move(alone, snapshot);
+  first_move(accompanied, snapshot);
+  ASSERT_TRUE(accompanied.goal());
+  EXPECT_EQ(accompanied.goal()->at_m, alone.goal()->at_m);
+}
+
+TEST(Frontier, GoesByTheMapOfAllAndNotByItsOwn) {
+  Company company;
+  company.grid = std::make_shared<const OccupancyGrid>(open_room(true));
+  Frontier explorer({});
+  explorer.set_company(company);
+  const auto motion = first_move(explorer, told(open_room(), {}));
+  EXPECT_TRUE(std::holds_alternative<Finished>(motion)) << "for all the room is closed";
+}
+
+TEST(Frontier, DecidesAgainOnTheWayWhereItIsAskedTo) {
+  Frontier explorer({});
+  const auto snapshot = told(open_room(), {});
+  first_move(explorer, snapshot);
+  ASSERT_TRUE(explorer.goal());
+  Company company;
+  company.grid = std::make_shared<const OccupancyGrid>(open_room(true));
+  explorer.set_company(company);
+  EXPECT_FALSE(std::holds_alternative<Finished>(explorer.next(snapshot, MotionResult::kReached)));
+  explorer.reconsider();
+  EXPECT_TRUE(std::holds_alternative<Finished>(explorer.next(snapshot, MotionResult::kReached)));
+  explorer.set_company({});
+  explorer.reconsider();
+  explorer.next(snapshot, MotionResult::kReached);
+  EXPECT_TRUE(explorer.goal()) << "there is floor left after all";
+}
+
 TEST(Frontier, LooksOnForLessUntilTheMapHasEnough) {
   FrontierParams params = no_look_is_worth_it();
   params.openings.far_m = 0.01;  // None is seen.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/exploration/navigator.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <variant>
@@ -45,6 +46,20 @@ TEST_F(NavigatorTest, LeadsTheRobotToAPlace) {
     robot.carry_out(*motion);
   }
   EXPECT_LT((T_map_robot().position_m() - goal_m).norm(), 0.06);
+}
+
+TEST_F(NavigatorTest, LeadsRoundSomebodyWhoStandsThere) {
+  navigator.set_standing({{{1.0, 0.0}, 0.15}});
+  navigator.set_map(navigator.map_of(robot.snapshot, 0.0), robot.snapshot);
+  navigator.follow_path_to(T_map_robot(), {2.0, 0.0}, 2.1);
+  double nearest_m = 10.0;
+  while (const auto motion = navigator.next(T_map_robot())) {
+    robot.carry_out(*motion);
+    const Eigen::Vector2d at_m = T_map_robot().position_m();
+    nearest_m = std::min(nearest_m, (at_m - Eigen::Vector2d(1.0, 0.0)).norm());
+  }
+  EXPECT_GT(nearest_m, 0.2);
+  EXPECT_LT((T_map_robot().position_m() - Eigen::Vector2d(2.0, 0.0)).norm(), 0.06);
 }
 
 TEST_F(NavigatorTest, GivesAWayUpThatTakesTooLong) {

@@ -186,6 +186,23 @@ TEST(ViewGain, BehindAWallThatNobodyHasHeardFloorIsExpectedUntilAStopHasFacedIt)
   EXPECT_NEAR(expected_m2({facing}), fresh_m2 * params.left_by_look, 1e-9);
 }
 
+TEST(ViewGain, WhatSomebodyElseIsAboutToSeeIsLeftToThem) {
+  const RasterMap map = open_to_the_right();
+  ViewGain gain(map, {}, {}, plain());
+  const double alone_m2 = sum(gain.by_sector_m2({0.0, 0.0}));
+  gain.leave_to({{1.4, 0.0}, 2.5, 0.0});
+  EXPECT_LT(sum(gain.by_sector_m2({0.0, 0.0})), 0.7 * alone_m2);
+  EXPECT_LT(gain.worth(map.cell_at({1.6, 0.0})), 0.15) << "right before them";
+  EXPECT_GT(gain.worth(map.cell_at({-1.0, 1.6})), 0.9) << "out of their reach";
+}
+
+TEST(ViewGain, NobodyElseSeesWhatIsBehindAWall) {
+  const RasterMap map = open_to_the_right();
+  ViewGain gain(map, {}, {}, plain());
+  gain.leave_to({{-1.4, 0.0}, 2.5, 0.0});
+  EXPECT_EQ(gain.worth(map.cell_at({-1.7, 0.0})), 1.0);
+}
+
 TEST(ViewGain, WhatIsFarCountsLess) {
   const RasterMap map = open_to_the_right();
   auto params = plain();

@@ -54,6 +54,18 @@ class RunPublisherTest : public testing::Test {
   double time_s = 0.0;
 };
 
+TEST_F(RunPublisherTest, TellsAFleetAgainOnlyWhereItHasChanged) {
+  TeamState team;
+  team.robots = {TeamRobot{"robot0"}};
+  publisher.add_team(1.0, team);
+  publisher.add_team(2.0, team);
+  EXPECT_EQ(of_kind(*history, MessageKind::kTeam).size(), 1U);
+  team.robots.front().stops = 1;
+  publisher.add_team(3.0, team);
+  EXPECT_EQ(of_kind(*history, MessageKind::kTeam).size(), 2U);
+  EXPECT_EQ(newest(MessageKind::kTeam)["robots"][0]["stops"], 1);
+}
+
 TEST_F(RunPublisherTest, SaysFirstWhatTheRunIs) {
   const auto messages = history->since(0);
   ASSERT_EQ(messages.size(), 1U);

@@ -34,7 +34,7 @@ std::vector<std::string> keys_of(const nlohmann::ordered_json& object) {
 }
 
 TEST(RunState, HasTheEntriesOfTheProtocol) {
-  EXPECT_THAT(keys_of(to_json({})),
+  EXPECT_THAT(keys_of(to_json(RunState{})),
               testing::ElementsAre("mode",
                                    "driver",
                                    "clients",

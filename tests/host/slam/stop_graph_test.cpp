@@ -58,7 +58,7 @@ TEST(StopGraph, LearnsTheShareOfATurnFromHeadings) {
     }
   }
   align_stops({}, graph);
-  EXPECT_NEAR(graph.calibration.turn_share(), 0.02, 0.005);
+  EXPECT_NEAR(graph.calibrations[0].turn_share(), 0.02, 0.005);
 }
 
 TEST(StopGraph, MovesAStandToWhereItsRangesAgreeAndLeavesThoseThatAreHeld) {
@@ -86,8 +86,46 @@ TEST(StopGraph, OdometryCostsNothingAsMeasuredAndTheSquareOfWhatItIsOff) {
 TEST(StopGraph, ACalibrationCostsTheSquareOfItsDeviations) {
   const StopGraphParams params;
   StopGraph graph = straight(1);
-  graph.calibration.values = {0.0, 2.0 * params.drift_stddev_rad_per_m, 0.0};
+  graph.calibrations[0].values = {0.0, 2.0 * params.drift_stddev_rad_per_m, 0.0};
   EXPECT_NEAR(odometry_cost(params, graph), 2.0, 1e-12);
+}
+
+/// Two robots whose wheels are off by other shares of a drive, each between two walls of its own:
+///
+///     | 0 -------- 1 |      | 2 -------- 3 |
+TEST(StopGraph, LearnsTheErrorsOfEachRobot) {
+  StopGraph graph = straight(4);
+  graph.calibrations.resize(2);
+  graph.stands[2].piece_before.reset();
+  graph.stands[2].robot = 1;
+  graph.stands[3].robot = 1;
+  graph.relations.push_back({0, 2, Pose2(2.0, 0.0, 0.0), 0.05, 0.05});
+  const auto add_walls = [&](std::size_t first, double apart_m) {
+    for (const double behind_m : {0.5, 0.7, 0.9, 1.1}) {
+      const double at_m = static_cast<double>(first) - behind_m;
+      graph.features.push_back({{mapping::LandmarkKind::kWall, {-at_m, radians(180.0)}}, {}});
+      graph.features.back().sightings = {
+          {first, {0.0, 0.0}, behind_m, radians(180.0)},
+          {first + 1, {0.0, 0.0}, behind_m + apart_m, radians(180.0)}};
+    }
+  };
+  add_walls(0, 1.04);
+  add_walls(2, 0.96);
+  align_stops({}, graph);
+  EXPECT_GT(graph.calibrations[0].drive_share(), 0.02);
+  EXPECT_LT(graph.calibrations[1].drive_share(), -0.02);
+}
+
+TEST(StopGraph, BringsTwoRobotsToWhereTheyAreKnownToBe) {
+  StopGraph graph = straight(2);
+  graph.stands[1].piece_before.reset();
+  graph.stands[1].robot = 1;
+  graph.calibrations.resize(2);
+  graph.relations.push_back({0, 1, Pose2(1.2, 0.1, 0.3), 0.01, 0.01});
+  align_stops({}, graph);
+  EXPECT_NEAR(graph.stands[1].T_map_robot.x_m(), 1.2, 0.01);
+  EXPECT_NEAR(graph.stands[1].T_map_robot.y_m(), 0.1, 0.01);
+  EXPECT_NEAR(graph.stands[1].T_map_robot.heading_rad(), 0.3, 0.01);
 }
 
 TEST(StopGraph, RefusesInvalidParameters) {

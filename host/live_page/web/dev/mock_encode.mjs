@@ -20,6 +20,7 @@ export const room = (time, value) => json(6, time, value);
 export const state = (time, value) => json(7, time, value);
 export const event = (time, value) => json(8, time, value);
 export const newMap = (time) => message(9, time, 0);
+export const team = (time, value) => json(10, time, value);
 
 export function tile(time, x, y, cells) {
   const bytes = message(2, time, 8 + 64 * 64);

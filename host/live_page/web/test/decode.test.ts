@@ -13,6 +13,7 @@ const everyKind: Record<string, Uint8Array> = {
   state: state(6, 'explore'),
   event: encode.event(7, { code: 'kidnapped', level: 'warning', text: 'carried off' }),
   newMap: encode.newMap(8),
+  team: encode.team(9, { robots: [], source: null }),
 };
 
 describe('decode', () => {

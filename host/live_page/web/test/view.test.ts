@@ -26,6 +26,12 @@ describe('apply', () => {
     expect(after.odometryTrail).toEqual([1, 2.5, 2, 2.5, 3, 2.5]);
   });
 
+  it('keeps the newest of a fleet', () => {
+    const team = (stops: number) => ({ robots: [{ name: 'robot0', stops }], source: null });
+    expect(viewAfter().team).toBeNull();
+    expect(viewAfter(encode.team(1, team(1)), encode.team(2, team(2))).team).toEqual(team(2));
+  });
+
   it('forgets what a new map makes void, and keeps events', () => {
     const event = encode.event(1, { code: 'kidnapped', level: 'warning', text: '' });
     const view = viewAfter(tile(0, 0, 0, 9), motion(1), encode.particles(1, [0, 0, 0, 1]), event, encode.newMap(2));

@@ -56,6 +56,27 @@ TEST_F(NativeBoardTest, EdgesAreServedAtTheirTime) {
   EXPECT_EQ(app::devices.encoders.counts().left, 0);
 }
 
+TEST_F(NativeBoardTest, BoardsThatTakeTurnsKeepTheirPrograms) {
+  board.schedule_encoder_edge(true, 5000000, true, false);
+  board.run_until_ns(6000000);
+  {
+    NativeBoard other;
+    other.power_on();
+    EXPECT_EQ(&NativeBoard::instance(), &other);
+    other.run_until_ns(2000000);
+    EXPECT_EQ(app::devices.encoders.counts().right, 0);
+    board.run_until_ns(7000000);
+    EXPECT_EQ(&NativeBoard::instance(), &board);
+    EXPECT_EQ(app::devices.encoders.counts().right, 1);
+    other.run_until_ns(3000000);
+    EXPECT_EQ(app::devices.encoders.counts().right, 0);
+    EXPECT_EQ(other.starts(), 1);
+  }
+  EXPECT_EQ(&NativeBoard::instance(), &board) << "the other one is gone";
+  board.run_until_ns(8000000);
+  EXPECT_EQ(app::devices.encoders.counts().right, 1);
+}
+
 TEST_F(NativeBoardTest, PowerOnForgetsWhatWasScheduled) {
   board.schedule_encoder_edge(false, 5000000, true, false);
   board.set_pan_pulse_us(1500);

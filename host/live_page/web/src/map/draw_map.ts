@@ -12,6 +12,8 @@ import { type Palette, palettes, type Theme } from './palette';
 import { ParticleLayer } from './particle_layer';
 import { tileColours } from './tile_colours';
 import { TileImages } from './tile_images';
+import { drawTeam, labelTeam } from './draw_team';
+import { drawSource, SourceImage } from './draw_source';
 import type { ToolMarks } from './tools';
 
 export interface MapScene {
@@ -30,6 +32,7 @@ export interface MapScene {
 export class MapPainter {
   private readonly tiles = new TileImages();
   private readonly particles = new ParticleLayer();
+  private readonly sourceImage = new SourceImage();
   private colours: { key: string; table: Uint32Array } | null = null;
   private hatch: { theme: Theme; pattern: CanvasPattern } | null = null;
 
@@ -44,6 +47,9 @@ export class MapPainter {
     if (this.colours?.key !== key) this.colours = { key, table: tileColours(hello, palette) };
     this.tiles.update(view, this.colours.table);
     this.tiles.draw(context, camera, hello.resolution_m, pixelRatio);
+    if (layers.source && view.team?.source) {
+      drawSource(context, camera, view.team.source, this.sourceImage, palette);
+    }
     if (layers.grid) drawGrid(context, camera, palette);
     if (layers.particles && view.particles) {
       this.particles.draw(context, camera, pixelRatio, view.particles, palette.particles);
@@ -60,9 +66,11 @@ export class MapPainter {
       drawRobot(context, camera, pose, hello.radius_m, palette);
       if (layers.truth && motion.truth) drawTruth(context, camera, motion.truth, hello.radius_m, palette);
     }
+    if (layers.team && view.team) drawTeam(context, camera, view.team, palette);
     const space = new LabelSpace(context, camera, pose, palette);
     if (layers.choices) labelChoices(space, camera, view, scene.formatArea);
     if (layers.hypotheses) labelHypotheses(space, camera, view, scene.formatPercent);
+    if (layers.team && view.team) labelTeam(space, camera, view.team);
     drawMarks(context, camera, scene, palette);
   }
 

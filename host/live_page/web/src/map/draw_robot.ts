@@ -7,10 +7,17 @@ import type { Palette } from './palette';
 
 const minRadiusPixels = 7;
 
-export function drawRobot(context: Context, camera: Camera, pose: Pose, radiusM: number, palette: Palette): void {
+export function drawRobot(
+  context: Context,
+  camera: Camera,
+  pose: Pose,
+  radiusM: number,
+  palette: Palette,
+  colour = palette.robot,
+): void {
   const [x, y] = camera.toScreen(pose.x, pose.y);
   const radius = Math.max(minRadiusPixels, radiusM * camera.scale);
-  context.fillStyle = palette.robot;
+  context.fillStyle = colour;
   context.strokeStyle = palette.robotEdge;
   context.lineWidth = 2;
   context.beginPath();

@@ -10,6 +10,8 @@ export const layerNames = [
   'choices',
   'hypotheses',
   'particles',
+  'team',
+  'source',
 ] as const;
 
 export type LayerName = (typeof layerNames)[number];
@@ -25,4 +27,6 @@ export const defaultLayers: Layers = {
   choices: true,
   hypotheses: true,
   particles: true,
+  team: true,
+  source: true,
 };

@@ -55,6 +55,9 @@ export function mapBounds(view: View): Bounds | null {
     const radius = isBlank ? blankRadiusM : (view.hello?.radius_m ?? 0);
     add(pose.x - radius, pose.y - radius, pose.x + radius, pose.y + radius);
   }
+  for (const robot of view.team?.robots ?? []) {
+    if (robot.pose) add(robot.pose.x - blankRadiusM, robot.pose.y - blankRadiusM, robot.pose.x + blankRadiusM, robot.pose.y + blankRadiusM);
+  }
   // Once there is a map they stray too far from it to count.
   for (let index = 0; isBlank && index < view.echoes.length; index += 2) {
     const x = view.echoes[index]!;

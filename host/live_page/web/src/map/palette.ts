@@ -31,6 +31,9 @@ export interface Palette {
   measure: string;
   /** From the lightest to the heaviest particle. */
   particles: readonly string[];
+  /** One robot each; they begin again where a fleet is larger. */
+  team: readonly string[];
+  source: string;
 }
 
 export const palettes: Record<Theme, Palette> = {
@@ -59,6 +62,8 @@ export const palettes: Record<Theme, Palette> = {
     hypothesis: '#a8487f',
     measure: '#16202c',
     particles: ['#9ccbe8', '#74b6de', '#4a9fd0', '#2788bf', '#0072b2', '#00588a'],
+    team: ['#0072b2', '#d55e00', '#009e73', '#a8487f', '#b87d00', '#2f86bd', '#7a5195', '#6b7480'],
+    source: '#d5008f',
   },
   dark: {
     free: [201, 208, 216],
@@ -85,5 +90,7 @@ export const palettes: Record<Theme, Palette> = {
     hypothesis: '#f0a9d4',
     measure: '#0b0f14',
     particles: ['#7fb3d3', '#5a9dc6', '#3a86b5', '#1f6f9f', '#005a8c', '#003f66'],
+    team: ['#00568a', '#b23c00', '#00704f', '#8c2f66', '#8a5d00', '#1a5a85', '#5b3a75', '#4a525d'],
+    source: '#b3007a',
   },
 };

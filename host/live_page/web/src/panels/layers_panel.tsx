@@ -7,7 +7,7 @@ import type { Session } from '../session';
 import { theme } from '../theme';
 
 export function LayersPanel({ session }: { session: Session }): JSX.Element {
-  const { hello } = session.shown.value.view;
+  const { hello, team } = session.shown.value.view;
   const palette = palettes[theme.value];
   const colours: Record<LayerName, string> = {
     grid: palette.hatch,
@@ -19,9 +19,15 @@ export function LayersPanel({ session }: { session: Session }): JSX.Element {
     choices: palette.choice,
     hypotheses: palette.hypothesis,
     particles: palette.particles[3]!,
+    team: palette.team[0]!,
+    source: palette.source,
   };
   const names = layerNames.filter(
-    (name) => (name !== 'truth' || hello?.has_truth) && (name !== 'sonar' || hello?.sonar !== null),
+    (name) =>
+      (name !== 'truth' || hello?.has_truth) &&
+      (name !== 'sonar' || hello?.sonar !== null) &&
+      (name !== 'team' || team) &&
+      (name !== 'source' || team?.source),
   );
   const swatch = (colour: readonly number[] | string, label: string): JSX.Element => (
     <li>

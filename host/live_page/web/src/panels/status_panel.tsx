@@ -7,6 +7,7 @@ import type { Motion, Score } from '../protocol/messages';
 import { wrapAngle } from '../run/view';
 import type { Session } from '../session';
 import { type Fact, Facts } from './facts';
+import { TeamPanel } from './team_panel';
 import { modeWords, whyWords } from '../shell/mission_strip';
 
 export function positionWords(motion: Motion | null): string {
@@ -23,7 +24,7 @@ const scoreFormats: [keyof Score, (value: number | null) => string][] = [
 ];
 
 export function StatusPanel({ session }: { session: Session }): JSX.Element {
-  const { hello, state, motion, time } = session.shown.value.view;
+  const { hello, state, team, motion, time } = session.shown.value.view;
   const link = state?.link;
   const localization = state?.localization;
   const score = state?.score;
@@ -57,6 +58,7 @@ export function StatusPanel({ session }: { session: Session }): JSX.Element {
           ]}
         />
       </section>
+      {team && <TeamPanel team={team} />}
       {score && (
         <section>
           <h2>{text('status.score')}</h2>

@@ -38,6 +38,8 @@ export const codes = {
   ],
   localization: ['lost', 'recovering', 'localized'],
   level: ['info', 'warning', 'error'],
+  presence: ['alive', 'left', 'gone'],
+  'source.verdict': ['searching', 'found', 'none'],
 } as const;
 
 export type EventCode = (typeof codes.event)[number];

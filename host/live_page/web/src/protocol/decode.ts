@@ -8,6 +8,7 @@ import {
   type Room,
   type RunEvent,
   type RunState,
+  type Team,
   tileCells,
 } from './messages';
 
@@ -25,6 +26,7 @@ export const enum Kind {
   state,
   event,
   newMap,
+  team,
 }
 
 export function kindOf(bytes: Uint8Array): number {
@@ -80,6 +82,10 @@ export function decode(bytes: Uint8Array): Message | null {
     }
     case Kind.newMap:
       return { kind: 'newMap', time };
+    case Kind.team: {
+      const team = decodeJson<Team>(body);
+      return team && { kind: 'team', time, team };
+    }
     default:
       return null;
   }

@@ -129,6 +129,41 @@ export interface RunEvent {
   remedy: string | null;
 }
 
+export type Presence = 'alive' | 'left' | 'gone';
+
+/** Of a fleet; pose and claim are null where its map is not joined to the one that is shown. */
+export interface TeamRobot {
+  name: string;
+  presence: Presence;
+  radius_m: number;
+  stops: number;
+  pose: Pose | null;
+  /** x, y for each point. */
+  trail: number[];
+  claim: Point | null;
+}
+
+/** The probability of each cell, 0 to 255 for the highest of all, row by row upwards. */
+export interface TeamField {
+  origin: Point;
+  resolution_m: number;
+  columns: number;
+  cells: number[];
+}
+
+export interface TeamSource {
+  verdict: string;
+  at: Point | null;
+  radius_m: number;
+  none_probability: number;
+  field: TeamField | null;
+}
+
+export interface Team {
+  robots: TeamRobot[];
+  source: TeamSource | null;
+}
+
 /** For each particle x, y, heading, weight. */
 export type Particles = Float32Array;
 /** For each point x, y. */
@@ -143,4 +178,5 @@ export type Message =
   | { kind: 'room'; time: number; room: Room }
   | { kind: 'state'; time: number; state: RunState }
   | { kind: 'event'; time: number; event: RunEvent }
-  | { kind: 'newMap'; time: number };
+  | { kind: 'newMap'; time: number }
+  | { kind: 'team'; time: number; team: Team };

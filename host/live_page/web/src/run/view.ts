@@ -9,6 +9,7 @@ import {
   type Room,
   type RunEvent,
   type RunState,
+  type Team,
   type Tile,
   type Trail,
 } from '../protocol/messages';
@@ -52,6 +53,8 @@ export interface View {
   echoes: number[];
   room: Room | null;
   state: RunState | null;
+  /** Of a fleet; null for a robot alone. */
+  team: Team | null;
   events: TimedEvent[];
   series: Series;
 }
@@ -73,6 +76,7 @@ export function emptyView(): View {
     echoes: [],
     room: null,
     state: null,
+    team: null,
     events: [],
     series: { time: [], distanceM: [], headingRad: [], roundTripMs: [] },
   };
@@ -123,6 +127,9 @@ export function apply(view: View, message: Message): void {
       break;
     case 'state':
       view.state = message.state;
+      break;
+    case 'team':
+      view.team = message.team;
       break;
     case 'event':
       view.events.push({ ...message.event, time: message.time });

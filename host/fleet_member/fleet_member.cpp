@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "host/fleet_member/fleet_member.hpp"
+
+#include <utility>
+
+#include "host/exploration/company.hpp"
+#include "host/geometry/parameter_validator.hpp"
+#include "host/team_exploration/team_explorer.hpp"
+
+namespace echomap::fleet_member {
+
+using pipeline::Snapshot;
+using team_exploration::Claim;
+using team_exploration::Peer;
+using team_exploration::TeamView;
+
+FleetMember::FleetMember(session::RobotContext& robot,
+                         mqtt::MessageBus& bus,
+                         const FleetMemberParams& params)
+    : robot_(robot),
+      params_(params),
+      exchange_(bus, params.exchange),
+      picture_(params.team),
+      filter_(
+          behind_filter_,
+          robot.profile().geometry,
+          [this] { return robot_.atlas().pipeline().pose_estimate().T_map_robot; },
+          [this](time::RobotTime /*stamp*/) { return peers(); },
+          params.echoes),
+      listener_(robot, [this] { step(); }),
+      map_changes_(robot.atlas().changes()) {
+  geometry::ParameterValidator("fleet member")
+      .positive("exchange_period_s", params.exchange_period_s)
+      .at_least("peer_drift_m_per_s", params.peer_drift_m_per_s, 0.0);
+  robot_.put_before_maps(filter_);
+  behind_filter_.add(robot_.atlas());
+  begin_map();
+}
+
+FleetMember::~FleetMember() { robot_.put_before_maps(robot_.atlas()); }
+
+void FleetMember::begin_map() {
+  if (recorder_) {
+    behind_filter_.remove(*recorder_);
+  }
+  recorder_ = std::make_unique<team_map::SubmapRecorder>(robot_.profile().geometry);
+  behind_filter_.add(*recorder_);
+  told_stops_ = robot_.atlas().pipeline().snapshot().stops;
+}
+
+void FleetMember::step() {
+  const double now_s = session::now_s(robot_.session());
+  if (!exchanged_s_ || now_s >= *exchanged_s_ + params_.exchange_period_s) {
+    exchange(now_s);
+  }
+}
+
+void FleetMember::exchange(double now_s) {
+  tell_stops();
+  tell_pose(now_s);
+  if (before_exchange) {
+    before_exchange(now_s);
+  }
+  exchange_.update(now_s);
+  exchanged_s_ = now_s;
+  state_ = exchange_.state();
+}
+
+/// A stop whose scan the map does not have is not told either.
+void FleetMember::tell_stops() {
+  if (map_changes_ != robot_.atlas().changes()) {
+    map_changes_ = robot_.atlas().changes();
+    exchange_.begin_map();
+    begin_map();
+    return;
+  }
+  const Snapshot snapshot = robot_.atlas().pipeline().snapshot();
+  if (snapshot.stops == told_stops_) {
+    return;
+  }
+  told_stops_ = snapshot.stops;
+  if (snapshot.last_scan_fault != mapping::ScanFault::kNone) {
+    recorder_->drop_last();
+    return;
+  }
+  const auto& submaps = recorder_->submaps();
+  auto poses = team_map::T_map_submaps(snapshot);
+  if (submaps.empty() || poses.size() < submaps.size()) {
+    return;
+  }
+  poses.erase(poses.begin(), poses.end() - static_cast<std::ptrdiff_t>(submaps.size()));
+  if (exchange_.add_submap(submaps.back())) {
+    const auto covariance = robot_.atlas().pipeline().pose_estimate().covariance;
+    exchange_.set_graph(poses, covariance.value_or(Eigen::Matrix3d::Zero()));
+  }
+}
+
+void FleetMember::tell_pose(double now_s) {
+  const pipeline::PoseEstimate pose = robot_.atlas().pipeline().pose_estimate();
+  exchange_.set_pose({pose.T_map_robot, pose.covariance.value_or(Eigen::Matrix3d::Zero())}, now_s);
+}
+
+void FleetMember::look() {
+  tell_stops();
+  if (picture_.take(state_)) {
+    // The first of a component tells where all of it lie; the others could compute the same.
+    exchange_.set_alignment(picture_.alignment(params_.exchange.robot, exchange_.map_number()));
+  }
+}
+
+TeamView FleetMember::view() {
+  look();
+  TeamView view = picture_.view(state_, params_.exchange.robot, exchange_.map_number());
+  peers_ = view.peers;
+  return view;
+}
+
+std::vector<Peer> FleetMember::peers() const {
+  std::vector<Peer> peers = peers_;
+  for (Peer& peer : peers) {
+    peer.position_stddev_m += params_.peer_drift_m_per_s * peer.age_s;
+  }
+  return peers;
+}
+
+void FleetMember::claim(const std::optional<Claim>& claim) {
+  exchange_.set_claims(claim ? std::vector{*claim} : std::vector<Claim>{});
+}
+
+Snapshot FleetMember::known() {
+  return exploration::with_company(robot_.atlas().pipeline().snapshot(),
+                                   team_exploration::company_of(view()));
+}
+
+void FleetMember::leave() { exchange_.leave(); }
+
+}  // namespace echomap::fleet_member

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/fleet/fleet_exchange.hpp"
+#include "host/fleet_member/team_picture.hpp"
+#include "host/pipeline/observation_fork.hpp"
+#include "host/pipeline/snapshot.hpp"
+#include "host/session/robot_context.hpp"
+#include "host/team_exploration/peer_echo_filter.hpp"
+#include "host/team_exploration/team_board.hpp"
+#include "host/team_map/submap_recorder.hpp"
+
+namespace echomap::fleet_member {
+
+/// Who this robot is in its fleet. Values are ours.
+struct FleetMemberParams {
+  fleet::FleetExchangeParams exchange;
+  team_map::TeamMapParams team;
+  team_exploration::PeerEchoParams echoes;
+  /// How often messages are exchanged, seconds of the session's time.
+  double exchange_period_s = 0.1;
+  /// A peer that drives may be so much farther from where it told to be, for each second since.
+  double peer_drift_m_per_s = 0.1;
+};
+
+/// A connected robot as a member of a fleet: tells each stop, its pose and its claim, and has what
+/// the others have told in its own map frame. Echoes and contacts of the others are kept out of
+/// its map.
+class FleetMember final : public team_exploration::TeamBoard {
+ public:
+  /// `robot` has begun its maps and is not open yet; it and the bus outlive this. Throws as
+  /// FleetExchange.
+  FleetMember(session::RobotContext& robot, mqtt::MessageBus& bus, const FleetMemberParams& params);
+  ~FleetMember() override;
+  FleetMember(const FleetMember&) = delete;
+  FleetMember& operator=(const FleetMember&) = delete;
+
+  /// Calls that before each exchange, with the session's time: where a simulated fleet works in
+  /// rounds, it waits there for the others.
+  std::function<void(double now_s)> before_exchange;
+
+  team_exploration::TeamView view() override;
+  void claim(const std::optional<team_exploration::Claim>& claim) override;
+  /// The robot's snapshot with the map of all joined robots in place of its own.
+  pipeline::Snapshot known();
+  /// From now on this holds of where two robots started, whatever walls say.
+  void tell(const std::string& robot,
+            const std::string& peer,
+            const team_map::RelativePose& relative) {
+    picture_.tell(robot, peer, relative);
+  }
+  /// Says good-bye.
+  void leave();
+  /// Exchanges messages at this time of the session, which has ended, too.
+  void exchange(double now_s);
+
+  const fleet::FleetExchange& fleet() const { return exchange_; }
+  const TeamPicture& picture() const { return picture_; }
+  const team_exploration::PeerEchoFilter& echoes() const { return filter_; }
+
+ private:
+  void step();
+  void tell_stops();
+  void tell_pose(double now_s);
+  void begin_map();
+  void look();
+  /// Those that may stand in the sonar's beam now.
+  std::vector<team_exploration::Peer> peers() const;
+
+  session::RobotContext& robot_;
+  FleetMemberParams params_;
+  fleet::FleetExchange exchange_;
+  TeamPicture picture_;
+  pipeline::ObservationFork behind_filter_;
+  team_exploration::PeerEchoFilter filter_;
+  std::unique_ptr<team_map::SubmapRecorder> recorder_;
+  session::RobotContext::StepListener listener_;
+  std::optional<std::uint64_t> seen_revision_;
+  fleet::FleetState state_;
+  std::vector<team_exploration::Peer> peers_;
+  std::size_t told_stops_ = 0;   ///< Of the pipeline.
+  std::size_t map_changes_ = 0;  ///< Of the atlas.
+  std::optional<double> exchanged_s_;
+};
+
+}  // namespace echomap::fleet_member

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "host/fleet_member/team_picture.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+
+namespace echomap::fleet_member {
+namespace {
+
+using fleet::Attendance;
+using fleet::FleetMap;
+using fleet::FleetRobot;
+using fleet::FleetState;
+using team_exploration::Claim;
+using team_exploration::Peer;
+using team_exploration::TeamView;
+
+/// In the direction in which it is the largest.
+double position_stddev_m(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance.topLeftCorner<2, 2>(),
+                                                              Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
+}
+
+/// One that has left stands where it said good-bye; where one that fell silent is, nobody knows.
+std::optional<Peer> peer_of(const FleetRobot& robot, const team_map::RelativePose& relative) {
+  if (robot.attendance == Attendance::kGone || !robot.pose ||
+      robot.pose->map_number != robot.map_number) {
+    return std::nullopt;
+  }
+  Peer peer;
+  peer.robot = robot.name;
+  peer.T_map_robot = relative.T_own_peer * robot.pose->estimate.T_map_robot;
+  peer.position_stddev_m =
+      std::hypot(relative.position_stddev_m, position_stddev_m(robot.pose->estimate.covariance));
+  peer.radius_m = robot.traits.body_radius_m;
+  peer.age_s = robot.attendance == Attendance::kLeft ? 0.0 : robot.pose->age_s;
+  return peer;
+}
+
+std::vector<Claim> claims_of(const FleetRobot& robot, const geometry::Pose2& T_own_peer) {
+  std::vector<Claim> claims;
+  if (robot.claims_map_number == robot.map_number) {
+    claims = robot.claims;
+  }
+  for (Claim& claim : claims) {
+    claim.robot = robot.name;
+    claim.at_m = T_own_peer * claim.at_m;
+  }
+  return claims;
+}
+
+}  // namespace
+
+std::string map_name(const std::string& robot, std::uint16_t number) {
+  return robot + "." + std::to_string(number);
+}
+
+bool TeamPicture::take(const FleetState& state) {
+  if (revision_ == state.revision) {
+    return false;
+  }
+  revision_ = state.revision;
+  for (const FleetRobot& robot : state.robots) {
+    for (const FleetMap& map : robot.maps) {
+      if (!map.record->submaps.empty()) {
+        team_map::RobotRecord record = *map.record;
+        record.robot = map_name(robot.name, map.number);
+        team_.take(record);
+      }
+    }
+  }
+  return team_.update();
+}
+
+void TeamPicture::tell(const std::string& robot,
+                       const std::string& peer,
+                       const team_map::RelativePose& relative) {
+  team_.tell({map_name(robot, 0), map_name(peer, 0), relative});
+}
+
+std::optional<team_map::RelativePose> TeamPicture::relative_pose(const std::string& own_map,
+                                                                 const FleetRobot& robot) const {
+  return team_.relative_pose(own_map, map_name(robot.name, robot.map_number));
+}
+
+std::vector<fleet_messages::AlignedMap> TeamPicture::alignment(const std::string& robot,
+                                                               std::uint16_t map_number) const {
+  const std::string own_map = map_name(robot, map_number);
+  const team_map::TeamComponent* component = team_.component_of(own_map);
+  std::vector<fleet_messages::AlignedMap> maps;
+  if (component == nullptr || component->robots.size() < 2 ||
+      component->robots.front() != own_map) {
+    return maps;
+  }
+  for (std::size_t i = 0; i < component->robots.size(); ++i) {
+    const std::string& name = component->robots[i];
+    const std::size_t dot = name.rfind('.');
+    maps.push_back({name.substr(0, dot),
+                    static_cast<std::uint16_t>(std::stoul(name.substr(dot + 1))),
+                    component->T_team_maps[i],
+                    component->T_team_submaps[i]});
+  }
+  return maps;
+}
+
+TeamView TeamPicture::view(const FleetState& state,
+                           const std::string& robot,
+                           std::uint16_t map_number) {
+  const std::string own_map = map_name(robot, map_number);
+  const team_map::TeamComponent* component = team_.component_of(own_map);
+  TeamView view;
+  if (component == nullptr || component->robots.size() < 2) {
+    return view;
+  }
+  const team_map::MergedMap& merged = team_.merged(own_map);
+  view.grid = merged.grid;
+  view.scans = merged.scans;
+  view.features = merged.features;
+  view.been_m = merged.been_m;
+  for (const FleetRobot& other : state.robots) {
+    const auto relative = relative_pose(own_map, other);
+    if (other.name == robot || !relative) {
+      continue;
+    }
+    if (const auto peer = peer_of(other, *relative)) {
+      view.peers.push_back(*peer);
+    }
+    const std::vector<Claim> claims = claims_of(other, relative->T_own_peer);
+    view.claims.insert(view.claims.end(), claims.begin(), claims.end());
+  }
+  return view;
+}
+
+}  // namespace echomap::fleet_member

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace echomap::fleet_messages {
+
+/// The name of an object: the first 128 bits of SHA-256 (FIPS 180-4) of its bytes. To find other
+/// bytes of a given name takes 2^128 tries.
+struct ContentHash {
+  std::array<std::uint8_t, 16> bytes{};
+  auto operator<=>(const ContentHash&) const = default;
+};
+
+/// Of any bytes.
+ContentHash content_hash(std::string_view bytes);
+
+/// Of a set of objects: of their names in ascending order, whatever order they are given in.
+ContentHash set_hash(std::vector<ContentHash> objects);
+
+/// 32 lower-case hexadecimal digits.
+std::string hex(const ContentHash& hash);
+/// The hash of such a text; empty for any other text.
+std::optional<ContentHash> parse_hash(std::string_view text);
+
+/// For tables of objects: the hash is as good as random already.
+struct ContentHashBucket {
+  std::size_t operator()(const ContentHash& hash) const;
+};
+
+}  // namespace echomap::fleet_messages

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/fleet_messages/messages.hpp"
+#include "host/geometry/pose2.hpp"
+#include "host/team_exploration/team_view.hpp"
+#include "host/team_map/submap.hpp"
+
+// Messages from metres, seconds and radians, and back. What goes to whole numbers and back changes
+// by half a millimetre, half a millisecond and 0.05 mrad at most; a second time by nothing. A
+// conversion is empty where a number is none, or outside of its field's range.
+namespace echomap::fleet_messages {
+
+/// A pose that is known to some degree.
+struct PoseEstimate {
+  geometry::Pose2 T_map_robot;
+  /// Of x and y in metres and the heading in radians.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+/// What a robot is like, as others need it to use what it has sensed.
+struct RobotTraits {
+  double body_radius_m = 0.0;
+  double beam_half_angle_rad = 0.2269;  ///< Of its sonar.
+};
+
+/// A reading of a scalar sensor: pulses of a Geiger tube, or a level of light or gas.
+struct SourceReading {
+  double stamp_s = 0.0;  ///< On the robot's clock.
+  geometry::Pose2 T_odom_robot;
+  double value = 0.0;    ///< Pulses, or the level in the sensor's unit; to 0.001.
+  double dwell_s = 0.0;  ///< For how long pulses were counted; 0 for a level.
+};
+
+/// Readings by the odometry of one submap, so that they move with it.
+struct SourceBatch {
+  std::uint32_t submap_index = 0;
+  std::vector<SourceReading> readings;  ///< In the order of time.
+};
+
+/// Where a robot's map lies in the frame of its component, and its submaps, where the component's
+/// pose graph has moved them.
+struct AlignedMap {
+  std::string robot;
+  std::uint16_t map_number = 0;
+  geometry::Pose2 T_component_map;
+  std::vector<geometry::Pose2> T_component_submaps;
+};
+
+std::optional<SubmapMessage> to_message(const team_map::Submap& submap, std::uint16_t map_number);
+team_map::Submap to_submap(const SubmapMessage& message);
+/// The submap as every receiver has it. The robot itself uses this one, so that all of them compute
+/// the same.
+std::optional<team_map::Submap> quantised(const team_map::Submap& submap);
+
+std::optional<GraphMessage> to_graph_message(const std::vector<geometry::Pose2>& T_map_submaps,
+                                             const Eigen::Matrix3d& latest_covariance,
+                                             std::uint16_t map_number);
+std::vector<geometry::Pose2> to_poses(const std::vector<PoseRow>& rows);
+
+std::optional<PoseMessage> to_message(const PoseEstimate& pose,
+                                      double stamp_s,
+                                      std::uint16_t map_number);
+PoseEstimate to_pose_estimate(const PoseMessage& message);
+/// Symmetric; standard deviations above 65.535 m and 2 pi have become those.
+Eigen::Matrix3d to_covariance(const CovariancePart& part);
+
+/// `utility` above 4294 m2/s has become that. The claims' robot is the message's author.
+std::optional<ClaimMessage> to_message(const std::vector<team_exploration::Claim>& claims,
+                                       std::uint16_t map_number);
+std::vector<team_exploration::Claim> to_claims(const ClaimMessage& message,
+                                               const std::string& robot);
+
+std::optional<SourceMessage> to_message(const SourceBatch& batch, std::uint16_t map_number);
+SourceBatch to_source_batch(const SourceMessage& message);
+
+std::optional<AlignmentMessage> to_message(const std::vector<AlignedMap>& maps);
+std::vector<AlignedMap> to_aligned_maps(const AlignmentMessage& message);
+
+/// Empty where they do not fit into `message`, which is then unchanged.
+std::optional<PresenceMessage> with_traits(PresenceMessage message, const RobotTraits& traits);
+RobotTraits to_traits(const PresenceMessage& message);
+
+}  // namespace echomap::fleet_messages

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "host/fleet_messages/content_hash.hpp"
+#include "host/fleet_messages/table_rows.hpp"
+#include "host/fleet_messages/topic.hpp"
+
+// What robots of a fleet tell each other, in whole numbers: lengths in millimetres, times in
+// milliseconds of the author's clock, angles in turns / 65536 (0.096 mrad). conversions.hpp turns
+// them into metres, seconds and radians. docs/fleet_protocol.md has the same lists.
+namespace echomap::fleet_messages {
+
+/// Times are below this, some 8900 years.
+inline constexpr std::uint64_t kMaxStampMs = (std::uint64_t{1} << 48U) - 1;
+
+/// Whether a robot takes part.
+enum class PresenceState : std::uint8_t {
+  kHere,
+  kLeft,  ///< It has said good-bye.
+  kGone,  ///< Its last will: the broker has lost it.
+};
+
+/// That a robot takes part, what it is like, and what it has: sent every few seconds.
+struct PresenceMessage {
+  static constexpr TopicKind kKind = TopicKind::kPresence;
+  std::uint8_t state = 0;        ///< A PresenceState.
+  std::uint16_t map_number = 0;  ///< Of the map that it is making now.
+  std::uint16_t body_radius_mm = 0;
+  std::uint16_t beam_half_angle = 0;
+  std::uint32_t own_objects = 0;    ///< How many its manifest has.
+  ContentHash latest_set;           ///< Of the payloads of its latest graphs, claims and alignment.
+  std::uint32_t known_objects = 0;  ///< How many it has, of whomever,
+  ContentHash known_set;            ///< and the hash of their set.
+  bool operator==(const PresenceMessage&) const = default;
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("state", self.state, std::uint64_t{2});
+    visit("map_number", self.map_number);
+    visit("body_radius_mm", self.body_radius_mm);
+    visit("beam_half_angle", self.beam_half_angle);
+    visit("own_objects", self.own_objects);
+    visit("latest_set", self.latest_set);
+    visit("known_objects", self.known_objects);
+    visit("known_set", self.known_set);
+  }
+};
+
+/// Where a robot is in its own map.
+struct PoseMessage {
+  static constexpr TopicKind kKind = TopicKind::kPose;
+  std::uint64_t stamp_ms = 0;
+  std::uint16_t map_number = 0;
+  PoseRow T_map_robot;
+  CovariancePart covariance;
+  bool operator==(const PoseMessage&) const = default;
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("stamp_ms", self.stamp_ms, kMaxStampMs);
+    visit("map_number", self.map_number);
+    PoseRow::fields(self.T_map_robot, visit);
+    visit("covariance", self.covariance);
+  }
+};
+
+/// An object: what was sensed from one stop and on the way there (team_map::Submap). Never changes.
+struct SubmapMessage {
+  static constexpr TopicKind kKind = TopicKind::kSubmap;
+  std::uint16_t map_number = 0;
+  std::uint32_t index = 0;
+  std::uint64_t begin_ms = 0;
+  std::uint64_t end_ms = 0;
+  std::vector<ReadingRow> readings;
+  std::vector<PoseRow> T_odom_way;
+  std::vector<ContactRow> contacts;
+  bool operator==(const SubmapMessage&) const = default;
+
+  /// Whether it is a submap: with readings, in the order of time.
+  bool is_consistent() const { return !readings.empty() && begin_ms <= end_ms; }
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("map_number", self.map_number);
+    visit("index", self.index);
+    visit("begin_ms", self.begin_ms, kMaxStampMs);
+    visit("end_ms", self.end_ms, kMaxStampMs);
+    visit("readings", self.readings);
+    visit("T_odom_way", self.T_odom_way);
+    visit("contacts", self.contacts);
+  }
+};
+
+/// Where a robot's submaps lie in its map by what its SLAM knows now.
+struct GraphMessage {
+  static constexpr TopicKind kKind = TopicKind::kGraph;
+  std::uint16_t map_number = 0;
+  CovariancePart latest_covariance;    ///< Of the last of them, given the first.
+  std::vector<PoseRow> T_map_submaps;  ///< By the submaps' index.
+  bool operator==(const GraphMessage&) const = default;
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("map_number", self.map_number);
+    visit("latest_covariance", self.latest_covariance);
+    visit("T_map_submaps", self.T_map_submaps);
+  }
+};
+
+/// Which objects a robot has made: one page of their names, in the order they were made in.
+struct ManifestMessage {
+  static constexpr TopicKind kKind = TopicKind::kManifest;
+  /// Full pages never change, so that an object costs the names of one page, not of all.
+  static constexpr std::size_t kObjectsPerPage = 32;
+  std::uint16_t page = 0;
+  std::vector<ContentHash> objects;
+  bool operator==(const ManifestMessage&) const = default;
+
+  bool is_consistent() const { return objects.size() <= kObjectsPerPage; }
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("page", self.page);
+    visit("objects", self.objects);
+  }
+};
+
+/// Another robot.
+struct RobotNamePart {
+  static constexpr bool kIsPart = true;
+  std::string robot;
+  bool operator==(const RobotNamePart&) const = default;
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("robot", self.robot);
+  }
+};
+
+/// Where a robot wants to look from; none where it gives its claims back.
+struct ClaimMessage {
+  static constexpr TopicKind kKind = TopicKind::kClaim;
+  std::uint16_t map_number = 0;
+  std::vector<ClaimRow> claims;
+  std::vector<RobotNamePart> waits_for;  ///< The robot that stands in its way; one at most.
+  bool operator==(const ClaimMessage&) const = default;
+
+  bool is_consistent() const { return waits_for.size() <= 1; }
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("map_number", self.map_number);
+    visit("claims", self.claims);
+    visit("waits_for", self.waits_for);
+  }
+};
+
+/// An object: readings of a scalar sensor. Never changes.
+struct SourceMessage {
+  static constexpr TopicKind kKind = TopicKind::kSource;
+  std::uint16_t map_number = 0;
+  std::uint32_t submap_index = 0;  ///< The submap by whose odometry the poses are.
+  std::uint64_t begin_ms = 0;
+  std::vector<SourceRow> readings;
+  bool operator==(const SourceMessage&) const = default;
+
+  bool is_consistent() const { return !readings.empty(); }
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("map_number", self.map_number);
+    visit("submap_index", self.submap_index);
+    visit("begin_ms", self.begin_ms, kMaxStampMs);
+    visit("readings", self.readings);
+  }
+};
+
+/// A robot of a lockstep fleet has said all that it has to say in a round.
+struct ClockMessage {
+  static constexpr TopicKind kKind = TopicKind::kClock;
+  std::uint32_t round = 0;
+  std::uint32_t last_counter = 0;    ///< Of its latest message but for clocks and objects.
+  std::uint8_t leaves = 0;           ///< 1: it takes no part in later rounds.
+  std::vector<ContentHash> objects;  ///< Published in this round.
+  bool operator==(const ClockMessage&) const = default;
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("round", self.round);
+    visit("last_counter", self.last_counter);
+    visit("leaves", self.leaves, std::uint64_t{1});
+    visit("objects", self.objects);
+  }
+};
+
+/// How the maps of robots that have found each other lie in one frame, by the robot of them whose
+/// name comes first: the graph that all of them use.
+struct AlignmentMessage {
+  static constexpr TopicKind kKind = TopicKind::kAlignment;
+  std::vector<AlignedMapPart> maps;
+  bool operator==(const AlignmentMessage&) const = default;
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("maps", self.maps);
+  }
+};
+
+/// What a robot misses of another.
+struct AskMessage {
+  static constexpr TopicKind kKind = TopicKind::kAsk;
+  std::string robot;
+  std::uint8_t everything_else = 0;  ///< 1: its manifest, graphs, claims and alignment, too.
+  std::vector<ContentHash> objects;
+  bool operator==(const AskMessage&) const = default;
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("robot", self.robot);
+    visit("everything_else", self.everything_else, std::uint64_t{1});
+    visit("objects", self.objects);
+  }
+};
+
+/// Any of them. The index of a type, plus one, is its kind in a payload.
+using MessageBody = std::variant<PresenceMessage,
+                                 PoseMessage,
+                                 SubmapMessage,
+                                 GraphMessage,
+                                 ManifestMessage,
+                                 ClaimMessage,
+                                 SourceMessage,
+                                 ClockMessage,
+                                 AlignmentMessage,
+                                 AskMessage>;
+
+/// Whether a kind is that of objects: named by their hash, without boot id and counter.
+constexpr bool is_object(TopicKind kind) {
+  return kind == TopicKind::kSubmap || kind == TopicKind::kSource;
+}
+
+}  // namespace echomap::fleet_messages

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "host/source_search/hypothesis_grid.hpp"
+#include "host/source_search/nuisance_integral.hpp"
+
+namespace echomap::source_search {
+
+/// The integral over nuisances that is fine enough for the readings of a grid.
+NuisanceIntegral integral_for(const HypothesisGrid& grid);
+
+/// Posteriors of a block, as likelihoods over exp(reference), not normalized.
+struct BlockPosterior {
+  std::array<double, kLanes> place{};
+  std::vector<double> background;  ///< Of all places of the block.
+};
+
+/// With a prior of `density` a square metre.
+BlockPosterior posterior_of(const HypothesisGrid& grid,
+                            const NuisanceIntegral& integral,
+                            const LeafBlock& block,
+                            double density,
+                            double reference);
+
+/// What a place is combined with, and how probable that is there.
+struct NuisanceShare {
+  double probability = 0.0;
+  double strength = 0.0;
+  double background = 0.0;
+  double attenuation_per_m = 0.0;
+};
+
+/// All that a place is combined with.
+std::vector<NuisanceShare> nuisances_of(const HypothesisGrid& grid,
+                                        const NuisanceIntegral& integral,
+                                        LeafIndex leaf);
+
+}  // namespace echomap::source_search

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "host/mapping/raster_map.hpp"
+#include "host/source_search/field_model.hpp"
+#include "host/source_search/leaf_block.hpp"
+#include "host/source_search/solid_lengths.hpp"
+
+namespace echomap::source_search {
+
+/// Values without another source are ours, chosen in simulation.
+struct HypothesisGridParams {
+  FieldParams field;
+  /// Edge of the squares at first, and of the smallest that they are split into: whole multiples of
+  /// each other.
+  double leaf_m = 0.2;
+  double min_leaf_m = 0.05;
+  /// Readings nearer to each other than this are one reading.
+  double merge_m = 0.05;
+  std::size_t strength_nodes = 12;
+  std::size_t background_nodes = 8;
+  /// Unknown cells nearer than this to a free one may hold the source, too.
+  double unknown_reach_m = 1.0;
+};
+
+/// A square of the grid: the block and the lane that it is in.
+struct LeafIndex {
+  std::size_t block = 0;
+  std::size_t lane = 0;
+};
+
+/// The log-likelihood of all readings for every place, strength, background and attenuation, and
+/// for no source at all, held exactly at nodes. Places are squares that can be split where they
+/// matter. What a square is too coarse for is in the likelihood as an error of the rate.
+class HypothesisGrid {
+ public:
+  /// Places are the free and the occupied cells of `map` and the unknown ones beside free ones.
+  /// Throws std::invalid_argument for invalid parameters.
+  HypothesisGrid(const HypothesisGridParams& params, const mapping::RasterMap& map);
+
+  void add(std::span<const FieldReading> readings);
+  /// Cuts these squares into four, where they are not of the smallest.
+  void split(std::span<const LeafIndex> leaves);
+  /// Holds the likelihoods at other backgrounds, evenly spaced by logarithm.
+  void set_background_range(double min, double max);
+
+  const HypothesisGridParams& params() const { return params_; }
+  const NuisanceNodes& nodes() const { return nodes_; }
+  const std::vector<LeafBlock>& blocks() const { return blocks_; }
+  /// Of no source, by background.
+  const std::vector<double>& none() const { return none_; }
+  /// Readings, near ones as one.
+  const std::vector<FieldReading>& readings() const { return readings_; }
+  const mapping::RasterMap& map() const { return map_; }
+  /// Where the source may be, all in all.
+  double area_m2() const { return area_m2_; }
+  bool is_splittable(LeafIndex leaf) const;
+
+  /// What a source of strength 1 in the middle of a square of that edge adds at a place.
+  struct Response {
+    double response = 0.0;
+    double variance = 0.0;  ///< Relative.
+  };
+  Response response_at(const FieldReading& reading,
+                       const Eigen::Vector2d& source_m,
+                       double edge_m,
+                       double attenuation_per_m) const;
+
+ private:
+  struct Leaf {
+    double x_m;
+    double y_m;
+    double edge_m;
+    double area_m2;
+  };
+
+  std::vector<Leaf> initial_leaves();
+  double area_m2(double x_m, double y_m, double edge_m) const;
+  void append(std::span<const Leaf> leaves);
+  void add_to(LeafBlock& block, const FieldReading& reading, float times) const;
+  void add_to_none(const FieldReading& reading, double times);
+  void apply(const FieldReading& reading, float times);
+
+  HypothesisGridParams params_;
+  mapping::RasterMap map_;
+  std::vector<bool> may_hold_;  ///< By cell of the map, row by row.
+  SolidLengths solids_;
+  NuisanceNodes nodes_;
+  std::vector<LeafBlock> blocks_;
+  std::vector<double> none_;
+  std::vector<FieldReading> readings_;
+  double area_m2_ = 0.0;
+};
+
+}  // namespace echomap::source_search

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace echomap::source_search {
+
+/// So many places are worked on at once.
+inline constexpr std::size_t kLanes = 64;
+using Lanes = std::array<float, kLanes>;
+
+/// The values of strength, background and attenuation that each place is combined with.
+struct NuisanceNodes {
+  std::vector<float> strengths;  ///< Evenly spaced logarithms.
+  std::vector<float> backgrounds;
+  std::vector<float> attenuations_per_m;
+
+  std::size_t per_attenuation() const { return strengths.size() * backgrounds.size(); }
+  std::size_t size() const { return per_attenuation() * attenuations_per_m.size(); }
+};
+
+/// Square places where the source may be, and for each the log-likelihood of all readings at all
+/// nuisance nodes: by attenuation, background, strength, and place. Lanes without a place have no
+/// area.
+struct LeafBlock {
+  std::array<double, kLanes> x_m{};
+  std::array<double, kLanes> y_m{};
+  std::array<double, kLanes> edge_m{};
+  std::array<double, kLanes> area_m2{};  ///< Of the square, where the source may be.
+  std::vector<float> log_likelihood;
+
+  float* lanes(std::size_t node) { return &log_likelihood[node * kLanes]; }
+  const float* lanes(std::size_t node) const { return &log_likelihood[node * kLanes]; }
+};
+
+/// What a reading is to the kernel.
+struct ReadingTerms {
+  float value = 0.0F;                ///< Pulses, or the mean level.
+  float dwell_s = 1.0F;              ///< 1 for a level.
+  float saturated = 0.0F;            ///< Log-likelihood where the rate is the one observed.
+  float variance = 0.0F;             ///< Of a level; 0 for pulses.
+  float background_variance = 0.0F;  ///< Relative.
+};
+
+/// What a source of strength 1 adds at the reading's place, by the lane of its place, and the
+/// relative variance of that.
+struct ResponseLanes {
+  alignas(64) Lanes response{};
+  alignas(64) Lanes variance{};
+};
+
+/// The log-likelihood of a reading for a rate with a relative error: of pulses the double Poisson
+/// family of Efron 1986, log f = D / phi - log(phi) / 2 with D half the negative deviance and phi
+/// the variance over that of a Poisson number; of a level a normal distribution.
+float log_likelihood(const ReadingTerms& reading, float source, float background, float variance);
+
+/// The log-likelihoods of a reading at the nodes of one attenuation: `backgrounds` times
+/// `strengths` rows of lanes.
+void set_log_likelihoods(const ReadingTerms& reading,
+                         const ResponseLanes& responses,
+                         const NuisanceNodes& nodes,
+                         float* rows);
+
+/// Adds so many times `change` to as many values.
+void add_rows(const std::vector<float>& change, float times, float* rows);
+
+}  // namespace echomap::source_search

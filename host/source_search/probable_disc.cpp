@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "host/source_search/probable_disc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace echomap::source_search {
+
+using geometry::CellIndex;
+using mapping::CellField;
+
+namespace {
+
+/// Discs are tried around cells that hold at least so much of what the most probable one does.
+constexpr float kMinCellShare = 0.2F;
+
+/// Those whose middles are within the radius of that of the cell (0, 0).
+std::vector<CellIndex> disc_cells(double radius_m, double resolution_m) {
+  const auto reach = static_cast<std::int32_t>(radius_m / resolution_m + 1e-9);
+  std::vector<CellIndex> cells;
+  for (std::int32_t y = -reach; y <= reach; ++y) {
+    for (std::int32_t x = -reach; x <= reach; ++x) {
+      if (std::hypot(x, y) * resolution_m <= radius_m + 1e-9) {
+        cells.push_back({x, y});
+      }
+    }
+  }
+  return cells;
+}
+
+double sum_around(const CellField& field, CellIndex middle, const std::vector<CellIndex>& offsets) {
+  double sum = 0.0;
+  for (const CellIndex& offset : offsets) {
+    const CellIndex cell{middle.x + offset.x, middle.y + offset.y};
+    sum += field.holds(cell) ? static_cast<double>(field[field.index(cell)]) : 0.0;
+  }
+  return sum;
+}
+
+}  // namespace
+
+ProbableDisc most_probable_disc(const CellField& probability, double radius_m) {
+  float max = 0.0F;
+  for (std::size_t i = 0; i < probability.size(); ++i) {
+    max = std::max(max, probability[i]);
+  }
+  const auto offsets = disc_cells(radius_m, probability.resolution_m());
+  ProbableDisc best;
+  for (std::size_t i = 0; i < probability.size(); ++i) {
+    if (probability[i] <= 0.0F || probability[i] < kMinCellShare * max) {
+      continue;
+    }
+    const CellIndex cell = probability.cell(i);
+    const double sum = sum_around(probability, cell, offsets);
+    if (sum > best.probability) {
+      best = {probability.center_m(cell), sum};
+    }
+  }
+  return best;
+}
+
+double radius_with_share_m(const CellField& probability,
+                           const Eigen::Vector2d& middle_m,
+                           double share) {
+  std::vector<std::pair<double, double>> by_distance;
+  double total = 0.0;
+  for (std::size_t i = 0; i < probability.size(); ++i) {
+    const auto cell_probability = static_cast<double>(probability[i]);
+    if (cell_probability > 0.0) {
+      by_distance.emplace_back((probability.center_m(probability.cell(i)) - middle_m).norm(),
+                               cell_probability);
+      total += cell_probability;
+    }
+  }
+  std::sort(by_distance.begin(), by_distance.end());
+  double inside = 0.0;
+  for (const auto& [distance_m, cell_probability] : by_distance) {
+    inside += cell_probability;
+    if (inside >= share * total) {
+      return distance_m;
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace echomap::source_search

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "host/mapping/cell_field.hpp"
+
+namespace echomap::source_search {
+
+/// A disc and the sum of a field in it.
+struct ProbableDisc {
+  Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();
+  double probability = 0.0;
+};
+
+/// The disc of that radius, around the middle of a cell, with the largest sum of probabilities: of
+/// the cells that are themselves among the more probable ones. Cells count by their middles.
+ProbableDisc most_probable_disc(const mapping::CellField& probability, double radius_m);
+
+/// The radius of the smallest disc around a point that holds that share of a field's sum; 0 where
+/// that is 0.
+double radius_with_share_m(const mapping::CellField& probability,
+                           const Eigen::Vector2d& middle_m,
+                           double share);
+
+}  // namespace echomap::source_search

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: MIT
+#include "host/source_search/source_belief.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "host/geometry/parameter_validator.hpp"
+#include "host/geometry/square.hpp"
+#include "host/source_search/block_posterior.hpp"
+#include "host/source_search/probable_disc.hpp"
+
+namespace echomap::source_search {
+
+using geometry::CellIndex;
+using geometry::square;
+using mapping::CellBounds;
+using mapping::CellField;
+
+namespace {
+
+/// What is so much less likely, by logarithm, does not count.
+constexpr double kNegligible = 25.0;
+/// Backgrounds are held to so many standard deviations to both sides of their mean.
+constexpr double kBackgroundStddevs = 5.0;
+/// A posterior whose first or last background is more probable than this is cut off.
+constexpr double kMaxEndProbability = 0.02;
+/// The spread of a posterior that falls between two nodes is no less than so much of their
+/// distance.
+constexpr double kMinSpreadNodes = 0.4;
+/// They are chosen anew when there are so many times as many readings as the last time.
+constexpr double kMoreReadings = 1.5;
+constexpr double kMinReadings = 6.0;
+constexpr int kMaxPasses = 6;
+/// Logarithms of backgrounds that differ by no more are the same.
+constexpr double kSameLog = 1e-3;
+/// Of a disc that holds the source.
+constexpr double kRegionProbability = 0.95;
+/// The golden ratio: its multiples, modulo 1, are spread evenly.
+constexpr double kGolden = 0.6180339887498949;
+
+void validate_belief(const SourceBeliefParams& params) {
+  geometry::ParameterValidator("source belief")
+      .above("none_prior", params.none_prior, 0.0)
+      .below("none_prior", params.none_prior, 1.0)
+      .positive_finite("found_radius_m", params.found_radius_m)
+      .above("claim_probability", params.claim_probability, 0.5)
+      .below("claim_probability", params.claim_probability, 1.0)
+      .positive_finite("split_probability", params.split_probability);
+}
+
+double max_of(const LeafBlock& block) {
+  return static_cast<double>(
+      *std::max_element(block.log_likelihood.begin(), block.log_likelihood.end()));
+}
+
+/// Of a logarithm, by its mean and the mean of its square.
+LogEstimate log_estimate(double mean, double mean_square) {
+  return {std::exp(mean), std::sqrt(std::max(0.0, mean_square - square(mean)))};
+}
+
+/// Column and row of a point, interleaved: what is near in this order is near on the floor (Morton
+/// 1966).
+std::uint64_t morton_code(double x_m, double y_m) {
+  const auto column = static_cast<std::uint32_t>(std::lround(x_m * 100.0) + (1 << 20));
+  const auto row = static_cast<std::uint32_t>(std::lround(y_m * 100.0) + (1 << 20));
+  std::uint64_t code = 0;
+  for (std::uint32_t bit = 0; bit < 24; ++bit) {
+    code |= static_cast<std::uint64_t>((column >> bit) & 1U) << (2 * bit);
+    code |= static_cast<std::uint64_t>((row >> bit) & 1U) << (2 * bit + 1);
+  }
+  return code;
+}
+
+/// One of `shares` by a number from 0 to 1.
+const NuisanceShare& chosen(const std::vector<NuisanceShare>& shares, double at) {
+  double sum = 0.0;
+  for (const NuisanceShare& share : shares) {
+    sum += share.probability;
+    if (sum > at) {
+      return share;
+    }
+  }
+  return shares.back();
+}
+
+}  // namespace
+
+SourceBelief::SourceBelief(const SourceBeliefParams& params, const mapping::RasterMap& map)
+    : params_((validate_belief(params), params)), grid_(params.grid, map) {
+  update();
+}
+
+void SourceBelief::add(std::span<const FieldReading> readings) {
+  grid_.add(readings);
+  update();
+}
+
+void SourceBelief::rebuild(const mapping::RasterMap& map, std::span<const FieldReading> readings) {
+  grid_ = HypothesisGrid(params_.grid, map);
+  readings_at_background_choice_ = kMinReadings;
+  grid_.add(readings);
+  update();
+}
+
+/// Until squares and backgrounds are as fine as the posterior asks for.
+void SourceBelief::update() {
+  set_marginals();
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
+    const bool are_backgrounds_other = refine_backgrounds();
+    const bool are_places_other = refine_places();
+    if (!are_backgrounds_other && !are_places_other) {
+      break;
+    }
+    set_marginals();
+  }
+  set_estimate();
+}
+
+/// By how much a likelihood may be larger between nodes of the strength than at them.
+double SourceBelief::strength_slack() const {
+  const auto& strengths = grid_.nodes().strengths;
+  const double step = std::log(static_cast<double>(strengths[1] / strengths[0]));
+  double pulses = 0.0;
+  for (const FieldReading& reading : grid_.readings()) {
+    pulses += reading.value;
+  }
+  return 0.125 * square(step) * pulses;
+}
+
+void SourceBelief::set_marginals() {
+  const NuisanceIntegral integral = integral_for(grid_);
+  std::vector<double> maxima;
+  double best = *std::max_element(grid_.none().begin(), grid_.none().end());
+  for (const LeafBlock& block : grid_.blocks()) {
+    maxima.push_back(max_of(block));
+    best = std::max(best, maxima.back());
+  }
+  const double least = best - kNegligible - strength_slack();
+  const double density = (1.0 - params_.none_prior) / grid_.area_m2();
+  double total = 0.0;
+  background_.assign(grid_.none().size(), 0.0);
+  for (std::size_t b = 0; b < background_.size(); ++b) {
+    background_[b] = params_.none_prior * static_cast<double>(integral.background_masses()[b]) *
+                     std::exp(grid_.none()[b] - best);
+    total += background_[b];
+  }
+  const double none = total;
+  place_.assign(grid_.blocks().size(), {});
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    if (maxima[i] < least) {
+      continue;
+    }
+    const auto posterior = posterior_of(grid_, integral, grid_.blocks()[i], density, best);
+    place_[i] = posterior.place;
+    for (std::size_t b = 0; b < background_.size(); ++b) {
+      background_[b] += posterior.background[b];
+      total += posterior.background[b];
+    }
+  }
+  for (auto& block : place_) {
+    for (double& probability : block) {
+      probability /= total;
+    }
+  }
+  for (double& probability : background_) {
+    probability /= total;
+  }
+  estimate_.none_probability = none / total;
+  double mean = 0.0;
+  double mean_square = 0.0;
+  for (std::size_t b = 0; b < background_.size(); ++b) {
+    const double log_background = std::log(static_cast<double>(grid_.nodes().backgrounds[b]));
+    mean += background_[b] * log_background;
+    mean_square += background_[b] * square(log_background);
+  }
+  estimate_.background = log_estimate(mean, mean_square);
+}
+
+bool SourceBelief::refine_places() {
+  std::vector<LeafIndex> coarse;
+  for (std::size_t block = 0; block < place_.size(); ++block) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (place_[block][lane] > params_.split_probability && grid_.is_splittable({block, lane})) {
+        coarse.push_back({block, lane});
+      }
+    }
+  }
+  grid_.split(coarse);
+  return !coarse.empty();
+}
+
+/// Backgrounds are evenly spaced over where the posterior is. A narrower posterior takes more
+/// readings, a wider one is rare: it is seldom that all likelihoods have to be made anew.
+bool SourceBelief::refine_backgrounds() {
+  const FieldParams& field = grid_.params().field;
+  const double first = std::log(static_cast<double>(grid_.nodes().backgrounds.front()));
+  const double last = std::log(static_cast<double>(grid_.nodes().backgrounds.back()));
+  const double node = (last - first) / static_cast<double>(background_.size() - 1);
+  const double reach =
+      kBackgroundStddevs * std::max(estimate_.background.log_stddev, kMinSpreadNodes * node);
+  const double middle = std::log(estimate_.background.median);
+  double low = std::max(std::log(field.min_background), middle - reach);
+  double high = std::min(std::log(field.max_background), middle + reach);
+  const auto readings = static_cast<double>(grid_.readings().size());
+  const bool is_cut_off = (background_.front() > kMaxEndProbability && low < first - kSameLog) ||
+                          (background_.back() > kMaxEndProbability && high > last + kSameLog);
+  if (is_cut_off) {
+    low = std::min(low, first);
+    high = std::max(high, last);
+  } else if (readings < kMoreReadings * readings_at_background_choice_) {
+    return false;
+  }
+  readings_at_background_choice_ = std::max(readings, kMinReadings);
+  grid_.set_background_range(std::exp(low), std::exp(high));
+  return true;
+}
+
+void SourceBelief::set_estimate() {
+  const CellField probability = place_probability();
+  const ProbableDisc disc = most_probable_disc(probability, params_.found_radius_m);
+  estimate_.best_m = disc.middle_m;
+  estimate_.within_probability = std::min(disc.probability, 1.0);
+  estimate_.radius_95_m = radius_with_share_m(probability, disc.middle_m, kRegionProbability);
+  estimate_.strength = strength_at(disc.middle_m);
+  estimate_.verdict = SourceVerdict::kUndecided;
+  if (estimate_.within_probability >= params_.claim_probability) {
+    estimate_.verdict = SourceVerdict::kFound;
+  } else if (estimate_.none_probability >= params_.claim_probability) {
+    estimate_.verdict = SourceVerdict::kNone;
+  }
+}
+
+/// Of the square that the point is in.
+LogEstimate SourceBelief::strength_at(const Eigen::Vector2d& at_m) const {
+  const NuisanceIntegral integral = integral_for(grid_);
+  for (const LeafIndex& leaf : leaves()) {
+    const LeafBlock& block = grid_.blocks()[leaf.block];
+    const double half_m = 0.5 * block.edge_m[leaf.lane];
+    if (std::abs(block.x_m[leaf.lane] - at_m.x()) > half_m ||
+        std::abs(block.y_m[leaf.lane] - at_m.y()) > half_m) {
+      continue;
+    }
+    double mean = 0.0;
+    double mean_square = 0.0;
+    for (const NuisanceShare& share : nuisances_of(grid_, integral, leaf)) {
+      mean += share.probability * std::log(share.strength);
+      mean_square += share.probability * square(std::log(share.strength));
+    }
+    return log_estimate(mean, mean_square);
+  }
+  return {};
+}
+
+std::vector<LeafIndex> SourceBelief::leaves() const {
+  std::vector<LeafIndex> leaves;
+  for (std::size_t block = 0; block < place_.size(); ++block) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (grid_.blocks()[block].area_m2[lane] > 0.0) {
+        leaves.push_back({block, lane});
+      }
+    }
+  }
+  return leaves;
+}
+
+CellField SourceBelief::place_probability() const {
+  const mapping::RasterMap& map = grid_.map();
+  const double resolution_m = grid_.params().min_leaf_m;
+  const double margin_m = grid_.params().leaf_m;
+  const Eigen::Vector2d size_m = map.resolution_m() * Eigen::Vector2d(map.columns(), map.rows());
+  const CellField any({}, resolution_m);
+  CellField field(
+      CellBounds{any.cell_at(map.origin_m().array() - margin_m),
+                 any.cell_at(map.origin_m() + size_m + Eigen::Vector2d::Constant(margin_m))},
+      resolution_m);
+  for (const LeafIndex& leaf : leaves()) {
+    const LeafBlock& block = grid_.blocks()[leaf.block];
+    const double edge_m = block.edge_m[leaf.lane];
+    const auto side = static_cast<std::int32_t>(std::lround(edge_m / resolution_m));
+    const Eigen::Vector2d low_m(block.x_m[leaf.lane] - 0.5 * (edge_m - resolution_m),
+                                block.y_m[leaf.lane] - 0.5 * (edge_m - resolution_m));
+    const CellIndex low = field.cell_at(low_m);
+    const auto share = static_cast<float>(place_[leaf.block][leaf.lane] / (side * side));
+    for (std::int32_t i = 0; i < side * side; ++i) {
+      field[field.index({low.x + i % side, low.y + i / side})] += share;
+    }
+  }
+  return field;
+}
+
+std::vector<SourceHypothesis> SourceBelief::sample(std::size_t count, double offset) const {
+  const NuisanceIntegral integral = integral_for(grid_);
+  const std::vector<LeafIndex> order = leaves_in_order();
+  std::vector<SourceHypothesis> hypotheses;
+  double sum = estimate_.none_probability;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = (static_cast<double>(i) + offset) / static_cast<double>(count);
+    const double nuisance_at = std::fmod(offset + static_cast<double>(i) * kGolden, 1.0);
+    if (at < estimate_.none_probability || order.empty()) {
+      hypotheses.push_back({std::nullopt, 0.0, 0.0, estimate_.background.median, 0.0});
+      continue;
+    }
+    while (next < order.size() && sum <= at) {
+      sum += place_[order[next].block][order[next].lane];
+      ++next;
+    }
+    const LeafIndex leaf = order[std::max<std::size_t>(next, 1) - 1];
+    const LeafBlock& block = grid_.blocks()[leaf.block];
+    const auto shares = nuisances_of(grid_, integral, leaf);
+    const NuisanceShare& share = chosen(shares, nuisance_at);
+    hypotheses.push_back({Eigen::Vector2d(block.x_m[leaf.lane], block.y_m[leaf.lane]),
+                          block.edge_m[leaf.lane],
+                          share.strength,
+                          share.background,
+                          share.attenuation_per_m});
+  }
+  return hypotheses;
+}
+
+/// Along a curve that fills the floor.
+std::vector<LeafIndex> SourceBelief::leaves_in_order() const {
+  std::vector<std::pair<std::uint64_t, LeafIndex>> coded;
+  for (const LeafIndex& leaf : leaves()) {
+    const LeafBlock& block = grid_.blocks()[leaf.block];
+    coded.emplace_back(morton_code(block.x_m[leaf.lane], block.y_m[leaf.lane]), leaf);
+  }
+  std::sort(coded.begin(), coded.end(), [](const auto& one, const auto& other) {
+    return one.first < other.first;
+  });
+  std::vector<LeafIndex> order;
+  for (const auto& [code, leaf] : coded) {
+    order.push_back(leaf);
+  }
+  return order;
+}
+
+}  // namespace echomap::source_search

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/mapping/cell_field.hpp"
+#include "host/source_search/hypothesis_grid.hpp"
+#include "host/source_search/source_estimate.hpp"
+
+namespace echomap::source_search {
+
+/// Values without another source are ours, chosen in simulation.
+struct SourceBeliefParams {
+  HypothesisGridParams grid;
+  /// Prior probability that there is no source as strong as the weakest that counts.
+  double none_prior = 0.5;
+  /// A source is found within this distance, with this probability; with the same there is none.
+  double found_radius_m = 0.2;
+  double claim_probability = 0.95;
+  /// A square that holds more of the probability than this is split.
+  double split_probability = 0.001;
+};
+
+/// One way that things may be, of several that are equally probable.
+struct SourceHypothesis {
+  std::optional<Eigen::Vector2d> at_m;  ///< Empty for no source.
+  double edge_m = 0.0;                  ///< Of the square that it stands for.
+  double strength = 0.0;
+  double background = 0.0;
+  double attenuation_per_m = 0.0;
+};
+
+/// Where one source may be, how strong it is and whether there is any, given all readings: Bayes'
+/// rule on a grid, exact up to the nodes, with the background, the strength and the shielding of
+/// walls marginalized.
+class SourceBelief {
+ public:
+  /// Throws std::invalid_argument for invalid parameters.
+  SourceBelief(const SourceBeliefParams& params, const mapping::RasterMap& map);
+
+  /// Takes more readings, of this robot or of others.
+  void add(std::span<const FieldReading> readings);
+  /// Starts again on another map, with these readings in place of those so far.
+  void rebuild(const mapping::RasterMap& map, std::span<const FieldReading> readings);
+
+  const SourceEstimate& estimate() const { return estimate_; }
+  /// So many hypotheses that stand for all, spread evenly; `offset` from 0 to 1 chooses which.
+  std::vector<SourceHypothesis> sample(std::size_t count, double offset) const;
+  /// The probability of each cell to hold the source, in cells of the smallest square.
+  mapping::CellField place_probability() const;
+
+  const HypothesisGrid& grid() const { return grid_; }
+  const SourceBeliefParams& params() const { return params_; }
+
+ private:
+  void update();
+  void set_marginals();
+  bool refine_places();
+  bool refine_backgrounds();
+  void set_estimate();
+  double strength_slack() const;
+  LogEstimate strength_at(const Eigen::Vector2d& at_m) const;
+  std::vector<LeafIndex> leaves() const;
+  std::vector<LeafIndex> leaves_in_order() const;
+
+  SourceBeliefParams params_;
+  HypothesisGrid grid_;
+  /// By block and lane: that the source is there.
+  std::vector<std::array<double, kLanes>> place_;
+  std::vector<double> background_;  ///< By node of the grid.
+  double readings_at_background_choice_ = 6.0;
+  SourceEstimate estimate_;
+};
+
+}  // namespace echomap::source_search

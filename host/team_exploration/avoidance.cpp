@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "host/team_exploration/avoidance.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "host/exploration/planning_map.hpp"
+#include "host/geometry/parameter_validator.hpp"
+#include "host/team_exploration/claims.hpp"
+
+namespace echomap::team_exploration {
+namespace {
+
+using exploration::Motion;
+using exploration::MotionResult;
+using exploration::Stand;
+using pipeline::Snapshot;
+
+double time_s(const Snapshot& snapshot) {
+  return std::chrono::duration<double>(snapshot.latest.stamp.time_since_epoch()).count();
+}
+
+const Peer* find_peer(const TeamView& view, const std::string& robot) {
+  const auto found = std::find_if(
+      view.peers.begin(), view.peers.end(), [&](const Peer& peer) { return peer.robot == robot; });
+  return found == view.peers.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+Avoidance::Avoidance(const AvoidanceParams& params)
+    : params_(params), guard_(params.guard), navigator_(params.navigator) {
+  geometry::ParameterValidator("avoidance")
+      .require(!params.robot.empty(), "the robot needs a name")
+      .positive("look_again_s", params.look_again_s)
+      .positive("patience_s", params.patience_s)
+      .positive("turn_s", params.turn_s)
+      .at_least("min_aside_s", params.min_aside_s, 0.0)
+      .at_least("max_aside_s", params.max_aside_s, params.min_aside_s)
+      .at_least("back_off_m", params.back_off_m, 0.0);
+}
+
+std::string Avoidance::waits_for() const {
+  if (aside_) {
+    return aside_->whom;
+  }
+  return held_ ? held_->by : "";
+}
+
+bool Avoidance::wants_another_goal() { return std::exchange(wants_another_goal_, false); }
+
+std::optional<Motion> Avoidance::next(const Snapshot& snapshot,
+                                      const TeamView& view,
+                                      MotionResult last) {
+  if (aside_) {
+    aside_->has_arrived = aside_->has_arrived || exploration::is_stopped(snapshot, last);
+    if (auto motion = go_aside(snapshot, view)) {
+      return motion;
+    }
+    aside_.reset();
+    wants_another_goal_ = true;
+  }
+  if (!held_) {
+    return std::nullopt;
+  }
+  const Motion motion = held_->motion;
+  const Peer* peer = guard_.in_the_way(motion, snapshot.latest.T_map_robot, view.peers);
+  if (peer == nullptr) {
+    held_.reset();
+    return motion;
+  }
+  held_->by = peer->robot;
+  return wait(snapshot, view, time_s(snapshot));
+}
+
+Motion Avoidance::checked(const Snapshot& snapshot, const TeamView& view, const Motion& motion) {
+  const Peer* peer = guard_.in_the_way(motion, snapshot.latest.T_map_robot, view.peers);
+  if (peer == nullptr) {
+    return motion;
+  }
+  const double now_s = time_s(snapshot);
+  ++encounters_.waits;
+  held_ = Held{motion, peer->robot, now_s, now_s, false};
+  return wait(snapshot, view, now_s);
+}
+
+/// Until the motion can be made; in a deadlock until it is this robot's turn to make way. After its
+/// patience, or turns enough, it looks for something else to do.
+Motion Avoidance::wait(const Snapshot& snapshot, const TeamView& view, double now_s) {
+  const auto robots = deadlock(view, params_.robot, held_->by);
+  if (!robots.empty() && is_its_turn(robots, now_s)) {
+    held_->turn_s = now_s;
+    if (begin_aside(snapshot, view, held_->by)) {
+      held_.reset();
+      return Stand{params_.look_again_s};
+    }
+  }
+  const double all_turns_s = params_.turn_s * static_cast<double>(robots.size());
+  if (now_s - held_->since_s >= std::max(params_.patience_s, 2.0 * all_turns_s)) {
+    held_.reset();
+    wants_another_goal_ = true;
+  }
+  return Stand{params_.look_again_s};
+}
+
+/// The robots of a deadlock take turns from the last name on.
+bool Avoidance::is_its_turn(const std::vector<std::string>& robots, double now_s) {
+  encounters_.deadlocks += std::exchange(held_->is_deadlock, true) ? 0 : 1;
+  const auto later = std::count_if(robots.begin(), robots.end(), [&](const std::string& other) {
+    return other > params_.robot;
+  });
+  return now_s - held_->turn_s >= params_.turn_s * static_cast<double>(later);
+}
+
+bool Avoidance::begin_aside(const Snapshot& snapshot,
+                            const TeamView& view,
+                            const std::string& whom) {
+  const Peer* peer = find_peer(view, whom);
+  if (peer == nullptr) {
+    return false;
+  }
+  const auto map = exploration::planning_map(snapshot, 0.0, params_.navigator.costs.robot_radius_m);
+  const ClearWay way{expected_way(map, *peer, claim_of(view, whom), params_.aside),
+                     guard_.keep_off_m(*peer) + map.resolution_m()};
+  const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
+  const auto place = passing_place(map, here_m, view.peers, way, params_.aside);
+  if (!place) {
+    ++encounters_.without_place;
+    return false;
+  }
+  ++encounters_.made_way;
+  navigator_.set_hypothetical_map(map, snapshot);
+  navigator_.follow_path_to(snapshot.latest.T_map_robot, place->at_m, place->cost_m);
+  aside_ = Aside{whom, time_s(snapshot), false};
+  return true;
+}
+
+bool Avoidance::make_way(const Snapshot& snapshot, const TeamView& view) {
+  return !aside_ && std::any_of(view.claims.begin(), view.claims.end(), [&](const Claim& claim) {
+    return claim.waits_for == params_.robot && begin_aside(snapshot, view, claim.robot);
+  });
+}
+
+/// To the place, and there until the other one has passed; empty where it has.
+std::optional<Motion> Avoidance::go_aside(const Snapshot& snapshot, const TeamView& view) {
+  const double now_s = time_s(snapshot);
+  if (now_s - aside_->since_s >= params_.max_aside_s) {
+    return std::nullopt;
+  }
+  if (now_s - aside_->since_s >= params_.min_aside_s && has_passed(snapshot, view)) {
+    return std::nullopt;
+  }
+  if (!aside_->has_arrived) {
+    const auto motion = navigator_.next(snapshot.latest.T_map_robot);
+    aside_->has_arrived = !motion;
+    if (motion && guard_.in_the_way(*motion, snapshot.latest.T_map_robot, view.peers) == nullptr) {
+      return motion;
+    }
+  }
+  return Stand{params_.look_again_s};
+}
+
+/// It waits for this robot no longer and does not come nearer.
+bool Avoidance::has_passed(const Snapshot& snapshot, const TeamView& view) const {
+  const Peer* peer = find_peer(view, aside_->whom);
+  const Claim* claim = claim_of(view, aside_->whom);
+  if (peer == nullptr || claim == nullptr) {
+    return true;
+  }
+  const Eigen::Vector2d from_peer_m =
+      peer->T_map_robot.inverse() * snapshot.latest.T_map_robot.position_m();
+  return claim->waits_for != params_.robot &&
+         (from_peer_m.x() < 0.0 || from_peer_m.norm() > 4.0 * guard_.keep_off_m(*peer));
+}
+
+bool Avoidance::has_run_into_peer(const Snapshot& snapshot,
+                                  const TeamView& view,
+                                  MotionResult last) const {
+  constexpr double kReachM = 0.15;
+  const bool is_stopped = exploration::is_stopped(snapshot, last);
+  return is_stopped && std::any_of(view.peers.begin(), view.peers.end(), [&](const Peer& peer) {
+           const double apart_m = guard_.distance_m(snapshot.latest.T_map_robot.position_m(), peer);
+           return apart_m < guard_.keep_off_m(peer) + kReachM;
+         });
+}
+
+Motion Avoidance::back_off() {
+  ++encounters_.bumps;
+  held_.reset();
+  wants_another_goal_ = true;
+  return exploration::Drive{-params_.back_off_m};
+}
+
+}  // namespace echomap::team_exploration

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "host/team_exploration/team_explorer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <variant>
+
+#include "host/geometry/parameter_validator.hpp"
+#include "host/team_exploration/claims.hpp"
+
+namespace echomap::team_exploration {
+namespace {
+
+using exploration::Finished;
+using exploration::FinishReason;
+using exploration::Motion;
+using exploration::MotionResult;
+using exploration::Stand;
+using pipeline::Snapshot;
+
+double seconds_of(const Snapshot& snapshot) {
+  return std::chrono::duration<double>(snapshot.latest.stamp.time_since_epoch()).count();
+}
+
+/// What a goal is worth now that a part of its time has passed: no less than at first.
+double utility_of(const exploration::Viewpoint& goal, double passed_s) {
+  if (goal.gain_per_s <= 0.0) {
+    return 0.0;
+  }
+  constexpr double kStopS = 5.0;
+  const double left_s = std::max(kStopS, goal.view.gain_m2 / goal.gain_per_s - passed_s);
+  return std::max(goal.gain_per_s, goal.view.gain_m2 / left_s);
+}
+
+/// Whether others have to be told of it.
+bool differs(const std::optional<Claim>& one, const std::optional<Claim>& other, double share) {
+  if (!one || !other) {
+    return one.has_value() != other.has_value();
+  }
+  return one->at_m != other->at_m || one->waits_for != other->waits_for ||
+         std::abs(one->utility - other->utility) > share * other->utility;
+}
+
+}  // namespace
+
+exploration::Company company_of(const TeamView& view) {
+  exploration::Company company{view.grid, view.scans, view.features, {}, {}, {}};
+  if (view.been_m) {
+    company.been_m = *view.been_m;
+  }
+  for (const Peer& peer : view.peers) {
+    company.standing.push_back(
+        {peer.T_map_robot.position_m(), peer.radius_m + peer.position_stddev_m});
+  }
+  for (const Claim& claim : view.claims) {
+    company.promised.push_back({claim.at_m, claim.reach_m, claim.utility});
+  }
+  return company;
+}
+
+TeamExplorer::TeamExplorer(TeamBoard& board, const TeamExplorerParams& params)
+    : params_(params), frontier_(params.frontier), avoidance_(params.avoidance), board_(board) {
+  geometry::ParameterValidator("team explorer")
+      .positive("reach_m", params.reach_m)
+      .positive("max_silent_s", params.max_silent_s)
+      .at_least("rebid_share", params.rebid_share, 0.0)
+      .positive("decide_again_s", params.decide_again_s);
+}
+
+Motion TeamExplorer::next(const Snapshot& snapshot, MotionResult last) {
+  view_ = without_silent(board_.view(), params_.max_silent_s);
+  const Motion motion = decide(snapshot, last);
+  bid(seconds_of(snapshot), std::holds_alternative<Finished>(motion));
+  return motion;
+}
+
+Motion TeamExplorer::decide(const Snapshot& snapshot, MotionResult last) {
+  const bool is_driving = frontier_.goal() || avoidance_.is_making_way();
+  if (is_driving && avoidance_.has_run_into_peer(snapshot, view_, last)) {
+    return avoidance_.back_off();
+  }
+  const Snapshot known = exploration::with_company(snapshot, company_of(view_));
+  if (auto motion = avoidance_.next(known, view_, last)) {
+    return *motion;
+  }
+  const bool has_new_map = view_.grid != decided_by_;
+  if (avoidance_.wants_another_goal() || has_lost_goal() || has_new_map) {
+    frontier_.reconsider();
+  }
+  return avoidance_.checked(known, view_, explore(known, snapshot, last));
+}
+
+/// Another robot's claim of the same floor is better, and this robot has not decided by it yet.
+bool TeamExplorer::has_lost_goal() {
+  if (!claim_ || !frontier_.goal()) {
+    return false;
+  }
+  for (const Claim& other : view_.claims) {
+    const bool is_same = (other.at_m - claim_->at_m).norm() < params_.frontier.contest_m;
+    const bool is_known =
+        lost_to_ && lost_to_->robot == other.robot && lost_to_->at_m == other.at_m;
+    if (is_same && !is_known && beats(other, *claim_)) {
+      lost_to_ = other;
+      ++lost_bids_;
+      return true;
+    }
+  }
+  return false;
+}
+
+Motion TeamExplorer::explore(const Snapshot& known, const Snapshot& own, MotionResult last) {
+  const double now_s = seconds_of(own);
+  if (decide_again_s_ && now_s < *decide_again_s_ && view_.grid == decided_by_) {
+    avoidance_.make_way(known, view_);
+    return Stand{params_.avoidance.look_again_s};
+  }
+  frontier_.set_company(company_of(view_));
+  const Motion motion = frontier_.next(own, last);
+  decided_by_ = view_.grid;
+  const auto* finished = std::get_if<Finished>(&motion);
+  if (finished == nullptr || finished->reason != FinishReason::kComplete || view_.claims.empty()) {
+    decide_again_s_.reset();
+    return motion;
+  }
+  decide_again_s_ = now_s + params_.decide_again_s;
+  return Stand{params_.avoidance.look_again_s};
+}
+
+/// For the goal it is on the way to; what it has claimed holds while it looks from there. A robot
+/// that has finished or waits for others to finish claims nothing.
+void TeamExplorer::bid(double now_s, bool has_finished) {
+  std::optional<Claim> claim = has_finished || decide_again_s_ ? std::nullopt : claim_;
+  if (const auto goal = frontier_.goal()) {
+    if (!goal_ || goal_->at_m != goal->at_m) {
+      goal_ = goal;
+      claimed_s_ = now_s;
+    }
+    claim = Claim{params_.avoidance.robot,
+                  goal->at_m,
+                  utility_of(*goal_, now_s - claimed_s_),
+                  params_.reach_m,
+                  ""};
+  }
+  if (claim) {
+    claim->waits_for = avoidance_.waits_for();
+  }
+  if (differs(claim, claim_, params_.rebid_share)) {
+    claim_ = claim;
+    board_.claim(claim);
+  }
+}
+
+}  // namespace echomap::team_exploration

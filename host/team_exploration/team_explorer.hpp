@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "host/exploration/company.hpp"
+#include "host/exploration/explorer.hpp"
+#include "host/exploration/frontier.hpp"
+#include "host/team_exploration/avoidance.hpp"
+#include "host/team_exploration/team_board.hpp"
+
+namespace echomap::team_exploration {
+
+/// Values without another source are ours, chosen in simulation.
+struct TeamExplorerParams {
+  exploration::FrontierParams frontier;
+  AvoidanceParams avoidance;
+  /// A look is said to show floor so far off.
+  double reach_m = 2.0;
+  /// Robots that have told nothing for so long are gone, and so are their claims.
+  double max_silent_s = 15.0;
+  /// A claim is told again when its utility has changed by this share.
+  double rebid_share = 0.2;
+  /// A robot that waits for others to finish decides again so often.
+  double decide_again_s = 5.0;
+};
+
+/// What that view is to a robot that decides where to go.
+exploration::Company company_of(const TeamView& view);
+
+/// Explores as one of a team, by `frontier`: decides by the map of all, leaves to others what they
+/// claim (after Burgard et al. 2005, with an auction that has no auctioneer), keeps off them and
+/// lets them pass. It has finished when the map of all is complete; while what is left is claimed
+/// by others it waits, and takes over what they give back.
+class TeamExplorer final : public exploration::Explorer {
+ public:
+  /// `board` outlives this. Throws std::invalid_argument for invalid parameters.
+  TeamExplorer(TeamBoard& board, const TeamExplorerParams& params);
+
+  exploration::Motion next(const pipeline::Snapshot& snapshot,
+                           exploration::MotionResult last) override;
+  exploration::Intent intent() const override { return frontier_.intent(); }
+  const Encounters& encounters() const { return avoidance_.encounters(); }
+  /// Times that another robot's claim was the better one.
+  std::size_t lost_bids() const { return lost_bids_; }
+
+ private:
+  exploration::Motion decide(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
+  bool has_lost_goal();
+  exploration::Motion explore(const pipeline::Snapshot& known,
+                              const pipeline::Snapshot& own,
+                              exploration::MotionResult last);
+  void bid(double now_s, bool has_finished);
+
+  TeamExplorerParams params_;
+  exploration::Frontier frontier_;
+  Avoidance avoidance_;
+  TeamBoard& board_;
+  TeamView view_;
+  std::shared_ptr<const mapping::OccupancyGrid> decided_by_;  ///< The map of all at that time.
+  std::optional<Claim> lost_to_;          ///< A better claim of which it has taken note.
+  std::optional<double> decide_again_s_;  ///< While it waits for others to finish.
+  /// The goal that it has claimed, and when.
+  std::optional<exploration::Viewpoint> goal_;
+  double claimed_s_ = 0.0;
+  std::optional<Claim> claim_;  ///< As it was told.
+  std::size_t lost_bids_ = 0;
+};
+
+}  // namespace echomap::team_exploration

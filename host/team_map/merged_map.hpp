@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/geometry/cell_index.hpp"
+#include "host/mapping/contact_mapper.hpp"
+#include "host/mapping/occupancy_grid.hpp"
+#include "host/mapping/placed_reading.hpp"
+#include "host/mapping/sonar_features.hpp"
+#include "host/mapping/sonar_mapper.hpp"
+#include "host/team_map/placed_submaps.hpp"
+
+namespace echomap::team_map {
+
+/// Which robots have told of a cell: one bit for each, in the order in which the map lists them.
+class Provenance {
+ public:
+  Provenance() = default;
+  Provenance(const mapping::CellBounds& bounds, double resolution_m);
+
+  const mapping::CellBounds& bounds() const { return bounds_; }
+  double resolution_m() const { return resolution_m_; }
+  /// None of them outside of the bounds.
+  std::uint64_t robots_at(geometry::CellIndex cell) const;
+  void add(geometry::CellIndex cell, std::size_t robot);
+
+ private:
+  mapping::CellBounds bounds_;
+  double resolution_m_ = 0.0;
+  std::vector<std::uint64_t> robots_;
+};
+
+/// The map of several robots in one frame.
+struct MergedMap {
+  std::vector<std::string> robots;  ///< At most 64 have a bit of their own.
+  std::shared_ptr<const mapping::OccupancyGrid> grid;
+  /// What the sonars of all of them heard, robot by robot.
+  std::shared_ptr<const std::vector<mapping::Scan>> scans;
+  /// What the grid is drawn from.
+  std::shared_ptr<const mapping::SonarFeatures> features;
+  /// Where the robots' centres have been.
+  std::shared_ptr<const std::vector<Eigen::Vector2d>> been_m;
+  Provenance provenance;
+};
+
+/// What one robot contributes to a map.
+struct MapShare {
+  std::string robot;
+  double body_radius_m = 0.0;
+  PlacedSubmaps placed;  ///< In the frame of the merged map.
+};
+
+/// Makes the map of several robots from what they sensed, as a robot makes its own: not of their
+/// grids, so that a wall that two robots have heard is one wall.
+class MergedMapper {
+ public:
+  explicit MergedMapper(const mapping::SonarMapperParams& params) : params_(params) {}
+
+  /// Of all that they have told so far; keeps what has not changed since the last time.
+  MergedMap merge(const std::vector<MapShare>& shares);
+
+ private:
+  mapping::SonarMapperParams params_;
+  std::vector<std::string> robots_;
+  std::unique_ptr<mapping::SonarMapper> mapper_;
+};
+
+}  // namespace echomap::team_map

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "host/team_map/team_graph.hpp"
+
+#include <optional>
+
+#include "host/geometry/parameter_validator.hpp"
+#include "host/mapping/placed_reading.hpp"
+
+namespace echomap::team_map {
+
+namespace {
+
+using geometry::Pose2;
+using mapping::ScanSurfaces;
+
+/// A stand of the graph.
+struct TeamStand {
+  std::size_t robot = 0;
+  std::size_t stop = 0;  ///< Counted through all robots.
+  std::size_t submap = 0;
+  slam::StopStand readings;
+};
+
+const slam::OdometryMark& mark_of(const std::vector<TeamTrack>& tracks, const TeamStand& stand) {
+  return tracks[stand.robot].map->submaps()[stand.submap].readings[stand.readings.first].mark;
+}
+
+/// The readings of a submap's stands in the team's frame.
+mapping::Scan readings_of(const std::vector<slam::StopReading>& readings,
+                          std::size_t first,
+                          std::size_t count,
+                          const Pose2& T_team_stand) {
+  const Pose2 T_team_odom = T_team_stand * readings[first].mark.T_odom_robot.inverse();
+  mapping::Scan scan;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const Pose2 T_team_robot = T_team_odom * readings[i].mark.T_odom_robot;
+    scan.push_back({T_team_robot, T_team_robot * readings[i].T_robot_sonar, readings[i].range_m});
+  }
+  return scan;
+}
+
+/// The stops of all robots, one after the other.
+class TeamStops {
+ public:
+  TeamStops(const TeamGraphParams& params, std::vector<TeamTrack>& tracks)
+      : params_(params), tracks_(tracks) {
+    for (std::size_t robot = 0; robot < tracks.size(); ++robot) {
+      first_stops_.push_back(first_stands_.size());
+      for (std::size_t submap = 0; submap < tracks[robot].T_team_submaps.size(); ++submap) {
+        add_stop(robot, submap);
+      }
+    }
+  }
+
+  void align(const mapping::MatchedSurfaces& matched,
+             const std::vector<TeamRelation>& relations,
+             const slam::StopGraphParams& params) {
+    slam::StopGraph graph = graph_over(matched, relations);
+    slam::align_stops(params, graph);
+    for (std::size_t i = 0; i < stands_.size(); ++i) {
+      T_team_stands_[i] = graph.stands[i].T_map_robot;
+    }
+    calibrations_ = graph.calibrations;
+  }
+
+  mapping::MatchedSurfaces match(double tolerance_factor) {
+    mapping::SurfaceMatchingParams matching = params_.matching;
+    matching.wall_bearing_tolerance_rad *= tolerance_factor;
+    matching.post_bearing_tolerance_rad *= tolerance_factor;
+    surfaces_.clear();
+    std::vector<ScanSurfaces> placed;
+    for (std::size_t stop = 0; stop < first_stands_.size(); ++stop) {
+      const Pose2& T_team_first = T_team_stands_[first_stands_[stop]];
+      surfaces_.push_back(mapping::find_surfaces(
+          mapping::moved(scan_of(stop), T_team_first.inverse()), params_.surfaces));
+      placed.push_back(mapping::moved(surfaces_.back(), T_team_first));
+    }
+    return mapping::match_surfaces(placed, matching);
+  }
+
+  void take_home() {
+    for (const std::size_t first : first_stands_) {
+      const TeamStand& stand = stands_[first];
+      tracks_[stand.robot].T_team_submaps[stand.submap] = T_team_stands_[first];
+    }
+  }
+
+ private:
+  void add_stop(std::size_t robot, std::size_t submap) {
+    const auto& readings = tracks_[robot].map->submaps()[submap].readings;
+    const std::size_t stop = first_stands_.size();
+    first_stands_.push_back(stands_.size());
+    const Pose2 T_team_odom =
+        tracks_[robot].T_team_submaps[submap] * readings.front().mark.T_odom_robot.inverse();
+    for (const slam::StopStand& stand : slam::stands_in(readings, stop, params_.stands)) {
+      stands_.push_back({robot, stop, submap, stand});
+      T_team_stands_.push_back(T_team_odom * readings[stand.first].mark.T_odom_robot);
+    }
+  }
+
+  std::size_t end_of(std::size_t stop) const {
+    return stop + 1 < first_stands_.size() ? first_stands_[stop + 1] : stands_.size();
+  }
+
+  mapping::Scan scan_of(std::size_t stop) const {
+    mapping::Scan scan;
+    for (std::size_t i = first_stands_[stop]; i < end_of(stop); ++i) {
+      const auto& stand = stands_[i];
+      const auto& readings = tracks_[stand.robot].map->submaps()[stand.submap].readings;
+      const mapping::Scan part = readings_of(readings,
+                                             stand.readings.first,
+                                             stand.readings.last - stand.readings.first,
+                                             T_team_stands_[i]);
+      scan.insert(scan.end(), part.begin(), part.end());
+    }
+    return scan;
+  }
+
+  slam::StopGraph graph_over(const mapping::MatchedSurfaces& matched,
+                             const std::vector<TeamRelation>& relations) const {
+    const slam::SonarScene scene(matched, params_.heading);
+    slam::StopGraph graph;
+    graph.calibrations = calibrations_;
+    graph.calibrations.resize(tracks_.size());
+    for (std::size_t i = 0; i < stands_.size(); ++i) {
+      slam::GraphStand& stand = graph.stands.emplace_back();
+      stand.T_map_robot = T_team_stands_[i];
+      stand.robot = stands_[i].robot;
+      if (i > 0 && stands_[i - 1].robot == stands_[i].robot) {
+        stand.piece_before =
+            slam::piece_between(mark_of(tracks_, stands_[i - 1]), mark_of(tracks_, stands_[i]));
+      }
+      const auto& readings = tracks_[stand.robot].map->submaps()[stands_[i].submap].readings;
+      stand.heading = scene.heading_of(readings_of(
+          readings, stands_[i].readings.first, stands_[i].readings.resting, T_team_stands_[i]));
+    }
+    add_features(matched, graph);
+    for (const TeamRelation& one : relations) {
+      graph.relations.push_back({stand_of(one.robot, one.submap),
+                                 stand_of(one.peer, one.peer_submap),
+                                 one.T_submap_peer,
+                                 one.position_stddev_m,
+                                 one.heading_stddev_rad});
+    }
+    return graph;
+  }
+
+  void add_features(const mapping::MatchedSurfaces& matched, slam::StopGraph& graph) const {
+    for (const mapping::MatchedFeature& feature : matched.features) {
+      slam::GraphFeature& added = graph.features.emplace_back();
+      added.feature = feature.feature;
+      for (const auto& [stop, index] : feature.supporters) {
+        const ScanSurfaces& found = surfaces_[stop];
+        added.sightings.push_back({first_stands_[stop],
+                                   found.center_m,
+                                   found.surfaces[index].range_m,
+                                   found.surfaces[index].bearing_rad});
+      }
+    }
+  }
+
+  std::size_t stand_of(std::size_t robot, std::size_t submap) const {
+    return first_stands_[first_stops_[robot] + submap];
+  }
+
+  const TeamGraphParams& params_;
+  std::vector<TeamTrack>& tracks_;
+  std::vector<TeamStand> stands_;
+  std::vector<Pose2> T_team_stands_;
+  std::vector<std::size_t> first_stands_;  ///< Of each stop.
+  std::vector<std::size_t> first_stops_;   ///< Of each robot.
+  std::vector<ScanSurfaces> surfaces_;     ///< Of each stop, in the frame of its first stand.
+  std::vector<slam::OdometryCalibration> calibrations_;
+};
+
+}  // namespace
+
+void validate(const TeamGraphParams& params) {
+  geometry::ParameterValidator("team graph").at_least("rounds", params.rounds, 1);
+  slam::validate(params.stands);
+  slam::validate(params.heading);
+  slam::validate(params.graph);
+}
+
+void align_team(const TeamGraphParams& params,
+                const std::vector<TeamRelation>& relations,
+                std::vector<TeamTrack>& tracks) {
+  constexpr double kFirstToleranceFactor = 1.4;
+  TeamStops stops(params, tracks);
+  for (int round = 0; round < params.rounds; ++round) {
+    slam::StopGraphParams graph = params.graph;
+    if (round + 1 < params.rounds) {
+      graph.odometry_scales = {graph.odometry_scales.back()};
+    }
+    stops.align(stops.match(round == 0 ? kFirstToleranceFactor : 1.0), relations, graph);
+  }
+  stops.take_home();
+}
+
+}  // namespace echomap::team_map

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "host/team_exploration/avoidance.hpp"
+
+#include <numbers>
+#include <stdexcept>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include "tests/host/team_exploration/team_rooms.hpp"
+
+namespace echomap::team_exploration {
+namespace {
+
+using exploration::Motion;
+using exploration::MotionResult;
+using exploration::Roll;
+using exploration::Stand;
+using geometry::Pose2;
+using tests::peer_at;
+
+AvoidanceParams named(const std::string& robot) {
+  AvoidanceParams params;
+  params.robot = robot;
+  return params;
+}
+
+/// A robot at x = 0.5 m of the corridor with a niche, face to face with another one.
+class AvoidanceTest : public ::testing::Test {
+ protected:
+  pipeline::Snapshot at_s(double now_s) {
+    return tests::snapshot_of(tests::corridor_with_niche(), {tests::pose_at(now_s, T_map_robot)});
+  }
+  /// The other one wants to come past, and waits for `whom`.
+  void meet(const std::string& robot, const std::string& whom) {
+    view.peers = {peer_at(robot, {0.75, 0.0, std::numbers::pi})};
+    view.claims = {{robot, {-0.8, 0.0}, 0.1, 2.0, whom}};
+  }
+  Motion next(Avoidance& avoidance, double now_s) {
+    return avoidance.next(at_s(now_s), view, MotionResult::kReached)
+        .value_or(Motion{tests::kRollAhead});
+  }
+
+  Pose2 T_map_robot{1.6, 0.0, 0.0};
+  TeamView view;
+};
+
+TEST_F(AvoidanceTest, LeavesMotionsAsTheyAreWhereNobodyIsInTheWay) {
+  Avoidance avoidance(named("a"));
+  const Motion motion = avoidance.checked(at_s(1.0), view, tests::kRollAhead);
+  ASSERT_TRUE(std::holds_alternative<Roll>(motion));
+  EXPECT_FALSE(avoidance.next(at_s(1.1), view, MotionResult::kReached));
+  EXPECT_EQ(avoidance.waits_for(), "");
+}
+
+TEST_F(AvoidanceTest, WaitsForAPeerAndGoesOnOnceItHasLeft) {
+  Avoidance avoidance(named("a"));
+  view.peers = {peer_at("b", {1.8, 0.0, 0.0})};
+  EXPECT_TRUE(std::holds_alternative<Stand>(avoidance.checked(at_s(1.0), view, tests::kRollAhead)));
+  EXPECT_EQ(avoidance.waits_for(), "b");
+  EXPECT_TRUE(std::holds_alternative<Stand>(next(avoidance, 1.4)));
+  view.peers = {peer_at("b", {3.0, 0.0, 0.0})};
+  EXPECT_TRUE(std::holds_alternative<Roll>(next(avoidance, 1.8)));
+  EXPECT_EQ(avoidance.waits_for(), "");
+  EXPECT_EQ(avoidance.encounters().waits, 1U);
+  EXPECT_EQ(avoidance.encounters().deadlocks, 0U);
+}
+
+TEST_F(AvoidanceTest, LooksForSomethingElseWhenItsPatienceIsAtAnEnd) {
+  Avoidance avoidance(named("a"));
+  view.peers = {peer_at("b", {1.8, 0.0, 0.0})};
+  avoidance.checked(at_s(1.0), view, tests::kRollAhead);
+  next(avoidance, 2.0);
+  EXPECT_FALSE(avoidance.wants_another_goal());
+  next(avoidance, 8.0);
+  EXPECT_TRUE(avoidance.wants_another_goal());
+  EXPECT_FALSE(avoidance.wants_another_goal()) << "once is enough";
+}
+
+TEST_F(AvoidanceTest, OfADeadlockTheLastNameMakesWayAndTheFirstWaits) {
+  T_map_robot = Pose2(1.6, 0.0, std::numbers::pi);
+  view.peers = {peer_at("b", {1.35, 0.0, 0.0})};
+  view.claims = {{"b", {3.5, 0.0}, 0.1, 2.0, "c"}};
+  Avoidance last(named("c"));
+  last.checked(at_s(1.0), view, tests::kRollAhead);
+  EXPECT_TRUE(last.is_making_way());
+  EXPECT_EQ(last.encounters().deadlocks, 1U);
+  EXPECT_EQ(last.encounters().made_way, 1U);
+
+  view.claims.front().waits_for = "a";
+  Avoidance first(named("a"));
+  first.checked(at_s(1.0), view, tests::kRollAhead);
+  EXPECT_FALSE(first.is_making_way());
+  next(first, 5.0);
+  EXPECT_FALSE(first.is_making_way());
+}
+
+TEST_F(AvoidanceTest, TheFirstNameMakesWayWhereTheLastCannot) {
+  view.peers = {peer_at("b", {1.85, 0.0, std::numbers::pi})};
+  view.claims = {{"b", {-0.8, 0.0}, 0.1, 2.0, "a"}};
+  Avoidance first(named("a"));
+  first.checked(at_s(1.0), view, tests::kRollAhead);
+  bool has_made_way = false;
+  for (double now_s = 1.4; now_s < 12.0; now_s += 0.4) {
+    if (first.next(at_s(now_s), view, MotionResult::kReached) == std::nullopt) {
+      first.checked(at_s(now_s), view, tests::kRollAhead);
+    }
+    has_made_way = has_made_way || first.is_making_way();
+  }
+  EXPECT_TRUE(has_made_way);
+}
+
+TEST_F(AvoidanceTest, StaysAsideUntilTheOtherHasPassed) {
+  T_map_robot = Pose2(1.6, 0.0, std::numbers::pi);
+  view.peers = {peer_at("b", {1.35, 0.0, 0.0})};
+  view.claims = {{"b", {3.5, 0.0}, 0.1, 2.0, "c"}};
+  Avoidance avoidance(named("c"));
+  avoidance.checked(at_s(1.0), view, tests::kRollAhead);
+  ASSERT_TRUE(avoidance.is_making_way());
+  EXPECT_FALSE(std::holds_alternative<Stand>(next(avoidance, 1.4))) << "on the way";
+  T_map_robot = Pose2(1.45, 0.5, std::numbers::pi);
+  view.claims.front().waits_for = "";
+  double now_s = 2.0;
+  for (; now_s < 15.0 && !std::holds_alternative<Stand>(next(avoidance, now_s)); now_s += 0.4) {
+  }
+  next(avoidance, now_s + 4.0);
+  EXPECT_TRUE(avoidance.is_making_way()) << "it comes";
+  view.peers.front().T_map_robot = Pose2(2.6, 0.0, 0.0);
+  next(avoidance, now_s + 5.0);
+  EXPECT_FALSE(avoidance.is_making_way());
+  EXPECT_TRUE(avoidance.wants_another_goal());
+}
+
+TEST_F(AvoidanceTest, MakesWayForWhomItHoldsUp) {
+  Avoidance avoidance(named("a"));
+  view.peers = {peer_at("b", {1.9, 0.0, std::numbers::pi})};
+  view.claims = {{"b", {-0.8, 0.0}, 0.1, 2.0, ""}};
+  EXPECT_FALSE(avoidance.make_way(at_s(1.0), view)) << "nobody waits";
+  view.claims.front().waits_for = "a";
+  EXPECT_TRUE(avoidance.make_way(at_s(1.0), view));
+  EXPECT_TRUE(avoidance.is_making_way());
+}
+
+TEST_F(AvoidanceTest, TellsAPeerFromAWallWhenItBumps) {
+  const Avoidance avoidance(named("a"));
+  view.peers = {peer_at("b", {3.5, 0.0, 0.0})};
+  EXPECT_FALSE(avoidance.has_run_into_peer(at_s(1.0), view, MotionResult::kBumped));
+  view.peers = {peer_at("b", {1.79, 0.0, 0.0})};
+  EXPECT_TRUE(avoidance.has_run_into_peer(at_s(1.0), view, MotionResult::kBumped));
+  EXPECT_FALSE(avoidance.has_run_into_peer(at_s(1.0), view, MotionResult::kReached));
+}
+
+TEST_F(AvoidanceTest, GoesBackFromAPeerThatItHasRunInto) {
+  Avoidance avoidance(named("a"));
+  EXPECT_LT(std::get<exploration::Drive>(avoidance.back_off()).distance_m, 0.0);
+  EXPECT_EQ(avoidance.encounters().bumps, 1U);
+  EXPECT_TRUE(avoidance.wants_another_goal());
+}
+
+TEST_F(AvoidanceTest, RejectsParametersWithoutSense) {
+  EXPECT_THROW(Avoidance{AvoidanceParams{}}, std::invalid_argument) << "without a name";
+  AvoidanceParams params = named("a");
+  params.patience_s = 0.0;
+  EXPECT_THROW(Avoidance{params}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::team_exploration
