@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "host/session/profile_fields.hpp"
 #include "protocol/limits.hpp"

@@ -33,18 +33,17 @@ TEST(ScalarMeter, LosesNoPulseWithItsMessages) {
   ScalarMeter meter({});
   Scalar message{0xFFFF0000, 0, 0, 0xFFFFFF00, 0};
   meter.update(message);
-  std::uint32_t pulses = 0;
   double counted = 0.0;
   double dwell_s = 0.0;
   for (int i = 0; i < 1000; ++i) {
     message.stamp_us += 100'000;
-    message.sum += random() % 100;
+    message.sum += static_cast<std::uint32_t>(random() % 100);
     const bool is_lost = i != 999 && random() % 3 != 0;
     const auto reading = is_lost ? std::nullopt : meter.update(message);
     counted += reading ? reading->count : 0.0;
     dwell_s += reading ? reading->dwell_s : 0.0;
   }
-  pulses = message.sum - 0xFFFFFF00;
+  const std::uint32_t pulses = message.sum - 0xFFFFFF00;
   EXPECT_EQ(counted, double(pulses)) << "through the wraps of sum and stamp";
   EXPECT_NEAR(dwell_s, 100.0, 1e-9);
 }
