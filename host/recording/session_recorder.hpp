@@ -28,7 +28,7 @@ struct SessionRecorderParams {
   sensors::RobotGeometry geometry;
   SonarFacts sonar;
   std::vector<geometry::Pose2> T_robot_infrared;
-  std::string scalar_unit;
+  std::string scalar_unit = {};  ///< Of the scalar sensor, if there is one.
 };
 
 /// Records a session while it takes place: the frames on the line and what happens beside them,
