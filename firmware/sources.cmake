@@ -3,7 +3,7 @@
 set(ECHOMAP_FIRMWARE_SOURCES
   drivers/analog_inputs.cpp drivers/debounced_bits.cpp drivers/gyro_angle.cpp drivers/gyro_mpu6050.cpp
   drivers/motor_bridge.cpp drivers/pan_drive.cpp drivers/pan_servo.cpp drivers/pan_stepper.cpp drivers/range_sonar.cpp
-  drivers/serial_port.cpp drivers/sonar_hc_sr04.cpp drivers/spare_pins.cpp
+  drivers/scalar_sensor.cpp drivers/serial_port.cpp drivers/sonar_hc_sr04.cpp drivers/spare_pins.cpp
   drivers/wheel_encoders.cpp
   control/distance_ramp.cpp control/driven_wheel.cpp control/proportion.cpp control/scan_sweep.cpp
   control/speed_ramp.cpp control/wheel_guard.cpp control/wheel_motion.cpp

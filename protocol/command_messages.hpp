@@ -178,6 +178,8 @@ enum PinFunction : uint8_t {
   kPinVirtualWall = 6,
   kPinWall = 7,
   kPinBattery = 8,
+  kPinScalarLevel = 9,     ///< Scalar: a voltage, of which the robot sums up conversions.
+  kPinScalarPulses = 10,   ///< Scalar: pulses of 50 us or more, counted at their falling edges.
   kPinRange0 = 16,         ///< .. 23: Ranges::channel_0 .. channel_7.
   kPinStepperPhaseA = 32,  ///< .. 35: A, B, C, D.
   kPinActiveHigh = 0x80,
@@ -300,6 +302,22 @@ struct ConfigureWiring {
     v("bridge", m.bridge);
     v("bridge_options", m.bridge_options);
     v("contacts_normally_closed", m.contacts_normally_closed);
+  }
+};
+
+/// How often Scalar comes, of the sensor on the spare pin whose function is kPinScalarLevel or
+/// kPinScalarPulses. A robot of before version 1.4 has no such sensor and no such message.
+struct ConfigureScalar {
+  enum : uint8_t { kId = 0x1B };
+  static constexpr MessageClass message_class() { return MessageClass::kCommand; }
+  static constexpr const char* name() { return "ConfigureScalar"; }
+  uint8_t command_id;
+  uint16_t period_ms;  ///< 0: never.
+
+  template <class M, class V>
+  static constexpr void each(M& m, V& v) {
+    v("command_id", m.command_id);
+    v("period_ms", m.period_ms);
   }
 };
 

@@ -18,6 +18,7 @@ struct Configuration {
   ConfigureSensors sensors;
   ConfigureSafety safety;
   ConfigureWiring wiring;
+  ConfigureScalar scalar;
 
   /// Calls `visitor(message)` for each, in this order.
   template <class C, class V>
@@ -29,6 +30,7 @@ struct Configuration {
     visitor(configuration.sensors);
     visitor(configuration.safety);
     visitor(configuration.wiring);
+    visitor(configuration.scalar);
   }
 };
 
@@ -39,7 +41,7 @@ struct ConfigurationBytes {
       payload_size_of<ConfigureDrive>() + payload_size_of<ConfigureSonar>() +
       payload_size_of<ConfigurePan>() + payload_size_of<ConfigurePins>() +
       payload_size_of<ConfigureSensors>() + payload_size_of<ConfigureSafety>() +
-      payload_size_of<ConfigureWiring>();
+      payload_size_of<ConfigureWiring>() + payload_size_of<ConfigureScalar>();
   uint8_t bytes[kSize];
 };
 

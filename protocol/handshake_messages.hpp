@@ -26,6 +26,7 @@ enum Capability : uint32_t {
   kCapabilityGyro = 1UL << 5,           ///< An MPU-6050 may be connected.
   kCapabilityStepper = 1UL << 6,        ///< The pan may be a stepper.
   kCapabilityBlindEncoders = 1UL << 7,  ///< They cannot tell a lost count: no EncoderErrors.
+  kCapabilityScalar = 1UL << 8,         ///< A spare pin may be a scalar sensor: Scalar.
 };
 
 /// Answer to a command, in Ack::status.

@@ -29,6 +29,8 @@ constexpr uint16_t kMaxRunawayTicks = 32000;
 /// Shortest gyro_period_ms of ConfigureSensors but 0: a transfer takes 0.12 ms, and a tick may be
 /// late by one.
 constexpr uint8_t kMinGyroPeriodMs = 2;
+/// Longest period_ms of ConfigureScalar.
+constexpr uint16_t kMaxScalarPeriodMs = 2000;
 /// Longest wait at each reading of StartSweep.
 constexpr uint16_t kMaxSettleMs = 10000;
 /// A sweep ends when the robot has heard nothing for this long; a host pings once a second. The

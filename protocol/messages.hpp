@@ -30,6 +30,7 @@ using MessagesToRobot = MessageList<Hello,
                                     ConfigureSensors,
                                     ConfigureSafety,
                                     ConfigureWiring,
+                                    ConfigureScalar,
                                     DriveSetpoint,
                                     KeepAlive,
                                     BulkRead>;
@@ -43,7 +44,8 @@ using MessagesToHost = MessageList<HelloReply,
                                    Health,
                                    Ranges,
                                    Gyro,
-                                   EncoderErrors>;
+                                   EncoderErrors,
+                                   Scalar>;
 using AllMessages = MessageList<Hello,
                                 HelloReply,
                                 Ack,
@@ -61,6 +63,7 @@ using AllMessages = MessageList<Hello,
                                 ConfigureSensors,
                                 ConfigureSafety,
                                 ConfigureWiring,
+                                ConfigureScalar,
                                 DriveSetpoint,
                                 KeepAlive,
                                 BulkRead,
@@ -71,7 +74,8 @@ using AllMessages = MessageList<Hello,
                                 Health,
                                 Ranges,
                                 Gyro,
-                                EncoderErrors>;
+                                EncoderErrors,
+                                Scalar>;
 
 /// Digest of the whole schema, the same on both sides when they were built from the same messages.
 template <class List>

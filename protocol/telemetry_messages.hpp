@@ -224,5 +224,27 @@ struct Gyro {
   }
 };
 
+/// Robot to host: what the scalar sensor has said since the reset, so that a lost frame costs no
+/// pulse and no conversion, and the wheel counts of the moment.
+struct Scalar {
+  enum : uint8_t { kId = 0x47 };
+  static constexpr MessageClass message_class() { return MessageClass::kTelemetry; }
+  static constexpr const char* name() { return "Scalar"; }
+  uint32_t stamp_us;
+  int16_t left_ticks;
+  int16_t right_ticks;
+  uint32_t sum;      ///< Pulses, or the sum of the conversions (0 .. 1023), modulo 2^32.
+  uint16_t samples;  ///< Conversions in the sum, modulo 2^16; pulses do not count here.
+
+  template <class M, class V>
+  static constexpr void each(M& m, V& v) {
+    v("stamp_us", m.stamp_us);
+    v("left_ticks", m.left_ticks);
+    v("right_ticks", m.right_ticks);
+    v("sum", m.sum);
+    v("samples", m.samples);
+  }
+};
+
 }  // namespace protocol
 }  // namespace echomap

@@ -9,7 +9,7 @@ namespace protocol {
 /// Another major: frames of the two sides cannot be understood. The minor goes up whenever the
 /// messages or their values change, so that a mismatch can name the older side.
 constexpr uint8_t kProtocolMajor = 1;
-constexpr uint8_t kProtocolMinor = 3;
+constexpr uint8_t kProtocolMinor = 4;
 
 /// Version of the firmware, that of the project, as HelloReply tells it: 123 is 1.2.3. Minor and
 /// patch are 0 .. 9.

@@ -39,7 +39,7 @@ class Robot {
   Devices& devices_;
   protocol::Configuration configuration_ = kDefaultConfiguration;
   control::WheelMotion motion_{devices_.encoders, configuration_.drive, configuration_.safety};
-  tasks::Sensors sensors_{configuration_.pins, configuration_.sensors};
+  tasks::Sensors sensors_{configuration_.pins, configuration_.sensors, configuration_.scalar};
   drivers::PanDrive pan_{configuration_.pan, sensors_.pins()};
   control::ScanSweep sweep_{devices_.encoders, devices_.sonar, pan_, configuration_.sonar};
   tasks::Safety safety_{motion_, sensors_, configuration_.safety, configuration_.wiring};

@@ -56,6 +56,7 @@ constexpr protocol::Configuration kDefaultConfiguration{
     protocol::ConfigureSensors{},
     kDefaultSafety,
     protocol::ConfigureWiring{},
+    protocol::ConfigureScalar{},
 };
 
 }  // namespace app

@@ -15,13 +15,13 @@ void AnalogInputs::reset() {
   converting_ = false;
 }
 
-void AnalogInputs::tick(const SparePins& pins) {
+void AnalogInputs::tick(const SparePins& pins, ScalarSensor& scalar) {
   uint16_t value = 0;
   if (converting_) {
     if (!hal::conversion_done(value)) {
       return;
     }
-    store(pins.function(pin_), value);
+    store(pins.function(pin_), value, scalar);
   }
   converting_ = false;
   for (uint8_t tried = 0; tried < pins.used() && !converting_; ++tried) {
@@ -35,12 +35,14 @@ void AnalogInputs::tick(const SparePins& pins) {
   }
 }
 
-void AnalogInputs::store(uint8_t function, uint16_t value) {
+void AnalogInputs::store(uint8_t function, uint16_t value, ScalarSensor& scalar) {
   if (function == protocol::kPinBattery) {
     battery_ = value;
-    return;
+  } else if (function == protocol::kPinScalarLevel) {
+    scalar.add(value);
+  } else {
+    ranges_[function - protocol::kPinRange0] = value;
   }
-  ranges_[function - protocol::kPinRange0] = value;
 }
 
 }  // namespace drivers

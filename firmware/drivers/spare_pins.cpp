@@ -39,6 +39,9 @@ PinUse use_of(uint8_t function) {
   if (SparePins::is_analog(function)) {
     return PinUse::kAnalog;
   }
+  if (function == protocol::kPinScalarPulses) {
+    return PinUse::kPulses;
+  }
   return is_phase(function) ? PinUse::kOutput : PinUse::kUnused;
 }
 

@@ -25,9 +25,10 @@ class SparePins {
   /// Leaves these to a motor bridge, which drives them already, and has those back that it had.
   void take(uint16_t pins);
 
-  /// True for a range channel or the battery.
+  /// True for a range channel, the battery or a scalar sensor that is a voltage.
   static bool is_analog(uint8_t function) {
-    return function == protocol::kPinBattery || (function & 0xF8) == protocol::kPinRange0;
+    return function == protocol::kPinBattery || function == protocol::kPinScalarLevel ||
+           (function & 0xF8) == protocol::kPinRange0;
   }
 
   /// True when one is in use that the two-wire bus would take.

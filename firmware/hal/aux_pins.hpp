@@ -13,6 +13,7 @@ enum class PinUse : uint8_t {
   kDigital,  ///< Input with pull-up.
   kAnalog,   ///< Input of the converter, see adc.hpp.
   kOutput,
+  kPulses,  ///< Input with pull-up whose pulses are counted, see pulses.hpp; one pin at a time.
 };
 
 /// Number of them.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/tasks/command.hpp"
 
+#include "firmware/hal/aux_pins.hpp"
 #include "firmware/hal/boot.hpp"
 #include "firmware/hal/clock.hpp"
 #include "firmware/hal/contacts.hpp"
@@ -22,6 +23,9 @@ uint32_t capabilities() {
                   protocol::kCapabilityRanges | protocol::kCapabilityStepper;
   if (drivers::Gyro::can_be()) {
     bits |= protocol::kCapabilityGyro;
+  }
+  if (hal::aux_pin_count() != 0) {
+    bits |= protocol::kCapabilityScalar;
   }
   if (!hal::encoders_tell_lost_steps()) {
     bits |= protocol::kCapabilityBlindEncoders;
@@ -207,6 +211,10 @@ CommandStatus Command::execute(const protocol::ConfigureWiring& command) {
   targets_.configuration.wiring = command;
   targets_.safety.restart_contacts();
   return CommandStatus::kAccepted;
+}
+
+CommandStatus Command::execute(const protocol::ConfigureScalar& command) {
+  return configure(targets_.sensors, command, false);
 }
 
 CommandStatus Command::execute(const protocol::MoveTicks& command) {

@@ -85,6 +85,7 @@ class Command {
   protocol::CommandStatus execute(const protocol::ConfigureSensors& command);
   protocol::CommandStatus execute(const protocol::ConfigureSafety& command);
   protocol::CommandStatus execute(const protocol::ConfigureWiring& command);
+  protocol::CommandStatus execute(const protocol::ConfigureScalar& command);
   protocol::CommandStatus execute(const protocol::MoveTicks& command);
   protocol::CommandStatus execute(const protocol::StartSweep& command);
 

@@ -29,7 +29,8 @@ void Sensors::configure(const protocol::ConfigureSensors& settings) {
 
 void Sensors::tick() {
   hazards_.update(pins_.active_hazards());
-  analog_.tick(pins_);
+  analog_.tick(pins_, scalar_);
+  scalar_.tick();
   gyro_.tick(settings_);
 }
 

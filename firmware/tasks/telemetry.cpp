@@ -43,7 +43,8 @@ void Telemetry::tick() {
     odometry_age_ms_ = 0;
     sample_odometry();
   }
-  count_ranges();
+  count(sources_.configuration.sensors.ranges_period_ms, ranges_age_ms_, ranges_wait_);
+  count(sources_.configuration.scalar.period_ms, scalar_age_ms_, scalar_waits_);
   if (++status_age_ms_ >= stretched(kStatusPeriodMs)) {
     status_age_ms_ = 0;
     status_waits_ = true;
@@ -52,7 +53,7 @@ void Telemetry::tick() {
   send_what_waits();
 }
 
-uint16_t Telemetry::stretched(uint8_t period_ms) const {
+uint16_t Telemetry::stretched(uint16_t period_ms) const {
   return static_cast<uint16_t>(period_ms << sender_.budget().rate_step());
 }
 
@@ -61,16 +62,15 @@ void Telemetry::drop() {
   sender_.budget().overloaded();
 }
 
-void Telemetry::count_ranges() {
-  const uint8_t period_ms = sources_.configuration.sensors.ranges_period_ms;
-  if (period_ms == 0 || ++ranges_age_ms_ < stretched(period_ms)) {
+void Telemetry::count(uint16_t period_ms, uint16_t& age_ms, bool& waits) {
+  if (period_ms == 0 || ++age_ms < stretched(period_ms)) {
     return;
   }
-  ranges_age_ms_ = 0;
-  if (ranges_wait_) {
+  age_ms = 0;
+  if (waits) {
     drop();
   }
-  ranges_wait_ = true;
+  waits = true;
 }
 
 void Telemetry::sample_odometry() {
@@ -120,6 +120,10 @@ void Telemetry::send_what_waits() {
     return;
   }
   ranges_wait_ = false;
+  if (scalar_waits_ && !sender_.tell(scalar())) {
+    return;
+  }
+  scalar_waits_ = false;
   if (status_waits_ && statuses_since_health_ != kStatusPerHealth) {
     send_status();
   }
@@ -211,6 +215,13 @@ protocol::Ranges Telemetry::ranges() const {
 protocol::Gyro Telemetry::gyro() const {
   const drivers::Gyro& gyro = sources_.sensors.gyro();
   return protocol::Gyro{hal::now_us(), gyro.yaw_sum(), gyro.samples(), gyro.errors()};
+}
+
+protocol::Scalar Telemetry::scalar() const {
+  const drivers::WheelCounts counts = sources_.encoders.counts();
+  const drivers::ScalarSensor& sensor = sources_.sensors.scalar();
+  return protocol::Scalar{
+      hal::encoders_read_at_us(), counts.left, counts.right, sensor.sum(), sensor.samples()};
 }
 
 uint8_t Telemetry::flags() const {

@@ -26,8 +26,9 @@ struct TelemetrySources {
 };
 
 /// Samples on time and sends when the line has room: echoes and changes first, then odometry,
-/// gyro and ranges, then Status, Health and EncoderErrors. What waits too long is replaced by what
-/// is newer, and counted; all periods are then stretched. Silent until a host has said Hello.
+/// gyro, ranges and scalar, then Status, Health and EncoderErrors. What waits too long is replaced
+/// by what is newer, and counted; all periods are then stretched. Silent until a host has said
+/// Hello.
 class Telemetry {
  public:
   static constexpr uint8_t kStatusPeriodMs = 200;
@@ -49,11 +50,12 @@ class Telemetry {
   static constexpr uint8_t kEchoes = 4;
 
   /// A period at the rate that the line has room for.
-  uint16_t stretched(uint8_t period_ms) const;
+  uint16_t stretched(uint16_t period_ms) const;
   /// Counts what was replaced before it could be sent.
   void drop();
   void sample_odometry();
-  void count_ranges();
+  /// Has `waits` say so when the period, if any, is over.
+  void count(uint16_t period_ms, uint16_t& age_ms, bool& waits);
   void notice_changes();
   void send_what_waits();
   bool send_echo();
@@ -64,6 +66,7 @@ class Telemetry {
   protocol::EncoderErrors encoder_errors() const;
   protocol::Ranges ranges() const;
   protocol::Gyro gyro() const;
+  protocol::Scalar scalar() const;
   uint8_t flags() const;
 
   TelemetrySources sources_;
@@ -83,8 +86,10 @@ class Telemetry {
   bool status_is_urgent_ = false;
   bool ranges_wait_ = false;
   bool gyro_waits_ = false;
+  bool scalar_waits_ = false;
   bool encoder_errors_wait_ = false;
   uint16_t ranges_age_ms_ = 0;
+  uint16_t scalar_age_ms_ = 0;
   uint8_t told_hazards_ = 0;
   bool on_ = false;
   protocol::Echo echoes_[kEchoes] = {};

@@ -67,6 +67,7 @@ AvrMachine::AvrMachine(const std::filesystem::path& elf)
       usart_(*avr_, hooks_, queue_),
       two_wire_(*avr_, hooks_, queue_),
       reset_watcher_(*avr_, [this] { after_reset(); }) {
+  repair_pin_change(*avr_);
   repair_flag_clearing(*avr_, hooks_);
   repair_late_enable(*avr_, hooks_);
   repair_interrupt_entry_time(*avr_);

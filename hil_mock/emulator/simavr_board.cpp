@@ -86,12 +86,13 @@ void SimavrBoard::set_bump(Wheel side, bool pressed) {
 }
 
 void SimavrBoard::set_aux_level(unsigned pin, bool high) {
-  const SparePin& spare = spare_pin(pin);
-  if (spare.pin.port == SparePin::kNoPort) {
-    throw std::invalid_argument(board_name() + "'s pin_" + std::to_string(pin) +
-                                " reads voltages only");
-  }
-  machine_.pins().set(spare.pin, high);
+  machine_.pins().set(digital_pin(pin), high);
+}
+
+void SimavrBoard::schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) {
+  const Pin wire = digital_pin(pin);
+  schedule_level(fall_ns, wire, false);
+  schedule_level(rise_ns, wire, true);
 }
 
 void SimavrBoard::set_aux_millivolts(unsigned pin, double millivolts) {
@@ -111,6 +112,15 @@ bool SimavrBoard::aux_output(unsigned pin) const {
 void SimavrBoard::connect(world::TwoWireDevice& device) {
   machine_.two_wire().connect(device);
   two_wire_bus_.pull_up();
+}
+
+Pin SimavrBoard::digital_pin(unsigned pin) const {
+  const SparePin& spare = spare_pin(pin);
+  if (spare.pin.port == SparePin::kNoPort) {
+    throw std::invalid_argument(board_name() + "'s pin_" + std::to_string(pin) +
+                                " reads voltages only");
+  }
+  return spare.pin;
 }
 
 const SparePin& SimavrBoard::spare_pin(unsigned pin) const {

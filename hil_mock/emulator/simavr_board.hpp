@@ -34,8 +34,9 @@ class SimavrBoard final : public runner::SimulatedBoard {
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
   void set_bump(runner::Wheel side, bool pressed) override;
 
-  /// Throws std::invalid_argument, as the next, for a pin that cannot be that.
+  /// Throws std::invalid_argument, as the next two, for a pin that cannot be that.
   void set_aux_level(unsigned pin, bool high) override;
+  void schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) override;
   void set_aux_millivolts(unsigned pin, double millivolts) override;
   bool aux_output(unsigned pin) const override;
   void connect(world::TwoWireDevice& device) override;
@@ -53,6 +54,8 @@ class SimavrBoard final : public runner::SimulatedBoard {
 
  private:
   const SparePin& spare_pin(unsigned pin) const;
+  /// One that has a level.
+  Pin digital_pin(unsigned pin) const;
   void drive_resting_levels();
   void watch_trigger();
   void on_trigger_level(bool high);

@@ -7,6 +7,7 @@
 #include <sim_irq.h>
 #include <sim_regbit.h>
 #include <span>
+#include <string_view>
 
 #include "hil_mock/emulator/chip_modules.hpp"
 
@@ -86,6 +87,22 @@ void repair_interrupt_entry_time(avr_t& avr) {
   for (avr_int_vector_t* vector : vectors_of(avr)) {
     avr_irq_register_notify(vector->irq + AVR_INT_IRQ_RUNNING, &spend_entry_time, &avr);
   }
+}
+
+void repair_pin_change(avr_t& avr) {
+  constexpr unsigned kGroup = 2;
+  if (avr.mmcu != std::string_view("atmega2560")) {
+    return;
+  }
+  const avr_ioport_t& first = find_port(avr, 'B');
+  avr_ioport_t& port = find_port(avr, 'K');
+  port.r_pcint = static_cast<avr_io_addr_t>(first.r_pcint + kGroup);
+  port.pcint.enable = first.pcint.enable;
+  port.pcint.enable.bit = kGroup;
+  port.pcint.raised = first.pcint.raised;
+  port.pcint.raised.bit = kGroup;
+  port.pcint.vector = static_cast<std::uint8_t>(first.pcint.vector + kGroup);
+  avr_register_vector(&avr, &port.pcint);
 }
 
 void repair_watchdog(avr_t& avr, CycleQueue& queue) {

@@ -23,6 +23,11 @@ void repair_late_enable(avr_t& avr, RegisterHooks& hooks);
 /// Time").
 void repair_interrupt_entry_time(avr_t& avr);
 
+/// Only port B of an ATmega2560 has pin change interrupts: gives port K those that it has (PCINT16
+/// to PCINT23, Atmel-2549Q sections 14.1 and 15.2.6 on). First of all, for the others look at each
+/// interrupt.
+void repair_pin_change(avr_t& avr);
+
 /// A watchdog in interrupt and reset mode whose interrupt cannot be served, because interrupts are
 /// locked, raises it for ever: makes the second timeout reset the chip (Microchip DS40002061B
 /// section 11.9.2, "WDIE"). `queue` outlives `avr`'s last run.

@@ -257,6 +257,12 @@ void Ev3Board::set_aux_level(unsigned pin, bool /*high*/) {
   throw std::invalid_argument("ev3 has no spare pin_" + std::to_string(pin));
 }
 
+void Ev3Board::schedule_aux_pulse(unsigned pin,
+                                  std::int64_t /*fall_ns*/,
+                                  std::int64_t /*rise_ns*/) {
+  throw std::invalid_argument("ev3 has no spare pin_" + std::to_string(pin));
+}
+
 void Ev3Board::set_aux_millivolts(unsigned pin, double /*millivolts*/) {
   throw std::invalid_argument("ev3 has no spare pin_" + std::to_string(pin));
 }

@@ -57,8 +57,9 @@ class Ev3Board final : public runner::SimulatedBoard {
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
   void set_bump(runner::Wheel side, bool closed) override;
 
-  /// There are no spare pins: throws std::invalid_argument, as the next.
+  /// There are no spare pins: throws std::invalid_argument, as the next two.
   void set_aux_level(unsigned pin, bool high) override;
+  void schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) override;
   void set_aux_millivolts(unsigned pin, double millivolts) override;
   bool aux_output(unsigned pin) const override;
   /// An MPU-6050 there stands for the gyro at in3.

@@ -72,6 +72,10 @@ void MockBoard::set_aux_level(unsigned pin, bool high) {
   board_.set_aux_level(static_cast<std::uint8_t>(pin), high);
 }
 
+void MockBoard::schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) {
+  board_.schedule_aux_pulse(static_cast<std::uint8_t>(pin), fall_ns, rise_ns);
+}
+
 void MockBoard::set_aux_millivolts(unsigned pin, double millivolts) {
   const double counts = std::clamp(millivolts * kCountsPerMillivolt, 0.0, kMaxCounts);
   board_.set_aux_analog(static_cast<std::uint8_t>(pin), static_cast<std::uint16_t>(counts));

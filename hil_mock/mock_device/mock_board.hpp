@@ -30,6 +30,7 @@ class MockBoard final : public runner::SimulatedBoard {
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
   void set_bump(runner::Wheel side, bool pressed) override;
   void set_aux_level(unsigned pin, bool high) override;
+  void schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) override;
   void set_aux_millivolts(unsigned pin, double millivolts) override;
   bool aux_output(unsigned pin) const override;
   void connect(world::TwoWireDevice& device) override;

@@ -109,6 +109,11 @@ void Rp2040Board::set_bump(Wheel side, bool pressed) {
 
 void Rp2040Board::set_aux_level(unsigned pin, bool high) { drive(chip_ns_, spare_pin(pin), high); }
 
+void Rp2040Board::schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) {
+  drive(fall_ns, spare_pin(pin), false);
+  drive(rise_ns, spare_pin(pin), true);
+}
+
 void Rp2040Board::set_aux_millivolts(unsigned pin, double millivolts) {
   const unsigned channel = pin - pico_pins::kFirstAnalogSpare;
   if (pin < pico_pins::kFirstAnalogSpare || channel >= pico_pins::kAnalogSpares) {

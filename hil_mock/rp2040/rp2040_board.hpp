@@ -46,8 +46,9 @@ class Rp2040Board final : public runner::SimulatedBoard, private UsbCable {
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override;
   void set_bump(runner::Wheel side, bool pressed) override;
 
-  /// Throws std::invalid_argument, as the next, for a pin that cannot be that.
+  /// Throws std::invalid_argument, as the next two, for a pin that cannot be that.
   void set_aux_level(unsigned pin, bool high) override;
+  void schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) override;
   void set_aux_millivolts(unsigned pin, double millivolts) override;
   bool aux_output(unsigned pin) const override;
   void connect(world::TwoWireDevice& device) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/runner/aux_wiring.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "host/files/toml_reader.hpp"
@@ -46,7 +47,9 @@ void AuxWiring::drive_inputs() {
     if (!wire) {
       continue;
     }
-    if (is_voltage(wire->part)) {
+    if (wire->part == PinPart::kScalarPulses) {
+      send_pulses(pin);
+    } else if (is_voltage(wire->part)) {
       board_.set_aux_millivolts(pin, world_.parts().millivolts(wire->part));
     } else if (wire->part < PinPart::kStepperA) {
       drive_level(pin, *wire);
@@ -65,6 +68,18 @@ world::Coils AuxWiring::coils() const {
     }
   }
   return coils;
+}
+
+void AuxWiring::send_pulses(unsigned pin) {
+  if (!levels_.at(pin)) {
+    levels_.at(pin) = true;
+    board_.set_aux_level(pin, true);
+  }
+  const std::int64_t now_ns = board_.now_ns();
+  for (const world::LowPulse& pulse : world_.parts().pulses()) {
+    board_.schedule_aux_pulse(
+        pin, now_ns + std::llround(pulse.fall_s * 1e9), now_ns + std::llround(pulse.rise_s * 1e9));
+  }
 }
 
 void AuxWiring::drive_level(unsigned pin, const world::PinWire& wire) {

@@ -18,12 +18,14 @@ class AuxWiring {
   /// for other boards only.
   AuxWiring(SimulatedBoard& board, world::RobotWorld& world);
 
-  /// Puts on every wired pin what its part says now.
+  /// Puts on every wired pin what its part says now. Pulses of the world's last step, which ends
+  /// now, come a step later than they happened.
   void drive_inputs();
   /// What the board does with the coils of the pan's stepper.
   world::Coils coils() const;
 
  private:
+  void send_pulses(unsigned pin);
   void drive_level(unsigned pin, const world::PinWire& wire);
 
   SimulatedBoard& board_;

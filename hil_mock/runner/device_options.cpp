@@ -37,6 +37,7 @@ struct RawOptions {
   std::vector<double> start;
   std::string starts;
   std::vector<double> kidnaps;
+  std::vector<std::string> sources;
   std::string faults;
   std::string part_faults;
   std::string camera_params;
@@ -88,6 +89,24 @@ std::string check_camera(const std::string& text) {
     return "";
   } catch (const std::invalid_argument& error) {
     return error.what();
+  }
+}
+
+std::string check_source(const std::string& text) {
+  try {
+    world::parse_sources({text});
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+/// Throws CLI::ValidationError for "none" beside a source.
+std::optional<std::vector<world::Source>> read_sources(const std::vector<std::string>& texts) {
+  try {
+    return texts.empty() ? std::nullopt : std::optional(world::parse_sources(texts));
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--source", error.what());
   }
 }
 
@@ -201,6 +220,12 @@ void add_place_options(CLI::App& app, DeviceOptions& options, RawOptions& raw) {
       ->delimiter(',')
       ->expected(kKidnapNumbers, 100 * kKidnapNumbers)
       ->check(check_finite);
+  app.add_option(
+         "--source",
+         raw.sources,
+         "Source of radiation in place of the world's, X,Y,STRENGTH: metres, and pulses per "
+         "second at 1 m; may be repeated; none for no source")
+      ->check(check_source);
   auto* camera = app.add_option("--camera",
                                 options.camera,
                                 "Send an overhead camera's pose measurements to udp:PORT of this "
@@ -274,6 +299,7 @@ void understand(const RawOptions& raw, DeviceOptions& options) {
     options.T_world_start =
         geometry::Pose2(raw.start[0], raw.start[1], geometry::radians(raw.start[2]));
   }
+  options.sources = read_sources(raw.sources);
   options.draws_starts = raw.starts == kDrawn;
   if (!raw.starts.empty() && !options.draws_starts) {
     options.starts = parse_starts(raw.starts);

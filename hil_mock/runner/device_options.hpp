@@ -13,6 +13,7 @@
 #include "hil_mock/runner/overhead_camera.hpp"
 #include "hil_mock/runner/robot_simulation.hpp"
 #include "hil_mock/world/part_faults.hpp"
+#include "hil_mock/world/source_field.hpp"
 #include "host/geometry/pose2.hpp"
 
 namespace echomap::runner {
@@ -45,6 +46,8 @@ struct DeviceOptions {
   std::size_t robots = 1;
   /// The first robot's start; empty for the room's.
   std::optional<geometry::Pose2> T_world_start;
+  /// Sources of radiation in place of the world's.
+  std::optional<std::vector<world::Source>> sources;
   /// One for each robot; empty where those of all but the first, or with `draws_starts` of all, are
   /// drawn.
   std::vector<geometry::Pose2> starts;

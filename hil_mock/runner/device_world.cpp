@@ -15,7 +15,8 @@ namespace {
 
 world::FloorPlan load_plan(const DeviceOptions& options) {
   const auto path = files::bundled_file(options.world, "hil_mock/worlds", "world");
-  return world::read_floor_plan(files::TomlReader::load(path));
+  const world::FloorPlan plan = world::read_floor_plan(files::TomlReader::load(path));
+  return options.sources ? plan.with_radiation(*options.sources) : plan;
 }
 
 /// Puts another driver between board and motors.

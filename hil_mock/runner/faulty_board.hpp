@@ -45,6 +45,9 @@ class FaultyBoard final : public SimulatedBoard {
   }
   void set_bump(Wheel side, bool pressed) override { board_->set_bump(side, pressed); }
   void set_aux_level(unsigned pin, bool high) override { board_->set_aux_level(pin, high); }
+  void schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) override {
+    board_->schedule_aux_pulse(pin, fall_ns, rise_ns);
+  }
   void set_aux_millivolts(unsigned pin, double millivolts) override {
     board_->set_aux_millivolts(pin, millivolts);
   }

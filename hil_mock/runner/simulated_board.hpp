@@ -57,7 +57,9 @@ class SimulatedBoard {
   /// Puts a level on a spare pin, numbered as in protocol::ConfigurePins, until it is changed;
   /// before that an input is high by its pull-up.
   virtual void set_aux_level(unsigned pin, bool high) = 0;
-  /// The same for a pin that the converter reads, 0 .. 5000.
+  /// A spare pin is low for so long, and then high again.
+  virtual void schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) = 0;
+  /// The same as a level for a pin that the converter reads, 0 .. 5000.
   virtual void set_aux_millivolts(unsigned pin, double millivolts) = 0;
   /// Level that the program gives a spare pin; false where it is no output.
   virtual bool aux_output(unsigned pin) const = 0;

@@ -92,6 +92,27 @@ std::string geojson_text(const world::FloorPlan& plan) {
   return json{{"type", "FeatureCollection"}, {"features", features}}.dump(1) + "\n";
 }
 
+/// Positions in the world frame, and in that of the robot's start, as a map of its host has it.
+std::string source_text(const world::FloorPlan& plan) {
+  json sources = json::array();
+  for (const world::Source& source : plan.sources()) {
+    const Eigen::Vector2d map_m = plan.T_world_start().inverse() * source.position_m;
+    sources.push_back({{"kind", world::name_of(source.kind)},
+                       {"x_m", source.position_m.x()},
+                       {"y_m", source.position_m.y()},
+                       {"map_x_m", map_m.x()},
+                       {"map_y_m", map_m.y()},
+                       {"strength", source.strength},
+                       {"height_m", source.height_m}});
+  }
+  const world::Backgrounds& backgrounds = plan.backgrounds();
+  return json{{"background_per_s", backgrounds.radiation_per_s},
+              {"ambient_lux", backgrounds.light_lux},
+              {"sources", sources}}
+             .dump(1) +
+         "\n";
+}
+
 json stop_json(const StopReport& report) {
   json stop = {{"last_grant_ns", report.last_grant_ns}, {"stopped_after_ns", nullptr}};
   if (report.stopped_after_ns) {
@@ -130,6 +151,9 @@ void write_truth_so_far(const std::filesystem::path& directory, const RobotSimul
   files::write_text_file(directory / "truth_map.pgm", pgm_bytes(map));
   files::write_text_file(directory / "truth_map.yaml", yaml_text(map));
   files::write_text_file(directory / "truth_walls.geojson", geojson_text(plan));
+  if (simulation.world().robot().parts.scalar || !plan.sources().empty()) {
+    files::write_text_file(directory / "source.json", source_text(plan));
+  }
 }
 
 void write_truth_files(const std::filesystem::path& directory,

@@ -23,7 +23,8 @@ struct TruthSummary {
 /// Writes into `directory` what is true so far, each file whole or not at all, in the world frame:
 /// truth.tum (`t x y z qx qy qz qw` in simulated seconds and metres, 50 Hz), truth_map.pgm and
 /// truth_map.yaml (ROS map_server, cells of 1 cm) and truth_walls.geojson (a LineString for each
-/// wall, metres). Throws files::FileError.
+/// wall, metres); and source.json, what radiates, where the robot can sense it or something does.
+/// Throws files::FileError.
 void write_truth_so_far(const std::filesystem::path& directory, const RobotSimulation& simulation);
 
 /// The same at the end, and truth.json: what ran.

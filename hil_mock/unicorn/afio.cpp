@@ -5,6 +5,8 @@ namespace echomap::unicorn {
 namespace {
 
 constexpr std::uint32_t kMapr = 0x04;
+constexpr std::uint32_t kFirstExticr = 0x08;
+constexpr std::uint32_t kExticrBytes = 0x10;
 constexpr std::uint32_t kTim2OnA15AndB3 = bit(8);
 /// SWJ_CFG: a program writes it and reads nonsense.
 constexpr unsigned kDebugPortShift = 24;
@@ -27,17 +29,29 @@ std::uint32_t Afio::jtag_pins_of_b() const {
   return debug_port() == kJtagWithoutReset ? bit(3) : 0;
 }
 
+unsigned Afio::port_of_line(std::uint8_t line) const {
+  return exticr_.at(line / 4U) >> (line % 4U * 4U) & 0xFU;
+}
+
 std::uint32_t Afio::read(std::uint32_t offset) {
+  if (offset - kFirstExticr < kExticrBytes) {
+    return exticr_.at((offset - kFirstExticr) / 4);
+  }
   return offset == kMapr ? mapr_ & ~kDebugPortBits : 0;
 }
 
 void Afio::write(std::uint32_t offset, std::uint32_t value) {
   if (offset == kMapr) {
     set_mapr(value);
+  } else if (offset - kFirstExticr < kExticrBytes) {
+    exticr_.at((offset - kFirstExticr) / 4) = value;
   }
 }
 
-void Afio::reset() { set_mapr(0); }
+void Afio::reset() {
+  exticr_ = {};
+  set_mapr(0);
+}
 
 unsigned Afio::debug_port() const { return (mapr_ & kDebugPortBits) >> kDebugPortShift; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 
@@ -8,7 +9,8 @@
 
 namespace echomap::unicorn {
 
-/// AFIO: which pins the debug port has, and where channels 1 and 2 of TIM2 are. Source: ST RM0008,
+/// AFIO: which pins the debug port has, where channels 1 and 2 of TIM2 are, and of which port the
+/// lines of EXTI are. Source: ST RM0008,
 /// section 9.4.
 class Afio final : public Peripheral {
  public:
@@ -18,7 +20,9 @@ class Afio final : public Peripheral {
   /// from a reset on.
   std::uint32_t jtag_pins_of_a() const;
   std::uint32_t jtag_pins_of_b() const;
-  /// Called when that may have changed.
+  /// Number of the port, A is 0, whose pin `line` is the one that EXTI's line looks at.
+  unsigned port_of_line(std::uint8_t line) const;
+  /// Called when those of the debug port and of TIM2 may have changed.
   std::function<void()> on_remap;
 
   std::uint32_t read(std::uint32_t offset) override;
@@ -30,6 +34,7 @@ class Afio final : public Peripheral {
   void set_mapr(std::uint32_t value);
 
   std::uint32_t mapr_ = 0;
+  std::array<std::uint32_t, 4> exticr_{};
 };
 
 }  // namespace echomap::unicorn

@@ -50,6 +50,7 @@ Stm32Chip::Stm32Chip(const std::filesystem::path& elf)
              {0x40003000, &iwdg_},
              {0x40005800, &i2c2_, Bus::kApb1, 22},
              {0x40010000, &afio_, Bus::kApb2, 0},
+             {0x40010400, &exti_},
              {0x40010800, &port_a_, Bus::kApb2, 2},
              {0x40010C00, &port_b_, Bus::kApb2, 3},
              {0x40012400, &adc_, Bus::kApb2, 9},
@@ -155,6 +156,9 @@ void Stm32Chip::set_cycles_per_half_word(unsigned cycles) {
 
 void Stm32Chip::on_pin(PortName port, std::uint8_t pin, bool high) {
   feed_timers();
+  if (afio_.port_of_line(pin) == port) {
+    exti_.take_edge(pin, high);
+  }
   if (port == kPortB && pin == kI2c2ClockPin && high && held_clocks_ != 0) {
     clock_held_device();
   }

@@ -13,6 +13,7 @@
 #include "hil_mock/unicorn/cortex_core.hpp"
 #include "hil_mock/unicorn/elf_program.hpp"
 #include "hil_mock/unicorn/event_queue.hpp"
+#include "hil_mock/unicorn/exti.hpp"
 #include "hil_mock/unicorn/flash_writer.hpp"
 #include "hil_mock/unicorn/gpio_port.hpp"
 #include "hil_mock/unicorn/i2c.hpp"
@@ -111,6 +112,7 @@ class Stm32Chip {
   GpioPort port_a_;
   GpioPort port_b_;
   Afio afio_;
+  Exti exti_{nvic_};
   Timer tim1_;
   Timer tim2_;
   Timer tim3_;

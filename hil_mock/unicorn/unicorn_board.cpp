@@ -138,6 +138,11 @@ void UnicornBoard::set_bump(Wheel side, bool pressed) {
 
 void UnicornBoard::set_aux_level(unsigned pin, bool high) { drive(spare_pin(pin), high); }
 
+void UnicornBoard::schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) {
+  schedule_level(fall_ns, spare_pin(pin), false);
+  schedule_level(rise_ns, spare_pin(pin), true);
+}
+
 void UnicornBoard::set_aux_millivolts(unsigned pin, double millivolts) {
   if (pin >= blue_pill_pins::kChannelOfSpare.size()) {
     throw std::invalid_argument("stm32f103's pin_" + std::to_string(pin) + " reads no voltage");

@@ -74,6 +74,7 @@ FloorPlan::FloorPlan(std::string name,
                      FloorMarks marks)
     : name_(std::move(name)),
       room_m_(room.corners_m),
+      room_attenuation_per_m_(room.attenuation_per_m),
       marks_(std::move(marks)),
       T_world_start_(T_world_start) {
   check_outline(room, "room");
@@ -84,11 +85,13 @@ FloorPlan::FloorPlan(std::string name,
       throw std::invalid_argument("obstacle: it is not inside of the room");
     }
     obstacles_m_.push_back(obstacle.corners_m);
+    attenuations_per_m_.push_back(obstacle.attenuation_per_m);
     add_walls(std::move(obstacle), false);
   }
   still_walls_ = first_walls_ = walls_.size();
   furniture_ = obstacles_m_.size();
   check_holes();
+  check_sources();
   if (!is_free(T_world_start.position_m())) {
     throw std::invalid_argument("start: it is not in the free space of the room");
   }
@@ -115,6 +118,14 @@ void FloorPlan::check_holes() const {
     }
     if (!geometry::contains(room_m_, hole_m)) {
       throw std::invalid_argument("hole: it is not inside of the room");
+    }
+  }
+}
+
+void FloorPlan::check_sources() const {
+  for (const Source& source : marks_.sources) {
+    if (!geometry::contains(room_m_, source.position_m)) {
+      throw std::invalid_argument("source: it is not inside of the room");
     }
   }
 }
@@ -146,6 +157,7 @@ void FloorPlan::put_box(Outline box) {
   check_outline(box, "box");
   walls_.resize(still_walls_);
   obstacles_m_.push_back(box.corners_m);
+  attenuations_per_m_.push_back(box.attenuation_per_m);
   add_walls(std::move(box), false);
   still_walls_ = walls_.size();
   draw_movers();
@@ -191,6 +203,15 @@ FloorPlan FloorPlan::starting_at(const geometry::Pose2& T_world_start) const {
   FloorPlan moved = *this;
   moved.T_world_start_ = T_world_start;
   return moved;
+}
+
+FloorPlan FloorPlan::with_radiation(const std::vector<Source>& sources) const {
+  FloorPlan other = *this;
+  std::vector<Source>& all = other.marks_.sources;
+  std::erase_if(all, [](const Source& one) { return one.kind == SourceKind::kRadiation; });
+  all.insert(all.end(), sources.begin(), sources.end());
+  other.check_sources();
+  return other;
 }
 
 }  // namespace echomap::world

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "hil_mock/world/person.hpp"
+#include "hil_mock/world/source_field.hpp"
 #include "host/geometry/polygon.hpp"
 #include "host/geometry/pose2.hpp"
 
@@ -38,6 +39,9 @@ struct Outline {
   Polygon corners_m;
   /// Of the side from each corner to the next; where it is shorter, the rest is as by default.
   std::vector<Surface> surfaces;
+  /// What a metre of the solid takes of gamma rays, as a factor exp(-attenuation): of the obstacle
+  /// inside, or of all that is outside of the room.
+  double attenuation_per_m = kConcretePerM;
 };
 
 /// One side of an outline; free space lies to its left.
@@ -63,20 +67,22 @@ struct VirtualWall {
   double beam_half_angle_rad = 0.0;
 };
 
-/// What a floor has that is no wall, and who crosses it.
+/// What a floor has that is no wall, who crosses it, and what radiates.
 struct FloorMarks {
   /// Where there is no floor: stairs, the edge of a table.
   std::vector<Polygon> holes_m;
   std::vector<VirtualWall> virtual_walls;
   std::vector<PersonParams> people = {};
+  std::vector<Source> sources = {};
+  Backgrounds backgrounds = {};
 };
 
 /// A room seen from above, in metres in the world frame: an outline, what stands in it and what is
 /// on its floor.
 class FloorPlan {
  public:
-  /// Throws std::invalid_argument where an outline crosses itself, an obstacle or a hole is not
-  /// inside of the room or the start is not free.
+  /// Throws std::invalid_argument where an outline crosses itself, an obstacle, a hole or a source
+  /// is not inside of the room or the start is not free.
   FloorPlan(std::string name,
             Outline room,
             std::vector<Outline> obstacles,
@@ -95,6 +101,11 @@ class FloorPlan {
   const std::vector<Polygon>& holes_m() const { return marks_.holes_m; }
   const std::vector<VirtualWall>& virtual_walls() const { return marks_.virtual_walls; }
   const std::vector<PersonParams>& people() const { return marks_.people; }
+  const std::vector<Source>& sources() const { return marks_.sources; }
+  const Backgrounds& backgrounds() const { return marks_.backgrounds; }
+  /// What attenuates gamma rays outside of the room, and inside of each of `obstacles_m`.
+  double room_attenuation_per_m() const { return room_attenuation_per_m_; }
+  const std::vector<double>& attenuations_per_m() const { return attenuations_per_m_; }
   const geometry::Pose2& T_world_start() const { return T_world_start_; }
 
   /// Whether a point is inside of the room and outside of every obstacle and hole.
@@ -105,6 +116,9 @@ class FloorPlan {
   double clearance_m(const Eigen::Vector2d& point_m) const;
   /// The same room with another start; throws std::invalid_argument where it is not free.
   FloorPlan starting_at(const geometry::Pose2& T_world_start) const;
+  /// The same room with other sources of radiation, and those of other kinds; throws
+  /// std::invalid_argument for one that is not inside of the room.
+  FloorPlan with_radiation(const std::vector<Source>& sources) const;
 
   /// From now on a box stands there, upright; what of it is in a wall or an obstacle does not show.
   void put_box(Outline box);
@@ -124,6 +138,7 @@ class FloorPlan {
  private:
   void add_walls(Outline outline, bool counter_clockwise);
   void check_holes() const;
+  void check_sources() const;
   void add_sides(const Disc& disc, const Surface& surface);
   void draw_movers();
 
@@ -131,6 +146,8 @@ class FloorPlan {
   Polygon room_m_;
   std::vector<Polygon> obstacles_m_;  ///< The first `furniture_` are no boxes.
   std::size_t furniture_ = 0;
+  double room_attenuation_per_m_;
+  std::vector<double> attenuations_per_m_;  ///< Of each obstacle.
   FloorMarks marks_;
   std::vector<Wall> walls_;  ///< The first `still_walls_` stand always.
   std::size_t still_walls_ = 0;

@@ -32,6 +32,10 @@ Surface read_surface(const files::TomlReader& table, const Surface& fallback) {
 
 /// The truth map has a cell for every centimetre within.
 constexpr double kMaxCornerM = 100.0;
+/// Lead takes 125 of what caesium 137 sends out.
+constexpr double kMaxAttenuationPerM = 1000.0;
+/// More a second than any tube counts, and brighter than the sun.
+constexpr double kMaxBackground = 1e5;
 /// No run is longer.
 constexpr double kLatestStartS = 1e9;
 
@@ -53,6 +57,8 @@ Polygon read_corners(const files::TomlReader& table) {
 
 Outline read_outline(const files::TomlReader& table) {
   Outline outline;
+  outline.attenuation_per_m =
+      within(table, "attenuation_per_m", outline.attenuation_per_m, kMaxAttenuationPerM);
   outline.corners_m = read_corners(table);
   const auto count = static_cast<std::int64_t>(outline.corners_m.size());
   const Surface surface = read_surface(table, {});
@@ -96,6 +102,34 @@ PersonParams read_person(const files::TomlReader& table) {
   return person;
 }
 
+Source read_source(const files::TomlReader& table) {
+  Source source;
+  table.text_or("name", "");
+  const std::string kind = table.text_or("kind", name_of(SourceKind::kRadiation));
+  if (kind == name_of(SourceKind::kLight)) {
+    source.kind = SourceKind::kLight;
+  } else if (kind != name_of(SourceKind::kRadiation)) {
+    table.fail(
+        "kind",
+        "no source sends out '" + kind + "'" + files::suggestion(kind, {"radiation", "light"}));
+  }
+  source.position_m = {table.number("x_m"), table.number("y_m")};
+  source.strength = positive(table, "strength");
+  source.height_m = table.has("height_m") ? positive(table, "height_m") : source.height_m;
+  return source;
+}
+
+void read_sources(const files::TomlReader& file, const Polygon& room_m, FloorMarks& marks) {
+  for (const files::TomlReader& table : file.tables("source")) {
+    marks.sources.push_back(read_source(table));
+    if (!geometry::contains(room_m, marks.sources.back().position_m)) {
+      table.fail("x_m", "the source is not inside of the room");
+    }
+  }
+  marks.backgrounds.radiation_per_s = within(file, "background_per_s", 0.0, kMaxBackground);
+  marks.backgrounds.light_lux = within(file, "ambient_lux", 0.0, kMaxBackground);
+}
+
 FloorMarks read_marks(const files::TomlReader& file, const Polygon& room_m) {
   FloorMarks marks;
   for (const files::TomlReader& table : file.tables("hole")) {
@@ -115,6 +149,7 @@ FloorMarks read_marks(const files::TomlReader& file, const Polygon& room_m) {
   for (const files::TomlReader& table : file.tables("person")) {
     marks.people.push_back(read_person(table));
   }
+  read_sources(file, room_m, marks);
   return marks;
 }
 

@@ -19,6 +19,7 @@ enum class NoisePurpose : std::uint32_t {
   kCamera = 8,
   kEncoderDirt = 9,
   kStarts = 10,
+  kScalarSensor = 11,
   kRange0 = 16,  ///< .. 23, one for each infra-red channel.
 };
 

@@ -25,6 +25,9 @@ constexpr std::array<std::pair<const char*, IrKind>, 3> kIrKinds = {
      {"epuck", IrKind::kEpuck},
      {"create_wall", IrKind::kCreateWall}}};
 
+constexpr std::array<std::pair<const char*, ScalarSensorKind>, 2> kScalarSensorKinds = {
+    {{"geiger", ScalarSensorKind::kGeiger}, {"light", ScalarSensorKind::kLight}}};
+
 constexpr std::array<std::pair<const char*, CliffPlace>, 4> kCliffPlaces = {
     {{"left", CliffPlace::kLeft},
      {"front_left", CliffPlace::kFrontLeft},
@@ -141,6 +144,31 @@ StepperParams read_stepper(const files::TomlReader& table) {
   return stepper;
 }
 
+ScalarSensorParams read_scalar_sensor(const files::TomlReader& table) {
+  ScalarSensorParams sensor;
+  sensor.kind = named(table, "kind", kScalarSensorKinds);
+  sensor.mount_m = read_mount(table);
+  sensor.sensitivity = positive(table, "sensitivity");
+  if (sensor.kind == ScalarSensorKind::kLight) {
+    sensor.dark_millivolts = within(table, "dark_millivolts", sensor.dark_millivolts, 5000.0);
+    sensor.noise_millivolts = within(table, "noise_millivolts", sensor.noise_millivolts, 1000.0);
+    return sensor;
+  }
+  sensor.dead_time_s = 1e-6 * within(table, "dead_time_us", 1e6 * sensor.dead_time_s, 1e6);
+  sensor.pulse_s = 1e-6 * within(table, "pulse_us", 1e6 * sensor.pulse_s, 1e6);
+  if (sensor.pulse_s <= 0.0 || sensor.dead_time_s <= sensor.pulse_s) {
+    table.fail("dead_time_us", "it must be longer than pulse_us, which must be positive");
+  }
+  return sensor;
+}
+
+bool is_fitted_scalar(PinPart part, const PartParams& parts) {
+  const PinPart of_robot = parts.scalar && parts.scalar->kind == ScalarSensorKind::kLight
+                               ? PinPart::kScalarLevel
+                               : PinPart::kScalarPulses;
+  return parts.scalar.has_value() && part == of_robot;
+}
+
 bool is_fitted(PinPart part, const PartParams& parts) {
   if (part >= PinPart::kStepperA) {
     return parts.stepper.has_value();
@@ -157,7 +185,7 @@ bool is_fitted(PinPart part, const PartParams& parts) {
       return cliff.place == place;
     });
   }
-  return part == PinPart::kWheelDrop ||
+  return part == PinPart::kWheelDrop || is_fitted_scalar(part, parts) ||
          (part == PinPart::kVirtualWall && parts.beam_detector.has_value()) ||
          (part == PinPart::kWall && parts.wall.has_value()) ||
          (part == PinPart::kBattery && parts.battery.has_value());
@@ -222,6 +250,9 @@ PartParams read_parts(const files::TomlReader& file) {
   }
   if (file.has("stepper")) {
     parts.stepper = read_stepper(file.table("stepper"));
+  }
+  if (file.has("scalar_sensor")) {
+    parts.scalar = read_scalar_sensor(file.table("scalar_sensor"));
   }
   return parts;
 }

@@ -90,6 +90,27 @@ struct StepperParams {
   double max_half_steps_per_s = 600.0;
 };
 
+/// Kinds of sensors that say one number.
+enum class ScalarSensorKind : std::uint8_t {
+  kGeiger,  ///< A tube and its circuit: pulses, low for a while.
+  kLight,   ///< A photo transistor with a resistor: a voltage.
+};
+
+/// A sensor that says one number, at a place on the robot. The tube's dead time is that of an
+/// SBM-20 at 400 V by its data sheet; the pulse is what a common circuit makes of it.
+struct ScalarSensorParams {
+  ScalarSensorKind kind = ScalarSensorKind::kGeiger;
+  Eigen::Vector2d mount_m = Eigen::Vector2d::Zero();
+  /// Pulses per second for each of a source's strength, or millivolts per lux.
+  double sensitivity = 1.0;
+  /// Of a tube: for so long after a pulse it notices nothing, and the pin is low.
+  double dead_time_s = 190e-6;
+  double pulse_s = 150e-6;
+  /// Of a light sensor: in the dark, and standard deviation of each conversion.
+  double dark_millivolts = 50.0;
+  double noise_millivolts = 10.0;
+};
+
 /// What a robot may carry beside wheels, bumpers, sonar and pan servo.
 struct PartParams {
   std::vector<IrRangeParams> ranges;
@@ -100,6 +121,7 @@ struct PartParams {
   std::optional<BatteryParams> battery;
   /// In place of the pan servo.
   std::optional<StepperParams> stepper;
+  std::optional<ScalarSensorParams> scalar;
 };
 
 }  // namespace echomap::world

@@ -33,6 +33,9 @@ RobotParts::RobotParts(const FloorPlan& plan,
   if (params.battery) {
     battery_.emplace(*params.battery, NoiseStream(seed, NoisePurpose::kBattery));
   }
+  if (params.scalar) {
+    scalar_.emplace(plan, *params.scalar, NoiseStream(seed, NoisePurpose::kScalarSensor));
+  }
 }
 
 void RobotParts::step(double dt_s, const WheelDuty& duty) {
@@ -48,6 +51,9 @@ void RobotParts::step(double dt_s, const WheelDuty& duty) {
     battery_->step(dt_s,
                    {duty.left, body_.left_wheel().speed_share()},
                    {duty.right, body_.right_wheel().speed_share()});
+  }
+  if (scalar_) {
+    scalar_->step(dt_s, body_.T_world_robot());
   }
 }
 
@@ -82,6 +88,9 @@ bool RobotParts::is_active(PinPart part) const {
 double RobotParts::millivolts(PinPart part) {
   if (part == PinPart::kBattery) {
     return battery_ ? battery_->pin_millivolts() : 0.0;
+  }
+  if (part == PinPart::kScalarLevel) {
+    return scalar_ ? scalar_->millivolts() : 0.0;
   }
   const auto range = std::find_if(ranges_.begin(), ranges_.end(), [&](const IrRange& candidate) {
     return candidate.params().channel == channel_of(part);

@@ -11,6 +11,7 @@
 #include "hil_mock/world/mpu6050.hpp"
 #include "hil_mock/world/part_params.hpp"
 #include "hil_mock/world/robot_body.hpp"
+#include "hil_mock/world/scalar_sensor.hpp"
 #include "hil_mock/world/wiring.hpp"
 
 namespace echomap::world {
@@ -41,6 +42,10 @@ class RobotParts {
   /// The gyro on the two-wire bus; null for none.
   Mpu6050* gyro() { return gyro_ ? &*gyro_ : nullptr; }
   const std::optional<Battery>& battery() const { return battery_; }
+  /// Pulses of the Geiger tube in the last step.
+  std::vector<LowPulse> pulses() const {
+    return scalar_ ? scalar_->pulses() : std::vector<LowPulse>();
+  }
 
  private:
   bool sees_cliff(CliffPlace place) const;
@@ -51,6 +56,7 @@ class RobotParts {
   std::vector<IrRange> ranges_;
   std::optional<Mpu6050> gyro_;
   std::optional<Battery> battery_;
+  std::optional<ScalarSensor> scalar_;
   double heading_rad_;
 };
 

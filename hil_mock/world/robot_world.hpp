@@ -64,8 +64,8 @@ class RobotWorld {
   /// Whether the robot, standing at a place, would have a hand's breadth between its hull and that
   /// box.
   bool is_clear_of(const Polygon& box_m, const Eigen::Vector2d& place_m) const;
-  /// From now on a box stands there: walls see to it that the robot does not pass.
-  void put_box(const Polygon& box_m) { plan_.put_box({box_m, {}}); }
+  /// From now on a box of cardboard stands there: walls see to it that the robot does not pass.
+  void put_box(const Polygon& box_m) { plan_.put_box({box_m, {}, 0.0}); }
 
   const geometry::Pose2& T_world_robot() const { return body_.T_world_robot(); }
   /// Where the robot is, seen from where it started: as a map of its host has it.

@@ -6,14 +6,15 @@
 namespace echomap::world {
 namespace {
 
-constexpr std::array<std::string_view, 20> kNames = {
-    "cliff_left",  "cliff_front_left", "cliff_front_right",
-    "cliff_right", "wheel_drop",       "virtual_wall",
-    "wall",        "battery",          "range_0",
-    "range_1",     "range_2",          "range_3",
-    "range_4",     "range_5",          "range_6",
-    "range_7",     "stepper_a",        "stepper_b",
-    "stepper_c",   "stepper_d"};
+constexpr std::array<std::string_view, 22> kNames = {
+    "cliff_left",   "cliff_front_left", "cliff_front_right",
+    "cliff_right",  "wheel_drop",       "virtual_wall",
+    "wall",         "scalar_pulses",    "battery",
+    "scalar_level", "range_0",          "range_1",
+    "range_2",      "range_3",          "range_4",
+    "range_5",      "range_6",          "range_7",
+    "stepper_a",    "stepper_b",        "stepper_c",
+    "stepper_d"};
 
 }  // namespace
 

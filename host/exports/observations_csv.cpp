@@ -58,6 +58,13 @@ void ObservationsCsv::on_hazards(const sensors::HazardObservation& observation) 
   text_ += '\n';
 }
 
+void ObservationsCsv::on_scalar(const sensors::ScalarObservation& observation) {
+  begin_line("scalar", observation.stamp, observation.travel);
+  add(observation.count);
+  add(observation.dwell_s);
+  text_ += '\n';
+}
+
 void ObservationsCsv::on_carried(const sensors::CarriedObservation& observation) {
   begin_line("carried", observation.stamp, observation.travel);
   add(observation.T_map_robot);

@@ -17,6 +17,7 @@ namespace echomap::exports {
 ///     sonar,STAMP_US,LEFT_M,RIGHT_M,PAN_RAD,RANGE_M      `none` without an echo in range,
 ///                                                        `silent` where the sonar did not answer
 ///     infrared,STAMP_US,LEFT_M,RIGHT_M,RANGE_M,...       in the order of the profile
+///     scalar,STAMP_US,LEFT_M,RIGHT_M,COUNT,DWELL_S       pulses and their time, or a level and 0
 ///     hazards,STAMP_US,BUMP,BUMP,CLIFF,CLIFF,CLIFF,CLIFF,LIFTED,VIRTUAL_WALL,WALL    0 or 1
 ///     carried,STAMP_US,LEFT_M,RIGHT_M,X_M,Y_M,HEADING_RAD    on the map, from there on
 ///     fix,STAMP_US,X_M,Y_M,HEADING_RAD                   on the map, as a camera knows
@@ -30,6 +31,7 @@ class ObservationsCsv final : public pipeline::ObservationSink {
   void on_sonar(const sensors::SonarObservation& observation) override;
   void on_hazards(const sensors::HazardObservation& observation) override;
   void on_infrared(const sensors::InfraredObservation& observation) override;
+  void on_scalar(const sensors::ScalarObservation& observation) override;
   void on_carried(const sensors::CarriedObservation& observation) override;
   void on_pose_fix(const sensors::PoseFixObservation& observation) override;
   void begin_scan() override;

@@ -11,8 +11,9 @@
 
 namespace echomap::pipeline {
 
-/// Keeps what moves a robot's pose and map, so that a pipeline can be given it again. Battery and
-/// yaw are left out: they are of the moment. Wherever the robot was carried, a new stretch begins.
+/// Keeps what moves a robot's pose and map and what its scalar sensor said, so that a pipeline can
+/// be given it again. Battery and yaw are left out: they are of the moment. Wherever the robot was
+/// carried, a new stretch begins.
 class ObservationLog final : public AnyObservationSink {
  public:
   void on(const sensors::Observation& observation) override;

@@ -19,6 +19,7 @@ struct HandOn {
   void operator()(const sensors::EncoderErrorObservation& one) const {
     sink.on_encoder_errors(one);
   }
+  void operator()(const sensors::ScalarObservation& one) const { sink.on_scalar(one); }
   void operator()(const sensors::BeginScan& /*one*/) const { sink.begin_scan(); }
   void operator()(const sensors::EndScan& /*one*/) const { sink.end_scan(); }
 

@@ -20,6 +20,7 @@ class ObservationSink {
   virtual void on_yaw(const sensors::YawObservation& /*observation*/) {}
   virtual void on_battery(const sensors::BatteryObservation& /*observation*/) {}
   virtual void on_encoder_errors(const sensors::EncoderErrorObservation& /*observation*/) {}
+  virtual void on_scalar(const sensors::ScalarObservation& /*observation*/) {}
 
   /// What only other robots sense, in place of wheels and pings (LogPlayer).
   virtual void on_odometry_pose(const sensors::OdometryPoseObservation& /*observation*/) {}
@@ -52,6 +53,7 @@ class AnyObservationSink : public ObservationSink {
   void on_encoder_errors(const sensors::EncoderErrorObservation& observation) final {
     on(observation);
   }
+  void on_scalar(const sensors::ScalarObservation& observation) final { on(observation); }
   void begin_scan() final { on(sensors::BeginScan{}); }
   void end_scan() final { on(sensors::EndScan{}); }
 };

@@ -127,4 +127,15 @@ BatteryState battery_message(std::uint64_t time_ns, double voltage_v) {
   return message;
 }
 
+ScalarReadingMessage scalar_message(std::uint64_t time_ns,
+                                    const sensors::ScalarObservation& scalar,
+                                    const std::string& unit) {
+  const bool is_pulses = scalar.dwell_s > 0.0;
+  return {header_of(time_ns, kRobotFrame),
+          unit,
+          is_pulses ? scalar.count / scalar.dwell_s : scalar.count,
+          is_pulses ? scalar.count : 0.0,
+          scalar.dwell_s};
+}
+
 }  // namespace echomap::recording

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "host/geometry/pose2.hpp"
 #include "host/ros_messages/geometry_msgs.hpp"
@@ -38,6 +39,25 @@ ros_messages::TransformStamped transform_of(std::uint64_t time_ns,
                                             const std::string& child,
                                             const geometry::Pose2& T_parent_child);
 
+/// A reading of a scalar sensor, of which no ROS message is.
+struct ScalarReadingMessage {
+  static constexpr std::string_view kName = "echomap_msgs/msg/ScalarReading";
+  ros_messages::Header header{};
+  std::string unit{};  ///< Of the value.
+  double value = 0.0;  ///< Pulses per second as they were counted, or a level.
+  double count = 0.0;  ///< Pulses; 0 of a level.
+  double dwell_s = 0.0;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("unit", self.unit);
+    visit("value", self.value);
+    visit("count", self.count);
+    visit("dwell_s", self.dwell_s);
+  }
+};
+
 /// How fast a robot drives and turns, in its own frame.
 struct Speed {
   double forward_m_per_s = 0.0;
@@ -63,5 +83,9 @@ ros_messages::Range infrared_message(std::uint64_t time_ns,
 /// What the gyro has turned, as an orientation; it knows no accelerations.
 ros_messages::Imu imu_message(std::uint64_t time_ns, const sensors::YawObservation& yaw);
 ros_messages::BatteryState battery_message(std::uint64_t time_ns, double voltage_v);
+/// A reading of the scalar sensor, whose unit this is.
+ScalarReadingMessage scalar_message(std::uint64_t time_ns,
+                                    const sensors::ScalarObservation& scalar,
+                                    const std::string& unit);
 
 }  // namespace echomap::recording

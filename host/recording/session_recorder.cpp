@@ -159,6 +159,10 @@ void SessionRecorder::add(const sensors::BatteryObservation& battery) {
   write("/battery", battery_message(time_ns_, battery.voltage_v));
 }
 
+void SessionRecorder::add(const sensors::ScalarObservation& scalar) {
+  write("/scalar", scalar_message(time_ns_, scalar, params_.scalar_unit));
+}
+
 void SessionRecorder::add(const sensors::PoseFixObservation& fix) {
   add_event({SessionEventKind::kPoseFix, fix.stamp.time_since_epoch().count(), fix.T_map_robot});
 }

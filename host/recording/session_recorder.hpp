@@ -28,6 +28,7 @@ struct SessionRecorderParams {
   sensors::RobotGeometry geometry;
   SonarFacts sonar;
   std::vector<geometry::Pose2> T_robot_infrared;
+  std::string scalar_unit = {};  ///< Of the scalar sensor, if there is one.
 };
 
 /// Records a session while it takes place: the frames on the line and what happens beside them,
@@ -100,6 +101,7 @@ class SessionRecorder final : public pipeline::AnyObservationSink {
   void add(const sensors::HazardObservation& hazards);
   void add(const sensors::YawObservation& yaw);
   void add(const sensors::BatteryObservation& battery);
+  void add(const sensors::ScalarObservation& scalar);
   void add(const sensors::PoseFixObservation& fix);
   void add(const sensors::CarriedObservation& /*is_of_the_maps*/) {}
   void add(const sensors::EncoderErrorObservation& /*is_in_the_diagnostics*/) {}

@@ -19,6 +19,7 @@ using Command = std::variant<protocol::Arm,
                              protocol::ConfigureSensors,
                              protocol::ConfigureSafety,
                              protocol::ConfigureWiring,
+                             protocol::ConfigureScalar,
                              protocol::MoveTicks,
                              protocol::StartSweep>;
 

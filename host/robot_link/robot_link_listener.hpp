@@ -24,6 +24,7 @@ class RobotLinkListener {
   virtual void on_ranges(const protocol::Ranges& /*message*/) {}
   virtual void on_gyro(const protocol::Gyro& /*message*/) {}
   virtual void on_encoder_errors(const protocol::EncoderErrors& /*message*/) {}
+  virtual void on_scalar(const protocol::Scalar& /*message*/) {}
 
   /// What `RobotLink::read` asked for.
   virtual void on_bulk(const BulkResult& /*result*/) {}

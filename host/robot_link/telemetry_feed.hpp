@@ -36,6 +36,7 @@ class TelemetryFeed {
   void deliver(const protocol::Status& message) { listener_.on_status(message); }
   void deliver(const protocol::Ranges& message) { listener_.on_ranges(message); }
   void deliver(const protocol::Gyro& message) { listener_.on_gyro(message); }
+  void deliver(const protocol::Scalar& message) { listener_.on_scalar(message); }
   void deliver(const protocol::Health& message);
   void deliver(const protocol::EncoderErrors& message);
 

@@ -35,6 +35,9 @@ ObservationConverter::ObservationConverter(const RobotGeometry& geometry,
   if (sensors_.gyro) {
     yaw_.emplace(*sensors_.gyro);
   }
+  if (sensors_.scalar) {
+    scalar_.emplace(*sensors_.scalar);
+  }
   geometry_.validate();
   geometry::ParameterValidator("sonar")
       .finite("speed_of_sound_m_s", sonar_.speed_of_sound_m_s)
@@ -126,9 +129,22 @@ EncoderErrorObservation ObservationConverter::convert(const protocol::EncoderErr
           right_errors_.unwrap(static_cast<std::int16_t>(message.right))};
 }
 
+std::optional<ScalarObservation> ObservationConverter::convert(const protocol::Scalar& message) {
+  const time::RobotTime stamp = time_.unwrap(message.stamp_us);
+  const WheelTravel rolled = travel(message.left_ticks, message.right_ticks);
+  const auto reading = scalar_ ? scalar_->update(message) : std::nullopt;
+  if (!reading) {
+    return std::nullopt;
+  }
+  return ScalarObservation{stamp, rolled, reading->count, reading->dwell_s};
+}
+
 void ObservationConverter::restart(time::RobotClock::duration passed) {
   if (yaw_) {
     yaw_->restart();
+  }
+  if (scalar_) {
+    scalar_->restart();
   }
   time_.restart(passed);
   left_.restart();

@@ -8,6 +8,7 @@
 #include "host/sensors/infrared_curve.hpp"
 #include "host/sensors/observations.hpp"
 #include "host/sensors/robot_geometry.hpp"
+#include "host/sensors/scalar_meter.hpp"
 #include "host/sensors/tick_unwrapper.hpp"
 #include "host/sensors/yaw_integrator.hpp"
 #include "host/time/robot_time.hpp"
@@ -36,6 +37,7 @@ struct SensorParams {
   std::optional<GyroParams> gyro;
   /// Voltage of the battery at the converter's last count.
   std::optional<double> battery_full_scale_v;
+  std::optional<ScalarParams> scalar;
 };
 
 /// Turns telemetry, integers on the robot's clock, into observations in SI units. Counters and
@@ -64,6 +66,8 @@ class ObservationConverter {
   std::optional<BatteryObservation> convert(const protocol::Health& message);
 
   EncoderErrorObservation convert(const protocol::EncoderErrors& message);
+  /// Empty where the robot has no scalar sensor, and where ScalarMeter has no reading.
+  std::optional<ScalarObservation> convert(const protocol::Scalar& message);
 
   /// Which firmware sends the messages that follow: the minor version of its protocol.
   void set_protocol_minor(std::uint8_t minor) { protocol_minor_ = minor; }
@@ -82,6 +86,7 @@ class ObservationConverter {
   std::uint8_t protocol_minor_ = protocol::kProtocolMinor;
   int pings_in_vain_ = 0;  ///< In a row.
   std::optional<YawIntegrator> yaw_;
+  std::optional<ScalarMeter> scalar_;
   time::RobotTimeUnwrapper time_;
   TickUnwrapper left_;
   TickUnwrapper right_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/geometry/pose2.hpp"
+#include "host/sensors/scalar_observation.hpp"
 #include "host/sensors/wheel_travel.hpp"
 #include "host/sensors/yaw_integrator.hpp"
 #include "host/time/robot_time.hpp"
@@ -121,6 +122,7 @@ using Observation = std::variant<OdometryObservation,
                                  YawObservation,
                                  BatteryObservation,
                                  EncoderErrorObservation,
+                                 ScalarObservation,
                                  BeginScan,
                                  EndScan>;
 

@@ -59,11 +59,20 @@ bool is_same(const std::vector<Field>& one, const std::vector<Field>& other) {
 }
 
 constexpr std::size_t kWiringBytes = protocol::payload_size_of<protocol::ConfigureWiring>();
+constexpr std::size_t kScalarBytes = protocol::payload_size_of<protocol::ConfigureScalar>();
 
-/// Bytes of a configuration; the wiring is the last of its messages.
+/// Bytes of a configuration; wiring and scalar are the last of its messages.
 constexpr std::size_t bytes_of(ConfigurationExtent extent) {
   return protocol::ConfigurationBytes::kSize -
-         (extent == ConfigurationExtent::kWhole ? 0 : kWiringBytes);
+         (extent == ConfigurationExtent::kWhole ? 0 : kScalarBytes) -
+         (extent == ConfigurationExtent::kWithoutWiring ? kWiringBytes : 0);
+}
+
+template <class M>
+void erase_command(std::vector<robot_link::Command>& commands) {
+  std::erase_if(commands, [](const robot_link::Command& command) {
+    return std::holds_alternative<M>(command);
+  });
 }
 
 template <class M>
@@ -88,9 +97,11 @@ void order_wiring_and_pins(std::vector<robot_link::Command>& commands) {
 }  // namespace
 
 ConfigurationExtent extent_of(const std::optional<robot_link::SchemaDifference>& difference) {
-  return !difference || difference->agrees(protocol::ConfigureWiring::kId)
-             ? ConfigurationExtent::kWhole
-             : ConfigurationExtent::kWithoutWiring;
+  if (!difference || difference->agrees(protocol::ConfigureScalar::kId)) {
+    return ConfigurationExtent::kWhole;
+  }
+  return difference->agrees(protocol::ConfigureWiring::kId) ? ConfigurationExtent::kWithoutScalar
+                                                            : ConfigurationExtent::kWithoutWiring;
 }
 
 bool is_usual(const protocol::ConfigureWiring& wiring) {
@@ -108,7 +119,7 @@ std::uint32_t digest_of(const protocol::Configuration& configuration, Configurat
 
 std::optional<protocol::Configuration> configuration_in(const robot_link::BulkResult& result,
                                                         ConfigurationExtent extent) {
-  // What the robot does not hold stays as in an empty configuration: the usual wiring.
+  // What the robot does not hold stays as in an empty configuration: the usual wiring, no scalar.
   protocol::Configuration configuration{};
   protocol::ConfigurationBytes bytes = protocol::configuration_bytes(configuration);
   if (result.status != robot_link::BulkStatus::kWhole || result.bytes.size() != bytes_of(extent)) {
@@ -131,10 +142,11 @@ std::vector<robot_link::Command> commands_between(
       commands.push_back(wanted_parts[i].command);
     }
   }
+  if (extent != ConfigurationExtent::kWhole) {
+    erase_command<protocol::ConfigureScalar>(commands);
+  }
   if (extent == ConfigurationExtent::kWithoutWiring) {
-    std::erase_if(commands, [](const robot_link::Command& command) {
-      return std::holds_alternative<protocol::ConfigureWiring>(command);
-    });
+    erase_command<protocol::ConfigureWiring>(commands);
   }
   order_wiring_and_pins(commands);
   return commands;

@@ -16,8 +16,9 @@ namespace echomap::session {
 /// How much of a configuration a robot holds.
 enum class ConfigurationExtent : std::uint8_t {
   kWhole,
-  /// Before protocol 1.3: bridges are phase/enable and contacts close, which is what a
-  /// ConfigureWiring of zeros says.
+  kWithoutScalar,  ///< Before protocol 1.4: no scalar sensor, which is a ConfigureScalar of zeros.
+  /// Before protocol 1.3: neither that nor ConfigureWiring. Bridges are phase/enable and
+  /// contacts close, which is what one of zeros says.
   kWithoutWiring,
 };
 

@@ -36,6 +36,12 @@ void ObservationFeed::take(const protocol::EncoderErrors& message) {
   sink_.on_encoder_errors(converter_.convert(message));
 }
 
+void ObservationFeed::take(const protocol::Scalar& message) {
+  if (const auto scalar = converter_.convert(message)) {
+    sink_.on_scalar(*scalar);
+  }
+}
+
 void ObservationFeed::take(const protocol::Status& message) {
   hazards_ = converter_.convert(message);
   sink_.on_hazards(hazards_);

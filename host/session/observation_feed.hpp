@@ -32,6 +32,7 @@ class ObservationFeed {
   void take(const protocol::Gyro& message);
   void take(const protocol::Status& message);
   void take(const protocol::EncoderErrors& message);
+  void take(const protocol::Scalar& message);
 
   /// The last that was told.
   const sensors::HazardObservation& hazards() const { return hazards_; }

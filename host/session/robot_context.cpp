@@ -27,6 +27,9 @@ recording::SessionRecorderParams recorder_params(const RobotProfile& profile) {
   for (const sensors::InfraredSensor& sensor : profile.sensors.infrared) {
     params.T_robot_infrared.push_back(sensor.T_robot_sensor);
   }
+  if (profile.sensors.scalar) {
+    params.scalar_unit = profile.sensors.scalar->unit;
+  }
   return params;
 }
 

@@ -100,6 +100,7 @@ class RobotLine final : private robot_link::RobotLinkListener {
   void on_ranges(const protocol::Ranges& message) override { observe(message); }
   void on_gyro(const protocol::Gyro& message) override { observe(message); }
   void on_encoder_errors(const protocol::EncoderErrors& message) override { observe(message); }
+  void on_scalar(const protocol::Scalar& message) override { observe(message); }
   void on_bulk(const robot_link::BulkResult& result) override { bulk_ = result; }
   void on_ready(const protocol::HelloReply& reply) override;
   void on_reset(std::uint8_t reset_cause) override;

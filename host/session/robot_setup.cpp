@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/session/motor_driver_profile.hpp"
+#include "host/session/scalar_profile.hpp"
 
 namespace echomap::session {
 namespace {
@@ -74,7 +75,7 @@ bool RobotSetup::try_to_set_up() {
 bool RobotSetup::configure() {
   const protocol::Configuration& wanted = profile_.configuration;
   const ConfigurationExtent extent = extent_of(line_.link().difference());
-  if (!is_wired_as_wanted(extent)) {
+  if (!knows_what_is_wanted(extent)) {
     return false;
   }
   const auto& robot = line_.link().robot();
@@ -105,17 +106,20 @@ bool RobotSetup::configure() {
   return false;
 }
 
-bool RobotSetup::is_wired_as_wanted(ConfigurationExtent extent) {
-  if (extent == ConfigurationExtent::kWhole || is_usual(profile_.configuration.wiring)) {
-    return true;
+bool RobotSetup::knows_what_is_wanted(ConfigurationExtent extent) {
+  std::string lack;
+  if (extent == ConfigurationExtent::kWithoutWiring && !is_usual(profile_.configuration.wiring)) {
+    lack = "1.3: it knows phase/enable motor drivers and contacts that close, and profile '" +
+           profile_.name + "' has others";
+  } else if (extent != ConfigurationExtent::kWhole && wants_scalar(profile_.configuration)) {
+    lack = "1.4: it knows no scalar sensor, and profile '" + profile_.name + "' has one";
   }
-  line_.end(
-      SessionEnd::kFirmwareMismatch,
-      "the firmware of the robot on " + line_.name() +
-          " is older than protocol 1.3: it knows phase/enable motor drivers and contacts that "
-          "close, and profile '" +
-          profile_.name + "' has others\n  next: ./run flash --port " + line_.name());
-  return false;
+  if (!lack.empty()) {
+    line_.end(SessionEnd::kFirmwareMismatch,
+              "the firmware of the robot on " + line_.name() + " is older than protocol " + lack +
+                  "\n  next: ./run flash --port " + line_.name());
+  }
+  return lack.empty();
 }
 
 bool RobotSetup::arm() {
@@ -130,20 +134,27 @@ bool RobotSetup::arm() {
 
 bool RobotSetup::send(const robot_link::Command& command) {
   const auto result = line_.perform(command);
-  const auto* const wiring = std::get_if<protocol::ConfigureWiring>(&command);
-  if (result && result->outcome == CommandOutcome::kOutOfRange && wiring != nullptr) {
-    line_.end(SessionEnd::kConfigInvalid,
-              "the board refuses the motor driver of profile '" + profile_.name +
-                  "': " + advice_on_refused_bridge(*wiring));
-  } else if (result && result->outcome == CommandOutcome::kOutOfRange) {
-    line_.end(SessionEnd::kConfigInvalid,
-              "the board refuses " + name_of(command) + " of profile '" + profile_.name +
-                  "': it has no such pins or sensors, or a value is out of range\n"
-                  "  next: compare the profile with the board's page in docs/hardware, or update "
-                  "the firmware: ./run flash --port " +
-                  line_.name());
+  if (result && result->outcome == CommandOutcome::kOutOfRange) {
+    line_.end(SessionEnd::kConfigInvalid, "the board refuses " + words_of_refusal(command));
   }
   return is_accepted(command, result);
+}
+
+std::string RobotSetup::words_of_refusal(const robot_link::Command& command) const {
+  const std::string of_profile = " of profile '" + profile_.name + "': ";
+  if (const auto* const wiring = std::get_if<protocol::ConfigureWiring>(&command)) {
+    return "the motor driver" + of_profile + advice_on_refused_bridge(*wiring);
+  }
+  const auto& robot = line_.link().robot();
+  if (std::holds_alternative<protocol::ConfigurePins>(command) &&
+      wants_scalar(profile_.configuration)) {
+    return "the pins" + of_profile + advice_on_refused_scalar(robot ? robot->capabilities : 0);
+  }
+  return name_of(command) + of_profile +
+         "it has no such pins or sensors, or a value is out of range\n"
+         "  next: compare the profile with the board's page in docs/hardware, or update the "
+         "firmware: ./run flash --port " +
+         line_.name();
 }
 
 bool RobotSetup::is_accepted(const robot_link::Command& command,

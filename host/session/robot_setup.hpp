@@ -28,10 +28,13 @@ class RobotSetup {
   bool try_to_set_up();
   /// Reads the configuration back; false where the board was reset, or the link lost, in between.
   bool configure();
-  /// False, with the session's end, for a robot that would drive other bridges than the profile's.
-  bool is_wired_as_wanted(ConfigurationExtent extent);
+  /// False, with the session's end, for a robot that would drive other bridges than the profile's
+  /// or lacks its scalar sensor, because its firmware is too old.
+  bool knows_what_is_wanted(ConfigurationExtent extent);
   bool arm();
   bool send(const robot_link::Command& command);
+  /// What a board does not take that answers kOutOfRange, and what to do.
+  std::string words_of_refusal(const robot_link::Command& command) const;
   /// Notes what the board did instead.
   bool is_accepted(const robot_link::Command& command,
                    const std::optional<robot_link::CommandResult>& result);

@@ -9,6 +9,7 @@
 #include "host/files/nearest_word.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/session/profile_fields.hpp"
+#include "host/session/scalar_profile.hpp"
 #include "protocol/limits.hpp"
 
 namespace echomap::session {
@@ -29,6 +30,8 @@ constexpr std::array kPinWords{PinWord{"cliff_left", protocol::kPinCliffLeft},
                                PinWord{"virtual_wall", protocol::kPinVirtualWall},
                                PinWord{"wall", protocol::kPinWall},
                                PinWord{"battery", protocol::kPinBattery},
+                               PinWord{"scalar_level", protocol::kPinScalarLevel},
+                               PinWord{"scalar_pulses", protocol::kPinScalarPulses},
                                PinWord{"range_0", protocol::kPinRange0},
                                PinWord{"range_1", protocol::kPinRange0 + 1},
                                PinWord{"range_2", protocol::kPinRange0 + 2},
@@ -232,6 +235,9 @@ void read_sensors(const TomlReader& profile_file, RobotProfile& profile) {
     if (battery.has("stop_below_v")) {
       profile.stop_below_v = positive(battery, "stop_below_v");
     }
+  }
+  if (profile_file.has("scalar")) {
+    read_scalar(profile_file.table("scalar"), profile);
   }
   if (profile_file.has("safety")) {
     read_safety(profile_file.table("safety"), profile);

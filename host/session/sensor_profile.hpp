@@ -7,8 +7,8 @@
 namespace echomap::session {
 
 /// Reads what a profile may have beside wheels, sonar and pan: [wiring], [infrared], [gyro],
-/// [battery] and [safety], each of them optional. Wants `profile.geometry` and the pan read before.
-/// Throws files::ConfigError.
+/// [battery], [scalar] and [safety], each of them optional. Wants `profile.geometry` and the pan
+/// read before. Throws files::ConfigError.
 void read_sensors(const files::TomlReader& profile_file, RobotProfile& profile);
 
 }  // namespace echomap::session

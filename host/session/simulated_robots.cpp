@@ -49,6 +49,9 @@ std::vector<std::string> optional_arguments(const SimulatedRobotOptions& options
   };
   add("--faults=", options.faults);
   add("--part-faults=", options.part_faults);
+  for (const std::string& source : options.sources) {
+    add("--source=", source);
+  }
   add("--camera=udp:",
       options.fixes.empty() ? "" : options.fixes.substr(options.fixes.rfind(':') + 1));
   add("--camera-params=", options.camera_params);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/session/child_process.hpp"
 #include "host/session/open_robot.hpp"
@@ -22,6 +23,9 @@ struct SimulatedRobotOptions {
   std::string line = "direct";      ///< What carries the bytes: direct, usb, ftdi or bluetooth.
   std::string faults;       ///< Of the line, as the robot's program takes them; empty: none.
   std::string part_faults;  ///< As the robot's program takes them; empty: none.
+  /// Sources of radiation in place of the world's, each "X,Y,STRENGTH", or "none"; empty: the
+  /// world's.
+  std::vector<std::string> sources;
   /// What is true of the robot (docs/decisions/0002); empty: the bundled body of the profile's
   /// name.
   std::string body;

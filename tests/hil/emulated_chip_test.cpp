@@ -361,6 +361,18 @@ TEST_P(EmulatedChip, ConvertsTheVoltageOfItsLastChannel) {
   EXPECT_THAT(answer_to(kProbeReadVoltage, 5), ElementsAre(0xFF, 0x03));
 }
 
+TEST_P(EmulatedChip, ASparePinWithPulsesInterruptsAtEachChange) {
+  const unsigned pin = wiring.spare_count == 16 ? 8U : 0U;
+  board.set_aux_level(pin, true);
+  ask(kProbeCountPinChanges);
+  for (const std::int64_t us : {400, 900}) {
+    board.schedule_aux_pulse(pin, board.now_ns() + us * 1000, board.now_ns() + (us + 100) * 1000);
+  }
+  board.schedule_aux_pulse(pin + 1, board.now_ns() + 700'000, board.now_ns() + 800'000);
+  run_ms(5);
+  EXPECT_THAT(answer(), ElementsAre(4));
+}
+
 TEST_P(EmulatedChip, ASparePinIsAnOutputWhereItsProgramDrivesIt) {
   EXPECT_FALSE(board.aux_output(0));
   EXPECT_THAT(answer_to(kProbeDriveSpares, 5), ElementsAre('o'));

@@ -30,6 +30,18 @@ TEST(Ev3Release, SaysHelloUnaskedAndAnswersWithItsSchema) {
   EXPECT_EQ(reply->firmware_version, protocol::kFirmwareVersion);
 }
 
+TEST(Ev3Release, HasNoPinForAScalarSensorAndSaysSo) {
+  RobotSession robot(release_image(image));
+  const auto reply = robot.connect();
+  ASSERT_TRUE(reply);
+  EXPECT_FALSE((reply->capabilities & protocol::kCapabilityScalar) != 0);
+  protocol::ConfigurePins pins{};
+  pins.pin_0 = protocol::kPinScalarPulses;
+  EXPECT_EQ(robot.command(pins), CommandStatus::kOutOfRange);
+  pins.pin_0 = protocol::kPinScalarLevel;
+  EXPECT_EQ(robot.command(pins), CommandStatus::kOutOfRange);
+}
+
 TEST(Ev3Release, TellsTheSameBytesAtTheSameTimes) {
   const auto run = [] {
     RobotOnTheMove robot(release_image(image));

@@ -117,6 +117,7 @@ TEST_F(LiveIsReplay, OfEveryFilterRobotAndStrategy) {
        {std::vector<std::string>{"--slam=ekf", "--stops=5"},
         {"--slam=none", "--stops=5", "--world=office"},
         {"--strategy=nxt-farthest", "--stops=4", "--world=l_room"},
+        {"--robot=uno_geiger", "--world=source_rooms", "--stops=3"},
         {"--robot=epuck", "--world=epuck_field", "--strategy=random-bounce", "--seconds=30"},
         {"--robot=create", "--world=create_l", "--strategy=coastal"}}) {
     drive(options);

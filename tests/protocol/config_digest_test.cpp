@@ -25,12 +25,12 @@ TEST(ConfigDigest, ChangesWithEveryBitButNotWithCommandIds) {
 
 TEST(ConfigDigest, IsFnv1aOverIdsAndPayloads) {
   // FNV-1a over 0x12 and 12 zeros, 0x13 and 3, 0x16 and 17, 0x17 and 16, 0x18 and 3, 0x19 and 7,
-  // 0x1A and 3.
+  // 0x1A and 3, 0x1B and 2.
   std::uint32_t expected = 2166136261U;
   const auto add = [&](unsigned byte) { expected = (expected ^ byte) * 16777619U; };
-  const int zeros[] = {12, 3, 17, 16, 3, 7, 3};
-  const unsigned ids[] = {0x12, 0x13, 0x16, 0x17, 0x18, 0x19, 0x1A};
-  for (int i = 0; i < 7; ++i) {
+  const int zeros[] = {12, 3, 17, 16, 3, 7, 3, 2};
+  const unsigned ids[] = {0x12, 0x13, 0x16, 0x17, 0x18, 0x19, 0x1A, 0x1B};
+  for (int i = 0; i < 8; ++i) {
     add(ids[i]);
     for (int zero = 0; zero < zeros[i]; ++zero) {
       add(0);

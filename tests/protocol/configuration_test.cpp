@@ -61,7 +61,8 @@ TEST(Configuration, IsEveryConfigureMessageInTheOrderOfIds) {
                               ConfigurePins::kId,
                               ConfigureSensors::kId,
                               ConfigureSafety::kId,
-                              ConfigureWiring::kId}));
+                              ConfigureWiring::kId,
+                              ConfigureScalar::kId}));
 }
 
 TEST(Configuration, WritesTheIdInThePlaceOfTheCommandId) {
@@ -91,7 +92,7 @@ TEST(Configuration, IsNotReadWhereAnIdIsWrong) {
   wrong.bytes[0] = ConfigureSonar::kId;
   EXPECT_FALSE(read_configuration(wrong, configuration));
   wrong = right;
-  wrong.bytes[ConfigurationBytes::kSize - payload_size_of<ConfigureWiring>()] ^= 1;
+  wrong.bytes[ConfigurationBytes::kSize - payload_size_of<ConfigureScalar>()] ^= 1;
   EXPECT_FALSE(read_configuration(wrong, configuration));
 }
 

@@ -54,7 +54,7 @@ TEST(SchemaDescription, SaysWhatTheCompilerKnows) {
 
 TEST(SchemaDescription, IsSmall) {
   std::printf("description of the schema: %zu bytes\n", description.size());
-  EXPECT_LE(description.size(), 1213U);
+  EXPECT_LE(description.size(), 1248U);
 }
 
 struct First {

@@ -15,7 +15,7 @@ void start_encoders() {
   PORTB |= kEncoderPins;
   PCMSK0 = kEncoderPins;
   count_edges_from(PINB & kEncoderPins);
-  PCICR = _BV(PCIE0);
+  PCICR = _BV(PCIE0) | _BV(PCIE2);  // And a spare pin with pulses.
 }
 
 }  // namespace boards

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/hal/aux_pins.hpp"
 
+#include <avr/interrupt.h>
 #include <avr/io.h>
 
 #include "firmware/boards/avr_common/parts.hpp"
+#include "firmware/boards/avr_common/pulse_interrupt.hpp"
 
 namespace echomap {
 namespace boards {
@@ -13,6 +15,8 @@ namespace {
 constexpr uint8_t kPins = 7;
 constexpr uint8_t kFirstOfPortC = 3;
 constexpr uint8_t kFirstAnalogOnly = 5;
+/// PCINT0 is the spare pins' alone of port B: the encoders are on port C.
+constexpr uint8_t kPulsePins = kFirstOfPortC;
 /// D11 and D12 may go to a motor bridge that is not configured yet: a pull-up would be a level.
 constexpr uint8_t kFirstPulledUp = 2;
 
@@ -45,6 +49,9 @@ bool aux_pin_can(uint8_t pin, PinUse use) {
   if (use == PinUse::kAnalog) {
     return pin >= boards::kFirstOfPortC;
   }
+  if (use == PinUse::kPulses) {
+    return pin < boards::kPulsePins;
+  }
   return use == PinUse::kUnused || pin < boards::kFirstAnalogOnly;
 }
 
@@ -56,7 +63,11 @@ void use_aux_pin(uint8_t pin, PinUse use) {
   set_aux_output(pin, false);  // Before the direction: an output starts low.
   boards::write(DDRB, DDRC, pin, use == PinUse::kOutput);
   const bool pull_up_unused = use == PinUse::kUnused && pin >= boards::kFirstPulledUp;
-  set_aux_output(pin, pull_up_unused || use == PinUse::kDigital);
+  const bool is_input = use == PinUse::kDigital || use == PinUse::kPulses;
+  set_aux_output(pin, pull_up_unused || is_input);
+  if (pin < boards::kPulsePins) {
+    boards::watch_pulses(PCMSK0, boards::bit_of(pin), use == PinUse::kPulses);
+  }
 }
 
 uint16_t aux_levels() {
@@ -64,6 +75,8 @@ uint16_t aux_levels() {
   const uint8_t of_port_c = static_cast<uint8_t>(PINC >> (PC4 - boards::kFirstOfPortC)) & 0x18;
   return of_port_b | of_port_c;
 }
+
+ISR(PCINT0_vect) { boards::count_pulses(PINB, PCMSK0, _BV(PCIF0)); }
 
 void set_aux_output(uint8_t pin, bool high) { boards::write(PORTB, PORTC, pin, high); }
 

@@ -15,7 +15,7 @@ void start_encoders() {
   PORTC |= kEncoderPins;
   PCMSK1 = kEncoderPins;
   count_edges_from(PINC & kEncoderPins);
-  PCICR = _BV(PCIE1);
+  PCICR = _BV(PCIE1) | _BV(PCIE0);  // And a spare pin with pulses.
 }
 
 }  // namespace boards

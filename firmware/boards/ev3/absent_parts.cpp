@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/hal/adc.hpp"
 #include "firmware/hal/aux_pins.hpp"
+#include "firmware/hal/pulses.hpp"
 #include "firmware/hal/sonar.hpp"
 #include "firmware/hal/twi.hpp"
 
@@ -20,6 +21,8 @@ bool conversion_done(uint16_t& value) {
   value = 0;
   return true;
 }
+
+uint8_t counted_pulses() { return 0; }
 
 void trigger_sonar() {}
 bool echo_is_high() { return false; }

@@ -77,6 +77,7 @@ void NativeBoard::start_program() {
   aux_uses_.fill(hal::PinUse::kUnused);
   aux_outputs_.fill(false);
   conversion_end_ns_ = 0;
+  counted_pulses_ = 0;
   two_wire.stop();
   boards::start_edge_count(encoder_levels_);
   new (&app::devices) app::Devices();
@@ -122,7 +123,15 @@ void NativeBoard::set_bump(bool right, bool closed) {
 void NativeBoard::set_aux_level(std::uint8_t pin, bool high) {
   const unsigned bit = 1U << pin;
   const unsigned others = aux_low_ & ~bit;
+  if (!high && (aux_low_ & bit) == 0 && aux_uses_.at(pin) == hal::PinUse::kPulses) {
+    ++counted_pulses_;
+  }
   aux_low_ = static_cast<std::uint16_t>(high ? others : others | bit);
+}
+
+void NativeBoard::schedule_aux_pulse(std::uint8_t pin, std::int64_t fall_ns, std::int64_t rise_ns) {
+  at(fall_ns, [this, pin] { set_aux_level(pin, false); });
+  at(rise_ns, [this, pin] { set_aux_level(pin, true); });
 }
 
 void NativeBoard::use_aux_pin(std::uint8_t pin, hal::PinUse use) {

@@ -85,8 +85,11 @@ class NativeBoard {
   /// Closes or opens a bump contact now.
   void set_bump(bool right, bool closed);
 
-  /// Level on a spare pin from now on; high, by its pull-up, before the first call.
+  /// Level on a spare pin from now on; high, by its pull-up, before the first call. A falling edge
+  /// of a pin whose pulses the program counts is one.
   void set_aux_level(std::uint8_t pin, bool high);
+  /// A spare pin is low for so long, from a time on that is not in the past.
+  void schedule_aux_pulse(std::uint8_t pin, std::int64_t fall_ns, std::int64_t rise_ns);
   /// What the converter reads on a spare pin from now on, 0 .. 1023; 0 before the first call.
   void set_aux_analog(std::uint8_t pin, std::uint16_t raw) { aux_analog_.at(pin) = raw; }
   /// What the program uses a spare pin for.
@@ -121,6 +124,7 @@ class NativeBoard {
   void set_aux_output(std::uint8_t pin, bool high);
   void start_conversion(std::uint8_t pin);
   bool conversion_done(std::uint16_t& value) const;
+  std::uint8_t counted_pulses() const { return counted_pulses_; }
   void request_send();
   void kick_watchdog() { ++watchdog_kicks_; }
 
@@ -156,6 +160,7 @@ class NativeBoard {
   std::array<hal::PinUse, kAuxPins> aux_uses_ = {};
   std::array<bool, kAuxPins> aux_outputs_ = {};
   std::array<std::uint16_t, kAuxPins> aux_analog_ = {};
+  std::uint8_t counted_pulses_ = 0;
   std::uint16_t aux_low_ = 0;  ///< A bit for each spare pin that something pulls low.
   std::uint16_t converted_ = 0;
   std::int64_t conversion_end_ns_ = 0;

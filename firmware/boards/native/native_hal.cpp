@@ -7,6 +7,7 @@
 #include "firmware/hal/contacts.hpp"
 #include "firmware/hal/interrupts.hpp"
 #include "firmware/hal/motors.hpp"
+#include "firmware/hal/pulses.hpp"
 #include "firmware/hal/range_sensor.hpp"
 #include "firmware/hal/servo.hpp"
 #include "firmware/hal/sonar.hpp"
@@ -64,6 +65,8 @@ void set_aux_output(uint8_t pin, bool high) { board().set_aux_output(pin, high);
 
 void start_conversion(uint8_t aux_pin) { board().start_conversion(aux_pin); }
 bool conversion_done(uint16_t& value) { return board().conversion_done(value); }
+
+uint8_t counted_pulses() { return board().counted_pulses(); }
 
 bool has_twi() { return true; }
 void start_twi_write(uint8_t address, uint8_t device_register, uint8_t value) {

@@ -62,9 +62,13 @@ bool echo_is_high() { return boards::level_of(boards::kEchoPin); }
 }  // namespace hal
 }  // namespace echomap
 
-/// The edges come in turns, so only the one that is waited for may interrupt.
+/// The edges of the echo come in turns, so only the one that is waited for may interrupt.
 extern "C" void on_pins() {
   using namespace echomap::boards;
+  take_pulse();
+  if (pins().ints[0] == 0) {
+    return;
+  }
   const uint32_t now_half_us = timer().timerawl * 2;
   if ((pins().inte[0] & kRise) != 0) {
     pins().inte[0] = kFall;  // One that has come meanwhile counts.

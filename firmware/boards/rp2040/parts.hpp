@@ -35,6 +35,11 @@ void start_aux_pins();
 /// Channel of the converter that reads a spare pin which is used as hal::PinUse::kAnalog.
 uint8_t converter_channel(uint8_t aux_pin);
 void start_converter();
+/// From now on this pin's pulses are counted, and no other's; or no more, if it was the one.
+void count_pulses_of(uint8_t pin);
+void count_no_pulses_of(uint8_t pin);
+/// From the interrupt of the pins: counts a pulse if there was one.
+void take_pulse();
 /// UART0 with ECHOMAP_BAUD, 8N1, driven by interrupts.
 void start_uart();
 /// The USB device, which shows itself to a host from now on.

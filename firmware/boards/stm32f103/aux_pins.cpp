@@ -65,6 +65,7 @@ bool aux_pin_is_twi(uint8_t pin) {
 
 void use_aux_pin(uint8_t pin, PinUse use) {
   const boards::Pin chosen = boards::kAuxPins[pin];
+  boards::count_no_pulses_of(chosen);
   if (use == PinUse::kAnalog) {
     boards::set_mode(chosen, boards::PinMode::kAnalog);
   } else if (use == PinUse::kOutput) {
@@ -74,6 +75,9 @@ void use_aux_pin(uint8_t pin, PinUse use) {
     boards::pull_down(chosen);
   } else {
     boards::pull_up(chosen);
+  }
+  if (use == PinUse::kPulses) {
+    boards::count_pulses_of(chosen);
   }
 }
 

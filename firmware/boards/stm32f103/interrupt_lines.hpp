@@ -11,10 +11,13 @@ namespace boards {
 /// Positions in the vector table behind the 16 of the core: RM0008, table 63.
 enum class InterruptLine : uint8_t {
   kWwdg = 0,
+  kExti0 = 6,  ///< .. 10: lines 0 .. 4.
+  kExti5To9 = 23,
   kTim1Capture = 27,
   kI2c2Event = 33,
   kI2c2Error = 34,
   kUsart1 = 37,
+  kExti10To15 = 40,
 };
 
 /// All events of the program share one priority, so that none interrupts another and one lock

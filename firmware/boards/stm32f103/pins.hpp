@@ -48,6 +48,10 @@ void pull_up(Pin pin);
 /// An input with its pull-down.
 void pull_down(Pin pin);
 
+/// From now on this pin's pulses are counted, and no other's; or no more, if it was the one.
+void count_pulses_of(Pin pin);
+void count_no_pulses_of(Pin pin);
+
 /// Quadrature inputs with pull-up: left A, left B (TIM2_CH1, CH2, remapped), right A, right B
 /// (TIM4_CH1, CH2).
 constexpr Pin kEncoderPins[] = {{Port::kA, 15}, {Port::kB, 3}, {Port::kB, 6}, {Port::kB, 7}};

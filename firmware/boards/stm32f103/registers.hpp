@@ -67,15 +67,21 @@ struct GpioRegisters {
   Register crl, crh, idr, odr, bsrr, brr, lckr;
 };
 
-/// AFIO, chapter 9.4: which pins the timers have.
+/// AFIO, chapter 9.4: which pins the timers have, and of which port the lines of EXTI are.
 struct AfioRegisters {
-  Register evcr, mapr;
+  Register evcr, mapr, exticr[4];
 };
 inline AfioRegisters& afio() { return block_at<AfioRegisters>(0x40010000); }
 
 /// Bits of AFIO: TIM2_CH1 and CH2 on A15 and B3, and JTAG off, so that these and B4 are free.
 constexpr uint32_t kAfioMaprTim2OnPa15Pb3 = 1U << 8;
 constexpr uint32_t kAfioMaprSwdOnly = 2U << 24;
+
+/// EXTI, chapter 10.3: a line for each number of a pin.
+struct ExtiRegisters {
+  Register imr, emr, rtsr, ftsr, swier, pr;
+};
+inline ExtiRegisters& exti() { return block_at<ExtiRegisters>(0x40010400); }
 
 /// TIM1 (chapter 14) and TIM2 .. TIM4 (chapter 15).
 struct TimerRegisters {

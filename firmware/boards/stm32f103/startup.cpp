@@ -58,6 +58,11 @@ constexpr auto make_table() {
   table.set(kResetVector, on_reset);
   table.set(kTickVector, on_sys_tick);
   table.set_line(InterruptLine::kWwdg, on_wwdg);
+  for (uint8_t line = 0; line < 5; ++line) {
+    table.set_line(static_cast<uint8_t>(InterruptLine::kExti0) + line, on_exti);
+  }
+  table.set_line(InterruptLine::kExti5To9, on_exti);
+  table.set_line(InterruptLine::kExti10To15, on_exti);
   table.set_line(InterruptLine::kTim1Capture, on_tim1_capture);
   table.set_line(InterruptLine::kI2c2Event, on_i2c2_event);
   table.set_line(InterruptLine::kI2c2Error, on_i2c2_error);

@@ -5,6 +5,7 @@
 extern "C" {
 void on_sys_tick();
 void on_wwdg();
+void on_exti();
 void on_tim1_capture();
 void on_i2c2_event();
 void on_i2c2_error();

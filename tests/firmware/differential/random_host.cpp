@@ -110,6 +110,9 @@ void RandomHost::send_anything() {
     case 11:
       send(protocol::Arm{next_id(), 1});
       break;
+    case 12:
+      send(protocol::ConfigureScalar{next_id(), static_cast<uint16_t>(random_.bits16() & 0xFFFU)});
+      break;
     default:
       send_motion();
       break;
@@ -193,7 +196,7 @@ uint8_t RandomHost::pin_function() {
     return static_cast<uint8_t>(1U + (drawn & 7U) % 7U) | (drawn & 0x10U ? 0x80U : 0U);
   }
   return (drawn & 1U) != 0 ? static_cast<uint8_t>(protocol::kPinRange0 + ((drawn >> 1) & 7U))
-                           : uint8_t{protocol::kPinBattery};
+                           : static_cast<uint8_t>(protocol::kPinBattery + (drawn >> 1) % 3U);
 }
 
 void RandomHost::send_pin_settings() {

@@ -60,6 +60,7 @@ void World::step() {
   encoders_.left = static_cast<int16_t>(encoders_.left + left_.step(random_));
   encoders_.right = static_cast<int16_t>(encoders_.right + right_.step(random_));
   const uint32_t drawn = random_.next();
+  pulses_ = static_cast<uint8_t>(pulses_ + (static_cast<uint8_t>(drawn >> 24) & 3U));
   if ((drawn & ((uint32_t{1} << calm_) - 1)) == 0) {
     const uint8_t both = static_cast<uint8_t>(drawn >> 16) & 7U;
     contacts_ = both & (hal::kContactLeft | hal::kContactRight);

@@ -59,6 +59,7 @@ class World {
   const hal::LostSteps& lost_steps() const { return lost_steps_; }
   uint8_t contacts() const { return contacts_; }
   uint16_t aux_levels() const { return aux_levels_; }
+  uint8_t pulses() const { return pulses_; }
   bool echo_is_high() const { return echo_ == Echo::kHigh; }
   uint16_t line_bytes_per_s() const { return line_bytes_per_s_; }
   void output(Output kind, uint16_t value) { trace_.add(kind, value); }
@@ -83,6 +84,7 @@ class World {
   hal::EncoderReading encoders_ = {0, 0};
   hal::LostSteps lost_steps_ = {0, 0};
   uint8_t contacts_ = 0;
+  uint8_t pulses_ = 0;
   uint8_t calm_ = 8;  ///< Contacts and pins change once in 2 to this power.
   Echo echo_ = Echo::kLow;
   uint8_t echo_ms_ = 0;  ///< To the next edge.

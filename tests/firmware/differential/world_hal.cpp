@@ -78,6 +78,8 @@ bool conversion_done(uint16_t& value) {
   return true;
 }
 
+uint8_t counted_pulses() { return world.pulses(); }
+
 bool has_twi() { return true; }
 void start_twi_write(uint8_t address, uint8_t device_register, uint8_t value) {
   world.output(Output::kTwoWire, static_cast<uint16_t>((uint16_t{address} << 8) | device_register));

@@ -22,7 +22,7 @@ class AnalogInputsTest : public testing::Test {
   void run_ms(int ms) {
     for (int i = 0; i < ms; ++i) {
       board.run_until_ns(board.now_ns() + 1000000);
-      inputs.tick(pins);
+      inputs.tick(pins, scalar);
     }
   }
 
@@ -32,6 +32,7 @@ class AnalogInputsTest : public testing::Test {
   protocol::ConfigurePins active{};
   SparePins pins{active};
   AnalogInputs inputs;
+  ScalarSensor scalar;
 };
 
 TEST_F(AnalogInputsTest, NothingIsReadWithoutAPin) {
@@ -61,6 +62,22 @@ TEST_F(AnalogInputsTest, EveryInputIsReadInAMillisecondAnInput) {
     EXPECT_EQ(inputs.battery(), raw + 2);
     EXPECT_EQ(range(1), protocol::kNoRange);
   }
+}
+
+TEST_F(AnalogInputsTest, ScalarSensorGetsEveryConversionOfItsPin) {
+  protocol::ConfigurePins wanted{};
+  wanted.pin_1 = protocol::kPinScalarLevel;
+  wanted.pin_2 = protocol::kPinBattery;
+  configure(wanted);
+  board.set_aux_analog(1, 1000);
+  board.set_aux_analog(2, 3);
+  run_ms(1 + 100 * 2);
+  EXPECT_EQ(scalar.samples(), 100);
+  EXPECT_EQ(scalar.sum(), 100 * 1000U);
+  EXPECT_EQ(inputs.battery(), 3);
+  board.set_aux_analog(1, 500);
+  run_ms(1 + 100 * 2);
+  EXPECT_NEAR(scalar.sum(), 150'500, 500) << "it sums up, whoever reads it";
 }
 
 TEST_F(AnalogInputsTest, ChannelThatLosesItsPinSaysSo) {

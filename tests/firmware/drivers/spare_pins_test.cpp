@@ -33,6 +33,8 @@ TEST_F(SparePinsTest, EachFunctionHasItsUse) {
   wanted.pin_3 = protocol::kPinBattery;
   wanted.pin_4 = protocol::kPinRange0;
   wanted.pin_5 = protocol::kPinRange0 + 7;
+  wanted.pin_6 = protocol::kPinScalarLevel;
+  wanted.pin_7 = protocol::kPinScalarPulses;
   wanted.pin_15 = protocol::kPinStepperPhaseA + 3;
   ASSERT_TRUE(pins.accepts(wanted));
   pins.configure(wanted);
@@ -41,8 +43,10 @@ TEST_F(SparePinsTest, EachFunctionHasItsUse) {
                              PinUse::kDigital,
                              PinUse::kAnalog,
                              PinUse::kAnalog,
-                             PinUse::kAnalog};
-  for (std::uint8_t pin = 0; pin < 6; ++pin) {
+                             PinUse::kAnalog,
+                             PinUse::kAnalog,
+                             PinUse::kPulses};
+  for (std::uint8_t pin = 0; pin < 8; ++pin) {
     EXPECT_EQ(board.aux_use(pin), expected[pin]) << int{pin};
   }
   EXPECT_EQ(board.aux_use(15), PinUse::kOutput);
@@ -56,8 +60,9 @@ TEST_F(SparePinsTest, EachFunctionHasItsUse) {
 TEST_F(SparePinsTest, AcceptsEveryFunctionThatThereIsAndNoOther) {
   for (int function = 0; function < 256; ++function) {
     const int plain = function & 0x7F;
-    const bool exists = (plain >= 1 && plain <= 7) || function == 0 || function == 8 ||
-                        (function >= 16 && function <= 23) || (function >= 32 && function <= 35);
+    const bool exists = (plain >= 1 && plain <= 7) || function == 0 ||
+                        (function >= 8 && function <= 10) || (function >= 16 && function <= 23) ||
+                        (function >= 32 && function <= 35);
     wanted.pin_9 = static_cast<std::uint8_t>(function);
     EXPECT_EQ(pins.accepts(wanted), exists) << function;
   }

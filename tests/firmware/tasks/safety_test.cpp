@@ -52,7 +52,7 @@ class SafetyTest : public testing::Test {
   drivers::WheelEncoders encoders;
   protocol::Configuration configuration = app::kDefaultConfiguration;
   control::WheelMotion motion{encoders, configuration.drive, configuration.safety};
-  Sensors sensors{configuration.pins, configuration.sensors};
+  Sensors sensors{configuration.pins, configuration.sensors, configuration.scalar};
   Safety safety{motion, sensors, configuration.safety, configuration.wiring};
 };
 

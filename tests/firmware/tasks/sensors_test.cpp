@@ -62,7 +62,8 @@ TEST_F(SensorsTest, GreetingSaysWhatTheBoardCanDo) {
   for (const protocol::Capability one : {protocol::kCapabilityPins,
                                          protocol::kCapabilityRanges,
                                          protocol::kCapabilityGyro,
-                                         protocol::kCapabilityStepper}) {
+                                         protocol::kCapabilityStepper,
+                                         protocol::kCapabilityScalar}) {
     EXPECT_TRUE((reply->capabilities & one) != 0) << one;
   }
   EXPECT_FALSE((reply->capabilities & protocol::kCapabilityBlindEncoders) != 0);
@@ -70,11 +71,59 @@ TEST_F(SensorsTest, GreetingSaysWhatTheBoardCanDo) {
 
 TEST_F(SensorsTest, RefusesWhatNoBoardCanDo) {
   ASSERT_TRUE(robot.connect(1).has_value());
-  pins.pin_9 = 9;
+  pins.pin_9 = 11;
   EXPECT_EQ(robot.command(pins), CommandStatus::kOutOfRange);
   EXPECT_EQ(robot.command(protocol::ConfigureSensors{0, 0, 10, 4}), CommandStatus::kOutOfRange);
   EXPECT_EQ(robot.command(protocol::ConfigureSafety{0, 0, protocol::kMaxStallMs + 1, 0, 0}),
             CommandStatus::kOutOfRange);
+}
+
+TEST_F(SensorsTest, PulsesAreCountedOneByOneAndSummedUpSinceTheReset) {
+  protocol::ConfigurePins tube{};
+  tube.pin_5 = protocol::kPinScalarPulses;
+  ASSERT_TRUE(robot.connect(1).has_value());
+  ASSERT_EQ(robot.command(tube), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::ConfigureScalar{0, 100}), CommandStatus::kAccepted);
+  const std::int64_t begin_ns = robot.board.now_ns();
+  constexpr int kPulses = 1000;
+  for (int i = 0; i < kPulses; ++i) {
+    const std::int64_t fall_ns = begin_ns + std::int64_t{i} * 997000;
+    robot.board.schedule_aux_pulse(5, fall_ns, fall_ns + 100000);
+  }
+  robot.run_ms(1200);
+  const auto told = robot.all<protocol::Scalar>();
+  EXPECT_NEAR(double(told.size()), 12.0, 1.0);
+  EXPECT_EQ(told.back().sum, unsigned{kPulses});
+  EXPECT_EQ(told.back().samples, 0);
+  for (std::size_t i = 1; i < told.size(); ++i) {
+    const double passed_s = 1e-6 * (told[i].stamp_us - told[i - 1].stamp_us);
+    const double pulses = told[i].sum - told[i - 1].sum;
+    EXPECT_LE(pulses, passed_s / 997e-6 + 2.0);
+  }
+}
+
+TEST_F(SensorsTest, LevelIsSummedUpWithTheNumberOfItsConversions) {
+  protocol::ConfigurePins light{};
+  light.pin_5 = protocol::kPinScalarLevel;
+  robot.board.set_aux_analog(5, 321);
+  ASSERT_TRUE(robot.connect(1).has_value());
+  ASSERT_EQ(robot.command(light), CommandStatus::kAccepted);
+  ASSERT_EQ(robot.command(protocol::ConfigureScalar{0, 50}), CommandStatus::kAccepted);
+  robot.run_ms(1000);
+  const protocol::Scalar last = robot.all<protocol::Scalar>().back();
+  EXPECT_NEAR(last.samples, 1000, 60);
+  EXPECT_EQ(last.sum, 321U * last.samples);
+}
+
+TEST_F(SensorsTest, ScalarSensorIsSilentWithoutAPeriodAndRefusesALongOne) {
+  ASSERT_TRUE(robot.connect(1).has_value());
+  EXPECT_EQ(robot.command(protocol::ConfigureScalar{0, protocol::kMaxScalarPeriodMs + 1}),
+            CommandStatus::kOutOfRange);
+  EXPECT_EQ(robot.command(protocol::ConfigureScalar{0, protocol::kMaxScalarPeriodMs}),
+            CommandStatus::kAccepted);
+  EXPECT_EQ(robot.command(protocol::ConfigureScalar{0, 0}), CommandStatus::kAccepted);
+  robot.run_ms(3000);
+  EXPECT_TRUE(robot.all<protocol::Scalar>().empty());
 }
 
 TEST_F(SensorsTest, GyroAndSparePinsCannotBothHaveThePinsOfTheBus) {

@@ -21,6 +21,7 @@ struct Collected {
   std::vector<protocol::Ranges> ranges;
   std::vector<protocol::Gyro> gyro;
   std::vector<protocol::EncoderErrors> encoder_errors;
+  std::vector<protocol::Scalar> scalar;
 
   void operator()(const protocol::Echo& message) { echoes.push_back(message); }
   void operator()(const protocol::Odometry& message) { odometry.push_back(message); }
@@ -29,6 +30,7 @@ struct Collected {
   void operator()(const protocol::Ranges& message) { ranges.push_back(message); }
   void operator()(const protocol::Gyro& message) { gyro.push_back(message); }
   void operator()(const protocol::EncoderErrors& message) { encoder_errors.push_back(message); }
+  void operator()(const protocol::Scalar& message) { scalar.push_back(message); }
   template <class Other>
   void operator()(const Other& /*message*/) {}
 };
@@ -92,7 +94,7 @@ class TelemetryTest : public testing::Test {
   drivers::SerialPort port;
   protocol::Configuration configuration = app::kDefaultConfiguration;
   control::WheelMotion motion{encoders, configuration.drive, configuration.safety};
-  Sensors sensors{configuration.pins, configuration.sensors};
+  Sensors sensors{configuration.pins, configuration.sensors, configuration.scalar};
   drivers::PanDrive pan_drive{configuration.pan, sensors.pins()};
   control::ScanSweep sweep{encoders, sonar, pan_drive, configuration.sonar};
   Safety safety{motion, sensors, configuration.safety, configuration.wiring};
@@ -195,6 +197,25 @@ TEST_F(TelemetryTest, RangesComeAtTheirPeriodAndOnlyThen) {
   }
   EXPECT_EQ(before, 0U);
   EXPECT_EQ(after, 10U);
+}
+
+TEST_F(TelemetryTest, ScalarThatWaitsTooLongIsCountedAndItsSumIsOfTheNext) {
+  configuration.scalar.period_ms = 20;
+  telemetry.begin();
+  tick(12 * 20);
+  const Collected stale = collect();
+  protocol::ConfigurePins pins{};
+  pins.pin_3 = protocol::kPinScalarPulses;
+  sensors.configure(pins);
+  native::NativeBoard::instance().set_aux_level(3, false);
+  native::NativeBoard::instance().set_aux_level(3, true);
+  sensors.tick();
+  tick(1);
+  const Collected fresh = collect();
+  ASSERT_EQ(fresh.scalar.size(), 1U);
+  EXPECT_EQ(fresh.scalar[0].sum, 1U) << "gathered when there is room";
+  const std::size_t told = stale.odometry.size() + stale.scalar.size() + fresh.odometry.size() + 1;
+  EXPECT_EQ(next_health().telemetry_dropped, 24U - told);
 }
 
 TEST_F(TelemetryTest, GyroComesWithEveryOdometryWhileItIsOn) {

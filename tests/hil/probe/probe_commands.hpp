@@ -22,8 +22,9 @@ enum ProbeCommand : uint8_t {
                       ///< step, then TWSR of an address that nobody has.
   kProbeTimeTwoWire,  ///< Answers cycles (16 bit) of a byte at 400 kbit/s, interrupts of a START.
   kProbeReadVoltage,  ///< Answers the converter's last channel (16 bit).
-  kProbeReleaseForward,  ///< The left motor's direction is an input with pull-up again: 'r'.
-  kProbeReleaseOutputs,  ///< So are all of motors and servo; timers go on: 'r'.
-  kProbePullUpTrigger,   ///< A pulse of 11 us by the trigger's pull-up: 't'.
-  kProbeDriveSpares,     ///< The first spare pin is a high output, the next has a pull-up: 'o'.
+  kProbeReleaseForward,   ///< The left motor's direction is an input with pull-up again: 'r'.
+  kProbeReleaseOutputs,   ///< So are all of motors and servo; timers go on: 'r'.
+  kProbePullUpTrigger,    ///< A pulse of 11 us by the trigger's pull-up: 't'.
+  kProbeCountPinChanges,  ///< Answers interrupts of the first pin with pulses within 2 ms.
+  kProbeDriveSpares,      ///< The first spare pin is a high output, the next has a pull-up: 'o'.
 };

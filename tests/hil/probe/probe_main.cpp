@@ -277,6 +277,18 @@ void read_voltage() {
   send16(ADC);
 }
 
+void count_pin_changes() {
+  PROBE_PULSE_MASK = kPulsePin;
+  PCIFR = _BV(PROBE_PULSE_GROUP);
+  PCICR = _BV(PROBE_PULSE_GROUP);
+  interrupts_seen = 0;
+  sei();
+  _delay_ms(2);
+  cli();
+  PCICR = 0;
+  send(interrupts_seen);
+}
+
 void drive_spares() {
   PROBE_SPARE_DDR |= kFirstSpare;
   PROBE_SPARE_PORT |= kFirstSpare | kSecondSpare;
@@ -319,6 +331,8 @@ void answer(uint8_t command) {
       return time_two_wire();
     case kProbeReadVoltage:
       return read_voltage();
+    case kProbeCountPinChanges:
+      return count_pin_changes();
     case kProbeDriveSpares:
       return drive_spares();
     case kProbeSleepForEver:
@@ -334,6 +348,7 @@ void answer(uint8_t command) {
 
 ISR(TIMER0_COMPA_vect) { ++interrupts_seen; }
 ISR(PROBE_ENCODER_vect) { ++interrupts_seen; }
+ISR(PROBE_PULSE_vect) { ++interrupts_seen; }
 /// Leaves TWINT for whoever goes on.
 ISR(TWI_vect) {
   ++interrupts_seen;

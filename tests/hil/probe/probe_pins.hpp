@@ -35,6 +35,12 @@ constexpr uint8_t kServoPin = _BV(PL4);
 constexpr uint8_t kFirstSpare = _BV(PA0);
 constexpr uint8_t kSecondSpare = _BV(PA1);
 
+/// The first spare pin whose pulses the firmware counts: A8.
+#define PROBE_PULSE_MASK PCMSK2
+#define PROBE_PULSE_GROUP PCIE2
+#define PROBE_PULSE_vect PCINT2_vect
+constexpr uint8_t kPulsePin = _BV(PK0);
+
 /// Left motor forward at 191 of 255, right motor backward at 63.
 inline void drive_both_motors() {
   DDRG |= _BV(PG5);
@@ -83,6 +89,11 @@ constexpr uint8_t kServoPin = _BV(PB2);
 #define PROBE_SPARE_DDR DDRB
 constexpr uint8_t kFirstSpare = _BV(PB3);
 constexpr uint8_t kSecondSpare = _BV(PB4);
+
+#define PROBE_PULSE_MASK PCMSK0
+#define PROBE_PULSE_GROUP PCIE0
+#define PROBE_PULSE_vect PCINT0_vect
+constexpr uint8_t kPulsePin = _BV(PB3);
 
 inline void drive_both_motors() {
   DDRD |= _BV(PD4) | _BV(PD5) | _BV(PD6) | _BV(PD7);

@@ -21,6 +21,7 @@ struct Heard {
   protocol::Health health{};
   protocol::Ranges ranges{};
   protocol::Gyro gyro{};
+  protocol::Scalar scalar{};
   std::vector<protocol::Ack> acks;
   std::vector<protocol::Echo> echoes;
 
@@ -30,6 +31,7 @@ struct Heard {
   void operator()(const protocol::Health& message) { health = message; }
   void operator()(const protocol::Ranges& message) { ranges = message; }
   void operator()(const protocol::Gyro& message) { gyro = message; }
+  void operator()(const protocol::Scalar& message) { scalar = message; }
   void operator()(const protocol::Ack& message) { acks.push_back(message); }
   void operator()(const protocol::Echo& message) { echoes.push_back(message); }
   template <class Other>

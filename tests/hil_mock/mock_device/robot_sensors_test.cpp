@@ -215,6 +215,29 @@ TEST_P(UnoWithGyro, ItsGyroFollowsATurnWithinItsErrors) {
 INSTANTIATE_TEST_SUITE_P(Seeds, UnoWithGyro, testing::Values(1U, 2U, 3U, 4U, 5U));
 
 /// Whole turns and readings as in Singh and Bedi 2013, section 3.1: 120 of them, 6 degrees apart.
+TEST(UnoGeiger, CountsWhatTheFieldSaysWhereItStands) {
+  const world::FloorPlan hall =
+      bundled_room("source_hall").with_radiation(world::parse_sources({"3,1,200"}));
+  NativeSession session(hall, bundled_robot("uno_geiger"), 3);
+  protocol::ConfigurePins pins{};
+  pins.command_id = 10;
+  pins.pin_0 = protocol::kPinScalarPulses;
+  session.send(pins);
+  session.send(protocol::ConfigureScalar{11, 100});
+  session.pass_ms(500);
+  const protocol::Scalar first = session.heard().scalar;
+  session.pass_ms(40'000);
+  const protocol::Scalar last = session.heard().scalar;
+  const double passed_s = 1e-6 * (last.stamp_us - first.stamp_us);
+  const double rate_per_s = world::field_at(
+      hall, world::SourceKind::kRadiation, session.world().T_world_robot().position_m());
+  const double expected =
+      passed_s * rate_per_s / (1.0 + rate_per_s * world::ScalarSensorParams{}.dead_time_s);
+  EXPECT_NEAR(rate_per_s, 0.4 + 200.0 / 4.01, 0.01);
+  EXPECT_NEAR(last.sum - first.sum, expected, 4.0 * std::sqrt(expected));
+  EXPECT_EQ(last.samples, 0);
+}
+
 TEST(Ev3InABox, ItsStepperPansTwiceRoundAndUnwinds) {
   NativeSession session(world::box_room(), bundled_robot("ev3_mega"), 1);
   protocol::ConfigurePins pins{};

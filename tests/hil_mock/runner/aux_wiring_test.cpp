@@ -67,6 +67,35 @@ TEST_F(AuxWiringTest, TheGyroIsOnTheBus) {
   EXPECT_EQ(board.two_wire_device, robot_world.parts().gyro());
 }
 
+TEST(AuxWiring, PulsesOfATubeComeAStepLaterAtTheirPlace) {
+  world::RobotParams robot;
+  robot.parts.scalar = world::ScalarSensorParams{};
+  robot.parts.scalar->pulse_s = 150e-6;
+  robot.wiring["fake"][7] = world::PinWire{PinPart::kScalarPulses, false};
+  world::FloorMarks marks;
+  marks.backgrounds.radiation_per_s = 1000.0;
+  FakeBoard board;
+  world::RobotWorld robot_world(
+      {"hot", {world::rectangle(0.0, 0.0, 4.0, 3.0), {}}, {}, {2.0, 1.5, 0.0}, marks}, robot, 1);
+  AuxWiring wiring(board, robot_world);
+  EXPECT_EQ(board.aux_levels[7], true) << "high at rest";
+  std::size_t before = 0;
+  for (int ms = 1; ms <= 200; ++ms) {
+    board.time_ns = ms * 1'000'000;
+    world::EncoderChanges changes;
+    robot_world.step(1e-3, {}, changes);
+    wiring.drive_inputs();
+    for (; before < board.aux_pulses.size(); ++before) {
+      const FakeBoard::AuxPulse& pulse = board.aux_pulses[before];
+      EXPECT_EQ(pulse.pin, 7U);
+      EXPECT_GE(pulse.fall_ns, board.time_ns);
+      EXPECT_LT(pulse.fall_ns, board.time_ns + 1'000'000);
+      EXPECT_EQ(pulse.rise_ns - pulse.fall_ns, 150'000);
+    }
+  }
+  EXPECT_GT(before, 100U);
+}
+
 TEST(AuxWiring, ABareRobotDrivesNoPin) {
   FakeBoard board;
   world::RobotWorld robot_world(world::box_room(), {}, 1);

@@ -57,6 +57,18 @@ TEST(DeviceOptions, UnderstandsEveryOption) {
   EXPECT_EQ(options.duration_s, 2.5);
 }
 
+TEST(DeviceOptions, SourcesTakeThePlaceOfTheWorlds) {
+  EXPECT_FALSE(std::get<DeviceOptions>(read({})).sources);
+  const auto none = std::get<DeviceOptions>(read({"--source=none"}));
+  ASSERT_TRUE(none.sources);
+  EXPECT_TRUE(none.sources->empty());
+  const auto two = std::get<DeviceOptions>(read({"--source=1,2,20", "--source=3,4,5"}));
+  ASSERT_EQ(two.sources.value().size(), 2U);
+  EXPECT_EQ(two.sources->at(1).position_m, Eigen::Vector2d(3.0, 4.0));
+  EXPECT_EQ(std::get<int>(read({"--source=1,2"})), 2);
+  EXPECT_EQ(std::get<int>(read({"--source=1,2,3", "--source=none"})), 2);
+}
+
 TEST(DeviceOptions, KidnapsComeOneAfterTheOther) {
   const auto options =
       std::get<DeviceOptions>(read({"--kidnap=10,2,1.5,1,90", "--kidnap=20.5,0.5,2,1,-90"}));

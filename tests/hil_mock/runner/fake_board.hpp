@@ -23,6 +23,11 @@ class FakeBoard : public SimulatedBoard {
     bool a;
     bool b;
   };
+  struct AuxPulse {
+    unsigned pin;
+    std::int64_t fall_ns;
+    std::int64_t rise_ns;
+  };
   struct Echo {
     std::int64_t rise_ns;
     std::int64_t fall_ns;
@@ -54,6 +59,9 @@ class FakeBoard : public SimulatedBoard {
     (wheel == Wheel::kLeft ? left_edges : right_edges).push_back({at_ns, a, b});
     early_edges += at_ns < time_ns ? 1 : 0;
   }
+  void schedule_aux_pulse(unsigned pin, std::int64_t fall_ns, std::int64_t rise_ns) override {
+    aux_pulses.push_back({pin, fall_ns, rise_ns});
+  }
   void schedule_echo(std::int64_t rise_ns, std::int64_t fall_ns) override {
     echoes.push_back({rise_ns, fall_ns});
   }
@@ -81,6 +89,7 @@ class FakeBoard : public SimulatedBoard {
   std::vector<Edge> left_edges;
   std::vector<Edge> right_edges;
   int early_edges = 0;
+  std::vector<AuxPulse> aux_pulses;
   std::vector<Echo> echoes;
   bool left_bump = false;
   bool right_bump = false;

@@ -114,6 +114,30 @@ TEST_F(TruthFiles, ABoxIsInThem) {
   EXPECT_EQ(json::parse(written("truth_walls.geojson"))["features"].size(), 12U);
 }
 
+TEST(TruthOfSources, SaysWhereTheyAreInTheWorldAndSeenFromTheStart) {
+  world::FloorMarks marks;
+  marks.sources = {{world::SourceKind::kRadiation, {3.0, 2.5}, 20.0, 0.1}};
+  marks.backgrounds.radiation_per_s = 0.4;
+  FakeBoard board;
+  world::RobotWorld hot(
+      {"hot", {world::rectangle(0.0, 0.0, 4.0, 3.0), {}}, {}, {2.0, 1.5, 0.0}, marks}, {}, 1);
+  RobotSimulation simulation(board, hot);
+  const tests::ScratchFolder folder;
+  write_truth_so_far(folder / "truth", simulation);
+  const json text = json::parse(files::read_text_file(folder / "truth" / "source.json"));
+  EXPECT_EQ(text["background_per_s"], 0.4);
+  ASSERT_EQ(text["sources"].size(), 1U);
+  EXPECT_EQ(text["sources"][0]["kind"], "radiation");
+  EXPECT_EQ(text["sources"][0]["x_m"], 3.0);
+  EXPECT_EQ(text["sources"][0]["map_y_m"], 1.0);
+  EXPECT_EQ(text["sources"][0]["strength"], 20.0);
+}
+
+TEST_F(TruthFiles, IsSilentOfSourcesWhereThereAreNone) {
+  written("truth.json");
+  EXPECT_FALSE(std::filesystem::exists(folder / "truth" / "source.json"));
+}
+
 TEST_F(TruthFiles, SummarySaysWhatRan) {
   const json quiet =
       json::parse(written("truth.json", {.seed = 12, .dropped_bytes = 3, .stop = {}}));

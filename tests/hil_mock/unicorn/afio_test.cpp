@@ -26,6 +26,19 @@ TEST(Afio, LeavesToJtagWhatTheProgramDoesNotTake) {
   }
 }
 
+TEST(Afio, SaysOfWhichPortALineIs) {
+  constexpr std::uint32_t kExticr3 = 0x10;
+  Afio afio;
+  EXPECT_EQ(afio.port_of_line(11), 0U);
+  afio.write(kExticr3, 0x1000);
+  EXPECT_EQ(afio.read(kExticr3), 0x1000U);
+  EXPECT_EQ(afio.port_of_line(11), 1U);
+  EXPECT_EQ(afio.port_of_line(10), 0U);
+  EXPECT_EQ(afio.port_of_line(7), 0U);
+  afio.reset();
+  EXPECT_EQ(afio.port_of_line(11), 0U);
+}
+
 TEST(Afio, MovesTim2AndTellsEachChange) {
   Afio afio;
   int calls = 0;

@@ -233,7 +233,51 @@ INSTANTIATE_TEST_SUITE_P(All,
                                          "hall_16x12",
                                          "shielded_rooms",
                                          "corridor_t",
-                                         "ward"));
+                                         "ward",
+                                         "source_hall",
+                                         "source_rooms"));
+
+const std::string source_text = R"([[source]]
+x_m = 0.4
+y_m = 0.7
+strength = 20
+[[source]]
+kind = "light"
+x_m = 1.8
+y_m = 0.2
+strength = 500
+height_m = 2
+)";
+
+TEST(FloorPlanFile, ReadsSourcesBackgroundsAndWhatShields) {
+  std::string text = "background_per_s = 0.4\nambient_lux = 30\n" +
+                     edited("material = \"rough\"", "material = \"rough\"") + source_text;
+  text.replace(text.find("[[obstacle]]"), 12, "[[obstacle]]\nattenuation_per_m = 125");
+  const FloorPlan plan = read_floor_plan(files::TomlReader::parse(text, "small.toml"));
+  ASSERT_EQ(plan.sources().size(), 2U);
+  EXPECT_EQ(plan.sources()[0].kind, SourceKind::kRadiation);
+  EXPECT_EQ(plan.sources()[0].position_m, Eigen::Vector2d(0.4, 0.7));
+  EXPECT_EQ(plan.sources()[0].strength, 20.0);
+  EXPECT_EQ(plan.sources()[0].height_m, 0.1);
+  EXPECT_EQ(plan.sources()[1].kind, SourceKind::kLight);
+  EXPECT_EQ(plan.sources()[1].height_m, 2.0);
+  EXPECT_EQ(plan.backgrounds().radiation_per_s, 0.4);
+  EXPECT_EQ(plan.backgrounds().light_lux, 30.0);
+  EXPECT_EQ(plan.room_attenuation_per_m(), kConcretePerM);
+  EXPECT_EQ(plan.attenuations_per_m(), std::vector<double>{125.0});
+}
+
+TEST(FloorPlanFile, NamesThePlaceOfABadSource) {
+  const auto error_after = [](const std::string& from, const std::string& to) {
+    std::string text = room_text + source_text;
+    return plan_error_of(text.replace(text.find(from), from.size(), to));
+  };
+  EXPECT_EQ(plan_error_of(room_text + source_text), "no error");
+  EXPECT_THAT(error_after("x_m = 0.4", "x_m = 4.0"),
+              HasSubstr("the source is not inside of the room"));
+  EXPECT_THAT(error_after("strength = 20", "strength = 0"), HasSubstr("it must be positive"));
+  EXPECT_THAT(error_after("\"light\"", "\"ligth\""), HasSubstr("did you mean 'light'"));
+}
 
 const std::string person_text = R"([[person]]
 path_m = [[-0.5, 0.5], [2.5, 0.5]]

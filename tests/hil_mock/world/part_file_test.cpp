@@ -99,6 +99,30 @@ TEST(PartFile, ReadsTheWiresOfEachBoard) {
   EXPECT_FALSE(wires[2]);
 }
 
+TEST(PartFile, ReadsATubeAndALightSensorAndTheirWires) {
+  const auto tube = files::TomlReader::parse(
+      "[scalar_sensor]\nkind = \"geiger\"\nx_m = 0.02\ny_m = 0\nsensitivity = 1.5\n"
+      "dead_time_us = 100\npulse_us = 80\n[wiring.uno]\npin_0 = \"scalar_pulses\"\n",
+      "r.toml");
+  const PartParams parts = read_parts(tube);
+  EXPECT_EQ(parts.scalar.value().kind, ScalarSensorKind::kGeiger);
+  EXPECT_EQ(parts.scalar->mount_m.x(), 0.02);
+  EXPECT_EQ(parts.scalar->sensitivity, 1.5);
+  EXPECT_NEAR(parts.scalar->dead_time_s, 100e-6, 1e-12);
+  EXPECT_EQ(read_wiring(tube, parts).at("uno")[0].value().part, PinPart::kScalarPulses);
+  const auto light = files::TomlReader::parse(
+      "[scalar_sensor]\nkind = \"light\"\nx_m = 0\ny_m = 0\nsensitivity = 3\n"
+      "dark_millivolts = 20\nnoise_millivolts = 4\n[wiring.uno]\npin_5 = \"scalar_level\"\n",
+      "r.toml");
+  EXPECT_EQ(read_parts(light).scalar.value().dark_millivolts, 20.0);
+  EXPECT_EQ(read_wiring(light, read_parts(light)).at("uno")[5].value().part, PinPart::kScalarLevel);
+  EXPECT_THROW(read_wiring(light, parts), files::ConfigError) << "a tube has no voltage";
+  const auto too_long = files::TomlReader::parse(
+      "[scalar_sensor]\nkind = \"geiger\"\nx_m = 0\ny_m = 0\nsensitivity = 1\npulse_us = 200\n",
+      "r.toml");
+  EXPECT_THROW(read_parts(too_long), files::ConfigError) << "longer than the dead time";
+}
+
 TEST(PartFile, NamesThePlaceOfABadPart) {
   EXPECT_EQ(parts_error_after("x_m = 0.03", "x_m = 0.04"), "no error");
   EXPECT_THAT(parts_error_after("channel = 3", "channel = 8"), StartsWith("r.toml:2:11: "));

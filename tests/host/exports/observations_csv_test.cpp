@@ -22,6 +22,7 @@ TEST(ObservationsCsvTest, IsAsItsDocumentSays) {
   table.on_sonar({at_us(7), {0.1, 0.2}, 0.0, std::nullopt, false});
   table.on_infrared({at_us(8), {0.1, 0.2}, {0.5, std::nullopt}});
   table.on_hazards({.stamp = at_us(9), .bump_right = true, .cliffs = {true}, .lifted = true});
+  table.on_scalar({at_us(9), {0.1, 0.2}, 7.0, 0.25});
   table.on_battery({at_us(10), 7.0});
   table.end_scan();
   table.on_carried({at_us(11), {0.1, 0.2}, {1.5, -2.0, 0.25}});
@@ -36,6 +37,7 @@ TEST(ObservationsCsvTest, IsAsItsDocumentSays) {
             "sonar,7,0.1,0.2,0,silent\n"
             "infrared,8,0.1,0.2,0.5,none\n"
             "hazards,9,0,1,1,0,0,0,1,0,0\n"
+            "scalar,9,0.1,0.2,7,0.25\n"
             "end-scan\n"
             "carried,11,0.1,0.2,1.5,-2,0.25\n"
             "fix,12,1.25,-2,0.5\n");

@@ -25,6 +25,9 @@ class Story final : public ObservationSink {
   void on_sonar(const sensors::SonarObservation& /*observation*/) override { text += "s "; }
   void on_hazards(const sensors::HazardObservation& /*observation*/) override { text += "h "; }
   void on_infrared(const sensors::InfraredObservation& /*observation*/) override { text += "i "; }
+  void on_scalar(const sensors::ScalarObservation& observation) override {
+    text += "n" + whole(observation.count) + " ";
+  }
   void on_carried(const sensors::CarriedObservation& carried) override {
     text += "c" + whole(carried.travel.left_m) + "@" + whole(carried.T_map_robot.x_m()) + "," +
             whole(carried.T_map_robot.y_m()) + " ";
@@ -62,8 +65,9 @@ TEST_F(ObservationLogTest, HandsOnWhatItHasTakenInItsOrder) {
   log.on_infrared({});
   stop();
   log.on_hazards({});
+  log.on_scalar({at_us(6), {1.0, 1.0}, 12.0, 0.5});
   log.on_carried({at_us(7), {1.0, 1.0}, {3.0, 4.0, 0.5}});
-  EXPECT_EQ(story_of(log), "o1 i ( s ) h c1@3,4 ");
+  EXPECT_EQ(story_of(log), "o1 i ( s ) h n12 c1@3,4 ");
   EXPECT_EQ(log.scans(), 1U);
   EXPECT_EQ(story_of(ObservationLog()), "");
 }

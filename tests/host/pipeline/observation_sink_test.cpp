@@ -28,6 +28,7 @@ TEST(ObservationSink, EveryKindReachesTheFunctionForIt) {
                                               sensors::YawObservation{},
                                               sensors::BatteryObservation{},
                                               sensors::EncoderErrorObservation{},
+                                              sensors::ScalarObservation{},
                                               sensors::BeginScan{},
                                               sensors::EndScan{}};
   ASSERT_EQ(all.size(), std::variant_size_v<sensors::Observation>);

@@ -42,7 +42,7 @@ class SessionRecorderTest : public ::testing::Test {
   }
 
   const tests::ScratchFolder scratch;
-  SessionRecorder recorder{{{}, {0.2, 0.04, 2.0}, {{0.1, 0.0, 0.0}}}};
+  SessionRecorder recorder{{{}, {0.2, 0.04, 2.0}, {{0.1, 0.0, 0.0}}, "pulses/s"}};
 };
 
 TEST_F(SessionRecorderTest, ShowsOthersWhatTheRobotSenses) {
@@ -67,6 +67,21 @@ TEST_F(SessionRecorderTest, ShowsOthersWhatTheRobotSenses) {
   EXPECT_EQ(all.at("/tf_static").size(), 1U);
   EXPECT_EQ(all.at("/imu").size(), 1U);
   EXPECT_EQ(all.at("/battery").size(), 1U);
+}
+
+TEST_F(SessionRecorderTest, TellsPulsesAsTheirRateAndALevelAsItIs) {
+  recorder.on_scalar({at_us(9), {0.1, 0.1}, 8.0, 0.25});
+  recorder.on_scalar({at_us(9), {0.1, 0.1}, 3.5, 0.0});
+  auto all = messages();
+  const auto pulses = read<ScalarReadingMessage>(all.at("/scalar").at(0));
+  EXPECT_EQ(pulses.unit, "pulses/s");
+  EXPECT_EQ(pulses.value, 32.0);
+  EXPECT_EQ(pulses.count, 8.0);
+  EXPECT_EQ(pulses.dwell_s, 0.25);
+  EXPECT_EQ(pulses.header.frame_id, "base_link");
+  const auto level = read<ScalarReadingMessage>(all.at("/scalar").at(1));
+  EXPECT_EQ(level.value, 3.5);
+  EXPECT_EQ(level.count, 0.0);
 }
 
 TEST_F(SessionRecorderTest, OdometryTellsTheSpeed) {

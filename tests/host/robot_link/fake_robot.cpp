@@ -74,6 +74,9 @@ void FakeRobot::begin_session(std::uint16_t session) {
 FakeRobot::Bytes FakeRobot::configuration_bytes() const {
   const protocol::ConfigurationBytes all = protocol::configuration_bytes(configuration);
   Bytes held(std::begin(all.bytes), std::end(all.bytes));
+  if (!holds_wiring || !holds_scalar) {
+    held.resize(held.size() - protocol::payload_size_of<protocol::ConfigureScalar>());
+  }
   if (!holds_wiring) {
     held.resize(held.size() - protocol::payload_size_of<protocol::ConfigureWiring>());
   }
@@ -108,7 +111,9 @@ void FakeRobot::handle(const protocol::Ping& ping) {
 
 template <class Command>
 void FakeRobot::handle(const Command& command) {
-  if (std::is_same_v<Command, protocol::ConfigureWiring> && !holds_wiring) {
+  const bool knows_scalar = holds_wiring && holds_scalar;
+  if ((std::is_same_v<Command, protocol::ConfigureWiring> && !holds_wiring) ||
+      (std::is_same_v<Command, protocol::ConfigureScalar> && !knows_scalar)) {
     return;
   }
   command_ids_received.push_back(command.command_id);

@@ -73,6 +73,7 @@ class FakeRobot {
   bool answers_bulk_reads = true;
   /// Firmware of before protocol 1.3 does not hold ConfigureWiring, nor hear it.
   bool holds_wiring = true;
+  bool holds_scalar = true;  ///< False with holds_wiring, too.
   /// Added to what it was told of the pan's far end: a robot that does not do what it accepts.
   int pan_error_cdeg = 0;
   std::uint8_t hazards = 0;

@@ -237,6 +237,28 @@ TEST(ObservationConverter, CountsTheErrorsOfTheEncodersThroughWrapsAndResets) {
   EXPECT_EQ(seen.right, 0);
 }
 
+TEST(ObservationConverter, ReadsTheScalarSensorWhereTheWheelsAre) {
+  SensorParams sensors;
+  sensors.scalar = ScalarParams{};
+  ObservationConverter converter(kGeometry, kSonar, sensors);
+  EXPECT_FALSE(converter.convert(protocol::Scalar{1'000'000, 0, 0, 40, 0}));
+  const auto seen = converter.convert(protocol::Scalar{1'200'000, 250, 125, 49, 0});
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->stamp.time_since_epoch().count(), 1'200'000);
+  EXPECT_NEAR(seen->travel.left_m, 0.250, 1e-12);
+  EXPECT_EQ(seen->count, 9.0);
+  EXPECT_NEAR(seen->dwell_s, 0.2, 1e-12);
+  converter.restart();
+  EXPECT_FALSE(converter.convert(protocol::Scalar{1'000, 0, 0, 2, 0})) << "counts begin at zero";
+  EXPECT_EQ(converter.convert(protocol::Scalar{2'000, 0, 0, 5, 0})->count, 3.0);
+}
+
+TEST(ObservationConverter, HasNoScalarReadingWithoutASensor) {
+  ObservationConverter converter(kGeometry, kSonar);
+  converter.convert(protocol::Scalar{1'000, 0, 0, 2, 0});
+  EXPECT_FALSE(converter.convert(protocol::Scalar{2'000, 0, 0, 5, 0}));
+}
+
 TEST(ObservationConverter, RefusesInfraredSensorsWithoutACurve) {
   SensorParams sensors = all_sensors();
   sensors.infrared_curve.reset();

@@ -70,7 +70,8 @@ TEST(ConfigurationCheck, SendsWhatDiffersAndAllToAnUnknownBoard) {
                           "ConfigureWiring",
                           "ConfigurePins",
                           "ConfigureSensors",
-                          "ConfigureSafety"));
+                          "ConfigureSafety",
+                          "ConfigureScalar"));
 }
 
 TEST(ConfigurationCheck, FreesThePinsBeforeBridgesTakeThemAndUsesThemAfterwards) {
@@ -90,7 +91,8 @@ TEST(ConfigurationCheck, ReadsOlderRobotsAsOnesWithTheUsualWiring) {
   constexpr auto kOlder = ConfigurationExtent::kWithoutWiring;
   auto bulk = bulk_of(some_configuration());
   EXPECT_FALSE(configuration_in(bulk, kOlder));
-  bulk.bytes.resize(bulk.bytes.size() - protocol::payload_size_of<protocol::ConfigureWiring>());
+  bulk.bytes.resize(bulk.bytes.size() - protocol::payload_size_of<protocol::ConfigureWiring>() -
+                    protocol::payload_size_of<protocol::ConfigureScalar>());
   const auto held = configuration_in(bulk, kOlder);
   ASSERT_TRUE(held);
   EXPECT_TRUE(is_usual(held->wiring));
@@ -103,6 +105,25 @@ TEST(ConfigurationCheck, ReadsOlderRobotsAsOnesWithTheUsualWiring) {
                           "ConfigurePins",
                           "ConfigureSensors",
                           "ConfigureSafety"));
+}
+
+TEST(ConfigurationCheck, ReadsRobotsBeforeTheScalarSensorAsOnesWithout) {
+  constexpr auto kBefore = ConfigurationExtent::kWithoutScalar;
+  auto wired = some_configuration();
+  wired.wiring.bridge = 2;
+  auto bulk = bulk_of(wired);
+  EXPECT_FALSE(configuration_in(bulk, kBefore));
+  bulk.bytes.resize(bulk.bytes.size() - protocol::payload_size_of<protocol::ConfigureScalar>());
+  const auto held = configuration_in(bulk, kBefore);
+  ASSERT_TRUE(held);
+  EXPECT_EQ(held->wiring.bridge, 2);
+  EXPECT_EQ(held->scalar.period_ms, 0);
+  auto wanted = wired;
+  wanted.scalar.period_ms = 50;
+  EXPECT_THAT(commands_between(held, wanted, kBefore), IsEmpty());
+  EXPECT_EQ(digest_of(wanted, kBefore), digest_of(wired, kBefore));
+  wanted.wiring.bridge = 1;
+  EXPECT_NE(digest_of(wanted, kBefore), digest_of(wired, kBefore));
 }
 
 TEST(ConfigurationCheck, DigestsAsMuchAsTheRobotHolds) {

@@ -222,6 +222,45 @@ TEST_F(OlderRobot, IsRefusedWhereTheProfileWantsOtherBridges) {
   EXPECT_EQ(cable.robot.configurations, 0);
 }
 
+/// A robot whose firmware is older than the scalar sensor.
+class RobotBeforeScalar : public RefusedSetup {
+ protected:
+  RobotBeforeScalar() {
+    cable.robot.holds_scalar = false;
+    cable.robot.protocol_minor = 3;
+    cable.robot.schema = robot_link::description_of<robot_link::other_messages::BeforeScalar>();
+    cable.robot.schema_digest =
+        protocol::DigestOf<robot_link::other_messages::BeforeScalar>::kValue;
+  }
+};
+
+TEST_F(RobotBeforeScalar, IsSetUpWithoutOneAndWithItsWiring) {
+  profile.configuration.wiring.bridge =
+      static_cast<std::uint8_t>(protocol::MotorBridgeKind::kTwoPwm);
+  session = new_session(false);
+  session->connect();
+  EXPECT_TRUE(cable.robot.armed);
+  EXPECT_EQ(cable.robot.configuration.wiring.bridge, profile.configuration.wiring.bridge);
+}
+
+TEST_F(RobotBeforeScalar, IsRefusedWhereTheProfileHasOne) {
+  profile.configuration.scalar.period_ms = 100;
+  const std::string error = error_with(console::ExitCode::kFirmwareMismatch);
+  EXPECT_NE(error.find("older than protocol 1.4"), std::string::npos) << error;
+  EXPECT_FALSE(cable.robot.armed);
+}
+
+TEST_F(RefusedSetup, SaysThatABrickHasNoPinForAScalarSensor) {
+  profile.configuration.pins.pin_0 = protocol::kPinScalarPulses;
+  profile.configuration.scalar.period_ms = 100;
+  let_refuse("ConfigurePins");
+  std::string error = error_with(console::ExitCode::kConfigInvalid);
+  EXPECT_NE(error.find("an EV3 has ports in place of spare pins"), std::string::npos) << error;
+  cable.robot.capabilities = protocol::kCapabilityScalar;
+  error = error_with(console::ExitCode::kConfigInvalid);
+  EXPECT_NE(error.find("put 'scalar_pulses' on pin_0 .. pin_2"), std::string::npos) << error;
+}
+
 TEST_F(RobotSetupTest, TakesARefusedProfileForInvalid) {
   cable.robot.answer = protocol::CommandStatus::kOutOfRange;
   try {

@@ -25,6 +25,8 @@ class Notes final : public pipeline::AnyObservationSink {
       left_m.push_back(odometry->travel.left_m);
     } else if (const auto* ping = std::get_if<sensors::SonarObservation>(&observation)) {
       answered.push_back(ping->has_answered);
+    } else if (const auto* scalar = std::get_if<sensors::ScalarObservation>(&observation)) {
+      scalars.push_back(*scalar);
     } else if (const auto* fix = std::get_if<sensors::PoseFixObservation>(&observation)) {
       fixes.push_back(*fix);
     }
@@ -34,15 +36,17 @@ class Notes final : public pipeline::AnyObservationSink {
   std::vector<double> left_m;
   std::vector<bool> answered;
   std::vector<sensors::PoseFixObservation> fixes;
+  std::vector<sensors::ScalarObservation> scalars;
 };
 
 class SessionPlayerTest : public ::testing::Test {
  protected:
-  void play(double from_s = 0.0, double until_s = 1000.0) {
+  void play(double from_s = 0.0, double until_s = 1000.0) { play(profile, from_s, until_s); }
+  void play(const RobotProfile& with, double from_s, double until_s) {
     recording.save(scratch / "session.mcap");
     recording::SessionReader reader(scratch / "session.mcap");
     pipeline::JoinedSessions sessions(notes);
-    SessionPlayer player(reader, profile, {sessions, notes});
+    SessionPlayer player(reader, with, {sessions, notes});
     player.play_between(from_s, until_s);
     while (player.play_next()) {
     }
@@ -104,6 +108,28 @@ TEST_F(SessionPlayerTest, HandsOnFixesToTheBit) {
   EXPECT_EQ(notes.fixes[0].stamp.time_since_epoch().count(), 17);
   EXPECT_EQ(notes.fixes[0].T_map_robot.y_m(), 1.0 / 3.0);
   EXPECT_EQ(notes.fixes[0].T_map_robot.heading_rad(), -2.0);
+}
+
+TEST_F(SessionPlayerTest, HandsOnReadingsOfAScalarSensorAsTheSessionHadThem) {
+  const RobotProfile with_tube = load_robot_profile("uno_geiger");
+  Notes live;
+  ObservationFeed feed(with_tube, live);
+  for (const protocol::Scalar& message : {protocol::Scalar{100'007, 0, 0, 70, 0},
+                                          protocol::Scalar{200'011, 250, 249, 73, 0},
+                                          protocol::Scalar{500'013, 333, 331, 101, 0}}) {
+    recording.receive(message);
+    feed.take(message);
+  }
+  play(with_tube, 0.0, 1000.0);
+  ASSERT_EQ(live.scalars.size(), 2U);
+  ASSERT_EQ(notes.scalars.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(notes.scalars[i].stamp, live.scalars[i].stamp);
+    EXPECT_EQ(notes.scalars[i].travel.left_m, live.scalars[i].travel.left_m);
+    EXPECT_EQ(notes.scalars[i].count, live.scalars[i].count);
+    EXPECT_EQ(notes.scalars[i].dwell_s, live.scalars[i].dwell_s);
+  }
+  EXPECT_EQ(notes.scalars[1].count, 28.0);
 }
 
 TEST_F(SessionPlayerTest, EndsWhereTheMapsDo) {

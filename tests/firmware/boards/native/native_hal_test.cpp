@@ -10,6 +10,7 @@
 #include "firmware/hal/contacts.hpp"
 #include "firmware/hal/encoders.hpp"
 #include "firmware/hal/motors.hpp"
+#include "firmware/hal/pulses.hpp"
 #include "firmware/hal/servo.hpp"
 #include "firmware/hal/sonar.hpp"
 
@@ -118,6 +119,24 @@ TEST_F(NativeHalTest, OutputsStartLowAndTellEveryChange) {
   board.on_aux_output = nullptr;
   EXPECT_FALSE(board.aux_output(7));
   EXPECT_EQ(told, (std::vector<bool>{true, false}));
+}
+
+TEST_F(NativeHalTest, OnlyThePinWithPulsesCountsThem) {
+  use_aux_pin(6, PinUse::kPulses);
+  use_aux_pin(7, PinUse::kDigital);
+  for (const std::uint8_t pin : std::vector<std::uint8_t>{6, 6, 7, 8}) {
+    board.set_aux_level(pin, false);
+    board.set_aux_level(pin, false);
+    board.set_aux_level(pin, true);
+  }
+  EXPECT_EQ(counted_pulses(), 2);
+  board.schedule_aux_pulse(6, 1000, 2000);
+  board.run_until_ns(999);
+  EXPECT_EQ(counted_pulses(), 2);
+  board.run_until_ns(1000);
+  EXPECT_EQ(counted_pulses(), 3);
+  board.power_on();
+  EXPECT_EQ(counted_pulses(), 0);
 }
 
 TEST_F(NativeHalTest, ConversionTakesItsTime) {
