@@ -74,7 +74,7 @@ class WaySearch {
   /// The best one, or the way to the current goal where that is hardly worse.
   std::optional<DwellPlan> result() const {
     const bool is_kept =
-        current_ && best_ && params_.better * current_->gain_per_s() >= best_->gain_per_s();
+        current_ && best_ && params_.better * current_->gain_per_s >= best_->gain_per_s;
     return is_kept ? current_ : best_;
   }
 
@@ -106,11 +106,11 @@ class WaySearch {
   }
 
   void take(const Eigen::Vector2d& at_m, double dwell_s, double gain, double time_s) {
-    const DwellPlan plan{at_m, dwell_s, {}, gain, time_s};
+    const DwellPlan plan{at_m, dwell_s, {}, gain, time_s, gain / (time_s + params_.overhead_s)};
     const bool is_current = current_m_ && (at_m - *current_m_).norm() < kSameGoalM;
     for (std::optional<DwellPlan>* of : {&best_, &current_}) {
       if ((of == &best_ || is_current) && time_s > 0.0 &&
-          (!*of || plan.gain_per_s() > (*of)->gain_per_s())) {
+          (!*of || plan.gain_per_s > (*of)->gain_per_s)) {
         *of = plan;
         (*of)->readings = readings_;
         (*of)->readings.push_back({at_m, dwell_s});
@@ -163,6 +163,7 @@ DwellChoice::DwellChoice(const DwellChoiceParams& params) : params_(params) {
       .positive_finite("max_way_s", params.max_way_s)
       .positive_finite("dwell_s", params.dwell_s)
       .positive_finite("speed_m_per_s", params.speed_m_per_s)
+      .nonnegative_finite("overhead_s", params.overhead_s)
       .at_least("better", params.better, 1.0);
 }
 

@@ -27,6 +27,9 @@ struct DwellChoiceParams {
   double dwell_s = 3.0;
   /// Of the way, for its time; the sensor counts meanwhile.
   double speed_m_per_s = 0.2;
+  /// What each plan is taken to last longer than it does: a short one is not followed by one that
+  /// is as good.
+  double overhead_s = 3.0;
   /// A goal is left for another one that gains so much more a second.
   double better = 1.25;
 };
@@ -38,8 +41,7 @@ struct DwellPlan {
   std::vector<PlannedDwell> readings;  ///< On the way and at the goal, in their order.
   double gain = 0.0;                   ///< InformationGain, in nats.
   double time_s = 0.0;
-
-  double gain_per_s() const { return time_s > 0.0 ? gain / time_s : 0.0; }
+  double gain_per_s = 0.0;  ///< With the overhead.
 };
 
 /// Chooses where to count next: of all ways to places in reach the one with the most expected

@@ -39,6 +39,9 @@ class InformationGain {
   double expected_log_probability(const PairDistances& distances) const;
 
  private:
+  /// For how long has been read there.
+  double read_s(const Eigen::Vector2d& at_m) const;
+
   std::size_t padded_;  ///< Hypotheses in a row of a matrix; those beyond `size` have no weight.
   const SourceBelief& belief_;
   std::vector<SourceHypothesis> samples_;

@@ -22,7 +22,7 @@ struct SourceBeliefParams {
   double found_radius_m = 0.2;
   double claim_probability = 0.95;
   /// A square that holds more of the probability than this is split.
-  double split_probability = 0.001;
+  double split_probability = 0.004;
 };
 
 /// One way that things may be.

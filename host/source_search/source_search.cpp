@@ -151,7 +151,7 @@ Motion SourceSearch::decide(const pipeline::Snapshot& snapshot) {
                                    is_under_way ? goal_m_ : std::nullopt,
                                    std::fmod(static_cast<double>(goals_) * kGoldenShare, 1.0));
   const double look_per_s = look ? params_.nats_per_unknown_m2 * look->gain_per_s : 0.0;
-  is_look_ = look && (!plan || look_per_s > plan->gain_per_s());
+  is_look_ = look && (!plan || look_per_s > plan->gain_per_s);
   if (is_look_) {
     goal_m_ = look->at_m;
     goal_dwell_s_ = 0.0;

@@ -17,7 +17,7 @@ struct OfflineSearch {
   std::vector<geometry::Pose2> starts;
   std::uint32_t seed = 1;
   /// A robot tells what it has counted so often.
-  double reading_s = 1.0;
+  double reading_s = 2.0;
   double turn_rad_per_s = 2.0;
   double max_s = 3000.0;
 };

@@ -45,7 +45,7 @@ TEST(BlockPosterior, MorePulsesAreSummedInFinerSteps) {
   const std::size_t before = integral_for(grid, grid.blocks()[0]).steps().size();
   const std::vector<FieldReading> readings{{{0.5, 0.5}, 400.0, 2.0, 0.0}};
   grid.add(readings);
-  EXPECT_GT(integral_for(grid, grid.blocks()[0]).steps().size(), 4 * before);
+  EXPECT_GT(integral_for(grid, grid.blocks()[0]).steps().size(), 3 * before);
 }
 
 TEST(BlockPosterior, NuisancesOfAPlaceSumToOneAndFitThePulses) {
