@@ -8,19 +8,22 @@ namespace echomap::source_search {
 
 namespace {
 
-constexpr std::size_t kMaxCuts = 8;
+constexpr float kMaxCuts = 8.0F;
 /// A likelihood is summed in steps of so many of its standard deviations.
-constexpr double kStddevsPerStep = 1.0;
+constexpr float kStddevsPerStep = 1.0F;
 
-/// The information about the logarithm of a strength is no more than the pulses that were counted.
-double information_of(const HypothesisGrid& grid) {
-  const FieldParams& field = grid.params().field;
-  double information = 0.0;
-  for (const FieldReading& reading : grid.readings()) {
-    const double error = reading.value / field.level_stddev;
-    information += field.kind == SensorKind::kPulses ? reading.value : error * error;
+/// A likelihood that is so much below the largest one at its place, by logarithm, needs no steps.
+constexpr float kNearMax = 12.0F;
+
+/// The largest curvature, by node, of a log-likelihood over the strength where it is large.
+float max_curvature(const LeafBlock& block, const NuisanceNodes& nodes) {
+  const Lanes max = row_maxima(block.lanes(0), nodes.size());
+  float curvature = 0.0F;
+  for (std::size_t node = 0; node < nodes.size(); node += nodes.strengths.size()) {
+    curvature =
+        std::max(curvature, max_bend(block.lanes(node), nodes.strengths.size(), max, kNearMax));
   }
-  return information;
+  return curvature;
 }
 
 /// Of the nodes of a group, by step of the integral, at one lane.
@@ -49,24 +52,27 @@ void normalize(std::vector<NuisanceShare>& shares) {
 
 }  // namespace
 
-NuisanceIntegral integral_for(const HypothesisGrid& grid) {
-  const NuisanceNodes& nodes = grid.nodes();
-  const double step = std::log(static_cast<double>(nodes.strengths[1] / nodes.strengths[0]));
-  const double cuts = std::ceil(step * std::sqrt(information_of(grid)) / kStddevsPerStep);
-  const std::size_t backgrounds = nodes.backgrounds.size();
+std::vector<float> background_masses(const HypothesisGrid& grid) {
+  const std::size_t backgrounds = grid.nodes().backgrounds.size();
   std::vector<float> masses(backgrounds, 1.0F / static_cast<float>(backgrounds - 1));
   masses.front() *= 0.5F;
   masses.back() *= 0.5F;
-  return NuisanceIntegral(
-      nodes, static_cast<std::size_t>(std::clamp(cuts, 1.0, double{kMaxCuts})), std::move(masses));
+  return masses;
+}
+
+NuisanceIntegral integral_for(const HypothesisGrid& grid, const LeafBlock& block) {
+  const float cuts = std::ceil(std::sqrt(max_curvature(block, grid.nodes())) / kStddevsPerStep);
+  return NuisanceIntegral(grid.nodes(),
+                          static_cast<std::size_t>(std::clamp(cuts, 1.0F, kMaxCuts)),
+                          background_masses(grid));
 }
 
 BlockPosterior posterior_of(const HypothesisGrid& grid,
-                            const NuisanceIntegral& integral,
                             const LeafBlock& block,
                             double density,
                             double reference) {
   const NuisanceNodes& nodes = grid.nodes();
+  const NuisanceIntegral integral = integral_for(grid, block);
   const std::size_t attenuations = nodes.attenuations_per_m.size();
   const std::size_t backgrounds = nodes.backgrounds.size();
   BlockPosterior posterior;
@@ -86,11 +92,10 @@ BlockPosterior posterior_of(const HypothesisGrid& grid,
   return posterior;
 }
 
-std::vector<NuisanceShare> nuisances_of(const HypothesisGrid& grid,
-                                        const NuisanceIntegral& integral,
-                                        LeafIndex leaf) {
+std::vector<NuisanceShare> nuisances_of(const HypothesisGrid& grid, LeafIndex leaf) {
   const NuisanceNodes& nodes = grid.nodes();
   const LeafBlock& block = grid.blocks()[leaf.block];
+  const NuisanceIntegral integral = integral_for(grid, block);
   std::vector<NuisanceShare> shares;
   std::size_t node = 0;
   for (const float attenuation_per_m : nodes.attenuations_per_m) {

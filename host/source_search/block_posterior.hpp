@@ -10,8 +10,9 @@
 
 namespace echomap::source_search {
 
-/// The integral over nuisances that is fine enough for the readings of a grid.
-NuisanceIntegral integral_for(const HypothesisGrid& grid);
+/// The integral over nuisances that is fine enough for a block: where its likelihoods are narrow in
+/// the strength, that is cut into more steps.
+NuisanceIntegral integral_for(const HypothesisGrid& grid, const LeafBlock& block);
 
 /// Posteriors of a block, as likelihoods over exp(reference), not normalized.
 struct BlockPosterior {
@@ -21,7 +22,6 @@ struct BlockPosterior {
 
 /// With a prior of `density` a square metre.
 BlockPosterior posterior_of(const HypothesisGrid& grid,
-                            const NuisanceIntegral& integral,
                             const LeafBlock& block,
                             double density,
                             double reference);
@@ -35,8 +35,9 @@ struct NuisanceShare {
 };
 
 /// All that a place is combined with.
-std::vector<NuisanceShare> nuisances_of(const HypothesisGrid& grid,
-                                        const NuisanceIntegral& integral,
-                                        LeafIndex leaf);
+std::vector<NuisanceShare> nuisances_of(const HypothesisGrid& grid, LeafIndex leaf);
+
+/// The prior's mass at each background of a grid.
+std::vector<float> background_masses(const HypothesisGrid& grid);
 
 }  // namespace echomap::source_search

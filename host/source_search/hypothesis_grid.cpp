@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "host/geometry/parameter_validator.hpp"
 #include "host/geometry/square.hpp"
 #include "host/mapping/distance_field.hpp"
@@ -173,15 +175,27 @@ HypothesisGrid::Response HypothesisGrid::response_at(const FieldReading& reading
                             params_.field)};
 }
 
+bool HypothesisGrid::is_clear_to(const LeafBlock& block, const Eigen::Vector2d& from_m) const {
+  Eigen::AlignedBox2d box;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if (block.area_m2[i] > 0.0) {
+      box.extend(Eigen::Vector2d(block.x_m[i], block.y_m[i]));
+    }
+  }
+  return !box.isEmpty() && solids_.is_clear(from_m, box.center(), 0.5 * box.diagonal().norm());
+}
+
 void HypothesisGrid::add_to(LeafBlock& block, const FieldReading& reading, float times) const {
   const FieldParams& field = params_.field;
   const ReadingTerms terms = terms_of(reading, field);
+  const bool is_clear = is_clear_to(block, reading.at_m);
   std::array<double, kLanes> distances_m{};
   std::array<double, kLanes> solids_m{};
   for (std::size_t i = 0; i < kLanes; ++i) {
     const Eigen::Vector2d leaf_m(block.x_m[i], block.y_m[i]);
     distances_m[i] = (reading.at_m - leaf_m).norm();
-    solids_m[i] = block.area_m2[i] > 0.0 ? solids_.between_m(reading.at_m, leaf_m) : 0.0;
+    solids_m[i] =
+        is_clear || block.area_m2[i] <= 0.0 ? 0.0 : solids_.between_m(reading.at_m, leaf_m);
   }
   // Without any solid on the way, all attenuations are one.
   const bool is_shielded =

@@ -81,6 +81,7 @@ class HypothesisGrid {
   std::vector<Leaf> initial_leaves();
   double area_m2(double x_m, double y_m, double edge_m) const;
   void append(std::span<const Leaf> leaves);
+  bool is_clear_to(const LeafBlock& block, const Eigen::Vector2d& from_m) const;
   void add_to(LeafBlock& block, const FieldReading& reading, float times) const;
   void add_to_none(const FieldReading& reading, double times);
   void apply(const FieldReading& reading, float times);

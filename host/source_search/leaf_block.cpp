@@ -83,6 +83,39 @@ void set_log_likelihoods(const ReadingTerms& reading,
 }
 
 ECHOMAP_VECTOR_CLONES
+Lanes row_maxima(const float* rows, std::size_t count) {
+  Lanes maxima;
+  maxima.fill(-1e30F);
+  for (std::size_t row = 0; row < count; ++row) {
+    const float* __restrict values = rows + row * kLanes;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      maxima[i] = maxima[i] < values[i] ? values[i] : maxima[i];
+    }
+  }
+  return maxima;
+}
+
+ECHOMAP_VECTOR_CLONES
+float max_bend(const float* rows, std::size_t strengths, const Lanes& max, float near) {
+  Lanes bends{};
+  for (std::size_t s = 1; s + 1 < strengths; ++s) {
+    const float* __restrict here = rows + s * kLanes;
+    const float* __restrict before = here - kLanes;
+    const float* __restrict after = here + kLanes;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const float bend = 2.0F * here[i] - before[i] - after[i];
+      const float counted = here[i] > max[i] - near ? bend : 0.0F;
+      bends[i] = bends[i] < counted ? counted : bends[i];
+    }
+  }
+  float most = 0.0F;
+  for (const float bend : bends) {
+    most = most < bend ? bend : most;
+  }
+  return most;
+}
+
+ECHOMAP_VECTOR_CLONES
 void add_rows(const std::vector<float>& change, float times, float* rows) {
   const float* from = change.data();
   const std::size_t count = change.size();

@@ -63,6 +63,13 @@ void set_log_likelihoods(const ReadingTerms& reading,
                          const NuisanceNodes& nodes,
                          float* rows);
 
+/// The largest value of each lane, over so many rows.
+Lanes row_maxima(const float* rows, std::size_t count);
+
+/// By how much a log-likelihood bends most from one strength to the next, over those of a row of
+/// nodes that are no more than `near` below `max`.
+float max_bend(const float* rows, std::size_t strengths, const Lanes& max, float near);
+
 /// Adds so many times `change` to as many values.
 void add_rows(const std::vector<float>& change, float times, float* rows);
 

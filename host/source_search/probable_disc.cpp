@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace echomap::source_search {
@@ -14,6 +13,8 @@ using mapping::CellField;
 
 namespace {
 
+/// Distances are told apart to so much.
+constexpr double kBinM = 0.01;
 /// Discs are tried around cells that hold at least so much of what the most probable one does.
 constexpr float kMinCellShare = 0.2F;
 
@@ -65,22 +66,23 @@ ProbableDisc most_probable_disc(const CellField& probability, double radius_m) {
 double radius_with_share_m(const CellField& probability,
                            const Eigen::Vector2d& middle_m,
                            double share) {
-  std::vector<std::pair<double, double>> by_distance;
+  std::vector<double> by_distance;
   double total = 0.0;
   for (std::size_t i = 0; i < probability.size(); ++i) {
-    const auto cell_probability = static_cast<double>(probability[i]);
-    if (cell_probability > 0.0) {
-      by_distance.emplace_back((probability.center_m(probability.cell(i)) - middle_m).norm(),
-                               cell_probability);
-      total += cell_probability;
+    if (probability[i] <= 0.0F) {
+      continue;
     }
+    const double distance_m = (probability.center_m(probability.cell(i)) - middle_m).norm();
+    const auto bin = static_cast<std::size_t>(distance_m / kBinM + 0.5);
+    by_distance.resize(std::max(by_distance.size(), bin + 1));
+    by_distance[bin] += static_cast<double>(probability[i]);
+    total += static_cast<double>(probability[i]);
   }
-  std::sort(by_distance.begin(), by_distance.end());
   double inside = 0.0;
-  for (const auto& [distance_m, cell_probability] : by_distance) {
-    inside += cell_probability;
+  for (std::size_t bin = 0; bin < by_distance.size(); ++bin) {
+    inside += by_distance[bin];
     if (inside >= share * total) {
-      return distance_m;
+      return static_cast<double>(bin) * kBinM;
     }
   }
   return 0.0;

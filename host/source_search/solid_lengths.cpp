@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace echomap::source_search {
 
@@ -11,7 +12,7 @@ namespace {
 /// How far a line is followed without a look, at most.
 constexpr double kMaxClearM = 2.0;
 /// Beside and in what is solid a line is followed in steps of so much of a cell.
-constexpr float kFineStepCells = 0.25F;
+constexpr float kFineStepCells = 0.5F;
 /// A cell that is d cells from the nearest occupied one has so much less of clear way around any of
 /// its points.
 constexpr float kTwoHalfDiagonals = 1.4143F;
@@ -29,18 +30,53 @@ double SolidLengths::between_m(const Eigen::Vector2d& from_m, const Eigen::Vecto
     return 0.0;
   }
   const Eigen::Vector2f direction = line / length;
+  const auto columns = static_cast<float>(field_.columns());
+  const auto rows = static_cast<float>(field_.rows());
   float solid = 0.0F;
   float step = 0.0F;
   for (float at = 0.0F; at < length; at += step) {
-    const Eigen::Vector2f point = from + (at + 0.5F * kFineStepCells) * direction;
-    const auto x = static_cast<std::int32_t>(std::floor(point.x()));
-    const auto y = static_cast<std::int32_t>(std::floor(point.y()));
-    const bool is_inside = x >= 0 && y >= 0 && x < field_.columns() && y < field_.rows();
-    const float clear = is_inside ? field_.distance_cells({x, y}) : kTwoHalfDiagonals;
+    const float middle = at + 0.5F * kFineStepCells;
+    const float x = from.x() + middle * direction.x();
+    const float y = from.y() + middle * direction.y();
+    const bool is_inside = x >= 0.0F && y >= 0.0F && x < columns && y < rows;
+    const float clear =
+        is_inside
+            ? field_.distance_cells({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)})
+            : kTwoHalfDiagonals;
     step = std::min(std::max(kFineStepCells, clear - kTwoHalfDiagonals), length - at);
     solid += clear == 0.0F ? step : 0.0F;
   }
   return static_cast<double>(solid) * field_.resolution_m();
+}
+
+/// Along the axis of the cone, which widens towards the disc and ends behind it.
+bool SolidLengths::is_clear(const Eigen::Vector2d& from_m,
+                            const Eigen::Vector2d& middle_m,
+                            double radius_m) const {
+  const double length_m = (middle_m - from_m).norm();
+  const double wide_from_m = std::max(length_m, 1e-6);
+  const Eigen::Vector2d direction = (middle_m - from_m) / wide_from_m;
+  double step_m = 0.0;
+  for (double at_m = 0.0; at_m <= length_m; at_m += step_m) {
+    const double clear_m = clearance_m(from_m + at_m * direction);
+    const double slope = radius_m / wide_from_m;
+    const double half_width_m = slope * at_m;
+    step_m = (clear_m - half_width_m) / (1.0 + slope);
+    if (step_m < 0.5 * field_.resolution_m()) {
+      return false;
+    }
+  }
+  return clearance_m(middle_m) > radius_m;
+}
+
+double SolidLengths::clearance_m(const Eigen::Vector2d& at_m) const {
+  const Eigen::Vector2d point = (at_m - field_.origin_m()) / field_.resolution_m();
+  const auto x = static_cast<std::int32_t>(std::floor(point.x()));
+  const auto y = static_cast<std::int32_t>(std::floor(point.y()));
+  const bool is_inside = x >= 0 && y >= 0 && x < field_.columns() && y < field_.rows();
+  return is_inside ? static_cast<double>(field_.distance_cells({x, y}) - kTwoHalfDiagonals) *
+                         field_.resolution_m()
+                   : 0.0;
 }
 
 }  // namespace echomap::source_search

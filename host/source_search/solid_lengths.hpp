@@ -16,8 +16,16 @@ class SolidLengths {
 
   /// Metres of solid on the straight line, right to half a cell for each wall that is crossed.
   double between_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const;
+  /// Whether there is certainly no solid between a place and all points of a disc; false may be
+  /// wrong.
+  bool is_clear(const Eigen::Vector2d& from_m,
+                const Eigen::Vector2d& middle_m,
+                double radius_m) const;
 
  private:
+  /// How far around a point there is certainly no solid; 0 or less for none, and outside.
+  double clearance_m(const Eigen::Vector2d& at_m) const;
+
   mapping::DistanceField field_;
 };
 

@@ -50,8 +50,8 @@ void validate_belief(const SourceBeliefParams& params) {
 }
 
 double max_of(const LeafBlock& block) {
-  return static_cast<double>(
-      *std::max_element(block.log_likelihood.begin(), block.log_likelihood.end()));
+  const Lanes maxima = row_maxima(block.lanes(0), block.log_likelihood.size() / kLanes);
+  return static_cast<double>(*std::max_element(maxima.begin(), maxima.end()));
 }
 
 /// Of a logarithm, by its mean and the mean of its square.
@@ -129,7 +129,7 @@ double SourceBelief::strength_slack() const {
 }
 
 void SourceBelief::set_marginals() {
-  const NuisanceIntegral integral = integral_for(grid_);
+  const std::vector<float> background_masses = source_search::background_masses(grid_);
   std::vector<double> maxima;
   double best = *std::max_element(grid_.none().begin(), grid_.none().end());
   for (const LeafBlock& block : grid_.blocks()) {
@@ -141,7 +141,7 @@ void SourceBelief::set_marginals() {
   double total = 0.0;
   background_.assign(grid_.none().size(), 0.0);
   for (std::size_t b = 0; b < background_.size(); ++b) {
-    background_[b] = params_.none_prior * static_cast<double>(integral.background_masses()[b]) *
+    background_[b] = params_.none_prior * static_cast<double>(background_masses[b]) *
                      std::exp(grid_.none()[b] - best);
     total += background_[b];
   }
@@ -151,7 +151,7 @@ void SourceBelief::set_marginals() {
     if (maxima[i] < least) {
       continue;
     }
-    const auto posterior = posterior_of(grid_, integral, grid_.blocks()[i], density, best);
+    const auto posterior = posterior_of(grid_, grid_.blocks()[i], density, best);
     place_[i] = posterior.place;
     for (std::size_t b = 0; b < background_.size(); ++b) {
       background_[b] += posterior.background[b];
@@ -233,7 +233,6 @@ void SourceBelief::set_estimate() {
 
 /// Of the square that the point is in.
 LogEstimate SourceBelief::strength_at(const Eigen::Vector2d& at_m) const {
-  const NuisanceIntegral integral = integral_for(grid_);
   for (const LeafIndex& leaf : leaves()) {
     const LeafBlock& block = grid_.blocks()[leaf.block];
     const double half_m = 0.5 * block.edge_m[leaf.lane];
@@ -243,7 +242,7 @@ LogEstimate SourceBelief::strength_at(const Eigen::Vector2d& at_m) const {
     }
     double mean = 0.0;
     double mean_square = 0.0;
-    for (const NuisanceShare& share : nuisances_of(grid_, integral, leaf)) {
+    for (const NuisanceShare& share : nuisances_of(grid_, leaf)) {
       mean += share.probability * std::log(share.strength);
       mean_square += share.probability * square(std::log(share.strength));
     }
@@ -290,27 +289,28 @@ CellField SourceBelief::place_probability() const {
 }
 
 std::vector<SourceHypothesis> SourceBelief::sample(std::size_t count, double offset) const {
-  const NuisanceIntegral integral = integral_for(grid_);
   const std::vector<LeafIndex> order = leaves_in_order();
-  std::vector<SourceHypothesis> hypotheses;
-  double sum = estimate_.none_probability;
+  const double none = estimate_.none_probability;
+  std::vector<SourceHypothesis> hypotheses{
+      {none, std::nullopt, 0.0, 0.0, estimate_.background.median, 0.0}};
+  if (order.empty()) {
+    return hypotheses;
+  }
+  const double each = (1.0 - none) / static_cast<double>(count);
+  double sum = 0.0;
   std::size_t next = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const double at = (static_cast<double>(i) + offset) / static_cast<double>(count);
-    const double nuisance_at = std::fmod(offset + static_cast<double>(i) * kGolden, 1.0);
-    if (at < estimate_.none_probability || order.empty()) {
-      hypotheses.push_back({std::nullopt, 0.0, 0.0, estimate_.background.median, 0.0});
-      continue;
-    }
-    while (next < order.size() && sum <= at) {
+    while (next < order.size() && sum <= (static_cast<double>(i) + offset) * each) {
       sum += place_[order[next].block][order[next].lane];
       ++next;
     }
     const LeafIndex leaf = order[std::max<std::size_t>(next, 1) - 1];
     const LeafBlock& block = grid_.blocks()[leaf.block];
-    const auto shares = nuisances_of(grid_, integral, leaf);
-    const NuisanceShare& share = chosen(shares, nuisance_at);
-    hypotheses.push_back({Eigen::Vector2d(block.x_m[leaf.lane], block.y_m[leaf.lane]),
+    const auto shares = nuisances_of(grid_, leaf);
+    const double at = std::fmod(offset + static_cast<double>(i) * kGolden, 1.0);
+    const NuisanceShare& share = chosen(shares, at);
+    hypotheses.push_back({each,
+                          Eigen::Vector2d(block.x_m[leaf.lane], block.y_m[leaf.lane]),
                           block.edge_m[leaf.lane],
                           share.strength,
                           share.background,

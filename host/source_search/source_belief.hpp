@@ -22,11 +22,12 @@ struct SourceBeliefParams {
   double found_radius_m = 0.2;
   double claim_probability = 0.95;
   /// A square that holds more of the probability than this is split.
-  double split_probability = 0.001;
+  double split_probability = 0.004;
 };
 
-/// One way that things may be, of several that are equally probable.
+/// One way that things may be.
 struct SourceHypothesis {
+  double probability = 0.0;             ///< Of all that it stands for.
   std::optional<Eigen::Vector2d> at_m;  ///< Empty for no source.
   double edge_m = 0.0;                  ///< Of the square that it stands for.
   double strength = 0.0;
@@ -48,7 +49,8 @@ class SourceBelief {
   void rebuild(const mapping::RasterMap& map, std::span<const FieldReading> readings);
 
   const SourceEstimate& estimate() const { return estimate_; }
-  /// So many hypotheses that stand for all, spread evenly; `offset` from 0 to 1 chooses which.
+  /// Hypotheses that stand for all: that there is none, and `count` places, spread evenly over the
+  /// probability; `offset` from 0 to 1 chooses which.
   std::vector<SourceHypothesis> sample(std::size_t count, double offset) const;
   /// The probability of each cell to hold the source, in cells of the smallest square.
   mapping::CellField place_probability() const;

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
 #include "tests/support/drawn_map.hpp"
+#include "tests/support/source_world.hpp"
 
 namespace echomap::source_search {
 namespace {
@@ -49,6 +52,30 @@ TEST(SolidLengths, TakesWhatIsOutsideOfTheMapForAir) {
 TEST(SolidLengths, OfAPointIsNone) {
   const SolidLengths lengths(tests::map_from(kWall));
   EXPECT_EQ(lengths.between_m({0.52, 0.1}, {0.52, 0.1}), 0.0);
+}
+
+TEST(SolidLengths, AConeIsClearOnlyWhereNoLineCrossesSolid) {
+  const tests::SourceWorld world({6.0, 4.0}, {{{2.8, 1.8}, {3.2, 2.2}}});
+  const SolidLengths lengths(world.map());
+  EXPECT_TRUE(lengths.is_clear({1.0, 1.0}, {1.5, 3.0}, 0.4));
+  EXPECT_FALSE(lengths.is_clear({1.0, 2.0}, {5.0, 2.0}, 0.1));
+  EXPECT_FALSE(lengths.is_clear({1.0, 1.0}, {1.0, 3.9}, 0.4));
+  std::mt19937 random(1);
+  int clear = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Vector2d from_m = world.sample_free(0.1, random);
+    const Eigen::Vector2d middle_m = world.sample_free(0.1, random);
+    if (!lengths.is_clear(from_m, middle_m, 0.3)) {
+      continue;
+    }
+    ++clear;
+    for (int bearing = 0; bearing < 12; ++bearing) {
+      const Eigen::Vector2d edge_m =
+          middle_m + 0.3 * geometry::unit_vector(geometry::radians(30.0 * bearing));
+      EXPECT_EQ(world.solid_m(from_m, edge_m), 0.0);
+    }
+  }
+  EXPECT_GT(clear, 50);
 }
 
 }  // namespace

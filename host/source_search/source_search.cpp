@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "host/source_search/source_search.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "host/exploration/frontier_search.hpp"
+#include "host/geometry/parameter_validator.hpp"
+
+namespace echomap::source_search {
+
+using exploration::Finished;
+using exploration::FinishReason;
+using exploration::Motion;
+using exploration::MotionResult;
+using exploration::Viewpoint;
+
+namespace {
+
+/// So near to it the robot is at its goal.
+constexpr double kArrivedM = 0.1;
+/// A way may cost so many times its length: floor beside walls is dearer.
+constexpr double kWaySlack = 3.0;
+/// Shares of the golden ratio, so that samples differ from decision to decision.
+constexpr double kGoldenShare = 0.6180339887498949;
+
+bool is_same(const FieldReading& one, const FieldReading& other) {
+  constexpr double kMovedM = 0.02;
+  return (one.at_m - other.at_m).norm() < kMovedM && one.value == other.value;
+}
+
+}  // namespace
+
+SourceSearch::SourceSearch(const SourceSearchParams& params)
+    : params_(params), navigator_(params.navigator), choice_(params.choice) {
+  geometry::ParameterValidator("source search")
+      .require(exploration::is_possible(params.sweep),
+               "the sweep is impossible: check its range and its steps")
+      .nonnegative_finite("nats_per_unknown_m2", params.nats_per_unknown_m2)
+      .positive_finite("rethink_s", params.rethink_s)
+      .positive("max_goals", params.max_goals);
+}
+
+void SourceSearch::set_readings(std::vector<FieldReading> readings) {
+  const std::size_t same = std::min(known_readings_, readings.size());
+  are_readings_moved_ = are_readings_moved_ || readings.size() < known_readings_ ||
+                        !std::equal(readings_.begin(),
+                                    readings_.begin() + static_cast<std::ptrdiff_t>(same),
+                                    readings.begin(),
+                                    is_same);
+  readings_ = std::move(readings);
+}
+
+Motion SourceSearch::next(const pipeline::Snapshot& snapshot, MotionResult last) {
+  scan_.end_motion(last);
+  if (auto motion = recover(snapshot, last)) {
+    return *motion;
+  }
+  if (auto motion = scan_.next()) {
+    return *motion;
+  }
+  if (phase_ == Phase::kStarting && params_.explores) {
+    return begin_sweep(snapshot);
+  }
+  if (phase_ != Phase::kDriving || has_to_think(snapshot)) {
+    return decide(snapshot);
+  }
+  return drive_on(snapshot);
+}
+
+/// As exploration::Frontier.
+std::optional<Motion> SourceSearch::recover(const pipeline::Snapshot& snapshot, MotionResult last) {
+  if (last == MotionResult::kLifted || last == MotionResult::kTakenOver) {
+    scan_ = {};
+    phase_ = Phase::kStarting;
+  }
+  if (last == MotionResult::kTakenOver) {
+    navigator_.forget_failures();
+    return std::nullopt;
+  }
+  auto motion = navigator_.recover(snapshot, last, phase_ == Phase::kDriving);
+  if (motion) {
+    phase_ = Phase::kBackingOff;
+    stops_of_map_.reset();
+  }
+  return motion;
+}
+
+exploration::Intent SourceSearch::intent() const {
+  if (!goal_m_) {
+    return {};
+  }
+  return {is_look_ ? exploration::IntentKind::kFrontier : exploration::IntentKind::kStrategy,
+          exploration::WeighedPlace{*goal_m_, 0.0, 0.0},
+          {}};
+}
+
+void SourceSearch::set_map(const pipeline::Snapshot& snapshot) {
+  map_ = navigator_.map_of(snapshot, params_.gain.depth_m);
+  navigator_.set_map(*map_, snapshot);
+  lattice_.emplace(navigator_.costs(), params_.choice.spacing_m);
+  stops_of_map_ = snapshot.stops;
+  if (!belief_) {
+    belief_.emplace(params_.belief, *map_);
+  }
+  belief_->rebuild(*map_, readings_);
+  known_readings_ = readings_.size();
+  are_readings_moved_ = false;
+}
+
+void SourceSearch::update(const pipeline::Snapshot& snapshot) {
+  if (stops_of_map_ != snapshot.stops || are_readings_moved_) {
+    set_map(snapshot);
+    return;
+  }
+  if (known_readings_ < readings_.size()) {
+    belief_->add(std::span(readings_).subspan(known_readings_));
+    known_readings_ = readings_.size();
+  }
+}
+
+bool SourceSearch::has_to_think(const pipeline::Snapshot& snapshot) const {
+  const std::chrono::duration<double> since = snapshot.latest.stamp - thought_at_;
+  return !is_look_ && known_readings_ < readings_.size() && since.count() >= params_.rethink_s;
+}
+
+Motion SourceSearch::decide(const pipeline::Snapshot& snapshot) {
+  if (phase_ == Phase::kSensing && !scan_.has_swept()) {
+    return Finished{FinishReason::kCannotSense};
+  }
+  update(snapshot);
+  thought_at_ = snapshot.latest.stamp;
+  const auto look = params_.explores ? choose_look(snapshot) : std::nullopt;
+  const SourceVerdict verdict = belief_->estimate().verdict;
+  if (verdict == SourceVerdict::kFound || (verdict == SourceVerdict::kNone && !look)) {
+    plan_readings_.clear();
+    return Finished{FinishReason::kComplete};
+  }
+  if (++goals_ > params_.max_goals) {
+    return Finished{FinishReason::kStopLimit};
+  }
+  const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
+  const bool is_under_way = phase_ == Phase::kDriving && !is_look_;
+  const auto plan = choice_.choose(*belief_,
+                                   navigator_.costs(),
+                                   *lattice_,
+                                   here_m,
+                                   others_,
+                                   is_under_way ? goal_m_ : std::nullopt,
+                                   std::fmod(static_cast<double>(goals_) * kGoldenShare, 1.0));
+  const double look_per_s = look ? params_.nats_per_unknown_m2 * look->gain_per_s : 0.0;
+  is_look_ = look && (!plan || look_per_s > plan->gain_per_s);
+  if (is_look_) {
+    goal_m_ = look->at_m;
+    goal_dwell_s_ = 0.0;
+    plan_readings_ = {{look->at_m, params_.choice.dwell_s}};
+  } else if (plan) {
+    goal_m_ = plan->goal_m;
+    goal_dwell_s_ = plan->dwell_s;
+    plan_readings_ = plan->readings;
+  } else {
+    return Finished{FinishReason::kNowhereToGo};
+  }
+  const bool is_here = (*goal_m_ - here_m).norm() < kArrivedM;
+  const double cost_m =
+      is_look_ ? look->cost_m
+               : kWaySlack * (plan->time_s - plan->dwell_s) * params_.choice.speed_m_per_s;
+  navigator_.follow_path_to(snapshot.latest.T_map_robot, *goal_m_, is_here ? 0.0 : cost_m);
+  phase_ = Phase::kDriving;
+  return drive_on(snapshot);
+}
+
+std::optional<Viewpoint> SourceSearch::choose_look(const pipeline::Snapshot& snapshot) const {
+  const geometry::Pose2& T_map_robot = snapshot.latest.T_map_robot;
+  const exploration::ViewGain gain(
+      *map_, exploration::views_of(*snapshot.scans), snapshot.features->unobserved, params_.gain);
+  const auto frontiers =
+      exploration::find_frontiers(*map_, map_->cell_at(T_map_robot.position_m()));
+  exploration::TravelField travel;
+  travel.search(navigator_.costs(), navigator_.costs().cell_at(T_map_robot.position_m()));
+  const auto weighed = exploration::weigh_viewpoints(
+      navigator_.costs(), travel, frontiers, gain, T_map_robot, params_.viewpoints);
+  return weighed.empty() ? std::nullopt : std::optional(weighed.front());
+}
+
+/// On along the way; at its end it looks around, or stands and counts.
+Motion SourceSearch::drive_on(const pipeline::Snapshot& snapshot) {
+  if (const auto motion = navigator_.next(snapshot.latest.T_map_robot)) {
+    return *motion;
+  }
+  if (is_look_) {
+    return begin_sweep(snapshot);
+  }
+  phase_ = Phase::kDwelling;
+  return exploration::Stand{std::max(goal_dwell_s_, 1.0)};
+}
+
+Motion SourceSearch::begin_sweep(const pipeline::Snapshot& snapshot) {
+  phase_ = Phase::kSensing;
+  const double heading_rad = snapshot.latest.T_map_robot.heading_rad();
+  return scan_.begin(exploration::stop_sweep(params_.sweep, snapshot.stops, heading_rad > 0.0));
+}
+
+}  // namespace echomap::source_search

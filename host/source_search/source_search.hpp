@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "host/exploration/explorer.hpp"
+#include "host/exploration/navigator.hpp"
+#include "host/exploration/round_sweep.hpp"
+#include "host/exploration/scan_plan.hpp"
+#include "host/exploration/view_gain.hpp"
+#include "host/exploration/viewpoint_choice.hpp"
+#include "host/source_search/dwell_choice.hpp"
+#include "host/source_search/source_belief.hpp"
+
+namespace echomap::source_search {
+
+/// Values without another source are ours, chosen in simulation.
+struct SourceSearchParams {
+  exploration::NavigatorParams navigator;
+  SourceBeliefParams belief;
+  DwellChoiceParams choice;
+  /// Whether floor that the map has not is looked for, too; else the map is taken as whole.
+  bool explores = true;
+  exploration::ViewGainParams gain;
+  exploration::ViewpointParams viewpoints;
+  exploration::RoundSweepParams sweep{
+      6.283185307179586, 0.06981317007977318, 1.5707963267948966, 0.03};
+  /// What a square metre of unknown floor that a look shows is worth, in nats: about the share of a
+  /// source's prior that lies on it.
+  double nats_per_unknown_m2 = 0.03;
+  /// The robot thinks again after so long, on the way, too.
+  double rethink_s = 3.0;
+  /// End after this many goals.
+  std::size_t max_goals = 2000;
+};
+
+/// Strategy `source`: searches a source by what a scalar sensor reads, in a map that may still be
+/// made, until it is found or there is certainly none. It drives where it expects most information
+/// about the source for the time (after Ristic et al. 2010), counts on the way and waits to count
+/// more, and where unknown floor promises more it looks there first. Readings of others are as good
+/// as its own, and what others are about to read is not sought twice.
+class SourceSearch final : public exploration::Explorer {
+ public:
+  /// Throws std::invalid_argument for invalid parameters.
+  explicit SourceSearch(const SourceSearchParams& params);
+
+  /// All readings so far, of all robots, where this robot's map has them now. To be set before
+  /// `next` whenever there are more, or the map has moved them.
+  void set_readings(std::vector<FieldReading> readings);
+  /// What others are about to read, in this robot's map: their `plan()`.
+  void set_plans_of_others(std::vector<PlannedDwell> plans) { others_ = std::move(plans); }
+  /// What this robot is about to read; empty while it does not know.
+  const std::vector<PlannedDwell>& plan() const { return plan_readings_; }
+
+  exploration::Motion next(const pipeline::Snapshot& snapshot,
+                           exploration::MotionResult last) override;
+  exploration::Intent intent() const override;
+
+  /// What is known about the source; null before the first map.
+  const SourceBelief* belief() const { return belief_ ? &*belief_ : nullptr; }
+
+ private:
+  enum class Phase : std::uint8_t { kStarting, kDriving, kDwelling, kSensing, kBackingOff };
+
+  std::optional<exploration::Motion> recover(const pipeline::Snapshot& snapshot,
+                                             exploration::MotionResult last);
+  void update(const pipeline::Snapshot& snapshot);
+  void set_map(const pipeline::Snapshot& snapshot);
+  bool has_to_think(const pipeline::Snapshot& snapshot) const;
+  exploration::Motion decide(const pipeline::Snapshot& snapshot);
+  std::optional<exploration::Viewpoint> choose_look(const pipeline::Snapshot& snapshot) const;
+  exploration::Motion drive_on(const pipeline::Snapshot& snapshot);
+  exploration::Motion begin_sweep(const pipeline::Snapshot& snapshot);
+
+  SourceSearchParams params_;
+  exploration::Navigator navigator_;
+  DwellChoice choice_;
+  Phase phase_ = Phase::kStarting;
+  exploration::ScanPlan scan_;
+  std::optional<mapping::RasterMap> map_;
+  std::optional<DwellLattice> lattice_;
+  std::optional<SourceBelief> belief_;
+  std::optional<std::size_t> stops_of_map_;
+  std::vector<FieldReading> readings_;
+  std::size_t known_readings_ = 0;  ///< Of those, in the belief.
+  bool are_readings_moved_ = false;
+  std::vector<PlannedDwell> others_;
+  std::vector<PlannedDwell> plan_readings_;
+  std::optional<Eigen::Vector2d> goal_m_;
+  double goal_dwell_s_ = 0.0;
+  bool is_look_ = false;  ///< The goal is to look from, not to count at.
+  time::RobotTime thought_at_;
+  std::size_t goals_ = 0;
+};
+
+}  // namespace echomap::source_search
