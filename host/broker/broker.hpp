@@ -37,7 +37,8 @@ class Broker {
   const std::filesystem::path& folder() const { return folder_; }
   pid_t pid() const { return process_->pid(); }
   bool is_running() { return process_ && !process_->exit_status(); }
-  /// What an account connects with, from this machine.
+  /// What an account connects with, from this machine. Throws console::CommandError kRuntimeError
+  /// where there is no such account.
   Credentials credentials(const std::string& user) const;
   std::filesystem::path credentials_file(const std::string& user) const;
 
