@@ -35,7 +35,7 @@ constexpr int kPortAttempts = 5;
 
 asio::ip::address address_of(const std::string& text) {
   boost::system::error_code error;
-  const auto address = asio::ip::make_address(text, error);
+  auto address = asio::ip::make_address(text, error);
   if (error) {
     throw console::CommandError(console::ExitCode::kConfigInvalid,
                                 "broker: address = '" + text + "' is no IP address");
@@ -97,7 +97,7 @@ void make_private_folder(const fs::path& folder) {
 
 }  // namespace
 
-Broker::Broker(const BrokerSettings& settings, fs::path folder)
+Broker::Broker(const BrokerSettings& settings, const fs::path& folder)
     : settings_(settings), folder_(fs::absolute(folder)) {
   validate(settings_);
   address_of(settings_.address);

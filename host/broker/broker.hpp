@@ -27,7 +27,7 @@ class Broker {
  public:
   /// Writes the folder, starts the broker and waits until it listens. Throws console::CommandError:
   /// kConfigInvalid for settings, kRuntimeError where mosquitto or openssl is missing or fails.
-  Broker(const BrokerSettings& settings, std::filesystem::path folder);
+  Broker(const BrokerSettings& settings, const std::filesystem::path& folder);
   /// Ends the broker in order.
   ~Broker();
   Broker(const Broker&) = delete;
@@ -37,7 +37,8 @@ class Broker {
   const std::filesystem::path& folder() const { return folder_; }
   pid_t pid() const { return process_->pid(); }
   bool is_running() { return process_ && !process_->exit_status(); }
-  /// What an account connects with, from this machine.
+  /// What an account connects with, from this machine. Throws console::CommandError kRuntimeError
+  /// where there is no such account.
   Credentials credentials(const std::string& user) const;
   std::filesystem::path credentials_file(const std::string& user) const;
 

@@ -25,7 +25,7 @@ constexpr std::chrono::seconds kProgramPatience{30};
 fs::path find_program(const SystemProgram& program, const std::string& path) {
   std::istringstream folders(path + ":/usr/sbin:/usr/local/sbin");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path file = fs::path(folder) / program.name;
+    fs::path file = fs::path(folder) / program.name;
     if (!folder.empty() && ::access(file.c_str(), X_OK) == 0 && fs::is_regular_file(file)) {
       return file;
     }

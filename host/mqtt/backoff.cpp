@@ -2,6 +2,7 @@
 #include "host/mqtt/backoff.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -9,7 +10,7 @@ namespace echomap::mqtt {
 namespace {
 
 void validate_field(const char* field, double value, double min, double max) {
-  if (!(value >= min && value <= max)) {
+  if (value < min || value > max || std::isnan(value)) {
     std::ostringstream text;
     text << "back-off: " << field << " = " << value << " is outside " << min << " .. " << max;
     throw std::invalid_argument(text.str());

@@ -60,7 +60,7 @@ std::optional<OutgoingMessage> Outbox::take_answered(int packet_id) {
 
 void Outbox::drop_next() { take(first_waiting()); }
 
-OutgoingMessage Outbox::take(Iterator message) {
+OutgoingMessage Outbox::take(const Iterator& message) {
   OutgoingMessage taken = std::move(*message);
   bytes_ -= bytes_of(taken);
   messages_.erase(message);

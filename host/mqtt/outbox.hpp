@@ -51,7 +51,7 @@ class Outbox {
   using Iterator = std::deque<OutgoingMessage>::iterator;
 
   Iterator first_waiting() { return messages_.begin() + static_cast<std::ptrdiff_t>(sent_); }
-  OutgoingMessage take(Iterator message);
+  OutgoingMessage take(const Iterator& message);
 
   OutboxParams params_;
   std::deque<OutgoingMessage> messages_;
