@@ -53,38 +53,51 @@ struct AlignedMap {
   std::vector<geometry::Pose2> T_component_submaps;
 };
 
+/// The submap as it is sent.
 std::optional<SubmapMessage> to_message(const team_map::Submap& submap, std::uint16_t map_number);
+/// The submap as it was sent.
 team_map::Submap to_submap(const SubmapMessage& message);
 /// The submap as every receiver has it. The robot itself uses this one, so that all of them compute
 /// the same.
 std::optional<team_map::Submap> quantised(const team_map::Submap& submap);
 
+/// The pose graph as it is sent, with the covariance of its last pose.
 std::optional<GraphMessage> to_graph_message(const std::vector<geometry::Pose2>& T_map_submaps,
                                              const Eigen::Matrix3d& latest_covariance,
                                              std::uint16_t map_number);
+/// Poses as they were sent.
 std::vector<geometry::Pose2> to_poses(const std::vector<PoseRow>& rows);
 
+/// The robot's pose as it is sent; `stamp_s` is of its clock.
 std::optional<PoseMessage> to_message(const PoseEstimate& pose,
                                       double stamp_s,
                                       std::uint16_t map_number);
+/// The robot's pose as it was sent.
 PoseEstimate to_pose_estimate(const PoseMessage& message);
 /// Symmetric; standard deviations above 65.535 m and 2 pi have become those.
 Eigen::Matrix3d to_covariance(const CovariancePart& part);
 
-/// `utility` above 4294 m2/s has become that. The claims' robot is the message's author.
+/// Claims as they are sent, without their robot: that is the message's author. `utility` above
+/// 4294 m2/s has become that.
 std::optional<ClaimMessage> to_message(const std::vector<team_exploration::Claim>& claims,
                                        std::uint16_t map_number);
+/// Claims as they were sent by that robot.
 std::vector<team_exploration::Claim> to_claims(const ClaimMessage& message,
                                                const std::string& robot);
 
+/// Readings as they are sent; empty where there is none, too.
 std::optional<SourceMessage> to_message(const SourceBatch& batch, std::uint16_t map_number);
+/// Readings as they were sent.
 SourceBatch to_source_batch(const SourceMessage& message);
 
+/// An alignment as it is sent.
 std::optional<AlignmentMessage> to_message(const std::vector<AlignedMap>& maps);
+/// An alignment as it was sent.
 std::vector<AlignedMap> to_aligned_maps(const AlignmentMessage& message);
 
-/// Empty where they do not fit into `message`, which is then unchanged.
+/// The presence with what the robot is like.
 std::optional<PresenceMessage> with_traits(PresenceMessage message, const RobotTraits& traits);
+/// What a robot is like that has sent such a presence.
 RobotTraits to_traits(const PresenceMessage& message);
 
 }  // namespace echomap::fleet_messages

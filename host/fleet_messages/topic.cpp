@@ -50,7 +50,7 @@ std::vector<std::string_view> split(std::string_view text) {
 }
 
 /// Decimal digits without a sign and without leading zeros.
-std::optional<std::uint16_t> parse_number(std::string_view text) {
+std::optional<std::uint16_t> parse_topic_number(std::string_view text) {
   std::uint16_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_whole = error == std::errc() && end == text.data() + text.size();
@@ -59,7 +59,7 @@ std::optional<std::uint16_t> parse_number(std::string_view text) {
 
 std::optional<TopicId> parse_id(IdType type, std::string_view text) {
   if (type == IdType::kNumber) {
-    const auto number = parse_number(text);
+    const auto number = parse_topic_number(text);
     return number ? std::optional<TopicId>(*number) : std::nullopt;
   }
   const auto hash = parse_hash(text);

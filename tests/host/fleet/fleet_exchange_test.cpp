@@ -348,7 +348,7 @@ TEST(FleetExchange, IsTheSourceAgainAfterARestartWithItsFolder) {
   fleet.broker().restart(1.0);
   params.boot_id = 2;
   fleet.add(params);
-  EXPECT_EQ(fleet["r1"].map_number(), 1) << "another map, as odometry has begun anew";
+  EXPECT_EQ(fleet["r1"].map_number(), 1) << "another map, as odometry starts again";
   fleet.stop_once("r1");
   fleet.add("late");
   EXPECT_TRUE(fleet.run_until_same(60.0, 5));
