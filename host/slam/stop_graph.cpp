@@ -195,9 +195,7 @@ void apply(const optimization::BlockSolution& solution, StopGraph& graph) {
   }
 }
 
-/// Makes one step of Gauss and Newton. Returns the negative log evidence before it, doubled, by the
-/// method of Laplace, without what does not depend on the scale of the odometry.
-double step(const StopGraphParams& params, StopGraph& graph) {
+Equations linearised(const StopGraphParams& params, const StopGraph& graph) {
   Equations equations = equations_over(graph);
   equations.blocks.add<3, 3>(Eigen::Vector3d::Zero(),
                              Eigen::Matrix3d::Identity() / square(kAnchorStddev),
@@ -207,6 +205,13 @@ double step(const StopGraphParams& params, StopGraph& graph) {
   add_headings(graph, params, equations);
   add_features(graph, params, equations);
   add_relations(graph, equations);
+  return equations;
+}
+
+/// Makes one step of Gauss and Newton. Returns the negative log evidence before it, doubled, by the
+/// method of Laplace, without what does not depend on the scale of the odometry.
+double step(const StopGraphParams& params, StopGraph& graph) {
+  const Equations equations = linearised(params, graph);
   const auto solution = equations.blocks.solve();
   if (!solution) {
     return std::numeric_limits<double>::infinity();
@@ -258,6 +263,17 @@ void align_stops(const StopGraphParams& params, StopGraph& graph) {
   for (GraphStand& stand : graph.stands) {
     stand.T_map_robot = T_map_moved * stand.T_map_robot;
   }
+}
+
+std::optional<Eigen::Matrix3d> covariance_of(const StopGraphParams& params,
+                                             StopGraph graph,
+                                             std::size_t stand) {
+  if (stand == 0) {
+    return Eigen::Matrix3d::Zero();
+  }
+  graph.stands.front().is_free = false;
+  const auto solution = linearised(params, graph).blocks.solve(stand);
+  return solution ? std::optional<Eigen::Matrix3d>(solution->covariance) : std::nullopt;
 }
 
 double odometry_cost(const StopGraphParams& params, const StopGraph& graph) {

@@ -88,6 +88,12 @@ struct StopGraph {
 /// its heading is a variable as all others, and the map is turned back to it.
 void align_stops(const StopGraphParams& params, StopGraph& graph);
 
+/// Of x, y (m) and heading (rad) of one stand as a graph has it, against the first one; empty where
+/// nothing ties the two.
+std::optional<Eigen::Matrix3d> covariance_of(const StopGraphParams& params,
+                                             StopGraph graph,
+                                             std::size_t stand);
+
 /// Minus the logarithm of how likely the ways between the stands and the calibration are, as they
 /// are now, by odometry alone at its scale of 1; without constants.
 double odometry_cost(const StopGraphParams& params, const StopGraph& graph);

@@ -16,6 +16,7 @@ void validate(const MapJoinParams& params) {
       .within("min_matched_share", params.min_matched_share, 0.0, 1.0)
       .positive("max_range_rms_m", params.max_range_rms_m)
       .within("max_rival_share", params.max_rival_share, 0.0, 1.0)
+      .within("max_rival_wall_share", params.max_rival_wall_share, 0.0, 1.0)
       .positive("agreeing_looks", params.agreeing_looks)
       .positive("same_m", params.same_m)
       .positive("same_rad", params.same_rad)
@@ -38,7 +39,7 @@ void MapJoin::look(const RobotMap& first, const RobotMap& second) {
     if (std::none_of(judged_.begin(), judged_.end(), [&](const JudgedPlacement& other) {
           return slam::is_near(refined, other.T_first_second, params_.same_m, params_.same_rad);
         })) {
-      judged_.push_back({refined, evidence_for(first, second, refined)});
+      judged_.push_back({refined, evidence_for(first, second, refined), placement.weight_m()});
     }
   }
   std::stable_sort(judged_.begin(), judged_.end(), [](const auto& one, const auto& other) {
@@ -65,18 +66,24 @@ bool MapJoin::is_sure() const {
     return false;
   }
   const MapEvidence& best = judged_.front().evidence;
-  const double rival = judged_.size() > 1 ? judged_[1].evidence.weight() : 0.0;
   return best.readings >= params_.min_readings && best.gain >= params_.min_gain &&
          best.loss_per_reading() <= params_.max_loss && best.matched >= params_.min_matched &&
          best.matched_share() >= params_.min_matched_share &&
-         best.range_rms_m <= params_.max_range_rms_m &&
-         rival <= params_.max_rival_share * best.weight();
+         best.range_rms_m <= params_.max_range_rms_m && !has_rival();
+}
+
+bool MapJoin::has_rival() const {
+  const JudgedPlacement& best = judged_.front();
+  return std::any_of(judged_.begin() + 1, judged_.end(), [&](const JudgedPlacement& other) {
+    return other.evidence.weight() > params_.max_rival_share * best.evidence.weight() ||
+           other.wall_weight_m > params_.max_rival_wall_share * best.wall_weight_m;
+  });
 }
 
 void MapJoin::check(const RobotMap& first, const RobotMap& second) {
   const geometry::Pose2 refined = refined_placement(first, second, *joined_);
   const MapEvidence evidence = evidence_for(first, second, refined);
-  judged_ = {{refined, evidence}};
+  judged_ = {{refined, evidence, 0.0}};
   const bool holds = slam::is_near(*joined_, refined, params_.same_m, params_.same_rad) &&
                      evidence.readings >= params_.min_readings / 2 &&
                      evidence.loss_per_reading() <= params_.undone_loss;

@@ -20,7 +20,7 @@ struct MapJoinParams {
   std::size_t judged = 4;
   /// A placement is sure that explains the readings about as well as each map its own: so much is
   /// lost at most of the log-likelihood of a reading,
-  double max_loss = 0.32;
+  double max_loss = 0.4;
   /// over so many readings at least, which it explains by so much better than no map,
   std::size_t min_readings = 500;
   double min_gain = 800.0;
@@ -28,9 +28,11 @@ struct MapJoinParams {
   std::size_t min_matched = 24;
   double min_matched_share = 0.5;
   /// of which the ranges agree to this,
-  double max_range_rms_m = 0.03;
-  /// and such a share of its weight at most speaks for any other place.
+  double max_range_rms_m = 0.033;
+  /// such a share of its weight at most speaks for any other place, by readings,
   double max_rival_share = 0.6;
+  /// and by walls (mapping::MapPlacement), of which it has the most.
+  double max_rival_wall_share = 0.85;
   /// So many looks in a row agree on it, within same_m and same_rad.
   std::size_t agreeing_looks = 2;
   double same_m = 0.3;
@@ -47,6 +49,7 @@ void validate(const MapJoinParams& params);
 struct JudgedPlacement {
   geometry::Pose2 T_first_second;
   MapEvidence evidence;
+  double wall_weight_m = 0.0;  ///< mapping::MapPlacement::weight_m.
 };
 
 /// How the maps of two robots lie to each other, as far as is known. Looked for after every stop of
@@ -70,6 +73,7 @@ class MapJoin {
   void look(const RobotMap& first, const RobotMap& second);
   void check(const RobotMap& first, const RobotMap& second);
   bool is_sure() const;
+  bool has_rival() const;
 
   MapJoinParams params_;
   std::vector<JudgedPlacement> judged_;

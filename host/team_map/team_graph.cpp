@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/team_map/team_graph.hpp"
 
-#include <optional>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 #include "host/geometry/parameter_validator.hpp"
 #include "host/mapping/placed_reading.hpp"
@@ -52,6 +54,7 @@ class TeamStops {
     }
   }
 
+  /// Moves all stands once.
   void align(const mapping::MatchedSurfaces& matched,
              const std::vector<TeamRelation>& relations,
              const slam::StopGraphParams& params) {
@@ -61,19 +64,16 @@ class TeamStops {
       T_team_stands_[i] = graph.stands[i].T_map_robot;
     }
     calibrations_ = graph.calibrations;
+    last_ = std::move(graph);
   }
 
   mapping::MatchedSurfaces match(double tolerance_factor) {
     mapping::SurfaceMatchingParams matching = params_.matching;
     matching.wall_bearing_tolerance_rad *= tolerance_factor;
     matching.post_bearing_tolerance_rad *= tolerance_factor;
-    surfaces_.clear();
     std::vector<ScanSurfaces> placed;
-    for (std::size_t stop = 0; stop < first_stands_.size(); ++stop) {
-      const Pose2& T_team_first = T_team_stands_[first_stands_[stop]];
-      surfaces_.push_back(mapping::find_surfaces(
-          mapping::moved(scan_of(stop), T_team_first.inverse()), params_.surfaces));
-      placed.push_back(mapping::moved(surfaces_.back(), T_team_first));
+    for (const std::size_t first : first_stands_) {
+      placed.push_back(mapping::moved(surfaces_of(stands_[first]), T_team_stands_[first]));
     }
     return mapping::match_surfaces(placed, matching);
   }
@@ -83,9 +83,23 @@ class TeamStops {
       const TeamStand& stand = stands_[first];
       tracks_[stand.robot].T_team_submaps[stand.submap] = T_team_stands_[first];
     }
+    for (std::size_t robot = 0; robot < tracks_.size(); ++robot) {
+      tell_stddevs(robot);
+    }
   }
 
  private:
+  void tell_stddevs(std::size_t robot) {
+    const std::size_t end =
+        robot + 1 < first_stops_.size() ? first_stops_[robot + 1] : first_stands_.size();
+    const auto covariance = slam::covariance_of(params_.graph, last_, first_stands_[end - 1]);
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    TeamTrack& track = tracks_[robot];
+    track.position_stddev_m =
+        covariance ? std::sqrt(covariance->topLeftCorner<2, 2>().trace()) : kUnknown;
+    track.heading_stddev_rad = covariance ? std::sqrt((*covariance)(2, 2)) : kUnknown;
+  }
+
   void add_stop(std::size_t robot, std::size_t submap) {
     const auto& readings = tracks_[robot].map->submaps()[submap].readings;
     const std::size_t stop = first_stands_.size();
@@ -98,22 +112,8 @@ class TeamStops {
     }
   }
 
-  std::size_t end_of(std::size_t stop) const {
-    return stop + 1 < first_stands_.size() ? first_stands_[stop + 1] : stands_.size();
-  }
-
-  mapping::Scan scan_of(std::size_t stop) const {
-    mapping::Scan scan;
-    for (std::size_t i = first_stands_[stop]; i < end_of(stop); ++i) {
-      const auto& stand = stands_[i];
-      const auto& readings = tracks_[stand.robot].map->submaps()[stand.submap].readings;
-      const mapping::Scan part = readings_of(readings,
-                                             stand.readings.first,
-                                             stand.readings.last - stand.readings.first,
-                                             T_team_stands_[i]);
-      scan.insert(scan.end(), part.begin(), part.end());
-    }
-    return scan;
+  const ScanSurfaces& surfaces_of(const TeamStand& stand) const {
+    return tracks_[stand.robot].map->surfaces()[stand.submap];
   }
 
   slam::StopGraph graph_over(const mapping::MatchedSurfaces& matched,
@@ -150,7 +150,7 @@ class TeamStops {
       slam::GraphFeature& added = graph.features.emplace_back();
       added.feature = feature.feature;
       for (const auto& [stop, index] : feature.supporters) {
-        const ScanSurfaces& found = surfaces_[stop];
+        const ScanSurfaces& found = surfaces_of(stands_[first_stands_[stop]]);
         added.sightings.push_back({first_stands_[stop],
                                    found.center_m,
                                    found.surfaces[index].range_m,
@@ -169,8 +169,8 @@ class TeamStops {
   std::vector<Pose2> T_team_stands_;
   std::vector<std::size_t> first_stands_;  ///< Of each stop.
   std::vector<std::size_t> first_stops_;   ///< Of each robot.
-  std::vector<ScanSurfaces> surfaces_;     ///< Of each stop, in the frame of its first stand.
   std::vector<slam::OdometryCalibration> calibrations_;
+  slam::StopGraph last_;
 };
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include "host/geometry/pose2.hpp"
-#include "host/mapping/sonar_surfaces.hpp"
 #include "host/mapping/surface_matching.hpp"
 #include "host/slam/stop_graph.hpp"
 #include "host/slam/stop_heading.hpp"
@@ -20,7 +19,6 @@ namespace echomap::team_map {
 /// are.
 struct TeamGraphParams {
   slam::StopStandParams stands;
-  mapping::SonarSurfaceParams surfaces;
   mapping::SurfaceMatchingParams matching{.wall_bearing_tolerance_rad = 0.18,
                                           .post_bearing_tolerance_rad = 0.18};
   slam::StopHeadingParams heading;
@@ -35,6 +33,10 @@ void validate(const TeamGraphParams& params);
 struct TeamTrack {
   const RobotMap* map = nullptr;
   std::vector<geometry::Pose2> T_team_submaps;  ///< Where they are begun, and then are.
+  /// How well the last one is known against the first submap of the first track; infinite where
+  /// nothing ties the two.
+  double position_stddev_m = 0.0;
+  double heading_stddev_rad = 0.0;
 };
 
 /// Which stops of two robots lie how to each other: told, or seen.

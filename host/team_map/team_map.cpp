@@ -66,6 +66,11 @@ void TeamMap::tell(const ToldPose& told) {
   changed_.push_back(told.robot);
 }
 
+void TeamMap::see(const PeerSighting& sighting) {
+  sightings_.push_back(sighting);
+  changed_.push_back(sighting.robot);
+}
+
 bool TeamMap::update() {
   if (changed_.empty()) {
     return false;
@@ -170,9 +175,8 @@ void TeamMap::align(TeamComponent& component) const {
   }
   if (tracks.size() > 1) {
     TeamGraphParams graph = params_.graph;
-    graph.surfaces.beam_half_angle_rad = tracks.front().map->beam_half_angle_rad();
     graph.heading.beam_half_angle_rad = tracks.front().map->beam_half_angle_rad();
-    align_team(graph, {}, tracks);
+    align_team(graph, relations_in(component), tracks);
   }
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     std::vector<Pose2>& poses = component.T_team_submaps[i];
@@ -181,11 +185,49 @@ void TeamMap::align(TeamComponent& component) const {
       poses.push_back(rounded(pose));
     }
     component.T_team_maps.push_back(poses.back() * tracks[i].map->T_map_submaps().back().inverse());
-    constexpr double kPositionStddevM = 0.05;
-    constexpr double kHeadingStddevRad = 0.02;
-    component.position_stddev_m.push_back(i == 0 ? 0.0 : kPositionStddevM);
-    component.heading_stddev_rad.push_back(i == 0 ? 0.0 : kHeadingStddevRad);
+    component.position_stddev_m.push_back(tracks[i].position_stddev_m);
+    component.heading_stddev_rad.push_back(tracks[i].heading_stddev_rad);
   }
+}
+
+std::vector<TeamRelation> TeamMap::relations_in(const TeamComponent& component) const {
+  const auto index_of = [&](const std::string& robot) -> std::optional<std::size_t> {
+    const auto found = std::find(component.robots.begin(), component.robots.end(), robot);
+    return found == component.robots.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - component.robots.begin()));
+  };
+  std::vector<TeamRelation> relations;
+  for (const auto& [pair, relative] : told_) {
+    const auto robot = index_of(pair.first);
+    const auto peer = index_of(pair.second);
+    if (robot && peer) {
+      const Pose2& T_robot_submap = robots_.at(pair.first).T_map_submaps().front();
+      const Pose2& T_peer_submap = robots_.at(pair.second).T_map_submaps().front();
+      relations.push_back({*robot,
+                           0,
+                           *peer,
+                           0,
+                           T_robot_submap.inverse() * relative.T_own_peer * T_peer_submap,
+                           relative.position_stddev_m,
+                           relative.heading_stddev_rad});
+    }
+  }
+  for (const PeerSighting& seen : sightings_) {
+    const auto robot = index_of(seen.robot);
+    const auto peer = index_of(seen.peer);
+    if (robot && peer && seen.submap < component.T_team_submaps[*robot].size() &&
+        seen.peer_submap < component.T_team_submaps[*peer].size()) {
+      relations.push_back({*robot,
+                           seen.submap,
+                           *peer,
+                           seen.peer_submap,
+                           seen.T_submap_peer,
+                           seen.position_stddev_m,
+                           seen.heading_stddev_rad});
+    }
+  }
+  return relations;
 }
 
 const TeamComponent* TeamMap::component_of(const std::string& robot) const {

@@ -41,6 +41,17 @@ struct ToldPose {
   RelativePose relative;
 };
 
+/// One robot has seen another. It does not join their maps by itself, but moves those that are.
+struct PeerSighting {
+  std::string robot;
+  std::size_t submap = 0;  ///< Where the one stood that saw.
+  std::string peer;
+  std::size_t peer_submap = 0;  ///< Where the other one stood.
+  geometry::Pose2 T_submap_peer;
+  double position_stddev_m = 0.0;
+  double heading_stddev_rad = 0.0;  ///< Infinite where only the place was seen.
+};
+
 /// Robots whose maps are joined, in the frame of the first one's map, as its first submap has it.
 struct TeamComponent {
   std::vector<std::string> robots;  ///< By name.
@@ -73,6 +84,9 @@ class TeamMap {
   /// From now on this holds, whatever walls say.
   void tell(const ToldPose& told);
 
+  /// Takes that one robot has seen another.
+  void see(const PeerSighting& sighting);
+
   /// To be called after something was taken: looks for joins, checks those that there are, and
   /// aligns what is joined. Answers whether the components or their poses have changed.
   bool update();
@@ -97,12 +111,14 @@ class TeamMap {
   std::vector<TeamComponent> connected() const;
   void begin(TeamComponent& component) const;
   void align(TeamComponent& component) const;
+  std::vector<TeamRelation> relations_in(const TeamComponent& component) const;
   std::optional<geometry::Pose2> T_joined(const std::string& one, const std::string& other) const;
 
   TeamMapParams params_;
   std::map<std::string, RobotMap> robots_;
   std::map<Pair, MapJoin> joins_;
   std::map<Pair, RelativePose> told_;
+  std::vector<PeerSighting> sightings_;
   std::vector<std::string> changed_;
   std::vector<TeamComponent> components_;
   std::map<std::string, MergedMapper> mappers_;  ///< By the robot whose frame it is.

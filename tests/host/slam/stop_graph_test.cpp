@@ -128,6 +128,23 @@ TEST(StopGraph, BringsTwoRobotsToWhereTheyAreKnownToBe) {
   EXPECT_NEAR(graph.stands[1].T_map_robot.heading_rad(), 0.3, 0.01);
 }
 
+TEST(StopGraph, KnowsAStandTheLessTheFartherItHasGone) {
+  const StopGraph graph = straight(6);
+  EXPECT_EQ(covariance_of({}, graph, 0)->norm(), 0.0);
+  const auto near = covariance_of({}, graph, 1);
+  const auto far = covariance_of({}, graph, 5);
+  ASSERT_TRUE(near && far);
+  EXPECT_GT((*near)(0, 0), 0.0);
+  EXPECT_GT((*far)(1, 1), 4.0 * (*near)(1, 1));
+  EXPECT_GT((*far)(2, 2), (*near)(2, 2));
+}
+
+TEST(StopGraph, KnowsNothingOfAStandThatNothingTies) {
+  StopGraph graph = straight(3);
+  graph.stands[2].piece_before.reset();
+  EXPECT_FALSE(covariance_of({}, graph, 2));
+}
+
 TEST(StopGraph, RefusesInvalidParameters) {
   StopGraphParams params;
   params.odometry_scales.clear();

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "host/team_map/map_join.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/told_robot.hpp"
+
+namespace echomap::team_map {
+namespace {
+
+using geometry::Pose2;
+using geometry::radians;
+
+/// Half a metre larger each way.
+const tests::SmoothRoom kLargerRoom{
+    {{0.0, 1.8}, {radians(90.0), 1.4}, {radians(180.0), 1.6}, {radians(-90.0), 1.2}}, {}};
+
+class MapJoinTest : public ::testing::Test {
+ protected:
+  MapJoinTest() { first.take(tests::told_record("a", room, tests::one_round_m(), 0.0)); }
+
+  void stop(std::size_t stops) { second.take(tests::first_stops(told, stops)); }
+
+  const tests::SmoothRoom room = tests::room_of_posts();
+  RobotRecord told = tests::told_record("b", room, tests::other_round_m(), 1.0);
+  RobotMap first{mapping::SonarMapperParams{}};
+  RobotMap second{mapping::SonarMapperParams{}};
+  MapJoin join{MapJoinParams{}};
+};
+
+TEST_F(MapJoinTest, JoinsMapsOfOneRoomWhereTwoLooksAgree) {
+  for (std::size_t stops = 1; stops <= 8; ++stops) {
+    stop(stops);
+    join.update(first, second);
+    EXPECT_FALSE(stops < 3 && join.T_first_second()) << "of so little nobody is sure";
+  }
+  ASSERT_TRUE(join.T_first_second());
+  const Pose2 T_true = tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0);
+  EXPECT_NEAR(join.T_first_second()->x_m(), T_true.x_m(), 0.03);
+  EXPECT_NEAR(join.T_first_second()->y_m(), T_true.y_m(), 0.03);
+  EXPECT_NEAR(join.T_first_second()->heading_rad(), T_true.heading_rad(), 0.03);
+  EXPECT_EQ(join.joins(), 1U);
+  EXPECT_EQ(join.undone(), 0U);
+}
+
+TEST_F(MapJoinTest, DoesNotJoinARoomThatLooksAlike) {
+  told = tests::told_record("b", tests::look_alike_room(), tests::other_round_m(), 1.0);
+  for (std::size_t stops = 1; stops <= 8; ++stops) {
+    stop(stops);
+    join.update(first, second);
+    EXPECT_FALSE(join.T_first_second()) << stops;
+  }
+}
+
+/// An empty rectangle is the same when it is turned by half a turn.
+TEST_F(MapJoinTest, DoesNotJoinWhatFitsInTwoWays) {
+  const tests::SmoothRoom empty = tests::smooth_rectangle();
+  first.take(tests::told_record("a", empty, tests::one_round_m(), 0.0));
+  told = tests::told_record("b", empty, tests::other_round_m(), 1.0);
+  for (std::size_t stops = 1; stops <= 8; ++stops) {
+    stop(stops);
+    join.update(first, second);
+    EXPECT_FALSE(join.T_first_second()) << stops;
+  }
+}
+
+TEST_F(MapJoinTest, UndoesAJoinThatIsContradicted) {
+  for (const std::size_t stops : {7, 8}) {
+    stop(stops);
+    join.update(first, second);
+  }
+  ASSERT_TRUE(join.T_first_second());
+  RobotMap elsewhere{mapping::SonarMapperParams{}};
+  elsewhere.take(tests::told_record("b", kLargerRoom, tests::other_round_m(), 1.0));
+  join.update(first, elsewhere);
+  EXPECT_TRUE(join.T_first_second()) << "one look is not enough";
+  join.update(first, second);
+  join.update(first, elsewhere);
+  EXPECT_TRUE(join.T_first_second()) << "nor are two that one for it comes between";
+  join.update(first, elsewhere);
+  EXPECT_FALSE(join.T_first_second());
+  EXPECT_EQ(join.undone(), 1U);
+}
+
+TEST(MapJoinParams, RefusesInvalidOnes) {
+  MapJoinParams params;
+  params.undone_loss = 0.5 * params.max_loss;
+  EXPECT_THROW(validate(params), std::invalid_argument);
+  params = {};
+  params.agreeing_looks = 0;
+  EXPECT_THROW(validate(params), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace echomap::team_map

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "host/team_map/robot_map.hpp"
+
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/told_robot.hpp"
+
+namespace echomap::team_map {
+namespace {
+
+RobotRecord told() {
+  return tests::told_record("a", tests::room_of_posts(), tests::one_round_m(), 0.4);
+}
+
+TEST(RobotMap, IsMadeOfWhatARobotTells) {
+  RobotMap map{mapping::SonarMapperParams{}};
+  EXPECT_TRUE(map.take(told()));
+  EXPECT_EQ(map.robot(), "a");
+  EXPECT_EQ(map.submaps().size(), 8U);
+  EXPECT_EQ(map.map().map().state(map.map().map().cell_at({0.1, 0.1})), mapping::CellState::kFree);
+  EXPECT_GE(map.features().walls.size(), 4U);
+  EXPECT_EQ(map.surfaces().size(), 8U);
+}
+
+TEST(RobotMap, SaysWhetherAnythingIsNew) {
+  RobotMap map{mapping::SonarMapperParams{}};
+  EXPECT_FALSE(map.take(tests::first_stops(told(), 0)));
+  EXPECT_TRUE(map.take(tests::first_stops(told(), 4)));
+  EXPECT_FALSE(map.take(tests::first_stops(told(), 4)));
+  EXPECT_TRUE(map.take(told()));
+  RobotRecord moved = told();
+  moved.T_map_submaps[3] = geometry::Pose2(0.5, 0.0, 0.0) * moved.T_map_submaps[3];
+  EXPECT_TRUE(map.take(moved));
+}
+
+/// A submap whose pose has not come yet waits for it.
+TEST(RobotMap, TakesOnlySubmapsThatHaveAPose) {
+  RobotMap map{mapping::SonarMapperParams{}};
+  RobotRecord record = told();
+  record.T_map_submaps.resize(3);
+  map.take(record);
+  EXPECT_EQ(map.submaps().size(), 3U);
+}
+
+TEST(RobotMap, ExplainsItsOwnReadingsByItsOtherStops) {
+  RobotMap map{mapping::SonarMapperParams{}};
+  map.take(told());
+  ASSERT_EQ(map.own_log_likelihoods().size(), 8U);
+  const auto& of_one = map.own_log_likelihoods()[2];
+  ASSERT_EQ(of_one.size(), 90U);
+  EXPECT_GT(std::accumulate(of_one.begin(), of_one.end(), 0.0) / 90.0, -0.5);
+}
+
+}  // namespace
+}  // namespace echomap::team_map
