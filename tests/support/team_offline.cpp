@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   echomap::tests::OfflineTeamSettings settings;
   settings.frames_known_s = argc > 5 ? std::strtod(argv[5], nullptr) : 0.0;
   settings.enough_share = argc > 6 ? std::strtod(argv[6], nullptr) : settings.enough_share;
+  settings.max_s = argc > 7 ? std::strtod(argv[7], nullptr) : settings.max_s;
   settings.tune = [&](auto& params) {
     const auto knob = [](const char* name, double value) {
       const char* text = std::getenv(name);
