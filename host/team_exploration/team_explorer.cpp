@@ -44,6 +44,13 @@ bool differs(const std::optional<Claim>& one, const std::optional<Claim>& other,
 
 }  // namespace
 
+exploration::FrontierParams for_building(exploration::FrontierParams params) {
+  exploration::UnobservedWallParams& walls = params.gain.unobserved;
+  walls.max_distance_m = std::min(walls.max_distance_m, 1.3);
+  walls.floor_chance = 1.0;
+  return params;
+}
+
 TeamExplorer::TeamExplorer(TeamBoard& board, const TeamExplorerParams& params)
     : params_(params), frontier_(params.frontier), avoidance_(params.avoidance), board_(board) {
   geometry::ParameterValidator("team explorer")
@@ -77,15 +84,18 @@ Motion TeamExplorer::decide(const Snapshot& snapshot, MotionResult last) {
 
 /// Another robot's claim of the same floor is better, and this robot has not decided by it yet.
 bool TeamExplorer::has_lost_goal() {
+  constexpr double kSameM = 0.1;
   if (!claim_ || !frontier_.goal()) {
+    lost_to_.clear();
     return false;
   }
   for (const Claim& other : view_.claims) {
     const bool is_same = (other.at_m - claim_->at_m).norm() < params_.frontier.contest_m;
-    const bool is_known =
-        lost_to_ && lost_to_->robot == other.robot && lost_to_->at_m == other.at_m;
+    const bool is_known = std::any_of(lost_to_.begin(), lost_to_.end(), [&](const Claim& known) {
+      return known.robot == other.robot && (known.at_m - other.at_m).norm() < kSameM;
+    });
     if (is_same && !is_known && beats(other, *claim_)) {
-      lost_to_ = other;
+      lost_to_.push_back(other);
       ++lost_bids_;
       return true;
     }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/frontier.hpp"
@@ -25,6 +26,11 @@ struct TeamExplorerParams {
   /// A robot that waits for others to finish decides again so often.
   double decide_again_s = 5.0;
 };
+
+/// What `frontier` goes by in a building, where the robot's own parameters are for a room. A gap in
+/// a wall is told from a door only where the beam is no wider than a door, 1.3 m away; a look from
+/// farther off is none. And it is worth a look even of few square metres: behind it is a room.
+exploration::FrontierParams for_building(exploration::FrontierParams params);
 
 /// Explores as one of a team, by `frontier`: decides by the map of all, leaves to others what they
 /// claim (after Burgard et al. 2005, with an auction that has no auctioneer), keeps off them and
@@ -54,7 +60,7 @@ class TeamExplorer final : public exploration::Explorer {
   TeamBoard& board_;
   TeamView view_;
   std::shared_ptr<const mapping::OccupancyGrid> decided_by_;  ///< The map of all at that time.
-  std::optional<Claim> lost_to_;          ///< A better claim of which it has taken note.
+  std::vector<Claim> lost_to_;            ///< Better claims that it has decided by, on this way.
   std::optional<double> decide_again_s_;  ///< While it waits for others to finish.
   /// The goal that it has claimed, and when.
   std::optional<exploration::Viewpoint> goal_;

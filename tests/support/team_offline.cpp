@@ -43,12 +43,12 @@ void print_run(const char* room,
 
 }  // namespace
 
-/// team_offline ROOM ROBOTS FIRST LAST [KNOWN_S [SHARE]]: so many robots explore a room together,
-/// for the seeds FIRST .. LAST, until a map has SHARE of the floor. Frames are known from KNOWN_S
-/// on. The starts of a seed are those of 4 robots, of which the first take part.
+/// team_offline ROOM ROBOTS FIRST LAST [KNOWN_S [SHARE [MAX_S]]]: so many robots explore a room
+/// together, for the seeds FIRST .. LAST, until a map has SHARE of the floor. Frames are known from
+/// KNOWN_S on. The starts of a seed are those of 4 robots, of which the first take part.
 int main(int argc, char** argv) {
   if (argc < 5) {
-    std::fprintf(stderr, "usage: team_offline ROOM ROBOTS FIRST LAST [KNOWN_S [SHARE]]\n");
+    std::fprintf(stderr, "usage: team_offline ROOM ROBOTS FIRST LAST [KNOWN_S [SHARE [MAX_S]]]\n");
     return 2;
   }
   constexpr double kApartM = 2.0;
@@ -59,24 +59,7 @@ int main(int argc, char** argv) {
   echomap::tests::OfflineTeamSettings settings;
   settings.frames_known_s = argc > 5 ? std::strtod(argv[5], nullptr) : 0.0;
   settings.enough_share = argc > 6 ? std::strtod(argv[6], nullptr) : settings.enough_share;
-  settings.tune = [&](auto& params) {
-    const auto knob = [](const char* name, double value) {
-      const char* text = std::getenv(name);
-      return text ? std::strtod(text, nullptr) : value;
-    };
-    auto& f = params.frontier;
-    f.enough_share = knob("ENOUGH", f.enough_share);
-    f.fine_gain_m2 = knob("FINE", f.fine_gain_m2);
-    f.fine_gain_part = knob("PART", f.fine_gain_part);
-    f.gain.unobserved.floor_chance = knob("CHANCE", f.gain.unobserved.floor_chance);
-    auto& wall = f.gain.unobserved;
-    wall.max_distance_m = knob("MAXD", wall.max_distance_m);
-    wall.inside_m = knob("INSIDE", wall.inside_m);
-    f.viewpoints.min_gain_m2 = knob("MINGAIN", f.viewpoints.min_gain_m2);
-    params.reach_m = knob("REACH", params.reach_m);
-    f.contest_m = knob("CONTEST", f.contest_m);
-    f.outbid = knob("OUTBID", f.outbid);
-  };
+  settings.max_s = argc > 7 ? std::strtod(argv[7], nullptr) : settings.max_s;
   for (auto seed = static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10)); seed <= last;
        ++seed) {
     auto starts = echomap::tests::team_starts(room, 4, kApartM, seed);

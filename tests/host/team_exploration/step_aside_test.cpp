@@ -22,17 +22,17 @@ mapping::RasterMap map_of(mapping::OccupancyGrid grid) {
 TEST(ExpectedWay, LeadsOverTheMapToWhatThePeerClaims) {
   const auto map = map_of(tests::corridor_with_niche());
   const Claim claim{"b", {1.3, 0.6}, 0.1, 2.0, ""};
-  const auto way_m = expected_way(map, peer_at("b", {3.5, 0.0, 0.0}), &claim, {});
-  ASSERT_GE(way_m.size(), 3U) << "round the corner of the niche";
-  EXPECT_LT((way_m.front() - Eigen::Vector2d(3.5, 0.0)).norm(), 0.05);
-  EXPECT_LT((way_m.back() - claim.at_m).norm(), 0.05);
+  const auto path_m = expected_way(map, peer_at("b", {3.5, 0.0, 0.0}), &claim, {});
+  ASSERT_GE(path_m.size(), 3U) << "round the corner of the niche";
+  EXPECT_LT((path_m.front() - Eigen::Vector2d(3.5, 0.0)).norm(), 0.05);
+  EXPECT_LT((path_m.back() - claim.at_m).norm(), 0.05);
 }
 
 TEST(ExpectedWay, LeadsStraightAheadWherePeerClaimsNothing) {
   const auto map = map_of(tests::corridor_with_niche());
-  const auto way_m = expected_way(map, peer_at("b", {3.5, 0.0, std::numbers::pi}), nullptr, {});
-  ASSERT_EQ(way_m.size(), 2U);
-  EXPECT_LT((way_m.back() - Eigen::Vector2d(2.0, 0.0)).norm(), 1e-9);
+  const auto path_m = expected_way(map, peer_at("b", {3.5, 0.0, std::numbers::pi}), nullptr, {});
+  ASSERT_EQ(path_m.size(), 2U);
+  EXPECT_LT((path_m.back() - Eigen::Vector2d(2.0, 0.0)).norm(), 1e-9);
 }
 
 TEST(PassingPlace, IsTheNicheOfACorridor) {
